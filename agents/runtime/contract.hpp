@@ -1,0 +1,39 @@
+#pragma once
+
+// An agent's contract: what it offers, posts, reads, lets you configure and monitor, as one s-expression that the board
+// shows as (contract NAME FORM).
+//
+//   (contract vision
+//     (offers (learn (x number) (y number) (name string)) (find (name string)) (get-objects))
+//     (posts (relation learned ((name string) (area number)) (key name)))
+//     (reads frames)
+//     (configures ...) (monitors ...))
+
+#include <vector>
+
+#include "blackboard/relation.hpp"
+
+namespace pizarra {
+
+struct Operation {
+  std::string name;
+  std::vector<Argument> arguments;
+};
+
+struct Contract {
+  std::string kind;
+  std::vector<Operation> offers;
+  std::vector<Relation> posts;
+  Datum form;
+};
+
+// A malformed contract is a bug of the agent's author; the failure says where.
+Result<Contract> contract_from_text(std::string_view text);
+
+// Whether the operation is offered and its arguments fit: failures unknown-operation (names the nearest), wrong-shape.
+Result<void> check_operation(const Contract& contract, const Datum& operation);
+
+// The relations all agents share: agent, contract, request, reply.
+std::vector<Relation> runtime_relations();
+
+}  // namespace pizarra

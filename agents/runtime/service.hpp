@@ -1,0 +1,68 @@
+#pragma once
+
+// Requests and replies as facts. `(request ID AGENT (operation args...))` is taken by the agent and answered by
+// `(reply ID (ok value...))` or `(reply ID (fail symbol "sentence" subject))`, told together with settling the request.
+// A request whose ID has been answered already is answered again the same way without being done again (the last 256
+// are remembered). An agent that dies before it replied leaves the request to its successor.
+//
+//   Task<Result<void>> VisionAgent::run() {
+//     Service service(context_, contract());
+//     Result<void> started = co_await service.start();          // declares, presence lease, contract fact
+//     if (!started) co_return started;
+//     co_return co_await service.serve([this](Datum operation) { return handle(std::move(operation)); });
+//   }
+//
+// Requests are handled concurrently, each in a job of its own, at most 64 at once: an agent that does one thing at a
+// time says so by failing with `busy`.
+
+#include <functional>
+#include <map>
+#include <set>
+
+#include "agents/runtime/agent.hpp"
+#include "agents/runtime/contract.hpp"
+
+namespace pizarra {
+
+// What the handler answers: the elements after `ok`, a list.
+using Handler = std::function<Task<Result<Datum>>(Datum operation)>;
+
+class Service {
+ public:
+  static constexpr Duration presence_lease = 2s;
+  static constexpr Duration presence_renewal = 500ms;
+  static constexpr std::size_t max_concurrent = 64;
+
+  Service(AgentContext& context, Contract contract);
+  ~Service();
+
+  // Declares the runtime's and the contract's relations, waits until the name is free, tells presence and contract.
+  Task<Result<void>> start();
+  // Serves until destroyed, or until the board or the presence is lost for good.
+  Task<Result<void>> serve(Handler handler);
+  // The lease under which this agent's presence, and whatever should go with it, stands.
+  LeaseId presence() const { return presence_; }
+
+ private:
+  AgentContext& context_;
+  Contract contract_;
+  LeaseId presence_ = 0;
+  struct Running;
+  std::unique_ptr<Running> running_;
+};
+
+// Asks another agent for something and waits for the reply's `ok` elements as a list. Failures: those of the agent,
+// and `timeout` (the request is then withdrawn). Request ids are NAME-LEASE-COUNT, unique on one board.
+class Caller {
+ public:
+  // `presence`: the lease that tells this life of the caller from its earlier ones.
+  Caller(AgentContext& context, LeaseId presence) : context_(context), presence_(presence) {}
+  Task<Result<Datum>> call(std::string agent, Datum operation, Duration timeout);
+
+ private:
+  AgentContext& context_;
+  LeaseId presence_;
+  std::uint64_t count_ = 0;
+};
+
+}  // namespace pizarra

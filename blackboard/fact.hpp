@@ -1,0 +1,28 @@
+#pragma once
+
+// A fact on the board with its provenance: who told it, when, at which revision, and because of which other facts.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "blackboard/time/clock.hpp"
+#include "lisp/datum.hpp"
+
+namespace pizarra {
+
+using Revision = std::uint64_t;  // 1 is the first committed transaction
+using FactId = std::uint64_t;    // a counter, never used twice on one board
+using LeaseId = std::uint64_t;   // 0: none
+
+struct Fact {
+  Datum datum;
+  FactId id = 0;
+  std::string teller;
+  Time when{};
+  Revision revision = 0;
+  std::vector<FactId> because;
+  bool operator==(const Fact&) const = default;
+};
+
+}  // namespace pizarra

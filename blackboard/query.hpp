@@ -1,0 +1,50 @@
+#pragma once
+
+// A query is a conjunction over facts with shared variables:
+//
+//   (on ?x ?y)
+//   (and (on ?x ?y) (not (on ?z ?x)))
+//   (and (seen ?name ?x ?y ?d) (< ?d 900))          ; < <= > >= = /= between numbers, variables; = /= between any data
+//   (query (seen ?name ?x ?y ?d) (order ?x) (limit 2))   ; (order (down ?x)) for descending
+//
+// A variable of a `not` or a comparison that no earlier positive pattern binds: in a comparison it is refused, in a
+// `not` it stands for "any".
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "blackboard/fact.hpp"
+#include "lisp/pattern.hpp"
+#include "lisp/result.hpp"
+
+namespace pizarra {
+
+struct Query {
+  struct Clause {
+    enum class Kind : std::uint8_t { fact, absent, compare };
+    Kind kind;
+    Datum form;  // the pattern, or the comparison whole
+  };
+  std::vector<Clause> clauses;
+  std::string order;  // a variable, empty: by the facts' ids
+  bool descending = false;
+  std::optional<std::size_t> limit;
+};
+
+Result<Query> query_from_datum(const Datum& form);
+Datum query_to_datum(const Query& query);
+
+// One way to satisfy a query: the variables' values and the facts that the positive patterns matched, in their order.
+struct Answer {
+  Bindings bindings;
+  std::vector<Fact> facts;
+  bool operator==(const Answer&) const = default;
+};
+
+struct Answers {
+  Revision revision = 0;
+  std::vector<Answer> answers;
+};
+
+}  // namespace pizarra

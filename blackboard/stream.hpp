@@ -1,0 +1,61 @@
+#pragma once
+
+// Images travel beside the board: a stream is named in a fact (stream NAME KIND), its frames go from publisher to
+// subscribers, and the newest wins: who reads slowly sees fewer frames and disturbs nobody.
+//
+//   if (streams.watched("vision-left")) streams.publish("vision-left", frame);
+//   auto eyes = streams.subscribe("vision-left", [](const StreamFrame& frame) { ... });
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "blackboard/time/clock.hpp"
+
+namespace pizarra {
+
+// Pixels row by row, interleaved: 1 channel grey, 3 channels BGR.
+struct Image {
+  int width = 0;
+  int height = 0;
+  int channels = 1;
+  std::vector<std::uint8_t> pixels;
+};
+
+struct StreamFrame {
+  std::uint64_t number = 0;
+  Time captured{};
+  std::shared_ptr<const Image> image;
+};
+
+class Streams {
+ public:
+  using Receiver = std::function<void(const StreamFrame&)>;
+  // Destroying it ends the subscription.
+  class Subscription {
+   public:
+    virtual ~Subscription() = default;
+  };
+
+  virtual ~Streams() = default;
+  virtual bool watched(const std::string& stream) const = 0;
+  virtual void publish(const std::string& stream, const StreamFrame& frame) = 0;
+  virtual std::unique_ptr<Subscription> subscribe(const std::string& stream, Receiver receiver) = 0;
+};
+
+// Streams within one process; receivers are called from publish(). It outlives its subscriptions.
+class LocalStreams : public Streams {
+ public:
+  bool watched(const std::string& stream) const override;
+  void publish(const std::string& stream, const StreamFrame& frame) override;
+  std::unique_ptr<Subscription> subscribe(const std::string& stream, Receiver receiver) override;
+
+ private:
+  class Entry;
+  std::multimap<std::string, Entry*> entries_;
+};
+
+}  // namespace pizarra

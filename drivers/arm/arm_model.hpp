@@ -1,0 +1,36 @@
+#pragma once
+
+// An arm described as data: link geometry, limits, speeds and the meaning of its axes, in the thesis' convention.
+// Lengths mm, angles degrees. Sources: link geometry and speeds of the CRS-F3 (the KUKA KR3's): d1 350, a1 100, a2 265,
+// d4 270, d6 75; signs and limits: the thesis' Table B.1.
+
+#include <array>
+#include <string>
+
+namespace pizarra {
+
+inline constexpr std::size_t arm_axes = 6;
+using Joints = std::array<double, arm_axes>;  // degrees
+
+struct AxisLimits {
+  double low_deg;
+  double high_deg;
+  double speed_deg_s;
+};
+
+struct ArmModel {
+  std::string type;
+  double base_height_mm;  // axis 2 above the table
+  double base_offset_mm;  // axis 2 ahead of axis 1
+  double upper_arm_mm;    // a
+  double forearm_mm;      // b, elbow to wrist centre
+  double wrist_mm;        // wrist centre to flange
+  double tool_mm;         // flange to grip centre
+  std::array<AxisLimits, arm_axes> limits;
+  Joints home;
+  Joints ready;
+};
+
+const ArmModel& crs_f3();
+
+}  // namespace pizarra

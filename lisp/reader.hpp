@@ -1,0 +1,55 @@
+#pragma once
+
+// The strict reader: text to Datum, with limits, refusing whatever it does not know exactly.
+//
+// The language: `(` `)` lists, `"..."` strings (escapes \" \\ \n \t), integers, reals, symbols (letters, digits and
+// !$%&*/:<=>?^_~+-.@), `;` comments to the end of the line. Nothing else: no quotes, dots, commas, vectors, `#`.
+// Numbers that do not fit, NUL bytes, invalid UTF-8, unclosed lists and strings are failures that name their place.
+//
+//   Result<Datum> fact = read_one("(on circle triangle)");
+//   Result<Source> file = read_source(text, "blocks.scm");   // many data, each element knows where it stood
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lisp/result.hpp"
+
+namespace pizarra {
+
+struct ReadLimits {
+  std::size_t bytes = 1 << 20;
+  std::size_t depth = 64;
+  std::size_t elements = 100'000;
+};
+
+// Exactly one datum with nothing but blanks and comments around it.
+Result<Datum> read_one(std::string_view text, const ReadLimits& limits = {}, std::string_view file = "input");
+
+// A text a person wrote, read whole, that remembers where every element stood.
+class Source {
+ public:
+  const std::vector<Datum>& data() const { return data_; }
+  const std::string& file() const { return file_; }
+  // A failure about the element that `path` leads to: {2, 0} is the first element of the third datum. The place gets
+  // file:line:column, the line, a caret, and `context` (outermost first). A path that leads nowhere means its longest
+  // existing part.
+  Failure failure_at(const std::vector<std::size_t>& path, std::string symbol, std::string sentence,
+                     const std::vector<std::string>& context = {}) const;
+
+ private:
+  friend Result<Source> read_source(std::string_view, std::string, const ReadLimits&);
+  struct Spot {
+    std::size_t offset;
+    std::vector<Spot> items;
+  };
+  std::string file_;
+  std::string text_;
+  std::vector<Datum> data_;
+  std::vector<Spot> spots_;
+};
+
+Result<Source> read_source(std::string_view text, std::string file, const ReadLimits& limits = {});
+Result<Source> read_source_file(const std::string& path, const ReadLimits& limits = {});
+
+}  // namespace pizarra
