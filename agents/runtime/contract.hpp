@@ -4,7 +4,8 @@
 // shows as (contract NAME FORM).
 //
 //   (contract vision
-//     (offers (learn (x number) (y number) (name string)) (find (name string)) (get-objects))
+//     (offers (learn (x number) (y number) (name string)) (find (name string)) (get-objects)
+//             (goal (fact list) ...))                         ; `...`: the last argument repeats
 //     (posts (relation learned ((name string) (area number)) (key name)))
 //     (reads frames)
 //     (configures ...) (monitors ...))
@@ -18,6 +19,7 @@ namespace pizarra {
 struct Operation {
   std::string name;
   std::vector<Argument> arguments;
+  bool repeats = false;  // the last argument may stand any number of times, none included
 };
 
 struct Contract {
@@ -30,7 +32,7 @@ struct Contract {
 // A malformed contract is a bug of the agent's author; the failure says where.
 Result<Contract> contract_from_text(std::string_view text);
 
-// Whether the operation is offered and its arguments fit: failures unknown-operation (names the nearest), wrong-shape.
+// Whether the operation is offered and its arguments fit. Failures: unknown-operation (names the nearest), wrong-shape.
 Result<void> check_operation(const Contract& contract, const Datum& operation);
 
 // The relations all agents share: agent, contract, request, reply.

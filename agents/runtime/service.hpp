@@ -44,24 +44,31 @@ class Service {
   LeaseId presence() const { return presence_; }
 
  private:
+  struct Running;
   AgentContext& context_;
   Contract contract_;
   LeaseId presence_ = 0;
-  struct Running;
   std::unique_ptr<Running> running_;
+
+  Task<Result<void>> declare();
+  Task<Result<void>> announce();
+  Task<void> keep_presence();
+  Task<Result<void>> follow(Watch& watch);
+  Task<void> answer_request(Fact request);
 };
 
 // Asks another agent for something and waits for the reply's `ok` elements as a list. Failures: those of the agent,
-// and `timeout` (the request is then withdrawn). Request ids are NAME-LEASE-COUNT, unique on one board.
+// and `timeout` (the request is then withdrawn). Request ids are NAME-PRESENCE-COUNT, unique on one board. Who asks is
+// present: a request goes when the presence of its caller lapses. A program that offers nothing has a Service with an
+// empty contract.
 class Caller {
  public:
-  // `presence`: the lease that tells this life of the caller from its earlier ones.
-  Caller(AgentContext& context, LeaseId presence) : context_(context), presence_(presence) {}
+  Caller(AgentContext& context, const Service& service) : context_(context), service_(service) {}
   Task<Result<Datum>> call(std::string agent, Datum operation, Duration timeout);
 
  private:
   AgentContext& context_;
-  LeaseId presence_;
+  const Service& service_;
   std::uint64_t count_ = 0;
 };
 

@@ -33,7 +33,7 @@ class [[nodiscard]] Job {
  private:
   friend class Executor;
   struct State;
-  std::unique_ptr<State> state_;
+  std::shared_ptr<State> state_;
 };
 
 class Executor {
@@ -52,15 +52,16 @@ class Executor {
   virtual void watch_readable(int file, std::function<void()> callback) = 0;
   virtual void unwatch_readable(int file) = 0;
   // A long computation away from the agents' thread: in real time on a worker thread, in virtual time inline, finishing
-  // `virtual_cost` later. Destroying the task abandons the result; `work` should look at `cancelled` now and then.
+  // `virtual_cost` later. Destroying the task abandons the result; `work` should look at `cancelled` now and then, and
+  // must own all it touches, because it may outlive the task.
   virtual Task<void> offload(std::function<void(const std::function<bool()>& cancelled)> work,
                              Duration virtual_cost) = 0;
 
   // Starts the task through post().
   Job spawn(Task<void> task);
 
-  // Runs until `finished` answers true (asked after every callback), stop() was called, or, in virtual time, nothing is
-  // left to do.
+  // Runs until `finished` answers true (asked before every callback), stop() was called (before it or meanwhile), or, in
+  // virtual time, nothing is left to do.
   virtual void run_until(std::function<bool()> finished) = 0;
   virtual void stop() = 0;
 };

@@ -1,0 +1,200 @@
+#include "agents/runtime/service.hpp"
+
+#include <deque>
+#include <fmt/format.h>
+
+#include "blackboard/time/event.hpp"
+
+namespace pizarra {
+
+namespace {
+
+constexpr Duration retry_pause = 200ms;
+
+Query pattern_query(Datum pattern) {
+  Query query;
+  query.clauses.push_back({Query::Clause::Kind::fact, std::move(pattern)});
+  return query;
+}
+
+Datum reply_datum(const Datum& id, const Result<Datum>& result) {
+  if (!result) return list("reply"_sym, id, failure_to_datum(result.error()));
+  std::vector<Datum> ok{"ok"_sym};
+  ok.insert(ok.end(), result->items().begin(), result->items().end());
+  return list("reply"_sym, id, Datum::list(std::move(ok)));
+}
+
+}  // namespace
+
+struct Service::Running {
+  explicit Running(Executor& executor) : slot_freed(executor) {}
+
+  static constexpr std::size_t remembered_replies = 256;
+  void remember(const Datum& id, Datum reply) {
+    replies.emplace(id, std::move(reply));
+    replied.push_back(id);
+    if (replied.size() <= remembered_replies) return;
+    replies.erase(replied.front());
+    replied.pop_front();
+  }
+
+  WaitList slot_freed;
+  std::map<Datum, Datum> replies;
+  std::deque<Datum> replied;
+  Handler handler;
+  Job renewal;
+  std::vector<Job> jobs;
+};
+
+Service::Service(AgentContext& context, Contract contract)
+    : context_(context), contract_(std::move(contract)), running_(std::make_unique<Running>(context.executor)) {}
+
+Service::~Service() = default;
+
+Task<Result<void>> Service::declare() {
+  std::vector<Relation> relations = runtime_relations();
+  relations.insert(relations.end(), contract_.posts.begin(), contract_.posts.end());
+  while (true) {
+    const Result<void> declared = co_await context_.board.declare(relations);
+    if (declared || declared.error().symbol != "unreachable") co_return declared;
+    co_await sleep(context_.executor, retry_pause);
+  }
+}
+
+// One try to stand on the board under the agent's name.
+Task<Result<void>> Service::announce() {
+  const Result<LeaseId> lease = co_await context_.board.lease(presence_lease);
+  if (!lease) co_return fail(lease);
+  const Datum name = Datum::symbol(context_.name);
+  const Datum kind = Datum::symbol(contract_.kind);
+  Transaction presence;
+  presence.require(Transaction::Absent{list("agent"_sym, name, "?"_sym, "?"_sym)});
+  presence.tell(list("agent"_sym, name, kind, context_.host), {}, *lease);
+  presence.tell(list("contract"_sym, name, contract_.form), {}, *lease);
+  const Result<Revision> told = co_await context_.board.transact(std::move(presence));
+  if (told) {
+    presence_ = *lease;
+    co_return {};
+  }
+  const Result<void> released = co_await context_.board.release(*lease);
+  if (!released && told.error().symbol == "precondition-failed") co_return fail(released);
+  co_return fail(told);
+}
+
+Task<Result<void>> Service::start() {
+  const Result<void> declared = co_await declare();
+  if (!declared) co_return declared;
+  while (true) {
+    const Result<void> announced = co_await announce();
+    if (announced) break;
+    const std::string& why = announced.error().symbol;
+    // The name is held by a living agent, or by one whose lease has yet to lapse.
+    if (why != "precondition-failed" && why != "unreachable") co_return announced;
+    co_await sleep(context_.executor, retry_pause);
+  }
+  running_->renewal = context_.executor.spawn(keep_presence());
+  co_return {};
+}
+
+Task<void> Service::keep_presence() {
+  while (true) {
+    co_await sleep(context_.executor, presence_renewal);
+    const Result<void> renewed = co_await context_.board.renew(presence_);
+    if (renewed || renewed.error().symbol != "unknown-lease") continue;
+    // The board forgot us (it restarted, or we were away too long); whoever took the name meanwhile keeps it.
+    Result<void> announced = co_await announce();
+    while (!announced) {
+      co_await sleep(context_.executor, retry_pause);
+      announced = co_await announce();
+    }
+  }
+}
+
+Task<Result<void>> Service::serve(Handler handler) {
+  running_->handler = std::move(handler);
+  const Query requests = pattern_query(list("request"_sym, "?id"_sym, Datum::symbol(context_.name), "?operation"_sym));
+  while (true) {
+    const Result<std::unique_ptr<Watch>> watch = co_await context_.board.watch(requests);
+    if (!watch && watch.error().symbol != "unreachable") co_return fail(watch);
+    if (watch) {
+      const Result<void> ended = co_await follow(**watch);
+      if (!ended && ended.error().symbol != "unreachable") co_return ended;
+    }
+    co_await sleep(context_.executor, retry_pause);
+  }
+}
+
+// Takes and starts every request that the watch shows, until the watch fails.
+Task<Result<void>> Service::follow(Watch& watch) {
+  while (true) {
+    const Result<Change> change = co_await watch.next();
+    if (!change) co_return fail(change);
+    for (const Answer& answer : change->added) {
+      std::erase_if(running_->jobs, [](const Job& job) { return job.done(); });
+      while (running_->jobs.size() >= max_concurrent) {
+        co_await running_->slot_freed.wait();
+        std::erase_if(running_->jobs, [](const Job& job) { return job.done(); });
+      }
+      const Datum request = answer.facts.front().datum;
+      const Result<std::optional<Fact>> taken = co_await context_.board.take(request, presence_);
+      if (taken && *taken) running_->jobs.push_back(context_.executor.spawn(answer_request(**taken)));
+    }
+  }
+}
+
+Task<void> Service::answer_request(Fact request) {
+  const Datum id = request.datum[1];
+  const Datum operation = request.datum[3];
+  const auto remembered = running_->replies.find(id);
+  Datum reply;
+  if (remembered != running_->replies.end()) {
+    reply = remembered->second;
+  } else {
+    Result<Datum> result = Datum();
+    const Result<void> offered = check_operation(contract_, operation);
+    if (offered) {
+      result = co_await running_->handler(operation);
+    } else {
+      result = fail(offered);
+    }
+    reply = reply_datum(id, result);
+    running_->remember(id, reply);
+  }
+  const FactId cause = request.id;
+  Transaction transaction;
+  transaction.tell(reply, {cause}).settle(cause);
+  Result<Revision> told = co_await context_.board.transact(transaction);
+  while (!told && told.error().symbol == "unreachable") {
+    co_await sleep(context_.executor, retry_pause);
+    told = co_await context_.board.transact(transaction);
+  }
+  running_->slot_freed.wake_one();
+}
+
+Task<Result<Datum>> Caller::call(std::string agent, Datum operation, Duration timeout) {
+  const Datum id = Datum::symbol(fmt::format("{}-{}-{}", context_.name, service_.presence(), ++count_));
+  const Datum request = list("request"_sym, id, Datum::symbol(agent), operation);
+  const Time deadline = context_.executor.now() + timeout;
+  Transaction ask;
+  ask.tell(request, {}, service_.presence());
+  const Result<Revision> told = co_await context_.board.transact(std::move(ask));
+  if (!told) co_return fail(told);
+
+  const Query replied = pattern_query(list("reply"_sym, id, "?result"_sym));
+  const Result<Answer> answer = co_await await_answer(context_.board, replied, deadline, context_.executor);
+  Transaction clean_up;
+  clean_up.retract(list("request"_sym, id, "?"_sym, "?"_sym));
+  clean_up.retract(list("reply"_sym, id, "?"_sym));
+  const Result<Revision> cleaned = co_await context_.board.transact(std::move(clean_up));
+  if (!answer && answer.error().symbol == "timeout") {
+    co_return fail("timeout", fmt::format("{} did not answer in {:.1f} s", agent, timeout.count() / 1e6), operation);
+  }
+  if (!answer) co_return fail(answer);
+  if (!cleaned) co_return fail(cleaned);
+  const Datum result = answer->facts.front().datum[2];
+  if (result.is_form("fail")) co_return fail(failure_from_datum(result));
+  if (!result.is_form("ok")) co_return fail("bad-reply", fmt::format("{} answered neither ok nor fail", agent), result);
+  co_return Datum::list({result.items().begin() + 1, result.items().end()});
+}
+
+}  // namespace pizarra

@@ -1,0 +1,69 @@
+#pragma once
+
+// This machine's time. It begins at the wall clock and then goes on steadily, whatever is done to the wall clock.
+//
+//   RealExecutor executor;
+//   Job job = executor.spawn(agent.run());
+//   executor.run_until([&] { return job.done(); });    // on the thread that made everything
+//
+// Destroying it cancels offloaded work and waits for it to notice.
+
+#include <atomic>
+#include <deque>
+#include <map>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "blackboard/time/executor.hpp"
+
+namespace pizarra {
+
+class RealExecutor : public Executor {
+ public:
+  RealExecutor();
+  ~RealExecutor() override;
+  RealExecutor(const RealExecutor&) = delete;
+  RealExecutor& operator=(const RealExecutor&) = delete;
+
+  Time now() const override;
+  void post(Callback callback) override;
+  TimerId call_at(Time when, Callback callback) override;
+  void cancel(TimerId timer) override;
+  void watch_readable(int file, std::function<void()> callback) override;
+  void unwatch_readable(int file) override;
+  Task<void> offload(std::function<void(const std::function<bool()>&)> work, Duration virtual_cost) override;
+  void run_until(std::function<bool()> finished) override;
+  void stop() override;
+
+ private:
+  struct Offloaded;
+  using Timers = std::map<std::pair<Time, TimerId>, Callback>;
+
+  bool run_posted(const std::function<bool()>& finished);
+  bool run_timers(const std::function<bool()>& finished);
+  void poll_files();
+  void start_work(std::shared_ptr<Offloaded> work);
+  void drain_wake_up();
+
+  const std::chrono::steady_clock::time_point steady_start_;
+  const Time start_;
+  int wake_up_ = -1;
+  std::atomic<bool> stopped_ = false;
+
+  std::mutex mutex_;
+  std::deque<Callback> posted_;
+
+  TimerId next_timer_ = 1;
+  Timers timers_;
+  std::map<TimerId, Time> times_;
+  std::map<int, std::shared_ptr<std::function<void()>>> files_;
+
+  struct Worker {
+    std::shared_ptr<Offloaded> work;
+    std::thread thread;
+  };
+  std::vector<Worker> workers_;
+};
+
+}  // namespace pizarra

@@ -1,0 +1,48 @@
+#pragma once
+
+// The known name a mistyped one was probably meant to be, for error sentences.
+//
+//   nearest_name("cirle", {"circle", "square"})   // "circle"
+//   nearest_name("x", {"circle"})                 // "": nothing is near enough to be a help
+
+#include <algorithm>
+#include <ranges>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace pizarra {
+
+// Levenshtein's edit distance.
+inline std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, replaced});
+    }
+  }
+  return row[b.size()];
+}
+
+// The first of the nearest, if it is within a third of the name's length, and never more than 64 letters are compared.
+template <std::ranges::range Names>
+std::string nearest_name(std::string_view name, const Names& known) {
+  const std::string_view wanted = name.substr(0, 64);
+  std::size_t best = std::max<std::size_t>(1, wanted.size() / 3) + 1;
+  std::string nearest;
+  for (const auto& candidate : known) {
+    const std::size_t distance = edit_distance(wanted, std::string_view(candidate).substr(0, 64));
+    if (distance < best) {
+      best = distance;
+      nearest = candidate;
+    }
+  }
+  return nearest;
+}
+
+}  // namespace pizarra
