@@ -1,0 +1,12 @@
+; Four marked cubes in a row before a CRS-F3, seen by a stereo camera that faces the arm.
+(cell blocks
+  (world
+    (camera (at 1330 0 200))
+    (cube circle   (at 450 -150))
+    (cube triangle (at 450 -50))
+    (cube square   (at 450 50))
+    (cube cross    (at 450 150))
+    (noise (sensor 3) (blur 0.7) (gradient 24)))
+  (arm crs-f3)
+  (domain "../../domains/blocks.scm")
+  (host "localhost" (agents robot vision planner coordinator person)))

@@ -1,0 +1,72 @@
+#pragma once
+
+// Cell files: what stands in a cell, and which agents run on which host.
+//
+//   (cell blocks
+//     (world
+//       (camera (at 1330 0 200) (facing 180) (tilt 0))         ; base-line centre mm, degrees
+//       (cube circle (at 450 -150) (yaw 5))                    ; its mark is the shape of its name
+//       (cube square (at 450 50))
+//       (cube lid (mark cross) (on square))                    ; a mark of its own; stacked on a cube named before
+//       (noise (sensor 3) (blur 0.7) (gradient 24)))           ; grey levels, px, grey levels across the image
+//     (arm crs-f3)
+//     (domain "../../domains/blocks.scm")                      ; relative to the cell file
+//     (board "localhost" "tcp://127.0.0.1:7800")               ; its host and address; left out: the first host, ipc
+//     (host "localhost" (agents robot vision planner coordinator person)))
+//
+// Everything but the name has a default. A failure reports every error of the file, each with a caret.
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "lisp/reader.hpp"
+
+namespace pizarra {
+
+struct CubePlacement {
+  std::string name;
+  std::string mark;  // circle, triangle, square or cross
+  double x_mm = 0;
+  double y_mm = 0;
+  double yaw_deg = 0;
+  std::string on;  // the cube it stands on, empty: the table
+  bool operator==(const CubePlacement&) const = default;
+};
+
+struct CellCamera {
+  std::array<double, 3> at_mm{1330, 0, 200};
+  double facing_deg = 180;
+  double tilt_deg = 0;
+};
+
+struct CellNoise {
+  double sensor_grey = 3;
+  double blur_px = 0.7;
+  double gradient_grey = 24;
+};
+
+struct CellHost {
+  std::string name;
+  std::vector<std::string> agents;
+};
+
+struct CellDescription {
+  std::string name;
+  CellCamera camera;
+  CellNoise noise;
+  std::vector<CubePlacement> cubes;
+  std::string arm;
+  std::string domain_file;  // a path that can be opened
+  std::string board_host;
+  std::string board_address;  // empty: an ipc address of the run
+  std::vector<CellHost> hosts;
+};
+
+Result<CellDescription> read_cell(std::string_view text, const std::string& file);
+Result<CellDescription> read_cell_file(const std::string& path);
+
+// One `(cube NAME ...)` as the Scheme modules normalise it; shared with the scenario language.
+CubePlacement cube_from_datum(const Datum& normalised);
+
+}  // namespace pizarra
