@@ -1,0 +1,44 @@
+#pragma once
+
+// The vision agent: learns, finds and tracks marks in the images of a stereo camera, and nothing else than these images
+// is known to it. Its replies are the thesis' Table C.2 to the letter; facts as docs/facts.md lists them.
+//
+// Lifecycle: constructed, run() spawned; `(connect)` opens the capture and starts the data channel, `learn`, `find` and
+// `track` open it themselves (`track` connects too, for its only output is that channel). What was learned is kept in
+// the durable facts `learned` and `learned-template`, so that a restarted agent knows it; what was tracked is not
+// resumed. A camera that fails is tried again with back-off and the fact `(camera-state ...)` says so.
+//
+// Modes: idle, capturing, learning, finding, tracking. Learning, finding and tracking exclude each other (`busy`, with
+// the mode as the subject), but a find suspends a tracking and resumes it.
+//
+//   VisionAgent vision(context, camera, &streams);
+//   Job job = executor.spawn(...vision.run()...);
+
+#include <map>
+#include <memory>
+
+#include "agents/runtime/agent.hpp"
+#include "blackboard/stream.hpp"
+#include "drivers/camera/stereo_camera.hpp"
+
+namespace pizarra {
+
+struct VisionOptions {
+  // Where the template bitmaps (NAME-NUM.pgm) are kept besides the facts; empty: nowhere.
+  std::string template_directory;
+};
+
+class VisionAgent : public Agent {
+ public:
+  // `streams` may be null; otherwise images go to "vision-left", "vision-right" (grey) and "vision-annotated" (BGR,
+  // twice the size) while somebody watches. Both, and the camera, outlive the agent.
+  VisionAgent(AgentContext context, StereoCamera& camera, Streams* streams, VisionOptions options = {});
+  ~VisionAgent() override;
+  Task<Result<void>> run() override;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace pizarra
