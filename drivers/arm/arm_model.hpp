@@ -6,6 +6,7 @@
 
 #include <array>
 #include <string>
+#include <string_view>
 
 namespace pizarra {
 
@@ -27,9 +28,12 @@ struct ArmModel {
   double wrist_mm;        // wrist centre to flange
   double tool_mm;         // flange to grip centre
   std::array<AxisLimits, arm_axes> limits;
-  Joints home;
-  Joints ready;
+  Joints home;   // folded high above the table, tool down, out of the way of whatever looks at it
+  Joints ready;  // where work begins: for the CRS-F3 the 90-degree pose, upper arm up, forearm level, tool down
 };
+
+// What the controller of this model calls itself, or nothing where the type is unknown.
+const ArmModel* arm_model(std::string_view type);
 
 const ArmModel& crs_f3();
 
