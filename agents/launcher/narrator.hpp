@@ -1,0 +1,49 @@
+#pragma once
+
+// The narrator tells the story of a run on the terminal, from facts alone: what is seen, the plan, each operation and
+// servo state, what differed, the new plan, the result. One line an event, with the cell's time.
+//
+//   Narrator narrator(stdout, Narrator::style_for(stdout, json));
+//   Job told = executor.spawn(narrator.follow(*view, executor));
+//   narrator.say(executor.now(), "hand", "pushes circle 40 mm to the right");
+
+#include <cstdio>
+#include <string>
+
+#include "blackboard/board.hpp"
+#include "blackboard/time/executor.hpp"
+
+namespace pizarra {
+
+class Narrator {
+ public:
+  enum class Style { silent, plain, colour, json };
+  // Colour on a terminal that has not said NO_COLOR.
+  static Style style_for(std::FILE* out, bool json);
+
+  Narrator(std::FILE* out, Style style) : out_(out), style_(style) {}
+
+  // Time zero of the lines.
+  void begin(Time start) { start_ = start; }
+  void say(Time when, std::string_view kind, std::string_view sentence, const Datum& detail = {});
+  // Tells every (event ...) fact, and the coming and going of agents, until destroyed. Both outlive it.
+  Task<void> follow(Board& board, Executor& executor);
+  // The newest line without its colours, for the film's caption.
+  const std::string& newest() const { return newest_; }
+
+ private:
+  Task<void> follow_pattern(Board& board, Executor& executor, Datum pattern);
+  void tell_change(const Change& change, Time now);
+  void tell_added(const Fact& fact);
+
+  std::FILE* out_;
+  Style style_;
+  Time start_{};
+  std::string newest_;
+  std::int64_t last_event_ = 0;
+};
+
+// A text as a JSON string, quotes included.
+std::string json_string(std::string_view text);
+
+}  // namespace pizarra

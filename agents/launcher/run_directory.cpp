@@ -1,0 +1,139 @@
+#include "agents/launcher/run_directory.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fmt/format.h>
+#include <fstream>
+#include <iterator>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "lisp/reader.hpp"
+#include "lisp/writer.hpp"
+
+namespace pizarra {
+
+namespace {
+
+constexpr const char* state_name = "state";
+constexpr ReadLimits state_limits{.bytes = 1 << 16, .depth = 4, .elements = 1000};
+
+std::string base_path() {
+  const char* runtime = std::getenv("XDG_RUNTIME_DIR");
+  if (runtime != nullptr && *runtime == '/') return std::string(runtime) + "/pizarra";
+  return fmt::format("/tmp/pizarra-{}", getuid());
+}
+
+// Makes the folder for this user alone; one that someone else made there is not trusted.
+Result<void> make_private(const std::string& path) {
+  if (mkdir(path.c_str(), 0700) != 0 && errno != EEXIST) {
+    return fail("cannot-write", fmt::format("cannot make {}: {}", path, std::strerror(errno)));
+  }
+  struct stat status {};
+  if (lstat(path.c_str(), &status) != 0 || !S_ISDIR(status.st_mode) || status.st_uid != getuid() ||
+      (status.st_mode & 077) != 0) {
+    return fail("cannot-write", fmt::format("{} is not a folder of this user alone", path));
+  }
+  return {};
+}
+
+bool alive(int pid) { return pid > 0 && (kill(pid, 0) == 0 || errno == EPERM); }
+
+Result<RunState> load(const std::string& path) {
+  std::ifstream in(path);
+  if (!in) return fail("nothing-runs", fmt::format("{} cannot be read", path));
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  const Result<Datum> datum = read_one(text, state_limits, path);
+  if (!datum) return fail(datum);
+  return run_state_from_datum(*datum);
+}
+
+}  // namespace
+
+Datum run_state_to_datum(const RunState& state) {
+  std::vector<Datum> items{"run"_sym,
+                           Datum::string(state.cell),
+                           Datum::string(state.host),
+                           Datum::integer(state.supervisor_pid),
+                           Datum::string(state.board_address),
+                           Datum::string(state.world_address)};
+  for (const RunProcess& process : state.processes) {
+    items.push_back(list("process"_sym, process.name, process.pid, process.restarts));
+  }
+  return Datum::list(std::move(items));
+}
+
+Result<RunState> run_state_from_datum(const Datum& datum) {
+  if (!datum.is_form("run") || datum.size() < 6) return fail("malformed", "not a run's state", datum);
+  RunState state;
+  state.cell = datum[1].text();
+  state.host = datum[2].text();
+  state.supervisor_pid = static_cast<int>(datum[3].integer());
+  state.board_address = datum[4].text();
+  state.world_address = datum[5].text();
+  for (const Datum& item : datum.items().subspan(6)) {
+    if (!item.is_form("process") || item.size() != 4) return fail("malformed", "not a run's state", item);
+    const int pid = static_cast<int>(item[2].integer());
+    state.processes.push_back({std::string(item[1].text()), pid, static_cast<int>(item[3].integer())});
+  }
+  return state;
+}
+
+Result<RunDirectory> RunDirectory::make(const std::string& cell, const std::string& host) {
+  const std::string base = base_path();
+  const Result<void> made_base = make_private(base);
+  if (!made_base) return fail(made_base);
+  const std::string path = fmt::format("{}/{}@{}", base, cell, host);
+  const Result<void> made = make_private(path);
+  if (!made) return fail(made);
+  const Result<RunState> earlier = load(path + "/" + state_name);
+  if (earlier && alive(earlier->supervisor_pid)) {
+    return fail("already-running",
+                fmt::format("the cell {} runs on {} already, under process {}", cell, host, earlier->supervisor_pid));
+  }
+  return RunDirectory(path);
+}
+
+Result<void> RunDirectory::save(const RunState& state) const {
+  const std::string fresh = file("state.new");
+  std::ofstream out(fresh, std::ios::trunc);
+  out << write(run_state_to_datum(state)) << '\n';
+  out.close();
+  if (!out || std::rename(fresh.c_str(), file(state_name).c_str()) != 0) {
+    return fail("cannot-write", fmt::format("cannot write {}", file(state_name)));
+  }
+  return {};
+}
+
+void RunDirectory::remove_state() const { std::remove(file(state_name).c_str()); }
+
+std::vector<RunState> running_cells() {
+  std::vector<RunState> out;
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(base_path(), error)) {
+    Result<RunState> state = load(entry.path().string() + "/" + state_name);
+    if (state && alive(state->supervisor_pid)) out.push_back(std::move(*state));
+  }
+  std::ranges::sort(
+      out, [](const RunState& a, const RunState& b) { return std::tie(a.cell, a.host) < std::tie(b.cell, b.host); });
+  return out;
+}
+
+Result<RunState> find_run(const std::string& cell) {
+  std::vector<RunState> runs = running_cells();
+  if (!cell.empty()) std::erase_if(runs, [&](const RunState& run) { return run.cell != cell; });
+  if (runs.empty()) {
+    return fail("nothing-runs", cell.empty() ? std::string("no cell runs here; start one with `up CELL-FILE`")
+                                             : fmt::format("no cell named {} runs here", cell));
+  }
+  if (runs.size() > 1 && runs.front().board_address != runs.back().board_address) {
+    return fail("which-cell", "several cells run here: say which with --cell NAME or --board ADDRESS");
+  }
+  return runs.front();
+}
+
+}  // namespace pizarra

@@ -1,0 +1,56 @@
+#pragma once
+
+// Where a running cell keeps its sockets, logs and state, so that `ps`, `down` and the words that talk to a board find
+// it: $XDG_RUNTIME_DIR/pizarra/CELL@HOST, or /tmp/pizarra-UID/CELL@HOST. It is the user's alone (mode 0700).
+//
+//   Result<RunDirectory> run = RunDirectory::make("blocks", "localhost");
+//   run->save(state);
+//   Result<RunState> running = find_run("");        // the only one that runs
+
+#include <string>
+#include <vector>
+
+#include "lisp/result.hpp"
+
+namespace pizarra {
+
+struct RunProcess {
+  std::string name;
+  int pid = 0;
+  int restarts = 0;
+};
+
+// The state file: (run "CELL" "HOST" SUPERVISOR-PID "BOARD-ADDRESS" "WORLD-ADDRESS" (process NAME PID RESTARTS) ...)
+struct RunState {
+  std::string cell;
+  std::string host;
+  int supervisor_pid = 0;
+  std::string board_address;
+  std::string world_address;
+  std::vector<RunProcess> processes;
+};
+
+Datum run_state_to_datum(const RunState& state);
+Result<RunState> run_state_from_datum(const Datum& datum);
+
+class RunDirectory {
+ public:
+  // Failures: cannot-write, already-running (a living supervisor's state is there).
+  static Result<RunDirectory> make(const std::string& cell, const std::string& host);
+  std::string file(const std::string& name) const { return path_ + "/" + name; }
+  const std::string& path() const { return path_; }
+  // Replaces the state as a whole.
+  Result<void> save(const RunState& state) const;
+  void remove_state() const;
+
+ private:
+  explicit RunDirectory(std::string path) : path_(std::move(path)) {}
+  std::string path_;
+};
+
+// Every cell of this user whose supervisor lives.
+std::vector<RunState> running_cells();
+// The one of that cell's name, or the only one. Failures: nothing-runs, which-cell.
+Result<RunState> find_run(const std::string& cell);
+
+}  // namespace pizarra

@@ -1,0 +1,7 @@
+; One block cannot stand on two others.
+(scenario "goal contradictory"
+  (cell "../../examples/01-blocks/cell.scm")
+  (goal (on circle triangle) (on circle square))
+  (expect refused)
+  (expect-not (operation ? ? ?))
+  (within 90))
