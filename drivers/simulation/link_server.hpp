@@ -1,0 +1,41 @@
+#pragma once
+
+// Lets other processes reach a World of this one: the other end of SocketLink.
+//
+//   World world(executor, config);
+//   Result<std::unique_ptr<LinkServer>> server = LinkServer::listen(executor, context, "ipc:///run/cell/world", world);
+//   executor.run_until([] { return false; });
+//
+// At most 64 requests are in hand at once; more are answered `busy`. Messages that are not requests are dropped.
+
+#include <list>
+#include <zmq.hpp>
+
+#include "blackboard/time/executor.hpp"
+#include "drivers/simulation/world.hpp"
+
+namespace pizarra {
+
+class LinkServer {
+ public:
+  // Failure: bad-address.
+  static Result<std::unique_ptr<LinkServer>> listen(Executor& executor, zmq::context_t& context,
+                                                    const std::string& address, World& world);
+  ~LinkServer();
+  LinkServer(const LinkServer&) = delete;
+  LinkServer& operator=(const LinkServer&) = delete;
+
+ private:
+  LinkServer(Executor& executor, zmq::socket_t socket, World& world);
+  void receive();
+  void accept(std::string peer, std::uint64_t id, Datum request);
+  Task<void> answer(std::string peer, std::uint64_t id, Datum request);
+  void reply(const std::string& peer, std::uint64_t id, const Result<Message>& answer);
+
+  Executor& executor_;
+  zmq::socket_t socket_;
+  World& world_;
+  std::list<Job> jobs_;
+};
+
+}  // namespace pizarra

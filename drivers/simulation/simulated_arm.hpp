@@ -1,0 +1,29 @@
+#pragma once
+
+// The simulated cell's arm and gripper as an ArmDriver: every call is one request over the device link.
+//
+//   SimulatedArm arm(link);
+//   Result<void> control = co_await arm.take_control();
+
+#include "drivers/arm/arm_driver.hpp"
+#include "drivers/simulation/link.hpp"
+
+namespace pizarra {
+
+class SimulatedArm : public ArmDriver {
+ public:
+  // The link outlives it.
+  explicit SimulatedArm(Link& link) : link_(link) {}
+  Task<Result<std::string>> identify() override;
+  Task<Result<void>> take_control() override;
+  Task<Result<void>> start_move(std::vector<Joints> waypoints, double speed) override;
+  Task<Result<void>> stop() override;
+  Task<Result<void>> start_gripper(double opening_mm) override;
+  Task<Result<ArmReading>> read() override;
+
+ private:
+  Task<Result<void>> command(Datum request);
+  Link& link_;
+};
+
+}  // namespace pizarra

@@ -1,0 +1,59 @@
+#pragma once
+
+// The simulated cell: table, cubes, arm, gripper, cameras and a person's hand, reached by requests alone.
+//
+// It steps lazily: every request first advances the physics (fixed 240 Hz) to the executor's time, so a world that
+// nobody asks costs nothing. Frames are taken at whole multiples of 100 ms, which are whole numbers of steps. The same
+// seed and the same requests at the same times give the same answers, byte for byte.
+//
+//   VirtualExecutor executor;
+//   World world(executor, config);                // config passed check()
+//   LocalLink link(world);
+//   SimulatedArm arm(link);                       // ArmDriver
+//   SimulatedCamera eyes(link);                   // StereoCamera
+//
+// Requests and the values they answer; lengths mm, angles degrees, YES is `yes` or `no`:
+//   (arm identify) -> ("type")        (arm take-control)     (arm move SPEED (J1 ... J6) ...)     (arm stop)
+//   (arm gripper MM)                  (arm read) -> ((J1 ... J6) MOVING STOPPED OPENING GRIPPER-MOVING)
+//   (camera open) -> (WIDTH HEIGHT FOCAL CX CY BASE-LINE)
+//   (camera next AFTER grey|colour) -> (NUMBER MICROSECONDS), left and right image; waits for the frame
+// The hand; each answers when the hand is done (0.5 to 4 s), fails `busy` meanwhile:
+//   (hand push NAME DX DY)            slides it over the table in 0.5 s
+//   (hand place NAME X Y)             lifts it and puts it down there, straight
+//   (hand stack NAME ON)              lifts it and puts it on another cube
+//   (hand steal NAME)                 pulls it away towards the camera, out of the gripper too
+//   (hand remove NAME)                lifts it out of the scene
+//   (hand add NAME "mark" X Y)        puts down a new cube, or one that is gone (its mark stays)
+//   (hand knock NAME)                 strikes it from the side, at its height
+// Truth, for the judge, the hand and the scripted person alone:
+//   (scene) -> ((table X-LOW X-HIGH Y-LOW Y-HIGH) (camera X Y Z PAN TILT) (cube NAME "mark") ...)
+//   (truth) -> ((cube NAME X Y Z YAW TILT STATE VISIBLE) ... (facts (on A B) (on-table A) (clear A) (holding A)
+//              (arm-empty)))   STATE: table, (on B), held, carried (by the hand), loose, gone; VISIBLE: the part of its
+//              mark, 0..1, that the left camera sees
+//   (where-seen NAME) -> (X Y)        left image pixel of its mark's centre; `not-seen` when over half is hidden.
+//                                     NAME may be end-effector
+// Names are symbols or strings and compared without case. Failures: unknown-object, busy, not-in-control, joint-limit,
+// not-finite, bad-request, not-seen.
+
+#include "blackboard/time/executor.hpp"
+#include "drivers/simulation/link.hpp"
+#include "drivers/simulation/world_config.hpp"
+
+namespace pizarra {
+
+class World {
+ public:
+  World(Executor& executor, const WorldConfig& config);
+  ~World();
+  World(const World&) = delete;
+  World& operator=(const World&) = delete;
+
+  // Any number of calls may run at once; they end before the world does.
+  Task<Result<Message>> handle(Datum request);
+
+ private:
+  struct Inside;
+  std::unique_ptr<Inside> inside_;
+};
+
+}  // namespace pizarra

@@ -1,0 +1,80 @@
+#pragma once
+
+// What a simulated cell consists of: plain values, filled from a cell file, checked once, then given to the World.
+// Base frame: x forward, y left of the arm, z up, origin on the table under axis 1. Lengths mm, angles degrees.
+//
+//   WorldConfig config;
+//   config.cubes = {{.name = "circle", .mark = Mark::circle, .x_mm = 450, .y_mm = -100},
+//                   {.name = "cross", .mark = Mark::cross, .on = "circle"}};
+//   Result<void> sound = check(config);
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "drivers/arm/arm_model.hpp"
+#include "drivers/camera/stereo_camera.hpp"
+#include "lisp/result.hpp"
+
+namespace pizarra {
+
+enum class Mark : std::uint8_t { circle, square, cross, triangle };
+
+// "circle", "square", "cross", "triangle"; nothing for another word.
+std::optional<Mark> mark_from_name(std::string_view name);
+std::string_view mark_name(Mark mark);
+
+inline constexpr double cube_size_mm = 60;
+inline constexpr double cube_mass_kg = 0.15;
+// Cubes in a world at once, the hand's included.
+inline constexpr std::size_t max_cubes = 16;
+// The gripper's widest opening between the fingers.
+inline constexpr double gripper_opening_mm = 84;
+
+struct CubeConfig {
+  std::string name;  // [A-Za-z][A-Za-z0-9-]*, told apart without case
+  Mark mark = Mark::circle;
+  double x_mm = 450;
+  double y_mm = 0;
+  double yaw_deg = 0;
+  std::string on;  // the cube that it stands on, listed before; empty: the table, at x, y
+};
+
+// A plate with its upper face at z = 0.
+struct TableConfig {
+  double x_low_mm = -250;
+  double x_high_mm = 650;
+  double y_low_mm = -350;
+  double y_high_mm = 350;
+  double thickness_mm = 25;
+};
+
+struct CameraConfig {
+  StereoModel model;
+  // Centre of the base line. The pair looks along the base's -x, turned by pan (positive: towards +y, image right) and
+  // then by tilt (positive: up).
+  double x_mm = 1330;
+  double y_mm = 0;
+  double z_mm = 200;
+  double pan_deg = 0;
+  double tilt_deg = 0;
+  double noise_sigma = 3;        // grey levels, each pixel and frame on its own
+  double blur_sigma_px = 0.7;    // the lens
+  double light_gradient = 0.12;  // how much brighter one edge of the image is than the other; direction by the seed
+};
+
+struct WorldConfig {
+  std::uint64_t seed = 1;
+  TableConfig table;
+  CameraConfig camera;
+  std::vector<CubeConfig> cubes;
+  ArmModel arm = crs_f3();
+  std::optional<Joints> start_joints;  // the arm's ready pose where not given
+};
+
+// Failures, symbol bad-cell: bad or repeated names, unknown `on`, two cubes in one place, a cube off the table, camera
+// figures out of range, too many cubes.
+Result<void> check(const WorldConfig& config);
+
+}  // namespace pizarra
