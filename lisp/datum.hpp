@@ -10,6 +10,7 @@
 //   fact[1].text();       // "circle"
 //   fact[2].number();     // 112.25
 
+#include <array>
 #include <compare>
 #include <concepts>
 #include <cstddef>
@@ -29,10 +30,12 @@ class Datum {
 
   Datum() = default;
 
+  // A name that is_symbol_name refuses is a bug of the caller, except the comma that ReadLimits::commas yields.
   static Datum symbol(std::string_view name);
+  // Text that is_string_text refuses is a bug of the caller.
   static Datum string(std::string_view text);
   static Datum integer(std::int64_t value);
-  // A value that is not finite is a bug of the caller.
+  // A value that is not finite is a bug of the caller. Negative zero becomes zero, so that equal reals write equally.
   static Datum real(double value);
   static Datum list(std::vector<Datum> items);
 
@@ -45,7 +48,8 @@ class Datum {
   bool is_list() const { return kind() == Kind::list; }
   bool is_symbol(std::string_view name) const { return is_symbol() && text() == name; }
 
-  // The characters of a symbol or string; empty for the other kinds.
+  // The characters of a symbol or string; empty for the other kinds. The view lives as long as this very Datum, not as
+  // long as its copies.
   std::string_view text() const;
   // The value of an integer; 0 for the other kinds.
   std::int64_t integer() const;
@@ -67,19 +71,35 @@ class Datum {
   friend std::strong_ordering operator<=>(const Datum& a, const Datum& b);
 
  private:
-  struct Symbol {
-    std::shared_ptr<const std::string> name;
+  // Text that fits stands in the Datum itself: most facts then cost one list and nothing else.
+  struct Short {
+    static constexpr std::size_t capacity = 15;
+    std::uint8_t size = 0;
+    std::array<char, capacity> chars{};
+    std::string_view view() const { return {chars.data(), size}; }
   };
-  struct String {
+  struct Long {
     std::shared_ptr<const std::string> text;
+    std::string_view view() const { return *text; }
   };
+  struct ShortSymbol : Short {};
+  struct LongSymbol : Long {};
+  struct ShortString : Short {};
+  struct LongString : Long {};
   struct List {
     std::shared_ptr<const std::vector<Datum>> items;
   };
-  using Value = std::variant<List, Symbol, String, std::int64_t, double>;
+  using Value = std::variant<List, ShortSymbol, LongSymbol, ShortString, LongString, std::int64_t, double>;
   explicit Datum(Value value) : value_(std::move(value)) {}
+  template <class ShortText, class LongText>
+  static Datum of_text(std::string_view text);
   Value value_;
 };
+
+// Whether the strict reader reads `name` as one symbol.
+bool is_symbol_name(std::string_view name);
+// Whether the strict reader can read `text` inside a string: valid UTF-8 without NUL.
+bool is_string_text(std::string_view text);
 
 inline Datum operator""_sym(const char* name, std::size_t size) { return Datum::symbol({name, size}); }
 

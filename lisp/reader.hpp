@@ -4,7 +4,8 @@
 //
 // The language: `(` `)` lists, `"..."` strings (escapes \" \\ \n \t), integers, reals, symbols (letters, digits and
 // !$%&*/:<=>?^_~+-.@), `;` comments to the end of the line. Nothing else: no quotes, dots, commas, vectors, `#`.
-// Numbers that do not fit, NUL bytes, invalid UTF-8, unclosed lists and strings are failures that name their place.
+// Numbers that do not fit, NUL bytes, invalid UTF-8, unclosed lists and strings are failures that name their place. A
+// number has digits on both sides of its point (`0.5`, `-2`, `+3.0`, `1e20`); what begins like a number must be one.
 //
 //   Result<Datum> fact = read_one("(on circle triangle)");
 //   Result<Source> file = read_source(text, "blocks.scm");   // many data, each element knows where it stood
@@ -21,10 +22,22 @@ struct ReadLimits {
   std::size_t bytes = 1 << 20;
   std::size_t depth = 64;
   std::size_t elements = 100'000;
+  // Reads a comma as a datum of its own, the symbol `,`, so that `(1, 2)`, `(1 ,2)` and `(1,2)` are one text: for the
+  // vision replies, which write pairs with commas. Refused otherwise.
+  bool commas = false;
 };
+
+// Failure symbols: too-long, too-deep, too-many, bad-character, bad-number, bad-escape, bad-text, unclosed-list,
+// unclosed-string, unexpected-close, nothing-to-read, more-than-one, unreadable-file.
 
 // Exactly one datum with nothing but blanks and comments around it.
 Result<Datum> read_one(std::string_view text, const ReadLimits& limits = {}, std::string_view file = "input");
+
+// Where an element began, in bytes from the beginning of the text, and its elements.
+struct Spot {
+  std::size_t offset = 0;
+  std::vector<Spot> items = {};
+};
 
 // A text a person wrote, read whole, that remembers where every element stood.
 class Source {
@@ -39,10 +52,6 @@ class Source {
 
  private:
   friend Result<Source> read_source(std::string_view, std::string, const ReadLimits&);
-  struct Spot {
-    std::size_t offset;
-    std::vector<Spot> items;
-  };
   std::string file_;
   std::string text_;
   std::vector<Datum> data_;

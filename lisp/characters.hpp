@@ -1,0 +1,23 @@
+#pragma once
+
+// Which bytes the language is made of, and where a byte of a text stands for a person.
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace pizarra {
+
+// Whether a symbol may hold this byte.
+bool is_symbol_char(char c);
+// Whether what begins so is a number or nothing: a digit, or a sign or point before a digit.
+bool begins_like_number(std::string_view token);
+// The bytes of the UTF-8 sequence that begins here, 0 where none does (overlong forms and surrogates are none).
+std::size_t utf8_length(std::string_view text);
+
+// "file:line:column" of the byte at `offset`, then its line and a caret under it. Lines and columns count from 1 and
+// columns are characters. Of a long line only the part around the caret is shown.
+std::string place_of(std::string_view file, std::string_view text, std::size_t offset);
+
+}  // namespace pizarra

@@ -1,0 +1,276 @@
+#include "lisp/reader.hpp"
+
+#include <charconv>
+#include <cstdint>
+#include <cstring>
+#include <fmt/format.h>
+#include <optional>
+
+#include "lisp/characters.hpp"
+
+namespace pizarra {
+
+namespace {
+
+// What went wrong, before anyone asked where that is for a person.
+struct Trouble {
+  std::size_t offset;
+  const char* symbol;
+  std::string sentence;
+};
+
+constexpr bool is_blank(char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\r'; }
+
+// One pass over the text with an explicit stack: elements of open lists wait in `waiting_`, in the order they came.
+class Reader {
+ public:
+  Reader(std::string_view text, const ReadLimits& limits, std::vector<Spot>* spots)
+      : text_(text), limits_(limits), spots_(spots) {}
+
+  // The elements that stand outside of every list.
+  std::optional<std::vector<Datum>> read_all() {
+    if (text_.size() > limits_.bytes) {
+      refuse(0, "too-long", fmt::format("the text has {} bytes; at most {} are read", text_.size(), limits_.bytes));
+      return {};
+    }
+    while (at_ < text_.size()) {
+      if (!step()) return {};
+    }
+    if (!open_.empty()) {
+      refuse(open_.back().offset, "unclosed-list", "this list is not closed");
+      return {};
+    }
+    if (spots_) *spots_ = std::move(waiting_spots_);
+    return std::move(waiting_);
+  }
+
+  const Trouble& trouble() const { return trouble_; }
+
+ private:
+  struct Open {
+    std::size_t offset;
+    std::size_t first;  // of its elements in waiting_
+  };
+
+  bool refuse(std::size_t offset, const char* symbol, std::string sentence) {
+    trouble_ = {offset, symbol, std::move(sentence)};
+    return false;
+  }
+
+  bool step() {
+    const char c = text_[at_];
+    if (is_blank(c)) return ++at_, true;
+    if (is_symbol_char(c)) return read_token();
+    switch (c) {
+      case '(':
+        return open_list();
+      case ')':
+        return close_list();
+      case '"':
+        return read_string();
+      case ';':
+        return skip_comment();
+      case ',':
+        if (limits_.commas) return add(Datum::symbol(","), at_++);
+        break;
+      default:
+        break;
+    }
+    return refuse_character();
+  }
+
+  bool refuse_character() {
+    const std::size_t length = utf8_length(text_.substr(at_));
+    const auto byte = static_cast<unsigned char>(text_[at_]);
+    if (length == 0) return refuse(at_, "bad-text", "this is not UTF-8");
+    if (byte < 0x20 || byte == 0x7F) {
+      return refuse(at_, "bad-character", fmt::format("a control character ({:#04x}) cannot stand here", byte));
+    }
+    return refuse(at_, "bad-character", fmt::format("`{}` has no meaning here", text_.substr(at_, length)));
+  }
+
+  bool add(Datum datum, std::size_t offset) {
+    if (++elements_ > limits_.elements) {
+      return refuse(offset, "too-many", fmt::format("more than {} elements", limits_.elements));
+    }
+    waiting_.push_back(std::move(datum));
+    if (spots_) waiting_spots_.push_back({offset, {}});
+    return true;
+  }
+
+  bool open_list() {
+    if (open_.size() >= limits_.depth) {
+      return refuse(at_, "too-deep", fmt::format("lists nest deeper than {}", limits_.depth));
+    }
+    open_.push_back({at_++, waiting_.size()});
+    return true;
+  }
+
+  bool close_list() {
+    if (open_.empty()) return refuse(at_, "unexpected-close", "nothing is open that this could close");
+    const Open open = open_.back();
+    open_.pop_back();
+    ++at_;
+    const auto first = waiting_.begin() + static_cast<std::ptrdiff_t>(open.first);
+    std::vector<Datum> items(std::make_move_iterator(first), std::make_move_iterator(waiting_.end()));
+    waiting_.erase(first, waiting_.end());
+    if (!spots_) return add(Datum::list(std::move(items)), open.offset);
+    const auto first_spot = waiting_spots_.begin() + static_cast<std::ptrdiff_t>(open.first);
+    std::vector<Spot> inner(std::make_move_iterator(first_spot), std::make_move_iterator(waiting_spots_.end()));
+    waiting_spots_.erase(first_spot, waiting_spots_.end());
+    if (!add(Datum::list(std::move(items)), open.offset)) return false;
+    waiting_spots_.back().items = std::move(inner);
+    return true;
+  }
+
+  bool read_token() {
+    const std::size_t start = at_;
+    while (at_ < text_.size() && is_symbol_char(text_[at_])) ++at_;
+    const std::string_view token = text_.substr(start, at_ - start);
+    if (begins_like_number(token)) return read_number(token, start);
+    if (token == ".") return refuse(start, "bad-character", "a dot has no meaning here");
+    return add(Datum::symbol(token), start);
+  }
+
+  bool read_number(std::string_view token, std::size_t start) {
+    const bool signed_plus = token.front() == '+';
+    const char* begin = token.data() + (signed_plus ? 1 : 0);
+    const char* end = token.data() + token.size();
+    std::int64_t whole = 0;
+    const auto read_whole = std::from_chars(begin, end, whole);
+    if (read_whole.ec == std::errc() && read_whole.ptr == end) return add(Datum::integer(whole), start);
+    if (read_whole.ec == std::errc::result_out_of_range && read_whole.ptr == end) {
+      return refuse(start, "bad-number", "this whole number does not fit in 64 bits");
+    }
+    double real = 0;
+    const auto read_real = std::from_chars(begin, end, real);
+    const std::size_t point = token.find('.');
+    const bool bare_point =
+        point != std::string_view::npos && (!is_digit_at(token, point - 1) || !is_digit_at(token, point + 1));
+    if (read_real.ptr != end || bare_point || read_real.ec == std::errc::invalid_argument) {
+      return refuse(start, "bad-number", fmt::format("`{}` begins like a number but is none", shortened(token)));
+    }
+    if (read_real.ec != std::errc()) return refuse(start, "bad-number", "this number is too large or too small");
+    return add(Datum::real(real), start);
+  }
+
+  static bool is_digit_at(std::string_view token, std::size_t at) {
+    return at < token.size() && token[at] >= '0' && token[at] <= '9';
+  }
+
+  static std::string shortened(std::string_view token) {
+    constexpr std::size_t most = 40;
+    return token.size() <= most ? std::string(token) : std::string(token.substr(0, most)) + "...";
+  }
+
+  bool read_string() {
+    const std::size_t start = at_++;
+    const std::size_t plain = at_;
+    while (at_ < text_.size()) {
+      const char c = text_[at_];
+      if (c == '"') return add(Datum::string(text_.substr(plain, at_++ - plain)), start);
+      if (c == '\\') return read_escaped_string(start, std::string(text_.substr(plain, at_ - plain)));
+      if (!skip_character()) return false;
+    }
+    return refuse(start, "unclosed-string", "this string is not closed");
+  }
+
+  bool read_escaped_string(std::size_t start, std::string value) {
+    while (at_ < text_.size()) {
+      const char c = text_[at_];
+      if (c == '"') {
+        ++at_;
+        return add(Datum::string(value), start);
+      }
+      if (c == '\\') {
+        if (!read_escape(value)) return false;
+        continue;
+      }
+      const std::size_t before = at_;
+      if (!skip_character()) return false;
+      value += text_.substr(before, at_ - before);
+    }
+    return refuse(start, "unclosed-string", "this string is not closed");
+  }
+
+  bool read_escape(std::string& value) {
+    const char escaped = at_ + 1 < text_.size() ? text_[at_ + 1] : '\0';
+    switch (escaped) {
+      case '"':
+      case '\\':
+        value += escaped;
+        break;
+      case 'n':
+        value += '\n';
+        break;
+      case 't':
+        value += '\t';
+        break;
+      default:
+        return refuse(at_, "bad-escape", "a backslash is followed by one of \" \\ n t");
+    }
+    at_ += 2;
+    return true;
+  }
+
+  // One character inside a string or comment.
+  bool skip_character() {
+    const char c = text_[at_];
+    if (static_cast<unsigned char>(c) < 0x80) {
+      if (c == '\0') return refuse(at_, "bad-text", "a NUL byte cannot stand in a text");
+      ++at_;
+      return true;
+    }
+    const std::size_t length = utf8_length(text_.substr(at_));
+    if (length == 0) return refuse(at_, "bad-text", "this is not UTF-8");
+    at_ += length;
+    return true;
+  }
+
+  bool skip_comment() {
+    while (at_ < text_.size() && text_[at_] != '\n') {
+      if (!skip_character()) return false;
+    }
+    return true;
+  }
+
+  std::string_view text_;
+  const ReadLimits& limits_;
+  std::vector<Spot>* spots_;
+  std::size_t at_ = 0;
+  std::size_t elements_ = 0;
+  std::vector<Datum> waiting_;
+  std::vector<Spot> waiting_spots_;
+  std::vector<Open> open_;
+  Trouble trouble_{0, "", ""};
+};
+
+Failure failure_of(const Trouble& trouble, std::string_view file, std::string_view text) {
+  return {trouble.symbol, trouble.sentence, {}, place_of(file, text, trouble.offset)};
+}
+
+}  // namespace
+
+Result<Datum> read_one(std::string_view text, const ReadLimits& limits, std::string_view file) {
+  Reader reader(text, limits, nullptr);
+  auto data = reader.read_all();
+  if (!data) return fail(failure_of(reader.trouble(), file, text));
+  if (data->size() == 1) return std::move(data->front());
+  if (data->empty()) return fail(failure_of({text.size(), "nothing-to-read", "nothing is written here"}, file, text));
+  std::vector<Spot> spots;
+  Reader(text, limits, &spots).read_all();
+  return fail(failure_of({spots[1].offset, "more-than-one", "only one datum may stand here"}, file, text));
+}
+
+Result<Source> read_source(std::string_view text, std::string file, const ReadLimits& limits) {
+  Source source;
+  Reader reader(text, limits, &source.spots_);
+  auto data = reader.read_all();
+  if (!data) return fail(failure_of(reader.trouble(), file, text));
+  source.data_ = std::move(*data);
+  source.file_ = std::move(file);
+  source.text_ = text;
+  return source;
+}
+
+}  // namespace pizarra
