@@ -1,0 +1,138 @@
+// The commands that know what a cell of agents is about: goals, plans, objects.
+
+#include <fmt/format.h>
+
+#include "agents/repl/commands.hpp"
+#include "lisp/reader.hpp"
+#include "lisp/writer.hpp"
+
+namespace pizarra {
+
+namespace {
+
+constexpr Duration accept_timeout = 120s;
+
+Query pattern_query(Datum pattern) {
+  Query query;
+  query.clauses.push_back({Query::Clause::Kind::fact, std::move(pattern)});
+  return query;
+}
+
+Datum pattern(std::string_view text) { return read_one(text).value(); }
+
+}  // namespace
+
+Task<Outcome> Interpreter::goal(Datum form) {
+  if (form.size() < 2) co_return usage("goal");
+  const Result<Datum> accepted = co_await caller_.call("coordinator", form, accept_timeout);
+  if (!accepted) co_return show(accepted.error());
+  const Datum number = accepted->size() == 1 ? (*accepted)[0] : Datum();
+  output_(fmt::format("goal {} accepted", write(number)));
+  if (patience_ == Patience::accepted) co_return Outcome::done;
+  const Outcome outcome = co_await wait_for_end(number);
+  co_return outcome;
+}
+
+Task<Outcome> Interpreter::wait_for_end(Datum number) {
+  const Datum state = list("goal-state"_sym, number, "?state"_sym, "?detail"_sym);
+  const Result<std::unique_ptr<Watch>> watch = co_await context_.board.watch(pattern_query(state));
+  if (!watch) co_return show(watch.error());
+  while (true) {
+    const Result<Change> change = co_await (*watch)->next();
+    if (!change) co_return show(change.error());
+    for (const Answer& answer : change->added) {
+      const Datum& fact = answer.facts.front().datum;
+      if (fact[2].is_symbol("running")) continue;
+      const std::string detail = fact[3].is_form("fail") ? ": " + describe(failure_from_datum(fact[3])) : "";
+      output_(fmt::format("goal {} {}{}", write(number), fact[2].text(), detail));
+      co_return fact[2].is_symbol("reached") ? Outcome::done : Outcome::failed;
+    }
+  }
+}
+
+Task<Outcome> Interpreter::cancel(Datum form) {
+  const Outcome outcome = co_await request("coordinator", form);
+  co_return outcome;
+}
+
+Task<Outcome> Interpreter::why(Datum form) {
+  const Outcome outcome = co_await request("coordinator", form);
+  co_return outcome;
+}
+
+Task<Outcome> Interpreter::plan(Datum) {
+  const Result<std::vector<Fact>> plans = co_await context_.board.facts(pattern("(plan ?n ?operations)"));
+  if (!plans) co_return show(plans.error());
+  const Result<std::vector<Fact>> in_hand = co_await context_.board.facts(pattern("(operation ?i ?operation ?state)"));
+  if (!in_hand) co_return show(in_hand.error());
+  if (plans->empty()) output_("no plan");
+  for (const Fact& plan : *plans) {
+    output_(fmt::format("plan for goal {}:", write(plan.datum[1])));
+    std::int64_t index = 0;
+    for (const Datum& operation : plan.datum[2].items()) {
+      std::string mark = " ";
+      for (const Fact& fact : *in_hand) {
+        if (fact.datum[1].integer() == index) mark = fact.datum[3].text();
+      }
+      output_(fmt::format("  {:>2}  {:30} {}", ++index, write(operation), mark));
+    }
+  }
+  co_return Outcome::done;
+}
+
+Task<Outcome> Interpreter::objects(Datum) {
+  const Result<std::vector<Fact>> learned = co_await context_.board.facts(pattern("(learned ? ? ? ? ? ? ? ?)"));
+  if (!learned) co_return show(learned.error());
+  const Result<std::vector<Fact>> places = co_await context_.board.facts(pattern("(place ? ? ? ? ?)"));
+  if (learned->empty()) output_("nothing has been learned");
+  for (const Fact& object : *learned) {
+    if (object.datum[2].integer() != 1) continue;
+    const std::string name(object.datum[1].text());
+    std::string where = "not seen";
+    // Without a coordinator nobody says where things are.
+    for (const Fact& place : places.value_or(std::vector<Fact>())) {
+      if (place.datum[1].text() != name) continue;
+      where = fmt::format("x {:.0f}  y {:.0f}  z {:.0f} mm, frame {}", place.datum[2].number(), place.datum[3].number(),
+                          place.datum[4].number(), place.datum[5].integer());
+    }
+    output_(fmt::format("  {:14} {}", name, where));
+  }
+  co_return Outcome::done;
+}
+
+Task<Outcome> Interpreter::agents(Datum) {
+  const Result<std::vector<Fact>> present = co_await context_.board.facts(pattern("(agent ? ? ?)"));
+  if (!present) co_return show(present.error());
+  const Result<std::vector<Fact>> contracts = co_await context_.board.facts(pattern("(contract ? ?)"));
+  if (!contracts) co_return show(contracts.error());
+  for (const Fact& agent : *present) {
+    output_(fmt::format("  {} ({}) on {}", agent.datum[1].text(), agent.datum[2].text(), agent.datum[3].text()));
+    for (const Fact& contract : *contracts) {
+      if (contract.datum[1] != agent.datum[1]) continue;
+      for (const Datum& part : contract.datum[2].items()) {
+        if (!part.is_form("offers")) continue;
+        for (const Datum& operation : part.items().subspan(1)) output_("      " + write(operation));
+      }
+    }
+  }
+  co_return Outcome::done;
+}
+
+// Names for completion: what cannot be learned now keeps its old names.
+Task<void> Interpreter::learn_words() {
+  const Result<std::vector<Fact>> contracts = co_await context_.board.facts(pattern("(contract ?name ?form)"));
+  for (const Fact& fact : contracts.value_or(std::vector<Fact>())) {
+    words_.emplace(fact.datum[1].text());
+    for (const Datum& part : fact.datum[2].items()) {
+      if (!part.is_list()) continue;
+      for (const Datum& item : part.items()) {
+        if (part.is_form("offers") && item.is_list()) words_.emplace(item.head());
+        if (item.is_form("relation") && item.size() > 1) words_.emplace(item[1].text());
+      }
+    }
+  }
+  const Result<std::vector<Fact>> learned = co_await context_.board.facts(pattern("(learned ? ? ? ? ? ? ? ?)"));
+  for (const Fact& fact : learned.value_or(std::vector<Fact>())) words_.emplace(fact.datum[1].text());
+}
+
+}  // namespace pizarra

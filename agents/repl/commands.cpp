@@ -1,0 +1,25 @@
+#include "agents/repl/commands.hpp"
+
+namespace pizarra {
+
+std::span<const Command> Command::all() {
+  static constexpr Command commands[] = {
+      {"goal", "(goal FACT ...)", "build it: (goal (on circle triangle) (on triangle square))", &Interpreter::goal},
+      {"cancel", "(cancel)", "give the goal up", &Interpreter::cancel},
+      {"plan", "(plan)", "the plan in use and the operation in hand", &Interpreter::plan},
+      {"why", "(why)", "why the plan is what it is: which sighting broke which expectation", &Interpreter::why},
+      {"objects", "(objects)", "what has been learned and where it is seen", &Interpreter::objects},
+      {"agents", "(agents)", "who is present and what they offer", &Interpreter::agents},
+      {"ask", "(ask QUERY)", "what holds now: (ask (on ?x ?y)), (ask (and (clear ?x) (not (on ?x ?y))))",
+       &Interpreter::ask},
+      {"watch", "(watch QUERY)", "what holds now, then every change", &Interpreter::watch},
+      {"unwatch", "(unwatch N)", "end watch N", &Interpreter::unwatch},
+      {"tell", "(tell FACT)", "put a fact on the board", &Interpreter::tell},
+      {"retract", "(retract PATTERN)", "take every fact that fits off the board", &Interpreter::retract},
+      {"help", "(help) (help COMMAND)", "this list, or one line of it", &Interpreter::help},
+      {"quit", "(quit)", "leave; end-of-file does the same", &Interpreter::quit},
+  };
+  return commands;
+}
+
+}  // namespace pizarra

@@ -1,0 +1,20 @@
+#pragma once
+
+// The commands of the prompt: name, what follows it, and what it does in one line.
+
+#include <span>
+#include <string_view>
+
+#include "agents/repl/interpreter.hpp"
+
+namespace pizarra {
+
+struct Command {
+  std::string_view name;
+  std::string_view usage;
+  std::string_view help;
+  Task<Outcome> (Interpreter::*run)(Datum form);
+  static std::span<const Command> all();
+};
+
+}  // namespace pizarra

@@ -1,0 +1,183 @@
+#include "agents/repl/interpreter.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+#include "agents/repl/commands.hpp"
+#include "lisp/nearest.hpp"
+#include "lisp/reader.hpp"
+#include "lisp/writer.hpp"
+
+namespace pizarra {
+
+namespace {
+
+constexpr Duration answer_timeout = 120s;
+
+const Command* find_command(std::string_view name) {
+  const auto commands = Command::all();
+  const auto found = std::ranges::find(commands, name, &Command::name);
+  return found == commands.end() ? nullptr : &*found;
+}
+
+// A person who leaves the parentheses of a lone command away is understood.
+Datum as_form(const Datum& typed) { return typed.is_symbol() ? list(typed) : typed; }
+
+std::string bindings_text(const Answer& answer) {
+  if (answer.bindings.all().empty()) return "yes";
+  std::string text;
+  for (const auto& [variable, value] : answer.bindings.all()) {
+    text += fmt::format("{}{} = {}", text.empty() ? "" : "  ", variable, write(value));
+  }
+  return text;
+}
+
+}  // namespace
+
+Interpreter::Interpreter(AgentContext& context, const Service& service, Output output, Patience patience)
+    : context_(context), caller_(context, service), output_(std::move(output)), patience_(patience) {
+  for (const Command& command : Command::all()) words_.emplace(command.name);
+}
+
+Outcome Interpreter::show(const Failure& failure, Outcome outcome) {
+  output_(describe(failure));
+  return outcome;
+}
+
+Outcome Interpreter::usage(std::string_view command) {
+  output_(fmt::format("{} is {}", command, find_command(command)->usage));
+  return Outcome::malformed;
+}
+
+Task<Outcome> Interpreter::evaluate(std::string text) {
+  const ReadLimits limits{.bytes = 64 << 10, .depth = 64, .elements = 10'000};
+  const Result<Source> source = read_source(text, "input", limits);
+  if (!source) co_return show(source.error(), Outcome::malformed);
+  for (std::size_t i = 0; i < source->data().size(); ++i) {
+    const Datum form = as_form(source->data()[i]);
+    const bool known = co_await is_agent(std::string(form.head()));
+    if (find_command(form.head()) == nullptr && !known) {
+      const std::string near = nearest_name(form.head(), words_);
+      std::string sentence = form.head().empty() ? std::string("a command is a form that begins with its name")
+                                                 : fmt::format("there is no command {}", form.head());
+      sentence += near.empty() ? "; (help) lists them" : fmt::format("; did you mean {}?", near);
+      co_return show(source->failure_at({i}, "unknown-command", sentence), Outcome::malformed);
+    }
+    const Outcome outcome = co_await evaluate_form(form);
+    if (outcome != Outcome::done) co_return outcome;
+  }
+  co_await learn_words();
+  co_return Outcome::done;
+}
+
+Task<Outcome> Interpreter::evaluate_form(Datum form) {
+  if (const Command* command = find_command(form.head())) {
+    const Outcome outcome = co_await (this->*command->run)(form);
+    co_return outcome;
+  }
+  if (form.size() != 2) {
+    output_(
+        fmt::format("an agent is asked as ({} (OPERATION ARGUMENT ...)); (agents) lists what they offer", form.head()));
+    co_return Outcome::malformed;
+  }
+  const Datum operation = as_form(form[1]);
+  const Outcome outcome = co_await request(std::string(form.head()), operation);
+  co_return outcome;
+}
+
+Task<bool> Interpreter::is_agent(std::string name) {
+  if (name.empty() || find_command(name) != nullptr) co_return false;
+  const Result<std::vector<Fact>> present =
+      co_await context_.board.facts(list("agent"_sym, Datum::symbol(name), "?"_sym, "?"_sym));
+  co_return present.has_value() && !present->empty();
+}
+
+Task<Outcome> Interpreter::request(std::string agent, Datum operation) {
+  const Result<Datum> answer = co_await caller_.call(agent, operation, answer_timeout);
+  if (!answer) co_return show(answer.error());
+  output_(answer->size() == 0 ? "ok" : "");
+  for (const Datum& value : answer->items()) output_(value.is_string() ? std::string(value.text()) : write(value));
+  co_return Outcome::done;
+}
+
+Task<Outcome> Interpreter::help(Datum form) {
+  for (const Command& command : Command::all()) {
+    if (form.size() > 1 && form[1].text() != command.name) continue;
+    output_(fmt::format("  {:22} {}", command.usage, command.help));
+  }
+  if (form.size() == 1) output_("  (AGENT (OPERATION ...)) ask one agent: (robot (monitor)), (vision (get-objects))");
+  co_return Outcome::done;
+}
+
+Task<Outcome> Interpreter::quit(Datum) { co_return Outcome::quit; }
+
+Task<Outcome> Interpreter::ask(Datum form) {
+  if (form.size() != 2) co_return usage("ask");
+  const Result<Query> query = query_from_datum(form[1]);
+  if (!query) co_return show(query.error(), Outcome::malformed);
+  const Result<Answers> answers = co_await context_.board.ask(*query);
+  if (!answers) co_return show(answers.error());
+  if (answers->answers.empty()) output_("no");
+  for (const Answer& answer : answers->answers) output_(bindings_text(answer));
+  co_return Outcome::done;
+}
+
+Task<Outcome> Interpreter::tell(Datum form) {
+  if (form.size() != 2) co_return usage("tell");
+  const Result<Revision> told = co_await context_.board.tell(form[1]);
+  if (!told) co_return show(told.error());
+  output_(fmt::format("told, revision {}", *told));
+  co_return Outcome::done;
+}
+
+Task<Outcome> Interpreter::retract(Datum form) {
+  if (form.size() != 2) co_return usage("retract");
+  const Result<std::vector<Fact>> fitting = co_await context_.board.facts(form[1]);
+  if (!fitting) co_return show(fitting.error());
+  const Result<Revision> retracted = co_await context_.board.retract(form[1]);
+  if (!retracted) co_return show(retracted.error());
+  output_(fmt::format("retracted {}, revision {}", fitting->size(), *retracted));
+  co_return Outcome::done;
+}
+
+Task<Outcome> Interpreter::watch(Datum form) {
+  if (form.size() != 2) co_return usage("watch");
+  std::erase_if(watches_, [](const auto& entry) { return entry.second.done(); });
+  if (watches_.size() >= max_watches) {
+    output_(fmt::format("{} watches run already; end one with (unwatch N)", max_watches));
+    co_return Outcome::failed;
+  }
+  const Result<Query> query = query_from_datum(form[1]);
+  if (!query) co_return show(query.error(), Outcome::malformed);
+  Result<std::unique_ptr<Watch>> watch = co_await context_.board.watch(*query);
+  if (!watch) co_return show(watch.error());
+  const int number = next_watch_++;
+  output_(fmt::format("watch {}", number));
+  watches_.emplace(number, context_.executor.spawn(follow(number, std::move(*watch))));
+  co_return Outcome::done;
+}
+
+Task<void> Interpreter::follow(int number, std::unique_ptr<Watch> watch) {
+  while (true) {
+    const Result<Change> change = co_await watch->next();
+    if (!change) {
+      output_(fmt::format("[{}] ended: {}", number, describe(change.error())));
+      co_return;
+    }
+    if (change->resynchronised && change->added.empty()) output_(fmt::format("[{}] nothing yet", number));
+    for (const Answer& answer : change->removed) output_(fmt::format("[{}] - {}", number, bindings_text(answer)));
+    for (const Answer& answer : change->added) output_(fmt::format("[{}] + {}", number, bindings_text(answer)));
+  }
+}
+
+Task<Outcome> Interpreter::unwatch(Datum form) {
+  const bool shaped = form.size() == 2 && form[1].is_integer();
+  if (!shaped) co_return usage("unwatch");
+  if (watches_.erase(static_cast<int>(form[1].integer())) == 0) {
+    output_(fmt::format("there is no watch {}", form[1].integer()));
+    co_return Outcome::failed;
+  }
+  co_return Outcome::done;
+}
+
+}  // namespace pizarra

@@ -1,0 +1,51 @@
+#include "agents/repl/repl.hpp"
+
+#include <fmt/format.h>
+
+#include "lisp/reader.hpp"
+
+namespace pizarra {
+
+namespace {
+
+// Events that were there before the prompt opened are history, not news.
+Task<void> show_story(AgentContext& context, Terminal& terminal) {
+  Query events;
+  events.clauses.push_back({Query::Clause::Kind::fact, read_one("(event ?n ?kind ?sentence ?detail)").value()});
+  const Result<std::unique_ptr<Watch>> watch = co_await context.board.watch(events);
+  if (!watch) co_return;  // a board whose coordinator has yet to declare its story has none to show
+  while (true) {
+    const Result<Change> change = co_await (*watch)->next();
+    if (!change) co_return;
+    if (change->resynchronised) continue;
+    for (const Answer& answer : change->added) {
+      const Datum& event = answer.facts.front().datum;
+      terminal.print(fmt::format("  {:10} {}", event[2].text(), event[3].text()));
+    }
+  }
+}
+
+}  // namespace
+
+Task<void> run_prompt(AgentContext& context, Interpreter& interpreter, Terminal& terminal) {
+  terminal.words = [&interpreter]() -> const std::set<std::string>& { return interpreter.words(); };
+  co_await interpreter.learn_words();
+  Job story = context.executor.spawn(show_story(context, terminal));
+  while (true) {
+    const std::optional<std::string> typed = co_await terminal.read();
+    if (!typed) co_return;
+    const Outcome outcome = co_await interpreter.evaluate(*typed);
+    if (outcome == Outcome::quit) co_return;
+    if (story.done()) story = context.executor.spawn(show_story(context, terminal));
+  }
+}
+
+Task<Outcome> run_forms(Interpreter& interpreter, std::vector<std::string> forms) {
+  for (const std::string& form : forms) {
+    const Outcome outcome = co_await interpreter.evaluate(form);
+    if (outcome != Outcome::done) co_return outcome;
+  }
+  co_return Outcome::done;
+}
+
+}  // namespace pizarra

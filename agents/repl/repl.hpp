@@ -1,0 +1,20 @@
+#pragma once
+
+// The prompt and its interpreter together.
+//
+//   Interpreter interpreter(context, service, [&](const std::string& line) { terminal.print(line); }, patience);
+//   co_await run_prompt(context, interpreter, terminal);     // until (quit) or the end of the input
+
+#include "agents/repl/interpreter.hpp"
+#include "agents/repl/terminal.hpp"
+
+namespace pizarra {
+
+// Reads and evaluates until the end; meanwhile the coordinator's story is shown as it happens. What fails is shown and
+// the prompt goes on.
+Task<void> run_prompt(AgentContext& context, Interpreter& interpreter, Terminal& terminal);
+
+// Evaluates the forms in order, for scripts. Stops at the first that does not succeed and answers what became of it.
+Task<Outcome> run_forms(Interpreter& interpreter, std::vector<std::string> forms);
+
+}  // namespace pizarra

@@ -1,0 +1,178 @@
+#include "agents/repl/terminal.hpp"
+
+#include <cassert>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <editline/readline.h>
+#include <filesystem>
+#include <unistd.h>
+
+namespace pizarra {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int history_lines = 1000;
+
+// The line editor calls plain functions.
+Terminal* current = nullptr;
+
+fs::path history_file() {
+  if (const char* state = std::getenv("XDG_STATE_HOME")) return fs::path(state) / "pizarra" / "history";
+  const char* home = std::getenv("HOME");
+  return fs::path(home != nullptr ? home : "/tmp") / ".local" / "state" / "pizarra" / "history";
+}
+
+// The editor frees what it is given.
+char* next_completion(const char* text, int state) {
+  static std::set<std::string>::const_iterator next;
+  const std::set<std::string>& words = current->words();
+  if (state == 0) next = words.lower_bound(text);
+  if (next == words.end() || !next->starts_with(text)) return nullptr;
+  return strdup((next++)->c_str());
+}
+
+}  // namespace
+
+bool is_complete(std::string_view text) {
+  int depth = 0;
+  bool in_string = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (in_string) {
+      if (c == '\\') ++i;
+      if (c == '"') in_string = false;
+    } else if (c == '"') {
+      in_string = true;
+    } else if (c == ';') {
+      i = std::min(text.find('\n', i), text.size());
+    } else if (c == '(') {
+      ++depth;
+    } else if (c == ')' && --depth < 0) {
+      return true;
+    }
+  }
+  return depth == 0 && !in_string;
+}
+
+Terminal::Terminal(Executor& executor, std::string prompt)
+    : executor_(executor), prompt_(std::move(prompt)), interactive_(isatty(STDIN_FILENO) != 0), lines_(executor, 1) {
+  current = this;
+  if (interactive_) {
+    std::error_code no_history;
+    fs::create_directories(history_file().parent_path(), no_history);
+    using_history();
+    stifle_history(history_lines);
+    read_history(history_file().c_str());
+    rl_attempted_completion_function = complete;
+    rl_completer_word_break_characters = const_cast<char*>(" ()\"\n");
+  }
+}
+
+Terminal::~Terminal() {
+  stop_listening();
+  if (interactive_) {
+    hide_prompt();
+    write_history(history_file().c_str());
+  }
+  current = nullptr;
+}
+
+char** Terminal::complete(const char* text, int, int) {
+  if (current == nullptr || !current->words) return nullptr;
+  return rl_completion_matches(text, next_completion);
+}
+
+void Terminal::line_typed(char* line) {
+  if (current == nullptr) return;
+  current->prompting_ = false;
+  current->stop_listening();
+  rl_callback_handler_remove();
+  if (line == nullptr) {
+    current->take_line(std::nullopt);
+    return;
+  }
+  if (*line != '\0') add_history(line);
+  current->take_line(line);
+  std::free(line);
+}
+
+void Terminal::take_line(std::optional<std::string> line) {
+  if (!line) ended_ = true;
+  [[maybe_unused]] const bool queued = lines_.push(std::move(line));
+  assert(queued && "input is read only when asked for");
+}
+
+void Terminal::show_prompt() {
+  if (!interactive_ || prompting_) return;
+  prompting_ = true;
+  rl_callback_handler_install(partial_.empty() ? prompt_.c_str() : "     ... ", line_typed);
+}
+
+void Terminal::hide_prompt() {
+  if (!prompting_) return;
+  prompting_ = false;
+  rl_callback_handler_remove();
+  std::fputs("\r\033[K", stdout);
+  std::fflush(stdout);
+}
+
+// Only while a line is asked for: input that nobody reads would wake the executor again and again.
+void Terminal::listen() {
+  show_prompt();
+  executor_.watch_readable(STDIN_FILENO, [this] {
+    if (interactive_) {
+      rl_callback_read_char();
+    } else {
+      read_plainly();
+    }
+  });
+}
+
+void Terminal::stop_listening() { executor_.unwatch_readable(STDIN_FILENO); }
+
+void Terminal::read_plainly() {
+  stop_listening();
+  char buffer[4096];
+  const ssize_t got = ::read(STDIN_FILENO, buffer, sizeof buffer);
+  if (got > 0) {
+    take_line(std::string(buffer, static_cast<std::size_t>(got)));
+  } else {
+    take_line(std::nullopt);
+  }
+}
+
+Task<std::optional<std::string>> Terminal::read() {
+  while (!ended_) {
+    listen();
+    const std::optional<std::optional<std::string>> line = co_await lines_.pop();
+    if (line->has_value()) partial_ += **line + (interactive_ ? "\n" : "");
+    if (partial_.find_first_not_of(" \t\r\n") == std::string::npos) {
+      partial_.clear();
+      continue;
+    }
+    if (ended_ || partial_.size() > max_form_bytes || is_complete(partial_)) co_return std::exchange(partial_, "");
+  }
+  co_return std::nullopt;
+}
+
+void Terminal::print(const std::string& line) {
+  if (!prompting_) {
+    std::printf("%s\n", line.c_str());
+    std::fflush(stdout);
+    return;
+  }
+  const std::string typed(rl_line_buffer, static_cast<std::size_t>(rl_end));
+  hide_prompt();
+  std::printf("%s\n", line.c_str());
+  std::fflush(stdout);
+  show_prompt();
+  if (!typed.empty()) {
+    rl_insert_text(typed.c_str());
+    rl_redisplay();
+  }
+}
+
+}  // namespace pizarra

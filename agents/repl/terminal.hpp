@@ -1,0 +1,58 @@
+#pragma once
+
+// The prompt: reads lines with editing, history and completion from a terminal, or plainly from a pipe, without
+// blocking the executor, and shows what comes meanwhile above what is being typed.
+//
+//   Terminal terminal(executor, "pizarra> ");
+//   terminal.words = [&] { return interpreter.words(); };
+//   std::optional<std::string> typed = co_await terminal.read();   // a whole form; empty at the end of the input
+//
+// One at a time in a process. The history is kept in $XDG_STATE_HOME/pizarra/history (~/.local/state by default).
+
+#include <functional>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "blackboard/time/event.hpp"
+
+namespace pizarra {
+
+// Whether every list and string that was opened is closed; what stands behind a superfluous `)` does not count.
+bool is_complete(std::string_view text);
+
+class Terminal {
+ public:
+  Terminal(Executor& executor, std::string prompt);
+  ~Terminal();
+  Terminal(const Terminal&) = delete;
+  Terminal& operator=(const Terminal&) = delete;
+
+  // Lines are joined until the form is complete. Input beyond 64 KiB without an end is given back as it is.
+  Task<std::optional<std::string>> read();
+  void print(const std::string& line);
+
+  std::function<const std::set<std::string>&()> words;
+
+ private:
+  static constexpr std::size_t max_form_bytes = 64 << 10;
+
+  void listen();
+  void stop_listening();
+  void read_plainly();
+  void show_prompt();
+  void hide_prompt();
+  void take_line(std::optional<std::string> line);
+  static void line_typed(char* line);
+  static char** complete(const char* text, int begin, int end);
+
+  Executor& executor_;
+  std::string prompt_;
+  bool interactive_;
+  bool prompting_ = false;
+  bool ended_ = false;
+  std::string partial_;
+  Queue<std::optional<std::string>> lines_;  // at most the one that was asked for
+};
+
+}  // namespace pizarra
