@@ -4,11 +4,11 @@
 //
 //   (cell blocks
 //     (world
-//       (camera (at 1330 0 200) (facing 180) (tilt 0))         ; base-line centre mm, degrees
+//       (camera (at 1330 0 200) (pan 0) (tilt 0))              ; base-line centre mm, degrees; looks along -x
 //       (cube circle (at 450 -150) (yaw 5))                    ; its mark is the shape of its name
 //       (cube square (at 450 50))
 //       (cube lid (mark cross) (on square))                    ; a mark of its own; stacked on a cube named before
-//       (noise (sensor 3) (blur 0.7) (gradient 24)))           ; grey levels, px, grey levels across the image
+//       (noise (sensor 3) (blur 0.7) (gradient 0.12)))         ; grey levels, px, part of the light
 //     (arm crs-f3)
 //     (domain "../../domains/blocks.scm")                      ; relative to the cell file
 //     (board "localhost" "tcp://127.0.0.1:7800")               ; its host and address; left out: the first host, ipc
@@ -36,14 +36,14 @@ struct CubePlacement {
 
 struct CellCamera {
   std::array<double, 3> at_mm{1330, 0, 200};
-  double facing_deg = 180;
+  double pan_deg = 0;
   double tilt_deg = 0;
 };
 
 struct CellNoise {
   double sensor_grey = 3;
   double blur_px = 0.7;
-  double gradient_grey = 24;
+  double gradient = 0.12;
 };
 
 struct CellHost {

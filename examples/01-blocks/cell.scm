@@ -6,7 +6,7 @@
     (cube triangle (at 450 -50))
     (cube square   (at 450 50))
     (cube cross    (at 450 150))
-    (noise (sensor 3) (blur 0.7) (gradient 24)))
+    (noise (sensor 3) (blur 0.7) (gradient 0.12)))
   (arm crs-f3)
   (domain "../../domains/blocks.scm")
   (host "localhost" (agents robot vision planner coordinator person)))

@@ -3,6 +3,6 @@
   (cell "../../examples/01-blocks/cell.scm")
   (goal (on circle triangle))
   (when (operation ? (PICK-UP circle) running)
-    (hand move circle 480 -200))
+    (hand place circle 480 -200))
   (expect reached)
   (within 120))

@@ -3,7 +3,7 @@
   (cell "../../examples/01-blocks/cell.scm")
   (goal (on circle triangle))
   (when (and (holding circle) (operation ? (STACK circle triangle) running))
-    (hand move circle 450 -200))
+    (hand steal circle))
   (expect reached)
   (expect-seen (event ? difference ? ?))
   (within 180))

@@ -1,0 +1,141 @@
+#include "agents/person/person_agent.hpp"
+
+#include <fmt/format.h>
+
+namespace pizarra {
+
+namespace {
+
+constexpr const char* contract_text = R"((contract person
+  (offers (teach (name string)))
+  (posts (relation person ((state symbol) (detail datum)) (key)))
+  (reads learned)))";
+
+constexpr const char* end_effector = "end-effector";
+constexpr int tries = 5;
+constexpr Duration pause_between_tries = 500ms;
+constexpr Duration look_timeout = 2s;
+constexpr Duration arm_timeout = 30s;
+constexpr Duration vision_timeout = 10s;
+// The arm comes down by these steps until its mark is in the image, and no lower than that many.
+constexpr std::int64_t step_down_mm = 50;
+constexpr int most_steps_down = 6;
+
+}  // namespace
+
+PersonAgent::PersonAgent(AgentContext context, Link& link, std::vector<std::string> names)
+    : context_(std::move(context)),
+      link_(link),
+      names_(std::move(names)),
+      service_(context_, contract_from_text(contract_text).value()),
+      caller_(context_, service_) {}
+
+Task<void> PersonAgent::say(Datum state, Datum detail) {
+  Datum fact = list("person"_sym, std::move(state), std::move(detail));
+  // A board that is away now hears of it from the next thing said.
+  const Result<Revision> told = co_await context_.board.tell(std::move(fact));
+  static_cast<void>(told);
+}
+
+Task<Result<bool>> PersonAgent::known(std::string name) {
+  std::vector<Datum> any(9, "?"_sym);
+  any[0] = "learned"_sym;
+  any[1] = Datum::string(name);
+  Datum pattern = Datum::list(std::move(any));
+  const Result<std::vector<Fact>> samples = co_await context_.board.facts(std::move(pattern));
+  if (samples) co_return !samples->empty();
+  // Vision has not yet come to declare what it tells.
+  if (samples.error().symbol == "undeclared-relation") co_return false;
+  co_return fail(samples);
+}
+
+Task<Result<void>> PersonAgent::show_end_effector() {
+  Datum question = list("where-seen"_sym, end_effector);
+  const Result<Message> at_once = co_await link_.call(question, look_timeout);
+  if (at_once) co_return {};
+  Datum ready = list("ready"_sym);
+  const Result<Datum> stood = co_await caller_.call("robot", ready, arm_timeout);
+  if (!stood) co_return fail(stood);
+  for (int step = 0; step < most_steps_down; ++step) {
+    const Result<Message> seen = co_await link_.call(question, look_timeout);
+    if (seen) co_return {};
+    if (seen.error().symbol != "not-seen") co_return fail(seen);
+    Datum down = list("move-v"_sym, "down"_sym, step_down_mm);
+    const Result<Datum> moved = co_await caller_.call("robot", down, arm_timeout);
+    if (!moved) co_return fail(moved);
+  }
+  co_return fail("not-seen", "the end effector does not come into the image");
+}
+
+Task<Result<void>> PersonAgent::teach_once(std::string name) {
+  Datum question = list("where-seen"_sym, name);
+  const Result<Message> seen = co_await link_.call(question, look_timeout);
+  if (!seen) co_return fail(seen);
+  const Datum& at = seen->head;
+  Datum learn = list("learn"_sym, at[0], at[1], name);
+  const Result<Datum> reply = co_await caller_.call("vision", learn, vision_timeout);
+  if (!reply) co_return fail(reply);
+  const std::string expected = fmt::format("(LEARN \"{}\" OK)", name);
+  if (reply->size() == 1 && (*reply)[0].text() == expected) co_return {};
+  co_return fail("not-learned", fmt::format("vision could not learn {}", name), *reply);
+}
+
+Task<Result<void>> PersonAgent::teach(std::string name) {
+  Result<void> taught = fail("not-learned", fmt::format("{} was not taught", name));
+  for (int n = 0; n < tries; ++n) {
+    const Result<bool> is_known = co_await known(name);
+    if (is_known.value_or(false)) co_return {};
+    co_await say("teaching"_sym, Datum::string(name));
+    taught = co_await teach_once(name);
+    if (taught) co_return {};
+    co_await sleep(context_.executor, pause_between_tries);
+  }
+  co_return taught;
+}
+
+Task<Result<void>> PersonAgent::teach_cell() {
+  Result<void> shown = fail("not-seen", "the end effector was not shown");
+  for (int n = 0; n < tries; ++n) {
+    shown = co_await show_end_effector();
+    if (shown) break;
+    co_await sleep(context_.executor, pause_between_tries);
+  }
+  if (!shown) co_return shown;
+  Datum connect = list("connect"_sym);
+  const Result<Datum> connected = co_await caller_.call("vision", connect, vision_timeout);
+  if (!connected) co_return fail(connected);
+  for (const std::string& name : names_) {
+    const Result<void> taught = co_await teach(name);
+    if (!taught) co_return taught;
+  }
+  co_return {};
+}
+
+Task<void> PersonAgent::teach_all() {
+  const Result<void> taught = co_await teach_cell();
+  if (taught) {
+    std::vector<Datum> taught_names;
+    for (const std::string& name : names_) taught_names.push_back(Datum::string(name));
+    co_await say("done"_sym, Datum::list(std::move(taught_names)));
+    co_return;
+  }
+  co_await say("failed"_sym, failure_to_datum(taught.error()));
+}
+
+Task<Result<Datum>> PersonAgent::serve(Datum operation) {
+  const std::string name(operation[1].text());
+  const Result<void> taught = co_await teach(name);
+  if (!taught) co_return fail(taught);
+  co_return Datum();
+}
+
+Task<Result<void>> PersonAgent::run() {
+  names_.insert(names_.begin(), end_effector);
+  const Result<void> started = co_await service_.start();
+  if (!started) co_return started;
+  const Job teaching = context_.executor.spawn(teach_all());
+  Handler handler = [this](Datum operation) { return serve(std::move(operation)); };
+  co_return co_await service_.serve(std::move(handler));
+}
+
+}  // namespace pizarra

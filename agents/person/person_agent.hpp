@@ -1,0 +1,46 @@
+#pragma once
+
+// The scripted person: clicks on each object in the camera's image and names it, as a user would at the console.
+//
+// It has eyes, which is the device link's `where-seen`, and asks like any user: the arm to show its end effector,
+// vision to connect and to learn. Objects that vision knows already are not taught again, so a restarted person goes
+// on.
+//
+//   PersonAgent person(context, link, {"circle", "triangle"});
+//   Job job = executor.spawn(...person.run()...);
+//
+// It tells (person STATE DETAIL): `teaching` with the object's name in hand, `done` with the names, or `failed` with a
+// failure form. It offers (teach "name"), for what comes into the cell later.
+
+#include <string>
+#include <vector>
+
+#include "agents/runtime/service.hpp"
+#include "drivers/simulation/link.hpp"
+
+namespace pizarra {
+
+class PersonAgent : public Agent {
+ public:
+  // The link outlives it.
+  PersonAgent(AgentContext context, Link& link, std::vector<std::string> names);
+  Task<Result<void>> run() override;
+
+ private:
+  Task<void> teach_all();
+  Task<Result<void>> teach_cell();
+  Task<Result<void>> teach(std::string name);
+  Task<Result<void>> teach_once(std::string name);
+  Task<Result<void>> show_end_effector();
+  Task<Result<bool>> known(std::string name);
+  Task<Result<Datum>> serve(Datum operation);
+  Task<void> say(Datum state, Datum detail);
+
+  AgentContext context_;
+  Link& link_;
+  std::vector<std::string> names_;
+  Service service_;
+  Caller caller_;
+};
+
+}  // namespace pizarra
