@@ -12,14 +12,6 @@ namespace {
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 constexpr bool is_continuation(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
 
-constexpr std::array<bool, 256> symbol_chars = [] {
-  std::array<bool, 256> out{};
-  for (unsigned c = '0'; c <= '9'; ++c) out[c] = true;
-  for (unsigned c = 'a'; c <= 'z'; ++c) out[c] = out[c - 'a' + 'A'] = true;
-  for (const char c : std::string_view("!$%&*/:<=>?^_~+-.@")) out[static_cast<unsigned char>(c)] = true;
-  return out;
-}();
-
 // A line as a person sees it: one column a character, whatever the byte was.
 std::string visible(std::string_view line) {
   std::string out;
@@ -48,8 +40,6 @@ std::size_t characters_of(std::string_view text) {
 }
 
 }  // namespace
-
-bool is_symbol_char(char c) { return symbol_chars[static_cast<unsigned char>(c)]; }
 
 bool begins_like_number(std::string_view token) {
   if (!token.empty() && (token.front() == '+' || token.front() == '-')) token.remove_prefix(1);

@@ -9,8 +9,16 @@
 
 namespace pizarra {
 
+inline constexpr std::array<bool, 256> symbol_chars = [] {
+  std::array<bool, 256> out{};
+  for (unsigned c = '0'; c <= '9'; ++c) out[c] = true;
+  for (unsigned c = 'a'; c <= 'z'; ++c) out[c] = out[c - 'a' + 'A'] = true;
+  for (const char c : std::string_view("!$%&*/:<=>?^_~+-.@")) out[static_cast<unsigned char>(c)] = true;
+  return out;
+}();
+
 // Whether a symbol may hold this byte.
-bool is_symbol_char(char c);
+inline bool is_symbol_char(char c) { return symbol_chars[static_cast<unsigned char>(c)]; }
 // Whether what begins so is a number or nothing: a digit, or a sign or point before a digit.
 bool begins_like_number(std::string_view token);
 // The bytes of the UTF-8 sequence that begins here, 0 where none does (overlong forms and surrogates are none).

@@ -25,7 +25,10 @@ constexpr bool is_blank(char c) { return c == ' ' || c == '\n' || c == '\t' || c
 class Reader {
  public:
   Reader(std::string_view text, const ReadLimits& limits, std::vector<Spot>* spots)
-      : text_(text), limits_(limits), spots_(spots) {}
+      : text_(text), limits_(limits), spots_(spots) {
+    waiting_.reserve(16);
+    open_.reserve(8);
+  }
 
   // The elements that stand outside of every list.
   std::optional<std::vector<Datum>> read_all() {
