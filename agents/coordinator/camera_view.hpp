@@ -1,0 +1,68 @@
+#pragma once
+
+// What the coordinator knows of the camera: where it stands relative to the arm (configuration) and how it projects
+// (the camera-model fact). It turns the eyes' pixels and ranges into the arm's base frame and back.
+//
+//   CameraView view(pose, model);
+//   Eigen::Vector3d mark = view.place(112.25, 87.5, 812.3);   // mm, base frame
+//   Sight sight = view.sight(mark);                           // back again
+
+#include <Eigen/Core>
+#include <array>
+
+#include "lisp/result.hpp"
+
+namespace pizarra {
+
+// The base line's centre, the direction of looking (degrees from the base's x axis, 180 faces the arm) and the tilt
+// (positive: downwards).
+struct CameraPose {
+  std::array<double, 3> at_mm{1330, 0, 200};
+  double facing_deg = 180;
+  double tilt_deg = 0;
+};
+
+// As in (camera-model WIDTH HEIGHT FOCAL CX CY BASE-LINE): px, mm.
+struct CameraModel {
+  double width_px = 320;
+  double height_px = 240;
+  double focal_px = 431;
+  double centre_x_px = 159.5;
+  double centre_y_px = 119.5;
+  double base_line_mm = 90;
+};
+
+Result<CameraModel> camera_model_from_fact(const Datum& fact);
+
+// A point as the left camera sees it: pixels, the range from the base line's centre, the depth along the axis.
+struct Sight {
+  double x_px;
+  double y_px;
+  double range_mm;
+  double depth_mm;
+};
+
+class CameraView {
+ public:
+  CameraView(const CameraPose& pose, const CameraModel& model);
+
+  // Where a point stands that is seen at a pixel of the left image, `range_mm` from the base line's centre.
+  Eigen::Vector3d place(double x_px, double y_px, double range_mm) const;
+  // The point must be before the camera.
+  Sight sight(const Eigen::Vector3d& point) const;
+
+  // Horizontal unit vectors: to the right in the image, and away from the camera.
+  const Eigen::Vector3d& right() const { return right_; }
+  const Eigen::Vector3d& away() const { return away_; }
+  double focal_px() const { return model_.focal_px; }
+
+ private:
+  CameraModel model_;
+  Eigen::Vector3d centre_;
+  Eigen::Vector3d right_;
+  Eigen::Vector3d down_;
+  Eigen::Vector3d forward_;
+  Eigen::Vector3d away_;
+};
+
+}  // namespace pizarra

@@ -1,0 +1,44 @@
+#pragma once
+
+// What a cell configures of its coordinator. Lengths mm.
+
+#include <string>
+
+#include "agents/coordinator/camera_view.hpp"
+#include "agents/coordinator/servo.hpp"
+#include "agents/coordinator/spots.hpp"
+#include "blackboard/time/clock.hpp"
+
+namespace pizarra {
+
+// The gripper and its mark, as they are built.
+struct GripperGeometry {
+  std::string mark = "end-effector";  // the name it was learned under
+  double mark_above_grip_mm = 66;
+  double mark_before_grip_mm = 30;  // towards the camera, as the held cube's front face
+  double finger_mm = 8;
+  double narrow_mm = 76;
+  double normal_mm = 84;
+  double wide_mm = 96;
+};
+
+struct CoordinatorOptions {
+  std::string domain_file;
+  CameraPose camera;
+  GripperGeometry gripper;
+  ServoLimits servo;
+  TableArea table;
+  double travel_height_mm = 300;  // of the grip: clears a tower of four
+  double release_mm = 1.5;        // above the support, where a held cube is let go
+  std::string robot = "robot";
+  std::string vision = "vision";
+  std::string planner = "planner";
+
+  int belief_looks = 3;             // in a row, before a difference counts
+  int grace_looks = 10;             // unseen for as long, an object's facts go
+  Duration settle = 2s;             // the goal must hold for as long before it counts as reached
+  Duration missing_patience = 6s;   // how long a needed object is looked for
+  Duration absence_patience = 20s;  // how long an agent that died is waited for
+};
+
+}  // namespace pizarra

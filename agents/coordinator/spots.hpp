@@ -1,0 +1,34 @@
+#pragma once
+
+// Room on the table: where a cube can be put down, and how wide the gripper may open between neighbours.
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+namespace pizarra {
+
+// The part of the table that the arm reaches and the camera sees, and what a cube put down there needs. Cube centres.
+struct TableArea {
+  double x_mm = 450;
+  double y_low_mm = -200;
+  double y_high_mm = 200;
+  double grid_mm = 10;
+  // Sideways from centre to centre: what leaves the open fingers comfortable room, and what they need at least.
+  double comfortable_mm = 100;
+  double least_mm = 86;
+  // Cubes that stand further away than this along x are not in the fingers' way, but might hide behind each other.
+  double depth_mm = 90;
+};
+
+// The free spot nearest `from_y_mm` that is comfortably away from `occupied`; without one the roomiest of those that
+// leave the least room; none where there is none.
+std::optional<Eigen::Vector2d> free_spot(const TableArea& area, const std::vector<Eigen::Vector2d>& occupied,
+                                         double from_y_mm);
+
+// How far the gripper may open around a cube at `centre`, between narrow_mm and wide_mm, so that fingers `finger_mm`
+// thick do not touch neighbours of `cube_mm`; only those that stand beside it at its own height count.
+double opening_between(const Eigen::Vector3d& centre, const std::vector<Eigen::Vector3d>& neighbours, double cube_mm,
+                       double finger_mm, double narrow_mm, double wide_mm);
+
+}  // namespace pizarra
