@@ -34,6 +34,8 @@ struct Query {
 
 Result<Query> query_from_datum(const Datum& form);
 Datum query_to_datum(const Query& query);
+// Whether a query that was put together in C++ is one: at most 64 clauses, every variable bound where it must be.
+Result<void> check_query(const Query& query);
 
 // One way to satisfy a query: the variables' values and the facts that the positive patterns matched, in their order.
 struct Answer {

@@ -40,6 +40,9 @@ Datum relation_to_datum(const Relation& relation);
 
 // Whether `fact` has the relation's name, number and types of arguments and no variable in it: an integer is a number.
 Result<void> check_shape(const Relation& relation, const Datum& fact);
+// The same for a pattern, whose arguments may be or hold variables.
+Result<void> check_pattern_shape(const Relation& relation, const Datum& pattern);
+bool fits_type(ArgumentType type, const Datum& value);
 // The fact's key: relation name and key arguments.
 Datum key_of(const Relation& relation, const Datum& fact);
 
