@@ -1,0 +1,50 @@
+#pragma once
+
+// How much the board takes at once. All walls refuse the same things, so that an agent that works on one works on
+// another; the bound is below what a frame of the wire may hold.
+
+#include <cstddef>
+
+#include "blackboard/fact.hpp"
+#include "lisp/datum.hpp"
+#include "lisp/result.hpp"
+
+namespace pizarra {
+
+// Never less than the text takes.
+struct Weight {
+  std::size_t bytes = 0;
+  std::size_t elements = 0;
+  std::size_t depth = 0;
+
+  Weight& operator+=(const Weight& other);
+};
+
+Weight weigh(const Datum& datum);
+// With its provenance.
+Weight weigh(const Fact& fact);
+
+namespace limits {
+
+constexpr std::size_t frame_bytes = 1 << 20;
+constexpr std::size_t frame_elements = 200'000;
+constexpr std::size_t frame_depth = 64;
+// What a transaction, an answer to a question or a change may weigh: the rest of the frame is its envelope.
+constexpr std::size_t bytes = frame_bytes - (1 << 14);
+constexpr std::size_t elements = frame_elements - 1000;
+constexpr std::size_t depth = frame_depth - 8;
+
+constexpr std::size_t steps = 10'000;        // in a transaction
+constexpr std::size_t facts = 1'000'000;     // on a board
+constexpr std::size_t relations = 4096;      // on a board
+constexpr std::size_t leases = 100'000;      // on a board
+constexpr std::size_t watches = 100'000;     // on a board
+constexpr std::size_t examined = 1'000'000;  // facts looked at to answer one question
+constexpr std::size_t pending_changes = 1024;
+
+}  // namespace limits
+
+// Failure too-large.
+Result<void> check_weight(const Weight& weight, const char* what);
+
+}  // namespace pizarra
