@@ -44,7 +44,7 @@ class MemoryBoard {
 
   Result<void> declare(const std::string& teller, const std::vector<Relation>& relations);
   Result<Revision> transact(const std::string& teller, const Transaction& transaction);
-  Result<Answers> ask(const Query& query) const;
+  Result<Answers> ask(const Query& query);
   Result<std::optional<Fact>> take(const std::string& teller, const Datum& pattern, LeaseId holder);
   Result<LeaseId> lease(Duration length);
   Result<void> renew(LeaseId lease);
@@ -53,9 +53,10 @@ class MemoryBoard {
   Result<std::unique_ptr<WatchQueue>> watch(const Query& query, std::function<void()> ready);
 
  private:
-  void start();
-  void committed(const Commit& commit);
+  // Lapses what is due, before an operation; and has the timer wait for what is next, after it.
+  Time begin();
   void schedule();
+  void committed(const Commit& commit);
 
   Executor& executor_;
   std::unique_ptr<Store> store_;

@@ -1,0 +1,152 @@
+#include "blackboard/journal.hpp"
+
+#include <algorithm>
+
+#include "lisp/reader.hpp"
+#include "lisp/writer.hpp"
+
+namespace pizarra {
+
+using Kind = Commit::Entry::Kind;
+
+namespace {
+
+// A commit may remove everything there is at once.
+constexpr ReadLimits line_limits = {.bytes = 64 << 20, .depth = 64, .elements = 4'000'000};
+
+std::vector<Datum> line_start(Revision revision, Time when, const std::string& teller) {
+  return {to_datum(revision), to_datum(when.time_since_epoch().count()), to_datum(teller)};
+}
+
+Datum entry_to_datum(const Commit::Entry& entry) {
+  const Fact& fact = entry.fact;
+  switch (entry.kind) {
+    case Kind::retracted:
+      return list("retract"_sym, fact.id);
+    case Kind::taken:
+      return list("take"_sym, fact.id);
+    case Kind::settled:
+      return list("settle"_sym, fact.id);
+    case Kind::returned:
+      return list("return"_sym, entry.former, fact.id);
+    case Kind::told:
+      break;
+  }
+  if (fact.because.empty()) return list("tell"_sym, fact.id, fact.datum);
+  std::vector<Datum> because = {"because"_sym};
+  for (const FactId id : fact.because) because.push_back(to_datum(id));
+  return list("tell"_sym, fact.id, fact.datum, Datum::list(std::move(because)));
+}
+
+bool is_id(const Datum& datum) { return datum.is_integer() && datum.integer() > 0; }
+
+bool read_told(const Datum& form, const Commit& commit, Fact& fact) {
+  if (form.size() < 3 || form.size() > 4) return false;
+  fact.datum = form[2];
+  fact.teller = commit.teller;
+  fact.when = commit.when;
+  fact.revision = commit.revision;
+  if (form.size() == 3) return true;
+  if (!form[3].is_form("because")) return false;
+  for (const Datum& id : form[3].items().subspan(1)) {
+    if (!is_id(id)) return false;
+    fact.because.push_back(static_cast<FactId>(id.integer()));
+  }
+  return true;
+}
+
+bool read_entry(const Datum& form, const Commit& commit, Commit::Entry& entry) {
+  if (form.size() < 2 || !is_id(form[1])) return false;
+  entry.fact.id = static_cast<FactId>(form[1].integer());
+  if (form.is_form("tell")) {
+    entry.kind = Kind::told;
+    return read_told(form, commit, entry.fact);
+  }
+  if (form.is_form("return")) {
+    if (form.size() != 3 || !is_id(form[2])) return false;
+    entry.kind = Kind::returned;
+    entry.former = entry.fact.id;
+    entry.fact.id = static_cast<FactId>(form[2].integer());
+    return true;
+  }
+  entry.kind = form.is_form("take") ? Kind::taken : form.is_form("settle") ? Kind::settled : Kind::retracted;
+  return form.size() == 2 && (entry.kind != Kind::retracted || form.is_form("retract"));
+}
+
+Result<void> replay_declaration(const Datum& form, Store& store) {
+  std::vector<Relation> relations;
+  for (const Datum& item : form.items().subspan(1)) {
+    Result<Relation> relation = relation_from_datum(item);
+    if (!relation) return fail(relation);
+    relations.push_back(std::move(*relation));
+  }
+  const Result<std::vector<Relation>> declared = store.declare(relations);
+  if (!declared) return fail(declared);
+  return {};
+}
+
+std::unexpected<Failure> bad_line(const Datum& line) { return fail("bad-journal", "not a line of a journal", line); }
+
+// The revision that a line begins with, without reading the rest.
+Revision revision_of(std::string_view line) {
+  Revision revision = 0;
+  for (std::size_t i = 1; i < line.size() && line[i] >= '0' && line[i] <= '9'; ++i) {
+    revision = revision * 10 + static_cast<Revision>(line[i] - '0');
+  }
+  return revision;
+}
+
+}  // namespace
+
+std::string journal_line(const Commit& commit) {
+  std::vector<Datum> line = line_start(commit.revision, commit.when, commit.teller);
+  for (const Commit::Entry& entry : commit.entries) line.push_back(entry_to_datum(entry));
+  return write(Datum::list(std::move(line)));
+}
+
+std::string journal_line(Revision revision, Time when, const std::string& teller,
+                         const std::vector<Relation>& declared) {
+  std::vector<Datum> declaration = {"declare"_sym};
+  for (const Relation& relation : declared) declaration.push_back(relation_to_datum(relation));
+  std::vector<Datum> line = line_start(revision, when, teller);
+  line.push_back(Datum::list(std::move(declaration)));
+  return write(Datum::list(std::move(line)));
+}
+
+Result<void> replay_line(std::string_view line, Store& store) {
+  const Result<Datum> read = read_one(line, line_limits, "journal");
+  if (!read) return fail(read);
+  const Datum& form = *read;
+  if (form.size() < 4 || !form[0].is_integer() || form[0].integer() < 0 || !form[1].is_integer() ||
+      !form[2].is_string()) {
+    return bad_line(form);
+  }
+  if (form[3].is_form("declare")) return form.size() == 4 ? replay_declaration(form[3], store) : bad_line(form);
+  Commit commit;
+  commit.revision = static_cast<Revision>(form[0].integer());
+  commit.when = Time(Duration(form[1].integer()));
+  commit.teller = form[2].text();
+  for (const Datum& item : form.items().subspan(3)) {
+    Commit::Entry entry{};
+    if (!read_entry(item, commit, entry)) return bad_line(item);
+    commit.entries.push_back(std::move(entry));
+  }
+  return store.apply(commit);
+}
+
+Result<void> replay(std::string_view text, Store& store, Revision last) {
+  std::size_t number = 0;
+  for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n')) {
+    const std::string_view line = text.substr(0, end);
+    text.remove_prefix(end + 1);
+    ++number;
+    if (revision_of(line) > last) break;
+    Result<void> replayed = replay_line(line, store);
+    if (replayed) continue;
+    replayed.error().sentence = "line " + std::to_string(number) + " of the journal: " + replayed.error().sentence;
+    return replayed;
+  }
+  return {};
+}
+
+}  // namespace pizarra

@@ -1,0 +1,80 @@
+#pragma once
+
+// The facts themselves: one thread, no clock of its own, the same calls give the same contents and the same commits.
+//
+// Every call that may change something is given the time. expire() must be called before any other call with a time at
+// or after next_expiry(): it lapses leases and leased facts, each lapse one transaction told by "board".
+//
+//   Store store;
+//   store.on_commit = [&](const Commit& commit) { ... };
+//   store.declare({relation});
+//   store.transact("vision", transaction, now);
+
+#include <functional>
+#include <memory>
+#include <unordered_map>
+
+#include "blackboard/board.hpp"
+#include "blackboard/commit.hpp"
+#include "blackboard/fact_table.hpp"
+#include "blackboard/leases.hpp"
+
+namespace pizarra {
+
+class Store {
+ public:
+  // A board that may live again in the same agents' lifetime begins with a lease that no earlier life has given out.
+  explicit Store(LeaseId first_lease = 1) : leases_(first_lease) {}
+  Store(const Store&) = delete;
+  Store& operator=(const Store&) = delete;
+
+  std::function<void(const Commit&)> on_commit;
+
+  // Answers those that are new.
+  Result<std::vector<Relation>> declare(const std::vector<Relation>& relations);
+  Result<Revision> transact(const std::string& teller, const Transaction& transaction, Time now);
+  Result<Answers> ask(const Query& query) const;
+  // With holder 0 the fact is removed for good.
+  Result<std::optional<Fact>> take(const std::string& teller, const Datum& pattern, LeaseId holder, Time now);
+
+  Result<LeaseId> lease(Duration length, Time now);
+  Result<void> renew(LeaseId lease, Time now);
+  Result<void> release(LeaseId lease, Time now);
+  std::optional<Time> next_expiry() const;
+  void expire(Time now);
+
+  const Tables& tables() const { return tables_; }
+  Revision revision() const { return revision_; }
+  std::size_t size() const { return homes_.size(); }
+
+  // Repeats a commit of another store, in order; a failure says why it cannot have happened here. Does not call
+  // on_commit.
+  Result<void> apply(const Commit& commit);
+  // After the last apply, makes the store live: facts of relations that are not durable go, what was taken comes back,
+  // and leased relations' facts begin their leases.
+  void resume(Time now);
+
+ private:
+  struct Held {
+    Fact fact;
+    LeaseId holder;
+  };
+  class Change;
+
+  Result<void> check(const Transaction& transaction);
+  Result<void> check_precondition(const Transaction::Precondition& precondition) const;
+  Result<void> check_step(const Transaction::Step& step, std::set<FactId>& settled);
+  void lapse(LeaseId lease, Time now);
+  void lapse_facts(Time expiry, Time now);
+  Result<void> apply_entry(const Commit& commit, const Commit::Entry& entry);
+
+  Tables tables_;
+  std::unordered_map<FactId, FactTable*> homes_;
+  std::map<FactId, Held> held_;
+  Leases leases_;
+  std::set<std::pair<Time, FactId>> fact_expiries_;
+  Revision revision_ = 0;
+  FactId next_fact_ = 1;
+};
+
+}  // namespace pizarra

@@ -1,0 +1,120 @@
+#include "blackboard/store_change.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+#include "lisp/pattern.hpp"
+
+namespace pizarra {
+
+using Kind = Commit::Entry::Kind;
+
+Store::Change::Change(Store& store, std::string teller, Time now) : store_(store) {
+  commit_.revision = store.revision_ + 1;
+  commit_.when = now;
+  commit_.teller = std::move(teller);
+}
+
+void Store::Change::tell(const Datum& fact, const std::vector<FactId>& because, LeaseId lease) {
+  FactTable& table = store_.tables_.find(fact.head())->second;
+  if (FactTable::Entry* standing = table.find_key_of(fact)) {
+    if (standing->fact.datum == fact) return set_lease(table, *standing, lease);
+    retract(standing->fact.id);
+  }
+  Fact told;
+  told.datum = fact;
+  told.id = store_.next_fact_++;
+  told.teller = commit_.teller;
+  told.when = commit_.when;
+  told.because = because;
+  told.revision = commit_.revision;
+  commit_.entries.push_back({Kind::told, told});
+  insert(std::move(told), lease);
+}
+
+void Store::Change::retract(FactId id) {
+  Fact fact = remove(id);
+  if (fact.revision == commit_.revision) {
+    const auto told = std::find_if(commit_.entries.rbegin(), commit_.entries.rend(),
+                                   [&](const Commit::Entry& entry) { return adds(entry) && entry.fact.id == id; });
+    commit_.entries.erase(std::next(told).base());
+  } else {
+    commit_.entries.push_back({Kind::retracted, std::move(fact)});
+  }
+}
+
+void Store::Change::retract_matching(const Datum& pattern) {
+  std::vector<FactId> fitting;
+  store_.tables_.find(pattern.head())->second.visit(pattern, [&](const Fact& fact) {
+    Bindings bindings;
+    if (match(pattern, fact.datum, bindings)) fitting.push_back(fact.id);
+    return true;
+  });
+  for (const FactId id : fitting) retract(id);
+}
+
+Fact Store::Change::take(FactId id, LeaseId holder) {
+  Fact fact = remove(id);
+  commit_.entries.push_back({holder == 0 ? Kind::retracted : Kind::taken, fact});
+  if (holder != 0) {
+    store_.held_[id] = {fact, holder};
+    store_.leases_.find(holder)->held.insert(id);
+  }
+  return fact;
+}
+
+void Store::Change::settle(FactId taken) {
+  const auto held = store_.held_.find(taken);
+  if (Leases::Lease* lease = store_.leases_.find(held->second.holder)) lease->held.erase(taken);
+  commit_.entries.push_back({Kind::settled, std::move(held->second.fact)});
+  store_.held_.erase(held);
+}
+
+void Store::Change::put_back(FactId taken) {
+  const auto held = store_.held_.find(taken);
+  if (store_.tables_.find(held->second.fact.datum.head())->second.find_key_of(held->second.fact.datum) != nullptr) {
+    return settle(taken);
+  }
+  Fact fact = std::move(held->second.fact);
+  store_.held_.erase(held);
+  fact.id = store_.next_fact_++;
+  fact.revision = commit_.revision;
+  commit_.entries.push_back({Kind::returned, fact, taken});
+  insert(std::move(fact), 0);
+}
+
+Revision Store::Change::finish() {
+  if (commit_.entries.empty()) return store_.revision_;
+  store_.revision_ = commit_.revision;
+  if (store_.on_commit) store_.on_commit(commit_);
+  return store_.revision_;
+}
+
+Fact Store::Change::remove(FactId id) {
+  const auto home = store_.homes_.find(id);
+  assert(home != store_.homes_.end());
+  FactTable::Entry entry = home->second->remove(id, commit_.revision);
+  store_.homes_.erase(home);
+  if (Leases::Lease* lease = store_.leases_.find(entry.lease)) lease->facts.erase(id);
+  if (entry.expiry) store_.fact_expiries_.erase({*entry.expiry, id});
+  return std::move(entry.fact);
+}
+
+void Store::Change::insert(Fact fact, LeaseId lease) {
+  FactTable& table = store_.tables_.find(fact.datum.head())->second;
+  store_.homes_[fact.id] = &table;
+  set_lease(table, table.insert({std::move(fact)}), lease);
+}
+
+void Store::Change::set_lease(FactTable& table, FactTable::Entry& entry, LeaseId lease) {
+  const FactId id = entry.fact.id;
+  if (Leases::Lease* former = store_.leases_.find(entry.lease)) former->facts.erase(id);
+  entry.lease = lease;
+  if (Leases::Lease* now = store_.leases_.find(lease)) now->facts.insert(id);
+  if (entry.expiry) store_.fact_expiries_.erase({*entry.expiry, id});
+  if (!table.relation().lease) return;
+  entry.expiry = commit_.when + *table.relation().lease;
+  store_.fact_expiries_.emplace(*entry.expiry, id);
+}
+
+}  // namespace pizarra
