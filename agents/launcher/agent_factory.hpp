@@ -1,0 +1,44 @@
+#pragma once
+
+// How an agent of each kind is made from a cell's description: the one place that knows them all.
+//
+//   Result<std::unique_ptr<BuiltAgent>> vision = build_agent("vision", context, description, link, &streams);
+//   Job job = executor.spawn((*vision)->run());
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "agents/runtime/agent.hpp"
+#include "blackboard/stream.hpp"
+#include "drivers/simulation/link.hpp"
+#include "drivers/simulation/world_config.hpp"
+#include "lisp/cell.hpp"
+
+namespace pizarra {
+
+// robot, vision, planner, coordinator, person: in the order in which they are listed.
+const std::vector<std::string>& agent_kinds();
+
+WorldConfig world_config(const CellDescription& description, std::uint64_t seed);
+
+// An agent with the devices it owns.
+class BuiltAgent {
+ public:
+  virtual ~BuiltAgent() = default;
+  // Runs the agent until destroyed; when the agent ends by itself, the reason stays in ended().
+  Task<void> run();
+  const Result<void>* ended() const { return ended_ ? &*ended_ : nullptr; }
+
+ protected:
+  virtual Agent& agent() = 0;
+
+ private:
+  std::optional<Result<void>> ended_;
+};
+
+// Link and streams outlive the agent. Failures: unknown-agent, and those of the domain file.
+Result<std::unique_ptr<BuiltAgent>> build_agent(const std::string& kind, AgentContext context,
+                                                const CellDescription& description, Link& link, Streams* streams);
+
+}  // namespace pizarra

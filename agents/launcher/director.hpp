@@ -1,0 +1,86 @@
+#pragma once
+
+// The director lets a scenario happen in a cell: waits until the person has taught the objects, gives the goal, does
+// what the scenario's `when`s ask for when their facts come, and in the end has the world judged.
+//
+//   Director director(cell, scenario, narrator);
+//   Job job = executor.spawn(director.run());
+//   executor.run_until([&] { return job.done(); });
+//   director.report().met();
+
+#include <functional>
+#include <map>
+#include <optional>
+
+#include "agents/launcher/local_cell.hpp"
+#include "agents/launcher/narrator.hpp"
+#include "agents/launcher/truth.hpp"
+#include "agents/runtime/service.hpp"
+#include "lisp/scenario.hpp"
+
+namespace pizarra {
+
+struct DirectorReport {
+  // How the cell saw it: reached, refused, cancelled, or malformed, timeout, not-taught, no-agents.
+  std::string outcome;
+  std::optional<Failure> refusal;  // for refused and malformed
+  std::vector<Datum> goal;         // the last one
+  bool truth_holds = false;        // the judge's word on that goal
+  std::optional<Truth> truth;      // at the end
+  bool blind = false;              // a goal cube's mark was less than half visible for the last 2 s
+  std::vector<std::string> unmet;  // expectations, one sentence each
+  Duration took{};                 // from the goal to its end, the cell's time
+
+  // Reached and so in the world.
+  bool reached() const { return outcome == "reached" && truth_holds; }
+};
+
+struct DirectorOptions {
+  // Where true, a `when` whose facts never come is not an expectation that was missed.
+  bool events_may_fail = false;
+  // Gives the goal in place of the scenario's, once it is known which objects have been learned.
+  std::function<Result<std::vector<Datum>>(const std::vector<std::string>& objects)> read_goal = {};
+};
+
+class Director {
+ public:
+  // Cell, scenario and narrator outlive it.
+  Director(LocalCell& cell, const Scenario& scenario, Narrator& narrator, DirectorOptions options = {});
+  ~Director();
+  Task<void> run();
+  const DirectorReport& report() const { return report_; }
+
+ private:
+  Task<Result<void>> prepare();
+  Task<Result<void>> begin_goal();
+  Task<Result<void>> give_goal(std::vector<Datum> goal);
+  Task<void> await_end(Time deadline);
+  Task<Result<void>> await_agents();
+  Task<Result<void>> await_teaching();
+  Task<void> story();
+  Task<void> happen();
+  Task<void> happen_once(ScenarioEvent event);
+  Task<Result<void>> perform(Datum action);
+  Task<Result<void>> move_hand(Datum action);
+  Task<void> watch_for(Datum pattern, char* seen);
+  Task<void> keep_eyes_open();
+  Task<void> judge();
+  void check_expectations();
+
+  LocalCell& cell_;
+  const Scenario& scenario_;
+  Narrator& narrator_;
+  DirectorOptions options_;
+  std::unique_ptr<Board> board_;
+  AgentContext context_;
+  Service service_;
+  Caller caller_;
+  DirectorReport report_;
+  std::int64_t goal_number_ = 0;
+  std::size_t events_done_ = 0;
+  std::vector<char> seen_;  // expect_seen, then expect_never: whether it came
+  std::vector<Job> jobs_;
+  std::map<std::string, Time> last_visible_;
+};
+
+}  // namespace pizarra

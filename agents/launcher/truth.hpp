@@ -1,0 +1,36 @@
+#pragma once
+
+// What is so in the simulated world, for the judge alone: nothing of it reaches an agent.
+//
+//   Result<Truth> truth = co_await read_truth(link);
+//   if (truth) truth->holds(goal);
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "drivers/simulation/link.hpp"
+
+namespace pizarra {
+
+struct Truth {
+  struct Cube {
+    double x_mm = 0;
+    double y_mm = 0;
+    double z_mm = 0;
+    bool gone = false;
+    double visible = 0;  // the part of its mark that the left camera sees, 0..1
+  };
+  std::map<std::string, Cube> cubes;  // by the name, in small letters
+  std::vector<Datum> facts;           // (on A B) (on-table A) (clear A) (holding A) (arm-empty), sorted
+  // Whether every fact is one of `facts`.
+  bool holds(const std::vector<Datum>& goal) const;
+};
+
+Result<Truth> truth_from_datum(const Datum& head);
+Task<Result<Truth>> read_truth(Link& link);
+
+// A fact with its names in small letters, as the world and goals are compared.
+Datum in_small_letters(const Datum& fact);
+
+}  // namespace pizarra
