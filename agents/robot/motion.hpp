@@ -1,0 +1,45 @@
+#pragma once
+
+// What a motion operation means for an arm that stands somewhere: the waypoints to follow, or why not. Pure: the same
+// arm, place and variables give the same motion, so a motion can be planned again after a restart.
+//
+// Extend and retract move in the plan of axis 1, and are clamped to what the arm can reach, as are the turns; move-h
+// and move-v name a place (the current one plus the increment) and are refused when it cannot be reached. All but the
+// turns keep the tool's direction: axis 5 takes back what axes 2 and 3 turn, dj5 = -(dj2 + dj3). With the tool down,
+// (turn-wrist left D) takes back what (turn right D) turned the fingers by.
+//
+// Failures: out-of-range, wrong-direction, unknown-variable, unreachable, joint-limit, bad-action, too-long.
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "drivers/arm/kinematics.hpp"
+
+namespace pizarra {
+
+using ArmVariables = std::map<std::string, Joints, std::less<>>;
+
+struct Motion {
+  std::vector<Joints> waypoints;  // none: there is nothing to move
+  bool at_limit = false;          // because the arm is fully extended, contracted or turned already
+};
+
+// Whether the operation moves the arm: what plan_motion takes.
+bool is_motion(const Datum& operation);
+
+// `operation` has been checked against the contract.
+Result<Motion> plan_motion(const ArmModel& model, const Datum& operation, const Joints& from,
+                           const ArmVariables& variables);
+
+// The joints of a learned variable; the failure names the nearest.
+Result<Joints> find_variable(const ArmVariables& variables, std::string_view name);
+
+// What is left of a motion for an arm that was stopped on its way: the waypoints from the nearest on. Failure `stopped`
+// where the arm is further than 10 degrees from all of them.
+Result<Motion> rest_of(Motion motion, const Joints& start, const Joints& at);
+
+// A number given by a caller: at least `low`, at most `high`.
+Result<double> amount_in(const Datum& given, double low, double high, std::string_view unit);
+
+}  // namespace pizarra

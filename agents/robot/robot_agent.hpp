@@ -1,0 +1,37 @@
+#pragma once
+
+// The robot agent: the thesis' seventeen operations over any ArmDriver, the same for every arm.
+//
+// Lifecycle: constructed, run() spawned. It takes control of the controller, asks which arm it is (one it does not know
+// ends run() with `unknown-arm`), stops what it finds moving and says so, reads back its learned variables and its
+// speed from durable facts, then serves. A controller that goes away is taken control of again when it is back;
+// meanwhile motion answers `disconnected` and the arm's fact says `fault`.
+//
+// One motion at a time, the gripper's included (`busy`, with the running operation as the subject); get-status,
+// monitor, finish, speed and learn are answered meanwhile. Every motion has one plan, made before it starts, so that a
+// refused motion has moved nothing. A motion cut off by this agent's end is finished, not added to itself, when its
+// successor is asked for it again: the durable fact `(robot-move OPERATION (J1 ... J6))` tells where it began.
+//
+//   RobotAgent robot(AgentContext{"robot", "localhost", executor, board, random}, arm);
+//   Job job = executor.spawn(until_it_ends(robot));
+
+#include <memory>
+
+#include "agents/runtime/agent.hpp"
+#include "drivers/arm/arm_driver.hpp"
+
+namespace pizarra {
+
+class RobotAgent : public Agent {
+ public:
+  // The driver outlives the agent.
+  RobotAgent(AgentContext context, ArmDriver& driver);
+  ~RobotAgent() override;
+  Task<Result<void>> run() override;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace pizarra

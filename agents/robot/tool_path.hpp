@@ -1,0 +1,56 @@
+#pragma once
+
+// A path of the grip centre through straight pieces, the tool's direction kept, as waypoints that an arm follows by
+// joint interpolation. Waypoints stand at most 5 mm apart, which keeps the way between them within 0.1 mm of the line.
+//
+//   ToolPath path(model, joints);
+//   LineEnd end = path.line_by({0, 0, -50});
+//   if (!end.ended_by) start(path.waypoints());
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "drivers/arm/kinematics.hpp"
+
+namespace pizarra {
+
+struct LineEnd {
+  double length_mm;                 // how far the path got along this piece
+  std::optional<Failure> ended_by;  // why no further: unreachable, joint-limit; nothing where it got there
+};
+
+class ToolPath {
+ public:
+  static constexpr double step_mm = 5;
+  // How near to a limit a line is followed.
+  static constexpr double resolution_mm = 0.01;
+  // An axis that turns further between two waypoints is changing posture, which no straight line survives.
+  static constexpr double posture_change_deg = 30;
+  static constexpr std::size_t max_waypoints = 5000;
+
+  ToolPath(const ArmModel& model, const Joints& from);
+
+  // Goes on along a straight line, as far as the arm can.
+  LineEnd line_by(const Eigen::Vector3d& offset_mm);
+  LineEnd line_to(const Eigen::Vector3d& point_mm) { return line_by(point_mm - point()); }
+  // Goes on with a joint move.
+  Result<void> joints_to(const Joints& joints);
+
+  // Where it ends so far.
+  Eigen::Vector3d point() const { return pose_.translation(); }
+  const Joints& joints() const { return joints_; }
+  // Without the joints it started from.
+  const std::vector<Joints>& waypoints() const { return waypoints_; }
+
+ private:
+  Result<Joints> reach(const Eigen::Vector3d& point_mm) const;
+  void append(const Joints& joints, const Eigen::Vector3d& point_mm);
+
+  const ArmModel& model_;
+  Joints joints_;
+  ToolPose pose_;
+  std::vector<Joints> waypoints_;
+};
+
+}  // namespace pizarra
