@@ -1,0 +1,81 @@
+; The thesis' task: marked cubes on a table, stacked by an arm with one gripper.
+;
+; Operators are the four of its Table 6.5, with their deletes stated. Lengths are mm.
+(domain blocks
+  (types OBJECT)
+  (predicates
+    (on (upper OBJECT) (lower OBJECT))
+    (on-table (ob OBJECT))
+    (clear (ob OBJECT))                 ; nothing stands on it, and it is not in the gripper
+    (holding (ob OBJECT))
+    (arm-empty))
+
+  (operator PICK-UP
+    (params (<ob1> OBJECT))
+    (preconds (clear <ob1>) (on-table <ob1>) (arm-empty))
+    (effects (holding <ob1>) (del (clear <ob1>)) (del (on-table <ob1>)) (del (arm-empty))))
+  (operator PUT-DOWN
+    (params (<ob1> OBJECT))
+    (preconds (holding <ob1>))
+    (effects (clear <ob1>) (arm-empty) (on-table <ob1>) (del (holding <ob1>))))
+  (operator STACK
+    (params (<ob1> OBJECT) (<ob2> OBJECT))
+    (preconds (clear <ob2>) (holding <ob1>))
+    (effects (arm-empty) (clear <ob1>) (on <ob1> <ob2>) (del (clear <ob2>)) (del (holding <ob1>))))
+  (operator UNSTACK
+    (params (<ob1> OBJECT) (<ob2> OBJECT))
+    (preconds (on <ob1> <ob2>) (clear <ob1>) (arm-empty))
+    (effects (holding <ob1>) (clear <ob2>) (del (on <ob1> <ob2>)) (del (clear <ob1>)) (del (arm-empty))))
+
+  ; What is measured, once a look: (seen NAME X Y Z) where a mark stands, (grip X Y Z) where the mark of a held object
+  ; would stand, (gripper OPENING) between the fingers. What is believed already gets wider bounds, so that noise at a
+  ; bound does not make it flicker.
+  (perception
+    (sees OBJECT)
+    (constant cube 60)
+    (constant resting 48)               ; a mark lower than this belongs to a cube that lies on the table
+
+    (rule (holding ?o)
+      (gripper ?opening)
+      (< (abs (- ?opening cube)) (if (was (holding ?)) 9 7))
+      (grip ?gx ?gy ?gz)
+      (seen ?o ?x ?y ?z)
+      (< (abs (- ?x ?gx)) (if (was (holding ?o)) 24 20))
+      (< (abs (- ?y ?gy)) (if (was (holding ?o)) 20 16))
+      (< (abs (- ?z ?gz)) (if (was (holding ?o)) 24 20)))
+
+    (rule (on ?a ?b)
+      (seen ?a ?ax ?ay ?az)
+      (not (holding ?a))
+      (seen ?b ?bx ?by ?bz)
+      (/= ?a ?b)
+      (not (holding ?b))
+      (< (abs (- (- ?az ?bz) cube)) (if (was (on ?a ?b)) 16 12))
+      (< (abs (- ?ay ?by)) (if (was (on ?a ?b)) 34 31))
+      (< (abs (- ?ax ?bx)) (if (was (on ?a ?b)) 40 36)))
+
+    (rule (on-table ?a)
+      (seen ?a ? ? ?z)
+      (< ?z (if (was (on-table ?a)) (+ resting 4) resting))
+      (not (holding ?a))
+      (not (on ?a ?)))
+
+    (rule (clear ?a)
+      (seen ?a ? ? ?)
+      (not (holding ?a))
+      (not (on ? ?a)))
+
+    (rule (arm-empty)
+      (not (holding ?))))
+
+  ; An object's name as a target means: where the gripper holds it.
+  (micro-tasks
+    (GRASP (<ob>)
+      (open <ob>) (raise) (align <ob>) (lower <ob>) (close) (raise) (check-held <ob>))
+    (RELEASE-AT (<target>)
+      (raise) (align <target>) (lower <target>) (release) (raise))
+
+    (PICK-UP (<ob1>) (GRASP <ob1>))
+    (UNSTACK (<ob1> <ob2>) (GRASP <ob1>))
+    (STACK (<ob1> <ob2>) (RELEASE-AT (on-top <ob1> <ob2>)))
+    (PUT-DOWN (<ob1>) (RELEASE-AT (free-spot <ob1>)))))
