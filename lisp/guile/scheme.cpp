@@ -1,0 +1,142 @@
+#include "lisp/scheme.hpp"
+
+#include <cassert>
+#include <cstdlib>
+#include <fmt/format.h>
+#include <libguile.h>
+#include <map>
+#include <optional>
+#include <thread>
+#include <utility>
+
+#include "lisp/guile/convert.hpp"
+
+namespace pizarra {
+
+namespace {
+
+using guile::Builder;
+
+// What one call needs, kept in a frame that no non-local exit skips.
+struct Call {
+  const std::string& module;
+  const std::string& procedure;
+  const std::vector<Datum>& arguments;
+  SCM function = SCM_UNDEFINED;
+  SCM error_key = SCM_UNDEFINED;
+  SCM error_values = SCM_UNDEFINED;
+  Builder result = {};
+};
+
+SCM on_error(void* data, SCM key, SCM values) {
+  Call& call = *static_cast<Call*>(data);
+  call.error_key = key;
+  call.error_values = values;
+  return SCM_UNDEFINED;
+}
+
+// Runs a body under a catch of everything; whether it came to its end.
+bool run(Call& call, scm_t_catch_body body) {
+  call.error_key = SCM_UNDEFINED;
+  scm_internal_catch(SCM_BOOL_T, body, &call, on_error, &call);
+  return SCM_UNBNDP(call.error_key);
+}
+
+SCM find_body(void* data) {
+  Call& call = *static_cast<Call*>(data);
+  const SCM name = scm_list_2(scm_from_utf8_symbol("pizarra"), scm_from_utf8_symbol(call.module.c_str()));
+  const SCM variable = scm_public_variable(name, scm_from_utf8_symbol(call.procedure.c_str()));
+  call.function = scm_variable_ref(variable);
+  return SCM_UNSPECIFIED;
+}
+
+SCM apply_body(void* data) {
+  Call& call = *static_cast<Call*>(data);
+  SCM arguments = SCM_EOL;
+  for (std::size_t i = call.arguments.size(); i > 0; --i) {
+    arguments = scm_cons(guile::to_scheme(call.arguments[i - 1]), arguments);
+  }
+  call.result.take(scm_apply_0(call.function, arguments));
+  return SCM_UNSPECIFIED;
+}
+
+// Guile's own words for an error.
+SCM explain_body(void* data) {
+  Call& call = *static_cast<Call*>(data);
+  const SCM port = scm_open_output_string();
+  scm_print_exception(port, SCM_BOOL_F, call.error_key, call.error_values);
+  call.result.take(scm_get_output_string(port));
+  return SCM_UNSPECIFIED;
+}
+
+Failure explain(Call& call) {
+  Call explanation{call.module, call.procedure, call.arguments};
+  explanation.error_values = call.error_values;
+  const SCM key = call.error_key;
+  explanation.error_key = key;
+  scm_internal_catch(SCM_BOOL_T, explain_body, &explanation, on_error, &explanation);
+  const bool explained = explanation.error_key == key && !explanation.result.problem();
+  const Datum text = explained ? explanation.result.result() : Datum::string("it cannot be shown");
+  return {"scheme-error",
+          fmt::format("(pizarra {}) {} raised an error: {}", call.module, call.procedure, text.text()),
+          {},
+          {}};
+}
+
+SCM start_body(void*) {
+  const SCM load_path = scm_c_public_variable("guile", "%load-path");
+  const SCM compiled_path = scm_c_public_variable("guile", "%load-compiled-path");
+  scm_variable_set_x(load_path, scm_cons(scm_from_utf8_string(PIZARRA_SCHEME_SOURCE), scm_variable_ref(load_path)));
+  scm_variable_set_x(compiled_path,
+                     scm_cons(scm_from_utf8_string(PIZARRA_SCHEME_COMPILED), scm_variable_ref(compiled_path)));
+  return SCM_UNSPECIFIED;
+}
+
+// Starts Guile on the calling thread, whose whole stack its collector then searches.
+class Interpreter {
+ public:
+  static Interpreter& instance() {
+    static Interpreter interpreter;
+    return interpreter;
+  }
+
+  Result<Datum> call(Call& call) {
+    assert(std::this_thread::get_id() == thread_);
+    if (const auto found = functions_.find({call.module, call.procedure}); found != functions_.end()) {
+      call.function = found->second;
+    } else {
+      if (!run(call, find_body)) return fail(explain(call));
+      functions_.emplace(std::pair(call.module, call.procedure), scm_gc_protect_object(call.function));
+    }
+    if (!run(call, apply_body)) return fail(explain(call));
+    if (call.result.problem()) return fail("scheme-error", call.result.problem());
+    return call.result.result();
+  }
+
+ private:
+  Interpreter() : thread_(std::this_thread::get_id()) {
+    setenv("GUILE_AUTO_COMPILE", "0", 1);
+    scm_init_guile();
+    // No finalizer of ours exists, and the thread that would run them would outlive a fork badly.
+    scm_set_automatic_finalization_enabled(0);
+    static const std::string none;
+    static const std::vector<Datum> no_arguments;
+    Call call{none, none, no_arguments};
+    [[maybe_unused]] const bool started = run(call, start_body);
+    assert(started);
+  }
+
+  std::thread::id thread_;
+  // Few: our own procedures that C++ calls. Guile's collector does not look here, so each is protected.
+  std::map<std::pair<std::string, std::string>, SCM> functions_;
+};
+
+}  // namespace
+
+Result<Datum> call_scheme(const std::string& module, const std::string& procedure,
+                          const std::vector<Datum>& arguments) {
+  Call call{module, procedure, arguments};
+  return Interpreter::instance().call(call);
+}
+
+}  // namespace pizarra

@@ -1,0 +1,5 @@
+(use-modules (pizarra checks) (pizarra echo))
+
+(check "a datum comes back" (echo '(a "b" 1)) '(a "b" 1))
+
+(finish-checks)

@@ -1,0 +1,221 @@
+;; What every interpreter of a person's text stands on.
+;;
+;; A node is a datum that knows its path (indices from the top of the text) and its context (what it stands in). An
+;; interpreter walks nodes, complains about those that are wrong, and goes on, so that one reading reports everything:
+;;
+;;   (define (interpret data)
+;;     (interpreting data
+;;       (lambda (file)
+;;         (let ((cell (only-form file 'cell)))
+;;           (and cell (list 'cell (symbol-at cell 1 "the cell's name")))))))
+;;
+;;   (interpret '((cell blocks)))  =>  (ok (cell blocks))
+;;   (interpret '((cell "b")))     =>  (errors (malformed "the cell's name must be a symbol" (0 1) ()))
+
+(define-module (pizarra forms)
+  #:use-module (srfi srfi-1)
+  #:use-module (srfi srfi-9)
+  #:export (interpreting complain!
+            node-datum node-items node-rest node-ref node-head node-within node-form?
+            only-form sections section-in sections-in find-section
+            symbol-at string-at number-at integer-at symbol-of
+            refuse-repeated suggestion same-name? find-name))
+
+(define-record-type <node>
+  (make-node datum path context)
+  node?
+  (datum node-datum)
+  (path node-path)          ; innermost index first
+  (context node-context))   ; innermost first
+
+;; The complaints of the interpretation in hand, newest first.
+(define complaints (make-parameter '()))
+
+;; (ok VALUE), VALUE being what (interpreter ROOT) returns, or (errors (SYMBOL SENTENCE PATH CONTEXT) ...) in the
+;; order of the text. ROOT's items are the data of the text.
+(define (interpreting data interpreter)
+  (parameterize ((complaints '()))
+    (let* ((value (interpreter (make-node data '() '())))
+           (found (reverse (complaints))))
+      (if (null? found)
+          (list 'ok value)
+          (cons 'errors (stable-sort found (lambda (a b) (path<? (third a) (third b)))))))))
+
+(define (path<? a b)
+  (cond ((null? b) #f)
+        ((null? a) #t)
+        ((= (car a) (car b)) (path<? (cdr a) (cdr b)))
+        (else (< (car a) (car b)))))
+
+;; Notes that NODE is wrong; SENTENCE may hold ~a for the values. Always #f, for use as a missing value.
+(define (complain! node symbol sentence . values)
+  (complaints (cons (list symbol
+                          (apply simple-format #f sentence values)
+                          (reverse (node-path node))
+                          (reverse (node-context node)))
+                    (complaints)))
+  #f)
+
+;; The same node, its inside standing in one more context: "in operator STACK".
+(define (node-within node context)
+  (make-node (node-datum node) (node-path node) (cons context (node-context node))))
+
+(define (node-items node)
+  (let ((datum (node-datum node)))
+    (if (pair? datum)
+        (map (lambda (item index)
+               (make-node item (cons index (node-path node)) (node-context node)))
+             datum
+             (iota (length datum)))
+        '())))
+
+;; The items after the head.
+(define (node-rest node)
+  (let ((items (node-items node)))
+    (if (null? items) '() (cdr items))))
+
+;; The item at INDEX, or #f.
+(define (node-ref node index)
+  (let ((datum (node-datum node)))
+    (and (list? datum)
+         (< index (length datum))
+         (make-node (list-ref datum index) (cons index (node-path node)) (node-context node)))))
+
+;; The symbol that a list begins with, or #f.
+(define (node-head node)
+  (let ((datum (node-datum node)))
+    (and (pair? datum) (symbol? (car datum)) (car datum))))
+
+;; Whether NODE is a list that begins with the symbol HEAD; complains where it is not.
+(define (node-form? node head)
+  (or (eq? (node-head node) head)
+      (complain! node 'malformed "this must be a form (~a ...)" head)))
+
+;; The one form that the whole text must be, or #f.
+(define (only-form root head)
+  (let ((items (node-items root)))
+    (cond ((null? items)
+           (complain! root 'malformed "nothing is written here; a form (~a ...) must be" head))
+          ((not (node-form? (car items) head)) #f)
+          ((pair? (cdr items))
+           (complain! (cadr items) 'malformed "only one form (~a ...) may stand here" head))
+          (else (car items)))))
+
+;; Sorts NODES, forms (NAME ...), by name: an association list for section-in and sections-in. Names not ALLOWED and
+;; repetitions of those not REPEATABLE are complained about.
+(define* (sections nodes allowed #:optional (repeatable '()))
+  (let loop ((nodes nodes) (found '()))
+    (if (null? nodes)
+        (reverse found)
+        (let* ((node (car nodes))
+               (name (node-head node)))
+          (cond ((not name)
+                 (complain! node 'malformed "a section (NAME ...) must stand here~a" (suggestion #f allowed))
+                 (loop (cdr nodes) found))
+                ((not (memq name allowed))
+                 (complain! node 'unknown-section "there is no section ~a~a" name (suggestion name allowed))
+                 (loop (cdr nodes) found))
+                ((and (assq name found) (not (memq name repeatable)))
+                 (complain! node 'repeated "there is a section ~a already" name)
+                 (loop (cdr nodes) found))
+                (else (loop (cdr nodes) (cons (cons name node) found))))))))
+
+;; The first section of that name, or #f.
+(define (section-in found name)
+  (assq-ref found name))
+
+(define (sections-in found name)
+  (filter-map (lambda (entry) (and (eq? (car entry) name) (cdr entry))) found))
+
+;; The first form (NAME ...) inside the text's form (HEAD ...), or #f: for a module that interprets one section of a
+;; file whose other sections are another module's.
+(define (find-section root head name)
+  (any (lambda (form)
+         (and (eq? (node-head form) head)
+              (find (lambda (item) (eq? (node-head item) name)) (node-rest form))))
+       (node-items root)))
+
+(define (item-at node index what kind wanted?)
+  (let ((item (node-ref node index)))
+    (cond ((not item) (complain! node 'malformed "~a is missing" what))
+          ((wanted? (node-datum item)) (node-datum item))
+          (else (complain! item 'malformed "~a must be ~a" what kind)))))
+
+(define (symbol-at node index what) (item-at node index what "a symbol" symbol?))
+(define (string-at node index what) (item-at node index what "a string" string?))
+(define (number-at node index what) (item-at node index what "a number" number?))
+(define (integer-at node index what) (item-at node index what "a whole number" exact-integer?))
+
+(define (symbol-of node what)
+  (if (symbol? (node-datum node))
+      (node-datum node)
+      (complain! node 'malformed "~a must be a symbol" what)))
+
+;; Complains about every node whose (name-of NODE) an earlier node has; #f is no name.
+(define (refuse-repeated nodes name-of what)
+  (let loop ((nodes nodes) (seen '()))
+    (unless (null? nodes)
+      (let ((name (name-of (car nodes))))
+        (when (and name (member name seen))
+          (complain! (car nodes) 'repeated "there is ~a ~a already" what name))
+        (loop (cdr nodes) (cons name seen))))))
+
+;; Whether two names are equal without regard to case.
+(define (same-name? a b)
+  (string-ci=? (text-of a) (text-of b)))
+
+;; The one of NAMES that NAME is, exactly or else without regard to case; #f where there is none.
+(define (find-name name names)
+  (or (find (lambda (other) (string=? (text-of name) (text-of other))) names)
+      (find (lambda (other) (same-name? name other)) names)))
+
+(define (text-of name)
+  (if (symbol? name) (symbol->string name) name))
+
+(define most-names-shown 12)
+
+;; The end of a sentence about an unknown NAME: the nearest of the known NAMES, or else some of them.
+(define (suggestion name names)
+  (let ((nearest (and name (nearest-name name names))))
+    (cond (nearest (simple-format #f "; the nearest is ~a" nearest))
+          ((null? names) "; there is none at all")
+          (else
+           (simple-format #f "; there are ~a~a"
+                          (string-join (map text-of (take names (min most-names-shown (length names)))) ", ")
+                          (if (> (length names) most-names-shown) ", ..." ""))))))
+
+;; The name at the smallest edit distance, if that is at most a third of the length (one for short names).
+(define (nearest-name name names)
+  (let* ((text (string-downcase (text-of name)))
+         (most (max 1 (quotient (string-length text) 3))))
+    (let loop ((names names) (best #f) (best-distance (+ most 1)))
+      (if (null? names)
+          best
+          (let* ((other (string-downcase (text-of (car names))))
+                 (distance (if (> (abs (- (string-length other) (string-length text))) most)
+                               best-distance
+                               (edit-distance text other))))
+            (if (< distance best-distance)
+                (loop (cdr names) (car names) distance)
+                (loop (cdr names) best best-distance)))))))
+
+;; Insertions, deletions, changes and swaps of neighbours (optimal string alignment).
+(define (edit-distance a b)
+  (let ((columns (+ 1 (string-length b))))
+    (let loop ((i 1) (before #f) (above (iota-vector columns)))
+      (if (> i (string-length a))
+          (vector-ref above (- columns 1))
+          (let ((row (make-vector columns i)))
+            (do ((j 1 (+ j 1))) ((= j columns))
+              (let ((same (char=? (string-ref a (- i 1)) (string-ref b (- j 1)))))
+                (vector-set! row j (min (+ 1 (vector-ref above j))
+                                        (+ 1 (vector-ref row (- j 1)))
+                                        (+ (if same 0 1) (vector-ref above (- j 1)))))
+                (when (and before (> j 1)
+                           (char=? (string-ref a (- i 1)) (string-ref b (- j 2)))
+                           (char=? (string-ref a (- i 2)) (string-ref b (- j 1))))
+                  (vector-set! row j (min (vector-ref row j) (+ 1 (vector-ref before (- j 2))))))))
+            (loop (+ i 1) above row))))))
+
+(define (iota-vector size)
+  (list->vector (iota size)))
