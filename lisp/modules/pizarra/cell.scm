@@ -1,201 +1,219 @@
-;;; Cell files: see lisp/cell.hpp for the language and the values that are left out.
-;;;
-;;; (interpret-cell DATA), the data of a file, answers
-;;;   (cell NAME (X Y Z PAN TILT) (SENSOR BLUR GRADIENT) (CUBE ...) ARM DOMAIN BOARD-HOST BOARD-ADDRESS
-;;;         ((HOST KIND ...) ...))
-;;; with CUBE = (NAME MARK X Y YAW ON), ON the empty string for the table; or (errors ...).
+;; Cell files: see lisp/cell.hpp for the language and for what is taken where something is left out.
+;;
+;; (interpret-cell DATA), the data of a file, answers (errors ...) or
+;;   (ok (NAME (X Y Z PAN TILT) (SENSOR BLUR GRADIENT) (CUBE ...) ARM DOMAIN BOARD-HOST BOARD-ADDRESS
+;;        ((HOST KIND ...) ...)))
+;; with CUBE = (NAME MARK X Y YAW ON), ON the empty string for the table.
 
 (define-module (pizarra cell)
   #:use-module (srfi srfi-1)
-  #:use-module (pizarra sections)
-  #:export (interpret-cell interpret-cubes))
+  #:use-module (pizarra forms)
+  #:export (interpret-cell cubes-of numbers-of text-of-section plain-name-at))
 
 (define marks '(circle triangle square cross))
 (define kinds '(robot vision planner coordinator person))
 (define cube-size-mm 60)
+(define most-cubes 16)
 
-;; Where the table can be seen and reached.
-(define x-range-mm '(250 700))
-(define y-range-mm '(-350 350))
+;; Where a cube on the table can be seen and reached.
+(define reach-mm '((250 650) (-350 350)))
 
-;; --- cubes
+;; ---- the arguments of a section (NAME ARGUMENT ...)
+
+;; As many numbers as RANGES, each a list (LOW HIGH), or #f.
+(define (numbers-of node ranges)
+  (let ((arguments (node-rest node)))
+    (if (not (and (= (length arguments) (length ranges))
+                  (every (lambda (argument) (real? (node-datum argument))) arguments)))
+        (complain! node 'malformed "(~a ...) takes ~a" (node-datum (node-ref node 0))
+                   (if (= (length ranges) 1) "one number" (simple-format #f "~a numbers" (length ranges))))
+        (and (every (lambda (argument range)
+                      (or (<= (first range) (node-datum argument) (second range))
+                          (complain! argument 'out-of-range "this must lie between ~a and ~a"
+                                     (first range) (second range))))
+                    arguments ranges)
+             (map node-datum arguments)))))
+
+;; The numbers of a section that may be missing.
+(define (numbers-in found name ranges otherwise)
+  (let ((node (section-in found name)))
+    (or (and node (numbers-of node ranges)) otherwise)))
+
+(define (text-of-section found name what otherwise)
+  (let ((node (section-in found name)))
+    (or (and node (string-at node 1 what)) otherwise)))
+
+;; The symbol at INDEX, which must be one of CHOICES.
+(define (choice-at node index what choices)
+  (let ((choice (symbol-at node index what)))
+    (and choice
+         (or (find (lambda (known) (eq? known choice)) choices)
+             (complain! (node-ref node index) 'unknown-name "~a cannot be ~a~a" what choice
+                        (suggestion choice choices))))))
+
+;; Letters, digits and dashes, a letter first: what can name an object, a fact's argument and a file alike.
+(define (plain-name? text)
+  (and (<= 1 (string-length text) 64)
+       (char-set-contains? char-set:letter (string-ref text 0))
+       (string-every (char-set-union char-set:letter char-set:digit (char-set #\-)) text)))
+
+(define (plain-name-at node index what)
+  (let ((name (symbol-at node index what)))
+    (and name
+         (or (and (plain-name? (symbol->string name)) name)
+             (complain! (node-ref node index) 'malformed "~a has letters, digits and dashes" what)))))
+
+;; ---- cubes
 
 (define (cube-name cube) (first cube))
 (define (cube-x cube) (third cube))
 (define (cube-y cube) (fourth cube))
 (define (cube-on cube) (sixth cube))
 
+(define (on-table? cube) (string? (cube-on cube)))
+
 (define (overlap? a b)
-  (and (string? (cube-on a)) (string? (cube-on b))
+  (and (on-table? a) (on-table? b)
        (< (max (abs (- (cube-x a) (cube-x b))) (abs (- (cube-y a) (cube-y b)))) cube-size-mm)))
 
-;; Where a cube stands: (X Y ON) from its (at X Y) or (on NAME).
-(define (cube-place form path known)
-  (let ((at (section form path 'at)) (on (section form path 'on)))
-    (cond ((and at on)
-           (problem! 'twice "a cube is either at a place or on another cube" (section-path on))
-           #f)
-          (at (let ((values (section-numbers at 2 (list x-range-mm y-range-mm))))
-                (and values (append values '("")))))
-          (on (let* ((name (section-name on))
-                     (below (and name (assq name known))))
-                (cond ((not name) #f)
-                      ((not below)
-                       (problem! 'unknown-cube
-                                 (string-append "no cube named " (symbol->string name) " stands before this one")
-                                 (section-path on))
-                       #f)
-                      ((any (lambda (cube) (eq? (cube-on cube) name)) known)
-                       (problem! 'occupied
-                                 (string-append "another cube stands on " (symbol->string name) " already")
-                                 (section-path on))
-                       #f)
-                      (else (list (cube-x below) (cube-y below) name)))))
-          (else (problem! 'missing "the cube has no place: give (at X Y) or (on CUBE)" path) #f))))
+;; Where it stands, (X Y ON), on the cube that (on NAME) names.
+(define (place-on node known)
+  (let* ((name (symbol-at node 1 "the cube below"))
+         (below (and name (assq name known))))
+    (cond ((not name) #f)
+          ((not below)
+           (complain! node 'unknown-object "no cube ~a stands before this one~a" name
+                      (suggestion name (map cube-name known))))
+          ((any (lambda (cube) (eq? (cube-on cube) name)) known)
+           (complain! node 'occupied "another cube stands on ~a already" name))
+          (else (list (cube-x below) (cube-y below) name)))))
 
-(define (cube-mark form path name)
-  (let ((mark (section form path 'mark)))
-    (cond (mark (section-choice mark marks))
+(define (cube-place node found known)
+  (let ((at (section-in found 'at)) (on (section-in found 'on)))
+    (cond ((and at on) (complain! on 'repeated "a cube stands either at a place or on a cube"))
+          (at (let ((place (numbers-of at reach-mm))) (and place (append place '("")))))
+          (on (place-on on known))
+          (else (complain! node 'malformed "the cube has no place: (at X Y) or (on CUBE)")))))
+
+(define (cube-mark node found name)
+  (let ((mark (section-in found 'mark)))
+    (cond (mark (choice-at mark 1 "a mark" marks))
           ((memq name marks) name)
-          (else
-           (problem! 'missing
-                     (string-append "the cube needs a (mark ...), one of " (names->string marks))
-                     path)
-           #f))))
+          (else (complain! node 'malformed "the cube ~a needs a (mark ...)~a" name (suggestion #f marks))))))
 
-;; One (cube NAME CLAUSE ...) after those of `known`, or #f after telling what is wrong.
-(define (interpret-cube form path known)
-  (let ((name (form-name form path)))
-    (check-sections form path 2 '(at on yaw mark))
+(define (refuse-collisions cube node known)
+  (for-each (lambda (other)
+              (when (same-name? (cube-name cube) (cube-name other))
+                (complain! node 'repeated "there is a cube ~a already" (cube-name other)))
+              (when (overlap? cube other)
+                (complain! node 'overlap "~a and ~a stand in one place" (cube-name cube) (cube-name other))))
+            known))
+
+;; The cube that NODE describes, which stands after those of KNOWN, or #f.
+(define (cube-of node known)
+  (let ((name (and (node-form? node 'cube) (plain-name-at node 1 "the cube's name"))))
     (and name
-         (let ((yaw (section form path 'yaw))
-               (mark (cube-mark form path name))
-               (place (cube-place form path known)))
-           (when (assq name known)
-             (problem! 'twice (string-append "a cube named " (symbol->string name) " stands before this one")
-                       (append path '(1))))
-           (let ((degrees (if yaw (section-numbers yaw 1 '((-180 180))) '(0))))
-             (and place mark degrees
-                  (let ((cube (list name mark (first place) (second place) (first degrees) (third place))))
-                    (for-each (lambda (other)
-                                (when (overlap? cube other)
-                                  (problem! 'overlap
-                                            (string-append "stands in the cube "
-                                                           (symbol->string (cube-name other)))
-                                            path)))
-                              known)
-                    cube)))))))
+         (let* ((inside (node-within node (string-append "in cube " (symbol->string name))))
+                (found (sections (drop (node-items inside) 2) '(at on yaw mark)))
+                (mark (cube-mark inside found name))
+                (place (cube-place inside found known))
+                (yaw (numbers-in found 'yaw '((-180 180)) '(0))))
+           (and mark place
+                (let ((cube (list name mark (first place) (second place) (first yaw) (third place))))
+                  (refuse-collisions cube node known)
+                  cube))))))
 
-;; FORMS is a list of (FORM . PATH), each a (cube ...).
-(define (interpret-cubes forms)
+(define (cubes-of nodes)
+  (when (> (length nodes) most-cubes)
+    (complain! (list-ref nodes most-cubes) 'too-many "a cell has at most ~a cubes" most-cubes))
   (reverse
-   (fold (lambda (form+path known)
-           (let ((cube (interpret-cube (car form+path) (cdr form+path) known)))
+   (fold (lambda (node known)
+           (let ((cube (cube-of node known)))
              (if cube (cons cube known) known)))
-         '() forms)))
+         '() nodes)))
 
-;; --- the world, hosts and the rest
+;; ---- camera and noise
 
-(define (interpret-camera world path)
-  (let ((camera (and world (section world path 'camera))))
-    (if (not camera)
-        '(1330 0 200 0 0)
-        (let* ((form (section-form camera)) (where (section-path camera)))
-          (check-sections form where 1 '(at pan tilt))
-          (let ((at (section form where 'at))
-                (pan (section form where 'pan))
-                (tilt (section form where 'tilt)))
-            (append (or (and at (section-numbers at 3 '((600 3000) (-2000 2000) (20 2000)))) '(1330 0 200))
-                    (or (and pan (section-numbers pan 1 '((-60 60)))) '(0))
-                    (or (and tilt (section-numbers tilt 1 '((-60 60)))) '(0))))))))
+(define (camera-of found)
+  (let* ((camera (section-in found 'camera))
+         (parts (if camera (sections (node-rest (node-within camera "in the camera")) '(at pan tilt)) '())))
+    (append (numbers-in parts 'at '((600 3000) (-2000 2000) (20 2000)) '(1330 0 200))
+            (numbers-in parts 'pan '((-60 60)) '(0))
+            (numbers-in parts 'tilt '((-60 60)) '(0)))))
 
-(define (interpret-noise world path)
-  (let ((noise (and world (section world path 'noise))))
-    (if (not noise)
-        '(3 0.7 0.12)
-        (let* ((form (section-form noise)) (where (section-path noise)))
-          (check-sections form where 1 '(sensor blur gradient))
-          (map (lambda (name otherwise range)
-                 (let* ((found (section form where name))
-                        (values (and found (section-numbers found 1 (list range)))))
-                   (if values (first values) otherwise)))
-               '(sensor blur gradient) '(3 0.7 0.12) '((0 20) (0 3) (0 0.9)))))))
+(define (noise-of found)
+  (let* ((noise (section-in found 'noise))
+         (parts (if noise (sections (node-rest (node-within noise "in the noise")) '(sensor blur gradient)) '())))
+    (append (numbers-in parts 'sensor '((0 20)) '(3))
+            (numbers-in parts 'blur '((0 3)) '(0.7))
+            (numbers-in parts 'gradient '((0 0.9)) '(0.12)))))
 
-(define (interpret-host host taken)
-  (let* ((form (section-form host)) (path (section-path host)) (name (form-string form path)))
-    (check-sections form path 2 '(agents))
-    (let ((agents (section form path 'agents)))
-      (and name
-           (cons name
-                 (if agents
-                     (let ((where (section-path agents)))
-                       (filter-map
-                        (lambda (kind index)
-                          (let ((here (append where (list index))))
-                            (cond ((not (memq kind kinds))
-                                   (problem! 'unknown-agent
-                                             (string-append "an agent is one of " (names->string kinds))
-                                             here)
-                                   #f)
-                                  ((memq kind (taken))
-                                   (problem! 'twice
-                                             (string-append "the " (symbol->string kind) " agent has a host already")
-                                             here)
-                                   #f)
-                                  (else (taken kind) kind))))
-                        (cdr (section-form agents))
-                        (iota (length (cdr (section-form agents))) 1)))
-                     '()))))))
+;; ---- hosts and the board
 
-;; (taken) answers the kinds that have a host, (taken KIND) adds one.
-(define (make-taken)
-  (let ((kinds-taken '()))
-    (lambda new
-      (unless (null? new) (set! kinds-taken (cons (car new) kinds-taken)))
-      kinds-taken)))
+;; A host's name is part of a folder's name.
+(define (host-name? text)
+  (and (<= 1 (string-length text) 64)
+       (char-set-contains? char-set:letter+digit (string-ref text 0))
+       (string-every (char-set-union char-set:letter+digit (char-set #\- #\.)) text)))
 
-(define (interpret-hosts form path)
-  (let ((hosts (sections form path 'host)))
-    (if (null? hosts)
-        (list (cons "localhost" kinds))
-        (let ((taken (make-taken)))
-          (filter-map (lambda (host) (interpret-host host taken)) hosts)))))
+(define (host-at node index)
+  (let ((name (string-at node index "the host's name")))
+    (and name
+         (or (and (host-name? name) name)
+             (complain! (node-ref node index) 'malformed "a host's name has letters, digits, dashes and dots")))))
 
-(define (interpret-board form path hosts)
-  (let ((board (section form path 'board)))
-    (if (not board)
-        (list (if (null? hosts) "localhost" (car (first hosts))) "")
-        (let ((words (cdr (section-form board))))
-          (if (and (= (length words) 2) (every string? words))
-              words
-              (begin
-                (problem! 'malformed "a board is (board \"HOST\" \"ADDRESS\")" (section-path board))
-                '("localhost" "")))))))
+(define (agent-of node)
+  (let ((kind (symbol-of node "an agent")))
+    (and kind
+         (or (find (lambda (known) (eq? known kind)) kinds)
+             (complain! node 'unknown-agent "there is no agent ~a~a" kind (suggestion kind kinds))))))
 
-(define (interpret-one form path)
-  (check-sections form path 2 '(world arm domain board host))
-  (let* ((name (form-name form path))
-         (world+path (section form path 'world))
-         (world (and world+path (section-form world+path)))
-         (world-path (and world+path (section-path world+path)))
-         (arm (section form path 'arm))
-         (domain (section form path 'domain))
-         (hosts (interpret-hosts form path)))
-    (when world (check-sections world world-path 1 '(camera cube noise)))
-    (let ((cubes (if world
-                     (interpret-cubes (map (lambda (cube) (cons (section-form cube) (section-path cube)))
-                                           (sections world world-path 'cube)))
-                     '())))
-      `(cell ,name
-             ,(interpret-camera world world-path)
-             ,(interpret-noise world world-path)
-             ,cubes
-             ,(or (and arm (section-choice arm '(crs-f3))) 'crs-f3)
-             ,(or (and domain (section-string domain)) "")
-             ,@(interpret-board form path hosts)
-             ,hosts))))
+(define (agents-in host)
+  (let* ((found (sections (drop (node-items host) 2) '(agents)))
+         (agents (section-in found 'agents)))
+    (if agents (node-rest agents) '())))
+
+(define (hosts-of nodes)
+  (if (null? nodes)
+      (list (cons "localhost" kinds))
+      (let* ((named (filter (lambda (node) (host-at node 1)) nodes))
+             (agents (map agents-in named)))
+        (refuse-repeated named (lambda (node) (node-datum (node-ref node 1))) "a host")
+        (refuse-repeated (concatenate agents) node-datum "a host for the agent")
+        (map (lambda (node nodes-of-agents)
+               (cons (node-datum (node-ref node 1)) (filter-map agent-of nodes-of-agents)))
+             named agents))))
+
+(define (board-of found hosts)
+  (let ((board (section-in found 'board)))
+    (if board
+        (list (or (host-at board 1) "") (or (string-at board 2 "the board's address") ""))
+        (list (if (null? hosts) "localhost" (car (first hosts))) ""))))
+
+;; ----
+
+(define (interpret-sections cell name)
+  (let* ((found (sections (drop (node-items cell) 2) '(world arm domain board host) '(host)))
+         (world (section-in found 'world))
+         (things (if world
+                     (sections (node-rest (node-within world "in the world")) '(camera cube noise) '(cube))
+                     '()))
+         (arm (section-in found 'arm))
+         (hosts (hosts-of (sections-in found 'host))))
+    (list name
+          (camera-of things)
+          (noise-of things)
+          (cubes-of (sections-in things 'cube))
+          (or (and arm (choice-at arm 1 "the arm" '(crs-f3))) 'crs-f3)
+          (text-of-section found 'domain "the domain's file" "")
+          (first (board-of found hosts))
+          (second (board-of found hosts))
+          hosts)))
 
 (define (interpret-cell data)
-  (with-problems
-   (lambda ()
-     (only-form data 'cell interpret-one))))
+  (interpreting data
+    (lambda (root)
+      (let* ((cell (only-form root 'cell))
+             (name (and cell (plain-name-at cell 1 "the cell's name"))))
+        (and name
+             (interpret-sections (node-within cell (string-append "in cell " (symbol->string name))) name))))))

@@ -1,106 +1,104 @@
-;;; Scenario files: see lisp/scenario.hpp for the language.
-;;;
-;;; (interpret-scenario DATA), the data of a file, answers
-;;;   (scenario NAME CELL DOMAIN (cubes CUBE ...)|() (GOAL-FACT ...) (ACTION ...) ((CONDITION ACTION ...) ...)
-;;;             reached|refused REFUSAL (SEEN ...) (NEVER ...) SECONDS SEED)
-;;; with DOMAIN and REFUSAL the empty string where not given; or (errors ...).
+;; Scenario files: see lisp/scenario.hpp for the language.
+;;
+;; (interpret-scenario DATA), the data of a file, answers (errors ...) or
+;;   (ok (NAME CELL DOMAIN (cubes CUBE ...)|() (GOAL-FACT ...) (ACTION ...) ((CONDITION ACTION ...) ...)
+;;        reached|refused REFUSAL (SEEN ...) (NEVER ...) SECONDS SEED))
+;; with DOMAIN and REFUSAL the empty string where they are not given, CUBE as in cell.scm.
 
 (define-module (pizarra scenario)
   #:use-module (srfi srfi-1)
-  #:use-module (pizarra sections)
+  #:use-module (pizarra forms)
   #:use-module (pizarra cell)
   #:export (interpret-scenario))
 
-;; What can be done, and how many arguments each takes.
-(define actions '((kill . 1) (restart . 1) (wait . 1)))
 (define hand-operations '((push . 3) (place . 3) (stack . 2) (steal . 1) (remove . 1) (add . 4) (knock . 1)))
 
-(define (counted? form allowed)
-  (let ((count (assq (car form) allowed)))
-    (and count (= (length (cdr form)) (cdr count)))))
+;; Whether the items of NODE from its second on are an operation of the hand; complains where not.
+(define (hand-operation? node)
+  (let* ((operation (symbol-at node 1 "the hand's operation"))
+         (arguments (and operation (assq-ref hand-operations operation))))
+    (cond ((not operation) #f)
+          ((not arguments)
+           (complain! node 'unknown-action "the hand cannot ~a~a" operation
+                      (suggestion operation (map car hand-operations))))
+          ((= (- (length (node-items node)) 2) arguments) #t)
+          (else (complain! node 'malformed "(hand ~a ...) takes ~a arguments" operation arguments)))))
 
-(define (action? form)
-  (and (pair? form) (symbol? (car form))
-       (case (car form)
-         ((hand) (and (pair? (cdr form)) (counted? (cdr form) hand-operations)))
-         ((wait) (and (counted? form actions) (real? (cadr form)) (<= 0 (cadr form) 600)))
-         ((goal) (and (pair? (cdr form)) (every pair? (cdr form))))
-         ((kill restart) (and (counted? form actions) (symbol? (cadr form))))
-         (else #f))))
+(define (action? node)
+  (let ((head (and (pair? (node-datum node)) (car (node-datum node)))))
+    (case head
+      ((hand) (hand-operation? node))
+      ((wait) (and (numbers-of node '((0 600))) #t))
+      ((goal) (fact-forms? (node-rest node)))
+      ((kill restart) (and (symbol-at node 1 "the agent") #t))
+      (else
+       (complain! node 'unknown-action "an action is one of hand, kill, restart, wait, goal")))))
 
-(define (interpret-actions forms path first-index)
-  (filter-map
-   (lambda (form index)
-     (if (action? form)
-         form
-         (begin
-           (problem! 'unknown-action
-                     (string-append "an action is (hand OPERATION ARGUMENT ...) with one of "
-                                    (names->string (map car hand-operations))
-                                    ", or (kill AGENT), (restart AGENT), (wait SECONDS), (goal FACT ...)")
-                     (append path (list index)))
-           #f)))
-   forms (iota (length forms) first-index)))
+(define (actions-of nodes)
+  (map node-datum (filter action? nodes)))
 
-(define (interpret-when found)
-  (let ((form (section-form found)) (path (section-path found)))
-    (if (and (>= (length form) 3) (pair? (cadr form)))
-        (cons (cadr form) (interpret-actions (cddr form) path 2))
-        (begin
-          (problem! 'malformed "give (when CONDITION ACTION ...)" path)
-          #f))))
+(define (fact-forms? nodes)
+  (every (lambda (node)
+           (or (pair? (node-datum node))
+               (complain! node 'malformed "a fact is a list (PREDICATE ARGUMENT ...)")))
+         nodes))
 
-(define (interpret-expect form path)
-  (let* ((expect (section form path 'expect)) (words (if expect (cdr (section-form expect)) '(reached))))
-    (cond ((equal? words '(reached)) (list 'reached ""))
-          ((and (pair? words) (eq? (car words) 'refused) (null? (cdr words))) (list 'refused ""))
-          ((and (= (length words) 2) (eq? (car words) 'refused) (symbol? (cadr words)))
-           (list 'refused (symbol->string (cadr words))))
+(define (event-of node)
+  (let ((condition (node-ref node 1)))
+    (cond ((not (and condition (pair? (node-datum condition))))
+           (complain! node 'malformed "an event is (when CONDITION ACTION ...)"))
+          (else (cons (node-datum condition) (actions-of (drop (node-items node) 2)))))))
+
+;; (reached "") or (refused SYMBOL).
+(define (expectation-of found)
+  (let* ((node (section-in found 'expect))
+         (words (if node (map node-datum (node-rest node)) '(reached))))
+    (cond ((equal? words '(reached)) '(reached ""))
+          ((equal? words '(refused)) '(refused ""))
+          ((and (= (length words) 2) (eq? (first words) 'refused) (symbol? (second words)))
+           (list 'refused (symbol->string (second words))))
           (else
-           (problem! 'malformed "expect is (expect reached) or (expect refused SYMBOL)" (section-path expect))
+           (complain! node 'malformed "it is (expect reached) or (expect refused SYMBOL)")
            '(reached "")))))
 
-(define (patterns form path name)
-  (append-map (lambda (found) (cdr (section-form found))) (sections form path name)))
+(define (patterns-in found name)
+  (append-map (lambda (node)
+                (if (fact-forms? (node-rest node)) (map node-datum (node-rest node)) '()))
+              (sections-in found name)))
 
-(define (interpret-number form path name otherwise range)
-  (let* ((found (section form path name)) (values (and found (section-numbers found 1 (list range)))))
-    (if values (first values) otherwise)))
+(define (number-in found name range otherwise)
+  (let* ((node (section-in found name)) (numbers (and node (numbers-of node (list range)))))
+    (if numbers (first numbers) otherwise)))
 
-(define (interpret-scenario-cubes form path)
-  (let ((cubes (section form path 'cubes)))
-    (if (not cubes)
-        '()
-        (let* ((forms (cdr (section-form cubes))) (where (section-path cubes)))
-          (cons 'cubes
-                (interpret-cubes
-                 (map (lambda (cube index) (cons cube (append where (list index))))
-                      forms (iota (length forms) 1))))))))
+(define (required found scenario name)
+  (or (section-in found name)
+      (complain! scenario 'malformed "the scenario has no (~a ...)" name)))
 
-(define (interpret-one form path)
-  (check-sections form path 2
-                  '(cell domain cubes goal before-goal when expect expect-seen expect-not within seed))
-  (let ((name (form-string form path))
-        (cell (section form path 'cell))
-        (domain (section form path 'domain))
-        (goal (section form path 'goal))
-        (before (section form path 'before-goal)))
-    (unless cell (problem! 'missing "the scenario has no (cell \"FILE\")" path))
-    (unless goal (problem! 'missing "the scenario has no (goal FACT ...)" path))
-    `(scenario ,(or name "")
-               ,(or (and cell (section-string cell)) "")
-               ,(or (and domain (section-string domain)) "")
-               ,(interpret-scenario-cubes form path)
-               ,(if goal (cdr (section-form goal)) '())
-               ,(if before (interpret-actions (cdr (section-form before)) (section-path before) 1) '())
-               ,(filter-map interpret-when (sections form path 'when))
-               ,@(interpret-expect form path)
-               ,(patterns form path 'expect-seen)
-               ,(patterns form path 'expect-not)
-               ,(interpret-number form path 'within 180 '(1 3600))
-               ,(interpret-number form path 'seed 1 '(0 4294967295)))))
+(define (interpret-sections scenario name)
+  (let* ((found (sections (drop (node-items scenario) 2)
+                          '(cell domain cubes goal before-goal when expect expect-seen expect-not within seed)
+                          '(when expect-seen expect-not)))
+         (cubes (section-in found 'cubes))
+         (before (section-in found 'before-goal))
+         (goal (required found scenario 'goal)))
+    (required found scenario 'cell)
+    `(,name
+      ,(text-of-section found 'cell "the cell's file" "")
+      ,(text-of-section found 'domain "the domain's file" "")
+      ,(if cubes (cons 'cubes (cubes-of (node-rest cubes))) '())
+      ,(if (and goal (fact-forms? (node-rest goal))) (map node-datum (node-rest goal)) '())
+      ,(if before (actions-of (node-rest before)) '())
+      ,(filter-map event-of (sections-in found 'when))
+      ,@(expectation-of found)
+      ,(patterns-in found 'expect-seen)
+      ,(patterns-in found 'expect-not)
+      ,(number-in found 'within '(1 3600) 180)
+      ,(number-in found 'seed '(0 4294967295) 1))))
 
 (define (interpret-scenario data)
-  (with-problems
-   (lambda ()
-     (only-form data 'scenario interpret-one))))
+  (interpreting data
+    (lambda (root)
+      (let* ((scenario (only-form root 'scenario))
+             (name (and scenario (string-at scenario 1 "the scenario's name"))))
+        (and name
+             (interpret-sections (node-within scenario (string-append "in scenario \"" name "\"")) name))))))
