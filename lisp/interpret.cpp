@@ -23,7 +23,9 @@ Failure locate(const Source& source, const Datum& error) {
   return source.failure_at(path, std::string(error[0].text()), std::string(error[1].text()), context);
 }
 
-Failure report(const Source& source, std::span<const Datum> errors) {
+}  // namespace
+
+Failure report_errors(const Source& source, std::span<const Datum> errors) {
   Failure out = locate(source, errors.front());
   if (errors.size() > 1) out.sentence += fmt::format(" (and {} more)", errors.size() - 1);
   const std::size_t reported = std::min(errors.size(), max_reported);
@@ -35,19 +37,18 @@ Failure report(const Source& source, std::span<const Datum> errors) {
   return out;
 }
 
-}  // namespace
-
-Result<Datum> interpret(const Source& source, const std::string& module, const std::vector<Datum>& more) {
+Result<Datum> interpret(const Source& source, const std::string& module, const std::vector<Datum>& more,
+                        const std::string& procedure) {
   std::vector<Datum> arguments{Datum::list(source.data())};
   arguments.insert(arguments.end(), more.begin(), more.end());
-  Result<Datum> outcome = call_scheme(module, "interpret", arguments);
+  Result<Datum> outcome = call_scheme(module, procedure, arguments);
   if (!outcome) return outcome;
   if (outcome->is_form("ok") && outcome->size() == 2) return (*outcome)[1];
   const auto errors = outcome->items().subspan(std::min<std::size_t>(outcome->size(), 1));
   if (!outcome->is_form("errors") || errors.empty() || !std::ranges::all_of(errors, is_error)) {
-    return fail("scheme-error", fmt::format("(pizarra {}) interpret returned no outcome", module), *outcome);
+    return fail("scheme-error", fmt::format("(pizarra {}) {} returned no outcome", module, procedure), *outcome);
   }
-  return fail(report(source, errors));
+  return fail(report_errors(source, errors));
 }
 
 }  // namespace pizarra

@@ -3,9 +3,10 @@
 // What a person wrote, interpreted by one of our Scheme modules: text in, normalised Datum or one report of all errors
 // out.
 //
-// `(pizarra MODULE)` exports `interpret`, which gets the list of all data of the source, and the `more` arguments, and
-// returns `(ok VALUE)` or `(errors (symbol "sentence" (path ...) ("context" ...)) ...)`, where a path leads from the
-// top of the source to the wrong element. (pizarra forms) does the plumbing: lisp/modules/pizarra/forms.scm.
+// `(pizarra MODULE)` exports `interpret` (or another `procedure`), which gets the list of all data of the source, and
+// the `more` arguments, and returns `(ok VALUE)` or `(errors (symbol "sentence" (path ...) ("context" ...)) ...)`,
+// where a path leads from the top of the source to the wrong element. (pizarra forms) does the plumbing:
+// lisp/modules/pizarra/forms.scm.
 //
 //   Result<Source> source = read_source_file("cell.scm");
 //   Result<Datum> cell = interpret(*source, "cell");
@@ -13,6 +14,7 @@
 // To add a module: write lisp/modules/pizarra/NAME.scm and NAME-test.scm beside it, and name it in the list of
 // lisp/CMakeLists.txt.
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -22,6 +24,10 @@ namespace pizarra {
 
 // A failure has the first error's symbol, sentence and subject; its place holds every error in the order of the text,
 // and the sentence then ends with "(and N more)".
-Result<Datum> interpret(const Source& source, const std::string& module, const std::vector<Datum>& more = {});
+Result<Datum> interpret(const Source& source, const std::string& module, const std::vector<Datum>& more = {},
+                        const std::string& procedure = "interpret");
+
+// That report of errors `(symbol "sentence" (path ...) ("context" ...))`, at least one.
+Failure report_errors(const Source& source, std::span<const Datum> errors);
 
 }  // namespace pizarra

@@ -1,0 +1,29 @@
+#pragma once
+
+// Goals as a person types them: `FACT`, `(and FACT ...)` or several FACTs, checked against a domain.
+//
+//   auto goal = read_goal(domain, "(and (on circle Triangle) (on triangle square))", {{"circle", "OBJECT"}, ...});
+//   // (on circle triangle), (on triangle square)
+//
+// Names are compared without regard to case and come out as they are known; a string names an object as a symbol does.
+// Repeated facts come out once.
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "lisp/domain.hpp"
+
+namespace pizarra {
+
+// `objects_with_types` are what was seen; the domain's own objects are known besides. Failures, all in one report with
+// carets: the reader's, malformed, unknown-predicate, unknown-object, wrong-arity, wrong-type, not-ground, negated,
+// contradictory (a fact both wanted and not wanted). Whether a plan exists is the planner's to say.
+Result<std::vector<Datum>> read_goal(const Domain& domain, std::string_view text,
+                                     const std::vector<std::pair<std::string, std::string>>& objects_with_types);
+
+// The same while nothing was seen yet: any name may be an object, and comes out as it was typed.
+Result<std::vector<Datum>> check_goal(const Domain& domain, std::string_view text);
+
+}  // namespace pizarra
