@@ -1,0 +1,82 @@
+#include "agents/vision/learned.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+namespace pizarra {
+namespace {
+
+double rounded(double value) { return std::round(value * 1000) / 1000; }
+
+char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
+
+bool is_letter(char c) { return lower(c) >= 'a' && lower(c) <= 'z'; }
+
+}  // namespace
+
+bool same_name(std::string_view a, std::string_view b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) { return lower(x) == lower(y); });
+}
+
+Result<void> check_object_name(std::string_view name) {
+  const bool good =
+      !name.empty() && name.size() <= 40 && is_letter(name[0]) &&
+      std::all_of(name.begin(), name.end(), [](char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '-'; });
+  if (good) return {};
+  return fail("bad-name", "a name is a letter and at most 39 letters, digits and hyphens", to_datum(name));
+}
+
+const LearnedObject* LearnedObjects::find(std::string_view name) const {
+  const auto found = std::find_if(objects_.begin(), objects_.end(),
+                                  [&](const LearnedObject& object) { return same_name(object.name, name); });
+  return found == objects_.end() ? nullptr : &*found;
+}
+
+Result<int> LearnedObjects::add(std::string_view name, LearnedSample sample) {
+  auto found = std::find_if(objects_.begin(), objects_.end(),
+                            [&](const LearnedObject& object) { return same_name(object.name, name); });
+  if (found == objects_.end()) {
+    if (objects_.size() >= most_objects) return fail("full", "no more than 32 objects can be learned", to_datum(name));
+    objects_.push_back({std::string(name), {}});
+    found = std::prev(objects_.end());
+  }
+  if (found->samples.size() >= most_samples) {
+    return fail("full", "no more than 8 samples of one object can be learned", to_datum(name));
+  }
+  found->samples.push_back(std::move(sample));
+  return static_cast<int>(found->samples.size());
+}
+
+Datum learned_fact(const std::string& name, int number, const LearnedSample& sample) {
+  return list("learned"_sym, name, number, rounded(sample.area_px), sample.perimeter_px, sample.corners,
+              rounded(sample.moments[0]), rounded(sample.moments[1]), rounded(sample.moments[2]));
+}
+
+Datum learned_template_fact(const std::string& name, int number, const LearnedSample& sample) {
+  return list("learned-template"_sym, name, number, Datum::symbol(sample.tone == MarkTone::dark ? "dark" : "light"),
+              sample.height_px, sample.slimness, sample.roundness, sample.size_mm, template_to_text(sample.picture));
+}
+
+Result<LearnedSample> sample_from_facts(const Datum& learned, const Datum& learned_template) {
+  if (!learned.is_form("learned") || learned.size() != 9 || !learned_template.is_form("learned-template") ||
+      learned_template.size() != 9) {
+    return fail("bad-template", "a learned object is one learned and one learned-template fact", learned);
+  }
+  Result<MarkTemplate> picture = template_from_text(learned_template[8].text());
+  if (!picture) return fail(picture);
+  LearnedSample out;
+  out.area_px = learned[3].number();
+  out.perimeter_px = static_cast<int>(learned[4].number());
+  out.corners = static_cast<int>(learned[5].number());
+  out.moments = {learned[6].number(), learned[7].number(), learned[8].number()};
+  out.tone = learned_template[3].is_symbol("light") ? MarkTone::light : MarkTone::dark;
+  out.height_px = learned_template[4].number();
+  out.slimness = learned_template[5].number();
+  out.roundness = learned_template[6].number();
+  out.size_mm = learned_template[7].number();
+  out.picture = *picture;
+  out.signature = signature_of(*picture);
+  return out;
+}
+
+}  // namespace pizarra

@@ -1,0 +1,64 @@
+#pragma once
+
+// What vision has learned: objects by name, each with one or more samples of its mark. Kept as the durable facts
+//   (learned NAME NUM AREA PERIMETER FEATURES M0 M1 M2)                            the thesis' Table C.1
+//   (learned-template NAME NUM TONE HEIGHT SLIMNESS ROUNDNESS SIZE TEMPLATE)       what recognition needs besides
+// so that a restarted agent reads them back.
+//
+//   LearnedObjects objects;
+//   objects.add("circle", sample);                 // again under the same name: a second sample
+//   objects.find("Circle")->samples.size();        // names compare without case
+
+#include <deque>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "agents/vision/mark_measure.hpp"
+
+namespace pizarra {
+
+struct LearnedSample {
+  MarkTone tone = MarkTone::dark;
+  double area_px = 0;
+  int perimeter_px = 0;
+  int corners = 0;
+  std::array<double, 3> moments{};
+  double height_px = 0;
+  double slimness = 0;
+  double roundness = 0;
+  double size_mm = 0;  // the standard deviation along y in the world; 0 when the right image did not show the mark
+  MarkTemplate picture{};
+  MarkSignature signature;  // of `picture`
+};
+
+struct LearnedObject {
+  std::string name;
+  std::vector<LearnedSample> samples;
+};
+
+inline constexpr std::size_t most_objects = 32;
+inline constexpr std::size_t most_samples = 8;  // of one object
+
+class LearnedObjects {
+ public:
+  // In the order in which they were learned; addresses stay.
+  const std::deque<LearnedObject>& all() const { return objects_; }
+  const LearnedObject* find(std::string_view name) const;
+  // The object's sample number, from 1. Failure `full`.
+  Result<int> add(std::string_view name, LearnedSample sample);
+
+ private:
+  std::deque<LearnedObject> objects_;
+};
+
+bool same_name(std::string_view a, std::string_view b);
+// Names of objects match [A-Za-z][A-Za-z0-9-]* and have at most 40 characters; failure `bad-name`.
+Result<void> check_object_name(std::string_view name);
+
+Datum learned_fact(const std::string& name, int number, const LearnedSample& sample);
+Datum learned_template_fact(const std::string& name, int number, const LearnedSample& sample);
+// What both facts of one sample say. Failure `bad-template`.
+Result<LearnedSample> sample_from_facts(const Datum& learned, const Datum& learned_template);
+
+}  // namespace pizarra

@@ -1,0 +1,88 @@
+#include "agents/vision/recognise.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pizarra {
+namespace {
+
+constexpr double impossible = std::numeric_limits<double>::infinity();
+constexpr double least_slimness = 0.55;
+// Two faces of one yawed cube are seen about this many mark heights (standard deviations) apart at most.
+constexpr double neighbour_heights = 8;
+
+double sample_error(const SeenMark& mark, const LearnedSample& sample) {
+  if (mark.tone != sample.tone || mark.slimness < least_slimness * sample.slimness) return impossible;
+  const double scale = mark.height_px / sample.height_px;
+  if (scale < 0.5 || scale > 1.8) return impossible;
+  const double roundness = std::abs(mark.roundness / sample.roundness - 1);
+  const double corners = std::abs(mark.corners - sample.corners);
+  return signature_error(mark.signature, sample.signature) + 0.5 * roundness + 0.002 * std::min(corners, 10.0);
+}
+
+}  // namespace
+
+double recognition_error(const SeenMark& mark, const LearnedObject& object) {
+  double best = impossible;
+  for (const LearnedSample& sample : object.samples) best = std::min(best, sample_error(mark, sample));
+  return best;
+}
+
+bool is_recognised(const SeenMark& mark, const LearnedObjects& objects, const LearnedObject& object) {
+  const double error = recognition_error(mark, object);
+  if (error > recognition_threshold) return false;
+  return std::none_of(objects.all().begin(), objects.all().end(), [&](const LearnedObject& rival) {
+    return &rival != &object && recognition_error(mark, rival) < error;
+  });
+}
+
+const SeenMark* find_object(const std::vector<SeenMark>& marks, const LearnedObjects& objects,
+                            const LearnedObject& object) {
+  const SeenMark* best = nullptr;
+  double least = impossible;
+  std::vector<const SeenMark*> recognised;
+  for (const SeenMark& mark : marks) {
+    if (!is_recognised(mark, objects, object)) continue;
+    recognised.push_back(&mark);
+    const double error = recognition_error(mark, object);
+    if (error < least) {
+      least = error;
+      best = &mark;
+    }
+  }
+  if (best == nullptr) return nullptr;
+  const cv::Point2d centre = best->centre;
+  const double reach_px = neighbour_heights * best->height_px;
+  for (const SeenMark* mark : recognised) {
+    if (cv::norm(mark->centre - centre) < reach_px && mark->area_px > best->area_px) best = mark;
+  }
+  return best;
+}
+
+bool are_partners(const SeenMark& left, const SeenMark& right) {
+  const double scale = right.height_px / left.height_px;
+  const double area = right.area_px / left.area_px;
+  return left.tone == right.tone && std::abs(left.centre.y - right.centre.y) < 1.0 &&
+         left.centre.x > right.centre.x + 1 && scale > 0.9 && scale < 1.1 && area > 0.75 && area < 1.33 &&
+         signature_error(left.signature, right.signature) < recognition_threshold;
+}
+
+const SeenMark* find_partner(const SeenMark& left, const std::vector<SeenMark>& right,
+                             std::optional<double> disparity_px) {
+  const SeenMark* best = nullptr;
+  double least = impossible;
+  for (const SeenMark& mark : right) {
+    if (!are_partners(left, mark)) continue;
+    const double disparity = left.centre.x - mark.centre.x;
+    const double error =
+        disparity_px ? std::abs(disparity - *disparity_px) : signature_error(left.signature, mark.signature);
+    if (error < least) {
+      least = error;
+      best = &mark;
+    }
+  }
+  return best;
+}
+
+}  // namespace pizarra

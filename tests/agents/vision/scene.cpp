@@ -1,0 +1,113 @@
+#include "tests/agents/vision/scene.hpp"
+
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+namespace pizarra {
+namespace {
+
+constexpr int oversampling = 8;
+
+using Outline = std::vector<cv::Point2d>;  // mm around the centroid, y down
+
+Outline box(double left, double top, double right, double bottom) {
+  return {{left, top}, {right, top}, {right, bottom}, {left, bottom}};
+}
+
+Outline outline_of(const std::string& mark) {
+  if (mark == "square") return box(-22, -22, 22, 22);
+  if (mark == "triangle" || mark == "plate") return {{0, -37 * 2 / 3.0}, {22, 37 / 3.0}, {-22, 37 / 3.0}};
+  if (mark == "cross") {
+    const double a = 22;
+    const double b = 44 / 6.0;
+    return {{-b, -a}, {b, -a}, {b, -b}, {a, -b}, {a, b}, {b, b}, {b, a}, {-b, a}, {-b, b}, {-a, b}, {-a, -b}, {-b, -b}};
+  }
+  if (mark != "circle") return {};
+  Outline out;
+  for (int i = 0; i < 90; ++i) out.emplace_back(22 * std::cos(i * CV_PI / 45), 22 * std::sin(i * CV_PI / 45));
+  return out;
+}
+
+class Painter {
+ public:
+  Painter(cv::Mat& canvas, const StereoModel& model, bool right) : canvas_(canvas), model_(model), right_(right) {}
+
+  void fill(const SceneFace& face, const Outline& outline, int turns, int level) {
+    if (outline.empty()) return;
+    const double yaw = face.yaw_deg * CV_PI / 180;
+    const double roll = (face.roll_deg + 90 * turns) * CV_PI / 180;
+    std::vector<cv::Point> polygon;
+    for (const cv::Point2d& p : outline) {
+      const double u = std::cos(roll) * p.x - std::sin(roll) * p.y;
+      const double v = std::sin(roll) * p.x + std::cos(roll) * p.y;
+      const cv::Point3d point = face.place + cv::Point3d(u * std::cos(yaw), v, u * std::sin(yaw));
+      const cv::Point2d seen = project(model_, point, right_);
+      // Pixel (0, 0) covers -0.5 to 0.5; fillPoly takes 1/16 px here and covers sample centres.
+      polygon.emplace_back(static_cast<int>(std::lround(((seen.x + 0.5) * oversampling - 0.5) * 16)),
+                           static_cast<int>(std::lround(((seen.y + 0.5) * oversampling - 0.5) * 16)));
+    }
+    cv::fillPoly(canvas_, std::vector<std::vector<cv::Point>>{polygon}, level, cv::LINE_8, 4);
+  }
+
+ private:
+  cv::Mat& canvas_;
+  const StereoModel& model_;
+  bool right_;
+};
+
+std::shared_ptr<const Image> draw(const Scene& scene, const StereoModel& model, bool right, Random& random) {
+  cv::Mat canvas(model.height * oversampling, model.width * oversampling, CV_8UC1, scene.ground);
+  Painter painter(canvas, model, right);
+  for (const SceneFace& face : scene.faces) {
+    const bool plate = face.mark == "plate";
+    painter.fill(face, plate ? box(-29, -34, 29, 22) : box(-30, -30, 30, 30), 0, plate ? 45 : 225);
+    painter.fill(face, outline_of(face.mark), face.quarter_turns, plate ? 225 : 25);
+  }
+  for (const SceneBlot& blot : scene.blots) {
+    cv::Rect2d moved = blot.box;
+    if (right) moved.x -= 45;
+    cv::rectangle(canvas,
+                  cv::Rect(cv::Point(cvRound(moved.x * oversampling), cvRound(moved.y * oversampling)),
+                           cv::Size(cvRound(moved.width * oversampling), cvRound(moved.height * oversampling))),
+                  blot.level, cv::FILLED);
+  }
+  cv::Mat small;
+  cv::resize(canvas, small, {model.width, model.height}, 0, 0, cv::INTER_AREA);
+  cv::Mat1f light;
+  small.convertTo(light, CV_32F);
+  if (scene.blur_px > 0) cv::GaussianBlur(light, light, {7, 7}, scene.blur_px);
+  auto image = std::make_shared<Image>();
+  image->width = model.width;
+  image->height = model.height;
+  image->pixels.reserve(static_cast<std::size_t>(model.width * model.height));
+  for (int y = 0; y < model.height; ++y) {
+    for (int x = 0; x < model.width; ++x) {
+      const double value =
+          light(y, x) * (1 - scene.gradient * x / model.width) + (scene.noise > 0 ? scene.noise * random.normal() : 0);
+      image->pixels.push_back(cv::saturate_cast<std::uint8_t>(value));
+    }
+  }
+  return image;
+}
+
+}  // namespace
+
+cv::Point2d project(const StereoModel& model, const cv::Point3d& point, bool right) {
+  const double offset_mm = (right ? -0.5 : 0.5) * model.base_line_mm;
+  return {model.centre_x_px + model.focal_px * (point.x + offset_mm) / point.z,
+          model.centre_y_px + model.focal_px * point.y / point.z};
+}
+
+StereoFrame draw_scene(const Scene& scene, const StereoModel& model, std::uint64_t number, Random& random) {
+  StereoFrame out;
+  out.number = number;
+  out.left = draw(scene, model, false, random);
+  out.right = draw(scene, model, true, random);
+  return out;
+}
+
+cv::Mat as_mat(const Image& image) {
+  return cv::Mat(image.height, image.width, CV_8UC(image.channels), const_cast<std::uint8_t*>(image.pixels.data()));
+}
+
+}  // namespace pizarra
