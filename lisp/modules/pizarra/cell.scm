@@ -1,6 +1,6 @@
 ;; Cell files: see lisp/cell.hpp for the language and for what is taken where something is left out.
 ;;
-;; (interpret-cell DATA), the data of a file, answers (errors ...) or
+;; (interpret DATA), the data of a file, answers (errors ...) or
 ;;   (ok (NAME (X Y Z PAN TILT) (SENSOR BLUR GRADIENT) (CUBE ...) ARM DOMAIN BOARD-HOST BOARD-ADDRESS
 ;;        ((HOST KIND ...) ...)))
 ;; with CUBE = (NAME MARK X Y YAW ON), ON the empty string for the table.
@@ -8,7 +8,7 @@
 (define-module (pizarra cell)
   #:use-module (srfi srfi-1)
   #:use-module (pizarra forms)
-  #:export (interpret-cell cubes-of numbers-of text-of-section plain-name-at))
+  #:export (interpret cubes-of numbers-of text-of-section))
 
 (define marks '(circle triangle square cross))
 (define kinds '(robot vision planner coordinator person))
@@ -210,7 +210,7 @@
           (second (board-of found hosts))
           hosts)))
 
-(define (interpret-cell data)
+(define (interpret data)
   (interpreting data
     (lambda (root)
       (let* ((cell (only-form root 'cell))

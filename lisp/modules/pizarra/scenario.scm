@@ -1,6 +1,6 @@
 ;; Scenario files: see lisp/scenario.hpp for the language.
 ;;
-;; (interpret-scenario DATA), the data of a file, answers (errors ...) or
+;; (interpret DATA), the data of a file, answers (errors ...) or
 ;;   (ok (NAME CELL DOMAIN (cubes CUBE ...)|() (GOAL-FACT ...) (ACTION ...) ((CONDITION ACTION ...) ...)
 ;;        reached|refused REFUSAL (SEEN ...) (NEVER ...) SECONDS SEED))
 ;; with DOMAIN and REFUSAL the empty string where they are not given, CUBE as in cell.scm.
@@ -8,8 +8,8 @@
 (define-module (pizarra scenario)
   #:use-module (srfi srfi-1)
   #:use-module (pizarra forms)
-  #:use-module (pizarra cell)
-  #:export (interpret-scenario))
+  #:use-module ((pizarra cell) #:select (cubes-of numbers-of text-of-section))
+  #:export (interpret))
 
 (define hand-operations '((push . 3) (place . 3) (stack . 2) (steal . 1) (remove . 1) (add . 4) (knock . 1)))
 
@@ -95,7 +95,7 @@
       ,(number-in found 'within '(1 3600) 180)
       ,(number-in found 'seed '(0 4294967295) 1))))
 
-(define (interpret-scenario data)
+(define (interpret data)
   (interpreting data
     (lambda (root)
       (let* ((scenario (only-form root 'scenario))

@@ -1,0 +1,59 @@
+#include "lisp/cell.hpp"
+
+#include "lisp/file_paths.hpp"
+#include "lisp/interpret.hpp"
+
+namespace pizarra {
+
+namespace {
+
+std::vector<CellHost> hosts_from_datum(const Datum& hosts) {
+  std::vector<CellHost> out;
+  for (const Datum& host : hosts.items()) {
+    CellHost& added = out.emplace_back();
+    added.name = host[0].text();
+    for (const Datum& kind : host.items().subspan(1)) added.agents.emplace_back(kind.text());
+  }
+  return out;
+}
+
+CellDescription cell_from_datum(const Datum& datum, const std::string& file) {
+  CellDescription cell;
+  cell.name = datum[0].text();
+  const Datum& camera = datum[1];
+  cell.camera = {{camera[0].number(), camera[1].number(), camera[2].number()}, camera[3].number(), camera[4].number()};
+  cell.noise = {datum[2][0].number(), datum[2][1].number(), datum[2][2].number()};
+  for (const Datum& cube : datum[3].items()) cell.cubes.push_back(cube_from_datum(cube));
+  cell.arm = datum[4].text();
+  cell.domain_file = beside(file, std::string(datum[5].text()));
+  cell.board_host = datum[6].text();
+  cell.board_address = datum[7].text();
+  cell.hosts = hosts_from_datum(datum[8]);
+  return cell;
+}
+
+Result<CellDescription> interpret_source(const Result<Source>& source) {
+  if (!source) return fail(source);
+  const Result<Datum> cell = interpret(*source, "cell");
+  if (!cell) return fail(cell);
+  return cell_from_datum(*cell, source->file());
+}
+
+}  // namespace
+
+CubePlacement cube_from_datum(const Datum& normalised) {
+  return {std::string(normalised[0].text()),
+          std::string(normalised[1].text()),
+          normalised[2].number(),
+          normalised[3].number(),
+          normalised[4].number(),
+          std::string(normalised[5].text())};
+}
+
+Result<CellDescription> read_cell(std::string_view text, const std::string& file) {
+  return interpret_source(read_source(text, file));
+}
+
+Result<CellDescription> read_cell_file(const std::string& path) { return interpret_source(read_source_file(path)); }
+
+}  // namespace pizarra

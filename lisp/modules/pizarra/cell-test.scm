@@ -1,0 +1,38 @@
+(use-modules (pizarra cell) (pizarra checks))
+
+(define (cubes-in . cubes)
+  (fourth-of (interpret `((cell c (world ,@cubes))))))
+
+(define (fourth-of outcome)
+  (if (eq? (car outcome) 'ok) (list-ref (cadr outcome) 3) outcome))
+
+(define (complaint . parts)
+  (let ((outcome (interpret (list (cons* 'cell 'c parts)))))
+    (if (eq? (car outcome) 'errors) (list (length (cdr outcome)) (car (cadr outcome)) (caddr (cadr outcome))) outcome)))
+
+(check "what is left out has a default" (interpret '((cell c)))
+       '(ok (c (1330 0 200 0 0) (3 0.7 0.12) () crs-f3 "" "localhost" ""
+               (("localhost" robot vision planner coordinator person)))))
+(check "a mark is the cube's name where it is one" (cubes-in '(cube circle (at 450 0) (yaw 5)))
+       '((circle circle 450 0 5 "")))
+(check "a stacked cube stands where the lower one does"
+       (cubes-in '(cube circle (at 450 0)) '(cube lid (mark cross) (on circle)))
+       '((circle circle 450 0 0 "") (lid cross 450 0 0 circle)))
+(check "a cube needs a place" (complaint '(world (cube circle))) '(1 malformed (0 2 1)))
+(check "a cube cannot stand on a later one" (complaint '(world (cube circle (on cross)) (cube cross (at 450 0))))
+       '(1 unknown-object (0 2 1 2)))
+(check "two cubes cannot stand on one"
+       (complaint '(world (cube circle (at 450 0)) (cube cross (on circle)) (cube square (on circle))))
+       '(1 occupied (0 2 3 2)))
+(check "two cubes cannot stand in one place"
+       (complaint '(world (cube circle (at 450 0)) (cube cross (at 455 10)))) '(1 overlap (0 2 2)))
+(check "names are told apart without case"
+       (complaint '(world (cube circle (at 450 0)) (cube Circle (mark circle) (at 450 100)))) '(1 repeated (0 2 2)))
+(check "an unknown mark is refused" (complaint '(world (cube a (mark star) (at 450 0)))) '(1 unknown-name (0 2 1 2 1)))
+(check "what cannot be reached is refused" (complaint '(world (cube circle (at 4500 0)))) '(1 out-of-range (0 2 1 2 1)))
+(check "an agent runs on one host"
+       (complaint '(host "a" (agents robot)) '(host "b" (agents robot))) '(1 repeated (0 3 2 1)))
+(check "a host's name cannot lead out of its folder" (complaint '(host "../a" (agents robot))) '(1 malformed (0 2 1)))
+(check "every error is told" (complaint '(wrld) '(arm kr3) '(host "a" (agents robt))) '(3 unknown-section (0 2)))
+
+(finish-checks)

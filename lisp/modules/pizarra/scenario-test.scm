@@ -1,0 +1,26 @@
+(use-modules (pizarra scenario) (pizarra checks))
+
+(define (story . parts)
+  (interpret (list `(scenario "s" (cell "c.scm") (goal (on a b)) ,@parts))))
+
+(define (complaint . parts)
+  (let ((outcome (apply story parts)))
+    (if (eq? (car outcome) 'errors) (list (length (cdr outcome)) (car (cadr outcome)) (caddr (cadr outcome))) outcome)))
+
+(check "what is left out has a default" (story)
+       '(ok ("s" "c.scm" "" () ((on a b)) () () reached "" () () 180 1)))
+(check "events keep their order and variables"
+       (list-ref (cadr (story '(when (holding ?x) (hand steal ?x)) '(when (on a b) (wait 1) (kill vision)))) 6)
+       '(((holding ?x) (hand steal ?x)) ((on a b) (wait 1) (kill vision))))
+(check "a refusal may be named" (list-ref (cadr (story '(expect refused missing-object))) 8) "missing-object")
+(check "patterns of several sections are joined"
+       (list-ref (cadr (story '(expect-not (a) (b)) '(expect-not (c)))) 10) '((a) (b) (c)))
+(check "cubes are those of a cell" (list-ref (cadr (story '(cubes (cube circle (at 450 0))))) 3)
+       '(cubes (circle circle 450 0 0 "")))
+(check "an unknown operation of the hand is refused" (complaint '(when (a) (hand pull circle)))
+       '(1 unknown-action (0 4 2)))
+(check "an operation's arguments are counted" (complaint '(when (a) (hand push circle 4))) '(1 malformed (0 4 2)))
+(check "an unknown expectation is refused" (complaint '(expect glory)) '(1 malformed (0 4)))
+(check "a story needs cell and goal" (length (interpret '((scenario "s")))) 3)
+
+(finish-checks)
