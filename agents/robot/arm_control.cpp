@@ -1,0 +1,227 @@
+#include "agents/robot/arm_control.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+#include "lisp/writer.hpp"
+
+namespace pizarra {
+
+namespace {
+
+constexpr double arrived_deg = 0.5;      // how far a controller may report from where it was sent
+constexpr Duration gripping_time = 20s;  // at most
+constexpr std::size_t looks_between_full_telling = 10;
+
+std::unexpected<Failure> stopped(const std::optional<Datum>& operation) {
+  return fail("stopped", "the motion was stopped before its end", operation.value_or(Datum()));
+}
+
+}  // namespace
+
+InHand::~InHand() {
+  if (control_ != nullptr) control_->let_go();
+}
+
+Result<InHand> ArmControl::take_in_hand(Datum operation) {
+  if (!connected_) return fail("disconnected", why_lost_);
+  if (running_) return fail("busy", fmt::format("the arm is doing {}", write(*running_)), *running_);
+  running_ = std::move(operation);
+  ++motions_;
+  stop_requested_ = false;
+  return InHand(*this);
+}
+
+void ArmControl::let_go() {
+  running_.reset();
+  gripping_ = false;
+  ended_.wake_all();
+}
+
+Task<Result<void>> ArmControl::connect() {
+  const Result<std::string> type = co_await driver_.identify();
+  if (!type) co_return fail(type);
+  model_ = arm_model(*type);
+  if (model_ == nullptr)
+    co_return fail("unknown-arm", fmt::format("no arm model is called {}", *type), to_datum(*type));
+  const Result<void> control = co_await driver_.take_control();
+  if (!control) co_return control;
+  const Result<ArmReading> reading = co_await driver_.read();
+  if (!reading) co_return fail(reading);
+  facts_.set_reading(*model_, *reading);
+  if (reading->moving) {
+    const Result<void> halted = co_await halt();
+    if (!halted) co_return halted;
+  }
+  facts_.set_arm("idle");
+  connected_ = true;
+  co_return {};
+}
+
+Task<Result<void>> ArmControl::halt() {
+  facts_.set_arm("stopped", "STOPPED_AT_RESTART");
+  const Result<void> told = co_await facts_.tell();
+  if (!told) co_return told;
+  const Result<void> stopping = co_await driver_.stop();
+  if (!stopping) co_return stopping;
+  const Result<ArmReading> reading = co_await until_ended(false, stopping_time);
+  if (!reading) co_return fail(reading);
+  co_return {};
+}
+
+void ArmControl::lose(const Failure& why) {
+  connected_ = false;
+  why_lost_ = fmt::format("the arm cannot be commanded: {}", why.sentence);
+  facts_.set_arm("fault");
+}
+
+Task<void> ArmControl::look() {
+  if (!connected_) {
+    const Result<void> again = co_await connect();
+    if (!again) lose(again.error());
+  } else {
+    const Result<ArmReading> reading = co_await driver_.read();
+    // A motion that began meanwhile tells for itself.
+    if (running_) co_return;
+    if (reading) {
+      facts_.set_reading(*model_, *reading);
+    } else {
+      lose(reading.error());
+    }
+  }
+  const Result<void> told = co_await facts_.tell();
+  if (!told) facts_.forget_told();
+}
+
+Task<void> ArmControl::keep_watch() {
+  for (std::size_t looks = 1;; ++looks) {
+    const Duration pause = connected_ ? tell_period : reconnect_pause;
+    co_await sleep(context_.executor, pause);
+    if (looks % looks_between_full_telling == 0) facts_.forget_told();
+    if (!running_) co_await look();
+  }
+}
+
+Task<Result<ArmReading>> ArmControl::read() {
+  if (model_ == nullptr) co_return fail("disconnected", why_lost_);
+  const Result<ArmReading> reading = co_await driver_.read();
+  if (reading) facts_.set_reading(*model_, *reading);
+  co_return reading;
+}
+
+// Polls until the arm (or the gripper) stands, telling on the way.
+Task<Result<ArmReading>> ArmControl::until_ended(bool gripper, Duration longest) {
+  const Time begun = context_.executor.now();
+  Time heard = begun;
+  Time told = begun;
+  while (true) {
+    co_await sleep(context_.executor, poll_period);
+    const Result<ArmReading> reading = co_await read();
+    const Time now = context_.executor.now();
+    if (!reading) {
+      if (now - heard < patience) continue;
+      lose(reading.error());
+      co_return fail(reading);
+    }
+    heard = now;
+    const bool moving = gripper ? reading->gripper_moving : reading->moving;
+    if (!moving) co_return reading;
+    if (now - begun > longest) {
+      const Result<void> halting = co_await driver_.stop();
+      if (!halting) lose(halting.error());
+      co_return fail("fault", fmt::format("the motion did not end within {:.1f} s", longest.count() / 1e6));
+    }
+    if (now - told < tell_period) continue;
+    told = now;
+    // A board that is away misses this; the end of the motion is told surely.
+    const Result<void> telling = co_await facts_.tell();
+    if (!telling) facts_.forget_told();
+  }
+}
+
+// Whoever took control away from us meanwhile (a pendant, a controller that restarted) is asked for it once.
+Task<Result<void>> ArmControl::start(std::vector<Joints> waypoints, double speed) {
+  const Result<void> started = co_await driver_.start_move(waypoints, speed);
+  if (started || started.error().symbol != "not-in-control") co_return started;
+  const Result<void> control = co_await driver_.take_control();
+  if (!control) co_return control;
+  co_return co_await driver_.start_move(std::move(waypoints), speed);
+}
+
+Task<Result<void>> ArmControl::follow(std::vector<Joints> waypoints, double speed) {
+  const Joints target = waypoints.back();
+  const Result<ArmReading> before = co_await read();
+  if (!before) co_return fail(before);
+  const Duration longest = longest_time(before->joints, waypoints, speed);
+  if (stop_requested_) co_return stopped(running_);
+  const Result<void> started = co_await start(std::move(waypoints), speed);
+  if (!started) co_return started;
+  // A stop may have come before there was anything to stop.
+  if (stop_requested_) {
+    const Result<void> halting = co_await driver_.stop();
+    if (!halting) co_return halting;
+  }
+  const Result<ArmReading> ended = co_await until_ended(false, longest);
+  if (!ended) co_return fail(ended);
+  if (stop_requested_ || ended->stopped) co_return stopped(running_);
+  for (std::size_t axis = 0; axis < arm_axes; ++axis) {
+    if (std::abs(ended->joints[axis] - target[axis]) <= arrived_deg) continue;
+    co_return fail(
+        "fault",
+        fmt::format("axis {} ended at {:.2f} degrees instead of {:.2f}", axis + 1, ended->joints[axis], target[axis]),
+        to_datum(axis + 1));
+  }
+  co_return {};
+}
+
+Task<Result<void>> ArmControl::grip(double opening_mm) {
+  gripping_ = true;
+  if (stop_requested_) co_return stopped(running_);
+  const Result<void> started = co_await driver_.start_gripper(opening_mm);
+  if (!started) co_return started;
+  const Result<ArmReading> ended = co_await until_ended(true, gripping_time);
+  if (!ended) co_return fail(ended);
+  if (stop_requested_) co_return stopped(running_);
+  co_return {};
+}
+
+Task<Result<void>> ArmControl::stop() {
+  const std::uint64_t motion = motions_;
+  stop_requested_ = running_.has_value();
+  const Result<void> stopping = co_await driver_.stop();
+  if (!stopping) co_return stopping;
+  if (gripping_) {
+    // Fingers stop by being sent to where they are.
+    const Result<ArmReading> reading = co_await read();
+    if (!reading) co_return fail(reading);
+    const double opening_mm = reading->opening_mm;
+    const Result<void> held = co_await driver_.start_gripper(opening_mm);
+    if (!held) co_return held;
+  }
+  const Time deadline = context_.executor.now() + stopping_time;
+  while (running_ && motions_ == motion) {
+    const bool woken = co_await ended_.wait(deadline);
+    if (!woken) co_return fail("timeout", "the arm was told to stop and has not", *running_);
+  }
+  co_return {};
+}
+
+// Three times what the axes need, for their acceleration, and some seconds for the controller.
+Duration ArmControl::longest_time(const Joints& from, const std::vector<Joints>& waypoints, double speed) const {
+  double seconds = 0;
+  Joints at = from;
+  for (const Joints& to : waypoints) {
+    double slowest = 0;
+    for (std::size_t axis = 0; axis < arm_axes; ++axis) {
+      slowest = std::max(slowest, std::abs(to[axis] - at[axis]) / (model_->limits[axis].speed_deg_s * speed));
+    }
+    seconds += slowest;
+    at = to;
+  }
+  const double waypoint_s = 0.1;
+  seconds = 10 + 3 * seconds + waypoint_s * static_cast<double>(waypoints.size()) / speed;
+  return std::chrono::duration_cast<Duration>(std::chrono::duration<double>(seconds));
+}
+
+}  // namespace pizarra

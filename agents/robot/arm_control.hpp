@@ -1,0 +1,89 @@
+#pragma once
+
+// The agent's hold on one arm: takes control, runs one motion at a time, stops it, and sees to it that the board knows
+// where the arm is.
+//
+// Lifecycle: connect(); keep_watch() runs beside it for as long as it lives (tells what changes by itself, takes
+// control again after the controller was away). A motion: take_in_hand(), then follow() or grip(), then the InHand
+// goes.
+//
+//   const Result<InHand> in_hand = control.take_in_hand(operation);   // or busy, disconnected
+//   const Result<void> moved = co_await control.follow(waypoints, 1.0);
+//
+// Failures: busy, disconnected, unknown-arm, stopped, fault, and the driver's own.
+
+#include <optional>
+
+#include "agents/robot/arm_facts.hpp"
+#include "blackboard/time/event.hpp"
+
+namespace pizarra {
+
+class ArmControl;
+
+// While it lives, the arm is busy with its operation.
+class [[nodiscard]] InHand {
+ public:
+  explicit InHand(ArmControl& control) : control_(&control) {}
+  InHand(InHand&& other) noexcept : control_(std::exchange(other.control_, nullptr)) {}
+  InHand& operator=(InHand&&) = delete;
+  ~InHand();
+
+ private:
+  ArmControl* control_;
+};
+
+class ArmControl {
+ public:
+  static constexpr Duration poll_period = 20ms;
+  static constexpr Duration tell_period = 100ms;  // ten times a second while something changes
+  static constexpr Duration reconnect_pause = 500ms;
+  static constexpr Duration patience = 2s;       // with a controller that does not answer during a move
+  static constexpr Duration stopping_time = 5s;  // at most, until a stopped arm stands
+
+  ArmControl(AgentContext& context, ArmDriver& driver, ArmFacts& facts)
+      : context_(context), driver_(driver), facts_(facts), ended_(context.executor) {}
+
+  // Asks the type, takes control, and stops what moves: nobody is left who could answer for that move.
+  Task<Result<void>> connect();
+  Task<void> keep_watch();
+  // The controller is away; keep_watch() looks for it.
+  void lose(const Failure& why);
+
+  bool connected() const { return connected_; }
+  // The arm's model; there once connect() has succeeded.
+  const ArmModel& model() const { return *model_; }
+  const std::optional<Datum>& running() const { return running_; }
+
+  Result<InHand> take_in_hand(Datum operation);
+  Task<Result<ArmReading>> read();
+  // Through the waypoints (one at least) at `speed` 0..1; answers when the arm stands again.
+  Task<Result<void>> follow(std::vector<Joints> waypoints, double speed);
+  // Answers when the fingers stand, at the opening or on something between them.
+  Task<Result<void>> grip(double opening_mm);
+  // Answers when the arm stands and the motion it was in has failed with `stopped`; at rest it does nothing.
+  Task<Result<void>> stop();
+
+ private:
+  friend class InHand;
+  Task<Result<void>> halt();
+  Task<Result<void>> start(std::vector<Joints> waypoints, double speed);
+  Task<Result<ArmReading>> until_ended(bool gripper, Duration longest);
+  Task<void> look();
+  void let_go();
+  Duration longest_time(const Joints& from, const std::vector<Joints>& waypoints, double speed) const;
+
+  AgentContext& context_;
+  ArmDriver& driver_;
+  ArmFacts& facts_;
+  const ArmModel* model_ = nullptr;
+  bool connected_ = false;
+  std::string why_lost_;
+  std::optional<Datum> running_;
+  std::uint64_t motions_ = 0;
+  bool stop_requested_ = false;
+  bool gripping_ = false;
+  WaitList ended_;
+};
+
+}  // namespace pizarra

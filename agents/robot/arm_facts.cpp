@@ -1,0 +1,92 @@
+#include "agents/robot/arm_facts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "drivers/arm/kinematics.hpp"
+
+namespace pizarra {
+
+namespace {
+
+constexpr double millimetre_step = 0.01;
+constexpr double degree_step = 0.001;
+constexpr double opening_step_mm = 0.1;
+constexpr Duration retry_pause = 200ms;
+
+// To the nearest multiple; adding zero makes a negative zero positive.
+double rounded(double value, double step) {
+  const double per_unit = std::round(1 / step);
+  return std::round(value * per_unit) / per_unit + 0.0;
+}
+
+}  // namespace
+
+std::vector<Datum> pose_numbers(const ArmModel& model, const Joints& joints_deg) {
+  const ToolPose at = forward(model, joints_deg);
+  std::vector<Datum> numbers;
+  for (const double mm : at.translation()) numbers.push_back(to_datum(rounded(mm, millimetre_step)));
+  for (const double deg : fixed_angles(at.linear())) {
+    const double angle = rounded(deg, degree_step);
+    numbers.push_back(to_datum(angle <= -180 ? 180.0 : angle));
+  }
+  return numbers;
+}
+
+std::vector<Datum> joint_numbers(const Joints& joints_deg) {
+  std::vector<Datum> numbers;
+  for (const double deg : joints_deg) numbers.push_back(to_datum(rounded(deg, degree_step)));
+  return numbers;
+}
+
+Datum joints_to_datum(const Joints& joints_deg) {
+  std::vector<Datum> numbers;
+  for (const double deg : joints_deg) numbers.push_back(to_datum(deg));
+  return Datum::list(std::move(numbers));
+}
+
+std::optional<Joints> joints_from_datum(const Datum& datum) {
+  if (datum.size() != arm_axes || !std::ranges::all_of(datum.items(), &Datum::is_number)) return std::nullopt;
+  Joints joints_deg;
+  std::ranges::transform(datum.items(), joints_deg.begin(), &Datum::number);
+  return joints_deg;
+}
+
+void ArmFacts::set_arm(std::string_view state, std::string action) {
+  action_ = std::move(action);
+  facts_[arm].now = list("arm"_sym, Datum::symbol(state), action_);
+}
+
+void ArmFacts::set_reading(const ArmModel& model, const ArmReading& reading) {
+  std::vector<Datum> at = pose_numbers(model, reading.joints);
+  at.insert(at.begin(), "arm-pose"_sym);
+  facts_[pose].now = Datum::list(std::move(at));
+  facts_[joints].now = list("arm-joints"_sym, Datum::list(joint_numbers(reading.joints)));
+  facts_[gripper].now = list("gripper"_sym, rounded(reading.opening_mm, opening_step_mm));
+}
+
+Task<Result<void>> ArmFacts::tell(Transaction with) {
+  const std::array<Told, kinds> sent = facts_;
+  for (const Told& fact : sent) {
+    if (fact.now != fact.told && fact.now.size() > 0) with.tell(fact.now);
+  }
+  if (with.steps.empty()) co_return {};
+  const Result<Revision> told = co_await context_.board.transact(std::move(with));
+  if (!told) co_return fail(told);
+  for (std::size_t kind = 0; kind < kinds; ++kind) facts_[kind].told = sent[kind].now;
+  co_return {};
+}
+
+Task<Result<void>> ArmFacts::tell_surely(Transaction with) {
+  while (true) {
+    const Result<void> told = co_await tell(with);
+    if (told || told.error().symbol != "unreachable") co_return told;
+    co_await sleep(context_.executor, retry_pause);
+  }
+}
+
+void ArmFacts::forget_told() {
+  for (Told& fact : facts_) fact.told = Datum();
+}
+
+}  // namespace pizarra

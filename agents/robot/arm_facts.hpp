@@ -1,0 +1,55 @@
+#pragma once
+
+// What the board is told about the arm: state, pose, joints and gripper opening, each when it changed.
+//
+//   facts.set_arm("moving", "(home)");
+//   facts.set_reading(model, reading);
+//   Result<void> told = co_await facts.tell();      // one transaction with what changed, none where nothing did
+
+#include <array>
+
+#include "agents/runtime/agent.hpp"
+#include "drivers/arm/arm_driver.hpp"
+
+namespace pizarra {
+
+class ArmFacts {
+ public:
+  explicit ArmFacts(AgentContext& context) : context_(context) {}
+
+  // STATE idle, moving, stopped or fault; the action stays where none is given.
+  void set_arm(std::string_view state, std::string action);
+  void set_arm(std::string_view state) { set_arm(state, action_); }
+  void set_reading(const ArmModel& model, const ArmReading& reading);
+  // The last commanded action, NO_ACTION before the first.
+  const std::string& action() const { return action_; }
+
+  // Tells what changed, and `with` it.
+  Task<Result<void>> tell(Transaction with = {});
+  // The same, again and again while the board cannot be reached.
+  Task<Result<void>> tell_surely(Transaction with = {});
+  // Everything is told again next time: a board that restarted has forgotten it.
+  void forget_told();
+
+ private:
+  struct Told {
+    Datum now;
+    Datum told;
+  };
+  enum : std::size_t { arm, pose, joints, gripper, kinds };
+
+  AgentContext& context_;
+  std::string action_ = "NO_ACTION";
+  std::array<Told, kinds> facts_;
+};
+
+// x, y, z (0.01 mm) and rx, ry, rz (0.001 degree, each in (-180, 180]) of the grip centre.
+std::vector<Datum> pose_numbers(const ArmModel& model, const Joints& joints);
+// j1 ... j6, 0.001 degree.
+std::vector<Datum> joint_numbers(const Joints& joints);
+
+// Six joints as a list, exactly, and back; nothing where it is no such list.
+Datum joints_to_datum(const Joints& joints);
+std::optional<Joints> joints_from_datum(const Datum& datum);
+
+}  // namespace pizarra
