@@ -12,7 +12,7 @@
 
 (define-module (pizarra micro-tasks)
   #:use-module (srfi srfi-1)
-  #:export (check-micro-tasks expand-operation))
+  #:export (interpret expand))
 
 (define most-steps 200)
 
@@ -24,7 +24,25 @@
        (let ((name (symbol->string x)))
          (and (> (string-length name) 2) (string-prefix? "<" name) (string-suffix? ">" name)))))
 
-;; (check-micro-tasks SECTION OPERATORS PRIMITIVES), both ((name arity) ...), -> ((symbol sentence path context) ...).
+;; (interpret DATA OPERATORS PRIMITIVES), DATA a domain file's, the others ((name arity) ...), finds and checks its
+;; section: (ok SECTION) or (errors ...).
+(define (interpret data operators primitives)
+  (let* ((form-index (list-index (lambda (form) (and (pair? form) (eq? (car form) 'domain))) data))
+         (form (and form-index (list-ref data form-index)))
+         (index (and form (list-index (lambda (part) (and (pair? part) (eq? (car part) 'micro-tasks))) form))))
+    (if (not index)
+        (list 'errors (problem 'missing-section "a domain needs a section (micro-tasks ...)"
+                               (if form (list form-index) '()) '()))
+        (let* ((section (list-ref form index))
+               (problems (check-micro-tasks section operators primitives)))
+          (if (null? problems)
+              (list 'ok section)
+              (cons 'errors
+                    (map (lambda (found)
+                           (list (first found) (second found) (cons* form-index index (third found)) (fourth found)))
+                         problems)))))))
+
+;; Problems are (symbol sentence path context), paths from the section's own list.
 (define (check-micro-tasks section operators primitives)
   (if (and (pair? section) (eq? (car section) 'micro-tasks))
       (let loop ((tasks (cdr section)) (index 1) (known primitives) (problems '()))
@@ -102,13 +120,14 @@
               arguments
               (iota (length arguments) first)))
 
-;; (expand-operation SECTION OPERATION) -> the primitives to do, in order; #f where the section has no task for it.
-;; The section has been checked, so that a task only uses those before it and expansion ends.
-(define (expand-operation section operation)
+;; (expand SECTION OPERATION) -> the primitives to do, in order; none where the section has no task for it. The section
+;; has been checked, so that a task only uses those before it and expansion ends.
+(define (expand section operation)
   (let ((task (find (lambda (task) (eq? (car task) (car operation))) (cdr section))))
-    (and task
-         (let ((steps (expand-task section task (cdr operation))))
-           (and (<= (length steps) most-steps) steps)))))
+    (if (and task (= (length (cadr task)) (length (cdr operation))))
+        (let ((steps (expand-task section task (cdr operation))))
+          (if (<= (length steps) most-steps) steps '()))
+        '())))
 
 (define (expand-task section task arguments)
   (let ((bindings (map cons (cadr task) arguments)))

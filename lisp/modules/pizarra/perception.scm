@@ -20,7 +20,7 @@
 
 (define-module (pizarra perception)
   #:use-module (srfi srfi-1)
-  #:export (check-perception perceive perception-data))
+  #:export (interpret perceive))
 
 (define comparisons '(< <= > >= = /=))
 (define most-facts 2000)
@@ -28,12 +28,30 @@
 (define (variable? x)
   (and (symbol? x) (char=? (string-ref (symbol->string x) 0) #\?)))
 
+;; Paths are kept innermost index first and written the other way round.
 (define (problem symbol sentence path context)
   (list symbol sentence (reverse path) context))
 
+;; (interpret DATA PREDICATES), DATA a domain file's and PREDICATES ((name arity) ...), finds, checks and normalises its
+;; section: (ok ((section SECTION) (sees TYPE) (constants (NAME NUMBER) ...) (facts FACT ...))) or (errors ...).
+(define (interpret data predicates)
+  (let* ((form-index (list-index (lambda (form) (and (pair? form) (eq? (car form) 'domain))) data))
+         (form (and form-index (list-ref data form-index)))
+         (index (and form (list-index (lambda (part) (and (pair? part) (eq? (car part) 'perception))) form))))
+    (if (not index)
+        (list 'errors (problem 'missing-section "a domain needs a section (perception ...)"
+                               (if form (list form-index) '()) '()))
+        (let* ((section (list-ref form index))
+               (problems (check-perception section predicates)))
+          (if (null? problems)
+              (list 'ok (cons (list 'section section) (perception-data section)))
+              (cons 'errors
+                    (map (lambda (found)
+                           (list (first found) (second found) (cons* form-index index (third found)) (fourth found)))
+                         problems)))))))
+
 ;;; ---- checking: a list of (symbol sentence path context), paths from the section's own list ----
 
-;; (check-perception SECTION PREDICATES) where PREDICATES is ((name arity) ...).
 (define (check-perception section predicates)
   (if (and (pair? section) (eq? (car section) 'perception))
       (let ((constants (section-constants section)))
@@ -161,11 +179,11 @@
 (define (section-parts section name)
   (filter (lambda (part) (and (pair? part) (eq? (car part) name))) (cdr section)))
 
-;; (perception-data SECTION) -> ((sees TYPE) (constants (NAME NUMBER) ...) (facts FACT ...)), sees left out if unsaid.
 (define (perception-data section)
-  (append (take (section-parts section 'sees) (min 1 (length (section-parts section 'sees))))
-          (list (cons 'constants (map cdr (section-parts section 'constant)))
-                (cons 'facts (map cadr (section-parts section 'fact))))))
+  (let ((sees (section-parts section 'sees)))
+    (list (if (null? sees) '(sees OBJECT) (car sees))
+          (cons 'constants (map cdr (section-parts section 'constant)))
+          (cons 'facts (map cadr (section-parts section 'fact))))))
 
 ;;; ---- interpreting ----
 ;;; Each rule becomes a closure once; the section is kept, since the same one comes with every frame. An environment is

@@ -1,0 +1,25 @@
+#include "lisp/micro_tasks.hpp"
+
+#include "lisp/interpret.hpp"
+#include "lisp/scheme.hpp"
+
+namespace pizarra {
+
+Result<MicroTasks> MicroTasks::read(const Source& domain, const Arities& operators, const Arities& primitives) {
+  const std::vector<Datum> more{arities_to_datum(operators), arities_to_datum(primitives)};
+  const Result<Datum> section = interpret(domain, "micro-tasks", more);
+  if (!section) return fail(section);
+  MicroTasks tasks;
+  tasks.section_ = *section;
+  return tasks;
+}
+
+Result<std::vector<Datum>> MicroTasks::expand(const Datum& operation) const {
+  const std::vector<Datum> arguments{section_, operation};
+  const Result<Datum> steps = call_scheme("micro-tasks", "expand", arguments);
+  if (!steps) return fail(steps);
+  if (steps->size() == 0) return fail("missing-task", "the domain has no micro-task for this operation", operation);
+  return std::vector<Datum>(steps->items().begin(), steps->items().end());
+}
+
+}  // namespace pizarra

@@ -1,0 +1,45 @@
+#include "lisp/perception.hpp"
+
+#include "lisp/interpret.hpp"
+#include "lisp/scheme.hpp"
+
+namespace pizarra {
+
+Datum arities_to_datum(const Arities& arities) {
+  std::vector<Datum> items;
+  for (const auto& [name, arity] : arities) items.push_back(list(Datum::symbol(name), arity));
+  return Datum::list(std::move(items));
+}
+
+Result<Perception> Perception::read(const Source& domain, const Arities& predicates) {
+  const Result<Datum> read = interpret(domain, "perception", {arities_to_datum(predicates)});
+  if (!read) return fail(read);
+  Perception perception;
+  for (const Datum& part : read->items()) {
+    if (part.is_form("section")) perception.section_ = part[1];
+    if (part.is_form("sees")) perception.sees_ = part[1].text();
+    if (part.is_form("constants")) {
+      for (const Datum& constant : part.items().subspan(1)) {
+        perception.constants_.insert_or_assign(std::string(constant[0].text()), constant[1].number());
+      }
+    }
+    if (part.is_form("facts")) perception.facts_.assign(part.items().begin() + 1, part.items().end());
+  }
+  return perception;
+}
+
+Result<std::vector<Datum>> Perception::perceive(const std::vector<Datum>& measured,
+                                                const std::vector<Datum>& believed) const {
+  const std::vector<Datum> arguments{section_, Datum::list(measured), Datum::list(believed)};
+  const Result<Datum> facts = call_scheme("perception", "perceive", arguments);
+  if (!facts) return fail(facts);
+  return std::vector<Datum>(facts->items().begin(), facts->items().end());
+}
+
+std::optional<double> Perception::constant(std::string_view name) const {
+  const auto it = constants_.find(name);
+  if (it == constants_.end()) return std::nullopt;
+  return it->second;
+}
+
+}  // namespace pizarra

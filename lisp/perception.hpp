@@ -1,0 +1,47 @@
+#pragma once
+
+// A domain's perception section at work: measurements in, predicates out. The language is described in
+// lisp/modules/pizarra/perception.scm.
+//
+//   Result<Perception> perception = Perception::read(source, {{"on", 2}, {"clear", 1}});
+//   Result<std::vector<Datum>> facts = perception->perceive(measured, believed);
+
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "lisp/reader.hpp"
+
+namespace pizarra {
+
+// Names with their number of arguments.
+using Arities = std::vector<std::pair<std::string, std::size_t>>;
+
+// ((NAME ARITY) ...), as the Scheme modules take them.
+Datum arities_to_datum(const Arities& arities);
+
+class Perception {
+ public:
+  // From a domain file whose predicates are given. Failures: malformed, missing-section, wrong-arity,
+  // unbound-variable, unknown-constant; all of them in one report.
+  static Result<Perception> read(const Source& domain, const Arities& predicates);
+
+  // The facts that the rules find in what is measured, given what was believed before.
+  Result<std::vector<Datum>> perceive(const std::vector<Datum>& measured, const std::vector<Datum>& believed) const;
+
+  // The type of whatever the eyes can name.
+  const std::string& sees() const { return sees_; }
+  std::optional<double> constant(std::string_view name) const;
+  // What always holds, such as (spot place-1 450 -200).
+  const std::vector<Datum>& facts() const { return facts_; }
+
+ private:
+  Datum section_;
+  std::string sees_;
+  std::map<std::string, double, std::less<>> constants_;
+  std::vector<Datum> facts_;
+};
+
+}  // namespace pizarra
