@@ -1,0 +1,114 @@
+#include "agents/launcher/story_run.hpp"
+
+#include <chrono>
+#include <fmt/format.h>
+#include <fstream>
+
+#include "agents/launcher/recorder.hpp"
+#include "blackboard/time/real_executor.hpp"
+#include "blackboard/time/virtual_executor.hpp"
+
+namespace pizarra {
+
+namespace {
+
+// Frames for the picture that is taken after the story.
+constexpr Duration last_look = 500ms;
+
+Result<void> check_scenario(const Scenario& scenario) {
+  std::vector<Datum> queries = scenario.expect_seen;
+  queries.insert(queries.end(), scenario.expect_never.begin(), scenario.expect_never.end());
+  for (const ScenarioEvent& event : scenario.events) queries.push_back(event.condition);
+  for (const Datum& form : queries) {
+    const Result<Query> query = query_from_datum(form);
+    if (!query) return fail("bad-scenario", describe(query.error()), form);
+  }
+  return {};
+}
+
+Result<void> start_journal(std::ofstream& journal, const std::string& path, MemoryBoard& board) {
+  if (path.empty()) return {};
+  journal.open(path, std::ios::trunc);
+  if (!journal) return fail("cannot-write", fmt::format("cannot write the journal {}", path));
+  board.set_journal([&journal](std::string_view line) { journal << line << '\n'; });
+  return {};
+}
+
+Task<void> pause(Executor& executor, Duration duration) { co_await sleep(executor, duration); }
+
+void run_until_done(Executor& executor, const Job& job) {
+  executor.run_until([&job] { return job.done(); });
+}
+
+// The last pictures, then what was recorded is written.
+Result<void> finish_recording(Recorder& recorder, Executor& executor, const StoryOptions& options) {
+  if (!options.picture_file.empty()) {
+    recorder.watch();
+    const Job look = executor.spawn(pause(executor, last_look));
+    run_until_done(executor, look);
+    const Result<void> saved = recorder.save_picture(options.picture_file);
+    if (!saved) return saved;
+  }
+  return recorder.finish();
+}
+
+Result<StoryReport> run_on(Executor& executor, const Scenario& scenario, const CellDescription& description,
+                           const StoryOptions& options, Narrator& narrator) {
+  std::ofstream journal;
+  LocalCell cell(executor, description, options.seed);
+  const Result<void> journaled = start_journal(journal, options.journal_file, cell.board());
+  if (!journaled) return fail(journaled);
+  Recorder recorder(cell.streams(), narrator);
+  if (!options.film_file.empty()) {
+    const Result<void> filming = recorder.film(options.film_file);
+    if (!filming) return fail(filming);
+  }
+  const Time start = executor.now();
+  const auto wall_start = std::chrono::steady_clock::now();
+  narrator.begin(start);
+  for (const std::string& kind : agent_kinds()) {
+    const Result<void> started = cell.start(kind);
+    if (!started) return fail(started);
+  }
+  const std::unique_ptr<Board> ears = cell.board().view("narrator");
+  const Job told = executor.spawn(narrator.follow(*ears, executor));
+  Director director(cell, scenario, narrator, options.director);
+  const Job story = executor.spawn(director.run());
+  run_until_done(executor, story);
+
+  StoryReport report;
+  report.director = director.report();
+  report.simulated = executor.now() - start;
+  report.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count();
+  const Result<void> recorded = finish_recording(recorder, executor, options);
+  if (!recorded) return fail(recorded);
+  journal.flush();
+  if (journal.is_open() && !journal) return fail("cannot-write", "the journal could not be written whole");
+  return report;
+}
+
+}  // namespace
+
+Result<CellDescription> cell_of(const Scenario& scenario) {
+  Result<CellDescription> cell = read_cell_file(scenario.cell_file);
+  if (!cell) return cell;
+  if (scenario.cubes) cell->cubes = *scenario.cubes;
+  if (!scenario.domain_file.empty()) cell->domain_file = scenario.domain_file;
+  return cell;
+}
+
+Result<StoryReport> run_story(const Scenario& scenario, const CellDescription& cell, const StoryOptions& options,
+                              Narrator& narrator) {
+  const Result<void> sound = check(world_config(cell, options.seed));
+  if (!sound) return fail(sound);
+  const Result<void> playable = check_scenario(scenario);
+  if (!playable) return fail(playable);
+  if (options.realtime) {
+    RealExecutor executor;
+    return run_on(executor, scenario, cell, options, narrator);
+  }
+  VirtualExecutor executor;
+  return run_on(executor, scenario, cell, options, narrator);
+}
+
+}  // namespace pizarra
