@@ -1,0 +1,77 @@
+#pragma once
+
+// The search of Graphplan: from the goals at a level of the planning graph, backwards, one level at a time, for actions
+// that support them. A failure is explained by the goals that caused it; the explanation is remembered as a nogood and
+// tells how far to jump back (Kambhampati, "Planning graph as a (dynamic) CSP", 2000).
+//
+//   BackwardSearch search(problem, graph, budget, cancelled);
+//   const bool found = search.reach(problem.goals, 5);      // in five steps
+//   search.steps();
+//
+// Goals that fail at one level may be shown to fail one level higher by looking a single step back, as clauses are
+// pushed in property directed reachability (Suda, 2014). When, between two levels of a graph that has levelled off, all
+// nogoods can be pushed, they explain each other for ever: no plan of any length exists.
+
+#include <functional>
+#include <string>
+
+#include "agents/planner/nogoods.hpp"
+#include "agents/planner/planning_graph.hpp"
+
+namespace pizarra {
+
+class BackwardSearch {
+ public:
+  BackwardSearch(const Problem& problem, const PlanningGraph& graph, const Budget& budget,
+                 const std::function<bool()>& cancelled);
+
+  // Whether a plan of `level` steps reaches the goals. Meaningless once stopped() says so.
+  bool reach(const Bits& goals, std::size_t level);
+  // After every failed reach() up to `level` on a levelled-off graph: a level for which the nogoods are proved for
+  // ever.
+  std::optional<std::size_t> proved_for_ever(std::size_t levelled_off, std::size_t level);
+
+  // Of the last successful reach(): the actions, without those that only keep a fact.
+  const std::vector<std::vector<std::size_t>>& steps() const { return steps_; }
+  const Nogoods& nogoods() const { return nogoods_; }
+  std::size_t nodes() const { return nodes_; }
+  bool stopped() const { return cancelled_seen_ || !spent_.empty(); }
+  bool cancelled() const { return cancelled_seen_; }
+  // Which bound was reached first; empty: none.
+  const std::string& spent() const { return spent_; }
+
+ private:
+  struct Choice {
+    std::size_t action;
+    std::size_t goal;  // what the action was chosen for
+  };
+  // The goals of one level, and what is chosen for them so far.
+  struct Level {
+    std::size_t index;
+    const Bits& goals;
+    const ActionLevel& actions;
+    bool one_step;  // look into the nogoods of the level below instead of searching it
+    std::vector<Choice> choices = {};
+  };
+
+  bool solve(const Bits& goals, std::size_t level, bool one_step, Bits& conflict);
+  bool choose(Level& level, const Bits& open, const Bits& excluded, Bits& conflict);
+  bool descend(Level& level, Bits& conflict);
+  std::size_t hardest(const Level& level, const Bits& open, const Bits& excluded) const;
+  void blame_exclusions(const Level& level, std::size_t goal, const Bits& excluded, Bits& conflict) const;
+  bool push(std::size_t entry, std::size_t level);
+  void count_node();
+
+  const Problem& problem_;
+  const PlanningGraph& graph_;
+  const Budget& budget_;
+  const std::function<bool()>& is_cancelled_;
+  Nogoods nogoods_;
+  std::vector<std::vector<std::size_t>> steps_;
+  std::size_t nodes_ = 0;
+  std::size_t depth_ = 0;
+  bool cancelled_seen_ = false;
+  std::string spent_;
+};
+
+}  // namespace pizarra

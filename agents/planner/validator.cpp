@@ -1,0 +1,96 @@
+#include <algorithm>
+#include <fmt/format.h>
+#include <set>
+
+#include "agents/planner/task.hpp"
+#include "lisp/pattern.hpp"
+#include "lisp/writer.hpp"
+
+namespace pizarra {
+
+namespace {
+
+// One operation of a plan with its variables replaced. What it adds is not among what it deletes.
+struct Effects {
+  std::vector<Datum> preconditions;
+  std::vector<Datum> adds;
+  std::vector<Datum> deletes;
+};
+
+bool contains(const std::vector<Datum>& facts, const Datum& fact) {
+  return std::ranges::find(facts, fact) != facts.end();
+}
+
+std::vector<Datum> substituted(const std::vector<Datum>& atoms, const Bindings& bindings) {
+  std::vector<Datum> facts;
+  for (const Datum& atom : atoms) facts.push_back(substitute(atom, bindings));
+  return facts;
+}
+
+Result<Effects> effects_of(const PlanningTask& task, const Datum& operation) {
+  const auto found = std::ranges::find(task.operators, operation.head(), &PlanningOperator::name);
+  if (found == task.operators.end() || operation.size() != found->parameters.size() + 1) {
+    return fail("bad-plan", write(operation) + " is no operation of the domain", operation);
+  }
+  Bindings bindings;
+  for (std::size_t i = 0; i < found->parameters.size(); ++i) {
+    const auto object = std::ranges::find(task.objects, operation[i + 1], &PlanningObject::name);
+    if (object == task.objects.end() || object->type != found->parameters[i].type) {
+      return fail(
+          "bad-plan",
+          fmt::format("{} in {} is no {}", write(operation[i + 1]), write(operation), found->parameters[i].type),
+          operation);
+    }
+    bindings.bind(found->parameters[i].variable, operation[i + 1]);
+  }
+  Effects effects{substituted(found->preconditions, bindings), substituted(found->adds, bindings),
+                  substituted(found->deletes, bindings)};
+  std::erase_if(effects.deletes, [&](const Datum& fact) { return contains(effects.adds, fact); });
+  return effects;
+}
+
+bool spoils(const Effects& by, const Effects& of) {
+  return std::ranges::any_of(
+      by.deletes, [&](const Datum& fact) { return contains(of.preconditions, fact) || contains(of.adds, fact); });
+}
+
+Result<void> replay_step(const PlanningTask& task, const std::vector<Datum>& step, std::set<Datum>& state) {
+  std::vector<Effects> all;
+  for (const Datum& operation : step) {
+    Result<Effects> effects = effects_of(task, operation);
+    if (!effects) return fail(effects);
+    for (const Datum& fact : effects->preconditions) {
+      if (!state.contains(fact)) {
+        return fail("bad-plan", fmt::format("{} needs {}, which does not hold", write(operation), write(fact)),
+                    operation);
+      }
+    }
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (!spoils(all[i], *effects) && !spoils(*effects, all[i])) continue;
+      return fail("bad-plan", fmt::format("{} and {} interfere in one step", write(step[i]), write(operation)),
+                  list(step[i], operation));
+    }
+    all.push_back(std::move(*effects));
+  }
+  for (const Effects& effects : all) {
+    for (const Datum& fact : effects.deletes) state.erase(fact);
+    state.insert(effects.adds.begin(), effects.adds.end());
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<void> validate_plan(const PlanningTask& task, const PlanSteps& steps) {
+  std::set<Datum> state(task.initials.begin(), task.initials.end());
+  for (const std::vector<Datum>& step : steps) {
+    const Result<void> replayed = replay_step(task, step, state);
+    if (!replayed) return replayed;
+  }
+  for (const Datum& goal : task.goals) {
+    if (!state.contains(goal)) return fail("bad-plan", write(goal) + " is not reached", goal);
+  }
+  return {};
+}
+
+}  // namespace pizarra
