@@ -73,7 +73,8 @@ struct Domain {
 Result<Domain> read_domain(std::string_view text, std::string file);
 Result<Domain> read_domain_file(const std::string& path);
 
-// An operator in the thesis' syntax again: (operator NAME (params (<ob1> OBJECT)) (preconds ...) (effects ... (del ...))).
+// An operator in the thesis' syntax again: (operator NAME (params (<ob1> OBJECT)) (preconds ...) (effects ... (del
+// ...))).
 Datum operator_form(const Operator& from);
 
 }  // namespace pizarra

@@ -16,10 +16,10 @@
   #:use-module (srfi srfi-1)
   #:use-module (srfi srfi-9)
   #:export (interpreting complain!
-            node-datum node-items node-rest node-ref node-head node-within node-form?
+            node-datum node-items node-rest node-ref node-head node-within node-form? path-to
             only-form sections section-in sections-in find-section
             symbol-at string-at number-at integer-at symbol-of
-            refuse-repeated suggestion same-name? find-name))
+            refuse-repeated suggestion same-name? find-name object-name?))
 
 (define-record-type <node>
   (make-node datum path context)
@@ -51,10 +51,14 @@
 (define (complain! node symbol sentence . values)
   (complaints (cons (list symbol
                           (apply simple-format #f sentence values)
-                          (reverse (node-path node))
+                          (path-to node)
                           (reverse (node-context node)))
                     (complaints)))
   #f)
+
+;; The indices from the top of the text to the node.
+(define (path-to node)
+  (reverse (node-path node)))
 
 ;; The same node, its inside standing in one more context: "in operator STACK".
 (define (node-within node context)
@@ -168,6 +172,14 @@
 (define (find-name name names)
   (or (find (lambda (other) (string=? (text-of name) (text-of other))) names)
       (find (lambda (other) (same-name? name other)) names)))
+
+;; Whether a symbol or string is a name that an object can be learned under: letters, digits and hyphens after a letter.
+(define (object-name? name)
+  (define (letter? c) (or (char<=? #\a c #\z) (char<=? #\A c #\Z)))
+  (let ((text (text-of name)))
+    (and (not (string-null? text))
+         (letter? (string-ref text 0))
+         (string-every (lambda (c) (or (letter? c) (char<=? #\0 c #\9) (char=? c #\-))) text))))
 
 (define (text-of name)
   (if (symbol? name) (symbol->string name) name))

@@ -35,12 +35,6 @@
       (complain! (node-ref node index) 'malformed "an object's name is letters, digits and hyphens after a letter"))
     name))
 
-(define (object-name? name)
-  (define (letter? c) (or (char<=? #\a c #\z) (char<=? #\A c #\Z)))
-  (and (not (string-null? name))
-       (letter? (string-ref name 0))
-       (string-every (lambda (c) (or (letter? c) (char<=? #\0 c #\9) (char=? c #\-))) name)))
-
 ;; (HEAD "name" OK NUMBERS) or (HEAD "name" FAIL), NUMBERS being absent where none are WANTED: (ok number ...) or (fail).
 (define (read-verdict reply wanted)
   (let ((verdict (symbol-at reply 2 "the outcome")))

@@ -1,0 +1,48 @@
+(use-modules (pizarra checks) (pizarra goals))
+
+(define predicates '((on (upper OBJECT) (lower OBJECT)) (at (ob OBJECT) (where PLACE)) (arm-empty)))
+(define objects '((circle OBJECT) (triangle OBJECT) (place-1 PLACE)))
+
+(define (goal . data)
+  (interpret data predicates objects 'closed))
+
+(define (wrong . data)
+  (let ((outcome (apply goal data)))
+    (if (eq? (car outcome) 'errors)
+        (map (lambda (error) (list (car error) (caddr error))) (cdr outcome))
+        outcome)))
+
+(check "one fact" (goal '(on circle triangle)) '(ok ((on circle triangle))))
+(check "several facts" (goal '(on circle triangle) '(arm-empty)) '(ok ((on circle triangle) (arm-empty))))
+(check "and" (goal '(and (on circle triangle) (arm-empty))) '(ok ((on circle triangle) (arm-empty))))
+(check "case does not count" (goal '(ON Circle TRIANGLE)) '(ok ((on circle triangle))))
+(check "strings name objects too" (goal '(on "Circle" triangle)) '(ok ((on circle triangle))))
+(check "a fact twice is once" (goal '(arm-empty) '(arm-empty)) '(ok ((arm-empty))))
+
+(check "nothing" (wrong) '((malformed ())))
+(check "an empty and" (wrong '(and)) '((malformed (0))))
+(check "a bare name" (wrong 'circle) '((malformed (0))))
+(check "an and among others" (wrong '(arm-empty) '(and (arm-empty))) '((unknown-predicate (1 0))))
+(check "an unknown predicate" (wrong '(onn circle triangle)) '((unknown-predicate (0 0))))
+(check "a wrong arity" (wrong '(and (on circle))) '((wrong-arity (0 1))))
+(check "a wrong type" (wrong '(on circle place-1)) '((wrong-type (0 2))))
+(check "an unknown object" (goal '(on circle traingle))
+       '(errors (unknown-object "nothing is called traingle; the nearest is triangle" (0 2) ())))
+(check "a variable" (wrong '(on ?x triangle)) '((not-ground (0 1))))
+(check "a thesis variable" (wrong '(on <ob1> triangle)) '((not-ground (0 1))))
+(check "a number" (wrong '(on 3 triangle)) '((malformed (0 1))))
+(check "a contradiction" (wrong '(and (on circle triangle) (not (on circle triangle)))) '((contradictory (0 2))))
+(check "a negation" (wrong '(not (on circle triangle))) '((negated (0))))
+(check "a bad negation" (wrong '(not)) '((malformed (0))))
+(check "all errors are found" (map car (wrong '(onn circle triangle) '(on star ?x)))
+       '(unknown-predicate unknown-object not-ground))
+
+(define (open-goal . data)
+  (interpret data predicates '((place-1 PLACE)) 'open))
+
+(check "any object while none is known" (open-goal '(on a "B")) '(ok ((on a B))))
+(check "but the domain's own are" (open-goal '(at a Place-1)) '(ok ((at a place-1))))
+(check "and have types" (car (open-goal '(at a b))) 'ok)
+(check "and bad names are refused" (map car (cdr (open-goal '(on a "b c")))) '(malformed))
+
+(finish-checks)

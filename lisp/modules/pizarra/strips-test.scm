@@ -1,0 +1,73 @@
+(use-modules (pizarra checks) (pizarra strips))
+
+(define (domain . sections)
+  (interpret (list (cons* 'domain 'blocks sections))))
+
+;; The symbols and paths of what is wrong.
+(define (wrong . sections)
+  (let ((outcome (apply domain sections)))
+    (if (eq? (car outcome) 'errors)
+        (map (lambda (error) (list (car error) (caddr error))) (cdr outcome))
+        outcome)))
+
+(define types '(types OBJECT PLACE))
+(define predicates '(predicates (on (upper OBJECT) (lower OBJECT)) (at (ob OBJECT) (where PLACE)) (clear (ob OBJECT))
+                                (arm-empty)))
+(define objects '(objects (place-1 PLACE)))
+
+(check "a whole domain"
+       (domain types predicates objects '(facts (arm-empty))
+               '(operator LIFT (params (<a> OBJECT) (<p> PLACE))
+                          (preconds (at <a> <p>) (arm-empty))
+                          (effects (clear <a>) (del (at <a> <p>)) (del (arm-empty))))
+               '(micro-tasks (LIFT (<a> <p>))))
+       '(ok (domain blocks (OBJECT PLACE)
+                    ((on (upper OBJECT) (lower OBJECT)) (at (ob OBJECT) (where PLACE)) (clear (ob OBJECT)) (arm-empty))
+                    ((place-1 PLACE)) ((arm-empty))
+                    ((LIFT ((?a OBJECT) (?p PLACE)) ((at ?a ?p) (arm-empty)) ((clear ?a)) ((at ?a ?p) (arm-empty))))
+                    () () (micro-tasks (LIFT (<a> <p>))) (0 7))))
+
+(check "operators may name the domain's objects"
+       (wrong types predicates objects '(operator LIFT (params (<a> OBJECT)) (effects (at <a> place-1))))
+       `(ok (domain blocks (OBJECT PLACE) ,(cdr predicates) ((place-1 PLACE)) ()
+                    ((LIFT ((?a OBJECT)) () ((at ?a place-1)) ())) () () () ())))
+
+(define (wrong-operator . parts)
+  (wrong types predicates objects (cons* 'operator 'LIFT parts)))
+
+(check "an unknown predicate" (wrong-operator '(effects (clera place-1))) '((unknown-predicate (0 5 2 1 0))))
+(check "a wrong arity" (wrong-operator '(params (<a> OBJECT)) '(effects (on <a>))) '((wrong-arity (0 5 3 1))))
+(check "an unknown variable" (wrong-operator '(params (<a> OBJECT)) '(effects (clear <b>)))
+       '((unknown-variable (0 5 3 1 1))))
+(check "a wrong type" (wrong-operator '(params (<p> PLACE)) '(effects (clear <p>))) '((wrong-type (0 5 3 1 1))))
+(check "an object of a wrong type" (wrong-operator '(effects (clear place-1))) '((wrong-type (0 5 2 1 1))))
+(check "an unknown object" (wrong-operator '(effects (clear place-2))) '((unknown-object (0 5 2 1 1))))
+(check "a number for an argument" (wrong-operator '(effects (clear 3))) '((malformed (0 5 2 1 1))))
+(check "an undeclared type" (wrong-operator '(params (<a> BOX)) '(effects (arm-empty))) '((unknown-type (0 5 2 1 1))))
+(check "a parameter twice" (wrong-operator '(params (<a> OBJECT) (<a> OBJECT)) '(effects (arm-empty)))
+       '((repeated (0 5 2 2))))
+(check "a parameter without brackets" (wrong-operator '(params (a OBJECT)) '(effects (arm-empty)))
+       '((malformed (0 5 2 1 0))))
+(check "no effects" (wrong-operator '(params (<a> OBJECT))) '((malformed (0 5))))
+(check "an empty deletion" (wrong-operator '(effects (del))) '((malformed (0 5 2 1))))
+(check "added and deleted" (wrong-operator '(effects (arm-empty) (del (arm-empty)))) '((contradictory-effect (0 5 2 2 1))))
+(check "an unknown part" (wrong-operator '(precond (arm-empty)) '(effects (arm-empty))) '((unknown-section (0 5 2))))
+(check "a variable among the facts" (wrong types predicates '(facts (clear <a>))) '((not-ground (0 4 1 1))))
+(check "an operator twice"
+       (wrong types predicates '(operator A (effects (arm-empty))) '(operator A (effects (arm-empty))))
+       '((repeated (0 5))))
+(check "a predicate twice" (wrong '(predicates (a) (a))) '((repeated (0 2 2))))
+(check "a reserved predicate" (wrong '(predicates (not))) '((malformed (0 2 1))))
+(check "a type twice" (wrong '(types A A)) '((repeated (0 2 2))))
+(check "an unknown section" (wrong '(predicate (a))) '((unknown-section (0 2))))
+(check "a nameless operator" (wrong '(operator)) '((malformed (0 2))))
+(check "a nameless domain" (car (interpret '((domain)))) 'errors)
+(check "a list for a name" (car (interpret '((domain (types A))))) 'errors)
+(check "all errors are found" (map car (wrong '(types A) '(predicates (p (x B)) 3) '(objects (o C))))
+       '(unknown-type malformed unknown-type))
+(check "a sentence names the place and the nearest"
+       (domain types predicates '(operator LIFT (effects (clera place-1))))
+       '(errors (unknown-predicate "there is no predicate clera; the nearest is clear" (0 4 2 1 0)
+                                   ("in operator LIFT"))))
+
+(finish-checks)

@@ -1,0 +1,205 @@
+;; STRIPS domain files: see lisp/domain.hpp for the language.
+;;
+;; (interpret DATA), the data of a file, answers (errors ...) or
+;;   (ok (domain NAME (TYPE ...) ((PREDICATE (ARGUMENT TYPE) ...) ...) ((OBJECT TYPE) ...) (FACT ...)
+;;        ((OPERATOR ((?VARIABLE TYPE) ...) (PRECOND ...) (ADD ...) (DELETE ...)) ...)
+;;        PERCEPTION PERCEPTION-PATH MICRO-TASKS MICRO-TASKS-PATH))
+;; where the last four are () where there is no such section.
+
+(define-module (pizarra strips)
+  #:use-module (srfi srfi-1)
+  #:use-module (srfi srfi-11)
+  #:use-module (pizarra forms)
+  #:export (interpret read-fact typed-term param? pattern-variable?))
+
+(define reserved '(and or not del add))
+
+(define (interpret data)
+  (interpreting data
+    (lambda (file)
+      (let ((domain (only-form file 'domain)))
+        (and domain (read-domain domain))))))
+
+(define (read-domain domain)
+  (let* ((name (symbol-at domain 1 "the domain's name"))
+         (found (sections (drop (node-items domain) (min 2 (length (node-items domain))))
+                          '(types predicates objects facts operator perception micro-tasks)
+                          '(operator)))
+         (types (read-types (nodes-in found 'types)))
+         (predicates (read-predicates (nodes-in found 'predicates) types))
+         (objects (read-objects (nodes-in found 'objects) types))
+         (facts (filter-map (lambda (node) (read-fact node predicates (ground-term objects) same-symbol))
+                            (nodes-in found 'facts)))
+         (operators (read-operators (sections-in found 'operator) types predicates objects)))
+    (append (list 'domain name types predicates objects facts operators)
+            (handed-on found 'perception)
+            (handed-on found 'micro-tasks))))
+
+;; What stands in a section that may be missing.
+(define (nodes-in found name)
+  (let ((section (section-in found name)))
+    (if section (node-rest (node-within section (simple-format #f "in the ~a" name))) '())))
+
+(define (handed-on found name)
+  (let ((section (section-in found name)))
+    (if section (list (node-datum section) (path-to section)) (list '() '()))))
+
+(define (read-types nodes)
+  (refuse-repeated nodes node-datum "a type")
+  (filter-map (lambda (node) (symbol-of node "a type")) nodes))
+
+;; ---- names with types
+
+;; (NAME TYPE), or #f. WELL-NAMED? says of a name, or complains.
+(define (read-typed node types what well-named?)
+  (if (not (and (list? (node-datum node)) (= (length (node-datum node)) 2)))
+      (complain! node 'malformed "~a is written (NAME TYPE)" what)
+      (let ((name (symbol-at node 0 what))
+            (type (symbol-at node 1 "a type")))
+        (when (and type (not (memq type types)))
+          (complain! (node-ref node 1) 'unknown-type "there is no type ~a~a" type (suggestion type types)))
+        (and name type (well-named? (node-ref node 0)) (list name type)))))
+
+(define (any-name? node) #t)
+
+(define (first-datum node)
+  (and (node-ref node 0) (node-datum (node-ref node 0))))
+
+(define (read-objects nodes types)
+  (refuse-repeated nodes first-datum "an object")
+  (filter-map (lambda (node) (read-typed node types "an object" constant-name?)) nodes))
+
+(define (constant-name? node)
+  (or (not (or (param? (node-datum node)) (pattern-variable? (node-datum node))))
+      (complain! node 'malformed "an object's name is no variable")))
+
+(define (read-predicates nodes types)
+  (refuse-repeated nodes node-head "a predicate")
+  (filter-map (lambda (node) (read-predicate node types)) nodes))
+
+(define (read-predicate node types)
+  (let ((name (node-head node)))
+    (cond ((not name) (complain! node 'malformed "a predicate is written (NAME (ARGUMENT TYPE) ...)"))
+          ((memq name reserved) (complain! node 'malformed "~a cannot be a predicate's name" name))
+          (else
+           (refuse-repeated (node-rest node) first-datum "an argument")
+           (cons name (filter-map (lambda (argument) (read-typed argument types "an argument" any-name?))
+                                  (node-rest node)))))))
+
+;; ---- facts
+
+;; The fact of NODE in PREDICATES, or #f with complaints. (term NODE TYPE) reads an argument; (find-it NAME NAMES) says
+;; which of the predicates' names is meant, or #f.
+(define (read-fact node predicates term find-it)
+  (let* ((head (node-head node))
+         (names (map car predicates))
+         (name (and head (find-it head names))))
+    (cond ((not head) (complain! node 'malformed "a fact is written (PREDICATE ARGUMENT ...)"))
+          ((not name)
+           (complain! (node-ref node 0) 'unknown-predicate "there is no predicate ~a~a" head (suggestion head names)))
+          (else (read-arguments node name (assq-ref predicates name) term)))))
+
+(define (read-arguments node name declared term)
+  (let ((arguments (node-rest node)))
+    (if (not (= (length arguments) (length declared)))
+        (complain! node 'wrong-arity "~a takes ~a, not ~a" name (count-of declared) (length arguments))
+        (let ((terms (map (lambda (argument typed) (term argument (second typed))) arguments declared)))
+          (and (every identity terms) (cons name terms))))))
+
+(define (count-of declared)
+  (let ((names (map car declared)))
+    (case (length names)
+      ((0) "no arguments")
+      ((1) (simple-format #f "1 argument (~a)" (car names)))
+      (else (simple-format #f "~a arguments ~a" (length names) names)))))
+
+(define (same-symbol name names)
+  (and (memq name names) name))
+
+;; Arguments that are the domain's own objects.
+(define (ground-term objects)
+  (lambda (node type)
+    (let ((name (node-datum node)))
+      (cond ((not (symbol? name)) (complain! node 'malformed "an argument is a name"))
+            ((or (param? name) (pattern-variable? name))
+             (complain! node 'not-ground "no variable may stand here"))
+            ((not (assq name objects))
+             (complain! node 'unknown-object "there is no object ~a~a" name (suggestion name (map car objects))))
+            (else (typed-term node name (second (assq name objects)) type))))))
+
+(define (typed-term node name its-type type)
+  (if (eq? its-type type)
+      name
+      (complain! node 'wrong-type "~a is of type ~a, and ~a must stand here" name its-type type)))
+
+;; ---- operators
+
+;; <ob1>
+(define (param? name)
+  (let ((text (if (symbol? name) (symbol->string name) "")))
+    (and (> (string-length text) 2) (string-prefix? "<" text) (string-suffix? ">" text))))
+
+;; ?ob1
+(define (pattern-variable? name)
+  (and (symbol? name) (string-prefix? "?" (symbol->string name))))
+
+(define (pattern-variable variable)
+  (let ((text (symbol->string variable)))
+    (string->symbol (string-append "?" (substring text 1 (- (string-length text) 1))))))
+
+(define (read-operators nodes types predicates objects)
+  (refuse-repeated nodes (lambda (node) (and (node-ref node 1) (node-datum (node-ref node 1)))) "an operator")
+  (filter-map (lambda (node) (read-operator node types predicates objects)) nodes))
+
+(define (read-operator node types predicates objects)
+  (let ((name (symbol-at node 1 "the operator's name")))
+    (and name
+         (let* ((inside (node-within node (simple-format #f "in operator ~a" name)))
+                (found (sections (cddr (node-items inside)) '(params preconds effects)))
+                (rest-of (lambda (key) (let ((part (section-in found key))) (if part (node-rest part) '()))))
+                (params (read-params (rest-of 'params) types))
+                (term (operator-term params objects))
+                (read-one (lambda (fact) (read-fact fact predicates term same-symbol)))
+                (preconds (filter-map read-one (rest-of 'preconds))))
+           (unless (section-in found 'effects)
+             (complain! inside 'malformed "an operator has (effects ...)"))
+           (let-values (((adds deletes) (read-effects (rest-of 'effects) read-one)))
+             (list name (map (lambda (param) (list (pattern-variable (first param)) (second param))) params)
+                   preconds adds deletes))))))
+
+(define (read-params nodes types)
+  (refuse-repeated nodes first-datum "a parameter")
+  (filter-map (lambda (node) (read-typed node types "a parameter" parameter-name?)) nodes))
+
+(define (parameter-name? node)
+  (or (param? (node-datum node))
+      (complain! node 'malformed "a parameter is written <~a>" (node-datum node))))
+
+;; Arguments that are parameters or the domain's own objects.
+(define (operator-term params objects)
+  (let ((object-term (ground-term objects)))
+    (lambda (node type)
+      (let ((name (node-datum node)))
+        (cond ((not (param? name)) (object-term node type))
+              ((assq name params)
+               => (lambda (param) (and (typed-term node name (second param) type) (pattern-variable name))))
+              (else
+               (complain! node 'unknown-variable "there is no parameter ~a~a" name
+                          (suggestion name (map car params)))))))))
+
+;; The facts added and the facts deleted.
+(define (read-effects nodes read-one)
+  (let-values (((deletions additions) (partition (lambda (node) (eq? (node-head node) 'del)) nodes)))
+    (let* ((adds (filter-map read-one additions))
+           (deletes (append-map (lambda (node) (read-deletion node read-one adds)) deletions)))
+      (values adds deletes))))
+
+(define (read-deletion node read-one adds)
+  (when (null? (node-rest node))
+    (complain! node 'malformed "a deletion is written (del FACT)"))
+  (filter-map (lambda (fact-node)
+                (let ((fact (read-one fact-node)))
+                  (when (and fact (member fact adds))
+                    (complain! fact-node 'contradictory-effect "this is both added and deleted"))
+                  fact))
+              (node-rest node)))

@@ -1,0 +1,83 @@
+#include "lisp/domain.hpp"
+
+#include <gtest/gtest.h>
+
+#include "lisp/writer.hpp"
+
+namespace pizarra {
+namespace {
+
+const std::string domains = std::string(PIZARRA_SOURCE_DIR) + "/domains/";
+
+TEST(DomainTest, ReadsTheBlocks) {
+  const auto domain = read_domain_file(domains + "blocks.scm");
+  ASSERT_TRUE(domain) << describe(domain.error());
+  EXPECT_EQ(domain->name, "blocks");
+  EXPECT_EQ(domain->operators.size(), 4u);
+  ASSERT_NE(domain->find_predicate("on"), nullptr);
+  EXPECT_EQ(domain->find_predicate("on")->arguments.size(), 2u);
+  const Operator* stack = domain->find_operator("STACK");
+  ASSERT_NE(stack, nullptr);
+  EXPECT_EQ(stack->params, (std::vector<TypedName>{{"?ob1", "OBJECT"}, {"?ob2", "OBJECT"}}));
+  EXPECT_EQ(write(Datum::list(stack->preconds)), "((clear ?ob2) (holding ?ob1))");
+  EXPECT_EQ(write(Datum::list(stack->adds)), "((arm-empty) (clear ?ob1) (on ?ob1 ?ob2))");
+  EXPECT_EQ(write(Datum::list(stack->deletes)), "((clear ?ob2) (holding ?ob1))");
+  EXPECT_TRUE(domain->perception.is_form("perception"));
+  EXPECT_TRUE(domain->micro_tasks.is_form("micro-tasks"));
+  const Failure failure = domain->source.failure_at(domain->micro_tasks_path, "odd", "odd");
+  EXPECT_EQ(failure.subject, domain->micro_tasks);
+}
+
+TEST(DomainTest, ReadsNumberedPlaces) {
+  const auto domain = read_domain_file(domains + "numbered-places.scm");
+  ASSERT_TRUE(domain) << describe(domain.error());
+  ASSERT_FALSE(domain->objects.empty());
+  EXPECT_EQ(domain->objects[0], (TypedName{"place-1", "PLACE"}));
+}
+
+TEST(DomainTest, AnOperatorIsWrittenInTheThesisSyntaxAgain) {
+  const auto domain = read_domain_file(domains + "blocks.scm");
+  ASSERT_TRUE(domain);
+  EXPECT_EQ(write(operator_form(*domain->find_operator("PUT-DOWN"))),
+            "(operator PUT-DOWN (params (<ob1> OBJECT)) (preconds (holding <ob1>)) "
+            "(effects (clear <ob1>) (arm-empty) (on-table <ob1>) (del (holding <ob1>))))");
+}
+
+TEST(DomainTest, EveryErrorIsReportedWithItsPlace) {
+  const auto domain = read_domain(
+      "(domain d\n"
+      "  (types OBJECT)\n"
+      "  (predicates (clear (ob OBJCT)) (holding (ob OBJECT)))\n"
+      "  (operator LIFT\n"
+      "    (params (<ob1> OBJECT))\n"
+      "    (effects (holdin <ob1>) (holding <ob2>))))\n",
+      "d.scm");
+  ASSERT_FALSE(domain);
+  EXPECT_EQ(domain.error().symbol, "unknown-type");
+  EXPECT_EQ(describe(domain.error()),
+            "there is no type OBJCT; the nearest is OBJECT (and 2 more)\n"
+            "d.scm:3:26\n"
+            "    (predicates (clear (ob OBJCT)) (holding (ob OBJECT)))\n"
+            "                           ^\n"
+            "  in the predicates\n"
+            "there is no predicate holdin; the nearest is holding\n"
+            "d.scm:6:15\n"
+            "      (effects (holdin <ob1>) (holding <ob2>))))\n"
+            "                ^\n"
+            "  in operator LIFT\n"
+            "there is no parameter <ob2>; the nearest is <ob1>\n"
+            "d.scm:6:38\n"
+            "      (effects (holdin <ob1>) (holding <ob2>))))\n"
+            "                                       ^\n"
+            "  in operator LIFT");
+}
+
+TEST(DomainTest, WhatIsNoDomainIsOneFailure) {
+  EXPECT_EQ(read_domain("", "d").error().symbol, "malformed");
+  EXPECT_EQ(read_domain("(cell d)", "d").error().symbol, "malformed");
+  EXPECT_EQ(read_domain("(domain d", "d").error().symbol, "unclosed-list");
+  EXPECT_EQ(read_domain_file("/nowhere.scm").error().symbol, "unreadable-file");
+}
+
+}  // namespace
+}  // namespace pizarra

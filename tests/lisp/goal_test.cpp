@@ -1,0 +1,71 @@
+#include "lisp/goal.hpp"
+
+#include <gtest/gtest.h>
+
+#include "lisp/writer.hpp"
+
+namespace pizarra {
+namespace {
+
+class GoalTest : public testing::Test {
+ protected:
+  GoalTest() {
+    auto read = read_domain(
+        "(domain d (types OBJECT PLACE) (objects (place-1 PLACE))"
+        " (predicates (on (upper OBJECT) (lower OBJECT)) (at (ob OBJECT) (where PLACE)) (arm-empty)))",
+        "d.scm");
+    domain_ = read.value();
+  }
+
+  std::string goal(std::string_view text) {
+    const auto facts =
+        read_goal(domain_, text, {{"circle", "OBJECT"}, {"triangle", "OBJECT"}, {"End-Effector", "OBJECT"}});
+    return facts ? write(Datum::list(*facts)) : facts.error().symbol;
+  }
+
+  Domain domain_;
+};
+
+TEST_F(GoalTest, ThreeSpellingsAreOneGoal) {
+  const std::string wanted = "((on circle triangle) (arm-empty))";
+  EXPECT_EQ(goal("(on circle triangle) (arm-empty)"), wanted);
+  EXPECT_EQ(goal("(and (on circle triangle) (arm-empty))"), wanted);
+  EXPECT_EQ(goal("(AND (on circle triangle) (arm-empty))"), wanted);
+  EXPECT_EQ(goal("(on CIRCLE \"triangle\")"), "((on circle triangle))");
+  EXPECT_EQ(goal("(on end-effector triangle)"), "((on End-Effector triangle))");
+  EXPECT_EQ(goal("(at circle place-1)"), "((at circle place-1))");
+}
+
+TEST_F(GoalTest, WhatIsWrongHasItsSymbol) {
+  EXPECT_EQ(goal("(on circle"), "unclosed-list");
+  EXPECT_EQ(goal(""), "malformed");
+  EXPECT_EQ(goal("circle"), "malformed");
+  EXPECT_EQ(goal("(in circle triangle)"), "unknown-predicate");
+  EXPECT_EQ(goal("(on circle)"), "wrong-arity");
+  EXPECT_EQ(goal("(on circle place-1)"), "wrong-type");
+  EXPECT_EQ(goal("(on circle star)"), "unknown-object");
+  EXPECT_EQ(goal("(on ?x triangle)"), "not-ground");
+  EXPECT_EQ(goal("(and (arm-empty) (not (arm-empty)))"), "contradictory");
+  EXPECT_EQ(goal("(not (arm-empty))"), "negated");
+}
+
+TEST_F(GoalTest, AnUnknownObjectIsShownWithACaret) {
+  const auto facts = read_goal(domain_, "(and (on circle traingle))", {{"circle", "OBJECT"}, {"triangle", "OBJECT"}});
+  ASSERT_FALSE(facts);
+  EXPECT_EQ(facts.error().subject, "traingle"_sym);
+  EXPECT_EQ(describe(facts.error()),
+            "nothing is called traingle; the nearest is triangle\n"
+            "goal:1:17\n"
+            "  (and (on circle traingle))\n"
+            "                  ^\n"
+            "  in the goal (and ...)");
+}
+
+TEST_F(GoalTest, BeforeAnythingIsSeenOnlyNamesAreOpen) {
+  EXPECT_EQ(write(Datum::list(check_goal(domain_, "(on Star place-2)").value())), "((on Star place-2))");
+  EXPECT_EQ(check_goal(domain_, "(on Star)").error().symbol, "wrong-arity");
+  EXPECT_EQ(check_goal(domain_, "(on Star place-1)").error().symbol, "wrong-type");
+}
+
+}  // namespace
+}  // namespace pizarra
