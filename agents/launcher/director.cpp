@@ -61,9 +61,11 @@ std::vector<Datum> facts_of_goal(std::span<const Datum> forms) {
 
 }  // namespace
 
-Director::Director(LocalCell& cell, const Scenario& scenario, Narrator& narrator, DirectorOptions options)
+Director::Director(LocalCell& cell, const Scenario& scenario, const Judge& judge, Narrator& narrator,
+                   DirectorOptions options)
     : cell_(cell),
       scenario_(scenario),
+      judge_(judge),
       narrator_(narrator),
       options_(std::move(options)),
       board_(cell.board().view("director")),
@@ -158,12 +160,33 @@ Task<void> Director::await_end(Time deadline) {
     const Datum detail = *end->bindings.find("?detail");
     if (report_.outcome == "refused") report_.refusal = failure_from_datum(detail);
     const Time last = std::min(executor.now() + afterwards, deadline);
-    while (events_done_ < scenario_.events.size() && executor.now() < last) {
-      co_await sleep(executor, declared_pause);
+    if (options_.events_may_fail) {
+      const Result<void> ended = co_await end_events(last);
+      if (!ended) {
+        report_.outcome = "refused";
+        report_.refusal = ended.error();
+        co_return;
+      }
+    } else {
+      while (events_done_ < scenario_.events.size() && executor.now() < last) {
+        co_await sleep(executor, declared_pause);
+      }
     }
     if (goal_number_ == number) co_return;
     report_.refusal.reset();
   }
+}
+
+// No event begins any more; one that has begun ends, and then the goal is given again.
+Task<Result<void>> Director::end_events(Time last) {
+  const bool disturbed = acting_;
+  while (acting_ && cell_.executor().now() < last) {
+    co_await sleep(cell_.executor(), declared_pause);
+  }
+  events_ = Job();
+  if (!disturbed) co_return {};
+  std::vector<Datum> again = report_.goal;
+  co_return co_await give_goal(std::move(again));
 }
 
 Task<Result<void>> Director::move_hand(Datum action) {
@@ -178,12 +201,19 @@ Task<Result<void>> Director::move_hand(Datum action) {
 }
 
 Task<Result<void>> Director::perform(Datum action) {
-  if (action.is_form("hand")) co_return co_await move_hand(action);
   if (action.is_form("wait")) {
     const auto pause = std::chrono::duration_cast<Duration>(std::chrono::duration<double>(action[1].number()));
     co_await sleep(cell_.executor(), pause);
     co_return {};
   }
+  acting_ = true;
+  const Result<void> done = co_await act(std::move(action));
+  acting_ = false;
+  co_return done;
+}
+
+Task<Result<void>> Director::act(Datum action) {
+  if (action.is_form("hand")) co_return co_await move_hand(action);
   if (action.is_form("goal")) {
     std::vector<Datum> goal(action.items().begin() + 1, action.items().end());
     co_return co_await give_goal(std::move(goal));
@@ -229,14 +259,28 @@ Task<void> Director::keep_eyes_open() {
     const Time now = cell_.executor().now();
     if (truth) {
       for (const auto& [name, cube] : truth->cubes) {
-        if (cube.visible >= visible_enough) last_visible_[name] = now;
+        const auto [entry, first] = last_visible_.try_emplace(name, now);
+        if (cube.visible >= visible_enough) entry->second = now;
       }
     }
     co_await sleep(cell_.executor(), look_pause);
   }
 }
 
-Task<void> Director::judge() {
+Task<Result<void>> Director::look_at_world() {
+  const Result<Truth> truth = co_await read_truth(cell_.link());
+  if (!truth) co_return fail(truth);
+  const Result<std::vector<Datum>> facts = judge_.facts(*truth);
+  if (!facts) co_return fail(facts);
+  report_.truth_holds = Judge::holds(report_.goal, *facts);
+  if (report_.truth_holds) co_return {};
+  const Result<bool> possible = judge_.plan_exists(report_.goal, *truth, *facts);
+  if (!possible) co_return fail(possible);
+  report_.possible = *possible;
+  co_return {};
+}
+
+Task<void> Director::give_judgement() {
   const Time ended = cell_.executor().now();
   std::vector<std::string> names;
   for (const Datum& fact : report_.goal) {
@@ -245,16 +289,11 @@ Task<void> Director::judge() {
   }
   report_.blind = std::ranges::any_of(names, [&](const std::string& name) {
     const auto seen = last_visible_.find(name);
-    return seen == last_visible_.end() || ended - seen->second > blind_after;
+    return seen != last_visible_.end() && ended - seen->second >= blind_after;
   });
   co_await sleep(cell_.executor(), settle);
-  const Result<Truth> truth = co_await read_truth(cell_.link());
-  if (!truth) {
-    report_.unmet.push_back(describe(truth.error()));
-    co_return;
-  }
-  report_.truth = *truth;
-  report_.truth_holds = truth->holds(report_.goal);
+  const Result<void> looked = co_await look_at_world();
+  if (!looked) report_.unmet.push_back(describe(looked.error()));
 }
 
 void Director::check_expectations() {
@@ -292,13 +331,13 @@ Task<void> Director::story() {
   const Time deadline = begun + std::chrono::duration_cast<Duration>(std::chrono::duration<double>(scenario_.within_s));
   const Result<void> given = co_await begin_goal();
   if (given) {
-    jobs_.push_back(executor.spawn(happen()));
+    events_ = executor.spawn(happen());
     co_await await_end(deadline);
   } else {
     report_.refusal = given.error();
   }
   report_.took = executor.now() - begun;
-  co_await judge();
+  co_await give_judgement();
 }
 
 Task<void> Director::run() {

@@ -53,7 +53,7 @@ Result<void> finish_recording(Recorder& recorder, Executor& executor, const Stor
 }
 
 Result<StoryReport> run_on(Executor& executor, const Scenario& scenario, const CellDescription& description,
-                           const StoryOptions& options, Narrator& narrator) {
+                           const Judge& judge, const StoryOptions& options, Narrator& narrator) {
   std::ofstream journal;
   LocalCell cell(executor, description, options.seed);
   const Result<void> journaled = start_journal(journal, options.journal_file, cell.board());
@@ -72,7 +72,7 @@ Result<StoryReport> run_on(Executor& executor, const Scenario& scenario, const C
   }
   const std::unique_ptr<Board> ears = cell.board().view("narrator");
   const Job told = executor.spawn(narrator.follow(*ears, executor));
-  Director director(cell, scenario, narrator, options.director);
+  Director director(cell, scenario, judge, narrator, options.director);
   const Job story = executor.spawn(director.run());
   run_until_done(executor, story);
 
@@ -103,12 +103,16 @@ Result<StoryReport> run_story(const Scenario& scenario, const CellDescription& c
   if (!sound) return fail(sound);
   const Result<void> playable = check_scenario(scenario);
   if (!playable) return fail(playable);
+  const Result<Domain> domain = read_domain_file(cell.domain_file);
+  if (!domain) return fail(domain);
+  const Result<Judge> judge = Judge::make(*domain);
+  if (!judge) return fail(judge);
   if (options.realtime) {
     RealExecutor executor;
-    return run_on(executor, scenario, cell, options, narrator);
+    return run_on(executor, scenario, cell, *judge, options, narrator);
   }
   VirtualExecutor executor;
-  return run_on(executor, scenario, cell, options, narrator);
+  return run_on(executor, scenario, cell, *judge, options, narrator);
 }
 
 }  // namespace pizarra

@@ -25,11 +25,6 @@ Datum in_small_letters(const Datum& fact) {
   return Datum::list(std::move(items));
 }
 
-bool Truth::holds(const std::vector<Datum>& goal) const {
-  return std::ranges::all_of(
-      goal, [this](const Datum& fact) { return std::ranges::binary_search(facts, in_small_letters(fact)); });
-}
-
 Result<Truth> truth_from_datum(const Datum& head) {
   Truth truth;
   for (const Datum& item : head.items()) {

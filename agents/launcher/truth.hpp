@@ -3,7 +3,7 @@
 // What is so in the simulated world, for the judge alone: nothing of it reaches an agent.
 //
 //   Result<Truth> truth = co_await read_truth(link);
-//   if (truth) truth->holds(goal);
+//   if (truth) truth->cubes.at("circle").visible ...
 
 #include <map>
 #include <string>
@@ -23,8 +23,6 @@ struct Truth {
   };
   std::map<std::string, Cube> cubes;  // by the name, in small letters
   std::vector<Datum> facts;           // (on A B) (on-table A) (clear A) (holding A) (arm-empty), sorted
-  // Whether every fact is one of `facts`.
-  bool holds(const std::vector<Datum>& goal) const;
 };
 
 Result<Truth> truth_from_datum(const Datum& head);
