@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 
 namespace pizarra {
 namespace {
@@ -32,29 +33,33 @@ const LearnedObject* LearnedObjects::find(std::string_view name) const {
   return found == objects_.end() ? nullptr : &*found;
 }
 
-Result<int> LearnedObjects::add(std::string_view name, LearnedSample sample) {
-  auto found = std::find_if(objects_.begin(), objects_.end(),
-                            [&](const LearnedObject& object) { return same_name(object.name, name); });
-  if (found == objects_.end()) {
-    if (objects_.size() >= most_objects) return fail("full", "no more than 32 objects can be learned", to_datum(name));
-    objects_.push_back({std::string(name), {}});
-    found = std::prev(objects_.end());
+Result<LearnedObjects::Slot> LearnedObjects::slot_for(std::string_view name) const {
+  const LearnedObject* known = find(name);
+  if (known == nullptr && objects_.size() >= most_objects) {
+    return fail("full", "no more than 32 objects can be learned", to_datum(name));
   }
-  if (found->samples.size() >= most_samples) {
+  if (known == nullptr) return Slot{std::string(name), 1};
+  if (known->samples.size() >= most_samples) {
     return fail("full", "no more than 8 samples of one object can be learned", to_datum(name));
   }
-  found->samples.push_back(std::move(sample));
-  return static_cast<int>(found->samples.size());
+  return Slot{known->name, known->samples.back().number + 1};
 }
 
-Datum learned_fact(const std::string& name, int number, const LearnedSample& sample) {
-  return list("learned"_sym, name, number, rounded(sample.area_px), sample.perimeter_px, sample.corners,
+void LearnedObjects::add(const std::string& name, LearnedSample sample) {
+  auto found = std::ranges::find(objects_, name, &LearnedObject::name);
+  if (found == objects_.end()) found = objects_.insert(objects_.end(), LearnedObject{name, {}});
+  found->samples.push_back(std::move(sample));
+}
+
+Datum learned_fact(const std::string& name, const LearnedSample& sample) {
+  return list("learned"_sym, name, sample.number, rounded(sample.area_px), sample.perimeter_px, sample.corners,
               rounded(sample.moments[0]), rounded(sample.moments[1]), rounded(sample.moments[2]));
 }
 
-Datum learned_template_fact(const std::string& name, int number, const LearnedSample& sample) {
-  return list("learned-template"_sym, name, number, Datum::symbol(sample.tone == MarkTone::dark ? "dark" : "light"),
-              sample.height_px, sample.slimness, sample.roundness, sample.size_mm, template_to_text(sample.picture));
+Datum learned_template_fact(const std::string& name, const LearnedSample& sample) {
+  return list("learned-template"_sym, name, sample.number,
+              Datum::symbol(sample.tone == MarkTone::dark ? "dark" : "light"), sample.height_px, sample.slimness,
+              sample.roundness, sample.size_mm, template_to_text(sample.picture));
 }
 
 Result<LearnedSample> sample_from_facts(const Datum& learned, const Datum& learned_template) {
@@ -65,6 +70,7 @@ Result<LearnedSample> sample_from_facts(const Datum& learned, const Datum& learn
   Result<MarkTemplate> picture = template_from_text(learned_template[8].text());
   if (!picture) return fail(picture);
   LearnedSample out;
+  out.number = static_cast<int>(learned[2].number());
   out.area_px = learned[3].number();
   out.perimeter_px = static_cast<int>(learned[4].number());
   out.corners = static_cast<int>(learned[5].number());

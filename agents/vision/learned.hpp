@@ -19,6 +19,7 @@
 namespace pizarra {
 
 struct LearnedSample {
+  int number = 0;  // NUM, from 1
   MarkTone tone = MarkTone::dark;
   double area_px = 0;
   int perimeter_px = 0;
@@ -45,8 +46,14 @@ class LearnedObjects {
   // In the order in which they were learned; addresses stay.
   const std::deque<LearnedObject>& all() const { return objects_; }
   const LearnedObject* find(std::string_view name) const;
-  // The object's sample number, from 1. Failure `full`.
-  Result<int> add(std::string_view name, LearnedSample sample);
+  // The name an object was first learned under, or `name`, and the number its next sample gets. Failure `full`.
+  struct Slot {
+    std::string name;
+    int number;
+  };
+  Result<Slot> slot_for(std::string_view name) const;
+  // After slot_for() has given the name and `sample.number`.
+  void add(const std::string& name, LearnedSample sample);
 
  private:
   std::deque<LearnedObject> objects_;
@@ -56,8 +63,8 @@ bool same_name(std::string_view a, std::string_view b);
 // Names of objects match [A-Za-z][A-Za-z0-9-]* and have at most 40 characters; failure `bad-name`.
 Result<void> check_object_name(std::string_view name);
 
-Datum learned_fact(const std::string& name, int number, const LearnedSample& sample);
-Datum learned_template_fact(const std::string& name, int number, const LearnedSample& sample);
+Datum learned_fact(const std::string& name, const LearnedSample& sample);
+Datum learned_template_fact(const std::string& name, const LearnedSample& sample);
 // What both facts of one sample say. Failure `bad-template`.
 Result<LearnedSample> sample_from_facts(const Datum& learned, const Datum& learned_template);
 

@@ -1,0 +1,100 @@
+#include "agents/vision/annotate.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <opencv2/imgproc.hpp>
+
+namespace pizarra {
+namespace {
+
+constexpr int scale = 2;
+constexpr int subpixel_bits = 4;
+const cv::Scalar white(255, 255, 255);
+const cv::Scalar black(0, 0, 0);
+const cv::Scalar red(40, 40, 230);
+
+const std::array<cv::Scalar, 6> palette = {cv::Scalar(60, 200, 255), cv::Scalar(90, 220, 90),
+                                           cv::Scalar(255, 160, 60), cv::Scalar(220, 100, 230),
+                                           cv::Scalar(230, 220, 60), cv::Scalar(120, 150, 255)};
+
+// From a place in the camera's image to one in the picture, in 1/16 px.
+cv::Point in_picture(cv::Point2d p) {
+  const double unit = 1 << subpixel_bits;
+  return {cvRound(((p.x + 0.5) * scale - 0.5) * unit), cvRound(((p.y + 0.5) * scale - 0.5) * unit)};
+}
+
+void darken(cv::Mat& picture, cv::Rect box) {
+  box &= cv::Rect(0, 0, picture.cols, picture.rows);
+  if (box.empty()) return;
+  cv::Mat part = picture(box);
+  part *= 0.35;
+}
+
+void write_text(cv::Mat& picture, const std::string& text, cv::Point at, double size, const cv::Scalar& colour) {
+  cv::putText(picture, text, at, cv::FONT_HERSHEY_SIMPLEX, size, colour, 1, cv::LINE_AA);
+}
+
+void draw_contour(cv::Mat& picture, const MarkContour& contour, const cv::Scalar& colour) {
+  std::vector<cv::Point> line;
+  for (const cv::Point& p : contour) line.push_back(in_picture(p));
+  if (line.empty()) return;
+  cv::polylines(picture, line, true, colour, 2, cv::LINE_AA, subpixel_bits);
+}
+
+void draw_cross(cv::Mat& picture, cv::Point2d centre, const cv::Scalar& colour) {
+  const cv::Point p = in_picture(centre);
+  const int arm = 9 << subpixel_bits;
+  for (const auto& [line, width] : {std::pair(black, 3), std::pair(colour, 1)}) {
+    cv::line(picture, p - cv::Point(arm, 0), p + cv::Point(arm, 0), line, width, cv::LINE_AA, subpixel_bits);
+    cv::line(picture, p - cv::Point(0, arm), p + cv::Point(0, arm), line, width, cv::LINE_AA, subpixel_bits);
+  }
+}
+
+// The name and the numbers on a darkened plate beside the object, moved inside the picture.
+void draw_label(cv::Mat& picture, const TrackSighting& sighting, const cv::Scalar& colour) {
+  const std::string numbers =
+      fmt::format("{:.1f} {:.1f}  {:.0f} mm", sighting.centre.x, sighting.centre.y, sighting.range_mm);
+  int baseline = 0;
+  const int width = cv::getTextSize(numbers, cv::FONT_HERSHEY_SIMPLEX, 0.36, 1, &baseline).width + 8;
+  const cv::Rect around = cv::boundingRect(sighting.contour);
+  cv::Rect plate((around.x + around.width / 2) * scale - width / 2, around.br().y * scale + 12, width, 30);
+  plate.x = std::clamp(plate.x, 2, std::max(2, picture.cols - width - 2));
+  if (plate.br().y > picture.rows - 22) plate.y = around.y * scale - 42;
+  darken(picture, plate);
+  write_text(picture, sighting.name, plate.tl() + cv::Point(4, 12), 0.42, colour);
+  write_text(picture, numbers, plate.tl() + cv::Point(4, 25), 0.36, white);
+}
+
+}  // namespace
+
+std::shared_ptr<const Image> annotate(const Image& base, const Annotation& annotation) {
+  const cv::Mat seen(base.height, base.width, CV_8UC(base.channels), const_cast<std::uint8_t*>(base.pixels.data()));
+  auto out = std::make_shared<Image>();
+  out->width = base.width * scale;
+  out->height = base.height * scale;
+  out->channels = 3;
+  out->pixels.resize(static_cast<std::size_t>(out->width * out->height) * 3);
+  cv::Mat picture(out->height, out->width, CV_8UC3, out->pixels.data());
+  cv::Mat colour = seen;
+  if (base.channels == 1) cv::cvtColor(seen, colour, cv::COLOR_GRAY2BGR);
+  if (!annotation.filled.empty()) {
+    cv::Mat painted = colour.clone();
+    painted.setTo(red, annotation.filled);
+    colour = painted;
+  }
+  cv::resize(colour, picture, picture.size(), 0, 0, cv::INTER_CUBIC);
+  draw_contour(picture, annotation.learned_contour, palette[1]);
+  std::size_t index = 0;
+  for (const TrackSighting& sighting : annotation.sightings) {
+    const cv::Scalar& ink = palette[index++ % palette.size()];
+    draw_contour(picture, sighting.contour, ink);
+    if (!sighting.seen) continue;
+    draw_cross(picture, sighting.centre, ink);
+    draw_label(picture, sighting, ink);
+  }
+  darken(picture, {0, picture.rows - 20, picture.cols, 20});
+  write_text(picture, annotation.status, {8, picture.rows - 6}, 0.42, white);
+  return out;
+}
+
+}  // namespace pizarra

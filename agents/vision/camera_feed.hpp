@@ -1,0 +1,62 @@
+#pragma once
+
+// Keeps a stereo camera open while frames are wanted, and hands out its frames. A camera that fails is opened again,
+// after 0.2 s at first, then after ever longer up to 5 s.
+//
+//   CameraFeed feed(executor, camera, on_frame, on_change);
+//   feed.start();
+//   Result<StereoFrame> frame = co_await feed.next(3s);
+//   feed.stop();                                   // ends after the frame in hand
+//   feed.abandon();                                // at once; not from inside a handler
+
+#include <functional>
+
+#include "blackboard/time/event.hpp"
+#include "drivers/camera/stereo_camera.hpp"
+
+namespace pizarra {
+
+class CameraFeed {
+ public:
+  enum class State : std::uint8_t { closed, opening, open, lost };
+  using FrameHandler = std::function<Task<void>(StereoFrame)>;
+  using ChangeHandler = std::function<Task<void>()>;
+
+  // `on_frame` sees every frame, after those who wait for it were woken; `on_change` every change of state.
+  CameraFeed(Executor& executor, StereoCamera& camera, FrameHandler on_frame, ChangeHandler on_change);
+
+  void start();
+  void stop() { wanted_ = false; }
+  void abandon();
+
+  bool wanted() const { return wanted_; }
+  State state() const { return state_; }
+  // Why it is lost; empty otherwise.
+  const std::string& trouble() const { return trouble_; }
+  // Of the camera opened last.
+  const std::optional<StereoModel>& model() const { return model_; }
+  // 0 before the first frame.
+  std::uint64_t frame_number() const { return latest_.number; }
+
+  // The next frame that comes. Failure `no-image` when none does in time.
+  Task<Result<StereoFrame>> next(Duration timeout);
+
+ private:
+  Task<void> run();
+  Task<void> capture();
+  Task<void> change_to(State state, std::string trouble);
+
+  Executor& executor_;
+  StereoCamera& camera_;
+  FrameHandler on_frame_;
+  ChangeHandler on_change_;
+  bool wanted_ = false;
+  State state_ = State::closed;
+  std::string trouble_;
+  std::optional<StereoModel> model_;
+  StereoFrame latest_;
+  WaitList waiting_;
+  Job job_;
+};
+
+}  // namespace pizarra

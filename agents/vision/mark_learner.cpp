@@ -1,0 +1,137 @@
+#include "agents/vision/mark_learner.hpp"
+
+#include <cassert>
+#include <cmath>
+#include <numeric>
+#include <opencv2/imgproc.hpp>
+
+namespace pizarra {
+namespace {
+
+// A closed contour must have been followed in this many of the ten frames.
+constexpr std::size_t least_measured = 7;
+constexpr double most_motion_px = 1.5;
+
+double mean_of(const std::vector<SeenMark>& marks, auto value) {
+  const double sum = std::accumulate(marks.begin(), marks.end(), 0.0,
+                                     [&](double so_far, const SeenMark& m) { return so_far + value(m); });
+  return sum / static_cast<double>(marks.size());
+}
+
+}  // namespace
+
+Result<void> MarkLearner::feed(StereoSight& sight) {
+  assert(!done());
+  if (filled_frames_ < frames_per_step) return fill(sight.left());
+  return measure(sight);
+}
+
+Result<void> MarkLearner::fill(const cv::Mat& left) {
+  const cv::Point seed(cvRound(click_.x), cvRound(click_.y));
+  if (!cv::Rect(0, 0, left.cols, left.rows).contains(seed)) {
+    return fail("outside", "the point is outside the image", list(click_.x, click_.y));
+  }
+  cv::Mat1f grey;
+  left.convertTo(grey, CV_32F);
+  if (sum_.empty()) {
+    sum_ = grey;
+  } else {
+    sum_ += grey;
+  }
+  ++filled_frames_;
+  cv::Mat mean;
+  sum_.convertTo(mean, CV_8U, 1.0 / filled_frames_);
+  ImageSegmentation segmentation(mean);
+  const bool dark = segmentation.mask(MarkTone::dark)(seed) != 0;
+  filled_ = cv::Mat1b::zeros(left.size());
+  if (dark || segmentation.mask(MarkTone::light)(seed) != 0) {
+    cv::Mat1b padded = cv::Mat1b::zeros(left.rows + 2, left.cols + 2);
+    cv::Mat1b regions = segmentation.mask(dark ? MarkTone::dark : MarkTone::light).clone();
+    cv::floodFill(regions, padded, seed, 0, nullptr, 0, 0, 8 | cv::FLOODFILL_MASK_ONLY | (255 << 8));
+    padded(cv::Rect(1, 1, left.cols, left.rows)).copyTo(filled_);
+  }
+  if (filled_frames_ < frames_per_step) return {};
+  return check_region(segmentation);
+}
+
+Result<void> MarkLearner::check_region(ImageSegmentation& mean) {
+  const Datum where = list(click_.x, click_.y);
+  const int area = cv::countNonZero(filled_);
+  if (area == 0) return fail("no-contrast", "there is nothing but even ground around the point", where);
+  const cv::Rect box = cv::boundingRect(filled_);
+  if (box.x <= 1 || box.y <= 1 || box.br().x >= filled_.cols - 1 || box.br().y >= filled_.rows - 1) {
+    return fail("border", "the region around the point reaches the border of the image", where);
+  }
+  if (area > largest_mark_area_px) {
+    return fail("too-large", "the region around the point is too large for a mark: it is ground, or leaks out", where);
+  }
+  if (area < least_mark_area_px) return fail("too-small", "the region around the point is too small", where);
+  int x = box.x;
+  while (filled_(box.y, x) == 0) ++x;
+  const std::optional<MarkContour> contour = follow_contour(filled_, {x, box.y}, longest_contour_px);
+  const cv::Point seed(cvRound(click_.x), cvRound(click_.y));
+  const MarkTone tone = mean.mask(MarkTone::dark)(seed) != 0 ? MarkTone::dark : MarkTone::light;
+  if (contour) first_ = measure_mark(mean.grey(), *contour, tone);
+  if (!first_) {
+    return fail("open-contour", "the region around the point is no solid mark with a closed contour on even ground",
+                where);
+  }
+  contour_ = *contour;
+  return {};
+}
+
+Result<void> MarkLearner::measure(StereoSight& sight) {
+  ++contour_frames_;
+  const SeenMark* seen = nullptr;
+  for (const SeenMark& mark : sight.left_segmentation().marks()) {
+    if (mark.tone == first_->tone && cv::norm(mark.centre - first_->centre) < most_motion_px) seen = &mark;
+  }
+  if (seen != nullptr) {
+    contour_ = seen->contour;
+    measured_.push_back(*seen);
+    const SeenMark* partner = find_partner(*seen, sight.right_segmentation().marks(), std::nullopt);
+    if (partner != nullptr) sizes_mm_.push_back(size_mm(sight.model(), *seen, *partner));
+  }
+  return done() ? check_measured() : Result<void>{};
+}
+
+Result<void> MarkLearner::check_measured() const {
+  const Datum where = list(click_.x, click_.y);
+  if (measured_.size() < least_measured) {
+    return fail("moved", "the mark moved, or its contour did not stay closed, while it was learned", where);
+  }
+  for (const LearnedObject& other : objects_.all()) {
+    if (same_name(other.name, name_)) continue;
+    if (recognition_error(measured_.back(), other) < recognition_threshold / 2) {
+      return fail("ambiguous", "the mark looks like one that is learned under another name", to_datum(other.name));
+    }
+  }
+  return {};
+}
+
+LearnedSample MarkLearner::sample() const {
+  assert(done() && !measured_.empty());
+  LearnedSample out;
+  out.tone = first_->tone;
+  out.area_px = mean_of(measured_, [](const SeenMark& m) { return m.area_px; });
+  out.perimeter_px =
+      static_cast<int>(std::lround(mean_of(measured_, [](const SeenMark& m) { return m.perimeter_px; })));
+  out.corners = static_cast<int>(std::lround(mean_of(measured_, [](const SeenMark& m) { return m.corners; })));
+  for (std::size_t i = 0; i < out.moments.size(); ++i) {
+    out.moments[i] = mean_of(measured_, [i](const SeenMark& m) { return m.moments[i]; });
+  }
+  out.height_px = mean_of(measured_, [](const SeenMark& m) { return m.height_px; });
+  out.slimness = mean_of(measured_, [](const SeenMark& m) { return m.slimness; });
+  out.roundness = mean_of(measured_, [](const SeenMark& m) { return m.roundness; });
+  if (2 * sizes_mm_.size() > measured_.size()) {
+    out.size_mm = std::accumulate(sizes_mm_.begin(), sizes_mm_.end(), 0.0) / static_cast<double>(sizes_mm_.size());
+  }
+  cv::Mat1f picture = cv::Mat1f::zeros(template_size, template_size);
+  for (const SeenMark& mark : measured_) picture += template_picture(mark.shape);
+  picture /= static_cast<double>(measured_.size());
+  out.picture = template_from_picture(picture);
+  out.signature = signature_of(out.picture);
+  return out;
+}
+
+}  // namespace pizarra

@@ -1,0 +1,106 @@
+#include "agents/vision/mark_tracker.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+namespace pizarra {
+namespace {
+
+// How far from its predicted place a mark is followed: more than a frame's motion (12 mm are 6 px).
+constexpr int gate_px = 12;
+// How far a lost mark is looked for before the whole image is.
+constexpr double local_reach_px = 48;
+
+// Follows the contour of the mark that was `last` from about `centre`.
+std::optional<SeenMark> follow_mark(const cv::Mat& grey, const SeenMark& last, cv::Point2d centre) {
+  const cv::Rect box = cv::boundingRect(last.contour);
+  const int reach = std::max(box.width, box.height) / 2 + gate_px + 8;
+  const cv::Point middle(cvRound(centre.x), cvRound(centre.y));
+  const cv::Rect area =
+      cv::Rect(middle.x - reach, middle.y - reach, 2 * reach + 1, 2 * reach + 1) & cv::Rect(0, 0, grey.cols, grey.rows);
+  if (!area.contains(middle)) return std::nullopt;
+  const double threshold = (last.mark_level + last.ground_level) / 2;
+  cv::Mat1b mask;
+  cv::compare(grey(area), threshold, mask, last.tone == MarkTone::dark ? cv::CMP_LT : cv::CMP_GT);
+  std::optional<MarkContour> contour = contour_from_centre(mask, middle - area.tl(), gate_px, longest_contour_px);
+  if (!contour) return std::nullopt;
+  for (cv::Point& p : *contour) p += area.tl();
+  std::optional<SeenMark> mark = measure_mark(grey, *contour, last.tone);
+  if (!mark || cv::norm(mark->centre - centre) > gate_px) return std::nullopt;
+  return mark;
+}
+
+}  // namespace
+
+Result<void> MarkTracker::add(const LearnedObject& object) {
+  for (const Track& track : tracks_) {
+    if (track.object == &object) return {};
+  }
+  if (tracks_.size() >= most_tracked) {
+    return fail("full", "no more than 16 objects can be tracked", to_datum(object.name));
+  }
+  const auto place = same_name(object.name, end_effector_name) ? tracks_.begin() : tracks_.end();
+  tracks_.insert(place, Track{.object = &object, .left = {}, .right = {}, .velocity_px = {}});
+  return {};
+}
+
+std::vector<TrackSighting> MarkTracker::update(StereoSight& sight) {
+  std::vector<TrackSighting> out;
+  for (Track& track : tracks_) out.push_back(update(sight, track));
+  return out;
+}
+
+std::optional<SeenPair> MarkTracker::follow(StereoSight& sight, const Track& track) const {
+  if (!track.left) return std::nullopt;
+  SeenPair out;
+  const std::optional<SeenMark> left = follow_mark(sight.left(), *track.left, track.left->centre + track.velocity_px);
+  if (!left || !is_recognised(*left, objects_, *track.object)) return std::nullopt;
+  out.left = *left;
+  std::optional<double> disparity;
+  if (track.right) {
+    disparity = track.left->centre.x - track.right->centre.x + track.disparity_change_px;
+    const cv::Point2d expected(left->centre.x - *disparity, left->centre.y);
+    out.right = follow_mark(sight.right(), *track.right, expected);
+  }
+  if (!out.right || !are_partners(out.left, *out.right)) {
+    out.right.reset();
+    const SeenMark* partner = find_partner(out.left, sight.right_segmentation().marks(), disparity);
+    if (partner != nullptr) out.right = *partner;
+  }
+  if (out.right && !has_learned_size(*track.object, size_mm(sight.model(), out.left, *out.right))) return std::nullopt;
+  return out;
+}
+
+TrackSighting MarkTracker::update(StereoSight& sight, Track& track) const {
+  std::optional<SeenPair> now = follow(sight, track);
+  if (!now && track.left) {
+    now = sight.find(objects_, *track.object, track.left->centre + track.velocity_px, local_reach_px);
+  }
+  if (!now) now = sight.find(objects_, *track.object);
+
+  TrackSighting out{.name = track.object->name, .centre = {}, .contour = {}};
+  if (!now) {
+    track = Track{.object = track.object, .left = {}, .right = {}, .velocity_px = {}};
+    return out;
+  }
+  const cv::Point2d motion = track.left ? now->left.centre - track.left->centre : cv::Point2d();
+  const bool steady = cv::norm(motion) < local_reach_px;
+  track.velocity_px = steady ? motion : cv::Point2d();
+  track.disparity_change_px = 0;
+  out.centre = now->left.centre;
+  out.contour = now->left.contour;
+  if (now->right) {
+    const double disparity = now->left.centre.x - now->right->centre.x;
+    if (track.left && track.right && steady) {
+      track.disparity_change_px = disparity - (track.left->centre.x - track.right->centre.x);
+    }
+    out.seen = true;
+    out.range_mm = range_mm(sight.model(), now->left.centre, disparity);
+  }
+  track.left = std::move(now->left);
+  track.right = std::move(now->right);
+  return out;
+}
+
+}  // namespace pizarra

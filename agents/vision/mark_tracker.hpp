@@ -1,0 +1,58 @@
+#pragma once
+
+// Follows several objects from frame to frame in both images. Each object is found once; then its closed contour is
+// followed from where its motion predicts its centre. Where that fails, it is looked for nearby and then everywhere,
+// in this same frame and in every later one, while the others go on. What is followed is recognised anew in every
+// frame, so that a hand, the gripper or another cube in its place is a loss, never a position.
+//
+//   MarkTracker tracker(objects);
+//   tracker.add(*objects.find("circle"));
+//   StereoSight sight(left, right, model);
+//   for (const TrackSighting& sighting : tracker.update(sight)) ...
+
+#include "agents/vision/stereo_sight.hpp"
+
+namespace pizarra {
+
+struct TrackSighting {
+  std::string name;
+  bool seen = false;
+  cv::Point2d centre;  // in the left image, px
+  double range_mm = 0;
+  MarkContour contour;  // in the left image; also where only the left image shows the object
+};
+
+inline constexpr std::size_t most_tracked = 16;
+
+class MarkTracker {
+ public:
+  // `objects` outlives it and keeps its objects.
+  explicit MarkTracker(const LearnedObjects& objects) : objects_(objects) {}
+
+  // Once more is harmless. Failure `full`.
+  Result<void> add(const LearnedObject& object);
+  void clear() { tracks_.clear(); }
+  bool empty() const { return tracks_.empty(); }
+
+  // One sighting an object, the end-effector first, then in the order added.
+  std::vector<TrackSighting> update(StereoSight& sight);
+
+ private:
+  struct Track {
+    const LearnedObject* object;
+    // As seen in the last frame, if it was.
+    std::optional<SeenMark> left;
+    std::optional<SeenMark> right;
+    cv::Point2d velocity_px;  // a frame, in the left image
+    double disparity_change_px = 0;
+  };
+  std::optional<SeenPair> follow(StereoSight& sight, const Track& track) const;
+  TrackSighting update(StereoSight& sight, Track& track) const;
+
+  const LearnedObjects& objects_;
+  std::vector<Track> tracks_;
+};
+
+inline constexpr std::string_view end_effector_name = "end-effector";
+
+}  // namespace pizarra

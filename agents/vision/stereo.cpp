@@ -1,0 +1,20 @@
+#include "agents/vision/stereo.hpp"
+
+#include <cassert>
+#include <cmath>
+
+namespace pizarra {
+
+double depth_mm(const StereoModel& model, double disparity_px) {
+  assert(disparity_px > 0);
+  return model.focal_px * model.base_line_mm / disparity_px;
+}
+
+double range_mm(const StereoModel& model, cv::Point2d left, double disparity_px) {
+  const double depth = depth_mm(model, disparity_px);
+  const double x = (left.x - model.centre_x_px) * depth / model.focal_px - model.base_line_mm / 2;
+  const double y = (left.y - model.centre_y_px) * depth / model.focal_px;
+  return std::sqrt(x * x + y * y + depth * depth);
+}
+
+}  // namespace pizarra

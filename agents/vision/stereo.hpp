@@ -1,0 +1,17 @@
+#pragma once
+
+// From a pair of image points to distances, for a rectified pair.
+
+#include <opencv2/core.hpp>
+
+#include "drivers/camera/stereo_camera.hpp"
+
+namespace pizarra {
+
+// Along the optical axis, mm. The disparity is positive.
+double depth_mm(const StereoModel& model, double disparity_px);
+
+// From the middle of the base line to the point seen at `left`, mm: a range, not the depth along the axis.
+double range_mm(const StereoModel& model, cv::Point2d left, double disparity_px);
+
+}  // namespace pizarra

@@ -1,0 +1,51 @@
+#pragma once
+
+// One pair of images as the eyes see it: both segmented, at most once and only when needed, and objects found in it.
+//
+//   StereoSight sight(left, right, model);
+//   std::optional<SeenPair> circle = sight.find(objects, *objects.find("circle"));
+
+#include <optional>
+
+#include "agents/vision/recognise.hpp"
+#include "agents/vision/segmentation.hpp"
+#include "agents/vision/stereo.hpp"
+
+namespace pizarra {
+
+struct SeenPair {
+  SeenMark left;
+  std::optional<SeenMark> right;  // absent where the right image does not show it
+};
+
+class StereoSight {
+ public:
+  // Both 8 bit, one channel, of the model's size; shared, not copied.
+  StereoSight(cv::Mat left, cv::Mat right, const StereoModel& model);
+
+  const cv::Mat& left() const { return left_; }
+  const cv::Mat& right() const { return right_; }
+  const StereoModel& model() const { return model_; }
+  ImageSegmentation& left_segmentation();
+  ImageSegmentation& right_segmentation();
+
+  // The object anywhere in the left image, or within `reach_px` of `near` where that is given; with its partner. Where
+  // there is one, the size in the world must be the learned one.
+  std::optional<SeenPair> find(const LearnedObjects& objects, const LearnedObject& object,
+                               std::optional<cv::Point2d> near = {}, double reach_px = 0);
+
+ private:
+  cv::Mat left_;
+  cv::Mat right_;
+  const StereoModel& model_;
+  std::optional<ImageSegmentation> left_segmentation_;
+  std::optional<ImageSegmentation> right_segmentation_;
+};
+
+// The mark's standard deviation along y in the world, mm.
+double size_mm(const StereoModel& model, const SeenMark& left, const SeenMark& right);
+
+// Whether some sample of the object has that size, or none knows its own.
+bool has_learned_size(const LearnedObject& object, double size_mm);
+
+}  // namespace pizarra

@@ -1,0 +1,218 @@
+#include "agents/vision/vision_agent.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <opencv2/imgproc.hpp>
+
+#include "agents/vision/vision_replies.hpp"
+#include "agents/vision/vision_state.hpp"
+
+namespace pizarra {
+namespace {
+
+constexpr std::string_view contract_text = R"(
+(contract vision
+  (offers
+    (learn (x number) (y number) (name string))
+    (find (name string))
+    (track (name string))
+    (end-track)
+    (get-objects)
+    (connect)
+    (disconnect))
+  (posts
+    (relation vision-mode ((mode symbol) (connected symbol)) (key))
+    (relation vision-says ((frame integer) (text string)) (key))
+    (relation vision-failed ((frame integer) (text string) (reason string)) (key))
+    (relation learned ((name string) (num integer) (area number) (perimeter number) (features integer)
+                       (m0 number) (m1 number) (m2 number)) (key name num) (durable))
+    (relation learned-template ((name string) (num integer) (tone symbol) (height number) (slimness number)
+                                (roundness number) (size number) (picture string)) (key name num) (durable))
+    (relation camera-model ((width integer) (height integer) (focal number) (cx number) (cy number)
+                            (base-line number)) (key))
+    (relation camera-state ((state symbol) (trouble string)) (key)))
+  (reads frames)
+  (configures (learn connect disconnect))
+  (monitors (vision-mode camera-state)))
+)";
+
+std::string_view state_name(CameraFeed::State state) {
+  switch (state) {
+    case CameraFeed::State::closed:
+      return "closed";
+    case CameraFeed::State::opening:
+      return "opening";
+    case CameraFeed::State::open:
+      return "open";
+    case CameraFeed::State::lost:
+      break;
+  }
+  return "lost";
+}
+
+constexpr Duration state_check = 1s;
+
+}  // namespace
+
+VisionAgent::VisionAgent(AgentContext context, StereoCamera& camera, Streams* streams, VisionOptions options)
+    : state_(std::make_unique<State>(std::move(context), camera, streams, std::move(options))) {}
+
+VisionAgent::~VisionAgent() = default;
+
+Task<Result<void>> VisionAgent::run() { return state_->run(); }
+
+VisionAgent::State::State(AgentContext agent_context, StereoCamera& camera, Streams* image_streams,
+                          VisionOptions vision_options)
+    : context(std::move(agent_context)),
+      options(std::move(vision_options)),
+      streams(image_streams),
+      feed(
+          context.executor, camera, [this](StereoFrame frame) { return on_frame(std::move(frame)); },
+          [this] { return tell_state(); }) {}
+
+Task<Result<void>> VisionAgent::State::run() {
+  // However the run ends, nothing of it goes on.
+  struct Ending {
+    State& state;
+    ~Ending() {
+      state.again = Job();
+      state.service.reset();
+      state.feed.abandon();
+    }
+  };
+  const Ending ending{*this};
+  // Runs repeat only when no image is divided among threads.
+  cv::setNumThreads(1);
+  Result<Contract> contract = contract_from_text(contract_text);
+  if (!contract) co_return fail(contract);
+  service.emplace(context, std::move(*contract));
+  const Result<void> started = co_await service->start();
+  if (!started) co_return started;
+  const Result<void> recalled = co_await recall();
+  if (!recalled) co_return recalled;
+  co_await tell_state();
+  again = context.executor.spawn(tell_state_again());
+  Handler handler = [this](Datum operation) { return handle(std::move(operation)); };
+  const Result<void> served = co_await service->serve(std::move(handler));
+  co_return served;
+}
+
+Task<Result<Datum>> VisionAgent::State::handle(Datum operation) {
+  const std::string_view name = operation.head();
+  if (name == "learn") return learn(operation[1].number(), operation[2].number(), std::string(operation[3].text()));
+  if (name == "find") return find(std::string(operation[1].text()));
+  if (name == "track") return track(std::string(operation[1].text()));
+  if (name == "end-track") return end_track();
+  if (name == "connect") return connect();
+  if (name == "disconnect") return disconnect();
+  return get_objects();
+}
+
+// The learned objects that an earlier life of the agent left on the board.
+Task<Result<void>> VisionAgent::State::recall() {
+  const Datum any = "?"_sym;
+  const Datum samples = list("learned"_sym, any, any, any, any, any, any, any, any);
+  const Datum templates = list("learned-template"_sym, any, any, any, any, any, any, any, any);
+  const Result<std::vector<Fact>> learned = co_await context.board.facts(samples);
+  if (!learned) co_return fail(learned);
+  const Result<std::vector<Fact>> pictures = co_await context.board.facts(templates);
+  if (!pictures) co_return fail(pictures);
+  for (const Fact& fact : *learned) {
+    const auto picture = std::ranges::find_if(*pictures, [&](const Fact& candidate) {
+      return candidate.datum[1] == fact.datum[1] && candidate.datum[2] == fact.datum[2];
+    });
+    Result<LearnedSample> sample = fail("bad-template", "its template is missing", fact.datum[1]);
+    if (picture != pictures->end()) sample = sample_from_facts(fact.datum, picture->datum);
+    const std::string name(fact.datum[1].text());
+    const Result<LearnedObjects::Slot> slot = objects.slot_for(name);
+    if (sample && slot) {
+      objects.add(slot->name, std::move(*sample));
+      continue;
+    }
+    const std::string why = sample ? describe(slot.error()) : describe(sample.error());
+    const std::vector<Datum> said{list("vision-failed"_sym, 0, learn_reply(name, false), why)};
+    co_await tell(said);
+  }
+  co_return Result<void>();
+}
+
+// Facts stand under the agent's presence, so that they go with it.
+Task<void> VisionAgent::State::tell(std::vector<Datum> facts) {
+  Transaction transaction;
+  for (Datum& fact : facts) transaction.tell(std::move(fact), {}, service->presence());
+  const Result<Revision> told = co_await context.board.transact(std::move(transaction));
+  // Board away or presence lapsed: tell_state_again() mends what lasts, the next frame the rest.
+  if (!told) told_under = 0;
+}
+
+Task<void> VisionAgent::State::tell_state() {
+  told_under = service->presence();
+  std::vector<Datum> facts;
+  facts.push_back(list("vision-mode"_sym, Datum::symbol(mode()), Datum::symbol(connected ? "yes" : "no")));
+  facts.push_back(list("camera-state"_sym, Datum::symbol(state_name(feed.state())), feed.trouble()));
+  if (const std::optional<StereoModel>& model = feed.model()) {
+    facts.push_back(list("camera-model"_sym, model->width, model->height, model->focal_px, model->centre_x_px,
+                         model->centre_y_px, model->base_line_mm));
+  }
+  co_await tell(std::move(facts));
+}
+
+Task<void> VisionAgent::State::tell_state_again() {
+  while (true) {
+    co_await sleep(context.executor, state_check);
+    if (told_under != service->presence()) co_await tell_state();
+  }
+}
+
+std::string_view VisionAgent::State::mode() const {
+  switch (activity) {
+    case Activity::learning:
+      return "learning";
+    case Activity::finding:
+      return "finding";
+    case Activity::tracking:
+      return "tracking";
+    case Activity::none:
+      break;
+  }
+  return feed.wanted() ? "capturing" : "idle";
+}
+
+Task<void> VisionAgent::State::on_frame(StereoFrame frame) {
+  std::vector<TrackSighting> sightings;
+  if (activity == Activity::tracking) {
+    const GreyPair grey = grey_pair(frame);
+    StereoSight sight(grey.left, grey.right, *feed.model());
+    sightings = tracker.update(sight);
+  }
+  publish(frame, sightings);
+  if (activity != Activity::tracking || !connected) co_return;
+  std::vector<Datum> facts;
+  facts.push_back(list("vision-says"_sym, frame.number, track_reply(sightings)));
+  co_await tell(std::move(facts));
+}
+
+void VisionAgent::State::publish(const StereoFrame& frame, const std::vector<TrackSighting>& sightings) {
+  if (streams == nullptr) return;
+  if (streams->watched("vision-left")) streams->publish("vision-left", {frame.number, frame.captured, frame.left});
+  if (streams->watched("vision-right")) streams->publish("vision-right", {frame.number, frame.captured, frame.right});
+  if (!streams->watched("vision-annotated")) return;
+  Annotation annotation{.sightings = sightings, .filled = {}, .learned_contour = {}, .status = {}};
+  if (learner) {
+    annotation.learned_contour = learner->contour();
+    if (learner->contour().empty()) annotation.filled = learner->filled();
+  }
+  annotation.status = fmt::format("frame {}   {}{}", frame.number, mode(), connected ? "" : " (not connected)");
+  streams->publish("vision-annotated", {frame.number, frame.captured, annotate(*frame.left, annotation)});
+}
+
+GreyPair grey_pair(const StereoFrame& frame) {
+  const auto grey = [](const Image& image) {
+    cv::Mat view(image.height, image.width, CV_8UC(image.channels), const_cast<std::uint8_t*>(image.pixels.data()));
+    if (image.channels == 3) cv::cvtColor(view, view, cv::COLOR_BGR2GRAY);
+    return view;
+  };
+  return {grey(*frame.left), grey(*frame.right)};
+}
+
+}  // namespace pizarra

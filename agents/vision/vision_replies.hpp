@@ -1,0 +1,19 @@
+#pragma once
+
+// The texts of the thesis' Table C.2, to the letter; numbers have two decimals.
+//
+//   (LEARN "name" OK)   (FIND "name" OK (112.25, 87.50))   (TRACK 2 ("a" OK (x, y, d)) ("b" FAIL))   (GET 2 ("a", "b"))
+
+#include <span>
+
+#include "agents/vision/mark_tracker.hpp"
+
+namespace pizarra {
+
+std::string learn_reply(const std::string& name, bool ok);
+// `place`: px, absent when it was not found.
+std::string find_reply(const std::string& name, const std::optional<cv::Point2d>& place);
+std::string track_reply(std::span<const TrackSighting> sightings);
+std::string get_reply(const LearnedObjects& objects);
+
+}  // namespace pizarra

@@ -1,0 +1,76 @@
+#pragma once
+
+// What the vision agent knows and is doing; vision_agent.cpp runs it, vision_operations.cpp has its operations.
+
+#include <optional>
+
+#include "agents/runtime/service.hpp"
+#include "agents/vision/annotate.hpp"
+#include "agents/vision/camera_feed.hpp"
+#include "agents/vision/mark_learner.hpp"
+#include "agents/vision/mark_tracker.hpp"
+#include "agents/vision/vision_agent.hpp"
+
+namespace pizarra {
+
+struct VisionAgent::State {
+  // Learning, finding and tracking exclude each other; none: idle or capturing.
+  enum class Activity : std::uint8_t { none, learning, finding, tracking };
+
+  State(AgentContext agent_context, StereoCamera& camera, Streams* image_streams, VisionOptions vision_options);
+
+  Task<Result<void>> run();
+  Task<Result<Datum>> handle(Datum operation);
+
+  // The operations. What they answer stands after `ok`.
+  Task<Result<Datum>> learn(double x, double y, std::string name);
+  Task<Result<Datum>> find(std::string name);
+  Task<Result<Datum>> track(std::string name);
+  Task<Result<Datum>> end_track();
+  Task<Result<Datum>> get_objects();
+  Task<Result<Datum>> connect();
+  Task<Result<Datum>> disconnect();
+
+  Task<Result<LearnedSample>> learn_sample(std::string name, double x, double y);
+  Task<Result<void>> keep(std::string name, LearnedSample sample);
+  Task<Result<SeenMark>> find_mark(std::string name);
+  Task<Result<Datum>> answer_failed(std::string text, std::string reason);
+  Result<void> write_template(const std::string& name, const LearnedSample& sample) const;
+
+  // Facts.
+  Task<Result<void>> recall();
+  Task<void> tell_state();
+  Task<void> tell_state_again();
+  Task<void> tell(std::vector<Datum> facts);
+  std::string_view mode() const;
+  // A failure `busy` unless nothing goes on, or only what `allowed` says.
+  Result<void> check_free(Activity allowed) const;
+  // Ends an activity and goes on with what it interrupted.
+  Task<void> finish_activity();
+
+  // Frames.
+  Task<void> on_frame(StereoFrame frame);
+  void publish(const StereoFrame& frame, const std::vector<TrackSighting>& sightings);
+
+  AgentContext context;
+  VisionOptions options;
+  Streams* streams;
+  LearnedObjects objects;
+  MarkTracker tracker{objects};
+  std::optional<MarkLearner> learner;
+  Activity activity = Activity::none;
+  bool connected = false;
+  LeaseId told_under = 0;
+  CameraFeed feed;
+  std::optional<Service> service;  // it ends first: its handlers wait for the feed
+  Job again;
+};
+
+// Grey images of a frame; they share its pixels where these are grey already.
+struct GreyPair {
+  cv::Mat left;
+  cv::Mat right;
+};
+GreyPair grey_pair(const StereoFrame& frame);
+
+}  // namespace pizarra
