@@ -20,6 +20,7 @@ using Eigen::Vector3d;
 constexpr ReadLimits limits{.bytes = 4096, .depth = 4, .elements = 512};
 constexpr std::size_t max_forms = 32;
 constexpr double max_radius_mm = 1000;
+constexpr double sagitta_mm = 0.05;
 
 // `CIRCLE p1, p2` as `(CIRCLE p1  p2)`, line by line; LISP stays as it is.
 std::string as_forms(std::string_view text) {
@@ -152,7 +153,9 @@ Result<void> Script::around(std::span<const Datum> arguments, bool whole) {
 
   const Result<void> begun = line(points[0]);
   if (!begun) return begun;
-  const double steps = std::max(12.0, std::ceil(sweep * radius / ToolPath::step_mm));
+  // Chords stay within `sagitta_mm` of the circle.
+  const double widest = 2 * std::acos(1 - std::min(1.0, sagitta_mm / radius));
+  const double steps = std::ceil(sweep / std::min(widest, ToolPath::step_mm / radius));
   for (double step = 1; step <= steps; ++step) {
     const double angle = sweep * step / steps;
     const Result<void> moved = line(centre + radius * (std::cos(angle) * x + std::sin(angle) * y));

@@ -27,7 +27,7 @@ class ToolPath {
   static constexpr double resolution_mm = 0.01;
   // An axis that turns further between two waypoints is changing posture, which no straight line survives.
   static constexpr double posture_change_deg = 30;
-  static constexpr std::size_t max_waypoints = 5000;
+  static constexpr std::size_t max_waypoints = 2000;
 
   ToolPath(const ArmModel& model, const Joints& from);
 

@@ -1,0 +1,125 @@
+#pragma once
+
+// An arm that exists only in an executor's time: joint interpolation at constant speed, a gripper with something
+// between its fingers or nothing, a plug that can be pulled.
+
+#include <algorithm>
+#include <cmath>
+
+#include "blackboard/time/executor.hpp"
+#include "drivers/arm/arm_driver.hpp"
+
+namespace pizarra {
+
+class FakeArm : public ArmDriver {
+ public:
+  explicit FakeArm(Executor& executor) : executor_(executor), path_{crs_f3().ready} {}
+
+  std::string type = "crs-f3";
+  bool plugged = true;
+  double between_fingers_mm = 0;
+  int controls = 0;
+  int moves = 0;
+  std::vector<Joints> last_waypoints;
+  double last_speed = 0;
+  bool in_control = false;
+
+  Joints at() const {
+    double left_s = seconds_since(begun_);
+    for (std::size_t leg = 0; leg + 1 < path_.size(); ++leg) {
+      const double needed_s = leg_seconds(leg);
+      if (left_s >= needed_s) {
+        left_s -= needed_s;
+        continue;
+      }
+      Joints joints;
+      for (std::size_t axis = 0; axis < arm_axes; ++axis) {
+        joints[axis] = path_[leg][axis] + (path_[leg + 1][axis] - path_[leg][axis]) * left_s / needed_s;
+      }
+      return joints;
+    }
+    return path_.back();
+  }
+  bool moving() const { return at() != path_.back(); }
+  void put(const Joints& joints) { path_ = {joints}; }
+
+  Task<Result<std::string>> identify() override {
+    if (!plugged) co_return unplugged();
+    co_return type;
+  }
+  Task<Result<void>> take_control() override {
+    if (!plugged) co_return unplugged();
+    ++controls;
+    in_control = true;
+    co_return {};
+  }
+  Task<Result<void>> start_move(std::vector<Joints> waypoints, double speed) override {
+    if (!plugged) co_return unplugged();
+    if (!in_control) co_return fail("not-in-control", "the pendant has control");
+    if (moving()) co_return fail("busy", "the controller is in a move");
+    for (const Joints& joints : waypoints) {
+      const Result<void> within = check_limits_of(joints);
+      if (!within) co_return within;
+    }
+    ++moves;
+    last_waypoints = waypoints;
+    last_speed = speed;
+    stopped_ = false;
+    path_ = {path_.back()};
+    path_.insert(path_.end(), waypoints.begin(), waypoints.end());
+    begun_ = executor_.now();
+    co_return {};
+  }
+  Task<Result<void>> stop() override {
+    if (!plugged) co_return unplugged();
+    stopped_ = moving();
+    path_ = {at()};
+    co_return {};
+  }
+  Task<Result<void>> start_gripper(double opening_mm) override {
+    if (!plugged) co_return unplugged();
+    opening_ = opening();
+    towards_ = std::max(opening_mm, between_fingers_mm);
+    squeezed_ = executor_.now();
+    co_return {};
+  }
+  Task<Result<ArmReading>> read() override {
+    if (!plugged) co_return unplugged();
+    co_return ArmReading{at(), moving(), stopped_, opening(), opening() != towards_};
+  }
+
+  double opening() const {
+    const double way = 100 * seconds_since(squeezed_);
+    return towards_ > opening_ ? std::min(towards_, opening_ + way) : std::max(towards_, opening_ - way);
+  }
+
+ private:
+  static std::unexpected<Failure> unplugged() { return fail("disconnected", "the plug is pulled"); }
+  static Result<void> check_limits_of(const Joints& joints) {
+    for (std::size_t axis = 0; axis < arm_axes; ++axis) {
+      const AxisLimits& limits = crs_f3().limits[axis];
+      if (joints[axis] >= limits.low_deg && joints[axis] <= limits.high_deg) continue;
+      return fail("joint-limit", "beyond a limit");
+    }
+    return {};
+  }
+  double seconds_since(Time then) const { return std::chrono::duration<double>(executor_.now() - then).count(); }
+  double leg_seconds(std::size_t leg) const {
+    double slowest = 0;
+    for (std::size_t axis = 0; axis < arm_axes; ++axis) {
+      const double speed = crs_f3().limits[axis].speed_deg_s * last_speed;
+      slowest = std::max(slowest, std::abs(path_[leg + 1][axis] - path_[leg][axis]) / speed);
+    }
+    return slowest;
+  }
+
+  Executor& executor_;
+  std::vector<Joints> path_;
+  Time begun_{};
+  bool stopped_ = false;
+  double opening_ = 80;
+  double towards_ = 80;
+  Time squeezed_{};
+};
+
+}  // namespace pizarra

@@ -1,0 +1,191 @@
+#include "agents/robot/motion.hpp"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <numbers>
+
+#include "agents/robot/tool_path.hpp"
+#include "blackboard/time/random.hpp"
+#include "drivers/arm/link_geometry.hpp"
+#include "lisp/reader.hpp"
+
+namespace pizarra {
+namespace {
+
+const ArmModel& model = crs_f3();
+const Joints at_work{0, -40, -80, 0, -60, 0};
+
+Result<Motion> planned(std::string_view operation, const Joints& from = at_work, const ArmVariables& variables = {}) {
+  return plan_motion(model, read_one(operation).value(), from, variables);
+}
+
+Eigen::Vector3d point(const Joints& joints) { return forward(model, joints).translation(); }
+
+std::string refusal(std::string_view operation, const Joints& from = at_work, const ArmVariables& variables = {}) {
+  const Result<Motion> motion = planned(operation, from, variables);
+  return motion ? "" : motion.error().symbol;
+}
+
+// The furthest that the way between the waypoints leaves the line from `from` to the end, mm.
+double deviation_mm(const Joints& from, const std::vector<Joints>& waypoints) {
+  const Eigen::Vector3d start = point(from);
+  const Eigen::Vector3d along = (point(waypoints.back()) - start).normalized();
+  double worst = 0;
+  Joints before = from;
+  for (const Joints& to : waypoints) {
+    for (const double part : {0.25, 0.5, 0.75, 1.0}) {
+      Joints between;
+      for (std::size_t axis = 0; axis < arm_axes; ++axis)
+        between[axis] = before[axis] + part * (to[axis] - before[axis]);
+      const Eigen::Vector3d off = point(between) - start;
+      worst = std::max(worst, (off - off.dot(along) * along).norm());
+    }
+    before = to;
+  }
+  return worst;
+}
+
+TEST(Motion, MovesGoWhereTheirNamesSayAndKeepTheToolDirection) {
+  struct Case {
+    std::string_view operation;
+    Eigen::Vector3d offset;
+  };
+  for (const Case& given : {Case{"(move-h right 50)", {0, 50, 0}}, Case{"(move-h left 50)", {0, -50, 0}},
+                            Case{"(move-v up 50)", {0, 0, 50}}, Case{"(move-v down 50)", {0, 0, -50}},
+                            Case{"(extend keep-height 40)", {40, 0, 0}}, Case{"(retract 40)", {-40, 0, 0}},
+                            Case{"(extend keep-distance 40)", {0, 0, 40}}}) {
+    const Result<Motion> motion = planned(given.operation);
+    ASSERT_TRUE(motion) << given.operation << " " << motion.error().sentence;
+    const ToolPose end = forward(model, motion->waypoints.back());
+    EXPECT_LT((end.translation() - point(at_work) - given.offset).norm(), 1e-6) << given.operation;
+    EXPECT_LT((end.linear() - forward(model, at_work).linear()).norm(), 1e-9) << given.operation;
+    EXPECT_LT(deviation_mm(at_work, motion->waypoints), 0.1) << given.operation;
+  }
+}
+
+TEST(Motion, EndEffectorAxisTakesBackWhatTheLinksTurn) {
+  const Result<Motion> motion = planned("(extend keep-height 60)", {25, -40, -80, 0, -50, 10});
+  ASSERT_TRUE(motion);
+  const Joints& end = motion->waypoints.back();
+  EXPECT_NEAR(end[4] + 50, -((end[1] + 40) + (end[2] + 80)), 1e-9);
+  EXPECT_NEAR(end[0], 25, 1e-9);
+  EXPECT_NEAR(end[5], 10, 1e-9);
+}
+
+TEST(Motion, ExtendKeepingTheAngleLengthensTheLinksAlone) {
+  const LinkGeometry before = link_geometry(model, at_work);
+  const Result<Motion> motion = planned("(extend keep-angle 30)");
+  ASSERT_TRUE(motion);
+  const LinkGeometry after = link_geometry(model, motion->waypoints.back());
+  EXPECT_NEAR(after.c_mm, before.c_mm + 30, 1e-6);
+  EXPECT_NEAR(after.alpha_deg, before.alpha_deg, 1e-6);
+}
+
+TEST(Motion, ExtendPastTheReachEndsAtTheReachAndThenMovesNoFurther) {
+  for (const std::string_view operation :
+       {"(extend keep-height 900)", "(extend keep-distance 900)", "(extend keep-angle 900)", "(retract 900)"}) {
+    const Result<Motion> motion = planned(operation);
+    ASSERT_TRUE(motion) << operation;
+    ASSERT_FALSE(motion->waypoints.empty()) << operation;
+    const Joints end = motion->waypoints.back();
+    EXPECT_TRUE(check_limits(model, end));
+    const Result<Motion> again = planned(operation, end);
+    ASSERT_TRUE(again);
+    EXPECT_TRUE(again->waypoints.empty()) << operation;
+    EXPECT_TRUE(again->at_limit) << operation;
+  }
+}
+
+TEST(Motion, FullExtensionIsFoundToAHundredthOfAMillimetre) {
+  // Tool level, so that no axis limit but the links' length ends it.
+  const Joints level{0, -30, -60, 0, 0.5, 0};
+  const Result<Motion> motion = planned("(extend keep-height 900)", level);
+  ASSERT_TRUE(motion);
+  const double h = link_geometry(model, level).h_mm;
+  const double full = std::sqrt(std::pow(model.upper_arm_mm + model.forearm_mm, 2) - h * h);
+  EXPECT_NEAR(link_geometry(model, motion->waypoints.back()).d_mm, full, 0.01);
+}
+
+TEST(Motion, TurnsAreClampedAndRoundedToAHundredthOfADegree) {
+  EXPECT_NEAR(planned("(turn right 12.344)")->waypoints.back()[0], 12.34, 1e-9);
+  EXPECT_NEAR(planned("(turn left 30)")->waypoints.back()[0], -30, 1e-9);
+  EXPECT_NEAR(planned("(turn right 300)")->waypoints.back()[0], 180, 1e-9);
+  EXPECT_TRUE(planned("(turn right 1)", {180, -40, -80, 0, -60, 0})->at_limit);
+  EXPECT_NEAR(planned("(turn-ef up 10)")->waypoints.back()[4], -50, 1e-9);
+  EXPECT_NEAR(planned("(turn-ef down 200)")->waypoints.back()[4], -135, 1e-9);
+  EXPECT_NEAR(planned("(turn-wrist right 400)")->waypoints.back()[5], 400, 1e-9);
+}
+
+TEST(Motion, WristTurnedLeftTakesBackATurnToTheRight) {
+  const Joints turned = planned("(turn right 20)")->waypoints.back();
+  const Joints back = planned("(turn-wrist left 20)", turned)->waypoints.back();
+  EXPECT_LT((forward(model, back).linear() - forward(model, at_work).linear()).norm(), 1e-9);
+}
+
+TEST(Motion, NothingAskedForIsNothingMovedAndNoLimit) {
+  for (const std::string_view operation : {"(move-v up 0)", "(turn left 0)", "(extend keep-angle 0)"}) {
+    const Result<Motion> motion = planned(operation);
+    ASSERT_TRUE(motion);
+    EXPECT_TRUE(motion->waypoints.empty());
+    EXPECT_FALSE(motion->at_limit) << operation;
+  }
+  EXPECT_TRUE(planned("(ready)", model.ready)->waypoints.empty());
+}
+
+TEST(Motion, BadDirectionsAndAmountsAreRefused) {
+  EXPECT_EQ(refusal("(turn up 10)"), "wrong-direction");
+  EXPECT_EQ(refusal("(move-v left 10)"), "wrong-direction");
+  EXPECT_EQ(refusal("(extend sideways 10)"), "wrong-direction");
+  EXPECT_EQ(refusal("(turn left -10)"), "out-of-range");
+  EXPECT_EQ(refusal("(turn left 400)"), "out-of-range");
+  EXPECT_EQ(refusal("(retract -1)"), "out-of-range");
+  EXPECT_EQ(refusal("(move-h left 1e300)"), "out-of-range");
+}
+
+TEST(Motion, PlacesOutOfReachAreRefusedRatherThanApproached) {
+  const std::string down = refusal("(move-v down 900)");
+  EXPECT_TRUE(down == "unreachable" || down == "joint-limit") << down;
+  const std::string right = refusal("(move-h right 900)");
+  EXPECT_TRUE(right == "unreachable" || right == "joint-limit") << right;
+}
+
+TEST(Motion, GotoLeadsToTheLearnedJointsAndNamesTheNearestForAnUnknownOne) {
+  const ArmVariables variables{{"shelf", {10, -30, -70, 0, -80, 5}}};
+  EXPECT_EQ(planned("(goto shelf)", at_work, variables)->waypoints.back(), variables.at("shelf"));
+  const Result<Motion> unknown = planned("(goto shelv)", at_work, variables);
+  ASSERT_FALSE(unknown);
+  EXPECT_EQ(unknown.error().symbol, "unknown-variable");
+  EXPECT_NE(unknown.error().sentence.find("shelf"), std::string::npos);
+}
+
+TEST(Motion, RandomStraightMovesStayOnTheirLine) {
+  constexpr std::uint64_t seed = 11;
+  Random random(seed);
+  int planned_moves = 0;
+  for (int i = 0; i < 300; ++i) {
+    ToolPath path(model, at_work);
+    const LineEnd there = path.line_to({random.uniform(380, 500), random.uniform(-230, 230), random.uniform(30, 350)});
+    ASSERT_FALSE(there.ended_by) << "seed " << seed << " case " << i << " " << there.ended_by->sentence;
+    const Joints from = path.joints();
+    ToolPath line(model, from);
+    const LineEnd end = line.line_to({random.uniform(380, 500), random.uniform(-230, 230), random.uniform(30, 350)});
+    ASSERT_FALSE(end.ended_by) << "seed " << seed << " case " << i << " " << end.ended_by->sentence;
+    EXPECT_LT(deviation_mm(from, line.waypoints()), 0.1) << "seed " << seed << " case " << i;
+    ++planned_moves;
+  }
+  EXPECT_EQ(planned_moves, 300);
+}
+
+TEST(Motion, CutOffMotionGoesOnFromTheNearestWaypoint) {
+  const Result<Motion> whole = planned("(move-v down 100)");
+  ASSERT_TRUE(whole);
+  const Joints half = whole->waypoints[whole->waypoints.size() / 2];
+  const Result<Motion> rest = rest_of(*whole, at_work, half);
+  ASSERT_TRUE(rest);
+  EXPECT_EQ(rest->waypoints.front(), half);
+  EXPECT_EQ(rest->waypoints.back(), whole->waypoints.back());
+  EXPECT_FALSE(rest_of(*whole, at_work, {90, 0, 0, 0, 0, 0}));
+}
+
+}  // namespace
+}  // namespace pizarra
