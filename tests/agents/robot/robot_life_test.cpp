@@ -1,0 +1,180 @@
+// What happens beside a motion: other requests, stops, deaths, a controller that goes away.
+
+#include "tests/agents/robot/robot_fixture.hpp"
+
+namespace pizarra {
+namespace {
+
+TEST_F(Robot, OneMotionAtATimeButMonitoredMeanwhile) {
+  call("(speed 10)");
+  const std::string turning = ask("(turn right 90)");
+  executor.run_for(1s);
+  EXPECT_EQ(fact("(arm ? ?)"), "(arm moving \"(turn right 90)\")");
+  EXPECT_EQ(refusal("(home)"), "busy");
+  EXPECT_EQ(refusal("(gripper 10)"), "busy");
+  EXPECT_EQ(call("(finish report)"), "(ok false)");
+  EXPECT_EQ(call("(get-status)"), "(ok \"(turn right 90)\")");
+  EXPECT_EQ(call("(monitor)").substr(0, 4), "(ok ");
+  EXPECT_EQ(reply(turning), "");
+  executor.run_for(10s);
+  EXPECT_EQ(reply(turning), "(ok true)");
+  EXPECT_EQ(call("(finish report)"), "(ok true)");
+}
+
+TEST_F(Robot, StopEndsTheMotionAndItsCallerHearsSo) {
+  call("(speed 10)");
+  const std::string turning = ask("(turn right 90)");
+  executor.run_for(1s);
+  EXPECT_EQ(call("(finish stop)"), "(ok true)");
+  EXPECT_EQ(form(reply(turning))[1].text(), "stopped");
+  EXPECT_FALSE(arm.moving());
+  EXPECT_GT(arm.at()[0], 20);
+  EXPECT_LT(arm.at()[0], 30);
+  EXPECT_EQ(fact("(arm ? ?)"), "(arm stopped \"(turn right 90)\")");
+  EXPECT_EQ(call("(turn left 5)"), "(ok true)") << "a stop does not outlast its motion";
+}
+
+TEST_F(Robot, StopAskedTogetherWithAMotionIsNotLost) {
+  call("(speed 10)");
+  const std::string turning = ask("(turn right 90)");
+  const std::string stopping = ask("(finish stop)");
+  executor.run_for(1s);
+  EXPECT_EQ(form(reply(turning))[1].text(), "stopped");
+  EXPECT_EQ(reply(stopping), "(ok true)");
+  EXPECT_FALSE(arm.moving());
+  EXPECT_LT(arm.at()[0], 2);
+}
+
+TEST_F(Robot, StopAtRestDoesNothing) {
+  EXPECT_EQ(call("(finish stop)"), "(ok true)");
+  EXPECT_EQ(call("(turn right 5)"), "(ok true)");
+}
+
+TEST_F(Robot, StoppedFingersStayWhereTheyAre) {
+  const std::string opening = ask("(gripper 0)");
+  executor.run_for(300ms);
+  EXPECT_EQ(call("(finish stop)"), "(ok true)");
+  EXPECT_EQ(form(reply(opening))[1].text(), "stopped");
+  const double stands = arm.opening();
+  EXPECT_GT(stands, 30);
+  executor.run_for(1s);
+  EXPECT_EQ(arm.opening(), stands);
+}
+
+TEST_F(Robot, SameRequestIsDoneOnce) {
+  ask("(turn right 10)", "twice");
+  executor.run_for(2s);
+  EXPECT_EQ(reply("twice"), "(ok true)");
+  ask("(turn right 10)", "twice");
+  executor.run_for(2s);
+  EXPECT_EQ(arm.moves, 1);
+  EXPECT_NEAR(arm.at()[0], 10, 1e-9);
+}
+
+TEST_F(Robot, RestartedAgentStopsTheArmSaysSoAndIsIdle) {
+  call("(speed 1)");
+  ask("(turn right 90)", "dropped");
+  executor.run_for(1s);
+  life.reset();
+  std::vector<std::string> states;
+  executor.run_for(1s);
+  EXPECT_TRUE(arm.moving()) << "the controller goes on without its agent";
+  board.set_journal([&](std::string_view line) {
+    if (line.find("(arm stopped") != std::string_view::npos) states.emplace_back(line);
+  });
+  arm.in_control = false;
+  begin();
+  executor.run_until([&] { return fact("(arm ? ?)").starts_with("(arm idle \"STOPPED"); });
+  EXPECT_EQ(states.size(), 1u);
+  EXPECT_FALSE(arm.moving());
+}
+
+TEST_F(Robot, RestartedAgentFinishesTheMotionThatWasCutOffInsteadOfAddingToIt) {
+  call("(move-v down 20)");
+  call("(speed 2)");
+  const double before = point().z();
+  const std::string lowering = ask("(move-v down 100)");
+  executor.run_for(2s);
+  life.reset();
+  executor.run_for(500ms);
+  EXPECT_TRUE(arm.moving());
+  begin();
+  executor.run_for(60s);
+  EXPECT_EQ(reply(lowering), "(ok true)");
+  EXPECT_NEAR(point().z(), before - 100, 1e-6);
+  EXPECT_EQ(fact("(robot-move ? ?)"), "");
+  EXPECT_EQ(call("(move-v down 10)"), "(ok true)");
+  EXPECT_NEAR(point().z(), before - 110, 1e-6);
+}
+
+TEST_F(Robot, RestartedAgentKnowsItsVariablesAndSpeed) {
+  call("(turn right 10)");
+  call("(learn shelf)");
+  call("(speed 50)");
+  call("(ready)");
+  life.reset();
+  begin();
+  executor.run_for(5s);
+  EXPECT_EQ(call("(goto shelf)"), "(ok true)");
+  EXPECT_NEAR(arm.at()[0], 10, 1e-9);
+  EXPECT_EQ(arm.last_speed, 0.5);
+}
+
+TEST_F(Robot, ControllerThatGoesAwayIsAFaultUntilItIsBack) {
+  arm.plugged = false;
+  executor.run_for(1s);
+  EXPECT_EQ(fact("(arm ? ?)"), "(arm fault \"NO_ACTION\")");
+  EXPECT_EQ(refusal("(home)"), "disconnected");
+  EXPECT_EQ(refusal("(monitor)"), "disconnected");
+  arm.plugged = true;
+  arm.in_control = false;
+  executor.run_for(2s);
+  EXPECT_EQ(fact("(arm ? ?)"), "(arm idle \"NO_ACTION\")");
+  EXPECT_EQ(call("(home)"), "(ok true)");
+}
+
+TEST_F(Robot, PlugPulledDuringAMotionFailsItOnce) {
+  call("(speed 5)");
+  const std::string turning = ask("(turn right 90)");
+  executor.run_for(500ms);
+  arm.plugged = false;
+  executor.run_for(1s);
+  EXPECT_EQ(reply(turning), "") << "a short silence is waited out";
+  executor.run_for(3s);
+  EXPECT_EQ(form(reply(turning))[1].text(), "disconnected");
+  EXPECT_EQ(fact("(arm ? ?)"), "(arm fault \"(turn right 90)\")");
+}
+
+TEST_F(Robot, ControlTakenAwayByThePendantIsAskedForAgain) {
+  arm.in_control = false;
+  EXPECT_EQ(call("(turn right 5)"), "(ok true)");
+  EXPECT_EQ(arm.controls, 2);
+}
+
+TEST(RobotStart, AnArmThatNobodyKnowsIsRefused) {
+  VirtualExecutor executor;
+  MemoryBoard board(executor);
+  FakeArm arm(executor);
+  arm.type = "typewriter";
+  RobotLife life(executor, board, arm);
+  executor.run_for(1s);
+  ASSERT_TRUE(life.ended);
+  ASSERT_FALSE(*life.ended);
+  EXPECT_EQ(life.ended->error().symbol, "unknown-arm");
+}
+
+TEST(RobotStart, AControllerThatStartsLaterIsWaitedFor) {
+  VirtualExecutor executor;
+  MemoryBoard board(executor);
+  FakeArm arm(executor);
+  arm.plugged = false;
+  RobotLife life(executor, board, arm);
+  executor.run_for(3s);
+  arm.plugged = true;
+  executor.run_for(1s);
+  EXPECT_FALSE(life.ended);
+  EXPECT_EQ(arm.controls, 1);
+}
+
+}  // namespace
+}  // namespace pizarra
