@@ -11,6 +11,12 @@
 
 #include "lisp/guile/convert.hpp"
 
+#ifdef __SANITIZE_ADDRESS__
+// What Guile allocates once and keeps where the leak sanitizer does not look is no leak of ours.
+extern "C" const char* __lsan_default_suppressions();
+extern "C" const char* __lsan_default_suppressions() { return "leak:libguile-3.0\n"; }
+#endif
+
 namespace pizarra {
 
 namespace {
