@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cctype>
 #include <gtest/gtest.h>
 #include <regex>
@@ -29,7 +30,8 @@ bool follows_initialiser_brace(std::string_view code, std::size_t statement) {
     std::size_t begin = i;
     while (begin > 0 && std::isalnum(static_cast<unsigned char>(code[begin - 1]))) --begin;
     const std::string_view word = code.substr(begin, i - begin);
-    return word != "else" && word != "do" && word != "try";
+    constexpr std::string_view before_blocks[] = {"else", "do", "try", "const", "override", "final", "noexcept"};
+    return std::ranges::find(before_blocks, word) == std::end(before_blocks);
   }
   return last == ',' || last == '(' || last == '=';
 }
