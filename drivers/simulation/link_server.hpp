@@ -36,6 +36,7 @@ class LinkServer {
   zmq::socket_t socket_;
   World& world_;
   std::list<Job> jobs_;
+  std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);
 };
 
 }  // namespace pizarra

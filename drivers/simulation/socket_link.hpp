@@ -5,8 +5,8 @@
 //   zmq::context_t context(1);
 //   SocketLink link(executor, context, "ipc:///run/cell/world");
 //
-// The world may start later, end and come back: calls meanwhile fail with `disconnected`, later ones work again. At
-// most 64 calls wait at once.
+// The world may start later, end and come back: calls meanwhile wait for it and fail with `disconnected` when their
+// time is over, later ones work again. At most 64 calls wait at once.
 
 #include <map>
 #include <zmq.hpp>
@@ -24,6 +24,7 @@ class SocketLink : public Link {
   Task<Result<Message>> call(Datum request, Duration timeout) override;
 
  private:
+  static constexpr Duration reconnect_poll = 20ms;
   struct Waiting;
   Result<void> send(std::uint64_t id, const Datum& request);
   void receive();

@@ -1,0 +1,63 @@
+#include "drivers/simulation/link_server.hpp"
+
+#include "drivers/simulation/link_wire.hpp"
+
+namespace pizarra {
+
+Result<std::unique_ptr<LinkServer>> LinkServer::listen(Executor& executor, zmq::context_t& context,
+                                                       const std::string& address, World& world) {
+  zmq::socket_t socket(context, zmq::socket_type::router);
+  link_wire::limit(socket);
+  try {
+    socket.bind(address);
+  } catch (const zmq::error_t& error) {
+    return fail("bad-address", std::string("the world cannot listen there: ") + error.what(), Datum::string(address));
+  }
+  return std::unique_ptr<LinkServer>(new LinkServer(executor, std::move(socket), world));
+}
+
+LinkServer::LinkServer(Executor& executor, zmq::socket_t socket, World& world)
+    : executor_(executor), socket_(std::move(socket)), world_(world) {
+  executor_.watch_readable(socket_.get(zmq::sockopt::fd), [this] { receive(); });
+}
+
+LinkServer::~LinkServer() { executor_.unwatch_readable(socket_.get(zmq::sockopt::fd)); }
+
+void LinkServer::receive() {
+  jobs_.remove_if([](const Job& job) { return job.done(); });
+  while (auto parts = link_wire::receive_parts(socket_)) {
+    if (parts->size() != 2) continue;
+    const Result<link_wire::Call> call = link_wire::read_call((*parts)[1].to_string_view());
+    if (call) accept((*parts)[0].to_string(), call->id, call->request);
+  }
+}
+
+void LinkServer::accept(std::string peer, std::uint64_t id, Datum request) {
+  if (jobs_.size() < link_wire::most_calls) {
+    jobs_.push_back(executor_.spawn(answer(std::move(peer), id, std::move(request))));
+    return;
+  }
+  reply(peer, id, fail("busy", "the world has too much to do"));
+}
+
+Task<void> LinkServer::answer(std::string peer, std::uint64_t id, Datum request) {
+  const Result<Message> answered = co_await world_.handle(std::move(request));
+  reply(peer, id, answered);
+}
+
+void LinkServer::reply(const std::string& peer, std::uint64_t id, const Result<Message>& answered) {
+  link_wire::Parts parts = link_wire::answer_parts({id, answered});
+  // A peer that is gone, or reads too slowly, loses its answer and runs into its timeout.
+  if (!socket_.send(zmq::buffer(peer), zmq::send_flags::dontwait | zmq::send_flags::sndmore)) return;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const bool more = i + 1 < parts.size();
+    const auto flags = more ? zmq::send_flags::dontwait | zmq::send_flags::sndmore : zmq::send_flags::dontwait;
+    if (!socket_.send(parts[i], flags)) return;
+  }
+  // Sending may swallow the descriptor's one signal that something has arrived.
+  executor_.post([this, alive = std::weak_ptr(alive_)] {
+    if (alive.lock()) receive();
+  });
+}
+
+}  // namespace pizarra

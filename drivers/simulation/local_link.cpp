@@ -1,0 +1,8 @@
+#include "drivers/simulation/link.hpp"
+#include "drivers/simulation/world.hpp"
+
+namespace pizarra {
+
+Task<Result<Message>> LocalLink::call(Datum request, Duration) { return world_.handle(std::move(request)); }
+
+}  // namespace pizarra

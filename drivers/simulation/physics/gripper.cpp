@@ -1,0 +1,105 @@
+#include "drivers/simulation/physics/gripper.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pizarra {
+
+namespace {
+
+constexpr double finger_friction = 0.2;
+// A face lies flat against a finger when it touches it in this many points.
+constexpr int flat_points = 3;
+// Deeper than this the fingers are stopped by what is between them, flat or not.
+constexpr double jammed_mm = 1.5;
+
+}  // namespace
+
+Gripper::Gripper(Physics& physics)
+    : physics_(physics),
+      palm_(physics.add_kinematic({gripper_shape::palm, gripper_shape::plate}, finger_friction)),
+      left_(physics.add_kinematic({gripper_shape::finger}, finger_friction)),
+      right_(physics.add_kinematic({gripper_shape::finger}, finger_friction)) {}
+
+void Gripper::command(double opening_mm) {
+  target_mm_ = std::clamp(opening_mm, 0.0, gripper_opening_mm);
+  if (target_mm_ > opening_mm_) lose();
+  // A gripper that holds something cannot close further.
+  moving_ = target_mm_ != opening_mm_ && !held_;
+}
+
+void Gripper::step(const Pose& tool, double seconds) {
+  if (moving_ && target_mm_ > opening_mm_) {
+    opening_mm_ = std::min(target_mm_, opening_mm_ + speed_mm_s * seconds);
+    moving_ = opening_mm_ != target_mm_;
+  } else if (moving_) {
+    close_by(speed_mm_s * seconds);
+  }
+  overloaded_steps_ = physics_.hold_force_n() > hold_limit_n ? overloaded_steps_ + 1 : 0;
+  if (overloaded_steps_ >= hold_limit_steps) lose();
+
+  physics_.move_kinematic(palm_, tool);
+  const double aside_mm = (opening_mm_ + gripper_shape::finger_thickness_mm) / 2;
+  physics_.move_kinematic(left_, tool * Eigen::Translation3d(0, -aside_mm, 0));
+  physics_.move_kinematic(right_, tool * Eigen::Translation3d(0, aside_mm, 0));
+}
+
+void Gripper::close_by(double step_mm) {
+  const std::optional<CubeId> cube = squeezed();
+  if (cube) {
+    held_ = cube;
+    physics_.hold(palm_, *cube);
+    set_through(*cube, true);
+    moving_ = false;
+    return;
+  }
+  double jam_mm = 0;
+  for (CubeId other = 0; other < physics_.cubes(); ++other) {
+    if (!physics_.present(other)) continue;
+    jam_mm = std::max({jam_mm, physics_.contact(left_, other).depth_mm, physics_.contact(right_, other).depth_mm});
+  }
+  if (jam_mm > 2 * jammed_mm) {
+    moving_ = false;
+    return;
+  }
+  opening_mm_ = std::max(target_mm_, opening_mm_ - step_mm);
+  moving_ = opening_mm_ != target_mm_;
+}
+
+std::optional<CubeId> Gripper::squeezed() const {
+  for (CubeId cube = 0; cube < physics_.cubes(); ++cube) {
+    if (!physics_.present(cube)) continue;
+    const Physics::Contact left = physics_.contact(left_, cube);
+    const Physics::Contact right = physics_.contact(right_, cube);
+    if (left.points == 0 || right.points == 0) continue;
+    const bool flat = left.points >= flat_points && right.points >= flat_points;
+    const bool jammed = left.depth_mm > jammed_mm && right.depth_mm > jammed_mm;
+    if (flat || jammed) return cube;
+  }
+  return std::nullopt;
+}
+
+void Gripper::lose() {
+  if (!held_) return;
+  physics_.let_go();
+  set_through(*held_, false);
+  held_.reset();
+  overloaded_steps_ = 0;
+}
+
+void Gripper::set_through(CubeId cube, bool through) {
+  for (const KinematicId body : {palm_, left_, right_}) physics_.set_ignored(body, cube, through);
+}
+
+double Gripper::press_depth_mm() const {
+  double deepest = 0;
+  for (CubeId cube = 0; cube < physics_.cubes(); ++cube) {
+    if (!physics_.present(cube) || cube == held_) continue;
+    for (const KinematicId body : {palm_, left_, right_}) {
+      deepest = std::max(deepest, physics_.contact(body, cube).depth_mm);
+    }
+  }
+  return deepest;
+}
+
+}  // namespace pizarra

@@ -1,0 +1,53 @@
+#pragma once
+
+// A parallel gripper: a palm with a marked plate, and two fingers that close at a finite speed, push what is between
+// them, and hold it once it lies flat against both. It misses where nothing is between; what it holds is torn out by a
+// force above `hold_limit_n` that lasts.
+//
+// States: open or closing on nothing -> squeezing (a cube touches both fingers) -> holding -> open.
+//
+//   Gripper gripper(physics);
+//   gripper.command(50);
+//   gripper.step(tool_pose, 1.0 / 240);           // before every physics step
+
+#include "drivers/simulation/physics/physics.hpp"
+
+namespace pizarra {
+
+class Gripper {
+ public:
+  static constexpr double speed_mm_s = 80;  // of the opening
+  static constexpr double hold_limit_n = 30;
+  static constexpr int hold_limit_steps = 5;
+
+  explicit Gripper(Physics& physics);
+
+  // Clamped to what the gripper can do.
+  void command(double opening_mm);
+  void step(const Pose& tool, double seconds);
+
+  double opening_mm() const { return opening_mm_; }
+  bool moving() const { return moving_; }
+  std::optional<CubeId> held() const { return held_; }
+  // The cube is gone from between the fingers by another's doing.
+  void lose();
+  // How hard palm, fingers and held cube press on the world: the depth to which they enter cubes they do not hold.
+  double press_depth_mm() const;
+
+ private:
+  void close_by(double step_mm);
+  std::optional<CubeId> squeezed() const;
+  void set_through(CubeId cube, bool through);
+
+  Physics& physics_;
+  KinematicId palm_;
+  KinematicId left_;
+  KinematicId right_;
+  double opening_mm_ = gripper_opening_mm;
+  double target_mm_ = gripper_opening_mm;
+  bool moving_ = false;
+  std::optional<CubeId> held_;
+  int overloaded_steps_ = 0;
+};
+
+}  // namespace pizarra

@@ -1,0 +1,64 @@
+#pragma once
+
+// A person's hand in the cell. It leads a cube along a path (it sets the cube's speed at every step, so whatever the
+// cube meets is hit by it, and a cube that lags too far slips out of the hand), or strikes with its fist.
+//
+//   Hand hand(physics, gripper);
+//   Result<void> begun = hand.push(cube, 0, 50);
+//   while (hand.busy()) { hand.step(1.0 / 240); physics.step(); }
+
+#include "drivers/simulation/physics/gripper.hpp"
+
+namespace pizarra {
+
+class Hand {
+ public:
+  Hand(Physics& physics, Gripper& gripper);
+
+  // Each fails with `busy` while the hand does something. Positions are of the cube's centre.
+  Result<void> push(CubeId cube, double dx_mm, double dy_mm);
+  Result<void> place(CubeId cube, double x_mm, double y_mm);
+  Result<void> stack(CubeId cube, CubeId on);
+  Result<void> steal(CubeId cube);
+  Result<void> remove(CubeId cube);
+  // The cube is away; it comes from above.
+  Result<void> add(CubeId cube, double x_mm, double y_mm);
+  Result<void> knock(CubeId cube);
+
+  void step(double seconds);
+  bool busy() const { return job_ != Job::none; }
+  // The cube in the hand.
+  std::optional<CubeId> carried() const;
+  // Where the fist is seen, while there is one.
+  std::optional<Eigen::Vector3d> fist_mm() const { return fist_seen_; }
+
+ private:
+  enum class Job { none, slide, carry, strike };
+  struct Leg {
+    Eigen::Vector3d to_mm;
+    double seconds;
+  };
+
+  Result<void> begin(Job job, std::optional<CubeId> cube, const Eigen::Vector3d& from_mm);
+  void add_leg(const Eigen::Vector3d& to_mm, double speed_mm_s);
+  void put_down(CubeId cube, const Eigen::Vector3d& on_mm);
+  double carry_height(CubeId cube) const;
+  double support_height(CubeId cube, double x_mm, double y_mm) const;
+  Eigen::Vector3d wanted(double seconds_from_now) const;
+  void lead(double seconds);
+  void end();
+
+  Physics& physics_;
+  Gripper& gripper_;
+  KinematicId fist_;
+  Job job_ = Job::none;
+  CubeId cube_ = 0;
+  bool takes_away_ = false;  // the cube is gone at the end
+  Eigen::Vector3d from_mm_ = Eigen::Vector3d::Zero();
+  std::vector<Leg> legs_;
+  std::size_t leg_ = 0;
+  double leg_time_s_ = 0;
+  std::optional<Eigen::Vector3d> fist_seen_;
+};
+
+}  // namespace pizarra

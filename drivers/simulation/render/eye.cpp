@@ -1,0 +1,32 @@
+#include "drivers/simulation/render/eye.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace pizarra {
+
+Eigen::Vector3d Eye::project(const Eigen::Vector3d& point_mm) const {
+  const Eigen::Vector3d seen = axes * (point_mm - position_mm);
+  return {centre_x_px + focal_px * seen.x() / seen.z(), centre_y_px + focal_px * seen.y() / seen.z(), seen.z()};
+}
+
+Eye make_eye(const CameraConfig& camera, Side side) {
+  const double pan = camera.pan_deg * std::numbers::pi / 180;
+  const double tilt = camera.tilt_deg * std::numbers::pi / 180;
+  const Eigen::Vector3d forward(-std::cos(pan) * std::cos(tilt), std::sin(pan) * std::cos(tilt), std::sin(tilt));
+  const Eigen::Vector3d right = forward.cross(Eigen::Vector3d::UnitZ()).normalized();
+  Eye eye{.width = camera.model.width,
+          .height = camera.model.height,
+          .focal_px = camera.model.focal_px,
+          .centre_x_px = camera.model.centre_x_px,
+          .centre_y_px = camera.model.centre_y_px,
+          .position_mm = Eigen::Vector3d(camera.x_mm, camera.y_mm, camera.z_mm),
+          .axes = {}};
+  eye.axes.row(0) = right;
+  eye.axes.row(1) = forward.cross(right);
+  eye.axes.row(2) = forward;
+  eye.position_mm += right * camera.model.base_line_mm * (side == Side::left ? -0.5 : 0.5);
+  return eye;
+}
+
+}  // namespace pizarra

@@ -1,0 +1,118 @@
+#include "drivers/simulation/render/film.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <numbers>
+
+namespace pizarra {
+
+namespace {
+
+constexpr int one_level = 16;
+constexpr std::size_t noise_samples = 1 << 17;
+
+std::vector<float> gauss(double sigma_px, int reach) {
+  std::vector<float> kernel;
+  float sum = 0;
+  for (int i = -reach; i <= reach; ++i) {
+    const double weight = sigma_px > 0 ? std::exp(-i * i / (2 * sigma_px * sigma_px)) : (i == 0 ? 1.0 : 0.0);
+    kernel.push_back(static_cast<float>(weight));
+    sum += kernel.back();
+  }
+  for (float& weight : kernel) weight /= sum;
+  return kernel;
+}
+
+std::vector<float> gradient(const CameraConfig& camera, double direction) {
+  const int width = camera.model.width;
+  const int height = camera.model.height;
+  std::vector<float> light;
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const double along = (2.0 * x / width - 1) * std::cos(direction) + (2.0 * y / height - 1) * std::sin(direction);
+      light.push_back(static_cast<float>(1 + camera.light_gradient / 2 * along));
+    }
+  }
+  return light;
+}
+
+}  // namespace
+
+Film::Film(const CameraConfig& camera, const Random& random)
+    : kernel_(gauss(camera.blur_sigma_px, reach)), offsets_(random.split("frames")) {
+  Random light = random.split("light");
+  light_ = gradient(camera, light.uniform(0, 2 * std::numbers::pi));
+  Random noise = random.split("noise");
+  noise_.reserve(noise_samples);
+  for (std::size_t i = 0; i < noise_samples; ++i) {
+    noise_.push_back(static_cast<std::int16_t>(std::lround(noise.normal() * camera.noise_sigma * one_level)));
+  }
+}
+
+void Film::expose(const Canvas& canvas, const Rect& rect, Exposure& exposure) {
+  const int channels = canvas.channels;
+  const int row = canvas.width * channels;
+  const Rect area = rect.intersected(canvas.rect());
+  const Rect tall = needed(area).intersected(canvas.rect());
+  rows_.resize(canvas.pixels.size());
+  const int first = area.left * channels;
+  const int last = area.right * channels;
+  for (int y = tall.top; y < tall.bottom; ++y) {
+    const float* from = canvas.pixels.data() + y * row;
+    float* to = rows_.data() + y * row;
+    const auto edge = [&](int i) {
+      float sum = 0;
+      for (int k = -reach; k <= reach; ++k) {
+        const int x = std::clamp(i / channels + k, 0, canvas.width - 1);
+        sum += kernel_[static_cast<std::size_t>(k + reach)] * from[x * channels + i % channels];
+      }
+      return sum;
+    };
+    const int safe_first = std::max(first, reach * channels);
+    const int safe_last = std::min(last, row - reach * channels);
+    for (int i = first; i < std::min(safe_first, last); ++i) to[i] = edge(i);
+    for (int i = safe_first; i < safe_last; ++i) {
+      to[i] = kernel_[0] * (from[i - 2 * channels] + from[i + 2 * channels]) +
+              kernel_[1] * (from[i - channels] + from[i + channels]) + kernel_[2] * from[i];
+    }
+    for (int i = std::max(safe_last, first); i < last; ++i) to[i] = edge(i);
+  }
+  for (int y = area.top; y < area.bottom; ++y) {
+    const auto source = [&](int k) { return rows_.data() + std::clamp(y + k, 0, canvas.height - 1) * row; };
+    const float* up2 = source(-2);
+    const float* up = source(-1);
+    const float* here = source(0);
+    const float* down = source(1);
+    const float* down2 = source(2);
+    std::int16_t* out = exposure.samples.data() + y * row;
+    const float* light = light_.data() + y * canvas.width;
+    for (int x = area.left; x < area.right; ++x) {
+      const float factor = light[x] * one_level;
+      for (int i = x * channels; i < (x + 1) * channels; ++i) {
+        const float blurred = kernel_[0] * (up2[i] + down2[i]) + kernel_[1] * (up[i] + down[i]) + kernel_[2] * here[i];
+        out[i] = static_cast<std::int16_t>(blurred * factor + 0.5F);
+      }
+    }
+  }
+}
+
+Image Film::develop(const Exposure& exposure, const Canvas& like, std::uint64_t frame, Side side) const {
+  Image image{like.width, like.height, like.channels, std::vector<std::uint8_t>(exposure.samples.size())};
+  Random random = offsets_.split(fmt::format("{} {}", frame, side == Side::left ? "left" : "right"));
+  std::size_t at = random.below(noise_samples);
+  for (std::size_t done = 0; done < exposure.samples.size(); at = 0) {
+    const std::size_t count = std::min(noise_samples - at, exposure.samples.size() - done);
+    const std::int16_t* samples = exposure.samples.data() + done;
+    const std::int16_t* noise = noise_.data() + at;
+    std::uint8_t* out = image.pixels.data() + done;
+    for (std::size_t i = 0; i < count; ++i) {
+      const int level = (samples[i] + noise[i] + one_level / 2) >> 4;
+      out[i] = static_cast<std::uint8_t>(std::clamp(level, 0, 255));
+    }
+    done += count;
+  }
+  return image;
+}
+
+}  // namespace pizarra

@@ -1,0 +1,40 @@
+#pragma once
+
+// What lens and sensor make of a painted image: blur, the light's gradient, noise, eight bits.
+//
+// Noise comes from a field drawn once and read from an offset of its own for every frame and side, so that a frame's
+// noise depends on its number alone and not on which frames were asked for before.
+
+#include "blackboard/stream.hpp"
+#include "blackboard/time/random.hpp"
+#include "drivers/simulation/render/canvas.hpp"
+
+namespace pizarra {
+
+// Grey levels times 16, before noise.
+struct Exposure {
+  Exposure(const Canvas& canvas) : samples(canvas.pixels.size()) {}
+  std::vector<std::int16_t> samples;
+};
+
+class Film {
+ public:
+  Film(const CameraConfig& camera, const Random& random);
+
+  // The part of the canvas that must be painted for `rect` to be exposed.
+  Rect needed(const Rect& rect) const { return rect.grown(reach); }
+  // Blurs and lights the canvas within `rect` into the exposure.
+  void expose(const Canvas& canvas, const Rect& rect, Exposure& exposure);
+  Image develop(const Exposure& exposure, const Canvas& like, std::uint64_t frame, Side side) const;
+
+ private:
+  static constexpr int reach = 2;  // of the blur, px
+
+  std::vector<float> kernel_;
+  std::vector<float> light_;  // a factor for every pixel
+  std::vector<float> rows_;   // blurred along the rows only
+  std::vector<std::int16_t> noise_;
+  Random offsets_;
+};
+
+}  // namespace pizarra

@@ -1,0 +1,152 @@
+#include "drivers/simulation/render/painter.hpp"
+
+#include <algorithm>
+
+namespace pizarra {
+
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+constexpr double nearest_mm = 100;  // what comes nearer to the lens is not drawn
+
+struct Range {
+  double low;
+  double high;
+};
+
+Range along(const Solid& solid, const Vector3d& axis) {
+  Range range{1e12, -1e12};
+  for (const Vector3d& vertex : solid.vertices) {
+    const double at = axis.dot(vertex);
+    range = {std::min(range.low, at), std::max(range.high, at)};
+  }
+  return range;
+}
+
+// The widest gap between two solids found so far, and which side of it the eye is on.
+struct Gap {
+  double width = -1e12;
+  bool eye_with_first = false;
+
+  void try_axis(const Solid& a, const Solid& b, const Vector3d& axis, const Vector3d& eye) {
+    const Range ra = along(a, axis);
+    const Range rb = along(b, axis);
+    const double at = axis.dot(eye);
+    if (rb.low - ra.high > width) {
+      width = rb.low - ra.high;
+      eye_with_first = at < (rb.low + ra.high) / 2;
+    }
+    if (ra.low - rb.high > width) {
+      width = ra.low - rb.high;
+      eye_with_first = at > (ra.low + rb.high) / 2;
+    }
+  }
+};
+
+Vector3d edge_of(const Solid& box, std::size_t which) {
+  constexpr std::size_t ends[3] = {1, 2, 4};
+  return box.vertices[ends[which]] - box.vertices[0];
+}
+
+// Whether `a` may hide `b`, rather than the reverse.
+bool before(const Solid& a, const Solid& b, const Vector3d& eye) {
+  Gap gap;
+  for (const Face& face : a.faces) gap.try_axis(a, b, face.normal, eye);
+  for (const Face& face : b.faces) gap.try_axis(a, b, face.normal, eye);
+  const bool boxes = a.vertices.size() == 8 && b.vertices.size() == 8 && a.faces.size() == 6 && b.faces.size() == 6;
+  if (gap.width < 0 && boxes) {
+    for (std::size_t i = 0; i < 9; ++i) {
+      const Vector3d axis = edge_of(a, i / 3).cross(edge_of(b, i % 3));
+      if (axis.norm() > 1e-3) gap.try_axis(a, b, axis.normalized(), eye);
+    }
+  }
+  return gap.eye_with_first;
+}
+
+bool shares(const std::vector<const Face*>& faces, int from, int to) {
+  return std::ranges::any_of(faces, [&](const Face* face) {
+    const auto& vertices = face->vertices;
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      if (vertices[i] == to && vertices[(i + 1) % vertices.size()] == from) return true;
+    }
+    return false;
+  });
+}
+
+}  // namespace
+
+std::vector<Vector2d> see(const Eye& eye, const Points& points) {
+  std::vector<Vector2d> out;
+  out.reserve(points.size());
+  for (const Vector3d& point : points) out.push_back(eye.project(point).head<2>());
+  return out;
+}
+
+SeenSolid see(const Eye& eye, const Solid& solid) {
+  SeenSolid seen;
+  for (const Vector3d& vertex : solid.vertices) {
+    const Vector3d at = eye.project(vertex);
+    if (at.z() < nearest_mm) return {};
+    seen.corners.push_back(at.head<2>());
+  }
+  std::vector<const Face*> turned;
+  for (const Face& face : solid.faces) {
+    const Vector3d& on = solid.vertices[static_cast<std::size_t>(face.vertices[0])];
+    if (face.normal.dot(eye.position_mm - on) > 0) turned.push_back(&face);
+  }
+  std::vector<Outline::Edge> silhouette;
+  for (const Face* face : turned) {
+    std::vector<Outline::Edge> edges;
+    std::vector<Outline::Edge> seams;
+    for (std::size_t i = 0; i < face->vertices.size(); ++i) {
+      const int from = face->vertices[i];
+      const int to = face->vertices[(i + 1) % face->vertices.size()];
+      const Vector2d& p = seen.corners[static_cast<std::size_t>(from)];
+      const Vector2d& q = seen.corners[static_cast<std::size_t>(to)];
+      if ((p - q).squaredNorm() < 1e-12) continue;
+      // Anticlockwise seen from outside is clockwise with the image's y downwards.
+      edges.push_back(Outline::edge(q, p));
+      (shares(turned, from, to) ? seams : silhouette).push_back(edges.back());
+    }
+    SeenFace& out =
+        seen.faces.emplace_back(SeenFace{Outline(std::move(edges)), Outline(std::move(seams)), face->colour, {}});
+    for (const Decal& decal : face->decals) {
+      SeenDecal& seen_decal = out.decals.emplace_back(SeenDecal{{}, decal.colour, decal.id});
+      for (const Points& part : decal.parts) seen_decal.parts.emplace_back(see(eye, part));
+    }
+  }
+  seen.silhouette = Outline(std::move(silhouette));
+  seen.silhouette.bound(seen.corners);
+  if (!seen.faces.empty()) seen.rect = rect_around(seen.corners).intersected({0, 0, eye.width, eye.height});
+  return seen;
+}
+
+std::vector<std::size_t> paint_order(const Eye& eye, const std::vector<Solid>& solids,
+                                     const std::vector<SeenSolid>& seen) {
+  // behind[i]: what must be painted before i.
+  const std::size_t count = solids.size();
+  std::vector<std::vector<std::size_t>> behind(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t j = i + 1; j < count; ++j) {
+      if (seen[i].rect.intersected(seen[j].rect).empty()) continue;
+      const bool first = before(solids[i], solids[j], eye.position_mm);
+      behind[first ? i : j].push_back(first ? j : i);
+    }
+  }
+  std::vector<std::size_t> order;
+  std::vector<char> state(count, 0);
+  // Depth first: whatever lies behind a solid is painted before it. A ring is cut where it closes.
+  const auto visit = [&](const auto& self, std::size_t solid) -> void {
+    if (state[solid] != 0) return;
+    state[solid] = 1;
+    for (const std::size_t other : behind[solid]) self(self, other);
+    order.push_back(solid);
+  };
+  for (std::size_t i = 0; i < count; ++i) visit(visit, i);
+  std::erase_if(order, [&](std::size_t solid) { return seen[solid].rect.empty(); });
+  return order;
+}
+
+}  // namespace pizarra

@@ -1,0 +1,170 @@
+#include "drivers/simulation/render/scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "drivers/simulation/gripper_shape.hpp"
+
+namespace pizarra {
+
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+const Colour cube_white(238, 242, 244);
+const Colour mark_black(30, 28, 28);
+const Colour arm_paint(62, 138, 232);
+const Colour joint_paint(92, 84, 78);
+const Colour palm_paint(104, 94, 88);
+const Colour finger_steel(178, 174, 170);
+const Colour plate_black(44, 40, 38);
+const Colour plate_white(250, 250, 250);
+const Colour table_top(132, 164, 190);
+const Colour table_line(118, 150, 176);
+const Colour pedestal_grey(118, 112, 108);
+const Colour skin(150, 176, 222);
+
+constexpr int round_sides = 14;
+constexpr double grid_mm = 100;
+constexpr double grid_line_mm = 3;
+
+Solid table_solid(const TableConfig& table) {
+  const Vector3d low(table.x_low_mm, table.y_low_mm, -table.thickness_mm);
+  const Vector3d high(table.x_high_mm, table.y_high_mm, 0);
+  Solid solid = make_box(Eigen::Isometry3d::Identity(), (low + high) / 2, (high - low) / 2, table_top);
+  Face& top = solid.faces[4];
+  Decal lines{{}, lit(table_line, top.normal), 0};
+  const auto line = [&](double x0, double y0, double x1, double y1) {
+    lines.parts.push_back({{x0, y0, 0}, {x1, y0, 0}, {x1, y1, 0}, {x0, y1, 0}});
+  };
+  for (double y = std::ceil(low.y() / grid_mm) * grid_mm; y <= high.y(); y += grid_mm) {
+    line(low.x(), y - grid_line_mm / 2, high.x(), y + grid_line_mm / 2);
+  }
+  for (double x = std::ceil(low.x() / grid_mm) * grid_mm; x <= high.x(); x += grid_mm) {
+    line(x - grid_line_mm / 2, low.y(), x + grid_line_mm / 2, high.y());
+  }
+  top.decals.push_back(std::move(lines));
+  return solid;
+}
+
+Solid cube_solid(const Snapshot::Cube& cube, std::size_t number) {
+  const double half = cube_size_mm / 2;
+  Solid solid = make_box(cube.pose, Vector3d::Zero(), Vector3d::Constant(half), cube_white);
+  for (int side = 0; side < 6; ++side) {
+    Face& face = solid.faces[static_cast<std::size_t>(side)];
+    const Vector3d centre = cube.pose.translation() + face.normal * half;
+    const Vector3d up = side < 4 ? cube.pose.linear().col(2) : Vector3d(-cube.pose.linear().col(0));
+    paint_mark(face, centre, up, cube.mark, mark_black, mark_id(number, side));
+  }
+  return solid;
+}
+
+void add_gripper(std::vector<Solid>& solids, const Eigen::Isometry3d& tool, double opening_mm) {
+  using namespace gripper_shape;
+  solids.push_back(make_box(tool, palm.centre_mm, palm.half_mm, palm_paint));
+  Solid marked = make_box(tool, plate.centre_mm, plate.half_mm, plate_black);
+  paint_mark(marked.faces[0], tool * mark, -tool.linear().col(2), Mark::triangle, plate_white, effector_id);
+  solids.push_back(std::move(marked));
+  const double aside = (opening_mm + finger_thickness_mm) / 2;
+  for (const double y : {-aside, aside}) {
+    solids.push_back(make_box(tool, finger.centre_mm + Vector3d(0, y, 0), finger.half_mm, finger_steel));
+  }
+}
+
+void add_links(std::vector<Solid>& solids, const ArmModel& arm, const Joints& joints, const Eigen::Isometry3d& tool) {
+  const double turn = joints[0] * std::numbers::pi / 180;
+  const double upper = (90 + joints[1]) * std::numbers::pi / 180;
+  const Vector3d ahead(std::cos(turn), std::sin(turn), 0);
+  const Vector3d side(-std::sin(turn), std::cos(turn), 0);
+  const Vector3d shoulder = ahead * arm.base_offset_mm + Vector3d(0, 0, arm.base_height_mm);
+  const Vector3d elbow = shoulder + arm.upper_arm_mm * (ahead * std::cos(upper) + Vector3d(0, 0, std::sin(upper)));
+  const Vector3d approach = tool.linear().col(2);
+  const Vector3d flange = tool.translation() - approach * arm.tool_mm;
+  const Vector3d wrist = flange - approach * arm.wrist_mm;
+  Eigen::Isometry3d turret = Eigen::Isometry3d::Identity();
+  turret.linear() << ahead, side, Vector3d::UnitZ();
+  solids.push_back(make_box(turret, {30, 0, arm.base_height_mm - 55}, {75, 42, 55}, arm_paint));
+  const Vector3d upper_along = (elbow - shoulder).normalized();
+  const Vector3d fore_along = (wrist - elbow).normalized();
+  solids.push_back(make_prism(shoulder - side * 60, shoulder + side * 60, 46, 46, round_sides, joint_paint));
+  solids.push_back(make_prism(shoulder + upper_along * 46, elbow - upper_along * 40, 42, 36, round_sides, arm_paint));
+  solids.push_back(make_prism(elbow - side * 50, elbow + side * 50, 40, 40, round_sides, joint_paint));
+  solids.push_back(make_prism(elbow + fore_along * 40, wrist - fore_along * 30, 36, 30, round_sides, arm_paint));
+  solids.push_back(make_prism(wrist - side * 38, wrist + side * 38, 30, 30, round_sides, joint_paint));
+  solids.push_back(make_prism(wrist + approach * 30, flange, 28, 28, round_sides, pedestal_grey));
+}
+
+void add_fist(std::vector<Solid>& solids, const Vector3d& at) {
+  const Vector3d out = Vector3d(-0.35, at.y() < 0 ? -0.35 : 0.35, 0.85).normalized();
+  solids.push_back(make_prism(at - out * 24, at + out * 22, 20, 27, round_sides, skin));
+  solids.push_back(make_prism(at + out * 22, at + out * 220, 20, 27, round_sides, skin));
+}
+
+double cross(const Vector2d& o, const Vector2d& a, const Vector2d& b) {
+  return (a.x() - o.x()) * (b.y() - o.y()) - (a.y() - o.y()) * (b.x() - o.x());
+}
+
+// Andrew's monotone chain.
+Points hull_on_table(std::vector<Vector2d> points) {
+  std::ranges::sort(points, {}, [](const Vector2d& p) { return std::pair(p.x(), p.y()); });
+  std::vector<Vector2d> hull;
+  for (const int pass : {0, 1}) {
+    const std::size_t start = hull.size();
+    for (const Vector2d& point : points) {
+      while (hull.size() >= start + 2 && cross(hull[hull.size() - 2], hull.back(), point) <= 0) hull.pop_back();
+      hull.push_back(point);
+    }
+    hull.pop_back();
+    if (pass == 0) std::ranges::reverse(points);
+  }
+  Points out;
+  for (const Vector2d& point : hull) out.emplace_back(point.x(), point.y(), 0);
+  return out;
+}
+
+// Where the solid keeps a lamp high above the table from shining; none beside the table.
+void add_shadow(std::vector<Points>& shadows, const Solid& solid, const TableConfig& table) {
+  const Vector3d light = (lamp() + Vector3d(0, 0, 1.2)).normalized();
+  std::vector<Vector2d> points;
+  for (const Vector3d& vertex : solid.vertices) {
+    const double height = std::max(0.0, vertex.z());
+    const Vector2d on = vertex.head<2>() - light.head<2>() * (height / light.z());
+    points.emplace_back(std::clamp(on.x(), table.x_low_mm, table.x_high_mm),
+                        std::clamp(on.y(), table.y_low_mm, table.y_high_mm));
+  }
+  Points hull = hull_on_table(std::move(points));
+  if (hull.size() > 2) shadows.push_back(std::move(hull));
+}
+
+}  // namespace
+
+std::vector<Solid> still_solids(const WorldConfig& config) {
+  std::vector<Solid> solids;
+  solids.push_back(table_solid(config.table));
+  const double top = config.arm.base_height_mm - 110;
+  solids.push_back(make_prism({0, 0, 0}, {0, 0, 24}, 112, 112, 24, joint_paint));
+  solids.push_back(make_prism({0, 0, 24}, {0, 0, top}, 92, 80, 24, pedestal_grey));
+  return solids;
+}
+
+Scene moving_scene(const WorldConfig& config, const Snapshot& snapshot) {
+  Scene scene;
+  for (std::size_t i = 0; i < snapshot.cubes.size(); ++i) {
+    if (!snapshot.cubes[i].present) continue;
+    scene.solids.push_back(cube_solid(snapshot.cubes[i], i));
+    add_shadow(scene.shadows, scene.solids.back(), config.table);
+  }
+  const Eigen::Isometry3d tool = forward(config.arm, snapshot.joints);
+  const std::size_t gripper = scene.solids.size();
+  add_gripper(scene.solids, tool, snapshot.opening_mm);
+  for (std::size_t i = gripper; i < scene.solids.size(); ++i) {
+    add_shadow(scene.shadows, scene.solids[i], config.table);
+  }
+  add_links(scene.solids, config.arm, snapshot.joints, tool);
+  if (snapshot.fist_mm) add_fist(scene.solids, *snapshot.fist_mm);
+  return scene;
+}
+
+}  // namespace pizarra

@@ -1,0 +1,113 @@
+#include "drivers/simulation/render/solid.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace pizarra {
+
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+constexpr double mark_size_mm = 44;
+constexpr double cross_arm_mm = 14.7;
+constexpr double triangle_height_mm = 37;
+constexpr int circle_sides = 48;
+
+std::vector<Vector2d> rectangle(double half_width, double half_height) {
+  return {
+      {-half_width, -half_height}, {half_width, -half_height}, {half_width, half_height}, {-half_width, half_height}};
+}
+
+std::vector<Vector2d> circle() {
+  // The polygon's area is the circle's.
+  const double sector = 2 * std::numbers::pi / circle_sides;
+  const double radius = mark_size_mm / 2 * std::sqrt(sector / std::sin(sector));
+  std::vector<Vector2d> out;
+  for (int i = 0; i < circle_sides; ++i) out.emplace_back(radius * std::cos(i * sector), radius * std::sin(i * sector));
+  return out;
+}
+
+Face make_face(const Points& points, std::vector<int> vertices, const Colour& colour) {
+  const Vector3d a = points[static_cast<std::size_t>(vertices[0])];
+  const Vector3d b = points[static_cast<std::size_t>(vertices[1])];
+  const Vector3d c = points[static_cast<std::size_t>(vertices[2])];
+  const Vector3d normal = (b - a).cross(c - b).normalized();
+  return {std::move(vertices), normal, lit(colour, normal), {}};
+}
+
+}  // namespace
+
+Vector3d lamp() { return Vector3d(0.52, -0.36, 0.78).normalized(); }
+
+Colour lit(const Colour& colour, const Vector3d& normal) {
+  return colour * static_cast<float>(0.72 + 0.28 * normal.dot(lamp()));
+}
+
+Solid make_box(const Eigen::Isometry3d& pose, const Vector3d& centre_mm, const Vector3d& half_mm,
+               const Colour& colour) {
+  Solid solid;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vector3d sign((corner & 1) != 0 ? 1 : -1, (corner & 2) != 0 ? 1 : -1, (corner & 4) != 0 ? 1 : -1);
+    solid.vertices.push_back(pose * (centre_mm + half_mm.cwiseProduct(sign)));
+  }
+  for (const auto& vertices : {std::vector{1, 3, 7, 5}, std::vector{0, 4, 6, 2}, std::vector{2, 6, 7, 3},
+                               std::vector{0, 1, 5, 4}, std::vector{4, 5, 7, 6}, std::vector{0, 2, 3, 1}}) {
+    solid.faces.push_back(make_face(solid.vertices, vertices, colour));
+  }
+  return solid;
+}
+
+Solid make_prism(const Vector3d& from_mm, const Vector3d& to_mm, double from_radius_mm, double to_radius_mm, int sides,
+                 const Colour& colour) {
+  const Vector3d axis = (to_mm - from_mm).normalized();
+  const Vector3d across = axis.unitOrthogonal();
+  const Vector3d other = axis.cross(across);
+  Solid solid;
+  for (int i = 0; i < sides; ++i) {
+    const double angle = 2 * std::numbers::pi * i / sides;
+    const Vector3d out = across * std::cos(angle) + other * std::sin(angle);
+    solid.vertices.push_back(from_mm + out * from_radius_mm);
+    solid.vertices.push_back(to_mm + out * to_radius_mm);
+  }
+  std::vector<int> near_end;
+  std::vector<int> far_end;
+  for (int i = 0; i < sides; ++i) {
+    const int next = (i + 1) % sides;
+    solid.faces.push_back(make_face(solid.vertices, {2 * i, 2 * next, 2 * next + 1, 2 * i + 1}, colour));
+    near_end.push_back(2 * (sides - 1 - i));
+    far_end.push_back(2 * i + 1);
+  }
+  solid.faces.push_back(make_face(solid.vertices, near_end, colour));
+  solid.faces.push_back(make_face(solid.vertices, far_end, colour));
+  return solid;
+}
+
+std::vector<std::vector<Vector2d>> mark_outline(Mark mark) {
+  const double half = mark_size_mm / 2;
+  switch (mark) {
+    case Mark::circle:
+      return {circle()};
+    case Mark::square:
+      return {rectangle(half, half)};
+    case Mark::cross:
+      return {rectangle(half, cross_arm_mm / 2), rectangle(cross_arm_mm / 2, half)};
+    case Mark::triangle:
+      break;
+  }
+  const double low = -triangle_height_mm / 3;
+  return {{{-half, low}, {half, low}, {0, low + triangle_height_mm}}};
+}
+
+void paint_mark(Face& face, const Vector3d& centre_mm, const Vector3d& up, Mark mark, const Colour& colour, int id) {
+  const Vector3d right = up.cross(face.normal);
+  Decal decal{{}, lit(colour, face.normal), id};
+  for (const auto& part : mark_outline(mark)) {
+    Points& points = decal.parts.emplace_back();
+    for (const Vector2d& point : part) points.push_back(centre_mm + right * point.x() + up * point.y());
+  }
+  face.decals.push_back(std::move(decal));
+}
+
+}  // namespace pizarra

@@ -1,0 +1,54 @@
+#pragma once
+
+// What is drawn: convex solids with flat faces, and convex decals painted on them.
+//
+//   Solid cube = make_box(pose, {0, 0, 0}, {30, 30, 30}, white);
+//   paint_mark(cube.faces[0], pose, Mark::circle, black, id);
+
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "drivers/simulation/world_config.hpp"
+
+namespace pizarra {
+
+using Colour = Eigen::Vector3f;  // blue, green, red; 0..255
+using Points = std::vector<Eigen::Vector3d>;
+
+struct Decal {
+  std::vector<Points> parts;  // convex polygons in the face's plane; they may overlap
+  Colour colour;
+  int id = 0;  // above 0 for marks that the truth asks about
+};
+
+struct Face {
+  std::vector<int> vertices;  // anticlockwise seen from outside
+  Eigen::Vector3d normal;
+  Colour colour;  // with the light on it
+  std::vector<Decal> decals;
+};
+
+struct Solid {
+  Points vertices;
+  std::vector<Face> faces;
+};
+
+// How a surface of this colour looks under the cell's lamp when it faces along `normal`.
+Colour lit(const Colour& colour, const Eigen::Vector3d& normal);
+// Where the lamp stands, as a direction.
+Eigen::Vector3d lamp();
+
+// Faces in the order +x -x +y -y +z -z of `pose`.
+Solid make_box(const Eigen::Isometry3d& pose, const Eigen::Vector3d& centre_mm, const Eigen::Vector3d& half_mm,
+               const Colour& colour);
+// A round thing of `sides` flat sides between two centres; the last two faces are its ends.
+Solid make_prism(const Eigen::Vector3d& from_mm, const Eigen::Vector3d& to_mm, double from_radius_mm,
+                 double to_radius_mm, int sides, const Colour& colour);
+
+// A mark's convex parts around its centroid; x right, y up, mm.
+std::vector<std::vector<Eigen::Vector2d>> mark_outline(Mark mark);
+// Paints the mark on a face's plane; `centre_mm` in the base frame, `up` the mark's upward direction in the plane.
+void paint_mark(Face& face, const Eigen::Vector3d& centre_mm, const Eigen::Vector3d& up, Mark mark,
+                const Colour& colour, int id);
+
+}  // namespace pizarra

@@ -1,0 +1,107 @@
+#include "drivers/simulation/render/stereo_renderer.hpp"
+
+#include <algorithm>
+
+namespace pizarra {
+
+namespace {
+
+using Corners = std::vector<Eigen::Vector2d>;
+
+const Colour backdrop_top(196, 186, 172);
+const Colour backdrop_bottom(142, 132, 120);
+constexpr float shadow_dark = 0.3F;
+constexpr double shadow_softness_px = 3;
+
+Canvas paint_background(const Eye& eye, const WorldConfig& config, int channels) {
+  Canvas canvas(eye.width, eye.height, channels);
+  for (int y = 0; y < eye.height; ++y) {
+    const Colour colour = backdrop_top + (backdrop_bottom - backdrop_top) * (static_cast<float>(y) / eye.height);
+    for (int x = 0; x < eye.width; ++x) {
+      for (int c = 0; c < channels; ++c) canvas.at(x, y)[c] = channels == 1 ? grey_of(colour) : colour[c];
+    }
+  }
+  for (const Solid& solid : still_solids(config)) paint(canvas, see(eye, solid), canvas.rect());
+  return canvas;
+}
+
+// Where two lists of outlines differ.
+Rect difference(const std::vector<Corners>& before, const std::vector<Corners>& after) {
+  Rect changed;
+  for (std::size_t i = 0; i < std::max(before.size(), after.size()); ++i) {
+    if (i < before.size() && i < after.size() && before[i] == after[i]) continue;
+    if (i < before.size()) changed = changed.united(rect_around(before[i]));
+    if (i < after.size()) changed = changed.united(rect_around(after[i]));
+  }
+  return changed;
+}
+
+}  // namespace
+
+struct StereoRenderer::View {
+  View(const WorldConfig& config, Side which, bool colour)
+      : side(which),
+        eye(make_eye(config.camera, which)),
+        background(paint_background(eye, config, colour ? 3 : 1)),
+        canvas(background),
+        exposure(canvas) {}
+
+  Side side;
+  Eye eye;
+  Canvas background;
+  Canvas canvas;
+  Exposure exposure;
+  bool exposed = false;
+  std::vector<Corners> solids;  // as last painted
+  std::vector<Corners> shadows;
+};
+
+StereoRenderer::StereoRenderer(const WorldConfig& config, const Random& random) : config_(config), random_(random) {}
+
+StereoRenderer::~StereoRenderer() = default;
+
+std::shared_ptr<const Image> StereoRenderer::take(View& view, const Scene& scene, std::uint64_t frame) {
+  std::vector<Corners> solids;
+  std::vector<Corners> shadows;
+  for (const Solid& solid : scene.solids) solids.push_back(see(view.eye, solid.vertices));
+  for (const Points& shadow : scene.shadows) shadows.push_back(see(view.eye, shadow));
+  const int soft = static_cast<int>(shadow_softness_px) + 1;
+  const Rect moved_shadows = difference(view.shadows, shadows);
+  Rect changed = difference(view.solids, solids);
+  if (!moved_shadows.empty()) changed = changed.united(moved_shadows.grown(soft));
+  if (!view.exposed) changed = view.canvas.rect();
+  changed = changed.empty() ? changed : film_->needed(changed).intersected(view.canvas.rect());
+  view.exposed = true;
+  view.solids = std::move(solids);
+  view.shadows = std::move(shadows);
+
+  if (!changed.empty()) {
+    const Rect area = film_->needed(changed).intersected(view.canvas.rect());
+    for (int y = area.top; y < area.bottom; ++y) {
+      const float* from = view.background.at(area.left, y);
+      std::copy(from, from + (area.right - area.left) * view.canvas.channels, view.canvas.at(area.left, y));
+    }
+    for (const Corners& shadow : view.shadows) {
+      const Rect within = rect_around(shadow).grown(soft).intersected(area);
+      if (!within.empty()) shade(view.canvas, Outline(shadow), shadow_dark, shadow_softness_px, within);
+    }
+    std::vector<SeenSolid> seen;
+    for (const Solid& solid : scene.solids) seen.push_back(see(view.eye, solid));
+    for (const std::size_t index : paint_order(view.eye, scene.solids, seen)) paint(view.canvas, seen[index], area);
+    film_->expose(view.canvas, changed, view.exposure);
+  }
+  return std::make_shared<const Image>(film_->develop(view.exposure, view.canvas, frame, view.side));
+}
+
+StereoPair StereoRenderer::render(const Snapshot& snapshot, std::uint64_t frame, bool colour) {
+  if (!film_) film_ = std::make_unique<Film>(config_.camera, random_);
+  const Scene scene = moving_scene(config_, snapshot);
+  const std::size_t first = colour ? 2 : 0;
+  for (const Side side : {Side::left, Side::right}) {
+    auto& view = views_[first + static_cast<std::size_t>(side)];
+    if (!view) view = std::make_unique<View>(config_, side, colour);
+  }
+  return {take(*views_[first], scene, frame), take(*views_[first + 1], scene, frame)};
+}
+
+}  // namespace pizarra

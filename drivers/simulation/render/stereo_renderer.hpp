@@ -1,0 +1,40 @@
+#pragma once
+
+// The pair of images that a snapshot of the cell gives. What has not moved since the last picture is not drawn again:
+// the still background is painted once, and of the rest only the rectangle in which something changed.
+//
+//   StereoRenderer renderer(config, Random(config.seed).split("camera"));
+//   StereoPair pair = renderer.render(snapshot, 7, false);
+
+#include <array>
+#include <memory>
+
+#include "drivers/simulation/render/film.hpp"
+#include "drivers/simulation/render/scene.hpp"
+
+namespace pizarra {
+
+struct StereoPair {
+  std::shared_ptr<const Image> left;
+  std::shared_ptr<const Image> right;
+};
+
+class StereoRenderer {
+ public:
+  StereoRenderer(const WorldConfig& config, const Random& random);
+  ~StereoRenderer();
+  // The same snapshot and frame number give the same pair.
+  StereoPair render(const Snapshot& snapshot, std::uint64_t frame, bool colour);
+
+ private:
+  // What is kept from picture to picture for one side in grey or colour.
+  struct View;
+  std::shared_ptr<const Image> take(View& view, const Scene& scene, std::uint64_t frame);
+
+  const WorldConfig& config_;
+  Random random_;
+  std::unique_ptr<Film> film_;  // made with the first picture
+  std::array<std::unique_ptr<View>, 4> views_;
+};
+
+}  // namespace pizarra

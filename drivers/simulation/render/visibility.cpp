@@ -1,0 +1,84 @@
+#include "drivers/simulation/render/visibility.hpp"
+
+#include <algorithm>
+
+namespace pizarra {
+
+namespace {
+
+struct Mask {
+  int width;
+  int height;
+  std::vector<int> ids;
+  void fill(int y, Span span, int id) {
+    if (y < 0 || y >= height) return;
+    for (int x = std::max(0, span.first); x <= std::min(width - 1, span.last); ++x) {
+      ids[static_cast<std::size_t>(y * width + x)] = id;
+    }
+  }
+};
+
+struct Rows {
+  int top;
+  int bottom;
+};
+
+// Calls back with every row's spans of a decal, without overlaps.
+template <class Use>
+void for_spans(const SeenDecal& decal, Rows rows, Use use) {
+  for (int y = rows.top; y < rows.bottom; ++y) {
+    int done = -1'000'000;
+    std::vector<Span> spans;
+    for (const Outline& part : decal.parts) {
+      const Span span = part.span(y, 0);
+      if (!span.empty()) spans.push_back(span);
+    }
+    std::ranges::sort(spans, {}, &Span::first);
+    for (Span span : spans) {
+      span.first = std::max(span.first, done + 1);
+      if (span.empty()) continue;
+      use(y, span);
+      done = span.last;
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<SeenMark> seen_marks(const Eye& eye, const std::vector<Solid>& solids) {
+  std::vector<SeenSolid> seen;
+  for (const Solid& solid : solids) seen.push_back(see(eye, solid));
+  Mask mask{eye.width, eye.height, std::vector<int>(static_cast<std::size_t>(eye.width * eye.height))};
+  for (const std::size_t index : paint_order(eye, solids, seen)) {
+    const Rows rows{seen[index].rect.top, seen[index].rect.bottom};
+    for (int y = rows.top; y < rows.bottom; ++y) mask.fill(y, seen[index].silhouette.span(y, 0), 0);
+    for (const SeenFace& face : seen[index].faces) {
+      for (const SeenDecal& decal : face.decals) {
+        for_spans(decal, rows, [&](int y, Span span) { mask.fill(y, span, decal.id); });
+      }
+    }
+  }
+  std::vector<SeenMark> marks;
+  for (const SeenSolid& solid : seen) {
+    const Rect whole = rect_around(solid.corners);
+    for (const SeenFace& face : solid.faces) {
+      for (const SeenDecal& decal : face.decals) {
+        if (decal.id == 0) continue;
+        SeenMark mark{.id = decal.id};
+        for_spans(decal, {std::max(whole.top, -eye.height), std::min(whole.bottom, 2 * eye.height)},
+                  [&](int y, Span span) {
+                    const int count = span.last - span.first + 1;
+                    mark.all_pixels += count;
+                    mark.centre_px += count * Eigen::Vector2d((span.first + span.last) / 2.0, y);
+                  });
+        if (mark.all_pixels == 0) continue;
+        mark.centre_px /= mark.all_pixels;
+        mark.pixels = static_cast<int>(std::ranges::count(mask.ids, decal.id));
+        marks.push_back(mark);
+      }
+    }
+  }
+  return marks;
+}
+
+}  // namespace pizarra

@@ -1,0 +1,83 @@
+#include "drivers/simulation/simulated_arm.hpp"
+
+#include <cmath>
+
+namespace pizarra {
+
+namespace {
+
+constexpr Duration answer_time = 2s;
+
+std::unexpected<Failure> odd_answer(const Datum& answer) {
+  return fail("disconnected", "the arm's controller answered nonsense", answer);
+}
+
+Datum joints_to_datum(const Joints& joints) {
+  std::vector<Datum> out;
+  for (const double angle : joints) out.push_back(Datum::real(angle));
+  return Datum::list(std::move(out));
+}
+
+bool finite(const std::vector<Joints>& waypoints) {
+  for (const Joints& joints : waypoints) {
+    for (const double angle : joints) {
+      if (!std::isfinite(angle)) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+Task<Result<void>> SimulatedArm::command(Datum request) {
+  const Result<Message> answer = co_await link_.call(std::move(request), answer_time);
+  if (!answer) co_return fail(answer);
+  co_return Result<void>();
+}
+
+Task<Result<std::string>> SimulatedArm::identify() {
+  const Datum request = list("arm"_sym, "identify"_sym);
+  const Result<Message> answer = co_await link_.call(request, answer_time);
+  if (!answer) co_return fail(answer);
+  if (answer->head.size() != 1) co_return odd_answer(answer->head);
+  co_return std::string(answer->head[0].text());
+}
+
+Task<Result<void>> SimulatedArm::take_control() { return command(list("arm"_sym, "take-control"_sym)); }
+
+Task<Result<void>> SimulatedArm::start_move(std::vector<Joints> waypoints, double speed) {
+  const bool sound = std::isfinite(speed) && finite(waypoints);
+  if (!sound) co_return fail("not-finite", "a joint angle or the speed is not a number");
+  std::vector<Datum> request{"arm"_sym, "move"_sym, Datum::real(speed)};
+  for (const Joints& joints : waypoints) request.push_back(joints_to_datum(joints));
+  Datum form = Datum::list(std::move(request));
+  Result<void> started = co_await command(std::move(form));
+  co_return started;
+}
+
+Task<Result<void>> SimulatedArm::stop() { return command(list("arm"_sym, "stop"_sym)); }
+
+Task<Result<void>> SimulatedArm::start_gripper(double opening_mm) {
+  if (!std::isfinite(opening_mm)) co_return fail("not-finite", "the opening is not a number");
+  Datum request = list("arm"_sym, "gripper"_sym, opening_mm);
+  Result<void> started = co_await command(std::move(request));
+  co_return started;
+}
+
+Task<Result<ArmReading>> SimulatedArm::read() {
+  const Datum request = list("arm"_sym, "read"_sym);
+  const Result<Message> answer = co_await link_.call(request, answer_time);
+  if (!answer) co_return fail(answer);
+  const Datum& head = answer->head;
+  const bool shaped = head.size() == 5 && head[0].size() == arm_axes;
+  if (!shaped) co_return odd_answer(head);
+  ArmReading reading{};
+  for (std::size_t axis = 0; axis < arm_axes; ++axis) reading.joints[axis] = head[0][axis].number();
+  reading.moving = head[1].is_symbol("yes");
+  reading.stopped = head[2].is_symbol("yes");
+  reading.opening_mm = head[3].number();
+  reading.gripper_moving = head[4].is_symbol("yes");
+  co_return reading;
+}
+
+}  // namespace pizarra

@@ -1,0 +1,47 @@
+#include "drivers/simulation/simulated_camera.hpp"
+
+namespace pizarra {
+
+namespace {
+
+constexpr Duration answer_time = 2s;
+
+bool fits(const std::shared_ptr<const Image>& image, bool colour) {
+  if (!image || image->channels != (colour ? 3 : 1)) return false;
+  const auto size = static_cast<std::size_t>(image->width) * static_cast<std::size_t>(image->height);
+  return image->pixels.size() == size * static_cast<std::size_t>(image->channels);
+}
+
+}  // namespace
+
+Task<Result<StereoModel>> SimulatedCamera::open() {
+  const Datum request = list("camera"_sym, "open"_sym);
+  const Result<Message> answer = co_await link_.call(request, answer_time);
+  if (!answer) co_return fail(answer);
+  const Datum& head = answer->head;
+  if (head.size() != 6) co_return fail("disconnected", "the camera answered nonsense", head);
+  co_return StereoModel{static_cast<int>(head[0].integer()),
+                        static_cast<int>(head[1].integer()),
+                        head[2].number(),
+                        head[3].number(),
+                        head[4].number(),
+                        head[5].number()};
+}
+
+Task<Result<StereoFrame>> SimulatedCamera::next(std::uint64_t after, bool colour) {
+  const Datum kind = colour ? "colour"_sym : "grey"_sym;
+  const Datum request = list("camera"_sym, "next"_sym, after, kind);
+  const Result<Message> answer = co_await link_.call(request, answer_time);
+  if (!answer) co_return fail(answer);
+  const bool whole = answer->head.size() == 2 && answer->images.size() == 2 && fits(answer->images[0], colour) &&
+                     fits(answer->images[1], colour);
+  if (!whole) co_return fail("corrupt-frame", "the frame's images are not what they should be", answer->head);
+  StereoFrame frame;
+  frame.number = static_cast<std::uint64_t>(answer->head[0].integer());
+  frame.captured = Time(Duration(answer->head[1].integer()));
+  frame.left = answer->images[0];
+  frame.right = answer->images[1];
+  co_return frame;
+}
+
+}  // namespace pizarra

@@ -1,0 +1,16 @@
+#pragma once
+
+// What is really so in the cell, told geometrically: for the judge, the hand and the scripted person alone. The forms
+// stand in world.hpp.
+
+#include "drivers/simulation/physics/cell.hpp"
+#include "drivers/simulation/render/eye.hpp"
+
+namespace pizarra {
+
+Datum truth_of(const Cell& cell, const Eye& left);
+// Failures: unknown-object, not-seen.
+Result<Datum> where_seen(const Cell& cell, const Eye& left, std::string_view name);
+Datum describe_scene(const Cell& cell, const WorldConfig& config);
+
+}  // namespace pizarra

@@ -1,0 +1,297 @@
+#include "drivers/simulation/world.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <map>
+
+#include "drivers/simulation/frame_clock.hpp"
+#include "drivers/simulation/render/stereo_renderer.hpp"
+#include "drivers/simulation/truth.hpp"
+
+namespace pizarra {
+
+namespace {
+
+// A hand that is busy longer than this has a bug.
+constexpr Duration longest_hand_job = 15s;
+constexpr Duration hand_poll = 50ms;
+constexpr double furthest_mm = 2000;
+// Answered frame requests at once.
+constexpr std::size_t most_waiting = 64;
+
+Datum yes_no(bool value) { return value ? "yes"_sym : "no"_sym; }
+
+std::unexpected<Failure> bad_request(const Datum& request) {
+  return fail("bad-request", "the world does not know this request", request);
+}
+
+std::string_view word(const Datum& request, std::size_t index) {
+  const bool there = index < request.size() && (request[index].is_symbol() || request[index].is_string());
+  return there ? request[index].text() : std::string_view();
+}
+
+// The numbers from `first` on, all of them lengths that fit a cell.
+Result<std::vector<double>> lengths(const Datum& request, std::size_t first, std::size_t count) {
+  if (request.size() != first + count) return bad_request(request);
+  std::vector<double> out;
+  for (std::size_t i = first; i < request.size(); ++i) {
+    if (!request[i].is_number() || std::abs(request[i].number()) > furthest_mm) return bad_request(request);
+    out.push_back(request[i].number());
+  }
+  return out;
+}
+
+Datum joints_to_datum(const Joints& joints) {
+  std::vector<Datum> out;
+  for (const double angle : joints) out.push_back(Datum::real(angle));
+  return Datum::list(std::move(out));
+}
+
+Result<Joints> joints_from_datum(const Datum& datum) {
+  if (datum.size() != arm_axes) return bad_request(datum);
+  Joints joints{};
+  for (std::size_t axis = 0; axis < arm_axes; ++axis) {
+    if (!datum[axis].is_number()) return bad_request(datum);
+    joints[axis] = datum[axis].number();
+  }
+  return joints;
+}
+
+Result<Message> answer(const Result<void>& done) {
+  if (!done) return fail(done);
+  return Message{};
+}
+
+}  // namespace
+
+struct World::Inside {
+  // A frame that somebody waits for.
+  struct Wanted {
+    int waiting = 0;
+    bool colour = false;
+    bool grey = false;
+    std::optional<StereoPair> grey_pair;
+    std::optional<StereoPair> colour_pair;
+  };
+  class Wait {
+   public:
+    Wait(Inside& inside, std::uint64_t frame, bool colour) : inside_(inside), frame_(frame) {
+      Wanted& entry = inside.wanted[frame];
+      ++entry.waiting;
+      (colour ? entry.colour : entry.grey) = true;
+    }
+    Wait(const Wait&) = delete;
+    Wait& operator=(const Wait&) = delete;
+    ~Wait() {
+      const auto found = inside_.wanted.find(frame_);
+      if (--found->second.waiting == 0) inside_.wanted.erase(found);
+    }
+
+   private:
+    Inside& inside_;
+    std::uint64_t frame_;
+  };
+
+  Inside(Executor& the_executor, const WorldConfig& the_config)
+      : executor(the_executor),
+        config(the_config),
+        clock(the_executor.now()),
+        cell(config),
+        renderer(config, Random(config.seed).split("camera")),
+        left(make_eye(config.camera, Side::left)) {
+    steps = clock.steps_until(executor.now());
+  }
+
+  void advance();
+  void take_frame();
+
+  Task<Result<Message>> handle(Datum request);
+  Result<Message> tell_truth(const Datum& request) const;
+  Result<Message> arm(const Datum& request);
+  Result<void> move(const Datum& request);
+  Task<Result<Message>> camera(Datum request);
+  Message camera_model() const;
+  Message frame_message(std::uint64_t frame, bool colour) const;
+  Task<Result<Message>> hand(Datum request);
+  Result<void> begin_hand(const Datum& request);
+  Result<void> add_cube(const Datum& request);
+
+  Executor& executor;
+  const WorldConfig config;
+  const FrameClock clock;
+  Cell cell;
+  StereoRenderer renderer;
+  const Eye left;
+  std::int64_t steps = 0;
+  bool controlled = false;
+  std::map<std::uint64_t, Wanted> wanted;
+};
+
+void World::Inside::take_frame() {
+  if (steps % FrameClock::steps_per_frame != 0) return;
+  const auto found = wanted.find(static_cast<std::uint64_t>(steps / FrameClock::steps_per_frame));
+  if (found == wanted.end()) return;
+  Wanted& frame = found->second;
+  if (frame.grey && !frame.grey_pair) frame.grey_pair = renderer.render(cell.snapshot(), found->first, false);
+  if (frame.colour && !frame.colour_pair) frame.colour_pair = renderer.render(cell.snapshot(), found->first, true);
+}
+
+void World::Inside::advance() {
+  const std::int64_t target = clock.steps_until(executor.now());
+  take_frame();
+  while (steps < target) {
+    if (cell.at_rest()) {
+      // Nothing changes until somebody looks or acts.
+      const std::int64_t look = wanted.empty() ? target : clock.frame_step(wanted.begin()->first);
+      steps = look > steps ? std::min(look, target) : steps + 1;
+    } else {
+      cell.step();
+      ++steps;
+    }
+    take_frame();
+  }
+}
+
+Task<Result<Message>> World::Inside::handle(Datum request) {
+  advance();
+  const std::string_view device = request.head();
+  if (device == "arm") co_return arm(request);
+  if (device == "camera") {
+    Result<Message> taken = co_await camera(std::move(request));
+    co_return taken;
+  }
+  if (device == "hand") {
+    Result<Message> done = co_await hand(std::move(request));
+    co_return done;
+  }
+  co_return tell_truth(request);
+}
+
+Result<Message> World::Inside::tell_truth(const Datum& request) const {
+  if (request.is_form("truth")) return Message{truth_of(cell, left)};
+  if (request.is_form("scene")) return Message{describe_scene(cell, config)};
+  if (!request.is_form("where-seen") || request.size() != 2) return bad_request(request);
+  const Result<Datum> seen = where_seen(cell, left, word(request, 1));
+  if (!seen) return fail(seen);
+  return Message{*seen};
+}
+
+Result<Message> World::Inside::arm(const Datum& request) {
+  const std::string_view what = word(request, 1);
+  if (what == "identify") return Message{list(config.arm.type)};
+  if (what == "read") {
+    return Message{list(joints_to_datum(cell.arm().joints()), yes_no(cell.arm().moving()), yes_no(cell.arm().stopped()),
+                        cell.gripper().opening_mm(), yes_no(cell.gripper().moving()))};
+  }
+  if (what == "take-control") {
+    controlled = true;
+    return Message{};
+  }
+  if (what == "stop") {
+    cell.arm().brake();
+    return Message{};
+  }
+  if (!controlled) return fail("not-in-control", "nobody has taken control of the arm");
+  if (what == "move") return answer(move(request));
+  if (what == "gripper" && request.size() == 3 && request[2].is_number()) {
+    cell.gripper().command(request[2].number());
+    return Message{};
+  }
+  return bad_request(request);
+}
+
+Result<void> World::Inside::move(const Datum& request) {
+  if (request.size() < 4 || !request[2].is_number()) return bad_request(request);
+  std::vector<Joints> waypoints;
+  for (const Datum& item : request.items().subspan(3)) {
+    const Result<Joints> joints = joints_from_datum(item);
+    if (!joints) return fail(joints);
+    waypoints.push_back(*joints);
+  }
+  return cell.arm().start(std::move(waypoints), request[2].number());
+}
+
+Task<Result<Message>> World::Inside::camera(Datum request) {
+  if (word(request, 1) == "open") co_return camera_model();
+  const bool colour = word(request, 3) == "colour";
+  const bool sound = word(request, 1) == "next" && request.size() == 4 && request[2].is_integer() &&
+                     request[2].integer() >= 0 && (colour || word(request, 3) == "grey");
+  if (!sound) co_return bad_request(request);
+  if (wanted.size() >= most_waiting) co_return fail("busy", "too many wait for frames");
+  const std::uint64_t frame = clock.next_frame(executor.now(), static_cast<std::uint64_t>(request[2].integer()));
+  const Wait wait(*this, frame, colour);
+  const Duration left_over = std::max(Duration::zero(), clock.frame_time(frame) - executor.now());
+  co_await sleep(executor, left_over);
+  advance();
+  co_return frame_message(frame, colour);
+}
+
+Message World::Inside::camera_model() const {
+  const StereoModel& model = config.camera.model;
+  return {list(model.width, model.height, model.focal_px, model.centre_x_px, model.centre_y_px, model.base_line_mm)};
+}
+
+Message World::Inside::frame_message(std::uint64_t frame, bool colour) const {
+  const Wanted& taken = wanted.at(frame);
+  const StereoPair& pair = colour ? *taken.colour_pair : *taken.grey_pair;
+  return {list(frame, clock.frame_time(frame).time_since_epoch().count()), {pair.left, pair.right}};
+}
+
+Task<Result<Message>> World::Inside::hand(Datum request) {
+  const Result<void> begun = begin_hand(request);
+  if (!begun) co_return fail(begun);
+  const Time deadline = executor.now() + longest_hand_job;
+  while (cell.hand().busy()) {
+    if (executor.now() > deadline) co_return fail("timeout", "the hand did not come to an end", request);
+    co_await sleep(executor, hand_poll);
+    advance();
+  }
+  co_return Message();
+}
+
+Result<void> World::Inside::begin_hand(const Datum& request) {
+  const std::string_view what = word(request, 1);
+  if (what == "add") return add_cube(request);
+  const Result<CubeId> cube = cell.find(word(request, 2));
+  if (!cube) return fail(cube);
+  if (!cell.physics().present(*cube)) {
+    return fail("unknown-object", fmt::format("{} is not in the cell any more", word(request, 2)), request[2]);
+  }
+  Hand& hand = cell.hand();
+  if (what == "push" || what == "place") {
+    const Result<std::vector<double>> to = lengths(request, 3, 2);
+    if (!to) return fail(to);
+    return what == "push" ? hand.push(*cube, (*to)[0], (*to)[1]) : hand.place(*cube, (*to)[0], (*to)[1]);
+  }
+  if (what == "stack" && request.size() == 4) {
+    const Result<CubeId> on = cell.find(word(request, 3));
+    if (!on) return fail(on);
+    if (!cell.physics().present(*on)) return fail("unknown-object", "that cube is gone", request[3]);
+    return hand.stack(*cube, *on);
+  }
+  if (request.size() != 3) return bad_request(request);
+  if (what == "steal") return hand.steal(*cube);
+  if (what == "remove") return hand.remove(*cube);
+  if (what == "knock") return hand.knock(*cube);
+  return bad_request(request);
+}
+
+Result<void> World::Inside::add_cube(const Datum& request) {
+  const Result<std::vector<double>> to = lengths(request, 4, 2);
+  if (!to) return fail(to);
+  const std::optional<Mark> mark = mark_from_name(word(request, 3));
+  if (!mark) return fail("bad-request", "a mark is circle, square, cross or triangle", request[3]);
+  if (cell.hand().busy()) return fail("busy", "the hand is doing something else");
+  const Result<CubeId> cube = cell.prepare(word(request, 2), *mark);
+  if (!cube) return fail(cube);
+  return cell.hand().add(*cube, (*to)[0], (*to)[1]);
+}
+
+World::World(Executor& executor, const WorldConfig& config) : inside_(std::make_unique<Inside>(executor, config)) {}
+
+World::~World() = default;
+
+Task<Result<Message>> World::handle(Datum request) { return inside_->handle(std::move(request)); }
+
+}  // namespace pizarra

@@ -1,0 +1,113 @@
+#include "drivers/simulation/world_config.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <fmt/format.h>
+
+#include "drivers/arm/kinematics.hpp"
+
+namespace pizarra {
+
+namespace {
+
+constexpr std::array<std::string_view, 4> mark_names = {"circle", "square", "cross", "triangle"};
+constexpr std::size_t longest_name = 64;
+constexpr double narrowest_view_px = 16;
+constexpr double widest_view_px = 4096;
+
+std::string lower(std::string_view text) {
+  std::string out;
+  for (const unsigned char c : text) out.push_back(static_cast<char>(std::tolower(c)));
+  return out;
+}
+
+std::unexpected<Failure> bad(std::string sentence, std::string_view name) {
+  return fail("bad-cell", std::move(sentence), Datum::string(name));
+}
+
+bool within(double value, double low, double high) { return value >= low && value <= high; }
+
+Result<void> check_camera(const CameraConfig& camera) {
+  const StereoModel& model = camera.model;
+  const bool size =
+      within(model.width, narrowest_view_px, widest_view_px) && within(model.height, narrowest_view_px, widest_view_px);
+  const bool lens = within(model.focal_px, 10, 1e5) && within(model.base_line_mm, 1, 1000);
+  const bool place = std::isfinite(camera.x_mm + camera.y_mm + camera.z_mm) && within(camera.pan_deg, -180, 180) &&
+                     within(camera.tilt_deg, -80, 80);
+  const bool sensor =
+      within(camera.noise_sigma, 0, 50) && within(camera.blur_sigma_px, 0, 2) && within(camera.light_gradient, 0, 1);
+  if (size && lens && place && sensor) return {};
+  return bad("the camera's figures are out of range", "camera");
+}
+
+Result<void> check_cube(const WorldConfig& config, std::size_t index) {
+  const CubeConfig& cube = config.cubes[index];
+  if (!valid_name(cube.name)) return bad(fmt::format("\"{}\" is no name for a cube", cube.name), cube.name);
+  const auto earlier = std::span(config.cubes).first(index);
+  const auto named = [&](std::string_view name) {
+    return std::ranges::find(earlier, lower(name), [](const CubeConfig& other) { return lower(other.name); });
+  };
+  if (named(cube.name) != earlier.end()) return bad(fmt::format("two cubes are called {}", cube.name), cube.name);
+  if (!cube.on.empty()) {
+    if (named(cube.on) == earlier.end()) {
+      return bad(fmt::format("{} stands on {}, which is not listed before it", cube.name, cube.on), cube.name);
+    }
+    const auto shared = std::ranges::find(earlier, lower(cube.on), [](const CubeConfig& o) { return lower(o.on); });
+    if (shared != earlier.end()) {
+      return bad(fmt::format("{} and {} stand on the same cube", shared->name, cube.name), cube.name);
+    }
+    return {};
+  }
+  const TableConfig& table = config.table;
+  if (!within(cube.x_mm, table.x_low_mm, table.x_high_mm) || !within(cube.y_mm, table.y_low_mm, table.y_high_mm)) {
+    return bad(fmt::format("{} does not stand on the table", cube.name), cube.name);
+  }
+  for (const CubeConfig& other : earlier) {
+    if (!other.on.empty()) continue;
+    // Cubes that stand square may touch; turned ones need their diagonals' room.
+    const bool square = std::fmod(cube.yaw_deg, 90) == 0 && std::fmod(other.yaw_deg, 90) == 0;
+    const double dx = std::abs(cube.x_mm - other.x_mm);
+    const double dy = std::abs(cube.y_mm - other.y_mm);
+    const double apart = square ? std::max(dx, dy) : std::hypot(dx, dy);
+    if (apart < cube_size_mm * (square ? 1 : std::sqrt(2.0))) {
+      return bad(fmt::format("{} and {} stand in one place", other.name, cube.name), cube.name);
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+std::optional<Mark> mark_from_name(std::string_view name) {
+  const auto found = std::ranges::find(mark_names, name);
+  if (found == mark_names.end()) return std::nullopt;
+  return static_cast<Mark>(found - mark_names.begin());
+}
+
+std::string_view mark_name(Mark mark) { return mark_names[static_cast<std::size_t>(mark)]; }
+
+bool valid_name(std::string_view name) {
+  return !name.empty() && name.size() <= longest_name && std::isalpha(static_cast<unsigned char>(name[0])) != 0 &&
+         std::ranges::all_of(name, [](unsigned char c) { return std::isalnum(c) != 0 || c == '-'; });
+}
+
+Result<void> check(const WorldConfig& config) {
+  const TableConfig& table = config.table;
+  if (!(table.x_low_mm < table.x_high_mm && table.y_low_mm < table.y_high_mm && table.thickness_mm > 0)) {
+    return bad("the table has no extent", "table");
+  }
+  const Result<void> camera = check_camera(config.camera);
+  if (!camera) return camera;
+  if (config.cubes.size() > max_cubes) {
+    return bad(fmt::format("a cell has at most {} cubes", max_cubes), "cubes");
+  }
+  for (std::size_t index = 0; index < config.cubes.size(); ++index) {
+    const Result<void> sound = check_cube(config, index);
+    if (!sound) return sound;
+  }
+  if (config.start_joints) return check_limits(config.arm, *config.start_joints);
+  return {};
+}
+
+}  // namespace pizarra
