@@ -15,17 +15,6 @@ namespace {
 // Frames for the picture that is taken after the story.
 constexpr Duration last_look = 500ms;
 
-Result<void> check_scenario(const Scenario& scenario) {
-  std::vector<Datum> queries = scenario.expect_seen;
-  queries.insert(queries.end(), scenario.expect_never.begin(), scenario.expect_never.end());
-  for (const ScenarioEvent& event : scenario.events) queries.push_back(event.condition);
-  for (const Datum& form : queries) {
-    const Result<Query> query = query_from_datum(form);
-    if (!query) return fail("bad-scenario", describe(query.error()), form);
-  }
-  return {};
-}
-
 Result<void> start_journal(std::ofstream& journal, const std::string& path, MemoryBoard& board) {
   if (path.empty()) return {};
   journal.open(path, std::ios::trunc);
@@ -88,6 +77,17 @@ Result<StoryReport> run_on(Executor& executor, const Scenario& scenario, const C
 }
 
 }  // namespace
+
+Result<void> check_scenario(const Scenario& scenario) {
+  std::vector<Datum> queries = scenario.expect_seen;
+  queries.insert(queries.end(), scenario.expect_never.begin(), scenario.expect_never.end());
+  for (const ScenarioEvent& event : scenario.events) queries.push_back(event.condition);
+  for (const Datum& form : queries) {
+    const Result<Query> query = query_from_datum(form);
+    if (!query) return fail("bad-scenario", describe(query.error()), form);
+  }
+  return {};
+}
 
 Result<CellDescription> cell_of(const Scenario& scenario) {
   Result<CellDescription> cell = read_cell_file(scenario.cell_file);

@@ -33,6 +33,9 @@ struct StoryReport {
 // The cell file with the scenario's cubes and domain in place of its own.
 Result<CellDescription> cell_of(const Scenario& scenario);
 
+// Whether its conditions and expectations are queries. Failure: bad-scenario.
+Result<void> check_scenario(const Scenario& scenario);
+
 // Failures: bad-cell, bad-scenario, cannot-write; how the story ended is the report's.
 Result<StoryReport> run_story(const Scenario& scenario, const CellDescription& cell, const StoryOptions& options,
                               Narrator& narrator);

@@ -1,0 +1,87 @@
+#include <algorithm>
+#include <fmt/format.h>
+#include <fstream>
+#include <iterator>
+
+#include "agents/launcher/goal_text.hpp"
+#include "agents/launcher/judge.hpp"
+#include "agents/launcher/story_run.hpp"
+#include "agents/launcher/words.hpp"
+
+namespace pizarra {
+
+namespace {
+
+struct CheckChoices {
+  std::vector<std::string> files;
+  std::string domain;
+};
+
+Result<std::string> check_domain(const std::string& file) {
+  const Result<Domain> domain = read_domain_file(file);
+  if (!domain) return fail(domain);
+  const Result<Judge> judge = Judge::make(*domain);
+  if (!judge) return fail(judge);
+  return fmt::format("domain {}: {} predicates, {} operators", domain->name, domain->predicates.size(),
+                     domain->operators.size());
+}
+
+Result<std::string> check_cell(const std::string& file) {
+  const Result<CellDescription> cell = read_cell_file(file);
+  if (!cell) return fail(cell);
+  const Result<void> sound = check(world_config(*cell, 1));
+  if (!sound) return fail(sound);
+  return fmt::format("cell {}: {} cubes, {} hosts", cell->name, cell->cubes.size(), cell->hosts.size());
+}
+
+Result<std::string> check_scenario_file(const std::string& file) {
+  const Result<Scenario> scenario = read_scenario_file(file);
+  if (!scenario) return fail(scenario);
+  const Result<void> playable = check_scenario(*scenario);
+  if (!playable) return fail(playable);
+  return fmt::format("scenario \"{}\": {} events", scenario->name, scenario->events.size());
+}
+
+// What is neither domain, cell nor scenario is a goal.
+Result<std::string> check_goal_file(const std::string& file, const CheckChoices& choices) {
+  const std::string domain_file = choices.domain.empty() ? shipped_file("domains/blocks.scm") : choices.domain;
+  const Result<Domain> domain = read_domain_file(domain_file);
+  if (!domain) return fail(domain);
+  std::ifstream in(file);
+  const std::string text(std::istreambuf_iterator<char>(in), {});
+  const Result<std::vector<Datum>> goal = check_goal(*domain, text);
+  if (!goal) return fail(goal);
+  return fmt::format("goal of {} facts", goal->size());
+}
+
+Result<std::string> check_file(const std::string& file, const CheckChoices& choices) {
+  const Result<Source> source = read_source_file(file);
+  if (!source) return fail(source);
+  const std::string_view head = source->data().empty() ? std::string_view() : source->data().front().head();
+  if (head == "domain") return check_domain(file);
+  if (head == "cell") return check_cell(file);
+  if (head == "scenario") return check_scenario_file(file);
+  return check_goal_file(file, choices);
+}
+
+}  // namespace
+
+void add_check_word(CLI::App& app, int& status) {
+  auto choices = std::make_shared<CheckChoices>();
+  CLI::App* word = app.add_subcommand("check", "Check domain, cell, scenario and goal files; every error is told.");
+  word->add_option("files", choices->files, "What the file is, its first form says")->required();
+  word->add_option("--domain", choices->domain, "For goals: the domain; domains/blocks.scm otherwise");
+  word->footer(exit_code_help);
+  word->callback([choices, &status] {
+    for (const std::string& file : choices->files) {
+      const Result<std::string> checked = check_file(file, *choices);
+      if (checked) {
+        fmt::print("{}: {}\n", file, *checked);
+      } else {
+        status = std::max<int>(status, complain(checked.error(), exit_usage));
+      }
+    }
+  });
+}
+
+}  // namespace pizarra

@@ -1,0 +1,144 @@
+#include <filesystem>
+#include <fmt/format.h>
+#include <fstream>
+
+#include "agents/launcher/goal_text.hpp"
+#include "agents/launcher/random_runs.hpp"
+#include "agents/launcher/story_run.hpp"
+#include "agents/launcher/words.hpp"
+#include "lisp/writer.hpp"
+
+namespace pizarra {
+
+namespace {
+
+struct DemoChoices {
+  std::string cell;
+  std::string goal;
+  std::string domain;
+  std::uint64_t seed = 1;
+  std::string journal;
+  std::string film;
+  std::string picture = "out/demo.png";
+  bool realtime = false;
+  bool json = false;
+  bool random = false;
+  std::uint64_t seeds = 1;
+  std::uint64_t first_seed = 1;
+  unsigned jobs = 0;
+};
+
+constexpr double goal_alone_within_s = 300;
+
+// The story beside the cell file; where there is none, or another goal is asked for, no hand interferes.
+Result<Scenario> story_of(const DemoChoices& choices) {
+  const std::filesystem::path cell(choices.cell);
+  const std::string story = (cell.parent_path() / "story.scm").string();
+  Scenario scenario;
+  if (choices.goal.empty()) {
+    Result<Scenario> told = read_scenario_file(story);
+    if (!told) return told;
+    scenario = std::move(*told);
+  } else {
+    scenario.name = "a goal from the command line";
+    scenario.within_s = goal_alone_within_s;
+  }
+  scenario.cell_file = choices.cell;
+  if (!choices.domain.empty()) scenario.domain_file = choices.domain;
+  return scenario;
+}
+
+std::string goal_words(const std::vector<Datum>& goal) {
+  std::string out;
+  for (const Datum& fact : goal) out += (out.empty() ? "" : " ") + write(fact);
+  return out;
+}
+
+void tell_end(Narrator& narrator, const StoryReport& report, const DemoChoices& choices) {
+  const Time end = Time{} + report.simulated;
+  const DirectorReport& director = report.director;
+  narrator.begin(Time{});
+  if (director.reached()) {
+    narrator.say(end, "judge", "the world shows " + goal_words(director.goal));
+  } else if (director.outcome == "reached") {
+    narrator.say(end, "judge", "the world does not show " + goal_words(director.goal));
+  }
+  const double cell_s = static_cast<double>(report.simulated.count()) / 1e6;
+  narrator.say(end, "time",
+               fmt::format("{:.1f} s of the cell's time in {:.1f} s: {:.1f} times faster than real time", cell_s,
+                           report.wall_s, report.speed()));
+  if (!choices.picture.empty()) narrator.say(end, "picture", choices.picture);
+  if (!choices.film.empty()) narrator.say(end, "film", choices.film);
+}
+
+int status_of(const DirectorReport& report) {
+  if (report.reached()) return exit_reached;
+  if (report.outcome == "malformed") return complain(*report.refusal, exit_usage);
+  if (report.outcome == "refused" && report.refusal) return complain(*report.refusal, exit_refused);
+  for (const std::string& sentence : report.unmet) fmt::print(stderr, "pizarra: {}\n", sentence);
+  return exit_failed;
+}
+
+int run_demo(const DemoChoices& choices) {
+  const Result<Scenario> scenario = story_of(choices);
+  if (!scenario) return complain(scenario.error(), exit_usage);
+  const Result<CellDescription> cell = cell_of(*scenario);
+  if (!cell) return complain(cell.error(), exit_usage);
+  const Result<Domain> domain = read_domain_file(cell->domain_file);
+  if (!domain) return complain(domain.error(), exit_usage);
+
+  StoryOptions options{choices.seed, choices.realtime, choices.journal, choices.film, choices.picture};
+  if (!choices.goal.empty()) {
+    const Result<std::vector<Datum>> readable = check_goal(*domain, choices.goal);
+    if (!readable) return complain(readable.error(), exit_usage);
+    options.director.read_goal = [&](const std::vector<std::string>& objects) {
+      return read_goal_for(*domain, choices.goal, objects);
+    };
+  }
+  Narrator narrator(stdout, Narrator::style_for(stdout, choices.json));
+  narrator.say(Time{}, "cell",
+               fmt::format("{}: {} cubes, arm {}, domain {}, seed {}", cell->name, cell->cubes.size(), cell->arm,
+                           domain->name, choices.seed));
+  const Result<StoryReport> report = run_story(*scenario, *cell, options, narrator);
+  if (!report) return complain(report.error(), exit_unavailable);
+  tell_end(narrator, *report, choices);
+  return status_of(report->director);
+}
+
+}  // namespace
+
+void add_demo_word(CLI::App& app, int& status) {
+  auto choices = std::make_shared<DemoChoices>();
+  choices->cell = shipped_file("examples/01-blocks/cell.scm");
+  CLI::App* demo =
+      app.add_subcommand("demo",
+                         "Run the simulated cell in this process: learn the objects, take a goal, plan, build it.\n"
+                         "Without --goal the story beside the cell file is played, in which a hand interferes.");
+  demo->add_option("cell", choices->cell, "The cell file")->check(CLI::ExistingFile)->capture_default_str();
+  demo->add_option("--goal", choices->goal, "FACT, (and FACT ...) or several FACTs; no hand interferes then");
+  demo->add_option("--domain", choices->domain, "The domain file, in place of the cell's")->check(CLI::ExistingFile);
+  demo->add_option("--seed", choices->seed, "What chance begins from; the same seed gives the same run")
+      ->capture_default_str();
+  demo->add_option("--journal", choices->journal, "Write every committed transaction to this file, a line each");
+  demo->add_option("--video", choices->film, "Keep the run as a film: FILE.avi or FILE.mp4");
+  demo->add_option("--png", choices->picture, "The camera's view at the end")->capture_default_str();
+  demo->add_flag("--realtime", choices->realtime, "As fast as this machine's clock, not faster");
+  demo->add_flag("--json", choices->json, "One JSON object a line");
+  demo->add_flag("--random", choices->random, "Random start piles, a random goal and one random disturbance a seed");
+  demo->add_option("--seeds", choices->seeds, "With --random: how many seeds, on all cores")
+      ->check(CLI::Range(1, 100000))
+      ->capture_default_str();
+  demo->add_option("--first-seed", choices->first_seed, "With --random: the first")->capture_default_str();
+  demo->add_option("--jobs", choices->jobs, "With --random: how many at once; 0: one a core")->capture_default_str();
+  demo->footer(exit_code_help);
+  demo->callback([choices, &status] {
+    if (choices->random) {
+      const RandomRuns runs{choices->cell, choices->first_seed, choices->seeds, choices->jobs, choices->json};
+      status = run_random(runs);
+    } else {
+      status = run_demo(*choices);
+    }
+  });
+}
+
+}  // namespace pizarra

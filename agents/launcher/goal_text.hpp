@@ -1,0 +1,29 @@
+#pragma once
+
+// A goal as typed on the command line, checked against a domain: before anything runs as far as it can be, and again
+// when the objects are known.
+
+#include <string>
+#include <vector>
+
+#include "lisp/goal.hpp"
+
+namespace pizarra {
+
+// The type of what the eyes can name, from the domain's perception section.
+inline std::string seen_type(const Domain& domain) {
+  for (const Datum& part : domain.perception.items()) {
+    if (part.is_form("sees") && part.size() == 2) return std::string(part[1].text());
+  }
+  return domain.types.empty() ? std::string() : domain.types.front();
+}
+
+inline Result<std::vector<Datum>> read_goal_for(const Domain& domain, const std::string& text,
+                                                const std::vector<std::string>& objects) {
+  const std::string type = seen_type(domain);
+  std::vector<std::pair<std::string, std::string>> typed;
+  for (const std::string& object : objects) typed.emplace_back(object, type);
+  return read_goal(domain, text, typed);
+}
+
+}  // namespace pizarra

@@ -1,0 +1,134 @@
+#include "agents/launcher/random_story.hpp"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+namespace pizarra {
+
+namespace {
+
+// Where piles stand: slots a hundred millimetres apart, each a little off.
+constexpr double slot_pitch_mm = 100;
+constexpr int first_slot = -2;
+constexpr std::uint64_t slots = 5;
+constexpr double row_x_mm = 450;
+constexpr double off_x_mm = 25;
+constexpr double off_y_mm = 10;
+constexpr double off_yaw_deg = 10;
+constexpr double latest_disturbance_s = 60;
+constexpr double within_s = 400;
+constexpr double agent_away_s = 3;
+
+using Piles = std::vector<std::vector<std::string>>;  // each from the bottom up
+
+template <class T>
+void shuffle(std::vector<T>& items, Random& random) {
+  for (std::size_t i = items.size(); i > 1; --i) std::swap(items[i - 1], items[random.below(i)]);
+}
+
+Piles random_piles(std::vector<std::string> names, Random& random) {
+  shuffle(names, random);
+  Piles piles;
+  for (const std::string& name : names) {
+    const std::uint64_t pile = random.below(piles.size() + 1);
+    if (pile == piles.size()) piles.emplace_back();
+    piles[pile].push_back(name);
+  }
+  return piles;
+}
+
+std::vector<CubePlacement> place_piles(const Piles& piles, const std::vector<CubePlacement>& known, Random& random) {
+  std::vector<int> free_slots;
+  for (std::uint64_t slot = 0; slot < slots; ++slot) free_slots.push_back(first_slot + static_cast<int>(slot));
+  shuffle(free_slots, random);
+  std::vector<CubePlacement> out;
+  for (std::size_t i = 0; i < piles.size(); ++i) {
+    const double x_mm = row_x_mm + random.uniform(-off_x_mm, off_x_mm);
+    const double y_mm = slot_pitch_mm * free_slots[i] + random.uniform(-off_y_mm, off_y_mm);
+    std::string below;
+    for (const std::string& name : piles[i]) {
+      CubePlacement cube = *std::ranges::find(known, name, &CubePlacement::name);
+      cube.x_mm = x_mm;
+      cube.y_mm = y_mm;
+      cube.yaw_deg = random.uniform(-off_yaw_deg, off_yaw_deg);
+      cube.on = below;
+      below = name;
+      out.push_back(std::move(cube));
+    }
+  }
+  return out;
+}
+
+Datum on(const std::string& upper, const std::string& lower) {
+  return list("on"_sym, Datum::symbol(upper), Datum::symbol(lower));
+}
+
+// An arrangement of all cubes; of what it says at least one fact is wanted.
+std::vector<Datum> random_goal(const std::vector<std::string>& names, Random& random) {
+  std::vector<Datum> goal;
+  while (goal.empty()) {
+    for (const auto& pile : random_piles(names, random)) {
+      for (std::size_t i = 1; i < pile.size(); ++i) goal.push_back(on(pile[i], pile[i - 1]));
+      if (random.below(4) == 0) goal.push_back(list("on-table"_sym, Datum::symbol(pile.front())));
+    }
+  }
+  return goal;
+}
+
+Datum hand(std::string_view operation, const std::string& name, std::vector<Datum> more) {
+  std::vector<Datum> items{"hand"_sym, Datum::symbol(operation), Datum::symbol(name)};
+  items.insert(items.end(), more.begin(), more.end());
+  return Datum::list(std::move(items));
+}
+
+Datum whole_mm(double value) { return Datum::integer(static_cast<std::int64_t>(value)); }
+
+std::vector<Datum> random_disturbance(std::vector<std::string> names, Random& random) {
+  shuffle(names, random);
+  const std::string& target = names[0];
+  switch (random.below(8)) {
+    case 0:
+      return {hand("push", target, {whole_mm(random.uniform(-20, 20)), whole_mm(random.uniform(-60, 60))})};
+    case 1:
+      return {hand("place", target, {whole_mm(random.uniform(430, 480)), whole_mm(random.uniform(-210, 210))})};
+    case 2:
+      return {hand("stack", target, {Datum::symbol(names[1])})};
+    case 3:
+      return {hand("steal", target, {})};
+    case 4:
+      return {hand("remove", target, {})};
+    case 5:
+      return {hand("knock", target, {})};
+    default:
+      break;
+  }
+  const std::vector<Datum> agents{"robot"_sym, "vision"_sym, "planner"_sym, "coordinator"_sym};
+  const Datum& agent = agents[random.below(agents.size())];
+  return {list("kill"_sym, agent), list("wait"_sym, agent_away_s), list("restart"_sym, agent)};
+}
+
+}  // namespace
+
+RandomStory random_story(CellDescription cell, Random random) {
+  std::vector<std::string> names;
+  for (const CubePlacement& cube : cell.cubes) names.push_back(cube.name);
+  Random start = random.split("start");
+  Random wish = random.split("goal");
+  Random trouble = random.split("disturbance");
+
+  RandomStory story;
+  story.cell = std::move(cell);
+  story.cell.cubes = place_piles(random_piles(names, start), story.cell.cubes, start);
+  story.scenario.name = "random";
+  story.scenario.goal = random_goal(names, wish);
+  story.scenario.within_s = within_s;
+  const double at_s = trouble.uniform(0, latest_disturbance_s);
+  std::vector<Datum> actions{list("wait"_sym, at_s)};
+  const std::vector<Datum> disturbance = random_disturbance(names, trouble);
+  actions.insert(actions.end(), disturbance.begin(), disturbance.end());
+  story.scenario.events.push_back({list("goal-state"_sym, "?"_sym, "running"_sym, "?"_sym), std::move(actions)});
+  return story;
+}
+
+}  // namespace pizarra

@@ -1,0 +1,21 @@
+#pragma once
+
+// A story drawn from a seed: how the cubes stand, what is wanted, and one disturbance at some time.
+//
+//   RandomStory story = random_story(cell, Random(seed));
+
+#include "blackboard/time/random.hpp"
+#include "lisp/scenario.hpp"
+
+namespace pizarra {
+
+// The cell with its cubes piled up otherwise, and a scenario with a goal over them. The disturbance is a hand that
+// pushes, places, stacks, steals, removes or knocks, or an agent that is killed and comes back.
+struct RandomStory {
+  CellDescription cell;
+  Scenario scenario;
+};
+
+RandomStory random_story(CellDescription cell, Random random);
+
+}  // namespace pizarra
