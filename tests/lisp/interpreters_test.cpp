@@ -1,0 +1,132 @@
+// Whatever a person writes, the interpreters answer with a reading or with a report, never with an error of their own.
+
+#include <functional>
+#include <gtest/gtest.h>
+
+#include "lisp/cell.hpp"
+#include "lisp/domain.hpp"
+#include "lisp/goal.hpp"
+#include "lisp/micro_tasks.hpp"
+#include "lisp/perception.hpp"
+#include "lisp/scenario.hpp"
+#include "lisp/vision_reply.hpp"
+#include "lisp/writer.hpp"
+#include "tests/lisp/random_datum.hpp"
+
+namespace pizarra {
+namespace {
+
+const std::string root = std::string(PIZARRA_SOURCE_DIR) + "/";
+
+// One element somewhere in it is removed, doubled, replaced by something else, or swapped with its neighbour.
+Datum damaged(const Datum& datum, RandomDatum& random) {
+  if (datum.size() == 0) return random.any(2);
+  std::vector<Datum> items(datum.items().begin(), datum.items().end());
+  const std::size_t at = random.below(items.size());
+  const auto place = items.begin() + static_cast<std::ptrdiff_t>(at);
+  if (items[at].is_list() && random.below(4) > 0) {
+    items[at] = damaged(items[at], random);
+    return Datum::list(std::move(items));
+  }
+  switch (random.below(4)) {
+    case 0:
+      items.erase(place);
+      break;
+    case 1:
+      items.insert(place, Datum(items[at]));
+      break;
+    case 2:
+      items[at] = random.any(2);
+      break;
+    default:
+      std::swap(items[at], items[random.below(items.size())]);
+  }
+  return Datum::list(std::move(items));
+}
+
+std::string text_of(const Datum& data) {
+  std::string out;
+  for (const Datum& datum : data.items()) out += write(datum) + "\n";
+  return out;
+}
+
+using Interpretation = std::function<Result<void>(const std::string&)>;
+
+template <class Value>
+Result<void> outcome_of(const Result<Value>& result) {
+  if (!result) return fail(result);
+  return {};
+}
+
+void survive(const std::vector<Datum>& sound, int times, const Interpretation& interpretation) {
+  for (int seed = 1; seed <= times; ++seed) {
+    RandomDatum random(static_cast<std::uint64_t>(seed));
+    Datum data = Datum::list(sound);
+    for (auto changes = 1 + random.below(4); changes > 0; --changes) data = damaged(data, random);
+    const std::string text = text_of(data);
+    const Result<void> outcome = interpretation(text);
+    if (outcome) continue;
+    ASSERT_NE(outcome.error().symbol, "scheme-error") << "seed " << seed << "\n" << text << describe(outcome.error());
+    ASSERT_FALSE(outcome.error().place.empty()) << "seed " << seed << "\n" << text << describe(outcome.error());
+  }
+}
+
+std::vector<Datum> data_of(const std::string& path) { return read_source_file(root + path).value().data(); }
+
+TEST(InterpretersTest, DomainsSurviveDamage) {
+  for (const char* file : {"domains/blocks.scm", "domains/numbered-places.scm"}) {
+    survive(data_of(file), 500, [](const std::string& text) { return outcome_of(read_domain(text, "damaged")); });
+  }
+}
+
+TEST(InterpretersTest, PerceptionAndMicroTasksSurviveDamage) {
+  const Domain domain = read_domain_file(root + "domains/blocks.scm").value();
+  Arities predicates;
+  for (const Predicate& predicate : domain.predicates)
+    predicates.emplace_back(predicate.name, predicate.arguments.size());
+  Arities operators;
+  for (const Operator& one : domain.operators) operators.emplace_back(one.name, one.params.size());
+  const Arities primitives{{"open", 1},  {"raise", 0},   {"align", 1},     {"lower", 1},
+                           {"close", 0}, {"release", 0}, {"check-held", 1}};
+  const std::vector<Datum> measured{read_one("(seen circle 450 0 30)").value(), read_one("(gripper 100)").value(),
+                                    read_one("(grip 300 0 300)").value()};
+  survive(data_of("domains/blocks.scm"), 1000, [&](const std::string& text) -> Result<void> {
+    const Source source = read_source(text, "damaged").value();
+    const auto tasks = MicroTasks::read(source, operators, primitives);
+    if (!tasks && tasks.error().symbol == "scheme-error") return outcome_of(tasks);
+    const auto perception = Perception::read(source, predicates);
+    if (!perception) return outcome_of(perception);
+    const auto facts = perception->perceive(measured, {});
+    return facts || facts.error().symbol != "scheme-error" ? Result<void>() : outcome_of(facts);
+  });
+}
+
+TEST(InterpretersTest, CellsSurviveDamage) {
+  survive(data_of("examples/01-blocks/cell.scm"), 1000,
+          [](const std::string& text) { return outcome_of(read_cell(text, "damaged")); });
+}
+
+TEST(InterpretersTest, ScenariosSurviveDamage) {
+  survive(data_of("tests/scenarios/05-tower-knocked-over.scm"), 1000,
+          [](const std::string& text) { return outcome_of(read_scenario(text, "damaged")); });
+}
+
+TEST(InterpretersTest, GoalsSurviveDamage) {
+  const Domain domain = read_domain_file(root + "domains/blocks.scm").value();
+  const Datum goal = read_one("(and (on circle triangle) (on triangle \"square\") (not (holding cross)))").value();
+  survive({goal}, 1500, [&](const std::string& text) {
+    return outcome_of(read_goal(domain, text, {{"circle", "OBJECT"}, {"triangle", "OBJECT"}, {"square", "OBJECT"}}));
+  });
+  survive({goal}, 500, [&](const std::string& text) { return outcome_of(check_goal(domain, text)); });
+}
+
+TEST(InterpretersTest, VisionRepliesSurviveDamage) {
+  for (const char* reply : {"(TRACK 2 (\"a\" OK (1 , 2 , 3.5)) (\"b\" FAIL))", "(GET 2 (\"a\" , \"b\"))",
+                            "(FIND \"a\" OK (1 , 2))", "(LEARN \"a\" OK)"}) {
+    survive({read_one(reply, {.commas = true}).value()}, 500,
+            [](const std::string& text) { return outcome_of(interpret_vision_reply(text)); });
+  }
+}
+
+}  // namespace
+}  // namespace pizarra
