@@ -31,7 +31,7 @@ struct Schema {
   std::vector<Template> preconditions, adds, deletes;
 };
 
-struct Predicate {
+struct KnownPredicate {
   std::size_t index = 0;
   std::size_t arity = 0;
   bool changes = false;
@@ -64,7 +64,7 @@ class Grounder {
 
   const PlanningTask& task_;
   std::map<Datum, std::size_t> objects_;
-  std::map<std::string, Predicate> predicates_;
+  std::map<std::string, KnownPredicate> predicates_;
   std::vector<const std::string*> predicate_names_;
   std::vector<Schema> schemas_;
   std::vector<Template> initials_, goals_;
@@ -120,7 +120,7 @@ Result<Template> Grounder::read_atom(const Datum& atom, const std::vector<std::s
                 atom);
   }
   if (known == predicates_.end()) {
-    known = predicates_.emplace(name, Predicate{predicates_.size(), atom.size() - 1, false}).first;
+    known = predicates_.emplace(name, KnownPredicate{predicates_.size(), atom.size() - 1, false}).first;
   }
   if (known->second.arity != atom.size() - 1) {
     return fail("bad-task",
