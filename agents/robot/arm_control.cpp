@@ -164,7 +164,10 @@ Task<Result<void>> ArmControl::follow(std::vector<Joints> waypoints, double spee
   }
   const Result<ArmReading> ended = co_await until_ended(false, longest);
   if (!ended) co_return fail(ended);
-  if (stop_requested_ || ended->stopped) co_return stopped(running_);
+  if (stop_requested_) co_return stopped(running_);
+  if (ended->stopped) {
+    co_return fail("stopped", "the controller ended the motion, as one does that feels a collision", *running_);
+  }
   for (std::size_t axis = 0; axis < arm_axes; ++axis) {
     if (std::abs(ended->joints[axis] - target[axis]) <= arrived_deg) continue;
     co_return fail(

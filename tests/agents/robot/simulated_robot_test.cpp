@@ -1,0 +1,41 @@
+// The agent over the simulated cell's arm, which has ramps, steps and a real gripper.
+
+#include "drivers/simulation/simulated_arm.hpp"
+#include "drivers/simulation/world.hpp"
+#include "tests/agents/robot/robot_fixture.hpp"
+
+namespace pizarra {
+namespace {
+
+TEST(SimulatedRobot, ReachesTheTableGripsACubeAndLiftsIt) {
+  VirtualExecutor executor;
+  MemoryBoard board(executor);
+  WorldConfig config;
+  config.cubes.push_back({.name = "circle", .mark = Mark::circle, .x_mm = 450, .y_mm = 0, .yaw_deg = 0, .on = ""});
+  World world(executor, config);
+  LocalLink link(world);
+  SimulatedArm arm(link);
+  RobotLife life(executor, board, arm);
+  const auto call = [&](std::string_view operation, const std::string& id) {
+    Transaction request;
+    request.tell(list("request"_sym, Datum::symbol(id), "robot"_sym, form(operation)));
+    EXPECT_TRUE(board.transact("user", request)) << operation;
+    const Query query = query_from_datum(form(fmt::format("(reply {} ?answer)", id))).value();
+    const Time deadline = executor.now() + 30s;
+    executor.run_until([&] { return !board.ask(query)->answers.empty() || executor.now() > deadline; });
+    const Answers answers = board.ask(query).value();
+    return answers.answers.empty() ? "" : write(answers.answers.front().facts.front().datum[2]);
+  };
+  executor.run_for(1s);
+  int asked = 0;
+  for (const std::string_view operation :
+       {"(gripper 84)", "(extend keep-height 80)", "(move-v down 200)", "(move-v down 180)", "(gripper 40)",
+        "(move-v up 150)", "(turn right 10)", "(turn-wrist left 10)", "(home)", "(ready)"}) {
+    EXPECT_EQ(call(operation, fmt::format("r{}", ++asked)), "(ok true)") << operation;
+  }
+  const Query opening = query_from_datum(form("(gripper ?mm)")).value();
+  EXPECT_NEAR(board.ask(opening)->answers.front().facts.front().datum[1].number(), 60, 1.5);
+}
+
+}  // namespace
+}  // namespace pizarra
