@@ -3,10 +3,10 @@
 // What a motion operation means for an arm that stands somewhere: the waypoints to follow, or why not. Pure: the same
 // arm, place and variables give the same motion, so a motion can be planned again after a restart.
 //
-// Extend and retract move in the plan of axis 1, and are clamped to what the arm can reach, as are the turns; move-h
-// and move-v name a place (the current one plus the increment) and are refused when it cannot be reached. All but the
-// turns keep the tool's direction: axis 5 takes back what axes 2 and 3 turn, dj5 = -(dj2 + dj3). With the tool down,
-// (turn-wrist left D) takes back what (turn right D) turned the fingers by.
+// Extend and retract move in the plane that axis 1 turns, and are clamped to what the arm can reach, as are the turns;
+// move-h and move-v name a place (the current one plus the increment) and are refused when it cannot be reached. All
+// but the turns keep the tool's direction: axis 5 takes back what axes 2 and 3 turn, dj5 = -(dj2 + dj3). With the tool
+// down, (turn-wrist left D) takes back what (turn right D) turned the fingers by.
 //
 // Failures: out-of-range, wrong-direction, unknown-variable, unreachable, joint-limit, bad-action, too-long.
 
