@@ -19,7 +19,7 @@ namespace pizarra {
 
 // `objects_with_types` are what was seen; the domain's own objects are known besides. Failures, all in one report with
 // carets: the reader's, malformed, unknown-predicate, unknown-object, wrong-arity, wrong-type, not-ground, negated,
-// contradictory (a fact both wanted and not wanted). Whether a plan exists is the planner's to say.
+// contradictory (a fact both wanted and not wanted), too-many (500). Whether a plan exists is the planner's to say.
 Result<std::vector<Datum>> read_goal(const Domain& domain, std::string_view text,
                                      const std::vector<std::pair<std::string, std::string>>& objects_with_types);
 

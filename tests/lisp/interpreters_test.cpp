@@ -1,5 +1,6 @@
 // Whatever a person writes, the interpreters answer with a reading or with a report, never with an error of their own.
 
+#include <fmt/format.h>
 #include <functional>
 #include <gtest/gtest.h>
 
@@ -126,6 +127,20 @@ TEST(InterpretersTest, VisionRepliesSurviveDamage) {
     survive({read_one(reply, {.commas = true}).value()}, 500,
             [](const std::string& text) { return outcome_of(interpret_vision_reply(text)); });
   }
+}
+
+TEST(InterpretersTest, AHugeDomainIsRefusedSoon) {
+  std::string objects;
+  std::string facts;
+  for (int i = 0; i < 15'000; ++i) {
+    objects += fmt::format("(o{} T) ", i);
+    facts += fmt::format("(p x{}) ", i);
+  }
+  const auto huge = read_domain(
+      fmt::format("(domain d (types T) (predicates (p (a T))) (objects {}) (facts {}))", objects, facts), "huge");
+  ASSERT_FALSE(huge);
+  EXPECT_EQ(huge.error().symbol, "too-many");
+  EXPECT_LT(huge.error().place.size(), 10'000u);
 }
 
 }  // namespace

@@ -43,4 +43,13 @@
 (check "an exact name wins over another case" (find-name 'A '(a A)) 'A)
 (check "a name of another case is found" (find-name "Circle" '(circle)) 'circle)
 
+(check "the first too many is complained about"
+       (interpreting '(a b c)
+         (lambda (file) (map node-datum (at-most (node-items file) 2 "letters"))))
+       '(errors (too-many "there may be at most 2 letters" (2) ())))
+(check "complaints have a bound"
+       (length (interpreting (iota 5000)
+                 (lambda (file) (for-each (lambda (node) (complain! node 'odd "odd")) (node-items file)))))
+       1001)
+
 (finish-checks)

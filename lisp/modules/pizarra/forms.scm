@@ -19,7 +19,7 @@
             node-datum node-items node-rest node-ref node-head node-within node-form? path-to
             only-form sections section-in sections-in find-section
             symbol-at string-at number-at integer-at symbol-of
-            refuse-repeated suggestion same-name? find-name object-name?))
+            refuse-repeated at-most suggestion same-name? find-name object-name?))
 
 (define-record-type <node>
   (make-node datum path context)
@@ -28,13 +28,18 @@
   (path node-path)          ; innermost index first
   (context node-context))   ; innermost first
 
-;; The complaints of the interpretation in hand, newest first.
+;; The complaints of the interpretation in hand, newest first, and how many they are.
 (define complaints (make-parameter '()))
+(define complaint-count (make-parameter 0))
+
+;; What comes after so many is not noted, and nearest names are looked for only at the first: a text may be all wrong.
+(define most-complaints 1000)
+(define most-suggestions 100)
 
 ;; (ok VALUE), VALUE being what (interpreter ROOT) returns, or (errors (SYMBOL SENTENCE PATH CONTEXT) ...) in the
 ;; order of the text. ROOT's items are the data of the text.
 (define (interpreting data interpreter)
-  (parameterize ((complaints '()))
+  (parameterize ((complaints '()) (complaint-count 0))
     (let* ((value (interpreter (make-node data '() '())))
            (found (reverse (complaints))))
       (if (null? found)
@@ -49,11 +54,13 @@
 
 ;; Notes that NODE is wrong; SENTENCE may hold ~a for the values. Always #f, for use as a missing value.
 (define (complain! node symbol sentence . values)
-  (complaints (cons (list symbol
-                          (apply simple-format #f sentence values)
-                          (path-to node)
-                          (reverse (node-context node)))
-                    (complaints)))
+  (when (< (complaint-count) most-complaints)
+    (complaint-count (+ 1 (complaint-count)))
+    (complaints (cons (list symbol
+                            (apply simple-format #f sentence values)
+                            (path-to node)
+                            (reverse (node-context node)))
+                      (complaints))))
   #f)
 
 ;; The indices from the top of the text to the node.
@@ -157,12 +164,20 @@
 
 ;; Complains about every node whose (name-of NODE) an earlier node has; #f is no name.
 (define (refuse-repeated nodes name-of what)
-  (let loop ((nodes nodes) (seen '()))
-    (unless (null? nodes)
-      (let ((name (name-of (car nodes))))
-        (when (and name (member name seen))
-          (complain! (car nodes) 'repeated "there is ~a ~a already" what name))
-        (loop (cdr nodes) (cons name seen))))))
+  (let ((seen (make-hash-table)))
+    (for-each (lambda (node)
+                (let ((name (name-of node)))
+                  (when (and name (hash-ref seen name))
+                    (complain! node 'repeated "there is ~a ~a already" what name))
+                  (hash-set! seen name #t)))
+              nodes)))
+
+;; The first COUNT of NODES, complaining about the next.
+(define (at-most nodes count what)
+  (if (<= (length nodes) count)
+      nodes
+      (begin (complain! (list-ref nodes count) 'too-many "there may be at most ~a ~a" count what)
+             (take nodes count))))
 
 ;; Whether two names are equal without regard to case.
 (define (same-name? a b)
@@ -185,11 +200,16 @@
   (if (symbol? name) (symbol->string name) name))
 
 (define most-names-shown 12)
+(define longest-name 64)
 
 ;; The end of a sentence about an unknown NAME: the nearest of the known NAMES, or else some of them.
 (define (suggestion name names)
-  (let ((nearest (and name (nearest-name name names))))
-    (cond (nearest (simple-format #f "; the nearest is ~a" nearest))
+  (let ((nearest (and name
+                      (<= (complaint-count) most-suggestions)
+                      (<= (string-length (text-of name)) longest-name)
+                      (nearest-name name names))))
+    (cond ((> (complaint-count) most-suggestions) "")
+          (nearest (simple-format #f "; the nearest is ~a" nearest))
           ((null? names) "; there is none at all")
           (else
            (simple-format #f "; there are ~a~a"

@@ -10,10 +10,12 @@
   #:use-module ((pizarra strips) #:select (read-fact typed-term param? pattern-variable?))
   #:export (interpret))
 
+(define most-facts 500)
+
 (define (interpret data predicates objects open)
   (interpreting data
     (lambda (text)
-      (let* ((nodes (goal-nodes text))
+      (let* ((nodes (at-most (goal-nodes text) most-facts "facts in a goal"))
              (term (goal-term objects (eq? open 'open)))
              (read-one (lambda (node) (read-fact node predicates term find-name))))
         (when (null? nodes)

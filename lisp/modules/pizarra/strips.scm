@@ -14,6 +14,10 @@
 
 (define reserved '(and or not del add))
 
+;; Of types, predicates, objects, facts and operators; and of an operator's parameters and facts.
+(define most-in-section 1000)
+(define most-in-operator 50)
+
 (define (interpret data)
   (interpreting data
     (lambda (file)
@@ -30,7 +34,8 @@
          (objects (read-objects (nodes-in found 'objects) types))
          (facts (filter-map (lambda (node) (read-fact node predicates (ground-term objects) same-symbol))
                             (nodes-in found 'facts)))
-         (operators (read-operators (sections-in found 'operator) types predicates objects)))
+         (operators (read-operators (at-most (sections-in found 'operator) most-in-section "operators")
+                                    types predicates objects)))
     (append (list 'domain name types predicates objects facts operators)
             (handed-on found 'perception)
             (handed-on found 'micro-tasks))))
@@ -38,7 +43,11 @@
 ;; What stands in a section that may be missing.
 (define (nodes-in found name)
   (let ((section (section-in found name)))
-    (if section (node-rest (node-within section (simple-format #f "in the ~a" name))) '())))
+    (if section
+        (at-most (node-rest (node-within section (simple-format #f "in the ~a" name)))
+                 most-in-section
+                 name)
+        '())))
 
 (define (handed-on found name)
   (let ((section (section-in found name)))
@@ -156,7 +165,8 @@
     (and name
          (let* ((inside (node-within node (simple-format #f "in operator ~a" name)))
                 (found (sections (cddr (node-items inside)) '(params preconds effects)))
-                (rest-of (lambda (key) (let ((part (section-in found key))) (if part (node-rest part) '()))))
+                (rest-of (lambda (key) (let ((part (section-in found key)))
+                                       (if part (at-most (node-rest part) most-in-operator key) '()))))
                 (params (read-params (rest-of 'params) types))
                 (term (operator-term params objects))
                 (read-one (lambda (fact) (read-fact fact predicates term same-symbol)))
