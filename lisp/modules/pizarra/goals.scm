@@ -1,7 +1,7 @@
 ;; Goals: FACT, (and FACT ...) or several FACTs.
 ;;
-;; (interpret DATA PREDICATES OBJECTS OPEN) answers (ok (FACT ...)) or (errors ...). PREDICATES and OBJECTS are as strips
-;; returns them; where OPEN is `open`, a name that OBJECTS does not hold may be any object.
+;; (interpret DATA PREDICATES OBJECTS OPEN) answers (ok (FACT ...)) or (errors ...). PREDICATES and OBJECTS are as
+;; strips returns them; where OPEN is `open`, a name that OBJECTS does not hold may be any object.
 
 (define-module (pizarra goals)
   #:use-module (srfi srfi-1)

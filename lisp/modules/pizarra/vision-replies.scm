@@ -35,7 +35,8 @@
       (complain! (node-ref node index) 'malformed "an object's name is letters, digits and hyphens after a letter"))
     name))
 
-;; (HEAD "name" OK NUMBERS) or (HEAD "name" FAIL), NUMBERS being absent where none are WANTED: (ok number ...) or (fail).
+;; (HEAD "name" OK NUMBERS) or (HEAD "name" FAIL), NUMBERS being absent where none are WANTED, as (ok number ...) or
+;; (fail).
 (define (read-verdict reply wanted)
   (let ((verdict (symbol-at reply 2 "the outcome")))
     (case verdict
