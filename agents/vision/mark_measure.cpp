@@ -171,7 +171,7 @@ std::optional<SeenMark> measure_mark(const cv::Mat& grey, const MarkContour& con
   const Level ground = level_under(patch, region->border);
   const int contrast = tone == MarkTone::dark ? ground.median - mark.median : mark.median - ground.median;
   if (mark.count == 0 || contrast < least_contrast) return std::nullopt;
-  if (mark.share_within(contrast / 3) < 0.85 || ground.share_within(contrast / 3) < 0.7) return std::nullopt;
+  if (mark.share_within(contrast / 3) < 0.85 || ground.share_within(contrast / 5) < 0.75) return std::nullopt;
 
   SeenMark out;
   out.tone = tone;
@@ -188,6 +188,7 @@ std::optional<SeenMark> measure_mark(const cv::Mat& grey, const MarkContour& con
   out.perimeter_px = static_cast<int>(contour.size());
   out.corners = count_corners(contour);
   out.moments = hu_moments(*moments);
+  out.width_px = std::sqrt(moments->mu20 / moments->m00);
   out.height_px = std::sqrt(moments->mu02 / moments->m00);
   out.slimness = slimness_of(*moments);
   out.roundness = 4 * CV_PI * std::sqrt(moments->mu20 * moments->mu02 - moments->mu11 * moments->mu11) /

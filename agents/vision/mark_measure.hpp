@@ -22,6 +22,7 @@ struct SeenMark {
   int corners = 0;       // NF
   // Hu's first three moment invariants, scaled: 2 pi h1 (1 for a disc), 1e6 h2, 1e9 h3.
   std::array<double, 3> moments{};
+  double width_px = 0;    // standard deviation along x
   double height_px = 0;   // standard deviation along y, which a yawed face keeps
   double slimness = 0;    // the smaller over the larger principal standard deviation
   double roundness = 0;   // as moments[0] after the second moments were made equal: no view changes it

@@ -68,7 +68,7 @@ std::optional<SeenPair> MarkTracker::follow(StereoSight& sight, const Track& tra
     const SeenMark* partner = find_partner(out.left, sight.right_segmentation().marks(), disparity);
     if (partner != nullptr) out.right = *partner;
   }
-  if (out.right && !has_learned_size(*track.object, size_mm(sight.model(), out.left, *out.right))) return std::nullopt;
+  if (out.right && !is_whole(sight.model(), *track.object, out.left, *out.right)) return std::nullopt;
   return out;
 }
 

@@ -29,8 +29,8 @@ class StereoSight {
   ImageSegmentation& left_segmentation();
   ImageSegmentation& right_segmentation();
 
-  // The object anywhere in the left image, or within `reach_px` of `near` where that is given; with its partner. Where
-  // there is one, the size in the world must be the learned one.
+  // The object anywhere in the left image, or within `reach_px` of `near` where that is given; with its partner, and
+  // whole. A partner may be missing only where the right image's edge cuts it off.
   std::optional<SeenPair> find(const LearnedObjects& objects, const LearnedObject& object,
                                std::optional<cv::Point2d> near = {}, double reach_px = 0);
 
@@ -45,7 +45,9 @@ class StereoSight {
 // The mark's standard deviation along y in the world, mm.
 double size_mm(const StereoModel& model, const SeenMark& left, const SeenMark& right);
 
-// Whether some sample of the object has that size, or none knows its own.
-bool has_learned_size(const LearnedObject& object, double size_mm);
+// Whether the pair can be the whole of the object's mark: as high in the world as one of its samples, and, but for what
+// yaw does, as wide in one image as in the other. Something in front of a part of it makes it too low, or hides more of
+// it from one camera than from the other.
+bool is_whole(const StereoModel& model, const LearnedObject& object, const SeenMark& left, const SeenMark& right);
 
 }  // namespace pizarra

@@ -65,7 +65,7 @@ std::shared_ptr<const Image> draw(const Scene& scene, const StereoModel& model, 
   }
   for (const SceneBlot& blot : scene.blots) {
     cv::Rect2d moved = blot.box;
-    if (right) moved.x -= 45;
+    if (right) moved.x -= blot.disparity_px;
     cv::rectangle(canvas,
                   cv::Rect(cv::Point(cvRound(moved.x * oversampling), cvRound(moved.y * oversampling)),
                            cv::Size(cvRound(moved.width * oversampling), cvRound(moved.height * oversampling))),

@@ -22,8 +22,9 @@ struct SceneFace {
 };
 
 struct SceneBlot {
-  cv::Rect2d box;  // px of the left image, drawn over everything; in the right image 45 px further left
+  cv::Rect2d box;  // px of the left image, drawn over everything
   int level = 0;
+  double disparity_px = 60;  // 45 is as far away as the cubes, 60 is 200 mm nearer
 };
 
 struct Scene {

@@ -1,0 +1,62 @@
+#pragma once
+
+// What the tests of the eyes share: sights of drawn scenes, and the five objects of a cell as learned from clicks.
+
+#include "agents/vision/mark_learner.hpp"
+#include "tests/agents/vision/scene.hpp"
+
+namespace pizarra {
+
+inline const std::vector<std::string>& cell_marks() {
+  static const std::vector<std::string> names = {"circle", "square", "cross", "triangle", "end-effector"};
+  return names;
+}
+
+// How the scene calls the mark of a learned object.
+inline std::string drawn_as(const std::string& name) { return name == "end-effector" ? "plate" : name; }
+
+// A drawn frame and its sight; keeps the pixels alive.
+struct DrawnSight {
+  DrawnSight(const Scene& scene, Random& random)
+      : frame(draw_scene(scene, model(), 1, random)), sight(as_mat(*frame.left), as_mat(*frame.right), model()) {}
+  static const StereoModel& model() {
+    static const StereoModel rectified;
+    return rectified;
+  }
+  StereoFrame frame;
+  StereoSight sight;
+};
+
+// Feeds frames of the scene until the learner is done or fails.
+inline Result<LearnedSample> learn_from(const Scene& scene, MarkLearner& learner, Random& random) {
+  while (!learner.done()) {
+    DrawnSight drawn(scene, random);
+    const Result<void> fed = learner.feed(drawn.sight);
+    if (!fed) return fail(fed);
+  }
+  return learner.sample();
+}
+
+// A row of the five at 850 mm, 80 mm apart, learned by clicking near their centres.
+inline const LearnedObjects& learned_cell() {
+  static const LearnedObjects objects = [] {
+    LearnedObjects out;
+    Random random(11);
+    Scene scene;
+    for (std::size_t i = 0; i < cell_marks().size(); ++i) {
+      scene.faces.push_back(
+          {.mark = drawn_as(cell_marks()[i]), .place = {-160 + 80.0 * static_cast<double>(i), 0, 850}});
+    }
+    for (std::size_t i = 0; i < cell_marks().size(); ++i) {
+      const cv::Point2d click = project(DrawnSight::model(), scene.faces[i].place, false) + cv::Point2d(1.2, -2);
+      MarkLearner learner(cell_marks()[i], click, out);
+      LearnedSample sample = learn_from(scene, learner, random).value();
+      sample.number = 1;
+      out.add(cell_marks()[i], std::move(sample));
+    }
+    return out;
+  }();
+  return objects;
+}
+
+}  // namespace pizarra

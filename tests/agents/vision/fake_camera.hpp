@@ -1,0 +1,46 @@
+#pragma once
+
+// A stereo camera that shows a scene which the test may change, ten frames a second, and that can be unplugged.
+
+#include <functional>
+
+#include "blackboard/time/executor.hpp"
+#include "tests/agents/vision/scene.hpp"
+
+namespace pizarra {
+
+class FakeCamera : public StereoCamera {
+ public:
+  FakeCamera(Executor& executor, std::uint64_t seed) : executor_(executor), random_(seed) {}
+
+  Scene scene;
+  bool plugged = true;
+  int opened = 0;
+
+  Task<Result<StereoModel>> open() override {
+    ++opened;
+    if (!plugged) co_return fail("disconnected", "the camera is unplugged");
+    co_return model_;
+  }
+
+  Task<Result<StereoFrame>> next(std::uint64_t after, bool) override {
+    if (number_ <= after) {
+      co_await sleep(executor_, 100ms);
+      ++number_;
+    }
+    if (!plugged) co_return fail("disconnected", "the camera is unplugged");
+    StereoFrame frame = draw_scene(scene, model_, number_, random_);
+    frame.captured = executor_.now();
+    co_return frame;
+  }
+
+  const StereoModel& model() const { return model_; }
+
+ private:
+  Executor& executor_;
+  Random random_;
+  StereoModel model_;
+  std::uint64_t number_ = 0;
+};
+
+}  // namespace pizarra

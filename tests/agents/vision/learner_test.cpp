@@ -1,0 +1,110 @@
+#include <gtest/gtest.h>
+
+#include "tests/agents/vision/eyes.hpp"
+
+namespace pizarra {
+namespace {
+
+const cv::Point3d in_front(0, 0, 850);
+
+Scene circle_scene() {
+  Scene scene;
+  scene.faces = {{.mark = "circle", .place = in_front}};
+  return scene;
+}
+
+std::string failure_of(const Scene& scene, cv::Point2d click, const std::string& name = "new",
+                       const LearnedObjects& objects = LearnedObjects()) {
+  Random random(1);
+  MarkLearner learner(name, click, objects);
+  const Result<LearnedSample> sample = learn_from(scene, learner, random);
+  return sample ? "none" : sample.error().symbol;
+}
+
+TEST(Learner, TakesTenFramesToFillAndTenToFollow) {
+  Random random(2);
+  const LearnedObjects none;
+  MarkLearner learner("circle", project(DrawnSight::model(), in_front, false), none);
+  for (int frame = 1; frame <= 20; ++frame) {
+    EXPECT_FALSE(learner.done());
+    DrawnSight drawn(circle_scene(), random);
+    ASSERT_TRUE(learner.feed(drawn.sight));
+    EXPECT_FALSE(learner.filled().empty());
+    EXPECT_EQ(learner.contour().empty(), frame < 10);
+  }
+  EXPECT_TRUE(learner.done());
+  const LearnedSample sample = learner.sample();
+  EXPECT_NEAR(sample.area_px, 391, 10);
+  EXPECT_NEAR(sample.size_mm, 11, 0.3);  // a circle's standard deviation is half its radius
+}
+
+TEST(Learner, SaysWhyAPlaceCannotBeLearned) {
+  const Scene scene = circle_scene();
+  const cv::Point2d centre = project(DrawnSight::model(), in_front, false);
+  EXPECT_EQ(failure_of(scene, {-3, 20}), "outside");
+  EXPECT_EQ(failure_of(scene, {320, 20}), "outside");
+  EXPECT_EQ(failure_of(scene, {1e300, 20}), "outside");
+  EXPECT_EQ(failure_of(scene, {40, 40}), "no-contrast");
+  EXPECT_EQ(failure_of(scene, centre), "none");
+}
+
+TEST(Learner, RefusesTheFaceAroundTheMark) {
+  const cv::Point2d corner = project(DrawnSight::model(), in_front + cv::Point3d(-26, -26, 0), false);
+  EXPECT_EQ(failure_of(circle_scene(), corner), "open-contour");
+}
+
+TEST(Learner, RefusesWhatReachesTheBorder) {
+  Scene scene;
+  scene.faces = {{.mark = "circle", .place = {0, -235, 850}}};
+  const cv::Point2d seen = project(DrawnSight::model(), {0, -225, 850}, false);
+  EXPECT_EQ(failure_of(scene, seen), "border");
+}
+
+TEST(Learner, RefusesAContourThatIsNotClosed) {
+  Scene scene = circle_scene();
+  const cv::Point2d centre = project(DrawnSight::model(), in_front, false);
+  // A dark bar lets the fill leak over the face and out.
+  scene.blots = {{.box = {centre.x, centre.y - 4, 30, 8}, .level = 25}};
+  EXPECT_EQ(failure_of(scene, centre), "too-large");
+  scene.blots = {{.box = {centre.x, centre.y - 4, 200, 8}, .level = 25}};
+  EXPECT_EQ(failure_of(scene, centre), "border");
+}
+
+TEST(Learner, RefusesAMarkThatMovesMeanwhile) {
+  Random random(3);
+  Scene scene = circle_scene();
+  const LearnedObjects none;
+  MarkLearner learner("circle", project(DrawnSight::model(), in_front, false), none);
+  Result<void> fed;
+  for (int frame = 0; frame < 20 && fed; ++frame) {
+    if (frame >= 10) scene.faces[0].place.x += 4;
+    DrawnSight drawn(scene, random);
+    fed = learner.feed(drawn.sight);
+  }
+  ASSERT_FALSE(fed);
+  EXPECT_EQ(fed.error().symbol, "moved");
+}
+
+TEST(Learner, RefusesASecondNameForAKnownMarkButNotASecondSample) {
+  const cv::Point2d centre = project(DrawnSight::model(), in_front, false);
+  EXPECT_EQ(failure_of(circle_scene(), centre, "ball", learned_cell()), "ambiguous");
+  EXPECT_EQ(failure_of(circle_scene(), centre, "Circle", learned_cell()), "none");
+}
+
+TEST(LearnedObjects, CountSamplesUnderTheFirstNameAndHaveBounds) {
+  LearnedObjects objects;
+  for (int i = 1; i <= static_cast<int>(most_samples); ++i) {
+    const LearnedObjects::Slot slot = objects.slot_for(i == 1 ? "Circle" : "circle").value();
+    EXPECT_EQ(slot.name, "Circle");
+    EXPECT_EQ(slot.number, i);
+    LearnedSample sample;
+    sample.number = slot.number;
+    objects.add(slot.name, sample);
+  }
+  EXPECT_EQ(objects.slot_for("CIRCLE").error().symbol, "full");
+  EXPECT_TRUE(check_object_name("end-effector"));
+  for (const std::string bad : {"", "9a", "-a", "a b", "a\"b", "a/b"}) EXPECT_FALSE(check_object_name(bad)) << bad;
+}
+
+}  // namespace
+}  // namespace pizarra

@@ -1,0 +1,137 @@
+#include <cmath>
+#include <gtest/gtest.h>
+#include <opencv2/imgproc.hpp>
+
+#include "tests/agents/vision/eyes.hpp"
+
+namespace pizarra {
+namespace {
+
+// The one mark of a scene that shows one; the face's own light region is none.
+const SeenMark* only_mark(DrawnSight& drawn, MarkTone tone) {
+  const SeenMark* found = nullptr;
+  for (const SeenMark& mark : drawn.sight.left_segmentation().marks()) {
+    if (mark.tone == tone) found = &mark;
+  }
+  return found;
+}
+
+Scene one_face(const std::string& mark, cv::Point3d place) {
+  Scene scene;
+  scene.faces = {{.mark = mark, .place = place}};
+  return scene;
+}
+
+TEST(Contour, FollowsTheBorderPixelsOfARegionOnce) {
+  cv::Mat1b mask = cv::Mat1b::zeros(12, 12);
+  mask(cv::Rect(3, 4, 5, 4)).setTo(255);
+  const std::optional<MarkContour> contour = contour_from_centre(mask, {5, 6}, 2, 100);
+  ASSERT_TRUE(contour);
+  EXPECT_EQ(contour->size(), 14U);
+}
+
+TEST(Contour, IsNotClosedWhereTheRegionReachesTheEdge) {
+  cv::Mat1b mask = cv::Mat1b::zeros(12, 12);
+  mask(cv::Rect(0, 4, 5, 4)).setTo(255);
+  EXPECT_FALSE(contour_from_centre(mask, {3, 6}, 2, 100));
+}
+
+TEST(Contour, OfAHoleIsNone) {
+  cv::Mat1b mask = cv::Mat1b::zeros(20, 20);
+  mask(cv::Rect(3, 3, 14, 14)).setTo(255);
+  mask(cv::Rect(7, 7, 4, 4)).setTo(0);
+  EXPECT_FALSE(contour_from_centre(mask, {13, 9}, 2, 200));
+  EXPECT_TRUE(contour_from_centre(mask, {5, 9}, 2, 200));
+}
+
+TEST(Contour, StopsAtItsBound) {
+  cv::Mat1b mask = cv::Mat1b::zeros(40, 40);
+  mask(cv::Rect(3, 3, 30, 30)).setTo(255);
+  EXPECT_FALSE(contour_from_centre(mask, {10, 10}, 2, 100));
+}
+
+TEST(Mark, ACircleMeasuresAboutWhatTheThesisPrinted) {
+  Random random(1);
+  DrawnSight drawn(one_face("circle", {0, 0, 850}), random);
+  const SeenMark* mark = only_mark(drawn, MarkTone::dark);
+  ASSERT_NE(mark, nullptr);
+  EXPECT_NEAR(mark->area_px, 391, 12);
+  EXPECT_NEAR(mark->perimeter_px, 59, 5);
+  EXPECT_LE(mark->corners, 1);
+  EXPECT_NEAR(mark->moments[0], 1.017, 0.02);
+}
+
+TEST(Mark, CornersAreCounted) {
+  Random random(2);
+  const std::vector<std::pair<std::string, int>> corners = {{"square", 4}, {"triangle", 3}, {"cross", 12}};
+  for (const auto& [name, count] : corners) {
+    DrawnSight drawn(one_face(name, {0, 0, 850}), random);
+    const SeenMark* mark = only_mark(drawn, MarkTone::dark);
+    ASSERT_NE(mark, nullptr) << name;
+    EXPECT_NEAR(mark->corners, count, count / 4) << name;
+  }
+}
+
+TEST(Mark, CentresAreExactToATenthOfAPixelUnderNoiseBlurAndAGradient) {
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    for (const std::string& name : cell_marks()) {
+      const cv::Point3d place(random.uniform(-140, 140), random.uniform(-60, 60), random.uniform(820, 880));
+      DrawnSight drawn(one_face(drawn_as(name), place), random);
+      const SeenMark* mark = only_mark(drawn, name == "end-effector" ? MarkTone::light : MarkTone::dark);
+      ASSERT_NE(mark, nullptr) << name;
+      const cv::Point2d truth = project(DrawnSight::model(), place, false);
+      EXPECT_NEAR(mark->centre.x, truth.x, 0.15) << name;
+      EXPECT_NEAR(mark->centre.y, truth.y, 0.15) << name;
+    }
+  }
+}
+
+TEST(Mark, DistanceIsTheRangeFromTheMiddleOfTheBaseLine) {
+  Random random(4);
+  for (const std::string& name : cell_marks()) {
+    const cv::Point3d place(random.uniform(-140, 140), random.uniform(-60, 60), random.uniform(820, 880));
+    DrawnSight drawn(one_face(drawn_as(name), place), random);
+    const SeenMark* left = only_mark(drawn, name == "end-effector" ? MarkTone::light : MarkTone::dark);
+    ASSERT_NE(left, nullptr) << name;
+    const SeenMark* right = find_partner(*left, drawn.sight.right_segmentation().marks(), std::nullopt);
+    ASSERT_NE(right, nullptr) << name;
+    const double range = range_mm(DrawnSight::model(), left->centre, left->centre.x - right->centre.x);
+    EXPECT_NEAR(range, cv::norm(place), 3) << name;
+  }
+}
+
+TEST(Mark, IsSegmentedInHalfTheLight) {
+  Random random(5);
+  Scene scene = one_face("cross", {0, 0, 850});
+  scene.gradient = 0.8;
+  DrawnSight drawn(scene, random);
+  EXPECT_NE(only_mark(drawn, MarkTone::dark), nullptr);
+}
+
+TEST(Template, SurvivesItsText) {
+  Random random(6);
+  MarkTemplate picture{};
+  for (std::uint8_t& level : picture) level = static_cast<std::uint8_t>(random.below(16));
+  EXPECT_EQ(template_from_text(template_to_text(picture)).value(), picture);
+  EXPECT_FALSE(template_from_text("0123"));
+  EXPECT_FALSE(template_from_text(std::string(1024, 'g')));
+}
+
+TEST(LearnedFacts, SayTheWholeSample) {
+  for (const LearnedObject& object : learned_cell().all()) {
+    const LearnedSample& sample = object.samples.front();
+    const Result<LearnedSample> back =
+        sample_from_facts(learned_fact(object.name, sample), learned_template_fact(object.name, sample));
+    ASSERT_TRUE(back);
+    EXPECT_EQ(back->number, 1);
+    EXPECT_EQ(back->tone, sample.tone);
+    EXPECT_EQ(back->size_mm, sample.size_mm);
+    EXPECT_EQ(back->signature.samples, sample.signature.samples);
+    EXPECT_NEAR(back->area_px, sample.area_px, 0.001);
+  }
+}
+
+}  // namespace
+}  // namespace pizarra

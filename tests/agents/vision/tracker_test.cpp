@@ -1,0 +1,139 @@
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "agents/vision/vision_replies.hpp"
+#include "tests/agents/vision/eyes.hpp"
+
+namespace pizarra {
+namespace {
+
+class Tracker : public testing::Test {
+ protected:
+  // The five in a row, in the order of cell_marks().
+  Tracker() {
+    for (std::size_t i = 0; i < cell_marks().size(); ++i) {
+      scene.faces.push_back(
+          {.mark = drawn_as(cell_marks()[i]), .place = {-160 + 80.0 * static_cast<double>(i), 0, 850}});
+    }
+  }
+  SceneFace& face(const std::string& name) {
+    return scene.faces[static_cast<std::size_t>(std::ranges::find(cell_marks(), name) - cell_marks().begin())];
+  }
+  void track(const std::string& name) { ASSERT_TRUE(tracker.add(*learned_cell().find(name))); }
+  std::vector<TrackSighting> see() {
+    DrawnSight drawn(scene, random);
+    return tracker.update(drawn.sight);
+  }
+  void expect_at(const TrackSighting& sighting, const cv::Point3d& place) {
+    ASSERT_TRUE(sighting.seen) << sighting.name;
+    EXPECT_LT(cv::norm(sighting.centre - project(DrawnSight::model(), place, false)), 0.4) << sighting.name;
+    EXPECT_NEAR(sighting.range_mm, cv::norm(place), 4) << sighting.name;
+  }
+
+  Scene scene;
+  Random random{5};
+  MarkTracker tracker{learned_cell()};
+};
+
+TEST_F(Tracker, PutsTheEndEffectorFirstAndFollowsAll) {
+  for (const std::string& name : cell_marks()) track(name);
+  track("circle");
+  const std::vector<TrackSighting> sightings = see();
+  ASSERT_EQ(sightings.size(), 5U);
+  EXPECT_EQ(sightings[0].name, "end-effector");
+  EXPECT_EQ(sightings[1].name, "circle");
+  for (const TrackSighting& sighting : sightings) expect_at(sighting, face(sighting.name).place);
+}
+
+TEST_F(Tracker, FollowsAMotionThatSpeedsUpAndTurns) {
+  track("cross");
+  for (int frame = 0; frame < 25; ++frame) {
+    const double t = frame * 0.1;
+    scene.faces = {{.mark = "cross",
+                    .place = {120 * std::sin(2 * t), 60 * std::cos(2 * t), 850 + 40 * std::sin(t)},
+                    .yaw_deg = 30 * std::sin(3 * t)}};
+    const std::vector<TrackSighting> sightings = see();
+    SCOPED_TRACE(frame);
+    expect_at(sightings[0], scene.faces[0].place);
+  }
+}
+
+TEST_F(Tracker, LosesAHiddenObjectAndRecoversItWhileTheOthersGoOn) {
+  for (const std::string name : {"circle", "square", "triangle"}) track(name);
+  see();
+  const cv::Point2d centre = project(DrawnSight::model(), face("square").place, false);
+  scene.blots = {{.box = {centre.x - 25, centre.y - 25, 50, 50}, .level = 150, .disparity_px = 46}};
+  for (int frame = 0; frame < 3; ++frame) {
+    const std::vector<TrackSighting> sightings = see();
+    EXPECT_FALSE(sightings[1].seen);
+    expect_at(sightings[0], face("circle").place);
+    expect_at(sightings[2], face("triangle").place);
+  }
+  scene.blots.clear();
+  expect_at(see()[1], face("square").place);
+}
+
+TEST_F(Tracker, FindsAnObjectThatJumpedInTheSameFrame) {
+  for (const std::string name : {"circle", "cross"}) track(name);
+  see();
+  face("circle").place = {-150, 90, 880};
+  const std::vector<TrackSighting> sightings = see();
+  expect_at(sightings[0], face("circle").place);
+  expect_at(sightings[1], face("cross").place);
+}
+
+TEST_F(Tracker, IsNotTakenInByAnotherCubeInTheSamePlace) {
+  track("circle");
+  see();
+  face("circle").mark = "square";
+  face("square").mark = "none";
+  for (int frame = 0; frame < 3; ++frame) EXPECT_FALSE(see()[0].seen);
+}
+
+TEST_F(Tracker, TwoObjectsThatSwapPlacesSwapPlaces) {
+  track("circle");
+  track("triangle");
+  see();
+  std::swap(face("circle").place, face("triangle").place);
+  const std::vector<TrackSighting> sightings = see();
+  expect_at(sightings[0], face("circle").place);
+  expect_at(sightings[1], face("triangle").place);
+}
+
+// Whatever slides over the mark, in either image, a position that is told is right.
+TEST_F(Tracker, ASlidingOccluderNeverMakesAConfidentWrongPosition) {
+  for (const std::string name : {"circle", "square", "cross", "triangle"}) {
+    for (const int level : {25, 120, 225}) {
+      SCOPED_TRACE(name + std::string(" level ") + std::to_string(level));
+      MarkTracker one(learned_cell());
+      ASSERT_TRUE(one.add(*learned_cell().find(name)));
+      scene.faces = {{.mark = name, .place = {20, 10, 850}}};
+      const cv::Point2d centre = project(DrawnSight::model(), scene.faces[0].place, false);
+      for (double edge = -22; edge < 22; edge += 2.5) {
+        // In the right image the same edge lies elsewhere on the mark, as a nearer thing's would.
+        scene.blots = {{.box = {centre.x + edge - 60, centre.y - 30, 60, 60}, .level = level}};
+        DrawnSight drawn(scene, random);
+        const std::vector<TrackSighting> sightings = one.update(drawn.sight);
+        if (!sightings[0].seen) continue;
+        EXPECT_LT(cv::norm(sightings[0].centre - centre), 1.5) << "edge at " << edge;
+        EXPECT_NEAR(sightings[0].range_mm, cv::norm(scene.faces[0].place), 15) << "edge at " << edge;
+      }
+    }
+  }
+}
+
+TEST(Replies, AreTheThesisTexts) {
+  EXPECT_EQ(learn_reply("circle", true), "(LEARN \"circle\" OK)");
+  EXPECT_EQ(learn_reply("circle", false), "(LEARN \"circle\" FAIL)");
+  EXPECT_EQ(find_reply("circle", cv::Point2d(112.254, 87.5)), "(FIND \"circle\" OK (112.25, 87.50))");
+  EXPECT_EQ(find_reply("circle", std::nullopt), "(FIND \"circle\" FAIL)");
+  const std::vector<TrackSighting> sightings = {
+      {.name = "end-effector", .seen = true, .centre = {160.123, 88.4}, .range_mm = 812.3, .contour = {}},
+      {.name = "circle", .seen = false, .centre = {}, .range_mm = 0, .contour = {}}};
+  EXPECT_EQ(track_reply(sightings), "(TRACK 2 (\"end-effector\" OK (160.12, 88.40, 812.30)) (\"circle\" FAIL))");
+  EXPECT_EQ(get_reply(LearnedObjects()), "(GET 0 ())");
+  EXPECT_EQ(get_reply(learned_cell()), "(GET 5 (\"circle\", \"square\", \"cross\", \"triangle\", \"end-effector\"))");
+}
+
+}  // namespace
+}  // namespace pizarra
