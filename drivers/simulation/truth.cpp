@@ -139,7 +139,7 @@ Datum truth_of(const Cell& cell, const Eye& left) {
 Result<Datum> where_seen(const Cell& cell, const Eye& left, std::string_view name) {
   int first = effector_id;
   int last = effector_id;
-  if (!same_name(name, "end-effector")) {
+  if (!names_agree(name, "end-effector")) {
     const Result<CubeId> cube = cell.find(name);
     if (!cube) return fail(cube);
     first = mark_id(*cube, 0);

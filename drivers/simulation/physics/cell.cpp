@@ -41,7 +41,7 @@ double lowest_corner(const Pose& tool, const Box& box, double aside_mm, const Ta
 
 }  // namespace
 
-bool same_name(std::string_view a, std::string_view b) {
+bool names_agree(std::string_view a, std::string_view b) {
   return std::ranges::equal(a, b, [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
 }
 
@@ -121,7 +121,7 @@ Snapshot Cell::snapshot() const {
 
 Result<CubeId> Cell::find(std::string_view name) const {
   for (CubeId cube = 0; cube < cubes_.size(); ++cube) {
-    if (same_name(cubes_[cube].name, name)) return cube;
+    if (names_agree(cubes_[cube].name, name)) return cube;
   }
   return fail("unknown-object", fmt::format("no cube is called {}", name), Datum::string(name));
 }

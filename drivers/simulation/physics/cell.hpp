@@ -16,7 +16,7 @@
 namespace pizarra {
 
 // Names of objects are compared without case.
-bool same_name(std::string_view a, std::string_view b);
+bool names_agree(std::string_view a, std::string_view b);
 
 class Cell {
  public:
