@@ -52,7 +52,7 @@ Result<Call> read_call(std::string_view text) {
   return Call{static_cast<std::uint64_t>((*datum)[1].integer()), (*datum)[2]};
 }
 
-Parts answer_parts(const Answer& answer) {
+Parts answer_parts(const WireAnswer& answer) {
   Parts parts(1);
   if (!answer.message) {
     const Datum failed = list("answer"_sym, answer.id, failure_to_datum(answer.message.error()), Datum());
@@ -69,14 +69,14 @@ Parts answer_parts(const Answer& answer) {
   return parts;
 }
 
-Result<Answer> read_answer(const Parts& parts) {
+Result<WireAnswer> read_answer(const Parts& parts) {
   if (parts.empty()) return nonsense({});
   const Result<Datum> datum = read_text(parts[0].to_string_view());
   if (!datum) return fail(datum);
   const bool sound = datum->is_form("answer") && datum->size() == 4 && (*datum)[1].is_integer() &&
                      (*datum)[3].size() + 1 == parts.size() && (*datum)[3].size() <= most_images;
   if (!sound) return nonsense(*datum);
-  Answer answer{static_cast<std::uint64_t>((*datum)[1].integer()), {}};
+  WireAnswer answer{static_cast<std::uint64_t>((*datum)[1].integer()), {}};
   if ((*datum)[2].is_form("fail")) {
     answer.message = fail(failure_from_datum((*datum)[2]));
     return answer;

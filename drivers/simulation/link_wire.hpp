@@ -21,7 +21,7 @@ struct Call {
   std::uint64_t id;
   Datum request;
 };
-struct Answer {
+struct WireAnswer {
   std::uint64_t id;
   Result<Message> message;
 };
@@ -30,8 +30,8 @@ using Parts = std::vector<zmq::message_t>;
 
 std::string call_text(const Call& call);
 Result<Call> read_call(std::string_view text);
-Parts answer_parts(const Answer& answer);
-Result<Answer> read_answer(const Parts& parts);
+Parts answer_parts(const WireAnswer& answer);
+Result<WireAnswer> read_answer(const Parts& parts);
 
 // All parts of the next message, or nothing when none waits. Parts beyond the first 8 are dropped.
 std::optional<Parts> receive_parts(zmq::socket_t& socket);

@@ -65,7 +65,7 @@ Task<Result<Message>> SocketLink::call(Datum request, Duration timeout) {
 
 void SocketLink::receive() {
   while (auto parts = link_wire::receive_parts(socket_)) {
-    Result<link_wire::Answer> answer = link_wire::read_answer(*parts);
+    Result<link_wire::WireAnswer> answer = link_wire::read_answer(*parts);
     if (!answer) continue;
     const auto found = waiting_.find(answer->id);
     // Nobody waits for it any more: it came after its deadline.

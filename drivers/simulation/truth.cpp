@@ -83,16 +83,16 @@ Datum to_datum(const Cell& cell, const State& state) {
 }
 
 // The cube's mark that shows best, if any is turned to the eye.
-std::optional<SeenMark> best_mark(const std::vector<SeenMark>& marks, int first_id, int last_id) {
-  std::optional<SeenMark> best;
-  for (const SeenMark& mark : marks) {
+std::optional<MarkView> best_mark(const std::vector<MarkView>& marks, int first_id, int last_id) {
+  std::optional<MarkView> best;
+  for (const MarkView& mark : marks) {
     if (mark.id < first_id || mark.id > last_id) continue;
     if (!best || mark.all_pixels > best->all_pixels) best = mark;
   }
   return best;
 }
 
-double visible(const std::optional<SeenMark>& mark) {
+double visible(const std::optional<MarkView>& mark) {
   return mark ? static_cast<double>(mark->pixels) / mark->all_pixels : 0.0;
 }
 
@@ -121,7 +121,7 @@ Datum facts(const Cell& cell, const std::vector<State>& states) {
 
 Datum truth_of(const Cell& cell, const Eye& left) {
   const Physics& physics = cell.physics();
-  const std::vector<SeenMark> marks = seen_marks(left, cell.scene().solids);
+  const std::vector<MarkView> marks = seen_marks(left, cell.scene().solids);
   std::vector<State> states;
   for (CubeId cube = 0; cube < physics.cubes(); ++cube) states.push_back(state_of(cell, cube));
   std::vector<Datum> out;
@@ -145,7 +145,7 @@ Result<Datum> where_seen(const Cell& cell, const Eye& left, std::string_view nam
     first = mark_id(*cube, 0);
     last = mark_id(*cube, 5);
   }
-  const std::optional<SeenMark> mark = best_mark(seen_marks(left, cell.scene().solids), first, last);
+  const std::optional<MarkView> mark = best_mark(seen_marks(left, cell.scene().solids), first, last);
   if (visible(mark) < half_visible) {
     return fail("not-seen", fmt::format("the mark of {} is not in view", name), Datum::string(name));
   }

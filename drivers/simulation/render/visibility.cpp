@@ -45,7 +45,7 @@ void for_spans(const SeenDecal& decal, Rows rows, Use use) {
 
 }  // namespace
 
-std::vector<SeenMark> seen_marks(const Eye& eye, const std::vector<Solid>& solids) {
+std::vector<MarkView> seen_marks(const Eye& eye, const std::vector<Solid>& solids) {
   std::vector<SeenSolid> seen;
   for (const Solid& solid : solids) seen.push_back(see(eye, solid));
   Mask mask{eye.width, eye.height, std::vector<int>(static_cast<std::size_t>(eye.width * eye.height))};
@@ -58,13 +58,13 @@ std::vector<SeenMark> seen_marks(const Eye& eye, const std::vector<Solid>& solid
       }
     }
   }
-  std::vector<SeenMark> marks;
+  std::vector<MarkView> marks;
   for (const SeenSolid& solid : seen) {
     const Rect whole = rect_around(solid.corners);
     for (const SeenFace& face : solid.faces) {
       for (const SeenDecal& decal : face.decals) {
         if (decal.id == 0) continue;
-        SeenMark mark{.id = decal.id};
+        MarkView mark{.id = decal.id};
         for_spans(decal, {std::max(whole.top, -eye.height), std::min(whole.bottom, 2 * eye.height)},
                   [&](int y, Span span) {
                     const int count = span.last - span.first + 1;

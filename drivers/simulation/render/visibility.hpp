@@ -2,13 +2,13 @@
 
 // What of the marks an eye can see: for the judge and the scripted person, never for a picture.
 //
-//   const std::vector<SeenMark> marks = seen_marks(eye, scene.solids);
+//   const std::vector<MarkView> marks = seen_marks(eye, scene.solids);
 
 #include "drivers/simulation/render/painter.hpp"
 
 namespace pizarra {
 
-struct SeenMark {
+struct MarkView {
   int id = 0;
   int pixels = 0;      // that show it
   int all_pixels = 0;  // that would show it if nothing were in front and the image had no border
@@ -16,6 +16,6 @@ struct SeenMark {
 };
 
 // Every mark on a face that is turned to the eye.
-std::vector<SeenMark> seen_marks(const Eye& eye, const std::vector<Solid>& solids);
+std::vector<MarkView> seen_marks(const Eye& eye, const std::vector<Solid>& solids);
 
 }  // namespace pizarra
