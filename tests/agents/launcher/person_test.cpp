@@ -1,0 +1,90 @@
+#include <gtest/gtest.h>
+
+#include "agents/person/person_agent.hpp"
+#include "agents/robot/robot_agent.hpp"
+#include "agents/vision/vision_agent.hpp"
+#include "blackboard/memory_board.hpp"
+#include "blackboard/time/virtual_executor.hpp"
+#include "drivers/simulation/simulated_arm.hpp"
+#include "drivers/simulation/simulated_camera.hpp"
+#include "drivers/simulation/world.hpp"
+#include "lisp/writer.hpp"
+
+namespace pizarra {
+namespace {
+
+Task<void> until_it_ends(Agent& agent) {
+  const Result<void> ended = co_await agent.run();
+  static_cast<void>(ended);
+}
+
+WorldConfig four_cubes() {
+  WorldConfig config;
+  config.cubes = {{"circle", Mark::circle, 450, -150, 0, ""},
+                  {"triangle", Mark::triangle, 450, -50, 0, ""},
+                  {"square", Mark::square, 450, 50, 0, ""},
+                  {"cross", Mark::cross, 450, 50, 0, "square"}};
+  return config;
+}
+
+// The world, the arm and the eyes, and a person who teaches.
+struct Room {
+  VirtualExecutor executor;
+  MemoryBoard board{executor};
+  World world{executor, four_cubes()};
+  LocalLink link{world};
+  SimulatedArm arm{link};
+  SimulatedCamera eyes{link};
+  std::unique_ptr<Board> robot_view = board.view("robot");
+  std::unique_ptr<Board> vision_view = board.view("vision");
+  std::unique_ptr<Board> person_view = board.view("person");
+  RobotAgent robot{AgentContext{"robot", "localhost", executor, *robot_view, Random(1)}, arm};
+  VisionAgent vision{AgentContext{"vision", "localhost", executor, *vision_view, Random(2)}, eyes, nullptr};
+  std::vector<std::string> names{"circle", "triangle", "square", "cross"};
+
+  std::string facts(const Datum& pattern) {
+    Query query;
+    query.clauses.push_back({Query::Clause::Kind::fact, pattern});
+    const Result<Answers> answers = board.ask(query);
+    std::string out;
+    if (!answers) return describe(answers.error());
+    for (const Answer& answer : answers->answers) out += write(answer.facts[0].datum) + "\n";
+    return out;
+  }
+};
+
+TEST(Person, TeachesEveryCubeAndTheEndEffectorByClickingOnThem) {
+  Room room;
+  PersonAgent person(AgentContext{"person", "localhost", room.executor, *room.person_view, Random(3)}, room.link,
+                     room.names);
+  const Job robot = room.executor.spawn(until_it_ends(room.robot));
+  const Job vision = room.executor.spawn(until_it_ends(room.vision));
+  const Job teaching = room.executor.spawn(until_it_ends(person));
+  room.executor.run_for(40s);
+  EXPECT_EQ(room.facts(list("person"_sym, "?"_sym, "?"_sym)),
+            "(person done (\"end-effector\" \"circle\" \"triangle\" \"square\" \"cross\"))\n");
+}
+
+TEST(Person, WhoComesBackDoesNotTeachAgain) {
+  Room room;
+  const Job robot = room.executor.spawn(until_it_ends(room.robot));
+  const Job vision = room.executor.spawn(until_it_ends(room.vision));
+  std::vector<Datum> pattern(9, "?"_sym);
+  pattern[0] = "learned"_sym;
+  const Datum learned = Datum::list(pattern);
+  const AgentContext context{"person", "localhost", room.executor, *room.person_view, Random(3)};
+  {
+    PersonAgent person(context, room.link, room.names);
+    const Job teaching = room.executor.spawn(until_it_ends(person));
+    room.executor.run_for(40s);
+  }
+  const std::string before = room.facts(learned);
+  PersonAgent again(context, room.link, room.names);
+  const Job teaching = room.executor.spawn(until_it_ends(again));
+  room.executor.run_for(20s);
+  EXPECT_EQ(room.facts(learned), before);
+  EXPECT_FALSE(before.empty());
+}
+
+}  // namespace
+}  // namespace pizarra
