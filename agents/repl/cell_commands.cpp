@@ -22,18 +22,18 @@ Datum pattern(std::string_view text) { return read_one(text).value(); }
 
 }  // namespace
 
-Task<Outcome> Interpreter::goal(Datum form) {
+Task<Evaluation> Interpreter::goal(Datum form) {
   if (form.size() < 2) co_return usage("goal");
   const Result<Datum> accepted = co_await caller_.call("coordinator", form, accept_timeout);
   if (!accepted) co_return show(accepted.error());
   const Datum number = accepted->size() == 1 ? (*accepted)[0] : Datum();
   output_(fmt::format("goal {} accepted", write(number)));
-  if (patience_ == Patience::accepted) co_return Outcome::done;
-  const Outcome outcome = co_await wait_for_end(number);
+  if (patience_ == Patience::accepted) co_return Evaluation::done;
+  const Evaluation outcome = co_await wait_for_end(number);
   co_return outcome;
 }
 
-Task<Outcome> Interpreter::wait_for_end(Datum number) {
+Task<Evaluation> Interpreter::wait_for_end(Datum number) {
   const Datum state = list("goal-state"_sym, number, "?state"_sym, "?detail"_sym);
   const Result<std::unique_ptr<Watch>> watch = co_await context_.board.watch(pattern_query(state));
   if (!watch) co_return show(watch.error());
@@ -45,22 +45,22 @@ Task<Outcome> Interpreter::wait_for_end(Datum number) {
       if (fact[2].is_symbol("running")) continue;
       const std::string detail = fact[3].is_form("fail") ? ": " + describe(failure_from_datum(fact[3])) : "";
       output_(fmt::format("goal {} {}{}", write(number), fact[2].text(), detail));
-      co_return fact[2].is_symbol("reached") ? Outcome::done : Outcome::failed;
+      co_return fact[2].is_symbol("reached") ? Evaluation::done : Evaluation::failed;
     }
   }
 }
 
-Task<Outcome> Interpreter::cancel(Datum form) {
-  const Outcome outcome = co_await request("coordinator", form);
+Task<Evaluation> Interpreter::cancel(Datum form) {
+  const Evaluation outcome = co_await request("coordinator", form);
   co_return outcome;
 }
 
-Task<Outcome> Interpreter::why(Datum form) {
-  const Outcome outcome = co_await request("coordinator", form);
+Task<Evaluation> Interpreter::why(Datum form) {
+  const Evaluation outcome = co_await request("coordinator", form);
   co_return outcome;
 }
 
-Task<Outcome> Interpreter::plan(Datum) {
+Task<Evaluation> Interpreter::plan(Datum) {
   const Result<std::vector<Fact>> plans = co_await context_.board.facts(pattern("(plan ?n ?operations)"));
   if (!plans) co_return show(plans.error());
   const Result<std::vector<Fact>> in_hand = co_await context_.board.facts(pattern("(operation ?i ?operation ?state)"));
@@ -77,10 +77,10 @@ Task<Outcome> Interpreter::plan(Datum) {
       output_(fmt::format("  {:>2}  {:30} {}", ++index, write(operation), mark));
     }
   }
-  co_return Outcome::done;
+  co_return Evaluation::done;
 }
 
-Task<Outcome> Interpreter::objects(Datum) {
+Task<Evaluation> Interpreter::objects(Datum) {
   const Result<std::vector<Fact>> learned = co_await context_.board.facts(pattern("(learned ? ? ? ? ? ? ? ?)"));
   if (!learned) co_return show(learned.error());
   const Result<std::vector<Fact>> places = co_await context_.board.facts(pattern("(place ? ? ? ? ?)"));
@@ -97,10 +97,10 @@ Task<Outcome> Interpreter::objects(Datum) {
     }
     output_(fmt::format("  {:14} {}", name, where));
   }
-  co_return Outcome::done;
+  co_return Evaluation::done;
 }
 
-Task<Outcome> Interpreter::agents(Datum) {
+Task<Evaluation> Interpreter::agents(Datum) {
   const Result<std::vector<Fact>> present = co_await context_.board.facts(pattern("(agent ? ? ?)"));
   if (!present) co_return show(present.error());
   const Result<std::vector<Fact>> contracts = co_await context_.board.facts(pattern("(contract ? ?)"));
@@ -115,7 +115,7 @@ Task<Outcome> Interpreter::agents(Datum) {
       }
     }
   }
-  co_return Outcome::done;
+  co_return Evaluation::done;
 }
 
 // Names for completion: what cannot be learned now keeps its old names.

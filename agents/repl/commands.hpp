@@ -13,7 +13,7 @@ struct Command {
   std::string_view name;
   std::string_view usage;
   std::string_view help;
-  Task<Outcome> (Interpreter::*run)(Datum form);
+  Task<Evaluation> (Interpreter::*run)(Datum form);
   static std::span<const Command> all();
 };
 

@@ -39,20 +39,20 @@ Interpreter::Interpreter(AgentContext& context, const Service& service, Output o
   for (const Command& command : Command::all()) words_.emplace(command.name);
 }
 
-Outcome Interpreter::show(const Failure& failure, Outcome outcome) {
+Evaluation Interpreter::show(const Failure& failure, Evaluation outcome) {
   output_(describe(failure));
   return outcome;
 }
 
-Outcome Interpreter::usage(std::string_view command) {
+Evaluation Interpreter::usage(std::string_view command) {
   output_(fmt::format("{} is {}", command, find_command(command)->usage));
-  return Outcome::malformed;
+  return Evaluation::malformed;
 }
 
-Task<Outcome> Interpreter::evaluate(std::string text) {
+Task<Evaluation> Interpreter::evaluate(std::string text) {
   const ReadLimits limits{.bytes = 64 << 10, .depth = 64, .elements = 10'000};
   const Result<Source> source = read_source(text, "input", limits);
-  if (!source) co_return show(source.error(), Outcome::malformed);
+  if (!source) co_return show(source.error(), Evaluation::malformed);
   for (std::size_t i = 0; i < source->data().size(); ++i) {
     const Datum form = as_form(source->data()[i]);
     const bool known = co_await is_agent(std::string(form.head()));
@@ -61,27 +61,27 @@ Task<Outcome> Interpreter::evaluate(std::string text) {
       std::string sentence = form.head().empty() ? std::string("a command is a form that begins with its name")
                                                  : fmt::format("there is no command {}", form.head());
       sentence += near.empty() ? "; (help) lists them" : fmt::format("; did you mean {}?", near);
-      co_return show(source->failure_at({i}, "unknown-command", sentence), Outcome::malformed);
+      co_return show(source->failure_at({i}, "unknown-command", sentence), Evaluation::malformed);
     }
-    const Outcome outcome = co_await evaluate_form(form);
-    if (outcome != Outcome::done) co_return outcome;
+    const Evaluation outcome = co_await evaluate_form(form);
+    if (outcome != Evaluation::done) co_return outcome;
   }
   co_await learn_words();
-  co_return Outcome::done;
+  co_return Evaluation::done;
 }
 
-Task<Outcome> Interpreter::evaluate_form(Datum form) {
+Task<Evaluation> Interpreter::evaluate_form(Datum form) {
   if (const Command* command = find_command(form.head())) {
-    const Outcome outcome = co_await (this->*command->run)(form);
+    const Evaluation outcome = co_await (this->*command->run)(form);
     co_return outcome;
   }
   if (form.size() != 2) {
     output_(
         fmt::format("an agent is asked as ({} (OPERATION ARGUMENT ...)); (agents) lists what they offer", form.head()));
-    co_return Outcome::malformed;
+    co_return Evaluation::malformed;
   }
   const Datum operation = as_form(form[1]);
-  const Outcome outcome = co_await request(std::string(form.head()), operation);
+  const Evaluation outcome = co_await request(std::string(form.head()), operation);
   co_return outcome;
 }
 
@@ -92,69 +92,69 @@ Task<bool> Interpreter::is_agent(std::string name) {
   co_return present.has_value() && !present->empty();
 }
 
-Task<Outcome> Interpreter::request(std::string agent, Datum operation) {
+Task<Evaluation> Interpreter::request(std::string agent, Datum operation) {
   const Result<Datum> answer = co_await caller_.call(agent, operation, answer_timeout);
   if (!answer) co_return show(answer.error());
   output_(answer->size() == 0 ? "ok" : "");
   for (const Datum& value : answer->items()) output_(value.is_string() ? std::string(value.text()) : write(value));
-  co_return Outcome::done;
+  co_return Evaluation::done;
 }
 
-Task<Outcome> Interpreter::help(Datum form) {
+Task<Evaluation> Interpreter::help(Datum form) {
   for (const Command& command : Command::all()) {
     if (form.size() > 1 && form[1].text() != command.name) continue;
     output_(fmt::format("  {:22} {}", command.usage, command.help));
   }
   if (form.size() == 1) output_("  (AGENT (OPERATION ...)) ask one agent: (robot (monitor)), (vision (get-objects))");
-  co_return Outcome::done;
+  co_return Evaluation::done;
 }
 
-Task<Outcome> Interpreter::quit(Datum) { co_return Outcome::quit; }
+Task<Evaluation> Interpreter::quit(Datum) { co_return Evaluation::quit; }
 
-Task<Outcome> Interpreter::ask(Datum form) {
+Task<Evaluation> Interpreter::ask(Datum form) {
   if (form.size() != 2) co_return usage("ask");
   const Result<Query> query = query_from_datum(form[1]);
-  if (!query) co_return show(query.error(), Outcome::malformed);
+  if (!query) co_return show(query.error(), Evaluation::malformed);
   const Result<Answers> answers = co_await context_.board.ask(*query);
   if (!answers) co_return show(answers.error());
   if (answers->answers.empty()) output_("no");
   for (const Answer& answer : answers->answers) output_(bindings_text(answer));
-  co_return Outcome::done;
+  co_return Evaluation::done;
 }
 
-Task<Outcome> Interpreter::tell(Datum form) {
+Task<Evaluation> Interpreter::tell(Datum form) {
   if (form.size() != 2) co_return usage("tell");
   const Result<Revision> told = co_await context_.board.tell(form[1]);
   if (!told) co_return show(told.error());
   output_(fmt::format("told, revision {}", *told));
-  co_return Outcome::done;
+  co_return Evaluation::done;
 }
 
-Task<Outcome> Interpreter::retract(Datum form) {
+Task<Evaluation> Interpreter::retract(Datum form) {
   if (form.size() != 2) co_return usage("retract");
   const Result<std::vector<Fact>> fitting = co_await context_.board.facts(form[1]);
   if (!fitting) co_return show(fitting.error());
   const Result<Revision> retracted = co_await context_.board.retract(form[1]);
   if (!retracted) co_return show(retracted.error());
   output_(fmt::format("retracted {}, revision {}", fitting->size(), *retracted));
-  co_return Outcome::done;
+  co_return Evaluation::done;
 }
 
-Task<Outcome> Interpreter::watch(Datum form) {
+Task<Evaluation> Interpreter::watch(Datum form) {
   if (form.size() != 2) co_return usage("watch");
   std::erase_if(watches_, [](const auto& entry) { return entry.second.done(); });
   if (watches_.size() >= max_watches) {
     output_(fmt::format("{} watches run already; end one with (unwatch N)", max_watches));
-    co_return Outcome::failed;
+    co_return Evaluation::failed;
   }
   const Result<Query> query = query_from_datum(form[1]);
-  if (!query) co_return show(query.error(), Outcome::malformed);
+  if (!query) co_return show(query.error(), Evaluation::malformed);
   Result<std::unique_ptr<Watch>> watch = co_await context_.board.watch(*query);
   if (!watch) co_return show(watch.error());
   const int number = next_watch_++;
   output_(fmt::format("watch {}", number));
   watches_.emplace(number, context_.executor.spawn(follow(number, std::move(*watch))));
-  co_return Outcome::done;
+  co_return Evaluation::done;
 }
 
 Task<void> Interpreter::follow(int number, std::unique_ptr<Watch> watch) {
@@ -170,14 +170,14 @@ Task<void> Interpreter::follow(int number, std::unique_ptr<Watch> watch) {
   }
 }
 
-Task<Outcome> Interpreter::unwatch(Datum form) {
+Task<Evaluation> Interpreter::unwatch(Datum form) {
   const bool shaped = form.size() == 2 && form[1].is_integer();
   if (!shaped) co_return usage("unwatch");
   if (watches_.erase(static_cast<int>(form[1].integer())) == 0) {
     output_(fmt::format("there is no watch {}", form[1].integer()));
-    co_return Outcome::failed;
+    co_return Evaluation::failed;
   }
-  co_return Outcome::done;
+  co_return Evaluation::done;
 }
 
 }  // namespace pizarra

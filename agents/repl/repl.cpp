@@ -34,18 +34,18 @@ Task<void> run_prompt(AgentContext& context, Interpreter& interpreter, Terminal&
   while (true) {
     const std::optional<std::string> typed = co_await terminal.read();
     if (!typed) co_return;
-    const Outcome outcome = co_await interpreter.evaluate(*typed);
-    if (outcome == Outcome::quit) co_return;
+    const Evaluation outcome = co_await interpreter.evaluate(*typed);
+    if (outcome == Evaluation::quit) co_return;
     if (story.done()) story = context.executor.spawn(show_story(context, terminal));
   }
 }
 
-Task<Outcome> run_forms(Interpreter& interpreter, std::vector<std::string> forms) {
+Task<Evaluation> run_forms(Interpreter& interpreter, std::vector<std::string> forms) {
   for (const std::string& form : forms) {
-    const Outcome outcome = co_await interpreter.evaluate(form);
-    if (outcome != Outcome::done) co_return outcome;
+    const Evaluation outcome = co_await interpreter.evaluate(form);
+    if (outcome != Evaluation::done) co_return outcome;
   }
-  co_return Outcome::done;
+  co_return Evaluation::done;
 }
 
 }  // namespace pizarra

@@ -15,6 +15,6 @@ namespace pizarra {
 Task<void> run_prompt(AgentContext& context, Interpreter& interpreter, Terminal& terminal);
 
 // Evaluates the forms in order, for scripts. Stops at the first that does not succeed and answers what became of it.
-Task<Outcome> run_forms(Interpreter& interpreter, std::vector<std::string> forms);
+Task<Evaluation> run_forms(Interpreter& interpreter, std::vector<std::string> forms);
 
 }  // namespace pizarra
