@@ -1,0 +1,35 @@
+#pragma once
+
+// Small domains with random problems, and an oracle that knows nothing of the planner's grounding or engines.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "agents/planner/problem.hpp"
+#include "blackboard/time/random.hpp"
+
+namespace pizarra {
+
+Datum form(std::string_view text);
+// The facts of a text like "(on a b) (clear a)".
+std::vector<Datum> facts_of(std::string_view text);
+
+// The thesis' four operators over blocks b0, b1, ...
+PlanningTask blocks_domain(std::size_t blocks);
+// Random piles to begin with and, as goals, the `on` facts of other random piles.
+PlanningTask random_blocks(std::size_t blocks, Random& random);
+// Three towns, some roads that never change, two trucks, two parcels.
+PlanningTask random_logistics(Random& random);
+// Two rooms, a robot with two grippers, three balls.
+PlanningTask random_gripper(Random& random);
+// Seven facts and eight operators of no meaning at all: many have no plan.
+PlanningTask random_nonsense(Random& random);
+
+// The fewest parallel steps to the goals, by breadth-first search over all sets of actions that do not interfere; none
+// where no plan exists. For tasks with at most 64 facts.
+std::optional<std::size_t> fewest_steps(const PlanningTask& task);
+
+std::string show(const PlanningTask& task);
+
+}  // namespace pizarra
