@@ -79,6 +79,11 @@ void MemoryBoard::set_journal(JournalSink sink) {
   if (journal_ && !declared.empty()) journal_(journal_line(store_->revision(), executor_.now(), "board", declared));
 }
 
+void MemoryBoard::resume() {
+  store_->resume(executor_.now());
+  schedule();
+}
+
 Result<void> MemoryBoard::declare(const std::string& teller, const std::vector<Relation>& relations) {
   const Result<std::vector<Relation>> fresh = store_->declare(relations);
   if (!fresh) return fail(fresh);

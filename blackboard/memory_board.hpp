@@ -27,7 +27,7 @@ class WatchQueue;
 class MemoryBoard {
  public:
   explicit MemoryBoard(Executor& executor);
-  // Goes on from what a journal restored.
+  // Goes on from what a journal restored, with resume() before anybody comes.
   MemoryBoard(Executor& executor, std::unique_ptr<Store> store);
   MemoryBoard(const MemoryBoard&) = delete;
   MemoryBoard& operator=(const MemoryBoard&) = delete;
@@ -38,6 +38,8 @@ class MemoryBoard {
   // Calls `sink` with every declaration and committed transaction from now on; beforehand with what was declared so
   // far.
   void set_journal(JournalSink sink);
+  // Lets go what is not durable and puts back what was taken, which the journal should hear.
+  void resume();
 
   Executor& executor() { return executor_; }
   const Store& store() const { return *store_; }

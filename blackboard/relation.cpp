@@ -87,6 +87,16 @@ Result<void> read_option(const Datum& form, Relation& relation) {
   return malformed("a relation's options are (key ARGUMENT ...), (durable) and (lease MS)", form);
 }
 
+// Enough of a value to recognise it.
+std::string brief(const Datum& value) {
+  constexpr std::size_t enough = 60;
+  std::string text = write(value);
+  if (text.size() <= enough) return text;
+  std::size_t end = enough;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
+  return text.substr(0, end) + "...";
+}
+
 }  // namespace
 
 Result<Relation> relation_from_datum(const Datum& form) {
@@ -155,7 +165,7 @@ Result<void> check_pattern_shape(const Relation& relation, const Datum& pattern)
     const Argument& argument = relation.arguments[i];
     if (!is_variable(pattern[i + 1]) && !fits_type(argument.type, pattern[i + 1])) {
       return malformed("argument " + argument.name + " of " + relation.name + " is a " + name_of(argument.type) +
-                           ", which " + write(pattern[i + 1]) + " is not",
+                           ", which " + brief(pattern[i + 1]) + " is not",
                        pattern);
     }
   }

@@ -1,0 +1,100 @@
+#pragma once
+
+// The board for other processes: serves a MemoryBoard over ZeroMQ (see wire.hpp for what is said).
+//
+//   Result<std::unique_ptr<BoardServer>> server = BoardServer::open(executor, board, {.addresses =
+//   {"ipc:///tmp/cell"}});
+//   (*server)->addresses();      // where it is reached, wildcard ports filled in
+//
+// The board outlives it.
+// A client is a session: made by its hello, forgotten with its watches ten seconds after it was last heard from. What
+// changes the board is done once however often it is sent: the last 256 such replies of a session are remembered. A
+// watch has at most 16 changes under way; what a slow client has not read waits in the watch's own bounded queue, and
+// when that overflows, or a change could not be sent, the client is resynchronised.
+
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "blackboard/memory_board.hpp"
+#include "blackboard/watches.hpp"
+#include "blackboard/wire.hpp"
+#include "blackboard/wire_socket.hpp"
+
+namespace pizarra {
+
+struct BoardServerOptions {
+  std::vector<std::string> addresses;
+  // Allows addresses that other machines reach, though nothing is encrypted.
+  bool insecure = false;
+  Duration session_length = 10s;
+};
+
+class BoardServer {
+ public:
+  static constexpr std::size_t max_sessions = 1024;
+  static constexpr std::size_t max_watches = 256;   // of a session
+  static constexpr std::size_t max_replies = 256;   // remembered, of a session
+  static constexpr std::size_t max_under_way = 16;  // changes of a watch
+  static constexpr std::size_t max_teller = 256;    // bytes of its name
+
+  // Failures bad-address, not-loopback, address-in-use.
+  static Result<std::unique_ptr<BoardServer>> open(Executor& executor, MemoryBoard& board,
+                                                   const BoardServerOptions& options);
+  BoardServer(const BoardServer&) = delete;
+  BoardServer& operator=(const BoardServer&) = delete;
+  ~BoardServer();
+
+  const std::vector<std::string>& addresses() const { return addresses_; }
+  std::size_t sessions() const { return sessions_.size(); }
+
+ private:
+  struct ServedWatch {
+    Datum query;
+    std::unique_ptr<WatchQueue> queue;
+    std::uint64_t sent = 0;
+    std::uint64_t acknowledged = 0;
+  };
+  struct Session {
+    std::string teller;
+    std::string peer;
+    Time heard{};
+    bool blocked = false;  // its connection takes no more; until it is heard from
+    std::map<wire::WatchId, ServedWatch> watches;
+    std::map<wire::RequestId, std::string> replies;
+    wire::RequestId replies_forgotten = 0;  // up to this request
+  };
+
+  BoardServer(Executor& executor, MemoryBoard& board, Duration session_length);
+  void receive(const std::string& peer, std::optional<std::string_view> frame);
+  void greet(const std::string& peer, const Datum& hello);
+  void handle(wire::SessionId id, Session& session, const Datum& message);
+  void request(wire::SessionId id, Session& session, const Datum& message);
+  Result<Datum> perform(wire::SessionId id, Session& session, const Datum& body);
+  Result<Datum> declare(const Session& session, const Datum& body);
+  Result<Datum> transact(const Session& session, const Datum& body);
+  Result<Datum> ask(const Datum& body);
+  Result<Datum> take(const Session& session, const Datum& body);
+  Result<Datum> watch(wire::SessionId id, Session& session, const Datum& body);
+  Result<Datum> lease(const Datum& body);
+  void send(const std::string& peer, const Datum& message);
+  void schedule_flush(wire::SessionId id);
+  void flush(Session& session);
+  void flush_watch(Session& session, wire::WatchId id, ServedWatch& watch);
+  void forget_the_gone();
+
+  Executor& executor_;
+  MemoryBoard& board_;
+  const Duration session_length_;
+  std::vector<std::string> addresses_;
+  std::map<wire::SessionId, Session> sessions_;
+  wire::SessionId next_session_;
+  std::set<wire::SessionId> to_flush_;
+  Executor::TimerId flush_timer_ = 0;
+  Executor::TimerId sweep_timer_ = 0;
+  WireSocket socket_;
+};
+
+}  // namespace pizarra

@@ -1,0 +1,174 @@
+#include "blackboard/remote_board.hpp"
+
+#include "blackboard/limits.hpp"
+#include "blackboard/remote_watch.hpp"
+#include "blackboard/time/event.hpp"
+#include "blackboard/wire_address.hpp"
+#include "lisp/writer.hpp"
+
+namespace pizarra {
+
+namespace {
+
+std::unexpected<Failure> nonsense(const Datum& value) {
+  return fail("unreachable", "the board answered what cannot be understood", value);
+}
+
+// Whether the request fits a frame, whatever the numbers of its session and its own.
+Result<void> check_frame(const Datum& body) {
+  constexpr std::size_t envelope_bytes = 64;
+  constexpr std::size_t envelope_depth = 1;
+  const Weight weight = weigh(body);
+  const bool fits = weight.depth + envelope_depth <= limits::frame_depth &&
+                    weight.elements + envelope_bytes <= limits::frame_elements &&
+                    write(body).size() + envelope_bytes <= limits::frame_bytes;
+  if (fits) return {};
+  return fail("too-large", "the request does not fit one message of the board");
+}
+
+Result<void> nothing_from(const Result<Datum>& reply) {
+  if (!reply) return fail(reply);
+  return {};
+}
+
+Result<std::uint64_t> count_from(const Result<Datum>& reply) {
+  if (!reply) return fail(reply);
+  const std::optional<std::uint64_t> count = wire::count_from(*reply);
+  if (!count) return nonsense(*reply);
+  return *count;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<RemoteBoard>> RemoteBoard::connect(Executor& executor, const std::string& address,
+                                                          std::string teller, Duration timeout) {
+  const Result<void> formed = check_address(address);
+  if (!formed) return fail(formed);
+  std::unique_ptr<RemoteBoard> board(new RemoteBoard(executor, address, std::move(teller), timeout));
+  const Result<void> connected = board->socket_.connect(address);
+  if (!connected) return fail(connected);
+  return board;
+}
+
+RemoteBoard::RemoteBoard(Executor& executor, std::string address, std::string teller, Duration timeout)
+    : executor_(executor),
+      address_(std::move(address)),
+      teller_(std::move(teller)),
+      timeout_(timeout),
+      socket_(executor, WireSocket::Kind::dealer, [this](const std::string&, std::optional<std::string_view> frame) {
+        if (frame) receive(*frame);
+      }) {
+  tick_timer_ = executor_.call_at(executor_.now(), [this] { tick(); });
+}
+
+RemoteBoard::~RemoteBoard() {
+  executor_.cancel(tick_timer_);
+  if (joined_) send(list("bye"_sym, session_));
+}
+
+Task<Result<void>> RemoteBoard::declare(std::vector<Relation> relations) {
+  std::vector<Datum> body = {"declare"_sym};
+  for (const Relation& relation : relations) body.push_back(relation_to_datum(relation));
+  Datum request = Datum::list(std::move(body));
+  const Result<Datum> reply = co_await call(std::move(request), true);
+  if (!reply) co_return fail(reply);
+  for (Relation& relation : relations) declared_[relation.name] = std::move(relation);
+  co_return Result<void>();
+}
+
+Task<Result<Revision>> RemoteBoard::transact(Transaction transaction) {
+  Datum request = wire::transaction_to_datum(transaction);
+  const Result<Datum> reply = co_await call(std::move(request), false);
+  co_return count_from(reply);
+}
+
+Task<Result<Answers>> RemoteBoard::ask(Query query) {
+  const Result<void> checked = check_query(query);
+  if (!checked) co_return fail(checked);
+  Datum request = list("ask"_sym, query_to_datum(query));
+  const Result<Datum> reply = co_await call(std::move(request), true);
+  if (!reply) co_return fail(reply);
+  const std::optional<std::uint64_t> revision = wire::count_at(*reply, 0);
+  if (!revision) co_return nonsense(*reply);
+  Result<std::vector<Answer>> answers = wire::answers_from_datum(query, reply->items().subspan(1));
+  if (!answers) co_return nonsense(*reply);
+  Answers all;
+  all.revision = *revision;
+  all.answers = std::move(*answers);
+  co_return all;
+}
+
+Task<Result<std::unique_ptr<Watch>>> RemoteBoard::watch(Query query) {
+  const Result<void> checked = check_query(query);
+  if (!checked) co_return fail(checked);
+  auto watch = std::make_unique<RemoteWatch>(*this, std::move(query));
+  Datum request = watch->request();
+  const Result<Datum> reply = co_await call(std::move(request), true);
+  if (!reply) co_return fail(reply);
+  co_return watch;
+}
+
+Task<Result<std::optional<Fact>>> RemoteBoard::take(Datum pattern, LeaseId holder) {
+  Datum request = list("take"_sym, pattern, holder);
+  const Result<Datum> reply = co_await call(std::move(request), false);
+  if (!reply) co_return fail(reply);
+  if (reply->size() == 0) co_return std::optional<Fact>();
+  Result<Fact> fact = wire::fact_from_datum((*reply)[0]);
+  if (!fact) co_return nonsense(*reply);
+  co_return std::optional<Fact>(std::move(*fact));
+}
+
+Task<Result<LeaseId>> RemoteBoard::lease(Duration length) {
+  Datum request = list("lease"_sym, length.count());
+  const Result<Datum> reply = co_await call(std::move(request), true);
+  co_return count_from(reply);
+}
+
+Task<Result<void>> RemoteBoard::renew(LeaseId lease) {
+  Datum request = list("renew"_sym, lease);
+  const Result<Datum> reply = co_await call(std::move(request), true);
+  co_return nothing_from(reply);
+}
+
+Task<Result<void>> RemoteBoard::release(LeaseId lease) {
+  Datum request = list("release"_sym, lease);
+  const Result<Datum> reply = co_await call(std::move(request), true);
+  co_return nothing_from(reply);
+}
+
+Task<Result<Datum>> RemoteBoard::call(Datum body, bool repeatable) {
+  struct Registration {
+    RemoteBoard& board;
+    wire::RequestId request;
+    ~Registration() { board.forget(request); }
+  };
+  if (pending_.size() >= max_pending) co_return fail("too-large", "too many requests to the board are under way");
+  const Result<void> fits = check_frame(body);
+  if (!fits) co_return fail(fits);
+  std::optional<Result<Datum>> reply;
+  Event answered(executor_);
+  const Registration registration{*this, begin(std::move(body), repeatable, [&](Result<Datum> result) {
+                                    reply = std::move(result);
+                                    answered.set();
+                                  })};
+  const Time deadline = executor_.now() + timeout_;
+  co_await answered.wait(deadline);
+  if (!reply) co_return fail("unreachable", "the board does not answer", to_datum(address_));
+  co_return std::move(*reply);
+}
+
+wire::RequestId RemoteBoard::begin(Datum body, bool repeatable, Done done) {
+  const wire::RequestId request = next_request_++;
+  Pending& pending = pending_.emplace(request, Pending{std::move(body), repeatable, std::move(done)}).first->second;
+  if (joined_) transmit(request, pending);
+  return request;
+}
+
+void RemoteBoard::transmit(wire::RequestId request, Pending& pending) {
+  const bool sent = send(list("request"_sym, session_, request, pending.body));
+  if (sent) pending.sent = executor_.now();
+}
+
+bool RemoteBoard::send(const Datum& message) { return socket_.send({}, write(message)); }
+
+}  // namespace pizarra

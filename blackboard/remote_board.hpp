@@ -1,0 +1,93 @@
+#pragma once
+
+// The wall to another process: a Board whose facts a BoardServer keeps.
+//
+//   Result<std::unique_ptr<RemoteBoard>> board = RemoteBoard::connect(executor, "ipc:///tmp/cell", "vision");
+//
+// The server need not be there yet. A request is sent again while it is not answered, and fails with `unreachable`
+// after five seconds. When the server was lost, relations are declared again and watches begin again (their next change
+// is a resynchronised one); leases are lost (`unknown-lease`), and a transaction or a take that was under way fails
+// with `unreachable`, because nobody can say whether it happened.
+//
+// It outlives its watches and the tasks that use it.
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "blackboard/board.hpp"
+#include "blackboard/time/executor.hpp"
+#include "blackboard/wire.hpp"
+#include "blackboard/wire_socket.hpp"
+
+namespace pizarra {
+
+class RemoteBoard : public Board {
+ public:
+  static constexpr Duration default_timeout = 5s;
+  static constexpr std::size_t max_pending = 1024;  // requests under way
+
+  // Failure bad-address.
+  static Result<std::unique_ptr<RemoteBoard>> connect(Executor& executor, const std::string& address,
+                                                      std::string teller, Duration timeout = default_timeout);
+  RemoteBoard(const RemoteBoard&) = delete;
+  RemoteBoard& operator=(const RemoteBoard&) = delete;
+  ~RemoteBoard() override;
+
+  bool connected() const { return joined_; }
+
+  Task<Result<void>> declare(std::vector<Relation> relations) override;
+  Task<Result<Revision>> transact(Transaction transaction) override;
+  Task<Result<Answers>> ask(Query query) override;
+  Task<Result<std::unique_ptr<Watch>>> watch(Query query) override;
+  Task<Result<std::optional<Fact>>> take(Datum pattern, LeaseId holder) override;
+  Task<Result<LeaseId>> lease(Duration length) override;
+  Task<Result<void>> renew(LeaseId lease) override;
+  Task<Result<void>> release(LeaseId lease) override;
+
+ private:
+  friend class RemoteWatch;
+  using Done = std::function<void(Result<Datum>)>;
+  struct Pending {
+    Datum body;
+    // Whether doing it again on a board that may have done it is harmless.
+    bool repeatable;
+    Done done;
+    std::optional<Time> sent = {};
+  };
+
+  RemoteBoard(Executor& executor, std::string address, std::string teller, Duration timeout);
+  Task<Result<Datum>> call(Datum body, bool repeatable);
+  wire::RequestId begin(Datum body, bool repeatable, Done done);
+  void forget(wire::RequestId request) { pending_.erase(request); }
+  void transmit(wire::RequestId request, Pending& pending);
+  bool send(const Datum& message);
+
+  void receive(std::string_view frame);
+  void welcomed(wire::SessionId session);
+  void redeclare();
+  void replied(const Datum& message);
+  void tick();
+  void retransmit(Time now);
+
+  Executor& executor_;
+  const std::string address_;
+  const std::string teller_;
+  const Duration timeout_;
+  bool joined_ = false;
+  wire::SessionId session_ = 0;
+  Time heard_{};
+  Time greeted_{};
+  Time pinged_{};
+  wire::RequestId next_request_ = 1;
+  wire::WatchId next_watch_ = 1;
+  std::map<wire::RequestId, Pending> pending_;
+  std::map<std::string, Relation> declared_;
+  std::map<wire::WatchId, class RemoteWatch*> watches_;
+  Executor::TimerId tick_timer_ = 0;
+  WireSocket socket_;
+};
+
+}  // namespace pizarra

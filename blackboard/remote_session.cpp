@@ -1,0 +1,121 @@
+// How a RemoteBoard keeps its session with the server: greeting, pinging, repeating, beginning again.
+
+#include "blackboard/remote_board.hpp"
+#include "blackboard/remote_watch.hpp"
+#include "lisp/writer.hpp"
+
+namespace pizarra {
+
+namespace {
+
+constexpr Duration tick_length = 50ms;
+constexpr Duration tick_while_connecting = 10ms;
+constexpr Duration greet_again_after = 500ms;
+constexpr Duration ping_length = 500ms;
+constexpr Duration silence_means_lost = 2s;
+constexpr Duration resend_after = 1s;
+
+}  // namespace
+
+void RemoteBoard::receive(std::string_view frame) {
+  const Result<Datum> read = wire::read_frame(frame);
+  // What the server says wrongly is as good as not said, and asked for again.
+  if (!read) return;
+  const Datum& message = *read;
+  heard_ = executor_.now();
+  if (message.is_form("reply")) return replied(message);
+  const std::optional<std::uint64_t> number = wire::count_at(message, 1);
+  if (!number) return;
+  if (message.is_form("welcome")) return welcomed(*number);
+  if (message.is_form("unknown-session") && *number == session_) {
+    joined_ = false;
+    greeted_ = {};
+    return;
+  }
+  const auto watch = watches_.find(*number);
+  if (message.is_form("change")) {
+    const std::optional<std::uint64_t> sequence = wire::count_at(message, 2);
+    if (watch == watches_.end()) {
+      send(list("unwatch"_sym, session_, *number));
+    } else if (sequence) {
+      watch->second->receive(*sequence, message);
+    }
+  }
+  if (message.is_form("watch-failed") && message.size() == 3 && watch != watches_.end()) {
+    watch->second->end(failure_from_datum(message[2]));
+  }
+}
+
+void RemoteBoard::welcomed(wire::SessionId session) {
+  if (joined_) return;
+  joined_ = true;
+  const bool resumed = std::exchange(session_, session) == session;
+  if (!resumed) {
+    std::vector<Done> lost;
+    for (auto request = pending_.begin(); request != pending_.end();) {
+      Pending& pending = request->second;
+      const bool perhaps_done = pending.sent && !pending.repeatable;
+      if (perhaps_done) lost.push_back(std::move(pending.done));
+      pending.sent.reset();
+      request = perhaps_done ? pending_.erase(request) : std::next(request);
+    }
+    for (const Done& done : lost) {
+      done(fail("unreachable", "the board was lost before it answered: whether this happened is not known"));
+    }
+    redeclare();
+    std::vector<RemoteWatch*> watching;
+    for (const auto& [id, watch] : watches_) watching.push_back(watch);
+    for (RemoteWatch* watch : watching) watch->begin_again();
+  }
+  for (auto& [request, pending] : pending_) {
+    if (resumed || !pending.sent) transmit(request, pending);
+  }
+}
+
+void RemoteBoard::redeclare() {
+  if (declared_.empty()) return;
+  std::vector<Datum> body = {"declare"_sym};
+  for (const auto& [name, relation] : declared_) body.push_back(relation_to_datum(relation));
+  // A refusal shows when the relation is used.
+  begin(Datum::list(std::move(body)), true, [](const Result<Datum>&) {});
+}
+
+void RemoteBoard::replied(const Datum& message) {
+  const std::optional<std::uint64_t> request = wire::count_at(message, 1);
+  const auto found = request && message.size() == 3 ? pending_.find(*request) : pending_.end();
+  if (found == pending_.end()) return;
+  const Done done = std::move(found->second.done);
+  pending_.erase(found);
+  const Datum& result = message[2];
+  if (result.is_form("ok") && result.size() == 2) {
+    done(result[1]);
+  } else {
+    done(fail(failure_from_datum(result)));
+  }
+}
+
+void RemoteBoard::tick() {
+  const Time now = executor_.now();
+  const bool connecting = !joined_ && session_ == 0;
+  tick_timer_ = executor_.call_at(now + (connecting ? tick_while_connecting : tick_length), [this] { tick(); });
+  if (joined_ && heard_ + silence_means_lost <= now) {
+    joined_ = false;
+    greeted_ = {};
+  }
+  if (!joined_) {
+    const bool due = greeted_ + greet_again_after <= now;
+    if (due && send(list("hello"_sym, teller_, session_))) greeted_ = now;
+    return;
+  }
+  if (pinged_ + ping_length <= now && send(list("ping"_sym, session_))) pinged_ = now;
+  retransmit(now);
+}
+
+void RemoteBoard::retransmit(Time now) {
+  for (auto& [request, pending] : pending_) {
+    if (!pending.sent || *pending.sent + resend_after <= now) transmit(request, pending);
+  }
+  for (const auto& [id, watch] : watches_) watch->acknowledge_owed();
+}
+
+}  // namespace pizarra

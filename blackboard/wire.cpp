@@ -1,0 +1,196 @@
+#include "blackboard/wire.hpp"
+
+#include "blackboard/limits.hpp"
+#include "lisp/pattern.hpp"
+
+namespace pizarra::wire {
+
+namespace {
+
+std::unexpected<Failure> bad_frame(const char* sentence, const Datum& form) {
+  return fail("bad-frame", sentence, form);
+}
+
+Result<std::vector<FactId>> ids_from(std::span<const Datum> forms) {
+  std::vector<FactId> ids;
+  for (const Datum& form : forms) {
+    const std::optional<std::uint64_t> id = count_from(form);
+    if (!id) return bad_frame("a cause is the id of a fact", form);
+    ids.push_back(*id);
+  }
+  return ids;
+}
+
+Datum precondition_to_datum(const Transaction::Precondition& precondition) {
+  if (const auto* present = std::get_if<Transaction::Present>(&precondition)) {
+    return list("present"_sym, present->pattern);
+  }
+  if (const auto* absent = std::get_if<Transaction::Absent>(&precondition)) return list("absent"_sym, absent->pattern);
+  const auto& unchanged = std::get<Transaction::Unchanged>(precondition);
+  return list("unchanged"_sym, unchanged.pattern, unchanged.revision);
+}
+
+Datum step_to_datum(const Transaction::Step& step) {
+  if (const auto* retract = std::get_if<Transaction::Retract>(&step)) return list("retract"_sym, retract->pattern);
+  if (const auto* settle = std::get_if<Transaction::Settle>(&step)) return list("settle"_sym, settle->taken);
+  const auto& tell = std::get<Transaction::Tell>(step);
+  std::vector<Datum> form = {"tell"_sym, tell.fact, to_datum(tell.lease)};
+  for (const FactId cause : tell.because) form.push_back(to_datum(cause));
+  return Datum::list(std::move(form));
+}
+
+Result<Transaction::Precondition> precondition_from_datum(const Datum& form) {
+  if (form.is_form("present") && form.size() == 2) return Transaction::Present{form[1]};
+  if (form.is_form("absent") && form.size() == 2) return Transaction::Absent{form[1]};
+  if (form.is_form("unchanged") && form.size() == 3) {
+    if (const auto revision = count_from(form[2])) return Transaction::Unchanged{form[1], *revision};
+  }
+  return bad_frame("not a precondition", form);
+}
+
+Result<Transaction::Step> step_from_datum(const Datum& form) {
+  if (form.is_form("retract") && form.size() == 2) return Transaction::Retract{form[1]};
+  if (form.is_form("settle") && form.size() == 2) {
+    if (const auto taken = count_from(form[1])) return Transaction::Settle{*taken};
+  }
+  if (form.is_form("tell") && form.size() >= 3) {
+    const std::optional<std::uint64_t> lease = count_from(form[2]);
+    Result<std::vector<FactId>> because = ids_from(form.items().subspan(3));
+    if (!because) return fail(because);
+    if (lease) return Transaction::Tell{form[1], std::move(*because), *lease};
+  }
+  return bad_frame("not a step of a transaction", form);
+}
+
+Datum answers_to_datum(const std::vector<Answer>& answers) {
+  std::vector<Datum> forms;
+  forms.reserve(answers.size());
+  for (const Answer& answer : answers) forms.push_back(answer_to_datum(answer));
+  return Datum::list(std::move(forms));
+}
+
+Result<Answer> answer_from_datum(const Query& query, const Datum& form) {
+  Answer answer;
+  for (const Query::Clause& clause : query.clauses) {
+    if (clause.kind != Query::Clause::Kind::fact) continue;
+    if (answer.facts.size() >= form.size()) return bad_frame("an answer lacks a fact", form);
+    Result<Fact> fact = fact_from_datum(form[answer.facts.size()]);
+    if (!fact) return fail(fact);
+    if (!match(clause.form, fact->datum, answer.bindings)) return bad_frame("a fact does not fit the query", form);
+    answer.facts.push_back(std::move(*fact));
+  }
+  if (!form.is_list() || answer.facts.size() != form.size()) return bad_frame("an answer has a fact too many", form);
+  return answer;
+}
+
+}  // namespace
+
+Result<Datum> read_frame(std::string_view text) {
+  ReadLimits allowed;
+  allowed.bytes = limits::frame_bytes;
+  allowed.depth = limits::frame_depth;
+  allowed.elements = limits::frame_elements;
+  return read_one(text, allowed, "frame");
+}
+
+std::optional<std::uint64_t> count_from(const Datum& datum) {
+  if (!datum.is_integer() || datum.integer() < 0) return std::nullopt;
+  return static_cast<std::uint64_t>(datum.integer());
+}
+
+std::optional<std::uint64_t> count_at(const Datum& form, std::size_t index) {
+  if (index >= form.size()) return std::nullopt;
+  return count_from(form[index]);
+}
+
+Datum transaction_to_datum(const Transaction& transaction) {
+  std::vector<Datum> preconditions;
+  for (const auto& precondition : transaction.preconditions) {
+    preconditions.push_back(precondition_to_datum(precondition));
+  }
+  std::vector<Datum> steps;
+  for (const Transaction::Step& step : transaction.steps) steps.push_back(step_to_datum(step));
+  return list("transact"_sym, Datum::list(std::move(preconditions)), Datum::list(std::move(steps)));
+}
+
+Result<Transaction> transaction_from_datum(const Datum& body) {
+  if (body.size() != 3 || !body[1].is_list() || !body[2].is_list()) return bad_frame("not a transaction", body);
+  Transaction transaction;
+  for (const Datum& form : body[1].items()) {
+    Result<Transaction::Precondition> precondition = precondition_from_datum(form);
+    if (!precondition) return fail(precondition);
+    transaction.preconditions.push_back(std::move(*precondition));
+  }
+  for (const Datum& form : body[2].items()) {
+    Result<Transaction::Step> step = step_from_datum(form);
+    if (!step) return fail(step);
+    transaction.steps.push_back(std::move(*step));
+  }
+  return transaction;
+}
+
+Datum fact_to_datum(const Fact& fact) {
+  std::vector<Datum> form = {to_datum(fact.id), to_datum(fact.revision), to_datum(fact.when.time_since_epoch().count()),
+                             to_datum(fact.teller), fact.datum};
+  for (const FactId cause : fact.because) form.push_back(to_datum(cause));
+  return Datum::list(std::move(form));
+}
+
+Result<Fact> fact_from_datum(const Datum& form) {
+  if (form.size() < 5 || !form[2].is_integer() || !form[3].is_string() || !form[4].is_list()) {
+    return bad_frame("not a fact with its provenance", form);
+  }
+  const std::optional<std::uint64_t> id = count_from(form[0]);
+  const std::optional<std::uint64_t> revision = count_from(form[1]);
+  Result<std::vector<FactId>> because = ids_from(form.items().subspan(5));
+  if (!id || !revision || !because) return bad_frame("not a fact with its provenance", form);
+  Fact fact;
+  fact.id = *id;
+  fact.revision = *revision;
+  fact.when = Time(Duration(form[2].integer()));
+  fact.teller = form[3].text();
+  fact.datum = form[4];
+  fact.because = std::move(*because);
+  return fact;
+}
+
+Datum answer_to_datum(const Answer& answer) {
+  std::vector<Datum> facts;
+  facts.reserve(answer.facts.size());
+  for (const Fact& fact : answer.facts) facts.push_back(fact_to_datum(fact));
+  return Datum::list(std::move(facts));
+}
+
+Result<std::vector<Answer>> answers_from_datum(const Query& query, std::span<const Datum> forms) {
+  std::vector<Answer> answers;
+  answers.reserve(forms.size());
+  for (const Datum& form : forms) {
+    Result<Answer> answer = answer_from_datum(query, form);
+    if (!answer) return fail(answer);
+    answers.push_back(std::move(*answer));
+  }
+  return answers;
+}
+
+Datum change_to_datum(WatchId watch, std::uint64_t sequence, const Change& change) {
+  return list("change"_sym, watch, sequence, change.revision, change.resynchronised ? "yes"_sym : "no"_sym,
+              answers_to_datum(change.added), answers_to_datum(change.removed));
+}
+
+Result<Change> change_from_datum(const Query& query, const Datum& form) {
+  if (form.size() != 7 || !count_from(form[3]) || !form[4].is_symbol() || !form[5].is_list() || !form[6].is_list()) {
+    return bad_frame("not a change", form);
+  }
+  Result<std::vector<Answer>> added = answers_from_datum(query, form[5].items());
+  if (!added) return fail(added);
+  Result<std::vector<Answer>> removed = answers_from_datum(query, form[6].items());
+  if (!removed) return fail(removed);
+  Change change;
+  change.revision = *count_from(form[3]);
+  change.resynchronised = form[4].is_symbol("yes");
+  change.added = std::move(*added);
+  change.removed = std::move(*removed);
+  return change;
+}
+
+}  // namespace pizarra::wire

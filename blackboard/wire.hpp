@@ -1,0 +1,58 @@
+#pragma once
+
+// What clients and the board server say to each other: one s-expression a frame, in text.
+//
+// Client to server                                   Server to client
+//   (hello TELLER SESSION)   SESSION 0: a new one      (welcome SESSION)
+//   (request SESSION ID BODY)                          (reply ID (ok VALUE)) or (reply ID (fail ...))
+//   (ack SESSION WATCH SEQ)  read up to there          (change WATCH SEQ REVISION RESYNCHRONISED (ANSWER ...) (ANSWER
+//   ...)) (unwatch SESSION WATCH)                            (watch-failed WATCH (fail ...)) (ping SESSION) (pong) (bye
+//   SESSION)                                      (unknown-session SESSION), (refused (fail ...))
+//
+// A BODY and the VALUE of its reply:
+//   (declare RELATION ...) -> ()                       (take PATTERN LEASE) -> () or (FACT)
+//   (transact (PRECONDITION ...) (STEP ...)) -> N      (lease MICROSECONDS) -> LEASE
+//   (ask QUERY) -> (REVISION ANSWER ...)               (renew LEASE), (release LEASE) -> ()
+//   (watch WATCH QUERY) -> ()
+// PRECONDITION is (present P), (absent P), (unchanged P REVISION); STEP is (tell FACT LEASE CAUSE ...), (retract P),
+// (settle ID); FACT is (ID REVISION MICROSECONDS TELLER DATUM CAUSE ...). An ANSWER is the list of its facts: the
+// bindings follow from the query.
+//
+// A session lives while its client is heard from. Changes of one watch are numbered from 1; only so many are under way
+// before they are acknowledged.
+
+#include <optional>
+#include <string>
+
+#include "blackboard/board.hpp"
+#include "lisp/reader.hpp"
+
+namespace pizarra::wire {
+
+using SessionId = std::uint64_t;
+using RequestId = std::uint64_t;
+using WatchId = std::uint64_t;
+
+// The strict reader with the limits of a frame.
+Result<Datum> read_frame(std::string_view text);
+
+// The datum as a number that counts something; nothing where it is none.
+std::optional<std::uint64_t> count_from(const Datum& datum);
+// The same for an element of a list, which need not be there.
+std::optional<std::uint64_t> count_at(const Datum& form, std::size_t index);
+
+Datum transaction_to_datum(const Transaction& transaction);
+// Failure bad-frame, here and below.
+Result<Transaction> transaction_from_datum(const Datum& body);
+
+Datum fact_to_datum(const Fact& fact);
+Result<Fact> fact_from_datum(const Datum& form);
+
+Datum answer_to_datum(const Answer& answer);
+Result<std::vector<Answer>> answers_from_datum(const Query& query, std::span<const Datum> forms);
+
+Datum change_to_datum(WatchId watch, std::uint64_t sequence, const Change& change);
+// The change of a `(change ...)` that has at least its watch and sequence.
+Result<Change> change_from_datum(const Query& query, const Datum& form);
+
+}  // namespace pizarra::wire

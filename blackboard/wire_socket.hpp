@@ -1,0 +1,55 @@
+#pragma once
+
+// A ZeroMQ socket on the executor: frames come by callback, sending never blocks.
+//
+//   WireSocket router(executor, WireSocket::Kind::router,
+//                     [&](const std::string& peer, std::optional<std::string_view> frame) { ... });
+//   Result<std::string> at = router.bind("tcp://127.0.0.1:*");   // the address that it got
+//   if (!router.send(peer, text)) ...                            // it reads too slowly, or is gone
+//
+// A message of more than one frame is no frame at all; one of more than 1 MiB ends its sender's connection.
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <zmq.hpp>
+
+#include "blackboard/time/executor.hpp"
+#include "lisp/result.hpp"
+
+namespace pizarra {
+
+class WireSocket {
+ public:
+  enum class Kind : std::uint8_t { router, dealer };
+  // `peer` names who sent it to a router, and is empty for a dealer.
+  using Receiver = std::function<void(const std::string& peer, std::optional<std::string_view> frame)>;
+  // Frames under way to one peer that does not read.
+  static constexpr int high_water = 256;
+
+  WireSocket(Executor& executor, Kind kind, Receiver receiver);
+  WireSocket(const WireSocket&) = delete;
+  WireSocket& operator=(const WireSocket&) = delete;
+  ~WireSocket();
+
+  // Failure address-in-use, or bad-address.
+  Result<std::string> bind(const std::string& address);
+  Result<void> connect(const std::string& address);
+  bool send(const std::string& peer, std::string_view frame);
+
+ private:
+  void pump();
+  bool receive_one();
+  void schedule_pump();
+
+  Executor& executor_;
+  const Kind kind_;
+  Receiver receiver_;
+  zmq::context_t context_;
+  zmq::socket_t socket_;
+  int file_ = -1;
+  Executor::TimerId pump_timer_ = 0;
+};
+
+}  // namespace pizarra
