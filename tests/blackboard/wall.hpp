@@ -60,6 +60,9 @@ struct WallKind {
 
 std::vector<WallKind> all_walls();
 
+// One that no other test of any process uses.
+std::string ipc_address();
+
 inline Datum read(const std::string& text) { return read_one(text).value(); }
 inline Query query(const std::string& text) { return query_from_datum(read(text)).value(); }
 inline Relation relation(const std::string& text) { return relation_from_datum(read(text)).value(); }

@@ -1,3 +1,8 @@
+#include <unistd.h>
+
+#include "blackboard/board_server.hpp"
+#include "blackboard/remote_board.hpp"
+#include "blackboard/time/real_executor.hpp"
 #include "blackboard/time/virtual_executor.hpp"
 #include "tests/blackboard/wall.hpp"
 
@@ -15,10 +20,34 @@ class MemoryWall : public Wall {
   MemoryBoard board_{executor_};
 };
 
+// Server and clients share one thread; what they say crosses the socket all the same.
+class RemoteWall : public Wall {
+ public:
+  explicit RemoteWall(const std::string& address)
+      : board_(executor_), server_(BoardServer::open(executor_, board_, {.addresses = {address}}).value()) {}
+
+  Executor& executor() override { return executor_; }
+  std::unique_ptr<Board> view(const std::string& teller) override {
+    return RemoteBoard::connect(executor_, server_->addresses().front(), teller).value();
+  }
+
+ private:
+  RealExecutor executor_;
+  MemoryBoard board_;
+  std::unique_ptr<BoardServer> server_;
+};
+
 }  // namespace
 
+std::string ipc_address() {
+  static int count = 0;
+  return "ipc:///tmp/pizarra-test-" + std::to_string(getpid()) + "-" + std::to_string(++count);
+}
+
 std::vector<WallKind> all_walls() {
-  return {{"memory", [] { return std::make_unique<MemoryWall>(); }}};
+  return {{"memory", [] { return std::make_unique<MemoryWall>(); }},
+          {"ipc", [] { return std::make_unique<RemoteWall>(ipc_address()); }},
+          {"tcp", [] { return std::make_unique<RemoteWall>("tcp://127.0.0.1:*"); }}};
 }
 
 }  // namespace pizarra
