@@ -40,7 +40,7 @@ struct CubeConfig {
   double x_mm = 450;
   double y_mm = 0;
   double yaw_deg = 0;
-  std::string on;  // the cube that it stands on, listed before; empty: the table, at x, y
+  std::string on = "";  // the cube that it stands on, listed before; empty: the table, at x, y
 };
 
 // A plate with its upper face at z = 0.

@@ -23,6 +23,7 @@ constexpr double straighten_limit_rad_s = 6;
 constexpr double strike_run_up_mm = 140;
 constexpr double strike_through_mm = 60;
 const Vector3d fist_half_mm(26, 26, 26);
+constexpr double settle_s = 0.4;
 constexpr double gravity_mm_s2 = 9810;
 
 // From 0 to 1 with zero speed at both ends.
@@ -210,8 +211,14 @@ void Hand::lead(double seconds) {
   fist_seen_ = at + Vector3d(-15, 0, cube_size_mm / 2 + 0.8 * fist_half_mm.z());
 }
 
+void Hand::watch(double seconds) {
+  leg_time_s_ += seconds;
+  if (leg_time_s_ >= settle_s) job_ = Job::none;
+}
+
 void Hand::step(double seconds) {
   if (!busy()) return;
+  if (job_ == Job::watch) return watch(seconds);
   if (job_ == Job::strike) {
     Pose pose = Pose::Identity();
     pose.translation() = wanted(0);
@@ -220,7 +227,7 @@ void Hand::step(double seconds) {
   } else {
     if (!physics_.present(cube_)) return end();
     lead(seconds);
-    if (!busy()) return;
+    if (job_ == Job::watch) return;
   }
   leg_time_s_ += seconds;
   if (leg_time_s_ < legs_[leg_].seconds) return;
@@ -235,7 +242,8 @@ void Hand::end() {
     physics_.set_velocity(cube_, Vector3d::Zero(), Vector3d::Zero());
     if (takes_away_) physics_.take_away(cube_);
   }
-  job_ = Job::none;
+  job_ = Job::watch;
+  leg_time_s_ = 0;
   fist_seen_.reset();
 }
 

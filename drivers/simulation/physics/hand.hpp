@@ -1,7 +1,8 @@
 #pragma once
 
 // A person's hand in the cell. It leads a cube along a path (it sets the cube's speed at every step, so whatever the
-// cube meets is hit by it, and a cube that lags too far slips out of the hand), or strikes with its fist.
+// cube meets is hit by it, and a cube that lags too far slips out of the hand), or strikes with its fist. Afterwards it
+// waits a moment for things to settle.
 //
 //   Hand hand(physics, gripper);
 //   Result<void> begun = hand.push(cube, 0, 50);
@@ -33,7 +34,7 @@ class Hand {
   std::optional<Eigen::Vector3d> fist_mm() const { return fist_seen_; }
 
  private:
-  enum class Job { none, slide, carry, strike };
+  enum class Job { none, slide, carry, strike, watch };
   struct Leg {
     Eigen::Vector3d to_mm;
     double seconds;
@@ -47,6 +48,7 @@ class Hand {
   Eigen::Vector3d wanted(double seconds_from_now) const;
   void lead(double seconds);
   void end();
+  void watch(double seconds);
 
   Physics& physics_;
   Gripper& gripper_;

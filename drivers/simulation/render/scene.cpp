@@ -25,6 +25,7 @@ const Colour table_top(132, 164, 190);
 const Colour table_line(118, 150, 176);
 const Colour pedestal_grey(118, 112, 108);
 const Colour skin(150, 176, 222);
+const Colour sleeve(150, 96, 70);
 
 constexpr int round_sides = 14;
 constexpr double grid_mm = 100;
@@ -99,7 +100,8 @@ void add_links(std::vector<Solid>& solids, const ArmModel& arm, const Joints& jo
 void add_fist(std::vector<Solid>& solids, const Vector3d& at) {
   const Vector3d out = Vector3d(-0.35, at.y() < 0 ? -0.35 : 0.35, 0.85).normalized();
   solids.push_back(make_prism(at - out * 24, at + out * 22, 20, 27, round_sides, skin));
-  solids.push_back(make_prism(at + out * 22, at + out * 220, 20, 27, round_sides, skin));
+  solids.push_back(make_prism(at + out * 22, at + out * 110, 20, 25, round_sides, skin));
+  solids.push_back(make_prism(at + out * 110, at + out * 480, 33, 44, round_sides, sleeve));
 }
 
 double cross(const Vector2d& o, const Vector2d& a, const Vector2d& b) {

@@ -42,7 +42,7 @@ Face make_face(const Points& points, std::vector<int> vertices, const Colour& co
 Vector3d lamp() { return Vector3d(0.52, -0.36, 0.78).normalized(); }
 
 Colour lit(const Colour& colour, const Vector3d& normal) {
-  return colour * static_cast<float>(0.72 + 0.28 * normal.dot(lamp()));
+  return colour * static_cast<float>(0.67 + 0.33 * normal.dot(lamp()));
 }
 
 Solid make_box(const Eigen::Isometry3d& pose, const Vector3d& centre_mm, const Vector3d& half_mm,

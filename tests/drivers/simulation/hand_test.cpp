@@ -1,0 +1,120 @@
+#include <cmath>
+
+#include "lisp/reader.hpp"
+#include "tests/drivers/simulation/bench.hpp"
+
+namespace pizarra {
+
+TEST(Hand, PushesACubeWhereItIsTold) {
+  Bench bench(four_cubes());
+  const Time before = bench.executor.now();
+  bench.ask("(hand push circle -40 -50)");
+  const TruthOf cube = bench.truth("circle");
+  EXPECT_NEAR(cube.x_mm, 410, 5);
+  EXPECT_NEAR(cube.y_mm, -200, 5);
+  EXPECT_EQ(cube.state, "table");
+  EXPECT_GE(bench.executor.now() - before, 500ms);
+  EXPECT_NEAR(bench.truth("cross").y_mm, -50, 0.1);
+}
+
+TEST(Hand, APushedCubePushesItsNeighbour) {
+  Bench bench(four_cubes());
+  bench.ask("(hand push circle 0 90)");
+  EXPECT_NEAR(bench.truth("circle").y_mm, -60, 6);
+  EXPECT_GE(bench.truth("cross").y_mm, bench.truth("circle").y_mm + 59);
+}
+
+TEST(Hand, ACubePushedOverTheEdgeIsGone) {
+  Bench bench(four_cubes());
+  bench.ask("(hand push triangle 0 240)");
+  bench.wait(1s);
+  EXPECT_EQ(bench.truth("triangle").state, "gone");
+  EXPECT_EQ(bench.truth("triangle").visible, 0);
+  EXPECT_EQ(bench.outcome("(hand push triangle 0 10)"), "unknown-object");
+}
+
+TEST(Hand, PlacesAndStacksStraight) {
+  Bench bench(four_cubes());
+  bench.ask("(hand place circle 400 200)");
+  EXPECT_NEAR(bench.truth("circle").x_mm, 400, 3);
+  EXPECT_NEAR(bench.truth("circle").y_mm, 200, 3);
+  bench.ask("(hand stack cross square)");
+  EXPECT_EQ(bench.truth("cross").state, "(on square)");
+  EXPECT_EQ(bench.outcome("(hand stack cross cross)"), "bad-request");
+}
+
+TEST(Hand, KnocksATowerOver) {
+  WorldConfig config;
+  config.cubes = {{.name = "a", .x_mm = 450, .y_mm = 0}, {.name = "b", .on = "a"}, {.name = "c", .on = "b"}};
+  Bench bench(config);
+  bench.wait(1s);
+  EXPECT_EQ(bench.truth("c").state, "(on b)");
+  bench.ask("(hand knock b)");
+  bench.wait(1s);
+  EXPECT_NE(bench.truth("b").state, "(on a)");
+  EXPECT_NE(bench.truth("c").state, "(on b)");
+}
+
+TEST(Hand, StealsOutOfTheGripper) {
+  Bench bench(four_cubes());
+  bench.pick(450, -150, 30);
+  EXPECT_EQ(bench.truth("circle").state, "held");
+  bench.ask("(hand steal circle)");
+  EXPECT_EQ(bench.truth("circle").state, "gone");
+  EXPECT_NE(bench.facts().find("(arm-empty)"), std::string::npos);
+  // The gripper notices when it closes.
+  EXPECT_EQ(bench.grip(0), 0);
+}
+
+TEST(Hand, StealingTheLowestMakesTheTowerFall) {
+  WorldConfig config;
+  config.cubes = {{.name = "a", .x_mm = 450, .y_mm = 0}, {.name = "b", .on = "a"}};
+  Bench bench(config);
+  bench.ask("(hand steal a)");
+  bench.wait(1s);
+  EXPECT_EQ(bench.truth("a").state, "gone");
+  EXPECT_LT(bench.truth("b").z_mm, 60);
+}
+
+TEST(Hand, RemovesAndAdds) {
+  Bench bench(four_cubes());
+  bench.ask("(hand remove square)");
+  EXPECT_EQ(bench.truth("square").state, "gone");
+  bench.ask("(hand add square \"square\" 420 60)");
+  EXPECT_EQ(bench.truth("square").state, "table");
+  bench.ask("(hand add star \"cross\" 450 -220)");
+  EXPECT_EQ(bench.truth("star").state, "table");
+  EXPECT_EQ(bench.outcome("(hand add star \"cross\" 450 0)"), "bad-request");
+  EXPECT_EQ(bench.outcome("(hand add moon \"moon\" 450 0)"), "bad-request");
+}
+
+TEST(Hand, DoesOneThingAtATime) {
+  Bench bench(four_cubes());
+  std::optional<Result<Message>> first;
+  const Job job = bench.executor.spawn(keep(bench.link.call(*read_one("(hand place circle 400 200)"), 20s), first));
+  bench.wait(200ms);
+  EXPECT_EQ(bench.truth("circle").state, "carried");
+  EXPECT_EQ(bench.outcome("(hand push cross 10 0)"), "busy");
+  bench.wait(5s);
+  ASSERT_TRUE(first);
+  EXPECT_TRUE(*first);
+}
+
+TEST(Hand, PullsACubeFromAHoldThatIsTooWeak) {
+  Bench bench(four_cubes());
+  bench.pick(450, -150, 30);
+  bench.ask("(hand push circle 120 0)");
+  EXPECT_NE(bench.truth("circle").state, "held");
+}
+
+TEST(Hand, RefusesWhatItDoesNotKnow) {
+  Bench bench(four_cubes());
+  EXPECT_EQ(bench.outcome("(hand push moon 1 1)"), "unknown-object");
+  EXPECT_EQ(bench.outcome("(hand juggle circle)"), "bad-request");
+  EXPECT_EQ(bench.outcome("(hand push circle far 1)"), "bad-request");
+  EXPECT_EQ(bench.outcome("(hand push circle 1e9 1)"), "bad-request");
+  EXPECT_EQ(bench.outcome("nonsense"), "bad-request");
+  EXPECT_EQ(bench.outcome("()"), "bad-request");
+}
+
+}  // namespace pizarra

@@ -1,0 +1,98 @@
+#include <cmath>
+#include <limits>
+
+#include "tests/drivers/simulation/bench.hpp"
+
+namespace pizarra {
+
+TEST(SimulatedArm, NamesItsType) {
+  Bench bench(four_cubes());
+  const Result<std::string> type = run(bench.executor, bench.arm.identify());
+  ASSERT_TRUE(type);
+  EXPECT_EQ(*type, crs_f3().type);
+}
+
+TEST(SimulatedArm, ObeysOnlyWhoHasControl) {
+  VirtualExecutor executor;
+  const WorldConfig config = four_cubes();
+  World world(executor, config);
+  LocalLink link(world);
+  SimulatedArm arm(link);
+  EXPECT_EQ(run(executor, arm.start_move({config.arm.home}, 0.5)).error().symbol, "not-in-control");
+  EXPECT_EQ(run(executor, arm.start_gripper(10)).error().symbol, "not-in-control");
+  EXPECT_TRUE(run(executor, arm.read()));
+  EXPECT_TRUE(run(executor, arm.take_control()));
+  EXPECT_TRUE(run(executor, arm.start_move({config.arm.home}, 0.5)));
+}
+
+TEST(SimulatedArm, RefusesBadMoves) {
+  Bench bench(four_cubes());
+  const auto refused = [&](std::vector<Joints> path, double speed) {
+    return run(bench.executor, bench.arm.start_move(std::move(path), speed)).error().symbol;
+  };
+  Joints beyond = bench.config.arm.ready;
+  beyond[1] = 90;
+  EXPECT_EQ(refused({beyond}, 0.5), "joint-limit");
+  beyond[1] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(refused({beyond}, 0.5), "not-finite");
+  EXPECT_EQ(refused({}, 0.5), "bad-request");
+  EXPECT_EQ(refused({bench.config.arm.home}, 0), "bad-request");
+  EXPECT_FALSE(bench.reading().moving);
+  ASSERT_TRUE(run(bench.executor, bench.arm.start_move({bench.config.arm.home}, 0.5)));
+  EXPECT_EQ(refused({bench.config.arm.ready}, 0.5), "busy");
+}
+
+TEST(SimulatedArm, NoAxisExceedsItsShareOfSpeed) {
+  Bench bench(four_cubes());
+  Joints far = bench.config.arm.ready;
+  far[0] = 120;
+  far[4] = -60;
+  const double speed = 0.4;
+  ASSERT_TRUE(run(bench.executor, bench.arm.start_move({far}, speed)));
+  Joints before = bench.reading().joints;
+  double fastest = 0;
+  while (bench.reading().moving) {
+    bench.wait(50ms);
+    const Joints now = bench.reading().joints;
+    for (std::size_t axis = 0; axis < arm_axes; ++axis) {
+      const double rate = std::abs(now[axis] - before[axis]) / 0.05;
+      EXPECT_LE(rate, bench.config.arm.limits[axis].speed_deg_s * speed * 1.09) << "axis " << axis + 1;
+      if (axis == 0) fastest = std::max(fastest, rate);
+    }
+    before = now;
+  }
+  EXPECT_NEAR(fastest, 240 * speed, 240 * speed * 0.1);
+  EXPECT_EQ(bench.reading().joints, far);
+  EXPECT_FALSE(bench.reading().stopped);
+}
+
+TEST(SimulatedArm, StopsWithinAQuarterOfASecond) {
+  Bench bench(four_cubes());
+  Joints far = bench.config.arm.ready;
+  far[0] = 150;
+  ASSERT_TRUE(run(bench.executor, bench.arm.start_move({far}, 0.5)));
+  bench.wait(500ms);
+  ASSERT_TRUE(run(bench.executor, bench.arm.stop()));
+  const double braked_from = bench.reading().joints[0];
+  bench.wait(300ms);
+  const ArmReading after = bench.reading();
+  EXPECT_FALSE(after.moving);
+  EXPECT_TRUE(after.stopped);
+  EXPECT_GT(after.joints[0], braked_from);
+  EXPECT_LT(after.joints[0], 150);
+  bench.wait(1s);
+  EXPECT_EQ(bench.reading().joints, after.joints);
+}
+
+TEST(SimulatedArm, TheGripperTakesItsTime) {
+  Bench bench(four_cubes());
+  ASSERT_TRUE(run(bench.executor, bench.arm.start_gripper(44)));
+  EXPECT_TRUE(bench.reading().gripper_moving);
+  bench.wait(250ms);
+  EXPECT_NEAR(bench.reading().opening_mm, 64, 1);
+  bench.wait(400ms);
+  EXPECT_EQ(bench.reading().opening_mm, 44);
+  EXPECT_FALSE(bench.reading().gripper_moving);
+}
+
+}  // namespace pizarra

@@ -1,0 +1,56 @@
+#include "tests/drivers/simulation/bench.hpp"
+
+namespace pizarra {
+
+namespace {
+
+std::string fault(const WorldConfig& config) {
+  const Result<void> checked = check(config);
+  return checked ? "" : checked.error().sentence;
+}
+
+}  // namespace
+
+TEST(WorldConfig, AcceptsARowAndATower) {
+  WorldConfig config = four_cubes();
+  config.cubes[3].on = "circle";
+  EXPECT_EQ(fault(config), "");
+  EXPECT_EQ(fault(WorldConfig()), "");
+}
+
+TEST(WorldConfig, SaysWhatIsWrong) {
+  WorldConfig config = four_cubes();
+  config.cubes[1].name = "Circle";
+  EXPECT_EQ(fault(config), "two cubes are called Circle");
+  config = four_cubes();
+  config.cubes[0].name = "a cube";
+  EXPECT_EQ(fault(config), "\"a cube\" is no name for a cube");
+  config = four_cubes();
+  config.cubes[0].on = "cross";
+  EXPECT_EQ(fault(config), "circle stands on cross, which is not listed before it");
+  config = four_cubes();
+  config.cubes[1].on = "circle";
+  config.cubes[2].on = "circle";
+  EXPECT_EQ(fault(config), "cross and square stand on the same cube");
+  config = four_cubes();
+  config.cubes[2].y_mm = -20;
+  EXPECT_EQ(fault(config), "cross and square stand in one place");
+  config = four_cubes();
+  config.cubes[2].x_mm = 900;
+  EXPECT_EQ(fault(config), "square does not stand on the table");
+  config = four_cubes();
+  config.camera.model.focal_px = 0;
+  EXPECT_EQ(fault(config), "the camera's figures are out of range");
+  config = four_cubes();
+  config.cubes.resize(max_cubes + 1);
+  EXPECT_EQ(fault(config), "a cell has at most 16 cubes");
+}
+
+TEST(WorldConfig, NamesMarksBothWays) {
+  for (const Mark mark : {Mark::circle, Mark::square, Mark::cross, Mark::triangle}) {
+    EXPECT_EQ(mark_from_name(mark_name(mark)), mark);
+  }
+  EXPECT_FALSE(mark_from_name("moon"));
+}
+
+}  // namespace pizarra
