@@ -82,9 +82,9 @@ bool BackwardSearch::choose(Level& level, const Bits& open, const Bits& excluded
   candidates &= level.actions.present;
   candidates -= excluded;
   std::vector<std::size_t> order;
-  // To keep what holds comes first: it adds nothing to the plan. These actions have the highest numbers.
   candidates.for_each([&](std::size_t action) { order.push_back(action); });
-  std::ranges::reverse(order);
+  // To keep what holds adds nothing to the plan; of the others those of the domain's first operators are preferred.
+  std::ranges::stable_partition(order, [&](std::size_t action) { return graph_.keeps(action); });
 
   Bits below(problem_.facts.size());
   for (const std::size_t action : order) {

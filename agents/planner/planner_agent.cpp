@@ -128,7 +128,7 @@ Task<Result<Datum>> PlannerAgent::State::handle(Datum operation) {
 
 Task<Result<Datum>> PlannerAgent::State::get_operations(Datum forms) {
   Result<std::vector<PlanningOperator>> read = operators_from_list(forms);
-  if (!read) co_return fail(read);
+  if (!read) co_return fail(as_asked(read.error()));
   operators = std::move(*read);
   drop_plan();
   co_await tell_state("idle", Datum());
@@ -158,8 +158,9 @@ Task<Result<Datum>> PlannerAgent::State::get_plan() {
   if (search != mine) co_return fail("cancelled", "something else is to be planned now");
   search.reset();
   if (!mine->result) {
-    co_await tell_state("no-plan", failure_to_datum(mine->result.error()));
-    co_return fail(mine->result.error());
+    const Failure failure = as_asked(mine->result.error());
+    co_await tell_state("no-plan", failure_to_datum(failure));
+    co_return fail(failure);
   }
   plan = operations_of(*mine->result);
   const Datum steps = steps_to_datum(*mine->result);

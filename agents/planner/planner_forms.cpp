@@ -22,6 +22,14 @@ Datum with_variables(const Datum& datum) {
   return Datum::symbol(fmt::format("?{}", name.substr(1, name.size() - 2)));
 }
 
+Datum without_variables(const Datum& datum) {
+  if (is_variable(datum)) return Datum::symbol(fmt::format("<{}>", datum.text().substr(1)));
+  if (!datum.is_list()) return datum;
+  std::vector<Datum> items;
+  for (const Datum& item : datum.items()) items.push_back(without_variables(item));
+  return Datum::list(std::move(items));
+}
+
 // A predicate with names behind it, none of them a list.
 bool is_atom(const Datum& datum) {
   if (datum.head().empty() || is_variable(datum[0]) || datum.is_form("del")) return false;
@@ -144,6 +152,11 @@ std::vector<Datum> operations_of(const PlanSteps& steps) {
   std::vector<Datum> operations;
   for (const std::vector<Datum>& step : steps) operations.insert(operations.end(), step.begin(), step.end());
   return operations;
+}
+
+Failure as_asked(Failure failure) {
+  failure.subject = without_variables(failure.subject);
+  return failure;
 }
 
 Failure explain(const Problem& problem, const Outcome& outcome) {

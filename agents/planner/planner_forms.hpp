@@ -26,6 +26,9 @@ Result<PlanningFacts> facts_from_forms(const Datum& types, const Datum& initials
 Datum steps_to_datum(const PlanSteps& steps);
 std::vector<Datum> operations_of(const PlanSteps& steps);
 
+// The failure with `<ob1>` in its subject where the planner has `?ob1`: a fact, and so a reply, holds no variables.
+Failure as_asked(Failure failure);
+
 // Why there is no plan, for people and programs: `no-plan` with the goals that exclude each other as the subject, or
 // `gave-up`. Not for an outcome that is a plan.
 Failure explain(const Problem& problem, const Outcome& outcome);

@@ -1,0 +1,274 @@
+#include "agents/planner/planner_agent.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "blackboard/memory_board.hpp"
+#include "blackboard/time/real_executor.hpp"
+#include "blackboard/time/virtual_executor.hpp"
+#include "lisp/writer.hpp"
+#include "tests/agents/planner/planning_domains.hpp"
+
+namespace pizarra {
+namespace {
+
+constexpr std::string_view operators = R"((get-operations (
+  (operator PICK-UP (params (<ob1> OBJECT)) (preconds (clear <ob1>) (on-table <ob1>) (arm-empty))
+    (effects (holding <ob1>) (del (clear <ob1>)) (del (on-table <ob1>)) (del (arm-empty))))
+  (operator PUT-DOWN (params (<ob1> OBJECT)) (preconds (holding <ob1>))
+    (effects (clear <ob1>) (arm-empty) (on-table <ob1>) (del (holding <ob1>))))
+  (operator STACK (params (<ob1> OBJECT) (<ob2> OBJECT)) (preconds (clear <ob2>) (holding <ob1>))
+    (effects (arm-empty) (clear <ob1>) (on <ob1> <ob2>) (del (clear <ob2>)) (del (holding <ob1>))))
+  (operator UNSTACK (params (<ob1> OBJECT) (<ob2> OBJECT)) (preconds (on <ob1> <ob2>) (clear <ob1>) (arm-empty))
+    (effects (holding <ob1>) (clear <ob2>) (del on <ob1> <ob2>) (del clear <ob1>) (del arm-empty))))))";
+
+std::string facts(std::string_view goals) {
+  return fmt::format(
+      "(get-facts (types (circle OBJECT) (square OBJECT) (cross OBJECT)) (initials (on-table circle) (on square "
+      "circle) "
+      "(clear square) (on-table cross) (clear cross) (arm-empty)) (goals {}))",
+      goals);
+}
+
+// A planner on a board, and whoever asks it.
+template <class T>
+class PlannerCell {
+ public:
+  explicit PlannerCell(Budget budget = {}) { begin(std::move(budget)); }
+  void begin(Budget budget = {}) {
+    view = board.view("planner");
+    agent = std::make_unique<PlannerAgent>(AgentContext{"planner", "localhost", executor, *view, Random(1)}, budget);
+    job = executor.spawn(live());
+  }
+  void kill() {
+    job = Job();
+    agent.reset();
+  }
+  Task<void> live() { const Result<void> ended = co_await agent->run(); }
+
+  std::string ask(std::string_view operation) {
+    const std::string id = fmt::format("r{}", ++asked);
+    Transaction request;
+    request.tell(list("request"_sym, Datum::symbol(id), "planner"_sym, form(operation)));
+    bool told = false;
+    const Time deadline = executor.now() + 10s;
+    executor.run_until([&] {
+      told = told || board.transact("user", request).has_value();
+      return told || executor.now() > deadline;
+    });
+    EXPECT_TRUE(told);
+    return id;
+  }
+  std::string reply(const std::string& id) {
+    const std::optional<Datum> fact = find(fmt::format("(reply {} ?answer)", id));
+    return fact ? write((*fact)[2]) : "";
+  }
+  std::string call(std::string_view operation) {
+    const std::string id = ask(operation);
+    const Time deadline = executor.now() + 30s;
+    executor.run_until([&] { return !reply(id).empty() || executor.now() > deadline; });
+    return reply(id);
+  }
+  std::string refusal(std::string_view operation) {
+    const Datum answer = form(call(operation));
+    return answer.is_form("fail") ? fmt::format("{} {}", answer[1].text(), write(answer[3])) : write(answer);
+  }
+  std::string state() {
+    const std::optional<Datum> fact = find("(planner ?state ?detail)");
+    return fact ? fmt::format("{} {}", (*fact)[1].text(), write((*fact)[2])) : "";
+  }
+  std::optional<Datum> find(std::string_view pattern) {
+    const Result<Answers> answers = board.ask(query_from_datum(form(pattern)).value());
+    if (!answers || answers->answers.empty()) return std::nullopt;
+    return answers->answers.front().facts.front().datum;
+  }
+
+  T executor;
+  MemoryBoard board{executor};
+  std::unique_ptr<Board> view;
+  std::unique_ptr<PlannerAgent> agent;
+  Job job;
+  int asked = 0;
+};
+
+using Cell = PlannerCell<VirtualExecutor>;
+
+TEST(PlannerAgent, PlansAndHandsOutOneOperationAtATime) {
+  Cell cell;
+  EXPECT_EQ(cell.call(operators), "(ok)");
+  EXPECT_EQ(cell.call(facts("(on circle square)")), "(ok)");
+  EXPECT_EQ(cell.state(), "idle ()");
+  EXPECT_EQ(cell.call("(get-plan)"),
+            "(ok (((UNSTACK square circle)) ((PUT-DOWN square)) ((PICK-UP circle)) ((STACK circle square))))");
+  EXPECT_EQ(cell.state(),
+            "planned (((UNSTACK square circle)) ((PUT-DOWN square)) ((PICK-UP circle)) ((STACK circle square)))");
+  EXPECT_EQ(cell.call("(start-plan)"), "(ok (UNSTACK square circle))");
+  EXPECT_EQ(cell.call("(next-operation 1)"), "(ok (PUT-DOWN square))");
+  EXPECT_EQ(cell.call("(next-operation 1)"), "(ok (PUT-DOWN square))");
+  EXPECT_EQ(cell.call("(next-operation 3)"), "(ok (STACK circle square))");
+  EXPECT_EQ(cell.call("(next-operation 4)"), "(ok done)");
+}
+
+TEST(PlannerAgent, AnswersDoneWhenTheGoalHoldsAlready) {
+  Cell cell;
+  cell.call(operators);
+  cell.call(facts("(on square circle)"));
+  EXPECT_EQ(cell.call("(get-plan)"), "(ok ())");
+  EXPECT_EQ(cell.call("(start-plan)"), "(ok done)");
+}
+
+TEST(PlannerAgent, HandsOutParallelStepsInAFixedOrder) {
+  Cell cell;
+  cell.call("(get-operations ((operator GO (params (<x> HAND)) (preconds) (effects (there <x>)))))");
+  cell.call("(get-facts (types (left HAND) (right HAND)) (initials) (goals (there right) (there left)))");
+  EXPECT_EQ(cell.call("(get-plan)"), "(ok (((GO left) (GO right))))");
+  EXPECT_EQ(cell.call("(start-plan)"), "(ok (GO left))");
+  EXPECT_EQ(cell.call("(next-operation 1)"), "(ok (GO right))");
+}
+
+TEST(PlannerAgent, SaysWhichGoalsMakeAPlanImpossible) {
+  Cell cell;
+  cell.call(operators);
+  cell.call(facts("(clear cross) (on circle square) (on circle cross)"));
+  EXPECT_EQ(cell.call("(get-plan)"),
+            "(fail no-plan \"no plan exists: (clear cross) and (on circle cross) can never hold together from here\" "
+            "((clear cross) (on circle cross)))");
+  EXPECT_EQ(cell.state().substr(0, 21), "no-plan (fail no-plan");
+  EXPECT_EQ(cell.refusal("(start-plan)"), "not-ready ()");
+}
+
+TEST(PlannerAgent, GivesUpWithinItsBudgetAndSaysSo) {
+  Cell cell(Budget{.nodes = 2});
+  cell.call(operators);
+  cell.call(facts("(on circle square) (on square cross)"));
+  EXPECT_EQ(cell.call("(get-plan)"), "(fail gave-up \"no plan was found within 2 search nodes; there may be one\" ())");
+}
+
+TEST(PlannerAgent, AsksForWhatItWasNotTold) {
+  Cell cell;
+  EXPECT_EQ(cell.refusal("(get-plan)"), "not-ready ()");
+  cell.call(operators);
+  EXPECT_EQ(cell.refusal("(get-plan)"), "not-ready ()");
+  EXPECT_EQ(cell.refusal("(next-operation 0)"), "not-ready ()");
+  cell.call(facts("(on circle square)"));
+  cell.call("(get-plan)");
+  EXPECT_EQ(cell.refusal("(next-operation 0)"), "not-ready ()");
+  cell.call("(start-plan)");
+  EXPECT_EQ(cell.refusal("(next-operation -1)"), "bad-index -1");
+}
+
+TEST(PlannerAgent, RefusesMalformedRequestsWithOneFailureAboutTheWrongPart) {
+  Cell cell;
+  EXPECT_EQ(cell.refusal("(get-operations ())"), "bad-operator ()");
+  EXPECT_EQ(cell.refusal("(get-operations ((operator FLY)))"), "bad-operator (operator FLY)");
+  EXPECT_EQ(cell.refusal("(get-operations ((operator FLY (params (x OBJECT)) (preconds) (effects))))"),
+            "bad-operator (x OBJECT)");
+  EXPECT_EQ(cell.refusal("(get-operations ((operator FLY (params) (effects) (preconds))))"), "bad-operator (effects)");
+  EXPECT_EQ(cell.refusal("(get-operations ((operator FLY (params) (preconds) (effects (del)))))"),
+            "bad-operator (del)");
+  EXPECT_EQ(cell.refusal("(get-operations ((operator FLY (params) (preconds) (effects)) "
+                         "(operator FLY (params) (preconds) (effects))))"),
+            "bad-operator FLY");
+  EXPECT_EQ(cell.refusal("(get-facts (types (circle OBJECT)) (initials) (goals))"), "bad-facts (goals)");
+  EXPECT_EQ(cell.refusal("(get-facts (types circle) (initials) (goals (clear circle)))"), "bad-facts circle");
+  EXPECT_EQ(cell.refusal("(get-facts (initials) (types) (goals))"), "bad-facts (initials)");
+  EXPECT_EQ(cell.refusal("(get-facts (types) (initials (clear (x))) (goals (a)))"), "bad-facts (clear (x))");
+  EXPECT_EQ(cell.refusal("(get-facts (types))"), "wrong-shape (get-facts (types))");
+  cell.call(operators);
+  cell.call(facts("(on circle star)"));
+  EXPECT_EQ(cell.refusal("(get-plan)"), "unknown-object star");
+}
+
+TEST(PlannerAgent, ANewRequestCancelsThePlanningUnderWay) {
+  Cell cell;
+  cell.call(operators);
+  cell.call(facts("(on circle square)"));
+  const std::string first = cell.ask("(get-plan)");
+  const std::string second = cell.ask("(get-plan)");
+  cell.executor.run_for(1s);
+  EXPECT_EQ(form(cell.reply(first))[1], "cancelled"_sym);
+  EXPECT_TRUE(form(cell.reply(second)).is_form("ok"));
+  EXPECT_EQ(cell.state().substr(0, 7), "planned");
+  const std::string third = cell.ask("(get-plan)");
+  cell.call(facts("(on cross square)"));
+  cell.executor.run_for(1s);
+  EXPECT_EQ(form(cell.reply(third))[1], "cancelled"_sym);
+  EXPECT_EQ(cell.refusal("(start-plan)"), "not-ready ()");
+  EXPECT_EQ(cell.call("(get-plan)"), "(ok (((PICK-UP cross)) ((STACK cross square))))");
+}
+
+// In real time, on a worker thread: this many blocks take far longer than this test waits.
+TEST(PlannerAgent, AnswersWhileItPlansAndStopsPlanningWhenToldSomethingElse) {
+  PlannerCell<RealExecutor> cell(Budget{.nodes = SIZE_MAX, .levels = 250, .bytes = std::size_t{1} << 40});
+  Random random(11);
+  const PlanningTask hard = random_blocks(22, random);
+  std::vector<Datum> types{"types"_sym}, initials{"initials"_sym}, goals{"goals"_sym};
+  for (const PlanningObject& object : hard.objects) types.push_back(list(object.name, Datum::symbol(object.type)));
+  initials.insert(initials.end(), hard.initials.begin(), hard.initials.end());
+  goals.insert(goals.end(), hard.goals.begin(), hard.goals.end());
+  const Datum asked = list("get-facts"_sym, Datum::list(types), Datum::list(initials), Datum::list(goals));
+  EXPECT_EQ(cell.call(operators), "(ok)");
+  EXPECT_EQ(cell.call(write(asked)), "(ok)");
+  const std::string waiting = cell.ask("(get-plan)");
+  const Time deadline = cell.executor.now() + 5s;
+  cell.executor.run_until([&] { return cell.state().starts_with("planning") || cell.executor.now() > deadline; });
+  EXPECT_EQ(cell.refusal("(start-plan)"), "not-ready ()");
+  EXPECT_EQ(cell.reply(waiting), "");
+  EXPECT_EQ(cell.call(facts("(on cross square)")), "(ok)");
+  EXPECT_EQ(cell.call("(get-plan)"), "(ok (((PICK-UP cross)) ((STACK cross square))))");
+  cell.executor.run_until([&] { return !cell.reply(waiting).empty() || cell.executor.now() > deadline; });
+  EXPECT_EQ(form(cell.reply(waiting))[1], "cancelled"_sym);
+}
+
+TEST(PlannerAgent, ItsStateGoesWithItAndASuccessorBeginsAfresh) {
+  Cell cell;
+  cell.call(operators);
+  cell.kill();
+  cell.executor.run_for(3s);
+  EXPECT_EQ(cell.state(), "");
+  cell.begin();
+  cell.executor.run_for(1s);
+  EXPECT_EQ(cell.state(), "idle ()");
+  EXPECT_EQ(cell.refusal("(get-plan)"), "not-ready ()");
+}
+
+// Whatever is sent, each request gets one answer and the planner goes on.
+TEST(PlannerAgent, SurvivesRandomlyDamagedRequests) {
+  Cell cell;
+  const std::vector<Datum> whole{form(operators), form(facts("(on circle square)")), form("(get-plan)"),
+                                 form("(start-plan)"), form("(next-operation 0)")};
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    Random random(seed);
+    const std::function<Datum(const Datum&)> damaged = [&](const Datum& datum) -> Datum {
+      if (random.below(40) == 0)
+        return std::vector<Datum>{Datum(),
+                                  "del"_sym,
+
+                                  Datum::integer(-7),
+                                  "<y>"_sym,
+                                  Datum::string("star"),
+                                  list("on"_sym, "circle"_sym)}[random.below(6)];
+      if (!datum.is_list()) return datum;
+      std::vector<Datum> items;
+      for (const Datum& item : datum.items()) {
+        if (random.below(60) != 0) items.push_back(damaged(item));
+        if (random.below(60) == 0) items.push_back(damaged(item));
+      }
+      return Datum::list(std::move(items));
+    };
+    const std::string text = write(damaged(whole[random.below(whole.size())]));
+    const std::string reply = cell.call(text);
+    ASSERT_FALSE(reply.empty()) << "seed " << seed << ": " << text;
+    const Datum answer = form(reply);
+    ASSERT_TRUE(answer.is_form("ok") || answer.is_form("fail")) << "seed " << seed << ": " << text;
+    if (answer.is_form("fail")) {
+      ASSERT_GT(answer[2].text().size(), 10u) << "seed " << seed << ": " << text;
+    }
+  }
+  EXPECT_EQ(cell.call(operators), "(ok)");
+  EXPECT_EQ(cell.call(facts("(on cross square)")), "(ok)");
+  EXPECT_EQ(cell.call("(get-plan)"), "(ok (((PICK-UP cross)) ((STACK cross square))))");
+}
+
+}  // namespace
+}  // namespace pizarra
