@@ -28,7 +28,7 @@
     (effects (holding <ob1>) (clear <ob2>) (del (on <ob1> <ob2>)) (del (clear <ob1>)) (del (arm-empty))))
 
   ; What is measured, once a look: (seen NAME X Y Z) where a mark stands, (grip X Y Z) where the mark of a held object
-  ; would stand, (gripper OPENING) between the fingers. What is believed already gets wider bounds, so that noise at a
+  ; would stand, (gripper OPENING) between the fingers, (unseen NAME) of what was seen a moment ago. What is believed already gets wider bounds, so that noise at a
   ; bound does not make it flicker.
   (perception
     (sees OBJECT)
@@ -43,6 +43,12 @@
       (< (abs (- ?x ?gx)) (if (was (holding ?o)) 24 20))
       (< (abs (- ?y ?gy)) (if (was (holding ?o)) 20 16))
       (< (abs (- ?z ?gz)) (if (was (holding ?o)) 24 20)))
+
+    (rule (holding ?o)                  ; lost from sight for a moment, but still something is between the fingers
+      (was (holding ?o))
+      (unseen ?o)
+      (gripper ?opening)
+      (< (abs (- ?opening cube)) 9))
 
     (rule (on ?a ?b)
       (seen ?a ?ax ?ay ?az)

@@ -49,6 +49,12 @@
       (< (abs (- ?y ?gy)) (if (was (holding ?o)) 20 16))
       (< (abs (- ?z ?gz)) (if (was (holding ?o)) 24 20)))
 
+    (rule (holding ?o)                  ; lost from sight for a moment, but still something is between the fingers
+      (was (holding ?o))
+      (unseen ?o)
+      (gripper ?opening)
+      (< (abs (- ?opening cube)) 9))
+
     (rule (on ?a ?b)
       (seen ?a ?ax ?ay ?az)
       (not (holding ?a))

@@ -1,0 +1,30 @@
+#pragma once
+
+// The primitive motions that a domain's micro-tasks are made of:
+//
+//   (open OBJECT)      open the gripper as wide as the neighbours of OBJECT leave room
+//   (raise)            up to the height that is safe to travel at (servo state 0)
+//   (align TARGET)     at that height, over the target (servo states 0-2)
+//   (lower TARGET)     down onto the target (servo states 0-4)
+//   (close)            close the gripper; fails `missed` where nothing is between the fingers
+//   (release)          open the gripper just enough to let go
+//   (check-held OBJECT)   fails `missed` where the eyes do not see OBJECT between the fingers
+//
+// A TARGET says where the gripper, or what it holds, is to be:
+//
+//   OBJECT                     the gripper around OBJECT
+//   (on-top OBJECT LOWER)      the held OBJECT one cube height above LOWER
+//   (free-spot OBJECT)         the held OBJECT on the table, where there is room for it
+//   (at-place OBJECT PLACE)    the held OBJECT on the table at a (spot PLACE X Y) of the perception section
+//
+// `close` and `release` change what is held: until the first of them an operation's preconditions must go on holding.
+
+#include "lisp/perception.hpp"
+
+namespace pizarra {
+
+inline Arities primitive_arities() {
+  return {{"open", 1}, {"raise", 0}, {"align", 1}, {"lower", 1}, {"close", 0}, {"release", 0}, {"check-held", 1}};
+}
+
+}  // namespace pizarra

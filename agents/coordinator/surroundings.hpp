@@ -1,0 +1,94 @@
+#pragma once
+
+// What the coordinator perceives of its cell: it watches the agents' facts, turns every look of vision into places and
+// the domain's predicates, and tells those. Nothing here acts.
+//
+// Lifecycle: start() spawns the watches, which go on until it is destroyed.
+//
+//   surroundings.start();
+//   bool seen = co_await surroundings.look_after(surroundings.looks() + 1, deadline);   // a look that began since
+//   surroundings.beliefs();                                                             // {(on circle triangle), ...}
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "agents/coordinator/beliefs.hpp"
+#include "agents/coordinator/options.hpp"
+#include "agents/coordinator/sightings.hpp"
+#include "agents/coordinator/task_domain.hpp"
+#include "agents/runtime/service.hpp"
+#include "blackboard/time/event.hpp"
+
+namespace pizarra {
+
+class Surroundings {
+ public:
+  // Everything outlives it. Facts it tells stand under the service's presence, so that they go with the coordinator.
+  Surroundings(AgentContext& context, const CoordinatorOptions& options, const TaskDomain& domain,
+               const Service& service);
+
+  void start();
+  // Called after beliefs changed, with what changed.
+  void on_change(std::function<void(const Beliefs::Change&)> observer) { observer_ = std::move(observer); }
+
+  const Sightings& sightings() const { return sightings_; }
+  const Facts& beliefs() const { return beliefs_.facts(); }
+  std::uint64_t looks() const { return sightings_.looks(); }
+  // None before the camera-model fact is there.
+  const std::optional<CameraView>& view() const { return view_; }
+  std::optional<double> opening_mm() const { return opening_mm_; }
+  // Where the mark of a held object would stand: below the end effector's mark, or by the arm's own word while that is
+  // not seen.
+  std::optional<Eigen::Vector3d> grip_mm() const;
+  bool present(const std::string& agent) const { return present_.contains(agent); }
+  // The frame in which a belief came or went last; 0 if it never did.
+  std::int64_t changed_in(const Datum& belief) const;
+
+  // Whether what is perceived is believed and all these objects have been seen lately and lie still.
+  bool steady(const std::vector<std::string>& objects) const;
+
+  // True once more than `look` looks were made, false at the deadline.
+  Task<bool> look_after(std::uint64_t look, Time deadline);
+  // True once the agent is present.
+  Task<bool> wait_present(std::string agent, Time deadline);
+  // The newest fact of a relation of which there is one at most, such as (gripper OPENING).
+  Task<std::optional<Datum>> newest(Datum pattern);
+
+ private:
+  using Handler = void (Surroundings::*)(const Change&);
+  Task<void> watch(Datum pattern, Handler handler);
+  Task<void> watch_vision();
+  void take_model(const Change& change);
+  void take_gripper(const Change& change);
+  void take_pose(const Change& change);
+  void take_presence(const Change& change);
+  Task<void> take_look(std::int64_t frame, std::string text);
+  std::vector<Datum> measure() const;
+  Facts perceive() const;
+  void tell_places(Transaction& transaction);
+  Task<void> tell_change(Beliefs::Change change);
+  Task<std::vector<FactId>> evidence(Datum belief);
+
+  AgentContext& context_;
+  const CoordinatorOptions& options_;
+  const TaskDomain& domain_;
+  const Service& service_;
+  std::function<void(const Beliefs::Change&)> observer_;
+
+  std::uint64_t grace_;
+  Sightings sightings_;
+  Beliefs beliefs_;
+  std::optional<CameraView> view_;
+  std::optional<double> opening_mm_;
+  std::optional<Eigen::Vector3d> pose_mm_;
+  std::set<std::string, std::less<>> present_;
+  std::map<std::string, Eigen::Vector3d, std::less<>> told_places_;
+  bool all_told_ = true;
+  std::map<Datum, std::int64_t> changed_in_;
+  WaitList changed_;
+  std::vector<Job> jobs_;
+};
+
+}  // namespace pizarra

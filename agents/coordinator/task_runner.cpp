@@ -1,0 +1,138 @@
+#include "agents/coordinator/task_runner.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+
+#include "agents/coordinator/telling.hpp"
+#include "lisp/writer.hpp"
+
+namespace pizarra {
+
+namespace {
+
+constexpr Duration effects_patience = 3s;
+// How near a held object's mark is to where it should be, and a closed gripper's opening to the object's size.
+constexpr double held_mm = 25;
+constexpr double closed_mm = 9;
+constexpr int held_looks = 12;
+
+}  // namespace
+
+Task<Result<Revision>> TaskRunner::tell(const Datum& fact) {
+  Transaction transaction;
+  transaction.tell(fact);
+  return commit(context_.board, context_.executor, std::move(transaction));
+}
+
+Task<Result<void>> TaskRunner::run(std::size_t index, GroundOperation operation) {
+  const Result<std::vector<Datum>> steps = domain_.micro_tasks().expand(operation.name);
+  if (!steps) co_return fail(steps);
+  aims_.reset();
+  const std::string sentence = fmt::format("operation {}: {}", index + 1, write(operation.name));
+  co_await story_.tell("operation", sentence, operation.name);
+  co_await tell(list("operation"_sym, index, operation.name, "running"_sym));
+  Result<void> done = co_await run_steps(*steps);
+  if (done) done = co_await await_effects(operation);
+  const Datum state = Datum::symbol(done ? "done" : "failed");
+  co_await tell(list("operation"_sym, index, operation.name, state));
+  co_return done;
+}
+
+Task<Result<void>> TaskRunner::run_steps(std::vector<Datum> steps) {
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const Result<void> fine = check();
+    if (!fine) co_return fine;
+    co_await tell(list("micro-task"_sym, i, steps[i], "running"_sym));
+    const Result<void> done = co_await run_step(steps[i]);
+    const Datum state = Datum::symbol(done ? "done" : "failed");
+    co_await tell(list("micro-task"_sym, i, steps[i], state));
+    if (!done) co_return done;
+  }
+  co_return Result<void>();
+}
+
+Task<Result<void>> TaskRunner::run_step(Datum step) {
+  const std::string_view name = step.head();
+  if (name == "raise") return raise();
+  if (name == "align") return servo(step[1], false);
+  if (name == "lower") return servo(step[1], true);
+  if (name == "close") return close();
+  if (name == "release") return release();
+  if (name == "check-held") return check_held(std::string(step[1].text()));
+  return open(aims_.opening_around(step[1].text(), options_.gripper.wide_mm));
+}
+
+Task<Result<void>> TaskRunner::open(double opening_mm) {
+  const Result<double> opened = co_await arm_.grip(opening_mm);
+  if (!opened) co_return fail(opened);
+  co_return Result<void>();
+}
+
+Task<Result<void>> TaskRunner::close() {
+  vigil_.commit();
+  const Result<double> opening = co_await arm_.grip(0);
+  if (!opening) co_return fail(opening);
+  if (std::abs(*opening - domain_.cube_mm()) <= closed_mm) co_return Result<void>();
+  co_return fail("missed", fmt::format("the gripper closed to {:.0f} mm", *opening), to_datum(*opening));
+}
+
+Task<Result<void>> TaskRunner::release() {
+  vigil_.commit();
+  const Result<double> opened = co_await arm_.grip(options_.gripper.normal_mm);
+  if (!opened) co_return fail(opened);
+  co_return Result<void>();
+}
+
+// Only vision can tell whether the mark stands where the arm believes it to be, so a raise ends with a look.
+Task<Result<void>> TaskRunner::raise() {
+  for (int attempt = 0; attempt < 2; ++attempt) {
+    const Result<Eigen::Vector3d> grip = co_await arm_.grip_centre();
+    if (!grip) co_return fail(grip);
+    const double missing = options_.travel_height_mm - grip->z();
+    if (std::abs(missing) > 2) {
+      ServoCommand up;
+      up.state = 0;
+      up.motion = missing > 0 ? ServoCommand::Motion::up : ServoCommand::Motion::down;
+      up.amount = std::abs(missing);
+      const Result<void> moved = co_await arm_.perform(up);
+      if (!moved) co_return moved;
+    }
+    const Result<void> looked = co_await eyes_.fresh_look();
+    if (!looked) co_return looked;
+    if (surroundings_.sightings().recent(options_.gripper.mark, 3)) co_return Result<void>();
+    // Out of the camera's view, as after home: the ready pose is before it.
+    const Datum ready = list("ready"_sym);
+    const Result<Datum> readied = co_await arm_.ask(ready);
+    if (!readied) co_return fail(readied);
+  }
+  co_return fail("lost-sight", "the end effector's mark is not seen", Datum::symbol(options_.gripper.mark));
+}
+
+Task<Result<void>> TaskRunner::check_held(std::string object) {
+  for (int i = 0; i < held_looks; ++i) {
+    const Result<void> looked = co_await eyes_.fresh_look();
+    if (!looked) co_return looked;
+    const std::optional<Eigen::Vector3d> grip = surroundings_.grip_mm();
+    const Sighting* seen = surroundings_.sightings().find(object);
+    if (!grip || !seen || !surroundings_.sightings().recent(object, 1)) continue;
+    if ((seen->place_mm - *grip).norm() < held_mm) co_return Result<void>();
+  }
+  co_return fail("missed", fmt::format("{} is not seen between the fingers", object), Datum::symbol(object));
+}
+
+Task<Result<void>> TaskRunner::await_effects(GroundOperation operation) {
+  const Time deadline = context_.executor.now() + effects_patience;
+  while (true) {
+    const Facts& beliefs = surroundings_.beliefs();
+    bool effective = true;
+    for (const Datum& fact : operation.adds) effective = effective && beliefs.contains(fact);
+    if (effective) co_return Result<void>();
+    if (vigil_.interrupted() || context_.executor.now() > deadline) break;
+    const Result<void> looked = co_await eyes_.fresh_look();
+    if (!looked) co_return looked;
+  }
+  co_return fail("no-effect", fmt::format("{} was carried out, but its effect is not seen", write(operation.name)),
+                 operation.name);
+}
+
+}  // namespace pizarra

@@ -1,0 +1,16 @@
+#pragma once
+
+// Telling facts so that they arrive: a board that is away for a while is tried again.
+
+#include "blackboard/board.hpp"
+#include "blackboard/time/executor.hpp"
+
+namespace pizarra {
+
+// Commits the transaction, however long the board is away. Any other failure is ours and is answered.
+Task<Result<Revision>> commit(Board& board, Executor& executor, Transaction transaction);
+
+// Every fact that fits, however long the board is away; none where the question itself is wrong.
+Task<std::vector<Fact>> facts_now(Board& board, Executor& executor, Datum pattern);
+
+}  // namespace pizarra
