@@ -6,9 +6,11 @@
 namespace pizarra {
 namespace {
 
-// A triangle on its side is 3 % higher.
 constexpr double height_tolerance = 0.1;
+// Of a mark slimmer than this it is not known how wide it should look, for it may have been turned.
+constexpr double least_round = 0.9;
 constexpr double width_tolerance = 0.05;
+constexpr double widest = 1.1;
 // Nearer than this to the image's edge a mark cannot be measured.
 constexpr double edge_px = 24;
 
@@ -19,6 +21,20 @@ bool cut_off_right(const StereoModel& model, const LearnedObject& object, const 
     const double disparity = model.base_line_mm * left.height_px / sample.size_mm;
     return left.centre.x - disparity < edge_px;
   });
+}
+
+// Whether one yaw of the face gives both widths, as parts of the learned one. A face of yaw p seen at slope t off the
+// axis is cos(p) + t sin(p) = sqrt(1 + t^2) cos(p - atan(t)) times as wide as one that faces the camera.
+bool yaw_explains(double left_width, double left_slope, double right_width, double right_slope) {
+  const double full = std::sqrt(1 + left_slope * left_slope);
+  if (left_width > widest * full) return false;
+  const double turn = std::acos(std::min(1.0, left_width / full));
+  for (const double side : {-1.0, 1.0}) {
+    const double yaw = std::atan(left_slope) + side * turn;
+    const double expected = std::cos(yaw) + right_slope * std::sin(yaw);
+    if (std::abs(right_width / expected - 1) < width_tolerance) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -65,11 +81,13 @@ bool is_whole(const StereoModel& model, const LearnedObject& object, const SeenM
   const double right_width = right.width_px * depth / model.focal_px;
   return std::any_of(object.samples.begin(), object.samples.end(), [&](const LearnedSample& sample) {
     if (sample.size_mm <= 0) return true;
-    if (std::abs(height / sample.size_mm - 1) > height_tolerance) return false;
-    const double cosine = std::clamp(std::max(left_width, right_width) / sample.size_mm, 0.6, 1.0);
-    const double tangent = std::sqrt(1 / (cosine * cosine) - 1);
-    const double by_yaw = 1.3 * tangent * model.base_line_mm / depth;
-    return std::abs(left_width / right_width - 1) < width_tolerance + by_yaw;
+    // On its side a mark is as high as it was wide.
+    const double low = sample.size_mm * sample.slimness * (1 - height_tolerance);
+    const double high = sample.size_mm / sample.slimness * (1 + height_tolerance);
+    if (height < low || height > high) return false;
+    if (sample.slimness < least_round) return true;
+    return yaw_explains(left_width / sample.size_mm, (left.centre.x - model.centre_x_px) / model.focal_px,
+                        right_width / sample.size_mm, (right.centre.x - model.centre_x_px) / model.focal_px);
   });
 }
 

@@ -1,0 +1,253 @@
+#include <gtest/gtest.h>
+
+#include "agents/runtime/service.hpp"
+#include "agents/vision/vision_agent.hpp"
+#include "blackboard/memory_board.hpp"
+#include "blackboard/time/virtual_executor.hpp"
+#include "lisp/reader.hpp"
+#include "lisp/writer.hpp"
+#include "tests/agents/vision/fake_camera.hpp"
+
+namespace pizarra {
+namespace {
+
+Datum form(std::string_view written) { return read_one(written).value(); }
+
+// One life of the agent: destroying it is its death.
+class VisionLife {
+ public:
+  VisionLife(Executor& executor, MemoryBoard& board, StereoCamera& camera, Streams* streams)
+      : view_(board.view("vision")), agent_({"vision", "here", executor, *view_, Random(1)}, camera, streams) {
+    job_ = executor.spawn(live());
+  }
+
+ private:
+  Task<void> live() {
+    const Result<void> ended = co_await agent_.run();
+    EXPECT_TRUE(ended.has_value()) << describe(ended.error());
+  }
+  std::unique_ptr<Board> view_;
+  VisionAgent agent_;
+  Job job_;
+};
+
+class Vision : public testing::Test {
+ protected:
+  Vision() {
+    camera.scene.faces = {{.mark = "circle", .place = {-100, 0, 850}},
+                          {.mark = "square", .place = {0, 0, 850}},
+                          {.mark = "plate", .place = {100, 0, 840}}};
+    const Job started = executor.spawn(start());
+    executor.run_until([&] { return started.done(); });
+    live();
+  }
+  void live() { life.emplace(executor, board, camera, &streams); }
+  Task<void> start() {
+    const Result<void> present = co_await service.start();
+    EXPECT_TRUE(present.has_value());
+  }
+
+  // The text that was answered, "()" where there is none, or the failure's symbol and subject.
+  std::string call(const std::string& operation, Duration timeout = 20s) {
+    std::string answer;
+    const Job job = executor.spawn(ask(form(operation), timeout, answer));
+    executor.run_until([&] { return job.done(); });
+    return answer;
+  }
+  Task<void> ask(Datum operation, Duration timeout, std::string& answer) {
+    const Result<Datum> result = co_await caller.call("vision", operation, timeout);
+    if (result) {
+      answer = result->size() == 1 ? std::string((*result)[0].text()) : write(*result);
+    } else {
+      answer = result.error().symbol + " " + write(result.error().subject);
+    }
+  }
+  void run_for(Duration duration) {
+    const Time end = executor.now() + duration;
+    executor.call_at(end, [] {});
+    executor.run_until([&] { return executor.now() >= end; });
+  }
+  // Every fact that fits, as written, one a line.
+  std::string facts(std::string_view pattern) {
+    std::string out;
+    const Answers answers = board.ask(query_from_datum(form(pattern)).value()).value();
+    for (const Answer& answer : answers.answers) {
+      if (!out.empty()) out += "\n";
+      out += write(answer.facts.front().datum);
+    }
+    return out;
+  }
+  std::string learn_request(std::size_t face, const std::string& name) {
+    const cv::Point2d at = project(camera.model(), camera.scene.faces[face].place, false);
+    return write(list("learn"_sym, at.x, at.y, name));
+  }
+  void learn_all() {
+    EXPECT_EQ(call(learn_request(0, "circle")), R"x((LEARN "circle" OK))x");
+    EXPECT_EQ(call(learn_request(2, "end-effector")), R"x((LEARN "end-effector" OK))x");
+  }
+  std::string says() {
+    const Answers answers = board.ask(query_from_datum(form("(vision-says ?frame ?text)")).value()).value();
+    if (answers.answers.empty()) return "nothing";
+    return std::string(answers.answers[0].bindings.find("?text")->text());
+  }
+
+  VirtualExecutor executor;
+  MemoryBoard board{executor};
+  LocalStreams streams;
+  FakeCamera camera{executor, 7};
+  std::unique_ptr<Board> view = board.view("tester");
+  AgentContext context{"tester", "here", executor, *view, Random(2)};
+  Service service{context, contract_from_text("(contract tester)").value()};
+  Caller caller{context, service};
+  std::optional<VisionLife> life;
+};
+
+TEST_F(Vision, LearnsFindsAndListsInTheThesisWords) {
+  EXPECT_EQ(call("(get-objects)"), R"x((GET 0 ()))x");
+  learn_all();
+  EXPECT_EQ(call("(get-objects)"), R"x((GET 2 ("circle", "end-effector")))x");
+  const std::string found = call("(find \"Circle\")");
+  double x = 0;
+  double y = 0;
+  ASSERT_EQ(std::sscanf(found.c_str(), R"x((FIND "Circle" OK (%lf, %lf)))x", &x, &y), 2) << found;
+  const cv::Point2d truth = project(camera.model(), camera.scene.faces[0].place, false);
+  EXPECT_NEAR(x, truth.x, 0.2);
+  EXPECT_NEAR(y, truth.y, 0.2);
+  EXPECT_EQ(found.substr(found.find('.') + 3, 2), ", ");
+  EXPECT_NE(facts("(learned \"circle\" 1 ? ? ? ? ? ?)"), "");
+}
+
+TEST_F(Vision, LearningANameTwiceKeepsASecondSample) {
+  EXPECT_EQ(call(learn_request(0, "circle")), R"x((LEARN "circle" OK))x");
+  EXPECT_EQ(call(learn_request(0, "CIRCLE")), R"x((LEARN "CIRCLE" OK))x");
+  EXPECT_NE(facts("(learned \"circle\" 2 ? ? ? ? ? ?)"), "");
+  EXPECT_EQ(call("(get-objects)"), R"x((GET 1 ("circle")))x");
+}
+
+TEST_F(Vision, SaysWhyItCouldNotLearn) {
+  EXPECT_EQ(call("(learn 500 20 \"circle\")"), R"x((LEARN "circle" FAIL))x");
+  EXPECT_NE(facts("(vision-failed ? ? ?)").find("outside the image"), std::string::npos);
+  EXPECT_EQ(call("(learn 20 200 \"circle\")"), R"x((LEARN "circle" FAIL))x");
+  EXPECT_NE(facts("(vision-failed ? ? ?)").find("even ground"), std::string::npos);
+  EXPECT_EQ(call("(learn 20 200 \"cir cle\")"), "bad-name \"cir cle\"");
+  EXPECT_EQ(call("(find \"star\")"), R"x((FIND "star" FAIL))x");
+  EXPECT_NE(facts("(vision-failed ? ? ?)").find("nothing is learned"), std::string::npos);
+  EXPECT_EQ(call("(track \"star\")"), "not-learned \"star\"");
+}
+
+TEST_F(Vision, TracksTheEndEffectorFirstAndTellsOnceAFrame) {
+  learn_all();
+  EXPECT_EQ(call("(track \"circle\")"), "()");
+  run_for(250ms);
+  const std::string text = says();
+  double x[2] = {};
+  double y[2] = {};
+  double d[2] = {};
+  ASSERT_EQ(std::sscanf(text.c_str(), "(TRACK 2 (\"end-effector\" OK (%lf, %lf, %lf)) (\"circle\" OK (%lf, %lf, %lf)))",
+                        &x[0], &y[0], &d[0], &x[1], &y[1], &d[1]),
+            6)
+      << text;
+  EXPECT_NEAR(d[0], cv::norm(camera.scene.faces[2].place), 4);
+  EXPECT_NEAR(d[1], cv::norm(camera.scene.faces[0].place), 4);
+  const std::string one = facts("(vision-says ? ?)");
+  run_for(100ms);
+  EXPECT_NE(facts("(vision-says ? ?)"), one);
+  camera.scene.faces[0].mark = "none";
+  run_for(200ms);
+  EXPECT_TRUE(says().ends_with("(\"circle\" FAIL))")) << says();
+  EXPECT_EQ(call("(end-track)"), "()");
+  EXPECT_EQ(says(), "nothing");
+  EXPECT_EQ(facts("(vision-mode ? ?)"), "(vision-mode capturing yes)");
+}
+
+TEST_F(Vision, ModesExcludeEachOtherButAFindSuspendsATracking) {
+  EXPECT_EQ(call("(connect)"), "()");
+  EXPECT_EQ(facts("(vision-mode ? ?)"), "(vision-mode capturing yes)");
+  std::string learned;
+  const Job learning = executor.spawn(ask(form(learn_request(0, "circle")), 20s, learned));
+  run_for(300ms);
+  EXPECT_EQ(facts("(vision-mode ? ?)"), "(vision-mode learning yes)");
+  EXPECT_EQ(call("(find \"circle\")"), "busy learning");
+  EXPECT_EQ(call("(track \"circle\")"), "busy learning");
+  EXPECT_EQ(call(learn_request(1, "square")), "busy learning");
+  EXPECT_EQ(call("(get-objects)"), R"x((GET 0 ()))x");
+  executor.run_until([&] { return learning.done(); });
+  EXPECT_EQ(learned, R"x((LEARN "circle" OK))x");
+
+  EXPECT_EQ(call("(track \"circle\")"), "()");
+  run_for(200ms);
+  EXPECT_EQ(call(learn_request(1, "square")), "busy tracking");
+  std::string found;
+  const Job finding = executor.spawn(ask(form("(find \"circle\")"), 20s, found));
+  run_for(10ms);
+  EXPECT_EQ(facts("(vision-mode ? ?)"), "(vision-mode finding yes)");
+  executor.run_until([&] { return finding.done(); });
+  EXPECT_TRUE(found.starts_with(R"x((FIND "circle" OK ()x")) << found;
+  EXPECT_EQ(facts("(vision-mode ? ?)"), "(vision-mode tracking yes)");
+  const std::string before = facts("(vision-says ? ?)");
+  run_for(200ms);
+  EXPECT_NE(facts("(vision-says ? ?)"), before);
+}
+
+TEST_F(Vision, DisconnectedItCapturesOnlyWhileItMust) {
+  EXPECT_EQ(call(learn_request(0, "circle")), R"x((LEARN "circle" OK))x");
+  run_for(300ms);
+  EXPECT_EQ(facts("(vision-mode ? ?)"), "(vision-mode idle no)");
+  EXPECT_EQ(facts("(camera-state ? ?)"), "(camera-state closed \"\")");
+  EXPECT_EQ(call("(connect)"), "()");
+  run_for(300ms);
+  EXPECT_EQ(facts("(camera-state ? ?)"), "(camera-state open \"\")");
+  EXPECT_EQ(facts("(camera-model ? ? ? ? ? ?)"), "(camera-model 320 240 431.0 159.5 119.5 90.0)");
+  EXPECT_EQ(call("(disconnect)"), "()");
+  EXPECT_EQ(facts("(vision-mode ? ?)"), "(vision-mode idle no)");
+}
+
+TEST_F(Vision, ARestartedAgentKnowsWhatWasLearnedAndTracksNothing) {
+  learn_all();
+  EXPECT_EQ(call("(track \"circle\")"), "()");
+  run_for(300ms);
+  life.reset();
+  run_for(3s);
+  EXPECT_EQ(facts("(vision-mode ? ?)"), "");
+  EXPECT_EQ(facts("(vision-says ? ?)"), "");
+  live();
+  EXPECT_EQ(call("(get-objects)"), R"x((GET 2 ("circle", "end-effector")))x");
+  EXPECT_EQ(facts("(vision-mode ? ?)"), "(vision-mode idle no)");
+  EXPECT_TRUE(call("(find \"circle\")").starts_with(R"x((FIND "circle" OK ()x"));
+}
+
+TEST_F(Vision, ALostCameraIsSaidAndTriedAgain) {
+  EXPECT_EQ(call("(connect)"), "()");
+  run_for(300ms);
+  camera.plugged = false;
+  run_for(5s);
+  EXPECT_TRUE(facts("(camera-state ? ?)").starts_with("(camera-state lost \"the camera is unplugged"));
+  EXPECT_LT(camera.opened, 9);
+  EXPECT_EQ(call("(learn 100 100 \"circle\")"), R"x((LEARN "circle" FAIL))x");
+  EXPECT_NE(facts("(vision-failed ? ? ?)").find("unplugged"), std::string::npos);
+  camera.plugged = true;
+  run_for(6s);
+  EXPECT_EQ(facts("(camera-state ? ?)"), "(camera-state open \"\")");
+  EXPECT_EQ(call(learn_request(0, "circle")), R"x((LEARN "circle" OK))x");
+}
+
+TEST_F(Vision, PublishesImagesWhileTheyAreWatched) {
+  learn_all();
+  EXPECT_EQ(call("(track \"circle\")"), "()");
+  int grey = 0;
+  std::shared_ptr<const Image> annotated;
+  {
+    const auto left = streams.subscribe("vision-left", [&](const StreamFrame& f) { grey += f.image->channels == 1; });
+    const auto shown = streams.subscribe("vision-annotated", [&](const StreamFrame& f) { annotated = f.image; });
+    run_for(350ms);
+  }
+  EXPECT_EQ(grey, 3);
+  ASSERT_NE(annotated, nullptr);
+  EXPECT_EQ(annotated->channels, 3);
+  EXPECT_EQ(annotated->width, 640);
+  run_for(300ms);
+  EXPECT_EQ(grey, 3);
+}
+
+}  // namespace
+}  // namespace pizarra
