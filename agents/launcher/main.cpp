@@ -15,6 +15,9 @@ int main(int argc, char** argv) {
   pizarra::add_demo_word(app, status);
   pizarra::add_scenario_word(app, status);
   pizarra::add_check_word(app, status);
+  pizarra::add_cell_words(app, status);
+  pizarra::add_process_words(app, status);
+  pizarra::add_board_words(app, status);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
