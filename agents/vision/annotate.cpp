@@ -50,19 +50,30 @@ void draw_cross(cv::Mat& picture, cv::Point2d centre, const cv::Scalar& colour) 
   }
 }
 
-// The name and the numbers on a darkened plate beside the object, moved inside the picture.
-void draw_label(cv::Mat& picture, const TrackSighting& sighting, const cv::Scalar& colour) {
-  const std::string numbers =
-      fmt::format("{:.1f} {:.1f}  {:.0f} mm", sighting.centre.x, sighting.centre.y, sighting.range_mm);
+// The name and the numbers on a darkened plate below the object, or above where there is no room; moved on where it
+// would cover one of `taken`.
+void draw_label(cv::Mat& picture, const TrackSighting& sighting, const cv::Scalar& colour,
+                std::vector<cv::Rect>& taken) {
+  const std::string place = fmt::format("{:.1f} {:.1f}", sighting.centre.x, sighting.centre.y);
+  const std::string range = fmt::format("{:.1f} mm", sighting.range_mm);
   int baseline = 0;
-  const int width = cv::getTextSize(numbers, cv::FONT_HERSHEY_SIMPLEX, 0.36, 1, &baseline).width + 8;
+  const int name_width = cv::getTextSize(sighting.name, cv::FONT_HERSHEY_SIMPLEX, 0.4, 1, &baseline).width;
+  const int place_width = cv::getTextSize(place, cv::FONT_HERSHEY_SIMPLEX, 0.34, 1, &baseline).width;
+  const cv::Size size(std::max(name_width, place_width) + 8, 40);
   const cv::Rect around = cv::boundingRect(sighting.contour);
-  cv::Rect plate((around.x + around.width / 2) * scale - width / 2, around.br().y * scale + 12, width, 30);
-  plate.x = std::clamp(plate.x, 2, std::max(2, picture.cols - width - 2));
-  if (plate.br().y > picture.rows - 22) plate.y = around.y * scale - 42;
+  const bool below = around.br().y * scale + 12 + 2 * size.height < picture.rows;
+  cv::Rect plate({(around.x + around.width / 2) * scale - size.width / 2,
+                  below ? around.br().y * scale + 12 : around.y * scale - 12 - size.height},
+                 size);
+  plate.x = std::clamp(plate.x, 2, std::max(2, picture.cols - size.width - 2));
+  for (const cv::Rect& other : taken) {
+    if ((plate & other).area() > 0) plate.y = below ? other.br().y + 2 : other.y - size.height - 2;
+  }
+  taken.push_back(plate);
   darken(picture, plate);
-  write_text(picture, sighting.name, plate.tl() + cv::Point(4, 12), 0.42, colour);
-  write_text(picture, numbers, plate.tl() + cv::Point(4, 25), 0.36, white);
+  write_text(picture, sighting.name, plate.tl() + cv::Point(4, 12), 0.4, colour);
+  write_text(picture, place, plate.tl() + cv::Point(4, 24), 0.34, white);
+  write_text(picture, range, plate.tl() + cv::Point(4, 36), 0.34, white);
 }
 
 }  // namespace
@@ -84,13 +95,14 @@ std::shared_ptr<const Image> annotate(const Image& base, const Annotation& annot
   }
   cv::resize(colour, picture, picture.size(), 0, 0, cv::INTER_CUBIC);
   draw_contour(picture, annotation.learned_contour, palette[1]);
+  std::vector<cv::Rect> taken;
   std::size_t index = 0;
   for (const TrackSighting& sighting : annotation.sightings) {
     const cv::Scalar& ink = palette[index++ % palette.size()];
     draw_contour(picture, sighting.contour, ink);
     if (!sighting.seen) continue;
     draw_cross(picture, sighting.centre, ink);
-    draw_label(picture, sighting, ink);
+    draw_label(picture, sighting, ink, taken);
   }
   darken(picture, {0, picture.rows - 20, picture.cols, 20});
   write_text(picture, annotation.status, {8, picture.rows - 6}, 0.42, white);

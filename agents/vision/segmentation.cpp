@@ -45,25 +45,18 @@ const std::vector<SeenMark>& ImageSegmentation::marks() {
 }
 
 void ImageSegmentation::collect(MarkTone tone) {
-  const cv::Mat1b& regions = mask(tone);
-  cv::Mat1i labels;
-  cv::Mat1i stats;
-  cv::Mat1d centroids;
-  const int count = cv::connectedComponentsWithStats(regions, labels, stats, centroids, 8, CV_32S);
-  for (int label = 1; label < count && marks_.size() < most_marks; ++label) {
-    const int area = stats(label, cv::CC_STAT_AREA);
-    const int left = stats(label, cv::CC_STAT_LEFT);
-    const int top = stats(label, cv::CC_STAT_TOP);
-    const int width = stats(label, cv::CC_STAT_WIDTH);
-    const int height = stats(label, cv::CC_STAT_HEIGHT);
+  std::vector<MarkContour> contours;
+  std::vector<cv::Vec4i> families;
+  cv::findContours(mask(tone), contours, families, cv::RETR_CCOMP, cv::CHAIN_APPROX_NONE);
+  for (std::size_t i = 0; i < contours.size() && marks_.size() < most_marks; ++i) {
+    const MarkContour& contour = contours[i];
+    const bool is_hole = families[i][3] >= 0;
+    if (is_hole || contour.size() > longest_contour_px) continue;
+    const cv::Rect box = cv::boundingRect(contour);
+    const double area = cv::contourArea(contour) + static_cast<double>(contour.size()) / 2;
     if (area < least_mark_area_px || area > largest_mark_area_px) continue;
-    if (5 * area < width * height || width > 4 * height || height > 4 * width) continue;
-    const int* row = labels.ptr<int>(top);
-    int x = left;
-    while (row[x] != label) ++x;
-    const std::optional<MarkContour> contour = follow_contour(regions, {x, top}, longest_contour_px);
-    if (!contour) continue;
-    std::optional<SeenMark> mark = measure_mark(grey_, *contour, tone);
+    if (5 * area < box.area() || box.width > 4 * box.height || box.height > 4 * box.width) continue;
+    std::optional<SeenMark> mark = measure_mark(grey_, contour, tone);
     if (mark) marks_.push_back(std::move(*mark));
   }
 }

@@ -26,7 +26,7 @@ class ImageSegmentation {
   const cv::Mat& grey() const { return grey_; }
   // 255 where the image has that tone.
   const cv::Mat1b& mask(MarkTone tone) const { return tone == MarkTone::dark ? dark_ : light_; }
-  // Every closed region that measures as a mark, dark ones first, from the top; at most most_marks. Computed once.
+  // Every closed region that measures as a mark, dark ones first; at most most_marks. Computed once.
   const std::vector<SeenMark>& marks();
 
  private:
