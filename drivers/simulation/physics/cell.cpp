@@ -15,6 +15,7 @@ using Eigen::Vector3d;
 
 constexpr double step_s = 1.0 / steps_per_second;
 constexpr double press_limit_n = 15;  // on what is held
+constexpr int press_steps = 3;        // a jerk of the arm itself is over sooner
 constexpr double press_limit_mm = 3;  // into a cube that cannot give way
 constexpr double table_limit_mm = -0.5;
 constexpr double gone_below_mm = -150;
@@ -76,6 +77,7 @@ void Cell::step() {
   if (arm_.moving() && !was_moving_) {
     before_ = load();
     lowest_before_mm_ = before_.lowest_mm;
+    pressing_steps_ = 0;
   }
   was_moving_ = arm_.moving();
   arm_.step(step_s);
@@ -99,7 +101,9 @@ Cell::Load Cell::load() const {
 
 void Cell::protect() {
   const Load now = load();
-  const bool pressed = now.force_n > std::max(press_limit_n, 1.3 * before_.force_n);
+  const bool pressing = now.force_n > std::max(press_limit_n, 1.3 * before_.force_n);
+  pressing_steps_ = pressing ? pressing_steps_ + 1 : 0;
+  const bool pressed = pressing_steps_ >= press_steps;
   const bool jammed = now.depth_mm > std::max(press_limit_mm, before_.depth_mm + 0.5);
   const bool in_table = now.lowest_mm < table_limit_mm && now.lowest_mm < lowest_before_mm_;
   lowest_before_mm_ = now.lowest_mm;

@@ -66,6 +66,7 @@ class Cell {
   std::vector<CubeInfo> cubes_;
   Load before_;  // as it was when the move under way began
   double lowest_before_mm_ = 0;
+  int pressing_steps_ = 0;
   bool was_moving_ = false;
 };
 

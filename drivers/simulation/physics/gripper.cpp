@@ -26,6 +26,7 @@ void Gripper::command(double opening_mm) {
   if (target_mm_ > opening_mm_) lose();
   // A gripper that holds something cannot close further.
   moving_ = target_mm_ != opening_mm_ && !held_;
+  depth_before_mm_ = finger_depth_mm();
 }
 
 void Gripper::step(const Pose& tool, double seconds) {
@@ -53,17 +54,22 @@ void Gripper::close_by(double step_mm) {
     moving_ = false;
     return;
   }
-  double jam_mm = 0;
-  for (CubeId other = 0; other < physics_.cubes(); ++other) {
-    if (!physics_.present(other)) continue;
-    jam_mm = std::max({jam_mm, physics_.contact(left_, other).depth_mm, physics_.contact(right_, other).depth_mm});
-  }
-  if (jam_mm > 2 * jammed_mm) {
+  const double jam_mm = finger_depth_mm();
+  if (jam_mm > std::max(2 * jammed_mm, depth_before_mm_ + jammed_mm)) {
     moving_ = false;
     return;
   }
   opening_mm_ = std::max(target_mm_, opening_mm_ - step_mm);
   moving_ = opening_mm_ != target_mm_;
+}
+
+double Gripper::finger_depth_mm() const {
+  double deepest = 0;
+  for (CubeId cube = 0; cube < physics_.cubes(); ++cube) {
+    if (!physics_.present(cube) || cube == held_) continue;
+    deepest = std::max({deepest, physics_.contact(left_, cube).depth_mm, physics_.contact(right_, cube).depth_mm});
+  }
+  return deepest;
 }
 
 std::optional<CubeId> Gripper::squeezed() const {
@@ -92,12 +98,10 @@ void Gripper::set_through(CubeId cube, bool through) {
 }
 
 double Gripper::press_depth_mm() const {
-  double deepest = 0;
+  double deepest = finger_depth_mm();
   for (CubeId cube = 0; cube < physics_.cubes(); ++cube) {
     if (!physics_.present(cube) || cube == held_) continue;
-    for (const KinematicId body : {palm_, left_, right_}) {
-      deepest = std::max(deepest, physics_.contact(body, cube).depth_mm);
-    }
+    deepest = std::max(deepest, physics_.contact(palm_, cube).depth_mm);
   }
   return deepest;
 }

@@ -35,6 +35,7 @@ class Gripper {
   double press_depth_mm() const;
 
  private:
+  double finger_depth_mm() const;
   void close_by(double step_mm);
   std::optional<CubeId> squeezed() const;
   void set_through(CubeId cube, bool through);
@@ -46,6 +47,7 @@ class Gripper {
   double opening_mm_ = gripper_opening_mm;
   double target_mm_ = gripper_opening_mm;
   bool moving_ = false;
+  double depth_before_mm_ = 0;  // how deep the fingers were in something when the command came
   std::optional<CubeId> held_;
   int overloaded_steps_ = 0;
 };

@@ -9,6 +9,8 @@ namespace {
 constexpr double unit_mm = 100;  // one Bullet unit
 constexpr double margin_mm = 1;
 constexpr double cube_friction = 0.6;
+// The solver keeps bodies a hair apart that press on each other.
+constexpr double touching_mm = 0.3;
 
 btVector3 to_bullet(const Eigen::Vector3d& mm) { return {mm.x() / unit_mm, mm.y() / unit_mm, mm.z() / unit_mm}; }
 
@@ -180,7 +182,7 @@ Physics::Contact Physics::contact(KinematicId body, CubeId cube) const {
     if (!ours) continue;
     for (int point = 0; point < manifold->getNumContacts(); ++point) {
       const double distance_mm = manifold->getContactPoint(point).getDistance() * unit_mm;
-      if (distance_mm > 0) continue;
+      if (distance_mm > touching_mm) continue;
       ++contact.points;
       contact.depth_mm = std::max(contact.depth_mm, -distance_mm);
     }

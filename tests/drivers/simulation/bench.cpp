@@ -51,8 +51,9 @@ std::string Bench::facts() {
 }
 
 StereoFrame Bench::frame(bool colour) {
-  const Result<StereoFrame> frame = run(executor, eyes.next(0, colour));
+  const Result<StereoFrame> frame = run(executor, eyes.next(last_frame_, colour));
   EXPECT_TRUE(frame);
+  if (frame) last_frame_ = frame->number;
   return frame.value_or(StereoFrame());
 }
 

@@ -56,6 +56,7 @@ class Bench {
   TruthOf truth(std::string_view cube);
   // The facts of the truth, as text.
   std::string facts();
+  // The next frame, never the same again.
   StereoFrame frame(bool colour = false);
 
   // The joints for the tool straight down there, its plate towards the camera.
@@ -73,6 +74,7 @@ class Bench {
 
  private:
   Joints at_;
+  std::uint64_t last_frame_ = 0;
 };
 
 // Four cubes in a row, as a newcomer sees them.

@@ -99,7 +99,7 @@ TEST_F(DeviceLink, DropsWhatIsNoRequest) {
   }
   SocketLink link(executor_, context_, address_);
   EXPECT_TRUE(run(executor_, link.call(*read_one("(arm read)"), 3s)));
-  EXPECT_EQ(run(executor_, link.call(*read_one("(arm dance)"), 3s)).error().symbol, "bad-request");
+  EXPECT_EQ(run(executor_, link.call(*read_one("(camera dance)"), 3s)).error().symbol, "bad-request");
 }
 
 TEST_F(DeviceLink, SaysWhereItCannotListen) {

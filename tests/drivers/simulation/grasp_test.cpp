@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "blackboard/time/random.hpp"
 #include "tests/drivers/simulation/bench.hpp"
 
 namespace pizarra {
@@ -63,6 +64,27 @@ TEST(Grasp, StacksFourThatStand) {
             "(facts (on circle cross) (clear circle) (on cross square) (on square triangle) "
             "(on-table triangle) (arm-empty))");
   EXPECT_NEAR(bench.truth("circle").y_mm, 150, 4);
+}
+
+TEST(Grasp, HoldsWhateverLiesWithinItsTolerances) {
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    Random random(seed);
+    WorldConfig config;
+    config.cubes = {{.name = "circle",
+                     .x_mm = 450 + random.uniform(-15, 15),
+                     .y_mm = random.uniform(-6, 6),
+                     .yaw_deg = random.uniform(-9, 9)}};
+    Bench bench(config);
+    bench.go(450, 0, 300);
+    bench.go(450, 0, 30, 0.2);
+    const double opening_mm = bench.grip(0);
+    EXPECT_NEAR(opening_mm, 60, 3) << "seed " << seed;
+    // At full speed, round a corner.
+    EXPECT_TRUE(bench.go(450, 0, 300, 1)) << "seed " << seed;
+    EXPECT_TRUE(bench.go(400, 200, 200, 1)) << "seed " << seed;
+    EXPECT_EQ(bench.truth("circle").state, "held") << "seed " << seed;
+    EXPECT_LT(std::abs(bench.truth("circle").yaw_deg), 8) << "seed " << seed;
+  }
 }
 
 TEST(Grasp, AStaircaseTooSteepTopples) {

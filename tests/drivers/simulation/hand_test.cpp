@@ -35,8 +35,8 @@ TEST(Hand, ACubePushedOverTheEdgeIsGone) {
 
 TEST(Hand, PlacesAndStacksStraight) {
   Bench bench(four_cubes());
-  bench.ask("(hand place circle 400 200)");
-  EXPECT_NEAR(bench.truth("circle").x_mm, 400, 3);
+  bench.ask("(hand place circle 380 200)");
+  EXPECT_NEAR(bench.truth("circle").x_mm, 380, 3);
   EXPECT_NEAR(bench.truth("circle").y_mm, 200, 3);
   bench.ask("(hand stack cross square)");
   EXPECT_EQ(bench.truth("cross").state, "(on square)");
@@ -91,7 +91,7 @@ TEST(Hand, RemovesAndAdds) {
 TEST(Hand, DoesOneThingAtATime) {
   Bench bench(four_cubes());
   std::optional<Result<Message>> first;
-  const Job job = bench.executor.spawn(keep(bench.link.call(*read_one("(hand place circle 400 200)"), 20s), first));
+  const Job job = bench.executor.spawn(keep(bench.link.call(*read_one("(hand place circle 380 200)"), 20s), first));
   bench.wait(200ms);
   EXPECT_EQ(bench.truth("circle").state, "carried");
   EXPECT_EQ(bench.outcome("(hand push cross 10 0)"), "busy");
