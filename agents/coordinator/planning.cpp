@@ -28,7 +28,7 @@ Task<Result<Datum>> Planning::ask(Datum operation) {
 Datum Planning::operators() const {
   std::vector<Datum> forms;
   for (const Operator& known : domain_.domain().operators) forms.push_back(operator_form(known));
-  return form("get-operations"_sym, std::move(forms));
+  return list("get-operations"_sym, Datum::list(std::move(forms)));
 }
 
 Datum Planning::task(const std::vector<Datum>& goal) const {

@@ -152,7 +152,8 @@ Task<Result<std::int64_t>> Pursuit::submit(std::vector<Datum> facts) {
   vigil_.interrupt();
   const Result<Revision> told = co_await commit(context_.board, context_.executor, std::move(transaction));
   if (!told) co_return fail(told);
-  const std::string sentence = fmt::format("goal {}: {}", goal.number, write(Datum::list(goal.facts)));
+  std::string sentence = fmt::format("goal {}:", goal.number);
+  for (const Datum& fact : goal.facts) sentence += ' ' + write(fact);
   co_await story_.tell("goal", sentence, Datum::list(goal.facts));
   wanted_.wake_all();
   co_return goal.number;
