@@ -12,7 +12,7 @@
 //   Result<Change> first = co_await (*watch)->next();      // what holds now, then every change, in order
 //
 // Failures: undeclared-relation (names the nearest), wrong-shape, bad-query, precondition-failed, unknown-lease,
-// unreachable, and too-large.
+// unreachable, too-large, and, from a journal played back, read-only.
 
 #include <memory>
 #include <variant>
@@ -44,7 +44,7 @@ struct Transaction {
     Datum pattern;
     Revision revision;
   };
-  // A taken fact's work is done: it is not put back any more.
+  // A taken fact's work is done: it is not put back any more. A precondition too: it must still be held.
   struct Settle {
     FactId taken;
   };
@@ -101,7 +101,8 @@ class Board {
   virtual Task<Result<Answers>> ask(Query query) = 0;
   virtual Task<Result<std::unique_ptr<Watch>>> watch(Query query) = 0;
   // Removes one fact that fits (the lowest id) and answers it, or nothing. Until settled it is held under `holder`:
-  // when that lease lapses, the board puts the fact back.
+  // when that lease lapses, the board puts the fact back, under a new id, unless another with its key was told
+  // meanwhile. With holder 0 it is gone for good.
   virtual Task<Result<std::optional<Fact>>> take(Datum pattern, LeaseId holder) = 0;
 
   // A lease lapses `length` after it was made or last renewed, or when released.
