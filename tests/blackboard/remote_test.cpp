@@ -1,0 +1,165 @@
+#include <gtest/gtest.h>
+
+#include "blackboard/board_server.hpp"
+#include "blackboard/remote_board.hpp"
+#include "blackboard/time/real_executor.hpp"
+#include "lisp/writer.hpp"
+#include "tests/blackboard/board_fixture.hpp"
+
+namespace pizarra {
+namespace {
+
+// A client whose server comes and goes.
+class RemoteTest : public testing::Test, public Wall {
+ protected:
+  Executor& executor() override { return executor_; }
+  std::unique_ptr<Board> view(const std::string& teller) override {
+    return RemoteBoard::connect(executor_, address_, teller, 1s).value();
+  }
+  void start_server() {
+    auto store = std::make_unique<Store>(static_cast<LeaseId>(executor_.now().time_since_epoch().count()));
+    board_ = std::make_unique<MemoryBoard>(executor_, std::move(store));
+    server_ = BoardServer::open(executor_, *board_, {.addresses = {address_}}).value();
+  }
+  void stop_server() {
+    server_.reset();
+    board_.reset();
+  }
+  Result<Revision> tell(Board& board, const std::string& fact) { return run(board.tell(read(fact))); }
+
+  const std::vector<Relation> relations_ = {relation("(relation on ((a symbol) (b symbol)))")};
+  const std::string address_ = ipc_address();
+  RealExecutor executor_;
+  std::unique_ptr<MemoryBoard> board_;
+  std::unique_ptr<BoardServer> server_;
+};
+
+TEST_F(RemoteTest, WithoutAServerEverythingIsUnreachableAfterTheTimeout) {
+  const auto board = view("alice");
+  const Time before = executor_.now();
+  EXPECT_EQ(symbol_of(tell(*board, "(on a b)")), "unreachable");
+  EXPECT_GE(executor_.now() - before, 1s);
+  EXPECT_LT(executor_.now() - before, 2s);
+}
+
+TEST_F(RemoteTest, AServerThatComesLateIsFound) {
+  const auto board = view("alice");
+  executor_.call_at(executor_.now() + 200ms, [&] { start_server(); });
+  EXPECT_EQ(symbol_of(run(board->declare(relations_))), "ok");
+  EXPECT_EQ(symbol_of(tell(*board, "(on a b)")), "ok");
+}
+
+TEST_F(RemoteTest, AfterTheServerWasLostAgentsGoOnAndTheirLeasesAreGone) {
+  start_server();
+  const auto alice = view("alice");
+  ASSERT_EQ(symbol_of(run(alice->declare(relations_))), "ok");
+  const LeaseId lease = run(alice->lease(60s)).value();
+  ASSERT_EQ(symbol_of(tell(*alice, "(on a b)")), "ok");
+  const std::unique_ptr<Watch> watch = run(alice->watch(query("(on ?x ?y)"))).value();
+  EXPECT_EQ(run(watch->next())->added.size(), 1U);
+
+  stop_server();
+  pass(50ms);
+  start_server();
+  const Change anew = run(watch->next()).value();
+  EXPECT_TRUE(anew.resynchronised);
+  EXPECT_TRUE(anew.added.empty());
+  EXPECT_EQ(symbol_of(tell(*alice, "(on c d)")), "ok") << "the relation is declared again";
+  const Change change = run(watch->next()).value();
+  EXPECT_FALSE(change.resynchronised);
+  EXPECT_EQ(values(change.added, "?x"), std::vector<Datum>{"c"_sym});
+  EXPECT_EQ(symbol_of(run(alice->renew(lease))), "unknown-lease");
+}
+
+TEST_F(RemoteTest, AClientThatWasForgottenComesBack) {
+  auto store = std::make_unique<Store>();
+  board_ = std::make_unique<MemoryBoard>(executor_, std::move(store));
+  BoardServerOptions options;
+  options.addresses = {address_};
+  // Shorter than the time between two signs of life.
+  options.session_length = 100ms;
+  server_ = BoardServer::open(executor_, *board_, options).value();
+  const auto alice = view("alice");
+  ASSERT_EQ(symbol_of(run(alice->declare(relations_))), "ok");
+  const std::unique_ptr<Watch> watch = run(alice->watch(query("(on ?x ?y)"))).value();
+  run(watch->next()).value();
+  pass(300ms);
+  EXPECT_EQ(server_->sessions(), 0U);
+  Transaction transaction;
+  transaction.tell(read("(on a b)"));
+  ASSERT_TRUE(board_->transact("bob", transaction).has_value());
+  const Change change = run(watch->next()).value();
+  EXPECT_TRUE(change.resynchronised);
+  EXPECT_EQ(change.added.size(), 1U);
+}
+
+TEST_F(RemoteTest, AClientThatEndsIsForgottenAtOnce) {
+  start_server();
+  auto alice = view("alice");
+  ASSERT_EQ(symbol_of(run(alice->declare(relations_))), "ok");
+  EXPECT_EQ(server_->sessions(), 1U);
+  alice.reset();
+  pass(50ms);
+  EXPECT_EQ(server_->sessions(), 0U);
+}
+
+TEST_F(RemoteTest, RequestsOfManyTasksAreAnsweredToTheirOwn) {
+  start_server();
+  const auto alice = view("alice");
+  ASSERT_EQ(symbol_of(run(alice->declare(relations_))), "ok");
+  int right = 0;
+  const auto work = [](Board& board, int number, int& done) -> Task<void> {
+    const std::string name = "x" + std::to_string(number);
+    Datum fact = list("on"_sym, Datum::symbol(name), "y"_sym);
+    const Result<Revision> told = co_await board.tell(fact);
+    const Result<std::vector<Fact>> facts = co_await board.facts(fact);
+    if (told && facts && facts->size() == 1 && facts->front().datum == fact) ++done;
+  };
+  std::vector<Job> jobs;
+  for (int i = 0; i < 200; ++i) jobs.push_back(executor_.spawn(work(*alice, i, right)));
+  executor_.run_until([&] { return std::ranges::all_of(jobs, [](const Job& job) { return job.done(); }); });
+  EXPECT_EQ(right, 200);
+}
+
+// A server of the test's own, that answers as the test says.
+TEST_F(RemoteTest, WhetherATransactionHappenedOnALostBoardIsUnknownButAQuestionIsAskedAgain) {
+  std::vector<std::string> heard;
+  WireSocket* answer_with = nullptr;
+  int life = 100;
+  WireSocket router(executor_, WireSocket::Kind::router,
+                    [&](const std::string& peer, std::optional<std::string_view> frame) {
+                      const Datum message = read(std::string(frame.value()));
+                      const auto send = [&](const Datum& d) { answer_with->send(peer, write(d)); };
+                      if (message.is_form("hello")) return send(list("welcome"_sym, life));
+                      if (message[1] != to_datum(life)) return send(list("unknown-session"_sym, message[1]));
+                      if (!message.is_form("request")) return;
+                      heard.emplace_back(message[3].head());
+                      if (life == 101) send(list("reply"_sym, message[2], list("ok"_sym, list(5))));
+                    });
+  answer_with = &router;
+  ASSERT_TRUE(router.bind(address_).has_value());
+  const std::unique_ptr<Board> board = RemoteBoard::connect(executor_, address_, "alice", 5s).value();
+  executor_.call_at(executor_.now() + 300ms, [&] { life = 101; });
+  std::string asked;
+  const auto ask = [](Board& b, std::string& out) -> Task<void> {
+    Query question = query("(on ?x ?y)");
+    const Result<Answers> answers = co_await b.ask(question);
+    out = symbol_of(answers);
+  };
+  const Job asking = executor_.spawn(ask(*board, asked));
+  const Result<Revision> told = tell(*board, "(on a b)");
+  ASSERT_EQ(symbol_of(told), "unreachable");
+  EXPECT_NE(told.error().sentence.find("not known"), std::string::npos);
+  executor_.run_until([&] { return asking.done(); });
+  EXPECT_EQ(asked, "ok");
+  EXPECT_EQ(std::ranges::count(heard, "transact"), 1);
+  EXPECT_EQ(std::ranges::count(heard, "ask"), 2);
+}
+
+TEST_F(RemoteTest, AnAddressThatIsNoneIsRefused) {
+  EXPECT_EQ(symbol_of(RemoteBoard::connect(executor_, "nowhere", "alice")), "bad-address");
+  EXPECT_EQ(symbol_of(RemoteBoard::connect(executor_, "tcp://\xff:1", "alice")), "bad-address");
+}
+
+}  // namespace
+}  // namespace pizarra

@@ -1,0 +1,291 @@
+#include <gtest/gtest.h>
+#include <zmq.hpp>
+
+#include "blackboard/board_server.hpp"
+#include "blackboard/limits.hpp"
+#include "blackboard/time/random.hpp"
+#include "blackboard/time/real_executor.hpp"
+#include "lisp/writer.hpp"
+#include "tests/blackboard/wall.hpp"
+
+namespace pizarra {
+namespace {
+
+// A server, and clients that say just what a test has them say.
+class ServerTest : public testing::Test {
+ protected:
+  class Client {
+   public:
+    Client(Executor& executor, const std::string& address)
+        : executor_(executor), socket_(context_, zmq::socket_type::dealer) {
+      socket_.set(zmq::sockopt::linger, 0);
+      socket_.connect(address);
+    }
+    void send(const std::string& text) { ASSERT_TRUE(socket_.send(zmq::buffer(text)).has_value()); }
+    void send_parts(const std::vector<std::string>& parts) {
+      for (std::size_t i = 0; i < parts.size(); ++i) {
+        const auto flags = i + 1 < parts.size() ? zmq::send_flags::sndmore : zmq::send_flags::none;
+        ASSERT_TRUE(socket_.send(zmq::buffer(parts[i]), flags).has_value());
+      }
+    }
+    // The next message, or an empty list after half a second.
+    Datum receive(Duration patience = 500ms) {
+      zmq::message_t message;
+      const Time deadline = executor_.now() + patience;
+      while (executor_.now() < deadline) {
+        if (socket_.recv(message, zmq::recv_flags::dontwait)) return read_one(message.to_string_view()).value();
+        pass(executor_, 1ms);
+      }
+      return {};
+    }
+    Datum ask(const std::string& text) {
+      send(text);
+      return receive();
+    }
+    std::string join(const std::string& teller) {
+      const Datum welcome = ask("(hello \"" + teller + "\" 0)");
+      EXPECT_TRUE(welcome.is_form("welcome"));
+      return write(welcome[1]);
+    }
+
+   private:
+    Executor& executor_;
+    zmq::context_t context_{1};
+    zmq::socket_t socket_;
+  };
+
+  ServerTest() {
+    BoardServerOptions options;
+    options.addresses = {"tcp://127.0.0.1:*"};
+    options.session_length = 400ms;
+    server = BoardServer::open(executor, board, options).value();
+    EXPECT_TRUE(board.declare("test", {relation("(relation note ((n integer) (text datum)) (key n))")}).has_value());
+  }
+  static void pass(Executor& executor, Duration time) {
+    bool passed = false;
+    executor.call_at(executor.now() + time, [&] { passed = true; });
+    executor.run_until([&] { return passed; });
+  }
+  Client client() { return {executor, server->addresses().front()}; }
+
+  RealExecutor executor;
+  MemoryBoard board{executor};
+  std::unique_ptr<BoardServer> server;
+};
+
+TEST_F(ServerTest, ARequestSentTwiceIsDoneOnce) {
+  Client client = this->client();
+  const std::string session = client.join("alice");
+  const std::string request = "(request " + session + " 1 (transact () ((tell (note 1 a) 0) (retract (note 2 ?)))))";
+  const Datum first = client.ask(request);
+  EXPECT_EQ(first, read("(reply 1 (ok 1))"));
+  ASSERT_EQ(client.ask("(request " + session + " 2 (transact () ((retract (note 1 ?)))))"), read("(reply 2 (ok 2))"));
+  EXPECT_EQ(client.ask(request), first);
+  EXPECT_EQ(board.store().revision(), 2U);
+}
+
+TEST_F(ServerTest, ALeaseAskedForTwiceIsOneLease) {
+  Client client = this->client();
+  const std::string session = client.join("alice");
+  const Datum first = client.ask("(request " + session + " 1 (lease 1000000))");
+  EXPECT_EQ(client.ask("(request " + session + " 1 (lease 1000000))"), first);
+}
+
+TEST_F(ServerTest, ASessionThatIsNotHeardFromIsForgottenAndToldSo) {
+  Client client = this->client();
+  const std::string session = client.join("alice");
+  client.ask("(request " + session + " 1 (watch 1 (note ?n ?text)))");
+  EXPECT_EQ(server->sessions(), 1U);
+  client.receive(100ms);
+  EXPECT_EQ(client.receive(700ms), Datum());
+  EXPECT_EQ(server->sessions(), 0U);
+  EXPECT_EQ(client.ask("(ping " + session + ")"), read("(unknown-session " + session + ")"));
+}
+
+TEST_F(ServerTest, AClientThatSaysByeIsForgottenAtOnce) {
+  Client client = this->client();
+  const std::string session = client.join("alice");
+  client.send("(bye " + session + ")");
+  client.receive(50ms);
+  EXPECT_EQ(server->sessions(), 0U);
+}
+
+TEST_F(ServerTest, AClientThatDoesNotAcknowledgeGetsSixteenChangesAndLaterOneThatSaysAll) {
+  Client slow = client();
+  const std::string session = slow.join("slow");
+  ASSERT_EQ(slow.ask("(request " + session + " 1 (watch 7 (note ?n ?text)))"), read("(reply 1 (ok ()))"));
+  const int many = 3000;
+  for (int i = 0; i < many; ++i) {
+    Transaction transaction;
+    transaction.tell(list("note"_sym, 1, i));
+    ASSERT_TRUE(board.transact("fast", transaction).has_value());
+    if (i % 100 != 0) continue;
+    slow.send("(ping " + session + ")");
+    pass(executor, 1ms);
+  }
+  std::int64_t sequence = 0;
+  for (Datum message = slow.receive(100ms); message != Datum(); message = slow.receive(100ms)) {
+    if (!message.is_form("change")) continue;
+    EXPECT_EQ(message[2].integer(), ++sequence);
+  }
+  EXPECT_EQ(sequence, 16);
+  slow.send("(ack " + session + " 7 " + std::to_string(sequence) + ")");
+  const Datum next = slow.receive();
+  ASSERT_TRUE(next.is_form("change")) << write(next);
+  EXPECT_EQ(next[3], to_datum(many));
+  EXPECT_TRUE(next[4].is_symbol("yes"));
+  EXPECT_EQ(next[5][0][0][4], list("note"_sym, 1, many - 1));
+}
+
+TEST_F(ServerTest, AClientThatReadsNothingDelaysNobody) {
+  Client deaf = client();
+  const std::string session = deaf.join("deaf");
+  Transaction heavy;
+  heavy.tell(list("note"_sym, 1, std::string(400'000, 'x')));
+  ASSERT_TRUE(board.transact("fast", heavy).has_value());
+  // Answers of half a gigabyte, of which the socket and its queues take a part.
+  for (int i = 0; i < 1200; ++i)
+    deaf.send("(request " + session + " " + std::to_string(i + 1) + " (ask (note 1 ?text)))");
+  Client other = client();
+  const std::string own = other.join("other");
+  for (int i = 1; i <= 20; ++i) {
+    const std::string number = std::to_string(i);
+    const Datum reply =
+        other.ask("(request " + own + " " + number + " (transact () ((tell (note 2 " + number + ") 0))))");
+    ASSERT_EQ(reply.head(), "reply");
+  }
+}
+
+TEST_F(ServerTest, ANewConnectionOfASessionIsResynchronised) {
+  std::string session;
+  {
+    Client first = client();
+    session = first.join("alice");
+    first.ask("(request " + session + " 1 (watch 1 (note ?n ?text)))");
+    ASSERT_EQ(first.receive()[2], to_datum(1));
+  }
+  Transaction transaction;
+  transaction.tell(list("note"_sym, 1, "a"_sym));
+  ASSERT_TRUE(board.transact("fast", transaction).has_value());
+  Client second = client();
+  EXPECT_EQ(second.ask("(hello \"alice\" " + session + ")"), read("(welcome " + session + ")"));
+  second.send("(ping " + session + ")");
+  Datum change = second.receive();
+  while (change.is_form("pong")) change = second.receive();
+  ASSERT_TRUE(change.is_form("change")) << write(change);
+  EXPECT_TRUE(change[4].is_symbol("yes"));
+  EXPECT_EQ(change[5].size(), 1U);
+}
+
+TEST_F(ServerTest, WhatIsNoMessageIsRefusedAndTheServerGoesOn) {
+  Client client = this->client();
+  const std::string session = client.join("alice");
+  const std::string deep = std::string(500'000, '(');
+  for (const std::string& text :
+       {std::string("garbage"), std::string(")"), std::string("(ping)"), std::string("(ping soon)"),
+        std::string("\0\1", 2), std::string("\xff\xfe"), deep, "(request " + session + " -1 " + deep,
+        std::string("(hello alice 0)"), std::string("(hello \"\" 0)"), "(hello \"" + std::string(5000, 'x') + "\" 0)",
+        std::string()}) {
+    EXPECT_TRUE(client.ask(text).is_form("refused")) << text.substr(0, 60);
+  }
+  client.send_parts({"(ping " + session + ")", "more"});
+  EXPECT_TRUE(client.receive().is_form("refused"));
+  client.send_parts({"", "", "(ping " + session + ")"});
+  EXPECT_TRUE(client.receive().is_form("refused"));
+  for (const char* body : {"(dance)", "()", "5", "(transact)", "(transact 1 2)", "(transact () ((tell)))", "(ask)",
+                           "(transact () ((tell (note 1 a) -1)))", "(transact ((perhaps (note 1 a))) ())", "(lease)",
+                           "(lease long)", "(renew -1)", "(take (note 1 ?))", "(watch (note 1 ?))", "(declare 1)",
+                           "(ask (and))", "(ask word)", "(watch 1 5)", "(take 5 0)"}) {
+    static int number = 0;
+    const Datum reply = client.ask("(request " + session + " " + std::to_string(++number) + " " + body + ")");
+    ASSERT_TRUE(reply.is_form("reply")) << body;
+    EXPECT_TRUE(reply[2].is_form("fail")) << body;
+  }
+  EXPECT_EQ(client.ask("(ping " + session + ")"), read("(pong)"));
+}
+
+TEST_F(ServerTest, AFrameBeyondTheLimitEndsItsConnectionAlone) {
+  Client other = client();
+  const std::string session = other.join("other");
+  Client huge = client();
+  huge.join("huge");
+  huge.send("\"" + std::string(2 * limits::frame_bytes, 'x') + "\"");
+  EXPECT_EQ(huge.receive(100ms), Datum());
+  EXPECT_EQ(other.ask("(ping " + session + ")"), read("(pong)"));
+}
+
+TEST_F(ServerTest, RandomDamageToMessagesHurtsNobody) {
+  constexpr std::uint64_t seed = 11;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  Random random(seed);
+  Client client = this->client();
+  const std::string session = client.join("fuzz");
+  const std::vector<std::string> messages = {
+      "(hello \"fuzz\" " + session + ")",
+      "(request " + session + " 1 (declare (relation on ((a symbol) (b symbol)) (key a) (lease 5))))",
+      "(request " + session +
+          " 2 (transact ((absent (note 1 ?)) (unchanged (note ? ?) 3)) ((tell (note 1 \"a\") 0 1 2) (retract (note 1 "
+          "?)))))",
+      "(request " + session +
+          " 3 (ask (query (and (note ?n ?t) (not (note 2 ?)) (< ?n 5)) (order (down ?n)) (limit 3))))",
+      "(request " + session + " 4 (watch 1 (note ?n ?t)))",
+      "(request " + session + " 5 (take (note ?n ?t) 0))",
+      "(ack " + session + " 1 1)"};
+  for (int round = 0; round < 3000; ++round) {
+    std::string text = messages[random.below(messages.size())];
+    for (std::uint64_t damage = 1 + random.below(3); damage > 0; --damage) {
+      const std::size_t at = random.below(text.size());
+      if (random.below(2) == 0) text[at] = static_cast<char>(random.below(256));
+      if (random.below(3) == 0) text.erase(at, 1 + random.below(8));
+      if (random.below(3) == 0) text.insert(at, text.substr(random.below(text.size()), random.below(20)));
+      if (text.empty()) text = "(";
+    }
+    client.send(text);
+    if (round % 50 == 0) {
+      while (client.receive(2ms) != Datum()) {
+      }
+    }
+  }
+  Client sane = this->client();
+  const std::string own = sane.join("sane");
+  EXPECT_EQ(sane.ask("(ping " + own + ")"), read("(pong)"));
+}
+
+TEST(ServerAddress, OnlyThisMachineIsServedUnlessInsecure) {
+  RealExecutor executor;
+  MemoryBoard board(executor);
+  const auto symbol = [&](const std::string& address, bool insecure) {
+    BoardServerOptions options;
+    options.addresses = {address};
+    options.insecure = insecure;
+    const auto server = BoardServer::open(executor, board, options);
+    return server ? std::string("ok") : server.error().symbol;
+  };
+  for (const char* address :
+       {"tcp://0.0.0.0:*", "tcp://*:*", "tcp://192.168.7.1:5555", "tcp://127.0.0.1.evil.org:5555"}) {
+    EXPECT_EQ(symbol(address, false), "not-loopback") << address;
+  }
+  EXPECT_EQ(symbol("tcp://0.0.0.0:*", true), "ok");
+  EXPECT_EQ(symbol("tcp://127.0.0.1:*", false), "ok");
+  for (const char* address :
+       {"inproc://x", "tcp://127.0.0.1", "tcp://:5", "tcp://127.0.0.1:99999", "ipc://", "", "pgm://x"}) {
+    EXPECT_EQ(symbol(address, true), "bad-address") << address;
+  }
+  EXPECT_EQ(symbol("ipc:///tmp/" + std::string(200, 'x'), false), "bad-address");
+  EXPECT_EQ(symbol("ipc:///no/such/folder/board", false), "bad-address");
+}
+
+TEST(ServerAddress, AnAddressInUseIsNotTakenAway) {
+  RealExecutor executor;
+  MemoryBoard board(executor);
+  for (const std::string& address : {ipc_address(), std::string("tcp://127.0.0.1:*")}) {
+    const auto first = BoardServer::open(executor, board, {.addresses = {address}});
+    ASSERT_TRUE(first.has_value());
+    const auto second = BoardServer::open(executor, board, {.addresses = {(*first)->addresses().front()}});
+    ASSERT_FALSE(second.has_value());
+    EXPECT_EQ(second.error().symbol, "address-in-use");
+  }
+}
+
+}  // namespace
+}  // namespace pizarra
