@@ -69,6 +69,7 @@ void draw_label(cv::Mat& picture, const TrackSighting& sighting, const cv::Scala
   for (const cv::Rect& other : taken) {
     if ((plate & other).area() > 0) plate.y = below ? other.br().y + 2 : other.y - size.height - 2;
   }
+  plate.y = std::clamp(plate.y, 2, std::max(2, picture.rows - size.height - 2));
   taken.push_back(plate);
   darken(picture, plate);
   write_text(picture, sighting.name, plate.tl() + cv::Point(4, 12), 0.4, colour);
@@ -96,6 +97,13 @@ std::shared_ptr<const Image> annotate(const Image& base, const Annotation& annot
   cv::resize(colour, picture, picture.size(), 0, 0, cv::INTER_CUBIC);
   draw_contour(picture, annotation.learned_contour, palette[1]);
   std::vector<cv::Rect> taken;
+  for (const TrackSighting& sighting : annotation.sightings) {
+    if (sighting.contour.empty()) continue;
+    const cv::Rect box = cv::boundingRect(sighting.contour);
+    taken.emplace_back(box.tl() * scale, box.br() * scale);
+  }
+  // From the top, so that a label which has to move on is not met by one that was put down before.
+  std::ranges::sort(taken, {}, &cv::Rect::y);
   std::size_t index = 0;
   for (const TrackSighting& sighting : annotation.sightings) {
     const cv::Scalar& ink = palette[index++ % palette.size()];

@@ -21,10 +21,10 @@ bool same_name(std::string_view a, std::string_view b) {
 
 Result<void> check_object_name(std::string_view name) {
   const bool good =
-      !name.empty() && name.size() <= 40 && is_letter(name[0]) &&
+      !name.empty() && name.size() <= 64 && is_letter(name[0]) &&
       std::all_of(name.begin(), name.end(), [](char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '-'; });
   if (good) return {};
-  return fail("bad-name", "a name is a letter and at most 39 letters, digits and hyphens", to_datum(name));
+  return fail("bad-name", "a name is a letter and at most 63 letters, digits and hyphens", to_datum(name));
 }
 
 const LearnedObject* LearnedObjects::find(std::string_view name) const {

@@ -60,7 +60,7 @@ class LearnedObjects {
 };
 
 bool same_name(std::string_view a, std::string_view b);
-// Names of objects match [A-Za-z][A-Za-z0-9-]* and have at most 40 characters; failure `bad-name`.
+// Names of objects match [A-Za-z][A-Za-z0-9-]* and have at most 64 characters; failure `bad-name`.
 Result<void> check_object_name(std::string_view name);
 
 Datum learned_fact(const std::string& name, const LearnedSample& sample);

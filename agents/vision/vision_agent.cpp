@@ -61,13 +61,14 @@ VisionAgent::~VisionAgent() = default;
 
 Task<Result<void>> VisionAgent::run() { return state_->run(); }
 
-VisionAgent::State::State(AgentContext agent_context, StereoCamera& camera, Streams* image_streams,
+VisionAgent::State::State(AgentContext agent_context, StereoCamera& stereo_camera, Streams* image_streams,
                           VisionOptions vision_options)
     : context(std::move(agent_context)),
       options(std::move(vision_options)),
+      camera(stereo_camera),
       streams(image_streams),
       feed(
-          context.executor, camera, [this](StereoFrame frame) { return on_frame(std::move(frame)); },
+          context.executor, stereo_camera, [this](StereoFrame frame) { return on_frame(std::move(frame)); },
           [this] { return tell_state(); }) {}
 
 Task<Result<void>> VisionAgent::State::run() {
@@ -76,6 +77,7 @@ Task<Result<void>> VisionAgent::State::run() {
     State& state;
     ~Ending() {
       state.again = Job();
+      state.showing = Job();
       state.service.reset();
       state.feed.abandon();
     }
@@ -196,14 +198,24 @@ void VisionAgent::State::publish(const StereoFrame& frame, const std::vector<Tra
   if (streams == nullptr) return;
   if (streams->watched("vision-left")) streams->publish("vision-left", {frame.number, frame.captured, frame.left});
   if (streams->watched("vision-right")) streams->publish("vision-right", {frame.number, frame.captured, frame.right});
-  if (!streams->watched("vision-annotated")) return;
+  if (!streams->watched("vision-annotated") || !showing.done()) return;
   Annotation annotation{.sightings = sightings, .filled = {}, .learned_contour = {}, .status = {}};
   if (learner) {
     annotation.learned_contour = learner->contour();
-    if (learner->contour().empty()) annotation.filled = learner->filled();
+    if (learner->contour().empty()) annotation.filled = learner->filled().clone();
   }
   annotation.status = fmt::format("frame {}   {}{}", frame.number, mode(), connected ? "" : " (not connected)");
-  streams->publish("vision-annotated", {frame.number, frame.captured, annotate(*frame.left, annotation)});
+  showing = context.executor.spawn(show(frame, std::move(annotation)));
+}
+
+// The eyes' own images are always grey, so that nothing they tell depends on who watches: the same frame, or the next
+// where the camera has moved on, is asked for once more in colour.
+Task<void> VisionAgent::State::show(StereoFrame frame, Annotation annotation) {
+  const std::uint64_t before = frame.number - 1;
+  const Result<StereoFrame> coloured = co_await camera.next(before, true);
+  const bool usable = coloured && coloured->left != nullptr && coloured->left->width == frame.left->width;
+  const Image& base = usable ? *coloured->left : *frame.left;
+  streams->publish("vision-annotated", {frame.number, frame.captured, annotate(base, annotation)});
 }
 
 GreyPair grey_pair(const StereoFrame& frame) {

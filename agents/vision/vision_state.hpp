@@ -17,7 +17,7 @@ struct VisionAgent::State {
   // Learning, finding and tracking exclude each other; none: idle or capturing.
   enum class Activity : std::uint8_t { none, learning, finding, tracking };
 
-  State(AgentContext agent_context, StereoCamera& camera, Streams* image_streams, VisionOptions vision_options);
+  State(AgentContext agent_context, StereoCamera& stereo_camera, Streams* image_streams, VisionOptions vision_options);
 
   Task<Result<void>> run();
   Task<Result<Datum>> handle(Datum operation);
@@ -51,9 +51,11 @@ struct VisionAgent::State {
   // Frames.
   Task<void> on_frame(StereoFrame frame);
   void publish(const StereoFrame& frame, const std::vector<TrackSighting>& sightings);
+  Task<void> show(StereoFrame frame, Annotation annotation);
 
   AgentContext context;
   VisionOptions options;
+  StereoCamera& camera;
   Streams* streams;
   LearnedObjects objects;
   MarkTracker tracker{objects};
@@ -64,6 +66,7 @@ struct VisionAgent::State {
   CameraFeed feed;
   std::optional<Service> service;  // it ends first: its handlers wait for the feed
   Job again;
+  Job showing;
 };
 
 // Grey images of a frame; they share its pixels where these are grey already.
