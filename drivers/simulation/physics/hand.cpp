@@ -201,7 +201,8 @@ void Hand::lead(double seconds) {
     velocity.z() = physics_.velocity_mm_s(cube_).z();
     const Vector3d spin = physics_.spin_rad_s(cube_);
     physics_.set_velocity(cube_, velocity, {spin.x(), spin.y(), 0});
-    fist_seen_ = at - (legs_[0].to_mm - from_mm_).normalized() * (cube_size_mm / 2 + fist_half_mm.x());
+    const Vector3d ahead = (legs_[0].to_mm - from_mm_).normalized();
+    fist_seen_ = at + Vector3d(-10, 0, 0) - ahead * (cube_size_mm / 2 + 1.2 * fist_half_mm.x());
     return;
   }
   velocity.z() += gravity_mm_s2 * seconds;  // what the step is about to take away

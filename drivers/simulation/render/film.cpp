@@ -24,14 +24,15 @@ std::vector<float> gauss(double sigma_px, int reach) {
   return kernel;
 }
 
-std::vector<float> gradient(const CameraConfig& camera, double direction) {
+// For every sample of an image of so many channels.
+std::vector<float> gradient(const CameraConfig& camera, double direction, std::size_t channels) {
   const int width = camera.model.width;
   const int height = camera.model.height;
   std::vector<float> light;
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
       const double along = (2.0 * x / width - 1) * std::cos(direction) + (2.0 * y / height - 1) * std::sin(direction);
-      light.push_back(static_cast<float>(1 + camera.light_gradient / 2 * along));
+      light.insert(light.end(), channels, static_cast<float>(one_level * (1 + camera.light_gradient / 2 * along)));
     }
   }
   return light;
@@ -42,7 +43,9 @@ std::vector<float> gradient(const CameraConfig& camera, double direction) {
 Film::Film(const CameraConfig& camera, const Random& random)
     : kernel_(gauss(camera.blur_sigma_px, reach)), offsets_(random.split("frames")) {
   Random light = random.split("light");
-  light_ = gradient(camera, light.uniform(0, 2 * std::numbers::pi));
+  const double direction = light.uniform(0, 2 * std::numbers::pi);
+  grey_light_ = gradient(camera, direction, 1);
+  colour_light_ = gradient(camera, direction, 3);
   Random noise = random.split("noise");
   noise_.reserve(noise_samples);
   for (std::size_t i = 0; i < noise_samples; ++i) {
@@ -50,18 +53,22 @@ Film::Film(const CameraConfig& camera, const Random& random)
   }
 }
 
-void Film::expose(const Canvas& canvas, const Rect& rect, Exposure& exposure) {
+void Film::blur_rows(const Canvas& canvas, const Rect& rect) {
   const int channels = canvas.channels;
   const int row = canvas.width * channels;
-  const Rect area = rect.intersected(canvas.rect());
-  const Rect tall = needed(area).intersected(canvas.rect());
+  const float far = kernel_[0];
+  const float near = kernel_[1];
+  const float centre = kernel_[2];
+  const int first = rect.left * channels;
+  const int last = rect.right * channels;
+  const int safe_first = std::max(first, reach * channels);
+  const int safe_last = std::min(last, row - reach * channels);
   rows_.resize(canvas.pixels.size());
-  const int first = area.left * channels;
-  const int last = area.right * channels;
-  for (int y = tall.top; y < tall.bottom; ++y) {
+  for (int y = rect.top; y < rect.bottom; ++y) {
     const float* from = canvas.pixels.data() + y * row;
     float* to = rows_.data() + y * row;
-    const auto edge = [&](int i) {
+    // Beyond the image's border its last pixel goes on.
+    const auto at_border = [&](int i) {
       float sum = 0;
       for (int k = -reach; k <= reach; ++k) {
         const int x = std::clamp(i / channels + k, 0, canvas.width - 1);
@@ -69,15 +76,22 @@ void Film::expose(const Canvas& canvas, const Rect& rect, Exposure& exposure) {
       }
       return sum;
     };
-    const int safe_first = std::max(first, reach * channels);
-    const int safe_last = std::min(last, row - reach * channels);
-    for (int i = first; i < std::min(safe_first, last); ++i) to[i] = edge(i);
+    for (int i = first; i < std::min(safe_first, last); ++i) to[i] = at_border(i);
     for (int i = safe_first; i < safe_last; ++i) {
-      to[i] = kernel_[0] * (from[i - 2 * channels] + from[i + 2 * channels]) +
-              kernel_[1] * (from[i - channels] + from[i + channels]) + kernel_[2] * from[i];
+      to[i] = far * (from[i - 2 * channels] + from[i + 2 * channels]) +
+              near * (from[i - channels] + from[i + channels]) + centre * from[i];
     }
-    for (int i = std::max(safe_last, first); i < last; ++i) to[i] = edge(i);
+    for (int i = std::max(safe_last, first); i < last; ++i) to[i] = at_border(i);
   }
+}
+
+void Film::expose(const Canvas& canvas, const Rect& rect, Exposure& exposure) {
+  const Rect area = rect.intersected(canvas.rect());
+  blur_rows(canvas, needed(area).intersected(canvas.rect()));
+  const int row = canvas.width * canvas.channels;
+  const float far = kernel_[0];
+  const float near = kernel_[1];
+  const float centre = kernel_[2];
   for (int y = area.top; y < area.bottom; ++y) {
     const auto source = [&](int k) { return rows_.data() + std::clamp(y + k, 0, canvas.height - 1) * row; };
     const float* up2 = source(-2);
@@ -86,13 +100,10 @@ void Film::expose(const Canvas& canvas, const Rect& rect, Exposure& exposure) {
     const float* down = source(1);
     const float* down2 = source(2);
     std::int16_t* out = exposure.samples.data() + y * row;
-    const float* light = light_.data() + y * canvas.width;
-    for (int x = area.left; x < area.right; ++x) {
-      const float factor = light[x] * one_level;
-      for (int i = x * channels; i < (x + 1) * channels; ++i) {
-        const float blurred = kernel_[0] * (up2[i] + down2[i]) + kernel_[1] * (up[i] + down[i]) + kernel_[2] * here[i];
-        out[i] = static_cast<std::int16_t>(blurred * factor + 0.5F);
-      }
+    const float* light = (canvas.channels == 1 ? grey_light_ : colour_light_).data() + y * row;
+    for (int i = area.left * canvas.channels; i < area.right * canvas.channels; ++i) {
+      const float blurred = far * (up2[i] + down2[i]) + near * (up[i] + down[i]) + centre * here[i];
+      out[i] = static_cast<std::int16_t>(blurred * light[i] + 0.5F);
     }
   }
 }

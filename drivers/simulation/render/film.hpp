@@ -30,9 +30,13 @@ class Film {
  private:
   static constexpr int reach = 2;  // of the blur, px
 
+  void blur_rows(const Canvas& canvas, const Rect& rect);
+
   std::vector<float> kernel_;
-  std::vector<float> light_;  // a factor for every pixel
-  std::vector<float> rows_;   // blurred along the rows only
+  // From grey levels to exposure, for every sample.
+  std::vector<float> grey_light_;
+  std::vector<float> colour_light_;
+  std::vector<float> rows_;  // blurred along the rows only
   std::vector<std::int16_t> noise_;
   Random offsets_;
 };
