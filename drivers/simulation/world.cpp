@@ -1,11 +1,10 @@
 #include "drivers/simulation/world.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <fmt/format.h>
 #include <map>
 
 #include "drivers/simulation/frame_clock.hpp"
+#include "drivers/simulation/hand_request.hpp"
 #include "drivers/simulation/render/stereo_renderer.hpp"
 #include "drivers/simulation/truth.hpp"
 
@@ -16,31 +15,10 @@ namespace {
 // A hand that is busy longer than this has a bug.
 constexpr Duration longest_hand_job = 15s;
 constexpr Duration hand_poll = 50ms;
-constexpr double furthest_mm = 2000;
-// Answered frame requests at once.
+// Frames waited for at once.
 constexpr std::size_t most_waiting = 64;
 
 Datum yes_no(bool value) { return value ? "yes"_sym : "no"_sym; }
-
-std::unexpected<Failure> bad_request(const Datum& request) {
-  return fail("bad-request", "the world does not know this request", request);
-}
-
-std::string_view word(const Datum& request, std::size_t index) {
-  const bool there = index < request.size() && (request[index].is_symbol() || request[index].is_string());
-  return there ? request[index].text() : std::string_view();
-}
-
-// The numbers from `first` on, all of them lengths that fit a cell.
-Result<std::vector<double>> lengths(const Datum& request, std::size_t first, std::size_t count) {
-  if (request.size() != first + count) return bad_request(request);
-  std::vector<double> out;
-  for (std::size_t i = first; i < request.size(); ++i) {
-    if (!request[i].is_number() || std::abs(request[i].number()) > furthest_mm) return bad_request(request);
-    out.push_back(request[i].number());
-  }
-  return out;
-}
 
 Datum joints_to_datum(const Joints& joints) {
   std::vector<Datum> out;
@@ -114,8 +92,6 @@ struct World::Inside {
   Message camera_model() const;
   Message frame_message(std::uint64_t frame, bool colour) const;
   Task<Result<Message>> hand(Datum request);
-  Result<void> begin_hand(const Datum& request);
-  Result<void> add_cube(const Datum& request);
 
   Executor& executor;
   const WorldConfig config;
@@ -239,7 +215,7 @@ Message World::Inside::frame_message(std::uint64_t frame, bool colour) const {
 }
 
 Task<Result<Message>> World::Inside::hand(Datum request) {
-  const Result<void> begun = begin_hand(request);
+  const Result<void> begun = begin_hand(cell, request);
   if (!begun) co_return fail(begun);
   const Time deadline = executor.now() + longest_hand_job;
   while (cell.hand().busy()) {
@@ -248,44 +224,6 @@ Task<Result<Message>> World::Inside::hand(Datum request) {
     advance();
   }
   co_return Message();
-}
-
-Result<void> World::Inside::begin_hand(const Datum& request) {
-  const std::string_view what = word(request, 1);
-  if (what == "add") return add_cube(request);
-  const Result<CubeId> cube = cell.find(word(request, 2));
-  if (!cube) return fail(cube);
-  if (!cell.physics().present(*cube)) {
-    return fail("unknown-object", fmt::format("{} is not in the cell any more", word(request, 2)), request[2]);
-  }
-  Hand& hand = cell.hand();
-  if (what == "push" || what == "place") {
-    const Result<std::vector<double>> to = lengths(request, 3, 2);
-    if (!to) return fail(to);
-    return what == "push" ? hand.push(*cube, (*to)[0], (*to)[1]) : hand.place(*cube, (*to)[0], (*to)[1]);
-  }
-  if (what == "stack" && request.size() == 4) {
-    const Result<CubeId> on = cell.find(word(request, 3));
-    if (!on) return fail(on);
-    if (!cell.physics().present(*on)) return fail("unknown-object", "that cube is gone", request[3]);
-    return hand.stack(*cube, *on);
-  }
-  if (request.size() != 3) return bad_request(request);
-  if (what == "steal") return hand.steal(*cube);
-  if (what == "remove") return hand.remove(*cube);
-  if (what == "knock") return hand.knock(*cube);
-  return bad_request(request);
-}
-
-Result<void> World::Inside::add_cube(const Datum& request) {
-  const Result<std::vector<double>> to = lengths(request, 4, 2);
-  if (!to) return fail(to);
-  const std::optional<Mark> mark = mark_from_name(word(request, 3));
-  if (!mark) return fail("bad-request", "a mark is circle, square, cross or triangle", request[3]);
-  if (cell.hand().busy()) return fail("busy", "the hand is doing something else");
-  const Result<CubeId> cube = cell.prepare(word(request, 2), *mark);
-  if (!cube) return fail(cube);
-  return cell.hand().add(*cube, (*to)[0], (*to)[1]);
 }
 
 World::World(Executor& executor, const WorldConfig& config) : inside_(std::make_unique<Inside>(executor, config)) {}

@@ -1,0 +1,72 @@
+#include "drivers/simulation/hand_request.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+
+namespace pizarra {
+
+namespace {
+
+constexpr double furthest_mm = 2000;
+
+// The numbers from `first` on, all of them lengths that fit a cell.
+Result<std::vector<double>> lengths(const Datum& request, std::size_t first, std::size_t count) {
+  if (request.size() != first + count) return bad_request(request);
+  std::vector<double> out;
+  for (std::size_t i = first; i < request.size(); ++i) {
+    if (!request[i].is_number() || std::abs(request[i].number()) > furthest_mm) return bad_request(request);
+    out.push_back(request[i].number());
+  }
+  return out;
+}
+
+Result<void> add_cube(Cell& cell, const Datum& request) {
+  const Result<std::vector<double>> to = lengths(request, 4, 2);
+  if (!to) return fail(to);
+  const std::optional<Mark> mark = mark_from_name(word(request, 3));
+  if (!mark) return fail("bad-request", "a mark is circle, square, cross or triangle", request[3]);
+  if (cell.hand().busy()) return fail("busy", "the hand is doing something else");
+  const Result<CubeId> cube = cell.prepare(word(request, 2), *mark);
+  if (!cube) return fail(cube);
+  return cell.hand().add(*cube, (*to)[0], (*to)[1]);
+}
+
+}  // namespace
+
+std::unexpected<Failure> bad_request(const Datum& request) {
+  return fail("bad-request", "the world does not know this request", request);
+}
+
+std::string_view word(const Datum& request, std::size_t index) {
+  const bool there = index < request.size() && (request[index].is_symbol() || request[index].is_string());
+  return there ? request[index].text() : std::string_view();
+}
+
+Result<void> begin_hand(Cell& cell, const Datum& request) {
+  const std::string_view what = word(request, 1);
+  if (what == "add") return add_cube(cell, request);
+  const Result<CubeId> cube = cell.find(word(request, 2));
+  if (!cube) return fail(cube);
+  if (!cell.physics().present(*cube)) {
+    return fail("unknown-object", fmt::format("{} is not in the cell any more", word(request, 2)), request[2]);
+  }
+  Hand& hand = cell.hand();
+  if (what == "push" || what == "place") {
+    const Result<std::vector<double>> to = lengths(request, 3, 2);
+    if (!to) return fail(to);
+    return what == "push" ? hand.push(*cube, (*to)[0], (*to)[1]) : hand.place(*cube, (*to)[0], (*to)[1]);
+  }
+  if (what == "stack" && request.size() == 4) {
+    const Result<CubeId> on = cell.find(word(request, 3));
+    if (!on) return fail(on);
+    if (!cell.physics().present(*on)) return fail("unknown-object", "that cube is gone", request[3]);
+    return hand.stack(*cube, *on);
+  }
+  if (request.size() != 3) return bad_request(request);
+  if (what == "steal") return hand.steal(*cube);
+  if (what == "remove") return hand.remove(*cube);
+  if (what == "knock") return hand.knock(*cube);
+  return bad_request(request);
+}
+
+}  // namespace pizarra

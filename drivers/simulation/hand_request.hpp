@@ -1,0 +1,16 @@
+#pragma once
+
+// Requests to the hand, `(hand push NAME DX DY)` and so on as in world.hpp, understood and begun.
+
+#include "drivers/simulation/physics/cell.hpp"
+
+namespace pizarra {
+
+// The text of a request's symbol or string at `index`; empty where there is none.
+std::string_view word(const Datum& request, std::size_t index);
+std::unexpected<Failure> bad_request(const Datum& request);
+
+// Failures: unknown-object, busy, bad-request.
+Result<void> begin_hand(Cell& cell, const Datum& request);
+
+}  // namespace pizarra
