@@ -11,11 +11,23 @@ namespace {
 constexpr std::size_t max_depth = 6000;
 constexpr std::size_t nodes_between_looks = 1024;
 
+std::vector<std::size_t> facts_of(const Bits& bits) {
+  std::vector<std::size_t> facts;
+  bits.for_each([&](std::size_t fact) { facts.push_back(fact); });
+  return facts;
+}
+
 }  // namespace
 
 BackwardSearch::BackwardSearch(const Problem& problem, const PlanningGraph& graph, const Budget& budget,
                                const std::function<bool()>& cancelled)
     : problem_(problem), graph_(graph), budget_(budget), is_cancelled_(cancelled) {}
+
+Bits BackwardSearch::bits_of(const Nogoods::Entry& nogood) const {
+  Bits bits(problem_.facts.size());
+  for (const std::size_t fact : nogood.facts) bits.set(fact);
+  return bits;
+}
 
 void BackwardSearch::count_node() {
   ++nodes_;
@@ -29,29 +41,44 @@ void BackwardSearch::count_node() {
 bool BackwardSearch::reach(const Bits& goals, std::size_t level) {
   steps_.assign(level, {});
   Bits conflict(problem_.facts.size());
-  return solve(goals, level, false, conflict);
+  return solve(goals, level, conflict);
 }
 
-// True when the goals can be reached (with one_step: when the nogoods do not say otherwise); else `conflict` holds
-// those of the goals that cannot be reached together.
-bool BackwardSearch::solve(const Bits& goals, std::size_t level, bool one_step, Bits& conflict) {
+// True when the goals can be reached; else `conflict` holds those of them that cannot be reached together.
+bool BackwardSearch::solve(const Bits& goals, std::size_t level, Bits& conflict) {
   if (level == 0) return true;
-  conflict.clear();
   const std::optional<std::size_t> known = nogoods_.find(goals, level);
   if (known) {
-    for (const std::size_t fact : nogoods_.entries()[*known].facts) conflict.set(fact);
+    conflict = bits_of(nogoods_.entries()[*known]);
     return false;
   }
-  Level here{.index = level, .goals = goals, .actions = graph_.action_level(level), .one_step = one_step};
+  if (support(goals, level, nullptr, conflict)) return true;
+  if (stopped()) return false;
+  shrink(conflict, level);
+  nogoods_.add(facts_of(conflict), level);
+  return false;
+}
+
+// Leaves out of the conflict what is not needed for it, as far as one step back shows.
+void BackwardSearch::shrink(Bits& conflict, std::size_t level) {
+  if (level == 1) return;
+  const Horizon horizon{nogoods_, level - 1};
+  Bits smaller(problem_.facts.size());
+  for (const std::size_t fact : facts_of(conflict)) {
+    if (!conflict.test(fact)) continue;
+    Bits without = conflict;
+    without.reset(fact);
+    if (!support(without, level, &horizon, smaller) && !stopped()) conflict = smaller;
+  }
+}
+
+// Whether actions of the level support the goals and can be taken themselves; with a horizon: as far as that says.
+bool BackwardSearch::support(const Bits& goals, std::size_t level, const Horizon* horizon, Bits& conflict) {
+  Level here{.index = level, .goals = goals, .actions = graph_.action_level(level), .horizon = horizon};
   // Whatever deletes a goal excludes all that could support it.
   Bits excluded(graph_.action_count());
   goals.for_each([&](std::size_t goal) { excluded |= graph_.deleters(goal); });
-  if (choose(here, goals, excluded, conflict)) return true;
-  if (stopped()) return false;
-  std::vector<std::size_t> facts;
-  conflict.for_each([&](std::size_t fact) { facts.push_back(fact); });
-  nogoods_.add(std::move(facts), level);
-  return false;
+  return choose(here, goals, excluded, conflict);
 }
 
 // The open goal with the fewest actions left for it.
@@ -139,11 +166,12 @@ bool BackwardSearch::descend(Level& level, Bits& conflict) {
     for (const std::size_t fact : graph_.preconditions(choice.action)) needed.set(fact);
   }
   Bits below(problem_.facts.size());
-  if (level.one_step) {
-    const std::optional<std::size_t> known = level.index == 1 ? std::nullopt : nogoods_.find(needed, level.index - 1);
+  if (level.horizon != nullptr) {
+    const Nogoods& nogoods = level.horizon->nogoods;
+    const std::optional<std::size_t> known = nogoods.find(needed, level.horizon->level);
     if (!known) return true;
-    for (const std::size_t fact : nogoods_.entries()[*known].facts) below.set(fact);
-  } else if (solve(needed, level.index - 1, false, below)) {
+    below = bits_of(nogoods.entries()[*known]);
+  } else if (solve(needed, level.index - 1, below)) {
     for (const Choice& choice : level.choices) {
       if (!graph_.keeps(choice.action)) steps_[level.index - 1].push_back(choice.action);
     }
@@ -164,23 +192,52 @@ bool BackwardSearch::descend(Level& level, Bits& conflict) {
   return false;
 }
 
-// Whether the nogood, proved for `level` steps, holds for one more.
-bool BackwardSearch::push(std::size_t entry, std::size_t level) {
-  Bits facts(problem_.facts.size());
-  for (const std::size_t fact : nogoods_.entries()[entry].facts) facts.set(fact);
+// Raises all nogoods proved for just `level` steps that hold for one more; whether none is left.
+bool BackwardSearch::push_all(std::size_t level) {
+  bool all = true;
+  const Horizon horizon{nogoods_, level};
   Bits conflict(problem_.facts.size());
-  return !solve(facts, level + 1, true, conflict) && !stopped();
+  for (std::size_t i = 0; i < nogoods_.entries().size() && !stopped(); ++i) {
+    if (nogoods_.entries()[i].level != level) continue;
+    const Bits facts = bits_of(nogoods_.entries()[i]);
+    if (nogoods_.find(facts, level + 1)) continue;
+    if (support(facts, level + 1, &horizon, conflict)) {
+      all = false;
+    } else if (!stopped()) {
+      nogoods_.add(facts_of(conflict), level + 1);
+    }
+  }
+  return all;
 }
 
-std::optional<std::size_t> BackwardSearch::proved_for_ever(std::size_t levelled_off, std::size_t level) {
-  for (std::size_t below = levelled_off; below < level; ++below) {
-    bool all_pushed = true;
-    for (std::size_t entry = 0; entry < nogoods_.entries().size() && !stopped(); ++entry) {
-      if (nogoods_.entries()[entry].level != below) continue;
-      if (!push(entry, below)) all_pushed = false;
-    }
-    if (stopped()) return std::nullopt;
-    if (all_pushed) return below + 1;
+// The nogoods proved for `level` steps, without those that lead to something else one step back.
+Nogoods BackwardSearch::inductive(std::size_t level) {
+  std::vector<std::vector<std::size_t>> family;
+  for (const Nogoods::Entry& entry : nogoods_.entries()) {
+    if (entry.level >= level) family.push_back(entry.facts);
+  }
+  while (true) {
+    Nogoods nogoods;
+    for (const std::vector<std::size_t>& facts : family) nogoods.add(facts, 1);
+    const Horizon horizon{nogoods, 1};
+    Bits conflict(problem_.facts.size());
+    const std::size_t dropped = std::erase_if(family, [&](const std::vector<std::size_t>& facts) {
+      return support(bits_of({.facts = facts}), level, &horizon, conflict) || stopped();
+    });
+    if (dropped == 0) return nogoods;
+  }
+}
+
+std::optional<std::vector<std::size_t>> BackwardSearch::excluded_for_ever(const Bits& goals, std::size_t level) {
+  const std::size_t levelled_off = *graph_.levelled_off();
+  for (std::size_t below = levelled_off; below < level && !stopped(); ++below) {
+    if (!push_all(below)) continue;
+    // Nothing was learned between two levels, so what is proved for the higher may prove itself. If it does not, less,
+    // further up, does not either.
+    const Nogoods nogoods = inductive(below + 1);
+    const std::optional<std::size_t> found = nogoods.find(goals, 1);
+    if (!found || stopped()) return std::nullopt;
+    return nogoods.entries()[*found].facts;
   }
   return std::nullopt;
 }

@@ -8,11 +8,12 @@
 //   const bool found = search.reach(problem.goals, 5);      // in five steps
 //   search.steps();
 //
-// Goals that fail at one level may be shown to fail one level higher by looking a single step back, as clauses are
-// pushed in property directed reachability (Suda, 2014). When, between two levels of a graph that has levelled off, all
-// nogoods can be pushed, they explain each other for ever: no plan of any length exists.
+// That no plan of any length exists is proved as in property directed reachability (Suda, "Property directed
+// reachability for automated planning", 2014): nogoods of which each, looked at one step back on a graph that has
+// levelled off, leads to nothing but others of them, hold for ever.
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "agents/planner/nogoods.hpp"
@@ -27,13 +28,12 @@ class BackwardSearch {
 
   // Whether a plan of `level` steps reaches the goals. Meaningless once stopped() says so.
   bool reach(const Bits& goals, std::size_t level);
-  // After every failed reach() up to `level` on a levelled-off graph: a level for which the nogoods are proved for
-  // ever.
-  std::optional<std::size_t> proved_for_ever(std::size_t levelled_off, std::size_t level);
+  // After reach() has failed up to `level` on a graph that has levelled off: those of the goals that exclude each other
+  // for ever, or nothing when that is not proved yet.
+  std::optional<std::vector<std::size_t>> excluded_for_ever(const Bits& goals, std::size_t level);
 
   // Of the last successful reach(): the actions, without those that only keep a fact.
   const std::vector<std::vector<std::size_t>>& steps() const { return steps_; }
-  const Nogoods& nogoods() const { return nogoods_; }
   std::size_t nodes() const { return nodes_; }
   bool stopped() const { return cancelled_seen_ || !spent_.empty(); }
   bool cancelled() const { return cancelled_seen_; }
@@ -45,21 +45,30 @@ class BackwardSearch {
     std::size_t action;
     std::size_t goal;  // what the action was chosen for
   };
+  // Looked into, instead of searching on: nogoods and the level they must be proved for.
+  struct Horizon {
+    const Nogoods& nogoods;
+    std::size_t level;
+  };
   // The goals of one level, and what is chosen for them so far.
   struct Level {
     std::size_t index;
     const Bits& goals;
     const ActionLevel& actions;
-    bool one_step;  // look into the nogoods of the level below instead of searching it
+    const Horizon* horizon;  // null: none
     std::vector<Choice> choices = {};
   };
 
-  bool solve(const Bits& goals, std::size_t level, bool one_step, Bits& conflict);
+  bool solve(const Bits& goals, std::size_t level, Bits& conflict);
+  bool support(const Bits& goals, std::size_t level, const Horizon* horizon, Bits& conflict);
+  void shrink(Bits& conflict, std::size_t level);
   bool choose(Level& level, const Bits& open, const Bits& excluded, Bits& conflict);
   bool descend(Level& level, Bits& conflict);
   std::size_t hardest(const Level& level, const Bits& open, const Bits& excluded) const;
   void blame_exclusions(const Level& level, std::size_t goal, const Bits& excluded, Bits& conflict) const;
-  bool push(std::size_t entry, std::size_t level);
+  bool push_all(std::size_t level);
+  Nogoods inductive(std::size_t level);
+  Bits bits_of(const Nogoods::Entry& nogood) const;
   void count_node();
 
   const Problem& problem_;

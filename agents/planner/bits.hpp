@@ -86,4 +86,15 @@ class Bits {
   std::vector<std::uint64_t> words_;
 };
 
+struct HashBits {
+  std::size_t operator()(const Bits& bits) const {
+    std::uint64_t hash = 0x9e3779b97f4a7c15;
+    for (const std::uint64_t word : bits.words()) {
+      hash = (hash ^ word) * 0xff51afd7ed558ccd;
+      hash ^= hash >> 32;
+    }
+    return hash;
+  }
+};
+
 }  // namespace pizarra

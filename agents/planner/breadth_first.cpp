@@ -14,17 +14,6 @@ struct Reached {
   std::size_t action;
 };
 
-struct HashBits {
-  std::size_t operator()(const Bits& bits) const {
-    std::uint64_t hash = 0x9e3779b97f4a7c15;
-    for (const std::uint64_t word : bits.words()) {
-      hash = (hash ^ word) * 0xff51afd7ed558ccd;
-      hash ^= hash >> 32;
-    }
-    return hash;
-  }
-};
-
 std::vector<std::vector<std::size_t>> steps_to(const std::vector<Reached>& reached, std::size_t index) {
   std::vector<std::vector<std::size_t>> steps;
   for (; index != 0; index = reached[index].from) steps.push_back({reached[index].action});

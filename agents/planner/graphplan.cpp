@@ -29,8 +29,7 @@ Outcome no_plan(std::vector<std::size_t> culprits, std::size_t nodes) {
   return {.kind = Outcome::Kind::none, .steps = {}, .culprits = std::move(culprits), .spent = {}, .nodes = nodes};
 }
 
-Outcome stopped(const BackwardSearch& search) {
-  if (!search.cancelled()) return gave_up(search.spent(), search.nodes());
+Outcome stopped_by_caller(const BackwardSearch& search) {
   return {.kind = Outcome::Kind::cancelled, .steps = {}, .culprits = {}, .spent = {}, .nodes = search.nodes()};
 }
 
@@ -45,7 +44,7 @@ Outcome Graphplan::solve(const Problem& problem, const Budget& budget, const std
   PlanningGraph graph(problem);
   BackwardSearch search(problem, graph, budget, cancelled);
   for (std::size_t level = 1; level <= budget.levels; ++level) {
-    if (cancelled()) return {.kind = Outcome::Kind::cancelled, .steps = {}, .culprits = {}, .spent = {}, .nodes = 0};
+    if (cancelled()) return stopped_by_caller(search);
     if (graph.bytes() + graph.bytes_per_level() > budget.bytes) return gave_up(memory, search.nodes());
     graph.expand();
     const std::vector<std::size_t> excluded = ruled_out(problem.goals, graph.fact_level(level));
@@ -57,13 +56,11 @@ Outcome Graphplan::solve(const Problem& problem, const Budget& budget, const std
           .kind = Outcome::Kind::plan, .steps = search.steps(), .culprits = {}, .spent = {}, .nodes = search.nodes()};
     }
     if (!search.stopped() && graph.levelled_off()) {
-      const std::optional<std::size_t> proved = search.proved_for_ever(*graph.levelled_off(), level);
-      if (proved) {
-        const Nogoods& nogoods = search.nogoods();
-        return no_plan(nogoods.entries()[*nogoods.find(problem.goals, *proved)].facts, search.nodes());
-      }
+      const std::optional<std::vector<std::size_t>> culprits = search.excluded_for_ever(problem.goals, level);
+      if (culprits) return no_plan(*culprits, search.nodes());
     }
-    if (search.stopped()) return stopped(search);
+    if (search.cancelled()) return stopped_by_caller(search);
+    if (search.stopped()) return gave_up(search.spent(), search.nodes());
   }
   return gave_up(fmt::format("{} levels", budget.levels), search.nodes());
 }
