@@ -69,7 +69,7 @@ VisionAgent::State::State(AgentContext agent_context, StereoCamera& stereo_camer
       streams(image_streams),
       feed(
           context.executor, stereo_camera, [this](StereoFrame frame) { return on_frame(std::move(frame)); },
-          [this] { return tell_state(); }) {}
+          [this] { return camera_changed(); }) {}
 
 Task<Result<void>> VisionAgent::State::run() {
   // However the run ends, nothing of it goes on.
@@ -164,6 +164,20 @@ Task<void> VisionAgent::State::tell_state_again() {
     co_await sleep(context.executor, state_check);
     if (told_under != service->presence()) co_await tell_state();
   }
+}
+
+Task<void> VisionAgent::State::camera_changed() {
+  co_await tell_state();
+  if (feed.state() == CameraFeed::State::open) co_return;
+  const Result<void> unsaid = co_await unsay();
+  if (!unsaid) told_under = 0;
+}
+
+Task<Result<void>> VisionAgent::State::unsay() {
+  const Datum said = list("vision-says"_sym, "?"_sym, "?"_sym);
+  const Result<Revision> retracted = co_await context.board.retract(said);
+  if (!retracted) co_return fail(retracted);
+  co_return Result<void>();
 }
 
 std::string_view VisionAgent::State::mode() const {

@@ -150,9 +150,8 @@ Task<Result<Datum>> VisionAgent::State::track(std::string name) {
 Task<Result<Datum>> VisionAgent::State::end_track() {
   tracker.clear();
   if (activity == Activity::tracking) co_await finish_activity();
-  const Datum said = list("vision-says"_sym, "?"_sym, "?"_sym);
-  const Result<Revision> retracted = co_await context.board.retract(said);
-  if (!retracted) co_return fail(retracted);
+  const Result<void> unsaid = co_await unsay();
+  if (!unsaid) co_return fail(unsaid);
   co_return Datum();
 }
 
@@ -167,9 +166,8 @@ Task<Result<Datum>> VisionAgent::State::disconnect() {
   connected = false;
   if (activity == Activity::none) feed.stop();
   co_await tell_state();
-  const Datum said = list("vision-says"_sym, "?"_sym, "?"_sym);
-  const Result<Revision> retracted = co_await context.board.retract(said);
-  if (!retracted) co_return fail(retracted);
+  const Result<void> unsaid = co_await unsay();
+  if (!unsaid) co_return fail(unsaid);
   co_return Datum();
 }
 

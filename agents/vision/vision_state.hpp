@@ -41,6 +41,9 @@ struct VisionAgent::State {
   Task<Result<void>> recall();
   Task<void> tell_state();
   Task<void> tell_state_again();
+  Task<void> camera_changed();
+  // What was said of earlier frames holds no longer.
+  Task<Result<void>> unsay();
   Task<void> tell(std::vector<Datum> facts);
   std::string_view mode() const;
   // A failure `busy` unless nothing goes on, or only what `allowed` says.

@@ -231,6 +231,19 @@ TEST_F(Vision, ALostCameraIsSaidAndTriedAgain) {
   EXPECT_EQ(call(learn_request(0, "circle")), R"x((LEARN "circle" OK))x");
 }
 
+TEST_F(Vision, ALostCameraLeavesNoOldPositionsAndTrackingGoesOnWhenItIsBack) {
+  EXPECT_EQ(call(learn_request(0, "circle")), R"x((LEARN "circle" OK))x");
+  EXPECT_EQ(call("(track \"circle\")"), "()");
+  run_for(300ms);
+  EXPECT_NE(says(), "nothing");
+  camera.plugged = false;
+  run_for(300ms);
+  EXPECT_EQ(says(), "nothing");
+  camera.plugged = true;
+  run_for(2s);
+  EXPECT_TRUE(says().starts_with(R"x((TRACK 1 ("circle" OK ()x")) << says();
+}
+
 TEST_F(Vision, PublishesImagesWhileTheyAreWatched) {
   learn_all();
   EXPECT_EQ(call("(track \"circle\")"), "()");

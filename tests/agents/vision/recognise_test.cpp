@@ -101,7 +101,7 @@ TEST(Recognise, AMarkOfWhichAThirdIsHiddenIsNotSeen) {
 TEST(Recognise, AMarkOfTheRightShapeAndTheWrongSizeIsNotTheObject) {
   Random random(7);
   Scene scene;
-  // At 1.5 times the learned distance, but drawn as if it were 44 mm there: the pair gives it away.
+  // With a base line of 135 mm the same pair of images means a mark 1.5 times as large.
   scene.faces = {{.mark = "square", .place = {0, 0, 850}}};
   DrawnSight drawn(scene, random);
   StereoModel other = DrawnSight::model();
