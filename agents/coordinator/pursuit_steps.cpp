@@ -50,7 +50,8 @@ Task<Result<void>> Pursuit::look_once_for(std::string object, Time deadline) {
     if (vigil_.interrupted()) co_return fail("interrupted", "another goal, or none, is wanted now");
     const Result<bool> found = co_await eyes_.find(object);
     if (!found) co_return fail(found);
-    if (!*found && context_.executor.now() > deadline) {
+    // Found in one image alone, it has no place, and that is as good as not seen.
+    if (context_.executor.now() > deadline) {
       co_return fail("missing-object", fmt::format("{} is not seen", object), Datum::symbol(object));
     }
     // The arm itself may hide it, if it stands low before it.
