@@ -1,5 +1,7 @@
 #include "blackboard/wire_socket.hpp"
 
+#include <unistd.h>
+
 #include "blackboard/limits.hpp"
 
 namespace pizarra {
@@ -48,13 +50,18 @@ WireSocket::WireSocket(Executor& executor, Kind kind, Receiver receiver)
 WireSocket::~WireSocket() {
   executor_.unwatch_readable(file_);
   if (pump_timer_ != 0) executor_.cancel(pump_timer_);
+  // ZeroMQ leaves them behind. One that is gone already is fine.
+  for (const std::string& file : bound_files_) unlink(file.c_str());
 }
 
 Result<std::string> WireSocket::bind(const std::string& address) {
   try {
     socket_.bind(address);
     schedule_pump();
-    return socket_.get(zmq::sockopt::last_endpoint);
+    std::string bound = socket_.get(zmq::sockopt::last_endpoint);
+    constexpr std::string_view ipc = "ipc://";
+    if (bound.starts_with(ipc)) bound_files_.push_back(bound.substr(ipc.size()));
+    return bound;
   } catch (const zmq::error_t& error) {
     return refused(error, address);
   }

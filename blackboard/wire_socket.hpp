@@ -7,12 +7,14 @@
 //   Result<std::string> at = router.bind("tcp://127.0.0.1:*");   // the address that it got
 //   if (!router.send(peer, text)) ...                            // it reads too slowly, or is gone
 //
+// Destroying it removes the files of the ipc addresses that it was bound to.
 // A message of more than one frame is no frame at all; one of more than 1 MiB ends its sender's connection.
 
 #include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 #include <zmq.hpp>
 
 #include "blackboard/time/executor.hpp"
@@ -50,6 +52,7 @@ class WireSocket {
   zmq::socket_t socket_;
   int file_ = -1;
   Executor::TimerId pump_timer_ = 0;
+  std::vector<std::string> bound_files_;
 };
 
 }  // namespace pizarra
