@@ -160,9 +160,9 @@ TEST_P(BoardFacts, AnswersThatFitNoMessageAreRefused) {
 TEST_P(BoardFacts, ALeasedRelationsFactsGoUnlessToldAgain) {
   tell(*alice, "(alarm \"stale\")");
   tell(*alice, "(alarm \"fresh\")");
-  wall->pass(60ms);
+  wall->pass(350ms);
   tell(*alice, "(alarm \"fresh\")");
-  wall->pass(60ms);
+  wall->pass(350ms);
   const std::vector<Answer> left = ask(*bob, "(alarm ?text)");
   EXPECT_EQ(values(left, "?text"), std::vector<Datum>{to_datum("fresh")});
 }

@@ -19,23 +19,23 @@ class BoardLeases : public BoardTest {
 };
 
 TEST_P(BoardLeases, AFactGoesWhenItsLeaseLapses) {
-  tell_under(*alice, "(on a b)", lease(*alice, 100ms));
+  tell_under(*alice, "(on a b)", lease(*alice, 500ms));
   tell(*alice, "(on c d)");
   EXPECT_TRUE(holds(*bob, "(on a b)"));
-  wall->pass(150ms);
+  wall->pass(600ms);
   EXPECT_FALSE(holds(*bob, "(on a b)"));
   EXPECT_TRUE(holds(*bob, "(on c d)"));
 }
 
 TEST_P(BoardLeases, RenewingKeepsALeaseAndALapsedOneIsUnknown) {
-  const LeaseId held = lease(*alice, 150ms);
+  const LeaseId held = lease(*alice, 500ms);
   tell_under(*alice, "(on a b)", held);
   for (int i = 0; i < 4; ++i) {
-    wall->pass(60ms);
+    wall->pass(150ms);
     EXPECT_EQ(symbol_of(wall->run(alice->renew(held))), "ok");
   }
   EXPECT_TRUE(holds(*bob, "(on a b)"));
-  wall->pass(200ms);
+  wall->pass(600ms);
   EXPECT_EQ(symbol_of(wall->run(alice->renew(held))), "unknown-lease");
   EXPECT_EQ(symbol_of(wall->run(alice->release(held))), "unknown-lease");
   EXPECT_EQ(symbol_of(wall->run(alice->take(read("(on ? ?)"), held))), "unknown-lease");
@@ -114,9 +114,9 @@ TEST_P(BoardLeases, OfTwoTakersOneGetsTheFact) {
 
 TEST_P(BoardLeases, AHeldFactComesBackWhenItsHolderLapses) {
   tell(*alice, "(note 1 work)");
-  const Fact taken = take(*bob, "(note ? ?)", lease(*bob, 100ms)).value();
+  const Fact taken = take(*bob, "(note ? ?)", lease(*bob, 500ms)).value();
   EXPECT_FALSE(holds(*alice, "(note ? ?)"));
-  wall->pass(150ms);
+  wall->pass(600ms);
   const std::vector<Answer> back = ask(*alice, "(note 1 work)");
   ASSERT_EQ(back.size(), 1U);
   EXPECT_EQ(back.front().facts.front().teller, "alice");

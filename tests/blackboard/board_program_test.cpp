@@ -1,0 +1,137 @@
+#include <csignal>
+#include <filesystem>
+#include <gtest/gtest.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "blackboard/remote_board.hpp"
+#include "blackboard/time/real_executor.hpp"
+#include "tests/blackboard/board_fixture.hpp"
+
+extern char** environ;
+
+namespace pizarra {
+namespace {
+
+// The program as a child, and what it printed.
+class Program {
+ public:
+  explicit Program(std::vector<std::string> words) {
+    words.insert(words.begin(), PIZARRA_BOARD_PROGRAM);
+    std::vector<char*> arguments;
+    for (std::string& word : words) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    int ends[2];
+    EXPECT_EQ(pipe(ends), 0);
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, ends[1], STDERR_FILENO);
+    posix_spawn_file_actions_addclose(&actions, ends[0]);
+    EXPECT_EQ(posix_spawn(&child_, PIZARRA_BOARD_PROGRAM, &actions, nullptr, arguments.data(), environ), 0);
+    posix_spawn_file_actions_destroy(&actions);
+    close(ends[1]);
+    output_ = ends[0];
+  }
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
+  ~Program() {
+    if (child_ != 0) stop(SIGKILL);
+    close(output_);
+  }
+
+  // The next line it prints; what there is when it ends.
+  std::string line() {
+    std::string line;
+    for (char c = 0; read_char(c) && c != '\n';) line += c;
+    return line;
+  }
+  std::string rest() {
+    std::string rest;
+    for (char c = 0; read_char(c);) rest += c;
+    return rest;
+  }
+  // Its exit code, or minus the signal that ended it.
+  int stop(int signal) {
+    kill(child_, signal);
+    return wait();
+  }
+  int wait() {
+    int status = 0;
+    waitpid(child_, &status, 0);
+    child_ = 0;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+  }
+
+ private:
+  bool read_char(char& c) const { return ::read(output_, &c, 1) == 1; }
+  pid_t child_ = 0;
+  int output_ = -1;
+};
+
+class BoardProgram : public testing::Test, public Wall {
+ protected:
+  Executor& executor() override { return executor_; }
+  std::unique_ptr<Board> view(const std::string& teller) override {
+    return RemoteBoard::connect(executor_, address_, teller).value();
+  }
+
+  const std::vector<Relation> relations_ = {relation("(relation goal ((n integer)) (durable))"),
+                                            relation("(relation seen ((n integer)))")};
+  RealExecutor executor_;
+  const std::string address_ = ipc_address();
+  const std::string path_ = address_.substr(6);
+};
+
+TEST_F(BoardProgram, SaysThatItIsReadyServesAndStopsCleanly) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    Program program({"--listen", address_, "--listen", "tcp://127.0.0.1:*"});
+    const std::string ready = program.line();
+    EXPECT_TRUE(ready.starts_with("pizarra-board: ready on " + address_ + " tcp://127.0.0.1:")) << ready;
+    const auto alice = view("alice");
+    EXPECT_EQ(symbol_of(run(alice->declare(relations_))), "ok");
+    EXPECT_EQ(symbol_of(run(alice->tell(read("(seen 1)")))), "ok");
+    EXPECT_EQ(program.stop(signal), 0);
+    EXPECT_EQ(program.rest(), "");
+    EXPECT_FALSE(std::filesystem::exists(path_));
+  }
+}
+
+TEST_F(BoardProgram, DurableFactsOutliveItsSuddenDeath) {
+  const std::string journal = path_ + ".journal";
+  {
+    Program program({"--listen", address_, "--journal", journal});
+    program.line();
+    const auto alice = view("alice");
+    ASSERT_EQ(symbol_of(run(alice->declare(relations_))), "ok");
+    ASSERT_EQ(symbol_of(run(alice->tell(read("(goal 1)")))), "ok");
+    ASSERT_EQ(symbol_of(run(alice->tell(read("(seen 1)")))), "ok");
+    EXPECT_EQ(program.stop(SIGKILL), -SIGKILL);
+  }
+  Program program({"--listen", address_, "--journal", journal});
+  program.line();
+  const auto bob = view("bob");
+  EXPECT_EQ(run(bob->facts(read("(goal ?n)")))->size(), 1U);
+  EXPECT_TRUE(run(bob->facts(read("(seen ?n)")))->empty());
+  EXPECT_EQ(program.stop(SIGTERM), 0);
+  std::filesystem::remove(journal);
+}
+
+TEST_F(BoardProgram, ItsExitCodesSayWhatWasWrong) {
+  const auto code = [](std::vector<std::string> words) {
+    Program program(std::move(words));
+    EXPECT_NE(program.rest(), "");
+    return program.wait();
+  };
+  EXPECT_EQ(code({"--help"}), 0);
+  EXPECT_EQ(code({}), 2);
+  EXPECT_EQ(code({"--listen", address_, "--dance"}), 2);
+  EXPECT_EQ(code({"--listen", "nowhere"}), 3);
+  EXPECT_EQ(code({"--listen", "tcp://0.0.0.0:5999"}), 3);
+  EXPECT_EQ(code({"--listen", "\xff\xfe"}), 3);
+  EXPECT_EQ(code({"--listen", address_, "--journal", "/no/such/folder/journal"}), 4);
+}
+
+}  // namespace
+}  // namespace pizarra
