@@ -25,6 +25,15 @@ const char* colour_of(std::string_view kind) {
   return found == colours.end() ? "" : found->second;
 }
 
+// The thesis' five states of the visual servo.
+std::string servo_sentence(const Datum& servo) {
+  static constexpr std::string_view states[] = {"goes up", "aligns sideways", "aligns in depth", "approaches",
+                                                "aligns finely"};
+  const auto state = static_cast<std::size_t>(std::clamp<std::int64_t>(servo[1].integer(), 0, 4));
+  return fmt::format("{} {} on {}: {:+.1f} px, {:+.1f} px, {:+.1f} mm", state, states[state], servo[2].text(),
+                     servo[3].number(), servo[4].number(), servo[5].number());
+}
+
 double seconds(Duration duration) { return static_cast<double>(duration.count()) / 1e6; }
 
 }  // namespace
@@ -78,6 +87,13 @@ void Narrator::tell_added(const Fact& fact) {
     say(fact.when, datum[2].text(), datum[3].text(), datum[4]);
     return;
   }
+  if (datum.is_form("servo")) {
+    const Datum state = list(datum[1], datum[2]);
+    if (state == last_servo_) return;
+    last_servo_ = state;
+    say(fact.when, "servo", servo_sentence(datum), datum);
+    return;
+  }
   say(fact.when, "agent", fmt::format("{} is there", datum[1].text()), datum);
 }
 
@@ -125,6 +141,8 @@ Task<void> Narrator::follow_pattern(Board& board, Executor& executor, Datum patt
 
 Task<void> Narrator::follow(Board& board, Executor& executor) {
   const Job agents = executor.spawn(follow_pattern(board, executor, list("agent"_sym, "?"_sym, "?"_sym, "?"_sym)));
+  const Datum servo_states = list("servo"_sym, "?"_sym, "?"_sym, "?"_sym, "?"_sym, "?"_sym);
+  const Job servo = executor.spawn(follow_pattern(board, executor, servo_states));
   const Datum events = list("event"_sym, "?"_sym, "?"_sym, "?"_sym, "?"_sym);
   co_await follow_pattern(board, executor, events);
 }

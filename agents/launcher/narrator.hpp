@@ -26,7 +26,8 @@ class Narrator {
   // Time zero of the lines.
   void begin(Time start) { start_ = start; }
   void say(Time when, std::string_view kind, std::string_view sentence, const Datum& detail = {});
-  // Tells every (event ...) fact, and the coming and going of agents, until destroyed. Both outlive it.
+  // Tells every (event ...) fact, each state the servo enters, and the coming and going of agents, until destroyed.
+  // Both outlive it.
   Task<void> follow(Board& board, Executor& executor);
   // The newest line without its colours, for the film's caption.
   const std::string& newest() const { return newest_; }
@@ -41,6 +42,7 @@ class Narrator {
   Time start_{};
   std::string newest_;
   std::int64_t last_event_ = 0;
+  Datum last_servo_;
 };
 
 // A text as a JSON string, quotes included.

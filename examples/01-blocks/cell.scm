@@ -2,10 +2,10 @@
 (cell blocks
   (world
     (camera (at 1330 0 200))
-    (cube circle   (at 450 -150))
-    (cube triangle (at 450 -50))
-    (cube square   (at 450 50))
-    (cube cross    (at 450 150))
+    (cube circle   (at 450 -165))
+    (cube triangle (at 450 -55))
+    (cube square   (at 450 55))
+    (cube cross    (at 450 165))
     (noise (sensor 3) (blur 0.7) (gradient 0.12)))
   (arm crs-f3)
   (domain "../../domains/blocks.scm")

@@ -4,7 +4,7 @@
   (cell "cell.scm")
   (goal (on circle triangle) (on triangle square))
   (when (and (operation ? (PICK-UP ?block) running) (servo 3 ?block ? ? ?))
-    (hand push ?block 0 40))
+    (hand push ?block -20 25))
   (when (and (on circle triangle) (on triangle square) (arm-empty))
     (wait 0.5)
     (hand knock circle))

@@ -3,6 +3,6 @@
   (cell "../../examples/01-blocks/cell.scm")
   (goal (on circle triangle) (on triangle square))
   (when (and (operation ? (PICK-UP ?block) running) (servo 3 ?block ? ? ?))
-    (hand push ?block 0 40))
+    (hand push ?block -20 25))
   (expect reached)
   (within 150))
