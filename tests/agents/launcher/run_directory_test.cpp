@@ -1,0 +1,74 @@
+#include "agents/launcher/run_directory.hpp"
+
+#include <cstdlib>
+#include <filesystem>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace pizarra {
+namespace {
+
+class RunDirectoryTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = testing::TempDir() + "runs-" + std::to_string(getpid());
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_);
+    setenv("XDG_RUNTIME_DIR", folder_.c_str(), 1);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+  std::string folder_;
+};
+
+RunState state_of(int pid, const std::string& board) { return {"blocks", "here", pid, board, "", {{"vision", 7, 1}}}; }
+
+TEST_F(RunDirectoryTest, IsTheUsersAlone) {
+  const Result<RunDirectory> run = RunDirectory::make("blocks", "here");
+  ASSERT_TRUE(run) << describe(run.error());
+  struct stat status {};
+  ASSERT_EQ(stat(run->path().c_str(), &status), 0);
+  EXPECT_EQ(status.st_mode & 0777, 0700U);
+}
+
+TEST_F(RunDirectoryTest, AFolderThatOthersMayReadIsNotTrusted) {
+  std::filesystem::create_directories(folder_ + "/pizarra");
+  std::filesystem::permissions(folder_ + "/pizarra", std::filesystem::perms(0755));
+  const Result<RunDirectory> run = RunDirectory::make("blocks", "here");
+  ASSERT_FALSE(run);
+  EXPECT_EQ(run.error().symbol, "cannot-write");
+}
+
+TEST_F(RunDirectoryTest, AStateIsReadBackAsItWasSaved) {
+  const RunState state = state_of(getpid(), "ipc:///tmp/board");
+  const Result<RunState> back = run_state_from_datum(run_state_to_datum(state));
+  ASSERT_TRUE(back);
+  EXPECT_EQ(back->board_address, state.board_address);
+  ASSERT_EQ(back->processes.size(), 1U);
+  EXPECT_EQ(back->processes[0].pid, 7);
+}
+
+TEST_F(RunDirectoryTest, ARunningCellIsFoundAndNotStartedTwice) {
+  const Result<RunDirectory> run = RunDirectory::make("blocks", "here");
+  ASSERT_TRUE(run);
+  ASSERT_TRUE(run->save(state_of(getpid(), "ipc:///tmp/board")));
+  EXPECT_EQ(find_run("").value().board_address, "ipc:///tmp/board");
+  EXPECT_EQ(find_run("blocks").value().supervisor_pid, getpid());
+  EXPECT_EQ(find_run("other").error().symbol, "nothing-runs");
+  EXPECT_EQ(RunDirectory::make("blocks", "here").error().symbol, "already-running");
+}
+
+TEST_F(RunDirectoryTest, WhatADeadSupervisorLeftIsNotARunningCell) {
+  const Result<RunDirectory> run = RunDirectory::make("blocks", "here");
+  ASSERT_TRUE(run);
+  const pid_t dead = fork();
+  if (dead == 0) _exit(0);
+  ASSERT_EQ(waitpid(dead, nullptr, 0), dead);
+  ASSERT_TRUE(run->save(state_of(dead, "ipc:///tmp/board")));
+  EXPECT_TRUE(running_cells().empty());
+  EXPECT_TRUE(RunDirectory::make("blocks", "here"));
+}
+
+}  // namespace
+}  // namespace pizarra

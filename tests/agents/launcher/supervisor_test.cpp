@@ -1,0 +1,89 @@
+#include "agents/launcher/supervisor.hpp"
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "blackboard/time/real_executor.hpp"
+
+namespace pizarra {
+namespace {
+
+struct Watched {
+  RealExecutor executor;
+  std::vector<std::string> told;
+  Supervisor supervisor{executor, [this](const ProcessEvent& event) { told.push_back(event.sentence); }};
+  std::string log = testing::TempDir() + "supervised-" + std::to_string(getpid()) + ".log";
+
+  Result<void> start(const std::string& script) { return supervisor.start({"script", {"/bin/sh", "-c", script}, log}); }
+  void run_until(std::function<bool()> finished) {
+    const Time deadline = executor.now() + 20s;
+    executor.call_at(deadline, [this] { executor.stop(); });
+    executor.run_until(std::move(finished));
+  }
+  void stop() {
+    supervisor.stop();
+    run_until([this] { return supervisor.stopped(); });
+  }
+};
+
+TEST(Supervisor, StartsAgainWhatDies) {
+  Watched watched;
+  ASSERT_TRUE(watched.start("exit 3"));
+  watched.run_until([&] { return watched.supervisor.processes()[0].restarts >= 2; });
+  EXPECT_GE(watched.supervisor.processes()[0].restarts, 2);
+  EXPECT_EQ(watched.told[1], "ended with status 3; starts again in 0.25 s");
+  EXPECT_EQ(watched.told[3], "ended with status 3; starts again in 0.5 s");
+  watched.stop();
+}
+
+TEST(Supervisor, SaysWhichSignalKilledAProcess) {
+  Watched watched;
+  ASSERT_TRUE(watched.start("kill -9 $$"));
+  watched.run_until([&] { return watched.told.size() >= 2; });
+  EXPECT_EQ(watched.told[1], "killed by signal 9; starts again in 0.25 s");
+  watched.stop();
+}
+
+TEST(Supervisor, StopsEverythingEvenWhatIgnoresTheFirstSignal) {
+  Watched watched;
+  ASSERT_TRUE(watched.start("trap '' TERM; while true; do sleep 0.1; done"));
+  ASSERT_TRUE(watched.start("exec sleep 100"));
+  const std::vector<Supervisor::Process> running = watched.supervisor.processes();
+  watched.stop();
+  EXPECT_TRUE(watched.supervisor.stopped());
+  for (const Supervisor::Process& process : running) EXPECT_NE(kill(process.pid, 0), 0);
+}
+
+TEST(Supervisor, StopsOnASignalToItself) {
+  Watched watched;
+  ASSERT_TRUE(watched.start("exec sleep 100"));
+  kill(getpid(), SIGTERM);
+  watched.run_until([&] { return watched.supervisor.stopped(); });
+  EXPECT_TRUE(watched.supervisor.stopped());
+}
+
+TEST(Supervisor, KeepsWhatAProcessPrints) {
+  Watched watched;
+  std::filesystem::remove(watched.log);
+  ASSERT_TRUE(watched.start("echo printed; exec sleep 100"));
+  watched.run_until(
+      [&] { return std::filesystem::exists(watched.log) && std::filesystem::file_size(watched.log) > 7; });
+  std::ifstream log(watched.log);
+  std::string line;
+  std::getline(log, line);
+  EXPECT_EQ(line, "printed");
+  watched.stop();
+}
+
+TEST(Supervisor, RefusesWhatCannotBeRun) {
+  Watched watched;
+  const Result<void> started = watched.supervisor.start({"none", {"/nowhere/none"}, watched.log});
+  ASSERT_FALSE(started);
+  EXPECT_EQ(started.error().symbol, "cannot-start");
+}
+
+}  // namespace
+}  // namespace pizarra

@@ -1,0 +1,115 @@
+// The program as a person meets it at the shell: what it says and how it ends.
+
+#include <array>
+#include <cstdio>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <iterator>
+#include <string>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace pizarra {
+namespace {
+
+struct Said {
+  int status;
+  std::string text;
+};
+
+Said run(const std::string& words) {
+  const std::string command = std::string("cd ") + testing::TempDir() + " && " + PIZARRA_CELL + " " + words + " 2>&1";
+  FILE* pipe = popen(command.c_str(), "r");
+  std::string text;
+  std::array<char, 4096> buffer{};
+  for (std::size_t got = fread(buffer.data(), 1, buffer.size(), pipe); got > 0;
+       got = fread(buffer.data(), 1, buffer.size(), pipe)) {
+    text.append(buffer.data(), got);
+  }
+  const int status = pclose(pipe);
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text};
+}
+
+bool contains(const Said& said, const std::string& text) { return said.text.find(text) != std::string::npos; }
+
+TEST(Words, EveryWordHelps) {
+  for (const char* word : {"demo", "scenario", "check", "up", "ps", "down", "agent", "world", "repl", "tell", "retract",
+                           "ask", "watch", "goal", "why"}) {
+    const Said said = run(std::string(word) + " --help");
+    EXPECT_EQ(said.status, 0) << word;
+    EXPECT_TRUE(contains(said, "pizarra " + std::string(word))) << said.text;
+  }
+}
+
+TEST(Words, AnUnknownWordOrOptionIsAUsageError) {
+  EXPECT_EQ(run("dmeo").status, 2);
+  EXPECT_EQ(run("demo --sed 3").status, 2);
+  EXPECT_EQ(run("demo /nowhere/cell.scm").status, 2);
+}
+
+TEST(Words, AMalformedGoalIsToldAtItsPlaceBeforeAnythingRuns) {
+  const Said said = run("demo --goal '(on circle'");
+  EXPECT_EQ(said.status, 2);
+  EXPECT_TRUE(contains(said, "^")) << said.text;
+  EXPECT_FALSE(contains(said, "robot is there")) << said.text;
+}
+
+TEST(Words, AnUnknownPredicateIsToldWithTheNearest) {
+  const Said said = run("demo --goal '(onn circle triangle)'");
+  EXPECT_EQ(said.status, 2);
+  EXPECT_TRUE(contains(said, "nearest is on")) << said.text;
+}
+
+TEST(Words, AGoalWithAnUnknownObjectIsRefusedAndNothingMoves) {
+  const Said said = run("demo --png '' --goal '(on circle traingle)'");
+  EXPECT_EQ(said.status, 2);
+  EXPECT_TRUE(contains(said, "nearest is triangle")) << said.text;
+  EXPECT_FALSE(contains(said, "operation")) << said.text;
+}
+
+TEST(Words, AnUnreachableGoalIsRefusedAndNothingMoves) {
+  const Said said = run("demo --png '' --goal '(on circle triangle) (on triangle circle)'");
+  EXPECT_EQ(said.status, 3);
+  EXPECT_FALSE(contains(said, "operation ")) << said.text;
+}
+
+TEST(Words, CheckTellsEveryErrorOfACellFile) {
+  const std::string file = testing::TempDir() + "wrong-cell-" + std::to_string(getpid()) + ".scm";
+  std::ofstream(file) << "(cell c\n  (world (cube circle (at 9999 0)) (cube star (at 450 0)))\n  (amr crs-f3))\n";
+  const Said said = run("check " + file);
+  EXPECT_EQ(said.status, 2);
+  EXPECT_TRUE(contains(said, ":2:")) << said.text;
+  EXPECT_TRUE(contains(said, ":3:")) << said.text;
+  EXPECT_TRUE(contains(said, "nearest is arm")) << said.text;
+}
+
+TEST(Words, CheckFindsTheShippedFilesInOrder) {
+  const std::string top = PIZARRA_SOURCE_DIR;
+  const Said said =
+      run("check " + top + "/domains/*.scm " + top + "/examples/*/*.scm " + top + "/tests/scenarios/*.scm");
+  EXPECT_EQ(said.status, 0) << said.text;
+}
+
+TEST(Words, WithoutARunningCellTheBoardWordsSaySo) {
+  for (const char* words : {"ask '(on ?x ?y)'", "why", "goal '(on a b)'"}) {
+    const Said answer = run(std::string(words) + " --cell no-such-cell");
+    EXPECT_EQ(answer.status, 4) << answer.text;
+    EXPECT_TRUE(contains(answer, "no cell named no-such-cell runs here")) << answer.text;
+  }
+}
+
+TEST(Words, TheSameSeedGivesTheSameJournalByteForByte) {
+  const auto journal_of = [](const std::string& options) {
+    const std::string file = testing::TempDir() + "journal-" + std::to_string(getpid());
+    run("demo --png '' --goal '(on circle triangle)' --journal " + file + " " + options);
+    std::ifstream in(file);
+    return std::string(std::istreambuf_iterator<char>(in), {});
+  };
+  const std::string seven = journal_of("--seed 7");
+  EXPECT_GT(seven.size(), 1000U);
+  EXPECT_TRUE(seven == journal_of("--seed 7"));
+  EXPECT_FALSE(seven == journal_of("--seed 8"));
+}
+
+}  // namespace
+}  // namespace pizarra
