@@ -82,7 +82,9 @@ Task<Result<void>> Director::await_agents() {
     Query query = pattern_query(list("agent"_sym, "?"_sym, Datum::symbol(kind), "?"_sym));
     const Result<Answer> there = co_await await_when_declared(*board_, cell_.executor(), std::move(query), deadline);
     if (there) continue;
-    co_return fail("no-agents", fmt::format("the {} agent does not come up", kind), Datum::symbol(kind));
+    const std::optional<Failure> why = cell_.ended(kind);
+    const std::string reason = why.has_value() ? ": " + describe(*why) : std::string();
+    co_return fail("no-agents", fmt::format("the {} agent does not come up{}", kind, reason));
   }
   co_return {};
 }

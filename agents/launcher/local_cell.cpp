@@ -38,4 +38,11 @@ Result<void> LocalCell::kill(const std::string& kind) {
   return {};
 }
 
+std::optional<Failure> LocalCell::ended(const std::string& kind) const {
+  const auto found = agents_.find(kind);
+  const Result<void>* ended = found == agents_.end() ? nullptr : found->second->agent->ended();
+  if (ended == nullptr) return std::nullopt;
+  return *ended ? Failure{"ended", fmt::format("the {} agent has ended", kind), {}, {}} : ended->error();
+}
+
 }  // namespace pizarra

@@ -11,6 +11,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "agents/launcher/agent_factory.hpp"
@@ -39,6 +40,8 @@ class LocalCell {
   Result<void> start(const std::string& kind);
   // Not from inside the agent's own task. Failure: not-running.
   Result<void> kill(const std::string& kind);
+  // Why an agent that was started has ended by itself; nothing while it runs.
+  std::optional<Failure> ended(const std::string& kind) const;
 
  private:
   struct Running;
