@@ -77,7 +77,8 @@
   ; An object's name as a target means: where the gripper holds it.
   (micro-tasks
     (GRASP (<ob>)
-      (open <ob>) (raise) (align <ob>) (lower <ob>) (close) (raise) (check-held <ob>))
+      (open <ob>) (raise) (make-room <ob>) (open <ob>)
+      (align <ob>) (lower <ob>) (close) (raise) (check-held <ob>))
     (RELEASE-AT (<target>)
       (raise) (align <target>) (lower <target>) (release) (raise))
 

@@ -87,7 +87,8 @@
 
   (micro-tasks
     (GRASP (<ob>)
-      (open <ob>) (raise) (align <ob>) (lower <ob>) (close) (raise) (check-held <ob>))
+      (open <ob>) (raise) (make-room <ob>) (open <ob>)
+      (align <ob>) (lower <ob>) (close) (raise) (check-held <ob>))
     (RELEASE-AT (<target>)
       (raise) (align <target>) (lower <target>) (release) (raise))
 

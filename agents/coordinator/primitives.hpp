@@ -4,9 +4,9 @@
 //
 //   (open OBJECT)      open the gripper as wide as the neighbours of OBJECT leave room
 //   (raise)            up to the height that is safe to travel at (servo state 0)
-//   (align TARGET)     at that height, over the target (servo states 0-2)
-//   (lower TARGET)     down onto the target (servo states 0-4)
-//   (close)            close the gripper; fails `missed` where nothing is between the fingers
+//   (make-room OBJECT) push OBJECT out of its row if neighbours leave the fingers no room; leaves the gripper anyhow
+//   open (align TARGET)     at that height, over the target (servo states 0-2) (lower TARGET)     down onto the target
+//   (servo states 0-4) (close)            close the gripper; fails `missed` where nothing is between the fingers
 //   (release)          open the gripper just enough to let go
 //   (check-held OBJECT)   fails `missed` where the eyes do not see OBJECT between the fingers
 //
@@ -24,7 +24,8 @@
 namespace pizarra {
 
 inline Arities primitive_arities() {
-  return {{"open", 1}, {"raise", 0}, {"align", 1}, {"lower", 1}, {"close", 0}, {"release", 0}, {"check-held", 1}};
+  return {{"open", 1},  {"raise", 0}, {"make-room", 1}, {"align", 1},
+          {"lower", 1}, {"close", 0}, {"release", 0},   {"check-held", 1}};
 }
 
 }  // namespace pizarra

@@ -58,6 +58,7 @@ Task<Result<void>> TaskRunner::run_step(Datum step) {
   if (name == "lower") return servo(step[1], true);
   if (name == "close") return close();
   if (name == "release") return release();
+  if (name == "make-room") return make_room(std::string(step[1].text()));
   if (name == "check-held") return check_held(std::string(step[1].text()));
   return open(aims_.opening_around(step[1].text(), options_.gripper.wide_mm));
 }

@@ -10,6 +10,7 @@
 
 #include "agents/coordinator/aim.hpp"
 #include "agents/coordinator/arm.hpp"
+#include "agents/coordinator/elbow_room.hpp"
 #include "agents/coordinator/eyes.hpp"
 #include "agents/coordinator/vigil.hpp"
 
@@ -41,6 +42,8 @@ class TaskRunner {
   Task<Result<void>> open(double opening_mm);
   Task<Result<void>> close();
   Task<Result<void>> release();
+  Task<Result<void>> make_room(std::string object);
+  std::optional<Push> push_for(std::string_view object) const;
   Task<Result<void>> check_held(std::string object);
   Task<Result<void>> await_effects(GroundOperation operation);
   Task<Result<Revision>> tell_servo(int state, const Datum& target, const Aim& aim);

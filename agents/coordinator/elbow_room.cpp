@@ -1,0 +1,62 @@
+#include "agents/coordinator/elbow_room.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pizarra {
+
+namespace {
+
+// How far away along x a cube must stand to leave the fingers alone.
+double clear_along(const ElbowRoom& room) { return room.cube_mm / 2 + room.finger_half_mm + room.margin_mm; }
+
+bool crowds(const ElbowRoom& room, const Eigen::Vector3d& centre, const Eigen::Vector3d& other) {
+  const Eigen::Vector3d apart = (other - centre).cwiseAbs();
+  const double clear_across = room.narrow_mm / 2 + room.finger_mm + room.cube_mm / 2 + room.margin_mm;
+  const bool at_its_height = other.z() > centre.z() - 0.75 * room.cube_mm;
+  return at_its_height && apart.x() < clear_along(room) && apart.y() < clear_across && apart.y() > room.cube_mm / 2;
+}
+
+bool within_reach(const ElbowRoom& room, const Eigen::Vector2d& point) {
+  return point.norm() >= room.reach_low_mm && point.norm() <= room.reach_high_mm;
+}
+
+}  // namespace
+
+bool is_crowded(const ElbowRoom& room, const Eigen::Vector3d& centre, const std::vector<Eigen::Vector3d>& others) {
+  return std::ranges::any_of(others, [&](const Eigen::Vector3d& other) { return crowds(room, centre, other); });
+}
+
+std::optional<Push> push_for_room(const ElbowRoom& room, const Eigen::Vector3d& centre,
+                                  const std::vector<Eigen::Vector3d>& others) {
+  const double half = room.cube_mm / 2;
+  const double before = half + room.finger_half_mm + 2 * room.margin_mm;
+  const double pusher_half = room.pusher_mm / 2 + room.finger_mm;
+  std::optional<Push> shortest;
+  for (const double sign : {1.0, -1.0}) {
+    double length = 0;
+    for (const Eigen::Vector3d& other : others) {
+      if (!crowds(room, centre, other)) continue;
+      length = std::max(length, clear_along(room) + 2 * room.margin_mm + sign * (other.x() - centre.x()));
+    }
+    if (length <= 0) continue;
+    const double from_x = centre.x() - sign * before;
+    const double to_x = from_x + sign * (length + 2 * room.margin_mm);
+    const auto in_the_way = [&](const Eigen::Vector3d& other) {
+      const double across = std::abs(other.y() - centre.y());
+      const bool where_fingers_go =
+          std::abs(other.x() - from_x) < half + room.finger_half_mm + room.margin_mm && across < pusher_half + half;
+      const double ahead = sign * (other.x() - centre.x());
+      const bool where_the_cube_goes = ahead > half && ahead < length + room.cube_mm && across < room.cube_mm - 2;
+      return where_fingers_go || where_the_cube_goes;
+    };
+    const Push push{{from_x, centre.y()}, {to_x, centre.y()}};
+    const bool possible =
+        within_reach(room, push.from_mm) && within_reach(room, push.to_mm) && std::ranges::none_of(others, in_the_way);
+    const bool better = !shortest || length < std::abs(shortest->to_mm.x() - shortest->from_mm.x());
+    if (possible && better) shortest = push;
+  }
+  return shortest;
+}
+
+}  // namespace pizarra

@@ -1,0 +1,37 @@
+#pragma once
+
+// Room for the fingers between cubes that stand side by side: where they leave none, the one that is wanted is pushed
+// out of the row, towards the camera or away from it, by the fingers held a hand's breadth apart.
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+namespace pizarra {
+
+struct ElbowRoom {
+  double cube_mm = 60;
+  double finger_mm = 8;        // thickness, sideways
+  double finger_half_mm = 12;  // half its width, towards the camera
+  double narrow_mm = 76;       // the smallest opening that goes around a cube
+  double pusher_mm = 36;       // the opening to push with: both fingers touch the cube's face
+  double margin_mm = 3;
+  double reach_low_mm = 310;  // radius from the arm's axis
+  double reach_high_mm = 570;
+};
+
+// A straight push over the table, grip centre, base frame.
+struct Push {
+  Eigen::Vector2d from_mm;
+  Eigen::Vector2d to_mm;
+};
+
+// Whether a neighbour at its height stands where a finger must go.
+bool is_crowded(const ElbowRoom& room, const Eigen::Vector3d& centre, const std::vector<Eigen::Vector3d>& others);
+
+// The push that gives a crowded cube on the table its room; none where the way, or the place to push from, is taken or
+// out of reach. All points are cubes' centres.
+std::optional<Push> push_for_room(const ElbowRoom& room, const Eigen::Vector3d& centre,
+                                  const std::vector<Eigen::Vector3d>& others);
+
+}  // namespace pizarra
