@@ -93,6 +93,23 @@ TEST(Graphplan, AgreesWithTheOracleOnRandomGoalsThatAreMostlyImpossible) {
   });
 }
 
+TEST(Graphplan, SolvesRandomBlocksUpToEightWithinItsBudgetAndLargerOnesOrSaysSo) {
+  for (std::size_t blocks = 4; blocks <= 10; ++blocks) {
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+      Random random(1000 * blocks + seed);
+      const PlanningTask task = random_blocks(blocks, random);
+      SCOPED_TRACE(fmt::format("{} blocks, seed {}", blocks, 1000 * blocks + seed));
+      const Result<Problem> problem = ground(task);
+      const Budget budget = blocks <= 8 ? Budget{} : Budget{.nodes = 100'000};
+      const Outcome outcome = Graphplan().solve(*problem, budget, never);
+      if (blocks > 8 && outcome.kind == Outcome::Kind::gave_up) continue;
+      ASSERT_EQ(outcome.kind, Outcome::Kind::plan);
+      const Result<void> valid = validate_plan(task, steps_of(*problem, outcome.steps));
+      EXPECT_TRUE(valid) << valid.error().sentence;
+    }
+  }
+}
+
 TEST(Graphplan, NeedsNoStepForWhatHoldsAlready) {
   PlanningTask task = blocks_domain(2);
   task.initials = facts_of("(on-table b0) (on b1 b0) (clear b1) (arm-empty)");
