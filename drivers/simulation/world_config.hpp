@@ -32,7 +32,7 @@ inline constexpr double cube_mass_kg = 0.15;
 // Cubes in a world at once, the hand's included.
 inline constexpr std::size_t max_cubes = 16;
 // The gripper's widest opening between the fingers.
-inline constexpr double gripper_opening_mm = 84;
+inline constexpr double gripper_opening_mm = 100;
 
 struct CubeConfig {
   std::string name;  // [A-Za-z][A-Za-z0-9-]*, told apart without case

@@ -89,8 +89,8 @@ TEST(SimulatedArm, TheGripperTakesItsTime) {
   ASSERT_TRUE(run(bench.executor, bench.arm.start_gripper(44)));
   EXPECT_TRUE(bench.reading().gripper_moving);
   bench.wait(250ms);
-  EXPECT_NEAR(bench.reading().opening_mm, 64, 1);
-  bench.wait(400ms);
+  EXPECT_NEAR(bench.reading().opening_mm, gripper_opening_mm - 20, 1);
+  bench.wait(500ms);
   EXPECT_EQ(bench.reading().opening_mm, 44);
   EXPECT_FALSE(bench.reading().gripper_moving);
 }
