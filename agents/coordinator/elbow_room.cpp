@@ -29,34 +29,36 @@ bool is_crowded(const ElbowRoom& room, const Eigen::Vector3d& centre, const std:
 
 std::optional<Push> push_for_room(const ElbowRoom& room, const Eigen::Vector3d& centre,
                                   const std::vector<Eigen::Vector3d>& others) {
+  constexpr double longest_mm = 150;
+  constexpr double step_mm = 2;
+  if (!is_crowded(room, centre, others)) return std::nullopt;
   const double half = room.cube_mm / 2;
   const double before = half + room.finger_half_mm + 2 * room.margin_mm;
   const double pusher_half = room.pusher_mm / 2 + room.finger_mm;
-  std::optional<Push> shortest;
-  for (const double sign : {1.0, -1.0}) {
-    double length = 0;
-    for (const Eigen::Vector3d& other : others) {
-      if (!crowds(room, centre, other)) continue;
-      length = std::max(length, clear_along(room) + 2 * room.margin_mm + sign * (other.x() - centre.x()));
+  // A push ends a few millimetres off.
+  ElbowRoom ample = room;
+  ample.margin_mm += 5;
+  // The shortest that will do, to whichever side.
+  for (double length = step_mm; length <= longest_mm; length += step_mm) {
+    for (const double sign : {1.0, -1.0}) {
+      const Eigen::Vector3d after = centre + Eigen::Vector3d(sign * length, 0, 0);
+      if (is_crowded(ample, after, others)) continue;
+      const double from_x = centre.x() - sign * before;
+      const auto in_the_way = [&](const Eigen::Vector3d& other) {
+        const double across = std::abs(other.y() - centre.y());
+        const bool where_fingers_go =
+            std::abs(other.x() - from_x) < half + room.finger_half_mm + room.margin_mm && across < pusher_half + half;
+        const double ahead = sign * (other.x() - centre.x());
+        const bool where_the_cube_goes = ahead > half && ahead < length + room.cube_mm && across < room.cube_mm - 2;
+        return where_fingers_go || where_the_cube_goes;
+      };
+      const Push push{{from_x, centre.y()}, {from_x + sign * (length + 2 * room.margin_mm), centre.y()}};
+      const bool possible = within_reach(room, push.from_mm) && within_reach(room, push.to_mm) &&
+                            std::ranges::none_of(others, in_the_way);
+      if (possible) return push;
     }
-    if (length <= 0) continue;
-    const double from_x = centre.x() - sign * before;
-    const double to_x = from_x + sign * (length + 2 * room.margin_mm);
-    const auto in_the_way = [&](const Eigen::Vector3d& other) {
-      const double across = std::abs(other.y() - centre.y());
-      const bool where_fingers_go =
-          std::abs(other.x() - from_x) < half + room.finger_half_mm + room.margin_mm && across < pusher_half + half;
-      const double ahead = sign * (other.x() - centre.x());
-      const bool where_the_cube_goes = ahead > half && ahead < length + room.cube_mm && across < room.cube_mm - 2;
-      return where_fingers_go || where_the_cube_goes;
-    };
-    const Push push{{from_x, centre.y()}, {to_x, centre.y()}};
-    const bool possible =
-        within_reach(room, push.from_mm) && within_reach(room, push.to_mm) && std::ranges::none_of(others, in_the_way);
-    const bool better = !shortest || length < std::abs(shortest->to_mm.x() - shortest->from_mm.x());
-    if (possible && better) shortest = push;
   }
-  return shortest;
+  return std::nullopt;
 }
 
 }  // namespace pizarra

@@ -1,0 +1,108 @@
+#include <algorithm>
+#include <gtest/gtest.h>
+
+#include "agents/coordinator/task_domain.hpp"
+#include "lisp/reader.hpp"
+#include "lisp/writer.hpp"
+
+namespace pizarra {
+namespace {
+
+Datum d(std::string_view text) { return read_one(text).value(); }
+
+std::vector<Datum> all(std::string_view text) {
+  const Datum read = d(text);
+  return {read.items().begin(), read.items().end()};
+}
+
+TaskDomain domain(const std::string& name) {
+  const Result<TaskDomain> read = TaskDomain::read(std::string(PIZARRA_SOURCE_DIR) + "/domains/" + name);
+  EXPECT_TRUE(read) << describe(read.error());
+  return *read;
+}
+
+Facts perceived(const TaskDomain& task, std::string_view measured, std::string_view believed = "()") {
+  const Result<std::vector<Datum>> found = task.perception().perceive(all(measured), all(believed));
+  EXPECT_TRUE(found);
+  return {found->begin(), found->end()};
+}
+
+Facts facts(std::string_view text) {
+  const std::vector<Datum> items = all(text);
+  return {items.begin(), items.end()};
+}
+
+TEST(BlocksDomain, SeesATowerAndWhatStandsAlone) {
+  EXPECT_EQ(perceived(domain("blocks.scm"),
+                      "((gripper 84.0) (grip 450 0 300) (seen a 480 0 30) (seen b 482 3 90.4) (seen c 478 150 29))"),
+            facts("((on b a) (on-table a) (on-table c) (clear b) (clear c) (arm-empty))"));
+}
+
+TEST(BlocksDomain, SeesWhatIsHeldAndNotWhatTheOpenGripperStandsAround) {
+  const TaskDomain task = domain("blocks.scm");
+  EXPECT_EQ(perceived(task, "((gripper 60.3) (grip 450 0 200) (seen a 452 2 198))"), facts("((holding a))"));
+  EXPECT_EQ(perceived(task, "((gripper 84.0) (grip 450 0 30) (seen a 452 2 31))"),
+            facts("((on-table a) (clear a) (arm-empty))"));
+}
+
+TEST(BlocksDomain, SeesNothingSupportedInMidAir) {
+  EXPECT_EQ(perceived(domain("blocks.scm"), "((gripper 84.0) (grip 450 0 300) (seen a 480 -150 160))"),
+            facts("((clear a) (arm-empty))"));
+}
+
+TEST(BlocksDomain, GoesOnHoldingWhatIsLostFromSightForAMoment) {
+  const TaskDomain task = domain("blocks.scm");
+  constexpr std::string_view measured = "((gripper 60.0) (grip 450 100 300) (seen a 452 2 198) (unseen a))";
+  EXPECT_TRUE(perceived(task, measured, "((holding a))").contains(d("(holding a)")));
+  EXPECT_FALSE(perceived(task, measured).contains(d("(holding a)")));
+}
+
+TEST(BlocksDomain, DoesNotFlickerAtABound) {
+  const TaskDomain task = domain("blocks.scm");
+  constexpr std::string_view measured = "((seen a 480 0 30) (seen b 480 32.5 90))";
+  EXPECT_FALSE(perceived(task, measured).contains(d("(on b a)")));
+  EXPECT_TRUE(perceived(task, measured, "((on b a))").contains(d("(on b a)")));
+}
+
+TEST(BlocksDomain, EveryOperationsEffectsFollowFromItsPreconditions) {
+  const TaskDomain task = domain("blocks.scm");
+  const Result<GroundOperation> stack = task.ground(d("(STACK a b)"));
+  ASSERT_TRUE(stack);
+  EXPECT_EQ(stack->preconditions, all("((clear b) (holding a))"));
+  EXPECT_EQ(stack->adds, all("((arm-empty) (clear a) (on a b))"));
+  EXPECT_EQ(stack->deletes, all("((clear b) (holding a))"));
+  EXPECT_EQ(task.ground(d("(STAK a b)")).error().symbol, "unknown-operator");
+  EXPECT_EQ(task.ground(d("(STACK a)")).error().symbol, "wrong-arity");
+}
+
+TEST(BlocksDomain, SaysHowEveryOperatorIsCarriedOut) {
+  for (const char* file : {"blocks.scm", "numbered-places.scm"}) {
+    const TaskDomain task = domain(file);
+    for (const Operator& known : task.domain().operators) {
+      std::vector<Datum> operation{Datum::symbol(known.name)};
+      for (std::size_t i = 0; i < known.params.size(); ++i) operation.push_back("x"_sym);
+      const Result<std::vector<Datum>> steps = task.micro_tasks().expand(Datum::list(operation));
+      ASSERT_TRUE(steps) << known.name;
+      const bool acts = std::ranges::any_of(
+          *steps, [](const Datum& step) { return step.is_form("close") || step.is_form("release"); });
+      EXPECT_TRUE(acts) << known.name;
+      EXPECT_TRUE(steps->back().is_form("raise") || steps->back().is_form("check-held")) << known.name;
+    }
+  }
+}
+
+TEST(NumberedPlaces, KnowsWhereThingsStandAndWhatIsFree) {
+  const TaskDomain task = domain("numbered-places.scm");
+  EXPECT_EQ(perceived(task, "((gripper 84.0) (seen a 480 -205 30) (seen b 480 -98 30) (seen c 480 -99 90))"),
+            facts("((at a place-1) (at b place-2) (on c b) (free place-3) (free place-4) (clear a) (clear c) "
+                  "(arm-empty))"));
+  ASSERT_TRUE(task.spot("place-3"));
+  EXPECT_EQ(task.spot("place-9"), nullptr);
+}
+
+TEST(TaskDomain, ReportsWhatIsWrongInAnyOfItsThreeLanguages) {
+  EXPECT_FALSE(TaskDomain::read(std::string(PIZARRA_SOURCE_DIR) + "/domains/no-such-file.scm"));
+}
+
+}  // namespace
+}  // namespace pizarra

@@ -1,0 +1,148 @@
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "agents/coordinator/aim.hpp"
+#include "agents/coordinator/camera_view.hpp"
+#include "agents/coordinator/elbow_room.hpp"
+#include "agents/coordinator/spots.hpp"
+#include "blackboard/time/random.hpp"
+
+namespace pizarra {
+namespace {
+
+TEST(CameraView, SeesRightAsPlusYAndAwayAsTowardsTheArm) {
+  const CameraView view({}, {});
+  EXPECT_NEAR(view.right().y(), 1, 1e-9);
+  EXPECT_NEAR(view.away().x(), -1, 1e-9);
+}
+
+TEST(CameraView, MeasuresARangeNotADepth) {
+  const CameraView view({}, {});
+  const Sight sight = view.sight({480, 200, 200});
+  EXPECT_NEAR(sight.depth_mm, 850, 1e-9);
+  EXPECT_NEAR(sight.range_mm, std::hypot(850.0, 200.0), 1e-9);
+  EXPECT_NEAR(sight.y_px, 119.5, 1e-9);
+  EXPECT_NEAR(sight.x_px, 159.5 + 431 * 245.0 / 850, 1e-9);
+}
+
+TEST(CameraView, PlacesWhatItSeesBackWhereItStands) {
+  for (std::uint64_t seed = 1; seed <= 500; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    const CameraPose pose{{1330 + random.uniform(-50, 50), random.uniform(-50, 50), 200},
+                          180 + random.uniform(-20, 20),
+                          random.uniform(-15, 25)};
+    const CameraView view(pose, {});
+    const Eigen::Vector3d point(random.uniform(300, 600), random.uniform(-300, 300), random.uniform(0, 400));
+    const Sight sight = view.sight(point);
+    EXPECT_LT((view.place(sight.x_px, sight.y_px, sight.range_mm) - point).norm(), 1e-6);
+  }
+}
+
+TEST(CameraView, RefusesAModelThatIsNone) {
+  EXPECT_FALSE(camera_model_from_fact(list("camera-model"_sym, 320, 240, 0.0, 160.0, 120.0, 90.0)));
+  EXPECT_FALSE(camera_model_from_fact(list("camera-model"_sym, 320)));
+  EXPECT_TRUE(camera_model_from_fact(list("camera-model"_sym, 320, 240, 431.0, 159.5, 119.5, 90.0)));
+}
+
+TEST(ServoErrors, TurningAndExtendingByThemArrives) {
+  const CameraView view({}, {});
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    const auto somewhere = [&] {
+      return Eigen::Vector3d(random.uniform(380, 520), random.uniform(-230, 230), random.uniform(30, 300));
+    };
+    const Aim aim{somewhere(), somewhere()};
+    const ServoErrors errors = servo_errors(aim, view, 30, 100, 300);
+    const Eigen::Vector3d axis = aim.followed_mm + 30 * view.away();
+    const double bearing = std::atan2(axis.y(), axis.x()) + errors.bearing_deg * M_PI / 180;
+    const double radius = std::hypot(axis.x(), axis.y()) + errors.along_mm;
+    const Eigen::Vector3d wanted = aim.wanted_mm + 30 * view.away();
+    EXPECT_NEAR(radius * std::cos(bearing), wanted.x(), 1e-6);
+    EXPECT_NEAR(radius * std::sin(bearing), wanted.y(), 1e-6);
+    EXPECT_NEAR(aim.followed_mm.z() - errors.down_mm, aim.wanted_mm.z(), 1e-9);
+  }
+}
+
+TEST(FreeSpot, TakesTheNearestThatIsComfortable) {
+  const std::optional<Eigen::Vector2d> spot = free_spot({}, {{450, 0}}, 20);
+  ASSERT_TRUE(spot);
+  EXPECT_NEAR(spot->y(), 100, 1e-9);
+}
+
+TEST(FreeSpot, IsNeverNearerThanTheFingersNeedAndAlwaysFoundWhereThereIsOne) {
+  const TableArea area;
+  for (std::uint64_t seed = 1; seed <= 500; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    std::vector<Eigen::Vector2d> occupied;
+    for (std::uint64_t n = random.below(6); n > 0; --n) {
+      occupied.emplace_back(random.uniform(400, 500), random.uniform(-220, 220));
+    }
+    const std::optional<Eigen::Vector2d> spot = free_spot(area, occupied, random.uniform(-200, 200));
+    bool possible = false;
+    for (double y = area.y_low_mm; y <= area.y_high_mm; y += area.grid_mm) {
+      bool free = true;
+      for (const Eigen::Vector2d& other : occupied) free = free && std::abs(other.y() - y) >= area.least_mm;
+      possible = possible || free;
+    }
+    EXPECT_EQ(spot.has_value(), possible);
+    if (!spot) continue;
+    for (const Eigen::Vector2d& other : occupied) EXPECT_GE(std::abs(other.y() - spot->y()), area.least_mm - 1e-6);
+  }
+}
+
+TEST(Opening, IsWideAloneAndNarrowBetweenNeighbours) {
+  const Eigen::Vector3d centre(450, 0, 30);
+  EXPECT_EQ(opening_between(centre, {}, 60, 8, 76, 96), 96);
+  EXPECT_EQ(opening_between(centre, {{450, 80, 30}}, 60, 8, 76, 96), 76);
+  EXPECT_NEAR(opening_between(centre, {{450, 88, 30}}, 60, 8, 76, 96), 92, 1e-9);
+  // Behind, or under the gripper, nothing is in the way.
+  EXPECT_EQ(opening_between(centre, {{390, 70, 30}}, 60, 8, 76, 96), 96);
+  EXPECT_EQ(opening_between({450, 0, 90}, {{450, 70, 30}}, 60, 8, 76, 96), 96);
+}
+
+TEST(ElbowRoom, IsThereWithoutNeighbours) { EXPECT_FALSE(is_crowded({}, {450, 0, 30}, {{450, 100, 30}})); }
+
+TEST(ElbowRoom, IsMadeByPushingOutOfTheRow) {
+  const Eigen::Vector3d centre(450, 0, 30);
+  const std::vector<Eigen::Vector3d> others{{455, 60, 30}};
+  ASSERT_TRUE(is_crowded({}, centre, others));
+  const std::optional<Push> push = push_for_room({}, centre, others);
+  ASSERT_TRUE(push);
+  EXPECT_EQ(push->from_mm.y(), push->to_mm.y());
+}
+
+TEST(ElbowRoom, EveryPushEndsTheCrowdingAndTouchesNothingElse) {
+  const ElbowRoom room;
+  int pushes = 0;
+  for (std::uint64_t seed = 1; seed <= 2000; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    const Eigen::Vector3d centre(random.uniform(420, 480), random.uniform(-200, 200), 30);
+    std::vector<Eigen::Vector3d> others;
+    for (std::uint64_t n = 1 + random.below(3); n > 0; --n) {
+      const Eigen::Vector3d other(random.uniform(380, 520), centre.y() + random.uniform(-150, 150), 30);
+      const Eigen::Vector3d apart = (other - centre).cwiseAbs();
+      if (apart.x() > 62 || apart.y() > 61) others.push_back(other);
+    }
+    const std::optional<Push> push = push_for_room(room, centre, others);
+    if (!push) continue;
+    ++pushes;
+    // The fingers' front meets the face, then the cube goes with it.
+    const double sign = push->to_mm.x() > push->from_mm.x() ? 1 : -1;
+    const double contact = room.cube_mm / 2 + room.finger_half_mm;
+    const Eigen::Vector3d after(push->to_mm.x() + sign * contact, centre.y(), 30);
+    EXPECT_GT(sign * (centre.x() - push->from_mm.x()), contact);
+    EXPECT_FALSE(is_crowded(room, after, others));
+    for (const Eigen::Vector3d& other : others) {
+      const Eigen::Vector3d apart = (other - after).cwiseAbs();
+      EXPECT_TRUE(apart.x() > room.cube_mm - 1 || apart.y() > room.cube_mm - 3);
+    }
+  }
+  EXPECT_GT(pushes, 100);
+}
+
+}  // namespace
+}  // namespace pizarra
