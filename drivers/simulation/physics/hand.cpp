@@ -13,7 +13,7 @@ constexpr double push_s = 0.5;
 constexpr double push_speed_mm_s = 400;   // a longer push takes longer
 constexpr double carry_speed_mm_s = 500;  // mean over a leg
 constexpr double lower_speed_mm_s = 150;
-constexpr double strike_speed_mm_s = 500;
+constexpr double strike_speed_mm_s = 320;
 constexpr double clearance_mm = 50;  // above what may stand in a carried cube's way
 constexpr double drop_mm = 0.5;      // a cube is let go that little above its place
 constexpr double slip_mm = 45;       // a cube that lags this far is out of the hand
@@ -156,18 +156,19 @@ Result<void> Hand::add(CubeId cube, double x_mm, double y_mm) {
   return {};
 }
 
+bool Hand::run_up_is_free(CubeId struck, const Vector3d& start_mm) const {
+  for (CubeId other = 0; other < physics_.cubes(); ++other) {
+    if (other == struck || !physics_.present(other)) continue;
+    if ((physics_.pose(other).translation() - start_mm).norm() < cube_size_mm / 2 + 2 * fist_half_mm.x()) return false;
+  }
+  return true;
+}
+
 Result<void> Hand::knock(CubeId cube) {
   const Vector3d at = physics_.pose(cube).translation();
-  // From the side on which there is more room for the run-up.
-  double room[2] = {1e9, 1e9};
-  for (CubeId other = 0; other < physics_.cubes(); ++other) {
-    if (other == cube || !physics_.present(other)) continue;
-    for (const int side : {0, 1}) {
-      const Vector3d start = at + Vector3d(0, side == 0 ? strike_run_up_mm : -strike_run_up_mm, 0);
-      room[side] = std::min(room[side], (physics_.pose(other).translation() - start).norm());
-    }
-  }
-  const double side = room[0] >= room[1] ? 1 : -1;
+  // From outside, so that it falls towards the table's middle; from inside where something is in the run-up's way.
+  const double outside = at.y() < 0 ? -1 : 1;
+  const double side = run_up_is_free(cube, at + Vector3d(0, outside * strike_run_up_mm, 0)) ? outside : -outside;
   const double height = std::max(at.z(), fist_half_mm.z() + 1);
   const Vector3d start(at.x(), at.y() + side * strike_run_up_mm, height);
   Result<void> begun = begin(Job::strike, std::nullopt, start);

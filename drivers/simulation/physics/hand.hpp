@@ -45,6 +45,7 @@ class Hand {
   void put_down(CubeId cube, const Eigen::Vector3d& on_mm);
   double carry_height(CubeId cube) const;
   double support_height(CubeId cube, double x_mm, double y_mm) const;
+  bool run_up_is_free(CubeId struck, const Eigen::Vector3d& start_mm) const;
   Eigen::Vector3d wanted(double seconds_from_now) const;
   void lead(double seconds);
   void end();
