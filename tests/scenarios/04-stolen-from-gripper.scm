@@ -1,9 +1,10 @@
-; What the gripper holds is taken out of it and laid down: it is fetched again.
+; What the gripper holds is pulled out of it and laid down elsewhere: it is fetched again.
 (scenario "block stolen out of the gripper"
   (cell "../../examples/01-blocks/cell.scm")
   (goal (on circle triangle))
   (when (and (holding circle) (operation ? (STACK circle triangle) running))
-    (hand steal circle))
+    (hand steal circle)
+    (hand add circle "circle" 440 -200))
   (expect reached)
   (expect-seen (event ? difference ? ?))
   (within 180))
