@@ -25,12 +25,6 @@ constexpr Duration afterwards = 5s;
 // Longer than any story.
 constexpr Duration for_ever = 86400s;
 
-Query pattern_query(Datum pattern) {
-  Query query;
-  query.clauses.push_back({Query::Clause::Kind::fact, std::move(pattern)});
-  return query;
-}
-
 // As await_answer(), also when the relations are yet to be declared.
 Task<Result<Answer>> await_when_declared(Board& board, Executor& executor, Query query, Time deadline) {
   while (true) {
@@ -79,7 +73,7 @@ Director::~Director() = default;
 Task<Result<void>> Director::await_agents() {
   const Time deadline = cell_.executor().now() + agents_timeout;
   for (const std::string& kind : agent_kinds()) {
-    Query query = pattern_query(list("agent"_sym, "?"_sym, Datum::symbol(kind), "?"_sym));
+    Query query = query_for(list("agent"_sym, "?"_sym, Datum::symbol(kind), "?"_sym));
     const Result<Answer> there = co_await await_when_declared(*board_, cell_.executor(), std::move(query), deadline);
     if (there) continue;
     const std::optional<Failure> why = cell_.ended(kind);
@@ -185,6 +179,7 @@ Task<Result<void>> Director::end_events(Time last) {
   while (acting_ && cell_.executor().now() < last) {
     co_await sleep(cell_.executor(), declared_pause);
   }
+  if (disturbed && !acting_) ++events_done_;
   events_ = Job();
   if (!disturbed) co_return {};
   std::vector<Datum> again = report_.goal;
@@ -339,6 +334,7 @@ Task<void> Director::story() {
     report_.refusal = given.error();
   }
   report_.took = executor.now() - begun;
+  report_.events = events_done_;
   co_await give_judgement();
 }
 

@@ -30,6 +30,7 @@ struct DirectorReport {
   bool possible = true;            // where it does not hold: whether any plan exists from the true state
   bool blind = false;              // a goal cube's mark was less than half visible for the last 2 s
   std::vector<std::string> unmet;  // expectations, one sentence each
+  std::size_t events = 0;          // how many of the scenario's came
   Duration took{};                 // from the goal to its end, the cell's time
 
   // Reached and so in the world.

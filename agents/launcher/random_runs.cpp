@@ -206,8 +206,9 @@ RandomResult describe_run(const RandomStory& story, const StoryReport& run) {
   }
   const auto& actions = story.scenario.events.front().actions;
   const double cell_s = static_cast<double>(report.took.count()) / 1e6;
-  result.line = fmt::format("{:6.1f} s  {:4.1f}x  {}; goal {}; {} after {:.1f} s", cell_s, run.speed(), end,
-                            facts_text(story.scenario.goal), write(actions[1]), actions[0][1].number());
+  const std::string_view late = report.events == 0 ? " would have come" : "";
+  result.line = fmt::format("{:6.1f} s  {:4.1f}x  {}; goal {}; {}{} after {:.1f} s", cell_s, run.speed(), end,
+                            facts_text(story.scenario.goal), write(actions[1]), late, actions[0][1].number());
   return result;
 }
 

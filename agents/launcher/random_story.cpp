@@ -16,7 +16,7 @@ constexpr double row_x_mm = 450;
 constexpr double off_x_mm = 25;
 constexpr double off_y_mm = 6;
 constexpr double off_yaw_deg = 10;
-constexpr double latest_disturbance_s = 60;
+constexpr double latest_disturbance_s = 20;
 constexpr double within_s = 400;
 constexpr double agent_away_s = 3;
 
@@ -64,12 +64,26 @@ Datum on(const std::string& upper, const std::string& lower) {
   return list("on"_sym, Datum::symbol(upper), Datum::symbol(lower));
 }
 
-// An arrangement of all cubes; of what it says at least one fact is wanted.
-std::vector<Datum> random_goal(const std::vector<std::string>& names, Random& random) {
+// Whether a pile has this cube right above the other.
+bool stands_on(const Piles& piles, std::string_view upper, std::string_view lower) {
+  return std::ranges::any_of(piles, [&](const std::vector<std::string>& pile) {
+    const auto below = std::ranges::find(pile, lower);
+    return below != pile.end() && below + 1 != pile.end() && *(below + 1) == upper;
+  });
+}
+
+// What an arrangement of all cubes says of which stands on which, and at times of what stands on the table. It differs
+// from the start, so that there is something to do.
+std::vector<Datum> random_goal(const std::vector<std::string>& names, const Piles& start, Random& random) {
   std::vector<Datum> goal;
-  while (goal.empty()) {
+  bool differs = false;
+  while (!differs) {
+    goal.clear();
     for (const auto& pile : random_piles(names, random)) {
-      for (std::size_t i = 1; i < pile.size(); ++i) goal.push_back(on(pile[i], pile[i - 1]));
+      for (std::size_t i = 1; i < pile.size(); ++i) {
+        goal.push_back(on(pile[i], pile[i - 1]));
+        differs = differs || !stands_on(start, pile[i], pile[i - 1]);
+      }
       if (random.below(4) == 0) goal.push_back(list("on-table"_sym, Datum::symbol(pile.front())));
     }
   }
@@ -119,9 +133,10 @@ RandomStory random_story(CellDescription cell, Random random) {
 
   RandomStory story;
   story.cell = std::move(cell);
-  story.cell.cubes = place_piles(random_piles(names, start), story.cell.cubes, start);
+  const Piles piles = random_piles(names, start);
+  story.cell.cubes = place_piles(piles, story.cell.cubes, start);
   story.scenario.name = "random";
-  story.scenario.goal = random_goal(names, wish);
+  story.scenario.goal = random_goal(names, piles, wish);
   story.scenario.within_s = within_s;
   const double at_s = trouble.uniform(0, latest_disturbance_s);
   std::vector<Datum> actions{list("wait"_sym, at_s)};
