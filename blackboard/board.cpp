@@ -6,12 +6,6 @@ namespace pizarra {
 
 namespace {
 
-Query query_for(Datum pattern) {
-  Query query;
-  query.clauses.push_back({Query::Clause::Kind::fact, std::move(pattern)});
-  return query;
-}
-
 Task<void> fetch_next(Watch& watch, std::optional<Result<Change>>& change, Event& fetched) {
   Result<Change> next = co_await watch.next();
   change = std::move(next);

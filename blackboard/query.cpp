@@ -109,6 +109,12 @@ Result<void> check_query(const Query& query) {
   return {};
 }
 
+Query query_for(Datum pattern) {
+  Query query;
+  query.clauses.push_back({Query::Clause::Kind::fact, std::move(pattern)});
+  return query;
+}
+
 Result<Query> query_from_datum(const Datum& form) {
   Query query;
   if (form.is_form("query")) {

@@ -12,12 +12,6 @@ namespace {
 
 constexpr Duration accept_timeout = 120s;
 
-Query pattern_query(Datum pattern) {
-  Query query;
-  query.clauses.push_back({Query::Clause::Kind::fact, std::move(pattern)});
-  return query;
-}
-
 Datum pattern(std::string_view text) { return read_one(text).value(); }
 
 }  // namespace
@@ -35,7 +29,7 @@ Task<Evaluation> Interpreter::goal(Datum form) {
 
 Task<Evaluation> Interpreter::wait_for_end(Datum number) {
   const Datum state = list("goal-state"_sym, number, "?state"_sym, "?detail"_sym);
-  const Result<std::unique_ptr<Watch>> watch = co_await context_.board.watch(pattern_query(state));
+  const Result<std::unique_ptr<Watch>> watch = co_await context_.board.watch(query_for(state));
   if (!watch) co_return show(watch.error());
   while (true) {
     const Result<Change> change = co_await (*watch)->next();

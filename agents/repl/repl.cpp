@@ -10,8 +10,7 @@ namespace {
 
 // Events that were there before the prompt opened are history, not news.
 Task<void> show_story(AgentContext& context, Terminal& terminal) {
-  Query events;
-  events.clauses.push_back({Query::Clause::Kind::fact, read_one("(event ?n ?kind ?sentence ?detail)").value()});
+  const Query events = query_for(read_one("(event ?n ?kind ?sentence ?detail)").value());
   const Result<std::unique_ptr<Watch>> watch = co_await context.board.watch(events);
   if (!watch) co_return;  // a board whose coordinator has yet to declare its story has none to show
   while (true) {

@@ -11,12 +11,6 @@ namespace {
 
 constexpr Duration retry_pause = 200ms;
 
-Query pattern_query(Datum pattern) {
-  Query query;
-  query.clauses.push_back({Query::Clause::Kind::fact, std::move(pattern)});
-  return query;
-}
-
 Datum reply_datum(const Datum& id, const Result<Datum>& result) {
   if (!result) return list("reply"_sym, id, failure_to_datum(result.error()));
   std::vector<Datum> ok{"ok"_sym};
@@ -112,7 +106,7 @@ Task<void> Service::keep_presence() {
 
 Task<Result<void>> Service::serve(Handler handler) {
   running_->handler = std::move(handler);
-  const Query requests = pattern_query(list("request"_sym, "?id"_sym, Datum::symbol(context_.name), "?operation"_sym));
+  const Query requests = query_for(list("request"_sym, "?id"_sym, Datum::symbol(context_.name), "?operation"_sym));
   while (true) {
     const Result<std::unique_ptr<Watch>> watch = co_await context_.board.watch(requests);
     if (!watch && watch.error().symbol != "unreachable") co_return fail(watch);
@@ -180,7 +174,7 @@ Task<Result<Datum>> Caller::call(std::string agent, Datum operation, Duration ti
   const Result<Revision> told = co_await context_.board.transact(std::move(ask));
   if (!told) co_return fail(told);
 
-  const Query replied = pattern_query(list("reply"_sym, id, "?result"_sym));
+  const Query replied = query_for(list("reply"_sym, id, "?result"_sym));
   const Result<Answer> answer = co_await await_answer(context_.board, replied, deadline, context_.executor);
   Transaction clean_up;
   clean_up.retract(list("request"_sym, id, "?"_sym, "?"_sym));
