@@ -138,23 +138,36 @@ Task<Result<void>> Service::follow(Watch& watch) {
 
 Task<void> Service::answer_request(Fact request) {
   const Datum id = request.datum[1];
-  const Datum operation = request.datum[3];
   const auto remembered = running_->replies.find(id);
   Datum reply;
   if (remembered != running_->replies.end()) {
     reply = remembered->second;
   } else {
-    Result<Datum> result = Datum();
-    const Result<void> offered = check_operation(contract_, operation);
-    if (offered) {
-      result = co_await running_->handler(operation);
-    } else {
-      result = fail(offered);
-    }
-    reply = reply_datum(id, result);
+    reply = co_await work_out(request.datum);
     running_->remember(id, reply);
   }
-  const FactId cause = request.id;
+  const Result<Revision> told = co_await deliver(reply, request.id);
+  // A reply that the board refuses (too large, or with a variable in it) must not leave the caller waiting. When the
+  // request is not held any more, its next taker answers it.
+  const bool refused = !told && told.error().symbol != "precondition-failed";
+  if (refused) {
+    const Failure failure{"bad-reply", "the board refused the answer: " + told.error().sentence, {}, {}};
+    const Datum excuse = list("reply"_sym, id, failure_to_datum(failure));
+    const Result<Revision> excused = co_await deliver(excuse, request.id);
+    if (excused) running_->replies[id] = excuse;
+  }
+  running_->slot_freed.wake_one();
+}
+
+Task<Datum> Service::work_out(Datum request) {
+  const Datum operation = request[3];
+  const Result<void> offered = check_operation(contract_, operation);
+  if (!offered) co_return reply_datum(request[1], fail(offered));
+  const Result<Datum> result = co_await running_->handler(operation);
+  co_return reply_datum(request[1], result);
+}
+
+Task<Result<Revision>> Service::deliver(Datum reply, FactId cause) {
   Transaction transaction;
   transaction.tell(reply, {cause}).settle(cause);
   Result<Revision> told = co_await context_.board.transact(transaction);
@@ -162,7 +175,7 @@ Task<void> Service::answer_request(Fact request) {
     co_await sleep(context_.executor, retry_pause);
     told = co_await context_.board.transact(transaction);
   }
-  running_->slot_freed.wake_one();
+  co_return told;
 }
 
 Task<Result<Datum>> Caller::call(std::string agent, Datum operation, Duration timeout) {

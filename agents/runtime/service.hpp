@@ -55,6 +55,8 @@ class Service {
   Task<void> keep_presence();
   Task<Result<void>> follow(Watch& watch);
   Task<void> answer_request(Fact request);
+  Task<Datum> work_out(Datum request);
+  Task<Result<Revision>> deliver(Datum reply, FactId cause);
 };
 
 // Asks another agent for something and waits for the reply's `ok` elements as a list. Failures: those of the agent,

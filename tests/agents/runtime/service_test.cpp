@@ -11,7 +11,7 @@
 namespace pizarra {
 namespace {
 
-constexpr std::string_view adder_contract = "(contract adder (offers (add (a number) (b number)) (slow) (refuse)))";
+constexpr std::string_view adder_contract = "(contract adder (offers (add (a number) (b number)) (slow) (refuse) (babble)))";
 
 Datum form(std::string_view written) { return read_one(written).value(); }
 
@@ -46,6 +46,7 @@ class Life {
     if (operation.is_form("slow")) co_await sleep(executor, 10s);
     if (operation.is_form("refuse")) co_return fail("unwilling", "not today", "refuse"_sym);
     if (operation.is_form("slow")) co_return list("slept"_sym);
+    if (operation.is_form("babble")) co_return list("?variable"_sym);
     co_return list(operation[1].number() + operation[2].number());
   }
 
@@ -112,6 +113,14 @@ TEST_F(Runtime, RefusesWhatTheContractDoesNotOfferBeforeTheAgentSeesIt) {
   EXPECT_EQ(call(user, "(subtract 1 2)")->error().symbol, "unknown-operation");
   EXPECT_EQ(call(user, "(add 1 two)")->error().symbol, "wrong-shape");
   EXPECT_EQ(adder->handled, 0);
+}
+
+TEST_F(Runtime, AnAnswerThatTheBoardRefusesBecomesAFailureAtOnce) {
+  const Time asked = executor.now();
+  const auto answer = call(user, "(babble)");
+  ASSERT_TRUE(answer && !answer->has_value());
+  EXPECT_EQ(answer->error().symbol, "bad-reply");
+  EXPECT_LT(executor.now(), asked + 1s);
 }
 
 TEST_F(Runtime, ServesManyAtOnce) {
