@@ -37,6 +37,8 @@ int status_of(Evaluation evaluation) {
       return exit_reached;
     case Evaluation::malformed:
       return exit_usage;
+    case Evaluation::refused:
+      return exit_refused;
     case Evaluation::failed:
       break;
   }

@@ -4,6 +4,7 @@
 
 #include "agents/launcher/goal_text.hpp"
 #include "agents/launcher/random_runs.hpp"
+#include "agents/launcher/random_story.hpp"
 #include "agents/launcher/story_run.hpp"
 #include "agents/launcher/words.hpp"
 #include "lisp/writer.hpp"
@@ -23,7 +24,7 @@ struct DemoChoices {
   bool realtime = false;
   bool json = false;
   bool random = false;
-  std::uint64_t seeds = 1;
+  std::uint64_t seeds = 0;  // 0: one story, told in full
   std::uint64_t first_seed = 1;
   unsigned jobs = 0;
 };
@@ -35,7 +36,7 @@ Result<Scenario> story_of(const DemoChoices& choices) {
   const std::filesystem::path cell(choices.cell);
   const std::string story = (cell.parent_path() / "story.scm").string();
   Scenario scenario;
-  if (choices.goal.empty()) {
+  if (choices.goal.empty() && !choices.random) {
     Result<Scenario> told = read_scenario_file(story);
     if (!told) return told;
     scenario = std::move(*told);
@@ -80,14 +81,20 @@ int status_of(const DirectorReport& report) {
 }
 
 int run_demo(const DemoChoices& choices) {
-  const Result<Scenario> scenario = story_of(choices);
+  Result<Scenario> scenario = story_of(choices);
   if (!scenario) return complain(scenario.error(), exit_usage);
-  const Result<CellDescription> cell = cell_of(*scenario);
+  Result<CellDescription> cell = cell_of(*scenario);
   if (!cell) return complain(cell.error(), exit_usage);
   const Result<Domain> domain = read_domain_file(cell->domain_file);
   if (!domain) return complain(domain.error(), exit_usage);
 
   StoryOptions options{choices.seed, choices.realtime, choices.journal, choices.film, choices.picture};
+  if (choices.random) {
+    RandomStory story = random_story_of_seed(std::move(*cell), choices.seed);
+    cell = std::move(story.cell);
+    scenario = std::move(story.scenario);
+    options.director.events_may_fail = true;
+  }
   if (!choices.goal.empty()) {
     const Result<std::vector<Datum>> readable = check_goal(*domain, choices.goal);
     if (!readable) return complain(readable.error(), exit_usage);
@@ -124,15 +131,15 @@ void add_demo_word(CLI::App& app, int& status) {
   demo->add_option("--png", choices->picture, "The camera's view at the end")->capture_default_str();
   demo->add_flag("--realtime", choices->realtime, "As fast as this machine's clock, not faster");
   demo->add_flag("--json", choices->json, "One JSON object a line");
-  demo->add_flag("--random", choices->random, "Random start piles, a random goal and one random disturbance a seed");
-  demo->add_option("--seeds", choices->seeds, "With --random: how many seeds, on all cores")
-      ->check(CLI::Range(1, 100000))
-      ->capture_default_str();
+  demo->add_flag("--random", choices->random, "Random start piles, a random goal and one random disturbance")
+      ->excludes("--goal");
+  demo->add_option("--seeds", choices->seeds, "With --random: this many seeds on all cores, a line each and a summary")
+      ->check(CLI::Range(1, 100000));
   demo->add_option("--first-seed", choices->first_seed, "With --random: the first")->capture_default_str();
   demo->add_option("--jobs", choices->jobs, "With --random: how many at once; 0: one a core")->capture_default_str();
   demo->footer(exit_code_help);
   demo->callback([choices, &status] {
-    if (choices->random) {
+    if (choices->random && choices->seeds > 0) {
       const RandomRuns runs{choices->cell, choices->first_seed, choices->seeds, choices->jobs, choices->json};
       status = run_random(runs);
     } else {

@@ -218,7 +218,7 @@ RandomResult run_random_seed(const std::string& cell_file, std::uint64_t seed) {
   RandomResult failed;
   const Result<CellDescription> cell = read_cell_file(cell_file);
   if (!cell) return {RandomResult::Kind::unreadable, describe(cell.error())};
-  const RandomStory story = random_story(*cell, Random(seed).split("story"));
+  const RandomStory story = random_story_of_seed(*cell, seed);
   Narrator narrator(stdout, Narrator::Style::silent);
   StoryOptions options;
   options.seed = seed;

@@ -18,4 +18,9 @@ struct RandomStory {
 
 RandomStory random_story(CellDescription cell, Random random);
 
+// The story that belongs to a run's seed.
+inline RandomStory random_story_of_seed(CellDescription cell, std::uint64_t seed) {
+  return random_story(std::move(cell), Random(seed).split("story"));
+}
+
 }  // namespace pizarra
