@@ -19,7 +19,10 @@ Datum pattern(std::string_view text) { return read_one(text).value(); }
 Task<Evaluation> Interpreter::goal(Datum form) {
   if (form.size() < 2) co_return usage("goal");
   const Result<Datum> accepted = co_await caller_.call("coordinator", form, accept_timeout);
-  if (!accepted) co_return show(accepted.error());
+  if (!accepted) {
+    const bool text = !accepted.error().place.empty();
+    co_return show(accepted.error(), text ? Evaluation::malformed : Evaluation::failed);
+  }
   const Datum number = accepted->size() == 1 ? (*accepted)[0] : Datum();
   output_(fmt::format("goal {} accepted", write(number)));
   if (patience_ == Patience::accepted) co_return Evaluation::done;
@@ -39,6 +42,7 @@ Task<Evaluation> Interpreter::wait_for_end(Datum number) {
       if (fact[2].is_symbol("running")) continue;
       const std::string detail = fact[3].is_form("fail") ? ": " + describe(failure_from_datum(fact[3])) : "";
       output_(fmt::format("goal {} {}{}", write(number), fact[2].text(), detail));
+      if (fact[2].is_symbol("refused")) co_return Evaluation::refused;
       co_return fact[2].is_symbol("reached") ? Evaluation::done : Evaluation::failed;
     }
   }

@@ -95,8 +95,12 @@ Task<bool> Interpreter::is_agent(std::string name) {
 Task<Evaluation> Interpreter::request(std::string agent, Datum operation) {
   const Result<Datum> answer = co_await caller_.call(agent, operation, answer_timeout);
   if (!answer) co_return show(answer.error());
-  output_(answer->size() == 0 ? "ok" : "");
-  for (const Datum& value : answer->items()) output_(value.is_string() ? std::string(value.text()) : write(value));
+  const bool sentences = std::ranges::all_of(answer->items(), &Datum::is_string);
+  std::string line = answer->size() == 0 ? "ok" : "";
+  for (const Datum& value : answer->items()) {
+    line += (line.empty() ? "" : sentences ? "\n" : " ") + (sentences ? std::string(value.text()) : write(value));
+  }
+  output_(line);
   co_return Evaluation::done;
 }
 

@@ -21,7 +21,8 @@ namespace pizarra {
 
 enum class Evaluation : std::uint8_t {
   done,
-  failed,     // an agent or the board refused
+  failed,     // an agent or the board did not do it
+  refused,    // the goal was understood and cannot be reached
   malformed,  // what was typed could not be read or is not a command
   quit,
 };
