@@ -97,6 +97,9 @@ TrackSighting MarkTracker::update(StereoSight& sight, Track& track) const {
     }
     out.seen = true;
     out.range_mm = range_mm(sight.model(), now->left.centre, disparity);
+  } else if (const std::optional<double> range = range_by_size_mm(sight.model(), *track.object, now->left)) {
+    out.seen = true;
+    out.range_mm = *range;
   }
   track.left = std::move(now->left);
   track.right = std::move(now->right);

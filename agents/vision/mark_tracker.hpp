@@ -17,9 +17,9 @@ namespace pizarra {
 struct TrackSighting {
   std::string name;
   bool seen = false;
-  cv::Point2d centre;  // in the left image, px
-  double range_mm = 0;
-  MarkContour contour;  // in the left image; also where only the left image shows the object
+  cv::Point2d centre;   // in the left image, px
+  double range_mm = 0;  // by the pair, or by its size where the right image ends before it
+  MarkContour contour;  // in the left image
 };
 
 inline constexpr std::size_t most_tracked = 16;

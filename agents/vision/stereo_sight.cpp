@@ -74,6 +74,19 @@ double size_mm(const StereoModel& model, const SeenMark& left, const SeenMark& r
   return left.height_px * depth_mm(model, left.centre.x - right.centre.x) / model.focal_px;
 }
 
+// On its side a mark is as high as it was wide. Which it is, its own proportions tell best.
+std::optional<double> range_by_size_mm(const StereoModel& model, const LearnedObject& object, const SeenMark& left) {
+  if (!cut_off_right(model, object, left)) return std::nullopt;
+  for (const LearnedSample& sample : object.samples) {
+    if (sample.size_mm <= 0 || left.height_px <= 0) continue;
+    const bool on_its_side = sample.slimness < least_round && left.height_px > left.width_px;
+    const double height_mm = on_its_side ? sample.size_mm / sample.slimness : sample.size_mm;
+    const double disparity = model.base_line_mm * left.height_px / height_mm;
+    return range_mm(model, left.centre, disparity);
+  }
+  return std::nullopt;
+}
+
 bool is_whole(const StereoModel& model, const LearnedObject& object, const SeenMark& left, const SeenMark& right) {
   const double depth = depth_mm(model, left.centre.x - right.centre.x);
   const double height = left.height_px * depth / model.focal_px;

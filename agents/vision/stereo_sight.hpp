@@ -45,6 +45,11 @@ class StereoSight {
 // The mark's standard deviation along y in the world, mm.
 double size_mm(const StereoModel& model, const SeenMark& left, const SeenMark& right);
 
+// The range of a mark that the left image alone shows, by how high it looks and how high it was learned: good to about
+// a percent, some ten times worse than the pair. Nothing where the right image should show it too, or where no sample was
+// learned with its size.
+std::optional<double> range_by_size_mm(const StereoModel& model, const LearnedObject& object, const SeenMark& left);
+
 // Whether the pair can be the whole of the object's mark: as high in the world as one of its samples, and, but for what
 // yaw does, as wide in one image as in the other. Something in front of a part of it makes it too low, or hides more of
 // it from one camera than from the other.

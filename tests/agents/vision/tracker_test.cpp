@@ -101,6 +101,24 @@ TEST_F(Tracker, TwoObjectsThatSwapPlacesSwapPlaces) {
 }
 
 // Whatever slides over the mark, in either image, a position that is told is right.
+TEST_F(Tracker, TellsTheRangeByTheSizeWhereTheRightImageEnds) {
+  for (const std::string& name : cell_marks()) {
+    SCOPED_TRACE(name);
+    tracker.clear();
+    track(name);
+    std::vector<TrackSighting> sightings;
+    // The left image ends at -270, the right one at -180 and the mark's half width.
+    for (int x_mm = -120; x_mm >= -225; x_mm -= 5) {
+      scene.faces = {{.mark = drawn_as(name), .place = {static_cast<double>(x_mm), 60, 850}}};
+      sightings = see();
+      if (sightings[0].seen) {
+        EXPECT_NEAR(sightings[0].range_mm, cv::norm(scene.faces[0].place), 20) << "at " << x_mm;
+      }
+    }
+    EXPECT_TRUE(sightings[0].seen);
+  }
+}
+
 TEST_F(Tracker, ASlidingOccluderNeverMakesAConfidentWrongPosition) {
   for (const std::string name : {"circle", "square", "cross", "triangle"}) {
     for (const int level : {25, 120, 225}) {
