@@ -34,6 +34,9 @@ std::string servo_sentence(const Datum& servo) {
                      servo[3].number(), servo[4].number(), servo[5].number());
 }
 
+// Those who only talk to the cell come and go without being part of its story.
+bool is_visitor(const Datum& agent) { return agent[2].is_symbol("prompt") || agent[2].is_symbol("director"); }
+
 double seconds(Duration duration) { return static_cast<double>(duration.count()) / 1e6; }
 
 }  // namespace
@@ -94,7 +97,7 @@ void Narrator::tell_added(const Fact& fact) {
     say(fact.when, "servo", servo_sentence(datum), datum);
     return;
   }
-  say(fact.when, "agent", fmt::format("{} is there", datum[1].text()), datum);
+  if (!is_visitor(datum)) say(fact.when, "agent", fmt::format("{} is there", datum[1].text()), datum);
 }
 
 void Narrator::tell_change(const Change& change, Time now) {
@@ -103,7 +106,8 @@ void Narrator::tell_change(const Change& change, Time now) {
   std::ranges::sort(added, {}, &Fact::id);
   for (const Answer& answer : change.removed) {
     const Datum& datum = answer.facts.front().datum;
-    if (datum.is_form("agent")) say(now, "agent", fmt::format("{} is gone", datum[1].text()), datum);
+    if (datum.is_form("agent") && !is_visitor(datum))
+      say(now, "agent", fmt::format("{} is gone", datum[1].text()), datum);
   }
   for (const Fact& fact : added) tell_added(fact);
 }
