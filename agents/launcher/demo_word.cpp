@@ -1,6 +1,5 @@
 #include <filesystem>
 #include <fmt/format.h>
-#include <fstream>
 
 #include "agents/launcher/goal_text.hpp"
 #include "agents/launcher/random_runs.hpp"

@@ -1,0 +1,125 @@
+// A cell as processes around a board: one is killed while a goal is built, and the goal is reached all the same.
+
+#include <array>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <fcntl.h>
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <iterator>
+#include <string>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
+
+namespace pizarra {
+namespace {
+
+constexpr std::chrono::milliseconds look_pause{200};
+constexpr std::chrono::seconds patience{60};
+
+struct Said {
+  int status;
+  std::string text;
+};
+
+class UpTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = testing::TempDir() + "up-" + std::to_string(getpid());
+    std::filesystem::create_directories(folder_);
+    setenv("XDG_RUNTIME_DIR", folder_.c_str(), 1);
+    cell_ = folder_ + "/cell.scm";
+    std::ofstream(cell_) << "(cell pair (world (cube circle (at 450 -60)) (cube triangle (at 450 60))) (domain \""
+                         << PIZARRA_SOURCE_DIR << "/domains/blocks.scm\"))\n";
+    up_ = fork();
+    if (up_ == 0) {
+      const int log = creat((folder_ + "/up.log").c_str(), 0600);
+      dup2(log, STDOUT_FILENO);
+      dup2(log, STDERR_FILENO);
+      execl(PIZARRA_CELL, PIZARRA_CELL, "up", cell_.c_str(), nullptr);
+      _exit(127);
+    }
+  }
+  void TearDown() override {
+    if (up_ > 0) {
+      kill(up_, SIGKILL);
+      waitpid(up_, nullptr, 0);
+    }
+    std::filesystem::remove_all(folder_);
+  }
+
+  Said run(const std::string& words) {
+    FILE* pipe = popen((std::string(PIZARRA_CELL) + " " + words + " 2>&1").c_str(), "r");
+    std::string text;
+    std::array<char, 4096> buffer{};
+    for (std::size_t got = fread(buffer.data(), 1, buffer.size(), pipe); got > 0;
+         got = fread(buffer.data(), 1, buffer.size(), pipe)) {
+      text.append(buffer.data(), got);
+    }
+    const int status = pclose(pipe);
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text};
+  }
+  bool wait_for(const std::string& words, const std::string& wanted) {
+    const auto end = std::chrono::steady_clock::now() + patience;
+    while (std::chrono::steady_clock::now() < end) {
+      if (run(words).text.find(wanted) != std::string::npos) return true;
+      std::this_thread::sleep_for(look_pause);
+    }
+    return false;
+  }
+  pid_t pid_of(const std::string& process) {
+    const std::string text = run("ps --json").text;
+    const std::size_t line = text.find("\"name\":\"" + process + "\"");
+    const std::size_t pid = text.find("\"pid\":", line);
+    return line == std::string::npos ? 0 : static_cast<pid_t>(std::strtol(text.c_str() + pid + 6, nullptr, 10));
+  }
+  std::string log() {
+    std::ifstream in(folder_ + "/up.log");
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+
+  std::string folder_;
+  std::string cell_;
+  pid_t up_ = 0;
+};
+
+TEST_F(UpTest, AGoalIsReachedAlthoughAnAgentIsKilledAndNothingIsLeftBehind) {
+  ASSERT_TRUE(wait_for("ask '(person done ?what)'", "?what")) << log();
+  Said goal{-1, ""};
+  std::thread asker([&] { goal = run("repl --eval '(goal (on circle triangle))'"); });
+  const bool begun = wait_for("ask '(operation ?n ?what running)'", "PICK-UP");
+  const pid_t robot = pid_of("robot");
+  const bool killed = robot > 0 && kill(robot, SIGKILL) == 0;
+  asker.join();
+  EXPECT_TRUE(begun && killed) << log();
+  EXPECT_EQ(goal.status, 0) << goal.text << log();
+  EXPECT_NE(pid_of("robot"), robot);
+
+  const pid_t vision = pid_of("vision");
+  kill(up_, SIGTERM);
+  int status = 0;
+  waitpid(up_, &status, 0);
+  up_ = 0;
+  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0);
+  EXPECT_NE(kill(vision, 0), 0);
+  EXPECT_EQ(run("ps").text, "no cell runs here\n");
+}
+
+TEST_F(UpTest, TheChildrenDieWithASupervisorThatIsKilled) {
+  ASSERT_TRUE(wait_for("ps", "vision"));
+  const pid_t vision = pid_of("vision");
+  ASSERT_GT(vision, 0);
+  kill(up_, SIGKILL);
+  waitpid(up_, nullptr, 0);
+  up_ = 0;
+  const auto end = std::chrono::steady_clock::now() + patience;
+  while (kill(vision, 0) == 0 && std::chrono::steady_clock::now() < end) std::this_thread::sleep_for(look_pause);
+  EXPECT_NE(kill(vision, 0), 0);
+}
+
+}  // namespace
+}  // namespace pizarra
