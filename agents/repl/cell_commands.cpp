@@ -18,6 +18,11 @@ Datum pattern(std::string_view text) { return read_one(text).value(); }
 
 Task<Evaluation> Interpreter::goal(Datum form) {
   if (form.size() < 2) co_return usage("goal");
+  const bool pursued = co_await is_agent("coordinator");
+  if (!pursued) {
+    output_("no coordinator is present, so nobody would pursue a goal; (agents) shows who is");
+    co_return Evaluation::failed;
+  }
   const Result<Datum> accepted = co_await caller_.call("coordinator", form, accept_timeout);
   if (!accepted) {
     const bool text = !accepted.error().place.empty();

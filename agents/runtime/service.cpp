@@ -1,5 +1,6 @@
 #include "agents/runtime/service.hpp"
 
+#include <algorithm>
 #include <deque>
 #include <fmt/format.h>
 
@@ -10,6 +11,7 @@ namespace pizarra {
 namespace {
 
 constexpr Duration retry_pause = 200ms;
+constexpr Duration presence_look = 1s;
 
 Datum reply_datum(const Datum& id, const Result<Datum>& result) {
   if (!result) return list("reply"_sym, id, failure_to_datum(result.error()));
@@ -35,6 +37,8 @@ struct Service::Running {
   WaitList slot_freed;
   std::map<Datum, Datum> replies;
   std::deque<Datum> replied;
+  // Requests being done, by id, and the facts that they were last told as.
+  std::map<Datum, FactId> in_hand;
   Handler handler;
   Job renewal;
   std::vector<Job> jobs;
@@ -55,16 +59,20 @@ Task<Result<void>> Service::declare() {
   }
 }
 
+Transaction Service::presence_facts(LeaseId lease) const {
+  const Datum name = Datum::symbol(context_.name);
+  Transaction presence;
+  presence.tell(list("agent"_sym, name, Datum::symbol(contract_.kind), context_.host), {}, lease);
+  presence.tell(list("contract"_sym, name, contract_.form), {}, lease);
+  return presence;
+}
+
 // One try to stand on the board under the agent's name.
 Task<Result<void>> Service::announce() {
   const Result<LeaseId> lease = co_await context_.board.lease(presence_lease);
   if (!lease) co_return fail(lease);
-  const Datum name = Datum::symbol(context_.name);
-  const Datum kind = Datum::symbol(contract_.kind);
-  Transaction presence;
-  presence.require(Transaction::Absent{list("agent"_sym, name, "?"_sym, "?"_sym)});
-  presence.tell(list("agent"_sym, name, kind, context_.host), {}, *lease);
-  presence.tell(list("contract"_sym, name, contract_.form), {}, *lease);
+  Transaction presence = presence_facts(*lease);
+  presence.require(Transaction::Absent{list("agent"_sym, Datum::symbol(context_.name), "?"_sym, "?"_sym)});
   const Result<Revision> told = co_await context_.board.transact(std::move(presence));
   if (told) {
     presence_ = *lease;
@@ -94,7 +102,14 @@ Task<void> Service::keep_presence() {
   while (true) {
     co_await sleep(context_.executor, presence_renewal);
     const Result<void> renewed = co_await context_.board.renew(presence_);
-    if (renewed || renewed.error().symbol != "unknown-lease") continue;
+    if (renewed) {
+      // Told again, which changes nothing unless somebody retracted it: who lives is present. What fails now is tried
+      // again at the next renewal.
+      Transaction presence = presence_facts(presence_);
+      [[maybe_unused]] const Result<Revision> stands = co_await context_.board.transact(std::move(presence));
+      continue;
+    }
+    if (renewed.error().symbol != "unknown-lease") continue;
     // The board forgot us (it restarted, or we were away too long); whoever took the name meanwhile keeps it.
     Result<void> announced = co_await announce();
     while (!announced) {
@@ -138,6 +153,11 @@ Task<Result<void>> Service::follow(Watch& watch) {
 
 Task<void> Service::answer_request(Fact request) {
   const Datum id = request.datum[1];
+  const bool again = running_->in_hand.contains(id);
+  running_->in_hand[id] = request.id;
+  // Told again while it is being done, because its caller or the board was away: the newest fact is the one to settle.
+  if (again) co_return;
+
   const auto remembered = running_->replies.find(id);
   Datum reply;
   if (remembered != running_->replies.end()) {
@@ -146,16 +166,17 @@ Task<void> Service::answer_request(Fact request) {
     reply = co_await work_out(request.datum);
     running_->remember(id, reply);
   }
-  const Result<Revision> told = co_await deliver(reply, request.id);
+  const Result<Revision> told = co_await deliver(reply);
   // A reply that the board refuses (too large, or with a variable in it) must not leave the caller waiting. When the
   // request is not held any more, its next taker answers it.
   const bool refused = !told && told.error().symbol != "precondition-failed";
   if (refused) {
     const Failure failure{"bad-reply", "the board refused the answer: " + told.error().sentence, {}, {}};
     const Datum excuse = list("reply"_sym, id, failure_to_datum(failure));
-    const Result<Revision> excused = co_await deliver(excuse, request.id);
+    const Result<Revision> excused = co_await deliver(excuse);
     if (excused) running_->replies[id] = excuse;
   }
+  running_->in_hand.erase(id);
   running_->slot_freed.wake_one();
 }
 
@@ -167,28 +188,53 @@ Task<Datum> Service::work_out(Datum request) {
   co_return reply_datum(request[1], result);
 }
 
-Task<Result<Revision>> Service::deliver(Datum reply, FactId cause) {
-  Transaction transaction;
-  transaction.tell(reply, {cause}).settle(cause);
-  Result<Revision> told = co_await context_.board.transact(transaction);
-  while (!told && told.error().symbol == "unreachable") {
+Task<Result<Revision>> Service::deliver(Datum reply) {
+  while (true) {
+    const FactId cause = running_->in_hand.at(reply[1]);
+    Transaction transaction;
+    transaction.tell(reply, {cause}).settle(cause);
+    const Result<Revision> told = co_await context_.board.transact(std::move(transaction));
+    const bool retold = running_->in_hand.at(reply[1]) != cause;
+    const bool ended = told || (told.error().symbol != "unreachable" && !retold);
+    if (ended) co_return told;
     co_await sleep(context_.executor, retry_pause);
-    told = co_await context_.board.transact(transaction);
   }
-  co_return told;
+}
+
+// Tells the request and waits for its reply; tells it again when the caller's presence began anew, because a board that
+// restarted has forgotten both.
+Task<Result<Answer>> Caller::ask(Datum request, Time deadline) {
+  const Query replied = query_for(list("reply"_sym, request[1], "?result"_sym));
+  Result<Answer> answer = fail("timeout", "there was no time to ask");
+  while (context_.executor.now() < deadline) {
+    const LeaseId presence = service_.presence();
+    Transaction telling;
+    telling.tell(request, {}, presence);
+    const Result<Revision> told = co_await context_.board.transact(std::move(telling));
+    if (!told) {
+      const std::string& why = told.error().symbol;
+      if (why != "unreachable" && why != "unknown-lease") co_return fail(told);
+      co_await sleep(context_.executor, retry_pause);
+      continue;
+    }
+    bool waiting = true;
+    while (waiting) {
+      const Time look_up = std::min(deadline, context_.executor.now() + presence_look);
+      answer = co_await await_answer(context_.board, replied, look_up, context_.executor);
+      const bool in_vain = !answer && answer.error().symbol == "timeout";
+      waiting = in_vain && look_up < deadline && service_.presence() == presence;
+    }
+    const bool lost = !answer && (answer.error().symbol == "timeout" || answer.error().symbol == "unreachable");
+    if (!lost) co_return answer;
+  }
+  co_return answer;
 }
 
 Task<Result<Datum>> Caller::call(std::string agent, Datum operation, Duration timeout) {
   const Datum id = Datum::symbol(fmt::format("{}-{}-{}", context_.name, service_.presence(), ++count_));
   const Datum request = list("request"_sym, id, Datum::symbol(agent), operation);
   const Time deadline = context_.executor.now() + timeout;
-  Transaction ask;
-  ask.tell(request, {}, service_.presence());
-  const Result<Revision> told = co_await context_.board.transact(std::move(ask));
-  if (!told) co_return fail(told);
-
-  const Query replied = query_for(list("reply"_sym, id, "?result"_sym));
-  const Result<Answer> answer = co_await await_answer(context_.board, replied, deadline, context_.executor);
+  const Result<Answer> answer = co_await ask(request, deadline);
   Transaction clean_up;
   clean_up.retract(list("request"_sym, id, "?"_sym, "?"_sym));
   clean_up.retract(list("reply"_sym, id, "?"_sym));

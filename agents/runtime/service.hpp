@@ -51,12 +51,13 @@ class Service {
   std::unique_ptr<Running> running_;
 
   Task<Result<void>> declare();
+  Transaction presence_facts(LeaseId lease) const;
   Task<Result<void>> announce();
   Task<void> keep_presence();
   Task<Result<void>> follow(Watch& watch);
   Task<void> answer_request(Fact request);
   Task<Datum> work_out(Datum request);
-  Task<Result<Revision>> deliver(Datum reply, FactId cause);
+  Task<Result<Revision>> deliver(Datum reply);
 };
 
 // Asks another agent for something and waits for the reply's `ok` elements as a list. Failures: those of the agent,
@@ -69,6 +70,8 @@ class Caller {
   Task<Result<Datum>> call(std::string agent, Datum operation, Duration timeout);
 
  private:
+  Task<Result<Answer>> ask(Datum request, Time deadline);
+
   AgentContext& context_;
   const Service& service_;
   std::uint64_t count_ = 0;

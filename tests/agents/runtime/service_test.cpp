@@ -11,7 +11,8 @@
 namespace pizarra {
 namespace {
 
-constexpr std::string_view adder_contract = "(contract adder (offers (add (a number) (b number)) (slow) (refuse) (babble)))";
+constexpr std::string_view adder_contract =
+    "(contract adder (offers (add (a number) (b number)) (slow) (refuse) (babble)))";
 
 Datum form(std::string_view written) { return read_one(written).value(); }
 
@@ -203,6 +204,42 @@ TEST_F(Runtime, ARequestToldTwiceIsDoneOnce) {
   executor.run_for(1s);
   EXPECT_EQ(count("(reply again (ok 3.0))"), 1u);
   EXPECT_EQ(adder->handled, 1);
+}
+
+TEST_F(Runtime, WhoLivesStaysPresentWhateverIsRetracted) {
+  board.transact("stranger", Transaction().retract(form("(agent adder ? ?)"))).value();
+  EXPECT_EQ(count("(agent adder ? ?)"), 0u);
+  executor.run_for(1s);
+  EXPECT_EQ(count("(agent adder adder ?)"), 1u);
+}
+
+TEST_F(Runtime, ARequestToldAgainWhileItIsBeingDoneIsDoneOnce) {
+  const Datum request = form("(request again adder (slow))");
+  board.transact("user", Transaction().tell(request)).value();
+  executor.run_for(1s);
+  board.transact("user", Transaction().tell(request)).value();
+  executor.run_for(1s);
+  EXPECT_EQ(count("(request again ? ?)"), 0u);
+  executor.run_for(10s);
+  EXPECT_EQ(count("(reply again (ok slept))"), 1u);
+  EXPECT_EQ(adder->handled, 1);
+}
+
+TEST_F(Runtime, ACallerWhoseRequestAndPresenceWereForgottenAsksAgain) {
+  adder.reset();
+  executor.run_for(3s);
+  std::optional<Result<Datum>> answer;
+  const Job job = executor.spawn(ask(user, form("(add 2 3)"), 60s, answer));
+  executor.run_for(1s);
+  ASSERT_EQ(count("(request ? adder ?)"), 1u);
+  // What a restarted board leaves: no request, no presence and no lease.
+  board.release(user.service.presence()).value();
+  EXPECT_EQ(count("(request ? adder ?)"), 0u);
+  executor.run_for(4s);
+  EXPECT_EQ(count("(request ? adder ?)"), 1u);
+  begin();
+  executor.run_for(3s);
+  ASSERT_TRUE(answer && answer->has_value());
 }
 
 TEST_F(Runtime, RequestsOfADeadCallerGo) {
