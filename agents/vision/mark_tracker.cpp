@@ -79,7 +79,7 @@ TrackSighting MarkTracker::update(StereoSight& sight, Track& track) const {
   }
   if (!now) now = sight.find(objects_, *track.object);
 
-  TrackSighting out{.name = track.object->name, .centre = {}, .contour = {}};
+  TrackSighting out{.name = track.object->name, .centre = {}, .yaw_deg = {}, .contour = {}};
   if (!now) {
     track = Track{.object = track.object, .left = {}, .right = {}, .velocity_px = {}};
     return out;
@@ -97,6 +97,7 @@ TrackSighting MarkTracker::update(StereoSight& sight, Track& track) const {
     }
     out.seen = true;
     out.range_mm = range_mm(sight.model(), now->left.centre, disparity);
+    out.yaw_deg = face_yaw_deg(sight.model(), now->left, *now->right);
   } else if (const std::optional<double> range = range_by_size_mm(sight.model(), *track.object, now->left)) {
     out.seen = true;
     out.range_mm = *range;

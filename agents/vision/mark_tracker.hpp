@@ -17,9 +17,10 @@ namespace pizarra {
 struct TrackSighting {
   std::string name;
   bool seen = false;
-  cv::Point2d centre;   // in the left image, px
-  double range_mm = 0;  // by the pair, or by its size where the right image ends before it
-  MarkContour contour;  // in the left image
+  cv::Point2d centre;             // in the left image, px
+  double range_mm = 0;            // by the pair, or by its size where the right image ends before it
+  std::optional<double> yaw_deg;  // of its face (face_yaw_deg), where both images show it
+  MarkContour contour;            // in the left image
 };
 
 inline constexpr std::size_t most_tracked = 16;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace pizarra {
 namespace {
@@ -72,6 +73,14 @@ std::optional<SeenPair> StereoSight::find(const LearnedObjects& objects, const L
 
 double size_mm(const StereoModel& model, const SeenMark& left, const SeenMark& right) {
   return left.height_px * depth_mm(model, left.centre.x - right.centre.x) / model.focal_px;
+}
+
+double face_yaw_deg(const StereoModel& model, const SeenMark& left, const SeenMark& right) {
+  const double left_slope = (left.centre.x - model.centre_x_px) / model.focal_px;
+  const double right_slope = (right.centre.x - model.centre_x_px) / model.focal_px;
+  const double sine = right.width_px - left.width_px;
+  const double cosine = left_slope * right.width_px - right_slope * left.width_px;
+  return cosine <= 0 ? 0 : std::atan(sine / cosine) * 180 / std::numbers::pi;
 }
 
 // On its side a mark is as high as it was wide. Which it is, its own proportions tell best.

@@ -45,9 +45,14 @@ class StereoSight {
 // The mark's standard deviation along y in the world, mm.
 double size_mm(const StereoModel& model, const SeenMark& left, const SeenMark& right);
 
+// How far the face that bears the mark is turned from facing along the optical axis, degrees, positive where it looks
+// to the right, by how much wider one image shows it than the other; good to a few degrees, so worth averaging. A face
+// of yaw p that is seen at slope t off the axis is cos(p) - t sin(p) times as wide as one that faces the camera.
+double face_yaw_deg(const StereoModel& model, const SeenMark& left, const SeenMark& right);
+
 // The range of a mark that the left image alone shows, by how high it looks and how high it was learned: good to about
-// a percent, some ten times worse than the pair. Nothing where the right image should show it too, or where no sample was
-// learned with its size.
+// a percent, some ten times worse than the pair. Nothing where the right image should show it too, or where no sample
+// was learned with its size.
 std::optional<double> range_by_size_mm(const StereoModel& model, const LearnedObject& object, const SeenMark& left);
 
 // Whether the pair can be the whole of the object's mark: as high in the world as one of its samples, and, but for what

@@ -23,6 +23,7 @@ constexpr std::string_view contract_text = R"(
   (posts
     (relation vision-mode ((mode symbol) (connected symbol)) (key))
     (relation vision-says ((frame integer) (text string)) (key))
+    (relation faces ((frame integer) (turned list)) (key))
     (relation vision-failed ((frame integer) (text string) (reason string)) (key))
     (relation learned ((name string) (num integer) (area number) (perimeter number) (features integer)
                        (m0 number) (m1 number) (m2 number)) (key name num) (durable))
@@ -204,6 +205,8 @@ Task<void> VisionAgent::State::on_frame(StereoFrame frame) {
   publish(frame, sightings);
   if (activity != Activity::tracking || !connected) co_return;
   std::vector<Datum> facts;
+  // What is concluded from the reply finds the faces of its frame there already.
+  facts.push_back(faces_fact(frame.number, sightings));
   facts.push_back(list("vision-says"_sym, frame.number, track_reply(sightings)));
   co_await tell(std::move(facts));
 }

@@ -1,5 +1,6 @@
 #include "agents/vision/vision_replies.hpp"
 
+#include <cmath>
 #include <fmt/format.h>
 
 namespace pizarra {
@@ -20,6 +21,14 @@ std::string track_reply(std::span<const TrackSighting> sightings) {
                    : fmt::format(" (\"{}\" FAIL)", s.name);
   }
   return text + ")";
+}
+
+Datum faces_fact(std::uint64_t frame, std::span<const TrackSighting> sightings) {
+  std::vector<Datum> faces;
+  for (const TrackSighting& s : sightings) {
+    if (s.yaw_deg) faces.push_back(list(s.name, std::round(*s.yaw_deg * 10) / 10));
+  }
+  return list("faces"_sym, frame, Datum::list(std::move(faces)));
 }
 
 std::string get_reply(const LearnedObjects& objects) {

@@ -16,4 +16,8 @@ std::string find_reply(const std::string& name, const std::optional<cv::Point2d>
 std::string track_reply(std::span<const TrackSighting> sightings);
 std::string get_reply(const LearnedObjects& objects);
 
+// What the thesis' text has no room for: (faces FRAME (("a" DEGREES) ...)), the yaw of every face that both images
+// show.
+Datum faces_fact(std::uint64_t frame, std::span<const TrackSighting> sightings);
+
 }  // namespace pizarra

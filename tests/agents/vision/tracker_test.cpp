@@ -119,6 +119,27 @@ TEST_F(Tracker, TellsTheRangeByTheSizeWhereTheRightImageEnds) {
   }
 }
 
+TEST_F(Tracker, TellsHowFarAFaceIsTurned) {
+  for (const std::string& name : cell_marks()) {
+    tracker.clear();
+    track(name);
+    for (const double x_mm : {-150.0, 0.0, 150.0}) {
+      for (const double yaw_deg : {-30.0, -15.0, 0.0, 15.0, 30.0}) {
+        SCOPED_TRACE(name + " at " + std::to_string(x_mm) + " turned " + std::to_string(yaw_deg));
+        scene.faces = {{.mark = drawn_as(name), .place = {x_mm, 60, 850}, .yaw_deg = yaw_deg}};
+        double sum = 0;
+        constexpr int frames = 10;
+        for (int i = 0; i < frames; ++i) {
+          const std::vector<TrackSighting> sightings = see();
+          ASSERT_TRUE(sightings[0].yaw_deg.has_value());
+          sum += *sightings[0].yaw_deg;
+        }
+        EXPECT_NEAR(sum / frames, yaw_deg, 5);
+      }
+    }
+  }
+}
+
 TEST_F(Tracker, ASlidingOccluderNeverMakesAConfidentWrongPosition) {
   for (const std::string name : {"circle", "square", "cross", "triangle"}) {
     for (const int level : {25, 120, 225}) {
@@ -146,8 +167,13 @@ TEST(Replies, AreTheThesisTexts) {
   EXPECT_EQ(find_reply("circle", cv::Point2d(112.254, 87.5)), "(FIND \"circle\" OK (112.25, 87.50))");
   EXPECT_EQ(find_reply("circle", std::nullopt), "(FIND \"circle\" FAIL)");
   const std::vector<TrackSighting> sightings = {
-      {.name = "end-effector", .seen = true, .centre = {160.123, 88.4}, .range_mm = 812.3, .contour = {}},
-      {.name = "circle", .seen = false, .centre = {}, .range_mm = 0, .contour = {}}};
+      {.name = "end-effector",
+       .seen = true,
+       .centre = {160.123, 88.4},
+       .range_mm = 812.3,
+       .yaw_deg = {},
+       .contour = {}},
+      {.name = "circle", .seen = false, .centre = {}, .range_mm = 0, .yaw_deg = {}, .contour = {}}};
   EXPECT_EQ(track_reply(sightings), "(TRACK 2 (\"end-effector\" OK (160.12, 88.40, 812.30)) (\"circle\" FAIL))");
   EXPECT_EQ(get_reply(LearnedObjects()), "(GET 0 ())");
   EXPECT_EQ(get_reply(learned_cell()), "(GET 5 (\"circle\", \"square\", \"cross\", \"triangle\", \"end-effector\"))");
