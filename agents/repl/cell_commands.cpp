@@ -87,11 +87,13 @@ Task<Evaluation> Interpreter::objects(Datum) {
   const Result<std::vector<Fact>> learned = co_await context_.board.facts(pattern("(learned ? ? ? ? ? ? ? ?)"));
   if (!learned) co_return show(learned.error());
   const Result<std::vector<Fact>> places = co_await context_.board.facts(pattern("(place ? ? ? ? ?)"));
+  const Result<std::vector<Fact>> tracking = co_await context_.board.facts(pattern("(vision-mode tracking ?)"));
+  const bool followed = tracking && !tracking->empty();
   if (learned->empty()) output_("nothing has been learned");
   for (const Fact& object : *learned) {
     if (object.datum[2].integer() != 1) continue;
     const std::string name(object.datum[1].text());
-    std::string where = "not seen";
+    std::string where = followed ? "not seen" : "learned; it is followed from the first goal on";
     // Without a coordinator nobody says where things are.
     for (const Fact& place : places.value_or(std::vector<Fact>())) {
       if (place.datum[1].text() != name) continue;
