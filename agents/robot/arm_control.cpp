@@ -63,7 +63,7 @@ Task<Result<void>> ArmControl::halt() {
   facts_.set_arm("stopped", "STOPPED_AT_RESTART");
   const Result<void> told = co_await facts_.tell();
   if (!told) co_return told;
-  const Result<void> stopping = co_await driver_.stop();
+  const Result<void> stopping = co_await brake();
   if (!stopping) co_return stopping;
   const Result<ArmReading> reading = co_await until_ended(false, stopping_time);
   if (!reading) co_return fail(reading);
@@ -128,7 +128,7 @@ Task<Result<ArmReading>> ArmControl::until_ended(bool gripper, Duration longest)
     const bool moving = gripper ? reading->gripper_moving : reading->moving;
     if (!moving) co_return reading;
     if (now - begun > longest) {
-      const Result<void> halting = co_await driver_.stop();
+      const Result<void> halting = co_await brake();
       if (!halting) lose(halting.error());
       co_return fail("fault", fmt::format("the motion did not end within {:.1f} s", longest.count() / 1e6));
     }
@@ -141,12 +141,25 @@ Task<Result<ArmReading>> ArmControl::until_ended(bool gripper, Duration longest)
 }
 
 // Whoever took control away from us meanwhile (a pendant, a controller that restarted) is asked for it once.
-Task<Result<void>> ArmControl::start(std::vector<Joints> waypoints, double speed) {
-  const Result<void> started = co_await driver_.start_move(waypoints, speed);
-  if (started || started.error().symbol != "not-in-control") co_return started;
+Task<Result<void>> ArmControl::in_control(Command command) {
+  const Result<void> done = co_await command();
+  if (done || done.error().symbol != "not-in-control") co_return done;
   const Result<void> control = co_await driver_.take_control();
   if (!control) co_return control;
-  co_return co_await driver_.start_move(std::move(waypoints), speed);
+  const Result<void> again = co_await command();
+  co_return again;
+}
+
+Task<Result<void>> ArmControl::start_move(std::vector<Joints> waypoints, double speed) {
+  return in_control([this, waypoints = std::move(waypoints), speed] { return driver_.start_move(waypoints, speed); });
+}
+
+Task<Result<void>> ArmControl::start_gripper(double opening_mm) {
+  return in_control([this, opening_mm] { return driver_.start_gripper(opening_mm); });
+}
+
+Task<Result<void>> ArmControl::brake() {
+  return in_control([this] { return driver_.stop(); });
 }
 
 Task<Result<void>> ArmControl::follow(std::vector<Joints> waypoints, double speed) {
@@ -155,11 +168,11 @@ Task<Result<void>> ArmControl::follow(std::vector<Joints> waypoints, double spee
   if (!before) co_return fail(before);
   const Duration longest = longest_time(before->joints, waypoints, speed);
   if (stop_requested_) co_return stopped(running_);
-  const Result<void> started = co_await start(std::move(waypoints), speed);
+  const Result<void> started = co_await start_move(std::move(waypoints), speed);
   if (!started) co_return started;
   // A stop may have come before there was anything to stop.
   if (stop_requested_) {
-    const Result<void> halting = co_await driver_.stop();
+    const Result<void> halting = co_await brake();
     if (!halting) co_return halting;
   }
   const Result<ArmReading> ended = co_await until_ended(false, longest);
@@ -181,7 +194,7 @@ Task<Result<void>> ArmControl::follow(std::vector<Joints> waypoints, double spee
 Task<Result<void>> ArmControl::grip(double opening_mm) {
   gripping_ = true;
   if (stop_requested_) co_return stopped(running_);
-  const Result<void> started = co_await driver_.start_gripper(opening_mm);
+  const Result<void> started = co_await start_gripper(opening_mm);
   if (!started) co_return started;
   const Result<ArmReading> ended = co_await until_ended(true, gripping_time);
   if (!ended) co_return fail(ended);
@@ -192,14 +205,14 @@ Task<Result<void>> ArmControl::grip(double opening_mm) {
 Task<Result<void>> ArmControl::stop() {
   const std::uint64_t motion = motions_;
   stop_requested_ = running_.has_value();
-  const Result<void> stopping = co_await driver_.stop();
+  const Result<void> stopping = co_await brake();
   if (!stopping) co_return stopping;
   if (gripping_) {
     // Fingers stop by being sent to where they are.
     const Result<ArmReading> reading = co_await read();
     if (!reading) co_return fail(reading);
     const double opening_mm = reading->opening_mm;
-    const Result<void> held = co_await driver_.start_gripper(opening_mm);
+    const Result<void> held = co_await start_gripper(opening_mm);
     if (!held) co_return held;
   }
   const Time deadline = context_.executor.now() + stopping_time;

@@ -12,6 +12,7 @@
 //
 // Failures: busy, disconnected, unknown-arm, stopped, fault, and the driver's own.
 
+#include <functional>
 #include <optional>
 
 #include "agents/robot/arm_facts.hpp"
@@ -67,7 +68,12 @@ class ArmControl {
  private:
   friend class InHand;
   Task<Result<void>> halt();
-  Task<Result<void>> start(std::vector<Joints> waypoints, double speed);
+  // Every command of the driver goes through here: where control was lost it is taken back and the command tried again.
+  using Command = std::function<Task<Result<void>>()>;
+  Task<Result<void>> in_control(Command command);
+  Task<Result<void>> start_move(std::vector<Joints> waypoints, double speed);
+  Task<Result<void>> start_gripper(double opening_mm);
+  Task<Result<void>> brake();
   Task<Result<ArmReading>> until_ended(bool gripper, Duration longest);
   Task<void> look();
   void let_go();

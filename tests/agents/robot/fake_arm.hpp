@@ -23,6 +23,7 @@ class FakeArm : public ArmDriver {
   std::vector<Joints> last_waypoints;
   double last_speed = 0;
   bool in_control = false;
+  bool gives_control = true;
 
   Joints at() const {
     double left_s = seconds_since(begun_);
@@ -50,12 +51,12 @@ class FakeArm : public ArmDriver {
   Task<Result<void>> take_control() override {
     if (!plugged) co_return unplugged();
     ++controls;
-    in_control = true;
+    in_control = gives_control;
     co_return {};
   }
   Task<Result<void>> start_move(std::vector<Joints> waypoints, double speed) override {
     if (!plugged) co_return unplugged();
-    if (!in_control) co_return fail("not-in-control", "the pendant has control");
+    if (!in_control) co_return uncontrolled();
     if (moving()) co_return fail("busy", "the controller is in a move");
     for (const Joints& joints : waypoints) {
       const Result<void> within = check_limits_of(joints);
@@ -72,12 +73,14 @@ class FakeArm : public ArmDriver {
   }
   Task<Result<void>> stop() override {
     if (!plugged) co_return unplugged();
+    if (!in_control) co_return uncontrolled();
     stopped_ = moving();
     path_ = {at()};
     co_return {};
   }
   Task<Result<void>> start_gripper(double opening_mm) override {
     if (!plugged) co_return unplugged();
+    if (!in_control) co_return uncontrolled();
     opening_ = opening();
     towards_ = std::max(opening_mm, between_fingers_mm);
     squeezed_ = executor_.now();
@@ -95,6 +98,7 @@ class FakeArm : public ArmDriver {
 
  private:
   static std::unexpected<Failure> unplugged() { return fail("disconnected", "the plug is pulled"); }
+  static std::unexpected<Failure> uncontrolled() { return fail("not-in-control", "the pendant has control"); }
   static Result<void> check_limits_of(const Joints& joints) {
     for (std::size_t axis = 0; axis < arm_axes; ++axis) {
       const AxisLimits& limits = crs_f3().limits[axis];

@@ -151,6 +151,30 @@ TEST_F(Robot, ControlTakenAwayByThePendantIsAskedForAgain) {
   EXPECT_EQ(arm.controls, 2);
 }
 
+TEST_F(Robot, ControllerThatRestartedIsAskedForControlByTheFingersToo) {
+  arm.in_control = false;
+  EXPECT_EQ(call("(gripper 0)"), "(ok true)");
+  EXPECT_EQ(arm.opening(), 0);
+  EXPECT_EQ(arm.controls, 2);
+}
+
+TEST_F(Robot, StopIsObeyedAlthoughControlWasTakenAway) {
+  const std::string turning = ask("(turn right 90)");
+  executor.run_for(300ms);
+  arm.in_control = false;
+  EXPECT_EQ(call("(finish stop)"), "(ok true)");
+  EXPECT_EQ(form(reply(turning))[1].text(), "stopped");
+  EXPECT_FALSE(arm.moving());
+  EXPECT_EQ(arm.controls, 2);
+}
+
+TEST_F(Robot, ControllerThatGivesNoControlIsAskedOnce) {
+  arm.in_control = false;
+  arm.gives_control = false;
+  EXPECT_EQ(refusal("(gripper 0)"), "not-in-control");
+  EXPECT_EQ(arm.controls, 2);
+}
+
 TEST(RobotStart, AnArmThatNobodyKnowsIsRefused) {
   VirtualExecutor executor;
   MemoryBoard board(executor);
