@@ -1,5 +1,7 @@
 #include "drivers/simulation/link_server.hpp"
 
+#include <unistd.h>
+
 #include "drivers/simulation/link_wire.hpp"
 
 namespace pizarra {
@@ -21,7 +23,13 @@ LinkServer::LinkServer(Executor& executor, zmq::socket_t socket, World& world)
   executor_.watch_readable(socket_.get(zmq::sockopt::fd), [this] { receive(); });
 }
 
-LinkServer::~LinkServer() { executor_.unwatch_readable(socket_.get(zmq::sockopt::fd)); }
+LinkServer::~LinkServer() {
+  executor_.unwatch_readable(socket_.get(zmq::sockopt::fd));
+  // ZeroMQ leaves an ipc address's file behind. One that is gone already is fine.
+  const std::string bound = socket_.get(zmq::sockopt::last_endpoint);
+  constexpr std::string_view ipc = "ipc://";
+  if (bound.starts_with(ipc)) unlink(bound.c_str() + ipc.size());
+}
 
 void LinkServer::receive() {
   jobs_.remove_if([](const Job& job) { return job.done(); });

@@ -7,6 +7,7 @@
 //   executor.run_until([] { return false; });
 //
 // At most 64 requests are in hand at once; more are answered `busy`. Messages that are not requests are dropped.
+// Destroying it removes the file of an ipc address.
 
 #include <list>
 #include <zmq.hpp>

@@ -102,6 +102,14 @@ TEST_F(DeviceLink, DropsWhatIsNoRequest) {
   EXPECT_EQ(run(executor_, link.call(*read_one("(camera dance)"), 3s)).error().symbol, "bad-request");
 }
 
+TEST_F(DeviceLink, LeavesNoFileBehindWhenItEnds) {
+  World world(executor_, config_);
+  auto server = serve(world);
+  EXPECT_TRUE(std::filesystem::exists(path_));
+  server.reset();
+  EXPECT_FALSE(std::filesystem::exists(path_));
+}
+
 TEST_F(DeviceLink, SaysWhereItCannotListen) {
   World world(executor_, config_);
   const auto server = LinkServer::listen(executor_, context_, "ipc:///no/such/folder/link", world);
