@@ -29,6 +29,8 @@
 (check "names are told apart without case"
        (complaint '(world (cube circle (at 450 0)) (cube Circle (mark circle) (at 450 100)))) '(1 repeated (0 2 2)))
 (check "an unknown mark is refused" (complaint '(world (cube a (mark star) (at 450 0)))) '(1 unknown-name (0 2 1 2 1)))
+(check "a blur up to what the renderer can make is accepted" (car (complaint '(world (noise (blur 2))))) 'ok)
+(check "a wider blur is refused" (complaint '(world (noise (blur 2.1)))) '(1 out-of-range (0 2 1 1 1)))
 (check "what cannot be reached is refused" (complaint '(world (cube circle (at 4500 0)))) '(1 out-of-range (0 2 1 2 1)))
 (check "an agent runs on one host"
        (complaint '(host "a" (agents robot)) '(host "b" (agents robot))) '(1 repeated (0 3 2 1)))

@@ -145,7 +145,7 @@
   (let* ((noise (section-in found 'noise))
          (parts (if noise (sections (node-rest (node-within noise "in the noise")) '(sensor blur gradient)) '())))
     (append (numbers-in parts 'sensor '((0 20)) '(3))
-            (numbers-in parts 'blur '((0 3)) '(0.7))
+            (numbers-in parts 'blur '((0 2)) '(0.7))
             (numbers-in parts 'gradient '((0 0.9)) '(0.12)))))
 
 ;; ---- hosts and the board
