@@ -88,9 +88,9 @@
   (micro-tasks
     (GRASP (<ob>)
       (open <ob>) (raise) (make-room <ob>) (open <ob>)
-      (align <ob>) (lower <ob>) (close) (raise) (check-held <ob>))
+      (turn-fingers <ob>) (align <ob>) (lower <ob>) (close) (raise) (square-up) (check-held <ob>))
     (RELEASE-AT (<target>)
-      (raise) (align <target>) (lower <target>) (release) (raise))
+      (raise) (square-up) (align <target>) (lower <target>) (release) (raise))
 
     (TAKE (<ob> <from>) (GRASP <ob>))
     (UNSTACK (<ob> <lower>) (GRASP <ob>))

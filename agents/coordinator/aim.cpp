@@ -39,13 +39,22 @@ Result<Eigen::Vector3d> Aims::on_table(double x_mm, double y_mm) const {
   return Eigen::Vector3d(centre - options_.gripper.mark_before_grip_mm * surroundings_.view()->away());
 }
 
+// What is held faces the camera, whatever the one below it does: middle goes over middle.
+Result<Eigen::Vector3d> Aims::on_top_of(std::string_view lower) const {
+  const Result<Eigen::Vector3d> mark = seen(lower);
+  if (!mark) return mark;
+  const std::string name(lower);
+  const Eigen::Vector3d middle = surroundings_.centre_mm(name, *surroundings_.sightings().find(lower));
+  const Eigen::Vector3d front = middle - options_.gripper.mark_before_grip_mm * surroundings_.view()->away();
+  return Eigen::Vector3d(front + (domain_.cube_mm() + options_.release_mm) * Eigen::Vector3d::UnitZ());
+}
+
 Result<Eigen::Vector3d> Aims::free_spot_for(std::string_view held) {
   if (!spot_) {
     std::vector<Eigen::Vector2d> occupied;
     for (const auto& [name, sighting] : surroundings_.sightings().all()) {
       if (name == held || name == options_.gripper.mark) continue;
-      const Eigen::Vector3d centre =
-          sighting.place_mm + options_.gripper.mark_before_grip_mm * surroundings_.view()->away();
+      const Eigen::Vector3d centre = surroundings_.centre_mm(name, sighting);
       occupied.emplace_back(centre.x(), centre.y());
     }
     const std::optional<Eigen::Vector3d> grip = surroundings_.grip_mm();
@@ -69,8 +78,7 @@ Result<Aim> Aims::at(const Datum& target) {
   if (!followed) return fail(followed);
   Result<Eigen::Vector3d> wanted = fail("bad-target", "this is no target of a micro-task", target);
   if (target.is_form("on-top") && target.size() == 3) {
-    wanted = seen(target[2].text());
-    if (wanted) *wanted += (domain_.cube_mm() + options_.release_mm) * Eigen::Vector3d::UnitZ();
+    wanted = on_top_of(target[2].text());
   } else if (target.is_form("free-spot")) {
     wanted = free_spot_for(target[1].text());
   } else if (target.is_form("at-place") && target.size() == 3) {
@@ -87,10 +95,12 @@ double Aims::opening_around(std::string_view object, double wide_mm) const {
   if (!centre) return options_.gripper.normal_mm;
   std::vector<Eigen::Vector3d> neighbours;
   for (const auto& [name, sighting] : surroundings_.sightings().all()) {
-    if (name != object && name != options_.gripper.mark) neighbours.push_back(sighting.place_mm);
+    if (name == object || name == options_.gripper.mark) continue;
+    neighbours.push_back(surroundings_.centre_mm(name, sighting));
   }
-  return opening_between(centre->place_mm, neighbours, domain_.cube_mm(), options_.gripper.finger_mm,
-                         options_.gripper.narrow_mm, wide_mm);
+  const std::string name(object);
+  return opening_between(surroundings_.centre_mm(name, *centre), neighbours, domain_.cube_mm(),
+                         options_.gripper.finger_mm, options_.gripper.narrow_mm, wide_mm);
 }
 
 // The arm's axis 1 is the base frame's origin, and the tool's axis stands behind the mark.

@@ -28,6 +28,7 @@ class Aims {
  private:
   Result<Eigen::Vector3d> seen(std::string_view name) const;
   Result<Eigen::Vector3d> held(std::string_view name) const;
+  Result<Eigen::Vector3d> on_top_of(std::string_view lower) const;
   Result<Eigen::Vector3d> free_spot_for(std::string_view held);
   Result<Eigen::Vector3d> on_table(double x_mm, double y_mm) const;
 

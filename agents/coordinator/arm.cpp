@@ -76,6 +76,21 @@ Task<Result<Eigen::Vector3d>> Arm::grip_centre() {
   co_return Eigen::Vector3d((*reading)[0].number(), (*reading)[1].number(), (*reading)[2].number());
 }
 
+Task<Result<void>> Arm::face(double yaw_deg) {
+  constexpr double good_enough_deg = 0.5;
+  const Datum monitor = list("monitor"_sym);
+  const Result<Datum> reading = co_await ask(monitor);
+  if (!reading) co_return fail(reading);
+  if (reading->size() < 6) co_return fail("bad-reply", "the robot's monitor gives no pose", *reading);
+  const double missing = std::remainder(yaw_deg - (*reading)[5].number(), 360);
+  if (std::abs(missing) < good_enough_deg) co_return Result<void>();
+  const Datum side = Datum::symbol(missing > 0 ? "right" : "left");
+  const Datum operation = list("turn-wrist"_sym, side, std::abs(missing));
+  const Result<Datum> turned = co_await ask(operation);
+  if (!turned) co_return fail(turned);
+  co_return Result<void>();
+}
+
 Task<Result<double>> Arm::grip(double opening_mm) {
   const Datum operation = list("gripper"_sym, opening_mm);
   const Result<Datum> done = co_await ask(operation);

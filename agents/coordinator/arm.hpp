@@ -25,6 +25,8 @@ class Arm {
   Task<Result<void>> perform(ServoCommand command);
   // Where the grip centre is, base frame, mm.
   Task<Result<Eigen::Vector3d>> grip_centre();
+  // Turns the wrist until the gripper's front looks `yaw_deg` away from the base's x axis, positive to the right.
+  Task<Result<void>> face(double yaw_deg);
   // Opens or closes the gripper to `opening_mm` and answers the opening it came to.
   Task<Result<double>> grip(double opening_mm);
 

@@ -41,11 +41,14 @@ std::optional<Push> push_for_room(const ElbowRoom& room, const Eigen::Vector3d& 
   // The shortest that will do, to whichever side.
   for (double length = step_mm; length <= longest_mm; length += step_mm) {
     for (const double sign : {1.0, -1.0}) {
+      if (sign > 0 && centre.z() > room.cube_mm) continue;
       const Eigen::Vector3d after = centre + Eigen::Vector3d(sign * length, 0, 0);
       if (is_crowded(ample, after, others)) continue;
       const double from_x = centre.x() - sign * before;
       const auto in_the_way = [&](const Eigen::Vector3d& other) {
         const double across = std::abs(other.y() - centre.y());
+        const bool of_its_pile = across < half && std::abs(other.x() - centre.x()) < half;
+        if (of_its_pile) return false;
         const bool where_fingers_go =
             std::abs(other.x() - from_x) < half + room.finger_half_mm + room.margin_mm && across < pusher_half + half;
         const double ahead = sign * (other.x() - centre.x());

@@ -29,8 +29,9 @@ struct Push {
 // Whether a neighbour at its height stands where a finger must go.
 bool is_crowded(const ElbowRoom& room, const Eigen::Vector3d& centre, const std::vector<Eigen::Vector3d>& others);
 
-// The push that gives a crowded cube on the table its room; none where the way, or the place to push from, is taken or
-// out of reach. All points are cubes' centres.
+// The push that gives a crowded cube its room; none where the way, or the place to push from, is taken or out of reach.
+// A cube on another goes with it, but only away from the camera, since the plate with the gripper's mark would touch
+// it. All points are cubes' centres.
 std::optional<Push> push_for_room(const ElbowRoom& room, const Eigen::Vector3d& centre,
                                   const std::vector<Eigen::Vector3d>& others);
 

@@ -2,12 +2,15 @@
 
 // The primitive motions that a domain's micro-tasks are made of:
 //
-//   (open OBJECT)      open the gripper as wide as the neighbours of OBJECT leave room
-//   (raise)            up to the height that is safe to travel at (servo state 0)
-//   (make-room OBJECT) push OBJECT out of its row if neighbours leave the fingers no room; leaves the gripper anyhow
-//   open (align TARGET)     at that height, over the target (servo states 0-2) (lower TARGET)     down onto the target
-//   (servo states 0-4) (close)            close the gripper; fails `missed` where nothing is between the fingers
-//   (release)          open the gripper just enough to let go
+//   (open OBJECT)         open the gripper as wide as the neighbours of OBJECT leave room
+//   (close)               close it; fails `missed` where nothing is between the fingers
+//   (release)             open it just enough to let go
+//   (raise)               up to the height that is safe to travel at (servo state 0)
+//   (make-room OBJECT)    push OBJECT out of its row where neighbours leave the fingers no room
+//   (turn-fingers OBJECT) turn the wrist as far as OBJECT's face is turned, so that the fingers lie on its sides
+//   (square-up)           turn it back, so that what is held faces the camera
+//   (align TARGET)        at travel height, over the target (servo states 0-2)
+//   (lower TARGET)        down onto the target (servo states 0-4)
 //   (check-held OBJECT)   fails `missed` where the eyes do not see OBJECT between the fingers
 //
 // A TARGET says where the gripper, or what it holds, is to be:
@@ -24,8 +27,8 @@
 namespace pizarra {
 
 inline Arities primitive_arities() {
-  return {{"open", 1},  {"raise", 0}, {"make-room", 1}, {"align", 1},
-          {"lower", 1}, {"close", 0}, {"release", 0},   {"check-held", 1}};
+  return {{"open", 1},         {"close", 0},     {"release", 0}, {"raise", 0}, {"make-room", 1},
+          {"turn-fingers", 1}, {"square-up", 0}, {"align", 1},   {"lower", 1}, {"check-held", 1}};
 }
 
 }  // namespace pizarra

@@ -22,6 +22,8 @@ struct Sighting {
   std::uint64_t look;         // the newest it was seen in
   Eigen::Vector3d anchor_mm;  // it has been within `still_mm` of here ...
   std::uint64_t still_since;  // ... since this look
+  double yaw_deg = 0;         // how far its face looks to the right of facing the camera, averaged while it is still
+  int yaw_samples = 0;
 };
 
 class Sightings {
@@ -31,10 +33,15 @@ class Sightings {
   // Takes in one interpreted TRACK reply: `(track ("name" X Y D) ("name" fail) ...)`.
   void look(std::int64_t frame, const Datum& track, const CameraView& view);
 
+  // Takes in one object's entry of a (faces ...) fact.
+  void face(std::string_view name, double yaw_deg);
+
   std::uint64_t looks() const { return looks_; }
   std::int64_t frame() const { return frame_; }
   const std::map<std::string, Sighting, std::less<>>& all() const { return seen_; }
   const Sighting* find(std::string_view name) const;
+  // How far its face is turned, within 45 degrees; 0 while too few looks told.
+  double yaw_deg(std::string_view name) const;
   // Whether it was seen within the last `looks` looks; 1: in the newest.
   bool recent(std::string_view name, std::uint64_t looks) const;
   // For how many looks it has lain where it is.

@@ -1,7 +1,9 @@
 #include "agents/coordinator/surroundings.hpp"
 
+#include <Eigen/Geometry>
 #include <cassert>
 #include <cmath>
+#include <numbers>
 
 #include "agents/coordinator/telling.hpp"
 #include "lisp/vision_reply.hpp"
@@ -36,6 +38,7 @@ void Surroundings::start() {
   const Datum model = list("camera-model"_sym, any, any, any, any, any, any);
   jobs_.push_back(executor.spawn(watch(model, &Surroundings::take_model)));
   jobs_.push_back(executor.spawn(watch(list("gripper"_sym, any), &Surroundings::take_gripper)));
+  jobs_.push_back(executor.spawn(watch(list("faces"_sym, any, any), &Surroundings::take_faces)));
   const Datum pose = list("arm-pose"_sym, any, any, any, any, any, any);
   jobs_.push_back(executor.spawn(watch(pose, &Surroundings::take_pose)));
   jobs_.push_back(executor.spawn(watch(list("agent"_sym, any, any, any), &Surroundings::take_presence)));
@@ -84,6 +87,13 @@ void Surroundings::take_gripper(const Change& change) {
   if (!change.added.empty()) opening_mm_ = change.added.back().facts.front().datum[1].number();
 }
 
+void Surroundings::take_faces(const Change& change) {
+  if (change.added.empty()) return;
+  for (const Datum& face : change.added.back().facts.front().datum[2].items()) {
+    if (face.size() == 2) sightings_.face(face[0].text(), face[1].number());
+  }
+}
+
 void Surroundings::take_pose(const Change& change) {
   if (change.added.empty()) return;
   const Datum& pose = change.added.back().facts.front().datum;
@@ -121,6 +131,14 @@ std::optional<Eigen::Vector3d> Surroundings::grip_mm() const {
   }
   if (!pose_mm_ || !view_) return std::nullopt;
   return Eigen::Vector3d(*pose_mm_ - options_.gripper.mark_before_grip_mm * view_->away());
+}
+
+// The mark stands before the middle in the direction in which its face looks.
+Eigen::Vector3d Surroundings::centre_mm(const std::string& name, const Sighting& sighting) const {
+  if (!view_) return sighting.place_mm;
+  const double yaw = sightings_.yaw_deg(name) * std::numbers::pi / 180;
+  const Eigen::Vector3d looks = Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()) * -view_->away();
+  return sighting.place_mm - domain_.cube_mm() / 2 * looks;
 }
 
 std::vector<Datum> Surroundings::measure() const {

@@ -42,6 +42,8 @@ class Surroundings {
   // Where the mark of a held object would stand: below the end effector's mark, or by the arm's own word while that is
   // not seen.
   std::optional<Eigen::Vector3d> grip_mm() const;
+  // The middle of the cube that bears the mark.
+  Eigen::Vector3d centre_mm(const std::string& name, const Sighting& sighting) const;
   bool present(const std::string& agent) const { return present_.contains(agent); }
   // The frame in which a belief came or went last; 0 if it never did.
   std::int64_t changed_in(const Datum& belief) const;
@@ -62,6 +64,7 @@ class Surroundings {
   Task<void> watch_vision();
   void take_model(const Change& change);
   void take_gripper(const Change& change);
+  void take_faces(const Change& change);
   void take_pose(const Change& change);
   void take_presence(const Change& change);
   Task<void> take_look(std::int64_t frame, std::string text);

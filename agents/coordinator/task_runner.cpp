@@ -1,5 +1,6 @@
 #include "agents/coordinator/task_runner.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -15,6 +16,9 @@ constexpr Duration effects_patience = 3s;
 constexpr double held_mm = 25;
 constexpr double closed_mm = 9;
 constexpr int held_looks = 12;
+// A smaller yaw of a cube is straightened by the fingers; a larger one hides the end effector's mark.
+constexpr double least_turn_deg = 4;
+constexpr double most_turn_deg = 38;
 
 }  // namespace
 
@@ -58,6 +62,8 @@ Task<Result<void>> TaskRunner::run_step(Datum step) {
   if (name == "lower") return servo(step[1], true);
   if (name == "close") return close();
   if (name == "release") return release();
+  if (name == "turn-fingers") return turn_fingers(std::string(step[1].text()));
+  if (name == "square-up") return arm_.face(0);
   if (name == "make-room") return make_room(std::string(step[1].text()));
   if (name == "check-held") return check_held(std::string(step[1].text()));
   return open(aims_.opening_around(step[1].text(), options_.gripper.wide_mm));
@@ -67,6 +73,16 @@ Task<Result<void>> TaskRunner::open(double opening_mm) {
   const Result<double> opened = co_await arm_.grip(opening_mm);
   if (!opened) co_return fail(opened);
   co_return Result<void>();
+}
+
+// The base frame's x axis looks at a camera that faces the arm.
+Task<Result<void>> TaskRunner::turn_fingers(std::string object) {
+  const double seen_deg = surroundings_.sightings().yaw_deg(object);
+  const double wanted_deg =
+      std::abs(seen_deg) < least_turn_deg ? 0 : std::clamp(seen_deg, -most_turn_deg, most_turn_deg);
+  const double facing_deg = options_.camera.facing_deg - 180;
+  const Result<void> turned = co_await arm_.face(facing_deg + wanted_deg);
+  co_return turned;
 }
 
 Task<Result<void>> TaskRunner::close() {

@@ -40,6 +40,7 @@ class TaskRunner {
   Task<Result<void>> run_step(Datum step);
   Task<Result<void>> servo(Datum target, bool descend);
   Task<Result<void>> open(double opening_mm);
+  Task<Result<void>> turn_fingers(std::string object);
   Task<Result<void>> close();
   Task<Result<void>> release();
   Task<Result<void>> make_room(std::string object);
