@@ -31,9 +31,11 @@ Result<Perception> Perception::read(const Source& domain, const Arities& predica
 Result<std::vector<Datum>> Perception::perceive(const std::vector<Datum>& measured,
                                                 const std::vector<Datum>& believed) const {
   const std::vector<Datum> arguments{section_, Datum::list(measured), Datum::list(believed)};
-  const Result<Datum> facts = call_scheme("perception", "perceive", arguments);
-  if (!facts) return fail(facts);
-  return std::vector<Datum>(facts->items().begin(), facts->items().end());
+  const Result<Datum> outcome = call_scheme("perception", "perceive", arguments);
+  if (!outcome) return fail(outcome);
+  if (outcome->is_form("fail")) return fail(failure_from_datum(*outcome));
+  const Datum& facts = (*outcome)[1];
+  return std::vector<Datum>(facts.items().begin(), facts.items().end());
 }
 
 std::optional<double> Perception::constant(std::string_view name) const {

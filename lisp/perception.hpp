@@ -28,7 +28,8 @@ class Perception {
   // unbound-variable, unknown-constant; all of them in one report.
   static Result<Perception> read(const Source& domain, const Arities& predicates);
 
-  // The facts that the rules find in what is measured, given what was believed before.
+  // The facts that the rules find in what is measured, given what was believed before. Failure: too-much-work, whose
+  // subject is the head of the rule that goes beyond what one look may take.
   Result<std::vector<Datum>> perceive(const std::vector<Datum>& measured, const std::vector<Datum>& believed) const;
 
   // The type of whatever the eyes can name.

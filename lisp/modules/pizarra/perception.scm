@@ -20,10 +20,12 @@
 
 (define-module (pizarra perception)
   #:use-module (srfi srfi-1)
+  #:use-module (ice-9 control)
   #:export (interpret perceive))
 
 (define comparisons '(< <= > >= = /=))
-(define most-facts 2000)
+(define most-facts 2000)                ; that the rules may find in one look
+(define most-tries 100000)              ; facts that one look may try on patterns
 
 (define (variable? x)
   (and (symbol? x) (char=? (string-ref (symbol->string x) 0) #\?)))
@@ -247,6 +249,7 @@
   (let ((name (car pattern)) (arguments (cdr pattern)))
     (lambda (env world was emit)
       (any (lambda (fact)
+             (count-try!)
              (let ((extended (match-arguments arguments (cdr fact) env)))
                (and extended (emit extended))))
            (facts-of (select world was) name)))))
@@ -310,26 +313,59 @@
   (cons (car head)
         (map (lambda (x) (let ((bound (and (variable? x) (assq x env)))) (if bound (cdr bound) x))) (cdr head))))
 
+;; Rules are written by people, and a join grows with the power of its patterns: a look has so many tries.
+(define tries-left 0)
+(define facts-left 0)
+(define give-up #f)                     ; takes the sentence's end; leaves the look
+
+(define (count-try!)
+  (set! tries-left (- tries-left 1))
+  (when (negative? tries-left)
+    (give-up (simple-format #f "goes beyond the ~a tries that one look may take" most-tries))))
+
+(define (count-fact!)
+  (set! facts-left (- facts-left 1))
+  (when (negative? facts-left)
+    (give-up (simple-format #f "goes beyond the ~a facts that may be found in one look" most-facts))))
+
 (define (apply-rule rule world was)
-  (let ((found '()))
+  (let ((known (make-hash-table)) (found '()))
     ((cdr rule) '() world was
      (lambda (env)
        (let ((fact (instantiate (car rule) env)))
-         (unless (or (member fact found) (> (length found) most-facts))
-           (set! found (cons fact found)))
+         (unless (hash-ref known fact)
+           (hash-set! known fact #t)
+           (set! found (cons fact found))
+           (count-fact!))
          #f)))
     (reverse found)))
 
-;; (perceive SECTION MEASURED BELIEVED) -> the facts that the rules find, in the order in which they were found.
+;; What APPLY answers, or (fail too-much-work SENTENCE HEAD).
+(define (within-bounds head apply)
+  (let/ec leave
+    (set! give-up
+          (lambda (what)
+            (leave (list 'fail 'too-much-work
+                         (simple-format #f "the rule for ~a ~a" (car head) what)
+                         head))))
+    (apply)))
+
+;; (perceive SECTION MEASURED BELIEVED) -> (ok (FACT ...)), what the rules find in the order in which it was found, or
+;; (fail too-much-work SENTENCE HEAD) about the rule that was being followed when the bound was reached.
 (define (perceive section measured believed)
   (compile-section! section)
+  (set! tries-left most-tries)
+  (set! facts-left most-facts)
   (let ((was (fold (lambda (fact world) (add-fact world fact)) '() believed)))
     (let loop ((rules compiled-rules)
                (world (fold (lambda (fact world) (add-fact world fact)) '() (append compiled-facts measured)))
                (found '()))
       (if (null? rules)
-          found
-          (let ((new (filter (lambda (fact) (not (member fact found))) (apply-rule (car rules) world was))))
-            (loop (cdr rules)
-                  (fold (lambda (fact world) (add-fact world fact)) world new)
-                  (append found new)))))))
+          (list 'ok found)
+          (let ((outcome (within-bounds (caar rules) (lambda () (list 'ok (apply-rule (car rules) world was))))))
+            (if (eq? (car outcome) 'fail)
+                outcome
+                (let ((new (filter (lambda (fact) (not (member fact found))) (cadr outcome))))
+                  (loop (cdr rules)
+                        (fold (lambda (fact world) (add-fact world fact)) world new)
+                        (append found new)))))))))
