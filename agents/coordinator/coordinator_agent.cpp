@@ -15,8 +15,8 @@ struct Life {
   Life(AgentContext& context, const CoordinatorOptions& options, TaskDomain task, Service& service)
       : domain(std::move(task)),
         caller(context, service),
-        surroundings(context, options, domain, service),
         story(context.board, context.executor),
+        surroundings(context, options, domain, service, story),
         arm(context, options, surroundings, story, caller),
         eyes(context, options, surroundings, story, caller),
         planning(context, options, domain, surroundings, caller),
@@ -25,8 +25,8 @@ struct Life {
 
   TaskDomain domain;
   Caller caller;
-  Surroundings surroundings;
   Story story;
+  Surroundings surroundings;
   Vigil vigil;
   Arm arm;
   Eyes eyes;

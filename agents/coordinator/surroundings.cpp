@@ -1,8 +1,8 @@
 #include "agents/coordinator/surroundings.hpp"
 
 #include <Eigen/Geometry>
-#include <cassert>
 #include <cmath>
+#include <fmt/format.h>
 #include <numbers>
 
 #include "agents/coordinator/telling.hpp"
@@ -23,11 +23,12 @@ double rounded(double mm) { return std::round(mm * 10) / 10; }
 }  // namespace
 
 Surroundings::Surroundings(AgentContext& context, const CoordinatorOptions& options, const TaskDomain& domain,
-                           const Service& service)
+                           const Service& service, Story& story)
     : context_(context),
       options_(options),
       domain_(domain),
       service_(service),
+      story_(story),
       grace_(static_cast<std::uint64_t>(options.grace_looks)),
       beliefs_(options.belief_looks),
       changed_(context.executor) {}
@@ -110,13 +111,16 @@ Task<void> Surroundings::take_look(std::int64_t frame, std::string text) {
   const Result<Datum> track = interpret_vision_reply(text);
   if (!track || !track->is_form("track") || !view_) co_return;
   sightings_.look(frame, *track, *view_);
-  Beliefs::Change change = beliefs_.perceive(perceive());
+  const Result<Facts> perceived = perceive();
+  Beliefs::Change change;
+  if (perceived) change = beliefs_.perceive(*perceived);
   for (const Datum& fact : change.come) changed_in_.insert_or_assign(fact, frame);
   for (const Datum& fact : change.gone) changed_in_.insert_or_assign(fact, frame);
   Transaction places;
   tell_places(places);
   if (!places.steps.empty()) co_await commit(context_.board, context_.executor, std::move(places));
   if (!all_told_) change.come.assign(beliefs().begin(), beliefs().end());
+  if (!perceived) co_await tell_failure(perceived.error());
   if (change.any()) {
     co_await tell_change(change);
     if (observer_) observer_(change);
@@ -155,11 +159,10 @@ std::vector<Datum> Surroundings::measure() const {
   return measured;
 }
 
-Facts Surroundings::perceive() const {
+Result<Facts> Surroundings::perceive() const {
   const std::vector<Datum> believed(beliefs().begin(), beliefs().end());
   const Result<std::vector<Datum>> found = domain_.perception().perceive(measure(), believed);
-  // The rules were checked when the domain was read, so this cannot fail but by a bug.
-  assert(found);
+  if (!found) return fail(found);
   Facts facts;
   for (const Datum& fact : *found) {
     if (domain_.domain().find_predicate(fact.head())) facts.insert(fact);
@@ -197,6 +200,15 @@ Task<std::vector<FactId>> Surroundings::evidence(Datum belief) {
     for (const Fact& place : places) ids.push_back(place.id);
   }
   co_return ids;
+}
+
+// Every look may fail in the same way; it is told once.
+Task<void> Surroundings::tell_failure(Failure why) {
+  if (told_failure_ == why.sentence) co_return;
+  told_failure_ = why.sentence;
+  const std::string sentence = fmt::format("the look cannot be understood, what was believed stays: {}", why.sentence);
+  const Datum detail = failure_to_datum(why);
+  co_await story_.tell("agent", sentence, detail);
 }
 
 Task<void> Surroundings::tell_change(Beliefs::Change change) {

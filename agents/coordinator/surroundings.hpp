@@ -17,6 +17,7 @@
 #include "agents/coordinator/beliefs.hpp"
 #include "agents/coordinator/options.hpp"
 #include "agents/coordinator/sightings.hpp"
+#include "agents/coordinator/story.hpp"
 #include "agents/coordinator/task_domain.hpp"
 #include "agents/runtime/service.hpp"
 #include "blackboard/time/event.hpp"
@@ -27,7 +28,7 @@ class Surroundings {
  public:
   // Everything outlives it. Facts it tells stand under the service's presence, so that they go with the coordinator.
   Surroundings(AgentContext& context, const CoordinatorOptions& options, const TaskDomain& domain,
-               const Service& service);
+               const Service& service, Story& story);
 
   void start();
   // Called after beliefs changed, with what changed.
@@ -69,7 +70,8 @@ class Surroundings {
   void take_presence(const Change& change);
   Task<void> take_look(std::int64_t frame, std::string text);
   std::vector<Datum> measure() const;
-  Facts perceive() const;
+  Result<Facts> perceive() const;
+  Task<void> tell_failure(Failure why);
   void tell_places(Transaction& transaction);
   Task<void> tell_change(Beliefs::Change change);
   Task<std::vector<FactId>> evidence(Datum belief);
@@ -78,6 +80,7 @@ class Surroundings {
   const CoordinatorOptions& options_;
   const TaskDomain& domain_;
   const Service& service_;
+  Story& story_;
   std::function<void(const Beliefs::Change&)> observer_;
 
   std::uint64_t grace_;
@@ -89,6 +92,7 @@ class Surroundings {
   std::set<std::string, std::less<>> present_;
   std::map<std::string, Eigen::Vector3d, std::less<>> told_places_;
   bool all_told_ = true;
+  std::string told_failure_;
   std::map<Datum, std::int64_t> changed_in_;
   WaitList changed_;
   std::vector<Job> jobs_;
