@@ -213,7 +213,7 @@ void add_board_words(CLI::App& app, int& status) {
   repl->add_option("--agents", choices->agents, "Run just these agents on a board in this process: vision,robot")
       ->delimiter(',')
       ->check(CLI::IsMember(agent_kinds()));
-  repl->add_option("--seed", choices->seed, "What chance begins from")->capture_default_str();
+  repl->add_option("--seed", choices->seed, "What chance begins from")->check(seed_check())->capture_default_str();
   add_board_options(repl, choices->board);
   repl->callback([choices, &status] { status = run_repl(*choices); });
   for (const FormWord& word : form_words) add_form_word(app, status, word);

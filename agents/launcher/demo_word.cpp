@@ -1,6 +1,7 @@
 #include <filesystem>
 #include <fmt/format.h>
 
+#include "agents/launcher/demo_choices.hpp"
 #include "agents/launcher/goal_text.hpp"
 #include "agents/launcher/random_runs.hpp"
 #include "agents/launcher/random_story.hpp"
@@ -12,22 +13,6 @@ namespace pizarra {
 
 namespace {
 
-struct DemoChoices {
-  std::string cell;
-  std::string goal;
-  std::string domain;
-  std::uint64_t seed = 1;
-  std::string journal;
-  std::string film;
-  std::string picture = "out/demo.png";
-  bool realtime = false;
-  bool json = false;
-  bool random = false;
-  std::uint64_t seeds = 0;  // 0: one story, told in full
-  std::uint64_t first_seed = 1;
-  unsigned jobs = 0;
-};
-
 constexpr double goal_alone_within_s = 300;
 
 // The story beside the cell file; where there is none, or another goal is asked for, no hand interferes.
@@ -35,7 +20,10 @@ Result<Scenario> story_of(const DemoChoices& choices) {
   const std::filesystem::path cell(choices.cell);
   const std::string story = (cell.parent_path() / "story.scm").string();
   Scenario scenario;
-  if (choices.goal.empty() && !choices.random) {
+  if (!choices.has("--goal") && !choices.random) {
+    if (!std::filesystem::exists(story)) {
+      return fail("no-story", fmt::format("there is no {}, so say what is wanted: --goal '(on A B)'", story));
+    }
     Result<Scenario> told = read_scenario_file(story);
     if (!told) return told;
     scenario = std::move(*told);
@@ -89,12 +77,14 @@ int run_demo(const DemoChoices& choices) {
 
   StoryOptions options{choices.seed, choices.realtime, choices.journal, choices.film, choices.picture};
   if (choices.random) {
+    const Result<void> drawable = check_random_cell(*cell, *domain);
+    if (!drawable) return complain(drawable.error(), exit_usage);
     RandomStory story = random_story_of_seed(std::move(*cell), choices.seed);
     cell = std::move(story.cell);
     scenario = std::move(story.scenario);
     options.director.events_may_fail = true;
   }
-  if (!choices.goal.empty()) {
+  if (choices.has("--goal")) {
     const Result<std::vector<Datum>> readable = check_goal(*domain, choices.goal);
     if (!readable) return complain(readable.error(), exit_usage);
     options.director.read_goal = [&](const std::vector<std::string>& objects) {
@@ -124,21 +114,32 @@ void add_demo_word(CLI::App& app, int& status) {
   demo->add_option("--goal", choices->goal, "FACT, (and FACT ...) or several FACTs; no hand interferes then");
   demo->add_option("--domain", choices->domain, "The domain file, in place of the cell's")->check(CLI::ExistingFile);
   demo->add_option("--seed", choices->seed, "What chance begins from; the same seed gives the same run")
+      ->check(seed_check())
       ->capture_default_str();
   demo->add_option("--journal", choices->journal, "Write every committed transaction to this file, a line each");
   demo->add_option("--video", choices->film, "Keep the run as a film: FILE.avi or FILE.mp4");
   demo->add_option("--png", choices->picture, "The camera's view at the end")->capture_default_str();
   demo->add_flag("--realtime", choices->realtime, "As fast as this machine's clock, not faster");
   demo->add_flag("--json", choices->json, "One JSON object a line");
-  demo->add_flag("--random", choices->random, "Random start piles, a random goal and one random disturbance")
-      ->excludes("--goal");
-  demo->add_option("--seeds", choices->seeds, "With --random: this many seeds on all cores, a line each and a summary")
+  demo->add_flag("--random", choices->random, "Random start piles, a random goal and one random disturbance");
+  demo->add_option("--seeds", choices->seeds,
+                   "With --random: this many seeds, a line each and a summary; status 0 when no seed failed")
       ->check(CLI::Range(1, 100000));
-  demo->add_option("--first-seed", choices->first_seed, "With --random: the first")->capture_default_str();
-  demo->add_option("--jobs", choices->jobs, "With --random: how many at once; 0: one a core")->capture_default_str();
+  demo->add_option("--first-seed", choices->first_seed, "With --seeds: the first")
+      ->check(seed_check())
+      ->capture_default_str();
+  demo->add_option("--jobs", choices->jobs, "With --seeds: how many at once; 0: one a core")
+      ->check(CLI::Range(0, 256))
+      ->capture_default_str();
   demo->footer(exit_code_help);
-  demo->callback([choices, &status] {
-    if (choices->random && choices->seeds > 0) {
+  demo->callback([choices, demo, &status] {
+    for (const CLI::Option* option : demo->get_options()) {
+      if (option->count() > 0) choices->given.insert(option->get_name());
+    }
+    const Result<void> sound = check_choices(*choices);
+    if (!sound) {
+      status = complain(sound.error(), exit_usage);
+    } else if (choices->many()) {
       const RandomRuns runs{choices->cell, choices->first_seed, choices->seeds, choices->jobs, choices->json};
       status = run_random(runs);
     } else {

@@ -21,7 +21,7 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? pizarra::exit_reached : pizarra::exit_usage;
+    return pizarra::end_of_parsing(app, error);
   }
   return status;
 }

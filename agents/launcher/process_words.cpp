@@ -77,7 +77,7 @@ void add_process_words(CLI::App& app, int& status) {
   agent->add_option("--world", choices->world, "Where the simulated world listens: ipc://")->required();
   agent->add_option("--name", choices->name, "Its name on the board; its kind otherwise");
   agent->add_option("--host", choices->host, "Which host it says it is on")->capture_default_str();
-  agent->add_option("--seed", choices->seed, "What its chance begins from")->capture_default_str();
+  agent->add_option("--seed", choices->seed, "What its chance begins from")->check(seed_check())->capture_default_str();
   agent->footer(exit_code_help);
   agent->callback([choices, &status] { status = run_agent(*choices); });
 
@@ -85,7 +85,9 @@ void add_process_words(CLI::App& app, int& status) {
   CLI::App* world = app.add_subcommand("world", "Run a cell's simulated world in this process.");
   world->add_option("cell", world_choices->cell, "The cell file")->required()->check(CLI::ExistingFile);
   world->add_option("--listen", world_choices->world, "Where it is reached: ipc://")->required();
-  world->add_option("--seed", world_choices->seed, "What its chance begins from")->capture_default_str();
+  world->add_option("--seed", world_choices->seed, "What its chance begins from")
+      ->check(seed_check())
+      ->capture_default_str();
   world->footer(exit_code_help);
   world->callback([world_choices, &status] { status = run_world(*world_choices); });
 }

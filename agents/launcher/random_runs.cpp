@@ -188,7 +188,7 @@ int Pool::run() {
                                 : "reached {}, refused correctly {}, failed {}\n";
   fmt::print(fmt::runtime(form), counts_[Kind::reached], counts_[Kind::refused], counts_[Kind::failed]);
   if (interrupted != 0) return exit_interrupted;
-  return counts_[Kind::failed] == 0 ? exit_reached : exit_failed;
+  return counts_[Kind::failed] == 0 && results_.size() == runs_.seeds ? exit_reached : exit_failed;
 }
 
 RandomResult describe_run(const RandomStory& story, const StoryReport& run) {
@@ -218,6 +218,10 @@ RandomResult run_random_seed(const std::string& cell_file, std::uint64_t seed) {
   RandomResult failed;
   const Result<CellDescription> cell = read_cell_file(cell_file);
   if (!cell) return {RandomResult::Kind::unreadable, describe(cell.error())};
+  const Result<Domain> domain = read_domain_file(cell->domain_file);
+  if (!domain) return {RandomResult::Kind::unreadable, describe(domain.error())};
+  const Result<void> drawable = check_random_cell(*cell, *domain);
+  if (!drawable) return {RandomResult::Kind::unreadable, describe(drawable.error())};
   const RandomStory story = random_story_of_seed(*cell, seed);
   Narrator narrator(stdout, Narrator::Style::silent);
   StoryOptions options;

@@ -1,6 +1,7 @@
 #include "agents/launcher/random_story.hpp"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <string_view>
 #include <utility>
 
@@ -123,6 +124,20 @@ std::vector<Datum> random_disturbance(std::vector<std::string> names, Random& ra
 }
 
 }  // namespace
+
+Result<void> check_random_cell(const CellDescription& cell, const Domain& domain) {
+  if (cell.cubes.size() < 2 || cell.cubes.size() > slots) {
+    return fail("bad-cell",
+                fmt::format("random stories are about 2 to {} cubes, and this cell has {}", slots, cell.cubes.size()));
+  }
+  for (const auto& [name, arguments] : {std::pair("on", 2U), std::pair("on-table", 1U)}) {
+    const auto found = std::ranges::find(domain.predicates, name, &Predicate::name);
+    if (found != domain.predicates.end() && found->arguments.size() == arguments) continue;
+    return fail("bad-cell",
+                fmt::format("random goals are about on and on-table, and the domain {} has no {}", domain.name, name));
+  }
+  return {};
+}
 
 RandomStory random_story(CellDescription cell, Random random) {
   std::vector<std::string> names;

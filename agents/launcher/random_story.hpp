@@ -5,6 +5,7 @@
 //   RandomStory story = random_story(cell, Random(seed));
 
 #include "blackboard/time/random.hpp"
+#include "lisp/domain.hpp"
 #include "lisp/scenario.hpp"
 
 namespace pizarra {
@@ -16,6 +17,11 @@ struct RandomStory {
   Scenario scenario;
 };
 
+// Whether stories can be drawn for the cell: two to five cubes, and a domain with (on A B) and (on-table A). Failure:
+// bad-cell.
+Result<void> check_random_cell(const CellDescription& cell, const Domain& domain);
+
+// The cell passed check_random_cell().
 RandomStory random_story(CellDescription cell, Random random);
 
 // The story that belongs to a run's seed.

@@ -223,7 +223,9 @@ void add_cell_words(CLI::App& app, int& status) {
   up->add_option("cell", choices->cell, "The cell file")->required()->check(CLI::ExistingFile);
   up->add_option("--host", choices->host, "Which of the cell's hosts this is");
   up->add_option("--board", choices->board, "A board that runs already, in place of the cell's own");
-  up->add_option("--seed", choices->seed, "What chance begins from in the simulated world")->capture_default_str();
+  up->add_option("--seed", choices->seed, "What chance begins from in the simulated world")
+      ->check(seed_check())
+      ->capture_default_str();
   up->add_flag("--json", choices->json, "One JSON object a line");
   up->footer(exit_code_help);
   up->callback([choices, &status] { status = run_up(*choices); });

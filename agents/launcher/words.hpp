@@ -25,6 +25,13 @@ void add_board_words(CLI::App& app, int& status);    // repl, tell, retract, ask
 // Prints the failure to standard error and answers `code`.
 int complain(const Failure& failure, ExitCode code);
 
+// For options that take a seed: digits alone, from 0 to 2^64-1.
+CLI::Validator seed_check();
+
+// Prints why a command line was not taken, naming an option that is not known, or the help that was asked for; answers
+// the exit status.
+int end_of_parsing(const CLI::App& app, const CLI::ParseError& error);
+
 // A file that comes with the program: from the tree it was built from.
 std::string shipped_file(const std::string& path);
 

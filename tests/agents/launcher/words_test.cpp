@@ -47,6 +47,53 @@ TEST(Words, AnUnknownWordOrOptionIsAUsageError) {
   EXPECT_EQ(run("demo /nowhere/cell.scm").status, 2);
 }
 
+TEST(Words, AnUnknownOptionIsNamedWithTheNearest) {
+  const Said said = run("demo --sed 3");
+  EXPECT_TRUE(contains(said, "--sed;")) << said.text;
+  EXPECT_TRUE(contains(said, "did you mean --seed?")) << said.text;
+}
+
+TEST(Words, AnOptionThatWouldHaveNoEffectIsRefusedAndNothingRuns) {
+  const std::string places = std::string(PIZARRA_SOURCE_DIR) + "/examples/02-numbered-places/cell.scm";
+  for (const std::string& words :
+       {std::string("--random --goal '(on circle triangle)'"), "--random --domain " + places, std::string("--seeds 3"),
+        std::string("--first-seed 3"), std::string("--random --jobs 2"), std::string("--random --seeds 2 --seed 3"),
+        std::string("--random --seeds 2 --journal j.txt"), std::string("--random --seeds 2 --video v.avi"),
+        std::string("--random --seeds 2 --png p.png"), std::string("--random --seeds 2 --realtime"),
+        std::string("--video film.mpg"), std::string("--png picture.pgn"), places + " --random",
+        places + " --random --seeds 2"}) {
+    const Said said = run("demo " + words);
+    EXPECT_EQ(said.status, 2) << words << said.text;
+    EXPECT_FALSE(contains(said, "is there")) << words << said.text;
+  }
+}
+
+TEST(Words, ASeedThatIsNoWholeNumberOrTooLargeIsRefused) {
+  for (const char* words :
+       {"--seed -1", "--seed 1.5", "--seed 99999999999999999999", "--seed ''", "--random --seeds 2 --first-seed -1",
+        "--random --seeds 2 --first-seed 18446744073709551615", "--random --seeds 0"}) {
+    const Said said = run(std::string("demo ") + words);
+    EXPECT_EQ(said.status, 2) << words << said.text;
+    EXPECT_TRUE(contains(said, "seed")) << words << said.text;
+    EXPECT_FALSE(contains(said, "is there")) << words << said.text;
+  }
+}
+
+TEST(Words, AnEmptyGoalIsMalformedAndNothingRuns) {
+  const Said said = run("demo --goal ''");
+  EXPECT_EQ(said.status, 2) << said.text;
+  EXPECT_FALSE(contains(said, "is there")) << said.text;
+}
+
+TEST(Words, WithoutAStoryBesideTheCellAGoalIsAskedFor) {
+  const std::string file = testing::TempDir() + "lone-cell-" + std::to_string(getpid()) + ".scm";
+  std::ofstream(file) << "(cell c (world (cube circle (at 450 0))) (domain \"" << PIZARRA_SOURCE_DIR
+                      << "/domains/blocks.scm\"))\n";
+  const Said said = run("demo " + file);
+  EXPECT_EQ(said.status, 2) << said.text;
+  EXPECT_TRUE(contains(said, "--goal")) << said.text;
+}
+
 TEST(Words, AMalformedGoalIsToldAtItsPlaceBeforeAnythingRuns) {
   const Said said = run("demo --goal '(on circle'");
   EXPECT_EQ(said.status, 2);
