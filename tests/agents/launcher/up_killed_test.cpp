@@ -1,0 +1,213 @@
+// The example cell as processes, in real time: whoever is killed is started again and the goal is reached all the same;
+// however `up` ends, no process outlives it.
+
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <fcntl.h>
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
+#include <vector>
+
+namespace pizarra {
+namespace {
+
+namespace fs = std::filesystem;
+using std::chrono::seconds;
+
+constexpr std::chrono::milliseconds look_pause{100};
+// Much longer than anything here takes on a machine that does nothing else.
+constexpr seconds patience{90};
+constexpr seconds stop_time{10};
+
+bool wait_until(const auto& condition, seconds how_long) {
+  const auto end = std::chrono::steady_clock::now() + how_long;
+  while (std::chrono::steady_clock::now() < end) {
+    if (condition()) return true;
+    std::this_thread::sleep_for(look_pause);
+  }
+  return condition();
+}
+
+std::string text_of(const std::string& file) {
+  std::ifstream in(file);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+// The program with some words; what it says goes to a file. Killed when destroyed.
+class Running {
+ public:
+  Running(std::vector<std::string> words, std::string log) : log_(std::move(log)) {
+    words.insert(words.begin(), PIZARRA_CELL);
+    std::vector<char*> arguments;
+    for (std::string& word : words) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    pid_ = fork();
+    if (pid_ != 0) return;
+    const int out = open(log_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    dup2(out, STDOUT_FILENO);
+    dup2(out, STDERR_FILENO);
+    execv(PIZARRA_CELL, arguments.data());
+    _exit(127);
+  }
+  Running(const Running&) = delete;
+  Running& operator=(const Running&) = delete;
+  ~Running() {
+    if (status_) return;
+    kill(pid_, SIGKILL);
+    waitpid(pid_, nullptr, 0);
+  }
+
+  void signal(int number) const {
+    if (!status_) kill(pid_, number);
+  }
+  // Its exit status, minus the signal that killed it, or nothing while it runs on.
+  std::optional<int> end(seconds how_long) {
+    wait_until([this] { return look(); }, how_long);
+    return status_;
+  }
+  std::string said() const { return text_of(log_); }
+
+ private:
+  bool look() {
+    int status = 0;
+    if (status_ || waitpid(pid_, &status, WNOHANG) != pid_) return status_.has_value();
+    status_ = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+    return true;
+  }
+
+  std::string log_;
+  pid_t pid_ = 0;
+  std::optional<int> status_;
+};
+
+struct Shown {
+  pid_t pid = 0;  // 0: not running
+  int restarts = -1;
+};
+
+class UpKilled : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string name = testing::TempDir() + "up-killed-XXXXXX";
+    ASSERT_NE(mkdtemp(name.data()), nullptr);
+    folder_ = name;
+    setenv("XDG_RUNTIME_DIR", folder_.c_str(), 1);
+    start();
+  }
+  void TearDown() override {
+    up_.reset();
+    fs::remove_all(folder_);
+  }
+
+  void start() {
+    const std::string cell = std::string(PIZARRA_SOURCE_DIR) + "/examples/01-blocks/cell.scm";
+    up_.emplace(std::vector<std::string>{"up", cell}, folder_ + "/up.log");
+  }
+  std::string say(std::vector<std::string> words) {
+    Running running(std::move(words), folder_ + "/said.log");
+    running.end(patience);
+    return running.said();
+  }
+  // Whether a query of the variable ?x comes to have an answer.
+  bool comes(const std::string& query) {
+    return wait_until([&] { return say({"ask", query}).find("?x = ") != std::string::npos; }, patience);
+  }
+  Shown shown(const std::string& process) {
+    const std::string text = say({"ps", "--json"});
+    const std::size_t line = text.find("\"name\":\"" + process + "\"");
+    if (line == std::string::npos) return {};
+    const auto number = [&](const std::string& key) {
+      return std::atoi(text.c_str() + text.find("\"" + key + "\":", line) + key.size() + 3);
+    };
+    return {number("pid"), number("restarts")};
+  }
+  // Every process whose command line names this test's folder, which all of the cell's do; zombies have none.
+  std::vector<std::string> cell_processes() {
+    std::vector<std::string> found;
+    for (const fs::directory_entry& entry : fs::directory_iterator("/proc")) {
+      const std::string command = text_of(entry.path().string() + "/cmdline");
+      if (command.find(folder_) != std::string::npos) found.push_back(entry.path().filename().string() + " " + command);
+    }
+    return found;
+  }
+  bool nothing_runs(seconds how_long) {
+    return wait_until([this] { return cell_processes().empty(); }, how_long);
+  }
+  // The sockets and state in the run's folder: what a stopped cell does not leave behind.
+  std::vector<std::string> remains() {
+    std::vector<std::string> found;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder_ + "/pizarra")) {
+      if (entry.is_socket() || entry.path().filename() == "state") found.push_back(entry.path().string());
+    }
+    return found;
+  }
+
+  // Kills it while the goal is pursued and waits until another process has taken its place.
+  void kill_now(const std::string& agent) {
+    const Shown before = shown(agent);
+    ASSERT_GT(before.pid, 0) << up_->said();
+    ASSERT_EQ(kill(before.pid, SIGKILL), 0);
+    EXPECT_NE(say({"ask", "(goal-state ?x running ?)"}).find("?x = "), std::string::npos) << "killed too late";
+    const auto restarted = [&] {
+      const Shown now = shown(agent);
+      return now.restarts > before.restarts && now.pid > 0 && now.pid != before.pid;
+    };
+    EXPECT_TRUE(wait_until(restarted, patience)) << agent << '\n' << up_->said();
+  }
+  void stop_cleanly() {
+    EXPECT_EQ(cell_processes().size(), 7U);
+    up_->signal(SIGINT);
+    EXPECT_EQ(up_->end(stop_time), 0) << up_->said();
+    EXPECT_EQ(cell_processes(), std::vector<std::string>());
+    EXPECT_EQ(remains(), std::vector<std::string>());
+    EXPECT_EQ(say({"ps"}), "no cell runs here\n");
+  }
+
+  std::string folder_;
+  std::optional<Running> up_;
+};
+
+TEST_F(UpKilled, ACoordinatorKilledWhileItPicksUpGoesOnAndReachesTheGoal) {
+  ASSERT_TRUE(comes("(person done ?x)")) << up_->said();
+  Running goal({"repl", "--eval", "(goal (on circle triangle))"}, folder_ + "/goal.log");
+  ASSERT_TRUE(comes("(operation ? (PICK-UP ?x) running)")) << goal.said() << up_->said();
+  kill_now("coordinator");
+  EXPECT_EQ(goal.end(patience), 0) << goal.said() << up_->said();
+  stop_cleanly();
+}
+
+TEST_F(UpKilled, VisionAndPlannerKilledWhileABlockIsHeldComeBackAndTheGoalIsReached) {
+  ASSERT_TRUE(comes("(person done ?x)")) << up_->said();
+  Running goal({"repl", "--eval", "(goal (on circle triangle))"}, folder_ + "/goal.log");
+  ASSERT_TRUE(comes("(holding ?x)")) << goal.said() << up_->said();
+  kill_now("vision");
+  kill_now("planner");
+  EXPECT_EQ(goal.end(patience), 0) << goal.said() << up_->said();
+  stop_cleanly();
+}
+
+TEST_F(UpKilled, NoProcessOutlivesAKilledUpAndTheNextOneStartsInItsPlace) {
+  ASSERT_TRUE(wait_until([this] { return shown("vision").pid > 0 && cell_processes().size() == 7; }, patience))
+      << up_->said();
+  up_->signal(SIGKILL);
+  EXPECT_EQ(up_->end(stop_time), -SIGKILL);
+  EXPECT_TRUE(nothing_runs(stop_time)) << cell_processes().front();
+
+  start();
+  ASSERT_TRUE(comes("(agent ?x vision ?)")) << up_->said();
+  up_->signal(SIGINT);
+  EXPECT_EQ(up_->end(stop_time), 0) << up_->said();
+  EXPECT_EQ(cell_processes(), std::vector<std::string>());
+  EXPECT_EQ(remains(), std::vector<std::string>());
+}
+
+}  // namespace
+}  // namespace pizarra
