@@ -3,8 +3,8 @@
 #include <fstream>
 #include <iterator>
 
+#include "agents/coordinator/task_domain.hpp"
 #include "agents/launcher/goal_text.hpp"
-#include "agents/launcher/judge.hpp"
 #include "agents/launcher/story_run.hpp"
 #include "agents/launcher/words.hpp"
 
@@ -17,21 +17,28 @@ struct CheckChoices {
   std::string domain;
 };
 
+// As the coordinator reads it, which therefore refuses no domain that was checked.
 Result<std::string> check_domain(const std::string& file) {
-  const Result<Domain> domain = read_domain_file(file);
+  const Result<TaskDomain> task = TaskDomain::read(file);
+  if (!task) return fail(task);
+  const Domain& domain = task->domain();
+  return fmt::format("domain {}: {} predicates, {} operators", domain.name, domain.predicates.size(),
+                     domain.operators.size());
+}
+
+// A cell with the domain that it names.
+Result<std::string> check_cell_whole(const CellDescription& cell) {
+  const Result<void> sound = check(world_config(cell, 1));
+  if (!sound) return fail(sound);
+  const Result<std::string> domain = check_domain(cell.domain_file);
   if (!domain) return fail(domain);
-  const Result<Judge> judge = Judge::make(*domain);
-  if (!judge) return fail(judge);
-  return fmt::format("domain {}: {} predicates, {} operators", domain->name, domain->predicates.size(),
-                     domain->operators.size());
+  return fmt::format("cell {}: {} cubes, {} hosts; {}", cell.name, cell.cubes.size(), cell.hosts.size(), *domain);
 }
 
 Result<std::string> check_cell(const std::string& file) {
   const Result<CellDescription> cell = read_cell_file(file);
   if (!cell) return fail(cell);
-  const Result<void> sound = check(world_config(*cell, 1));
-  if (!sound) return fail(sound);
-  return fmt::format("cell {}: {} cubes, {} hosts", cell->name, cell->cubes.size(), cell->hosts.size());
+  return check_cell_whole(*cell);
 }
 
 Result<std::string> check_scenario_file(const std::string& file) {
@@ -39,7 +46,11 @@ Result<std::string> check_scenario_file(const std::string& file) {
   if (!scenario) return fail(scenario);
   const Result<void> playable = check_scenario(*scenario);
   if (!playable) return fail(playable);
-  return fmt::format("scenario \"{}\": {} events", scenario->name, scenario->events.size());
+  const Result<CellDescription> cell = cell_of(*scenario);
+  if (!cell) return fail(cell);
+  const Result<std::string> whole = check_cell_whole(*cell);
+  if (!whole) return fail(whole);
+  return fmt::format("scenario \"{}\": {} events; {}", scenario->name, scenario->events.size(), *whole);
 }
 
 // What is neither domain, cell nor scenario is a goal.

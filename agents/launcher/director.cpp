@@ -1,6 +1,7 @@
 #include "agents/launcher/director.hpp"
 
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
 
 #include "lisp/writer.hpp"
@@ -54,6 +55,14 @@ std::vector<Datum> facts_of_goal(std::span<const Datum> forms) {
 }
 
 }  // namespace
+
+bool DirectorReport::refused_correctly() const {
+  static constexpr std::array<std::string_view, 4> reasons{"no-plan", "missing-object", "unknown-object",
+                                                           "contradictory"};
+  const bool for_a_reason =
+      outcome == "refused" && refusal && std::ranges::find(reasons, refusal->symbol) != reasons.end();
+  return for_a_reason && (!possible || blind);
+}
 
 Director::Director(LocalCell& cell, const Scenario& scenario, const Judge& judge, Narrator& narrator,
                    DirectorOptions options)

@@ -35,6 +35,9 @@ struct DirectorReport {
 
   // Reached and so in the world.
   bool reached() const { return outcome == "reached" && truth_holds; }
+  // Refused for a reason that lies in the goal or the world, and the world bears it out: there is truly no plan, or a
+  // cube of the goal could not be seen.
+  bool refused_correctly() const;
 };
 
 struct DirectorOptions {

@@ -26,11 +26,17 @@ class Judge {
   // perception rules from true positions. Sorted.
   Result<std::vector<Datum>> facts(const Truth& truth) const;
   static bool holds(const std::vector<Datum>& goal, const std::vector<Datum>& facts);
-  // By breadth-first search over whole states. A goal with an object that is gone has no plan. Failure: gave-up.
+  // The truth's facts, and where a cube leans or lies askew what a person would say of it: it is on what it lies on, or
+  // on the table, and where nothing lies on it it can be picked up. Sorted.
+  static std::vector<Datum> as_a_person_would_say(const Truth& truth);
+  // By breadth-first search over whole states, from what a person would say. A goal with an object that is gone, or
+  // below the table, has no plan. Failure: gave-up.
   Result<bool> plan_exists(const std::vector<Datum>& goal, const Truth& truth, const std::vector<Datum>& facts) const;
 
  private:
   Judge(Domain domain, Perception perception) : domain_(std::move(domain)), perception_(std::move(perception)) {}
+  // Those whose predicate the domain has.
+  std::vector<Datum> declared(std::vector<Datum> facts) const;
   Domain domain_;
   Perception perception_;
 };

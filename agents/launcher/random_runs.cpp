@@ -198,7 +198,7 @@ RandomResult describe_run(const RandomStory& story, const StoryReport& run) {
   if (report.refusal) end += fmt::format(" ({})", report.refusal->symbol);
   if (report.reached()) {
     result.kind = RandomResult::Kind::reached;
-  } else if (report.outcome == "refused" && (!report.possible || report.blind)) {
+  } else if (report.refused_correctly()) {
     result.kind = RandomResult::Kind::refused;
     end += report.possible ? ", a mark was hidden" : ", no plan exists";
   } else if (report.outcome == "reached") {

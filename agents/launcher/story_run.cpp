@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fstream>
 
+#include "agents/coordinator/task_domain.hpp"
 #include "agents/launcher/recorder.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "blackboard/time/virtual_executor.hpp"
@@ -103,9 +104,10 @@ Result<StoryReport> run_story(const Scenario& scenario, const CellDescription& c
   if (!sound) return fail(sound);
   const Result<void> playable = check_scenario(scenario);
   if (!playable) return fail(playable);
-  const Result<Domain> domain = read_domain_file(cell.domain_file);
-  if (!domain) return fail(domain);
-  const Result<Judge> judge = Judge::make(*domain);
+  // What the coordinator would refuse ends the story before it begins.
+  const Result<TaskDomain> task = TaskDomain::read(cell.domain_file);
+  if (!task) return fail(task);
+  const Result<Judge> judge = Judge::make(task->domain());
   if (!judge) return fail(judge);
   if (options.realtime) {
     RealExecutor executor;

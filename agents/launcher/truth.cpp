@@ -29,7 +29,8 @@ Result<Truth> truth_from_datum(const Datum& head) {
   Truth truth;
   for (const Datum& item : head.items()) {
     if (item.is_form("cube") && item.size() == 9) {
-      Truth::Cube cube{item[2].number(), item[3].number(), item[4].number(), item[7].is_symbol("gone"),
+      const bool loose = item[7].is_symbol("loose") || item[7].is_symbol("carried");
+      Truth::Cube cube{item[2].number(), item[3].number(), item[4].number(), item[7].is_symbol("gone"), loose,
                        item[8].number()};
       truth.cubes.emplace(small(item[1].text()), cube);
     } else if (item.is_form("facts")) {

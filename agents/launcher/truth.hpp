@@ -19,6 +19,7 @@ struct Truth {
     double y_mm = 0;
     double z_mm = 0;
     bool gone = false;
+    bool loose = false;  // neither stands on a face nor is held: it leans, falls, or a hand carries it
     double visible = 0;  // the part of its mark that the left camera sees, 0..1
   };
   std::map<std::string, Cube> cubes;  // by the name, in small letters

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "agents/launcher/director.hpp"
 #include "lisp/reader.hpp"
 #include "lisp/writer.hpp"
 
@@ -55,6 +56,63 @@ TEST(Judge, AGoalWithACubeThatIsGoneHasNoPlan) {
           (facts (on-table square) (clear square) (arm-empty))))");
   const std::vector<Datum> facts = judge.facts(truth).value();
   EXPECT_FALSE(judge.plan_exists(goal_of("((on circle square))"), truth, facts).value());
+}
+
+// The circle leans against the square; nothing holds it in a state that a predicate names.
+constexpr const char* leaning =
+    R"(((cube circle 450 -145 38 0 35 loose 1.0) (cube square 450 -100 30 0 0 table 1.0)
+        (facts (on-table square) (clear square) (arm-empty))))";
+
+TEST(Judge, ACubeThatLeansCanBePickedUpSoThereIsAPlan) {
+  const Judge judge = judge_for("blocks.scm");
+  const Truth truth = truth_of(leaning);
+  const std::vector<Datum> facts = judge.facts(truth).value();
+  EXPECT_TRUE(judge.plan_exists(goal_of("((on circle square))"), truth, facts).value());
+  EXPECT_TRUE(judge.plan_exists(goal_of("((on square circle))"), truth, facts).value());
+  EXPECT_FALSE(Judge::holds(goal_of("((on-table circle))"), facts));
+}
+
+TEST(Judge, ACubeThatLiesAskewOnAnotherCoversIt) {
+  const Judge judge = judge_for("blocks.scm");
+  const Truth truth = truth_of(
+      R"(((cube circle 450 -80 95 0 20 loose 1.0) (cube square 450 -100 30 0 0 table 1.0)
+          (facts (on-table square) (clear square) (arm-empty))))");
+  const std::vector<Datum> stood = Judge::as_a_person_would_say(truth);
+  EXPECT_EQ(write(Datum::list(stood)), "((arm-empty) (clear circle) (on circle square) (on-table square))");
+  EXPECT_TRUE(judge.plan_exists(goal_of("((on square circle))"), truth, judge.facts(truth).value()).value());
+}
+
+TEST(Judge, ACubeThatFellOffTheTableHasNoPlan) {
+  const Judge judge = judge_for("blocks.scm");
+  const Truth truth = truth_of(
+      R"(((cube circle 900 -145 -400 0 35 loose 0.0) (cube square 450 -100 30 0 0 table 1.0)
+          (facts (on-table square) (clear square) (arm-empty))))");
+  EXPECT_FALSE(judge.plan_exists(goal_of("((on circle square))"), truth, judge.facts(truth).value()).value());
+}
+
+DirectorReport refused_with(const char* symbol) {
+  DirectorReport report;
+  report.outcome = "refused";
+  report.refusal = Failure{symbol, "", {}, {}};
+  report.possible = false;
+  return report;
+}
+
+TEST(DirectorReport, ARefusalIsCorrectOnlyForAReasonInTheGoalOrTheWorld) {
+  for (const char* symbol : {"no-plan", "missing-object"}) {
+    DirectorReport report = refused_with(symbol);
+    EXPECT_TRUE(report.refused_correctly()) << symbol;
+    report.possible = true;
+    EXPECT_FALSE(report.refused_correctly()) << symbol;
+    report.blind = true;
+    EXPECT_TRUE(report.refused_correctly()) << symbol;
+  }
+  for (const char* symbol : {"stopped", "timeout", "gave-up", "absent", "missed"}) {
+    EXPECT_FALSE(refused_with(symbol).refused_correctly()) << symbol;
+  }
+  DirectorReport late = refused_with("no-plan");
+  late.outcome = "timeout";
+  EXPECT_FALSE(late.refused_correctly());
 }
 
 }  // namespace
