@@ -5,8 +5,11 @@
 
 namespace pizarra {
 
-Result<MicroTasks> MicroTasks::read(const Source& domain, const Arities& operators, const Arities& primitives) {
-  const std::vector<Datum> more{arities_to_datum(operators), arities_to_datum(primitives)};
+Result<MicroTasks> MicroTasks::read(const Source& domain, const Arities& operators, const Motions& motions) {
+  std::vector<Datum> aimed;
+  for (const std::string& name : motions.aimed) aimed.push_back(Datum::symbol(name));
+  const std::vector<Datum> more{arities_to_datum(operators), arities_to_datum(motions.primitives),
+                                Datum::list(std::move(aimed)), arities_to_datum(motions.targets)};
   const Result<Datum> section = interpret(domain, "micro-tasks", more);
   if (!section) return fail(section);
   MicroTasks tasks;

@@ -3,18 +3,28 @@
 // A domain's micro-tasks section: which primitive motions an operation is made of. The language is described in
 // lisp/modules/pizarra/micro-tasks.scm.
 //
-//   Result<MicroTasks> tasks = MicroTasks::read(source, {{"PICK-UP", 1}}, {{"raise", 0}, {"align", 1}});
+//   const Motions motions{.primitives = {{"raise", 0}, {"align", 1}}, .aimed = {"align"}, .targets = {{"on-top", 2}}};
+//   Result<MicroTasks> tasks = MicroTasks::read(source, {{"PICK-UP", 1}}, motions);
 //   Result<std::vector<Datum>> steps = tasks->expand(operation);     // (raise) (align circle) ...
 
 #include "lisp/perception.hpp"
 
 namespace pizarra {
 
+// What an executor can do: its primitives, those of them that take a target where others take an object, and the forms
+// of target that it knows.
+struct Motions {
+  Arities primitives;
+  std::vector<std::string> aimed;
+  Arities targets;
+};
+
 class MicroTasks {
  public:
-  // From a domain file with these operators, for an executor that knows these primitives. Failures: malformed,
-  // missing-section, missing-task, unknown-step, unknown-parameter, wrong-arity, defined-twice; all in one report.
-  static Result<MicroTasks> read(const Source& domain, const Arities& operators, const Arities& primitives);
+  // From a domain file with these operators, for an executor of these motions. Failures: malformed, missing-section,
+  // missing-task, unknown-step, unknown-target, unknown-parameter, wrong-argument, wrong-arity, defined-twice,
+  // is-a-primitive; all in one report.
+  static Result<MicroTasks> read(const Source& domain, const Arities& operators, const Motions& motions);
 
   // Failure: missing-task.
   Result<std::vector<Datum>> expand(const Datum& operation) const;

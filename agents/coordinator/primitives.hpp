@@ -7,6 +7,7 @@
 //   (release)             open it just enough to let go
 //   (raise)               up to the height that is safe to travel at (servo state 0)
 //   (make-room OBJECT)    push OBJECT out of its row where neighbours leave the fingers no room
+//   (push-over OBJECT)    push OBJECT, which lies askew, off what it leans on, towards the camera
 //   (turn-fingers OBJECT) turn the wrist as far as OBJECT's face is turned, so that the fingers lie on its sides
 //   (square-up)           turn it back, so that what is held faces the camera
 //   (align TARGET)        at travel height, over the target (servo states 0-2)
@@ -22,13 +23,24 @@
 //
 // `close` and `release` change what is held: until the first of them an operation's preconditions must go on holding.
 
-#include "lisp/perception.hpp"
+#include "lisp/micro_tasks.hpp"
 
 namespace pizarra {
 
-inline Arities primitive_arities() {
-  return {{"open", 1},         {"close", 0},     {"release", 0}, {"raise", 0}, {"make-room", 1},
-          {"turn-fingers", 1}, {"square-up", 0}, {"align", 1},   {"lower", 1}, {"check-held", 1}};
+inline Motions coordinator_motions() {
+  return {.primitives = {{"open", 1},
+                         {"close", 0},
+                         {"release", 0},
+                         {"raise", 0},
+                         {"make-room", 1},
+                         {"push-over", 1},
+                         {"turn-fingers", 1},
+                         {"square-up", 0},
+                         {"align", 1},
+                         {"lower", 1},
+                         {"check-held", 1}},
+          .aimed = {"align", "lower"},
+          .targets = {{"on-top", 2}, {"free-spot", 1}, {"at-place", 2}}};
 }
 
 }  // namespace pizarra

@@ -1,6 +1,8 @@
 #include "agents/coordinator/task_domain.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
+#include <optional>
 
 #include "agents/coordinator/primitives.hpp"
 #include "lisp/pattern.hpp"
@@ -15,6 +17,46 @@ std::vector<Datum> substitute_all(const std::vector<Datum>& patterns, const Bind
   return facts;
 }
 
+// Both reports as one, the first one's symbol and sentence before.
+void add(std::optional<Failure>& reported, const Failure& more) {
+  if (!reported) {
+    reported = more;
+  } else {
+    reported->place += '\n' + more.sentence + '\n' + more.place;
+  }
+}
+
+// The path to an element of the perception section's part that begins so, or to the section where there is none.
+std::vector<std::size_t> perception_path(const Domain& domain, std::initializer_list<std::string_view> begins,
+                                         std::size_t element) {
+  std::vector<std::size_t> path = domain.perception_path;
+  for (std::size_t i = 1; i < domain.perception.size(); ++i) {
+    const Datum& part = domain.perception[i];
+    std::size_t same = 0;
+    for (const std::string_view name : begins) same += part.size() > same && part[same].is_symbol(name) ? 1 : 0;
+    if (same == begins.size() && part.size() > element) {
+      path.insert(path.end(), {i, element});
+      return path;
+    }
+  }
+  return path;
+}
+
+std::optional<Failure> check_perception(const Domain& domain, const Perception& perception) {
+  std::optional<Failure> wrong;
+  if (std::ranges::find(domain.types, perception.sees()) == domain.types.end()) {
+    const std::string sentence =
+        fmt::format("what is seen must have a type of the domain: (sees TYPE), and {} is none", perception.sees());
+    add(wrong, domain.source.failure_at(perception_path(domain, {"sees"}, 1), "unknown-type", sentence));
+  }
+  const std::optional<double> cube = perception.constant("cube");
+  if (!cube || *cube <= 0) {
+    add(wrong, domain.source.failure_at(perception_path(domain, {"constant", "cube"}, 2), "missing-constant",
+                                        "perception must say how big a cube is: (constant cube MM), above 0"));
+  }
+  return wrong;
+}
+
 }  // namespace
 
 Result<TaskDomain> TaskDomain::read(const std::string& file) {
@@ -26,20 +68,21 @@ Result<TaskDomain> TaskDomain::read(const std::string& file) {
   }
   Arities operators;
   for (const Operator& known : domain->operators) operators.emplace_back(known.name, known.params.size());
+  std::optional<Failure> wrong;
   Result<Perception> perception = Perception::read(domain->source, predicates);
-  if (!perception) return fail(perception);
-  Result<MicroTasks> micro_tasks = MicroTasks::read(domain->source, operators, primitive_arities());
-  if (!micro_tasks) return fail(micro_tasks);
-  const std::optional<double> cube = perception->constant("cube");
-  if (!cube || *cube <= 0) {
-    return fail(domain->source.failure_at(domain->perception_path, "missing-constant",
-                                          "perception must say how big a cube is: (constant cube MM)"));
+  if (!perception) {
+    add(wrong, perception.error());
+  } else if (const std::optional<Failure> unfit = check_perception(*domain, *perception)) {
+    add(wrong, *unfit);
   }
+  Result<MicroTasks> micro_tasks = MicroTasks::read(domain->source, operators, coordinator_motions());
+  if (!micro_tasks) add(wrong, micro_tasks.error());
+  if (wrong) return fail(*wrong);
   TaskDomain out;
+  out.cube_mm_ = *perception->constant("cube");
   out.domain_ = std::move(*domain);
   out.perception_ = std::move(*perception);
   out.micro_tasks_ = std::move(*micro_tasks);
-  out.cube_mm_ = *cube;
   return out;
 }
 

@@ -15,7 +15,8 @@ namespace pizarra {
 
 class TaskDomain {
  public:
-  // Failures: those of the three languages, and missing-constant where perception says not how big a cube is.
+  // Failures: those of the three languages, missing-constant where perception says not how big a cube is, and
+  // unknown-type where what it sees has no type of the domain; all in one report, once the operators are right.
   static Result<TaskDomain> read(const std::string& file);
 
   const Domain& domain() const { return domain_; }

@@ -87,13 +87,23 @@ TEST(InterpretersTest, PerceptionAndMicroTasksSurviveDamage) {
     predicates.emplace_back(predicate.name, predicate.arguments.size());
   Arities operators;
   for (const Operator& one : domain.operators) operators.emplace_back(one.name, one.params.size());
-  const Arities primitives{{"open", 1},  {"raise", 0},   {"align", 1},     {"lower", 1},
-                           {"close", 0}, {"release", 0}, {"check-held", 1}};
+  const Motions motions{.primitives = {{"open", 1},
+                                       {"raise", 0},
+                                       {"align", 1},
+                                       {"lower", 1},
+                                       {"close", 0},
+                                       {"release", 0},
+                                       {"make-room", 1},
+                                       {"turn-fingers", 1},
+                                       {"square-up", 0},
+                                       {"check-held", 1}},
+                        .aimed = {"align", "lower"},
+                        .targets = {{"on-top", 2}, {"free-spot", 1}}};
   const std::vector<Datum> measured{read_one("(seen circle 450 0 30)").value(), read_one("(gripper 100)").value(),
                                     read_one("(grip 300 0 300)").value()};
   survive(data_of("domains/blocks.scm"), 1000, [&](const std::string& text) -> Result<void> {
     const Source source = read_source(text, "damaged").value();
-    const auto tasks = MicroTasks::read(source, operators, primitives);
+    const auto tasks = MicroTasks::read(source, operators, motions);
     if (!tasks && tasks.error().symbol == "scheme-error") return outcome_of(tasks);
     const auto perception = Perception::read(source, predicates);
     if (!perception) return outcome_of(perception);

@@ -7,8 +7,10 @@
 ;;;     (GRASP (<ob>) (align <ob>) (lower <ob>) (close))
 ;;;     (PICK-UP (<ob1>) (open <ob1>) (raise) (GRASP <ob1>) (raise) (check-held <ob1>)))
 ;;;
-;;; Every operator of the domain has a task of its name with as many parameters. Which primitives there are, and what
-;;; they mean, is the coordinator's matter (agents/coordinator/primitives.hpp).
+;;; Every operator of the domain has a task of its name with as many parameters. An argument is an object's name or
+;;; <parameter>; some primitives take a target too, a form such as (on-top <ob1> <ob2>), and so do tasks that hand it on
+;;; to them. Which primitives and targets there are, and what they mean, is the coordinator's matter
+;;; (agents/coordinator/primitives.hpp).
 
 (define-module (pizarra micro-tasks)
   #:use-module (srfi srfi-1)
@@ -24,9 +26,9 @@
        (let ((name (symbol->string x)))
          (and (> (string-length name) 2) (string-prefix? "<" name) (string-suffix? ">" name)))))
 
-;; (interpret DATA OPERATORS PRIMITIVES), DATA a domain file's, the others ((name arity) ...), finds and checks its
-;; section: (ok SECTION) or (errors ...).
-(define (interpret data operators primitives)
+;; (interpret DATA OPERATORS PRIMITIVES AIMED TARGETS), DATA a domain file's, AIMED the names of the primitives that take
+;; a target, the others ((name arity) ...), finds and checks its section: (ok SECTION) or (errors ...).
+(define (interpret data operators primitives aimed targets)
   (let* ((form-index (list-index (lambda (form) (and (pair? form) (eq? (car form) 'domain))) data))
          (form (and form-index (list-ref data form-index)))
          (index (and form (list-index (lambda (part) (and (pair? part) (eq? (car part) 'micro-tasks))) form))))
@@ -34,7 +36,7 @@
         (list 'errors (problem 'missing-section "a domain needs a section (micro-tasks ...)"
                                (if form (list form-index) '()) '()))
         (let* ((section (list-ref form index))
-               (problems (check-micro-tasks section operators primitives)))
+               (problems (check-micro-tasks section operators primitives aimed targets)))
           (if (null? problems)
               (list 'ok section)
               (cons 'errors
@@ -43,18 +45,41 @@
                          problems)))))))
 
 ;; Problems are (symbol sentence path context), paths from the section's own list.
-(define (check-micro-tasks section operators primitives)
-  (if (and (pair? section) (eq? (car section) 'micro-tasks))
-      (let loop ((tasks (cdr section)) (index 1) (known primitives) (problems '()))
+(define (check-micro-tasks section operators primitives aimed targets)
+  (if (and (list? section) (pair? section) (eq? (car section) 'micro-tasks))
+      (let loop ((tasks (cdr section)) (index 1) (known (known-primitives primitives aimed)) (problems '()))
         (if (null? tasks)
             (append problems (check-operators operators known))
-            (let ((found (check-task (car tasks) (list index) known primitives)))
+            (let ((found (check-task (car tasks) (list index) known primitives targets)))
               (loop (cdr tasks) (+ index 1)
                     (if (task? (car tasks))
-                        (cons (list (caar tasks) (length (cadar tasks))) known)
+                        (cons (known-task (car tasks) known) known)
                         known)
                     (append problems found)))))
       (list (problem 'malformed "a micro-tasks section is (micro-tasks TASK ...)" '() '()))))
+
+;; What steps may call: (NAME ARITY KINDS), a kind for each argument: `object`, or `target` where that may stand too.
+(define (known-primitives primitives aimed)
+  (map (lambda (primitive)
+         (let ((name (first primitive)) (arity (second primitive)))
+           (list name arity (make-list arity (if (memq name aimed) 'target 'object)))))
+       primitives))
+
+(define (known-task task known)
+  (let ((parameters (cadr task)) (objects (append-map (lambda (step) (objects-of step known)) (cddr task))))
+    (list (car task) (length parameters)
+          (map (lambda (parameter) (if (memq parameter objects) 'object 'target)) parameters))))
+
+;; The arguments of a step that can only be objects.
+(define (objects-of step known)
+  (let ((callee (and (list? step) (pair? step) (assq (car step) known))))
+    (if (and callee (= (second callee) (length (cdr step))))
+        (append-map (lambda (argument kind)
+                      (cond ((list? argument) argument)
+                            ((eq? kind 'object) (list argument))
+                            (else '())))
+                    (cdr step) (third callee))
+        '())))
 
 (define (check-operators operators known)
   (filter-map
@@ -76,7 +101,7 @@
 (define (task? x)
   (and (list? x) (>= (length x) 2) (symbol? (car x)) (list? (cadr x)) (every parameter? (cadr x))))
 
-(define (check-task task path known primitives)
+(define (check-task task path known primitives targets)
   (cond
    ((not (task? task))
     (list (problem 'malformed "a micro-task is (NAME (<parameter> ...) STEP ...)" path
@@ -87,11 +112,11 @@
                    (cons 0 path) '("in the micro-tasks section"))))
    (else
     (let ((context (list (string-append "in the micro-task " (symbol->string (car task))))))
-      (append-map (lambda (step index) (check-step step (cons index path) (cadr task) known context))
+      (append-map (lambda (step index) (check-step step (cons index path) (cadr task) known targets context))
                   (cddr task)
                   (iota (length (cddr task)) 2))))))
 
-(define (check-step step path parameters known context)
+(define (check-step step path parameters known targets context)
   (if (and (list? step) (pair? step) (symbol? (car step)))
       (let ((callee (assq (car step) known)))
         (cond
@@ -105,20 +130,46 @@
                          (string-append (symbol->string (car step)) " takes " (number->string (cadr callee))
                                         " arguments")
                          path context)))
-         (else (check-arguments (cdr step) path 1 parameters context))))
+         (else
+          (append-map (lambda (argument kind index)
+                        (check-argument argument kind (cons index path) parameters targets context))
+                      (cdr step) (third callee) (iota (length (cdr step)) 1)))))
       (list (problem 'malformed "a step is (NAME ARGUMENT ...)" path context))))
 
-(define (check-arguments arguments path first parameters context)
-  (append-map (lambda (x index)
-                (cond
-                 ((pair? x) (check-arguments x (cons index path) 0 parameters context))
-                 ((and (parameter? x) (not (memq x parameters)))
-                  (list (problem 'unknown-parameter
-                                 (string-append (symbol->string x) " is no parameter of this micro-task")
-                                 (cons index path) context)))
-                 (else '())))
-              arguments
-              (iota (length arguments) first)))
+(define (check-argument argument kind path parameters targets context)
+  (cond
+   ((symbol? argument) (check-name argument path parameters context))
+   ((and (list? argument) (eq? kind 'target)) (check-target argument path parameters targets context))
+   ((list? argument)
+    (list (problem 'wrong-argument "an object's name stands here, no target" path context)))
+   (else (list (problem 'wrong-argument "an argument is a name, a <parameter> or a target" path context)))))
+
+(define (check-name name path parameters context)
+  (if (and (parameter? name) (not (memq name parameters)))
+      (list (problem 'unknown-parameter
+                     (string-append (symbol->string name) " is no parameter of this micro-task") path context))
+      '()))
+
+(define (check-target target path parameters targets context)
+  (let ((known (and (pair? target) (symbol? (car target)) (assq (car target) targets))))
+    (cond
+     ((not known)
+      (list (problem 'unknown-target
+                     (string-append "the targets are an object"
+                                    (string-concatenate
+                                     (map (lambda (form) (string-append ", " (symbol->string (car form)))) targets)))
+                     (if (pair? target) (cons 0 path) path) context)))
+     ((not (= (cadr known) (length (cdr target))))
+      (list (problem 'wrong-arity
+                     (string-append (symbol->string (car target)) " takes " (number->string (cadr known)) " arguments")
+                     path context)))
+     (else
+      (append-map (lambda (name index)
+                    (if (symbol? name)
+                        (check-name name (cons index path) parameters context)
+                        (list (problem 'wrong-argument "a target holds names and <parameter>s" (cons index path)
+                                       context))))
+                  (cdr target) (iota (length (cdr target)) 1))))))
 
 ;; (expand SECTION OPERATION) -> the primitives to do, in order; none where the section has no task for it. The section
 ;; has been checked, so that a task only uses those before it and expansion ends.
