@@ -1,6 +1,6 @@
 ; The thesis' task: marked cubes on a table, stacked by an arm with one gripper.
 ;
-; Operators are the four of its Table 6.5, with their deletes stated. Lengths are mm.
+; Operators are the four of its Table 6.5, with their deletes stated, and one for cubes that lie askew. Lengths are mm.
 (domain blocks
   (types OBJECT)
   (predicates
@@ -8,7 +8,8 @@
     (on-table (ob OBJECT))
     (clear (ob OBJECT))                 ; nothing stands on it, and it is not in the gripper
     (holding (ob OBJECT))
-    (arm-empty))
+    (arm-empty)
+    (leans (ob OBJECT) (support OBJECT)))   ; it fell and lies askew: neither flat on the table nor squarely on a cube
 
   (operator PICK-UP
     (params (<ob1> OBJECT))
@@ -27,9 +28,15 @@
     (preconds (on <ob1> <ob2>) (clear <ob1>) (arm-empty))
     (effects (holding <ob1>) (clear <ob2>) (del (on <ob1> <ob2>)) (del (clear <ob1>)) (del (arm-empty))))
 
+  ; Not one of the thesis': people and accidents leave cubes wedged between others.
+  (operator FREE
+    (params (<ob1> OBJECT) (<ob2> OBJECT))
+    (preconds (leans <ob1> <ob2>) (arm-empty))
+    (effects (on-table <ob1>) (clear <ob1>) (clear <ob2>) (del (leans <ob1> <ob2>))))
+
   ; What is measured, once a look: (seen NAME X Y Z) where a mark stands, (grip X Y Z) where the mark of a held object
-  ; would stand, (gripper OPENING) between the fingers, (unseen NAME) of what was seen a moment ago. What is believed already gets wider bounds, so that noise at a
-  ; bound does not make it flicker.
+  ; would stand, (gripper OPENING) between the fingers, (unseen NAME) of what was seen a moment ago. What is believed
+  ; already gets wider bounds, so that noise at a bound does not make it flicker.
   (perception
     (sees OBJECT)
     (constant cube 60)
@@ -66,10 +73,23 @@
       (not (holding ?a))
       (not (on ?a ?)))
 
+    (rule (leans ?a ?b)
+      (seen ?a ?ax ?ay ?az)
+      (not (holding ?a))
+      (not (on ?a ?))
+      (not (on-table ?a))
+      (seen ?b ?bx ?by ?bz)
+      (/= ?a ?b)
+      (not (holding ?b))
+      (< 12 (- ?az ?bz))
+      (< (abs (- ?ay ?by)) 66)
+      (< (abs (- ?ax ?bx)) 66))
+
     (rule (clear ?a)
       (seen ?a ? ? ?)
       (not (holding ?a))
-      (not (on ? ?a)))
+      (not (on ? ?a))
+      (not (leans ? ?a)))
 
     (rule (arm-empty)
       (not (holding ?))))
@@ -85,4 +105,5 @@
     (PICK-UP (<ob1>) (GRASP <ob1>))
     (UNSTACK (<ob1> <ob2>) (GRASP <ob1>))
     (STACK (<ob1> <ob2>) (RELEASE-AT (on-top <ob1> <ob2>)))
-    (PUT-DOWN (<ob1>) (RELEASE-AT (free-spot <ob1>)))))
+    (PUT-DOWN (<ob1>) (RELEASE-AT (free-spot <ob1>)))
+    (FREE (<ob1> <ob2>) (raise) (push-over <ob1>) (raise))))

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <fmt/format.h>
+#include <numbers>
 
 #include "agents/coordinator/task_runner.hpp"
 
@@ -10,6 +12,9 @@ namespace {
 constexpr double highest_pile = 2;
 // The palm passes over a pile of two, and the fingers still reach the lower one.
 constexpr double grip_height = 0.7;
+// Where a cube on its edge is pushed, above its centre and in cube sizes: the plate with the gripper's mark, which is
+// ahead of the fingers, passes over it.
+constexpr double above_centre = 0.15;
 constexpr double careful_percent = 30;
 constexpr double usual_percent = 100;
 
@@ -39,14 +44,34 @@ Task<Result<void>> TaskRunner::make_room(std::string object) {
   if (!push) co_return Result<void>();
   const std::string sentence = fmt::format("{} stands too close to its neighbour: pushing it out of the row", object);
   co_await story_.tell("servo", sentence, Datum::symbol(object));
+  const Result<void> pushed = co_await push_along(*push, grip_height * domain_.cube_mm());
+  co_return pushed;
+}
+
+// The cube ends one length nearer the camera, where it lies flat: what held it up stays behind.
+Task<Result<void>> TaskRunner::push_over(std::string object) {
+  const Sighting* seen = surroundings_.sightings().find(object);
+  if (!seen) co_return fail("lost-sight", fmt::format("{} is not seen", object), Datum::symbol(object));
+  const double cube = domain_.cube_mm();
+  const Eigen::Vector3d centre = surroundings_.centre_mm(object, *seen);
+  const ElbowRoom room;
+  // A cube on its edge reaches half its diagonal.
+  const double before = std::numbers::sqrt2 / 2 * cube + room.finger_half_mm + 2 * room.margin_mm;
+  const Push push{{centre.x() - before, centre.y()}, {centre.x() + cube / 2, centre.y()}};
+  const double height = std::max(centre.z() + above_centre * cube, grip_height * cube);
+  vigil_.commit();
+  const Result<void> pushed = co_await push_along(push, height);
+  co_return pushed;
+}
+
+Task<Result<void>> TaskRunner::push_along(Push push, double height_mm) {
   const double pusher_mm = ElbowRoom().pusher_mm;
   const Result<void> narrowed = co_await open(pusher_mm);
   if (!narrowed) co_return narrowed;
-  const double low = grip_height * domain_.cube_mm();
   const double high = options_.travel_height_mm;
   const std::string ways[] = {
-      move_to(push->from_mm.x(), push->from_mm.y(), high), move_to(push->from_mm.x(), push->from_mm.y(), low),
-      move_to(push->to_mm.x(), push->to_mm.y(), low), move_to(push->to_mm.x(), push->to_mm.y(), high)};
+      move_to(push.from_mm.x(), push.from_mm.y(), high), move_to(push.from_mm.x(), push.from_mm.y(), height_mm),
+      move_to(push.to_mm.x(), push.to_mm.y(), height_mm), move_to(push.to_mm.x(), push.to_mm.y(), high)};
   Result<void> done = co_await arm_.face(0);
   for (std::size_t i = 0; done && i < std::size(ways); ++i) {
     done = check();

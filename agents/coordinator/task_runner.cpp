@@ -65,6 +65,7 @@ Task<Result<void>> TaskRunner::run_step(Datum step) {
   if (name == "turn-fingers") return turn_fingers(std::string(step[1].text()));
   if (name == "square-up") return arm_.face(0);
   if (name == "make-room") return make_room(std::string(step[1].text()));
+  if (name == "push-over") return push_over(std::string(step[1].text()));
   if (name == "check-held") return check_held(std::string(step[1].text()));
   return open(aims_.opening_around(step[1].text(), options_.gripper.wide_mm));
 }

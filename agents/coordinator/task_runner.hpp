@@ -44,6 +44,8 @@ class TaskRunner {
   Task<Result<void>> close();
   Task<Result<void>> release();
   Task<Result<void>> make_room(std::string object);
+  Task<Result<void>> push_over(std::string object);
+  Task<Result<void>> push_along(Push push, double height_mm);
   std::optional<Push> push_for(std::string_view object) const;
   Task<Result<void>> check_held(std::string object);
   Task<Result<void>> await_effects(GroundOperation operation);
