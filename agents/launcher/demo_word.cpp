@@ -72,7 +72,7 @@ int run_demo(const DemoChoices& choices) {
   if (!scenario) return complain(scenario.error(), exit_usage);
   Result<CellDescription> cell = cell_of(*scenario);
   if (!cell) return complain(cell.error(), exit_usage);
-  const Result<Domain> domain = read_domain_file(cell->domain_file);
+  const Result<Domain> domain = domain_of(*cell);
   if (!domain) return complain(domain.error(), exit_usage);
 
   StoryOptions options{choices.seed, choices.realtime, choices.journal, choices.film, choices.picture};

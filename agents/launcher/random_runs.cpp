@@ -218,7 +218,7 @@ RandomResult run_random_seed(const std::string& cell_file, std::uint64_t seed) {
   RandomResult failed;
   const Result<CellDescription> cell = read_cell_file(cell_file);
   if (!cell) return {RandomResult::Kind::unreadable, describe(cell.error())};
-  const Result<Domain> domain = read_domain_file(cell->domain_file);
+  const Result<Domain> domain = domain_of(*cell);
   if (!domain) return {RandomResult::Kind::unreadable, describe(domain.error())};
   const Result<void> drawable = check_random_cell(*cell, *domain);
   if (!drawable) return {RandomResult::Kind::unreadable, describe(drawable.error())};

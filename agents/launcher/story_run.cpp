@@ -98,16 +98,21 @@ Result<CellDescription> cell_of(const Scenario& scenario) {
   return cell;
 }
 
+Result<Domain> domain_of(const CellDescription& cell) {
+  const Result<TaskDomain> task = TaskDomain::read(cell.domain_file);
+  if (!task) return fail(task);
+  return task->domain();
+}
+
 Result<StoryReport> run_story(const Scenario& scenario, const CellDescription& cell, const StoryOptions& options,
                               Narrator& narrator) {
   const Result<void> sound = check(world_config(cell, options.seed));
   if (!sound) return fail(sound);
   const Result<void> playable = check_scenario(scenario);
   if (!playable) return fail(playable);
-  // What the coordinator would refuse ends the story before it begins.
-  const Result<TaskDomain> task = TaskDomain::read(cell.domain_file);
-  if (!task) return fail(task);
-  const Result<Judge> judge = Judge::make(task->domain());
+  const Result<Domain> domain = domain_of(cell);
+  if (!domain) return fail(domain);
+  const Result<Judge> judge = Judge::make(*domain);
   if (!judge) return fail(judge);
   if (options.realtime) {
     RealExecutor executor;

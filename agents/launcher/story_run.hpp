@@ -32,6 +32,8 @@ struct StoryReport {
 
 // The cell file with the scenario's cubes and domain in place of its own.
 Result<CellDescription> cell_of(const Scenario& scenario);
+// The cell's domain as its coordinator reads it, so that what that would refuse is told before anything begins.
+Result<Domain> domain_of(const CellDescription& cell);
 
 // Whether its conditions and expectations are queries. Failure: bad-scenario.
 Result<void> check_scenario(const Scenario& scenario);

@@ -8,6 +8,7 @@
 
 #include "agents/launcher/narrator.hpp"
 #include "agents/launcher/run_directory.hpp"
+#include "agents/launcher/story_run.hpp"
 #include "agents/launcher/supervisor.hpp"
 #include "agents/launcher/words.hpp"
 #include "blackboard/remote_board.hpp"
@@ -146,6 +147,8 @@ int Up::run() {
 int run_up(const UpChoices& choices) {
   Result<CellDescription> cell = read_cell_file(choices.cell);
   if (!cell) return complain(cell.error(), exit_usage);
+  const Result<Domain> domain = domain_of(*cell);
+  if (!domain) return complain(domain.error(), exit_usage);
   Result<CellHost> host = choose_host(*cell, choices.host);
   if (!host) return complain(host.error(), exit_usage);
   Result<RunDirectory> directory = RunDirectory::make(cell->name, host->name);

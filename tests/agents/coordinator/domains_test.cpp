@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <fstream>
 #include <gtest/gtest.h>
+#include <iterator>
 
 #include "agents/coordinator/task_domain.hpp"
 #include "lisp/reader.hpp"
@@ -100,8 +102,56 @@ TEST(NumberedPlaces, KnowsWhereThingsStandAndWhatIsFree) {
   EXPECT_EQ(task.spot("place-9"), nullptr);
 }
 
-TEST(TaskDomain, ReportsWhatIsWrongInAnyOfItsThreeLanguages) {
-  EXPECT_FALSE(TaskDomain::read(std::string(PIZARRA_SOURCE_DIR) + "/domains/no-such-file.scm"));
+// The blocks with one piece of their text replaced.
+Result<TaskDomain> blocks_with(const std::string& old, const std::string& now) {
+  std::ifstream in(std::string(PIZARRA_SOURCE_DIR) + "/domains/blocks.scm");
+  std::string text(std::istreambuf_iterator<char>(in), {});
+  const std::size_t at = text.find(old);
+  EXPECT_NE(at, std::string::npos) << old;
+  text.replace(at, old.size(), now);
+  const std::string file = testing::TempDir() + "damaged-domain.scm";
+  std::ofstream(file) << text;
+  return TaskDomain::read(file);
+}
+
+TEST(TaskDomain, RefusesAtItsPlaceWhatTheCoordinatorCouldNotDo) {
+  struct Damage {
+    std::string old, now, symbol;
+  };
+  const std::vector<Damage> damages{
+      {"(PICK-UP (<ob1>) (GRASP <ob1>))", "(PICK-UP (<ob1>) (JUMP <ob1>))", "unknown-step"},
+      {"(PICK-UP (<ob1>) (GRASP <ob1>))", "(PICK-UP (<ob1>) (PICK-UP <ob1>))", "unknown-step"},
+      {"(PICK-UP (<ob1>) (GRASP <ob1>))", "", "missing-task"},
+      {"(PICK-UP (<ob1>) (GRASP <ob1>))", "(PICK-UP (<ob1>) (align (teleport <ob1>)))", "unknown-target"},
+      {"(PICK-UP (<ob1>) (GRASP <ob1>))", "(PICK-UP (<ob1>) (GRASP (free-spot <ob1>)))", "wrong-argument"},
+      {"(constant cube 60)", "(constant cube 0)", "missing-constant"},
+      {"(sees OBJECT)", "(sees THING)", "unknown-type"},
+  };
+  for (const Damage& damage : damages) {
+    const Result<TaskDomain> read = blocks_with(damage.old, damage.now);
+    ASSERT_FALSE(read) << damage.now;
+    EXPECT_EQ(read.error().symbol, damage.symbol) << describe(read.error());
+    EXPECT_NE(read.error().place.find("damaged-domain.scm:"), std::string::npos) << describe(read.error());
+  }
+}
+
+TEST(TaskDomain, ReportsWhatIsWrongInPerceptionAndMicroTasksTogether) {
+  const std::string file = testing::TempDir() + "wrong-twice.scm";
+  std::ofstream(file) << "(domain d (types OBJECT) (predicates (clear (ob OBJECT)))\n"
+                         "  (perception (rule))\n"
+                         "  (micro-tasks (JUMP)))";
+  const Result<TaskDomain> read = TaskDomain::read(file);
+  ASSERT_FALSE(read);
+  const std::string report = describe(read.error());
+  EXPECT_NE(report.find("a rule is"), std::string::npos) << report;
+  EXPECT_NE(report.find("a micro-task is"), std::string::npos) << report;
+}
+
+TEST(TaskDomain, SaysThatThereAreNoMicroTasks) {
+  std::ofstream(testing::TempDir() + "no-tasks.scm")
+      << "(domain d (types OBJECT) (predicates (clear (ob OBJECT))) (perception (constant cube 60)))";
+  EXPECT_EQ(TaskDomain::read(testing::TempDir() + "no-tasks.scm").error().symbol, "missing-section");
+  EXPECT_FALSE(TaskDomain::read(testing::TempDir() + "no-such-file.scm"));
 }
 
 }  // namespace

@@ -1,0 +1,75 @@
+// A bad domain at the shell: `check` finds it in the domain, in a cell that names it and in a scenario of that cell,
+// and nothing begins with it.
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <iterator>
+#include <string>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace pizarra {
+namespace {
+
+class Check : public testing::Test {
+ protected:
+  Check() {
+    std::filesystem::create_directories(folder_);
+    std::ifstream in(std::string(PIZARRA_SOURCE_DIR) + "/domains/blocks.scm");
+    std::string text(std::istreambuf_iterator<char>(in), {});
+    const std::string sound = "(PICK-UP (<ob1>) (GRASP <ob1>))";
+    const std::size_t at = text.find(sound);
+    EXPECT_NE(at, std::string::npos);
+    text.replace(at, sound.size(), "(PICK-UP (<ob1>) (JUMP <ob1>))");
+    write("domain.scm", text);
+    write("cell.scm",
+          "(cell c (world (cube circle (at 450 0)) (noise (sensor 20) (blur 2) (gradient 0.9)))\n"
+          "  (arm crs-f3) (domain \"domain.scm\"))");
+    write("story.scm", "(scenario \"s\" (cell \"cell.scm\") (goal (on-table circle)) (expect reached))");
+  }
+  ~Check() override { std::filesystem::remove_all(folder_); }
+
+  void write(const std::string& name, const std::string& text) { std::ofstream(folder_ + name) << text; }
+
+  // The status, and what was said.
+  int run(const std::string& words) {
+    FILE* pipe = popen(("cd " + folder_ + " && " + PIZARRA_CELL + " " + words + " 2>&1").c_str(), "r");
+    std::array<char, 4096> buffer{};
+    said_.clear();
+    while (const std::size_t got = fread(buffer.data(), 1, buffer.size(), pipe)) said_.append(buffer.data(), got);
+    const int status = pclose(pipe);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+
+  const std::string folder_ = testing::TempDir() + "check-" + std::to_string(getpid()) + "/";
+  std::string said_;
+};
+
+TEST_F(Check, FindsABadDomainFromEveryFileThatLeadsToIt) {
+  for (const char* file : {"domain.scm", "cell.scm", "story.scm"}) {
+    EXPECT_EQ(run(std::string("check ") + file), 2) << said_;
+    EXPECT_NE(said_.find("domain.scm:"), std::string::npos) << said_;
+    EXPECT_NE(said_.find("JUMP"), std::string::npos) << said_;
+  }
+}
+
+TEST_F(Check, NothingBeginsWithABadDomain) {
+  for (const char* words : {"demo cell.scm", "demo cell.scm --goal '(on-table circle)'", "scenario story.scm",
+                            "demo cell.scm --random --seeds 2", "up cell.scm"}) {
+    EXPECT_EQ(run(words), 2) << words << "\n" << said_;
+    EXPECT_NE(said_.find("domain.scm:"), std::string::npos) << words << "\n" << said_;
+    EXPECT_EQ(said_.find("does not come up"), std::string::npos) << words << "\n" << said_;
+  }
+}
+
+TEST_F(Check, AcceptsTheNoisiestCameraThatACellMayHave) {
+  std::filesystem::copy_file(std::string(PIZARRA_SOURCE_DIR) + "/domains/blocks.scm", folder_ + "domain.scm",
+                             std::filesystem::copy_options::overwrite_existing);
+  EXPECT_EQ(run("check domain.scm cell.scm story.scm"), 0) << said_;
+}
+
+}  // namespace
+}  // namespace pizarra
