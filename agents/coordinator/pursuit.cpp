@@ -65,6 +65,9 @@ Task<Result<void>> Pursuit::rounds(Goal goal) {
   std::optional<std::size_t> expected;
   for (int round = 0; round < most_rounds; ++round) {
     if (vigil_.interrupted()) co_return fail("interrupted", "another goal, or none, is wanted now");
+    // The arm keeps out of the way of a hand at work.
+    const bool calm = surroundings_.calm();
+    if (!calm) co_await await_steady(objects);
     std::optional<std::size_t> next;
     if (table_) next = table_->furthest(surroundings_.beliefs());
     if (!next) {

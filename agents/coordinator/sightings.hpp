@@ -28,7 +28,7 @@ struct Sighting {
 
 class Sightings {
  public:
-  static constexpr double still_mm = 4;
+  static constexpr double still_mm = 6;
 
   // Takes in one interpreted TRACK reply: `(track ("name" X Y D) ("name" fail) ...)`.
   void look(std::int64_t frame, const Datum& track, const CameraView& view);

@@ -17,6 +17,8 @@ constexpr Duration retry_pause = 200ms;
 constexpr double told_again_mm = 1;
 // For how many looks an object must lie where it is to count as still.
 constexpr std::uint64_t still_looks = 5;
+// What is nearer to where a held object's mark stands goes with the arm.
+constexpr double held_mm = 40;
 
 double rounded(double mm) { return std::round(mm * 10) / 10; }
 
@@ -234,8 +236,18 @@ std::int64_t Surroundings::changed_in(const Datum& belief) const {
   return it == changed_in_.end() ? 0 : it->second;
 }
 
+bool Surroundings::calm() const {
+  const std::optional<Eigen::Vector3d> grip = grip_mm();
+  for (const auto& [name, sighting] : sightings_.all()) {
+    const bool with_the_arm = name == options_.gripper.mark || (grip && (sighting.place_mm - *grip).norm() < held_mm);
+    if (with_the_arm || !sightings_.recent(name, still_looks)) continue;
+    if (sightings_.still_looks(name) < still_looks) return false;
+  }
+  return true;
+}
+
 bool Surroundings::steady(const std::vector<std::string>& objects) const {
-  if (!beliefs_.settled()) return false;
+  if (!beliefs_.settled() || !calm()) return false;
   for (const std::string& name : objects) {
     if (!sightings_.recent(name, 2) || sightings_.still_looks(name) < still_looks) return false;
   }

@@ -49,7 +49,9 @@ class Surroundings {
   // The frame in which a belief came or went last; 0 if it never did.
   std::int64_t changed_in(const Datum& belief) const;
 
-  // Whether what is perceived is believed and all these objects have been seen lately and lie still.
+  // Whether nothing moves that was seen lately and is not in the gripper.
+  bool calm() const;
+  // Whether it is calm, what is perceived is believed, and all these objects have been seen lately and lie still.
   bool steady(const std::vector<std::string>& objects) const;
 
   // True once more than `look` looks were made, false at the deadline.
