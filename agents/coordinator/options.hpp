@@ -5,6 +5,7 @@
 #include <string>
 
 #include "agents/coordinator/camera_view.hpp"
+#include "agents/coordinator/occlusion.hpp"
 #include "agents/coordinator/servo.hpp"
 #include "agents/coordinator/spots.hpp"
 #include "blackboard/time/clock.hpp"
@@ -20,6 +21,7 @@ struct GripperGeometry {
   double narrow_mm = 76;
   double normal_mm = 84;
   double wide_mm = 96;
+  GripperOutline outline;
 };
 
 struct CoordinatorOptions {

@@ -46,6 +46,8 @@ Task<Result<void>> Pursuit::look_for(std::vector<std::string> objects) {
 
 Task<Result<void>> Pursuit::look_once_for(std::string object, Time deadline) {
   bool out_of_the_way = false;
+  bool hands_emptied = false;
+  const Time doubtful = context_.executor.now() + options_.missing_patience / 2;
   while (!surroundings_.sightings().recent(object, lately)) {
     if (vigil_.interrupted()) co_return fail("interrupted", "another goal, or none, is wanted now");
     const Result<bool> found = co_await eyes_.find(object);
@@ -61,6 +63,12 @@ Task<Result<void>> Pursuit::look_once_for(std::string object, Time deadline) {
       out_of_the_way = true;
       const Result<void> raised = co_await runner_.raise();
       if (!raised) co_return raised;
+    }
+    if (!hands_emptied && context_.executor.now() > doubtful) {
+      hands_emptied = true;
+      const Result<void> emptied = co_await runner_.lay_down(object);
+      if (!emptied) co_return emptied;
+      deadline = context_.executor.now() + options_.missing_patience;
     }
     const Result<void> looked = co_await eyes_.fresh_look();
     if (!looked) co_return looked;

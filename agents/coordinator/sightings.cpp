@@ -19,17 +19,25 @@ void Sightings::look(std::int64_t frame, const Datum& track, const CameraView& v
     if (item.size() != 4) continue;
     const Eigen::Vector3d place = view.place(item[1].number(), item[2].number(), item[3].number());
     const std::string name(item[0].text());
-    const auto [it, is_new] = seen_.try_emplace(name, Sighting{place, frame, looks_, place, looks_, 0, 0});
+    const auto [it, is_new] = seen_.try_emplace(name, Sighting{place, frame, looks_, place, looks_});
     Sighting& sighting = it->second;
     sighting.place_mm = place;
     sighting.frame = frame;
     sighting.look = looks_;
+    sighting.excused = 0;
     if ((place - sighting.anchor_mm).norm() > still_mm) {
       sighting.anchor_mm = place;
       sighting.still_since = looks_;
       sighting.yaw_samples = 0;
     }
   }
+}
+
+void Sightings::excuse(const std::string& name) {
+  const auto it = seen_.find(name);
+  if (it == seen_.end() || it->second.look == looks_ || it->second.excused == most_excused) return;
+  ++it->second.excused;
+  ++it->second.look;
 }
 
 // A turn that goes on without moving the mark shows too: old samples weigh less and less.

@@ -22,6 +22,7 @@ struct Sighting {
   std::uint64_t look;         // the newest it was seen in
   Eigen::Vector3d anchor_mm;  // it has been within `still_mm` of here ...
   std::uint64_t still_since;  // ... since this look
+  int excused = 0;            // for how many looks in a row something known hid it
   double yaw_deg = 0;         // how far its face looks to the right of facing the camera, averaged while it is still
   int yaw_samples = 0;
 };
@@ -32,6 +33,11 @@ class Sightings {
 
   // Takes in one interpreted TRACK reply: `(track ("name" X Y D) ("name" fail) ...)`.
   void look(std::int64_t frame, const Datum& track, const CameraView& view);
+
+  // Keeps an object that the newest look did not show as young as it was, because something known hides it; for
+  // `most_excused` looks in a row, then it ages like any other.
+  static constexpr int most_excused = 150;
+  void excuse(const std::string& name);
 
   // Takes in one object's entry of a (faces ...) fact.
   void face(std::string_view name, double yaw_deg);

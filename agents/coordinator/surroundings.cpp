@@ -113,6 +113,7 @@ Task<void> Surroundings::take_look(std::int64_t frame, std::string text) {
   const Result<Datum> track = interpret_vision_reply(text);
   if (!track || !track->is_form("track") || !view_) co_return;
   sightings_.look(frame, *track, *view_);
+  excuse_hidden();
   const Result<Facts> perceived = perceive();
   Beliefs::Change change;
   if (perceived) change = beliefs_.perceive(*perceived);
@@ -128,6 +129,17 @@ Task<void> Surroundings::take_look(std::int64_t frame, std::string text) {
     if (observer_) observer_(change);
   }
   changed_.wake_all();
+}
+
+void Surroundings::excuse_hidden() {
+  const std::optional<Eigen::Vector3d> grip = grip_mm();
+  if (!grip) return;
+  std::vector<std::string> hidden;
+  for (const auto& [name, sighting] : sightings_.all()) {
+    const bool unseen = name != options_.gripper.mark && !sightings_.recent(name, 1);
+    if (unseen && hidden_by_gripper(*view_, options_.gripper.outline, *grip, sighting.place_mm)) hidden.push_back(name);
+  }
+  for (const std::string& name : hidden) sightings_.excuse(name);
 }
 
 std::optional<Eigen::Vector3d> Surroundings::grip_mm() const {

@@ -71,6 +71,7 @@ class Surroundings {
   void take_pose(const Change& change);
   void take_presence(const Change& change);
   Task<void> take_look(std::int64_t frame, std::string text);
+  void excuse_hidden();
   std::vector<Datum> measure() const;
   Result<Facts> perceive() const;
   Task<void> tell_failure(Failure why);

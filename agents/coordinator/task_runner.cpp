@@ -101,6 +101,26 @@ Task<Result<void>> TaskRunner::release() {
   co_return Result<void>();
 }
 
+Task<Result<void>> TaskRunner::lay_down(std::string object) {
+  const Result<double> closed = co_await arm_.grip(0);
+  if (!closed) co_return fail(closed);
+  if (*closed < domain_.cube_mm() / 2) co_return Result<void>();
+  vigil_.rest();
+  aims_.reset();
+  const std::string sentence = fmt::format("{} is not seen and the gripper holds something: laying it down", object);
+  co_await story_.tell("servo", sentence, Datum::symbol(object));
+  const Datum spot = list("free-spot"_sym, Datum::symbol(object));
+  // It may be held askew and touch the table early: it is let go wherever the way down ended.
+  const std::vector<Datum> down{list("raise"_sym), list("square-up"_sym), list("align"_sym, spot),
+                                list("lower"_sym, spot)};
+  const Result<void> lowered = co_await run_steps(down);
+  const bool interrupted = !lowered && lowered.error().symbol != "stopped";
+  if (interrupted) co_return lowered;
+  const std::vector<Datum> let_go{list("release"_sym), list("raise"_sym)};
+  const Result<void> released = co_await run_steps(let_go);
+  co_return released;
+}
+
 // Only vision can tell whether the mark stands where the arm believes it to be, so a raise ends with a look.
 Task<Result<void>> TaskRunner::raise() {
   for (int attempt = 0; attempt < 2; ++attempt) {

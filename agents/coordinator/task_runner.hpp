@@ -32,6 +32,9 @@ class TaskRunner {
         aims_(options, domain, surroundings) {}
 
   Task<Result<void>> run(std::size_t index, GroundOperation operation);
+  // Puts down on a free spot whatever the gripper holds, `object` or another, so that the eyes can tell what it is.
+  // Nothing is done where it holds nothing.
+  Task<Result<void>> lay_down(std::string object);
   // Up, or down, to the height that is safe to travel at, with the end effector in sight.
   Task<Result<void>> raise();
 

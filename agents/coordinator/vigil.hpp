@@ -15,6 +15,11 @@ namespace pizarra {
 class Vigil {
  public:
   void begin(const TriangleTable& table, std::size_t index);
+  // Between operations: nothing has to hold.
+  void rest() {
+    preconditions_.clear();
+    throughout_.clear();
+  }
   void commit() { committed_ = true; }
   // The goal was replaced or cancelled: whatever is being done ends at the next check.
   void interrupt() { interrupted_ = true; }

@@ -85,8 +85,9 @@ TEST(BlocksDomain, SaysHowEveryOperatorIsCarriedOut) {
       for (std::size_t i = 0; i < known.params.size(); ++i) operation.push_back("x"_sym);
       const Result<std::vector<Datum>> steps = task.micro_tasks().expand(Datum::list(operation));
       ASSERT_TRUE(steps) << known.name;
-      const bool acts = std::ranges::any_of(
-          *steps, [](const Datum& step) { return step.is_form("close") || step.is_form("release"); });
+      const bool acts = std::ranges::any_of(*steps, [](const Datum& step) {
+        return step.is_form("close") || step.is_form("release") || step.is_form("push-over");
+      });
       EXPECT_TRUE(acts) << known.name;
       EXPECT_TRUE(steps->back().is_form("raise") || steps->back().is_form("check-held")) << known.name;
     }

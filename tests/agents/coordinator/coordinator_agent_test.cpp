@@ -1,0 +1,196 @@
+#include <gtest/gtest.h>
+
+#include "lisp/writer.hpp"
+#include "tests/agents/coordinator/fake_cell.hpp"
+
+namespace pizarra {
+namespace {
+
+FakeCell::Cubes row() { return {{"circle", {450, -150, 30}}, {"triangle", {455, -50, 30}}, {"square", {445, 50, 30}}}; }
+
+class Coordinator : public testing::Test {
+ protected:
+  Coordinator() { cell.start_coordinator(); }
+  void expect_on(const std::string& upper, const std::string& lower) {
+    const Eigen::Vector3d apart = cell.cubes[upper] - cell.cubes[lower];
+    EXPECT_LT(std::hypot(apart.x(), apart.y()), 4) << upper;
+    EXPECT_NEAR(apart.z(), 60, 1) << upper;
+  }
+  std::string want(std::string_view goal) { return write(cell.request("coordinator", goal)); }
+
+  FakeCell cell{"blocks.scm", row()};
+};
+
+TEST_F(Coordinator, BuildsWhatIsWanted) {
+  EXPECT_EQ(want("(goal (on circle triangle) (on triangle square))"), "(ok 1)");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 120s));
+  expect_on("circle", "triangle");
+  expect_on("triangle", "square");
+  EXPECT_TRUE(cell.facts("(event ? difference ? ?)").empty());
+  EXPECT_EQ(cell.times_told("(plan 1 ?)"), 1);
+  EXPECT_EQ(cell.facts("(on ? ?)").size(), 2U);
+  for (int state = 1; state <= 4; ++state)
+    EXPECT_GT(cell.times_told("(servo " + std::to_string(state) + " ? ? ? ?)"), 0);
+}
+
+TEST_F(Coordinator, MovesNothingForWhatHoldsAlready) {
+  want("(goal (on-table circle))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 20s));
+  EXPECT_EQ(cell.motions, 0);
+}
+
+TEST_F(Coordinator, RefusesAnObjectThatWasNeverLearned) {
+  EXPECT_EQ(cell.request("coordinator", "(goal (on star triangle))")[1], "unknown-object"_sym);
+  EXPECT_EQ(cell.request("coordinator", "(goal (above circle triangle))")[1], "unknown-predicate"_sym);
+  EXPECT_TRUE(cell.facts("(goal ? ?)").empty());
+}
+
+TEST_F(Coordinator, RefusesAMissingObjectAfterLookingForItAndMovesNothing) {
+  cell.hidden.insert("circle");
+  want("(goal (on circle triangle))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 refused ?)", 30s));
+  EXPECT_EQ(cell.facts("(goal-state 1 refused ?)")[0][3][1], "missing-object"_sym);
+  EXPECT_EQ(cell.motions, 0);
+}
+
+TEST_F(Coordinator, RefusesWhatThePlannerProvesImpossible) {
+  want("(goal (on circle triangle) (on triangle circle))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 refused ?)", 30s));
+  EXPECT_EQ(cell.facts("(goal-state 1 refused ?)")[0][3][1], "no-plan"_sym);
+  EXPECT_EQ(cell.motions, 0);
+}
+
+TEST_F(Coordinator, FollowsACubeThatIsMovedDuringTheApproachWithoutANewPlan) {
+  want("(goal (on circle triangle))");
+  ASSERT_TRUE(cell.run_until("(servo 3 circle ? ? ?)", 30s));
+  cell.cubes["circle"].y() -= 45;
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 60s));
+  expect_on("circle", "triangle");
+  EXPECT_EQ(cell.times_told("(plan 1 ?)"), 1);
+}
+
+TEST_F(Coordinator, SkipsAStepThatSomebodyElseDid) {
+  want("(goal (on triangle square) (on circle triangle))");
+  ASSERT_TRUE(cell.run_until("(operation 1 ? done)", 60s));
+  cell.cubes["circle"] = cell.cubes["triangle"] + Eigen::Vector3d(0, 0, 60);
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 60s));
+  EXPECT_EQ(cell.times_told("(operation ? (STACK circle triangle) ?)"), 0);
+  EXPECT_FALSE(cell.facts("(event ? difference ? ?)").empty());
+}
+
+TEST_F(Coordinator, FetchesAgainWhatWasTakenOutOfTheGripper) {
+  want("(goal (on circle triangle))");
+  ASSERT_TRUE(cell.run_until("(operation ? (STACK circle triangle) running)", 60s));
+  cell.held.clear();
+  cell.opening_mm = 0;
+  cell.cubes["circle"] = {450, -180, 30};
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 90s));
+  expect_on("circle", "triangle");
+  EXPECT_FALSE(cell.facts("(event ? difference ? ?)").empty());
+}
+
+TEST_F(Coordinator, BuildsAgainWhatIsKnockedOverBeforeItHasSettled) {
+  want("(goal (on circle triangle))");
+  ASSERT_TRUE(cell.run_until("(on circle triangle)", 60s));
+  cell.cubes["circle"] = {450, -200, 30};
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 90s));
+  expect_on("circle", "triangle");
+}
+
+TEST_F(Coordinator, TellsWhyWithTheFrameThatShowedTheDifference) {
+  want("(goal (on circle triangle))");
+  ASSERT_TRUE(cell.run_until("(operation ? (PICK-UP circle) running)", 30s));
+  cell.cubes["square"] = cell.cubes["circle"] + Eigen::Vector3d(0, 0, 60);
+  ASSERT_TRUE(cell.run_until("(event ? difference ? ?)", 30s));
+  const std::string why = want("(why)");
+  EXPECT_NE(why.find("(clear circle) does not hold since frame "), std::string::npos) << why;
+  EXPECT_NE(why.find("(on square circle)"), std::string::npos) << why;
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 120s));
+  expect_on("circle", "triangle");
+}
+
+TEST_F(Coordinator, GoesOnAfterItWasKilledWhileHolding) {
+  want("(goal (on circle triangle))");
+  ASSERT_TRUE(cell.run_until("(and (holding circle) (operation ? (STACK circle triangle) running))", 60s));
+  cell.stop_coordinator();
+  cell.run_for(5s);
+  EXPECT_TRUE(cell.facts("(holding circle)").empty()) << "what it believed goes with it";
+  cell.start_coordinator();
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 60s));
+  expect_on("circle", "triangle");
+  EXPECT_EQ(cell.times_told("(plan 1 ?)"), 1) << "the plan it had still serves";
+}
+
+TEST_F(Coordinator, WaitsForARobotThatDied) {
+  want("(goal (on circle triangle))");
+  ASSERT_TRUE(cell.run_until("(holding circle)", 60s));
+  cell.stop_robot();
+  cell.run_for(5s);
+  cell.start_robot();
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 90s));
+  expect_on("circle", "triangle");
+}
+
+TEST_F(Coordinator, RefusesWhenTheRobotStaysAway) {
+  cell.stop_robot();
+  cell.run_for(3s);
+  want("(goal (on circle triangle))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 refused ?)", 60s));
+  EXPECT_EQ(cell.facts("(goal-state 1 refused ?)")[0][3][1], "absent"_sym);
+}
+
+TEST_F(Coordinator, HasARestartedVisionTrackAgain) {
+  want("(goal (on circle triangle))");
+  ASSERT_TRUE(cell.run_until("(servo 2 ? ? ? ?)", 30s));
+  cell.stop_vision();
+  cell.run_for(4s);
+  cell.start_vision();
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 90s));
+  expect_on("circle", "triangle");
+}
+
+TEST_F(Coordinator, ReplacesAGoalAndPutsAwayWhatItHoldsThroughTheNewPlan) {
+  want("(goal (on circle triangle))");
+  ASSERT_TRUE(cell.run_until("(holding circle)", 60s));
+  EXPECT_EQ(want("(goal (on square triangle))"), "(ok 2)");
+  ASSERT_TRUE(cell.run_until("(goal-state 2 reached ?)", 90s));
+  EXPECT_EQ(cell.facts("(goal-state 1 replaced ?)").size(), 1U);
+  expect_on("square", "triangle");
+  EXPECT_TRUE(cell.held.empty());
+}
+
+TEST_F(Coordinator, EndsWhenCancelled) {
+  EXPECT_EQ(cell.request("coordinator", "(cancel)")[1], "no-goal"_sym);
+  want("(goal (on circle triangle))");
+  ASSERT_TRUE(cell.run_until("(operation ? (PICK-UP circle) running)", 30s));
+  EXPECT_EQ(want("(cancel)"), "(ok)");
+  EXPECT_EQ(cell.facts("(goal-state 1 cancelled ?)").size(), 1U);
+  cell.run_for(2s);
+  const int motions = cell.motions;
+  cell.run_for(10s);
+  EXPECT_EQ(cell.motions, motions);
+}
+
+TEST_F(Coordinator, PutsDownWhereThereIsRoom) {
+  want("(goal (on circle triangle))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 60s));
+  want("(goal (on-table circle))");
+  ASSERT_TRUE(cell.run_until("(goal-state 2 reached ?)", 60s));
+  EXPECT_NEAR(cell.cubes["circle"].z(), 30, 1);
+  for (const auto& [name, place] : cell.cubes) {
+    if (name == "circle") continue;
+    EXPECT_GT(std::abs(place.y() - cell.cubes["circle"].y()), 85) << name;
+  }
+}
+
+TEST(NumberedPlacesCell, SwapsTwoCubesThroughAFreePlace) {
+  FakeCell cell("numbered-places.scm", {{"circle", {450, -200, 30}}, {"square", {450, -100, 30}}});
+  cell.start_coordinator();
+  cell.request("coordinator", "(goal (at circle place-2) (at square place-1))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 120s));
+  EXPECT_NEAR(cell.cubes["circle"].y(), -100, 3);
+  EXPECT_NEAR(cell.cubes["square"].y(), -200, 3);
+}
+
+}  // namespace
+}  // namespace pizarra

@@ -1,0 +1,320 @@
+#include "tests/agents/coordinator/fake_cell.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <fmt/format.h>
+#include <numbers>
+
+#include "lisp/reader.hpp"
+#include "lisp/writer.hpp"
+
+namespace pizarra {
+
+namespace {
+
+constexpr std::string_view robot_text = R"(
+(contract robot
+  (offers (retract (mm number)) (extend (keep symbol) (mm number)) (turn (d symbol) (deg number))
+          (move-h (d symbol) (mm number)) (move-v (d symbol) (mm number)) (turn-wrist (d symbol) (deg number))
+          (ready) (speed (percent number)) (gripper (mm number)) (monitor) (do-action (text string)))
+  (posts (relation gripper ((opening number)) (key))))
+)";
+constexpr std::string_view vision_text = R"(
+(contract vision
+  (offers (find (name string)) (track (name string)) (get-objects) (connect))
+  (posts (relation vision-says ((frame integer) (text string)) (key))
+         (relation camera-model ((w integer) (h integer) (f number) (x number) (y number) (b number)) (key))))
+)";
+constexpr std::string_view planner_text = R"(
+(contract planner
+  (offers (get-operations (operators list)) (get-facts (types list) (initials list) (goals list)) (get-plan)
+          (start-plan) (next-operation (n integer)))
+  (posts))
+)";
+
+Datum form(std::string_view text) { return read_one(text).value(); }
+
+Task<void> serve(AgentContext& context, std::string_view contract, Handler handler) {
+  Service service(context, contract_from_text(contract).value());
+  const Result<void> started = co_await service.start();
+  if (started) co_await service.serve(std::move(handler));
+}
+
+Task<void> live(CoordinatorAgent& agent) { co_await agent.run(); }
+
+bool is_near(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double across, double up) {
+  return std::abs(a.x() - b.x()) < across && std::abs(a.y() - b.y()) < across && std::abs(a.z() - b.z()) < up;
+}
+
+}  // namespace
+
+struct FakeCell::Agents {
+  explicit Agents(FakeCell& cell)
+      : robot_view(cell.board_.view("robot")),
+        vision_view(cell.board_.view("vision")),
+        planner_view(cell.board_.view("planner")),
+        coordinator_view(cell.board_.view("coordinator")),
+        robot{"robot", "localhost", cell.executor_, *robot_view, Random(1)},
+        vision{"vision", "localhost", cell.executor_, *vision_view, Random(2)},
+        planner{"planner", "localhost", cell.executor_, *planner_view, Random(3)},
+        coordinator{"coordinator", "localhost", cell.executor_, *coordinator_view, Random(4)} {}
+
+  std::unique_ptr<Board> robot_view, vision_view, planner_view, coordinator_view;
+  AgentContext robot, vision, planner, coordinator;
+  std::unique_ptr<CoordinatorAgent> agent;
+  Job robot_job, vision_job, looking, planner_job, coordinator_job;
+};
+
+FakeCell::FakeCell(const std::string& domain_file, Cubes start)
+    : cubes(std::move(start)),
+      domain_(TaskDomain::read(std::string(PIZARRA_SOURCE_DIR) + "/domains/" + domain_file).value()),
+      person_(board_.view("person")),
+      agents_(std::make_unique<Agents>(*this)) {
+  board_.set_journal([this](std::string_view line) { journal_.emplace_back(line); });
+  start_robot();
+  start_vision();
+  Handler handler = [this](Datum operation) { return handle_planner(std::move(operation)); };
+  agents_->planner_job = executor_.spawn(serve(agents_->planner, planner_text, std::move(handler)));
+  executor_.run_for(300ms);
+}
+
+FakeCell::~FakeCell() = default;
+
+void FakeCell::start_robot() {
+  Handler handler = [this](Datum operation) { return handle_robot(std::move(operation)); };
+  agents_->robot_job = executor_.spawn(serve(agents_->robot, robot_text, std::move(handler)));
+}
+
+void FakeCell::start_vision() {
+  Handler handler = [this](Datum operation) { return handle_vision(std::move(operation)); };
+  agents_->vision_job = executor_.spawn(serve(agents_->vision, vision_text, std::move(handler)));
+  agents_->looking = executor_.spawn(look());
+}
+
+void FakeCell::start_coordinator() {
+  CoordinatorOptions options;
+  options.domain_file = std::string(PIZARRA_SOURCE_DIR) + "/domains/" + domain_.domain().name + ".scm";
+  agents_->agent = std::make_unique<CoordinatorAgent>(agents_->coordinator, options);
+  agents_->coordinator_job = executor_.spawn(live(*agents_->agent));
+  executor_.run_for(3s);
+}
+
+void FakeCell::stop_coordinator() {
+  agents_->coordinator_job = Job();
+  agents_->agent.reset();
+}
+
+void FakeCell::stop_robot() { agents_->robot_job = Job(); }
+
+void FakeCell::stop_vision() {
+  agents_->vision_job = Job();
+  agents_->looking = Job();
+  tracking_ = false;
+}
+
+Datum FakeCell::request(const std::string& agent, std::string_view operation) {
+  const Datum id = Datum::symbol(fmt::format("test-{}", ++requests_));
+  Transaction ask;
+  ask.tell(list("request"_sym, id, Datum::symbol(agent), form(operation)));
+  if (!board_.transact("person", ask)) return {};
+  const Query query = query_from_datum(list("reply"_sym, id, "?result"_sym)).value();
+  const Time deadline = executor_.now() + 60s;
+  executor_.run_until([&] { return executor_.now() > deadline || !board_.ask(query)->answers.empty(); });
+  const Answers answers = board_.ask(query).value();
+  return answers.answers.empty() ? Datum() : answers.answers.front().facts.front().datum[2];
+}
+
+bool FakeCell::run_until(std::string_view text, Duration patience) {
+  const Query query = query_from_datum(form(text)).value();
+  const Time deadline = executor_.now() + patience;
+  const auto holds = [&] {
+    const Result<Answers> answers = board_.ask(query);
+    return answers && !answers->answers.empty();
+  };
+  executor_.run_until([&] { return executor_.now() > deadline || holds(); });
+  return holds();
+}
+
+std::vector<Datum> FakeCell::facts(std::string_view pattern) {
+  std::vector<Datum> found;
+  const Result<Answers> answers = board_.ask(query_from_datum(form(pattern)).value());
+  if (!answers) return found;
+  for (const Answer& answer : answers->answers) found.push_back(answer.facts.front().datum);
+  return found;
+}
+
+int FakeCell::times_told(std::string_view pattern) const {
+  const Datum wanted = form(pattern);
+  int times = 0;
+  for (const std::string& line : journal_) {
+    const Result<Datum> entry = read_one(line);
+    if (!entry) continue;
+    for (const Datum& step : entry->items()) {
+      Bindings bindings;
+      if (step.is_form("tell") && step.size() > 2 && match(wanted, step[2], bindings)) ++times;
+    }
+  }
+  return times;
+}
+
+void FakeCell::move_to(const Eigen::Vector3d& place) {
+  ++motions;
+  if (!held.empty()) cubes[held] += place - grip;
+  grip = place;
+}
+
+void FakeCell::let_go() {
+  if (held.empty()) return;
+  const std::string cube = std::exchange(held, "");
+  double support = 0;
+  for (const auto& [name, place] : cubes) {
+    const bool below = name != cube && place.z() < cubes[cube].z() && is_near(place, cubes[cube], 30, 1000);
+    if (below) support = std::max(support, place.z() + 30);
+  }
+  cubes[cube].z() = support + 30;
+}
+
+double FakeCell::close_gripper(double wanted_mm) {
+  ++motions;
+  if (wanted_mm > 60) let_go();
+  opening_mm = wanted_mm;
+  if (wanted_mm > 60) return opening_mm;
+  for (const auto& [name, place] : cubes) {
+    if (!is_near(place, grip, 12, 15)) continue;
+    held = name;
+    opening_mm = 60;
+  }
+  return opening_mm;
+}
+
+Task<Result<Datum>> FakeCell::handle_robot(Datum operation) {
+  const std::string_view name = operation.head();
+  if (name == "monitor") co_return list(grip.x(), grip.y(), grip.z(), 180.0, 0.0, yaw_deg_);
+  co_await sleep(executor_, 300ms);
+  const bool positive = operation.size() > 1 && (operation[1].is_symbol("right") || operation[1].is_symbol("up"));
+  const double amount = (positive ? 1 : -1) * operation[operation.size() - 1].number();
+  const Eigen::Vector3d out = Eigen::Vector3d(grip.x(), grip.y(), 0).normalized();
+  Eigen::Vector3d to = grip;
+  if (name == "gripper") {
+    const double opening = close_gripper(operation[1].number());
+    const Datum fact = list("gripper"_sym, opening);
+    co_await agents_->robot_view->tell(fact);
+  }
+  if (name == "ready") to = {370, 0, 410};
+  if (name == "move-v") to.z() += amount;
+  if (name == "move-h") to.y() += amount;
+  if (name == "extend") to += operation[2].number() * out;
+  if (name == "retract") to -= operation[1].number() * out;
+  if (name == "turn-wrist") yaw_deg_ += amount;
+  if (name == "turn") {
+    const double radius = std::hypot(grip.x(), grip.y());
+    const double bearing = std::atan2(grip.y(), grip.x()) + amount * std::numbers::pi / 180;
+    to = {radius * std::cos(bearing), radius * std::sin(bearing), grip.z()};
+    yaw_deg_ += amount;
+  }
+  if (name == "do-action") {
+    const Datum move = form(operation[1].text());
+    to = {move[1].number(), move[2].number(), move[3].number()};
+  }
+  move_to(to);
+  co_return list("true"_sym);
+}
+
+Task<Result<Datum>> FakeCell::handle_vision(Datum operation) {
+  if (operation.is_form("track")) tracking_ = true;
+  std::string text;
+  if (operation.is_form("get-objects")) {
+    text = fmt::format("(GET {} (\"end-effector\"", cubes.size() + 1);
+    for (const auto& [name, place] : cubes) text += fmt::format(", \"{}\"", name);
+    text += "))";
+  }
+  if (operation.is_form("find")) {
+    const std::string name(operation[1].text());
+    const bool seen = cubes.contains(name) && !hidden.contains(name);
+    text = fmt::format("(FIND \"{}\" {})", name, seen ? "OK (100, 100)" : "FAIL");
+  }
+  co_return list(text);
+}
+
+// Ten frames a second, told a moment after they were taken.
+Task<void> FakeCell::look() {
+  const Datum model = list("camera-model"_sym, 320, 240, 431.0, 159.5, 119.5, 90.0);
+  while (true) {
+    co_await sleep(executor_, 60ms);
+    const Eigen::Vector3d front(30, 0, 0);
+    std::vector<std::pair<std::string, Eigen::Vector3d>> marks{{"end-effector", grip + Eigen::Vector3d(30, 0, 66)}};
+    for (const auto& [name, place] : cubes) marks.emplace_back(name, place + front);
+    std::string text = fmt::format("(TRACK {}", marks.size());
+    for (const auto& [name, place] : marks) {
+      const Sight sight = view_.sight(place);
+      const bool seen = !hidden.contains(name) && sight.y_px > 0;
+      text += seen ? fmt::format(" (\"{}\" OK ({:.2f}, {:.2f}, {:.2f}))", name, sight.x_px, sight.y_px, sight.range_mm)
+                   : fmt::format(" (\"{}\" FAIL)", name);
+    }
+    co_await sleep(executor_, 40ms);
+    const Datum says = list("vision-says"_sym, ++frame_, text + ")");
+    co_await agents_->vision_view->tell(model);
+    if (tracking_) co_await agents_->vision_view->tell(says);
+  }
+}
+
+Task<Result<Datum>> FakeCell::handle_planner(Datum operation) {
+  if (operation.is_form("get-facts")) task_ = operation;
+  if (operation.is_form("start-plan")) co_return list(plan_.empty() ? "done"_sym : plan_[0]);
+  if (operation.is_form("next-operation")) {
+    const auto index = static_cast<std::size_t>(operation[1].integer());
+    co_return list(index < plan_.size() ? plan_[index] : "done"_sym);
+  }
+  if (!operation.is_form("get-plan")) co_return list("true"_sym);
+  const auto initials = task_[2].items().subspan(1);
+  const auto goals = task_[3].items().subspan(1);
+  plan_ = search({initials.begin(), initials.end()}, {goals.begin(), goals.end()});
+  if (!plan_.empty() && plan_.front().is_symbol("none")) co_return fail("no-plan", "no plan exists", task_[3]);
+  std::vector<Datum> steps;
+  for (const Datum& step : plan_) steps.push_back(list(step));
+  const Datum answer = Datum::list(steps);
+  co_return list(answer);
+}
+
+// Breadth first over every way to ground every operator; (none) where nothing leads to the goal.
+std::vector<Datum> FakeCell::search(const Facts& initials, const Facts& goals) const {
+  std::vector<GroundOperation> operations;
+  for (const Operator& known : domain_.domain().operators) {
+    std::vector<std::vector<Datum>> names{{Datum::symbol(known.name)}};
+    for (std::size_t i = 0; i < known.params.size(); ++i) {
+      std::vector<std::vector<Datum>> longer;
+      for (const std::vector<Datum>& name : names) {
+        for (const Datum& type : task_[1].items().subspan(1)) {
+          if (type[1].text() != known.params[i].type) continue;
+          longer.push_back(name);
+          longer.back().push_back(type[0]);
+        }
+      }
+      names = std::move(longer);
+    }
+    for (const std::vector<Datum>& name : names) operations.push_back(domain_.ground(Datum::list(name)).value());
+  }
+  std::map<Facts, std::vector<Datum>> reached{{initials, {}}};
+  std::deque<Facts> open{initials};
+  while (!open.empty()) {
+    const Facts state = open.front();
+    open.pop_front();
+    const std::vector<Datum> plan = reached[state];
+    if (std::ranges::includes(state, goals)) return plan;
+    for (const GroundOperation& operation : operations) {
+      const auto holds = [&](const Datum& fact) { return state.contains(fact); };
+      if (!std::ranges::all_of(operation.preconditions, holds)) continue;
+      Facts next = state;
+      for (const Datum& fact : operation.deletes) next.erase(fact);
+      next.insert(operation.adds.begin(), operation.adds.end());
+      if (reached.contains(next)) continue;
+      reached[next] = plan;
+      reached[next].push_back(operation.name);
+      open.push_back(next);
+    }
+  }
+  return {"none"_sym};
+}
+
+}  // namespace pizarra

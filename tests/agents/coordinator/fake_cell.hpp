@@ -1,0 +1,83 @@
+#pragma once
+
+// A cell without physics for the coordinator's tests: a robot that is where it is told to be, eyes that project
+// exactly, a planner that searches breadth first; they answer through facts as the real agents do. The test is the
+// hand.
+//
+//   FakeCell cell("blocks.scm", {{"circle", {450, -100, 30}}, {"square", {450, 0, 30}}});
+//   cell.start_coordinator();
+//   cell.request("coordinator", "(goal (on circle square))");
+//   EXPECT_TRUE(cell.run_until("(goal-state 1 reached ?)", 60s));
+
+#include <Eigen/Core>
+#include <map>
+
+#include "agents/coordinator/camera_view.hpp"
+#include "agents/coordinator/coordinator_agent.hpp"
+#include "agents/coordinator/task_domain.hpp"
+#include "agents/runtime/service.hpp"
+#include "blackboard/memory_board.hpp"
+#include "blackboard/time/virtual_executor.hpp"
+
+namespace pizarra {
+
+class FakeCell {
+ public:
+  using Cubes = std::map<std::string, Eigen::Vector3d>;  // centres, mm
+
+  FakeCell(const std::string& domain_file, Cubes cubes);
+  ~FakeCell();
+
+  // Agents may be stopped, as if killed, and started again.
+  void start_coordinator();
+  void start_robot();
+  void start_vision();
+  void stop_coordinator();
+  void stop_robot();
+  void stop_vision();
+
+  // The reply's form: (ok ...) or (fail ...).
+  Datum request(const std::string& agent, std::string_view operation);
+  // Runs until the query has an answer; false after `patience`.
+  bool run_until(std::string_view query, Duration patience);
+  void run_for(Duration duration) { executor_.run_for(duration); }
+  std::vector<Datum> facts(std::string_view pattern);
+  // How often a fact that fits has been told, from the journal.
+  int times_told(std::string_view pattern) const;
+
+  Cubes cubes;                        // where they are now; the test may move them
+  std::set<std::string> hidden;       // from the eyes
+  Eigen::Vector3d grip{370, 0, 410};  // the grip centre
+  double opening_mm = 100;
+  std::string held;  // between the fingers
+  int motions = 0;
+
+ private:
+  struct Agents;
+  friend struct Agents;
+
+  Task<void> look();
+  Task<Result<Datum>> handle_robot(Datum operation);
+  Task<Result<Datum>> handle_vision(Datum operation);
+  Task<Result<Datum>> handle_planner(Datum operation);
+  void move_to(const Eigen::Vector3d& place);
+  double close_gripper(double wanted_mm);
+  void let_go();
+  std::vector<Datum> search(const Facts& initials, const Facts& goals) const;
+
+  VirtualExecutor executor_;
+  MemoryBoard board_{executor_};
+  std::vector<std::string> journal_;
+  TaskDomain domain_;
+  CameraView view_{{}, {}};
+  bool tracking_ = false;
+  std::int64_t frame_ = 0;
+  double yaw_deg_ = 0;
+  Datum task_;
+  std::vector<Datum> plan_;
+  int requests_ = 0;
+  std::unique_ptr<Board> person_;
+  std::unique_ptr<Agents> agents_;
+};
+
+}  // namespace pizarra
