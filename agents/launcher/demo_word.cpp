@@ -62,7 +62,10 @@ void tell_end(Narrator& narrator, const StoryReport& report, const DemoChoices& 
 int status_of(const DirectorReport& report) {
   if (report.reached()) return exit_reached;
   if (report.outcome == "malformed") return complain(*report.refusal, exit_usage);
-  if (report.outcome == "refused" && report.refusal) return complain(*report.refusal, exit_refused);
+  if (report.outcome == "refused" && report.refusal) {
+    // One that the coordinator came to has been part of the story already.
+    return report.refusal_told ? exit_refused : complain(*report.refusal, exit_refused);
+  }
   for (const std::string& sentence : report.unmet) fmt::print(stderr, "pizarra: {}\n", sentence);
   return exit_failed;
 }
@@ -75,7 +78,8 @@ int run_demo(const DemoChoices& choices) {
   const Result<Domain> domain = domain_of(*cell);
   if (!domain) return complain(domain.error(), exit_usage);
 
-  StoryOptions options{choices.seed, choices.realtime, choices.journal, choices.film, choices.picture};
+  const StopSignals signals;
+  StoryOptions options{choices.seed, choices.realtime, choices.journal, choices.film, choices.picture, &signals};
   if (choices.random) {
     const Result<void> drawable = check_random_cell(*cell, *domain);
     if (!drawable) return complain(drawable.error(), exit_usage);
@@ -97,6 +101,11 @@ int run_demo(const DemoChoices& choices) {
                            domain->name, choices.seed));
   const Result<StoryReport> report = run_story(*scenario, *cell, options, narrator);
   if (!report) return complain(report.error(), exit_unavailable);
+  if (report->interrupted) {
+    narrator.begin(Time{});
+    narrator.say(Time{} + report->simulated, "result", "interrupted");
+    return exit_interrupted;
+  }
   tell_end(narrator, *report, choices);
   return status_of(report->director);
 }

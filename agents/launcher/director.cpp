@@ -163,13 +163,15 @@ Task<void> Director::await_end(Time deadline) {
     }
     report_.outcome = end->bindings.find("?state")->text();
     const Datum detail = *end->bindings.find("?detail");
-    if (report_.outcome == "refused") report_.refusal = failure_from_datum(detail);
+    report_.refusal_told = report_.outcome == "refused";
+    if (report_.refusal_told) report_.refusal = failure_from_datum(detail);
     const Time last = std::min(executor.now() + afterwards, deadline);
     if (options_.events_may_fail) {
       const Result<void> ended = co_await end_events(last);
       if (!ended) {
         report_.outcome = "refused";
         report_.refusal = ended.error();
+        report_.refusal_told = false;
         co_return;
       }
     } else {

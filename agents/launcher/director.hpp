@@ -25,6 +25,7 @@ struct DirectorReport {
   // How the cell saw it: reached, refused, cancelled, or malformed, timeout, not-taught, no-agents.
   std::string outcome;
   std::optional<Failure> refusal;  // for refused and malformed
+  bool refusal_told = false;       // whether the coordinator told it as an event of the story
   std::vector<Datum> goal;         // the last one
   bool truth_holds = false;        // the judge's word on that goal
   bool possible = true;            // where it does not hold: whether any plan exists from the true state

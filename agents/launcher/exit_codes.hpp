@@ -10,7 +10,7 @@ enum ExitCode : int {
   exit_usage = 2,         // a wrong word or option, or a file or goal that cannot be read
   exit_refused = 3,       // the goal was understood and refused: nothing was begun, or it cannot be reached
   exit_unavailable = 4,   // no board answers, a file cannot be written, a process cannot be started
-  exit_interrupted = 130  // Ctrl-C
+  exit_interrupted = 130  // Ctrl-C or SIGTERM
 };
 
 inline constexpr const char* exit_code_help =

@@ -17,7 +17,7 @@ struct ScenarioChoices {
   bool json = false;
 };
 
-int run_one(const std::string& file, const ScenarioChoices& choices) {
+int run_one(const std::string& file, const ScenarioChoices& choices, const StopSignals& signals) {
   const Result<Scenario> scenario = read_scenario_file(file);
   if (!scenario) return complain(scenario.error(), exit_usage);
   const Result<CellDescription> cell = cell_of(*scenario);
@@ -25,10 +25,15 @@ int run_one(const std::string& file, const ScenarioChoices& choices) {
   StoryOptions options;
   options.seed = choices.seed.value_or(scenario->seed);
   options.journal_file = choices.journal;
+  options.stop = &signals;
   const auto style = choices.quiet ? Narrator::Style::silent : Narrator::style_for(stdout, choices.json);
   Narrator narrator(stdout, style);
   const Result<StoryReport> report = run_story(*scenario, *cell, options, narrator);
   if (!report) return complain(report.error(), report.error().symbol == "cannot-write" ? exit_unavailable : exit_usage);
+  if (report->interrupted) {
+    fmt::print(stderr, "pizarra: interrupted in {}\n", file);
+    return exit_interrupted;
+  }
   const std::vector<std::string>& unmet = report->director.unmet;
   const double cell_s = static_cast<double>(report->director.took.count()) / 1e6;
   const char* word = unmet.empty() ? "as told" : "OTHERWISE";
@@ -55,7 +60,11 @@ void add_scenario_word(CLI::App& app, int& status) {
   word->add_flag("--json", choices->json, "One JSON object a line");
   word->footer(exit_code_help);
   word->callback([choices, &status] {
-    for (const std::string& file : choices->files) status = std::max(status, run_one(file, *choices));
+    const StopSignals signals;
+    for (const std::string& file : choices->files) {
+      status = std::max(status, run_one(file, *choices, signals));
+      if (status == exit_interrupted) break;
+    }
   });
 }
 

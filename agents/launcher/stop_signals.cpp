@@ -7,7 +7,7 @@
 
 namespace pizarra {
 
-StopSignals::StopSignals(Executor& executor) : executor_(executor) {
+StopSignals::StopSignals() {
   sigset_t set;
   sigemptyset(&set);
   sigaddset(&set, SIGINT);
@@ -15,16 +15,24 @@ StopSignals::StopSignals(Executor& executor) : executor_(executor) {
   sigprocmask(SIG_BLOCK, &set, nullptr);
   file_ = signalfd(-1, &set, SFD_NONBLOCK | SFD_CLOEXEC);
   assert(file_ >= 0);
-  executor_.watch_readable(file_, [this] {
-    signalfd_siginfo info;
-    while (read(file_, &info, sizeof info) == sizeof info) received_ = true;
-    executor_.stop();
+}
+
+StopSignals::StopSignals(Executor& executor) : StopSignals() {
+  executor_ = &executor;
+  executor.watch_readable(file_, [this] {
+    if (received()) executor_->stop();
   });
 }
 
 StopSignals::~StopSignals() {
-  executor_.unwatch_readable(file_);
+  if (executor_ != nullptr) executor_->unwatch_readable(file_);
   close(file_);
+}
+
+bool StopSignals::received() const {
+  signalfd_siginfo info;
+  while (read(file_, &info, sizeof info) == sizeof info) received_ = true;
+  return received_;
 }
 
 }  // namespace pizarra

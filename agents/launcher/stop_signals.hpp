@@ -1,9 +1,13 @@
 #pragma once
 
-// SIGINT and SIGTERM as an orderly end: they stop the executor, on its own thread, and run_until() returns.
+// SIGINT and SIGTERM as an orderly end. With an executor they stop it, on its own thread, and run_until() returns; in
+// virtual time, where files have no place, whoever runs the executor looks between its callbacks.
 //
 //   RealExecutor executor;
 //   const StopSignals signals(executor);      // before any thread is started
+//
+//   StopSignals signals;
+//   executor.run_until([&] { return job.done() || signals.received(); });
 
 #include "blackboard/time/executor.hpp"
 
@@ -11,16 +15,18 @@ namespace pizarra {
 
 class StopSignals {
  public:
+  StopSignals();
   explicit StopSignals(Executor& executor);
   ~StopSignals();
   StopSignals(const StopSignals&) = delete;
   StopSignals& operator=(const StopSignals&) = delete;
-  bool received() const { return received_; }
+  // Whether one has come since this was made.
+  bool received() const;
 
  private:
-  Executor& executor_;
+  Executor* executor_ = nullptr;
   int file_;
-  bool received_ = false;
+  mutable bool received_ = false;
 };
 
 }  // namespace pizarra

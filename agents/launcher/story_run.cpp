@@ -32,7 +32,8 @@ void run_until_done(Executor& executor, const Job& job) {
 
 // The last pictures, then what was recorded is written.
 Result<void> finish_recording(Recorder& recorder, Executor& executor, const StoryOptions& options) {
-  if (!options.picture_file.empty()) {
+  const bool interrupted = options.stop != nullptr && options.stop->received();
+  if (!options.picture_file.empty() && !interrupted) {
     recorder.watch();
     const Job look = executor.spawn(pause(executor, last_look));
     run_until_done(executor, look);
@@ -64,9 +65,11 @@ Result<StoryReport> run_on(Executor& executor, const Scenario& scenario, const C
   const Job told = executor.spawn(narrator.follow(*ears, executor));
   Director director(cell, scenario, judge, narrator, options.director);
   const Job story = executor.spawn(director.run());
-  run_until_done(executor, story);
+  const auto interrupted = [&] { return options.stop != nullptr && options.stop->received(); };
+  executor.run_until([&] { return story.done() || interrupted(); });
 
   StoryReport report;
+  report.interrupted = !story.done();
   report.director = director.report();
   report.simulated = executor.now() - start;
   report.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count();

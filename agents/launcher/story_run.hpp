@@ -10,6 +10,7 @@
 
 #include "agents/launcher/director.hpp"
 #include "agents/launcher/narrator.hpp"
+#include "agents/launcher/stop_signals.hpp"
 
 namespace pizarra {
 
@@ -19,6 +20,8 @@ struct StoryOptions {
   std::string journal_file;  // empty: none
   std::string film_file;     // empty: none
   std::string picture_file;  // empty: none
+  // Ends the story before its end when a signal has come; none: nothing does. Outlives the run.
+  const StopSignals* stop = nullptr;
   DirectorOptions director = {};
 };
 
@@ -26,6 +29,7 @@ struct StoryReport {
   DirectorReport director;
   Duration simulated{};  // the cell's time, all of it
   double wall_s = 0;
+  bool interrupted = false;  // by a signal: what was recorded until then is whole, and nothing is judged
   // How many times faster than real time it went.
   double speed() const { return wall_s > 0 ? static_cast<double>(simulated.count()) / 1e6 / wall_s : 0; }
 };

@@ -1,7 +1,10 @@
 // The program as a person meets it at the shell: what it says and how it ends.
 
 #include <array>
+#include <csignal>
 #include <cstdio>
+#include <fcntl.h>
+#include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <iterator>
@@ -28,6 +31,11 @@ Said run(const std::string& words) {
   }
   const int status = pclose(pipe);
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text};
+}
+
+std::string text_of(const std::string& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 bool contains(const Said& said, const std::string& text) { return said.text.find(text) != std::string::npos; }
@@ -120,6 +128,40 @@ TEST(Words, AnUnreachableGoalIsRefusedAndNothingMoves) {
   EXPECT_FALSE(contains(said, "operation ")) << said.text;
 }
 
+TEST(Words, ARefusalIsToldOnce) {
+  const Said said = run("demo --png '' --goal '(on circle triangle) (on triangle circle)'");
+  const std::size_t first = said.text.find("no plan");
+  EXPECT_NE(first, std::string::npos) << said.text;
+  EXPECT_EQ(said.text.find("no plan", first + 1), std::string::npos) << said.text;
+}
+
+TEST(Words, ASignalEndsTheDemoInOrderWithItsFilmAndJournalWhole) {
+  const std::string base = testing::TempDir() + "stopped-" + std::to_string(getpid());
+  const std::string film = base + ".avi";
+  const std::string journal = base + ".txt";
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const pid_t demo = fork();
+    if (demo == 0) {
+      const int nowhere = open("/dev/null", O_WRONLY);
+      dup2(nowhere, STDOUT_FILENO);
+      execl(PIZARRA_CELL, PIZARRA_CELL, "demo", "--png", "", "--video", film.c_str(), "--journal", journal.c_str(),
+            nullptr);
+      _exit(127);
+    }
+    // Its journal shows when the story has begun.
+    std::error_code error;
+    for (int n = 0; n < 400 && (std::filesystem::file_size(journal, error) == 0 || error); ++n) usleep(20'000);
+    kill(demo, signal);
+    int status = 0;
+    waitpid(demo, &status, 0);
+    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 130) << status;
+    EXPECT_NE(text_of(film).find("idx1"), std::string::npos) << "the film has no index";
+    EXPECT_TRUE(text_of(journal).ends_with(")\n"));
+    std::filesystem::remove(journal);
+  }
+  std::filesystem::remove(film);
+}
+
 TEST(Words, CheckTellsEveryErrorOfACellFile) {
   const std::string file = testing::TempDir() + "wrong-cell-" + std::to_string(getpid()) + ".scm";
   std::ofstream(file) << "(cell c\n  (world (cube circle (at 9999 0)) (cube star (at 450 0)))\n  (amr crs-f3))\n";
@@ -149,8 +191,7 @@ TEST(Words, TheSameSeedGivesTheSameJournalByteForByte) {
   const auto journal_of = [](const std::string& options) {
     const std::string file = testing::TempDir() + "journal-" + std::to_string(getpid());
     run("demo --png '' --goal '(on circle triangle)' --journal " + file + " " + options);
-    std::ifstream in(file);
-    return std::string(std::istreambuf_iterator<char>(in), {});
+    return text_of(file);
   };
   const std::string seven = journal_of("--seed 7");
   EXPECT_GT(seven.size(), 1000U);
