@@ -67,23 +67,24 @@
       (< (abs (- ?ay ?by)) (if (was (on ?a ?b)) 34 31))
       (< (abs (- ?ax ?bx)) (if (was (on ?a ?b)) 40 36)))
 
-    (rule (on-table ?a)
-      (seen ?a ? ? ?z)
-      (< ?z (if (was (on-table ?a)) (+ resting 4) resting))
-      (not (holding ?a))
-      (not (on ?a ?)))
-
     (rule (leans ?a ?b)
       (seen ?a ?ax ?ay ?az)
+      (< (if (was (on-table ?a)) (+ resting 4) resting) ?az)
       (not (holding ?a))
       (not (on ?a ?))
-      (not (on-table ?a))
       (seen ?b ?bx ?by ?bz)
       (/= ?a ?b)
       (not (holding ?b))
       (< 12 (- ?az ?bz))
       (< (abs (- ?ay ?by)) 66)
       (< (abs (- ?ax ?bx)) 66))
+
+    (rule (on-table ?a)                 ; also what rests on a cube that is not seen: it can be picked up
+      (seen ?a ? ? ?z)
+      (< ?z (+ cube resting))
+      (not (holding ?a))
+      (not (on ?a ?))
+      (not (leans ?a ?)))
 
     (rule (clear ?a)
       (seen ?a ? ? ?)

@@ -17,6 +17,8 @@ constexpr int most_rounds = 150;
 constexpr int most_plans = 30;
 constexpr int most_failures = 25;
 constexpr int most_failures_of_one = 5;
+// Collisions of one operation till what it is about is pushed: trying the same again would end the same way.
+constexpr int failures_till_loosened = 2;
 
 std::vector<Datum> missing_from(const Facts& beliefs, const Facts& needed) {
   std::vector<Datum> missing;
@@ -103,6 +105,8 @@ Task<Result<void>> Pursuit::rounds(Goal goal) {
     if (done.error().symbol != "difference") {
       const bool too_often = ++failures > most_failures || ++failures_of[operation] > most_failures_of_one;
       if (too_often) co_return done;
+      const bool jammed = done.error().symbol == "stopped" && failures_of[operation] % failures_till_loosened == 0;
+      if (jammed) co_await loosen(operation);
     }
     co_await await_steady(objects);
   }

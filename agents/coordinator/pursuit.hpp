@@ -45,6 +45,8 @@ class Pursuit {
   Task<Result<void>> rounds(Goal goal);
   Task<Result<void>> look_for(std::vector<std::string> objects);
   Task<Result<void>> look_once_for(std::string object, Time deadline);
+  Task<Result<void>> clear_view(std::string missing);
+  Task<void> loosen(Datum operation);
   Task<void> await_steady(std::vector<std::string> objects);
   Task<Result<void>> plan_anew(Goal goal, std::vector<std::string> objects);
   Task<Result<void>> adopt(Goal goal, std::vector<GroundOperation> plan);

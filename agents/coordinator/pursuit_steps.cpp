@@ -46,7 +46,7 @@ Task<Result<void>> Pursuit::look_for(std::vector<std::string> objects) {
 
 Task<Result<void>> Pursuit::look_once_for(std::string object, Time deadline) {
   bool out_of_the_way = false;
-  bool hands_emptied = false;
+  bool searched = false;
   const Time doubtful = context_.executor.now() + options_.missing_patience / 2;
   while (!surroundings_.sightings().recent(object, lately)) {
     if (vigil_.interrupted()) co_return fail("interrupted", "another goal, or none, is wanted now");
@@ -64,16 +64,33 @@ Task<Result<void>> Pursuit::look_once_for(std::string object, Time deadline) {
       const Result<void> raised = co_await runner_.raise();
       if (!raised) co_return raised;
     }
-    if (!hands_emptied && context_.executor.now() > doubtful) {
-      hands_emptied = true;
-      const Result<void> emptied = co_await runner_.lay_down(object);
-      if (!emptied) co_return emptied;
+    if (!searched && context_.executor.now() > doubtful) {
+      searched = true;
+      const Result<void> cleared = co_await clear_view(object);
+      if (!cleared) co_return cleared;
       deadline = context_.executor.now() + options_.missing_patience;
     }
     const Result<void> looked = co_await eyes_.fresh_look();
     if (!looked) co_return looked;
   }
   co_return Result<void>();
+}
+
+// Where a thing is nowhere to be seen, the gripper may hold it, or another may stand before it. That a try fails is no
+// reason to give up looking.
+Task<Result<void>> Pursuit::clear_view(std::string missing) {
+  Result<void> done = co_await runner_.lay_down(missing);
+  const std::optional<std::string> before = surroundings_.foremost();
+  if (done && before && *before != missing) done = co_await runner_.set_aside(*before);
+  if (!done && done.error().symbol == "interrupted") co_return done;
+  co_return Result<void>();
+}
+
+// Whatever comes of the push is seen afterwards.
+Task<void> Pursuit::loosen(Datum operation) {
+  if (operation.size() < 2) co_return;
+  const std::string object(operation[1].text());
+  co_await runner_.loosen(object);
 }
 
 // A hand may be at work: what is planned on should have come to rest. Not for ever.

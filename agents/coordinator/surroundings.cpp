@@ -159,6 +159,21 @@ Eigen::Vector3d Surroundings::centre_mm(const std::string& name, const Sighting&
   return sighting.place_mm - domain_.cube_mm() / 2 * looks;
 }
 
+std::optional<std::string> Surroundings::foremost() const {
+  if (!view_) return std::nullopt;
+  const Eigen::Vector3d row(options_.table.x_mm, 0, 0);
+  double nearest_mm = 0.7 * domain_.cube_mm();
+  std::optional<std::string> foremost;
+  for (const auto& [name, sighting] : sightings_.all()) {
+    if (name == options_.gripper.mark || !sightings_.recent(name, 1)) continue;
+    const double before_mm = -(centre_mm(name, sighting) - row).dot(view_->away());
+    if (before_mm <= nearest_mm) continue;
+    nearest_mm = before_mm;
+    foremost = name;
+  }
+  return foremost;
+}
+
 std::vector<Datum> Surroundings::measure() const {
   std::vector<Datum> measured;
   if (opening_mm_) measured.push_back(list("gripper"_sym, *opening_mm_));

@@ -49,6 +49,8 @@ class Surroundings {
   // The frame in which a belief came or went last; 0 if it never did.
   std::int64_t changed_in(const Datum& belief) const;
 
+  // The seen cube that stands nearest the camera, if it stands so far before the row of spots that it may hide another.
+  std::optional<std::string> foremost() const;
   // Whether nothing moves that was seen lately and is not in the gripper.
   bool calm() const;
   // Whether it is calm, what is perceived is believed, and all these objects have been seen lately and lie still.

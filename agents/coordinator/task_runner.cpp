@@ -107,7 +107,7 @@ Task<Result<void>> TaskRunner::lay_down(std::string object) {
   if (*closed < domain_.cube_mm() / 2) co_return Result<void>();
   vigil_.rest();
   aims_.reset();
-  const std::string sentence = fmt::format("{} is not seen and the gripper holds something: laying it down", object);
+  const std::string sentence = "laying down what the gripper holds";
   co_await story_.tell("servo", sentence, Datum::symbol(object));
   const Datum spot = list("free-spot"_sym, Datum::symbol(object));
   // It may be held askew and touch the table early: it is let go wherever the way down ended.
@@ -119,6 +119,37 @@ Task<Result<void>> TaskRunner::lay_down(std::string object) {
   const std::vector<Datum> let_go{list("release"_sym), list("raise"_sym)};
   const Result<void> released = co_await run_steps(let_go);
   co_return released;
+}
+
+Task<Result<void>> TaskRunner::set_aside(std::string object) {
+  vigil_.rest();
+  aims_.reset();
+  const std::string sentence = fmt::format("setting {} aside, to see what it hides", object);
+  co_await story_.tell("servo", sentence, Datum::symbol(object));
+  const Datum name = Datum::symbol(object);
+  const std::vector<Datum> grasp{list("open"_sym, name),  list("raise"_sym),       list("turn-fingers"_sym, name),
+                                 list("align"_sym, name), list("lower"_sym, name), list("close"_sym),
+                                 list("raise"_sym)};
+  const Result<void> grasped = co_await run_steps(grasp);
+  if (!grasped) co_return grasped;
+  const Result<void> laid = co_await lay_down(object);
+  co_return laid;
+}
+
+Task<Result<void>> TaskRunner::loosen(std::string object) {
+  vigil_.rest();
+  const Result<double> closed = co_await arm_.grip(0);
+  if (!closed) co_return fail(closed);
+  const bool holds = *closed > domain_.cube_mm() / 2;
+  if (holds) {
+    const Result<void> laid = co_await lay_down(object);
+    co_return laid;
+  }
+  const std::string sentence = fmt::format("{} cannot be grasped as it lies: pushing it", object);
+  co_await story_.tell("servo", sentence, Datum::symbol(object));
+  const std::vector<Datum> push{list("raise"_sym), list("push-over"_sym, Datum::symbol(object)), list("raise"_sym)};
+  const Result<void> pushed = co_await run_steps(push);
+  co_return pushed;
 }
 
 // Only vision can tell whether the mark stands where the arm believes it to be, so a raise ends with a look.

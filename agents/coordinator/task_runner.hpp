@@ -35,6 +35,10 @@ class TaskRunner {
   // Puts down on a free spot whatever the gripper holds, `object` or another, so that the eyes can tell what it is.
   // Nothing is done where it holds nothing.
   Task<Result<void>> lay_down(std::string object);
+  // Takes `object` to a free spot, away from what it may hide.
+  Task<Result<void>> set_aside(std::string object);
+  // Pushes what cannot be grasped where it lies, so that it lies otherwise.
+  Task<Result<void>> loosen(std::string object);
   // Up, or down, to the height that is safe to travel at, with the end effector in sight.
   Task<Result<void>> raise();
 

@@ -47,6 +47,17 @@ TEST(BlocksDomain, SeesWhatIsHeldAndNotWhatTheOpenGripperStandsAround) {
             facts("((on-table a) (clear a) (arm-empty))"));
 }
 
+TEST(BlocksDomain, SeesWhatLiesAskewLeanOnAllThatMayHoldItUp) {
+  EXPECT_EQ(perceived(domain("blocks.scm"),
+                      "((gripper 84.0) (grip 450 0 300) (seen a 480 0 62) (seen b 480 -50 30) (seen c 480 48 30))"),
+            facts("((leans a b) (leans a c) (clear a) (on-table b) (on-table c) (arm-empty))"));
+}
+
+TEST(BlocksDomain, TakesWhatRestsOnAnUnseenCubeForSomethingToPickUp) {
+  EXPECT_EQ(perceived(domain("blocks.scm"), "((gripper 84.0) (grip 450 0 300) (seen a 480 0 90))"),
+            facts("((on-table a) (clear a) (arm-empty))"));
+}
+
 TEST(BlocksDomain, SeesNothingSupportedInMidAir) {
   EXPECT_EQ(perceived(domain("blocks.scm"), "((gripper 84.0) (grip 450 0 300) (seen a 480 -150 160))"),
             facts("((clear a) (arm-empty))"));
