@@ -11,6 +11,7 @@ std::vector<Datum> items_of(const Datum& datum) { return {datum.items().begin(),
 
 Scenario scenario_from_datum(const Datum& datum, const std::string& file) {
   Scenario scenario;
+  scenario.file = file;
   scenario.name = datum[0].text();
   scenario.cell_file = beside(file, std::string(datum[1].text()));
   scenario.domain_file = beside(file, std::string(datum[2].text()));

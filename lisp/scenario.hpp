@@ -33,6 +33,7 @@ struct ScenarioEvent {
 };
 
 struct Scenario {
+  std::string file;  // where it was read from; empty: it was not
   std::string name;
   std::string cell_file;                            // a path that can be opened
   std::string domain_file;                          // empty: the cell's

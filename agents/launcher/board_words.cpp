@@ -87,6 +87,18 @@ class Session {
     co_return co_await service_.start();
   }
 
+  // What a goal is refused with while the person of the cell teaches its objects: few are known yet.
+  Task<Result<void>> check_taught() {
+    const Datum person = list("agent"_sym, "?"_sym, "person"_sym, "?"_sym);
+    const Result<std::vector<Fact>> there = co_await context_.board.facts(person);
+    if (!there || there->empty()) co_return {};
+    const Datum said = list("person"_sym, "?"_sym, "?"_sym);
+    const Result<std::vector<Fact>> says = co_await context_.board.facts(said);
+    const bool begun = says.has_value() && !says->empty();
+    if (begun && !says->front().datum[1].is_symbol("teaching")) co_return {};
+    co_return fail("not-ready", "the objects are still being taught; `up` says when it is ready for goals");
+  }
+
   Task<void> await_teaching() {
     const Time deadline = context_.executor.now() + teaching_patience;
     const Datum done = list("person"_sym, "done"_sym, "?"_sym);
@@ -104,6 +116,14 @@ class Session {
       co_return;
     }
     if (wait_for_teaching) co_await await_teaching();
+    const bool goal_alone = !wait_for_teaching && forms.size() == 1 && forms.front().starts_with("(goal ");
+    if (goal_alone) {
+      const Result<void> taught = co_await check_taught();
+      if (!taught) {
+        status_ = complain(taught.error(), exit_refused);
+        co_return;
+      }
+    }
     if (!forms.empty()) {
       const Evaluation end = co_await run_forms(interpreter_, std::move(forms));
       status_ = status_of(end);

@@ -97,6 +97,11 @@ void Narrator::tell_added(const Fact& fact) {
     say(fact.when, "servo", servo_sentence(datum), datum);
     return;
   }
+  if (datum.is_form("person")) {
+    if (datum[1].is_symbol("done")) say(fact.when, "person", "everything is taught: ready for goals", datum);
+    if (datum[1].is_symbol("failed")) say(fact.when, "failure", describe(failure_from_datum(datum[2])), datum);
+    return;
+  }
   if (!is_visitor(datum)) say(fact.when, "agent", fmt::format("{} is there", datum[1].text()), datum);
 }
 
@@ -145,6 +150,7 @@ Task<void> Narrator::follow_pattern(Board& board, Executor& executor, Datum patt
 
 Task<void> Narrator::follow(Board& board, Executor& executor) {
   const Job agents = executor.spawn(follow_pattern(board, executor, list("agent"_sym, "?"_sym, "?"_sym, "?"_sym)));
+  const Job person = executor.spawn(follow_pattern(board, executor, list("person"_sym, "?"_sym, "?"_sym)));
   const Datum servo_states = list("servo"_sym, "?"_sym, "?"_sym, "?"_sym, "?"_sym, "?"_sym);
   const Job servo = executor.spawn(follow_pattern(board, executor, servo_states));
   const Datum events = list("event"_sym, "?"_sym, "?"_sym, "?"_sym, "?"_sym);

@@ -26,8 +26,8 @@ class Narrator {
   // Time zero of the lines.
   void begin(Time start) { start_ = start; }
   void say(Time when, std::string_view kind, std::string_view sentence, const Datum& detail = {});
-  // Tells every (event ...) fact, each state the servo enters, and the coming and going of agents, until destroyed.
-  // Both outlive it.
+  // Tells every (event ...) fact, each state the servo enters, and the coming and going of agents, and when all is
+  // taught, until destroyed. Both outlive it.
   Task<void> follow(Board& board, Executor& executor);
   // The newest line without its colours, for the film's caption.
   const std::string& newest() const { return newest_; }

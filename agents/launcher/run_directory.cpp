@@ -52,6 +52,15 @@ Result<RunState> load(const std::string& path) {
   return run_state_from_datum(*datum);
 }
 
+// What a supervisor that was killed left in its folder: its state and the sockets, which nobody serves any more.
+void clean(const std::string& path) {
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(path, error)) {
+    const bool stale = entry.path().filename() == state_name || entry.path().extension() == ".ipc";
+    if (stale) std::filesystem::remove(entry.path(), error);
+  }
+}
+
 }  // namespace
 
 Datum run_state_to_datum(const RunState& state) {
@@ -95,6 +104,7 @@ Result<RunDirectory> RunDirectory::make(const std::string& cell, const std::stri
     return fail("already-running",
                 fmt::format("the cell {} runs on {} already, under process {}", cell, host, earlier->supervisor_pid));
   }
+  clean(path);
   return RunDirectory(path);
 }
 
@@ -116,7 +126,12 @@ std::vector<RunState> running_cells() {
   std::error_code error;
   for (const auto& entry : std::filesystem::directory_iterator(base_path(), error)) {
     Result<RunState> state = load(entry.path().string() + "/" + state_name);
-    if (state && alive(state->supervisor_pid)) out.push_back(std::move(*state));
+    if (!state) continue;
+    if (alive(state->supervisor_pid)) {
+      out.push_back(std::move(*state));
+    } else {
+      clean(entry.path().string());
+    }
   }
   std::ranges::sort(
       out, [](const RunState& a, const RunState& b) { return std::tie(a.cell, a.host) < std::tie(b.cell, b.host); });

@@ -82,13 +82,38 @@ Result<StoryReport> run_on(Executor& executor, const Scenario& scenario, const C
 
 }  // namespace
 
+namespace {
+
+// Where in the text a form stands: the way to it, empty where it does not.
+std::vector<std::size_t> path_to(const Datum& wanted, std::span<const Datum> items) {
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (items[i] == wanted) return {i};
+    std::vector<std::size_t> path = path_to(wanted, items[i].items());
+    if (path.empty()) continue;
+    path.insert(path.begin(), i);
+    return path;
+  }
+  return {};
+}
+
+Failure at_its_place(const Failure& failure, const Scenario& scenario, const Datum& form) {
+  const Failure without{"bad-scenario", describe(failure), form, {}};
+  const Result<Source> source = scenario.file.empty() ? Result<Source>(fail("no-file", "it was not read from a file"))
+                                                      : read_source_file(scenario.file);
+  if (!source) return without;
+  const std::vector<std::size_t> path = path_to(form, source->data());
+  return path.empty() ? without : source->failure_at(path, without.symbol, failure.sentence);
+}
+
+}  // namespace
+
 Result<void> check_scenario(const Scenario& scenario) {
   std::vector<Datum> queries = scenario.expect_seen;
   queries.insert(queries.end(), scenario.expect_never.begin(), scenario.expect_never.end());
   for (const ScenarioEvent& event : scenario.events) queries.push_back(event.condition);
   for (const Datum& form : queries) {
     const Result<Query> query = query_from_datum(form);
-    if (!query) return fail("bad-scenario", describe(query.error()), form);
+    if (!query) return fail(at_its_place(query.error(), scenario, form));
   }
   return {};
 }

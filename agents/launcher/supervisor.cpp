@@ -73,7 +73,7 @@ Supervisor::~Supervisor() {
 }
 
 void Supervisor::tell(const Child& child, std::string sentence) {
-  if (tell_) tell_(ProcessEvent{child.program.name, std::move(sentence)});
+  if (tell_) tell_(ProcessEvent{child.program.name, std::move(sentence), child.given_up});
 }
 
 Result<void> Supervisor::spawn(Child& child) {
@@ -132,6 +132,11 @@ void Supervisor::reap() {
 
 void Supervisor::on_death(Child& child, int status) {
   if (stopping_) return;
+  if (WIFEXITED(status) && std::ranges::count(child.program.final_statuses, WEXITSTATUS(status)) > 0) {
+    child.given_up = true;
+    tell(child, describe_status(status) + "; to start it again would not help");
+    return;
+  }
   if (executor_.now() - child.started > steady_after) child.deaths = 0;
   ++child.deaths;
   if (child.deaths > most_deaths_in_a_row) {

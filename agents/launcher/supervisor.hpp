@@ -22,13 +22,15 @@ namespace pizarra {
 
 struct Program {
   std::string name;
-  std::vector<std::string> command;  // the first is the file to run
-  std::string log_file;              // what it prints
+  std::vector<std::string> command;      // the first is the file to run
+  std::string log_file;                  // what it prints
+  std::vector<int> final_statuses = {};  // it does not start again when it ends with one of these
 };
 
 struct ProcessEvent {
   std::string name;
-  std::string sentence;  // "started as process 4711", "killed by signal 9; starts again in 0.5 s"
+  std::string sentence;   // "started as process 4711", "killed by signal 9; starts again in 0.5 s"
+  bool given_up = false;  // it does not start again
 };
 
 class Supervisor {

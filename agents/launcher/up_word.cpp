@@ -4,6 +4,7 @@
 #include <csignal>
 #include <filesystem>
 #include <fmt/format.h>
+#include <fstream>
 #include <unistd.h>
 
 #include "agents/launcher/narrator.hpp"
@@ -47,6 +48,21 @@ std::string beside_this_program(const std::string& name) {
   return (std::filesystem::read_symlink("/proc/self/exe").parent_path() / name).string();
 }
 
+// With these a board ends that will not do better next time: wrong arguments, address or journal.
+const std::vector<int> hopeless_board{2, 3, 4};
+
+std::string last_line_of(const std::string& file) {
+  std::ifstream in(file);
+  std::string last;
+  for (std::string line; std::getline(in, line);) {
+    if (!line.empty()) last = line;
+  }
+  return last;
+}
+
+// Kinds that own a device, which in the simulated cell is reached over the world's socket, on this machine alone.
+bool owns_device(const std::string& kind) { return kind == "robot" || kind == "vision" || kind == "person"; }
+
 class Up {
  public:
   Up(const UpChoices& choices, CellDescription cell, CellHost host, RunDirectory directory)
@@ -60,6 +76,7 @@ class Up {
 
  private:
   Result<void> start_all();
+  Result<void> find_world();
   Result<void> start(const std::string& name, std::vector<std::string> command);
   void on_process(const ProcessEvent& event);
   void save_state();
@@ -72,11 +89,31 @@ class Up {
   Narrator narrator_;
   std::string board_address_;
   std::string world_address_;
+  std::string board_failure_;
   Supervisor supervisor_;
 };
 
 Result<void> Up::start(const std::string& name, std::vector<std::string> command) {
-  return supervisor_.start({name, std::move(command), directory_.file(name + ".log")});
+  const std::vector<int> final_statuses = name == "board" ? hopeless_board : std::vector<int>();
+  return supervisor_.start({name, std::move(command), directory_.file(name + ".log"), final_statuses});
+}
+
+// The world runs beside the board's host; others of this machine find it by that host's state.
+Result<void> Up::find_world() {
+  world_address_ = "ipc://" + directory_.file("world.ipc");
+  if (host_.name == cell_.board_host) return {};
+  for (const RunState& run : running_cells()) {
+    if (run.cell != cell_.name || run.host != cell_.board_host) continue;
+    world_address_ = run.world_address;
+    return {};
+  }
+  for (const std::string& kind : host_.agents) {
+    if (!owns_device(kind)) continue;
+    return fail("no-world", fmt::format("{} needs the simulated world, and that runs on {}, which is not up on this "
+                                        "machine: give {} to that host, or start that host here first",
+                                        kind, cell_.board_host, kind));
+  }
+  return {};
 }
 
 Result<void> Up::start_all() {
@@ -91,6 +128,8 @@ Result<void> Up::start_all() {
     const Result<void> board =
         start("board", {beside_this_program("pizarra-board"), "--listen", board_address_, "--journal", journal});
     if (!board) return board;
+  }
+  if (host_.name == cell_.board_host) {
     const Result<void> world = start("world", {self, "world", cell, "--listen", world_address_, "--seed", seed});
     if (!world) return world;
   }
@@ -105,6 +144,9 @@ Result<void> Up::start_all() {
 void Up::on_process(const ProcessEvent& event) {
   narrator_.say(executor_.now(), "process", fmt::format("{} {}", event.name, event.sentence));
   save_state();
+  if (event.name != "board" || !event.given_up) return;
+  board_failure_ = last_line_of(directory_.file("board.log"));
+  supervisor_.stop();
 }
 
 void Up::save_state() {
@@ -122,7 +164,8 @@ int Up::run() {
   board_address_ = !choices_.board.empty()       ? choices_.board
                    : cell_.board_address.empty() ? own_address
                                                  : cell_.board_address;
-  world_address_ = "ipc://" + directory_.file("world.ipc");
+  const Result<void> world = find_world();
+  if (!world) return complain(world.error(), exit_usage);
   Result<std::unique_ptr<RemoteBoard>> ears = RemoteBoard::connect(executor_, board_address_, "narrator");
   if (!ears) return complain(ears.error(), exit_usage);
   const Result<void> started = start_all();
@@ -141,6 +184,9 @@ int Up::run() {
   narrator_.say(executor_.now(), "process", "stopping");
   executor_.run_until([this] { return supervisor_.stopped(); });
   directory_.remove_state();
+  if (!board_failure_.empty()) {
+    return complain(Failure{"no-board", "the board cannot be had: " + board_failure_, {}, {}}, exit_unavailable);
+  }
   return exit_reached;
 }
 

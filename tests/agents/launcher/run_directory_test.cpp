@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -66,7 +67,12 @@ TEST_F(RunDirectoryTest, WhatADeadSupervisorLeftIsNotARunningCell) {
   if (dead == 0) _exit(0);
   ASSERT_EQ(waitpid(dead, nullptr, 0), dead);
   ASSERT_TRUE(run->save(state_of(dead, "ipc:///tmp/board")));
+  std::ofstream(run->file("world.ipc")) << "";
+  std::ofstream(run->file("vision.log")) << "what vision said";
   EXPECT_TRUE(running_cells().empty());
+  EXPECT_FALSE(std::filesystem::exists(run->file("state")));
+  EXPECT_FALSE(std::filesystem::exists(run->file("world.ipc")));
+  EXPECT_TRUE(std::filesystem::exists(run->file("vision.log")));
   EXPECT_TRUE(RunDirectory::make("blocks", "here"));
 }
 

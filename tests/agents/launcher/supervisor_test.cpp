@@ -39,6 +39,15 @@ TEST(Supervisor, StartsAgainWhatDies) {
   watched.stop();
 }
 
+TEST(Supervisor, DoesNotStartAgainWhatEndsWithAFinalStatus) {
+  Watched watched;
+  ASSERT_TRUE(watched.supervisor.start({"script", {"/bin/sh", "-c", "exit 3"}, watched.log, {2, 3}}));
+  watched.run_until([&] { return watched.told.size() >= 2; });
+  EXPECT_EQ(watched.told[1], "ended with status 3; to start it again would not help");
+  EXPECT_EQ(watched.supervisor.processes()[0].restarts, 0);
+  watched.stop();
+}
+
 TEST(Supervisor, SaysWhichSignalKilledAProcess) {
   Watched watched;
   ASSERT_TRUE(watched.start("kill -9 $$"));

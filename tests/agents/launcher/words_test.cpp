@@ -162,6 +162,42 @@ TEST(Words, ASignalEndsTheDemoInOrderWithItsFilmAndJournalWhole) {
   std::filesystem::remove(film);
 }
 
+std::string pair_with(const std::string& sections) {
+  const std::string file = testing::TempDir() + "pair-" + std::to_string(getpid()) + ".scm";
+  std::ofstream(file) << "(cell words-pair (world (cube circle (at 450 -60))) (domain \"" << PIZARRA_SOURCE_DIR
+                      << "/domains/blocks.scm\") " << sections << ")\n";
+  return file;
+}
+
+TEST(Words, UpEndsAtOnceWithTheBoardsReasonWhereItsAddressCannotBeUsed) {
+  const Said said = run("up " + pair_with("(board \"localhost\" \"tcp://0.0.0.0:7800\")"));
+  EXPECT_EQ(said.status, 4) << said.text;
+  EXPECT_TRUE(contains(said, "not encrypted")) << said.text;
+  EXPECT_FALSE(contains(said, "starts again")) << said.text;
+}
+
+TEST(Words, UpRefusesDevicesOnAHostThatTheWorldIsNotOn) {
+  const std::string cell = pair_with("(host \"localhost\" (agents planner)) (host \"other\" (agents robot))");
+  const Said said = run("up " + cell + " --host other");
+  EXPECT_EQ(said.status, 2) << said.text;
+  EXPECT_TRUE(contains(said, "robot needs the simulated world")) << said.text;
+}
+
+TEST(Words, AnArmThatNoDriverKnowsIsRefusedWithTheKnownOnes) {
+  const Said said = run("demo " + pair_with("(arm crs-f4)") + " --goal '(on-table circle)'");
+  EXPECT_EQ(said.status, 2) << said.text;
+  EXPECT_TRUE(contains(said, "crs-f3")) << said.text;
+}
+
+TEST(Words, AConditionThatIsNoQueryIsToldAtItsPlace) {
+  const std::string file = testing::TempDir() + "wrong-when-" + std::to_string(getpid()) + ".scm";
+  std::ofstream(file) << "(scenario \"s\"\n  (cell \"" << pair_with("") << "\")\n  (goal (on-table circle))\n"
+                      << "  (when (and (on circle ?x) (< ?y 3)) (wait 1)))\n";
+  const Said said = run("scenario " + file);
+  EXPECT_EQ(said.status, 2) << said.text;
+  EXPECT_TRUE(contains(said, ":4:9")) << said.text;
+}
+
 TEST(Words, CheckTellsEveryErrorOfACellFile) {
   const std::string file = testing::TempDir() + "wrong-cell-" + std::to_string(getpid()) + ".scm";
   std::ofstream(file) << "(cell c\n  (world (cube circle (at 9999 0)) (cube star (at 450 0)))\n  (amr crs-f3))\n";
