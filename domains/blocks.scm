@@ -47,9 +47,10 @@
       (< (abs (- ?opening cube)) (if (was (holding ?)) 9 7))
       (grip ?gx ?gy ?gz)
       (seen ?o ?x ?y ?z)
-      (< (abs (- ?x ?gx)) (if (was (holding ?o)) 24 20))
-      (< (abs (- ?y ?gy)) (if (was (holding ?o)) 20 16))
-      (< (abs (- ?z ?gz)) (if (was (holding ?o)) 24 20)))
+      ; It may have slipped as far as the fingers reach, and still be held.
+      (< (abs (- ?x ?gx)) (if (was (holding ?o)) 36 32))
+      (< (abs (- ?y ?gy)) (if (was (holding ?o)) 22 18))
+      (< (abs (- ?z ?gz)) (if (was (holding ?o)) 48 44)))
 
     (rule (holding ?o)                  ; lost from sight for a moment, but still something is between the fingers
       (was (holding ?o))

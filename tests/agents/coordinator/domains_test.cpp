@@ -58,6 +58,11 @@ TEST(BlocksDomain, TakesWhatRestsOnAnUnseenCubeForSomethingToPickUp) {
             facts("((on-table a) (clear a) (arm-empty))"));
 }
 
+TEST(BlocksDomain, SeesThatWhatSlippedInTheGripperIsHeldStillAndWhatIsBelowItIsNot) {
+  EXPECT_EQ(perceived(domain("blocks.scm"), "((gripper 60.2) (grip 450 0 200) (seen a 455 3 168) (seen b 450 2 108))"),
+            facts("((holding a) (clear b))"));
+}
+
 TEST(BlocksDomain, SeesNothingSupportedInMidAir) {
   EXPECT_EQ(perceived(domain("blocks.scm"), "((gripper 84.0) (grip 450 0 300) (seen a 480 -150 160))"),
             facts("((clear a) (arm-empty))"));
