@@ -120,6 +120,8 @@ Task<Result<void>> Pursuit::plan_anew(Goal goal, std::vector<std::string> object
     }
     if (is_verdict(plan.error()) && (proved || plan.error().symbol == "absent")) co_return fail(plan);
     proved = is_verdict(plan.error());
+    // What is held askew is neither held nor lying anywhere, as far as the eyes can tell. What comes of it is seen.
+    if (proved && !objects.empty()) co_await runner_.lay_down(objects.front());
     if (!proved) ++tries;
     if (tries == planner_tries) co_return fail(plan);
     const Duration pause = proved ? second_proof_after : planner_pause;
