@@ -81,7 +81,8 @@ Task<Result<void>> Pursuit::look_once_for(std::string object, Time deadline) {
 Task<Result<void>> Pursuit::clear_view(std::string missing) {
   Result<void> done = co_await runner_.lay_down(missing);
   const std::optional<std::string> before = surroundings_.foremost();
-  if (done && before && *before != missing) done = co_await runner_.set_aside(*before);
+  const bool may_hide = done && before && *before != missing;
+  if (may_hide) done = co_await runner_.set_aside(*before);
   if (!done && done.error().symbol == "interrupted") co_return done;
   co_return Result<void>();
 }
@@ -121,7 +122,8 @@ Task<Result<void>> Pursuit::plan_anew(Goal goal, std::vector<std::string> object
     if (is_verdict(plan.error()) && (proved || plan.error().symbol == "absent")) co_return fail(plan);
     proved = is_verdict(plan.error());
     // What is held askew is neither held nor lying anywhere, as far as the eyes can tell. What comes of it is seen.
-    if (proved && !objects.empty()) co_await runner_.lay_down(objects.front());
+    const bool may_hold = proved && !objects.empty();
+    if (may_hold) co_await runner_.lay_down(objects.front());
     if (!proved) ++tries;
     if (tries == planner_tries) co_return fail(plan);
     const Duration pause = proved ? second_proof_after : planner_pause;

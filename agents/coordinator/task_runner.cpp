@@ -102,6 +102,8 @@ Task<Result<void>> TaskRunner::release() {
 }
 
 Task<Result<void>> TaskRunner::lay_down(std::string object) {
+  const double opening = surroundings_.opening_mm().value_or(0);
+  if (std::abs(opening - domain_.cube_mm()) > closed_mm) co_return Result<void>();
   const Result<double> closed = co_await arm_.grip(0);
   if (!closed) co_return fail(closed);
   if (*closed < domain_.cube_mm() / 2) co_return Result<void>();
