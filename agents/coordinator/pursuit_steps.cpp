@@ -13,6 +13,7 @@ constexpr Duration steady_patience = 8s;
 constexpr Duration second_proof_after = 2s;
 constexpr Duration planner_pause = 1s;
 constexpr int planner_tries = 3;
+constexpr int most_attempts = 12;
 constexpr std::uint64_t lately = 10;
 
 bool is_verdict(const Failure& failure) {
@@ -111,7 +112,8 @@ Task<Result<void>> Pursuit::plan_anew(Goal goal, std::vector<std::string> object
   // Whoever disturbed may have put things right again.
   if (table_ && table_->furthest(surroundings_.beliefs())) co_return Result<void>();
   bool proved = false;
-  for (int tries = 0; tries < planner_tries;) {
+  int failed = 0;
+  for (int attempt = 0; attempt < most_attempts; ++attempt) {
     if (vigil_.interrupted()) co_return fail("interrupted", "another goal, or none, is wanted now");
     const Facts planned_on = surroundings_.beliefs();
     Result<std::vector<GroundOperation>> plan = co_await planning_.plan(goal.facts);
@@ -124,8 +126,8 @@ Task<Result<void>> Pursuit::plan_anew(Goal goal, std::vector<std::string> object
     // What is held askew is neither held nor lying anywhere, as far as the eyes can tell. What comes of it is seen.
     const bool may_hold = proved && !objects.empty();
     if (may_hold) co_await runner_.lay_down(objects.front());
-    if (!proved) ++tries;
-    if (tries == planner_tries) co_return fail(plan);
+    if (!proved) ++failed;
+    if (failed == planner_tries) co_return fail(plan);
     const Duration pause = proved ? second_proof_after : planner_pause;
     co_await sleep(context_.executor, pause);
     co_await await_steady(objects);
@@ -133,7 +135,7 @@ Task<Result<void>> Pursuit::plan_anew(Goal goal, std::vector<std::string> object
     const Result<void> still_there = co_await look_for(objects);
     if (!still_there) co_return still_there;
   }
-  co_return fail("gave-up", "the planner does not answer");
+  co_return fail("gave-up", "the cell does not come to rest, and none of the states it was seen in has a plan");
 }
 
 Task<Result<void>> Pursuit::adopt(Goal goal, std::vector<GroundOperation> plan) {
