@@ -111,7 +111,8 @@ Task<Result<void>> TaskRunner::lay_down(std::string object) {
   aims_.reset();
   const std::string sentence = "laying down what the gripper holds";
   co_await story_.tell("servo", sentence, Datum::symbol(object));
-  const Datum spot = list("free-spot"_sym, Datum::symbol(object));
+  // What it is is not known, so its mark says nothing of how it is held: the gripper alone is aimed.
+  const Datum spot = list("free-spot"_sym, "held"_sym);
   // It may be held askew and touch the table early: it is let go wherever the way down ended.
   const std::vector<Datum> down{list("raise"_sym), list("square-up"_sym), list("align"_sym, spot),
                                 list("lower"_sym, spot)};
