@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <limits>
 #include <opencv2/imgproc.hpp>
 
 namespace pizarra {
@@ -50,8 +51,32 @@ void draw_cross(cv::Mat& picture, cv::Point2d centre, const cv::Scalar& colour) 
   }
 }
 
-// The name and the numbers on a darkened plate below the object, or above where there is no room; moved on where it
-// would cover one of `taken`.
+// Above the object, below it, right or left of it: the first that covers nothing of `taken`, or what covers least.
+cv::Rect place_label(cv::Size picture, cv::Rect around, cv::Size size, const std::vector<cv::Rect>& taken) {
+  constexpr int gap = 12;
+  constexpr int status_bar = 20;
+  const cv::Point middle = (around.tl() + around.br()) / 2;
+  const cv::Point places[] = {{middle.x - size.width / 2, around.y - gap - size.height},
+                              {middle.x - size.width / 2, around.br().y + gap},
+                              {around.br().x + gap, middle.y - size.height / 2},
+                              {around.x - gap - size.width, middle.y - size.height / 2}};
+  const cv::Rect within(2, 2, picture.width - 4, picture.height - status_bar - 4);
+  cv::Rect best;
+  int least = std::numeric_limits<int>::max();
+  for (const cv::Point& place : places) {
+    const cv::Rect plate(place, size);
+    int covered = plate.area() - (plate & within).area();
+    for (const cv::Rect& other : taken) covered += (plate & other).area();
+    if (covered >= least) continue;
+    least = covered;
+    best = plate;
+  }
+  best.x = std::clamp(best.x, within.x, std::max(within.x, within.br().x - size.width));
+  best.y = std::clamp(best.y, within.y, std::max(within.y, within.br().y - size.height));
+  return best;
+}
+
+// The name and the numbers on a darkened plate.
 void draw_label(cv::Mat& picture, const TrackSighting& sighting, const cv::Scalar& colour,
                 std::vector<cv::Rect>& taken) {
   const std::string place = fmt::format("{:.1f} {:.1f}", sighting.centre.x, sighting.centre.y);
@@ -59,17 +84,9 @@ void draw_label(cv::Mat& picture, const TrackSighting& sighting, const cv::Scala
   int baseline = 0;
   const int name_width = cv::getTextSize(sighting.name, cv::FONT_HERSHEY_SIMPLEX, 0.4, 1, &baseline).width;
   const int place_width = cv::getTextSize(place, cv::FONT_HERSHEY_SIMPLEX, 0.34, 1, &baseline).width;
-  const cv::Size size(std::max(name_width, place_width) + 8, 40);
-  const cv::Rect around = cv::boundingRect(sighting.contour);
-  const bool below = around.br().y * scale + 12 + 2 * size.height < picture.rows;
-  cv::Rect plate({(around.x + around.width / 2) * scale - size.width / 2,
-                  below ? around.br().y * scale + 12 : around.y * scale - 12 - size.height},
-                 size);
-  plate.x = std::clamp(plate.x, 2, std::max(2, picture.cols - size.width - 2));
-  for (const cv::Rect& other : taken) {
-    if ((plate & other).area() > 0) plate.y = below ? other.br().y + 2 : other.y - size.height - 2;
-  }
-  plate.y = std::clamp(plate.y, 2, std::max(2, picture.rows - size.height - 2));
+  const cv::Rect box = cv::boundingRect(sighting.contour);
+  const cv::Rect around(box.tl() * scale, box.br() * scale);
+  const cv::Rect plate = place_label(picture.size(), around, {std::max(name_width, place_width) + 8, 40}, taken);
   taken.push_back(plate);
   darken(picture, plate);
   write_text(picture, sighting.name, plate.tl() + cv::Point(4, 12), 0.4, colour);
@@ -102,8 +119,6 @@ std::shared_ptr<const Image> annotate(const Image& base, const Annotation& annot
     const cv::Rect box = cv::boundingRect(sighting.contour);
     taken.emplace_back(box.tl() * scale, box.br() * scale);
   }
-  // From the top, so that a label which has to move on is not met by one that was put down before.
-  std::ranges::sort(taken, {}, &cv::Rect::y);
   std::size_t index = 0;
   for (const TrackSighting& sighting : annotation.sightings) {
     const cv::Scalar& ink = palette[index++ % palette.size()];
