@@ -1,9 +1,6 @@
 #include "agents/coordinator/surroundings.hpp"
 
-#include <Eigen/Geometry>
 #include <cmath>
-#include <fmt/format.h>
-#include <numbers>
 
 #include "agents/coordinator/telling.hpp"
 #include "lisp/vision_reply.hpp"
@@ -13,14 +10,10 @@ namespace pizarra {
 namespace {
 
 constexpr Duration retry_pause = 200ms;
-// A mark that moved less is not told anew.
-constexpr double told_again_mm = 1;
 // For how many looks an object must lie where it is to count as still.
 constexpr std::uint64_t still_looks = 5;
 // What is nearer to where a held object's mark stands goes with the arm.
 constexpr double held_mm = 40;
-
-double rounded(double mm) { return std::round(mm * 10) / 10; }
 
 }  // namespace
 
@@ -129,133 +122,6 @@ Task<void> Surroundings::take_look(std::int64_t frame, std::string text) {
     if (observer_) observer_(change);
   }
   changed_.wake_all();
-}
-
-void Surroundings::excuse_hidden() {
-  const std::optional<Eigen::Vector3d> grip = grip_mm();
-  if (!grip) return;
-  std::vector<std::string> hidden;
-  for (const auto& [name, sighting] : sightings_.all()) {
-    const bool unseen = name != options_.gripper.mark && !sightings_.recent(name, 1);
-    if (unseen && hidden_by_gripper(*view_, options_.gripper.outline, *grip, sighting.place_mm)) hidden.push_back(name);
-  }
-  for (const std::string& name : hidden) sightings_.excuse(name);
-}
-
-std::optional<Eigen::Vector3d> Surroundings::grip_mm() const {
-  if (sightings_.recent(options_.gripper.mark, 1)) {
-    const Eigen::Vector3d& mark = sightings_.find(options_.gripper.mark)->place_mm;
-    return Eigen::Vector3d(mark - options_.gripper.mark_above_grip_mm * Eigen::Vector3d::UnitZ());
-  }
-  if (!pose_mm_ || !view_) return std::nullopt;
-  return Eigen::Vector3d(*pose_mm_ - options_.gripper.mark_before_grip_mm * view_->away());
-}
-
-// The mark stands before the middle in the direction in which its face looks.
-Eigen::Vector3d Surroundings::centre_mm(const std::string& name, const Sighting& sighting) const {
-  if (!view_) return sighting.place_mm;
-  const double yaw = sightings_.yaw_deg(name) * std::numbers::pi / 180;
-  const Eigen::Vector3d looks = Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()) * -view_->away();
-  return sighting.place_mm - domain_.cube_mm() / 2 * looks;
-}
-
-std::optional<std::string> Surroundings::foremost() const {
-  if (!view_) return std::nullopt;
-  const Eigen::Vector3d row(options_.table.x_mm, 0, 0);
-  double nearest_mm = 0.7 * domain_.cube_mm();
-  std::optional<std::string> foremost;
-  for (const auto& [name, sighting] : sightings_.all()) {
-    if (name == options_.gripper.mark || !sightings_.recent(name, 1)) continue;
-    const double before_mm = -(centre_mm(name, sighting) - row).dot(view_->away());
-    if (before_mm <= nearest_mm) continue;
-    nearest_mm = before_mm;
-    foremost = name;
-  }
-  return foremost;
-}
-
-std::vector<Datum> Surroundings::measure() const {
-  std::vector<Datum> measured;
-  if (opening_mm_) measured.push_back(list("gripper"_sym, *opening_mm_));
-  const std::optional<Eigen::Vector3d> grip = grip_mm();
-  if (grip) measured.push_back(list("grip"_sym, grip->x(), grip->y(), grip->z()));
-  for (const auto& [name, sighting] : sightings_.all()) {
-    if (name == options_.gripper.mark || !sightings_.recent(name, grace_)) continue;
-    const Eigen::Vector3d& at = sighting.place_mm;
-    measured.push_back(list("seen"_sym, Datum::symbol(name), at.x(), at.y(), at.z()));
-    if (!sightings_.recent(name, 1)) measured.push_back(list("unseen"_sym, Datum::symbol(name)));
-  }
-  return measured;
-}
-
-Result<Facts> Surroundings::perceive() const {
-  const std::vector<Datum> believed(beliefs().begin(), beliefs().end());
-  const Result<std::vector<Datum>> found = domain_.perception().perceive(measure(), believed);
-  if (!found) return fail(found);
-  Facts facts;
-  for (const Datum& fact : *found) {
-    if (domain_.domain().find_predicate(fact.head())) facts.insert(fact);
-  }
-  return facts;
-}
-
-void Surroundings::tell_places(Transaction& transaction) {
-  const Datum any = "?"_sym;
-  for (const auto& [name, sighting] : sightings_.all()) {
-    const auto told = told_places_.find(name);
-    const bool recent = sightings_.recent(name, grace_);
-    if (!recent) {
-      if (told == told_places_.end()) continue;
-      transaction.retract(list("place"_sym, Datum::symbol(name), any, any, any, any));
-      told_places_.erase(told);
-      continue;
-    }
-    const Eigen::Vector3d& at = sighting.place_mm;
-    if (told != told_places_.end() && (told->second - at).norm() < told_again_mm) continue;
-    transaction.tell(
-        list("place"_sym, Datum::symbol(name), rounded(at.x()), rounded(at.y()), rounded(at.z()), sighting.frame), {},
-        service_.presence());
-    told_places_.insert_or_assign(name, at);
-  }
-}
-
-// The places from which a belief was concluded.
-Task<std::vector<FactId>> Surroundings::evidence(Datum belief) {
-  std::vector<FactId> ids;
-  for (const Datum& object : belief.items().subspan(1)) {
-    const Datum any = "?"_sym;
-    const Datum pattern = list("place"_sym, object, any, any, any, any);
-    const std::vector<Fact> places = co_await facts_now(context_.board, context_.executor, pattern);
-    for (const Fact& place : places) ids.push_back(place.id);
-  }
-  co_return ids;
-}
-
-// Every look may fail in the same way; it is told once.
-Task<void> Surroundings::tell_failure(Failure why) {
-  if (told_failure_ == why.sentence) co_return;
-  told_failure_ = why.sentence;
-  const std::string sentence = fmt::format("the look cannot be understood, what was believed stays: {}", why.sentence);
-  const Datum detail = failure_to_datum(why);
-  co_await story_.tell("agent", sentence, detail);
-}
-
-Task<void> Surroundings::tell_change(Beliefs::Change change) {
-  Transaction transaction;
-  for (const Datum& fact : change.gone) {
-    transaction.retract(list("believed"_sym, fact));
-    transaction.retract(fact);
-  }
-  for (const Datum& fact : change.come) {
-    const std::vector<FactId> because = co_await evidence(fact);
-    const Datum believed = list("believed"_sym, fact);
-    transaction.tell(believed, because, service_.presence());
-    transaction.tell(fact, because, service_.presence());
-  }
-  const Result<Revision> told = co_await commit(context_.board, context_.executor, std::move(transaction));
-  // Where the presence lapsed meanwhile, all is told anew once it is back.
-  all_told_ = told.has_value();
-  if (!told) told_places_.clear();
 }
 
 std::int64_t Surroundings::changed_in(const Datum& belief) const {

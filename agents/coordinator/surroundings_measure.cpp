@@ -1,0 +1,79 @@
+// What is measured in a look, and what is perceived from it.
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+
+#include "agents/coordinator/surroundings.hpp"
+
+namespace pizarra {
+
+void Surroundings::excuse_hidden() {
+  const std::optional<Eigen::Vector3d> grip = grip_mm();
+  if (!grip) return;
+  std::vector<std::string> hidden;
+  for (const auto& [name, sighting] : sightings_.all()) {
+    const bool unseen = name != options_.gripper.mark && !sightings_.recent(name, 1);
+    if (unseen && hidden_by_gripper(*view_, options_.gripper.outline, *grip, sighting.place_mm)) hidden.push_back(name);
+  }
+  for (const std::string& name : hidden) sightings_.excuse(name);
+}
+
+std::optional<Eigen::Vector3d> Surroundings::grip_mm() const {
+  if (sightings_.recent(options_.gripper.mark, 1)) {
+    const Eigen::Vector3d& mark = sightings_.find(options_.gripper.mark)->place_mm;
+    return Eigen::Vector3d(mark - options_.gripper.mark_above_grip_mm * Eigen::Vector3d::UnitZ());
+  }
+  if (!pose_mm_ || !view_) return std::nullopt;
+  return Eigen::Vector3d(*pose_mm_ - options_.gripper.mark_before_grip_mm * view_->away());
+}
+
+// The mark stands before the middle in the direction in which its face looks.
+Eigen::Vector3d Surroundings::centre_mm(const std::string& name, const Sighting& sighting) const {
+  if (!view_) return sighting.place_mm;
+  const double yaw = sightings_.yaw_deg(name) * std::numbers::pi / 180;
+  const Eigen::Vector3d looks = Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()) * -view_->away();
+  return sighting.place_mm - domain_.cube_mm() / 2 * looks;
+}
+
+std::optional<std::string> Surroundings::foremost() const {
+  if (!view_) return std::nullopt;
+  const Eigen::Vector3d row(options_.table.x_mm, 0, 0);
+  double nearest_mm = 0.7 * domain_.cube_mm();
+  std::optional<std::string> foremost;
+  for (const auto& [name, sighting] : sightings_.all()) {
+    if (name == options_.gripper.mark || !sightings_.recent(name, 1)) continue;
+    const double before_mm = -(centre_mm(name, sighting) - row).dot(view_->away());
+    if (before_mm <= nearest_mm) continue;
+    nearest_mm = before_mm;
+    foremost = name;
+  }
+  return foremost;
+}
+
+std::vector<Datum> Surroundings::measure() const {
+  std::vector<Datum> measured;
+  if (opening_mm_) measured.push_back(list("gripper"_sym, *opening_mm_));
+  const std::optional<Eigen::Vector3d> grip = grip_mm();
+  if (grip) measured.push_back(list("grip"_sym, grip->x(), grip->y(), grip->z()));
+  for (const auto& [name, sighting] : sightings_.all()) {
+    if (name == options_.gripper.mark || !sightings_.recent(name, grace_)) continue;
+    const Eigen::Vector3d& at = sighting.place_mm;
+    measured.push_back(list("seen"_sym, Datum::symbol(name), at.x(), at.y(), at.z()));
+    if (!sightings_.recent(name, 1)) measured.push_back(list("unseen"_sym, Datum::symbol(name)));
+  }
+  return measured;
+}
+
+Result<Facts> Surroundings::perceive() const {
+  const std::vector<Datum> believed(beliefs().begin(), beliefs().end());
+  const Result<std::vector<Datum>> found = domain_.perception().perceive(measure(), believed);
+  if (!found) return fail(found);
+  Facts facts;
+  for (const Datum& fact : *found) {
+    if (domain_.domain().find_predicate(fact.head())) facts.insert(fact);
+  }
+  return facts;
+}
+
+}  // namespace pizarra
