@@ -115,9 +115,13 @@ Task<Result<void>> Pursuit::rounds(Goal goal) {
 
 Task<Result<void>> Pursuit::do_operation(std::size_t index) {
   // Step h: the planner hands out one operation at a time. The coordinator keeps the plan too, since only it knows
-  // which operation can be next, and the planner may have forgotten.
+  // which operation can be next, and a planner that was restarted has forgotten.
   const std::optional<Datum> handed_out = co_await planning_.operation(index);
   const GroundOperation operation = table_->plan()[index];
+  if (handed_out && *handed_out != operation.name) {
+    table_.reset();
+    co_return fail("difference", "somebody else had the planner make another plan", *handed_out);
+  }
   vigil_.begin(*table_, index);
   const Result<void> done = co_await runner_.run(index, operation);
   if (done) co_return done;
