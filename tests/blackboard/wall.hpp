@@ -9,6 +9,7 @@
 #include <functional>
 #include <gtest/gtest.h>
 #include <memory>
+#include <ostream>
 #include <optional>
 #include <string>
 
@@ -57,6 +58,8 @@ struct WallKind {
   std::string name;
   std::function<std::unique_ptr<Wall>()> make;
 };
+// GoogleTest lists a parameter by this.
+inline void PrintTo(const WallKind& kind, std::ostream* out) { *out << kind.name; }
 
 std::vector<WallKind> all_walls();
 
