@@ -75,7 +75,6 @@ Terminal::~Terminal() {
   stop_listening();
   if (interactive_) {
     hide_prompt();
-    write_history(history_file().c_str());
   }
   current = nullptr;
 }
@@ -94,7 +93,11 @@ void Terminal::line_typed(char* line) {
     current->take_line(std::nullopt);
     return;
   }
-  if (*line != '\0') add_history(line);
+  if (*line != '\0') {
+    add_history(line);
+    // At once, because Ctrl-C ends the program.
+    write_history(history_file().c_str());
+  }
   current->take_line(line);
   std::free(line);
 }
@@ -108,6 +111,7 @@ void Terminal::take_line(std::optional<std::string> line) {
 void Terminal::show_prompt() {
   if (!interactive_ || prompting_) return;
   prompting_ = true;
+  typing_ = false;
   rl_callback_handler_install(partial_.empty() ? prompt_.c_str() : "     ... ", line_typed);
 }
 
@@ -124,6 +128,7 @@ void Terminal::listen() {
   show_prompt();
   executor_.watch_readable(STDIN_FILENO, [this] {
     if (interactive_) {
+      typing_ = true;
       rl_callback_read_char();
     } else {
       read_plainly();
@@ -164,14 +169,15 @@ void Terminal::print(const std::string& line) {
     std::fflush(stdout);
     return;
   }
-  const std::string typed(rl_line_buffer, static_cast<std::size_t>(rl_end));
+  const std::string typed = typing_ ? std::string(rl_line_buffer, static_cast<std::size_t>(rl_end)) : "";
   hide_prompt();
   std::printf("%s\n", line.c_str());
   std::fflush(stdout);
   show_prompt();
   if (!typed.empty()) {
+    typing_ = true;
     rl_insert_text(typed.c_str());
-    rl_redisplay();
+    rl_forced_update_display();
   }
 }
 

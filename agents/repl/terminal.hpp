@@ -50,6 +50,7 @@ class Terminal {
   std::string prompt_;
   bool interactive_;
   bool prompting_ = false;
+  bool typing_ = false;  // a key was pressed at this prompt: until then the editor still holds the line before
   bool ended_ = false;
   std::string partial_;
   Queue<std::optional<std::string>> lines_;  // at most the one that was asked for
