@@ -88,7 +88,7 @@ class UpTest : public testing::Test {
 };
 
 TEST_F(UpTest, AGoalIsReachedAlthoughAnAgentIsKilledAndNothingIsLeftBehind) {
-  ASSERT_TRUE(wait_for("ask '(person done ?what)'", "?what")) << log();
+  ASSERT_TRUE(wait_for("ask '(person done ?what)'", "?what = ")) << log();
   Said goal{-1, ""};
   std::thread asker([&] { goal = run("repl --eval '(goal (on circle triangle))'"); });
   const bool begun = wait_for("ask '(operation ?n ?what running)'", "PICK-UP");
