@@ -6,6 +6,7 @@
 #include <map>
 #include <unistd.h>
 
+#include "lisp/json.hpp"
 #include "lisp/writer.hpp"
 
 namespace pizarra {
@@ -40,21 +41,6 @@ bool is_visitor(const Datum& agent) { return agent[2].is_symbol("prompt") || age
 double seconds(Duration duration) { return static_cast<double>(duration.count()) / 1e6; }
 
 }  // namespace
-
-std::string json_string(std::string_view text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') {
-      out += '\\';
-      out += c;
-    } else if (static_cast<unsigned char>(c) < 0x20) {
-      out += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
-    } else {
-      out += c;
-    }
-  }
-  return out + "\"";
-}
 
 Narrator::Style Narrator::style_for(std::FILE* out, bool json) {
   if (json) return Style::json;

@@ -45,7 +45,4 @@ class Narrator {
   Datum last_servo_;
 };
 
-// A text as a JSON string, quotes included.
-std::string json_string(std::string_view text);
-
 }  // namespace pizarra

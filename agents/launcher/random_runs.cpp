@@ -13,6 +13,7 @@
 
 #include "agents/launcher/exit_codes.hpp"
 #include "agents/launcher/random_story.hpp"
+#include "lisp/json.hpp"
 #include "lisp/writer.hpp"
 
 namespace pizarra {

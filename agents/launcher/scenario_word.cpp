@@ -4,6 +4,7 @@
 
 #include "agents/launcher/story_run.hpp"
 #include "agents/launcher/words.hpp"
+#include "lisp/json.hpp"
 
 namespace pizarra {
 

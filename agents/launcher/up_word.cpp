@@ -15,6 +15,7 @@
 #include "blackboard/remote_board.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "lisp/cell.hpp"
+#include "lisp/json.hpp"
 
 namespace pizarra {
 

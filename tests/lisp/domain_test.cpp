@@ -3,11 +3,12 @@
 #include <gtest/gtest.h>
 
 #include "lisp/writer.hpp"
+#include "tests/source_dir.hpp"
 
 namespace pizarra {
 namespace {
 
-const std::string domains = std::string(PIZARRA_SOURCE_DIR) + "/domains/";
+const std::string domains = source_dir() + "/domains/";
 
 TEST(DomainTest, ReadsTheBlocks) {
   const auto domain = read_domain_file(domains + "blocks.scm");

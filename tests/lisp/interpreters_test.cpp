@@ -13,11 +13,12 @@
 #include "lisp/vision_reply.hpp"
 #include "lisp/writer.hpp"
 #include "tests/lisp/random_datum.hpp"
+#include "tests/source_dir.hpp"
 
 namespace pizarra {
 namespace {
 
-const std::string root = std::string(PIZARRA_SOURCE_DIR) + "/";
+const std::string root = source_dir() + "/";
 
 // One element somewhere in it is removed, doubled, replaced by something else, or swapped with its neighbour.
 Datum damaged(const Datum& datum, RandomDatum& random) {

@@ -1,4 +1,5 @@
 #include "tests/tree/tree.hpp"
+#include "tests/source_dir.hpp"
 
 #include <algorithm>
 #include <fstream>
@@ -10,7 +11,7 @@ namespace pizarra {
 namespace fs = std::filesystem;
 
 std::vector<SourceFile> sources_below(const std::vector<std::string>& folders) {
-  const fs::path root = PIZARRA_SOURCE_DIR;
+  const fs::path root = source_dir();
   std::vector<SourceFile> files;
   for (const std::string& folder : folders) {
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / folder)) {

@@ -6,6 +6,7 @@
 #include "agents/coordinator/task_domain.hpp"
 #include "lisp/reader.hpp"
 #include "lisp/writer.hpp"
+#include "tests/source_dir.hpp"
 
 namespace pizarra {
 namespace {
@@ -18,7 +19,7 @@ std::vector<Datum> all(std::string_view text) {
 }
 
 TaskDomain domain(const std::string& name) {
-  const Result<TaskDomain> read = TaskDomain::read(std::string(PIZARRA_SOURCE_DIR) + "/domains/" + name);
+  const Result<TaskDomain> read = TaskDomain::read(source_dir() + "/domains/" + name);
   EXPECT_TRUE(read) << describe(read.error());
   return *read;
 }
@@ -121,7 +122,7 @@ TEST(NumberedPlaces, KnowsWhereThingsStandAndWhatIsFree) {
 
 // The blocks with one piece of their text replaced.
 Result<TaskDomain> blocks_with(const std::string& old, const std::string& now) {
-  std::ifstream in(std::string(PIZARRA_SOURCE_DIR) + "/domains/blocks.scm");
+  std::ifstream in(source_dir() + "/domains/blocks.scm");
   std::string text(std::istreambuf_iterator<char>(in), {});
   const std::size_t at = text.find(old);
   EXPECT_NE(at, std::string::npos) << old;

@@ -8,6 +8,7 @@
 
 #include "lisp/reader.hpp"
 #include "lisp/writer.hpp"
+#include "tests/source_dir.hpp"
 
 namespace pizarra {
 
@@ -68,7 +69,7 @@ struct FakeCell::Agents {
 
 FakeCell::FakeCell(const std::string& domain_file, Cubes start)
     : cubes(std::move(start)),
-      domain_(TaskDomain::read(std::string(PIZARRA_SOURCE_DIR) + "/domains/" + domain_file).value()),
+      domain_(TaskDomain::read(source_dir() + "/domains/" + domain_file).value()),
       person_(board_.view("person")),
       agents_(std::make_unique<Agents>(*this)) {
   board_.set_journal([this](std::string_view line) { journal_.emplace_back(line); });
@@ -94,7 +95,7 @@ void FakeCell::start_vision() {
 
 void FakeCell::start_coordinator() {
   CoordinatorOptions options;
-  options.domain_file = std::string(PIZARRA_SOURCE_DIR) + "/domains/" + domain_.domain().name + ".scm";
+  options.domain_file = source_dir() + "/domains/" + domain_.domain().name + ".scm";
   agents_->agent = std::make_unique<CoordinatorAgent>(agents_->coordinator, options);
   agents_->coordinator_job = executor_.spawn(live(*agents_->agent));
   executor_.run_for(3s);

@@ -8,6 +8,7 @@
 #include "blackboard/memory_board.hpp"
 #include "blackboard/time/virtual_executor.hpp"
 #include "lisp/reader.hpp"
+#include "tests/source_dir.hpp"
 
 namespace pizarra {
 namespace {
@@ -16,7 +17,7 @@ Datum form(std::string_view text) { return read_one(text).value(); }
 
 // The blocks with a last rule that joins everything seen with everything seen, eight times.
 std::string wide_domain() {
-  std::ifstream in(std::string(PIZARRA_SOURCE_DIR) + "/domains/blocks.scm");
+  std::ifstream in(source_dir() + "/domains/blocks.scm");
   std::string text(std::istreambuf_iterator<char>(in), {});
   std::string rule = "(rule (wide)";
   for (int i = 0; i < 8; ++i) rule += " (seen ?q" + std::to_string(i) + " ? ? ?)";

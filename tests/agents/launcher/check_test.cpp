@@ -11,6 +11,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "tests/source_dir.hpp"
+
 namespace pizarra {
 namespace {
 
@@ -18,7 +20,7 @@ class Check : public testing::Test {
  protected:
   Check() {
     std::filesystem::create_directories(folder_);
-    std::ifstream in(std::string(PIZARRA_SOURCE_DIR) + "/domains/blocks.scm");
+    std::ifstream in(source_dir() + "/domains/blocks.scm");
     std::string text(std::istreambuf_iterator<char>(in), {});
     const std::string sound = "(PICK-UP (<ob1>) (GRASP <ob1>))";
     const std::size_t at = text.find(sound);
@@ -66,7 +68,7 @@ TEST_F(Check, NothingBeginsWithABadDomain) {
 }
 
 TEST_F(Check, AcceptsTheNoisiestCameraThatACellMayHave) {
-  std::filesystem::copy_file(std::string(PIZARRA_SOURCE_DIR) + "/domains/blocks.scm", folder_ + "domain.scm",
+  std::filesystem::copy_file(source_dir() + "/domains/blocks.scm", folder_ + "domain.scm",
                              std::filesystem::copy_options::overwrite_existing);
   EXPECT_EQ(run("check domain.scm cell.scm story.scm"), 0) << said_;
 }

@@ -5,6 +5,7 @@
 #include "agents/launcher/director.hpp"
 #include "lisp/reader.hpp"
 #include "lisp/writer.hpp"
+#include "tests/source_dir.hpp"
 
 namespace pizarra {
 namespace {
@@ -12,7 +13,7 @@ namespace {
 Truth truth_of(const std::string& text) { return truth_from_datum(read_one(text).value()).value(); }
 
 Judge judge_for(const std::string& domain) {
-  const Result<Domain> read = read_domain_file(std::string(PIZARRA_SOURCE_DIR) + "/domains/" + domain);
+  const Result<Domain> read = read_domain_file(source_dir() + "/domains/" + domain);
   return Judge::make(read.value()).value();
 }
 

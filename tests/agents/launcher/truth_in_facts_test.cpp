@@ -9,6 +9,7 @@
 #include "lisp/reader.hpp"
 #include "lisp/writer.hpp"
 #include "tests/agents/launcher/tapped_cell.hpp"
+#include "tests/source_dir.hpp"
 
 namespace pizarra {
 namespace {
@@ -16,7 +17,7 @@ namespace {
 constexpr std::uint64_t seed = 7;
 
 CellDescription example_cell() {
-  return read_cell_file(std::string(PIZARRA_SOURCE_DIR) + "/examples/01-blocks/cell.scm").value();
+  return read_cell_file(source_dir() + "/examples/01-blocks/cell.scm").value();
 }
 
 std::vector<Datum> goal() { return {list("on"_sym, "circle"_sym, "triangle"_sym)}; }

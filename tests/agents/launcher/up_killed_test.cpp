@@ -16,6 +16,8 @@
 #include <unistd.h>
 #include <vector>
 
+#include "tests/source_dir.hpp"
+
 namespace pizarra {
 namespace {
 
@@ -108,7 +110,7 @@ class UpKilled : public testing::Test {
   }
 
   void start() {
-    const std::string cell = std::string(PIZARRA_SOURCE_DIR) + "/examples/01-blocks/cell.scm";
+    const std::string cell = source_dir() + "/examples/01-blocks/cell.scm";
     up_.emplace(std::vector<std::string>{"up", cell}, folder_ + "/up.log");
   }
   std::string say(std::vector<std::string> words) {

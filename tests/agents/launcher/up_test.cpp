@@ -15,6 +15,8 @@
 #include <thread>
 #include <unistd.h>
 
+#include "tests/source_dir.hpp"
+
 namespace pizarra {
 namespace {
 
@@ -34,7 +36,7 @@ class UpTest : public testing::Test {
     setenv("XDG_RUNTIME_DIR", folder_.c_str(), 1);
     cell_ = folder_ + "/cell.scm";
     std::ofstream(cell_) << "(cell pair (world (cube circle (at 450 -60)) (cube triangle (at 450 60))) (domain \""
-                         << PIZARRA_SOURCE_DIR << "/domains/blocks.scm\"))\n";
+                         << source_dir() << "/domains/blocks.scm\"))\n";
     up_ = fork();
     if (up_ == 0) {
       const int log = creat((folder_ + "/up.log").c_str(), 0600);

@@ -12,6 +12,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "tests/source_dir.hpp"
+
 namespace pizarra {
 namespace {
 
@@ -62,7 +64,7 @@ TEST(Words, AnUnknownOptionIsNamedWithTheNearest) {
 }
 
 TEST(Words, AnOptionThatWouldHaveNoEffectIsRefusedAndNothingRuns) {
-  const std::string places = std::string(PIZARRA_SOURCE_DIR) + "/examples/02-numbered-places/cell.scm";
+  const std::string places = source_dir() + "/examples/02-numbered-places/cell.scm";
   for (const std::string& words :
        {std::string("--random --goal '(on circle triangle)'"), "--random --domain " + places, std::string("--seeds 3"),
         std::string("--first-seed 3"), std::string("--random --jobs 2"), std::string("--random --seeds 2 --seed 3"),
@@ -95,7 +97,7 @@ TEST(Words, AnEmptyGoalIsMalformedAndNothingRuns) {
 
 TEST(Words, WithoutAStoryBesideTheCellAGoalIsAskedFor) {
   const std::string file = testing::TempDir() + "lone-cell-" + std::to_string(getpid()) + ".scm";
-  std::ofstream(file) << "(cell c (world (cube circle (at 450 0))) (domain \"" << PIZARRA_SOURCE_DIR
+  std::ofstream(file) << "(cell c (world (cube circle (at 450 0))) (domain \"" << source_dir()
                       << "/domains/blocks.scm\"))\n";
   const Said said = run("demo " + file);
   EXPECT_EQ(said.status, 2) << said.text;
@@ -164,7 +166,7 @@ TEST(Words, ASignalEndsTheDemoInOrderWithItsFilmAndJournalWhole) {
 
 std::string pair_with(const std::string& sections) {
   const std::string file = testing::TempDir() + "pair-" + std::to_string(getpid()) + ".scm";
-  std::ofstream(file) << "(cell words-pair (world (cube circle (at 450 -60))) (domain \"" << PIZARRA_SOURCE_DIR
+  std::ofstream(file) << "(cell words-pair (world (cube circle (at 450 -60))) (domain \"" << source_dir()
                       << "/domains/blocks.scm\") " << sections << ")\n";
   return file;
 }
@@ -209,7 +211,7 @@ TEST(Words, CheckTellsEveryErrorOfACellFile) {
 }
 
 TEST(Words, CheckFindsTheShippedFilesInOrder) {
-  const std::string top = PIZARRA_SOURCE_DIR;
+  const std::string top = source_dir();
   const Said said =
       run("check " + top + "/domains/*.scm " + top + "/examples/*/*.scm " + top + "/tests/scenarios/*.scm");
   EXPECT_EQ(said.status, 0) << said.text;

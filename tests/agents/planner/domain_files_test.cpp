@@ -6,12 +6,13 @@
 #include "agents/planner/planner_forms.hpp"
 #include "lisp/domain.hpp"
 #include "tests/agents/planner/planning_domains.hpp"
+#include "tests/source_dir.hpp"
 
 namespace pizarra {
 namespace {
 
 PlanningTask task_of(const std::string& file) {
-  const Result<Domain> domain = read_domain_file(std::string(PIZARRA_SOURCE_DIR) + "/domains/" + file);
+  const Result<Domain> domain = read_domain_file(source_dir() + "/domains/" + file);
   EXPECT_TRUE(domain) << domain.error().sentence;
   std::vector<Datum> forms;
   for (const Operator& one : domain->operators) forms.push_back(operator_form(one));

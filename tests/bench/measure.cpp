@@ -1,0 +1,42 @@
+#include "tests/bench/measure.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <string>
+
+namespace pizarra {
+
+double seconds_of(const std::function<void()>& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+std::vector<double> medians_in_turns(int rounds, const std::vector<std::function<void()>>& works) {
+  std::vector<std::vector<double>> samples(works.size());
+  for (int round = 0; round < rounds; ++round) {
+    for (std::size_t i = 0; i < works.size(); ++i) samples[i].push_back(seconds_of(works[i]));
+  }
+  std::vector<double> medians;
+  for (const std::vector<double>& of_one : samples) medians.push_back(percentile(of_one, 0.5));
+  return medians;
+}
+
+double percentile(std::span<const double> samples, double fraction) {
+  if (samples.empty()) return 0;
+  std::vector<double> sorted(samples.begin(), samples.end());
+  const auto at = static_cast<std::ptrdiff_t>(fraction * static_cast<double>(sorted.size() - 1) + 0.5);
+  std::nth_element(sorted.begin(), sorted.begin() + at, sorted.end());
+  return sorted[static_cast<std::size_t>(at)];
+}
+
+double peak_memory_mb() {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);) {
+    if (line.starts_with("VmHWM:")) return std::stod(line.substr(6)) / 1024;
+  }
+  return 0;
+}
+
+}  // namespace pizarra
