@@ -135,6 +135,7 @@ class Session {
     terminal_ = &terminal;
     co_await run_prompt(context_, interpreter_, terminal);
     terminal_ = nullptr;
+    if (terminal.interrupted()) status_ = exit_interrupted;
   }
 
   bool stay_;

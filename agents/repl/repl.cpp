@@ -24,19 +24,30 @@ Task<void> show_story(AgentContext& context, Terminal& terminal) {
   }
 }
 
+Task<void> evaluate_into(Interpreter& interpreter, std::string typed, Evaluation& outcome, Event& settled) {
+  outcome = co_await interpreter.evaluate(std::move(typed));
+  settled.set();
+}
+
 }  // namespace
 
 Task<void> run_prompt(AgentContext& context, Interpreter& interpreter, Terminal& terminal) {
   terminal.words = [&interpreter]() -> const std::set<std::string>& { return interpreter.words(); };
   co_await interpreter.learn_words();
   Job story = context.executor.spawn(show_story(context, terminal));
-  while (true) {
-    const std::optional<std::string> typed = co_await terminal.read();
-    if (!typed) co_return;
-    const Evaluation outcome = co_await interpreter.evaluate(*typed);
-    if (outcome == Evaluation::quit) co_return;
+  Event settled(context.executor);
+  terminal.on_interrupt = [&settled] { settled.set(); };
+  Evaluation outcome = Evaluation::done;
+  while (outcome != Evaluation::quit) {
+    std::optional<std::string> typed = co_await terminal.read();
+    if (!typed) break;
+    settled.reset();
+    const Job evaluation = context.executor.spawn(evaluate_into(interpreter, std::move(*typed), outcome, settled));
+    co_await settled.wait();
+    if (!evaluation.done()) terminal.print("not waited for any longer; what an agent was asked to do goes on");
     if (story.done()) story = context.executor.spawn(show_story(context, terminal));
   }
+  terminal.on_interrupt = nullptr;
 }
 
 Task<Evaluation> run_forms(Interpreter& interpreter, std::vector<std::string> forms) {

@@ -1,11 +1,14 @@
 #include "agents/repl/terminal.hpp"
 
+#include <algorithm>
 #include <cassert>
+#include <clocale>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <editline/readline.h>
 #include <filesystem>
+#include <fmt/format.h>
 #include <unistd.h>
 
 namespace pizarra {
@@ -32,6 +35,22 @@ char* next_completion(const char* text, int state) {
   if (state == 0) next = words.lower_bound(text);
   if (next == words.end() || !next->starts_with(text)) return nullptr;
   return strdup((next++)->c_str());
+}
+
+// Rows and columns below and right of where the prompt begins, after so many bytes of what was typed.
+struct Spot {
+  int row;
+  int column;
+};
+
+Spot spot_after(std::string_view prompt, int bytes) {
+  int rows = 0;
+  int width = 0;
+  rl_get_screen_size(&rows, &width);
+  const std::string_view typed(rl_line_buffer != nullptr ? rl_line_buffer : "", static_cast<std::size_t>(bytes));
+  const auto begins_character = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; };
+  const auto at = static_cast<int>(prompt.size()) + static_cast<int>(std::ranges::count_if(typed, begins_character));
+  return {at / std::max(width, 1), at % std::max(width, 1)};
 }
 
 }  // namespace
@@ -61,6 +80,11 @@ Terminal::Terminal(Executor& executor, std::string prompt)
     : executor_(executor), prompt_(std::move(prompt)), interactive_(isatty(STDIN_FILENO) != 0), lines_(executor, 1) {
   current = this;
   if (interactive_) {
+    std::setlocale(LC_CTYPE, "C.UTF-8");  // what the language is written in
+    signals_.emplace(std::vector<int>{SIGINT, SIGTERM, SIGHUP, SIGCONT});
+    executor_.watch_readable(signals_->file(), [this] {
+      for (const int signal : signals_->take()) on_signal(signal);
+    });
     std::error_code no_history;
     fs::create_directories(history_file().parent_path(), no_history);
     using_history();
@@ -73,9 +97,8 @@ Terminal::Terminal(Executor& executor, std::string prompt)
 
 Terminal::~Terminal() {
   stop_listening();
-  if (interactive_) {
-    hide_prompt();
-  }
+  hide_prompt();
+  if (signals_) executor_.unwatch_readable(signals_->file());
   current = nullptr;
 }
 
@@ -95,7 +118,7 @@ void Terminal::line_typed(char* line) {
   }
   if (*line != '\0') {
     add_history(line);
-    // At once, because Ctrl-C ends the program.
+    // At once, because a program that is killed writes nothing.
     write_history(history_file().c_str());
   }
   current->take_line(line);
@@ -108,19 +131,65 @@ void Terminal::take_line(std::optional<std::string> line) {
   assert(queued && "input is read only when asked for");
 }
 
+std::string_view Terminal::prompt() const { return partial_.empty() ? std::string_view(prompt_) : "     ... "; }
+
 void Terminal::show_prompt() {
   if (!interactive_ || prompting_) return;
   prompting_ = true;
-  typing_ = false;
-  rl_callback_handler_install(partial_.empty() ? prompt_.c_str() : "     ... ", line_typed);
+  rl_callback_handler_install(std::string(prompt()).c_str(), line_typed);
+  // Until a key is pressed the editor's variables tell of the line before.
+  rl_point = rl_end = 0;
 }
 
 void Terminal::hide_prompt() {
   if (!prompting_) return;
+  erase_line();
   prompting_ = false;
   rl_callback_handler_remove();
-  std::fputs("\r\033[K", stdout);
+}
+
+// However many rows it takes.
+void Terminal::erase_line() {
+  const int row = spot_after(prompt(), rl_point).row;
+  if (row > 0) fmt::print("\033[{}A", row);
+  fmt::print("\r\033[J");
   std::fflush(stdout);
+}
+
+void Terminal::drop_line() {
+  const Spot end = spot_after(prompt(), rl_end);
+  const int down = end.row - spot_after(prompt(), rl_point).row;
+  if (down > 0) fmt::print("\033[{}B", down);
+  fmt::print("\r{}^C\n", end.column > 0 ? fmt::format("\033[{}C", end.column) : "");
+  std::fflush(stdout);
+  rl_callback_handler_remove();
+  prompting_ = false;
+  partial_.clear();
+  show_prompt();
+}
+
+void Terminal::on_signal(int signal) {
+  const bool typed = prompting_ && (rl_end > 0 || !partial_.empty());
+  if (signal == SIGCONT) {
+    // Whoever stopped us had the terminal meanwhile.
+    if (!prompting_) return;
+    rl_callback_handler_remove();
+    prompting_ = false;
+    show_prompt();
+  } else if (signal == SIGINT && typed) {
+    drop_line();
+  } else if (signal == SIGINT && !prompting_) {
+    if (on_interrupt) on_interrupt();
+  } else {
+    interrupted_ = true;
+    ended_ = true;
+    if (on_interrupt) on_interrupt();
+    if (!prompting_) return;
+    hide_prompt();
+    stop_listening();
+    partial_.clear();
+    take_line(std::nullopt);
+  }
 }
 
 // Only while a line is asked for: input that nobody reads would wake the executor again and again.
@@ -128,7 +197,7 @@ void Terminal::listen() {
   show_prompt();
   executor_.watch_readable(STDIN_FILENO, [this] {
     if (interactive_) {
-      typing_ = true;
+      rl_point = rl_end = 0;  // which the editor leaves as they are when the last letter goes
       rl_callback_read_char();
     } else {
       read_plainly();
@@ -164,21 +233,10 @@ Task<std::optional<std::string>> Terminal::read() {
 }
 
 void Terminal::print(const std::string& line) {
-  if (!prompting_) {
-    std::printf("%s\n", line.c_str());
-    std::fflush(stdout);
-    return;
-  }
-  const std::string typed = typing_ ? std::string(rl_line_buffer, static_cast<std::size_t>(rl_end)) : "";
-  hide_prompt();
+  if (prompting_) erase_line();
   std::printf("%s\n", line.c_str());
   std::fflush(stdout);
-  show_prompt();
-  if (!typed.empty()) {
-    typing_ = true;
-    rl_insert_text(typed.c_str());
-    rl_forced_update_display();
-  }
+  if (prompting_) rl_forced_update_display();
 }
 
 }  // namespace pizarra

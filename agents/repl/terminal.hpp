@@ -7,13 +7,15 @@
 //   terminal.words = [&] { return interpreter.words(); };
 //   std::optional<std::string> typed = co_await terminal.read();   // a whole form; empty at the end of the input
 //
-// One at a time in a process. The history is kept in $XDG_STATE_HOME/pizarra/history (~/.local/state by default).
+// On a terminal Ctrl-C drops what has been typed; with nothing typed it is the end of the input, as Ctrl-D is. One at a
+// time in a process. The history is kept in $XDG_STATE_HOME/pizarra/history (~/.local/state by default).
 
 #include <functional>
 #include <optional>
 #include <set>
 #include <string>
 
+#include "agents/repl/signal_pipe.hpp"
 #include "blackboard/time/event.hpp"
 
 namespace pizarra {
@@ -32,7 +34,12 @@ class Terminal {
   Task<std::optional<std::string>> read();
   void print(const std::string& line);
 
+  // Whether a signal ended the input.
+  bool interrupted() const { return interrupted_; }
+
   std::function<const std::set<std::string>&()> words;
+  // Ctrl-C while no line is being read.
+  std::function<void()> on_interrupt;
 
  private:
   static constexpr std::size_t max_form_bytes = 64 << 10;
@@ -42,6 +49,10 @@ class Terminal {
   void read_plainly();
   void show_prompt();
   void hide_prompt();
+  void erase_line();
+  void drop_line();
+  void on_signal(int signal);
+  std::string_view prompt() const;
   void take_line(std::optional<std::string> line);
   static void line_typed(char* line);
   static char** complete(const char* text, int begin, int end);
@@ -50,8 +61,9 @@ class Terminal {
   std::string prompt_;
   bool interactive_;
   bool prompting_ = false;
-  bool typing_ = false;  // a key was pressed at this prompt: until then the editor still holds the line before
   bool ended_ = false;
+  bool interrupted_ = false;
+  std::optional<SignalPipe> signals_;  // on a terminal
   std::string partial_;
   Queue<std::optional<std::string>> lines_;  // at most the one that was asked for
 };
