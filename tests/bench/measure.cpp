@@ -14,9 +14,15 @@ double seconds_of(const std::function<void()>& work) {
 }
 
 std::vector<double> medians_in_turns(int rounds, const std::vector<std::function<void()>>& works) {
+  std::vector<std::function<double()>> timed;
+  for (const std::function<void()>& work : works) timed.emplace_back([&work] { return seconds_of(work); });
+  return medians_of_rounds(rounds, timed);
+}
+
+std::vector<double> medians_of_rounds(int rounds, const std::vector<std::function<double()>>& works) {
   std::vector<std::vector<double>> samples(works.size());
   for (int round = 0; round < rounds; ++round) {
-    for (std::size_t i = 0; i < works.size(); ++i) samples[i].push_back(seconds_of(works[i]));
+    for (std::size_t i = 0; i < works.size(); ++i) samples[i].push_back(works[i]());
   }
   std::vector<double> medians;
   for (const std::vector<double>& of_one : samples) medians.push_back(percentile(of_one, 0.5));

@@ -15,6 +15,9 @@ double seconds_of(const std::function<void()>& work);
 // Of every piece of work, in seconds.
 std::vector<double> medians_in_turns(int rounds, const std::vector<std::function<void()>>& works);
 
+// The same of what each piece of work answers.
+std::vector<double> medians_of_rounds(int rounds, const std::vector<std::function<double()>>& works);
+
 // The value below which `fraction` (0 to 1) of the samples lie; 0 of none.
 double percentile(std::span<const double> samples, double fraction);
 

@@ -1,0 +1,61 @@
+#pragma once
+
+// Processes of a bench: forked with a piece of work or started as a program; they end with this object, and with the
+// bench however it ends.
+//
+//   Child watcher = Child::running([&](Pipe& parent) { parent.say(median_latency()); });
+//   watcher.pipe().hear();                       // waits for the number
+//
+// Fork before this process has threads: before it has a ZeroMQ context.
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <sys/types.h>
+#include <vector>
+
+namespace pizarra::bench {
+
+// Numbers and lines between a child and its parent. What does not come within a minute ends the bench.
+class Pipe {
+ public:
+  explicit Pipe(int file) : file_(file) {}
+  Pipe(Pipe&& other) noexcept;
+  Pipe& operator=(Pipe&&) = delete;
+  ~Pipe();
+  int file() const { return file_; }
+  void say(double value);
+  double hear();
+  std::string hear_line();
+
+ private:
+  void read_some(void* into, std::size_t size);
+  int file_;
+};
+
+class Child {
+ public:
+  static Child running(const std::function<void(Pipe& parent)>& work);
+  // Its standard output is the pipe.
+  static Child program(const std::vector<std::string>& command);
+  Child(Child&& other) noexcept;
+  Child& operator=(Child&&) = delete;
+  ~Child();
+
+  Pipe& pipe() { return pipe_; }
+  void signal(int number) const;
+  // A line of its /proc/PID/status, as VmRSS or VmHWM.
+  double memory_mb(const std::string& name) const;
+
+ private:
+  Child(pid_t process, int file) : process_(process), pipe_(file) {}
+  pid_t process_;
+  Pipe pipe_;
+};
+
+// Where a program is installed, if it is.
+std::optional<std::string> find_program(const std::string& name);
+// A program that was built beside this one.
+std::string program_beside(const std::string& name);
+
+}  // namespace pizarra::bench

@@ -1,0 +1,18 @@
+#pragma once
+
+// The figures of `bench blackboard`, one function and file each; main.cpp lists them.
+
+#include "tests/bench/figures.hpp"
+
+namespace pizarra::bench {
+
+// Rounds of what is compared, in turns.
+constexpr int rounds = 7;
+
+void start_and_memory(Figures& figures);
+void tell_round_trip(Figures& figures);
+void tell_to_watcher(Figures& figures);
+void throughput(Figures& figures);
+void stalled_watcher(Figures& figures);
+
+}  // namespace pizarra::bench

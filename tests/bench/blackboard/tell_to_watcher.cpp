@@ -1,0 +1,170 @@
+// From telling a fact to its arrival at a watcher in another process, with 10,000 other watches on the board, against a
+// message that a ZeroMQ router forwards.
+
+#include <cstring>
+#include <fmt/format.h>
+
+#include "lisp/reader.hpp"
+#include "tests/bench/blackboard/board_process.hpp"
+#include "tests/bench/blackboard/raw_zmq.hpp"
+#include "tests/bench/blackboard/redis.hpp"
+#include "tests/bench/blackboard/rows.hpp"
+#include "tests/bench/measure.hpp"
+
+namespace pizarra::bench {
+
+namespace {
+
+constexpr int tells = 1000;  // in a round
+constexpr int other_clients = 50;
+constexpr int watches_each = 200;
+
+Query parse(const std::string& text) { return query_from_datum(read_one(text).value()).value(); }
+
+// Says the median after every round's worth of latencies.
+class Medians {
+ public:
+  explicit Medians(Pipe& parent) : parent_(parent) {}
+  void add(double sent_us) {
+    took_us_.push_back(now_us() - sent_us);
+    if (took_us_.size() < tells) return;
+    parent_.say(percentile(took_us_, 0.5));
+    took_us_.clear();
+  }
+
+ private:
+  Pipe& parent_;
+  std::vector<double> took_us_;
+};
+
+Task<void> watch_objects(Board& board, Pipe& parent) {
+  Query query = parse("(seen \"watched\" ?x ?y ?d)");
+  Result<std::unique_ptr<Watch>> watch = co_await board.watch(query);
+  if (!watch) throw std::runtime_error(describe(watch.error()));
+  co_await (*watch)->next();
+  parent.say(0);
+  Medians medians(parent);
+  while (true) {
+    const Result<Change> change = co_await (*watch)->next();
+    if (!change) throw std::runtime_error(describe(change.error()));
+    for (const Answer& answer : change->added) medians.add(answer.facts[0].datum[2].number());
+  }
+}
+
+// Of other objects, of other values, of another relation, and of what is not there.
+std::string other_query(int number) {
+  switch (number % 4) {
+    case 0:
+      return fmt::format("(seen \"other-{}\" ?x ?y ?d)", number);
+    case 1:
+      return fmt::format("(seen ?name ?x ?y {})", 1'000'000 + number);
+    case 2:
+      return fmt::format("(and (elsewhere ?a ?b) (> ?b {}))", number);
+    default:
+      return fmt::format("(and (elsewhere ?a {}) (not (seen \"other-{}\" ?x ?y ?d)))", number, number);
+  }
+}
+
+Task<void> watch_others(Board& board, int first, int& watching) {
+  std::vector<std::unique_ptr<Watch>> watches;
+  for (int i = 0; i < watches_each; ++i) {
+    Query query = parse(other_query(first + i));
+    Result<std::unique_ptr<Watch>> watch = co_await board.watch(query);
+    if (!watch) throw std::runtime_error(describe(watch.error()));
+    co_await (*watch)->next();
+    watches.push_back(std::move(*watch));
+  }
+  ++watching;
+  co_await std::suspend_always();
+}
+
+void be_the_others(Pipe& parent, const std::string& address) {
+  RealExecutor executor;
+  std::vector<std::unique_ptr<RemoteBoard>> boards;
+  std::vector<Job> jobs;
+  int watching = 0;
+  for (int i = 0; i < other_clients; ++i) {
+    boards.push_back(RemoteBoard::connect(executor, address, fmt::format("other-{}", i)).value());
+    jobs.push_back(executor.spawn(watch_others(*boards.back(), i * watches_each, watching)));
+    executor.run_until([&] { return watching == i + 1; });
+  }
+  parent.say(0);
+  executor.run_until([] { return false; });
+}
+
+Task<void> tell_often(Board& board) {
+  for (int i = 0; i < tells; ++i) {
+    Datum fact = list("seen"_sym, "watched", now_us(), 87.5, i);
+    const Result<Revision> told = co_await board.tell(fact);
+    if (!told) throw std::runtime_error(describe(told.error()));
+  }
+}
+
+}  // namespace
+
+void tell_to_watcher(Figures& figures) {
+  const RawRouter router;
+  const BoardProcess server;
+  const std::optional<RedisServer> redis = RedisServer::start();
+  Child ours = Child::running([&](Pipe& parent) {
+    Client client(server.address(), "watcher");
+    client.run(watch_objects(client.board(), parent));
+  });
+  ours.pipe().hear();
+  Child raw = Child::running([&](Pipe& parent) {
+    RawDealer dealer(router.address());
+    dealer.watch();
+    parent.say(0);
+    for (Medians medians(parent);;) medians.add(std::stod(std::string(dealer.receive())));
+  });
+  raw.pipe().hear();
+  Child subscriber = Child::running([&](Pipe& parent) {
+    if (!redis) return;
+    RedisClient client(redis->port());
+    client.call({"SUBSCRIBE", "seen"});
+    client.receive(3);
+    parent.say(0);
+    for (Medians medians(parent);;) medians.add(std::stod(client.message()));
+  });
+  if (redis) subscriber.pipe().hear();
+  Child others = [&] {
+    {
+      Client client(server.address(), "teller");
+      const std::vector<Relation> elsewhere = {
+          relation_from_datum(read_one("(relation elsewhere ((a symbol) (b number)))").value()).value()};
+      client.run(client.board().declare(elsewhere));
+    }
+    return Child::running([&](Pipe& parent) { be_the_others(parent, server.address()); });
+  }();
+  others.pipe().hear();
+
+  Client teller(server.address(), "teller");
+  RawDealer dealer(router.address());
+  std::optional<RedisClient> publisher;
+  if (redis) publisher.emplace(redis->port());
+  const auto stamped = [] { return fmt::format("{:<40.2f}", now_us()); };
+  const auto tell = [&] {
+    teller.run(tell_often(teller.board()));
+    return ours.pipe().hear();
+  };
+  const auto forward = [&] {
+    for (int i = 0; i < tells; ++i) {
+      dealer.send(stamped());
+      dealer.receive();
+    }
+    return raw.pipe().hear();
+  };
+  const auto publish = [&] {
+    for (int i = 0; publisher && i < tells; ++i) publisher->call({"PUBLISH", "seen", stamped()});
+    return publisher ? subscriber.pipe().hear() : 0;
+  };
+  const std::vector<double> us = medians_of_rounds(rounds, {tell, forward, publish});
+  const std::optional<double> redis_us = redis ? std::optional(us[2]) : std::nullopt;
+  figures.say({"tell to watcher, p50, 10,000 other watches",
+               us[0],
+               "us",
+               at_most(1.2 * us[1], "<= 1.2 x ZeroMQ's forwarding"),
+               {{"zeromq", us[1]}, {"redis", redis_us}}});
+}
+
+}  // namespace pizarra::bench

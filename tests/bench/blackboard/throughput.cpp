@@ -1,0 +1,151 @@
+// Facts told in batches, stored, matched and forwarded to a watcher in another process, until it has the last of them,
+// against Redis SET pipelined by 64 and small messages through a ZeroMQ router.
+
+#include <algorithm>
+
+#include "lisp/reader.hpp"
+#include "tests/bench/blackboard/board_process.hpp"
+#include "tests/bench/blackboard/raw_zmq.hpp"
+#include "tests/bench/blackboard/redis.hpp"
+#include "tests/bench/blackboard/rows.hpp"
+#include "tests/bench/measure.hpp"
+
+namespace pizarra::bench {
+
+namespace {
+
+constexpr int batch = 64;
+constexpr int batches = 3000;  // in a round
+constexpr int in_flight = 8;   // batches told and not yet acknowledged
+constexpr int section = 10;    // batches; at most two are told and have not reached the watcher
+constexpr int objects = 4'000;
+
+// Says so whenever a section's worth of facts has come.
+Task<void> count_objects(Board& board, Pipe& parent) {
+  Query query = query_from_datum(read_one("(seen ?name ?x ?y ?d)").value()).value();
+  Result<std::unique_ptr<Watch>> watch = co_await board.watch(query);
+  if (!watch) throw std::runtime_error(describe(watch.error()));
+  bool watching = false;
+  for (int come = 0;;) {
+    const Result<Change> change = co_await (*watch)->next();
+    if (!change) throw std::runtime_error(describe(change.error()));
+    if (watching && change->resynchronised) throw std::runtime_error("the watcher lagged behind");
+    watching = true;
+    if (change->resynchronised) {
+      parent.say(0);
+      continue;
+    }
+    come += static_cast<int>(change->added.size());
+    for (; come >= batch * section; come -= batch * section) parent.say(0);
+  }
+}
+
+Task<void> tell_batches(Board& board, const std::vector<Transaction>& all, std::size_t end, std::size_t& next) {
+  while (next < end) {
+    Transaction transaction = all[next++];
+    const Result<Revision> done = co_await board.transact(std::move(transaction));
+    if (!done) throw std::runtime_error(describe(done.error()));
+  }
+}
+
+std::vector<Transaction> prepared(int round) {
+  std::vector<Transaction> all(batches);
+  for (int i = 0; i < batch * batches; ++i) {
+    all[static_cast<std::size_t>(i / batch)].tell(object_fact(i % objects, round * batches + i / objects));
+  }
+  return all;
+}
+
+void tell_section(Client& client, const std::vector<Transaction>& all, std::size_t& next) {
+  const std::size_t end = next + section;
+  std::vector<Job> jobs;
+  for (int i = 0; i < in_flight; ++i) {
+    jobs.push_back(client.executor().spawn(tell_batches(client.board(), all, end, next)));
+  }
+  client.executor().run_until([&] { return std::ranges::all_of(jobs, &Job::done); });
+}
+
+double told_per_second(Client& client, Pipe& watcher, int round) {
+  const std::vector<Transaction> all = prepared(round);
+  const double seconds = seconds_of([&] {
+    std::size_t next = 0;
+    tell_section(client, all, next);
+    while (next < all.size()) {
+      tell_section(client, all, next);
+      watcher.hear();
+    }
+    watcher.hear();
+  });
+  return batch * batches / seconds;
+}
+
+double set_per_second(RedisClient& client, int round) {
+  std::vector<std::string> all(batches);
+  for (int i = 0; i < batch * batches; ++i) {
+    const std::string name(object_name(i % objects).text());
+    std::string value = std::to_string(round * batches + i / objects);
+    value.resize(26, 'x');
+    all[static_cast<std::size_t>(i / batch)] += RedisClient::command({"SET", name, value});
+  }
+  const double seconds = seconds_of([&] {
+    for (const std::string& commands : all) {
+      client.send(commands);
+      client.receive(batch);
+    }
+  });
+  return batch * batches / seconds;
+}
+
+double routed_per_second(RawDealer& sender, Pipe& watcher) {
+  const std::string payload(40, 'x');
+  const double seconds = seconds_of([&] {
+    for (int i = 0; i < batch * batches; ++i) {
+      sender.send(payload);
+      if (i >= batch * in_flight) sender.receive();
+    }
+    watcher.hear();
+  });
+  for (int i = 0; i < batch * in_flight; ++i) sender.receive();
+  return batch * batches / seconds;
+}
+
+}  // namespace
+
+void throughput(Figures& figures) {
+  const RawRouter router;
+  const BoardProcess server;
+  const std::optional<RedisServer> redis = RedisServer::start();
+  Child ours = Child::running([&](Pipe& parent) {
+    Client client(server.address(), "watcher");
+    client.run(count_objects(client.board(), parent));
+  });
+  ours.pipe().hear();
+  Child raw = Child::running([&](Pipe& parent) {
+    RawDealer dealer(router.address());
+    dealer.watch();
+    parent.say(0);
+    for (int come = 1;; ++come) {
+      dealer.receive();
+      if (come % (batch * batches) == 0) parent.say(0);
+    }
+  });
+  raw.pipe().hear();
+  Client teller(server.address(), "teller");
+  RawDealer sender(router.address());
+  std::optional<RedisClient> client;
+  if (redis) client.emplace(redis->port());
+  int round = 0;
+  const auto tell = [&] { return told_per_second(teller, ours.pipe(), ++round); };
+  const auto route = [&] { return routed_per_second(sender, raw.pipe()); };
+  const auto set = [&] { return client ? set_per_second(*client, round) : 0; };
+  const std::vector<double> rates = medians_of_rounds(rounds, {tell, route, set});
+  const std::optional<double> set_rate = redis ? std::optional(rates[2]) : std::nullopt;
+  const std::vector<Peer> peers = {{"zeromq", rates[1]}, {"redis", set_rate}};
+  const char* name = "facts stored, matched, forwarded";
+  figures.say({name, rates[0], "1/s", at_least(1e6), peers});
+  const Goal goal =
+      redis ? at_least(1.5 * rates[2], ">= 1.5 x Redis SET by 64") : not_comparable("redis is not installed");
+  figures.say({name, rates[0], "1/s", goal, peers});
+}
+
+}  // namespace pizarra::bench
