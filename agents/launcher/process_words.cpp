@@ -4,10 +4,10 @@
 #include <zmq.hpp>
 
 #include "agents/launcher/agent_factory.hpp"
-#include "agents/launcher/stop_signals.hpp"
 #include "agents/launcher/words.hpp"
 #include "blackboard/remote_board.hpp"
 #include "blackboard/time/real_executor.hpp"
+#include "blackboard/time/stop_signals.hpp"
 #include "drivers/simulation/link_server.hpp"
 #include "drivers/simulation/socket_link.hpp"
 

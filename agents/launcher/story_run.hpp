@@ -10,7 +10,7 @@
 
 #include "agents/launcher/director.hpp"
 #include "agents/launcher/narrator.hpp"
-#include "agents/launcher/stop_signals.hpp"
+#include "blackboard/time/stop_signals.hpp"
 
 namespace pizarra {
 

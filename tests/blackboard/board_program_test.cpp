@@ -1,6 +1,8 @@
 #include <csignal>
 #include <filesystem>
+#include <fstream>
 #include <gtest/gtest.h>
+#include <iterator>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -52,6 +54,11 @@ class Program {
     for (char c = 0; read_char(c);) rest += c;
     return rest;
   }
+  // Every file that its memory shows: the program and the libraries it runs with.
+  std::string mapped_files() const {
+    std::ifstream maps("/proc/" + std::to_string(child_) + "/maps");
+    return {std::istreambuf_iterator<char>(maps), {}};
+  }
   // Its exit code, or minus the signal that ended it.
   int stop(int signal) {
     kill(child_, signal);
@@ -96,6 +103,16 @@ TEST_F(BoardProgram, SaysThatItIsReadyServesAndStopsCleanly) {
     EXPECT_EQ(program.rest(), "");
     EXPECT_FALSE(std::filesystem::exists(path_));
   }
+}
+
+TEST_F(BoardProgram, RunsWithoutOpenCvAndGuile) {
+  Program program({"--listen", address_});
+  program.line();
+  const std::string files = program.mapped_files();
+  EXPECT_NE(files.find("libzmq"), std::string::npos) << files;
+  EXPECT_EQ(files.find("libopencv"), std::string::npos) << files;
+  EXPECT_EQ(files.find("libguile"), std::string::npos) << files;
+  EXPECT_EQ(program.stop(SIGTERM), 0);
 }
 
 TEST_F(BoardProgram, DurableFactsOutliveItsSuddenDeath) {

@@ -2,11 +2,8 @@
 // once and stays small.
 
 #include <CLI/CLI.hpp>
-#include <csignal>
 #include <fmt/format.h>
 #include <string>
-#include <sys/signalfd.h>
-#include <unistd.h>
 #include <vector>
 
 #include "blackboard/board_server.hpp"
@@ -14,6 +11,7 @@
 #include "blackboard/memory_board.hpp"
 #include "blackboard/store.hpp"
 #include "blackboard/time/real_executor.hpp"
+#include "blackboard/time/stop_signals.hpp"
 
 namespace pizarra {
 namespace {
@@ -29,30 +27,6 @@ int complain(const Failure& failure, Exit code) {
   fmt::print(stderr, "pizarra-board: {}\n", describe(failure));
   return code;
 }
-
-// Signals arrive as something to read, on the executor's thread.
-class StopSignals {
- public:
-  explicit StopSignals(Executor& executor) : executor_(executor) {
-    sigset_t signals;
-    sigemptyset(&signals);
-    sigaddset(&signals, SIGINT);
-    sigaddset(&signals, SIGTERM);
-    sigprocmask(SIG_BLOCK, &signals, nullptr);
-    file_ = signalfd(-1, &signals, SFD_CLOEXEC | SFD_NONBLOCK);
-    executor_.watch_readable(file_, [this] { executor_.stop(); });
-  }
-  StopSignals(const StopSignals&) = delete;
-  StopSignals& operator=(const StopSignals&) = delete;
-  ~StopSignals() {
-    executor_.unwatch_readable(file_);
-    close(file_);
-  }
-
- private:
-  Executor& executor_;
-  int file_;
-};
 
 struct Options {
   BoardServerOptions server;

@@ -1,4 +1,4 @@
-#include "agents/launcher/stop_signals.hpp"
+#include "blackboard/time/stop_signals.hpp"
 
 #include <cassert>
 #include <csignal>
