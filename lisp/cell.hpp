@@ -16,10 +16,10 @@
 //
 // Everything but the name has a default. A failure reports every error of the file, each with a caret.
 
-#include <array>
 #include <string>
 #include <vector>
 
+#include "lisp/camera_pose.hpp"
 #include "lisp/reader.hpp"
 
 namespace pizarra {
@@ -32,12 +32,6 @@ struct CubePlacement {
   double yaw_deg = 0;
   std::string on;  // the cube it stands on, empty: the table
   bool operator==(const CubePlacement&) const = default;
-};
-
-struct CellCamera {
-  std::array<double, 3> at_mm{1330, 0, 200};
-  double pan_deg = 0;
-  double tilt_deg = 0;
 };
 
 struct CellNoise {
@@ -53,7 +47,7 @@ struct CellHost {
 
 struct CellDescription {
   std::string name;
-  CellCamera camera;
+  CameraPose camera;
   CellNoise noise;
   std::vector<CubePlacement> cubes;
   std::string arm;

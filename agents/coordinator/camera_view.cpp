@@ -19,8 +19,9 @@ Result<CameraModel> camera_model_from_fact(const Datum& fact) {
 
 CameraView::CameraView(const CameraPose& pose, const CameraModel& model)
     : model_(model), centre_(pose.at_mm[0], pose.at_mm[1], pose.at_mm[2]) {
-  const double facing = pose.facing_deg * std::numbers::pi / 180;
-  const double tilt = pose.tilt_deg * std::numbers::pi / 180;
+  // The angle from the base's x axis, and the tilt downwards.
+  const double facing = (180 - pose.pan_deg) * std::numbers::pi / 180;
+  const double tilt = -pose.tilt_deg * std::numbers::pi / 180;
   away_ = {std::cos(facing), std::sin(facing), 0};
   right_ = away_.cross(Eigen::Vector3d::UnitZ());
   forward_ = std::cos(tilt) * away_ - std::sin(tilt) * Eigen::Vector3d::UnitZ();

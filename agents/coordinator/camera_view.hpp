@@ -8,19 +8,11 @@
 //   Sight sight = view.sight(mark);                           // back again
 
 #include <Eigen/Core>
-#include <array>
 
+#include "lisp/camera_pose.hpp"
 #include "lisp/result.hpp"
 
 namespace pizarra {
-
-// The base line's centre, the direction of looking (degrees from the base's x axis, 180 faces the arm) and the tilt
-// (positive: downwards).
-struct CameraPose {
-  std::array<double, 3> at_mm{1330, 0, 200};
-  double facing_deg = 180;
-  double tilt_deg = 0;
-};
 
 // As in (camera-model WIDTH HEIGHT FOCAL CX CY BASE-LINE): px, mm.
 struct CameraModel {

@@ -81,8 +81,8 @@ Task<Result<void>> TaskRunner::turn_fingers(std::string object) {
   const double seen_deg = surroundings_.sightings().yaw_deg(object);
   const double wanted_deg =
       std::abs(seen_deg) < least_turn_deg ? 0 : std::clamp(seen_deg, -most_turn_deg, most_turn_deg);
-  const double facing_deg = options_.camera.facing_deg - 180;
-  const Result<void> turned = co_await arm_.face(facing_deg + wanted_deg);
+  const double square_deg = -options_.camera.pan_deg;
+  const Result<void> turned = co_await arm_.face(square_deg + wanted_deg);
   co_return turned;
 }
 

@@ -39,8 +39,7 @@ class WithoutDevice : public BuiltAgent {
 CoordinatorOptions coordinator_options(const CellDescription& description) {
   CoordinatorOptions options;
   options.domain_file = description.domain_file;
-  // A cell's camera looks along -x at pan 0, turns to its right and up; the coordinator's angles are the base's.
-  options.camera = {description.camera.at_mm, 180 - description.camera.pan_deg, -description.camera.tilt_deg};
+  options.camera = description.camera;
   return options;
 }
 
@@ -61,11 +60,7 @@ WorldConfig world_config(const CellDescription& description, std::uint64_t seed)
   WorldConfig config;
   config.seed = seed;
   CameraConfig& camera = config.camera;
-  camera.x_mm = description.camera.at_mm[0];
-  camera.y_mm = description.camera.at_mm[1];
-  camera.z_mm = description.camera.at_mm[2];
-  camera.pan_deg = description.camera.pan_deg;
-  camera.tilt_deg = description.camera.tilt_deg;
+  camera.pose = description.camera;
   camera.noise_sigma = description.noise.sensor_grey;
   camera.blur_sigma_px = description.noise.blur_px;
   camera.light_gradient = description.noise.gradient;

@@ -33,8 +33,8 @@ Result<void> check_camera(const CameraConfig& camera) {
   const bool size =
       within(model.width, narrowest_view_px, widest_view_px) && within(model.height, narrowest_view_px, widest_view_px);
   const bool lens = within(model.focal_px, 10, 1e5) && within(model.base_line_mm, 1, 1000);
-  const bool place = std::isfinite(camera.x_mm + camera.y_mm + camera.z_mm) && within(camera.pan_deg, -180, 180) &&
-                     within(camera.tilt_deg, -80, 80);
+  const bool place = std::ranges::all_of(camera.pose.at_mm, [](double mm) { return std::isfinite(mm); }) &&
+                     within(camera.pose.pan_deg, -180, 180) && within(camera.pose.tilt_deg, -80, 80);
   const bool sensor =
       within(camera.noise_sigma, 0, 50) && within(camera.blur_sigma_px, 0, 2) && within(camera.light_gradient, 0, 1);
   if (size && lens && place && sensor) return {};

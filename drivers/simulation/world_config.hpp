@@ -15,6 +15,7 @@
 
 #include "drivers/arm/arm_model.hpp"
 #include "drivers/camera/stereo_camera.hpp"
+#include "lisp/camera_pose.hpp"
 #include "lisp/result.hpp"
 
 namespace pizarra {
@@ -54,13 +55,7 @@ struct TableConfig {
 
 struct CameraConfig {
   StereoModel model;
-  // Centre of the base line. The pair looks along the base's -x, turned by pan (positive: towards +y, image right) and
-  // then by tilt (positive: up).
-  double x_mm = 1330;
-  double y_mm = 0;
-  double z_mm = 200;
-  double pan_deg = 0;
-  double tilt_deg = 0;
+  CameraPose pose;
   double noise_sigma = 3;        // grey levels, each pixel and frame on its own
   double blur_sigma_px = 0.7;    // the lens
   double light_gradient = 0.12;  // how much brighter one edge of the image is than the other; direction by the seed

@@ -11,8 +11,8 @@ Eigen::Vector3d Eye::project(const Eigen::Vector3d& point_mm) const {
 }
 
 Eye make_eye(const CameraConfig& camera, Side side) {
-  const double pan = camera.pan_deg * std::numbers::pi / 180;
-  const double tilt = camera.tilt_deg * std::numbers::pi / 180;
+  const double pan = camera.pose.pan_deg * std::numbers::pi / 180;
+  const double tilt = camera.pose.tilt_deg * std::numbers::pi / 180;
   const Eigen::Vector3d forward(-std::cos(pan) * std::cos(tilt), std::sin(pan) * std::cos(tilt), std::sin(tilt));
   const Eigen::Vector3d right = forward.cross(Eigen::Vector3d::UnitZ()).normalized();
   Eye eye{.width = camera.model.width,
@@ -20,7 +20,7 @@ Eye make_eye(const CameraConfig& camera, Side side) {
           .focal_px = camera.model.focal_px,
           .centre_x_px = camera.model.centre_x_px,
           .centre_y_px = camera.model.centre_y_px,
-          .position_mm = Eigen::Vector3d(camera.x_mm, camera.y_mm, camera.z_mm),
+          .position_mm = Eigen::Vector3d(camera.pose.at_mm[0], camera.pose.at_mm[1], camera.pose.at_mm[2]),
           .axes = {}};
   eye.axes.row(0) = right;
   eye.axes.row(1) = forward.cross(right);

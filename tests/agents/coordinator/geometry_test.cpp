@@ -30,8 +30,8 @@ TEST(CameraView, PlacesWhatItSeesBackWhereItStands) {
     SCOPED_TRACE(seed);
     Random random(seed);
     const CameraPose pose{{1330 + random.uniform(-50, 50), random.uniform(-50, 50), 200},
-                          180 + random.uniform(-20, 20),
-                          random.uniform(-15, 25)};
+                          random.uniform(-20, 20),
+                          random.uniform(-25, 15)};
     const CameraView view(pose, {});
     const Eigen::Vector3d point(random.uniform(300, 600), random.uniform(-300, 300), random.uniform(0, 400));
     const Sight sight = view.sight(point);
