@@ -31,7 +31,7 @@ Result<Perception> Perception::read(const Source& domain, const Arities& predica
 Result<std::vector<Datum>> Perception::perceive(const std::vector<Datum>& measured,
                                                 const std::vector<Datum>& believed) const {
   const std::vector<Datum> arguments{section_, Datum::list(measured), Datum::list(believed)};
-  const Result<Datum> outcome = call_scheme("perception", "perceive", arguments);
+  const Result<Datum> outcome = call_scheme("perceive", "perceive", arguments);
   if (!outcome) return fail(outcome);
   if (outcome->is_form("fail")) return fail(failure_from_datum(*outcome));
   const Datum& facts = (*outcome)[1];

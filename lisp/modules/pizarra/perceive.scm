@@ -1,0 +1,211 @@
+;;; Perception rules at work: measurements in, predicates out. (pizarra perception) describes the language and checks a
+;;; section; what comes here has been checked.
+;;;
+;;; Each rule becomes a closure once; the section is kept, since the same one comes with every look. An environment is
+;;; an association list from variable to value; a condition calls `emit` once for each way to hold, until emit answers
+;;; true, and then answers true itself.
+
+(define-module (pizarra perceive)
+  #:use-module (srfi srfi-1)
+  #:use-module (ice-9 control)
+  #:export (perceive rule-variable? comparisons section-constants section-parts))
+
+(define comparisons '(< <= > >= = /=))
+(define most-facts 2000)                ; that the rules may find in one look
+(define most-tries 100000)              ; facts that one look may try on patterns
+
+(define (rule-variable? x)
+  (and (symbol? x) (char=? (string-ref (symbol->string x) 0) #\?)))
+
+(define (section-constants section)
+  (filter-map (lambda (part)
+                (and (list? part) (= (length part) 3) (eq? (car part) 'constant)
+                     (cons (cadr part) (caddr part))))
+              (cdr section)))
+
+(define (section-parts section name)
+  (filter (lambda (part) (and (pair? part) (eq? (car part) name))) (cdr section)))
+
+;; ---- the section as closures
+
+(define compiled-section #f)
+(define compiled-rules '())
+(define compiled-facts '())
+
+(define (compile-section! section)
+  (unless (equal? section compiled-section)
+    (let ((constants (section-constants section)))
+      (set! compiled-rules
+            (map (lambda (rule)
+                   (cons (cadr rule) (compile-conditions (cddr rule) constants)))
+                 (section-parts section 'rule)))
+      (set! compiled-facts (map cadr (section-parts section 'fact)))
+      (set! compiled-section section))))
+
+;; ---- facts and patterns
+
+;; World: a box of an association list from predicate name to its facts, and the earlier beliefs as such a list.
+(define (facts-of world name)
+  (let ((entry (assq name world)))
+    (if entry (cdr entry) '())))
+
+(define (add-fact world fact)
+  (let ((entry (assq (car fact) world)))
+    (if entry
+        (map (lambda (e) (if (eq? e entry) (cons (car e) (append (cdr e) (list fact))) e)) world)
+        (append world (list (list (car fact) fact))))))
+
+(define (match-arguments pattern values env)
+  (cond
+   ((null? pattern) (and (null? values) env))
+   ((null? values) #f)
+   (else
+    (let ((p (car pattern)) (v (car values)))
+      (cond
+       ((eq? p '?) (match-arguments (cdr pattern) (cdr values) env))
+       ((rule-variable? p)
+        (let ((bound (assq p env)))
+          (cond
+           ((not bound) (match-arguments (cdr pattern) (cdr values) (acons p v env)))
+           ((same? (cdr bound) v) (match-arguments (cdr pattern) (cdr values) env))
+           (else #f))))
+       ((same? p v) (match-arguments (cdr pattern) (cdr values) env))
+       (else #f))))))
+
+(define (same? a b)
+  (if (and (number? a) (number? b)) (= a b) (equal? a b)))
+
+(define (compile-conditions conditions constants)
+  (if (null? conditions)
+      (lambda (env world was emit) (emit env))
+      (let ((first (compile-condition (car conditions) constants))
+            (rest (compile-conditions (cdr conditions) constants)))
+        (lambda (env world was emit)
+          (first env world was (lambda (env) (rest env world was emit)))))))
+
+(define (compile-pattern pattern select)
+  (let ((name (car pattern)) (arguments (cdr pattern)))
+    (lambda (env world was emit)
+      (any (lambda (fact)
+             (count-try!)
+             (let ((extended (match-arguments arguments (cdr fact) env)))
+               (and extended (emit extended))))
+           (facts-of (select world was) name)))))
+
+(define (holds? condition env world was)
+  (condition env world was (lambda (env) #t)))
+
+(define (compile-condition condition constants)
+  (case (car condition)
+    ((not)
+     (let ((inner (compile-conditions (cdr condition) constants)))
+       (lambda (env world was emit)
+         (and (not (holds? inner env world was)) (emit env)))))
+    ((was)
+     (let ((inner (compile-pattern (cadr condition) (lambda (world was) was))))
+       (lambda (env world was emit)
+         (and (holds? inner env world was) (emit env)))))
+    ((< <= > >= = /=)
+     (let ((left (compile-expression (cadr condition) constants))
+           (right (compile-expression (caddr condition) constants))
+           (compare (comparison (car condition))))
+       (lambda (env world was emit)
+         (and (compare (left env world was) (right env world was)) (emit env)))))
+    (else (compile-pattern condition (lambda (world was) world)))))
+
+(define (comparison name)
+  (define (numeric compare) (lambda (a b) (and (number? a) (number? b) (compare a b))))
+  (case name
+    ((<) (numeric <))
+    ((<=) (numeric <=))
+    ((>) (numeric >))
+    ((>=) (numeric >=))
+    ((=) same?)
+    (else (lambda (a b) (not (same? a b))))))
+
+;; An expression over something that is no number has no value (#f), and no comparison of size holds for it.
+(define (compile-expression x constants)
+  (define (arithmetic procedure)
+    (let ((parts (map (lambda (e) (compile-expression e constants)) (cdr x))))
+      (lambda (env world was)
+        (let ((values (map (lambda (part) (part env world was)) parts)))
+          (and (every number? values) (apply procedure values))))))
+  (cond
+   ((rule-variable? x) (lambda (env world was) (let ((bound (assq x env))) (and bound (cdr bound)))))
+   ((symbol? x)
+    (let ((constant (assq x constants)))
+      (let ((value (if constant (cdr constant) x)))
+        (lambda (env world was) value))))
+   ((not (pair? x)) (lambda (env world was) x))
+   ((eq? (car x) 'if)
+    (let ((condition (compile-condition (cadr x) constants))
+          (then (compile-expression (caddr x) constants))
+          (otherwise (compile-expression (cadddr x) constants)))
+      (lambda (env world was)
+        (if (holds? condition env world was) (then env world was) (otherwise env world was)))))
+   (else
+    (arithmetic (case (car x)
+                  ((+) +) ((-) -) ((*) *) ((abs) abs) ((min) min) (else max))))))
+
+(define (instantiate head env)
+  (cons (car head)
+        (map (lambda (x) (let ((bound (and (rule-variable? x) (assq x env)))) (if bound (cdr bound) x))) (cdr head))))
+
+;; ---- one look
+
+;; Rules are written by people, and a join grows with the power of its patterns: a look has so many tries.
+(define tries-left 0)
+(define facts-left 0)
+(define give-up #f)                     ; takes the sentence's end; leaves the look
+
+(define (count-try!)
+  (set! tries-left (- tries-left 1))
+  (when (negative? tries-left)
+    (give-up (simple-format #f "goes beyond the ~a tries that one look may take" most-tries))))
+
+(define (count-fact!)
+  (set! facts-left (- facts-left 1))
+  (when (negative? facts-left)
+    (give-up (simple-format #f "goes beyond the ~a facts that may be found in one look" most-facts))))
+
+(define (apply-rule rule world was)
+  (let ((known (make-hash-table)) (found '()))
+    ((cdr rule) '() world was
+     (lambda (env)
+       (let ((fact (instantiate (car rule) env)))
+         (unless (hash-ref known fact)
+           (hash-set! known fact #t)
+           (set! found (cons fact found))
+           (count-fact!))
+         #f)))
+    (reverse found)))
+
+;; What APPLY answers, or (fail too-much-work SENTENCE HEAD).
+(define (within-bounds head apply)
+  (let/ec leave
+    (set! give-up
+          (lambda (what)
+            (leave (list 'fail 'too-much-work
+                         (simple-format #f "the rule for ~a ~a" (car head) what)
+                         head))))
+    (apply)))
+
+;; (perceive SECTION MEASURED BELIEVED) -> (ok (FACT ...)), what the rules find in the order in which it was found, or
+;; (fail too-much-work SENTENCE HEAD) about the rule that was being followed when the bound was reached.
+(define (perceive section measured believed)
+  (compile-section! section)
+  (set! tries-left most-tries)
+  (set! facts-left most-facts)
+  (let ((was (fold (lambda (fact world) (add-fact world fact)) '() believed)))
+    (let loop ((rules compiled-rules)
+               (world (fold (lambda (fact world) (add-fact world fact)) '() (append compiled-facts measured)))
+               (found '()))
+      (if (null? rules)
+          (list 'ok found)
+          (let ((outcome (within-bounds (caar rules) (lambda () (list 'ok (apply-rule (car rules) world was))))))
+            (if (eq? (car outcome) 'fail)
+                outcome
+                (let ((new (filter (lambda (fact) (not (member fact found))) (cadr outcome))))
+                  (loop (cdr rules)
+                        (fold (lambda (fact world) (add-fact world fact)) world new)
+                        (append found new)))))))))
