@@ -9,37 +9,15 @@
 //   director.report().met();
 
 #include <functional>
-#include <map>
-#include <optional>
 
-#include "agents/launcher/judge.hpp"
-#include "agents/launcher/local_cell.hpp"
+#include "agents/launcher/director_report.hpp"
+#include "agents/launcher/expectations.hpp"
 #include "agents/launcher/narrator.hpp"
-#include "agents/launcher/truth.hpp"
+#include "agents/launcher/story_events.hpp"
+#include "agents/launcher/witness.hpp"
 #include "agents/runtime/service.hpp"
-#include "lisp/scenario.hpp"
 
 namespace pizarra {
-
-struct DirectorReport {
-  // How the cell saw it: reached, refused, cancelled, or malformed, timeout, not-taught, no-agents.
-  std::string outcome;
-  std::optional<Failure> refusal;  // for refused and malformed
-  bool refusal_told = false;       // whether the coordinator told it as an event of the story
-  std::vector<Datum> goal;         // the last one
-  bool truth_holds = false;        // the judge's word on that goal
-  bool possible = true;            // where it does not hold: whether any plan exists from the true state
-  bool blind = false;              // a goal cube's mark was less than half visible for the last 2 s
-  std::vector<std::string> unmet;  // expectations, one sentence each
-  std::size_t events = 0;          // how many of the scenario's came
-  Duration took{};                 // from the goal to its end, the cell's time
-
-  // Reached and so in the world.
-  bool reached() const { return outcome == "reached" && truth_holds; }
-  // Refused for a reason that lies in the goal or the world, and the world bears it out: there is truly no plan, or a
-  // cube of the goal could not be seen.
-  bool refused_correctly() const;
-};
 
 struct DirectorOptions {
   // Where true, a `when` whose facts never come is not an expectation that was missed: it is dropped when the goal has
@@ -59,28 +37,16 @@ class Director {
   const DirectorReport& report() const { return report_; }
 
  private:
+  Task<void> story();
   Task<Result<void>> prepare();
   Task<Result<void>> begin_goal();
   Task<Result<void>> give_goal(std::vector<Datum> goal);
   Task<void> await_end(Time deadline);
-  Task<Result<void>> await_agents();
-  Task<Result<void>> await_teaching();
-  Task<void> story();
-  Task<void> happen();
-  Task<void> happen_once(ScenarioEvent event);
-  Task<Result<void>> perform(Datum action);
-  Task<Result<void>> act(Datum action);
-  Task<Result<void>> end_events(Time last);
-  Task<Result<void>> move_hand(Datum action);
-  Task<void> watch_for(Datum pattern, char* seen);
-  Task<void> keep_eyes_open();
+  Task<Result<void>> await_events(Time deadline);
   Task<void> give_judgement();
-  Task<Result<void>> look_at_world();
-  void check_expectations();
 
   LocalCell& cell_;
   const Scenario& scenario_;
-  const Judge& judge_;
   Narrator& narrator_;
   DirectorOptions options_;
   std::unique_ptr<Board> board_;
@@ -89,12 +55,9 @@ class Director {
   Caller caller_;
   DirectorReport report_;
   std::int64_t goal_number_ = 0;
-  std::size_t events_done_ = 0;
-  std::vector<char> seen_;  // expect_seen, then expect_never: whether it came
-  std::vector<Job> jobs_;
-  Job events_;
-  bool acting_ = false;  // an action other than waiting is in hand
-  std::map<std::string, Time> last_visible_;
+  Expectations expectations_;
+  StoryEvents events_;
+  Witness witness_;
 };
 
 }  // namespace pizarra

@@ -1,0 +1,35 @@
+#pragma once
+
+// How a story ended: as the cell saw it, as the world shows it, and what was expected and did not come.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "blackboard/time/clock.hpp"
+#include "lisp/datum.hpp"
+#include "lisp/result.hpp"
+
+namespace pizarra {
+
+struct DirectorReport {
+  // How the cell saw it: reached, refused, cancelled, or malformed, timeout, not-taught, no-agents.
+  std::string outcome;
+  std::optional<Failure> refusal;  // for refused and malformed
+  bool refusal_told = false;       // whether the coordinator told it as an event of the story
+  std::vector<Datum> goal;         // the last one
+  bool truth_holds = false;        // the judge's word on that goal
+  bool possible = true;            // where it does not hold: whether any plan exists from the true state
+  bool blind = false;              // a goal cube's mark was less than half visible for the last 2 s
+  std::vector<std::string> unmet;  // expectations, one sentence each
+  std::size_t events = 0;          // how many of the scenario's came
+  Duration took{};                 // from the goal to its end, the cell's time
+
+  // Reached and so in the world.
+  bool reached() const { return outcome == "reached" && truth_holds; }
+  // Refused for a reason that lies in the goal or the world, and the world bears it out: there is truly no plan, or a
+  // cube of the goal could not be seen.
+  bool refused_correctly() const;
+};
+
+}  // namespace pizarra
