@@ -155,8 +155,9 @@ Result<const FactTable*> table_for(const Datum& pattern, const Tables& tables) {
   std::vector<std::string> names;
   for (const auto& [name, table] : tables) names.push_back(name);
   const std::string nearest = nearest_name(pattern.head(), names);
-  const std::string hint = nearest.empty() ? "" : ": did you mean " + nearest + "?";
-  return fail("undeclared-relation", "no relation is called " + std::string(pattern.head()) + hint, pattern);
+  const std::string hint = nearest.empty() ? "" : "; did you mean " + nearest + "?";
+  return fail("undeclared-relation", "no relation is called " + std::string(pattern.head()) + hint,
+              Datum::symbol(pattern.head()));
 }
 
 Result<void> check_query_on(const Query& query, const Tables& tables) {

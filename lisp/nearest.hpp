@@ -3,6 +3,7 @@
 // The known name a mistyped one was probably meant to be, for error sentences.
 //
 //   nearest_name("cirle", {"circle", "square"})   // "circle"
+//   nearest_name("circ", {"circle", "square"})    // "circle": its beginning
 //   nearest_name("x", {"circle"})                 // "": nothing is near enough to be a help
 
 #include <algorithm>
@@ -31,7 +32,8 @@ inline std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
-// The first of the nearest, if it is within a third of the name's length, and never more than 64 letters are compared.
+// The first of the nearest, if it is within a third of the name's length; else the shortest that begins with the name,
+// which has two letters at least. Never more than 64 letters are compared.
 template <std::ranges::range Names>
 std::string nearest_name(std::string_view name, const Names& known) {
   const std::string_view wanted = name.substr(0, 64);
@@ -43,6 +45,11 @@ std::string nearest_name(std::string_view name, const Names& known) {
       best = distance;
       nearest = candidate;
     }
+  }
+  if (!nearest.empty() || wanted.size() < 2) return nearest;
+  for (const auto& candidate : known) {
+    const std::string_view whole = candidate;
+    if (whole.starts_with(name) && (nearest.empty() || whole.size() < nearest.size())) nearest = whole;
   }
   return nearest;
 }

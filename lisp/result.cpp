@@ -1,5 +1,7 @@
 #include "lisp/result.hpp"
 
+#include <algorithm>
+
 #include "lisp/writer.hpp"
 
 namespace pizarra {
@@ -20,12 +22,22 @@ Failure failure_from_datum(const Datum& datum) {
   return out;
 }
 
+namespace {
+
+// Whether the sentence shows it already, as a whole or, a list of lists, one by one.
+bool says(const std::string& sentence, const Datum& subject) {
+  if (sentence.find(write(subject)) != std::string::npos) return true;
+  if (subject.is_string()) return sentence.find(subject.text()) != std::string::npos;
+  if (!subject.is_list() || subject.size() == 0) return false;
+  return std::ranges::all_of(subject.items(),
+                             [&](const Datum& item) { return item.is_list() && says(sentence, item); });
+}
+
+}  // namespace
+
 std::string describe(const Failure& failure) {
   std::string out = failure.sentence;
-  const std::string subject = failure.subject == Datum() ? std::string() : write(failure.subject);
-  const bool said = out.find(subject) != std::string::npos ||
-                    (failure.subject.is_string() && out.find(failure.subject.text()) != std::string::npos);
-  if (!said) out += ": " + subject;
+  if (failure.subject != Datum() && !says(out, failure.subject)) out += ": " + write(failure.subject);
   if (!failure.place.empty()) out += '\n' + failure.place;
   return out;
 }

@@ -6,9 +6,11 @@
 #include "agents/launcher/local_cell.hpp"
 #include "agents/launcher/run_directory.hpp"
 #include "agents/launcher/words.hpp"
+#include "agents/repl/json_answers.hpp"
 #include "agents/repl/repl.hpp"
 #include "blackboard/remote_board.hpp"
 #include "blackboard/time/real_executor.hpp"
+#include "lisp/reader.hpp"
 
 namespace pizarra {
 
@@ -20,6 +22,13 @@ constexpr Duration teaching_patience = 120s;
 struct BoardChoices {
   std::string board;  // an address
   std::string cell;   // the name of a running cell
+};
+
+// How a word is to talk: `stay` until interrupted, also when the forms are done.
+struct Manner {
+  Interpreter::Patience patience = Interpreter::Patience::ended;
+  Style style = Style::text;
+  bool stay = false;
 };
 
 struct ReplChoices {
@@ -45,6 +54,12 @@ int status_of(Evaluation evaluation) {
   return exit_failed;
 }
 
+int complain_as(Style style, const Failure& failure, ExitCode code) {
+  if (style == Style::text) return complain(failure, code);
+  fmt::print("{}\n", json_error(failure));
+  return code;
+}
+
 Result<std::string> board_address(const BoardChoices& choices) {
   if (!choices.board.empty()) return choices.board;
   const Result<RunState> run = find_run(choices.cell);
@@ -55,13 +70,12 @@ Result<std::string> board_address(const BoardChoices& choices) {
 // The forms, or the prompt where there are none, on any board.
 class Session {
  public:
-  // `stay`: until interrupted, also when the forms are done.
-  Session(Executor& executor, Board& board, Interpreter::Patience patience, bool stay = false)
-      : stay_(stay),
+  Session(Executor& executor, Board& board, Manner manner)
+      : manner_(manner),
         context_{fmt::format("prompt-{}", getpid()), "localhost", executor, board, Random(1)},
         service_(context_, contract_from_text("(contract prompt)").value()),
         interpreter_(
-            context_, service_, [this](const std::string& line) { print(line); }, patience) {}
+            context_, service_, [this](const std::string& line) { print(line); }, manner.patience, manner.style) {}
 
   // `wait_for_teaching`: the forms are evaluated when the person of the cell has taught its objects.
   int run(const std::vector<std::string>& forms, bool wait_for_teaching) {
@@ -87,18 +101,6 @@ class Session {
     co_return co_await service_.start();
   }
 
-  // What a goal is refused with while the person of the cell teaches its objects: few are known yet.
-  Task<Result<void>> check_taught() {
-    const Datum person = list("agent"_sym, "?"_sym, "person"_sym, "?"_sym);
-    const Result<std::vector<Fact>> there = co_await context_.board.facts(person);
-    if (!there || there->empty()) co_return {};
-    const Datum said = list("person"_sym, "?"_sym, "?"_sym);
-    const Result<std::vector<Fact>> says = co_await context_.board.facts(said);
-    const bool begun = says.has_value() && !says->empty();
-    if (begun && !says->front().datum[1].is_symbol("teaching")) co_return {};
-    co_return fail("not-ready", "the objects are still being taught; `up` says when it is ready for goals");
-  }
-
   Task<void> await_teaching() {
     const Time deadline = context_.executor.now() + teaching_patience;
     const Datum done = list("person"_sym, "done"_sym, "?"_sym);
@@ -112,22 +114,14 @@ class Session {
   Task<void> talk(std::vector<std::string> forms, bool wait_for_teaching) {
     const Result<void> reached = co_await reach_board();
     if (!reached) {
-      status_ = complain(reached.error(), exit_unavailable);
+      status_ = complain_as(manner_.style, reached.error(), exit_unavailable);
       co_return;
     }
     if (wait_for_teaching) co_await await_teaching();
-    const bool goal_alone = !wait_for_teaching && forms.size() == 1 && forms.front().starts_with("(goal ");
-    if (goal_alone) {
-      const Result<void> taught = co_await check_taught();
-      if (!taught) {
-        status_ = complain(taught.error(), exit_refused);
-        co_return;
-      }
-    }
     if (!forms.empty()) {
       const Evaluation end = co_await run_forms(interpreter_, std::move(forms));
       status_ = status_of(end);
-      const bool watching = stay_ && status_ == exit_reached;
+      const bool watching = manner_.stay && status_ == exit_reached;
       while (watching) co_await sleep(context_.executor, 1s);
       co_return;
     }
@@ -138,7 +132,7 @@ class Session {
     if (terminal.interrupted()) status_ = exit_interrupted;
   }
 
-  bool stay_;
+  Manner manner_;
   AgentContext context_;
   Service service_;
   Terminal* terminal_ = nullptr;
@@ -146,12 +140,16 @@ class Session {
   int status_ = exit_reached;
 };
 
-int talk_to(const std::string& address, const std::vector<std::string>& forms, Interpreter::Patience patience,
-            bool stay = false) {
+int talk_to(const std::string& address, const std::vector<std::string>& forms, Manner manner) {
   RealExecutor executor;
   const auto board = RemoteBoard::connect(executor, address, fmt::format("prompt-{}", getpid()), board_timeout);
-  if (!board) return complain(board.error(), exit_usage);
-  return Session(executor, **board, patience, stay).run(forms, false);
+  if (!board) return complain_as(manner.style, board.error(), exit_usage);
+  return Session(executor, **board, manner).run(forms, false);
+}
+
+// Who types goes on typing while a goal is pursued; a script waits.
+Manner manner_of(const ReplChoices& choices) {
+  return {.patience = choices.forms.empty() ? Interpreter::Patience::accepted : Interpreter::Patience::ended};
 }
 
 int talk_to_own_cell(const ReplChoices& choices) {
@@ -166,9 +164,8 @@ int talk_to_own_cell(const ReplChoices& choices) {
     const Result<void> started = local.start(kind);
     if (!started) return complain(started.error(), exit_usage);
   }
-  const auto patience = choices.forms.empty() ? Interpreter::Patience::accepted : Interpreter::Patience::ended;
   const std::unique_ptr<Board> view = local.board().view("prompt");
-  return Session(executor, *view, patience).run(choices.forms, whole && !choices.forms.empty());
+  return Session(executor, *view, manner_of(choices)).run(choices.forms, whole && !choices.forms.empty());
 }
 
 int run_repl(const ReplChoices& choices) {
@@ -176,8 +173,7 @@ int run_repl(const ReplChoices& choices) {
   if (own) return talk_to_own_cell(choices);
   const Result<std::string> address = board_address(choices.board);
   if (!address) return complain(address.error(), exit_unavailable);
-  const auto patience = choices.forms.empty() ? Interpreter::Patience::accepted : Interpreter::Patience::ended;
-  return talk_to(*address, choices.forms, patience);
+  return talk_to(*address, choices.forms, manner_of(choices));
 }
 
 void add_board_options(CLI::App* word, BoardChoices& choices) {
@@ -201,23 +197,33 @@ constexpr FormWord form_words[] = {
     {"why", "", "Ask the coordinator why it does what it does"},
 };
 
-int run_form(const FormWord& word, const std::vector<std::string>& arguments, const BoardChoices& choices) {
-  const Result<std::string> address = board_address(choices);
-  if (!address) return complain(address.error(), exit_unavailable);
-  std::string form = std::string("(") + word.name;
-  for (const std::string& argument : arguments) form += " " + argument;
-  std::vector<std::string> forms{form + ")"};
+struct FormChoices {
+  BoardChoices board;
+  std::vector<std::string> arguments;
+  bool json = false;
+};
+
+int run_form(const FormWord& word, const FormChoices& choices) {
+  const Style style = choices.json ? Style::json : Style::text;
+  const std::string typed = fmt::format("{}", fmt::join(choices.arguments, " "));
+  // Here, so that an error shows what was typed, and not the form that is made of it.
+  const Result<Source> readable = read_source(typed, "input");
+  if (!readable) return complain_as(style, readable.error(), exit_usage);
+  const Result<std::string> address = board_address(choices.board);
+  if (!address) return complain_as(style, address.error(), exit_unavailable);
   const bool stay = std::string_view(word.name) == "watch";
-  return talk_to(*address, forms, Interpreter::Patience::ended, stay);
+  // On a line of its own: a comment at its end must not swallow the parenthesis.
+  const std::string form = fmt::format("({} {}\n)", word.name, typed);
+  return talk_to(*address, {form}, {.style = style, .stay = stay});
 }
 
 void add_form_word(CLI::App& app, int& status, const FormWord& word) {
-  auto choices = std::make_shared<BoardChoices>();
-  auto arguments = std::make_shared<std::vector<std::string>>();
+  auto choices = std::make_shared<FormChoices>();
   CLI::App* added = app.add_subcommand(word.name, word.help);
-  if (*word.argument != '\0') added->add_option(word.argument, *arguments)->required();
-  add_board_options(added, *choices);
-  added->callback([&word, choices, arguments, &status] { status = run_form(word, *arguments, *choices); });
+  if (*word.argument != '\0') added->add_option(word.argument, choices->arguments)->required();
+  added->add_flag("--json", choices->json, "One JSON object a line");
+  add_board_options(added, choices->board);
+  added->callback([&word, choices, &status] { status = run_form(word, *choices); });
 }
 
 }  // namespace

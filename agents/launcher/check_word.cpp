@@ -22,8 +22,8 @@ Result<std::string> check_domain(const std::string& file) {
   const Result<TaskDomain> task = TaskDomain::read(file);
   if (!task) return fail(task);
   const Domain& domain = task->domain();
-  return fmt::format("domain {}: {} predicates, {} operators", domain.name, domain.predicates.size(),
-                     domain.operators.size());
+  return fmt::format("domain {}: {}, {}", domain.name, counted(domain.predicates.size(), "predicate"),
+                     counted(domain.operators.size(), "operator"));
 }
 
 // A cell with the domain that it names.
@@ -32,7 +32,8 @@ Result<std::string> check_cell_whole(const CellDescription& cell) {
   if (!sound) return fail(sound);
   const Result<std::string> domain = check_domain(cell.domain_file);
   if (!domain) return fail(domain);
-  return fmt::format("cell {}: {} cubes, {} hosts; {}", cell.name, cell.cubes.size(), cell.hosts.size(), *domain);
+  return fmt::format("cell {}: {}, {}; {}", cell.name, counted(cell.cubes.size(), "cube"),
+                     counted(cell.hosts.size(), "host"), *domain);
 }
 
 Result<std::string> check_cell(const std::string& file) {
@@ -50,7 +51,7 @@ Result<std::string> check_scenario_file(const std::string& file) {
   if (!cell) return fail(cell);
   const Result<std::string> whole = check_cell_whole(*cell);
   if (!whole) return fail(whole);
-  return fmt::format("scenario \"{}\": {} events; {}", scenario->name, scenario->events.size(), *whole);
+  return fmt::format("scenario \"{}\": {}; {}", scenario->name, counted(scenario->events.size(), "event"), *whole);
 }
 
 // What is neither domain, cell nor scenario is a goal.
@@ -62,7 +63,7 @@ Result<std::string> check_goal_file(const std::string& file, const CheckChoices&
   const std::string text(std::istreambuf_iterator<char>(in), {});
   const Result<std::vector<Datum>> goal = check_goal(*domain, text);
   if (!goal) return fail(goal);
-  return fmt::format("goal of {} facts", goal->size());
+  return fmt::format("goal of {}", counted(goal->size(), "fact"));
 }
 
 Result<std::string> check_file(const std::string& file, const CheckChoices& choices) {

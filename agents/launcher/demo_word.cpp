@@ -5,6 +5,7 @@
 #include "agents/launcher/goal_text.hpp"
 #include "agents/launcher/random_runs.hpp"
 #include "agents/launcher/random_story.hpp"
+#include "agents/launcher/recorder.hpp"
 #include "agents/launcher/story_run.hpp"
 #include "agents/launcher/words.hpp"
 #include "lisp/writer.hpp"
@@ -22,6 +23,8 @@ Result<Scenario> story_of(const DemoChoices& choices) {
   Scenario scenario;
   if (!choices.has("--goal") && !choices.random) {
     if (!std::filesystem::exists(story)) {
+      const Result<CellDescription> cell_alone = read_cell_file(choices.cell);
+      if (!cell_alone) return fail(cell_alone);
       return fail("no-story", fmt::format("there is no {}, so say what is wanted: --goal '(on A B)'", story));
     }
     Result<Scenario> told = read_scenario_file(story);
@@ -78,6 +81,12 @@ int run_demo(const DemoChoices& choices) {
   const Result<Domain> domain = domain_of(*cell);
   if (!domain) return complain(domain.error(), exit_usage);
 
+  for (const std::string& file : {choices.journal, choices.film, choices.picture}) {
+    if (file.empty()) continue;
+    const Result<void> writable = check_writable(file);
+    if (!writable) return complain(writable.error(), exit_unavailable);
+  }
+
   const StopSignals signals;
   StoryOptions options{choices.seed, choices.realtime, choices.journal, choices.film, choices.picture, &signals};
   if (choices.random) {
@@ -97,8 +106,8 @@ int run_demo(const DemoChoices& choices) {
   }
   Narrator narrator(stdout, Narrator::style_for(stdout, choices.json));
   narrator.say(Time{}, "cell",
-               fmt::format("{}: {} cubes, arm {}, domain {}, seed {}", cell->name, cell->cubes.size(), cell->arm,
-                           domain->name, choices.seed));
+               fmt::format("{}: {}, arm {}, domain {}, seed {}", cell->name, counted(cell->cubes.size(), "cube"),
+                           cell->arm, domain->name, choices.seed));
   const Result<StoryReport> report = run_story(*scenario, *cell, options, narrator);
   if (!report) return complain(report.error(), exit_unavailable);
   if (report->interrupted) {
@@ -127,7 +136,7 @@ void add_demo_word(CLI::App& app, int& status) {
       ->capture_default_str();
   demo->add_option("--journal", choices->journal, "Write every committed transaction to this file, a line each");
   demo->add_option("--video", choices->film, "Keep the run as a film: FILE.avi or FILE.mp4");
-  demo->add_option("--png", choices->picture, "The camera's view at the end")->capture_default_str();
+  demo->add_option("--png", choices->picture, "The camera's view at the end; '' for none")->capture_default_str();
   demo->add_flag("--realtime", choices->realtime, "As fast as this machine's clock, not faster");
   demo->add_flag("--json", choices->json, "One JSON object a line");
   demo->add_flag("--random", choices->random, "Random start piles, a random goal and one random disturbance");

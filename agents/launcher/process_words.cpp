@@ -49,6 +49,10 @@ int run_agent(const ProcessChoices& choices) {
 int run_world(const ProcessChoices& choices) {
   const Result<CellDescription> cell = read_cell_file(choices.cell);
   if (!cell) return complain(cell.error(), exit_usage);
+  if (!choices.world.starts_with("ipc://")) {
+    const Failure open{"bad-address", "the world listens at ipc://PATH alone, not at " + choices.world, {}, {}};
+    return complain(open, exit_usage);
+  }
   const WorldConfig config = world_config(*cell, choices.seed);
   const Result<void> sound = check(config);
   if (!sound) return complain(sound.error(), exit_usage);
@@ -84,7 +88,7 @@ void add_process_words(CLI::App& app, int& status) {
   auto world_choices = std::make_shared<ProcessChoices>();
   CLI::App* world = app.add_subcommand("world", "Run a cell's simulated world in this process.");
   world->add_option("cell", world_choices->cell, "The cell file")->required()->check(CLI::ExistingFile);
-  world->add_option("--listen", world_choices->world, "Where it is reached: ipc://")->required();
+  world->add_option("--listen", world_choices->world, "Where it is reached: ipc://PATH")->required();
   world->add_option("--seed", world_choices->seed, "What its chance begins from")
       ->check(seed_check())
       ->capture_default_str();

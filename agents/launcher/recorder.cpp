@@ -1,7 +1,11 @@
 #include "agents/launcher/recorder.hpp"
 
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <fmt/format.h>
+#include <fstream>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
@@ -49,6 +53,17 @@ Result<int> codec_for(const std::string& path) {
 }
 
 }  // namespace
+
+Result<void> check_writable(const std::string& path) {
+  const Result<void> folder = make_folder(path);
+  if (!folder) return folder;
+  const bool there = std::filesystem::exists(path);
+  errno = 0;
+  const bool opened = std::ofstream(path, std::ios::app).is_open();
+  if (!opened) return fail("cannot-write", fmt::format("cannot write {}: {}", path, std::strerror(errno)));
+  if (!there) std::remove(path.c_str());
+  return {};
+}
 
 Result<void> Recorder::film(const std::string& path) {
   const Result<int> codec = codec_for(path);

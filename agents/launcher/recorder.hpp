@@ -17,6 +17,10 @@
 
 namespace pizarra {
 
+// Whether a file can be written there, its folder made where there is none; asked before a long run, and before a
+// library finds out that would say more than is wanted. Failure: cannot-write.
+Result<void> check_writable(const std::string& path);
+
 class Recorder {
  public:
   Recorder(Streams& streams, const Narrator& narrator) : streams_(streams), narrator_(narrator) {}

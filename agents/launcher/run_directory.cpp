@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <fcntl.h>
 #include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
@@ -41,7 +41,39 @@ Result<void> make_private(const std::string& path) {
   return {};
 }
 
-bool alive(int pid) { return pid > 0 && (kill(pid, 0) == 0 || errno == EPERM); }
+std::string lock_file(const std::string& path) { return path + "/lock"; }
+
+struct flock whole_file() {
+  struct flock out {};
+  out.l_type = F_WRLCK;
+  out.l_whence = SEEK_SET;
+  return out;
+}
+
+// Asked without taking the lock, so that who looks never stands in the way of who begins.
+bool is_locked(const std::string& path) {
+  const int file = open(lock_file(path).c_str(), O_RDWR | O_CLOEXEC);
+  if (file < 0) return false;
+  struct flock holder = whole_file();
+  const bool answered = fcntl(file, F_OFD_GETLK, &holder) == 0;
+  close(file);
+  return answered && holder.l_type != F_UNLCK;
+}
+
+// Nothing where another process has it.
+std::shared_ptr<const int> take_lock(const std::string& path) {
+  const int file = open(lock_file(path).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+  if (file < 0) return nullptr;
+  struct flock wanted = whole_file();
+  if (fcntl(file, F_OFD_SETLK, &wanted) != 0) {
+    close(file);
+    return nullptr;
+  }
+  return {new int(file), [](const int* held) {
+            close(*held);
+            delete held;
+          }};
+}
 
 Result<RunState> load(const std::string& path) {
   std::ifstream in(path);
@@ -99,13 +131,14 @@ Result<RunDirectory> RunDirectory::make(const std::string& cell, const std::stri
   const std::string path = fmt::format("{}/{}@{}", base, cell, host);
   const Result<void> made = make_private(path);
   if (!made) return fail(made);
-  const Result<RunState> earlier = load(path + "/" + state_name);
-  if (earlier && alive(earlier->supervisor_pid)) {
-    return fail("already-running",
-                fmt::format("the cell {} runs on {} already, under process {}", cell, host, earlier->supervisor_pid));
+  std::shared_ptr<const int> lock = take_lock(path);
+  if (lock == nullptr) {
+    const Result<RunState> earlier = load(path + "/" + state_name);
+    const std::string under = earlier ? fmt::format(", under process {}", earlier->supervisor_pid) : "";
+    return fail("already-running", fmt::format("the cell {} runs on {} already{}", cell, host, under));
   }
   clean(path);
-  return RunDirectory(path);
+  return RunDirectory(path, std::move(lock));
 }
 
 Result<void> RunDirectory::save(const RunState& state) const {
@@ -127,7 +160,7 @@ std::vector<RunState> running_cells() {
   for (const auto& entry : std::filesystem::directory_iterator(base_path(), error)) {
     Result<RunState> state = load(entry.path().string() + "/" + state_name);
     if (!state) continue;
-    if (alive(state->supervisor_pid)) {
+    if (is_locked(entry.path().string())) {
       out.push_back(std::move(*state));
     } else {
       clean(entry.path().string());

@@ -6,7 +6,11 @@
 //   Result<RunDirectory> run = RunDirectory::make("blocks", "localhost");
 //   run->save(state);
 //   Result<RunState> running = find_run("");        // the only one that runs
+//
+// Whoever made it holds a lock on it for as long as it exists; the system lets go of that when the process ends,
+// however it ends, so that what a dead one left is never taken for a running cell.
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -35,7 +39,7 @@ Result<RunState> run_state_from_datum(const Datum& datum);
 
 class RunDirectory {
  public:
-  // Failures: cannot-write, already-running (a living supervisor's state is there).
+  // Failures: cannot-write, already-running.
   static Result<RunDirectory> make(const std::string& cell, const std::string& host);
   std::string file(const std::string& name) const { return path_ + "/" + name; }
   const std::string& path() const { return path_; }
@@ -44,8 +48,9 @@ class RunDirectory {
   void remove_state() const;
 
  private:
-  explicit RunDirectory(std::string path) : path_(std::move(path)) {}
+  RunDirectory(std::string path, std::shared_ptr<const int> lock) : path_(std::move(path)), lock_(std::move(lock)) {}
   std::string path_;
+  std::shared_ptr<const int> lock_;  // the file that is locked, closed with the last copy
 };
 
 // Every cell of this user whose supervisor lives.

@@ -233,7 +233,8 @@ void print_run(const RunState& run, bool json) {
       return;
     }
     const std::string pid = process && process->pid != 0 ? std::to_string(process->pid) : "-";
-    fmt::print("  {:<14} {:<12} {:<12} {:>8}  {} restarts\n", name, kind, host, pid, process ? process->restarts : 0);
+    const auto restarts = static_cast<std::size_t>(process ? process->restarts : 0);
+    fmt::print("  {:<14} {:<12} {:<12} {:>8}  {}\n", name, kind, host, pid, counted(restarts, "restart"));
   };
   for (const RunProcess& process : run.processes) {
     const auto fact =

@@ -32,6 +32,9 @@ CLI::Validator seed_check();
 // the exit status.
 int end_of_parsing(const CLI::App& app, const CLI::ParseError& error);
 
+// "1 cube", "4 cubes".
+std::string counted(std::size_t number, std::string_view thing);
+
 // A file that comes with the program: from the tree it was built from.
 std::string shipped_file(const std::string& path);
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "agents/repl/commands.hpp"
+#include "agents/repl/json_answers.hpp"
 #include "lisp/reader.hpp"
 #include "lisp/writer.hpp"
 
@@ -20,8 +21,15 @@ Task<Evaluation> Interpreter::goal(Datum form) {
   if (form.size() < 2) co_return usage("goal");
   const bool pursued = co_await is_agent("coordinator");
   if (!pursued) {
-    output_("no coordinator is present, so nobody would pursue a goal; (agents) shows who is");
-    co_return Evaluation::failed;
+    const Failure alone{
+        "absent", "no coordinator is present, so nobody would pursue a goal; (agents) shows who is", {}, {}};
+    co_return show(alone);
+  }
+  const bool early = co_await being_taught();
+  if (early) {
+    const Failure early_goal{
+        "not-ready", "the objects are still being taught; (ask (person done ?)) says yes when they are", {}, {}};
+    co_return show(early_goal, Evaluation::refused);
   }
   const Result<Datum> accepted = co_await caller_.call("coordinator", form, accept_timeout);
   if (!accepted) {
@@ -29,7 +37,8 @@ Task<Evaluation> Interpreter::goal(Datum form) {
     co_return show(accepted.error(), text ? Evaluation::malformed : Evaluation::failed);
   }
   const Datum number = accepted->size() == 1 ? (*accepted)[0] : Datum();
-  output_(fmt::format("goal {} accepted", write(number)));
+  say(fmt::format("goal {} accepted", write(number)),
+      fmt::format("{{\"goal\":{},\"state\":\"accepted\"}}", write(number)));
   if (patience_ == Patience::accepted) co_return Evaluation::done;
   const Evaluation outcome = co_await wait_for_end(number);
   co_return outcome;
@@ -45,12 +54,29 @@ Task<Evaluation> Interpreter::wait_for_end(Datum number) {
     for (const Answer& answer : change->added) {
       const Datum& fact = answer.facts.front().datum;
       if (fact[2].is_symbol("running")) continue;
-      const std::string detail = fact[3].is_form("fail") ? ": " + describe(failure_from_datum(fact[3])) : "";
-      output_(fmt::format("goal {} {}{}", write(number), fact[2].text(), detail));
+      say_end(fact);
       if (fact[2].is_symbol("refused")) co_return Evaluation::refused;
       co_return fact[2].is_symbol("reached") ? Evaluation::done : Evaluation::failed;
     }
   }
+}
+
+// `(goal-state N STATE DETAIL)`
+void Interpreter::say_end(const Datum& state) {
+  const bool failed = state[3].is_form("fail");
+  const Failure failure = failed ? failure_from_datum(state[3]) : Failure();
+  say(fmt::format("goal {} {}{}", write(state[1]), state[2].text(), failed ? ": " + describe(failure) : ""),
+      fmt::format("{{\"goal\":{},\"state\":\"{}\"{}}}", write(state[1]), state[2].text(),
+                  failed ? ",\"error\":" + json_failure(failure) : ""));
+}
+
+// While the person of the cell teaches its objects few are known yet.
+Task<bool> Interpreter::being_taught() {
+  const Result<std::vector<Fact>> person = co_await context_.board.facts(pattern("(agent ? person ?)"));
+  if (!person || person->empty()) co_return false;
+  const Result<std::vector<Fact>> says = co_await context_.board.facts(pattern("(person ? ?)"));
+  if (!says || says->empty()) co_return true;
+  co_return says->front().datum[1].is_symbol("teaching");
 }
 
 Task<Evaluation> Interpreter::cancel(Datum form) {

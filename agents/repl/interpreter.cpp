@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "agents/repl/commands.hpp"
+#include "agents/repl/json_answers.hpp"
 #include "lisp/nearest.hpp"
 #include "lisp/reader.hpp"
 #include "lisp/writer.hpp"
@@ -34,19 +35,23 @@ std::string bindings_text(const Answer& answer) {
 
 }  // namespace
 
-Interpreter::Interpreter(AgentContext& context, const Service& service, Output output, Patience patience)
-    : context_(context), caller_(context, service), output_(std::move(output)), patience_(patience) {
+Interpreter::Interpreter(AgentContext& context, const Service& service, Output output, Patience patience, Style style)
+    : context_(context), caller_(context, service), output_(std::move(output)), patience_(patience), style_(style) {
   for (const Command& command : Command::all()) words_.emplace(command.name);
 }
 
+void Interpreter::say(const std::string& text, const std::string& json) {
+  output_(style_ == Style::json ? json : text);
+}
+
 Evaluation Interpreter::show(const Failure& failure, Evaluation outcome) {
-  output_(describe(failure));
+  say(describe(failure), json_error(failure));
   return outcome;
 }
 
 Evaluation Interpreter::usage(std::string_view command) {
-  output_(fmt::format("{} is {}", command, find_command(command)->usage));
-  return Evaluation::malformed;
+  const std::string sentence = fmt::format("{} is {}", command, find_command(command)->usage);
+  return show({"malformed", sentence, {}, {}}, Evaluation::malformed);
 }
 
 Task<Evaluation> Interpreter::evaluate(std::string text) {
@@ -76,9 +81,10 @@ Task<Evaluation> Interpreter::evaluate_form(Datum form) {
     co_return outcome;
   }
   if (form.size() != 2) {
-    output_(
-        fmt::format("an agent is asked as ({} (OPERATION ARGUMENT ...)); (agents) lists what they offer", form.head()));
-    co_return Evaluation::malformed;
+    const std::string sentence =
+        fmt::format("an agent is asked as ({} (OPERATION ARGUMENT ...)); (agents) lists what they offer", form.head());
+    const Failure failure{"malformed", sentence, {}, {}};
+    co_return show(failure, Evaluation::malformed);
   }
   const Datum operation = as_form(form[1]);
   const Evaluation outcome = co_await request(std::string(form.head()), operation);
@@ -95,12 +101,13 @@ Task<bool> Interpreter::is_agent(std::string name) {
 Task<Evaluation> Interpreter::request(std::string agent, Datum operation) {
   const Result<Datum> answer = co_await caller_.call(agent, operation, answer_timeout);
   if (!answer) co_return show(answer.error());
+  const std::string json = fmt::format("{{\"reply\":{}}}", json_values(answer->items()));
   const bool sentences = std::ranges::all_of(answer->items(), &Datum::is_string);
   std::string line = answer->size() == 0 ? "ok" : "";
   for (const Datum& value : answer->items()) {
     line += (line.empty() ? "" : sentences ? "\n" : " ") + (sentences ? std::string(value.text()) : write(value));
   }
-  output_(line);
+  say(line, json);
   co_return Evaluation::done;
 }
 
@@ -121,8 +128,9 @@ Task<Evaluation> Interpreter::ask(Datum form) {
   if (!query) co_return show(query.error(), Evaluation::malformed);
   const Result<Answers> answers = co_await context_.board.ask(*query);
   if (!answers) co_return show(answers.error());
-  if (answers->answers.empty()) output_("no");
-  for (const Answer& answer : answers->answers) output_(bindings_text(answer));
+  std::string text = answers->answers.empty() ? "no" : "";
+  for (const Answer& answer : answers->answers) text += (text.empty() ? "" : "\n") + bindings_text(answer);
+  say(text, fmt::format("{{\"revision\":{},\"answers\":{}}}", answers->revision, json_answers(answers->answers)));
   co_return Evaluation::done;
 }
 
@@ -130,7 +138,7 @@ Task<Evaluation> Interpreter::tell(Datum form) {
   if (form.size() != 2) co_return usage("tell");
   const Result<Revision> told = co_await context_.board.tell(form[1]);
   if (!told) co_return show(told.error());
-  output_(fmt::format("told, revision {}", *told));
+  say(fmt::format("told, revision {}", *told), fmt::format("{{\"revision\":{}}}", *told));
   co_return Evaluation::done;
 }
 
@@ -140,7 +148,8 @@ Task<Evaluation> Interpreter::retract(Datum form) {
   if (!fitting) co_return show(fitting.error());
   const Result<Revision> retracted = co_await context_.board.retract(form[1]);
   if (!retracted) co_return show(retracted.error());
-  output_(fmt::format("retracted {}, revision {}", fitting->size(), *retracted));
+  say(fmt::format("retracted {}, revision {}", fitting->size(), *retracted),
+      fmt::format("{{\"retracted\":{},\"revision\":{}}}", fitting->size(), *retracted));
   co_return Evaluation::done;
 }
 
@@ -148,15 +157,16 @@ Task<Evaluation> Interpreter::watch(Datum form) {
   if (form.size() != 2) co_return usage("watch");
   std::erase_if(watches_, [](const auto& entry) { return entry.second.done(); });
   if (watches_.size() >= max_watches) {
-    output_(fmt::format("{} watches run already; end one with (unwatch N)", max_watches));
-    co_return Evaluation::failed;
+    const std::string sentence = fmt::format("{} watches run already; end one with (unwatch N)", max_watches);
+    const Failure failure{"too-many", sentence, {}, {}};
+    co_return show(failure);
   }
   const Result<Query> query = query_from_datum(form[1]);
   if (!query) co_return show(query.error(), Evaluation::malformed);
   Result<std::unique_ptr<Watch>> watch = co_await context_.board.watch(*query);
   if (!watch) co_return show(watch.error());
   const int number = next_watch_++;
-  output_(fmt::format("watch {}", number));
+  say(fmt::format("watch {}", number), fmt::format("{{\"watch\":{}}}", number));
   watches_.emplace(number, context_.executor.spawn(follow(number, std::move(*watch))));
   co_return Evaluation::done;
 }
@@ -165,13 +175,24 @@ Task<void> Interpreter::follow(int number, std::unique_ptr<Watch> watch) {
   while (true) {
     const Result<Change> change = co_await watch->next();
     if (!change) {
-      output_(fmt::format("[{}] ended: {}", number, describe(change.error())));
+      say(fmt::format("[{}] ended: {}", number, describe(change.error())),
+          fmt::format("{{\"watch\":{},\"error\":{}}}", number, json_failure(change.error())));
       co_return;
     }
-    if (change->resynchronised && change->added.empty()) output_(fmt::format("[{}] nothing yet", number));
-    for (const Answer& answer : change->removed) output_(fmt::format("[{}] - {}", number, bindings_text(answer)));
-    for (const Answer& answer : change->added) output_(fmt::format("[{}] + {}", number, bindings_text(answer)));
+    say_change(number, *change);
   }
+}
+
+void Interpreter::say_change(int number, const Change& change) {
+  std::string text = change.resynchronised && change.added.empty() ? fmt::format("[{}] nothing yet", number) : "";
+  const auto add = [&](char sign, const Answer& answer) {
+    text += fmt::format("{}[{}] {} {}", text.empty() ? "" : "\n", number, sign, bindings_text(answer));
+  };
+  for (const Answer& answer : change.removed) add('-', answer);
+  for (const Answer& answer : change.added) add('+', answer);
+  say(text,
+      fmt::format("{{\"watch\":{},\"revision\":{},\"resynchronised\":{},\"removed\":{},\"added\":{}}}", number,
+                  change.revision, change.resynchronised, json_answers(change.removed), json_answers(change.added)));
 }
 
 Task<Evaluation> Interpreter::unwatch(Datum form) {

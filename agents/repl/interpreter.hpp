@@ -7,7 +7,8 @@
 //
 // Commands are listed in repl_commands(). A form that begins with an agent's name asks that agent: `(robot (monitor))`.
 // Every answer is given to the output, a line at a time; a failure is one line, with the place below where text was
-// read. At most 32 watches run at once.
+// read. In the style for programs each line is a JSON object (docs/commands.md); the commands that only a person needs
+// have none. At most 32 watches run at once.
 
 #include <functional>
 #include <map>
@@ -27,6 +28,8 @@ enum class Evaluation : std::uint8_t {
   quit,
 };
 
+enum class Style : std::uint8_t { text, json };
+
 using Output = std::function<void(const std::string& line)>;
 
 class Interpreter {
@@ -35,7 +38,8 @@ class Interpreter {
   // Whether `(goal ...)` answers when the goal was accepted or when it has ended.
   enum class Patience : std::uint8_t { accepted, ended };
 
-  Interpreter(AgentContext& context, const Service& service, Output output, Patience patience);
+  Interpreter(AgentContext& context, const Service& service, Output output, Patience patience,
+              Style style = Style::text);
 
   // All the forms of `text`, one after another, up to the first that fails.
   Task<Evaluation> evaluate(std::string text);
@@ -46,7 +50,6 @@ class Interpreter {
 
  private:
   friend struct Command;
-  struct Watching;
 
   Task<Evaluation> evaluate_form(Datum form);
   Task<Evaluation> help(Datum form);
@@ -64,9 +67,13 @@ class Interpreter {
   Task<Evaluation> quit(Datum form);
   Task<Evaluation> request(std::string agent, Datum operation);
   Task<Evaluation> wait_for_end(Datum number);
+  Task<bool> being_taught();
   Task<bool> is_agent(std::string name);
   Task<void> follow(int number, std::unique_ptr<Watch> watch);
 
+  void say_end(const Datum& state);
+  void say_change(int number, const Change& change);
+  void say(const std::string& text, const std::string& json);
   Evaluation show(const Failure& failure, Evaluation outcome = Evaluation::failed);
   Evaluation usage(std::string_view command);
 
@@ -74,6 +81,7 @@ class Interpreter {
   Caller caller_;
   Output output_;
   Patience patience_;
+  Style style_;
   std::set<std::string> words_;
   int next_watch_ = 1;
   std::map<int, Job> watches_;

@@ -60,20 +60,31 @@ TEST_F(RunDirectoryTest, ARunningCellIsFoundAndNotStartedTwice) {
   EXPECT_EQ(RunDirectory::make("blocks", "here").error().symbol, "already-running");
 }
 
-TEST_F(RunDirectoryTest, WhatADeadSupervisorLeftIsNotARunningCell) {
+TEST_F(RunDirectoryTest, WhatADeadSupervisorLeftIsNotARunningCellThoughAnotherProcessHasItsNumber) {
+  const pid_t supervisor = fork();
+  if (supervisor == 0) {
+    const Result<RunDirectory> run = RunDirectory::make("blocks", "here");
+    const bool saved = run.has_value() && run->save(state_of(getppid(), "ipc:///tmp/board"));
+    if (saved) std::ofstream(run->file("world.ipc")) << "";
+    if (saved) std::ofstream(run->file("vision.log")) << "what vision said";
+    _exit(saved ? 0 : 1);
+  }
+  int status = -1;
+  ASSERT_EQ(waitpid(supervisor, &status, 0), supervisor);
+  ASSERT_EQ(status, 0);
+  const std::string left = folder_ + "/pizarra/blocks@here/";
+  ASSERT_TRUE(std::filesystem::exists(left + "state"));
+  EXPECT_TRUE(running_cells().empty());
+  EXPECT_FALSE(std::filesystem::exists(left + "state"));
+  EXPECT_FALSE(std::filesystem::exists(left + "world.ipc"));
+  EXPECT_TRUE(std::filesystem::exists(left + "vision.log"));
+  EXPECT_TRUE(RunDirectory::make("blocks", "here"));
+}
+
+TEST_F(RunDirectoryTest, ACellThatHasYetToWriteItsStateIsNotStartedTwice) {
   const Result<RunDirectory> run = RunDirectory::make("blocks", "here");
   ASSERT_TRUE(run);
-  const pid_t dead = fork();
-  if (dead == 0) _exit(0);
-  ASSERT_EQ(waitpid(dead, nullptr, 0), dead);
-  ASSERT_TRUE(run->save(state_of(dead, "ipc:///tmp/board")));
-  std::ofstream(run->file("world.ipc")) << "";
-  std::ofstream(run->file("vision.log")) << "what vision said";
-  EXPECT_TRUE(running_cells().empty());
-  EXPECT_FALSE(std::filesystem::exists(run->file("state")));
-  EXPECT_FALSE(std::filesystem::exists(run->file("world.ipc")));
-  EXPECT_TRUE(std::filesystem::exists(run->file("vision.log")));
-  EXPECT_TRUE(RunDirectory::make("blocks", "here"));
+  EXPECT_EQ(RunDirectory::make("blocks", "here").error().symbol, "already-running");
 }
 
 }  // namespace

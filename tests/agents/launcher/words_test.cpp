@@ -63,6 +63,73 @@ TEST(Words, AnUnknownOptionIsNamedWithTheNearest) {
   EXPECT_TRUE(contains(said, "did you mean --seed?")) << said.text;
 }
 
+TEST(Words, AWrongCommandLineIsToldInOneLineWithTheNearestWord) {
+  const Said word = run("dmeo");
+  EXPECT_EQ(word.text, "pizarra: there is no word dmeo; did you mean demo?\n");
+  for (const char* words : {"", "demo one two", "demo --goal", "agent rob x", "--jsn", "demo --seeds 0 --random"}) {
+    const Said said = run(words);
+    EXPECT_EQ(said.status, 2) << words;
+    EXPECT_TRUE(said.text.starts_with("pizarra: ")) << said.text;
+    EXPECT_EQ(said.text.find('\n'), said.text.size() - 1) << said.text;
+  }
+}
+
+TEST(Words, TheCommandItselfNamesTheNearestWord) {
+  const Said said = run("--help >/dev/null; " + source_dir() + "/pizarra sceanrio");
+  EXPECT_EQ(said.status, 2);
+  EXPECT_TRUE(contains(said, "did you mean scenario?")) << said.text;
+}
+
+TEST(Words, WhatIsNoCellIsSaidToBeNone) {
+  const Said said = run("demo " + source_dir() + "/domains/blocks.scm");
+  EXPECT_EQ(said.status, 2);
+  EXPECT_TRUE(contains(said, "(cell ")) << said.text;
+  EXPECT_FALSE(contains(said, "story.scm")) << said.text;
+}
+
+TEST(Words, AFileThatCannotBeWrittenIsToldBeforeAnythingRuns) {
+  for (const char* words : {"--video /proc/film.avi", "--journal /proc/journal", "--png /proc/view.png"}) {
+    const Said said = run(std::string("demo ") + words);
+    EXPECT_EQ(said.status, 4) << words << said.text;
+    EXPECT_TRUE(said.text.starts_with("pizarra: cannot write /proc/")) << said.text;
+    EXPECT_EQ(said.text.find('\n'), said.text.size() - 1) << said.text;
+  }
+}
+
+TEST(Words, TheWorldListensOnThisMachineAlone) {
+  const Said said = run("world " + source_dir() + "/examples/01-blocks/cell.scm --listen tcp://127.0.0.1:7999");
+  EXPECT_EQ(said.status, 2);
+  EXPECT_TRUE(contains(said, "ipc://")) << said.text;
+}
+
+TEST(Words, AFormThatCannotBeReadIsShownAsItWasTyped) {
+  const Said said = run("ask '(on ?x ?y'");
+  EXPECT_EQ(said.status, 2);
+  EXPECT_TRUE(contains(said, "input:1:1\n  (on ?x ?y\n  ^\n")) << said.text;
+}
+
+TEST(Words, AFailureIsJsonForPrograms) {
+  const Said unread = run("ask --json '(on ?x ?y'");
+  EXPECT_EQ(unread.status, 2);
+  EXPECT_TRUE(unread.text.starts_with("{\"error\":{\"symbol\":\"unclosed-list\",")) << unread.text;
+  const Said nobody = run("why --json --cell no-such-cell");
+  EXPECT_EQ(nobody.status, 4);
+  EXPECT_EQ(nobody.text,
+            "{\"error\":{\"symbol\":\"nothing-runs\",\"sentence\":\"no cell named no-such-cell runs here\",\"subject\":"
+            "null}}\n");
+}
+
+TEST(Words, ARefusalSaysEachFactOnce) {
+  const Said said = run("demo --png '' --goal '(on circle triangle) (on triangle circle)'");
+  EXPECT_TRUE(contains(said, "can never hold together from here")) << said.text;
+  EXPECT_FALSE(contains(said, "from here:")) << said.text;
+}
+
+TEST(Words, OneThingIsCountedAsOne) {
+  const Said said = run("check " + source_dir() + "/examples/01-blocks/cell.scm");
+  EXPECT_TRUE(contains(said, "4 cubes, 1 host;")) << said.text;
+}
+
 TEST(Words, AnOptionThatWouldHaveNoEffectIsRefusedAndNothingRuns) {
   const std::string places = source_dir() + "/examples/02-numbered-places/cell.scm";
   for (const std::string& words :

@@ -13,6 +13,7 @@ namespace {
 
 class Repl : public testing::Test {
  protected:
+  explicit Repl(Style style = Style::text) : style_(style) {}
   void SetUp() override {
     presence = executor.spawn(start());
     executor.run_for(1s);
@@ -34,6 +35,7 @@ class Repl : public testing::Test {
     return outcome;
   }
 
+  Style style_;
   VirtualExecutor executor;
   MemoryBoard board{executor};
   std::unique_ptr<Board> view = board.view("user");
@@ -41,7 +43,7 @@ class Repl : public testing::Test {
   Service service{context, contract_from_text("(contract user)").value()};
   std::string shown;
   Interpreter interpreter{context, service, [this](const std::string& line) { shown += line + '\n'; },
-                          Interpreter::Patience::ended};
+                          Interpreter::Patience::ended, style_};
   Job presence;
 };
 
@@ -85,6 +87,65 @@ TEST_F(Repl, SaysWhatIsWrongWithAPlace) {
   EXPECT_EQ(type("42"), Evaluation::malformed);
   EXPECT_EQ(type("(ask)"), Evaluation::malformed);
   EXPECT_EQ(type("(unwatch all)"), Evaluation::malformed);
+}
+
+TEST_F(Repl, ARelationIsNamedByItsBeginning) {
+  board.declare("test", {relation_from_datum(read_one("(relation on-table ((upper symbol)))").value()).value()})
+      .value();
+  EXPECT_EQ(type("(ask (on-t ?x))"), Evaluation::failed);
+  EXPECT_EQ(shown, "no relation is called on-t; did you mean on-table?\n");
+}
+
+TEST_F(Repl, AGoalIsRefusedWhileObjectsAreBeingTaught) {
+  const Datum person = read_one("(relation person ((state symbol) (detail string)) (key))").value();
+  board.declare("test", {relation_from_datum(person).value()}).value();
+  type("(tell (agent coordinator coordinator \"here\")) (tell (agent person person \"here\"))");
+  EXPECT_EQ(type("(goal (on circle triangle))"), Evaluation::refused);
+  EXPECT_NE(shown.find("still being taught"), std::string::npos) << shown;
+  type("(tell (person teaching \"circle\"))");
+  EXPECT_EQ(type("(goal (on circle triangle))"), Evaluation::refused);
+}
+
+class JsonRepl : public Repl {
+ protected:
+  JsonRepl() : Repl(Style::json) {}
+};
+
+TEST_F(JsonRepl, TellsAsksAndRetractsInObjects) {
+  type("(ask (on ?x ?y))");
+  EXPECT_TRUE(shown.ends_with(",\"answers\":[]}\n")) << shown;
+  type("(tell (on circle triangle))");
+  EXPECT_TRUE(shown.starts_with("{\"revision\":")) << shown;
+  type("(ask (on ?x ?y))");
+  EXPECT_TRUE(
+      shown.ends_with("\"answers\":[{\"bindings\":{\"?x\":\"circle\",\"?y\":\"triangle\"},\"facts\":[\"(on "
+                      "circle triangle)\"]}]}\n"))
+      << shown;
+  type("(retract (on ? ?))");
+  EXPECT_TRUE(shown.starts_with("{\"retracted\":1,\"revision\":")) << shown;
+}
+
+TEST_F(JsonRepl, WatchesInObjectsALineAChange) {
+  type("(watch (on ?x ?y))");
+  executor.run_for(1s);
+  EXPECT_NE(shown.find("{\"watch\":1}\n"), std::string::npos) << shown;
+  EXPECT_NE(shown.find("\"resynchronised\":true,\"removed\":[],\"added\":[]}\n"), std::string::npos) << shown;
+  type("(tell (on circle triangle))");
+  executor.run_for(1s);
+  EXPECT_NE(shown.find("\"resynchronised\":false,\"removed\":[],\"added\":[{\"bindings\":{\"?x\":\"circle\""),
+            std::string::npos)
+      << shown;
+}
+
+TEST_F(JsonRepl, FailuresAreObjectsWithTheSameOutcome) {
+  EXPECT_EQ(type("(tell (onn circle triangle))"), Evaluation::failed);
+  EXPECT_EQ(shown,
+            "{\"error\":{\"symbol\":\"undeclared-relation\",\"sentence\":\"no relation is called onn; did you mean "
+            "on?\",\"subject\":\"onn\"}}\n");
+  EXPECT_EQ(type("(ask (on ?x"), Evaluation::malformed);
+  EXPECT_TRUE(shown.starts_with("{\"error\":{\"symbol\":\"unclosed-list\"")) << shown;
+  EXPECT_EQ(type("(goal (on circle triangle))"), Evaluation::failed);
+  EXPECT_TRUE(shown.starts_with("{\"error\":{\"symbol\":\"absent\"")) << shown;
 }
 
 TEST_F(Repl, ACommandNeedsNoParenthesesOfItsOwn) {

@@ -1,0 +1,48 @@
+#include "agents/repl/json_answers.hpp"
+
+#include <fmt/format.h>
+
+#include "lisp/json.hpp"
+#include "lisp/writer.hpp"
+
+namespace pizarra {
+
+namespace {
+
+template <class Items, class Write>
+std::string joined(const Items& items, Write write_item) {
+  std::string out;
+  for (const auto& item : items) out += (out.empty() ? "" : ",") + write_item(item);
+  return out;
+}
+
+}  // namespace
+
+std::string json_failure(const Failure& failure) {
+  const std::string place =
+      failure.place.empty() ? std::string() : fmt::format(",\"place\":{}", json_string(failure.place));
+  const std::string subject = failure.subject == Datum() ? "null" : json_string(write(failure.subject));
+  return fmt::format("{{\"symbol\":{},\"sentence\":{},\"subject\":{}{}}}", json_string(failure.symbol),
+                     json_string(failure.sentence), subject, place);
+}
+
+std::string json_error(const Failure& failure) { return fmt::format("{{\"error\":{}}}", json_failure(failure)); }
+
+std::string json_answer(const Answer& answer) {
+  const std::string bindings = joined(answer.bindings.all(), [](const auto& binding) {
+    return fmt::format("{}:{}", json_string(binding.first), json_string(write(binding.second)));
+  });
+  const std::string facts = joined(answer.facts, [](const Fact& fact) { return json_string(write(fact.datum)); });
+  return fmt::format("{{\"bindings\":{{{}}},\"facts\":[{}]}}", bindings, facts);
+}
+
+std::string json_answers(std::span<const Answer> answers) { return fmt::format("[{}]", joined(answers, json_answer)); }
+
+std::string json_values(std::span<const Datum> values) {
+  const auto text = [](const Datum& value) {
+    return json_string(value.is_string() ? std::string(value.text()) : write(value));
+  };
+  return fmt::format("[{}]", joined(values, text));
+}
+
+}  // namespace pizarra
