@@ -46,13 +46,6 @@ Domain from_form(const Datum& form, Source source) {
   return out;
 }
 
-Result<Domain> from_source(Result<Source> source) {
-  if (!source) return fail(source);
-  const Result<Datum> form = interpret(*source, "strips");
-  if (!form) return fail(form);
-  return from_form(*form, std::move(*source));
-}
-
 // ?ob1 to <ob1>, anywhere in it.
 Datum with_thesis_variables(const Datum& datum) {
   if (datum.is_list()) {
@@ -76,11 +69,23 @@ const Operator* Domain::find_operator(std::string_view operator_name) const {
   return found == operators.end() ? nullptr : &*found;
 }
 
-Result<Domain> read_domain(std::string_view text, std::string file) {
-  return from_source(read_source(text, std::move(file)));
+Result<Domain> domain_from_source(Source source) {
+  const Result<Datum> form = interpret(source, "strips");
+  if (!form) return fail(form);
+  return from_form(*form, std::move(source));
 }
 
-Result<Domain> read_domain_file(const std::string& path) { return from_source(read_source_file(path)); }
+Result<Domain> read_domain(std::string_view text, std::string file) {
+  Result<Source> source = read_source(text, std::move(file));
+  if (!source) return fail(source);
+  return domain_from_source(std::move(*source));
+}
+
+Result<Domain> read_domain_file(const std::string& path) {
+  Result<Source> source = read_source_file(path);
+  if (!source) return fail(source);
+  return domain_from_source(std::move(*source));
+}
 
 Datum operator_form(const Operator& from) {
   std::vector<Datum> params{"params"_sym};

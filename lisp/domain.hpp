@@ -73,6 +73,7 @@ struct Domain {
 // of an operator).
 Result<Domain> read_domain(std::string_view text, std::string file);
 Result<Domain> read_domain_file(const std::string& path);
+Result<Domain> domain_from_source(Source source);
 
 // An operator in the thesis' syntax again: (operator NAME (params (<ob1> OBJECT)) (preconds ...) (effects ... (del
 // ...))).

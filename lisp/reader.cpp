@@ -132,7 +132,13 @@ class Reader {
     const std::string_view token = text_.substr(start, at_ - start);
     if (begins_like_number(token)) return read_number(token, start);
     if (token == ".") return refuse(start, "bad-character", "a dot has no meaning here");
-    return add(Datum::symbol(token), start);
+    return add(limits_.lower_case ? Datum::symbol(lower_case(token)) : Datum::symbol(token), start);
+  }
+
+  static std::string lower_case(std::string_view token) {
+    std::string lower(token);
+    for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return lower;
   }
 
   bool read_number(std::string_view token, std::size_t start) {

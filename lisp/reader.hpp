@@ -25,6 +25,8 @@ struct ReadLimits {
   // Reads a comma as a datum of its own, the symbol `,`, so that `(1, 2)`, `(1 ,2)` and `(1,2)` are one text: for the
   // vision replies, which write pairs with commas. Refused otherwise.
   bool commas = false;
+  // Reads symbols in lower case: for PDDL, in which case does not count.
+  bool lower_case = false;
 };
 
 // Failure symbols: too-long, too-deep, too-many, bad-character, bad-number, bad-escape, bad-text, unclosed-list,
@@ -44,6 +46,7 @@ class Source {
  public:
   const std::vector<Datum>& data() const { return data_; }
   const std::string& file() const { return file_; }
+  const std::string& text() const { return text_; }
   // A failure about the element that `path` leads to: {2, 0} is the first element of the third datum. The place gets
   // file:line:column, the line, a caret, and `context` (outermost first). A path that leads nowhere means its longest
   // existing part.

@@ -1,3 +1,4 @@
+#include <array>
 #include <fmt/format.h>
 #include <fstream>
 #include <utility>
@@ -29,11 +30,13 @@ Failure Source::failure_at(const std::vector<std::size_t>& path, std::string sym
 Result<Source> read_source_file(const std::string& path, const ReadLimits& limits) {
   std::ifstream in(path, std::ios::binary);
   if (!in) return fail("unreadable-file", fmt::format("the file {} cannot be opened", path));
-  std::string text(limits.bytes + 1, '\0');
-  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  std::string text;
+  std::array<char, 65536> part;
+  while (text.size() <= limits.bytes && in.read(part.data(), part.size()).gcount() > 0) {
+    text.append(part.data(), static_cast<std::size_t>(in.gcount()));
+  }
   if (in.bad() || (in.fail() && !in.eof()))
     return fail("unreadable-file", fmt::format("the file {} cannot be read", path));
-  text.resize(static_cast<std::size_t>(in.gcount()));
   if (text.size() > limits.bytes) {
     return fail("too-long", fmt::format("the file {} has more than {} bytes", path, limits.bytes));
   }

@@ -1,8 +1,9 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <limits>
-#include <set>
+#include <optional>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 #include "agents/planner/numbered_task.hpp"
@@ -12,7 +13,7 @@ namespace pizarra {
 namespace {
 
 constexpr std::size_t max_bindings = 4'000'000;
-constexpr std::size_t max_actions = 50'000;
+constexpr std::size_t max_actions = 600'000;
 
 // Numbers a fact without building its Datum: mixed radix over objects, behind the predicate.
 using FactKey = std::uint64_t;
@@ -26,23 +27,30 @@ class Grounder {
   Result<void> check_keys() const;
   Result<void> bind(const OperatorTemplate& schema, std::size_t parameter);
   void add_action(const OperatorTemplate& schema);
-  bool changes(const AtomTemplate& atom) const { return numbered_.predicates[atom.predicate].changes; }
+  bool changes(const AtomTemplate& atom) const;
+  bool possible(const OperatorTemplate& schema, std::size_t parameter) const;
+  std::optional<std::int64_t> cost_of(const OperatorTemplate& schema) const;
+  void add_complements(GroundAction& action);
+  bool holds_initially(const AtomTemplate& ground) const;
   FactKey key_of(const AtomTemplate& atom, std::size_t parameter_count) const;
   std::size_t fact_of(const AtomTemplate& atom, std::size_t parameter_count);
   std::vector<std::size_t> facts_of(const std::vector<AtomTemplate>& atoms, std::size_t parameter_count);
   void prune_unreachable();
   Datum fact_name(const AtomTemplate& fact) const;
+  std::vector<char> asked_for() const;
   Problem finish();
 
   const PlanningTask& task_;
   NumberedTask numbered_;
-  std::set<FactKey> initial_keys_;
+  std::unordered_set<FactKey> initial_keys_;  // looked up only, as the next two
+  std::unordered_map<FactKey, std::int64_t> values_;
   std::vector<std::size_t> binding_;
   std::size_t bindings_tried_ = 0;
-  std::unordered_map<FactKey, std::size_t> fact_index_;  // looked up only, never walked through
-  std::vector<AtomTemplate> facts_;                      // ground
+  std::unordered_map<FactKey, std::size_t> fact_index_;
+  std::vector<AtomTemplate> facts_;  // ground
   std::vector<GroundAction> actions_;
   std::vector<char> reachable_;
+  bool has_complements_ = false;
 };
 
 // Every fact must have a key of its own.
@@ -88,28 +96,91 @@ std::vector<std::size_t> Grounder::facts_of(const std::vector<AtomTemplate>& ato
   return facts;
 }
 
+bool Grounder::changes(const AtomTemplate& atom) const {
+  const NumberedPredicate& predicate = numbered_.predicates[atom.predicate];
+  return predicate.is_complement ? numbered_.predicates[predicate.complement].changes : predicate.changes;
+}
+
+// Of the initial facts and their complements; the atom may have the bound parameters.
+bool Grounder::holds_initially(const AtomTemplate& atom) const {
+  const NumberedPredicate& predicate = numbered_.predicates[atom.predicate];
+  if (!predicate.is_complement) return initial_keys_.contains(key_of(atom, binding_.size()));
+  AtomTemplate opposite = atom;
+  opposite.predicate = predicate.complement;
+  return !initial_keys_.contains(key_of(opposite, binding_.size()));
+}
+
+// Whether nothing that is decided by the parameters up to this one rules the operator out for ever.
+bool Grounder::possible(const OperatorTemplate& schema, std::size_t parameter) const {
+  for (const auto* atoms : {&schema.preconditions, &schema.absents}) {
+    for (const AtomTemplate& atom : *atoms) {
+      const bool decided = atom.last_parameter == parameter;
+      if (decided && !changes(atom) && !holds_initially(atom)) return false;
+    }
+  }
+  const auto object = [&](std::size_t term) {
+    return term < binding_.size() ? binding_[term] : term - binding_.size();
+  };
+  return std::ranges::all_of(schema.equalities, [&](const EqualityTemplate& equality) {
+    const bool decided = equality.last_parameter == parameter;
+    return !decided || (object(equality.left) == object(equality.right)) == equality.equal;
+  });
+}
+
+// None where a function of it has no value.
+std::optional<std::int64_t> Grounder::cost_of(const OperatorTemplate& schema) const {
+  if (!task_.counts_cost) return 1;
+  std::int64_t cost = schema.fixed_cost;
+  for (const AtomTemplate& function : schema.costs) {
+    const auto found = values_.find(key_of(function, binding_.size()));
+    if (found == values_.end()) return std::nullopt;
+    cost += found->second;
+  }
+  return cost;
+}
+
+// What makes a fact false makes its complement true, and the other way round.
+void Grounder::add_complements(GroundAction& action) {
+  const auto complements = [&](const std::vector<std::size_t>& facts) {
+    std::vector<std::size_t> opposites;
+    for (const std::size_t fact : facts) {
+      AtomTemplate atom = facts_[fact];
+      atom.predicate = numbered_.predicates[atom.predicate].complement;
+      if (atom.predicate != no_predicate) opposites.push_back(fact_of(atom, 0));
+    }
+    return opposites;
+  };
+  const std::vector<std::size_t> added = complements(action.deletes);
+  const std::vector<std::size_t> deleted = complements(action.adds);
+  action.adds.insert(action.adds.end(), added.begin(), added.end());
+  action.deletes.insert(action.deletes.end(), deleted.begin(), deleted.end());
+  std::ranges::sort(action.adds);
+  std::ranges::sort(action.deletes);
+}
+
 void Grounder::add_action(const OperatorTemplate& schema) {
+  const std::optional<std::int64_t> cost = cost_of(schema);
+  if (!cost) return;
   std::vector<AtomTemplate> changing;
-  for (const AtomTemplate& atom : schema.preconditions) {
-    if (changes(atom)) changing.push_back(atom);
+  for (const auto* atoms : {&schema.preconditions, &schema.absents}) {
+    std::ranges::copy_if(*atoms, std::back_inserter(changing), [&](const AtomTemplate& atom) { return changes(atom); });
   }
   GroundAction action;
   std::vector<Datum> name{Datum::symbol(schema.source->name)};
   for (const std::size_t object : binding_) name.push_back(task_.objects[object].name);
   action.name = Datum::list(std::move(name));
+  action.cost = *cost;
   action.preconditions = facts_of(changing, binding_.size());
   action.adds = facts_of(schema.adds, binding_.size());
   std::ranges::set_difference(facts_of(schema.deletes, binding_.size()), action.adds,
                               std::back_inserter(action.deletes));
+  if (has_complements_) add_complements(action);
   actions_.push_back(std::move(action));
 }
 
 // Binds the parameters one after another; what never changes is checked as soon as it can be.
 Result<void> Grounder::bind(const OperatorTemplate& schema, std::size_t parameter) {
-  for (const AtomTemplate& atom : schema.preconditions) {
-    const bool decided = atom.last_parameter == parameter;
-    if (decided && !changes(atom) && !initial_keys_.contains(key_of(atom, binding_.size()))) return {};
-  }
+  if (!possible(schema, parameter)) return {};
   if (parameter == schema.candidates.size()) {
     if (actions_.size() >= max_actions) return fail("too-large", fmt::format("more than {} actions", max_actions));
     add_action(schema);
@@ -141,9 +212,8 @@ void Grounder::prune_unreachable() {
     for (const std::size_t fact : actions_[i].preconditions) needed_by[fact].push_back(i);
     if (missing.back() == 0) std::ranges::for_each(actions_[i].adds, reach);
   }
-  for (const AtomTemplate& atom : numbered_.initials) {
-    const auto found = fact_index_.find(key_of(atom, 0));
-    if (found != fact_index_.end()) reach(found->second);
+  for (std::size_t fact = 0; fact < facts_.size(); ++fact) {
+    if (holds_initially(facts_[fact])) reach(fact);
   }
   while (!open.empty()) {
     const std::size_t fact = open.back();
@@ -162,9 +232,23 @@ void Grounder::prune_unreachable() {
 }
 
 Datum Grounder::fact_name(const AtomTemplate& fact) const {
-  std::vector<Datum> items{Datum::symbol(numbered_.predicates[fact.predicate].name)};
+  const NumberedPredicate& predicate = numbered_.predicates[fact.predicate];
+  std::vector<Datum> items{Datum::symbol(predicate.name)};
   for (const std::size_t object : fact.terms) items.push_back(task_.objects[object].name);
-  return Datum::list(std::move(items));
+  const Datum name = Datum::list(std::move(items));
+  return predicate.is_complement ? list("not"_sym, name) : name;
+}
+
+// A complement is kept only where something asks for it.
+std::vector<char> Grounder::asked_for() const {
+  std::vector<char> asked(facts_.size(), 0);
+  for (std::size_t fact = 0; fact < facts_.size(); ++fact) {
+    asked[fact] = numbered_.predicates[facts_[fact].predicate].is_complement ? 0 : 1;
+  }
+  for (const GroundAction& action : actions_) {
+    for (const std::size_t fact : action.preconditions) asked[fact] = 1;
+  }
+  return asked;
 }
 
 Problem Grounder::finish() {
@@ -174,27 +258,26 @@ Problem Grounder::finish() {
   for (const AtomTemplate& goal : numbered_.goals) goal_facts.push_back(fact_index_.find(key_of(goal, 0))->second);
   for (const std::size_t fact : goal_facts) wanted[fact] = 1;
 
-  std::vector<std::size_t> renumbered(facts_.size(), facts_.size());
+  const std::vector<char> asked = asked_for();
+  const std::size_t gone = facts_.size();
+  std::vector<std::size_t> renumbered(facts_.size(), gone);
   for (std::size_t fact = 0; fact < facts_.size(); ++fact) {
-    if (reachable_[fact] == 0 && wanted[fact] == 0) continue;
+    if ((reachable_[fact] == 0 || asked[fact] == 0) && wanted[fact] == 0) continue;
     renumbered[fact] = problem.facts.size();
     problem.facts.push_back(fact_name(facts_[fact]));
   }
   for (GroundAction& action : actions_) {
     // Deleting what can never hold changes nothing.
-    std::erase_if(action.deletes, [&](std::size_t fact) { return renumbered[fact] == facts_.size(); });
     for (auto* part : {&action.preconditions, &action.adds, &action.deletes}) {
+      std::erase_if(*part, [&](std::size_t fact) { return renumbered[fact] == gone; });
       for (std::size_t& fact : *part) fact = renumbered[fact];
     }
   }
   problem.actions = std::move(actions_);
   problem.initials = Bits(problem.facts.size());
   problem.goals = Bits(problem.facts.size());
-  for (const AtomTemplate& atom : numbered_.initials) {
-    const auto found = fact_index_.find(key_of(atom, 0));
-    if (found != fact_index_.end() && renumbered[found->second] < facts_.size()) {
-      problem.initials.set(renumbered[found->second]);
-    }
+  for (std::size_t fact = 0; fact < facts_.size(); ++fact) {
+    if (renumbered[fact] != gone && holds_initially(facts_[fact])) problem.initials.set(renumbered[fact]);
   }
   for (const std::size_t fact : goal_facts) problem.goals.set(renumbered[fact]);
   return problem;
@@ -203,7 +286,9 @@ Problem Grounder::finish() {
 Result<Problem> Grounder::run() {
   const Result<void> keys = check_keys();
   if (!keys) return fail(keys);
+  has_complements_ = std::ranges::any_of(numbered_.predicates, &NumberedPredicate::is_complement);
   for (const AtomTemplate& atom : numbered_.initials) initial_keys_.insert(key_of(atom, 0));
+  for (const auto& [function, value] : numbered_.values) values_.emplace(key_of(function, 0), value);
   for (const AtomTemplate& goal : numbered_.goals) fact_of(goal, 0);
   for (const OperatorTemplate& schema : numbered_.operators) {
     binding_.assign(schema.candidates.size(), 0);

@@ -12,6 +12,8 @@ namespace pizarra {
 
 namespace {
 
+enum class Kind : std::uint8_t { fact, function };
+
 class Numberer {
  public:
   explicit Numberer(const PlanningTask& task) : task_(task) {}
@@ -30,13 +32,19 @@ class Numberer {
   Result<void> read_objects();
   Result<void> read_operators();
   Result<void> read_facts();
-  Result<AtomTemplate> read_atom(const Datum& atom, const std::vector<std::string>& parameters);
+  Result<void> read_operator(const PlanningOperator& source);
+  Result<void> read_conditions(OperatorTemplate& schema, const std::vector<std::string>& parameters);
+  Result<void> read_effects(OperatorTemplate& schema, const std::vector<std::string>& parameters);
+  Result<void> read_goal(const Datum& goal, bool absent);
+  Result<AtomTemplate> read_atom(const Datum& atom, const std::vector<std::string>& parameters, Kind kind = Kind::fact);
+  Result<std::size_t> read_term(const Datum& term, const Datum& atom, const std::vector<std::string>& parameters) const;
+  std::size_t complement_of(std::size_t predicate);
   Result<void> check_predicate(const Datum& goal) const;
   Result<std::size_t> object_index(const Datum& name, const Datum& atom) const;
 
   const PlanningTask& task_;
   NumberedTask out_;
-  std::map<std::string, std::size_t> predicate_index_;
+  std::map<std::string, std::size_t> predicate_index_, function_index_;
 };
 
 Result<void> Numberer::read_objects() {
@@ -67,7 +75,7 @@ Result<std::size_t> Numberer::object_index(const Datum& name, const Datum& atom)
 Result<void> Numberer::check_predicate(const Datum& goal) const {
   if (goal.head().empty() || predicate_index_.contains(std::string(goal.head()))) return {};
   std::vector<std::string> names;
-  for (const NumberedPredicate& predicate : out_.predicates) names.push_back(predicate.name);
+  for (const auto& [name, index] : predicate_index_) names.push_back(name);
   const std::string nearest = nearest_name(goal.head(), names);
   return fail("unknown-predicate",
               fmt::format("nothing is said about `{}` by any operator or initial fact{}", goal.head(),
@@ -75,14 +83,29 @@ Result<void> Numberer::check_predicate(const Datum& goal) const {
               goal);
 }
 
-Result<AtomTemplate> Numberer::read_atom(const Datum& atom, const std::vector<std::string>& parameters) {
+// An argument: a parameter's index, or an object's behind the parameters.
+Result<std::size_t> Numberer::read_term(const Datum& term, const Datum& atom,
+                                        const std::vector<std::string>& parameters) const {
+  const auto parameter = std::ranges::find(parameters, term.text());
+  if (term.is_symbol() && parameter != parameters.end()) {
+    return static_cast<std::size_t>(parameter - parameters.begin());
+  }
+  if (is_variable(term))
+    return fail("bad-task", fmt::format("{} in {} is no parameter", write(term), write(atom)), atom);
+  const Result<std::size_t> object = object_index(term, atom);
+  if (!object) return fail(object);
+  return parameters.size() + *object;
+}
+
+Result<AtomTemplate> Numberer::read_atom(const Datum& atom, const std::vector<std::string>& parameters, Kind kind) {
   if (atom.head().empty()) return fail("bad-task", "a fact is (PREDICATE OBJECT ...), not " + write(atom), atom);
   const std::string name(atom.head());
   if (name == "not" || name == "and" || name == "or") {
     return fail("bad-task", fmt::format("`{}` cannot stand where a fact is expected: {}", name, write(atom)), atom);
   }
-  const auto [known, is_new] = predicate_index_.emplace(name, out_.predicates.size());
-  if (is_new) out_.predicates.push_back({name, atom.size() - 1, false});
+  auto& index = kind == Kind::fact ? predicate_index_ : function_index_;
+  const auto [known, is_new] = index.emplace(name, out_.predicates.size());
+  if (is_new) out_.predicates.push_back({.name = name, .arity = atom.size() - 1});
   const std::size_t arity = out_.predicates[known->second].arity;
   if (arity != atom.size() - 1) {
     return fail("bad-task",
@@ -90,51 +113,114 @@ Result<AtomTemplate> Numberer::read_atom(const Datum& atom, const std::vector<st
                 atom);
   }
   AtomTemplate read{.predicate = known->second, .terms = {}, .last_parameter = 0};
-  for (const Datum& term : atom.items().subspan(1)) {
-    const auto parameter = std::ranges::find(parameters, std::string(term.text()));
-    if (term.is_symbol() && parameter != parameters.end()) {
-      read.terms.push_back(static_cast<std::size_t>(parameter - parameters.begin()));
-      read.last_parameter = std::max(read.last_parameter, read.terms.back() + 1);
-    } else if (is_variable(term)) {
-      return fail("bad-task", fmt::format("{} in {} is no parameter", write(term), write(atom)), atom);
-    } else {
-      const Result<std::size_t> object = object_index(term, atom);
-      if (!object) return fail(object);
-      read.terms.push_back(parameters.size() + *object);
-    }
+  for (const Datum& argument : atom.items().subspan(1)) {
+    const Result<std::size_t> term = read_term(argument, atom, parameters);
+    if (!term) return fail(term);
+    read.terms.push_back(*term);
+    if (*term < parameters.size()) read.last_parameter = std::max(read.last_parameter, *term + 1);
   }
   return read;
 }
 
+std::size_t Numberer::complement_of(std::size_t predicate) {
+  if (out_.predicates[predicate].complement == no_predicate) {
+    out_.predicates[predicate].complement = out_.predicates.size();
+    NumberedPredicate opposite = out_.predicates[predicate];
+    opposite.complement = predicate;
+    opposite.is_complement = true;
+    out_.predicates.push_back(std::move(opposite));
+  }
+  return out_.predicates[predicate].complement;
+}
+
+Result<void> Numberer::read_conditions(OperatorTemplate& schema, const std::vector<std::string>& parameters) {
+  for (const Datum& atom : schema.source->preconditions) {
+    Result<AtomTemplate> read = read_atom(atom, parameters);
+    if (!read) return fail(read);
+    schema.preconditions.push_back(std::move(*read));
+  }
+  for (const Datum& atom : schema.source->absents) {
+    Result<AtomTemplate> read = read_atom(atom, parameters);
+    if (!read) return fail(read);
+    read->predicate = complement_of(read->predicate);
+    schema.absents.push_back(std::move(*read));
+  }
+  for (const PlanningEquality& equality : schema.source->equalities) {
+    const Datum shown = list("="_sym, equality.left, equality.right);
+    const Result<std::size_t> left = read_term(equality.left, shown, parameters);
+    if (!left) return fail(left);
+    const Result<std::size_t> right = read_term(equality.right, shown, parameters);
+    if (!right) return fail(right);
+    std::size_t last_parameter = 0;
+    for (const std::size_t term : {*left, *right}) {
+      if (term < parameters.size()) last_parameter = std::max(last_parameter, term + 1);
+    }
+    schema.equalities.push_back({*left, *right, last_parameter, equality.equal});
+  }
+  return {};
+}
+
+Result<void> Numberer::read_effects(OperatorTemplate& schema, const std::vector<std::string>& parameters) {
+  const std::pair<const std::vector<Datum>&, std::vector<AtomTemplate>&> parts[] = {
+      {schema.source->adds, schema.adds}, {schema.source->deletes, schema.deletes}};
+  for (const auto& [atoms, templates] : parts) {
+    for (const Datum& atom : atoms) {
+      Result<AtomTemplate> read = read_atom(atom, parameters);
+      if (!read) return fail(read);
+      out_.predicates[read->predicate].changes = true;
+      templates.push_back(std::move(*read));
+    }
+  }
+  for (const Datum& cost : schema.source->costs) {
+    if (cost.is_integer()) {
+      schema.fixed_cost += cost.integer();
+      continue;
+    }
+    Result<AtomTemplate> function = read_atom(cost, parameters, Kind::function);
+    if (!function) return fail(function);
+    schema.costs.push_back(std::move(*function));
+  }
+  return {};
+}
+
+Result<void> Numberer::read_operator(const PlanningOperator& source) {
+  OperatorTemplate schema;
+  schema.source = &source;
+  std::vector<std::string> parameters;
+  for (const PlanningParameter& parameter : source.parameters) {
+    if (std::ranges::find(parameters, parameter.variable) != parameters.end()) {
+      return fail("bad-task", fmt::format("{} has {} twice among its parameters", source.name, parameter.variable),
+                  Datum::symbol(source.name));
+    }
+    parameters.push_back(parameter.variable);
+    schema.candidates.emplace_back();
+    for (std::size_t i = 0; i < task_.objects.size(); ++i) {
+      if (is_subtype(task_.types, task_.objects[i].type, parameter.type)) schema.candidates.back().push_back(i);
+    }
+  }
+  const Result<void> conditions = read_conditions(schema, parameters);
+  if (!conditions) return conditions;
+  const Result<void> effects = read_effects(schema, parameters);
+  if (!effects) return effects;
+  out_.operators.push_back(std::move(schema));
+  return {};
+}
+
 Result<void> Numberer::read_operators() {
   for (const PlanningOperator& source : task_.operators) {
-    OperatorTemplate schema{.source = &source, .candidates = {}, .preconditions = {}, .adds = {}, .deletes = {}};
-    std::vector<std::string> parameters;
-    for (const PlanningParameter& parameter : source.parameters) {
-      if (std::ranges::find(parameters, parameter.variable) != parameters.end()) {
-        return fail("bad-task", fmt::format("{} has {} twice among its parameters", source.name, parameter.variable),
-                    Datum::symbol(source.name));
-      }
-      parameters.push_back(parameter.variable);
-      schema.candidates.emplace_back();
-      for (std::size_t i = 0; i < task_.objects.size(); ++i) {
-        if (task_.objects[i].type == parameter.type) schema.candidates.back().push_back(i);
-      }
-    }
-    const std::tuple<const std::vector<Datum>&, std::vector<AtomTemplate>&, bool> parts[] = {
-        {source.preconditions, schema.preconditions, false},
-        {source.adds, schema.adds, true},
-        {source.deletes, schema.deletes, true}};
-    for (const auto& [atoms, templates, changes] : parts) {
-      for (const Datum& atom : atoms) {
-        Result<AtomTemplate> read = read_atom(atom, parameters);
-        if (!read) return fail(read);
-        if (changes) out_.predicates[read->predicate].changes = true;
-        templates.push_back(std::move(*read));
-      }
-    }
-    out_.operators.push_back(std::move(schema));
+    const Result<void> read = read_operator(source);
+    if (!read) return read;
   }
+  return {};
+}
+
+Result<void> Numberer::read_goal(const Datum& goal, bool absent) {
+  const Result<void> spoken_of = check_predicate(goal);
+  if (!spoken_of) return spoken_of;
+  Result<AtomTemplate> read = read_atom(goal, {});
+  if (!read) return fail(read);
+  if (absent) read->predicate = complement_of(read->predicate);
+  out_.goals.push_back(std::move(*read));
   return {};
 }
 
@@ -145,11 +231,17 @@ Result<void> Numberer::read_facts() {
     out_.initials.push_back(std::move(*read));
   }
   for (const Datum& goal : task_.goals) {
-    const Result<void> spoken_of = check_predicate(goal);
-    if (!spoken_of) return spoken_of;
-    Result<AtomTemplate> read = read_atom(goal, {});
+    const Result<void> read = read_goal(goal, false);
+    if (!read) return read;
+  }
+  for (const Datum& goal : task_.absent_goals) {
+    const Result<void> read = read_goal(goal, true);
+    if (!read) return read;
+  }
+  for (const auto& [function, value] : task_.values) {
+    Result<AtomTemplate> read = read_atom(function, {}, Kind::function);
     if (!read) return fail(read);
-    out_.goals.push_back(std::move(*read));
+    out_.values.emplace_back(std::move(*read), value);
   }
   return {};
 }

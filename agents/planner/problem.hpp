@@ -22,8 +22,11 @@ struct GroundAction {
   std::vector<std::size_t> preconditions;
   std::vector<std::size_t> adds;
   std::vector<std::size_t> deletes;
+  std::int64_t cost = 1;
 };
 
+// Where the task asks that a fact be absent, `(not FACT)` is a fact of the problem too: it holds when the other does
+// not.
 struct Problem {
   std::vector<Datum> facts;
   std::vector<GroundAction> actions;

@@ -1,14 +1,17 @@
 #pragma once
 
 // What is to be planned, as people and other agents say it: operators with ?variables, typed objects, the facts that
-// hold and the facts that are wanted. STRIPS: no negative preconditions; what an action both deletes and adds, holds
-// afterwards; two parameters may stand for the same object unless the preconditions prevent it.
+// hold and the facts that are wanted. STRIPS with absent facts, equalities and costs: what an action both deletes and
+// adds, holds afterwards; two parameters may stand for the same object unless the preconditions prevent it.
 //
 //   PlanningTask task;
 //   task.operators.push_back({"PICK-UP", {{"?x", "OBJECT"}}, {(clear ?x) ...}, {(holding ?x)}, {(clear ?x) ...}});
 //   task.objects = {{"circle"_sym, "OBJECT"}};
-//   Result<Problem> problem = ground(task);           // grounding.hpp
+//   Result<Problem> problem = ground(task);           // problem.hpp
+//
+// From files: agents/planner/task_files.hpp.
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -22,12 +25,21 @@ struct PlanningParameter {
   std::string type;
 };
 
+// `(= a b)` or not, between parameters and objects.
+struct PlanningEquality {
+  Datum left, right;
+  bool equal = true;
+};
+
 struct PlanningOperator {
   std::string name;
   std::vector<PlanningParameter> parameters;
   std::vector<Datum> preconditions;
   std::vector<Datum> adds;
   std::vector<Datum> deletes;
+  std::vector<Datum> absents = {};  // facts that must not hold
+  std::vector<PlanningEquality> equalities = {};
+  std::vector<Datum> costs = {};  // summed up: whole numbers, and functions like (distance ?from ?to)
 };
 
 struct PlanningObject {
@@ -35,12 +47,26 @@ struct PlanningObject {
   std::string type;
 };
 
+// An object of a type is one of its parents too; a type may have several. Types without parents need no mention.
+struct PlanningType {
+  std::string name;
+  std::string parent;
+};
+
 struct PlanningTask {
   std::vector<PlanningOperator> operators;
   std::vector<PlanningObject> objects;
   std::vector<Datum> initials;
   std::vector<Datum> goals;
+  std::vector<Datum> absent_goals = {};  // facts that must not hold in the end
+  std::vector<PlanningType> types = {};
+  std::map<Datum, std::int64_t> values =
+      {};                    // (distance paris lyon) to 470; an action whose cost has none is impossible
+  bool counts_cost = false;  // whether a plan is the better the less it costs, else the shorter
 };
+
+// Whether every object of `type` is one of `wanted`.
+bool is_subtype(const std::vector<PlanningType>& types, const std::string& type, const std::string& wanted);
 
 // The steps of a plan in the people's terms: every step is a set of operations `(STACK circle triangle)` that do not
 // interfere with each other, in a fixed order.

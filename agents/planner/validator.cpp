@@ -13,6 +13,7 @@ namespace {
 // One operation of a plan with its variables replaced. What it adds is not among what it deletes.
 struct Effects {
   std::vector<Datum> preconditions;
+  std::vector<Datum> absents;
   std::vector<Datum> adds;
   std::vector<Datum> deletes;
 };
@@ -35,7 +36,7 @@ Result<Effects> effects_of(const PlanningTask& task, const Datum& operation) {
   Bindings bindings;
   for (std::size_t i = 0; i < found->parameters.size(); ++i) {
     const auto object = std::ranges::find(task.objects, operation[i + 1], &PlanningObject::name);
-    if (object == task.objects.end() || object->type != found->parameters[i].type) {
+    if (object == task.objects.end() || !is_subtype(task.types, object->type, found->parameters[i].type)) {
       return fail(
           "bad-plan",
           fmt::format("{} in {} is no {}", write(operation[i + 1]), write(operation), found->parameters[i].type),
@@ -43,15 +44,29 @@ Result<Effects> effects_of(const PlanningTask& task, const Datum& operation) {
     }
     bindings.bind(found->parameters[i].variable, operation[i + 1]);
   }
-  Effects effects{substituted(found->preconditions, bindings), substituted(found->adds, bindings),
-                  substituted(found->deletes, bindings)};
+  for (const PlanningEquality& equality : found->equalities) {
+    if ((substitute(equality.left, bindings) == substitute(equality.right, bindings)) == equality.equal) continue;
+    return fail("bad-plan",
+                fmt::format("{} needs {} and {} to be {}", write(operation), write(equality.left),
+                            write(equality.right), equality.equal ? "the same" : "different"),
+                operation);
+  }
+  for (const Datum& cost : found->costs) {
+    if (!task.counts_cost || cost.is_integer() || task.values.contains(substitute(cost, bindings))) continue;
+    return fail("bad-plan", fmt::format("the cost of {} is not defined", write(operation)), operation);
+  }
+  Effects effects{substituted(found->preconditions, bindings), substituted(found->absents, bindings),
+                  substituted(found->adds, bindings), substituted(found->deletes, bindings)};
   std::erase_if(effects.deletes, [&](const Datum& fact) { return contains(effects.adds, fact); });
   return effects;
 }
 
 bool spoils(const Effects& by, const Effects& of) {
-  return std::ranges::any_of(
-      by.deletes, [&](const Datum& fact) { return contains(of.preconditions, fact) || contains(of.adds, fact); });
+  const auto needed_or_made = [&](const Datum& fact) {
+    return contains(of.preconditions, fact) || contains(of.adds, fact);
+  };
+  const auto needed_absent = [&](const Datum& fact) { return contains(of.absents, fact); };
+  return std::ranges::any_of(by.deletes, needed_or_made) || std::ranges::any_of(by.adds, needed_absent);
 }
 
 Result<void> replay_step(const PlanningTask& task, const std::vector<Datum>& step, std::set<Datum>& state) {
@@ -63,6 +78,11 @@ Result<void> replay_step(const PlanningTask& task, const std::vector<Datum>& ste
       if (!state.contains(fact)) {
         return fail("bad-plan", fmt::format("{} needs {}, which does not hold", write(operation), write(fact)),
                     operation);
+      }
+    }
+    for (const Datum& fact : effects->absents) {
+      if (state.contains(fact)) {
+        return fail("bad-plan", fmt::format("{} needs {} not to hold", write(operation), write(fact)), operation);
       }
     }
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -89,6 +109,9 @@ Result<void> validate_plan(const PlanningTask& task, const PlanSteps& steps) {
   }
   for (const Datum& goal : task.goals) {
     if (!state.contains(goal)) return fail("bad-plan", write(goal) + " is not reached", goal);
+  }
+  for (const Datum& goal : task.absent_goals) {
+    if (state.contains(goal)) return fail("bad-plan", write(goal) + " holds in the end", goal);
   }
   return {};
 }

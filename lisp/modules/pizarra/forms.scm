@@ -19,7 +19,7 @@
             node-datum node-items node-rest node-ref node-head node-within node-form? path-to
             only-form sections section-in sections-in find-section
             symbol-at string-at number-at integer-at symbol-of
-            refuse-repeated at-most suggestion same-name? find-name object-name?))
+            refuse-repeated at-most suggestion nearest-name same-name? find-name object-name?))
 
 (define-record-type <node>
   (make-node datum path context)

@@ -10,7 +10,7 @@
   #:use-module (srfi srfi-1)
   #:use-module (srfi srfi-11)
   #:use-module (pizarra forms)
-  #:export (interpret read-fact typed-term param? pattern-variable?))
+  #:export (interpret read-fact typed-term param? pattern-variable? pattern-variable))
 
 (define reserved '(and or not del add))
 

@@ -14,6 +14,7 @@ using State = std::uint64_t;  // a bit a fact
 
 struct Move {
   State needs = 0;
+  State absents = 0;
   State adds = 0;
   State deletes = 0;
 };
@@ -26,10 +27,12 @@ class Oracle {
 
   std::optional<std::size_t> fewest_steps() {
     const State goals = bits(task_.goals, Bindings());
+    const State absent_goals = bits(task_.absent_goals, Bindings());
+    const auto is_goal = [&](State state) { return (goals & ~state) == 0 && (absent_goals & state) == 0; };
     std::vector<State> reached{bits(task_.initials, Bindings())};
     seen_.insert(reached.front());
     for (std::size_t steps = 0; !reached.empty(); ++steps) {
-      if (std::ranges::any_of(reached, [&](State state) { return (goals & ~state) == 0; })) return steps;
+      if (std::ranges::any_of(reached, is_goal)) return steps;
       next_.clear();
       for (const State state : reached) choose(state, 0, Move());
       reached = next_;
@@ -50,13 +53,18 @@ class Oracle {
 
   void bind(const PlanningOperator& op, std::size_t parameter, const Bindings& bindings) {
     if (parameter == op.parameters.size()) {
-      Move move{bits(op.preconditions, bindings), bits(op.adds, bindings), bits(op.deletes, bindings)};
+      for (const PlanningEquality& equality : op.equalities) {
+        const bool equal = substitute(equality.left, bindings) == substitute(equality.right, bindings);
+        if (equal != equality.equal) return;
+      }
+      Move move{bits(op.preconditions, bindings), bits(op.absents, bindings), bits(op.adds, bindings),
+                bits(op.deletes, bindings)};
       move.deletes &= ~move.adds;
       moves_.push_back(move);
       return;
     }
     for (const PlanningObject& object : task_.objects) {
-      if (object.type != op.parameters[parameter].type) continue;
+      if (!is_subtype(task_.types, object.type, op.parameters[parameter].type)) continue;
       Bindings more = bindings;
       more.bind(op.parameters[parameter].variable, object.name);
       bind(op, parameter + 1, more);
@@ -67,10 +75,12 @@ class Oracle {
   void choose(State state, std::size_t index, const Move& together) {
     for (; index < moves_.size(); ++index) {
       const Move& move = moves_[index];
-      if ((move.needs & ~state) != 0) continue;
+      if ((move.needs & ~state) != 0 || (move.absents & state) != 0) continue;
       if ((move.deletes & (together.needs | together.adds)) != 0) continue;
       if ((together.deletes & (move.needs | move.adds)) != 0) continue;
-      const Move both{together.needs | move.needs, together.adds | move.adds, together.deletes | move.deletes};
+      if ((move.adds & together.absents) != 0 || (together.adds & move.absents) != 0) continue;
+      const Move both{together.needs | move.needs, together.absents | move.absents, together.adds | move.adds,
+                      together.deletes | move.deletes};
       const State after = (state & ~both.deletes) | both.adds;
       if (seen_.insert(after).second) next_.push_back(after);
       choose(state, index + 1, both);

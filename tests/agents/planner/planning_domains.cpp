@@ -175,13 +175,54 @@ PlanningTask random_nonsense(Random& random) {
   return task;
 }
 
+PlanningTask random_conditions(Random& random) {
+  PlanningTask task;
+  task.types = {{"cup", "thing"}, {"box", "thing"}};
+  task.objects = {{"c"_sym, "cup"}, {"d"_sym, "cup"}, {"e"_sym, "box"}, {"f"_sym, "thing"}};
+  const std::vector<std::string> types{"cup", "box", "thing"};
+  const auto some = [&](std::string_view atoms, std::uint64_t one_in) {
+    std::vector<Datum> chosen;
+    for (const Datum& atom : facts_of(atoms)) {
+      if (random.below(one_in) == 0) chosen.push_back(atom);
+    }
+    return chosen;
+  };
+  const std::string_view atoms = "(p ?x) (p ?y) (q ?x) (q ?y) (r) (p c)";
+  const std::string_view facts = "(p c) (p d) (p e) (p f) (q c) (q d) (q e) (q f) (r)";
+  for (std::size_t i = 0; i < 4; ++i) {
+    PlanningOperator op{fmt::format("OP{}", i),
+                        {{"?x", types[random.below(3)]}, {"?y", types[random.below(3)]}},
+                        some(atoms, 5),
+                        some(atoms, 4),
+                        some(atoms, 3)};
+    op.absents = some(atoms, 5);
+    if (random.below(3) == 0) op.equalities.push_back({"?x"_sym, "?y"_sym, random.below(3) == 0});
+    if (random.below(6) == 0) op.equalities.push_back({"?x"_sym, "c"_sym, random.below(2) == 0});
+    task.operators.push_back(std::move(op));
+  }
+  // Every predicate is spoken of, so that no goal is refused for what it says.
+  task.operators.push_back({"NOTHING", {{"?x", "thing"}}, facts_of("(p ?x) (q ?x) (r)"), {}, {}});
+  task.initials = some(facts, 3);
+  task.goals = some(facts, 5);
+  task.absent_goals = some(facts, 5);
+  return task;
+}
+
 std::string show(const PlanningTask& task) {
   std::string text;
   for (const PlanningOperator& op : task.operators) {
-    text += fmt::format("{}: {} -> {} / {}\n", op.name, write(Datum::list(op.preconditions)),
-                        write(Datum::list(op.adds)), write(Datum::list(op.deletes)));
+    text += op.name;
+    for (const PlanningParameter& parameter : op.parameters)
+      text += fmt::format(" {}-{}", parameter.variable, parameter.type);
+    text += fmt::format(": {} not {}", write(Datum::list(op.preconditions)), write(Datum::list(op.absents)));
+    for (const PlanningEquality& equality : op.equalities) {
+      text += fmt::format(" ({} {} {})", write(equality.left), equality.equal ? "=" : "differs from",
+                          write(equality.right));
+    }
+    text += fmt::format(" -> {} / {}\n", write(Datum::list(op.adds)), write(Datum::list(op.deletes)));
   }
-  return text + write(Datum::list(task.initials)) + " -> " + write(Datum::list(task.goals));
+  return text + fmt::format("{} -> {} not {}", write(Datum::list(task.initials)), write(Datum::list(task.goals)),
+                            write(Datum::list(task.absent_goals)));
 }
 
 }  // namespace pizarra

@@ -26,6 +26,10 @@ PlanningTask random_gripper(Random& random);
 // Seven facts and eight operators of no meaning at all: many have no plan.
 PlanningTask random_nonsense(Random& random);
 
+// Operators of no meaning whose parameters have types with a common parent, with facts that must be absent, equalities
+// and goals that something be absent.
+PlanningTask random_conditions(Random& random);
+
 // The fewest parallel steps to the goals, by breadth-first search over all sets of actions that do not interfere; none
 // where no plan exists. For tasks with at most 64 facts.
 std::optional<std::size_t> fewest_steps(const PlanningTask& task);

@@ -1,0 +1,95 @@
+;; PDDL problem files, read against their domain.
+;;
+;; (interpret DATA DOMAIN), DOMAIN being what (pizarra pddl-domain) answers, answers (errors ...) or
+;;   (ok (problem ((OBJECT TYPE) ...) (FACT ...) (((FUNCTION ARGUMENT ...) VALUE) ...) (GOAL ...) (ABSENT-GOAL ...)
+;;        METRIC))
+;; where METRIC is `cost` when costs are to be minimised, else `none`.
+
+(define-module (pizarra pddl-problem)
+  #:use-module (srfi srfi-1)
+  #:use-module (pizarra forms)
+  #:use-module (pizarra pddl)
+  #:use-module ((pizarra pddl-domain) #:select (check-requirements whole-cost))
+  #:export (interpret))
+
+(define most-objects 20000)
+
+(define (interpret data domain)
+  (interpreting data
+    (lambda (file)
+      (let ((problem (defined file 'problem)))
+        (and problem (apply read-problem problem (cdr domain)))))))
+
+(define (read-problem problem domain-name types constants predicates functions operators facts)
+  (let* ((found (sections (cddr (node-items problem)) '(:domain :requirements :objects :init :goal :metric)))
+         (in (lambda (name) (inside found name)))
+         (vocabulary (make-vocabulary types predicates functions '()))
+         (objects (read-objects (at-most (in ':objects) most-objects "objects") constants vocabulary))
+         (term (ground-term (vocabulary-with vocabulary (append constants objects))))
+         (initials (filter-map (lambda (node) (read-initial node vocabulary term)) (in ':init)))
+         (goals (read-goal problem found vocabulary term)))
+    (check-domain problem found domain-name)
+    (check-requirements (in ':requirements))
+    (list 'problem objects (of-kind initials 'fact) (of-kind initials 'value)
+          (literals-of goals 'fact) (literals-of goals 'not)
+          (read-metric found))))
+
+(define (inside found name)
+  (let ((section (section-in found name)))
+    (if section (node-rest (node-within section (simple-format #f "in ~a" name))) '())))
+
+(define (of-kind entries kind)
+  (filter-map (lambda (entry) (and (eq? (car entry) kind) (second entry))) entries))
+
+(define (check-domain problem found domain-name)
+  (let ((section (section-in found ':domain)))
+    (if (not section)
+        (complain! problem 'malformed "(:domain ~a) is missing" domain-name)
+        (let ((name (symbol-at section 1 "the domain's name")))
+          (when (and name (not (eq? name domain-name)))
+            (complain! section 'wrong-domain "this problem is one of the domain ~a, and the domain file defines ~a"
+                       name domain-name))))))
+
+;; A constant may be named again with the same type.
+(define (read-objects nodes constants vocabulary)
+  (let ((objects (read-declarations nodes "an object" name-node? (lambda (node) (known-type vocabulary node)))))
+    (remove (lambda (object) (member object constants)) objects)))
+
+;; (fact FACT), (value ((FUNCTION ARGUMENT ...) VALUE)), or #f for what needs no saying: (not FACT).
+(define (read-initial node vocabulary term)
+  (case (node-head node)
+    ((=)
+     (if (= (length (node-rest node)) 2)
+         (let ((function (read-cost-term vocabulary (node-ref node 1) term))
+               (value (whole-cost (node-ref node 2))))
+           (and function value (list 'value (list function value))))
+         (complain! node 'malformed "a value is written (= (FUNCTION ARGUMENT ...) NUMBER)")))
+    ((not)
+     (if (= (length (node-rest node)) 1)
+         (begin (read-atom vocabulary (node-ref node 1) term) #f)
+         (complain! node 'malformed "a negation is written (not FACT)")))
+    (else
+     (let ((fact (read-atom vocabulary node term)))
+       (and fact (list 'fact fact))))))
+
+(define (read-goal problem found vocabulary term)
+  (let* ((section (section-in found ':goal))
+         (condition (and section (node-ref (node-within section "in :goal") 1))))
+    (cond ((not section) (complain! problem 'malformed "(:goal ...) is missing") '())
+          ((not (and condition (= (length (node-items section)) 2) (list? (node-datum condition))))
+           (complain! section 'malformed "a goal is written (:goal FACT) or (:goal (and FACT ...))")
+           '())
+          (else
+           (for-each (lambda (node)
+                       (let ((fact (if (eq? (node-head node) 'not) (node-ref node 1) node)))
+                         (when (and fact (eq? (node-head fact) '=))
+                           (complain! node 'unsupported "a goal says what shall hold, not what is equal"))))
+                     (conjuncts condition))
+           (condition-literals vocabulary condition term)))))
+
+(define (read-metric found)
+  (let ((section (section-in found ':metric)))
+    (cond ((not section) 'none)
+          ((equal? (cdr (node-datum section)) '(minimize (total-cost))) 'cost)
+          (else
+           (complain! section 'unsupported "the only metric understood is (:metric minimize (total-cost))")))))

@@ -1,0 +1,41 @@
+#pragma once
+
+// Planning tasks as people write them: PDDL (:strips :typing :negative-preconditions :equality :action-costs), the
+// thesis' operator and fact files, or one of our domain files with a fact file. All become the same two forms:
+//
+//   (domain NAME ((TYPE PARENT) ...) ((CONSTANT TYPE) ...) ((PREDICATE TYPE ...) ...) ((FUNCTION TYPE ...) ...)
+//     ((OPERATOR ((?VARIABLE TYPE) ...) (FACT ...) (ABSENT-FACT ...) ((= A B) | (differ A B) ...)
+//        (ADD ...) (DELETE ...) (COST ...)) ...)
+//     (FACT ...))
+//   (problem ((OBJECT TYPE) ...) (FACT ...) (((FUNCTION ARGUMENT ...) VALUE) ...) (GOAL ...) (ABSENT-GOAL ...)
+//     cost|none)
+//
+// The language is told by the first form: (define ...), (operator ...), (domain ...).
+//
+//   const Result<Source> text = read_planning_source("domain.pddl");
+//   const Result<PlanningDomain> domain = read_planning_domain(*text);
+//   const Result<Datum> problem = read_planning_problem(*problem_text, *domain);
+
+#include "lisp/reader.hpp"
+
+namespace pizarra {
+
+enum class PlanningLanguage : std::uint8_t { pddl, operators, domain_file };
+
+struct PlanningDomain {
+  PlanningLanguage language = PlanningLanguage::pddl;
+  Datum form;
+};
+
+// At most 4 MiB and 500 000 elements. PDDL's names come in lower case.
+Result<Source> read_planning_source(std::string_view text, std::string file);
+Result<Source> read_planning_source_file(const std::string& path);
+
+// Failures, all of the file in one report: the reader's, malformed, repeated, unknown-section, unknown-requirement,
+// unknown-type, unknown-predicate, unknown-function, unknown-object, unknown-variable, wrong-arity, wrong-type,
+// wrong-domain, not-ground, contradictory, bad-number, unsupported (PDDL that is not understood), too-many; and
+// wrong-file where the file holds something else altogether.
+Result<PlanningDomain> read_planning_domain(const Source& source);
+Result<Datum> read_planning_problem(const Source& source, const PlanningDomain& domain);
+
+}  // namespace pizarra

@@ -1,0 +1,122 @@
+#include "agents/planner/task_files.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "agents/planner/graphplan.hpp"
+#include "lisp/writer.hpp"
+#include "tests/agents/planner/planning_domains.hpp"
+#include "tests/source_dir.hpp"
+
+namespace pizarra {
+namespace {
+
+Result<PlanningTask> read(std::string_view domain, std::string_view problem) {
+  const Result<Source> domain_source = read_planning_source(domain, "domain");
+  if (!domain_source) return fail(domain_source);
+  const Result<Source> problem_source = read_planning_source(problem, "problem");
+  if (!problem_source) return fail(problem_source);
+  return read_task(*domain_source, *problem_source);
+}
+
+constexpr std::string_view pddl_domain = R"(
+(define (domain Shelf)
+  (:requirements :strips :typing :negative-preconditions :equality :action-costs)
+  (:types Cup Box - Thing Thing Place - object)
+  (:constants floor - Place)
+  (:predicates (at ?t - Thing ?p - Place) (Held ?t - Thing))
+  (:functions (total-cost) - number (way ?a ?b - Place) - number)
+  (:action TAKE
+    :parameters (?t - Thing ?p - Place)
+    :precondition (and (at ?t ?p) (not (held ?t)))
+    :effect (and (held ?t) (not (at ?t ?p)) (increase (total-cost) 1)))
+  (:action carry
+    :parameters (?t - Thing ?from ?to - Place)
+    :precondition (and (held ?t) (not (= ?from ?to)))
+    :effect (and (not (held ?t)) (at ?t ?to) (increase (total-cost) (way ?from ?to)))))
+)";
+
+constexpr std::string_view pddl_problem = R"(
+(define (problem one) (:domain SHELF)
+  (:objects mug - Cup top - Place)
+  (:init (AT mug floor) (= (total-cost) 0) (= (way floor top) 7))
+  (:goal (and (at mug TOP) (not (held mug))))
+  (:metric minimize (total-cost)))
+)";
+
+TEST(TaskFiles, ReadPddlWithTypesConstantsAbsencesEqualitiesAndCosts) {
+  const Result<PlanningTask> task = read(pddl_domain, pddl_problem);
+  ASSERT_TRUE(task) << describe(task.error());
+  EXPECT_EQ(show(*task),
+            "take ?t-thing ?p-place: ((at ?t ?p)) not ((held ?t)) -> ((held ?t)) / ((at ?t ?p))\n"
+            "carry ?t-thing ?from-place ?to-place: ((held ?t)) not () (?from differs from ?to) -> ((at ?t ?to)) / "
+            "((held ?t))\n"
+            "((at mug floor)) -> ((at mug top)) not ((held mug))");
+  EXPECT_TRUE(task->counts_cost);
+  const Result<Problem> problem = ground(*task);
+  ASSERT_TRUE(problem);
+  std::vector<std::string> actions;
+  for (const GroundAction& action : problem->actions) {
+    actions.push_back(fmt::format("{} {}", write(action.name), action.cost));
+  }
+  EXPECT_EQ(actions, (std::vector<std::string>{"(take mug floor) 1", "(take mug top) 1", "(carry mug floor top) 7"}));
+}
+
+TEST(TaskFiles, ReadTheThesisOperatorsAndFacts) {
+  const Result<PlanningTask> task = read(
+      "(operator PICK-UP (params (<ob1> OBJECT)) (preconds (clear <ob1>) (on-table <ob1>) (arm-empty))"
+      "  (effects (holding <ob1>) (del (arm-empty))))",
+      "(types (circle OBJECT) (table PLACE)) (initials (clear circle) (on-table circle) (arm-empty))"
+      "(goals (holding circle))");
+  ASSERT_TRUE(task) << describe(task.error());
+  EXPECT_EQ(show(*task),
+            "PICK-UP ?ob1-OBJECT: ((clear ?ob1) (on-table ?ob1) (arm-empty)) not () -> ((holding ?ob1)) / "
+            "((arm-empty))\n((clear circle) (on-table circle) (arm-empty)) -> ((holding circle)) not ()");
+  EXPECT_EQ(ground(*task)->actions.size(), 1u);
+}
+
+TEST(TaskFiles, ReadFactsForADomainFileOfACell) {
+  const Result<Source> domain = read_planning_source_file(source_dir() + "/domains/blocks.scm");
+  ASSERT_TRUE(domain) << describe(domain.error());
+  const Result<Source> facts = read_planning_source(
+      "(types (a OBJECT) (b OBJECT)) (initials (on-table a) (on-table b) (clear a) (clear b) (arm-empty))"
+      "(goals (on a b))",
+      "facts");
+  const Result<PlanningTask> task = read_task(*domain, *facts);
+  ASSERT_TRUE(task) << describe(task.error());
+  const Outcome outcome = Graphplan().solve(*ground(*task), {}, [] { return false; });
+  EXPECT_EQ(outcome.steps.size(), 2u);
+}
+
+TEST(TaskFiles, ReportEveryErrorWithItsPlace) {
+  const Result<PlanningTask> task = read(
+      "(define (domain d)\n  (:predicates (on ?x ?y))\n"
+      "  (:action Lift :parameters (?x)\n    :precondition (ON ?x)\n"
+      "    :effect (and (no ?x ?x) (on ?x ?z))))",
+      "()");
+  ASSERT_FALSE(task);
+  EXPECT_EQ(task.error().symbol, "wrong-arity");
+  EXPECT_EQ(describe(task.error()),
+            "on takes 2 arguments, not 1 (and 2 more): (on ?x)\n"
+            "domain:4:19\n      :precondition (ON ?x)\n                    ^\n  in action lift\n"
+            "there is no predicate no; the nearest is on\n"
+            "domain:5:19\n      :effect (and (no ?x ?x) (on ?x ?z))))\n                    ^\n  in action lift\n"
+            "there is no parameter ?z; the nearest is ?x\n"
+            "domain:5:36\n      :effect (and (no ?x ?x) (on ?x ?z))))\n                                     ^\n"
+            "  in action lift");
+}
+
+TEST(TaskFiles, SayWhatIsExpectedWhereTheFilesAreMixedUp) {
+  EXPECT_EQ(read(pddl_problem, pddl_domain).error().symbol, "malformed");
+  EXPECT_EQ(read("(cell one)", pddl_problem).error().symbol, "wrong-file");
+  EXPECT_EQ(read(pddl_domain, "(types (a T)) (goals (p a))").error().symbol, "wrong-file");
+  EXPECT_EQ(read("", pddl_problem).error().symbol, "wrong-file");
+}
+
+TEST(TaskFiles, RefuseThreeMillionParenthesesAtOnce) {
+  EXPECT_EQ(read(std::string(3'000'000, '('), pddl_problem).error().symbol, "too-deep");
+  EXPECT_EQ(read(std::string(5'000'000, ' '), pddl_problem).error().symbol, "too-long");
+}
+
+}  // namespace
+}  // namespace pizarra
