@@ -62,17 +62,25 @@ Task<Evaluation> Interpreter::evaluate(std::string text) {
     const Datum form = as_form(source->data()[i]);
     const bool known = co_await is_agent(std::string(form.head()));
     if (find_command(form.head()) == nullptr && !known) {
-      const std::string near = nearest_name(form.head(), words_);
-      std::string sentence = form.head().empty() ? std::string("a command is a form that begins with its name")
-                                                 : fmt::format("there is no command {}", form.head());
-      sentence += near.empty() ? "; (help) lists them" : fmt::format("; did you mean {}?", near);
-      co_return show(source->failure_at({i}, "unknown-command", sentence), Evaluation::malformed);
+      Failure unknown = unknown_command(form);
+      unknown.place = source->failure_at({i}, {}, {}).place;
+      co_return show(unknown, Evaluation::malformed);
     }
     const Evaluation outcome = co_await evaluate_form(form);
     if (outcome != Evaluation::done) co_return outcome;
   }
   co_await learn_words();
   co_return Evaluation::done;
+}
+
+Failure Interpreter::unknown_command(const Datum& form) const {
+  constexpr std::size_t shown = 40;
+  std::string name(form.head().substr(0, shown));
+  if (form.head().size() > shown) name += "...";
+  const std::string near = nearest_name(form.head(), words_);
+  std::string sentence = name.empty() ? "a command is a form that begins with its name" : "there is no command " + name;
+  sentence += near.empty() ? "; (help) lists them" : fmt::format("; did you mean {}?", near);
+  return {"unknown-command", sentence, name.empty() ? Datum() : Datum::symbol(name), {}};
 }
 
 Task<Evaluation> Interpreter::evaluate_form(Datum form) {

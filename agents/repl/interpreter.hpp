@@ -71,6 +71,7 @@ class Interpreter {
   Task<bool> is_agent(std::string name);
   Task<void> follow(int number, std::unique_ptr<Watch> watch);
 
+  Failure unknown_command(const Datum& form) const;
   void say_end(const Datum& state);
   void say_change(int number, const Change& change);
   void say(const std::string& text, const std::string& json);

@@ -84,6 +84,8 @@ TEST_F(Repl, SaysWhatIsWrongWithAPlace) {
   EXPECT_NE(shown.find('^'), std::string::npos) << shown;
   EXPECT_EQ(type("(tell (onn circle triangle))"), Evaluation::failed);
   EXPECT_NE(shown.find("on"), std::string::npos) << shown;
+  EXPECT_EQ(type("(" + std::string(5000, 'x') + ")"), Evaluation::malformed);
+  EXPECT_LT(shown.size(), 300U) << shown;
   EXPECT_EQ(type("42"), Evaluation::malformed);
   EXPECT_EQ(type("(ask)"), Evaluation::malformed);
   EXPECT_EQ(type("(unwatch all)"), Evaluation::malformed);
