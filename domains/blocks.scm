@@ -39,8 +39,8 @@
   ; already gets wider bounds, so that noise at a bound does not make it flicker.
   (perception
     (sees OBJECT)
-    (constant cube 60)
-    (constant resting 48)               ; a mark lower than this belongs to a cube that lies on the table
+    (constant cube 60)                  ; a cell says otherwise with (cube-size MM)
+    (constant resting 0.8)              ; cubes: a mark lower than this belongs to one that lies on the table
 
     (rule (holding ?o)
       (gripper ?opening)
@@ -65,24 +65,24 @@
       (/= ?a ?b)
       (not (holding ?b))
       (< (abs (- (- ?az ?bz) cube)) (if (was (on ?a ?b)) 16 12))
-      (< (abs (- ?ay ?by)) (if (was (on ?a ?b)) 34 31))
-      (< (abs (- ?ax ?bx)) (if (was (on ?a ?b)) 40 36)))
+      (< (abs (- ?ay ?by)) (+ (* 0.5 cube) (if (was (on ?a ?b)) 4 1)))
+      (< (abs (- ?ax ?bx)) (+ (* 0.5 cube) (if (was (on ?a ?b)) 10 6))))
 
     (rule (leans ?a ?b)
       (seen ?a ?ax ?ay ?az)
-      (< (if (was (on-table ?a)) (+ resting 4) resting) ?az)
+      (< (+ (* resting cube) (if (was (on-table ?a)) 4 0)) ?az)
       (not (holding ?a))
       (not (on ?a ?))
       (seen ?b ?bx ?by ?bz)
       (/= ?a ?b)
       (not (holding ?b))
       (< 12 (- ?az ?bz))
-      (< (abs (- ?ay ?by)) 66)
-      (< (abs (- ?ax ?bx)) 66))
+      (< (abs (- ?ay ?by)) (+ cube 6))
+      (< (abs (- ?ax ?bx)) (+ cube 6)))
 
     (rule (on-table ?a)                 ; also what rests on a cube that is not seen: it can be picked up
       (seen ?a ? ? ?z)
-      (< ?z (+ cube resting))
+      (< ?z (+ cube (* resting cube)))
       (not (holding ?a))
       (not (on ?a ?))
       (not (leans ?a ?)))

@@ -31,7 +31,7 @@
   (perception
     (sees OBJECT)
     (constant cube 60)
-    (constant resting 48)
+    (constant resting 0.8)
     (constant half-pitch 50)            ; a cube lies at the place whose middle is less far away than this
 
     ; (spot PLACE X Y): where the middle of a cube at this place stands on the table.
@@ -63,12 +63,12 @@
       (/= ?a ?b)
       (not (holding ?b))
       (< (abs (- (- ?az ?bz) cube)) (if (was (on ?a ?b)) 16 12))
-      (< (abs (- ?ay ?by)) (if (was (on ?a ?b)) 34 31))
-      (< (abs (- ?ax ?bx)) (if (was (on ?a ?b)) 40 36)))
+      (< (abs (- ?ay ?by)) (+ (* 0.5 cube) (if (was (on ?a ?b)) 4 1)))
+      (< (abs (- ?ax ?bx)) (+ (* 0.5 cube) (if (was (on ?a ?b)) 10 6))))
 
     (rule (at ?a ?place)
       (seen ?a ? ?y ?z)
-      (< ?z resting)
+      (< ?z (* resting cube))
       (not (holding ?a))
       (not (on ?a ?))
       (spot ?place ? ?py)

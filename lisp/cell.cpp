@@ -29,6 +29,9 @@ CellDescription cell_from_datum(const Datum& datum, const std::string& file) {
   cell.board_host = datum[6].text();
   cell.board_address = datum[7].text();
   cell.hosts = hosts_from_datum(datum[8]);
+  cell.cube_mm = datum[9].number();
+  cell.openings = {datum[10][0].number(), datum[10][1].number(), datum[10][2].number()};
+  cell.row = {datum[11][0].number(), datum[11][1].number(), datum[11][2].number()};
   return cell;
 }
 

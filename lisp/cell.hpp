@@ -5,6 +5,9 @@
 //   (cell blocks
 //     (world
 //       (camera (at 1330 0 200) (pan 0) (tilt 0))              ; base-line centre mm, degrees; looks along -x
+//       (cube-size 60)                                         ; of every cube
+//       (openings 76 84 96)                                    ; of the gripper: narrow, normal, wide
+//       (row (x 450) (y -200 200))                             ; where cubes are put down
 //       (cube circle (at 450 -150) (yaw 5))                    ; its mark is the shape of its name
 //       (cube square (at 450 50))
 //       (cube lid (mark cross) (on square))                    ; a mark of its own; stacked on a cube named before
@@ -40,6 +43,20 @@ struct CellNoise {
   double gradient = 0.12;
 };
 
+// How far the gripper opens around a cube: at least, as a rule, and where there is room.
+struct GripperOpenings {
+  double narrow_mm = 76;
+  double normal_mm = 84;
+  double wide_mm = 96;
+};
+
+// Where cubes are put down: middles on a line across the table.
+struct CubeRow {
+  double x_mm = 450;
+  double y_low_mm = -200;
+  double y_high_mm = 200;
+};
+
 struct CellHost {
   std::string name;
   std::vector<std::string> agents;
@@ -49,6 +66,9 @@ struct CellDescription {
   std::string name;
   CameraPose camera;
   CellNoise noise;
+  double cube_mm = 60;
+  GripperOpenings openings;
+  CubeRow row;
   std::vector<CubePlacement> cubes;
   std::string arm;
   std::string domain_file;  // a path that can be opened

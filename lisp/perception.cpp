@@ -38,6 +38,18 @@ Result<std::vector<Datum>> Perception::perceive(const std::vector<Datum>& measur
   return std::vector<Datum>(facts.items().begin(), facts.items().end());
 }
 
+void Perception::set_constant(std::string_view name, double value) {
+  const auto known = constants_.find(name);
+  if (known == constants_.end() || known->second == value) return;
+  known->second = value;
+  std::vector<Datum> parts;
+  for (const Datum& part : section_.items()) {
+    const bool meant = part.is_form("constant") && part[1].is_symbol(name);
+    parts.push_back(meant ? list("constant"_sym, Datum::symbol(name), value) : part);
+  }
+  section_ = Datum::list(std::move(parts));
+}
+
 std::optional<double> Perception::constant(std::string_view name) const {
   const auto it = constants_.find(name);
   if (it == constants_.end()) return std::nullopt;

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <numbers>
 
+#include "agents/coordinator/spots.hpp"
+
 namespace pizarra {
 
 namespace {
@@ -30,13 +32,13 @@ Result<Eigen::Vector3d> Aims::held(std::string_view name) const {
   const Result<Eigen::Vector3d> mark = seen(options_.gripper.mark);
   if (!mark) return mark;
   if (surroundings_.sightings().recent(name, 1)) return surroundings_.sightings().find(name)->place_mm;
-  return Eigen::Vector3d(*mark - options_.gripper.mark_above_grip_mm * Eigen::Vector3d::UnitZ());
+  return Eigen::Vector3d(*mark + surroundings_.mark_to_front_mm());
 }
 
 Result<Eigen::Vector3d> Aims::on_table(double x_mm, double y_mm) const {
   const double height = domain_.cube_mm() / 2 + options_.release_mm;
   const Eigen::Vector3d centre(x_mm, y_mm, height);
-  return Eigen::Vector3d(centre - options_.gripper.mark_before_grip_mm * surroundings_.view()->away());
+  return Eigen::Vector3d(centre - domain_.cube_mm() / 2 * surroundings_.view()->away());
 }
 
 // What is held faces the camera, whatever the one below it does: middle goes over middle.
@@ -45,7 +47,7 @@ Result<Eigen::Vector3d> Aims::on_top_of(std::string_view lower) const {
   if (!mark) return mark;
   const std::string name(lower);
   const Eigen::Vector3d middle = surroundings_.centre_mm(name, *surroundings_.sightings().find(lower));
-  const Eigen::Vector3d front = middle - options_.gripper.mark_before_grip_mm * surroundings_.view()->away();
+  const Eigen::Vector3d front = middle - domain_.cube_mm() / 2 * surroundings_.view()->away();
   return Eigen::Vector3d(front + (domain_.cube_mm() + options_.release_mm) * Eigen::Vector3d::UnitZ());
 }
 
@@ -58,7 +60,7 @@ Result<Eigen::Vector3d> Aims::free_spot_for(std::string_view held) {
       occupied.emplace_back(centre.x(), centre.y());
     }
     const std::optional<Eigen::Vector3d> grip = surroundings_.grip_mm();
-    spot_ = free_spot(options_.table, occupied, grip ? grip->y() : 0);
+    spot_ = free_spot(TableArea::of(options_.row, domain_.cube_mm()), occupied, grip ? grip->y() : 0);
   }
   if (!spot_) return fail("no-room", "there is no free spot on the table", Datum::symbol(held));
   return on_table(spot_->x(), spot_->y());
@@ -71,7 +73,7 @@ Result<Aim> Aims::at(const Datum& target) {
     if (!object) return fail(object);
     const Result<Eigen::Vector3d> mark = seen(options_.gripper.mark);
     if (!mark) return fail(mark);
-    return Aim{*mark, *object + options_.gripper.mark_above_grip_mm * Eigen::Vector3d::UnitZ()};
+    return Aim{*mark, *object - surroundings_.mark_to_front_mm()};
   }
   if (target.size() < 2) return fail("bad-target", "this is no target of a micro-task", target);
   const Result<Eigen::Vector3d> followed = held(target[1].text());
@@ -92,7 +94,7 @@ Result<Aim> Aims::at(const Datum& target) {
 
 double Aims::opening_around(std::string_view object, double wide_mm) const {
   const Sighting* centre = surroundings_.sightings().find(object);
-  if (!centre) return options_.gripper.normal_mm;
+  if (!centre) return options_.gripper.openings.normal_mm;
   std::vector<Eigen::Vector3d> neighbours;
   for (const auto& [name, sighting] : surroundings_.sightings().all()) {
     if (name == object || name == options_.gripper.mark) continue;
@@ -100,7 +102,7 @@ double Aims::opening_around(std::string_view object, double wide_mm) const {
   }
   const std::string name(object);
   return opening_between(surroundings_.centre_mm(name, *centre), neighbours, domain_.cube_mm(),
-                         options_.gripper.finger_mm, options_.gripper.narrow_mm, wide_mm);
+                         options_.gripper.finger_mm, options_.gripper.openings.narrow_mm, wide_mm);
 }
 
 // The arm's axis 1 is the base frame's origin, and the tool's axis stands behind the mark.

@@ -85,6 +85,7 @@ Task<Result<void>> CoordinatorAgent::run() {
   AgentContext& context = state_->context;
   Result<TaskDomain> domain = TaskDomain::read(state_->options.domain_file);
   if (!domain) co_return fail(domain);
+  if (state_->options.cube_mm) domain->use_cubes(*state_->options.cube_mm);
   const std::vector<Relation> predicates = domain->relations();
   Result<Contract> contract = contract_from_text(coordinator_contract);
   if (!contract) co_return fail(contract);

@@ -35,7 +35,7 @@ std::optional<Push> TaskRunner::push_for(std::string_view object) const {
   ElbowRoom room;
   room.cube_mm = domain_.cube_mm();
   room.finger_mm = options_.gripper.finger_mm;
-  room.narrow_mm = options_.gripper.narrow_mm;
+  room.narrow_mm = options_.gripper.openings.narrow_mm;
   return push_for_room(room, surroundings_.centre_mm(std::string(object), *target), others);
 }
 

@@ -2,13 +2,14 @@
 
 // What a cell configures of its coordinator. Lengths mm.
 
+#include <optional>
 #include <string>
 
 #include "agents/coordinator/camera_view.hpp"
 #include "agents/coordinator/occlusion.hpp"
 #include "agents/coordinator/servo.hpp"
-#include "agents/coordinator/spots.hpp"
 #include "blackboard/time/clock.hpp"
+#include "lisp/cell.hpp"
 
 namespace pizarra {
 
@@ -16,11 +17,9 @@ namespace pizarra {
 struct GripperGeometry {
   std::string mark = "end-effector";  // the name it was learned under
   double mark_above_grip_mm = 66;
-  double mark_before_grip_mm = 30;  // towards the camera, as the held cube's front face
+  double mark_before_grip_mm = 30;  // towards the camera
   double finger_mm = 8;
-  double narrow_mm = 76;
-  double normal_mm = 84;
-  double wide_mm = 96;
+  GripperOpenings openings;
   GripperOutline outline;
 };
 
@@ -29,7 +28,8 @@ struct CoordinatorOptions {
   CameraPose camera;
   GripperGeometry gripper;
   ServoLimits servo;
-  TableArea table;
+  CubeRow row;                    // where cubes are put down
+  std::optional<double> cube_mm;  // none: those that the domain was written for
   double travel_height_mm = 300;  // of the grip: clears a tower of four
   double release_mm = 1.5;        // above the support, where a held cube is let go
   std::string robot = "robot";

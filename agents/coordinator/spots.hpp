@@ -6,10 +6,22 @@
 #include <optional>
 #include <vector>
 
+#include "lisp/cell.hpp"
+
 namespace pizarra {
 
 // The part of the table that the arm reaches and the camera sees, and what a cube put down there needs. Cube centres.
 struct TableArea {
+  // As cubes of that size need it.
+  static TableArea of(const CubeRow& row, double cube_mm) {
+    return {.x_mm = row.x_mm,
+            .y_low_mm = row.y_low_mm,
+            .y_high_mm = row.y_high_mm,
+            .comfortable_mm = cube_mm + 40,
+            .least_mm = cube_mm + 26,
+            .depth_mm = cube_mm + 30};
+  }
+
   double x_mm = 450;
   double y_low_mm = -200;
   double y_high_mm = 200;

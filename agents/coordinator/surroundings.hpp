@@ -40,6 +40,8 @@ class Surroundings {
   // None before the camera-model fact is there.
   const std::optional<CameraView>& view() const { return view_; }
   std::optional<double> opening_mm() const { return opening_mm_; }
+  // From the end effector's mark to where the mark of a held object would stand. There is a view.
+  Eigen::Vector3d mark_to_front_mm() const;
   // Where the mark of a held object would stand: below the end effector's mark, or by the arm's own word while that is
   // not seen.
   std::optional<Eigen::Vector3d> grip_mm() const;

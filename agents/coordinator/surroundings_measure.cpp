@@ -19,13 +19,18 @@ void Surroundings::excuse_hidden() {
   for (const std::string& name : hidden) sightings_.excuse(name);
 }
 
+Eigen::Vector3d Surroundings::mark_to_front_mm() const {
+  const double behind_mm = options_.gripper.mark_before_grip_mm - domain_.cube_mm() / 2;
+  return behind_mm * view_->away() - options_.gripper.mark_above_grip_mm * Eigen::Vector3d::UnitZ();
+}
+
 std::optional<Eigen::Vector3d> Surroundings::grip_mm() const {
-  if (sightings_.recent(options_.gripper.mark, 1)) {
+  if (view_ && sightings_.recent(options_.gripper.mark, 1)) {
     const Eigen::Vector3d& mark = sightings_.find(options_.gripper.mark)->place_mm;
-    return Eigen::Vector3d(mark - options_.gripper.mark_above_grip_mm * Eigen::Vector3d::UnitZ());
+    return Eigen::Vector3d(mark + mark_to_front_mm());
   }
   if (!pose_mm_ || !view_) return std::nullopt;
-  return Eigen::Vector3d(*pose_mm_ - options_.gripper.mark_before_grip_mm * view_->away());
+  return Eigen::Vector3d(*pose_mm_ - domain_.cube_mm() / 2 * view_->away());
 }
 
 // The mark stands before the middle in the direction in which its face looks.
@@ -38,7 +43,7 @@ Eigen::Vector3d Surroundings::centre_mm(const std::string& name, const Sighting&
 
 std::optional<std::string> Surroundings::foremost() const {
   if (!view_) return std::nullopt;
-  const Eigen::Vector3d row(options_.table.x_mm, 0, 0);
+  const Eigen::Vector3d row(options_.row.x_mm, 0, 0);
   double nearest_mm = 0.7 * domain_.cube_mm();
   std::optional<std::string> foremost;
   for (const auto& [name, sighting] : sightings_.all()) {

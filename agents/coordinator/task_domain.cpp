@@ -86,6 +86,11 @@ Result<TaskDomain> TaskDomain::read(const std::string& file) {
   return out;
 }
 
+void TaskDomain::use_cubes(double cube_mm) {
+  cube_mm_ = cube_mm;
+  perception_.set_constant("cube", cube_mm);
+}
+
 Result<GroundOperation> TaskDomain::ground(const Datum& operation) const {
   const Operator* known = domain_.find_operator(operation.head());
   if (!known) return fail("unknown-operator", "the domain has no such operator", operation);

@@ -23,6 +23,8 @@ class TaskDomain {
   const Perception& perception() const { return perception_; }
   const MicroTasks& micro_tasks() const { return micro_tasks_; }
   double cube_mm() const { return cube_mm_; }
+  // The cell's cubes, in place of those that the domain was written for.
+  void use_cubes(double cube_mm);
 
   // Failures: unknown-operator, wrong-arity.
   Result<GroundOperation> ground(const Datum& operation) const;

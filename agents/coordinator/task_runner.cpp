@@ -67,7 +67,7 @@ Task<Result<void>> TaskRunner::run_step(Datum step) {
   if (name == "make-room") return make_room(std::string(step[1].text()));
   if (name == "push-over") return push_over(std::string(step[1].text()));
   if (name == "check-held") return check_held(std::string(step[1].text()));
-  return open(aims_.opening_around(step[1].text(), options_.gripper.wide_mm));
+  return open(aims_.opening_around(step[1].text(), options_.gripper.openings.wide_mm));
 }
 
 Task<Result<void>> TaskRunner::open(double opening_mm) {
@@ -96,7 +96,7 @@ Task<Result<void>> TaskRunner::close() {
 
 Task<Result<void>> TaskRunner::release() {
   vigil_.commit();
-  const Result<double> opened = co_await arm_.grip(options_.gripper.normal_mm);
+  const Result<double> opened = co_await arm_.grip(options_.gripper.openings.normal_mm);
   if (!opened) co_return fail(opened);
   co_return Result<void>();
 }

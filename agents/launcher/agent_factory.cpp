@@ -40,6 +40,9 @@ CoordinatorOptions coordinator_options(const CellDescription& description) {
   CoordinatorOptions options;
   options.domain_file = description.domain_file;
   options.camera = description.camera;
+  options.cube_mm = description.cube_mm;
+  options.gripper.openings = description.openings;
+  options.row = description.row;
   return options;
 }
 
@@ -59,6 +62,7 @@ const std::vector<std::string>& agent_kinds() {
 WorldConfig world_config(const CellDescription& description, std::uint64_t seed) {
   WorldConfig config;
   config.seed = seed;
+  config.cube_mm = description.cube_mm;
   CameraConfig& camera = config.camera;
   camera.pose = description.camera;
   camera.noise_sigma = description.noise.sensor_grey;

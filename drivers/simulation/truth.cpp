@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 
 constexpr double upright_deg = 10;
 constexpr double height_slack_mm = 6;
-constexpr double overlap_mm = 32;    // a cube whose centre is further aside does not rest on the other
+constexpr double overhang_mm = 2;    // a cube whose centre is further beyond the other's edge does not rest on it
 constexpr double resting_mm_s = 60;  // faster than this it is still falling
 constexpr double half_visible = 0.5;
 
@@ -46,8 +46,9 @@ State state_of(const Cell& cell, CubeId cube) {
   if (cell.hand().carried() == cube) return {State::Kind::carried};
   const Pose pose = physics.pose(cube);
   const Vector3d at = pose.translation();
+  const double overlap_mm = physics.cube_mm() / 2 + overhang_mm;
   if (tilt_deg(pose) > upright_deg || physics.velocity_mm_s(cube).norm() > resting_mm_s) return {State::Kind::loose};
-  if (std::abs(at.z() - cube_size_mm / 2) < height_slack_mm) return {State::Kind::table};
+  if (std::abs(at.z() - physics.cube_mm() / 2) < height_slack_mm) return {State::Kind::table};
   for (CubeId other = 0; other < physics.cubes(); ++other) {
     if (other == cube || !physics.present(other)) continue;
     const Vector3d from_other = physics.pose(other).inverse() * at;
@@ -59,7 +60,8 @@ State state_of(const Cell& cell, CubeId cube) {
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
       if (axis != upright) aside = std::max(aside, std::abs(from_other[axis]));
     }
-    if (std::abs(apart.z() - cube_size_mm) < height_slack_mm && aside < overlap_mm) return {State::Kind::on, other};
+    if (std::abs(apart.z() - physics.cube_mm()) < height_slack_mm && aside < overlap_mm)
+      return {State::Kind::on, other};
   }
   return {State::Kind::loose};
 }

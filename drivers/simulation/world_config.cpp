@@ -70,7 +70,7 @@ Result<void> check_cube(const WorldConfig& config, std::size_t index) {
     const double dx = std::abs(cube.x_mm - other.x_mm);
     const double dy = std::abs(cube.y_mm - other.y_mm);
     const double apart = square ? std::max(dx, dy) : std::hypot(dx, dy);
-    if (apart < cube_size_mm * (square ? 1 : std::sqrt(2.0))) {
+    if (apart < config.cube_mm * (square ? 1 : std::sqrt(2.0))) {
       return bad(fmt::format("{} and {} stand in one place", other.name, cube.name), cube.name);
     }
   }
@@ -99,6 +99,7 @@ Result<void> check(const WorldConfig& config) {
   }
   const Result<void> camera = check_camera(config.camera);
   if (!camera) return camera;
+  if (!within(config.cube_mm, 10, gripper_opening_mm)) return bad("no gripper takes cubes of that size", "cubes");
   if (config.cubes.size() > max_cubes) {
     return bad(fmt::format("a cell has at most {} cubes", max_cubes), "cubes");
   }

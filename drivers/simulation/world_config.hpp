@@ -28,8 +28,7 @@ std::string_view mark_name(Mark mark);
 // What an object may be called: [A-Za-z][A-Za-z0-9-]*, at most 64 characters.
 bool valid_name(std::string_view name);
 
-inline constexpr double cube_size_mm = 60;
-inline constexpr double cube_mass_kg = 0.15;
+inline constexpr double cube_mass_kg = 0.15;  // whatever its size
 // Cubes in a world at once, the hand's included.
 inline constexpr std::size_t max_cubes = 16;
 // The gripper's widest opening between the fingers.
@@ -65,13 +64,14 @@ struct WorldConfig {
   std::uint64_t seed = 1;
   TableConfig table;
   CameraConfig camera;
+  double cube_mm = 60;  // the edge of every cube; its marks grow with it
   std::vector<CubeConfig> cubes;
   ArmModel arm = crs_f3();
   std::optional<Joints> start_joints;  // the arm's ready pose where not given
 };
 
 // Failures, symbol bad-cell: bad or repeated names, unknown `on`, two cubes in one place, a cube off the table, camera
-// figures out of range, too many cubes.
+// or cube figures out of range, too many cubes.
 Result<void> check(const WorldConfig& config);
 
 }  // namespace pizarra

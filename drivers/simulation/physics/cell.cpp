@@ -48,7 +48,7 @@ bool names_agree(std::string_view a, std::string_view b) {
 
 Cell::Cell(const WorldConfig& config)
     : config_(config),
-      physics_(config.table),
+      physics_(config.table, config.cube_mm),
       arm_(config.arm, config.start_joints.value_or(config.arm.ready)),
       gripper_(physics_),
       hand_(physics_, gripper_) {
@@ -57,11 +57,11 @@ Cell::Cell(const WorldConfig& config)
 
 void Cell::place_cubes() {
   for (const CubeConfig& cube : config_.cubes) {
-    Pose pose = standing(cube.x_mm, cube.y_mm, cube_size_mm / 2, cube.yaw_deg);
+    Pose pose = standing(cube.x_mm, cube.y_mm, config_.cube_mm / 2, cube.yaw_deg);
     if (!cube.on.empty()) {
       const Result<CubeId> below = find(cube.on);
       const Vector3d under = physics_.pose(*below).translation();
-      pose = standing(under.x(), under.y(), under.z() + cube_size_mm, cube.yaw_deg);
+      pose = standing(under.x(), under.y(), under.z() + config_.cube_mm, cube.yaw_deg);
     }
     physics_.add_cube(pose);
     cubes_.push_back({cube.name, cube.mark});

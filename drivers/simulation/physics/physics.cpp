@@ -52,10 +52,11 @@ Eigen::Vector3d table_half(const TableConfig& table) {
 
 }  // namespace
 
-Physics::Physics(const TableConfig& table)
+Physics::Physics(const TableConfig& table, double cube_mm)
     : dispatcher_(&configuration_),
       world_(&dispatcher_, &broadphase_, &solver_, &configuration_),
-      cube_shape_(to_bullet(Eigen::Vector3d::Constant(cube_size_mm / 2))),
+      cube_mm_(cube_mm),
+      cube_shape_(to_bullet(Eigen::Vector3d::Constant(cube_mm / 2))),
       table_shape_(to_bullet(table_half(table))) {
   gContactBreakingThreshold = 2 / unit_mm;
   world_.setGravity(btVector3(0, 0, -9810 / unit_mm));

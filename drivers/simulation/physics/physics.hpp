@@ -4,7 +4,7 @@
 // fingers, a fist) that are moved from outside and push what they touch. Lengths mm, forces N; Bullet itself works in
 // decimetres, which its tolerances suit best.
 //
-//   Physics physics(table);
+//   Physics physics(table, 60);
 //   const CubeId cube = physics.add_cube(pose);
 //   const KinematicId palm = physics.add_kinematic({{.centre_mm = {0, 0, -100}, .half_mm = {20, 62, 20}}}, friction);
 //   physics.move_kinematic(palm, tool);          // where it is at the step's beginning
@@ -36,7 +36,8 @@ class Physics {
     double depth_mm = 0;  // of the deepest point
   };
 
-  explicit Physics(const TableConfig& table);
+  Physics(const TableConfig& table, double cube_mm);
+  double cube_mm() const { return cube_mm_; }
   ~Physics();
   Physics(const Physics&) = delete;
   Physics& operator=(const Physics&) = delete;
@@ -88,6 +89,7 @@ class Physics {
   btDbvtBroadphase broadphase_;
   btSequentialImpulseConstraintSolver solver_;
   btDiscreteDynamicsWorld world_;
+  double cube_mm_;
   btBoxShape cube_shape_;
   btBoxShape table_shape_;
   std::unique_ptr<btRigidBody> table_;

@@ -50,14 +50,14 @@ Solid table_solid(const TableConfig& table) {
   return solid;
 }
 
-Solid cube_solid(const Snapshot::Cube& cube, std::size_t number) {
-  const double half = cube_size_mm / 2;
+Solid cube_solid(const Snapshot::Cube& cube, std::size_t number, double size_mm) {
+  const double half = size_mm / 2;
   Solid solid = make_box(cube.pose, Vector3d::Zero(), Vector3d::Constant(half), cube_white);
   for (int side = 0; side < 6; ++side) {
     Face& face = solid.faces[static_cast<std::size_t>(side)];
     const Vector3d centre = cube.pose.translation() + face.normal * half;
     const Vector3d up = side < 4 ? cube.pose.linear().col(2) : Vector3d(-cube.pose.linear().col(0));
-    paint_mark(face, centre, up, cube.mark, mark_black, mark_id(number, side));
+    paint_mark(face, centre, up, cube.mark, size_mm / marked_cube_mm, mark_black, mark_id(number, side));
   }
   return solid;
 }
@@ -66,7 +66,7 @@ void add_gripper(std::vector<Solid>& solids, const Eigen::Isometry3d& tool, doub
   using namespace gripper_shape;
   solids.push_back(make_box(tool, palm.centre_mm, palm.half_mm, palm_paint));
   Solid marked = make_box(tool, plate.centre_mm, plate.half_mm, plate_black);
-  paint_mark(marked.faces[0], tool * mark, -tool.linear().col(2), Mark::triangle, plate_white, effector_id);
+  paint_mark(marked.faces[0], tool * mark, -tool.linear().col(2), Mark::triangle, 1, plate_white, effector_id);
   solids.push_back(std::move(marked));
   const double aside = (opening_mm + finger_thickness_mm) / 2;
   for (const double y : {-aside, aside}) {
@@ -155,7 +155,7 @@ Scene moving_scene(const WorldConfig& config, const Snapshot& snapshot) {
   Scene scene;
   for (std::size_t i = 0; i < snapshot.cubes.size(); ++i) {
     if (!snapshot.cubes[i].present) continue;
-    scene.solids.push_back(cube_solid(snapshot.cubes[i], i));
+    scene.solids.push_back(cube_solid(snapshot.cubes[i], i, config.cube_mm));
     add_shadow(scene.shadows, scene.solids.back(), config.table);
   }
   const Eigen::Isometry3d tool = forward(config.arm, snapshot.joints);

@@ -100,12 +100,14 @@ std::vector<std::vector<Vector2d>> mark_outline(Mark mark) {
   return {{{-half, low}, {half, low}, {0, low + triangle_height_mm}}};
 }
 
-void paint_mark(Face& face, const Vector3d& centre_mm, const Vector3d& up, Mark mark, const Colour& colour, int id) {
+void paint_mark(Face& face, const Vector3d& centre_mm, const Vector3d& up, Mark mark, double scale,
+                const Colour& colour, int id) {
   const Vector3d right = up.cross(face.normal);
   Decal decal{{}, lit(colour, face.normal), id};
   for (const auto& part : mark_outline(mark)) {
     Points& points = decal.parts.emplace_back();
-    for (const Vector2d& point : part) points.push_back(centre_mm + right * point.x() + up * point.y());
+    for (const Vector2d& point : part)
+      points.push_back(centre_mm + right * (scale * point.x()) + up * (scale * point.y()));
   }
   face.decals.push_back(std::move(decal));
 }

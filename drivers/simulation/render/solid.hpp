@@ -3,7 +3,7 @@
 // What is drawn: convex solids with flat faces, and convex decals painted on them.
 //
 //   Solid cube = make_box(pose, {0, 0, 0}, {30, 30, 30}, white);
-//   paint_mark(cube.faces[0], pose, Mark::circle, black, id);
+//   paint_mark(cube.faces[0], centre, up, Mark::circle, 1, black, id);
 
 #include <Eigen/Geometry>
 #include <vector>
@@ -47,8 +47,11 @@ Solid make_prism(const Eigen::Vector3d& from_mm, const Eigen::Vector3d& to_mm, d
 
 // A mark's convex parts around its centroid; x right, y up, mm.
 std::vector<std::vector<Eigen::Vector2d>> mark_outline(Mark mark);
-// Paints the mark on a face's plane; `centre_mm` in the base frame, `up` the mark's upward direction in the plane.
-void paint_mark(Face& face, const Eigen::Vector3d& centre_mm, const Eigen::Vector3d& up, Mark mark,
+// The cube that a mark of this size is made for.
+inline constexpr double marked_cube_mm = 60;
+// Paints the mark, `scale` times its size, on a face's plane; `centre_mm` in the base frame, `up` the mark's upward
+// direction in the plane.
+void paint_mark(Face& face, const Eigen::Vector3d& centre_mm, const Eigen::Vector3d& up, Mark mark, double scale,
                 const Colour& colour, int id);
 
 }  // namespace pizarra

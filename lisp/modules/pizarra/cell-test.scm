@@ -12,7 +12,22 @@
 
 (check "what is left out has a default" (interpret '((cell c)))
        '(ok (c (1330 0 200 0 0) (3 0.7 0.12) () crs-f3 "" "localhost" ""
-               (("localhost" robot vision planner coordinator person)))))
+               (("localhost" robot vision planner coordinator person)) 60 (76 84 96) (450 -200 200))))
+(check "the gripper opens as the cubes' size asks"
+       (list-tail (cadr (interpret '((cell c (world (cube-size 50) (row (x 460) (y -150 150))))))) 9)
+       '(50 (66 74 86) (460 -150 150)))
+(check "openings are the file's where it says them"
+       (list-ref (cadr (interpret '((cell c (world (openings 70 80 90)))))) 10)
+       '(70 80 90))
+(check "a cube that no gripper takes is refused" (complaint '(world (cube-size 70))) '(1 out-of-range (0 2 1 1)))
+(check "openings that a cube does not fit between are refused"
+       (complaint '(world (openings 60 84 96))) '(1 out-of-range (0 2 1 1)))
+(check "openings have an order" (complaint '(world (openings 96 84 76))) '(1 malformed (0 2 1)))
+(check "a row has a beginning and an end" (complaint '(world (row (y 200 -200)))) '(1 malformed (0 2 1 1)))
+(check "smaller cubes may stand closer"
+       (list (complaint '(world (cube circle (at 450 0)) (cube cross (at 450 55))))
+             (car (complaint '(world (cube-size 50) (cube circle (at 450 0)) (cube cross (at 450 55))))))
+       '((1 overlap (0 2 2)) ok))
 (check "a mark is the cube's name where it is one" (cubes-in '(cube circle (at 450 0) (yaw 5)))
        '((circle circle 450 0 5 "")))
 (check "a stacked cube stands where the lower one does"

@@ -2,7 +2,7 @@
 ;;
 ;; (interpret DATA), the data of a file, answers (errors ...) or
 ;;   (ok (NAME (X Y Z PAN TILT) (SENSOR BLUR GRADIENT) (CUBE ...) ARM DOMAIN BOARD-HOST BOARD-ADDRESS
-;;        ((HOST KIND ...) ...)))
+;;        ((HOST KIND ...) ...) CUBE-SIZE (NARROW NORMAL WIDE) (ROW-X ROW-Y-LOW ROW-Y-HIGH)))
 ;; with CUBE = (NAME MARK X Y YAW ON), ON the empty string for the table.
 
 (define-module (pizarra cell)
@@ -12,7 +12,9 @@
 
 (define marks '(circle triangle square cross))
 (define kinds '(robot vision planner coordinator person))
-(define cube-size-mm 60)
+;; Smaller marks are not recognised, and the fingers do not open wider.
+(define cube-sizes-mm '(40 64))
+(define most-opening-mm 100)
 (define most-cubes 16)
 
 ;; Where a cube on the table can be seen and reached.
@@ -72,9 +74,9 @@
 
 (define (on-table? cube) (string? (cube-on cube)))
 
-(define (overlap? a b)
+(define (overlap? a b size)
   (and (on-table? a) (on-table? b)
-       (< (max (abs (- (cube-x a) (cube-x b))) (abs (- (cube-y a) (cube-y b)))) cube-size-mm)))
+       (< (max (abs (- (cube-x a) (cube-x b))) (abs (- (cube-y a) (cube-y b)))) size)))
 
 ;; Where it stands, (X Y ON), on the cube that (on NAME) names.
 (define (place-on node known)
@@ -101,16 +103,16 @@
           ((memq name marks) name)
           (else (complain! node 'malformed "the cube ~a needs a (mark ...)~a" name (suggestion #f marks))))))
 
-(define (refuse-collisions cube node known)
+(define (refuse-collisions cube node known size)
   (for-each (lambda (other)
               (when (same-name? (cube-name cube) (cube-name other))
                 (complain! node 'repeated "there is a cube ~a already" (cube-name other)))
-              (when (overlap? cube other)
+              (when (overlap? cube other size)
                 (complain! node 'overlap "~a and ~a stand in one place" (cube-name cube) (cube-name other))))
             known))
 
 ;; The cube that NODE describes, which stands after those of KNOWN, or #f.
-(define (cube-of node known)
+(define (cube-of node known size)
   (let ((name (and (node-form? node 'cube) (plain-name-at node 1 "the cube's name"))))
     (and name
          (let* ((inside (node-within node (string-append "in cube " (symbol->string name))))
@@ -120,17 +122,42 @@
                 (yaw (numbers-in found 'yaw '((-180 180)) '(0))))
            (and mark place
                 (let ((cube (list name mark (first place) (second place) (first yaw) (third place))))
-                  (refuse-collisions cube node known)
+                  (refuse-collisions cube node known size)
                   cube))))))
 
-(define (cubes-of nodes)
+(define* (cubes-of nodes #:optional (size 60))
   (when (> (length nodes) most-cubes)
     (complain! (list-ref nodes most-cubes) 'too-many "a cell has at most ~a cubes" most-cubes))
   (reverse
    (fold (lambda (node known)
-           (let ((cube (cube-of node known)))
+           (let ((cube (cube-of node known size)))
              (if cube (cons cube known) known)))
          '() nodes)))
+
+;; ---- what the cubes' size asks of gripper and table
+
+(define (cube-size-of found)
+  (first (numbers-in found 'cube-size (list cube-sizes-mm) '(60))))
+
+;; Narrow, normal and wide, in this order.
+(define (openings-of found size)
+  (let* ((node (section-in found 'openings))
+         (range (list (+ size 2) most-opening-mm))
+         (openings (numbers-in found 'openings (list range range range)
+                               (map (lambda (room) (+ size room)) '(16 24 36)))))
+    (when (and node (not (apply <= openings)))
+      (complain! node 'malformed "the openings are (openings NARROW NORMAL WIDE), none smaller than the one before"))
+    openings))
+
+;; The x of the row that cubes are put down in, and its ends.
+(define (row-of found)
+  (let* ((node (section-in found 'row))
+         (parts (if node (sections (node-rest (node-within node "in the row")) '(x y)) '()))
+         (x (numbers-in parts 'x (list (first reach-mm)) '(450)))
+         (y (numbers-in parts 'y (list (second reach-mm) (second reach-mm)) '(-200 200))))
+    (when (> (first y) (second y))
+      (complain! (section-in parts 'y) 'malformed "the row is (y LOW HIGH), its low end first"))
+    (append x y)))
 
 ;; ---- camera and noise
 
@@ -196,19 +223,24 @@
   (let* ((found (sections (drop (node-items cell) 2) '(world arm domain board host) '(host)))
          (world (section-in found 'world))
          (things (if world
-                     (sections (node-rest (node-within world "in the world")) '(camera cube noise) '(cube))
+                     (sections (node-rest (node-within world "in the world"))
+                               '(camera cube cube-size noise openings row) '(cube))
                      '()))
+         (size (cube-size-of things))
          (arm (section-in found 'arm))
          (hosts (hosts-of (sections-in found 'host))))
     (list name
           (camera-of things)
           (noise-of things)
-          (cubes-of (sections-in things 'cube))
+          (cubes-of (sections-in things 'cube) size)
           (or (and arm (choice-at arm 1 "the arm" '(crs-f3))) 'crs-f3)
           (text-of-section found 'domain "the domain's file" "")
           (first (board-of found hosts))
           (second (board-of found hosts))
-          hosts)))
+          hosts
+          size
+          (openings-of things size)
+          (row-of things))))
 
 (define (interpret data)
   (interpreting data

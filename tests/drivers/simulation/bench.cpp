@@ -107,7 +107,7 @@ void Bench::pick(double x_mm, double y_mm, double z_mm) {
   grip(gripper_opening_mm);
   EXPECT_TRUE(go(x_mm, y_mm, travel_mm));
   EXPECT_TRUE(go(x_mm, y_mm, z_mm, 0.2));
-  EXPECT_NEAR(grip(0), cube_size_mm, 2);
+  EXPECT_NEAR(grip(0), config.cube_mm, 2);
   EXPECT_TRUE(go(x_mm, y_mm, travel_mm, 0.2));
 }
 
