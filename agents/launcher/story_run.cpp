@@ -140,7 +140,7 @@ Result<StoryReport> run_story(const Scenario& scenario, const CellDescription& c
   if (!playable) return fail(playable);
   const Result<Domain> domain = domain_of(cell);
   if (!domain) return fail(domain);
-  const Result<Judge> judge = Judge::make(*domain);
+  const Result<Judge> judge = Judge::make(*domain, cell.cube_mm);
   if (!judge) return fail(judge);
   if (options.realtime) {
     RealExecutor executor;

@@ -15,6 +15,19 @@ std::string small(std::string_view text) {
   return out;
 }
 
+// (cube NAME X Y Z YAW TILT STATE VISIBLE)
+Truth::Cube cube_from_datum(const Datum& item) {
+  const Datum& state = item[7];
+  return {.x_mm = item[2].number(),
+          .y_mm = item[3].number(),
+          .z_mm = item[4].number(),
+          .gone = state.is_symbol("gone"),
+          .held = state.is_symbol("held"),
+          .on = state.is_form("on") ? small(state[1].text()) : "",
+          .loose = state.is_symbol("loose") || state.is_symbol("carried"),
+          .visible = item[8].number()};
+}
+
 }  // namespace
 
 Datum in_small_letters(const Datum& fact) {
@@ -29,17 +42,11 @@ Result<Truth> truth_from_datum(const Datum& head) {
   Truth truth;
   for (const Datum& item : head.items()) {
     if (item.is_form("cube") && item.size() == 9) {
-      const bool loose = item[7].is_symbol("loose") || item[7].is_symbol("carried");
-      Truth::Cube cube{item[2].number(), item[3].number(), item[4].number(), item[7].is_symbol("gone"), loose,
-                       item[8].number()};
-      truth.cubes.emplace(small(item[1].text()), cube);
-    } else if (item.is_form("facts")) {
-      for (const Datum& fact : item.items().subspan(1)) truth.facts.push_back(in_small_letters(fact));
-    } else {
+      truth.cubes.emplace(small(item[1].text()), cube_from_datum(item));
+    } else if (!item.is_form("facts")) {
       return fail("malformed", "the world's truth has an unknown part", item);
     }
   }
-  std::ranges::sort(truth.facts);
   return truth;
 }
 

@@ -19,11 +19,12 @@ struct Truth {
     double y_mm = 0;
     double z_mm = 0;
     bool gone = false;
+    bool held = false;
+    std::string on;      // the cube that it stands squarely on
     bool loose = false;  // neither stands on a face nor is held: it leans, falls, or a hand carries it
     double visible = 0;  // the part of its mark that the left camera sees, 0..1
   };
   std::map<std::string, Cube> cubes;  // by the name, in small letters
-  std::vector<Datum> facts;           // (on A B) (on-table A) (clear A) (holding A) (arm-empty), sorted
 };
 
 Result<Truth> truth_from_datum(const Datum& head);

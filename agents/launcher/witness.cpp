@@ -56,7 +56,7 @@ Task<Result<Verdict>> Witness::judge(std::vector<Datum> goal) {
   Verdict verdict;
   verdict.holds = Judge::holds(goal, *facts);
   if (verdict.holds) co_return verdict;
-  const Result<bool> possible = judge_.plan_exists(goal, *truth, *facts);
+  const Result<bool> possible = judge_.plan_exists(goal, *truth);
   if (!possible) co_return fail(possible);
   verdict.possible = *possible;
   co_return verdict;
