@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
 #include <fmt/format.h>
 #include <numbers>
+#include <optional>
 
 #include "lisp/reader.hpp"
 #include "lisp/writer.hpp"
+#include "tests/agents/coordinator/shortest_plan.hpp"
 #include "tests/source_dir.hpp"
 
 namespace pizarra {
@@ -270,52 +271,15 @@ Task<Result<Datum>> FakeCell::handle_planner(Datum operation) {
   if (!operation.is_form("get-plan")) co_return list("true"_sym);
   const auto initials = task_[2].items().subspan(1);
   const auto goals = task_[3].items().subspan(1);
-  plan_ = search({initials.begin(), initials.end()}, {goals.begin(), goals.end()});
-  if (!plan_.empty() && plan_.front().is_symbol("none")) co_return fail("no-plan", "no plan exists", task_[3]);
+  const Facts from(initials.begin(), initials.end());
+  const Facts to(goals.begin(), goals.end());
+  const std::optional<std::vector<Datum>> plan = shortest_plan(domain_, task_[1], from, to);
+  if (!plan) co_return fail("no-plan", "no plan exists", task_[3]);
+  plan_ = *plan;
   std::vector<Datum> steps;
   for (const Datum& step : plan_) steps.push_back(list(step));
   const Datum answer = Datum::list(steps);
   co_return list(answer);
-}
-
-// Breadth first over every way to ground every operator; (none) where nothing leads to the goal.
-std::vector<Datum> FakeCell::search(const Facts& initials, const Facts& goals) const {
-  std::vector<GroundOperation> operations;
-  for (const Operator& known : domain_.domain().operators) {
-    std::vector<std::vector<Datum>> names{{Datum::symbol(known.name)}};
-    for (std::size_t i = 0; i < known.params.size(); ++i) {
-      std::vector<std::vector<Datum>> longer;
-      for (const std::vector<Datum>& name : names) {
-        for (const Datum& type : task_[1].items().subspan(1)) {
-          if (type[1].text() != known.params[i].type) continue;
-          longer.push_back(name);
-          longer.back().push_back(type[0]);
-        }
-      }
-      names = std::move(longer);
-    }
-    for (const std::vector<Datum>& name : names) operations.push_back(domain_.ground(Datum::list(name)).value());
-  }
-  std::map<Facts, std::vector<Datum>> reached{{initials, {}}};
-  std::deque<Facts> open{initials};
-  while (!open.empty()) {
-    const Facts state = open.front();
-    open.pop_front();
-    const std::vector<Datum> plan = reached[state];
-    if (std::ranges::includes(state, goals)) return plan;
-    for (const GroundOperation& operation : operations) {
-      const auto holds = [&](const Datum& fact) { return state.contains(fact); };
-      if (!std::ranges::all_of(operation.preconditions, holds)) continue;
-      Facts next = state;
-      for (const Datum& fact : operation.deletes) next.erase(fact);
-      next.insert(operation.adds.begin(), operation.adds.end());
-      if (reached.contains(next)) continue;
-      reached[next] = plan;
-      reached[next].push_back(operation.name);
-      open.push_back(next);
-    }
-  }
-  return {"none"_sym};
 }
 
 }  // namespace pizarra

@@ -63,7 +63,6 @@ class FakeCell {
   void move_to(const Eigen::Vector3d& place);
   double close_gripper(double wanted_mm);
   void let_go();
-  std::vector<Datum> search(const Facts& initials, const Facts& goals) const;
 
   VirtualExecutor executor_;
   MemoryBoard board_{executor_};
