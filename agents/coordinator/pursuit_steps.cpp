@@ -92,7 +92,8 @@ Task<Result<void>> Pursuit::clear_view(std::string missing) {
 Task<void> Pursuit::loosen(Datum operation) {
   if (operation.size() < 2) co_return;
   const std::string object(operation[1].text());
-  co_await runner_.loosen(object);
+  const std::string onto(operation.size() > 2 ? operation[2].text() : "");
+  co_await runner_.loosen(object, onto);
 }
 
 // A hand may be at work: what is planned on should have come to rest. Not for ever.

@@ -139,14 +139,17 @@ Task<Result<void>> TaskRunner::set_aside(std::string object) {
   co_return laid;
 }
 
-Task<Result<void>> TaskRunner::loosen(std::string object) {
+Task<Result<void>> TaskRunner::loosen(std::string object, std::string onto) {
   vigil_.rest();
   const Result<double> closed = co_await arm_.grip(0);
   if (!closed) co_return fail(closed);
   const bool holds = *closed > domain_.cube_mm() / 2;
   if (holds) {
     const Result<void> laid = co_await lay_down(object);
-    co_return laid;
+    if (!laid || onto.empty()) co_return laid;
+    const std::vector<Datum> room{list("raise"_sym), list("make-room"_sym, Datum::symbol(onto))};
+    const Result<void> made = co_await run_steps(room);
+    co_return made;
   }
   const std::string sentence = fmt::format("{} cannot be grasped as it lies: pushing it", object);
   co_await story_.tell("servo", sentence, Datum::symbol(object));

@@ -37,8 +37,9 @@ class TaskRunner {
   Task<Result<void>> lay_down(std::string object);
   // Takes `object` to a free spot, away from what it may hide.
   Task<Result<void>> set_aside(std::string object);
-  // Pushes what cannot be grasped where it lies, so that it lies otherwise.
-  Task<Result<void>> loosen(std::string object);
+  // Pushes what cannot be grasped where it lies, so that it lies otherwise. What is held already is laid down, and
+  // `onto`, which it could not be put on, pushed out of its row where it is crowded.
+  Task<Result<void>> loosen(std::string object, std::string onto);
   // Up, or down, to the height that is safe to travel at, with the end effector in sight.
   Task<Result<void>> raise();
 
