@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <opencv2/core.hpp>
 
+#include "agents/launcher/command_line.hpp"
 #include "agents/launcher/words.hpp"
 
 int main(int argc, char** argv) {

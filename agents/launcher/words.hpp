@@ -28,10 +28,6 @@ int complain(const Failure& failure, ExitCode code);
 // For options that take a seed: digits alone, from 0 to 2^64-1.
 CLI::Validator seed_check();
 
-// Prints why a command line was not taken, naming an option that is not known, or the help that was asked for; answers
-// the exit status.
-int end_of_parsing(const CLI::App& app, const CLI::ParseError& error);
-
 // "1 cube", "4 cubes".
 std::string counted(std::size_t number, std::string_view thing);
 

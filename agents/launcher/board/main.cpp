@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "agents/launcher/command_line.hpp"
 #include "blackboard/board_server.hpp"
 #include "blackboard/journal_file.hpp"
 #include "blackboard/memory_board.hpp"
@@ -79,7 +80,7 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? pizarra::stopped : pizarra::bad_usage;
+    return pizarra::end_of_parsing(app, error);
   }
   return pizarra::serve(options);
 }
