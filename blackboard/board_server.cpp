@@ -35,7 +35,7 @@ Result<Datum> nothing_or(const Result<void>& result) {
 
 Result<std::unique_ptr<BoardServer>> BoardServer::open(Executor& executor, MemoryBoard& board,
                                                        const BoardServerOptions& options) {
-  std::unique_ptr<BoardServer> server(new BoardServer(executor, board, options.session_length));
+  std::unique_ptr<BoardServer> server(new BoardServer(executor, board, options));
   for (const std::string& address : options.addresses) {
     const Result<void> allowed = check_listening_address(address, options.insecure);
     if (!allowed) return fail(allowed);
@@ -47,15 +47,32 @@ Result<std::unique_ptr<BoardServer>> BoardServer::open(Executor& executor, Memor
 }
 
 // Sessions are numbered from the time, so that a session of an earlier server's life is not taken for one of this.
-BoardServer::BoardServer(Executor& executor, MemoryBoard& board, Duration session_length)
+BoardServer::BoardServer(Executor& executor, MemoryBoard& board, const BoardServerOptions& options)
     : executor_(executor),
       board_(board),
-      session_length_(session_length),
+      session_length_(options.session_length),
       next_session_(
           static_cast<wire::SessionId>(std::max<Duration::rep>(1, executor.now().time_since_epoch().count()))),
+      life_(next_session_),
+      durability_(options.journal,
+                  [this](wire::SessionId id, const std::string& reply) {
+                    const auto session = sessions_.find(id);
+                    if (session != sessions_.end()) socket_.send(session->second.peer, reply);
+                  }),
       socket_(executor, WireSocket::Kind::router,
               [this](const std::string& peer, std::optional<std::string_view> frame) { receive(peer, frame); }) {
+  restore(options.remembered);
   forget_the_gone();
+}
+
+void BoardServer::restore(const std::vector<RememberedReply>& remembered) {
+  for (const RememberedReply& reply : remembered) {
+    Session& session = sessions_[reply.session];
+    session.teller = reply.teller;
+    session.heard = executor_.now();
+    remember(session, reply.request, {write(list("reply"_sym, reply.request, reply.result)), 0});
+    next_session_ = std::max(next_session_, reply.session + 1);
+  }
 }
 
 BoardServer::~BoardServer() {
@@ -72,7 +89,8 @@ void BoardServer::receive(const std::string& peer, std::optional<std::string_vie
   const std::optional<std::uint64_t> id = wire::count_at(*message, 1);
   if (!id) return refuse({"bad-frame", "a message is (KIND SESSION ...)", {}, {}});
   const auto session = sessions_.find(*id);
-  if (session == sessions_.end()) return send(peer, list("unknown-session"_sym, *id));
+  // One that was restored has no peer before it greets: its client must learn that this is another life.
+  if (session == sessions_.end() || session->second.peer.empty()) return send(peer, list("unknown-session"_sym, *id));
   session->second.heard = executor_.now();
   if (std::exchange(session->second.blocked, false)) schedule_flush(*id);
   if (session->second.peer != peer) {
@@ -103,8 +121,10 @@ void BoardServer::greet(const std::string& peer, const Datum& hello) {
     sessions_[id].teller = hello[1].text();
     sessions_[id].peer = peer;
   }
-  sessions_[id].heard = executor_.now();
-  send(peer, list("welcome"_sym, id));
+  Session& session = sessions_[id];
+  session.heard = executor_.now();
+  if (session.peer.empty()) session.peer = peer;
+  send(peer, list("welcome"_sym, id, life_));
 }
 
 void BoardServer::handle(wire::SessionId id, Session& session, const Datum& message) {
@@ -130,20 +150,34 @@ void BoardServer::request(wire::SessionId id, Session& session, const Datum& mes
   const std::optional<std::uint64_t> number = wire::count_at(message, 2);
   if (!number || message.size() != 4) return;
   if (const auto done = session.replies.find(*number); done != session.replies.end()) {
-    socket_.send(session.peer, done->second);
+    // One that is held comes when it may.
+    if (durability_.kept(done->second.after)) socket_.send(session.peer, done->second.text);
     return;
   }
-  const bool once = must_be_done_once(message[3]);
-  if (once && *number <= session.replies_forgotten) return;
-  const Result<Datum> result = perform(id, session, message[3]);
-  const std::string reply = write(reply_to_datum(*number, result));
-  socket_.send(session.peer, reply);
-  if (!once) return;
-  session.replies.emplace(*number, reply);
-  if (session.replies.size() > max_replies) {
-    session.replies_forgotten = session.replies.begin()->first;
-    session.replies.erase(session.replies.begin());
+  if (must_be_done_once(message[3]) && *number <= session.replies_forgotten) return;
+  answer(id, session, *number, message[3]);
+}
+
+void BoardServer::answer(wire::SessionId id, Session& session, wire::RequestId number, const Datum& body) {
+  const bool durable = durability_.concerns_durable(board_.store(), body);
+  const Result<void> room = durability_.check_room(body, durable);
+  if (!room) return send(session.peer, reply_to_datum(number, fail(room)));
+  const JournalWriter::Position before = durability_.position();
+  const Datum reply = reply_to_datum(number, perform(id, session, body));
+  const std::string text = write(reply);
+  if (must_be_done_once(body)) {
+    remember(session, number, {text, durable ? durability_.position() : 0});
+    if (durable && durability_.position() > before) durability_.remember({id, session.teller, number, reply[2]});
   }
+  if (durable) return durability_.hold(id, number, text);
+  socket_.send(session.peer, text);
+}
+
+void BoardServer::remember(Session& session, wire::RequestId number, Session::Reply reply) {
+  session.replies.emplace(number, std::move(reply));
+  if (session.replies.size() <= max_replies) return;
+  session.replies_forgotten = session.replies.begin()->first;
+  session.replies.erase(session.replies.begin());
 }
 
 Result<Datum> BoardServer::perform(wire::SessionId id, Session& session, const Datum& body) {

@@ -8,7 +8,8 @@
 //
 // The board outlives it.
 // A client is a session: made by its hello, forgotten with its watches ten seconds after it was last heard from. What
-// changes the board is done once however often it is sent: the last 256 such replies of a session are remembered. A
+// changes the board is done once however often it is sent: the last 256 such replies of a session are remembered, and
+// with a journal those about durable facts also in its next life, where the session goes on when its client greets. A
 // watch has at most 16 changes under way; what a slow client has not read waits in the watch's own bounded queue, and
 // when that overflows, or a change could not be sent, the client is resynchronised.
 
@@ -18,6 +19,7 @@
 #include <string>
 #include <vector>
 
+#include "blackboard/durability.hpp"
 #include "blackboard/memory_board.hpp"
 #include "blackboard/watches.hpp"
 #include "blackboard/wire.hpp"
@@ -30,6 +32,9 @@ struct BoardServerOptions {
   // Allows addresses that other machines reach, though nothing is encrypted.
   bool insecure = false;
   Duration session_length = 10s;
+  // The board's: what concerns durable facts is answered when it is written there.
+  JournalWriter* journal = nullptr;
+  std::vector<RememberedReply> remembered = {};
 };
 
 class BoardServer {
@@ -63,11 +68,16 @@ class BoardServer {
     Time heard{};
     bool blocked = false;  // its connection takes no more; until it is heard from
     std::map<wire::WatchId, ServedWatch> watches;
-    std::map<wire::RequestId, std::string> replies;
+    struct Reply {
+      std::string text;
+      JournalWriter::Position after;  // not to be given before this is in the journal
+    };
+    std::map<wire::RequestId, Reply> replies;
     wire::RequestId replies_forgotten = 0;  // up to this request
   };
 
-  BoardServer(Executor& executor, MemoryBoard& board, Duration session_length);
+  BoardServer(Executor& executor, MemoryBoard& board, const BoardServerOptions& options);
+  void restore(const std::vector<RememberedReply>& remembered);
   void receive(const std::string& peer, std::optional<std::string_view> frame);
   void greet(const std::string& peer, const Datum& hello);
   void handle(wire::SessionId id, Session& session, const Datum& message);
@@ -79,6 +89,8 @@ class BoardServer {
   Result<Datum> take(const Session& session, const Datum& body);
   Result<Datum> watch(wire::SessionId id, Session& session, const Datum& body);
   Result<Datum> lease(const Datum& body);
+  void answer(wire::SessionId id, Session& session, wire::RequestId number, const Datum& body);
+  void remember(Session& session, wire::RequestId number, Session::Reply reply);
   void send(const std::string& peer, const Datum& message);
   void schedule_flush(wire::SessionId id);
   void flush(Session& session);
@@ -91,6 +103,8 @@ class BoardServer {
   std::vector<std::string> addresses_;
   std::map<wire::SessionId, Session> sessions_;
   wire::SessionId next_session_;
+  const wire::SessionId life_;  // another one in every life of the server
+  Durability durability_;
   std::set<wire::SessionId> to_flush_;
   Executor::TimerId flush_timer_ = 0;
   Executor::TimerId sweep_timer_ = 0;

@@ -1,6 +1,7 @@
 #include "blackboard/journal.hpp"
 
 #include <algorithm>
+#include <charconv>
 
 #include "lisp/reader.hpp"
 #include "lisp/writer.hpp"
@@ -73,28 +74,17 @@ bool read_entry(const Datum& form, const Commit& commit, Commit::Entry& entry) {
   return form.size() == 2 && (entry.kind != Kind::retracted || form.is_form("retract"));
 }
 
-Result<void> replay_declaration(const Datum& form, Store& store) {
+Result<std::vector<Relation>> read_declaration(const Datum& form) {
   std::vector<Relation> relations;
   for (const Datum& item : form.items().subspan(1)) {
     Result<Relation> relation = relation_from_datum(item);
     if (!relation) return fail(relation);
     relations.push_back(std::move(*relation));
   }
-  const Result<std::vector<Relation>> declared = store.declare(relations);
-  if (!declared) return fail(declared);
-  return {};
+  return relations;
 }
 
 std::unexpected<Failure> bad_line(const Datum& line) { return fail("bad-journal", "not a line of a journal", line); }
-
-// The revision that a line begins with, without reading the rest.
-Revision revision_of(std::string_view line) {
-  Revision revision = 0;
-  for (std::size_t i = 1; i < line.size() && line[i] >= '0' && line[i] <= '9'; ++i) {
-    revision = revision * 10 + static_cast<Revision>(line[i] - '0');
-  }
-  return revision;
-}
 
 }  // namespace
 
@@ -113,7 +103,17 @@ std::string journal_line(Revision revision, Time when, const std::string& teller
   return write(Datum::list(std::move(line)));
 }
 
-Result<void> replay_line(std::string_view line, Store& store) {
+LineStart start_of_line(std::string_view line) {
+  LineStart start;
+  const char* const end = line.data() + line.size();
+  const auto revision = std::from_chars(line.data() + std::min<std::size_t>(1, line.size()), end, start.revision);
+  Duration::rep microseconds = 0;
+  if (revision.ptr != end) std::from_chars(revision.ptr + 1, end, microseconds);
+  start.when = Time(Duration(microseconds));
+  return start;
+}
+
+Result<std::variant<Declaration, Commit>> read_journal_line(std::string_view line) {
   const Result<Datum> read = read_one(line, line_limits, "journal");
   if (!read) return fail(read);
   const Datum& form = *read;
@@ -121,7 +121,12 @@ Result<void> replay_line(std::string_view line, Store& store) {
       !form[2].is_string()) {
     return bad_line(form);
   }
-  if (form[3].is_form("declare")) return form.size() == 4 ? replay_declaration(form[3], store) : bad_line(form);
+  if (form[3].is_form("declare")) {
+    if (form.size() != 4) return bad_line(form);
+    Result<std::vector<Relation>> relations = read_declaration(form[3]);
+    if (!relations) return fail(relations);
+    return Declaration{std::move(*relations)};
+  }
   Commit commit;
   commit.revision = static_cast<Revision>(form[0].integer());
   commit.when = Time(Duration(form[1].integer()));
@@ -131,22 +136,32 @@ Result<void> replay_line(std::string_view line, Store& store) {
     if (!read_entry(item, commit, entry)) return bad_line(item);
     commit.entries.push_back(std::move(entry));
   }
-  return store.apply(commit);
+  return commit;
 }
 
-Result<void> replay(std::string_view text, Store& store, Revision last) {
+Result<void> replay_line(std::string_view line, Store& store) {
+  const auto read = read_journal_line(line);
+  if (!read) return fail(read);
+  if (const auto* commit = std::get_if<Commit>(&*read)) return store.apply(*commit);
+  const Result<std::vector<Relation>> declared = store.declare(std::get<Declaration>(*read).relations);
+  if (!declared) return fail(declared);
+  return {};
+}
+
+Result<std::string_view> replay(std::string_view text, Store& store, const Until& until) {
   std::size_t number = 0;
   for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n')) {
     const std::string_view line = text.substr(0, end);
+    if (is_beyond(start_of_line(line), until)) return text;
     text.remove_prefix(end + 1);
     ++number;
-    if (revision_of(line) > last) break;
     Result<void> replayed = replay_line(line, store);
     if (replayed) continue;
-    replayed.error().sentence = "line " + std::to_string(number) + " of the journal: " + replayed.error().sentence;
-    return replayed;
+    Failure failure = replayed.error();
+    failure.sentence = "line " + std::to_string(number) + " of the journal: " + failure.sentence;
+    return fail(failure);
   }
-  return {};
+  return std::string_view();
 }
 
 }  // namespace pizarra

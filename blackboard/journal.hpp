@@ -10,11 +10,12 @@
 // the id of a taken fact and its new one. A leased fact's renewal is no change and has no line.
 //
 //   Store store;
-//   Result<void> replayed = replay(text, store);                  // all of it, or up to a revision
+//   Result<std::string_view> rest = replay(text, store);          // all of it, or up to a revision or a time
 
 #include <limits>
 #include <string>
 #include <string_view>
+#include <variant>
 
 #include "blackboard/store.hpp"
 
@@ -24,10 +25,33 @@ std::string journal_line(const Commit& commit);
 std::string journal_line(Revision revision, Time when, const std::string& teller,
                          const std::vector<Relation>& declared);
 
+struct Declaration {
+  std::vector<Relation> relations;
+};
+// Of the facts that a line removes or takes, only the ids are known. Failure bad-journal.
+Result<std::variant<Declaration, Commit>> read_journal_line(std::string_view line);
+
+// The first moment that is not wanted any more is the end of a replay.
+struct Until {
+  Revision revision = std::numeric_limits<Revision>::max();
+  Time time = Time::max();
+};
+
+// What a line begins with, without reading the rest.
+struct LineStart {
+  Revision revision = 0;
+  Time when{};
+};
+LineStart start_of_line(std::string_view line);
+inline bool is_beyond(const LineStart& start, const Until& until) {
+  return start.revision > until.revision || start.when > until.time;
+}
+
 // Repeats one line in `store`: failure bad-journal.
 Result<void> replay_line(std::string_view line, Store& store);
 
-// Repeats the lines up to `last`. A last line without its newline was torn by a crash, and is left out.
-Result<void> replay(std::string_view text, Store& store, Revision last = std::numeric_limits<Revision>::max());
+// Repeats the lines in order up to a moment, and answers those that are left. A last line without its newline was torn
+// by a crash, and is left out.
+Result<std::string_view> replay(std::string_view text, Store& store, const Until& until = {});
 
 }  // namespace pizarra

@@ -1,8 +1,6 @@
 #include "blackboard/recorded_board.hpp"
 
-#include <coroutine>
-
-#include "blackboard/journal.hpp"
+#include "blackboard/journal_file.hpp"
 #include "blackboard/store.hpp"
 
 namespace pizarra {
@@ -11,48 +9,67 @@ namespace {
 
 std::unexpected<Failure> read_only() { return fail("read-only", "a recorded board cannot be changed"); }
 
-class RecordedWatch : public Watch {
- public:
-  explicit RecordedWatch(Change first) : first_(std::move(first)) {}
-
-  Task<Result<Change>> next() override {
-    if (!first_) co_await std::suspend_always();
-    Change first = std::move(*first_);
-    first_.reset();
-    co_return first;
-  }
-
- private:
-  std::optional<Change> first_;
-};
-
 }  // namespace
 
-RecordedBoard::RecordedBoard(std::unique_ptr<Store> store) : store_(std::move(store)) {}
+RecordedBoard::RecordedBoard(Executor& executor, std::unique_ptr<Store> store, std::string lines)
+    : store_(*store), board_(executor, std::move(store)), view_(board_.view("recorded")), lines_(std::move(lines)) {}
+
 RecordedBoard::~RecordedBoard() = default;
 
-Result<std::unique_ptr<RecordedBoard>> RecordedBoard::open(std::string_view journal, Revision last) {
+Result<std::unique_ptr<RecordedBoard>> RecordedBoard::open(Executor& executor, const std::string& path,
+                                                           const Until& until) {
   auto store = std::make_unique<Store>();
-  const Result<void> replayed = replay(journal, *store, last);
-  if (!replayed) return fail(replayed);
-  return std::unique_ptr<RecordedBoard>(new RecordedBoard(std::move(store)));
+  Result<std::string> rest = read_journal(path, *store, until);
+  if (!rest) return fail(rest);
+  return std::unique_ptr<RecordedBoard>(new RecordedBoard(executor, std::move(store), std::move(*rest)));
+}
+
+Revision RecordedBoard::revision() const { return store_.revision(); }
+
+std::optional<std::string_view> RecordedBoard::next_line() const {
+  const std::string_view rest = std::string_view(lines_).substr(at_);
+  const std::size_t end = rest.find('\n');
+  if (end == std::string_view::npos) return std::nullopt;
+  return rest.substr(0, end);
+}
+
+std::optional<Time> RecordedBoard::next() const {
+  const std::optional<std::string_view> line = next_line();
+  if (!line) return std::nullopt;
+  return start_of_line(*line).when;
+}
+
+Result<bool> RecordedBoard::step() {
+  const Revision before = revision();
+  while (revision() == before) {
+    const std::optional<std::string_view> line = next_line();
+    if (!line) return false;
+    at_ += line->size() + 1;
+    const Result<void> replayed = replay_line(*line, store_);
+    if (!replayed) return fail(replayed);
+  }
+  return true;
+}
+
+Result<void> RecordedBoard::play_to(const Until& until) {
+  for (auto line = next_line(); line && !is_beyond(start_of_line(*line), until); line = next_line()) {
+    const Result<bool> stepped = step();
+    if (!stepped) return fail(stepped);
+  }
+  return {};
 }
 
 Task<Result<void>> RecordedBoard::declare(std::vector<Relation> relations) {
   for (const Relation& relation : relations) {
-    const auto standing = store_->tables().find(relation.name);
-    if (standing == store_->tables().end() || standing->second.relation() != relation) co_return read_only();
+    const auto standing = store_.tables().find(relation.name);
+    if (standing == store_.tables().end() || standing->second.relation() != relation) co_return read_only();
   }
   co_return Result<void>();
 }
 
-Task<Result<Answers>> RecordedBoard::ask(Query query) { co_return store_->ask(query); }
+Task<Result<Answers>> RecordedBoard::ask(Query query) { return view_->ask(std::move(query)); }
 
-Task<Result<std::unique_ptr<Watch>>> RecordedBoard::watch(Query query) {
-  Result<Answers> answers = store_->ask(query);
-  if (!answers) co_return fail(answers);
-  co_return std::make_unique<RecordedWatch>(Change{answers->revision, true, std::move(answers->answers), {}});
-}
+Task<Result<std::unique_ptr<Watch>>> RecordedBoard::watch(Query query) { return view_->watch(std::move(query)); }
 
 Task<Result<Revision>> RecordedBoard::transact(Transaction) { co_return read_only(); }
 Task<Result<std::optional<Fact>>> RecordedBoard::take(Datum, LeaseId) { co_return read_only(); }

@@ -1,27 +1,37 @@
 #pragma once
 
-// The wall that remembers: a journal played back to one revision. It can be asked; whoever watches sees what held and
-// then waits; what would change it fails with `read-only`.
+// The wall that remembers: a journal played back. It can be asked and watched; it goes on when it is stepped, and what
+// would change it fails with `read-only`.
 //
-//   Result<std::unique_ptr<RecordedBoard>> board = RecordedBoard::open(text, 120);
+//   Result<std::unique_ptr<RecordedBoard>> board = RecordedBoard::open(executor, "cell.journal", {.revision = 120});
 //   Result<Answers> towers = co_await (*board)->ask(query);
+//   (*board)->step();                          // revision 121: whoever watches sees what it changed
+//   (*board)->play_to({.revision = 150});
+//
+// It only goes forward: what was before is another board.
 
-#include <limits>
 #include <memory>
-#include <string_view>
+#include <optional>
+#include <string>
 
-#include "blackboard/board.hpp"
+#include "blackboard/journal.hpp"
+#include "blackboard/memory_board.hpp"
 
 namespace pizarra {
 
-class Store;
-
 class RecordedBoard : public Board {
  public:
-  // The journal's text up to a revision: failure bad-journal.
-  static Result<std::unique_ptr<RecordedBoard>> open(std::string_view journal,
-                                                     Revision last = std::numeric_limits<Revision>::max());
+  // As of a moment. Failures bad-journal, journal-file, forgotten.
+  static Result<std::unique_ptr<RecordedBoard>> open(Executor& executor, const std::string& path,
+                                                     const Until& until = {});
   ~RecordedBoard() override;
+
+  Revision revision() const;
+  // When the next revision was committed: nothing at the end.
+  std::optional<Time> next() const;
+  // Plays the next revision back: false at the end.
+  Result<bool> step();
+  Result<void> play_to(const Until& until);
 
   // Declaring what the journal declares is harmless here, too.
   Task<Result<void>> declare(std::vector<Relation> relations) override;
@@ -34,8 +44,14 @@ class RecordedBoard : public Board {
   Task<Result<void>> release(LeaseId lease) override;
 
  private:
-  explicit RecordedBoard(std::unique_ptr<Store> store);
-  const std::unique_ptr<Store> store_;
+  RecordedBoard(Executor& executor, std::unique_ptr<Store> store, std::string lines);
+  std::optional<std::string_view> next_line() const;
+
+  Store& store_;
+  MemoryBoard board_;
+  const std::unique_ptr<Board> view_;
+  const std::string lines_;  // what is not played back yet, from at_ on
+  std::size_t at_ = 0;
 };
 
 }  // namespace pizarra

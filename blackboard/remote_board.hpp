@@ -6,8 +6,9 @@
 //
 // The server need not be there yet. A request is sent again while it is not answered, and fails with `unreachable`
 // after five seconds. When the server was lost, relations are declared again and watches begin again (their next change
-// is a resynchronised one); leases are lost (`unknown-lease`), and a transaction or a take that was under way fails
-// with `unreachable`, because nobody can say whether it happened.
+// is a resynchronised one); leases are lost (`unknown-lease`). A transaction or a take that was under way is done once
+// by a server that remembers the session from its journal, and fails with `unreachable` on one that does not, because
+// nobody can say whether it happened.
 //
 // It outlives its watches and the tasks that use it.
 
@@ -66,7 +67,8 @@ class RemoteBoard : public Board {
   bool send(const Datum& message);
 
   void receive(std::string_view frame);
-  void welcomed(wire::SessionId session);
+  void welcomed(wire::SessionId session, wire::SessionId life);
+  void fail_what_may_have_happened();
   void redeclare();
   void replied(const Datum& message);
   void tick();
@@ -78,6 +80,7 @@ class RemoteBoard : public Board {
   const Duration timeout_;
   bool joined_ = false;
   wire::SessionId session_ = 0;
+  wire::SessionId life_ = 0;  // the server's
   Time heard_{};
   Time greeted_{};
   Time pinged_{};

@@ -26,7 +26,7 @@ void RemoteBoard::receive(std::string_view frame) {
   if (message.is_form("reply")) return replied(message);
   const std::optional<std::uint64_t> number = wire::count_at(message, 1);
   if (!number) return;
-  if (message.is_form("welcome")) return welcomed(*number);
+  if (message.is_form("welcome")) return welcomed(*number, wire::count_at(message, 2).value_or(0));
   if (message.is_form("unknown-session") && *number == session_) {
     joined_ = false;
     greeted_ = {};
@@ -46,29 +46,34 @@ void RemoteBoard::receive(std::string_view frame) {
   }
 }
 
-void RemoteBoard::welcomed(wire::SessionId session) {
+void RemoteBoard::welcomed(wire::SessionId session, wire::SessionId life) {
   if (joined_) return;
   joined_ = true;
-  const bool resumed = std::exchange(session_, session) == session;
-  if (!resumed) {
-    std::vector<Done> lost;
-    for (auto request = pending_.begin(); request != pending_.end();) {
-      Pending& pending = request->second;
-      const bool perhaps_done = pending.sent && !pending.repeatable;
-      if (perhaps_done) lost.push_back(std::move(pending.done));
-      pending.sent.reset();
-      request = perhaps_done ? pending_.erase(request) : std::next(request);
-    }
-    for (const Done& done : lost) {
-      done(fail("unreachable", "the board was lost before it answered: whether this happened is not known"));
-    }
+  const bool same_session = std::exchange(session_, session) == session;
+  const bool same_life = std::exchange(life_, life) == life;
+  if (!same_session) fail_what_may_have_happened();
+  if (!same_session || !same_life) {
     redeclare();
     std::vector<RemoteWatch*> watching;
     for (const auto& [id, watch] : watches_) watching.push_back(watch);
     for (RemoteWatch* watch : watching) watch->begin_again();
   }
   for (auto& [request, pending] : pending_) {
-    if (resumed || !pending.sent) transmit(request, pending);
+    if (same_session || !pending.sent) transmit(request, pending);
+  }
+}
+
+void RemoteBoard::fail_what_may_have_happened() {
+  std::vector<Done> lost;
+  for (auto request = pending_.begin(); request != pending_.end();) {
+    Pending& pending = request->second;
+    const bool perhaps_done = pending.sent && !pending.repeatable;
+    if (perhaps_done) lost.push_back(std::move(pending.done));
+    pending.sent.reset();
+    request = perhaps_done ? pending_.erase(request) : std::next(request);
+  }
+  for (const Done& done : lost) {
+    done(fail("unreachable", "the board was lost before it answered: whether this happened is not known"));
   }
 }
 

@@ -152,6 +152,11 @@ Result<std::optional<Fact>> Store::take(const std::string& teller, const Datum& 
   return taken;
 }
 
+const Fact* Store::held(FactId id) const {
+  const auto found = held_.find(id);
+  return found == held_.end() ? nullptr : &found->second.fact;
+}
+
 Result<LeaseId> Store::lease(Duration length, Time now) {
   if (length <= Duration::zero() || length > longest_lease) {
     return fail("wrong-shape", "a lease is longer than nothing and at most a year", to_datum(length.count()));

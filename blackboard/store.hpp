@@ -46,10 +46,15 @@ class Store {
   const Tables& tables() const { return tables_; }
   Revision revision() const { return revision_; }
   std::size_t size() const { return homes_.size(); }
+  // A taken fact that is neither settled nor put back.
+  const Fact* held(FactId id) const;
 
-  // Repeats a commit of another store, in order; a failure says why it cannot have happened here. Does not call
-  // on_commit.
-  Result<void> apply(const Commit& commit);
+  // What stood, or was taken, at the revision where a journal begins, by ascending id; then its counters.
+  Result<void> restore(Fact fact, bool taken);
+  void restore_counters(Revision revision, FactId next_fact);
+  // Repeats a commit of another store, in order; a failure says why it cannot have happened here. Of facts that it
+  // removes, only the ids need be known.
+  Result<void> apply(Commit commit);
   // After the last apply, makes the store live: facts of relations that are not durable go, what was taken comes back,
   // and leased relations' facts begin their leases.
   void resume(Time now);
@@ -66,7 +71,7 @@ class Store {
   Result<void> check_step(const Transaction::Step& step, std::set<FactId>& settled);
   void lapse(LeaseId lease, Time now);
   void lapse_facts(Time expiry, Time now);
-  Result<void> apply_entry(const Commit& commit, const Commit::Entry& entry);
+  Result<void> apply_entry(const Commit& commit, Commit::Entry& entry);
 
   Tables tables_;
   std::unordered_map<FactId, FactTable*> homes_;

@@ -17,49 +17,63 @@ std::unexpected<Failure> impossible(const Commit& commit, std::string sentence, 
 
 }  // namespace
 
-Result<void> Store::apply(const Commit& commit) {
+Result<void> Store::apply(Commit commit) {
   if (commit.revision <= revision_) return impossible(commit, "revisions only grow", to_datum(revision_));
-  for (const Commit::Entry& entry : commit.entries) {
+  for (Commit::Entry& entry : commit.entries) {
     Result<void> applied = apply_entry(commit, entry);
     if (!applied) return applied;
   }
   revision_ = commit.revision;
+  if (on_commit) on_commit(commit);
   return {};
 }
 
-Result<void> Store::apply_entry(const Commit& commit, const Commit::Entry& entry) {
-  Fact fact = entry.fact;
+Result<void> Store::apply_entry(const Commit& commit, Commit::Entry& entry) {
+  Fact& fact = entry.fact;
   if (entry.kind == Kind::settled || entry.kind == Kind::returned) {
     const auto held = held_.find(entry.kind == Kind::settled ? fact.id : entry.former);
     if (held == held_.end()) return impossible(commit, "this fact was not taken", to_datum(fact.id));
-    if (entry.kind == Kind::returned) {
-      fact = held->second.fact;
-      fact.id = entry.fact.id;
-      fact.revision = commit.revision;
-    }
+    const FactId id = fact.id;
+    fact = std::move(held->second.fact);
     held_.erase(held);
     if (entry.kind == Kind::settled) return {};
+    fact.id = id;
+    fact.revision = commit.revision;
   }
   if (removes(entry)) {
     const auto home = homes_.find(fact.id);
     if (home == homes_.end()) return impossible(commit, "there is no such fact", to_datum(fact.id));
-    FactTable::Entry removed = home->second->remove(fact.id, commit.revision);
+    fact = home->second->remove(fact.id, commit.revision).fact;
     homes_.erase(home);
-    if (entry.kind == Kind::taken) held_[fact.id] = {std::move(removed.fact), 0};
+    if (entry.kind == Kind::taken) held_[fact.id] = {fact, 0};
     return {};
   }
+  const Result<void> restored = restore(fact, false);
+  if (!restored) return impossible(commit, restored.error().sentence, restored.error().subject);
+  return {};
+}
+
+Result<void> Store::restore(Fact fact, bool taken) {
   const Result<const FactTable*> found = table_for(fact.datum, tables_);
-  if (!found) return impossible(commit, found.error().sentence, fact.datum);
+  if (!found) return fail(found);
   FactTable& table = tables_.find(fact.datum.head())->second;
   const Result<void> shaped = check_shape(table.relation(), fact.datum);
-  if (!shaped) return impossible(commit, shaped.error().sentence, fact.datum);
-  if (fact.id < next_fact_ || table.find_key_of(fact.datum) != nullptr) {
-    return impossible(commit, "a fact with this id or key stands already", fact.datum);
-  }
+  if (!shaped) return shaped;
+  const bool free = fact.id >= next_fact_ && (taken || table.find_key_of(fact.datum) == nullptr);
+  if (!free) return fail("bad-journal", "a fact with this id or key stands already", fact.datum);
   next_fact_ = fact.id + 1;
+  if (taken) {
+    held_[fact.id] = {std::move(fact), 0};
+    return {};
+  }
   homes_[fact.id] = &table;
   table.insert({std::move(fact)});
   return {};
+}
+
+void Store::restore_counters(Revision revision, FactId next_fact) {
+  revision_ = revision;
+  next_fact_ = std::max(next_fact_, next_fact);
 }
 
 void Store::resume(Time now) {

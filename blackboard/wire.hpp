@@ -3,7 +3,7 @@
 // What clients and the board server say to each other: one s-expression a frame, in text.
 //
 // Client to server                                   Server to client
-//   (hello TELLER SESSION)   SESSION 0: a new one      (welcome SESSION)
+//   (hello TELLER SESSION)   SESSION 0: a new one      (welcome SESSION LIFE)
 //   (request SESSION ID BODY)                          (reply ID (ok VALUE)) or (reply ID (fail ...))
 //   (ack SESSION WATCH SEQ)  read up to there          (change WATCH SEQ REVISION RESYNCHRONISED (ANSWER ...) (ANSWER
 //   ...)) (unwatch SESSION WATCH)                            (watch-failed WATCH (fail ...)) (ping SESSION) (pong) (bye

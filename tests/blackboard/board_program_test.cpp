@@ -6,9 +6,11 @@
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <zmq.hpp>
 
 #include "blackboard/remote_board.hpp"
 #include "blackboard/time/real_executor.hpp"
+#include "lisp/writer.hpp"
 #include "tests/blackboard/board_fixture.hpp"
 
 extern char** environ;
@@ -135,6 +137,49 @@ TEST_F(BoardProgram, DurableFactsOutliveItsSuddenDeath) {
   std::filesystem::remove(journal);
 }
 
+// The client's side of the wire, word by word, over a connection of its own.
+Datum say(const std::string& address, const std::vector<std::string>& words) {
+  zmq::context_t context(1);
+  zmq::socket_t socket(context, zmq::socket_type::dealer);
+  socket.set(zmq::sockopt::linger, 0);
+  socket.set(zmq::sockopt::rcvtimeo, 5000);
+  socket.connect(address);
+  zmq::message_t answer;
+  for (const std::string& word : words) {
+    socket.send(zmq::buffer(word));
+    if (!socket.recv(answer)) return {};
+  }
+  return read(answer.to_string());
+}
+
+TEST_F(BoardProgram, ARequestWhoseAnswerWasLostInACrashIsNotDoneTwice) {
+  const std::string journal = path_ + ".journal";
+  const std::string declare = "(declare (relation goal ((n integer)) (durable)))";
+  std::string session;
+  std::string request;
+  {
+    Program program({"--listen", address_, "--journal", journal});
+    program.line();
+    session = std::to_string(say(address_, {"(hello \"alice\" 0)"})[1].integer());
+    const std::string begin = "(request " + session;
+    request = begin + " 3 (take (goal ?n) 0))";
+    const Datum taken = say(address_, {begin + " 1 " + declare + ")",
+                                       begin + " 2 (transact () ((tell (goal 1) 0) (tell (goal 2) 0))))", request});
+    ASSERT_EQ(taken[2][1][0][4], read("(goal 1)")) << write(taken);
+    EXPECT_EQ(program.stop(SIGKILL), -SIGKILL);
+  }
+  Program program({"--listen", address_, "--journal", journal});
+  program.line();
+  EXPECT_TRUE(say(address_, {request}).is_form("unknown-session")) << "the client must learn that this is another life";
+  EXPECT_TRUE(say(address_, {"(hello \"mallory\" " + session + ")"})[1] != read(session));
+  const Datum again = say(address_, {"(hello \"alice\" " + session + ")", request});
+  EXPECT_EQ(again[2][1][0][4], read("(goal 1)")) << write(again);
+  const auto bob = view("bob");
+  EXPECT_EQ(run(bob->facts(read("(goal ?n)")))->size(), 1U) << "the other one was not taken in its place";
+  EXPECT_EQ(program.stop(SIGTERM), 0);
+  std::filesystem::remove(journal);
+}
+
 TEST_F(BoardProgram, ItsExitCodesSayWhatWasWrong) {
   const auto code = [](std::vector<std::string> words) {
     Program program(std::move(words));
@@ -148,6 +193,7 @@ TEST_F(BoardProgram, ItsExitCodesSayWhatWasWrong) {
   EXPECT_EQ(code({"--listen", "tcp://0.0.0.0:5999"}), 3);
   EXPECT_EQ(code({"--listen", "\xff\xfe"}), 3);
   EXPECT_EQ(code({"--listen", address_, "--journal", "/no/such/folder/journal"}), 4);
+  EXPECT_EQ(code({"--listen", address_, "--journal", path_ + ".none", "--history", "long"}), 2);
 }
 
 }  // namespace

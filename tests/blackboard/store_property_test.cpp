@@ -69,7 +69,7 @@ class Pair {
   // A store that the journal is replayed into ends like the one that wrote it.
   void compare_replayed() {
     Store replayed;
-    const Result<void> result = replay(journal_, replayed);
+    const Result<std::string_view> result = replay(journal_, replayed);
     ASSERT_TRUE(result.has_value()) << describe(result.error());
     EXPECT_EQ(replayed.revision(), store_.revision());
     for (const Relation& declared : relations) {

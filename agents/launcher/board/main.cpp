@@ -2,13 +2,14 @@
 // once and stays small.
 
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <fmt/format.h>
 #include <string>
 #include <vector>
 
 #include "agents/launcher/command_line.hpp"
 #include "blackboard/board_server.hpp"
-#include "blackboard/journal_file.hpp"
+#include "blackboard/journal_writer.hpp"
 #include "blackboard/memory_board.hpp"
 #include "blackboard/store.hpp"
 #include "blackboard/time/real_executor.hpp"
@@ -21,8 +22,7 @@ enum Exit : int { stopped = 0, bad_usage = 2, bad_address = 3, bad_journal = 4 }
 
 constexpr const char* exit_codes =
     "Exit codes: 0 stopped by SIGINT or SIGTERM, 2 wrong arguments, 3 an address cannot be used, 4 the journal cannot "
-    "be "
-    "read or written.";
+    "be read or opened.";
 
 int complain(const Failure& failure, Exit code) {
   fmt::print(stderr, "pizarra-board: {}\n", describe(failure));
@@ -32,35 +32,83 @@ int complain(const Failure& failure, Exit code) {
 struct Options {
   BoardServerOptions server;
   std::string journal;
+  std::string history = "200000";
 };
 
-int serve(const Options& options) {
+// `200000` revisions, or `90s`, `30min`, `12h`, `7d`.
+std::optional<History> history_from(const std::string& text) {
+  std::uint64_t count = 0;
+  const char* const end = text.data() + text.size();
+  const auto read = std::from_chars(text.data(), end, count);
+  const std::string_view unit(read.ptr, end);
+  constexpr std::uint64_t most = 1'000'000'000;
+  if (read.ec != std::errc() || count > most) return std::nullopt;
+  if (unit.empty()) return History{.revisions = count};
+  const auto lasting = [&](std::chrono::seconds length) { return History{.time = length * count}; };
+  if (unit == "s") return lasting(1s);
+  if (unit == "min") return lasting(std::chrono::minutes(1));
+  if (unit == "h") return lasting(std::chrono::hours(1));
+  if (unit == "d") return lasting(std::chrono::hours(24));
+  return std::nullopt;
+}
+
+// A board that lives again from its journal, where there is one, and goes on writing it.
+class KeptBoard {
+ public:
+  explicit KeptBoard(Executor& executor) : executor_(executor) {}
+
+  Result<void> begin(const Options& options) {
+    // Leases are numbered from the time, so that one of an earlier life is not taken for one of this.
+    auto store = std::make_unique<Store>(static_cast<LeaseId>(executor_.now().time_since_epoch().count()));
+    if (!options.journal.empty()) {
+      const Result<void> recovered = recover(options, *store);
+      if (!recovered) return recovered;
+    }
+    board_ = std::make_unique<MemoryBoard>(executor_, std::move(store));
+    if (journal_ != nullptr) board_->set_journal([this](std::string_view line) { journal_->append(line); });
+    board_->resume();
+    return {};
+  }
+  MemoryBoard& board() { return *board_; }
+  JournalWriter* journal() { return journal_.get(); }
+  std::vector<RememberedReply> take_remembered() { return std::exchange(remembered_, {}); }
+
+ private:
+  Result<void> recover(const Options& options, Store& store) {
+    const auto file = JournalFile::open(options.journal, *history_from(options.history));
+    if (!file) return fail(file);
+    Result<std::vector<RememberedReply>> remembered = (*file)->recover(store);
+    if (!remembered) return fail(remembered);
+    remembered_ = std::move(*remembered);
+    journal_ = std::make_unique<JournalWriter>(executor_, *file);
+    journal_->on_failure = [](const std::optional<Failure>& failure) {
+      const std::string news = failure ? describe(*failure) + "; what is durable is refused until there is space"
+                                       : std::string("the journal can be written again");
+      fmt::print(stderr, "pizarra-board: {}\n", news);
+    };
+    return {};
+  }
+
+  Executor& executor_;
+  std::vector<RememberedReply> remembered_;
+  std::unique_ptr<JournalWriter> journal_;
+  std::unique_ptr<MemoryBoard> board_;
+};
+
+int serve(Options options) {
   RealExecutor executor;
   const StopSignals signals(executor);
-  // Leases are numbered from the time, so that one of an earlier life is not taken for one of this.
-  auto store = std::make_unique<Store>(static_cast<LeaseId>(executor.now().time_since_epoch().count()));
-  std::unique_ptr<JournalFile> journal;
-  if (!options.journal.empty()) {
-    Result<std::unique_ptr<JournalFile>> opened = JournalFile::open(options.journal, *store);
-    if (!opened) return complain(opened.error(), bad_journal);
-    journal = std::move(*opened);
-  }
-  MemoryBoard board(executor, std::move(store));
-  int code = stopped;
-  if (journal != nullptr) {
-    journal->on_failure = [&](const Failure& failure) {
-      code = complain(failure, bad_journal);
-      executor.stop();
-    };
-    board.set_journal([&](std::string_view line) { journal->append(line); });
-  }
-  board.resume();
-  const Result<std::unique_ptr<BoardServer>> server = BoardServer::open(executor, board, options.server);
+  KeptBoard kept(executor);
+  const Result<void> begun = kept.begin(options);
+  if (!begun) return complain(begun.error(), bad_journal);
+  options.server.journal = kept.journal();
+  options.server.remembered = kept.take_remembered();
+  const Result<std::unique_ptr<BoardServer>> server = BoardServer::open(executor, kept.board(), options.server);
   if (!server) return complain(server.error(), bad_address);
   fmt::print("pizarra-board: ready on {}\n", fmt::join((*server)->addresses(), " "));
   std::fflush(stdout);
   executor.run_until([] { return false; });
-  return code;
+  return stopped;
 }
 
 }  // namespace
@@ -75,6 +123,12 @@ int main(int argc, char** argv) {
       ->type_name("ADDRESS");
   app.add_option("--journal", options.journal, "keep every transaction in FILE, and durable facts beyond a restart")
       ->type_name("FILE");
+  app.add_option("--history", options.history,
+                 "how much of the past the journal keeps at least: revisions, or a time such as 90s, 30min, 12h, 7d")
+      ->check([](const std::string& text) {
+        return pizarra::history_from(text) ? std::string() : "not a number of revisions, nor a time such as 30min";
+      })
+      ->capture_default_str();
   app.add_flag("--insecure", options.server.insecure, "allow addresses that other machines reach, unencrypted");
   app.footer(pizarra::exit_codes);
   try {
@@ -82,5 +136,5 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return pizarra::end_of_parsing(app, error);
   }
-  return pizarra::serve(options);
+  return pizarra::serve(std::move(options));
 }

@@ -1,0 +1,265 @@
+#include "blackboard/journal_file.hpp"
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include "blackboard/journal_writer.hpp"
+#include "blackboard/time/random.hpp"
+#include "blackboard/time/virtual_executor.hpp"
+#include "lisp/writer.hpp"
+#include "tests/blackboard/wall.hpp"
+
+namespace pizarra {
+namespace {
+
+class JournalFileTest : public testing::Test {
+ protected:
+  JournalFileTest()
+      : folder_(memory_or_disk() / ("pizarra-journal-file-" + std::to_string(getpid()))),
+        path_((folder_ / "cell.journal").string()) {
+    std::filesystem::create_directory(folder_);
+  }
+  // A disk is slow to say that it has everything; few tests are about that.
+  static std::filesystem::path memory_or_disk() {
+    const std::filesystem::path memory = "/dev/shm";
+    return std::filesystem::exists(memory) ? memory : std::filesystem::temp_directory_path();
+  }
+  ~JournalFileTest() override { std::filesystem::remove_all(folder_); }
+
+  // One life of a board that keeps its journal in the file.
+  struct Life {
+    explicit Life(const std::string& path, const History& history = {}) {
+      auto store = std::make_unique<Store>();
+      file = JournalFile::open(path, history).value();
+      remembered = file->recover(*store).value();
+      writer = std::make_unique<JournalWriter>(executor, file);
+      board = std::make_unique<MemoryBoard>(executor, std::move(store));
+      board->set_journal([this](std::string_view line) { writer->append(line); });
+      board->resume();
+    }
+    std::vector<Datum> facts(const std::string& pattern) {
+      std::vector<Datum> facts;
+      const Result<Answers> answers = board->ask(query(pattern));
+      for (const Answer& answer : answers->answers) facts.push_back(answer.facts.front().datum);
+      return facts;
+    }
+    void tell(const std::string& fact) {
+      Transaction transaction;
+      transaction.tell(read(fact));
+      EXPECT_TRUE(board->transact("alice", transaction).has_value());
+    }
+    // Until everything is written.
+    void keep() {
+      writer->keep();
+      executor.run_for(1ms);
+    }
+    VirtualExecutor executor;
+    std::shared_ptr<JournalFile> file;
+    std::vector<RememberedReply> remembered;
+    std::unique_ptr<JournalWriter> writer;
+    std::unique_ptr<MemoryBoard> board;
+  };
+
+  Datum facts_at(const Until& until, const std::string& pattern) {
+    Store store;
+    const Result<std::string> later = read_journal(path_, store, until);
+    if (!later) return Datum::symbol(later.error().symbol);
+    std::vector<Datum> facts;
+    const Result<Answers> answers = store.ask(query(pattern));
+    for (const Answer& answer : answers->answers) facts.push_back(answer.facts.front().datum);
+    return Datum::list(std::move(facts));
+  }
+
+  const std::filesystem::path folder_;
+  const std::string path_;
+  const std::vector<Relation> relations_ = {relation("(relation goal ((n integer) (what datum)) (key n) (durable))"),
+                                            relation("(relation seen ((name string)))")};
+};
+
+TEST_F(JournalFileTest, DurableFactsOutliveTheBoardAndOthersDoNot) {
+  {
+    Life life(path_);
+    ASSERT_TRUE(life.board->declare("alice", relations_).has_value());
+    life.tell("(goal 1 (on a b))");
+    life.tell("(goal 2 (on b c))");
+    life.tell("(seen \"circle\")");
+    const LeaseId lease = life.board->lease(60s).value();
+    ASSERT_TRUE(life.board->take("bob", read("(goal 1 ?)"), lease).has_value());
+  }
+  for (int restart = 0; restart < 2; ++restart) {
+    Life life(path_);
+    EXPECT_EQ(life.facts("(query (goal ?n ?) (order ?n))"),
+              (std::vector<Datum>{read("(goal 1 (on a b))"), read("(goal 2 (on b c))")}))
+        << "what was taken by somebody who is gone is back";
+    EXPECT_TRUE(life.facts("(seen ?)").empty());
+  }
+  Life life(path_);
+  const Revision before = life.board->store().revision();
+  life.tell("(goal 3 x)");
+  EXPECT_EQ(life.board->store().revision(), before + 1);
+}
+
+TEST_F(JournalFileTest, WhatIsWaitedForIsWrittenInOneGroupAndWhatIsNotSoonAfter) {
+  Life life(path_);
+  ASSERT_TRUE(life.board->declare("alice", relations_).has_value());
+  life.keep();
+  for (int n = 0; n < 64; ++n) {
+    life.tell(write(list("goal"_sym, n, "x"_sym)));
+    life.writer->keep();
+  }
+  EXPECT_LT(life.writer->kept(), life.writer->position());
+  life.executor.run_for(1ms);
+  EXPECT_EQ(life.writer->kept(), life.writer->position());
+  life.tell("(seen \"circle\")");
+  life.executor.run_for(1ms);
+  EXPECT_LT(life.writer->kept(), life.writer->position());
+  life.executor.run_for(100ms);
+  EXPECT_EQ(life.writer->kept(), life.writer->position());
+}
+
+TEST_F(JournalFileTest, AFileIsKeptByOneBoardAtATimeAndReadByOthersMeanwhile) {
+  Life life(path_);
+  ASSERT_TRUE(life.board->declare("alice", relations_).has_value());
+  life.tell("(goal 1 x)");
+  life.keep();
+  EXPECT_EQ(JournalFile::open(path_, {}).error().symbol, "journal-file");
+  EXPECT_EQ(JournalFile::open("/no/such/folder/journal", {}).error().symbol, "journal-file");
+  EXPECT_EQ(facts_at({}, "(goal ?n ?)"), read("((goal 1 x))"));
+}
+
+TEST_F(JournalFileTest, ThePastIsAsItWasAndWhatTheHorizonPassedIsForgotten) {
+  Life life(path_, {.revisions = 100});
+  ASSERT_TRUE(life.board->declare("alice", relations_).has_value());
+  const std::string padding(3000, 'x');
+  for (int n = 1; n <= 1000; ++n) {
+    life.tell(write(list("goal"_sym, n % 7, list(n, padding))));
+    life.executor.run_for(1s);
+    if (n % 10 == 0) life.keep();
+  }
+  EXPECT_EQ(facts_at({.revision = 1}, "(goal ?n ?)"), "forgotten"_sym);
+  EXPECT_EQ(facts_at({.time = Time(1s)}, "(goal ?n ?)"), "forgotten"_sym);
+  for (const int then : {900, 950, 1000}) {
+    const Datum facts = facts_at({.revision = static_cast<Revision>(then)}, "(query (goal ?n ?what) (order ?n))");
+    ASSERT_EQ(facts.size(), 7U) << then;
+    for (int n = 0; n < 7; ++n) EXPECT_EQ(facts[n][2][0].integer(), then - (then - n) % 7);
+  }
+  EXPECT_EQ(facts_at({.time = Time(950s)}, "(goal 5 (?n ?))"), facts_at({.revision = 950}, "(goal 5 (?n ?))"));
+  EXPECT_LT(std::filesystem::file_size(path_), 2'000'000U) << "3 MB were told";
+  const std::vector<Datum> before = life.facts("(goal ? ?)");
+  life.board.reset();
+  life.writer.reset();
+  life.file.reset();
+  EXPECT_EQ(Life(path_).facts("(goal ? ?)"), before);
+}
+
+TEST_F(JournalFileTest, RepliesAreRememberedInTheNextLife) {
+  {
+    Life life(path_);
+    ASSERT_TRUE(life.board->declare("alice", relations_).has_value());
+    for (std::uint64_t n = 1; n <= 300; ++n) {
+      life.tell(write(list("goal"_sym, n, "x"_sym)));
+      life.writer->remember({7, "ali\"ce", n, list("ok"_sym, n)});
+      if (n % 50 == 0) life.keep();
+    }
+  }
+  const Life life(path_);
+  ASSERT_EQ(life.remembered.size(), 256U);
+  EXPECT_EQ(life.remembered.front().request, 300U);
+  EXPECT_EQ(life.remembered.front().teller, "ali\"ce");
+  EXPECT_EQ(life.remembered.front().result, read("(ok 300)"));
+  EXPECT_EQ(life.remembered.back().request, 45U);
+}
+
+TEST_F(JournalFileTest, WhatIsNoJournalIsRefusedByName) {
+  for (const std::string& text : {std::string("hello"), std::string(5000, 'x'), std::string("SQLite format 3\0", 16)}) {
+    std::ofstream(path_, std::ios::binary) << text;
+    const auto opened = JournalFile::open(path_, {});
+    ASSERT_FALSE(opened.has_value());
+    EXPECT_EQ(opened.error().symbol, "bad-journal") << opened.error().sentence;
+    EXPECT_NE(opened.error().sentence.find(path_), std::string::npos) << opened.error().sentence;
+  }
+}
+
+// A board that was killed leaves its file and SQLite's beside it as they are; damage must not pass for less.
+TEST_F(JournalFileTest, DamageIsAFailureAndNeverAWrongBoard) {
+  constexpr std::uint64_t seed = 5;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::vector<Datum> expected;
+  {
+    Life life(path_, {.revisions = 50});
+    ASSERT_TRUE(life.board->declare("alice", relations_).has_value());
+    for (int n = 1; n <= 400; ++n) {
+      life.tell(write(list("goal"_sym, n % 100, list(n, std::string(1500, 'y')))));
+      life.executor.run_for(1s);
+    }
+    expected = life.facts("(goal ? ?)");
+  }
+  std::ifstream in(path_, std::ios::binary);
+  const std::string whole((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+  Random random(seed);
+  int found = 0;
+  for (int round = 0; round < 120; ++round) {
+    std::string text = whole;
+    if (round % 3 == 0) {
+      text.resize(random.below(text.size()));
+    } else {
+      for (int n = 0; n < 8; ++n) text[random.below(text.size())] ^= static_cast<char>(1 + random.below(255));
+    }
+    std::ofstream(path_, std::ios::binary) << text;
+    std::filesystem::remove(path_ + "-wal");
+    std::filesystem::remove(path_ + "-shm");
+    Store store;
+    const auto file = JournalFile::open(path_, {});
+    const auto recovered = file ? (*file)->recover(store) : fail(file.error());
+    if (!recovered) {
+      ++found;
+      EXPECT_TRUE(recovered.error().symbol == "bad-journal" || recovered.error().symbol == "journal-file")
+          << recovered.error().symbol << ": " << recovered.error().sentence;
+      continue;
+    }
+    if (store.tables().empty() && text.empty()) continue;
+    std::vector<Datum> facts;
+    const Result<Answers> answers = store.ask(query("(goal ? ?)"));
+    ASSERT_TRUE(answers.has_value()) << "round " << round;
+    for (const Answer& answer : answers->answers) facts.push_back(answer.facts.front().datum);
+    EXPECT_EQ(facts, expected) << "round " << round;
+  }
+  EXPECT_GT(found, 60) << "most damage meets something";
+}
+
+TEST_F(JournalFileTest, WhenTheFileMayNotGrowWhatIsDurableIsRefusedAndLaterWritten) {
+  Life life(path_);
+  ASSERT_TRUE(life.board->declare("alice", relations_).has_value());
+  life.tell("(goal 1 x)");
+  life.keep();
+  std::vector<std::string> news;
+  life.writer->on_failure = [&](const std::optional<Failure>& f) { news.push_back(f ? f->symbol : "well"); };
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+  const rlimit small{4096, before.rlim_max};
+  const auto former = std::signal(SIGXFSZ, SIG_IGN);
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+  life.tell("(goal 2 x)");
+  life.keep();
+  EXPECT_TRUE(life.writer->stuck());
+  EXPECT_EQ(life.writer->check_room(true).error().symbol, "journal-full");
+  EXPECT_TRUE(life.writer->check_room(false).has_value());
+  EXPECT_EQ(life.facts("(goal ? ?)").size(), 2U) << "reading goes on";
+  life.executor.run_for(2s);
+  EXPECT_TRUE(life.writer->stuck());
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
+  std::signal(SIGXFSZ, former);
+  life.executor.run_for(300ms);
+  EXPECT_FALSE(life.writer->stuck());
+  EXPECT_TRUE(life.writer->check_room(true).has_value());
+  EXPECT_EQ(life.writer->kept(), life.writer->position());
+  EXPECT_EQ(news, (std::vector<std::string>{"journal-full", "well"}));
+  EXPECT_EQ(facts_at({}, "(goal ? ?)"), read("((goal 1 x) (goal 2 x))"));
+}
+
+}  // namespace
+}  // namespace pizarra
