@@ -21,18 +21,15 @@ std::partial_ordering compare_values(const Datum& a, const Datum& b) {
   return a <=> b;
 }
 
-bool holds(const Datum& comparison, const Bindings& bindings) {
-  const Datum a = substitute(comparison[1], bindings);
-  const Datum b = substitute(comparison[2], bindings);
-  const std::partial_ordering order = compare_values(a, b);
-  const std::string_view name = comparison.head();
-  if (name == "=") return order == 0;
-  if (name == "/=") return order != 0;
-  if (!a.is_number() || !b.is_number()) return false;
-  if (name == "<") return order < 0;
-  if (name == "<=") return order <= 0;
-  if (name == ">") return order > 0;
-  return order >= 0;
+Weight weigh(const Query& query) {
+  constexpr std::size_t envelope = 64;
+  Weight whole;
+  for (const Query::Clause& clause : query.clauses) {
+    whole += pizarra::weigh(clause.form);
+    whole.bytes += envelope;
+    whole.elements += 4;
+  }
+  return whole;
 }
 
 class Search {
@@ -48,12 +45,10 @@ class Search {
     if (examined_ > limits::examined) {
       return fail("too-large", "answering this takes looking at more than a million facts", query_to_datum(query_));
     }
-    if (weight_ > weight_bound_) return too_many();
+    if (weight_.bytes > weight_bound_) return too_many();
     if (!query_.order.empty()) sort();
-    if (query_.limit && answers_.size() > *query_.limit) answers_.resize(*query_.limit);
-    Weight whole;
-    for (const Answer& answer : answers_) whole += weigh(answer);
-    if (!check_weight(whole, "the answer")) return too_many();
+    if (query_.limit && answers_.size() > *query_.limit) cut();
+    if (!check_weight(weight_, "the answer")) return too_many();
     return std::move(answers_);
   }
 
@@ -63,14 +58,14 @@ class Search {
   }
 
   // Whether the search should go on.
-  bool extend(std::size_t clause, const Bindings& bindings) {
-    if (clause == query_.clauses.size()) return finish(bindings);
+  bool extend(std::size_t clause, Bindings bindings) {
+    if (clause == query_.clauses.size()) return finish(std::move(bindings));
     const Query::Clause& next = query_.clauses[clause];
     switch (next.kind) {
       case Query::Clause::Kind::compare:
-        return !holds(next.form, bindings) || extend(clause + 1, bindings);
+        return !holds(next.form, bindings) || extend(clause + 1, std::move(bindings));
       case Query::Clause::Kind::absent:
-        return exists(substitute(next.form, bindings)) || extend(clause + 1, bindings);
+        return exists(substitute(next.form, bindings)) || extend(clause + 1, std::move(bindings));
       case Query::Clause::Kind::fact:
         return extend_by_fact(clause, bindings);
     }
@@ -78,27 +73,23 @@ class Search {
   }
 
   bool extend_by_fact(std::size_t clause, const Bindings& bindings) {
-    const Datum pattern = substitute(query_.clauses[clause].form, bindings);
+    const Datum& form = query_.clauses[clause].form;
     bool go_on = true;
     const auto consider = [&](const Fact& fact) {
       if (++examined_ > limits::examined) return go_on = false;
-      Bindings fresh;
-      if (!match(pattern, fact.datum, fresh)) return true;
+      Bindings both = bindings;
+      if (!match(form, fact.datum, both)) return true;
       chosen_.push_back(&fact);
-      if (bindings.all().empty()) {
-        go_on = extend(clause + 1, fresh);
-      } else {
-        Bindings both = bindings;
-        for (const auto& [variable, value] : fresh.all()) both.bind(variable, value);
-        go_on = extend(clause + 1, both);
-      }
+      go_on = extend(clause + 1, std::move(both));
       chosen_.pop_back();
       return go_on;
     };
     if (pinned_ != nullptr) {
       consider(*pinned_);
+    } else if (bindings.all().empty()) {
+      tables_.find(form.head())->second.visit(form, consider);
     } else {
-      tables_.find(pattern.head())->second.visit(pattern, consider);
+      tables_.find(form.head())->second.visit(substitute(form, bindings), consider);
     }
     return go_on;
   }
@@ -114,14 +105,20 @@ class Search {
     return found;
   }
 
-  bool finish(const Bindings& bindings) {
-    Answer answer;
-    answer.bindings = bindings;
+  bool finish(Bindings bindings) {
+    Answer& answer = answers_.emplace_back();
+    answer.bindings = std::move(bindings);
+    answer.facts.reserve(chosen_.size());
     for (const Fact* fact : chosen_) answer.facts.push_back(*fact);
-    weight_ += weigh(answer).bytes;
-    answers_.push_back(std::move(answer));
+    weight_ += weigh(answer);
     const bool enough = enough_ && answers_.size() >= *enough_;
-    return !enough && weight_ <= weight_bound_;
+    return !enough && weight_.bytes <= weight_bound_;
+  }
+
+  void cut() {
+    answers_.resize(*query_.limit);
+    weight_ = {};
+    for (const Answer& answer : answers_) weight_ += weigh(answer);
   }
 
   void sort() {
@@ -138,11 +135,25 @@ class Search {
   std::vector<const Fact*> chosen_;
   std::vector<Answer> answers_;
   std::size_t examined_ = 0;
-  std::size_t weight_ = 0;
+  Weight weight_;
   std::size_t weight_bound_ = 0;
 };
 
 }  // namespace
+
+bool holds(const Datum& comparison, const Bindings& bindings) {
+  const Datum a = substitute(comparison[1], bindings);
+  const Datum b = substitute(comparison[2], bindings);
+  const std::partial_ordering order = compare_values(a, b);
+  const std::string_view name = comparison.head();
+  if (name == "=") return order == 0;
+  if (name == "/=") return order != 0;
+  if (!a.is_number() || !b.is_number()) return false;
+  if (name == "<") return order < 0;
+  if (name == "<=") return order <= 0;
+  if (name == ">") return order > 0;
+  return order >= 0;
+}
 
 Result<const FactTable*> table_for(const Datum& pattern, const Tables& tables) {
   const auto found = tables.find(pattern.head());
@@ -163,7 +174,7 @@ Result<const FactTable*> table_for(const Datum& pattern, const Tables& tables) {
 Result<void> check_query_on(const Query& query, const Tables& tables) {
   Result<void> checked = check_query(query);
   if (!checked) return checked;
-  checked = check_weight(weigh(query_to_datum(query)), "a query");
+  checked = check_weight(weigh(query), "a query");
   if (!checked) return checked;
   for (const Query::Clause& clause : query.clauses) {
     if (clause.kind == Query::Clause::Kind::compare) continue;

@@ -22,6 +22,9 @@ Result<void> check_query_on(const Query& query, const Tables& tables);
 // there must be one, match that fact, whether or not it stands.
 Result<std::vector<Answer>> evaluate(const Query& query, const Tables& tables, const Fact* pinned = nullptr);
 
+// Whether a comparison of values that are all bound is true.
+bool holds(const Datum& comparison, const Bindings& bindings);
+
 Weight weigh(const Answer& answer);
 
 }  // namespace pizarra

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cassert>
 
+#include "blackboard/limits.hpp"
 #include "lisp/pattern.hpp"
 
 namespace pizarra {
@@ -11,7 +12,6 @@ namespace pizarra {
 namespace {
 
 constexpr std::size_t small_enough_to_look_through = 16;
-const std::set<FactId> no_facts;
 
 }  // namespace
 
@@ -20,58 +20,46 @@ FactTable::Entry* FactTable::find(FactId id) {
   return found == entries_.end() ? nullptr : &found->second;
 }
 
-FactTable::Entry* FactTable::find_key_of(const Datum& fact) {
-  const auto found = by_key_.find(key_of(relation_, fact));
-  return found == by_key_.end() ? nullptr : find(found->second);
+const FactTable::Entry* FactTable::find_key_of(const Datum& fact) const {
+  const Place* found =
+      by_key_.find(key_hash(fact), [&](const Place& place) { return same_key(place->second.fact.datum, fact); });
+  return found == nullptr ? nullptr : &(*found)->second;
 }
 
 FactTable::Entry& FactTable::insert(Entry entry) {
+  assert(find_key_of(entry.fact.datum) == nullptr);
   const FactId id = entry.fact.id;
-  const Datum& datum = entry.fact.datum;
-  [[maybe_unused]] const bool key_free = by_key_.emplace(key_of(relation_, datum), id).second;
-  assert(key_free);
-  for (auto& [mask, index] : indexes_) index[arguments_in(mask, datum)].insert(id);
-  const auto [place, id_free] = entries_.emplace(id, std::move(entry));
-  assert(id_free);
+  const std::size_t hash = key_hash(entry.fact.datum);
+  const Place place = entries_.emplace_hint(entries_.end(), id, std::move(entry));
+  by_key_.insert(hash, place);
+  const Entry& inserted = place->second;
+  for (auto& [mask, index] : indexes_) index[arguments_in(mask, inserted.fact.datum)].emplace(id, &inserted);
   return place->second;
 }
 
 FactTable::Entry FactTable::remove(FactId id, Revision revision) {
-  const auto found = entries_.find(id);
+  const Place found = entries_.find(id);
   assert(found != entries_.end());
-  Entry entry = std::move(found->second);
-  entries_.erase(found);
-  const Datum& datum = entry.fact.datum;
-  by_key_.erase(key_of(relation_, datum));
+  const Datum datum = found->second.fact.datum;
+  by_key_.erase(key_hash(datum), [&](const Place& place) { return place == found; });
   for (auto& [mask, index] : indexes_) {
     const auto place = index.find(arguments_in(mask, datum));
     place->second.erase(id);
     if (place->second.empty()) index.erase(place);
   }
-  removals_.push_back({revision, datum});
-  if (removals_.size() > max_removals) {
-    removals_forgotten_ = removals_.front().revision;
-    removals_.pop_front();
-  }
+  Entry entry = std::move(found->second);
+  entries_.erase(found);
+  remember_removal(revision, datum);
   return entry;
 }
 
-void FactTable::visit(const Datum& pattern, const Visitor& visitor) const {
-  const bool key_bound = std::all_of(relation_.key.begin(), relation_.key.end(),
-                                     [&](std::size_t position) { return is_ground(pattern[position + 1]); });
-  if (key_bound) {
-    const auto found = by_key_.find(key_of(relation_, pattern));
-    if (found != by_key_.end()) visitor(entries_.at(found->second).fact);
-    return;
-  }
-  if (const std::set<FactId>* ids = bucket(pattern)) {
-    for (const FactId id : *ids) {
-      if (!visitor(entries_.at(id).fact)) return;
-    }
-    return;
-  }
-  for (const auto& [id, entry] : entries_) {
-    if (!visitor(entry.fact)) return;
+void FactTable::remember_removal(Revision revision, const Datum& datum) {
+  removals_.push_back({revision, datum, weigh(datum).bytes});
+  removed_bytes_ += removals_.back().bytes;
+  while (removals_.size() > max_removals || removed_bytes_ > max_removed_bytes) {
+    removals_forgotten_ = removals_.front().revision;
+    removed_bytes_ -= removals_.front().bytes;
+    removals_.pop_front();
   }
 }
 
@@ -92,6 +80,20 @@ bool FactTable::unchanged_since(const Datum& pattern, Revision revision) const {
   return unchanged;
 }
 
+bool FactTable::key_is_ground(const Datum& pattern) const {
+  return std::ranges::all_of(relation_.key, [&](std::size_t position) { return is_ground(pattern[position + 1]); });
+}
+
+std::size_t FactTable::key_hash(const Datum& datum) const {
+  std::size_t hash = 0;
+  for (const std::size_t position : relation_.key) hash = std::rotl(hash, 7) ^ datum[position + 1].hash();
+  return hash;
+}
+
+bool FactTable::same_key(const Datum& a, const Datum& b) const {
+  return std::ranges::all_of(relation_.key, [&](std::size_t position) { return a[position + 1] == b[position + 1]; });
+}
+
 Datum FactTable::arguments_in(Mask mask, const Datum& datum) const {
   std::vector<Datum> arguments;
   arguments.reserve(static_cast<std::size_t>(std::popcount(mask)));
@@ -102,7 +104,8 @@ Datum FactTable::arguments_in(Mask mask, const Datum& datum) const {
 }
 
 // The facts that an index finds for the pattern's ground arguments; null where looking through all is the way.
-const std::set<FactId>* FactTable::bucket(const Datum& pattern) const {
+const FactTable::Bucket* FactTable::bucket_for(const Datum& pattern) const {
+  static const Bucket none;
   if (entries_.size() <= small_enough_to_look_through) return nullptr;
   Mask bound = 0;
   for (std::size_t i = 0; i < relation_.arguments.size(); ++i) {
@@ -113,7 +116,7 @@ const std::set<FactId>* FactTable::bucket(const Datum& pattern) const {
   const Index* index = index_for(bound, used);
   if (index == nullptr) return nullptr;
   const auto found = index->find(arguments_in(used, pattern));
-  return found == index->end() ? &no_facts : &found->second;
+  return found == index->end() ? &none : &found->second;
 }
 
 const FactTable::Index* FactTable::index_for(Mask bound, Mask& used) const {
@@ -121,7 +124,7 @@ const FactTable::Index* FactTable::index_for(Mask bound, Mask& used) const {
   if (const auto exact = indexes_.find(bound); exact != indexes_.end()) return &exact->second;
   if (indexes_.size() < max_indexes) {
     Index& index = indexes_[bound];
-    for (const auto& [id, entry] : entries_) index[arguments_in(bound, entry.fact.datum)].insert(id);
+    for (const auto& [id, entry] : entries_) index[arguments_in(bound, entry.fact.datum)].emplace(id, &entry);
     return &index;
   }
   const Index* best = nullptr;

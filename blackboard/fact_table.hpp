@@ -7,17 +7,17 @@
 //
 //   table.insert({fact, lease, expiry});
 //   table.visit(pattern, [&](const Fact& fact) { return true; });    // candidates by ascending id; false stops
+//
+// Telling, retracting and finding by key cost the same however many facts there are.
 
 #include <deque>
-#include <functional>
 #include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <unordered_map>
-#include <vector>
 
 #include "blackboard/fact.hpp"
+#include "blackboard/hash_index.hpp"
 #include "blackboard/relation.hpp"
 
 namespace pizarra {
@@ -29,11 +29,13 @@ class FactTable {
     LeaseId lease = 0;
     std::optional<Time> expiry = {};  // by the relation's own lease
   };
-  using Visitor = std::function<bool(const Fact&)>;
   static constexpr std::size_t max_indexes = 8;
   static constexpr std::size_t max_removals = 4096;
+  static constexpr std::size_t max_removed_bytes = 1 << 20;
 
   explicit FactTable(Relation relation) : relation_(std::move(relation)) {}
+  FactTable(const FactTable&) = delete;
+  FactTable& operator=(const FactTable&) = delete;
 
   const Relation& relation() const { return relation_; }
   std::size_t size() const { return entries_.size(); }
@@ -41,34 +43,58 @@ class FactTable {
 
   Entry* find(FactId id);
   // The entry with the same key as `fact`.
-  Entry* find_key_of(const Datum& fact);
+  const Entry* find_key_of(const Datum& fact) const;
+  Entry* find_key_of(const Datum& fact) { return const_cast<Entry*>(std::as_const(*this).find_key_of(fact)); }
   // No entry with its id or its key may stand.
   Entry& insert(Entry entry);
   Entry remove(FactId id, Revision revision);
 
-  // Calls `visitor` for every fact that may fit, and for all that do, until it answers false.
-  void visit(const Datum& pattern, const Visitor& visitor) const;
+  // Calls `visitor` for every fact that may fit, and for all that do, until it answers false; for those with an id from
+  // `first` on.
+  template <class Visitor>
+  void visit(const Datum& pattern, Visitor&& visitor, FactId first = 0) const {
+    if (key_is_ground(pattern)) {
+      const Entry* entry = find_key_of(pattern);
+      if (entry != nullptr && entry->fact.id >= first) visitor(entry->fact);
+    } else if (const Bucket* bucket = bucket_for(pattern)) {
+      for (auto i = bucket->lower_bound(first); i != bucket->end(); ++i) {
+        if (!visitor(i->second->fact)) return;
+      }
+    } else {
+      for (auto i = entries_.lower_bound(first); i != entries_.end(); ++i) {
+        if (!visitor(i->second.fact)) return;
+      }
+    }
+  }
   // Whether no fact that fits came or went after `revision`. False, too, when the removals since then are forgotten:
-  // the last 4096 are remembered.
+  // the last 4096 are remembered, up to a megabyte.
   bool unchanged_since(const Datum& pattern, Revision revision) const;
 
  private:
-  using Index = std::unordered_map<Datum, std::set<FactId>>;
+  using Bucket = std::map<FactId, const Entry*>;
+  using Index = std::unordered_map<Datum, Bucket>;
   using Mask = std::uint32_t;
+  using Place = std::map<FactId, Entry>::iterator;
 
+  bool key_is_ground(const Datum& pattern) const;
+  std::size_t key_hash(const Datum& datum) const;
+  bool same_key(const Datum& a, const Datum& b) const;
   Datum arguments_in(Mask mask, const Datum& datum) const;
-  const std::set<FactId>* bucket(const Datum& pattern) const;
+  const Bucket* bucket_for(const Datum& pattern) const;
   const Index* index_for(Mask bound, Mask& used) const;
+  void remember_removal(Revision revision, const Datum& datum);
 
   Relation relation_;
   std::map<FactId, Entry> entries_;
-  std::unordered_map<Datum, FactId> by_key_;
+  HashIndex<Place> by_key_;
   mutable std::map<Mask, Index> indexes_;
   struct Removal {
     Revision revision;
     Datum datum;
+    std::size_t bytes;
   };
   std::deque<Removal> removals_;
+  std::size_t removed_bytes_ = 0;
   Revision removals_forgotten_ = 0;
 };
 

@@ -40,7 +40,11 @@ constexpr std::size_t relations = 4096;      // on a board
 constexpr std::size_t leases = 100'000;      // on a board
 constexpr std::size_t watches = 100'000;     // on a board
 constexpr std::size_t examined = 1'000'000;  // facts looked at to answer one question
+// What waits for a reader of a watch; one that lags further behind is resynchronised.
 constexpr std::size_t pending_changes = 1024;
+constexpr std::size_t pending_bytes = 4 << 20;
+// What holds comes to a reader in parts of about this size.
+constexpr std::size_t part_bytes = 1 << 18;
 
 }  // namespace limits
 

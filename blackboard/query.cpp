@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <set>
 
 namespace pizarra {
 
@@ -56,21 +55,23 @@ Result<void> read_option(const Datum& form, Query& query) {
   return bad_query("a query's options are (order ?VARIABLE) and (limit COUNT)", form);
 }
 
-void collect_variables(const Datum& pattern, std::set<std::string, std::less<>>& variables) {
-  if (is_variable(pattern)) variables.emplace(pattern.text());
+using Variables = std::vector<Datum>;
+
+void collect_variables(const Datum& pattern, Variables& variables) {
+  const bool fresh = is_variable(pattern) && std::ranges::find(variables, pattern) == variables.end();
+  if (fresh) variables.push_back(pattern);
   for (const Datum& item : pattern.items()) collect_variables(item, variables);
 }
 
-Result<void> check_comparison(const Datum& form, const std::set<std::string, std::less<>>& bound) {
+Result<void> check_comparison(const Datum& form, const Variables& bound) {
   if (!is_comparison(form) || form.size() != 3) return bad_query("a comparison takes two operands", form);
   const bool of_numbers = form.head() != "=" && form.head() != "/=";
   for (const Datum& operand : form.items().subspan(1)) {
-    std::set<std::string, std::less<>> variables;
+    Variables variables;
     collect_variables(operand, variables);
-    for (const std::string& variable : variables) {
-      if (!bound.contains(variable)) {
-        return bad_query("a comparison uses " + variable + ", which no earlier pattern binds", form);
-      }
+    for (const Datum& variable : variables) {
+      if (std::ranges::find(bound, variable) != bound.end()) continue;
+      return bad_query("a comparison uses " + std::string(variable.text()) + ", which no earlier pattern binds", form);
     }
     if (of_numbers && !is_variable(operand) && !operand.is_number()) {
       return bad_query("only numbers have an order", form);
@@ -94,15 +95,16 @@ Result<void> check_pattern(const Datum& pattern) {
 Result<void> check_query(const Query& query) {
   if (query.clauses.empty()) return bad_query("a query needs a clause", list("and"_sym));
   if (query.clauses.size() > max_clauses) return bad_query("a query has at most 64 clauses", {});
-  std::set<std::string, std::less<>> bound;
+  Variables bound;
   for (const Query::Clause& clause : query.clauses) {
     const bool compares = clause.kind == Query::Clause::Kind::compare;
     const Result<void> checked = compares ? check_comparison(clause.form, bound) : check_pattern(clause.form);
     if (!checked) return checked;
     if (clause.kind == Query::Clause::Kind::fact) collect_variables(clause.form, bound);
-    bound.erase("?");
+    std::erase(bound, "?"_sym);
   }
-  if (!query.order.empty() && !bound.contains(query.order)) {
+  const auto is_order = [&](const Datum& variable) { return variable.text() == query.order; };
+  if (!query.order.empty() && std::ranges::none_of(bound, is_order)) {
     return bad_query("the answers are ordered by " + query.order + ", which no pattern binds",
                      Datum::symbol(query.order));
   }

@@ -50,14 +50,36 @@ void RemoteWatch::begin_again() {
 }
 
 void RemoteWatch::receive(std::uint64_t sequence, const Datum& message) {
-  Result<Change> change = wire::change_from_datum(query_, message);
-  if (!change) return end(change.error());
+  Result<wire::ReceivedChange> received = wire::change_from_datum(query_, message);
+  if (!received) return end(received.error());
   if (sequence < expected_) return;
-  const bool gap = sequence > expected_ && !change->resynchronised;
+  const bool whole = received->kind == Delta::Kind::all || received->kind == Delta::Kind::first_part;
+  const bool gap = sequence > expected_ && !whole;
   if (gap || unread_.size() >= max_unread) return begin_again();
   expected_ = sequence + 1;
-  unread_.push_back({sequence, std::move(*change)});
-  waiters_.wake_all();
+  std::optional<Change> change = assemble(std::move(*received));
+  if (change) {
+    unread_.push_back({sequence, std::move(*change)});
+    waiters_.wake_all();
+  } else {
+    // A part is read when it is put to the others.
+    read_ = sequence;
+    acknowledge();
+  }
+}
+
+std::optional<Change> RemoteWatch::assemble(wire::ReceivedChange received) {
+  Change& change = received.change;
+  if (received.kind == Delta::Kind::change || received.kind == Delta::Kind::all) return std::move(change);
+  if (received.kind == Delta::Kind::first_part) parts_.clear();
+  for (const Answer& answer : change.removed) parts_.erase(answer.facts.front().id);
+  for (Answer& answer : change.added) parts_.emplace(answer.facts.front().id, std::move(answer));
+  if (received.kind != Delta::Kind::last_part) return std::nullopt;
+  change.added.clear();
+  change.removed.clear();
+  for (auto& [id, answer] : parts_) change.added.push_back(std::move(answer));
+  parts_.clear();
+  return std::move(change);
 }
 
 void RemoteWatch::end(Failure failure) {

@@ -34,6 +34,8 @@ class RemoteWatch : public Watch {
 
   void enrol();
   void acknowledge();
+  // What holds comes in parts: nothing until the last has come.
+  std::optional<Change> assemble(wire::ReceivedChange received);
 
   struct Received {
     std::uint64_t sequence;
@@ -47,6 +49,7 @@ class RemoteWatch : public Watch {
   std::uint64_t read_ = 0;
   std::uint64_t acknowledged_ = 0;
   std::deque<Received> unread_;
+  std::map<FactId, Answer> parts_;
   std::optional<Failure> ended_;
   WaitList waiters_;
 };

@@ -15,8 +15,16 @@ Store::Change::Change(Store& store, std::string teller, Time now) : store_(store
   commit_.teller = std::move(teller);
 }
 
+// Most transactions are about one relation.
+FactTable& Store::Change::table_of(const Datum& fact) {
+  if (last_table_ == nullptr || last_table_->relation().name != fact.head()) {
+    last_table_ = &store_.tables_.find(fact.head())->second;
+  }
+  return *last_table_;
+}
+
 void Store::Change::tell(const Datum& fact, const std::vector<FactId>& because, LeaseId lease) {
-  FactTable& table = store_.tables_.find(fact.head())->second;
+  FactTable& table = table_of(fact);
   if (FactTable::Entry* standing = table.find_key_of(fact)) {
     if (standing->fact.datum == fact) return set_lease(table, *standing, lease);
     retract(standing->fact.id);
@@ -28,7 +36,7 @@ void Store::Change::tell(const Datum& fact, const std::vector<FactId>& because, 
   told.when = commit_.when;
   told.because = because;
   told.revision = commit_.revision;
-  commit_.entries.push_back({Kind::told, told});
+  commit_.entries.emplace_back(Kind::told, told);
   insert(std::move(told), lease);
 }
 
@@ -39,13 +47,13 @@ void Store::Change::retract(FactId id) {
                                    [&](const Commit::Entry& entry) { return adds(entry) && entry.fact.id == id; });
     commit_.entries.erase(std::next(told).base());
   } else {
-    commit_.entries.push_back({Kind::retracted, std::move(fact)});
+    commit_.entries.emplace_back(Kind::retracted, std::move(fact));
   }
 }
 
 void Store::Change::retract_matching(const Datum& pattern) {
   std::vector<FactId> fitting;
-  store_.tables_.find(pattern.head())->second.visit(pattern, [&](const Fact& fact) {
+  table_of(pattern).visit(pattern, [&](const Fact& fact) {
     Bindings bindings;
     if (match(pattern, fact.datum, bindings)) fitting.push_back(fact.id);
     return true;
@@ -72,7 +80,7 @@ void Store::Change::settle(FactId taken) {
 
 void Store::Change::put_back(FactId taken) {
   const auto held = store_.held_.find(taken);
-  if (store_.tables_.find(held->second.fact.datum.head())->second.find_key_of(held->second.fact.datum) != nullptr) {
+  if (table_of(held->second.fact.datum).find_key_of(held->second.fact.datum) != nullptr) {
     return settle(taken);
   }
   Fact fact = std::move(held->second.fact);
@@ -95,22 +103,26 @@ Fact Store::Change::remove(FactId id) {
   assert(home != store_.homes_.end());
   FactTable::Entry entry = home->second->remove(id, commit_.revision);
   store_.homes_.erase(home);
-  if (Leases::Lease* lease = store_.leases_.find(entry.lease)) lease->facts.erase(id);
+  if (entry.lease != 0) {
+    if (Leases::Lease* lease = store_.leases_.find(entry.lease)) lease->facts.erase(id);
+  }
   if (entry.expiry) store_.fact_expiries_.erase({*entry.expiry, id});
   return std::move(entry.fact);
 }
 
 void Store::Change::insert(Fact fact, LeaseId lease) {
-  FactTable& table = store_.tables_.find(fact.datum.head())->second;
+  FactTable& table = table_of(fact.datum);
   store_.homes_[fact.id] = &table;
   set_lease(table, table.insert({std::move(fact)}), lease);
 }
 
 void Store::Change::set_lease(FactTable& table, FactTable::Entry& entry, LeaseId lease) {
   const FactId id = entry.fact.id;
-  if (Leases::Lease* former = store_.leases_.find(entry.lease)) former->facts.erase(id);
-  entry.lease = lease;
-  if (Leases::Lease* now = store_.leases_.find(lease)) now->facts.insert(id);
+  if (entry.lease != lease) {
+    if (Leases::Lease* former = store_.leases_.find(entry.lease)) former->facts.erase(id);
+    if (Leases::Lease* now = store_.leases_.find(lease)) now->facts.insert(id);
+    entry.lease = lease;
+  }
   if (entry.expiry) store_.fact_expiries_.erase({*entry.expiry, id});
   if (!table.relation().lease) return;
   entry.expiry = commit_.when + *table.relation().lease;

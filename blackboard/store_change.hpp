@@ -22,11 +22,13 @@ class Store::Change {
   Revision finish();
 
  private:
+  FactTable& table_of(const Datum& fact);
   Fact remove(FactId id);
   void insert(Fact fact, LeaseId lease);
   void set_lease(FactTable& table, FactTable::Entry& entry, LeaseId lease);
 
   Store& store_;
+  FactTable* last_table_ = nullptr;
   Commit commit_;
 };
 

@@ -11,178 +11,101 @@ namespace pizarra {
 
 namespace {
 
-bool has_one_fact(const Query& query) {
-  std::size_t facts = 0;
-  for (const Query::Clause& clause : query.clauses) {
-    if (clause.kind == Query::Clause::Kind::absent) return false;
-    if (clause.kind == Query::Clause::Kind::fact) ++facts;
+// Those that are about relations.
+template <class Clauses, class Visitor>
+void for_patterns(const Clauses& clauses, Visitor&& visitor) {
+  for (const Query::Clause& clause : clauses) {
+    if (clause.kind != Query::Clause::Kind::compare) visitor(clause.form);
   }
-  return facts == 1 && !query.limit;
-}
-
-std::vector<FactId> key_of_answer(const Answer& answer) {
-  std::vector<FactId> key;
-  for (const Fact& fact : answer.facts) key.push_back(fact.id);
-  return key;
-}
-
-std::size_t bytes_of(const Change& change) {
-  std::size_t bytes = 0;
-  for (const Answer& answer : change.added) bytes += weigh(answer).bytes;
-  for (const Answer& answer : change.removed) bytes += weigh(answer).bytes;
-  return bytes;
-}
-
-// A change that takes more elements than a frame has is as good as one that takes more bytes.
-bool fits_frame(const Change& change) {
-  Weight weight;
-  for (const Answer& answer : change.added) weight += weigh(answer);
-  for (const Answer& answer : change.removed) weight += weigh(answer);
-  return check_weight(weight, "a change").has_value();
 }
 
 }  // namespace
 
-WatchQueue::WatchQueue(WatchTable& table, Query query, std::function<void()> on_ready)
-    : table_(table), query_(std::move(query)), by_facts_(has_one_fact(query_)), on_ready_(std::move(on_ready)) {}
-
-WatchQueue::~WatchQueue() {
-  if (number_ == 0) return;
-  table_.watches_.erase(number_);
-  for (const WatchTable::Interest& interest : table_.interests_of(query_)) {
-    const auto found = table_.interested_.find(interest);
-    if (found == table_.interested_.end()) continue;
-    found->second.erase(number_);
-    if (found->second.empty()) table_.interested_.erase(found);
-  }
-}
-
-Result<std::vector<Answer>> WatchQueue::answers_now() {
-  Result<std::vector<Answer>> answers = evaluate(query_, table_.store_.tables());
-  if (!answers || by_facts_) return answers;
-  standing_.clear();
-  for (const Answer& answer : *answers) standing_.emplace(key_of_answer(answer), answer);
-  return answers;
-}
-
-Result<void> WatchQueue::begin() {
-  Result<std::vector<Answer>> answers = answers_now();
-  if (!answers) return fail(answers);
-  push({table_.store_.revision(), true, std::move(*answers), {}});
-  return {};
-}
-
-Result<Change> WatchQueue::pop() {
-  assert(ready());
-  if (lagging_) {
-    Result<std::vector<Answer>> answers = answers_now();
-    if (!answers) return fail(answers);
-    lagging_ = false;
-    return Change{table_.store_.revision(), true, std::move(*answers), {}};
-  }
-  Queued first = std::move(changes_.front());
-  changes_.pop_front();
-  queued_bytes_ -= first.bytes;
-  return std::move(first.change);
-}
-
-void WatchQueue::resynchronise() {
-  const bool was_ready = ready();
-  changes_.clear();
-  queued_bytes_ = 0;
-  lagging_ = true;
-  if (!was_ready && on_ready_) on_ready_();
-}
-
-void WatchQueue::committed(const Commit& commit) {
-  if (lagging_) return;
-  if (by_facts_) return push(difference_by_facts(commit));
-  Result<Change> change = difference_by_answers(commit);
-  if (!change) return resynchronise();
-  push(std::move(*change));
-}
-
-Change WatchQueue::difference_by_facts(const Commit& commit) const {
-  Change change;
-  change.revision = commit.revision;
-  for (const Commit::Entry& entry : commit.entries) {
-    if (!adds(entry) && !removes(entry)) continue;
-    Result<std::vector<Answer>> answers = evaluate(query_, table_.store_.tables(), &entry.fact);
-    std::vector<Answer>& side = adds(entry) ? change.added : change.removed;
-    if (answers) side.insert(side.end(), answers->begin(), answers->end());
-  }
-  return change;
-}
-
-Result<Change> WatchQueue::difference_by_answers(const Commit& commit) {
-  std::map<AnswerKey, Answer> before;
-  before.swap(standing_);
-  Result<std::vector<Answer>> answers = answers_now();
-  if (!answers) return fail(answers);
-  Change change;
-  change.revision = commit.revision;
-  for (Answer& answer : *answers) {
-    if (!before.contains(key_of_answer(answer))) change.added.push_back(std::move(answer));
-  }
-  for (auto& [key, answer] : before) {
-    if (!standing_.contains(key)) change.removed.push_back(std::move(answer));
-  }
-  return change;
-}
-
-void WatchQueue::push(Change change) {
-  if (change.added.empty() && change.removed.empty() && !change.resynchronised) return;
-  const std::size_t bytes = bytes_of(change);
-  const bool room = changes_.size() < limits::pending_changes && queued_bytes_ + bytes <= limits::frame_bytes;
-  if (!room || !fits_frame(change)) return resynchronise();
-  const bool was_ready = ready();
-  changes_.push_back({std::move(change), bytes});
-  queued_bytes_ += bytes;
-  if (!was_ready && on_ready_) on_ready_();
-}
-
-WatchTable::~WatchTable() { assert(watches_.empty()); }
+WatchTable::~WatchTable() { assert(size_ == 0); }
 
 Result<std::unique_ptr<WatchQueue>> WatchTable::add(const Query& query, std::function<void()> on_ready) {
-  if (watches_.size() >= limits::watches) return fail("too-large", "the board has too many watches");
+  if (size_ >= limits::watches) return fail("too-large", "the board has too many watches");
   const Result<void> checked = check_query_on(query, store_.tables());
   if (!checked) return fail(checked);
-  auto queue = std::make_unique<WatchQueue>(*this, query, nullptr);
+  auto queue = std::make_unique<WatchQueue>(*this, store_, query);
   const Result<void> begun = queue->begin();
   if (!begun) return fail(begun);
   queue->on_ready_ = std::move(on_ready);
-  queue->number_ = next_number_++;
-  watches_.emplace(queue->number_, queue.get());
-  for (Interest& interest : interests_of(query)) interested_[std::move(interest)].insert(queue->number_);
+  enter(*queue);
   return queue;
 }
 
+void WatchTable::enter(WatchQueue& watch) {
+  watch.number_ = next_number_++;
+  ++size_;
+  for_patterns(watch.query_.clauses, [&](const Datum& pattern) {
+    Concerned& relation = relations_[std::string(pattern.head())];
+    ++relation.patterns;
+    file_for(relation, pattern).push_back({&watch, &pattern});
+  });
+}
+
+WatchTable::File& WatchTable::file_for(Concerned& relation, const Datum& pattern) {
+  std::size_t best = 0;
+  std::size_t fewest = 0;
+  for (std::size_t place = 1; place < pattern.size(); ++place) {
+    if (!is_ground(pattern[place])) continue;
+    const Files& files = relation.by_argument[place];
+    const auto found = files.find(pattern[place]);
+    const std::size_t others = found == files.end() ? 0 : found->second.size();
+    if (best != 0 && others >= fewest) continue;
+    best = place;
+    fewest = others;
+  }
+  return best == 0 ? relation.all : relation.by_argument[best][pattern[best]];
+}
+
+void WatchTable::forget(const WatchQueue& watch) {
+  --size_;
+  const auto is_of_watch = [&](const Filed& filed) { return filed.watch == &watch; };
+  for_patterns(watch.query_.clauses, [&](const Datum& pattern) {
+    Concerned& relation = relations_.find(pattern.head())->second;
+    --relation.patterns;
+    std::erase_if(relation.all, is_of_watch);
+    for (auto& [place, files] : relation.by_argument) {
+      const auto found = files.find(pattern[place]);
+      if (found == files.end()) continue;
+      std::erase_if(found->second, is_of_watch);
+      if (found->second.empty()) files.erase(found);
+    }
+    std::erase_if(relation.by_argument, [](const auto& files) { return files.second.empty(); });
+  });
+}
+
 void WatchTable::committed(const Commit& commit) {
-  std::map<std::uint64_t, WatchQueue*> touched;
+  std::vector<WatchQueue*> touched;
   for (const Commit::Entry& entry : commit.entries) {
-    if (!adds(entry) && !removes(entry)) continue;
-    const Relation& relation = store_.tables().find(entry.fact.datum.head())->second.relation();
-    collect({relation.name, {}}, touched);
-    collect({relation.name, key_of(relation, entry.fact.datum)}, touched);
+    if (adds(entry) || removes(entry)) find_touched(entry.fact, commit.revision, touched);
   }
-  for (const auto& [number, watch] : touched) watch->committed(commit);
+  std::ranges::sort(touched, {}, &WatchQueue::number_);
+  for (WatchQueue* watch : touched) watch->committed(commit);
 }
 
-std::vector<WatchTable::Interest> WatchTable::interests_of(const Query& query) const {
-  std::vector<Interest> interests;
-  for (const Query::Clause& clause : query.clauses) {
-    if (clause.kind == Query::Clause::Kind::compare) continue;
-    const Relation& relation = store_.tables().find(clause.form.head())->second.relation();
-    const Datum key = key_of(relation, clause.form);
-    interests.emplace_back(relation.name, is_ground(key) ? key : Datum());
+void WatchTable::find_touched(const Fact& fact, Revision revision, std::vector<WatchQueue*>& touched) const {
+  const auto relation = relations_.find(fact.datum.head());
+  if (relation == relations_.end()) return;
+  const auto look_through = [&](const File& file) {
+    for (const Filed& filed : file) {
+      if (filed.watch->touched_ == revision || !resembles(*filed.pattern, fact.datum)) continue;
+      filed.watch->touched_ = revision;
+      touched.push_back(filed.watch);
+    }
+  };
+  look_through(relation->second.all);
+  for (const auto& [place, files] : relation->second.by_argument) {
+    const auto file = files.find(fact.datum[place]);
+    if (file != files.end()) look_through(file->second);
   }
-  return interests;
 }
 
-void WatchTable::collect(const Interest& interest, std::map<std::uint64_t, WatchQueue*>& into) const {
-  const auto found = interested_.find(interest);
-  if (found == interested_.end()) return;
-  for (const std::uint64_t number : found->second) into.emplace(number, watches_.at(number));
+std::size_t WatchTable::concerned_with(std::string_view relation) const {
+  const auto found = relations_.find(relation);
+  return found == relations_.end() ? 0 : found->second.patterns;
 }
 
 }  // namespace pizarra

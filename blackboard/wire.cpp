@@ -1,7 +1,12 @@
 #include "blackboard/wire.hpp"
 
+#include <algorithm>
+#include <array>
+#include <charconv>
+
 #include "blackboard/limits.hpp"
 #include "lisp/pattern.hpp"
+#include "lisp/writer.hpp"
 
 namespace pizarra::wire {
 
@@ -62,11 +67,40 @@ Result<Transaction::Step> step_from_datum(const Datum& form) {
   return bad_frame("not a step of a transaction", form);
 }
 
-Datum answers_to_datum(const std::vector<Answer>& answers) {
-  std::vector<Datum> forms;
-  forms.reserve(answers.size());
-  for (const Answer& answer : answers) forms.push_back(answer_to_datum(answer));
-  return Datum::list(std::move(forms));
+constexpr std::array<std::string_view, 5> kind_names = {"no", "yes", "first", "more", "last"};
+
+void write_number(std::string& out, std::integral auto value) {
+  std::array<char, 24> digits;
+  out.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr);
+}
+
+void write_fact(std::string& out, const Fact& fact) {
+  out += '(';
+  write_number(out, fact.id);
+  out += ' ';
+  write_number(out, fact.revision);
+  out += ' ';
+  write_number(out, fact.when.time_since_epoch().count());
+  out += ' ';
+  write_to(out, to_datum(fact.teller));
+  out += ' ';
+  write_to(out, fact.datum);
+  for (const FactId cause : fact.because) {
+    out += ' ';
+    write_number(out, cause);
+  }
+  out += ')';
+}
+
+void write_answers(std::string& out, std::size_t width, const Delta::Side& side) {
+  out += " (";
+  auto next = side.facts.begin();
+  for (std::size_t answer = 0; answer < side.answers; ++answer) {
+    out += '(';
+    for (std::size_t i = 0; i < width; ++i) write_fact(out, *next++);
+    out += ')';
+  }
+  out += ')';
 }
 
 Result<Answer> answer_from_datum(const Query& query, const Datum& form) {
@@ -172,25 +206,37 @@ Result<std::vector<Answer>> answers_from_datum(const Query& query, std::span<con
   return answers;
 }
 
-Datum change_to_datum(WatchId watch, std::uint64_t sequence, const Change& change) {
-  return list("change"_sym, watch, sequence, change.revision, change.resynchronised ? "yes"_sym : "no"_sym,
-              answers_to_datum(change.added), answers_to_datum(change.removed));
+void write_change(std::string& out, WatchId watch, std::uint64_t sequence, std::size_t width, const Delta& delta) {
+  out += "(change ";
+  write_number(out, watch);
+  out += ' ';
+  write_number(out, sequence);
+  out += ' ';
+  write_number(out, delta.revision);
+  out += ' ';
+  out += kind_names[static_cast<std::size_t>(delta.kind)];
+  write_answers(out, width, delta.added);
+  write_answers(out, width, delta.removed);
+  out += ')';
 }
 
-Result<Change> change_from_datum(const Query& query, const Datum& form) {
-  if (form.size() != 7 || !count_from(form[3]) || !form[4].is_symbol() || !form[5].is_list() || !form[6].is_list()) {
+Result<ReceivedChange> change_from_datum(const Query& query, const Datum& form) {
+  const auto name = std::ranges::find(kind_names, form.size() == 7 ? form[4].text() : std::string_view());
+  if (name == kind_names.end() || !count_from(form[3]) || !form[4].is_symbol() || !form[5].is_list() ||
+      !form[6].is_list()) {
     return bad_frame("not a change", form);
   }
   Result<std::vector<Answer>> added = answers_from_datum(query, form[5].items());
   if (!added) return fail(added);
   Result<std::vector<Answer>> removed = answers_from_datum(query, form[6].items());
   if (!removed) return fail(removed);
-  Change change;
-  change.revision = *count_from(form[3]);
-  change.resynchronised = form[4].is_symbol("yes");
-  change.added = std::move(*added);
-  change.removed = std::move(*removed);
-  return change;
+  ReceivedChange received;
+  received.kind = static_cast<Delta::Kind>(name - kind_names.begin());
+  received.change.revision = *count_from(form[3]);
+  received.change.resynchronised = received.kind != Delta::Kind::change;
+  received.change.added = std::move(*added);
+  received.change.removed = std::move(*removed);
+  return received;
 }
 
 }  // namespace pizarra::wire

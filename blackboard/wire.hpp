@@ -2,12 +2,17 @@
 
 // What clients and the board server say to each other: one s-expression a frame, in text.
 //
-// Client to server                                   Server to client
-//   (hello TELLER SESSION)   SESSION 0: a new one      (welcome SESSION LIFE)
-//   (request SESSION ID BODY)                          (reply ID (ok VALUE)) or (reply ID (fail ...))
-//   (ack SESSION WATCH SEQ)  read up to there          (change WATCH SEQ REVISION RESYNCHRONISED (ANSWER ...) (ANSWER
-//   ...)) (unwatch SESSION WATCH)                            (watch-failed WATCH (fail ...)) (ping SESSION) (pong) (bye
-//   SESSION)                                      (unknown-session SESSION), (refused (fail ...))
+// Client to server                              Server to client
+//   (hello TELLER SESSION)  SESSION 0: a new one   (welcome SESSION LIFE)
+//   (request SESSION ID BODY)                      (reply ID (ok VALUE)) or (reply ID (fail ...))
+//   (ack SESSION WATCH SEQ)  read up to there      (change WATCH SEQ REVISION KIND (ANSWER ...) (ANSWER ...))
+//   (unwatch SESSION WATCH)                        (watch-failed WATCH (fail ...))
+//   (ping SESSION)                                 (pong)
+//   (bye SESSION)                                  (unknown-session SESSION), (refused (fail ...))
+//
+// The answers of a change are those that came, then those that went. Its KIND is `no` for what changed, `yes` for all
+// that holds, or, where that is more than a message holds, `first`, `more` ... and `last` for the parts of it: what
+// went is then of the parts before, and what holds is known with the last.
 //
 // A BODY and the VALUE of its reply:
 //   (declare RELATION ...) -> ()                       (take PATTERN LEASE) -> () or (FACT)
@@ -25,6 +30,7 @@
 #include <string>
 
 #include "blackboard/board.hpp"
+#include "blackboard/delta.hpp"
 #include "lisp/reader.hpp"
 
 namespace pizarra::wire {
@@ -51,8 +57,13 @@ Result<Fact> fact_from_datum(const Datum& form);
 Datum answer_to_datum(const Answer& answer);
 Result<std::vector<Answer>> answers_from_datum(const Query& query, std::span<const Datum> forms);
 
-Datum change_to_datum(WatchId watch, std::uint64_t sequence, const Change& change);
+// Adds `(change ...)`, of a query whose answers have `width` facts each.
+void write_change(std::string& out, WatchId watch, std::uint64_t sequence, std::size_t width, const Delta& delta);
+struct ReceivedChange {
+  Delta::Kind kind = Delta::Kind::change;
+  Change change;
+};
 // The change of a `(change ...)` that has at least its watch and sequence.
-Result<Change> change_from_datum(const Query& query, const Datum& form);
+Result<ReceivedChange> change_from_datum(const Query& query, const Datum& form);
 
 }  // namespace pizarra::wire

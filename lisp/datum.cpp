@@ -4,119 +4,84 @@
 #include <bit>
 #include <cassert>
 #include <cmath>
-#include <type_traits>
+#include <cstring>
+#include <memory>
+#include <new>
 
 namespace pizarra {
 
-template <class ShortText, class LongText>
-Datum Datum::of_text(std::string_view text) {
-  if (text.size() > Short::capacity) {
-    LongText value;
-    value.text = std::make_shared<const std::string>(text);
-    return Datum(Value(std::move(value)));
+struct Datum::Text : Datum::Shared {
+  explicit Text(std::uint32_t count) : size(count) {}
+  std::uint32_t size;
+  char* data() { return reinterpret_cast<char*>(this + 1); }
+  const char* data() const { return reinterpret_cast<const char*>(this + 1); }
+};
+
+Datum Datum::of_text(std::string_view text, Form short_form, Form long_form) {
+  if (text.size() <= capacity) {
+    Datum datum(short_form, 0);
+    std::memcpy(datum.words_.data(), text.data(), text.size());
+    datum.words_[1] |= std::uint64_t{text.size()} << tag_shift;
+    return datum;
   }
-  ShortText value;
-  value.size = static_cast<std::uint8_t>(text.size());
-  std::ranges::copy(text, value.chars.begin());
-  return Datum(Value(value));
+  Text* shared = new (::operator new(sizeof(Text) + text.size())) Text(static_cast<std::uint32_t>(text.size()));
+  std::ranges::copy(text, shared->data());
+  return {long_form, std::bit_cast<std::uint64_t>(shared)};
 }
 
 Datum Datum::symbol(std::string_view name) {
   assert(is_symbol_name(name) || name == ",");
-  return of_text<ShortSymbol, LongSymbol>(name);
+  return checked_symbol(name);
 }
 
 Datum Datum::string(std::string_view text) {
   assert(is_string_text(text));
-  return of_text<ShortString, LongString>(text);
+  return checked_string(text);
 }
-
-Datum Datum::integer(std::int64_t value) { return Datum(Value(value)); }
 
 Datum Datum::real(double value) {
   assert(std::isfinite(value));
-  return Datum(Value(value == 0.0 ? 0.0 : value));
+  return {Form::real, std::bit_cast<std::uint64_t>(value == 0.0 ? 0.0 : value)};
 }
 
-Datum Datum::list(std::vector<Datum> items) {
+Datum Datum::list_of(std::span<Datum> items) {
   if (items.empty()) return {};
-  List value;
-  value.items = std::make_shared<const std::vector<Datum>>(std::move(items));
-  return Datum(Value(std::move(value)));
+  auto* shared =
+      new (::operator new(sizeof(Items) + items.size_bytes())) Items(static_cast<std::uint32_t>(items.size()));
+  std::uninitialized_move(items.begin(), items.end(), shared->data());
+  return {Form::list, std::bit_cast<std::uint64_t>(shared)};
 }
 
-Datum::Kind Datum::kind() const {
-  static constexpr std::array kinds{Kind::list,   Kind::symbol,  Kind::symbol, Kind::string,
-                                    Kind::string, Kind::integer, Kind::real};
-  static_assert(kinds.size() == std::variant_size_v<Value>);
-  return kinds[value_.index()];
+void Datum::release() {
+  auto* shared = value<Shared*>();
+  if (shared->users.fetch_sub(1, std::memory_order_acq_rel) != 1) return;
+  if (is_list()) {
+    auto* items = static_cast<Items*>(shared);
+    std::destroy_n(items->data(), items->size);
+  }
+  ::operator delete(shared);
 }
 
-std::string_view Datum::text() const {
-  if (const auto* symbol = std::get_if<ShortSymbol>(&value_)) return symbol->view();
-  if (const auto* string = std::get_if<ShortString>(&value_)) return string->view();
-  if (const auto* symbol = std::get_if<LongSymbol>(&value_)) return symbol->view();
-  if (const auto* string = std::get_if<LongString>(&value_)) return string->view();
-  return {};
+std::string_view Datum::long_text() const {
+  const auto* shared = value<const Text*>();
+  return {shared->data(), shared->size};
 }
 
-std::int64_t Datum::integer() const {
-  const auto* value = std::get_if<std::int64_t>(&value_);
-  return value ? *value : 0;
-}
-
-double Datum::number() const {
-  if (const auto* value = std::get_if<double>(&value_)) return *value;
-  return static_cast<double>(integer());
-}
-
-std::span<const Datum> Datum::items() const {
-  const auto* list = std::get_if<List>(&value_);
-  if (!list || !list->items) return {};
-  return *list->items;
-}
-
-std::string_view Datum::head() const {
-  const auto elements = items();
-  if (elements.empty() || !elements.front().is_symbol()) return {};
-  return elements.front().text();
+bool Datum::same_shared(const Datum& other) const {
+  return is_list() ? std::ranges::equal(items(), other.items()) : long_text() == other.long_text();
 }
 
 std::size_t Datum::hash() const {
   const auto mix = [](std::size_t seed, std::size_t value) {
     return (std::rotl(seed, 5) ^ value) * std::size_t{0x9e3779b97f4a7c15};
   };
-  const std::size_t seed = static_cast<std::size_t>(kind()) + 1;
-  switch (kind()) {
-    case Kind::symbol:
-    case Kind::string:
-      return mix(seed, std::hash<std::string_view>{}(text()));
-    case Kind::integer:
-      return mix(seed, static_cast<std::size_t>(integer()));
-    case Kind::real:
-      return mix(seed, std::hash<double>{}(number()));
-    case Kind::list:
-      break;
+  if (is_list()) {
+    std::size_t out = mix(tag(), size());
+    for (const Datum& item : items()) out = mix(out, item.hash());
+    return out;
   }
-  std::size_t out = mix(seed, size());
-  for (const Datum& item : items()) out = mix(out, item.hash());
-  return out;
-}
-
-bool operator==(const Datum& a, const Datum& b) {
-  if (a.kind() != b.kind()) return false;
-  switch (a.kind()) {
-    case Datum::Kind::symbol:
-    case Datum::Kind::string:
-      return a.text() == b.text();
-    case Datum::Kind::integer:
-      return a.integer() == b.integer();
-    case Datum::Kind::real:
-      return a.number() == b.number();
-    case Datum::Kind::list:
-      break;
-  }
-  return a.items().data() == b.items().data() || std::ranges::equal(a.items(), b.items());
+  if (shares()) return mix(tag(), std::hash<std::string_view>{}(long_text()));
+  return mix(mix(0, words_[0]), words_[1]);
 }
 
 std::strong_ordering operator<=>(const Datum& a, const Datum& b) {

@@ -1,7 +1,6 @@
 #include "lisp/pattern.hpp"
 
 #include <algorithm>
-#include <utility>
 
 namespace pizarra {
 
@@ -12,52 +11,66 @@ bool is_ground(const Datum& datum) {
 }
 
 const Datum* Bindings::find(std::string_view variable) const {
-  const auto found = values_.find(variable);
-  return found == values_.end() ? nullptr : &found->second;
+  const auto found = std::ranges::find_if(values_, [&](const Binding& b) { return b.variable.text() == variable; });
+  return found == values_.end() ? nullptr : &found->value;
 }
 
-bool Bindings::bind(std::string_view variable, const Datum& value) {
-  const auto found = values_.lower_bound(variable);
-  if (found != values_.end() && found->first == variable) return found->second == value;
-  values_.emplace_hint(found, variable, value);
+const Datum* Bindings::find(const Datum& variable) const {
+  const auto found = std::ranges::find(values_, variable, &Binding::variable);
+  return found == values_.end() ? nullptr : &found->value;
+}
+
+bool Bindings::bind(const Datum& variable, const Datum& value) {
+  if (const Datum* bound = find(variable)) return *bound == value;
+  const auto place = std::ranges::lower_bound(values_, variable, {}, &Binding::variable);
+  values_.insert(place, {variable, value});
   return true;
 }
 
-namespace {
-
-// Variables bound by the match in hand, kept apart until all of it fits.
-using Fresh = std::vector<std::pair<std::string_view, const Datum*>>;
-
-bool fits(const Datum& pattern, const Datum& datum, const Bindings& bindings, Fresh& fresh) {
+// New variables are put at the end; match() puts them where they belong, or takes them away.
+bool Bindings::extend(const Datum& pattern, const Datum& datum) {
   if (is_variable(pattern)) {
-    const std::string_view name = pattern.text();
-    if (name.size() == 1) return true;
-    if (const Datum* bound = bindings.find(name)) return *bound == datum;
-    const auto found = std::ranges::find(fresh, name, &Fresh::value_type::first);
-    if (found != fresh.end()) return *found->second == datum;
-    fresh.emplace_back(name, &datum);
+    if (pattern.text().size() == 1) return true;
+    if (const Datum* bound = find(pattern)) return *bound == datum;
+    if (values_.capacity() == 0) values_.reserve(4);
+    values_.push_back({pattern, datum});
     return true;
   }
   if (!pattern.is_list()) return pattern == datum;
-  if (!datum.is_list() || pattern.size() != datum.size()) return false;
-  for (std::size_t i = 0; i < pattern.size(); ++i) {
-    if (!fits(pattern[i], datum[i], bindings, fresh)) return false;
+  const std::span<const Datum> wanted = pattern.items();
+  const std::span<const Datum> given = datum.items();
+  if (!datum.is_list() || wanted.size() != given.size()) return false;
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    if (!extend(wanted[i], given[i])) return false;
   }
   return true;
 }
 
-}  // namespace
-
 bool match(const Datum& pattern, const Datum& datum, Bindings& bindings) {
-  Fresh fresh;
-  if (!fits(pattern, datum, bindings, fresh)) return false;
-  for (const auto& [name, value] : fresh) bindings.bind(name, *value);
+  std::vector<Bindings::Binding>& values = bindings.values_;
+  const std::size_t before = values.size();
+  if (!bindings.extend(pattern, datum)) {
+    values.resize(before);
+    return false;
+  }
+  for (std::size_t i = before; i < values.size(); ++i) {
+    const auto moved = values.begin() + static_cast<std::ptrdiff_t>(i);
+    const auto place =
+        std::ranges::lower_bound(values.begin(), moved, moved->variable, {}, &Bindings::Binding::variable);
+    std::rotate(place, moved, moved + 1);
+  }
   return true;
+}
+
+bool resembles(const Datum& pattern, const Datum& datum) {
+  if (is_variable(pattern)) return true;
+  if (!pattern.is_list()) return pattern == datum;
+  return datum.is_list() && std::ranges::equal(pattern.items(), datum.items(), resembles);
 }
 
 Datum substitute(const Datum& pattern, const Bindings& bindings) {
   if (is_variable(pattern)) {
-    const Datum* bound = bindings.find(pattern.text());
+    const Datum* bound = bindings.find(pattern);
     return bound ? *bound : pattern;
   }
   if (!pattern.is_list() || is_ground(pattern)) return pattern;

@@ -114,14 +114,13 @@ class Reader {
     const Open open = open_.back();
     open_.pop_back();
     ++at_;
-    const auto first = waiting_.begin() + static_cast<std::ptrdiff_t>(open.first);
-    std::vector<Datum> items(std::make_move_iterator(first), std::make_move_iterator(waiting_.end()));
-    waiting_.erase(first, waiting_.end());
-    if (!spots_) return add(Datum::list(std::move(items)), open.offset);
+    Datum closed = Datum::list_of(std::span(waiting_).subspan(open.first));
+    waiting_.resize(open.first);
+    if (!spots_) return add(std::move(closed), open.offset);
     const auto first_spot = waiting_spots_.begin() + static_cast<std::ptrdiff_t>(open.first);
     std::vector<Spot> inner(std::make_move_iterator(first_spot), std::make_move_iterator(waiting_spots_.end()));
     waiting_spots_.erase(first_spot, waiting_spots_.end());
-    if (!add(Datum::list(std::move(items)), open.offset)) return false;
+    if (!add(std::move(closed), open.offset)) return false;
     waiting_spots_.back().items = std::move(inner);
     return true;
   }
@@ -132,13 +131,14 @@ class Reader {
     const std::string_view token = text_.substr(start, at_ - start);
     if (begins_like_number(token)) return read_number(token, start);
     if (token == ".") return refuse(start, "bad-character", "a dot has no meaning here");
-    return add(limits_.lower_case ? Datum::symbol(lower_case(token)) : Datum::symbol(token), start);
+    return add(Datum::checked_symbol(limits_.lower_case ? lower_case(token) : token), start);
   }
 
-  static std::string lower_case(std::string_view token) {
-    std::string lower(token);
-    for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    return lower;
+  // As it stands in a buffer of the reader's until the next.
+  std::string_view lower_case(std::string_view token) {
+    lower_.assign(token);
+    for (char& c : lower_) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return lower_;
   }
 
   bool read_number(std::string_view token, std::size_t start) {
@@ -177,7 +177,7 @@ class Reader {
     const std::size_t plain = at_;
     while (at_ < text_.size()) {
       const char c = text_[at_];
-      if (c == '"') return add(Datum::string(text_.substr(plain, at_++ - plain)), start);
+      if (c == '"') return add(Datum::checked_string(text_.substr(plain, at_++ - plain)), start);
       if (c == '\\') return read_escaped_string(start, std::string(text_.substr(plain, at_ - plain)));
       if (!skip_character()) return false;
     }
@@ -189,7 +189,7 @@ class Reader {
       const char c = text_[at_];
       if (c == '"') {
         ++at_;
-        return add(Datum::string(value), start);
+        return add(Datum::checked_string(value), start);
       }
       if (c == '\\') {
         if (!read_escape(value)) return false;
@@ -251,6 +251,7 @@ class Reader {
   std::vector<Datum> waiting_;
   std::vector<Spot> waiting_spots_;
   std::vector<Open> open_;
+  std::string lower_;
   Trouble trouble_{0, "", ""};
 };
 

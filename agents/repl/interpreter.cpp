@@ -28,7 +28,7 @@ std::string bindings_text(const Answer& answer) {
   if (answer.bindings.all().empty()) return "yes";
   std::string text;
   for (const auto& [variable, value] : answer.bindings.all()) {
-    text += fmt::format("{}{} = {}", text.empty() ? "" : "  ", variable, write(value));
+    text += fmt::format("{}{} = {}", text.empty() ? "" : "  ", variable.text(), write(value));
   }
   return text;
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "lisp/json.hpp"
 #include "lisp/writer.hpp"
 
 namespace pizarra {
@@ -17,9 +18,19 @@ std::string joined(const Items& items, Write write_item) {
 
 }  // namespace
 
+std::string json_failure(const Failure& failure) {
+  const std::string place =
+      failure.place.empty() ? std::string() : fmt::format(",\"place\":{}", json_string(failure.place));
+  const std::string subject = failure.subject == Datum() ? "null" : json_string(write(failure.subject));
+  return fmt::format("{{\"symbol\":{},\"sentence\":{},\"subject\":{}{}}}", json_string(failure.symbol),
+                     json_string(failure.sentence), subject, place);
+}
+
+std::string json_error(const Failure& failure) { return fmt::format("{{\"error\":{}}}", json_failure(failure)); }
+
 std::string json_answer(const Answer& answer) {
   const std::string bindings = joined(answer.bindings.all(), [](const auto& binding) {
-    return fmt::format("{}:{}", json_string(binding.first), json_string(write(binding.second)));
+    return fmt::format("{}:{}", json_string(binding.variable.text()), json_string(write(binding.value)));
   });
   const std::string facts = joined(answer.facts, [](const Fact& fact) { return json_string(write(fact.datum)); });
   return fmt::format("{{\"bindings\":{{{}}},\"facts\":[{}]}}", bindings, facts);

@@ -125,6 +125,33 @@ TEST_P(BoardWatches, AReaderWhoseChangesAreTooHeavyIsResynchronised) {
   EXPECT_TRUE(resynchronised);
 }
 
+TEST_P(BoardWatches, WhatHoldsComesWholeHoweverMuchItIsAndWhateverChangesMeanwhile) {
+  const std::size_t many = 3000;
+  const auto tell_all = [&](std::size_t first, std::size_t last) {
+    Transaction facts;
+    for (std::size_t n = first; n < last; ++n) facts.tell(list("note"_sym, n, std::string(1000, 'x')));
+    ASSERT_EQ(symbol_of(transact(*alice, facts)), "ok");
+  };
+  for (std::size_t n = 0; n < many; n += 250) tell_all(n, n + 250);
+  const std::unique_ptr<Watch> seen = watch(*bob, "(note ?n ?text)");
+  for (std::size_t n = 0; n < many; n += 300) {
+    Transaction changes;
+    changes.retract(list("note"_sym, n, "?"_sym)).tell(list("note"_sym, n + 1, "anew"_sym));
+    ASSERT_EQ(symbol_of(transact(*alice, changes)), "ok");
+  }
+  std::map<Datum, Datum> known;
+  for (Revision revision = 0; revision < many / 250 + many / 300;) {
+    const Change change = next(*seen);
+    if (change.resynchronised) known.clear();
+    for (const Answer& answer : change.removed) ASSERT_EQ(known.erase(*answer.bindings.find("?n")), 1U);
+    for (const Answer& answer : change.added) known[*answer.bindings.find("?n")] = *answer.bindings.find("?text");
+    revision = change.revision;
+  }
+  EXPECT_EQ(known.size(), many - many / 300);
+  EXPECT_FALSE(known.contains(to_datum(300)));
+  EXPECT_EQ(known.at(to_datum(301)), "anew"_sym);
+}
+
 TEST_P(BoardWatches, AnEndedWatchLeavesOthersAlone) {
   std::unique_ptr<Watch> ended = watch(*bob, "(on ?x ?y)");
   const std::unique_ptr<Watch> other = watch(*bob, "(on ?x ?y)");

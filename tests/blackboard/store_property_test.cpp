@@ -96,7 +96,7 @@ class Pair {
   void compare_answers(Watched& watched) {
     const auto written = [](const Bindings& bindings) {
       std::string text;
-      for (const auto& [variable, value] : bindings.all()) text += variable + "=" + write(value) + " ";
+      for (const auto& [variable, value] : bindings.all()) text += write(variable) + "=" + write(value) + " ";
       return text;
     };
     std::multiset<std::string> expected;

@@ -1,0 +1,35 @@
+#pragma once
+
+// What a commit changes in the answers of a watched query, or what they are, as it is kept for a reader and sent to it:
+// every answer as the facts that the query's positive patterns matched. The bindings follow from the query.
+//
+// All that holds may come in parts, facts with higher ids in each. What was sent and went since is `removed` in a later
+// part. After the last one the reader knows what holds at that part's revision.
+
+#include <string>
+#include <vector>
+
+#include "blackboard/board.hpp"
+
+namespace pizarra {
+
+struct Delta {
+  enum class Kind : std::uint8_t { change, all, first_part, part, last_part };
+  struct Side {
+    std::size_t answers = 0;
+    std::vector<Fact> facts;  // those of one answer after those of another
+  };
+
+  Revision revision = 0;
+  Kind kind = Kind::change;
+  Side added;
+  Side removed;
+};
+
+// How many facts an answer of the query has.
+std::size_t width_of(const Query& query);
+
+// The answers that these facts are. Each fits: the watch has seen to it.
+std::vector<Answer> answers_of(const Query& query, Delta::Side side);
+
+}  // namespace pizarra
