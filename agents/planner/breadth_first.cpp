@@ -21,13 +21,6 @@ std::vector<std::vector<std::size_t>> steps_to(const std::vector<Reached>& reach
   return steps;
 }
 
-Bits after(const Bits& state, const GroundAction& action) {
-  Bits next = state;
-  for (const std::size_t fact : action.deletes) next.reset(fact);
-  for (const std::size_t fact : action.adds) next.set(fact);
-  return next;
-}
-
 Outcome ended(Outcome::Kind kind, std::size_t nodes) {
   return {.kind = kind, .steps = {}, .culprits = {}, .spent = {}, .nodes = nodes};
 }
@@ -53,7 +46,7 @@ Outcome BreadthFirst::solve(const Problem& problem, const Budget& budget, const 
     for (std::size_t i = 0; i < problem.actions.size(); ++i) {
       const GroundAction& action = problem.actions[i];
       const Bits& state = reached[index].state;
-      if (!std::ranges::all_of(action.preconditions, [&](std::size_t fact) { return state.test(fact); })) continue;
+      if (!applicable(action, state)) continue;
       Bits next = after(state, action);
       if (seen.insert(next).second) reached.push_back({std::move(next), index, i});
     }

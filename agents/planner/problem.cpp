@@ -25,6 +25,35 @@ bool interfere(const GroundAction& a, const GroundAction& b) {
   return spoils(a, b) || spoils(b, a);
 }
 
+std::vector<Bits> interference(const Problem& problem) {
+  const std::size_t count = problem.actions.size();
+  std::vector<Bits> touched_by(problem.facts.size(), Bits(count));  // who needs or adds a fact
+  for (std::size_t i = 0; i < count; ++i) {
+    for (const std::size_t fact : problem.actions[i].preconditions) touched_by[fact].set(i);
+    for (const std::size_t fact : problem.actions[i].adds) touched_by[fact].set(i);
+  }
+  std::vector<Bits> interfering(count, Bits(count));
+  for (std::size_t i = 0; i < count; ++i) {
+    for (const std::size_t fact : problem.actions[i].deletes) interfering[i] |= touched_by[fact];
+    interfering[i].reset(i);
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    interfering[i].for_each([&](std::size_t other) { interfering[other].set(i); });
+  }
+  return interfering;
+}
+
+Bits after(const Bits& state, const GroundAction& action) {
+  Bits next = state;
+  for (const std::size_t fact : action.deletes) next.reset(fact);
+  for (const std::size_t fact : action.adds) next.set(fact);
+  return next;
+}
+
+bool applicable(const GroundAction& action, const Bits& state) {
+  return std::ranges::all_of(action.preconditions, [&](std::size_t fact) { return state.test(fact); });
+}
+
 PlanSteps steps_of(const Problem& problem, const std::vector<std::vector<std::size_t>>& steps) {
   PlanSteps named;
   for (const std::vector<std::size_t>& step : steps) {

@@ -41,6 +41,12 @@ Result<Problem> ground(const PlanningTask& task);
 
 // Whether one of the two deletes what the other needs or adds: they then cannot share a step.
 bool interfere(const GroundAction& a, const GroundAction& b);
+// For every action, those it interferes with.
+std::vector<Bits> interference(const Problem& problem);
+
+// The state after an action.
+Bits after(const Bits& state, const GroundAction& action);
+bool applicable(const GroundAction& action, const Bits& state);
 
 // The work an engine may do before it gives up: counted, never timed.
 struct Budget {
@@ -61,8 +67,9 @@ struct Outcome {
   // For `none`: goals that cannot all hold together, as few as the engine found: one that can never hold, two that
   // exclude each other, or more. For `gave_up`: empty.
   std::vector<std::size_t> culprits;
-  std::string spent;      // for `gave_up`: which bound, for people
-  std::size_t nodes = 0;  // work done
+  std::string spent;             // for `gave_up`: which bound, for people
+  std::size_t nodes = 0;         // work done
+  std::string_view engine = {};  // which search answered, where there are several; a literal
 };
 
 class PlanEngine {

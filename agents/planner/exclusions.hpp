@@ -1,0 +1,40 @@
+#pragma once
+
+// What can never hold, and which facts can never hold together, from the initial facts on: the pairs that h2 finds
+// (Haslum & Geffner, "Admissible heuristics for optimal planning", 2000). The states that respect them are closed under
+// the actions, so they stay true from any such state.
+//
+//   const Exclusions exclusions(problem);
+//   exclusions.with(3).test(5);                     // 3 and 5 never hold together
+//   for (const Facts& group : exclusion_groups(exclusions)) ...     // at most one fact of a group holds at a time
+
+#include <vector>
+
+#include "agents/planner/problem.hpp"
+
+namespace pizarra {
+
+class Exclusions {
+ public:
+  explicit Exclusions(const Problem& problem);
+
+  // The facts that can hold at all, and the actions that can be taken.
+  const Bits& facts() const { return facts_; }
+  const Bits& actions() const { return actions_; }
+  // The facts that never hold together with this one; empty for one that never holds.
+  const Bits& with(std::size_t fact) const { return excluded_[fact]; }
+  // Whether every fact can hold and no two exclude each other.
+  bool allow(const Bits& facts) const;
+
+ private:
+  Bits facts_, actions_;
+  std::vector<Bits> excluded_;
+};
+
+using FactGroup = std::vector<std::size_t>;
+
+// Cliques of facts that exclude each other, ascending within, such that every excluded pair stands in one of them;
+// found greedily, the larger ones first.
+std::vector<FactGroup> exclusion_groups(const Exclusions& exclusions);
+
+}  // namespace pizarra

@@ -1,0 +1,21 @@
+#pragma once
+
+// Breadth-first search over states, one parallel step at a time, where states that differ only by which of several
+// alike objects is which are one. For problems with few states, however long their plans.
+//
+//   StepSearch engine;
+//   const Outcome outcome = engine.solve(problem, budget, cancelled);
+//
+// Budget::nodes counts steps looked at. Gives up at once where a state has too many steps to look at.
+
+#include "agents/planner/problem.hpp"
+
+namespace pizarra {
+
+// A shortest parallel plan. The culprits of `none` are all the goals.
+class StepSearch : public PlanEngine {
+ public:
+  Outcome solve(const Problem& problem, const Budget& budget, const std::function<bool()>& cancelled) override;
+};
+
+}  // namespace pizarra
