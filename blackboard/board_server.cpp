@@ -1,7 +1,5 @@
 #include "blackboard/board_server.hpp"
 
-#include <algorithm>
-
 #include "blackboard/limits.hpp"
 #include "blackboard/store.hpp"
 #include "blackboard/wire_address.hpp"
@@ -10,6 +8,11 @@
 namespace pizarra {
 
 namespace {
+
+// What a client should not have said, as opposed to what cannot be done just now.
+bool is_offence(const Failure& failure) {
+  return failure.symbol == "bad-frame" || failure.symbol == "too-large" || failure.symbol == "not-permitted";
+}
 
 std::unexpected<Failure> bad_frame(const char* sentence) { return fail("bad-frame", sentence); }
 
@@ -35,25 +38,29 @@ Result<Datum> nothing_or(const Result<void>& result) {
 
 Result<std::unique_ptr<BoardServer>> BoardServer::open(Executor& executor, MemoryBoard& board,
                                                        const BoardServerOptions& options) {
-  std::unique_ptr<BoardServer> server(new BoardServer(executor, board, options));
-  for (const std::string& address : options.addresses) {
-    const Result<void> allowed = check_listening_address(address, options.insecure);
-    if (!allowed) return fail(allowed);
-    const Result<std::string> bound = server->socket_.bind(address);
-    if (!bound) return fail(bound);
-    server->addresses_.push_back(*bound);
+  std::optional<KeyFolder> keys;
+  if (!options.keys.empty()) {
+    Result<KeyFolder> opened = KeyFolder::open(options.keys);
+    if (!opened) return fail(opened);
+    keys = std::move(*opened);
   }
+  const Result<void> declared = Refusals::declare(board);
+  if (!declared) return fail(declared);
+  std::unique_ptr<BoardServer> server(new BoardServer(executor, board, options, std::move(keys)));
+  const Result<void> listening = server->listen(options.addresses, options.insecure);
+  if (!listening) return fail(listening);
   return server;
 }
 
-// Sessions are numbered from the time, so that a session of an earlier server's life is not taken for one of this.
-BoardServer::BoardServer(Executor& executor, MemoryBoard& board, const BoardServerOptions& options)
+BoardServer::BoardServer(Executor& executor, MemoryBoard& board, const BoardServerOptions& options,
+                         std::optional<KeyFolder> keys)
     : executor_(executor),
       board_(board),
       session_length_(options.session_length),
-      next_session_(
-          static_cast<wire::SessionId>(std::max<Duration::rep>(1, executor.now().time_since_epoch().count()))),
-      life_(next_session_),
+      keys_(std::move(keys)),
+      gate_(board),
+      refusals_(board),
+      life_(random_number()),
       durability_(options.journal,
                   [this](wire::SessionId id, const std::string& reply) {
                     const auto session = sessions_.find(id);
@@ -62,6 +69,7 @@ BoardServer::BoardServer(Executor& executor, MemoryBoard& board, const BoardServ
       socket_(executor, WireSocket::Kind::router,
               [this](const std::string& peer, std::optional<std::string_view> frame) { receive(peer, frame); }) {
   restore(options.remembered);
+  if (keys_) ask_for_keys();
   forget_the_gone();
 }
 
@@ -71,8 +79,19 @@ void BoardServer::restore(const std::vector<RememberedReply>& remembered) {
     session.teller = reply.teller;
     session.heard = executor_.now();
     remember(session, reply.request, {write(list("reply"_sym, reply.request, reply.result)), 0});
-    next_session_ = std::max(next_session_, reply.session + 1);
   }
+}
+
+Result<void> BoardServer::listen(const std::vector<std::string>& addresses, bool insecure) {
+  for (const std::string& address : addresses) {
+    const Result<void> allowed = check_listening_address(address, keys_ || insecure);
+    if (!allowed) return allowed;
+    const bool with_keys = keys_ && !is_ipc(address);
+    const Result<std::string> bound = socket_.bind(address, with_keys ? &keys_->own() : nullptr);
+    if (!bound) return fail(bound);
+    addresses_.push_back(*bound);
+  }
+  return {};
 }
 
 BoardServer::~BoardServer() {
@@ -81,80 +100,59 @@ BoardServer::~BoardServer() {
 }
 
 void BoardServer::receive(const std::string& peer, std::optional<std::string_view> frame) {
-  const auto refuse = [&](const Failure& failure) { send(peer, list("refused"_sym, failure_to_datum(failure))); };
-  if (!frame) return refuse({"bad-frame", "a message is one frame", {}, {}});
+  if (!frame) return refuse(peer, {"bad-frame", "a message is one frame", {}, {}});
   const Result<Datum> message = wire::read_frame(*frame);
-  if (!message) return refuse({"bad-frame", message.error().sentence, {}, {}});
+  if (!message) return refuse(peer, {"bad-frame", message.error().sentence, {}, {}});
   if (message->is_form("hello")) return greet(peer, *message);
   const std::optional<std::uint64_t> id = wire::count_at(*message, 1);
-  if (!id) return refuse({"bad-frame", "a message is (KIND SESSION ...)", {}, {}});
+  if (!id) return refuse(peer, {"bad-frame", "a message is (KIND SESSION ...)", {}, {}});
   const auto session = sessions_.find(*id);
   // One that was restored has no peer before it greets: its client must learn that this is another life.
-  if (session == sessions_.end() || session->second.peer.empty()) return send(peer, list("unknown-session"_sym, *id));
+  if (session == sessions_.end() || session->second.peer != peer) {
+    const bool forged = session != sessions_.end() && session_of_peer_.contains(peer);
+    if (forged) refusals_.note(who_is(peer), {"not-permitted", "a message in the session of another", {}, {}});
+    return send(peer, list("unknown-session"_sym, *id));
+  }
   session->second.heard = executor_.now();
   if (std::exchange(session->second.blocked, false)) schedule_flush(*id);
-  if (session->second.peer != peer) {
-    // The client connected anew, and what was under way to its former connection may be lost.
-    session->second.peer = peer;
-    for (auto& [number, watch] : session->second.watches) {
-      watch.acknowledged = watch.sent;
-      watch.queue->resynchronise();
-    }
-  }
   handle(*id, session->second, *message);
-}
-
-void BoardServer::greet(const std::string& peer, const Datum& hello) {
-  const bool formed = hello.size() == 3 && hello[1].is_string() && wire::count_at(hello, 2);
-  const auto refuse = [&](std::string symbol, std::string sentence) {
-    const Failure failure{std::move(symbol), std::move(sentence), {}, {}};
-    send(peer, list("refused"_sym, failure_to_datum(failure)));
-  };
-  if (!formed || hello[1].text().empty() || hello[1].text().size() > max_teller) {
-    return refuse("bad-frame", "a hello is (hello TELLER SESSION)");
-  }
-  wire::SessionId id = *wire::count_from(hello[2]);
-  const auto known = sessions_.find(id);
-  if (known == sessions_.end() || known->second.teller != hello[1].text()) {
-    if (sessions_.size() >= max_sessions) return refuse("too-large", "the board has too many clients");
-    id = next_session_++;
-    sessions_[id].teller = hello[1].text();
-    sessions_[id].peer = peer;
-  }
-  Session& session = sessions_[id];
-  session.heard = executor_.now();
-  if (session.peer.empty()) session.peer = peer;
-  send(peer, list("welcome"_sym, id, life_));
 }
 
 void BoardServer::handle(wire::SessionId id, Session& session, const Datum& message) {
   if (message.is_form("request")) return request(id, session, message);
-  if (message.is_form("bye")) {
-    sessions_.erase(id);
-    return;
-  }
+  if (message.is_form("bye")) return end_session(id);
   if (message.is_form("ping")) return send(session.peer, list("pong"_sym));
   const std::optional<std::uint64_t> number = wire::count_at(message, 2);
-  if (!number) return;
+  const bool known = message.is_form("unwatch") || message.is_form("ack");
+  if (!number || !known) return refuse(session.peer, {"bad-frame", "a client does not say this", {}, {}});
+  // A watch may have ended while its client said something about it.
   const auto watch = session.watches.find(*number);
   if (watch == session.watches.end()) return;
-  if (message.is_form("unwatch")) session.watches.erase(watch);
-  if (!message.is_form("ack")) return;
+  if (message.is_form("unwatch")) {
+    session.watches.erase(watch);
+    return;
+  }
   const std::uint64_t sequence = wire::count_at(message, 3).value_or(0);
-  if (sequence > watch->second.sent) return;
+  if (sequence > watch->second.sent) {
+    return refuse(session.peer, {"bad-frame", "what was never sent is acknowledged", {}, {}});
+  }
   watch->second.acknowledged = std::max(watch->second.acknowledged, sequence);
   schedule_flush(id);
 }
 
 void BoardServer::request(wire::SessionId id, Session& session, const Datum& message) {
   const std::optional<std::uint64_t> number = wire::count_at(message, 2);
-  if (!number || message.size() != 4) return;
+  if (!number || message.size() != 4) {
+    return refuse(session.peer, {"bad-frame", "a request is (request SESSION ID BODY)", {}, {}});
+  }
   if (const auto done = session.replies.find(*number); done != session.replies.end()) {
     // One that is held comes when it may.
     if (durability_.kept(done->second.after)) socket_.send(session.peer, done->second.text);
     return;
   }
-  if (must_be_done_once(message[3]) && *number <= session.replies_forgotten) return;
+  if (must_be_done_once(message[3]) && *number <= session.replies_forgotten) {
+    return refuse(session.peer, {"bad-frame", "this request, or one far after it, was answered long ago", {}, {}});
+  }
   answer(id, session, *number, message[3]);
 }
 
@@ -163,7 +161,9 @@ void BoardServer::answer(wire::SessionId id, Session& session, wire::RequestId n
   const Result<void> room = durability_.check_room(body, durable);
   if (!room) return send(session.peer, reply_to_datum(number, fail(room)));
   const JournalWriter::Position before = durability_.position();
-  const Datum reply = reply_to_datum(number, perform(id, session, body));
+  const Result<Datum> result = perform(id, session, body);
+  if (!result && is_offence(result.error())) refusals_.note(session.teller, result.error());
+  const Datum reply = reply_to_datum(number, result);
   const std::string text = write(reply);
   if (must_be_done_once(body)) {
     remember(session, number, {text, durable ? durability_.position() : 0});
@@ -182,11 +182,11 @@ void BoardServer::remember(Session& session, wire::RequestId number, Session::Re
 
 Result<Datum> BoardServer::perform(wire::SessionId id, Session& session, const Datum& body) {
   if (body.is_form("transact")) return transact(session, body);
-  if (body.is_form("ask")) return ask(body);
+  if (body.is_form("ask")) return ask(session, body);
   if (body.is_form("take")) return take(session, body);
   if (body.is_form("declare")) return declare(session, body);
   if (body.is_form("watch")) return watch(id, session, body);
-  return lease(body);
+  return lease(session, body);
 }
 
 Result<Datum> BoardServer::declare(const Session& session, const Datum& body) {
@@ -196,21 +196,27 @@ Result<Datum> BoardServer::declare(const Session& session, const Datum& body) {
     if (!relation) return fail(relation);
     relations.push_back(std::move(*relation));
   }
+  const Result<void> permitted = gate_.declare(key_of(session), relations);
+  if (!permitted) return fail(permitted);
   return nothing_or(board_.declare(session.teller, relations));
 }
 
 Result<Datum> BoardServer::transact(const Session& session, const Datum& body) {
   const Result<Transaction> transaction = wire::transaction_from_datum(body);
   if (!transaction) return fail(transaction);
+  const Result<void> permitted = gate_.transact(key_of(session), *transaction);
+  if (!permitted) return fail(permitted);
   const Result<Revision> revision = board_.transact(session.teller, *transaction);
   if (!revision) return fail(revision);
   return to_datum(*revision);
 }
 
-Result<Datum> BoardServer::ask(const Datum& body) {
+Result<Datum> BoardServer::ask(const Session& session, const Datum& body) {
   if (body.size() != 2) return bad_frame("a question is (ask QUERY)");
   const Result<Query> query = query_from_datum(body[1]);
   if (!query) return fail(query);
+  const Result<void> permitted = gate_.ask(key_of(session), *query);
+  if (!permitted) return fail(permitted);
   const Result<Answers> answers = board_.ask(*query);
   if (!answers) return fail(answers);
   std::vector<Datum> value = {to_datum(answers->revision)};
@@ -222,6 +228,8 @@ Result<Datum> BoardServer::ask(const Datum& body) {
 Result<Datum> BoardServer::take(const Session& session, const Datum& body) {
   const std::optional<std::uint64_t> holder = wire::count_at(body, 2);
   if (!holder || body.size() != 3) return bad_frame("taking is (take PATTERN LEASE)");
+  const Result<void> permitted = gate_.take(key_of(session), body[1], *holder);
+  if (!permitted) return fail(permitted);
   const Result<std::optional<Fact>> taken = board_.take(session.teller, body[1], *holder);
   if (!taken) return fail(taken);
   if (!*taken) return Datum();
@@ -239,6 +247,8 @@ Result<Datum> BoardServer::watch(wire::SessionId id, Session& session, const Dat
   if (session.watches.size() >= max_watches) return fail("too-large", "a client has at most 256 watches");
   const Result<Query> query = query_from_datum(body[2]);
   if (!query) return fail(query);
+  const Result<void> permitted = gate_.ask(key_of(session), *query);
+  if (!permitted) return fail(permitted);
   Result<std::unique_ptr<WatchQueue>> queue = board_.watch(*query, [this, id] { schedule_flush(id); });
   if (!queue) return fail(queue);
   session.watches[*number] = {body[2], std::move(*queue)};
@@ -246,15 +256,18 @@ Result<Datum> BoardServer::watch(wire::SessionId id, Session& session, const Dat
   return Datum();
 }
 
-Result<Datum> BoardServer::lease(const Datum& body) {
+Result<Datum> BoardServer::lease(const Session& session, const Datum& body) {
   const bool whole = body.size() == 2 && body[1].is_integer();
   if (!whole) return bad_frame("not a request");
   if (body.is_form("lease")) {
     const Result<LeaseId> lease = board_.lease(Duration(body[1].integer()));
     if (!lease) return fail(lease);
+    gate_.granted(key_of(session), *lease);
     return to_datum(*lease);
   }
   const std::optional<std::uint64_t> lease = wire::count_from(body[1]);
+  const Result<void> permitted = gate_.use_lease(key_of(session), lease.value_or(0));
+  if (!permitted) return fail(permitted);
   if (lease && body.is_form("renew")) return nothing_or(board_.renew(*lease));
   if (lease && body.is_form("release")) return nothing_or(board_.release(*lease));
   return bad_frame("not a request");
@@ -302,12 +315,6 @@ void BoardServer::flush_watch(Session& session, wire::WatchId id, ServedWatch& w
       return;
     }
   }
-}
-
-void BoardServer::forget_the_gone() {
-  const Time now = executor_.now();
-  std::erase_if(sessions_, [&](const auto& session) { return session.second.heard + session_length_ <= now; });
-  sweep_timer_ = executor_.call_at(now + session_length_ / 8, [this] { forget_the_gone(); });
 }
 
 }  // namespace pizarra

@@ -37,6 +37,7 @@ class Leases {
     const auto found = leases_.find(id);
     return found == leases_.end() ? nullptr : &found->second;
   }
+  bool contains(LeaseId id) const { return leases_.contains(id); }
   // It must be there.
   void renew(LeaseId id, Time now) {
     Lease& lease = leases_.at(id);

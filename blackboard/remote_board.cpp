@@ -10,6 +10,8 @@ namespace pizarra {
 
 namespace {
 
+constexpr Duration connect_again_after = 1s;
+
 std::unexpected<Failure> nonsense(const Datum& value) {
   return fail("unreachable", "the board answered what cannot be understood", value);
 }
@@ -41,11 +43,19 @@ Result<std::uint64_t> count_from(const Result<Datum>& reply) {
 }  // namespace
 
 Result<std::unique_ptr<RemoteBoard>> RemoteBoard::connect(Executor& executor, const std::string& address,
-                                                          std::string teller, Duration timeout) {
+                                                          std::string teller, Duration timeout,
+                                                          const std::optional<ClientKeys>& keys) {
   const Result<void> formed = check_address(address);
   if (!formed) return fail(formed);
+  if (keys && !may_call_itself(keys->own.name, teller)) teller = keys->own.name + "/" + teller;
   std::unique_ptr<RemoteBoard> board(new RemoteBoard(executor, address, std::move(teller), timeout));
-  const Result<void> connected = board->socket_.connect(address);
+  // Whoever reaches the file of an ipc address is this machine's: no keys there.
+  const ClientKeys* shown = keys && !is_ipc(address) ? &*keys : nullptr;
+  const auto refused = [board = board.get()](const Failure& failure) {
+    board->connect_again_ = board->executor_.now() + connect_again_after;
+    board->refused(failure);
+  };
+  const Result<void> connected = board->socket_.connect(address, shown, refused);
   if (!connected) return fail(connected);
   return board;
 }

@@ -5,10 +5,11 @@
 //   Result<std::unique_ptr<RemoteBoard>> board = RemoteBoard::connect(executor, "ipc:///tmp/cell", "vision");
 //
 // The server need not be there yet. A request is sent again while it is not answered, and fails with `unreachable`
-// after five seconds. When the server was lost, relations are declared again and watches begin again (their next change
-// is a resynchronised one); leases are lost (`unknown-lease`). A transaction or a take that was under way is done once
-// by a server that remembers the session from its journal, and fails with `unreachable` on one that does not, because
-// nobody can say whether it happened.
+// after five seconds. A board that refuses the client, or its key, has its requests fail with `not-permitted` at once,
+// and is tried again every second. When the server was lost, relations are declared again and watches begin again
+// (their next change is a resynchronised one); leases are lost (`unknown-lease`). A transaction or a take that was under
+// way is done once by a server that remembers the session from its journal, and fails with `unreachable` on one that
+// does not, because nobody can say whether it happened.
 //
 // It outlives its watches and the tasks that use it.
 
@@ -30,9 +31,11 @@ class RemoteBoard : public Board {
   static constexpr Duration default_timeout = 5s;
   static constexpr std::size_t max_pending = 1024;  // requests under way
 
-  // Failure bad-address.
+  // With keys the teller is called by its key's name: KEY where that is its own, KEY/TELLER otherwise. Failure
+  // bad-address.
   static Result<std::unique_ptr<RemoteBoard>> connect(Executor& executor, const std::string& address,
-                                                      std::string teller, Duration timeout = default_timeout);
+                                                      std::string teller, Duration timeout = default_timeout,
+                                                      const std::optional<ClientKeys>& keys = std::nullopt);
   RemoteBoard(const RemoteBoard&) = delete;
   RemoteBoard& operator=(const RemoteBoard&) = delete;
   ~RemoteBoard() override;
@@ -68,6 +71,7 @@ class RemoteBoard : public Board {
 
   void receive(std::string_view frame);
   void welcomed(wire::SessionId session, wire::SessionId life);
+  void refused(const Failure& failure);
   void fail_what_may_have_happened();
   void redeclare();
   void replied(const Datum& message);
@@ -84,6 +88,7 @@ class RemoteBoard : public Board {
   Time heard_{};
   Time greeted_{};
   Time pinged_{};
+  std::optional<Time> connect_again_;
   wire::RequestId next_request_ = 1;
   wire::WatchId next_watch_ = 1;
   std::map<wire::RequestId, Pending> pending_;

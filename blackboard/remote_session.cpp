@@ -24,6 +24,7 @@ void RemoteBoard::receive(std::string_view frame) {
   const Datum& message = *read;
   heard_ = executor_.now();
   if (message.is_form("reply")) return replied(message);
+  if (message.is_form("refused") && message.size() == 2 && !joined_) return refused(failure_from_datum(message[1]));
   const std::optional<std::uint64_t> number = wire::count_at(message, 1);
   if (!number) return;
   if (message.is_form("welcome")) return welcomed(*number, wire::count_at(message, 2).value_or(0));
@@ -77,6 +78,12 @@ void RemoteBoard::fail_what_may_have_happened() {
   }
 }
 
+void RemoteBoard::refused(const Failure& failure) {
+  // What breaks off may come back: `unreachable` is for the timeout to say.
+  if (failure.symbol == "unreachable") return;
+  for (auto& [request, pending] : std::exchange(pending_, {})) pending.done(fail(failure));
+}
+
 void RemoteBoard::redeclare() {
   if (declared_.empty()) return;
   std::vector<Datum> body = {"declare"_sym};
@@ -103,6 +110,10 @@ void RemoteBoard::tick() {
   const Time now = executor_.now();
   const bool connecting = !joined_ && session_ == 0;
   tick_timer_ = executor_.call_at(now + (connecting ? tick_while_connecting : tick_length), [this] { tick(); });
+  if (connect_again_ && *connect_again_ <= now) {
+    connect_again_.reset();
+    socket_.connect_again();
+  }
   if (joined_ && heard_ + silence_means_lost <= now) {
     joined_ = false;
     greeted_ = {};

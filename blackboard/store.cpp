@@ -177,6 +177,16 @@ Result<void> Store::release(LeaseId lease, Time now) {
   return {};
 }
 
+LeaseId Store::lease_of(FactId standing) const {
+  const auto home = homes_.find(standing);
+  return home == homes_.end() ? 0 : home->second->entries().at(standing).lease;
+}
+
+LeaseId Store::holder_of(FactId taken) const {
+  const auto held = held_.find(taken);
+  return held == held_.end() ? 0 : held->second.holder;
+}
+
 std::optional<Time> Store::next_expiry() const {
   std::optional<Time> next;
   if (const auto lease = leases_.first()) next = lease->first;

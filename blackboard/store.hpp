@@ -48,6 +48,10 @@ class Store {
   std::size_t size() const { return homes_.size(); }
   // A taken fact that is neither settled nor put back.
   const Fact* held(FactId id) const;
+  bool stands(LeaseId lease) const { return leases_.contains(lease); }
+  // The lease that a standing fact goes with, and the one that a taken fact is held under; 0 where there is none.
+  LeaseId lease_of(FactId standing) const;
+  LeaseId holder_of(FactId taken) const;
 
   // What stood, or was taken, at the revision where a journal begins, by ascending id; then its counters.
   Result<void> restore(Fact fact, bool taken);

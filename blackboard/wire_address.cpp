@@ -56,11 +56,15 @@ Result<void> check_address(const std::string& address) {
   return bad_address("a tcp address is tcp://HOST:PORT with a port from 0 to 65535, or * for any", address);
 }
 
-Result<void> check_listening_address(const std::string& address, bool insecure) {
+bool is_ipc(const std::string& address) { return address.starts_with(ipc); }
+
+Result<void> check_listening_address(const std::string& address, bool open_to_others) {
   const Result<void> formed = check_address(address);
   if (!formed) return formed;
-  if (address.starts_with(tcp) && !insecure && !is_loopback(address)) {
-    return fail("not-loopback", "what is said on the board is not encrypted: off this machine only with --insecure",
+  if (address.starts_with(tcp) && !open_to_others && !is_loopback(address)) {
+    return fail("not-loopback",
+                "other machines reach this address: name the folder of the keys that may come with --keys DIR, or give "
+                "--insecure to let anybody come unencrypted",
                 to_datum(address));
   }
   if (address.starts_with(ipc) && somebody_answers(address.substr(ipc.size()))) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// Where a board may be: `ipc://PATH` or `tcp://HOST:PORT`. Without encryption only this machine's own address is safe.
+// Where a board may be: `ipc://PATH` or `tcp://HOST:PORT`. Without keys only this machine's own addresses are safe.
 
 #include <string>
 
@@ -11,8 +11,10 @@ namespace pizarra {
 // Failure bad-address.
 Result<void> check_address(const std::string& address);
 
-// Whether a server may bind there: failures bad-address, not-loopback (unless `insecure`), and address-in-use when
-// another server answers at the ipc path.
-Result<void> check_listening_address(const std::string& address, bool insecure);
+bool is_ipc(const std::string& address);
+
+// Whether a server may bind there: failures bad-address, not-loopback (unless `open_to_others`: there are keys, or
+// insecurity was asked for), and address-in-use when another server answers at the ipc path.
+Result<void> check_listening_address(const std::string& address, bool open_to_others);
 
 }  // namespace pizarra

@@ -2,8 +2,6 @@
 
 #include <unistd.h>
 
-#include "blackboard/limits.hpp"
-
 namespace pizarra {
 
 namespace {
@@ -15,9 +13,14 @@ constexpr int heartbeat_timeout_ms = 6000;
 constexpr int reconnect_ms = 50;
 constexpr int reconnect_most_ms = 1000;
 
-std::unexpected<Failure> refused(const zmq::error_t& error, const std::string& address) {
+std::unexpected<Failure> refused_address(const zmq::error_t& error, const std::string& address) {
   const char* symbol = error.num() == EADDRINUSE ? "address-in-use" : "bad-address";
   return fail(symbol, std::string("ZeroMQ refuses the address: ") + error.what(), to_datum(address));
+}
+
+std::string user_of(zmq::message_t& message) {
+  const char* user = zmq_msg_gets(message.handle(), "User-Id");
+  return user == nullptr ? "" : user;
 }
 
 }  // namespace
@@ -31,7 +34,7 @@ WireSocket::WireSocket(Executor& executor, Kind kind, Receiver receiver)
   socket_.set(zmq::sockopt::linger, linger_ms);
   socket_.set(zmq::sockopt::sndhwm, high_water);
   socket_.set(zmq::sockopt::rcvhwm, high_water);
-  socket_.set(zmq::sockopt::maxmsgsize, static_cast<std::int64_t>(limits::frame_bytes));
+  socket_.set(zmq::sockopt::maxmsgsize, longest_message);
   socket_.set(zmq::sockopt::heartbeat_ivl, heartbeat_ms);
   socket_.set(zmq::sockopt::heartbeat_timeout, heartbeat_timeout_ms);
   if (kind == Kind::router) {
@@ -54,8 +57,12 @@ WireSocket::~WireSocket() {
   for (const std::string& file : bound_files_) unlink(file.c_str());
 }
 
-Result<std::string> WireSocket::bind(const std::string& address) {
+Result<std::string> WireSocket::bind(const std::string& address, const KeyPair* own) {
   try {
+    // Each address keeps the options that were set when it was bound.
+    socket_.set(zmq::sockopt::curve_server, own != nullptr);
+    if (own != nullptr) socket_.set(zmq::sockopt::curve_secretkey, own->secret_key);
+    keyed_ = keyed_ || own != nullptr;
     socket_.bind(address);
     schedule_pump();
     std::string bound = socket_.get(zmq::sockopt::last_endpoint);
@@ -63,18 +70,34 @@ Result<std::string> WireSocket::bind(const std::string& address) {
     if (bound.starts_with(ipc)) bound_files_.push_back(bound.substr(ipc.size()));
     return bound;
   } catch (const zmq::error_t& error) {
-    return refused(error, address);
+    return refused_address(error, address);
   }
 }
 
-Result<void> WireSocket::connect(const std::string& address) {
+Result<void> WireSocket::connect(const std::string& address, const ClientKeys* keys, HandshakeWatch::Refused refused) {
   try {
+    if (keys != nullptr) {
+      socket_.set(zmq::sockopt::curve_serverkey, keys->board_key);
+      socket_.set(zmq::sockopt::curve_publickey, keys->own.public_key);
+      socket_.set(zmq::sockopt::curve_secretkey, keys->own.secret_key);
+    }
+    if (refused) handshakes_.emplace(executor_, context_, socket_, keys != nullptr, std::move(refused));
+    connected_to_ = address;
     socket_.connect(address);
     schedule_pump();
     return {};
   } catch (const zmq::error_t& error) {
-    return refused(error, address);
+    return refused_address(error, address);
   }
+}
+
+void WireSocket::connect_again() {
+  try {
+    socket_.disconnect(connected_to_);
+  } catch (const zmq::error_t&) {
+    // ZeroMQ may have let go of it by itself.
+  }
+  socket_.connect(connected_to_);
 }
 
 bool WireSocket::send(const std::string& peer, std::string_view frame) {
@@ -109,6 +132,7 @@ bool WireSocket::receive_one() {
       peer = part.to_string();
       if (!part.more() || !socket_.recv(part)) return true;
     }
+    if (keyed_) sender_key_ = user_of(part);
     const bool whole = !part.more();
     if (whole) {
       receiver_(peer, part.to_string_view());

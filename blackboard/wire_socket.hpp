@@ -8,7 +8,9 @@
 //   if (!router.send(peer, text)) ...                            // it reads too slowly, or is gone
 //
 // Destroying it removes the files of the ipc addresses that it was bound to.
-// A message of more than one frame is no frame at all; one of more than 1 MiB ends its sender's connection.
+// A message of more than one frame is no frame at all; one of more than 4 MiB ends its sender's connection.
+//
+// With keys it is encrypted: a router's addresses bound with encrypt() in force, and all that a dealer connects to.
 
 #include <functional>
 #include <optional>
@@ -17,6 +19,8 @@
 #include <vector>
 #include <zmq.hpp>
 
+#include "blackboard/handshake_watch.hpp"
+#include "blackboard/keys.hpp"
 #include "blackboard/time/executor.hpp"
 #include "lisp/result.hpp"
 
@@ -30,15 +34,24 @@ class WireSocket {
   // Frames under way to one peer that does not read.
   static constexpr int high_water = 256;
 
+  static constexpr std::int64_t longest_message = 4 << 20;
+
   WireSocket(Executor& executor, Kind kind, Receiver receiver);
   WireSocket(const WireSocket&) = delete;
   WireSocket& operator=(const WireSocket&) = delete;
   ~WireSocket();
 
-  // Failure address-in-use, or bad-address.
-  Result<std::string> bind(const std::string& address);
-  Result<void> connect(const std::string& address);
+  // Failure address-in-use, or bad-address. With `own` keys, whoever comes there must have a key that the doorkeeper of
+  // context() lets in.
+  Result<std::string> bind(const std::string& address, const KeyPair* own = nullptr);
+  Result<void> connect(const std::string& address, const ClientKeys* keys = nullptr,
+                       HandshakeWatch::Refused refused = {});
+  // After it was refused: ZeroMQ does not try again by itself.
+  void connect_again();
   bool send(const std::string& peer, std::string_view frame);
+  // The public key of who sent what is being received; empty for one without.
+  const std::string& sender_key() const { return sender_key_; }
+  zmq::context_t& context() { return context_; }
 
  private:
   void pump();
@@ -53,6 +66,10 @@ class WireSocket {
   int file_ = -1;
   Executor::TimerId pump_timer_ = 0;
   std::vector<std::string> bound_files_;
+  bool keyed_ = false;
+  std::string sender_key_;
+  std::string connected_to_;
+  std::optional<HandshakeWatch> handshakes_;
 };
 
 }  // namespace pizarra

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "lisp/json.hpp"
 #include "lisp/writer.hpp"
 
 namespace pizarra {
@@ -17,16 +16,6 @@ std::string joined(const Items& items, Write write_item) {
 }
 
 }  // namespace
-
-std::string json_failure(const Failure& failure) {
-  const std::string place =
-      failure.place.empty() ? std::string() : fmt::format(",\"place\":{}", json_string(failure.place));
-  const std::string subject = failure.subject == Datum() ? "null" : json_string(write(failure.subject));
-  return fmt::format("{{\"symbol\":{},\"sentence\":{},\"subject\":{}{}}}", json_string(failure.symbol),
-                     json_string(failure.sentence), subject, place);
-}
-
-std::string json_error(const Failure& failure) { return fmt::format("{{\"error\":{}}}", json_failure(failure)); }
 
 std::string json_answer(const Answer& answer) {
   const std::string bindings = joined(answer.bindings.all(), [](const auto& binding) {

@@ -163,7 +163,7 @@ TEST_F(BoardProgram, ARequestWhoseAnswerWasLostInACrashIsNotDoneTwice) {
     session = std::to_string(say(address_, {"(hello \"alice\" 0)"})[1].integer());
     const std::string begin = "(request " + session;
     request = begin + " 3 (take (goal ?n) 0))";
-    const Datum taken = say(address_, {begin + " 1 " + declare + ")",
+    const Datum taken = say(address_, {"(hello \"alice\" " + session + ")", begin + " 1 " + declare + ")",
                                        begin + " 2 (transact () ((tell (goal 1) 0) (tell (goal 2) 0))))", request});
     ASSERT_EQ(taken[2][1][0][4], read("(goal 1)")) << write(taken);
     EXPECT_EQ(program.stop(SIGKILL), -SIGKILL);

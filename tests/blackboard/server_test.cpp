@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <set>
 #include <zmq.hpp>
 
 #include "blackboard/board_server.hpp"
@@ -71,6 +72,17 @@ class ServerTest : public testing::Test {
     executor.run_until([&] { return passed; });
   }
   Client client() { return {executor, server->addresses().front()}; }
+  // (SYMBOL COUNT) of what the server refused this client, once it is told.
+  std::vector<Datum> refusals(const std::string& teller) {
+    pass(executor, 2 * Refusals::pause);
+    const Query asked = query_for(list("board-refusal"_sym, teller, "?symbol"_sym, "?count"_sym, "?"_sym));
+    std::vector<Datum> counts;
+    const Result<Answers> told = board.ask(asked);
+    for (const Answer& answer : told->answers) {
+      counts.push_back(list(*answer.bindings.find("?symbol"), *answer.bindings.find("?count")));
+    }
+    return counts;
+  }
 
   RealExecutor executor;
   MemoryBoard board{executor};
@@ -184,6 +196,71 @@ TEST_F(ServerTest, ANewConnectionOfASessionIsResynchronised) {
   EXPECT_EQ(change[5].size(), 1U);
 }
 
+TEST_F(ServerTest, ASessionCountsOnTheConnectionThatSaidHelloAlone) {
+  Client alice = client();
+  const std::string session = alice.join("alice");
+  Client thief = client();
+  const std::string theft = "(request " + session + " 1 (transact () ((tell (note 1 stolen) 0))))";
+  EXPECT_EQ(thief.ask(theft), read("(unknown-session " + session + ")"));
+  thief.join("thief");
+  EXPECT_EQ(thief.ask(theft), read("(unknown-session " + session + ")"));
+  EXPECT_EQ(thief.ask("(bye " + session + ")"), read("(unknown-session " + session + ")"));
+  EXPECT_EQ(alice.ask("(ping " + session + ")"), read("(pong)"));
+  EXPECT_EQ(board.store().size(), 0U);
+  EXPECT_EQ(refusals("thief"), std::vector<Datum>{list("not-permitted"_sym, 2)});
+}
+
+TEST_F(ServerTest, AnothersNameDoesNotOpenItsSessionNorDoesItsNumberUnderAnotherName) {
+  Client alice = client();
+  const std::string session = alice.join("alice");
+  Client thief = client();
+  const Datum welcome = thief.ask("(hello \"thief\" " + session + ")");
+  ASSERT_TRUE(welcome.is_form("welcome"));
+  EXPECT_NE(write(welcome[1]), session);
+  EXPECT_TRUE(thief.ask("(hello \"alice\" " + session + ")").is_form("refused")) << "it is the thief already";
+  EXPECT_EQ(alice.ask("(ping " + session + ")"), read("(pong)"));
+  Client usurper = client();
+  EXPECT_TRUE(usurper.ask("(hello \"board\" 0)").is_form("refused"));
+}
+
+TEST_F(ServerTest, NumbersOfSessionsShareNothing) {
+  std::set<std::string> high_digits;
+  constexpr std::size_t many = 16;
+  std::vector<std::unique_ptr<Client>> clients;
+  for (std::size_t i = 0; i < many; ++i) {
+    clients.push_back(std::make_unique<Client>(executor, server->addresses().front()));
+    const std::string session = clients.back()->join("alice");
+    high_digits.insert(session.substr(0, session.size() / 2));
+  }
+  EXPECT_EQ(high_digits.size(), many);
+}
+
+TEST_F(ServerTest, AHelloSaidTwiceIsOneSession) {
+  Client client = this->client();
+  const std::string session = client.join("alice");
+  EXPECT_EQ(client.join("alice"), session);
+  EXPECT_EQ(server->sessions(), 1U);
+}
+
+TEST_F(ServerTest, ARequestFarBehindTheOthersIsRefusedAndNotDone) {
+  Client client = this->client();
+  const std::string session = client.join("alice");
+  const int many = static_cast<int>(BoardServer::max_replies) + 2;
+  for (int i = 2; i <= many + 1; ++i) client.ask("(request " + session + " " + std::to_string(i) + " (lease 1000000))");
+  const Datum reply = client.ask("(request " + session + " 1 (transact () ((tell (note 1 late) 0))))");
+  EXPECT_TRUE(reply.is_form("refused")) << write(reply);
+  EXPECT_EQ(board.store().size(), 0U);
+}
+
+TEST_F(ServerTest, WhatIsRefusedIsToldWithACountAndTheNewestReason) {
+  Client client = this->client();
+  const std::string session = client.join("alice");
+  for (const char* text : {"garbage(", "(dance ", "(request x)"}) client.ask(text);
+  client.ask("(dance " + session + ")");
+  client.ask("(request " + session + " 1 (dance))");
+  EXPECT_EQ(refusals("alice"), std::vector<Datum>{list("bad-frame"_sym, 5)});
+}
+
 TEST_F(ServerTest, WhatIsNoMessageIsRefusedAndTheServerGoesOn) {
   Client client = this->client();
   const std::string session = client.join("alice");
@@ -211,12 +288,15 @@ TEST_F(ServerTest, WhatIsNoMessageIsRefusedAndTheServerGoesOn) {
   EXPECT_EQ(client.ask("(ping " + session + ")"), read("(pong)"));
 }
 
-TEST_F(ServerTest, AFrameBeyondTheLimitEndsItsConnectionAlone) {
+TEST_F(ServerTest, AFrameBeyondTheLimitIsRefusedAndOneFarBeyondItEndsItsConnectionAlone) {
   Client other = client();
   const std::string session = other.join("other");
+  Client large = client();
+  large.join("large");
+  EXPECT_TRUE(large.ask("\"" + std::string(2 * limits::frame_bytes, 'x') + "\"").is_form("refused"));
   Client huge = client();
   huge.join("huge");
-  huge.send("\"" + std::string(2 * limits::frame_bytes, 'x') + "\"");
+  huge.send("\"" + std::string(8 * limits::frame_bytes, 'x') + "\"");
   EXPECT_EQ(huge.receive(100ms), Datum());
   EXPECT_EQ(other.ask("(ping " + session + ")"), read("(pong)"));
 }

@@ -21,8 +21,8 @@ namespace {
 enum Exit : int { stopped = 0, bad_usage = 2, bad_address = 3, bad_journal = 4 };
 
 constexpr const char* exit_codes =
-    "Exit codes: 0 stopped by SIGINT or SIGTERM, 2 wrong arguments, 3 an address cannot be used, 4 the journal cannot "
-    "be read or opened.";
+    "Exit codes: 0 stopped by SIGINT or SIGTERM, 2 wrong arguments, 3 an address or its keys cannot be used, 4 the "
+    "journal cannot be read or opened.";
 
 int complain(const Failure& failure, Exit code) {
   fmt::print(stderr, "pizarra-board: {}\n", describe(failure));
@@ -129,7 +129,12 @@ int main(int argc, char** argv) {
         return pizarra::history_from(text) ? std::string() : "not a number of revisions, nor a time such as 30min";
       })
       ->capture_default_str();
-  app.add_flag("--insecure", options.server.insecure, "allow addresses that other machines reach, unencrypted");
+  app.add_option("--keys", options.server.keys,
+                 "ask who comes over tcp for a key of this folder, made by `pizarra keys new`")
+      ->type_name("DIR");
+  app.add_flag("--insecure", options.server.insecure,
+               "listen, unencrypted and to anybody, at addresses that other machines reach")
+      ->excludes("--keys");
   app.footer(pizarra::exit_codes);
   try {
     app.parse(argc, argv);

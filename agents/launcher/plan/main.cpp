@@ -1,0 +1,19 @@
+// pizarra-plan: the planner on files. It links Guile for what people write, but neither OpenCV nor Bullet, so that it
+// starts at once.
+
+#include "agents/launcher/command_line.hpp"
+#include "agents/launcher/plan/plan_word.hpp"
+#include "agents/launcher/words.hpp"
+
+int main(int argc, char** argv) {
+  CLI::App app("Pizarra, a blackboard for robot cells.", "pizarra");
+  app.require_subcommand(1);
+  int status = pizarra::exit_reached;
+  pizarra::add_plan_word(app, status);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return pizarra::end_of_parsing(app, error);
+  }
+  return status;
+}

@@ -1,0 +1,105 @@
+#include "agents/launcher/plan/plan_word.hpp"
+
+#include <fmt/format.h>
+
+#include "agents/launcher/plan/plan_clock.hpp"
+#include "agents/launcher/plan/plan_report.hpp"
+#include "agents/launcher/words.hpp"
+#include "agents/planner/graphplan.hpp"
+#include "agents/planner/planner_forms.hpp"
+#include "agents/planner/task_files.hpp"
+#include "lisp/json.hpp"
+
+namespace pizarra {
+
+namespace {
+
+struct PlanChoices {
+  std::string domain, problem;
+  double limit_s = PlanClock::for_ever;
+  bool optimal = false;
+  bool pddl = false;
+  bool json = false;
+};
+
+PlanFormat format_of(const PlanChoices& choices) {
+  if (choices.json) return PlanFormat::json;
+  return choices.pddl ? PlanFormat::pddl : PlanFormat::readable;
+}
+
+ExitCode exit_code_of(const Failure& failure) {
+  if (failure.symbol == "no-plan") return exit_refused;
+  if (failure.symbol == "interrupted") return exit_interrupted;
+  const bool tried = failure.symbol == "gave-up" || failure.symbol == "too-large" || failure.symbol == "bad-plan";
+  return tried ? exit_failed : exit_usage;
+}
+
+std::int64_t cost_of(const Problem& problem, const Outcome& outcome) {
+  std::int64_t cost = 0;
+  for (const std::vector<std::size_t>& step : outcome.steps) {
+    for (const std::size_t action : step) cost += problem.actions[action].cost;
+  }
+  return cost;
+}
+
+// Why the engine came back without a plan.
+Failure why_none(const Problem& problem, const Outcome& outcome, const PlanClock& clock) {
+  if (clock.interrupted()) return {"interrupted", "interrupted before a plan was found", {}, {}};
+  if (outcome.kind == Outcome::Kind::cancelled) {
+    return {"gave-up", fmt::format("no plan was found in {:.1f} s; there may be one", clock.seconds()), {}, {}};
+  }
+  return explain(problem, outcome);
+}
+
+Result<PlanReport> make_plan(const PlanChoices& choices, PlanClock& clock) {
+  const Result<PlanningTask> task = read_task_files(choices.domain, choices.problem);
+  if (!task) return fail(task);
+  const Result<Problem> problem = ground(*task);
+  if (!problem) return fail(problem);
+  Graphplan engine;
+  const Outcome outcome = engine.solve(*problem, Budget{}, [&] { return clock.over(); });
+  if (outcome.kind != Outcome::Kind::plan) return fail(why_none(*problem, outcome, clock));
+  PlanReport report{.steps = steps_of(*problem, outcome.steps), .engine = "graphplan"};
+  const Result<void> valid = validate_plan(*task, report.steps);
+  if (!valid) return fail(valid);
+  report.fewest_steps = true;
+  report.counts_cost = task->counts_cost;
+  report.cost = cost_of(*problem, outcome);
+  report.seconds = clock.seconds();
+  return report;
+}
+
+int run_plan(const PlanChoices& choices) {
+  PlanClock clock(choices.limit_s);
+  const Result<PlanReport> report = make_plan(choices, clock);
+  if (report) {
+    fmt::print("{}", plan_text(*report, format_of(choices)));
+    return exit_reached;
+  }
+  if (choices.json) fmt::print("{}\n", json_error(report.error()));
+  return choices.json ? exit_code_of(report.error()) : complain(report.error(), exit_code_of(report.error()));
+}
+
+}  // namespace
+
+void add_plan_word(CLI::App& app, int& status) {
+  auto choices = std::make_shared<PlanChoices>();
+  CLI::App* word =
+      app.add_subcommand("plan", "Plan for a domain and a problem: PDDL, or the thesis' operators and facts.");
+  word->add_option("domain", choices->domain, "PDDL domain, operators (operator ...), or a cell's domain file")
+      ->required();
+  word->add_option("problem", choices->problem, "PDDL problem, or facts (types ...) (initials ...) (goals ...)")
+      ->required();
+  word->add_option("--time", choices->limit_s, "Give up after so many seconds")
+      ->check(CLI::PositiveNumber)
+      ->type_name("S");
+  CLI::Option* pddl = word->add_flag("--pddl", choices->pddl, "Only actions, one (NAME OBJECT ...) a line, in order");
+  word->add_flag("--json", choices->json, "One JSON object")->excludes(pddl);
+  word->footer(
+      "Exit status: 0 a plan; 1 none found in the time and memory given; 2 wrong options or files; 3 proved that "
+      "there\n"
+      "is no plan; 130 interrupted.");
+  word->callback([choices, &status] { status = run_plan(*choices); });
+}
+
+}  // namespace pizarra

@@ -1,0 +1,154 @@
+// `pizarra plan` as a person meets it at the shell: what it says and how it ends.
+
+#include <array>
+#include <cstdio>
+#include <fmt/format.h>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <string>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "tests/source_dir.hpp"
+
+namespace pizarra {
+namespace {
+
+struct Said {
+  int status;
+  std::string text;
+};
+
+Said shell(const std::string& command) {
+  FILE* pipe = popen(command.c_str(), "r");
+  std::string text;
+  std::array<char, 4096> buffer{};
+  for (std::size_t got = fread(buffer.data(), 1, buffer.size(), pipe); got > 0;
+       got = fread(buffer.data(), 1, buffer.size(), pipe)) {
+    text.append(buffer.data(), got);
+  }
+  const int status = pclose(pipe);
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), text};
+}
+
+std::string file(const std::string& name, const std::string& text) {
+  const std::string path = fmt::format("{}plan_test_{}_{}", testing::TempDir(), getpid(), name);
+  std::ofstream(path) << text;
+  return path;
+}
+
+std::string domain() {
+  return file("domain.pddl", R"((define (domain blocks) (:requirements :strips)
+    (:predicates (on ?x ?y) (on-table ?x) (clear ?x) (arm-empty) (holding ?x))
+    (:action pick-up :parameters (?x) :precondition (and (clear ?x) (on-table ?x) (arm-empty))
+      :effect (and (not (on-table ?x)) (not (clear ?x)) (not (arm-empty)) (holding ?x)))
+    (:action stack :parameters (?x ?y) :precondition (and (holding ?x) (clear ?y))
+      :effect (and (not (holding ?x)) (not (clear ?y)) (clear ?x) (arm-empty) (on ?x ?y)))))");
+}
+
+std::string problem(const std::string& goal) {
+  return file("problem.pddl", R"((define (problem p) (:domain blocks) (:objects A B C)
+    (:init (on-table a) (on-table b) (on-table c) (clear a) (clear b) (clear c) (arm-empty)) (:goal )" +
+                                  goal + "))");
+}
+
+Said plan(const std::string& goal, const std::string& options = "") {
+  return shell(fmt::format("{} plan {} {} {} 2>&1", PIZARRA_PLAN, domain(), problem(goal), options));
+}
+
+TEST(Plan, IsPrintedStepByStep) {
+  const Said said = plan("(and (on a b) (on b c))");
+  EXPECT_EQ(said.status, 0);
+  EXPECT_TRUE(said.text.starts_with("1  (pick-up b)\n2  (stack b c)\n3  (pick-up a)\n4  (stack a b)\n4 steps"))
+      << said.text;
+}
+
+TEST(Plan, IsNothingButActionsForPddlTools) {
+  const Said said = plan("(on a b)", "--pddl");
+  EXPECT_EQ(said.status, 0);
+  EXPECT_EQ(said.text, "(pick-up a)\n(stack a b)\n");
+}
+
+TEST(Plan, IsOneObjectForPrograms) {
+  const Said said = plan("(on a b)", "--json");
+  EXPECT_EQ(said.status, 0);
+  EXPECT_TRUE(said.text.starts_with(R"_({"plan":[["(pick-up a)"],["(stack a b)"]],"steps":2,)_")) << said.text;
+}
+
+TEST(Plan, IsEmptyWhereTheGoalHolds) {
+  const Said said = plan("(clear a)");
+  EXPECT_EQ(said.status, 0);
+  EXPECT_TRUE(said.text.starts_with("nothing to do: the goal holds already")) << said.text;
+}
+
+TEST(Plan, ThatCannotBeIsRefusedWithTheGoalsThatConflict) {
+  const Said said = plan("(and (on a b) (on b a))");
+  EXPECT_EQ(said.status, 3);
+  EXPECT_TRUE(said.text.starts_with("pizarra: no plan exists: (on a b) and (on b a) can never hold together"))
+      << said.text;
+  const Said json = plan("(and (on a b) (on b a))", "--json");
+  EXPECT_EQ(json.status, 3);
+  EXPECT_TRUE(json.text.starts_with(R"_({"error":{"symbol":"no-plan",)_")) << json.text;
+}
+
+TEST(Plan, OfWrongFilesIsAUsageError) {
+  const Said said = plan("(and (on a d) (clera b))");
+  EXPECT_EQ(said.status, 2);
+  EXPECT_NE(said.text.find("there is no object d"), std::string::npos) << said.text;
+  EXPECT_NE(said.text.find("there is no predicate clera; the nearest is clear"), std::string::npos) << said.text;
+  EXPECT_EQ(shell(fmt::format("{} plan /nowhere/a /nowhere/b 2>&1", PIZARRA_PLAN)).status, 2);
+  EXPECT_EQ(plan("(on a b)", "--pdl").status, 2);
+  EXPECT_EQ(plan("(on a b)", "--time 0").status, 2);
+  EXPECT_EQ(plan("(on a b)", "--pddl --json").status, 2);
+}
+
+TEST(Plan, ReadsTheThesisFiles) {
+  const std::string operators = file("operators", R"(
+    (operator PICK-UP (params (<ob1> OBJECT)) (preconds (clear <ob1>) (on-table <ob1>) (arm-empty))
+      (effects (holding <ob1>) (del (clear <ob1>)) (del (on-table <ob1>)) (del (arm-empty)))))");
+  const std::string facts = file("facts",
+                                 "(types (circle OBJECT)) (initials (clear circle) (on-table circle) (arm-empty))"
+                                 "(goals (holding circle))");
+  const Said said = shell(fmt::format("{} plan {} {} --pddl", PIZARRA_PLAN, operators, facts));
+  EXPECT_EQ(said.status, 0);
+  EXPECT_EQ(said.text, "(PICK-UP circle)\n");
+}
+
+// Twenty discs: no planner of ours is through with them soon.
+std::string endless() {
+  std::string discs, facts, goals;
+  for (int i = 1; i <= 20; ++i) {
+    discs += fmt::format(" d{}", i);
+    const std::string below = i == 20 ? "p1" : fmt::format("d{}", i + 1);
+    facts += fmt::format("(on d{} {})", i, below);
+    goals += fmt::format("(on d{} {})", i, i == 20 ? "p3" : below);
+    for (int j = i + 1; j <= 20; ++j) facts += fmt::format("(smaller d{} d{})", j, i);
+    for (int p = 1; p <= 3; ++p) facts += fmt::format("(smaller p{} d{})", p, i);
+  }
+  const std::string hanoi = file("hanoi.pddl", R"((define (domain hanoi)
+    (:predicates (clear ?x) (on ?x ?y) (smaller ?x ?y))
+    (:action move :parameters (?disc ?from ?to)
+      :precondition (and (smaller ?to ?disc) (on ?disc ?from) (clear ?disc) (clear ?to))
+      :effect (and (clear ?from) (on ?disc ?to) (not (on ?disc ?from)) (not (clear ?to))))))");
+  return hanoi + " " +
+         file("hanoi-20.pddl",
+              fmt::format("(define (problem h) (:domain hanoi) (:objects p1 p2 p3{}) (:init (clear d1) (clear p2) "
+                          "(clear p3) {}) (:goal (and {})))",
+                          discs, facts, goals));
+}
+
+TEST(Plan, GivesUpWhenItsTimeIsOver) {
+  const Said said = shell(fmt::format("{} plan {} --time 0.3 2>&1", PIZARRA_PLAN, endless()));
+  EXPECT_EQ(said.status, 1) << said.text;
+  EXPECT_TRUE(said.text.starts_with("pizarra: no plan was found in ")) << said.text;
+}
+
+TEST(Plan, IsInterruptedByCtrlC) {
+  const Said said =
+      shell(fmt::format("timeout --preserve-status --signal=INT 1 {} plan {} 2>&1", PIZARRA_PLAN, endless()));
+  EXPECT_EQ(said.status, 130) << said.text;
+  EXPECT_TRUE(said.text.starts_with("pizarra: interrupted")) << said.text;
+}
+
+}  // namespace
+}  // namespace pizarra

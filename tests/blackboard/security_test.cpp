@@ -1,0 +1,276 @@
+// A board that asks for keys: who is let in, as whom, and what each may do.
+
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "blackboard/board_server.hpp"
+#include "blackboard/remote_board.hpp"
+#include "blackboard/time/real_executor.hpp"
+#include "tests/blackboard/board_fixture.hpp"
+
+namespace pizarra {
+namespace {
+
+class SecurityTest : public testing::Test, public Wall {
+ protected:
+  SecurityTest() {
+    std::filesystem::remove_all(folder_);
+    EXPECT_TRUE(make_keys(folder_, "board", {}).has_value());
+    EXPECT_TRUE(make_keys(folder_, "boss", {{"*"}, {"*"}, {"*"}, {}}).has_value());
+    EXPECT_TRUE(make_keys(folder_, "robot", {{"arm", "agent"}, {"job"}, {"arm*", "job"}, {}}).has_value());
+  }
+  ~SecurityTest() override { std::filesystem::remove_all(folder_); }
+
+  void serve(Duration session_length = 800ms) {
+    BoardServerOptions options;
+    options.addresses = {"tcp://127.0.0.1:*", ipc_};
+    options.keys = folder_;
+    options.session_length = session_length;
+    server_ = BoardServer::open(executor_, board_, options).value();
+    const std::unique_ptr<Board> boss = view("boss");
+    EXPECT_EQ(
+        symbol_of(run(boss->declare(
+            {relation("(relation arm ((state symbol)) (key))"), relation("(relation arm-pose ((x number)) (key))"),
+             relation("(relation agent ((name symbol)) (key name))"), relation("(relation job ((n integer)) (key n))"),
+             relation("(relation goal ((n integer)) (key n))")}))),
+        "ok");
+  }
+  std::string tcp() const { return server_->addresses().front(); }
+  std::string secret_of(const std::string& name) const { return folder_ + "/" + name + ".secret"; }
+
+  Executor& executor() override { return executor_; }
+  // Comes with the key of its name.
+  std::unique_ptr<Board> view(const std::string& name) override { return view(name, name); }
+  std::unique_ptr<Board> view(const std::string& key, const std::string& teller, Duration timeout = 5s) {
+    return RemoteBoard::connect(executor_, tcp(), teller, timeout, read_client_keys(secret_of(key)).value()).value();
+  }
+  std::string tell(Board& board, const std::string& fact, LeaseId lease = 0) {
+    Transaction transaction;
+    transaction.tell(read(fact), {}, lease);
+    return symbol_of(run(board.transact(transaction)));
+  }
+  std::string retract(Board& board, const std::string& pattern) { return symbol_of(run(board.retract(read(pattern)))); }
+  std::string ask(Board& board, const std::string& text) { return symbol_of(run(board.ask(query(text)))); }
+
+  // The newest refusals of a client, once they are told.
+  std::vector<Fact> refusals(const std::string& client) {
+    pass(2 * Refusals::pause);
+    const auto answers = board_.ask(query_for(list("board-refusal"_sym, client, "?"_sym, "?"_sym, "?"_sym)));
+    std::vector<Fact> facts;
+    for (const Answer& answer : answers->answers) facts.push_back(answer.facts.front());
+    return facts;
+  }
+
+  const std::string ipc_ = ipc_address();
+  const std::string folder_ = ipc_.substr(6) + ".keys";
+  RealExecutor executor_;
+  MemoryBoard board_{executor_};
+  std::unique_ptr<BoardServer> server_;
+};
+
+TEST_F(SecurityTest, AClientWithAnAuthorisedKeyTellsUnderItsName) {
+  serve();
+  const auto robot = view("robot");
+  ASSERT_EQ(tell(*robot, "(arm idle)"), "ok");
+  const auto part = view("robot", "gripper");
+  ASSERT_EQ(tell(*part, "(agent gripper)"), "ok");
+  const auto boss = view("boss");
+  EXPECT_EQ(run(boss->facts(read("(arm ?)")))->front().teller, "robot");
+  EXPECT_EQ(run(boss->facts(read("(agent ?)")))->front().teller, "robot/gripper");
+}
+
+TEST_F(SecurityTest, AStrangersKeyIsRefusedWithAReasonAndTold) {
+  serve();
+  const std::string elsewhere = folder_ + ".other";
+  const KeyPair stranger = make_keys(elsewhere, "stranger", {{"*"}, {"*"}, {"*"}, {}}).value();
+  const ClientKeys keys{stranger, read_public_key(folder_ + "/board.key")->key};
+  std::filesystem::remove_all(elsewhere);
+  const auto board = RemoteBoard::connect(executor_, tcp(), "stranger", 5s, keys).value();
+  const Time before = executor_.now();
+  const Result<Answers> refused = run(board->ask(query("(arm ?x)")));
+  ASSERT_EQ(symbol_of(refused), "not-permitted");
+  EXPECT_NE(refused.error().sentence.find("does not accept this key"), std::string::npos) << refused.error().sentence;
+  EXPECT_LT(executor_.now() - before, 3s) << "at once, not when its patience ends";
+  ASSERT_EQ(refusals(stranger.public_key).size(), 1U);
+  EXPECT_TRUE(refusals(stranger.public_key).front().datum[2].is_symbol("not-permitted"));
+}
+
+TEST_F(SecurityTest, AClientWithoutAKeyIsToldToBringOne) {
+  serve();
+  const auto board = RemoteBoard::connect(executor_, tcp(), "robot").value();
+  const Result<Answers> refused = run(board->ask(query("(arm ?x)")));
+  ASSERT_EQ(symbol_of(refused), "not-permitted");
+  EXPECT_NE(refused.error().sentence.find("--key"), std::string::npos) << refused.error().sentence;
+}
+
+TEST_F(SecurityTest, AKeyForABoardThatAsksForNoneIsSaidToBeInTheWay) {
+  const auto open = BoardServer::open(executor_, board_, {.addresses = {"tcp://127.0.0.1:*"}}).value();
+  const auto board = RemoteBoard::connect(executor_, open->addresses().front(), "robot", 5s,
+                                          read_client_keys(secret_of("robot")).value())
+                         .value();
+  EXPECT_EQ(symbol_of(run(board->ask(query("(arm ?x)")))), "not-permitted");
+}
+
+TEST_F(SecurityTest, AnotherBoardsKeyLetsNobodySpeakToIt) {
+  serve();
+  ClientKeys keys = read_client_keys(secret_of("robot")).value();
+  keys.board_key = keys.own.public_key;
+  const auto board = RemoteBoard::connect(executor_, tcp(), "robot", 700ms, keys).value();
+  EXPECT_EQ(symbol_of(run(board->ask(query("(arm ?x)")))), "unreachable");
+}
+
+TEST_F(SecurityTest, OnTheFileOfThisMachineNoKeyIsAskedFor) {
+  serve();
+  const auto local = RemoteBoard::connect(executor_, ipc_, "local").value();
+  EXPECT_EQ(tell(*local, "(goal 1)"), "ok");
+  const auto keyed =
+      RemoteBoard::connect(executor_, ipc_, "robot", 5s, read_client_keys(secret_of("robot")).value()).value();
+  EXPECT_EQ(tell(*keyed, "(goal 2)"), "ok");
+}
+
+TEST_F(SecurityTest, NobodyTellsReadsOrTakesWhatItsKeyDoesNotAllow) {
+  serve();
+  const auto boss = view("boss");
+  const auto robot = view("robot");
+  for (const char* fact : {"(goal 1)", "(arm idle)", "(job 1)"}) ASSERT_EQ(tell(*boss, fact), "ok") << fact;
+  const Result<Revision> refused = run(robot->tell(read("(goal 2)")));
+  ASSERT_EQ(symbol_of(refused), "not-permitted");
+  EXPECT_EQ(refused.error().sentence, "the key robot may not tell facts of goal");
+  EXPECT_EQ(refused.error().subject, read("(goal 2)"));
+  EXPECT_EQ(retract(*robot, "(goal ?)"), "not-permitted");
+  EXPECT_EQ(ask(*robot, "(goal ?n)"), "not-permitted");
+  EXPECT_EQ(ask(*robot, "(and (arm ?s) (not (goal ?n)))"), "not-permitted");
+  EXPECT_EQ(symbol_of(run(robot->watch(query("(goal ?n)")))), "not-permitted");
+  EXPECT_EQ(symbol_of(run(robot->take(read("(arm ?)"), 0))), "not-permitted");
+  Transaction curious;
+  curious.require(Transaction::Present{read("(goal 1)")}).tell(read("(arm moving)"));
+  EXPECT_EQ(symbol_of(run(robot->transact(curious))), "not-permitted");
+  const std::vector<Relation> own_idea = {relation("(relation plan ((n integer)))")};
+  EXPECT_EQ(symbol_of(run(robot->declare(own_idea))), "not-permitted");
+
+  EXPECT_EQ(tell(*robot, "(arm moving)"), "ok");
+  EXPECT_EQ(ask(*robot, "(arm ?s)"), "ok");
+  EXPECT_EQ(ask(*robot, "(arm-pose ?x)"), "ok") << "a beginning with a star";
+  EXPECT_EQ(symbol_of(run(robot->take(read("(job ?)"), 0))), "ok");
+  const std::vector<Fact> told = refusals("robot");
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_EQ(told.front().datum[3].integer(), 8);
+}
+
+TEST_F(SecurityTest, WhatAnotherToldUnderItsLeaseIsLeftToItUnlessThatIsPermitted) {
+  ASSERT_TRUE(make_keys(folder_, "warden", {{"agent"}, {}, {}, {"agent"}}).has_value());
+  serve();
+  const auto boss = view("boss");
+  const auto robot = view("robot");
+  const LeaseId lease = run(boss->lease(60s)).value();
+  ASSERT_EQ(tell(*boss, "(agent boss)", lease), "ok");
+  ASSERT_EQ(tell(*boss, "(agent loose)"), "ok");
+  EXPECT_EQ(retract(*robot, "(agent ?)"), "not-permitted");
+  EXPECT_EQ(tell(*robot, "(agent boss)"), "not-permitted") << "it would take the lease away";
+  EXPECT_EQ(tell(*robot, "(agent robot)", lease), "not-permitted");
+  EXPECT_EQ(symbol_of(run(robot->renew(lease))), "not-permitted");
+  EXPECT_EQ(symbol_of(run(robot->release(lease))), "not-permitted");
+  EXPECT_EQ(retract(*robot, "(agent loose)"), "ok") << "nobody's lease";
+  EXPECT_EQ(symbol_of(run(boss->renew(lease))), "ok");
+  const auto warden = view("warden");
+  EXPECT_EQ(retract(*warden, "(agent ?)"), "ok");
+}
+
+TEST_F(SecurityTest, WhatAnotherTookIsNotSettledForIt) {
+  serve();
+  const auto boss = view("boss");
+  const auto robot = view("robot");
+  ASSERT_EQ(tell(*boss, "(job 1)"), "ok");
+  const LeaseId holder = run(boss->lease(60s)).value();
+  const FactId taken = run(boss->take(read("(job ?)"), holder)).value()->id;
+  Transaction steal;
+  steal.settle(taken);
+  EXPECT_EQ(symbol_of(run(robot->transact(steal))), "not-permitted");
+  EXPECT_EQ(symbol_of(run(boss->transact(steal))), "ok");
+}
+
+TEST_F(SecurityTest, ARemovedKeyIsOutWithinASecondThoughItsConnectionStands) {
+  serve();
+  const auto robot = view("robot");
+  ASSERT_EQ(tell(*robot, "(arm idle)"), "ok");
+  const std::unique_ptr<Watch> watch = run(robot->watch(query("(arm ?s)"))).value();
+  std::filesystem::remove(folder_ + "/robot.key");
+  pass(400ms);
+  EXPECT_EQ(tell(*robot, "(arm moving)"), "not-permitted");
+  const auto again = view("robot");
+  EXPECT_EQ(tell(*again, "(arm moving)"), "not-permitted");
+}
+
+TEST_F(SecurityTest, AnotherKeyUnderTheSameNameEndsTheFormersSessions) {
+  serve();
+  const auto old = view("robot");
+  ASSERT_EQ(tell(*old, "(arm idle)"), "ok");
+  std::filesystem::remove(folder_ + "/robot.key");
+  std::filesystem::remove(folder_ + "/robot.secret");
+  ASSERT_TRUE(make_keys(folder_, "robot", {{"arm"}, {}, {}, {}}).has_value());
+  const auto fresh = view("robot");
+  EXPECT_EQ(tell(*fresh, "(arm moving)"), "ok") << "at its first connection";
+  EXPECT_EQ(tell(*old, "(arm fault)"), "not-permitted");
+}
+
+TEST_F(SecurityTest, ChangedPermissionsHoldForSessionsThatStandAndTheirWatches) {
+  serve();
+  const auto robot = view("robot");
+  const std::unique_ptr<Watch> watch = run(robot->watch(query("(job ?n)"))).value();
+  ASSERT_TRUE(run(watch->next()).has_value());
+  const std::string path = folder_ + "/robot.key";
+  const PublicKey key = read_public_key(path).value();
+  std::ofstream(path) << "(key robot \"" << key.key << "\" (tell goal))\n";
+  const Result<Change> ended = run(watch->next());
+  EXPECT_EQ(symbol_of(ended), "not-permitted");
+  EXPECT_EQ(tell(*robot, "(goal 1)"), "ok");
+  EXPECT_EQ(tell(*robot, "(arm idle)"), "not-permitted");
+}
+
+TEST_F(SecurityTest, ABrokenKeyFileLetsNobodyInAndIsTold) {
+  serve();
+  std::ofstream(folder_ + "/robot.key") << "(key robot";
+  const auto robot = view("robot");
+  EXPECT_EQ(tell(*robot, "(arm idle)"), "not-permitted");
+  EXPECT_EQ(refusals("").size(), 1U);
+}
+
+TEST(KeyFiles, AreWrittenSoThatOnlyTheOwnerReadsTheSecretAndReadBack) {
+  const std::string folder = ipc_address().substr(6) + ".keys";
+  const Permissions may{{"arm", "arm-*"}, {"request"}, {"*"}, {}};
+  const KeyPair made = make_keys(folder, "robot", may).value();
+  EXPECT_EQ(std::filesystem::status(folder + "/robot.secret").permissions(),
+            std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
+  EXPECT_EQ(read_public_key(folder + "/robot.key").value(), (PublicKey{"robot", made.public_key, may}));
+  EXPECT_EQ(read_secret_key(folder + "/robot.secret").value().secret_key, made.secret_key);
+  EXPECT_EQ(symbol_of(make_keys(folder, "robot", may)), "already-there");
+  EXPECT_EQ(symbol_of(make_keys(folder, "../robot", may)), "bad-name");
+  EXPECT_EQ(symbol_of(read_client_keys(folder + "/robot.secret")), "unreadable-file") << "no board.key";
+  std::filesystem::permissions(folder + "/robot.secret", std::filesystem::perms::group_read,
+                               std::filesystem::perm_options::add);
+  EXPECT_EQ(symbol_of(read_secret_key(folder + "/robot.secret")), "exposed-key");
+  std::filesystem::remove_all(folder);
+}
+
+TEST(KeyFiles, SayWhereTheyAreWrong) {
+  const std::string file = ipc_address().substr(6) + ".key";
+  const std::string key(40, '0');
+  for (const std::string& text :
+       {std::string("(key)"), std::string("(key robot)"), "(key robot \"" + key.substr(1) + "\")",
+        "(key \"robot\" \"" + key + "\")", "(key robot \"" + key + "\" (dance *))",
+        "(key robot \"" + key + "\" (tell a*b))", "(key robot \"" + key + "\" (tell \"arm\"))",
+        "(key robot \"" + key + "\" (tell a) (tell b))", "(key robot \"" + key + "\") (key)"}) {
+    std::ofstream(file) << text;
+    const Result<PublicKey> read = read_public_key(file);
+    ASSERT_EQ(symbol_of(read), "bad-key") << text;
+    EXPECT_NE(read.error().place.find(file + ":1:"), std::string::npos) << read.error().place;
+  }
+  std::ofstream(file) << "(key robot \"" + key + "\" (read *))";
+  EXPECT_EQ(symbol_of(read_public_key(file)), "ok");
+  std::filesystem::remove(file);
+}
+
+}  // namespace
+}  // namespace pizarra
