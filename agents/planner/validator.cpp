@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <fmt/format.h>
+#include <optional>
 #include <set>
 
 #include "agents/planner/task.hpp"
@@ -28,35 +29,59 @@ std::vector<Datum> substituted(const std::vector<Datum>& atoms, const Bindings& 
   return facts;
 }
 
-Result<Effects> effects_of(const PlanningTask& task, const Datum& operation) {
+// The operation's operator and what its parameters stand for.
+struct Instance {
+  const PlanningOperator& source;
+  Bindings bindings;
+};
+
+Result<Instance> instance_of(const PlanningTask& task, const Datum& operation) {
   const auto found = std::ranges::find(task.operators, operation.head(), &PlanningOperator::name);
   if (found == task.operators.end() || operation.size() != found->parameters.size() + 1) {
     return fail("bad-plan", write(operation) + " is no operation of the domain", operation);
   }
-  Bindings bindings;
+  Instance instance{*found, {}};
   for (std::size_t i = 0; i < found->parameters.size(); ++i) {
+    const PlanningParameter& parameter = found->parameters[i];
     const auto object = std::ranges::find(task.objects, operation[i + 1], &PlanningObject::name);
-    if (object == task.objects.end() || !is_subtype(task.types, object->type, found->parameters[i].type)) {
-      return fail(
-          "bad-plan",
-          fmt::format("{} in {} is no {}", write(operation[i + 1]), write(operation), found->parameters[i].type),
-          operation);
+    if (object == task.objects.end() || !is_subtype(task.types, object->type, parameter.type)) {
+      return fail("bad-plan",
+                  fmt::format("{} in {} is no {}", write(operation[i + 1]), write(operation), parameter.type),
+                  operation);
     }
-    bindings.bind(found->parameters[i].variable, operation[i + 1]);
+    instance.bindings.bind(parameter.variable, operation[i + 1]);
   }
-  for (const PlanningEquality& equality : found->equalities) {
+  return instance;
+}
+
+// None where a function of it has no value.
+std::optional<std::int64_t> cost_of(const PlanningTask& task, const Instance& instance) {
+  if (!task.counts_cost) return 1;
+  std::int64_t sum = 0;
+  for (const Datum& cost : instance.source.costs) {
+    const auto value = task.values.find(substitute(cost, instance.bindings));
+    if (!cost.is_integer() && value == task.values.end()) return std::nullopt;
+    sum += cost.is_integer() ? cost.integer() : value->second;
+  }
+  return sum;
+}
+
+Result<Effects> effects_of(const PlanningTask& task, const Datum& operation) {
+  const Result<Instance> instance = instance_of(task, operation);
+  if (!instance) return fail(instance);
+  const auto& [source, bindings] = *instance;
+  for (const PlanningEquality& equality : source.equalities) {
     if ((substitute(equality.left, bindings) == substitute(equality.right, bindings)) == equality.equal) continue;
     return fail("bad-plan",
                 fmt::format("{} needs {} and {} to be {}", write(operation), write(equality.left),
                             write(equality.right), equality.equal ? "the same" : "different"),
                 operation);
   }
-  for (const Datum& cost : found->costs) {
-    if (!task.counts_cost || cost.is_integer() || task.values.contains(substitute(cost, bindings))) continue;
+  if (!cost_of(task, *instance)) {
     return fail("bad-plan", fmt::format("the cost of {} is not defined", write(operation)), operation);
   }
-  Effects effects{substituted(found->preconditions, bindings), substituted(found->absents, bindings),
-                  substituted(found->adds, bindings), substituted(found->deletes, bindings)};
+  Effects effects{substituted(source.preconditions, bindings), substituted(source.absents, bindings),
+                  substituted(source.adds, bindings), substituted(source.deletes, bindings)};
   std::erase_if(effects.deletes, [&](const Datum& fact) { return contains(effects.adds, fact); });
   return effects;
 }
@@ -100,6 +125,17 @@ Result<void> replay_step(const PlanningTask& task, const std::vector<Datum>& ste
 }
 
 }  // namespace
+
+std::int64_t plan_cost(const PlanningTask& task, const PlanSteps& steps) {
+  std::int64_t cost = 0;
+  for (const std::vector<Datum>& step : steps) {
+    for (const Datum& operation : step) {
+      const Result<Instance> instance = instance_of(task, operation);
+      if (instance) cost += cost_of(task, *instance).value_or(0);
+    }
+  }
+  return cost;
+}
 
 Result<void> validate_plan(const PlanningTask& task, const PlanSteps& steps) {
   std::set<Datum> state(task.initials.begin(), task.initials.end());

@@ -1,10 +1,12 @@
 #include "agents/launcher/plan/plan_word.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 #include "agents/launcher/plan/plan_clock.hpp"
 #include "agents/launcher/plan/plan_report.hpp"
 #include "agents/launcher/words.hpp"
+#include "agents/planner/external_plan.hpp"
 #include "agents/planner/graphplan.hpp"
 #include "agents/planner/planner_forms.hpp"
 #include "agents/planner/task_files.hpp"
@@ -14,10 +16,14 @@ namespace pizarra {
 
 namespace {
 
+// A foreign planner is not left alone for ever.
+constexpr double longest_s = 86'400;
+
 struct PlanChoices {
   std::string domain, problem;
   double limit_s = PlanClock::for_ever;
-  bool optimal = false;
+  std::string planner;
+  std::size_t memory_mb = 4096;
   bool pddl = false;
   bool json = false;
 };
@@ -30,42 +36,58 @@ PlanFormat format_of(const PlanChoices& choices) {
 ExitCode exit_code_of(const Failure& failure) {
   if (failure.symbol == "no-plan") return exit_refused;
   if (failure.symbol == "interrupted") return exit_interrupted;
-  const bool tried = failure.symbol == "gave-up" || failure.symbol == "too-large" || failure.symbol == "bad-plan";
+  const auto is_one_of = [&](std::initializer_list<std::string_view> symbols) {
+    return std::ranges::find(symbols, failure.symbol) != symbols.end();
+  };
+  if (is_one_of({"planner-missing", "no-folder"})) return exit_unavailable;
+  const bool tried = is_one_of({"gave-up", "too-large", "bad-plan", "planner-crashed", "planner-failed", "garbage",
+                                "time-out", "too-much-output"});
   return tried ? exit_failed : exit_usage;
 }
 
-std::int64_t cost_of(const Problem& problem, const Outcome& outcome) {
-  std::int64_t cost = 0;
-  for (const std::vector<std::size_t>& step : outcome.steps) {
-    for (const std::size_t action : step) cost += problem.actions[action].cost;
-  }
-  return cost;
-}
+Failure interrupted() { return {"interrupted", "interrupted before a plan was found", {}, {}}; }
 
 // Why the engine came back without a plan.
 Failure why_none(const Problem& problem, const Outcome& outcome, const PlanClock& clock) {
-  if (clock.interrupted()) return {"interrupted", "interrupted before a plan was found", {}, {}};
+  if (clock.interrupted()) return interrupted();
   if (outcome.kind == Outcome::Kind::cancelled) {
     return {"gave-up", fmt::format("no plan was found in {:.1f} s; there may be one", clock.seconds()), {}, {}};
   }
   return explain(problem, outcome);
 }
 
-Result<PlanReport> make_plan(const PlanChoices& choices, PlanClock& clock) {
-  const Result<PlanningTask> task = read_task_files(choices.domain, choices.problem);
-  if (!task) return fail(task);
-  const Result<Problem> problem = ground(*task);
+Result<PlanReport> search(const PlanningTask& task, PlanClock& clock) {
+  const Result<Problem> problem = ground(task);
   if (!problem) return fail(problem);
   Graphplan engine;
   const Outcome outcome = engine.solve(*problem, Budget{}, [&] { return clock.over(); });
   if (outcome.kind != Outcome::Kind::plan) return fail(why_none(*problem, outcome, clock));
-  PlanReport report{.steps = steps_of(*problem, outcome.steps), .engine = "graphplan"};
-  const Result<void> valid = validate_plan(*task, report.steps);
+  PlanReport report{.steps = steps_of(*problem, outcome.steps), .engine = "graphplan", .fewest_steps = true};
+  const Result<void> valid = validate_plan(task, report.steps);
   if (!valid) return fail(valid);
-  report.fewest_steps = true;
-  report.counts_cost = task->counts_cost;
-  report.cost = cost_of(*problem, outcome);
-  report.seconds = clock.seconds();
+  return report;
+}
+
+Result<PlanReport> ask_planner(const PlanningTask& task, const PlanChoices& choices, PlanClock& clock) {
+  const ExternalPlanner planner(
+      choices.planner, {.seconds = std::min(choices.limit_s, longest_s), .memory_bytes = choices.memory_mb << 20});
+  const Result<PlanSteps> steps = plan_externally(planner, task, [&] { return clock.over(); });
+  if (clock.interrupted()) return fail(interrupted());
+  if (!steps && steps.error().symbol == "cancelled") {
+    return fail("time-out", fmt::format("the planner had no plan after {:g} s", choices.limit_s));
+  }
+  if (!steps) return fail(steps);
+  return PlanReport{.steps = *steps, .engine = choices.planner.substr(0, choices.planner.find(' '))};
+}
+
+Result<PlanReport> make_plan(const PlanChoices& choices, PlanClock& clock) {
+  const Result<PlanningTask> task = read_task_files(choices.domain, choices.problem);
+  if (!task) return fail(task);
+  Result<PlanReport> report = choices.planner.empty() ? search(*task, clock) : ask_planner(*task, choices, clock);
+  if (!report) return report;
+  report->counts_cost = task->counts_cost;
+  report->cost = plan_cost(*task, report->steps);
+  report->seconds = clock.seconds();
   return report;
 }
 
@@ -93,6 +115,14 @@ void add_plan_word(CLI::App& app, int& status) {
   word->add_option("--time", choices->limit_s, "Give up after so many seconds")
       ->check(CLI::PositiveNumber)
       ->type_name("S");
+  CLI::Option* planner =
+      word->add_option("--planner", choices->planner,
+                       "Have this command plan: {domain} and {problem} stand for PDDL files, {plan} for its answer")
+          ->type_name("COMMAND");
+  word->add_option("--memory", choices->memory_mb, "How much memory that planner may have")
+      ->check(CLI::Range(1, 1 << 20))
+      ->needs(planner)
+      ->type_name("MB");
   CLI::Option* pddl = word->add_flag("--pddl", choices->pddl, "Only actions, one (NAME OBJECT ...) a line, in order");
   word->add_flag("--json", choices->json, "One JSON object")->excludes(pddl);
   word->footer(

@@ -114,6 +114,19 @@ TEST(Plan, ReadsTheThesisFiles) {
   EXPECT_EQ(said.text, "(PICK-UP circle)\n");
 }
 
+TEST(Plan, MayBeAnotherPlannersAndIsChecked) {
+  const Said said = plan("(on a b)", "--pddl --planner 'echo \"0: PICK-UP A\n1: STACK A B\" # {domain} {problem}'");
+  EXPECT_EQ(said.status, 0) << said.text;
+  EXPECT_EQ(said.text, "(pick-up a)\n(stack a b)\n");
+  const Said wrong = plan("(on a b)", "--planner 'echo \"(stack a b)\" > {plan} # {domain} {problem}'");
+  EXPECT_EQ(wrong.status, 1);
+  EXPECT_NE(wrong.text.find("the planner's plan does not work: (stack a b) needs (holding a)"), std::string::npos)
+      << wrong.text;
+  EXPECT_EQ(plan("(on a b)", "--planner '/nowhere/ff {domain} {problem}'").status, 4);
+  EXPECT_EQ(plan("(on a b)", "--planner 'sleep 100 # {domain} {problem}' --time 0.2").status, 1);
+  EXPECT_EQ(plan("(on a b)", "--planner 'ff {domain}'").status, 2);
+}
+
 // Twenty discs: no planner of ours is through with them soon.
 std::string endless() {
   std::string discs, facts, goals;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "agents/planner/graphplan.hpp"
+#include "agents/planner/pddl_text.hpp"
 #include "lisp/writer.hpp"
 #include "tests/agents/planner/planning_domains.hpp"
 #include "tests/source_dir.hpp"
@@ -111,6 +112,98 @@ TEST(TaskFiles, SayWhatIsExpectedWhereTheFilesAreMixedUp) {
   EXPECT_EQ(read("(cell one)", pddl_problem).error().symbol, "wrong-file");
   EXPECT_EQ(read(pddl_domain, "(types (a T)) (goals (p a))").error().symbol, "wrong-file");
   EXPECT_EQ(read("", pddl_problem).error().symbol, "wrong-file");
+}
+
+// What a task becomes as PDDL and read again, in the names that the text gave it.
+std::string reread(const PlanningTask& task) {
+  const PddlText text = pddl_text(task);
+  const Result<PlanningTask> again = read(text.domain, text.problem);
+  if (!again) return describe(again.error()) + "\n" + text.domain + text.problem;
+  return show(*again);
+}
+
+TEST(TaskFiles, WrittenAsPddlReadTheSameAgain) {
+  const Result<PlanningTask> task = read(pddl_domain, pddl_problem);
+  EXPECT_EQ(reread(*task), show(*task));
+  const PddlText text = pddl_text(*task);
+  const Result<PlanningTask> again = read(text.domain, text.problem);
+  EXPECT_EQ(again->values, task->values);
+  EXPECT_EQ(ground(*again)->actions.back().cost, 7);
+}
+
+TEST(TaskFiles, OfRandomTasksWrittenAsPddlReadTheSameAgain) {
+  for (std::uint64_t seed = 1; seed <= 200 && !HasFailure(); ++seed) {
+    SCOPED_TRACE(fmt::format("seed {}", seed));
+    Random random(seed);
+    PlanningTask task = random_conditions(random);
+    for (PlanningOperator& op : task.operators) op.name = fmt::format("op-{}", &op - task.operators.data());
+    EXPECT_EQ(reread(task), show(task));
+  }
+}
+
+TEST(TaskFiles, WrittenAsPddlKeepApartWhatPddlWouldTakeForTheSame) {
+  PlanningTask task;
+  task.objects = {
+      {"Cup"_sym, "OBJECT"}, {"cup"_sym, "object"}, {Datum::string("cup"), "OBJECT"}, {Datum::integer(3), "T"}};
+  task.operators = {{"GO", {{"?X", "OBJECT"}, {"?x", "object"}}, {}, facts_of("(At ?X) (at ?x)"), {}}};
+  task.goals = facts_of("(At Cup) (at cup)");
+  const PddlText text = pddl_text(task);
+  const Result<PlanningTask> again = read(text.domain, text.problem);
+  ASSERT_TRUE(again) << describe(again.error()) << text.domain << text.problem;
+  EXPECT_EQ(again->objects.size(), 4u);
+  EXPECT_EQ(ground(*again)->actions.size(), ground(task)->actions.size());
+  EXPECT_EQ(text.objects.at("cup"), "Cup"_sym);
+  EXPECT_EQ(text.objects.at("cup-2"), "cup"_sym);
+}
+
+// Damage to a good text: bytes changed, cut out, doubled.
+std::string damaged(std::string text, Random& random) {
+  const std::size_t wounds = 1 + random.below(4);
+  for (std::size_t i = 0; i < wounds; ++i) {
+    const std::size_t at = random.below(text.size());
+    const std::size_t length = 1 + random.below(std::min<std::size_t>(12, text.size() - at));
+    switch (random.below(4)) {
+      case 0:
+        text[at] = static_cast<char>(random.below(256));
+        break;
+      case 1:
+        text.erase(at, length);
+        break;
+      case 2:
+        text.insert(at, text.substr(random.below(text.size()), length));
+        break;
+      default:
+        text[at] = "()?:-;\"= "[random.below(9)];
+    }
+    if (text.empty()) text = " ";
+  }
+  return text;
+}
+
+TEST(TaskFiles, RandomlyDamagedAreReadOrRefusedWithAPlace) {
+  const std::pair<std::string, std::string> tasks[] = {
+      {std::string(pddl_domain), std::string(pddl_problem)},
+      {"(operator PICK-UP (params (<ob1> OBJECT)) (preconds (clear <ob1>) (on-table <ob1>) (arm-empty))"
+       " (effects (holding <ob1>) (del (arm-empty)) (del clear <ob1>)))",
+       "(types (circle OBJECT) (square OBJECT)) (initials (clear circle) (on-table circle) (arm-empty))"
+       "(goals (holding circle))"}};
+  std::size_t refused = 0;
+  for (std::uint64_t seed = 1; seed <= 3000 && !HasFailure(); ++seed) {
+    SCOPED_TRACE(fmt::format("seed {}", seed));
+    Random random(seed);
+    auto [domain, problem] = tasks[seed % 2];
+    std::string& hurt = random.below(2) == 0 ? domain : problem;
+    hurt = damaged(hurt, random);
+    const Result<PlanningTask> task = read(domain, problem);
+    if (task) {
+      EXPECT_TRUE(ground(*task) || !ground(*task).error().sentence.empty());
+      continue;
+    }
+    ++refused;
+    EXPECT_NE(task.error().symbol, "scheme-error") << task.error().sentence << domain << problem;
+    EXPECT_FALSE(task.error().place.empty()) << task.error().sentence;
+  }
+  EXPECT_GT(refused, 1000u);
 }
 
 TEST(TaskFiles, RefuseThreeMillionParenthesesAtOnce) {

@@ -1,0 +1,17 @@
+#pragma once
+
+// A plan from a foreign planner (drivers/planner/), in the task's own names, and true: it has passed the validator.
+//
+//   const ExternalPlanner planner("ff -o {domain} -f {problem}");
+//   const Result<PlanSteps> steps = plan_externally(planner, task, [] { return false; });
+
+#include "agents/planner/task.hpp"
+#include "drivers/planner/external_planner.hpp"
+
+namespace pizarra {
+
+// Every step is one action. Failures: the driver's, and bad-plan.
+Result<PlanSteps> plan_externally(const ExternalPlanner& planner, const PlanningTask& task,
+                                  const std::function<bool()>& cancelled);
+
+}  // namespace pizarra

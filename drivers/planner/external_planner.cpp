@@ -1,0 +1,146 @@
+#include "drivers/planner/external_planner.hpp"
+
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fmt/format.h>
+#include <fstream>
+#include <iterator>
+#include <optional>
+
+namespace pizarra {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// A folder for one run, gone with this.
+class RunFolder {
+ public:
+  RunFolder() {
+    std::error_code error;
+    std::string path = (fs::temp_directory_path(error) / "pizarra-planner-XXXXXX").string();
+    if (!error && mkdtemp(path.data()) != nullptr) path_ = path;
+  }
+  RunFolder(const RunFolder&) = delete;
+  RunFolder& operator=(const RunFolder&) = delete;
+  ~RunFolder() {
+    std::error_code ignored;
+    if (!path_.empty()) fs::remove_all(path_, ignored);
+  }
+
+  // Empty where none could be made.
+  const std::string& path() const { return path_; }
+  std::string file(std::string_view name) const { return fmt::format("{}/{}", path_, name); }
+
+ private:
+  std::string path_;
+};
+
+bool write_file(const std::string& path, const std::string& text) {
+  std::ofstream out(path, std::ios::binary);
+  out << text;
+  return static_cast<bool>(out.flush());
+}
+
+std::optional<std::string> text_of(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  if (!in) return std::nullopt;
+  return std::string(std::istreambuf_iterator<char>(in), {});
+}
+
+// Planners that go on improving number their plans: the last is the best.
+std::optional<std::string> newest_plan(const std::string& path) {
+  std::optional<std::string> newest = text_of(path);
+  for (std::size_t i = 1;; ++i) {
+    std::optional<std::string> next = text_of(fmt::format("{}.{}", path, i));
+    if (!next) return newest;
+    newest = std::move(next);
+  }
+}
+
+std::string replaced(std::string text, std::string_view what, std::string_view with) {
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + with.size())) {
+    text.replace(at, what.size(), with);
+  }
+  return text;
+}
+
+// The last line that says something, for a sentence about what went wrong.
+std::string last_words(std::string_view output) {
+  while (!output.empty()) {
+    const std::size_t end = output.find_last_not_of(" \t\r\n");
+    if (end == std::string_view::npos) return {};
+    output = output.substr(0, end + 1);
+    const std::size_t begin = output.find_last_of('\n') + 1;
+    std::string line(output.substr(begin, 120));
+    // Of what is not text, nothing is repeated.
+    std::erase_if(line,
+                  [](char c) { return static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) > 0x7E; });
+    if (!line.empty()) return fmt::format("; it said: {}", line);
+    output = output.substr(0, begin);
+  }
+  return {};
+}
+
+std::optional<Failure> failure_of(const ProcessEnd& end, const ProcessLimits& limits) {
+  using Kind = ProcessEnd::Kind;
+  switch (end.kind) {
+    case Kind::exited:
+      if (end.code != 126 && end.code != 127) return std::nullopt;
+      return Failure{"planner-missing", "the planner cannot be started" + last_words(end.output), {}, {}};
+    case Kind::signalled:
+      return Failure{"planner-crashed",
+                     fmt::format("the planner was ended by {}{}", strsignal(end.code), last_words(end.output)),
+                     {},
+                     {}};
+    case Kind::timed_out:
+      return Failure{"time-out", fmt::format("the planner had no plan after {:g} s", limits.seconds), {}, {}};
+    case Kind::cancelled:
+      return Failure{"cancelled", "the planner was stopped", {}, {}};
+    case Kind::too_much_output:
+      return Failure{
+          "too-much-output", fmt::format("the planner printed more than {} bytes", limits.output_bytes), {}, {}};
+    case Kind::not_started:
+      return Failure{"planner-missing", "no process can be started", {}, {}};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Result<PlanActions> ExternalPlanner::plan(const std::string& domain, const std::string& problem,
+                                          const PlanOperators& operators,
+                                          const std::function<bool()>& cancelled) const {
+  for (const std::string_view needed : {"{domain}", "{problem}"}) {
+    if (command_.find(needed) == std::string::npos) {
+      return fail("bad-command",
+                  fmt::format("a planner's command has {{domain}} and {{problem}} in it, and {} is missing", needed));
+    }
+  }
+  const RunFolder folder;
+  const std::string domain_file = folder.file("domain.pddl");
+  const std::string problem_file = folder.file("problem.pddl");
+  const std::string plan_file = folder.file("plan");
+  if (folder.path().empty() || !write_file(domain_file, domain) || !write_file(problem_file, problem)) {
+    return fail("no-folder", "there is no room for the planner's files in the folder for temporary ones");
+  }
+  std::string command = replaced(command_, "{domain}", domain_file);
+  command = replaced(replaced(command, "{problem}", problem_file), "{plan}", plan_file);
+  const ProcessEnd end = run_process(command, folder.path(), limits_, cancelled);
+
+  // One that ran out of time may have left a plan all the same.
+  const std::optional<std::string> written = newest_plan(plan_file);
+  if (written && end.kind != ProcessEnd::Kind::cancelled) return read_actions(*written, operators);
+  if (const std::optional<Failure> failure = failure_of(end, limits_)) return fail(*failure);
+  PlanActions found = find_actions(end.output, operators);
+  if (!found.empty()) return found;
+  if (end.code != 0) {
+    return fail("planner-failed",
+                fmt::format("the planner ended with status {} and without a plan{}", end.code, last_words(end.output)));
+  }
+  return fail("garbage", "there is no plan in what the planner wrote" + last_words(end.output));
+}
+
+}  // namespace pizarra

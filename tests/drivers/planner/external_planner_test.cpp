@@ -1,0 +1,109 @@
+#include "drivers/planner/external_planner.hpp"
+
+#include <cstdlib>
+#include <filesystem>
+#include <fmt/format.h>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+namespace pizarra {
+namespace {
+
+const PlanOperators operators{{"pick-up", 1}, {"stack", 2}};
+const PlanActions wanted{{"pick-up", "b1"}, {"stack", "b1", "b2"}};
+
+// A folder for temporary files that is this test's alone, so that what is left over shows.
+class ExternalPlannerTest : public testing::Test {
+ protected:
+  ExternalPlannerTest() : folder_(fmt::format("{}planner_{}", testing::TempDir(), getpid())) {
+    std::filesystem::create_directory(folder_);
+    setenv("TMPDIR", folder_.c_str(), 1);
+  }
+  ~ExternalPlannerTest() override {
+    EXPECT_TRUE(std::filesystem::is_empty(folder_)) << "files are left over";
+    std::filesystem::remove_all(folder_);
+    unsetenv("TMPDIR");
+  }
+
+  Result<PlanActions> plan(const std::string& script, const ProcessLimits& limits = {}) {
+    const ExternalPlanner planner(": {domain} {problem}; " + script, limits);
+    return planner.plan("the domain", "the problem", operators, [this] { return cancelled_ && cancelled_(); });
+  }
+  std::string refusal(const std::string& script, const ProcessLimits& limits = {}) {
+    const Result<PlanActions> actions = plan(script, limits);
+    return actions ? "none" : actions.error().symbol;
+  }
+
+  std::string folder_;
+  std::function<bool()> cancelled_;
+};
+
+TEST_F(ExternalPlannerTest, ReadsThePlanThatIsWrittenToItsFile) {
+  EXPECT_EQ(plan("echo '(pick-up b1)\n(stack b1 b2)' > {plan}").value(), wanted);
+}
+
+TEST_F(ExternalPlannerTest, ReadsThePlanThatIsPrinted) {
+  EXPECT_EQ(plan("echo 'step 0: PICK-UP B1'; echo '     1: STACK B1 B2'").value(), wanted);
+}
+
+TEST_F(ExternalPlannerTest, ReadsTheLastOfNumberedPlans) {
+  EXPECT_EQ(plan("echo '(stack b1 b2)' > {plan}.1; echo '(pick-up b1)\n(stack b1 b2)' > {plan}.2").value(), wanted);
+}
+
+TEST_F(ExternalPlannerTest, GivesThePlannerItsFiles) {
+  EXPECT_TRUE(
+      plan("test \"$(cat {domain})\" = 'the domain' && test \"$(cat {problem})\" = 'the problem' && : > {plan}"));
+}
+
+TEST_F(ExternalPlannerTest, AnEmptyPlanIsAPlan) { EXPECT_TRUE(plan(": > {plan}").value().empty()); }
+
+TEST_F(ExternalPlannerTest, TellsEveryWayToFailApart) {
+  EXPECT_EQ(refusal("exec /nowhere/planner"), "planner-missing");
+  EXPECT_EQ(refusal("kill -SEGV $$"), "planner-crashed");
+  EXPECT_EQ(refusal("echo unsolvable; exit 12"), "planner-failed");
+  EXPECT_EQ(refusal("echo hello"), "garbage");
+  EXPECT_EQ(refusal("echo hello > {plan}"), "garbage");
+  EXPECT_EQ(refusal("head -c 100000 /dev/urandom"), "garbage");
+  EXPECT_EQ(refusal("yes", {.output_bytes = 100'000}), "too-much-output");
+  EXPECT_EQ(ExternalPlanner("ff {domain}").plan("", "", operators, [] { return false; }).error().symbol, "bad-command");
+}
+
+TEST_F(ExternalPlannerTest, RepeatsWhatThePlannerSaidLast) {
+  EXPECT_EQ(plan("echo first; echo 'no :adl here'; exit 3").error().sentence,
+            "the planner ended with status 3 and without a plan; it said: no :adl here");
+}
+
+TEST_F(ExternalPlannerTest, EndsAPlannerThatTakesTooLong) {
+  EXPECT_EQ(refusal("sleep 100", {.seconds = 0.2}), "time-out");
+  EXPECT_EQ(refusal("exec >/dev/null 2>&1; sleep 100", {.seconds = 0.2}), "time-out");
+  EXPECT_EQ(refusal("trap '' TERM INT; while :; do :; done", {.seconds = 0.2}), "time-out");
+}
+
+TEST_F(ExternalPlannerTest, EndsAPlannerThatWantsTooMuchMemory) {
+  const std::string all = "exec python3 -c 'x = bytearray(1 << 30)'";
+  const std::string symbol = refusal(all, {.memory_bytes = 256 << 20});
+  EXPECT_TRUE(symbol == "planner-failed" || symbol == "planner-missing") << symbol;
+}
+
+// The child of a child that would write a file later is gone with them.
+TEST_F(ExternalPlannerTest, LeavesNoProcessBehindWhenItIsStopped) {
+  const std::string alive = folder_ + "_alive";
+  std::filesystem::remove(alive);
+  cancelled_ = [&] { return std::filesystem::exists(alive); };
+  EXPECT_EQ(refusal(fmt::format("(while :; do echo $$ > {}; sleep 0.01; done) & wait", alive)), "cancelled");
+  std::filesystem::remove(alive);
+  usleep(100'000);  // what is still alive would have made it anew
+  EXPECT_FALSE(std::filesystem::exists(alive));
+}
+
+TEST_F(ExternalPlannerTest, LeavesNoProcessBehindWhenThePlannerEndsFirst) {
+  const std::string alive = folder_ + "_alive";
+  EXPECT_TRUE(plan(fmt::format("(while :; do echo x > {}; sleep 0.01; done) & : > {{plan}}", alive)));
+  std::filesystem::remove(alive);
+  usleep(100'000);
+  EXPECT_FALSE(std::filesystem::exists(alive));
+}
+
+}  // namespace
+}  // namespace pizarra
