@@ -72,7 +72,8 @@ Task<Result<void>> Service::announce() {
   const Result<LeaseId> lease = co_await context_.board.lease(presence_lease);
   if (!lease) co_return fail(lease);
   Transaction presence = presence_facts(*lease);
-  presence.require(Transaction::Absent{list("agent"_sym, Datum::symbol(context_.name), "?"_sym, "?"_sym)});
+  const Transaction::Absent vacancy{list("agent"_sym, Datum::symbol(context_.name), "?"_sym, "?"_sym)};
+  presence.require(vacancy);
   const Result<Revision> told = co_await context_.board.transact(std::move(presence));
   if (told) {
     presence_ = *lease;
