@@ -7,7 +7,7 @@
 #include "agents/launcher/plan/plan_report.hpp"
 #include "agents/launcher/words.hpp"
 #include "agents/planner/external_plan.hpp"
-#include "agents/planner/graphplan.hpp"
+#include "agents/planner/optimal_planner.hpp"
 #include "agents/planner/planner_forms.hpp"
 #include "agents/planner/task_files.hpp"
 #include "lisp/json.hpp"
@@ -16,6 +16,9 @@ namespace pizarra {
 
 namespace {
 
+// A person can wait, and interrupt: only memory bounds the search.
+constexpr Budget unhurried{
+    .nodes = std::size_t{1} << 60, .levels = std::size_t{1} << 30, .bytes = std::size_t{2} << 30};
 // A foreign planner is not left alone for ever.
 constexpr double longest_s = 86'400;
 
@@ -59,10 +62,12 @@ Failure why_none(const Problem& problem, const Outcome& outcome, const PlanClock
 Result<PlanReport> search(const PlanningTask& task, PlanClock& clock) {
   const Result<Problem> problem = ground(task);
   if (!problem) return fail(problem);
-  Graphplan engine;
-  const Outcome outcome = engine.solve(*problem, Budget{}, [&] { return clock.over(); });
+  OptimalPlanner engine;
+  const Outcome outcome = engine.solve(*problem, unhurried, [&] { return clock.over(); });
   if (outcome.kind != Outcome::Kind::plan) return fail(why_none(*problem, outcome, clock));
-  PlanReport report{.steps = steps_of(*problem, outcome.steps), .engine = "graphplan", .fewest_steps = true};
+  PlanReport report{.steps = steps_of(*problem, outcome.steps),
+                    .engine = std::string(outcome.engine.empty() ? "optimal" : outcome.engine),
+                    .fewest_steps = true};
   const Result<void> valid = validate_plan(task, report.steps);
   if (!valid) return fail(valid);
   return report;
