@@ -4,6 +4,7 @@
 #include "blackboard/remote_board.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "blackboard/time/virtual_executor.hpp"
+#include "tests/blackboard/python_wall.hpp"
 #include "tests/blackboard/wall.hpp"
 
 namespace pizarra {
@@ -37,6 +38,23 @@ class RemoteWall : public Wall {
   std::unique_ptr<BoardServer> server_;
 };
 
+// Boards of Python's client, on a server of this process.
+class PythonWall : public Wall {
+ public:
+  PythonWall() : server_(BoardServer::open(executor_, board_, {.addresses = {ipc_address()}}).value()) {}
+
+  Executor& executor() override { return executor_; }
+  std::unique_ptr<Board> view(const std::string& teller) override {
+    return python_.view(server_->addresses().front(), teller);
+  }
+
+ private:
+  RealExecutor executor_;
+  MemoryBoard board_{executor_};
+  std::unique_ptr<BoardServer> server_;
+  PythonProcess python_{executor_};
+};
+
 }  // namespace
 
 std::string ipc_address() {
@@ -47,7 +65,8 @@ std::string ipc_address() {
 std::vector<WallKind> all_walls() {
   return {{"memory", [] { return std::make_unique<MemoryWall>(); }},
           {"ipc", [] { return std::make_unique<RemoteWall>(ipc_address()); }},
-          {"tcp", [] { return std::make_unique<RemoteWall>("tcp://127.0.0.1:*"); }}};
+          {"tcp", [] { return std::make_unique<RemoteWall>("tcp://127.0.0.1:*"); }},
+          {"python", [] { return std::make_unique<PythonWall>(); }}};
 }
 
 }  // namespace pizarra

@@ -1,0 +1,522 @@
+"""A client of a Pizarra board for scripts: needs python3-zmq, and nothing else of Pizarra.
+
+    from pizarra import Board, Symbol
+
+    with Board("ipc:///tmp/cell/board.ipc", "script") as board:
+        board.declare("(relation seen ((name string) (x number)) (key name))")
+        board.tell('(seen "circle" 112.5)')                      # text, or data: [Symbol("seen"), "circle", 112.5]
+        for answer in board.ask("(and (seen ?name ?x) (< ?x 200))"):
+            print(answer.bindings["?name"], answer.facts[0].teller)
+        lease = board.lease(2.0)                                  # seconds; keep it with board.renew(lease)
+        fact = board.take("(job ?n)", lease)                      # None where nothing fits
+        if fact: board.transact(steps=[settle(fact.id), tell("(done 1)")])
+        watch = board.watch("(seen ?name ?x)")
+        change = watch.next(timeout=5)                            # what holds now, then every change, in order
+
+A symbol is a Symbol, a string a str, a list a list; integers and reals are int and float. What fails raises Failure, with
+its symbol, sentence and subject: undeclared-relation, wrong-shape, precondition-failed, unknown-lease, not-permitted,
+too-large, unreachable, timeout. With key="NAME.secret" (board.key stands beside it) the board may be on another machine.
+
+One thread uses a Board. Every call lets it speak with the server; between calls use board.wait(seconds): a client
+that is silent for ten seconds is forgotten, and its watches then begin again with a resynchronised change. A request is
+sent again while it is not answered; when the server was lost, relations are declared again and watches begin again.
+"""
+
+import os
+import re
+import stat
+import time
+
+import zmq
+
+FRAME_BYTES = 1 << 20
+FRAME_DEPTH = 64
+ENVELOPE_BYTES = 64
+
+
+class Failure(Exception):
+    def __init__(self, symbol, sentence, subject=()):
+        super().__init__(f"{symbol}: {sentence}")
+        self.symbol, self.sentence, self.subject = str(symbol), str(sentence), subject
+
+
+class Symbol(str):
+    """A name; never equal to the string of the same letters."""
+
+    __slots__ = ()
+
+    def __eq__(self, other):
+        return isinstance(other, Symbol) and str.__eq__(self, other)
+
+    def __ne__(self, other):
+        return not self == other
+
+    __hash__ = str.__hash__
+
+    def __repr__(self):
+        return f"Symbol({str.__repr__(self)})"
+
+
+# ---- the language
+
+_TOKEN = re.compile(r'[\s]+|;[^\n]*|([()])|"((?:[^"\\]|\\.)*)"|([^\s()";]+)', re.DOTALL)
+_NUMBER = re.compile(r"[+-]?\d+(\.\d+)?([eE][+-]?\d+)?\Z")
+_UNESCAPED = {"n": "\n", "t": "\t", '"': '"', "\\": "\\"}
+_ESCAPES = {"\\": "\\\\", '"': '\\"', "\n": "\\n", "\t": "\\t"}
+
+
+def _atom(text):
+    if not _NUMBER.match(text):
+        return Symbol(text)
+    return float(text) if set(text) & set(".eE") else int(text)
+
+
+def read(text):
+    """The one datum that the text holds."""
+    stack, at = [[]], 0
+    while at < len(text):
+        token = _TOKEN.match(text, at)
+        if not token:
+            raise Failure("bad-character", f"this is no datum from byte {at} on: {text[at:at + 20]!r}")
+        at = token.end()
+        if token[1] == "(":
+            stack.append([])
+        elif token[1] == ")":
+            if len(stack) == 1:
+                raise Failure("unexpected-close", "a ) that closes nothing")
+            done = stack.pop()
+            stack[-1].append(done)
+        elif token[2] is not None:
+            stack[-1].append(re.sub(r"\\(.)", lambda escape: _UNESCAPED[escape[1]], token[2], flags=re.DOTALL))
+        elif token[3] is not None:
+            stack[-1].append(_atom(token[3]))
+    if len(stack) != 1 or len(stack[0]) != 1:
+        raise Failure("unclosed-list" if len(stack) > 1 else "more-than-one", "text holds one datum")
+    return stack[0][0]
+
+
+def write(datum):
+    if isinstance(datum, Symbol):
+        return str(datum)
+    if isinstance(datum, str):
+        return '"' + "".join(_ESCAPES.get(letter, letter) for letter in datum) + '"'
+    if isinstance(datum, (list, tuple)):
+        return "(" + " ".join(map(write, datum)) + ")"
+    return repr(datum)
+
+
+def _depth(datum):
+    return 1 + max(map(_depth, datum), default=0) if isinstance(datum, (list, tuple)) else 0
+
+
+def _datum(given):
+    return read(given) if isinstance(given, str) and not isinstance(given, Symbol) else given
+
+
+def _same(a, b):
+    if isinstance(a, list) and isinstance(b, list):
+        return len(a) == len(b) and all(map(_same, a, b))
+    return type(a) is type(b) and a == b
+
+
+def _match(pattern, datum, bindings):
+    if isinstance(pattern, Symbol) and pattern.startswith("?"):
+        return pattern == Symbol("?") or _same(bindings.setdefault(str(pattern), datum), datum)
+    if isinstance(pattern, list):
+        fits = isinstance(datum, list) and len(pattern) == len(datum)
+        return fits and all(_match(p, d, bindings) for p, d in zip(pattern, datum))
+    return _same(pattern, datum)
+
+
+def _positive_patterns(query):
+    if query[0] == Symbol("query"):
+        query = query[1]
+    clauses = query[1:] if query[0] == Symbol("and") else [query]
+    others = {Symbol(name) for name in ("not", "<", "<=", ">", ">=", "=", "/=")}
+    return [clause for clause in clauses if clause[0] not in others]
+
+
+# ---- what the board answers
+
+
+class Fact:
+    def __init__(self, form):
+        self.id, self.revision, self.microseconds, self.teller, self.datum = form[:5]
+        self.because = form[5:]
+
+
+class Answer:
+    """One way to satisfy a query: variables' values by "?name", and the facts of its positive patterns."""
+
+    def __init__(self, patterns, form):
+        self.facts = [Fact(fact) for fact in form]
+        self.bindings = {}
+        for pattern, fact in zip(patterns, self.facts):
+            _match(pattern, fact.datum, self.bindings)
+
+
+class Change:
+    """What became true and false at a revision; resynchronised: `added` is all that holds, what was known is void."""
+
+    def __init__(self, revision, resynchronised, added, removed):
+        self.revision, self.resynchronised, self.added, self.removed = revision, resynchronised, added, removed
+
+
+# ---- what a transaction is made of
+
+
+def tell(fact, lease=0, because=()):
+    return [Symbol("tell"), _datum(fact), lease, *because]
+
+
+def retract(pattern):
+    return [Symbol("retract"), _datum(pattern)]
+
+
+def settle(taken):
+    return [Symbol("settle"), taken]
+
+
+def present(pattern):
+    return [Symbol("present"), _datum(pattern)]
+
+
+def absent(pattern):
+    return [Symbol("absent"), _datum(pattern)]
+
+
+def unchanged(pattern, revision):
+    return [Symbol("unchanged"), _datum(pattern), revision]
+
+
+# ---- the client
+
+
+class Request:
+    """A request under way: done when `result` is no longer None, a value in a list or a Failure."""
+
+    def __init__(self, body, repeatable):
+        self.body, self.repeatable, self.sent, self.result = body, repeatable, None, None
+
+
+class Watch:
+    ACKNOWLEDGE_AFTER = 8
+
+    def __init__(self, board, query):
+        self.board, self.query, self.patterns = board, query, _positive_patterns(query)
+        self.unread, self.ended = [], None
+        self.enrol()
+
+    def enrol(self):
+        self.id, self.expected, self.read, self.acknowledged, self.parts = self.board._next_watch, 1, 0, 0, {}
+        self.board._next_watch += 1
+        self.board._watches[self.id] = self
+        self.request = self.board.begin([Symbol("watch"), self.id, self.query], True)
+
+    def begin_again(self):
+        self.board._watches.pop(self.id, None)
+        self.board._send([Symbol("unwatch"), self.board._session, self.id])
+        self.unread = [(0, change) for _, change in self.unread]
+        self.enrol()
+
+    def receive(self, sequence, form):
+        revision, kind = form[0], str(form[1])
+        added, removed = ([Answer(self.patterns, answer) for answer in answers] for answers in form[2:4])
+        if sequence < self.expected:
+            return
+        if sequence > self.expected and kind not in ("yes", "first"):
+            return self.begin_again()
+        self.expected = sequence + 1
+        if kind in ("no", "yes"):
+            self.unread.append((sequence, Change(revision, kind == "yes", added, removed)))
+            return
+        # What holds is more than a message holds: parts, the first of which voids what was known.
+        if kind == "first":
+            self.parts = {}
+        for answer in removed:
+            self.parts.pop(answer.facts[0].id, None)
+        self.parts.update((answer.facts[0].id, answer) for answer in added)
+        if kind == "last":
+            whole = [answer for _, answer in sorted(self.parts.items())]
+            self.unread.append((sequence, Change(revision, True, whole, [])))
+        else:
+            self.read = sequence
+            self.acknowledge()
+
+    def poll(self):
+        """The next change, or None where there is none yet."""
+        if not self.unread:
+            failed = isinstance(self.request.result, Failure) and self.request.result
+            if self.ended or failed:
+                raise self.ended or failed
+            return None
+        sequence, change = self.unread.pop(0)
+        if sequence:
+            self.read = sequence
+        if not self.unread or self.read - self.acknowledged >= self.ACKNOWLEDGE_AFTER:
+            self.acknowledge()
+        return change
+
+    def acknowledge(self):
+        owed = self.read > self.acknowledged
+        if owed and self.board._send([Symbol("ack"), self.board._session, self.id, self.read]):
+            self.acknowledged = self.read
+
+    def next(self, timeout=None):
+        return self.board._until(self.poll, timeout, "no change came in time")
+
+    def close(self):
+        if self.board._watches.pop(self.id, None):
+            self.board._send([Symbol("unwatch"), self.board._session, self.id])
+
+
+class Board:
+    PING, RESEND, GREET, SILENCE = 0.5, 1.0, 0.5, 2.0
+
+    def __init__(self, address, teller, key=None, timeout=5.0):
+        self.address, self.teller, self.timeout = address, teller, timeout
+        self._keys = None
+        if key and not address.startswith("ipc://"):
+            self._keys = own, _ = _read_keys(key)
+            if teller != own[1] and not teller.startswith(own[1] + "/"):
+                self.teller = f"{own[1]}/{teller}"
+        self._session = self._life = 0
+        self._joined = False
+        self._heard = self._greeted = self._pinged = -1e9
+        self._next_request = self._next_watch = 1
+        self._pending, self._watches, self._declared = {}, {}, {}
+        self._context = zmq.Context()
+        self._connect()
+
+    def _connect(self):
+        self._socket = self._context.socket(zmq.DEALER)
+        for option, value in ((zmq.LINGER, 50), (zmq.IMMEDIATE, 1), (zmq.RECONNECT_IVL, 50),
+                              (zmq.RECONNECT_IVL_MAX, 1000), (zmq.HEARTBEAT_IVL, 2000)):
+            self._socket.setsockopt(option, value)
+        if self._keys:
+            own, board_key = self._keys
+            self._socket.curve_serverkey = board_key[2].encode()
+            self._socket.curve_publickey, self._socket.curve_secretkey = own[2].encode(), own[3].encode()
+        self._monitor = self._socket.get_monitor_socket(
+            zmq.EVENT_HANDSHAKE_FAILED_AUTH | zmq.EVENT_HANDSHAKE_FAILED_PROTOCOL)
+        self._socket.connect(self.address)
+
+    def close(self):
+        for watch in list(self._watches.values()):
+            watch.close()
+        if self._joined:
+            self._send([Symbol("bye"), self._session])
+        self._socket.disable_monitor()
+        self._context.destroy(linger=50)
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.close()
+
+    # Each of these waits for the board's answer.
+
+    def declare(self, *relations):
+        forms = [_datum(relation) for relation in relations]
+        self._call([Symbol("declare"), *forms], True)
+        self._declared.update((form[1], form) for form in forms)
+
+    def transact(self, steps, preconditions=()):
+        """The revision it happened at."""
+        return self._call([Symbol("transact"), list(preconditions), list(steps)], False)
+
+    def tell(self, fact, lease=0, because=()):
+        return self.transact([tell(fact, lease, because)])
+
+    def retract(self, pattern):
+        return self.transact([retract(pattern)])
+
+    def ask(self, query):
+        """The answers; their revision is board.revision."""
+        query = _datum(query)
+        self.revision, *forms = self._call([Symbol("ask"), query], True)
+        patterns = _positive_patterns(query)
+        return [Answer(patterns, form) for form in forms]
+
+    def watch(self, query):
+        watch = Watch(self, _datum(query))
+        try:
+            self._finish(watch.request)
+        except Failure:
+            watch.close()
+            raise
+        return watch
+
+    def take(self, pattern, lease=0):
+        taken = self._call([Symbol("take"), _datum(pattern), lease], False)
+        return Fact(taken[0]) if taken else None
+
+    def lease(self, seconds):
+        return self._call([Symbol("lease"), round(seconds * 1e6)], True)
+
+    def renew(self, lease):
+        self._call([Symbol("renew"), lease], True)
+
+    def release(self, lease):
+        self._call([Symbol("release"), lease], True)
+
+    def await_answer(self, query, timeout):
+        """The first answer that holds now or comes to hold in time."""
+        query = _datum(query)
+        for answer in self.ask(query):
+            return answer
+        watch, deadline = self.watch(query), time.monotonic() + timeout
+        try:
+            while True:
+                change = watch.next(deadline - time.monotonic())
+                if change.added:
+                    return change.added[0]
+        finally:
+            watch.close()
+
+    def wait(self, seconds):
+        """Keeps in touch with the server meanwhile."""
+        deadline = time.monotonic() + seconds
+        while time.monotonic() < deadline:
+            self.turn(min(0.05, max(0.0, deadline - time.monotonic())))
+
+    # For those who have a loop of their own: begin(), turn() often, look at the request's result.
+
+    def begin(self, body, repeatable):
+        text = write(body)
+        if len(text.encode()) + ENVELOPE_BYTES > FRAME_BYTES or _depth(body) + 1 > FRAME_DEPTH:
+            raise Failure("too-large", "the request does not fit one message of the board")
+        number, self._next_request = self._next_request, self._next_request + 1
+        request = self._pending[number] = Request(body, repeatable)
+        if self._joined:
+            self._transmit(number, request)
+        return request
+
+    def turn(self, seconds=0.0):
+        """Receives what has come, waiting that long for it, and says what is due."""
+        self._tick()
+        if self._socket.poll(int(seconds * 1000)):
+            while self._socket.poll(0):
+                self._receive(read(self._socket.recv().decode()))
+        self._tick()
+
+    def sockets(self):
+        return [self._socket, self._monitor]
+
+    def _call(self, body, repeatable):
+        return self._finish(self.begin(body, repeatable))
+
+    def _finish(self, request):
+        try:
+            self._until(lambda: request.result, self.timeout, None)
+        except TimeoutError:
+            self._forget(request)
+            raise Failure("unreachable", "the board does not answer", self.address) from None
+        if isinstance(request.result, Failure):
+            raise request.result
+        return request.result[0]
+
+    def _until(self, ready, timeout, late):
+        deadline = None if timeout is None else time.monotonic() + timeout
+        while True:
+            found = ready()
+            if found is not None:
+                return found
+            if deadline is not None and time.monotonic() >= deadline:
+                raise Failure("timeout", late) if late else TimeoutError
+            self.turn(0.01)
+
+    def _forget(self, request):
+        self._pending = {number: other for number, other in self._pending.items() if other is not request}
+
+    def _send(self, message):
+        try:
+            self._socket.send(write(message).encode(), zmq.DONTWAIT)
+            return True
+        except zmq.Again:
+            return False
+
+    def _transmit(self, number, request):
+        if self._send([Symbol("request"), self._session, number, request.body]):
+            request.sent = time.monotonic()
+
+    def _tick(self):
+        now = time.monotonic()
+        if self._monitor.poll(0):
+            self._refused()
+        if self._joined and self._heard + self.SILENCE <= now:
+            self._joined, self._greeted = False, -1e9
+        if not self._joined:
+            due = self._greeted + self.GREET <= now
+            if due and self._send([Symbol("hello"), self.teller, self._session]):
+                self._greeted = now
+            return
+        if self._pinged + self.PING <= now and self._send([Symbol("ping"), self._session]):
+            self._pinged = now
+        for number, request in self._pending.items():
+            if request.sent is None or request.sent + self.RESEND <= now:
+                self._transmit(number, request)
+
+    def _receive(self, message):
+        self._heard = time.monotonic()
+        kind = str(message[0])
+        if kind == "reply" and message[1] in self._pending:
+            request, result = self._pending.pop(message[1]), message[2]
+            request.result = [result[1]] if result[0] == Symbol("ok") else Failure(*result[1:4])
+        elif kind == "welcome" and not self._joined:
+            self._welcomed(*message[1:3])
+        elif kind == "unknown-session" and message[1] == self._session:
+            self._joined, self._greeted = False, -1e9
+        elif kind == "refused" and not self._joined:
+            self._fail_all(Failure(*message[1][1:4]))
+        elif kind == "change" and message[1] in self._watches:
+            self._watches[message[1]].receive(message[2], message[3:])
+        elif kind == "change":
+            self._send([Symbol("unwatch"), self._session, message[1]])
+        elif kind == "watch-failed" and message[1] in self._watches:
+            self._watches[message[1]].ended = Failure(*message[2][1:4])
+
+    def _welcomed(self, session, life):
+        self._joined = True
+        same_session, same_life = session == self._session, life == self._life
+        self._session, self._life = session, life
+        if not same_session:
+            for number, request in list(self._pending.items()):
+                if request.sent is not None and not request.repeatable:
+                    del self._pending[number]
+                    request.result = Failure("unreachable", "the board was lost: whether this happened is not known")
+                request.sent = None
+        if not (same_session and same_life):
+            if self._declared:
+                self.begin([Symbol("declare"), *self._declared.values()], True)
+            for watch in list(self._watches.values()):
+                if watch.request.result is not None:
+                    watch.begin_again()
+        for number, request in list(self._pending.items()):
+            self._transmit(number, request)
+
+    def _refused(self):
+        while self._monitor.poll(0):
+            self._monitor.recv_multipart()
+        self._fail_all(Failure("not-permitted", "the board does not accept this key" if self._keys else
+                               "the board asks for a key at this address"))
+        # ZeroMQ does not try again by itself.
+        self._socket.disable_monitor()
+        self._socket.close(linger=0)
+        self._joined = False
+        self._connect()
+
+    def _fail_all(self, failure):
+        pending, self._pending = self._pending, {}
+        for request in pending.values():
+            request.result = failure
+
+
+def _read_keys(path):
+    if os.stat(path).st_mode & (stat.S_IRWXG | stat.S_IRWXO):
+        raise Failure("exposed-key", "others may read this secret: chmod 600 it, and make a new key", path)
+    with open(path, encoding="utf-8") as file:
+        own = read(file.read())
+    with open(os.path.join(os.path.dirname(path), "board.key"), encoding="utf-8") as file:
+        return own, read(file.read())
