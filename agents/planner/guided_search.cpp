@@ -12,74 +12,86 @@ constexpr std::size_t no_way = SIZE_MAX;
 }  // namespace
 
 GuidedSearch::GuidedSearch(const Problem& problem, const Exclusions& exclusions, const DeadEnds& dead_ends,
-                           LandmarkBound& bound, const Budget& budget, const std::function<bool()>& cancelled)
-    : problem_(problem),
-      exclusions_(exclusions),
-      dead_ends_(dead_ends),
-      bound_(bound),
-      budget_(budget),
-      cancelled_(cancelled) {}
+                           LandmarkBound& bound)
+    : problem_(problem), exclusions_(exclusions), dead_ends_(dead_ends), bound_(bound) {}
 
 Outcome GuidedSearch::ended(Outcome::Kind kind, std::string spent) const {
   return {.kind = kind, .steps = {}, .culprits = {}, .spent = std::move(spent), .nodes = nodes_};
 }
 
+std::size_t GuidedSearch::know(const Bits& state) {
+  const auto [known, is_new] = index_.emplace(state, known_.size());
+  if (is_new) {
+    ++nodes_;
+    known_.push_back({state, dead_ends_.contain(state) ? no_way : bound_.from(state).value_or(no_way)});
+  }
+  return known->second;
+}
+
 void GuidedSearch::open(std::size_t index) {
-  const std::size_t total = reached_[index].steps + reached_[index].at_least;
+  const std::size_t total = known_[index].steps + known_[index].at_least;
   if (open_.size() <= total) open_.resize(total + 1);
   open_[total].push_back(index);
 }
 
-void GuidedSearch::reach(Bits state, std::size_t from, std::size_t action, std::size_t steps) {
-  const auto [known, is_new] = index_.emplace(state, reached_.size());
-  if (!is_new) {
-    Reached& old = reached_[known->second];
-    if (old.steps <= steps) return;
-    old.from = from;
-    old.action = action;
-    old.steps = steps;
-    old.expanded = false;
-    if (old.at_least != no_way) open(known->second);
-    return;
-  }
-  ++nodes_;
-  std::size_t at_least = dead_ends_.contain(state) ? no_way : bound_.from(state).value_or(no_way);
+void GuidedSearch::reach(const Bits& state, std::size_t from, std::size_t action, std::size_t steps) {
+  const std::size_t index = know(state);
+  Known& known = known_[index];
+  if (known.at_least == no_way || (known.run == run_ && known.steps <= steps)) return;
+  known.run = run_;
+  known.from = from;
+  known.action = action;
+  known.steps = steps;
+  known.expanded = false;
   // A step brings the goals nearer by one at most.
-  if (!reached_.empty() && reached_[from].at_least > 0) at_least = std::max(at_least, reached_[from].at_least - 1);
-  reached_.push_back({std::move(state), from, action, steps, at_least});
-  if (at_least != no_way) open(reached_.size() - 1);
+  if (known_[from].at_least > 0) known.at_least = std::max(known.at_least, known_[from].at_least - 1);
+  open(index);
 }
 
 void GuidedSearch::expand(std::size_t index) {
-  reached_[index].expanded = true;
+  known_[index].expanded = true;
+  expanded_.push_back(index);
   exclusions_.actions().for_each([&](std::size_t i) {
-    const GroundAction& action = problem_.actions[i];
-    const Bits& state = reached_[index].state;
-    if (applicable(action, state)) reach(after(state, action), index, i, reached_[index].steps + 1);
+    if (!applicable(problem_.actions[i], known_[index].state)) return;
+    reach(after(known_[index].state, problem_.actions[i]), index, i, known_[index].steps + 1);
   });
 }
 
-Outcome GuidedSearch::plan_to(std::size_t index) const {
+// A state from which the goals were nearer than this would have made the plan shorter.
+void GuidedSearch::learn(std::size_t length) {
+  for (const std::size_t index : expanded_) {
+    Known& known = known_[index];
+    known.at_least = std::max(known.at_least, length - known.steps);
+  }
+}
+
+Outcome GuidedSearch::plan_to(std::size_t index) {
   Outcome outcome = ended(Outcome::Kind::plan);
-  for (; reached_[index].steps != 0; index = reached_[index].from) outcome.steps.push_back({reached_[index].action});
+  learn(known_[index].steps);
+  for (; known_[index].steps != 0; index = known_[index].from) outcome.steps.push_back({known_[index].action});
   std::ranges::reverse(outcome.steps);
   return outcome;
 }
 
-Outcome GuidedSearch::run() {
+Outcome GuidedSearch::run(const Budget& budget, const std::function<bool()>& cancelled) {
   const std::size_t bytes_a_state = 2 * problem_.initials.words().size() * 8 + 200;
-  reach(problem_.initials, 0, 0, 0);
+  ++run_;
+  nodes_ = 0;
+  open_.clear();
+  expanded_.clear();
+  const std::size_t start = know(problem_.initials);
+  reach(problem_.initials, start, 0, 0);
   for (std::size_t total = 0; total < open_.size(); ++total) {
     while (!open_[total].empty()) {
       const std::size_t index = open_[total].back();
       open_[total].pop_back();
-      const Reached& here = reached_[index];
+      const Known& here = known_[index];
       if (here.expanded || here.steps + here.at_least != total) continue;
       if (problem_.goals.subset_of(here.state)) return plan_to(index);
-      if (cancelled_()) return ended(Outcome::Kind::cancelled);
-      if (nodes_ > budget_.nodes) return ended(Outcome::Kind::gave_up, fmt::format("{} states", nodes_));
-      if (reached_.size() * bytes_a_state > budget_.bytes) {
-        return ended(Outcome::Kind::gave_up, fmt::format("{} MB of memory", budget_.bytes >> 20));
+      if (cancelled()) return ended(Outcome::Kind::cancelled);
+      if (nodes_ > budget.nodes) return ended(Outcome::Kind::gave_up, fmt::format("{} states", nodes_));
+      if (known_.size() * bytes_a_state > budget.bytes) {
+        return ended(Outcome::Kind::gave_up, fmt::format("{} MB of memory", budget.bytes >> 20));
       }
       expand(index);
     }

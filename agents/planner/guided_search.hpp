@@ -3,10 +3,13 @@
 // A* for problems in which every action needs one and the same resource, so that no step has more than one: under the
 // landmark bound, which is often exact there.
 //
-//   GuidedSearch search(problem, exclusions, dead_ends, bound, budget, cancelled);
-//   Outcome outcome = search.run();
+//   GuidedSearch search(problem, exclusions, dead_ends, bound);
+//   Outcome outcome = search.run(budget, cancelled);
+//   problem.initials = elsewhere;
+//   outcome = search.run(budget, cancelled);             // cheaper: it remembers
 //
-// Budget::nodes counts states for which the bound was asked.
+// What a search learns of how far states are from the goals stays true wherever the next one begins (Koenig &
+// Likhachev, "Adaptive A*", 2005). Budget::nodes counts states for which the bound was asked.
 
 #include <unordered_map>
 
@@ -18,36 +21,40 @@ namespace pizarra {
 class GuidedSearch {
  public:
   // The bound counts every action. All arguments outlive the search.
-  GuidedSearch(const Problem& problem, const Exclusions& exclusions, const DeadEnds& dead_ends, LandmarkBound& bound,
-               const Budget& budget, const std::function<bool()>& cancelled);
+  GuidedSearch(const Problem& problem, const Exclusions& exclusions, const DeadEnds& dead_ends, LandmarkBound& bound);
 
-  // A shortest plan; `none` when every state that can be reached was seen; its culprits are all the goals.
-  Outcome run();
+  // A shortest plan from the problem's initial facts, which respect the exclusions; `none` when every state that can be
+  // reached was seen; its culprits are all the goals.
+  Outcome run(const Budget& budget, const std::function<bool()>& cancelled);
 
  private:
-  struct Reached {
+  struct Known {
     Bits state;
-    std::size_t from;
-    std::size_t action;
-    std::size_t steps;
     std::size_t at_least;  // steps to the goals
+    // Of the search under way:
+    std::size_t run = 0;
+    std::size_t from = 0;
+    std::size_t action = 0;
+    std::size_t steps = 0;
     bool expanded = false;
   };
-  void reach(Bits state, std::size_t from, std::size_t action, std::size_t steps);
+  std::size_t know(const Bits& state);
+  void reach(const Bits& state, std::size_t from, std::size_t action, std::size_t steps);
   void open(std::size_t index);
   void expand(std::size_t index);
-  Outcome plan_to(std::size_t index) const;
+  void learn(std::size_t length);
+  Outcome plan_to(std::size_t index);
   Outcome ended(Outcome::Kind kind, std::string spent = {}) const;
 
   const Problem& problem_;
   const Exclusions& exclusions_;
   const DeadEnds& dead_ends_;
   LandmarkBound& bound_;
-  const Budget& budget_;
-  const std::function<bool()>& cancelled_;
-  std::vector<Reached> reached_;
+  std::vector<Known> known_;
   std::unordered_map<Bits, std::size_t, HashBits> index_;  // looked up only
   std::vector<std::vector<std::size_t>> open_;             // by total length; the newest first
+  std::vector<std::size_t> expanded_;
+  std::size_t run_ = 0;
   std::size_t nodes_ = 0;
 };
 

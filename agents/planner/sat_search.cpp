@@ -64,15 +64,15 @@ std::vector<std::vector<std::size_t>> without_redundant(const Problem& problem,
   return steps;
 }
 
-SatSearch::SatSearch(const Problem& problem, const Exclusions& exclusions, const Budget& budget,
-                     const std::function<bool()>& cancelled)
+SatSearch::SatSearch(const Problem& problem, const Exclusions& exclusions, const std::vector<Bits>& interferes,
+                     RegressionGraph& regression, const Budget& budget, const std::function<bool()>& cancelled)
     : problem_(problem),
       exclusions_(exclusions),
+      interferes_(interferes),
+      regression_(regression),
       budget_(budget),
       cancelled_(cancelled),
-      interferes_(interference(problem)),
-      progression_(problem),
-      regression_(problem, exclusions, interferes_) {}
+      progression_(problem) {}
 
 // False: ended before, as the outcome says.
 bool SatSearch::build_graphs(Outcome& outcome) {

@@ -3,7 +3,7 @@
 // The fewest parallel steps by satisfiability: one number of steps after another, from the first that the planning
 // graphs, forwards and backwards, do not rule out.
 //
-//   SatSearch search(problem, exclusions, budget, cancelled);
+//   SatSearch search(problem, exclusions, interferes, regression, budget, cancelled);
 //   Outcome outcome = search.run(at_least);
 //
 // A plan found is one of fewest steps, because fewer were proved impossible on the way. Without a plan the graphs prove
@@ -16,9 +16,9 @@ namespace pizarra {
 
 class SatSearch {
  public:
-  // The arguments outlive it.
-  SatSearch(const Problem& problem, const Exclusions& exclusions, const Budget& budget,
-            const std::function<bool()>& cancelled);
+  // The arguments outlive it; `interferes` is interference(problem), and the regression graph may be used again.
+  SatSearch(const Problem& problem, const Exclusions& exclusions, const std::vector<Bits>& interferes,
+            RegressionGraph& regression, const Budget& budget, const std::function<bool()>& cancelled);
 
   Outcome run(std::size_t at_least);
 
@@ -31,11 +31,11 @@ class SatSearch {
 
   const Problem& problem_;
   const Exclusions& exclusions_;
+  const std::vector<Bits>& interferes_;
+  RegressionGraph& regression_;
   const Budget& budget_;
   const std::function<bool()>& cancelled_;
-  std::vector<Bits> interferes_;
   PlanningGraph progression_;
-  RegressionGraph regression_;
   std::size_t nodes_ = 0;
 };
 

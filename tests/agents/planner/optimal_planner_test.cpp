@@ -19,7 +19,9 @@ class SatAlone : public PlanEngine {
       return {.kind = Outcome::Kind::plan, .steps = {}, .culprits = {}, .spent = {}, .nodes = 0};
     }
     const Exclusions exclusions(problem);
-    return SatSearch(problem, exclusions, budget, cancelled).run(1);
+    const std::vector<Bits> interferes = interference(problem);
+    RegressionGraph regression(problem, exclusions, interferes);
+    return SatSearch(problem, exclusions, interferes, regression, budget, cancelled).run(1);
   }
 };
 
@@ -32,7 +34,7 @@ class GuidedAlone : public PlanEngine {
     for (const FactGroup& group : exclusion_groups(exclusions)) {
       LandmarkBound bound(problem, exclusions, group);
       if (!bound.counts_every_action()) continue;
-      return GuidedSearch(problem, exclusions, dead_ends, bound, budget, cancelled).run();
+      return GuidedSearch(problem, exclusions, dead_ends, bound).run(budget, cancelled);
     }
     ADD_FAILURE() << "no resource of all actions";
     return {};

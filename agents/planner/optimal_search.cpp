@@ -1,0 +1,114 @@
+#include "agents/planner/optimal_search.hpp"
+
+#include <algorithm>
+
+#include "agents/planner/sat_search.hpp"
+#include "agents/planner/step_search.hpp"
+
+namespace pizarra {
+
+namespace {
+
+// Beyond this many nodes satisfiability has better prospects.
+constexpr std::size_t guided_nodes = 20'000;
+constexpr std::size_t stepwise_nodes = 100'000;
+
+Outcome none_because(std::vector<std::size_t> culprits) {
+  return {.kind = Outcome::Kind::none,
+          .steps = {},
+          .culprits = std::move(culprits),
+          .spent = {},
+          .nodes = 0,
+          .engine = "exclusions"};
+}
+
+// A goal that can never hold, or two that never hold together.
+std::vector<std::size_t> excluded_goals(const Bits& goals, const Exclusions& exclusions) {
+  std::vector<std::size_t> missing, pair;
+  goals.for_each([&](std::size_t goal) {
+    if (!exclusions.facts().test(goal)) {
+      if (missing.empty()) missing = {goal};
+      return;
+    }
+    Bits others = exclusions.with(goal);
+    others &= goals;
+    if (pair.empty()) others.for_each([&](std::size_t other) { pair = {goal, other}; });
+  });
+  std::ranges::sort(pair);
+  return missing.empty() ? pair : missing;
+}
+
+Budget part(Budget budget, std::size_t nodes, std::size_t used) {
+  budget.nodes = std::min(nodes, budget.nodes - std::min(used, budget.nodes));
+  return budget;
+}
+
+}  // namespace
+
+std::optional<FactGroup> resource_of_all(const Problem& problem, const Exclusions& exclusions) {
+  for (FactGroup& group : exclusion_groups(exclusions)) {
+    bool all = true;
+    exclusions.actions().for_each([&](std::size_t i) {
+      const GroundAction& action = problem.actions[i];
+      all = all && std::ranges::any_of(action.deletes, [&](std::size_t fact) {
+              return std::ranges::binary_search(group, fact) && std::ranges::binary_search(action.preconditions, fact);
+            });
+    });
+    if (all) return std::move(group);
+  }
+  return std::nullopt;
+}
+
+OptimalSearch::OptimalSearch(const Problem& problem) : problem_(problem), exclusions_(problem) {}
+
+void OptimalSearch::prepare() {
+  if (dead_ends_) return;
+  dead_ends_.emplace(problem_, exclusions_);
+  const std::optional<FactGroup> resource = resource_of_all(problem_, exclusions_);
+  if (!resource) return;
+  bound_.emplace(problem_, exclusions_, *resource);
+  guided_.emplace(problem_, exclusions_, *dead_ends_, *bound_);
+}
+
+Outcome OptimalSearch::run(const Budget& budget, const std::function<bool()>& cancelled) {
+  if (problem_.goals.subset_of(problem_.initials)) {
+    return {.kind = Outcome::Kind::plan, .steps = {}, .culprits = {}, .spent = {}, .nodes = 0, .engine = "guided"};
+  }
+  std::vector<std::size_t> excluded = excluded_goals(problem_.goals, exclusions_);
+  if (!excluded.empty()) return none_because(std::move(excluded));
+  prepare();
+  if (!dead_ends_->contain(problem_.initials)) return attempt(budget, cancelled);
+  std::vector<std::size_t> goals;
+  problem_.goals.for_each([&](std::size_t goal) { goals.push_back(goal); });
+  return none_because(std::move(goals));
+}
+
+// One search after another, while budget is left.
+Outcome OptimalSearch::attempt(const Budget& budget, const std::function<bool()>& cancelled) {
+  Outcome outcome;
+  std::size_t nodes = 0;
+  std::size_t at_least = 1;
+  const auto ended = [&](std::string_view engine) {
+    nodes += outcome.nodes;
+    outcome.nodes = nodes;
+    outcome.engine = engine;
+    return outcome.kind != Outcome::Kind::gave_up || nodes >= budget.nodes;
+  };
+  if (guided_) {
+    at_least = std::max(at_least, bound_->from(problem_.initials).value_or(0));
+    outcome = guided_->run(part(budget, guided_nodes, nodes), cancelled);
+    if (ended("guided")) return outcome;
+  }
+  outcome = StepSearch().solve(problem_, part(budget, stepwise_nodes, nodes), cancelled);
+  if (ended("stepwise") || PlanningGraph::base_bytes(problem_) > budget.bytes) return outcome;
+  if (!regression_) {
+    interferes_ = interference(problem_);
+    regression_.emplace(problem_, exclusions_, interferes_);
+  }
+  const Budget rest = part(budget, budget.nodes, nodes);
+  outcome = SatSearch(problem_, exclusions_, interferes_, *regression_, rest, cancelled).run(at_least);
+  ended("sat");
+  return outcome;
+}
+
+}  // namespace pizarra

@@ -1,0 +1,51 @@
+#pragma once
+
+// The shortest plans of one problem, from wherever it begins, by whichever search suits the problem:
+//
+//   guided     every action needs one resource: A* under the landmark bound (blocks world, with hundreds of facts)
+//   stepwise   few states, however long the plan: breadth-first over parallel steps (hanoi, gripper)
+//   sat        everything else: satisfiability, one number of steps after another (logistics)
+//
+//   OptimalSearch search(problem);
+//   Outcome outcome = search.run(budget, cancelled);
+//   problem.initials = now;
+//   if (search.covers(now)) outcome = search.run(budget, cancelled);      // with what was learned before
+//
+// Outcome::engine says which of them answered. A plan has the fewest parallel steps there can be; `none` is proved.
+
+#include <optional>
+
+#include "agents/planner/guided_search.hpp"
+#include "agents/planner/regression_graph.hpp"
+
+namespace pizarra {
+
+class OptimalSearch {
+ public:
+  // The problem outlives the search; only its initial facts may change meanwhile.
+  explicit OptimalSearch(const Problem& problem);
+  OptimalSearch(const OptimalSearch&) = delete;
+  OptimalSearch& operator=(const OptimalSearch&) = delete;
+
+  // Whether what was found out about the problem holds where it begins with these facts.
+  bool covers(const Bits& initials) const { return exclusions_.allow(initials); }
+  Outcome run(const Budget& budget, const std::function<bool()>& cancelled);
+
+ private:
+  void prepare();
+  Outcome attempt(const Budget& budget, const std::function<bool()>& cancelled);
+
+  const Problem& problem_;
+  const Exclusions exclusions_;
+  // Made when first needed.
+  std::optional<DeadEnds> dead_ends_;
+  std::optional<LandmarkBound> bound_;
+  std::optional<GuidedSearch> guided_;
+  std::vector<Bits> interferes_;
+  std::optional<RegressionGraph> regression_;
+};
+
+// The facts of which every action takes one away, if there are such.
+std::optional<FactGroup> resource_of_all(const Problem& problem, const Exclusions& exclusions);
+
+}  // namespace pizarra
