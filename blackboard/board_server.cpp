@@ -34,6 +34,18 @@ Result<Datum> nothing_or(const Result<void>& result) {
   return Datum();
 }
 
+Result<Datum> answers_to_datum(const Result<Answers>& answers) {
+  if (!answers) return fail(answers);
+  std::vector<Datum> value = {to_datum(answers->revision)};
+  value.reserve(answers->answers.size() + 1);
+  for (const Answer& answer : answers->answers) value.push_back(wire::answer_to_datum(answer));
+  return Datum::list(std::move(value));
+}
+
+bool asks_past(const Datum& query) {
+  return query.is_form("query") && std::ranges::any_of(query.items(), [](const Datum& o) { return o.is_form("at"); });
+}
+
 }  // namespace
 
 Result<std::unique_ptr<BoardServer>> BoardServer::open(Executor& executor, MemoryBoard& board,
@@ -68,6 +80,7 @@ BoardServer::BoardServer(Executor& executor, MemoryBoard& board, const BoardServ
                   }),
       socket_(executor, WireSocket::Kind::router,
               [this](const std::string& peer, std::optional<std::string_view> frame) { receive(peer, frame); }) {
+  if (options.journal != nullptr) past_.emplace(executor, *options.journal);
   restore(options.remembered);
   if (keys_) ask_for_keys();
   forget_the_gone();
@@ -157,6 +170,8 @@ void BoardServer::request(wire::SessionId id, Session& session, const Datum& mes
 }
 
 void BoardServer::answer(wire::SessionId id, Session& session, wire::RequestId number, const Datum& body) {
+  if (past_ && body.is_form("ask") && body.size() == 2 && asks_past(body[1]))
+    return ask_past(id, session, number, body);
   const bool durable = durability_.concerns_durable(board_.store(), body);
   const Result<void> room = durability_.check_room(body, durable);
   if (!room) return send(session.peer, reply_to_datum(number, fail(room)));
@@ -211,18 +226,33 @@ Result<Datum> BoardServer::transact(const Session& session, const Datum& body) {
   return to_datum(*revision);
 }
 
-Result<Datum> BoardServer::ask(const Session& session, const Datum& body) {
+Result<Query> BoardServer::permitted_query(const Session& session, const Datum& body) {
   if (body.size() != 2) return bad_frame("a question is (ask QUERY)");
-  const Result<Query> query = query_from_datum(body[1]);
-  if (!query) return fail(query);
+  Result<Query> query = query_from_datum(body[1]);
+  if (!query) return query;
   const Result<void> permitted = gate_.ask(key_of(session), *query);
   if (!permitted) return fail(permitted);
-  const Result<Answers> answers = board_.ask(*query);
-  if (!answers) return fail(answers);
-  std::vector<Datum> value = {to_datum(answers->revision)};
-  value.reserve(answers->answers.size() + 1);
-  for (const Answer& answer : answers->answers) value.push_back(wire::answer_to_datum(answer));
-  return Datum::list(std::move(value));
+  return query;
+}
+
+Result<Datum> BoardServer::ask(const Session& session, const Datum& body) {
+  const Result<Query> query = permitted_query(session, body);
+  if (!query) return fail(query);
+  return answers_to_datum(board_.ask(*query));
+}
+
+void BoardServer::ask_past(wire::SessionId id, const Session& session, wire::RequestId number, const Datum& body) {
+  const auto reply = [this, id, number](const Result<Answers>& answers) {
+    past_asked_.erase({id, number});
+    const auto asking = sessions_.find(id);
+    if (asking == sessions_.end()) return;
+    send(asking->second.peer, reply_to_datum(number, answers_to_datum(answers)));
+  };
+  // One that is asked again while it is worked on is answered once.
+  if (!past_asked_.emplace(id, number).second) return;
+  Result<Query> query = permitted_query(session, body);
+  if (!query) return reply(fail(query));
+  past_->ask(std::move(*query), reply);
 }
 
 Result<Datum> BoardServer::take(const Session& session, const Datum& body) {

@@ -28,6 +28,7 @@
 #include "blackboard/gate.hpp"
 #include "blackboard/key_folder.hpp"
 #include "blackboard/memory_board.hpp"
+#include "blackboard/past.hpp"
 #include "blackboard/refusals.hpp"
 #include "blackboard/watches.hpp"
 #include "blackboard/wire.hpp"
@@ -109,7 +110,9 @@ class BoardServer {
   Result<Datum> perform(wire::SessionId id, Session& session, const Datum& body);
   Result<Datum> declare(const Session& session, const Datum& body);
   Result<Datum> transact(const Session& session, const Datum& body);
+  Result<Query> permitted_query(const Session& session, const Datum& body);
   Result<Datum> ask(const Session& session, const Datum& body);
+  void ask_past(wire::SessionId id, const Session& session, wire::RequestId number, const Datum& body);
   Result<Datum> take(const Session& session, const Datum& body);
   Result<Datum> watch(wire::SessionId id, Session& session, const Datum& body);
   Result<Datum> lease(const Session& session, const Datum& body);
@@ -132,6 +135,8 @@ class BoardServer {
   std::map<std::string, wire::SessionId> session_of_peer_;
   const wire::SessionId life_;  // another one in every life of the server
   Durability durability_;
+  std::optional<Past> past_;
+  std::set<std::pair<wire::SessionId, wire::RequestId>> past_asked_;
   std::set<wire::SessionId> to_flush_;
   Executor::TimerId flush_timer_ = 0;
   Executor::TimerId sweep_timer_ = 0;

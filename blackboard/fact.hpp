@@ -3,6 +3,7 @@
 // A fact on the board with its provenance: who told it, when, at which revision, and because of which other facts.
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,13 @@ namespace pizarra {
 using Revision = std::uint64_t;  // 1 is the first committed transaction
 using FactId = std::uint64_t;    // a counter, never used twice on one board
 using LeaseId = std::uint64_t;   // 0: none
+
+// A moment of a board's life, by revision or by time: the last that counts.
+struct Moment {
+  Revision revision = std::numeric_limits<Revision>::max();
+  Time time = Time::max();
+  bool operator==(const Moment&) const = default;
+};
 
 struct Fact {
   Datum datum;

@@ -148,7 +148,7 @@ Result<void> replay_line(std::string_view line, Store& store) {
   return {};
 }
 
-Result<std::string_view> replay(std::string_view text, Store& store, const Until& until) {
+Result<std::string_view> replay(std::string_view text, Store& store, const Moment& until) {
   std::size_t number = 0;
   for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n')) {
     const std::string_view line = text.substr(0, end);

@@ -12,7 +12,6 @@
 //   Store store;
 //   Result<std::string_view> rest = replay(text, store);          // all of it, or up to a revision or a time
 
-#include <limits>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -31,19 +30,13 @@ struct Declaration {
 // Of the facts that a line removes or takes, only the ids are known. Failure bad-journal.
 Result<std::variant<Declaration, Commit>> read_journal_line(std::string_view line);
 
-// The first moment that is not wanted any more is the end of a replay.
-struct Until {
-  Revision revision = std::numeric_limits<Revision>::max();
-  Time time = Time::max();
-};
-
 // What a line begins with, without reading the rest.
 struct LineStart {
   Revision revision = 0;
   Time when{};
 };
 LineStart start_of_line(std::string_view line);
-inline bool is_beyond(const LineStart& start, const Until& until) {
+inline bool is_beyond(const LineStart& start, const Moment& until) {
   return start.revision > until.revision || start.when > until.time;
 }
 
@@ -52,6 +45,6 @@ Result<void> replay_line(std::string_view line, Store& store);
 
 // Repeats the lines in order up to a moment, and answers those that are left. A last line without its newline was torn
 // by a crash, and is left out.
-Result<std::string_view> replay(std::string_view text, Store& store, const Until& until = {});
+Result<std::string_view> replay(std::string_view text, Store& store, const Moment& until = {});
 
 }  // namespace pizarra

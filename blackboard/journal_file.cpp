@@ -27,7 +27,7 @@ std::string_view last_line(std::string_view lines) {
 }
 
 // A journal in text, as `demo --journal` writes it.
-Result<std::string> read_text(std::ifstream& file, const std::string& path, Store& store, const Until& until) {
+Result<std::string> read_text(std::ifstream& file, const std::string& path, Store& store, const Moment& until) {
   const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
   const Result<std::string_view> rest = replay(text, store, until);
   if (rest) return std::string(*rest);
@@ -123,7 +123,7 @@ Result<bool> JournalFile::compact(Time now) {
   return more;
 }
 
-Result<std::string> read_journal(const std::string& path, Store& store, const Until& until) {
+Result<std::string> read_journal(const std::string& path, Store& store, const Moment& until) {
   std::ifstream file(path, std::ios::binary);
   std::string begin(sqlite_files_begin_with.size(), '\0');
   file.read(begin.data(), static_cast<std::streamsize>(begin.size()));

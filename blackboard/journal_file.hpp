@@ -94,6 +94,6 @@ class JournalFile {
 
 // The journal of a file as of a moment, whether a board has it or not, and whether it is SQLite or text: into an empty
 // store. Answers the lines that came later. Failure `forgotten` when compaction has let that moment go.
-Result<std::string> read_journal(const std::string& path, Store& store, const Until& until = {});
+Result<std::string> read_journal(const std::string& path, Store& store, const Moment& until = {});
 
 }  // namespace pizarra

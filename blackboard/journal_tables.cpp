@@ -85,7 +85,7 @@ Result<void> restore_facts(sqlite::Database& database, Store& store) {
   return {};
 }
 
-Result<std::string> restore_log(sqlite::Database& database, Store& store, const Until& until) {
+Result<std::string> restore_log(sqlite::Database& database, Store& store, const Moment& until) {
   sqlite::Statement rows(database, "SELECT number, lines, replies, sum FROM log ORDER BY number");
   std::int64_t expected = 0;
   std::string later;
@@ -126,9 +126,10 @@ Result<sqlite::Database> open(const std::string& path, sqlite::Access access) {
   Result<void> set =
       database->run("PRAGMA busy_timeout = 2000; PRAGMA cell_size_check = ON; PRAGMA cache_size = -8000");
   if (!set) return fail(set);
-  const Result<std::int64_t> pages = database->ask("PRAGMA page_count");
-  if (!pages) return fail(pages);
-  if (*pages == 0 && access == sqlite::Access::write) {
+  // A board that was killed while it began leaves a file with nothing in it.
+  const Result<std::int64_t> tables = database->ask("SELECT count(*) FROM sqlite_master");
+  if (!tables) return fail(tables);
+  if (*tables == 0 && access == sqlite::Access::write) {
     set = database->run("PRAGMA journal_mode = WAL");
     if (set) set = database->run(schema);
     if (!set) return fail(set);
@@ -163,7 +164,7 @@ Result<void> set_about(sqlite::Database& database, std::string_view name, std::i
   return row.bind(1, value).bind(2, name).run();
 }
 
-Result<std::string> restore(sqlite::Database& database, Store& store, const Until& until) {
+Result<std::string> restore(sqlite::Database& database, Store& store, const Moment& until) {
   // One view of the file, whatever is written meanwhile.
   sqlite::Transaction reading(database);
   const Result<void> begun = reading.begin_reading();

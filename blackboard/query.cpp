@@ -40,6 +40,19 @@ Result<void> read_body(const Datum& form, Query& query) {
   return {};
 }
 
+Result<void> read_moment(const Datum& form, Query& query) {
+  const bool timed = form.is_form("time") && form.size() == 2;
+  const Datum& number = timed ? form[1] : form;
+  if (!number.is_integer() || number.integer() < 0) {
+    return bad_query("a moment is a revision or (time MICROSECONDS)", form);
+  }
+  Moment moment;
+  if (timed) moment.time = Time(Duration(number.integer()));
+  if (!timed) moment.revision = static_cast<Revision>(number.integer());
+  query.at = moment;
+  return {};
+}
+
 Result<void> read_option(const Datum& form, Query& query) {
   if (form.is_form("order") && form.size() == 2) {
     query.descending = form[1].is_form("down") && form[1].size() == 2;
@@ -52,7 +65,8 @@ Result<void> read_option(const Datum& form, Query& query) {
     query.limit = static_cast<std::size_t>(form[1].integer());
     return {};
   }
-  return bad_query("a query's options are (order ?VARIABLE) and (limit COUNT)", form);
+  if (form.is_form("at") && form.size() == 2) return read_moment(form[1], query);
+  return bad_query("a query's options are (order ?VARIABLE), (limit COUNT) and (at MOMENT)", form);
 }
 
 using Variables = std::vector<Datum>;
@@ -143,13 +157,18 @@ Datum query_to_datum(const Query& query) {
     body.push_back(absent ? list("not"_sym, clause.form) : clause.form);
   }
   Datum form = body.size() == 2 ? body[1] : Datum::list(std::move(body));
-  if (query.order.empty() && !query.limit) return form;
+  if (query.order.empty() && !query.limit && !query.at) return form;
   std::vector<Datum> whole = {"query"_sym, std::move(form)};
   if (!query.order.empty()) {
     const Datum variable = Datum::symbol(query.order);
     whole.push_back(list("order"_sym, query.descending ? list("down"_sym, variable) : variable));
   }
   if (query.limit) whole.push_back(list("limit"_sym, *query.limit));
+  if (query.at) {
+    const bool timed = query.at->time != Time::max();
+    const Datum time = list("time"_sym, query.at->time.time_since_epoch().count());
+    whole.push_back(list("at"_sym, timed ? time : to_datum(query.at->revision)));
+  }
   return Datum::list(std::move(whole));
 }
 

@@ -6,6 +6,8 @@
 //   (and (on ?x ?y) (not (on ?z ?x)))
 //   (and (seen ?name ?x ?y ?d) (< ?d 900))          ; < <= > >= = /= between numbers, variables; = /= between any data
 //   (query (seen ?name ?x ?y ?d) (order ?x) (limit 2))   ; (order (down ?x)) for descending
+//   (query (on ?x ?y) (at 120))                     ; what held at revision 120, of a board that keeps a journal
+//   (query (on ?x ?y) (at (time 1500000)))          ; at that time, in microseconds
 //
 // A variable of a `not` or a comparison that no earlier positive pattern binds: in a comparison it is refused, in a
 // `not` it stands for "any".
@@ -30,6 +32,7 @@ struct Query {
   std::string order;  // a variable, empty: by the facts' ids
   bool descending = false;
   std::optional<std::size_t> limit;
+  std::optional<Moment> at;
 };
 
 Result<Query> query_from_datum(const Datum& form);

@@ -17,7 +17,7 @@ RecordedBoard::RecordedBoard(Executor& executor, std::unique_ptr<Store> store, s
 RecordedBoard::~RecordedBoard() = default;
 
 Result<std::unique_ptr<RecordedBoard>> RecordedBoard::open(Executor& executor, const std::string& path,
-                                                           const Until& until) {
+                                                           const Moment& until) {
   auto store = std::make_unique<Store>();
   Result<std::string> rest = read_journal(path, *store, until);
   if (!rest) return fail(rest);
@@ -51,7 +51,7 @@ Result<bool> RecordedBoard::step() {
   return true;
 }
 
-Result<void> RecordedBoard::play_to(const Until& until) {
+Result<void> RecordedBoard::play_to(const Moment& until) {
   for (auto line = next_line(); line && !is_beyond(start_of_line(*line), until); line = next_line()) {
     const Result<bool> stepped = step();
     if (!stepped) return fail(stepped);

@@ -23,7 +23,7 @@ class RecordedBoard : public Board {
  public:
   // As of a moment. Failures bad-journal, journal-file, forgotten.
   static Result<std::unique_ptr<RecordedBoard>> open(Executor& executor, const std::string& path,
-                                                     const Until& until = {});
+                                                     const Moment& until = {});
   ~RecordedBoard() override;
 
   Revision revision() const;
@@ -31,7 +31,7 @@ class RecordedBoard : public Board {
   std::optional<Time> next() const;
   // Plays the next revision back: false at the end.
   Result<bool> step();
-  Result<void> play_to(const Until& until);
+  Result<void> play_to(const Moment& until);
 
   // Declaring what the journal declares is harmless here, too.
   Task<Result<void>> declare(std::vector<Relation> relations) override;

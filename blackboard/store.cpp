@@ -131,6 +131,7 @@ Result<Revision> Store::transact(const std::string& teller, const Transaction& t
 }
 
 Result<Answers> Store::ask(const Query& query) const {
+  if (query.at) return fail("no-history", "this board keeps no journal that could say what was");
   const Result<void> checked = check_query_on(query, tables_);
   if (!checked) return fail(checked);
   Result<std::vector<Answer>> answers = evaluate(query, tables_);

@@ -24,6 +24,7 @@ void for_patterns(const Clauses& clauses, Visitor&& visitor) {
 WatchTable::~WatchTable() { assert(size_ == 0); }
 
 Result<std::unique_ptr<WatchQueue>> WatchTable::add(const Query& query, std::function<void()> on_ready) {
+  if (query.at) return fail("bad-query", "what was cannot be watched, only asked", query_to_datum(query));
   if (size_ >= limits::watches) return fail("too-large", "the board has too many watches");
   const Result<void> checked = check_query_on(query, store_.tables());
   if (!checked) return fail(checked);

@@ -64,7 +64,7 @@ class JournalFileTest : public testing::Test {
     std::unique_ptr<MemoryBoard> board;
   };
 
-  Datum facts_at(const Until& until, const std::string& pattern) {
+  Datum facts_at(const Moment& until, const std::string& pattern) {
     Store store;
     const Result<std::string> later = read_journal(path_, store, until);
     if (!later) return Datum::symbol(later.error().symbol);

@@ -17,7 +17,7 @@ class Journal : public testing::Test {
  protected:
   ~Journal() override { std::filesystem::remove(path_); }
 
-  std::unique_ptr<RecordedBoard> play(const std::string& text, const Until& until = {}) {
+  std::unique_ptr<RecordedBoard> play(const std::string& text, const Moment& until = {}) {
     std::ofstream(path_, std::ios::binary) << text;
     return RecordedBoard::open(executor_, path_, until).value();
   }

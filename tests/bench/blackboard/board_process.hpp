@@ -11,7 +11,7 @@
 
 #include "blackboard/remote_board.hpp"
 #include "blackboard/time/real_executor.hpp"
-#include "tests/bench/blackboard/child.hpp"
+#include "tests/bench/child.hpp"
 
 namespace pizarra::bench {
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <zmq.hpp>
 
-#include "tests/bench/blackboard/child.hpp"
+#include "tests/bench/child.hpp"
 
 namespace pizarra::bench {
 

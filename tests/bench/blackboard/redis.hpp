@@ -11,7 +11,7 @@
 #include <string>
 #include <string_view>
 
-#include "tests/bench/blackboard/child.hpp"
+#include "tests/bench/child.hpp"
 
 namespace pizarra::bench {
 

@@ -1,4 +1,4 @@
-#include "tests/bench/blackboard/child.hpp"
+#include "tests/bench/child.hpp"
 
 #include <csignal>
 #include <cstdlib>
