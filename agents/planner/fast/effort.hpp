@@ -1,0 +1,36 @@
+#pragma once
+
+// How far the searches of one call may go together: states looked at, memory, and the caller's patience.
+//
+//   Effort effort(budget, cancelled);
+//   effort.count();
+//   if (const auto stopped = effort.stopped()) return *stopped;
+
+#include <optional>
+
+#include "agents/planner/problem.hpp"
+
+namespace pizarra {
+
+enum class SearchEnd : std::uint8_t { found, exhausted, spent, cancelled };
+
+class Effort {
+ public:
+  Effort(const Budget& budget, const std::function<bool()>& cancelled) : budget_(budget), cancelled_(cancelled) {}
+
+  void count(std::size_t nodes = 1) { nodes_ += nodes; }
+  std::size_t nodes() const { return nodes_; }
+  std::size_t bytes() const { return budget_.bytes; }
+  std::optional<SearchEnd> stopped() const {
+    if (cancelled_()) return SearchEnd::cancelled;
+    if (nodes_ > budget_.nodes) return SearchEnd::spent;
+    return std::nullopt;
+  }
+
+ private:
+  const Budget& budget_;
+  const std::function<bool()>& cancelled_;
+  std::size_t nodes_ = 0;
+};
+
+}  // namespace pizarra

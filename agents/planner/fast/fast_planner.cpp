@@ -1,0 +1,113 @@
+#include "agents/planner/fast/fast_planner.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+#include "agents/planner/fast/beam_search.hpp"
+#include "agents/planner/fast/greedy_search.hpp"
+#include "agents/planner/fast/plan_reordering.hpp"
+#include "agents/planner/fast/plan_shape.hpp"
+
+namespace pizarra {
+
+namespace {
+
+constexpr std::size_t vain_attempts = 1000;
+
+Outcome ended(Outcome::Kind kind, std::size_t nodes) {
+  return {.kind = kind, .steps = {}, .culprits = {}, .spent = {}, .nodes = nodes, .engine = "fast"};
+}
+
+Outcome without_plan(SearchEnd end, const Problem& problem, const Effort& effort) {
+  if (end == SearchEnd::cancelled) return ended(Outcome::Kind::cancelled, effort.nodes());
+  Outcome outcome = ended(end == SearchEnd::spent ? Outcome::Kind::gave_up : Outcome::Kind::none, effort.nodes());
+  if (end == SearchEnd::spent) outcome.spent = fmt::format("{} states", effort.nodes());
+  if (end == SearchEnd::exhausted) {
+    problem.goals.for_each([&](std::size_t goal) { outcome.culprits.push_back(goal); });
+  }
+  return outcome;
+}
+
+// The best plan so far, and the ways to a better one.
+class Improvement {
+ public:
+  Improvement(const Problem& problem, const CompactProblem& compact, Unavoidable& unavoidable, Effort& effort,
+              const FastPlannerOptions& options)
+      : problem_(problem),
+        compact_(compact),
+        unavoidable_(unavoidable),
+        effort_(effort),
+        options_(options),
+        random_(options.seed) {}
+
+  void keep(const std::vector<ActionIndex>& plan) {
+    plan_ = without_idle_actions(compact_, plan);
+    best_ = ended(Outcome::Kind::plan, effort_.nodes());
+    best_.steps = in_parallel(problem_, plan_);
+    if (options_.better) options_.better(best_);
+  }
+
+  // Until the effort is spent, or nothing is left to look at.
+  void run() {
+    BeamSearch beam(compact_, unavoidable_, effort_, options_.seed);
+    for (std::size_t width = 2; width <= widest() && !plan_.empty(); width *= 2) {
+      reorder();
+      if (effort_.stopped()) return;
+      const SearchEnd end = beam.run(width, plan_.size() - 1);
+      if (end == SearchEnd::found) keep(beam.plan());
+      if (end == SearchEnd::cancelled || end == SearchEnd::spent) return;
+      if (end == SearchEnd::exhausted && beam.complete()) return;
+    }
+  }
+
+  Outcome best() {
+    best_.nodes = effort_.nodes();
+    return best_;
+  }
+
+ private:
+  void reorder() {
+    PlanReordering reordering(compact_, plan_, random_);
+    for (std::size_t in_vain = 0; in_vain < vain_attempts && !effort_.stopped(); ++in_vain) {
+      effort_.count(plan_.size());
+      if (!reordering.try_once()) continue;
+      keep(reordering.plan());
+      in_vain = 0;
+    }
+  }
+
+  // How wide a beam the memory allows.
+  std::size_t widest() const {
+    const std::size_t bytes_a_state = 2 * compact_.initials().words().size() * 8 + 4096;
+    return std::max<std::size_t>(1, effort_.bytes() / 2 / bytes_a_state);
+  }
+
+  const Problem& problem_;
+  const CompactProblem& compact_;
+  Unavoidable& unavoidable_;
+  Effort& effort_;
+  const FastPlannerOptions& options_;
+  Random random_;
+  std::vector<ActionIndex> plan_;
+  Outcome best_;
+};
+
+}  // namespace
+
+Outcome FastPlanner::solve(const Problem& problem, const Budget& budget, const std::function<bool()>& cancelled) {
+  const CompactProblem compact(problem);
+  const ExclusiveFacts exclusive(problem, compact);
+  Unavoidable unavoidable(compact, exclusive);
+  Effort effort(budget, cancelled);
+  Improvement improvement(problem, compact, unavoidable, effort, options_);
+  {
+    GreedySearch greedy(compact, unavoidable, effort);
+    const SearchEnd end = greedy.run();
+    if (end != SearchEnd::found) return without_plan(end, problem, effort);
+    improvement.keep(greedy.plan());
+  }
+  if (!options_.first_only) improvement.run();
+  return improvement.best();
+}
+
+}  // namespace pizarra

@@ -1,0 +1,34 @@
+#pragma once
+
+// Some plan soon, then shorter ones for as long as it may go on: for problems too large for the shortest plan.
+//
+//   FastPlanner engine({.better = [](const Outcome& plan) { ... }});
+//   const Outcome best = engine.solve(problem, Budget{}, cancelled);
+//
+// Counts actions, not steps. A first, greedy search goes through all states if it has to, so that `none` is proved.
+// Then the plan's own actions are tried in other orders, and beams, each twice as wide as the last, look for plans with
+// fewer actions, until the budget is spent, the caller cancels, or a beam left nothing out: the plan is then as short
+// as can be. A call that is cancelled, or spends its budget, after the first plan was found answers its best one.
+
+#include "agents/planner/problem.hpp"
+
+namespace pizarra {
+
+struct FastPlannerOptions {
+  std::uint64_t seed = 1;
+  // Told of the first plan and of every better one, while solve() runs.
+  std::function<void(const Outcome&)> better = {};
+  bool first_only = false;
+};
+
+class FastPlanner : public PlanEngine {
+ public:
+  explicit FastPlanner(FastPlannerOptions options = {}) : options_(std::move(options)) {}
+  // Budget::nodes counts states whose distance is asked, and actions redone. The culprits of `none` are all the goals.
+  Outcome solve(const Problem& problem, const Budget& budget, const std::function<bool()>& cancelled) override;
+
+ private:
+  const FastPlannerOptions options_;
+};
+
+}  // namespace pizarra

@@ -1,0 +1,50 @@
+#include "agents/planner/fast/greedy_search.hpp"
+
+#include <algorithm>
+
+namespace pizarra {
+
+SearchEnd GreedySearch::run() {
+  reached_.push_back({&*states_.insert(problem_.initials()).first, 0, 0});
+  const std::size_t bytes_a_state = problem_.initials().words().size() * 8 + 100;
+  for (;;) {
+    const auto newest = static_cast<std::uint32_t>(reached_.size() - 1);
+    if (problem_.goals().subset_of(*reached_[newest].state)) {
+      for (std::uint32_t i = newest; i != 0; i = reached_[i].from) plan_.push_back(reached_[i].action);
+      std::ranges::reverse(plan_);
+      return SearchEnd::found;
+    }
+    expand(newest);
+    if (const auto stopped = effort_.stopped()) return *stopped;
+    if (reached_.size() * bytes_a_state + candidates_.size() * sizeof(Candidate) > effort_.bytes()) {
+      return SearchEnd::spent;
+    }
+    bool another = false;
+    while (!another) {
+      if (candidates_.empty()) return SearchEnd::exhausted;
+      const Candidate candidate = candidates_.top();
+      candidates_.pop();
+      another = reach(candidate);
+    }
+  }
+}
+
+void GreedySearch::expand(std::uint32_t index) {
+  const Bits& state = *reached_[index].state;
+  unavoidable_.look_at(state);
+  problem_.for_each_applicable(state, [&](ActionIndex action) {
+    effort_.count();
+    const std::optional<Distance> distance = unavoidable_.beyond(action);
+    if (distance) candidates_.push({*distance, serial_++, index, action});
+  });
+}
+
+bool GreedySearch::reach(const Candidate& candidate) {
+  Bits state = *reached_[candidate.from].state;
+  problem_.apply(candidate.action, state);
+  const auto [at, added] = states_.insert(std::move(state));
+  if (added) reached_.push_back({&*at, candidate.from, candidate.action});
+  return added;
+}
+
+}  // namespace pizarra

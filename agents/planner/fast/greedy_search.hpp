@@ -1,0 +1,57 @@
+#pragma once
+
+// Some plan, soon: always goes on from the state that seems nearest to the goals, of equals from the one found first.
+//
+//   Unavoidable unavoidable(problem, exclusive);
+//   GreedySearch search(problem, unavoidable, effort);
+//   if (search.run() == SearchEnd::found) use(search.plan());
+//
+// Looks at every state that can be reached before it says that there is no plan.
+
+#include <queue>
+#include <unordered_set>
+
+#include "agents/planner/fast/effort.hpp"
+#include "agents/planner/fast/unavoidable.hpp"
+
+namespace pizarra {
+
+class GreedySearch {
+ public:
+  // The arguments outlive the search.
+  GreedySearch(const CompactProblem& problem, Unavoidable& unavoidable, Effort& effort)
+      : problem_(problem), unavoidable_(unavoidable), effort_(effort) {}
+
+  // `exhausted`: there is no plan.
+  SearchEnd run();
+  const std::vector<ActionIndex>& plan() const { return plan_; }
+
+ private:
+  struct Reached {
+    const Bits* state;
+    std::uint32_t from;
+    ActionIndex action;
+  };
+  struct Candidate {
+    Distance distance;
+    std::uint32_t serial;
+    std::uint32_t from;
+    ActionIndex action;
+    bool operator<(const Candidate& other) const {  // the queue's top is its greatest
+      return distance != other.distance ? distance > other.distance : serial > other.serial;
+    }
+  };
+  bool reach(const Candidate& candidate);
+  void expand(std::uint32_t index);
+
+  const CompactProblem& problem_;
+  Unavoidable& unavoidable_;
+  Effort& effort_;
+  std::vector<Reached> reached_;
+  std::unordered_set<Bits, HashBits> states_;  // looked up only
+  std::priority_queue<Candidate> candidates_;
+  std::uint32_t serial_ = 0;
+  std::vector<ActionIndex> plan_;
+};
+
+}  // namespace pizarra

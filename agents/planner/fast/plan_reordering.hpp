@@ -1,0 +1,44 @@
+#pragma once
+
+// Shortens a plan by doing its own actions in another order.
+//
+//   PlanReordering reordering(problem, plan, random);
+//   if (reordering.try_once()) use(reordering.plan());      // shorter
+//
+// A piece of the plan is moved elsewhere, and the plan is done again from there: of the actions left, always the first
+// that can be done; but a later one that makes a goal true, if the others then still reach all goals, as far as they
+// can be done. Those that cannot are saved: a block that was put aside goes straight to its place when its turn comes
+// later.
+
+#include <optional>
+
+#include "agents/planner/fast/compact_problem.hpp"
+#include "blackboard/time/random.hpp"
+
+namespace pizarra {
+
+class PlanReordering {
+ public:
+  // The problem and the random numbers outlive it.
+  PlanReordering(const CompactProblem& problem, std::vector<ActionIndex> plan, Random& random);
+
+  // Whether the plan became shorter. One of equal length is taken too, so that the next attempt begins elsewhere.
+  bool try_once();
+  const std::vector<ActionIndex>& plan() const { return plan_; }
+
+ private:
+  void move_a_piece();
+  bool redo();
+  std::optional<ActionIndex> next(const Bits& state);
+  bool makes_a_goal(ActionIndex action, const Bits& state) const;
+  bool suffices(std::ptrdiff_t index, Bits state);
+
+  const CompactProblem& problem_;
+  Random& random_;
+  std::vector<ActionIndex> plan_;
+  std::vector<ActionIndex> order_;  // the plan with a piece moved; what is done is taken out
+  std::size_t begin_ = 0;           // before it nothing was moved
+  std::vector<ActionIndex> done_, rest_;
+};
+
+}  // namespace pizarra

@@ -1,0 +1,179 @@
+#include "agents/planner/fast/fast_planner.hpp"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+
+#include "agents/planner/breadth_first.hpp"
+#include "agents/planner/fast/exclusive_facts.hpp"
+#include "agents/planner/fast/plan_shape.hpp"
+#include "lisp/writer.hpp"
+#include "tests/agents/planner/engine_contract.hpp"
+#include "tests/agents/planner/planning_domains.hpp"
+
+namespace pizarra {
+namespace {
+
+std::size_t actions_of(const Outcome& outcome) {
+  std::size_t actions = 0;
+  for (const std::vector<std::size_t>& step : outcome.steps) actions += step.size();
+  return actions;
+}
+
+PlanningTask random_task(std::uint64_t seed) {
+  Random random(seed);
+  switch (seed % 4) {
+    case 0:
+      return random_blocks(2 + random.below(4), random);
+    case 1:
+      return random_logistics(random);
+    case 2:
+      return random_gripper(random);
+    default:
+      return random_nonsense(random);
+  }
+}
+
+Budget effort(std::size_t nodes) {
+  Budget budget;
+  budget.nodes = nodes;
+  return budget;
+}
+
+TEST(FastPlanner, FindsValidPlansExactlyWhereThereAreSome) {
+  for (std::uint64_t seed = 0; seed < 2000; ++seed) {
+    SCOPED_TRACE(seed);
+    const PlanningTask task = random_task(seed);
+    const Result<Problem> problem = ground(task);
+    ASSERT_TRUE(problem);
+    const Outcome judged = BreadthFirst().solve(*problem, Budget{}, never);
+    const Outcome outcome = FastPlanner({.seed = seed}).solve(*problem, effort(2000), never);
+    ASSERT_EQ(outcome.kind, judged.kind) << show(task);
+    if (outcome.kind != Outcome::Kind::plan) continue;
+    EXPECT_TRUE(validate_plan(task, steps_of(*problem, outcome.steps))) << show(task);
+    EXPECT_GE(actions_of(outcome), actions_of(judged)) << show(task);
+  }
+}
+
+TEST(FastPlanner, EndsWithAShortestPlanWhereABeamLeavesNothingOut) {
+  for (std::uint64_t seed = 0; seed < 120; ++seed) {
+    SCOPED_TRACE(seed);
+    const PlanningTask task = random_task(seed);
+    const Problem problem = ground(task).value();
+    const Outcome outcome = FastPlanner().solve(problem, effort(1'000'000), never);
+    if (outcome.kind != Outcome::Kind::plan || outcome.nodes > 1'000'000) continue;
+    EXPECT_EQ(actions_of(outcome), actions_of(BreadthFirst().solve(problem, Budget{}, never))) << show(task);
+  }
+}
+
+TEST(FastPlanner, TellsOfEveryPlanThatIsShorterAndAnswersTheLast) {
+  Random random(5);
+  const PlanningTask task = random_blocks(16, random);
+  const Problem problem = ground(task).value();
+  std::vector<std::size_t> lengths;
+  FastPlanner engine({.seed = 1, .better = [&](const Outcome& plan) {
+                        lengths.push_back(actions_of(plan));
+                        EXPECT_TRUE(validate_plan(task, steps_of(problem, plan.steps)));
+                      }});
+  const Outcome outcome = engine.solve(problem, effort(100'000), never);
+  ASSERT_GT(lengths.size(), 1U);
+  for (std::size_t i = 1; i < lengths.size(); ++i) EXPECT_LT(lengths[i], lengths[i - 1]);
+  EXPECT_EQ(actions_of(outcome), lengths.back());
+}
+
+TEST(FastPlanner, AnswersTheSameForTheSameSeed) {
+  for (std::uint64_t seed = 1; seed < 20; ++seed) {
+    Random random(seed);
+    const Problem problem = ground(random_blocks(10, random)).value();
+    const Outcome once = FastPlanner({.seed = seed}).solve(problem, effort(20'000), never);
+    const Outcome again = FastPlanner({.seed = seed}).solve(problem, effort(20'000), never);
+    EXPECT_EQ(once.steps, again.steps) << seed;
+    EXPECT_EQ(once.nodes, again.nodes) << seed;
+  }
+}
+
+TEST(FastPlanner, StopsWhenCancelledAndAnswersThePlanItHas) {
+  Random random(3);
+  const Problem problem = ground(random_blocks(30, random)).value();
+  EXPECT_EQ(FastPlanner().solve(problem, Budget{}, [] { return true; }).kind, Outcome::Kind::cancelled);
+
+  bool found = false;
+  int asked_since = 0;
+  FastPlanner engine({.seed = 1, .better = [&](const Outcome&) { found = true; }});
+  const Outcome outcome = engine.solve(problem, Budget{}, [&] { return found && ++asked_since > 0; });
+  EXPECT_EQ(outcome.kind, Outcome::Kind::plan);
+  EXPECT_LE(asked_since, 3);
+}
+
+TEST(FastPlanner, PlansForSixtyBlocksWithFewStatesLookedAt) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    Random random(seed);
+    const PlanningTask task = random_blocks(60, random);
+    const Problem problem = ground(task).value();
+    const Outcome outcome = FastPlanner({.first_only = true}).solve(problem, effort(200'000), never);
+    ASSERT_EQ(outcome.kind, Outcome::Kind::plan) << seed;
+    EXPECT_TRUE(validate_plan(task, steps_of(problem, outcome.steps))) << seed;
+    EXPECT_LE(actions_of(outcome), 240U) << seed;
+  }
+}
+
+TEST(FastPlanner, HasNothingToDoWhereTheGoalsHold) {
+  PlanningTask task = blocks_domain(2);
+  task.initials = facts_of("(on-table b0) (clear b0) (on-table b1) (clear b1) (arm-empty)");
+  task.goals = facts_of("(on-table b0)");
+  const Outcome outcome = FastPlanner().solve(ground(task).value(), Budget{}, never);
+  EXPECT_EQ(outcome.kind, Outcome::Kind::plan);
+  EXPECT_TRUE(outcome.steps.empty());
+}
+
+TEST(ExclusiveFacts, NeverHoldTogetherOnAnyWay) {
+  for (std::uint64_t seed = 0; seed < 400; ++seed) {
+    const PlanningTask task = random_task(seed);
+    const Problem problem = ground(task).value();
+    const CompactProblem compact(problem);
+    const ExclusiveFacts exclusive(problem, compact);
+    Random random(seed);
+    Bits state = problem.initials;
+    for (int step = 0; step < 60; ++step) {
+      for (const std::vector<FactIndex>& group : exclusive.groups()) {
+        ASSERT_LE(std::ranges::count_if(group, [&](FactIndex fact) { return state.test(fact); }), 1)
+            << seed << " " << show(task);
+      }
+      std::vector<ActionIndex> applicable;
+      compact.for_each_applicable(state, [&](ActionIndex action) { applicable.push_back(action); });
+      if (applicable.empty()) break;
+      compact.apply(applicable[random.below(applicable.size())], state);
+    }
+  }
+}
+
+TEST(ExclusiveFacts, SayThatABlockIsInOnePlaceWithOneThingOnIt) {
+  Random random(1);
+  const Problem problem = ground(random_blocks(3, random)).value();
+  const ExclusiveFacts exclusive(problem, CompactProblem(problem));
+  const auto fact = [&](std::string_view text) {
+    return static_cast<FactIndex>(std::ranges::find(problem.facts, form(text)) - problem.facts.begin());
+  };
+  EXPECT_TRUE(exclusive.exclude(fact("(on b0 b1)"), fact("(on b0 b2)")));
+  EXPECT_TRUE(exclusive.exclude(fact("(on b0 b1)"), fact("(on b2 b1)")));
+  EXPECT_TRUE(exclusive.exclude(fact("(on b0 b1)"), fact("(holding b0)")));
+  EXPECT_TRUE(exclusive.exclude(fact("(holding b0)"), fact("(holding b1)")));
+  EXPECT_FALSE(exclusive.exclude(fact("(on b0 b1)"), fact("(on b1 b2)")));
+}
+
+TEST(PlanShape, LeavesOutWhatIsIdle) {
+  PlanningTask task = blocks_domain(2);
+  task.initials = facts_of("(on-table b0) (clear b0) (on-table b1) (clear b1) (arm-empty)");
+  task.goals = facts_of("(on b0 b1)");
+  const Problem problem = ground(task).value();
+  const CompactProblem compact(problem);
+  const auto action = [&](std::string_view text) {
+    return static_cast<ActionIndex>(std::ranges::find(problem.actions, form(text), &GroundAction::name) -
+                                    problem.actions.begin());
+  };
+  const ActionIndex pick = action("(PICK-UP b0)"), put = action("(PUT-DOWN b0)"), stack = action("(STACK b0 b1)");
+  ASSERT_LT(std::max({pick, put, stack}), problem.actions.size());
+  EXPECT_EQ(without_idle_actions(compact, {pick, put, pick, stack}), (std::vector<ActionIndex>{pick, stack}));
+}
+
+}  // namespace
+}  // namespace pizarra
