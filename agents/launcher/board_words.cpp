@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include "agents/launcher/local_cell.hpp"
+#include "agents/launcher/readiness.hpp"
 #include "agents/launcher/run_directory.hpp"
 #include "agents/launcher/words.hpp"
 #include "agents/repl/json_answers.hpp"
@@ -17,7 +18,6 @@ namespace pizarra {
 namespace {
 
 constexpr Duration board_timeout = 5s;
-constexpr Duration teaching_patience = 120s;
 
 struct BoardChoices {
   std::string board;  // an address
@@ -101,23 +101,19 @@ class Session {
     co_return co_await service_.start();
   }
 
-  Task<void> await_teaching() {
-    const Time deadline = context_.executor.now() + teaching_patience;
-    const Datum done = list("person"_sym, "done"_sym, "?"_sym);
-    while (context_.executor.now() < deadline) {
-      const Result<std::vector<Fact>> taught = co_await context_.board.facts(done);
-      if (taught.has_value() && !taught->empty()) co_return;
-      co_await sleep(context_.executor, 100ms);
-    }
-  }
-
   Task<void> talk(std::vector<std::string> forms, bool wait_for_teaching) {
     const Result<void> reached = co_await reach_board();
     if (!reached) {
       status_ = complain_as(manner_.style, reached.error(), exit_unavailable);
       co_return;
     }
-    if (wait_for_teaching) co_await await_teaching();
+    if (wait_for_teaching) {
+      const Result<void> taught = co_await await_teaching(context_.board, context_.executor);
+      if (!taught) {
+        status_ = complain_as(manner_.style, taught.error(), exit_unavailable);
+        co_return;
+      }
+    }
     if (!forms.empty()) {
       const Evaluation end = co_await run_forms(interpreter_, std::move(forms));
       status_ = status_of(end);
@@ -147,9 +143,11 @@ int talk_to(const std::string& address, const std::vector<std::string>& forms, M
   return Session(executor, **board, manner).run(forms, false);
 }
 
+bool is_script(const ReplChoices& choices) { return !choices.forms.empty() || isatty(STDIN_FILENO) == 0; }
+
 // Who types goes on typing while a goal is pursued; a script waits.
 Manner manner_of(const ReplChoices& choices) {
-  return {.patience = choices.forms.empty() ? Interpreter::Patience::accepted : Interpreter::Patience::ended};
+  return {.patience = is_script(choices) ? Interpreter::Patience::ended : Interpreter::Patience::accepted};
 }
 
 int talk_to_own_cell(const ReplChoices& choices) {
@@ -165,7 +163,7 @@ int talk_to_own_cell(const ReplChoices& choices) {
     if (!started) return complain(started.error(), exit_usage);
   }
   const std::unique_ptr<Board> view = local.board().view("prompt");
-  return Session(executor, *view, manner_of(choices)).run(choices.forms, whole && !choices.forms.empty());
+  return Session(executor, *view, manner_of(choices)).run(choices.forms, whole && is_script(choices));
 }
 
 int run_repl(const ReplChoices& choices) {

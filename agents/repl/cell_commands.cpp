@@ -99,11 +99,17 @@ Task<Evaluation> Interpreter::plan(Datum) {
     output_(fmt::format("plan for goal {}:", write(plan.datum[1])));
     std::int64_t index = 0;
     for (const Datum& operation : plan.datum[2].items()) {
-      std::string mark = " ";
+      // The one in hand says how it stands; those before it are behind us.
+      std::string_view mark;
       for (const Fact& fact : *in_hand) {
-        if (fact.datum[1].integer() == index) mark = fact.datum[3].text();
+        const std::int64_t at = fact.datum[1].integer();
+        if (index < at) mark = "done";
+        if (index == at) mark = fact.datum[3].text();
       }
-      output_(fmt::format("  {:>2}  {:30} {}", ++index, write(operation), mark));
+      const std::string text = write(operation);
+      output_(mark.empty() ? fmt::format("  {:>2}  {}", index + 1, text)
+                           : fmt::format("  {:>2}  {:30} {}", index + 1, text, mark));
+      ++index;
     }
   }
   co_return Evaluation::done;

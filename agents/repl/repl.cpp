@@ -8,20 +8,30 @@ namespace pizarra {
 
 namespace {
 
-// Events that were there before the prompt opened are history, not news.
-Task<void> show_story(AgentContext& context, Terminal& terminal) {
-  const Query events = query_for(read_one("(event ?n ?kind ?sentence ?detail)").value());
-  const Result<std::unique_ptr<Watch>> watch = co_await context.board.watch(events);
-  if (!watch) co_return;  // a board whose coordinator has yet to declare its story has none to show
+constexpr Duration declared_pause = 200ms;
+
+// Shows what comes to hold of a query; what held before the prompt opened is history, not news.
+Task<void> show_news(AgentContext& context, Terminal& terminal, Query query, std::string (*line)(const Datum&)) {
+  Result<std::unique_ptr<Watch>> watch = co_await context.board.watch(query);
+  while (!watch) {  // by the agent that is to declare it
+    co_await sleep(context.executor, declared_pause);
+    watch = co_await context.board.watch(query);
+  }
   while (true) {
     const Result<Change> change = co_await (*watch)->next();
     if (!change) co_return;
     if (change->resynchronised) continue;
-    for (const Answer& answer : change->added) {
-      const Datum& event = answer.facts.front().datum;
-      terminal.print(fmt::format("  {:10} {}", event[2].text(), event[3].text()));
-    }
+    for (const Answer& answer : change->added) terminal.print(line(answer.facts.front().datum));
   }
+}
+
+std::string event_line(const Datum& event) { return fmt::format("  {:10} {}", event[2].text(), event[3].text()); }
+
+std::string teaching_line(const Datum& person) {
+  if (person[1].is_symbol("teaching")) return fmt::format("  {:10} {}", "learning", person[2].text());
+  if (person[1].is_symbol("done"))
+    return fmt::format("  {:10} {} objects: a goal may come", "learned", person[2].size());
+  return fmt::format("  {:10} {}", "failure", describe(failure_from_datum(person[2])));
 }
 
 Task<void> evaluate_into(Interpreter& interpreter, std::string typed, Evaluation& outcome, Event& settled) {
@@ -34,7 +44,11 @@ Task<void> evaluate_into(Interpreter& interpreter, std::string typed, Evaluation
 Task<void> run_prompt(AgentContext& context, Interpreter& interpreter, Terminal& terminal) {
   terminal.words = [&interpreter]() -> const std::set<std::string>& { return interpreter.words(); };
   co_await interpreter.learn_words();
-  Job story = context.executor.spawn(show_story(context, terminal));
+  const auto news_of = [&](const char* pattern, std::string (*line)(const Datum&)) {
+    return context.executor.spawn(show_news(context, terminal, query_for(read_one(pattern).value()), line));
+  };
+  const Job story = news_of("(event ?n ?kind ?sentence ?detail)", event_line);
+  const Job teaching = news_of("(person ?state ?detail)", teaching_line);
   Event settled(context.executor);
   terminal.on_interrupt = [&settled] { settled.set(); };
   Evaluation outcome = Evaluation::done;
@@ -45,7 +59,6 @@ Task<void> run_prompt(AgentContext& context, Interpreter& interpreter, Terminal&
     const Job evaluation = context.executor.spawn(evaluate_into(interpreter, std::move(*typed), outcome, settled));
     co_await settled.wait();
     if (!evaluation.done()) terminal.print("not waited for any longer; what an agent was asked to do goes on");
-    if (story.done()) story = context.executor.spawn(show_story(context, terminal));
   }
   terminal.on_interrupt = nullptr;
 }

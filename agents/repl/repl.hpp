@@ -10,8 +10,8 @@
 
 namespace pizarra {
 
-// Reads and evaluates until the end; meanwhile the coordinator's story is shown as it happens. What fails is shown and
-// the prompt goes on.
+// Reads and evaluates until the end; meanwhile what is taught and the coordinator's story are shown as they happen.
+// What fails is shown and the prompt goes on.
 Task<void> run_prompt(AgentContext& context, Interpreter& interpreter, Terminal& terminal);
 
 // Evaluates the forms in order, for scripts. Stops at the first that does not succeed and answers what became of it.

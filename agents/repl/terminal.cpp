@@ -121,7 +121,7 @@ void Terminal::line_typed(char* line) {
     // At once, because a program that is killed writes nothing.
     write_history(history_file().c_str());
   }
-  current->take_line(line);
+  current->take_line(std::string(line) + "\n");
   std::free(line);
 }
 
@@ -219,15 +219,24 @@ void Terminal::read_plainly() {
 }
 
 Task<std::optional<std::string>> Terminal::read() {
-  while (!ended_) {
-    listen();
-    const std::optional<std::optional<std::string>> line = co_await lines_.pop();
-    if (line->has_value()) partial_ += **line + (interactive_ ? "\n" : "");
-    if (partial_.find_first_not_of(" \t\r\n") == std::string::npos) {
-      partial_.clear();
+  while (!ended_ || !unread_.empty()) {
+    // The beginning of a line waits for its rest.
+    if (!ended_ && unread_.find('\n') == std::string::npos && unread_.size() <= max_form_bytes) {
+      listen();
+      const std::optional<std::optional<std::string>> input = co_await lines_.pop();
+      unread_ += input->value_or("");
       continue;
     }
-    if (ended_ || partial_.size() > max_form_bytes || is_complete(partial_)) co_return std::exchange(partial_, "");
+    const std::size_t end = std::min(unread_.find('\n'), unread_.size() - 1) + 1;
+    partial_ += unread_.substr(0, end);
+    unread_.erase(0, end);
+    const bool blank = partial_.find_first_not_of(" \t\r\n") == std::string::npos;
+    const bool last = ended_ && unread_.empty();
+    if (blank) {
+      partial_.clear();
+    } else if (last || partial_.size() > max_form_bytes || is_complete(partial_)) {
+      co_return std::exchange(partial_, "");
+    }
   }
   co_return std::nullopt;
 }

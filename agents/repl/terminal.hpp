@@ -64,8 +64,9 @@ class Terminal {
   bool ended_ = false;
   bool interrupted_ = false;
   std::optional<SignalPipe> signals_;  // on a terminal
-  std::string partial_;
-  Queue<std::optional<std::string>> lines_;  // at most the one that was asked for
+  std::string partial_;  // lines of a form that is not complete yet
+  std::string unread_;   // what came behind them
+  Queue<std::optional<std::string>> lines_;  // at most the piece that was asked for
 };
 
 }  // namespace pizarra

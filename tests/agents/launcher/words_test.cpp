@@ -51,6 +51,16 @@ TEST(Words, EveryWordHelps) {
   }
 }
 
+TEST(Words, FormsThatArePipedInAreReadOneByOneAndAFaultSpoilsOnlyItsOwn) {
+  const std::string typed = testing::TempDir() + "piped-forms";
+  std::ofstream(typed)
+      << "(nonsense)\n(ask (and (agent ?a ?kind ?h)\n          (= ?kind planner)))\n(ask (contract planner";
+  const Said said = run("repl --agents planner < " + typed);
+  EXPECT_TRUE(contains(said, "nonsense")) << said.text;
+  EXPECT_TRUE(contains(said, "?kind = planner")) << said.text;
+  EXPECT_TRUE(contains(said, "(ask (contract planner")) << "the form without an end is told too: " << said.text;
+}
+
 TEST(Words, AnUnknownWordOrOptionIsAUsageError) {
   EXPECT_EQ(run("dmeo").status, 2);
   EXPECT_EQ(run("demo --sed 3").status, 2);

@@ -47,6 +47,22 @@ class Repl : public testing::Test {
   Job presence;
 };
 
+TEST_F(Repl, ShowsAPlanWithWhatIsDoneAndWhatIsInHand) {
+  const auto relation = [](const char* text) { return relation_from_datum(read_one(text).value()).value(); };
+  board
+      .declare("test", {relation("(relation plan ((goal integer) (operations list)) (key))"),
+                        relation("(relation operation ((index integer) (operation list) (state symbol)) (key))")})
+      .value();
+  EXPECT_EQ(type("(tell (plan 1 ((PICK-UP a) (STACK a b) (PICK-UP c)))) (tell (operation 1 (STACK a b) running))"),
+            Evaluation::done);
+  EXPECT_EQ(type("(plan)"), Evaluation::done);
+  EXPECT_EQ(shown,
+            "plan for goal 1:\n"
+            "   1  (PICK-UP a)                    done\n"
+            "   2  (STACK a b)                    running\n"
+            "   3  (PICK-UP c)\n");
+}
+
 TEST_F(Repl, TellsAsksAndRetracts) {
   EXPECT_EQ(type("(ask (on ?x ?y))"), Evaluation::done);
   EXPECT_EQ(shown, "no\n");
