@@ -9,11 +9,7 @@ namespace pizarra {
 
 namespace {
 
-// Where piles stand: slots a hundred millimetres apart, each a little off.
-constexpr double slot_pitch_mm = 100;
-constexpr int first_slot = -2;
-constexpr std::uint64_t slots = 5;
-constexpr double row_x_mm = 450;
+// Every cube has its share of the row, and a pile stands in the middle of one, a little off.
 constexpr double off_x_mm = 25;
 constexpr double off_y_mm = 6;
 constexpr double off_yaw_deg = 10;
@@ -39,17 +35,23 @@ Piles random_piles(std::vector<std::string> names, Random& random) {
   return piles;
 }
 
-std::vector<CubePlacement> place_piles(const Piles& piles, const std::vector<CubePlacement>& known, Random& random) {
-  std::vector<int> free_slots;
-  for (std::uint64_t slot = 0; slot < slots; ++slot) free_slots.push_back(first_slot + static_cast<int>(slot));
-  shuffle(free_slots, random);
+double share_mm(const CellDescription& cell) {
+  return (cell.row.y_high_mm - cell.row.y_low_mm) / static_cast<double>(cell.cubes.size());
+}
+
+std::vector<CubePlacement> place_piles(const Piles& piles, const CellDescription& cell, Random& random) {
+  std::vector<double> middles_mm;
+  for (std::size_t i = 0; i < cell.cubes.size(); ++i) {
+    middles_mm.push_back(cell.row.y_low_mm + (static_cast<double>(i) + 0.5) * share_mm(cell));
+  }
+  shuffle(middles_mm, random);
   std::vector<CubePlacement> out;
   for (std::size_t i = 0; i < piles.size(); ++i) {
-    const double x_mm = row_x_mm + random.uniform(-off_x_mm, off_x_mm);
-    const double y_mm = slot_pitch_mm * free_slots[i] + random.uniform(-off_y_mm, off_y_mm);
+    const double x_mm = cell.row.x_mm + random.uniform(-off_x_mm, off_x_mm);
+    const double y_mm = middles_mm[i] + random.uniform(-off_y_mm, off_y_mm);
     std::string below;
     for (const std::string& name : piles[i]) {
-      CubePlacement cube = *std::ranges::find(known, name, &CubePlacement::name);
+      CubePlacement cube = *std::ranges::find(cell.cubes, name, &CubePlacement::name);
       cube.x_mm = x_mm;
       cube.y_mm = y_mm;
       cube.yaw_deg = random.uniform(-off_yaw_deg, off_yaw_deg);
@@ -99,14 +101,16 @@ Datum hand(std::string_view operation, const std::string& name, std::vector<Datu
 
 Datum whole_mm(double value) { return Datum::integer(static_cast<std::int64_t>(value)); }
 
-std::vector<Datum> random_disturbance(std::vector<std::string> names, Random& random) {
+std::vector<Datum> random_disturbance(std::vector<std::string> names, const CubeRow& row, Random& random) {
   shuffle(names, random);
   const std::string& target = names[0];
   switch (random.below(8)) {
     case 0:
       return {hand("push", target, {whole_mm(random.uniform(-20, 20)), whole_mm(random.uniform(-60, 60))})};
     case 1:
-      return {hand("place", target, {whole_mm(random.uniform(430, 480)), whole_mm(random.uniform(-210, 210))})};
+      return {hand("place", target,
+                   {whole_mm(row.x_mm + random.uniform(-off_x_mm, off_x_mm)),
+                    whole_mm(random.uniform(row.y_low_mm, row.y_high_mm))})};
     case 2:
       return {hand("stack", target, {Datum::symbol(names[1])})};
     case 3:
@@ -126,9 +130,11 @@ std::vector<Datum> random_disturbance(std::vector<std::string> names, Random& ra
 }  // namespace
 
 Result<void> check_random_cell(const CellDescription& cell, const Domain& domain) {
-  if (cell.cubes.size() < 2 || cell.cubes.size() > slots) {
+  if (cell.cubes.size() < 2 || share_mm(cell) < cell.openings.wide_mm) {
     return fail("bad-cell",
-                fmt::format("random stories are about 2 to {} cubes, and this cell has {}", slots, cell.cubes.size()));
+                fmt::format("random stories are about 2 cubes or more with {} mm of the row each, and this "
+                            "cell has {} and a row of {} mm",
+                            cell.openings.wide_mm, cell.cubes.size(), cell.row.y_high_mm - cell.row.y_low_mm));
   }
   for (const auto& [name, arguments] : {std::pair("on", 2U), std::pair("on-table", 1U)}) {
     const auto found = std::ranges::find(domain.predicates, name, &Predicate::name);
@@ -149,13 +155,13 @@ RandomStory random_story(CellDescription cell, Random random) {
   RandomStory story;
   story.cell = std::move(cell);
   const Piles piles = random_piles(names, start);
-  story.cell.cubes = place_piles(piles, story.cell.cubes, start);
+  story.cell.cubes = place_piles(piles, story.cell, start);
   story.scenario.name = "random";
   story.scenario.goal = random_goal(names, piles, wish);
   story.scenario.within_s = within_s;
   const double at_s = trouble.uniform(0, latest_disturbance_s);
   std::vector<Datum> actions{list("wait"_sym, at_s)};
-  const std::vector<Datum> disturbance = random_disturbance(names, trouble);
+  const std::vector<Datum> disturbance = random_disturbance(names, story.cell.row, trouble);
   actions.insert(actions.end(), disturbance.begin(), disturbance.end());
   story.scenario.events.push_back({list("goal-state"_sym, "?"_sym, "running"_sym, "?"_sym), std::move(actions)});
   return story;
