@@ -1,0 +1,69 @@
+#include <fmt/format.h>
+
+#include "tests/bench/planner/blocks_greedy.hpp"
+#include "tests/bench/planner/problems.hpp"
+#include "tests/bench/planner/rows.hpp"
+
+namespace pizarra::bench {
+
+namespace {
+
+struct FirstPlan {
+  std::size_t blocks;
+  double goal_ms;
+};
+constexpr FirstPlan first_plans[] = {{10, 1}, {20, 5}, {50, 50}, {100, 250}, {200, 1000}};
+
+}  // namespace
+
+void fast_first(PlannerBench& bench) {
+  for (const FirstPlan& row : first_plans) {
+    const auto plan = bench.measure(blocks_problem(row.blocks, 1), Mode::fast_first, bench.limit_s);
+    bench.figures.say({fmt::format("blocks {}, first plan", row.blocks),
+                       plan ? plan->seconds * 1000 : bench.limit_s * 1000,
+                       "ms",
+                       at_most(row.goal_ms),
+                       {},
+                       plan ? note_of(*plan) : "no plan within the limit"});
+  }
+}
+
+void fast_after_a_while(PlannerBench& bench) {
+  for (const std::size_t blocks : {20, 50, 100, 200}) {
+    const double time_s = blocks == 200 ? 10 : 1;
+    if (bench.quick && blocks == 200) continue;
+    const PlanningTask task = blocks_problem(blocks, 1);
+    const auto plan = bench.measure(task, Mode::fast, time_s);
+    const std::size_t greedy = blocks_greedy_actions(task);
+    Goal goal = at_most(static_cast<double>(greedy), "<= the blocks greedy's");
+    if (blocks == 20) {
+      const auto optimum = bench.measure(task, Mode::optimal, bench.limit_s);
+      goal = optimum ? at_most(1.05 * static_cast<double>(optimum->actions), "<= 1.05 x the optimum")
+                     : not_comparable("no optimum within the limit");
+    }
+    bench.figures.say({fmt::format("blocks {}, after {} s", blocks, time_s),
+                       plan ? std::optional(static_cast<double>(plan->actions)) : std::nullopt,
+                       "steps",
+                       goal,
+                       {{"greedy", static_cast<double>(greedy)}},
+                       plan ? note_of(*plan) : "no plan"});
+  }
+}
+
+void fast_others(PlannerBench& bench) {
+  const auto say = [&](const std::string& name, const PlanningTask& task) {
+    const auto plan = bench.measure(task, Mode::fast, 3);
+    bench.figures.say(
+        {name + ", after 3 s",
+         plan ? std::optional(static_cast<double>(plan->actions)) : std::nullopt,
+         "steps",
+         {},
+         {},
+         plan ? fmt::format("first after {:.1f} ms; {}", plan->seconds * 1000, note_of(*plan)) : "no plan"});
+  };
+  say("hanoi 7", hanoi_problem(7));
+  say("gripper 20", gripper_problem(42));
+  say("logistics, 6 cities, 30 parcels", logistics_problem(6, 30, 1));
+}
+
+}  // namespace pizarra::bench

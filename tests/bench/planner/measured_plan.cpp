@@ -1,0 +1,67 @@
+#include "tests/bench/planner/measured_plan.hpp"
+
+#include <chrono>
+#include <fmt/format.h>
+#include <poll.h>
+#include <sstream>
+#include <unistd.h>
+
+#include "agents/planner/fast/fast_planner.hpp"
+#include "agents/planner/optimal_planner.hpp"
+#include "tests/bench/child.hpp"
+#include "tests/bench/measure.hpp"
+
+namespace pizarra::bench {
+
+namespace {
+
+// Above the limit, for a search that is slow to listen, and for validation.
+constexpr double grace_s = 5;
+
+using Clock = std::chrono::steady_clock;
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+// A line for the parent: "-" without a plan.
+std::string plan_line(const PlanningTask& task, Mode mode, double limit_s) {
+  const Clock::time_point start = Clock::now();
+  const Result<Problem> problem = ground(task);
+  if (!problem) return "-\n";
+  double first_s = 0;
+  const auto better = [&](const Outcome&) {
+    if (first_s == 0) first_s = seconds_since(start);
+  };
+  FastPlanner fast({.seed = 1, .better = better, .first_only = mode == Mode::fast_first});
+  OptimalPlanner optimal;
+  PlanEngine& engine = mode == Mode::optimal ? static_cast<PlanEngine&>(optimal) : fast;
+  const Budget unlimited{.nodes = std::size_t{1} << 60, .levels = std::size_t{1} << 30, .bytes = std::size_t{1} << 30};
+  const Outcome outcome = engine.solve(*problem, unlimited, [&] { return seconds_since(start) > limit_s; });
+  const double seconds = first_s > 0 ? first_s : seconds_since(start);
+  const double memory_mb = peak_memory_mb();
+  if (outcome.kind != Outcome::Kind::plan || !validate_plan(task, steps_of(*problem, outcome.steps))) return "-\n";
+  std::size_t actions = 0;
+  for (const std::vector<std::size_t>& step : outcome.steps) actions += step.size();
+  return fmt::format("{} {} {} {} {}\n", seconds, memory_mb, actions, outcome.steps.size(), outcome.engine);
+}
+
+}  // namespace
+
+std::optional<MeasuredPlan> measured(const PlanningTask& task, Mode mode, double limit_s) {
+  Child child = Child::running([&](Pipe& parent) {
+    const std::string line = plan_line(task, mode, limit_s);
+    if (write(parent.file(), line.data(), line.size()) < 0) _exit(1);
+  });
+  pollfd waiting{child.pipe().file(), POLLIN, 0};
+  if (poll(&waiting, 1, static_cast<int>((limit_s + grace_s) * 1000)) != 1) return std::nullopt;
+  MeasuredPlan plan;
+  std::istringstream line(child.pipe().hear_line());
+  if (!(line >> plan.seconds >> plan.memory_mb >> plan.actions >> plan.steps)) return std::nullopt;
+  line >> plan.engine;
+  return plan;
+}
+
+std::string note_of(const MeasuredPlan& plan) {
+  return fmt::format("{} actions in {} steps, {}, {:.0f} MB", plan.actions, plan.steps,
+                     plan.engine.empty() ? "optimal" : plan.engine, plan.memory_mb);
+}
+
+}  // namespace pizarra::bench
