@@ -79,7 +79,12 @@ BoardServer::BoardServer(Executor& executor, MemoryBoard& board, const BoardServ
                     if (session != sessions_.end()) socket_.send(session->second.peer, reply);
                   }),
       socket_(executor, WireSocket::Kind::router,
-              [this](const std::string& peer, std::optional<std::string_view> frame) { receive(peer, frame); }) {
+              [this](const std::string& peer, std::optional<std::string_view> frame) {
+                receiving_ = true;
+                receive(peer, frame);
+                flush_all();
+                receiving_ = false;
+              }) {
   if (options.journal != nullptr) past_.emplace(executor, *options.journal);
   restore(options.remembered);
   if (keys_) ask_for_keys();
@@ -184,8 +189,19 @@ void BoardServer::answer(wire::SessionId id, Session& session, wire::RequestId n
     remember(session, number, {text, durable ? durability_.position() : 0});
     if (durable && durability_.position() > before) durability_.remember({id, session.teller, number, reply[2]});
   }
+  // Changes go before the reply to the request that made them, and after the one to the request for them.
+  if (!body.is_form("watch")) flush_all();
   if (durable) return durability_.hold(id, number, text);
-  socket_.send(session.peer, text);
+  socket_.send(session.peer, session.holds ? with_progress(session, text) : text);
+}
+
+// What is remembered, or held back, does not say it: it may be given when changes are under way anew.
+std::string BoardServer::with_progress(const Session& session, std::string reply) const {
+  const bool behind = std::ranges::any_of(session.watches, [](const auto& w) { return w.second.queue->ready(); });
+  reply.back() = ' ';
+  reply += std::to_string(board_.store().revision());
+  reply += behind ? " no)" : " yes)";
+  return reply;
 }
 
 void BoardServer::remember(Session& session, wire::RequestId number, Session::Reply reply) {
@@ -268,7 +284,8 @@ Result<Datum> BoardServer::take(const Session& session, const Datum& body) {
 
 Result<Datum> BoardServer::watch(wire::SessionId id, Session& session, const Datum& body) {
   const std::optional<std::uint64_t> number = wire::count_at(body, 1);
-  if (!number || body.size() != 3) return bad_frame("watching is (watch WATCH QUERY)");
+  const bool held = body.size() == 4 && body[3].is_symbol("held");
+  if (!number || (body.size() != 3 && !held)) return bad_frame("watching is (watch WATCH QUERY) or with held after it");
   const auto standing = session.watches.find(*number);
   if (standing != session.watches.end()) {
     if (standing->second.query == body[2]) return Datum();
@@ -282,6 +299,7 @@ Result<Datum> BoardServer::watch(wire::SessionId id, Session& session, const Dat
   Result<std::unique_ptr<WatchQueue>> queue = board_.watch(*query, [this, id] { schedule_flush(id); });
   if (!queue) return fail(queue);
   session.watches[*number] = {body[2], std::move(*queue)};
+  session.holds = session.holds || held;
   schedule_flush(id);
   return Datum();
 }
@@ -308,19 +326,23 @@ void BoardServer::send(const std::string& peer, const Datum& message) { socket_.
 
 void BoardServer::schedule_flush(wire::SessionId id) {
   to_flush_.insert(id);
-  if (flush_timer_ != 0) return;
+  if (receiving_ || flush_timer_ != 0) return;
   flush_timer_ = executor_.call_at(executor_.now(), [this] {
     flush_timer_ = 0;
-    for (const wire::SessionId waiting : std::exchange(to_flush_, {})) {
-      const auto session = sessions_.find(waiting);
-      if (session != sessions_.end()) flush(session->second);
-    }
+    flush_all();
   });
+}
+
+void BoardServer::flush_all() {
+  for (const wire::SessionId waiting : std::exchange(to_flush_, {})) {
+    const auto session = sessions_.find(waiting);
+    if (session != sessions_.end()) flush(session->second);
+  }
 }
 
 void BoardServer::flush(Session& session) {
   for (auto& [id, watch] : session.watches) {
-    if (session.blocked) return;
+    if (session.blocked) break;
     flush_watch(session, id, watch);
   }
   std::erase_if(session.watches, [](const auto& watch) { return watch.second.queue == nullptr; });

@@ -81,6 +81,7 @@ class BoardServer {
     Time heard{};
     bool blocked = false;  // its connection takes no more; until it is heard from
     std::map<wire::WatchId, ServedWatch> watches;
+    bool holds = false;  // what it watches, and answers questions from it
     struct Reply {
       std::string text;
       JournalWriter::Position after;  // not to be given before this is in the journal
@@ -118,8 +119,10 @@ class BoardServer {
   Result<Datum> lease(const Session& session, const Datum& body);
   void answer(wire::SessionId id, Session& session, wire::RequestId number, const Datum& body);
   void remember(Session& session, wire::RequestId number, Session::Reply reply);
+  std::string with_progress(const Session& session, std::string reply) const;
   void send(const std::string& peer, const Datum& message);
   void schedule_flush(wire::SessionId id);
+  void flush_all();
   void flush(Session& session);
   void flush_watch(Session& session, wire::WatchId id, ServedWatch& watch);
   void forget_the_gone();
@@ -138,6 +141,7 @@ class BoardServer {
   std::optional<Past> past_;
   std::set<std::pair<wire::SessionId, wire::RequestId>> past_asked_;
   std::set<wire::SessionId> to_flush_;
+  bool receiving_ = false;  // what is to be flushed is, when this is done
   Executor::TimerId flush_timer_ = 0;
   Executor::TimerId sweep_timer_ = 0;
   WireSocket socket_;

@@ -29,7 +29,10 @@ struct Delta {
 // How many facts an answer of the query has.
 std::size_t width_of(const Query& query);
 
-// The answers that these facts are. Each fits: the watch has seen to it.
-std::vector<Answer> answers_of(const Query& query, Delta::Side side);
+// The answers that these facts are, of which there are as many as the query's answers have. Failure bad-frame where one
+// does not fit.
+Result<std::vector<Answer>> answers_of(const Query& query, Delta::Side side);
+// The same of the whole: one that is not Kind::change resynchronises.
+Result<Change> change_of(const Query& query, Delta delta);
 
 }  // namespace pizarra

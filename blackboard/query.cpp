@@ -109,6 +109,9 @@ Result<void> check_pattern(const Datum& pattern) {
 Result<void> check_query(const Query& query) {
   if (query.clauses.empty()) return bad_query("a query needs a clause", list("and"_sym));
   if (query.clauses.size() > max_clauses) return bad_query("a query has at most 64 clauses", {});
+  const bool lone_pattern =
+      query.clauses.size() == 1 && query.clauses[0].kind == Query::Clause::Kind::fact && query.order.empty();
+  if (lone_pattern) return check_pattern(query.clauses[0].form);
   Variables bound;
   for (const Query::Clause& clause : query.clauses) {
     const bool compares = clause.kind == Query::Clause::Kind::compare;

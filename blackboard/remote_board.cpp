@@ -2,6 +2,7 @@
 
 #include "blackboard/limits.hpp"
 #include "blackboard/remote_watch.hpp"
+#include "blackboard/replicas.hpp"
 #include "blackboard/time/event.hpp"
 #include "blackboard/wire_address.hpp"
 #include "lisp/writer.hpp"
@@ -17,16 +18,15 @@ std::unexpected<Failure> nonsense(const Datum& value) {
 }
 
 // Whether the request fits a frame, whatever the numbers of its session and its own.
-Result<void> check_frame(const Datum& body) {
+bool fits_frame(const Weight& weight, const std::string& text) {
   constexpr std::size_t envelope_bytes = 64;
-  constexpr std::size_t envelope_depth = 1;
-  const Weight weight = weigh(body);
-  const bool fits = weight.depth + envelope_depth <= limits::frame_depth &&
-                    weight.elements + envelope_bytes <= limits::frame_elements &&
-                    write(body).size() + envelope_bytes <= limits::frame_bytes;
-  if (fits) return {};
-  return fail("too-large", "the request does not fit one message of the board");
+  constexpr std::size_t envelope_depth = 4;
+  return weight.depth + envelope_depth <= limits::frame_depth &&
+         weight.elements + envelope_bytes <= limits::frame_elements &&
+         text.size() + envelope_bytes <= limits::frame_bytes;
 }
+
+std::unexpected<Failure> too_large() { return fail("too-large", "the request does not fit one message of the board"); }
 
 Result<void> nothing_from(const Result<Datum>& reply) {
   if (!reply) return fail(reply);
@@ -68,10 +68,12 @@ RemoteBoard::RemoteBoard(Executor& executor, std::string address, std::string te
       socket_(executor, WireSocket::Kind::dealer, [this](const std::string&, std::optional<std::string_view> frame) {
         if (frame) receive(*frame);
       }) {
+  replicas_ = std::make_unique<Replicas>(*this, executor_);
   tick_timer_ = executor_.call_at(executor_.now(), [this] { tick(); });
 }
 
 RemoteBoard::~RemoteBoard() {
+  replicas_.reset();
   executor_.cancel(tick_timer_);
   if (joined_) send(list("bye"_sym, session_));
 }
@@ -87,12 +89,36 @@ Task<Result<void>> RemoteBoard::declare(std::vector<Relation> relations) {
 }
 
 Task<Result<Revision>> RemoteBoard::transact(Transaction transaction) {
-  Datum request = wire::transaction_to_datum(transaction);
-  const Result<Datum> reply = co_await call(std::move(request), false);
+  std::string request;
+  const Weight weight = wire::write_transaction(request, transaction);
+  if (!fits_frame(weight, request)) co_return too_large();
+  const Result<Datum> reply = co_await call_text(std::move(request), false);
   co_return count_from(reply);
 }
 
+Task<Result<void>> RemoteBoard::replicate(Relation relation) {
+  const std::vector<Relation> relations = {relation};
+  const Result<void> declared = co_await declare(relations);
+  if (!declared) co_return fail(declared);
+  if (replicas_->find(relation.name) != nullptr) co_return Result<void>();
+  Replica& replica = replicas_->add(relation);
+  Datum request = replica.request();
+  const Result<Datum> reply = co_await call(std::move(request), true);
+  const Time deadline = executor_.now() + timeout_;
+  if (reply) co_await replica.known().wait(deadline);
+  if (reply && replica.whole()) co_return Result<void>();
+  Failure failure{"unreachable", "the board does not say what the relation holds", to_datum(relation.name), {}};
+  if (replica.ended()) failure = *replica.ended();
+  if (!reply) failure = reply.error();
+  replicas_->remove(relation.name);
+  co_return fail(std::move(failure));
+}
+
 Task<Result<Answers>> RemoteBoard::ask(Query query) {
+  if (joined_) {
+    std::optional<Result<Answers>> held = replicas_->ask(query);
+    if (held) co_return std::move(*held);
+  }
   const Result<void> checked = check_query(query);
   if (!checked) co_return fail(checked);
   Datum request = list("ask"_sym, query_to_datum(query));
@@ -111,7 +137,7 @@ Task<Result<Answers>> RemoteBoard::ask(Query query) {
 Task<Result<std::unique_ptr<Watch>>> RemoteBoard::watch(Query query) {
   const Result<void> checked = check_query(query);
   if (!checked) co_return fail(checked);
-  auto watch = std::make_unique<RemoteWatch>(*this, std::move(query));
+  auto watch = std::make_unique<RemoteWatch>(*this, executor_, std::move(query));
   Datum request = watch->request();
   const Result<Datum> reply = co_await call(std::move(request), true);
   if (!reply) co_return fail(reply);
@@ -147,27 +173,33 @@ Task<Result<void>> RemoteBoard::release(LeaseId lease) {
 }
 
 Task<Result<Datum>> RemoteBoard::call(Datum body, bool repeatable) {
+  std::string text = write(body);
+  if (!fits_frame(weigh(body), text)) co_return too_large();
+  Result<Datum> reply = co_await call_text(std::move(text), repeatable);
+  co_return reply;
+}
+
+Task<Result<Datum>> RemoteBoard::call_text(std::string body, bool repeatable) {
   struct Registration {
     RemoteBoard& board;
     wire::RequestId request;
     ~Registration() { board.forget(request); }
   };
   if (pending_.size() >= max_pending) co_return fail("too-large", "too many requests to the board are under way");
-  const Result<void> fits = check_frame(body);
-  if (!fits) co_return fail(fits);
   std::optional<Result<Datum>> reply;
-  Event answered(executor_);
+  WaitList answered(executor_);
   const Registration registration{*this, begin(std::move(body), repeatable, [&](Result<Datum> result) {
                                     reply = std::move(result);
-                                    answered.set();
+                                    answered.wake_all();
                                   })};
-  const Time deadline = executor_.now() + timeout_;
-  co_await answered.wait(deadline);
-  if (!reply) co_return fail("unreachable", "the board does not answer", to_datum(address_));
+  pending_.find(registration.request)->second.deadline = executor_.now() + timeout_;
+  while (!reply) {
+    co_await answered.wait();
+  }
   co_return std::move(*reply);
 }
 
-wire::RequestId RemoteBoard::begin(Datum body, bool repeatable, Done done) {
+wire::RequestId RemoteBoard::begin(std::string body, bool repeatable, Done done) {
   const wire::RequestId request = next_request_++;
   Pending& pending = pending_.emplace(request, Pending{std::move(body), repeatable, std::move(done)}).first->second;
   if (joined_) transmit(request, pending);
@@ -175,8 +207,10 @@ wire::RequestId RemoteBoard::begin(Datum body, bool repeatable, Done done) {
 }
 
 void RemoteBoard::transmit(wire::RequestId request, Pending& pending) {
-  const bool sent = send(list("request"_sym, session_, request, pending.body));
-  if (sent) pending.sent = executor_.now();
+  std::string frame = "(request " + std::to_string(session_) + ' ' + std::to_string(request) + ' ';
+  frame += pending.body;
+  frame += ')';
+  if (socket_.send({}, frame)) pending.sent = executor_.now();
 }
 
 bool RemoteBoard::send(const Datum& message) { return socket_.send({}, write(message)); }

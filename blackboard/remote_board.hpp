@@ -7,9 +7,9 @@
 // The server need not be there yet. A request is sent again while it is not answered, and fails with `unreachable`
 // after five seconds. A board that refuses the client, or its key, has its requests fail with `not-permitted` at once,
 // and is tried again every second. When the server was lost, relations are declared again and watches begin again
-// (their next change is a resynchronised one); leases are lost (`unknown-lease`). A transaction or a take that was under
-// way is done once by a server that remembers the session from its journal, and fails with `unreachable` on one that
-// does not, because nobody can say whether it happened.
+// (their next change is a resynchronised one); leases are lost (`unknown-lease`). A transaction or a take that was
+// under way is done once by a server that remembers the session from its journal, and fails with `unreachable` on one
+// that does not, because nobody can say whether it happened.
 //
 // It outlives its watches and the tasks that use it.
 
@@ -42,6 +42,10 @@ class RemoteBoard : public Board {
 
   bool connected() const { return joined_; }
 
+  // Declares the relation and holds its facts from then on: a question about it alone is answered here, as it is at a
+  // revision that has all that this board's own requests did. Failures as of declare() and watch().
+  Task<Result<void>> replicate(Relation relation);
+
   Task<Result<void>> declare(std::vector<Relation> relations) override;
   Task<Result<Revision>> transact(Transaction transaction) override;
   Task<Result<Answers>> ask(Query query) override;
@@ -52,19 +56,21 @@ class RemoteBoard : public Board {
   Task<Result<void>> release(LeaseId lease) override;
 
  private:
-  friend class RemoteWatch;
+  friend class RemoteStream;
   using Done = std::function<void(Result<Datum>)>;
   struct Pending {
-    Datum body;
+    std::string body;
     // Whether doing it again on a board that may have done it is harmless.
     bool repeatable;
     Done done;
+    std::optional<Time> deadline = {};
     std::optional<Time> sent = {};
   };
 
   RemoteBoard(Executor& executor, std::string address, std::string teller, Duration timeout);
   Task<Result<Datum>> call(Datum body, bool repeatable);
-  wire::RequestId begin(Datum body, bool repeatable, Done done);
+  Task<Result<Datum>> call_text(std::string body, bool repeatable);
+  wire::RequestId begin(std::string body, bool repeatable, Done done);
   void forget(wire::RequestId request) { pending_.erase(request); }
   void transmit(wire::RequestId request, Pending& pending);
   bool send(const Datum& message);
@@ -77,6 +83,7 @@ class RemoteBoard : public Board {
   void replied(const Datum& message);
   void tick();
   void retransmit(Time now);
+  void give_up_overdue(Time now);
 
   Executor& executor_;
   const std::string address_;
@@ -93,7 +100,8 @@ class RemoteBoard : public Board {
   wire::WatchId next_watch_ = 1;
   std::map<wire::RequestId, Pending> pending_;
   std::map<std::string, Relation> declared_;
-  std::map<wire::WatchId, class RemoteWatch*> watches_;
+  std::map<wire::WatchId, class RemoteStream*> streams_;
+  std::unique_ptr<class Replicas> replicas_;
   Executor::TimerId tick_timer_ = 0;
   WireSocket socket_;
 };

@@ -1,7 +1,8 @@
 // How a RemoteBoard keeps its session with the server: greeting, pinging, repeating, beginning again.
 
 #include "blackboard/remote_board.hpp"
-#include "blackboard/remote_watch.hpp"
+#include "blackboard/remote_stream.hpp"
+#include "blackboard/replicas.hpp"
 #include "lisp/writer.hpp"
 
 namespace pizarra {
@@ -9,6 +10,7 @@ namespace pizarra {
 namespace {
 
 constexpr Duration tick_length = 50ms;
+constexpr Duration tick_while_idle = 250ms;
 constexpr Duration tick_while_connecting = 10ms;
 constexpr Duration greet_again_after = 500ms;
 constexpr Duration ping_length = 500ms;
@@ -33,17 +35,17 @@ void RemoteBoard::receive(std::string_view frame) {
     greeted_ = {};
     return;
   }
-  const auto watch = watches_.find(*number);
+  const auto stream = streams_.find(*number);
   if (message.is_form("change")) {
     const std::optional<std::uint64_t> sequence = wire::count_at(message, 2);
-    if (watch == watches_.end()) {
+    if (stream == streams_.end()) {
       send(list("unwatch"_sym, session_, *number));
     } else if (sequence) {
-      watch->second->receive(*sequence, message);
+      stream->second->receive(*sequence, message);
     }
   }
-  if (message.is_form("watch-failed") && message.size() == 3 && watch != watches_.end()) {
-    watch->second->end(failure_from_datum(message[2]));
+  if (message.is_form("watch-failed") && message.size() == 3 && stream != streams_.end()) {
+    stream->second->end(failure_from_datum(message[2]));
   }
 }
 
@@ -55,9 +57,10 @@ void RemoteBoard::welcomed(wire::SessionId session, wire::SessionId life) {
   if (!same_session) fail_what_may_have_happened();
   if (!same_session || !same_life) {
     redeclare();
-    std::vector<RemoteWatch*> watching;
-    for (const auto& [id, watch] : watches_) watching.push_back(watch);
-    for (RemoteWatch* watch : watching) watch->begin_again();
+    replicas_->begin_again();
+    std::vector<RemoteStream*> streaming;
+    for (const auto& [id, stream] : streams_) streaming.push_back(stream);
+    for (RemoteStream* stream : streaming) stream->begin_again();
   }
   for (auto& [request, pending] : pending_) {
     if (same_session || !pending.sent) transmit(request, pending);
@@ -89,13 +92,20 @@ void RemoteBoard::redeclare() {
   std::vector<Datum> body = {"declare"_sym};
   for (const auto& [name, relation] : declared_) body.push_back(relation_to_datum(relation));
   // A refusal shows when the relation is used.
-  begin(Datum::list(std::move(body)), true, [](const Result<Datum>&) {});
+  begin(write(Datum::list(std::move(body))), true, [](const Result<Datum>&) {});
 }
 
 void RemoteBoard::replied(const Datum& message) {
   const std::optional<std::uint64_t> request = wire::count_at(message, 1);
-  const auto found = request && message.size() == 3 ? pending_.find(*request) : pending_.end();
+  const bool formed = request && (message.size() == 3 || message.size() == 5);
+  const auto found = formed ? pending_.find(*request) : pending_.end();
   if (found == pending_.end()) return;
+  const std::optional<std::uint64_t> revision = wire::count_at(message, 3);
+  if (revision && message[4].is_symbol()) {
+    replicas_->answered_at(*revision, message[4].is_symbol("yes"));
+  } else {
+    replicas_->answered();
+  }
   const Done done = std::move(found->second.done);
   pending_.erase(found);
   const Datum& result = message[2];
@@ -109,7 +119,9 @@ void RemoteBoard::replied(const Datum& message) {
 void RemoteBoard::tick() {
   const Time now = executor_.now();
   const bool connecting = !joined_ && session_ == 0;
-  tick_timer_ = executor_.call_at(now + (connecting ? tick_while_connecting : tick_length), [this] { tick(); });
+  const Duration length = connecting ? tick_while_connecting : pending_.empty() ? tick_while_idle : tick_length;
+  tick_timer_ = executor_.call_at(now + length, [this] { tick(); });
+  give_up_overdue(now);
   if (connect_again_ && *connect_again_ <= now) {
     connect_again_.reset();
     socket_.connect_again();
@@ -131,7 +143,17 @@ void RemoteBoard::retransmit(Time now) {
   for (auto& [request, pending] : pending_) {
     if (!pending.sent || *pending.sent + resend_after <= now) transmit(request, pending);
   }
-  for (const auto& [id, watch] : watches_) watch->acknowledge_owed();
+  for (const auto& [id, stream] : streams_) stream->acknowledge();
+}
+
+void RemoteBoard::give_up_overdue(Time now) {
+  std::vector<Done> overdue;
+  for (auto request = pending_.begin(); request != pending_.end();) {
+    const bool late = request->second.deadline && *request->second.deadline <= now;
+    if (late) overdue.push_back(std::move(request->second.done));
+    request = late ? pending_.erase(request) : std::next(request);
+  }
+  for (const Done& done : overdue) done(fail("unreachable", "the board does not answer", to_datum(address_)));
 }
 
 }  // namespace pizarra

@@ -98,17 +98,13 @@ Result<Delta> WatchQueue::pop_delta() {
 Result<Change> WatchQueue::pop() {
   Result<Delta> delta = pop_delta();
   if (!delta) return fail(delta);
-  Change change;
-  change.resynchronised = delta->kind != Delta::Kind::change;
-  change.added = answers_of(query_, std::move(delta->added));
-  change.removed = answers_of(query_, std::move(delta->removed));
   // Nothing can be committed between the parts.
   while (state_ == State::sending) {
-    std::vector<Answer> more = answers_of(query_, next_part().added);
-    std::ranges::move(more, std::back_inserter(change.added));
+    Delta part = next_part();
+    delta->added.answers += part.added.answers;
+    std::ranges::move(part.added.facts, std::back_inserter(delta->added.facts));
   }
-  change.revision = change.resynchronised ? store_.revision() : delta->revision;
-  return change;
+  return change_of(query_, std::move(*delta));
 }
 
 void WatchQueue::resynchronise() {

@@ -26,24 +26,6 @@ Result<std::vector<FactId>> ids_from(std::span<const Datum> forms) {
   return ids;
 }
 
-Datum precondition_to_datum(const Transaction::Precondition& precondition) {
-  if (const auto* present = std::get_if<Transaction::Present>(&precondition)) {
-    return list("present"_sym, present->pattern);
-  }
-  if (const auto* absent = std::get_if<Transaction::Absent>(&precondition)) return list("absent"_sym, absent->pattern);
-  const auto& unchanged = std::get<Transaction::Unchanged>(precondition);
-  return list("unchanged"_sym, unchanged.pattern, unchanged.revision);
-}
-
-Datum step_to_datum(const Transaction::Step& step) {
-  if (const auto* retract = std::get_if<Transaction::Retract>(&step)) return list("retract"_sym, retract->pattern);
-  if (const auto* settle = std::get_if<Transaction::Settle>(&step)) return list("settle"_sym, settle->taken);
-  const auto& tell = std::get<Transaction::Tell>(step);
-  std::vector<Datum> form = {"tell"_sym, tell.fact, to_datum(tell.lease)};
-  for (const FactId cause : tell.because) form.push_back(to_datum(cause));
-  return Datum::list(std::move(form));
-}
-
 Result<Transaction::Precondition> precondition_from_datum(const Datum& form) {
   if (form.is_form("present") && form.size() == 2) return Transaction::Present{form[1]};
   if (form.is_form("absent") && form.size() == 2) return Transaction::Absent{form[1]};
@@ -67,12 +49,69 @@ Result<Transaction::Step> step_from_datum(const Datum& form) {
   return bad_frame("not a step of a transaction", form);
 }
 
+Result<Delta::Side> side_from_datum(std::size_t width, const Datum& form) {
+  if (!form.is_list()) return bad_frame("not a list of answers", form);
+  Delta::Side side;
+  side.answers = form.size();
+  side.facts.reserve(side.answers * width);
+  for (const Datum& answer : form.items()) {
+    if (!answer.is_list() || answer.size() != width) return bad_frame("an answer has another number of facts", answer);
+    for (const Datum& item : answer.items()) {
+      Result<Fact> fact = fact_from_datum(item);
+      if (!fact) return fail(fact);
+      side.facts.push_back(std::move(*fact));
+    }
+  }
+  return side;
+}
+
 constexpr std::array<std::string_view, 5> kind_names = {"no", "yes", "first", "more", "last"};
 
 void write_number(std::string& out, std::integral auto value) {
   std::array<char, 24> digits;
   out.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr);
 }
+
+// Each precondition and step as a form, one after another.
+struct TransactionWriter {
+  explicit TransactionWriter(std::string& text) : out(text) {}
+
+  void operator()(const Transaction::Present& present) { write_form("(present ", present.pattern); }
+  void operator()(const Transaction::Absent& absent) { write_form("(absent ", absent.pattern); }
+  void operator()(const Transaction::Unchanged& unchanged) {
+    write_form("(unchanged ", unchanged.pattern);
+    add_number(unchanged.revision);
+  }
+  void operator()(const Transaction::Tell& tell) {
+    write_form("(tell ", tell.fact);
+    add_number(tell.lease);
+    for (const FactId cause : tell.because) add_number(cause);
+  }
+  void operator()(const Transaction::Retract& retract) { write_form("(retract ", retract.pattern); }
+  void operator()(const Transaction::Settle& settle) {
+    out += "(settle)";
+    add_number(settle.taken);
+  }
+
+  std::string& out;
+  Weight weight;
+
+ private:
+  void write_form(std::string_view head, const Datum& datum) {
+    out += head;
+    write_to(out, datum);
+    out += ')';
+    weight += weigh(datum);
+    weight.elements += 2;
+  }
+  // Into the form that was written last.
+  void add_number(std::uint64_t number) {
+    out.back() = ' ';
+    write_number(out, number);
+    out += ')';
+    ++weight.elements;
+  }
+};
 
 void write_fact(std::string& out, const Fact& fact) {
   out += '(';
@@ -137,14 +176,14 @@ std::optional<std::uint64_t> count_at(const Datum& form, std::size_t index) {
   return count_from(form[index]);
 }
 
-Datum transaction_to_datum(const Transaction& transaction) {
-  std::vector<Datum> preconditions;
-  for (const auto& precondition : transaction.preconditions) {
-    preconditions.push_back(precondition_to_datum(precondition));
-  }
-  std::vector<Datum> steps;
-  for (const Transaction::Step& step : transaction.steps) steps.push_back(step_to_datum(step));
-  return list("transact"_sym, Datum::list(std::move(preconditions)), Datum::list(std::move(steps)));
+Weight write_transaction(std::string& out, const Transaction& transaction) {
+  TransactionWriter writer(out);
+  out += "(transact (";
+  for (const auto& precondition : transaction.preconditions) std::visit(writer, precondition);
+  out += ") (";
+  for (const Transaction::Step& step : transaction.steps) std::visit(writer, step);
+  out += "))";
+  return writer.weight;
 }
 
 Result<Transaction> transaction_from_datum(const Datum& body) {
@@ -220,23 +259,21 @@ void write_change(std::string& out, WatchId watch, std::uint64_t sequence, std::
   out += ')';
 }
 
-Result<ReceivedChange> change_from_datum(const Query& query, const Datum& form) {
+Result<Delta> delta_from_datum(const Query& query, const Datum& form) {
   const auto name = std::ranges::find(kind_names, form.size() == 7 ? form[4].text() : std::string_view());
-  if (name == kind_names.end() || !count_from(form[3]) || !form[4].is_symbol() || !form[5].is_list() ||
-      !form[6].is_list()) {
-    return bad_frame("not a change", form);
-  }
-  Result<std::vector<Answer>> added = answers_from_datum(query, form[5].items());
+  const std::optional<std::uint64_t> revision = count_at(form, 3);
+  if (name == kind_names.end() || !revision || !form[4].is_symbol()) return bad_frame("not a change", form);
+  const std::size_t width = width_of(query);
+  Result<Delta::Side> added = side_from_datum(width, form[5]);
   if (!added) return fail(added);
-  Result<std::vector<Answer>> removed = answers_from_datum(query, form[6].items());
+  Result<Delta::Side> removed = side_from_datum(width, form[6]);
   if (!removed) return fail(removed);
-  ReceivedChange received;
-  received.kind = static_cast<Delta::Kind>(name - kind_names.begin());
-  received.change.revision = *count_from(form[3]);
-  received.change.resynchronised = received.kind != Delta::Kind::change;
-  received.change.added = std::move(*added);
-  received.change.removed = std::move(*removed);
-  return received;
+  Delta delta;
+  delta.revision = *revision;
+  delta.kind = static_cast<Delta::Kind>(name - kind_names.begin());
+  delta.added = std::move(*added);
+  delta.removed = std::move(*removed);
+  return delta;
 }
 
 }  // namespace pizarra::wire

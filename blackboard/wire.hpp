@@ -4,21 +4,23 @@
 //
 // Client to server                              Server to client
 //   (hello TELLER SESSION)  SESSION 0: a new one   (welcome SESSION LIFE)
-//   (request SESSION ID BODY)                      (reply ID (ok VALUE)) or (reply ID (fail ...))
+//   (request SESSION ID BODY)                      (reply ID RESULT) or (reply ID RESULT REVISION SENT)
 //   (ack SESSION WATCH SEQ)  read up to there      (change WATCH SEQ REVISION KIND (ANSWER ...) (ANSWER ...))
 //   (unwatch SESSION WATCH)                        (watch-failed WATCH (fail ...))
 //   (ping SESSION)                                 (pong)
 //   (bye SESSION)                                  (unknown-session SESSION), (refused (fail ...))
 //
-// The answers of a change are those that came, then those that went. Its KIND is `no` for what changed, `yes` for all
-// that holds, or, where that is more than a message holds, `first`, `more` ... and `last` for the parts of it: what
-// went is then of the parts before, and what holds is known with the last.
+// A RESULT is (ok VALUE) or (fail ...). A client that holds what it watches is told the revision the board was at then,
+// and whether all changes up to there went to it before the reply: SENT is `yes` or `no`. A reply that is given again
+// does not say. The answers of a change are those that came, then those that went. Its KIND is `no` for what changed,
+// `yes` for all that holds, or, where that is more than a message holds, `first`, `more` ... and `last` for the parts
+// of it: what went is then of the parts before, and what holds is known with the last.
 //
 // A BODY and the VALUE of its reply:
 //   (declare RELATION ...) -> ()                       (take PATTERN LEASE) -> () or (FACT)
 //   (transact (PRECONDITION ...) (STEP ...)) -> N      (lease MICROSECONDS) -> LEASE
 //   (ask QUERY) -> (REVISION ANSWER ...)               (renew LEASE), (release LEASE) -> ()
-//   (watch WATCH QUERY) -> ()
+//   (watch WATCH QUERY), (watch WATCH QUERY held) -> ()
 // PRECONDITION is (present P), (absent P), (unchanged P REVISION); STEP is (tell FACT LEASE CAUSE ...), (retract P),
 // (settle ID); FACT is (ID REVISION MICROSECONDS TELLER DATUM CAUSE ...). An ANSWER is the list of its facts: the
 // bindings follow from the query.
@@ -31,6 +33,7 @@
 
 #include "blackboard/board.hpp"
 #include "blackboard/delta.hpp"
+#include "blackboard/limits.hpp"
 #include "lisp/reader.hpp"
 
 namespace pizarra::wire {
@@ -47,7 +50,8 @@ std::optional<std::uint64_t> count_from(const Datum& datum);
 // The same for an element of a list, which need not be there.
 std::optional<std::uint64_t> count_at(const Datum& form, std::size_t index);
 
-Datum transaction_to_datum(const Transaction& transaction);
+// Adds `(transact ...)`, and answers what it weighs.
+Weight write_transaction(std::string& out, const Transaction& transaction);
 // Failure bad-frame, here and below.
 Result<Transaction> transaction_from_datum(const Datum& body);
 
@@ -59,11 +63,7 @@ Result<std::vector<Answer>> answers_from_datum(const Query& query, std::span<con
 
 // Adds `(change ...)`, of a query whose answers have `width` facts each.
 void write_change(std::string& out, WatchId watch, std::uint64_t sequence, std::size_t width, const Delta& delta);
-struct ReceivedChange {
-  Delta::Kind kind = Delta::Kind::change;
-  Change change;
-};
-// The change of a `(change ...)` that has at least its watch and sequence.
-Result<ReceivedChange> change_from_datum(const Query& query, const Datum& form);
+// What a `(change ...)` says that has at least its watch and sequence.
+Result<Delta> delta_from_datum(const Query& query, const Datum& form);
 
 }  // namespace pizarra::wire

@@ -101,8 +101,8 @@ void WireSocket::connect_again() {
 }
 
 bool WireSocket::send(const std::string& peer, std::string_view frame) {
-  // Sending may consume the one sign that something has come.
-  schedule_pump();
+  // Sending may consume the one sign that something has come; who is pumping looks again in any case.
+  if (!pumping_) schedule_pump();
   const auto dont_wait = zmq::send_flags::dontwait;
   try {
     if (kind_ == Kind::router) {
@@ -117,10 +117,11 @@ bool WireSocket::send(const std::string& peer, std::string_view frame) {
 }
 
 void WireSocket::pump() {
-  for (int i = 0; i < messages_at_once; ++i) {
-    if (!receive_one()) return;
-  }
-  schedule_pump();
+  pumping_ = true;
+  int received = 0;
+  while (received < messages_at_once && receive_one()) ++received;
+  pumping_ = false;
+  if (received == messages_at_once) schedule_pump();
 }
 
 bool WireSocket::receive_one() {

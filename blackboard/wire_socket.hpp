@@ -65,6 +65,7 @@ class WireSocket {
   zmq::socket_t socket_;
   int file_ = -1;
   Executor::TimerId pump_timer_ = 0;
+  bool pumping_ = false;
   std::vector<std::string> bound_files_;
   bool keyed_ = false;
   std::string sender_key_;

@@ -1,5 +1,6 @@
 #include "lisp/writer.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <charconv>
@@ -10,23 +11,14 @@ namespace {
 
 void write_string(std::string& out, std::string_view text) {
   out += '"';
-  for (const char c : text) {
-    switch (c) {
-      case '"':
-        out += "\\\"";
-        break;
-      case '\\':
-        out += "\\\\";
-        break;
-      case '\n':
-        out += "\\n";
-        break;
-      case '\t':
-        out += "\\t";
-        break;
-      default:
-        out += c;
-    }
+  while (!text.empty()) {
+    const std::size_t plain = std::min(text.find_first_of("\"\\\n\t"), text.size());
+    out += text.substr(0, plain);
+    text.remove_prefix(plain);
+    if (text.empty()) break;
+    out += '\\';
+    out += text.front() == '\n' ? 'n' : text.front() == '\t' ? 't' : text.front();
+    text.remove_prefix(1);
   }
   out += '"';
 }

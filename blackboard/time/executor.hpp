@@ -60,8 +60,8 @@ class Executor {
   // Starts the task through post().
   Job spawn(Task<void> task);
 
-  // Runs until `finished` answers true (asked before every callback), stop() was called (before it or meanwhile), or, in
-  // virtual time, nothing is left to do.
+  // Runs until `finished` answers true (asked before every callback), stop() was called (before it or meanwhile), or,
+  // in virtual time, nothing is left to do.
   virtual void run_until(std::function<bool()> finished) = 0;
   virtual void stop() = 0;
 };

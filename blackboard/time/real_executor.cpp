@@ -40,18 +40,27 @@ void RealExecutor::post(Callback callback) {
     const std::scoped_lock lock(mutex_);
     posted_.push_back(std::move(callback));
   }
+  if (runner_ == std::this_thread::get_id()) return;
   // The counter cannot overflow and a full one wakes as well, so the result says nothing.
   [[maybe_unused]] const auto written = eventfd_write(wake_up_, 1);
 }
 
 Executor::TimerId RealExecutor::call_at(Time when, Callback callback) {
   const TimerId timer = next_timer_++;
+  if (when <= now()) {
+    due_.emplace_back(timer, std::move(callback));
+    return timer;
+  }
   timers_.emplace(std::pair(when, timer), std::move(callback));
   times_.emplace(timer, when);
   return timer;
 }
 
 void RealExecutor::cancel(TimerId timer) {
+  if (const auto due = find_due(timer); due != due_.end()) {
+    const Callback cancelled = std::exchange(due->second, nullptr);
+    return;
+  }
   const auto found = times_.find(timer);
   if (found == times_.end()) return;
   // The callback is destroyed last, because what it owns may cancel timers in turn.
@@ -120,6 +129,28 @@ bool RealExecutor::run_timers(const std::function<bool()>& finished) {
   return true;
 }
 
+RealExecutor::Due::iterator RealExecutor::find_due(TimerId timer) {
+  const auto found = std::ranges::lower_bound(due_, timer, {}, &Due::value_type::first);
+  return found != due_.end() && found->first == timer ? found : due_.end();
+}
+
+// What they make due in turn waits for the next round, so that files have their turn.
+bool RealExecutor::run_due(const std::function<bool()>& finished) {
+  for (std::size_t left = due_.size(); left > 0; --left) {
+    if (stopped_ || finished()) return false;
+    Callback callback = std::move(due_.front().second);
+    due_.pop_front();
+    if (callback) callback();
+  }
+  return true;
+}
+
+bool RealExecutor::has_work() {
+  if (!due_.empty()) return true;
+  const std::scoped_lock lock(mutex_);
+  return !posted_.empty();
+}
+
 void RealExecutor::drain_wake_up() {
   eventfd_t count;
   // Nothing to read is fine: somebody drained it before.
@@ -131,7 +162,9 @@ void RealExecutor::poll_files() {
   for (const auto& [file, callback] : files_) polled.push_back({file, POLLIN, 0});
   timespec wait{};
   timespec* timeout = nullptr;
-  if (!timers_.empty()) {
+  if (has_work()) {
+    timeout = &wait;
+  } else if (!timers_.empty()) {
     const auto left = std::max(timers_.begin()->first.first - now(), Duration::zero());
     wait = {.tv_sec = left.count() / 1'000'000, .tv_nsec = left.count() % 1'000'000 * 1000};
     timeout = &wait;
@@ -149,15 +182,17 @@ void RealExecutor::poll_files() {
 }
 
 void RealExecutor::run_until(std::function<bool()> finished) {
+  constexpr int rounds_at_most = 8;
+  runner_ = std::this_thread::get_id();
   while (!stopped_ && !finished()) {
-    if (!run_posted(finished) || !run_timers(finished)) break;
-    const bool more = [this] {
-      const std::scoped_lock lock(mutex_);
-      return !posted_.empty();
-    }();
-    if (more || stopped_ || finished()) continue;
+    if (!run_posted(finished) || !run_timers(finished) || !run_due(finished)) break;
+    if (stopped_ || finished()) break;
+    // Looking at the files costs more than most callbacks do.
+    if (has_work() && ++rounds_without_files_ < rounds_at_most) continue;
+    rounds_without_files_ = 0;
     poll_files();
   }
+  runner_ = std::thread::id();
   stopped_ = false;
 }
 

@@ -40,8 +40,13 @@ class RealExecutor : public Executor {
   struct Offloaded;
   using Timers = std::map<std::pair<Time, TimerId>, Callback>;
 
+  using Due = std::deque<std::pair<TimerId, Callback>>;
+
   bool run_posted(const std::function<bool()>& finished);
   bool run_timers(const std::function<bool()>& finished);
+  bool run_due(const std::function<bool()>& finished);
+  Due::iterator find_due(TimerId timer);
+  bool has_work();
   void poll_files();
   void start_work(std::shared_ptr<Offloaded> work);
   void drain_wake_up();
@@ -54,10 +59,14 @@ class RealExecutor : public Executor {
   std::mutex mutex_;
   std::deque<Callback> posted_;
 
+  std::atomic<std::thread::id> runner_;  // who runs, and needs no waking up
+
   TimerId next_timer_ = 1;
+  Due due_;  // timers that were due when they were made, in order; one that was cancelled is empty
   Timers timers_;
   std::map<TimerId, Time> times_;
   std::map<int, std::shared_ptr<std::function<void()>>> files_;
+  int rounds_without_files_ = 0;
 
   struct Worker {
     std::shared_ptr<Offloaded> work;

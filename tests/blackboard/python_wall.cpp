@@ -107,7 +107,11 @@ class PythonBoard : public Board {
     co_return Result<void>();
   }
   Task<Result<Revision>> transact(Transaction transaction) override {
-    Datum operation = wire::transaction_to_datum(transaction);
+    std::string text;
+    wire::write_transaction(text, transaction);
+    // What is too much is for the board to say.
+    constexpr ReadLimits any = {.bytes = 1 << 26, .depth = 1 << 10, .elements = 1 << 24};
+    Datum operation = read_one(text, any).value();
     const Result<Datum> reply = co_await python_.call(number_, std::move(operation));
     co_return count_from(reply);
   }

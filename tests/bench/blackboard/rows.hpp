@@ -9,6 +9,7 @@ namespace pizarra::bench {
 // Rounds of what is compared, in turns.
 constexpr int rounds = 7;
 
+void ask_replica(Figures& figures);
 void start_and_memory(Figures& figures);
 void tell_round_trip(Figures& figures);
 void tell_to_watcher(Figures& figures);
