@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "agents/coordinator/task_domain.hpp"
+#include "agents/launcher/check_planning.hpp"
 #include "agents/launcher/goal_text.hpp"
 #include "agents/launcher/story_run.hpp"
 #include "agents/launcher/words.hpp"
@@ -66,34 +67,52 @@ Result<std::string> check_goal_file(const std::string& file, const CheckChoices&
   return fmt::format("goal of {}", counted(goal->size(), "fact"));
 }
 
-Result<std::string> check_file(const std::string& file, const CheckChoices& choices) {
-  const Result<Source> source = read_source_file(file);
+Result<std::string> check_file(const std::string& file, const CheckChoices& choices, PlanningCheck& planning) {
+  const Result<Source> source = read_planning_source_file(file);
   if (!source) return fail(source);
+  if (PlanningCheck::knows(*source)) return planning.check(*source);
   const std::string_view head = source->data().empty() ? std::string_view() : source->data().front().head();
-  if (head == "domain") return check_domain(file);
+  if (head == "domain") {
+    const Result<std::string> domain = check_domain(file);
+    if (!domain) return domain;
+    const Result<void> used = planning.use_domain(file);
+    if (!used) return fail(used);
+    return domain;
+  }
   if (head == "cell") return check_cell(file);
   if (head == "scenario") return check_scenario_file(file);
   return check_goal_file(file, choices);
+}
+
+int check_files(const CheckChoices& choices) {
+  int status = exit_reached;
+  PlanningCheck planning;
+  if (!choices.domain.empty()) {
+    const Result<void> used = planning.use_domain(choices.domain);
+    if (!used) return complain(used.error(), exit_usage);
+  }
+  for (const std::string& file : choices.files) {
+    const Result<std::string> checked = check_file(file, choices, planning);
+    if (checked) {
+      fmt::print("{}: {}\n", file, *checked);
+    } else {
+      status = std::max<int>(status, complain(checked.error(), exit_usage));
+    }
+  }
+  return status;
 }
 
 }  // namespace
 
 void add_check_word(CLI::App& app, int& status) {
   auto choices = std::make_shared<CheckChoices>();
-  CLI::App* word = app.add_subcommand("check", "Check domain, cell, scenario and goal files; every error is told.");
+  CLI::App* word =
+      app.add_subcommand("check", "Check domain, cell, scenario, goal and planning files; every error is told.");
   word->add_option("files", choices->files, "What the file is, its first form says")->required();
-  word->add_option("--domain", choices->domain, "For goals: the domain; domains/blocks.scm otherwise");
+  word->add_option("--domain", choices->domain,
+                   "For goals, PDDL problems and facts: the domain; else domains/blocks.scm for goals");
   word->footer(exit_code_help);
-  word->callback([choices, &status] {
-    for (const std::string& file : choices->files) {
-      const Result<std::string> checked = check_file(file, *choices);
-      if (checked) {
-        fmt::print("{}: {}\n", file, *checked);
-      } else {
-        status = std::max<int>(status, complain(checked.error(), exit_usage));
-      }
-    }
-  });
+  word->callback([choices, &status] { status = check_files(*choices); });
 }
 
 }  // namespace pizarra

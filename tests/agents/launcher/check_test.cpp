@@ -50,6 +50,27 @@ class Check : public testing::Test {
   std::string said_;
 };
 
+TEST_F(Check, ReadsPlanningFilesAgainstTheDomainBeforeThem) {
+  write("d.pddl", "(define (domain d) (:predicates (p ?x)) (:action a :parameters (?x) :effect (p ?x)))");
+  write("p.pddl", "(DEFINE (problem q) (:domain d) (:objects o) (:init) (:goal (and (p o))))");
+  write("bad.pddl", "(define (problem q) (:domain d) (:objects o) (:init (q o)) (:goal (p u)))");
+  EXPECT_EQ(run("check d.pddl p.pddl"), 0) << said_;
+  EXPECT_EQ(said_, "d.pddl: domain d: 1 predicate, 1 action\np.pddl: problem: 1 object, 0 facts, 1 goal\n");
+  EXPECT_EQ(run("check p.pddl --domain d.pddl"), 0) << said_;
+  EXPECT_EQ(run("check p.pddl"), 2);
+  EXPECT_NE(said_.find("belongs to a domain"), std::string::npos) << said_;
+  EXPECT_EQ(run("check d.pddl bad.pddl"), 2);
+  EXPECT_NE(said_.find("there is no predicate q"), std::string::npos) << said_;
+  EXPECT_NE(said_.find("there is no object u"), std::string::npos) << said_;
+}
+
+TEST_F(Check, ReadsTheThesisOperatorsAndFacts) {
+  write("operators", "(operator GO (params (<x> T)) (preconds (p <x>)) (effects (q <x>) (del (p <x>))))");
+  write("facts", "(types (a T)) (initials (p a)) (goals (q a))");
+  EXPECT_EQ(run("check operators facts"), 0) << said_;
+  EXPECT_EQ(said_, "operators: 1 operator\nfacts: problem: 1 object, 1 fact, 1 goal\n");
+}
+
 TEST_F(Check, FindsABadDomainFromEveryFileThatLeadsToIt) {
   for (const char* file : {"domain.scm", "cell.scm", "story.scm"}) {
     EXPECT_EQ(run(std::string("check ") + file), 2) << said_;

@@ -1,0 +1,29 @@
+#pragma once
+
+// What `check` says of planning files: PDDL, and the thesis' operators and facts. Problems and facts are checked
+// against the domain that was checked last.
+//
+//   PlanningCheck check;
+//   if (PlanningCheck::knows(*source)) const Result<std::string> said = check.check(*source);
+
+#include <optional>
+
+#include "lisp/planning_files.hpp"
+
+namespace pizarra {
+
+class PlanningCheck {
+ public:
+  // Whether the first form is one of those languages' (a cell's domain file is not).
+  static bool knows(const Source& source);
+
+  // What the file holds, in a few words. Failures: the languages', and no-domain.
+  Result<std::string> check(const Source& source);
+  // A file that problems and facts may belong to, without a word about it.
+  Result<void> use_domain(const std::string& path);
+
+ private:
+  std::optional<PlanningDomain> domain_;
+};
+
+}  // namespace pizarra
