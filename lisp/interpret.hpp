@@ -27,7 +27,8 @@ namespace pizarra {
 Result<Datum> interpret(const Source& source, const std::string& module, const std::vector<Datum>& more = {},
                         const std::string& procedure = "interpret");
 
-// That report of errors `(symbol "sentence" (path ...) ("context" ...))`, at least one.
+// That report of errors `(symbol "sentence" (path ...) ("context" ...))` and of what the source could not read, at
+// least one.
 Failure report_errors(const Source& source, std::span<const Datum> errors);
 
 }  // namespace pizarra

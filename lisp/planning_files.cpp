@@ -1,6 +1,7 @@
 #include "lisp/planning_files.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "lisp/domain.hpp"
 #include "lisp/interpret.hpp"
@@ -21,12 +22,22 @@ std::string_view first_head(const Source& source) {
   return source.data().empty() ? std::string_view() : source.data().front().head();
 }
 
-Result<Source> in_lower_case_if_pddl(Result<Source> source) {
-  if (!source || !is_pddl(*source)) return source;
-  ReadLimits pddl = limits;
-  pddl.lower_case = true;
-  return read_source(source->text(), source->file(), pddl);
+// What stands in nothing, or in (define ...) alone.
+std::optional<std::size_t> depth_of_form(std::string_view name) {
+  constexpr std::string_view outermost[] = {"define", "operator", "types", "initials", "goals"};
+  constexpr std::string_view sections[] = {":requirements", ":types",  ":constants", ":predicates",
+                                           ":functions",    ":action", ":domain",    ":objects",
+                                           ":init",         ":goal",   ":metric"};
+  const auto is_name = [&](std::string_view other) {
+    return std::ranges::equal(name, other, [](char a, char b) { return a == b || (a | 0x20) == b; });
+  };
+  if (std::ranges::any_of(outermost, is_name)) return 0;
+  if (std::ranges::any_of(sections, is_name)) return 1;
+  return std::nullopt;
 }
+
+// One of our own domain files has sections (types ...) inside.
+std::optional<std::size_t> any_depth(std::string_view) { return std::nullopt; }
 
 Datum typed(const TypedName& name) { return list(Datum::symbol(name.name), Datum::symbol(name.type)); }
 
@@ -60,6 +71,11 @@ Datum form_of(const Domain& domain) {
               Datum::list(domain.facts));
 }
 
+std::unexpected<Failure> wrong_file(const Source& source, std::string sentence) {
+  if (!source.errors().empty()) return fail(report_errors(source, {}));
+  return fail(source.failure_at({0}, "wrong-file", std::move(sentence)));
+}
+
 Result<PlanningDomain> with_language(PlanningLanguage language, Result<Datum> form) {
   if (!form) return fail(form);
   return PlanningDomain{language, std::move(*form)};
@@ -68,11 +84,18 @@ Result<PlanningDomain> with_language(PlanningLanguage language, Result<Datum> fo
 }  // namespace
 
 Result<Source> read_planning_source(std::string_view text, std::string file) {
-  return in_lower_case_if_pddl(read_source(text, std::move(file), limits));
+  const bool domain_file = text.find("(domain") < text.find("(define");
+  Result<Source> source = read_source_to_the_end(text, file, limits, domain_file ? any_depth : depth_of_form);
+  if (!source || !is_pddl(*source)) return source;
+  ReadLimits pddl = limits;
+  pddl.lower_case = true;
+  return read_source_to_the_end(text, std::move(file), pddl, depth_of_form);
 }
 
 Result<Source> read_planning_source_file(const std::string& path) {
-  return in_lower_case_if_pddl(read_source_file(path, limits));
+  const Result<std::string> text = read_text_file(path, limits);
+  if (!text) return fail(text);
+  return read_planning_source(*text, path);
 }
 
 Result<PlanningDomain> read_planning_domain(const Source& source) {
@@ -85,17 +108,14 @@ Result<PlanningDomain> read_planning_domain(const Source& source) {
     if (!domain) return fail(domain);
     return PlanningDomain{PlanningLanguage::domain_file, form_of(*domain)};
   }
-  return fail(source.failure_at({0}, "wrong-file",
-                                "a domain begins with (define (domain ...) ...), (operator ...) or (domain ...)"));
+  return wrong_file(source, "a domain begins with (define (domain ...) ...), (operator ...) or (domain ...)");
 }
 
 Result<Datum> read_planning_problem(const Source& source, const PlanningDomain& domain) {
   const bool pddl = domain.language == PlanningLanguage::pddl;
   if (pddl != is_pddl(source)) {
-    return fail(
-        source.failure_at({0}, "wrong-file",
-                          pddl ? "the domain is PDDL, so the problem must be: (define (problem ...) ...)"
-                               : "the domain is not PDDL, so its facts are (types ...) (initials ...) (goals ...)"));
+    return wrong_file(source, pddl ? "the domain is PDDL, so the problem must be: (define (problem ...) ...)"
+                                   : "the domain is not PDDL, so its facts are (types ...) (initials ...) (goals ...)");
   }
   if (pddl) return interpret(source, "pddl-problem", {domain.form});
   const bool open = domain.language == PlanningLanguage::operators;

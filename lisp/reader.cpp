@@ -1,5 +1,6 @@
 #include "lisp/reader.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cstdint>
 #include <cstring>
@@ -280,6 +281,67 @@ Result<Source> read_source(std::string_view text, std::string file, const ReadLi
   source.data_ = std::move(*data);
   source.file_ = std::move(file);
   source.text_ = text;
+  return source;
+}
+
+namespace {
+
+void restore_offsets(std::vector<Spot>& spots, const Balanced& balanced) {
+  for (Spot& spot : spots) {
+    spot.offset = balanced.original_offset(spot.offset);
+    restore_offsets(spot.items, balanced);
+  }
+}
+
+constexpr std::size_t most_mended = 20;
+
+bool can_be_mended(std::string_view symbol) {
+  constexpr std::string_view symbols[] = {"unclosed-list", "unexpected-close", "bad-number",
+                                          "bad-character", "bad-text",         "bad-escape"};
+  return std::ranges::find(symbols, symbol) != std::end(symbols);
+}
+
+// Puts something that can be read in the place of what cannot, as long as that; whether there is such a thing.
+bool mend(std::string& text, const Trouble& trouble) {
+  const std::string_view symbol = trouble.symbol;
+  if (symbol == "bad-number") {
+    for (std::size_t i = trouble.offset; i < text.size() && is_symbol_char(text[i]); ++i) text[i] = '_';
+    return true;
+  }
+  if (symbol != "bad-character" && symbol != "bad-text" && symbol != "bad-escape") return false;
+  const std::size_t length = std::max<std::size_t>(1, utf8_length(std::string_view(text).substr(trouble.offset)));
+  text.replace(trouble.offset, length, length, ' ');
+  return true;
+}
+
+}  // namespace
+
+Result<Source> read_source_to_the_end(std::string_view text, std::string file, const ReadLimits& limits,
+                                      const DepthOfForm& depth_of_form) {
+  Result<Source> strict = read_source(text, file, limits);
+  if (strict || !can_be_mended(strict.error().symbol)) return strict;
+  Balanced balanced = balance(text, depth_of_form);
+  Source source;
+  source.file_ = std::move(file);
+  source.text_ = text;
+  std::optional<std::vector<Datum>> data;
+  for (bool mended = true; mended && !data;) {
+    Reader reader(balanced.text, limits, &source.spots_);
+    data = reader.read_all();
+    if (data) break;
+    const Trouble& trouble = reader.trouble();
+    balanced.errors.push_back({balanced.original_offset(trouble.offset), trouble.symbol, trouble.sentence});
+    mended = balanced.errors.size() < most_mended && mend(balanced.text, trouble);
+  }
+  std::ranges::stable_sort(balanced.errors, {}, &SourceError::offset);
+  source.errors_ = std::move(balanced.errors);
+  if (!data) {
+    std::vector<Failure> failures;
+    for (const SourceError& error : source.errors_) failures.push_back(source.failure_of(error));
+    return fail(one_report(failures));
+  }
+  restore_offsets(source.spots_, balanced);
+  source.data_ = std::move(*data);
   return source;
 }
 

@@ -14,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include "lisp/balance.hpp"
 #include "lisp/result.hpp"
 
 namespace pizarra {
@@ -52,16 +53,31 @@ class Source {
   // existing part.
   Failure failure_at(const std::vector<std::size_t>& path, std::string symbol, std::string sentence,
                      const std::vector<std::string>& context = {}) const;
+  std::size_t offset_at(const std::vector<std::size_t>& path) const;
+  // What could not be read and was mended, in the order of the text: then the data are only good for finding more that
+  // is wrong.
+  const std::vector<SourceError>& errors() const { return errors_; }
+  Failure failure_of(const SourceError& error) const;
 
  private:
   friend Result<Source> read_source(std::string_view, std::string, const ReadLimits&);
+  friend Result<Source> read_source_to_the_end(std::string_view, std::string, const ReadLimits&, const DepthOfForm&);
   std::string file_;
   std::string text_;
   std::vector<Datum> data_;
   std::vector<Spot> spots_;
+  std::vector<SourceError> errors_;
 };
 
+// Several failures, at least one, as the first of them with the others in its place; of many, the first twenty.
+Failure one_report(const std::vector<Failure>& failures);
+
 Result<Source> read_source(std::string_view text, std::string file, const ReadLimits& limits = {});
+// The same, but goes on behind what cannot be read, so that everything wrong is found in one reading: see errors().
+// Fails where a limit is exceeded, or a string is not closed.
+Result<Source> read_source_to_the_end(std::string_view text, std::string file, const ReadLimits& limits,
+                                      const DepthOfForm& depth_of_form);
+Result<std::string> read_text_file(const std::string& path, const ReadLimits& limits = {});
 Result<Source> read_source_file(const std::string& path, const ReadLimits& limits = {});
 
 }  // namespace pizarra

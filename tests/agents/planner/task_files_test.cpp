@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <sstream>
 
 #include "agents/planner/graphplan.hpp"
 #include "agents/planner/pddl_text.hpp"
@@ -105,6 +106,46 @@ TEST(TaskFiles, ReportEveryErrorWithItsPlace) {
             "there is no parameter ?z; the nearest is ?x\n"
             "domain:5:36\n      :effect (and (no ?x ?x) (on ?x ?z))))\n                                     ^\n"
             "  in action lift");
+}
+
+// The lines and sentences of a report, without what they show.
+std::vector<std::string> errors_of(std::string_view domain, std::string_view problem) {
+  const Result<PlanningTask> task = read(domain, problem);
+  if (task) return {};
+  std::vector<std::string> lines;
+  std::string sentence = task.error().sentence;
+  std::istringstream text(task.error().place);
+  for (std::string line, before = sentence; std::getline(text, line); before = line) {
+    if (line.starts_with("domain:") || line.starts_with("problem:")) lines.push_back(line + " " + before);
+  }
+  return lines;
+}
+
+TEST(TaskFiles, ReportWhatCannotBeReadTogetherWithWhatIsWrong) {
+  EXPECT_EQ(errors_of("(define (domain d)\n"
+                      "  (:predicates (p ?x))\n"
+                      "  (:action a :parameters (?x) :effect (and (p ?x))\n"  // one parenthesis is missing
+                      "  (:action b :parameters (?y) :effect (p #?y 2x))\n"
+                      "  (:action c :effect (q)))\n",
+                      ""),
+            (std::vector<std::string>{"domain:3:3 this list is not closed before the next form begins (and 4 more)",
+                                      "domain:4:39 p takes 1 argument, not 2", "domain:4:42 `#` has no meaning here",
+                                      "domain:4:46 `2x` begins like a number but is none",
+                                      "domain:5:23 there is no predicate q; the nearest is p"}));
+  EXPECT_EQ(errors_of("(define (domain d)\n  (:predicates (p)))\n  (:action a :effect (q)))\n", ""),
+            (std::vector<std::string>{"domain:2:20 this closes the whole form, and more of it follows (and 1 more)",
+                                      "domain:3:23 there is no predicate q; the nearest is p"}));
+  EXPECT_EQ(errors_of("(operator A (effects (p))\n(operator B (effects (p a)))", ""),
+            (std::vector<std::string>{"domain:1:1 this list is not closed before the next form begins (and 1 more)",
+                                      "domain:2:22 p has 0 arguments elsewhere, and 1 here"}));
+  EXPECT_EQ(errors_of("(operator A (effects (p)))", "(types (a T)\n(goals (p)"),
+            (std::vector<std::string>{"problem:1:1 this list is not closed before the next form begins (and 1 more)",
+                                      "problem:2:1 this list is not closed"}));
+  EXPECT_EQ(errors_of("(DEFINE (domain d)\n(:ACTION a :effect (q)\n(:ACTION b))\n'", ""),
+            (std::vector<std::string>{"domain:2:1 this list is not closed before the next form begins (and 2 more)",
+                                      "domain:2:21 there is no predicate q; there is none at all",
+                                      "domain:4:1 `'` has no meaning here"}));
+  EXPECT_EQ(errors_of("'", ""), (std::vector<std::string>{"domain:1:1 `'` has no meaning here"}));
 }
 
 TEST(TaskFiles, SayWhatIsExpectedWhereTheFilesAreMixedUp) {
