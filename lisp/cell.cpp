@@ -7,12 +7,13 @@ namespace pizarra {
 
 namespace {
 
-std::vector<CellHost> hosts_from_datum(const Datum& hosts) {
+std::vector<CellHost> hosts_from_datum(const Datum& hosts, const std::string& file) {
   std::vector<CellHost> out;
   for (const Datum& host : hosts.items()) {
     CellHost& added = out.emplace_back();
     added.name = host[0].text();
-    for (const Datum& kind : host.items().subspan(1)) added.agents.emplace_back(kind.text());
+    added.key = beside(file, std::string(host[1].text()));
+    for (const Datum& kind : host.items().subspan(2)) added.agents.emplace_back(kind.text());
   }
   return out;
 }
@@ -28,10 +29,11 @@ CellDescription cell_from_datum(const Datum& datum, const std::string& file) {
   cell.domain_file = beside(file, std::string(datum[5].text()));
   cell.board_host = datum[6].text();
   cell.board_address = datum[7].text();
-  cell.hosts = hosts_from_datum(datum[8]);
+  cell.hosts = hosts_from_datum(datum[8], file);
   cell.cube_mm = datum[9].number();
   cell.openings = {datum[10][0].number(), datum[10][1].number(), datum[10][2].number()};
   cell.row = {datum[11][0].number(), datum[11][1].number(), datum[11][2].number()};
+  cell.board_keys = beside(file, std::string(datum[12].text()));
   return cell;
 }
 

@@ -17,6 +17,9 @@
 //     (board "localhost" "tcp://127.0.0.1:7800")               ; its host and address; left out: the first host, ipc
 //     (host "localhost" (agents robot vision planner coordinator person)))
 //
+// A board that other machines reach has keys: (board "bench" "tcp://bench:7800" (keys "keys")), the folder of those
+// that may come; a host elsewhere comes with one: (host "desk" (agents planner) (key "keys/desk.secret")).
+//
 // Everything but the name has a default. A failure reports every error of the file, each with a caret.
 
 #include <string>
@@ -59,6 +62,7 @@ struct CubeRow {
 
 struct CellHost {
   std::string name;
+  std::string key;  // the file of the secret with which it comes to a board elsewhere, empty: it has none
   std::vector<std::string> agents;
 };
 
@@ -74,6 +78,7 @@ struct CellDescription {
   std::string domain_file;  // a path that can be opened
   std::string board_host;
   std::string board_address;  // empty: an ipc address of the run
+  std::string board_keys;     // the folder of the keys that may come, empty: none are asked for
   std::vector<CellHost> hosts;
 };
 

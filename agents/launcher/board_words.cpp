@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "agents/launcher/key_option.hpp"
 #include "agents/launcher/local_cell.hpp"
 #include "agents/launcher/readiness.hpp"
 #include "agents/launcher/run_directory.hpp"
@@ -22,6 +23,7 @@ constexpr Duration board_timeout = 5s;
 struct BoardChoices {
   std::string board;  // an address
   std::string cell;   // the name of a running cell
+  std::string key;    // the file of a secret key
 };
 
 // How a word is to talk: `stay` until interrupted, also when the forms are done.
@@ -60,11 +62,17 @@ int complain_as(Style style, const Failure& failure, ExitCode code) {
   return code;
 }
 
-Result<std::string> board_address(const BoardChoices& choices) {
-  if (!choices.board.empty()) return choices.board;
+// Where the board is, and with which key one comes there.
+struct Destination {
+  std::string address;
+  std::string key;
+};
+
+Result<Destination> destination(const BoardChoices& choices) {
+  if (!choices.board.empty()) return Destination{choices.board, choices.key};
   const Result<RunState> run = find_run(choices.cell);
   if (!run) return fail(run);
-  return run->board_address;
+  return Destination{run->board_address, choices.key.empty() ? run->key : choices.key};
 }
 
 // The forms, or the prompt where there are none, on any board.
@@ -104,7 +112,8 @@ class Session {
   Task<void> talk(std::vector<std::string> forms, bool wait_for_teaching) {
     const Result<void> reached = co_await reach_board();
     if (!reached) {
-      status_ = complain_as(manner_.style, reached.error(), exit_unavailable);
+      const bool there = reached.error().symbol == "not-permitted";
+      status_ = complain_as(manner_.style, reached.error(), there ? exit_failed : exit_unavailable);
       co_return;
     }
     if (wait_for_teaching) {
@@ -136,9 +145,12 @@ class Session {
   int status_ = exit_reached;
 };
 
-int talk_to(const std::string& address, const std::vector<std::string>& forms, Manner manner) {
+int talk_to(const Destination& to, const std::vector<std::string>& forms, Manner manner) {
   RealExecutor executor;
-  const auto board = RemoteBoard::connect(executor, address, fmt::format("prompt-{}", getpid()), board_timeout);
+  const Result<std::optional<ClientKeys>> keys = keys_from(to.key);
+  if (!keys) return complain_as(manner.style, keys.error(), exit_usage);
+  const auto board =
+      RemoteBoard::connect(executor, to.address, fmt::format("prompt-{}", getpid()), board_timeout, *keys);
   if (!board) return complain_as(manner.style, board.error(), exit_usage);
   return Session(executor, **board, manner).run(forms, false);
 }
@@ -169,14 +181,15 @@ int talk_to_own_cell(const ReplChoices& choices) {
 int run_repl(const ReplChoices& choices) {
   const bool own = !choices.agents.empty() || (choices.board.board.empty() && running_cells().empty());
   if (own) return talk_to_own_cell(choices);
-  const Result<std::string> address = board_address(choices.board);
-  if (!address) return complain(address.error(), exit_unavailable);
-  return talk_to(*address, choices.forms, manner_of(choices));
+  const Result<Destination> to = destination(choices.board);
+  if (!to) return complain(to.error(), exit_unavailable);
+  return talk_to(*to, choices.forms, manner_of(choices));
 }
 
 void add_board_options(CLI::App* word, BoardChoices& choices) {
   word->add_option("--board", choices.board, "The board's address; that of the cell that runs here otherwise");
   word->add_option("--cell", choices.cell, "Which cell that runs here, by name");
+  add_key_option(word, choices.key);
   word->footer(exit_code_help);
 }
 
@@ -207,12 +220,12 @@ int run_form(const FormWord& word, const FormChoices& choices) {
   // Here, so that an error shows what was typed, and not the form that is made of it.
   const Result<Source> readable = read_source(typed, "input");
   if (!readable) return complain_as(style, readable.error(), exit_usage);
-  const Result<std::string> address = board_address(choices.board);
-  if (!address) return complain_as(style, address.error(), exit_unavailable);
+  const Result<Destination> to = destination(choices.board);
+  if (!to) return complain_as(style, to.error(), exit_unavailable);
   const bool stay = std::string_view(word.name) == "watch";
   // On a line of its own: a comment at its end must not swallow the parenthesis.
   const std::string form = fmt::format("({} {}\n)", word.name, typed);
-  return talk_to(*address, {form}, {.style = style, .stay = stay});
+  return talk_to(*to, {form}, {.style = style, .stay = stay});
 }
 
 void add_form_word(CLI::App& app, int& status, const FormWord& word) {

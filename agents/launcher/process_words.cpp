@@ -4,6 +4,7 @@
 #include <zmq.hpp>
 
 #include "agents/launcher/agent_factory.hpp"
+#include "agents/launcher/key_option.hpp"
 #include "agents/launcher/words.hpp"
 #include "blackboard/remote_board.hpp"
 #include "blackboard/time/real_executor.hpp"
@@ -22,6 +23,7 @@ struct ProcessChoices {
   std::string host = "localhost";
   std::string board;
   std::string world;
+  std::string key;
   std::uint64_t seed = 1;
 };
 
@@ -31,7 +33,10 @@ int run_agent(const ProcessChoices& choices) {
   RealExecutor executor;
   const StopSignals signals(executor);
   const std::string name = choices.name.empty() ? choices.kind : choices.name;
-  const Result<std::unique_ptr<RemoteBoard>> board = RemoteBoard::connect(executor, choices.board, name);
+  const Result<std::optional<ClientKeys>> keys = keys_from(choices.key);
+  if (!keys) return complain(keys.error(), exit_usage);
+  const Result<std::unique_ptr<RemoteBoard>> board =
+      RemoteBoard::connect(executor, choices.board, name, RemoteBoard::default_timeout, *keys);
   if (!board) return complain(board.error(), exit_usage);
   zmq::context_t context(1);
   SocketLink link(executor, context, choices.world);
@@ -79,6 +84,7 @@ void add_process_words(CLI::App& app, int& status) {
   agent->add_option("cell", choices->cell, "The cell file")->required()->check(CLI::ExistingFile);
   agent->add_option("--board", choices->board, "Where the board listens: ipc:// or tcp://")->required();
   agent->add_option("--world", choices->world, "Where the simulated world listens: ipc://")->required();
+  add_key_option(agent, choices->key);
   agent->add_option("--name", choices->name, "Its name on the board; its kind otherwise");
   agent->add_option("--host", choices->host, "Which host it says it is on")->capture_default_str();
   agent->add_option("--seed", choices->seed, "What its chance begins from")->check(seed_check())->capture_default_str();

@@ -24,13 +24,15 @@ struct RunProcess {
   int restarts = 0;
 };
 
-// The state file: (run "CELL" "HOST" SUPERVISOR-PID "BOARD-ADDRESS" "WORLD-ADDRESS" (process NAME PID RESTARTS) ...)
+// The state file: (run "CELL" "HOST" SUPERVISOR-PID "BOARD-ADDRESS" "WORLD-ADDRESS" "KEY" (process NAME PID RESTARTS)
+// ...)
 struct RunState {
   std::string cell;
   std::string host;
   int supervisor_pid = 0;
   std::string board_address;
   std::string world_address;
+  std::string key;  // the file of the secret key with which one comes to the board; empty: none is needed
   std::vector<RunProcess> processes;
 };
 

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <unistd.h>
 
+#include "agents/launcher/key_option.hpp"
 #include "agents/launcher/narrator.hpp"
 #include "agents/launcher/run_directory.hpp"
 #include "agents/launcher/story_run.hpp"
@@ -25,6 +26,8 @@ struct UpChoices {
   std::string cell;
   std::string host;
   std::string board;
+  std::string key;
+  std::string keys;
   std::uint64_t seed = 1;
   bool json = false;
 };
@@ -76,6 +79,7 @@ class Up {
   int run();
 
  private:
+  void choose_board();
   Result<void> start_all();
   Result<void> find_world();
   Result<void> start(const std::string& name, std::vector<std::string> command);
@@ -90,6 +94,8 @@ class Up {
   Narrator narrator_;
   std::string board_address_;
   std::string world_address_;
+  std::string keys_;  // the folder of those that may come to this host's board
+  std::string key_;   // with which this host comes to a board elsewhere
   std::string board_failure_;
   Supervisor supervisor_;
 };
@@ -126,8 +132,10 @@ Result<void> Up::start_all() {
     // Only what is durable outlives the board; it is kept as long as the run's folder is.
     const std::string journal = directory_.file("board.journal");
     std::filesystem::remove(journal);
-    const Result<void> board =
-        start("board", {beside_this_program("pizarra-board"), "--listen", board_address_, "--journal", journal});
+    std::vector<std::string> command = {beside_this_program("pizarra-board"), "--listen", board_address_, "--journal",
+                                        journal};
+    if (!keys_.empty()) command.insert(command.end(), {"--listen", cell_.board_address, "--keys", keys_});
+    const Result<void> board = start("board", std::move(command));
     if (!board) return board;
   }
   if (host_.name == cell_.board_host) {
@@ -135,8 +143,10 @@ Result<void> Up::start_all() {
     if (!world) return world;
   }
   for (const std::string& kind : host_.agents) {
-    const Result<void> agent = start(kind, {self, "agent", kind, cell, "--board", board_address_, "--world",
-                                            world_address_, "--host", host_.name, "--seed", seed});
+    std::vector<std::string> command = {self,      "agent",        kind,     cell,       "--board", board_address_,
+                                        "--world", world_address_, "--host", host_.name, "--seed",  seed};
+    if (!key_.empty()) command.insert(command.end(), {"--key", key_});
+    const Result<void> agent = start(kind, std::move(command));
     if (!agent) return agent;
   }
   return {};
@@ -151,7 +161,7 @@ void Up::on_process(const ProcessEvent& event) {
 }
 
 void Up::save_state() {
-  RunState state{cell_.name, host_.name, getpid(), board_address_, world_address_, {}};
+  RunState state{cell_.name, host_.name, getpid(), board_address_, world_address_, key_, {}};
   for (const Supervisor::Process& process : supervisor_.processes()) {
     state.processes.push_back({process.name, process.pid, process.restarts});
   }
@@ -159,15 +169,28 @@ void Up::save_state() {
   if (!saved) narrator_.say(executor_.now(), "failure", describe(saved.error()));
 }
 
+// With keys the board's own host needs none: it comes over a file of its own.
+void Up::choose_board() {
+  const std::string own_address = "ipc://" + directory_.file("board.ipc");
+  const bool owns_board = host_.name == cell_.board_host && choices_.board.empty();
+  const std::string folder = choices_.keys.empty() ? cell_.board_keys : choices_.keys;
+  if (owns_board && !cell_.board_address.empty()) keys_ = folder;
+  board_address_ = !choices_.board.empty()                         ? choices_.board
+                   : cell_.board_address.empty() || !keys_.empty() ? own_address
+                                                                   : cell_.board_address;
+  const std::string key = choices_.key.empty() ? host_.key : choices_.key;
+  if (!owns_board && !key.empty()) key_ = std::filesystem::absolute(key).string();
+}
+
 int Up::run() {
   narrator_.begin(executor_.now());
-  const std::string own_address = "ipc://" + directory_.file("board.ipc");
-  board_address_ = !choices_.board.empty()       ? choices_.board
-                   : cell_.board_address.empty() ? own_address
-                                                 : cell_.board_address;
+  choose_board();
+  const Result<std::optional<ClientKeys>> keys = keys_from(key_);
+  if (!keys) return complain(keys.error(), exit_usage);
   const Result<void> world = find_world();
   if (!world) return complain(world.error(), exit_usage);
-  Result<std::unique_ptr<RemoteBoard>> ears = RemoteBoard::connect(executor_, board_address_, "narrator");
+  Result<std::unique_ptr<RemoteBoard>> ears =
+      RemoteBoard::connect(executor_, board_address_, "narrator", RemoteBoard::default_timeout, *keys);
   if (!ears) return complain(ears.error(), exit_usage);
   const Result<void> started = start_all();
   if (!started) {
@@ -210,10 +233,12 @@ Task<void> list_agents(RemoteBoard& board, std::vector<Fact>* out) {
   if (facts) *out = std::move(*facts);
 }
 
-std::vector<Fact> agents_on(const std::string& address) {
+std::vector<Fact> agents_on(const RunState& run) {
   RealExecutor executor;
   std::vector<Fact> facts;
-  const Result<std::unique_ptr<RemoteBoard>> board = RemoteBoard::connect(executor, address, "ps", 2s);
+  const Result<std::optional<ClientKeys>> keys = keys_from(run.key);
+  if (!keys) return facts;
+  const auto board = RemoteBoard::connect(executor, run.board_address, "ps", 2s, *keys);
   if (!board) return facts;
   const Job job = executor.spawn(list_agents(**board, &facts));
   executor.run_until([&job] { return job.done(); });
@@ -221,7 +246,7 @@ std::vector<Fact> agents_on(const std::string& address) {
 }
 
 void print_run(const RunState& run, bool json) {
-  std::vector<Fact> agents = agents_on(run.board_address);
+  std::vector<Fact> agents = agents_on(run);
   if (!json)
     fmt::print("cell {} on {}, process {}, board {}\n", run.cell, run.host, run.supervisor_pid, run.board_address);
   const auto print = [&](std::string_view name, std::string_view kind, std::string_view host,
@@ -274,6 +299,9 @@ void add_cell_words(CLI::App& app, int& status) {
   up->add_option("cell", choices->cell, "The cell file")->required()->check(CLI::ExistingFile);
   up->add_option("--host", choices->host, "Which of the cell's hosts this is");
   up->add_option("--board", choices->board, "A board that runs already, in place of the cell's own");
+  up->add_option("--keys", choices->keys,
+                 "The folder of the keys that may come to this host's board; the cell's otherwise");
+  add_key_option(up, choices->key);
   up->add_option("--seed", choices->seed, "What chance begins from in the simulated world")
       ->check(seed_check())
       ->capture_default_str();

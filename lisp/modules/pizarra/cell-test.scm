@@ -12,7 +12,7 @@
 
 (check "what is left out has a default" (interpret '((cell c)))
        '(ok (c (1330 0 200 0 0) (3 0.7 0.12) () crs-f3 "" "localhost" ""
-               (("localhost" robot vision planner coordinator person)) 60 (76 84 96) (450 -200 200))))
+               (("localhost" "" robot vision planner coordinator person)) 60 (76 84 96) (450 -200 200) "")))
 (check "the gripper opens as the cubes' size asks"
        (list-tail (cadr (interpret '((cell c (world (cube-size 50) (row (x 460) (y -150 150))))))) 9)
        '(50 (66 74 86) (460 -150 150)))
@@ -50,6 +50,14 @@
 (check "an agent runs on one host"
        (complaint '(host "a" (agents robot)) '(host "b" (agents robot))) '(1 repeated (0 3 2 1)))
 (check "a host's name cannot lead out of its folder" (complaint '(host "../a" (agents robot))) '(1 malformed (0 2 1)))
+;; The last element is the folder of the board's keys, the ninth the hosts.
+(define (keys-of . sections)
+  (let ((cell (cadr (interpret (list (append '(cell c) sections))))))
+    (list (list-ref cell 12) (list-ref cell 8))))
+(check "a board's folder of keys and a host's own key are named"
+       (keys-of '(board "a" "tcp://a:7800" (keys "keys")) '(host "a" (agents robot)) '(host "b" (agents) (key "b.secret")))
+       '("keys" (("a" "" robot) ("b" "b.secret"))))
+(check "a folder of keys is text" (complaint '(board "a" "tcp://a:7800" (keys 5))) '(1 malformed (0 2 3 1)))
 (check "every error is told" (complaint '(wrld) '(arm kr3) '(host "a" (agents robt))) '(3 unknown-section (0 2)))
 
 (finish-checks)

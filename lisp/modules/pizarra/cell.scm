@@ -2,8 +2,8 @@
 ;;
 ;; (interpret DATA), the data of a file, answers (errors ...) or
 ;;   (ok (NAME (X Y Z PAN TILT) (SENSOR BLUR GRADIENT) (CUBE ...) ARM DOMAIN BOARD-HOST BOARD-ADDRESS
-;;        ((HOST KIND ...) ...) CUBE-SIZE (NARROW NORMAL WIDE) (ROW-X ROW-Y-LOW ROW-Y-HIGH)))
-;; with CUBE = (NAME MARK X Y YAW ON), ON the empty string for the table.
+;;        ((HOST KEY KIND ...) ...) CUBE-SIZE (NARROW NORMAL WIDE) (ROW-X ROW-Y-LOW ROW-Y-HIGH) BOARD-KEYS))
+;; with CUBE = (NAME MARK X Y YAW ON), ON the empty string for the table; KEY and BOARD-KEYS are paths or empty.
 
 (define-module (pizarra cell)
   #:use-module (srfi srfi-1)
@@ -195,27 +195,34 @@
          (or (find (lambda (known) (eq? known kind)) kinds)
              (complain! node 'unknown-agent "there is no agent ~a~a" kind (suggestion kind kinds))))))
 
-(define (agents-in host)
-  (let* ((found (sections (drop (node-items host) 2) '(agents)))
+;; What a named host has: (KEY AGENT-NODE ...), KEY the file of the secret with which it comes to a board elsewhere.
+(define (things-of-host host)
+  (let* ((found (sections (drop (node-items host) 2) '(agents key)))
          (agents (section-in found 'agents)))
-    (if agents (node-rest agents) '())))
+    (cons (text-of-section found 'key "the file of the host's key" "")
+          (if agents (node-rest agents) '()))))
 
 (define (hosts-of nodes)
   (if (null? nodes)
-      (list (cons "localhost" kinds))
+      (list (cons* "localhost" "" kinds))
       (let* ((named (filter (lambda (node) (host-at node 1)) nodes))
-             (agents (map agents-in named)))
+             (things (map things-of-host named)))
         (refuse-repeated named (lambda (node) (node-datum (node-ref node 1))) "a host")
-        (refuse-repeated (concatenate agents) node-datum "a host for the agent")
-        (map (lambda (node nodes-of-agents)
-               (cons (node-datum (node-ref node 1)) (filter-map agent-of nodes-of-agents)))
-             named agents))))
+        (refuse-repeated (append-map cdr things) node-datum "a host for the agent")
+        (map (lambda (node things-of-it)
+               (cons* (node-datum (node-ref node 1)) (car things-of-it) (filter-map agent-of (cdr things-of-it))))
+             named things))))
 
+;; (HOST ADDRESS KEYS), KEYS the folder of the keys that may come.
 (define (board-of found hosts)
   (let ((board (section-in found 'board)))
     (if board
-        (list (or (host-at board 1) "") (or (string-at board 2 "the board's address") ""))
-        (list (if (null? hosts) "localhost" (car (first hosts))) ""))))
+        (list (or (host-at board 1) "")
+              (or (string-at board 2 "the board's address") "")
+              (if (> (length (node-items board)) 3)
+                  (text-of-section (sections (drop (node-items board) 3) '(keys)) 'keys "the folder of the keys" "")
+                  ""))
+        (list (if (null? hosts) "localhost" (car (first hosts))) "" ""))))
 
 ;; ----
 
@@ -228,19 +235,21 @@
                      '()))
          (size (cube-size-of things))
          (arm (section-in found 'arm))
-         (hosts (hosts-of (sections-in found 'host))))
+         (hosts (hosts-of (sections-in found 'host)))
+         (board (board-of found hosts)))
     (list name
           (camera-of things)
           (noise-of things)
           (cubes-of (sections-in things 'cube) size)
           (or (and arm (choice-at arm 1 "the arm" '(crs-f3))) 'crs-f3)
           (text-of-section found 'domain "the domain's file" "")
-          (first (board-of found hosts))
-          (second (board-of found hosts))
+          (first board)
+          (second board)
           hosts
           size
           (openings-of things size)
-          (row-of things))))
+          (row-of things)
+          (third board))))
 
 (define (interpret data)
   (interpreting data

@@ -23,7 +23,7 @@ class RunDirectoryTest : public testing::Test {
   std::string folder_;
 };
 
-RunState state_of(int pid, const std::string& board) { return {"blocks", "here", pid, board, "", {{"vision", 7, 1}}}; }
+RunState state_of(int pid, const std::string& board) { return {"blocks", "here", pid, board, "", "", {{"vision", 7, 1}}}; }
 
 TEST_F(RunDirectoryTest, IsTheUsersAlone) {
   const Result<RunDirectory> run = RunDirectory::make("blocks", "here");

@@ -1,0 +1,30 @@
+#pragma once
+
+// The option `--key FILE` of the words that come to a board as a client; without it the environment's PIZARRA_KEY.
+//
+//   add_key_option(word, choices.key);
+//   const Result<std::optional<ClientKeys>> keys = keys_from(choices.key);
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+
+#include "blackboard/keys.hpp"
+
+namespace pizarra {
+
+inline void add_key_option(CLI::App* word, std::string& file) {
+  word->add_option("--key", file, "The secret key to come with, NAME.secret; the board's board.key stands beside it")
+      ->envname("PIZARRA_KEY")
+      ->type_name("FILE");
+}
+
+// No keys where no file is named. Failures as of read_client_keys.
+inline Result<std::optional<ClientKeys>> keys_from(const std::string& file) {
+  if (file.empty()) return std::nullopt;
+  Result<ClientKeys> keys = read_client_keys(file);
+  if (!keys) return fail(keys);
+  return std::move(*keys);
+}
+
+}  // namespace pizarra
