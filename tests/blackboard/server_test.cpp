@@ -196,22 +196,6 @@ TEST_F(ServerTest, ANewConnectionOfASessionIsResynchronised) {
   EXPECT_EQ(change[5].size(), 1U);
 }
 
-TEST_F(ServerTest, AFloodOfOneClientLeavesEverySecondTurnToAnother) {
-  Client flooding = client();
-  const std::string session = flooding.join("flooding");
-  Client other = client();
-  const std::string own = other.join("other");
-  constexpr int flood = 900;
-  for (int i = 1; i <= flood; ++i) {
-    const std::string number = std::to_string(i);
-    flooding.send("(request " + session + " " + number + " (transact () ((tell (note 1 " + number + ") 0))))");
-  }
-  EXPECT_EQ(other.ask("(ping " + own + ")"), read("(pong)"));
-  const Revision done_before = board.store().revision();
-  EXPECT_LT(done_before, static_cast<Revision>(flood / 2));
-  RecordProperty("requests_before", static_cast<int>(done_before));
-}
-
 TEST_F(ServerTest, ASessionCountsOnTheConnectionThatSaidHelloAlone) {
   Client alice = client();
   const std::string session = alice.join("alice");
