@@ -40,9 +40,8 @@ Unavoidable::Unavoidable(const CompactProblem& problem, const ExclusiveFacts& ex
       exclusive_(exclusive),
       state_(problem.initials()),
       holds_(exclusive.groups().size(), nothing),
-      pending_(problem.facts(), 0),
-      taken_(problem.facts(), 0),
-      counted_(problem.facts(), 0),
+      holds_rank_(exclusive.groups().size(), 0),
+      marks_(problem.facts()),
       goal_hops_(problem.goals().count(), 0),
       awaited_(exclusive.groups().size(), 0),
       awaited_in_(exclusive.groups().size(), 0) {
@@ -69,6 +68,11 @@ void Unavoidable::learn_changes() {
     std::ranges::set_union(needed, added, std::back_inserter(both));
     leaving_.add(both);
     leaving_adds_.add(added);
+    std::vector<std::uint32_t> ranks;
+    for (const std::uint32_t group : exclusive_.groups_of(fact)) {
+      ranks.push_back(static_cast<std::uint32_t>(rank_in(exclusive_.groups()[group], fact)));
+    }
+    ranks_.add(ranks);
   }
 }
 
@@ -95,9 +99,8 @@ std::uint32_t Unavoidable::hops_left(std::size_t goal) const {
   std::uint32_t most = 0;
   const auto groups = exclusive_.groups_of(goals_[goal]);
   for (std::size_t i = 0; i < groups.size(); ++i) {
-    const FactIndex holding = holds_[groups[i]];
-    if (holding == nothing) return unreachable;
-    most = std::max(most, hops_[goal][i][rank_in(exclusive_.groups()[groups[i]], holding)]);
+    if (holds_[groups[i]] == nothing) return unreachable;
+    most = std::max(most, hops_[goal][i][holds_rank_[groups[i]]]);
   }
   return most;
 }
@@ -105,14 +108,16 @@ std::uint32_t Unavoidable::hops_left(std::size_t goal) const {
 void Unavoidable::look_at(const Bits& state) {
   state_ = state;
   std::ranges::fill(holds_, nothing);
-  state.for_each([&](std::size_t fact) {
-    for (const std::uint32_t group : exclusive_.groups_of(fact)) holds_[group] = static_cast<FactIndex>(fact);
-  });
+  state.for_each([&](std::size_t fact) { set(static_cast<FactIndex>(fact)); });
 }
 
 void Unavoidable::set(FactIndex fact) {
   state_.set(fact);
-  for (const std::uint32_t group : exclusive_.groups_of(fact)) holds_[group] = fact;
+  const auto groups = exclusive_.groups_of(fact), ranks = ranks_[fact];
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    holds_[groups[i]] = fact;
+    holds_rank_[groups[i]] = ranks[i];
+  }
 }
 
 void Unavoidable::reset(FactIndex fact) {
@@ -164,8 +169,8 @@ std::optional<Distance> Unavoidable::here() {
 }
 
 void Unavoidable::push(FactIndex fact) {
-  if (state_.test(fact) || pending_[fact] == evaluation_) return;
-  pending_[fact] = evaluation_;
+  if (state_.test(fact) || marks_[fact].pending == evaluation_) return;
+  marks_[fact].pending = evaluation_;
   open_.push_back(fact);
   ++facts_;
   for (const std::uint32_t group : exclusive_.groups_of(fact)) {
@@ -182,8 +187,8 @@ bool Unavoidable::ready(FactIndex goal) const {
 }
 
 void Unavoidable::count_once(FactIndex event) {
-  if (counted_[event] == evaluation_) return;
-  counted_[event] = evaluation_;
+  if (marks_[event].counted == evaluation_) return;
+  marks_[event].counted = evaluation_;
   ++events_;
 }
 
@@ -205,8 +210,8 @@ bool Unavoidable::must_happen(FactIndex fact) {
 
 // The fact holds and has to end; a goal has to come back.
 bool Unavoidable::must_be_taken_away(FactIndex fact) {
-  if (taken_[fact] == evaluation_) return true;
-  taken_[fact] = evaluation_;
+  if (marks_[fact].taken == evaluation_) return true;
+  marks_[fact].taken = evaluation_;
   if (can_go_[fact] == 0) return false;
   for (const FactIndex other : leaving_[fact]) push(other);
   if (!problem_.goals().test(fact)) return true;

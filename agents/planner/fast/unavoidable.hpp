@@ -44,6 +44,7 @@ class Unavoidable {
 
   const CompactProblem& problem_;
   const ExclusiveFacts& exclusive_;
+  Rows ranks_;         // of a fact: its place in each of its groups
   Rows needs_;         // of a fact: what all actions need that add it
   Rows leaving_;       // what all actions need or add that delete it
   Rows leaving_adds_;  // what they all add
@@ -53,11 +54,15 @@ class Unavoidable {
 
   Bits state_;
   std::vector<FactIndex> holds_;            // of a group: which of its facts holds
+  std::vector<std::uint32_t> holds_rank_;   // its place in the group
   std::vector<FactIndex> added_, deleted_;  // by the action beyond
 
   // One evaluation: marks are of this one where they equal its number.
   std::uint32_t evaluation_ = 0;
-  std::vector<std::uint32_t> pending_, taken_, counted_;  // of a fact
+  struct Marks {
+    std::uint32_t pending = 0, taken = 0, counted = 0;
+  };
+  std::vector<Marks> marks_;  // of a fact
   std::vector<std::uint32_t> goal_hops_;
   std::vector<std::uint32_t> awaited_, awaited_in_;  // of a group: how many of its facts are pending; the mark of that
   std::vector<FactIndex> open_;
