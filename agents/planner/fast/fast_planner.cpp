@@ -12,7 +12,9 @@ namespace pizarra {
 
 namespace {
 
+// Of reordering, before a beam has its turn: the longer the plan, the more ways there are.
 constexpr std::size_t vain_attempts = 1000;
+constexpr std::size_t vain_attempts_an_action = 20;
 
 Outcome ended(Outcome::Kind kind, std::size_t nodes) {
   return {.kind = kind, .steps = {}, .culprits = {}, .spent = {}, .nodes = nodes, .engine = "fast"};
@@ -68,7 +70,8 @@ class Improvement {
  private:
   void reorder() {
     PlanReordering reordering(compact_, plan_, random_);
-    for (std::size_t in_vain = 0; in_vain < vain_attempts && !effort_.stopped(); ++in_vain) {
+    const std::size_t patience = vain_attempts + vain_attempts_an_action * plan_.size();
+    for (std::size_t in_vain = 0; in_vain < patience && !effort_.stopped(); ++in_vain) {
       effort_.count(plan_.size());
       if (!reordering.try_once()) continue;
       keep(reordering.plan());

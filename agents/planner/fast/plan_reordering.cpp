@@ -13,7 +13,11 @@ constexpr std::size_t longest_piece = 8;
 }  // namespace
 
 PlanReordering::PlanReordering(const CompactProblem& problem, std::vector<ActionIndex> plan, Random& random)
-    : problem_(problem), random_(random), plan_(std::move(plan)) {}
+    : problem_(problem), random_(random), plan_(std::move(plan)), adds_goal_(problem.actions()) {
+  problem.goals().for_each([&](std::size_t goal) {
+    for (const ActionIndex action : problem.adding(static_cast<FactIndex>(goal))) adds_goal_.set(action);
+  });
+}
 
 bool PlanReordering::try_once() {
   if (plan_.size() < 2) return false;
@@ -58,7 +62,8 @@ bool PlanReordering::redo() {
 std::optional<ActionIndex> PlanReordering::next(const Bits& state) {
   auto first = order_.end();
   for (auto i = order_.begin(); i != order_.end(); ++i) {
-    if (!problem_.applicable(*i, state)) continue;
+    const bool needless = first != order_.end() && !adds_goal_.test(*i);
+    if (needless || !problem_.applicable(*i, state)) continue;
     if (first == order_.end()) {
       first = i;
     } else if (makes_a_goal(*i, state) && suffices(i - order_.begin(), state)) {

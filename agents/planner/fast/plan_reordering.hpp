@@ -36,6 +36,7 @@ class PlanReordering {
   const CompactProblem& problem_;
   Random& random_;
   std::vector<ActionIndex> plan_;
+  Bits adds_goal_;                  // of the actions
   std::vector<ActionIndex> order_;  // the plan with a piece moved; what is done is taken out
   std::size_t begin_ = 0;           // before it nothing was moved
   std::vector<ActionIndex> done_, rest_;
