@@ -24,6 +24,9 @@ class PlanClock {
   PlanClock(const PlanClock&) = delete;
   PlanClock& operator=(const PlanClock&) = delete;
 
+  // A limit where none was given.
+  void shorten(double limit_s) { limit_s_ = limit_s_ == for_ever ? limit_s : limit_s_; }
+
   // Cheap enough to be asked at every node of a search.
   bool over();
   bool interrupted() const { return interrupted_; }

@@ -7,6 +7,7 @@
 #include "agents/launcher/plan/plan_report.hpp"
 #include "agents/launcher/words.hpp"
 #include "agents/planner/external_plan.hpp"
+#include "agents/planner/fast/fast_planner.hpp"
 #include "agents/planner/optimal_planner.hpp"
 #include "agents/planner/planner_forms.hpp"
 #include "agents/planner/task_files.hpp"
@@ -19,6 +20,10 @@ namespace {
 // A person can wait, and interrupt: only memory bounds the search.
 constexpr Budget unhurried{
     .nodes = std::size_t{1} << 60, .levels = std::size_t{1} << 30, .bytes = std::size_t{2} << 30};
+// Beyond, the fewest steps take too long to find; blocks world has so many with some seventy blocks.
+constexpr std::size_t most_actions_for_optimal = 10'000;
+// How long a fast plan is made shorter where no time is given.
+constexpr double improving_s = 10;
 // A foreign planner is not left alone for ever.
 constexpr double longest_s = 86'400;
 
@@ -27,6 +32,9 @@ struct PlanChoices {
   double limit_s = PlanClock::for_ever;
   std::string planner;
   std::size_t memory_mb = 4096;
+  std::uint64_t seed = 1;
+  bool optimal = false;
+  bool fast = false;
   bool pddl = false;
   bool json = false;
 };
@@ -59,15 +67,28 @@ Failure why_none(const Problem& problem, const Outcome& outcome, const PlanClock
   return explain(problem, outcome);
 }
 
-Result<PlanReport> search(const PlanningTask& task, PlanClock& clock) {
+bool wants_fast(const PlanChoices& choices, const Problem& problem) {
+  return choices.fast || (!choices.optimal && problem.actions.size() > most_actions_for_optimal);
+}
+
+Outcome solve(const PlanChoices& choices, const Problem& problem, PlanClock& clock) {
+  const auto over = [&] { return clock.over(); };
+  if (!wants_fast(choices, problem)) return OptimalPlanner().solve(problem, unhurried, over);
+  clock.shorten(improving_s);
+  Outcome outcome = FastPlanner({.seed = choices.seed}).solve(problem, unhurried, over);
+  if (outcome.kind == Outcome::Kind::none) blame_fewest(problem, Budget{}, over, outcome);
+  outcome.engine = "fast";
+  return outcome;
+}
+
+Result<PlanReport> search(const PlanningTask& task, const PlanChoices& choices, PlanClock& clock) {
   const Result<Problem> problem = ground(task);
   if (!problem) return fail(problem);
-  OptimalPlanner engine;
-  const Outcome outcome = engine.solve(*problem, unhurried, [&] { return clock.over(); });
+  const Outcome outcome = solve(choices, *problem, clock);
   if (outcome.kind != Outcome::Kind::plan) return fail(why_none(*problem, outcome, clock));
   PlanReport report{.steps = steps_of(*problem, outcome.steps),
                     .engine = std::string(outcome.engine.empty() ? "optimal" : outcome.engine),
-                    .fewest_steps = true};
+                    .fewest_steps = !wants_fast(choices, *problem)};
   const Result<void> valid = validate_plan(task, report.steps);
   if (!valid) return fail(valid);
   return report;
@@ -88,7 +109,8 @@ Result<PlanReport> ask_planner(const PlanningTask& task, const PlanChoices& choi
 Result<PlanReport> make_plan(const PlanChoices& choices, PlanClock& clock) {
   const Result<PlanningTask> task = read_task_files(choices.domain, choices.problem);
   if (!task) return fail(task);
-  Result<PlanReport> report = choices.planner.empty() ? search(*task, clock) : ask_planner(*task, choices, clock);
+  Result<PlanReport> report =
+      choices.planner.empty() ? search(*task, choices, clock) : ask_planner(*task, choices, clock);
   if (!report) return report;
   report->counts_cost = task->counts_cost;
   report->cost = plan_cost(*task, report->steps);
@@ -117,7 +139,11 @@ void add_plan_word(CLI::App& app, int& status) {
       ->required();
   word->add_option("problem", choices->problem, "PDDL problem, or facts (types ...) (initials ...) (goals ...)")
       ->required();
-  word->add_option("--time", choices->limit_s, "Give up after so many seconds")
+  CLI::Option* optimal = word->add_flag("--optimal", choices->optimal, "As few parallel steps as can be");
+  word->add_flag("--fast", choices->fast, "A plan soon, then shorter ones; the default for more than 10000 actions")
+      ->excludes(optimal);
+  word->add_option("--seed", choices->seed, "What chance begins from; 1")->check(seed_check());
+  word->add_option("--time", choices->limit_s, "End after so many seconds; --fast ends after 10 by itself")
       ->check(CLI::PositiveNumber)
       ->type_name("S");
   CLI::Option* planner =

@@ -114,6 +114,14 @@ TEST(Plan, ReadsTheThesisFiles) {
   EXPECT_EQ(said.text, "(PICK-UP circle)\n");
 }
 
+TEST(Plan, MayBeMadeFast) {
+  const Said said = plan("(and (on a b) (on b c))", "--fast --time 0.3 --seed 7");
+  EXPECT_EQ(said.status, 0) << said.text;
+  EXPECT_NE(said.text.find("4 actions; fast, "), std::string::npos) << said.text;
+  EXPECT_EQ(plan("(and (on a b) (on b a))", "--fast").status, 3);
+  EXPECT_EQ(plan("(on a b)", "--fast --optimal").status, 2);
+}
+
 TEST(Plan, MayBeAnotherPlannersAndIsChecked) {
   const Said said = plan("(on a b)", "--pddl --planner 'echo \"0: PICK-UP A\n1: STACK A B\" # {domain} {problem}'");
   EXPECT_EQ(said.status, 0) << said.text;
