@@ -11,6 +11,7 @@
 #include "agents/planner/optimal_planner.hpp"
 #include "agents/planner/planner_forms.hpp"
 #include "agents/planner/task_files.hpp"
+#include "agents/planner/why_never.hpp"
 #include "lisp/json.hpp"
 
 namespace pizarra {
@@ -59,12 +60,16 @@ ExitCode exit_code_of(const Failure& failure) {
 Failure interrupted() { return {"interrupted", "interrupted before a plan was found", {}, {}}; }
 
 // Why the engine came back without a plan.
-Failure why_none(const Problem& problem, const Outcome& outcome, const PlanClock& clock) {
+Failure why_none(const PlanningTask& task, const Problem& problem, const Outcome& outcome, const PlanClock& clock) {
   if (clock.interrupted()) return interrupted();
   if (outcome.kind == Outcome::Kind::cancelled) {
     return {"gave-up", fmt::format("no plan was found in {:.1f} s; there may be one", clock.seconds()), {}, {}};
   }
-  return explain(problem, outcome);
+  Failure failure = explain(problem, outcome);
+  if (outcome.kind != Outcome::Kind::none || outcome.culprits.size() != 1) return failure;
+  const std::string why = why_never(task, problem, problem.facts[outcome.culprits.front()]);
+  if (!why.empty()) failure.sentence += ": " + why;
+  return failure;
 }
 
 bool wants_fast(const PlanChoices& choices, const Problem& problem) {
@@ -85,7 +90,7 @@ Result<PlanReport> search(const PlanningTask& task, const PlanChoices& choices, 
   const Result<Problem> problem = ground(task);
   if (!problem) return fail(problem);
   const Outcome outcome = solve(choices, *problem, clock);
-  if (outcome.kind != Outcome::Kind::plan) return fail(why_none(*problem, outcome, clock));
+  if (outcome.kind != Outcome::Kind::plan) return fail(why_none(task, *problem, outcome, clock));
   PlanReport report{.steps = steps_of(*problem, outcome.steps),
                     .engine = std::string(outcome.engine.empty() ? "optimal" : outcome.engine),
                     .fewest_steps = !wants_fast(choices, *problem)};

@@ -91,6 +91,19 @@ TEST(Plan, ThatCannotBeIsRefusedWithTheGoalsThatConflict) {
   EXPECT_TRUE(json.text.starts_with(R"_({"error":{"symbol":"no-plan",)_")) << json.text;
 }
 
+TEST(Plan, ThatCannotBeIsTracedToWhatIsMissing) {
+  const std::string operators = file("dark", R"(
+    (operator LIGHT (params (<x> LAMP)) (preconds (wired <x>) (has-key <x>)) (effects (lit <x>)))
+    (operator WIRE (params (<x> LAMP)) (preconds (plugged <x>)) (effects (wired <x>))))");
+  const std::string facts =
+      file("dark-facts", "(types (a LAMP) (b LAMP)) (initials (has-key a) (plugged b)) (goals (lit a))");
+  const Said said = shell(fmt::format("{} plan {} {} 2>&1", PIZARRA_PLAN, operators, facts));
+  EXPECT_EQ(said.status, 3);
+  EXPECT_EQ(said.text,
+            "pizarra: no plan exists: (lit a) can never hold from here: (lit a) needs (wired a), and (wired a) needs "
+            "(plugged a), and no operator brings about (plugged a)\n");
+}
+
 TEST(Plan, OfWrongFilesIsAUsageError) {
   const Said said = plan("(and (on a d) (clera b))");
   EXPECT_EQ(said.status, 2);
