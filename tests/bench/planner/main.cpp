@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
+#include <stdexcept>
 
+#include "agents/planner/task_files.hpp"
 #include "tests/bench/planner/rows.hpp"
 
 namespace pizarra::bench {
@@ -13,6 +15,13 @@ std::optional<MeasuredPlan> PlannerBench::measure(const PlanningTask& task, Mode
   std::optional<MeasuredPlan> plan = measured(task, mode, limit);
   if (plan) most_memory_mb = std::max(most_memory_mb, plan->memory_mb);
   return plan;
+}
+
+PlanningTask PlannerBench::file(const std::string& domain, const std::string& name) const {
+  const std::string folder = pddl + "/" + domain;
+  Result<PlanningTask> task = read_task_files(folder + "/domain.pddl", folder + "/" + name + ".pddl");
+  if (!task) throw std::runtime_error(task.error().sentence);
+  return *task;
 }
 
 namespace {

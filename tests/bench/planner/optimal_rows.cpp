@@ -1,9 +1,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
-#include <stdexcept>
 
-#include "agents/planner/task_files.hpp"
 #include "tests/bench/planner/problems.hpp"
 #include "tests/bench/planner/rows.hpp"
 
@@ -30,13 +28,6 @@ void say_optimal(PlannerBench& bench, const std::string& name, const PlanningTas
                      plan ? note_of(*plan) : "no plan within the limit"});
 }
 
-PlanningTask problem_file(const PlannerBench& bench, const std::string& domain, const std::string& name) {
-  const std::string folder = bench.pddl + "/" + domain;
-  Result<PlanningTask> task = read_task_files(folder + "/domain.pddl", folder + "/" + name + ".pddl");
-  if (!task) throw std::runtime_error(task.error().sentence);
-  return *task;
-}
-
 void all_blocks(PlannerBench& bench) {
   double total_s = 0;
   int problems = 0, missing = 0;
@@ -46,7 +37,7 @@ void all_blocks(PlannerBench& bench) {
   }
   std::ranges::sort(files);
   for (const std::filesystem::path& file : files) {
-    const auto plan = bench.measure(problem_file(bench, "blocks", file.stem().string()), Mode::optimal, bench.limit_s);
+    const auto plan = bench.measure(bench.file("blocks", file.stem().string()), Mode::optimal, bench.limit_s);
     total_s += plan ? plan->seconds : bench.limit_s;
     ++problems;
     if (!plan) ++missing;
@@ -92,12 +83,11 @@ void optimal_pddl(PlannerBench& bench) {
   }
   all_blocks(bench);
   for (const char* name : {"10-0", "11-0", "12-0", "14-0", "17-0"}) {
-    say_optimal(bench, fmt::format("IPC blocks {}", name),
-                problem_file(bench, "blocks", fmt::format("probBLOCKS-{}", name)));
+    say_optimal(bench, fmt::format("IPC blocks {}", name), bench.file("blocks", fmt::format("probBLOCKS-{}", name)));
   }
-  say_optimal(bench, "IPC logistics 10-0", problem_file(bench, "logistics00", "probLOGISTICS-10-0"));
-  say_optimal(bench, "IPC logistics 15-0", problem_file(bench, "logistics00", "probLOGISTICS-15-0"), 0.2);
-  if (!bench.quick) say_optimal(bench, "random blocks 20", problem_file(bench, "random-blocks", "bw-20-1"), 10.0);
+  say_optimal(bench, "IPC logistics 10-0", bench.file("logistics00", "probLOGISTICS-10-0"));
+  say_optimal(bench, "IPC logistics 15-0", bench.file("logistics00", "probLOGISTICS-15-0"), 0.2);
+  if (!bench.quick) say_optimal(bench, "random blocks 20", bench.file("random-blocks", "bw-20-1"), 10.0);
 }
 
 }  // namespace pizarra::bench
