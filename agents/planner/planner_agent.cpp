@@ -3,8 +3,8 @@
 #include <atomic>
 #include <optional>
 
-#include "agents/planner/graphplan.hpp"
 #include "agents/planner/planner_forms.hpp"
+#include "agents/planner/replanner.hpp"
 #include "agents/runtime/service.hpp"
 
 namespace pizarra {
@@ -27,29 +27,20 @@ constexpr std::string_view contract_text = R"(
 constexpr Duration search_cost = 20ms;
 constexpr Duration retry_pause = 200ms;
 
-// One search. The worker may outlive the agent, so it owns what it reads and writes.
+// One search. The worker may outlive the agent, so it owns what it reads and writes; what was learned comes back with
+// the result.
 struct Search {
   PlanningTask task;
+  Replanner replanner;
   Budget budget;
   std::atomic<bool> abandoned = false;
-  Result<PlanSteps> result = PlanSteps{};
+  Result<ReadyPlan> result = ReadyPlan{};
 };
-
-Result<PlanSteps> find_plan(const Search& search, const std::function<bool()>& cancelled) {
-  const Result<Problem> problem = ground(search.task);
-  if (!problem) return fail(problem);
-  Graphplan engine;
-  const Outcome outcome = engine.solve(*problem, search.budget, cancelled);
-  if (outcome.kind != Outcome::Kind::plan) return fail(explain(*problem, outcome));
-  PlanSteps steps = steps_of(*problem, outcome.steps);
-  const Result<void> valid = validate_plan(search.task, steps);
-  if (!valid) return fail(valid);
-  return steps;
-}
 
 std::function<void(const std::function<bool()>&)> work_of(std::shared_ptr<Search> search) {
   return [search = std::move(search)](const std::function<bool()>& cancelled) {
-    search->result = find_plan(*search, [&] { return search->abandoned || cancelled(); });
+    const auto stopped = [&] { return search->abandoned || cancelled(); };
+    search->result = search->replanner.plan(search->task, search->budget, stopped);
   };
 }
 
@@ -75,6 +66,7 @@ struct PlannerAgent::State {
   std::optional<std::vector<PlanningOperator>> operators;
   std::optional<PlanningFacts> facts;
   std::shared_ptr<Search> search;  // the one under way
+  Replanner replanner;             // at rest, while no search has it
   std::optional<std::vector<Datum>> plan;
   bool started = false;
 };
@@ -151,20 +143,24 @@ Task<Result<Datum>> PlannerAgent::State::get_plan() {
   const std::shared_ptr<Search> mine = std::make_shared<Search>();
   mine->task = PlanningTask{*operators, facts->objects, facts->initials, facts->goals};
   mine->budget = budget;
+  mine->replanner = std::move(replanner);
   search = mine;
   co_await tell_state("planning", Datum::list(facts->goals));
   std::function<void(const std::function<bool()>&)> work = work_of(mine);
   co_await context.executor.offload(std::move(work), search_cost);
   if (search != mine) co_return fail("cancelled", "something else is to be planned now");
   search.reset();
+  replanner = std::move(mine->replanner);
   if (!mine->result) {
     const Failure failure = as_asked(mine->result.error());
     co_await tell_state("no-plan", failure_to_datum(failure));
     co_return fail(failure);
   }
-  plan = operations_of(*mine->result);
-  const Datum steps = steps_to_datum(*mine->result);
-  co_await tell_state("planned", steps);
+  plan = operations_of(mine->result->steps);
+  const Datum steps = steps_to_datum(mine->result->steps);
+  const Datum engine = Datum::symbol(mine->result->engine);
+  const Datum detail = list("optimal"_sym, engine, steps);
+  co_await tell_state("planned", detail);
   co_return list(steps);
 }
 

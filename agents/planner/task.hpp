@@ -23,12 +23,14 @@ namespace pizarra {
 struct PlanningParameter {
   std::string variable;  // with its question mark
   std::string type;
+  bool operator==(const PlanningParameter&) const = default;
 };
 
 // `(= a b)` or not, between parameters and objects.
 struct PlanningEquality {
   Datum left, right;
   bool equal = true;
+  bool operator==(const PlanningEquality&) const = default;
 };
 
 struct PlanningOperator {
@@ -40,17 +42,20 @@ struct PlanningOperator {
   std::vector<Datum> absents = {};  // facts that must not hold
   std::vector<PlanningEquality> equalities = {};
   std::vector<Datum> costs = {};  // summed up: whole numbers, and functions like (distance ?from ?to)
+  bool operator==(const PlanningOperator&) const = default;
 };
 
 struct PlanningObject {
   Datum name;  // a symbol, a string or a number
   std::string type;
+  bool operator==(const PlanningObject&) const = default;
 };
 
 // An object of a type is one of its parents too; a type may have several. Types without parents need no mention.
 struct PlanningType {
   std::string name;
   std::string parent;
+  bool operator==(const PlanningType&) const = default;
 };
 
 struct PlanningTask {

@@ -8,7 +8,7 @@
 #include "agents/launcher/words.hpp"
 #include "agents/planner/external_plan.hpp"
 #include "agents/planner/fast/fast_planner.hpp"
-#include "agents/planner/optimal_planner.hpp"
+#include "agents/planner/optimal/optimal_planner.hpp"
 #include "agents/planner/planner_forms.hpp"
 #include "agents/planner/task_files.hpp"
 #include "agents/planner/why_never.hpp"

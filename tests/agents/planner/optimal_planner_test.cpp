@@ -1,10 +1,10 @@
-#include "agents/planner/optimal_planner.hpp"
+#include "agents/planner/optimal/optimal_planner.hpp"
 
 #include "agents/planner/breadth_first.hpp"
-#include "agents/planner/guided_search.hpp"
+#include "agents/planner/optimal/guided_search.hpp"
+#include "agents/planner/optimal/sat_search.hpp"
+#include "agents/planner/optimal/step_search.hpp"
 #include "agents/planner/planner_forms.hpp"
-#include "agents/planner/sat_search.hpp"
-#include "agents/planner/step_search.hpp"
 #include "lisp/writer.hpp"
 #include "tests/agents/planner/engine_contract.hpp"
 

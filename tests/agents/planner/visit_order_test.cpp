@@ -1,4 +1,4 @@
-#include "agents/planner/visit_order.hpp"
+#include "agents/planner/optimal/visit_order.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

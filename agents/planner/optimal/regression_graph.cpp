@@ -1,4 +1,4 @@
-#include "agents/planner/regression_graph.hpp"
+#include "agents/planner/optimal/regression_graph.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "agents/planner/sat_search.hpp"
+#include "agents/planner/optimal/sat_search.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

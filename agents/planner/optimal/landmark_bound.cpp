@@ -1,4 +1,4 @@
-#include "agents/planner/landmark_bound.hpp"
+#include "agents/planner/optimal/landmark_bound.hpp"
 
 #include <algorithm>
 

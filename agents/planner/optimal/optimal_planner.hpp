@@ -5,7 +5,7 @@
 //   OptimalPlanner planner;
 //   const Outcome outcome = planner.solve(problem, Budget{}, [] { return false; });
 
-#include "agents/planner/optimal_search.hpp"
+#include "agents/planner/optimal/optimal_search.hpp"
 
 namespace pizarra {
 

@@ -10,7 +10,7 @@
 // it, or the nogoods of the backward search, which is asked now and then once the graphs have levelled off.
 // Budget::nodes counts every conflict of the solver a hundredfold.
 
-#include "agents/planner/step_encoding.hpp"
+#include "agents/planner/optimal/step_encoding.hpp"
 
 namespace pizarra {
 

@@ -1,7 +1,8 @@
-#include "agents/planner/guided_search.hpp"
+#include "agents/planner/optimal/guided_search.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <ranges>
 
 namespace pizarra {
 
@@ -51,10 +52,14 @@ void GuidedSearch::reach(const Bits& state, std::size_t from, std::size_t action
 void GuidedSearch::expand(std::size_t index) {
   known_[index].expanded = true;
   expanded_.push_back(index);
-  exclusions_.actions().for_each([&](std::size_t i) {
-    if (!applicable(problem_.actions[i], known_[index].state)) return;
-    reach(after(known_[index].state, problem_.actions[i]), index, i, known_[index].steps + 1);
+  std::vector<std::size_t> possible;
+  exclusions_.actions().for_each([&](std::size_t action) {
+    if (applicable(problem_.actions[action], known_[index].state)) possible.push_back(action);
   });
+  // The newest are looked at first: among equals, those of the domain's first operators.
+  for (const std::size_t action : possible | std::views::reverse) {
+    reach(after(known_[index].state, problem_.actions[action]), index, action, known_[index].steps + 1);
+  }
 }
 
 // A state from which the goals were nearer than this would have made the plan shorter.
@@ -89,7 +94,7 @@ Outcome GuidedSearch::run(const Budget& budget, const std::function<bool()>& can
       if (here.expanded || here.steps + here.at_least != total) continue;
       if (problem_.goals.subset_of(here.state)) return plan_to(index);
       if (cancelled()) return ended(Outcome::Kind::cancelled);
-      if (nodes_ > budget.nodes) return ended(Outcome::Kind::gave_up, fmt::format("{} states", nodes_));
+      if (nodes_ > budget.nodes) return ended(Outcome::Kind::gave_up, fmt::format("{} states", budget.nodes));
       if (known_.size() * bytes_a_state > budget.bytes) {
         return ended(Outcome::Kind::gave_up, fmt::format("{} MB of memory", budget.bytes >> 20));
       }

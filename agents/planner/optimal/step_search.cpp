@@ -1,4 +1,4 @@
-#include "agents/planner/step_search.hpp"
+#include "agents/planner/optimal/step_search.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -6,7 +6,7 @@
 #include <ranges>
 #include <unordered_map>
 
-#include "agents/planner/interchangeable.hpp"
+#include "agents/planner/optimal/interchangeable.hpp"
 
 namespace pizarra {
 

@@ -7,7 +7,7 @@
 //   const DeadEnds dead_ends(problem, exclusions);
 //   if (dead_ends.contain(problem.initials)) ...        // no plan exists
 
-#include "agents/planner/exclusions.hpp"
+#include "agents/planner/optimal/exclusions.hpp"
 
 namespace pizarra {
 

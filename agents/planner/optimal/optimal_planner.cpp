@@ -1,4 +1,4 @@
-#include "agents/planner/optimal_planner.hpp"
+#include "agents/planner/optimal/optimal_planner.hpp"
 
 #include <algorithm>
 

@@ -14,9 +14,9 @@
 
 #include <optional>
 
-#include "agents/planner/exclusions.hpp"
-#include "agents/planner/relaxed_reach.hpp"
-#include "agents/planner/visit_order.hpp"
+#include "agents/planner/optimal/exclusions.hpp"
+#include "agents/planner/optimal/relaxed_reach.hpp"
+#include "agents/planner/optimal/visit_order.hpp"
 
 namespace pizarra {
 

@@ -1,4 +1,4 @@
-#include "agents/planner/interchangeable.hpp"
+#include "agents/planner/optimal/interchangeable.hpp"
 
 #include <algorithm>
 #include <map>

@@ -1,4 +1,4 @@
-#include "agents/planner/dead_ends.hpp"
+#include "agents/planner/optimal/dead_ends.hpp"
 
 #include <algorithm>
 

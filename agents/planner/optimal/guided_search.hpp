@@ -13,8 +13,8 @@
 
 #include <unordered_map>
 
-#include "agents/planner/dead_ends.hpp"
-#include "agents/planner/landmark_bound.hpp"
+#include "agents/planner/optimal/dead_ends.hpp"
+#include "agents/planner/optimal/landmark_bound.hpp"
 
 namespace pizarra {
 

@@ -10,7 +10,7 @@
 //
 // To stand still is a step too, so levels only grow.
 
-#include "agents/planner/exclusions.hpp"
+#include "agents/planner/optimal/exclusions.hpp"
 #include "agents/planner/planning_graph.hpp"
 
 namespace pizarra {

@@ -1,9 +1,9 @@
-#include "agents/planner/optimal_search.hpp"
+#include "agents/planner/optimal/optimal_search.hpp"
 
 #include <algorithm>
 
-#include "agents/planner/sat_search.hpp"
-#include "agents/planner/step_search.hpp"
+#include "agents/planner/optimal/sat_search.hpp"
+#include "agents/planner/optimal/step_search.hpp"
 
 namespace pizarra {
 

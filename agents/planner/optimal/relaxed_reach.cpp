@@ -1,4 +1,4 @@
-#include "agents/planner/relaxed_reach.hpp"
+#include "agents/planner/optimal/relaxed_reach.hpp"
 
 namespace pizarra {
 

@@ -1,4 +1,4 @@
-#include "agents/planner/exclusions.hpp"
+#include "agents/planner/optimal/exclusions.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "agents/planner/step_encoding.hpp"
+#include "agents/planner/optimal/step_encoding.hpp"
 
 #include <algorithm>
 
