@@ -159,7 +159,8 @@ Task<Result<Datum>> PlannerAgent::State::get_plan() {
   plan = operations_of(mine->result->steps);
   const Datum steps = steps_to_datum(mine->result->steps);
   const Datum engine = Datum::symbol(mine->result->engine);
-  const Datum detail = list("optimal"_sym, engine, steps);
+  const Datum mode = Datum::symbol(name_of(mine->result->mode));
+  const Datum detail = list(mode, engine, steps);
   co_await tell_state("planned", detail);
   co_return list(steps);
 }

@@ -8,8 +8,9 @@
 //   task.initials = what_is_seen_now;
 //   plan = replanner.plan(task, Budget{}, cancelled);
 //
-// A plan is a shortest one either way, and what is kept is never used for other goals, objects or operators. The same
-// tasks in the same order get the same plans.
+// Kept or new, a plan is a shortest one, but where that would take too long: of a problem too large, or one that the
+// budget does not do for, it is some plan made fast. What is kept is never used for other goals, objects or operators.
+// The same tasks in the same order get the same plans.
 
 #include <map>
 #include <optional>
@@ -18,10 +19,16 @@
 
 namespace pizarra {
 
+enum class PlanMode : std::uint8_t { optimal, fast };
+std::string_view name_of(PlanMode mode);
+// What suits the problem's size.
+PlanMode mode_for(const Problem& problem);
+
 struct ReadyPlan {
   PlanSteps steps;
-  std::string_view engine;  // `kept`: the end of the last plan; else the search that found it
-  std::size_t nodes = 0;    // work done
+  PlanMode mode = PlanMode::optimal;  // optimal: no plan has fewer parallel steps
+  std::string_view engine;            // `kept`: the end of the last plan; else the search that found it
+  std::size_t nodes = 0;              // work done
 };
 
 class Replanner {
@@ -35,14 +42,16 @@ class Replanner {
     explicit Known(const PlanningTask& for_task, Problem grounded);
     PlanningTask task;
     Problem problem;
-    OptimalSearch search;
+    std::optional<OptimalSearch> search;  // none: the problem is too large
     std::map<Datum, std::size_t> fact_index;
-    std::vector<Datum> fixed;                          // initial facts that are not among the problem's
-    std::vector<std::vector<std::size_t>> last_steps;  // of the last plan
-    std::vector<Bits> last_states;                     // before every step of it, and after the last
+    std::vector<Datum> fixed;                // initial facts that are not among the problem's
+    PlanMode last_mode = PlanMode::optimal;  // of the last plan
+    std::vector<std::vector<std::size_t>> last_steps;
+    std::vector<Bits> last_states;  // before every step of it, and after the last
   };
   bool begin_from(const std::vector<Datum>& initials);
   std::optional<Outcome> end_of_last_plan() const;
+  Outcome search(const Budget& budget, const std::function<bool()>& cancelled);
   void remember(const Outcome& outcome);
 
   std::unique_ptr<Known> known_;

@@ -128,5 +128,15 @@ TEST(Replanner, WorksLessForAChangedFactThanForPlanningAnew) {
   EXPECT_LT(2 * again, anew);
 }
 
+TEST(Replanner, PlansFastWhereAShortestPlanWouldTakeTooLong) {
+  Random random(60);
+  const PlanningTask task = random_blocks(60, random);
+  Replanner replanner;
+  const Result<ReadyPlan> plan = replanner.plan(task, {.nodes = 20'000}, never);
+  ASSERT_TRUE(plan) << plan.error().sentence;
+  EXPECT_EQ(plan->mode, PlanMode::fast);
+  EXPECT_TRUE(validate_plan(task, plan->steps));
+}
+
 }  // namespace
 }  // namespace pizarra
