@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 #include <stdexcept>
 
-#include "agents/planner/optimal_search.hpp"
+#include "agents/planner/optimal/optimal_search.hpp"
 #include "agents/planner/planner_forms.hpp"
 #include "lisp/reader.hpp"
 #include "lisp/writer.hpp"

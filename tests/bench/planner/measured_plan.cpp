@@ -7,7 +7,7 @@
 #include <unistd.h>
 
 #include "agents/planner/fast/fast_planner.hpp"
-#include "agents/planner/optimal_planner.hpp"
+#include "agents/planner/optimal/optimal_planner.hpp"
 #include "tests/bench/child.hpp"
 #include "tests/bench/measure.hpp"
 
