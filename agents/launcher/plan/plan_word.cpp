@@ -164,7 +164,7 @@ void add_plan_word(CLI::App& app, int& status) {
   word->footer(
       "Exit status: 0 a plan; 1 none found in the time and memory given; 2 wrong options or files; 3 proved that "
       "there\n"
-      "is no plan; 130 interrupted.");
+      "is no plan; 4 the planner's command cannot be started; 130 interrupted.");
   word->callback([choices, &status] { status = run_plan(*choices); });
 }
 
