@@ -43,7 +43,7 @@ class View : public Board {
 
   Task<Result<std::unique_ptr<Watch>>> watch(Query query) override {
     auto watch = std::make_unique<MemoryWatch>(board_.executor());
-    Result<std::unique_ptr<WatchQueue>> queue = board_.watch(query, [watch = watch.get()] { watch->wake(); });
+    Result<std::unique_ptr<WatchQueue>> queue = board_.watch(teller_, query, [watch = watch.get()] { watch->wake(); });
     if (!queue) co_return fail(queue);
     watch->attach(std::move(*queue));
     co_return watch;
@@ -99,8 +99,9 @@ Result<Revision> MemoryBoard::transact(const std::string& teller, const Transact
 }
 
 Result<Answers> MemoryBoard::ask(const Query& query) {
-  begin();
-  Result<Answers> answers = store_->ask(query);
+  const Time now = begin();
+  const bool about_the_board = Statistics::is_about(query);
+  Result<Answers> answers = about_the_board ? statistics_.ask(query, *store_, *watches_, now) : store_->ask(query);
   schedule();
   return answers;
 }
@@ -133,9 +134,10 @@ Result<void> MemoryBoard::release(LeaseId lease) {
   return released;
 }
 
-Result<std::unique_ptr<WatchQueue>> MemoryBoard::watch(const Query& query, std::function<void()> ready) {
+Result<std::unique_ptr<WatchQueue>> MemoryBoard::watch(const std::string& watcher, const Query& query,
+                                                       std::function<void()> ready) {
   begin();
-  Result<std::unique_ptr<WatchQueue>> queue = watches_->add(query, std::move(ready));
+  Result<std::unique_ptr<WatchQueue>> queue = watches_->add(query, std::move(ready), watcher);
   schedule();
   return queue;
 }
@@ -163,6 +165,7 @@ void MemoryBoard::schedule() {
 
 void MemoryBoard::committed(const Commit& commit) {
   if (journal_) journal_(journal_line(commit));
+  statistics_.committed(commit);
   watches_->committed(commit);
 }
 

@@ -16,6 +16,7 @@
 
 #include "blackboard/board.hpp"
 #include "blackboard/commit.hpp"
+#include "blackboard/statistics.hpp"
 #include "blackboard/time/executor.hpp"
 
 namespace pizarra {
@@ -52,7 +53,9 @@ class MemoryBoard {
   Result<void> renew(LeaseId lease);
   Result<void> release(LeaseId lease);
   // The queue's first change is there already; `ready` is called whenever one comes to an empty queue.
-  Result<std::unique_ptr<WatchQueue>> watch(const Query& query, std::function<void()> ready);
+  // `watcher` is who will be named in what relation-stats says (statistics.hpp).
+  Result<std::unique_ptr<WatchQueue>> watch(const std::string& watcher, const Query& query,
+                                            std::function<void()> ready);
 
  private:
   // Lapses what is due, before an operation; and has the timer wait for what is next, after it.
@@ -63,6 +66,7 @@ class MemoryBoard {
   Executor& executor_;
   std::unique_ptr<Store> store_;
   std::unique_ptr<WatchTable> watches_;
+  Statistics statistics_;
   JournalSink journal_;
   Executor::TimerId timer_ = 0;
   std::optional<Time> timer_due_;

@@ -62,6 +62,7 @@ class WatchQueue {
   const Datum* const only_pattern_;  // what an answer's one fact fits; null for other queries
   const bool fits_all_;              // that pattern is fitted by every fact of the relation
   std::function<void()> on_ready_;
+  std::string watcher_;
   std::uint64_t number_ = 0;
   Revision touched_ = 0;  // the commit that last concerned it
 

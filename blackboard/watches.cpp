@@ -23,7 +23,8 @@ void for_patterns(const Clauses& clauses, Visitor&& visitor) {
 
 WatchTable::~WatchTable() { assert(size_ == 0); }
 
-Result<std::unique_ptr<WatchQueue>> WatchTable::add(const Query& query, std::function<void()> on_ready) {
+Result<std::unique_ptr<WatchQueue>> WatchTable::add(const Query& query, std::function<void()> on_ready,
+                                                    std::string watcher) {
   if (query.at) return fail("bad-query", "what was cannot be watched, only asked", query_to_datum(query));
   if (size_ >= limits::watches) return fail("too-large", "the board has too many watches");
   const Result<void> checked = check_query_on(query, store_.tables());
@@ -32,6 +33,7 @@ Result<std::unique_ptr<WatchQueue>> WatchTable::add(const Query& query, std::fun
   const Result<void> begun = queue->begin();
   if (!begun) return fail(begun);
   queue->on_ready_ = std::move(on_ready);
+  queue->watcher_ = std::move(watcher);
   enter(*queue);
   return queue;
 }
@@ -41,7 +43,6 @@ void WatchTable::enter(WatchQueue& watch) {
   ++size_;
   for_patterns(watch.query_.clauses, [&](const Datum& pattern) {
     Concerned& relation = relations_[std::string(pattern.head())];
-    ++relation.patterns;
     file_for(relation, pattern).push_back({&watch, &pattern});
   });
 }
@@ -66,7 +67,6 @@ void WatchTable::forget(const WatchQueue& watch) {
   const auto is_of_watch = [&](const Filed& filed) { return filed.watch == &watch; };
   for_patterns(watch.query_.clauses, [&](const Datum& pattern) {
     Concerned& relation = relations_.find(pattern.head())->second;
-    --relation.patterns;
     std::erase_if(relation.all, is_of_watch);
     for (auto& [place, files] : relation.by_argument) {
       const auto found = files.find(pattern[place]);
@@ -104,9 +104,18 @@ void WatchTable::find_touched(const Fact& fact, Revision revision, std::vector<W
   }
 }
 
-std::size_t WatchTable::concerned_with(std::string_view relation) const {
+std::map<std::string, std::size_t> WatchTable::watchers_of(std::string_view relation) const {
+  std::map<std::string, std::size_t> watchers;
   const auto found = relations_.find(relation);
-  return found == relations_.end() ? 0 : found->second.patterns;
+  if (found == relations_.end()) return watchers;
+  const auto count = [&](const File& file) {
+    for (const Filed& filed : file) ++watchers[filed.watch->watcher_];
+  };
+  count(found->second.all);
+  for (const auto& [place, files] : found->second.by_argument) {
+    for (const auto& [value, file] : files) count(file);
+  }
+  return watchers;
 }
 
 }  // namespace pizarra

@@ -29,11 +29,11 @@ class WatchTable {
   ~WatchTable();
 
   // The first change is queued; `on_ready` is called whenever the queue becomes ready after having been empty.
-  Result<std::unique_ptr<WatchQueue>> add(const Query& query, std::function<void()> on_ready);
+  Result<std::unique_ptr<WatchQueue>> add(const Query& query, std::function<void()> on_ready, std::string watcher = "");
   void committed(const Commit& commit);
   std::size_t size() const { return size_; }
-  // How many patterns of watches are about a relation.
-  std::size_t concerned_with(std::string_view relation) const;
+  // How many patterns of whose watches are about a relation.
+  std::map<std::string, std::size_t> watchers_of(std::string_view relation) const;
 
  private:
   friend class WatchQueue;
@@ -44,7 +44,6 @@ class WatchTable {
   using File = std::vector<Filed>;
   using Files = std::unordered_map<Datum, File>;  // by an argument's value
   struct Concerned {                              // with a relation
-    std::size_t patterns = 0;
     File all;
     std::map<std::size_t, Files> by_argument;  // by its place in the fact
   };

@@ -71,6 +71,25 @@ TEST_P(BoardQueries, AnAnswerNamesTheRevisionItHeldAt) {
   EXPECT_EQ(wall->run(bob->ask(query("(on ?x ?y)")))->revision, *revision);
 }
 
+TEST_P(BoardQueries, TheBoardSaysOfEveryRelationWhoTellsAndWhoWatches) {
+  const std::unique_ptr<Watch> watched = wall->run(bob->watch(query("(and (on ?x ?y) (not (on ?y a)))"))).value();
+  tell_all({"(on a b)", "(on b c)", "(mode idle)", "(mode ready)"});
+  ASSERT_EQ(symbol_of(tell(*bob, "(on c d)")), "ok");
+  const std::vector<Answer> answers = ask(*bob, "(relation-stats on ?facts ?told ?gone ? ?tellers ?watchers)");
+  ASSERT_EQ(answers.size(), 1U);
+  EXPECT_EQ(answers[0].facts[0].datum[2], to_datum(3));
+  EXPECT_EQ(answers[0].facts[0].datum[3], to_datum(3));
+  EXPECT_EQ(*answers[0].bindings.find("?tellers"), read("((\"alice\" 2) (\"bob\" 1))"));
+  EXPECT_EQ(*answers[0].bindings.find("?watchers"), read("((\"bob\" 2))"));
+  const std::vector<Answer> mode = ask(*alice, "(relation-stats mode ?facts ?told ?gone ? ? ?)");
+  EXPECT_EQ(values(mode, "?told"), std::vector<Datum>{to_datum(2)});
+  EXPECT_EQ(values(mode, "?gone"), std::vector<Datum>{to_datum(1)});
+  EXPECT_EQ(values(ask(*alice, "(and (relation-stats ?name ? ?told ? ? ? ?) (> ?told 2))"), "?name"),
+            std::vector<Datum>{"on"_sym});
+  EXPECT_EQ(symbol_of(wall->run(bob->ask(query("(and (on ?x ?y) (relation-stats on ? ? ? ? ? ?))")))), "bad-query");
+  EXPECT_EQ(symbol_of(tell(*bob, "(relation-stats on 1 1 1 1 () ())")), "undeclared-relation");
+}
+
 TEST_P(BoardQueries, AwaitAnswersWhatHoldsOrComesToHold) {
   const Time soon = wall->executor().now() + 100ms;
   EXPECT_EQ(symbol_of(wall->run(await_answer(*bob, query("(on a ?y)"), soon, wall->executor()))), "timeout");
