@@ -12,28 +12,37 @@ Weight& Weight::operator+=(const Weight& other) {
   return *this;
 }
 
-Weight weigh(const Datum& datum) {
+namespace {
+
+// Adds what the datum weighs, inside `depth` lists.
+void add(const Datum& datum, std::size_t depth, Weight& whole) {
   constexpr std::size_t longest_number = 26;
-  Weight weight;
-  weight.elements = 1;
+  ++whole.elements;
   switch (datum.kind()) {
     case Datum::Kind::symbol:
-      weight.bytes = datum.text().size() + 1;
-      break;
+      whole.bytes += datum.text().size() + 1;
+      return;
     case Datum::Kind::string:
-      weight.bytes = 2 * datum.text().size() + 3;
-      break;
+      whole.bytes += 2 * datum.text().size() + 3;
+      return;
     case Datum::Kind::integer:
     case Datum::Kind::real:
-      weight.bytes = longest_number;
-      break;
+      whole.bytes += longest_number;
+      return;
     case Datum::Kind::list:
-      weight.bytes = 3;
-      for (const Datum& item : datum.items()) weight += weigh(item);
-      ++weight.depth;
       break;
   }
-  return weight;
+  whole.bytes += 3;
+  whole.depth = std::max(whole.depth, depth + 1);
+  for (const Datum& item : datum.items()) add(item, depth + 1, whole);
+}
+
+}  // namespace
+
+Weight weigh(const Datum& datum) {
+  Weight whole;
+  add(datum, 0, whole);
+  return whole;
 }
 
 Weight weigh(const Fact& fact) {
