@@ -41,7 +41,9 @@ Task<Result<Answers>> Past::answer(Query query) {
   // What was told before the question is to be in the file.
   const JournalWriter::Position last = journal_.position();
   journal_.keep();
-  while (journal_.kept() < last && !journal_.stuck()) co_await sleep(executor_, look_again_after);
+  while (journal_.kept() < last && !journal_.stuck()) {
+    co_await sleep(executor_, look_again_after);
+  }
   const auto answers = std::make_shared<Result<Answers>>(Answers());
   const std::string path = journal_.file().path();
   std::function<void(const std::function<bool()>&)> job = [=](const std::function<bool()>&) {
