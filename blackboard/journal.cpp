@@ -113,6 +113,11 @@ LineStart start_of_line(std::string_view line) {
   return start;
 }
 
+LineStart start_of_last_line(std::string_view lines) {
+  if (!lines.empty()) lines.remove_suffix(1);
+  return start_of_line(lines.substr(lines.rfind('\n') + 1));
+}
+
 Result<std::variant<Declaration, Commit>> read_journal_line(std::string_view line) {
   const Result<Datum> read = read_one(line, line_limits, "journal");
   if (!read) return fail(read);

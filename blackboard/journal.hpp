@@ -36,6 +36,8 @@ struct LineStart {
   Time when{};
 };
 LineStart start_of_line(std::string_view line);
+// Of lines that each have their newline.
+LineStart start_of_last_line(std::string_view lines);
 inline bool is_beyond(const LineStart& start, const Moment& until) {
   return start.revision > until.revision || start.when > until.time;
 }

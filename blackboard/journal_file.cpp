@@ -21,17 +21,40 @@ std::unexpected<Failure> refused(const std::string& what, const std::string& pat
   return fail("journal-file", what + " " + path + ": " + std::strerror(errno));
 }
 
-std::string_view last_line(std::string_view lines) {
-  if (!lines.empty()) lines.remove_suffix(1);
-  return lines.substr(lines.rfind('\n') + 1);
+bool is_sqlite(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string begin(sqlite_files_begin_with.size(), '\0');
+  file.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+  return begin == sqlite_files_begin_with;
 }
 
 // A journal in text, as `demo --journal` writes it.
-Result<std::string> read_text(std::ifstream& file, const std::string& path, Store& store, const Moment& until) {
-  const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-  const Result<std::string_view> rest = replay(text, store, until);
-  if (rest) return std::string(*rest);
+Result<std::string> text_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return refused("cannot read", path);
+  return std::string((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+}
+
+PlayedBack played_back(std::string_view text, std::string_view rest) {
+  return {start_of_last_line(text.substr(0, text.size() - rest.size())), std::string(rest)};
+}
+
+Result<PlayedBack> read_text(const std::string& path, Store& store, const Moment& until) {
+  const Result<std::string> text = text_of(path);
+  if (!text) return fail(text);
+  const Result<std::string_view> rest = replay(*text, store, until);
+  if (rest) return played_back(*text, *rest);
   return fail("bad-journal", path + ": " + rest.error().sentence, rest.error().subject);
+}
+
+Result<LineStart> end_of(sqlite::Database& database) {
+  sqlite::Statement row(
+      database,
+      "SELECT revision, time FROM log UNION ALL SELECT (SELECT value FROM about WHERE name = 'horizon'), "
+      "(SELECT value FROM about WHERE name = 'horizon-time') ORDER BY 1 DESC LIMIT 1");
+  const Result<bool> found = row.step();
+  if (!found) return fail(found);
+  return LineStart{static_cast<Revision>(row.integer(0)), Time(Duration(row.integer(1)))};
 }
 
 }  // namespace
@@ -74,7 +97,7 @@ JournalFile::~JournalFile() = default;
 
 Result<std::vector<RememberedReply>> JournalFile::recover(Store& store) {
   const std::scoped_lock lock(mutex_);
-  const Result<std::string> restored = journal_tables::restore(database_, store, {});
+  const Result<PlayedBack> restored = journal_tables::restore(database_, store, {});
   if (!restored) return fail(journal_tables::failure_of(restored.error(), path_));
   Result<std::vector<RememberedReply>> replies = journal_tables::remembered(database_, replies_kept);
   if (!replies) return fail(journal_tables::failure_of(replies.error(), path_));
@@ -96,7 +119,7 @@ Result<void> JournalFile::write(const JournalGroup& group) {
     if (!set) return set;
     waits_for_disk_ = group.durable;
   }
-  const LineStart last = start_of_line(last_line(group.lines));
+  const LineStart last = start_of_last_line(group.lines);
   sqlite::Statement insert(database_, "INSERT INTO log VALUES (?, ?, ?, ?, ?, ?)");
   insert.bind(1, next_group_).bind(2, static_cast<std::int64_t>(last.revision));
   insert.bind(3, last.when.time_since_epoch().count()).bind(4, group.lines).bind(5, group.replies);
@@ -123,19 +146,28 @@ Result<bool> JournalFile::compact(Time now) {
   return more;
 }
 
-Result<std::string> read_journal(const std::string& path, Store& store, const Moment& until) {
-  std::ifstream file(path, std::ios::binary);
-  std::string begin(sqlite_files_begin_with.size(), '\0');
-  file.read(begin.data(), static_cast<std::streamsize>(begin.size()));
-  if (!file && !file.eof()) return refused("cannot read", path);
-  if (begin != sqlite_files_begin_with) {
-    file.clear();
-    file.seekg(0);
-    return read_text(file, path, store, until);
+void remove_journal(const std::string& path) {
+  for (const char* part : {"", "-wal", "-shm", "-reserve"}) unlink((path + part).c_str());
+}
+
+Result<LineStart> end_of_journal(const std::string& path) {
+  if (!is_sqlite(path)) {
+    const Result<std::string> text = text_of(path);
+    if (!text) return fail(text);
+    return start_of_last_line(std::string_view(*text).substr(0, text->rfind('\n') + 1));
   }
   Result<sqlite::Database> database = journal_tables::open(path, sqlite::Access::read);
   if (!database) return fail(journal_tables::failure_of(database.error(), path));
-  Result<std::string> rest = journal_tables::restore(*database, store, until);
+  const Result<LineStart> end = end_of(*database);
+  if (!end) return fail(journal_tables::failure_of(end.error(), path));
+  return end;
+}
+
+Result<PlayedBack> read_journal(const std::string& path, Store& store, const Moment& until) {
+  if (!is_sqlite(path)) return read_text(path, store, until);
+  Result<sqlite::Database> database = journal_tables::open(path, sqlite::Access::read);
+  if (!database) return fail(journal_tables::failure_of(database.error(), path));
+  Result<PlayedBack> rest = journal_tables::restore(*database, store, until);
   if (!rest) return fail(journal_tables::failure_of(rest.error(), path));
   return rest;
 }

@@ -92,8 +92,18 @@ class JournalFile {
   bool waits_for_disk_ = true;
 };
 
+// With what SQLite and the board leave beside it when they are killed.
+void remove_journal(const std::string& path);
+
+// Where a journal ends. Failures as above.
+Result<LineStart> end_of_journal(const std::string& path);
+
 // The journal of a file as of a moment, whether a board has it or not, and whether it is SQLite or text: into an empty
-// store. Answers the lines that came later. Failure `forgotten` when compaction has let that moment go.
-Result<std::string> read_journal(const std::string& path, Store& store, const Moment& until = {});
+// store. Failure `forgotten` when compaction has let that moment go.
+struct PlayedBack {
+  LineStart to;
+  std::string later;  // the lines that came after
+};
+Result<PlayedBack> read_journal(const std::string& path, Store& store, const Moment& until = {});
 
 }  // namespace pizarra

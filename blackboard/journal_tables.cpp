@@ -85,7 +85,7 @@ Result<void> restore_facts(sqlite::Database& database, Store& store) {
   return {};
 }
 
-Result<std::string> restore_log(sqlite::Database& database, Store& store, const Moment& until) {
+Result<PlayedBack> restore_log(sqlite::Database& database, Store& store, const Moment& until, LineStart to) {
   sqlite::Statement rows(database, "SELECT number, lines, replies, sum FROM log ORDER BY number");
   std::int64_t expected = 0;
   std::string later;
@@ -105,8 +105,10 @@ Result<std::string> restore_log(sqlite::Database& database, Store& store, const 
     const Result<std::string_view> rest = replay(rows.text(1), store, until);
     if (!rest) return bad(rest.error().sentence);
     later = *rest;
+    const std::string_view played = rows.text(1).substr(0, rows.text(1).size() - rest->size());
+    if (!played.empty()) to = start_of_last_line(played);
   }
-  return later;
+  return PlayedBack{to, std::move(later)};
 }
 
 std::optional<RememberedReply> reply_from_line(std::string_view line) {
@@ -164,7 +166,7 @@ Result<void> set_about(sqlite::Database& database, std::string_view name, std::i
   return row.bind(1, value).bind(2, name).run();
 }
 
-Result<std::string> restore(sqlite::Database& database, Store& store, const Moment& until) {
+Result<PlayedBack> restore(sqlite::Database& database, Store& store, const Moment& until) {
   // One view of the file, whatever is written meanwhile.
   sqlite::Transaction reading(database);
   const Result<void> begun = reading.begin_reading();
@@ -183,7 +185,7 @@ Result<std::string> restore(sqlite::Database& database, Store& store, const Mome
   if (restored) restored = restore_facts(database, store);
   if (!restored) return fail(restored);
   store.restore_counters(oldest, static_cast<FactId>(*next_fact));
-  return restore_log(database, store, until);
+  return restore_log(database, store, until, {oldest, Time(Duration(*horizon_time))});
 }
 
 Result<std::vector<RememberedReply>> remembered(sqlite::Database& database, Duration length) {

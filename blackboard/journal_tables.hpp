@@ -24,8 +24,8 @@ std::int64_t sum_of_group(std::int64_t number, std::string_view lines, std::stri
 Result<std::int64_t> about(sqlite::Database& database, std::string_view name);
 Result<void> set_about(sqlite::Database& database, std::string_view name, std::int64_t value);
 
-// Up to a moment, into an empty store; answers the lines that came later. Failures bad-journal and forgotten.
-Result<std::string> restore(sqlite::Database& database, Store& store, const Moment& until);
+// Up to a moment, into an empty store. Failures bad-journal and forgotten.
+Result<PlayedBack> restore(sqlite::Database& database, Store& store, const Moment& until);
 // Of the last `length` before the last group, newest 256 of a session.
 Result<std::vector<RememberedReply>> remembered(sqlite::Database& database, Duration length);
 

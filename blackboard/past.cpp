@@ -8,7 +8,7 @@ constexpr Duration look_again_after = 5ms;
 
 Result<Answers> answer_from(const std::string& path, Query query) {
   Store store;
-  const Result<std::string> read = read_journal(path, store, *query.at);
+  const Result<PlayedBack> read = read_journal(path, store, *query.at);
   if (!read) return fail(read);
   query.at.reset();
   return store.ask(query);

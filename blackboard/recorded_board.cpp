@@ -11,17 +11,21 @@ std::unexpected<Failure> read_only() { return fail("read-only", "a recorded boar
 
 }  // namespace
 
-RecordedBoard::RecordedBoard(Executor& executor, std::unique_ptr<Store> store, std::string lines)
-    : store_(*store), board_(executor, std::move(store)), view_(board_.view("recorded")), lines_(std::move(lines)) {}
+RecordedBoard::RecordedBoard(Executor& executor, std::unique_ptr<Store> store, PlayedBack played)
+    : store_(*store),
+      board_(executor, std::move(store)),
+      view_(board_.view("recorded")),
+      lines_(std::move(played.later)),
+      when_(played.to.when) {}
 
 RecordedBoard::~RecordedBoard() = default;
 
 Result<std::unique_ptr<RecordedBoard>> RecordedBoard::open(Executor& executor, const std::string& path,
                                                            const Moment& until) {
   auto store = std::make_unique<Store>();
-  Result<std::string> rest = read_journal(path, *store, until);
-  if (!rest) return fail(rest);
-  return std::unique_ptr<RecordedBoard>(new RecordedBoard(executor, std::move(store), std::move(*rest)));
+  Result<PlayedBack> played = read_journal(path, *store, until);
+  if (!played) return fail(played);
+  return std::unique_ptr<RecordedBoard>(new RecordedBoard(executor, std::move(store), std::move(*played)));
 }
 
 Revision RecordedBoard::revision() const { return store_.revision(); }
@@ -45,6 +49,7 @@ Result<bool> RecordedBoard::step() {
     const std::optional<std::string_view> line = next_line();
     if (!line) return false;
     at_ += line->size() + 1;
+    when_ = start_of_line(*line).when;
     const Result<void> replayed = replay_line(*line, store_);
     if (!replayed) return fail(replayed);
   }

@@ -14,7 +14,7 @@
 #include <optional>
 #include <string>
 
-#include "blackboard/journal.hpp"
+#include "blackboard/journal_file.hpp"
 #include "blackboard/memory_board.hpp"
 
 namespace pizarra {
@@ -27,6 +27,8 @@ class RecordedBoard : public Board {
   ~RecordedBoard() override;
 
   Revision revision() const;
+  // With the time of the last revision that was stepped to, or opened at.
+  LineStart moment() const { return {revision(), when_}; }
   // When the next revision was committed: nothing at the end.
   std::optional<Time> next() const;
   // Plays the next revision back: false at the end.
@@ -44,7 +46,7 @@ class RecordedBoard : public Board {
   Task<Result<void>> release(LeaseId lease) override;
 
  private:
-  RecordedBoard(Executor& executor, std::unique_ptr<Store> store, std::string lines);
+  RecordedBoard(Executor& executor, std::unique_ptr<Store> store, PlayedBack played);
   std::optional<std::string_view> next_line() const;
 
   Store& store_;
@@ -52,6 +54,7 @@ class RecordedBoard : public Board {
   const std::unique_ptr<Board> view_;
   const std::string lines_;  // what is not played back yet, from at_ on
   std::size_t at_ = 0;
+  Time when_{};
 };
 
 }  // namespace pizarra

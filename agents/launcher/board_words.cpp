@@ -5,14 +5,18 @@
 
 #include "agents/launcher/key_option.hpp"
 #include "agents/launcher/local_cell.hpp"
+#include "agents/launcher/moment.hpp"
 #include "agents/launcher/readiness.hpp"
 #include "agents/launcher/run_directory.hpp"
 #include "agents/launcher/words.hpp"
 #include "agents/repl/json_answers.hpp"
 #include "agents/repl/repl.hpp"
+#include "blackboard/journal_file.hpp"
+#include "blackboard/recorded_board.hpp"
 #include "blackboard/remote_board.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "lisp/reader.hpp"
+#include "lisp/writer.hpp"
 
 namespace pizarra {
 
@@ -31,6 +35,7 @@ struct Manner {
   Interpreter::Patience patience = Interpreter::Patience::ended;
   Style style = Style::text;
   bool stay = false;
+  bool recorded = false;  // nobody is there, and nobody is told of us
 };
 
 struct ReplChoices {
@@ -106,6 +111,7 @@ class Session {
     const Datum anybody = list("agent"_sym, "?"_sym, "?"_sym, "?"_sym);
     const Result<std::vector<Fact>> there = co_await context_.board.facts(anybody);
     if (!there && there.error().symbol != "undeclared-relation") co_return fail(there);
+    if (manner_.recorded) co_return {};
     co_return co_await service_.start();
   }
 
@@ -212,7 +218,33 @@ struct FormChoices {
   BoardChoices board;
   std::vector<std::string> arguments;
   bool json = false;
+  // Of `ask`.
+  std::string at;
+  std::string journal;
 };
+
+// The query with the moment it is about, for a board that keeps a journal.
+Result<std::string> ask_at(const Source& typed, const std::string& at) {
+  const auto now = std::chrono::time_point_cast<Duration>(std::chrono::system_clock::now());
+  const Result<Moment> moment = moment_from_text(at, Time(now.time_since_epoch()));
+  if (!moment) return fail(moment);
+  if (typed.data().size() != 1) return fail("malformed", "with --at there is one query");
+  Result<Query> query = query_from_datum(typed.data().front());
+  if (!query) return fail(query);
+  query->at = *moment;
+  return write(list("ask"_sym, query_to_datum(*query)));
+}
+
+int ask_journal(const std::string& form, const FormChoices& choices, Style style) {
+  const Result<LineStart> end = end_of_journal(choices.journal);
+  if (!end) return complain_as(style, end.error(), exit_usage);
+  const Result<Moment> moment = choices.at.empty() ? Moment{} : moment_from_text(choices.at, end->when);
+  if (!moment) return complain_as(style, moment.error(), exit_usage);
+  RealExecutor executor;
+  const auto board = RecordedBoard::open(executor, choices.journal, *moment);
+  if (!board) return complain_as(style, board.error(), exit_usage);
+  return Session(executor, **board, {.style = style, .recorded = true}).run({form}, false);
+}
 
 int run_form(const FormWord& word, const FormChoices& choices) {
   const Style style = choices.json ? Style::json : Style::text;
@@ -220,11 +252,17 @@ int run_form(const FormWord& word, const FormChoices& choices) {
   // Here, so that an error shows what was typed, and not the form that is made of it.
   const Result<Source> readable = read_source(typed, "input");
   if (!readable) return complain_as(style, readable.error(), exit_usage);
+  // On a line of its own: a comment at its end must not swallow the parenthesis.
+  std::string form = fmt::format("({} {}\n)", word.name, typed);
+  if (!choices.journal.empty()) return ask_journal(form, choices, style);
+  if (!choices.at.empty()) {
+    Result<std::string> then = ask_at(*readable, choices.at);
+    if (!then) return complain_as(style, then.error(), exit_usage);
+    form = std::move(*then);
+  }
   const Result<Destination> to = destination(choices.board);
   if (!to) return complain_as(style, to.error(), exit_unavailable);
   const bool stay = std::string_view(word.name) == "watch";
-  // On a line of its own: a comment at its end must not swallow the parenthesis.
-  const std::string form = fmt::format("({} {}\n)", word.name, typed);
   return talk_to(*to, {form}, {.style = style, .stay = stay});
 }
 
@@ -234,6 +272,14 @@ void add_form_word(CLI::App& app, int& status, const FormWord& word) {
   if (*word.argument != '\0') added->add_option(word.argument, choices->arguments)->required();
   added->add_flag("--json", choices->json, "One JSON object a line");
   add_board_options(added, choices->board);
+  if (std::string_view(word.name) == "ask") {
+    added
+        ->add_option("--at", choices->at,
+                     "What held then: a revision, 90s, 5min, 2h, 1d ago, 2026-11-21T12:30:00; of a "
+                     "board that keeps a journal")
+        ->type_name("MOMENT");
+    added->add_option("--journal", choices->journal, "Ask this journal in place of a board")->check(CLI::ExistingFile);
+  }
   added->callback([&word, choices, &status] { status = run_form(word, *choices); });
 }
 

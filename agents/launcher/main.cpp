@@ -19,6 +19,7 @@ int main(int argc, char** argv) {
   pizarra::add_cell_words(app, status);
   pizarra::add_process_words(app, status);
   pizarra::add_board_words(app, status);
+  pizarra::add_replay_word(app, status);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

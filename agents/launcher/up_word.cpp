@@ -13,6 +13,7 @@
 #include "agents/launcher/story_run.hpp"
 #include "agents/launcher/supervisor.hpp"
 #include "agents/launcher/words.hpp"
+#include "blackboard/journal_file.hpp"
 #include "blackboard/remote_board.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "lisp/cell.hpp"
@@ -131,7 +132,7 @@ Result<void> Up::start_all() {
   if (owns_board) {
     // Only what is durable outlives the board; it is kept as long as the run's folder is.
     const std::string journal = directory_.file("board.journal");
-    std::filesystem::remove(journal);
+    remove_journal(journal);
     std::vector<std::string> command = {beside_this_program("pizarra-board"), "--listen", board_address_, "--journal",
                                         journal};
     if (!keys_.empty()) command.insert(command.end(), {"--listen", cell_.board_address, "--keys", keys_});

@@ -20,6 +20,7 @@ void add_scenario_word(CLI::App& app, int& status);
 void add_check_word(CLI::App& app, int& status);
 void add_cell_words(CLI::App& app, int& status);     // up, ps, down
 void add_process_words(CLI::App& app, int& status);  // agent, world
+void add_replay_word(CLI::App& app, int& status);
 void add_board_words(CLI::App& app, int& status);    // repl, tell, retract, ask, watch, goal, why
 
 // Prints the failure to standard error and answers `code`.

@@ -66,7 +66,7 @@ class JournalFileTest : public testing::Test {
 
   Datum facts_at(const Moment& until, const std::string& pattern) {
     Store store;
-    const Result<std::string> later = read_journal(path_, store, until);
+    const Result<PlayedBack> later = read_journal(path_, store, until);
     if (!later) return Datum::symbol(later.error().symbol);
     std::vector<Datum> facts;
     const Result<Answers> answers = store.ask(query(pattern));

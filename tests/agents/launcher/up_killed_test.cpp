@@ -196,6 +196,16 @@ TEST_F(UpKilled, VisionAndPlannerKilledWhileABlockIsHeldComeBackAndTheGoalIsReac
   stop_cleanly();
 }
 
+TEST_F(UpKilled, ABoardKilledWhileABlockIsHeldLivesAgainWithWhatIsDurableAndTheGoalIsReached) {
+  ASSERT_TRUE(comes("(person done ?x)")) << up_->said();
+  Running goal({"repl", "--eval", "(goal (on circle triangle))"}, folder_ + "/goal.log");
+  ASSERT_TRUE(comes("(holding ?x)")) << goal.said() << up_->said();
+  kill_now("board");
+  EXPECT_TRUE(comes("(goal-state ?x reached ?)")) << goal.said() << up_->said();
+  EXPECT_EQ(say({"ask", "--at", "4s", "(goal-state ?x running ?)"}), "?x = 1\n") << "the past goes on, too";
+  stop_cleanly();
+}
+
 TEST_F(UpKilled, NoProcessOutlivesAKilledUpAndTheNextOneStartsInItsPlace) {
   ASSERT_TRUE(wait_until([this] { return shown("vision").pid > 0 && cell_processes().size() == 7; }, patience))
       << up_->said();

@@ -44,7 +44,7 @@ bool contains(const Said& said, const std::string& text) { return said.text.find
 
 TEST(Words, EveryWordHelps) {
   for (const char* word : {"demo", "scenario", "check", "up", "ps", "down", "agent", "world", "repl", "tell", "retract",
-                           "ask", "watch", "goal", "why"}) {
+                           "ask", "watch", "goal", "why", "replay"}) {
     const Said said = run(std::string(word) + " --help");
     EXPECT_EQ(said.status, 0) << word;
     EXPECT_TRUE(contains(said, "pizarra " + std::string(word))) << said.text;
@@ -312,6 +312,41 @@ TEST(Words, TheSameSeedGivesTheSameJournalByteForByte) {
   EXPECT_GT(seven.size(), 1000U);
   EXPECT_TRUE(seven == journal_of("--seed 7"));
   EXPECT_FALSE(seven == journal_of("--seed 8"));
+}
+
+std::string journal_of_modes() {
+  std::string path = testing::TempDir() + "modes.txt";
+  std::ofstream(path) << "(0 0 \"alice\" (declare (relation mode ((name symbol)) (key))))\n"
+                         "(1 1000000 \"alice\" (tell 1 (mode idle)))\n"
+                         "(2 2000000 \"bob\" (retract 1) (tell 2 (mode ready)))\n"
+                         "(3 3000000 \"bob\" (retract 2))\n";
+  return path;
+}
+
+TEST(Words, AskAnswersFromAJournalWhatHeldThen) {
+  const std::string ask = "ask --journal " + journal_of_modes();
+  EXPECT_EQ(run(ask + " '(mode ?m)'").text, "no\n");
+  for (const char* moment : {"1", "@1.5", "2s"}) {
+    EXPECT_EQ(run(ask + " --at " + moment + " '(mode ?m)'").text, "?m = idle\n") << moment;
+  }
+  EXPECT_EQ(run(ask + " --at 1970-01-02T00:00:00 --json '(mode ?m)'").text, "{\"revision\":3,\"answers\":[]}\n");
+  const Said soon = run(ask + " --at soon '(mode ?m)'");
+  EXPECT_EQ(soon.status, 2);
+  EXPECT_TRUE(contains(soon, "a moment is")) << soon.text;
+}
+
+TEST(Words, ReplayStepsAsksWatchesAndGoesBack) {
+  const std::string replay = "replay " + journal_of_modes() + " --at 1";
+  const Said said = run(replay + " --eval '(moment)' --eval '(watch (mode ?x))' --eval '(step)' --eval '(play 1000)'" +
+                        " --eval '(at 2)' --eval '(ask (mode ?m))'");
+  EXPECT_EQ(said.status, 0);
+  EXPECT_EQ(said.text,
+            "revision 1 at @1.000000\nwatch 1\n[1] + ?x = idle\nrevision 2 at @2.000000\n[1] - ?x = idle\n"
+            "[1] + ?x = ready\nrevision 3 at @3.000000\n[1] - ?x = ready\nrevision 2 at @2.000000\n?m = ready\n");
+  const Said told = run(replay + " --eval '(tell (mode busy))'");
+  EXPECT_EQ(told.status, 1);
+  EXPECT_TRUE(contains(told, "a recorded board cannot be changed")) << told.text;
+  EXPECT_EQ(run("replay " + testing::TempDir()).status, 2);
 }
 
 }  // namespace

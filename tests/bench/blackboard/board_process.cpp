@@ -6,8 +6,17 @@
 
 namespace pizarra::bench {
 
-BoardProcess::BoardProcess()
-    : process_(Child::program({program_beside("pizarra-board"), "--listen", "tcp://127.0.0.1:*"})) {
+namespace {
+
+std::vector<std::string> command_with(const std::vector<std::string>& options) {
+  std::vector<std::string> command = {program_beside("pizarra-board"), "--listen", "tcp://127.0.0.1:*"};
+  command.insert(command.end(), options.begin(), options.end());
+  return command;
+}
+
+}  // namespace
+
+BoardProcess::BoardProcess(const std::vector<std::string>& options) : process_(Child::program(command_with(options))) {
   const std::string ready = process_.pipe().hear_line();
   address_ = ready.substr(ready.rfind(' ') + 1);
 }

@@ -17,7 +17,8 @@ namespace pizarra::bench {
 
 class BoardProcess {
  public:
-  BoardProcess();
+  // With options of pizarra-board's command line.
+  explicit BoardProcess(const std::vector<std::string>& options = {});
   const std::string& address() const { return address_; }
   const Child& process() const { return process_; }
 

@@ -14,6 +14,8 @@ void start_and_memory(Figures& figures);
 void tell_round_trip(Figures& figures);
 void tell_to_watcher(Figures& figures);
 void throughput(Figures& figures);
+void durable_tells(Figures& figures);
+void recovery(Figures& figures);
 void stalled_watcher(Figures& figures);
 
 }  // namespace pizarra::bench

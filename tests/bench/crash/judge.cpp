@@ -20,7 +20,7 @@ std::size_t Judge::unmade() const {
 
 Result<Verdict> Judge::judge(const std::string& journal) const {
   Store store;
-  const Result<std::string> read = read_journal(journal, store);
+  const Result<PlayedBack> read = read_journal(journal, store);
   if (!read) return fail(read);
   std::map<Item, std::size_t> effects;
   std::set<Item> items;
