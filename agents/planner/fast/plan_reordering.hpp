@@ -5,12 +5,14 @@
 //   PlanReordering reordering(problem, plan, random);
 //   if (reordering.try_once()) use(reordering.plan());      // shorter
 //
-// A piece of the plan is moved elsewhere, and the plan is done again from there: of the actions left, always the first
-// that can be done; but a later one that makes a goal true, if the others then still reach all goals, as far as they
-// can be done. Those that cannot are saved: a block that was put aside goes straight to its place when its turn comes
-// later.
+// A piece of the plan is moved elsewhere, or what a later action needs is made before an earlier one that it might then
+// follow at once; and the plan is done again from there: of the actions left, always the first that can be done; but a
+// later one that makes a goal true, if the others then still reach all goals, as far as they can be done. Those that
+// cannot are saved: a block that was put aside goes straight to its place when its turn comes later. Where none can be
+// done, one that was not in the plan may lead out: another block is put aside in its stead.
 
 #include <optional>
+#include <utility>
 
 #include "agents/planner/fast/compact_problem.hpp"
 #include "blackboard/time/random.hpp"
@@ -28,15 +30,19 @@ class PlanReordering {
 
  private:
   void move_a_piece();
+  bool prepare_for_going_on();
+  bool hurry(std::size_t end, std::pair<std::size_t, std::size_t> but, const Bits& holds, Bits& wanted);
   bool redo();
   std::optional<ActionIndex> next(const Bits& state);
+  std::optional<ActionIndex> way_out(const Bits& state);
+  bool plan_way_back(ActionIndex out, Bits state);
   bool makes_a_goal(ActionIndex action, const Bits& state) const;
   bool suffices(std::ptrdiff_t index, Bits state);
 
   const CompactProblem& problem_;
   Random& random_;
   std::vector<ActionIndex> plan_;
-  Bits adds_goal_;                  // of the actions
+  Rows goal_makers_;                // of a fact: the actions that need it and add a goal
   std::vector<ActionIndex> order_;  // the plan with a piece moved; what is done is taken out
   std::size_t begin_ = 0;           // before it nothing was moved
   std::vector<ActionIndex> done_, rest_;

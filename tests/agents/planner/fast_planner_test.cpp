@@ -5,7 +5,9 @@
 
 #include "agents/planner/breadth_first.hpp"
 #include "agents/planner/fast/exclusive_facts.hpp"
+#include "agents/planner/fast/plan_reordering.hpp"
 #include "agents/planner/fast/plan_shape.hpp"
+#include "agents/planner/optimal/optimal_planner.hpp"
 #include "lisp/writer.hpp"
 #include "tests/agents/planner/engine_contract.hpp"
 #include "tests/agents/planner/planning_domains.hpp"
@@ -116,6 +118,17 @@ TEST(FastPlanner, PlansForSixtyBlocksWithFewStatesLookedAt) {
   }
 }
 
+TEST(FastPlanner, ComesWithinATwentiethOfTheFewestActionsForTwentyBlocks) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    Random random(seed);
+    const Problem problem = ground(random_blocks(20, random)).value();
+    const std::size_t fewest = fewest_actions(problem).value();
+    const std::size_t actions = actions_of(FastPlanner().solve(problem, effort(300'000), never));
+    EXPECT_GE(actions, fewest) << seed;
+    EXPECT_LE(20 * actions, 21 * fewest) << seed;
+  }
+}
+
 TEST(FastPlanner, HasNothingToDoWhereTheGoalsHold) {
   PlanningTask task = blocks_domain(2);
   task.initials = facts_of("(on-table b0) (clear b0) (on-table b1) (clear b1) (arm-empty)");
@@ -158,6 +171,33 @@ TEST(ExclusiveFacts, SayThatABlockIsInOnePlaceWithOneThingOnIt) {
   EXPECT_TRUE(exclusive.exclude(fact("(on b0 b1)"), fact("(holding b0)")));
   EXPECT_TRUE(exclusive.exclude(fact("(holding b0)"), fact("(holding b1)")));
   EXPECT_FALSE(exclusive.exclude(fact("(on b0 b1)"), fact("(on b1 b2)")));
+}
+
+TEST(PlanReordering, KeepsThePlanWorkingAndNeverMakesItLonger) {
+  for (std::uint64_t seed = 0; seed < 400; ++seed) {
+    SCOPED_TRACE(seed);
+    const PlanningTask task = random_task(seed);
+    const Problem problem = ground(task).value();
+    const Outcome first = FastPlanner({.seed = seed, .first_only = true}).solve(problem, effort(2000), never);
+    if (first.kind != Outcome::Kind::plan) continue;
+    std::vector<ActionIndex> plan;
+    for (const std::vector<std::size_t>& step : first.steps) plan.insert(plan.end(), step.begin(), step.end());
+    const CompactProblem compact(problem);
+    Random random(seed);
+    PlanReordering reordering(compact, plan, random);
+    std::size_t length = plan.size();
+    for (int attempt = 0; attempt < 100; ++attempt) {
+      const bool shorter = reordering.try_once();
+      EXPECT_EQ(shorter, reordering.plan().size() < length);
+      length = std::min(length, reordering.plan().size());
+      Bits state = problem.initials;
+      for (const ActionIndex action : reordering.plan()) {
+        ASSERT_TRUE(compact.applicable(action, state)) << show(task);
+        compact.apply(action, state);
+      }
+      ASSERT_TRUE(problem.goals.subset_of(state)) << show(task);
+    }
+  }
 }
 
 TEST(PlanShape, LeavesOutWhatIsIdle) {
