@@ -6,28 +6,48 @@
 
 namespace pizarra {
 
-std::optional<Eigen::Vector2d> free_spot(const TableArea& area, const std::vector<Eigen::Vector2d>& occupied,
-                                         double from_y_mm) {
+namespace {
+
+std::optional<Eigen::Vector2d> free_spot_at(double x_mm, const TableArea& area,
+                                            const std::vector<Eigen::Vector2d>& occupied, double from_y_mm) {
   std::optional<Eigen::Vector2d> nearest;
   std::optional<Eigen::Vector2d> roomiest;
   double best_distance = std::numeric_limits<double>::infinity();
   double best_room = area.least_mm;
   for (double y = area.y_low_mm; y <= area.y_high_mm; y += area.grid_mm) {
     double room = std::numeric_limits<double>::infinity();
+    bool hidden = false;
     for (const Eigen::Vector2d& other : occupied) {
-      if (std::abs(other.x() - area.x_mm) < area.depth_mm) room = std::min(room, std::abs(other.y() - y));
+      const double aside = std::abs(other.y() - y);
+      if (std::abs(other.x() - x_mm) < area.depth_mm) {
+        room = std::min(room, aside);
+      } else {
+        hidden = hidden || aside < area.unhidden_mm;
+      }
     }
+    if (hidden) continue;
     const double distance = std::abs(y - from_y_mm);
     if (room >= area.comfortable_mm && distance < best_distance) {
       best_distance = distance;
-      nearest = {area.x_mm, y};
+      nearest = {x_mm, y};
     }
     if (room >= best_room) {
       best_room = room + 1e-9;
-      roomiest = {area.x_mm, y};
+      roomiest = {x_mm, y};
     }
   }
   return nearest ? nearest : roomiest;
+}
+
+}  // namespace
+
+std::optional<Eigen::Vector2d> free_spot(const TableArea& area, const std::vector<Eigen::Vector2d>& occupied,
+                                         double from_y_mm) {
+  for (const double x_mm : {area.x_mm, area.x_mm - area.depth_mm, area.x_mm + area.depth_mm}) {
+    const std::optional<Eigen::Vector2d> spot = free_spot_at(x_mm, area, occupied, from_y_mm);
+    if (spot) return spot;
+  }
+  return std::nullopt;
 }
 
 double opening_between(const Eigen::Vector3d& centre, const std::vector<Eigen::Vector3d>& neighbours, double cube_mm,

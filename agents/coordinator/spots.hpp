@@ -19,7 +19,8 @@ struct TableArea {
             .y_high_mm = row.y_high_mm,
             .comfortable_mm = cube_mm + 40,
             .least_mm = cube_mm + 26,
-            .depth_mm = cube_mm + 30};
+            .depth_mm = cube_mm + 30,
+            .unhidden_mm = cube_mm + 6};
   }
 
   double x_mm = 450;
@@ -31,10 +32,12 @@ struct TableArea {
   double least_mm = 86;
   // Cubes that stand further away than this along x are not in the fingers' way, but might hide behind each other.
   double depth_mm = 90;
+  // Sideways between cubes of which one stands before the other, so that the camera sees both.
+  double unhidden_mm = 66;
 };
 
 // The free spot nearest `from_y_mm` that is comfortably away from `occupied`; without one the roomiest of those that
-// leave the least room; none where there is none.
+// leave the least room. Where the row is full, one behind it, as seen from the camera, and then one before it.
 std::optional<Eigen::Vector2d> free_spot(const TableArea& area, const std::vector<Eigen::Vector2d>& occupied,
                                          double from_y_mm);
 

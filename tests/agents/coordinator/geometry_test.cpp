@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -71,25 +72,39 @@ TEST(FreeSpot, TakesTheNearestThatIsComfortable) {
   EXPECT_NEAR(spot->y(), 100, 1e-9);
 }
 
-TEST(FreeSpot, IsNeverNearerThanTheFingersNeedAndAlwaysFoundWhereThereIsOne) {
+TEST(FreeSpot, IsBehindTheRowWhereThatIsFullAndHiddenByNothing) {
+  const std::optional<Eigen::Vector2d> spot = free_spot({}, {{450, -150}, {450, 0}, {450, 150}}, 150);
+  ASSERT_TRUE(spot);
+  EXPECT_NEAR(spot->x(), 360, 1e-9);
+  EXPECT_NEAR(std::abs(spot->y()), 80, 1e-9) << "between two of those before it";
+}
+
+// The fingers have room beside what stands in the same row, and the camera sees past what stands in another.
+bool usable(const TableArea& area, const Eigen::Vector2d& spot, const std::vector<Eigen::Vector2d>& occupied) {
+  return std::ranges::all_of(occupied, [&](const Eigen::Vector2d& other) {
+    const bool same_row = std::abs(other.x() - spot.x()) < area.depth_mm;
+    return std::abs(other.y() - spot.y()) >= (same_row ? area.least_mm : area.unhidden_mm) - 1e-6;
+  });
+}
+
+TEST(FreeSpot, LeavesTheFingersRoomAndTheCameraAViewAndIsFoundWhereThereIsOne) {
   const TableArea area;
   for (std::uint64_t seed = 1; seed <= 500; ++seed) {
     SCOPED_TRACE(seed);
     Random random(seed);
     std::vector<Eigen::Vector2d> occupied;
-    for (std::uint64_t n = random.below(6); n > 0; --n) {
-      occupied.emplace_back(random.uniform(400, 500), random.uniform(-220, 220));
+    for (std::uint64_t n = random.below(9); n > 0; --n) {
+      occupied.emplace_back(random.uniform(300, 600), random.uniform(-220, 220));
     }
     const std::optional<Eigen::Vector2d> spot = free_spot(area, occupied, random.uniform(-200, 200));
     bool possible = false;
-    for (double y = area.y_low_mm; y <= area.y_high_mm; y += area.grid_mm) {
-      bool free = true;
-      for (const Eigen::Vector2d& other : occupied) free = free && std::abs(other.y() - y) >= area.least_mm;
-      possible = possible || free;
+    for (const double x : {area.x_mm, area.x_mm - area.depth_mm, area.x_mm + area.depth_mm}) {
+      for (double y = area.y_low_mm; y <= area.y_high_mm; y += area.grid_mm) {
+        possible = possible || usable(area, {x, y}, occupied);
+      }
     }
     EXPECT_EQ(spot.has_value(), possible);
-    if (!spot) continue;
-    for (const Eigen::Vector2d& other : occupied) EXPECT_GE(std::abs(other.y() - spot->y()), area.least_mm - 1e-6);
+    EXPECT_TRUE(!spot || usable(area, *spot, occupied));
   }
 }
 
