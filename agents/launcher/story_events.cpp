@@ -1,5 +1,7 @@
 #include "agents/launcher/story_events.hpp"
 
+#include <algorithm>
+#include <cassert>
 #include <fmt/format.h>
 
 #include "agents/launcher/readiness.hpp"
@@ -21,15 +23,18 @@ void StoryEvents::begin() { job_ = cell_.executor().spawn(happen()); }
 
 Task<bool> StoryEvents::end(Time deadline) {
   const bool disturbed = acting_;
+  const std::size_t begun = done_ + (disturbed ? 1 : 0);
   while (acting_ && cell_.executor().now() < deadline) {
     co_await sleep(cell_.executor(), end_pause);
   }
-  if (disturbed && !acting_) ++done_;
+  // Whether or not what comes behind its last action was still to be counted.
+  if (!acting_) done_ = std::max(done_, begun);
   job_ = Job();
   co_return disturbed;
 }
 
 std::optional<Datum> StoryEvents::awaited() const {
+  assert(done_ <= scenario_.events.size());
   if (done_ == scenario_.events.size()) return std::nullopt;
   return scenario_.events[done_].condition;
 }

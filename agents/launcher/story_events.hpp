@@ -4,8 +4,9 @@
 // the actions before the goal.
 //
 //   StoryEvents events(cell, board, scenario, narrator, give_goal);
-//   co_await events.perform(action);                            // (hand ...) (kill ...) (restart ...) (goal ...) (wait
-//   ...) events.begin(); bool disturbed = co_await events.end(deadline);
+//   co_await events.perform(action);      // (hand ...) (kill ...) (restart ...) (goal ...) (wait ...)
+//   events.begin();
+//   bool disturbed = co_await events.end(deadline);
 
 #include <functional>
 #include <optional>

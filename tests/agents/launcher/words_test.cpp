@@ -61,6 +61,12 @@ TEST(Words, FormsThatArePipedInAreReadOneByOneAndAFaultSpoilsOnlyItsOwn) {
   EXPECT_TRUE(contains(said, "(ask (contract planner")) << "the form without an end is told too: " << said.text;
 }
 
+TEST(Words, ARandomStoryThatEndsWhileItsEventIsInHandIsToldToItsEnd) {
+  const Said said = run("demo --random --seed 30083 --png ''");
+  EXPECT_EQ(said.status, 0) << said.text;
+  EXPECT_TRUE(contains(said, "faster than real time")) << said.text;
+}
+
 TEST(Words, AnUnknownWordOrOptionIsAUsageError) {
   EXPECT_EQ(run("dmeo").status, 2);
   EXPECT_EQ(run("demo --sed 3").status, 2);
