@@ -9,6 +9,7 @@
 #include <fstream>
 #include <gtest/gtest.h>
 #include <iterator>
+#include <map>
 #include <optional>
 #include <string>
 #include <sys/wait.h>
@@ -152,17 +153,24 @@ class UpKilled : public testing::Test {
     return found;
   }
 
-  // Kills it while the goal is pursued and waits until another process has taken its place.
-  void kill_now(const std::string& agent) {
-    const Shown before = shown(agent);
-    ASSERT_GT(before.pid, 0) << up_->said();
-    ASSERT_EQ(kill(before.pid, SIGKILL), 0);
-    EXPECT_NE(say({"ask", "(goal-state ?x running ?)"}).find("?x = "), std::string::npos) << "killed too late";
-    const auto restarted = [&] {
-      const Shown now = shown(agent);
-      return now.restarts > before.restarts && now.pid > 0 && now.pid != before.pid;
-    };
-    EXPECT_TRUE(wait_until(restarted, patience)) << agent << '\n' << up_->said();
+  // Kills them all as soon as the query has an answer, while the goal is pursued, and waits until other processes have
+  // taken their places.
+  void kill_when(const std::string& query, const std::vector<std::string>& agents) {
+    std::map<std::string, Shown> before;
+    for (const std::string& agent : agents) before[agent] = shown(agent);
+    ASSERT_TRUE(comes(query)) << up_->said();
+    killed_ = std::chrono::steady_clock::now();
+    for (const auto& [agent, process] : before) {
+      ASSERT_GT(process.pid, 0) << agent << '\n' << up_->said();
+      ASSERT_EQ(kill(process.pid, SIGKILL), 0);
+    }
+    for (const auto& [agent, process] : before) {
+      const auto restarted = [&, &name = agent, &old = process] {
+        const Shown now = shown(name);
+        return now.restarts > old.restarts && now.pid > 0 && now.pid != old.pid;
+      };
+      EXPECT_TRUE(wait_until(restarted, patience)) << agent << '\n' << up_->said();
+    }
   }
   void stop_cleanly() {
     EXPECT_EQ(cell_processes().size(), 7U);
@@ -175,13 +183,13 @@ class UpKilled : public testing::Test {
 
   std::string folder_;
   std::optional<Running> up_;
+  std::chrono::steady_clock::time_point killed_;
 };
 
 TEST_F(UpKilled, ACoordinatorKilledWhileItPicksUpGoesOnAndReachesTheGoal) {
   ASSERT_TRUE(comes("(person done ?x)")) << up_->said();
   Running goal({"repl", "--eval", "(goal (on circle triangle))"}, folder_ + "/goal.log");
-  ASSERT_TRUE(comes("(operation ? (PICK-UP ?x) running)")) << goal.said() << up_->said();
-  kill_now("coordinator");
+  kill_when("(operation ? (PICK-UP ?x) running)", {"coordinator"});
   EXPECT_EQ(goal.end(patience), 0) << goal.said() << up_->said();
   stop_cleanly();
 }
@@ -189,9 +197,7 @@ TEST_F(UpKilled, ACoordinatorKilledWhileItPicksUpGoesOnAndReachesTheGoal) {
 TEST_F(UpKilled, VisionAndPlannerKilledWhileABlockIsHeldComeBackAndTheGoalIsReached) {
   ASSERT_TRUE(comes("(person done ?x)")) << up_->said();
   Running goal({"repl", "--eval", "(goal (on circle triangle))"}, folder_ + "/goal.log");
-  ASSERT_TRUE(comes("(holding ?x)")) << goal.said() << up_->said();
-  kill_now("vision");
-  kill_now("planner");
+  kill_when("(holding ?x)", {"vision", "planner"});
   EXPECT_EQ(goal.end(patience), 0) << goal.said() << up_->said();
   stop_cleanly();
 }
@@ -199,10 +205,11 @@ TEST_F(UpKilled, VisionAndPlannerKilledWhileABlockIsHeldComeBackAndTheGoalIsReac
 TEST_F(UpKilled, ABoardKilledWhileABlockIsHeldLivesAgainWithWhatIsDurableAndTheGoalIsReached) {
   ASSERT_TRUE(comes("(person done ?x)")) << up_->said();
   Running goal({"repl", "--eval", "(goal (on circle triangle))"}, folder_ + "/goal.log");
-  ASSERT_TRUE(comes("(holding ?x)")) << goal.said() << up_->said();
-  kill_now("board");
+  kill_when("(holding ?x)", {"board"});
   EXPECT_TRUE(comes("(goal-state ?x reached ?)")) << goal.said() << up_->said();
-  EXPECT_EQ(say({"ask", "--at", "4s", "(goal-state ?x running ?)"}), "?x = 1\n") << "the past goes on, too";
+  const auto since = std::chrono::ceil<seconds>(std::chrono::steady_clock::now() - killed_);
+  const std::string then = std::to_string(since.count()) + "s";
+  EXPECT_EQ(say({"ask", "--at", then, "(goal-state ?x running ?)"}), "?x = 1\n") << "the past goes on, too";
   stop_cleanly();
 }
 

@@ -257,7 +257,7 @@ std::string pair_with(const std::string& sections) {
 TEST(Words, UpEndsAtOnceWithTheBoardsReasonWhereItsAddressCannotBeUsed) {
   const Said said = run("up " + pair_with("(board \"localhost\" \"tcp://0.0.0.0:7800\")"));
   EXPECT_EQ(said.status, 4) << said.text;
-  EXPECT_TRUE(contains(said, "not encrypted")) << said.text;
+  EXPECT_TRUE(contains(said, "give --insecure")) << said.text;
   EXPECT_FALSE(contains(said, "starts again")) << said.text;
 }
 
