@@ -16,7 +16,7 @@ std::vector<std::size_t> certain_after(const GroundAction& action) {
 
 }  // namespace
 
-DeadEnds::DeadEnds(const Problem& problem, const Exclusions& exclusions)
+DeadEnds::DeadEnds(const Problem& problem, const Exclusions& exclusions, const std::function<bool()>& cancelled)
     : hopeful_(problem.facts.size(), Bits(problem.facts.size())) {
   Bits beside_goals = exclusions.facts();
   problem.goals.for_each([&](std::size_t goal) { beside_goals -= exclusions.with(goal); });
@@ -25,13 +25,14 @@ DeadEnds::DeadEnds(const Problem& problem, const Exclusions& exclusions)
     hopeful_[fact] -= exclusions.with(fact);
   });
   if (!exclusions.allow(problem.goals)) hopeful_.assign(problem.facts.size(), Bits(problem.facts.size()));
-  while (grow(problem, exclusions)) {
+  while (!cancelled() && grow(problem, exclusions, cancelled)) {
   }
 }
 
-bool DeadEnds::grow(const Problem& problem, const Exclusions& exclusions) {
+bool DeadEnds::grow(const Problem& problem, const Exclusions& exclusions, const std::function<bool()>& cancelled) {
   bool grown = false;
   exclusions.actions().for_each([&](std::size_t i) {
+    if (cancelled()) return;
     const GroundAction& action = problem.actions[i];
     const std::vector<std::size_t> after = certain_after(action);
     Bits kept = exclusions.facts();

@@ -13,13 +13,16 @@ namespace pizarra {
 
 class DeadEnds {
  public:
-  DeadEnds(const Problem& problem, const Exclusions& exclusions);
+  DeadEnds(const Problem& problem, const Exclusions& exclusions)
+      : DeadEnds(problem, exclusions, [] { return false; }) {}
+  // Worthless once cancelled() was true.
+  DeadEnds(const Problem& problem, const Exclusions& exclusions, const std::function<bool()>& cancelled);
 
   // True: proved. The state respects the exclusions.
   bool contain(const Bits& state) const;
 
  private:
-  bool grow(const Problem& problem, const Exclusions& exclusions);
+  bool grow(const Problem& problem, const Exclusions& exclusions, const std::function<bool()>& cancelled);
   bool join(std::size_t fact, const Bits& others);
 
   std::vector<Bits> hopeful_;  // of every fact: those beside which the goals may be within reach, itself included

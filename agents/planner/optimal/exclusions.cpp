@@ -9,10 +9,13 @@ namespace {
 // Grows the pairs of facts that can hold together until the actions add none.
 class PairGrowth {
  public:
-  explicit PairGrowth(const Problem& problem)
-      : problem_(problem), together_(problem.facts.size(), Bits(problem.facts.size())), taken_(problem.actions.size()) {
+  PairGrowth(const Problem& problem, const std::function<bool()>& cancelled)
+      : problem_(problem),
+        cancelled_(cancelled),
+        together_(problem.facts.size(), Bits(problem.facts.size())),
+        taken_(problem.actions.size()) {
     problem.initials.for_each([&](std::size_t fact) { together_[fact] = problem.initials; });
-    while (grow()) {
+    while (!cancelled_() && grow()) {
     }
   }
 
@@ -25,6 +28,7 @@ class PairGrowth {
     for (std::size_t i = 0; i < problem_.actions.size(); ++i) {
       const GroundAction& action = problem_.actions[i];
       if (!applicable(action)) continue;
+      if (cancelled_()) return false;
       taken_.set(i);
       Bits after = beside(action);
       for (const std::size_t fact : action.deletes) after.reset(fact);
@@ -67,6 +71,7 @@ class PairGrowth {
   }
 
   const Problem& problem_;
+  const std::function<bool()>& cancelled_;
   std::vector<Bits> together_;  // a fact together with itself: it can hold
   Bits taken_;
 };
@@ -98,8 +103,9 @@ FactGroup clique_from(std::size_t seed, const Exclusions& exclusions, const std:
 
 }  // namespace
 
-Exclusions::Exclusions(const Problem& problem) : facts_(problem.facts.size()), actions_(problem.actions.size()) {
-  const PairGrowth growth(problem);
+Exclusions::Exclusions(const Problem& problem, const std::function<bool()>& cancelled)
+    : facts_(problem.facts.size()), actions_(problem.actions.size()) {
+  const PairGrowth growth(problem, cancelled);
   actions_ = growth.taken();
   for (std::size_t fact = 0; fact < problem.facts.size(); ++fact) {
     if (growth.together()[fact].test(fact)) facts_.set(fact);

@@ -4,7 +4,7 @@
 // (Haslum & Geffner, "Admissible heuristics for optimal planning", 2000). The states that respect them are closed under
 // the actions, so they stay true from any such state.
 //
-//   const Exclusions exclusions(problem);
+//   const Exclusions exclusions(problem);           // or with what says that it is wanted no more
 //   exclusions.with(3).test(5);                     // 3 and 5 never hold together
 //   for (const Facts& group : exclusion_groups(exclusions)) ...     // at most one fact of a group holds at a time
 
@@ -16,7 +16,9 @@ namespace pizarra {
 
 class Exclusions {
  public:
-  explicit Exclusions(const Problem& problem);
+  explicit Exclusions(const Problem& problem) : Exclusions(problem, [] { return false; }) {}
+  // Worthless once cancelled() was true.
+  Exclusions(const Problem& problem, const std::function<bool()>& cancelled);
 
   // The facts that can hold at all, and the actions that can be taken.
   const Bits& facts() const { return facts_; }

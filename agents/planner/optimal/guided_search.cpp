@@ -49,7 +49,7 @@ void GuidedSearch::reach(const Bits& state, std::size_t from, std::size_t action
   open(index);
 }
 
-void GuidedSearch::expand(std::size_t index) {
+void GuidedSearch::expand(std::size_t index, const std::function<bool()>& cancelled) {
   known_[index].expanded = true;
   expanded_.push_back(index);
   std::vector<std::size_t> possible;
@@ -58,6 +58,7 @@ void GuidedSearch::expand(std::size_t index) {
   });
   // The newest are looked at first: among equals, those of the domain's first operators.
   for (const std::size_t action : possible | std::views::reverse) {
+    if (cancelled()) return;  // and run() ends, for the state is not wholly expanded
     reach(after(known_[index].state, problem_.actions[action]), index, action, known_[index].steps + 1);
   }
 }
@@ -98,9 +99,10 @@ Outcome GuidedSearch::run(const Budget& budget, const std::function<bool()>& can
       if (known_.size() * bytes_a_state > budget.bytes) {
         return ended(Outcome::Kind::gave_up, fmt::format("{} MB of memory", budget.bytes >> 20));
       }
-      expand(index);
+      expand(index, cancelled);
     }
   }
+  if (cancelled()) return ended(Outcome::Kind::cancelled);
   Outcome outcome = ended(Outcome::Kind::none);
   problem_.goals.for_each([&](std::size_t goal) { outcome.culprits.push_back(goal); });
   return outcome;

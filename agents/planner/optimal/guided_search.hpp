@@ -41,7 +41,7 @@ class GuidedSearch {
   std::size_t know(const Bits& state);
   void reach(const Bits& state, std::size_t from, std::size_t action, std::size_t steps);
   void open(std::size_t index);
-  void expand(std::size_t index);
+  void expand(std::size_t index, const std::function<bool()>& cancelled);
   void learn(std::size_t length);
   Outcome plan_to(std::size_t index);
   Outcome ended(Outcome::Kind kind, std::string spent = {}) const;

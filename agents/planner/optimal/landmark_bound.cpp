@@ -10,7 +10,8 @@ bool has(const std::vector<std::size_t>& facts, std::size_t fact) { return std::
 
 }  // namespace
 
-LandmarkBound::LandmarkBound(const Problem& problem, const Exclusions& exclusions, const FactGroup& group)
+LandmarkBound::LandmarkBound(const Problem& problem, const Exclusions& exclusions, const FactGroup& group,
+                             const std::function<bool()>& cancelled)
     : problem_(problem),
       exclusions_(exclusions),
       reach_(problem, exclusions.actions()),
@@ -37,7 +38,7 @@ LandmarkBound::LandmarkBound(const Problem& problem, const Exclusions& exclusion
     used |= visit.both;
     return false;
   });
-  for (Visit& visit : visits_) find_last_leaves(visit);
+  for (Visit& visit : visits_) find_last_leaves(visit, cancelled);
 }
 
 void LandmarkBound::add_visit(std::size_t fact) {
@@ -74,9 +75,10 @@ Bits LandmarkBound::possible_after(const GroundAction& action) const {
   return facts;
 }
 
-void LandmarkBound::find_last_leaves(Visit& visit) {
+void LandmarkBound::find_last_leaves(Visit& visit, const std::function<bool()>& cancelled) {
   Bits afterwards(problem_.facts.size());
   visit.leave.for_each([&](std::size_t i) {
+    if (cancelled()) return;
     const Bits after = possible_after(problem_.actions[i]);
     reach_.from(after, visit.both);
     if (!problem_.goals.subset_of(reach_.facts())) return;

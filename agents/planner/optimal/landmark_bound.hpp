@@ -23,7 +23,11 @@ namespace pizarra {
 class LandmarkBound {
  public:
   // The arguments outlive it.
-  LandmarkBound(const Problem& problem, const Exclusions& exclusions, const FactGroup& group);
+  LandmarkBound(const Problem& problem, const Exclusions& exclusions, const FactGroup& group)
+      : LandmarkBound(problem, exclusions, group, [] { return false; }) {}
+  // Worthless once cancelled() was true.
+  LandmarkBound(const Problem& problem, const Exclusions& exclusions, const FactGroup& group,
+                const std::function<bool()>& cancelled);
 
   // Whether each action that can be taken is counted, so that no two of them fit into one step.
   bool counts_every_action() const { return counts_every_action_; }
@@ -41,7 +45,7 @@ class LandmarkBound {
     Bits ends_after;  // visits whose last must be over before the last of this one ends
   };
   void add_visit(std::size_t fact);
-  void find_last_leaves(Visit& visit);
+  void find_last_leaves(Visit& visit, const std::function<bool()>& cancelled);
   Bits possible_after(const GroundAction& action) const;
   bool required(const Visit& visit, const Bits& state) const;
   VisitOrder order_of(const std::vector<std::size_t>& wanted, const std::vector<Bits>& without,

@@ -59,24 +59,42 @@ std::optional<FactGroup> resource_of_all(const Problem& problem, const Exclusion
   return std::nullopt;
 }
 
-OptimalSearch::OptimalSearch(const Problem& problem) : problem_(problem), exclusions_(problem) {}
+OptimalSearch::OptimalSearch(const Problem& problem) : problem_(problem) {}
 
-void OptimalSearch::prepare() {
-  if (dead_ends_) return;
-  dead_ends_.emplace(problem_, exclusions_);
-  const std::optional<FactGroup> resource = resource_of_all(problem_, exclusions_);
-  if (!resource) return;
-  bound_.emplace(problem_, exclusions_, *resource);
-  guided_.emplace(problem_, exclusions_, *dead_ends_, *bound_);
+// False when it was cancelled.
+bool OptimalSearch::prepare(const std::function<bool()>& cancelled) {
+  if (dead_ends_) return true;
+  dead_ends_.emplace(problem_, *exclusions_, cancelled);
+  if (cancelled()) return false;
+  const std::optional<FactGroup> resource = resource_of_all(problem_, *exclusions_);
+  if (!resource) return true;
+  bound_.emplace(problem_, *exclusions_, *resource, cancelled);
+  guided_.emplace(problem_, *exclusions_, *dead_ends_, *bound_);
+  return !cancelled();
 }
 
-Outcome OptimalSearch::run(const Budget& budget, const std::function<bool()>& cancelled) {
+void OptimalSearch::forget() {
+  guided_.reset();
+  bound_.reset();
+  dead_ends_.reset();
+  exclusions_.reset();
+}
+
+Outcome OptimalSearch::run(const Budget& budget, const std::function<bool()>& caller_cancelled) {
   if (problem_.goals.subset_of(problem_.initials)) {
     return {.kind = Outcome::Kind::plan, .steps = {}, .culprits = {}, .spent = {}, .nodes = 0, .engine = "guided"};
   }
-  std::vector<std::size_t> excluded = excluded_goals(problem_.goals, exclusions_);
+  bool stopped = false;  // for good: what was given up half-way must not be used
+  const std::function<bool()> cancelled = [&] { return stopped = stopped || caller_cancelled(); };
+  const auto gone = [&] {
+    forget();
+    return Outcome{.kind = Outcome::Kind::cancelled, .steps = {}, .culprits = {}, .spent = {}};
+  };
+  if (!exclusions_) exclusions_.emplace(problem_, cancelled);
+  if (stopped) return gone();
+  std::vector<std::size_t> excluded = excluded_goals(problem_.goals, *exclusions_);
   if (!excluded.empty()) return none_because(std::move(excluded));
-  prepare();
+  if (!prepare(cancelled)) return gone();
   if (!dead_ends_->contain(problem_.initials)) return attempt(budget, cancelled);
   std::vector<std::size_t> goals;
   problem_.goals.for_each([&](std::size_t goal) { goals.push_back(goal); });
@@ -103,10 +121,10 @@ Outcome OptimalSearch::attempt(const Budget& budget, const std::function<bool()>
   if (ended("stepwise") || PlanningGraph::base_bytes(problem_) > budget.bytes) return outcome;
   if (!regression_) {
     interferes_ = interference(problem_);
-    regression_.emplace(problem_, exclusions_, interferes_);
+    regression_.emplace(problem_, *exclusions_, interferes_);
   }
   const Budget rest = part(budget, budget.nodes, nodes);
-  outcome = SatSearch(problem_, exclusions_, interferes_, *regression_, rest, cancelled).run(at_least);
+  outcome = SatSearch(problem_, *exclusions_, interferes_, *regression_, rest, cancelled).run(at_least);
   ended("sat");
   return outcome;
 }

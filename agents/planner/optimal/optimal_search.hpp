@@ -28,16 +28,17 @@ class OptimalSearch {
   OptimalSearch& operator=(const OptimalSearch&) = delete;
 
   // Whether what was found out about the problem holds where it begins with these facts.
-  bool covers(const Bits& initials) const { return exclusions_.allow(initials); }
+  bool covers(const Bits& initials) const { return exclusions_ && exclusions_->allow(initials); }
   Outcome run(const Budget& budget, const std::function<bool()>& cancelled);
 
  private:
-  void prepare();
+  bool prepare(const std::function<bool()>& cancelled);
+  void forget();
   Outcome attempt(const Budget& budget, const std::function<bool()>& cancelled);
 
   const Problem& problem_;
-  const Exclusions exclusions_;
   // Made when first needed.
+  std::optional<Exclusions> exclusions_;
   std::optional<DeadEnds> dead_ends_;
   std::optional<LandmarkBound> bound_;
   std::optional<GuidedSearch> guided_;

@@ -2,6 +2,7 @@
 
 #include "agents/planner/breadth_first.hpp"
 #include "agents/planner/optimal/guided_search.hpp"
+#include "agents/planner/optimal/optimal_search.hpp"
 #include "agents/planner/optimal/sat_search.hpp"
 #include "agents/planner/optimal/step_search.hpp"
 #include "agents/planner/planner_forms.hpp"
@@ -202,6 +203,23 @@ TEST(OptimalPlanner, GivesTheSamePlanEveryTime) {
     const Outcome by_sat = SatAlone().solve(*problem, {}, never);
     EXPECT_EQ(by_sat.steps, SatAlone().solve(*problem, {}, never).steps);
     EXPECT_EQ(by_sat.steps.size(), first.steps.size());
+  }
+}
+
+TEST(OptimalSearch, CanBeCancelledWhereverItIsAndThenAnswersAsIfItHadNotBeen) {
+  Random random(2);
+  const Problem problem = ground(random_blocks(7, random)).value();
+  std::size_t asked = 0;
+  OptimalSearch undisturbed(problem);
+  const Outcome expected = undisturbed.run({}, [&] { return ++asked == 0; });
+  ASSERT_EQ(expected.kind, Outcome::Kind::plan);
+  ASSERT_GT(asked, problem.actions.size()) << "it asks while it prepares, too";
+  for (std::size_t patience = 0; patience < asked; patience += 1 + asked / 97) {
+    SCOPED_TRACE(patience);
+    OptimalSearch search(problem);
+    std::size_t left = patience;
+    EXPECT_EQ(search.run({}, [&] { return left == 0 || --left == 0; }).kind, Outcome::Kind::cancelled);
+    EXPECT_EQ(search.run({}, never).steps.size(), expected.steps.size());
   }
 }
 
