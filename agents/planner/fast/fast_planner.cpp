@@ -14,7 +14,7 @@ namespace {
 
 // Of reordering, before a beam has its turn: the longer the plan, the more ways there are.
 constexpr std::size_t vain_attempts = 1000;
-constexpr std::size_t vain_attempts_an_action = 20;
+constexpr std::size_t vain_attempts_an_action = 60;
 
 Outcome ended(Outcome::Kind kind, std::size_t nodes) {
   return {.kind = kind, .steps = {}, .culprits = {}, .spent = {}, .nodes = nodes, .engine = "fast"};
