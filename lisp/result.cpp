@@ -33,11 +33,17 @@ bool says(const std::string& sentence, const Datum& subject) {
                              [&](const Datum& item) { return item.is_list() && says(sentence, item); });
 }
 
+// A whole file may be the subject; its beginning is enough for people.
+std::string beginning(std::string text) {
+  constexpr std::size_t longest = 200;
+  return text.size() <= longest ? text : text.substr(0, text.rfind(' ', longest)) + " ...";
+}
+
 }  // namespace
 
 std::string describe(const Failure& failure) {
   std::string out = failure.sentence;
-  if (failure.subject != Datum() && !says(out, failure.subject)) out += ": " + write(failure.subject);
+  if (failure.subject != Datum() && !says(out, failure.subject)) out += ": " + beginning(write(failure.subject));
   if (!failure.place.empty()) out += '\n' + failure.place;
   return out;
 }

@@ -112,6 +112,12 @@ Task<void> Surroundings::take_look(std::int64_t frame, std::string text) {
   if (perceived) change = beliefs_.perceive(*perceived);
   for (const Datum& fact : change.come) changed_in_.insert_or_assign(fact, frame);
   for (const Datum& fact : change.gone) changed_in_.insert_or_assign(fact, frame);
+  if (service_.presence() != told_under_) {
+    // A board that began anew knows nothing of what was told before.
+    told_under_ = service_.presence();
+    told_places_.clear();
+    all_told_ = false;
+  }
   Transaction places;
   tell_places(places);
   if (!places.steps.empty()) co_await commit(context_.board, context_.executor, std::move(places));

@@ -99,6 +99,7 @@ class Surroundings {
   std::set<std::string, std::less<>> present_;
   std::map<std::string, Eigen::Vector3d, std::less<>> told_places_;
   bool all_told_ = true;
+  LeaseId told_under_ = 0;  // the presence under which it was told
   std::string told_failure_;
   std::map<Datum, std::int64_t> changed_in_;
   WaitList changed_;

@@ -8,7 +8,7 @@ namespace {
 
 constexpr const char* contract_text = R"((contract person
   (offers (teach (name string)))
-  (posts (relation person ((state symbol) (detail datum)) (key)))
+  (posts (relation person ((state symbol) (detail datum)) (key) (durable)))
   (reads learned)))";
 
 constexpr const char* end_effector = "end-effector";
@@ -32,7 +32,6 @@ PersonAgent::PersonAgent(AgentContext context, Link& link, std::vector<std::stri
 
 Task<void> PersonAgent::say(Datum state, Datum detail) {
   Datum fact = list("person"_sym, std::move(state), std::move(detail));
-  // A board that is away now hears of it from the next thing said.
   const Result<Revision> told = co_await context_.board.tell(std::move(fact));
   static_cast<void>(told);
 }

@@ -12,6 +12,7 @@ StopSignals::StopSignals() {
   sigemptyset(&set);
   sigaddset(&set, SIGINT);
   sigaddset(&set, SIGTERM);
+  sigaddset(&set, SIGHUP);
   sigprocmask(SIG_BLOCK, &set, nullptr);
   file_ = signalfd(-1, &set, SFD_NONBLOCK | SFD_CLOEXEC);
   assert(file_ >= 0);

@@ -210,6 +210,10 @@ TEST_F(UpKilled, ABoardKilledWhileABlockIsHeldLivesAgainWithWhatIsDurableAndTheG
   const auto since = std::chrono::ceil<seconds>(std::chrono::steady_clock::now() - killed_);
   const std::string then = std::to_string(since.count()) + "s";
   EXPECT_EQ(say({"ask", "--at", then, "(goal-state ?x running ?)"}), "?x = 1\n") << "the past goes on, too";
+
+  kill_when("(goal-state ?x reached ?)", {"board"});
+  EXPECT_TRUE(comes("(on ?x triangle)")) << "what is believed is told again\n" << up_->said();
+  EXPECT_TRUE(comes("(person done ?x)")) << up_->said();
   stop_cleanly();
 }
 
