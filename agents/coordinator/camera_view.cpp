@@ -51,4 +51,9 @@ Sight CameraView::sight(const Eigen::Vector3d& point) const {
           from_centre.norm(), depth};
 }
 
+std::array<Eigen::Vector3d, 2> CameraView::eyes() const {
+  const Eigen::Vector3d aside = model_.base_line_mm / 2 * right_;
+  return {centre_ - aside, centre_ + aside};
+}
+
 }  // namespace pizarra

@@ -8,6 +8,7 @@
 //   Sight sight = view.sight(mark);                           // back again
 
 #include <Eigen/Core>
+#include <array>
 
 #include "lisp/camera_pose.hpp"
 #include "lisp/result.hpp"
@@ -42,6 +43,9 @@ class CameraView {
   Eigen::Vector3d place(double x_px, double y_px, double range_mm) const;
   // The point must be before the camera.
   Sight sight(const Eigen::Vector3d& point) const;
+
+  // Where the left and the right image are taken from.
+  std::array<Eigen::Vector3d, 2> eyes() const;
 
   // Horizontal unit vectors: to the right in the image, and away from the camera.
   const Eigen::Vector3d& right() const { return right_; }

@@ -21,29 +21,42 @@ bool within_reach(const ElbowRoom& room, const Eigen::Vector2d& point) {
   return point.norm() >= room.reach_low_mm && point.norm() <= room.reach_high_mm;
 }
 
-}  // namespace
-
-bool is_crowded(const ElbowRoom& room, const Eigen::Vector3d& centre, const std::vector<Eigen::Vector3d>& others) {
-  return std::ranges::any_of(others, [&](const Eigen::Vector3d& other) { return crowds(room, centre, other); });
+// Whether the one nearer the camera covers some of the other's mark, for one of the eyes.
+bool covers(const ElbowRoom& room, const Eigen::Vector3d& nearer, const Eigen::Vector3d& other) {
+  const double half = room.cube_mm / 2;
+  if (nearer.x() - other.x() < half || nearer.z() < other.z() - 0.75 * room.cube_mm) return false;
+  const double face_x = other.x() + half;
+  for (const Eigen::Vector2d& eye : room.eyes_mm) {
+    for (const double mark_edge : {other.y() - room.mark_half_mm, other.y() + room.mark_half_mm}) {
+      for (const double x : {std::max(face_x, nearer.x() - half), nearer.x() + half}) {
+        const double y = mark_edge + (x - face_x) / (eye.x() - face_x) * (eye.y() - mark_edge);
+        if (std::abs(y - nearer.y()) < half + room.margin_mm) return true;
+      }
+    }
+  }
+  return false;
 }
 
-std::optional<Push> push_for_room(const ElbowRoom& room, const Eigen::Vector3d& centre,
-                                  const std::vector<Eigen::Vector3d>& others) {
+// The shortest that will do, to whichever side; with `seen`, one that leaves every mark in sight.
+std::optional<Push> shortest_push(const ElbowRoom& room, const Eigen::Vector3d& centre,
+                                  const std::vector<Eigen::Vector3d>& others, bool seen) {
   constexpr double longest_mm = 150;
   constexpr double step_mm = 2;
-  if (!is_crowded(room, centre, others)) return std::nullopt;
   const double half = room.cube_mm / 2;
   const double before = half + room.finger_half_mm + 2 * room.margin_mm;
   const double pusher_half = room.pusher_mm / 2 + room.finger_mm;
   // A push ends a few millimetres off.
   ElbowRoom ample = room;
   ample.margin_mm += 5;
-  // The shortest that will do, to whichever side.
   for (double length = step_mm; length <= longest_mm; length += step_mm) {
     for (const double sign : {1.0, -1.0}) {
       if (sign > 0 && centre.z() > room.cube_mm) continue;
       const Eigen::Vector3d after = centre + Eigen::Vector3d(sign * length, 0, 0);
       if (is_crowded(ample, after, others)) continue;
+      const auto cover_each_other = [&](const Eigen::Vector3d& other) {
+        return covers(room, after, other) || covers(room, other, after);
+      };
+      if (seen && std::ranges::any_of(others, cover_each_other)) continue;
       const double from_x = centre.x() - sign * before;
       const auto in_the_way = [&](const Eigen::Vector3d& other) {
         const double across = std::abs(other.y() - centre.y());
@@ -62,6 +75,19 @@ std::optional<Push> push_for_room(const ElbowRoom& room, const Eigen::Vector3d& 
     }
   }
   return std::nullopt;
+}
+
+}  // namespace
+
+bool is_crowded(const ElbowRoom& room, const Eigen::Vector3d& centre, const std::vector<Eigen::Vector3d>& others) {
+  return std::ranges::any_of(others, [&](const Eigen::Vector3d& other) { return crowds(room, centre, other); });
+}
+
+std::optional<Push> push_for_room(const ElbowRoom& room, const Eigen::Vector3d& centre,
+                                  const std::vector<Eigen::Vector3d>& others) {
+  if (!is_crowded(room, centre, others)) return std::nullopt;
+  const std::optional<Push> in_sight = shortest_push(room, centre, others, true);
+  return in_sight ? in_sight : shortest_push(room, centre, others, false);
 }
 
 }  // namespace pizarra

@@ -16,6 +16,9 @@ struct ElbowRoom {
   double narrow_mm = 76;       // the smallest opening that goes around a cube
   double pusher_mm = 36;       // the opening to push with: both fingers touch the cube's face
   double margin_mm = 3;
+  double mark_half_mm = 22;  // from a mark's middle to its edge
+  // Where each image is taken from, base frame; none: whether marks are seen is not asked.
+  std::vector<Eigen::Vector2d> eyes_mm = {};
   double reach_low_mm = 310;  // radius from the arm's axis
   double reach_high_mm = 570;
 };
@@ -29,9 +32,9 @@ struct Push {
 // Whether a neighbour at its height stands where a finger must go.
 bool is_crowded(const ElbowRoom& room, const Eigen::Vector3d& centre, const std::vector<Eigen::Vector3d>& others);
 
-// The push that gives a crowded cube its room; none where the way, or the place to push from, is taken or out of reach.
-// A cube on another goes with it, but only away from the camera, since the plate with the gripper's mark would touch
-// it. All points are cubes' centres.
+// The push that gives a crowded cube its room, if possible one that leaves all marks in sight; none where the way, or
+// the place to push from, is taken or out of reach. A cube on another goes with it, but only away from the camera,
+// since the plate with the gripper's mark would touch it. All points are cubes' centres.
 std::optional<Push> push_for_room(const ElbowRoom& room, const Eigen::Vector3d& centre,
                                   const std::vector<Eigen::Vector3d>& others);
 

@@ -36,6 +36,9 @@ std::optional<Push> TaskRunner::push_for(std::string_view object) const {
   room.cube_mm = domain_.cube_mm();
   room.finger_mm = options_.gripper.finger_mm;
   room.narrow_mm = options_.gripper.openings.narrow_mm;
+  if (surroundings_.view()) {
+    for (const Eigen::Vector3d& eye : surroundings_.view()->eyes()) room.eyes_mm.emplace_back(eye.head<2>());
+  }
   return push_for_room(room, surroundings_.centre_mm(std::string(object), *target), others);
 }
 

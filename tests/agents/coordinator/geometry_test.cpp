@@ -159,5 +159,21 @@ TEST(ElbowRoom, EveryPushEndsTheCrowdingAndTouchesNothingElse) {
   EXPECT_GT(pushes, 100);
 }
 
+TEST(ElbowRoom, APushLeavesAllMarksInSightOfBothEyesWhereItCan) {
+  ElbowRoom room;
+  room.eyes_mm = {{1330, -45}, {1330, 45}};
+  const auto towards_the_camera = [&room](double y_mm, double neighbour_y_mm) {
+    const std::optional<Push> push = push_for_room(room, {450, y_mm, 30}, {{450, neighbour_y_mm, 30}});
+    EXPECT_TRUE(push);
+    return push && push->to_mm.x() > push->from_mm.x();
+  };
+  EXPECT_TRUE(towards_the_camera(100, 35));
+  EXPECT_FALSE(towards_the_camera(100, 165)) << "it would stand before the neighbour's mark";
+  EXPECT_TRUE(towards_the_camera(-165, -100));
+  EXPECT_FALSE(towards_the_camera(-165, -230));
+  room.eyes_mm.clear();
+  EXPECT_TRUE(towards_the_camera(100, 165)) << "the shortest, where nobody looks";
+}
+
 }  // namespace
 }  // namespace pizarra
