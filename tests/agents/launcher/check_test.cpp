@@ -1,16 +1,14 @@
 // A bad domain at the shell: `check` finds it in the domain, in a cell that names it and in a scenario of that cell,
 // and nothing begins with it.
 
-#include <array>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <iterator>
 #include <string>
-#include <sys/wait.h>
 #include <unistd.h>
 
+#include "tests/agents/launcher/shell.hpp"
 #include "tests/source_dir.hpp"
 
 namespace pizarra {
@@ -38,12 +36,9 @@ class Check : public testing::Test {
 
   // The status, and what was said.
   int run(const std::string& words) {
-    FILE* pipe = popen(("cd " + folder_ + " && " + PIZARRA_CELL + " " + words + " 2>&1").c_str(), "r");
-    std::array<char, 4096> buffer{};
-    said_.clear();
-    while (const std::size_t got = fread(buffer.data(), 1, buffer.size(), pipe)) said_.append(buffer.data(), got);
-    const int status = pclose(pipe);
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    Said said = shell("cd " + folder_ + " && " + PIZARRA_CELL + " " + words + " 2>&1");
+    said_ = std::move(said.text);
+    return said.status;
   }
 
   const std::string folder_ = testing::TempDir() + "check-" + std::to_string(getpid()) + "/";

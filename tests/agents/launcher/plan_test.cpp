@@ -1,35 +1,16 @@
 // `pizarra plan` as a person meets it at the shell: what it says and how it ends.
 
-#include <array>
-#include <cstdio>
 #include <fmt/format.h>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <string>
-#include <sys/wait.h>
 #include <unistd.h>
 
+#include "tests/agents/launcher/shell.hpp"
 #include "tests/source_dir.hpp"
 
 namespace pizarra {
 namespace {
-
-struct Said {
-  int status;
-  std::string text;
-};
-
-Said shell(const std::string& command) {
-  FILE* pipe = popen(command.c_str(), "r");
-  std::string text;
-  std::array<char, 4096> buffer{};
-  for (std::size_t got = fread(buffer.data(), 1, buffer.size(), pipe); got > 0;
-       got = fread(buffer.data(), 1, buffer.size(), pipe)) {
-    text.append(buffer.data(), got);
-  }
-  const int status = pclose(pipe);
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), text};
-}
 
 std::string file(const std::string& name, const std::string& text) {
   const std::string path = fmt::format("{}plan_test_{}_{}", testing::TempDir(), getpid(), name);

@@ -1,9 +1,7 @@
 // A cell as processes around a board: one is killed while a goal is built, and the goal is reached all the same.
 
-#include <array>
 #include <chrono>
 #include <csignal>
-#include <cstdio>
 #include <cstdlib>
 #include <fcntl.h>
 #include <filesystem>
@@ -15,6 +13,7 @@
 #include <thread>
 #include <unistd.h>
 
+#include "tests/agents/launcher/shell.hpp"
 #include "tests/source_dir.hpp"
 
 namespace pizarra {
@@ -22,11 +21,6 @@ namespace {
 
 constexpr std::chrono::milliseconds look_pause{200};
 constexpr std::chrono::seconds patience{60};
-
-struct Said {
-  int status;
-  std::string text;
-};
 
 class UpTest : public testing::Test {
  protected:
@@ -54,17 +48,7 @@ class UpTest : public testing::Test {
     std::filesystem::remove_all(folder_);
   }
 
-  Said run(const std::string& words) {
-    FILE* pipe = popen((std::string(PIZARRA_CELL) + " " + words + " 2>&1").c_str(), "r");
-    std::string text;
-    std::array<char, 4096> buffer{};
-    for (std::size_t got = fread(buffer.data(), 1, buffer.size(), pipe); got > 0;
-         got = fread(buffer.data(), 1, buffer.size(), pipe)) {
-      text.append(buffer.data(), got);
-    }
-    const int status = pclose(pipe);
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text};
-  }
+  Said run(const std::string& words) { return shell(std::string(PIZARRA_CELL) + " " + words + " 2>&1"); }
   bool wait_for(const std::string& words, const std::string& wanted) {
     const auto end = std::chrono::steady_clock::now() + patience;
     while (std::chrono::steady_clock::now() < end) {

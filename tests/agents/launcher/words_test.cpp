@@ -1,8 +1,6 @@
 // The program as a person meets it at the shell: what it says and how it ends.
 
-#include <array>
 #include <csignal>
-#include <cstdio>
 #include <fcntl.h>
 #include <filesystem>
 #include <fstream>
@@ -12,27 +10,14 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "tests/agents/launcher/shell.hpp"
 #include "tests/source_dir.hpp"
 
 namespace pizarra {
 namespace {
 
-struct Said {
-  int status;
-  std::string text;
-};
-
 Said run(const std::string& words) {
-  const std::string command = std::string("cd ") + testing::TempDir() + " && " + PIZARRA_CELL + " " + words + " 2>&1";
-  FILE* pipe = popen(command.c_str(), "r");
-  std::string text;
-  std::array<char, 4096> buffer{};
-  for (std::size_t got = fread(buffer.data(), 1, buffer.size(), pipe); got > 0;
-       got = fread(buffer.data(), 1, buffer.size(), pipe)) {
-    text.append(buffer.data(), got);
-  }
-  const int status = pclose(pipe);
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text};
+  return shell(std::string("cd ") + testing::TempDir() + " && " + PIZARRA_CELL + " " + words + " 2>&1");
 }
 
 std::string text_of(const std::string& file) {
