@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "agents/launcher/command_line.hpp"
+#include "agents/launcher/command_line/command_line.hpp"
 #include "blackboard/board_server.hpp"
 #include "blackboard/journal_writer.hpp"
 #include "blackboard/memory_board.hpp"

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "agents/launcher/command_line.hpp"
-#include "agents/launcher/words.hpp"
+#include "agents/launcher/command_line/command_line.hpp"
+#include "agents/launcher/command_line/word_tools.hpp"
 #include "blackboard/keys.hpp"
 #include "lisp/json.hpp"
 

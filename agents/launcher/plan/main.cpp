@@ -1,9 +1,9 @@
 // pizarra-plan: the planner on files. It links Guile for what people write, but neither OpenCV nor Bullet, so that it
 // starts at once.
 
-#include "agents/launcher/command_line.hpp"
+#include "agents/launcher/command_line/command_line.hpp"
+#include "agents/launcher/command_line/word_tools.hpp"
 #include "agents/launcher/plan/plan_word.hpp"
-#include "agents/launcher/words.hpp"
 
 int main(int argc, char** argv) {
   CLI::App app("Pizarra, a blackboard for robot cells.", "pizarra");

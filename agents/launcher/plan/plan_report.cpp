@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "agents/launcher/words.hpp"
+#include "agents/launcher/command_line/word_tools.hpp"
 #include "lisp/json.hpp"
 #include "lisp/writer.hpp"
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "agents/launcher/command_line/word_tools.hpp"
 #include "agents/launcher/plan/plan_clock.hpp"
 #include "agents/launcher/plan/plan_report.hpp"
-#include "agents/launcher/words.hpp"
 #include "agents/planner/external_plan.hpp"
 #include "agents/planner/fast/fast_planner.hpp"
 #include "agents/planner/optimal/optimal_planner.hpp"

@@ -1,8 +1,8 @@
-#include "agents/launcher/judge.hpp"
+#include "agents/launcher/story/judge.hpp"
 
 #include <gtest/gtest.h>
 
-#include "agents/launcher/director.hpp"
+#include "agents/launcher/story/director.hpp"
 #include "lisp/reader.hpp"
 #include "lisp/writer.hpp"
 #include "tests/source_dir.hpp"

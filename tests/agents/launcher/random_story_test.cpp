@@ -1,10 +1,10 @@
-#include "agents/launcher/random_story.hpp"
+#include "agents/launcher/story/random_story.hpp"
 
 #include <gtest/gtest.h>
 #include <set>
 
-#include "agents/launcher/agent_factory.hpp"
-#include "agents/launcher/story_run.hpp"
+#include "agents/launcher/supervision/agent_factory.hpp"
+#include "agents/launcher/story/story_run.hpp"
 #include "lisp/writer.hpp"
 
 namespace pizarra {

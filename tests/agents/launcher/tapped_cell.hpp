@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "agents/launcher/agent_factory.hpp"
+#include "agents/launcher/supervision/agent_factory.hpp"
 #include "blackboard/memory_board.hpp"
 #include "blackboard/time/virtual_executor.hpp"
 #include "drivers/simulation/world.hpp"

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <set>
 
-#include "agents/launcher/local_cell.hpp"
+#include "agents/launcher/supervision/local_cell.hpp"
 #include "lisp/reader.hpp"
 #include "lisp/writer.hpp"
 #include "tests/agents/launcher/tapped_cell.hpp"

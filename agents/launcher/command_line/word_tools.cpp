@@ -1,0 +1,30 @@
+#include "agents/launcher/command_line/word_tools.hpp"
+
+#include <charconv>
+#include <fmt/format.h>
+
+namespace pizarra {
+
+int complain(const Failure& failure, ExitCode code) {
+  fmt::print(stderr, "pizarra: {}\n", describe(failure));
+  return code;
+}
+
+CLI::Validator seed_check() {
+  const auto check = [](const std::string& text) {
+    std::uint64_t seed = 0;
+    const char* end = text.data() + text.size();
+    const auto [read_to, error] = std::from_chars(text.data(), end, seed);
+    if (error == std::errc() && read_to == end) return std::string();
+    return fmt::format("a seed is a whole number from 0 to 18446744073709551615, not {}", text);
+  };
+  return {check, "SEED"};
+}
+
+std::string counted(std::size_t number, std::string_view thing) {
+  return fmt::format("{} {}{}", number, thing, number == 1 ? "" : "s");
+}
+
+std::string shipped_file(const std::string& path) { return std::string(PIZARRA_SOURCE_DIR) + "/" + path; }
+
+}  // namespace pizarra

@@ -1,0 +1,26 @@
+#pragma once
+
+// What every word of every program needs: how it complains, counts, checks a seed and finds a file of ours.
+//
+//   if (!journal) return complain(journal.failure(), exit_unavailable);
+
+#include <CLI/CLI.hpp>
+
+#include "agents/launcher/command_line/exit_codes.hpp"
+#include "lisp/result.hpp"
+
+namespace pizarra {
+
+// Prints the failure to standard error and answers `code`.
+int complain(const Failure& failure, ExitCode code);
+
+// For options that take a seed: digits alone, from 0 to 2^64-1.
+CLI::Validator seed_check();
+
+// "1 cube", "4 cubes".
+std::string counted(std::size_t number, std::string_view thing);
+
+// A file that comes with the program: from the tree it was built from.
+std::string shipped_file(const std::string& path);
+
+}  // namespace pizarra

@@ -1,0 +1,239 @@
+#include "agents/launcher/story/random_runs.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <fmt/format.h>
+#include <map>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
+
+#include "agents/launcher/command_line/exit_codes.hpp"
+#include "agents/launcher/story/random_story.hpp"
+#include "lisp/json.hpp"
+#include "lisp/writer.hpp"
+
+namespace pizarra {
+
+namespace {
+
+// A seed that takes longer has hung: it counts as failed.
+constexpr std::chrono::seconds longest_run{180};
+constexpr std::size_t longest_line = 2000;
+
+volatile std::sig_atomic_t interrupted = 0;
+void on_interrupt(int) { interrupted = 1; }
+
+std::string facts_text(const std::vector<Datum>& facts) {
+  std::string out;
+  for (const Datum& fact : facts) out += (out.empty() ? "" : " ") + write(fact);
+  return out;
+}
+
+struct Worker {
+  std::uint64_t seed;
+  pid_t pid;
+  int pipe;
+  std::chrono::steady_clock::time_point started;
+  std::string text;
+};
+
+class Pool {
+ public:
+  explicit Pool(const RandomRuns& runs) : runs_(runs) {
+    const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
+    jobs_ = runs.jobs == 0 ? cores : runs.jobs;
+  }
+  int run();
+
+ private:
+  bool start(std::uint64_t seed);
+  void read_some();
+  void collect(Worker& worker);
+  void print_ready();
+  void kill_all();
+
+  const RandomRuns& runs_;
+  std::size_t jobs_ = 1;
+  std::vector<Worker> workers_;
+  std::map<std::uint64_t, RandomResult> results_;
+  std::uint64_t next_to_print_ = 0;
+  std::map<RandomResult::Kind, int> counts_;
+  std::string unreadable_;
+};
+
+[[noreturn]] void be_worker(const std::string& cell_file, std::uint64_t seed, int pipe, pid_t parent) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(1);
+  std::signal(SIGINT, SIG_DFL);
+  const RandomResult result = run_random_seed(cell_file, seed);
+  const std::string text = fmt::format("{}{}", static_cast<int>(result.kind), result.line).substr(0, longest_line);
+  const bool written = ::write(pipe, text.data(), text.size()) == static_cast<ssize_t>(text.size());
+  _exit(written ? 0 : 1);
+}
+
+bool Pool::start(std::uint64_t seed) {
+  int ends[2];
+  if (pipe(ends) != 0) return false;
+  std::fflush(nullptr);
+  const pid_t parent = getpid();
+  const pid_t pid = fork();
+  if (pid == 0) {
+    close(ends[0]);
+    be_worker(runs_.cell_file, seed, ends[1], parent);
+  }
+  close(ends[1]);
+  if (pid < 0) {
+    close(ends[0]);
+    return false;
+  }
+  workers_.push_back({seed, pid, ends[0], std::chrono::steady_clock::now(), {}});
+  return true;
+}
+
+void Pool::collect(Worker& worker) {
+  close(worker.pipe);
+  int status = 0;
+  waitpid(worker.pid, &status, 0);
+  RandomResult result;
+  if (WIFSIGNALED(status)) {
+    result.line = fmt::format("ended by signal {}", WTERMSIG(status));
+  } else if (WEXITSTATUS(status) != 0 || worker.text.empty()) {
+    result.line = fmt::format("ended with status {} and no word", WEXITSTATUS(status));
+  } else {
+    result.kind = static_cast<RandomResult::Kind>(worker.text.front() - '0');
+    result.line = worker.text.substr(1);
+  }
+  results_.emplace(worker.seed, std::move(result));
+}
+
+void Pool::read_some() {
+  std::vector<pollfd> files;
+  for (const Worker& worker : workers_) files.push_back({worker.pipe, POLLIN, 0});
+  poll(files.data(), files.size(), 500);
+  for (std::size_t i = workers_.size(); i-- > 0;) {
+    Worker& worker = workers_[i];
+    if (std::chrono::steady_clock::now() - worker.started > longest_run) kill(worker.pid, SIGKILL);
+    if (files[i].revents == 0) continue;
+    char buffer[512];
+    const ssize_t got = read(worker.pipe, buffer, sizeof buffer);
+    if (got > 0) {
+      worker.text.append(buffer, static_cast<std::size_t>(got));
+      continue;
+    }
+    collect(worker);
+    workers_.erase(workers_.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+}
+
+void Pool::print_ready() {
+  static constexpr const char* words[] = {"reached", "refused", "failed"};
+  for (auto ready = results_.find(next_to_print_); ready != results_.end(); ready = results_.find(next_to_print_)) {
+    const RandomResult& result = ready->second;
+    if (result.kind == RandomResult::Kind::unreadable) {
+      unreadable_ = result.line;
+      return;
+    }
+    ++counts_[result.kind];
+    const char* word = words[static_cast<int>(result.kind)];
+    if (runs_.json) {
+      fmt::print("{{\"seed\":{},\"result\":\"{}\",\"line\":{}}}\n", next_to_print_, word, json_string(result.line));
+    } else {
+      fmt::print("seed {:5}  {:<7}  {}\n", next_to_print_, word, result.line);
+    }
+    std::fflush(stdout);
+    ++next_to_print_;
+  }
+}
+
+void Pool::kill_all() {
+  for (Worker& worker : workers_) {
+    kill(worker.pid, SIGKILL);
+    waitpid(worker.pid, nullptr, 0);
+    close(worker.pipe);
+  }
+  workers_.clear();
+}
+
+int Pool::run() {
+  struct sigaction action {};
+  action.sa_handler = on_interrupt;
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+  next_to_print_ = runs_.first_seed;
+  std::uint64_t next = runs_.first_seed;
+  const std::uint64_t end = runs_.first_seed + runs_.seeds;
+  while ((next < end || !workers_.empty()) && interrupted == 0) {
+    while (next < end && workers_.size() < jobs_) {
+      if (!start(next)) {
+        kill_all();
+        fmt::print(stderr, "pizarra: cannot start another process\n");
+        return exit_unavailable;
+      }
+      ++next;
+    }
+    read_some();
+    print_ready();
+    if (!unreadable_.empty()) {
+      kill_all();
+      fmt::print(stderr, "pizarra: {}\n", unreadable_);
+      return exit_usage;
+    }
+  }
+  kill_all();
+  using Kind = RandomResult::Kind;
+  const char* form = runs_.json ? "{{\"reached\":{},\"refused_correctly\":{},\"failed\":{}}}\n"
+                                : "reached {}, refused correctly {}, failed {}\n";
+  fmt::print(fmt::runtime(form), counts_[Kind::reached], counts_[Kind::refused], counts_[Kind::failed]);
+  if (interrupted != 0) return exit_interrupted;
+  return counts_[Kind::failed] == 0 && results_.size() == runs_.seeds ? exit_reached : exit_failed;
+}
+
+RandomResult describe_run(const RandomStory& story, const StoryReport& run) {
+  const DirectorReport& report = run.director;
+  RandomResult result;
+  std::string end = report.outcome;
+  if (report.refusal) end += fmt::format(" ({})", report.refusal->symbol);
+  if (report.reached()) {
+    result.kind = RandomResult::Kind::reached;
+  } else if (report.refused_correctly()) {
+    result.kind = RandomResult::Kind::refused;
+    end += report.possible ? ", a mark was hidden" : ", no plan exists";
+  } else if (report.outcome == "reached") {
+    end += ", but not so in the world";
+  }
+  const auto& actions = story.scenario.events.front().actions;
+  const double cell_s = static_cast<double>(report.took.count()) / 1e6;
+  const std::string_view late = report.events == 0 ? " would have come" : "";
+  result.line = fmt::format("{:6.1f} s  {:4.1f}x  {}; goal {}; {}{} after {:.1f} s", cell_s, run.speed(), end,
+                            facts_text(story.scenario.goal), write(actions[1]), late, actions[0][1].number());
+  return result;
+}
+
+}  // namespace
+
+RandomResult run_random_seed(const std::string& cell_file, std::uint64_t seed) {
+  RandomResult failed;
+  const Result<CellDescription> cell = read_cell_file(cell_file);
+  if (!cell) return {RandomResult::Kind::unreadable, describe(cell.error())};
+  const Result<Domain> domain = domain_of(*cell);
+  if (!domain) return {RandomResult::Kind::unreadable, describe(domain.error())};
+  const Result<void> drawable = check_random_cell(*cell, *domain);
+  if (!drawable) return {RandomResult::Kind::unreadable, describe(drawable.error())};
+  const RandomStory story = random_story_of_seed(*cell, seed);
+  Narrator narrator(stdout, Narrator::Style::silent);
+  StoryOptions options;
+  options.seed = seed;
+  options.director.events_may_fail = true;
+  const Result<StoryReport> run = run_story(story.scenario, story.cell, options, narrator);
+  if (run) return describe_run(story, *run);
+  failed.line = describe(run.error());
+  return failed;
+}
+
+int run_random(const RandomRuns& runs) { return Pool(runs).run(); }
+
+}  // namespace pizarra

@@ -1,0 +1,20 @@
+#pragma once
+
+// Waiting for a cell that is coming up, whose agents declare their relations one after another.
+//
+//   const Result<void> there = co_await await_agents(cell, board);
+//   const Result<void> taught = co_await await_teaching(board, cell.executor());
+
+#include "agents/launcher/supervision/local_cell.hpp"
+
+namespace pizarra {
+
+// As await_answer(), also when the relations are yet to be declared.
+Task<Result<Answer>> await_when_declared(Board& board, Executor& executor, Query query, Time deadline);
+
+// All kinds of agents are present. Failure: no-agents.
+Task<Result<void>> await_agents(LocalCell& cell, Board& board);
+// The person has shown every object to the eyes. Failure: not-taught.
+Task<Result<void>> await_teaching(Board& board, Executor& executor);
+
+}  // namespace pizarra

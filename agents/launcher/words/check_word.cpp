@@ -1,0 +1,119 @@
+#include <algorithm>
+#include <fmt/format.h>
+#include <fstream>
+#include <iterator>
+
+#include "agents/coordinator/task_domain.hpp"
+#include "agents/launcher/command_line/word_tools.hpp"
+#include "agents/launcher/story/story_run.hpp"
+#include "agents/launcher/words/check_planning.hpp"
+#include "agents/launcher/words/goal_text.hpp"
+#include "agents/launcher/words/words.hpp"
+
+namespace pizarra {
+
+namespace {
+
+struct CheckChoices {
+  std::vector<std::string> files;
+  std::string domain;
+};
+
+// As the coordinator reads it, which therefore refuses no domain that was checked.
+Result<std::string> check_domain(const std::string& file) {
+  const Result<TaskDomain> task = TaskDomain::read(file);
+  if (!task) return fail(task);
+  const Domain& domain = task->domain();
+  return fmt::format("domain {}: {}, {}", domain.name, counted(domain.predicates.size(), "predicate"),
+                     counted(domain.operators.size(), "operator"));
+}
+
+// A cell with the domain that it names.
+Result<std::string> check_cell_whole(const CellDescription& cell) {
+  const Result<void> sound = check(world_config(cell, 1));
+  if (!sound) return fail(sound);
+  const Result<std::string> domain = check_domain(cell.domain_file);
+  if (!domain) return fail(domain);
+  return fmt::format("cell {}: {}, {}; {}", cell.name, counted(cell.cubes.size(), "cube"),
+                     counted(cell.hosts.size(), "host"), *domain);
+}
+
+Result<std::string> check_cell(const std::string& file) {
+  const Result<CellDescription> cell = read_cell_file(file);
+  if (!cell) return fail(cell);
+  return check_cell_whole(*cell);
+}
+
+Result<std::string> check_scenario_file(const std::string& file) {
+  const Result<Scenario> scenario = read_scenario_file(file);
+  if (!scenario) return fail(scenario);
+  const Result<void> playable = check_scenario(*scenario);
+  if (!playable) return fail(playable);
+  const Result<CellDescription> cell = cell_of(*scenario);
+  if (!cell) return fail(cell);
+  const Result<std::string> whole = check_cell_whole(*cell);
+  if (!whole) return fail(whole);
+  return fmt::format("scenario \"{}\": {}; {}", scenario->name, counted(scenario->events.size(), "event"), *whole);
+}
+
+// What is neither domain, cell nor scenario is a goal.
+Result<std::string> check_goal_file(const std::string& file, const CheckChoices& choices) {
+  const std::string domain_file = choices.domain.empty() ? shipped_file("domains/blocks.scm") : choices.domain;
+  const Result<Domain> domain = read_domain_file(domain_file);
+  if (!domain) return fail(domain);
+  std::ifstream in(file);
+  const std::string text(std::istreambuf_iterator<char>(in), {});
+  const Result<std::vector<Datum>> goal = check_goal(*domain, text);
+  if (!goal) return fail(goal);
+  return fmt::format("goal of {}", counted(goal->size(), "fact"));
+}
+
+Result<std::string> check_file(const std::string& file, const CheckChoices& choices, PlanningCheck& planning) {
+  const Result<Source> source = read_planning_source_file(file);
+  if (!source) return fail(source);
+  if (PlanningCheck::knows(*source)) return planning.check(*source);
+  const std::string_view head = source->data().empty() ? std::string_view() : source->data().front().head();
+  if (head == "domain") {
+    const Result<std::string> domain = check_domain(file);
+    if (!domain) return domain;
+    const Result<void> used = planning.use_domain(file);
+    if (!used) return fail(used);
+    return domain;
+  }
+  if (head == "cell") return check_cell(file);
+  if (head == "scenario") return check_scenario_file(file);
+  return check_goal_file(file, choices);
+}
+
+int check_files(const CheckChoices& choices) {
+  int status = exit_reached;
+  PlanningCheck planning;
+  if (!choices.domain.empty()) {
+    const Result<void> used = planning.use_domain(choices.domain);
+    if (!used) return complain(used.error(), exit_usage);
+  }
+  for (const std::string& file : choices.files) {
+    const Result<std::string> checked = check_file(file, choices, planning);
+    if (checked) {
+      fmt::print("{}: {}\n", file, *checked);
+    } else {
+      status = std::max<int>(status, complain(checked.error(), exit_usage));
+    }
+  }
+  return status;
+}
+
+}  // namespace
+
+void add_check_word(CLI::App& app, int& status) {
+  auto choices = std::make_shared<CheckChoices>();
+  CLI::App* word =
+      app.add_subcommand("check", "Check domain, cell, scenario, goal and planning files; every error is told.");
+  word->add_option("files", choices->files, "What the file is, its first form says")->required();
+  word->add_option("--domain", choices->domain,
+                   "For goals, PDDL problems and facts: the domain; else domains/blocks.scm for goals");
+  word->footer(exit_code_help);
+  word->callback([choices, &status] { status = check_files(*choices); });
+}
+
+}  // namespace pizarra

@@ -1,0 +1,30 @@
+// The program behind ./pizarra: every word that needs agents, world or language.
+
+#include <cstdlib>
+#include <opencv2/core.hpp>
+
+#include "agents/launcher/command_line/command_line.hpp"
+#include "agents/launcher/command_line/word_tools.hpp"
+#include "agents/launcher/words/words.hpp"
+
+int main(int argc, char** argv) {
+  // One thread each: two runs of the same seed must not differ, and many runs share the cores.
+  cv::setNumThreads(1);
+  CLI::App app("Pizarra, a blackboard for robot cells.", "pizarra");
+  app.require_subcommand(1);
+  app.footer(pizarra::exit_code_help);
+  int status = pizarra::exit_reached;
+  pizarra::add_demo_word(app, status);
+  pizarra::add_scenario_word(app, status);
+  pizarra::add_check_word(app, status);
+  pizarra::add_cell_words(app, status);
+  pizarra::add_process_words(app, status);
+  pizarra::add_board_words(app, status);
+  pizarra::add_replay_word(app, status);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return pizarra::end_of_parsing(app, error);
+  }
+  return status;
+}

@@ -1,0 +1,106 @@
+// The words that `up` starts processes with: one agent, or the world.
+
+#include <fmt/format.h>
+#include <zmq.hpp>
+
+#include "agents/launcher/command_line/key_option.hpp"
+#include "agents/launcher/command_line/word_tools.hpp"
+#include "agents/launcher/supervision/agent_factory.hpp"
+#include "agents/launcher/words/words.hpp"
+#include "blackboard/remote_board.hpp"
+#include "blackboard/time/real_executor.hpp"
+#include "blackboard/time/stop_signals.hpp"
+#include "drivers/simulation/link_server.hpp"
+#include "drivers/simulation/socket_link.hpp"
+
+namespace pizarra {
+
+namespace {
+
+struct ProcessChoices {
+  std::string kind;
+  std::string cell;
+  std::string name;
+  std::string host = "localhost";
+  std::string board;
+  std::string world;
+  std::string key;
+  std::uint64_t seed = 1;
+};
+
+int run_agent(const ProcessChoices& choices) {
+  const Result<CellDescription> cell = read_cell_file(choices.cell);
+  if (!cell) return complain(cell.error(), exit_usage);
+  RealExecutor executor;
+  const StopSignals signals(executor);
+  const std::string name = choices.name.empty() ? choices.kind : choices.name;
+  const Result<std::optional<ClientKeys>> keys = keys_from(choices.key);
+  if (!keys) return complain(keys.error(), exit_usage);
+  const Result<std::unique_ptr<RemoteBoard>> board =
+      RemoteBoard::connect(executor, choices.board, name, RemoteBoard::default_timeout, *keys);
+  if (!board) return complain(board.error(), exit_usage);
+  zmq::context_t context(1);
+  SocketLink link(executor, context, choices.world);
+  AgentContext agent_context{name, choices.host, executor, **board, Random(choices.seed).split(name)};
+  const auto agent = build_agent(choices.kind, std::move(agent_context), *cell, link, nullptr);
+  if (!agent) return complain(agent.error(), exit_usage);
+  const Job job = executor.spawn((*agent)->run());
+  executor.run_until([&job] { return job.done(); });
+  if (signals.received()) return exit_reached;
+  const Result<void>* ended = (*agent)->ended();
+  if (ended != nullptr && !*ended) return complain(ended->error(), exit_failed);
+  return exit_failed;
+}
+
+int run_world(const ProcessChoices& choices) {
+  const Result<CellDescription> cell = read_cell_file(choices.cell);
+  if (!cell) return complain(cell.error(), exit_usage);
+  if (!choices.world.starts_with("ipc://")) {
+    const Failure open{"bad-address", "the world listens at ipc://PATH alone, not at " + choices.world, {}, {}};
+    return complain(open, exit_usage);
+  }
+  const WorldConfig config = world_config(*cell, choices.seed);
+  const Result<void> sound = check(config);
+  if (!sound) return complain(sound.error(), exit_usage);
+  RealExecutor executor;
+  const StopSignals signals(executor);
+  zmq::context_t context(1);
+  World world(executor, config);
+  const auto server = LinkServer::listen(executor, context, choices.world, world);
+  if (!server) return complain(server.error(), exit_unavailable);
+  fmt::print("the world of {} is reached at {}\n", cell->name, choices.world);
+  std::fflush(stdout);
+  executor.run_until([] { return false; });
+  return exit_reached;
+}
+
+}  // namespace
+
+void add_process_words(CLI::App& app, int& status) {
+  auto choices = std::make_shared<ProcessChoices>();
+  CLI::App* agent = app.add_subcommand("agent", "Run one agent in this process, on a board of another.");
+  agent->add_option("kind", choices->kind, "robot, vision, planner, coordinator or person")
+      ->required()
+      ->check(CLI::IsMember(agent_kinds()));
+  agent->add_option("cell", choices->cell, "The cell file")->required()->check(CLI::ExistingFile);
+  agent->add_option("--board", choices->board, "Where the board listens: ipc:// or tcp://")->required();
+  agent->add_option("--world", choices->world, "Where the simulated world listens: ipc://")->required();
+  add_key_option(agent, choices->key);
+  agent->add_option("--name", choices->name, "Its name on the board; its kind otherwise");
+  agent->add_option("--host", choices->host, "Which host it says it is on")->capture_default_str();
+  agent->add_option("--seed", choices->seed, "What its chance begins from")->check(seed_check())->capture_default_str();
+  agent->footer(exit_code_help);
+  agent->callback([choices, &status] { status = run_agent(*choices); });
+
+  auto world_choices = std::make_shared<ProcessChoices>();
+  CLI::App* world = app.add_subcommand("world", "Run a cell's simulated world in this process.");
+  world->add_option("cell", world_choices->cell, "The cell file")->required()->check(CLI::ExistingFile);
+  world->add_option("--listen", world_choices->world, "Where it is reached: ipc://PATH")->required();
+  world->add_option("--seed", world_choices->seed, "What its chance begins from")
+      ->check(seed_check())
+      ->capture_default_str();
+  world->footer(exit_code_help);
+  world->callback([world_choices, &status] { status = run_world(*world_choices); });
+}
+
+}  // namespace pizarra

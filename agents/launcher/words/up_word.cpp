@@ -1,0 +1,325 @@
+// `up`, `ps` and `down`: a cell as processes around a board.
+
+#include <algorithm>
+#include <csignal>
+#include <filesystem>
+#include <fmt/format.h>
+#include <fstream>
+#include <unistd.h>
+
+#include "agents/launcher/command_line/key_option.hpp"
+#include "agents/launcher/command_line/word_tools.hpp"
+#include "agents/launcher/story/narrator.hpp"
+#include "agents/launcher/story/story_run.hpp"
+#include "agents/launcher/supervision/run_directory.hpp"
+#include "agents/launcher/supervision/supervisor.hpp"
+#include "agents/launcher/words/words.hpp"
+#include "blackboard/journal_file.hpp"
+#include "blackboard/remote_board.hpp"
+#include "blackboard/time/real_executor.hpp"
+#include "lisp/cell.hpp"
+#include "lisp/json.hpp"
+
+namespace pizarra {
+
+namespace {
+
+struct UpChoices {
+  std::string cell;
+  std::string host;
+  std::string board;
+  std::string key;
+  std::string keys;
+  std::uint64_t seed = 1;
+  bool json = false;
+};
+
+// The host asked for, this machine if the file names it, "localhost", or the only one.
+Result<CellHost> choose_host(const CellDescription& cell, const std::string& asked) {
+  char machine[256] = {};
+  gethostname(machine, sizeof machine - 1);
+  const std::vector<std::string> wanted =
+      asked.empty() ? std::vector<std::string>{machine, "localhost"} : std::vector<std::string>{asked};
+  for (const std::string& name : wanted) {
+    const auto found = std::ranges::find(cell.hosts, name, &CellHost::name);
+    if (found != cell.hosts.end()) return *found;
+  }
+  if (asked.empty() && cell.hosts.size() == 1) return cell.hosts.front();
+  std::string known;
+  for (const CellHost& host : cell.hosts) known += (known.empty() ? "" : ", ") + host.name;
+  return fail("unknown-host", fmt::format("say which host this is with --host: the cell has {}", known));
+}
+
+std::string beside_this_program(const std::string& name) {
+  return (std::filesystem::read_symlink("/proc/self/exe").parent_path() / name).string();
+}
+
+// With these a board ends that will not do better next time: wrong arguments, address or journal.
+const std::vector<int> hopeless_board{2, 3, 4};
+
+std::string last_line_of(const std::string& file) {
+  std::ifstream in(file);
+  std::string last;
+  for (std::string line; std::getline(in, line);) {
+    if (!line.empty()) last = line;
+  }
+  return last;
+}
+
+// Kinds that own a device, which in the simulated cell is reached over the world's socket, on this machine alone.
+bool owns_device(const std::string& kind) { return kind == "robot" || kind == "vision" || kind == "person"; }
+
+class Up {
+ public:
+  Up(const UpChoices& choices, CellDescription cell, CellHost host, RunDirectory directory)
+      : choices_(choices),
+        cell_(std::move(cell)),
+        host_(std::move(host)),
+        directory_(std::move(directory)),
+        narrator_(stdout, Narrator::style_for(stdout, choices.json)),
+        supervisor_(executor_, [this](const ProcessEvent& event) { on_process(event); }) {}
+  int run();
+
+ private:
+  void choose_board();
+  Result<void> start_all();
+  Result<void> find_world();
+  Result<void> start(const std::string& name, std::vector<std::string> command);
+  void on_process(const ProcessEvent& event);
+  void save_state();
+
+  const UpChoices& choices_;
+  CellDescription cell_;
+  CellHost host_;
+  RunDirectory directory_;
+  RealExecutor executor_;
+  Narrator narrator_;
+  std::string board_address_;
+  std::string world_address_;
+  std::string keys_;  // the folder of those that may come to this host's board
+  std::string key_;   // with which this host comes to a board elsewhere
+  std::string board_failure_;
+  Supervisor supervisor_;
+};
+
+Result<void> Up::start(const std::string& name, std::vector<std::string> command) {
+  const std::vector<int> final_statuses = name == "board" ? hopeless_board : std::vector<int>();
+  return supervisor_.start({name, std::move(command), directory_.file(name + ".log"), final_statuses});
+}
+
+// The world runs beside the board's host; others of this machine find it by that host's state.
+Result<void> Up::find_world() {
+  world_address_ = "ipc://" + directory_.file("world.ipc");
+  if (host_.name == cell_.board_host) return {};
+  for (const RunState& run : running_cells()) {
+    if (run.cell != cell_.name || run.host != cell_.board_host) continue;
+    world_address_ = run.world_address;
+    return {};
+  }
+  for (const std::string& kind : host_.agents) {
+    if (!owns_device(kind)) continue;
+    return fail("no-world", fmt::format("{} needs the simulated world, and that runs on {}, which is not up on this "
+                                        "machine: give {} to that host, or start that host here first",
+                                        kind, cell_.board_host, kind));
+  }
+  return {};
+}
+
+Result<void> Up::start_all() {
+  const std::string self = beside_this_program("pizarra-cell");
+  const std::string seed = std::to_string(choices_.seed);
+  const std::string cell = std::filesystem::absolute(choices_.cell).string();
+  const bool owns_board = host_.name == cell_.board_host && choices_.board.empty();
+  if (owns_board) {
+    // Only what is durable outlives the board; it is kept as long as the run's folder is.
+    const std::string journal = directory_.file("board.journal");
+    remove_journal(journal);
+    std::vector<std::string> command = {beside_this_program("pizarra-board"), "--listen", board_address_, "--journal",
+                                        journal};
+    if (!keys_.empty()) command.insert(command.end(), {"--listen", cell_.board_address, "--keys", keys_});
+    const Result<void> board = start("board", std::move(command));
+    if (!board) return board;
+  }
+  if (host_.name == cell_.board_host) {
+    const Result<void> world = start("world", {self, "world", cell, "--listen", world_address_, "--seed", seed});
+    if (!world) return world;
+  }
+  for (const std::string& kind : host_.agents) {
+    std::vector<std::string> command = {self,      "agent",        kind,     cell,       "--board", board_address_,
+                                        "--world", world_address_, "--host", host_.name, "--seed",  seed};
+    if (!key_.empty()) command.insert(command.end(), {"--key", key_});
+    const Result<void> agent = start(kind, std::move(command));
+    if (!agent) return agent;
+  }
+  return {};
+}
+
+void Up::on_process(const ProcessEvent& event) {
+  narrator_.say(executor_.now(), "process", fmt::format("{} {}", event.name, event.sentence));
+  save_state();
+  if (event.name != "board" || !event.given_up) return;
+  board_failure_ = last_line_of(directory_.file("board.log"));
+  supervisor_.stop();
+}
+
+void Up::save_state() {
+  RunState state{cell_.name, host_.name, getpid(), board_address_, world_address_, key_, {}};
+  for (const Supervisor::Process& process : supervisor_.processes()) {
+    state.processes.push_back({process.name, process.pid, process.restarts});
+  }
+  const Result<void> saved = directory_.save(state);
+  if (!saved) narrator_.say(executor_.now(), "failure", describe(saved.error()));
+}
+
+// With keys the board's own host needs none: it comes over a file of its own.
+void Up::choose_board() {
+  const std::string own_address = "ipc://" + directory_.file("board.ipc");
+  const bool owns_board = host_.name == cell_.board_host && choices_.board.empty();
+  const std::string folder = choices_.keys.empty() ? cell_.board_keys : choices_.keys;
+  if (owns_board && !cell_.board_address.empty()) keys_ = folder;
+  board_address_ = !choices_.board.empty()                         ? choices_.board
+                   : cell_.board_address.empty() || !keys_.empty() ? own_address
+                                                                   : cell_.board_address;
+  const std::string key = choices_.key.empty() ? host_.key : choices_.key;
+  if (!owns_board && !key.empty()) key_ = std::filesystem::absolute(key).string();
+}
+
+int Up::run() {
+  narrator_.begin(executor_.now());
+  choose_board();
+  const Result<std::optional<ClientKeys>> keys = keys_from(key_);
+  if (!keys) return complain(keys.error(), exit_usage);
+  const Result<void> world = find_world();
+  if (!world) return complain(world.error(), exit_usage);
+  Result<std::unique_ptr<RemoteBoard>> ears =
+      RemoteBoard::connect(executor_, board_address_, "narrator", RemoteBoard::default_timeout, *keys);
+  if (!ears) return complain(ears.error(), exit_usage);
+  const Result<void> started = start_all();
+  if (!started) {
+    supervisor_.stop();
+    executor_.run_until([this] { return supervisor_.stopped(); });
+    return complain(started.error(), exit_unavailable);
+  }
+  save_state();
+  narrator_.say(executor_.now(), "board", board_address_);
+  narrator_.say(executor_.now(), "logs", directory_.path());
+  {
+    const Job told = executor_.spawn(narrator_.follow(**ears, executor_));
+    executor_.run_until([this] { return supervisor_.stopping(); });
+  }
+  narrator_.say(executor_.now(), "process", "stopping");
+  executor_.run_until([this] { return supervisor_.stopped(); });
+  directory_.remove_state();
+  if (!board_failure_.empty()) {
+    return complain(Failure{"no-board", "the board cannot be had: " + board_failure_, {}, {}}, exit_unavailable);
+  }
+  return exit_reached;
+}
+
+int run_up(const UpChoices& choices) {
+  Result<CellDescription> cell = read_cell_file(choices.cell);
+  if (!cell) return complain(cell.error(), exit_usage);
+  const Result<Domain> domain = domain_of(*cell);
+  if (!domain) return complain(domain.error(), exit_usage);
+  Result<CellHost> host = choose_host(*cell, choices.host);
+  if (!host) return complain(host.error(), exit_usage);
+  Result<RunDirectory> directory = RunDirectory::make(cell->name, host->name);
+  if (!directory) return complain(directory.error(), exit_unavailable);
+  return Up(choices, std::move(*cell), std::move(*host), std::move(*directory)).run();
+}
+
+// The agents on the board by name, or nothing when it does not answer in time.
+Task<void> list_agents(RemoteBoard& board, std::vector<Fact>* out) {
+  Datum pattern = list("agent"_sym, "?"_sym, "?"_sym, "?"_sym);
+  Result<std::vector<Fact>> facts = co_await board.facts(std::move(pattern));
+  if (facts) *out = std::move(*facts);
+}
+
+std::vector<Fact> agents_on(const RunState& run) {
+  RealExecutor executor;
+  std::vector<Fact> facts;
+  const Result<std::optional<ClientKeys>> keys = keys_from(run.key);
+  if (!keys) return facts;
+  const auto board = RemoteBoard::connect(executor, run.board_address, "ps", 2s, *keys);
+  if (!board) return facts;
+  const Job job = executor.spawn(list_agents(**board, &facts));
+  executor.run_until([&job] { return job.done(); });
+  return facts;
+}
+
+void print_run(const RunState& run, bool json) {
+  std::vector<Fact> agents = agents_on(run);
+  if (!json)
+    fmt::print("cell {} on {}, process {}, board {}\n", run.cell, run.host, run.supervisor_pid, run.board_address);
+  const auto print = [&](std::string_view name, std::string_view kind, std::string_view host,
+                         const RunProcess* process) {
+    if (json) {
+      fmt::print("{{\"cell\":{},\"name\":{},\"kind\":{},\"host\":{},\"pid\":{},\"restarts\":{}}}\n",
+                 json_string(run.cell), json_string(name), json_string(kind), json_string(host),
+                 process ? process->pid : 0, process ? process->restarts : 0);
+      return;
+    }
+    const std::string pid = process && process->pid != 0 ? std::to_string(process->pid) : "-";
+    const auto restarts = static_cast<std::size_t>(process ? process->restarts : 0);
+    fmt::print("  {:<14} {:<12} {:<12} {:>8}  {}\n", name, kind, host, pid, counted(restarts, "restart"));
+  };
+  for (const RunProcess& process : run.processes) {
+    const auto fact =
+        std::ranges::find_if(agents, [&](const Fact& agent) { return agent.datum[1].text() == process.name; });
+    const bool infrastructure = process.name == "board" || process.name == "world";
+    const std::string_view absent = infrastructure ? "" : "(absent)";
+    print(process.name, fact == agents.end() ? absent : fact->datum[2].text(), run.host, &process);
+    if (fact != agents.end()) agents.erase(fact);
+  }
+  for (const Fact& agent : agents) print(agent.datum[1].text(), agent.datum[2].text(), agent.datum[3].text(), nullptr);
+}
+
+int run_ps(bool json) {
+  const std::vector<RunState> runs = running_cells();
+  if (runs.empty() && !json) fmt::print("no cell runs here\n");
+  for (const RunState& run : runs) print_run(run, json);
+  return exit_reached;
+}
+
+int run_down(const std::string& cell) {
+  const Result<RunState> run = find_run(cell);
+  if (!run) return complain(run.error(), exit_unavailable);
+  kill(run->supervisor_pid, SIGTERM);
+  constexpr int tries = 60;
+  for (int n = 0; n < tries && kill(run->supervisor_pid, 0) == 0; ++n) usleep(100'000);
+  if (kill(run->supervisor_pid, 0) != 0) return exit_reached;
+  fmt::print(stderr, "pizarra: process {} does not end\n", run->supervisor_pid);
+  return exit_failed;
+}
+
+}  // namespace
+
+void add_cell_words(CLI::App& app, int& status) {
+  auto choices = std::make_shared<UpChoices>();
+  CLI::App* up = app.add_subcommand(
+      "up", "Run the agents that a cell file gives to this host, as processes around a board; Ctrl-C stops them all.");
+  up->add_option("cell", choices->cell, "The cell file")->required()->check(CLI::ExistingFile);
+  up->add_option("--host", choices->host, "Which of the cell's hosts this is");
+  up->add_option("--board", choices->board, "A board that runs already, in place of the cell's own");
+  up->add_option("--keys", choices->keys,
+                 "The folder of the keys that may come to this host's board; the cell's otherwise");
+  add_key_option(up, choices->key);
+  up->add_option("--seed", choices->seed, "What chance begins from in the simulated world")
+      ->check(seed_check())
+      ->capture_default_str();
+  up->add_flag("--json", choices->json, "One JSON object a line");
+  up->footer(exit_code_help);
+  up->callback([choices, &status] { status = run_up(*choices); });
+
+  auto json = std::make_shared<bool>(false);
+  CLI::App* ps = app.add_subcommand("ps", "Show the processes and agents of the cells that run here.");
+  ps->add_flag("--json", *json, "One JSON object a line");
+  ps->callback([json, &status] { status = run_ps(*json); });
+
+  auto cell = std::make_shared<std::string>();
+  CLI::App* down = app.add_subcommand("down", "Stop a cell that runs here.");
+  down->add_option("cell", *cell, "Its name; the only one otherwise");
+  down->callback([cell, &status] { status = run_down(*cell); });
+}
+
+}  // namespace pizarra

@@ -1,0 +1,23 @@
+#pragma once
+
+// The words of the program: each adds its subcommand, with its help, and leaves its exit status where it is told.
+//
+//   CLI::App app;
+//   int status = exit_reached;
+//   add_demo_word(app, status);
+//   CLI11_PARSE(app, argc, argv);
+//   return status;
+
+#include <CLI/CLI.hpp>
+
+namespace pizarra {
+
+void add_demo_word(CLI::App& app, int& status);
+void add_scenario_word(CLI::App& app, int& status);
+void add_check_word(CLI::App& app, int& status);
+void add_cell_words(CLI::App& app, int& status);     // up, ps, down
+void add_process_words(CLI::App& app, int& status);  // agent, world
+void add_replay_word(CLI::App& app, int& status);
+void add_board_words(CLI::App& app, int& status);  // repl, tell, retract, ask, watch, goal, why
+
+}  // namespace pizarra
