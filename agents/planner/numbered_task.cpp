@@ -73,7 +73,8 @@ Result<std::size_t> Numberer::object_index(const Datum& name, const Datum& atom)
 
 // A goal that nothing speaks of is a slip of the pen rather than out of reach.
 Result<void> Numberer::check_predicate(const Datum& goal) const {
-  if (goal.head().empty() || predicate_index_.contains(std::string(goal.head()))) return {};
+  const std::string predicate(goal.head());
+  if (predicate.empty() || predicate_index_.contains(predicate) || task_.predicates.contains(predicate)) return {};
   std::vector<std::string> names;
   for (const auto& [name, index] : predicate_index_) names.push_back(name);
   const std::string nearest = nearest_name(goal.head(), names);

@@ -34,6 +34,8 @@ PlanningTask task_from(const PlanningDomain& domain, const Datum& problem) {
       task.types.push_back({std::string(type[0].text()), std::string(type[1].text())});
     }
   }
+  task.predicates = {"="};  // of which a problem's goals may be
+  for (const Datum& predicate : domain.form[4].items()) task.predicates.emplace(predicate.head());
   add_objects(task, domain.form[3]);
   add_objects(task, problem[1]);
   for (const Datum& form : domain.form[6].items()) task.operators.push_back(operator_from(form));

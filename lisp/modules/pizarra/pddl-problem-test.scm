@@ -37,7 +37,12 @@
        '(errors (wrong-domain "this problem is one of the domain e, and the domain file defines d" (0 2) ())))
 (check "no goal" (wrong objects) '((malformed (0))))
 (check "two goals" (wrong objects '(:goal (clear a) (clear b))) '((malformed (0 4))))
-(check "an equality for a goal" (wrong objects '(:goal (= a a))) '((unsupported (0 4 1))))
+(check "equalities that hold are no goals" (problem objects '(:goal (and (= a a) (not (= a b)))))
+       '(ok (problem ((a block) (b block)) () () () () none)))
+(check "equalities that do not hold never will" (problem objects '(:goal (and (= a b) (clear a) (not (= b b)))))
+       '(ok (problem ((a block) (b block)) ((= b b)) () ((clear a) (= a b)) ((= b b)) none)))
+(check "an equality of an unknown object" (wrong objects '(:goal (= a c))) '((unknown-object (0 4 1 2))))
+(check "an equality of three" (wrong objects '(:goal (not (= a b a)))) '((malformed (0 4 1 1))))
 (check "a disjunction" (wrong objects '(:goal (or (clear a) (clear b)))) '((unsupported (0 4 1))))
 (check "another metric" (wrong objects goal '(:metric minimize (weight a))) '((unsupported (0 5))))
 (check "all errors are found"

@@ -27,12 +27,22 @@
          (objects (read-objects (at-most (in ':objects) most-objects "objects") constants vocabulary))
          (term (ground-term (vocabulary-with vocabulary (append constants objects))))
          (initials (filter-map (lambda (node) (read-initial node vocabulary term)) (in ':init)))
-         (goals (read-goal problem found vocabulary term)))
+         (goals (read-goal problem found vocabulary term))
+         (never-differ (filter-map differs-from-itself goals)))
     (check-domain problem found domain-name)
     (check-requirements (in ':requirements))
-    (list 'problem objects (of-kind initials 'fact) (of-kind initials 'value)
-          (literals-of goals 'fact) (literals-of goals 'not)
+    (list 'problem objects (append (of-kind initials 'fact) never-differ) (of-kind initials 'value)
+          (append (literals-of goals 'fact) (filter-map equals-another goals))
+          (append (literals-of goals 'not) never-differ)
           (read-metric found))))
+
+;; What is equal, nothing changes. Goals that are true need no mention, and the others are facts of a predicate `=` that
+;; no action knows: (= A B), and not (= A A), which holds from the beginning.
+(define (equals-another literal)
+  (and (eq? (first literal) '=) (not (eq? (second literal) (third literal))) literal))
+
+(define (differs-from-itself literal)
+  (and (eq? (first literal) 'differ) (eq? (second literal) (third literal)) (cons '= (cdr literal))))
 
 (define (inside found name)
   (let ((section (section-in found name)))
@@ -79,13 +89,7 @@
           ((not (and condition (= (length (node-items section)) 2) (list? (node-datum condition))))
            (complain! section 'malformed "a goal is written (:goal FACT) or (:goal (and FACT ...))")
            '())
-          (else
-           (for-each (lambda (node)
-                       (let ((fact (if (eq? (node-head node) 'not) (node-ref node 1) node)))
-                         (when (and fact (eq? (node-head fact) '=))
-                           (complain! node 'unsupported "a goal says what shall hold, not what is equal"))))
-                     (conjuncts condition))
-           (condition-literals vocabulary condition term)))))
+          (else (condition-literals vocabulary condition term)))))
 
 (define (read-metric found)
   (let ((section (section-in found ':metric)))

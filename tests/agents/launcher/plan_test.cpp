@@ -20,7 +20,7 @@ std::string file(const std::string& name, const std::string& text) {
 
 std::string domain() {
   return file("domain.pddl", R"((define (domain blocks) (:requirements :strips)
-    (:predicates (on ?x ?y) (on-table ?x) (clear ?x) (arm-empty) (holding ?x))
+    (:predicates (on ?x ?y) (on-table ?x) (clear ?x) (arm-empty) (holding ?x) (red ?x))
     (:action pick-up :parameters (?x) :precondition (and (clear ?x) (on-table ?x) (arm-empty))
       :effect (and (not (on-table ?x)) (not (clear ?x)) (not (arm-empty)) (holding ?x)))
     (:action stack :parameters (?x ?y) :precondition (and (holding ?x) (clear ?y))
@@ -83,6 +83,28 @@ TEST(Plan, ThatCannotBeIsTracedToWhatIsMissing) {
   EXPECT_EQ(said.text,
             "pizarra: no plan exists: (lit a) can never hold from here: (lit a) needs (wired a), and (wired a) needs "
             "(plugged a), and no operator brings about (plugged a)\n");
+}
+
+// `red` is declared, and neither an action nor an initial fact speaks of it.
+TEST(Plan, AnswersForGoalsThatNothingSpeaksOf) {
+  EXPECT_EQ(plan("(and (on a b) (red a))").status, 3);
+  const Said absent = plan("(and (not (red a)) (not (red b)))");
+  EXPECT_EQ(absent.status, 0) << absent.text;
+  EXPECT_TRUE(absent.text.starts_with("nothing to do")) << absent.text;
+}
+
+TEST(Plan, AnswersForGoalsAboutWhatIsEqual) {
+  EXPECT_EQ(plan("(and (= a a) (not (= a b)))").status, 0);
+  EXPECT_EQ(plan("(and (= c c) (on a b))", "--pddl").text, "(pick-up a)\n(stack a b)\n");
+  for (const std::string options : {"", "--fast --time 1"}) {
+    const Said different = plan("(and (= a b) (on a b))", options);
+    EXPECT_EQ(different.status, 3);
+    EXPECT_TRUE(different.text.starts_with("pizarra: no plan exists: (= a b) can never hold")) << different.text;
+    const Said same = plan("(and (on a b) (not (= a a)))", options);
+    EXPECT_EQ(same.status, 3);
+    EXPECT_TRUE(same.text.starts_with("pizarra: no plan exists: (not (= a a)) can never hold")) << same.text;
+  }
+  EXPECT_EQ(plan("(= a d)").status, 2);
 }
 
 TEST(Plan, OfWrongFilesIsAUsageError) {
