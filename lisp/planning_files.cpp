@@ -76,6 +76,19 @@ std::unexpected<Failure> wrong_file(const Source& source, std::string sentence) 
   return fail(source.failure_at({0}, "wrong-file", std::move(sentence)));
 }
 
+enum class FileKind : std::uint8_t { domain, problem, other };
+
+FileKind kind_of(const Source& source) {
+  constexpr std::string_view problems[] = {"types", "initials", "goals", "preconds", "effects"};
+  const std::string_view head = first_head(source);
+  if (head == "operator" || head == "domain") return FileKind::domain;
+  if (std::ranges::find(problems, head) != std::end(problems)) return FileKind::problem;
+  if (!is_pddl(source) || source.data().front().size() < 2) return FileKind::other;
+  const Datum& named = source.data().front()[1];
+  if (named.is_form("problem")) return FileKind::problem;
+  return named.is_form("domain") ? FileKind::domain : FileKind::other;
+}
+
 Result<PlanningDomain> with_language(PlanningLanguage language, Result<Datum> form) {
   if (!form) return fail(form);
   return PlanningDomain{language, std::move(*form)};
@@ -99,6 +112,9 @@ Result<Source> read_planning_source_file(const std::string& path) {
 }
 
 Result<PlanningDomain> read_planning_domain(const Source& source) {
+  if (kind_of(source) == FileKind::problem) {
+    return wrong_file(source, "this is a problem; the domain must be named first, and it second");
+  }
   if (is_pddl(source)) return with_language(PlanningLanguage::pddl, interpret(source, "pddl-domain"));
   if (first_head(source) == "operator") {
     return with_language(PlanningLanguage::operators, interpret(source, "planning-operators"));
@@ -112,6 +128,7 @@ Result<PlanningDomain> read_planning_domain(const Source& source) {
 }
 
 Result<Datum> read_planning_problem(const Source& source, const PlanningDomain& domain) {
+  if (kind_of(source) == FileKind::domain) return wrong_file(source, "this is a domain; a problem must stand here");
   const bool pddl = domain.language == PlanningLanguage::pddl;
   if (pddl != is_pddl(source)) {
     return wrong_file(source, pddl ? "the domain is PDDL, so the problem must be: (define (problem ...) ...)"

@@ -301,14 +301,34 @@ bool can_be_mended(std::string_view symbol) {
   return std::ranges::find(symbols, symbol) != std::end(symbols);
 }
 
+// Blanks in the place of every byte that is no text, and how many characters, as an old encoding counts them, those
+// are.
+std::size_t blank_what_is_no_text(std::string& text) {
+  std::size_t count = 0;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t length = utf8_length(std::string_view(text).substr(at));
+    if (length == 0 || text[at] == '\0') {
+      text[at] = ' ';
+      ++count;
+    }
+    at += std::max<std::size_t>(1, length);
+  }
+  return count;
+}
+
 // Puts something that can be read in the place of what cannot, as long as that; whether there is such a thing.
-bool mend(std::string& text, const Trouble& trouble) {
+bool mend(std::string& text, Trouble& trouble) {
   const std::string_view symbol = trouble.symbol;
+  if (symbol == "bad-text") {
+    const std::size_t count = blank_what_is_no_text(text);
+    if (count > 1) trouble.sentence += fmt::format(", nor are {} more characters", count - 1);
+    return true;
+  }
   if (symbol == "bad-number") {
     for (std::size_t i = trouble.offset; i < text.size() && is_symbol_char(text[i]); ++i) text[i] = '_';
     return true;
   }
-  if (symbol != "bad-character" && symbol != "bad-text" && symbol != "bad-escape") return false;
+  if (symbol != "bad-character" && symbol != "bad-escape") return false;
   const std::size_t length = std::max<std::size_t>(1, utf8_length(std::string_view(text).substr(trouble.offset)));
   text.replace(trouble.offset, length, length, ' ');
   return true;
@@ -329,9 +349,9 @@ Result<Source> read_source_to_the_end(std::string_view text, std::string file, c
     Reader reader(balanced.text, limits, &source.spots_);
     data = reader.read_all();
     if (data) break;
-    const Trouble& trouble = reader.trouble();
+    Trouble trouble = reader.trouble();
+    mended = balanced.errors.size() + 1 < most_mended && mend(balanced.text, trouble);
     balanced.errors.push_back({balanced.original_offset(trouble.offset), trouble.symbol, trouble.sentence});
-    mended = balanced.errors.size() < most_mended && mend(balanced.text, trouble);
   }
   std::ranges::stable_sort(balanced.errors, {}, &SourceError::offset);
   source.errors_ = std::move(balanced.errors);

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
 #include <utility>
@@ -54,7 +55,25 @@ Failure Source::failure_at(const std::vector<std::size_t>& path, std::string sym
   return out;
 }
 
+namespace {
+
+// What editors on some systems put before UTF-8.
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
+bool is_text(std::string_view bytes) {
+  constexpr std::string_view blanks = "\t\n\v\f\r";
+  return std::ranges::none_of(bytes, [&](char c) {
+    return (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) && blanks.find(c) == blanks.npos;
+  });
+}
+
+}  // namespace
+
 Result<std::string> read_text_file(const std::string& path, const ReadLimits& limits) {
+  std::error_code unknown;
+  if (std::filesystem::is_directory(path, unknown)) {
+    return fail("unreadable-file", fmt::format("{} is a folder, and a file must be named", path));
+  }
   std::ifstream in(path, std::ios::binary);
   if (!in) return fail("unreadable-file", fmt::format("the file {} cannot be opened", path));
   std::string text;
@@ -67,6 +86,8 @@ Result<std::string> read_text_file(const std::string& path, const ReadLimits& li
   if (text.size() > limits.bytes) {
     return fail("too-long", fmt::format("the file {} has more than {} bytes", path, limits.bytes));
   }
+  if (!is_text(text)) return fail("unreadable-file", fmt::format("the file {} is not text", path));
+  if (text.starts_with(byte_order_mark)) text.erase(0, byte_order_mark.size());
   return text;
 }
 

@@ -1,6 +1,7 @@
 #include "lisp/reader.hpp"
 
 #include <cstdio>
+#include <fmt/format.h>
 #include <fstream>
 #include <gtest/gtest.h>
 
@@ -90,12 +91,39 @@ TEST(SourceTest, FindsThePlaceOfAnElement) {
   EXPECT_TRUE(source.failure_at({}, "odd", "").place.starts_with("file.scm:1:1\n"));
 }
 
+TEST(SourceTest, ReadsFilesAsEditorsOnOtherSystemsLeaveThem) {
+  const std::string path = testing::TempDir() + "/pizarra_source_marks.scm";
+  std::ofstream(path) << "\xEF\xBB\xBF(a b)\r\n; c\r\n(d)\r\n";
+  const Result<Source> source = read_source_file(path);
+  ASSERT_TRUE(source) << describe(source.error());
+  EXPECT_EQ(source->data().size(), 2u);
+  EXPECT_TRUE(source->failure_at({0, 1}, "odd", "").place.ends_with(":1:4\n  (a b)\n     ^"))
+      << "the mark has no column";
+  std::remove(path.c_str());
+}
+
+TEST(SourceTest, RefusesInOneSentenceFilesThatAreNoText) {
+  const std::string path = testing::TempDir() + "/pizarra_source_binary";
+  for (const std::string_view bytes : {std::string_view("\x7F"
+                                                        "ELF\x02\x01\0\0",
+                                                        8),
+                                       std::string_view("(\0a\0)\0", 6)}) {
+    std::ofstream(path) << bytes;
+    const Result<Source> source = read_source_file(path);
+    ASSERT_FALSE(source);
+    EXPECT_EQ(describe(source.error()), "the file " + path + " is not text");
+  }
+  std::remove(path.c_str());
+}
+
 TEST(SourceTest, ReadsFilesWithinLimits) {
   const std::string path = testing::TempDir() + "/pizarra_source_test.scm";
   std::ofstream(path) << "(a b) (c)";
   EXPECT_EQ(read_source_file(path).value().data().size(), 2u);
   EXPECT_EQ(read_source_file(path, {.bytes = 3}).error().symbol, "too-long");
   EXPECT_EQ(read_source_file(testing::TempDir()).error().symbol, "unreadable-file");
+  EXPECT_EQ(read_source_file(testing::TempDir()).error().sentence,
+            fmt::format("{} is a folder, and a file must be named", testing::TempDir()));
   EXPECT_EQ(read_source_file("/nowhere/at-all.scm").error().symbol, "unreadable-file");
   std::remove(path.c_str());
 }

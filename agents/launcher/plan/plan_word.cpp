@@ -1,6 +1,8 @@
 #include "agents/launcher/plan/plan_word.hpp"
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <fmt/format.h>
 
 #include "agents/launcher/command_line/word_tools.hpp"
@@ -134,6 +136,25 @@ int run_plan(const PlanChoices& choices) {
   return choices.json ? exit_code_of(report.error()) : complain(report.error(), exit_code_of(report.error()));
 }
 
+// CLI11 takes `nan` for a number.
+CLI::Validator seconds_check() {
+  const auto check = [](const std::string& text) {
+    double seconds = 0;
+    const char* end = text.data() + text.size();
+    const auto [read_to, error] = std::from_chars(text.data(), end, seconds);
+    const bool fits = error == std::errc() && read_to == end && std::isfinite(seconds) && seconds > 0;
+    return fits ? std::string() : fmt::format("a time is a number of seconds above 0, not {}", text);
+  };
+  return {check, "S"};
+}
+
+CLI::Validator command_check() {
+  const auto check = [](const std::string& text) {
+    return std::string(text.find_first_not_of(" \t\n") == text.npos ? "a command must be given" : "");
+  };
+  return {check, "COMMAND"};
+}
+
 }  // namespace
 
 void add_plan_word(CLI::App& app, int& status) {
@@ -149,11 +170,12 @@ void add_plan_word(CLI::App& app, int& status) {
       ->excludes(optimal);
   word->add_option("--seed", choices->seed, "What chance begins from; 1")->check(seed_check());
   word->add_option("--time", choices->limit_s, "End after so many seconds; --fast ends after 10 by itself")
-      ->check(CLI::PositiveNumber)
+      ->check(seconds_check())
       ->type_name("S");
   CLI::Option* planner =
       word->add_option("--planner", choices->planner,
                        "Have this command plan: {domain} and {problem} stand for PDDL files, {plan} for its answer")
+          ->check(command_check())
           ->type_name("COMMAND");
   word->add_option("--memory", choices->memory_mb, "How much memory that planner may have")
       ->check(CLI::Range(1, 1 << 20))

@@ -42,6 +42,9 @@
 (check "an unknown requirement" (wrong '(:requirements :strips :typign)) '((unknown-requirement (0 2 2))))
 (check "its sentence"
        (cadr (cadr (domain '(:requirements :typign)))) "there is no requirement :typign; the nearest is :typing")
+(check "what is known, where nothing is near"
+       (cadr (cadr (domain '(:requirements :magic))))
+       "there is no requirement :magic; there are :strips, :typing, :negative-preconditions, :equality, :action-costs")
 (check "an unknown predicate" (wrong-action ':effect '(emtpy)) '((unknown-predicate (0 4 3 0))))
 (check "an unknown type" (wrong-action ':parameters '(?x - blok)) '((unknown-type (0 4 3 2))))
 (check "an unknown variable" (wrong-action ':effect '(clear ?x)) '((unknown-variable (0 4 3 1))))

@@ -114,7 +114,22 @@ TEST(Plan, OfWrongFilesIsAUsageError) {
   EXPECT_NE(said.text.find("there is no predicate clera; the nearest is clear"), std::string::npos) << said.text;
   EXPECT_EQ(shell(fmt::format("{} plan /nowhere/a /nowhere/b 2>&1", PIZARRA_PLAN)).status, 2);
   EXPECT_EQ(plan("(on a b)", "--pdl").status, 2);
-  EXPECT_EQ(plan("(on a b)", "--time 0").status, 2);
+  for (const std::string time : {"0", "-1", "nan", "inf", "-inf", "1e400", "soon", "''"}) {
+    const Said refused = plan("(on a b)", "--time " + time);
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_TRUE(refused.text.starts_with("pizarra: --time: a time is a number of seconds above 0, not "))
+        << refused.text;
+    EXPECT_LT(refused.text.size(), 120u);
+  }
+  const Said empty = plan("(on a b)", "--planner ' '");
+  EXPECT_EQ(empty.status, 2);
+  EXPECT_TRUE(empty.text.starts_with("pizarra: --planner: a command must be given")) << empty.text;
+  const Said alone = shell(fmt::format("{} plan {} 2>&1", PIZARRA_PLAN, domain()));
+  EXPECT_EQ(alone.status, 2);
+  EXPECT_EQ(alone.text, "pizarra: problem is required; pizarra plan --help says more\n");
+  const Said folder = shell(fmt::format("{} plan {} / 2>&1", PIZARRA_PLAN, domain()));
+  EXPECT_EQ(folder.status, 2);
+  EXPECT_EQ(folder.text, "pizarra: / is a folder, and a file must be named\n");
   EXPECT_EQ(plan("(on a b)", "--pddl --json").status, 2);
 }
 

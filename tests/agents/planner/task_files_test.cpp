@@ -146,10 +146,22 @@ TEST(TaskFiles, ReportWhatCannotBeReadTogetherWithWhatIsWrong) {
                                       "domain:2:21 there is no predicate q; there is none at all",
                                       "domain:4:1 `'` has no meaning here"}));
   EXPECT_EQ(errors_of("'", ""), (std::vector<std::string>{"domain:1:1 `'` has no meaning here"}));
+  EXPECT_EQ(errors_of("(define (domain d)\n(:predicates (p))\n(:action a\xE4 ; \xF6\xFC\n :effect (q)))", ""),
+            (std::vector<std::string>{"domain:3:11 this is not UTF-8, nor are 2 more characters (and 1 more)",
+                                      "domain:4:11 there is no predicate q; the nearest is p"}));
 }
 
 TEST(TaskFiles, SayWhatIsExpectedWhereTheFilesAreMixedUp) {
-  EXPECT_EQ(read(pddl_problem, pddl_domain).error().symbol, "malformed");
+  for (const auto& [domain, problem] : {std::pair(pddl_domain, pddl_problem),
+                                        {"(operator A (effects (p)))", "(types (a T)) (goals (p))"},
+                                        {"(domain d)", "(initials (p))"}}) {
+    EXPECT_EQ(read(problem, domain).error().sentence,
+              "this is a problem; the domain must be named first, and it second");
+    EXPECT_EQ(read(problem, problem).error().sentence,
+              "this is a problem; the domain must be named first, and it second");
+    EXPECT_EQ(read_planning_problem(*read_planning_source(domain, "problem"), PlanningDomain()).error().sentence,
+              "this is a domain; a problem must stand here");
+  }
   EXPECT_EQ(read("(cell one)", pddl_problem).error().symbol, "wrong-file");
   EXPECT_EQ(read(pddl_domain, "(types (a T)) (goals (p a))").error().symbol, "wrong-file");
   EXPECT_EQ(read("", pddl_problem).error().symbol, "wrong-file");
