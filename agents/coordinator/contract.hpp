@@ -17,7 +17,7 @@ inline constexpr std::string_view coordinator_contract = R"scheme(
          (relation operation ((index integer) (operation list) (state symbol)) (key) (durable))
          (relation micro-task ((index integer) (step list) (state symbol)) (key) (durable))
          (relation servo ((state integer) (object symbol) (err-x number) (err-y number) (err-d number)) (key))
-         (relation event ((seq integer) (kind symbol) (sentence string) (detail datum)) (key seq)))
+         (relation event ((seq integer) (kind symbol) (sentence string) (detail datum)) (key seq) (durable)))
   (reads agent vision-says camera-model gripper arm-pose)
   (configures)
   (monitors goal-state operation servo event))

@@ -21,7 +21,8 @@ struct Life {
         eyes(context, options, surroundings, story, caller),
         planning(context, options, domain, surroundings, caller),
         runner(context, options, domain, service, surroundings, story, arm, eyes, vigil),
-        pursuit(context, options, domain, surroundings, story, eyes, planning, runner, vigil) {}
+        rescues(domain, surroundings, story, arm, runner),
+        pursuit(context, options, domain, surroundings, story, eyes, planning, runner, rescues, vigil) {}
 
   TaskDomain domain;
   Caller caller;
@@ -32,6 +33,7 @@ struct Life {
   Eyes eyes;
   Planning planning;
   TaskRunner runner;
+  Rescues rescues;
   Pursuit pursuit;
   Job pursuing;
 };
@@ -51,8 +53,8 @@ Task<Result<Datum>> take_goal(Life& life, Datum operation) {
 }
 
 Task<Result<Datum>> take_cancel(Life& life) {
-  const bool cancelled = co_await life.pursuit.cancel();
-  if (!cancelled) co_return fail("no-goal", "there is no goal in hand");
+  const Result<void> cancelled = co_await life.pursuit.cancel();
+  if (!cancelled) co_return fail(cancelled);
   co_return Datum();
 }
 
@@ -97,6 +99,7 @@ Task<Result<void>> CoordinatorAgent::run() {
   if (!started) co_return started;
   life = std::make_unique<Life>(context, state_->options, std::move(*domain), service);
   co_await life->story.resume();
+  co_await life->pursuit.resume();
   life->surroundings.start();
   life->pursuing = context.executor.spawn(life->pursuit.run());
   Handler handler = [&part = *life](Datum operation) { return handle(part, std::move(operation)); };

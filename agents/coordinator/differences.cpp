@@ -64,4 +64,19 @@ Task<void> Pursuit::tell_unexpected(std::size_t expected, std::size_t next) {
   co_await tell_difference(std::move(lost), expected_by);
 }
 
+Task<void> Pursuit::tell_still_serves(std::int64_t goal, std::size_t next) {
+  const std::vector<GroundOperation>& plan = table_->plan();
+  std::vector<Datum> rest;
+  std::string told;
+  for (std::size_t i = next; i < plan.size(); ++i) {
+    rest.push_back(plan[i].name);
+    told += ' ' + write(plan[i].name);
+  }
+  const std::string sentence =
+      rest.empty() ? "nothing is left to do of the plan in hand"
+                   : fmt::format("the plan in hand still serves, from operation {} on:{}", next + 1, told);
+  const Datum detail = list("plan"_sym, goal, Datum::list(rest));
+  co_await story_.tell("plan", sentence, detail);
+}
+
 }  // namespace pizarra

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <iterator>
-#include <map>
 
 #include "agents/coordinator/telling.hpp"
 #include "lisp/writer.hpp"
@@ -19,6 +18,7 @@ constexpr int most_failures = 25;
 constexpr int most_failures_of_one = 5;
 // Collisions of one operation till what it is about is pushed: trying the same again would end the same way.
 constexpr int failures_till_loosened = 2;
+constexpr Duration untold_pause = 1s;
 
 std::vector<Datum> missing_from(const Facts& beliefs, const Facts& needed) {
   std::vector<Datum> missing;
@@ -32,16 +32,12 @@ bool is_final(const Failure& failure) { return failure.symbol == "interrupted" |
 }  // namespace
 
 Task<void> Pursuit::run() {
-  co_await resume();
   while (true) {
     while (!current_) co_await wanted_.wait();
     const Goal goal = *current_;
     vigil_.clear_interrupt();
     if (planned_for_ != goal.number) table_.reset();
     const Result<void> outcome = co_await pursue(goal);
-    const bool still_wanted = current_ && current_->number == goal.number;
-    if (!still_wanted) continue;
-    current_.reset();
     co_await finish(goal, outcome);
   }
 }
@@ -61,56 +57,76 @@ Task<Result<void>> Pursuit::pursue(Goal goal) {
 
 Task<Result<void>> Pursuit::rounds(Goal goal) {
   const std::vector<std::string> objects = objects_of(goal);
-  std::map<Datum, int> failures_of;
-  int failures = 0;
-  int plans = 0;
-  std::optional<std::size_t> expected;
+  Progress progress;
   for (int round = 0; round < most_rounds; ++round) {
     if (vigil_.interrupted()) co_return fail("interrupted", "another goal, or none, is wanted now");
     // The arm keeps out of the way of a hand at work.
     const bool calm = surroundings_.calm();
     if (!calm) co_await await_steady(objects);
-    std::optional<std::size_t> next;
-    if (table_) next = table_->furthest(surroundings_.beliefs());
-    if (!next) {
-      if (table_ && expected) {
-        const std::vector<Datum> lost = missing_from(surroundings_.beliefs(), table_->needed(*expected));
-        co_await tell_difference(lost, "the rest of the plan");
-      }
-      expected.reset();
-      if (++plans > most_plans) co_return fail("gave-up", "too many plans came to nothing");
-      const Result<void> planned = co_await plan_anew(goal, objects);
-      if (!planned) co_return planned;
-      continue;
-    }
-    const std::size_t foreseen = expected.value_or(*next);
-    if (*next != foreseen) co_await tell_unexpected(foreseen, *next);
-    expected = next;
-    if (*next == table_->plan().size()) {
+    const Result<std::optional<std::size_t>> chosen = co_await choose(goal, progress);
+    if (!chosen) co_return fail(chosen);
+    if (!*chosen) continue;
+    const std::size_t next = **chosen;
+    if (next == table_->plan().size()) {
       const bool settled = co_await settles(goal);
       if (settled) co_return Result<void>();
-      expected.reset();
+      progress.expected.reset();
+      progress.announced.reset();
       continue;
     }
-    const Datum operation = table_->plan()[*next].name;
-    const Result<void> done = co_await do_operation(*next);
+    const Result<void> done = co_await do_operation(next);
     if (done) {
-      expected = *next + 1;
-      failures_of.erase(operation);
+      progress.expected = progress.announced = next + 1;
+      progress.failures_of.erase(table_->plan()[next].name);
       continue;
     }
-    if (is_final(done.error())) co_return done;
-    // A difference was told when it was noticed; what follows from it is not another one.
-    expected.reset();
-    if (done.error().symbol != "difference") {
-      const bool too_often = ++failures > most_failures || ++failures_of[operation] > most_failures_of_one;
-      if (too_often) co_return done;
-      const bool jammed = done.error().symbol == "stopped" && failures_of[operation] % failures_till_loosened == 0;
-      if (jammed) co_await loosen(operation);
-    }
+    const Result<void> recovered = co_await recover(next, done.error(), progress);
+    if (!recovered) co_return recovered;
     co_await await_steady(objects);
   }
   co_return fail("gave-up", "the goal was not reached in a great many operations");
+}
+
+Task<Result<std::optional<std::size_t>>> Pursuit::choose(Goal goal, Progress& progress) {
+  std::optional<std::size_t> next;
+  if (table_) next = table_->furthest(surroundings_.beliefs());
+  if (!next) {
+    if (table_ && progress.expected) {
+      const std::vector<Datum> lost = missing_from(surroundings_.beliefs(), table_->needed(*progress.expected));
+      co_await tell_difference(lost, "the rest of the plan");
+    }
+    progress.expected.reset();
+    progress.announced.reset();
+    if (++progress.plans > most_plans) co_return fail("gave-up", "too many plans came to nothing");
+    std::vector<std::string> objects = objects_of(goal);
+    const Result<bool> planned = co_await plan_anew(goal, std::move(objects));
+    if (!planned) co_return fail(planned);
+    if (*planned) progress.announced = 0;
+    co_return next;
+  }
+  const bool unexpected = progress.expected && *next != *progress.expected;
+  if (unexpected) co_await tell_unexpected(*progress.expected, *next);
+  if (progress.announced != next) co_await tell_still_serves(goal.number, *next);
+  progress.expected = progress.announced = next;
+  co_return next;
+}
+
+Task<Result<void>> Pursuit::recover(std::size_t index, Failure why, Progress& progress) {
+  if (is_final(why)) co_return fail(why);
+  // A difference was told when it was noticed; what follows from it is not another one.
+  progress.expected.reset();
+  if (why.symbol == "difference") {
+    progress.announced.reset();
+    co_return Result<void>();
+  }
+  const GroundOperation operation = table_->plan()[index];
+  const int failures = ++progress.failures_of[operation.name];
+  const bool too_often = ++progress.failures > most_failures || failures > most_failures_of_one;
+  if (too_often) co_return fail(why);
+  const bool jammed = why.symbol == "stopped" && failures % failures_till_loosened == 0;
+  // Whatever comes of it is seen afterwards.
+  if (jammed) co_await rescues_.loosen(operation.name);
+  co_return Result<void>();
 }
 
 Task<Result<void>> Pursuit::do_operation(std::size_t index) {
@@ -154,33 +170,62 @@ Task<bool> Pursuit::settles(Goal goal) {
 }
 
 Task<Result<std::int64_t>> Pursuit::submit(std::vector<Datum> facts) {
-  const Goal goal{++last_number_, std::move(facts)};
+  const Turns::Turn turn = co_await turns_.next();
+  const Goal goal{last_number_ + 1, std::move(facts)};
+  const Datum told_goal = list("goal"_sym, goal.number, Datum::list(goal.facts));
   Transaction transaction;
   if (current_) transaction.tell(list("goal-state"_sym, current_->number, "replaced"_sym, Datum()));
-  transaction.tell(list("goal"_sym, goal.number, Datum::list(goal.facts)));
+  transaction.tell(told_goal);
   transaction.tell(list("goal-state"_sym, goal.number, "running"_sym, Datum()));
-  current_ = goal;
-  vigil_.interrupt();
+  story_.add(transaction, "goal", goal_sentence(told_goal), told_goal[2]);
   const Result<Revision> told = co_await commit(context_.board, context_.executor, std::move(transaction));
   if (!told) co_return fail(told);
-  std::string sentence = fmt::format("goal {}:", goal.number);
-  for (const Datum& fact : goal.facts) sentence += ' ' + write(fact);
-  co_await story_.tell("goal", sentence, Datum::list(goal.facts));
+  last_number_ = goal.number;
+  current_ = goal;
+  vigil_.interrupt();
   wanted_.wake_all();
   co_return goal.number;
 }
 
-Task<bool> Pursuit::cancel() {
-  if (!current_) co_return false;
-  const Datum state = list("goal-state"_sym, current_->number, "cancelled"_sym, Datum());
-  const std::string sentence = fmt::format("goal {} is cancelled", current_->number);
+Task<Result<void>> Pursuit::cancel() {
+  const Turns::Turn turn = co_await turns_.next();
+  if (!current_) co_return fail("no-goal", "there is no goal in hand");
+  const Result<Revision> told = co_await tell_outcome(current_->number, "cancelled", Datum());
+  if (!told) co_return fail(told);
   current_.reset();
   vigil_.interrupt();
-  Transaction transaction;
-  transaction.tell(state);
-  co_await commit(context_.board, context_.executor, std::move(transaction));
-  co_await story_.tell("result", sentence, state);
+  co_return Result<void>();
+}
+
+// A goal stays in hand until its end could be told.
+Task<void> Pursuit::finish(Goal goal, Result<void> outcome) {
+  bool ended = co_await end(goal, outcome);
+  while (!ended) {
+    co_await sleep(context_.executor, untold_pause);
+    ended = co_await end(goal, outcome);
+  }
+}
+
+Task<bool> Pursuit::end(Goal goal, Result<void> outcome) {
+  const Turns::Turn turn = co_await turns_.next();
+  const bool still_wanted = current_ && current_->number == goal.number;
+  if (!still_wanted) co_return true;
+  const std::string_view state = outcome ? "reached" : "refused";
+  const Datum detail = outcome ? Datum() : failure_to_datum(outcome.error());
+  const Result<Revision> told = co_await tell_outcome(goal.number, state, detail);
+  const bool try_again = !told && told.error().symbol == "journal-full";
+  if (try_again) co_return false;
+  current_.reset();
+  table_.reset();
   co_return true;
+}
+
+Task<Result<Revision>> Pursuit::tell_outcome(std::int64_t number, std::string_view state, Datum detail) {
+  const Datum told = list("goal-state"_sym, number, Datum::symbol(state), detail);
+  Transaction transaction;
+  transaction.tell(told);
+  story_.add(transaction, "result", outcome_sentence(told), detail);
+  return commit(context_.board, context_.executor, std::move(transaction));
 }
 
 }  // namespace pizarra

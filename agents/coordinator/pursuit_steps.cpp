@@ -80,20 +80,12 @@ Task<Result<void>> Pursuit::look_once_for(std::string object, Time deadline) {
 // Where a thing is nowhere to be seen, the gripper may hold it, or another may stand before it. That a try fails is no
 // reason to give up looking.
 Task<Result<void>> Pursuit::clear_view(std::string missing) {
-  Result<void> done = co_await runner_.lay_down(missing);
+  Result<void> done = co_await rescues_.lay_down(missing);
   const std::optional<std::string> before = surroundings_.foremost();
   const bool may_hide = done && before && *before != missing;
-  if (may_hide) done = co_await runner_.set_aside(*before);
+  if (may_hide) done = co_await rescues_.set_aside(*before);
   if (!done && done.error().symbol == "interrupted") co_return done;
   co_return Result<void>();
-}
-
-// Whatever comes of the push is seen afterwards.
-Task<void> Pursuit::loosen(Datum operation) {
-  if (operation.size() < 2) co_return;
-  const std::string object(operation[1].text());
-  const std::string onto(operation.size() > 2 ? operation[2].text() : "");
-  co_await runner_.loosen(object, onto);
 }
 
 // A hand may be at work: what is planned on should have come to rest. Not for ever.
@@ -106,12 +98,12 @@ Task<void> Pursuit::await_steady(std::vector<std::string> objects) {
 }
 
 // Steps d to f. That there is no plan counts when it is proved twice, in case something was on its way.
-Task<Result<void>> Pursuit::plan_anew(Goal goal, std::vector<std::string> objects) {
+Task<Result<bool>> Pursuit::plan_anew(Goal goal, std::vector<std::string> objects) {
   const Result<void> there = co_await look_for(objects);
-  if (!there) co_return there;
+  if (!there) co_return fail(there);
   co_await await_steady(objects);
   // Whoever disturbed may have put things right again.
-  if (table_ && table_->furthest(surroundings_.beliefs())) co_return Result<void>();
+  if (table_ && table_->furthest(surroundings_.beliefs())) co_return false;
   bool proved = false;
   int failed = 0;
   for (int attempt = 0; attempt < most_attempts; ++attempt) {
@@ -119,14 +111,14 @@ Task<Result<void>> Pursuit::plan_anew(Goal goal, std::vector<std::string> object
     const Facts planned_on = surroundings_.beliefs();
     Result<std::vector<GroundOperation>> plan = co_await planning_.plan(goal.facts);
     if (plan) {
-      const Result<void> adopted = co_await adopt(goal, std::move(*plan));
-      co_return adopted;
+      co_await adopt(goal, std::move(*plan));
+      co_return true;
     }
     if (is_verdict(plan.error()) && (proved || plan.error().symbol == "absent")) co_return fail(plan);
     proved = is_verdict(plan.error());
     // What is held askew is neither held nor lying anywhere, as far as the eyes can tell. What comes of it is seen.
     const bool may_hold = proved && !objects.empty();
-    if (may_hold) co_await runner_.lay_down(objects.front());
+    if (may_hold) co_await rescues_.lay_down(objects.front());
     if (!proved) ++failed;
     if (failed == planner_tries) co_return fail(plan);
     const Duration pause = proved ? second_proof_after : planner_pause;
@@ -134,12 +126,12 @@ Task<Result<void>> Pursuit::plan_anew(Goal goal, std::vector<std::string> object
     co_await await_steady(objects);
     if (surroundings_.beliefs() != planned_on) proved = false;
     const Result<void> still_there = co_await look_for(objects);
-    if (!still_there) co_return still_there;
+    if (!still_there) co_return fail(still_there);
   }
   co_return fail("gave-up", "the cell does not come to rest, and none of the states it was seen in has a plan");
 }
 
-Task<Result<void>> Pursuit::adopt(Goal goal, std::vector<GroundOperation> plan) {
+Task<void> Pursuit::adopt(Goal goal, std::vector<GroundOperation> plan) {
   std::vector<Datum> operations;
   std::string told;
   for (const GroundOperation& operation : plan) {
@@ -156,7 +148,6 @@ Task<Result<void>> Pursuit::adopt(Goal goal, std::vector<GroundOperation> plan) 
   const std::string sentence =
       operations.empty() ? "nothing needs to be done" : fmt::format("{}:{}", again ? "new plan" : "plan", told);
   co_await story_.tell("plan", sentence, fact);
-  co_return Result<void>();
 }
 
 Task<void> Pursuit::resume() {
@@ -174,7 +165,7 @@ Task<void> Pursuit::resume() {
     const auto wanted = fact.datum[2].items();
     if (running) goal = Goal{number, {wanted.begin(), wanted.end()}};
   }
-  if (!goal || current_) co_return;
+  if (!goal) co_return;
   current_ = goal;
   for (const Fact& fact : plans) {
     if (fact.datum[1].integer() != goal->number) continue;
@@ -190,18 +181,6 @@ Task<void> Pursuit::resume() {
   }
   const std::string sentence = fmt::format("going on with goal {} after a restart", goal->number);
   co_await story_.tell("agent", sentence, to_datum(goal->number));
-}
-
-Task<void> Pursuit::finish(Goal goal, Result<void> outcome) {
-  const Datum state = Datum::symbol(outcome ? "reached" : "refused");
-  const Datum detail = outcome ? Datum() : failure_to_datum(outcome.error());
-  Transaction transaction;
-  transaction.tell(list("goal-state"_sym, goal.number, state, detail));
-  table_.reset();
-  co_await commit(context_.board, context_.executor, std::move(transaction));
-  const std::string sentence = outcome ? fmt::format("goal {} is reached", goal.number)
-                                       : fmt::format("goal {} is refused: {}", goal.number, describe(outcome.error()));
-  co_await story_.tell("result", sentence, detail);
 }
 
 }  // namespace pizarra

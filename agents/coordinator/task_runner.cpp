@@ -12,9 +12,8 @@ namespace pizarra {
 namespace {
 
 constexpr Duration effects_patience = 3s;
-// How near a held object's mark is to where it should be, and a closed gripper's opening to the object's size.
+// How near a held object's mark is to where it should be.
 constexpr double held_mm = 25;
-constexpr double closed_mm = 9;
 constexpr int held_looks = 12;
 // A smaller yaw of a cube is straightened by the fingers; a larger one hides the end effector's mark.
 constexpr double least_turn_deg = 4;
@@ -39,6 +38,13 @@ Task<Result<void>> TaskRunner::run(std::size_t index, GroundOperation operation)
   if (done) done = co_await await_effects(operation);
   const Datum state = Datum::symbol(done ? "done" : "failed");
   co_await tell(list("operation"_sym, index, operation.name, state));
+  co_return done;
+}
+
+Task<Result<void>> TaskRunner::improvise(std::vector<Datum> steps) {
+  vigil_.rest();
+  aims_.reset();
+  const Result<void> done = co_await run_steps(std::move(steps));
   co_return done;
 }
 
@@ -99,63 +105,6 @@ Task<Result<void>> TaskRunner::release() {
   const Result<double> opened = co_await arm_.grip(options_.gripper.openings.normal_mm);
   if (!opened) co_return fail(opened);
   co_return Result<void>();
-}
-
-Task<Result<void>> TaskRunner::lay_down(std::string object) {
-  const double opening = surroundings_.opening_mm().value_or(0);
-  if (std::abs(opening - domain_.cube_mm()) > closed_mm) co_return Result<void>();
-  const Result<double> closed = co_await arm_.grip(0);
-  if (!closed) co_return fail(closed);
-  if (*closed < domain_.cube_mm() / 2) co_return Result<void>();
-  vigil_.rest();
-  aims_.reset();
-  const std::string sentence = "laying down what the gripper holds";
-  co_await story_.tell("servo", sentence, Datum::symbol(object));
-  // What it is is not known, so its mark says nothing of how it is held: the gripper alone is aimed.
-  const Datum spot = list("free-spot"_sym, "held"_sym);
-  // It may be held askew and touch the table early: it is let go wherever the way down ended.
-  const std::vector<Datum> down{list("raise"_sym), list("square-up"_sym), list("align"_sym, spot),
-                                list("lower"_sym, spot)};
-  const Result<void> lowered = co_await run_steps(down);
-  const bool interrupted = !lowered && lowered.error().symbol != "stopped";
-  if (interrupted) co_return lowered;
-  const std::vector<Datum> let_go{list("release"_sym), list("raise"_sym)};
-  const Result<void> released = co_await run_steps(let_go);
-  co_return released;
-}
-
-Task<Result<void>> TaskRunner::set_aside(std::string object) {
-  vigil_.rest();
-  aims_.reset();
-  const std::string sentence = fmt::format("setting {} aside, to see what it hides", object);
-  co_await story_.tell("servo", sentence, Datum::symbol(object));
-  const Datum name = Datum::symbol(object);
-  const std::vector<Datum> grasp{list("open"_sym, name),  list("raise"_sym),       list("turn-fingers"_sym, name),
-                                 list("align"_sym, name), list("lower"_sym, name), list("close"_sym),
-                                 list("raise"_sym)};
-  const Result<void> grasped = co_await run_steps(grasp);
-  if (!grasped) co_return grasped;
-  const Result<void> laid = co_await lay_down(object);
-  co_return laid;
-}
-
-Task<Result<void>> TaskRunner::loosen(std::string object, std::string onto) {
-  vigil_.rest();
-  const Result<double> closed = co_await arm_.grip(0);
-  if (!closed) co_return fail(closed);
-  const bool holds = *closed > domain_.cube_mm() / 2;
-  if (holds) {
-    const Result<void> laid = co_await lay_down(object);
-    if (!laid || onto.empty()) co_return laid;
-    const std::vector<Datum> room{list("raise"_sym), list("make-room"_sym, Datum::symbol(onto))};
-    const Result<void> made = co_await run_steps(room);
-    co_return made;
-  }
-  const std::string sentence = fmt::format("{} cannot be grasped as it lies: pushing it", object);
-  co_await story_.tell("servo", sentence, Datum::symbol(object));
-  const std::vector<Datum> push{list("raise"_sym), list("push-over"_sym, Datum::symbol(object)), list("raise"_sym)};
-  const Result<void> pushed = co_await run_steps(push);
-  co_return pushed;
 }
 
 // Only vision can tell whether the mark stands where the arm believes it to be, so a raise ends with a look.

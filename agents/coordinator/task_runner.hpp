@@ -1,6 +1,7 @@
 #pragma once
 
-// Does one operation of the plan: its micro-tasks one after another, the aligning ones under the visual servo.
+// Does tasks: an operation of the plan is one, and so is what a rescue (rescues.hpp) improvises. A task is its
+// micro-tasks (primitives.hpp) one after another, the aligning ones under the visual servo.
 //
 //   vigil.begin(table, index);
 //   Result<void> done = co_await runner.run(index, operation);
@@ -18,6 +19,9 @@ namespace pizarra {
 
 class TaskRunner {
  public:
+  // How near a closed gripper's opening is to the size of what it holds.
+  static constexpr double closed_mm = 9;
+
   TaskRunner(AgentContext& context, const CoordinatorOptions& options, const TaskDomain& domain, const Service& service,
              Surroundings& surroundings, Story& story, Arm& arm, Eyes& eyes, Vigil& vigil)
       : context_(context),
@@ -32,14 +36,8 @@ class TaskRunner {
         aims_(options, domain, surroundings) {}
 
   Task<Result<void>> run(std::size_t index, GroundOperation operation);
-  // Puts down on a free spot whatever the gripper holds, `object` or another, so that the eyes can tell what it is.
-  // Nothing is done where it holds nothing.
-  Task<Result<void>> lay_down(std::string object);
-  // Takes `object` to a free spot, away from what it may hide.
-  Task<Result<void>> set_aside(std::string object);
-  // Pushes what cannot be grasped where it lies, so that it lies otherwise. What is held already is laid down, and
-  // `onto`, which it could not be put on, pushed out of its row where it is crowded.
-  Task<Result<void>> loosen(std::string object, std::string onto);
+  // Micro-tasks that belong to no operation: nothing has to go on holding meanwhile.
+  Task<Result<void>> improvise(std::vector<Datum> steps);
   // Up, or down, to the height that is safe to travel at, with the end effector in sight.
   Task<Result<void>> raise();
 

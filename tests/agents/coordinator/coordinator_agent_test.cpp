@@ -171,6 +171,83 @@ TEST_F(Coordinator, EndsWhenCancelled) {
   EXPECT_EQ(cell.motions, motions);
 }
 
+TEST_F(Coordinator, StaysWithTheGoalInHandWhenAnotherCannotBeKept) {
+  want("(goal (on circle triangle))");
+  ASSERT_TRUE(cell.run_until("(holding circle)", 60s));
+  cell.disk_full = true;
+  EXPECT_EQ(cell.request("coordinator", "(goal (on square triangle))")[1], "journal-full"_sym);
+  EXPECT_EQ(cell.request("coordinator", "(cancel)")[1], "journal-full"_sym);
+  cell.disk_full = false;
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 60s));
+  expect_on("circle", "triangle");
+  EXPECT_EQ(cell.times_told("(operation ? (PICK-UP square) ?)"), 0);
+  EXPECT_EQ(want("(goal (on square circle))"), "(ok 2)") << "a refused goal has no number";
+}
+
+TEST_F(Coordinator, MovesNothingForAGoalThatCannotBeKept) {
+  cell.disk_full = true;
+  EXPECT_EQ(cell.request("coordinator", "(goal (on circle triangle))")[1], "journal-full"_sym);
+  EXPECT_EQ(cell.request("coordinator", "(cancel)")[1], "no-goal"_sym);
+  cell.run_for(10s);
+  EXPECT_EQ(cell.motions, 0);
+  EXPECT_TRUE(cell.facts("(goal ? ?)").empty());
+}
+
+TEST_F(Coordinator, TellsThatAGoalIsReachedOnceThatCanBeKept) {
+  want("(goal (on circle triangle))");
+  ASSERT_TRUE(cell.run_until("(on circle triangle)", 60s));
+  cell.disk_full = true;
+  cell.run_for(20s);
+  EXPECT_TRUE(cell.facts("(goal-state 1 reached ?)").empty());
+  EXPECT_EQ(cell.request("coordinator", "(cancel)")[1], "journal-full"_sym) << "it listens meanwhile";
+  cell.disk_full = false;
+  EXPECT_TRUE(cell.run_until("(goal-state 1 reached ?)", 5s));
+}
+
+TEST_F(Coordinator, TellsWhyAfterTheBoardWasKilledWhileTheCellWasIdle) {
+  want("(goal (on circle triangle))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 60s));
+  cell.run_for(1s);
+  const std::string before = want("(why)");
+  EXPECT_NE(before.find("goal 1 is reached"), std::string::npos) << before;
+  cell.restart_board();
+  EXPECT_EQ(want("(why)"), before);
+  want("(goal (on circle triangle) (on triangle circle))");
+  ASSERT_TRUE(cell.run_until("(goal-state 2 refused ?)", 30s));
+  cell.run_for(1s);
+  const std::string refused = want("(why)");
+  EXPECT_NE(refused.find("goal 2 is refused"), std::string::npos) << refused;
+  cell.restart_board();
+  EXPECT_EQ(want("(why)"), refused);
+}
+
+TEST_F(Coordinator, TellsWhyOfAGoalWhoseBeginningTheStoryHasForgotten) {
+  want("(goal (on circle triangle))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 60s));
+  cell.run_for(1s);
+  cell.forget("(event ? ? ? ?)");
+  const std::string why = want("(why)");
+  EXPECT_NE(why.find("goal 1: (on circle triangle)"), std::string::npos) << why;
+  EXPECT_NE(why.find("goal 1 is reached"), std::string::npos) << why;
+}
+
+TEST_F(Coordinator, TellsThatThePlanInHandStillServes) {
+  want("(goal (on triangle square) (on circle triangle))");
+  ASSERT_TRUE(cell.run_until("(operation 2 (PICK-UP circle) running)", 60s));
+  ASSERT_TRUE(cell.run_until("(servo 2 ? ? ? ?)", 30s));
+  cell.cubes["triangle"] = {450, -200, 30};
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 120s));
+  EXPECT_EQ(cell.times_told("(plan 1 ?)"), 1) << "no new plan was made";
+  const std::string kept =
+      "the plan in hand still serves, from operation 1 on: (PICK-UP triangle) (STACK triangle square) "
+      "(PICK-UP circle) (STACK circle triangle)";
+  bool told = false;
+  for (const Datum& event : cell.facts("(event ?n plan ?sentence ?detail)")) told = told || event[3].text() == kept;
+  EXPECT_TRUE(told);
+  const std::string why = want("(why)");
+  EXPECT_NE(why.find(kept), std::string::npos) << why;
+}
+
 TEST_F(Coordinator, PutsDownWhereThereIsRoom) {
   want("(goal (on circle triangle))");
   ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 60s));

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <gtest/gtest.h>
 #include <numbers>
 #include <optional>
 
 #include "lisp/reader.hpp"
 #include "lisp/writer.hpp"
+#include "tests/agents/coordinator/full_disk.hpp"
 #include "tests/agents/coordinator/shortest_plan.hpp"
 #include "tests/source_dir.hpp"
 
@@ -56,7 +58,7 @@ struct FakeCell::Agents {
       : robot_view(cell.board_.view("robot")),
         vision_view(cell.board_.view("vision")),
         planner_view(cell.board_.view("planner")),
-        coordinator_view(cell.board_.view("coordinator")),
+        coordinator_view(std::make_unique<FullDisk>(cell.board_, "coordinator", cell.disk_full)),
         robot{"robot", "localhost", cell.executor_, *robot_view, Random(1)},
         vision{"vision", "localhost", cell.executor_, *vision_view, Random(2)},
         planner{"planner", "localhost", cell.executor_, *planner_view, Random(3)},
@@ -113,6 +115,17 @@ void FakeCell::stop_vision() {
   agents_->vision_job = Job();
   agents_->looking = Job();
   tracking_ = false;
+}
+
+void FakeCell::restart_board() {
+  board_.resume();
+  executor_.run_for(3s);
+}
+
+void FakeCell::forget(std::string_view pattern) {
+  Transaction retraction;
+  retraction.retract(form(pattern));
+  EXPECT_TRUE(board_.transact("test", retraction));
 }
 
 Datum FakeCell::request(const std::string& agent, std::string_view operation) {

@@ -35,6 +35,10 @@ class FakeCell {
   void stop_coordinator();
   void stop_robot();
   void stop_vision();
+  // The board was killed and has come back with what its journal kept.
+  void restart_board();
+  // Retracts what fits.
+  void forget(std::string_view pattern);
 
   // The reply's form: (ok ...) or (fail ...).
   Datum request(const std::string& agent, std::string_view operation);
@@ -51,6 +55,7 @@ class FakeCell {
   double opening_mm = 100;
   std::string held;  // between the fingers
   int motions = 0;
+  bool disk_full = false;  // of the board's journal, for what the coordinator tells
 
  private:
   struct Agents;

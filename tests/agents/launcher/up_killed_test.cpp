@@ -213,6 +213,8 @@ TEST_F(UpKilled, ABoardKilledWhileABlockIsHeldLivesAgainWithWhatIsDurableAndTheG
 
   kill_when("(goal-state ?x reached ?)", {"board"});
   EXPECT_TRUE(comes("(on ?x triangle)")) << "what is believed is told again\n" << up_->said();
+  const std::string why = say({"why"});
+  EXPECT_NE(why.find("goal 1 is reached"), std::string::npos) << why;
   EXPECT_TRUE(comes("(person done ?x)")) << up_->said();
   stop_cleanly();
 }
