@@ -34,9 +34,22 @@ Scenario scenario_from_datum(const Datum& datum, const std::string& file) {
   return scenario;
 }
 
+// How big the cubes are of the cell that the scenario names. A cell that cannot be read is reported by who opens it:
+// its cubes take no room here.
+double cube_mm_of(const Source& source) {
+  for (const Datum& scenario : source.data()) {
+    for (const Datum& section : scenario.items()) {
+      if (!section.is_form("cell") || section.size() != 2 || !section[1].is_string()) continue;
+      const Result<CellDescription> cell = read_cell_file(beside(source.file(), std::string(section[1].text())));
+      if (cell) return cell->cube_mm;
+    }
+  }
+  return 0;
+}
+
 Result<Scenario> interpret_source(const Result<Source>& source) {
   if (!source) return fail(source);
-  const Result<Datum> scenario = interpret(*source, "scenario");
+  const Result<Datum> scenario = interpret(*source, "scenario", {to_datum(cube_mm_of(*source))});
   if (!scenario) return fail(scenario);
   return scenario_from_datum(*scenario, source->file());
 }

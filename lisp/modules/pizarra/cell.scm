@@ -125,7 +125,7 @@
                   (refuse-collisions cube node known size)
                   cube))))))
 
-(define* (cubes-of nodes #:optional (size 60))
+(define (cubes-of nodes size)
   (when (> (length nodes) most-cubes)
     (complain! (list-ref nodes most-cubes) 'too-many "a cell has at most ~a cubes" most-cubes))
   (reverse

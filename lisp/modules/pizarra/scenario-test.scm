@@ -1,7 +1,7 @@
 (use-modules (pizarra scenario) (pizarra checks))
 
 (define (story . parts)
-  (interpret (list `(scenario "s" (cell "c.scm") (goal (on a b)) ,@parts))))
+  (interpret (list `(scenario "s" (cell "c.scm") (goal (on a b)) ,@parts)) 50))
 
 (define (complaint . parts)
   (let ((outcome (apply story parts)))
@@ -17,10 +17,14 @@
        (list-ref (cadr (story '(expect-not (a) (b)) '(expect-not (c)))) 10) '((a) (b) (c)))
 (check "cubes are those of a cell" (list-ref (cadr (story '(cubes (cube circle (at 450 0))))) 3)
        '(cubes (circle circle 450 0 0 "")))
+(check "cubes need the room that those of the cell need"
+       (complaint '(cubes (cube circle (at 450 0)) (cube square (at 450 49)))) '(1 overlap (0 4 2)))
+(check "cubes may touch"
+       (car (story '(cubes (cube circle (at 450 0)) (cube square (at 450 50))))) 'ok)
 (check "an unknown operation of the hand is refused" (complaint '(when (a) (hand pull circle)))
        '(1 unknown-action (0 4 2)))
 (check "an operation's arguments are counted" (complaint '(when (a) (hand push circle 4))) '(1 malformed (0 4 2)))
 (check "an unknown expectation is refused" (complaint '(expect glory)) '(1 malformed (0 4)))
-(check "a story needs cell and goal" (length (interpret '((scenario "s")))) 3)
+(check "a story needs cell and goal" (length (interpret '((scenario "s")) 50)) 3)
 
 (finish-checks)

@@ -1,6 +1,6 @@
 ;; Scenario files: see lisp/scenario.hpp for the language.
 ;;
-;; (interpret DATA), the data of a file, answers (errors ...) or
+;; (interpret DATA CUBE-SIZE), the data of a file and the edge of its cell's cubes, answers (errors ...) or
 ;;   (ok (NAME CELL DOMAIN (cubes CUBE ...)|() (GOAL-FACT ...) (ACTION ...) ((CONDITION ACTION ...) ...)
 ;;        reached|refused REFUSAL (SEEN ...) (NEVER ...) SECONDS SEED))
 ;; with DOMAIN and REFUSAL the empty string where they are not given, CUBE as in cell.scm.
@@ -74,7 +74,7 @@
   (or (section-in found name)
       (complain! scenario 'malformed "the scenario has no (~a ...)" name)))
 
-(define (interpret-sections scenario name)
+(define (interpret-sections scenario name cube-size)
   (let* ((found (sections (drop (node-items scenario) 2)
                           '(cell domain cubes goal before-goal when expect expect-seen expect-not within seed)
                           '(when expect-seen expect-not)))
@@ -85,7 +85,7 @@
     `(,name
       ,(text-of-section found 'cell "the cell's file" "")
       ,(text-of-section found 'domain "the domain's file" "")
-      ,(if cubes (cons 'cubes (cubes-of (node-rest cubes))) '())
+      ,(if cubes (cons 'cubes (cubes-of (node-rest cubes) cube-size)) '())
       ,(if (and goal (fact-forms? (node-rest goal))) (map node-datum (node-rest goal)) '())
       ,(if before (actions-of (node-rest before)) '())
       ,(filter-map event-of (sections-in found 'when))
@@ -95,10 +95,10 @@
       ,(number-in found 'within '(1 3600) 180)
       ,(number-in found 'seed '(0 4294967295) 1))))
 
-(define (interpret data)
+(define (interpret data cube-size)
   (interpreting data
     (lambda (root)
       (let* ((scenario (only-form root 'scenario))
              (name (and scenario (string-at scenario 1 "the scenario's name"))))
         (and name
-             (interpret-sections (node-within scenario (string-append "in scenario \"" name "\"")) name))))))
+             (interpret-sections (node-within scenario (string-append "in scenario \"" name "\"")) name cube-size))))))
