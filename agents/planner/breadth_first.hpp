@@ -6,7 +6,7 @@
 //   BreadthFirst judge;
 //   if (judge.solve(problem, Budget{}, never).kind == Outcome::Kind::none) ...    // refused correctly
 
-#include "agents/planner/problem.hpp"
+#include "agents/planner/task/problem.hpp"
 
 namespace pizarra {
 

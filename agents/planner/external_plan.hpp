@@ -5,7 +5,7 @@
 //   const ExternalPlanner planner("ff -o {domain} -f {problem}");
 //   const Result<PlanSteps> steps = plan_externally(planner, task, [] { return false; });
 
-#include "agents/planner/task.hpp"
+#include "agents/planner/task/task.hpp"
 #include "drivers/planner/external_planner.hpp"
 
 namespace pizarra {

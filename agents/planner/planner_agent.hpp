@@ -22,7 +22,7 @@
 
 #include <memory>
 
-#include "agents/planner/problem.hpp"
+#include "agents/planner/task/problem.hpp"
 #include "agents/runtime/agent.hpp"
 
 namespace pizarra {

@@ -5,7 +5,7 @@
 //   Result<PlanningOperator> op = operator_from_form(read_one(
 //       "(operator PUT-DOWN (params (<ob1> OBJECT)) (preconds (holding <ob1>)) (effects (clear <ob1>) ...))").value());
 
-#include "agents/planner/problem.hpp"
+#include "agents/planner/task/problem.hpp"
 
 namespace pizarra {
 

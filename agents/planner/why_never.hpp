@@ -5,7 +5,7 @@
 //   why_never(task, problem, fact)
 //   // "(holding c) needs (clear c), and no operator brings about (clear c)"
 
-#include "agents/planner/problem.hpp"
+#include "agents/planner/task/problem.hpp"
 
 namespace pizarra {
 

@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <map>
 #include <regex>
+#include <set>
 
 #include "tests/tree/tree.hpp"
 
@@ -55,6 +57,23 @@ TEST(IncludeRule, AgentsMeetThroughFactsAloneAndOnlyTheLauncherKnowsThemAll) {
     EXPECT_TRUE(agent == other || other == "runtime" || agent == "launcher") << from << " includes " << to;
     EXPECT_FALSE(agent == "runtime" && other != "runtime") << from << " includes " << to;
   }
+}
+
+// The engines stand on the task, the optimal one on Graphplan besides; who calls them lies beside the folders.
+TEST(IncludeRule, ThePlannersEnginesStandOnTheTaskAndKnowNothingOfTheirCallers) {
+  const std::map<std::string, std::set<std::string>> may = {{"task", {"task"}},
+                                                            {"graphplan", {"task", "graphplan"}},
+                                                            {"optimal", {"task", "graphplan", "optimal"}},
+                                                            {"fast", {"task", "fast"}}};
+  std::set<std::string> seen;
+  for (const auto& [from, to] : own_includes()) {
+    if (!from.starts_with("agents/planner/") || !to.starts_with("agents/planner/")) continue;
+    const auto folder = may.find(part(from, 2));
+    if (folder == may.end()) continue;
+    seen.insert(folder->first);
+    EXPECT_TRUE(folder->second.contains(part(to, 2))) << from << " includes " << to;
+  }
+  EXPECT_EQ(seen.size(), may.size());
 }
 
 TEST(IncludeRule, TheSimulatedWorldIsReachedByDriversThePersonAndTheLauncherAlone) {

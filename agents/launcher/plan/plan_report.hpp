@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <string>
 
-#include "agents/planner/task.hpp"
+#include "agents/planner/task/task.hpp"
 
 namespace pizarra {
 

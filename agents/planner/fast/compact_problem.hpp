@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <span>
 
-#include "agents/planner/problem.hpp"
+#include "agents/planner/task/problem.hpp"
 
 namespace pizarra {
 

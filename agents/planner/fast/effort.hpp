@@ -8,7 +8,7 @@
 
 #include <optional>
 
-#include "agents/planner/problem.hpp"
+#include "agents/planner/task/problem.hpp"
 
 namespace pizarra {
 

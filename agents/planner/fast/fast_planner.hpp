@@ -10,7 +10,7 @@
 // fewer actions, until the budget is spent, the caller cancels, or a beam left nothing out: the plan is then as short
 // as can be. A call that is cancelled, or spends its budget, after the first plan was found answers its best one.
 
-#include "agents/planner/problem.hpp"
+#include "agents/planner/task/problem.hpp"
 
 namespace pizarra {
 

@@ -10,7 +10,7 @@
 
 #include <vector>
 
-#include "agents/planner/problem.hpp"
+#include "agents/planner/task/problem.hpp"
 
 namespace pizarra {
 

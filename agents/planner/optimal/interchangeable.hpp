@@ -9,7 +9,7 @@
 // Only objects no two of which share a fact are seen, and the order found is not always unique where objects of several
 // kinds share facts: then fewer states are taken for the same, never more.
 
-#include "agents/planner/problem.hpp"
+#include "agents/planner/task/problem.hpp"
 
 namespace pizarra {
 

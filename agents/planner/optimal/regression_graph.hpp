@@ -10,8 +10,8 @@
 //
 // To stand still is a step too, so levels only grow.
 
+#include "agents/planner/graphplan/planning_graph.hpp"
 #include "agents/planner/optimal/exclusions.hpp"
-#include "agents/planner/planning_graph.hpp"
 
 namespace pizarra {
 

@@ -8,7 +8,7 @@
 
 #include <cstdint>
 
-#include "agents/planner/problem.hpp"
+#include "agents/planner/task/problem.hpp"
 
 namespace pizarra {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-#include "agents/planner/graphplan.hpp"
+#include "agents/planner/graphplan/graphplan.hpp"
 
 namespace pizarra {
 

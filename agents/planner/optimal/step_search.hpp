@@ -8,7 +8,7 @@
 //
 // Budget::nodes counts steps looked at. Gives up at once where a state has too many steps to look at.
 
-#include "agents/planner/problem.hpp"
+#include "agents/planner/task/problem.hpp"
 
 namespace pizarra {
 

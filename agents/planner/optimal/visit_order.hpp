@@ -12,7 +12,7 @@
 
 #include <vector>
 
-#include "agents/planner/bits.hpp"
+#include "agents/planner/task/bits.hpp"
 
 namespace pizarra {
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "agents/planner/graphplan.hpp"
+#include "agents/planner/graphplan/graphplan.hpp"
 #include "agents/planner/planner_forms.hpp"
 #include "lisp/domain.hpp"
 #include "tests/agents/planner/planning_domains.hpp"

@@ -1,4 +1,4 @@
-#include "agents/planner/graphplan.hpp"
+#include "agents/planner/graphplan/graphplan.hpp"
 
 #include "agents/planner/breadth_first.hpp"
 #include "agents/planner/planner_forms.hpp"

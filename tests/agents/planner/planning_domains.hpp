@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "agents/planner/problem.hpp"
+#include "agents/planner/task/problem.hpp"
 #include "blackboard/time/random.hpp"
 
 namespace pizarra {

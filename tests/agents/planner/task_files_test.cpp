@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <sstream>
 
-#include "agents/planner/graphplan.hpp"
+#include "agents/planner/graphplan/graphplan.hpp"
 #include "agents/planner/pddl_text.hpp"
 #include "lisp/writer.hpp"
 #include "tests/agents/planner/planning_domains.hpp"

@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-#include "agents/planner/task.hpp"
+#include "agents/planner/task/task.hpp"
 
 namespace pizarra::bench {
 

@@ -14,7 +14,7 @@
 #include <optional>
 #include <vector>
 
-#include "agents/planner/problem.hpp"
+#include "agents/planner/task/problem.hpp"
 
 namespace pizarra {
 

@@ -11,8 +11,8 @@
 
 #include <functional>
 
-#include "agents/planner/bits.hpp"
-#include "agents/planner/task.hpp"
+#include "agents/planner/task/bits.hpp"
+#include "agents/planner/task/task.hpp"
 
 namespace pizarra {
 

@@ -6,7 +6,7 @@
 #include <unordered_set>
 #include <utility>
 
-#include "agents/planner/numbered_task.hpp"
+#include "agents/planner/task/numbered_task.hpp"
 
 namespace pizarra {
 

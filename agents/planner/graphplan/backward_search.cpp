@@ -1,4 +1,4 @@
-#include "agents/planner/backward_search.hpp"
+#include "agents/planner/graphplan/backward_search.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -5,7 +5,7 @@
 //   Graphplan engine;
 //   Outcome outcome = engine.solve(problem, Budget{}, [] { return false; });
 
-#include "agents/planner/problem.hpp"
+#include "agents/planner/task/problem.hpp"
 
 namespace pizarra {
 

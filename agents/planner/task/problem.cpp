@@ -1,4 +1,4 @@
-#include "agents/planner/problem.hpp"
+#include "agents/planner/task/problem.hpp"
 
 #include <algorithm>
 

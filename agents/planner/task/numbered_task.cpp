@@ -1,4 +1,4 @@
-#include "agents/planner/numbered_task.hpp"
+#include "agents/planner/task/numbered_task.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

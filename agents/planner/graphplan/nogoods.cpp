@@ -1,4 +1,4 @@
-#include "agents/planner/nogoods.hpp"
+#include "agents/planner/graphplan/nogoods.hpp"
 
 #include <algorithm>
 #include <cassert>

@@ -1,8 +1,8 @@
-#include "agents/planner/graphplan.hpp"
+#include "agents/planner/graphplan/graphplan.hpp"
 
 #include <fmt/format.h>
 
-#include "agents/planner/backward_search.hpp"
+#include "agents/planner/graphplan/backward_search.hpp"
 
 namespace pizarra {
 

@@ -14,7 +14,7 @@
 #include <optional>
 #include <vector>
 
-#include "agents/planner/bits.hpp"
+#include "agents/planner/task/bits.hpp"
 
 namespace pizarra {
 

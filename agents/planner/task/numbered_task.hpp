@@ -7,7 +7,7 @@
 
 #include <map>
 
-#include "agents/planner/problem.hpp"
+#include "agents/planner/task/problem.hpp"
 
 namespace pizarra {
 

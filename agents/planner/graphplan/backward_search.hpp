@@ -16,8 +16,8 @@
 #include <optional>
 #include <string>
 
-#include "agents/planner/nogoods.hpp"
-#include "agents/planner/planning_graph.hpp"
+#include "agents/planner/graphplan/nogoods.hpp"
+#include "agents/planner/graphplan/planning_graph.hpp"
 
 namespace pizarra {
 

@@ -1,4 +1,4 @@
-#include "agents/planner/planning_graph.hpp"
+#include "agents/planner/graphplan/planning_graph.hpp"
 
 #include <algorithm>
 
