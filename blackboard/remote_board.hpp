@@ -41,6 +41,8 @@ class RemoteBoard : public Board {
   ~RemoteBoard() override;
 
   bool connected() const { return joined_; }
+  // For how long nothing has been heard from the board; it is asked for a sign of life every half second.
+  Duration silence() const { return executor_.now() - heard_; }
 
   // Declares the relation and holds its facts from then on: a question about it alone is answered here, as it is at a
   // revision that has all that this board's own requests did. Failures as of declare() and watch().

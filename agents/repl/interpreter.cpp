@@ -49,6 +49,10 @@ Evaluation Interpreter::show(const Failure& failure, Evaluation outcome) {
   return outcome;
 }
 
+Evaluation Interpreter::show(const Failure& failure) {
+  return show(failure, failure.symbol == "unreachable" ? Evaluation::unavailable : Evaluation::failed);
+}
+
 Evaluation Interpreter::usage(std::string_view command) {
   const std::string sentence = fmt::format("{} is {}", command, find_command(command)->usage);
   return show({"malformed", sentence, {}, {}}, Evaluation::malformed);
@@ -108,7 +112,7 @@ Task<bool> Interpreter::is_agent(std::string name) {
 
 Task<Evaluation> Interpreter::request(std::string agent, Datum operation) {
   const Result<Datum> answer = co_await caller_.call(agent, operation, answer_timeout);
-  if (!answer) co_return show(answer.error());
+  if (!answer) co_return show(answer.error(), Evaluation::failed);
   const std::string json = fmt::format("{{\"reply\":{}}}", json_values(answer->items()));
   const bool sentences = std::ranges::all_of(answer->items(), &Datum::is_string);
   std::string line = answer->size() == 0 ? "ok" : "";

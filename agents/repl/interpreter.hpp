@@ -22,9 +22,10 @@ namespace pizarra {
 
 enum class Evaluation : std::uint8_t {
   done,
-  failed,     // an agent or the board did not do it
-  refused,    // the goal was understood and cannot be reached
-  malformed,  // what was typed could not be read or is not a command
+  failed,       // an agent or the board did not do it
+  unavailable,  // the board did not answer
+  refused,      // the goal was understood and cannot be reached
+  malformed,    // what was typed could not be read or is not a command
   quit,
 };
 
@@ -75,7 +76,9 @@ class Interpreter {
   void say_end(const Datum& state);
   void say_change(int number, const Change& change);
   void say(const std::string& text, const std::string& json);
-  Evaluation show(const Failure& failure, Evaluation outcome = Evaluation::failed);
+  Evaluation show(const Failure& failure, Evaluation outcome);
+  // What the board answered, or that it did not.
+  Evaluation show(const Failure& failure);
   Evaluation usage(std::string_view command);
 
   AgentContext& context_;

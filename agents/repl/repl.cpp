@@ -41,7 +41,7 @@ Task<void> evaluate_into(Interpreter& interpreter, std::string typed, Evaluation
 
 }  // namespace
 
-Task<void> run_prompt(AgentContext& context, Interpreter& interpreter, Terminal& terminal) {
+Task<Evaluation> run_prompt(AgentContext& context, Interpreter& interpreter, Terminal& terminal) {
   terminal.words = [&interpreter]() -> const std::set<std::string>& { return interpreter.words(); };
   co_await interpreter.learn_words();
   const auto news_of = [&](const char* pattern, std::string (*line)(const Datum&)) {
@@ -52,6 +52,7 @@ Task<void> run_prompt(AgentContext& context, Interpreter& interpreter, Terminal&
   Event settled(context.executor);
   terminal.on_interrupt = [&settled] { settled.set(); };
   Evaluation outcome = Evaluation::done;
+  Evaluation first_failure = Evaluation::done;
   while (outcome != Evaluation::quit) {
     std::optional<std::string> typed = co_await terminal.read();
     if (!typed) break;
@@ -59,8 +60,11 @@ Task<void> run_prompt(AgentContext& context, Interpreter& interpreter, Terminal&
     const Job evaluation = context.executor.spawn(evaluate_into(interpreter, std::move(*typed), outcome, settled));
     co_await settled.wait();
     if (!evaluation.done()) terminal.print("not waited for any longer; what an agent was asked to do goes on");
+    const bool well = outcome == Evaluation::done || outcome == Evaluation::quit;
+    if (!well && first_failure == Evaluation::done) first_failure = outcome;
   }
   terminal.on_interrupt = nullptr;
+  co_return first_failure;
 }
 
 Task<Evaluation> run_forms(Interpreter& interpreter, std::vector<std::string> forms) {

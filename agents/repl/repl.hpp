@@ -11,8 +11,8 @@
 namespace pizarra {
 
 // Reads and evaluates until the end; meanwhile what is taught and the coordinator's story are shown as they happen.
-// What fails is shown and the prompt goes on.
-Task<void> run_prompt(AgentContext& context, Interpreter& interpreter, Terminal& terminal);
+// What fails is shown and the prompt goes on; answers the first form's outcome that was not done, else `done`.
+Task<Evaluation> run_prompt(AgentContext& context, Interpreter& interpreter, Terminal& terminal);
 
 // Evaluates the forms in order, for scripts. Stops at the first that does not succeed and answers what became of it.
 Task<Evaluation> run_forms(Interpreter& interpreter, std::vector<std::string> forms);

@@ -34,6 +34,8 @@ class Terminal {
   Task<std::optional<std::string>> read();
   void print(const std::string& line);
 
+  // Whether a person types at it.
+  bool interactive() const { return interactive_; }
   // Whether a signal ended the input.
   bool interrupted() const { return interrupted_; }
 
@@ -63,9 +65,9 @@ class Terminal {
   bool prompting_ = false;
   bool ended_ = false;
   bool interrupted_ = false;
-  std::optional<SignalPipe> signals_;  // on a terminal
-  std::string partial_;  // lines of a form that is not complete yet
-  std::string unread_;   // what came behind them
+  std::optional<SignalPipe> signals_;        // on a terminal
+  std::string partial_;                      // lines of a form that is not complete yet
+  std::string unread_;                       // what came behind them
   Queue<std::optional<std::string>> lines_;  // at most the piece that was asked for
 };
 

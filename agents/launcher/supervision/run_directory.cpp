@@ -28,6 +28,10 @@ std::string base_path() {
   return fmt::format("/tmp/pizarra-{}", getuid());
 }
 
+std::string path_of(const std::string& cell, const std::string& host) {
+  return fmt::format("{}/{}@{}", base_path(), cell, host);
+}
+
 // Makes the folder for this user alone; one that someone else made there is not trusted.
 Result<void> make_private(const std::string& path) {
   if (mkdir(path.c_str(), 0700) != 0 && errno != EEXIST) {
@@ -130,7 +134,7 @@ Result<RunDirectory> RunDirectory::make(const std::string& cell, const std::stri
   const std::string base = base_path();
   const Result<void> made_base = make_private(base);
   if (!made_base) return fail(made_base);
-  const std::string path = fmt::format("{}/{}@{}", base, cell, host);
+  const std::string path = path_of(cell, host);
   const Result<void> made = make_private(path);
   if (!made) return fail(made);
   std::shared_ptr<const int> lock = take_lock(path);
@@ -155,6 +159,12 @@ Result<void> RunDirectory::save(const RunState& state) const {
 }
 
 void RunDirectory::remove_state() const { std::remove(file(state_name).c_str()); }
+
+bool still_runs(const RunState& state) {
+  const std::string path = path_of(state.cell, state.host);
+  const Result<RunState> now = load(path + "/" + state_name);
+  return now && now->supervisor_pid == state.supervisor_pid && is_locked(path);
+}
 
 std::vector<RunState> running_cells() {
   std::vector<RunState> out;

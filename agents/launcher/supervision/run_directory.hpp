@@ -55,6 +55,8 @@ class RunDirectory {
   std::shared_ptr<const int> lock_;  // the file that is locked, closed with the last copy
 };
 
+// Whether the supervisor that said this state lives.
+bool still_runs(const RunState& state);
 // Every cell of this user whose supervisor lives.
 std::vector<RunState> running_cells();
 // The one of that cell's name, or the only one. Failures: nothing-runs, which-cell.

@@ -17,9 +17,12 @@ int main(int argc, char** argv) {
   pizarra::add_demo_word(app, status);
   pizarra::add_scenario_word(app, status);
   pizarra::add_check_word(app, status);
-  pizarra::add_cell_words(app, status);
+  pizarra::add_up_word(app, status);
+  pizarra::add_ps_word(app, status);
+  pizarra::add_down_word(app, status);
   pizarra::add_process_words(app, status);
-  pizarra::add_board_words(app, status);
+  pizarra::add_repl_word(app, status);
+  pizarra::add_form_words(app, status);
   pizarra::add_replay_word(app, status);
   try {
     app.parse(argc, argv);

@@ -1,7 +1,6 @@
-// `up`, `ps` and `down`: a cell as processes around a board.
+// `up`: a cell as processes around a board.
 
 #include <algorithm>
-#include <csignal>
 #include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
@@ -18,7 +17,6 @@
 #include "blackboard/remote_board.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "lisp/cell.hpp"
-#include "lisp/json.hpp"
 
 namespace pizarra {
 
@@ -228,73 +226,9 @@ int run_up(const UpChoices& choices) {
   return Up(choices, std::move(*cell), std::move(*host), std::move(*directory)).run();
 }
 
-// The agents on the board by name, or nothing when it does not answer in time.
-Task<void> list_agents(RemoteBoard& board, std::vector<Fact>* out) {
-  Datum pattern = list("agent"_sym, "?"_sym, "?"_sym, "?"_sym);
-  Result<std::vector<Fact>> facts = co_await board.facts(std::move(pattern));
-  if (facts) *out = std::move(*facts);
-}
-
-std::vector<Fact> agents_on(const RunState& run) {
-  RealExecutor executor;
-  std::vector<Fact> facts;
-  const Result<std::optional<ClientKeys>> keys = keys_from(run.key);
-  if (!keys) return facts;
-  const auto board = RemoteBoard::connect(executor, run.board_address, "ps", 2s, *keys);
-  if (!board) return facts;
-  const Job job = executor.spawn(list_agents(**board, &facts));
-  executor.run_until([&job] { return job.done(); });
-  return facts;
-}
-
-void print_run(const RunState& run, bool json) {
-  std::vector<Fact> agents = agents_on(run);
-  if (!json)
-    fmt::print("cell {} on {}, process {}, board {}\n", run.cell, run.host, run.supervisor_pid, run.board_address);
-  const auto print = [&](std::string_view name, std::string_view kind, std::string_view host,
-                         const RunProcess* process) {
-    if (json) {
-      fmt::print("{{\"cell\":{},\"name\":{},\"kind\":{},\"host\":{},\"pid\":{},\"restarts\":{}}}\n",
-                 json_string(run.cell), json_string(name), json_string(kind), json_string(host),
-                 process ? process->pid : 0, process ? process->restarts : 0);
-      return;
-    }
-    const std::string pid = process && process->pid != 0 ? std::to_string(process->pid) : "-";
-    const auto restarts = static_cast<std::size_t>(process ? process->restarts : 0);
-    fmt::print("  {:<14} {:<12} {:<12} {:>8}  {}\n", name, kind, host, pid, counted(restarts, "restart"));
-  };
-  for (const RunProcess& process : run.processes) {
-    const auto fact =
-        std::ranges::find_if(agents, [&](const Fact& agent) { return agent.datum[1].text() == process.name; });
-    const bool infrastructure = process.name == "board" || process.name == "world";
-    const std::string_view absent = infrastructure ? "" : "(absent)";
-    print(process.name, fact == agents.end() ? absent : fact->datum[2].text(), run.host, &process);
-    if (fact != agents.end()) agents.erase(fact);
-  }
-  for (const Fact& agent : agents) print(agent.datum[1].text(), agent.datum[2].text(), agent.datum[3].text(), nullptr);
-}
-
-int run_ps(bool json) {
-  const std::vector<RunState> runs = running_cells();
-  if (runs.empty() && !json) fmt::print("no cell runs here\n");
-  for (const RunState& run : runs) print_run(run, json);
-  return exit_reached;
-}
-
-int run_down(const std::string& cell) {
-  const Result<RunState> run = find_run(cell);
-  if (!run) return complain(run.error(), exit_unavailable);
-  kill(run->supervisor_pid, SIGTERM);
-  constexpr int tries = 60;
-  for (int n = 0; n < tries && kill(run->supervisor_pid, 0) == 0; ++n) usleep(100'000);
-  if (kill(run->supervisor_pid, 0) != 0) return exit_reached;
-  fmt::print(stderr, "pizarra: process {} does not end\n", run->supervisor_pid);
-  return exit_failed;
-}
-
 }  // namespace
 
-void add_cell_words(CLI::App& app, int& status) {
+void add_up_word(CLI::App& app, int& status) {
   auto choices = std::make_shared<UpChoices>();
   CLI::App* up = app.add_subcommand(
       "up", "Run the agents that a cell file gives to this host, as processes around a board; Ctrl-C stops them all.");
@@ -310,16 +244,6 @@ void add_cell_words(CLI::App& app, int& status) {
   up->add_flag("--json", choices->json, "One JSON object a line");
   up->footer(exit_code_help);
   up->callback([choices, &status] { status = run_up(*choices); });
-
-  auto json = std::make_shared<bool>(false);
-  CLI::App* ps = app.add_subcommand("ps", "Show the processes and agents of the cells that run here.");
-  ps->add_flag("--json", *json, "One JSON object a line");
-  ps->callback([json, &status] { status = run_ps(*json); });
-
-  auto cell = std::make_shared<std::string>();
-  CLI::App* down = app.add_subcommand("down", "Stop a cell that runs here.");
-  down->add_option("cell", *cell, "Its name; the only one otherwise");
-  down->callback([cell, &status] { status = run_down(*cell); });
 }
 
 }  // namespace pizarra

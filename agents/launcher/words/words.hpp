@@ -15,9 +15,12 @@ namespace pizarra {
 void add_demo_word(CLI::App& app, int& status);
 void add_scenario_word(CLI::App& app, int& status);
 void add_check_word(CLI::App& app, int& status);
-void add_cell_words(CLI::App& app, int& status);     // up, ps, down
+void add_up_word(CLI::App& app, int& status);
+void add_ps_word(CLI::App& app, int& status);
+void add_down_word(CLI::App& app, int& status);
 void add_process_words(CLI::App& app, int& status);  // agent, world
 void add_replay_word(CLI::App& app, int& status);
-void add_board_words(CLI::App& app, int& status);  // repl, tell, retract, ask, watch, goal, why
+void add_repl_word(CLI::App& app, int& status);
+void add_form_words(CLI::App& app, int& status);  // tell, retract, ask, watch, goal, why
 
 }  // namespace pizarra

@@ -4,19 +4,16 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
-#include <fcntl.h>
 #include <filesystem>
-#include <fstream>
 #include <gtest/gtest.h>
-#include <iterator>
 #include <map>
 #include <optional>
 #include <string>
-#include <sys/wait.h>
-#include <thread>
 #include <unistd.h>
 #include <vector>
 
+#include "tests/agents/launcher/running.hpp"
+#include "tests/scratch.hpp"
 #include "tests/source_dir.hpp"
 
 namespace pizarra {
@@ -25,71 +22,9 @@ namespace {
 namespace fs = std::filesystem;
 using std::chrono::seconds;
 
-constexpr std::chrono::milliseconds look_pause{100};
 // Much longer than anything here takes on a machine that does nothing else.
 constexpr seconds patience{90};
 constexpr seconds stop_time{10};
-
-bool wait_until(const auto& condition, seconds how_long) {
-  const auto end = std::chrono::steady_clock::now() + how_long;
-  while (std::chrono::steady_clock::now() < end) {
-    if (condition()) return true;
-    std::this_thread::sleep_for(look_pause);
-  }
-  return condition();
-}
-
-std::string text_of(const std::string& file) {
-  std::ifstream in(file);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-// The program with some words; what it says goes to a file. Killed when destroyed.
-class Running {
- public:
-  Running(std::vector<std::string> words, std::string log) : log_(std::move(log)) {
-    words.insert(words.begin(), PIZARRA_CELL);
-    std::vector<char*> arguments;
-    for (std::string& word : words) arguments.push_back(word.data());
-    arguments.push_back(nullptr);
-    pid_ = fork();
-    if (pid_ != 0) return;
-    const int out = open(log_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-    dup2(out, STDOUT_FILENO);
-    dup2(out, STDERR_FILENO);
-    execv(PIZARRA_CELL, arguments.data());
-    _exit(127);
-  }
-  Running(const Running&) = delete;
-  Running& operator=(const Running&) = delete;
-  ~Running() {
-    if (status_) return;
-    kill(pid_, SIGKILL);
-    waitpid(pid_, nullptr, 0);
-  }
-
-  void signal(int number) const {
-    if (!status_) kill(pid_, number);
-  }
-  // Its exit status, minus the signal that killed it, or nothing while it runs on.
-  std::optional<int> end(seconds how_long) {
-    wait_until([this] { return look(); }, how_long);
-    return status_;
-  }
-  std::string said() const { return text_of(log_); }
-
- private:
-  bool look() {
-    int status = 0;
-    if (status_ || waitpid(pid_, &status, WNOHANG) != pid_) return status_.has_value();
-    status_ = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
-    return true;
-  }
-
-  std::string log_;
-  pid_t pid_ = 0;
-  std::optional<int> status_;
-};
 
 struct Shown {
   pid_t pid = 0;  // 0: not running
@@ -98,24 +33,15 @@ struct Shown {
 
 class UpKilled : public testing::Test {
  protected:
-  void SetUp() override {
-    std::string name = testing::TempDir() + "up-killed-XXXXXX";
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    folder_ = name;
-    setenv("XDG_RUNTIME_DIR", folder_.c_str(), 1);
-    start();
-  }
-  void TearDown() override {
-    up_.reset();
-    fs::remove_all(folder_);
-  }
+  void SetUp() override { start(); }
 
   void start() {
     const std::string cell = source_dir() + "/examples/01-blocks/cell.scm";
-    up_.emplace(std::vector<std::string>{"up", cell}, folder_ + "/up.log");
+    up_.emplace(std::vector<std::string>{PIZARRA_CELL, "up", cell}, folder_ + "up.log");
   }
   std::string say(std::vector<std::string> words) {
-    Running running(std::move(words), folder_ + "/said.log");
+    words.insert(words.begin(), PIZARRA_CELL);
+    Running running(std::move(words), folder_ + "said.log");
     running.end(patience);
     return running.said();
   }
@@ -147,7 +73,7 @@ class UpKilled : public testing::Test {
   // The sockets and state in the run's folder: what a stopped cell does not leave behind.
   std::vector<std::string> remains() {
     std::vector<std::string> found;
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder_ + "/pizarra")) {
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder_ + "pizarra")) {
       if (entry.is_socket() || entry.path().filename() == "state") found.push_back(entry.path().string());
     }
     return found;
@@ -181,14 +107,14 @@ class UpKilled : public testing::Test {
     EXPECT_EQ(say({"ps"}), "no cell runs here\n");
   }
 
-  std::string folder_;
+  const std::string folder_ = scratch_folder();
   std::optional<Running> up_;
   std::chrono::steady_clock::time_point killed_;
 };
 
 TEST_F(UpKilled, ACoordinatorKilledWhileItPicksUpGoesOnAndReachesTheGoal) {
   ASSERT_TRUE(comes("(person done ?x)")) << up_->said();
-  Running goal({"repl", "--eval", "(goal (on circle triangle))"}, folder_ + "/goal.log");
+  Running goal({PIZARRA_CELL, "repl", "--eval", "(goal (on circle triangle))"}, folder_ + "goal.log");
   kill_when("(operation ? (PICK-UP ?x) running)", {"coordinator"});
   EXPECT_EQ(goal.end(patience), 0) << goal.said() << up_->said();
   stop_cleanly();
@@ -196,7 +122,7 @@ TEST_F(UpKilled, ACoordinatorKilledWhileItPicksUpGoesOnAndReachesTheGoal) {
 
 TEST_F(UpKilled, VisionAndPlannerKilledWhileABlockIsHeldComeBackAndTheGoalIsReached) {
   ASSERT_TRUE(comes("(person done ?x)")) << up_->said();
-  Running goal({"repl", "--eval", "(goal (on circle triangle))"}, folder_ + "/goal.log");
+  Running goal({PIZARRA_CELL, "repl", "--eval", "(goal (on circle triangle))"}, folder_ + "goal.log");
   kill_when("(holding ?x)", {"vision", "planner"});
   EXPECT_EQ(goal.end(patience), 0) << goal.said() << up_->said();
   stop_cleanly();
@@ -204,7 +130,7 @@ TEST_F(UpKilled, VisionAndPlannerKilledWhileABlockIsHeldComeBackAndTheGoalIsReac
 
 TEST_F(UpKilled, ABoardKilledWhileABlockIsHeldLivesAgainWithWhatIsDurableAndTheGoalIsReached) {
   ASSERT_TRUE(comes("(person done ?x)")) << up_->said();
-  Running goal({"repl", "--eval", "(goal (on circle triangle))"}, folder_ + "/goal.log");
+  Running goal({PIZARRA_CELL, "repl", "--eval", "(goal (on circle triangle))"}, folder_ + "goal.log");
   kill_when("(holding ?x)", {"board"});
   EXPECT_TRUE(comes("(goal-state ?x reached ?)")) << goal.said() << up_->said();
   const auto since = std::chrono::ceil<seconds>(std::chrono::steady_clock::now() - killed_);

@@ -44,6 +44,7 @@ TEST(Words, FormsThatArePipedInAreReadOneByOneAndAFaultSpoilsOnlyItsOwn) {
   EXPECT_TRUE(contains(said, "nonsense")) << said.text;
   EXPECT_TRUE(contains(said, "?kind = planner")) << said.text;
   EXPECT_TRUE(contains(said, "(ask (contract planner")) << "the form without an end is told too: " << said.text;
+  EXPECT_EQ(said.status, 2) << "that of the first form that failed";
 }
 
 TEST(Words, ARandomStoryThatEndsWhileItsEventIsInHandIsToldToItsEnd) {

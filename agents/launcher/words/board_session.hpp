@@ -1,0 +1,85 @@
+#pragma once
+
+// What a word has to say to a board: forms, one after another, or the prompt where there are none.
+//
+//   add_board_options(word, choices);                                  // --board, --cell, --key
+//   const Result<Destination> to = destination(choices);               // nothing-runs, which-cell
+//   return talk_to(*to, {"(ask (on ?x ?y))"}, {.style = Style::json});  // the exit status
+//
+// A board elsewhere may go while something of it is waited for. It is gone at once when it is that of a cell which runs
+// here and ends, else when it has answered nothing for `longest_silence`; one that comes back before is none the wiser.
+// Then the talk ends with exit_unavailable; a prompt that a person types at says so and stays.
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "agents/launcher/command_line/exit_codes.hpp"
+#include "agents/launcher/supervision/run_directory.hpp"
+#include "agents/repl/interpreter.hpp"
+#include "agents/repl/terminal.hpp"
+
+namespace pizarra {
+
+struct BoardChoices {
+  std::string board;  // an address
+  std::string cell;   // the name of a running cell
+  std::string key;    // the file of a secret key
+};
+
+void add_board_options(CLI::App* word, BoardChoices& choices);
+
+// Where the board is, with which key one comes there, and whose it is where that runs here.
+struct Destination {
+  std::string address;
+  std::string key;
+  std::optional<RunState> run;
+};
+
+Result<Destination> destination(const BoardChoices& choices);
+
+// How a word is to talk.
+struct Manner {
+  Interpreter::Patience patience = Interpreter::Patience::ended;
+  Style style = Style::text;
+  bool stay = false;      // until interrupted, also when the forms are done
+  bool recorded = false;  // nobody is there, and nobody is told of us
+  bool taught = false;    // the forms wait until the person of the cell has taught its objects
+};
+
+// Why the board is not to be had any more; nothing while it is.
+using Loss = std::function<std::optional<Failure>()>;
+
+class BoardSession {
+ public:
+  BoardSession(Executor& executor, Board& board, Manner manner, Loss loss = nullptr);
+  // The exit status.
+  int run(const std::vector<std::string>& forms);
+
+ private:
+  void print(const std::string& line);
+  Task<Result<void>> reach_board();
+  Task<void> talk(std::vector<std::string> forms);
+  Task<void> evaluate(std::vector<std::string> forms);
+  Task<void> prompt();
+  Task<void> look_after_board();
+
+  Manner manner_;
+  Loss loss_;
+  AgentContext context_;
+  Service service_;
+  Terminal* terminal_ = nullptr;
+  Interpreter interpreter_;
+  int status_ = exit_reached;
+  bool gone_ = false;
+  Job looking_;
+};
+
+int talk_to(const Destination& to, const std::vector<std::string>& forms, Manner manner);
+
+// Prints the failure, in the style for people to standard error.
+int complain_as(Style style, const Failure& failure, ExitCode code);
+
+}  // namespace pizarra

@@ -1,0 +1,35 @@
+// `down`: the end of a cell that runs here.
+
+#include <csignal>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "agents/launcher/command_line/word_tools.hpp"
+#include "agents/launcher/supervision/run_directory.hpp"
+#include "agents/launcher/words/words.hpp"
+
+namespace pizarra {
+
+namespace {
+
+int run_down(const std::string& cell) {
+  const Result<RunState> run = find_run(cell);
+  if (!run) return complain(run.error(), exit_unavailable);
+  kill(run->supervisor_pid, SIGTERM);
+  constexpr int tries = 60;
+  for (int n = 0; n < tries && still_runs(*run); ++n) usleep(100'000);
+  if (!still_runs(*run)) return exit_reached;
+  fmt::print(stderr, "pizarra: process {} does not end\n", run->supervisor_pid);
+  return exit_failed;
+}
+
+}  // namespace
+
+void add_down_word(CLI::App& app, int& status) {
+  auto cell = std::make_shared<std::string>();
+  CLI::App* down = app.add_subcommand("down", "Stop a cell that runs here.");
+  down->add_option("cell", *cell, "Its name; the only one otherwise");
+  down->callback([cell, &status] { status = run_down(*cell); });
+}
+
+}  // namespace pizarra

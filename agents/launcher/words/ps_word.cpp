@@ -1,0 +1,80 @@
+// `ps`: the processes and agents of the cells that run here.
+
+#include <algorithm>
+#include <fmt/format.h>
+
+#include "agents/launcher/command_line/key_option.hpp"
+#include "agents/launcher/command_line/word_tools.hpp"
+#include "agents/launcher/supervision/run_directory.hpp"
+#include "agents/launcher/words/words.hpp"
+#include "blackboard/remote_board.hpp"
+#include "blackboard/time/real_executor.hpp"
+#include "lisp/json.hpp"
+
+namespace pizarra {
+
+namespace {
+
+// The agents on the board by name, or nothing when it does not answer in time.
+Task<void> list_agents(RemoteBoard& board, std::vector<Fact>* out) {
+  Datum pattern = list("agent"_sym, "?"_sym, "?"_sym, "?"_sym);
+  Result<std::vector<Fact>> facts = co_await board.facts(std::move(pattern));
+  if (facts) *out = std::move(*facts);
+}
+
+std::vector<Fact> agents_on(const RunState& run) {
+  RealExecutor executor;
+  std::vector<Fact> facts;
+  const Result<std::optional<ClientKeys>> keys = keys_from(run.key);
+  if (!keys) return facts;
+  const auto board = RemoteBoard::connect(executor, run.board_address, "ps", 2s, *keys);
+  if (!board) return facts;
+  const Job job = executor.spawn(list_agents(**board, &facts));
+  executor.run_until([&job] { return job.done(); });
+  return facts;
+}
+
+void print_run(const RunState& run, bool json) {
+  std::vector<Fact> agents = agents_on(run);
+  if (!json)
+    fmt::print("cell {} on {}, process {}, board {}\n", run.cell, run.host, run.supervisor_pid, run.board_address);
+  const auto print = [&](std::string_view name, std::string_view kind, std::string_view host,
+                         const RunProcess* process) {
+    if (json) {
+      fmt::print("{{\"cell\":{},\"name\":{},\"kind\":{},\"host\":{},\"pid\":{},\"restarts\":{}}}\n",
+                 json_string(run.cell), json_string(name), json_string(kind), json_string(host),
+                 process ? process->pid : 0, process ? process->restarts : 0);
+      return;
+    }
+    const std::string pid = process && process->pid != 0 ? std::to_string(process->pid) : "-";
+    const auto restarts = static_cast<std::size_t>(process ? process->restarts : 0);
+    fmt::print("  {:<14} {:<12} {:<12} {:>8}  {}\n", name, kind, host, pid, counted(restarts, "restart"));
+  };
+  for (const RunProcess& process : run.processes) {
+    const auto fact =
+        std::ranges::find_if(agents, [&](const Fact& agent) { return agent.datum[1].text() == process.name; });
+    const bool infrastructure = process.name == "board" || process.name == "world";
+    const std::string_view absent = infrastructure ? "" : "(absent)";
+    print(process.name, fact == agents.end() ? absent : fact->datum[2].text(), run.host, &process);
+    if (fact != agents.end()) agents.erase(fact);
+  }
+  for (const Fact& agent : agents) print(agent.datum[1].text(), agent.datum[2].text(), agent.datum[3].text(), nullptr);
+}
+
+int run_ps(bool json) {
+  const std::vector<RunState> runs = running_cells();
+  if (runs.empty() && !json) fmt::print("no cell runs here\n");
+  for (const RunState& run : runs) print_run(run, json);
+  return exit_reached;
+}
+
+}  // namespace
+
+void add_ps_word(CLI::App& app, int& status) {
+  auto json = std::make_shared<bool>(false);
+  CLI::App* ps = app.add_subcommand("ps", "Show the processes and agents of the cells that run here.");
+  ps->add_flag("--json", *json, "One JSON object a line");
+  ps->callback([json, &status] { status = run_ps(*json); });
+}
+
+}  // namespace pizarra

@@ -1,0 +1,76 @@
+// `repl`: a prompt on the cell that runs here, or on one in this process.
+
+#include <unistd.h>
+
+#include "agents/launcher/command_line/word_tools.hpp"
+#include "agents/launcher/supervision/local_cell.hpp"
+#include "agents/launcher/words/board_session.hpp"
+#include "agents/launcher/words/words.hpp"
+#include "blackboard/time/real_executor.hpp"
+
+namespace pizarra {
+
+namespace {
+
+struct ReplChoices {
+  BoardChoices board;
+  std::string cell_file;
+  std::vector<std::string> forms;
+  std::vector<std::string> agents;
+  std::uint64_t seed = 1;
+};
+
+bool is_script(const ReplChoices& choices) { return !choices.forms.empty() || isatty(STDIN_FILENO) == 0; }
+
+// Who types goes on typing while a goal is pursued; a script waits.
+Manner manner_of(const ReplChoices& choices) {
+  return {.patience = is_script(choices) ? Interpreter::Patience::ended : Interpreter::Patience::accepted};
+}
+
+int talk_to_own_cell(const ReplChoices& choices) {
+  const Result<CellDescription> cell = read_cell_file(choices.cell_file);
+  if (!cell) return complain(cell.error(), exit_usage);
+  const Result<void> sound = check(world_config(*cell, choices.seed));
+  if (!sound) return complain(sound.error(), exit_usage);
+  RealExecutor executor;
+  LocalCell local(executor, *cell, choices.seed);
+  const bool whole = choices.agents.empty();
+  for (const std::string& kind : whole ? agent_kinds() : choices.agents) {
+    const Result<void> started = local.start(kind);
+    if (!started) return complain(started.error(), exit_usage);
+  }
+  Manner manner = manner_of(choices);
+  manner.taught = whole && is_script(choices);
+  const std::unique_ptr<Board> view = local.board().view("prompt");
+  return BoardSession(executor, *view, manner).run(choices.forms);
+}
+
+int run_repl(const ReplChoices& choices) {
+  const bool own = !choices.agents.empty() || (choices.board.board.empty() && running_cells().empty());
+  if (own) return talk_to_own_cell(choices);
+  const Result<Destination> to = destination(choices.board);
+  if (!to) return complain(to.error(), exit_unavailable);
+  return talk_to(*to, choices.forms, manner_of(choices));
+}
+
+}  // namespace
+
+void add_repl_word(CLI::App& app, int& status) {
+  auto choices = std::make_shared<ReplChoices>();
+  choices->cell_file = shipped_file("examples/01-blocks/cell.scm");
+  CLI::App* repl = app.add_subcommand(
+      "repl", "A prompt on the cell that runs here, or, when none does, on the demo cell in this process.");
+  repl->add_option("file", choices->cell_file, "The cell file of the cell in this process")
+      ->check(CLI::ExistingFile)
+      ->capture_default_str();
+  repl->add_option("--eval", choices->forms, "Evaluate this form and end; may be given several times");
+  repl->add_option("--agents", choices->agents, "Run just these agents on a board in this process: vision,robot")
+      ->delimiter(',')
+      ->check(CLI::IsMember(agent_kinds()));
+  repl->add_option("--seed", choices->seed, "What chance begins from")->check(seed_check())->capture_default_str();
+  add_board_options(repl, choices->board);
+  repl->footer(exit_code_help);
+  repl->callback([choices, &status] { status = run_repl(*choices); });
+}
+
+}  // namespace pizarra
