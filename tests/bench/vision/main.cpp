@@ -1,0 +1,56 @@
+// pizarra-bench-vision: the eyes against their goals, and the detectors of tags that are installed.
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <fmt/format.h>
+
+#include "tests/bench/vision/rows.hpp"
+
+namespace {
+
+struct Row {
+  const char* name;
+  void (*measure)(pizarra::bench::VisionBench&);
+};
+
+using namespace pizarra::bench;
+constexpr std::array table = {Row{"find", find_time}, Row{"track", track_time}, Row{"scenes", recall},
+                              Row{"depth", depth}};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("The eyes' speed and precision on rendered scenes, beside ArUco and AprilTag on tags of the same size.",
+               "pizarra bench vision");
+  bool json = false;
+  std::vector<std::string> only;
+  std::vector<std::string> names;
+  std::uint64_t seed = 1;
+  int scenes = 10000;
+  for (const Row& row : table) names.emplace_back(row.name);
+  app.add_flag("--json", json, "one JSON object a line");
+  app.add_option("--only", only, "these rows alone")->check(CLI::IsMember(names))->type_name("ROW");
+  app.add_option("--scenes", scenes, "random scenes to find the marks in")
+      ->check(CLI::Range(1, 1000000))
+      ->capture_default_str();
+  app.add_option("--seed", seed, "what the scenes are drawn from")->capture_default_str();
+  app.footer("Status 0 when every figure was measured, short or not; 1 when one was not; 2 for wrong arguments.");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  cv::setNumThreads(1);
+  pizarra::Figures figures("vision", json ? pizarra::Figures::Style::json : pizarra::Figures::Style::plain);
+  VisionBench bench{figures, tag_detectors(), learn_marks(), seed, scenes};
+  for (const Row& row : table) {
+    if (!only.empty() && std::ranges::find(only, row.name) == only.end()) continue;
+    try {
+      row.measure(bench);
+    } catch (const std::exception& error) {
+      fmt::print(stderr, "pizarra bench vision: {}: {}\n", row.name, error.what());
+      figures.say({row.name, {}, "", {}, {}, error.what()});
+    }
+  }
+  return figures.finish();
+}

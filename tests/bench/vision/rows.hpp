@@ -1,0 +1,24 @@
+#pragma once
+
+// What the rows of this bench share. A row is a function that measures and says figures.
+
+#include "tests/bench/figures.hpp"
+#include "tests/bench/vision/learned_marks.hpp"
+#include "tests/bench/vision/tag_detectors.hpp"
+
+namespace pizarra::bench {
+
+struct VisionBench {
+  Figures& figures;
+  std::vector<TagDetector> peers;
+  LearnedObjects marks;
+  std::uint64_t seed = 1;
+  int scenes = 10000;
+};
+
+void find_time(VisionBench& bench);   // five objects in one image
+void track_time(VisionBench& bench);  // five objects in both, with depth
+void recall(VisionBench& bench);      // over random scenes
+void depth(VisionBench& bench);       // at 0.6 m
+
+}  // namespace pizarra::bench

@@ -1,0 +1,126 @@
+// How well the eyes see: recall, identities and centres over random scenes, depth at 0.6 m.
+
+#include <cmath>
+#include <fmt/format.h>
+
+#include "tests/bench/vision/rows.hpp"
+
+namespace pizarra::bench {
+namespace {
+
+constexpr double same_place_px = 3;
+
+struct Tally {
+  int shown = 0;
+  int found = 0;
+  int sought = 0;
+  int wrong = 0;  // a place that is not the object's
+  double squared_px = 0;
+
+  void count(const SceneMark* truth, const cv::Point2d* seen) {
+    ++sought;
+    shown += truth != nullptr ? 1 : 0;
+    if (seen == nullptr) return;
+    if (truth == nullptr || cv::norm(*seen - truth->centre) > same_place_px) {
+      ++wrong;
+      return;
+    }
+    ++found;
+    const cv::Point2d off = *seen - truth->centre;
+    squared_px += off.dot(off);
+  }
+  double recall_percent() const { return 100.0 * found / std::max(1, shown); }
+  double rms_px() const { return std::sqrt(squared_px / std::max(1, found)); }
+};
+
+const SceneMark* mark_in(const Scene& scene, const std::string& name) {
+  const auto found = std::ranges::find(scene.marks, name, &SceneMark::name);
+  return found == scene.marks.end() ? nullptr : &*found;
+}
+
+void find_marks(const VisionBench& bench, const Scene& scene, const cv::Mat1b& image, Tally& tally) {
+  ImageSegmentation segmentation(image);
+  for (const LearnedObject& object : bench.marks.all()) {
+    const SeenMark* seen = find_object(segmentation.marks(), bench.marks, object);
+    tally.count(mark_in(scene, object.name), seen == nullptr ? nullptr : &seen->centre);
+  }
+}
+
+void find_tags(const TagDetector& peer, const Scene& scene, const cv::Mat1b& image, Tally& tally) {
+  const std::vector<SeenTag> seen = peer.detect(image);
+  for (int number = 0; number < tags_of_a_scene; ++number) {
+    const auto found = std::ranges::find(seen, number, &SeenTag::number);
+    const auto index = static_cast<std::size_t>(number);
+    tally.count(index < scene.marks.size() ? &scene.marks[index] : nullptr,
+                found == seen.end() ? nullptr : &found->centre);
+  }
+}
+
+}  // namespace
+
+void recall(VisionBench& bench) {
+  Tally ours;
+  std::vector<Tally> theirs(bench.peers.size());
+  for (int i = 0; i < bench.scenes; ++i) {
+    Random random = Random(bench.seed).split(fmt::format("scene {}", i));
+    const Scene scene = random_scene(hard_ranges, random);
+    find_marks(bench, scene, draw(scene, Side::left, random), ours);
+    for (std::size_t p = 0; p < bench.peers.size(); ++p) {
+      if (!bench.peers[p].detect) continue;
+      const cv::Mat1b image = draw(with_tags(scene, bench.peers[p].tags), Side::left, random);
+      find_tags(bench.peers[p], scene, image, theirs[p]);
+    }
+  }
+  const auto of_peers = [&](double (*value)(const Tally&)) {
+    std::vector<Peer> out;
+    for (std::size_t p = 0; p < theirs.size(); ++p) {
+      out.push_back({bench.peers[p].name, {}});
+      if (bench.peers[p].detect) out.back().value = value(theirs[p]);
+    }
+    return out;
+  };
+  bench.figures.say({"recall", ours.recall_percent(), "%", at_least(99.5),
+                     of_peers([](const Tally& t) { return t.recall_percent(); }),
+                     fmt::format("{} marks in {} scenes, seed {}", ours.shown, bench.scenes, bench.seed)});
+  bench.figures.say({"wrong identities", 1e4 * ours.wrong / ours.sought, "in 10000", at_most(1),
+                     of_peers([](const Tally& t) { return 1e4 * t.wrong / t.sought; }),
+                     fmt::format("{} of {} answers", ours.wrong, ours.sought)});
+  bench.figures.say(
+      {"centre error, RMS", ours.rms_px(), "px", at_most(0.3), of_peers([](const Tally& t) { return t.rms_px(); })});
+}
+
+void depth(VisionBench& bench) {
+  const SceneRanges near = {.least_light = 0.4,
+                            .most_light = 1.6,
+                            .least_scale = learning_depth_mm / 600,
+                            .most_scale = learning_depth_mm / 600,
+                            .most_turn_deg = 30,
+                            .most_noise = 15,
+                            .most_blur_px = 1.5,
+                            .presence = 0.6};
+  std::vector<double> errors;
+  int shown = 0;
+  const int scenes = std::max(1, bench.scenes / 20);
+  for (int i = 0; i < scenes; ++i) {
+    Random random = Random(bench.seed).split(fmt::format("depth {}", i));
+    const Scene scene = random_scene(near, random);
+    StereoSight sight(draw(scene, Side::left, random), draw(scene, Side::right, random), scene_camera());
+    for (const SceneMark& mark : scene.marks) {
+      ++shown;
+      const std::optional<SeenPair> pair = sight.find(bench.marks, *bench.marks.find(mark.name));
+      if (!pair || !pair->right) continue;
+      errors.push_back(depth_mm(scene_camera(), pair->left.centre.x - pair->right->centre.x) / mark.depth_mm - 1);
+    }
+  }
+  double squares = 0;
+  for (const double error : errors) squares += error * error;
+  const double rms = errors.empty() ? 100 : 100 * std::sqrt(squares / static_cast<double>(errors.size()));
+  bench.figures.say({"depth error at 0.6 m, RMS",
+                     rms,
+                     "%",
+                     at_most(1),
+                     {},
+                     fmt::format("{} of {} marks measured", errors.size(), shown)});
+}
+
+}  // namespace pizarra::bench

@@ -1,0 +1,32 @@
+#pragma once
+
+// The peers: detectors of tags, where they are installed.
+//
+//   for (TagDetector& peer : tag_detectors()) {
+//     if (peer.detect) seconds_of([&] { peer.detect(image); });
+//   }
+
+#include <functional>
+#include <opencv2/core.hpp>
+#include <string>
+#include <vector>
+
+namespace pizarra::bench {
+
+struct SeenTag {
+  int number;
+  cv::Point2d centre;
+};
+
+struct TagDetector {
+  std::string name;
+  std::vector<cv::Mat1b> tags;                                      // the dark cells of the first tags, by number
+  std::function<std::vector<SeenTag>(const cv::Mat& grey)> detect;  // empty: it is not installed
+};
+
+inline constexpr int tags_of_a_scene = 5;
+
+// ArUco first, which is there always; AprilTag detects where it was installed when this was built.
+std::vector<TagDetector> tag_detectors();
+
+}  // namespace pizarra::bench

@@ -1,0 +1,150 @@
+// How long the eyes take, in turns with the detectors of tags on the same scene.
+
+#include <opencv2/imgproc.hpp>
+
+#include "agents/vision/mark_tracker.hpp"
+#include "tests/bench/measure.hpp"
+#include "tests/bench/vision/rows.hpp"
+
+namespace pizarra::bench {
+namespace {
+
+constexpr int rounds = 15;
+constexpr int repeats = 20;  // within a round
+constexpr int scenes_in_turn = 10;
+
+struct Pair {
+  cv::Mat1b left;
+  cv::Mat1b right;
+};
+
+// Ordinary scenes: the five marks, some clutter, light and noise as in a lab.
+constexpr SceneRanges lab_ranges = {.least_light = 0.7,
+                                    .most_light = 1.3,
+                                    .least_scale = 0.8,
+                                    .most_scale = 1.2,
+                                    .most_turn_deg = 30,
+                                    .most_noise = 6,
+                                    .most_clutter = 6};
+
+std::vector<Scene> lab_scenes(std::uint64_t seed) {
+  Random random(seed);
+  std::vector<Scene> out;
+  while (out.size() < scenes_in_turn) {
+    Scene scene = random_scene(lab_ranges, random);
+    if (scene.marks.size() == scene_marks().size()) out.push_back(std::move(scene));
+  }
+  return out;
+}
+
+// Detecting tags in the same places, once in every scene.
+std::function<void()> peer_work(const TagDetector& peer, const std::vector<Scene>& scenes, Random& random) {
+  std::vector<cv::Mat1b> images;
+  for (const Scene& scene : scenes) images.push_back(draw(with_tags(scene, peer.tags), Side::left, random));
+  return [images, detect = peer.detect] {
+    for (const cv::Mat1b& image : images) detect(image);
+  };
+}
+
+std::function<void()> template_matching(const std::vector<Scene>& scenes, Random& random) {
+  const Scene learned = learning_scene();
+  const cv::Mat1b image = draw(learned, Side::left, random);
+  std::vector<cv::Mat> templates;
+  for (const SceneMark& mark : learned.marks) {
+    templates.push_back(image(cv::Rect(cv::Point(mark.centre) - cv::Point(15, 15), cv::Size(31, 31))).clone());
+  }
+  std::vector<cv::Mat1b> images;
+  for (const Scene& scene : scenes) images.push_back(draw(scene, Side::left, random));
+  return [images, templates] {
+    cv::Mat response;
+    for (const cv::Mat1b& each : images) {
+      for (const cv::Mat& one : templates) cv::matchTemplate(each, one, response, cv::TM_CCOEFF_NORMED);
+    }
+  };
+}
+
+using Work = std::pair<std::string, std::function<void()>>;  // empty: the peer is not installed
+
+std::vector<Work> peers_work(const VisionBench& bench, const std::vector<Scene>& scenes, Random& random) {
+  std::vector<Work> out;
+  for (const TagDetector& peer : bench.peers) {
+    out.emplace_back(peer.name, peer.detect ? peer_work(peer, scenes, random) : std::function<void()>());
+  }
+  return out;
+}
+
+// Says our figure against a share of ArUco's time, the peers beside it.
+void say_time(VisionBench& bench, const std::string& name, double share, const std::string& share_text,
+              std::function<void()> ours, const std::vector<Work>& others) {
+  std::vector<std::function<void()>> works{std::move(ours)};
+  std::vector<Peer> peers;
+  for (const auto& [peer, work] : others) works.push_back(work ? work : [] {});
+  const std::vector<double> seconds = medians_in_turns(rounds, works);
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    const auto& [peer, work] = others[i];
+    peers.push_back({peer, {}});
+    if (work) peers.back().value = seconds[i + 1] * 1e6 / scenes_in_turn;
+  }
+  const double ours_us = seconds[0] * 1e6 / (scenes_in_turn * repeats);
+  const double aruco_us = *peers.front().value;
+  bench.figures.say(
+      {name, ours_us, "us", at_most(aruco_us * share, "<= " + share_text + " of ArUco's detection"), std::move(peers)});
+}
+
+}  // namespace
+
+void find_time(VisionBench& bench) {
+  Random random(bench.seed);
+  const std::vector<Scene> scenes = lab_scenes(bench.seed);
+  std::vector<cv::Mat1b> images;
+  for (const Scene& scene : scenes) images.push_back(draw(scene, Side::left, random));
+  const auto find_all = [&] {
+    for (int i = 0; i < repeats; ++i) {
+      for (const cv::Mat1b& image : images) {
+        ImageSegmentation segmentation(image);
+        for (const LearnedObject& object : bench.marks.all()) find_object(segmentation.marks(), bench.marks, object);
+      }
+    }
+  };
+  std::vector<Work> others = peers_work(bench, scenes, random);
+  others.emplace_back("five template matches", template_matching(scenes, random));
+  say_time(bench, "find five objects, one image", 0.1, "1/10", find_all, others);
+}
+
+void track_time(VisionBench& bench) {
+  Random random(bench.seed);
+  const std::vector<Scene> scenes = lab_scenes(bench.seed);
+  struct Followed {
+    std::vector<Pair> frames;
+    MarkTracker tracker;
+  };
+  std::vector<Followed> all;
+  for (const Scene& scene : scenes) {
+    Followed followed{.frames = {}, .tracker = MarkTracker(bench.marks)};
+    // There and back, a few pixels a frame.
+    for (const double step : {0.0, 1.3, 3.1, 4.7, 3.6, 1.8}) {
+      Scene moved = scene;
+      for (SceneMark& mark : moved.marks) mark.centre += cv::Point2d(-step, 0.5 * step);
+      followed.frames.push_back({draw(moved, Side::left, random), draw(moved, Side::right, random)});
+    }
+    for (const LearnedObject& object : bench.marks.all()) {
+      if (!followed.tracker.add(object)) throw std::runtime_error("too many objects");
+    }
+    all.push_back(std::move(followed));
+  }
+  std::size_t at = 0;
+  const auto track_all = [&] {
+    for (int i = 0; i < repeats; ++i) {
+      for (Followed& followed : all) {
+        const Pair& pair = followed.frames[at % followed.frames.size()];
+        StereoSight sight(pair.left, pair.right, scene_camera());
+        followed.tracker.update(sight);
+      }
+      ++at;
+    }
+  };
+  say_time(bench, "track five objects, both images, depth", 1.0 / 40, "1/40", track_all,
+           peers_work(bench, scenes, random));
+}
+
+}  // namespace pizarra::bench
