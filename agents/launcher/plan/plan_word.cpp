@@ -59,17 +59,18 @@ ExitCode exit_code_of(const Failure& failure) {
   return tried ? exit_failed : exit_usage;
 }
 
-Failure interrupted() { return {"interrupted", "interrupted before a plan was found", {}, {}}; }
+Failure stopped(const PlanClock& clock) {
+  if (clock.interrupted()) return {"interrupted", "interrupted before a plan was found", {}, {}};
+  return {"gave-up", fmt::format("no plan was found in {:.1f} s; there may be one", clock.seconds()), {}, {}};
+}
 
-// Why the engine came back without a plan.
-Failure why_none(const PlanningTask& task, const Problem& problem, const Outcome& outcome, const PlanClock& clock) {
-  if (clock.interrupted()) return interrupted();
-  if (outcome.kind == Outcome::Kind::cancelled) {
-    return {"gave-up", fmt::format("no plan was found in {:.1f} s; there may be one", clock.seconds()), {}, {}};
-  }
+// Why the engine came back without a plan. That there is none has been proved, whatever ended the search for a reason.
+Failure why_none(const PlanningTask& task, const Problem& problem, const Outcome& outcome, PlanClock& clock) {
+  if (outcome.kind == Outcome::Kind::cancelled) return stopped(clock);
   Failure failure = explain(problem, outcome);
   if (outcome.kind != Outcome::Kind::none || outcome.culprits.size() != 1) return failure;
-  const std::string why = why_never(task, problem, problem.facts[outcome.culprits.front()]);
+  const Datum& culprit = problem.facts[outcome.culprits.front()];
+  const std::string why = why_never(task, problem, culprit, [&] { return clock.over(); });
   if (!why.empty()) failure.sentence += ": " + why;
   return failure;
 }
@@ -83,13 +84,14 @@ Outcome solve(const PlanChoices& choices, const Problem& problem, PlanClock& clo
   if (!wants_fast(choices, problem)) return OptimalPlanner().solve(problem, unhurried, over);
   clock.shorten(improving_s);
   Outcome outcome = FastPlanner({.seed = choices.seed}).solve(problem, unhurried, over);
-  if (outcome.kind == Outcome::Kind::none) blame_fewest(problem, Budget{}, over, outcome);
+  blame_fewest(problem, unhurried, over, outcome);
   outcome.engine = "fast";
   return outcome;
 }
 
 Result<PlanReport> search(const PlanningTask& task, const PlanChoices& choices, PlanClock& clock) {
-  const Result<Problem> problem = ground(task);
+  const Result<Problem> problem = ground(task, [&] { return clock.over(); });
+  if (!problem && problem.error().symbol == "cancelled") return fail(stopped(clock));
   if (!problem) return fail(problem);
   const Outcome outcome = solve(choices, *problem, clock);
   if (outcome.kind != Outcome::Kind::plan) return fail(why_none(task, *problem, outcome, clock));
@@ -105,7 +107,7 @@ Result<PlanReport> ask_planner(const PlanningTask& task, const PlanChoices& choi
   const ExternalPlanner planner(
       choices.planner, {.seconds = std::min(choices.limit_s, longest_s), .memory_bytes = choices.memory_mb << 20});
   const Result<PlanSteps> steps = plan_externally(planner, task, [&] { return clock.over(); });
-  if (clock.interrupted()) return fail(interrupted());
+  if (clock.interrupted()) return fail(stopped(clock));
   if (!steps && steps.error().symbol == "cancelled") {
     return fail("time-out", fmt::format("the planner had no plan after {:g} s", choices.limit_s));
   }

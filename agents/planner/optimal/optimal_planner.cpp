@@ -8,6 +8,9 @@ namespace {
 
 // Of resources for a bound, those that the most facts speak of are looked at.
 constexpr std::size_t max_resources = 8;
+// An explanation is not worth more work, and takes some before its first node.
+constexpr std::size_t most_nodes_for_blame = 400'000;
+constexpr std::size_t nodes_of_an_attempt = 1'000;
 
 }  // namespace
 
@@ -22,16 +25,22 @@ void blame_fewest(const Problem& problem, const Budget& budget, const std::funct
   std::vector<std::size_t>& culprits = outcome.culprits;
   if (culprits.size() < 2) return;
   Problem fewer = problem;
-  for (std::size_t i = 0; i < culprits.size() && culprits.size() > 1;) {
+  Budget left = budget;
+  left.nodes = std::min(budget.nodes, most_nodes_for_blame);
+  for (std::size_t i = 0; i < culprits.size() && culprits.size() > 1 && left.nodes > 0 && !cancelled();) {
     std::vector<std::size_t> without = culprits;
     without.erase(without.begin() + static_cast<std::ptrdiff_t>(i));
     fewer.goals.clear();
     for (const std::size_t goal : without) fewer.goals.set(goal);
-    if (OptimalSearch(fewer).run(budget, cancelled).kind == Outcome::Kind::none) {
-      culprits = std::move(without);
-    } else {
+    const Outcome tried = OptimalSearch(fewer).run(left, cancelled);
+    left.nodes -= std::min(left.nodes, tried.nodes + nodes_of_an_attempt);
+    if (tried.kind != Outcome::Kind::none) {
       ++i;
+      continue;
     }
+    // Those before it stay among them: what remains without one can be reached.
+    culprits = tried.culprits;
+    std::ranges::sort(culprits);
   }
 }
 

@@ -16,7 +16,8 @@ class OptimalPlanner : public PlanEngine {
   Outcome solve(const Problem& problem, const Budget& budget, const std::function<bool()>& cancelled) override;
 };
 
-// The culprits of an outcome of `none` without those that the rest cannot be reached without anyway.
+// The culprits of an outcome of `none` without those that the rest cannot be reached without anyway, as far as some
+// work shows; those found so far where it is cancelled.
 void blame_fewest(const Problem& problem, const Budget& budget, const std::function<bool()>& cancelled,
                   Outcome& outcome);
 

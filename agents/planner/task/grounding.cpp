@@ -13,6 +13,7 @@ namespace pizarra {
 namespace {
 
 constexpr std::size_t max_bindings = 4'000'000;
+constexpr std::size_t bindings_between_looks = 1024;
 constexpr std::size_t max_actions = 600'000;
 
 // Numbers a fact without building its Datum: mixed radix over objects, behind the predicate.
@@ -20,7 +21,8 @@ using FactKey = std::uint64_t;
 
 class Grounder {
  public:
-  Grounder(const PlanningTask& task, NumberedTask numbered) : task_(task), numbered_(std::move(numbered)) {}
+  Grounder(const PlanningTask& task, NumberedTask numbered, const std::function<bool()>& cancelled)
+      : task_(task), numbered_(std::move(numbered)), cancelled_(cancelled) {}
   Result<Problem> run();
 
  private:
@@ -42,6 +44,7 @@ class Grounder {
 
   const PlanningTask& task_;
   NumberedTask numbered_;
+  const std::function<bool()>& cancelled_;
   std::unordered_set<FactKey> initial_keys_;  // looked up only, as the next two
   std::unordered_map<FactKey, std::int64_t> values_;
   std::vector<std::size_t> binding_;
@@ -190,6 +193,9 @@ Result<void> Grounder::bind(const OperatorTemplate& schema, std::size_t paramete
     if (++bindings_tried_ > max_bindings) {
       return fail("too-large", "the operators can be bound in too many ways", Datum::symbol(schema.source->name));
     }
+    if (bindings_tried_ % bindings_between_looks == 0 && cancelled_()) {
+      return fail("cancelled", "something else is to be planned now");
+    }
     binding_[parameter] = object;
     const Result<void> bound = bind(schema, parameter + 1);
     if (!bound) return bound;
@@ -301,10 +307,10 @@ Result<Problem> Grounder::run() {
 
 }  // namespace
 
-Result<Problem> ground(const PlanningTask& task) {
+Result<Problem> ground(const PlanningTask& task, const std::function<bool()>& cancelled) {
   Result<NumberedTask> numbered = number_task(task);
   if (!numbered) return fail(numbered);
-  return Grounder(task, std::move(*numbered)).run();
+  return Grounder(task, std::move(*numbered), cancelled).run();
 }
 
 }  // namespace pizarra

@@ -82,7 +82,30 @@ TEST(Plan, ThatCannotBeIsTracedToWhatIsMissing) {
   EXPECT_EQ(said.status, 3);
   EXPECT_EQ(said.text,
             "pizarra: no plan exists: (lit a) can never hold from here: (lit a) needs (wired a), and (wired a) needs "
-            "(plugged a), and no operator brings about (plugged a)\n");
+            "(plugged a), and (plugged a) neither holds at the beginning nor is brought about by any operator\n");
+}
+
+// What stands behind "can never hold from here: ".
+std::string why(const std::string& facts, const std::string& goal) {
+  const std::string text = file(
+      "why.pddl", "(define (problem p) (:domain blocks) (:objects A B C) (:init " + facts + ") (:goal " + goal + "))");
+  const Said said = shell(fmt::format("{} plan {} {} 2>&1", PIZARRA_PLAN, domain(), text));
+  EXPECT_EQ(said.status, 3);
+  constexpr std::string_view before = "can never hold from here: ";
+  const std::size_t at = said.text.find(before);
+  return at == std::string::npos ? said.text : said.text.substr(at + before.size());
+}
+
+TEST(Plan, ThatCannotBeIsTracedToTheFactsThatAreMissingAtTheBeginning) {
+  EXPECT_EQ(why("", "(on a b)"),
+            "(on a b) needs (holding a), and (holding a) needs (on-table a), and (on-table a) neither holds at the "
+            "beginning nor is brought about by any operator; nothing at all holds at the beginning\n");
+  EXPECT_EQ(why("(clear a) (on-table a) (clear b)", "(on a b)"),
+            "(on a b) needs (holding a), and (holding a) needs (arm-empty), and (arm-empty) does not hold at the "
+            "beginning, and only what needs it brings it about\n");
+  EXPECT_EQ(why("(clear a)", "(red a)"),
+            "(red a) neither holds at the beginning nor is brought about by any operator\n");
+  EXPECT_EQ(why("(red a)", "(not (red a))"), "(red a) holds from the beginning, and no operator ends that\n");
 }
 
 // `red` is declared, and neither an action nor an initial fact speaks of it.
@@ -105,6 +128,26 @@ TEST(Plan, AnswersForGoalsAboutWhatIsEqual) {
     EXPECT_TRUE(same.text.starts_with("pizarra: no plan exists: (not (= a a)) can never hold")) << same.text;
   }
   EXPECT_EQ(plan("(= a d)").status, 2);
+}
+
+TEST(Plan, ThatCannotBeIsTracedToObjectsThatDoNotFit) {
+  const std::string roads = file("roads.pddl", R"((define (domain roads) (:requirements :typing)
+    (:types truck place hand) (:predicates (at ?t - truck ?p - place) (road ?a ?b - place) (loaded ?t - truck))
+    (:action drive :parameters (?t - truck ?a ?b - place) :precondition (and (at ?t ?a) (road ?a ?b))
+      :effect (and (at ?t ?b) (not (at ?t ?a))))
+    (:action load :parameters (?t - truck ?h - hand) :effect (loaded ?t))))");
+  const auto why_not = [&](const std::string& goal) {
+    const std::string text = file("roads-problem.pddl", R"((define (problem p) (:domain roads)
+      (:objects t - truck a b c d - place) (:init (at t a) (road a b) (road c d)) (:goal )" +
+                                                            goal + "))");
+    return shell(fmt::format("{} plan {} {} 2>&1", PIZARRA_PLAN, roads, text)).text;
+  };
+  EXPECT_EQ(why_not("(at t d)"),
+            "pizarra: no plan exists: (at t d) can never hold from here: drive needs (at t ?a) and (road ?a d) for "
+            "(at t d), and no objects have all of that\n");
+  EXPECT_EQ(why_not("(loaded t)"),
+            "pizarra: no plan exists: (loaded t) can never hold from here: load, which brings (loaded t) about, takes "
+            "a hand, and there is none\n");
 }
 
 TEST(Plan, OfWrongFilesIsAUsageError) {

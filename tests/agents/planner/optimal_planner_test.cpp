@@ -223,5 +223,19 @@ TEST(OptimalSearch, CanBeCancelledWhereverItIsAndThenAnswersAsIfItHadNotBeen) {
   }
 }
 
+TEST(OptimalPlanner, StopsLookingForWhomToBlameWhenCancelled) {
+  Random random(2);
+  const Problem problem = ground(random_blocks(9, random)).value();
+  Outcome outcome{.kind = Outcome::Kind::none, .steps = {}, .culprits = {}, .spent = {}};
+  problem.goals.for_each([&](std::size_t goal) { outcome.culprits.push_back(goal); });
+  const std::vector<std::size_t> all = outcome.culprits;
+  ASSERT_GE(all.size(), 2u);
+  std::size_t asked = 0;
+  blame_fewest(
+      problem, {}, [&] { return ++asked > 0; }, outcome);
+  EXPECT_EQ(outcome.culprits, all);
+  EXPECT_EQ(asked, 1u);
+}
+
 }  // namespace
 }  // namespace pizarra
