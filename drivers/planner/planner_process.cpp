@@ -5,11 +5,12 @@
 #include <csignal>
 #include <fcntl.h>
 #include <poll.h>
-#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/timerfd.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+#include "drivers/planner/process_keeper.hpp"
 
 namespace pizarra {
 
@@ -22,10 +23,8 @@ void limit(int resource, rlim_t most) {
   setrlimit(static_cast<__rlimit_resource_t>(resource), &bound);
 }
 
-// In the child, between fork and exec: nothing but system calls.
 [[noreturn]] void become(const char* command, const char* folder, const ProcessLimits& limits, int output) {
   setpgid(0, 0);
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
   sigset_t none;
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);
@@ -52,17 +51,16 @@ int timer_of(double seconds) {
   return timer;
 }
 
-// The running process, the reading end of what it prints, and its timer; its whole group ends with this.
+// The keeper of the running process, the reading end of what that prints, and its timer; everything ends with this.
 class Running {
  public:
-  Running(pid_t pid, int output, double seconds) : pid_(pid), output_(output), timer_(timer_of(seconds)) {
-    setpgid(pid_, pid_);
-  }
+  Running(pid_t keeper, int life, int output, double seconds)
+      : keeper_(keeper), life_(life), output_(output), timer_(timer_of(seconds)) {}
   Running(const Running&) = delete;
   Running& operator=(const Running&) = delete;
   ~Running() {
-    kill(-pid_, SIGKILL);
-    if (!ended_) waitpid(pid_, nullptr, 0);
+    close(life_);
+    if (!ended_) waitpid(keeper_, nullptr, 0);
     close(output_);
     close(timer_);
   }
@@ -73,7 +71,7 @@ class Running {
     poll(watched.data(), watched.size(), between_looks_ms);
     timed_out_ = (watched[1].revents & POLLIN) != 0;
     read_what_is_there(output, most);
-    if (!ended_ && waitpid(pid_, &status_, WNOHANG) == pid_) ended_ = true;
+    if (!ended_ && waitpid(keeper_, &status_, WNOHANG) == keeper_) ended_ = true;
     if (ended_) read_what_is_there(output, most);
   }
 
@@ -92,7 +90,8 @@ class Running {
     }
   }
 
-  pid_t pid_;
+  pid_t keeper_;
+  int life_;
   int output_;
   int timer_;
   int status_ = 0;
@@ -124,21 +123,36 @@ ProcessEnd watch(Running& process, const ProcessLimits& limits, const std::funct
   }
 }
 
+void close_both(const std::array<int, 2>& ends) {
+  close(ends[0]);
+  close(ends[1]);
+}
+
 }  // namespace
 
 ProcessEnd run_process(const std::string& command, const std::string& folder, const ProcessLimits& limits,
                        const std::function<bool()>& cancelled) {
-  std::array<int, 2> pipe_ends;
-  if (pipe2(pipe_ends.data(), O_CLOEXEC) != 0) return {};
-  fcntl(pipe_ends[0], F_SETFL, O_NONBLOCK);
-  const pid_t pid = fork();
-  if (pid == 0) become(command.c_str(), folder.c_str(), limits, pipe_ends[1]);
-  close(pipe_ends[1]);
-  if (pid < 0) {
-    close(pipe_ends[0]);
+  std::array<int, 2> printed, life;
+  if (pipe2(printed.data(), O_CLOEXEC) != 0) return {};
+  if (pipe2(life.data(), O_CLOEXEC) != 0) {
+    close_both(printed);
     return {};
   }
-  Running process(pid, pipe_ends[0], limits.seconds);
+  fcntl(printed[0], F_SETFL, O_NONBLOCK);
+  const pid_t keeper = fork();
+  if (keeper == 0) {
+    setpgid(0, 0);  // away from what Ctrl-C ends
+    close(life[1]);
+    keep(life[0], [&] { become(command.c_str(), folder.c_str(), limits, printed[1]); });
+  }
+  if (keeper < 0) {
+    close_both(printed);
+    close_both(life);
+    return {};
+  }
+  close(printed[1]);
+  close(life[0]);
+  Running process(keeper, life[1], printed[0], limits.seconds);
   return watch(process, limits, cancelled);
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 // A foreign program run to its end in a process group of its own, under limits: whatever happens, nothing of it is left
-// running.
+// running, nor of what it started (process_keeper.hpp).
 //
 //   const ProcessEnd end = run_process("ff -o d.pddl -f p.pddl", "/tmp/run", ProcessLimits{}, [] { return false; });
 //   if (end.kind == ProcessEnd::Kind::exited && end.code == 0) read(end.output);

@@ -1,10 +1,12 @@
 #include "drivers/planner/external_planner.hpp"
 
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 namespace pizarra {
@@ -103,6 +105,42 @@ TEST_F(ExternalPlannerTest, LeavesNoProcessBehindWhenThePlannerEndsFirst) {
   std::filesystem::remove(alive);
   usleep(100'000);
   EXPECT_FALSE(std::filesystem::exists(alive));
+}
+
+// In a session of its own, its parent gone, and so out of reach of signals to the planner's group.
+TEST_F(ExternalPlannerTest, LeavesNoProcessBehindThatLeftThePlannersSession) {
+  const std::string alive = folder_ + "_alive";
+  const std::string script = folder_ + "_script";
+  std::ofstream(script) << fmt::format("while :; do echo x > {}; sleep 0.01; done", alive);
+  const std::string leave =
+      fmt::format("(setsid setsid sh {} &); while [ ! -e {} ]; do sleep 0.01; done; ", script, alive);
+  for (const std::string end : {": > {plan}", "sleep 100", "kill -SEGV $$", "yes"}) {
+    std::filesystem::remove(alive);
+    plan(leave + end, {.seconds = 0.5, .output_bytes = 100'000});
+    std::filesystem::remove(alive);
+    usleep(100'000);
+    EXPECT_FALSE(std::filesystem::exists(alive)) << end;
+  }
+  std::filesystem::remove(script);
+}
+
+// One that dies without a word, here by SIGKILL, takes what it had started with it.
+TEST_F(ExternalPlannerTest, LeavesNoProcessBehindWhereItIsKilledItself) {
+  const std::string alive = folder_ + "_alive";
+  std::filesystem::remove(alive);
+  const pid_t caller = fork();
+  if (caller == 0) {
+    plan(fmt::format("(while :; do echo x > {}; sleep 0.01; done) & sleep 100", alive));
+    _exit(0);
+  }
+  while (!std::filesystem::exists(alive)) usleep(10'000);
+  kill(caller, SIGKILL);
+  waitpid(caller, nullptr, 0);
+  usleep(100'000);
+  std::filesystem::remove(alive);
+  usleep(100'000);
+  EXPECT_FALSE(std::filesystem::exists(alive));
+  for (const auto& left : std::filesystem::directory_iterator(folder_)) std::filesystem::remove_all(left);
 }
 
 }  // namespace
