@@ -64,6 +64,11 @@
 (check "a type above itself" (wrong '(:types a - b b - a)) '((contradictory (0 2 1))))
 (check "quantifiers" (wrong-action ':precondition '(forall (?x) (clear ?x))) '((unsupported (0 4 3))))
 (check "conditional effects" (wrong-action ':effect '(when (empty) (empty))) '((unsupported (0 4 3))))
+(check "a negation of a negation" (wrong-action ':precondition '(not (not (empty)))) '((unsupported (0 4 3 1))))
+(check "a negation of a conjunction" (wrong-action ':effect '(not (and (empty)))) '((unsupported (0 4 3 1))))
+(check "derived predicates and durative actions"
+       (wrong '(:derived (empty) (empty)) '(:durative-action fly :effect (empty)))
+       '((unsupported (0 2)) (unsupported (0 3))))
 (check "a negation of two" (wrong-action ':precondition '(not (empty) (empty))) '((malformed (0 4 3))))
 (check "an equality of one" (wrong-action ':precondition '(= a)) '((malformed (0 4 3))))
 (check "a wrong type of argument"
@@ -74,7 +79,7 @@
 (check "an increase of something else" (wrong-action ':effect '(increase (fuel) 1)) '((unsupported (0 4 3 1))))
 (check "a reserved predicate" (wrong '(:predicates (not ?x))) '((malformed (0 2 1))))
 (check "a function that is no number" (wrong '(:functions (f) - thing)) '((unsupported (0 2 3))))
-(check "an unknown section" (wrong '(:durative-action fly)) '((unknown-section (0 2))))
+(check "an unknown section" (wrong '(:predicate (p))) '((unknown-section (0 2))))
 (check "a problem" (map car (cdr (interpret '((define (problem p)))))) '(malformed))
 (check "no domain" (map car (cdr (interpret '((define))))) '(malformed))
 (check "all errors are found"

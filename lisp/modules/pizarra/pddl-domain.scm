@@ -34,7 +34,7 @@
         (and domain (read-domain domain))))))
 
 (define (read-domain domain)
-  (let* ((found (sections (cddr (node-items domain))
+  (let* ((found (sections (understood (cddr (node-items domain)))
                           '(:requirements :types :constants :predicates :functions :action)
                           '(:action)))
          (in (lambda (name) (nodes-in found name)))

@@ -21,7 +21,7 @@
         (and problem (apply read-problem problem (cdr domain)))))))
 
 (define (read-problem problem domain-name types constants predicates functions operators facts)
-  (let* ((found (sections (cddr (node-items problem)) '(:domain :requirements :objects :init :goal :metric)))
+  (let* ((found (sections (understood (cddr (node-items problem))) '(:domain :requirements :objects :init :goal :metric)))
          (in (lambda (name) (inside found name)))
          (vocabulary (make-vocabulary types predicates functions '()))
          (objects (read-objects (at-most (in ':objects) most-objects "objects") constants vocabulary))
@@ -63,7 +63,12 @@
 ;; A constant may be named again with the same type.
 (define (read-objects nodes constants vocabulary)
   (let ((objects (read-declarations nodes "an object" name-node? (lambda (node) (known-type vocabulary node)))))
-    (remove (lambda (object) (member object constants)) objects)))
+    (for-each (lambda (node)
+                (let ((constant (assq (node-datum node) constants)))
+                  (when (and constant (assq (car constant) objects) (not (member constant objects)))
+                    (complain! node 'repeated "~a is a constant of type ~a already" (car constant) (second constant)))))
+              nodes)
+    (remove (lambda (object) (assq (car object) constants)) objects)))
 
 ;; (fact FACT), (value ((FUNCTION ARGUMENT ...) VALUE)), or #f for what needs no saying: (not FACT).
 (define (read-initial node vocabulary term)

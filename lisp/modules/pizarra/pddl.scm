@@ -8,7 +8,7 @@
   #:use-module (srfi srfi-1)
   #:use-module (srfi srfi-9)
   #:use-module (pizarra forms)
-  #:export (defined make-vocabulary vocabulary-with subtype? known-type
+  #:export (defined understood make-vocabulary vocabulary-with subtype? known-type
             typed-nodes read-declarations pddl-variable? variable-node? name-node?
             read-term ground-term read-atom read-cost-term atom-of condition-literals literals-of conjuncts))
 
@@ -20,6 +20,14 @@
           ((not (and named (eq? (node-head named) kind)))
            (complain! (or named form) 'malformed "(~a NAME) must stand here" kind))
           (else (and (symbol-at named 1 (simple-format #f "the ~a's name" kind)) form)))))
+
+;; The sections of a file without those of PDDL that are not understood.
+(define (understood nodes)
+  (define others '(:durative-action :derived :axiom :process :event :constraints :safety :timeless :length))
+  (filter (lambda (node)
+            (or (not (memq (node-head node) others))
+                (complain! node 'unsupported "~a is not understood" (node-head node))))
+          nodes))
 
 ;; ---- vocabulary
 
@@ -152,9 +160,9 @@
   (let ((name (node-head node)))
     (cond ((not name) (complain! node 'malformed "a ~a with its arguments must stand here: (NAME ARGUMENT ...)" kind))
           ((known? declared name) (arguments-of node name (lookup declared name) term))
-          ((memq name '(or imply exists forall when assign increase decrease at-end preference))
+          ((memq name '(and not or imply exists forall when assign increase decrease at-end preference))
            (complain! node 'unsupported
-                      "`~a` is not understood; facts, (not FACT), (= A B) and (and ...) are" name))
+                      "`~a` is not understood here; facts, (not FACT), (= A B) and (and ...) are" name))
           (else
            (complain! (node-ref node 0) symbol "there is no ~a ~a~a" kind name
                       (suggestion name (table-names declared)))))))

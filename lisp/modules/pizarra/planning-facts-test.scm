@@ -34,6 +34,11 @@
 (check "a wrong type" (wrong declared 'closed '(types (a OBJECT)) '(goals (clear here))) '((wrong-type (1 1 1))))
 (check "a parameter" (wrong-facts '(goals (clear <a>))) '((malformed (1 1 1))))
 (check "an object twice" (wrong operators 'open '(types (a OBJECT) (a OBJECT)) '(goals (clear a))) '((repeated (0 2))))
+(check "one of the domain's own objects may be named again"
+       (interpret '((types (here PLACE) (a OBJECT)) (goals (at a here))) declared 'closed)
+       '(ok (problem ((a OBJECT)) () () ((at a here)) () none)))
+(check "one with another type" (wrong declared 'closed '(types (here OBJECT)) '(goals (clear here)))
+       '((repeated (0 1)) (wrong-type (1 1 1))))
 (check "no goals" (wrong-facts '(initials (clear a))) '((malformed ())))
 (check "an unknown section" (wrong-facts '(goals (clear a)) '(initial (clear a))) '((unknown-section (2))))
 (check "all errors are found"

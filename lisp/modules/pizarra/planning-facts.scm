@@ -24,7 +24,7 @@
   (let*-values (((forms bare-objects) (partition section? (node-items file)))
                 ((found) (sections forms known-sections)))
     (let* ((objects (read-objects (at-most (append bare-objects (inside found 'types)) most-objects "objects")
-                                  (map first types) open?))
+                                  (map first types) constants open?))
            (term (ground-term (append constants objects)))
            (declared (table predicates))
            (read-all (lambda (open? . names)
@@ -53,12 +53,18 @@
        (not (param? datum))
        (not (pattern-variable? datum))))
 
-(define (read-objects nodes types open?)
+;; One of the domain's own objects may be named again with the same type.
+(define (read-objects nodes types constants open?)
   (refuse-repeated nodes (lambda (node) (and (node-ref node 0) (node-datum (node-ref node 0)))) "an object")
   (filter-map (lambda (node)
                 (let ((datum (node-datum node)))
                   (cond ((not (and (list? datum) (= (length datum) 2) (name? (first datum)) (symbol? (second datum))))
                          (complain! node 'malformed "an object is written (NAME TYPE)"))
+                        ((member datum constants) #f)
+                        ((assoc (first datum) constants)
+                         => (lambda (constant)
+                              (complain! node 'repeated "~a is an object of the domain already, of type ~a"
+                                         (first datum) (second constant))))
                         ((or (memq (second datum) types) (and open? (not (nearest-name (second datum) types)))) datum)
                         (else
                          (complain! (node-ref node 1) 'unknown-type "there is no type ~a~a" (second datum)

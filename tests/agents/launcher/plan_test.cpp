@@ -50,6 +50,21 @@ TEST(Plan, IsNothingButActionsForPddlTools) {
   EXPECT_EQ(said.text, "(pick-up a)\n(stack a b)\n");
 }
 
+// Everything else goes to standard error.
+TEST(Plan, IsNothingAtAllForPddlToolsWhereThereIsNone) {
+  const auto printed = [](const std::string& goal, const std::string& options) {
+    return shell(fmt::format("{} plan {} {} --pddl {} 2>/dev/null", PIZARRA_PLAN, domain(), problem(goal), options))
+        .text;
+  };
+  EXPECT_EQ(printed("(clear a)", ""), "");
+  EXPECT_EQ(printed("(and (on a b) (on b a))", ""), "");
+  EXPECT_EQ(printed("(on a d)", ""), "");
+  EXPECT_EQ(printed("(on a b)", "--time 0"), "");
+  EXPECT_EQ(printed("(on a b)", "--planner 'echo hello # {domain} {problem}'"), "");
+  EXPECT_EQ(printed("(on a b)", "--planner '/nowhere/ff {domain} {problem}'"), "");
+  EXPECT_EQ(printed("(on a b)", "--fast --time 0.2"), "(pick-up a)\n(stack a b)\n");
+}
+
 TEST(Plan, IsOneObjectForPrograms) {
   const Said said = plan("(on a b)", "--json");
   EXPECT_EQ(said.status, 0);

@@ -151,6 +151,52 @@ TEST(TaskFiles, ReportWhatCannotBeReadTogetherWithWhatIsWrong) {
                                       "domain:4:11 there is no predicate q; the nearest is p"}));
 }
 
+std::string with_carriage_returns(std::string_view text) {
+  std::string out;
+  for (const char c : text) out += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  return out;
+}
+
+TEST(TaskFiles, ReadTheSameWithCarriageReturns) {
+  const Result<PlanningTask> task = read(with_carriage_returns(pddl_domain), with_carriage_returns(pddl_problem));
+  ASSERT_TRUE(task) << describe(task.error());
+  EXPECT_EQ(show(*task), show(read(pddl_domain, pddl_problem).value()));
+  EXPECT_EQ(errors_of("(define (domain d)\r\n (:action a :effect (q)))", ""),
+            (std::vector<std::string>{"domain:2:22 there is no predicate q; there is none at all"}));
+}
+
+TEST(TaskFiles, RefuseWhatPddlCanSayAndThePlannerCannotDo) {
+  const auto refusal = [](const std::string& sections) {
+    const std::vector<std::string> errors =
+        errors_of("(define (domain d) (:types t)\n(:predicates (p) (q ?x - t))\n" + sections + ")", "");
+    return errors.size() == 1 ? errors.front() : fmt::format("{} errors", errors.size());
+  };
+  const std::string facts = "is not understood here; facts, (not FACT), (= A B) and (and ...) are";
+  EXPECT_EQ(refusal("(:action a :effect (forall (?x) (q ?x)))"), "domain:3:20 `forall` " + facts);
+  EXPECT_EQ(refusal("(:action a :precondition (exists (?x) (q ?x)))"), "domain:3:26 `exists` " + facts);
+  EXPECT_EQ(refusal("(:action a :precondition (or (p) (p)))"), "domain:3:26 `or` " + facts);
+  EXPECT_EQ(refusal("(:action a :effect (when (p) (not (p))))"), "domain:3:20 `when` " + facts);
+  EXPECT_EQ(refusal("(:action a :precondition (not (not (p))))"), "domain:3:31 `not` " + facts);
+  EXPECT_EQ(refusal("(:action a :parameters (?x - (either t object)))"),
+            "domain:3:30 a type is one name; `either` is not understood");
+  EXPECT_EQ(refusal("(:derived (p) (p))"), "domain:3:1 :derived is not understood");
+  EXPECT_EQ(refusal("(:durative-action a :parameters ())"), "domain:3:1 :durative-action is not understood");
+  EXPECT_EQ(refusal("(:action 7 :effect (p))"), "domain:3:10 the action's name must be a symbol");
+  EXPECT_EQ(refusal("(:constants 7)"), "domain:3:13 a constant must be a name");
+  EXPECT_EQ(refusal("(:constants a A - t)"), "domain:3:15 there is a constant a already");
+  EXPECT_EQ(refusal("(:action a) (:action A)"), "domain:3:13 there is an action a already");
+}
+
+TEST(TaskFiles, MayNestAsDeepAsTheLimitAndNoDeeper) {
+  const auto nested = [](std::size_t depth) {
+    std::string text = "(define (domain d) (:predicates (p)) (:action a :precondition ";
+    for (std::size_t i = 0; i < depth; ++i) text += "(and ";
+    return text + "(p)" + std::string(depth, ')') + "))";
+  };
+  EXPECT_TRUE(read(nested(61), "(define (problem p) (:domain d) (:goal (p)))"));
+  EXPECT_EQ(read(nested(62), "").error().symbol, "too-deep");
+}
+
 TEST(TaskFiles, SayWhatIsExpectedWhereTheFilesAreMixedUp) {
   for (const auto& [domain, problem] : {std::pair(pddl_domain, pddl_problem),
                                         {"(operator A (effects (p)))", "(types (a T)) (goals (p))"},
