@@ -2,7 +2,19 @@
 
 #include <algorithm>
 
+#include "lisp/reader.hpp"
+
 namespace pizarra {
+
+Relation stream_relation() {
+  return relation_from_datum(
+             read_one("(relation stream ((name symbol) (kind symbol) (place list)) (key name))").value())
+      .value();
+}
+
+Datum stream_fact(const std::string& name, const std::string& kind, const Streams& streams) {
+  return list("stream"_sym, Datum::symbol(name), Datum::symbol(kind), streams.place());
+}
 
 class LocalStreams::Entry : public Streams::Subscription {
  public:

@@ -1,8 +1,10 @@
 #pragma once
 
-// Images travel beside the board: a stream is named in a fact (stream NAME KIND), its frames go from publisher to
-// subscribers, and the newest wins: who reads slowly sees fewer frames and disturbs nobody.
+// Images travel beside the board: a stream is announced in a fact (stream NAME KIND PLACE), its frames go from
+// publisher to subscribers, and the newest wins: who reads slowly sees fewer frames and disturbs nobody. Like boards,
+// streams have walls: in this process (LocalStreams), and between processes (streams/remote_streams.hpp).
 //
+//   transaction.tell(stream_fact("vision-left", "left", streams), {}, presence);
 //   if (streams.watched("vision-left")) streams.publish("vision-left", frame);
 //   auto eyes = streams.subscribe("vision-left", [](const StreamFrame& frame) { ... });
 
@@ -13,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "blackboard/relation.hpp"
 #include "blackboard/time/clock.hpp"
 
 namespace pizarra {
@@ -41,14 +44,21 @@ class Streams {
   };
 
   virtual ~Streams() = default;
+  // Where subscribers elsewhere find what is published here, as a list; () where nobody can.
+  virtual Datum place() const = 0;
   virtual bool watched(const std::string& stream) const = 0;
   virtual void publish(const std::string& stream, const StreamFrame& frame) = 0;
   virtual std::unique_ptr<Subscription> subscribe(const std::string& stream, Receiver receiver) = 0;
 };
 
+// What a stream is announced with: (relation stream ((name symbol) (kind symbol) (place list)) (key name)).
+Relation stream_relation();
+Datum stream_fact(const std::string& name, const std::string& kind, const Streams& streams);
+
 // Streams within one process; receivers are called from publish(). It outlives its subscriptions.
 class LocalStreams : public Streams {
  public:
+  Datum place() const override { return {}; }
   bool watched(const std::string& stream) const override;
   void publish(const std::string& stream, const StreamFrame& frame) override;
   std::unique_ptr<Subscription> subscribe(const std::string& stream, Receiver receiver) override;
