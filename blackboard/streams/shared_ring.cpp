@@ -136,19 +136,28 @@ std::optional<StreamFrame> SharedRingView::newest() {
   return std::nullopt;
 }
 
-std::optional<StreamFrame> SharedRingView::copy(std::uint64_t count) const {
+// The image answered before, where nobody has kept it: memory that is there already costs less than the copying.
+std::shared_ptr<Image> SharedRingView::unused_image() {
+  const bool unused = image_ && image_.use_count() == 1;
+  if (!unused) image_ = std::make_shared<Image>();
+  // Whatever another thread did with it comes before its letting go.
+  std::atomic_thread_fence(std::memory_order_acquire);
+  return image_;
+}
+
+std::optional<StreamFrame> SharedRingView::copy(std::uint64_t count) {
   std::uint64_t* slot = words_.at(slot_begin(count, slot_words_));
   if (Word(slot[sequence]).load(std::memory_order_acquire) != 2 * count) return std::nullopt;
   const std::uint64_t size = get(slot + bytes);
   if (!is_image(get(slot + width), get(slot + height), get(slot + channels), size)) return std::nullopt;
   if (size > (slot_words_ - line_words) * word_bytes) return std::nullopt;
-  auto image = std::make_shared<Image>();
+  const std::shared_ptr<Image> image = unused_image();
   image->width = static_cast<int>(get(slot + width));
   image->height = static_cast<int>(get(slot + height));
   image->channels = static_cast<int>(get(slot + channels));
   image->pixels.resize(size);
   get_bytes(slot + line_words, image->pixels);
-  const StreamFrame frame{get(slot + number), Time(Duration(get(slot + captured_us))), std::move(image)};
+  const StreamFrame frame{get(slot + number), Time(Duration(get(slot + captured_us))), image};
   std::atomic_thread_fence(std::memory_order_acquire);
   if (get(slot + sequence) != 2 * count) return std::nullopt;
   return frame;

@@ -81,10 +81,12 @@ class SharedRingView {
 
  private:
   SharedRingView(SharedWords words, std::size_t slot_words) : words_(std::move(words)), slot_words_(slot_words) {}
-  std::optional<StreamFrame> copy(std::uint64_t count) const;
+  std::shared_ptr<Image> unused_image();
+  std::optional<StreamFrame> copy(std::uint64_t count);
   SharedWords words_;
   std::size_t slot_words_;
   std::uint64_t read_ = 0;
+  std::shared_ptr<Image> image_;
 };
 
 }  // namespace pizarra

@@ -14,10 +14,10 @@ struct Row {
 };
 
 using namespace pizarra::bench;
-constexpr std::array table = {Row{"ask", ask_replica},       Row{"start", start_and_memory},
-                              Row{"tell", tell_round_trip},  Row{"watcher", tell_to_watcher},
-                              Row{"throughput", throughput}, Row{"durable", durable_tells},
-                              Row{"recovery", recovery},     Row{"stalled", stalled_watcher}};
+constexpr std::array table = {
+    Row{"ask", ask_replica},         Row{"start", start_and_memory},  Row{"tell", tell_round_trip},
+    Row{"watcher", tell_to_watcher}, Row{"throughput", throughput},   Row{"durable", durable_tells},
+    Row{"recovery", recovery},       Row{"stalled", stalled_watcher}, Row{"streams", streams}};
 
 }  // namespace
 

@@ -17,5 +17,6 @@ void throughput(Figures& figures);
 void durable_tells(Figures& figures);
 void recovery(Figures& figures);
 void stalled_watcher(Figures& figures);
+void streams(Figures& figures);
 
 }  // namespace pizarra::bench

@@ -42,6 +42,21 @@ TEST(SharedRing, OnlyTheNewestIsReadAndOnlyOnce) {
   EXPECT_FALSE(view.newest().has_value());
 }
 
+TEST(SharedRing, AFrameThatIsKeptStaysAsItIs) {
+  SharedRing ring = SharedRing::make(100).value();
+  SharedRingView view = SharedRingView::of(ring.file()).value();
+  std::vector<StreamFrame> kept;
+  for (std::uint64_t number = 1; number <= 9; ++number) {
+    ring.write(numbered_frame(number, 10, 10));
+    const std::optional<StreamFrame> frame = view.newest();
+    if (number % 2 == 0) kept.push_back(*frame);
+  }
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    EXPECT_EQ(kept[i].number, 2 * (i + 1));
+    EXPECT_TRUE(is_whole(kept[i]));
+  }
+}
+
 TEST(SharedRing, NoFrameIsAMixtureHoweverFastTheyAreWritten) {
   constexpr std::uint64_t frames = 20'000;
   SharedRing ring = SharedRing::make(64 * 64).value();
