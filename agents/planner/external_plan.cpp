@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "agents/planner/pddl_text.hpp"
+#include "agents/planner/task/numbered_task.hpp"
 
 namespace pizarra {
 
@@ -34,6 +35,8 @@ Result<Datum> operation_of(const PddlText& text, const std::vector<std::string>&
 
 Result<PlanSteps> plan_externally(const ExternalPlanner& planner, const PlanningTask& task,
                                   const std::function<bool()>& cancelled) {
+  const Result<NumberedTask> checked = number_task(task);
+  if (!checked) return fail(checked);
   const PddlText text = pddl_text(task);
   const Result<PlanActions> actions = planner.plan(text.domain, text.problem, operators_of(text, task), cancelled);
   if (!actions) return fail(actions);

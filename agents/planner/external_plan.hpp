@@ -10,7 +10,7 @@
 
 namespace pizarra {
 
-// Every step is one action. Failures: the driver's, and bad-plan.
+// Every step is one action. Failures: the driver's, bad-plan, and those of ground() for a task that makes no sense.
 Result<PlanSteps> plan_externally(const ExternalPlanner& planner, const PlanningTask& task,
                                   const std::function<bool()>& cancelled);
 
