@@ -9,6 +9,7 @@
 #include "blackboard/time/virtual_executor.hpp"
 #include "lisp/writer.hpp"
 #include "tests/blackboard/wall.hpp"
+#include "tests/scratch.hpp"
 
 namespace pizarra {
 namespace {
@@ -32,8 +33,7 @@ class Journal : public testing::Test {
     return facts;
   }
 
-  const std::filesystem::path path_ =
-      std::filesystem::temp_directory_path() / ("pizarra-journal-" + std::to_string(getpid()));
+  const std::filesystem::path path_ = scratch_folder() + "journal";
   VirtualExecutor executor_;
 };
 

@@ -6,6 +6,7 @@
 #include "blackboard/time/virtual_executor.hpp"
 #include "tests/blackboard/python_wall.hpp"
 #include "tests/blackboard/wall.hpp"
+#include "tests/scratch.hpp"
 
 namespace pizarra {
 
@@ -59,7 +60,7 @@ class PythonWall : public Wall {
 
 std::string ipc_address() {
   static int count = 0;
-  return "ipc:///tmp/pizarra-test-" + std::to_string(getpid()) + "-" + std::to_string(++count);
+  return "ipc://" + scratch_folder() + std::to_string(++count);
 }
 
 std::vector<WallKind> all_walls() {

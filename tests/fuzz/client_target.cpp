@@ -12,6 +12,7 @@
 #include "blackboard/time/real_executor.hpp"
 #include "lisp/writer.hpp"
 #include "tests/fuzz/frames.hpp"
+#include "tests/scratch.hpp"
 
 using namespace pizarra;
 
@@ -22,7 +23,7 @@ Query anything() { return query_from_datum(read_one("(and (on ?x ?y) (not (clear
 class ClientUnderTest {
  public:
   ClientUnderTest() {
-    const std::string address = "ipc:///tmp/pizarra-fuzz-client-" + std::to_string(getpid());
+    const std::string address = "ipc://" + scratch_folder() + "client";
     if (!server_.bind(address)) std::abort();
     board_ = RemoteBoard::connect(executor_, address, "fuzz").value();
     watching_ = executor_.spawn(watch());

@@ -11,6 +11,7 @@
 #include "blackboard/board_server.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "tests/fuzz/frames.hpp"
+#include "tests/scratch.hpp"
 
 using namespace pizarra;
 
@@ -57,9 +58,7 @@ class ServerUnderTest {
   RealExecutor executor_;
   MemoryBoard board_{executor_};
   std::unique_ptr<BoardServer> server_ =
-      BoardServer::open(executor_, board_,
-                        {.addresses = {"ipc:///tmp/pizarra-fuzz-server-" + std::to_string(getpid())}})
-          .value();
+      BoardServer::open(executor_, board_, {.addresses = {"ipc://" + scratch_folder() + "server"}}).value();
   WireSocket client_{executor_, WireSocket::Kind::dealer,
                      [this](const std::string&, std::optional<std::string_view> frame) { receive(frame.value()); }};
   std::string session_ = "0";

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "lisp/writer.hpp"
+#include "tests/scratch.hpp"
 
 namespace pizarra {
 namespace {
@@ -92,7 +93,7 @@ TEST(SourceTest, FindsThePlaceOfAnElement) {
 }
 
 TEST(SourceTest, ReadsFilesAsEditorsOnOtherSystemsLeaveThem) {
-  const std::string path = testing::TempDir() + "/pizarra_source_marks.scm";
+  const std::string path = scratch_folder() + "pizarra_source_marks.scm";
   std::ofstream(path) << "\xEF\xBB\xBF(a b)\r\n; c\r\n(d)\r\n";
   const Result<Source> source = read_source_file(path);
   ASSERT_TRUE(source) << describe(source.error());
@@ -103,7 +104,7 @@ TEST(SourceTest, ReadsFilesAsEditorsOnOtherSystemsLeaveThem) {
 }
 
 TEST(SourceTest, RefusesInOneSentenceFilesThatAreNoText) {
-  const std::string path = testing::TempDir() + "/pizarra_source_binary";
+  const std::string path = scratch_folder() + "pizarra_source_binary";
   for (const std::string_view bytes : {std::string_view("\x7F"
                                                         "ELF\x02\x01\0\0",
                                                         8),
@@ -117,13 +118,13 @@ TEST(SourceTest, RefusesInOneSentenceFilesThatAreNoText) {
 }
 
 TEST(SourceTest, ReadsFilesWithinLimits) {
-  const std::string path = testing::TempDir() + "/pizarra_source_test.scm";
+  const std::string path = scratch_folder() + "pizarra_source_test.scm";
   std::ofstream(path) << "(a b) (c)";
   EXPECT_EQ(read_source_file(path).value().data().size(), 2u);
   EXPECT_EQ(read_source_file(path, {.bytes = 3}).error().symbol, "too-long");
-  EXPECT_EQ(read_source_file(testing::TempDir()).error().symbol, "unreadable-file");
-  EXPECT_EQ(read_source_file(testing::TempDir()).error().sentence,
-            fmt::format("{} is a folder, and a file must be named", testing::TempDir()));
+  EXPECT_EQ(read_source_file(scratch_folder()).error().symbol, "unreadable-file");
+  EXPECT_EQ(read_source_file(scratch_folder()).error().sentence,
+            fmt::format("{} is a folder, and a file must be named", scratch_folder()));
   EXPECT_EQ(read_source_file("/nowhere/at-all.scm").error().symbol, "unreadable-file");
   std::remove(path.c_str());
 }

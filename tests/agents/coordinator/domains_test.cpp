@@ -6,6 +6,7 @@
 #include "agents/coordinator/task_domain.hpp"
 #include "lisp/reader.hpp"
 #include "lisp/writer.hpp"
+#include "tests/scratch.hpp"
 #include "tests/source_dir.hpp"
 
 namespace pizarra {
@@ -127,7 +128,7 @@ Result<TaskDomain> blocks_with(const std::string& old, const std::string& now) {
   const std::size_t at = text.find(old);
   EXPECT_NE(at, std::string::npos) << old;
   text.replace(at, old.size(), now);
-  const std::string file = testing::TempDir() + "damaged-domain.scm";
+  const std::string file = scratch_folder() + "damaged-domain.scm";
   std::ofstream(file) << text;
   return TaskDomain::read(file);
 }
@@ -154,7 +155,7 @@ TEST(TaskDomain, RefusesAtItsPlaceWhatTheCoordinatorCouldNotDo) {
 }
 
 TEST(TaskDomain, ReportsWhatIsWrongInPerceptionAndMicroTasksTogether) {
-  const std::string file = testing::TempDir() + "wrong-twice.scm";
+  const std::string file = scratch_folder() + "wrong-twice.scm";
   std::ofstream(file) << "(domain d (types OBJECT) (predicates (clear (ob OBJECT)))\n"
                          "  (perception (rule))\n"
                          "  (micro-tasks (JUMP)))";
@@ -166,10 +167,10 @@ TEST(TaskDomain, ReportsWhatIsWrongInPerceptionAndMicroTasksTogether) {
 }
 
 TEST(TaskDomain, SaysThatThereAreNoMicroTasks) {
-  std::ofstream(testing::TempDir() + "no-tasks.scm")
+  std::ofstream(scratch_folder() + "no-tasks.scm")
       << "(domain d (types OBJECT) (predicates (clear (ob OBJECT))) (perception (constant cube 60)))";
-  EXPECT_EQ(TaskDomain::read(testing::TempDir() + "no-tasks.scm").error().symbol, "missing-section");
-  EXPECT_FALSE(TaskDomain::read(testing::TempDir() + "no-such-file.scm"));
+  EXPECT_EQ(TaskDomain::read(scratch_folder() + "no-tasks.scm").error().symbol, "missing-section");
+  EXPECT_FALSE(TaskDomain::read(scratch_folder() + "no-such-file.scm"));
 }
 
 }  // namespace

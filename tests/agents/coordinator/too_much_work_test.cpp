@@ -8,6 +8,7 @@
 #include "blackboard/memory_board.hpp"
 #include "blackboard/time/virtual_executor.hpp"
 #include "lisp/reader.hpp"
+#include "tests/scratch.hpp"
 #include "tests/source_dir.hpp"
 
 namespace pizarra {
@@ -23,7 +24,7 @@ std::string wide_domain() {
   for (int i = 0; i < 8; ++i) rule += " (seen ?q" + std::to_string(i) + " ? ? ?)";
   rule += " (< 1 0))\n";
   text.insert(text.find("(rule (holding"), rule);
-  const std::string file = testing::TempDir() + "too-wide.scm";
+  const std::string file = scratch_folder() + "too-wide.scm";
   std::ofstream(file) << text;
   return file;
 }

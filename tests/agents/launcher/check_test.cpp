@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "tests/agents/launcher/shell.hpp"
+#include "tests/scratch.hpp"
 #include "tests/source_dir.hpp"
 
 namespace pizarra {
@@ -30,7 +31,6 @@ class Check : public testing::Test {
           "  (arm crs-f3) (domain \"domain.scm\"))");
     write("story.scm", "(scenario \"s\" (cell \"cell.scm\") (goal (on-table circle)) (expect reached))");
   }
-  ~Check() override { std::filesystem::remove_all(folder_); }
 
   void write(const std::string& name, const std::string& text) { std::ofstream(folder_ + name) << text; }
 
@@ -41,7 +41,7 @@ class Check : public testing::Test {
     return said.status;
   }
 
-  const std::string folder_ = testing::TempDir() + "check-" + std::to_string(getpid()) + "/";
+  const std::string folder_ = scratch_folder() + "check/";
   std::string said_;
 };
 

@@ -7,13 +7,14 @@
 #include <unistd.h>
 
 #include "tests/agents/launcher/shell.hpp"
+#include "tests/scratch.hpp"
 #include "tests/source_dir.hpp"
 
 namespace pizarra {
 namespace {
 
 std::string file(const std::string& name, const std::string& text) {
-  const std::string path = fmt::format("{}plan_test_{}_{}", testing::TempDir(), getpid(), name);
+  const std::string path = scratch_folder() + name;
   std::ofstream(path) << text;
   return path;
 }

@@ -1,4 +1,5 @@
 #include "agents/launcher/supervision/run_directory.hpp"
+#include "tests/scratch.hpp"
 
 #include <cstdlib>
 #include <filesystem>
@@ -14,7 +15,7 @@ namespace {
 class RunDirectoryTest : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = testing::TempDir() + "runs-" + std::to_string(getpid());
+    folder_ = scratch_folder() + "runs";
     std::filesystem::remove_all(folder_);
     std::filesystem::create_directories(folder_);
     setenv("XDG_RUNTIME_DIR", folder_.c_str(), 1);

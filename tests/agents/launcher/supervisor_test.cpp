@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "blackboard/time/real_executor.hpp"
+#include "tests/scratch.hpp"
 
 namespace pizarra {
 namespace {
@@ -15,7 +16,7 @@ struct Watched {
   RealExecutor executor;
   std::vector<std::string> told;
   Supervisor supervisor{executor, [this](const ProcessEvent& event) { told.push_back(event.sentence); }};
-  std::string log = testing::TempDir() + "supervised-" + std::to_string(getpid()) + ".log";
+  std::string log = scratch_folder() + "supervised.log";
 
   Result<void> start(const std::string& script) { return supervisor.start({"script", {"/bin/sh", "-c", script}, log}); }
   void run_until(std::function<bool()> finished) {

@@ -4,7 +4,6 @@
 #include <csignal>
 #include <cstdlib>
 #include <fcntl.h>
-#include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <iterator>
@@ -14,6 +13,7 @@
 #include <unistd.h>
 
 #include "tests/agents/launcher/shell.hpp"
+#include "tests/scratch.hpp"
 #include "tests/source_dir.hpp"
 
 namespace pizarra {
@@ -25,15 +25,11 @@ constexpr std::chrono::seconds patience{60};
 class UpTest : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = testing::TempDir() + "up-" + std::to_string(getpid());
-    std::filesystem::create_directories(folder_);
-    setenv("XDG_RUNTIME_DIR", folder_.c_str(), 1);
-    cell_ = folder_ + "/cell.scm";
     std::ofstream(cell_) << "(cell pair (world (cube circle (at 450 -60)) (cube triangle (at 450 60))) (domain \""
                          << source_dir() << "/domains/blocks.scm\"))\n";
     up_ = fork();
     if (up_ == 0) {
-      const int log = creat((folder_ + "/up.log").c_str(), 0600);
+      const int log = creat((folder_ + "up.log").c_str(), 0600);
       dup2(log, STDOUT_FILENO);
       dup2(log, STDERR_FILENO);
       execl(PIZARRA_CELL, PIZARRA_CELL, "up", cell_.c_str(), nullptr);
@@ -45,7 +41,6 @@ class UpTest : public testing::Test {
       kill(up_, SIGKILL);
       waitpid(up_, nullptr, 0);
     }
-    std::filesystem::remove_all(folder_);
   }
 
   Said run(const std::string& words) { return shell(std::string(PIZARRA_CELL) + " " + words + " 2>&1"); }
@@ -64,12 +59,12 @@ class UpTest : public testing::Test {
     return line == std::string::npos ? 0 : static_cast<pid_t>(std::strtol(text.c_str() + pid + 6, nullptr, 10));
   }
   std::string log() {
-    std::ifstream in(folder_ + "/up.log");
+    std::ifstream in(folder_ + "up.log");
     return {std::istreambuf_iterator<char>(in), {}};
   }
 
-  std::string folder_;
-  std::string cell_;
+  const std::string folder_ = scratch_folder();
+  const std::string cell_ = folder_ + "cell.scm";
   pid_t up_ = 0;
 };
 

@@ -13,6 +13,7 @@
 
 #include "blackboard/time/real_executor.hpp"
 #include "tests/agents/repl/screen.hpp"
+#include "tests/scratch.hpp"
 
 namespace pizarra {
 namespace {
@@ -58,7 +59,7 @@ int prompt_program(int news) {
 class TerminalTest : public testing::Test {
  protected:
   void SetUp() override {
-    home_ = testing::TempDir() + "terminal-" + std::to_string(getpid());
+    home_ = scratch_folder() + "home";
     std::filesystem::remove_all(home_);
     begin();
   }

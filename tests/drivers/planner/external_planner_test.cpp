@@ -1,4 +1,5 @@
 #include "drivers/planner/external_planner.hpp"
+#include "tests/scratch.hpp"
 
 #include <csignal>
 #include <cstdlib>
@@ -18,14 +19,14 @@ const PlanActions wanted{{"pick-up", "b1"}, {"stack", "b1", "b2"}};
 // A folder for temporary files that is this test's alone, so that what is left over shows.
 class ExternalPlannerTest : public testing::Test {
  protected:
-  ExternalPlannerTest() : folder_(fmt::format("{}planner_{}", testing::TempDir(), getpid())) {
+  ExternalPlannerTest() : folder_(scratch_folder() + "planner") {
     std::filesystem::create_directory(folder_);
     setenv("TMPDIR", folder_.c_str(), 1);
   }
   ~ExternalPlannerTest() override {
     EXPECT_TRUE(std::filesystem::is_empty(folder_)) << "files are left over";
     std::filesystem::remove_all(folder_);
-    unsetenv("TMPDIR");
+    setenv("TMPDIR", scratch_folder().c_str(), 1);
   }
 
   Result<PlanActions> plan(const std::string& script, const ProcessLimits& limits = {}) {

@@ -9,6 +9,7 @@
 #include "lisp/reader.hpp"
 #include "lisp/writer.hpp"
 #include "tests/drivers/simulation/bench.hpp"
+#include "tests/scratch.hpp"
 
 namespace pizarra {
 
@@ -17,7 +18,7 @@ namespace {
 class DeviceLink : public testing::Test {
  protected:
   DeviceLink()
-      : path_((std::filesystem::temp_directory_path() / fmt::format("pizarra-link-{}", getpid())).string()),
+      : path_(scratch_folder() + "link"),
         address_("ipc://" + path_) {}
   ~DeviceLink() override { std::filesystem::remove(path_); }
 
