@@ -135,7 +135,7 @@ Result<void> Script::around(std::span<const Datum> arguments, bool whole) {
   const double area = normal.squaredNorm();
   // The thinnest triangle taken: about 0.001 of its longest side high.
   if (!(normal.norm() > 1e-3 * std::max(u.squaredNorm(), v.squaredNorm())) || !(area < 1e18)) {
-    return fail("bad-action", "the three points of a circle do not stand on one line");
+    return fail("bad-action", "three points on one line, or two in one place, make no circle");
   }
   const Vector3d to_centre = (u.squaredNorm() * v.cross(normal) + v.squaredNorm() * normal.cross(u)) / (2 * area);
   const double radius = to_centre.norm();

@@ -10,6 +10,7 @@
 #include "agents/robot/tool_path.hpp"
 #include "drivers/arm/link_geometry.hpp"
 #include "lisp/nearest.hpp"
+#include "lisp/writer.hpp"
 
 namespace pizarra {
 
@@ -170,7 +171,7 @@ Result<Motion> rest_of(Motion motion, const Joints& start, const Joints& at) {
 Result<double> amount_in(const Datum& given, double low, double high, std::string_view unit) {
   const double value = given.number();
   if (value >= low && value <= high) return value;
-  return fail("out-of-range", fmt::format("{:g} is not within {:g} to {:g} {}", value, low, high, unit), given);
+  return fail("out-of-range", fmt::format("{} is not within {:g} to {:g} {}", write(given), low, high, unit), given);
 }
 
 }  // namespace pizarra

@@ -13,6 +13,7 @@ StopSignals::StopSignals() {
   sigaddset(&set, SIGINT);
   sigaddset(&set, SIGTERM);
   sigaddset(&set, SIGHUP);
+  sigaddset(&set, SIGPIPE);
   sigprocmask(SIG_BLOCK, &set, nullptr);
   file_ = signalfd(-1, &set, SFD_NONBLOCK | SFD_CLOEXEC);
   assert(file_ >= 0);

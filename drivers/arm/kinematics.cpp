@@ -146,11 +146,9 @@ Result<Joints> inverse(const ArmModel& model, const ToolPose& pose, const Joints
     }
   }
   if (!best) {
-    const Vector3d at = pose.translation();
-    return fail(
-        "unreachable",
-        fmt::format("the arm cannot reach ({:.1f} {:.1f} {:.1f}) with this tool direction", at.x(), at.y(), at.z()),
-        list("point"_sym, at.x(), at.y(), at.z()));
+    const Vector3d at = (pose.translation() * 10).array().round() / 10;
+    return fail("unreachable", "the arm cannot reach this point with this tool direction",
+                list("point"_sym, at.x(), at.y(), at.z()));
   }
   const Result<void> within = check_limits(model, *best);
   if (!within) return fail(within);

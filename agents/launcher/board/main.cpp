@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "agents/launcher/command_line/command_line.hpp"
+#include "agents/launcher/command_line/word_tools.hpp"
 #include "blackboard/board_server.hpp"
 #include "blackboard/journal_writer.hpp"
 #include "blackboard/memory_board.hpp"
@@ -135,7 +136,7 @@ int main(int argc, char** argv) {
   app.add_flag("--insecure", options.server.insecure,
                "listen, unencrypted and to anybody, at addresses that other machines reach")
       ->excludes("--keys");
-  app.footer(pizarra::exit_codes);
+  app.footer(pizarra::help_footer("board --listen ipc:///tmp/board.ipc --journal facts.journal", pizarra::exit_codes));
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -10,6 +10,12 @@ int complain(const Failure& failure, ExitCode code) {
   return code;
 }
 
+std::string help_footer(std::string_view example, std::string_view exit_codes) {
+  return fmt::format("Example:\n  ./pizarra {}\n\n{}", example, exit_codes);
+}
+
+std::string version() { return "pizarra " PIZARRA_VERSION; }
+
 CLI::Validator seed_check() {
   const auto check = [](const std::string& text) {
     std::uint64_t seed = 0;

@@ -14,6 +14,12 @@ namespace pizarra {
 // Prints the failure to standard error and answers `code`.
 int complain(const Failure& failure, ExitCode code);
 
+// What ends a word's help: how it is typed, after `./pizarra`, and how it ends.
+std::string help_footer(std::string_view example, std::string_view exit_codes = exit_code_help);
+
+// As `--version` tells it.
+std::string version();
+
 // For options that take a seed: digits alone, from 0 to 2^64-1.
 CLI::Validator seed_check();
 

@@ -86,8 +86,9 @@ int show_all(const KeysChoices& choices) {
 void add_common_options(CLI::App* word, KeysChoices& choices) {
   word->add_option("--dir", choices.folder, "The folder of the keys")->capture_default_str();
   word->add_flag("--json", choices.json, "One JSON object a line");
-  word->footer(
-      "Exit status: 0 done; 2 a wrong word, option, name or file of keys; 4 a file cannot be read or written.");
+  word->footer(help_footer(
+      word->get_name() == "new" ? "keys new vision" : "keys list",
+      "Exit status: 0 done; 2 a wrong word, option, name or file of keys; 4 a file cannot be read or written."));
 }
 
 void add_keys_word(CLI::App& app, int& status) {

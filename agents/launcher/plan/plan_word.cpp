@@ -185,10 +185,11 @@ void add_plan_word(CLI::App& app, int& status) {
       ->type_name("MB");
   CLI::Option* pddl = word->add_flag("--pddl", choices->pddl, "Only actions, one (NAME OBJECT ...) a line, in order");
   word->add_flag("--json", choices->json, "One JSON object")->excludes(pddl);
-  word->footer(
+  word->footer(help_footer(
+      "plan domain.pddl problem.pddl --time 30",
       "Exit status: 0 a plan; 1 none found in the time and memory given; 2 wrong options or files; 3 proved that "
       "there\n"
-      "is no plan; 4 the planner's command cannot be started; 130 interrupted.");
+      "is no plan; 4 the planner's command cannot be started; 130 interrupted."));
   word->callback([choices, &status] { status = run_plan(*choices); });
 }
 

@@ -1,13 +1,12 @@
 #include "agents/launcher/story/recorder.hpp"
 
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <filesystem>
 #include <fmt/format.h>
-#include <fstream>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
+#include <vector>
+
+#include "agents/launcher/story/output_file.hpp"
 
 namespace pizarra {
 
@@ -37,14 +36,6 @@ cv::Mat with_caption(const Image& image, const std::string& caption) {
   return picture;
 }
 
-Result<void> make_folder(const std::string& path) {
-  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-  std::error_code error;
-  if (!folder.empty()) std::filesystem::create_directories(folder, error);
-  if (error) return fail("cannot-write", fmt::format("cannot make the folder of {}: {}", path, error.message()));
-  return {};
-}
-
 Result<int> codec_for(const std::string& path) {
   const std::string extension = std::filesystem::path(path).extension().string();
   if (extension == ".avi") return cv::VideoWriter::fourcc('M', 'J', 'P', 'G');
@@ -54,21 +45,10 @@ Result<int> codec_for(const std::string& path) {
 
 }  // namespace
 
-Result<void> check_writable(const std::string& path) {
-  const Result<void> folder = make_folder(path);
-  if (!folder) return folder;
-  const bool there = std::filesystem::exists(path);
-  errno = 0;
-  const bool opened = std::ofstream(path, std::ios::app).is_open();
-  if (!opened) return fail("cannot-write", fmt::format("cannot write {}: {}", path, std::strerror(errno)));
-  if (!there) std::remove(path.c_str());
-  return {};
-}
-
 Result<void> Recorder::film(const std::string& path) {
   const Result<int> codec = codec_for(path);
   if (!codec) return fail(codec);
-  const Result<void> folder = make_folder(path);
+  const Result<void> folder = make_folder_of(path);
   if (!folder) return folder;
   try {
     film_.open(path, *codec, frames_per_second, picture_size);
@@ -93,10 +73,10 @@ void Recorder::take(const StreamFrame& frame) {
 
 Result<void> Recorder::save_picture(const std::string& path) const {
   if (newest_.empty()) return fail("cannot-write", "no picture came from the camera");
-  const Result<void> folder = make_folder(path);
-  if (!folder) return folder;
+  // In memory, because what writes files says more than is wanted when it cannot.
+  std::vector<std::uint8_t> encoded;
   try {
-    if (cv::imwrite(path, newest_)) return {};
+    if (cv::imencode(".png", newest_, encoded)) return write_file(path, encoded);
   } catch (const cv::Exception& error) {
     return fail("cannot-write", fmt::format("cannot write {}: {}", path, error.what()));
   }
@@ -106,9 +86,7 @@ Result<void> Recorder::save_picture(const std::string& path) const {
 Result<void> Recorder::finish() {
   if (film_path_.empty()) return {};
   film_.release();
-  std::error_code error;
-  const auto size = std::filesystem::file_size(film_path_, error);
-  if (error || size == 0) return fail("cannot-write", fmt::format("the film {} is empty", film_path_));
+  if (!is_whole_film(film_path_)) return fail(unwritten(film_path_));
   return {};
 }
 

@@ -17,10 +17,6 @@
 
 namespace pizarra {
 
-// Whether a file can be written there, its folder made where there is none; asked before a long run, and before a
-// library finds out that would say more than is wanted. Failure: cannot-write.
-Result<void> check_writable(const std::string& path);
-
 class Recorder {
  public:
   Recorder(Streams& streams, const Narrator& narrator) : streams_(streams), narrator_(narrator) {}
@@ -29,7 +25,7 @@ class Recorder {
   Result<void> film(const std::string& path);
   void watch();
   Result<void> save_picture(const std::string& path) const;
-  // Ends the film; failure cannot-write when nothing came of it.
+  // Ends the film; failure cannot-write when it is not whole.
   Result<void> finish();
 
  private:

@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "agents/coordinator/task_domain.hpp"
+#include "agents/launcher/story/output_file.hpp"
 #include "agents/launcher/story/recorder.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "blackboard/time/virtual_executor.hpp"
@@ -19,7 +20,7 @@ constexpr Duration last_look = 500ms;
 Result<void> start_journal(std::ofstream& journal, const std::string& path, MemoryBoard& board) {
   if (path.empty()) return {};
   journal.open(path, std::ios::trunc);
-  if (!journal) return fail("cannot-write", fmt::format("cannot write the journal {}", path));
+  if (!journal) return fail(unwritten(path));
   board.set_journal([&journal](std::string_view line) { journal << line << '\n'; });
   return {};
 }
@@ -76,7 +77,7 @@ Result<StoryReport> run_on(Executor& executor, const Scenario& scenario, const C
   const Result<void> recorded = finish_recording(recorder, executor, options);
   if (!recorded) return fail(recorded);
   journal.flush();
-  if (journal.is_open() && !journal) return fail("cannot-write", "the journal could not be written whole");
+  if (journal.is_open() && !journal) return fail(unwritten(options.journal_file));
   return report;
 }
 

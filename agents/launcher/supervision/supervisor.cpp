@@ -22,6 +22,7 @@ sigset_t supervised_signals() {
   sigaddset(&set, SIGINT);
   sigaddset(&set, SIGTERM);
   sigaddset(&set, SIGHUP);
+  sigaddset(&set, SIGPIPE);
   sigaddset(&set, SIGCHLD);
   return set;
 }

@@ -112,7 +112,7 @@ void add_check_word(CLI::App& app, int& status) {
   word->add_option("files", choices->files, "What the file is, its first form says")->required();
   word->add_option("--domain", choices->domain,
                    "For goals, PDDL problems and facts: the domain; else domains/blocks.scm for goals");
-  word->footer(exit_code_help);
+  word->footer(help_footer("check domains/blocks.scm examples/01-blocks/cell.scm"));
   word->callback([choices, &status] { status = check_files(*choices); });
 }
 

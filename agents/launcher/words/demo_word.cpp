@@ -2,12 +2,12 @@
 #include <fmt/format.h>
 
 #include "agents/launcher/command_line/word_tools.hpp"
-#include "agents/launcher/story/random_runs.hpp"
+#include "agents/launcher/story/output_file.hpp"
 #include "agents/launcher/story/random_story.hpp"
-#include "agents/launcher/story/recorder.hpp"
 #include "agents/launcher/story/story_run.hpp"
 #include "agents/launcher/words/demo_choices.hpp"
 #include "agents/launcher/words/goal_text.hpp"
+#include "agents/launcher/words/random_runs.hpp"
 #include "agents/launcher/words/words.hpp"
 #include "lisp/writer.hpp"
 
@@ -75,6 +75,10 @@ int status_of(const DirectorReport& report) {
 }
 
 int run_demo(const DemoChoices& choices) {
+  if (choices.has("--goal")) {
+    const Result<void> typed = check_typed_goal(choices.goal);
+    if (!typed) return complain(typed.error(), exit_usage);
+  }
   Result<Scenario> scenario = story_of(choices);
   if (!scenario) return complain(scenario.error(), exit_usage);
   Result<CellDescription> cell = cell_of(*scenario);
@@ -150,7 +154,7 @@ void add_demo_word(CLI::App& app, int& status) {
   demo->add_option("--jobs", choices->jobs, "With --seeds: how many at once; 0: one a core")
       ->check(CLI::Range(0, 256))
       ->capture_default_str();
-  demo->footer(exit_code_help);
+  demo->footer(help_footer("demo --goal '(on circle triangle)' --seed 7"));
   demo->callback([choices, demo, &status] {
     for (const CLI::Option* option : demo->get_options()) {
       if (option->count() > 0) choices->given.insert(option->get_name());

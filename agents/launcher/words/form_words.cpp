@@ -5,6 +5,7 @@
 #include "agents/launcher/command_line/moment.hpp"
 #include "agents/launcher/command_line/word_tools.hpp"
 #include "agents/launcher/words/board_session.hpp"
+#include "agents/launcher/words/goal_text.hpp"
 #include "agents/launcher/words/words.hpp"
 #include "blackboard/journal_file.hpp"
 #include "blackboard/recorded_board.hpp"
@@ -20,15 +21,17 @@ struct FormWord {
   const char* name;
   const char* argument;  // empty: none
   const char* help;
+  const char* example;
 };
 
 constexpr FormWord form_words[] = {
-    {"tell", "FACT", "Tell a fact"},
-    {"retract", "PATTERN", "Retract every fact that fits"},
-    {"ask", "QUERY", "Ask what holds: (on ?x ?y), (and (on ?x ?y) (clear ?x))"},
-    {"watch", "QUERY", "Show what holds and every change, until interrupted"},
-    {"goal", "GOAL", "Give the cell a goal and wait for its end: FACT, (and FACT ...) or several FACTs"},
-    {"why", "", "Ask the coordinator why it does what it does"},
+    {"tell", "FACT", "Tell a fact", "tell '(on circle triangle)'"},
+    {"retract", "PATTERN", "Retract every fact that fits", "retract '(on circle ?)'"},
+    {"ask", "QUERY", "Ask what holds: (on ?x ?y), (and (on ?x ?y) (clear ?x))", "ask '(and (on ?x ?y) (clear ?x))'"},
+    {"watch", "QUERY", "Show what holds and every change, until interrupted", "watch '(on ?x ?y)'"},
+    {"goal", "GOAL", "Give the cell a goal and wait for its end: FACT, (and FACT ...) or several FACTs",
+     "goal '(on circle triangle)'"},
+    {"why", "", "Ask the coordinator why it does what it does", "why"},
 };
 
 struct FormChoices {
@@ -66,6 +69,10 @@ int ask_journal(const std::string& form, const FormChoices& choices, Style style
 int run_form(const FormWord& word, const FormChoices& choices) {
   const Style style = choices.json ? Style::json : Style::text;
   const std::string typed = fmt::format("{}", fmt::join(choices.arguments, " "));
+  if (std::string_view(word.name) == "goal") {
+    const Result<void> goal = check_typed_goal(typed);
+    if (!goal) return complain_as(style, goal.error(), exit_usage);
+  }
   // Here, so that an error shows what was typed, and not the form that is made of it.
   const Result<Source> readable = read_source(typed, "input");
   if (!readable) return complain_as(style, readable.error(), exit_usage);
@@ -89,7 +96,7 @@ void add_form_word(CLI::App& app, int& status, const FormWord& word) {
   if (*word.argument != '\0') added->add_option(word.argument, choices->arguments)->required();
   added->add_flag("--json", choices->json, "One JSON object a line");
   add_board_options(added, choices->board);
-  added->footer(exit_code_help);
+  added->footer(help_footer(word.example));
   if (std::string_view(word.name) == "ask") {
     added
         ->add_option("--at", choices->at,

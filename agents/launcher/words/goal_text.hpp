@@ -10,6 +10,12 @@
 
 namespace pizarra {
 
+// Whether anything was typed at all. Failure: malformed.
+inline Result<void> check_typed_goal(const std::string& text) {
+  if (text.find_first_not_of(" \t\r\n") != std::string::npos) return {};
+  return fail("malformed", "nothing is typed: a goal is FACT, (and FACT ...) or several FACTs");
+}
+
 // The type of what the eyes can name, from the domain's perception section.
 inline std::string seen_type(const Domain& domain) {
   for (const Datum& part : domain.perception.items()) {

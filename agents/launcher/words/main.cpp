@@ -12,6 +12,7 @@ int main(int argc, char** argv) {
   cv::setNumThreads(1);
   CLI::App app("Pizarra, a blackboard for robot cells.", "pizarra");
   app.require_subcommand(1);
+  app.set_version_flag("--version", pizarra::version());
   app.footer(pizarra::exit_code_help);
   int status = pizarra::exit_reached;
   pizarra::add_demo_word(app, status);

@@ -89,7 +89,7 @@ void add_process_words(CLI::App& app, int& status) {
   agent->add_option("--name", choices->name, "Its name on the board; its kind otherwise");
   agent->add_option("--host", choices->host, "Which host it says it is on")->capture_default_str();
   agent->add_option("--seed", choices->seed, "What its chance begins from")->check(seed_check())->capture_default_str();
-  agent->footer(exit_code_help);
+  agent->footer(help_footer("agent planner examples/01-blocks/cell.scm --board ipc:///tmp/b --world ipc:///tmp/w"));
   agent->callback([choices, &status] { status = run_agent(*choices); });
 
   auto world_choices = std::make_shared<ProcessChoices>();
@@ -99,7 +99,7 @@ void add_process_words(CLI::App& app, int& status) {
   world->add_option("--seed", world_choices->seed, "What its chance begins from")
       ->check(seed_check())
       ->capture_default_str();
-  world->footer(exit_code_help);
+  world->footer(help_footer("world examples/01-blocks/cell.scm --listen ipc:///tmp/w"));
   world->callback([world_choices, &status] { status = run_world(*world_choices); });
 }
 

@@ -74,6 +74,7 @@ void add_ps_word(CLI::App& app, int& status) {
   auto json = std::make_shared<bool>(false);
   CLI::App* ps = app.add_subcommand("ps", "Show the processes and agents of the cells that run here.");
   ps->add_flag("--json", *json, "One JSON object a line");
+  ps->footer(help_footer("ps --json"));
   ps->callback([json, &status] { status = run_ps(*json); });
 }
 

@@ -1,4 +1,4 @@
-#include "agents/launcher/story/random_runs.hpp"
+#include "agents/launcher/words/random_runs.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -12,9 +12,8 @@
 #include <unistd.h>
 
 #include "agents/launcher/command_line/exit_codes.hpp"
-#include "agents/launcher/story/random_story.hpp"
+#include "agents/launcher/story/random_run.hpp"
 #include "lisp/json.hpp"
-#include "lisp/writer.hpp"
 
 namespace pizarra {
 
@@ -26,12 +25,6 @@ constexpr std::size_t longest_line = 2000;
 
 volatile std::sig_atomic_t interrupted = 0;
 void on_interrupt(int) { interrupted = 1; }
-
-std::string facts_text(const std::vector<Datum>& facts) {
-  std::string out;
-  for (const Datum& fact : facts) out += (out.empty() ? "" : " ") + write(fact);
-  return out;
-}
 
 struct Worker {
   std::uint64_t seed;
@@ -55,6 +48,7 @@ class Pool {
   void collect(Worker& worker);
   void print_ready();
   void kill_all();
+  void print_summary();
 
   const RandomRuns& runs_;
   std::size_t jobs_ = 1;
@@ -68,7 +62,9 @@ class Pool {
 [[noreturn]] void be_worker(const std::string& cell_file, std::uint64_t seed, int pipe, pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(1);
-  std::signal(SIGINT, SIG_DFL);
+  // Ctrl-C comes to all of a terminal's processes; the one that counts ends the others.
+  std::signal(SIGINT, SIG_IGN);
+  std::signal(SIGTERM, SIG_DFL);
   const RandomResult result = run_random_seed(cell_file, seed);
   const std::string text = fmt::format("{}{}", static_cast<int>(result.kind), result.line).substr(0, longest_line);
   const bool written = ::write(pipe, text.data(), text.size()) == static_cast<ssize_t>(text.size());
@@ -158,6 +154,22 @@ void Pool::kill_all() {
   workers_.clear();
 }
 
+void Pool::print_summary() {
+  using Kind = RandomResult::Kind;
+  const int reached = counts_[Kind::reached];
+  const int refused = counts_[Kind::refused];
+  const int failed = counts_[Kind::failed];
+  const std::uint64_t done = next_to_print_ - runs_.first_seed;
+  const bool cut_short = interrupted != 0;
+  if (runs_.json) {
+    fmt::print("{{\"reached\":{},\"refused_correctly\":{},\"failed\":{}{}}}\n", reached, refused, failed,
+               cut_short ? fmt::format(",\"interrupted_after\":{}", done) : "");
+  } else {
+    fmt::print("reached {}, refused correctly {}, failed {}{}\n", reached, refused, failed,
+               cut_short ? fmt::format("; interrupted after {} of {} seeds", done, runs_.seeds) : "");
+  }
+}
+
 int Pool::run() {
   struct sigaction action {};
   action.sa_handler = on_interrupt;
@@ -184,55 +196,12 @@ int Pool::run() {
     }
   }
   kill_all();
-  using Kind = RandomResult::Kind;
-  const char* form = runs_.json ? "{{\"reached\":{},\"refused_correctly\":{},\"failed\":{}}}\n"
-                                : "reached {}, refused correctly {}, failed {}\n";
-  fmt::print(fmt::runtime(form), counts_[Kind::reached], counts_[Kind::refused], counts_[Kind::failed]);
+  print_summary();
   if (interrupted != 0) return exit_interrupted;
-  return counts_[Kind::failed] == 0 && results_.size() == runs_.seeds ? exit_reached : exit_failed;
-}
-
-RandomResult describe_run(const RandomStory& story, const StoryReport& run) {
-  const DirectorReport& report = run.director;
-  RandomResult result;
-  std::string end = report.outcome;
-  if (report.refusal) end += fmt::format(" ({})", report.refusal->symbol);
-  if (report.reached()) {
-    result.kind = RandomResult::Kind::reached;
-  } else if (report.refused_correctly()) {
-    result.kind = RandomResult::Kind::refused;
-    end += report.possible ? ", a mark was hidden" : ", no plan exists";
-  } else if (report.outcome == "reached") {
-    end += ", but not so in the world";
-  }
-  const auto& actions = story.scenario.events.front().actions;
-  const double cell_s = static_cast<double>(report.took.count()) / 1e6;
-  const std::string_view late = report.events == 0 ? " would have come" : "";
-  result.line = fmt::format("{:6.1f} s  {:4.1f}x  {}; goal {}; {}{} after {:.1f} s", cell_s, run.speed(), end,
-                            facts_text(story.scenario.goal), write(actions[1]), late, actions[0][1].number());
-  return result;
+  return counts_[RandomResult::Kind::failed] == 0 && results_.size() == runs_.seeds ? exit_reached : exit_failed;
 }
 
 }  // namespace
-
-RandomResult run_random_seed(const std::string& cell_file, std::uint64_t seed) {
-  RandomResult failed;
-  const Result<CellDescription> cell = read_cell_file(cell_file);
-  if (!cell) return {RandomResult::Kind::unreadable, describe(cell.error())};
-  const Result<Domain> domain = domain_of(*cell);
-  if (!domain) return {RandomResult::Kind::unreadable, describe(domain.error())};
-  const Result<void> drawable = check_random_cell(*cell, *domain);
-  if (!drawable) return {RandomResult::Kind::unreadable, describe(drawable.error())};
-  const RandomStory story = random_story_of_seed(*cell, seed);
-  Narrator narrator(stdout, Narrator::Style::silent);
-  StoryOptions options;
-  options.seed = seed;
-  options.director.events_may_fail = true;
-  const Result<StoryReport> run = run_story(story.scenario, story.cell, options, narrator);
-  if (run) return describe_run(story, *run);
-  failed.line = describe(run.error());
-  return failed;
-}
 
 int run_random(const RandomRuns& runs) { return Pool(runs).run(); }
 

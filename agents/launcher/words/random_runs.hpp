@@ -7,8 +7,6 @@
 #include <cstdint>
 #include <string>
 
-#include "agents/launcher/story/story_run.hpp"
-
 namespace pizarra {
 
 struct RandomRuns {
@@ -19,17 +17,8 @@ struct RandomRuns {
   bool json = false;
 };
 
-// Prints a line a seed as they end, in the order of the seeds, and a summary. The exit status: reached when no seed
-// failed.
+// Prints a line a seed as they end, in the order of the seeds, and a summary, also when interrupted. The exit status:
+// reached when no seed failed.
 int run_random(const RandomRuns& runs);
-
-struct RandomResult {
-  enum class Kind : std::uint8_t { reached, refused, failed, unreadable };
-  Kind kind = Kind::failed;  // unreadable: no cell to run in
-  std::string line;          // what happened, for people
-};
-
-// One seed in this process.
-RandomResult run_random_seed(const std::string& cell_file, std::uint64_t seed);
 
 }  // namespace pizarra

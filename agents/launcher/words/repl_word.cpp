@@ -69,7 +69,7 @@ void add_repl_word(CLI::App& app, int& status) {
       ->check(CLI::IsMember(agent_kinds()));
   repl->add_option("--seed", choices->seed, "What chance begins from")->check(seed_check())->capture_default_str();
   add_board_options(repl, choices->board);
-  repl->footer(exit_code_help);
+  repl->footer(help_footer("repl --eval '(goal (on circle triangle))'"));
   repl->callback([choices, &status] { status = run_repl(*choices); });
 }
 

@@ -214,7 +214,7 @@ void add_replay_word(CLI::App& app, int& status) {
       ->type_name("MOMENT");
   replay->add_option("--eval", choices->forms, "Evaluate this form and end; may be given several times");
   replay->add_flag("--json", choices->json, "One JSON object a line");
-  replay->footer(exit_code_help);
+  replay->footer(help_footer("replay run.txt --at @60 --eval '(ask (on ?x ?y))'"));
   replay->callback([choices, &status] { status = run_replay(*choices); });
 }
 

@@ -60,7 +60,7 @@ void add_scenario_word(CLI::App& app, int& status) {
   word->add_option("--journal", choices->journal, "Write every committed transaction of the last one to this file");
   word->add_flag("--quiet", choices->quiet, "Only how each ended");
   word->add_flag("--json", choices->json, "One JSON object a line");
-  word->footer(exit_code_help);
+  word->footer(help_footer("scenario tests/scenarios/01-undisturbed.scm"));
   word->callback([choices, &status] {
     const StopSignals signals;
     for (const std::string& file : choices->files) {

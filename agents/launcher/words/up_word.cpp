@@ -242,7 +242,7 @@ void add_up_word(CLI::App& app, int& status) {
       ->check(seed_check())
       ->capture_default_str();
   up->add_flag("--json", choices->json, "One JSON object a line");
-  up->footer(exit_code_help);
+  up->footer(help_footer("up examples/01-blocks/cell.scm"));
   up->callback([choices, &status] { status = run_up(*choices); });
 }
 

@@ -5,24 +5,20 @@
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
-#include <iterator>
 #include <string>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "tests/agents/launcher/running.hpp"
 #include "tests/agents/launcher/shell.hpp"
+#include "tests/scratch.hpp"
 #include "tests/source_dir.hpp"
 
 namespace pizarra {
 namespace {
 
 Said run(const std::string& words) {
-  return shell(std::string("cd ") + testing::TempDir() + " && " + PIZARRA_CELL + " " + words + " 2>&1");
-}
-
-std::string text_of(const std::string& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
+  return shell("cd " + scratch_folder() + " && " + PIZARRA_CELL + " " + words + " 2>&1");
 }
 
 bool contains(const Said& said, const std::string& text) { return said.text.find(text) != std::string::npos; }
@@ -33,11 +29,12 @@ TEST(Words, EveryWordHelps) {
     const Said said = run(std::string(word) + " --help");
     EXPECT_EQ(said.status, 0) << word;
     EXPECT_TRUE(contains(said, "pizarra " + std::string(word))) << said.text;
+    EXPECT_TRUE(contains(said, "Example:\n  ./pizarra " + std::string(word))) << said.text;
   }
 }
 
 TEST(Words, FormsThatArePipedInAreReadOneByOneAndAFaultSpoilsOnlyItsOwn) {
-  const std::string typed = testing::TempDir() + "piped-forms";
+  const std::string typed = scratch_folder() + "piped-forms";
   std::ofstream(typed)
       << "(nonsense)\n(ask (and (agent ?a ?kind ?h)\n          (= ?kind planner)))\n(ask (contract planner";
   const Said said = run("repl --agents planner < " + typed);
@@ -96,6 +93,30 @@ TEST(Words, AFileThatCannotBeWrittenIsToldBeforeAnythingRuns) {
     EXPECT_TRUE(said.text.starts_with("pizarra: cannot write /proc/")) << said.text;
     EXPECT_EQ(said.text.find('\n'), said.text.size() - 1) << said.text;
   }
+}
+
+// What a full disk does, for files of more than some blocks of 512 bytes.
+Said run_with_small_files(int blocks, const std::string& words) {
+  return run("--help > /dev/null; trap '' XFSZ; ulimit -f " + std::to_string(blocks) + "; " + PIZARRA_CELL + " " +
+             words);
+}
+
+TEST(Words, WhatCouldNotBeWrittenWholeIsToldWithItsPathAndReason) {
+  const std::string soon_done = " --goal '(on-table circle)'";
+  for (const char* words : {"--png '' --video film.avi", "--png '' --video film.mp4", "--png picture.png",
+                            "--png '' --journal journal.txt"}) {
+    const Said said = run_with_small_files(40, std::string("demo ") + words + soon_done);
+    const std::string file = std::string(words).substr(std::string(words).rfind(' ') + 1);
+    EXPECT_EQ(said.status, 4) << said.text;
+    const std::string last = said.text.substr(said.text.rfind('\n', said.text.size() - 2) + 1);
+    EXPECT_TRUE(last.starts_with("pizarra: cannot write " + file + " whole: File too large")) << said.text;
+    EXPECT_FALSE(contains(said, "libpng")) << said.text;
+  }
+}
+
+TEST(Words, AFilmIsWholeAlsoWhenNobodyReadsTheStory) {
+  const Said said = run("demo --png '' --video unread.avi --goal '(on-table circle)' | head -n 1");
+  EXPECT_NE(text_of(scratch_folder() + "unread.avi").find("idx1"), std::string::npos) << said.text;
 }
 
 TEST(Words, TheWorldListensOnThisMachineAlone) {
@@ -158,14 +179,43 @@ TEST(Words, ASeedThatIsNoWholeNumberOrTooLargeIsRefused) {
   }
 }
 
-TEST(Words, AnEmptyGoalIsMalformedAndNothingRuns) {
-  const Said said = run("demo --goal ''");
-  EXPECT_EQ(said.status, 2) << said.text;
-  EXPECT_FALSE(contains(said, "is there")) << said.text;
+TEST(Words, AnEmptyGoalIsMalformedInTheSameWordsEverywhere) {
+  for (const char* words : {"demo --goal ''", "goal ''", "goal ' '"}) {
+    const Said said = run(words);
+    EXPECT_EQ(said.status, 2) << words;
+    EXPECT_EQ(said.text, "pizarra: nothing is typed: a goal is FACT, (and FACT ...) or several FACTs\n") << words;
+  }
+}
+
+TEST(Words, AnUnreachablePointIsSaidOnceInTenthsOfMillimetres) {
+  const Said said = run("repl --agents robot --eval '(robot (do-action \"(move 1450.123456789 0 200)\"))'");
+  EXPECT_EQ(said.status, 1);
+  EXPECT_TRUE(
+      said.text.starts_with("the arm cannot reach this point with this tool direction: (point 589.9 0.0 367.2)"))
+      << said.text;
+}
+
+TEST(Words, AnInterruptedCountOfSeedsIsSummedUp) {
+  const std::string log = scratch_folder() + "seeds.txt";
+  Running seeds({PIZARRA_CELL, "demo", "--random", "--seeds", "1000", "--jobs", "1"}, log);
+  ASSERT_TRUE(
+      wait_until([&] { return seeds.said().find("seed     1") != std::string::npos; }, std::chrono::seconds(60)));
+  seeds.signal(SIGINT);
+  EXPECT_EQ(seeds.end(std::chrono::seconds(20)), 130);
+  const std::string said = seeds.said();
+  EXPECT_NE(said.find("\nreached "), std::string::npos) << said;
+  EXPECT_TRUE(said.ends_with(" of 1000 seeds\n")) << said;
+}
+
+TEST(Words, TheVersionIsThatOfTheTree) {
+  const Said said = run("--version");
+  EXPECT_EQ(said.status, 0);
+  EXPECT_EQ(said.text, "pizarra " PIZARRA_VERSION "\n");
+  EXPECT_EQ(run("--help > /dev/null; " + source_dir() + "/pizarra --version").text, said.text);
 }
 
 TEST(Words, WithoutAStoryBesideTheCellAGoalIsAskedFor) {
-  const std::string file = testing::TempDir() + "lone-cell-" + std::to_string(getpid()) + ".scm";
+  const std::string file = scratch_folder() + "lone-cell.scm";
   std::ofstream(file) << "(cell c (world (cube circle (at 450 0))) (domain \"" << source_dir()
                       << "/domains/blocks.scm\"))\n";
   const Said said = run("demo " + file);
@@ -207,7 +257,7 @@ TEST(Words, ARefusalIsToldOnce) {
 }
 
 TEST(Words, ASignalEndsTheDemoInOrderWithItsFilmAndJournalWhole) {
-  const std::string base = testing::TempDir() + "stopped-" + std::to_string(getpid());
+  const std::string base = scratch_folder() + "stopped";
   const std::string film = base + ".avi";
   const std::string journal = base + ".txt";
   for (const int signal : {SIGINT, SIGTERM}) {
@@ -234,7 +284,7 @@ TEST(Words, ASignalEndsTheDemoInOrderWithItsFilmAndJournalWhole) {
 }
 
 std::string pair_with(const std::string& sections) {
-  const std::string file = testing::TempDir() + "pair-" + std::to_string(getpid()) + ".scm";
+  const std::string file = scratch_folder() + "pair.scm";
   std::ofstream(file) << "(cell words-pair (world (cube circle (at 450 -60))) (domain \"" << source_dir()
                       << "/domains/blocks.scm\") " << sections << ")\n";
   return file;
@@ -261,7 +311,7 @@ TEST(Words, AnArmThatNoDriverKnowsIsRefusedWithTheKnownOnes) {
 }
 
 TEST(Words, AConditionThatIsNoQueryIsToldAtItsPlace) {
-  const std::string file = testing::TempDir() + "wrong-when-" + std::to_string(getpid()) + ".scm";
+  const std::string file = scratch_folder() + "wrong-when.scm";
   std::ofstream(file) << "(scenario \"s\"\n  (cell \"" << pair_with("") << "\")\n  (goal (on-table circle))\n"
                       << "  (when (and (on circle ?x) (< ?y 3)) (wait 1)))\n";
   const Said said = run("scenario " + file);
@@ -270,7 +320,7 @@ TEST(Words, AConditionThatIsNoQueryIsToldAtItsPlace) {
 }
 
 TEST(Words, CheckTellsEveryErrorOfACellFile) {
-  const std::string file = testing::TempDir() + "wrong-cell-" + std::to_string(getpid()) + ".scm";
+  const std::string file = scratch_folder() + "wrong-cell.scm";
   std::ofstream(file) << "(cell c\n  (world (cube circle (at 9999 0)) (cube star (at 450 0)))\n  (amr crs-f3))\n";
   const Said said = run("check " + file);
   EXPECT_EQ(said.status, 2);
@@ -296,7 +346,7 @@ TEST(Words, WithoutARunningCellTheBoardWordsSaySo) {
 
 TEST(Words, TheSameSeedGivesTheSameJournalByteForByte) {
   const auto journal_of = [](const std::string& options) {
-    const std::string file = testing::TempDir() + "journal-" + std::to_string(getpid());
+    const std::string file = scratch_folder() + "journal";
     run("demo --png '' --goal '(on circle triangle)' --journal " + file + " " + options);
     return text_of(file);
   };
@@ -307,7 +357,7 @@ TEST(Words, TheSameSeedGivesTheSameJournalByteForByte) {
 }
 
 std::string journal_of_modes() {
-  std::string path = testing::TempDir() + "modes.txt";
+  std::string path = scratch_folder() + "modes.txt";
   std::ofstream(path) << "(0 0 \"alice\" (declare (relation mode ((name symbol)) (key))))\n"
                          "(1 1000000 \"alice\" (tell 1 (mode idle)))\n"
                          "(2 2000000 \"bob\" (retract 1) (tell 2 (mode ready)))\n"
@@ -338,7 +388,7 @@ TEST(Words, ReplayStepsAsksWatchesAndGoesBack) {
   const Said told = run(replay + " --eval '(tell (mode busy))'");
   EXPECT_EQ(told.status, 1);
   EXPECT_TRUE(contains(told, "a recorded board cannot be changed")) << told.text;
-  EXPECT_EQ(run("replay " + testing::TempDir()).status, 2);
+  EXPECT_EQ(run("replay " + scratch_folder()).status, 2);
 }
 
 }  // namespace

@@ -1,0 +1,21 @@
+#pragma once
+
+// One random story from its seed to what became of it, in this process.
+//
+//   const RandomResult result = run_random_seed("examples/01-blocks/cell.scm", 7);
+//   fmt::print("{}\n", result.line);
+
+#include <cstdint>
+#include <string>
+
+namespace pizarra {
+
+struct RandomResult {
+  enum class Kind : std::uint8_t { reached, refused, failed, unreadable };
+  Kind kind = Kind::failed;  // unreadable: no cell to run in
+  std::string line;          // what happened, for people
+};
+
+RandomResult run_random_seed(const std::string& cell_file, std::uint64_t seed);
+
+}  // namespace pizarra
