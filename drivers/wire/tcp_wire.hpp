@@ -1,0 +1,22 @@
+#pragma once
+
+// A TCP connection to a device.
+//
+//   TcpWire wire(executor, "192.168.0.2", 4000);
+
+#include "drivers/wire/file_wire.hpp"
+
+namespace pizarra {
+
+class TcpWire : public FileWire {
+ public:
+  TcpWire(Executor& executor, std::string host, std::uint16_t port)
+      : FileWire(executor), host_(std::move(host)), port_(port) {}
+  Task<Result<void>> open(Time deadline) override;
+
+ private:
+  std::string host_;
+  std::uint16_t port_;
+};
+
+}  // namespace pizarra

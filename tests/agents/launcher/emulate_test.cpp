@@ -1,0 +1,42 @@
+// `pizarra emulate` as a person meets it at the shell.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "tests/agents/launcher/shell.hpp"
+
+namespace pizarra {
+namespace {
+
+// Types `lines` at the program and interrupts it half a second later.
+Said emulate(const std::string& arguments, const std::string& lines) {
+  return shell(fmt::format("(printf '{}'; sleep 0.5) | timeout --preserve-status -s INT 0.5 {} emulate {} 2>&1", lines,
+                           PIZARRA_EMULATE, arguments));
+}
+
+TEST(Emulate, SaysWhereItIsAndObeysWhoStandsBesideIt) {
+  const Said said = emulate("ptu46-17.5 --pty", "status\\npower off\\nfly\\n");
+  EXPECT_EQ(said.status, 0) << said.text;
+  EXPECT_TRUE(said.text.starts_with("ptu46-17.5 at /dev/pts/")) << said.text;
+  EXPECT_NE(said.text.find("\npower on, pan 0.00 tilt 0.00 degrees, still\n"), std::string::npos) << said.text;
+  EXPECT_NE(said.text.find("\npower off, pan 0.00"), std::string::npos) << said.text;
+  EXPECT_NE(said.text.find("nobody here understands 'fly'"), std::string::npos) << said.text;
+}
+
+TEST(Emulate, TellsProgramsAnObjectALine) {
+  const Said said = emulate("ptu46-70 --tcp 0 --json", "status\\n");
+  EXPECT_TRUE(said.text.starts_with(R"({"emulates":"ptu46-70","at":"tcp://127.0.0.1:)")) << said.text;
+  EXPECT_NE(said.text.find(R"({"power":true,"pan":0.0000,"tilt":0.0000,"state":"still"})"), std::string::npos)
+      << said.text;
+}
+
+TEST(Emulate, RefusesWhatItDoesNotKnowAndPortsThatAreTaken) {
+  EXPECT_EQ(shell(fmt::format("{} emulate ptu99 2>&1", PIZARRA_EMULATE)).status, 2);
+  EXPECT_EQ(shell(fmt::format("{} emulate ptu46-70 --tcp 4000 --pty 2>&1", PIZARRA_EMULATE)).status, 2);
+  const Said nowhere = shell(fmt::format("{} emulate ptu46-70 --address 192.0.2.1 --tcp 0 2>&1", PIZARRA_EMULATE));
+  EXPECT_EQ(nowhere.status, 4);
+  EXPECT_NE(nowhere.text.find("cannot listen at 192.0.2.1"), std::string::npos) << nowhere.text;
+}
+
+}  // namespace
+}  // namespace pizarra
