@@ -69,7 +69,7 @@ struct Domain {
 };
 
 // Failures: the reader's, malformed, repeated, unknown-section, unknown-type, unknown-predicate, unknown-object,
-// unknown-variable, wrong-arity, wrong-type, contradictory-effect, too-many (over 1000 in a section, over 50 in a part
+// unknown-variable, wrong-arity, wrong-type, contradictory-effect, too-many (over 1000 in a section, over 100 in a part
 // of an operator).
 Result<Domain> read_domain(std::string_view text, std::string file);
 Result<Domain> read_domain_file(const std::string& path);

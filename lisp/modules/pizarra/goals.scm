@@ -7,7 +7,8 @@
   #:use-module (srfi srfi-1)
   #:use-module (srfi srfi-11)
   #:use-module (pizarra forms)
-  #:use-module ((pizarra strips) #:select (read-fact typed-term param? pattern-variable?))
+  #:use-module ((pizarra operators) #:select (param? pattern-variable?))
+  #:use-module ((pizarra strips) #:select (read-fact typed-term))
   #:export (interpret))
 
 (define most-facts 500)

@@ -9,7 +9,7 @@
   #:use-module (srfi srfi-1)
   #:use-module (srfi srfi-11)
   #:use-module (pizarra forms)
-  #:use-module ((pizarra strips) #:select (param? pattern-variable?))
+  #:use-module ((pizarra operators) #:select (param? pattern-variable?))
   #:export (interpret))
 
 (define most-objects 20000)

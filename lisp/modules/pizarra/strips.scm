@@ -8,15 +8,14 @@
 
 (define-module (pizarra strips)
   #:use-module (srfi srfi-1)
-  #:use-module (srfi srfi-11)
   #:use-module (pizarra forms)
-  #:export (interpret read-fact typed-term param? pattern-variable? pattern-variable))
+  #:use-module (pizarra operators)
+  #:export (interpret read-fact typed-term))
 
 (define reserved '(and or not del add))
 
-;; Of types, predicates, objects, facts and operators; and of an operator's parameters and facts.
+;; Of types, predicates, objects and facts.
 (define most-in-section 1000)
-(define most-in-operator 50)
 
 (define (interpret data)
   (interpreting data
@@ -34,8 +33,10 @@
          (objects (read-objects (nodes-in found 'objects) types))
          (facts (filter-map (lambda (node) (read-fact node predicates (ground-term objects) same-symbol))
                             (nodes-in found 'facts)))
-         (operators (read-operators (at-most (sections-in found 'operator) most-in-section "operators")
-                                    types predicates objects)))
+         (operators (read-operators (sections-in found 'operator)
+                                    (lambda (node) (read-typed node types "a parameter" parameter-name?))
+                                    (lambda (params) (operator-facts params predicates objects))
+                                    refuse-contradiction)))
     (append (list 'domain name types predicates objects facts operators)
             (handed-on found 'perception)
             (handed-on found 'micro-tasks))))
@@ -100,20 +101,24 @@
 ;; The fact of NODE in PREDICATES, or #f with complaints. (term NODE TYPE) reads an argument; (find-it NAME NAMES) says
 ;; which of the predicates' names is meant, or #f.
 (define (read-fact node predicates term find-it)
-  (let* ((head (node-head node))
+  (fact-of node (node-items node) predicates term find-it))
+
+;; The same where the fact is only some of the node's items.
+(define (fact-of node items predicates term find-it)
+  (let* ((first-item (and (pair? items) (node-datum (car items))))
+         (head (and (symbol? first-item) first-item))
          (names (map car predicates))
          (name (and head (find-it head names))))
     (cond ((not head) (complain! node 'malformed "a fact is written (PREDICATE ARGUMENT ...)"))
           ((not name)
-           (complain! (node-ref node 0) 'unknown-predicate "there is no predicate ~a~a" head (suggestion head names)))
-          (else (read-arguments node name (assq-ref predicates name) term)))))
+           (complain! (car items) 'unknown-predicate "there is no predicate ~a~a" head (suggestion head names)))
+          (else (read-arguments node (cdr items) name (assq-ref predicates name) term)))))
 
-(define (read-arguments node name declared term)
-  (let ((arguments (node-rest node)))
-    (if (not (= (length arguments) (length declared)))
-        (complain! node 'wrong-arity "~a takes ~a, not ~a" name (count-of declared) (length arguments))
-        (let ((terms (map (lambda (argument typed) (term argument (second typed))) arguments declared)))
-          (and (every identity terms) (cons name terms))))))
+(define (read-arguments node arguments name declared term)
+  (if (= (length arguments) (length declared))
+      (let ((terms (map (lambda (argument typed) (term argument (second typed))) arguments declared)))
+        (and (every identity terms) (cons name terms)))
+      (complain! node 'wrong-arity "~a takes ~a, not ~a" name (count-of declared) (length arguments))))
 
 (define (count-of declared)
   (let ((names (map car declared)))
@@ -143,73 +148,15 @@
 
 ;; ---- operators
 
-;; <ob1>
-(define (param? name)
-  (let ((text (if (symbol? name) (symbol->string name) "")))
-    (and (> (string-length text) 2) (string-prefix? "<" text) (string-suffix? ">" text))))
-
-;; ?ob1
-(define (pattern-variable? name)
-  (and (symbol? name) (string-prefix? "?" (symbol->string name))))
-
-(define (pattern-variable variable)
-  (let ((text (symbol->string variable)))
-    (string->symbol (string-append "?" (substring text 1 (- (string-length text) 1))))))
-
-(define (read-operators nodes types predicates objects)
-  (refuse-repeated nodes (lambda (node) (and (node-ref node 1) (node-datum (node-ref node 1)))) "an operator")
-  (filter-map (lambda (node) (read-operator node types predicates objects)) nodes))
-
-(define (read-operator node types predicates objects)
-  (let ((name (symbol-at node 1 "the operator's name")))
-    (and name
-         (let* ((inside (node-within node (simple-format #f "in operator ~a" name)))
-                (found (sections (cddr (node-items inside)) '(params preconds effects)))
-                (rest-of (lambda (key) (let ((part (section-in found key)))
-                                       (if part (at-most (node-rest part) most-in-operator key) '()))))
-                (params (read-params (rest-of 'params) types))
-                (term (operator-term params objects))
-                (read-one (lambda (fact) (read-fact fact predicates term same-symbol)))
-                (preconds (filter-map read-one (rest-of 'preconds))))
-           (unless (section-in found 'effects)
-             (complain! inside 'malformed "an operator has (effects ...)"))
-           (let-values (((adds deletes) (read-effects (rest-of 'effects) read-one)))
-             (list name (map (lambda (param) (list (pattern-variable (first param)) (second param))) params)
-                   preconds adds deletes))))))
-
-(define (read-params nodes types)
-  (refuse-repeated nodes first-datum "a parameter")
-  (filter-map (lambda (node) (read-typed node types "a parameter" parameter-name?)) nodes))
-
 (define (parameter-name? node)
   (or (param? (node-datum node))
       (complain! node 'malformed "a parameter is written <~a>" (node-datum node))))
 
-;; Arguments that are parameters or the domain's own objects.
-(define (operator-term params objects)
-  (let ((object-term (ground-term objects)))
-    (lambda (node type)
-      (let ((name (node-datum node)))
-        (cond ((not (param? name)) (object-term node type))
-              ((assq name params)
-               => (lambda (param) (and (typed-term node name (second param) type) (pattern-variable name))))
-              (else
-               (complain! node 'unknown-variable "there is no parameter ~a~a" name
-                          (suggestion name (map car params)))))))))
+;; Arguments are parameters or the domain's own objects.
+(define (operator-facts params predicates objects)
+  (let ((term (argument-reader params (ground-term objects) typed-term)))
+    (lambda (node items) (fact-of node items predicates term same-symbol))))
 
-;; The facts added and the facts deleted.
-(define (read-effects nodes read-one)
-  (let-values (((deletions additions) (partition (lambda (node) (eq? (node-head node) 'del)) nodes)))
-    (let* ((adds (filter-map read-one additions))
-           (deletes (append-map (lambda (node) (read-deletion node read-one adds)) deletions)))
-      (values adds deletes))))
-
-(define (read-deletion node read-one adds)
-  (when (null? (node-rest node))
-    (complain! node 'malformed "a deletion is written (del FACT)"))
-  (filter-map (lambda (fact-node)
-                (let ((fact (read-one fact-node)))
-                  (when (and fact (member fact adds))
-                    (complain! fact-node 'contradictory-effect "this is both added and deleted"))
-                  fact))
-              (node-rest node)))
+(define (refuse-contradiction node fact adds)
+  (when (member fact adds)
+    (complain! node 'contradictory-effect "this is both added and deleted")))
