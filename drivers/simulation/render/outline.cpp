@@ -82,6 +82,14 @@ double Outline::distance(double x, double y) const {
   return nearest;
 }
 
+bool Outline::excludes(const std::vector<Eigen::Vector2d>& points, double depth_px) const {
+  return std::ranges::any_of(edges_, [&](const Edge& edge) {
+    return std::ranges::all_of(points, [&](const Eigen::Vector2d& point) {
+      return edge.a * point.x() + edge.b * point.y() + edge.c <= depth_px;
+    });
+  });
+}
+
 float Outline::coverage(double x, double y) const {
   return static_cast<float>(std::clamp(0.5 + distance(x, y), 0.0, 1.0));
 }

@@ -51,6 +51,8 @@ class Outline {
   // Distance inside the nearest edge; negative outside.
   double distance(double x, double y) const;
   float coverage(double x, double y) const;
+  // Whether all points lie outside one of its edges, or reach no deeper inside than that.
+  bool excludes(const std::vector<Eigen::Vector2d>& points, double depth_px) const;
 
  private:
   std::vector<Edge> edges_;

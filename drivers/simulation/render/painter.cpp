@@ -123,6 +123,18 @@ SeenSolid see(const Eye& eye, const Solid& solid) {
   return seen;
 }
 
+namespace {
+
+// A hint of an overlap, far below what a pixel shows, is none.
+constexpr double least_overlap_px = 1e-3;
+
+bool meet(const SeenSolid& a, const SeenSolid& b) {
+  if (a.rect.intersected(b.rect).empty()) return false;
+  return !a.silhouette.excludes(b.corners, least_overlap_px) && !b.silhouette.excludes(a.corners, least_overlap_px);
+}
+
+}  // namespace
+
 std::vector<std::size_t> paint_order(const Eye& eye, const std::vector<Solid>& solids,
                                      const std::vector<SeenSolid>& seen) {
   // behind[i]: what must be painted before i.
@@ -130,7 +142,7 @@ std::vector<std::size_t> paint_order(const Eye& eye, const std::vector<Solid>& s
   std::vector<std::vector<std::size_t>> behind(count);
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t j = i + 1; j < count; ++j) {
-      if (seen[i].rect.intersected(seen[j].rect).empty()) continue;
+      if (!meet(seen[i], seen[j])) continue;
       const bool first = before(solids[i], solids[j], eye.position_mm);
       behind[first ? i : j].push_back(first ? j : i);
     }

@@ -3,8 +3,8 @@
 // Solids as one eye sees them, and the order in which they must be painted: the far ones first.
 //
 // Of two convex solids that do not enter each other a plane separates them, and the one on the eye's side may hide the
-// other, never the reverse; the order follows from all pairs that meet in the image. It is exact, however the solids
-// lie, as long as no three hide each other in a ring.
+// other, never the reverse; the order follows from all pairs whose silhouettes overlap in the image. It is exact,
+// however the solids lie, as long as no three hide each other in a ring.
 
 #include "drivers/simulation/render/eye.hpp"
 #include "drivers/simulation/render/outline.hpp"
