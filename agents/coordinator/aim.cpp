@@ -60,7 +60,11 @@ Result<Eigen::Vector3d> Aims::free_spot_for(std::string_view held) {
       occupied.emplace_back(centre.x(), centre.y());
     }
     const std::optional<Eigen::Vector3d> grip = surroundings_.grip_mm();
-    spot_ = free_spot(TableArea::of(options_.row, domain_.cube_mm()), occupied, grip ? grip->y() : 0);
+    const Shown shown = [this](const Eigen::Vector2d& spot) {
+      const double mark_mm = options_.gripper.outline.mark_half_mm;
+      return surroundings_.view()->shows(*on_table(spot.x(), spot.y()), mark_mm);
+    };
+    spot_ = free_spot(TableArea::of(options_.row, domain_.cube_mm()), occupied, grip ? grip->y() : 0, shown);
   }
   if (!spot_) return fail("no-room", "there is no free spot on the table", Datum::symbol(held));
   return on_table(spot_->x(), spot_->y());

@@ -51,6 +51,16 @@ Sight CameraView::sight(const Eigen::Vector3d& point) const {
           from_centre.norm(), depth};
 }
 
+bool CameraView::shows(const Eigen::Vector3d& point, double around_mm) const {
+  const double depth = (point - centre_).dot(forward_);
+  if (depth <= around_mm) return false;
+  const Sight left = sight(point);
+  const double around_px = model_.focal_px * around_mm / depth;
+  const double right_x_px = left.x_px - model_.focal_px * model_.base_line_mm / depth;
+  return right_x_px >= around_px && left.x_px <= model_.width_px - around_px && left.y_px >= around_px &&
+         left.y_px <= model_.height_px - around_px;
+}
+
 std::array<Eigen::Vector3d, 2> CameraView::eyes() const {
   const Eigen::Vector3d aside = model_.base_line_mm / 2 * right_;
   return {centre_ - aside, centre_ + aside};

@@ -44,6 +44,9 @@ class CameraView {
   // The point must be before the camera.
   Sight sight(const Eigen::Vector3d& point) const;
 
+  // Whether both images show all within `around_mm` of the point.
+  bool shows(const Eigen::Vector3d& point, double around_mm) const;
+
   // Where the left and the right image are taken from.
   std::array<Eigen::Vector3d, 2> eyes() const;
 

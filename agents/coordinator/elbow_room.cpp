@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace pizarra {
 
@@ -37,6 +38,8 @@ bool covers(const ElbowRoom& room, const Eigen::Vector3d& nearer, const Eigen::V
   return false;
 }
 
+bool is_shown(const ElbowRoom& room, const Eigen::Vector3d& centre) { return !room.shown || room.shown(centre); }
+
 // The shortest that will do, to whichever side; with `seen`, one that leaves every mark in sight.
 std::optional<Push> shortest_push(const ElbowRoom& room, const Eigen::Vector3d& centre,
                                   const std::vector<Eigen::Vector3d>& others, bool seen) {
@@ -52,7 +55,7 @@ std::optional<Push> shortest_push(const ElbowRoom& room, const Eigen::Vector3d& 
     for (const double sign : {1.0, -1.0}) {
       if (sign > 0 && centre.z() > room.cube_mm) continue;
       const Eigen::Vector3d after = centre + Eigen::Vector3d(sign * length, 0, 0);
-      if (is_crowded(ample, after, others)) continue;
+      if (!is_shown(room, after) || is_crowded(ample, after, others)) continue;
       const auto cover_each_other = [&](const Eigen::Vector3d& other) {
         return covers(room, after, other) || covers(room, other, after);
       };
@@ -88,6 +91,18 @@ std::optional<Push> push_for_room(const ElbowRoom& room, const Eigen::Vector3d& 
   if (!is_crowded(room, centre, others)) return std::nullopt;
   const std::optional<Push> in_sight = shortest_push(room, centre, others, true);
   return in_sight ? in_sight : shortest_push(room, centre, others, false);
+}
+
+Push push_over_from(const ElbowRoom& room, const Eigen::Vector3d& centre) {
+  // A cube on its edge reaches half its diagonal.
+  const double before = std::numbers::sqrt2 / 2 * room.cube_mm + room.finger_half_mm + 2 * room.margin_mm;
+  const double length = room.cube_mm / 2;
+  // The fingers come to where its middle would be that much further on.
+  const double cube_goes = length + room.cube_mm / 2;
+  const Eigen::Vector3d towards = centre + Eigen::Vector3d(cube_goes, 0, 0);
+  const Eigen::Vector3d away = centre - Eigen::Vector3d(cube_goes, 0, 0);
+  const double sign = is_shown(room, towards) || !is_shown(room, away) ? 1 : -1;
+  return {{centre.x() - sign * before, centre.y()}, {centre.x() + sign * length, centre.y()}};
 }
 
 }  // namespace pizarra

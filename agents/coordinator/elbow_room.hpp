@@ -4,6 +4,7 @@
 // out of the row, towards the camera or away from it, by the fingers held a hand's breadth apart.
 
 #include <Eigen/Core>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -19,6 +20,8 @@ struct ElbowRoom {
   double mark_half_mm = 22;  // from a mark's middle to its edge
   // Where each image is taken from, base frame; none: whether marks are seen is not asked.
   std::vector<Eigen::Vector2d> eyes_mm = {};
+  // Whether both images show the mark of a cube whose centre is there; none: that is not asked.
+  std::function<bool(const Eigen::Vector3d& centre)> shown = {};
   double reach_low_mm = 310;  // radius from the arm's axis
   double reach_high_mm = 570;
 };
@@ -33,9 +36,13 @@ struct Push {
 bool is_crowded(const ElbowRoom& room, const Eigen::Vector3d& centre, const std::vector<Eigen::Vector3d>& others);
 
 // The push that gives a crowded cube its room, if possible one that leaves all marks in sight; none where the way, or
-// the place to push from, is taken or out of reach. A cube on another goes with it, but only away from the camera,
-// since the plate with the gripper's mark would touch it. All points are cubes' centres.
+// the place to push from, is taken or out of reach, or where it would leave the images. A cube on another goes with it,
+// but only away from the camera, since the plate with the gripper's mark would touch it. All points are cubes' centres.
 std::optional<Push> push_for_room(const ElbowRoom& room, const Eigen::Vector3d& centre,
                                   const std::vector<Eigen::Vector3d>& others);
+
+// The push that takes a cube which lies askew half a cube's size on, off what it leans on: towards the camera, where it
+// then stands before what held it up, unless it would leave the images.
+Push push_over_from(const ElbowRoom& room, const Eigen::Vector3d& centre);
 
 }  // namespace pizarra

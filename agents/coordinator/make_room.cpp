@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <fmt/format.h>
-#include <numbers>
 
 #include "agents/coordinator/task_runner.hpp"
 
@@ -24,6 +23,21 @@ std::string move_to(double x_mm, double y_mm, double z_mm) {
 
 }  // namespace
 
+ElbowRoom TaskRunner::elbow_room() const {
+  ElbowRoom room;
+  room.cube_mm = domain_.cube_mm();
+  room.finger_mm = options_.gripper.finger_mm;
+  room.narrow_mm = options_.gripper.openings.narrow_mm;
+  if (!surroundings_.view()) return room;
+  for (const Eigen::Vector3d& eye : surroundings_.view()->eyes()) room.eyes_mm.emplace_back(eye.head<2>());
+  room.shown = [this](const Eigen::Vector3d& centre) {
+    const CameraView& view = *surroundings_.view();
+    const Eigen::Vector3d mark = centre - domain_.cube_mm() / 2 * view.away();
+    return view.shows(mark, options_.gripper.outline.mark_half_mm);
+  };
+  return room;
+}
+
 std::optional<Push> TaskRunner::push_for(std::string_view object) const {
   const Sightings& sightings = surroundings_.sightings();
   const Sighting* target = sightings.find(object);
@@ -32,14 +46,7 @@ std::optional<Push> TaskRunner::push_for(std::string_view object) const {
   for (const auto& [name, sighting] : sightings.all()) {
     if (name != object && name != options_.gripper.mark) others.push_back(surroundings_.centre_mm(name, sighting));
   }
-  ElbowRoom room;
-  room.cube_mm = domain_.cube_mm();
-  room.finger_mm = options_.gripper.finger_mm;
-  room.narrow_mm = options_.gripper.openings.narrow_mm;
-  if (surroundings_.view()) {
-    for (const Eigen::Vector3d& eye : surroundings_.view()->eyes()) room.eyes_mm.emplace_back(eye.head<2>());
-  }
-  return push_for_room(room, surroundings_.centre_mm(std::string(object), *target), others);
+  return push_for_room(elbow_room(), surroundings_.centre_mm(std::string(object), *target), others);
 }
 
 Task<Result<void>> TaskRunner::make_room(std::string object) {
@@ -51,16 +58,12 @@ Task<Result<void>> TaskRunner::make_room(std::string object) {
   co_return pushed;
 }
 
-// The cube ends one length nearer the camera, where it lies flat: what held it up stays behind.
 Task<Result<void>> TaskRunner::push_over(std::string object) {
   const Sighting* seen = surroundings_.sightings().find(object);
   if (!seen) co_return fail("lost-sight", fmt::format("{} is not seen", object), Datum::symbol(object));
   const double cube = domain_.cube_mm();
   const Eigen::Vector3d centre = surroundings_.centre_mm(object, *seen);
-  const ElbowRoom room;
-  // A cube on its edge reaches half its diagonal.
-  const double before = std::numbers::sqrt2 / 2 * cube + room.finger_half_mm + 2 * room.margin_mm;
-  const Push push{{centre.x() - before, centre.y()}, {centre.x() + cube / 2, centre.y()}};
+  const Push push = push_over_from(elbow_room(), centre);
   const double height = std::max(centre.z() + above_centre * cube, grip_height * cube);
   vigil_.commit();
   const Result<void> pushed = co_await push_along(push, height);

@@ -81,7 +81,7 @@ Task<Result<void>> Pursuit::look_once_for(std::string object, Time deadline) {
 // reason to give up looking.
 Task<Result<void>> Pursuit::clear_view(std::string missing) {
   Result<void> done = co_await rescues_.lay_down(missing);
-  const std::optional<std::string> before = surroundings_.foremost();
+  const std::optional<std::string> before = surroundings_.may_hide(missing);
   const bool may_hide = done && before && *before != missing;
   if (may_hide) done = co_await rescues_.set_aside(*before);
   if (!done && done.error().symbol == "interrupted") co_return done;

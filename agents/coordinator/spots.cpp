@@ -9,12 +9,15 @@ namespace pizarra {
 namespace {
 
 std::optional<Eigen::Vector2d> free_spot_at(double x_mm, const TableArea& area,
-                                            const std::vector<Eigen::Vector2d>& occupied, double from_y_mm) {
+                                            const std::vector<Eigen::Vector2d>& occupied, double from_y_mm,
+                                            const Shown& shown) {
   std::optional<Eigen::Vector2d> nearest;
   std::optional<Eigen::Vector2d> roomiest;
   double best_distance = std::numeric_limits<double>::infinity();
   double best_room = area.least_mm;
   for (double y = area.y_low_mm; y <= area.y_high_mm; y += area.grid_mm) {
+    const Eigen::Vector2d spot(x_mm, y);
+    if (spot.norm() < area.reach_low_mm || spot.norm() > area.reach_high_mm || (shown && !shown(spot))) continue;
     double room = std::numeric_limits<double>::infinity();
     bool hidden = false;
     for (const Eigen::Vector2d& other : occupied) {
@@ -29,11 +32,11 @@ std::optional<Eigen::Vector2d> free_spot_at(double x_mm, const TableArea& area,
     const double distance = std::abs(y - from_y_mm);
     if (room >= area.comfortable_mm && distance < best_distance) {
       best_distance = distance;
-      nearest = {x_mm, y};
+      nearest = spot;
     }
     if (room >= best_room) {
       best_room = room + 1e-9;
-      roomiest = {x_mm, y};
+      roomiest = spot;
     }
   }
   return nearest ? nearest : roomiest;
@@ -42,10 +45,12 @@ std::optional<Eigen::Vector2d> free_spot_at(double x_mm, const TableArea& area,
 }  // namespace
 
 std::optional<Eigen::Vector2d> free_spot(const TableArea& area, const std::vector<Eigen::Vector2d>& occupied,
-                                         double from_y_mm) {
-  for (const double x_mm : {area.x_mm, area.x_mm - area.depth_mm, area.x_mm + area.depth_mm}) {
-    const std::optional<Eigen::Vector2d> spot = free_spot_at(x_mm, area, occupied, from_y_mm);
-    if (spot) return spot;
+                                         double from_y_mm, const Shown& shown) {
+  for (double aside = 0; aside <= area.aside_mm; aside += area.grid_mm) {
+    for (const double x_mm : {area.x_mm - aside, area.x_mm + aside}) {
+      const std::optional<Eigen::Vector2d> spot = free_spot_at(x_mm, area, occupied, from_y_mm, shown);
+      if (spot) return spot;
+    }
   }
   return std::nullopt;
 }

@@ -3,6 +3,7 @@
 // Room on the table: where a cube can be put down, and how wide the gripper may open between neighbours.
 
 #include <Eigen/Core>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -34,12 +35,20 @@ struct TableArea {
   double depth_mm = 90;
   // Sideways between cubes of which one stands before the other, so that the camera sees both.
   double unhidden_mm = 66;
+  // How far from the row a spot may be, along x, and how far from the arm's axis.
+  double aside_mm = 120;
+  double reach_low_mm = 310;
+  double reach_high_mm = 570;
 };
 
+// Whether a cube that stands there has its mark in both images.
+using Shown = std::function<bool(const Eigen::Vector2d& spot)>;
+
 // The free spot nearest `from_y_mm` that is comfortably away from `occupied`; without one the roomiest of those that
-// leave the least room. Where the row is full, one behind it, as seen from the camera, and then one before it.
+// leave the least room. Where the row is full, one as near the row as there is, rather behind it, as seen from the
+// camera, than before it.
 std::optional<Eigen::Vector2d> free_spot(const TableArea& area, const std::vector<Eigen::Vector2d>& occupied,
-                                         double from_y_mm);
+                                         double from_y_mm, const Shown& shown = {});
 
 // How far the gripper may open around a cube at `centre`, between narrow_mm and wide_mm, so that fingers `finger_mm`
 // thick do not touch neighbours of `cube_mm`; only those that stand beside it at its own height count.

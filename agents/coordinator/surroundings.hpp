@@ -51,8 +51,9 @@ class Surroundings {
   // The frame in which a belief came or went last; 0 if it never did.
   std::int64_t changed_in(const Datum& belief) const;
 
-  // The seen cube that stands nearest the camera, if it stands so far before the row of spots that it may hide another.
-  std::optional<std::string> foremost() const;
+  // A seen cube that may hide the missing one: what stands before the place where that was seen last, else what stands
+  // nearest the camera, well before the row of spots.
+  std::optional<std::string> may_hide(const std::string& missing) const;
   // Whether nothing moves that was seen lately and is not in the gripper.
   bool calm() const;
   // Whether it is calm, what is perceived is believed, and all these objects have been seen lately and lie still.
@@ -76,6 +77,7 @@ class Surroundings {
   void take_presence(const Change& change);
   Task<void> take_look(std::int64_t frame, std::string text);
   void excuse_hidden();
+  std::optional<std::string> foremost() const;
   std::vector<Datum> measure() const;
   Result<Facts> perceive() const;
   Task<void> tell_failure(Failure why);

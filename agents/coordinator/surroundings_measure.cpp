@@ -56,6 +56,23 @@ std::optional<std::string> Surroundings::foremost() const {
   return foremost;
 }
 
+std::optional<std::string> Surroundings::may_hide(const std::string& missing) const {
+  const Sighting* last = sightings_.find(missing);
+  if (!last || !view_) return foremost();
+  const Eigen::Vector3d place = centre_mm(missing, *last);
+  double least_aside_mm = 1.5 * domain_.cube_mm();
+  std::optional<std::string> nearest;
+  for (const auto& [name, sighting] : sightings_.all()) {
+    if (name == options_.gripper.mark || name == missing || !sightings_.recent(name, 1)) continue;
+    const Eigen::Vector3d apart = centre_mm(name, sighting) - place;
+    const double aside_mm = std::abs(apart.dot(view_->right()));
+    if (-apart.dot(view_->away()) < domain_.cube_mm() / 2 || aside_mm >= least_aside_mm) continue;
+    least_aside_mm = aside_mm;
+    nearest = name;
+  }
+  return nearest ? nearest : foremost();
+}
+
 std::vector<Datum> Surroundings::measure() const {
   std::vector<Datum> measured;
   if (opening_mm_) measured.push_back(list("gripper"_sym, *opening_mm_));

@@ -15,6 +15,10 @@ constexpr Duration effects_patience = 3s;
 // How near a held object's mark is to where it should be.
 constexpr double held_mm = 25;
 constexpr int held_looks = 12;
+// Where the arm does not reach as high as it should, it goes inwards by as much, and tries again.
+constexpr double retreat_mm = 20;
+constexpr double least_rise_mm = 15;
+constexpr int most_retreats = 15;
 // A smaller yaw of a cube is straightened by the fingers; a larger one hides the end effector's mark.
 constexpr double least_turn_deg = 4;
 constexpr double most_turn_deg = 38;
@@ -107,6 +111,31 @@ Task<Result<void>> TaskRunner::release() {
   co_return Result<void>();
 }
 
+// Far out it goes up as far as it can first, over what stands behind.
+Task<Result<void>> TaskRunner::go_up(double missing_mm) {
+  const ServoCommand inwards{0, ServoCommand::Motion::extend, -retreat_mm};
+  double step_mm = missing_mm;
+  int retreats = 0;
+  while (std::abs(missing_mm) > 2) {
+    const ServoCommand::Motion motion = step_mm > 0 ? ServoCommand::Motion::up : ServoCommand::Motion::down;
+    const ServoCommand command{0, motion, std::abs(step_mm)};
+    const Result<void> moved = co_await arm_.perform(command);
+    if (moved) {
+      missing_mm -= step_mm;
+      continue;
+    }
+    const bool too_high = moved.error().symbol == "unreachable" || moved.error().symbol == "joint-limit";
+    if (!too_high || step_mm < 0 || retreats == most_retreats) co_return moved;
+    step_mm /= 2;
+    if (step_mm > least_rise_mm) continue;
+    const Result<void> retreated = co_await arm_.perform(inwards);
+    if (!retreated) co_return retreated;
+    step_mm = missing_mm;
+    ++retreats;
+  }
+  co_return Result<void>();
+}
+
 // Only vision can tell whether the mark stands where the arm believes it to be, so a raise ends with a look.
 Task<Result<void>> TaskRunner::raise() {
   for (int attempt = 0; attempt < 2; ++attempt) {
@@ -114,11 +143,7 @@ Task<Result<void>> TaskRunner::raise() {
     if (!grip) co_return fail(grip);
     const double missing = options_.travel_height_mm - grip->z();
     if (std::abs(missing) > 2) {
-      ServoCommand up;
-      up.state = 0;
-      up.motion = missing > 0 ? ServoCommand::Motion::up : ServoCommand::Motion::down;
-      up.amount = std::abs(missing);
-      const Result<void> moved = co_await arm_.perform(up);
+      const Result<void> moved = co_await go_up(missing);
       if (!moved) co_return moved;
     }
     const Result<void> looked = co_await eyes_.fresh_look();

@@ -42,6 +42,8 @@ class TaskRunner {
   Task<Result<void>> raise();
 
  private:
+  // By as much, inwards where the arm does not reach as high.
+  Task<Result<void>> go_up(double missing_mm);
   Task<Result<void>> run_steps(std::vector<Datum> steps);
   Task<Result<void>> run_step(Datum step);
   Task<Result<void>> servo(Datum target, bool descend);
@@ -52,6 +54,7 @@ class TaskRunner {
   Task<Result<void>> make_room(std::string object);
   Task<Result<void>> push_over(std::string object);
   Task<Result<void>> push_along(Push push, double height_mm);
+  ElbowRoom elbow_room() const;
   std::optional<Push> push_for(std::string_view object) const;
   Task<Result<void>> check_held(std::string object);
   Task<Result<void>> await_effects(GroundOperation operation);

@@ -260,6 +260,20 @@ TEST_F(Coordinator, PutsDownWhereThereIsRoom) {
   }
 }
 
+TEST(CrowdedCell, SetsAsideWhatStandsBeforeThePlaceWhereAMissingCubeWasSeenLast) {
+  FakeCell cell("blocks.scm", {{"circle", {410, -100, 30}}, {"triangle", {450, -40, 30}}, {"square", {450, 100, 30}}});
+  cell.start_coordinator();
+  cell.request("coordinator", "(goal (on-table square))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 30s));
+  cell.hidden.insert("circle");
+  cell.run_for(3s);
+  cell.request("coordinator", "(goal (on circle square))");
+  ASSERT_TRUE(cell.run_until("(event ? servo \"setting triangle aside, to see what it hides\" ?)", 30s));
+  ASSERT_TRUE(cell.run_until("(gripper 60.0)", 30s));
+  cell.hidden.clear();
+  ASSERT_TRUE(cell.run_until("(goal-state 2 reached ?)", 60s));
+}
+
 TEST(NumberedPlacesCell, SwapsTwoCubesThroughAFreePlace) {
   FakeCell cell("numbered-places.scm", {{"circle", {450, -200, 30}}, {"square", {450, -100, 30}}});
   cell.start_coordinator();

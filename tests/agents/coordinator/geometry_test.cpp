@@ -46,6 +46,16 @@ TEST(CameraView, RefusesAModelThatIsNone) {
   EXPECT_TRUE(camera_model_from_fact(list("camera-model"_sym, 320, 240, 431.0, 159.5, 119.5, 90.0)));
 }
 
+TEST(CameraView, ShowsWhatBothImagesShowWhole) {
+  const CameraView view({}, {});
+  EXPECT_TRUE(view.shows({480, 0, 30}, 22));
+  EXPECT_TRUE(view.shows({480, -245, 30}, 22));
+  EXPECT_FALSE(view.shows({480, -275, 30}, 22)) << "the right image does not show it";
+  EXPECT_FALSE(view.shows({480, 275, 30}, 22)) << "the left image does not show it";
+  EXPECT_FALSE(view.shows({605, -245, 30}, 22)) << "nearer the camera less is shown";
+  EXPECT_FALSE(view.shows({480, 0, 430}, 22));
+}
+
 TEST(ServoErrors, TurningAndExtendingByThemArrives) {
   const CameraView view({}, {});
   for (std::uint64_t seed = 1; seed <= 300; ++seed) {
@@ -87,6 +97,10 @@ bool usable(const TableArea& area, const Eigen::Vector2d& spot, const std::vecto
   });
 }
 
+bool in_reach(const TableArea& area, const Eigen::Vector2d& spot) {
+  return spot.norm() >= area.reach_low_mm && spot.norm() <= area.reach_high_mm;
+}
+
 TEST(FreeSpot, LeavesTheFingersRoomAndTheCameraAViewAndIsFoundWhereThereIsOne) {
   const TableArea area;
   for (std::uint64_t seed = 1; seed <= 500; ++seed) {
@@ -98,14 +112,30 @@ TEST(FreeSpot, LeavesTheFingersRoomAndTheCameraAViewAndIsFoundWhereThereIsOne) {
     }
     const std::optional<Eigen::Vector2d> spot = free_spot(area, occupied, random.uniform(-200, 200));
     bool possible = false;
-    for (const double x : {area.x_mm, area.x_mm - area.depth_mm, area.x_mm + area.depth_mm}) {
+    for (double x = area.x_mm - area.aside_mm; x <= area.x_mm + area.aside_mm; x += area.grid_mm) {
       for (double y = area.y_low_mm; y <= area.y_high_mm; y += area.grid_mm) {
-        possible = possible || usable(area, {x, y}, occupied);
+        possible = possible || (in_reach(area, {x, y}) && usable(area, {x, y}, occupied));
       }
     }
     EXPECT_EQ(spot.has_value(), possible);
-    EXPECT_TRUE(!spot || usable(area, *spot, occupied));
+    EXPECT_TRUE(!spot || (in_reach(area, *spot) && usable(area, *spot, occupied)));
   }
+}
+
+TEST(FreeSpot, IsFoundBetweenRowsWhereNoRowHasOne) {
+  const TableArea area;
+  const std::vector<Eigen::Vector2d> occupied{{428, -146}, {428, 147}, {473, 3}};
+  const std::optional<Eigen::Vector2d> spot = free_spot(area, occupied, -150);
+  ASSERT_TRUE(spot);
+  EXPECT_TRUE(usable(area, *spot, occupied)) << *spot;
+}
+
+TEST(FreeSpot, IsWhereItsMarkIsShown) {
+  const auto shown = [](const Eigen::Vector2d& spot) { return spot.y() > 0; };
+  const std::optional<Eigen::Vector2d> spot = free_spot({}, {{450, 150}}, -150, shown);
+  ASSERT_TRUE(spot);
+  EXPECT_GT(spot->y(), 0);
+  EXPECT_FALSE(free_spot({}, {}, 0, [](const Eigen::Vector2d&) { return false; }));
 }
 
 TEST(Opening, IsWideAloneAndNarrowBetweenNeighbours) {
@@ -157,6 +187,29 @@ TEST(ElbowRoom, EveryPushEndsTheCrowdingAndTouchesNothingElse) {
     }
   }
   EXPECT_GT(pushes, 100);
+}
+
+TEST(ElbowRoom, NoPushTakesACubeOutOfTheImages) {
+  ElbowRoom room;
+  const Eigen::Vector3d centre(450, 100, 30);
+  room.shown = [](const Eigen::Vector3d& at) { return at.x() <= 450; };
+  const std::optional<Push> push = push_for_room(room, centre, {{450, 165, 30}});
+  ASSERT_TRUE(push);
+  EXPECT_LT(push->to_mm.x(), push->from_mm.x());
+  room.shown = [](const Eigen::Vector3d&) { return false; };
+  EXPECT_FALSE(push_for_room(room, centre, {{450, 165, 30}}));
+}
+
+TEST(ElbowRoom, APushOverGoesTowardsTheCameraUnlessItLeadsOutOfTheImages) {
+  ElbowRoom room;
+  const Eigen::Vector3d centre(450, -300, 45);
+  const Push towards = push_over_from(room, centre);
+  EXPECT_LT(towards.from_mm.x(), centre.x());
+  EXPECT_EQ(towards.to_mm.x(), centre.x() + room.cube_mm / 2);
+  room.shown = [](const Eigen::Vector3d& at) { return at.x() <= 460; };
+  const Push away = push_over_from(room, centre);
+  EXPECT_GT(away.from_mm.x(), centre.x());
+  EXPECT_EQ(away.to_mm.x(), centre.x() - room.cube_mm / 2);
 }
 
 TEST(ElbowRoom, APushLeavesAllMarksInSightOfBothEyesWhereItCan) {
