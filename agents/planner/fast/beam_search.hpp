@@ -10,8 +10,8 @@
 
 #include <unordered_set>
 
+#include "agents/planner/distance/unavoidable.hpp"
 #include "agents/planner/fast/effort.hpp"
-#include "agents/planner/fast/unavoidable.hpp"
 
 namespace pizarra {
 

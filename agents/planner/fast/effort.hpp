@@ -6,6 +6,7 @@
 //   effort.count();
 //   if (const auto stopped = effort.stopped()) return *stopped;
 
+#include <algorithm>
 #include <optional>
 
 #include "agents/planner/task/problem.hpp"
@@ -21,6 +22,8 @@ class Effort {
   void count(std::size_t nodes = 1) { nodes_ += nodes; }
   std::size_t nodes() const { return nodes_; }
   std::size_t bytes() const { return budget_.bytes; }
+  std::size_t nodes_left() const { return budget_.nodes - std::min(nodes_, budget_.nodes); }
+  const std::function<bool()>& cancelled() const { return cancelled_; }
   std::optional<SearchEnd> stopped() const {
     if (cancelled_()) return SearchEnd::cancelled;
     if (nodes_ > budget_.nodes) return SearchEnd::spent;

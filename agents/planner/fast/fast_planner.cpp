@@ -7,6 +7,7 @@
 #include "agents/planner/fast/greedy_search.hpp"
 #include "agents/planner/fast/plan_reordering.hpp"
 #include "agents/planner/fast/plan_shape.hpp"
+#include "agents/planner/fast/proved_shortest.hpp"
 
 namespace pizarra {
 
@@ -33,11 +34,10 @@ Outcome without_plan(SearchEnd end, const Problem& problem, const Effort& effort
 // The best plan so far, and the ways to a better one.
 class Improvement {
  public:
-  Improvement(const Problem& problem, const CompactProblem& compact, Unavoidable& unavoidable, Effort& effort,
-              const FastPlannerOptions& options)
+  Improvement(const Problem& problem, Nearness& nearness, Effort& effort, const FastPlannerOptions& options)
       : problem_(problem),
-        compact_(compact),
-        unavoidable_(unavoidable),
+        nearness_(nearness),
+        compact_(nearness.compact),
         effort_(effort),
         options_(options),
         random_(options.seed) {}
@@ -51,7 +51,8 @@ class Improvement {
 
   // Until the effort is spent, or nothing is left to look at.
   void run() {
-    BeamSearch beam(compact_, unavoidable_, effort_, options_.seed);
+    if (effort_.stopped() || is_shortest() || effort_.stopped()) return;
+    BeamSearch beam(compact_, nearness_.unavoidable, effort_, options_.seed);
     for (std::size_t width = 2; width <= widest() && !plan_.empty(); width *= 2) {
       reorder();
       if (effort_.stopped()) return;
@@ -68,6 +69,18 @@ class Improvement {
   }
 
  private:
+  bool is_shortest() {
+    ProvedShortest shortest(problem_, nearness_, effort_);
+    const std::optional<Outcome> shorter = shortest.shorter_than(plan_.size());
+    if (shorter) {
+      std::vector<ActionIndex> plan;
+      for (const std::vector<std::size_t>& step : shorter->steps)
+        plan.push_back(static_cast<ActionIndex>(step.front()));
+      keep(plan);
+    }
+    return best_.shortest = shortest.proved();
+  }
+
   void reorder() {
     PlanReordering reordering(compact_, plan_, random_);
     const std::size_t patience = vain_attempts + vain_attempts_an_action * plan_.size();
@@ -86,8 +99,8 @@ class Improvement {
   }
 
   const Problem& problem_;
+  Nearness& nearness_;
   const CompactProblem& compact_;
-  Unavoidable& unavoidable_;
   Effort& effort_;
   const FastPlannerOptions& options_;
   Random random_;
@@ -98,13 +111,11 @@ class Improvement {
 }  // namespace
 
 Outcome FastPlanner::solve(const Problem& problem, const Budget& budget, const std::function<bool()>& cancelled) {
-  const CompactProblem compact(problem);
-  const ExclusiveFacts exclusive(problem, compact);
-  Unavoidable unavoidable(compact, exclusive);
+  Nearness nearness(problem);
   Effort effort(budget, cancelled);
-  Improvement improvement(problem, compact, unavoidable, effort, options_);
+  Improvement improvement(problem, nearness, effort, options_);
   {
-    GreedySearch greedy(compact, unavoidable, effort);
+    GreedySearch greedy(nearness.compact, nearness.unavoidable, effort);
     const SearchEnd end = greedy.run();
     if (end != SearchEnd::found) return without_plan(end, problem, effort);
     improvement.keep(greedy.plan());

@@ -6,7 +6,8 @@
 //   const Outcome best = engine.solve(problem, Budget{}, cancelled);
 //
 // Counts actions, not steps. A first, greedy search goes through all states if it has to, so that `none` is proved.
-// Then the plan's own actions are tried in other orders, and beams, each twice as wide as the last, look for plans with
+// Where one resource bounds the plans, the shortest is looked for under that bound, and proved to be that.
+// Else the plan's own actions are tried in other orders, and beams, each twice as wide as the last, look for plans with
 // fewer actions, until the budget is spent, the caller cancels, or a beam left nothing out: the plan is then as short
 // as can be. A call that is cancelled, or spends its budget, after the first plan was found answers its best one.
 

@@ -11,8 +11,8 @@
 #include <queue>
 #include <unordered_set>
 
+#include "agents/planner/distance/unavoidable.hpp"
 #include "agents/planner/fast/effort.hpp"
-#include "agents/planner/fast/unavoidable.hpp"
 
 namespace pizarra {
 

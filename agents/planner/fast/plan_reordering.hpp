@@ -14,7 +14,7 @@
 #include <optional>
 #include <utility>
 
-#include "agents/planner/fast/compact_problem.hpp"
+#include "agents/planner/distance/compact_problem.hpp"
 #include "blackboard/time/random.hpp"
 
 namespace pizarra {

@@ -5,7 +5,7 @@
 //   const std::vector<ActionIndex> lean = without_idle_actions(compact, plan);
 //   outcome.steps = in_parallel(problem, lean);
 
-#include "agents/planner/fast/compact_problem.hpp"
+#include "agents/planner/distance/compact_problem.hpp"
 
 namespace pizarra {
 

@@ -19,7 +19,7 @@ class PairGrowth {
     }
   }
 
-  const std::vector<Bits>& together() const { return together_; }
+  std::vector<Bits>& together() { return together_; }
   const Bits& taken() const { return taken_; }
 
  private:
@@ -105,16 +105,33 @@ FactGroup clique_from(std::size_t seed, const Exclusions& exclusions, const std:
 
 Exclusions::Exclusions(const Problem& problem, const std::function<bool()>& cancelled)
     : facts_(problem.facts.size()), actions_(problem.actions.size()) {
-  const PairGrowth growth(problem, cancelled);
+  PairGrowth growth(problem, cancelled);
   actions_ = growth.taken();
   for (std::size_t fact = 0; fact < problem.facts.size(); ++fact) {
     if (growth.together()[fact].test(fact)) facts_.set(fact);
   }
-  excluded_.assign(problem.facts.size(), Bits(problem.facts.size()));
-  facts_.for_each([&](std::size_t fact) {
-    excluded_[fact] = facts_;
-    excluded_[fact] -= growth.together()[fact];
-  });
+  // In place: the table is the largest there is.
+  excluded_ = std::move(growth.together());
+  for (std::size_t fact = 0; fact < problem.facts.size(); ++fact) {
+    Bits excluded = facts_;
+    excluded -= excluded_[fact];
+    if (!facts_.test(fact)) excluded.clear();
+    excluded_[fact] = std::move(excluded);
+  }
+}
+
+Exclusions::Exclusions(const Problem& problem, const std::vector<FactGroup>& groups)
+    : facts_(problem.facts.size()),
+      actions_(problem.actions.size()),
+      excluded_(problem.facts.size(), Bits(problem.facts.size())) {
+  for (std::size_t fact = 0; fact < problem.facts.size(); ++fact) facts_.set(fact);
+  for (std::size_t action = 0; action < problem.actions.size(); ++action) actions_.set(action);
+  for (const FactGroup& group : groups) {
+    Bits members(problem.facts.size());
+    for (const std::size_t fact : group) members.set(fact);
+    for (const std::size_t fact : group) excluded_[fact] |= members;
+  }
+  for (std::size_t fact = 0; fact < problem.facts.size(); ++fact) excluded_[fact].reset(fact);
 }
 
 bool Exclusions::allow(const Bits& facts) const {

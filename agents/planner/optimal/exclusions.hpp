@@ -14,11 +14,15 @@
 
 namespace pizarra {
 
+using FactGroup = std::vector<std::size_t>;
+
 class Exclusions {
  public:
   explicit Exclusions(const Problem& problem) : Exclusions(problem, [] { return false; }) {}
   // Worthless once cancelled() was true.
   Exclusions(const Problem& problem, const std::function<bool()>& cancelled);
+  // Only what is known already: of each group, at most one fact holds at a time. Nothing is ruled out by itself.
+  Exclusions(const Problem& problem, const std::vector<FactGroup>& groups);
 
   // The facts that can hold at all, and the actions that can be taken.
   const Bits& facts() const { return facts_; }
@@ -32,8 +36,6 @@ class Exclusions {
   Bits facts_, actions_;
   std::vector<Bits> excluded_;
 };
-
-using FactGroup = std::vector<std::size_t>;
 
 // Cliques of facts that exclude each other, ascending within, such that every excluded pair stands in one of them;
 // found greedily, the larger ones first.

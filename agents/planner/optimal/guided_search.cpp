@@ -2,19 +2,13 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <ranges>
+#include <limits>
+#include <utility>
 
 namespace pizarra {
 
-namespace {
-
-constexpr std::size_t no_way = SIZE_MAX;
-
-}  // namespace
-
-GuidedSearch::GuidedSearch(const Problem& problem, const Exclusions& exclusions, const DeadEnds& dead_ends,
-                           LandmarkBound& bound)
-    : problem_(problem), exclusions_(exclusions), dead_ends_(dead_ends), bound_(bound) {}
+GuidedSearch::GuidedSearch(const Problem& problem, Nearness& nearness, LandmarkBound& bound, const DeadEnds* dead_ends)
+    : problem_(problem), nearness_(nearness), bound_(bound), dead_ends_(dead_ends) {}
 
 Outcome GuidedSearch::ended(Outcome::Kind kind, std::string spent) const {
   return {.kind = kind, .steps = {}, .culprits = {}, .spent = std::move(spent), .nodes = nodes_};
@@ -22,11 +16,16 @@ Outcome GuidedSearch::ended(Outcome::Kind kind, std::string spent) const {
 
 std::size_t GuidedSearch::know(const Bits& state) {
   const auto [known, is_new] = index_.emplace(state, known_.size());
-  if (is_new) {
-    ++nodes_;
-    known_.push_back({state, dead_ends_.contain(state) ? no_way : bound_.from(state).value_or(no_way)});
-  }
+  if (is_new) known_.push_back({.state = state});
   return known->second;
+}
+
+void GuidedSearch::ask_bound(Known& known) {
+  if (known.asked) return;
+  ++nodes_;
+  known.asked = true;
+  const bool hopeless = dead_ends_ != nullptr && dead_ends_->contain(known.state);
+  known.at_least = hopeless ? no_way : std::max(known.at_least, bound_.from(known.state).value_or(no_way));
 }
 
 void GuidedSearch::open(std::size_t index) {
@@ -52,14 +51,21 @@ void GuidedSearch::reach(const Bits& state, std::size_t from, std::size_t action
 void GuidedSearch::expand(std::size_t index, const std::function<bool()>& cancelled) {
   known_[index].expanded = true;
   expanded_.push_back(index);
-  std::vector<std::size_t> possible;
-  exclusions_.actions().for_each([&](std::size_t action) {
-    if (applicable(problem_.actions[action], known_[index].state)) possible.push_back(action);
+  struct Way {
+    ActionIndex action;
+    Distance distance;
+  };
+  std::vector<Way> ways;
+  Unavoidable& unavoidable = nearness_.unavoidable;
+  unavoidable.look_at(known_[index].state);
+  nearness_.compact.for_each_applicable(known_[index].state, [&](ActionIndex action) {
+    ways.push_back({action, unavoidable.beyond(action).value_or(std::numeric_limits<Distance>::max())});
   });
-  // The newest are looked at first: among equals, those of the domain's first operators.
-  for (const std::size_t action : possible | std::views::reverse) {
+  // The newest are looked at first.
+  std::ranges::sort(ways, std::greater{}, [](const Way& way) { return std::pair(way.distance, way.action); });
+  for (const Way& way : ways) {
     if (cancelled()) return;  // and run() ends, for the state is not wholly expanded
-    reach(after(known_[index].state, problem_.actions[action]), index, action, known_[index].steps + 1);
+    reach(after(known_[index].state, problem_.actions[way.action]), index, way.action, known_[index].steps + 1);
   }
 }
 
@@ -73,6 +79,7 @@ void GuidedSearch::learn(std::size_t length) {
 
 Outcome GuidedSearch::plan_to(std::size_t index) {
   Outcome outcome = ended(Outcome::Kind::plan);
+  outcome.shortest = true;
   learn(known_[index].steps);
   for (; known_[index].steps != 0; index = known_[index].from) outcome.steps.push_back({known_[index].action});
   std::ranges::reverse(outcome.steps);
@@ -91,8 +98,14 @@ Outcome GuidedSearch::run(const Budget& budget, const std::function<bool()>& can
     while (!open_[total].empty()) {
       const std::size_t index = open_[total].back();
       open_[total].pop_back();
-      const Known& here = known_[index];
-      if (here.expanded || here.steps + here.at_least != total) continue;
+      Known& here = known_[index];
+      if (here.expanded || here.at_least == no_way || here.steps + here.at_least != total) continue;
+      ask_bound(here);
+      if (here.at_least == no_way) continue;
+      if (here.steps + here.at_least != total) {
+        open(index);
+        continue;
+      }
       if (problem_.goals.subset_of(here.state)) return plan_to(index);
       if (cancelled()) return ended(Outcome::Kind::cancelled);
       if (nodes_ > budget.nodes) return ended(Outcome::Kind::gave_up, fmt::format("{} states", budget.nodes));

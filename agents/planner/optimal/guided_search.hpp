@@ -3,16 +3,19 @@
 // A* for problems in which every action needs one and the same resource, so that no step has more than one: under the
 // landmark bound, which is often exact there.
 //
-//   GuidedSearch search(problem, exclusions, dead_ends, bound);
+//   GuidedSearch search(problem, nearness, bound, &dead_ends);
 //   Outcome outcome = search.run(budget, cancelled);
 //   problem.initials = elsewhere;
 //   outcome = search.run(budget, cancelled);             // cheaper: it remembers
 //
-// What a search learns of how far states are from the goals stays true wherever the next one begins (Koenig &
-// Likhachev, "Adaptive A*", 2005). Budget::nodes counts states for which the bound was asked.
+// The bound, which is dear, is asked only when a state's turn comes, and of states that may be equally good those come
+// first from which less must happen; so it is asked little more than once a step where it is exact. What a search
+// learns of how far states are from the goals stays true wherever the next one begins (Koenig & Likhachev, "Adaptive
+// A*", 2005). Budget::nodes counts states for which the bound was asked.
 
 #include <unordered_map>
 
+#include "agents/planner/distance/nearness.hpp"
 #include "agents/planner/optimal/dead_ends.hpp"
 #include "agents/planner/optimal/landmark_bound.hpp"
 
@@ -20,8 +23,8 @@ namespace pizarra {
 
 class GuidedSearch {
  public:
-  // The bound counts every action. All arguments outlive the search.
-  GuidedSearch(const Problem& problem, const Exclusions& exclusions, const DeadEnds& dead_ends, LandmarkBound& bound);
+  // The bound counts every action. All arguments outlive the search; dead ends need not be known.
+  GuidedSearch(const Problem& problem, Nearness& nearness, LandmarkBound& bound, const DeadEnds* dead_ends);
 
   // A shortest plan from the problem's initial facts, which respect the exclusions; `none` when every state that can be
   // reached was seen; its culprits are all the goals.
@@ -30,7 +33,8 @@ class GuidedSearch {
  private:
   struct Known {
     Bits state;
-    std::size_t at_least;  // steps to the goals
+    std::size_t at_least = 0;  // steps to the goals
+    bool asked = false;        // whether the bound is in at_least
     // Of the search under way:
     std::size_t run = 0;
     std::size_t from = 0;
@@ -39,6 +43,8 @@ class GuidedSearch {
     bool expanded = false;
   };
   std::size_t know(const Bits& state);
+  static constexpr std::size_t no_way = static_cast<std::size_t>(-1);
+  void ask_bound(Known& known);
   void reach(const Bits& state, std::size_t from, std::size_t action, std::size_t steps);
   void open(std::size_t index);
   void expand(std::size_t index, const std::function<bool()>& cancelled);
@@ -47,9 +53,9 @@ class GuidedSearch {
   Outcome ended(Outcome::Kind kind, std::string spent = {}) const;
 
   const Problem& problem_;
-  const Exclusions& exclusions_;
-  const DeadEnds& dead_ends_;
+  Nearness& nearness_;
   LandmarkBound& bound_;
+  const DeadEnds* dead_ends_;
   std::vector<Known> known_;
   std::unordered_map<Bits, std::size_t, HashBits> index_;  // looked up only
   std::vector<std::vector<std::size_t>> open_;             // by total length; the newest first

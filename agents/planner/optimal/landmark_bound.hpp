@@ -15,10 +15,15 @@
 #include <optional>
 
 #include "agents/planner/optimal/exclusions.hpp"
+#include "agents/planner/optimal/relaxed_landmarks.hpp"
 #include "agents/planner/optimal/relaxed_reach.hpp"
 #include "agents/planner/optimal/visit_order.hpp"
 
 namespace pizarra {
+
+// The facts of a group of which every one of the actions takes one away, if there is such a group.
+std::optional<FactGroup> resource_of_all(const Problem& problem, const Bits& actions,
+                                         const std::vector<FactGroup>& groups);
 
 class LandmarkBound {
  public:
@@ -37,30 +42,32 @@ class LandmarkBound {
   std::optional<std::size_t> from(const Bits& state);
 
  private:
+  using Actions = std::vector<std::uint32_t>;  // ascending
   struct Visit {
     std::size_t fact;
     bool must_end;  // the fact excludes a goal
-    Bits enter, leave, both;
-    Bits leave_last;  // with which a last visit can end
-    Bits ends_after;  // visits whose last must be over before the last of this one ends
+    Actions enter, leave;
+    Actions leave_last;  // with which a last visit can end
+    Bits ends_after;     // visits whose last must be over before the last of this one ends
   };
   void add_visit(std::size_t fact);
-  void find_last_leaves(Visit& visit, const std::function<bool()>& cancelled);
+  void keep_disjoint();
+  void find_last_leaves(std::size_t index, RelaxedReach& reach, const std::function<bool()>& cancelled);
+  bool goals_in_reach(const Bits& after, const Bits& forbidden, RelaxedReach& reach) const;
   Bits possible_after(const GroundAction& action) const;
-  bool required(const Visit& visit, const Bits& state) const;
-  VisitOrder order_of(const std::vector<std::size_t>& wanted, const std::vector<Bits>& without,
-                      std::optional<std::size_t> current) const;
+  Bits required(const Bits& state) const;
+  VisitOrder order_of(const std::vector<std::size_t>& wanted, std::optional<std::size_t> current) const;
   int fewest_extra(const std::vector<std::size_t>& wanted, const VisitOrder& order) const;
 
   const Problem& problem_;
   const Exclusions& exclusions_;
-  RelaxedReach reach_;
-  Bits no_action_;
   Bits counted_;
   bool counts_every_action_ = false;
   Bits excluded_by_goals_;
-  std::vector<Bits> deleters_;
+  std::vector<Actions> adders_, deleters_;  // of every fact
   std::vector<Visit> visits_;
+  std::vector<std::uint32_t> visit_of_;      // of every action: the visit that it begins or ends
+  std::optional<RelaxedLandmarks> reached_;  // from the state that is looked at
 };
 
 }  // namespace pizarra

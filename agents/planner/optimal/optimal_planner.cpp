@@ -6,8 +6,6 @@ namespace pizarra {
 
 namespace {
 
-// Of resources for a bound, those that the most facts speak of are looked at.
-constexpr std::size_t max_resources = 8;
 // An explanation is not worth more work, and takes some before its first node.
 constexpr std::size_t most_nodes_for_blame = 400'000;
 constexpr std::size_t nodes_of_an_attempt = 1'000;
@@ -42,22 +40,6 @@ void blame_fewest(const Problem& problem, const Budget& budget, const std::funct
     culprits = tried.culprits;
     std::ranges::sort(culprits);
   }
-}
-
-std::optional<std::size_t> fewest_actions(const Problem& problem) {
-  const Exclusions exclusions(problem);
-  if (!exclusions.allow(problem.goals)) return std::nullopt;
-  std::vector<FactGroup> groups = exclusion_groups(exclusions);
-  std::ranges::stable_sort(groups, std::greater{}, &FactGroup::size);
-  if (std::optional<FactGroup> all = resource_of_all(problem, exclusions)) groups.assign(1, std::move(*all));
-  if (groups.size() > max_resources) groups.resize(max_resources);
-  std::size_t fewest = 0;
-  for (const FactGroup& group : groups) {
-    const std::optional<std::size_t> steps = LandmarkBound(problem, exclusions, group).from(problem.initials);
-    if (!steps) return std::nullopt;
-    fewest = std::max(fewest, *steps);
-  }
-  return fewest;
 }
 
 }  // namespace pizarra

@@ -21,7 +21,4 @@ class OptimalPlanner : public PlanEngine {
 void blame_fewest(const Problem& problem, const Budget& budget, const std::function<bool()>& cancelled,
                   Outcome& outcome);
 
-// No plan has fewer actions, nor fewer steps: the best landmark bound of any resource. None: there is no plan.
-std::optional<std::size_t> fewest_actions(const Problem& problem);
-
 }  // namespace pizarra

@@ -39,14 +39,13 @@ class OptimalSearch {
   const Problem& problem_;
   // Made when first needed.
   std::optional<Exclusions> exclusions_;
-  std::optional<DeadEnds> dead_ends_;
+  bool prepared_ = false;
+  std::optional<DeadEnds> dead_ends_;  // none: not looked for
   std::optional<LandmarkBound> bound_;
+  std::optional<Nearness> nearness_;
   std::optional<GuidedSearch> guided_;
   std::vector<Bits> interferes_;
   std::optional<RegressionGraph> regression_;
 };
-
-// The facts of which every action takes one away, if there are such.
-std::optional<FactGroup> resource_of_all(const Problem& problem, const Exclusions& exclusions);
 
 }  // namespace pizarra

@@ -71,6 +71,7 @@ struct Outcome {
   std::string spent;             // for `gave_up`: which bound, for people
   std::size_t nodes = 0;         // work done
   std::string_view engine = {};  // which search answered, where there are several; a literal
+  bool shortest = false;         // a plan's: proved that none has fewer steps, nor fewer actions
 };
 
 class PlanEngine {

@@ -67,7 +67,7 @@ struct PlanningTask {
   std::vector<Datum> absent_goals = {};  // facts that must not hold in the end
   std::vector<PlanningType> types = {};
   std::map<Datum, std::int64_t> values =
-      {};                    // (distance paris lyon) to 470; an action whose cost has none is impossible
+      {};  // (distance paris lyon) to 470; an action whose cost has none is impossible
   // Declared: a goal of any other predicate that no operator and no initial fact speaks of is a slip of the pen.
   std::set<std::string> predicates = {};
   bool counts_cost = false;  // whether a plan is the better the less it costs, else the shorter

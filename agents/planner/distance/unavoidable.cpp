@@ -1,4 +1,4 @@
-#include "agents/planner/fast/unavoidable.hpp"
+#include "agents/planner/distance/unavoidable.hpp"
 
 #include <algorithm>
 #include <iterator>

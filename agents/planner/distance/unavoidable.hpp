@@ -14,7 +14,7 @@
 
 #include <optional>
 
-#include "agents/planner/fast/exclusive_facts.hpp"
+#include "agents/planner/distance/exclusive_facts.hpp"
 
 namespace pizarra {
 

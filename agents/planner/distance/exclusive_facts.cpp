@@ -1,4 +1,4 @@
-#include "agents/planner/fast/exclusive_facts.hpp"
+#include "agents/planner/distance/exclusive_facts.hpp"
 
 #include <algorithm>
 #include <map>

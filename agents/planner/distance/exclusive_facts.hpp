@@ -9,7 +9,7 @@
 // (holding X) and (on-table X); it is proved when every action that adds a fact of a group takes another one of it
 // away. A guess that fails is tried again with what the action takes away joined to it (Helmert 2009, section 5).
 
-#include "agents/planner/fast/compact_problem.hpp"
+#include "agents/planner/distance/compact_problem.hpp"
 
 namespace pizarra {
 

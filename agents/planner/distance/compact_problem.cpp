@@ -1,4 +1,4 @@
-#include "agents/planner/fast/compact_problem.hpp"
+#include "agents/planner/distance/compact_problem.hpp"
 
 #include <algorithm>
 

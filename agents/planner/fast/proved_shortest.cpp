@@ -1,0 +1,47 @@
+#include "agents/planner/fast/proved_shortest.hpp"
+
+#include <algorithm>
+
+#include "agents/planner/optimal/guided_search.hpp"
+
+namespace pizarra {
+
+namespace {
+
+// The bound of one state takes as long as the distances of some thirty. Where it is exact, it is asked a little more
+// than once an action; where it is not, other ways to a shorter plan are better.
+constexpr std::size_t nodes_a_bound = 30;
+constexpr std::size_t bounds_an_action = 4;
+constexpr std::size_t most_table_bytes = 64 << 20;
+
+std::vector<FactGroup> wide(const std::vector<std::vector<FactIndex>>& groups) {
+  std::vector<FactGroup> out;
+  for (const std::vector<FactIndex>& group : groups) out.emplace_back(group.begin(), group.end());
+  return out;
+}
+
+}  // namespace
+
+std::optional<Outcome> ProvedShortest::shorter_than(std::size_t actions) {
+  const std::size_t table_bytes = problem_.facts.size() * problem_.facts.size() / 8;
+  if (table_bytes > std::min(most_table_bytes, effort_.bytes() / 4)) return std::nullopt;
+  const std::vector<FactGroup> groups = wide(nearness_.exclusive.groups());
+  const Exclusions exclusions(problem_, groups);
+  const std::optional<FactGroup> resource = resource_of_all(problem_, exclusions.actions(), groups);
+  if (!resource || !exclusions.allow(problem_.goals)) return std::nullopt;
+  LandmarkBound bound(problem_, exclusions, *resource, effort_.cancelled());
+  if (effort_.stopped()) return std::nullopt;
+  proved_ = bound.from(problem_.initials) == actions;
+  if (proved_) return std::nullopt;
+
+  GuidedSearch search(problem_, nearness_, bound, nullptr);
+  const std::size_t bounds = std::min(bounds_an_action * actions, effort_.nodes_left() / nodes_a_bound);
+  Outcome outcome = search.run({.nodes = bounds, .bytes = effort_.bytes() / 2}, effort_.cancelled());
+  effort_.count(outcome.nodes * nodes_a_bound);
+  if (outcome.kind != Outcome::Kind::plan) return std::nullopt;
+  proved_ = true;
+  if (outcome.steps.size() >= actions) return std::nullopt;
+  return outcome;
+}
+
+}  // namespace pizarra

@@ -1,0 +1,34 @@
+#pragma once
+
+// A plan of the fewest actions, and the proof, of large problems in which every action needs one resource: the guided
+// search, on no more knowledge than the groups of facts that exclude each other, which cost next to nothing to find.
+//
+//   ProvedShortest shortest(problem, nearness, effort);
+//   if (const std::optional<Outcome> plan = shortest.shorter_than(plan_length)) use(*plan);
+//   if (shortest.proved()) return;        // nothing has fewer actions than the plan there was, or this one
+
+#include <optional>
+
+#include "agents/planner/distance/nearness.hpp"
+#include "agents/planner/fast/effort.hpp"
+
+namespace pizarra {
+
+class ProvedShortest {
+ public:
+  // The arguments outlive it.
+  ProvedShortest(const Problem& problem, Nearness& nearness, Effort& effort)
+      : problem_(problem), nearness_(nearness), effort_(effort) {}
+
+  // None: there is none, or it would take too long, or the problem is not of the kind.
+  std::optional<Outcome> shorter_than(std::size_t actions);
+  bool proved() const { return proved_; }
+
+ private:
+  const Problem& problem_;
+  Nearness& nearness_;
+  Effort& effort_;
+  bool proved_ = false;
+};
+
+}  // namespace pizarra
