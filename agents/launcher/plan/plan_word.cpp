@@ -4,8 +4,10 @@
 #include <charconv>
 #include <cmath>
 #include <fmt/format.h>
+#include <new>
 
 #include "agents/launcher/command_line/word_tools.hpp"
+#include "agents/launcher/plan/memory_limit.hpp"
 #include "agents/launcher/plan/plan_clock.hpp"
 #include "agents/launcher/plan/plan_report.hpp"
 #include "agents/planner/external_plan.hpp"
@@ -21,8 +23,9 @@ namespace pizarra {
 namespace {
 
 // A person can wait, and interrupt: only memory bounds the search.
-constexpr Budget unhurried{
-    .nodes = std::size_t{1} << 60, .levels = std::size_t{1} << 30, .bytes = std::size_t{2} << 30};
+Budget unhurried(std::size_t memory_mb) {
+  return {.nodes = std::size_t{1} << 60, .levels = std::size_t{1} << 30, .bytes = memory_mb << 20};
+}
 // Beyond, the fewest steps take too long to find; blocks world has so many with some seventy blocks.
 constexpr std::size_t most_actions_for_optimal = 10'000;
 // How long a fast plan is made shorter where no time is given.
@@ -34,7 +37,7 @@ struct PlanChoices {
   std::string domain, problem;
   double limit_s = PlanClock::for_ever;
   std::string planner;
-  std::size_t memory_mb = 4096;
+  std::size_t memory_mb = 2048;
   std::uint64_t seed = 1;
   bool optimal = false;
   bool fast = false;
@@ -81,10 +84,11 @@ bool wants_fast(const PlanChoices& choices, const Problem& problem) {
 
 Outcome solve(const PlanChoices& choices, const Problem& problem, PlanClock& clock) {
   const auto over = [&] { return clock.over(); };
-  if (!wants_fast(choices, problem)) return OptimalPlanner().solve(problem, unhurried, over);
+  const Budget budget = unhurried(choices.memory_mb);
+  if (!wants_fast(choices, problem)) return OptimalPlanner().solve(problem, budget, over);
   clock.shorten(improving_s);
-  Outcome outcome = FastPlanner({.seed = choices.seed}).solve(problem, unhurried, over);
-  blame_fewest(problem, unhurried, over, outcome);
+  Outcome outcome = FastPlanner({.seed = choices.seed}).solve(problem, budget, over);
+  blame_fewest(problem, budget, over, outcome);
   outcome.engine = "fast";
   return outcome;
 }
@@ -103,6 +107,16 @@ Result<PlanReport> search(const PlanningTask& task, const PlanChoices& choices, 
   return report;
 }
 
+Result<PlanReport> search_within_memory(const PlanningTask& task, const PlanChoices& choices, PlanClock& clock) {
+  const MemoryLimit limit(choices.memory_mb << 20);
+  try {
+    return search(task, choices, clock);
+  } catch (const std::bad_alloc&) {
+    return fail("gave-up",
+                fmt::format("no plan was found within {} MB of memory; there may be one", choices.memory_mb));
+  }
+}
+
 Result<PlanReport> ask_planner(const PlanningTask& task, const PlanChoices& choices, PlanClock& clock) {
   const ExternalPlanner planner(
       choices.planner, {.seconds = std::min(choices.limit_s, longest_s), .memory_bytes = choices.memory_mb << 20});
@@ -119,7 +133,7 @@ Result<PlanReport> make_plan(const PlanChoices& choices, PlanClock& clock) {
   const Result<PlanningTask> task = read_task_files(choices.domain, choices.problem);
   if (!task) return fail(task);
   Result<PlanReport> report =
-      choices.planner.empty() ? search(*task, choices, clock) : ask_planner(*task, choices, clock);
+      choices.planner.empty() ? search_within_memory(*task, choices, clock) : ask_planner(*task, choices, clock);
   if (!report) return report;
   report->counts_cost = task->counts_cost;
   report->cost = plan_cost(*task, report->steps);
@@ -174,15 +188,13 @@ void add_plan_word(CLI::App& app, int& status) {
   word->add_option("--time", choices->limit_s, "End after so many seconds; --fast ends after 10 by itself")
       ->check(seconds_check())
       ->type_name("S");
-  CLI::Option* planner =
-      word->add_option("--planner", choices->planner,
-                       "Have this command plan: {domain} and {problem} stand for PDDL files, {plan} for its answer")
-          ->check(command_check())
-          ->type_name("COMMAND");
-  word->add_option("--memory", choices->memory_mb, "How much memory that planner may have")
+  word->add_option("--memory", choices->memory_mb, "End when planning takes more than so much; 2048")
       ->check(CLI::Range(1, 1 << 20))
-      ->needs(planner)
       ->type_name("MB");
+  word->add_option("--planner", choices->planner,
+                   "Have this command plan: {domain} and {problem} stand for PDDL files, {plan} for its answer")
+      ->check(command_check())
+      ->type_name("COMMAND");
   CLI::Option* pddl = word->add_flag("--pddl", choices->pddl, "Only actions, one (NAME OBJECT ...) a line, in order");
   word->add_flag("--json", choices->json, "One JSON object")->excludes(pddl);
   word->footer(help_footer(

@@ -1,6 +1,7 @@
 #include "agents/planner/optimal/optimal_search.hpp"
 
 #include <algorithm>
+#include <fmt/format.h>
 
 #include "agents/planner/optimal/sat_search.hpp"
 #include "agents/planner/optimal/step_search.hpp"
@@ -38,6 +39,17 @@ std::vector<std::size_t> excluded_goals(const Bits& goals, const Exclusions& exc
   });
   std::ranges::sort(pair);
   return missing.empty() ? pair : missing;
+}
+
+// Of pairs of facts there are three: those that exclude each other, the same while their groups are looked for, and
+// those beside which the goals are out of reach.
+std::size_t table_bytes(const Problem& problem) { return 3 * problem.facts.size() * problem.facts.size() / 8; }
+
+Outcome out_of_memory(const Budget& budget) {
+  return {.kind = Outcome::Kind::gave_up,
+          .steps = {},
+          .culprits = {},
+          .spent = fmt::format("{} MB of memory", budget.bytes >> 20)};
 }
 
 Budget part(Budget budget, std::size_t nodes, std::size_t used) {
@@ -83,6 +95,7 @@ Outcome OptimalSearch::run(const Budget& budget, const std::function<bool()>& ca
     forget();
     return Outcome{.kind = Outcome::Kind::cancelled, .steps = {}, .culprits = {}, .spent = {}};
   };
+  if (!exclusions_ && table_bytes(problem_) > budget.bytes) return out_of_memory(budget);
   if (!exclusions_) exclusions_.emplace(problem_, cancelled);
   if (stopped) return gone();
   std::vector<std::size_t> excluded = excluded_goals(problem_.goals, *exclusions_);

@@ -261,5 +261,32 @@ TEST(Plan, IsInterruptedByCtrlC) {
   EXPECT_TRUE(said.text.starts_with("pizarra: interrupted")) << said.text;
 }
 
+// So many that the tables of the search for fewest steps take tens of megabytes.
+Said plan_for_many_blocks(const std::string& options) {
+  constexpr int blocks = 130;
+  std::string names, facts, goals;
+  for (int i = 0; i < blocks; ++i) {
+    names += fmt::format(" b{}", i);
+    facts += fmt::format(" (on-table b{0}) (clear b{0})", i);
+    if (i > 0) goals += fmt::format(" (on b{} b{})", i, i - 1);
+  }
+  const std::string problem =
+      file("many.pddl", fmt::format("(define (problem many) (:domain blocks) (:objects{}) (:init (arm-empty){}) "
+                                    "(:goal (and{})))",
+                                    names, facts, goals));
+  return shell(fmt::format("{} plan {} {} {} 2>&1", PIZARRA_PLAN, domain(), problem, options));
+}
+
+TEST(Plan, EndsInASentenceWhereMemoryIsTooLittle) {
+  for (const auto& [mode, memory_mb] :
+       {std::pair{"--optimal", 20}, std::pair{"--optimal", 1}, std::pair{"--fast", 1}}) {
+    const Said said = plan_for_many_blocks(fmt::format("{} --memory {}", mode, memory_mb));
+    EXPECT_EQ(said.status, 1) << mode << said.text;
+    EXPECT_NE(said.text.find(fmt::format("no plan was found within {} MB of memory", memory_mb)), std::string::npos)
+        << mode << said.text;
+  }
+  EXPECT_EQ(plan_for_many_blocks("--fast --memory 200").status, 0);
+}
+
 }  // namespace
 }  // namespace pizarra
