@@ -10,7 +10,8 @@ namespace pizarra {
 
 namespace {
 
-// As measured, a shortest plan with 1,900 actions (30 blocks) takes 0.3 s, with 5,100 (50 blocks) 4 s.
+// Where one resource guides the search, even 5,100 actions (50 blocks) take no more than 0.2 s, as measured; where
+// satisfiability has to do, plans of so many actions take longer than a cell waits.
 constexpr std::size_t max_optimal_actions = 3000;
 constexpr std::size_t fast_nodes = 50'000;
 

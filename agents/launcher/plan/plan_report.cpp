@@ -41,7 +41,8 @@ std::string readable_text(const PlanReport& report) {
     out += fmt::format("{:>{}}  {}\n", i + 1, width, joined(report.steps[i], " ", text_of));
   }
   if (report.steps.empty()) return fmt::format("nothing to do: the goal holds already ({:.3f} s)\n", report.seconds);
-  const std::string cost = report.counts_cost ? fmt::format(", cost {}", report.cost) : std::string();
+  const std::string cost =
+      report.counts_cost ? fmt::format(", cost {} (made short, not cheap)", report.cost) : std::string();
   return out + fmt::format("{}{}, {}{}; {}, {:.3f} s\n", counted(report.steps.size(), "step"),
                            report.fewest_steps ? " (as few as can be)" : "",
                            counted(action_count(report.steps), "action"), cost, report.engine, report.seconds);

@@ -39,12 +39,10 @@ Unavoidable::Unavoidable(const CompactProblem& problem, const ExclusiveFacts& ex
     : problem_(problem),
       exclusive_(exclusive),
       state_(problem.initials()),
-      holds_(exclusive.groups().size(), nothing),
-      holds_rank_(exclusive.groups().size(), 0),
+      holds_(exclusive.groups().size(), {nothing, 0}),
       marks_(problem.facts()),
       goal_hops_(problem.goals().count(), 0),
-      awaited_(exclusive.groups().size(), 0),
-      awaited_in_(exclusive.groups().size(), 0) {
+      awaited_(exclusive.groups().size()) {
   learn_changes();
   problem.goals().for_each([&](std::size_t goal) {
     goals_.push_back(static_cast<FactIndex>(goal));
@@ -99,31 +97,29 @@ std::uint32_t Unavoidable::hops_left(std::size_t goal) const {
   std::uint32_t most = 0;
   const auto groups = exclusive_.groups_of(goals_[goal]);
   for (std::size_t i = 0; i < groups.size(); ++i) {
-    if (holds_[groups[i]] == nothing) return unreachable;
-    most = std::max(most, hops_[goal][i][holds_rank_[groups[i]]]);
+    const Holds& holds = holds_[groups[i]];
+    if (holds.fact == nothing) return unreachable;
+    most = std::max(most, hops_[goal][i][holds.rank]);
   }
   return most;
 }
 
 void Unavoidable::look_at(const Bits& state) {
   state_ = state;
-  std::ranges::fill(holds_, nothing);
+  std::ranges::fill(holds_, Holds{nothing, 0});
   state.for_each([&](std::size_t fact) { set(static_cast<FactIndex>(fact)); });
 }
 
 void Unavoidable::set(FactIndex fact) {
   state_.set(fact);
   const auto groups = exclusive_.groups_of(fact), ranks = ranks_[fact];
-  for (std::size_t i = 0; i < groups.size(); ++i) {
-    holds_[groups[i]] = fact;
-    holds_rank_[groups[i]] = ranks[i];
-  }
+  for (std::size_t i = 0; i < groups.size(); ++i) holds_[groups[i]] = {fact, ranks[i]};
 }
 
 void Unavoidable::reset(FactIndex fact) {
   state_.reset(fact);
   for (const std::uint32_t group : exclusive_.groups_of(fact)) {
-    if (holds_[group] == fact) holds_[group] = nothing;
+    if (holds_[group].fact == fact) holds_[group].fact = nothing;
   }
 }
 
@@ -161,7 +157,8 @@ std::optional<Distance> Unavoidable::here() {
   for (std::size_t i = 0; i < goals_.size(); ++i) {
     if (state_.test(goals_[i])) continue;
     std::uint32_t awaited = 0;
-    for (const std::uint32_t group : exclusive_.groups_of(goals_[i])) awaited = std::max(awaited, awaited_[group]);
+    for (const std::uint32_t group : exclusive_.groups_of(goals_[i]))
+      awaited = std::max(awaited, awaited_[group].count);
     if (goal_hops_[i] > awaited) events_ += goal_hops_[i] - awaited;
     any_ready = any_ready || ready(goals_[i]);
   }
@@ -174,16 +171,17 @@ void Unavoidable::push(FactIndex fact) {
   open_.push_back(fact);
   ++facts_;
   for (const std::uint32_t group : exclusive_.groups_of(fact)) {
-    if (awaited_in_[group] != evaluation_) awaited_[group] = 0;
-    awaited_in_[group] = evaluation_;
-    ++awaited_[group];
+    Awaited& awaited = awaited_[group];
+    if (awaited.in != evaluation_) awaited = {0, evaluation_};
+    ++awaited.count;
   }
 }
 
 // Whether one action may make the goal true for good.
 bool Unavoidable::ready(FactIndex goal) const {
   return std::ranges::all_of(needs_[goal], [&](FactIndex fact) { return state_.test(fact); }) &&
-         std::ranges::all_of(exclusive_.groups_of(goal), [&](std::uint32_t group) { return awaited_[group] == 1; });
+         std::ranges::all_of(exclusive_.groups_of(goal),
+                             [&](std::uint32_t group) { return awaited_[group].count == 1; });
 }
 
 void Unavoidable::count_once(FactIndex event) {
@@ -198,7 +196,7 @@ bool Unavoidable::must_happen(FactIndex fact) {
   for (const FactIndex needed : needs_[fact]) push(needed);
   bool comes_alone = true;
   for (const std::uint32_t group : exclusive_.groups_of(fact)) {
-    const FactIndex in_the_way = holds_[group];
+    const FactIndex in_the_way = holds_[group].fact;
     if (in_the_way == nothing || !must_be_taken_away(in_the_way)) return false;
     if (std::ranges::find(leaving_adds_[in_the_way], fact) == leaving_adds_[in_the_way].end()) continue;
     count_once(in_the_way);

@@ -53,8 +53,11 @@ class Unavoidable {
   std::vector<std::vector<std::vector<std::uint32_t>>> hops_;  // of a goal, one of its groups, from a fact of that
 
   Bits state_;
-  std::vector<FactIndex> holds_;            // of a group: which of its facts holds
-  std::vector<std::uint32_t> holds_rank_;   // its place in the group
+  struct Holds {
+    FactIndex fact;
+    std::uint32_t rank;  // its place in the group
+  };
+  std::vector<Holds> holds_;                // of a group: which of its facts holds
   std::vector<FactIndex> added_, deleted_;  // by the action beyond
 
   // One evaluation: marks are of this one where they equal its number.
@@ -64,7 +67,10 @@ class Unavoidable {
   };
   std::vector<Marks> marks_;  // of a fact
   std::vector<std::uint32_t> goal_hops_;
-  std::vector<std::uint32_t> awaited_, awaited_in_;  // of a group: how many of its facts are pending; the mark of that
+  struct Awaited {
+    std::uint32_t count = 0, in = 0;  // of which evaluation the count is
+  };
+  std::vector<Awaited> awaited_;  // of a group: how many of its facts are pending
   std::vector<FactIndex> open_;
   std::uint32_t events_ = 0;
   std::uint32_t facts_ = 0;

@@ -261,6 +261,21 @@ TEST(Plan, IsInterruptedByCtrlC) {
   EXPECT_TRUE(said.text.starts_with("pizarra: interrupted")) << said.text;
 }
 
+TEST(Plan, SaysWhatItCostsAndThatItWasMadeShortNotCheap) {
+  const std::string costs = file("costs.pddl", R"((define (domain ways) (:requirements :strips :action-costs)
+    (:predicates (at ?x)) (:constants a b c) (:functions (total-cost))
+    (:action fly :parameters () :precondition (at a) :effect (and (not (at a)) (at c) (increase (total-cost) 9)))
+    (:action walk :parameters () :precondition (at a) :effect (and (not (at a)) (at b) (increase (total-cost) 1)))
+    (:action ride :parameters () :precondition (at b) :effect (and (not (at b)) (at c) (increase (total-cost) 1)))))");
+  const std::string way = file("way.pddl", R"((define (problem way) (:domain ways) (:init (at a) (= (total-cost) 0))
+    (:goal (at c)) (:metric minimize (total-cost))))");
+  for (const char* mode : {"--optimal", "--fast"}) {
+    const Said said = shell(fmt::format("{} plan {} {} {} 2>&1", PIZARRA_PLAN, costs, way, mode));
+    EXPECT_EQ(said.status, 0) << said.text;
+    EXPECT_NE(said.text.find("1 action, cost 9 (made short, not cheap)"), std::string::npos) << said.text;
+  }
+}
+
 // So many that the tables of the search for fewest steps take tens of megabytes.
 Said plan_for_many_blocks(const std::string& options) {
   constexpr int blocks = 130;

@@ -27,7 +27,7 @@ void say_after_a_while(PlannerBench& bench, const std::string& name, std::size_t
   const double time_s = blocks == 200 ? 10 : 1;
   const auto plan = bench.measure(task, Mode::fast, time_s);
   const std::size_t greedy = blocks_greedy_actions(task);
-  Goal goal = at_most(static_cast<double>(greedy), "<= a simple greedy's");
+  Goal goal = at_most(static_cast<double>(greedy), "<= a near-sighted greedy's");
   if (better_greedy) goal = at_most(*better_greedy, "<= a far-sighted greedy's");
   if (blocks == 20) {
     const auto optimum = bench.measure(task, Mode::optimal, bench.limit_s);
