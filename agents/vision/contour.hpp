@@ -1,10 +1,13 @@
 #pragma once
 
-// Closed contours in a binary image (255 inside, 0 outside), followed pixel by pixel.
+// Closed contours, followed pixel by pixel in anything that can say of a pixel whether it is inside: a mask, the bits
+// of a segmented image, or an image and a threshold.
 //
-//   std::optional<MarkContour> contour = follow_contour(mask, start, 400);
-//   std::optional<MarkContour> tracked = contour_from_centre(mask, last_centre, 12, 400);
+//   std::optional<MarkContour> contour = follow_contour(MaskField{mask}, start, 400);
+//   std::optional<MarkContour> tracked = contour_from_centre(ToneField{grey, 90, true}, last_centre, 12, 400);
 
+#include <array>
+#include <cstdlib>
 #include <opencv2/core.hpp>
 #include <optional>
 #include <vector>
@@ -13,13 +16,83 @@ namespace pizarra {
 
 using MarkContour = std::vector<cv::Point>;  // the region's border pixels, px, 8-connected, in order
 
+struct MaskField {
+  const cv::Mat1b& mask;
+  int cols() const { return mask.cols; }
+  int rows() const { return mask.rows; }
+  bool inside(int x, int y) const { return mask.ptr<std::uint8_t>(y)[x] != 0; }
+};
+
+// Inside is what is darker, or lighter, than the threshold.
+struct ToneField {
+  const cv::Mat1b& grey;
+  int threshold;
+  bool dark;
+  int cols() const { return grey.cols; }
+  int rows() const { return grey.rows; }
+  bool inside(int x, int y) const {
+    const int level = grey.ptr<std::uint8_t>(y)[x];
+    return dark ? level < threshold : level > threshold;
+  }
+};
+
+// The eight neighbours in clockwise order (y down), from the left.
+inline constexpr std::array<std::array<int, 2>, 8> neighbours = {
+    {{-1, 0}, {-1, -1}, {0, -1}, {1, -1}, {1, 0}, {1, 1}, {0, 1}, {-1, 1}}};
+
+// Twice the enclosed area, positive when the contour runs clockwise in the image.
+long signed_area(const MarkContour& contour);
+
 // Follows the outer border of the region that `start` belongs to; the pixel left of `start` is outside. Nothing when it
-// is longer than `max_points`, or runs along the image's edge (it is open there).
-std::optional<MarkContour> follow_contour(const cv::Mat& mask, cv::Point start, std::size_t max_points);
+// is longer than `max_points`, or runs along the field's edge (it is open there).
+template <typename Field>
+std::optional<MarkContour> follow_contour(const Field& field, cv::Point start, std::size_t max_points) {
+  MarkContour contour;
+  contour.reserve(128);
+  cv::Point at = start;
+  std::size_t outside_direction = 0;  // where, seen from `at`, the last outside pixel lies
+  std::size_t first_step = neighbours.size();
+  while (true) {
+    if (at.x <= 0 || at.y <= 0 || at.x >= field.cols() - 1 || at.y >= field.rows() - 1) return std::nullopt;
+    if (contour.size() >= max_points) return std::nullopt;
+    std::size_t step = neighbours.size();
+    for (std::size_t turn = 1; turn <= neighbours.size(); ++turn) {
+      const std::size_t direction = (outside_direction + turn) % neighbours.size();
+      if (field.inside(at.x + neighbours[direction][0], at.y + neighbours[direction][1])) {
+        step = direction;
+        break;
+      }
+    }
+    if (step == neighbours.size()) return MarkContour{at};
+    if (at == start && step == first_step) return contour;
+    if (contour.empty()) first_step = step;
+    contour.push_back(at);
+    at += cv::Point(neighbours[step][0], neighbours[step][1]);
+    // The neighbour looked at before the step was outside; from the new place it lies one or two turns further back.
+    outside_direction = (step + (step % 2 == 0 ? 6 : 5)) % neighbours.size();
+  }
+}
 
 // The interline method: looks for an inside pixel within `reach_px` of `centre`, goes left along its line to the border
 // and follows that. Nothing when there is none, or the border found is that of a hole.
-std::optional<MarkContour> contour_from_centre(const cv::Mat& mask, cv::Point centre, int reach_px,
-                                               std::size_t max_points);
+template <typename Field>
+std::optional<MarkContour> contour_from_centre(const Field& field, cv::Point centre, int reach_px,
+                                               std::size_t max_points) {
+  const cv::Rect area(0, 0, field.cols(), field.rows());
+  for (int radius = 0; radius <= reach_px; ++radius) {
+    for (int dy = -radius; dy <= radius; ++dy) {
+      const int stride = std::abs(dy) == radius ? 1 : 2 * radius;
+      for (int dx = -radius; dx <= radius; dx += stride) {
+        cv::Point p = centre + cv::Point(dx, dy);
+        if (!area.contains(p) || !field.inside(p.x, p.y)) continue;
+        while (p.x > 0 && field.inside(p.x - 1, p.y)) --p.x;
+        std::optional<MarkContour> contour = follow_contour(field, p, max_points);
+        if (contour && contour->size() > 1 && signed_area(*contour) <= 0) return std::nullopt;
+        return contour;
+      }
+    }
+  }
+  return std::nullopt;
+}
 
 }  // namespace pizarra

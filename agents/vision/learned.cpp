@@ -27,6 +27,11 @@ Result<void> check_object_name(std::string_view name) {
   return fail("bad-name", "a name is a letter and at most 63 letters, digits and hyphens", to_datum(name));
 }
 
+void LearnedSample::set_picture(const MarkTemplate& new_picture) {
+  picture = new_picture;
+  for (std::size_t i = 0; i < blurs.size(); ++i) signatures[i] = signature_of(picture, blurs[i]);
+}
+
 const LearnedObject* LearnedObjects::find(std::string_view name) const {
   const auto found = std::find_if(objects_.begin(), objects_.end(),
                                   [&](const LearnedObject& object) { return same_name(object.name, name); });
@@ -47,7 +52,16 @@ Result<LearnedObjects::Slot> LearnedObjects::slot_for(std::string_view name) con
 
 void LearnedObjects::add(const std::string& name, LearnedSample sample) {
   auto found = std::ranges::find(objects_, name, &LearnedObject::name);
-  if (found == objects_.end()) found = objects_.insert(objects_.end(), LearnedObject{name, {}});
+  if (found == objects_.end()) found = objects_.insert(objects_.end(), LearnedObject{.name = name, .samples = {}});
+  for (LearnedObject& rival : objects_) {
+    if (&rival == &*found) continue;
+    for (const LearnedSample& other : rival.samples) {
+      if (other.tone != sample.tone) continue;
+      const double error = signature_error(sample.signatures.front(), other.signatures.front());
+      found->rival_error = std::min(found->rival_error, error);
+      rival.rival_error = std::min(rival.rival_error, error);
+    }
+  }
   found->samples.push_back(std::move(sample));
 }
 
@@ -80,8 +94,7 @@ Result<LearnedSample> sample_from_facts(const Datum& learned, const Datum& learn
   out.slimness = learned_template[5].number();
   out.roundness = learned_template[6].number();
   out.size_mm = learned_template[7].number();
-  out.picture = *picture;
-  out.signature = signature_of(*picture);
+  out.set_picture(*picture);
   return out;
 }
 

@@ -30,12 +30,19 @@ struct LearnedSample {
   double roundness = 0;
   double size_mm = 0;  // the standard deviation along y in the world; 0 when the right image did not show the mark
   MarkTemplate picture{};
-  MarkSignature signature;  // of `picture`
+  // Of `picture`, and as a blur of so many standard deviations would show it: far away a mark is small, and blur is
+  // wide beside it.
+  static constexpr std::array<double, 3> blurs = {0, 0.3, 0.5};
+  std::array<MarkSignature, blurs.size()> signatures;
+
+  void set_picture(const MarkTemplate& new_picture);
 };
 
 struct LearnedObject {
   std::string name;
   std::vector<LearnedSample> samples;
+  // The least signature_error() between its samples and those of the same tone of any other object.
+  double rival_error = 2;
 };
 
 inline constexpr std::size_t most_objects = 32;

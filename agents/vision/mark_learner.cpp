@@ -12,10 +12,11 @@ namespace {
 constexpr std::size_t least_measured = 7;
 constexpr double most_motion_px = 1.5;
 
-double mean_of(const std::vector<SeenMark>& marks, auto value) {
-  const double sum = std::accumulate(marks.begin(), marks.end(), 0.0,
-                                     [&](double so_far, const SeenMark& m) { return so_far + value(m); });
-  return sum / static_cast<double>(marks.size());
+template <typename Measured>
+double mean_of(const std::vector<Measured>& measured, auto value) {
+  const double sum = std::accumulate(measured.begin(), measured.end(), 0.0,
+                                     [&](double so_far, const Measured& m) { return so_far + value(m); });
+  return sum / static_cast<double>(measured.size());
 }
 
 }  // namespace
@@ -42,11 +43,11 @@ Result<void> MarkLearner::fill(const cv::Mat& left) {
   cv::Mat mean;
   sum_.convertTo(mean, CV_8U, 1.0 / filled_frames_);
   ImageSegmentation segmentation(mean);
-  const bool dark = segmentation.mask(MarkTone::dark)(seed) != 0;
+  const bool dark = segmentation.bits(MarkTone::dark).inside(seed.x, seed.y);
   filled_ = cv::Mat1b::zeros(left.size());
-  if (dark || segmentation.mask(MarkTone::light)(seed) != 0) {
+  if (dark || segmentation.bits(MarkTone::light).inside(seed.x, seed.y)) {
     cv::Mat1b padded = cv::Mat1b::zeros(left.rows + 2, left.cols + 2);
-    cv::Mat1b regions = segmentation.mask(dark ? MarkTone::dark : MarkTone::light).clone();
+    cv::Mat1b regions = segmentation.mask(dark ? MarkTone::dark : MarkTone::light);
     cv::floodFill(regions, padded, seed, 0, nullptr, 0, 0, 8 | cv::FLOODFILL_MASK_ONLY | (255 << 8));
     padded(cv::Rect(1, 1, left.cols, left.rows)).copyTo(filled_);
   }
@@ -54,7 +55,7 @@ Result<void> MarkLearner::fill(const cv::Mat& left) {
   return check_region(segmentation);
 }
 
-Result<void> MarkLearner::check_region(ImageSegmentation& mean) {
+Result<void> MarkLearner::check_region(const ImageSegmentation& mean) {
   const Datum where = list(click_.x, click_.y);
   const int area = cv::countNonZero(filled_);
   if (area == 0) return fail("no-contrast", "there is nothing but even ground around the point", where);
@@ -62,16 +63,17 @@ Result<void> MarkLearner::check_region(ImageSegmentation& mean) {
   if (box.x <= 1 || box.y <= 1 || box.br().x >= filled_.cols - 1 || box.br().y >= filled_.rows - 1) {
     return fail("border", "the region around the point reaches the border of the image", where);
   }
-  if (area > largest_mark_area_px) {
+  if (area > largest_mark_area_px(filled_.size())) {
     return fail("too-large", "the region around the point is too large for a mark: it is ground, or leaks out", where);
   }
   if (area < least_mark_area_px) return fail("too-small", "the region around the point is too small", where);
   int x = box.x;
   while (filled_(box.y, x) == 0) ++x;
-  const std::optional<MarkContour> contour = follow_contour(filled_, {x, box.y}, longest_contour_px);
+  const std::optional<MarkContour> contour =
+      follow_contour(MaskField{filled_}, {x, box.y}, longest_contour_px(filled_.size()));
   const cv::Point seed(cvRound(click_.x), cvRound(click_.y));
-  const MarkTone tone = mean.mask(MarkTone::dark)(seed) != 0 ? MarkTone::dark : MarkTone::light;
-  if (contour) first_ = measure_mark(mean.grey(), *contour, tone);
+  const MarkTone tone = mean.bits(MarkTone::dark).inside(seed.x, seed.y) ? MarkTone::dark : MarkTone::light;
+  if (contour) first_ = measure_mark(mean.image(), *contour, tone);
   if (!first_) {
     return fail("open-contour", "the region around the point is no solid mark with a closed contour on even ground",
                 where);
@@ -88,7 +90,10 @@ Result<void> MarkLearner::measure(StereoSight& sight) {
   }
   if (seen != nullptr) {
     contour_ = seen->contour;
+    const std::optional<MarkPortrait> portrait =
+        portray_mark(sight.left_segmentation().image(), seen->contour, seen->tone);
     measured_.push_back(*seen);
+    portraits_.push_back(portrait.value());
     const SeenMark* partner = find_partner(*seen, sight.right_segmentation().marks(), std::nullopt);
     if (partner != nullptr) sizes_mm_.push_back(size_mm(sight.model(), *seen, *partner));
   }
@@ -116,9 +121,9 @@ LearnedSample MarkLearner::sample() const {
   out.area_px = mean_of(measured_, [](const SeenMark& m) { return m.area_px; });
   out.perimeter_px =
       static_cast<int>(std::lround(mean_of(measured_, [](const SeenMark& m) { return m.perimeter_px; })));
-  out.corners = static_cast<int>(std::lround(mean_of(measured_, [](const SeenMark& m) { return m.corners; })));
+  out.corners = static_cast<int>(std::lround(mean_of(portraits_, [](const MarkPortrait& p) { return p.corners; })));
   for (std::size_t i = 0; i < out.moments.size(); ++i) {
-    out.moments[i] = mean_of(measured_, [i](const SeenMark& m) { return m.moments[i]; });
+    out.moments[i] = mean_of(portraits_, [i](const MarkPortrait& p) { return p.moments[i]; });
   }
   out.height_px = mean_of(measured_, [](const SeenMark& m) { return m.height_px; });
   out.slimness = mean_of(measured_, [](const SeenMark& m) { return m.slimness; });
@@ -127,10 +132,9 @@ LearnedSample MarkLearner::sample() const {
     out.size_mm = std::accumulate(sizes_mm_.begin(), sizes_mm_.end(), 0.0) / static_cast<double>(sizes_mm_.size());
   }
   cv::Mat1f picture = cv::Mat1f::zeros(template_size, template_size);
-  for (const SeenMark& mark : measured_) picture += template_picture(mark.shape);
-  picture /= static_cast<double>(measured_.size());
-  out.picture = template_from_picture(picture);
-  out.signature = signature_of(out.picture);
+  for (const MarkPortrait& portrait : portraits_) picture += portrait.picture;
+  picture /= static_cast<double>(portraits_.size());
+  out.set_picture(template_from_picture(picture));
   return out;
 }
 

@@ -34,7 +34,7 @@ class MarkLearner {
 
  private:
   Result<void> fill(const cv::Mat& left);
-  Result<void> check_region(ImageSegmentation& mean);
+  Result<void> check_region(const ImageSegmentation& mean);
   Result<void> measure(StereoSight& sight);
   Result<void> check_measured() const;
 
@@ -48,6 +48,7 @@ class MarkLearner {
   MarkContour contour_;
   std::optional<SeenMark> first_;  // on the averaged image
   std::vector<SeenMark> measured_;
+  std::vector<MarkPortrait> portraits_;  // of the same
   std::vector<double> sizes_mm_;
 };
 

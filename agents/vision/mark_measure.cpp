@@ -2,199 +2,156 @@
 
 #include <algorithm>
 #include <cmath>
-#include <opencv2/imgproc.hpp>
 
 namespace pizarra {
 namespace {
 
-constexpr int margin_px = 4;
-constexpr double least_contrast = 30;
-
-struct Region {
-  cv::Rect box;
-  cv::Mat1b inside;  // 255 where the contour encloses
-  cv::Mat1b around;  // grown by two pixels, within which blur spreads the mark
-  cv::Mat1b border;  // the outermost pixel of `around`: even ground on a clean mark
-  cv::Mat1b core;    // shrunk by one pixel
+// Of the patch's values, about its left upper corner: sums are exact.
+struct Sums {
+  double s, x, y, xx, xy, yy;
 };
 
-std::optional<Region> region_of(const cv::Mat& grey, const MarkContour& contour) {
-  Region out;
-  const cv::Rect tight = cv::boundingRect(contour);
-  out.box = {tight.x - margin_px, tight.y - margin_px, tight.width + 2 * margin_px, tight.height + 2 * margin_px};
-  if ((out.box & cv::Rect(0, 0, grey.cols, grey.rows)) != out.box) return std::nullopt;
-  out.inside = cv::Mat1b::zeros(out.box.size());
-  MarkContour shifted(contour);
-  for (cv::Point& p : shifted) p -= out.box.tl();
-  cv::fillPoly(out.inside, std::vector<MarkContour>{shifted}, 255);
-  static const cv::Mat square = cv::getStructuringElement(cv::MORPH_RECT, {3, 3});
-  cv::Mat1b grown;
-  cv::dilate(out.inside, grown, square);
-  cv::dilate(grown, out.around, square);
-  out.border = out.around - grown;
-  cv::erode(out.inside, out.core, square);
+// Columns and their squares; 16 bits hold both.
+using Columns = std::array<std::int16_t, MarkPatch::most_side_px>;
+constexpr Columns columns = [] {
+  Columns out{};
+  for (int x = 0; x < MarkPatch::most_side_px; ++x) out[static_cast<std::size_t>(x)] = static_cast<std::int16_t>(x);
   return out;
+}();
+constexpr Columns squared_columns = [] {
+  Columns out{};
+  for (int x = 0; x < MarkPatch::most_side_px; ++x) out[static_cast<std::size_t>(x)] = static_cast<std::int16_t>(x * x);
+  return out;
+}();
+
+std::int32_t dot(const std::int16_t* a, const std::int16_t* b, int count) {
+  std::int32_t sum = 0;
+  for (int i = 0; i < count; ++i) sum += static_cast<std::int32_t>(a[i]) * b[i];
+  return sum;
 }
 
-// The median of the pixels under a mask, and which share of them lies within `tolerance` of it.
-struct Level {
-  int median = 0;
-  int count = 0;
-  std::array<int, 256> histogram{};
-
-  double share_within(int tolerance) const {
-    int near = 0;
-    for (int i = std::max(0, median - tolerance); i <= std::min(255, median + tolerance); ++i) {
-      near += histogram[static_cast<std::size_t>(i)];
-    }
-    return count == 0 ? 0 : static_cast<double>(near) / count;
-  }
-};
-
-Level level_under(const cv::Mat& grey, const cv::Mat1b& mask) {
-  Level out;
-  for (int y = 0; y < mask.rows; ++y) {
-    const auto* pixels = grey.ptr<std::uint8_t>(y);
-    const auto* under = mask.ptr<std::uint8_t>(y);
-    for (int x = 0; x < mask.cols; ++x) {
-      if (under[x] == 0) continue;
-      ++out.histogram[pixels[x]];
-      ++out.count;
-    }
-  }
-  int seen = 0;
-  while (out.median < 255 && (seen += out.histogram[static_cast<std::size_t>(out.median)]) * 2 < out.count) {
-    ++out.median;
+Sums sums_of(const MarkPatch& patch) {
+  Sums out{};
+  for (int y = 1; y < patch.box.height - 1; ++y) {
+    const std::int16_t* row = patch.row(y);
+    std::int32_t sum = 0;
+    for (int x = 0; x < patch.stride; ++x) sum += row[x];
+    const double s = sum;
+    const double x = dot(row, columns.data(), patch.stride);
+    out.s += s;
+    out.x += x;
+    out.y += y * s;
+    out.xx += dot(row, squared_columns.data(), patch.stride);
+    out.xy += y * x;
+    out.yy += static_cast<double>(y) * y * s;
   }
   return out;
 }
 
-// 1 where the mark is, 0 where the ground is, in between where an edge crosses a pixel. Not clamped: noise must not add
-// weight. What lies two pixels outside and is yet unlike the ground belongs to something else. A light gradient moves
-// the centre a little, by the same in both images (0.06 px at 30 % over the image's width); fitting the light per mark
-// would cost more in depth than it gains.
-cv::Mat1f weights_of(const cv::Mat& grey, const Region& region, double mark_level, double ground_level) {
-  cv::Mat1f out = cv::Mat1f::zeros(region.box.size());
-  const double scale = 1 / (mark_level - ground_level);
-  for (int y = 0; y < out.rows; ++y) {
-    const auto* pixels = grey.ptr<std::uint8_t>(y);
-    const auto* around = region.around.ptr<std::uint8_t>(y);
-    const auto* border = region.border.ptr<std::uint8_t>(y);
-    auto* weights = out.ptr<float>(y);
-    for (int x = 0; x < out.cols; ++x) {
-      if (around[x] == 0) continue;
-      const double weight = (pixels[x] - ground_level) * scale;
-      if (border[x] != 0 && std::abs(weight) > 0.3) continue;
-      weights[x] = static_cast<float>(weight);
-    }
-  }
-  return out;
-}
-
-struct Moments {
-  double m00, x, y, mu20, mu11, mu02, mu30, mu21, mu12, mu03;
+struct Ellipse {
+  cv::Point2d centre;
+  double xx, xy, yy;  // covariance, px^2
+  double area_px;     // the sum of all weights
 };
 
-std::optional<Moments> moments_of(const cv::Mat1f& weights) {
-  Moments m{};
-  double m10 = 0;
-  double m01 = 0;
-  for (int y = 0; y < weights.rows; ++y) {
-    const float* row = weights.ptr<float>(y);
-    for (int x = 0; x < weights.cols; ++x) {
-      const double w = row[x];
-      m.m00 += w;
-      m10 += w * x;
-      m01 += w * y;
-    }
-  }
-  if (m.m00 < 1) return std::nullopt;
-  m.x = m10 / m.m00;
-  m.y = m01 / m.m00;
-  for (int y = 0; y < weights.rows; ++y) {
-    const float* row = weights.ptr<float>(y);
-    const double v = y - m.y;
-    for (int x = 0; x < weights.cols; ++x) {
-      const double w = row[x];
-      if (w == 0) continue;
-      const double u = x - m.x;
-      m.mu20 += w * u * u;
-      m.mu11 += w * u * v;
-      m.mu02 += w * v * v;
-      m.mu30 += w * u * u * u;
-      m.mu21 += w * u * u * v;
-      m.mu12 += w * u * v * v;
-      m.mu03 += w * v * v * v;
-    }
-  }
-  if (m.mu20 <= 0 || m.mu02 <= 0 || m.mu20 * m.mu02 <= m.mu11 * m.mu11) return std::nullopt;
-  return m;
-}
-
-// M. K. Hu, Visual Pattern Recognition by Moment Invariants, 1962.
-std::array<double, 3> hu_moments(const Moments& m) {
-  const double second = m.m00 * m.m00;
-  const double third = second * std::sqrt(m.m00);
-  const double n20 = m.mu20 / second;
-  const double n02 = m.mu02 / second;
-  const double n11 = m.mu11 / second;
-  const double h1 = n20 + n02;
-  const double h2 = (n20 - n02) * (n20 - n02) + 4 * n11 * n11;
-  const double a = (m.mu30 - 3 * m.mu12) / third;
-  const double b = (3 * m.mu21 - m.mu03) / third;
-  return {2 * CV_PI * h1, 1e6 * h2, 1e9 * (a * a + b * b)};
+std::optional<Ellipse> ellipse_of(const MarkPatch& patch) {
+  const Sums sums = sums_of(patch);
+  if (sums.s < patch.contrast) return std::nullopt;
+  Ellipse out{};
+  out.centre = {sums.x / sums.s, sums.y / sums.s};
+  out.xx = sums.xx / sums.s - out.centre.x * out.centre.x;
+  out.xy = sums.xy / sums.s - out.centre.x * out.centre.y;
+  out.yy = sums.yy / sums.s - out.centre.y * out.centre.y;
+  out.area_px = sums.s / patch.contrast;
+  if (out.xx <= 0 || out.yy <= 0 || out.xx * out.yy <= out.xy * out.xy) return std::nullopt;
+  return out;
 }
 
 // The symmetric square root of a 2x2 covariance: (S + sqrt(det S) I) / sqrt(trace S + 2 sqrt(det S)).
-cv::Matx22d spread_of(const Moments& m) {
-  const double a = m.mu20 / m.m00;
-  const double b = m.mu11 / m.m00;
-  const double d = m.mu02 / m.m00;
-  const double root = std::sqrt(a * d - b * b);
-  const double scale = 1 / std::sqrt(a + d + 2 * root);
-  return {(a + root) * scale, b * scale, b * scale, (d + root) * scale};
+cv::Matx22d spread_of(const Ellipse& e) {
+  const double root = std::sqrt(e.xx * e.yy - e.xy * e.xy);
+  const double scale = 1 / std::sqrt(e.xx + e.yy + 2 * root);
+  return {(e.xx + root) * scale, e.xy * scale, e.xy * scale, (e.yy + root) * scale};
 }
 
-double slimness_of(const Moments& m) {
-  const double mean = (m.mu20 + m.mu02) / 2;
-  const double half = std::hypot((m.mu20 - m.mu02) / 2, m.mu11);
-  return std::sqrt(std::max(0.0, mean - half) / (mean + half));
+WeightedShape shape_of(const MarkPatch& patch, const Ellipse& ellipse) {
+  return {.weights = patch.values.data(),
+          .stride = patch.stride,
+          .size = patch.box.size(),
+          .centre = ellipse.centre,
+          .spread = spread_of(ellipse),
+          .full = static_cast<double>(patch.contrast)};
+}
+
+// M. K. Hu, Visual Pattern Recognition by Moment Invariants, 1962.
+std::array<double, 3> hu_moments(const MarkPatch& patch, const Ellipse& e) {
+  double mu30 = 0;
+  double mu21 = 0;
+  double mu12 = 0;
+  double mu03 = 0;
+  for (int y = 0; y < patch.box.height; ++y) {
+    for (int x = 0; x < patch.box.width; ++x) {
+      const double w = patch.row(y)[x] / static_cast<double>(patch.contrast);
+      const double u = x - e.centre.x;
+      const double v = y - e.centre.y;
+      mu30 += w * u * u * u;
+      mu21 += w * u * u * v;
+      mu12 += w * u * v * v;
+      mu03 += w * v * v * v;
+    }
+  }
+  const double third = e.area_px * e.area_px * std::sqrt(e.area_px);
+  const double n20 = e.xx / e.area_px;
+  const double n02 = e.yy / e.area_px;
+  const double n11 = e.xy / e.area_px;
+  const double h1 = n20 + n02;
+  const double h2 = (n20 - n02) * (n20 - n02) + 4 * n11 * n11;
+  const double a = (mu30 - 3 * mu12) / third;
+  const double b = (3 * mu21 - mu03) / third;
+  return {2 * CV_PI * h1, 1e6 * h2, 1e9 * (a * a + b * b)};
 }
 
 }  // namespace
 
-std::optional<SeenMark> measure_mark(const cv::Mat& grey, const MarkContour& contour, MarkTone tone) {
-  const std::optional<Region> region = region_of(grey, contour);
-  if (!region) return std::nullopt;
-  const cv::Mat patch = grey(region->box);
-  const Level mark = level_under(patch, region->core);
-  const Level ground = level_under(patch, region->border);
-  const int contrast = tone == MarkTone::dark ? ground.median - mark.median : mark.median - ground.median;
-  if (mark.count == 0 || contrast < least_contrast) return std::nullopt;
-  if (mark.share_within(contrast / 3) < 0.85 || ground.share_within(contrast / 5) < 0.75) return std::nullopt;
-
-  SeenMark out;
-  out.tone = tone;
-  out.contour = contour;
-  out.mark_level = mark.median;
-  out.ground_level = ground.median;
-  out.shape.weights = weights_of(patch, *region, mark.median, ground.median);
-  const std::optional<Moments> moments = moments_of(out.shape.weights);
-  if (!moments) return std::nullopt;
-  out.shape.centre = {moments->x, moments->y};
-  out.shape.spread = spread_of(*moments);
-  out.centre = cv::Point2d(region->box.tl()) + out.shape.centre;
-  out.area_px = cv::countNonZero(region->inside);
-  out.perimeter_px = static_cast<int>(contour.size());
-  out.corners = count_corners(contour);
-  out.moments = hu_moments(*moments);
-  out.width_px = std::sqrt(moments->mu20 / moments->m00);
-  out.height_px = std::sqrt(moments->mu02 / moments->m00);
-  out.slimness = slimness_of(*moments);
-  out.roundness = 4 * CV_PI * std::sqrt(moments->mu20 * moments->mu02 - moments->mu11 * moments->mu11) /
-                  (moments->m00 * moments->m00);
-  out.signature = signature_of(out.shape);
+std::optional<SeenMark> measure_mark(const cv::Mat1b& image, MarkContour contour, MarkTone tone) {
+  MarkPatch patch;
+  if (!patch.cut(image, contour, tone)) return std::nullopt;
+  const std::optional<Ellipse> ellipse = ellipse_of(patch);
+  if (!ellipse) return std::nullopt;
+  std::optional<SeenMark> out(std::in_place);
+  out->tone = tone;
+  out->centre = cv::Point2d(patch.box.tl()) + ellipse->centre;
+  const cv::Point margin(MarkPatch::margin_px, MarkPatch::margin_px);
+  out->box = {patch.box.tl() + margin, patch.box.br() - margin};
+  out->area_px = patch.area_px;
+  out->perimeter_px = static_cast<int>(contour.size());
+  out->width_px = std::sqrt(ellipse->xx);
+  out->height_px = std::sqrt(ellipse->yy);
+  const double mean = (ellipse->xx + ellipse->yy) / 2;
+  const double half = std::hypot((ellipse->xx - ellipse->yy) / 2, ellipse->xy);
+  out->slimness = std::sqrt(std::max(0.0, mean - half) / (mean + half));
+  out->roundness = 4 * CV_PI * std::sqrt(ellipse->xx * ellipse->yy - ellipse->xy * ellipse->xy) / ellipse->area_px;
+  out->mark_level = patch.mark_level;
+  out->ground_level = patch.ground_level;
+  out->signature = signature_of(shape_of(patch, *ellipse));
+  out->contour = std::move(contour);
   return out;
+}
+
+void move_by(SeenMark& mark, cv::Point origin) {
+  mark.centre += cv::Point2d(origin);
+  mark.box += origin;
+  for (cv::Point& p : mark.contour) p += origin;
+}
+
+std::optional<MarkPortrait> portray_mark(const cv::Mat1b& image, const MarkContour& contour, MarkTone tone) {
+  MarkPatch patch;
+  if (!patch.cut(image, contour, tone)) return std::nullopt;
+  const std::optional<Ellipse> ellipse = ellipse_of(patch);
+  if (!ellipse) return std::nullopt;
+  return MarkPortrait{.corners = count_corners(contour),
+                      .moments = hu_moments(patch, *ellipse),
+                      .picture = template_picture(shape_of(patch, *ellipse))};
 }
 
 int count_corners(const MarkContour& contour) {

@@ -1,14 +1,13 @@
 #pragma once
 
-// What shape a mark has, whatever its place, size, turn and view: its grey weights sampled on rings after the mark's
-// second moments have been made those of a circle (which undoes size and the foreshortening of a yawed face). Two
-// signatures are compared over all turns.
+// What shape a mark has, whatever its place, size, turn and view: its weights sampled on rings after the mark's second
+// moments have been made those of a circle (which undoes size and the foreshortening of a yawed face). Two signatures
+// are compared over all turns, or, where it is known how the mark is turned, over a few.
 //
 // The square template of a learned object is the same normalised shape as a small picture; a signature can be taken
 // from it again, so that the template is all that need be kept.
 //
-//   double error = signature_error(signature_of(seen.shape()), signature_of(learned.picture));  // 0 alike, about 2
-//   apart
+//   double error = signature_error(seen.signature, signature_of(learned.picture));  // 0 alike, 2 nothing in common
 
 #include <array>
 #include <cstdint>
@@ -19,11 +18,14 @@
 
 namespace pizarra {
 
-// The grey weights of a mark (1 mark, 0 ground) around its centre, both in px of `weights`.
+// The weights of a mark, row by row, `full` where the mark is and 0 on the ground; 0 along the border of the picture.
 struct WeightedShape {
-  cv::Mat1f weights;
-  cv::Point2d centre;
+  const std::int16_t* weights;
+  int stride;
+  cv::Size size;
+  cv::Point2d centre;  // px
   cv::Matx22d spread;  // the symmetric square root of its covariance, px
+  double full;
 };
 
 inline constexpr int template_size = 32;     // px
@@ -35,16 +37,19 @@ using MarkTemplate = std::array<std::uint8_t, template_size * template_size>;
 struct MarkSignature {
   static constexpr int rings = 7;
   static constexpr int turns = 48;
-  // One more turn behind the first, so that a turned signature is a run of neighbours.
+  // Every ring twice over, so that a turned one is a run of neighbours.
   std::array<std::int16_t, rings * 2 * turns> samples{};
   std::int64_t energy = 0;
 };
 
 MarkSignature signature_of(const WeightedShape& shape);
-MarkSignature signature_of(const MarkTemplate& picture);
+// `blur`: how much more blurred than the picture the mark is to be seen, in its standard deviations.
+MarkSignature signature_of(const MarkTemplate& picture, double blur = 0);
 
-// The squared difference over the mean energy at the best turn.
+// Two minus twice the correlation at the best turn.
 double signature_error(const MarkSignature& a, const MarkSignature& b);
+// The same, over turns of at most `most_turns` steps of 7.5 degrees either way.
+double signature_error(const MarkSignature& a, const MarkSignature& b, int most_turns);
 
 // The normalised shape as a picture with weights 0..1.
 cv::Mat1f template_picture(const WeightedShape& shape);

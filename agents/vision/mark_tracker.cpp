@@ -9,26 +9,39 @@ namespace {
 
 // How far from its predicted place a mark is followed: more than a frame's motion (12 mm are 6 px).
 constexpr int gate_px = 12;
+constexpr int small_gate_px = 5;
 // How far a lost mark is looked for before the whole image is.
 constexpr double local_reach_px = 48;
 
-// Follows the contour of the mark that was `last` from about `centre`.
-std::optional<SeenMark> follow_mark(const cv::Mat& grey, const SeenMark& last, cv::Point2d centre) {
-  const cv::Rect box = cv::boundingRect(last.contour);
-  const int reach = std::max(box.width, box.height) / 2 + gate_px + 8;
+// How far around the predicted place of its middle an image must be looked at for a mark to be followed there.
+cv::Rect area_around(const SeenMark& last, cv::Point middle, int gate, cv::Size image) {
+  const int reach_y = last.box.height / 2 + gate + 2 * MarkPatch::margin_px;
+  // As many columns as fill whole vectors.
+  const int reach_x = (last.box.width / 2 + gate + 2 * MarkPatch::margin_px + 7) / 8 * 8;
+  return cv::Rect(middle.x - reach_x, middle.y - reach_y, 2 * reach_x, 2 * reach_y) & cv::Rect({0, 0}, image);
+}
+
+// Follows the contour of the mark that was `last` from about `centre`, no further than `gate_px` away.
+std::optional<SeenMark> follow_mark(const cv::Mat& grey, double noise, const SeenMark& last, cv::Point2d centre,
+                                    int gate) {
   const cv::Point middle(cvRound(centre.x), cvRound(centre.y));
-  const cv::Rect area =
-      cv::Rect(middle.x - reach, middle.y - reach, 2 * reach + 1, 2 * reach + 1) & cv::Rect(0, 0, grey.cols, grey.rows);
+  const cv::Rect area = area_around(last, middle, gate, grey.size());
   if (!area.contains(middle)) return std::nullopt;
-  const double threshold = (last.mark_level + last.ground_level) / 2;
-  cv::Mat1b mask;
-  cv::compare(grey(area), threshold, mask, last.tone == MarkTone::dark ? cv::CMP_LT : cv::CMP_GT);
-  std::optional<MarkContour> contour = contour_from_centre(mask, middle - area.tl(), gate_px, longest_contour_px);
-  if (!contour) return std::nullopt;
-  for (cv::Point& p : *contour) p += area.tl();
-  std::optional<SeenMark> mark = measure_mark(grey, *contour, last.tone);
-  if (!mark || cv::norm(mark->centre - centre) > gate_px) return std::nullopt;
+  const ImageCut cut = look_at(grey, area, noise);
+  const ToneField field{cut.pixels, cvRound((last.mark_level + last.ground_level) / 2), last.tone == MarkTone::dark};
+  std::optional<MarkContour> contour =
+      contour_from_centre(field, middle - area.tl(), gate, longest_contour_px(grey.size()));
+  if (!contour || contour->size() < 4) return std::nullopt;
+  std::optional<SeenMark> mark = measure_mark(cut.pixels, std::move(*contour), last.tone);
+  if (mark) move_by(*mark, cut.origin);
+  if (!mark || cv::norm(mark->centre - centre) > gate) return std::nullopt;
   return mark;
+}
+
+// Most marks are where they are expected; then little need be looked at.
+std::optional<SeenMark> follow_mark(const cv::Mat& grey, double noise, const SeenMark& last, cv::Point2d centre) {
+  std::optional<SeenMark> near = follow_mark(grey, noise, last, centre, small_gate_px);
+  return near ? near : follow_mark(grey, noise, last, centre, gate_px);
 }
 
 }  // namespace
@@ -54,14 +67,15 @@ std::vector<TrackSighting> MarkTracker::update(StereoSight& sight) {
 std::optional<SeenPair> MarkTracker::follow(StereoSight& sight, const Track& track) const {
   if (!track.left) return std::nullopt;
   SeenPair out;
-  const std::optional<SeenMark> left = follow_mark(sight.left(), *track.left, track.left->centre + track.velocity_px);
+  std::optional<SeenMark> left =
+      follow_mark(sight.left(), sight.noise(), *track.left, track.left->centre + track.velocity_px);
   if (!left || !is_recognised(*left, objects_, *track.object)) return std::nullopt;
-  out.left = *left;
+  out.left = std::move(*left);
   std::optional<double> disparity;
   if (track.right) {
     disparity = track.left->centre.x - track.right->centre.x + track.disparity_change_px;
-    const cv::Point2d expected(left->centre.x - *disparity, left->centre.y);
-    out.right = follow_mark(sight.right(), *track.right, expected);
+    const cv::Point2d expected(out.left.centre.x - *disparity, out.left.centre.y);
+    out.right = follow_mark(sight.right(), sight.noise(), *track.right, expected);
   }
   if (!out.right || !are_partners(out.left, *out.right)) {
     out.right.reset();

@@ -11,14 +11,25 @@ constexpr double impossible = std::numeric_limits<double>::infinity();
 constexpr double least_slimness = 0.55;
 // Two faces of one yawed cube are seen about this many mark heights (standard deviations) apart at most.
 constexpr double neighbour_heights = 8;
+constexpr double roundness_weight = 0.25;
+// With less error than this a mark need not be compared with what blur would make of the object.
+constexpr double clear_error = 0.02;
+// More than this no lens that is nearly focused blurs.
+constexpr double widest_blur_px = 2.2;
 
 double sample_error(const SeenMark& mark, const LearnedSample& sample) {
   if (mark.tone != sample.tone || mark.slimness < least_slimness * sample.slimness) return impossible;
   const double scale = mark.height_px / sample.height_px;
   if (scale < 0.5 || scale > 1.8) return impossible;
-  const double roundness = std::abs(mark.roundness / sample.roundness - 1);
-  const double corners = std::abs(mark.corners - sample.corners);
-  return signature_error(mark.signature, sample.signature) + 0.5 * roundness + 0.002 * std::min(corners, 10.0);
+  // The parameters first: where they differ too much the shapes need not be compared.
+  const double roundness = roundness_weight * std::abs(mark.roundness / sample.roundness - 1);
+  if (roundness > recognition_threshold) return impossible;
+  double best = impossible;
+  for (std::size_t i = 0; i < sample.blurs.size() && best > clear_error; ++i) {
+    if (sample.blurs[i] * mark.height_px > widest_blur_px) break;
+    best = std::min(best, signature_error(mark.signature, sample.signatures[i]));
+  }
+  return best + roundness;
 }
 
 }  // namespace
@@ -32,6 +43,8 @@ double recognition_error(const SeenMark& mark, const LearnedObject& object) {
 bool is_recognised(const SeenMark& mark, const LearnedObjects& objects, const LearnedObject& object) {
   const double error = recognition_error(mark, object);
   if (error > recognition_threshold) return false;
+  // The square root of the error is a distance: within half of that to the nearest rival nothing else can be nearer.
+  if (4 * error < object.rival_error) return true;
   return std::none_of(objects.all().begin(), objects.all().end(), [&](const LearnedObject& rival) {
     return &rival != &object && recognition_error(mark, rival) < error;
   });
@@ -65,7 +78,7 @@ bool are_partners(const SeenMark& left, const SeenMark& right) {
   const double area = right.area_px / left.area_px;
   return left.tone == right.tone && std::abs(left.centre.y - right.centre.y) < 1.0 &&
          left.centre.x > right.centre.x + 1 && scale > 0.9 && scale < 1.1 && area > 0.75 && area < 1.33 &&
-         signature_error(left.signature, right.signature) < recognition_threshold;
+         signature_error(left.signature, right.signature, 1) < recognition_threshold;
 }
 
 const SeenMark* find_partner(const SeenMark& left, const std::vector<SeenMark>& right,

@@ -41,15 +41,15 @@ bool yaw_explains(double left_width, double left_slope, double right_width, doub
 }  // namespace
 
 StereoSight::StereoSight(cv::Mat left, cv::Mat right, const StereoModel& model)
-    : left_(std::move(left)), right_(std::move(right)), model_(model) {}
+    : left_(std::move(left)), right_(std::move(right)), model_(model), noise_(noise_of(left_)) {}
 
 ImageSegmentation& StereoSight::left_segmentation() {
-  if (!left_segmentation_) left_segmentation_.emplace(left_);
+  if (!left_segmentation_) left_segmentation_.emplace(left_, noise_);
   return *left_segmentation_;
 }
 
 ImageSegmentation& StereoSight::right_segmentation() {
-  if (!right_segmentation_) right_segmentation_.emplace(right_);
+  if (!right_segmentation_) right_segmentation_.emplace(right_, noise_);
   return *right_segmentation_;
 }
 

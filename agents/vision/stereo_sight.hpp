@@ -26,6 +26,8 @@ class StereoSight {
   const cv::Mat& left() const { return left_; }
   const cv::Mat& right() const { return right_; }
   const StereoModel& model() const { return model_; }
+  // noise_of() the left image; the right sensor is of the same kind.
+  double noise() const { return noise_; }
   ImageSegmentation& left_segmentation();
   ImageSegmentation& right_segmentation();
 
@@ -38,6 +40,7 @@ class StereoSight {
   cv::Mat left_;
   cv::Mat right_;
   const StereoModel& model_;
+  double noise_;
   std::optional<ImageSegmentation> left_segmentation_;
   std::optional<ImageSegmentation> right_segmentation_;
 };

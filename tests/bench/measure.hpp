@@ -12,6 +12,9 @@ namespace pizarra {
 
 double seconds_of(const std::function<void()>& work);
 
+// What the calling thread itself computes, in seconds: nobody else's work on the same core is counted.
+double thread_seconds_of(const std::function<void()>& work);
+
 // Of every piece of work, in seconds.
 std::vector<double> medians_in_turns(int rounds, const std::vector<std::function<void()>>& works);
 

@@ -1,4 +1,4 @@
-// How long the eyes take, in turns with the detectors of tags on the same scene.
+// What the eyes compute, in turns with the detectors of tags on the same scenes: one thread each, and its own time.
 
 #include <opencv2/imgproc.hpp>
 
@@ -75,11 +75,14 @@ std::vector<Work> peers_work(const VisionBench& bench, const std::vector<Scene>&
 
 // Says our figure against a share of ArUco's time, the peers beside it.
 void say_time(VisionBench& bench, const std::string& name, double share, const std::string& share_text,
-              std::function<void()> ours, const std::vector<Work>& others) {
-  std::vector<std::function<void()>> works{std::move(ours)};
+              const std::function<void()>& ours, const std::vector<Work>& others) {
+  const auto timed = [](const std::function<void()>& work) {
+    return std::function<double()>([work] { return thread_seconds_of(work); });
+  };
+  std::vector<std::function<double()>> works{timed(ours)};
   std::vector<Peer> peers;
-  for (const auto& [peer, work] : others) works.push_back(work ? work : [] {});
-  const std::vector<double> seconds = medians_in_turns(rounds, works);
+  for (const auto& [peer, work] : others) works.push_back(work ? timed(work) : [] { return 0.0; });
+  const std::vector<double> seconds = medians_of_rounds(rounds, works);
   for (std::size_t i = 0; i < others.size(); ++i) {
     const auto& [peer, work] = others[i];
     peers.push_back({peer, {}});
@@ -117,6 +120,7 @@ void track_time(VisionBench& bench) {
   struct Followed {
     std::vector<Pair> frames;
     MarkTracker tracker;
+    std::size_t next = 0;
   };
   std::vector<Followed> all;
   for (const Scene& scene : scenes) {
@@ -132,15 +136,13 @@ void track_time(VisionBench& bench) {
     }
     all.push_back(std::move(followed));
   }
-  std::size_t at = 0;
   const auto track_all = [&] {
-    for (int i = 0; i < repeats; ++i) {
-      for (Followed& followed : all) {
-        const Pair& pair = followed.frames[at % followed.frames.size()];
+    for (Followed& followed : all) {
+      for (int i = 0; i < repeats; ++i) {
+        const Pair& pair = followed.frames[followed.next++ % followed.frames.size()];
         StereoSight sight(pair.left, pair.right, scene_camera());
         followed.tracker.update(sight);
       }
-      ++at;
     }
   };
   say_time(bench, "track five objects, both images, depth", 1.0 / 40, "1/40", track_all,
