@@ -11,7 +11,7 @@ namespace pizarra {
 namespace {
 
 // Where one resource guides the search, even 5,100 actions (50 blocks) take no more than 0.2 s, as measured; where
-// satisfiability has to do, plans of so many actions take longer than a cell waits.
+// satisfiability has to do, so many actions may take longer than a cell waits.
 constexpr std::size_t max_optimal_actions = 3000;
 constexpr std::size_t fast_nodes = 50'000;
 
