@@ -35,6 +35,7 @@ struct Service::Running {
   }
 
   WaitList slot_freed;
+  bool leaving = false;
   std::map<Datum, Datum> replies;
   std::deque<Datum> replied;
   // Requests being done, by id, and the facts that they were last told as.
@@ -145,11 +146,24 @@ Task<Result<void>> Service::follow(Watch& watch) {
         co_await running_->slot_freed.wait();
         std::erase_if(running_->jobs, [](const Job& job) { return job.done(); });
       }
+      if (running_->leaving) continue;
       const Datum request = answer.facts.front().datum;
       const Result<std::optional<Fact>> taken = co_await context_.board.take(request, presence_);
       if (taken && *taken) running_->jobs.push_back(context_.executor.spawn(answer_request(**taken)));
     }
   }
+}
+
+Task<Result<void>> Service::leave(Duration patience) {
+  running_->leaving = true;
+  const Time deadline = context_.executor.now() + patience;
+  bool in_time = true;
+  while (in_time) {
+    if (running_->in_hand.empty()) break;
+    in_time = co_await running_->slot_freed.wait(deadline);
+  }
+  running_->renewal = Job();
+  co_return co_await context_.board.release(presence_);
 }
 
 Task<void> Service::answer_request(Fact request) {
@@ -178,7 +192,7 @@ Task<void> Service::answer_request(Fact request) {
     if (excused) running_->replies[id] = excuse;
   }
   running_->in_hand.erase(id);
-  running_->slot_freed.wake_one();
+  running_->slot_freed.wake_all();
 }
 
 Task<Datum> Service::work_out(Datum request) {

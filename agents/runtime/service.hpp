@@ -40,6 +40,9 @@ class Service {
   Task<Result<void>> start();
   // Serves until destroyed, or until the board or the presence is lost for good.
   Task<Result<void>> serve(Handler handler);
+  // In an orderly way: takes no more requests, lets those in hand be answered, `patience` at most, and frees the name
+  // at once. What is not answered is left to a successor.
+  Task<Result<void>> leave(Duration patience);
   // The lease under which this agent's presence, and whatever should go with it, stands.
   LeaseId presence() const { return presence_; }
 
