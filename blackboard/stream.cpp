@@ -12,7 +12,7 @@ Relation stream_relation() {
       .value();
 }
 
-Datum stream_fact(const std::string& name, const std::string& kind, const Streams& streams) {
+Datum stream_fact(std::string_view name, std::string_view kind, const Streams& streams) {
   return list("stream"_sym, Datum::symbol(name), Datum::symbol(kind), streams.place());
 }
 

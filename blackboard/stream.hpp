@@ -53,7 +53,7 @@ class Streams {
 
 // What a stream is announced with: (relation stream ((name symbol) (kind symbol) (place list)) (key name)).
 Relation stream_relation();
-Datum stream_fact(const std::string& name, const std::string& kind, const Streams& streams);
+Datum stream_fact(std::string_view name, std::string_view kind, const Streams& streams);
 
 // Streams within one process; receivers are called from publish(). It outlives its subscriptions.
 class LocalStreams : public Streams {

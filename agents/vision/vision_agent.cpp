@@ -31,7 +31,8 @@ constexpr std::string_view contract_text = R"(
                                 (roundness number) (size number) (picture string)) (key name num) (durable))
     (relation camera-model ((width integer) (height integer) (focal number) (cx number) (cy number)
                             (base-line number)) (key))
-    (relation camera-state ((state symbol) (trouble string)) (key)))
+    (relation camera-state ((state symbol) (trouble string)) (key))
+    (relation stream ((name symbol) (kind symbol) (place list)) (key name)))
   (reads frames)
   (configures (learn connect disconnect))
   (monitors (vision-mode camera-state)))
@@ -52,6 +53,10 @@ std::string_view state_name(CameraFeed::State state) {
 }
 
 constexpr Duration state_check = 1s;
+
+// What can be watched: the pair as the camera gives it, the eyes' grey, the same in colour, and what a person likes to
+// see.
+constexpr std::string_view stream_kinds[] = {"left", "right", "grey", "colour", "annotated"};
 
 }  // namespace
 
@@ -157,6 +162,9 @@ Task<void> VisionAgent::State::tell_state() {
     facts.push_back(list("camera-model"_sym, model->width, model->height, model->focal_px, model->centre_x_px,
                          model->centre_y_px, model->base_line_mm));
   }
+  if (streams != nullptr) {
+    for (const std::string_view kind : stream_kinds) facts.push_back(stream_fact(stream(kind), kind, *streams));
+  }
   co_await tell(std::move(facts));
 }
 
@@ -211,11 +219,19 @@ Task<void> VisionAgent::State::on_frame(StereoFrame frame) {
   co_await tell(std::move(facts));
 }
 
+std::string VisionAgent::State::stream(std::string_view kind) const { return fmt::format("{}-{}", context.name, kind); }
+
+bool VisionAgent::State::watched(std::string_view kind) const { return streams->watched(stream(kind)); }
+
 void VisionAgent::State::publish(const StereoFrame& frame, const std::vector<TrackSighting>& sightings) {
   if (streams == nullptr) return;
-  if (streams->watched("vision-left")) streams->publish("vision-left", {frame.number, frame.captured, frame.left});
-  if (streams->watched("vision-right")) streams->publish("vision-right", {frame.number, frame.captured, frame.right});
-  if (!streams->watched("vision-annotated") || !showing.done()) return;
+  const auto send = [&](std::string_view kind, std::shared_ptr<const Image> image) {
+    streams->publish(stream(kind), {frame.number, frame.captured, std::move(image)});
+  };
+  if (watched("left")) send("left", frame.left);
+  if (watched("right")) send("right", frame.right);
+  if (watched("grey")) send("grey", grey_image(frame.left));
+  if (!(watched("colour") || watched("annotated")) || !showing.done()) return;
   Annotation annotation{.sightings = sightings, .filled = {}, .learned_contour = {}, .status = {}};
   if (learner) {
     annotation.learned_contour = learner->contour();
@@ -231,17 +247,29 @@ Task<void> VisionAgent::State::show(StereoFrame frame, Annotation annotation) {
   const std::uint64_t before = frame.number - 1;
   const Result<StereoFrame> coloured = co_await camera.next(before, true);
   const bool usable = coloured && coloured->left != nullptr && coloured->left->width == frame.left->width;
-  const Image& base = usable ? *coloured->left : *frame.left;
-  streams->publish("vision-annotated", {frame.number, frame.captured, annotate(base, annotation)});
+  const StereoFrame& base = usable ? *coloured : frame;
+  if (watched("colour")) streams->publish(stream("colour"), {base.number, base.captured, base.left});
+  if (!watched("annotated")) co_return;
+  streams->publish(stream("annotated"), {frame.number, frame.captured, annotate(*base.left, annotation)});
 }
 
-GreyPair grey_pair(const StereoFrame& frame) {
-  const auto grey = [](const Image& image) {
-    cv::Mat view(image.height, image.width, CV_8UC(image.channels), const_cast<std::uint8_t*>(image.pixels.data()));
-    if (image.channels == 3) cv::cvtColor(view, view, cv::COLOR_BGR2GRAY);
-    return view;
-  };
-  return {grey(*frame.left), grey(*frame.right)};
+namespace {
+
+// Shares the pixels of what is grey already.
+cv::Mat grey(const Image& image) {
+  cv::Mat view(image.height, image.width, CV_8UC(image.channels), const_cast<std::uint8_t*>(image.pixels.data()));
+  if (image.channels == 3) cv::cvtColor(view, view, cv::COLOR_BGR2GRAY);
+  return view;
+}
+
+}  // namespace
+
+GreyPair grey_pair(const StereoFrame& frame) { return {grey(*frame.left), grey(*frame.right)}; }
+
+std::shared_ptr<const Image> grey_image(const std::shared_ptr<const Image>& image) {
+  if (image->channels == 1) return image;
+  const cv::Mat view = grey(*image);
+  return std::make_shared<Image>(Image{image->width, image->height, 1, {view.datastart, view.dataend}});
 }
 
 }  // namespace pizarra

@@ -30,8 +30,9 @@ struct VisionOptions {
 
 class VisionAgent : public Agent {
  public:
-  // `streams` may be null; otherwise images go to "vision-left", "vision-right" (grey) and "vision-annotated" (BGR,
-  // twice the size) while somebody watches. Both, and the camera, outlive the agent.
+  // `streams` may be null; otherwise images go to NAME-left, NAME-right (as the camera gives them), NAME-grey,
+  // NAME-colour (of the left) and NAME-annotated (BGR, twice the size) while somebody watches. Both, and the camera,
+  // outlive the agent.
   VisionAgent(AgentContext context, StereoCamera& camera, Streams* streams, VisionOptions options = {});
   ~VisionAgent() override;
   Task<Result<void>> run() override;

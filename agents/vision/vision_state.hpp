@@ -53,6 +53,9 @@ struct VisionAgent::State {
 
   // Frames.
   Task<void> on_frame(StereoFrame frame);
+  // The name of the stream of this kind, and whether anybody watches it.
+  std::string stream(std::string_view kind) const;
+  bool watched(std::string_view kind) const;
   void publish(const StereoFrame& frame, const std::vector<TrackSighting>& sightings);
   Task<void> show(StereoFrame frame, Annotation annotation);
 
@@ -78,5 +81,6 @@ struct GreyPair {
   cv::Mat right;
 };
 GreyPair grey_pair(const StereoFrame& frame);
+std::shared_ptr<const Image> grey_image(const std::shared_ptr<const Image>& image);
 
 }  // namespace pizarra

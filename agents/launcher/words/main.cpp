@@ -24,6 +24,7 @@ int main(int argc, char** argv) {
   pizarra::add_process_words(app, status);
   pizarra::add_repl_word(app, status);
   pizarra::add_form_words(app, status);
+  pizarra::add_look_word(app, status);
   pizarra::add_replay_word(app, status);
   try {
     app.parse(argc, argv);

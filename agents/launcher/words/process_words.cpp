@@ -8,6 +8,7 @@
 #include "agents/launcher/supervision/agent_factory.hpp"
 #include "agents/launcher/words/words.hpp"
 #include "blackboard/remote_board.hpp"
+#include "blackboard/streams/remote_streams.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "blackboard/time/stop_signals.hpp"
 #include "drivers/simulation/link_server.hpp"
@@ -25,6 +26,7 @@ struct ProcessChoices {
   std::string board;
   std::string world;
   std::string key;
+  std::string streams;
   std::uint64_t seed = 1;
 };
 
@@ -41,8 +43,10 @@ int run_agent(const ProcessChoices& choices) {
   if (!board) return complain(board.error(), exit_usage);
   zmq::context_t context(1);
   SocketLink link(executor, context, choices.world);
+  const auto streams = RemoteStreams::open(executor, **board, choices.streams);
+  if (!streams) return complain(streams.error(), exit_unavailable);
   AgentContext agent_context{name, choices.host, executor, **board, Random(choices.seed).split(name)};
-  const auto agent = build_agent(choices.kind, std::move(agent_context), *cell, link, nullptr);
+  const auto agent = build_agent(choices.kind, std::move(agent_context), *cell, link, streams->get());
   if (!agent) return complain(agent.error(), exit_usage);
   const Job job = executor.spawn((*agent)->run());
   executor.run_until([&job] { return job.done(); });
@@ -86,6 +90,9 @@ void add_process_words(CLI::App& app, int& status) {
   agent->add_option("--board", choices->board, "Where the board listens: ipc:// or tcp://")->required();
   agent->add_option("--world", choices->world, "Where the simulated world listens: ipc://")->required();
   add_key_option(agent, choices->key);
+  agent->add_option("--streams", choices->streams,
+                    "Where other machines take its image streams: tcp://HOST:PORT, or * for any port; this machine's "
+                    "own take them in any case");
   agent->add_option("--name", choices->name, "Its name on the board; its kind otherwise");
   agent->add_option("--host", choices->host, "Which host it says it is on")->capture_default_str();
   agent->add_option("--seed", choices->seed, "What its chance begins from")->check(seed_check())->capture_default_str();

@@ -15,6 +15,7 @@
 #include "agents/launcher/words/words.hpp"
 #include "blackboard/journal_file.hpp"
 #include "blackboard/remote_board.hpp"
+#include "blackboard/streams/listen_address.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "lisp/cell.hpp"
 
@@ -146,6 +147,9 @@ Result<void> Up::start_all() {
     std::vector<std::string> command = {self,      "agent",        kind,     cell,       "--board", board_address_,
                                         "--world", world_address_, "--host", host_.name, "--seed",  seed};
     if (!key_.empty()) command.insert(command.end(), {"--key", key_});
+    const bool watched_elsewhere = kind == "vision" && cell_.hosts.size() > 1;
+    const std::string streams = watched_elsewhere ? stream_listen_address(cell_.board_address) : std::string();
+    if (!streams.empty()) command.insert(command.end(), {"--streams", streams});
     const Result<void> agent = start(kind, std::move(command));
     if (!agent) return agent;
   }

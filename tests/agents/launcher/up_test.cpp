@@ -4,6 +4,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <fcntl.h>
+#include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <iterator>
@@ -70,6 +71,13 @@ class UpTest : public testing::Test {
 
 TEST_F(UpTest, AGoalIsReachedAlthoughAnAgentIsKilledAndNothingIsLeftBehind) {
   ASSERT_TRUE(wait_for("ask '(person done ?what)'", "?what = ")) << log();
+  const std::string picture = folder_ + "eyes.png";
+  const Said looked = run("look colour --frames 3 --png " + picture);
+  EXPECT_EQ(looked.status, 0) << looked.text;
+  EXPECT_NE(looked.text.find("320 x 240 colour"), std::string::npos) << looked.text;
+  EXPECT_TRUE(std::filesystem::exists(picture));
+  EXPECT_NE(run("look").text.find("vision-annotated     annotated"), std::string::npos);
+  EXPECT_EQ(run("look sideways").status, 1);
   Said goal{-1, ""};
   std::thread asker([&] { goal = run("repl --eval '(goal (on circle triangle))'"); });
   const bool begun = wait_for("ask '(operation ?n ?what running)'", "PICK-UP");

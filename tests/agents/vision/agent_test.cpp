@@ -248,13 +248,21 @@ TEST_F(Vision, PublishesImagesWhileTheyAreWatched) {
   learn_all();
   EXPECT_EQ(call("(track \"circle\")"), "()");
   int grey = 0;
+  std::map<std::string, int> channels;
   std::shared_ptr<const Image> annotated;
   {
     const auto left = streams.subscribe("vision-left", [&](const StreamFrame& f) { grey += f.image->channels == 1; });
+    std::vector<std::unique_ptr<Streams::Subscription>> others;
+    for (const std::string kind : {"colour", "grey", "right"}) {
+      others.push_back(streams.subscribe(
+          "vision-" + kind, [&channels, kind](const StreamFrame& f) { channels[kind] = f.image->channels; }));
+    }
     const auto shown = streams.subscribe("vision-annotated", [&](const StreamFrame& f) { annotated = f.image; });
     run_for(350ms);
   }
   EXPECT_EQ(grey, 3);
+  EXPECT_EQ(facts("(stream ? annotated ?)"), "(stream vision-annotated annotated ())");
+  EXPECT_EQ(channels, (std::map<std::string, int>{{"colour", 3}, {"grey", 1}, {"right", 1}}));
   ASSERT_NE(annotated, nullptr);
   EXPECT_EQ(annotated->channels, 3);
   EXPECT_EQ(annotated->width, 640);

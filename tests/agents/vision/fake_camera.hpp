@@ -23,7 +23,7 @@ class FakeCamera : public StereoCamera {
     co_return model_;
   }
 
-  Task<Result<StereoFrame>> next(std::uint64_t after, bool) override {
+  Task<Result<StereoFrame>> next(std::uint64_t after, bool colour) override {
     if (number_ <= after) {
       co_await sleep(executor_, 100ms);
       ++number_;
@@ -31,12 +31,19 @@ class FakeCamera : public StereoCamera {
     if (!plugged) co_return fail("disconnected", "the camera is unplugged");
     StereoFrame frame = draw_scene(scene, model_, number_, random_);
     frame.captured = executor_.now();
+    if (colour) frame.left = in_colour(*frame.left);
     co_return frame;
   }
 
   const StereoModel& model() const { return model_; }
 
  private:
+  static std::shared_ptr<const Image> in_colour(const Image& grey) {
+    auto image = std::make_shared<Image>(Image{grey.width, grey.height, 3, {}});
+    for (const std::uint8_t pixel : grey.pixels) image->pixels.insert(image->pixels.end(), 3, pixel);
+    return image;
+  }
+
   Executor& executor_;
   Random random_;
   StereoModel model_;

@@ -4,6 +4,7 @@
 #include <ostream>
 
 #include "blackboard/memory_board.hpp"
+#include "blackboard/streams/listen_address.hpp"
 #include "blackboard/streams/remote_streams.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "tests/blackboard/streams/frames.hpp"
@@ -183,6 +184,16 @@ TEST(StreamTickets, AForgedOneShowsNothing) {
   broadcast->publish("eyes", numbered_frame(1, 8, 8));
   executor.run_until([&] { return frames > 0; });
   EXPECT_EQ(frames, 1);
+}
+
+TEST(StreamAddress, IsOneOfThisMachineWhereOthersComeToTheBoardAndNoneElsewhere) {
+  EXPECT_EQ(stream_listen_address("ipc:///tmp/board"), "");
+  EXPECT_EQ(stream_listen_address("tcp://127.0.0.1:7800"), "");
+  EXPECT_EQ(stream_listen_address("no address"), "");
+  const std::string out = stream_listen_address("tcp://*:7800");
+  if (out.empty()) GTEST_SKIP() << "this machine has no network";
+  RealExecutor executor;
+  EXPECT_TRUE(StreamBroadcast::open(executor, out).has_value()) << out;
 }
 
 TEST(StreamTickets, WhatIsNoneIsRefused) {

@@ -1,0 +1,14 @@
+#pragma once
+
+// Where a publisher listens so that other machines reach it.
+
+#include <string>
+
+namespace pizarra {
+
+// The address of this machine on the way to the board's, any port: "tcp://10.0.0.7:*". Of a board that listens
+// everywhere, `tcp://*:7800`, the one on the way out. Empty where no other machine comes to the board: at ipc and
+// loopback addresses, or without a network.
+std::string stream_listen_address(const std::string& board_address);
+
+}  // namespace pizarra
