@@ -81,11 +81,8 @@ struct BitRow {
     for (int i = 0; i < words; ++i) out.bits[i] = bits[i] & ~other.bits[i];
     return out;
   }
-  int count() const {
-    int sum = 0;
-    for (const std::uint64_t word : bits) sum += std::popcount(word);
-    return sum;
-  }
+  // The eight bits from x on, x being a multiple of 8.
+  std::size_t byte(int x) const { return bits[static_cast<std::size_t>(x / 64)] >> (x % 64) & 255; }
   template <typename Run>
   void for_each_run(Run&& run) const {
     for_each_run_of_bits(bits.data(), words, run);

@@ -3,8 +3,8 @@
 // Closed contours, followed pixel by pixel in anything that can say of a pixel whether it is inside: a mask, the bits
 // of a segmented image, or an image and a threshold.
 //
-//   std::optional<MarkContour> contour = follow_contour(MaskField{mask}, start, 400);
-//   std::optional<MarkContour> tracked = contour_from_centre(ToneField{grey, 90, true}, last_centre, 12, 400);
+//   std::optional<MarkContour> contour = follow_contour(MaskField(mask), start, 400);
+//   std::optional<MarkContour> tracked = contour_from_centre(ToneField(grey, 90, true), last_centre, 12, 400);
 
 #include <array>
 #include <cstdlib>
@@ -16,24 +16,38 @@ namespace pizarra {
 
 using MarkContour = std::vector<cv::Point>;  // the region's border pixels, px, 8-connected, in order
 
-struct MaskField {
-  const cv::Mat1b& mask;
-  int cols() const { return mask.cols; }
-  int rows() const { return mask.rows; }
-  bool inside(int x, int y) const { return mask.ptr<std::uint8_t>(y)[x] != 0; }
+class MaskField {
+ public:
+  explicit MaskField(const cv::Mat1b& mask) : pixels_(mask.data), step_(mask.step), size_(mask.size()) {}
+  int cols() const { return size_.width; }
+  int rows() const { return size_.height; }
+  bool inside(int x, int y) const {
+    return pixels_[static_cast<std::size_t>(y) * step_ + static_cast<std::size_t>(x)] != 0;
+  }
+
+ private:
+  const std::uint8_t* pixels_;
+  std::size_t step_;
+  cv::Size size_;
 };
 
 // Inside is what is darker, or lighter, than the threshold.
-struct ToneField {
-  const cv::Mat1b& grey;
-  int threshold;
-  bool dark;
-  int cols() const { return grey.cols; }
-  int rows() const { return grey.rows; }
+class ToneField {
+ public:
+  ToneField(const cv::Mat1b& grey, int threshold, bool dark)
+      : pixels_(grey.data), step_(grey.step), size_(grey.size()), threshold_(threshold), sign_(dark ? 1 : -1) {}
+  int cols() const { return size_.width; }
+  int rows() const { return size_.height; }
   bool inside(int x, int y) const {
-    const int level = grey.ptr<std::uint8_t>(y)[x];
-    return dark ? level < threshold : level > threshold;
+    return sign_ * (pixels_[static_cast<std::size_t>(y) * step_ + static_cast<std::size_t>(x)] - threshold_) < 0;
   }
+
+ private:
+  const std::uint8_t* pixels_;
+  std::size_t step_;
+  cv::Size size_;
+  int threshold_;
+  int sign_;
 };
 
 // The eight neighbours in clockwise order (y down), from the left.

@@ -8,7 +8,7 @@
 namespace pizarra {
 namespace {
 
-constexpr int row_step = 8;
+constexpr int rows_sampled = 12;
 constexpr double quiet = 4.5;            // grey levels
 constexpr double left_of_noise = 0.375;  // after smoothing
 
@@ -59,7 +59,8 @@ int roughness_of(const std::uint8_t* __restrict row, int width) {
 
 double noise_of(const cv::Mat& grey) {
   std::vector<int> rows;
-  for (int y = row_step / 2; y < grey.rows; y += row_step) {
+  const int step = std::max(1, grey.rows / rows_sampled);
+  for (int y = step / 2; y < grey.rows; y += step) {
     rows.push_back(roughness_of(grey.ptr<std::uint8_t>(y), grey.cols));
   }
   if (rows.empty() || grey.cols < 3) return 0;

@@ -70,7 +70,7 @@ Result<void> MarkLearner::check_region(const ImageSegmentation& mean) {
   int x = box.x;
   while (filled_(box.y, x) == 0) ++x;
   const std::optional<MarkContour> contour =
-      follow_contour(MaskField{filled_}, {x, box.y}, longest_contour_px(filled_.size()));
+      follow_contour(MaskField(filled_), {x, box.y}, longest_contour_px(filled_.size()));
   const cv::Point seed(cvRound(click_.x), cvRound(click_.y));
   const MarkTone tone = mean.bits(MarkTone::dark).inside(seed.x, seed.y) ? MarkTone::dark : MarkTone::light;
   if (contour) first_ = measure_mark(mean.image(), *contour, tone);

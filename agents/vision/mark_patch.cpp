@@ -1,6 +1,7 @@
 #include "agents/vision/mark_patch.hpp"
 
 #include <algorithm>
+#include <opencv2/core/hal/intrin.hpp>
 
 #include "agents/vision/bit_rows.hpp"
 
@@ -22,9 +23,13 @@ class Levels {
   int total() const { return total_; }
   int median() const {
     int level = 0;
-    for (int seen = counts_[0]; 2 * seen < total_ && level < 255; seen += counts_[static_cast<std::size_t>(level)]) {
-      ++level;
+    int seen = 0;
+    // Whole blocks first: their sums are quick.
+    while (level + block < 256 && 2 * (seen + sum_of_block(level)) < total_) {
+      seen += sum_of_block(level);
+      level += block;
     }
+    while (level < 255 && 2 * (seen += counts_[static_cast<std::size_t>(level)]) < total_) ++level;
     return level;
   }
   bool are_near(int level, int tolerance, double share) const {
@@ -36,9 +41,30 @@ class Levels {
   }
 
  private:
+  static constexpr int block = 16;
+  int sum_of_block(int first) const {
+    std::uint16_t sum = 0;
+    for (int i = first; i < first + block; ++i) sum += counts_[static_cast<std::size_t>(i)];
+    return sum;
+  }
+
   std::array<std::uint16_t, 256> counts_{};
   int total_ = 0;
 };
+
+// Of eight pixels: -1 for those whose bits are set.
+using Mask = std::array<std::int16_t, 8>;
+
+const std::array<Mask, 256>& masks() {
+  static constexpr auto table = [] {
+    std::array<Mask, 256> out{};
+    for (std::size_t bits = 0; bits < 256; ++bits) {
+      for (std::size_t i = 0; i < 8; ++i) out[bits][i] = (bits >> i & 1) != 0 ? -1 : 0;
+    }
+    return out;
+  }();
+  return table;
+}
 
 template <int words>
 using Rows = std::array<BitRow<words>, MarkPatch::most_side_px>;
@@ -96,10 +122,8 @@ bool MarkPatch::cut_rows(const cv::Mat1b& image, const MarkContour& contour, Mar
 
   Levels core;
   Levels ground;
-  area_px = 0;
   for (int y = 1; y < box.height - 1; ++y) {
     const std::uint8_t* pixels = image.ptr<std::uint8_t>(box.y + y) + box.x;
-    area_px += inside[y].count();
     // Half the rows tell the median as well.
     if (y % 2 == 0) shrunk<words>(inside, y).for_each_run([&](int first, int end) { core.add(pixels, first, end); });
     around[y].without(grown[y]).for_each_run([&](int first, int end) { ground.add(pixels, first, end); });
@@ -112,20 +136,22 @@ bool MarkPatch::cut_rows(const cv::Mat1b& image, const MarkContour& contour, Mar
   if (!core.are_near(mark_level, contrast / 3, least_core_share)) return false;
   if (!ground.are_near(ground_level, contrast / 5, least_ground_share)) return false;
 
-  const int stray = static_cast<int>(most_stray * contrast);
-  std::fill_n(values.begin(), stride * box.height, std::int16_t{0});
-  for (int y = 1; y < box.height - 1; ++y) {
-    const std::uint8_t* pixels = image.ptr<std::uint8_t>(box.y + y) + box.x;
-    std::int16_t* out = values.data() + y * stride;
-    grown[y].for_each_run([&](int first, int end) {
-      for (int x = first; x < end; ++x) out[x] = static_cast<std::int16_t>(sign * (pixels[x] - ground_level));
-    });
-    around[y].without(grown[y]).for_each_run([&](int first, int end) {
-      for (int x = first; x < end; ++x) {
-        const int value = sign * (pixels[x] - ground_level);
-        if (std::abs(value) <= stray) out[x] = static_cast<std::int16_t>(value);
-      }
-    });
+  const auto all = [](int value) { return cv::v_setall_s16(static_cast<short>(value)); };
+  const cv::v_int16x8 ground_all = all(ground_level);
+  const cv::v_int16x8 sign_all = all(sign);
+  const cv::v_int16x8 stray = all(static_cast<int>(most_stray * contrast));
+  const cv::v_int16x8 minus_stray = all(-static_cast<int>(most_stray * contrast));
+  std::array<std::uint8_t, most_side_px + 8> line{};
+  for (int y = 0; y < box.height; ++y) {
+    std::copy_n(image.ptr<std::uint8_t>(box.y + y) + box.x, box.width, line.begin());
+    for (int x = 0; x < stride; x += 8) {
+      const cv::v_int16x8 pixels = cv::v_reinterpret_as_s16(cv::v_load_expand(line.data() + x));
+      const cv::v_int16x8 value = cv::v_mul_wrap(pixels - ground_all, sign_all);
+      const cv::v_int16x8 clean = (value <= stray) & (value >= minus_stray);
+      const cv::v_int16x8 within = cv::v_load(masks()[grown[y].byte(x)].data());
+      const cv::v_int16x8 near = cv::v_load(masks()[around[y].byte(x)].data());
+      cv::v_store(values.data() + y * stride + x, value & (within | (near & clean)));
+    }
   }
   return true;
 }
@@ -137,6 +163,9 @@ bool MarkPatch::cut(const cv::Mat1b& image, const MarkContour& contour, MarkTone
     low = {std::min(low.x, p.x), std::min(low.y, p.y)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y)};
   }
+  // G. Pick's theorem: lattice points within and on a polygon.
+  const auto border = static_cast<int>(contour.size());
+  area_px = static_cast<int>(std::abs(signed_area(contour)) / 2) + border / 2 + 1;
   const cv::Point margin(margin_px, margin_px);
   box = {low - margin, high + margin + cv::Point(1, 1)};
   if ((box & cv::Rect(0, 0, image.cols, image.rows)) != box) return false;

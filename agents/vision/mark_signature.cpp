@@ -11,7 +11,7 @@ namespace pizarra {
 namespace {
 
 // In standard deviations; a circle ends at 2, a square between 1.7 and 2.4, a triangle's corners at 2.8.
-constexpr std::array<double, MarkSignature::rings> ring_radii = {0.5, 1.1, 1.5, 1.8, 2.1, 2.4, 2.7};
+constexpr std::array<double, MarkSignature::rings> ring_radii = {1.0, 1.4, 1.7, 2.05, 2.4, 2.7};
 constexpr double quantum = 64;
 
 // Bilinear, in the units of the weights.

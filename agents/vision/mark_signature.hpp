@@ -35,8 +35,8 @@ inline constexpr double template_scale = 5;  // px a standard deviation
 using MarkTemplate = std::array<std::uint8_t, template_size * template_size>;
 
 struct MarkSignature {
-  static constexpr int rings = 7;
-  static constexpr int turns = 48;
+  static constexpr int rings = 6;
+  static constexpr int turns = 40;
   // Every ring twice over, so that a turned one is a run of neighbours.
   std::array<std::int16_t, rings * 2 * turns> samples{};
   std::int64_t energy = 0;
@@ -48,7 +48,7 @@ MarkSignature signature_of(const MarkTemplate& picture, double blur = 0);
 
 // Two minus twice the correlation at the best turn.
 double signature_error(const MarkSignature& a, const MarkSignature& b);
-// The same, over turns of at most `most_turns` steps of 7.5 degrees either way.
+// The same, over turns of at most `most_turns` steps of 9 degrees either way.
 double signature_error(const MarkSignature& a, const MarkSignature& b, int most_turns);
 
 // The normalised shape as a picture with weights 0..1.

@@ -28,7 +28,8 @@ std::optional<SeenMark> follow_mark(const cv::Mat& grey, double noise, const See
   const cv::Rect area = area_around(last, middle, gate, grey.size());
   if (!area.contains(middle)) return std::nullopt;
   const ImageCut cut = look_at(grey, area, noise);
-  const ToneField field{cut.pixels, cvRound((last.mark_level + last.ground_level) / 2), last.tone == MarkTone::dark};
+  const int threshold = cvRound((last.mark_level + last.ground_level) / 2);
+  const ToneField field(cut.pixels, threshold, last.tone == MarkTone::dark);
   std::optional<MarkContour> contour =
       contour_from_centre(field, middle - area.tl(), gate, longest_contour_px(grey.size()));
   if (!contour || contour->size() < 4) return std::nullopt;

@@ -13,9 +13,11 @@ constexpr double least_slimness = 0.55;
 constexpr double neighbour_heights = 8;
 constexpr double roundness_weight = 0.25;
 // With less error than this a mark need not be compared with what blur would make of the object.
-constexpr double clear_error = 0.02;
+constexpr double clear_error = 0.01;
 // More than this no lens that is nearly focused blurs.
 constexpr double widest_blur_px = 2.2;
+// A mark that is no more like the object than that above its rival is neither for certain.
+constexpr double least_margin = 0.005;
 
 double sample_error(const SeenMark& mark, const LearnedSample& sample) {
   if (mark.tone != sample.tone || mark.slimness < least_slimness * sample.slimness) return impossible;
@@ -46,7 +48,7 @@ bool is_recognised(const SeenMark& mark, const LearnedObjects& objects, const Le
   // The square root of the error is a distance: within half of that to the nearest rival nothing else can be nearer.
   if (4 * error < object.rival_error) return true;
   return std::none_of(objects.all().begin(), objects.all().end(), [&](const LearnedObject& rival) {
-    return &rival != &object && recognition_error(mark, rival) < error;
+    return &rival != &object && recognition_error(mark, rival) < error + least_margin;
   });
 }
 

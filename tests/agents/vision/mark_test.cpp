@@ -29,7 +29,7 @@ Scene one_face(const std::string& mark, cv::Point3d place) {
 TEST(Contour, FollowsTheBorderPixelsOfARegionOnce) {
   cv::Mat1b mask = cv::Mat1b::zeros(12, 12);
   mask(cv::Rect(3, 4, 5, 4)).setTo(255);
-  const std::optional<MarkContour> contour = contour_from_centre(MaskField{mask}, {5, 6}, 2, 100);
+  const std::optional<MarkContour> contour = contour_from_centre(MaskField(mask), {5, 6}, 2, 100);
   ASSERT_TRUE(contour);
   EXPECT_EQ(contour->size(), 14U);
 }
@@ -37,21 +37,21 @@ TEST(Contour, FollowsTheBorderPixelsOfARegionOnce) {
 TEST(Contour, IsNotClosedWhereTheRegionReachesTheEdge) {
   cv::Mat1b mask = cv::Mat1b::zeros(12, 12);
   mask(cv::Rect(0, 4, 5, 4)).setTo(255);
-  EXPECT_FALSE(contour_from_centre(MaskField{mask}, {3, 6}, 2, 100));
+  EXPECT_FALSE(contour_from_centre(MaskField(mask), {3, 6}, 2, 100));
 }
 
 TEST(Contour, OfAHoleIsNone) {
   cv::Mat1b mask = cv::Mat1b::zeros(20, 20);
   mask(cv::Rect(3, 3, 14, 14)).setTo(255);
   mask(cv::Rect(7, 7, 4, 4)).setTo(0);
-  EXPECT_FALSE(contour_from_centre(MaskField{mask}, {13, 9}, 2, 200));
-  EXPECT_TRUE(contour_from_centre(MaskField{mask}, {5, 9}, 2, 200));
+  EXPECT_FALSE(contour_from_centre(MaskField(mask), {13, 9}, 2, 200));
+  EXPECT_TRUE(contour_from_centre(MaskField(mask), {5, 9}, 2, 200));
 }
 
 TEST(Contour, StopsAtItsBound) {
   cv::Mat1b mask = cv::Mat1b::zeros(40, 40);
   mask(cv::Rect(3, 3, 30, 30)).setTo(255);
-  EXPECT_FALSE(contour_from_centre(MaskField{mask}, {10, 10}, 2, 100));
+  EXPECT_FALSE(contour_from_centre(MaskField(mask), {10, 10}, 2, 100));
 }
 
 TEST(Mark, ACircleMeasuresAboutWhatTheThesisPrinted) {

@@ -15,7 +15,7 @@ struct Row {
 
 using namespace pizarra::bench;
 constexpr std::array table = {Row{"find", find_time}, Row{"track", track_time}, Row{"scenes", recall},
-                              Row{"depth", depth}};
+                              Row{"depth", depth}, Row{"sequences", sequences}};
 
 }  // namespace
 
@@ -27,10 +27,14 @@ int main(int argc, char** argv) {
   std::vector<std::string> names;
   std::uint64_t seed = 1;
   int scenes = 10000;
+  int runs = 1000;
   for (const Row& row : table) names.emplace_back(row.name);
   app.add_flag("--json", json, "one JSON object a line");
   app.add_option("--only", only, "these rows alone")->check(CLI::IsMember(names))->type_name("ROW");
   app.add_option("--scenes", scenes, "random scenes to find the marks in")
+      ->check(CLI::Range(1, 1000000))
+      ->capture_default_str();
+  app.add_option("--runs", runs, "sequences of either kind to track them through")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
   app.add_option("--seed", seed, "what the scenes are drawn from")->capture_default_str();
@@ -42,7 +46,7 @@ int main(int argc, char** argv) {
   }
   cv::setNumThreads(1);
   pizarra::Figures figures("vision", json ? pizarra::Figures::Style::json : pizarra::Figures::Style::plain);
-  VisionBench bench{figures, tag_detectors(), learn_marks(), seed, scenes};
+  VisionBench bench{figures, tag_detectors(), learn_marks(), seed, scenes, runs};
   for (const Row& row : table) {
     if (!only.empty() && std::ranges::find(only, row.name) == only.end()) continue;
     try {

@@ -14,11 +14,13 @@ struct VisionBench {
   LearnedObjects marks;
   std::uint64_t seed = 1;
   int scenes = 10000;
+  int runs = 1000;
 };
 
 void find_time(VisionBench& bench);   // five objects in one image
 void track_time(VisionBench& bench);  // five objects in both, with depth
 void recall(VisionBench& bench);      // over random scenes
 void depth(VisionBench& bench);       // at 0.6 m
+void sequences(VisionBench& bench);   // hidden for half a second, and moving fast
 
 }  // namespace pizarra::bench
