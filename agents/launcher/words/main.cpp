@@ -25,6 +25,7 @@ int main(int argc, char** argv) {
   pizarra::add_repl_word(app, status);
   pizarra::add_form_words(app, status);
   pizarra::add_look_word(app, status);
+  pizarra::add_top_word(app, status);
   pizarra::add_replay_word(app, status);
   try {
     app.parse(argc, argv);

@@ -20,6 +20,7 @@ void add_ps_word(CLI::App& app, int& status);
 void add_down_word(CLI::App& app, int& status);
 void add_process_words(CLI::App& app, int& status);  // agent, world
 void add_look_word(CLI::App& app, int& status);
+void add_top_word(CLI::App& app, int& status);
 void add_replay_word(CLI::App& app, int& status);
 void add_repl_word(CLI::App& app, int& status);
 void add_form_words(CLI::App& app, int& status);  // tell, retract, ask, watch, goal, why

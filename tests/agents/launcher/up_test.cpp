@@ -78,6 +78,12 @@ TEST_F(UpTest, AGoalIsReachedAlthoughAnAgentIsKilledAndNothingIsLeftBehind) {
   EXPECT_TRUE(std::filesystem::exists(picture));
   EXPECT_NE(run("look").text.find("vision-annotated     annotated"), std::string::npos);
   EXPECT_EQ(run("look sideways").status, 1);
+  const Said busy = run("top --once");
+  EXPECT_EQ(busy.status, 0) << busy.text;
+  for (const char* shown : {"a fact is committed after ", "AGENT", "vision-mode", "planner"}) {
+    EXPECT_NE(busy.text.find(shown), std::string::npos) << shown << "\n" << busy.text;
+  }
+  EXPECT_TRUE(run("top --once --json").text.starts_with("{\"revision\":"));
   Said goal{-1, ""};
   std::thread asker([&] { goal = run("repl --eval '(goal (on circle triangle))'"); });
   const bool begun = wait_for("ask '(operation ?n ?what running)'", "PICK-UP");

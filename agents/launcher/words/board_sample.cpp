@@ -1,0 +1,167 @@
+#include "agents/launcher/words/board_sample.hpp"
+
+#include <algorithm>
+
+#include "lisp/reader.hpp"
+
+namespace pizarra {
+
+namespace {
+
+constexpr Duration probe_lease = 5s;
+const std::string probe_name = "board-probe";
+
+// Of (relation-stats NAME FACTS TOLD GONE PER-SECOND TELLERS WATCHERS).
+enum Part : std::size_t { name = 1, facts, told, gone, per_second, tellers, watchers };
+
+Relation probe_relation() {
+  return relation_from_datum(
+             read_one("(relation board-probe ((who symbol) (n integer) (sent number)) (key who))").value())
+      .value();
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::ranges::nth_element(values, middle);
+  return *middle;
+}
+
+double us_since(Time from, Time to) { return static_cast<double>((to - from).count()); }
+
+// A key's teller is called KEY or KEY/NAME.
+bool is_teller(const std::string& teller, const std::string& agent) {
+  return teller == agent || teller.ends_with("/" + agent);
+}
+
+}  // namespace
+
+Task<Result<std::vector<Fact>>> BoardSampler::statistics() {
+  const Datum any = "?"_sym;
+  Query query = query_for(list("relation-stats"_sym, any, any, any, any, any, any, any));
+  const Result<Answers> answers = co_await board_.ask(std::move(query));
+  if (!answers) co_return fail(answers);
+  revision_ = answers->revision;
+  std::vector<Fact> facts;
+  for (const Answer& answer : answers->answers) facts.push_back(answer.facts.front());
+  co_return facts;
+}
+
+BoardSampler::Counts BoardSampler::count(const std::vector<Fact>& statistics, Revision revision) const {
+  Counts counts{.when = executor_.now(), .revision = revision, .told = {}, .tells = {}};
+  for (const Fact& fact : statistics) {
+    const std::string relation(fact.datum[name].text());
+    counts.told[relation] = fact.datum[told].integer();
+    for (const Datum& teller : fact.datum[tellers].items()) {
+      counts.tells[{relation, std::string(teller[0].text())}] = teller[1].integer();
+    }
+  }
+  return counts;
+}
+
+double BoardSampler::rate(std::int64_t now, std::int64_t before, const Counts& counts) const {
+  const double seconds = us_since(before_.when, counts.when) / 1e6;
+  return seconds > 0 ? static_cast<double>(std::max<std::int64_t>(now - before, 0)) / seconds : 0;
+}
+
+double BoardSampler::rate_of(const std::string& agent, const Counts& now) const {
+  std::int64_t more = 0;
+  for (const auto& [who, tells] : now.tells) {
+    if (!is_teller(who.second, agent)) continue;
+    const auto before = before_.tells.find(who);
+    more += before == before_.tells.end() ? tells : tells - before->second;
+  }
+  return rate(more, 0, now);
+}
+
+Task<Result<void>> BoardSampler::begin() {
+  const Result<std::vector<Fact>> facts = co_await statistics();
+  if (!facts) co_return fail(facts);
+  before_ = count(*facts, revision_);
+  co_return Result<void>();
+}
+
+Task<Result<BoardSample>> BoardSampler::next() {
+  const Result<std::vector<Fact>> statistics_now = co_await statistics();
+  if (!statistics_now) co_return fail(statistics_now);
+  const Counts now = count(*statistics_now, revision_);
+  BoardSample sample{.revision = now.revision, .agents = {}, .relations = {}, .journey = {}};
+  sample.transactions_per_second =
+      rate(static_cast<std::int64_t>(now.revision), static_cast<std::int64_t>(before_.revision), now);
+  for (const Fact& fact : *statistics_now) {
+    const Datum& form = fact.datum;
+    RelationSample relation{.name = std::string(form[name].text()), .facts = form[facts].integer(), .tellers = {}};
+    if (relation.name == probe_name) continue;
+    const auto before = before_.told.find(relation.name);
+    relation.told_per_second = rate(form[told].integer(), before == before_.told.end() ? 0 : before->second, now);
+    for (const Datum& teller : form[tellers].items()) relation.tellers.emplace_back(teller[0].text());
+    for (const Datum& watcher : form[watchers].items()) relation.watches += watcher[1].integer();
+    sample.facts += relation.facts;
+    sample.relations.push_back(std::move(relation));
+  }
+  std::ranges::stable_sort(sample.relations, std::ranges::greater(), &RelationSample::told_per_second);
+  const Result<void> agents = co_await add_agents(sample, now);
+  if (!agents) co_return fail(agents);
+  const Result<Journey> journey = co_await travel();
+  if (journey) sample.journey = *journey;
+  // What the probes did counts for nobody's next rate.
+  const Result<void> begun = co_await begin();
+  if (!begun) co_return fail(begun);
+  co_return sample;
+}
+
+Task<Result<void>> BoardSampler::add_agents(BoardSample& sample, const Counts& now) {
+  const Datum any = "?"_sym;
+  const Datum present = list("agent"_sym, any, any, any);
+  const Datum waiting = list("request"_sym, any, any, any);
+  const Result<std::vector<Fact>> agents = co_await board_.facts(present);
+  // A board on which no agent ever was has no such relation.
+  const bool nobody = !agents && agents.error().symbol == "undeclared-relation";
+  if (nobody) co_return Result<void>();
+  if (!agents) co_return fail(agents);
+  const Result<std::vector<Fact>> requests = co_await board_.facts(waiting);
+  if (!requests) co_return fail(requests);
+  for (const Fact& fact : *agents) {
+    AgentSample agent{.name = std::string(fact.datum[1].text()),
+                      .kind = std::string(fact.datum[2].text()),
+                      .host = std::string(fact.datum[3].text())};
+    agent.told_per_second = rate_of(agent.name, now);
+    agent.waiting = std::ranges::count_if(*requests, [&](const Fact& r) { return r.datum[2] == fact.datum[1]; });
+    sample.agents.push_back(std::move(agent));
+  }
+  std::ranges::sort(sample.agents, {}, &AgentSample::name);
+  co_return Result<void>();
+}
+
+Task<Result<Journey>> BoardSampler::travel() {
+  const std::vector<Relation> relations{probe_relation()};
+  const Result<void> declared = co_await board_.declare(relations);
+  if (!declared) co_return fail(declared);
+  const Query own = query_for(list("board-probe"_sym, Datum::symbol(who_), "?n"_sym, "?sent"_sym));
+  const Result<std::unique_ptr<Watch>> watch = co_await board_.watch(own);
+  if (!watch) co_return fail(watch);
+  const Result<Change> first = co_await (*watch)->next();
+  if (!first) co_return fail(first);
+  const Result<LeaseId> lease = co_await board_.lease(probe_lease);
+  if (!lease) co_return fail(lease);
+  std::vector<double> committed;
+  std::vector<double> acknowledged;
+  std::vector<double> delivered;
+  for (int i = 0; i < probes; ++i) {
+    const Time sent = executor_.now();
+    Transaction telling;
+    telling.tell(list("board-probe"_sym, Datum::symbol(who_), i, sent.time_since_epoch().count()), {}, *lease);
+    const Result<Revision> told_at = co_await board_.transact(std::move(telling));
+    if (!told_at) co_return fail(told_at);
+    acknowledged.push_back(us_since(sent, executor_.now()));
+    const Result<Change> change = co_await (*watch)->next();
+    if (!change) co_return fail(change);
+    delivered.push_back(us_since(sent, executor_.now()));
+    if (!change->added.empty()) committed.push_back(us_since(sent, change->added.front().facts.front().when));
+  }
+  const Result<void> released = co_await board_.release(*lease);
+  if (!released) co_return fail(released);
+  if (committed.empty()) co_return fail("no-journey", "the board showed none of the facts that were told");
+  co_return Journey{median(committed), median(acknowledged), median(delivered)};
+}
+
+}  // namespace pizarra

@@ -1,0 +1,88 @@
+#pragma once
+
+// What goes on on a board between two looks at it, for `top`: who is there, what is told and how fast, what waits for
+// whom, and how long a fact is under way.
+//
+//   BoardSampler sampler(executor, board, "top-17");
+//   co_await sampler.begin();
+//   co_await sleep(executor, 1s);
+//   Result<BoardSample> sample = co_await sampler.next();       // since begin(), or since the last
+//
+// A fact's journey is timed on facts of the sampler's own, (board-probe WHO N SENT-US), one key, gone with it: from
+// telling to the board's committing it (by the board's clock: on one machine the same), to the board's answer, and to
+// its arrival at a watcher. Who may not tell them has no journey to show.
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "blackboard/board.hpp"
+#include "blackboard/time/event.hpp"
+
+namespace pizarra {
+
+struct RelationSample {
+  std::string name;
+  std::int64_t facts = 0;
+  double told_per_second = 0;
+  std::int64_t watches = 0;
+  std::vector<std::string> tellers;
+};
+
+struct AgentSample {
+  std::string name;
+  std::string kind;
+  std::string host;
+  double told_per_second = 0;
+  std::int64_t waiting = 0;  // requests that it has not taken
+};
+
+// Medians, in microseconds.
+struct Journey {
+  double committed_us = 0;
+  double acknowledged_us = 0;
+  double delivered_us = 0;
+};
+
+struct BoardSample {
+  Revision revision = 0;
+  double transactions_per_second = 0;
+  std::int64_t facts = 0;
+  std::vector<AgentSample> agents;        // by name
+  std::vector<RelationSample> relations;  // the busiest first
+  std::optional<Journey> journey;
+};
+
+class BoardSampler {
+ public:
+  static constexpr int probes = 20;  // a sample
+
+  BoardSampler(Executor& executor, Board& board, std::string who)
+      : executor_(executor), board_(board), who_(std::move(who)) {}
+  Task<Result<void>> begin();
+  Task<Result<BoardSample>> next();
+
+ private:
+  struct Counts {
+    Time when{};
+    Revision revision = 0;
+    std::map<std::string, std::int64_t> told;                           // by relation
+    std::map<std::pair<std::string, std::string>, std::int64_t> tells;  // by relation and teller
+  };
+
+  Task<Result<std::vector<Fact>>> statistics();
+  Task<Result<void>> add_agents(BoardSample& sample, const Counts& now);
+  Task<Result<Journey>> travel();
+  Counts count(const std::vector<Fact>& statistics, Revision revision) const;
+  double rate(std::int64_t now, std::int64_t before, const Counts& counts) const;
+  double rate_of(const std::string& teller, const Counts& now) const;
+
+  Executor& executor_;
+  Board& board_;
+  const std::string who_;
+  Revision revision_ = 0;
+  Counts before_;
+};
+
+}  // namespace pizarra

@@ -1,0 +1,141 @@
+// `top`: who is on a board and what goes on there, live.
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
+
+#include "agents/launcher/command_line/key_option.hpp"
+#include "agents/launcher/command_line/word_tools.hpp"
+#include "agents/launcher/words/board_sample.hpp"
+#include "agents/launcher/words/board_session.hpp"
+#include "agents/launcher/words/words.hpp"
+#include "blackboard/remote_board.hpp"
+#include "blackboard/time/real_executor.hpp"
+#include "lisp/json.hpp"
+
+namespace pizarra {
+
+namespace {
+
+constexpr std::size_t relations_shown = 20;
+
+struct TopChoices {
+  BoardChoices board;
+  double interval_s = 1;
+  bool once = false;
+  bool json = false;
+};
+
+void print_text(const BoardSample& sample, const std::string& address) {
+  // A terminal shows each in the place of the one before.
+  if (isatty(STDOUT_FILENO) != 0) fmt::print("\x1b[H\x1b[2J");
+  fmt::print("{}   revision {}, {} facts, {:.1f} transactions/s\n", address, sample.revision, sample.facts,
+             sample.transactions_per_second);
+  if (const std::optional<Journey>& journey = sample.journey) {
+    fmt::print("a fact is committed after {:.0f} us, acknowledged after {:.0f} us, delivered after {:.0f} us\n",
+               journey->committed_us, journey->acknowledged_us, journey->delivered_us);
+  }
+  fmt::print("\n{:<20} {:<14} {:<16} {:>9} {:>9}\n", "AGENT", "KIND", "HOST", "TOLD/S", "WAITING");
+  for (const AgentSample& agent : sample.agents) {
+    fmt::print("{:<20} {:<14} {:<16} {:>9.1f} {:>9}\n", agent.name, agent.kind, agent.host, agent.told_per_second,
+               agent.waiting);
+  }
+  fmt::print("\n{:<20} {:>9} {:>9} {:>9}  {}\n", "RELATION", "FACTS", "TOLD/S", "WATCHES", "TELLERS");
+  std::size_t shown = 0;
+  for (const RelationSample& relation : sample.relations) {
+    if (relation.facts == 0 && relation.told_per_second == 0 && relation.watches == 0) continue;
+    if (++shown > relations_shown) break;
+    fmt::print("{:<20} {:>9} {:>9.1f} {:>9}  {}\n", relation.name, relation.facts, relation.told_per_second,
+               relation.watches, fmt::join(relation.tellers, " "));
+  }
+}
+
+void print_json(const BoardSample& sample) {
+  std::vector<std::string> agents;
+  for (const AgentSample& agent : sample.agents) {
+    agents.push_back(fmt::format("{{\"name\":{},\"kind\":{},\"host\":{},\"told_per_second\":{:.1f},\"waiting\":{}}}",
+                                 json_string(agent.name), json_string(agent.kind), json_string(agent.host),
+                                 agent.told_per_second, agent.waiting));
+  }
+  std::vector<std::string> relations;
+  for (const RelationSample& relation : sample.relations) {
+    std::vector<std::string> tellers;
+    for (const std::string& teller : relation.tellers) tellers.push_back(json_string(teller));
+    relations.push_back(
+        fmt::format("{{\"name\":{},\"facts\":{},\"told_per_second\":{:.1f},\"watches\":{},\"tellers\":[{}]}}",
+                    json_string(relation.name), relation.facts, relation.told_per_second, relation.watches,
+                    fmt::join(tellers, ",")));
+  }
+  const std::string journey =
+      sample.journey
+          ? fmt::format("{{\"committed_us\":{:.0f},\"acknowledged_us\":{:.0f},\"delivered_us\":{:.0f}}}",
+                        sample.journey->committed_us, sample.journey->acknowledged_us, sample.journey->delivered_us)
+          : "null";
+  fmt::print(
+      "{{\"revision\":{},\"facts\":{},\"transactions_per_second\":{:.1f},\"journey\":{},\"agents\":[{}],"
+      "\"relations\":[{}]}}\n",
+      sample.revision, sample.facts, sample.transactions_per_second, journey, fmt::join(agents, ","),
+      fmt::join(relations, ","));
+}
+
+Task<void> show(const TopChoices& choices, const std::string& address, Executor& executor, Board& board, int& status) {
+  const Style style = choices.json ? Style::json : Style::text;
+  const Duration interval(static_cast<std::int64_t>(choices.interval_s * 1e6));
+  BoardSampler sampler(executor, board, fmt::format("top-{}", getpid()));
+  const Result<void> begun = co_await sampler.begin();
+  if (!begun) {
+    status = complain_as(style, begun.error(), exit_unavailable);
+    co_return;
+  }
+  bool going_on = true;
+  while (going_on) {
+    co_await sleep(executor, interval);
+    const Result<BoardSample> sample = co_await sampler.next();
+    if (!sample) {
+      status = complain_as(style, sample.error(), exit_unavailable);
+      co_return;
+    }
+    if (choices.json) {
+      print_json(*sample);
+    } else {
+      print_text(*sample, address);
+    }
+    std::fflush(stdout);
+    going_on = !choices.once;
+    if (going_on && !choices.json) fmt::print("\n");
+  }
+}
+
+int run_top(const TopChoices& choices) {
+  const Style style = choices.json ? Style::json : Style::text;
+  const Result<Destination> to = destination(choices.board);
+  if (!to) return complain_as(style, to.error(), exit_unavailable);
+  const Result<std::optional<ClientKeys>> keys = keys_from(to->key);
+  if (!keys) return complain_as(style, keys.error(), exit_usage);
+  RealExecutor executor;
+  const auto board = RemoteBoard::connect(executor, to->address, "top", RemoteBoard::default_timeout, *keys);
+  if (!board) return complain_as(style, board.error(), exit_usage);
+  int status = exit_reached;
+  const Job job = executor.spawn(show(choices, to->address, executor, **board, status));
+  executor.run_until([&job] { return job.done(); });
+  return status;
+}
+
+}  // namespace
+
+void add_top_word(CLI::App& app, int& status) {
+  auto choices = std::make_shared<TopChoices>();
+  CLI::App* top = app.add_subcommand(
+      "top",
+      "Show who is on a board, what they tell and wait for, and how long a fact is under way, until interrupted.");
+  top->add_flag("--once", choices->once, "Look once and end");
+  top->add_option("--interval", choices->interval_s, "How long between two looks, in seconds")
+      ->check(CLI::Range(0.1, 3600.0))
+      ->capture_default_str();
+  top->add_flag("--json", choices->json, "One JSON object a look");
+  add_board_options(top, choices->board);
+  top->footer(exit_code_help);
+  top->callback([choices, &status] { status = run_top(*choices); });
+}
+
+}  // namespace pizarra
