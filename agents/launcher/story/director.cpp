@@ -77,23 +77,6 @@ Task<Result<void>> Director::give_goal(std::vector<Datum> goal) {
   co_return {};
 }
 
-Task<Result<void>> Director::begin_goal() {
-  std::vector<Datum> goal = scenario_.goal;
-  if (options_.read_goal) {
-    std::vector<std::string> objects;
-    for (const CubePlacement& cube : cell_.description().cubes) objects.push_back(cube.name);
-    Result<std::vector<Datum>> read = options_.read_goal(objects);
-    if (!read) {
-      report_.outcome = "malformed";
-      co_return fail(read);
-    }
-    goal = std::move(*read);
-  }
-  const Result<void> given = co_await give_goal(std::move(goal));
-  if (!given) report_.outcome = "refused";
-  co_return given;
-}
-
 // Until the newest goal has ended and every event has come, or the deadline.
 Task<void> Director::await_end(Time deadline) {
   Executor& executor = cell_.executor();
@@ -160,11 +143,12 @@ Task<void> Director::story() {
   witness_.open_eyes();
   const Time begun = executor.now();
   const Time deadline = begun + std::chrono::duration_cast<Duration>(std::chrono::duration<double>(scenario_.within_s));
-  const Result<void> given = co_await begin_goal();
+  const Result<void> given = co_await give_goal(scenario_.goal);
   if (given) {
     events_.begin();
     co_await await_end(deadline);
   } else {
+    report_.outcome = "refused";
     report_.refusal = given.error();
   }
   report_.took = executor.now() - begun;

@@ -8,8 +8,6 @@
 //   executor.run_until([&] { return job.done(); });
 //   director.report().met();
 
-#include <functional>
-
 #include "agents/launcher/story/director_report.hpp"
 #include "agents/launcher/story/expectations.hpp"
 #include "agents/launcher/story/narrator.hpp"
@@ -23,8 +21,6 @@ struct DirectorOptions {
   // Where true, a `when` whose facts never come is not an expectation that was missed: it is dropped when the goal has
   // ended. When the end finds the hand at work, the goal is given again, as a person would.
   bool events_may_fail = false;
-  // Gives the goal in place of the scenario's, once it is known which objects have been learned.
-  std::function<Result<std::vector<Datum>>(const std::vector<std::string>& objects)> read_goal = {};
 };
 
 class Director {
@@ -39,7 +35,6 @@ class Director {
  private:
   Task<void> story();
   Task<Result<void>> prepare();
-  Task<Result<void>> begin_goal();
   Task<Result<void>> give_goal(std::vector<Datum> goal);
   Task<void> await_end(Time deadline);
   Task<Result<void>> await_events(Time deadline);

@@ -13,9 +13,9 @@
 namespace pizarra {
 
 struct DirectorReport {
-  // How the cell saw it: reached, refused, cancelled, or malformed, timeout, not-taught, no-agents.
+  // How the cell saw it: reached, refused, cancelled, or timeout, not-taught, no-agents.
   std::string outcome;
-  std::optional<Failure> refusal;  // for refused and malformed
+  std::optional<Failure> refusal;  // for refused
   bool refusal_told = false;       // whether the coordinator told it as an event of the story
   std::vector<Datum> goal;         // the last one
   bool truth_holds = false;        // the judge's word on that goal

@@ -65,7 +65,6 @@ void tell_end(Narrator& narrator, const StoryReport& report, const DemoChoices& 
 
 int status_of(const DirectorReport& report) {
   if (report.reached()) return exit_reached;
-  if (report.outcome == "malformed") return complain(*report.refusal, exit_usage);
   if (report.outcome == "refused" && report.refusal) {
     // One that the coordinator came to has been part of the story already.
     return report.refusal_told ? exit_refused : complain(*report.refusal, exit_refused);
@@ -85,6 +84,11 @@ int run_demo(const DemoChoices& choices) {
   if (!cell) return complain(cell.error(), exit_usage);
   const Result<Domain> domain = domain_of(*cell);
   if (!domain) return complain(domain.error(), exit_usage);
+  if (choices.has("--goal")) {
+    Result<std::vector<Datum>> goal = read_goal_for(*domain, choices.goal, *cell);
+    if (!goal) return complain(goal.error(), exit_usage);
+    scenario->goal = std::move(*goal);
+  }
 
   for (const std::string& file : {choices.journal, choices.film, choices.picture}) {
     if (file.empty()) continue;
@@ -101,13 +105,6 @@ int run_demo(const DemoChoices& choices) {
     cell = std::move(story.cell);
     scenario = std::move(story.scenario);
     options.director.events_may_fail = true;
-  }
-  if (choices.has("--goal")) {
-    const Result<std::vector<Datum>> readable = check_goal(*domain, choices.goal);
-    if (!readable) return complain(readable.error(), exit_usage);
-    options.director.read_goal = [&](const std::vector<std::string>& objects) {
-      return read_goal_for(*domain, choices.goal, objects);
-    };
   }
   Narrator narrator(stdout, Narrator::style_for(stdout, choices.json));
   narrator.say(Time{}, "cell",

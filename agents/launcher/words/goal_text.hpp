@@ -1,11 +1,12 @@
 #pragma once
 
-// A goal as typed on the command line, checked against a domain: before anything runs as far as it can be, and again
-// when the objects are known.
+// A goal as typed on the command line, checked before anything runs: the objects are the cubes of the cell file, which
+// its person will teach by their names.
 
 #include <string>
 #include <vector>
 
+#include "lisp/cell.hpp"
 #include "lisp/goal.hpp"
 
 namespace pizarra {
@@ -25,10 +26,10 @@ inline std::string seen_type(const Domain& domain) {
 }
 
 inline Result<std::vector<Datum>> read_goal_for(const Domain& domain, const std::string& text,
-                                                const std::vector<std::string>& objects) {
+                                                const CellDescription& cell) {
   const std::string type = seen_type(domain);
   std::vector<std::pair<std::string, std::string>> typed;
-  for (const std::string& object : objects) typed.emplace_back(object, type);
+  for (const CubePlacement& cube : cell.cubes) typed.emplace_back(cube.name, type);
   return read_goal(domain, text, typed);
 }
 

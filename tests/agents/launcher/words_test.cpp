@@ -236,11 +236,13 @@ TEST(Words, AnUnknownPredicateIsToldWithTheNearest) {
   EXPECT_TRUE(contains(said, "nearest is on")) << said.text;
 }
 
-TEST(Words, AGoalWithAnUnknownObjectIsRefusedAndNothingMoves) {
-  const Said said = run("demo --png '' --goal '(on circle traingle)'");
+TEST(Words, AGoalWithAnUnknownObjectIsRefusedBeforeAnythingRuns) {
+  const Said said = run("demo --png unknown/view.png --goal '(on circle traingle)'");
   EXPECT_EQ(said.status, 2);
   EXPECT_TRUE(contains(said, "nearest is triangle")) << said.text;
-  EXPECT_FALSE(contains(said, "operation")) << said.text;
+  EXPECT_TRUE(contains(said, "goal:1:12\n")) << said.text;
+  EXPECT_FALSE(contains(said, " s  ")) << "nothing was played: " << said.text;
+  EXPECT_FALSE(std::filesystem::exists(scratch_folder() + "unknown")) << "nothing was written";
 }
 
 TEST(Words, AnUnreachableGoalIsRefusedAndNothingMoves) {
