@@ -10,6 +10,8 @@ namespace {
 
 // A server may come late to the stream, or be busy with the frame before.
 constexpr Duration publish_again = 100ms;
+// Whether the server's presence began anew, and what stood under it has to be told again.
+constexpr Duration presence_look = 500ms;
 
 Task<Result<void>> declare(Board& board) {
   const std::vector<Relation> relations = heavy_light_relations();
@@ -44,13 +46,18 @@ Task<Result<void>> HeavyServer::serve() {
     newest_ = frame;
     come_.set();
   });
-  Transaction ready;
-  ready.tell(list("ready-for"_sym, Datum::symbol(stream_), Datum::symbol(context_.name)), {}, service_.presence());
-  const Result<Revision> told = co_await context_.board.transact(std::move(ready));
-  if (!told) co_return fail(told);
   std::uint64_t answered = 0;
+  LeaseId told_under = 0;
   while (true) {
-    co_await come_.wait();
+    const LeaseId presence = service_.presence();
+    const bool known = told_under == presence;
+    if (!known) {
+      const Result<void> told = co_await say_ready();
+      if (told) told_under = presence;
+    }
+    const Time look_up = context_.executor.now() + presence_look;
+    const bool come = co_await come_.wait(look_up);
+    if (!come) continue;
     come_.reset();
     const StreamFrame frame = *newest_;
     // Published once more for others.
@@ -58,6 +65,14 @@ Task<Result<void>> HeavyServer::serve() {
     const Result<void> said = co_await answer(frame);
     if (said) answered = frame.number;
   }
+}
+
+Task<Result<void>> HeavyServer::say_ready() {
+  Transaction ready;
+  ready.tell(list("ready-for"_sym, Datum::symbol(stream_), Datum::symbol(context_.name)), {}, service_.presence());
+  const Result<Revision> told = co_await context_.board.transact(std::move(ready));
+  if (!told) co_return fail(told);
+  co_return Result<void>();
 }
 
 Task<Result<void>> HeavyServer::answer(StreamFrame frame) {
@@ -84,6 +99,9 @@ Task<Result<void>> HeavyAsker::announce() {
 
 Task<Result<std::vector<LightAnswer>>> HeavyAsker::ask(StreamFrame frame, Duration patience) {
   const Time deadline = context_.executor.now() + patience;
+  // Told again, which changes nothing unless it went with the asker's presence.
+  const Result<void> announced = co_await announce();
+  if (!announced) co_return fail(announced);
   const Datum anybody = list("ready-for"_sym, Datum::symbol(stream_), "?server"_sym);
   const Result<std::vector<Fact>> ready = co_await context_.board.facts(anybody);
   if (!ready) co_return fail(ready);

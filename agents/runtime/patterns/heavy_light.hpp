@@ -40,6 +40,7 @@ class HeavyServer {
   Task<Result<void>> serve();
 
  private:
+  Task<Result<void>> say_ready();
   Task<Result<void>> answer(StreamFrame frame);
 
   AgentContext& context_;
@@ -54,7 +55,7 @@ class HeavyServer {
 class HeavyAsker {
  public:
   HeavyAsker(AgentContext& context, const Service& service, Streams& streams, std::string stream);
-  // Says where the stream is; once, before it asks.
+  // Says where the stream is, so that servers are there before the first frame.
   Task<Result<void>> announce();
   // The answers of those that were ready when it was asked, by server; without those that did not answer in time.
   Task<Result<std::vector<LightAnswer>>> ask(StreamFrame frame, Duration patience);

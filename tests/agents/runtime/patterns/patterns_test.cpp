@@ -158,6 +158,12 @@ TEST_P(HeavyLightTest, OneFrameIsAnsweredByEveryServerThatLives) {
   EXPECT_EQ(client->run(asker.ask(frame(1, 7), 600ms)).value(), both);
   const std::vector<LightAnswer> next{{"mean", to_datum(8)}, {"size", to_datum(10'000)}};
   EXPECT_EQ(client->run(asker.ask(frame(2, 8), 600ms)).value(), next);
+  // Whose presence was lost, as with a board that began anew, is ready again.
+  for (Member* lost : {client.get(), mean.get()}) {
+    ASSERT_TRUE(lost->run(lost->context.board.release(lost->service.presence())).has_value());
+  }
+  wall->pass(1500ms);
+  EXPECT_EQ(client->run(asker.ask(frame(3, 8), 600ms)).value(), next);
 }
 
 TEST_P(HeavyLightTest, WithoutServersThereAreNoAnswers) {
