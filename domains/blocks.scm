@@ -1,12 +1,15 @@
 ; The thesis' task: marked cubes on a table, stacked by an arm with one gripper.
 ;
-; Operators are the four of its Table 6.5, with their deletes stated, and one for cubes that lie askew. Lengths are mm.
+; Operators are the four of its Table 6.5, with their deletes stated, and one for cubes that lie askew. What bears
+; nothing is said apart (bare) for that one: a cube that leans is not to be built on, but may be pushed over. Lengths are
+; mm.
 (domain blocks
   (types OBJECT)
   (predicates
     (on (upper OBJECT) (lower OBJECT))
     (on-table (ob OBJECT))
-    (clear (ob OBJECT))                 ; nothing stands on it, and it is not in the gripper
+    (clear (ob OBJECT))                 ; it can be gripped or built on: it bears nothing, lies flat and is not held
+    (bare (ob OBJECT))                  ; nothing stands or leans on it, however it lies
     (holding (ob OBJECT))
     (arm-empty)
     (leans (ob OBJECT) (support OBJECT)))   ; it fell and lies askew: neither flat on the table nor squarely on a cube
@@ -22,17 +25,19 @@
   (operator STACK
     (params (<ob1> OBJECT) (<ob2> OBJECT))
     (preconds (clear <ob2>) (holding <ob1>))
-    (effects (arm-empty) (clear <ob1>) (on <ob1> <ob2>) (del (clear <ob2>)) (del (holding <ob1>))))
+    (effects (arm-empty) (clear <ob1>) (on <ob1> <ob2>)
+             (del (clear <ob2>)) (del (bare <ob2>)) (del (holding <ob1>))))
   (operator UNSTACK
     (params (<ob1> OBJECT) (<ob2> OBJECT))
     (preconds (on <ob1> <ob2>) (clear <ob1>) (arm-empty))
-    (effects (holding <ob1>) (clear <ob2>) (del (on <ob1> <ob2>)) (del (clear <ob1>)) (del (arm-empty))))
+    (effects (holding <ob1>) (clear <ob2>) (bare <ob2>)
+             (del (on <ob1> <ob2>)) (del (clear <ob1>)) (del (arm-empty))))
 
   ; Not one of the thesis': people and accidents leave cubes wedged between others.
   (operator FREE
     (params (<ob1> OBJECT) (<ob2> OBJECT))
-    (preconds (leans <ob1> <ob2>) (arm-empty))
-    (effects (on-table <ob1>) (clear <ob1>) (clear <ob2>) (del (leans <ob1> <ob2>))))
+    (preconds (leans <ob1> <ob2>) (bare <ob1>) (arm-empty))
+    (effects (on-table <ob1>) (clear <ob1>) (clear <ob2>) (bare <ob2>) (del (leans <ob1> <ob2>))))
 
   ; What is measured, once a look: (seen NAME X Y Z) where a mark stands, (grip X Y Z) where the mark of a held object
   ; would stand, (gripper OPENING) between the fingers, (unseen NAME) of what was seen a moment ago. What is believed
@@ -87,11 +92,15 @@
       (not (on ?a ?))
       (not (leans ?a ?)))
 
-    (rule (clear ?a)
+    (rule (bare ?a)
       (seen ?a ? ? ?)
-      (not (holding ?a))
       (not (on ? ?a))
       (not (leans ? ?a)))
+
+    (rule (clear ?a)
+      (bare ?a)
+      (not (holding ?a))
+      (not (leans ?a ?)))
 
     (rule (arm-empty)
       (not (holding ?))))

@@ -78,9 +78,16 @@
       (spot ?place ? ?)
       (not (at ? ?place)))
 
+    (rule (askew ?a)                    ; neither flat on the table nor on a cube: not to be built on
+      (seen ?a ? ? ?z)
+      (<= (* resting cube) ?z)
+      (not (holding ?a))
+      (not (on ?a ?)))
+
     (rule (clear ?a)
       (seen ?a ? ? ?)
       (not (holding ?a))
+      (not (askew ?a))
       (not (on ? ?a)))
 
     (rule (arm-empty)

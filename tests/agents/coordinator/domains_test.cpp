@@ -6,6 +6,7 @@
 #include "agents/coordinator/task_domain.hpp"
 #include "lisp/reader.hpp"
 #include "lisp/writer.hpp"
+#include "tests/agents/coordinator/shortest_plan.hpp"
 #include "tests/scratch.hpp"
 #include "tests/source_dir.hpp"
 
@@ -39,35 +40,62 @@ Facts facts(std::string_view text) {
 TEST(BlocksDomain, SeesATowerAndWhatStandsAlone) {
   EXPECT_EQ(perceived(domain("blocks.scm"),
                       "((gripper 84.0) (grip 450 0 300) (seen a 480 0 30) (seen b 482 3 90.4) (seen c 478 150 29))"),
-            facts("((on b a) (on-table a) (on-table c) (clear b) (clear c) (arm-empty))"));
+            facts("((on b a) (on-table a) (on-table c) (bare b) (bare c) (clear b) (clear c) (arm-empty))"));
 }
 
 TEST(BlocksDomain, SeesWhatIsHeldAndNotWhatTheOpenGripperStandsAround) {
   const TaskDomain task = domain("blocks.scm");
-  EXPECT_EQ(perceived(task, "((gripper 60.3) (grip 450 0 200) (seen a 452 2 198))"), facts("((holding a))"));
+  EXPECT_EQ(perceived(task, "((gripper 60.3) (grip 450 0 200) (seen a 452 2 198))"), facts("((holding a) (bare a))"));
   EXPECT_EQ(perceived(task, "((gripper 84.0) (grip 450 0 30) (seen a 452 2 31))"),
-            facts("((on-table a) (clear a) (arm-empty))"));
+            facts("((on-table a) (bare a) (clear a) (arm-empty))"));
 }
 
 TEST(BlocksDomain, SeesWhatLiesAskewLeanOnAllThatMayHoldItUp) {
   EXPECT_EQ(perceived(domain("blocks.scm"),
                       "((gripper 84.0) (grip 450 0 300) (seen a 480 0 62) (seen b 480 -50 30) (seen c 480 48 30))"),
-            facts("((leans a b) (leans a c) (clear a) (on-table b) (on-table c) (arm-empty))"));
+            facts("((leans a b) (leans a c) (bare a) (on-table b) (on-table c) (arm-empty))"));
+}
+
+std::vector<Datum> planned(const TaskDomain& task, std::string_view measured, std::string_view goal) {
+  const Datum types = d("(types (a OBJECT) (b OBJECT) (c OBJECT))");
+  const std::optional<std::vector<Datum>> plan = shortest_plan(task, types, perceived(task, measured), facts(goal));
+  EXPECT_TRUE(plan) << goal;
+  return plan.value_or(std::vector<Datum>());
+}
+
+TEST(BlocksDomain, FreesACubeThatLeansBeforeAnotherIsPutOnIt) {
+  const std::vector<Datum> plan = planned(
+      domain("blocks.scm"),
+      "((gripper 84.0) (grip 450 0 300) (seen a 480 0 62) (seen b 480 -50 30) (seen c 480 200 30))", "((on c a))");
+  ASSERT_EQ(plan.size(), 3u);
+  EXPECT_EQ(plan.front(), d("(FREE a b)"));
+  EXPECT_EQ(plan.back(), d("(STACK c a)"));
+}
+
+TEST(BlocksDomain, TakesOffWhatACubeThatLeansBearsBeforeItIsPushedOver) {
+  const TaskDomain task = domain("blocks.scm");
+  constexpr std::string_view loaded =
+      "((gripper 84.0) (grip 450 0 300) (seen a 480 0 62) (seen b 480 -50 30) (seen c 480 2 120))";
+  EXPECT_EQ(perceived(task, loaded), facts("((leans a b) (on c a) (on-table b) (bare c) (clear c) (arm-empty))"));
+  const std::vector<Datum> plan = planned(task, loaded, "((on-table a))");
+  ASSERT_EQ(plan.size(), 3u);
+  EXPECT_EQ(plan.front(), d("(UNSTACK c a)"));
+  EXPECT_EQ(plan.back(), d("(FREE a b)"));
 }
 
 TEST(BlocksDomain, TakesWhatRestsOnAnUnseenCubeForSomethingToPickUp) {
   EXPECT_EQ(perceived(domain("blocks.scm"), "((gripper 84.0) (grip 450 0 300) (seen a 480 0 90))"),
-            facts("((on-table a) (clear a) (arm-empty))"));
+            facts("((on-table a) (bare a) (clear a) (arm-empty))"));
 }
 
 TEST(BlocksDomain, SeesThatWhatSlippedInTheGripperIsHeldStillAndWhatIsBelowItIsNot) {
   EXPECT_EQ(perceived(domain("blocks.scm"), "((gripper 60.2) (grip 450 0 200) (seen a 455 3 168) (seen b 450 2 108))"),
-            facts("((holding a) (clear b))"));
+            facts("((holding a) (bare a) (bare b) (clear b))"));
 }
 
 TEST(BlocksDomain, SeesNothingSupportedInMidAir) {
   EXPECT_EQ(perceived(domain("blocks.scm"), "((gripper 84.0) (grip 450 0 300) (seen a 480 -150 160))"),
-            facts("((clear a) (arm-empty))"));
+            facts("((bare a) (clear a) (arm-empty))"));
 }
 
 TEST(BlocksDomain, GoesOnHoldingWhatIsLostFromSightForAMoment) {
@@ -90,7 +118,7 @@ TEST(BlocksDomain, EveryOperationsEffectsFollowFromItsPreconditions) {
   ASSERT_TRUE(stack);
   EXPECT_EQ(stack->preconditions, all("((clear b) (holding a))"));
   EXPECT_EQ(stack->adds, all("((arm-empty) (clear a) (on a b))"));
-  EXPECT_EQ(stack->deletes, all("((clear b) (holding a))"));
+  EXPECT_EQ(stack->deletes, all("((clear b) (bare b) (holding a))"));
   EXPECT_EQ(task.ground(d("(STAK a b)")).error().symbol, "unknown-operator");
   EXPECT_EQ(task.ground(d("(STACK a)")).error().symbol, "wrong-arity");
 }
@@ -119,6 +147,13 @@ TEST(NumberedPlaces, KnowsWhereThingsStandAndWhatIsFree) {
                   "(arm-empty))"));
   ASSERT_TRUE(task.spot("place-3"));
   EXPECT_EQ(task.spot("place-9"), nullptr);
+}
+
+TEST(NumberedPlaces, BuildsNothingOnACubeThatLiesAskew) {
+  const Facts found =
+      perceived(domain("numbered-places.scm"), "((gripper 84.0) (seen a 480 -170 58) (seen b 480 -205 30))");
+  EXPECT_EQ(found,
+            facts("((askew a) (at b place-1) (free place-2) (free place-3) (free place-4) (clear b) (arm-empty))"));
 }
 
 // The blocks with one piece of their text replaced.
