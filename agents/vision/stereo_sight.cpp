@@ -26,14 +26,14 @@ bool cut_off_right(const StereoModel& model, const LearnedObject& object, const 
 
 // Whether one yaw of the face gives both widths, as parts of the learned one. A face of yaw p seen at slope t off the
 // axis is cos(p) + t sin(p) = sqrt(1 + t^2) cos(p - atan(t)) times as wide as one that faces the camera.
-bool yaw_explains(double left_width, double left_slope, double right_width, double right_slope) {
+bool yaw_explains(double left_width, double left_slope, double right_width, double right_slope, double tolerance) {
   const double full = std::sqrt(1 + left_slope * left_slope);
   if (left_width > widest * full) return false;
   const double turn = std::acos(std::min(1.0, left_width / full));
   for (const double side : {-1.0, 1.0}) {
     const double yaw = std::atan(left_slope) + side * turn;
     const double expected = std::cos(yaw) + right_slope * std::sin(yaw);
-    if (std::abs(right_width / expected - 1) < width_tolerance) return true;
+    if (std::abs(right_width / expected - 1) < tolerance) return true;
   }
   return false;
 }
@@ -108,8 +108,10 @@ bool is_whole(const StereoModel& model, const LearnedObject& object, const SeenM
     const double high = sample.size_mm / sample.slimness * (1 + height_tolerance);
     if (height < low || height > high) return false;
     if (sample.slimness < least_round) return true;
+    // Turned about the line of sight it is a little wider or narrower than it was high.
+    const double tolerance = width_tolerance + 1 / sample.slimness - 1;
     return yaw_explains(left_width / sample.size_mm, (left.centre.x - model.centre_x_px) / model.focal_px,
-                        right_width / sample.size_mm, (right.centre.x - model.centre_x_px) / model.focal_px);
+                        right_width / sample.size_mm, (right.centre.x - model.centre_x_px) / model.focal_px, tolerance);
   });
 }
 

@@ -48,7 +48,8 @@ Shape zigzag(Random& random) {
   return {out};
 }
 
-Shape speck(Random& random) { return disc(random.uniform(0.05, 0.1)); }
+// Smaller than any mark.
+Shape speck(Random& random) { return disc(random.uniform(0.03, 0.065)); }
 
 constexpr std::array<Shape (*)(Random&), 6> pieces = {bar, ring, angle, crescent, zigzag, speck};
 
