@@ -15,6 +15,7 @@ struct CameraPose {
   std::array<double, 3> at_mm{1330, 0, 200};
   double pan_deg = 0;
   double tilt_deg = 0;
+  bool operator==(const CameraPose&) const = default;
 };
 
 }  // namespace pizarra

@@ -18,11 +18,20 @@ std::vector<CellHost> hosts_from_datum(const Datum& hosts, const std::string& fi
   return out;
 }
 
+PanTiltLine pan_tilt_from_datum(const Datum& datum) {
+  PanTiltLine line{std::string(datum[0].text()), std::string(datum[1].text()), static_cast<int>(datum[2].integer())};
+  for (const Datum& axis : datum[3].items()) {
+    (axis.is_symbol("pan") ? line.pan_reversed : line.tilt_reversed) = true;
+  }
+  return line;
+}
+
 CellDescription cell_from_datum(const Datum& datum, const std::string& file) {
   CellDescription cell;
   cell.name = datum[0].text();
   const Datum& camera = datum[1];
   cell.camera = {{camera[0].number(), camera[1].number(), camera[2].number()}, camera[3].number(), camera[4].number()};
+  cell.head = camera[5].text();
   cell.noise = {datum[2][0].number(), datum[2][1].number(), datum[2][2].number()};
   for (const Datum& cube : datum[3].items()) cell.cubes.push_back(cube_from_datum(cube));
   cell.arm = datum[4].text();
@@ -34,6 +43,7 @@ CellDescription cell_from_datum(const Datum& datum, const std::string& file) {
   cell.openings = {datum[10][0].number(), datum[10][1].number(), datum[10][2].number()};
   cell.row = {datum[11][0].number(), datum[11][1].number(), datum[11][2].number()};
   cell.board_keys = beside(file, std::string(datum[12].text()));
+  cell.pan_tilt = pan_tilt_from_datum(datum[13]);
   return cell;
 }
 

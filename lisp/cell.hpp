@@ -13,12 +13,16 @@
 //       (cube lid (mark cross) (on square))                    ; a mark of its own; stacked on a cube named before
 //       (noise (sensor 3) (blur 0.7) (gradient 0.12)))         ; grey levels, px, part of the light
 //     (arm crs-f3)
+//     (pan-tilt (tcp "192.168.0.2" 4000) (reversed pan))       ; or (serial "/dev/ttyUSB0" 9600); what counts leftwards
 //     (domain "../../domains/blocks.scm")                      ; relative to the cell file
 //     (board "localhost" "tcp://127.0.0.1:7800")               ; its host and address; left out: the first host, ipc
 //     (host "localhost" (agents robot vision planner coordinator person)))
 //
 // A board that other machines reach has keys: (board "bench" "tcp://bench:7800" (keys "keys")), the folder of those
 // that may come; a host elsewhere comes with one: (host "desk" (agents planner) (key "keys/desk.secret")).
+//
+// Cameras on a pan-tilt unit: (camera (at 1330 0 200) (head ptu46-17.5)), and the agent pan-tilt, which turns that unit
+// or, where (pan-tilt ...) names a line, the one there. A cell without either has no agent pan-tilt.
 //
 // Everything but the name has a default. A failure reports every error of the file, each with a caret.
 
@@ -60,6 +64,15 @@ struct CubeRow {
   double y_high_mm = 200;
 };
 
+// Where the pan-tilt agent's unit is reached, and which of its axes count the other way round.
+struct PanTiltLine {
+  std::string kind;   // serial, tcp, or empty: the simulated one, over the device link
+  std::string where;  // a file or a host
+  int number = 0;     // baud rate or port
+  bool pan_reversed = false;
+  bool tilt_reversed = false;
+};
+
 struct CellHost {
   std::string name;
   std::string key;  // the file of the secret with which it comes to a board elsewhere, empty: it has none
@@ -68,13 +81,15 @@ struct CellHost {
 
 struct CellDescription {
   std::string name;
-  CameraPose camera;
+  CameraPose camera;  // while its head, if it stands on one, is in the middle
+  std::string head;   // the simulated pan-tilt unit under it, empty: it stands still
   CellNoise noise;
   double cube_mm = 60;
   GripperOpenings openings;
   CubeRow row;
   std::vector<CubePlacement> cubes;
   std::string arm;
+  PanTiltLine pan_tilt;
   std::string domain_file;  // a path that can be opened
   std::string board_host;
   std::string board_address;  // empty: an ipc address of the run

@@ -17,15 +17,25 @@ Result<CameraModel> camera_model_from_fact(const Datum& fact) {
                      fact[4].number(), fact[5].number(), fact[6].number()};
 }
 
-CameraView::CameraView(const CameraPose& pose, const CameraModel& model)
+namespace {
+
+// Horizontally, at an angle from the base's -x towards +y.
+Eigen::Vector3d direction(double pan_deg) {
+  const double facing = (180 - pan_deg) * std::numbers::pi / 180;
+  return {std::cos(facing), std::sin(facing), 0};
+}
+
+}  // namespace
+
+CameraView::CameraView(const CameraPose& pose, const CameraModel& model, HeadTurn head)
     : model_(model), centre_(pose.at_mm[0], pose.at_mm[1], pose.at_mm[2]) {
-  // The angle from the base's x axis, and the tilt downwards.
-  const double facing = (180 - pose.pan_deg) * std::numbers::pi / 180;
-  const double tilt = -pose.tilt_deg * std::numbers::pi / 180;
-  away_ = {std::cos(facing), std::sin(facing), 0};
+  away_ = direction(pose.pan_deg);
   right_ = away_.cross(Eigen::Vector3d::UnitZ());
-  forward_ = std::cos(tilt) * away_ - std::sin(tilt) * Eigen::Vector3d::UnitZ();
-  down_ = forward_.cross(right_);
+  const Eigen::Vector3d ahead = direction(pose.pan_deg + head.pan_deg);
+  const double downwards = -(pose.tilt_deg + head.tilt_deg) * std::numbers::pi / 180;
+  across_ = ahead.cross(Eigen::Vector3d::UnitZ());
+  forward_ = std::cos(downwards) * ahead - std::sin(downwards) * Eigen::Vector3d::UnitZ();
+  down_ = forward_.cross(across_);
 }
 
 // With u, v the slopes of the left camera's ray, b the base line and Z the depth, the point lies at
@@ -38,14 +48,14 @@ Eigen::Vector3d CameraView::place(double x_px, double y_px, double range_mm) con
   const double b = u * half;
   const double c = half * half - range_mm * range_mm;
   const double depth = (b + std::sqrt(std::max(0.0, b * b - a * c))) / a;
-  return centre_ + (depth * u - half) * right_ + depth * v * down_ + depth * forward_;
+  return centre_ + (depth * u - half) * across_ + depth * v * down_ + depth * forward_;
 }
 
 Sight CameraView::sight(const Eigen::Vector3d& point) const {
   const Eigen::Vector3d from_centre = point - centre_;
   const double depth = from_centre.dot(forward_);
   assert(depth > 0);
-  const double x = from_centre.dot(right_) + model_.base_line_mm / 2;
+  const double x = from_centre.dot(across_) + model_.base_line_mm / 2;
   const double y = from_centre.dot(down_);
   return {model_.centre_x_px + model_.focal_px * x / depth, model_.centre_y_px + model_.focal_px * y / depth,
           from_centre.norm(), depth};
@@ -62,7 +72,7 @@ bool CameraView::shows(const Eigen::Vector3d& point, double around_mm) const {
 }
 
 std::array<Eigen::Vector3d, 2> CameraView::eyes() const {
-  const Eigen::Vector3d aside = model_.base_line_mm / 2 * right_;
+  const Eigen::Vector3d aside = model_.base_line_mm / 2 * across_;
   return {centre_ - aside, centre_ + aside};
 }
 

@@ -1,9 +1,10 @@
 #pragma once
 
-// What the coordinator knows of the camera: where it stands relative to the arm (configuration) and how it projects
-// (the camera-model fact). It turns the eyes' pixels and ranges into the arm's base frame and back.
+// What the coordinator knows of the camera: where it stands relative to the arm (configuration), how it projects (the
+// camera-model fact), and, on a pan-tilt unit, how that has turned it (the head fact). It turns the eyes' pixels and
+// ranges into the arm's base frame and back.
 //
-//   CameraView view(pose, model);
+//   CameraView view(pose, model, {.pan_deg = 8, .tilt_deg = -2});
 //   Eigen::Vector3d mark = view.place(112.25, 87.5, 812.3);   // mm, base frame
 //   Sight sight = view.sight(mark);                           // back again
 
@@ -27,6 +28,13 @@ struct CameraModel {
 
 Result<CameraModel> camera_model_from_fact(const Datum& fact);
 
+// How a pan-tilt unit has turned the camera from its pose: pan positive to image right, tilt positive upwards. The pair
+// turns about the centre of its base line.
+struct HeadTurn {
+  double pan_deg = 0;
+  double tilt_deg = 0;
+};
+
 // A point as the left camera sees it: pixels, the range from the base line's centre, the depth along the axis.
 struct Sight {
   double x_px;
@@ -37,7 +45,7 @@ struct Sight {
 
 class CameraView {
  public:
-  CameraView(const CameraPose& pose, const CameraModel& model);
+  CameraView(const CameraPose& pose, const CameraModel& model, HeadTurn head = {});
 
   // Where a point stands that is seen at a pixel of the left image, `range_mm` from the base line's centre.
   Eigen::Vector3d place(double x_px, double y_px, double range_mm) const;
@@ -50,7 +58,7 @@ class CameraView {
   // Where the left and the right image are taken from.
   std::array<Eigen::Vector3d, 2> eyes() const;
 
-  // Horizontal unit vectors: to the right in the image, and away from the camera.
+  // Horizontal unit vectors: to the right in the image, and away from the camera, while its head is in the middle.
   const Eigen::Vector3d& right() const { return right_; }
   const Eigen::Vector3d& away() const { return away_; }
   double focal_px() const { return model_.focal_px; }
@@ -59,9 +67,11 @@ class CameraView {
   CameraModel model_;
   Eigen::Vector3d centre_;
   Eigen::Vector3d right_;
+  Eigen::Vector3d away_;
+  // The image's axes.
+  Eigen::Vector3d across_;
   Eigen::Vector3d down_;
   Eigen::Vector3d forward_;
-  Eigen::Vector3d away_;
 };
 
 }  // namespace pizarra

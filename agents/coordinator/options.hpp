@@ -26,6 +26,7 @@ struct GripperGeometry {
 struct CoordinatorOptions {
   std::string domain_file;
   CameraPose camera;
+  bool head = false;  // whether the camera stands on a pan-tilt unit, whose (head ...) fact says how it is turned
   GripperGeometry gripper;
   ServoLimits servo;
   CubeRow row;                    // where cubes are put down

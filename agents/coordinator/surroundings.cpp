@@ -12,6 +12,9 @@ namespace {
 constexpr Duration retry_pause = 200ms;
 // For how many looks an object must lie where it is to count as still.
 constexpr std::uint64_t still_looks = 5;
+// From the picture to the reply at most so many frames pass: so many looks after the head has come to rest may be
+// older.
+constexpr int looks_on_their_way = 3;
 // What is nearer to where a held object's mark stands goes with the arm.
 constexpr double held_mm = 40;
 
@@ -33,6 +36,11 @@ void Surroundings::start() {
   const Datum any = "?"_sym;
   const Datum model = list("camera-model"_sym, any, any, any, any, any, any);
   jobs_.push_back(executor.spawn(watch(model, &Surroundings::take_model)));
+  if (options_.head) {
+    jobs_.push_back(executor.spawn(watch(list("head"_sym, any, any, any), &Surroundings::take_head)));
+  } else {
+    head_ = HeadTurn();
+  }
   jobs_.push_back(executor.spawn(watch(list("gripper"_sym, any), &Surroundings::take_gripper)));
   jobs_.push_back(executor.spawn(watch(list("faces"_sym, any, any), &Surroundings::take_faces)));
   const Datum pose = list("arm-pose"_sym, any, any, any, any, any, any);
@@ -76,7 +84,24 @@ Task<void> Surroundings::watch_vision() {
 void Surroundings::take_model(const Change& change) {
   if (change.added.empty()) return;
   const Result<CameraModel> model = camera_model_from_fact(change.added.back().facts.front().datum);
-  if (model) view_.emplace(options_.camera, *model);
+  if (!model) return;
+  model_ = *model;
+  turn_view();
+}
+
+// What is seen while the head turns cannot be placed.
+void Surroundings::take_head(const Change& change) {
+  head_.reset();
+  if (change.added.empty()) return;
+  const Datum& head = change.added.back().facts.front().datum;
+  if (!head[3].is_symbol("still")) return;
+  head_ = HeadTurn{head[1].number(), head[2].number()};
+  blurred_looks_ = looks_on_their_way;
+  turn_view();
+}
+
+void Surroundings::turn_view() {
+  if (model_ && head_) view_.emplace(options_.camera, *model_, *head_);
 }
 
 void Surroundings::take_gripper(const Change& change) {
@@ -85,8 +110,10 @@ void Surroundings::take_gripper(const Change& change) {
 
 void Surroundings::take_faces(const Change& change) {
   if (change.added.empty()) return;
+  if (!head_ || blurred_looks_ > 0) return;
   for (const Datum& face : change.added.back().facts.front().datum[2].items()) {
-    if (face.size() == 2) sightings_.face(face[0].text(), face[1].number());
+    // Told as the camera is turned, kept as it is mounted.
+    if (face.size() == 2) sightings_.face(face[0].text(), face[1].number() - head_->pan_deg);
   }
 }
 
@@ -104,7 +131,11 @@ void Surroundings::take_presence(const Change& change) {
 
 Task<void> Surroundings::take_look(std::int64_t frame, std::string text) {
   const Result<Datum> track = interpret_vision_reply(text);
-  if (!track || !track->is_form("track") || !view_) co_return;
+  if (!track || !track->is_form("track") || !view_ || !head_) co_return;
+  if (blurred_looks_ > 0) {
+    --blurred_looks_;
+    co_return;
+  }
   sightings_.look(frame, *track, *view_);
   excuse_hidden();
   const Result<Facts> perceived = perceive();

@@ -71,6 +71,8 @@ class Surroundings {
   Task<void> watch(Datum pattern, Handler handler);
   Task<void> watch_vision();
   void take_model(const Change& change);
+  void take_head(const Change& change);
+  void turn_view();
   void take_gripper(const Change& change);
   void take_faces(const Change& change);
   void take_pose(const Change& change);
@@ -95,6 +97,10 @@ class Surroundings {
   std::uint64_t grace_;
   Sightings sightings_;
   Beliefs beliefs_;
+  std::optional<CameraModel> model_;
+  // How the camera is turned; none while it turns, or nobody knows.
+  std::optional<HeadTurn> head_;
+  int blurred_looks_ = 0;  // that are still to come and may have been taken while it turned
   std::optional<CameraView> view_;
   std::optional<double> opening_mm_;
   std::optional<Eigen::Vector3d> pose_mm_;

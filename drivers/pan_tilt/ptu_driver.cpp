@@ -58,6 +58,7 @@ void PtuDriver::close() {
 
 std::unexpected<Failure> PtuDriver::lose(Failure why) {
   connected_ = false;
+  why_lost_ = why.sentence;
   return fail(std::move(why));
 }
 
@@ -110,7 +111,7 @@ Task<Result<std::string>> PtuDriver::exchange(std::string command, Duration pati
 Task<Result<std::string>> PtuDriver::answer_to(std::string command, Duration patience) {
   while (in_use_) co_await turns_.wait();
   const Turn turn(*this);
-  if (!connected_) co_return fail("not-connected", "nothing is known of the pan-tilt unit: it is not connected");
+  if (!connected_) co_return fail("not-connected", why_lost_);
   Result<std::string> answer = co_await exchange(std::move(command), patience);
   co_return answer;
 }
@@ -225,8 +226,7 @@ PanTiltAxisRange PtuDriver::range_of(const Axis& axis) const {
 Task<Result<void>> PtuDriver::move_to(PanTiltAxis which, double deg) {
   Axis& axis = axis_of(which);
   const Datum subject = Datum::symbol(axis.name);
-  if (!connected_)
-    co_return fail("not-connected", "nothing is known of the pan-tilt unit: it is not connected", subject);
+  if (!connected_) co_return fail("not-connected", why_lost_, subject);
   if (!std::isfinite(deg))
     co_return fail("not-finite", fmt::format("the {} angle is not a number", axis.name), subject);
   const double count = std::round(axis.way * deg / axis.deg_per_count);
@@ -263,7 +263,7 @@ Task<Result<void>> PtuDriver::reset_all() { return command("R", reset_time); }
 Task<Result<PanTiltReading>> PtuDriver::read() {
   while (in_use_) co_await turns_.wait();
   const Turn turn(*this);
-  if (!connected_) co_return fail("not-connected", "nothing is known of the pan-tilt unit: it is not connected");
+  if (!connected_) co_return fail("not-connected", why_lost_);
   const Result<double> pan = co_await ask(pan_, 'P');
   if (!pan) co_return fail(pan);
   const Result<double> tilt = co_await ask(tilt_, 'P');

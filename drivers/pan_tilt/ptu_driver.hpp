@@ -82,6 +82,7 @@ class PtuDriver : public PanTiltDriver {
   Axis pan_;
   Axis tilt_;
   bool connected_ = false;
+  std::string why_lost_ = "the pan-tilt unit is not connected";
   bool echoes_ = false;
   bool in_use_ = false;
   std::string unread_;

@@ -5,6 +5,7 @@
 
 #include "drivers/simulation/frame_clock.hpp"
 #include "drivers/simulation/hand_request.hpp"
+#include "drivers/simulation/head_line.hpp"
 #include "drivers/simulation/render/stereo_renderer.hpp"
 #include "drivers/simulation/truth.hpp"
 
@@ -76,16 +77,19 @@ struct World::Inside {
         config(the_config),
         clock(the_executor.now()),
         cell(config),
-        renderer(config, Random(config.seed).split("camera")),
-        left(make_eye(config.camera, Side::left)) {
+        renderer(config, Random(config.seed).split("camera")) {
     steps = clock.steps_until(executor.now());
+    const PtuModel* head_model = find_ptu_model(config.camera.head);
+    if (head_model != nullptr) head.emplace(executor, *head_model);
   }
 
   void advance();
   void take_frame();
 
   Task<Result<Message>> handle(Datum request);
-  Result<Message> tell_truth(const Datum& request) const;
+  Result<Message> tell_truth(const Datum& request);
+  // How the cameras look now.
+  CameraConfig camera_now();
   Result<Message> arm(const Datum& request);
   Result<void> move(const Datum& request);
   Task<Result<Message>> camera(Datum request);
@@ -98,7 +102,7 @@ struct World::Inside {
   const FrameClock clock;
   Cell cell;
   StereoRenderer renderer;
-  const Eye left;
+  std::optional<HeadLine> head;
   std::int64_t steps = 0;
   bool controlled = false;
   std::map<std::uint64_t, Wanted> wanted;
@@ -109,8 +113,10 @@ void World::Inside::take_frame() {
   const auto found = wanted.find(static_cast<std::uint64_t>(steps / FrameClock::steps_per_frame));
   if (found == wanted.end()) return;
   Wanted& frame = found->second;
-  if (frame.grey && !frame.grey_pair) frame.grey_pair = renderer.render(cell.snapshot(), found->first, false);
-  if (frame.colour && !frame.colour_pair) frame.colour_pair = renderer.render(cell.snapshot(), found->first, true);
+  if (frame.grey && !frame.grey_pair)
+    frame.grey_pair = renderer.render(cell.snapshot(), camera_now(), found->first, false);
+  if (frame.colour && !frame.colour_pair)
+    frame.colour_pair = renderer.render(cell.snapshot(), camera_now(), found->first, true);
 }
 
 void World::Inside::advance() {
@@ -137,6 +143,11 @@ Task<Result<Message>> World::Inside::handle(Datum request) {
     Result<Message> taken = co_await camera(std::move(request));
     co_return taken;
   }
+  if (device == "head") {
+    if (!head) co_return fail("bad-request", "the cameras of this world stand on no pan-tilt unit", request);
+    Result<Message> said = co_await head->handle(std::move(request));
+    co_return said;
+  }
   if (device == "hand") {
     Result<Message> done = co_await hand(std::move(request));
     co_return done;
@@ -144,7 +155,17 @@ Task<Result<Message>> World::Inside::handle(Datum request) {
   co_return tell_truth(request);
 }
 
-Result<Message> World::Inside::tell_truth(const Datum& request) const {
+CameraConfig World::Inside::camera_now() {
+  CameraConfig camera = config.camera;
+  if (head) {
+    camera.pose.pan_deg += head->unit().pan_deg();
+    camera.pose.tilt_deg += head->unit().tilt_deg();
+  }
+  return camera;
+}
+
+Result<Message> World::Inside::tell_truth(const Datum& request) {
+  const Eye left = make_eye(camera_now(), Side::left);
   if (request.is_form("truth")) return Message{truth_of(cell, left)};
   if (request.is_form("scene")) return Message{describe_scene(cell, config)};
   if (!request.is_form("where-seen") || request.size() != 2) return bad_request(request);

@@ -17,6 +17,9 @@
 //   (arm gripper MM)                  (arm read) -> ((J1 ... J6) MOVING STOPPED OPENING GRIPPER-MOVING)
 //   (camera open) -> (WIDTH HEIGHT FOCAL CX CY BASE-LINE)
 //   (camera next AFTER grey|colour) -> (NUMBER MICROSECONDS), left and right image; waits for the frame
+//   (head send "bytes")               to the pan-tilt unit under the cameras, as over its line
+//   (head hear) -> ("bytes")          what it says next, waiting 50 ms at most; empty where it says nothing
+//   (head power on|off)               its power switch
 // The hand; each answers when the hand is done (0.5 to 4 s), fails `busy` meanwhile:
 //   (hand push NAME DX DY)            slides it over the table in 0.5 s
 //   (hand place NAME X Y)             lifts it and puts it down there, straight

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "drivers/arm/kinematics.hpp"
+#include "drivers/simulation/controllers/ptu_model.hpp"
 
 namespace pizarra {
 
@@ -96,6 +97,9 @@ Result<void> check(const WorldConfig& config) {
   const TableConfig& table = config.table;
   if (!(table.x_low_mm < table.x_high_mm && table.y_low_mm < table.y_high_mm && table.thickness_mm > 0)) {
     return bad("the table has no extent", "table");
+  }
+  if (!config.camera.head.empty() && find_ptu_model(config.camera.head) == nullptr) {
+    return bad(fmt::format("there is no pan-tilt unit {}", config.camera.head), "camera");
   }
   const Result<void> camera = check_camera(config.camera);
   if (!camera) return camera;

@@ -55,7 +55,8 @@ struct TableConfig {
 struct CameraConfig {
   StereoModel model;
   CameraPose pose;
-  double noise_sigma = 3;        // grey levels, each pixel and frame on its own
+  std::string head = "";   // the pan-tilt unit that it stands on, as find_ptu_model() knows it; empty: it stands still
+  double noise_sigma = 3;  // grey levels, each pixel and frame on its own
   double blur_sigma_px = 0.7;    // the lens
   double light_gradient = 0.12;  // how much brighter one edge of the image is than the other; direction by the seed
 };

@@ -58,7 +58,7 @@ Result<StoryReport> run_on(Executor& executor, const Scenario& scenario, const C
   const Time start = executor.now();
   const auto wall_start = std::chrono::steady_clock::now();
   narrator.begin(start);
-  for (const std::string& kind : agent_kinds()) {
+  for (const std::string& kind : agent_kinds(description)) {
     const Result<void> started = cell.start(kind);
     if (!started) return fail(started);
   }

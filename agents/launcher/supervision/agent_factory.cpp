@@ -3,12 +3,17 @@
 #include <fmt/format.h>
 
 #include "agents/coordinator/coordinator_agent.hpp"
+#include "agents/pan_tilt/pan_tilt_agent.hpp"
 #include "agents/person/person_agent.hpp"
 #include "agents/planner/planner_agent.hpp"
 #include "agents/robot/robot_agent.hpp"
 #include "agents/vision/vision_agent.hpp"
+#include "drivers/pan_tilt/ptu_driver.hpp"
+#include "drivers/simulation/head_wire.hpp"
 #include "drivers/simulation/simulated_arm.hpp"
 #include "drivers/simulation/simulated_camera.hpp"
+#include "drivers/wire/serial_wire.hpp"
+#include "drivers/wire/tcp_wire.hpp"
 
 namespace pizarra {
 
@@ -36,10 +41,38 @@ class WithoutDevice : public BuiltAgent {
   std::unique_ptr<Agent> agent_;
 };
 
+// The agent, its driver, and the line to its unit: the simulated one's where the cell names no other.
+class BuiltPanTilt : public BuiltAgent {
+ public:
+  BuiltPanTilt(AgentContext context, const CellDescription& description, Link& link)
+      : wire_(make_wire(context.executor, description.pan_tilt, link)),
+        driver_(context.executor, *wire_, {description.pan_tilt.pan_reversed, description.pan_tilt.tilt_reversed}),
+        agent_(std::move(context), driver_, description.camera) {}
+
+ private:
+  static std::unique_ptr<ByteWire> make_wire(Executor& executor, const PanTiltLine& line, Link& link) {
+    if (line.kind == "serial") return std::make_unique<SerialWire>(executor, line.where, line.number);
+    if (line.kind == "tcp") {
+      return std::make_unique<TcpWire>(executor, line.where, static_cast<std::uint16_t>(line.number));
+    }
+    return std::make_unique<HeadWire>(executor, link);
+  }
+  Agent& agent() override { return agent_; }
+
+  std::unique_ptr<ByteWire> wire_;
+  PtuDriver driver_;
+  PanTiltAgent agent_;
+};
+
+bool has_pan_tilt(const CellDescription& description) {
+  return !description.head.empty() || !description.pan_tilt.kind.empty();
+}
+
 CoordinatorOptions coordinator_options(const CellDescription& description) {
   CoordinatorOptions options;
   options.domain_file = description.domain_file;
   options.camera = description.camera;
+  options.head = has_pan_tilt(description);
   options.cube_mm = description.cube_mm;
   options.gripper.openings = description.openings;
   options.row = description.row;
@@ -55,7 +88,13 @@ std::unique_ptr<BuiltAgent> build_person(AgentContext context, const CellDescrip
 }  // namespace
 
 const std::vector<std::string>& agent_kinds() {
-  static const std::vector<std::string> kinds{"robot", "vision", "planner", "coordinator", "person"};
+  static const std::vector<std::string> kinds{"robot", "vision", "pan-tilt", "planner", "coordinator", "person"};
+  return kinds;
+}
+
+std::vector<std::string> agent_kinds(const CellDescription& description) {
+  std::vector<std::string> kinds = agent_kinds();
+  if (!has_pan_tilt(description)) std::erase(kinds, "pan-tilt");
   return kinds;
 }
 
@@ -65,6 +104,7 @@ WorldConfig world_config(const CellDescription& description, std::uint64_t seed)
   config.cube_mm = description.cube_mm;
   CameraConfig& camera = config.camera;
   camera.pose = description.camera;
+  camera.head = description.head;
   camera.noise_sigma = description.noise.sensor_grey;
   camera.blur_sigma_px = description.noise.blur_px;
   camera.light_gradient = description.noise.gradient;
@@ -90,6 +130,10 @@ Result<std::unique_ptr<BuiltAgent>> build_agent(const std::string& kind, AgentCo
     return std::make_unique<WithDevice<VisionAgent, SimulatedCamera>>(link, [&](SimulatedCamera& camera) {
       return std::make_unique<VisionAgent>(std::move(context), camera, streams);
     });
+  }
+  if (kind == "pan-tilt") {
+    if (!has_pan_tilt(description)) return fail("unknown-agent", "the cell has no pan-tilt unit", Datum::symbol(kind));
+    return std::make_unique<BuiltPanTilt>(std::move(context), description, link);
   }
   if (kind == "planner") {
     return std::make_unique<WithoutDevice>(std::make_unique<PlannerAgent>(std::move(context)));

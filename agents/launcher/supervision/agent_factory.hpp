@@ -17,8 +17,10 @@
 
 namespace pizarra {
 
-// robot, vision, planner, coordinator, person: in the order in which they are listed.
+// robot, vision, pan-tilt, planner, coordinator, person: in the order in which they are listed.
 const std::vector<std::string>& agent_kinds();
+// Those that the cell has devices for.
+std::vector<std::string> agent_kinds(const CellDescription& description);
 
 WorldConfig world_config(const CellDescription& description, std::uint64_t seed);
 

@@ -5,7 +5,7 @@
 //
 //   VirtualExecutor executor;
 //   LocalCell cell(executor, description, seed);
-//   for (const auto& kind : agent_kinds()) cell.start(kind);
+//   for (const auto& kind : agent_kinds(description)) cell.start(kind);
 //   cell.kill("vision");                       // its presence lapses within its lease
 //   cell.start("vision");
 

@@ -23,7 +23,8 @@ Task<Result<Answer>> await_when_declared(Board& board, Executor& executor, Query
 
 Task<Result<void>> await_agents(LocalCell& cell, Board& board) {
   const Time deadline = cell.executor().now() + agents_timeout;
-  for (const std::string& kind : agent_kinds()) {
+  const std::vector<std::string> kinds = agent_kinds(cell.description());
+  for (const std::string& kind : kinds) {
     Query query = query_for(list("agent"_sym, "?"_sym, Datum::symbol(kind), "?"_sym));
     const Result<Answer> there = co_await await_when_declared(board, cell.executor(), std::move(query), deadline);
     if (there) continue;

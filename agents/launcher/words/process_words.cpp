@@ -83,7 +83,7 @@ int run_world(const ProcessChoices& choices) {
 void add_process_words(CLI::App& app, int& status) {
   auto choices = std::make_shared<ProcessChoices>();
   CLI::App* agent = app.add_subcommand("agent", "Run one agent in this process, on a board of another.");
-  agent->add_option("kind", choices->kind, "robot, vision, planner, coordinator or person")
+  agent->add_option("kind", choices->kind, "robot, vision, pan-tilt, planner, coordinator or person")
       ->required()
       ->check(CLI::IsMember(agent_kinds()));
   agent->add_option("cell", choices->cell, "The cell file")->required()->check(CLI::ExistingFile);

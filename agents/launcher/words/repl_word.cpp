@@ -35,7 +35,7 @@ int talk_to_own_cell(const ReplChoices& choices) {
   RealExecutor executor;
   LocalCell local(executor, *cell, choices.seed);
   const bool whole = choices.agents.empty();
-  for (const std::string& kind : whole ? agent_kinds() : choices.agents) {
+  for (const std::string& kind : whole ? agent_kinds(*cell) : choices.agents) {
     const Result<void> started = local.start(kind);
     if (!started) return complain(started.error(), exit_usage);
   }

@@ -39,14 +39,16 @@ Rect difference(const std::vector<Corners>& before, const std::vector<Corners>& 
 }  // namespace
 
 struct StereoRenderer::View {
-  View(const WorldConfig& config, Side which, bool colour)
+  View(const WorldConfig& config, const CameraConfig& camera, Side which, bool colour)
       : side(which),
-        eye(make_eye(config.camera, which)),
+        pose(camera.pose),
+        eye(make_eye(camera, which)),
         background(paint_background(eye, config, colour ? 3 : 1)),
         canvas(background),
         exposure(canvas) {}
 
   Side side;
+  CameraPose pose;
   Eye eye;
   Canvas background;
   Canvas canvas;
@@ -93,13 +95,15 @@ std::shared_ptr<const Image> StereoRenderer::take(View& view, const Scene& scene
   return std::make_shared<const Image>(film_->develop(view.exposure, view.canvas, frame, view.side));
 }
 
-StereoPair StereoRenderer::render(const Snapshot& snapshot, std::uint64_t frame, bool colour) {
+StereoPair StereoRenderer::render(const Snapshot& snapshot, const CameraConfig& camera, std::uint64_t frame,
+                                  bool colour) {
   if (!film_) film_ = std::make_unique<Film>(config_.camera, random_);
   const Scene scene = moving_scene(config_, snapshot);
   const std::size_t first = colour ? 2 : 0;
   for (const Side side : {Side::left, Side::right}) {
     auto& view = views_[first + static_cast<std::size_t>(side)];
-    if (!view) view = std::make_unique<View>(config_, side, colour);
+    // A camera that has turned sees all anew.
+    if (!view || view->pose != camera.pose) view = std::make_unique<View>(config_, camera, side, colour);
   }
   return {take(*views_[first], scene, frame), take(*views_[first + 1], scene, frame)};
 }

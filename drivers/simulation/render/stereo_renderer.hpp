@@ -23,8 +23,8 @@ class StereoRenderer {
  public:
   StereoRenderer(const WorldConfig& config, const Random& random);
   ~StereoRenderer();
-  // The same snapshot and frame number give the same pair.
-  StereoPair render(const Snapshot& snapshot, std::uint64_t frame, bool colour);
+  // The same snapshot, camera and frame number give the same pair.
+  StereoPair render(const Snapshot& snapshot, const CameraConfig& camera, std::uint64_t frame, bool colour);
 
  private:
   // What is kept from picture to picture for one side in grey or colour.

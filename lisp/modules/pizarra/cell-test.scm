@@ -11,11 +11,11 @@
     (if (eq? (car outcome) 'errors) (list (length (cdr outcome)) (car (cadr outcome)) (caddr (cadr outcome))) outcome)))
 
 (check "what is left out has a default" (interpret '((cell c)))
-       '(ok (c (1330 0 200 0 0) (3 0.7 0.12) () crs-f3 "" "localhost" ""
-               (("localhost" "" robot vision planner coordinator person)) 60 (76 84 96) (450 -200 200) "")))
+       '(ok (c (1330 0 200 0 0 "") (3 0.7 0.12) () crs-f3 "" "localhost" ""
+               (("localhost" "" robot vision planner coordinator person)) 60 (76 84 96) (450 -200 200) "" ("" "" 0 ()))))
 (check "the gripper opens as the cubes' size asks"
        (list-tail (cadr (interpret '((cell c (world (cube-size 50) (row (x 460) (y -150 150))))))) 9)
-       '(50 (66 74 86) (460 -150 150) ""))
+       '(50 (66 74 86) (460 -150 150) "" ("" "" 0 ())))
 (check "openings are the file's where it says them"
        (list-ref (cadr (interpret '((cell c (world (openings 70 80 90)))))) 10)
        '(70 80 90))
@@ -58,6 +58,23 @@
        (keys-of '(board "a" "tcp://a:7800" (keys "keys")) '(host "a" (agents robot)) '(host "b" (agents) (key "b.secret")))
        '("keys" (("a" "" robot) ("b" "b.secret"))))
 (check "a folder of keys is text" (complaint '(board "a" "tcp://a:7800" (keys 5))) '(1 malformed (0 2 3 1)))
+(define (pan-tilt-of . sections)
+  (let ((cell (cadr (interpret (list (append '(cell c) sections))))))
+    (list (list-ref (list-ref cell 1) 5) (list-ref cell 13) (memq 'pan-tilt (car (list-ref cell 8))))))
+(check "cameras on a pan-tilt unit bring the agent that turns it"
+       (pan-tilt-of '(world (camera (head ptu46-70))))
+       '(ptu46-70 ("" "" 0 ()) (pan-tilt planner coordinator person)))
+(check "a unit on a serial line runs at 9600 baud unless told otherwise"
+       (cadr (pan-tilt-of '(pan-tilt (serial "/dev/ttyUSB0")))) '(serial "/dev/ttyUSB0" 9600 ()))
+(check "a unit on a network counts as it is said to"
+       (cadr (pan-tilt-of '(pan-tilt (tcp "ptu" 4000) (reversed tilt)))) '(tcp "ptu" 4000 (tilt)))
+(check "a unit that is not known is refused" (complaint '(world (camera (head ptu47)))) '(1 unknown-name (0 2 1 1 1)))
+(check "a unit needs a line" (complaint '(pan-tilt)) '(1 malformed (0 2)))
+(check "a line is serial or tcp" (complaint '(pan-tilt (usb 3))) '(1 malformed (0 2 1)))
+(check "a serial line has one of the known speeds" (complaint '(pan-tilt (serial "/dev/x" 1200))) '(1 out-of-range (0 2 1 2)))
+(check "a port is a port" (complaint '(pan-tilt (tcp "ptu" 70000))) '(1 out-of-range (0 2 1 2)))
+(check "an agent without anything to turn is refused"
+       (complaint '(host "a" (agents robot pan-tilt))) '(1 unknown-agent (0 2 2 2)))
 (check "every error is told" (complaint '(wrld) '(arm kr3) '(host "a" (agents robt))) '(3 unknown-section (0 2)))
 
 (finish-checks)

@@ -1,9 +1,12 @@
 ;; Cell files: see lisp/cell.hpp for the language and for what is taken where something is left out.
 ;;
 ;; (interpret DATA), the data of a file, answers (errors ...) or
-;;   (ok (NAME (X Y Z PAN TILT) (SENSOR BLUR GRADIENT) (CUBE ...) ARM DOMAIN BOARD-HOST BOARD-ADDRESS
-;;        ((HOST KEY KIND ...) ...) CUBE-SIZE (NARROW NORMAL WIDE) (ROW-X ROW-Y-LOW ROW-Y-HIGH) BOARD-KEYS))
-;; with CUBE = (NAME MARK X Y YAW ON), ON the empty string for the table; KEY and BOARD-KEYS are paths or empty.
+;;   (ok (NAME (X Y Z PAN TILT HEAD) (SENSOR BLUR GRADIENT) (CUBE ...) ARM DOMAIN BOARD-HOST BOARD-ADDRESS
+;;        ((HOST KEY KIND ...) ...) CUBE-SIZE (NARROW NORMAL WIDE) (ROW-X ROW-Y-LOW ROW-Y-HIGH) BOARD-KEYS
+;;        (LINE WHERE NUMBER (REVERSED ...))))
+;; with CUBE = (NAME MARK X Y YAW ON), ON the empty string for the table; KEY and BOARD-KEYS are paths or empty; HEAD the
+;; simulated pan-tilt unit under the cameras or the empty string; LINE serial, tcp or the empty string, how the unit of
+;; the agent is reached, NUMBER a baud rate or a port.
 
 (define-module (pizarra cell)
   #:use-module (srfi srfi-1)
@@ -11,7 +14,9 @@
   #:export (interpret cubes-of numbers-of text-of-section))
 
 (define marks '(circle triangle square cross))
-(define kinds '(robot vision planner coordinator person))
+(define kinds '(robot vision pan-tilt planner coordinator person))
+(define heads '(ptu46-17.5 ptu46-70))
+(define baud-rates '(9600 19200 38400 57600 115200))
 ;; Smaller marks are not recognised, and the fingers do not open wider.
 (define cube-sizes-mm '(40 64))
 (define most-opening-mm 100)
@@ -163,10 +168,50 @@
 
 (define (camera-of found)
   (let* ((camera (section-in found 'camera))
-         (parts (if camera (sections (node-rest (node-within camera "in the camera")) '(at pan tilt)) '())))
+         (parts (if camera (sections (node-rest (node-within camera "in the camera")) '(at pan tilt head)) '()))
+         (head (section-in parts 'head)))
     (append (numbers-in parts 'at '((600 3000) (-2000 2000) (20 2000)) '(1330 0 200))
             (numbers-in parts 'pan '((-60 60)) '(0))
-            (numbers-in parts 'tilt '((-60 60)) '(0)))))
+            (numbers-in parts 'tilt '((-60 60)) '(0))
+            (list (if head (or (choice-at head 1 "the pan-tilt unit" heads) "") "")))))
+
+;; ---- the pan-tilt unit of the agent, where it is not the simulated one
+
+;; (serial PATH [BAUD]) or (tcp HOST PORT), as (LINE WHERE NUMBER).
+(define (line-of node)
+  (let* ((name (node-head node))
+         (line (and (memq name '(serial tcp)) name))
+         (where (and line (string-at node 1 (if (eq? line 'serial) "the line's file" "the unit's address"))))
+         (number (cond ((not line) #f)
+                       ((and (eq? line 'serial) (= (length (node-items node)) 2)) 9600)
+                       (else (integer-at node 2 (if (eq? line 'serial) "the baud rate" "the port"))))))
+    (cond ((not line)
+           (complain! node 'malformed "the pan-tilt unit is at (serial FILE BAUD) or (tcp HOST PORT)"))
+          ((and (eq? line 'serial) number (not (memv number baud-rates)))
+           (complain! (node-ref node 2) 'out-of-range "serial lines run at 9600, 19200, 38400, 57600 or 115200 baud"))
+          ((and (eq? line 'tcp) number (not (<= 1 number 65535)))
+           (complain! (node-ref node 2) 'out-of-range "a port is a number from 1 to 65535"))
+          (else (and where number (list line where number))))))
+
+(define (axis-of node)
+  (let ((axis (symbol-of node "an axis")))
+    (and axis
+         (or (find (lambda (known) (eq? known axis)) '(pan tilt))
+             (complain! node 'unknown-name "the axes are pan and tilt")))))
+
+;; (pan-tilt LINE (reversed AXIS ...)) as (LINE WHERE NUMBER (AXIS ...)).
+(define (pan-tilt-of found)
+  (let ((unit (section-in found 'pan-tilt)))
+    (if (not unit)
+        (list "" "" 0 '())
+        (let* ((inside (node-within unit "in the pan-tilt unit"))
+               (line (and (pair? (node-rest inside)) (line-of (node-ref inside 1))))
+               (others (if (pair? (node-rest inside))
+                           (sections (cdr (node-rest inside)) '(reversed))
+                           (complain! inside 'malformed "the pan-tilt unit is at (serial FILE BAUD) or (tcp HOST PORT)")))
+               (reversed (and others (section-in others 'reversed))))
+          (append (or line (list "" "" 0))
+                  (list (if reversed (filter-map axis-of (node-rest reversed)) '())))))))
 
 (define (noise-of found)
   (let* ((noise (section-in found 'noise))
@@ -202,9 +247,9 @@
     (cons (text-of-section found 'key "the file of the host's key" "")
           (if agents (node-rest agents) '()))))
 
-(define (hosts-of nodes)
+(define (hosts-of nodes has-unit)
   (if (null? nodes)
-      (list (cons* "localhost" "" kinds))
+      (list (cons* "localhost" "" (if has-unit kinds (delq 'pan-tilt kinds))))
       (let* ((named (filter (lambda (node) (host-at node 1)) nodes))
              (things (map things-of-host named)))
         (refuse-repeated named (lambda (node) (node-datum (node-ref node 1))) "a host")
@@ -212,6 +257,16 @@
         (map (lambda (node things-of-it)
                (cons* (node-datum (node-ref node 1)) (car things-of-it) (filter-map agent-of (cdr things-of-it))))
              named things))))
+
+;; The agent needs a unit to turn.
+(define (refuse-pan-tilt hosts)
+  (for-each (lambda (host)
+              (let* ((agents (find (lambda (item) (eq? (node-head item) 'agents)) (node-rest host)))
+                     (node (and agents (find (lambda (kind) (eq? (node-datum kind) 'pan-tilt)) (node-rest agents)))))
+                (when node
+                  (complain! node 'unknown-agent
+                             "there is nothing to turn: neither (camera (head UNIT)) nor (pan-tilt LINE) is given"))))
+            hosts))
 
 ;; (HOST ADDRESS KEYS), KEYS the folder of the keys that may come.
 (define (board-of found hosts)
@@ -227,7 +282,7 @@
 ;; ----
 
 (define (interpret-sections cell name)
-  (let* ((found (sections (drop (node-items cell) 2) '(world arm domain board host) '(host)))
+  (let* ((found (sections (drop (node-items cell) 2) '(world arm pan-tilt domain board host) '(host)))
          (world (section-in found 'world))
          (things (if world
                      (sections (node-rest (node-within world "in the world"))
@@ -235,10 +290,14 @@
                      '()))
          (size (cube-size-of things))
          (arm (section-in found 'arm))
-         (hosts (hosts-of (sections-in found 'host)))
+         (camera (camera-of things))
+         (pan-tilt (pan-tilt-of found))
+         (has-unit (or (section-in found 'pan-tilt) (symbol? (sixth camera))))
+         (hosts (hosts-of (sections-in found 'host) has-unit))
          (board (board-of found hosts)))
+    (unless has-unit (refuse-pan-tilt (sections-in found 'host)))
     (list name
-          (camera-of things)
+          camera
           (noise-of things)
           (cubes-of (sections-in things 'cube) size)
           (or (and arm (choice-at arm 1 "the arm" '(crs-f3))) 'crs-f3)
@@ -249,7 +308,8 @@
           size
           (openings-of things size)
           (row-of things)
-          (third board))))
+          (third board)
+          pan-tilt)))
 
 (define (interpret data)
   (interpreting data

@@ -40,6 +40,24 @@ TEST(CameraView, PlacesWhatItSeesBackWhereItStands) {
   }
 }
 
+TEST(CameraView, AHeadThatTurnsItTurnsTheImageAndNotWhereThingsAre) {
+  for (std::uint64_t seed = 1; seed <= 500; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    const CameraPose mount{{1330, 20, 200}, random.uniform(-10, 10), random.uniform(-10, 5)};
+    const HeadTurn head{random.uniform(-12, 12), random.uniform(-10, 10)};
+    const CameraPose turned{mount.at_mm, mount.pan_deg + head.pan_deg, mount.tilt_deg + head.tilt_deg};
+    const CameraView view(mount, {}, head);
+    const Eigen::Vector3d point(random.uniform(300, 600), random.uniform(-300, 300), random.uniform(0, 400));
+    const Sight sight = view.sight(point);
+    const Sight as_mounted = CameraView(turned, {}).sight(point);
+    EXPECT_NEAR(sight.x_px, as_mounted.x_px, 1e-9);
+    EXPECT_NEAR(sight.y_px, as_mounted.y_px, 1e-9);
+    EXPECT_LT((view.place(sight.x_px, sight.y_px, sight.range_mm) - point).norm(), 1e-6);
+    EXPECT_LT((view.away() - CameraView(mount, {}).away()).norm(), 1e-12);
+  }
+}
+
 TEST(CameraView, RefusesAModelThatIsNone) {
   EXPECT_FALSE(camera_model_from_fact(list("camera-model"_sym, 320, 240, 0.0, 160.0, 120.0, 90.0)));
   EXPECT_FALSE(camera_model_from_fact(list("camera-model"_sym, 320)));

@@ -70,7 +70,7 @@ TappedCell::TappedCell(const CellDescription& description, const WorldConfig& co
   CellDescription without_cubes = description;
   without_cubes.cubes.clear();
   const Random random(seed);
-  for (const std::string& kind : agent_kinds()) {
+  for (const std::string& kind : agent_kinds(description)) {
     views_.push_back(board_.view(kind));
     Tap& tap = *taps_.emplace(kind, std::make_unique<Tap>(link_)).first->second;
     AgentContext context{kind, "localhost", executor_, *views_.back(), random.split(kind)};

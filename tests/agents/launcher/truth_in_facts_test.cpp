@@ -180,7 +180,7 @@ TEST_F(TruthInFacts, AgentsThatWereNotToldOfTheCubesDoAsInTheProgramsOwnCell) {
   LocalCell whole(executor, example_cell(), seed);
   std::string journal;
   whole.board().set_journal([&journal](std::string_view line) { journal.append(line).append("\n"); });
-  for (const std::string& kind : agent_kinds()) ASSERT_TRUE(whole.start(kind));
+  for (const std::string& kind : agent_kinds(example_cell())) ASSERT_TRUE(whole.start(kind));
   const Result<void> built = teach_and_build(executor, whole.board(), goal());
   ASSERT_TRUE(built) << describe(built.error());
   EXPECT_TRUE(journal == cell_.journal());

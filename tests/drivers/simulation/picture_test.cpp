@@ -171,8 +171,8 @@ TEST(Picture, DrawingOnlyWhatChangedGivesTheWholePicture) {
     if (random.below(2) == 0) snapshot.joints = {random.uniform(-40, 40), -30, -80, 0, -70, 0};
     if (random.below(4) == 0) snapshot.fist_mm = Eigen::Vector3d(450, random.uniform(-200, 200), 100);
     StereoRenderer fresh(config, Random(5));
-    const StereoPair kept = steady.render(snapshot, frame, frame % 3 == 0);
-    const StereoPair whole = fresh.render(snapshot, frame, frame % 3 == 0);
+    const StereoPair kept = steady.render(snapshot, config.camera, frame, frame % 3 == 0);
+    const StereoPair whole = fresh.render(snapshot, config.camera, frame, frame % 3 == 0);
     EXPECT_EQ(kept.left->pixels, whole.left->pixels) << "seed 11, frame " << frame;
     EXPECT_EQ(kept.right->pixels, whole.right->pixels) << "seed 11, frame " << frame;
   }

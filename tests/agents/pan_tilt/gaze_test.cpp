@@ -1,0 +1,40 @@
+#include "agents/pan_tilt/gaze.hpp"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <numbers>
+
+#include "blackboard/time/random.hpp"
+
+namespace pizarra {
+namespace {
+
+TEST(Gaze, LooksStraightAheadAtWhatIsStraightAhead) {
+  const Gaze gaze = gaze_at(CameraPose{}, {450, 0, 200});
+  EXPECT_NEAR(gaze.pan_deg, 0, 1e-9);
+  EXPECT_NEAR(gaze.tilt_deg, 0, 1e-9);
+}
+
+TEST(Gaze, PansToTheRightOfTheImageAndTiltsUp) {
+  const Gaze gaze = gaze_at(CameraPose{}, {1330 - 500, 500, 700});
+  EXPECT_NEAR(gaze.pan_deg, 45, 1e-9);
+  EXPECT_NEAR(gaze.tilt_deg, std::atan2(500, std::hypot(500, 500)) * 180 / std::numbers::pi, 1e-9);
+}
+
+TEST(Gaze, ThePointLiesOnTheAxisOfACameraTurnedThatWay) {
+  for (std::uint64_t seed = 1; seed <= 500; ++seed) {
+    Random random(seed);
+    const CameraPose mount{{1330, random.uniform(-100, 100), 200}, random.uniform(-30, 30), random.uniform(-20, 20)};
+    const std::array<double, 3> point{random.uniform(300, 600), random.uniform(-300, 300), random.uniform(0, 400)};
+    const Gaze gaze = gaze_at(mount, point);
+    const double pan = (mount.pan_deg + gaze.pan_deg) * std::numbers::pi / 180;
+    const double tilt = (mount.tilt_deg + gaze.tilt_deg) * std::numbers::pi / 180;
+    const double away = std::hypot(point[0] - mount.at_mm[0], point[1] - mount.at_mm[1], point[2] - mount.at_mm[2]);
+    EXPECT_NEAR(mount.at_mm[0] - away * std::cos(tilt) * std::cos(pan), point[0], 1e-6) << "seed " << seed;
+    EXPECT_NEAR(mount.at_mm[1] + away * std::cos(tilt) * std::sin(pan), point[1], 1e-6) << "seed " << seed;
+    EXPECT_NEAR(mount.at_mm[2] + away * std::sin(tilt), point[2], 1e-6) << "seed " << seed;
+  }
+}
+
+}  // namespace
+}  // namespace pizarra
