@@ -1,7 +1,13 @@
 #include "lisp/cell.hpp"
 
+#include <filesystem>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "lisp/arm_names.hpp"
 #include "lisp/file_paths.hpp"
 #include "lisp/interpret.hpp"
+#include "lisp/nearest.hpp"
 
 namespace pizarra {
 
@@ -34,7 +40,8 @@ CellDescription cell_from_datum(const Datum& datum, const std::string& file) {
   cell.head = camera[5].text();
   cell.noise = {datum[2][0].number(), datum[2][1].number(), datum[2][2].number()};
   for (const Datum& cube : datum[3].items()) cell.cubes.push_back(cube_from_datum(cube));
-  cell.arm = datum[4].text();
+  cell.arm_file = datum[4].is_string() ? beside(file, std::string(datum[4].text())) : shipped_arm_file(datum[4].text());
+  cell.arm = datum[4].is_string() ? std::filesystem::path(cell.arm_file).stem().string() : datum[4].text();
   cell.domain_file = beside(file, std::string(datum[5].text()));
   cell.board_host = datum[6].text();
   cell.board_address = datum[7].text();
@@ -44,12 +51,19 @@ CellDescription cell_from_datum(const Datum& datum, const std::string& file) {
   cell.row = {datum[11][0].number(), datum[11][1].number(), datum[11][2].number()};
   cell.board_keys = beside(file, std::string(datum[12].text()));
   cell.pan_tilt = pan_tilt_from_datum(datum[13]);
+  if (datum[14].size() == 3) {
+    const Datum& room = datum[14];
+    cell.arm_room = CellRoom{{room[0][0].number(), room[1][0].number(), room[2][0].number()},
+                             {room[0][1].number(), room[1][1].number(), room[2][1].number()}};
+  }
   return cell;
 }
 
 Result<CellDescription> interpret_source(const Result<Source>& source) {
   if (!source) return fail(source);
-  const Result<Datum> cell = interpret(*source, "cell");
+  std::vector<Datum> arms;
+  for (const std::string& name : arm_names()) arms.push_back(Datum::symbol(name));
+  const Result<Datum> cell = interpret(*source, "cell", {Datum::list(std::move(arms))});
   if (!cell) return fail(cell);
   return cell_from_datum(*cell, source->file());
 }
@@ -70,5 +84,20 @@ Result<CellDescription> read_cell(std::string_view text, const std::string& file
 }
 
 Result<CellDescription> read_cell_file(const std::string& path) { return interpret_source(read_source_file(path)); }
+
+Result<void> put_arm(CellDescription& cell, const std::string& arm) {
+  const std::string shipped = arm_called(arm);
+  if (shipped.empty() && !std::filesystem::is_regular_file(arm)) {
+    const std::string nearest = nearest_name(arm, arm_names());
+    return fail(
+        "unknown-arm",
+        fmt::format("there is no arm {} and no such arm file; there are {}{}", arm, fmt::join(arm_names(), ", "),
+                    nearest.empty() ? "" : fmt::format(": did you mean {}?", nearest)),
+        Datum::string(arm));
+  }
+  cell.arm_file = shipped.empty() ? arm : shipped_arm_file(shipped);
+  cell.arm = shipped.empty() ? std::filesystem::path(arm).stem().string() : shipped;
+  return {};
+}
 
 }  // namespace pizarra

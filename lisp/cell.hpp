@@ -12,7 +12,8 @@
 //       (cube square (at 450 50))
 //       (cube lid (mark cross) (on square))                    ; a mark of its own; stacked on a cube named before
 //       (noise (sensor 3) (blur 0.7) (gradient 0.12)))         ; grey levels, px, part of the light
-//     (arm crs-f3)
+//     (arm crs-f3)                                             ; of arms/, or "my-arm.scm" beside the cell file;
+//                                                              ; with (room (x 200 600) (z 20 700)) it stays in there
 //     (pan-tilt (tcp "192.168.0.2" 4000) (reversed pan))       ; or (serial "/dev/ttyUSB0" 9600); what counts leftwards
 //     (domain "../../domains/blocks.scm")                      ; relative to the cell file
 //     (board "localhost" "tcp://127.0.0.1:7800")               ; its host and address; left out: the first host, ipc
@@ -26,6 +27,8 @@
 //
 // Everything but the name has a default. A failure reports every error of the file, each with a caret.
 
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -73,6 +76,12 @@ struct PanTiltLine {
   bool tilt_reversed = false;
 };
 
+// A box in the base frame, mm.
+struct CellRoom {
+  std::array<double, 3> low_mm;
+  std::array<double, 3> high_mm;
+};
+
 struct CellHost {
   std::string name;
   std::string key;  // the file of the secret with which it comes to a board elsewhere, empty: it has none
@@ -88,7 +97,9 @@ struct CellDescription {
   GripperOpenings openings;
   CubeRow row;
   std::vector<CubePlacement> cubes;
-  std::string arm;
+  std::string arm;                   // its name
+  std::string arm_file;              // a path that can be opened
+  std::optional<CellRoom> arm_room;  // where its grip centre may be; none: wherever it reaches
   PanTiltLine pan_tilt;
   std::string domain_file;  // a path that can be opened
   std::string board_host;
@@ -99,6 +110,10 @@ struct CellDescription {
 
 Result<CellDescription> read_cell(std::string_view text, const std::string& file);
 Result<CellDescription> read_cell_file(const std::string& path);
+
+// Another arm in place of the cell's own: one of arms/, by its name or the last part of it (f3, t265, up6), or the path
+// of an arm file. Failure: unknown-arm, with the nearest name.
+Result<void> put_arm(CellDescription& cell, const std::string& arm);
 
 // One `(cube NAME ...)` as the Scheme modules normalise it; shared with the scenario language.
 CubePlacement cube_from_datum(const Datum& normalised);

@@ -10,13 +10,9 @@ namespace pizarra {
 
 namespace {
 
-constexpr double arrived_deg = 0.5;      // how far a controller may report from where it was sent
+constexpr double arrived = 0.5;          // degrees or mm: how far a controller may report from where it was sent
 constexpr Duration gripping_time = 20s;  // at most
 constexpr std::size_t looks_between_full_telling = 10;
-
-std::unexpected<Failure> stopped(const std::optional<Datum>& operation) {
-  return fail("stopped", "the motion was stopped before its end", operation.value_or(Datum()));
-}
 
 }  // namespace
 
@@ -30,6 +26,8 @@ Result<InHand> ArmControl::take_in_hand(Datum operation) {
   running_ = std::move(operation);
   ++motions_;
   stop_requested_ = false;
+  why_stopped_.reset();
+  guard_.begin();
   return InHand(*this);
 }
 
@@ -42,14 +40,17 @@ void ArmControl::let_go() {
 Task<Result<void>> ArmControl::connect() {
   const Result<std::string> type = co_await driver_.identify();
   if (!type) co_return fail(type);
-  model_ = arm_model(*type);
-  if (model_ == nullptr)
-    co_return fail("unknown-arm", fmt::format("no arm model is called {}", *type), to_datum(*type));
+  if (*type != model_.type) {
+    co_return fail("unknown-arm",
+                   fmt::format("the controller is of a {}, and the cell describes a {}", *type, model_.type),
+                   to_datum(*type));
+  }
   const Result<void> control = co_await driver_.take_control();
   if (!control) co_return control;
   const Result<ArmReading> reading = co_await driver_.read();
   if (!reading) co_return fail(reading);
-  facts_.set_reading(*model_, *reading);
+  known_ = true;
+  facts_.set_reading(model_, *reading);
   if (reading->moving) {
     const Result<void> halted = co_await halt();
     if (!halted) co_return halted;
@@ -85,7 +86,7 @@ Task<void> ArmControl::look() {
     // A motion that began meanwhile tells for itself.
     if (running_) co_return;
     if (reading) {
-      facts_.set_reading(*model_, *reading);
+      facts_.set_reading(model_, *reading);
     } else {
       lose(reading.error());
     }
@@ -104,9 +105,13 @@ Task<void> ArmControl::keep_watch() {
 }
 
 Task<Result<ArmReading>> ArmControl::read() {
-  if (model_ == nullptr) co_return fail("disconnected", why_lost_);
+  if (!known_) co_return fail("disconnected", why_lost_);
   const Result<ArmReading> reading = co_await driver_.read();
-  if (reading) facts_.set_reading(*model_, *reading);
+  if (reading) facts_.set_reading(model_, *reading);
+  if (reading && running_) {
+    std::optional<Failure> wrong = guard_.look(context_.executor.now(), *reading);
+    if (wrong) stop_at_once(std::move(*wrong));
+  }
   co_return reading;
 }
 
@@ -167,7 +172,7 @@ Task<Result<void>> ArmControl::follow(std::vector<Joints> waypoints, double spee
   const Result<ArmReading> before = co_await read();
   if (!before) co_return fail(before);
   const Duration longest = longest_time(before->joints, waypoints, speed);
-  if (stop_requested_) co_return stopped(running_);
+  if (stop_requested_) co_return stopped();
   const Result<void> started = co_await start_move(std::move(waypoints), speed);
   if (!started) co_return started;
   // A stop may have come before there was anything to stop.
@@ -177,15 +182,14 @@ Task<Result<void>> ArmControl::follow(std::vector<Joints> waypoints, double spee
   }
   const Result<ArmReading> ended = co_await until_ended(false, longest);
   if (!ended) co_return fail(ended);
-  if (stop_requested_) co_return stopped(running_);
+  if (stop_requested_) co_return stopped();
   if (ended->stopped) {
     co_return fail("stopped", "the controller ended the motion, as one does that feels a collision", *running_);
   }
-  for (std::size_t axis = 0; axis < arm_axes; ++axis) {
-    if (std::abs(ended->joints[axis] - target[axis]) <= arrived_deg) continue;
+  for (std::size_t axis = 0; axis < target.size(); ++axis) {
+    if (std::abs(ended->joints[axis] - target[axis]) <= arrived) continue;
     co_return fail(
-        "fault",
-        fmt::format("axis {} ended at {:.2f} degrees instead of {:.2f}", axis + 1, ended->joints[axis], target[axis]),
+        "fault", fmt::format("axis {} ended at {:.2f} instead of {:.2f}", axis + 1, ended->joints[axis], target[axis]),
         to_datum(axis + 1));
   }
   co_return {};
@@ -193,13 +197,30 @@ Task<Result<void>> ArmControl::follow(std::vector<Joints> waypoints, double spee
 
 Task<Result<void>> ArmControl::grip(double opening_mm) {
   gripping_ = true;
-  if (stop_requested_) co_return stopped(running_);
+  if (stop_requested_) co_return stopped();
   const Result<void> started = co_await start_gripper(opening_mm);
   if (!started) co_return started;
   const Result<ArmReading> ended = co_await until_ended(true, gripping_time);
   if (!ended) co_return fail(ended);
-  if (stop_requested_) co_return stopped(running_);
+  if (stop_requested_) co_return stopped();
   co_return {};
+}
+
+std::unexpected<Failure> ArmControl::stopped() const {
+  if (why_stopped_) return std::unexpected(*why_stopped_);
+  return fail("stopped", "the motion was stopped before its end", running_.value_or(Datum()));
+}
+
+void ArmControl::stop_at_once(Failure why) {
+  if (!running_ || why_stopped_) return;
+  stop_requested_ = true;
+  why_stopped_ = std::move(why);
+  obeying_ = context_.executor.spawn(obey());
+}
+
+Task<void> ArmControl::obey() {
+  const Result<void> obeyed = co_await stop();
+  if (!obeyed) lose(obeyed.error());
 }
 
 Task<Result<void>> ArmControl::stop() {
@@ -229,8 +250,8 @@ Duration ArmControl::longest_time(const Joints& from, const std::vector<Joints>&
   Joints at = from;
   for (const Joints& to : waypoints) {
     double slowest = 0;
-    for (std::size_t axis = 0; axis < arm_axes; ++axis) {
-      slowest = std::max(slowest, std::abs(to[axis] - at[axis]) / (model_->limits[axis].speed_deg_s * speed));
+    for (std::size_t axis = 0; axis < to.size(); ++axis) {
+      slowest = std::max(slowest, std::abs(to[axis] - at[axis]) / (model_.axes[axis].speed * speed));
     }
     seconds += slowest;
     at = to;

@@ -10,12 +10,13 @@
 //   const Result<InHand> in_hand = control.take_in_hand(operation);   // or busy, disconnected
 //   const Result<void> moved = co_await control.follow(waypoints, 1.0);
 //
-// Failures: busy, disconnected, unknown-arm, stopped, fault, and the driver's own.
+// Failures: busy, disconnected, unknown-arm, stopped, fault, those of the Guard, and the driver's own.
 
 #include <functional>
 #include <optional>
 
 #include "agents/robot/arm_facts.hpp"
+#include "agents/robot/guard.hpp"
 #include "blackboard/time/event.hpp"
 
 namespace pizarra {
@@ -42,8 +43,14 @@ class ArmControl {
   static constexpr Duration patience = 2s;       // with a controller that does not answer during a move
   static constexpr Duration stopping_time = 5s;  // at most, until a stopped arm stands
 
-  ArmControl(AgentContext& context, ArmDriver& driver, ArmFacts& facts)
-      : context_(context), driver_(driver), facts_(facts), ended_(context.executor) {}
+  ArmControl(AgentContext& context, ArmDriver& driver, const ArmModel& model, const std::optional<Room>& room,
+             ArmFacts& facts)
+      : context_(context),
+        driver_(driver),
+        model_(model),
+        guard_(model, room),
+        facts_(facts),
+        ended_(context.executor) {}
 
   // Asks the type, takes control, and stops what moves: nobody is left who could answer for that move.
   Task<Result<void>> connect();
@@ -52,8 +59,7 @@ class ArmControl {
   void lose(const Failure& why);
 
   bool connected() const { return connected_; }
-  // The arm's model; there once connect() has succeeded.
-  const ArmModel& model() const { return *model_; }
+  const ArmModel& model() const { return model_; }
   const std::optional<Datum>& running() const { return running_; }
 
   Result<InHand> take_in_hand(Datum operation);
@@ -64,6 +70,10 @@ class ArmControl {
   Task<Result<void>> grip(double opening_mm);
   // Answers when the arm stands and the motion it was in has failed with `stopped`; at rest it does nothing.
   Task<Result<void>> stop();
+  // The reflex: brakes at once, without waiting for anything; the motion in hand fails with `why`. At rest it does
+  // nothing.
+  void stop_at_once(Failure why);
+  bool was_stopped() const { return stop_requested_; }
 
  private:
   friend class InHand;
@@ -76,20 +86,26 @@ class ArmControl {
   Task<Result<void>> brake();
   Task<Result<ArmReading>> until_ended(bool gripper, Duration longest);
   Task<void> look();
+  Task<void> obey();
+  std::unexpected<Failure> stopped() const;
   void let_go();
   Duration longest_time(const Joints& from, const std::vector<Joints>& waypoints, double speed) const;
 
   AgentContext& context_;
   ArmDriver& driver_;
+  const ArmModel& model_;
+  Guard guard_;
   ArmFacts& facts_;
-  const ArmModel* model_ = nullptr;
+  bool known_ = false;  // the controller has said once that it is of this arm
   bool connected_ = false;
   std::string why_lost_;
   std::optional<Datum> running_;
   std::uint64_t motions_ = 0;
   bool stop_requested_ = false;
+  std::optional<Failure> why_stopped_;
   bool gripping_ = false;
   WaitList ended_;
+  Job obeying_;
 };
 
 }  // namespace pizarra

@@ -22,8 +22,8 @@ double rounded(double value, double step) {
 
 }  // namespace
 
-std::vector<Datum> pose_numbers(const ArmModel& model, const Joints& joints_deg) {
-  const ToolPose at = forward(model, joints_deg);
+std::vector<Datum> pose_numbers(const ArmModel& model, const Joints& joints) {
+  const ToolPose at = forward(model, joints);
   std::vector<Datum> numbers;
   for (const double mm : at.translation()) numbers.push_back(to_datum(rounded(mm, millimetre_step)));
   for (const double deg : fixed_angles(at.linear())) {
@@ -33,23 +33,24 @@ std::vector<Datum> pose_numbers(const ArmModel& model, const Joints& joints_deg)
   return numbers;
 }
 
-std::vector<Datum> joint_numbers(const Joints& joints_deg) {
+std::vector<Datum> joint_numbers(const Joints& joints) {
   std::vector<Datum> numbers;
-  for (const double deg : joints_deg) numbers.push_back(to_datum(rounded(deg, degree_step)));
+  for (const double reading : joints) numbers.push_back(to_datum(rounded(reading, degree_step)));
   return numbers;
 }
 
-Datum joints_to_datum(const Joints& joints_deg) {
+Datum joints_to_datum(const Joints& joints) {
   std::vector<Datum> numbers;
-  for (const double deg : joints_deg) numbers.push_back(to_datum(deg));
+  for (const double deg : joints) numbers.push_back(to_datum(deg));
   return Datum::list(std::move(numbers));
 }
 
 std::optional<Joints> joints_from_datum(const Datum& datum) {
-  if (datum.size() != arm_axes || !std::ranges::all_of(datum.items(), &Datum::is_number)) return std::nullopt;
-  Joints joints_deg;
-  std::ranges::transform(datum.items(), joints_deg.begin(), &Datum::number);
-  return joints_deg;
+  const bool some = datum.size() > 0 && datum.size() <= most_axes;
+  if (!some || !std::ranges::all_of(datum.items(), &Datum::is_number)) return std::nullopt;
+  Joints joints(datum.size());
+  std::ranges::transform(datum.items(), joints.begin(), &Datum::number);
+  return joints;
 }
 
 void ArmFacts::set_arm(std::string_view state, std::string action) {

@@ -45,10 +45,10 @@ class ArmFacts {
 
 // x, y, z (0.01 mm) and rx, ry, rz (0.001 degree, each in (-180, 180]) of the grip centre.
 std::vector<Datum> pose_numbers(const ArmModel& model, const Joints& joints);
-// j1 ... j6, 0.001 degree.
+// What each axis reads, axis 1 first: 0.001 degree or mm.
 std::vector<Datum> joint_numbers(const Joints& joints);
 
-// Six joints as a list, exactly, and back; nothing where it is no such list.
+// What the axes read as a list, exactly, and back; nothing where it is no such list.
 Datum joints_to_datum(const Joints& joints);
 std::optional<Joints> joints_from_datum(const Datum& datum);
 

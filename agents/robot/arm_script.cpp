@@ -57,6 +57,7 @@ class Script {
   Result<void> line(const Vector3d& to);
   Result<void> move(std::span<const Datum> arguments);
   Result<void> path(std::span<const Datum> arguments);
+  Result<void> track(std::span<const Datum> arguments);
   Result<void> around(std::span<const Datum> arguments, bool whole);
 
   const ArmModel& model_;
@@ -70,15 +71,16 @@ Result<void> Script::run(const Datum& form) {
   const std::span<const Datum> arguments = form.items().subspan(1);
   if (verb == "move") return move(arguments);
   if (verb == "path") return path(arguments);
+  if (verb == "track") return track(arguments);
   if (verb == "circle") return around(arguments, true);
   if (verb == "arc") return around(arguments, false);
-  constexpr std::string_view known[] = {"move", "path", "circle", "arc"};
+  constexpr std::string_view known[] = {"move", "path", "circle", "arc", "track"};
   const std::string nearest = nearest_name(verb, known);
-  return fail(
-      "bad-action",
-      fmt::format("{} is no action; {}", form.head(),
-                  nearest.empty() ? "there are move, path, circle and arc" : fmt::format("did you mean {}?", nearest)),
-      form);
+  return fail("bad-action",
+              fmt::format("{} is no action; {}", form.head(),
+                          nearest.empty() ? "there are move, path, circle, arc and track"
+                                          : fmt::format("did you mean {}?", nearest)),
+              form);
 }
 
 Result<Vector3d> Script::point(const Datum& given) const {
@@ -118,6 +120,15 @@ Result<void> Script::path(std::span<const Datum> arguments) {
     if (!moved) return moved;
   }
   return {};
+}
+
+Result<void> Script::track(std::span<const Datum> arguments) {
+  if (arguments.size() != 1 || !arguments[0].is_number()) return fail("bad-action", "it is (track MM)");
+  const std::optional<std::size_t> axis = model_.axis_of(Role::track);
+  if (!axis) return fail("no-such-axis", fmt::format("the arm {} has no track", model_.type));
+  Joints joints = path_.joints();
+  joints[*axis] = arguments[0].number();
+  return path_.joints_to(joints);
 }
 
 Result<void> Script::around(std::span<const Datum> arguments, bool whole) {

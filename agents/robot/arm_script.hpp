@@ -4,6 +4,7 @@
 // mm in the base frame.
 //
 //   (move X Y Z)  (move POINT)    straight, the tool's direction kept
+//   (track MM)                    the track there, the other axes as they are
 //   (path VARIABLE ...)           joint moves through learned variables
 //   (circle P1 P2 P3)             straight to P1, then the circle through P2 and P3 back to P1, the direction kept
 //   (arc P1 P2 P3)                straight to P1, then the part of that circle up to P3

@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <numbers>
 #include <ranges>
 
 #include "agents/robot/arm_script.hpp"
 #include "agents/robot/tool_path.hpp"
-#include "drivers/arm/link_geometry.hpp"
+#include "drivers/arm/posture.hpp"
 #include "lisp/nearest.hpp"
 #include "lisp/writer.hpp"
 
@@ -30,23 +29,22 @@ Result<double> sign_of(const Datum& direction, std::string_view positive, std::s
 
 // The direction in which an arm extends, in the base frame, for one of the three options.
 Result<Eigen::Vector3d> extension(const ArmModel& model, const Joints& from, const Datum& keep) {
-  const double turn = from[0] * std::numbers::pi / 180;
-  const Eigen::Vector3d ahead(std::cos(turn), std::sin(turn), 0);
-  if (keep.is_symbol("keep-height")) return ahead;
+  const Stretch stretch = stretch_of(model, from);
+  if (keep.is_symbol("keep-height")) return stretch.ahead;
   if (keep.is_symbol("keep-distance")) return Eigen::Vector3d(0, 0, 1);
   if (!keep.is_symbol("keep-angle")) {
     return fail("wrong-direction", "what is kept is keep-height, keep-distance or keep-angle", keep);
   }
-  const double alpha = link_geometry(model, from).alpha_deg * std::numbers::pi / 180;
-  return Eigen::Vector3d(std::cos(alpha) * ahead + std::sin(alpha) * Eigen::Vector3d::UnitZ());
+  const double alpha = std::atan2(stretch.h_mm, stretch.d_mm);
+  return Eigen::Vector3d(std::cos(alpha) * stretch.ahead + std::sin(alpha) * Eigen::Vector3d::UnitZ());
 }
 
-// As far as the arm can.
+// As far as the links can, and a track that runs the way they stretch.
 Result<Motion> clamped_line(const ArmModel& model, const Joints& from, const Eigen::Vector3d& along,
                             const Datum& distance) {
   const Result<double> mm = amount_in(distance, 0, max_distance_mm, "mm");
   if (!mm) return fail(mm);
-  ToolPath path(model, from);
+  ToolPath path(model, from, model.track_along_x ? ToolPath::Track::helps : ToolPath::Track::stays);
   const LineEnd end = path.line_by(along * *mm);
   return Motion{path.waypoints(), end.ended_by && path.waypoints().empty()};
 }
@@ -62,15 +60,23 @@ Result<Motion> whole_line(const ArmModel& model, const Joints& from, const Eigen
   return Motion{path.waypoints()};
 }
 
-Result<Motion> turned(const ArmModel& model, const Joints& from, std::size_t axis, double sign, const Datum& angle) {
-  const AxisLimits& limits = model.limits[axis];
-  const double widest = std::max(max_turn_deg, limits.high_deg - limits.low_deg);
+// `sign` counts as the role's value does, whatever the axis' own sense.
+Result<Motion> turned(const ArmModel& model, const Joints& from, Role role, double sign, const Datum& angle) {
+  const std::optional<std::size_t> known = model.axis_of(role);
+  if (!known) {
+    return fail("no-such-axis", fmt::format("the arm {} has no axis that does this ({})", model.type, role_name(role)),
+                Datum::symbol(role_name(role)));
+  }
+  const std::size_t axis = *known;
+  const Range limits = range_of(model, from, axis);
+  const double widest = std::max(max_turn_deg, limits.high - limits.low);
   const Result<double> degrees = amount_in(angle, 0, widest, "degrees");
   if (!degrees) return fail(degrees);
   const double by = std::round(*degrees / turn_resolution_deg) * turn_resolution_deg;
   if (by == 0) return Motion{};
   Joints to = from;
-  to[axis] = std::clamp(from[axis] + sign * by, limits.low_deg, limits.high_deg);
+  to[axis] = std::clamp(from[axis] + sign * model.axes[axis].sense * by, std::min(limits.low, from[axis]),
+                        std::max(limits.high, from[axis]));
   if (std::abs(to[axis] - from[axis]) < turn_resolution_deg / 2) return Motion{{}, true};
   return Motion{{to}};
 }
@@ -98,9 +104,9 @@ Result<Motion> directed(const ArmModel& model, const Datum& operation, const Joi
   const auto known = std::ranges::find(directions, operation.head(), &Direction::operation);
   const Result<double> sign = sign_of(operation[1], known->positive, known->negative);
   if (!sign) return fail(sign);
-  if (operation.is_form("turn")) return turned(model, from, 0, *sign, operation[2]);
-  if (operation.is_form("turn-ef")) return turned(model, from, 4, *sign, operation[2]);
-  if (operation.is_form("turn-wrist")) return turned(model, from, 5, *sign, operation[2]);
+  if (operation.is_form("turn")) return turned(model, from, Role::turn, *sign, operation[2]);
+  if (operation.is_form("turn-ef")) return turned(model, from, Role::pitch, *sign, operation[2]);
+  if (operation.is_form("turn-wrist")) return turned(model, from, Role::spin, *sign, operation[2]);
   if (operation.is_form("move-h")) return whole_line(model, from, {0, *sign, 0}, operation[2]);
   return whole_line(model, from, {0, 0, *sign}, operation[2]);
 }
@@ -139,6 +145,24 @@ Result<Motion> plan_motion(const ArmModel& model, const Datum& operation, const 
   return directed(model, operation, from);
 }
 
+Result<void> check_room(const ArmModel& model, const std::optional<Room>& room, const Joints& from,
+                        const std::vector<Joints>& waypoints) {
+  if (!room) return {};
+  bool inside = room->holds(forward(model, from).translation());
+  for (const Joints& waypoint : waypoints) {
+    const Eigen::Vector3d point = forward(model, waypoint).translation();
+    const bool now = room->holds(point);
+    const bool last = &waypoint == &waypoints.back();
+    if ((inside || last) && !now) {
+      return fail("out-of-room",
+                  fmt::format("({:.0f} {:.0f} {:.0f}) is out of the arm's room", point.x(), point.y(), point.z()),
+                  list("point"_sym, point.x(), point.y(), point.z()));
+    }
+    inside = inside || now;
+  }
+  return {};
+}
+
 Result<Joints> find_variable(const ArmVariables& variables, std::string_view name) {
   const auto known = variables.find(name);
   if (known != variables.end()) return known->second;
@@ -153,7 +177,7 @@ Result<Motion> rest_of(Motion motion, const Joints& start, const Joints& at) {
   constexpr double astray_deg = 10;
   const auto distance = [&at](const Joints& waypoint) {
     double furthest = 0;
-    for (std::size_t axis = 0; axis < arm_axes; ++axis) {
+    for (std::size_t axis = 0; axis < waypoint.size(); ++axis) {
       furthest = std::max(furthest, std::abs(waypoint[axis] - at[axis]));
     }
     return furthest;

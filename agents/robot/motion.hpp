@@ -4,16 +4,20 @@
 // arm, place and variables give the same motion, so a motion can be planned again after a restart.
 //
 // Extend and retract move in the plane that axis 1 turns, and are clamped to what the arm can reach, as are the turns;
-// move-h and move-v name a place (the current one plus the increment) and are refused when it cannot be reached. All
-// but the turns keep the tool's direction: axis 5 takes back what axes 2 and 3 turn, dj5 = -(dj2 + dj3). With the tool
-// down, (turn-wrist left D) takes back what (turn right D) turned the fingers by.
+// move-h and move-v name a place (the current one plus the increment), to which a track may help, and are refused when
+// it cannot be reached. All but the turns keep the tool's direction: the end-effector axis takes back what the links
+// turn (CRS-F3: dj5 = -(dj2 + dj3), UP6: dB = dL - dU), unless the arm does that itself. With the tool down,
+// (turn-wrist left D) takes back what (turn right D) turned the fingers by.
 //
-// Failures: out-of-range, wrong-direction, unknown-variable, unreachable, joint-limit, bad-action, too-long.
+// Failures: no-such-axis, out-of-range, wrong-direction, unknown-variable, unreachable, joint-limit, bad-action,
+// too-long.
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "agents/robot/room.hpp"
 #include "drivers/arm/kinematics.hpp"
 
 namespace pizarra {
@@ -31,6 +35,10 @@ bool is_motion(const Datum& operation);
 // `operation` has been checked against the contract.
 Result<Motion> plan_motion(const ArmModel& model, const Datum& operation, const Joints& from,
                            const ArmVariables& variables);
+
+// Whether the waypoints stay in the arm's room once they are in it. Failure `out-of-room`: the subject is where not.
+Result<void> check_room(const ArmModel& model, const std::optional<Room>& room, const Joints& from,
+                        const std::vector<Joints>& waypoints);
 
 // The joints of a learned variable; the failure names the nearest.
 Result<Joints> find_variable(const ArmVariables& variables, std::string_view name);

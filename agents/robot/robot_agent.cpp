@@ -4,6 +4,7 @@
 
 #include "agents/robot/arm_control.hpp"
 #include "agents/robot/motion.hpp"
+#include "agents/robot/reflex.hpp"
 #include "agents/robot/robot_contract.hpp"
 #include "agents/runtime/service.hpp"
 #include "lisp/writer.hpp"
@@ -29,15 +30,21 @@ struct CutOff {
 }  // namespace
 
 struct RobotAgent::State {
-  State(AgentContext given, ArmDriver& driver)
+  State(AgentContext given, ArmDriver& driver, ArmModel described, std::optional<Room> kept_in)
       : context(std::move(given)),
+        model(std::move(described)),
+        room(kept_in),
         facts(context),
-        control(context, driver, facts),
+        control(context, driver, model, room, facts),
+        reflex(context, control),
         service(context, contract_from_text(robot_contract).value()) {}
 
   AgentContext context;
+  const ArmModel model;
+  const std::optional<Room> room;
   ArmFacts facts;
   ArmControl control;
+  Reflex reflex;
   ArmVariables variables;
   double speed_percent = 100;
   std::optional<CutOff> cut_off;
@@ -49,10 +56,10 @@ struct RobotAgent::State {
   Task<Result<void>> restore();
   Task<Result<void>> connect();
 
-  Task<Result<Datum>> handle(Datum operation);
+  Task<Result<Datum>> handle(Fact request);
   Task<Result<Datum>> get_status();
-  Task<Result<Datum>> move(Datum operation);
-  Task<Result<Datum>> gripper(Datum operation);
+  Task<Result<Datum>> move(Datum operation, std::string client);
+  Task<Result<Datum>> gripper(Datum operation, std::string client);
   Task<Result<Datum>> speed(Datum operation);
   Task<Result<Datum>> learn(Datum operation);
   Task<Result<Datum>> monitor();
@@ -62,8 +69,8 @@ struct RobotAgent::State {
   Task<Result<void>> tell_end(std::optional<Failure> failure, Transaction with);
 };
 
-RobotAgent::RobotAgent(AgentContext context, ArmDriver& driver)
-    : state_(std::make_unique<State>(std::move(context), driver)) {}
+RobotAgent::RobotAgent(AgentContext context, ArmDriver& driver, ArmModel model, std::optional<Room> room)
+    : state_(std::make_unique<State>(std::move(context), driver, std::move(model), room)) {}
 
 RobotAgent::~RobotAgent() = default;
 
@@ -77,8 +84,9 @@ Task<Result<void>> RobotAgent::State::run() {
   const Result<void> connected = co_await connect();
   if (!connected) co_return connected;
   watch = context.executor.spawn(control.keep_watch());
-  Handler handler = [this](Datum operation) { return handle(std::move(operation)); };
-  co_return co_await service.serve(std::move(handler));
+  reflex.begin();
+  RequestHandler handler = [this](Fact request) { return handle(std::move(request)); };
+  co_return co_await service.serve_requests(std::move(handler));
 }
 
 Task<Result<std::vector<Fact>>> RobotAgent::State::known(Datum pattern) {
@@ -97,7 +105,8 @@ Task<Result<void>> RobotAgent::State::restore() {
   if (!learned) co_return fail(learned);
   for (const Fact& fact : *learned) {
     const std::optional<Joints> joints = joints_from_datum(fact.datum[2]);
-    if (joints) variables.insert_or_assign(std::string(fact.datum[1].text()), *joints);
+    const bool fits = joints && joints->size() == model.axes.size();
+    if (fits) variables.insert_or_assign(std::string(fact.datum[1].text()), *joints);
   }
   const Datum speed_fact = list("robot-speed"_sym, any);
   const Result<std::vector<Fact>> speeds = co_await known(speed_fact);
@@ -108,7 +117,8 @@ Task<Result<void>> RobotAgent::State::restore() {
   if (!moves) co_return fail(moves);
   for (const Fact& fact : *moves) {
     const std::optional<Joints> start = joints_from_datum(fact.datum[2]);
-    if (start) cut_off = CutOff{fact.datum[1], *start};
+    const bool fits = start && start->size() == model.axes.size();
+    if (fits) cut_off = CutOff{fact.datum[1], *start};
   }
   co_return {};
 }
@@ -127,9 +137,10 @@ Task<Result<void>> RobotAgent::State::connect() {
   co_return co_await facts.tell_surely();
 }
 
-Task<Result<Datum>> RobotAgent::State::handle(Datum operation) {
-  if (is_motion(operation)) return move(std::move(operation));
-  if (operation.is_form("gripper")) return gripper(std::move(operation));
+Task<Result<Datum>> RobotAgent::State::handle(Fact request) {
+  Datum operation = request.datum[3];
+  if (is_motion(operation)) return move(std::move(operation), std::move(request.teller));
+  if (operation.is_form("gripper")) return gripper(std::move(operation), std::move(request.teller));
   if (operation.is_form("speed")) return speed(std::move(operation));
   if (operation.is_form("learn")) return learn(std::move(operation));
   if (operation.is_form("monitor")) return monitor();
@@ -143,20 +154,24 @@ Task<Result<Datum>> RobotAgent::State::get_status() { co_return list(facts.actio
 Result<Motion> RobotAgent::State::plan(const Datum& operation, const Joints& at, Joints& start) {
   const bool again = cut_off && cut_off->operation == operation;
   start = again ? cut_off->start : at;
-  Result<Motion> motion = plan_motion(control.model(), operation, start, variables);
+  Result<Motion> motion = plan_motion(model, operation, start, variables);
   if (!motion) return motion;
+  const Result<void> inside = check_room(model, room, start, motion->waypoints);
+  if (!inside) return fail(inside);
   // Whatever moves now, an earlier motion is not gone on with any more.
   cut_off.reset();
   if (!again) return motion;
   return rest_of(std::move(*motion), start, at);
 }
 
-Task<Result<Datum>> RobotAgent::State::move(Datum operation) {
+Task<Result<Datum>> RobotAgent::State::move(Datum operation, std::string client) {
+  const Result<void> allowed = reflex.allows(client);
+  if (!allowed) co_return fail(allowed);
   const Result<InHand> in_hand = control.take_in_hand(operation);
   if (!in_hand) co_return fail(in_hand);
   const Result<ArmReading> reading = co_await control.read();
   if (!reading) co_return fail(reading);
-  Joints start{};
+  Joints start;
   Result<Motion> motion = plan(operation, reading->joints, start);
   if (!motion) co_return fail(motion);
   Transaction end;
@@ -173,6 +188,7 @@ Task<Result<Datum>> RobotAgent::State::move(Datum operation) {
   const Result<void> begun = co_await facts.tell_surely(std::move(begin));
   if (!begun) co_return fail(begun);
   const double speed_part = speed_percent / 100;
+  const Job watching = context.executor.spawn(reflex.watch_motion(client, service.presence()));
   const Result<void> moved = co_await control.follow(std::move(motion->waypoints), speed_part);
   std::optional<Failure> failure;
   if (!moved) failure = moved.error();
@@ -186,13 +202,15 @@ Task<Result<Datum>> RobotAgent::State::move(Datum operation) {
 Task<Result<void>> RobotAgent::State::tell_end(std::optional<Failure> failure, Transaction with) {
   if (!failure) facts.set_arm("idle");
   if (failure && control.connected()) {
-    const std::string_view symbol = failure->symbol;
-    facts.set_arm(symbol == "stopped" || symbol == "fault" ? symbol : "idle");
+    const bool stopped = control.was_stopped() || failure->symbol == "stopped";
+    facts.set_arm(failure->symbol == "fault" ? "fault" : stopped ? "stopped" : "idle");
   }
   return facts.tell_surely(std::move(with));
 }
 
-Task<Result<Datum>> RobotAgent::State::gripper(Datum operation) {
+Task<Result<Datum>> RobotAgent::State::gripper(Datum operation, std::string client) {
+  const Result<void> allowed = reflex.allows(client);
+  if (!allowed) co_return fail(allowed);
   const Result<double> opening = amount_in(operation[1], 0, max_opening_mm, "mm");
   if (!opening) co_return fail(opening);
   const Result<InHand> in_hand = control.take_in_hand(operation);
@@ -204,6 +222,7 @@ Task<Result<Datum>> RobotAgent::State::gripper(Datum operation) {
   const Result<void> begun = co_await facts.tell_surely(std::move(begin));
   if (!begun) co_return fail(begun);
   const double opening_mm = *opening;
+  const Job watching = context.executor.spawn(reflex.watch_motion(client, service.presence()));
   const Result<void> moved = co_await control.grip(opening_mm);
   std::optional<Failure> failure;
   if (!moved) failure = moved.error();
@@ -241,7 +260,7 @@ Task<Result<Datum>> RobotAgent::State::learn(Datum operation) {
 Task<Result<Datum>> RobotAgent::State::monitor() {
   const Result<ArmReading> reading = co_await control.read();
   if (!reading) co_return fail(reading);
-  std::vector<Datum> numbers = pose_numbers(control.model(), reading->joints);
+  std::vector<Datum> numbers = pose_numbers(model, reading->joints);
   const std::vector<Datum> joints = joint_numbers(reading->joints);
   numbers.insert(numbers.end(), joints.begin(), joints.end());
   co_return Datum::list(std::move(numbers));

@@ -2,21 +2,23 @@
 
 // The robot agent: the thesis' seventeen operations over any ArmDriver, the same for every arm.
 //
-// Lifecycle: constructed, run() spawned. It takes control of the controller, asks which arm it is (one it does not know
-// ends run() with `unknown-arm`), stops what it finds moving and says so, reads back its learned variables and its
-// speed from durable facts, then serves. A controller that goes away is taken control of again when it is back;
-// meanwhile motion answers `disconnected` and the arm's fact says `fault`.
+// Lifecycle: constructed, run() spawned. It takes control of the controller, asks which arm it is (another
+// than the cell describes ends run() with `unknown-arm`), stops what it finds moving and says so, reads back its
+// learned variables and its speed from durable facts, then serves. A controller that goes away is taken control of
+// again when it is back; meanwhile motion answers `disconnected` and the arm's fact says `fault`.
 //
 // One motion at a time, the gripper's included (`busy`, with the running operation as the subject); get-status,
 // monitor, finish, speed and learn are answered meanwhile. Every motion has one plan, made before it starts, so that a
 // refused motion has moved nothing. A motion cut off by this agent's end is finished, not added to itself, when its
-// successor is asked for it again: the durable fact `(robot-move OPERATION (J1 ... J6))` tells where it began.
+// successor is asked for it again: the durable fact `(robot-move OPERATION (J1 ... JN))` tells where it began.
 //
-//   RobotAgent robot(AgentContext{"robot", "localhost", executor, board, random}, arm);
+//   RobotAgent robot(AgentContext{"robot", "localhost", executor, board, random}, arm, model);
 //   Job job = executor.spawn(until_it_ends(robot));
 
 #include <memory>
+#include <optional>
 
+#include "agents/robot/room.hpp"
 #include "agents/runtime/agent.hpp"
 #include "drivers/arm/arm_driver.hpp"
 
@@ -24,8 +26,9 @@ namespace pizarra {
 
 class RobotAgent : public Agent {
  public:
-  // The driver outlives the agent.
-  RobotAgent(AgentContext context, ArmDriver& driver);
+  // The driver outlives the agent; the model is that of the arm that its controller will say it is of.
+  // Its grip centre stays in the room, where there is one.
+  RobotAgent(AgentContext context, ArmDriver& driver, ArmModel model, std::optional<Room> room = {});
   ~RobotAgent() override;
   Task<Result<void>> run() override;
 

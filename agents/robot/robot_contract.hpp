@@ -19,10 +19,12 @@ inline constexpr std::string_view robot_contract = R"scheme(
          (relation arm-pose ((x number) (y number) (z number) (rx number) (ry number) (rz number)) (key))
          (relation arm-joints ((joints list)) (key))
          (relation gripper ((opening number)) (key))
+         (relation stop ((who symbol) (reason string)) (key who))
+         (relation commander ((robot symbol) (client symbol)) (key robot client))
          (relation robot-variable ((name symbol) (joints list)) (key name) (durable))
          (relation robot-speed ((percent number)) (key) (durable))
          (relation robot-move ((operation list) (start list)) (key) (durable)))
-  (reads robot-variable robot-speed robot-move)
+  (reads robot-variable robot-speed robot-move stop commander agent)
   (configures speed learn)
   (monitors get-status monitor finish))
 )scheme";

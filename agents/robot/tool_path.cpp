@@ -5,8 +5,8 @@
 
 namespace pizarra {
 
-ToolPath::ToolPath(const ArmModel& model, const Joints& from)
-    : model_(model), joints_(from), pose_(forward(model, from)) {}
+ToolPath::ToolPath(const ArmModel& model, const Joints& from, Track track)
+    : model_(model), track_(track), joints_(from), pose_(forward(model, from)) {}
 
 Result<Joints> ToolPath::reach(const Eigen::Vector3d& point_mm) const {
   if (waypoints_.size() >= max_waypoints) {
@@ -14,10 +14,13 @@ Result<Joints> ToolPath::reach(const Eigen::Vector3d& point_mm) const {
   }
   ToolPose pose = pose_;
   pose.translation() = point_mm;
-  const Result<Joints> joints = inverse(model_, pose, joints_);
+  pose = nearest_attainable(model_, pose, joints_);
+  const Result<Joints> joints =
+      track_ == Track::stays ? inverse_in_place(model_, pose, joints_) : inverse(model_, pose, joints_);
   if (!joints) return joints;
-  for (std::size_t axis = 0; axis < arm_axes; ++axis) {
-    if (std::abs((*joints)[axis] - joints_[axis]) <= posture_change_deg) continue;
+  for (std::size_t axis = 0; axis < joints->size(); ++axis) {
+    const double widest = slides(model_.axes[axis].role) ? posture_change_mm : posture_change_deg;
+    if (std::abs((*joints)[axis] - joints_[axis]) <= widest) continue;
     return fail("joint-limit",
                 fmt::format("axis {} would have to change its posture on the way to ({:.1f} {:.1f} {:.1f})", axis + 1,
                             point_mm.x(), point_mm.y(), point_mm.z()),
@@ -32,6 +35,21 @@ void ToolPath::append(const Joints& joints, const Eigen::Vector3d& point_mm) {
   pose_.translation() = point_mm;
 }
 
+void ToolPath::append_straight(const Line& line, double from_mm, double to_mm, const Joints& joints) {
+  Joints middle = joints;
+  for (std::size_t axis = 0; axis < joints.size(); ++axis) middle[axis] = (joints_[axis] + joints[axis]) / 2;
+  const Eigen::Vector3d off = forward(model_, middle).translation() - line.start_mm;
+  const bool straight = (off - off.dot(line.along) * line.along).norm() <= deviation_mm;
+  const double half_mm = (from_mm + to_mm) / 2;
+  if (!straight && half_mm - from_mm > resolution_mm) {
+    const Result<Joints> half = reach(line.at(half_mm));
+    if (half) append_straight(line, from_mm, half_mm, *half);
+    const Result<Joints> rest = half ? reach(line.at(to_mm)) : half;
+    if (rest) return append_straight(line, half_mm, to_mm, *rest);
+  }
+  append(joints, line.at(to_mm));
+}
+
 LineEnd ToolPath::line_by(const Eigen::Vector3d& offset_mm) {
   const double length_mm = offset_mm.norm();
   if (!(length_mm > 0)) return {0, {}};
@@ -43,7 +61,7 @@ LineEnd ToolPath::line_by(const Eigen::Vector3d& offset_mm) {
     double far_mm = length_mm * step / steps;
     const Result<Joints> joints = reach(start + along * far_mm);
     if (joints) {
-      append(*joints, start + along * far_mm);
+      append_straight({start, along}, good_mm, far_mm, *joints);
       good_mm = far_mm;
       continue;
     }

@@ -1,7 +1,8 @@
 #pragma once
 
-// A path of the grip centre through straight pieces, the tool's direction kept, as waypoints that an arm follows by
-// joint interpolation. Waypoints stand at most 5 mm apart, which keeps the way between them within 0.1 mm of the line.
+// A path of the grip centre through straight pieces, the tool's direction kept (as nearly as the arm's axes can), as
+// waypoints that an arm follows by joint interpolation. Waypoints stand at most 5 mm apart, which keeps the way between
+// them within 0.1 mm of the line.
 //
 //   ToolPath path(model, joints);
 //   LineEnd end = path.line_by({0, 0, -50});
@@ -23,13 +24,19 @@ struct LineEnd {
 class ToolPath {
  public:
   static constexpr double step_mm = 5;
+  // Half way between two waypoints the grip centre is no further from the line.
+  static constexpr double deviation_mm = 0.05;
   // How near to a limit a line is followed.
   static constexpr double resolution_mm = 0.01;
   // An axis that turns further between two waypoints is changing posture, which no straight line survives.
   static constexpr double posture_change_deg = 30;
+  static constexpr double posture_change_mm = 100;
   static constexpr std::size_t max_waypoints = 2000;
 
-  ToolPath(const ArmModel& model, const Joints& from);
+  // Whether a track may carry the arm on where its links do not reach.
+  enum class Track { helps, stays };
+
+  ToolPath(const ArmModel& model, const Joints& from, Track track = Track::helps);
 
   // Goes on along a straight line, as far as the arm can.
   LineEnd line_by(const Eigen::Vector3d& offset_mm);
@@ -46,8 +53,16 @@ class ToolPath {
  private:
   Result<Joints> reach(const Eigen::Vector3d& point_mm) const;
   void append(const Joints& joints, const Eigen::Vector3d& point_mm);
+  struct Line {
+    Eigen::Vector3d start_mm;
+    Eigen::Vector3d along;
+    Eigen::Vector3d at(double way_mm) const { return start_mm + along * way_mm; }
+  };
+  // With waypoints between where the way to `joints` would leave the line, as it does where a track begins to help.
+  void append_straight(const Line& line, double from_mm, double to_mm, const Joints& joints);
 
   const ArmModel& model_;
+  const Track track_;
   Joints joints_;
   ToolPose pose_;
   std::vector<Joints> waypoints_;

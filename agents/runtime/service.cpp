@@ -40,7 +40,7 @@ struct Service::Running {
   std::deque<Datum> replied;
   // Requests being done, by id, and the facts that they were last told as.
   std::map<Datum, FactId> in_hand;
-  Handler handler;
+  RequestHandler handler;
   Job renewal;
   std::vector<Job> jobs;
 };
@@ -122,6 +122,10 @@ Task<void> Service::keep_presence() {
 }
 
 Task<Result<void>> Service::serve(Handler handler) {
+  return serve_requests([handler = std::move(handler)](Fact request) { return handler(request.datum[3]); });
+}
+
+Task<Result<void>> Service::serve_requests(RequestHandler handler) {
   running_->handler = std::move(handler);
   const Query requests = query_for(list("request"_sym, "?id"_sym, Datum::symbol(context_.name), "?operation"_sym));
   while (true) {
@@ -178,7 +182,7 @@ Task<void> Service::answer_request(Fact request) {
   if (remembered != running_->replies.end()) {
     reply = remembered->second;
   } else {
-    reply = co_await work_out(request.datum);
+    reply = co_await work_out(request);
     running_->remember(id, reply);
   }
   const Result<Revision> told = co_await deliver(reply);
@@ -195,12 +199,12 @@ Task<void> Service::answer_request(Fact request) {
   running_->slot_freed.wake_all();
 }
 
-Task<Datum> Service::work_out(Datum request) {
-  const Datum operation = request[3];
-  const Result<void> offered = check_operation(contract_, operation);
-  if (!offered) co_return reply_datum(request[1], fail(offered));
-  const Result<Datum> result = co_await running_->handler(operation);
-  co_return reply_datum(request[1], result);
+Task<Datum> Service::work_out(Fact request) {
+  const Datum id = request.datum[1];
+  const Result<void> offered = check_operation(contract_, request.datum[3]);
+  if (!offered) co_return reply_datum(id, fail(offered));
+  const Result<Datum> result = co_await running_->handler(std::move(request));
+  co_return reply_datum(id, result);
 }
 
 Task<Result<Revision>> Service::deliver(Datum reply) {

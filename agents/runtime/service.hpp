@@ -26,6 +26,8 @@ namespace pizarra {
 
 // What the handler answers: the elements after `ok`, a list.
 using Handler = std::function<Task<Result<Datum>>(Datum operation)>;
+// The same for an agent that must know who asks: the request as it was told.
+using RequestHandler = std::function<Task<Result<Datum>>(Fact request)>;
 
 class Service {
  public:
@@ -40,6 +42,7 @@ class Service {
   Task<Result<void>> start();
   // Serves until destroyed, or until the board or the presence is lost for good.
   Task<Result<void>> serve(Handler handler);
+  Task<Result<void>> serve_requests(RequestHandler handler);
   // In an orderly way: takes no more requests, lets those in hand be answered, `patience` at most, and frees the name
   // at once. What is not answered is left to a successor.
   Task<Result<void>> leave(Duration patience);
@@ -59,7 +62,7 @@ class Service {
   Task<void> keep_presence();
   Task<Result<void>> follow(Watch& watch);
   Task<void> answer_request(Fact request);
-  Task<Datum> work_out(Datum request);
+  Task<Datum> work_out(Fact request);
   Task<Result<Revision>> deliver(Datum reply);
 };
 

@@ -4,7 +4,7 @@
 // drivers/simulation/.
 //
 // Lifecycle: identify() and take_control() once, then moves, one at a time; read() and stop() at any time, also while a
-// move runs. Failures: not-in-control, busy, joint-limit, not-finite, disconnected.
+// move runs. Failures: not-in-control, busy, joint-limit, not-finite, bad-joints, disconnected.
 
 #include <vector>
 
@@ -28,8 +28,8 @@ class ArmDriver {
   // The controller's arm type, as in ArmModel::type.
   virtual Task<Result<std::string>> identify() = 0;
   virtual Task<Result<void>> take_control() = 0;
-  // Starts a move through the waypoints (joint interpolation between them), at `speed` 0..1 of the axes' speeds, and
-  // answers once it is accepted.
+  // Starts a move through the waypoints (joint interpolation between them, in what the axes read), at `speed` 0..1 of
+  // the axes' speeds, and answers once it is accepted.
   virtual Task<Result<void>> start_move(std::vector<Joints> waypoints, double speed) = 0;
   virtual Task<Result<void>> stop() = 0;
   virtual Task<Result<void>> start_gripper(double opening_mm) = 0;

@@ -1,28 +1,30 @@
 #include "drivers/arm/arm_model.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 namespace pizarra {
 
-const ArmModel& crs_f3() {
-  static const ArmModel model{
-      .type = "crs-f3",
-      .base_height_mm = 350,
-      .base_offset_mm = 100,
-      .upper_arm_mm = 265,
-      .forearm_mm = 270,
-      .wrist_mm = 75,
-      .tool_mm = 130,
-      .limits = {{{-180, 180, 240},
-                  {-135, 45, 210},
-                  {-135, 135, 240},
-                  {-180, 180, 375},
-                  {-135, 135, 300},
-                  {-18432, 18432, 375}}},
-      .home = {0, 20, -80, 0, -120, 0},
-      .ready = {0, 0, -90, 0, -90, 0},
-  };
-  return model;
+std::string_view role_name(Role role) {
+  constexpr std::array<std::string_view, 11> names{"turn", "shoulder", "elbow", "reach", "ahead", "across",
+                                                   "lift", "roll",     "pitch", "spin",  "track"};
+  return names[static_cast<std::size_t>(role)];
 }
 
-const ArmModel* arm_model(std::string_view type) { return type == crs_f3().type ? &crs_f3() : nullptr; }
+bool slides(Role role) {
+  return role == Role::reach || role == Role::ahead || role == Role::across || role == Role::lift ||
+         role == Role::track;
+}
+
+std::optional<std::size_t> ArmModel::axis_of(Role role) const {
+  const auto found = std::ranges::find(axes, role, &Axis::role);
+  if (found == axes.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - axes.begin());
+}
+
+double ArmModel::elbow_to_wrist_mm() const { return std::hypot(forearm_mm, forearm_raise_mm); }
+
+double ArmModel::forearm_bend_deg() const { return std::atan2(forearm_raise_mm, forearm_mm) * 180 / std::numbers::pi; }
 
 }  // namespace pizarra

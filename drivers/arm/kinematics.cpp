@@ -3,182 +3,148 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <numbers>
-#include <optional>
-#include <vector>
+
+#include "drivers/arm/placement.hpp"
+#include "drivers/arm/solution.hpp"
 
 namespace pizarra {
 
 namespace {
 
-using Eigen::AngleAxisd;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double limit_slack_deg = 1e-9;     // what rounding may add to a joint that stands on its limit
-constexpr double reach_slack = 1e-12;        // the same for the cosine of the elbow
-constexpr double singular_sine = 1e-7;       // below it the axes of joints 4 and 6 count as one
-constexpr double singular_radius_mm = 1e-6;  // below it the wrist centre counts as on axis 1
+constexpr double track_step_mm = 10;
+constexpr double fine_track_step_mm = 1;
+constexpr double track_resolution_mm = 1e-3;
 
-double radians(double deg) { return deg * std::numbers::pi / 180; }
-double degrees(double rad) { return rad * 180 / std::numbers::pi; }
-
-Matrix3d about_y(double deg) { return AngleAxisd(radians(deg), Vector3d::UnitY()).toRotationMatrix(); }
-Matrix3d about_z(double deg) { return AngleAxisd(radians(deg), Vector3d::UnitZ()).toRotationMatrix(); }
-
-// The forearm's frame: approach along the forearm, which is raised `elevation_deg` in the plane that j1 turns.
-Matrix3d forearm_frame(double j1, double elevation_deg) {
-  Matrix3d level;
-  level.col(0) = Vector3d::UnitZ();
-  level.col(1) = -Vector3d::UnitY();
-  level.col(2) = Vector3d::UnitX();
-  return about_z(j1) * level * about_y(elevation_deg);
+std::unexpected<Failure> out_of_reach(const ToolPose& pose) {
+  const Vector3d at = (pose.translation() * 10).array().round() / 10;
+  return fail("unreachable", "the arm cannot reach this point with this tool direction",
+              list("point"_sym, at.x(), at.y(), at.z()));
 }
 
-// The same direction of an axis, whole turns away, that lies nearest `near` within the limits; the nearest to the
-// limits where none lies within.
-double nearest_turn(double deg, double near_deg, const AxisLimits& limits) {
-  double best = deg + 360 * std::round((near_deg - deg) / 360);
-  if (best > limits.high_deg + limit_slack_deg) best -= 360 * std::ceil((best - limits.high_deg) / 360 - 1e-12);
-  if (best < limits.low_deg - limit_slack_deg) {
-    const double raised = best + 360 * std::ceil((limits.low_deg - best) / 360 - 1e-12);
-    if (raised <= limits.high_deg + limit_slack_deg) best = raised;
+Result<Joints> answer_of(const ArmModel& model, const ToolPose& pose, const Solution& best) {
+  if (!best.found) return out_of_reach(pose);
+  const Result<void> within = check_limits(model, best.joints);
+  if (!within) return fail(within);
+  Joints joints = best.joints;
+  for (std::size_t axis = 0; axis < joints.size(); ++axis) {
+    joints[axis] = std::clamp(joints[axis], model.axes[axis].limits.low, model.axes[axis].limits.high);
   }
-  return best;
+  return joints;
 }
 
-double excess_deg(const AxisLimits& limits, double deg) {
-  return std::max({0.0, limits.low_deg - limit_slack_deg - deg, deg - limits.high_deg - limit_slack_deg});
-}
+// Where along its track the arm can reach the pose with `margin` to spare, nearest to where it stands. Looked for in
+// steps to both sides, then narrowed down.
+class TrackSearch {
+ public:
+  TrackSearch(const ArmModel& model, const ToolPose& pose, const Joints& near, std::size_t track)
+      : model_(model), pose_(pose), near_(near), track_(track) {}
 
-// j2 and j3 that put the wrist centre at distance d, height h from axis 2; `bend` -1 elbow above, +1 elbow below.
-struct LinkAngles {
-  double j2;
-  double j3;
-};
-std::optional<LinkAngles> links_for(const ArmModel& model, double d_mm, double h_mm, double bend) {
-  const double a = model.upper_arm_mm;
-  const double b = model.forearm_mm;
-  const double cosine = (d_mm * d_mm + h_mm * h_mm - a * a - b * b) / (2 * a * b);
-  if (!(std::abs(cosine) <= 1 + reach_slack)) return std::nullopt;
-  const double j3 = bend * std::acos(std::clamp(cosine, -1.0, 1.0));
-  const double th1 = std::atan2(h_mm, d_mm) - std::atan2(b * std::sin(j3), a + b * std::cos(j3));
-  return LinkAngles{degrees(th1) - 90, degrees(j3)};
-}
+  bool within_reach() const {
+    const Axis& axis = model_.axes[track_];
+    const Vector3d along = model_.track_along_x ? Vector3d::UnitX() : Vector3d::UnitY();
+    const double a = axis.sense * axis.limits.low + axis.zero;
+    const double b = axis.sense * axis.limits.high + axis.zero;
+    const Vector3d wrist = wrist_of(model_, pose_);
+    const double at = std::clamp(wrist.dot(along), std::min(a, b), std::max(a, b));
+    return (wrist - at * along).norm() <= longest_reach_mm(model_);
+  }
 
-struct WristAngles {
-  double j4;
-  double j5;
-  double j6;
-};
-
-// Rz(-j4) Ry(j5) Rz(-j6) = `turned`, with j5 of the sign of `flip`.
-WristAngles wrist_for(const Matrix3d& turned, double flip, double near_j4) {
-  const double sine = std::hypot(turned(0, 2), turned(1, 2));
-  const double j5 = degrees(std::atan2(flip * sine, turned(2, 2)));
-  double j4 = near_j4;
-  if (sine > singular_sine) j4 = -degrees(std::atan2(flip * turned(1, 2), flip * turned(0, 2)));
-  const Matrix3d rest = about_z(j4) * turned;
-  return {j4, j5, -degrees(std::atan2(rest(1, 0), rest(1, 1)))};
-}
-
-// Every way to reach the pose, whatever the limits: front and back, elbow above and below, wrist turned over or not.
-std::vector<Joints> solutions(const ArmModel& model, const ToolPose& pose, const Joints& near) {
-  const Matrix3d rotation = pose.linear();
-  const Vector3d wrist = pose.translation() - (model.wrist_mm + model.tool_mm) * rotation.col(2);
-  const double radius = std::hypot(wrist.x(), wrist.y());
-  const double heading = radius > singular_radius_mm ? degrees(std::atan2(wrist.y(), wrist.x())) : near[0];
-  const double h_mm = wrist.z() - model.base_height_mm;
-  std::vector<Joints> found;
-  for (const double side : {1.0, -1.0}) {
-    const double j1 = nearest_turn(side > 0 ? heading : heading + 180, near[0], model.limits[0]);
-    for (const double bend : {-1.0, 1.0}) {
-      const auto links = links_for(model, side * radius - model.base_offset_mm, h_mm, bend);
-      if (!links) continue;
-      const Matrix3d turned = forearm_frame(j1, 90 + links->j2 + links->j3).transpose() * rotation;
-      for (const double flip : {1.0, -1.0}) {
-        const WristAngles angles = wrist_for(turned, flip, near[3]);
-        const Joints raw{j1, links->j2, links->j3, angles.j4, angles.j5, angles.j6};
-        Joints& joints = found.emplace_back();
-        for (std::size_t axis = 0; axis < arm_axes; ++axis) {
-          joints[axis] = nearest_turn(raw[axis], near[axis], model.limits[axis]);
-        }
+  std::optional<Joints> nearest(double step_mm, double margin_deg) const {
+    const Range limits = model_.axes[track_].limits;
+    const double here = near_[track_];
+    for (double away = step_mm; here - away > limits.low - step_mm || here + away < limits.high + step_mm;
+         away += step_mm) {
+      for (const double side : {-1.0, 1.0}) {
+        const double bad = std::clamp(here + side * (away - step_mm), limits.low, limits.high);
+        const double good = std::clamp(here + side * away, limits.low, limits.high);
+        if (bad == good || !at(good, margin_deg)) continue;
+        return narrowed(bad, good, margin_deg);
       }
     }
+    return std::nullopt;
   }
-  return found;
-}
+
+ private:
+  std::optional<Joints> at(double track_mm, double margin_deg) const {
+    Joints from = near_;
+    from[track_] = track_mm;
+    const Solution best = best_solution(model_, pose_, from);
+    if (!best.found || best.excess > 0 || margin_of(model_, best.joints) < margin_deg) return std::nullopt;
+    return best.joints;
+  }
+
+  Joints narrowed(double bad, double good, double margin_deg) const {
+    Joints best = *at(good, margin_deg);
+    while (std::abs(good - bad) > track_resolution_mm) {
+      const double middle = (bad + good) / 2;
+      const std::optional<Joints> tried = at(middle, margin_deg);
+      (tried ? good : bad) = middle;
+      if (tried) best = *tried;
+    }
+    return best;
+  }
+
+  const ArmModel& model_;
+  const ToolPose& pose_;
+  const Joints& near_;
+  std::size_t track_;
+};
 
 }  // namespace
 
-ToolPose forward(const ArmModel& model, const Joints& joints) {
-  const auto& [j1, j2, j3, j4, j5, j6] = joints;
-  const double th1 = radians(90 + j2);
-  const double th2 = radians(90 + j2 + j3);
-  const double radius = model.base_offset_mm + model.upper_arm_mm * std::cos(th1) + model.forearm_mm * std::cos(th2);
-  const double height = model.base_height_mm + model.upper_arm_mm * std::sin(th1) + model.forearm_mm * std::sin(th2);
-  const double turn = radians(j1);
-  const Vector3d wrist(radius * std::cos(turn), radius * std::sin(turn), height);
-
-  ToolPose pose = ToolPose::Identity();
-  pose.linear() = forearm_frame(j1, 90 + j2 + j3) * about_z(-j4) * about_y(j5) * about_z(-j6);
-  pose.translation() = wrist + (model.wrist_mm + model.tool_mm) * pose.linear().col(2);
-  return pose;
+Result<Joints> inverse_in_place(const ArmModel& model, const ToolPose& pose, const Joints& near) {
+  if (!pose.matrix().allFinite()) return fail("unreachable", "the pose holds a number that is not finite");
+  return answer_of(model, pose, best_solution(model, pose, near));
 }
 
 Result<Joints> inverse(const ArmModel& model, const ToolPose& pose, const Joints& near) {
-  if (!pose.matrix().allFinite()) return fail("unreachable", "the pose holds a number that is not finite");
-  std::optional<Joints> best;
-  double best_excess = 0;
-  double best_distance = 0;
-  for (Joints& joints : solutions(model, pose, near)) {
-    double excess = 0;
-    double distance = 0;
-    for (std::size_t axis = 0; axis < arm_axes; ++axis) {
-      const AxisLimits& limits = model.limits[axis];
-      excess += excess_deg(limits, joints[axis]);
-      distance += (joints[axis] - near[axis]) * (joints[axis] - near[axis]);
-    }
-    if (!best || excess < best_excess || (excess == best_excess && distance < best_distance)) {
-      best = joints;
-      best_excess = excess;
-      best_distance = distance;
-    }
-  }
-  if (!best) {
-    const Vector3d at = (pose.translation() * 10).array().round() / 10;
-    return fail("unreachable", "the arm cannot reach this point with this tool direction",
-                list("point"_sym, at.x(), at.y(), at.z()));
-  }
-  const Result<void> within = check_limits(model, *best);
-  if (!within) return fail(within);
-  for (std::size_t axis = 0; axis < arm_axes; ++axis) {
-    (*best)[axis] = std::clamp((*best)[axis], model.limits[axis].low_deg, model.limits[axis].high_deg);
-  }
-  return *best;
+  const std::optional<std::size_t> track = model.axis_of(Role::track);
+  if (!track || !pose.matrix().allFinite()) return inverse_in_place(model, pose, near);
+  const Solution here = best_solution(model, pose, near);
+  const bool reached = here.found && here.excess == 0;
+  if (reached && margin_of(model, here.joints) >= track_margin_deg) return answer_of(model, pose, here);
+  const TrackSearch search(model, pose, near, *track);
+  if (!search.within_reach()) return answer_of(model, pose, here);
+  std::optional<Joints> elsewhere = search.nearest(track_step_mm, track_margin_deg);
+  if (!elsewhere && !reached) elsewhere = search.nearest(fine_track_step_mm, 0);
+  if (elsewhere) return answer_of(model, pose, {true, *elsewhere, 0});
+  return answer_of(model, pose, here);
 }
 
 Result<void> check_limits(const ArmModel& model, const Joints& joints) {
-  for (std::size_t axis = 0; axis < arm_axes; ++axis) {
-    const AxisLimits& limits = model.limits[axis];
+  if (joints.size() != model.axes.size()) {
+    return fail("bad-joints",
+                fmt::format("the arm has {} axes, and {} angles were given", model.axes.size(), joints.size()),
+                to_datum(joints.size()));
+  }
+  for (std::size_t axis = 0; axis < joints.size(); ++axis) {
     if (!std::isfinite(joints[axis])) {
       return fail("not-finite", fmt::format("axis {} is given no finite angle", axis + 1), to_datum(axis + 1));
     }
-    if (excess_deg(limits, joints[axis]) == 0) continue;
+  }
+  for (std::size_t axis = 0; axis < joints.size(); ++axis) {
+    const Range range = range_of(model, joints, axis);
+    if (excess_of(range, joints[axis]) == 0) continue;
+    const bool stopped = excess_of(model.axes[axis].limits, joints[axis]) == 0;
     return fail("joint-limit",
-                fmt::format("axis {} would stand at {:.2f} degrees, beyond its {:g} to {:g}", axis + 1, joints[axis],
-                            limits.low_deg, limits.high_deg),
+                fmt::format("axis {} would stand at {:.2f} {}, beyond {} {:g} to {:g}", axis + 1, joints[axis],
+                            slides(model.axes[axis].role) ? "mm" : "degrees",
+                            stopped ? "what its stops leave here," : "its", range.low, range.high),
                 to_datum(axis + 1));
   }
   return {};
 }
 
 std::array<double, 3> fixed_angles(const Matrix3d& rotation) {
+  constexpr double upright = 1e-7;
   const double level = std::hypot(rotation(0, 0), rotation(1, 0));
   double rx = std::atan2(rotation(2, 1), rotation(2, 2));
   double rz = std::atan2(rotation(1, 0), rotation(0, 0));
   // With the y angle upright, x and z turn about one axis; z is then taken as 0.
-  if (level < singular_sine) {
+  if (level < upright) {
     rx = std::atan2(-rotation(1, 2), rotation(1, 1));
     rz = 0;
   }

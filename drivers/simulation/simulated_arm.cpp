@@ -69,10 +69,11 @@ Task<Result<ArmReading>> SimulatedArm::read() {
   const Result<Message> answer = co_await link_.call(request, answer_time);
   if (!answer) co_return fail(answer);
   const Datum& head = answer->head;
-  const bool shaped = head.size() == 5 && head[0].size() == arm_axes;
+  const bool shaped = head.size() == 5 && head[0].size() >= 1 && head[0].size() <= most_axes;
   if (!shaped) co_return odd_answer(head);
   ArmReading reading{};
-  for (std::size_t axis = 0; axis < arm_axes; ++axis) reading.joints[axis] = head[0][axis].number();
+  reading.joints = Joints(head[0].size());
+  for (std::size_t axis = 0; axis < reading.joints.size(); ++axis) reading.joints[axis] = head[0][axis].number();
   reading.moving = head[1].is_symbol("yes");
   reading.stopped = head[2].is_symbol("yes");
   reading.opening_mm = head[3].number();

@@ -28,9 +28,9 @@ Datum joints_to_datum(const Joints& joints) {
 }
 
 Result<Joints> joints_from_datum(const Datum& datum) {
-  if (datum.size() != arm_axes) return bad_request(datum);
-  Joints joints{};
-  for (std::size_t axis = 0; axis < arm_axes; ++axis) {
+  if (datum.size() < 1 || datum.size() > most_axes) return bad_request(datum);
+  Joints joints(datum.size());
+  for (std::size_t axis = 0; axis < joints.size(); ++axis) {
     if (!datum[axis].is_number()) return bad_request(datum);
     joints[axis] = datum[axis].number();
   }

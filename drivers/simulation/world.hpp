@@ -13,8 +13,8 @@
 //   SimulatedCamera eyes(link);                   // StereoCamera
 //
 // Requests and the values they answer; lengths mm, angles degrees, YES is `yes` or `no`:
-//   (arm identify) -> ("type")        (arm take-control)     (arm move SPEED (J1 ... J6) ...)     (arm stop)
-//   (arm gripper MM)                  (arm read) -> ((J1 ... J6) MOVING STOPPED OPENING GRIPPER-MOVING)
+//   (arm identify) -> ("type")        (arm take-control)     (arm move SPEED (J1 ... JN) ...)     (arm stop)
+//   (arm gripper MM)                  (arm read) -> ((J1 ... JN) MOVING STOPPED OPENING GRIPPER-MOVING)
 //   (camera open) -> (WIDTH HEIGHT FOCAL CX CY BASE-LINE)
 //   (camera next AFTER grey|colour) -> (NUMBER MICROSECONDS), left and right image; waits for the frame
 //   (head send "bytes")               to the pan-tilt unit under the cameras, as over its line

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "drivers/arm/arm_model.hpp"
+#include "drivers/arm/arm_file.hpp"
 #include "drivers/camera/stereo_camera.hpp"
 #include "lisp/camera_pose.hpp"
 #include "lisp/result.hpp"

@@ -39,10 +39,14 @@ RandomResult describe_run(const RandomStory& story, const StoryReport& run) {
 
 }  // namespace
 
-RandomResult run_random_seed(const std::string& cell_file, std::uint64_t seed) {
+RandomResult run_random_seed(const std::string& cell_file, const std::string& arm, std::uint64_t seed) {
   RandomResult failed;
-  const Result<CellDescription> cell = read_cell_file(cell_file);
+  Result<CellDescription> cell = read_cell_file(cell_file);
   if (!cell) return {RandomResult::Kind::unreadable, describe(cell.error())};
+  if (!arm.empty()) {
+    const Result<void> put = put_arm(*cell, arm);
+    if (!put) return {RandomResult::Kind::unreadable, describe(put.error())};
+  }
   const Result<Domain> domain = domain_of(*cell);
   if (!domain) return {RandomResult::Kind::unreadable, describe(domain.error())};
   const Result<void> drawable = check_random_cell(*cell, *domain);

@@ -2,7 +2,7 @@
 
 // One random story from its seed to what became of it, in this process.
 //
-//   const RandomResult result = run_random_seed("examples/01-blocks/cell.scm", 7);
+//   const RandomResult result = run_random_seed("examples/01-blocks/cell.scm", "", 7);
 //   fmt::print("{}\n", result.line);
 
 #include <cstdint>
@@ -16,6 +16,7 @@ struct RandomResult {
   std::string line;          // what happened, for people
 };
 
-RandomResult run_random_seed(const std::string& cell_file, std::uint64_t seed);
+// `arm` in place of the cell's, as put_arm() takes it; empty: the cell's.
+RandomResult run_random_seed(const std::string& cell_file, const std::string& arm, std::uint64_t seed);
 
 }  // namespace pizarra

@@ -135,7 +135,7 @@ Result<Domain> domain_of(const CellDescription& cell) {
 
 Result<StoryReport> run_story(const Scenario& scenario, const CellDescription& cell, const StoryOptions& options,
                               Narrator& narrator) {
-  const Result<void> sound = check(world_config(cell, options.seed));
+  const Result<WorldConfig> sound = world_config(cell, options.seed);
   if (!sound) return fail(sound);
   const Result<void> playable = check_scenario(scenario);
   if (!playable) return fail(playable);

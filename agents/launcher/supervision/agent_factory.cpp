@@ -1,5 +1,6 @@
 #include "agents/launcher/supervision/agent_factory.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 #include "agents/coordinator/coordinator_agent.hpp"
@@ -7,7 +8,9 @@
 #include "agents/person/person_agent.hpp"
 #include "agents/planner/planner_agent.hpp"
 #include "agents/robot/robot_agent.hpp"
+#include "agents/speech/speech_agent.hpp"
 #include "agents/vision/vision_agent.hpp"
+#include "drivers/arm/arm_file.hpp"
 #include "drivers/pan_tilt/ptu_driver.hpp"
 #include "drivers/simulation/head_wire.hpp"
 #include "drivers/simulation/simulated_arm.hpp"
@@ -79,6 +82,12 @@ CoordinatorOptions coordinator_options(const CellDescription& description) {
   return options;
 }
 
+std::optional<Room> room_of(const CellDescription& description) {
+  if (!description.arm_room) return {};
+  const auto& [low, high] = *description.arm_room;
+  return Room{{low[0], low[1], low[2]}, {high[0], high[1], high[2]}};
+}
+
 std::unique_ptr<BuiltAgent> build_person(AgentContext context, const CellDescription& description, Link& link) {
   std::vector<std::string> names;
   for (const CubePlacement& cube : description.cubes) names.push_back(cube.name);
@@ -92,14 +101,26 @@ const std::vector<std::string>& agent_kinds() {
   return kinds;
 }
 
-std::vector<std::string> agent_kinds(const CellDescription& description) {
-  std::vector<std::string> kinds = agent_kinds();
-  if (!has_pan_tilt(description)) std::erase(kinds, "pan-tilt");
+const std::vector<std::string>& further_agent_kinds() {
+  static const std::vector<std::string> kinds{"speech"};
   return kinds;
 }
 
-WorldConfig world_config(const CellDescription& description, std::uint64_t seed) {
+std::vector<std::string> agent_kinds(const CellDescription& description) {
+  std::vector<std::string> kinds = agent_kinds();
+  if (!has_pan_tilt(description)) std::erase(kinds, "pan-tilt");
+  for (const std::string& kind : further_agent_kinds()) {
+    const auto has = [&](const CellHost& host) { return std::ranges::find(host.agents, kind) != host.agents.end(); };
+    if (std::ranges::any_of(description.hosts, has)) kinds.push_back(kind);
+  }
+  return kinds;
+}
+
+Result<WorldConfig> world_config(const CellDescription& description, std::uint64_t seed) {
   WorldConfig config;
+  Result<ArmModel> arm = read_arm_file(description.arm_file);
+  if (!arm) return fail(arm);
+  config.arm = std::move(*arm);
   config.seed = seed;
   config.cube_mm = description.cube_mm;
   CameraConfig& camera = config.camera;
@@ -112,6 +133,8 @@ WorldConfig world_config(const CellDescription& description, std::uint64_t seed)
     const Mark mark = mark_from_name(cube.mark).value_or(Mark::circle);
     config.cubes.push_back({cube.name, mark, cube.x_mm, cube.y_mm, cube.yaw_deg, cube.on});
   }
+  const Result<void> sound = check(config);
+  if (!sound) return fail(sound);
   return config;
 }
 
@@ -123,8 +146,11 @@ Task<void> BuiltAgent::run() {
 Result<std::unique_ptr<BuiltAgent>> build_agent(const std::string& kind, AgentContext context,
                                                 const CellDescription& description, Link& link, Streams* streams) {
   if (kind == "robot") {
-    return std::make_unique<WithDevice<RobotAgent, SimulatedArm>>(
-        link, [&](SimulatedArm& arm) { return std::make_unique<RobotAgent>(std::move(context), arm); });
+    Result<ArmModel> model = read_arm_file(description.arm_file);
+    if (!model) return fail(model);
+    return std::make_unique<WithDevice<RobotAgent, SimulatedArm>>(link, [&](SimulatedArm& arm) {
+      return std::make_unique<RobotAgent>(std::move(context), arm, std::move(*model), room_of(description));
+    });
   }
   if (kind == "vision") {
     return std::make_unique<WithDevice<VisionAgent, SimulatedCamera>>(link, [&](SimulatedCamera& camera) {
@@ -141,6 +167,9 @@ Result<std::unique_ptr<BuiltAgent>> build_agent(const std::string& kind, AgentCo
   if (kind == "coordinator") {
     return std::make_unique<WithoutDevice>(
         std::make_unique<CoordinatorAgent>(std::move(context), coordinator_options(description)));
+  }
+  if (kind == "speech") {
+    return std::make_unique<WithoutDevice>(std::make_unique<SpeechAgent>(std::move(context)));
   }
   if (kind == "person") return build_person(std::move(context), description, link);
   return fail("unknown-agent", fmt::format("there is no agent {}", kind), Datum::symbol(kind));

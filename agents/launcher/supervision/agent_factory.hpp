@@ -19,10 +19,13 @@ namespace pizarra {
 
 // robot, vision, pan-tilt, planner, coordinator, person: in the order in which they are listed.
 const std::vector<std::string>& agent_kinds();
-// Those that the cell has devices for.
+// Those that a cell has only where its file says so: speech.
+const std::vector<std::string>& further_agent_kinds();
+// Those that the cell has devices for, and the further ones that it names.
 std::vector<std::string> agent_kinds(const CellDescription& description);
 
-WorldConfig world_config(const CellDescription& description, std::uint64_t seed);
+// The simulated world of the cell, checked. Failures: bad-cell, and those of the arm file.
+Result<WorldConfig> world_config(const CellDescription& description, std::uint64_t seed);
 
 // An agent with the devices it owns.
 class BuiltAgent {

@@ -15,7 +15,7 @@ LocalCell::LocalCell(Executor& executor, CellDescription description, std::uint6
       description_(std::move(description)),
       random_(seed),
       board_(executor),
-      world_(executor, world_config(description_, seed)),
+      world_(executor, world_config(description_, seed).value()),
       link_(world_) {}
 
 LocalCell::~LocalCell() = default;

@@ -23,7 +23,7 @@ namespace pizarra {
 
 class LocalCell {
  public:
-  // The description passed check(world_config(description, seed)).
+  // world_config(description, seed) has succeeded.
   LocalCell(Executor& executor, CellDescription description, std::uint64_t seed);
   ~LocalCell();
   LocalCell(const LocalCell&) = delete;

@@ -9,6 +9,7 @@
 #include "agents/launcher/words/check_planning.hpp"
 #include "agents/launcher/words/goal_text.hpp"
 #include "agents/launcher/words/words.hpp"
+#include "drivers/arm/arm_file.hpp"
 
 namespace pizarra {
 
@@ -30,7 +31,7 @@ Result<std::string> check_domain(const std::string& file) {
 
 // A cell with the domain that it names.
 Result<std::string> check_cell_whole(const CellDescription& cell) {
-  const Result<void> sound = check(world_config(cell, 1));
+  const Result<WorldConfig> sound = world_config(cell, 1);
   if (!sound) return fail(sound);
   const Result<std::string> domain = check_domain(cell.domain_file);
   if (!domain) return fail(domain);
@@ -42,6 +43,12 @@ Result<std::string> check_cell(const std::string& file) {
   const Result<CellDescription> cell = read_cell_file(file);
   if (!cell) return fail(cell);
   return check_cell_whole(*cell);
+}
+
+Result<std::string> check_arm(const std::string& file) {
+  const Result<ArmModel> arm = read_arm_file(file);
+  if (!arm) return fail(arm);
+  return fmt::format("arm {}: {} axes", arm->type, arm->axes.size());
 }
 
 Result<std::string> check_scenario_file(const std::string& file) {
@@ -56,7 +63,7 @@ Result<std::string> check_scenario_file(const std::string& file) {
   return fmt::format("scenario \"{}\": {}; {}", scenario->name, counted(scenario->events.size(), "event"), *whole);
 }
 
-// What is neither domain, cell nor scenario is a goal.
+// What is none of these is a goal.
 Result<std::string> check_goal_file(const std::string& file, const CheckChoices& choices) {
   const std::string domain_file = choices.domain.empty() ? shipped_file("domains/blocks.scm") : choices.domain;
   const Result<Domain> domain = read_domain_file(domain_file);
@@ -81,6 +88,7 @@ Result<std::string> check_file(const std::string& file, const CheckChoices& choi
     return domain;
   }
   if (head == "cell") return check_cell(file);
+  if (head == "arm") return check_arm(file);
   if (head == "scenario") return check_scenario_file(file);
   return check_goal_file(file, choices);
 }
@@ -108,7 +116,7 @@ int check_files(const CheckChoices& choices) {
 void add_check_word(CLI::App& app, int& status) {
   auto choices = std::make_shared<CheckChoices>();
   CLI::App* word =
-      app.add_subcommand("check", "Check domain, cell, scenario, goal and planning files; every error is told.");
+      app.add_subcommand("check", "Check domain, cell, arm, scenario, goal and planning files; every error is told.");
   word->add_option("files", choices->files, "What the file is, its first form says")->required();
   word->add_option("--domain", choices->domain,
                    "For goals, PDDL problems and facts: the domain; else domains/blocks.scm for goals");

@@ -18,6 +18,7 @@ struct DemoChoices {
   std::string cell;
   std::string goal;
   std::string domain;
+  std::string arm;
   std::uint64_t seed = 1;
   std::string journal;
   std::string film;

@@ -82,6 +82,10 @@ int run_demo(const DemoChoices& choices) {
   if (!scenario) return complain(scenario.error(), exit_usage);
   Result<CellDescription> cell = cell_of(*scenario);
   if (!cell) return complain(cell.error(), exit_usage);
+  if (!choices.arm.empty()) {
+    const Result<void> put = put_arm(*cell, choices.arm);
+    if (!put) return complain(put.error(), exit_usage);
+  }
   const Result<Domain> domain = domain_of(*cell);
   if (!domain) return complain(domain.error(), exit_usage);
   if (choices.has("--goal")) {
@@ -133,6 +137,8 @@ void add_demo_word(CLI::App& app, int& status) {
   demo->add_option("cell", choices->cell, "The cell file")->check(CLI::ExistingFile)->capture_default_str();
   demo->add_option("--goal", choices->goal, "FACT, (and FACT ...) or several FACTs; no hand interferes then");
   demo->add_option("--domain", choices->domain, "The domain file, in place of the cell's")->check(CLI::ExistingFile);
+  demo->add_option("--arm", choices->arm,
+                   "The arm, in place of the cell's: f3, t265, up6, another of arms/, or an arm file");
   demo->add_option("--seed", choices->seed, "What chance begins from; the same seed gives the same run")
       ->check(seed_check())
       ->capture_default_str();
@@ -160,7 +166,8 @@ void add_demo_word(CLI::App& app, int& status) {
     if (!sound) {
       status = complain(sound.error(), exit_usage);
     } else if (choices->many()) {
-      const RandomRuns runs{choices->cell, choices->first_seed, choices->seeds, choices->jobs, choices->json};
+      const RandomRuns runs{choices->cell,  choices->arm,  choices->first_seed,
+                            choices->seeds, choices->jobs, choices->json};
       status = run_random(runs);
     } else {
       status = run_demo(*choices);

@@ -63,13 +63,12 @@ int run_world(const ProcessChoices& choices) {
     const Failure open{"bad-address", "the world listens at ipc://PATH alone, not at " + choices.world, {}, {}};
     return complain(open, exit_usage);
   }
-  const WorldConfig config = world_config(*cell, choices.seed);
-  const Result<void> sound = check(config);
-  if (!sound) return complain(sound.error(), exit_usage);
+  const Result<WorldConfig> config = world_config(*cell, choices.seed);
+  if (!config) return complain(config.error(), exit_usage);
   RealExecutor executor;
   const StopSignals signals(executor);
   zmq::context_t context(1);
-  World world(executor, config);
+  World world(executor, *config);
   const auto server = LinkServer::listen(executor, context, choices.world, world);
   if (!server) return complain(server.error(), exit_unavailable);
   fmt::print("the world of {} is reached at {}\n", cell->name, choices.world);
@@ -85,7 +84,7 @@ void add_process_words(CLI::App& app, int& status) {
   CLI::App* agent = app.add_subcommand("agent", "Run one agent in this process, on a board of another.");
   agent->add_option("kind", choices->kind, "robot, vision, pan-tilt, planner, coordinator or person")
       ->required()
-      ->check(CLI::IsMember(agent_kinds()));
+      ->check(CLI::IsMember(agent_kinds()) | CLI::IsMember(further_agent_kinds()));
   agent->add_option("cell", choices->cell, "The cell file")->required()->check(CLI::ExistingFile);
   agent->add_option("--board", choices->board, "Where the board listens: ipc:// or tcp://")->required();
   agent->add_option("--world", choices->world, "Where the simulated world listens: ipc://")->required();

@@ -59,13 +59,13 @@ class Pool {
   std::string unreadable_;
 };
 
-[[noreturn]] void be_worker(const std::string& cell_file, std::uint64_t seed, int pipe, pid_t parent) {
+[[noreturn]] void be_worker(const RandomRuns& runs, std::uint64_t seed, int pipe, pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(1);
   // Ctrl-C comes to all of a terminal's processes; the one that counts ends the others.
   std::signal(SIGINT, SIG_IGN);
   std::signal(SIGTERM, SIG_DFL);
-  const RandomResult result = run_random_seed(cell_file, seed);
+  const RandomResult result = run_random_seed(runs.cell_file, runs.arm, seed);
   const std::string text = fmt::format("{}{}", static_cast<int>(result.kind), result.line).substr(0, longest_line);
   const bool written = ::write(pipe, text.data(), text.size()) == static_cast<ssize_t>(text.size());
   _exit(written ? 0 : 1);
@@ -79,7 +79,7 @@ bool Pool::start(std::uint64_t seed) {
   const pid_t pid = fork();
   if (pid == 0) {
     close(ends[0]);
-    be_worker(runs_.cell_file, seed, ends[1], parent);
+    be_worker(runs_, seed, ends[1], parent);
   }
   close(ends[1]);
   if (pid < 0) {

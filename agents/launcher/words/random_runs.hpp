@@ -11,6 +11,7 @@ namespace pizarra {
 
 struct RandomRuns {
   std::string cell_file;
+  std::string arm = "";  // in place of the cell's, as put_arm() takes it
   std::uint64_t first_seed = 1;
   std::uint64_t seeds = 100;
   unsigned jobs = 0;  // 0: one a core

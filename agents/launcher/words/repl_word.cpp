@@ -30,7 +30,7 @@ Manner manner_of(const ReplChoices& choices) {
 int talk_to_own_cell(const ReplChoices& choices) {
   const Result<CellDescription> cell = read_cell_file(choices.cell_file);
   if (!cell) return complain(cell.error(), exit_usage);
-  const Result<void> sound = check(world_config(*cell, choices.seed));
+  const Result<WorldConfig> sound = world_config(*cell, choices.seed);
   if (!sound) return complain(sound.error(), exit_usage);
   RealExecutor executor;
   LocalCell local(executor, *cell, choices.seed);
@@ -66,7 +66,7 @@ void add_repl_word(CLI::App& app, int& status) {
   repl->add_option("--eval", choices->forms, "Evaluate this form and end; may be given several times");
   repl->add_option("--agents", choices->agents, "Run just these agents on a board in this process: vision,robot")
       ->delimiter(',')
-      ->check(CLI::IsMember(agent_kinds()));
+      ->check(CLI::IsMember(agent_kinds()) | CLI::IsMember(further_agent_kinds()));
   repl->add_option("--seed", choices->seed, "What chance begins from")->check(seed_check())->capture_default_str();
   add_board_options(repl, choices->board);
   repl->footer(help_footer("repl --eval '(goal (on circle triangle))'"));

@@ -38,9 +38,9 @@ Result<void> ArmMotion::start(std::vector<Joints> waypoints, double speed) {
   times_s_.assign(1, 0.0);
   for (std::size_t i = 1; i < path_.size(); ++i) {
     double longest_s = 0;
-    for (std::size_t axis = 0; axis < arm_axes; ++axis) {
-      const double turn_deg = std::abs(path_[i][axis] - path_[i - 1][axis]);
-      longest_s = std::max(longest_s, turn_deg / (model_.limits[axis].speed_deg_s * speed));
+    for (std::size_t axis = 0; axis < joints_.size(); ++axis) {
+      const double way = std::abs(path_[i][axis] - path_[i - 1][axis]);
+      longest_s = std::max(longest_s, way / (model_.axes[axis].speed * speed));
     }
     times_s_.push_back(times_s_.back() + longest_s);
   }
@@ -92,7 +92,7 @@ void ArmMotion::follow() {
   }
   const auto next = static_cast<std::size_t>(after - times_s_.begin());
   const double part = (along_s_ - times_s_[next - 1]) / (times_s_[next] - times_s_[next - 1]);
-  for (std::size_t axis = 0; axis < arm_axes; ++axis) {
+  for (std::size_t axis = 0; axis < joints_.size(); ++axis) {
     joints_[axis] = std::lerp(path_[next - 1][axis], path_[next][axis], part);
   }
 }

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "drivers/simulation/gripper_shape.hpp"
+#include "drivers/simulation/render/arm_solids.hpp"
 
 namespace pizarra {
 
@@ -15,15 +16,12 @@ using Eigen::Vector3d;
 
 const Colour cube_white(238, 242, 244);
 const Colour mark_black(30, 28, 28);
-const Colour arm_paint(62, 138, 232);
-const Colour joint_paint(92, 84, 78);
 const Colour palm_paint(104, 94, 88);
 const Colour finger_steel(178, 174, 170);
 const Colour plate_black(44, 40, 38);
 const Colour plate_white(250, 250, 250);
 const Colour table_top(132, 164, 190);
 const Colour table_line(118, 150, 176);
-const Colour pedestal_grey(118, 112, 108);
 const Colour skin(150, 176, 222);
 const Colour sleeve(150, 96, 70);
 
@@ -74,29 +72,6 @@ void add_gripper(std::vector<Solid>& solids, const Eigen::Isometry3d& tool, doub
   }
 }
 
-void add_links(std::vector<Solid>& solids, const ArmModel& arm, const Joints& joints, const Eigen::Isometry3d& tool) {
-  const double turn = joints[0] * std::numbers::pi / 180;
-  const double upper = (90 + joints[1]) * std::numbers::pi / 180;
-  const Vector3d ahead(std::cos(turn), std::sin(turn), 0);
-  const Vector3d side(-std::sin(turn), std::cos(turn), 0);
-  const Vector3d shoulder = ahead * arm.base_offset_mm + Vector3d(0, 0, arm.base_height_mm);
-  const Vector3d elbow = shoulder + arm.upper_arm_mm * (ahead * std::cos(upper) + Vector3d(0, 0, std::sin(upper)));
-  const Vector3d approach = tool.linear().col(2);
-  const Vector3d flange = tool.translation() - approach * arm.tool_mm;
-  const Vector3d wrist = flange - approach * arm.wrist_mm;
-  Eigen::Isometry3d turret = Eigen::Isometry3d::Identity();
-  turret.linear() << ahead, side, Vector3d::UnitZ();
-  solids.push_back(make_box(turret, {30, 0, arm.base_height_mm - 55}, {75, 42, 55}, arm_paint));
-  const Vector3d upper_along = (elbow - shoulder).normalized();
-  const Vector3d fore_along = (wrist - elbow).normalized();
-  solids.push_back(make_prism(shoulder - side * 60, shoulder + side * 60, 46, 46, round_sides, joint_paint));
-  solids.push_back(make_prism(shoulder + upper_along * 46, elbow - upper_along * 40, 42, 36, round_sides, arm_paint));
-  solids.push_back(make_prism(elbow - side * 50, elbow + side * 50, 40, 40, round_sides, joint_paint));
-  solids.push_back(make_prism(elbow + fore_along * 40, wrist - fore_along * 30, 36, 30, round_sides, arm_paint));
-  solids.push_back(make_prism(wrist - side * 38, wrist + side * 38, 30, 30, round_sides, joint_paint));
-  solids.push_back(make_prism(wrist + approach * 30, flange, 28, 28, round_sides, pedestal_grey));
-}
-
 void add_fist(std::vector<Solid>& solids, const Vector3d& at) {
   const Vector3d out = Vector3d(-0.35, at.y() < 0 ? -0.35 : 0.35, 0.85).normalized();
   solids.push_back(make_prism(at - out * 24, at + out * 22, 20, 27, round_sides, skin));
@@ -145,9 +120,7 @@ void add_shadow(std::vector<Points>& shadows, const Solid& solid, const TableCon
 std::vector<Solid> still_solids(const WorldConfig& config) {
   std::vector<Solid> solids;
   solids.push_back(table_solid(config.table));
-  const double top = config.arm.base_height_mm - 110;
-  solids.push_back(make_prism({0, 0, 0}, {0, 0, 24}, 112, 112, 24, joint_paint));
-  solids.push_back(make_prism({0, 0, 24}, {0, 0, top}, 92, 80, 24, pedestal_grey));
+  if (!config.arm.axis_of(Role::track)) add_pedestal(solids, config.arm, Vector3d::Zero());
   return solids;
 }
 
@@ -164,7 +137,7 @@ Scene moving_scene(const WorldConfig& config, const Snapshot& snapshot) {
   for (std::size_t i = gripper; i < scene.solids.size(); ++i) {
     add_shadow(scene.shadows, scene.solids[i], config.table);
   }
-  add_links(scene.solids, config.arm, snapshot.joints, tool);
+  add_arm(scene.solids, config.arm, snapshot.joints);
   if (snapshot.fist_mm) add_fist(scene.solids, *snapshot.fist_mm);
   return scene;
 }

@@ -3,10 +3,10 @@
 ;; (interpret DATA), the data of a file, answers (errors ...) or
 ;;   (ok (NAME (X Y Z PAN TILT HEAD) (SENSOR BLUR GRADIENT) (CUBE ...) ARM DOMAIN BOARD-HOST BOARD-ADDRESS
 ;;        ((HOST KEY KIND ...) ...) CUBE-SIZE (NARROW NORMAL WIDE) (ROW-X ROW-Y-LOW ROW-Y-HIGH) BOARD-KEYS
-;;        (LINE WHERE NUMBER (REVERSED ...))))
+;;        (LINE WHERE NUMBER (REVERSED ...)) ROOM))
 ;; with CUBE = (NAME MARK X Y YAW ON), ON the empty string for the table; KEY and BOARD-KEYS are paths or empty; HEAD the
 ;; simulated pan-tilt unit under the cameras or the empty string; LINE serial, tcp or the empty string, how the unit of
-;; the agent is reached, NUMBER a baud rate or a port.
+;; the agent is reached, NUMBER a baud rate or a port; ROOM that of the arm, or ().
 
 (define-module (pizarra cell)
   #:use-module (srfi srfi-1)
@@ -15,6 +15,9 @@
 
 (define marks '(circle triangle square cross))
 (define kinds '(robot vision pan-tilt planner coordinator person))
+;; Those that a cell has only where it says so.
+(define further-kinds '(speech))
+(define known-kinds (append kinds further-kinds))
 (define heads '(ptu46-17.5 ptu46-70))
 (define baud-rates '(9600 19200 38400 57600 115200))
 ;; Smaller marks are not recognised, and the fingers do not open wider.
@@ -237,8 +240,8 @@
 (define (agent-of node)
   (let ((kind (symbol-of node "an agent")))
     (and kind
-         (or (find (lambda (known) (eq? known kind)) kinds)
-             (complain! node 'unknown-agent "there is no agent ~a~a" kind (suggestion kind kinds))))))
+         (or (find (lambda (known) (eq? known kind)) known-kinds)
+             (complain! node 'unknown-agent "there is no agent ~a~a" kind (suggestion kind known-kinds))))))
 
 ;; What a named host has: (KEY AGENT-NODE ...), KEY the file of the secret with which it comes to a board elsewhere.
 (define (things-of-host host)
@@ -279,9 +282,29 @@
                   ""))
         (list (if (null? hosts) "localhost" (car (first hosts))) "" ""))))
 
+;; The name of an arm that comes with the tree, a symbol, or the path of an arm file, a string.
+(define (arm-of node arms)
+  (let ((given (node-ref node 1)))
+    (if (and given (string? (node-datum given)))
+        (node-datum given)
+        (choice-at node 1 "the arm" arms))))
+
+;; Where the arm's grip centre may be, ((LOW HIGH) (LOW HIGH) (LOW HIGH)), or () for wherever it reaches.
+(define (room-of arm)
+  (let* ((rest (node-rest arm))
+         (found (sections (if (pair? rest) (cdr rest) '()) '(room)))
+         (room (section-in found 'room))
+         (parts (if room (sections (node-rest (node-within room "in the room")) '(x y z)) '()))
+         (span-of (lambda (name)
+                    (let ((span (numbers-in parts name '((-10000 10000) (-10000 10000)) '(-10000 10000))))
+                      (when (> (first span) (second span))
+                        (complain! (section-in parts name) 'malformed "a span has its low end first"))
+                      span))))
+    (if room (map span-of '(x y z)) '())))
+
 ;; ----
 
-(define (interpret-sections cell name)
+(define (interpret-sections cell name arms)
   (let* ((found (sections (drop (node-items cell) 2) '(world arm pan-tilt domain board host) '(host)))
          (world (section-in found 'world))
          (things (if world
@@ -300,7 +323,7 @@
           camera
           (noise-of things)
           (cubes-of (sections-in things 'cube) size)
-          (or (and arm (choice-at arm 1 "the arm" '(crs-f3))) 'crs-f3)
+          (or (and arm (arm-of arm arms)) 'crs-f3)
           (text-of-section found 'domain "the domain's file" "")
           (first board)
           (second board)
@@ -309,12 +332,14 @@
           (openings-of things size)
           (row-of things)
           (third board)
-          pan-tilt)))
+          pan-tilt
+          (if arm (room-of (node-within arm "in the arm")) '()))))
 
-(define (interpret data)
+;; ARMS are the names of the arms that come with the tree.
+(define* (interpret data #:optional (arms '(crs-f3)))
   (interpreting data
     (lambda (root)
       (let* ((cell (only-form root 'cell))
              (name (and cell (plain-name-at cell 1 "the cell's name"))))
         (and name
-             (interpret-sections (node-within cell (string-append "in cell " (symbol->string name))) name))))))
+             (interpret-sections (node-within cell (string-append "in cell " (symbol->string name))) name arms))))))

@@ -38,7 +38,7 @@ struct Room {
   std::unique_ptr<Board> robot_view = board.view("robot");
   std::unique_ptr<Board> vision_view = board.view("vision");
   std::unique_ptr<Board> person_view = board.view("person");
-  RobotAgent robot{AgentContext{"robot", "localhost", executor, *robot_view, Random(1)}, arm};
+  RobotAgent robot{AgentContext{"robot", "localhost", executor, *robot_view, Random(1)}, arm, crs_f3()};
   VisionAgent vision{AgentContext{"vision", "localhost", executor, *vision_view, Random(2)}, eyes, nullptr};
   std::vector<std::string> names{"circle", "triangle", "square", "cross"};
 

@@ -3,7 +3,7 @@
 // A cell like LocalCell's, in which a test hears everything: the journal, and what each agent asks of the world by the
 // device link. Only the person is given the cell file's cubes, so the world may hold more than anybody was told of.
 //
-//   TappedCell cell(description, world_config(description, 7), 7);
+//   TappedCell cell(description, world_config(description, 7).value(), 7);
 //   ASSERT_TRUE(cell.build({read("(on circle triangle)")}));
 //   cell.journal(); cell.taps().at("vision").asked;
 

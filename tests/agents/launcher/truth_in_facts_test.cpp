@@ -79,7 +79,7 @@ class TruthInFacts : public testing::Test {
     ASSERT_GT(journal_.told.size(), 100U);
   }
 
-  TappedCell cell_{example_cell(), world_config(example_cell(), seed), seed};
+  TappedCell cell_{example_cell(), world_config(example_cell(), seed).value(), seed};
   Journal journal_;
 };
 
@@ -188,7 +188,7 @@ TEST_F(TruthInFacts, AgentsThatWereNotToldOfTheCubesDoAsInTheProgramsOwnCell) {
 
 // The example's world on a table so long that a fifth cube stands beyond the edge of both images.
 WorldConfig with_unseen_cube(double y_mm, Mark mark = Mark::circle) {
-  WorldConfig config = world_config(example_cell(), seed);
+  WorldConfig config = world_config(example_cell(), seed).value();
   config.table.y_high_mm = 1000;
   config.cubes.push_back({"unseen", mark, 450, y_mm, 0, ""});
   return config;

@@ -312,6 +312,17 @@ TEST(Words, AnArmThatNoDriverKnowsIsRefusedWithTheKnownOnes) {
   EXPECT_TRUE(contains(said, "crs-f3")) << said.text;
 }
 
+TEST(Words, AnotherArmOfTheSameCellReachesTheSameGoal) {
+  for (const char* arm : {"t265", "up6"}) {
+    const Said said = run(std::string("demo --arm ") + arm + " --goal '(holding circle)' --png ''");
+    EXPECT_EQ(said.status, 0) << said.text;
+    EXPECT_TRUE(contains(said, arm)) << said.text;
+  }
+  const Said said = run("demo --arm up7 --png ''");
+  EXPECT_EQ(said.status, 2);
+  EXPECT_TRUE(contains(said, "motoman-up6")) << said.text;
+}
+
 TEST(Words, AConditionThatIsNoQueryIsToldAtItsPlace) {
   const std::string file = scratch_folder() + "wrong-when.scm";
   std::ofstream(file) << "(scenario \"s\"\n  (cell \"" << pair_with("") << "\")\n  (goal (on-table circle))\n"

@@ -3,12 +3,13 @@
 #include <gtest/gtest.h>
 
 #include "agents/robot/tool_path.hpp"
+#include "drivers/arm/arm_file.hpp"
 
 namespace pizarra {
 namespace {
 
 const ArmModel& model = crs_f3();
-const Joints at_work{0, -40, -80, 0, -60, 0};
+const Joints at_work{0, -40, -80, 0, -60, 0, 2500};
 
 Eigen::Vector3d point(const Joints& joints) { return forward(model, joints).translation(); }
 
@@ -49,14 +50,15 @@ TEST(ArmScript, ArcEndsAtItsThirdPoint) {
 }
 
 TEST(ArmScript, PathLeadsThroughLearnedVariables) {
-  const ArmVariables variables{{"a", {10, -30, -70, 0, -80, 5}}, {"b", {20, -30, -70, 0, -80, 5}}};
+  const ArmVariables variables{{"a", {10, -30, -70, 0, -80, 5, 2500}}, {"b", {20, -30, -70, 0, -80, 5, 2500}}};
   const auto waypoints = script_waypoints(model, "(path a b a)", at_work, variables);
   ASSERT_TRUE(waypoints);
   EXPECT_EQ(*waypoints, (std::vector<Joints>{variables.at("a"), variables.at("b"), variables.at("a")}));
 }
 
 TEST(ArmScript, ControllerSpellingMeansTheSame) {
-  const ArmVariables variables{{"p1", at_work}, {"p2", {5, -40, -80, 0, -60, 0}}, {"p3", {5, -45, -80, 0, -55, 0}}};
+  const ArmVariables variables{
+      {"p1", at_work}, {"p2", {5, -40, -80, 0, -60, 0, 2500}}, {"p3", {5, -45, -80, 0, -55, 0, 2500}}};
   const auto lisp = script_waypoints(model, "(circle p1 p2 p3)\n(move 450 0 200)", at_work, variables);
   const auto script = script_waypoints(model, "CIRCLE p1, p2, p3\nMOVE 450, 0, 200\n", at_work, variables);
   ASSERT_TRUE(lisp) << describe(lisp.error());

@@ -8,14 +8,20 @@
 
 #include "blackboard/time/executor.hpp"
 #include "drivers/arm/arm_driver.hpp"
+#include "drivers/arm/arm_file.hpp"
+#include "drivers/arm/kinematics.hpp"
 
 namespace pizarra {
 
 class FakeArm : public ArmDriver {
- public:
-  explicit FakeArm(Executor& executor) : executor_(executor), path_{crs_f3().ready} {}
+  Executor& executor_;
+  const ArmModel& model_;
 
-  std::string type = "crs-f3";
+ public:
+  explicit FakeArm(Executor& executor, const ArmModel& model = crs_f3())
+      : executor_(executor), model_(model), path_{model.ready} {}
+
+  std::string type = model_.type;
   bool plugged = true;
   double between_fingers_mm = 0;
   int controls = 0;
@@ -33,8 +39,8 @@ class FakeArm : public ArmDriver {
         left_s -= needed_s;
         continue;
       }
-      Joints joints;
-      for (std::size_t axis = 0; axis < arm_axes; ++axis) {
+      Joints joints(path_[leg].size());
+      for (std::size_t axis = 0; axis < joints.size(); ++axis) {
         joints[axis] = path_[leg][axis] + (path_[leg + 1][axis] - path_[leg][axis]) * left_s / needed_s;
       }
       return joints;
@@ -59,7 +65,7 @@ class FakeArm : public ArmDriver {
     if (!in_control) co_return uncontrolled();
     if (moving()) co_return fail("busy", "the controller is in a move");
     for (const Joints& joints : waypoints) {
-      const Result<void> within = check_limits_of(joints);
+      const Result<void> within = check_limits(model_, joints);
       if (!within) co_return within;
     }
     ++moves;
@@ -99,25 +105,16 @@ class FakeArm : public ArmDriver {
  private:
   static std::unexpected<Failure> unplugged() { return fail("disconnected", "the plug is pulled"); }
   static std::unexpected<Failure> uncontrolled() { return fail("not-in-control", "the pendant has control"); }
-  static Result<void> check_limits_of(const Joints& joints) {
-    for (std::size_t axis = 0; axis < arm_axes; ++axis) {
-      const AxisLimits& limits = crs_f3().limits[axis];
-      if (joints[axis] >= limits.low_deg && joints[axis] <= limits.high_deg) continue;
-      return fail("joint-limit", "beyond a limit");
-    }
-    return {};
-  }
   double seconds_since(Time then) const { return std::chrono::duration<double>(executor_.now() - then).count(); }
   double leg_seconds(std::size_t leg) const {
     double slowest = 0;
-    for (std::size_t axis = 0; axis < arm_axes; ++axis) {
-      const double speed = crs_f3().limits[axis].speed_deg_s * last_speed;
+    for (std::size_t axis = 0; axis < model_.axes.size(); ++axis) {
+      const double speed = model_.axes[axis].speed * last_speed;
       slowest = std::max(slowest, std::abs(path_[leg + 1][axis] - path_[leg][axis]) / speed);
     }
     return slowest;
   }
 
-  Executor& executor_;
   std::vector<Joints> path_;
   Time begun_{};
   bool stopped_ = false;

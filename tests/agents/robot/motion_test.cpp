@@ -6,14 +6,15 @@
 
 #include "agents/robot/tool_path.hpp"
 #include "blackboard/time/random.hpp"
-#include "drivers/arm/link_geometry.hpp"
+#include "drivers/arm/arm_file.hpp"
+#include "drivers/arm/kinematics.hpp"
 #include "lisp/reader.hpp"
 
 namespace pizarra {
 namespace {
 
 const ArmModel& model = crs_f3();
-const Joints at_work{0, -40, -80, 0, -60, 0};
+const Joints at_work{0, -40, -80, 0, -60, 0, 2500};
 
 Result<Motion> planned(std::string_view operation, const Joints& from = at_work, const ArmVariables& variables = {}) {
   return plan_motion(model, read_one(operation).value(), from, variables);
@@ -34,8 +35,8 @@ double deviation_mm(const Joints& from, const std::vector<Joints>& waypoints) {
   Joints before = from;
   for (const Joints& to : waypoints) {
     for (const double part : {0.25, 0.5, 0.75, 1.0}) {
-      Joints between;
-      for (std::size_t axis = 0; axis < arm_axes; ++axis)
+      Joints between(before.size());
+      for (std::size_t axis = 0; axis < before.size(); ++axis)
         between[axis] = before[axis] + part * (to[axis] - before[axis]);
       const Eigen::Vector3d off = point(between) - start;
       worst = std::max(worst, (off - off.dot(along) * along).norm());
@@ -64,7 +65,7 @@ TEST(Motion, MovesGoWhereTheirNamesSayAndKeepTheToolDirection) {
 }
 
 TEST(Motion, EndEffectorAxisTakesBackWhatTheLinksTurn) {
-  const Result<Motion> motion = planned("(extend keep-height 60)", {25, -40, -80, 0, -50, 10});
+  const Result<Motion> motion = planned("(extend keep-height 60)", {25, -40, -80, 0, -50, 10, 2500});
   ASSERT_TRUE(motion);
   const Joints& end = motion->waypoints.back();
   EXPECT_NEAR(end[4] + 50, -((end[1] + 40) + (end[2] + 80)), 1e-9);
@@ -73,12 +74,12 @@ TEST(Motion, EndEffectorAxisTakesBackWhatTheLinksTurn) {
 }
 
 TEST(Motion, ExtendKeepingTheAngleLengthensTheLinksAlone) {
-  const LinkGeometry before = link_geometry(model, at_work);
+  const Stretch before = stretch_of(model, at_work);
   const Result<Motion> motion = planned("(extend keep-angle 30)");
   ASSERT_TRUE(motion);
-  const LinkGeometry after = link_geometry(model, motion->waypoints.back());
-  EXPECT_NEAR(after.c_mm, before.c_mm + 30, 1e-6);
-  EXPECT_NEAR(after.alpha_deg, before.alpha_deg, 1e-6);
+  const Stretch after = stretch_of(model, motion->waypoints.back());
+  EXPECT_NEAR(std::hypot(after.d_mm, after.h_mm), std::hypot(before.d_mm, before.h_mm) + 30, 1e-6);
+  EXPECT_NEAR(std::atan2(after.h_mm, after.d_mm), std::atan2(before.h_mm, before.d_mm), 1e-9);
 }
 
 TEST(Motion, ExtendPastTheReachEndsAtTheReachAndThenMovesNoFurther) {
@@ -98,19 +99,19 @@ TEST(Motion, ExtendPastTheReachEndsAtTheReachAndThenMovesNoFurther) {
 
 TEST(Motion, FullExtensionIsFoundToAHundredthOfAMillimetre) {
   // Tool level, so that no axis limit but the links' length ends it.
-  const Joints level{0, -30, -60, 0, 0.5, 0};
+  const Joints level{0, -30, -60, 0, 0.5, 0, 2500};
   const Result<Motion> motion = planned("(extend keep-height 900)", level);
   ASSERT_TRUE(motion);
-  const double h = link_geometry(model, level).h_mm;
-  const double full = std::sqrt(std::pow(model.upper_arm_mm + model.forearm_mm, 2) - h * h);
-  EXPECT_NEAR(link_geometry(model, motion->waypoints.back()).d_mm, full, 0.01);
+  const double h = stretch_of(model, level).h_mm;
+  const double full = std::sqrt(std::pow(model.upper_arm_mm + model.elbow_to_wrist_mm(), 2) - h * h);
+  EXPECT_NEAR(stretch_of(model, motion->waypoints.back()).d_mm, full, 0.01);
 }
 
 TEST(Motion, TurnsAreClampedAndRoundedToAHundredthOfADegree) {
   EXPECT_NEAR(planned("(turn right 12.344)")->waypoints.back()[0], 12.34, 1e-9);
   EXPECT_NEAR(planned("(turn left 30)")->waypoints.back()[0], -30, 1e-9);
   EXPECT_NEAR(planned("(turn right 300)")->waypoints.back()[0], 180, 1e-9);
-  EXPECT_TRUE(planned("(turn right 1)", {180, -40, -80, 0, -60, 0})->at_limit);
+  EXPECT_TRUE(planned("(turn right 1)", {180, -40, -80, 0, -60, 0, 2500})->at_limit);
   EXPECT_NEAR(planned("(turn-ef up 10)")->waypoints.back()[4], -50, 1e-9);
   EXPECT_NEAR(planned("(turn-ef down 200)")->waypoints.back()[4], -135, 1e-9);
   EXPECT_NEAR(planned("(turn-wrist right 400)")->waypoints.back()[5], 400, 1e-9);
@@ -145,12 +146,12 @@ TEST(Motion, BadDirectionsAndAmountsAreRefused) {
 TEST(Motion, PlacesOutOfReachAreRefusedRatherThanApproached) {
   const std::string down = refusal("(move-v down 900)");
   EXPECT_TRUE(down == "unreachable" || down == "joint-limit") << down;
-  const std::string right = refusal("(move-h right 900)");
+  const std::string right = refusal("(move-h right 4000)");
   EXPECT_TRUE(right == "unreachable" || right == "joint-limit") << right;
 }
 
 TEST(Motion, GotoLeadsToTheLearnedJointsAndNamesTheNearestForAnUnknownOne) {
-  const ArmVariables variables{{"shelf", {10, -30, -70, 0, -80, 5}}};
+  const ArmVariables variables{{"shelf", {10, -30, -70, 0, -80, 5, 2500}}};
   EXPECT_EQ(planned("(goto shelf)", at_work, variables)->waypoints.back(), variables.at("shelf"));
   const Result<Motion> unknown = planned("(goto shelv)", at_work, variables);
   ASSERT_FALSE(unknown);
@@ -184,7 +185,7 @@ TEST(Motion, CutOffMotionGoesOnFromTheNearestWaypoint) {
   ASSERT_TRUE(rest);
   EXPECT_EQ(rest->waypoints.front(), half);
   EXPECT_EQ(rest->waypoints.back(), whole->waypoints.back());
-  EXPECT_FALSE(rest_of(*whole, at_work, {90, 0, 0, 0, 0, 0}));
+  EXPECT_FALSE(rest_of(*whole, at_work, {90, 0, 0, 0, 0, 0, 2500}));
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ TEST_F(Robot, TakesControlAndTellsWhereTheArmStands) {
   EXPECT_EQ(arm.controls, 1);
   EXPECT_EQ(fact("(arm ? ?)"), "(arm idle \"NO_ACTION\")");
   EXPECT_EQ(fact("(arm-pose ? ? ? ? ? ?)"), "(arm-pose 370.0 0.0 410.0 180.0 0.0 0.0)");
-  EXPECT_EQ(fact("(arm-joints ?)"), "(arm-joints (0.0 0.0 -90.0 0.0 -90.0 0.0))");
+  EXPECT_EQ(fact("(arm-joints ?)"), "(arm-joints (0.0 0.0 -90.0 0.0 -90.0 0.0 2500.0))");
   EXPECT_EQ(fact("(gripper ?)"), "(gripper 80.0)");
   EXPECT_EQ(call("(get-status)"), "(ok \"NO_ACTION\")");
 }
@@ -99,7 +99,7 @@ TEST_F(Robot, GripperAnswersWhenTheFingersStandOnWhatTheyHold) {
 
 TEST_F(Robot, MonitorAnswersPoseAndJoints) {
   call("(turn right 10)");
-  EXPECT_EQ(call("(monitor)"), "(ok 364.38 64.25 410.0 180.0 0.0 10.0 10.0 0.0 -90.0 0.0 -90.0 0.0)");
+  EXPECT_EQ(call("(monitor)"), "(ok 364.38 64.25 410.0 180.0 0.0 10.0 10.0 0.0 -90.0 0.0 -90.0 0.0 2500.0)");
 }
 
 TEST_F(Robot, DistancePastTheReachIsClampedAndThenNothingMoves) {
@@ -115,7 +115,7 @@ TEST_F(Robot, DistancePastTheReachIsClampedAndThenNothingMoves) {
 TEST_F(Robot, RefusedMotionsMoveNothing) {
   const Joints before = arm.at();
   for (const std::string_view bad :
-       {"(move-v down 2000)", "(move-h left 2000)", "(turn sideways 5)", "(turn left -5)", "(retract -5)",
+       {"(move-v down 2000)", "(move-h left 4000)", "(turn sideways 5)", "(turn left -5)", "(retract -5)",
         "(extend keep-height 1e9)", "(extend keep-shape 5)", "(goto nowhere)", "(finish tomorrow)", "(turn left ten)",
         "(turn left)", "(turnn left 5)"}) {
     EXPECT_EQ(call(bad).substr(0, 5), "(fail") << bad;
@@ -138,7 +138,7 @@ TEST_F(Robot, TellsThePoseTenTimesASecondWhileItMovesAndTheLastBeforeTheReply) {
   const double seconds = std::chrono::duration<double>(executor.now() - begun).count();
   EXPECT_GE(poses.size(), static_cast<std::size_t>(seconds * 9));
   EXPECT_LE(poses.size(), static_cast<std::size_t>(seconds * 10) + 2 + 1) << "declarations may be one";
-  EXPECT_EQ(first("(arm-joints ?)", 1), "(24.0 0.0 -90.0 0.0 -90.0 0.0)");
+  EXPECT_EQ(first("(arm-joints ?)", 1), "(24.0 0.0 -90.0 0.0 -90.0 0.0 2500.0)");
 }
 
 }  // namespace

@@ -21,8 +21,9 @@ inline Datum form(std::string_view text) { return read_one(text).value(); }
 // One life of the agent: destroying it is the agent's death.
 class RobotLife {
  public:
-  RobotLife(Executor& executor, MemoryBoard& board, ArmDriver& arm)
-      : board_(board.view("robot")), agent_({"robot", "localhost", executor, *board_, Random(1)}, arm) {
+  RobotLife(Executor& executor, MemoryBoard& board, ArmDriver& arm, const ArmModel& model = crs_f3(),
+            std::optional<Room> room = {})
+      : board_(board.view("robot")), agent_({"robot", "localhost", executor, *board_, Random(1)}, arm, model, room) {
     job_ = executor.spawn(live());
   }
   std::optional<Result<void>> ended;

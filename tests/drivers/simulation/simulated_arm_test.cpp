@@ -54,9 +54,9 @@ TEST(SimulatedArm, NoAxisExceedsItsShareOfSpeed) {
   while (bench.reading().moving) {
     bench.wait(50ms);
     const Joints now = bench.reading().joints;
-    for (std::size_t axis = 0; axis < arm_axes; ++axis) {
+    for (std::size_t axis = 0; axis < bench.config.arm.axes.size(); ++axis) {
       const double rate = std::abs(now[axis] - before[axis]) / 0.05;
-      EXPECT_LE(rate, bench.config.arm.limits[axis].speed_deg_s * speed * 1.09) << "axis " << axis + 1;
+      EXPECT_LE(rate, bench.config.arm.axes[axis].speed * speed * 1.09) << "axis " << axis + 1;
       if (axis == 0) fastest = std::max(fastest, rate);
     }
     before = now;

@@ -1,0 +1,59 @@
+#include "agents/robot/guard.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+
+#include "drivers/arm/kinematics.hpp"
+
+namespace pizarra {
+
+namespace {
+
+std::optional<Failure> failure(std::string symbol, std::string sentence, Datum subject) {
+  return Failure{std::move(symbol), std::move(sentence), std::move(subject), {}};
+}
+
+}  // namespace
+
+std::optional<Failure> Guard::look(Time now, const ArmReading& reading) {
+  for (std::size_t axis = 0; axis < model_.axes.size(); ++axis) {
+    const Range& limits = model_.axes[axis].limits;
+    const double at = reading.joints[axis];
+    if (at >= limits.low - limit_slack && at <= limits.high + limit_slack) continue;
+    return failure("joint-limit",
+                   fmt::format("axis {} reads {:.2f}, beyond its {:g} to {:g}", axis + 1, at, limits.low, limits.high),
+                   to_datum(axis + 1));
+  }
+  if (const std::optional<Failure> fast = look_at_speed(now, reading.joints)) return fast;
+  if (!room_) return {};
+  const Eigen::Vector3d point = forward(model_, reading.joints).translation();
+  const bool inside = room_->holds(point);
+  was_in_room_ = was_in_room_ || inside;
+  if (inside || !was_in_room_) return {};
+  return failure("out-of-room",
+                 fmt::format("the grip centre is at ({:.0f} {:.0f} {:.0f}), out of the arm's room", point.x(),
+                             point.y(), point.z()),
+                 list("point"_sym, point.x(), point.y(), point.z()));
+}
+
+std::optional<Failure> Guard::look_at_speed(Time now, const Joints& joints) {
+  const Duration between = now - measured_at_;
+  if (measured_.size() == joints.size() && between < speed_window) return {};
+  const Joints before = measured_;
+  measured_ = joints;
+  measured_at_ = now;
+  // After a pause there is nothing to compare with.
+  if (before.size() != joints.size() || between > 2 * speed_window) return {};
+  const double seconds = std::chrono::duration<double>(between).count();
+  for (std::size_t axis = 0; axis < joints.size(); ++axis) {
+    const double speed = std::abs(joints[axis] - before[axis]) / seconds;
+    if (speed <= speed_slack * model_.axes[axis].speed) continue;
+    return failure(
+        "too-fast",
+        fmt::format("axis {} moves at {:.0f} a second, and may at {:g}", axis + 1, speed, model_.axes[axis].speed),
+        to_datum(axis + 1));
+  }
+  return {};
+}
+
+}  // namespace pizarra

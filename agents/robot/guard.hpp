@@ -1,0 +1,42 @@
+#pragma once
+
+// What an arm must not do whoever commanded it: its axes beyond their limits, or faster than they may be, or its grip
+// centre out of the room it was given. Looked at with every reading, by the agent itself, without the board.
+//
+//   Guard guard(model);
+//   if (const std::optional<Failure> why = guard.look(now, reading)) stop(*why);
+
+#include <optional>
+
+#include "agents/robot/room.hpp"
+#include "blackboard/time/clock.hpp"
+#include "drivers/arm/arm_driver.hpp"
+
+namespace pizarra {
+
+class Guard {
+ public:
+  // What a controller may report beyond a limit, degrees or mm.
+  static constexpr double limit_slack = 1;
+  // How much faster than its axis' speed a reading may seem, and over how long it is measured: readings come late.
+  static constexpr double speed_slack = 1.5;
+  static constexpr Duration speed_window = 100ms;
+
+  explicit Guard(const ArmModel& model, const std::optional<Room>& room = {}) : model_(model), room_(room) {}
+
+  // A motion begins: an arm that stands out of its room may come back.
+  void begin() { was_in_room_ = false; }
+  // Failures `joint-limit`, `too-fast` (the subject is the axis, from 1) and `out-of-room`.
+  std::optional<Failure> look(Time now, const ArmReading& reading);
+
+ private:
+  std::optional<Failure> look_at_speed(Time now, const Joints& joints);
+
+  const ArmModel& model_;
+  const std::optional<Room> room_;
+  Time measured_at_{};
+  Joints measured_;
+  bool was_in_room_ = false;
+};
+
+}  // namespace pizarra

@@ -1,0 +1,134 @@
+#include "agents/robot/reflex.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace pizarra {
+
+namespace {
+
+constexpr Duration retry_pause = 200ms;
+
+Failure stopped(std::string sentence, Datum subject) {
+  return {"stopped", std::move(sentence), std::move(subject), {}};
+}
+
+Failure stopped_by(const Datum& stop) {
+  return stopped(fmt::format("{} says stop: {}", stop[1].text(), stop[2].text()), stop);
+}
+
+bool among(const std::map<FactId, std::string>& names, const std::string& name) {
+  return std::ranges::any_of(names, [&](const auto& entry) { return entry.second == name; });
+}
+
+}  // namespace
+
+void Reflex::begin() {
+  const Datum robot = Datum::symbol(context_.name);
+  for (Datum pattern : {list("stop"_sym, "?who"_sym, "?reason"_sym), list("commander"_sym, robot, "?client"_sym),
+                        list("agent"_sym, "?name"_sym, "?kind"_sym, "?host"_sym)}) {
+    following_.push_back(context_.executor.spawn(follow(std::move(pattern))));
+  }
+}
+
+Task<void> Reflex::follow(Datum pattern) {
+  const Query query = query_for(pattern);
+  const std::string relation(pattern.head());
+  while (true) {
+    const Result<std::unique_ptr<Watch>> watch = co_await context_.board.watch(query);
+    bool watching = watch.has_value();
+    while (watching) {
+      const Result<Change> change = co_await (*watch)->next();
+      watching = change.has_value();
+      if (watching) see(relation, *change);
+    }
+    co_await sleep(context_.executor, retry_pause);
+  }
+}
+
+void Reflex::see(const std::string& relation, const Change& change) {
+  if (change.resynchronised) {
+    const bool commanded = among(commanders_, client_);
+    forget(relation);
+    for (const Answer& answer : change.added) add(answer.facts.front());
+    const bool lost = (leased_ && !among(present_, client_)) || (commanded && !among(commanders_, client_));
+    if (lost) gone(client_);
+    return;
+  }
+  for (const Answer& answer : change.added) add(answer.facts.front());
+  for (const Answer& answer : change.removed) remove(answer.facts.front());
+}
+
+void Reflex::forget(const std::string& relation) {
+  if (relation == "stop") stops_.clear();
+  if (relation == "commander") commanders_.clear();
+  if (relation == "agent") present_.clear();
+}
+
+void Reflex::add(const Fact& fact) {
+  if (fact.datum.is_form("stop")) {
+    stops_.insert_or_assign(fact.id, fact.datum);
+    control_.stop_at_once(stopped_by(fact.datum));
+  } else if (fact.datum.is_form("agent")) {
+    present_.insert_or_assign(fact.id, fact.datum[1].text());
+  } else if (fact.datum[2].is_symbol(fact.teller)) {
+    // Who commands says so itself.
+    commanders_.insert_or_assign(fact.id, fact.teller);
+  }
+}
+
+void Reflex::remove(const Fact& fact) {
+  stops_.erase(fact.id);
+  const auto commander = commanders_.find(fact.id);
+  if (commander != commanders_.end()) {
+    const std::string client = commander->second;
+    commanders_.erase(commander);
+    gone(client);
+  }
+  const auto agent = present_.find(fact.id);
+  if (agent == present_.end()) return;
+  const std::string name = agent->second;
+  present_.erase(agent);
+  if (leased_ && !among(present_, name)) gone(name);
+}
+
+void Reflex::gone(const std::string& client) {
+  if (client != client_) return;
+  control_.stop_at_once(stopped(fmt::format("{}, who commanded this, is gone", client), Datum::symbol(client)));
+}
+
+Result<void> Reflex::allows(const std::string& client) const {
+  if (!stops_.empty()) {
+    const Datum& stop = stops_.begin()->second;
+    return fail("halted", fmt::format("{} says stop: {}", stop[1].text(), stop[2].text()), stop);
+  }
+  if (commanders_.empty() || commanders_.begin()->second == client) return {};
+  const std::string& commander = commanders_.begin()->second;
+  return fail("not-commander", fmt::format("{} commands the arm", commander), Datum::symbol(commander));
+}
+
+Task<void> Reflex::watch_motion(std::string client, LeaseId lease) {
+  client_ = std::move(client);
+  leased_ = among(present_, client_);
+  silence_ = 0;
+  const Job asking = context_.executor.spawn(ask_board(lease));
+  while (true) {
+    co_await sleep(context_.executor, beat);
+    if (++silence_ < silent_beats) continue;
+    silence_ = 0;
+    const Duration silent = silent_beats * beat;
+    control_.stop_at_once(stopped(fmt::format("the board has not answered for {} ms", silent.count() / 1000), Datum()));
+  }
+}
+
+Task<void> Reflex::ask_board(LeaseId lease) {
+  while (true) {
+    const Result<void> answered = co_await context_.board.renew(lease);
+    // One that has forgotten the lease is there all the same.
+    const bool there = answered || answered.error().symbol != "unreachable";
+    if (there) silence_ = 0;
+    co_await sleep(context_.executor, beat);
+  }
+}
+
+}  // namespace pizarra

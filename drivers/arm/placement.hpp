@@ -1,0 +1,34 @@
+#pragma once
+
+// The three axes that place the wrist centre, for every build: where they put it, and every way to put it somewhere.
+// Without the track; base frame.
+
+#include "drivers/arm/angles.hpp"
+#include "drivers/arm/posture.hpp"
+
+namespace pizarra {
+
+struct Placement {
+  Eigen::Vector3d wrist_mm;  // the wrist centre
+  // z the direction in which the wrist points at pitch 0; with the tool down it is that of the tool frame.
+  Eigen::Matrix3d forearm;
+};
+
+Placement place(const ArmModel& model, const Posture& posture);
+
+// Ways to put the wrist centre at a point: front and back, elbow above and below. Limits are not looked at.
+struct Ways {
+  std::array<std::array<double, 3>, 4> ways;
+  std::size_t count = 0;
+  void add(double a, double b, double c) { ways[count++] = {a, b, c}; }
+};
+
+// `heading_deg` is where axis 1 stands when the wrist centre is on it, and any direction would do.
+Ways ways_to(const ArmModel& model, const Eigen::Vector3d& wrist_mm, double heading_deg);
+
+inline constexpr double on_axis_1_mm = 1e-6;  // nearer to it the wrist centre counts as on axis 1
+
+// The furthest that the wrist centre comes from the foot of axis 1.
+double longest_reach_mm(const ArmModel& model);
+
+}  // namespace pizarra

@@ -1,0 +1,18 @@
+#pragma once
+
+// What an arm looks like, whatever its build: a pedestal, its links and joints along its skeleton.
+
+#include <vector>
+
+#include "drivers/arm/kinematics.hpp"
+#include "drivers/simulation/render/solid.hpp"
+
+namespace pizarra {
+
+// What stands under axis 1, `foot_mm` being where axis 1 meets the table. A gantry has none.
+void add_pedestal(std::vector<Solid>& solids, const ArmModel& arm, const Eigen::Vector3d& foot_mm);
+
+// All that moves with the arm's axes, up to the flange; the pedestal too, where a track carries it.
+void add_arm(std::vector<Solid>& solids, const ArmModel& arm, const Joints& joints);
+
+}  // namespace pizarra

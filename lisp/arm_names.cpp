@@ -1,0 +1,29 @@
+#include "lisp/arm_names.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace pizarra {
+
+std::vector<std::string> arm_names() {
+  std::vector<std::string> names;
+  std::error_code unreadable;
+  for (const auto& entry : std::filesystem::directory_iterator(PIZARRA_ARMS, unreadable)) {
+    if (entry.path().extension() == ".scm") names.push_back(entry.path().stem().string());
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
+std::string shipped_arm_file(std::string_view name) {
+  return std::string(PIZARRA_ARMS) + "/" + std::string(name) + ".scm";
+}
+
+std::string arm_called(std::string_view name) {
+  for (const std::string& known : arm_names()) {
+    if (known == name || known.ends_with("-" + std::string(name))) return known;
+  }
+  return "";
+}
+
+}  // namespace pizarra

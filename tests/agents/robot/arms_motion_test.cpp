@@ -1,0 +1,156 @@
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "agents/robot/motion.hpp"
+#include "blackboard/time/random.hpp"
+#include "drivers/arm/arm_file.hpp"
+#include "drivers/arm/posture.hpp"
+#include "lisp/arm_names.hpp"
+#include "lisp/reader.hpp"
+
+// What the seventeen operations mean is the same for every arm that comes with the tree.
+
+namespace pizarra {
+namespace {
+
+constexpr std::uint64_t seed = 4;
+
+std::vector<ArmModel> arms() {
+  std::vector<ArmModel> all;
+  for (const std::string& name : arm_names()) all.push_back(shipped_arm(name).value());
+  return all;
+}
+
+Result<Motion> planned(const ArmModel& arm, const std::string& operation, const Joints& from) {
+  return plan_motion(arm, read_one(operation).value(), from, {});
+}
+
+// The tool down, somewhere around where work begins.
+Joints somewhere(const ArmModel& arm, Random& random) {
+  while (true) {
+    ToolPose pose = forward(arm, arm.ready);
+    pose.translation() += Eigen::Vector3d(random.uniform(-60, 60), random.uniform(-120, 120), random.uniform(-60, 20));
+    const Result<Joints> joints = inverse(arm, pose, arm.ready);
+    if (joints) return *joints;
+  }
+}
+
+Joints between(const Joints& from, const Joints& to, double part) {
+  Joints joints(from.size());
+  for (std::size_t axis = 0; axis < joints.size(); ++axis) joints[axis] = std::lerp(from[axis], to[axis], part);
+  return joints;
+}
+
+// The furthest that the arm leaves the straight line to where it ends, and its tool's direction leaves that of the
+// beginning, on the way and not only at its end.
+struct Deviation {
+  double mm = 0;
+  double tilt = 0;
+};
+Deviation deviation(const ArmModel& arm, const Joints& from, const std::vector<Joints>& waypoints) {
+  const ToolPose start = forward(arm, from);
+  const Eigen::Vector3d along = (forward(arm, waypoints.back()).translation() - start.translation()).normalized();
+  Deviation worst;
+  Joints before = from;
+  for (const Joints& to : waypoints) {
+    for (const double part : {0.25, 0.5, 0.75, 1.0}) {
+      const ToolPose pose = forward(arm, between(before, to, part));
+      const Eigen::Vector3d off = pose.translation() - start.translation();
+      worst.mm = std::max(worst.mm, (off - off.dot(along) * along).norm());
+      worst.tilt = std::max(worst.tilt, (pose.linear() - start.linear()).norm());
+    }
+    before = to;
+  }
+  return worst;
+}
+
+TEST(ArmsMotion, LinesAreStraightAllAlongAndKeepTheTool) {
+  for (const ArmModel& arm : arms()) {
+    Random random(seed);
+    int checked = 0;
+    for (int i = 0; i < 60; ++i) {
+      const Joints from = somewhere(arm, random);
+      for (const char* operation :
+           {"(move-h right 37)", "(move-h left 20)", "(move-v up 23)", "(move-v down 31)", "(extend keep-height 25)",
+            "(retract 18)", "(extend keep-distance 12)", "(extend keep-angle 15)"}) {
+        const Result<Motion> motion = planned(arm, operation, from);
+        if (!motion || motion->waypoints.empty()) continue;
+        ++checked;
+        const Deviation off = deviation(arm, from, motion->waypoints);
+        EXPECT_LT(off.mm, 0.1) << arm.type << " " << operation << " seed " << seed << " case " << i;
+        EXPECT_LT(off.tilt, 2e-3) << arm.type << " " << operation << " seed " << seed << " case " << i;
+      }
+    }
+    EXPECT_GT(checked, 300) << arm.type;
+  }
+}
+
+TEST(ArmsMotion, FullyExtendedAndContractedArmsDoNotMove) {
+  for (const ArmModel& arm : arms()) {
+    for (const char* operation : {"(extend keep-height 9000)", "(retract 9000)", "(extend keep-distance 9000)"}) {
+      const Result<Motion> all = planned(arm, operation, arm.ready);
+      ASSERT_TRUE(all) << arm.type << " " << operation;
+      if (all->waypoints.empty()) continue;
+      const Result<Motion> more = planned(arm, operation, all->waypoints.back());
+      ASSERT_TRUE(more) << arm.type << " " << operation;
+      EXPECT_TRUE(more->waypoints.empty()) << arm.type << " " << operation;
+      EXPECT_TRUE(more->at_limit) << arm.type << " " << operation;
+    }
+  }
+}
+
+TEST(ArmsMotion, TurnsGoTheSameWayOnEveryArmToAHundredthOfADegree) {
+  for (const ArmModel& arm : arms()) {
+    const auto turn = arm.axis_of(Role::turn);
+    const Result<Motion> motion = planned(arm, "(turn right 10.004)", arm.ready);
+    if (!turn) {
+      ASSERT_FALSE(motion);
+      EXPECT_EQ(motion.error().symbol, "no-such-axis") << arm.type;
+      continue;
+    }
+    ASSERT_TRUE(motion);
+    const Joints& there = motion->waypoints.back();
+    EXPECT_NEAR(std::abs(there[*turn] - arm.ready[*turn]), 10, 1e-9) << arm.type;
+    const Eigen::Vector3d before = forward(arm, arm.ready).translation();
+    const Eigen::Vector3d after = forward(arm, there).translation();
+    EXPECT_GT(before.cross(after).z(), 0) << arm.type << ": right is towards y";
+    const Result<Motion> back = planned(arm, "(turn-wrist left 10)", there);
+    ASSERT_TRUE(back) << arm.type;
+    const Eigen::Matrix3d fingers = forward(arm, back->waypoints.back()).linear();
+    EXPECT_LT((fingers - forward(arm, arm.ready).linear()).norm(), 1e-9) << arm.type;
+  }
+}
+
+TEST(ArmsMotion, ToolIsClampedByItsStopsWhereALinkageHoldsIt) {
+  const ArmModel arm = shipped_arm("crs-t265").value();
+  const Result<Motion> motion = planned(arm, "(turn-ef down 180)", arm.ready);
+  ASSERT_TRUE(motion);
+  // The forearm is level, so the stops leave 110 degrees either way.
+  EXPECT_NEAR(motion->waypoints.back()[3], -110, 1e-9);
+}
+
+TEST(ArmsMotion, TrackHelpsWhereALineGoesFurtherThanTheLinks) {
+  const ArmModel arm = shipped_arm("crs-f3").value();
+  const Result<Motion> motion = planned(arm, "(move-h right 900)", arm.ready);
+  ASSERT_TRUE(motion) << motion.error().sentence;
+  EXPECT_GT(motion->waypoints.back()[6], arm.ready[6] + 300);
+  EXPECT_LT(deviation(arm, arm.ready, motion->waypoints).mm, 0.1);
+  // Its links stretch, and nothing else does.
+  EXPECT_EQ(planned(arm, "(extend keep-height 900)", arm.ready)->waypoints.back()[6], arm.ready[6]);
+}
+
+TEST(ArmsMotion, TrackIsCommandedByAnAction) {
+  const ArmModel arm = shipped_arm("crs-f3").value();
+  const Result<Motion> motion = planned(arm, "(do-action \"(track 3000)\")", arm.ready);
+  ASSERT_TRUE(motion) << motion.error().sentence;
+  EXPECT_EQ(motion->waypoints.back()[6], 3000);
+  EXPECT_EQ(planned(arm, "(do-action \"(track 5001)\")", arm.ready).error().symbol, "joint-limit");
+  EXPECT_EQ(
+      planned(shipped_arm("motoman-up6").value(), "(do-action \"(track 5)\")", shipped_arm("motoman-up6").value().ready)
+          .error()
+          .symbol,
+      "no-such-axis");
+}
+
+}  // namespace
+}  // namespace pizarra

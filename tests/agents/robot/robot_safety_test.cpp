@@ -1,0 +1,211 @@
+#include "agents/robot/guard.hpp"
+#include "tests/agents/robot/robot_fixture.hpp"
+
+// What stops the arm without its commander being asked, and who may command it.
+
+namespace pizarra {
+namespace {
+
+class RobotSafety : public Robot {
+ protected:
+  void tell(std::string_view teller, std::string_view fact, LeaseId lease = 0) {
+    Transaction telling;
+    telling.tell(form(fact), {}, lease);
+    const Result<Revision> told = board.transact(std::string(teller), telling);
+    ASSERT_TRUE(told) << told.error().sentence;
+  }
+  void retract(std::string_view pattern) {
+    Transaction retraction;
+    retraction.retract(form(pattern));
+    ASSERT_TRUE(board.transact("user", retraction));
+  }
+  // A motion in hand that `teller` asked for; its reply is under the id that is answered.
+  std::string begin_motion(std::string_view teller = "user") {
+    const std::string id = fmt::format("m{}", ++asked);
+    tell(teller, fmt::format("(request {} robot (turn right 150))", id));
+    executor.run_for(200ms);
+    EXPECT_TRUE(arm.moving());
+    return id;
+  }
+};
+
+TEST_F(RobotSafety, StopFactFromAnyoneStopsTheMotionAndSaysWhoAndWhy) {
+  const std::string id = begin_motion();
+  tell("passer-by", "(stop passer-by \"mind the dog\")");
+  executor.run_for(100ms);
+  EXPECT_FALSE(arm.moving());
+  EXPECT_EQ(reply(id), "(fail stopped \"passer-by says stop: mind the dog\" (stop passer-by \"mind the dog\"))");
+  EXPECT_EQ(first("(arm ?state ?action)", 1), "stopped");
+}
+
+TEST_F(RobotSafety, NothingMovesWhileAStopStandsNorByItselfAfterwards) {
+  begin_motion();
+  tell("passer-by", "(stop passer-by \"wait\")");
+  executor.run_for(200ms);
+  EXPECT_EQ(refusal("(home)"), "halted");
+  EXPECT_EQ(refusal("(gripper 20)"), "halted");
+  EXPECT_EQ(call("(monitor)").substr(0, 4), "(ok ");
+  retract("(stop passer-by ?)");
+  executor.run_for(2s);
+  EXPECT_FALSE(arm.moving());
+  EXPECT_EQ(call("(home)"), "(ok true)");
+}
+
+TEST_F(RobotSafety, FingersStopToo) {
+  const std::string id = ask("(gripper 0)");
+  executor.run_for(200ms);
+  tell("passer-by", "(stop passer-by \"my finger\")");
+  executor.run_for(200ms);
+  EXPECT_EQ(form(reply(id))[1].text(), "stopped");
+  EXPECT_GT(arm.opening(), 20);
+}
+
+TEST_F(RobotSafety, CommandsAreOneClientsAndMonitoringEverybodys) {
+  const LeaseId lease = board.lease(10s).value();
+  tell("anna", "(commander robot anna)", lease);
+  tell("user", "(commander robot user)");
+  executor.run_for(100ms);
+  EXPECT_EQ(refusal("(home)"), "not-commander");
+  EXPECT_EQ(call("(get-status)"), "(ok \"NO_ACTION\")");
+  begin_motion("anna");
+  EXPECT_EQ(call("(finish stop)"), "(ok true)");
+  ASSERT_TRUE(board.release(lease));
+  executor.run_for(100ms);
+  EXPECT_EQ(call("(home)"), "(ok true)") << "user is the next in line";
+}
+
+TEST_F(RobotSafety, NobodyMakesAnotherTheCommander) {
+  tell("mallory", "(commander robot anna)");
+  executor.run_for(100ms);
+  EXPECT_EQ(call("(home)"), "(ok true)");
+}
+
+TEST_F(RobotSafety, CommanderWhoseLeaseLapsesStopsTheArmWithinATenthOfASecond) {
+  const LeaseId lease = board.lease(10s).value();
+  tell("anna", "(commander robot anna)", lease);
+  const std::string id = begin_motion("anna");
+  ASSERT_TRUE(board.release(lease));
+  executor.run_for(100ms);
+  EXPECT_FALSE(arm.moving());
+  EXPECT_EQ(reply(id), "(fail stopped \"anna, who commanded this, is gone\" anna)");
+}
+
+TEST_F(RobotSafety, ClientThatIsNoLongerPresentStopsTheArm) {
+  const LeaseId lease = board.lease(10s).value();
+  tell("anna", "(agent anna person \"here\")", lease);
+  executor.run_for(100ms);
+  const std::string id = begin_motion("anna");
+  ASSERT_TRUE(board.release(lease));
+  executor.run_for(100ms);
+  EXPECT_FALSE(arm.moving());
+  EXPECT_EQ(form(reply(id))[1].text(), "stopped");
+}
+
+// A board that goes silent: calls wait for as long as it is muted.
+class MutedBoard : public Board {
+ public:
+  MutedBoard(Executor& executor, std::unique_ptr<Board> board) : executor_(executor), board_(std::move(board)) {}
+  bool muted = false;
+
+  Task<Result<void>> declare(std::vector<Relation> relations) override { return board_->declare(std::move(relations)); }
+  Task<Result<Revision>> transact(Transaction transaction) override {
+    co_await heard();
+    co_return co_await board_->transact(std::move(transaction));
+  }
+  Task<Result<Answers>> ask(Query query) override { return board_->ask(std::move(query)); }
+  Task<Result<std::unique_ptr<Watch>>> watch(Query query) override { return board_->watch(std::move(query)); }
+  Task<Result<std::optional<Fact>>> take(Datum pattern, LeaseId holder) override {
+    return board_->take(std::move(pattern), holder);
+  }
+  Task<Result<LeaseId>> lease(Duration length) override { return board_->lease(length); }
+  Task<Result<void>> renew(LeaseId lease) override {
+    co_await heard();
+    co_return co_await board_->renew(lease);
+  }
+  Task<Result<void>> release(LeaseId lease) override { return board_->release(lease); }
+
+ private:
+  Task<void> heard() {
+    while (muted) co_await sleep(executor_, 10ms);
+  }
+  Executor& executor_;
+  std::unique_ptr<Board> board_;
+};
+
+TEST_F(RobotSafety, BoardThatFallsSilentStopsTheArmWithinATenthOfASecond) {
+  life.reset();
+  executor.run_for(3s);
+  MutedBoard muted(executor, board.view("robot"));
+  RobotAgent agent({"robot", "localhost", executor, muted, Random(1)}, arm, crs_f3());
+  const Job job = executor.spawn([](RobotAgent& robot) -> Task<void> {
+    const Result<void> ended = co_await robot.run();
+    EXPECT_TRUE(ended) << ended.error().sentence;
+  }(agent));
+  executor.run_for(1s);
+  const std::string id = begin_motion();
+  muted.muted = true;
+  executor.run_for(100ms);
+  EXPECT_FALSE(arm.moving());
+  const Joints stood = arm.at();
+  muted.muted = false;
+  executor.run_for(1s);
+  EXPECT_EQ(reply(id), "(fail stopped \"the board has not answered for 80 ms\" ())");
+  EXPECT_EQ(arm.at(), stood) << "nothing goes on before it is asked for";
+}
+
+ArmReading reading_of(const Joints& joints) { return {joints, true, false, 80, false}; }
+
+TEST(Guard, SpeedAboveAnAxisOwnIsNoticedAndItsOwnIsNot) {
+  const ArmModel& arm = crs_f3();
+  for (const double factor : {0.5, 1.0, 1.2, 2.0}) {
+    Guard guard(arm);
+    Joints joints = arm.ready;
+    std::optional<Failure> noticed;
+    for (int i = 0; i < 20 && !noticed; ++i) {
+      noticed = guard.look(Time{} + i * 20ms, reading_of(joints));
+      joints[2] += factor * arm.axes[2].speed * 0.02;
+    }
+    ASSERT_EQ(noticed.has_value(), factor > Guard::speed_slack) << factor;
+    if (!noticed) continue;
+    EXPECT_EQ(noticed->symbol, "too-fast");
+    EXPECT_EQ(noticed->subject, to_datum(3));
+  }
+}
+
+TEST(Guard, AxisBeyondItsLimitsIsNamed) {
+  Guard guard(crs_f3());
+  Joints joints = crs_f3().ready;
+  joints[1] = 46.5;
+  const std::optional<Failure> noticed = guard.look(Time{}, reading_of(joints));
+  ASSERT_TRUE(noticed);
+  EXPECT_EQ(noticed->symbol, "joint-limit");
+  EXPECT_EQ(noticed->subject, to_datum(2));
+}
+
+TEST(Guard, RoomIsLeftByNobodyAndComeBackToByAll) {
+  const ArmModel& arm = crs_f3();
+  Guard guard(arm, Room{{200, -300, 30}, {380, 300, 700}});
+  guard.begin();
+  EXPECT_FALSE(guard.look(Time{}, reading_of(arm.ready)));
+  Joints out = arm.ready;
+  out[0] = 70;
+  const std::optional<Failure> noticed = guard.look(Time{} + 20ms, reading_of(out));
+  ASSERT_TRUE(noticed);
+  EXPECT_EQ(noticed->symbol, "out-of-room");
+  guard.begin();
+  EXPECT_FALSE(guard.look(Time{} + 1s, reading_of(out)));
+}
+
+TEST_F(RobotSafety, MotionOutOfTheRoomIsRefusedBeforeAnythingMoves) {
+  life.reset();
+  executor.run_for(3s);
+  life.emplace(executor, board, arm, crs_f3(), Room{{200, -300, 30}, {380, 300, 700}});
+  executor.run_for(1s);
+  EXPECT_EQ(refusal("(extend keep-height 60)"), "out-of-room");
+  EXPECT_EQ(refusal("(turn right 90)"), "out-of-room");
+  EXPECT_EQ(arm.at(), crs_f3().ready);
+  EXPECT_EQ(call("(move-v down 50)"), "(ok true)");
+}
+
+}  // namespace
+}  // namespace pizarra

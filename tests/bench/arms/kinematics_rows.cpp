@@ -1,0 +1,163 @@
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <fstream>
+#include <numbers>
+
+#include "blackboard/time/random.hpp"
+#include "drivers/arm/arm_file.hpp"
+#include "drivers/arm/kinematics.hpp"
+#include "drivers/arm/posture.hpp"
+#include "lisp/arm_names.hpp"
+#include "tests/bench/arms/rows.hpp"
+#include "tests/bench/measure.hpp"
+
+namespace pizarra::bench {
+
+namespace {
+
+constexpr std::uint64_t seed = 1;
+constexpr double most_mm = 0.01;
+constexpr double most_deg = 0.001;
+
+Joints random_joints(const ArmModel& arm, Random& random) {
+  Joints joints(arm.axes.size());
+  for (std::size_t axis = 0; axis < joints.size(); ++axis) {
+    const Range range = range_of(arm, joints, axis);
+    joints[axis] = random.uniform(range.low, range.high);
+  }
+  return joints;
+}
+
+// Where the arm is when it is asked: anywhere, but with its track where the target was made.
+Joints random_start(const ArmModel& arm, Random& random, const Joints& target) {
+  Joints start = random_joints(arm, random);
+  if (const auto track = arm.axis_of(Role::track)) start[*track] = target[*track];
+  return start;
+}
+
+struct Error {
+  double mm;
+  double deg;
+};
+Error error_of(const ArmModel& arm, const Joints& joints, const ToolPose& wanted) {
+  const ToolPose got = forward(arm, joints);
+  const double chord = (got.linear() - wanted.linear()).norm() / std::sqrt(8.0);
+  return {(got.translation() - wanted.translation()).norm(),
+          2 * std::asin(std::min(1.0, chord)) * 180 / std::numbers::pi};
+}
+
+struct Move {
+  ToolPose pose;
+  Joints near;
+};
+
+void time_moves(ArmsBench& bench, const ArmModel& arm) {
+  constexpr std::size_t kinds = 2000;
+  constexpr int times = 10;
+  Random random(seed);
+  std::vector<Move> moves;
+  for (std::size_t i = 0; i < kinds; ++i) {
+    // From one place to another a step away, as along a line.
+    const Joints from = random_joints(arm, random);
+    Joints to = from;
+    for (std::size_t axis = 0; axis < to.size(); ++axis) {
+      if (arm.axes[axis].role == Role::track) continue;
+      const Range range = range_of(arm, to, axis);
+      to[axis] = std::clamp(to[axis] + random.uniform(-1, 1), range.low, range.high);
+    }
+    moves.push_back({forward(arm, to), from});
+  }
+  double sum = 0;
+  const std::vector<double> seconds =
+      medians_in_turns(9, {[&] {
+                         for (int i = 0; i < times; ++i) {
+                           for (const Move& move : moves)
+                             sum += inverse_in_place(arm, move.pose, move.near).value_or(Joints(1))[0];
+                         }
+                       }});
+  const double us = seconds.front() * 1e6 / (times * static_cast<double>(kinds));
+  bench.figures.say(
+      {arm.type + ": inverse of one move", us, "us", at_most(5), {}, std::isnan(sum) ? "not a number" : ""});
+}
+
+void try_reachable(ArmsBench& bench, const ArmModel& arm) {
+  Random random(seed);
+  std::uint64_t solved = 0;
+  Error worst{0, 0};
+  for (std::uint64_t i = 0; i < bench.targets; ++i) {
+    const Joints there = random_joints(arm, random);
+    const ToolPose pose = forward(arm, there);
+    const Result<Joints> joints = inverse(arm, pose, random_start(arm, random, there));
+    if (!joints || !check_limits(arm, *joints)) continue;
+    const Error error = error_of(arm, *joints, pose);
+    worst = {std::max(worst.mm, error.mm), std::max(worst.deg, error.deg)};
+    if (error.mm <= most_mm && error.deg <= most_deg) ++solved;
+  }
+  const auto all = static_cast<double>(bench.targets);
+  bench.figures.say({arm.type + ": reachable targets solved",
+                     static_cast<double>(solved),
+                     "targets",
+                     at_least(all, fmt::format("all {}", bench.targets)),
+                     {},
+                     fmt::format("worst {:.1e} mm, {:.1e} degree", worst.mm, worst.deg)});
+}
+
+// Targets far out with any direction, so that most cannot be reached: what is accepted must be reached all the same.
+void try_unreachable(ArmsBench& bench, const ArmModel& arm) {
+  Random random(seed + 1);
+  std::uint64_t refused = 0;
+  std::uint64_t wrong = 0;
+  constexpr double out_of_all_reach_mm = 20'000;
+  for (std::uint64_t i = 0; i < bench.targets; ++i) {
+    const bool far = i % 2 == 0;
+    const Joints there = random_joints(arm, random);
+    ToolPose pose = forward(arm, there);
+    Eigen::Vector3d offset(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+    pose.translation() +=
+        far ? Eigen::Vector3d(offset.normalized() * out_of_all_reach_mm) : Eigen::Vector3d(offset * 1000);
+    const Result<Joints> joints = inverse_in_place(arm, pose, there);
+    if (!joints) {
+      ++refused;
+      continue;
+    }
+    const Error error = error_of(arm, *joints, pose);
+    if (far || error.mm > most_mm || error.deg > most_deg || !check_limits(arm, *joints)) ++wrong;
+  }
+  bench.figures.say({arm.type + ": unreachable targets accepted",
+                     static_cast<double>(wrong),
+                     "targets",
+                     at_most(0),
+                     {},
+                     fmt::format("{} of {} refused", refused, bench.targets)});
+}
+
+std::vector<ArmModel> arms() {
+  std::vector<ArmModel> all;
+  for (const std::string& name : arm_names()) all.push_back(shipped_arm(name).value());
+  return all;
+}
+
+}  // namespace
+
+void one_move(ArmsBench& bench) {
+  for (const ArmModel& arm : arms()) time_moves(bench, arm);
+}
+
+void random_targets(ArmsBench& bench) {
+  for (const ArmModel& arm : arms()) {
+    try_reachable(bench, arm);
+    try_unreachable(bench, arm);
+  }
+}
+
+void lines_of_description(ArmsBench& bench) {
+  for (const std::string& name : arm_names()) {
+    std::ifstream file(shipped_arm_file(name));
+    int lines = 0;
+    for (std::string line; std::getline(file, line);) ++lines;
+    bench.figures.say({name + ": description", lines, "lines", at_most(59, "< 60")});
+  }
+}
+
+}  // namespace pizarra::bench
