@@ -28,11 +28,11 @@ Result<Eigen::Vector3d> Aims::seen(std::string_view name) const {
   return surroundings_.sightings().find(name)->place_mm;
 }
 
-Result<Eigen::Vector3d> Aims::held(std::string_view name) const {
-  const Result<Eigen::Vector3d> mark = seen(options_.gripper.mark);
-  if (!mark) return mark;
-  if (surroundings_.sightings().recent(name, 1)) return surroundings_.sightings().find(name)->place_mm;
-  return Eigen::Vector3d(*mark + surroundings_.mark_to_front_mm());
+Result<Eigen::Vector3d> Aims::grip() const {
+  const std::optional<Eigen::Vector3d> grip = surroundings_.grip_mm();
+  if (grip) return *grip;
+  const std::string& mark = options_.gripper.mark;
+  return fail("unseen", fmt::format("{} is not seen, and the arm does not say where it is", mark), Datum::symbol(mark));
 }
 
 Result<Eigen::Vector3d> Aims::on_table(double x_mm, double y_mm) const {
@@ -72,28 +72,30 @@ Result<Eigen::Vector3d> Aims::free_spot_for(std::string_view held) {
 
 Result<Aim> Aims::at(const Datum& target) {
   if (!surroundings_.view()) return fail("unseen", "the camera has not said how it projects");
+  const Result<Eigen::Vector3d> grip = this->grip();
+  if (!grip) return fail(grip);
   if (target.is_symbol()) {
     const Result<Eigen::Vector3d> object = seen(target.text());
     if (!object) return fail(object);
-    const Result<Eigen::Vector3d> mark = seen(options_.gripper.mark);
-    if (!mark) return fail(mark);
-    return Aim{*mark, *object - surroundings_.mark_to_front_mm()};
+    const Eigen::Vector3d to_mark = -surroundings_.mark_to_front_mm();
+    return Aim{*grip + to_mark, *object + to_mark, grip->z()};
   }
   if (target.size() < 2) return fail("bad-target", "this is no target of a micro-task", target);
-  const Result<Eigen::Vector3d> followed = held(target[1].text());
-  if (!followed) return fail(followed);
+  const std::string_view held = target[1].text();
+  const bool held_is_seen = surroundings_.sightings().recent(held, 1);
+  const Eigen::Vector3d followed = held_is_seen ? surroundings_.sightings().find(held)->place_mm : *grip;
   Result<Eigen::Vector3d> wanted = fail("bad-target", "this is no target of a micro-task", target);
   if (target.is_form("on-top") && target.size() == 3) {
     wanted = on_top_of(target[2].text());
   } else if (target.is_form("free-spot")) {
-    wanted = free_spot_for(target[1].text());
+    wanted = free_spot_for(held);
   } else if (target.is_form("at-place") && target.size() == 3) {
     const Datum* spot = domain_.spot(target[2].text());
     if (!spot) return fail("unknown-place", "perception has no (spot PLACE X Y) for this place", target[2]);
     wanted = on_table((*spot)[2].number(), (*spot)[3].number());
   }
   if (!wanted) return fail(wanted);
-  return Aim{*followed, *wanted};
+  return Aim{followed, *wanted, grip->z()};
 }
 
 double Aims::opening_around(std::string_view object, double wide_mm) const {
@@ -110,8 +112,7 @@ double Aims::opening_around(std::string_view object, double wide_mm) const {
 }
 
 // The arm's axis 1 is the base frame's origin, and the tool's axis stands behind the mark.
-ServoErrors servo_errors(const Aim& aim, const CameraView& view, double mark_before_grip_mm, double grip_height_mm,
-                         double travel_mm) {
+ServoErrors servo_errors(const Aim& aim, const CameraView& view, double mark_before_grip_mm, double travel_mm) {
   const Eigen::Vector3d now = aim.followed_mm + mark_before_grip_mm * view.away();
   const Eigen::Vector3d then = aim.wanted_mm + mark_before_grip_mm * view.away();
   const double radius = std::hypot(then.x(), then.y());
@@ -121,7 +122,7 @@ ServoErrors servo_errors(const Aim& aim, const CameraView& view, double mark_bef
           .bearing_deg = turn * 180 / std::numbers::pi,
           .along_mm = radius - std::hypot(now.x(), now.y()),
           .down_mm = now.z() - then.z(),
-          .clearance_mm = travel_mm - grip_height_mm};
+          .clearance_mm = travel_mm - aim.grip_height_mm};
 }
 
 ServoPixels servo_pixels(const Aim& aim, const CameraView& view) {

@@ -11,6 +11,7 @@ namespace pizarra {
 struct Aim {
   Eigen::Vector3d followed_mm;  // where the mark is: the end effector's, or that of the held object
   Eigen::Vector3d wanted_mm;    // where it is to be
+  double grip_height_mm;        // where the gripper is
 };
 
 class Aims {
@@ -20,14 +21,14 @@ class Aims {
 
   // A new operation: a free spot is chosen anew.
   void reset() { spot_.reset(); }
-  // Failures: unseen (with the object that is), no-room, unknown-place, bad-target.
+  // Failures: unseen (with the mark that is), no-room, unknown-place, bad-target.
   Result<Aim> at(const Datum& target);
   // How far the gripper may open around an object, mm.
   double opening_around(std::string_view object, double wide_mm) const;
 
  private:
   Result<Eigen::Vector3d> seen(std::string_view name) const;
-  Result<Eigen::Vector3d> held(std::string_view name) const;
+  Result<Eigen::Vector3d> grip() const;
   Result<Eigen::Vector3d> on_top_of(std::string_view lower) const;
   Result<Eigen::Vector3d> free_spot_for(std::string_view held);
   Result<Eigen::Vector3d> on_table(double x_mm, double y_mm) const;
@@ -41,9 +42,8 @@ class Aims {
 // The name a target is told under: its object, the object below, the place, or `table`.
 Datum target_name(const Datum& target);
 
-// The aim as the servo's errors. `grip_height_mm` is where the gripper is, `travel_mm` the height that is safe.
-ServoErrors servo_errors(const Aim& aim, const CameraView& view, double mark_before_grip_mm, double grip_height_mm,
-                         double travel_mm);
+// The aim as the servo's errors. `travel_mm` is the height that is safe.
+ServoErrors servo_errors(const Aim& aim, const CameraView& view, double mark_before_grip_mm, double travel_mm);
 ServoPixels servo_pixels(const Aim& aim, const CameraView& view);
 
 }  // namespace pizarra

@@ -16,8 +16,8 @@ constexpr int most_rounds = 150;
 constexpr int most_plans = 30;
 constexpr int most_failures = 25;
 constexpr int most_failures_of_one = 5;
-// Collisions of one operation till what it is about is pushed: trying the same again would end the same way.
-constexpr int failures_till_loosened = 2;
+// Failures of one operation till something else is tried.
+constexpr int failures_till_otherwise = 2;
 constexpr Duration untold_pause = 1s;
 
 std::vector<Datum> missing_from(const Facts& beliefs, const Facts& needed) {
@@ -28,6 +28,11 @@ std::vector<Datum> missing_from(const Facts& beliefs, const Facts& needed) {
 
 // What ends the pursuit whatever else might be tried.
 bool is_final(const Failure& failure) { return failure.symbol == "interrupted" || failure.symbol == "absent"; }
+
+bool is_of_how_it_lies(const Failure& failure) {
+  constexpr std::string_view symbols[] = {"stopped", "missed", "no-convergence", "no-effect"};
+  return std::ranges::find(symbols, failure.symbol) != std::end(symbols);
+}
 
 }  // namespace
 
@@ -123,10 +128,21 @@ Task<Result<void>> Pursuit::recover(std::size_t index, Failure why, Progress& pr
   const int failures = ++progress.failures_of[operation.name];
   const bool too_often = ++progress.failures > most_failures || failures > most_failures_of_one;
   if (too_often) co_return fail(why);
-  const bool jammed = why.symbol == "stopped" && failures % failures_till_loosened == 0;
-  // Whatever comes of it is seen afterwards.
-  if (jammed) co_await rescues_.loosen(operation.name);
+  const bool in_vain = failures % failures_till_otherwise == 0;
+  if (in_vain) co_await try_otherwise(operation, std::move(why));
   co_return Result<void>();
+}
+
+// Whatever comes of it is seen afterwards.
+Task<void> Pursuit::try_otherwise(GroundOperation operation, Failure why) {
+  const bool hidden = why.symbol == "lost-sight" && why.subject.is_symbol();
+  if (hidden) {
+    const std::string missing(why.subject.text());
+    co_await clear_view(missing);
+    co_return;
+  }
+  const bool lies_badly = is_of_how_it_lies(why);
+  if (lies_badly) co_await rescues_.loosen(operation.name);
 }
 
 Task<Result<void>> Pursuit::do_operation(std::size_t index) {

@@ -68,6 +68,8 @@ class Pursuit {
   Task<Result<std::optional<std::size_t>>> choose(Goal goal, Progress& progress);
   // Takes note of a failed operation; a failure where it is to be the last.
   Task<Result<void>> recover(std::size_t index, Failure why, Progress& progress);
+  // Changes the scene where trying the same again would end the same way.
+  Task<void> try_otherwise(GroundOperation operation, Failure why);
   Task<Result<void>> look_for(std::vector<std::string> objects);
   Task<Result<void>> look_once_for(std::string object, Time deadline);
   Task<Result<void>> clear_view(std::string missing);

@@ -36,19 +36,15 @@ Task<Result<void>> TaskRunner::servo(Datum target, bool descend) {
     const Result<void> looked = co_await eyes_.fresh_look();
     if (!looked) co_return looked;
     const Result<Aim> aim = aims_.at(target);
-    const std::optional<Eigen::Vector3d> grip = surroundings_.grip_mm();
-    if (!aim || !grip) {
-      const bool gone = !aim && aim.error().symbol != "unseen";
-      if (gone) co_return fail(aim);
-      if (++unseen > most_unseen) {
-        co_return fail("lost-sight", fmt::format("{} is out of sight", write(target)), target_name(target));
-      }
+    if (!aim) {
+      const Failure& why = aim.error();
+      if (why.symbol != "unseen") co_return fail(aim);
+      if (++unseen > most_unseen) co_return fail("lost-sight", why.sentence, why.subject);
       continue;
     }
     unseen = 0;
-    const double grip_height = grip->z();
-    const ServoErrors errors = servo_errors(*aim, *surroundings_.view(), options_.gripper.mark_before_grip_mm,
-                                            grip_height, options_.travel_height_mm);
+    const ServoErrors errors =
+        servo_errors(*aim, *surroundings_.view(), options_.gripper.mark_before_grip_mm, options_.travel_height_mm);
     const ServoCommand command = servo_command(errors, options_.servo, descend);
     co_await tell_servo(command.state, target, *aim);
     if (command.state < 3 && state_before >= 3) {

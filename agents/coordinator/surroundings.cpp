@@ -121,6 +121,7 @@ void Surroundings::take_pose(const Change& change) {
   if (change.added.empty()) return;
   const Datum& pose = change.added.back().facts.front().datum;
   pose_mm_ = Eigen::Vector3d(pose[1].number(), pose[2].number(), pose[3].number());
+  pose_look_ = looks();
 }
 
 void Surroundings::take_presence(const Change& change) {
@@ -137,6 +138,7 @@ Task<void> Surroundings::take_look(std::int64_t frame, std::string text) {
     co_return;
   }
   sightings_.look(frame, *track, *view_);
+  compare_pose();
   excuse_hidden();
   const Result<Facts> perceived = perceive();
   Beliefs::Change change;

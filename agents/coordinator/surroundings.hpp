@@ -42,8 +42,8 @@ class Surroundings {
   std::optional<double> opening_mm() const { return opening_mm_; }
   // From the end effector's mark to where the mark of a held object would stand. There is a view.
   Eigen::Vector3d mark_to_front_mm() const;
-  // Where the mark of a held object would stand: below the end effector's mark, or by the arm's own word while that is
-  // not seen.
+  // Where the mark of a held object would stand: below the end effector's mark, or, while that is not seen, by the
+  // arm's own word and how far off that was when the two could last be compared.
   std::optional<Eigen::Vector3d> grip_mm() const;
   // The middle of the cube that bears the mark.
   Eigen::Vector3d centre_mm(const std::string& name, const Sighting& sighting) const;
@@ -78,6 +78,7 @@ class Surroundings {
   void take_pose(const Change& change);
   void take_presence(const Change& change);
   Task<void> take_look(std::int64_t frame, std::string text);
+  void compare_pose();
   void excuse_hidden();
   std::optional<std::string> foremost() const;
   std::vector<Datum> measure() const;
@@ -104,6 +105,8 @@ class Surroundings {
   std::optional<CameraView> view_;
   std::optional<double> opening_mm_;
   std::optional<Eigen::Vector3d> pose_mm_;
+  std::uint64_t pose_look_ = 0;                            // the newest when the arm told its pose
+  Eigen::Vector3d pose_off_mm_ = Eigen::Vector3d::Zero();  // from where the arm says its grip is to where it is seen
   std::set<std::string, std::less<>> present_;
   std::map<std::string, Eigen::Vector3d, std::less<>> told_places_;
   bool all_told_ = true;

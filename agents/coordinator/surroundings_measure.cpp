@@ -8,6 +8,23 @@
 
 namespace pizarra {
 
+namespace {
+
+// A look under way when the arm came to rest may show it moving; the second after it does not.
+constexpr std::uint64_t looks_till_rest = 2;
+// The eyes and an arm that differ by more do not see the same mark.
+constexpr double most_off_mm = 30;
+
+}  // namespace
+
+void Surroundings::compare_pose() {
+  const bool rests = looks() >= pose_look_ + looks_till_rest;
+  if (!pose_mm_ || !rests || !sightings_.recent(options_.gripper.mark, 1)) return;
+  const Eigen::Vector3d said = *pose_mm_ - domain_.cube_mm() / 2 * view_->away();
+  const Eigen::Vector3d off = *grip_mm() - said;
+  if (off.norm() < most_off_mm) pose_off_mm_ = off;
+}
+
 void Surroundings::excuse_hidden() {
   const std::optional<Eigen::Vector3d> grip = grip_mm();
   if (!grip) return;
@@ -30,7 +47,7 @@ std::optional<Eigen::Vector3d> Surroundings::grip_mm() const {
     return Eigen::Vector3d(mark + mark_to_front_mm());
   }
   if (!pose_mm_ || !view_) return std::nullopt;
-  return Eigen::Vector3d(*pose_mm_ - domain_.cube_mm() / 2 * view_->away());
+  return Eigen::Vector3d(*pose_mm_ - domain_.cube_mm() / 2 * view_->away() + pose_off_mm_);
 }
 
 // The mark stands before the middle in the direction in which its face looks.

@@ -69,6 +69,39 @@ TEST_F(Coordinator, FollowsACubeThatIsMovedDuringTheApproachWithoutANewPlan) {
   EXPECT_EQ(cell.times_told("(plan 1 ?)"), 1);
 }
 
+TEST_F(Coordinator, GoesOnByTheArmsOwnWordWhereItsMarkIsHidden) {
+  cell.pose_error_mm = {7, -8, 3};
+  cell.mark_hidden = [this] { return cell.grip.z() < 110; };
+  want("(goal (on circle triangle))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 60s));
+  expect_on("circle", "triangle");
+  EXPECT_EQ(cell.times_told("(operation ? ? failed)"), 0);
+}
+
+TEST_F(Coordinator, NamesTheMarkThatIsNotSeenAndNotTheObjectThatIs) {
+  cell.tells_pose = false;
+  cell.mark_hidden = [this] { return cell.grip.z() < 110; };
+  want("(goal (on circle triangle))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 refused ?)", 120s));
+  const Datum why = cell.facts("(goal-state 1 refused ?)")[0][3];
+  EXPECT_EQ(why[1], "lost-sight"_sym) << write(why);
+  EXPECT_EQ(why[3], "end-effector"_sym) << write(why);
+  EXPECT_NE(why[2].text().find("end-effector"), std::string_view::npos) << write(why);
+}
+
+TEST_F(Coordinator, SetsAsideWhatHidesTheGrippersMarkAgainAndAgain) {
+  cell.tells_pose = false;
+  cell.cubes["square"] = {545, -150, 30};
+  cell.mark_hidden = [this] {
+    const Eigen::Vector3d before = cell.cubes["square"] - cell.grip;
+    return cell.grip.z() < 110 && before.x() > 40 && std::abs(before.y()) < 50;
+  };
+  want("(goal (on circle triangle))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 180s));
+  expect_on("circle", "triangle");
+  EXPECT_EQ(cell.times_told("(operation ? (PICK-UP circle) failed)"), 2);
+}
+
 TEST_F(Coordinator, SkipsAStepThatSomebodyElseDid) {
   want("(goal (on triangle square) (on circle triangle))");
   ASSERT_TRUE(cell.run_until("(operation 1 ? done)", 60s));

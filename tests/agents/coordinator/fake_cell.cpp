@@ -22,7 +22,8 @@ constexpr std::string_view robot_text = R"(
   (offers (retract (mm number)) (extend (keep symbol) (mm number)) (turn (d symbol) (deg number))
           (move-h (d symbol) (mm number)) (move-v (d symbol) (mm number)) (turn-wrist (d symbol) (deg number))
           (ready) (speed (percent number)) (gripper (mm number)) (monitor) (do-action (text string)))
-  (posts (relation gripper ((opening number)) (key))))
+  (posts (relation gripper ((opening number)) (key))
+         (relation arm-pose ((x number) (y number) (z number) (rx number) (ry number) (rz number)) (key))))
 )";
 constexpr std::string_view vision_text = R"(
 (contract vision
@@ -205,7 +206,8 @@ double FakeCell::close_gripper(double wanted_mm) {
 
 Task<Result<Datum>> FakeCell::handle_robot(Datum operation) {
   const std::string_view name = operation.head();
-  if (name == "monitor") co_return list(grip.x(), grip.y(), grip.z(), 180.0, 0.0, yaw_deg_);
+  const Eigen::Vector3d believed = grip + pose_error_mm;
+  if (name == "monitor") co_return list(believed.x(), believed.y(), believed.z(), 180.0, 0.0, yaw_deg_);
   co_await sleep(executor_, 300ms);
   const bool positive = operation.size() > 1 && (operation[1].is_symbol("right") || operation[1].is_symbol("up"));
   const double amount = (positive ? 1 : -1) * operation[operation.size() - 1].number();
@@ -233,7 +235,14 @@ Task<Result<Datum>> FakeCell::handle_robot(Datum operation) {
     to = {move[1].number(), move[2].number(), move[3].number()};
   }
   move_to(to);
+  if (tells_pose) co_await tell_pose();
   co_return list("true"_sym);
+}
+
+Task<void> FakeCell::tell_pose() {
+  const Eigen::Vector3d believed = grip + pose_error_mm;
+  const Datum pose = list("arm-pose"_sym, believed.x(), believed.y(), believed.z(), 180.0, 0.0, yaw_deg_);
+  co_await agents_->robot_view->tell(pose);
 }
 
 Task<Result<Datum>> FakeCell::handle_vision(Datum operation) {
@@ -263,7 +272,8 @@ Task<void> FakeCell::look() {
     std::string text = fmt::format("(TRACK {}", marks.size());
     for (const auto& [name, place] : marks) {
       const Sight sight = view_.sight(place);
-      const bool seen = !hidden.contains(name) && sight.y_px > 0;
+      const bool covered = hidden.contains(name) || (name == "end-effector" && mark_hidden());
+      const bool seen = !covered && sight.y_px > 0;
       text += seen ? fmt::format(" (\"{}\" OK ({:.2f}, {:.2f}, {:.2f}))", name, sight.x_px, sight.y_px, sight.range_mm)
                    : fmt::format(" (\"{}\" FAIL)", name);
     }

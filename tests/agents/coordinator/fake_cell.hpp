@@ -10,6 +10,7 @@
 //   EXPECT_TRUE(cell.run_until("(goal-state 1 reached ?)", 60s));
 
 #include <Eigen/Core>
+#include <functional>
 #include <map>
 
 #include "agents/coordinator/camera_view.hpp"
@@ -49,9 +50,12 @@ class FakeCell {
   // How often a fact that fits has been told, from the journal.
   int times_told(std::string_view pattern) const;
 
-  Cubes cubes;                        // where they are now; the test may move them
-  std::set<std::string> hidden;       // from the eyes
-  Eigen::Vector3d grip{370, 0, 410};  // the grip centre
+  Cubes cubes;                                               // where they are now; the test may move them
+  std::set<std::string> hidden;                              // from the eyes
+  std::function<bool()> mark_hidden = [] { return false; };  // the end effector's, as a cube before it does
+  bool tells_pose = true;                                    // the robot, as a fact
+  Eigen::Vector3d pose_error_mm{0, 0, 0};                    // of the arm's own word for where it is
+  Eigen::Vector3d grip{370, 0, 410};                         // the grip centre
   double opening_mm = 100;
   std::string held;  // between the fingers
   int motions = 0;
@@ -66,6 +70,7 @@ class FakeCell {
   Task<Result<Datum>> handle_vision(Datum operation);
   Task<Result<Datum>> handle_planner(Datum operation);
   void move_to(const Eigen::Vector3d& place);
+  Task<void> tell_pose();
   double close_gripper(double wanted_mm);
   void let_go();
 

@@ -82,8 +82,8 @@ TEST(ServoErrors, TurningAndExtendingByThemArrives) {
     const auto somewhere = [&] {
       return Eigen::Vector3d(random.uniform(380, 520), random.uniform(-230, 230), random.uniform(30, 300));
     };
-    const Aim aim{somewhere(), somewhere()};
-    const ServoErrors errors = servo_errors(aim, view, 30, 100, 300);
+    const Aim aim{somewhere(), somewhere(), 100};
+    const ServoErrors errors = servo_errors(aim, view, 30, 300);
     const Eigen::Vector3d axis = aim.followed_mm + 30 * view.away();
     const double bearing = std::atan2(axis.y(), axis.x()) + errors.bearing_deg * M_PI / 180;
     const double radius = std::hypot(axis.x(), axis.y()) + errors.along_mm;
