@@ -8,6 +8,7 @@
 #include "agents/planner/fast/plan_reordering.hpp"
 #include "agents/planner/fast/plan_shape.hpp"
 #include "agents/planner/fast/proved_shortest.hpp"
+#include "agents/planner/task/idle_actions.hpp"
 
 namespace pizarra {
 
@@ -31,6 +32,16 @@ Outcome without_plan(SearchEnd end, const Problem& problem, const Effort& effort
   return outcome;
 }
 
+std::vector<ActionIndex> lean(const Problem& problem, const std::vector<ActionIndex>& plan) {
+  std::vector<std::vector<std::size_t>> steps;
+  for (const ActionIndex action : plan) steps.push_back({action});
+  std::vector<ActionIndex> needed;
+  for (const std::vector<std::size_t>& step : without_idle_actions(problem, steps)) {
+    needed.push_back(static_cast<ActionIndex>(step.front()));
+  }
+  return needed;
+}
+
 // The best plan so far, and the ways to a better one.
 class Improvement {
  public:
@@ -43,7 +54,7 @@ class Improvement {
         random_(options.seed) {}
 
   void keep(const std::vector<ActionIndex>& plan) {
-    plan_ = without_idle_actions(compact_, plan);
+    plan_ = lean(problem_, plan);
     best_ = ended(Outcome::Kind::plan, effort_.nodes());
     best_.steps = in_parallel(problem_, plan_);
     if (options_.better) options_.better(best_);
@@ -88,6 +99,7 @@ class Improvement {
       effort_.count(plan_.size());
       if (!reordering.try_once()) continue;
       keep(reordering.plan());
+      reordering.go_on_from(plan_);
       in_vain = 0;
     }
   }

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <ranges>
 
-#include "agents/planner/fast/plan_shape.hpp"
-
 namespace pizarra {
 
 namespace {
@@ -37,7 +35,7 @@ bool PlanReordering::try_once() {
   if (random_.below(4) == 0 || !prepare_for_going_on()) move_a_piece();
   if (!redo() || done_.size() > plan_.size()) return false;
   const bool shorter = done_.size() < plan_.size();
-  plan_ = shorter ? without_idle_actions(problem_, done_) : done_;
+  plan_ = done_;
   return shorter;
 }
 

@@ -4,6 +4,7 @@
 //
 //   PlanReordering reordering(problem, plan, random);
 //   if (reordering.try_once()) use(reordering.plan());      // shorter
+//   reordering.go_on_from(shorter_still);
 //
 // A piece of the plan is moved elsewhere, or what a later action needs is made before an earlier one that it might then
 // follow at once; and the plan is done again from there: of the actions left, always the first that can be done; but a
@@ -27,6 +28,8 @@ class PlanReordering {
   // Whether the plan became shorter. One of equal length is taken too, so that the next attempt begins elsewhere.
   bool try_once();
   const std::vector<ActionIndex>& plan() const { return plan_; }
+  // The plan's actions, or some of them.
+  void go_on_from(const std::vector<ActionIndex>& plan) { plan_ = plan; }
 
  private:
   void move_a_piece();

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "agents/planner/graphplan/graphplan.hpp"
+#include "agents/planner/task/idle_actions.hpp"
 
 namespace pizarra {
 
@@ -38,31 +39,7 @@ class ConflictCount : public CaDiCaL::Learner {
   std::size_t count_ = 0;
 };
 
-bool reaches_goals(const Problem& problem, const std::vector<std::vector<std::size_t>>& steps) {
-  Bits state = problem.initials;
-  for (const std::vector<std::size_t>& step : steps) {
-    const Bits before = state;
-    for (const std::size_t action : step) {
-      if (!applicable(problem.actions[action], before)) return false;
-      state = after(state, problem.actions[action]);
-    }
-  }
-  return problem.goals.subset_of(state);
-}
-
 }  // namespace
-
-std::vector<std::vector<std::size_t>> without_redundant(const Problem& problem,
-                                                        std::vector<std::vector<std::size_t>> steps) {
-  for (std::size_t step = 0; step < steps.size(); ++step) {
-    for (std::size_t i = steps[step].size(); i-- > 0;) {
-      std::vector<std::vector<std::size_t>> fewer = steps;
-      fewer[step].erase(fewer[step].begin() + static_cast<std::ptrdiff_t>(i));
-      if (reaches_goals(problem, fewer)) steps = std::move(fewer);
-    }
-  }
-  return steps;
-}
 
 SatSearch::SatSearch(const Problem& problem, const Exclusions& exclusions, const std::vector<Bits>& interferes,
                      RegressionGraph& regression, const Budget& budget, const std::function<bool()>& cancelled)
@@ -118,7 +95,7 @@ bool SatSearch::try_steps(const StepKnowledge& knowledge, std::size_t steps, Out
   if (answer == 20) return false;
   if (answer == 10) {
     outcome.kind = Outcome::Kind::plan;
-    outcome.steps = without_redundant(problem_, encoding.plan());
+    outcome.steps = without_idle_actions(problem_, encoding.plan());
   } else if (cancelled_()) {
     outcome.kind = Outcome::Kind::cancelled;
   } else {

@@ -39,8 +39,4 @@ class SatSearch {
   std::size_t nodes_ = 0;
 };
 
-// The plan without actions it does not need; as many steps as before.
-std::vector<std::vector<std::size_t>> without_redundant(const Problem& problem,
-                                                        std::vector<std::vector<std::size_t>> steps);
-
 }  // namespace pizarra

@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include "agents/planner/optimal/interchangeable.hpp"
+#include "agents/planner/task/idle_actions.hpp"
 
 namespace pizarra {
 
@@ -41,7 +42,7 @@ class Search {
       if (steps_seen_ > budget_.nodes || bytes > budget_.bytes) stop_ = Outcome::Kind::gave_up;
     }
     std::vector<Step> steps;
-    if (goal_) steps = steps_to(*goal_);
+    if (goal_) steps = without_idle_actions(problem_, steps_to(*goal_));
     Outcome outcome{.kind = goal_ && stop_ == Outcome::Kind::none ? Outcome::Kind::plan : stop_,
                     .steps = std::move(steps),
                     .culprits = {},

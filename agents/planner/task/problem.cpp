@@ -43,10 +43,14 @@ std::vector<Bits> interference(const Problem& problem) {
   return interfering;
 }
 
+void apply(const GroundAction& action, Bits& state) {
+  for (const std::size_t fact : action.deletes) state.reset(fact);
+  for (const std::size_t fact : action.adds) state.set(fact);
+}
+
 Bits after(const Bits& state, const GroundAction& action) {
   Bits next = state;
-  for (const std::size_t fact : action.deletes) next.reset(fact);
-  for (const std::size_t fact : action.adds) next.set(fact);
+  apply(action, next);
   return next;
 }
 

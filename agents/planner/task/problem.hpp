@@ -45,6 +45,7 @@ bool interfere(const GroundAction& a, const GroundAction& b);
 // For every action, those it interferes with.
 std::vector<Bits> interference(const Problem& problem);
 
+void apply(const GroundAction& action, Bits& state);
 // The state after an action.
 Bits after(const Bits& state, const GroundAction& action);
 bool applicable(const GroundAction& action, const Bits& state);

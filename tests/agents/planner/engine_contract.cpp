@@ -1,5 +1,7 @@
 #include "tests/agents/planner/engine_contract.hpp"
 
+#include "lisp/writer.hpp"
+
 namespace pizarra {
 
 PlanningTask blamed(const PlanningTask& task, const Problem& problem, const std::vector<std::size_t>& culprits) {
@@ -34,6 +36,21 @@ void expect_fewest_steps(PlanEngine& engine, const PlanningTask& task) {
   for (const std::size_t culprit : outcome.culprits) EXPECT_TRUE(problem->goals.test(culprit));
   const PlanningTask rest = blamed(task, *problem, outcome.culprits);
   EXPECT_FALSE(fewest_steps(rest)) << "these can be reached together: " << show(rest);
+}
+
+void expect_no_idle_action(PlanEngine& engine, const PlanningTask& task) {
+  const Problem problem = ground(task).value();
+  const Outcome outcome = engine.solve(problem, {}, never);
+  std::vector<std::size_t> plan;
+  for (const std::vector<std::size_t>& step : outcome.steps) plan.insert(plan.end(), step.begin(), step.end());
+  for (std::size_t left_out = 0; left_out < plan.size(); ++left_out) {
+    Bits state = problem.initials;
+    for (std::size_t i = 0; i < plan.size(); ++i) {
+      const GroundAction& action = problem.actions[plan[i]];
+      if (i != left_out && applicable(action, state)) state = after(state, action);
+    }
+    EXPECT_FALSE(problem.goals.subset_of(state)) << write(problem.actions[plan[left_out]].name) << " is idle";
+  }
 }
 
 PlanningTask random_impossible_blocks(Random& random) {

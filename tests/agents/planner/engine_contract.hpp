@@ -15,6 +15,8 @@ inline const std::function<bool()> never = [] { return false; };
 
 // The engine must say what the oracle says, with a valid plan as short, or culprits that are truly to blame.
 void expect_fewest_steps(PlanEngine& engine, const PlanningTask& task);
+// The engine's plan holds no action that could be left out with those which cannot be done without it.
+void expect_no_idle_action(PlanEngine& engine, const PlanningTask& task);
 
 // The task with only these goals.
 PlanningTask blamed(const PlanningTask& task, const Problem& problem, const std::vector<std::size_t>& culprits);

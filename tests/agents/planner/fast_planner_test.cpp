@@ -6,8 +6,8 @@
 #include "agents/planner/breadth_first.hpp"
 #include "agents/planner/distance/exclusive_facts.hpp"
 #include "agents/planner/fast/plan_reordering.hpp"
-#include "agents/planner/fast/plan_shape.hpp"
 #include "agents/planner/optimal/optimal_planner.hpp"
+#include "agents/planner/task/idle_actions.hpp"
 #include "lisp/writer.hpp"
 #include "tests/agents/planner/engine_contract.hpp"
 #include "tests/agents/planner/planning_domains.hpp"
@@ -200,19 +200,19 @@ TEST(PlanReordering, KeepsThePlanWorkingAndNeverMakesItLonger) {
   }
 }
 
-TEST(PlanShape, LeavesOutWhatIsIdle) {
+TEST(IdleActions, AreLeftOutWithTheStepsTheyWereAloneIn) {
   PlanningTask task = blocks_domain(2);
   task.initials = facts_of("(on-table b0) (clear b0) (on-table b1) (clear b1) (arm-empty)");
   task.goals = facts_of("(on b0 b1)");
   const Problem problem = ground(task).value();
-  const CompactProblem compact(problem);
   const auto action = [&](std::string_view text) {
-    return static_cast<ActionIndex>(std::ranges::find(problem.actions, form(text), &GroundAction::name) -
+    return static_cast<std::size_t>(std::ranges::find(problem.actions, form(text), &GroundAction::name) -
                                     problem.actions.begin());
   };
-  const ActionIndex pick = action("(PICK-UP b0)"), put = action("(PUT-DOWN b0)"), stack = action("(STACK b0 b1)");
+  const std::size_t pick = action("(PICK-UP b0)"), put = action("(PUT-DOWN b0)"), stack = action("(STACK b0 b1)");
   ASSERT_LT(std::max({pick, put, stack}), problem.actions.size());
-  EXPECT_EQ(without_idle_actions(compact, {pick, put, pick, stack}), (std::vector<ActionIndex>{pick, stack}));
+  EXPECT_EQ(without_idle_actions(problem, {{pick}, {put}, {pick}, {stack}}),
+            (std::vector<std::vector<std::size_t>>{{pick}, {stack}}));
 }
 
 }  // namespace

@@ -67,6 +67,12 @@ TYPED_TEST(FewestSteps, ForGoalsThatAreMostlyImpossible) {
   expect_fewest_steps(this->engine, 150, random_impossible_blocks);
 }
 
+TYPED_TEST(FewestSteps, WithoutIdleActions) {
+  for (const auto make : {random_gripper, random_logistics}) {
+    for_random_tasks(60, make, [&](const PlanningTask& task) { expect_no_idle_action(this->engine, task); });
+  }
+}
+
 TEST(StepSearch, FindsFewestStepsWhereStatesHaveFewSteps) {
   StepSearch engine;
   expect_fewest_steps(engine, 100, [](Random& random) { return random_blocks(2 + random.below(3), random); });
