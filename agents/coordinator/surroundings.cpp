@@ -47,6 +47,12 @@ void Surroundings::start() {
   jobs_.push_back(executor.spawn(watch(pose, &Surroundings::take_pose)));
   jobs_.push_back(executor.spawn(watch(list("agent"_sym, any, any, any), &Surroundings::take_presence)));
   jobs_.push_back(executor.spawn(watch_vision()));
+  jobs_.push_back(executor.spawn(keep_told(list("believed"_sym, any))));
+  for (const Predicate& predicate : domain_.domain().predicates) {
+    std::vector<Datum> pattern{Datum::symbol(predicate.name)};
+    pattern.resize(1 + predicate.arguments.size(), any);
+    jobs_.push_back(executor.spawn(keep_told(Datum::list(std::move(pattern)))));
+  }
 }
 
 // Relations are declared by the agents that tell them, so a watch may have to wait for its relation.

@@ -1,7 +1,7 @@
 #pragma once
 
 // What the coordinator perceives of its cell: it watches the agents' facts, turns every look of vision into places and
-// the domain's predicates, and tells those. Nothing here acts.
+// the domain's predicates, and tells those. What others tell or retract of them is put right. Nothing here acts.
 //
 // Lifecycle: start() spawns the watches, which go on until it is destroyed.
 //
@@ -87,6 +87,11 @@ class Surroundings {
   void tell_places(Transaction& transaction);
   Task<void> tell_change(Beliefs::Change change);
   Task<std::vector<FactId>> evidence(Datum belief);
+  // Keeps what stands on the board of one of the relations that beliefs are told in to what is believed.
+  Task<void> keep_told(Datum pattern);
+  Task<void> put_right(Datum pattern, Change change);
+  bool is_to_be_told(const Datum& fact) const;
+  Facts to_be_told(const Datum& pattern) const;
 
   AgentContext& context_;
   const CoordinatorOptions& options_;

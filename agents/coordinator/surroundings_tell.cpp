@@ -10,10 +10,16 @@ namespace pizarra {
 
 namespace {
 
+constexpr Duration retry_pause = 200ms;
+// However often others change what is believed, it is put right no more often.
+constexpr Duration put_right_pause = 100ms;
 // A mark that moved less is not told anew.
 constexpr double told_again_mm = 1;
 
 double rounded(double mm) { return std::round(mm * 10) / 10; }
+
+// A belief is told as itself and as (believed BELIEF).
+const Datum& belief_in(const Datum& fact) { return fact.is_form("believed") ? fact[1] : fact; }
 
 }  // namespace
 
@@ -74,6 +80,58 @@ Task<void> Surroundings::tell_change(Beliefs::Change change) {
   // Where the presence lapsed meanwhile, all is told anew once it is back.
   all_told_ = told.has_value();
   if (!told) told_places_.clear();
+}
+
+bool Surroundings::is_to_be_told(const Datum& fact) const { return beliefs().contains(belief_in(fact)); }
+
+Facts Surroundings::to_be_told(const Datum& pattern) const {
+  Facts facts;
+  for (const Datum& belief : beliefs()) {
+    if (pattern.is_form("believed")) facts.insert(list("believed"_sym, belief));
+    if (pattern.is_form(belief.head())) facts.insert(belief);
+  }
+  return facts;
+}
+
+Task<void> Surroundings::keep_told(Datum pattern) {
+  const Query query = query_for(pattern);
+  while (true) {
+    Result<std::unique_ptr<Watch>> watch = co_await context_.board.watch(query);
+    while (watch) {
+      Result<Change> change = co_await (*watch)->next();
+      if (!change) break;
+      co_await put_right(pattern, std::move(*change));
+    }
+    co_await sleep(context_.executor, retry_pause);
+  }
+}
+
+// What is told here shows as a change too; by then it is believed, or no longer.
+Task<void> Surroundings::put_right(Datum pattern, Change change) {
+  Facts standing;
+  Facts lost;
+  for (const Answer& answer : change.added) standing.insert(answer.facts.front().datum);
+  for (const Answer& answer : change.removed) lost.insert(answer.facts.front().datum);
+  if (change.resynchronised) lost = to_be_told(pattern);
+  std::map<Datum, std::vector<FactId>> missing;
+  for (const Datum& fact : lost) {
+    const bool is_missing = is_to_be_told(fact) && !standing.contains(fact);
+    if (!is_missing) continue;
+    std::vector<FactId> because = co_await evidence(belief_in(fact));
+    missing.emplace(fact, std::move(because));
+  }
+  Transaction transaction;
+  for (const Datum& fact : standing) {
+    if (!is_to_be_told(fact)) transaction.retract(fact);
+  }
+  for (const auto& [fact, because] : missing) {
+    if (is_to_be_told(fact)) transaction.tell(fact, because, service_.presence());
+  }
+  if (transaction.steps.empty()) co_return;
+  // Where it fails the presence has lapsed, and all is told anew once it is back.
+  const Result<Revision> told = co_await commit(context_.board, context_.executor, std::move(transaction));
+  if (!told) all_told_ = false;
+  co_await sleep(context_.executor, put_right_pause);
 }
 
 }  // namespace pizarra

@@ -102,6 +102,30 @@ TEST_F(Coordinator, SetsAsideWhatHidesTheGrippersMarkAgainAndAgain) {
   EXPECT_EQ(cell.times_told("(operation ? (PICK-UP circle) failed)"), 2);
 }
 
+TEST_F(Coordinator, PutsRightWhatOthersTellAndRetractOfWhatItBelieves) {
+  want("(goal (on circle triangle))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 60s));
+  cell.forget("(on ? ?)");
+  cell.forget("(believed (on-table square))");
+  cell.tell("(on square circle)");
+  cell.tell("(believed (holding square))");
+  cell.run_for(1s);
+  EXPECT_EQ(cell.facts("(on ? ?)"), cell.facts("(on circle triangle)"));
+  EXPECT_EQ(cell.facts("(on circle triangle)").size(), 1u);
+  EXPECT_EQ(cell.facts("(believed (on-table square))").size(), 1u);
+  EXPECT_TRUE(cell.facts("(believed (holding ?))").empty());
+}
+
+TEST_F(Coordinator, PutsRightWhatOthersToldBeforeItHasLookedAndWithoutEnd) {
+  for (int i = 0; i < 50; ++i) {
+    cell.tell("(on square circle)");
+    cell.run_for(10ms);
+  }
+  cell.run_for(1s);
+  EXPECT_TRUE(cell.facts("(on ? ?)").empty());
+  EXPECT_LE(cell.times_told("(on square circle)"), 7) << "put right more often than ten times a second";
+}
+
 TEST_F(Coordinator, SkipsAStepThatSomebodyElseDid) {
   want("(goal (on triangle square) (on circle triangle))");
   ASSERT_TRUE(cell.run_until("(operation 1 ? done)", 60s));

@@ -123,6 +123,12 @@ void FakeCell::restart_board() {
   executor_.run_for(3s);
 }
 
+void FakeCell::tell(std::string_view fact) {
+  Transaction telling;
+  telling.tell(form(fact));
+  EXPECT_TRUE(board_.transact("test", telling));
+}
+
 void FakeCell::forget(std::string_view pattern) {
   Transaction retraction;
   retraction.retract(form(pattern));

@@ -38,7 +38,8 @@ class FakeCell {
   void stop_vision();
   // The board was killed and has come back with what its journal kept.
   void restart_board();
-  // Retracts what fits.
+  // Somebody else's doing: tells a fact, retracts what fits.
+  void tell(std::string_view fact);
   void forget(std::string_view pattern);
 
   // The reply's form: (ok ...) or (fail ...).
