@@ -1,13 +1,16 @@
 #include "drivers/planner/external_planner.hpp"
 
+#include <cerrno>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <fcntl.h>
 #include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
-#include <iterator>
 #include <optional>
+#include <sys/stat.h>
+#include <unistd.h>
 
 namespace pizarra {
 
@@ -44,20 +47,35 @@ bool write_file(const std::string& path, const std::string& text) {
   return static_cast<bool>(out.flush());
 }
 
-std::optional<std::string> text_of(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in) return std::nullopt;
-  return std::string(std::istreambuf_iterator<char>(in), {});
+Failure too_much(std::string_view did, std::size_t most_bytes) {
+  return {"too-much-output", fmt::format("the planner {} more than {} bytes", did, most_bytes), {}, {}};
+}
+
+// Of a plain file; nothing where there is none. What the planner left may be anything: what has no end, or never
+// begins, is not read.
+Result<std::optional<std::string>> text_of(const std::string& path, std::size_t most_bytes) {
+  const int file = open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+  if (file < 0 && errno == ENOENT) return std::nullopt;
+  struct stat status {};
+  const bool plain = file >= 0 && fstat(file, &status) == 0 && S_ISREG(status.st_mode);
+  const bool short_enough = plain && static_cast<std::size_t>(status.st_size) <= most_bytes;
+  std::string text(short_enough ? static_cast<std::size_t>(status.st_size) : 0, '\0');
+  const bool whole = read(file, text.data(), text.size()) == static_cast<ssize_t>(text.size());
+  close(file);
+  if (plain && !short_enough) return fail(too_much("wrote a plan of", most_bytes));
+  if (!plain || !whole) return fail("garbage", "what the planner left in its plan's place is no file that can be read");
+  return text;
 }
 
 // Planners that go on improving number their plans: the last is the best.
-std::optional<std::string> newest_plan(const std::string& path) {
-  std::optional<std::string> newest = text_of(path);
-  for (std::size_t i = 1;; ++i) {
-    std::optional<std::string> next = text_of(fmt::format("{}.{}", path, i));
-    if (!next) return newest;
+Result<std::optional<std::string>> newest_plan(const std::string& path, std::size_t most_bytes) {
+  Result<std::optional<std::string>> newest = text_of(path, most_bytes);
+  for (std::size_t i = 1; newest; ++i) {
+    Result<std::optional<std::string>> next = text_of(fmt::format("{}.{}", path, i), most_bytes);
+    if (next && !*next) break;
     newest = std::move(next);
   }
+  return newest;
 }
 
 std::string replaced(std::string text, std::string_view what, std::string_view with) {
@@ -100,8 +118,7 @@ std::optional<Failure> failure_of(const ProcessEnd& end, const ProcessLimits& li
     case Kind::cancelled:
       return Failure{"cancelled", "the planner was stopped", {}, {}};
     case Kind::too_much_output:
-      return Failure{
-          "too-much-output", fmt::format("the planner printed more than {} bytes", limits.output_bytes), {}, {}};
+      return too_much("printed", limits.output_bytes);
     case Kind::not_started:
       return Failure{"planner-missing", "no process can be started", {}, {}};
   }
@@ -131,8 +148,11 @@ Result<PlanActions> ExternalPlanner::plan(const std::string& domain, const std::
   const ProcessEnd end = run_process(command, folder.path(), limits_, cancelled);
 
   // One that ran out of time may have left a plan all the same.
-  const std::optional<std::string> written = newest_plan(plan_file);
-  if (written && end.kind != ProcessEnd::Kind::cancelled) return read_actions(*written, operators);
+  if (end.kind != ProcessEnd::Kind::cancelled) {
+    const Result<std::optional<std::string>> written = newest_plan(plan_file, limits_.output_bytes);
+    if (!written) return fail(written);
+    if (*written) return read_actions(**written, operators);
+  }
   if (const std::optional<Failure> failure = failure_of(end, limits_)) return fail(*failure);
   PlanActions found = find_actions(end.output, operators);
   if (!found.empty()) return found;

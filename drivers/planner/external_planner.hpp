@@ -20,8 +20,8 @@ class ExternalPlanner {
       : command_(std::move(command)), limits_(limits) {}
 
   // Failures: bad-command ({domain} or {problem} is missing), planner-missing (no such program), planner-crashed (a
-  // signal), planner-failed (an exit status, and no plan), garbage (no plan in what it wrote), time-out, cancelled,
-  // too-much-output, no-folder (nowhere to write).
+  // signal), planner-failed (an exit status, and no plan), garbage (no plan in what it wrote, or no plain file in its
+  // plan's place), time-out, cancelled, too-much-output, no-folder (nowhere to write).
   Result<PlanActions> plan(const std::string& domain, const std::string& problem, const PlanOperators& operators,
                            const std::function<bool()>& cancelled) const;
 

@@ -15,7 +15,7 @@ namespace pizarra {
 struct ProcessLimits {
   double seconds = 300;                   // of wall time; of processor time a little more
   std::size_t memory_bytes = 4ULL << 30;  // of address space, each process
-  std::size_t output_bytes = 16 << 20;    // that it may print
+  std::size_t output_bytes = 16 << 20;    // that it may print, and that its plan may have
   std::size_t file_bytes = 256ULL << 20;  // each file that it may write
 };
 

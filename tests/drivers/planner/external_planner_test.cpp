@@ -1,5 +1,4 @@
 #include "drivers/planner/external_planner.hpp"
-#include "tests/scratch.hpp"
 
 #include <csignal>
 #include <cstdlib>
@@ -9,6 +8,8 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+#include "tests/scratch.hpp"
 
 namespace pizarra {
 namespace {
@@ -70,6 +71,17 @@ TEST_F(ExternalPlannerTest, TellsEveryWayToFailApart) {
   EXPECT_EQ(refusal("head -c 100000 /dev/urandom"), "garbage");
   EXPECT_EQ(refusal("yes", {.output_bytes = 100'000}), "too-much-output");
   EXPECT_EQ(ExternalPlanner("ff {domain}").plan("", "", operators, [] { return false; }).error().symbol, "bad-command");
+}
+
+TEST_F(ExternalPlannerTest, RefusesAPlanThatIsNoPlainFile) {
+  for (const std::string leave : {"mkdir {plan}", "mkfifo {plan}", "ln -s /dev/zero {plan}", "ln -s {problem} {plan}",
+                                  "echo '(pick-up b1)' > {plan}; mkdir {plan}.1"}) {
+    EXPECT_EQ(refusal(leave, {.seconds = 20}), "garbage") << leave;
+  }
+}
+
+TEST_F(ExternalPlannerTest, RefusesAPlanThatIsTooLong) {
+  EXPECT_EQ(refusal("truncate -s 200000 {plan}", {.output_bytes = 100'000}), "too-much-output");
 }
 
 TEST_F(ExternalPlannerTest, RepeatsWhatThePlannerSaidLast) {
