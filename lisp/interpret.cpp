@@ -25,10 +25,8 @@ Failure locate(const Source& source, const Datum& error) {
   return source.failure_at(path_of(error), std::string(error[0].text()), std::string(error[1].text()), context);
 }
 
-}  // namespace
-
 // Of what could not be read, nothing else is said at the same place.
-Failure report_errors(const Source& source, std::span<const Datum> errors) {
+std::vector<Failure> failures_of(const Source& source, std::span<const Datum> errors) {
   std::vector<Failure> failures;
   auto unread = source.errors().begin();
   for (const Datum& error : errors) {
@@ -40,24 +38,42 @@ Failure report_errors(const Source& source, std::span<const Datum> errors) {
     if (!said) failures.push_back(locate(source, error));
   }
   for (; unread != source.errors().end(); ++unread) failures.push_back(source.failure_of(*unread));
-  return one_report(failures);
+  return failures;
 }
 
-Result<Datum> interpret(const Source& source, const std::string& module, const std::vector<Datum>& more,
-                        const std::string& procedure) {
+std::unexpected<std::vector<Failure>> alone(Failure failure) {
+  return std::unexpected(std::vector<Failure>{std::move(failure)});
+}
+
+}  // namespace
+
+Failure report_errors(const Source& source, std::span<const Datum> errors) {
+  return one_report(failures_of(source, errors));
+}
+
+std::expected<Datum, std::vector<Failure>> interpret_apart(const Source& source, const std::string& module,
+                                                           const std::vector<Datum>& more,
+                                                           const std::string& procedure) {
   std::vector<Datum> arguments{Datum::list(source.data())};
   arguments.insert(arguments.end(), more.begin(), more.end());
-  Result<Datum> outcome = call_scheme(module, procedure, arguments);
-  if (!outcome) return outcome;
+  const Result<Datum> outcome = call_scheme(module, procedure, arguments);
+  if (!outcome) return alone(outcome.error());
   if (outcome->is_form("ok") && outcome->size() == 2) {
-    if (!source.errors().empty()) return fail(report_errors(source, {}));
+    if (!source.errors().empty()) return std::unexpected(failures_of(source, {}));
     return (*outcome)[1];
   }
   const auto errors = outcome->items().subspan(std::min<std::size_t>(outcome->size(), 1));
   if (!outcome->is_form("errors") || errors.empty() || !std::ranges::all_of(errors, is_error)) {
-    return fail("scheme-error", fmt::format("(pizarra {}) {} returned no outcome", module, procedure), *outcome);
+    return alone({"scheme-error", fmt::format("(pizarra {}) {} returned no outcome", module, procedure), *outcome, {}});
   }
-  return fail(report_errors(source, errors));
+  return std::unexpected(failures_of(source, errors));
+}
+
+Result<Datum> interpret(const Source& source, const std::string& module, const std::vector<Datum>& more,
+                        const std::string& procedure) {
+  std::expected<Datum, std::vector<Failure>> read = interpret_apart(source, module, more, procedure);
+  if (!read) return fail(one_report(read.error()));
+  return std::move(*read);
 }
 
 }  // namespace pizarra

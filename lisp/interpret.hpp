@@ -14,6 +14,7 @@
 // To add a module: write lisp/modules/pizarra/NAME.scm and NAME-test.scm beside it, and name it in the list of
 // lisp/CMakeLists.txt.
 
+#include <expected>
 #include <span>
 #include <string>
 #include <vector>
@@ -26,6 +27,11 @@ namespace pizarra {
 // and the sentence then ends with "(and N more)".
 Result<Datum> interpret(const Source& source, const std::string& module, const std::vector<Datum>& more = {},
                         const std::string& procedure = "interpret");
+
+// The same with every error a failure of its own, in the order of the text; never empty.
+std::expected<Datum, std::vector<Failure>> interpret_apart(const Source& source, const std::string& module,
+                                                           const std::vector<Datum>& more = {},
+                                                           const std::string& procedure = "interpret");
 
 // That report of errors `(symbol "sentence" (path ...) ("context" ...))` and of what the source could not read, at
 // least one.

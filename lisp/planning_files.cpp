@@ -1,7 +1,6 @@
 #include "lisp/planning_files.hpp"
 
 #include <algorithm>
-#include <optional>
 
 #include "lisp/domain.hpp"
 #include "lisp/interpret.hpp"
@@ -89,9 +88,39 @@ FileKind kind_of(const Source& source) {
   return named.is_form("domain") ? FileKind::domain : FileKind::other;
 }
 
-Result<PlanningDomain> with_language(PlanningLanguage language, Result<Datum> form) {
+Result<PlanningDomain> read_pddl_domain(const Source& source) {
+  Result<Datum> form = interpret(source, "pddl-domain");
   if (!form) return fail(form);
-  return PlanningDomain{language, std::move(*form)};
+  return PlanningDomain{PlanningLanguage::pddl, std::move(*form), {}};
+}
+
+// Where the facts are not all readable, objects may be missing that are there.
+bool tells_objects(const Source& facts) {
+  return kind_of(facts) == FileKind::problem && !is_pddl(facts) && facts.errors().empty();
+}
+
+std::vector<Datum> fitting(const Source* facts) {
+  if (facts == nullptr || !tells_objects(*facts)) return {};
+  return {Datum::list(facts->data())};
+}
+
+Result<PlanningDomain> read_operators(const Source& source, const Source* facts) {
+  Result<Datum> form = interpret(source, "planning-operators");
+  if (!form) return fail(interpret(source, "planning-operators", fitting(facts)));
+  return PlanningDomain{PlanningLanguage::operators, std::move(*form), source};
+}
+
+Result<Datum> read_facts(const Source& source, const PlanningDomain& domain) {
+  const bool open = domain.language == PlanningLanguage::operators;
+  const auto facts = interpret_apart(source, "planning-facts", {domain.form, open ? "open"_sym : "closed"_sym});
+  std::vector<Failure> wrong;
+  if (domain.operators) {
+    const auto operators = interpret_apart(*domain.operators, "planning-operators", fitting(&source));
+    if (!operators) wrong = operators.error();
+  }
+  if (!facts) wrong.insert(wrong.end(), facts.error().begin(), facts.error().end());
+  if (!wrong.empty()) return fail(one_report(wrong));
+  return *facts;
 }
 
 }  // namespace
@@ -111,18 +140,16 @@ Result<Source> read_planning_source_file(const std::string& path) {
   return read_planning_source(*text, path);
 }
 
-Result<PlanningDomain> read_planning_domain(const Source& source) {
+Result<PlanningDomain> read_planning_domain(const Source& source, const Source* facts) {
   if (kind_of(source) == FileKind::problem) {
     return wrong_file(source, "this is a problem; the domain must be named first, and it second");
   }
-  if (is_pddl(source)) return with_language(PlanningLanguage::pddl, interpret(source, "pddl-domain"));
-  if (first_head(source) == "operator") {
-    return with_language(PlanningLanguage::operators, interpret(source, "planning-operators"));
-  }
+  if (is_pddl(source)) return read_pddl_domain(source);
+  if (first_head(source) == "operator") return read_operators(source, facts);
   if (first_head(source) == "domain") {
     const Result<Domain> domain = domain_from_source(source);
     if (!domain) return fail(domain);
-    return PlanningDomain{PlanningLanguage::domain_file, form_of(*domain)};
+    return PlanningDomain{PlanningLanguage::domain_file, form_of(*domain), {}};
   }
   return wrong_file(source, "a domain begins with (define (domain ...) ...), (operator ...) or (domain ...)");
 }
@@ -135,8 +162,7 @@ Result<Datum> read_planning_problem(const Source& source, const PlanningDomain& 
                                    : "the domain is not PDDL, so its facts are (types ...) (initials ...) (goals ...)");
   }
   if (pddl) return interpret(source, "pddl-problem", {domain.form});
-  const bool open = domain.language == PlanningLanguage::operators;
-  return interpret(source, "planning-facts", {domain.form, open ? "open"_sym : "closed"_sym});
+  return read_facts(source, domain);
 }
 
 }  // namespace pizarra

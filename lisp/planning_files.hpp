@@ -16,6 +16,8 @@
 //   const Result<PlanningDomain> domain = read_planning_domain(*text);
 //   const Result<Datum> problem = read_planning_problem(*problem_text, *domain);
 
+#include <optional>
+
 #include "lisp/reader.hpp"
 
 namespace pizarra {
@@ -25,6 +27,8 @@ enum class PlanningLanguage : std::uint8_t { pddl, operators, domain_file };
 struct PlanningDomain {
   PlanningLanguage language = PlanningLanguage::pddl;
   Datum form;
+  // The thesis' operators, of which only facts tell whether the objects exist.
+  std::optional<Source> operators = {};
 };
 
 // At most 4 MiB and 500 000 elements. PDDL's names come in lower case.
@@ -35,7 +39,9 @@ Result<Source> read_planning_source_file(const std::string& path);
 // unknown-type, unknown-predicate, unknown-function, unknown-object, unknown-variable, wrong-arity, wrong-type,
 // wrong-domain, not-ground, contradictory, bad-number, unsupported (PDDL that is not understood), too-many; and
 // wrong-file where the file holds something else altogether.
-Result<PlanningDomain> read_planning_domain(const Source& source);
+// Operators that are wrong are told together with what in them does not fit the `facts`, and operators that do not fit
+// together with what is wrong in the facts.
+Result<PlanningDomain> read_planning_domain(const Source& source, const Source* facts = nullptr);
 Result<Datum> read_planning_problem(const Source& source, const PlanningDomain& domain);
 
 }  // namespace pizarra

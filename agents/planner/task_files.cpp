@@ -51,7 +51,7 @@ PlanningTask task_from(const PlanningDomain& domain, const Datum& problem) {
 }  // namespace
 
 Result<PlanningTask> read_task(const Source& domain, const Source& problem) {
-  const Result<PlanningDomain> read = read_planning_domain(domain);
+  const Result<PlanningDomain> read = read_planning_domain(domain, &problem);
   if (!read) return fail(read);
   const Result<Datum> form = read_planning_problem(problem, *read);
   if (!form) return fail(form);

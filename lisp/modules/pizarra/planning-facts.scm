@@ -10,7 +10,7 @@
   #:use-module (srfi srfi-11)
   #:use-module (pizarra forms)
   #:use-module ((pizarra operators) #:select (param? pattern-variable?))
-  #:export (interpret))
+  #:export (interpret object-entries))
 
 (define most-objects 20000)
 (define known-sections '(types initials goals preconds effects))
@@ -52,6 +52,15 @@
   (and (or (symbol? datum) (string? datum) (number? datum))
        (not (param? datum))
        (not (pattern-variable? datum))))
+
+;; The (NAME TYPE) ... that the data of a facts file name objects with; what is no such entry is left out.
+(define (object-entries data)
+  (define (entry? datum)
+    (and (list? datum) (= (length datum) 2) (name? (first datum)) (symbol? (second datum))))
+  (append (filter (lambda (datum) (and (entry? datum) (not (memq (first datum) known-sections)))) data)
+          (append-map (lambda (datum)
+                        (if (and (list? datum) (pair? datum) (eq? (first datum) 'types)) (filter entry? (cdr datum)) '()))
+                      data)))
 
 ;; One of the domain's own objects may be named again with the same type.
 (define (read-objects nodes types constants open?)

@@ -31,4 +31,17 @@
        (map car (wrong '(operator A (params (a T)) (effects (p <b>))) '(operator) 3))
        '(malformed unknown-variable malformed malformed))
 
+;; With facts, which alone know the objects.
+(define (wrong-with facts . operators)
+  (let ((outcome (interpret operators facts)))
+    (if (eq? (car outcome) 'errors)
+        (map (lambda (error) (list (car error) (caddr error))) (cdr outcome))
+        (car outcome))))
+
+(check "an object of the facts" (wrong-with '((types (a T))) '(operator A (effects (p a)))) 'ok)
+(check "one in Graphplan's way" (wrong-with '((a T) (effects (p a))) '(operator A (effects (p a)))) 'ok)
+(check "an object that no facts name" (wrong-with '((types (a T)) 3 (types) (types b)) '(operator A (effects (p b))))
+       '((unknown-object (0 2 1 1))))
+(check "a deletion that is none" (wrong '(operator A (effects (delete p a)))) '((malformed (0 2 1))))
+
 (finish-checks)

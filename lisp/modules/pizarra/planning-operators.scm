@@ -2,24 +2,33 @@
 ;; FACT) ...)), one after another. Nothing is declared: types and predicates are those that the operators speak of.
 ;;
 ;; (interpret DATA) answers (errors ...) or (ok (domain ...)) as (pizarra pddl-domain) does. A predicate's arguments
-;; have the type `*`, which is any.
+;; have the type `*`, which is any. (interpret DATA FACTS), FACTS being the data of a facts file, also complains about
+;; what is no object of the facts.
 
 (define-module (pizarra planning-operators)
   #:use-module (srfi srfi-1)
   #:use-module (pizarra forms)
   #:use-module (pizarra operators)
+  #:use-module ((pizarra planning-facts) #:select (object-entries))
   #:export (interpret))
 
 (define reserved '(and or not del add = when forall exists imply))
 
-(define (interpret data)
+(define* (interpret data #:optional facts)
   (interpreting data
     (lambda (file)
       (let* ((arities (make-hash-table))
+             (objects (and facts (table-of (map first (object-entries facts)))))
              (operators (map in-common-form
                              (read-operators (filter operator-form? (node-items file)) read-param
-                                             (lambda (params) (fact-reader params arities))))))
+                                             (lambda (params) (fact-reader params arities objects))))))
         (list 'domain 'operators (types-of operators) '() (predicates-of operators arities) '() operators '())))))
+
+;; For lookups, and the names in order.
+(define (table-of names)
+  (let ((known (make-hash-table)))
+    (for-each (lambda (name) (hash-set! known name #t)) names)
+    (cons known names)))
 
 (define (operator-form? node) (node-form? node 'operator))
 
@@ -46,9 +55,10 @@
         datum
         (complain! node 'malformed "a parameter is written (<NAME> TYPE)"))))
 
-;; The first mention of a predicate says how many arguments it has.
-(define (fact-reader params arities)
-  (define read-argument (argument-reader params object-name (const #t)))
+;; The first mention of a predicate says how many arguments it has. OBJECTS is #f where any name may be one.
+(define (fact-reader params arities objects)
+  (define (read-object node type) (object-name node params objects))
+  (define read-argument (argument-reader params read-object (const #t)))
   (define (read-fact node name arguments)
     (let ((arity (hashq-ref arities name))
           (count (length arguments)))
@@ -60,13 +70,21 @@
             (and (every identity terms) (cons name terms))))))
   (lambda (node items)
     (let ((name (and (pair? items) (node-datum (car items)))))
-      (cond ((not (symbol? name)) (complain! node 'malformed "a fact is written (PREDICATE ARGUMENT ...)"))
+      (cond ((eq? name 'delete) (complain! node 'malformed "a deletion is written (del FACT)"))
+            ((not (symbol? name)) (complain! node 'malformed "a fact is written (PREDICATE ARGUMENT ...)"))
             ((or (memq name reserved) (param? name) (pattern-variable? name))
              (complain! node 'malformed "`~a` cannot stand where a predicate is expected" name))
             (else (read-fact node name (cdr items)))))))
 
-(define (object-name node type)
+(define (object-name node params objects)
   (let ((name (node-datum node)))
     (cond ((pair? name) (complain! node 'malformed "an argument is a name"))
           ((pattern-variable? name) (complain! node 'malformed "a parameter is written <NAME>, not ~a" name))
-          (else name))))
+          ((or (not objects) (hash-ref (car objects) name)) name)
+          (else (complain! node 'unknown-object "there is no object ~s~a" name (object-meant name params (cdr objects)))))))
+
+(define (object-meant name params objects)
+  (let ((param (and (symbol? name) (string->symbol (simple-format #f "<~a>" name)))))
+    (if (assq param params)
+        (simple-format #f "; the parameter is written ~a" param)
+        (suggestion (and (symbol? name) name) (filter symbol? objects)))))

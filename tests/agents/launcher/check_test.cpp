@@ -66,6 +66,13 @@ TEST_F(Check, ReadsTheThesisOperatorsAndFacts) {
   EXPECT_EQ(said_, "operators: 1 operator\nfacts: problem: 1 object, 1 fact, 1 goal\n");
 }
 
+TEST_F(Check, FindsTheObjectsThatOperatorsNameAndTheFactsDoNot) {
+  write("operators", "(operator GO (params (<x> T))\n (preconds (p tabel)) (effects (q <x>)))");
+  write("facts", "(types (table T)) (initials (p table)) (goals (q table))");
+  EXPECT_EQ(run("check operators facts"), 2);
+  EXPECT_NE(said_.find("there is no object tabel; the nearest is table\noperators:2:15"), said_.npos) << said_;
+}
+
 TEST_F(Check, FindsABadDomainFromEveryFileThatLeadsToIt) {
   for (const char* file : {"domain.scm", "cell.scm", "story.scm"}) {
     EXPECT_EQ(run(std::string("check ") + file), 2) << said_;

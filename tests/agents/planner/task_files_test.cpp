@@ -151,6 +151,30 @@ TEST(TaskFiles, ReportWhatCannotBeReadTogetherWithWhatIsWrong) {
                                       "domain:4:11 there is no predicate q; the nearest is p"}));
 }
 
+// Only the facts know which objects there are.
+TEST(TaskFiles, ReportWhatOperatorsNameAndTheFactsDoNot) {
+  const std::string_view facts = "(types (table PLACE) (a T))\n(initials (p a))\n(goals (p a))";
+  EXPECT_EQ(errors_of("(operator A (params (<x> T))\n (preconds (clear tabel))\n (effects (p <x>) (del p x)))", facts),
+            (std::vector<std::string>{"domain:2:19 there is no object tabel; the nearest is table (and 1 more)",
+                                      "domain:3:26 there is no object x; the parameter is written <x>"}));
+  EXPECT_EQ(errors_of("(operator A (params (<x> T))\n (effects (p <x>) (delete p <x>)))", facts),
+            (std::vector<std::string>{"domain:2:19 a deletion is written (del FACT)"}));
+  EXPECT_EQ(errors_of("(operator A\n (preconds (p 3 <x>))\n (effects (p \"a\" a)))", facts),
+            (std::vector<std::string>{"domain:2:15 there is no object 3; there are table, a (and 2 more)",
+                                      "domain:2:17 there is no parameter <x>; there is none at all",
+                                      "domain:3:14 there is no object \"a\"; there are table, a"}));
+}
+
+TEST(TaskFiles, ReportWhatIsWrongInOperatorsTogetherWithWhatIsWrongInFacts) {
+  EXPECT_EQ(errors_of("(operator A (effects (clear tabel)))",
+                      "(types (table PLACE))\n(initials (clera table))\n(goals (clear tble))"),
+            (std::vector<std::string>{"domain:1:29 there is no object tabel; the nearest is table (and 2 more)",
+                                      "problem:2:12 there is no predicate clera; the nearest is clear",
+                                      "problem:3:15 there is no object tble; the nearest is table"}));
+  EXPECT_EQ(errors_of("(operator A (effects (clear tabel)))", "(types (table PLACE)\n(goals (clear table))"),
+            (std::vector<std::string>{"problem:1:1 this list is not closed before the next form begins"}));
+}
+
 std::string with_carriage_returns(std::string_view text) {
   std::string out;
   for (const char c : text) out += c == '\n' ? std::string("\r\n") : std::string(1, c);
