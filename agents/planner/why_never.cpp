@@ -84,6 +84,8 @@ class WhyNever {
     if (ways.empty() && wanted.is_form("not")) {
       return fmt::format("{} holds from the beginning, and no operator ends that", write(wanted[1]));
     }
+    const std::string misfit = ways.empty() ? misfit_for(wanted) : std::string();
+    if (!misfit.empty()) return misfit;
     if (ways.empty()) {
       return fmt::format("{} neither holds at the beginning nor is brought about by any operator", write(wanted));
     }
@@ -139,14 +141,37 @@ class WhyNever {
     return bindings;
   }
 
-  // Whether the bound objects are of the types that the operator takes.
+  // Whether the bound objects are of the types that the operator takes, as far as there are any.
   bool takes(const PlanningOperator& op, const Bindings& bindings) const {
-    return std::ranges::all_of(op.parameters, [&](const PlanningParameter& parameter) {
-      const Datum* name = bindings.find(parameter.variable);
-      if (name == nullptr) return true;
-      const auto object = std::ranges::find(task_.objects, *name, &PlanningObject::name);
-      return object != task_.objects.end() && is_subtype(task_.types, object->type, parameter.type);
+    return std::ranges::none_of(op.parameters, [&](const PlanningParameter& parameter) {
+      return has_objects(parameter.type) && misfitting(parameter, bindings) != nullptr;
     });
+  }
+
+  // What is bound to the parameter, where it is an object of another type.
+  const PlanningObject* misfitting(const PlanningParameter& parameter, const Bindings& bindings) const {
+    const Datum* name = bindings.find(parameter.variable);
+    if (name == nullptr) return nullptr;
+    const auto object = std::ranges::find(task_.objects, *name, &PlanningObject::name);
+    const bool fits = object == task_.objects.end() || is_subtype(task_.types, object->type, parameter.type);
+    return fits ? nullptr : &*object;
+  }
+
+  // An operator that would bring it about for objects of other types.
+  std::string misfit_for(const Datum& wanted) const {
+    for (const PlanningOperator& op : task_.operators) {
+      for (const Datum& effect : op.adds) {
+        const std::optional<Bindings> bindings = unified(effect, wanted);
+        if (!bindings) continue;
+        for (const PlanningParameter& parameter : op.parameters) {
+          const PlanningObject* object = misfitting(parameter, *bindings);
+          if (object == nullptr) continue;
+          return fmt::format("{}, which brings {} about, takes a {} for {}, and {} is a {}", op.name, write(effect),
+                             parameter.type, parameter.variable, write(object->name), object->type);
+        }
+      }
+    }
+    return {};
   }
 
   static std::vector<Datum> needed_for(const Way& way) {
@@ -184,10 +209,31 @@ class WhyNever {
 
 }  // namespace
 
+namespace {
+
+// Of a fact that was proved never to hold although each thing that it needs may: an action needs too much at once.
+std::string never_together(const Problem& problem, const Datum& fact) {
+  const auto adds_it = [&](const GroundAction& action) {
+    return std::ranges::any_of(action.adds, [&](std::size_t added) { return problem.facts[added] == fact; });
+  };
+  const auto action = std::ranges::find_if(problem.actions, adds_it);
+  if (action == problem.actions.end()) return {};
+  std::string needed;
+  for (const std::size_t one : action->preconditions) {
+    needed += (needed.empty() ? "" : " and ") + write(problem.facts[one]);
+  }
+  const bool several = action->preconditions.size() > 1;
+  const bool others = std::ranges::count_if(problem.actions, adds_it) > 1;
+  return fmt::format("{} needs {}, which never {}{}", write(action->name), needed, several ? "hold together" : "holds",
+                     others ? ", and so it is with every other action that brings it about" : "");
+}
+
+}  // namespace
+
 std::string why_never(const PlanningTask& task, const Problem& problem, const Datum& fact,
                       const std::function<bool()>& cancelled) {
   WhyNever why(task, problem);
-  if (why.possible(fact)) return {};
+  if (why.possible(fact)) return never_together(problem, fact);
   const std::string nothing = task.initials.empty() ? "; nothing at all holds at the beginning" : "";
   return why.explain(fact, cancelled) + nothing;
 }

@@ -3,7 +3,7 @@
 ;;
 ;; (interpret DATA) answers (errors ...) or (ok (domain ...)) as (pizarra pddl-domain) does. A predicate's arguments
 ;; have the type `*`, which is any. (interpret DATA FACTS), FACTS being the data of a facts file, also complains about
-;; what is no object of the facts.
+;; what is no object of the facts, and about types that no object has and that are a slip of the pen.
 
 (define-module (pizarra planning-operators)
   #:use-module (srfi srfi-1)
@@ -18,7 +18,10 @@
   (interpreting data
     (lambda (file)
       (let* ((arities (make-hash-table))
-             (objects (and facts (table-of (map first (object-entries facts)))))
+             (entries (and facts (object-entries facts)))
+             (objects (and facts (table-of (map first entries))))
+             (types-had (if facts (lset-intersection eq? (types-written data) (map second entries)) '()))
+             (read-param (lambda (node) (typed-param node types-had)))
              (operators (map in-common-form
                              (read-operators (filter operator-form? (node-items file)) read-param
                                              (lambda (params) (fact-reader params arities objects))))))
@@ -36,6 +39,16 @@
 (define (in-common-form operator)
   (apply (lambda (name params preconds adds deletes) (list name params preconds '() '() adds deletes '())) operator))
 
+;; The types that the data of an operator file name, whatever else may be wrong.
+(define (types-written data)
+  (define (items-of datum) (if (list? datum) datum '()))
+  (define (type-of param) (and (list? param) (= (length param) 2) (second param)))
+  (delete-duplicates
+   (filter-map type-of
+               (append-map items-of
+                           (filter (lambda (part) (and (pair? part) (eq? (car part) 'params)))
+                                   (append-map items-of data))))))
+
 (define (types-of operators)
   (map (lambda (type) (list type 'object))
        (delete-duplicates (append-map (lambda (operator) (map second (second operator))) operators))))
@@ -49,11 +62,16 @@
 
 ;; ---- what stands in an operator
 
-(define (read-param node)
-  (let ((datum (node-datum node)))
-    (if (and (list? datum) (= (length datum) 2) (param? (first datum)) (symbol? (second datum)))
-        datum
-        (complain! node 'malformed "a parameter is written (<NAME> TYPE)"))))
+;; A type near to those of the TYPES that objects have is a slip of the pen.
+(define (typed-param node types)
+  (let* ((datum (node-datum node))
+         (written? (and (list? datum) (= (length datum) 2) (param? (first datum)) (symbol? (second datum))))
+         (nearest (and written? (not (memq (second datum) types)) (nearest-name (second datum) types))))
+    (cond ((not written?) (complain! node 'malformed "a parameter is written (<NAME> TYPE)"))
+          (nearest
+           (complain! (node-ref node 1) 'unknown-type "no object is of type ~a; the nearest is ~a" (second datum) nearest)
+           datum)
+          (else datum))))
 
 ;; The first mention of a predicate says how many arguments it has. OBJECTS is #f where any name may be one.
 (define (fact-reader params arities objects)

@@ -166,6 +166,33 @@ TEST(Plan, ThatCannotBeIsTracedToObjectsThatDoNotFit) {
             "a hand, and there is none\n");
 }
 
+TEST(Plan, ThatCannotBeIsTracedToATypeThatNoObjectHas) {
+  const std::string operators = file("typed", R"(
+    (operator PICK-UP (params (<a> object)) (preconds (clear <a>)) (effects (holding <a>)))
+    (operator STACK (params (<a> object) (<b> BLOCK)) (preconds (holding <a>)) (effects (on <a> <b>))))");
+  const std::string facts = file(
+      "typed-facts", "(types (circle object) (square object)) (initials (clear circle)) (goals (on circle square))");
+  EXPECT_EQ(shell(fmt::format("{} plan {} {} 2>&1", PIZARRA_PLAN, operators, facts)).text,
+            "pizarra: no plan exists: (on circle square) can never hold from here: STACK, which brings (on circle "
+            "square) about, takes a BLOCK, and there is none\n");
+}
+
+TEST(Plan, ThatCannotBeIsTracedToAnObjectOfAnotherType) {
+  const std::string tables = file("tables.pddl", R"((define (domain tables) (:requirements :typing)
+    (:types block table) (:predicates (on ?x ?y) (clear ?x))
+    (:action put :parameters (?x - block ?y - block) :precondition (clear ?x) :effect (on ?x ?y))))");
+  const std::string text = file("tables-problem.pddl", R"((define (problem p) (:domain tables)
+      (:objects a - block t - table) (:init (clear a)) (:goal (on a t))))");
+  EXPECT_EQ(shell(fmt::format("{} plan {} {} 2>&1", PIZARRA_PLAN, tables, text)).text,
+            "pizarra: no plan exists: (on a t) can never hold from here: put, which brings (on ?x ?y) about, takes a "
+            "block for ?y, and t is a table\n");
+}
+
+TEST(Plan, ThatCannotBeIsTracedToWhatNeverHoldsTogether) {
+  EXPECT_EQ(why("(clear a) (on-table a) (arm-empty)", "(on a a)"),
+            "(stack a a) needs (clear a) and (holding a), which never hold together\n");
+}
+
 TEST(Plan, OfWrongFilesIsAUsageError) {
   const Said said = plan("(and (on a d) (clera b))");
   EXPECT_EQ(said.status, 2);

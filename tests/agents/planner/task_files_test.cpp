@@ -165,6 +165,16 @@ TEST(TaskFiles, ReportWhatOperatorsNameAndTheFactsDoNot) {
                                       "domain:3:14 there is no object \"a\"; there are table, a"}));
 }
 
+TEST(TaskFiles, ReportATypeOfOperatorsThatIsASlipOfThePen) {
+  const std::string_view operators =
+      "(operator A (params (<x> OBJCET)) (effects (p <x>)))\n(operator B (params (<x> OBJECT)) (effects (p <x>)))";
+  EXPECT_EQ(errors_of(operators, "(types (a OBJECT)) (goals (p a))"),
+            (std::vector<std::string>{"domain:1:26 no object is of type OBJCET; the nearest is OBJECT"}));
+  EXPECT_EQ(errors_of(operators, "(types (a OBJECT) (b OBJCET)) (goals (p a))"), (std::vector<std::string>{}));
+  EXPECT_EQ(errors_of("(operator A (params (<x> BLOCK)) (effects (p <x>)))", "(types (a OBJECT)) (goals (p a))"),
+            (std::vector<std::string>{}));
+}
+
 TEST(TaskFiles, ReportWhatIsWrongInOperatorsTogetherWithWhatIsWrongInFacts) {
   EXPECT_EQ(errors_of("(operator A (effects (clear tabel)))",
                       "(types (table PLACE))\n(initials (clera table))\n(goals (clear tble))"),
