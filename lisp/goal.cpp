@@ -1,5 +1,8 @@
 #include "lisp/goal.hpp"
 
+#include <algorithm>
+#include <cctype>
+
 #include "lisp/interpret.hpp"
 
 namespace pizarra {
@@ -16,6 +19,28 @@ Datum predicates_form(const Domain& domain) {
     out.push_back(Datum::list(std::move(items)));
   }
   return Datum::list(std::move(out));
+}
+
+// As goals are read: a string names an object as a symbol does, and case does not count.
+bool same(const Datum& a, const Datum& b) {
+  if (a.is_list() && b.is_list()) return std::ranges::equal(a.items(), b.items(), same);
+  const auto is_name = [](const Datum& datum) { return datum.is_symbol() || datum.is_string(); };
+  if (!is_name(a) || !is_name(b)) return a == b;
+  const auto lower = [](unsigned char letter) { return std::tolower(letter); };
+  return std::ranges::equal(a.text(), b.text(), {}, lower, lower);
+}
+
+// The way to the first element that is the subject or one of it; empty where there is none.
+std::vector<std::size_t> path_to(const Datum& subject, std::span<const Datum> items) {
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const auto is_this = [&](const Datum& named) { return same(named, items[i]); };
+    if (is_this(subject) || std::ranges::any_of(subject.items(), is_this)) return {i};
+    std::vector<std::size_t> path = path_to(subject, items[i].items());
+    if (path.empty()) continue;
+    path.insert(path.begin(), i);
+    return path;
+  }
+  return {};
 }
 
 Result<std::vector<Datum>> read(const Domain& domain, std::string_view text, std::vector<Datum> objects,
@@ -40,6 +65,15 @@ Result<std::vector<Datum>> read_goal(const Domain& domain, std::string_view text
 
 Result<std::vector<Datum>> check_goal(const Domain& domain, std::string_view text) {
   return read(domain, text, {}, "open"_sym);
+}
+
+Failure at_its_goal(Failure refusal, std::string_view text) {
+  const Result<Source> source = read_source(text, "goal");
+  if (!source || !refusal.place.empty()) return refusal;
+  const std::vector<std::size_t> path = path_to(refusal.subject, source->data());
+  if (path.empty() && refusal.symbol != "no-plan") return refusal;
+  refusal.place = source->failure_at(path, {}, {}).place;
+  return refusal;
 }
 
 }  // namespace pizarra

@@ -26,4 +26,8 @@ Result<std::vector<Datum>> read_goal(const Domain& domain, std::string_view text
 // The same while nothing was seen yet: any name may be an object, and comes out as it was typed.
 Result<std::vector<Datum>> check_goal(const Domain& domain, std::string_view text);
 
+// A refusal with the place in the goal's text of the first fact or object that its subject names; without one where it
+// names none of them. That there is no plan is about the whole goal, when it names none.
+Failure at_its_goal(Failure refusal, std::string_view text);
+
 }  // namespace pizarra

@@ -4,6 +4,7 @@
 
 #include "agents/repl/commands.hpp"
 #include "agents/repl/json_answers.hpp"
+#include "lisp/goal.hpp"
 #include "lisp/reader.hpp"
 #include "lisp/writer.hpp"
 
@@ -40,11 +41,13 @@ Task<Evaluation> Interpreter::goal(Datum form) {
   say(fmt::format("goal {} accepted", write(number)),
       fmt::format("{{\"goal\":{},\"state\":\"accepted\"}}", write(number)));
   if (patience_ == Patience::accepted) co_return Evaluation::done;
-  const Evaluation outcome = co_await wait_for_end(number);
+  std::string typed;
+  for (const Datum& fact : form.items().subspan(1)) typed += (typed.empty() ? "" : " ") + write(fact);
+  const Evaluation outcome = co_await wait_for_end(number, std::move(typed));
   co_return outcome;
 }
 
-Task<Evaluation> Interpreter::wait_for_end(Datum number) {
+Task<Evaluation> Interpreter::wait_for_end(Datum number, std::string typed) {
   const Datum state = list("goal-state"_sym, number, "?state"_sym, "?detail"_sym);
   const Result<std::unique_ptr<Watch>> watch = co_await context_.board.watch(query_for(state));
   if (!watch) co_return show(watch.error());
@@ -54,7 +57,7 @@ Task<Evaluation> Interpreter::wait_for_end(Datum number) {
     for (const Answer& answer : change->added) {
       const Datum& fact = answer.facts.front().datum;
       if (fact[2].is_symbol("running")) continue;
-      say_end(fact);
+      say_end(fact, typed);
       if (fact[2].is_symbol("refused")) co_return Evaluation::refused;
       co_return fact[2].is_symbol("reached") ? Evaluation::done : Evaluation::failed;
     }
@@ -62,9 +65,9 @@ Task<Evaluation> Interpreter::wait_for_end(Datum number) {
 }
 
 // `(goal-state N STATE DETAIL)`
-void Interpreter::say_end(const Datum& state) {
+void Interpreter::say_end(const Datum& state, const std::string& typed) {
   const bool failed = state[3].is_form("fail");
-  const Failure failure = failed ? failure_from_datum(state[3]) : Failure();
+  const Failure failure = failed ? at_its_goal(failure_from_datum(state[3]), typed) : Failure();
   say(fmt::format("goal {} {}{}", write(state[1]), state[2].text(), failed ? ": " + describe(failure) : ""),
       fmt::format("{{\"goal\":{},\"state\":\"{}\"{}}}", write(state[1]), state[2].text(),
                   failed ? ",\"error\":" + json_failure(failure) : ""));

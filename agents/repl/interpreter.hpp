@@ -67,13 +67,13 @@ class Interpreter {
   Task<Evaluation> cancel(Datum form);
   Task<Evaluation> quit(Datum form);
   Task<Evaluation> request(std::string agent, Datum operation);
-  Task<Evaluation> wait_for_end(Datum number);
+  Task<Evaluation> wait_for_end(Datum number, std::string typed);
   Task<bool> being_taught();
   Task<bool> is_agent(std::string name);
   Task<void> follow(int number, std::unique_ptr<Watch> watch);
 
   Failure unknown_command(const Datum& form) const;
-  void say_end(const Datum& state);
+  void say_end(const Datum& state, const std::string& typed);
   void say_change(int number, const Change& change);
   void say(const std::string& text, const std::string& json);
   Evaluation show(const Failure& failure, Evaluation outcome);

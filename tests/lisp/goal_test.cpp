@@ -49,6 +49,27 @@ TEST_F(GoalTest, WhatIsWrongHasItsSymbol) {
   EXPECT_EQ(goal("(not (arm-empty))"), "negated");
 }
 
+TEST_F(GoalTest, ARefusalIsShownAtTheFirstOfTheGoalsThatItNames) {
+  const Datum together =
+      list(list("on"_sym, "triangle"_sym, "circle"_sym), list("on"_sym, "circle"_sym, "triangle"_sym));
+  const std::string text = "(and (arm-empty)\n     (on \"circle\" Triangle)\n (on triangle circle))";
+  EXPECT_EQ(at_its_goal({"no-plan", "never", together, {}}, text).place,
+            "goal:2:6\n"
+            "       (on \"circle\" Triangle)\n"
+            "       ^");
+  EXPECT_EQ(at_its_goal({"missing-object", "not seen", "circle"_sym, {}}, "(on triangle circle)").place,
+            "goal:1:14\n"
+            "  (on triangle circle)\n"
+            "               ^");
+}
+
+TEST_F(GoalTest, ARefusalThatNamesNothingOfTheGoalHasAPlaceWhereItIsAboutTheWholeGoal) {
+  const std::string text = "(on triangle circle)";
+  EXPECT_EQ(at_its_goal({"no-plan", "never", {}, {}}, text).place, "goal:1:1\n  (on triangle circle)\n  ^");
+  EXPECT_EQ(at_its_goal({"absent", "the arm is gone", "robot"_sym, {}}, text).place, "");
+  EXPECT_EQ(at_its_goal({"no-plan", "never", {}, "elsewhere"}, text).place, "elsewhere") << "one that has its place";
+}
+
 TEST_F(GoalTest, AnUnknownObjectIsShownWithACaret) {
   const auto facts = read_goal(domain_, "(and (on circle traingle))", {{"circle", "OBJECT"}, {"triangle", "OBJECT"}});
   ASSERT_FALSE(facts);

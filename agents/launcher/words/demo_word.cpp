@@ -63,11 +63,14 @@ void tell_end(Narrator& narrator, const StoryReport& report, const DemoChoices& 
   if (!choices.film.empty()) narrator.say(end, "film", choices.film);
 }
 
-int status_of(const DirectorReport& report) {
+int status_of(const DirectorReport& report, const std::string& typed_goal) {
   if (report.reached()) return exit_reached;
   if (report.outcome == "refused" && report.refusal) {
-    // One that the coordinator came to has been part of the story already.
-    return report.refusal_told ? exit_refused : complain(*report.refusal, exit_refused);
+    const Failure refusal = at_its_goal(*report.refusal, typed_goal);
+    if (!report.refusal_told) return complain(refusal, exit_refused);
+    // One that the coordinator came to has been part of the story already, but for its place.
+    if (!refusal.place.empty()) fmt::print(stderr, "{}\n", refusal.place);
+    return exit_refused;
   }
   for (const std::string& sentence : report.unmet) fmt::print(stderr, "pizarra: {}\n", sentence);
   return exit_failed;
@@ -122,7 +125,7 @@ int run_demo(const DemoChoices& choices) {
     return exit_interrupted;
   }
   tell_end(narrator, *report, choices);
-  return status_of(report->director);
+  return status_of(report->director, choices.goal);
 }
 
 }  // namespace
