@@ -11,8 +11,8 @@
 namespace pizarra {
 
 struct RandomResult {
-  enum class Kind : std::uint8_t { reached, refused, failed, unreadable };
-  Kind kind = Kind::failed;  // unreadable: no cell to run in
+  enum class Kind : std::uint8_t { reached, refused, failed, timed_out, unreadable };
+  Kind kind = Kind::failed;  // timed_out: as whoever waits for it finds; unreadable: no cell to run in
   std::string line;          // what happened, for people
 };
 

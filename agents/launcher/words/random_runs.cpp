@@ -19,8 +19,6 @@ namespace pizarra {
 
 namespace {
 
-// A seed that takes longer has hung: it counts as failed.
-constexpr std::chrono::seconds longest_run{180};
 constexpr std::size_t longest_line = 2000;
 
 volatile std::sig_atomic_t interrupted = 0;
@@ -32,6 +30,7 @@ struct Worker {
   int pipe;
   std::chrono::steady_clock::time_point started;
   std::string text;
+  bool timed_out = false;
 };
 
 class Pool {
@@ -86,7 +85,7 @@ bool Pool::start(std::uint64_t seed) {
     close(ends[0]);
     return false;
   }
-  workers_.push_back({seed, pid, ends[0], std::chrono::steady_clock::now(), {}});
+  workers_.push_back({seed, pid, ends[0], std::chrono::steady_clock::now(), {}, false});
   return true;
 }
 
@@ -95,7 +94,10 @@ void Pool::collect(Worker& worker) {
   int status = 0;
   waitpid(worker.pid, &status, 0);
   RandomResult result;
-  if (WIFSIGNALED(status)) {
+  if (worker.timed_out) {
+    result.kind = RandomResult::Kind::timed_out;
+    result.line = fmt::format("no end within {} s of this machine's time", runs_.longest_run.count());
+  } else if (WIFSIGNALED(status)) {
     result.line = fmt::format("ended by signal {}", WTERMSIG(status));
   } else if (WEXITSTATUS(status) != 0 || worker.text.empty()) {
     result.line = fmt::format("ended with status {} and no word", WEXITSTATUS(status));
@@ -112,7 +114,9 @@ void Pool::read_some() {
   poll(files.data(), files.size(), 500);
   for (std::size_t i = workers_.size(); i-- > 0;) {
     Worker& worker = workers_[i];
-    if (std::chrono::steady_clock::now() - worker.started > longest_run) kill(worker.pid, SIGKILL);
+    if (std::chrono::steady_clock::now() - worker.started > runs_.longest_run) {
+      worker.timed_out = kill(worker.pid, SIGKILL) == 0;
+    }
     if (files[i].revents == 0) continue;
     char buffer[512];
     const ssize_t got = read(worker.pipe, buffer, sizeof buffer);
@@ -126,7 +130,7 @@ void Pool::read_some() {
 }
 
 void Pool::print_ready() {
-  static constexpr const char* words[] = {"reached", "refused", "failed"};
+  static constexpr const char* words[] = {"reached", "refused", "failed", "timed out"};
   for (auto ready = results_.find(next_to_print_); ready != results_.end(); ready = results_.find(next_to_print_)) {
     const RandomResult& result = ready->second;
     if (result.kind == RandomResult::Kind::unreadable) {
@@ -154,18 +158,22 @@ void Pool::kill_all() {
   workers_.clear();
 }
 
+// On standard error where the lines were not read any more.
 void Pool::print_summary() {
   using Kind = RandomResult::Kind;
   const int reached = counts_[Kind::reached];
   const int refused = counts_[Kind::refused];
   const int failed = counts_[Kind::failed];
   const std::uint64_t done = next_to_print_ - runs_.first_seed;
+  const int timed_out = counts_[Kind::timed_out];
   const bool cut_short = interrupted != 0;
+  std::FILE* const out = std::ferror(stdout) == 0 ? stdout : stderr;
   if (runs_.json) {
-    fmt::print("{{\"reached\":{},\"refused_correctly\":{},\"failed\":{}{}}}\n", reached, refused, failed,
-               cut_short ? fmt::format(",\"interrupted_after\":{}", done) : "");
+    fmt::print(out, "{{\"reached\":{},\"refused_correctly\":{},\"failed\":{},\"timed_out\":{}{}}}\n", reached, refused,
+               failed, timed_out, cut_short ? fmt::format(",\"interrupted_after\":{}", done) : "");
   } else {
-    fmt::print("reached {}, refused correctly {}, failed {}{}\n", reached, refused, failed,
+    fmt::print(out, "reached {}, refused correctly {}, failed {}{}{}\n", reached, refused, failed,
+               timed_out > 0 ? fmt::format(", timed out {}", timed_out) : "",
                cut_short ? fmt::format("; interrupted after {} of {} seeds", done, runs_.seeds) : "");
   }
 }
@@ -175,6 +183,8 @@ int Pool::run() {
   action.sa_handler = on_interrupt;
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
+  sigaction(SIGHUP, &action, nullptr);
+  sigaction(SIGPIPE, &action, nullptr);
   next_to_print_ = runs_.first_seed;
   std::uint64_t next = runs_.first_seed;
   const std::uint64_t end = runs_.first_seed + runs_.seeds;
@@ -198,7 +208,8 @@ int Pool::run() {
   kill_all();
   print_summary();
   if (interrupted != 0) return exit_interrupted;
-  return counts_[RandomResult::Kind::failed] == 0 && results_.size() == runs_.seeds ? exit_reached : exit_failed;
+  if (counts_[RandomResult::Kind::failed] > 0) return exit_failed;
+  return counts_[RandomResult::Kind::timed_out] > 0 ? exit_unavailable : exit_reached;
 }
 
 }  // namespace
