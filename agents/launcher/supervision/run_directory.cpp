@@ -8,8 +8,10 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <sys/stat.h>
+#include <sys/un.h>
 #include <unistd.h>
 
 #include "lisp/reader.hpp"
@@ -88,13 +90,28 @@ Result<RunState> load(const std::string& path) {
   return run_state_from_datum(*datum);
 }
 
-// What a supervisor that was killed left in its folder: its state and the sockets, which nobody serves any more.
-void clean(const std::string& path) {
+void remove_those(const std::string& path, const std::function<bool(const std::filesystem::path&)>& stale) {
   std::error_code error;
   for (const auto& entry : std::filesystem::directory_iterator(path, error)) {
-    const bool stale = entry.path().filename() == state_name || entry.path().extension() == ".ipc";
-    if (stale) std::filesystem::remove(entry.path(), error);
+    if (stale(entry.path())) std::filesystem::remove(entry.path(), error);
   }
+}
+
+// What a supervisor that was killed left in its folder: its state and the sockets, which nobody serves any more. Its
+// logs stay, to be read, until the next begins.
+void clean(const std::string& path) {
+  remove_those(path, [](const auto& file) { return file.filename() == state_name || file.extension() == ".ipc"; });
+}
+
+// The sockets stand in the folder, and the system bounds their paths.
+Result<void> check_length(const std::string& path) {
+  constexpr std::size_t longest = sizeof(sockaddr_un::sun_path) - 1;
+  const std::size_t length = path.size() + std::string_view("/board.ipc").size();
+  if (length <= longest) return {};
+  return fail("cannot-write",
+              fmt::format("{}/board.ipc has {} bytes, and a socket's path at most {}: set XDG_RUNTIME_DIR to a shorter "
+                          "folder, or give the cell a shorter name",
+                          path, length, longest));
 }
 
 }  // namespace
@@ -131,10 +148,11 @@ Result<RunState> run_state_from_datum(const Datum& datum) {
 }
 
 Result<RunDirectory> RunDirectory::make(const std::string& cell, const std::string& host) {
-  const std::string base = base_path();
-  const Result<void> made_base = make_private(base);
-  if (!made_base) return fail(made_base);
   const std::string path = path_of(cell, host);
+  const Result<void> short_enough = check_length(path);
+  if (!short_enough) return fail(short_enough);
+  const Result<void> made_base = make_private(base_path());
+  if (!made_base) return fail(made_base);
   const Result<void> made = make_private(path);
   if (!made) return fail(made);
   std::shared_ptr<const int> lock = take_lock(path);
@@ -144,6 +162,7 @@ Result<RunDirectory> RunDirectory::make(const std::string& cell, const std::stri
     return fail("already-running", fmt::format("the cell {} runs on {} already{}", cell, host, under));
   }
   clean(path);
+  remove_those(path, [](const auto& file) { return file.extension() == ".log"; });
   return RunDirectory(path, std::move(lock));
 }
 

@@ -41,7 +41,7 @@ Result<RunState> run_state_from_datum(const Datum& datum);
 
 class RunDirectory {
  public:
-  // Failures: cannot-write, already-running.
+  // Begun anew: nothing of an earlier run is left but its journal. Failures: cannot-write, already-running.
   static Result<RunDirectory> make(const std::string& cell, const std::string& host);
   std::string file(const std::string& name) const { return path_ + "/" + name; }
   const std::string& path() const { return path_; }

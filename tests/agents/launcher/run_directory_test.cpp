@@ -1,5 +1,4 @@
 #include "agents/launcher/supervision/run_directory.hpp"
-#include "tests/scratch.hpp"
 
 #include <cstdlib>
 #include <filesystem>
@@ -8,6 +7,8 @@
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+#include "tests/scratch.hpp"
 
 namespace pizarra {
 namespace {
@@ -24,7 +25,9 @@ class RunDirectoryTest : public testing::Test {
   std::string folder_;
 };
 
-RunState state_of(int pid, const std::string& board) { return {"blocks", "here", pid, board, "", "", {{"vision", 7, 1}}}; }
+RunState state_of(int pid, const std::string& board) {
+  return {"blocks", "here", pid, board, "", "", {{"vision", 7, 1}}};
+}
 
 TEST_F(RunDirectoryTest, IsTheUsersAlone) {
   const Result<RunDirectory> run = RunDirectory::make("blocks", "here");
@@ -40,6 +43,24 @@ TEST_F(RunDirectoryTest, AFolderThatOthersMayReadIsNotTrusted) {
   const Result<RunDirectory> run = RunDirectory::make("blocks", "here");
   ASSERT_FALSE(run);
   EXPECT_EQ(run.error().symbol, "cannot-write");
+}
+
+TEST_F(RunDirectoryTest, APathTooLongForASocketIsToldWithTheVariableToChange) {
+  const std::string deep = folder_ + "/" + std::string(100, 'x');
+  setenv("XDG_RUNTIME_DIR", deep.c_str(), 1);
+  const Result<RunDirectory> run = RunDirectory::make("blocks", "here");
+  ASSERT_FALSE(run);
+  EXPECT_NE(run.error().sentence.find(deep + "/pizarra/blocks@here/board.ipc has "), std::string::npos);
+  EXPECT_NE(run.error().sentence.find("XDG_RUNTIME_DIR"), std::string::npos);
+}
+
+TEST_F(RunDirectoryTest, TheLogsOfAnEarlierRunAreGoneWhenTheNextBeginsAndNotBefore) {
+  const std::string log = RunDirectory::make("blocks", "here").value().file("board.log");
+  std::ofstream(log) << "an earlier run\n";
+  EXPECT_TRUE(running_cells().empty());
+  EXPECT_TRUE(std::filesystem::exists(log));
+  ASSERT_TRUE(RunDirectory::make("blocks", "here"));
+  EXPECT_FALSE(std::filesystem::exists(log));
 }
 
 TEST_F(RunDirectoryTest, AStateIsReadBackAsItWasSaved) {
