@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <map>
 #include <unistd.h>
+#include <utility>
 
 #include "lisp/json.hpp"
 #include "lisp/writer.hpp"
@@ -14,6 +15,8 @@ namespace pizarra {
 namespace {
 
 constexpr Duration retry_pause = 100ms;
+// Longer than an agent takes to find that the board has forgotten it.
+constexpr Duration return_pause = 5s;
 
 // Colours by what a line is about: surprises stand out, the servo's many lines step back.
 const char* colour_of(std::string_view kind) {
@@ -84,21 +87,34 @@ void Narrator::tell_added(const Fact& fact) {
     return;
   }
   if (datum.is_form("person")) {
+    if (datum == last_person_) return;
+    last_person_ = datum;
     if (datum[1].is_symbol("done")) say(fact.when, "person", "everything is taught: ready for goals", datum);
     if (datum[1].is_symbol("failed")) say(fact.when, "failure", describe(failure_from_datum(datum[2])), datum);
     return;
   }
-  if (!is_visitor(datum)) say(fact.when, "agent", fmt::format("{} is there", datum[1].text()), datum);
+  if (is_visitor(datum)) return;
+  missing_.erase(datum);
+  if (present_.insert(datum).second) say(fact.when, "agent", fmt::format("{} is there", datum[1].text()), datum);
 }
 
-void Narrator::tell_change(const Change& change, Time now) {
+Task<void> Narrator::tell_who_stays_away(Executor& executor) {
+  co_await sleep(executor, return_pause);
+  for (const Datum& agent : std::exchange(missing_, {})) {
+    present_.erase(agent);
+    say(executor.now(), "agent", fmt::format("{} is gone", agent[1].text()), agent);
+  }
+}
+
+void Narrator::tell_change(const Change& change, Executor& executor) {
   std::vector<Fact> added;
   for (const Answer& answer : change.added) added.push_back(answer.facts.front());
   std::ranges::sort(added, {}, &Fact::id);
   for (const Answer& answer : change.removed) {
     const Datum& datum = answer.facts.front().datum;
-    if (datum.is_form("agent") && !is_visitor(datum))
-      say(now, "agent", fmt::format("{} is gone", datum[1].text()), datum);
+    missing_.erase(datum);
+    if (present_.erase(datum) == 0) continue;
+    say(executor.now(), "agent", fmt::format("{} is gone", datum[1].text()), datum);
   }
   for (const Fact& fact : added) tell_added(fact);
 }
@@ -119,7 +135,7 @@ Task<Result<std::unique_ptr<Watch>>> watch_when_declared(Board& board, Executor&
 }  // namespace
 
 Task<void> Narrator::follow_pattern(Board& board, Executor& executor, Datum pattern) {
-  Result<std::unique_ptr<Watch>> watch = co_await watch_when_declared(board, executor, std::move(pattern));
+  Result<std::unique_ptr<Watch>> watch = co_await watch_when_declared(board, executor, pattern);
   if (!watch) {
     say(executor.now(), "failure", describe(watch.error()));
     co_return;
@@ -130,7 +146,10 @@ Task<void> Narrator::follow_pattern(Board& board, Executor& executor, Datum patt
       say(executor.now(), "failure", describe(change.error()));
       co_return;
     }
-    tell_change(*change, executor.now());
+    const bool agents_anew = change->resynchronised && pattern.is_form("agent");
+    if (agents_anew) missing_ = present_;
+    tell_change(*change, executor);
+    if (agents_anew && !missing_.empty()) waiting_ = executor.spawn(tell_who_stays_away(executor));
   }
 }
 

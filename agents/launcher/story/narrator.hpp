@@ -8,6 +8,7 @@
 //   narrator.say(executor.now(), "hand", "pushes circle 40 mm to the right");
 
 #include <cstdio>
+#include <set>
 #include <string>
 
 #include "blackboard/board.hpp"
@@ -27,15 +28,17 @@ class Narrator {
   void begin(Time start) { start_ = start; }
   void say(Time when, std::string_view kind, std::string_view sentence, const Datum& detail = {});
   // Tells every (event ...) fact, each state the servo enters, and the coming and going of agents, and when all is
-  // taught, until destroyed. Both outlive it.
+  // taught, until destroyed. Both outlive it. A board that dies and lives again tells nothing twice: its agents have a
+  // while to be present again before they are said to be gone.
   Task<void> follow(Board& board, Executor& executor);
   // The newest line without its colours, for the film's caption.
   const std::string& newest() const { return newest_; }
 
  private:
   Task<void> follow_pattern(Board& board, Executor& executor, Datum pattern);
-  void tell_change(const Change& change, Time now);
+  void tell_change(const Change& change, Executor& executor);
   void tell_added(const Fact& fact);
+  Task<void> tell_who_stays_away(Executor& executor);
 
   std::FILE* out_;
   Style style_;
@@ -43,6 +46,10 @@ class Narrator {
   std::string newest_;
   std::int64_t last_event_ = 0;
   Datum last_servo_;
+  Datum last_person_;
+  std::set<Datum> present_;  // agents that were told to be there
+  std::set<Datum> missing_;  // those of them that a board which lives again has yet to hear of
+  Job waiting_;
 };
 
 }  // namespace pizarra

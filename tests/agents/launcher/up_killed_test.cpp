@@ -142,6 +142,9 @@ TEST_F(UpKilled, ABoardKilledWhileABlockIsHeldLivesAgainWithWhatIsDurableAndTheG
   const std::string why = say({"why"});
   EXPECT_NE(why.find("goal 1 is reached"), std::string::npos) << why;
   EXPECT_TRUE(comes("(person done ?x)")) << up_->said();
+  const std::string story = up_->said();
+  const std::string taught = "everything is taught";
+  EXPECT_EQ(story.find(taught), story.rfind(taught)) << "nothing is told twice\n" << story;
   stop_cleanly();
 }
 
