@@ -11,6 +11,7 @@
 #include "agents/repl/repl.hpp"
 #include "blackboard/remote_board.hpp"
 #include "blackboard/time/real_executor.hpp"
+#include "blackboard/time/stop_signals.hpp"
 
 namespace pizarra {
 
@@ -20,6 +21,9 @@ constexpr Duration answer_timeout = 5s;
 // Longer than a supervisor takes to start a board again.
 constexpr Duration longest_silence = 10s;
 constexpr Duration look_pause = 200ms;
+constexpr Duration goodbye_timeout = 500ms;
+
+Task<void> pause(Executor& executor, Duration duration) { co_await sleep(executor, duration); }
 
 int status_of(Evaluation evaluation) {
   switch (evaluation) {
@@ -90,10 +94,25 @@ BoardSession::BoardSession(Executor& executor, Board& board, Manner manner, Loss
           context_, service_, [this](const std::string& line) { print(line); }, manner.patience, manner.style) {}
 
 int BoardSession::run(const std::vector<std::string>& forms) {
-  const Job talking = context_.executor.spawn(talk(forms));
-  context_.executor.run_until([&] { return talking.done() || gone_; });
+  {
+    const Job talking = context_.executor.spawn(talk(forms));
+    context_.executor.run_until([&] { return talking.done() || gone_; });
+    const bool interrupted = !talking.done() && !gone_;
+    if (interrupted) status_ = exit_interrupted;
+  }
+  if (!gone_ && service_.presence() != 0) say_goodbye();
   return status_;
 }
+
+// Its presence goes at once, and does not stand until its lease has lapsed.
+void BoardSession::say_goodbye() {
+  const Job leaving = context_.executor.spawn(leave());
+  const Job patience = context_.executor.spawn(pause(context_.executor, goodbye_timeout));
+  context_.executor.run_until([&] { return leaving.done() || patience.done(); });
+}
+
+// Where it is not heard the lease lapses.
+Task<void> BoardSession::leave() { [[maybe_unused]] const Result<void> left = co_await service_.leave(0s); }
 
 void BoardSession::print(const std::string& line) {
   if (terminal_ != nullptr) return terminal_->print(line);
@@ -171,6 +190,9 @@ Task<void> BoardSession::look_after_board() {
 
 int talk_to(const Destination& to, const std::vector<std::string>& forms, Manner manner) {
   RealExecutor executor;
+  // A prompt has its own way with them.
+  std::optional<StopSignals> signals;
+  if (!forms.empty()) signals.emplace(executor);
   const Result<std::optional<ClientKeys>> keys = keys_from(to.key);
   if (!keys) return complain_as(manner.style, keys.error(), exit_usage);
   const auto board =

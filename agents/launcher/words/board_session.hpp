@@ -8,7 +8,8 @@
 //
 // A board elsewhere may go while something of it is waited for. It is gone at once when it is that of a cell which runs
 // here and ends, else when it has answered nothing for `longest_silence`; one that comes back before is none the wiser.
-// Then the talk ends with exit_unavailable; a prompt that a person types at says so and stays.
+// Then the talk ends with exit_unavailable; a prompt that a person types at says so and stays. Who ends, also by a
+// signal that ended its executor, takes its presence along.
 
 #include <CLI/CLI.hpp>
 #include <functional>
@@ -59,6 +60,8 @@ class BoardSession {
   int run(const std::vector<std::string>& forms);
 
  private:
+  void say_goodbye();
+  Task<void> leave();
   void print(const std::string& line);
   Task<Result<void>> reach_board();
   Task<void> talk(std::vector<std::string> forms);

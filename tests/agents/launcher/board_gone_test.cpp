@@ -77,6 +77,28 @@ TEST_F(BoardOfACellGone, ABoardThatIsStartedAgainEndsNobody) {
   EXPECT_TRUE(wait_until(told, patience)) << up_->said();
   EXPECT_TRUE(says(*watch_, "+ ?who = spirit")) << watch_->said();
   EXPECT_EQ(waiting_->end(seconds(0)), std::nullopt) << waiting_->said();
+
+  const auto planner_is_there = [] { return run("ask '(agent planner ?k ?)'").text == "?k = planner\n"; };
+  EXPECT_TRUE(wait_until(planner_is_there, patience)) << up_->said();
+  const std::string story = up_->said();
+  const std::string arrival = "planner is there";
+  ASSERT_NE(story.find(arrival), std::string::npos) << story;
+  EXPECT_EQ(story.find(arrival), story.rfind(arrival)) << story;
+}
+
+TEST_F(BoardOfACellGone, WhoEndsOrIsInterruptedIsNotPresentAnyMore) {
+  const auto presences = [] {
+    const std::string shown = run("ps").text;
+    std::size_t count = 0;
+    for (std::size_t at = shown.find("prompt-"); at != std::string::npos; at = shown.find("prompt-", at + 1)) ++count;
+    return count;
+  };
+  EXPECT_EQ(presences(), 2U) << "the watch and the form that waits, but not who asked before: " << run("ps").text;
+  watch_->signal(SIGINT);
+  waiting_->signal(SIGTERM);
+  EXPECT_EQ(watch_->end(patience), 130) << watch_->said();
+  EXPECT_EQ(waiting_->end(patience), 130) << waiting_->said();
+  EXPECT_EQ(presences(), 0U) << run("ps").text;
 }
 
 TEST(BoardGone, OneThatAnswersNothingForTenSecondsEndsWhoWaitsWithStatus4) {
