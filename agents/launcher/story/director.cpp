@@ -37,7 +37,6 @@ Director::Director(LocalCell& cell, const Scenario& scenario, const Judge& judge
                    DirectorOptions options)
     : cell_(cell),
       scenario_(scenario),
-      narrator_(narrator),
       options_(std::move(options)),
       board_(cell.board().view("director")),
       context_{"director", "localhost", cell.executor(), *board_, cell.random("director")},
@@ -68,8 +67,6 @@ Task<Result<void>> Director::give_goal(std::vector<Datum> goal) {
   report_.goal = facts_of_goal(goal);
   std::vector<Datum> request{"goal"_sym};
   request.insert(request.end(), goal.begin(), goal.end());
-  const std::string text = write(Datum::list(goal));
-  narrator_.say(cell_.executor().now(), "goal", text.substr(1, text.size() - 2));
   Datum operation = Datum::list(std::move(request));
   const Result<Datum> accepted = co_await caller_.call("coordinator", std::move(operation), goal_timeout);
   if (!accepted) co_return fail(accepted);

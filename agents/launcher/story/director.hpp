@@ -42,7 +42,6 @@ class Director {
 
   LocalCell& cell_;
   const Scenario& scenario_;
-  Narrator& narrator_;
   DirectorOptions options_;
   std::unique_ptr<Board> board_;
   AgentContext context_;
