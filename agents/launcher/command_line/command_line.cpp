@@ -1,6 +1,14 @@
 #include "agents/launcher/command_line/command_line.hpp"
 
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
 #include <fmt/format.h>
+#include <poll.h>
+#include <system_error>
+#include <unistd.h>
 
 #include "agents/launcher/command_line/exit_codes.hpp"
 #include "lisp/nearest.hpp"
@@ -57,7 +65,37 @@ std::string complaint_of(const CLI::App& app, const CLI::ParseError& error) {
   return fmt::format("{}; {}{} --help says more", sentence, app.get_name(), word);
 }
 
+void on_unread(int) { _exit(exit_interrupted); }
+
+bool output_is_unread() {
+  pollfd output{STDOUT_FILENO, POLLOUT, 0};
+  return poll(&output, 1, 0) == 1 && (output.revents & POLLERR) != 0;
+}
+
+// What was printed last may be in a buffer still; what could not be written before is known to the stream, but not why.
+int status_of_output(int status) {
+  const bool flushed = std::fflush(stdout) == 0;
+  if (flushed && std::ferror(stdout) == 0) return status;
+  if (output_is_unread()) return std::max<int>(status, exit_interrupted);
+  const std::string reason = write(STDOUT_FILENO, "\n", 1) < 0 ? std::strerror(errno) : "a part of it is missing";
+  fmt::print(stderr, "pizarra: cannot write standard output whole: {}\n", reason);
+  return std::max<int>(status, exit_unavailable);
+}
+
 }  // namespace
+
+int run_program(CLI::App& app, int argc, char** argv, const int& status) {
+  std::signal(SIGPIPE, on_unread);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return status_of_output(end_of_parsing(app, error));
+  } catch (const std::system_error&) {
+    // So fmt says that the stream takes no more; any other has not been told.
+    if (std::ferror(stdout) == 0) throw;
+  }
+  return status_of_output(status);
+}
 
 int end_of_parsing(const CLI::App& app, const CLI::ParseError& error) {
   if (error.get_exit_code() == 0) return app.exit(error);

@@ -10,10 +10,5 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   int status = pizarra::exit_reached;
   pizarra::add_plan_word(app, status);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return pizarra::end_of_parsing(app, error);
-  }
-  return status;
+  return pizarra::run_program(app, argc, argv, status);
 }

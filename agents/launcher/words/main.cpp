@@ -27,10 +27,5 @@ int main(int argc, char** argv) {
   pizarra::add_look_word(app, status);
   pizarra::add_top_word(app, status);
   pizarra::add_replay_word(app, status);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return pizarra::end_of_parsing(app, error);
-  }
-  return status;
+  return pizarra::run_program(app, argc, argv, status);
 }

@@ -207,6 +207,36 @@ TEST(Words, AnInterruptedCountOfSeedsIsSummedUp) {
   EXPECT_TRUE(said.ends_with(" of 1000 seeds\n")) << said;
 }
 
+TEST(Words, AnAnswerThatCannotBeWrittenIsNoSuccess) {
+  const std::string tree = source_dir();
+  for (const std::string& words : {std::string("demo --png '' --goal '(on-table circle)'"), std::string("--help"),
+                                   "check " + tree + "/examples/01-blocks/cell.scm", std::string("ps"),
+                                   "scenario --quiet " + tree + "/tests/scenarios/01-undisturbed.scm"}) {
+    const Said said = shell(std::string(PIZARRA_CELL) + " " + words + " 2>&1 >/dev/full");
+    EXPECT_EQ(said.status, 4) << words;
+    EXPECT_EQ(said.text, "pizarra: cannot write standard output whole: No space left on device\n") << words;
+  }
+}
+
+// The status of a command whose output is read to its first line alone.
+Said first_line_of(const std::string& words) {
+  return shell("bash -c '" PIZARRA_CELL " " + words + " 2>&1 | head -n 1 >/dev/null; exit ${PIPESTATUS[0]}'");
+}
+
+TEST(Words, AnOutputThatIsNotReadAnyMoreEndsAsAnInterruption) {
+  EXPECT_EQ(first_line_of("demo --random --seeds 1000 --jobs 1").status, 130);
+  EXPECT_EQ(first_line_of("repl --agents planner --eval \"(ask (agent ?x ?y ?z))\" --eval \"(help)\" --eval \"(help)\"")
+                .status,
+            130);
+}
+
+TEST(Words, SeedsWhoseLinesAreNotReadAnyMoreAreSummedUpOnStandardError) {
+  const Said said =
+      shell(std::string("(") + PIZARRA_CELL + " demo --random --seeds 1000 --jobs 1 | head -n 1 >/dev/null) 2>&1");
+  EXPECT_TRUE(contains(said, "reached ")) << said.text;
+  EXPECT_TRUE(contains(said, "; interrupted after ")) << said.text;
+}
+
 TEST(Words, TheVersionIsThatOfTheTree) {
   const Said said = run("--version");
   EXPECT_EQ(said.status, 0);
@@ -249,6 +279,23 @@ TEST(Words, AnUnreachableGoalIsRefusedAndNothingMoves) {
   const Said said = run("demo --png '' --goal '(on circle triangle) (on triangle circle)'");
   EXPECT_EQ(said.status, 3);
   EXPECT_FALSE(contains(said, "operation ")) << said.text;
+}
+
+TEST(Words, ARefusedGoalIsShownWithACaretAtTheFirstFactThatCannotHold) {
+  const Said both = run("demo --png '' --goal '(on-table cross) (on circle triangle) (on triangle circle)'");
+  EXPECT_EQ(both.status, 3) << both.text;
+  EXPECT_TRUE(contains(both, "goal:1:18\n  (on-table cross) (on circle triangle) ")) << both.text;
+  EXPECT_TRUE(contains(both, "\n                   ^\n")) << both.text;
+  const Said alone = run("demo --png '' --goal '(on Circle circle)'");
+  EXPECT_EQ(alone.status, 3) << alone.text;
+  EXPECT_TRUE(contains(alone, "goal:1:1\n  (on Circle circle)\n  ^\n")) << alone.text;
+}
+
+TEST(Words, ADemoSaysItsGoalOnce) {
+  const Said said = run("demo --png '' --goal '(on-table circle)'");
+  const std::size_t first = said.text.find(" s  goal ");
+  ASSERT_NE(first, std::string::npos) << said.text;
+  EXPECT_EQ(said.text.find(" s  goal ", first + 1), std::string::npos) << said.text;
 }
 
 TEST(Words, ARefusalIsToldOnce) {
