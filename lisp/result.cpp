@@ -33,9 +33,8 @@ bool says(const std::string& sentence, const Datum& subject) {
                              [&](const Datum& item) { return item.is_list() && says(sentence, item); });
 }
 
-// A whole file may be the subject; its beginning is enough for people.
-std::string beginning(std::string text) {
-  constexpr std::size_t longest = 200;
+// A whole file may be the subject; its beginning is enough for people, and a few words where its place is shown.
+std::string beginning(std::string text, std::size_t longest) {
   return text.size() <= longest ? text : text.substr(0, text.rfind(' ', longest)) + " ...";
 }
 
@@ -43,7 +42,7 @@ std::string beginning(std::string text) {
 
 std::string describe(const Failure& failure) {
   std::string out = failure.sentence;
-  if (failure.subject != Datum() && !says(out, failure.subject)) out += ": " + beginning(write(failure.subject));
+  if (failure.subject != Datum() && !says(out, failure.subject)) out += ": " + beginning(write(failure.subject), failure.place.empty() ? 200 : 30);
   if (!failure.place.empty()) out += '\n' + failure.place;
   return out;
 }

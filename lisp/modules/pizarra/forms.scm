@@ -19,7 +19,7 @@
             node-datum node-items node-rest node-ref node-head node-within node-form? path-to
             only-form sections section-in sections-in find-section
             symbol-at string-at number-at integer-at symbol-of
-            refuse-repeated at-most suggestion nearest-name same-name? find-name object-name?))
+            complain-missing! refuse-repeated at-most suggestion nearest-name same-name? find-name object-name?))
 
 (define-record-type <node>
   (make-node datum path context)
@@ -62,6 +62,14 @@
                             (reverse (node-context node)))
                       (complaints))))
   #f)
+
+;; Notes behind the last of NODE's items that a section NAME is missing, unless one of them is NAME mistyped, which is
+;; complained about as such.
+(define (complain-missing! node name sentence . values)
+  (let ((items (node-items node)))
+    (unless (any (lambda (item) (and (node-head item) (nearest-name (node-head item) (list name)))) items)
+      (apply complain! (if (null? items) node (last items)) 'malformed sentence values))
+    #f))
 
 ;; The indices from the top of the text to the node.
 (define (path-to node)

@@ -90,7 +90,7 @@
 (define (read-goal problem found vocabulary term)
   (let* ((section (section-in found ':goal))
          (condition (and section (node-ref (node-within section "in :goal") 1))))
-    (cond ((not section) (complain! problem 'malformed "(:goal ...) is missing") '())
+    (cond ((not section) (complain-missing! problem ':goal "(:goal ...) is missing after this") '())
           ((not (and condition (= (length (node-items section)) 2) (list? (node-datum condition))))
            (complain! section 'malformed "a goal is written (:goal FACT) or (:goal (and FACT ...))")
            '())

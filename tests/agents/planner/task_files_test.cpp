@@ -165,6 +165,24 @@ TEST(TaskFiles, ReportWhatOperatorsNameAndTheFactsDoNot) {
                                       "domain:3:14 there is no object \"a\"; there are table, a"}));
 }
 
+TEST(TaskFiles, ReportWhatIsMissingBehindItsCause) {
+  const std::string_view domain = "(define (domain d) (:predicates (p)))";
+  EXPECT_EQ(errors_of(domain, "(define (problem q) (:domain d)\n (:gaol (p)))"),
+            (std::vector<std::string>{"problem:2:2 there is no section :gaol; the nearest is :goal"}));
+  EXPECT_EQ(errors_of(domain, "(define (problem q) (:domain d)\n (:init (p) (q)))"),
+            (std::vector<std::string>{"problem:2:2 (:goal ...) is missing after this (and 1 more)",
+                                      "problem:2:14 there is no predicate q; the nearest is p"}));
+  EXPECT_EQ(errors_of(domain, "(define (problem q)\n (:domain d\n (:init (p) (goal (p"),
+            (std::vector<std::string>{"problem:2:2 this list is not closed before the next form begins (and 3 more)",
+                                      "problem:3:2 (:goal ...) is missing after this",
+                                      "problem:3:14 there is no predicate goal; there are p",
+                                      "problem:3:19 this list is not closed"}));
+  const Failure shown =
+      read(domain, "(define (problem q) (:domain d)\n (:objects a b c d e f g h i j k l m n))").error();
+  EXPECT_TRUE(describe(shown).starts_with("(:goal ...) is missing after this: (:objects a b c d e f g h i j ...\n"))
+      << describe(shown);
+}
+
 TEST(TaskFiles, ReportATypeOfOperatorsThatIsASlipOfThePen) {
   const std::string_view operators =
       "(operator A (params (<x> OBJCET)) (effects (p <x>)))\n(operator B (params (<x> OBJECT)) (effects (p <x>)))";
