@@ -9,7 +9,10 @@ namespace pizarra {
 namespace {
 
 TEST(RandomRuns, ASeedThatDoesNotEndInTimeHasNotFailed) {
-  RandomRuns runs{source_dir() + "/examples/01-blocks/cell.scm", 1, 1, 1};
+  RandomRuns runs;
+  runs.cell_file = source_dir() + "/examples/01-blocks/cell.scm";
+  runs.seeds = 1;
+  runs.jobs = 1;
   runs.longest_run = std::chrono::seconds(0);
   testing::internal::CaptureStdout();
   const int status = run_random(runs);
