@@ -43,9 +43,10 @@ std::string readable_text(const PlanReport& report) {
   if (report.steps.empty()) return fmt::format("nothing to do: the goal holds already ({:.3f} s)\n", report.seconds);
   const std::string cost =
       report.counts_cost ? fmt::format(", cost {} (made short, not cheap)", report.cost) : std::string();
-  return out + fmt::format("{}{}, {}{}; {}, {:.3f} s\n", counted(report.steps.size(), "step"),
+  return out + fmt::format("{}{}, {}{}; {}, {:.3f} s{}\n", counted(report.steps.size(), "step"),
                            report.fewest_steps ? " (as few as can be)" : "",
-                           counted(action_count(report.steps), "action"), cost, report.engine, report.seconds);
+                           counted(action_count(report.steps), "action"), cost, report.engine, report.seconds,
+                           report.out_of_memory ? "; memory ended the search for a shorter one" : "");
 }
 
 std::string json_text(const PlanReport& report) {
@@ -54,10 +55,11 @@ std::string json_text(const PlanReport& report) {
     steps += fmt::format("{}[{}]", steps.empty() ? "" : ",", joined(step, ",", json_text_of));
   }
   const std::string cost = report.counts_cost ? fmt::format(",\"cost\":{}", report.cost) : std::string();
+  const std::string ended = report.out_of_memory ? ",\"out_of_memory\":true" : "";
   return fmt::format(
-      "{{\"plan\":[{}],\"steps\":{},\"fewest_steps\":{},\"actions\":{}{},\"engine\":{},\"seconds\":{:.6f}}}\n", steps,
+      "{{\"plan\":[{}],\"steps\":{},\"fewest_steps\":{},\"actions\":{}{},\"engine\":{},\"seconds\":{:.6f}{}}}\n", steps,
       report.steps.size(), report.fewest_steps, action_count(report.steps), cost, json_string(report.engine),
-      report.seconds);
+      report.seconds, ended);
 }
 
 }  // namespace

@@ -17,7 +17,8 @@ enum class PlanFormat : std::uint8_t { readable, pddl, json };
 struct PlanReport {
   PlanSteps steps;
   std::string engine;
-  bool fewest_steps = false;  // proved
+  bool fewest_steps = false;   // proved
+  bool out_of_memory = false;  // it might have become shorter
   std::int64_t cost = 0;
   bool counts_cost = false;
   double seconds = 0;

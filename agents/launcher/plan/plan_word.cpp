@@ -101,7 +101,8 @@ Result<PlanReport> search(const PlanningTask& task, const PlanChoices& choices, 
   if (outcome.kind != Outcome::Kind::plan) return fail(why_none(task, *problem, outcome, clock));
   PlanReport report{.steps = steps_of(*problem, outcome.steps),
                     .engine = std::string(outcome.engine.empty() ? "optimal" : outcome.engine),
-                    .fewest_steps = outcome.shortest || !wants_fast(choices, *problem)};
+                    .fewest_steps = outcome.shortest || !wants_fast(choices, *problem),
+                    .out_of_memory = outcome.out_of_memory};
   const Result<void> valid = validate_plan(task, report.steps);
   if (!valid) return fail(valid);
   return report;

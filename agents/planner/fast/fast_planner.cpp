@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <new>
 
 #include "agents/planner/fast/beam_search.hpp"
 #include "agents/planner/fast/greedy_search.hpp"
@@ -54,9 +55,10 @@ class Improvement {
         random_(options.seed) {}
 
   void keep(const std::vector<ActionIndex>& plan) {
-    plan_ = lean(problem_, plan);
-    best_ = ended(Outcome::Kind::plan, effort_.nodes());
-    best_.steps = in_parallel(problem_, plan_);
+    // Where memory ends on the way, the plan before stays whole.
+    std::vector<ActionIndex> better = lean(problem_, plan);
+    best_.steps = in_parallel(problem_, better);
+    plan_ = std::move(better);
     if (options_.better) options_.better(best_);
   }
 
@@ -73,6 +75,8 @@ class Improvement {
       if (end == SearchEnd::exhausted && beam.complete()) return;
     }
   }
+
+  void note_out_of_memory() { best_.out_of_memory = true; }
 
   Outcome best() {
     best_.nodes = effort_.nodes();
@@ -117,7 +121,7 @@ class Improvement {
   const FastPlannerOptions& options_;
   Random random_;
   std::vector<ActionIndex> plan_;
-  Outcome best_;
+  Outcome best_ = ended(Outcome::Kind::plan, 0);
 };
 
 }  // namespace
@@ -132,7 +136,12 @@ Outcome FastPlanner::solve(const Problem& problem, const Budget& budget, const s
     if (end != SearchEnd::found) return without_plan(end, problem, effort);
     improvement.keep(greedy.plan());
   }
-  if (!options_.first_only) improvement.run();
+  if (options_.first_only) return improvement.best();
+  try {
+    improvement.run();
+  } catch (const std::bad_alloc&) {
+    improvement.note_out_of_memory();
+  }
   return improvement.best();
 }
 

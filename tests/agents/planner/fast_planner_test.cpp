@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <gtest/gtest.h>
+#include <new>
 
 #include "agents/planner/breadth_first.hpp"
 #include "agents/planner/distance/exclusive_facts.hpp"
@@ -171,6 +172,24 @@ TEST(ExclusiveFacts, SayThatABlockIsInOnePlaceWithOneThingOnIt) {
   EXPECT_TRUE(exclusive.exclude(fact("(on b0 b1)"), fact("(holding b0)")));
   EXPECT_TRUE(exclusive.exclude(fact("(holding b0)"), fact("(holding b1)")));
   EXPECT_FALSE(exclusive.exclude(fact("(on b0 b1)"), fact("(on b1 b2)")));
+}
+
+TEST(FastPlanner, KeepsItsBestPlanWhereMemoryEnds) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    const PlanningTask task = random_blocks(6, random);
+    const Problem problem = ground(task).value();
+    bool found = false;
+    FastPlanner engine({.better = [&](const Outcome&) { found = true; }});
+    const Outcome best = engine.solve(problem, effort(100'000), [&] {
+      if (found) throw std::bad_alloc();
+      return false;
+    });
+    ASSERT_EQ(best.kind, Outcome::Kind::plan);
+    EXPECT_TRUE(validate_plan(task, steps_of(problem, best.steps))) << show(task);
+    EXPECT_EQ(best.out_of_memory, !best.shortest);
+  }
 }
 
 TEST(PlanReordering, KeepsThePlanWorkingAndNeverMakesItLonger) {
