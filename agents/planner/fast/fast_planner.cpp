@@ -6,6 +6,7 @@
 
 #include "agents/planner/fast/beam_search.hpp"
 #include "agents/planner/fast/greedy_search.hpp"
+#include "agents/planner/fast/hill_climbing.hpp"
 #include "agents/planner/fast/plan_reordering.hpp"
 #include "agents/planner/fast/plan_shape.hpp"
 #include "agents/planner/fast/proved_shortest.hpp"
@@ -14,6 +15,9 @@
 namespace pizarra {
 
 namespace {
+
+// States of the greedy search in vain, before the climb has its turn; with a hundred blocks it recovers from 80.
+constexpr std::size_t greedy_patience = 200;
 
 // Of reordering, before a beam has its turn: the longer the plan, the more ways there are.
 constexpr std::size_t vain_attempts = 1000;
@@ -41,6 +45,22 @@ std::vector<ActionIndex> lean(const Problem& problem, const std::vector<ActionIn
     needed.push_back(static_cast<ActionIndex>(step.front()));
   }
   return needed;
+}
+
+// The greedy search asks cheaply and knows blocks best; where it goes astray, the climb asks more, and may give up; the
+// greedy search then goes on, and is the one to prove that there is no plan.
+SearchEnd find_plan(Nearness& nearness, Effort& effort, std::vector<ActionIndex>& plan) {
+  GreedySearch greedy(nearness.compact, nearness.unavoidable, effort);
+  std::optional<SearchEnd> end = greedy.run(greedy_patience);
+  if (!end) {
+    HillClimbing climbing(nearness.compact, effort);
+    end = climbing.run();
+    plan = climbing.plan();
+    if (end != SearchEnd::exhausted) return *end;
+    end = greedy.run();
+  }
+  plan = greedy.plan();
+  return *end;
 }
 
 // The best plan so far, and the ways to a better one.
@@ -130,12 +150,10 @@ Outcome FastPlanner::solve(const Problem& problem, const Budget& budget, const s
   Nearness nearness(problem);
   Effort effort(budget, cancelled);
   Improvement improvement(problem, nearness, effort, options_);
-  {
-    GreedySearch greedy(nearness.compact, nearness.unavoidable, effort);
-    const SearchEnd end = greedy.run();
-    if (end != SearchEnd::found) return without_plan(end, problem, effort);
-    improvement.keep(greedy.plan());
-  }
+  std::vector<ActionIndex> plan;
+  const SearchEnd end = find_plan(nearness, effort, plan);
+  if (end != SearchEnd::found) return without_plan(end, problem, effort);
+  improvement.keep(plan);
   if (options_.first_only) return improvement.best();
   try {
     improvement.run();

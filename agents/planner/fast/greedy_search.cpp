@@ -4,10 +4,10 @@
 
 namespace pizarra {
 
-SearchEnd GreedySearch::run() {
-  reached_.push_back({&*states_.insert(problem_.initials()).first, 0, 0});
+std::optional<SearchEnd> GreedySearch::run(std::size_t patience) {
+  if (reached_.empty()) reached_.push_back({&*states_.insert(problem_.initials()).first, 0, 0});
   const std::size_t bytes_a_state = problem_.initials().words().size() * 8 + 100;
-  for (;;) {
+  for (std::size_t in_vain = 0; in_vain <= patience; ++in_vain) {
     const auto newest = static_cast<std::uint32_t>(reached_.size() - 1);
     if (problem_.goals().subset_of(*reached_[newest].state)) {
       for (std::uint32_t i = newest; i != 0; i = reached_[i].from) plan_.push_back(reached_[i].action);
@@ -19,14 +19,11 @@ SearchEnd GreedySearch::run() {
     if (reached_.size() * bytes_a_state + candidates_.size() * sizeof(Candidate) > effort_.bytes()) {
       return SearchEnd::spent;
     }
-    bool another = false;
-    while (!another) {
-      if (candidates_.empty()) return SearchEnd::exhausted;
-      const Candidate candidate = candidates_.top();
-      candidates_.pop();
-      another = reach(candidate);
-    }
+    const Distance before = nearest_;
+    if (!reach_nearest()) return SearchEnd::exhausted;
+    if (nearest_ < before) in_vain = 0;
   }
+  return std::nullopt;
 }
 
 void GreedySearch::expand(std::uint32_t index) {
@@ -37,6 +34,17 @@ void GreedySearch::expand(std::uint32_t index) {
     const std::optional<Distance> distance = unavoidable_.beyond(action);
     if (distance) candidates_.push({*distance, serial_++, index, action});
   });
+}
+
+bool GreedySearch::reach_nearest() {
+  while (!candidates_.empty()) {
+    const Candidate candidate = candidates_.top();
+    candidates_.pop();
+    if (!reach(candidate)) continue;
+    nearest_ = std::min(nearest_, candidate.distance);
+    return true;
+  }
+  return false;
 }
 
 bool GreedySearch::reach(const Candidate& candidate) {

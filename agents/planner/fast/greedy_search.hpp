@@ -4,10 +4,13 @@
 //
 //   Unavoidable unavoidable(problem, exclusive);
 //   GreedySearch search(problem, unavoidable, effort);
-//   if (search.run() == SearchEnd::found) use(search.plan());
+//   std::optional<SearchEnd> end = search.run(200);            // none: 200 states in a row were no nearer than any
+//   before if (!end) end = search.run();                              // goes on from there if (end ==
+//   SearchEnd::found) use(search.plan());
 //
 // Looks at every state that can be reached before it says that there is no plan.
 
+#include <limits>
 #include <queue>
 #include <unordered_set>
 
@@ -22,8 +25,9 @@ class GreedySearch {
   GreedySearch(const CompactProblem& problem, Unavoidable& unavoidable, Effort& effort)
       : problem_(problem), unavoidable_(unavoidable), effort_(effort) {}
 
-  // `exhausted`: there is no plan.
-  SearchEnd run();
+  // `exhausted`: there is no plan. Without patience for states in vain it is always one of the four ends.
+  std::optional<SearchEnd> run(std::size_t patience);
+  SearchEnd run() { return *run(std::numeric_limits<std::size_t>::max()); }
   const std::vector<ActionIndex>& plan() const { return plan_; }
 
  private:
@@ -41,6 +45,7 @@ class GreedySearch {
       return distance != other.distance ? distance > other.distance : serial > other.serial;
     }
   };
+  bool reach_nearest();
   bool reach(const Candidate& candidate);
   void expand(std::uint32_t index);
 
@@ -51,6 +56,7 @@ class GreedySearch {
   std::unordered_set<Bits, HashBits> states_;  // looked up only
   std::priority_queue<Candidate> candidates_;
   std::uint32_t serial_ = 0;
+  Distance nearest_ = std::numeric_limits<Distance>::max();  // of all states gone on from
   std::vector<ActionIndex> plan_;
 };
 

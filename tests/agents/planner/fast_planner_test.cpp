@@ -1,11 +1,13 @@
 #include "agents/planner/fast/fast_planner.hpp"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <new>
 
 #include "agents/planner/breadth_first.hpp"
 #include "agents/planner/distance/exclusive_facts.hpp"
+#include "agents/planner/fast/hill_climbing.hpp"
 #include "agents/planner/fast/plan_reordering.hpp"
 #include "agents/planner/optimal/optimal_planner.hpp"
 #include "agents/planner/task/idle_actions.hpp"
@@ -34,6 +36,60 @@ PlanningTask random_task(std::uint64_t seed) {
     default:
       return random_nonsense(random);
   }
+}
+
+void add_move(PlanningTask& task, const std::string& name, const std::string& carrier, std::string_view where) {
+  task.operators.push_back({name,
+                            {{"?c", carrier}, {"?from", "PLACE"}, {"?to", "PLACE"}, {"?in", "REGION"}},
+                            facts_of(fmt::format("(at ?c ?from) {}", where)),
+                            facts_of("(at ?c ?to)"),
+                            facts_of("(at ?c ?from)")});
+}
+
+// Cities of four places, each with a truck, and one airplane between the first places of them.
+PlanningTask deliveries(std::size_t cities, std::size_t parcels, Random& random) {
+  PlanningTask task;
+  task.types = {{"TRUCK", "CARRIER"}, {"AIRPLANE", "CARRIER"}};
+  const std::vector<PlanningParameter> parameters{{"?p", "PARCEL"}, {"?c", "CARRIER"}, {"?l", "PLACE"}};
+  const std::vector<Datum> outside = facts_of("(at ?p ?l)"), inside = facts_of("(in ?p ?c)");
+  task.operators = {{"LOAD", parameters, facts_of("(at ?p ?l) (at ?c ?l)"), inside, outside},
+                    {"UNLOAD", parameters, facts_of("(in ?p ?c) (at ?c ?l)"), outside, inside}};
+  add_move(task, "DRIVE", "TRUCK", "(within ?from ?in) (within ?to ?in)");
+  add_move(task, "FLY", "AIRPLANE", "(airport ?from ?in) (airport ?to ?in)");
+  const auto add_object = [&](const std::string& name, const std::string& type) {
+    task.objects.push_back({form(name), type});
+  };
+  const auto holds = [&](const std::string& fact) { task.initials.push_back(form(fact)); };
+  const auto place = [&] { return fmt::format("place{}-{}", random.below(cities), random.below(4)); };
+  add_object("world", "REGION");
+  add_object("plane", "AIRPLANE");
+  holds("(at plane place0-0)");
+  for (std::size_t city = 0; city < cities; ++city) {
+    add_object(fmt::format("city{}", city), "REGION");
+    add_object(fmt::format("truck{}", city), "TRUCK");
+    holds(fmt::format("(at truck{0} place{0}-0)", city));
+    holds(fmt::format("(airport place{}-0 world)", city));
+    for (int i = 0; i < 4; ++i) {
+      add_object(fmt::format("place{}-{}", city, i), "PLACE");
+      holds(fmt::format("(within place{0}-{1} city{0})", city, i));
+    }
+  }
+  for (std::size_t parcel = 0; parcel < parcels; ++parcel) {
+    add_object(fmt::format("p{}", parcel), "PARCEL");
+    holds(fmt::format("(at p{} {})", parcel, place()));
+    task.goals.push_back(form(fmt::format("(at p{} {})", parcel, place())));
+  }
+  return task;
+}
+
+// Whether the plan leads to the goals.
+bool works(const CompactProblem& problem, const std::vector<ActionIndex>& plan) {
+  Bits state = problem.initials();
+  for (const ActionIndex action : plan) {
+    if (!problem.applicable(action, state)) return false;
+    problem.apply(action, state);
+  }
+  return problem.goals().subset_of(state);
 }
 
 Budget effort(std::size_t nodes) {
@@ -116,6 +172,53 @@ TEST(FastPlanner, PlansForSixtyBlocksWithFewStatesLookedAt) {
     ASSERT_EQ(outcome.kind, Outcome::Kind::plan) << seed;
     EXPECT_TRUE(validate_plan(task, steps_of(problem, outcome.steps))) << seed;
     EXPECT_LE(actions_of(outcome), 240U) << seed;
+  }
+}
+
+TEST(FastPlanner, PlansForThirtyParcelsInEightCitiesWithFewStatesLookedAt) {
+  for (std::uint64_t seed = 1; seed <= 2; ++seed) {
+    Random random(seed);
+    const PlanningTask task = deliveries(8, 30, random);
+    const Result<Problem> problem = ground(task);
+    ASSERT_TRUE(problem) << problem.error().sentence;
+    const Outcome outcome = FastPlanner({.first_only = true}).solve(*problem, effort(100'000), never);
+    ASSERT_EQ(outcome.kind, Outcome::Kind::plan) << seed;
+    EXPECT_TRUE(validate_plan(task, steps_of(*problem, outcome.steps))) << seed;
+    EXPECT_LE(actions_of(outcome), 270U) << seed;
+  }
+}
+
+TEST(HillClimbing, FindsPlansThatWorkForMostProblemsThatHaveOne) {
+  int with_plan = 0, found = 0;
+  for (std::uint64_t seed = 0; seed < 400; ++seed) {
+    const Problem problem = ground(random_task(seed)).value();
+    const CompactProblem compact(problem);
+    const Budget budget = effort(100'000);
+    Effort spent(budget, never);
+    HillClimbing climbing(compact, spent);
+    if (climbing.run() == SearchEnd::found) {
+      ASSERT_TRUE(works(compact, climbing.plan())) << seed;
+      ++found;
+    }
+    with_plan += BreadthFirst().solve(problem, Budget{}, never).kind == Outcome::Kind::plan ? 1 : 0;
+  }
+  EXPECT_GT(found, with_plan * 3 / 4) << with_plan;
+}
+
+TEST(RelaxedPlan, IsEmptyWhereTheGoalsHoldAndHelpsWithWhatCanBeDone) {
+  for (std::uint64_t seed = 0; seed < 400; ++seed) {
+    const Problem problem = ground(random_task(seed)).value();
+    const CompactProblem compact(problem);
+    RelaxedPlan relaxed(compact);
+    const bool reachable = relaxed.look_at(problem.initials);
+    const bool has_plan = BreadthFirst().solve(problem, Budget{}, never).kind == Outcome::Kind::plan;
+    ASSERT_TRUE(reachable || !has_plan) << seed;
+    if (!reachable) continue;
+    EXPECT_EQ(relaxed.length() == 0, problem.goals.subset_of(problem.initials)) << seed;
+    EXPECT_EQ(relaxed.length() == 0, relaxed.helpful().empty()) << seed;
+    for (const ActionIndex action : relaxed.helpful()) {
+      EXPECT_TRUE(compact.applicable(action, problem.initials)) << seed;
+    }
   }
 }
 
