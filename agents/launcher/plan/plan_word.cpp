@@ -32,6 +32,7 @@ constexpr std::size_t most_actions_for_optimal = 10'000;
 constexpr double improving_s = 10;
 // A foreign planner is not left alone for ever.
 constexpr double longest_s = 86'400;
+constexpr const char* blanks = " \t\n";
 
 struct PlanChoices {
   std::string domain, problem;
@@ -118,6 +119,11 @@ Result<PlanReport> search_within_memory(const PlanningTask& task, const PlanChoi
   }
 }
 
+std::string first_word(const std::string& command) {
+  const std::size_t begin = command.find_first_not_of(blanks);
+  return command.substr(begin, command.find_first_of(blanks, begin) - begin);
+}
+
 Result<PlanReport> ask_planner(const PlanningTask& task, const PlanChoices& choices, PlanClock& clock) {
   const ExternalPlanner planner(
       choices.planner, {.seconds = std::min(choices.limit_s, longest_s), .memory_bytes = choices.memory_mb << 20});
@@ -127,10 +133,12 @@ Result<PlanReport> ask_planner(const PlanningTask& task, const PlanChoices& choi
     return fail("time-out", fmt::format("the planner had no plan after {:g} s", choices.limit_s));
   }
   if (!steps) return fail(steps);
-  return PlanReport{.steps = *steps, .engine = choices.planner.substr(0, choices.planner.find(' '))};
+  return PlanReport{.steps = *steps, .engine = first_word(choices.planner)};
 }
 
-Result<PlanReport> make_plan(const PlanChoices& choices, PlanClock& clock) {
+// The clock is gone, and what it showed with it, before anything is printed.
+Result<PlanReport> make_plan(const PlanChoices& choices) {
+  PlanClock clock(choices.limit_s);
   const Result<PlanningTask> task = read_task_files(choices.domain, choices.problem);
   if (!task) return fail(task);
   Result<PlanReport> report =
@@ -143,8 +151,7 @@ Result<PlanReport> make_plan(const PlanChoices& choices, PlanClock& clock) {
 }
 
 int run_plan(const PlanChoices& choices) {
-  PlanClock clock(choices.limit_s);
-  const Result<PlanReport> report = make_plan(choices, clock);
+  const Result<PlanReport> report = make_plan(choices);
   if (report) {
     fmt::print("{}", plan_text(*report, format_of(choices)));
     return exit_reached;
@@ -167,7 +174,7 @@ CLI::Validator seconds_check() {
 
 CLI::Validator command_check() {
   const auto check = [](const std::string& text) {
-    return std::string(text.find_first_not_of(" \t\n") == text.npos ? "a command must be given" : "");
+    return std::string(text.find_first_not_of(blanks) == text.npos ? "a command must be given" : "");
   };
   return {check, "COMMAND"};
 }
@@ -183,9 +190,10 @@ void add_plan_word(CLI::App& app, int& status) {
   word->add_option("problem", choices->problem, "PDDL problem, or facts (types ...) (initials ...) (goals ...)")
       ->required();
   CLI::Option* optimal = word->add_flag("--optimal", choices->optimal, "As few parallel steps as can be");
-  word->add_flag("--fast", choices->fast, "A plan soon, then shorter ones; the default for more than 10000 actions")
-      ->excludes(optimal);
-  word->add_option("--seed", choices->seed, "What chance begins from; 1")->check(seed_check());
+  CLI::Option* fast =
+      word->add_flag("--fast", choices->fast, "A plan soon, then shorter ones; the default for more than 10000 actions")
+          ->excludes(optimal);
+  CLI::Option* seed = word->add_option("--seed", choices->seed, "What chance begins from; 1")->check(seed_check());
   word->add_option("--time", choices->limit_s, "End after so many seconds; --fast ends after 10 by itself")
       ->check(seconds_check())
       ->type_name("S");
@@ -195,7 +203,10 @@ void add_plan_word(CLI::App& app, int& status) {
   word->add_option("--planner", choices->planner,
                    "Have this command plan: {domain} and {problem} stand for PDDL files, {plan} for its answer")
       ->check(command_check())
-      ->type_name("COMMAND");
+      ->type_name("COMMAND")
+      ->excludes(optimal)
+      ->excludes(fast)
+      ->excludes(seed);
   CLI::Option* pddl = word->add_flag("--pddl", choices->pddl, "Only actions, one (NAME OBJECT ...) a line, in order");
   word->add_flag("--json", choices->json, "One JSON object")->excludes(pddl);
   word->footer(help_footer(

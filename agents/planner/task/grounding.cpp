@@ -185,7 +185,11 @@ void Grounder::add_action(const OperatorTemplate& schema) {
 Result<void> Grounder::bind(const OperatorTemplate& schema, std::size_t parameter) {
   if (!possible(schema, parameter)) return {};
   if (parameter == schema.candidates.size()) {
-    if (actions_.size() >= max_actions) return fail("too-large", fmt::format("more than {} actions", max_actions));
+    if (actions_.size() >= max_actions) {
+      return fail("too-large", fmt::format("more than {} actions: fewer objects, or operators with fewer parameters, "
+                                           "would give fewer",
+                                           max_actions));
+    }
     add_action(schema);
     return {};
   }

@@ -207,6 +207,9 @@ TEST(Plan, OfWrongFilesIsAUsageError) {
         << refused.text;
     EXPECT_LT(refused.text.size(), 120u);
   }
+  const Said both = plan("(on a b)", "--optimal --planner 'ff {domain} {problem}'");
+  EXPECT_EQ(both.status, 2);
+  EXPECT_NE(both.text.find("excludes"), both.text.npos) << both.text;
   const Said empty = plan("(on a b)", "--planner ' '");
   EXPECT_EQ(empty.status, 2);
   EXPECT_TRUE(empty.text.starts_with("pizarra: --planner: a command must be given")) << empty.text;
