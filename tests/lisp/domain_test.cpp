@@ -24,7 +24,7 @@ TEST(DomainTest, ReadsTheBlocks) {
   EXPECT_EQ(stack->params, (std::vector<TypedName>{{"?ob1", "OBJECT"}, {"?ob2", "OBJECT"}}));
   EXPECT_EQ(write(Datum::list(stack->preconds)), "((clear ?ob2) (holding ?ob1))");
   EXPECT_EQ(write(Datum::list(stack->adds)), "((arm-empty) (clear ?ob1) (on ?ob1 ?ob2))");
-  EXPECT_EQ(write(Datum::list(stack->deletes)), "((clear ?ob2) (holding ?ob1))");
+  EXPECT_EQ(write(Datum::list(stack->deletes)), "((clear ?ob2) (bare ?ob2) (holding ?ob1))");
   EXPECT_TRUE(domain->perception.is_form("perception"));
   EXPECT_TRUE(domain->micro_tasks.is_form("micro-tasks"));
   const Failure failure = domain->source.failure_at(domain->micro_tasks_path, "odd", "odd");

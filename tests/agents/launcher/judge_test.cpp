@@ -100,7 +100,8 @@ TEST(Judge, ACubeThatLiesAskewOnAnotherCoversIt) {
       R"(((cube circle 450 -80 95 0 20 loose 1.0) (cube square 450 -100 30 0 0 table 1.0)
           (facts (on-table square) (clear square) (arm-empty))))");
   const std::vector<Datum> stood = judge.as_a_person_would_say(truth).value();
-  EXPECT_EQ(write(Datum::list(stood)), "((arm-empty) (bare circle) (clear circle) (on circle square) (on-table square))");
+  EXPECT_EQ(write(Datum::list(stood)),
+            "((arm-empty) (bare circle) (clear circle) (on circle square) (on-table square))");
   EXPECT_TRUE(judge.plan_exists(goal_of("((on square circle))"), truth).value());
 }
 

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 #include <set>
 
-#include "agents/launcher/supervision/agent_factory.hpp"
 #include "agents/launcher/story/story_run.hpp"
+#include "agents/launcher/supervision/agent_factory.hpp"
 #include "lisp/writer.hpp"
 
 namespace pizarra {
@@ -12,6 +12,7 @@ namespace {
 
 CellDescription four_cubes() {
   CellDescription cell;
+  EXPECT_TRUE(put_arm(cell, "crs-f3"));
   for (const char* name : {"circle", "triangle", "square", "cross"}) cell.cubes.push_back({name, name, 450, 0, 0, ""});
   return cell;
 }

@@ -16,9 +16,7 @@ namespace {
 
 constexpr std::uint64_t seed = 7;
 
-CellDescription example_cell() {
-  return read_cell_file(source_dir() + "/examples/01-blocks/cell.scm").value();
-}
+CellDescription example_cell() { return read_cell_file(source_dir() + "/examples/01-blocks/cell.scm").value(); }
 
 std::vector<Datum> goal() { return {list("on"_sym, "circle"_sym, "triangle"_sym)}; }
 

@@ -80,7 +80,7 @@ TEST_F(UpTest, AGoalIsReachedAlthoughAnAgentIsKilledAndNothingIsLeftBehind) {
   EXPECT_EQ(run("look sideways").status, 1);
   const Said busy = run("top --once");
   EXPECT_EQ(busy.status, 0) << busy.text;
-  for (const char* shown : {"a fact is committed after ", "AGENT", "vision-mode", "planner"}) {
+  for (const char* shown : {"a fact is committed after ", "AGENT", "planner", "RELATION"}) {
     EXPECT_NE(busy.text.find(shown), std::string::npos) << shown << "\n" << busy.text;
   }
   EXPECT_TRUE(run("top --once --json").text.starts_with("{\"revision\":"));
