@@ -7,9 +7,10 @@ namespace pizarra {
 namespace {
 
 constexpr const char* events_at = "inproc://handshakes";
-constexpr int refusals = ZMQ_EVENT_HANDSHAKE_FAILED_AUTH | ZMQ_EVENT_HANDSHAKE_FAILED_PROTOCOL;
-// Without keys this is a board that ended just now.
-constexpr int refusals_of_key = refusals | ZMQ_EVENT_HANDSHAKE_FAILED_NO_DETAIL;
+constexpr int broken_off = ZMQ_EVENT_HANDSHAKE_FAILED_NO_DETAIL;
+constexpr int refusals = ZMQ_EVENT_HANDSHAKE_FAILED_AUTH | ZMQ_EVENT_HANDSHAKE_FAILED_PROTOCOL | broken_off;
+// Once, it is a board that ended just now, or one whose end of the line came before its reason.
+constexpr int most_broken_off = 3;
 
 }  // namespace
 
@@ -21,7 +22,7 @@ HandshakeWatch::HandshakeWatch(Executor& executor, zmq::context_t& context, zmq:
       refused_(std::move(refused)),
       events_(context, zmq::socket_type::pair) {
   events_.set(zmq::sockopt::linger, 0);
-  zmq_socket_monitor(watched_.handle(), events_at, with_key ? refusals_of_key : refusals);
+  zmq_socket_monitor(watched_.handle(), events_at, refusals | ZMQ_EVENT_HANDSHAKE_SUCCEEDED);
   events_.connect(events_at);
   file_ = events_.get(zmq::sockopt::fd);
   executor_.watch_readable(file_, [this] { pump(); });
@@ -45,11 +46,17 @@ void HandshakeWatch::pump() {
       if (formed) std::memcpy(&value, static_cast<const char*>(event.data()) + sizeof kind, sizeof value);
       while (event.more() && events_.recv(event)) {
       }
-      if ((kind & refusals_of_key) != 0) refused_(failure_of(kind, value));
+      note(kind, value);
     }
   } catch (const zmq::error_t&) {
     // Interrupted by a signal: the next event brings this one along.
   }
+}
+
+void HandshakeWatch::note(std::uint16_t event, std::uint32_t value) {
+  broken_off_ = event == broken_off ? broken_off_ + 1 : 0;
+  const bool certain = event != broken_off || broken_off_ >= most_broken_off;
+  if (certain && (event & refusals) != 0) refused_(failure_of(event, value));
 }
 
 Failure HandshakeWatch::failure_of(std::uint16_t event, std::uint32_t value) const {
@@ -61,7 +68,8 @@ Failure HandshakeWatch::failure_of(std::uint16_t event, std::uint32_t value) con
                                      : "the board asks for a key at this address: name one with --key FILE";
     return {"not-permitted", sentence, {}, {}};
   }
-  return {"unreachable", "the board breaks off: its key may be another than board.key says", {}, {}};
+  if (with_key_) return {"unreachable", "the board breaks off: its key may be another than board.key says", {}, {}};
+  return {"not-permitted", "the board breaks off, as one does that asks for a key: name one with --key FILE", {}, {}};
 }
 
 }  // namespace pizarra

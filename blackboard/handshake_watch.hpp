@@ -5,7 +5,7 @@
 //   HandshakeWatch watch(executor, context, socket, [&](const Failure& failure) { ... });
 //
 // Failures: not-permitted (the board refuses this key, wants a key, or wants none), unreachable (the handshake broke
-// off, as it does when the board's key is not the one that the client knows).
+// off again and again, as it does when the board's key is not the one that the client knows).
 
 #include <functional>
 #include <zmq.hpp>
@@ -27,6 +27,7 @@ class HandshakeWatch {
 
  private:
   void pump();
+  void note(std::uint16_t event, std::uint32_t value);
   Failure failure_of(std::uint16_t event, std::uint32_t value) const;
 
   Executor& executor_;
@@ -35,6 +36,7 @@ class HandshakeWatch {
   Refused refused_;
   zmq::socket_t events_;
   int file_;
+  int broken_off_ = 0;  // so many times one after another
 };
 
 }  // namespace pizarra

@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
 #include <unistd.h>
 
 #include "blackboard/board_server.hpp"
@@ -101,6 +103,25 @@ TEST_F(SecurityTest, AClientWithoutAKeyIsToldToBringOne) {
   serve();
   const auto board = RemoteBoard::connect(executor_, tcp(), "robot").value();
   const Result<Answers> refused = run(board->ask(query("(arm ?x)")));
+  ASSERT_EQ(symbol_of(refused), "not-permitted");
+  EXPECT_NE(refused.error().sentence.find("--key"), std::string::npos) << refused.error().sentence;
+}
+
+// A board that asks for keys may close the line before its reason has been read.
+TEST_F(SecurityTest, AClientWithoutAKeyIsToldToBringOneAlsoWhereTheBoardBreaksOffWithoutAReason) {
+  const int listener = socket(AF_INET, SOCK_STREAM, 0);
+  sockaddr_in address{.sin_family = AF_INET, .sin_port = 0, .sin_addr = {htonl(INADDR_LOOPBACK)}, .sin_zero = {}};
+  socklen_t length = sizeof address;
+  auto* const place = reinterpret_cast<sockaddr*>(&address);
+  ASSERT_EQ(bind(listener, place, length), 0);
+  ASSERT_EQ(listen(listener, 8), 0);
+  ASSERT_EQ(getsockname(listener, place, &length), 0);
+  executor_.watch_readable(listener, [&] { close(accept(listener, nullptr, nullptr)); });
+  const std::string breaks_off = "tcp://127.0.0.1:" + std::to_string(ntohs(address.sin_port));
+  const auto board = RemoteBoard::connect(executor_, breaks_off, "robot").value();
+  const Result<Answers> refused = run(board->ask(query("(arm ?x)")));
+  executor_.unwatch_readable(listener);
+  close(listener);
   ASSERT_EQ(symbol_of(refused), "not-permitted");
   EXPECT_NE(refused.error().sentence.find("--key"), std::string::npos) << refused.error().sentence;
 }
