@@ -1,4 +1,4 @@
-; A cell that is spoken to: ./pizarra repl examples/03-plain-english/cell.scm, and at its prompt
+; A cell that is spoken to: ./pizarra repl examples/04-plain-english/cell.scm, and at its prompt
 ; (speech (say "move left 5 centimetres")) or (speech (say "pick up the circle")).
 (cell plain-english
   (world
