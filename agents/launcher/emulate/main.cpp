@@ -140,8 +140,9 @@ void add_emulate_word(CLI::App& app, int& status) {
       ->excludes(pty);
   emulating->add_flag("--json", choices->json, "One JSON object a line");
   emulating->footer(
-      "What somebody beside the device does is typed, a line each: `power off`, `power on`, `status`.\n"
-      "Exit status: 0 interrupted; 2 a wrong word or option; 4 no terminal or port to be had.");
+      help_footer("emulate ptu46-17.5 --tcp 4000",
+                  "What somebody beside the device does is typed, a line each: `power off`, `power on`, `status`.\n"
+                  "Exit status: 0 interrupted; 2 a wrong word or option; 4 no terminal or port to be had."));
   emulating->callback([choices, &status] { status = emulate(*choices); });
 }
 

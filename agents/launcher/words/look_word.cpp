@@ -184,7 +184,7 @@ void add_look_word(CLI::App& app, int& status) {
       ->capture_default_str();
   look->add_flag("--json", choices->json, "One JSON object a line");
   add_board_options(look, choices->board);
-  look->footer(exit_code_help);
+  look->footer(help_footer("look colour --png eyes.png"));
   look->callback([choices, &status] { status = run_look(*choices); });
 }
 

@@ -134,7 +134,7 @@ void add_top_word(CLI::App& app, int& status) {
       ->capture_default_str();
   top->add_flag("--json", choices->json, "One JSON object a look");
   add_board_options(top, choices->board);
-  top->footer(exit_code_help);
+  top->footer(help_footer("top --once"));
   top->callback([choices, &status] { status = run_top(*choices); });
 }
 

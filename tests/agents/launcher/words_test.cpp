@@ -25,7 +25,7 @@ bool contains(const Said& said, const std::string& text) { return said.text.find
 
 TEST(Words, EveryWordHelps) {
   for (const char* word : {"demo", "scenario", "check", "up", "ps", "down", "agent", "world", "repl", "tell", "retract",
-                           "ask", "watch", "goal", "why", "replay"}) {
+                           "ask", "watch", "look", "top", "goal", "why", "replay"}) {
     const Said said = run(std::string(word) + " --help");
     EXPECT_EQ(said.status, 0) << word;
     EXPECT_TRUE(contains(said, "pizarra " + std::string(word))) << said.text;
