@@ -7,6 +7,7 @@
 #include "blackboard/time/event.hpp"
 #include "drivers/simulation/controllers/ptu_emulator.hpp"
 #include "drivers/wire/byte_wire.hpp"
+#include "tests/run_task.hpp"
 
 namespace pizarra {
 
@@ -59,20 +60,5 @@ class WireToUnit : public ByteWire {
   std::string heard_;
   WaitList come_;
 };
-
-// Runs a task to its end.
-template <class T>
-Task<void> keep(Task<T> task, std::optional<T>& out) {
-  T value = co_await task;
-  out.emplace(std::move(value));
-}
-
-template <class T>
-T run(Executor& executor, Task<T> task) {
-  std::optional<T> out;
-  const Job job = executor.spawn(keep(std::move(task), out));
-  executor.run_until([&] { return out.has_value(); });
-  return std::move(*out);
-}
 
 }  // namespace pizarra

@@ -11,22 +11,9 @@
 #include "drivers/simulation/simulated_arm.hpp"
 #include "drivers/simulation/simulated_camera.hpp"
 #include "drivers/simulation/world.hpp"
+#include "tests/run_task.hpp"
 
 namespace pizarra {
-
-template <class T>
-Task<void> keep(Task<T> task, std::optional<T>& out) {
-  T value = co_await task;
-  out.emplace(std::move(value));
-}
-
-template <class T>
-T run(Executor& executor, Task<T> task) {
-  std::optional<T> out;
-  const Job job = executor.spawn(keep(std::move(task), out));
-  executor.run_until([&] { return out.has_value(); });
-  return std::move(*out);
-}
 
 struct TruthOf {
   double x_mm = 0;
