@@ -5,9 +5,9 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "agents/planner/pddl_text.hpp"
+#include "agents/planner/files/pddl_text.hpp"
+#include "agents/planner/files/task_files.hpp"
 #include "agents/planner/task/numbered_task.hpp"
-#include "agents/planner/task_files.hpp"
 
 using namespace pizarra;
 

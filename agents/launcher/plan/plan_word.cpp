@@ -10,12 +10,15 @@
 #include "agents/launcher/plan/memory_limit.hpp"
 #include "agents/launcher/plan/plan_clock.hpp"
 #include "agents/launcher/plan/plan_report.hpp"
-#include "agents/planner/external_plan.hpp"
+#include "agents/planner/explanation/fewest_culprits.hpp"
+#include "agents/planner/explanation/no_plan.hpp"
+#include "agents/planner/explanation/why_never.hpp"
+#include "agents/planner/external/external_plan.hpp"
 #include "agents/planner/fast/fast_planner.hpp"
+#include "agents/planner/files/task_files.hpp"
 #include "agents/planner/optimal/optimal_planner.hpp"
-#include "agents/planner/planner_forms.hpp"
-#include "agents/planner/task_files.hpp"
-#include "agents/planner/why_never.hpp"
+#include "agents/planner/task/grounding.hpp"
+#include "agents/planner/task/plan_mode.hpp"
 #include "lisp/json.hpp"
 
 namespace pizarra {
@@ -26,8 +29,6 @@ namespace {
 Budget unhurried(std::size_t memory_mb) {
   return {.nodes = std::size_t{1} << 60, .levels = std::size_t{1} << 30, .bytes = memory_mb << 20};
 }
-// Beyond, the fewest steps take too long to find; blocks world has so many with some seventy blocks.
-constexpr std::size_t most_actions_for_optimal = 10'000;
 // How long a fast plan is made shorter where no time is given.
 constexpr double improving_s = 10;
 // A foreign planner is not left alone for ever.
@@ -80,17 +81,20 @@ Failure why_none(const PlanningTask& task, const Problem& problem, const Outcome
 }
 
 bool wants_fast(const PlanChoices& choices, const Problem& problem) {
-  return choices.fast || (!choices.optimal && problem.actions.size() > most_actions_for_optimal);
+  return choices.fast || (!choices.optimal && mode_for(problem) == PlanMode::fast);
 }
 
 Outcome solve(const PlanChoices& choices, const Problem& problem, PlanClock& clock) {
   const auto over = [&] { return clock.over(); };
   const Budget budget = unhurried(choices.memory_mb);
-  if (!wants_fast(choices, problem)) return OptimalPlanner().solve(problem, budget, over);
-  clock.shorten(improving_s);
-  Outcome outcome = FastPlanner({.seed = choices.seed}).solve(problem, budget, over);
+  Outcome outcome;
+  if (wants_fast(choices, problem)) {
+    clock.shorten(improving_s);
+    outcome = FastPlanner({.seed = choices.seed}).solve(problem, budget, over);
+  } else {
+    outcome = OptimalPlanner().solve(problem, budget, over);
+  }
   blame_fewest(problem, budget, over, outcome);
-  outcome.engine = "fast";
   return outcome;
 }
 
@@ -190,9 +194,10 @@ void add_plan_word(CLI::App& app, int& status) {
   word->add_option("problem", choices->problem, "PDDL problem, or facts (types ...) (initials ...) (goals ...)")
       ->required();
   CLI::Option* optimal = word->add_flag("--optimal", choices->optimal, "As few parallel steps as can be");
-  CLI::Option* fast =
-      word->add_flag("--fast", choices->fast, "A plan soon, then shorter ones; the default for more than 10000 actions")
-          ->excludes(optimal);
+  CLI::Option* fast = word->add_flag("--fast", choices->fast,
+                                     fmt::format("A plan soon, then shorter ones; the default for more than {} actions",
+                                                 most_actions_for_optimal))
+                          ->excludes(optimal);
   CLI::Option* seed = word->add_option("--seed", choices->seed, "What chance begins from; 1")->check(seed_check());
   word->add_option("--time", choices->limit_s, "End after so many seconds; --fast ends after 10 by itself")
       ->check(seconds_check())

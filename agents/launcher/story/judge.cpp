@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "agents/planner/breadth_first.hpp"
+#include "agents/planner/judge/breadth_first.hpp"
 
 namespace pizarra {
 

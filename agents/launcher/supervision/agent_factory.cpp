@@ -6,7 +6,7 @@
 #include "agents/coordinator/coordinator_agent.hpp"
 #include "agents/pan_tilt/pan_tilt_agent.hpp"
 #include "agents/person/person_agent.hpp"
-#include "agents/planner/planner_agent.hpp"
+#include "agents/planner/agent/planner_agent.hpp"
 #include "agents/robot/robot_agent.hpp"
 #include "agents/speech/speech_agent.hpp"
 #include "agents/vision/vision_agent.hpp"

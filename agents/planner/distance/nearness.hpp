@@ -3,21 +3,21 @@
 // All that is needed to ask how far states of one problem are from its goals.
 //
 //   Nearness nearness(problem);
-//   nearness.unavoidable.look_at(state);
+//   nearness.estimate.look_at(state);
 
-#include "agents/planner/distance/unavoidable.hpp"
+#include "agents/planner/distance/landmark_estimate.hpp"
 
 namespace pizarra {
 
 struct Nearness {
   explicit Nearness(const Problem& problem)
-      : compact(problem), exclusive(problem, compact), unavoidable(compact, exclusive) {}
+      : compact(problem), invariants(problem, compact), estimate(compact, invariants) {}
   Nearness(const Nearness&) = delete;
   Nearness& operator=(const Nearness&) = delete;
 
   const CompactProblem compact;
-  const ExclusiveFacts exclusive;
-  Unavoidable unavoidable;
+  const InvariantGroups invariants;
+  LandmarkEstimate estimate;
 };
 
 }  // namespace pizarra

@@ -9,8 +9,8 @@
 // the one whose preconditions come soonest. Helpful is what can be done at once and makes something true that the plan
 // begins with. (Hoffmann and Nebel 2001.)
 //
-// Asking costs a look at every action, far more than `Unavoidable` does; it sees what that is blind to: that one of
-// several actions has to bring a fact about, whichever it is.
+// Asking costs a look at every action, far more than `LandmarkEstimate` does; it sees what that is blind to: that one
+// of several actions has to bring a fact about, whichever it is.
 
 #include "agents/planner/distance/compact_problem.hpp"
 

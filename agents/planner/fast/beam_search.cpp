@@ -7,8 +7,8 @@
 
 namespace pizarra {
 
-BeamSearch::BeamSearch(const CompactProblem& problem, Unavoidable& unavoidable, Effort& effort, std::uint64_t seed)
-    : problem_(problem), unavoidable_(unavoidable), effort_(effort), seed_(seed) {
+BeamSearch::BeamSearch(const CompactProblem& problem, LandmarkEstimate& estimate, Effort& effort, std::uint64_t seed)
+    : problem_(problem), estimate_(estimate), effort_(effort), seed_(seed) {
   Random random(seed);
   for (std::size_t fact = 0; fact < problem.facts(); ++fact) keys_.push_back(random.bits());
 }
@@ -40,12 +40,12 @@ SearchEnd BeamSearch::run(std::size_t width, std::size_t most_actions) {
 
 void BeamSearch::expand(std::uint32_t parent) {
   const Kept& kept = layer_[parent];
-  unavoidable_.look_at(kept.state);
+  estimate_.look_at(kept.state);
   problem_.for_each_applicable(kept.state, [&](ActionIndex action) {
     const std::uint64_t hash = hash_after(kept, action);
     if (seen_.contains(hash)) return;
     effort_.count();
-    const std::optional<Distance> distance = unavoidable_.beyond(action);
+    const std::optional<Distance> distance = estimate_.beyond(action);
     if (distance) candidates_.push_back({*distance, hash * 0x9e3779b97f4a7c15, hash, parent, action});
   });
 }

@@ -3,14 +3,14 @@
 // A plan of fewer actions than a given number: one action after another, keeping of the states that many actions lead
 // to only those that seem nearest to the goals.
 //
-//   BeamSearch search(problem, unavoidable, effort, seed);
+//   BeamSearch search(problem, estimate, effort, seed);
 //   if (search.run(64, 30) == SearchEnd::found) use(search.plan());      // 64 states at a time, at most 30 actions
 //
 // `exhausted` proves nothing unless `complete()`: then no state had to be left out, and there is no such plan.
 
 #include <unordered_set>
 
-#include "agents/planner/distance/unavoidable.hpp"
+#include "agents/planner/distance/landmark_estimate.hpp"
 #include "agents/planner/fast/effort.hpp"
 
 namespace pizarra {
@@ -18,7 +18,7 @@ namespace pizarra {
 class BeamSearch {
  public:
   // The arguments outlive the search. The seed decides among states that seem equally near.
-  BeamSearch(const CompactProblem& problem, Unavoidable& unavoidable, Effort& effort, std::uint64_t seed);
+  BeamSearch(const CompactProblem& problem, LandmarkEstimate& estimate, Effort& effort, std::uint64_t seed);
 
   SearchEnd run(std::size_t width, std::size_t most_actions);
   const std::vector<ActionIndex>& plan() const { return plan_; }
@@ -47,7 +47,7 @@ class BeamSearch {
   void take_plan(std::uint32_t step);
 
   const CompactProblem& problem_;
-  Unavoidable& unavoidable_;
+  LandmarkEstimate& estimate_;
   Effort& effort_;
   const std::uint64_t seed_;
   std::vector<std::uint64_t> keys_;  // of every fact; a state's hash is the xor of its facts' keys

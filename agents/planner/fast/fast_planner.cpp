@@ -50,7 +50,7 @@ std::vector<ActionIndex> lean(const Problem& problem, const std::vector<ActionIn
 // The greedy search asks cheaply and knows blocks best; where it goes astray, the climb asks more, and may give up; the
 // greedy search then goes on, and is the one to prove that there is no plan.
 SearchEnd find_plan(Nearness& nearness, Effort& effort, std::vector<ActionIndex>& plan) {
-  GreedySearch greedy(nearness.compact, nearness.unavoidable, effort);
+  GreedySearch greedy(nearness.compact, nearness.estimate, effort);
   std::optional<SearchEnd> end = greedy.run(greedy_patience);
   if (!end) {
     HillClimbing climbing(nearness.compact, effort);
@@ -85,7 +85,7 @@ class Improvement {
   // Until the effort is spent, or nothing is left to look at.
   void run() {
     if (effort_.stopped() || is_shortest() || effort_.stopped()) return;
-    BeamSearch beam(compact_, nearness_.unavoidable, effort_, options_.seed);
+    BeamSearch beam(compact_, nearness_.estimate, effort_, options_.seed);
     for (std::size_t width = 2; width <= widest() && !plan_.empty(); width *= 2) {
       reorder();
       if (effort_.stopped()) return;

@@ -28,10 +28,10 @@ std::optional<SearchEnd> GreedySearch::run(std::size_t patience) {
 
 void GreedySearch::expand(std::uint32_t index) {
   const Bits& state = *reached_[index].state;
-  unavoidable_.look_at(state);
+  estimate_.look_at(state);
   problem_.for_each_applicable(state, [&](ActionIndex action) {
     effort_.count();
-    const std::optional<Distance> distance = unavoidable_.beyond(action);
+    const std::optional<Distance> distance = estimate_.beyond(action);
     if (distance) candidates_.push({*distance, serial_++, index, action});
   });
 }

@@ -2,8 +2,8 @@
 
 // Some plan, soon: always goes on from the state that seems nearest to the goals, of equals from the one found first.
 //
-//   Unavoidable unavoidable(problem, exclusive);
-//   GreedySearch search(problem, unavoidable, effort);
+//   LandmarkEstimate estimate(problem, invariants);
+//   GreedySearch search(problem, estimate, effort);
 //   std::optional<SearchEnd> end = search.run(200);            // none: 200 states in a row were no nearer than any
 //   before if (!end) end = search.run();                              // goes on from there if (end ==
 //   SearchEnd::found) use(search.plan());
@@ -14,7 +14,7 @@
 #include <queue>
 #include <unordered_set>
 
-#include "agents/planner/distance/unavoidable.hpp"
+#include "agents/planner/distance/landmark_estimate.hpp"
 #include "agents/planner/fast/effort.hpp"
 
 namespace pizarra {
@@ -22,8 +22,8 @@ namespace pizarra {
 class GreedySearch {
  public:
   // The arguments outlive the search.
-  GreedySearch(const CompactProblem& problem, Unavoidable& unavoidable, Effort& effort)
-      : problem_(problem), unavoidable_(unavoidable), effort_(effort) {}
+  GreedySearch(const CompactProblem& problem, LandmarkEstimate& estimate, Effort& effort)
+      : problem_(problem), estimate_(estimate), effort_(effort) {}
 
   // `exhausted`: there is no plan. Without patience for states in vain it is always one of the four ends.
   std::optional<SearchEnd> run(std::size_t patience);
@@ -50,7 +50,7 @@ class GreedySearch {
   void expand(std::uint32_t index);
 
   const CompactProblem& problem_;
-  Unavoidable& unavoidable_;
+  LandmarkEstimate& estimate_;
   Effort& effort_;
   std::vector<Reached> reached_;
   std::unordered_set<Bits, HashBits> states_;  // looked up only

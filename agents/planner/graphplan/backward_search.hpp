@@ -17,7 +17,7 @@
 #include <string>
 
 #include "agents/planner/graphplan/nogoods.hpp"
-#include "agents/planner/graphplan/planning_graph.hpp"
+#include "agents/planner/reach/planning_graph.hpp"
 
 namespace pizarra {
 

@@ -15,8 +15,8 @@
 
 #include <optional>
 
-#include "agents/planner/optimal/guided_search.hpp"
-#include "agents/planner/optimal/regression_graph.hpp"
+#include "agents/planner/guided/guided_search.hpp"
+#include "agents/planner/reach/regression_graph.hpp"
 
 namespace pizarra {
 

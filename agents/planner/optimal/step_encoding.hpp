@@ -11,7 +11,7 @@
 
 #include <cadical.hpp>
 
-#include "agents/planner/optimal/regression_graph.hpp"
+#include "agents/planner/reach/regression_graph.hpp"
 
 namespace pizarra {
 

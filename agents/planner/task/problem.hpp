@@ -34,12 +34,6 @@ struct Problem {
   Bits goals;
 };
 
-// Facts that no operator changes are checked and left out, and so is what cannot be reached even if nothing were ever
-// deleted; goals always stay. Failures: bad-task (what is wrong with an operator or a fact), unknown-object,
-// unknown-predicate (both name the nearest), too-large, cancelled.
-Result<Problem> ground(
-    const PlanningTask& task, const std::function<bool()>& cancelled = [] { return false; });
-
 // Whether one of the two deletes what the other needs or adds: they then cannot share a step.
 bool interfere(const GroundAction& a, const GroundAction& b);
 // For every action, those it interferes with.

@@ -9,7 +9,7 @@
 //   task.objects = {{"circle"_sym, "OBJECT"}};
 //   Result<Problem> problem = ground(task);           // problem.hpp
 //
-// From files: agents/planner/task_files.hpp.
+// From files: agents/planner/files/task_files.hpp.
 
 #include <map>
 #include <set>

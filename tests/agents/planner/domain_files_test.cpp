@@ -2,8 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "agents/planner/agent/planner_forms.hpp"
 #include "agents/planner/graphplan/graphplan.hpp"
-#include "agents/planner/planner_forms.hpp"
+#include "agents/planner/task/grounding.hpp"
 #include "lisp/domain.hpp"
 #include "tests/agents/planner/planning_domains.hpp"
 #include "tests/source_dir.hpp"

@@ -1,5 +1,6 @@
 #include "tests/agents/planner/engine_contract.hpp"
 
+#include "agents/planner/task/grounding.hpp"
 #include "lisp/writer.hpp"
 
 namespace pizarra {

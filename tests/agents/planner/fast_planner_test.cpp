@@ -5,11 +5,12 @@
 #include <gtest/gtest.h>
 #include <new>
 
-#include "agents/planner/breadth_first.hpp"
-#include "agents/planner/distance/exclusive_facts.hpp"
+#include "agents/planner/distance/invariant_groups.hpp"
 #include "agents/planner/fast/hill_climbing.hpp"
 #include "agents/planner/fast/plan_reordering.hpp"
+#include "agents/planner/judge/breadth_first.hpp"
 #include "agents/planner/optimal/optimal_planner.hpp"
+#include "agents/planner/task/grounding.hpp"
 #include "agents/planner/task/idle_actions.hpp"
 #include "lisp/writer.hpp"
 #include "tests/agents/planner/engine_contract.hpp"
@@ -242,16 +243,16 @@ TEST(FastPlanner, HasNothingToDoWhereTheGoalsHold) {
   EXPECT_TRUE(outcome.steps.empty());
 }
 
-TEST(ExclusiveFacts, NeverHoldTogetherOnAnyWay) {
+TEST(InvariantGroups, NeverHoldTogetherOnAnyWay) {
   for (std::uint64_t seed = 0; seed < 400; ++seed) {
     const PlanningTask task = random_task(seed);
     const Problem problem = ground(task).value();
     const CompactProblem compact(problem);
-    const ExclusiveFacts exclusive(problem, compact);
+    const InvariantGroups invariants(problem, compact);
     Random random(seed);
     Bits state = problem.initials;
     for (int step = 0; step < 60; ++step) {
-      for (const std::vector<FactIndex>& group : exclusive.groups()) {
+      for (const std::vector<FactIndex>& group : invariants.groups()) {
         ASSERT_LE(std::ranges::count_if(group, [&](FactIndex fact) { return state.test(fact); }), 1)
             << seed << " " << show(task);
       }
@@ -263,18 +264,18 @@ TEST(ExclusiveFacts, NeverHoldTogetherOnAnyWay) {
   }
 }
 
-TEST(ExclusiveFacts, SayThatABlockIsInOnePlaceWithOneThingOnIt) {
+TEST(InvariantGroups, SayThatABlockIsInOnePlaceWithOneThingOnIt) {
   Random random(1);
   const Problem problem = ground(random_blocks(3, random)).value();
-  const ExclusiveFacts exclusive(problem, CompactProblem(problem));
+  const InvariantGroups invariants(problem, CompactProblem(problem));
   const auto fact = [&](std::string_view text) {
     return static_cast<FactIndex>(std::ranges::find(problem.facts, form(text)) - problem.facts.begin());
   };
-  EXPECT_TRUE(exclusive.exclude(fact("(on b0 b1)"), fact("(on b0 b2)")));
-  EXPECT_TRUE(exclusive.exclude(fact("(on b0 b1)"), fact("(on b2 b1)")));
-  EXPECT_TRUE(exclusive.exclude(fact("(on b0 b1)"), fact("(holding b0)")));
-  EXPECT_TRUE(exclusive.exclude(fact("(holding b0)"), fact("(holding b1)")));
-  EXPECT_FALSE(exclusive.exclude(fact("(on b0 b1)"), fact("(on b1 b2)")));
+  EXPECT_TRUE(invariants.exclude(fact("(on b0 b1)"), fact("(on b0 b2)")));
+  EXPECT_TRUE(invariants.exclude(fact("(on b0 b1)"), fact("(on b2 b1)")));
+  EXPECT_TRUE(invariants.exclude(fact("(on b0 b1)"), fact("(holding b0)")));
+  EXPECT_TRUE(invariants.exclude(fact("(holding b0)"), fact("(holding b1)")));
+  EXPECT_FALSE(invariants.exclude(fact("(on b0 b1)"), fact("(on b1 b2)")));
 }
 
 TEST(FastPlanner, KeepsItsBestPlanWhereMemoryEnds) {

@@ -1,7 +1,9 @@
 #include "agents/planner/graphplan/graphplan.hpp"
 
-#include "agents/planner/breadth_first.hpp"
-#include "agents/planner/planner_forms.hpp"
+#include "agents/planner/agent/planner_forms.hpp"
+#include "agents/planner/explanation/no_plan.hpp"
+#include "agents/planner/judge/breadth_first.hpp"
+#include "agents/planner/task/grounding.hpp"
 #include "lisp/writer.hpp"
 #include "tests/agents/planner/engine_contract.hpp"
 

@@ -1,3 +1,5 @@
+#include "agents/planner/task/grounding.hpp"
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

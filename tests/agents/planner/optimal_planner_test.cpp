@@ -1,11 +1,13 @@
 #include "agents/planner/optimal/optimal_planner.hpp"
 
-#include "agents/planner/breadth_first.hpp"
-#include "agents/planner/optimal/guided_search.hpp"
+#include "agents/planner/agent/planner_forms.hpp"
+#include "agents/planner/explanation/fewest_culprits.hpp"
+#include "agents/planner/guided/guided_search.hpp"
+#include "agents/planner/judge/breadth_first.hpp"
 #include "agents/planner/optimal/optimal_search.hpp"
 #include "agents/planner/optimal/sat_search.hpp"
 #include "agents/planner/optimal/step_search.hpp"
-#include "agents/planner/planner_forms.hpp"
+#include "agents/planner/task/grounding.hpp"
 #include "lisp/writer.hpp"
 #include "tests/agents/planner/engine_contract.hpp"
 
@@ -136,8 +138,9 @@ TEST(LandmarkBound, NeverAsksForMoreStepsThanAPlanTakes) {
 // Without any one of the culprits the others can be reached.
 void expect_minimal_culprits(const PlanningTask& task) {
   const Result<Problem> problem = ground(task);
-  const Outcome outcome = OptimalPlanner().solve(*problem, {}, never);
+  Outcome outcome = OptimalPlanner().solve(*problem, {}, never);
   if (outcome.kind != Outcome::Kind::none) return;
+  blame_fewest(*problem, {}, never, outcome);
   for (std::size_t i = 0; i < outcome.culprits.size(); ++i) {
     std::vector<std::size_t> others = outcome.culprits;
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
@@ -158,8 +161,9 @@ TEST(OptimalPlanner, ProvesThatARingOfManyBlocksCannotBeBuiltAndBlamesTheRing) {
     PlanningTask task = random_blocks(blocks, random);
     task.goals = facts_of("(on b3 b0) (on b0 b1) (on b1 b2) (on b2 b0)");
     const Result<Problem> problem = ground(task);
-    const Outcome outcome = OptimalPlanner().solve(*problem, {}, never);
+    Outcome outcome = OptimalPlanner().solve(*problem, {}, never);
     ASSERT_EQ(outcome.kind, Outcome::Kind::none);
+    blame_fewest(*problem, {}, never, outcome);
     EXPECT_LE(outcome.culprits.size(), 3u);
   }
 }

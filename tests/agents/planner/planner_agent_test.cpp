@@ -1,4 +1,4 @@
-#include "agents/planner/planner_agent.hpp"
+#include "agents/planner/agent/planner_agent.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

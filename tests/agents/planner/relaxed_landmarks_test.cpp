@@ -1,8 +1,9 @@
-#include "agents/planner/optimal/relaxed_landmarks.hpp"
+#include "agents/planner/guided/relaxed_landmarks.hpp"
 
 #include <gtest/gtest.h>
 
-#include "agents/planner/optimal/relaxed_reach.hpp"
+#include "agents/planner/reach/relaxed_reach.hpp"
+#include "agents/planner/task/grounding.hpp"
 #include "tests/agents/planner/planning_domains.hpp"
 
 namespace pizarra {

@@ -1,8 +1,9 @@
-#include "agents/planner/replanner.hpp"
+#include "agents/planner/agent/replanner.hpp"
 
 #include <algorithm>
 
 #include "agents/planner/optimal/optimal_planner.hpp"
+#include "agents/planner/task/grounding.hpp"
 #include "tests/agents/planner/engine_contract.hpp"
 
 namespace pizarra {

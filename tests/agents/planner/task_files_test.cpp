@@ -1,11 +1,12 @@
-#include "agents/planner/task_files.hpp"
+#include "agents/planner/files/task_files.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sstream>
 
+#include "agents/planner/files/pddl_text.hpp"
 #include "agents/planner/graphplan/graphplan.hpp"
-#include "agents/planner/pddl_text.hpp"
+#include "agents/planner/task/grounding.hpp"
 #include "lisp/writer.hpp"
 #include "tests/agents/planner/planning_domains.hpp"
 #include "tests/source_dir.hpp"

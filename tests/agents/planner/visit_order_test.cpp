@@ -1,4 +1,4 @@
-#include "agents/planner/optimal/visit_order.hpp"
+#include "agents/planner/guided/visit_order.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

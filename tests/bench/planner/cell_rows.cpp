@@ -1,8 +1,9 @@
 #include <fmt/format.h>
 #include <stdexcept>
 
+#include "agents/planner/agent/planner_forms.hpp"
 #include "agents/planner/optimal/optimal_search.hpp"
-#include "agents/planner/planner_forms.hpp"
+#include "agents/planner/task/grounding.hpp"
 #include "lisp/reader.hpp"
 #include "lisp/writer.hpp"
 #include "tests/bench/measure.hpp"

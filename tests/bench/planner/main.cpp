@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <stdexcept>
 
-#include "agents/planner/task_files.hpp"
+#include "agents/planner/files/task_files.hpp"
 #include "tests/bench/planner/rows.hpp"
 
 namespace pizarra::bench {

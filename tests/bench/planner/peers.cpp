@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "agents/planner/external_plan.hpp"
+#include "agents/planner/external/external_plan.hpp"
 #include "tests/bench/child.hpp"
 #include "tests/bench/measure.hpp"
 

@@ -1,0 +1,182 @@
+#include "agents/planner/agent/planner_agent.hpp"
+
+#include <atomic>
+#include <optional>
+
+#include "agents/planner/agent/planner_forms.hpp"
+#include "agents/planner/agent/replanner.hpp"
+#include "agents/runtime/service.hpp"
+
+namespace pizarra {
+
+namespace {
+
+constexpr std::string_view contract_text = R"(
+(contract planner
+  (offers
+    (get-operations (operators list))
+    (get-facts (types list) (initials list) (goals list))
+    (get-plan)
+    (start-plan)
+    (next-operation (index integer)))
+  (posts (relation planner ((state symbol) (detail datum)) (key)))
+  (configures get-operations get-facts)
+  (monitors planner))
+)";
+
+constexpr Duration search_cost = 20ms;
+constexpr Duration retry_pause = 200ms;
+
+// One search. The worker may outlive the agent, so it owns what it reads and writes; what was learned comes back with
+// the result.
+struct Search {
+  PlanningTask task;
+  Replanner replanner;
+  Budget budget;
+  std::atomic<bool> abandoned = false;
+  Result<ReadyPlan> result = ReadyPlan{};
+};
+
+std::function<void(const std::function<bool()>&)> work_of(std::shared_ptr<Search> search) {
+  return [search = std::move(search)](const std::function<bool()>& cancelled) {
+    const auto stopped = [&] { return search->abandoned || cancelled(); };
+    search->result = search->replanner.plan(search->task, search->budget, stopped);
+  };
+}
+
+}  // namespace
+
+struct PlannerAgent::State {
+  State(AgentContext agent_context, Budget search_budget)
+      : context(std::move(agent_context)), budget(std::move(search_budget)) {}
+
+  Task<Result<void>> run();
+  Task<Result<Datum>> handle(Datum operation);
+  Task<Result<Datum>> get_operations(Datum operators);
+  Task<Result<Datum>> get_facts(Datum operation);
+  Task<Result<Datum>> get_plan();
+  Task<Result<Datum>> start_plan();
+  Task<Result<Datum>> next_operation(std::int64_t index);
+  Task<void> tell_state(std::string_view state, Datum detail);
+  void drop_plan();
+
+  AgentContext context;
+  Budget budget;
+  const Service* service = nullptr;  // while run() runs
+  std::optional<std::vector<PlanningOperator>> operators;
+  std::optional<PlanningFacts> facts;
+  std::shared_ptr<Search> search;  // the one under way
+  Replanner replanner;             // at rest, while no search has it
+  std::optional<std::vector<Datum>> plan;
+  bool started = false;
+};
+
+PlannerAgent::PlannerAgent(AgentContext context, Budget budget)
+    : state_(std::make_unique<State>(std::move(context), std::move(budget))) {}
+
+PlannerAgent::~PlannerAgent() = default;
+
+Task<Result<void>> PlannerAgent::run() { return state_->run(); }
+
+Task<Result<void>> PlannerAgent::State::run() {
+  Result<Contract> contract = contract_from_text(contract_text);
+  if (!contract) co_return fail(contract);
+  Service serving(context, std::move(*contract));
+  const Result<void> ready = co_await serving.start();
+  if (!ready) co_return ready;
+  service = &serving;
+  co_await tell_state("idle", Datum());
+  Handler handler = [this](Datum operation) { return handle(std::move(operation)); };
+  const Result<void> served = co_await serving.serve(std::move(handler));
+  co_return served;
+}
+
+// The state goes with the agent's presence.
+Task<void> PlannerAgent::State::tell_state(std::string_view state, Datum detail) {
+  Transaction telling;
+  telling.tell(list("planner"_sym, Datum::symbol(state), std::move(detail)), {}, service->presence());
+  Result<Revision> told = co_await context.board.transact(telling);
+  while (!told && told.error().symbol == "unreachable") {
+    co_await sleep(context.executor, retry_pause);
+    told = co_await context.board.transact(telling);
+  }
+}
+
+void PlannerAgent::State::drop_plan() {
+  if (search) search->abandoned = true;
+  search.reset();
+  plan.reset();
+  started = false;
+}
+
+Task<Result<Datum>> PlannerAgent::State::handle(Datum operation) {
+  const std::string_view name = operation.head();
+  if (name == "get-operations") return get_operations(operation[1]);
+  if (name == "get-facts") return get_facts(std::move(operation));
+  if (name == "get-plan") return get_plan();
+  if (name == "start-plan") return start_plan();
+  return next_operation(operation[1].integer());
+}
+
+Task<Result<Datum>> PlannerAgent::State::get_operations(Datum forms) {
+  Result<std::vector<PlanningOperator>> read = operators_from_list(forms);
+  if (!read) co_return fail(as_asked(read.error()));
+  operators = std::move(*read);
+  drop_plan();
+  co_await tell_state("idle", Datum());
+  co_return Datum();
+}
+
+Task<Result<Datum>> PlannerAgent::State::get_facts(Datum operation) {
+  Result<PlanningFacts> read = facts_from_forms(operation[1], operation[2], operation[3]);
+  if (!read) co_return fail(read);
+  facts = std::move(*read);
+  drop_plan();
+  co_await tell_state("idle", Datum());
+  co_return Datum();
+}
+
+Task<Result<Datum>> PlannerAgent::State::get_plan() {
+  if (!operators) co_return fail("not-ready", "no operators were given: get-operations comes first");
+  if (!facts) co_return fail("not-ready", "no facts were given: get-facts comes first");
+  drop_plan();
+  const std::shared_ptr<Search> mine = std::make_shared<Search>();
+  mine->task = PlanningTask{*operators, facts->objects, facts->initials, facts->goals};
+  mine->budget = budget;
+  mine->replanner = std::move(replanner);
+  search = mine;
+  co_await tell_state("planning", Datum::list(facts->goals));
+  std::function<void(const std::function<bool()>&)> work = work_of(mine);
+  co_await context.executor.offload(std::move(work), search_cost);
+  if (search != mine) co_return fail("cancelled", "something else is to be planned now");
+  search.reset();
+  replanner = std::move(mine->replanner);
+  if (!mine->result) {
+    const Failure failure = as_asked(mine->result.error());
+    co_await tell_state("no-plan", failure_to_datum(failure));
+    co_return fail(failure);
+  }
+  plan = operations_of(mine->result->steps);
+  const Datum steps = steps_to_datum(mine->result->steps);
+  const Datum engine = Datum::symbol(mine->result->engine);
+  const Datum mode = Datum::symbol(name_of(mine->result->mode));
+  const Datum detail = list(mode, engine, steps);
+  co_await tell_state("planned", detail);
+  co_return list(steps);
+}
+
+Task<Result<Datum>> PlannerAgent::State::start_plan() {
+  if (!plan) co_return fail("not-ready", "there is no plan to start: get-plan comes first");
+  started = true;
+  const Result<Datum> first = co_await next_operation(0);
+  co_return first;
+}
+
+Task<Result<Datum>> PlannerAgent::State::next_operation(std::int64_t index) {
+  if (!plan || !started) co_return fail("not-ready", "no plan runs: start-plan comes first");
+  if (index < 0) co_return fail("bad-index", "operations are counted from 0", Datum::integer(index));
+  if (static_cast<std::size_t>(index) >= plan->size()) co_return list("done"_sym);
+  co_return list((*plan)[static_cast<std::size_t>(index)]);
+}
+
+}  // namespace pizarra

@@ -1,0 +1,56 @@
+#pragma once
+
+// Plans for one task after another, and cheaply where only the initial facts have changed since the last: the grounded
+// problem and what was learned of it are kept, and a state that the last plan comes through is planned for already.
+//
+//   Replanner replanner;
+//   Result<ReadyPlan> plan = replanner.plan(task, Budget{}, cancelled);
+//   task.initials = what_is_seen_now;
+//   plan = replanner.plan(task, Budget{}, cancelled);
+//
+// Kept or new, a plan is a shortest one, but where that would take too long: of a problem too large, or one that the
+// budget does not do for, it is some plan made fast. What is kept is never used for other goals, objects or operators.
+// The same tasks in the same order get the same plans.
+
+#include <map>
+#include <optional>
+
+#include "agents/planner/optimal/optimal_search.hpp"
+#include "agents/planner/task/plan_mode.hpp"
+
+namespace pizarra {
+
+struct ReadyPlan {
+  PlanSteps steps;
+  PlanMode mode = PlanMode::optimal;  // optimal: no plan has fewer parallel steps
+  std::string_view engine;            // `kept`: the end of the last plan; else the search that found it
+  std::size_t nodes = 0;              // work done
+};
+
+class Replanner {
+ public:
+  // The failures of ground(), explain() and validate_plan().
+  Result<ReadyPlan> plan(const PlanningTask& task, const Budget& budget, const std::function<bool()>& cancelled);
+
+ private:
+  // The grounded problem of a task, and all that is known of it.
+  struct Known {
+    explicit Known(const PlanningTask& for_task, Problem grounded);
+    PlanningTask task;
+    Problem problem;
+    std::optional<OptimalSearch> search;  // none: the problem is too large
+    std::map<Datum, std::size_t> fact_index;
+    std::vector<Datum> fixed;                // initial facts that are not among the problem's
+    PlanMode last_mode = PlanMode::optimal;  // of the last plan
+    std::vector<std::vector<std::size_t>> last_steps;
+    std::vector<Bits> last_states;  // before every step of it, and after the last
+  };
+  bool begin_from(const std::vector<Datum>& initials);
+  std::optional<Outcome> end_of_last_plan() const;
+  Outcome search(const Budget& budget, const std::function<bool()>& cancelled);
+  void remember(const Outcome& outcome);
+
+  std::unique_ptr<Known> known_;
+};
+
+}  // namespace pizarra

@@ -1,0 +1,79 @@
+#pragma once
+
+// How far a state is from the goals: the number of things that have to happen on the way, whichever way is taken.
+//
+//   LandmarkEstimate estimate(problem, invariants);
+//   estimate.look_at(state);
+//   const std::optional<Distance> distance = estimate.beyond(action);      // of the state that the action leads to
+//
+// A goal that does not hold has to be made true, and what all actions need that make it true, before. What holds and
+// excludes a fact that has to be made true, has to be taken away; what all actions need or make true that take it away,
+// is then unavoidable too; and a goal that has to be taken away has to be made true again. These are landmarks of the
+// state itself, found by local reasoning (compare Hoffmann, Porteous and Sebastia 2004), and no memory of the way is
+// needed. Facts that one and the same action makes true count once.
+
+#include <optional>
+
+#include "agents/planner/distance/invariant_groups.hpp"
+
+namespace pizarra {
+
+// Sorts states: smaller is nearer.
+using Distance = std::uint32_t;
+
+class LandmarkEstimate {
+ public:
+  LandmarkEstimate(const CompactProblem& problem, const InvariantGroups& invariants);
+
+  void look_at(const Bits& state);
+  // Of the state looked at, and of one action beyond it. None: the goals cannot be reached from there.
+  std::optional<Distance> here();
+  std::optional<Distance> beyond(ActionIndex action);
+
+ private:
+  void learn_changes();
+  std::vector<std::uint32_t> hops_to(FactIndex goal, std::span<const FactIndex> group) const;
+  void set(FactIndex fact);
+  void reset(FactIndex fact);
+  std::uint32_t hops_left(std::size_t goal) const;
+  void push(FactIndex fact);
+  bool must_happen(FactIndex fact);
+  bool must_be_taken_away(FactIndex fact);
+  void count_once(FactIndex event);
+  bool ready(FactIndex goal) const;
+
+  const CompactProblem& problem_;
+  const InvariantGroups& invariants_;
+  Rows ranks_;         // of a fact: its place in each of its groups
+  Rows needs_;         // of a fact: what all actions need that add it
+  Rows leaving_;       // what all actions need or add that delete it
+  Rows leaving_adds_;  // what they all add
+  std::vector<char> can_come_, can_go_;
+  std::vector<FactIndex> goals_;
+  std::vector<std::vector<std::vector<std::uint32_t>>> hops_;  // of a goal, one of its groups, from a fact of that
+
+  Bits state_;
+  struct Holds {
+    FactIndex fact;
+    std::uint32_t rank;  // its place in the group
+  };
+  std::vector<Holds> holds_;                // of a group: which of its facts holds
+  std::vector<FactIndex> added_, deleted_;  // by the action beyond
+
+  // One evaluation: marks are of this one where they equal its number.
+  std::uint32_t evaluation_ = 0;
+  struct Marks {
+    std::uint32_t pending = 0, taken = 0, counted = 0;
+  };
+  std::vector<Marks> marks_;  // of a fact
+  std::vector<std::uint32_t> goal_hops_;
+  struct Awaited {
+    std::uint32_t count = 0, in = 0;  // of which evaluation the count is
+  };
+  std::vector<Awaited> awaited_;  // of a group: how many of its facts are pending
+  std::vector<FactIndex> open_;
+  std::uint32_t events_ = 0;
+  std::uint32_t facts_ = 0;
+};
+
+}  // namespace pizarra

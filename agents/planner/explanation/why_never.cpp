@@ -1,0 +1,242 @@
+#include "agents/planner/explanation/why_never.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <optional>
+#include <set>
+
+#include "agents/planner/explanation/no_plan.hpp"
+#include "lisp/pattern.hpp"
+#include "lisp/writer.hpp"
+
+namespace pizarra {
+
+namespace {
+
+// Of facts, by one explanation.
+constexpr std::size_t most_looked_at = 200;
+
+// What is wanted is a fact or `(not FACT)`, in which a variable stands for any object.
+class WhyNever {
+ public:
+  WhyNever(const PlanningTask& task, const Problem& problem)
+      : task_(task), initials_(task.initials.begin(), task.initials.end()), possible_(initials_) {
+    for (const GroundAction& action : problem.actions) {
+      for (const std::size_t added : action.adds) possible_.insert(problem.facts[added]);
+      for (const std::size_t deleted : action.deletes) deleted_.insert(problem.facts[deleted]);
+    }
+  }
+
+  bool possible(const Datum& wanted) const {
+    if (!wanted.is_form("not")) {
+      return std::ranges::any_of(possible_, [&](const Datum& fact) { return fits(wanted, fact); });
+    }
+    return !is_ground(wanted[1]) || !initials_.contains(wanted[1]) || deleted_.contains(wanted[1]);
+  }
+
+  // Goes from what is wanted to what that needs, nearest first, until something is missing for good.
+  std::string explain(const Datum& fact, const std::function<bool()>& cancelled) {
+    looked_at_ = {{fact, 0}};
+    for (std::size_t i = 0; i < looked_at_.size() && !cancelled(); ++i) {
+      const std::string end = look_at(i);
+      if (!end.empty()) return chain(i) + end;
+    }
+    // Everything needs something else of it: the last is as good a place to begin as any.
+    std::size_t last = looked_at_.size() - 1;
+    while (last > 0 && !could_begin(last)) --last;
+    return chain(last) + fmt::format("{} does not hold at the beginning, and only what needs it brings it about",
+                                     write(looked_at_[last].wanted));
+  }
+
+ private:
+  struct Looked {
+    Datum wanted;
+    std::size_t needed_by;
+  };
+  // One operator's way to bring something about.
+  struct Way {
+    const PlanningOperator& by;
+    Bindings bindings;
+  };
+
+  static bool fits(const Datum& pattern, const Datum& fact) {
+    Bindings ignored;
+    return match(pattern, fact, ignored);
+  }
+
+  bool could_begin(std::size_t i) const {
+    const Datum& wanted = looked_at_[i].wanted;
+    return !wanted.is_form("not") && is_ground(wanted);
+  }
+
+  std::string chain(std::size_t end) const {
+    std::string text;
+    for (std::size_t i = end; i > 0; i = looked_at_[i].needed_by) {
+      const std::string by = write(looked_at_[looked_at_[i].needed_by].wanted);
+      text = fmt::format("{} needs {}, and ", by, write(looked_at_[i].wanted)) + text;
+    }
+    return text;
+  }
+
+  // How the explanation ends here, or nothing, and then there is more to look at.
+  std::string look_at(std::size_t i) {
+    const Datum wanted = looked_at_[i].wanted;
+    const std::vector<Way> ways = ways_to(wanted);
+    if (ways.empty() && wanted.is_form("not")) {
+      return fmt::format("{} holds from the beginning, and no operator ends that", write(wanted[1]));
+    }
+    const std::string misfit = ways.empty() ? misfit_for(wanted) : std::string();
+    if (!misfit.empty()) return misfit;
+    if (ways.empty()) {
+      return fmt::format("{} neither holds at the beginning nor is brought about by any operator", write(wanted));
+    }
+    for (const Way& way : ways) {
+      const std::string& name = way.by.name;
+      for (const PlanningParameter& parameter : way.by.parameters) {
+        if (has_objects(parameter.type)) continue;
+        return fmt::format("{}, which brings {} about, takes a {}, and there is none", name, write(wanted),
+                           parameter.type);
+      }
+      const std::vector<Datum> missing = missing_for(way);
+      if (missing.empty()) {
+        return fmt::format("{} needs {} for {}, and no objects have all of that", name, in_words(needed_for(way)),
+                           write(wanted));
+      }
+      for (const Datum& needed : missing) look_later(needed, i);
+    }
+    return {};
+  }
+
+  void look_later(const Datum& wanted, std::size_t needed_by) {
+    if (looked_at_.size() == most_looked_at) return;
+    if (std::ranges::find(looked_at_, wanted, &Looked::wanted) != looked_at_.end()) return;
+    looked_at_.push_back({wanted, needed_by});
+  }
+
+  bool has_objects(const std::string& type) const {
+    return std::ranges::any_of(
+        task_.objects, [&](const PlanningObject& object) { return is_subtype(task_.types, object.type, type); });
+  }
+
+  std::vector<Way> ways_to(const Datum& wanted) const {
+    const bool absent = wanted.is_form("not");
+    std::vector<Way> ways;
+    for (const PlanningOperator& op : task_.operators) {
+      for (const Datum& effect : absent ? op.deletes : op.adds) {
+        std::optional<Bindings> bindings = unified(effect, absent ? wanted[1] : wanted);
+        if (bindings && takes(op, *bindings)) ways.push_back({op, std::move(*bindings)});
+      }
+    }
+    return ways;
+  }
+
+  // What the effect's variables stand for where it is what is wanted.
+  static std::optional<Bindings> unified(const Datum& effect, const Datum& wanted) {
+    if (effect.head() != wanted.head() || effect.size() != wanted.size()) return std::nullopt;
+    Bindings bindings;
+    for (std::size_t i = 1; i < effect.size(); ++i) {
+      if (is_variable(wanted[i])) continue;
+      const bool same = is_variable(effect[i]) ? bindings.bind(effect[i], wanted[i]) : effect[i] == wanted[i];
+      if (!same) return std::nullopt;
+    }
+    return bindings;
+  }
+
+  // Whether the bound objects are of the types that the operator takes, as far as there are any.
+  bool takes(const PlanningOperator& op, const Bindings& bindings) const {
+    return std::ranges::none_of(op.parameters, [&](const PlanningParameter& parameter) {
+      return has_objects(parameter.type) && misfitting(parameter, bindings) != nullptr;
+    });
+  }
+
+  // What is bound to the parameter, where it is an object of another type.
+  const PlanningObject* misfitting(const PlanningParameter& parameter, const Bindings& bindings) const {
+    const Datum* name = bindings.find(parameter.variable);
+    if (name == nullptr) return nullptr;
+    const auto object = std::ranges::find(task_.objects, *name, &PlanningObject::name);
+    const bool fits = object == task_.objects.end() || is_subtype(task_.types, object->type, parameter.type);
+    return fits ? nullptr : &*object;
+  }
+
+  // An operator that would bring it about for objects of other types.
+  std::string misfit_for(const Datum& wanted) const {
+    for (const PlanningOperator& op : task_.operators) {
+      for (const Datum& effect : op.adds) {
+        const std::optional<Bindings> bindings = unified(effect, wanted);
+        if (!bindings) continue;
+        for (const PlanningParameter& parameter : op.parameters) {
+          const PlanningObject* object = misfitting(parameter, *bindings);
+          if (object == nullptr) continue;
+          return fmt::format("{}, which brings {} about, takes a {} for {}, and {} is a {}", op.name, write(effect),
+                             parameter.type, parameter.variable, write(object->name), object->type);
+        }
+      }
+    }
+    return {};
+  }
+
+  static std::vector<Datum> needed_for(const Way& way) {
+    std::vector<Datum> needed;
+    for (const Datum& atom : way.by.preconditions) needed.push_back(substitute(atom, way.bindings));
+    for (const Datum& atom : way.by.absents) needed.push_back(list("not"_sym, substitute(atom, way.bindings)));
+    for (const PlanningEquality& equality : way.by.equalities) {
+      const Datum equal = substitute(list("="_sym, equality.left, equality.right), way.bindings);
+      needed.push_back(equality.equal ? equal : list("not"_sym, equal));
+    }
+    return needed;
+  }
+
+  std::vector<Datum> missing_for(const Way& way) const {
+    std::vector<Datum> missing = needed_for(way);
+    std::erase_if(missing, [&](const Datum& needed) {
+      const Datum& fact = needed.is_form("not") ? needed[1] : needed;
+      return fact.is_form("=") || possible(needed);
+    });
+    return missing;
+  }
+
+  static std::string in_words(const std::vector<Datum>& needed) {
+    std::string words;
+    for (const Datum& one : needed) words += (words.empty() ? "" : " and ") + write(one);
+    return words.empty() ? "its objects" : words;
+  }
+
+  const PlanningTask& task_;
+  std::set<Datum> initials_;
+  std::set<Datum> possible_;  // if nothing were ever deleted
+  std::set<Datum> deleted_;
+  std::vector<Looked> looked_at_;
+};
+
+}  // namespace
+
+namespace {
+
+// Of a fact that was proved never to hold although each thing that it needs may: an action needs too much at once.
+std::string never_together(const Problem& problem, const Datum& fact) {
+  const auto adds_it = [&](const GroundAction& action) {
+    return std::ranges::any_of(action.adds, [&](std::size_t added) { return problem.facts[added] == fact; });
+  };
+  const auto action = std::ranges::find_if(problem.actions, adds_it);
+  if (action == problem.actions.end()) return {};
+  std::string needed;
+  for (const std::size_t one : action->preconditions) {
+    needed += (needed.empty() ? "" : " and ") + write(problem.facts[one]);
+  }
+  const bool several = action->preconditions.size() > 1;
+  const bool others = std::ranges::count_if(problem.actions, adds_it) > 1;
+  return fmt::format("{} needs {}, which never {}{}", write(action->name), needed, several ? "hold together" : "holds",
+                     others ? ", and so it is with every other action that brings it about" : "");
+}
+
+}  // namespace
+
+std::string why_never(const PlanningTask& task, const Problem& problem, const Datum& fact,
+                      const std::function<bool()>& cancelled) {
+  WhyNever why(task, problem);
+  if (why.possible(fact)) return never_together(problem, fact);
+  const std::string nothing = task.initials.empty() ? "; nothing at all holds at the beginning" : "";
+  return why.explain(fact, cancelled) + nothing;
+}
+
+}  // namespace pizarra

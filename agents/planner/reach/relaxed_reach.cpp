@@ -1,0 +1,41 @@
+#include "agents/planner/reach/relaxed_reach.hpp"
+
+namespace pizarra {
+
+RelaxedReach::RelaxedReach(const Problem& problem, const Bits& allowed)
+    : problem_(problem), needed_by_(problem.facts.size()), need_count_(problem.actions.size()) {
+  allowed.for_each([&](std::size_t action) {
+    const std::vector<std::size_t>& needs = problem.actions[action].preconditions;
+    for (const std::size_t fact : needs) needed_by_[fact].push_back(static_cast<std::uint32_t>(action));
+    need_count_[action] = static_cast<std::uint32_t>(needs.size());
+    if (needs.empty()) needless_.push_back(action);
+  });
+}
+
+void RelaxedReach::take(std::size_t action, const Bits& forbidden) {
+  if (forbidden.test(action)) return;
+  actions_.set(action);
+  for (const std::size_t fact : problem_.actions[action].adds) {
+    if (facts_.test(fact)) continue;
+    facts_.set(fact);
+    open_.push_back(fact);
+  }
+}
+
+void RelaxedReach::from(const Bits& state, const Bits& forbidden) {
+  missing_ = need_count_;
+  facts_ = state;
+  actions_ = Bits(problem_.actions.size());
+  open_.clear();
+  state.for_each([&](std::size_t fact) { open_.push_back(fact); });
+  for (const std::size_t action : needless_) take(action, forbidden);
+  while (!open_.empty()) {
+    const std::size_t fact = open_.back();
+    open_.pop_back();
+    for (const std::uint32_t action : needed_by_[fact]) {
+      if (--missing_[action] == 0) take(action, forbidden);
+    }
+  }
+}
+
+}  // namespace pizarra
