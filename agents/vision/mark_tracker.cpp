@@ -113,9 +113,10 @@ TrackSighting MarkTracker::update(StereoSight& sight, Track& track) const {
     out.seen = true;
     out.range_mm = range_mm(sight.model(), now->left.centre, disparity);
     out.yaw_deg = face_yaw_deg(sight.model(), now->left, *now->right);
-  } else if (const std::optional<double> range = range_by_size_mm(sight.model(), *track.object, now->left)) {
-    out.seen = true;
-    out.range_mm = *range;
+  } else if (sight.is_cut_off(*track.object, now->left)) {
+    const std::optional<double> range = range_by_size_mm(sight.model(), *track.object, now->left);
+    out.seen = range.has_value();
+    out.range_mm = range.value_or(0);
   }
   track.left = std::move(now->left);
   track.right = std::move(now->right);

@@ -14,14 +14,44 @@ constexpr double width_tolerance = 0.05;
 constexpr double widest = 1.1;
 // Nearer than this to the image's edge a mark cannot be measured.
 constexpr double edge_px = 24;
+// How far beside the border of a mark its tone and the ground's are looked for, and in which share of its rows.
+constexpr int border_slack_px = 3;
+constexpr double least_border_share = 0.7;
+// What the right image shows of a mark at less than this part of the disparity that its size asks for is another size.
+constexpr double least_disparity_share = 0.87;
 
-// Whether the right image ends before the place where it would show the mark, going by its learned size.
-bool cut_off_right(const StereoModel& model, const LearnedObject& object, const SeenMark& left) {
-  return std::any_of(object.samples.begin(), object.samples.end(), [&](const LearnedSample& sample) {
-    if (sample.size_mm <= 0) return true;
-    const double disparity = model.base_line_mm * left.height_px / sample.size_mm;
-    return left.centre.x - disparity < edge_px;
-  });
+// The least disparity at which the object can be, going by its learned sizes; nothing where one was learned without.
+std::optional<double> least_disparity(const StereoModel& model, const LearnedObject& object, const SeenMark& left) {
+  double largest_mm = 0;
+  for (const LearnedSample& sample : object.samples) {
+    if (sample.size_mm <= 0) return std::nullopt;
+    largest_mm = std::max(largest_mm, sample.size_mm);
+  }
+  return model.base_line_mm * left.height_px / largest_mm;
+}
+
+// Columns of the mark's right-hand border, a row each, from the top of its box.
+std::vector<int> right_border(const SeenMark& mark) {
+  std::vector<int> out(static_cast<std::size_t>(mark.box.height), mark.box.x);
+  for (const cv::Point& p : mark.contour) {
+    int& border = out[static_cast<std::size_t>(p.y - mark.box.y)];
+    border = std::max(border, p.x);
+  }
+  return out;
+}
+
+// Whether the right image shows the mark's right-hand border at this disparity, as far as it reaches.
+bool shows_border(const cv::Mat1b& right, const SeenMark& left, const std::vector<int>& border, int disparity) {
+  const double middle = (left.mark_level + left.ground_level) / 2;
+  const auto is_mark = [&](int x, int y) { return (right(y, x) < middle) == (left.tone == MarkTone::dark); };
+  int agreeing = 0;
+  for (std::size_t i = 0; i < border.size(); ++i) {
+    const int y = left.box.y + static_cast<int>(i);
+    const int x = border[i] - disparity;
+    const bool within = x >= border_slack_px && x + border_slack_px < right.cols;
+    if (within && is_mark(x - border_slack_px, y) && !is_mark(x + border_slack_px, y)) ++agreeing;
+  }
+  return agreeing >= least_border_share * static_cast<double>(border.size());
 }
 
 // Whether one yaw of the face gives both widths, as parts of the learned one. A face of yaw p seen at slope t off the
@@ -64,11 +94,22 @@ std::optional<SeenPair> StereoSight::find(const LearnedObjects& objects, const L
     const SeenMark* best = find_object(candidates, objects, object);
     if (best == nullptr) return std::nullopt;
     const SeenMark* partner = find_partner(*best, right_segmentation().marks(), std::nullopt);
-    if (partner == nullptr && cut_off_right(model_, object, *best)) return SeenPair{*best, std::nullopt};
+    if (partner == nullptr && is_cut_off(object, *best)) return SeenPair{*best, std::nullopt};
     if (partner != nullptr && is_whole(model_, object, *best, *partner)) return SeenPair{*best, *partner};
     candidates.erase(candidates.begin() + (best - candidates.data()));
   }
   return std::nullopt;
+}
+
+bool StereoSight::is_cut_off(const LearnedObject& object, const SeenMark& left) {
+  const std::optional<double> expected = least_disparity(model_, object, left);
+  if (!expected) return true;
+  if (left.centre.x - *expected >= edge_px) return false;
+  const std::vector<int> border = right_border(left);
+  for (int disparity = 1; disparity < least_disparity_share * *expected; ++disparity) {
+    if (shows_border(right_segmentation().image(), left, border, disparity)) return false;
+  }
+  return true;
 }
 
 double size_mm(const StereoModel& model, const SeenMark& left, const SeenMark& right) {
@@ -85,7 +126,6 @@ double face_yaw_deg(const StereoModel& model, const SeenMark& left, const SeenMa
 
 // On its side a mark is as high as it was wide. Which it is, its own proportions tell best.
 std::optional<double> range_by_size_mm(const StereoModel& model, const LearnedObject& object, const SeenMark& left) {
-  if (!cut_off_right(model, object, left)) return std::nullopt;
   for (const LearnedSample& sample : object.samples) {
     if (sample.size_mm <= 0 || left.height_px <= 0) continue;
     const bool on_its_side = sample.slimness < least_round && left.height_px > left.width_px;

@@ -35,6 +35,9 @@ class StereoSight {
   // whole. A partner may be missing only where the right image's edge cuts it off.
   std::optional<SeenPair> find(const LearnedObjects& objects, const LearnedObject& object,
                                std::optional<cv::Point2d> near = {}, double reach_px = 0);
+  // Whether the right image ends before it could show the whole of the object's mark, going by its learned size, and
+  // shows no part of it farther away: then it is a larger thing.
+  bool is_cut_off(const LearnedObject& object, const SeenMark& left);
 
  private:
   cv::Mat left_;
@@ -53,9 +56,9 @@ double size_mm(const StereoModel& model, const SeenMark& left, const SeenMark& r
 // of yaw p that is seen at slope t off the axis is cos(p) - t sin(p) times as wide as one that faces the camera.
 double face_yaw_deg(const StereoModel& model, const SeenMark& left, const SeenMark& right);
 
-// The range of a mark that the left image alone shows, by how high it looks and how high it was learned: good to about
-// a percent, some ten times worse than the pair. Nothing where the right image should show it too, or where no sample
-// was learned with its size.
+// The range of a mark that the left image alone shows (StereoSight::is_cut_off), by how high it looks and how high it
+// was learned: good to about a percent, some ten times worse than the pair. Nothing where no sample was learned with
+// its size.
 std::optional<double> range_by_size_mm(const StereoModel& model, const LearnedObject& object, const SeenMark& left);
 
 // Whether the pair can be the whole of the object's mark: as high in the world as one of its samples, and, but for what

@@ -110,5 +110,20 @@ TEST(Recognise, AMarkOfTheRightShapeAndTheWrongSizeIsNotTheObject) {
   EXPECT_FALSE(sight.find(learned_cell(), *learned_cell().find("square")));
 }
 
+// By its size the thing would be so near that the right image ends before it; but there its right half is, farther
+// away.
+TEST(Recognise, ALargerThingThatTheRightImageCutsOffIsNotANearerObject) {
+  Random random(8);
+  for (const int size : {32, 36, 40}) {
+    for (double x = 30; x < 66; x += 3) {
+      Scene scene;
+      scene.ground = 170;
+      scene.blots = {
+          {.box = {x, 90, static_cast<double>(size), static_cast<double>(size)}, .level = 60, .disparity_px = 44}};
+      EXPECT_FALSE(find_in(scene, "square", random)) << size << " px at " << x;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace pizarra
