@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-#include "agents/planner/optimal/sat_search.hpp"
 #include "agents/planner/optimal/step_search.hpp"
 
 namespace pizarra {
@@ -77,6 +76,7 @@ bool OptimalSearch::prepare(const std::function<bool()>& cancelled) {
 }
 
 void OptimalSearch::forget() {
+  sat_.reset();
   guided_.reset();
   nearness_.reset();
   bound_.reset();
@@ -125,12 +125,8 @@ Outcome OptimalSearch::attempt(const Budget& budget, const std::function<bool()>
   }
   outcome = StepSearch().solve(problem_, part(budget, stepwise_nodes, nodes), cancelled);
   if (ended("stepwise") || PlanningGraph::base_bytes(problem_) > budget.bytes) return outcome;
-  if (!regression_) {
-    interferes_ = interference(problem_);
-    regression_.emplace(problem_, *exclusions_, interferes_);
-  }
-  const Budget rest = part(budget, budget.nodes, nodes);
-  outcome = SatSearch(problem_, *exclusions_, interferes_, *regression_, rest, cancelled).run(at_least);
+  if (!sat_) sat_.emplace(problem_, *exclusions_);
+  outcome = sat_->run(at_least, part(budget, budget.nodes, nodes), cancelled);
   ended("sat");
   return outcome;
 }

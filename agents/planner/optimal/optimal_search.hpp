@@ -16,7 +16,7 @@
 #include <optional>
 
 #include "agents/planner/guided/guided_search.hpp"
-#include "agents/planner/reach/regression_graph.hpp"
+#include "agents/planner/optimal/sat_search.hpp"
 
 namespace pizarra {
 
@@ -44,8 +44,7 @@ class OptimalSearch {
   std::optional<LandmarkBound> bound_;
   std::optional<Nearness> nearness_;
   std::optional<GuidedSearch> guided_;
-  std::vector<Bits> interferes_;
-  std::optional<RegressionGraph> regression_;
+  std::optional<SatSearch> sat_;
 };
 
 }  // namespace pizarra

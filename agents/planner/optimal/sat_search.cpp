@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "agents/planner/graphplan/graphplan.hpp"
+#include "agents/planner/optimal/step_encoding.hpp"
 #include "agents/planner/task/idle_actions.hpp"
 
 namespace pizarra {
@@ -14,7 +15,7 @@ constexpr std::size_t nodes_a_conflict = 100;
 // The backward search is asked after so many numbers of steps, then twice as many, with as many nodes for each.
 constexpr std::size_t steps_before_proof = 8;
 constexpr std::size_t proof_nodes_a_step = 4000;
-constexpr std::size_t bytes_a_variable = 1500;  // with its clauses, as measured
+constexpr std::size_t bytes_a_literal = 100;  // of the clauses given, with what is learned: 40 to 120, as measured
 
 class Stop : public CaDiCaL::Terminator {
  public:
@@ -39,107 +40,103 @@ class ConflictCount : public CaDiCaL::Learner {
   std::size_t count_ = 0;
 };
 
+std::string megabytes(const Budget& budget) { return fmt::format("{} MB of memory", budget.bytes >> 20); }
+
 }  // namespace
 
-SatSearch::SatSearch(const Problem& problem, const Exclusions& exclusions, const std::vector<Bits>& interferes,
-                     RegressionGraph& regression, const Budget& budget, const std::function<bool()>& cancelled)
+struct SatSearch::Solver {
+  Solver(const Problem& problem, const Exclusions& exclusions, RegressionGraph& regression)
+      : encoding(problem, exclusions, regression, cadical) {
+    cadical.set("quiet", 1);
+  }
+  std::size_t bytes() const { return encoding.size() * bytes_a_literal; }
+
+  CaDiCaL::Solver cadical;
+  StepEncoding encoding;
+};
+
+SatSearch::SatSearch(const Problem& problem, const Exclusions& exclusions)
     : problem_(problem),
       exclusions_(exclusions),
-      interferes_(interferes),
-      regression_(regression),
-      budget_(budget),
-      cancelled_(cancelled),
-      progression_(problem) {}
+      interferes_(interference(problem)),
+      regression_(problem, exclusions, interferes_) {}
 
-// False: ended before, as the outcome says.
-bool SatSearch::build_graphs(Outcome& outcome) {
-  while (!progression_.levelled_off() || !regression_.levelled_off()) {
-    if (cancelled_()) {
-      outcome.kind = Outcome::Kind::cancelled;
-      return false;
+SatSearch::~SatSearch() = default;
+
+bool SatSearch::grow_graph(Run& run, std::size_t steps) {
+  while (regression_.size() <= steps && !regression_.levelled_off()) {
+    if (run.cancelled()) {
+      run.outcome.kind = Outcome::Kind::cancelled;
+      return true;
     }
-    if (progression_.bytes() + progression_.bytes_per_level() > budget_.bytes) {
-      outcome.spent = fmt::format("{} MB of memory", budget_.bytes >> 20);
-      return false;
-    }
-    progression_.expand();
     regression_.expand();
   }
-  return true;
+  return false;
 }
 
-// Whether the graphs let the goals be reached in so many steps.
-bool SatSearch::possible(std::size_t steps) const {
-  const FactLevel& last = progression_.fact_level(steps);
-  bool reached = problem_.goals.subset_of(last.present);
-  problem_.goals.for_each([&](std::size_t goal) { reached = reached && !last.mutex[goal].intersects(problem_.goals); });
-  return reached && regression_.allows(problem_.initials, steps);
-}
-
-bool SatSearch::try_steps(const StepKnowledge& knowledge, std::size_t steps, Outcome& outcome) {
-  CaDiCaL::Solver solver;
-  Stop stop(cancelled_);
-  ConflictCount conflicts;
-  solver.set("quiet", 1);
-  solver.connect_terminator(&stop);
-  solver.connect_learner(&conflicts);
-  const StepEncoding encoding(knowledge, steps, solver);
-  if (encoding.variables() * bytes_a_variable > budget_.bytes) {
-    outcome.spent = fmt::format("{} MB of memory", budget_.bytes >> 20);
+bool SatSearch::try_steps(Run& run, std::size_t steps) {
+  solver_->encoding.add_steps(steps);
+  if (solver_->bytes() > run.budget.bytes) {
+    run.outcome.spent = megabytes(run.budget);
     return true;
   }
-  const std::size_t left = (budget_.nodes - std::min(nodes_, budget_.nodes)) / nodes_a_conflict;
-  solver.limit("conflicts", static_cast<int>(std::min<std::size_t>(left, INT32_MAX)));
-  const int answer = solver.solve();
-  nodes_ += conflicts.count() * nodes_a_conflict;
-  if (answer == 20) return false;
+  CaDiCaL::Solver& cadical = solver_->cadical;
+  Stop stop(run.cancelled);
+  ConflictCount conflicts;
+  cadical.connect_terminator(&stop);
+  cadical.connect_learner(&conflicts);
+  const int begins = solver_->encoding.begin_at(problem_.initials, steps);
+  cadical.assume(begins);
+  cadical.limit("conflicts", static_cast<int>(std::min<std::size_t>(run.nodes_left() / nodes_a_conflict, INT32_MAX)));
+  const int answer = cadical.solve();
+  cadical.disconnect_learner();
+  cadical.disconnect_terminator();
+  run.outcome.nodes += conflicts.count() * nodes_a_conflict;
   if (answer == 10) {
-    outcome.kind = Outcome::Kind::plan;
-    outcome.steps = without_idle_actions(problem_, encoding.plan());
-  } else if (cancelled_()) {
-    outcome.kind = Outcome::Kind::cancelled;
-  } else {
-    outcome.spent = fmt::format("{} search nodes", budget_.nodes);
+    run.outcome.kind = Outcome::Kind::plan;
+    run.outcome.steps = without_idle_actions(problem_, solver_->encoding.plan(steps));
+  } else if (answer != 20 && run.cancelled()) {
+    run.outcome.kind = Outcome::Kind::cancelled;
+  } else if (answer != 20) {
+    run.outcome.spent = fmt::format("{} search nodes", run.budget.nodes);
   }
-  return true;
+  solver_->encoding.retire(begins);
+  return answer != 20;
 }
 
-bool SatSearch::prove_none(Outcome& outcome) {
-  Budget budget = budget_;
-  budget.nodes = std::min(steps_before_proof * proof_nodes_a_step, budget_.nodes - std::min(nodes_, budget_.nodes));
-  Outcome proof = Graphplan().solve(problem_, budget, cancelled_);
-  nodes_ += proof.nodes;
+bool SatSearch::prove_none(Run& run) {
+  Budget budget = run.budget;
+  budget.nodes = std::min(steps_before_proof * proof_nodes_a_step, run.nodes_left());
+  Outcome proof = Graphplan().solve(problem_, budget, run.cancelled);
+  run.outcome.nodes += proof.nodes;
   if (proof.kind != Outcome::Kind::none) return false;
-  outcome.kind = Outcome::Kind::none;
-  outcome.culprits = std::move(proof.culprits);
+  run.outcome.kind = Outcome::Kind::none;
+  run.outcome.culprits = std::move(proof.culprits);
   return true;
 }
 
-Outcome SatSearch::run(std::size_t at_least) {
-  Outcome outcome{.kind = Outcome::Kind::gave_up, .steps = {}, .culprits = {}, .spent = {}, .nodes = 0};
-  if (!build_graphs(outcome)) return outcome;
-  const std::size_t levelled_off = std::max(progression_.size(), regression_.size());
-  const std::vector<FactGroup> groups = exclusion_groups(exclusions_);
-  const StepKnowledge knowledge{problem_, exclusions_, groups, interferes_, progression_, regression_};
+Outcome SatSearch::run(std::size_t at_least, const Budget& budget, const std::function<bool()>& cancelled) {
+  Run run{budget, cancelled, {.kind = Outcome::Kind::gave_up, .steps = {}, .culprits = {}, .spent = {}, .nodes = 0}};
+  if (solver_ && solver_->bytes() > budget.bytes / 2) solver_.reset();
+  if (!solver_) solver_ = std::make_unique<Solver>(problem_, exclusions_, regression_);
   std::size_t until_proof = steps_before_proof;
   std::size_t tried = 0;
-  bool ended = false;
-  for (std::size_t steps = at_least; steps <= budget_.levels && !ended; ++steps) {
-    if (!possible(steps)) {
-      if (steps < levelled_off) continue;
-      outcome.kind = Outcome::Kind::none;
-      problem_.goals.for_each([&](std::size_t goal) { outcome.culprits.push_back(goal); });
-      break;
+  for (std::size_t steps = at_least; steps <= budget.levels; ++steps) {
+    if (grow_graph(run, steps)) return run.outcome;
+    const bool levelled_off = steps >= regression_.size();
+    if (!regression_.allows(problem_.initials, steps)) {
+      if (!levelled_off) continue;
+      run.outcome.kind = Outcome::Kind::none;
+      problem_.goals.for_each([&](std::size_t goal) { run.outcome.culprits.push_back(goal); });
+      return run.outcome;
     }
-    ended = try_steps(knowledge, steps, outcome);
-    if (!ended && ++tried == until_proof) {
-      ended = prove_none(outcome);
-      until_proof *= 2;
-    }
+    if (try_steps(run, steps)) return run.outcome;
+    if (!levelled_off || ++tried != until_proof) continue;
+    if (prove_none(run)) return run.outcome;
+    until_proof *= 2;
   }
-  if (!ended && outcome.kind == Outcome::Kind::gave_up) outcome.spent = fmt::format("{} levels", budget_.levels);
-  outcome.nodes = nodes_;
-  return outcome;
+  run.outcome.spent = fmt::format("{} levels", budget.levels);
+  return run.outcome;
 }
 
 }  // namespace pizarra

@@ -22,9 +22,7 @@ class SatAlone : public PlanEngine {
       return {.kind = Outcome::Kind::plan, .steps = {}, .culprits = {}, .spent = {}, .nodes = 0};
     }
     const Exclusions exclusions(problem);
-    const std::vector<Bits> interferes = interference(problem);
-    RegressionGraph regression(problem, exclusions, interferes);
-    return SatSearch(problem, exclusions, interferes, regression, budget, cancelled).run(1);
+    return SatSearch(problem, exclusions).run(1, budget, cancelled);
   }
 };
 
