@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "lisp/characters.hpp"
+#include "lisp/decimal.hpp"
 
 namespace pizarra {
 
@@ -143,6 +144,7 @@ class Reader {
   }
 
   bool read_number(std::string_view token, std::size_t start) {
+    if (Datum number; read_decimal(token, number)) return add(std::move(number), start);
     const bool signed_plus = token.front() == '+';
     const char* begin = token.data() + (signed_plus ? 1 : 0);
     const char* end = token.data() + token.size();

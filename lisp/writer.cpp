@@ -5,14 +5,18 @@
 #include <cassert>
 #include <charconv>
 
+#include "lisp/decimal.hpp"
+
 namespace pizarra {
 
 namespace {
 
+constexpr bool needs_escape(char c) { return c == '"' || c == '\\' || c == '\n' || c == '\t'; }
+
 void write_string(std::string& out, std::string_view text) {
   out += '"';
   while (!text.empty()) {
-    const std::size_t plain = std::min(text.find_first_of("\"\\\n\t"), text.size());
+    const auto plain = static_cast<std::size_t>(std::ranges::find_if(text, needs_escape) - text.begin());
     out += text.substr(0, plain);
     text.remove_prefix(plain);
     if (text.empty()) break;
@@ -45,6 +49,10 @@ void write_to(std::string& out, const Datum& datum) {
       out += digits_of(buffer, datum.integer());
       return;
     case Datum::Kind::real: {
+      if (char* end = write_decimal(buffer.data(), datum.number())) {
+        out.append(buffer.data(), end);
+        return;
+      }
       const std::string_view digits = digits_of(buffer, datum.number());
       out += digits;
       if (digits.find_first_of(".e") == std::string_view::npos) out += ".0";
