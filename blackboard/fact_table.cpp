@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cassert>
 
 #include "blackboard/limits.hpp"
 #include "lisp/pattern.hpp"
@@ -15,42 +14,32 @@ constexpr std::size_t small_enough_to_look_through = 16;
 
 }  // namespace
 
-FactTable::Entry* FactTable::find(FactId id) {
-  const auto found = entries_.find(id);
-  return found == entries_.end() ? nullptr : &found->second;
+const StandingFact* FactTable::find_key_of(const Datum& fact) const {
+  StandingFact* const* found =
+      by_key_.find(key_hash(fact), [&](const StandingFact* standing) { return same_key(standing->fact.datum, fact); });
+  return found == nullptr ? nullptr : *found;
 }
 
-const FactTable::Entry* FactTable::find_key_of(const Datum& fact) const {
-  const Place* found =
-      by_key_.find(key_hash(fact), [&](const Place& place) { return same_key(place->second.fact.datum, fact); });
-  return found == nullptr ? nullptr : &(*found)->second;
+StandingFact& FactTable::insert(StandingFact standing) {
+  const std::size_t hash = key_hash(standing.fact.datum);
+  StandingFact& inserted = facts_.insert(std::move(standing));
+  by_key_.insert(hash, &inserted);
+  for (auto& [mask, index] : indexes_) {
+    index[arguments_in(mask, inserted.fact.datum)].emplace(inserted.fact.id, &inserted);
+  }
+  return inserted;
 }
 
-FactTable::Entry& FactTable::insert(Entry entry) {
-  assert(find_key_of(entry.fact.datum) == nullptr);
-  const FactId id = entry.fact.id;
-  const std::size_t hash = key_hash(entry.fact.datum);
-  const Place place = entries_.emplace_hint(entries_.end(), id, std::move(entry));
-  by_key_.insert(hash, place);
-  const Entry& inserted = place->second;
-  for (auto& [mask, index] : indexes_) index[arguments_in(mask, inserted.fact.datum)].emplace(id, &inserted);
-  return place->second;
-}
-
-FactTable::Entry FactTable::remove(FactId id, Revision revision) {
-  const Place found = entries_.find(id);
-  assert(found != entries_.end());
-  const Datum datum = found->second.fact.datum;
-  by_key_.erase(key_hash(datum), [&](const Place& place) { return place == found; });
+StandingFact FactTable::remove(StandingFact& standing, Revision revision) {
+  const Datum& datum = standing.fact.datum;
+  by_key_.erase(key_hash(datum), [&](const StandingFact* other) { return other == &standing; });
   for (auto& [mask, index] : indexes_) {
     const auto place = index.find(arguments_in(mask, datum));
-    place->second.erase(id);
+    place->second.erase(standing.fact.id);
     if (place->second.empty()) index.erase(place);
   }
-  Entry entry = std::move(found->second);
-  entries_.erase(found);
   remember_removal(revision, datum);
-  return entry;
+  return facts_.remove(standing);
 }
 
 void FactTable::remember_removal(Revision revision, const Datum& datum) {
@@ -106,7 +95,7 @@ Datum FactTable::arguments_in(Mask mask, const Datum& datum) const {
 // The facts that an index finds for the pattern's ground arguments; null where looking through all is the way.
 const FactTable::Bucket* FactTable::bucket_for(const Datum& pattern) const {
   static const Bucket none;
-  if (entries_.size() <= small_enough_to_look_through) return nullptr;
+  if (facts_.size() <= small_enough_to_look_through) return nullptr;
   Mask bound = 0;
   for (std::size_t i = 0; i < relation_.arguments.size(); ++i) {
     if (is_ground(pattern[i + 1])) bound |= Mask{1} << i;
@@ -124,7 +113,9 @@ const FactTable::Index* FactTable::index_for(Mask bound, Mask& used) const {
   if (const auto exact = indexes_.find(bound); exact != indexes_.end()) return &exact->second;
   if (indexes_.size() < max_indexes) {
     Index& index = indexes_[bound];
-    for (const auto& [id, entry] : entries_) index[arguments_in(bound, entry.fact.datum)].emplace(id, &entry);
+    for (const StandingFact& standing : facts()) {
+      index[arguments_in(bound, standing.fact.datum)].emplace(standing.fact.id, &standing);
+    }
     return &index;
   }
   const Index* best = nullptr;

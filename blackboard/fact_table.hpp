@@ -16,7 +16,7 @@
 #include <string>
 #include <unordered_map>
 
-#include "blackboard/fact.hpp"
+#include "blackboard/fact_list.hpp"
 #include "blackboard/hash_index.hpp"
 #include "blackboard/relation.hpp"
 
@@ -24,11 +24,6 @@ namespace pizarra {
 
 class FactTable {
  public:
-  struct Entry {
-    Fact fact;
-    LeaseId lease = 0;
-    std::optional<Time> expiry = {};  // by the relation's own lease
-  };
   static constexpr std::size_t max_indexes = 8;
   static constexpr std::size_t max_removals = 4096;
   static constexpr std::size_t max_removed_bytes = 1 << 20;
@@ -38,31 +33,33 @@ class FactTable {
   FactTable& operator=(const FactTable&) = delete;
 
   const Relation& relation() const { return relation_; }
-  std::size_t size() const { return entries_.size(); }
-  const std::map<FactId, Entry>& entries() const { return entries_; }
+  std::size_t size() const { return facts_.size(); }
+  auto facts() const { return facts_.from(0); }
 
-  Entry* find(FactId id);
-  // The entry with the same key as `fact`.
-  const Entry* find_key_of(const Datum& fact) const;
-  Entry* find_key_of(const Datum& fact) { return const_cast<Entry*>(std::as_const(*this).find_key_of(fact)); }
-  // No entry with its id or its key may stand.
-  Entry& insert(Entry entry);
-  Entry remove(FactId id, Revision revision);
+  StandingFact* find(FactId id) { return facts_.find(id); }
+  // The one with the same key as `fact`.
+  const StandingFact* find_key_of(const Datum& fact) const;
+  StandingFact* find_key_of(const Datum& fact) {
+    return const_cast<StandingFact*>(std::as_const(*this).find_key_of(fact));
+  }
+  // None with its id or its key may stand.
+  StandingFact& insert(StandingFact standing);
+  StandingFact remove(StandingFact& standing, Revision revision);
 
   // Calls `visitor` for every fact that may fit, and for all that do, until it answers false; for those with an id from
   // `first` on.
   template <class Visitor>
   void visit(const Datum& pattern, Visitor&& visitor, FactId first = 0) const {
     if (key_is_ground(pattern)) {
-      const Entry* entry = find_key_of(pattern);
-      if (entry != nullptr && entry->fact.id >= first) visitor(entry->fact);
+      const StandingFact* only = find_key_of(pattern);
+      if (only != nullptr && only->fact.id >= first) visitor(only->fact);
     } else if (const Bucket* bucket = bucket_for(pattern)) {
       for (auto i = bucket->lower_bound(first); i != bucket->end(); ++i) {
         if (!visitor(i->second->fact)) return;
       }
     } else {
-      for (auto i = entries_.lower_bound(first); i != entries_.end(); ++i) {
-        if (!visitor(i->second.fact)) return;
+      for (const StandingFact& standing : facts_.from(first)) {
+        if (!visitor(standing.fact)) return;
       }
     }
   }
@@ -71,10 +68,9 @@ class FactTable {
   bool unchanged_since(const Datum& pattern, Revision revision) const;
 
  private:
-  using Bucket = std::map<FactId, const Entry*>;
+  using Bucket = std::map<FactId, const StandingFact*>;
   using Index = std::unordered_map<Datum, Bucket>;
   using Mask = std::uint32_t;
-  using Place = std::map<FactId, Entry>::iterator;
 
   bool key_is_ground(const Datum& pattern) const;
   std::size_t key_hash(const Datum& datum) const;
@@ -85,8 +81,8 @@ class FactTable {
   void remember_removal(Revision revision, const Datum& datum);
 
   Relation relation_;
-  std::map<FactId, Entry> entries_;
-  HashIndex<Place> by_key_;
+  FactList facts_;
+  HashIndex<StandingFact*> by_key_;
   mutable std::map<Mask, Index> indexes_;
   struct Removal {
     Revision revision;

@@ -99,7 +99,7 @@ Result<void> Replica::take_in(Delta delta) {
   }
   FactTable& table = replicas_.tables_.find(relation_.name)->second;
   for (const Fact& fact : delta.removed.facts) {
-    if (table.find(fact.id) != nullptr) table.remove(fact.id, delta.revision);
+    if (StandingFact* gone = table.find(fact.id)) table.remove(*gone, delta.revision);
   }
   for (Fact& fact : delta.added.facts) {
     const Result<void> shaped = check_shape(relation_, fact.datum);

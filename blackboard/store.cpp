@@ -179,8 +179,23 @@ Result<void> Store::release(LeaseId lease, Time now) {
 }
 
 LeaseId Store::lease_of(FactId standing) const {
-  const auto home = homes_.find(standing);
-  return home == homes_.end() ? 0 : home->second->entries().at(standing).lease;
+  const Home* home = home_of(standing);
+  return home == nullptr ? 0 : home->standing->lease;
+}
+
+const Store::Home* Store::home_of(FactId standing) const {
+  return homes_.find(standing, [&](const Home& home) { return home.standing->fact.id == standing; });
+}
+
+StandingFact& Store::put(FactTable& table, Fact fact) {
+  StandingFact& standing = table.insert({std::move(fact)});
+  homes_.insert(standing.fact.id, {&table, &standing});
+  return standing;
+}
+
+StandingFact Store::remove(Home home, Revision revision) {
+  homes_.erase(home.standing->fact.id, [&](const Home& other) { return other.standing == home.standing; });
+  return home.table->remove(*home.standing, revision);
 }
 
 LeaseId Store::holder_of(FactId taken) const {

@@ -12,7 +12,6 @@
 
 #include <functional>
 #include <memory>
-#include <unordered_map>
 
 #include "blackboard/board.hpp"
 #include "blackboard/commit.hpp"
@@ -68,8 +67,15 @@ class Store {
     Fact fact;
     LeaseId holder;
   };
+  struct Home {
+    FactTable* table;
+    StandingFact* standing;
+  };
   class Change;
 
+  const Home* home_of(FactId standing) const;
+  StandingFact& put(FactTable& table, Fact fact);
+  StandingFact remove(Home home, Revision revision);
   Result<void> check(const Transaction& transaction);
   Result<void> check_precondition(const Transaction::Precondition& precondition) const;
   Result<void> check_step(const Transaction::Step& step, std::set<FactId>& settled);
@@ -78,7 +84,7 @@ class Store {
   Result<void> apply_entry(const Commit& commit, Commit::Entry& entry);
 
   Tables tables_;
-  std::unordered_map<FactId, FactTable*> homes_;
+  HashIndex<Home> homes_;  // by the ids of what stands
   std::map<FactId, Held> held_;
   Leases leases_;
   std::set<std::pair<Time, FactId>> fact_expiries_;

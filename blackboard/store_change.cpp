@@ -25,7 +25,7 @@ FactTable& Store::Change::table_of(const Datum& fact) {
 
 void Store::Change::tell(const Datum& fact, const std::vector<FactId>& because, LeaseId lease) {
   FactTable& table = table_of(fact);
-  if (FactTable::Entry* standing = table.find_key_of(fact)) {
+  if (StandingFact* standing = table.find_key_of(fact)) {
     if (standing->fact.datum == fact) return set_lease(table, *standing, lease);
     retract(standing->fact.id);
   }
@@ -99,34 +99,32 @@ Revision Store::Change::finish() {
 }
 
 Fact Store::Change::remove(FactId id) {
-  const auto home = store_.homes_.find(id);
-  assert(home != store_.homes_.end());
-  FactTable::Entry entry = home->second->remove(id, commit_.revision);
-  store_.homes_.erase(home);
-  if (entry.lease != 0) {
-    if (Leases::Lease* lease = store_.leases_.find(entry.lease)) lease->facts.erase(id);
+  const Home* home = store_.home_of(id);
+  assert(home != nullptr);
+  StandingFact removed = store_.remove(*home, commit_.revision);
+  if (removed.lease != 0) {
+    if (Leases::Lease* lease = store_.leases_.find(removed.lease)) lease->facts.erase(id);
   }
-  if (entry.expiry) store_.fact_expiries_.erase({*entry.expiry, id});
-  return std::move(entry.fact);
+  if (removed.expiry) store_.fact_expiries_.erase({*removed.expiry, id});
+  return std::move(removed.fact);
 }
 
 void Store::Change::insert(Fact fact, LeaseId lease) {
   FactTable& table = table_of(fact.datum);
-  store_.homes_[fact.id] = &table;
-  set_lease(table, table.insert({std::move(fact)}), lease);
+  set_lease(table, store_.put(table, std::move(fact)), lease);
 }
 
-void Store::Change::set_lease(FactTable& table, FactTable::Entry& entry, LeaseId lease) {
-  const FactId id = entry.fact.id;
-  if (entry.lease != lease) {
-    if (Leases::Lease* former = store_.leases_.find(entry.lease)) former->facts.erase(id);
+void Store::Change::set_lease(FactTable& table, StandingFact& standing, LeaseId lease) {
+  const FactId id = standing.fact.id;
+  if (standing.lease != lease) {
+    if (Leases::Lease* former = store_.leases_.find(standing.lease)) former->facts.erase(id);
     if (Leases::Lease* now = store_.leases_.find(lease)) now->facts.insert(id);
-    entry.lease = lease;
+    standing.lease = lease;
   }
-  if (entry.expiry) store_.fact_expiries_.erase({*entry.expiry, id});
+  if (standing.expiry) store_.fact_expiries_.erase({*standing.expiry, id});
   if (!table.relation().lease) return;
-  entry.expiry = commit_.when + *table.relation().lease;
-  store_.fact_expiries_.emplace(*entry.expiry, id);
+  standing.expiry = commit_.when + *table.relation().lease;
+  store_.fact_expiries_.emplace(*standing.expiry, id);
 }
 
 }  // namespace pizarra

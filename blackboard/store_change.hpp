@@ -25,7 +25,7 @@ class Store::Change {
   FactTable& table_of(const Datum& fact);
   Fact remove(FactId id);
   void insert(Fact fact, LeaseId lease);
-  void set_lease(FactTable& table, FactTable::Entry& entry, LeaseId lease);
+  void set_lease(FactTable& table, StandingFact& entry, LeaseId lease);
 
   Store& store_;
   FactTable* last_table_ = nullptr;

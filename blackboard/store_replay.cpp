@@ -41,10 +41,9 @@ Result<void> Store::apply_entry(const Commit& commit, Commit::Entry& entry) {
     fact.revision = commit.revision;
   }
   if (removes(entry)) {
-    const auto home = homes_.find(fact.id);
-    if (home == homes_.end()) return impossible(commit, "there is no such fact", to_datum(fact.id));
-    fact = home->second->remove(fact.id, commit.revision).fact;
-    homes_.erase(home);
+    const Home* home = home_of(fact.id);
+    if (home == nullptr) return impossible(commit, "there is no such fact", to_datum(fact.id));
+    fact = remove(*home, commit.revision).fact;
     if (entry.kind == Kind::taken) held_[fact.id] = {fact, 0};
     return {};
   }
@@ -66,8 +65,7 @@ Result<void> Store::restore(Fact fact, bool taken) {
     held_[fact.id] = {std::move(fact), 0};
     return {};
   }
-  homes_[fact.id] = &table;
-  table.insert({std::move(fact)});
+  put(table, std::move(fact));
   return {};
 }
 
@@ -80,12 +78,13 @@ void Store::resume(Time now) {
   Change change(*this, "board", now);
   for (auto& [name, table] : tables_) {
     std::vector<FactId> passing;
-    for (const auto& [id, entry] : table.entries()) {
-      if (!table.relation().durable) passing.push_back(id);
+    for (const StandingFact& standing : table.facts()) {
+      if (!table.relation().durable) passing.push_back(standing.fact.id);
     }
     for (const FactId id : passing) change.retract(id);
     if (!table.relation().lease) continue;
-    for (const auto& [id, entry] : table.entries()) {
+    for (const StandingFact& standing : table.facts()) {
+      const FactId id = standing.fact.id;
       table.find(id)->expiry = now + *table.relation().lease;
       fact_expiries_.emplace(now + *table.relation().lease, id);
     }

@@ -216,7 +216,7 @@ Result<Fact> fact_from_datum(const Datum& form) {
   const std::optional<std::uint64_t> id = count_from(form[0]);
   const std::optional<std::uint64_t> revision = count_from(form[1]);
   Result<std::vector<FactId>> because = ids_from(form.items().subspan(5));
-  if (!id || !revision || !because) return bad_frame("not a fact with its provenance", form);
+  if (!id || *id == 0 || !revision || !because) return bad_frame("not a fact with its provenance", form);
   Fact fact;
   fact.id = *id;
   fact.revision = *revision;

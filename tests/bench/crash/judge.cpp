@@ -24,11 +24,11 @@ Result<Verdict> Judge::judge(const std::string& journal) const {
   if (!read) return fail(read);
   std::map<Item, std::size_t> effects;
   std::set<Item> items;
-  const auto item_of = [](const FactTable::Entry& entry) {
-    return Item(entry.fact.datum[1].integer(), entry.fact.datum[2].integer());
+  const auto item_of = [](const StandingFact& standing) {
+    return Item(standing.fact.datum[1].integer(), standing.fact.datum[2].integer());
   };
-  for (const auto& [id, entry] : store.tables().at("effect").entries()) ++effects[item_of(entry)];
-  for (const auto& [id, entry] : store.tables().at("item").entries()) items.insert(item_of(entry));
+  for (const StandingFact& standing : store.tables().at("effect").facts()) ++effects[item_of(standing)];
+  for (const StandingFact& standing : store.tables().at("item").facts()) items.insert(item_of(standing));
   Verdict verdict;
   verdict.acknowledged = told_.size() + made_.size();
   verdict.gaps = gaps_;

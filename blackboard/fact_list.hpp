@@ -1,0 +1,68 @@
+#pragma once
+
+// Standing facts in the order of their ids, each in a place of its own that does not move: found by id in logarithmic
+// time, put at the end and taken out at once, without an allocation for each.
+//
+//   FactList facts;
+//   StandingFact& standing = facts.insert({fact});
+//   for (const StandingFact& standing : facts.from(first_id)) ...
+//   StandingFact gone = facts.remove(standing);
+//
+// What was taken out leaves its mark in the order, swept away when there are more of these than facts.
+
+#include <algorithm>
+#include <deque>
+#include <optional>
+#include <ranges>
+#include <span>
+#include <vector>
+
+#include "blackboard/fact.hpp"
+
+namespace pizarra {
+
+struct StandingFact {
+  Fact fact;
+  LeaseId lease = 0;
+  std::optional<Time> expiry = {};  // by the relation's own lease
+};
+
+class FactList {
+  struct Place {
+    FactId id;
+    StandingFact* standing;
+    // Where the fact is gone, another has its memory, or none.
+    bool stands() const { return standing->fact.id == id; }
+  };
+  template <class Order>
+  static auto lower_bound(Order& order, FactId id) {
+    return std::ranges::lower_bound(order, id, {}, &Place::id);
+  }
+
+ public:
+  FactList() = default;
+  FactList(const FactList&) = delete;
+  FactList& operator=(const FactList&) = delete;
+
+  std::size_t size() const { return order_.size() - gone_; }
+  StandingFact* find(FactId id);
+  // None with its id may stand. Quick where its id is the highest so far.
+  StandingFact& insert(StandingFact standing);
+  StandingFact remove(StandingFact& standing);
+  // Those with an id from `first` on.
+  auto from(FactId first) const {
+    return std::span(lower_bound(order_, first), order_.end()) | std::views::filter(&Place::stands) |
+           std::views::transform([](const Place& place) -> const StandingFact& { return *place.standing; });
+  }
+
+ private:
+  StandingFact& memory_for(StandingFact standing);
+  void sweep();
+
+  std::vector<Place> order_;
+  std::size_t gone_ = 0;  // of the order
+  std::deque<StandingFact> memory_;
+  std::vector<StandingFact*> free_;
+};
+
+}  // namespace pizarra

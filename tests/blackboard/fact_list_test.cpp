@@ -1,0 +1,70 @@
+#include "blackboard/fact_list.hpp"
+
+#include <gtest/gtest.h>
+#include <map>
+#include <random>
+
+namespace pizarra {
+namespace {
+
+StandingFact fact_of(FactId id) {
+  StandingFact standing;
+  standing.fact.id = id;
+  standing.fact.datum = list("number"_sym, id);
+  return standing;
+}
+
+std::vector<FactId> ids_from(const FactList& facts, FactId first) {
+  std::vector<FactId> ids;
+  for (const StandingFact& standing : facts.from(first)) ids.push_back(standing.fact.id);
+  return ids;
+}
+
+std::vector<FactId> ids_from(const std::map<FactId, StandingFact*>& expected, FactId first) {
+  std::vector<FactId> ids;
+  for (auto i = expected.lower_bound(first); i != expected.end(); ++i) ids.push_back(i->first);
+  return ids;
+}
+
+TEST(FactList, HoldsWhatAMapHolds) {
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    std::mt19937_64 random(seed);
+    FactList facts;
+    std::map<FactId, StandingFact*> expected;
+    FactId last = 0;
+    for (int step = 0; step < 1500; ++step) {
+      const bool grows = random() % 1000 < (step < 700 ? 600 : 350);
+      if (grows || expected.empty()) {
+        // Some ids are passed over, and a few of those come later.
+        FactId id = last += 1 + random() % 2;
+        if (random() % 16 == 0 && !expected.contains(id - 1) && id > 1) --id;
+        if (expected.contains(id)) continue;
+        expected[id] = &facts.insert(fact_of(id));
+      } else {
+        const auto gone = std::next(expected.begin(), static_cast<std::ptrdiff_t>(random() % expected.size()));
+        EXPECT_EQ(facts.remove(*gone->second).fact.datum, fact_of(gone->first).fact.datum);
+        expected.erase(gone);
+      }
+      ASSERT_EQ(facts.size(), expected.size());
+      const FactId any = 1 + random() % (last + 2);
+      const auto standing = expected.find(any);
+      ASSERT_EQ(facts.find(any), standing == expected.end() ? nullptr : standing->second);
+      if (step % 50 == 0) {
+        ASSERT_EQ(ids_from(facts, any), ids_from(expected, any));
+      }
+    }
+  }
+}
+
+TEST(FactList, KeepsAFactsPlaceWhileOthersComeAndGo) {
+  FactList facts;
+  const StandingFact& first = facts.insert(fact_of(1));
+  for (FactId id = 2; id < 10'000; ++id) facts.remove(facts.insert(fact_of(id)));
+  EXPECT_EQ(facts.find(1), &first);
+  EXPECT_EQ(first.fact.datum, fact_of(1).fact.datum);
+  EXPECT_EQ(facts.size(), 1u);
+}
+
+}  // namespace
+}  // namespace pizarra
