@@ -32,6 +32,15 @@ PanTiltLine pan_tilt_from_datum(const Datum& datum) {
   return line;
 }
 
+ArmLine arm_line_from_datum(const Datum& datum) {
+  ArmLine line;
+  if (datum.size() == 0) return line;
+  line.protocol = datum[0].text();
+  for (const Datum& place : datum[1].items()) line.places.emplace_back(place.text());
+  for (const Datum& port : datum[2].items()) line.ports.push_back(static_cast<int>(port.integer()));
+  return line;
+}
+
 CellDescription cell_from_datum(const Datum& datum, const std::string& file) {
   CellDescription cell;
   cell.name = datum[0].text();
@@ -56,6 +65,7 @@ CellDescription cell_from_datum(const Datum& datum, const std::string& file) {
     cell.arm_room = CellRoom{{room[0][0].number(), room[1][0].number(), room[2][0].number()},
                              {room[0][1].number(), room[1][1].number(), room[2][1].number()}};
   }
+  cell.arm_line = arm_line_from_datum(datum[15]);
   return cell;
 }
 
@@ -97,6 +107,8 @@ Result<void> put_arm(CellDescription& cell, const std::string& arm) {
   }
   cell.arm_file = shipped.empty() ? arm : shipped_arm_file(shipped);
   cell.arm = shipped.empty() ? std::filesystem::path(arm).stem().string() : shipped;
+  // The other arm's controller is not its own.
+  cell.arm_line = {};
   return {};
 }
 

@@ -14,6 +14,7 @@
 //       (noise (sensor 3) (blur 0.7) (gradient 0.12)))         ; grey levels, px, part of the light
 //     (arm crs-f3)                                             ; of arms/, or "my-arm.scm" beside the cell file;
 //                                                              ; with (room (x 200 600) (z 20 700)) it stays in there
+//                                                              ; with (driver hses "192.168.0.3") it is a real one
 //     (pan-tilt (tcp "192.168.0.2" 4000) (reversed pan))       ; or (serial "/dev/ttyUSB0" 9600); what counts leftwards
 //     (domain "../../domains/blocks.scm")                      ; relative to the cell file
 //     (board "localhost" "tcp://127.0.0.1:7800")               ; its host and address; left out: the first host, ipc
@@ -76,6 +77,13 @@ struct PanTiltLine {
   bool tilt_reversed = false;
 };
 
+// How the arm's controller is reached.
+struct ArmLine {
+  std::string protocol;             // hses; empty: the simulated arm, over the device link
+  std::vector<std::string> places;  // hosts or files
+  std::vector<int> ports;
+};
+
 // A box in the base frame, mm.
 struct CellRoom {
   std::array<double, 3> low_mm;
@@ -100,6 +108,7 @@ struct CellDescription {
   std::string arm;                   // its name
   std::string arm_file;              // a path that can be opened
   std::optional<CellRoom> arm_room;  // where its grip centre may be; none: wherever it reaches
+  ArmLine arm_line;
   PanTiltLine pan_tilt;
   std::string domain_file;  // a path that can be opened
   std::string board_host;

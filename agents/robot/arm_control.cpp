@@ -184,6 +184,7 @@ Task<Result<void>> ArmControl::follow(std::vector<Joints> waypoints, double spee
   if (!ended) co_return fail(ended);
   if (stop_requested_) co_return stopped();
   if (ended->stopped) {
+    if (ended->why_stopped) co_return fail(*ended->why_stopped);
     co_return fail("stopped", "the controller ended the motion, as one does that feels a collision", *running_);
   }
   for (std::size_t axis = 0; axis < target.size(); ++axis) {

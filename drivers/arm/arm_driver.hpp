@@ -4,8 +4,10 @@
 // drivers/simulation/.
 //
 // Lifecycle: identify() and take_control() once, then moves, one at a time; read() and stop() at any time, also while a
-// move runs. Failures: not-in-control, busy, joint-limit, not-finite, bad-joints, disconnected.
+// move runs. Failures: not-in-control (what take_control() may mend: the pendant, a hold, an alarm, servos that are off),
+// busy, joint-limit, not-finite, bad-joints, disconnected; refused (the controller's own code as subject).
 
+#include <optional>
 #include <vector>
 
 #include "blackboard/time/task.hpp"
@@ -20,6 +22,7 @@ struct ArmReading {
   bool stopped;       // the last move was stopped before its end
   double opening_mm;  // the gripper's measured opening between the fingers
   bool gripper_moving;
+  std::optional<Failure> why_stopped = {};  // where the controller says it
 };
 
 class ArmDriver {

@@ -47,7 +47,10 @@ Result<void> finish_recording(Recorder& recorder, Executor& executor, const Stor
 Result<StoryReport> run_on(Executor& executor, const Scenario& scenario, const CellDescription& description,
                            const Judge& judge, const StoryOptions& options, Narrator& narrator) {
   std::ofstream journal;
-  LocalCell cell(executor, description, options.seed);
+  // A story is told in the simulated world, whatever controller the cell's own arm has.
+  CellDescription simulated = description;
+  simulated.arm_line = {};
+  LocalCell cell(executor, std::move(simulated), options.seed);
   const Result<void> journaled = start_journal(journal, options.journal_file, cell.board());
   if (!journaled) return fail(journaled);
   Recorder recorder(cell.streams(), narrator);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "agents/coordinator/coordinator_agent.hpp"
+#include "agents/launcher/supervision/arm_device.hpp"
 #include "agents/pan_tilt/pan_tilt_agent.hpp"
 #include "agents/person/person_agent.hpp"
 #include "agents/planner/agent/planner_agent.hpp"
@@ -13,7 +14,6 @@
 #include "drivers/arm/arm_file.hpp"
 #include "drivers/pan_tilt/ptu_driver.hpp"
 #include "drivers/simulation/head_wire.hpp"
-#include "drivers/simulation/simulated_arm.hpp"
 #include "drivers/simulation/simulated_camera.hpp"
 #include "drivers/wire/serial_wire.hpp"
 #include "drivers/wire/tcp_wire.hpp"
@@ -42,6 +42,18 @@ class WithoutDevice : public BuiltAgent {
  private:
   Agent& agent() override { return *agent_; }
   std::unique_ptr<Agent> agent_;
+};
+
+class BuiltRobot : public BuiltAgent {
+ public:
+  BuiltRobot(AgentContext context, const ArmLine& line, const ArmModel& model, std::optional<Room> room, Link& link)
+      : device_(make_arm_device(context.executor, line, model, link)),
+        agent_(std::move(context), device_->driver(), model, room) {}
+
+ private:
+  Agent& agent() override { return agent_; }
+  std::unique_ptr<ArmDevice> device_;
+  RobotAgent agent_;
 };
 
 // The agent, its driver, and the line to its unit: the simulated one's where the cell names no other.
@@ -148,9 +160,7 @@ Result<std::unique_ptr<BuiltAgent>> build_agent(const std::string& kind, AgentCo
   if (kind == "robot") {
     Result<ArmModel> model = read_arm_file(description.arm_file);
     if (!model) return fail(model);
-    return std::make_unique<WithDevice<RobotAgent, SimulatedArm>>(link, [&](SimulatedArm& arm) {
-      return std::make_unique<RobotAgent>(std::move(context), arm, std::move(*model), room_of(description));
-    });
+    return std::make_unique<BuiltRobot>(std::move(context), description.arm_line, *model, room_of(description), link);
   }
   if (kind == "vision") {
     return std::make_unique<WithDevice<VisionAgent, SimulatedCamera>>(link, [&](SimulatedCamera& camera) {

@@ -12,10 +12,10 @@
 
 (check "what is left out has a default" (interpret '((cell c)))
        '(ok (c (1330 0 200 0 0 "") (3 0.7 0.12) () crs-f3 "" "localhost" ""
-               (("localhost" "" robot vision planner coordinator person)) 60 (76 84 96) (450 -200 200) "" ("" "" 0 ()) ())))
+               (("localhost" "" robot vision planner coordinator person)) 60 (76 84 96) (450 -200 200) "" ("" "" 0 ()) () ())))
 (check "the gripper opens as the cubes' size asks"
        (list-tail (cadr (interpret '((cell c (world (cube-size 50) (row (x 460) (y -150 150))))))) 9)
-       '(50 (66 74 86) (460 -150 150) "" ("" "" 0 ()) ()))
+       '(50 (66 74 86) (460 -150 150) "" ("" "" 0 ()) () ()))
 (check "openings are the file's where it says them"
        (list-ref (cadr (interpret '((cell c (world (openings 70 80 90)))))) 10)
        '(70 80 90))
@@ -79,6 +79,18 @@
        (list-ref (cadr (interpret '((cell c (arm crs-f3 (room (x 200 600) (z 20 700))))))) 14)
        '((200 600) (-10000 10000) (20 700)))
 (check "an arm's room has its low ends first" (complaint '(arm crs-f3 (room (z 700 20)))) '(1 malformed (0 2 2 1)))
+;; How the arm's controller is reached.
+(define (driver-of . parts)
+  (list-ref (cadr (interpret `((cell c (arm crs-f3 ,@parts))))) 15))
+(check "an arm's controller is reached by its protocol"
+       (list (driver-of '(driver hses "10.0.0.3")) (driver-of '(room (z 20 700)) '(driver hses "up6" 10041)) (driver-of))
+       '((hses ("10.0.0.3") (10040)) (hses ("up6") (10041)) ()))
+(check "a protocol that is not known is refused"
+       (complaint '(arm crs-f3 (driver hse "a"))) '(1 unknown-name (0 2 2 1)))
+(check "a controller has an address" (complaint '(arm crs-f3 (driver hses))) '(1 malformed (0 2 2)))
+(check "a controller's port is a port" (complaint '(arm crs-f3 (driver hses "a" 70000))) '(1 out-of-range (0 2 2 3)))
+(check "a controller has no more ports than its protocol"
+       (complaint '(arm crs-f3 (driver hses "a" 1 2))) '(1 malformed (0 2 2 4)))
 (check "every error is told" (complaint '(wrld) '(arm kr3) '(host "a" (agents robt))) '(3 unknown-section (0 2)))
 
 (finish-checks)

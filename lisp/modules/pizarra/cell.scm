@@ -3,10 +3,11 @@
 ;; (interpret DATA), the data of a file, answers (errors ...) or
 ;;   (ok (NAME (X Y Z PAN TILT HEAD) (SENSOR BLUR GRADIENT) (CUBE ...) ARM DOMAIN BOARD-HOST BOARD-ADDRESS
 ;;        ((HOST KEY KIND ...) ...) CUBE-SIZE (NARROW NORMAL WIDE) (ROW-X ROW-Y-LOW ROW-Y-HIGH) BOARD-KEYS
-;;        (LINE WHERE NUMBER (REVERSED ...)) ROOM))
+;;        (LINE WHERE NUMBER (REVERSED ...)) ROOM DRIVER))
 ;; with CUBE = (NAME MARK X Y YAW ON), ON the empty string for the table; KEY and BOARD-KEYS are paths or empty; HEAD the
 ;; simulated pan-tilt unit under the cameras or the empty string; LINE serial, tcp or the empty string, how the unit of
-;; the agent is reached, NUMBER a baud rate or a port; ROOM that of the arm, or ().
+;; the agent is reached, NUMBER a baud rate or a port; ROOM that of the arm, or (); DRIVER how its controller is reached,
+;; (PROTOCOL (PLACE ...) (NUMBER ...)), or () for the simulated arm.
 
 (define-module (pizarra cell)
   #:use-module (srfi srfi-1)
@@ -289,10 +290,38 @@
         (node-datum given)
         (choice-at node 1 "the arm" arms))))
 
+;; How the controllers of arms are reached: the protocol, what its places are, and the ports that may follow, each with
+;; what is taken where it is left out.
+(define protocols
+  '((hses ("the controller's address") (10040))))
+
+(define (place-in node)
+  (lambda (index what) (string-at node (+ index 2) what)))
+
+;; (driver PROTOCOL PLACE ... PORT ...) as (PROTOCOL (PLACE ...) (PORT ...)), or ().
+(define (driver-of arm)
+  (let* ((node (section-in (sections (if (pair? (node-rest arm)) (cdr (node-rest arm)) '()) '(room driver)) 'driver))
+         (name (and node (choice-at node 1 "the protocol" (map first protocols))))
+         (protocol (and name (assq name protocols))))
+    (if (not protocol)
+        '()
+        (let* ((places (map (place-in node) (iota (length (second protocol))) (second protocol)))
+               (given (drop (node-items node) (min (length (node-items node)) (+ 2 (length places)))))
+               (ports (third protocol)))
+          (for-each (lambda (port)
+                      (unless (and (exact-integer? (node-datum port)) (<= 1 (node-datum port) 65535))
+                        (complain! port 'out-of-range "a port is a number from 1 to 65535")))
+                    given)
+          (when (> (length given) (length ports))
+            (complain! (list-ref given (length ports)) 'malformed "~a takes ~a ports at most" name (length ports)))
+          (and (every identity places)
+               (list name places
+                     (append (map node-datum given) (list-tail ports (min (length ports) (length given))))))))))
+
 ;; Where the arm's grip centre may be, ((LOW HIGH) (LOW HIGH) (LOW HIGH)), or () for wherever it reaches.
 (define (room-of arm)
   (let* ((rest (node-rest arm))
-         (found (sections (if (pair? rest) (cdr rest) '()) '(room)))
+         (found (sections (if (pair? rest) (cdr rest) '()) '(room driver)))
          (room (section-in found 'room))
          (parts (if room (sections (node-rest (node-within room "in the room")) '(x y z)) '()))
          (span-of (lambda (name)
@@ -333,7 +362,8 @@
           (row-of things)
           (third board)
           pan-tilt
-          (if arm (room-of (node-within arm "in the arm")) '()))))
+          (if arm (room-of (node-within arm "in the arm")) '())
+          (if arm (driver-of (node-within arm "in the arm")) '()))))
 
 ;; ARMS are the names of the arms that come with the tree.
 (define* (interpret data #:optional (arms '(crs-f3)))

@@ -8,11 +8,14 @@
 namespace pizarra {
 namespace {
 
-// Types `lines` at the program and interrupts it half a second later.
-Said emulate(const std::string& arguments, const std::string& lines) {
-  return shell(fmt::format("(printf '{}'; sleep 0.5) | timeout --preserve-status -s INT 0.5 {} emulate {} 2>&1", lines,
-                           PIZARRA_EMULATE, arguments));
+// Types `lines` at the program and interrupts it a while later.
+Said emulate(const std::string& arguments, const std::string& lines, double seconds = 0.5) {
+  return shell(fmt::format("(printf '{}'; sleep {}) | timeout --preserve-status -s INT {} {} emulate {} 2>&1", lines,
+                           seconds, seconds, PIZARRA_EMULATE, arguments));
 }
+
+// An arm's file is read first.
+constexpr double arm_seconds = 1.5;
 
 TEST(Emulate, SaysWhereItIsAndObeysWhoStandsBesideIt) {
   const Said said = emulate("ptu46-17.5 --pty", "status\\npower off\\nfly\\n");
@@ -28,6 +31,29 @@ TEST(Emulate, TellsProgramsAnObjectALine) {
   EXPECT_TRUE(said.text.starts_with(R"({"emulates":"ptu46-70","at":"tcp://127.0.0.1:)")) << said.text;
   EXPECT_NE(said.text.find(R"({"power":true,"pan":0.0000,"tilt":0.0000,"state":"still"})"), std::string::npos)
       << said.text;
+}
+
+TEST(Emulate, AnArmsCabinetDoesWhatItsSwitchesSay) {
+  const Said said = emulate("up6 --udp 0", "estop on\\npendant on\\nalarm 4107\\noverride 50\\n", arm_seconds);
+  EXPECT_EQ(said.status, 0) << said.text;
+  EXPECT_TRUE(said.text.starts_with("up6 at udp://127.0.0.1:")) << said.text;
+  EXPECT_NE(said.text.find("power on, servo off, the pendant has control, emergency stop, alarm 4107, override 50 %, "
+                           "still at 0.00 -35.00 -70.00 0.00 -55.00 0.00"),
+            std::string::npos)
+      << said.text;
+}
+
+TEST(Emulate, AnArmTellsProgramsAnObjectALine) {
+  const Said said = emulate("up6 --udp 0 --json", "status\\n", arm_seconds);
+  EXPECT_NE(said.text.find(R"({"power":true,"servo":false,"pendant":false,"estop":false,"hold":false,"alarm":0,)"),
+            std::string::npos)
+      << said.text;
+}
+
+TEST(Emulate, RefusesOptionsThatTheDeviceHasNoUseFor) {
+  EXPECT_EQ(shell(fmt::format("{} emulate up6 --pty 2>&1", PIZARRA_EMULATE)).status, 2);
+  EXPECT_EQ(shell(fmt::format("{} emulate ptu46-70 --world ipc:///tmp/w 2>&1", PIZARRA_EMULATE)).status, 2);
+  EXPECT_EQ(shell(fmt::format("{} emulate up6 --world tcp://a 2>&1", PIZARRA_EMULATE)).status, 2);
 }
 
 TEST(Emulate, RefusesWhatItDoesNotKnowAndPortsThatAreTaken) {

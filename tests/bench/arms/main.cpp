@@ -16,17 +16,19 @@ struct Row {
 
 using namespace pizarra::bench;
 constexpr std::array table = {Row{"move", one_move}, Row{"targets", random_targets}, Row{"lines", lines_of_description},
-                              Row{"stop", stop_latency}};
+                              Row{"stop", stop_latency}, Row{"loss", bad_network}};
 
 }  // namespace
 
 int main(int argc, char** argv) {
   CLI::App app(
-      "Every arm of arms/: inverse kinematics, random targets, lines of description; and how fast a stop arrives.",
+      "Every arm of arms/: inverse kinematics, random targets, lines of description; how fast a stop arrives; and "
+      "moves over a network that loses datagrams.",
       "pizarra bench arms");
   bool json = false;
   std::uint64_t targets = 1'000'000;
   std::uint64_t stops = 1000;
+  std::uint64_t moves = 10'000;
   std::vector<std::string> only;
   std::vector<std::string> names;
   for (const Row& row : table) names.emplace_back(row.name);
@@ -38,6 +40,9 @@ int main(int argc, char** argv) {
   app.add_option("--stops", stops, "how often an arm in motion is stopped")
       ->check(CLI::Range(10, 1'000'000))
       ->capture_default_str();
+  app.add_option("--moves", moves, "over a network that loses a fifth and repeats a tenth")
+      ->check(CLI::Range(10, 10'000'000))
+      ->capture_default_str();
   app.footer("Status 0 when every figure was measured, short or not; 1 when one was not; 2 for wrong arguments.");
   try {
     app.parse(argc, argv);
@@ -45,7 +50,7 @@ int main(int argc, char** argv) {
     return app.exit(error) == 0 ? 0 : 2;
   }
   pizarra::Figures figures("arms", json ? pizarra::Figures::Style::json : pizarra::Figures::Style::plain);
-  ArmsBench bench{figures, targets, stops};
+  ArmsBench bench{figures, targets, stops, moves};
   for (const Row& row : table) {
     if (!only.empty() && std::ranges::find(only, row.name) == only.end()) continue;
     try {

@@ -12,11 +12,13 @@ struct ArmsBench {
   Figures& figures;
   std::uint64_t targets;  // of every arm, reachable and unreachable ones each
   std::uint64_t stops;    // how often an arm in motion is stopped
+  std::uint64_t moves;    // over a bad network
 };
 
 void one_move(ArmsBench& bench);
 void random_targets(ArmsBench& bench);
 void lines_of_description(ArmsBench& bench);
 void stop_latency(ArmsBench& bench);
+void bad_network(ArmsBench& bench);
 
 }  // namespace pizarra::bench

@@ -1,0 +1,133 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <optional>
+#include <zmq.hpp>
+
+#include "agents/launcher/command_line/word_tools.hpp"
+#include "agents/launcher/emulate/bystander.hpp"
+#include "agents/launcher/emulate/devices.hpp"
+#include "blackboard/time/real_executor.hpp"
+#include "blackboard/time/stop_signals.hpp"
+#include "drivers/arm/arm_file.hpp"
+#include "drivers/simulation/controllers/arms/hses_emulator.hpp"
+#include "drivers/simulation/controllers/arms/moving_arm.hpp"
+#include "drivers/simulation/simulated_arm.hpp"
+#include "drivers/simulation/socket_link.hpp"
+#include "drivers/wire/udp_wire.hpp"
+
+namespace pizarra {
+
+namespace {
+
+// The arm that a cabinet moves: one of its own, or the simulated world's.
+class Body {
+ public:
+  Body(Executor& executor, const ArmModel& model, const std::string& world) : own_(executor, model) {
+    if (world.empty()) return;
+    link_.emplace(executor, context_, world);
+    worlds_.emplace(*link_);
+  }
+  ArmDriver& arm() { return worlds_ ? static_cast<ArmDriver&>(*worlds_) : own_; }
+
+ private:
+  MovingArm own_;
+  zmq::context_t context_{1};
+  std::optional<SocketLink> link_;
+  std::optional<SimulatedArm> worlds_;
+};
+
+// Its line and who answers there; destroying it ends both.
+class Serving {
+ public:
+  virtual ~Serving() = default;
+  virtual std::string where() const = 0;
+};
+
+class HsesServing : public Serving {
+ public:
+  HsesServing(Executor& executor, ArmCabinet& cabinet, std::unique_ptr<UdpPort> port, std::string address)
+      : port_(std::move(port)),
+        address_(std::move(address)),
+        emulator_(cabinet),
+        job_(executor.spawn(serve(executor, emulator_, *port_))) {}
+  std::string where() const override { return fmt::format("udp://{}:{}", address_, port_->port()); }
+
+ private:
+  std::unique_ptr<UdpPort> port_;
+  std::string address_;
+  HsesEmulator emulator_;
+  Job job_;
+};
+
+Result<std::unique_ptr<Serving>> serve_hses(Executor& executor, ArmCabinet& cabinet, const EmulateChoices& choices) {
+  const std::uint16_t wanted = choices.port < 0 ? hses::port : static_cast<std::uint16_t>(choices.port);
+  Result<std::unique_ptr<UdpPort>> port = UdpPort::listen(executor, choices.address, wanted);
+  if (!port) return fail(port);
+  return std::make_unique<HsesServing>(executor, cabinet, std::move(*port), choices.address);
+}
+
+// An arm that can be emulated: its name here, its file among arms/, and who answers for it.
+struct ArmKind {
+  std::string_view name;
+  std::string_view arm;
+  Result<std::unique_ptr<Serving>> (*serve)(Executor&, ArmCabinet&, const EmulateChoices&);
+};
+
+constexpr ArmKind kinds[] = {{"up6", "motoman-up6", serve_hses}};
+
+std::string in_json(const ArmCabinet& cabinet, const ArmReading& reading) {
+  return fmt::format(
+      "{{\"power\":{},\"servo\":{},\"pendant\":{},\"estop\":{},\"hold\":{},\"alarm\":{},\"override\":{:.0f},"
+      "\"state\":\"{}\",\"joints\":[{:.4f}],\"opening\":{:.2f},\"moves\":{}}}",
+      cabinet.powered(), cabinet.servo(), cabinet.pendant(), cabinet.emergency(),
+      cabinet.pendant_hold() || cabinet.command_hold(), cabinet.alarm(), cabinet.speed_override() * 100,
+      reading.moving ? "moving" : "still", fmt::join(reading.joints, ","), reading.opening_mm, cabinet.moves());
+}
+
+std::string in_words(const ArmCabinet& cabinet, const ArmReading& reading) {
+  std::string line =
+      fmt::format("power {}, servo {}", cabinet.powered() ? "on" : "off", cabinet.servo() ? "on" : "off");
+  if (cabinet.pendant()) line += ", the pendant has control";
+  if (cabinet.emergency()) line += ", emergency stop";
+  if (cabinet.pendant_hold() || cabinet.command_hold()) line += ", held";
+  if (cabinet.alarm() != 0) line += fmt::format(", alarm {}", cabinet.alarm());
+  if (cabinet.speed_override() < 1) line += fmt::format(", override {:.0f} %", cabinet.speed_override() * 100);
+  return fmt::format("{}, {} at {:.2f}, gripper {:.1f} mm, {} moves", line, reading.moving ? "moving" : "still",
+                     fmt::join(reading.joints, " "), reading.opening_mm, cabinet.moves());
+}
+
+Task<std::string> status(ArmCabinet& cabinet, bool json) {
+  const ArmReading reading = co_await cabinet.read();
+  co_return json ? in_json(cabinet, reading) : in_words(cabinet, reading);
+}
+
+}  // namespace
+
+std::vector<std::string> arm_device_names() {
+  std::vector<std::string> names;
+  for (const ArmKind& kind : kinds) names.emplace_back(kind.name);
+  return names;
+}
+
+int emulate_arm(const EmulateChoices& choices) {
+  const ArmKind& kind = *std::ranges::find(kinds, choices.device, &ArmKind::name);
+  if (choices.pty) {
+    const Failure useless{"bad-option", choices.device + " is on a network, not at a serial line", {}, {}};
+    return complain(useless, exit_usage);
+  }
+  const Result<ArmModel> model = shipped_arm(kind.arm);
+  if (!model) return complain(model.error(), exit_usage);
+  RealExecutor executor;
+  const StopSignals signals(executor);
+  Body body(executor, *model, choices.world);
+  ArmCabinet cabinet(executor, body.arm(), *model);
+  const Result<std::unique_ptr<Serving>> serving = kind.serve(executor, cabinet, choices);
+  if (!serving) return complain(serving.error(), exit_unavailable);
+  say_where(choices, (*serving)->where());
+  const Bystander bystander(executor, {.obey = [&](std::string_view words) { return cabinet.obey(words); },
+                                       .status = [&] { return status(cabinet, choices.json); }});
+  executor.run_until([] { return false; });
+  return exit_reached;
+}
+
+}  // namespace pizarra

@@ -1,0 +1,27 @@
+#pragma once
+
+// The arm of a cell with the line to its controller: the simulated one's where the cell names no other.
+//
+//   const std::unique_ptr<ArmDevice> device = make_arm_device(executor, description, model, link);
+//   RobotAgent robot(context, device->driver(), model);
+
+#include <memory>
+
+#include "drivers/arm/arm_driver.hpp"
+#include "drivers/simulation/link.hpp"
+#include "lisp/cell.hpp"
+
+namespace pizarra {
+
+class Executor;
+
+class ArmDevice {
+ public:
+  virtual ~ArmDevice() = default;
+  virtual ArmDriver& driver() = 0;
+};
+
+// Executor and link outlive it.
+std::unique_ptr<ArmDevice> make_arm_device(Executor& executor, const ArmLine& line, const ArmModel& model, Link& link);
+
+}  // namespace pizarra

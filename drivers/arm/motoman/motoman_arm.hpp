@@ -1,0 +1,97 @@
+#pragma once
+
+// A Motoman arm as an ArmDriver, over whichever MotomanLink reaches its controller. The arm's file must say the
+// (pulses-per-turn ...) of every axis.
+//
+//   MotomanArm arm(executor, link, model);
+//
+// A move goes as few targets, one after another (route.hpp): straight lines as linear moves, the rest in pulses; curves
+// are many short ones, and the arm stands a moment between them. Each is ordered by read(), once the one before has
+// ended, so that an arm which nobody asks goes no further than its target. A linear move is reckoned from where the
+// controller says its own tool is, so that neither its tool's length nor its base frame's origin need be known; the
+// axes of that frame must be the cell's.
+//
+// Every target is gone to exactly once, whatever the line loses or repeats: one whose answer does not come is looked
+// into (does the arm run? is it there?) before it is ordered again. It does so as the arm's only commander, and over
+// lines on which nothing comes later than the next target does.
+//
+// take_control() resets alarms, ends its own hold and switches the servos on; not at the pendant's word, whose TEACH
+// refuses it. stop() is the controller's hold, which stays until control is taken or a move is started.
+// The gripper is held by a job of the controller to variables: D000 the opening wanted, D001 the opening measured, both
+// micrometres, D002 1 while the fingers move.
+//
+// How far it is proven: with emulated controllers alone.
+
+#include <deque>
+
+#include "blackboard/time/executor.hpp"
+#include "drivers/arm/arm_driver.hpp"
+#include "drivers/arm/motoman/motoman_link.hpp"
+#include "drivers/arm/route.hpp"
+
+namespace pizarra {
+
+class MotomanArm : public ArmDriver {
+ public:
+  // The link outlives it.
+  MotomanArm(Executor& executor, MotomanLink& link, ArmModel model)
+      : executor_(executor), link_(link), model_(std::move(model)) {}
+  Task<Result<std::string>> identify() override;
+  Task<Result<void>> take_control() override;
+  Task<Result<void>> start_move(std::vector<Joints> waypoints, double speed) override;
+  Task<Result<void>> stop() override;
+  Task<Result<void>> start_gripper(double opening_mm) override;
+  Task<Result<ArmReading>> read() override;
+
+ private:
+  static constexpr Duration opening_time = 3s;
+  static constexpr Duration servo_time = 3s;  // at most, until the servos are on
+  static constexpr Duration look_again = 50ms;
+  static constexpr Duration starting_time = 300ms;          // at most, until an arm that was ordered to move runs
+  static constexpr int most_orders = 25;                    // of one target that the line loses
+  static constexpr std::uint64_t reads_of_an_opening = 10;  // while the fingers stand
+
+  struct Seen {
+    MotomanStatus status;
+    Joints joints;
+  };
+
+  struct Line {
+    MotomanPose target;
+    double length_mm;
+  };
+
+  Task<Result<Seen>> look();
+  Task<Result<void>> look_at_gripper();
+  Task<Result<void>> switch_on();
+  Task<Result<void>> ready_to_move(MotomanStatus status);
+  Task<Result<void>> order(Leg leg, Joints from);
+  Task<Result<void>> order_once(const Leg& leg, const std::optional<Line>& line);
+  Task<Result<Line>> line_to(Joints to, Joints from);
+  Task<Result<void>> go_on(const Seen& seen);
+  void end_move(std::optional<Failure> why_stopped);
+  Task<Failure> trouble(MotomanStatus status);
+  Joints joints_of(const MotomanPulses& pulses) const;
+  MotomanPulses pulses_of(const Joints& joints) const;
+
+  Executor& executor_;
+  MotomanLink& link_;
+  ArmModel model_;
+
+  // The move in hand.
+  std::deque<Leg> legs_;  // the one under way first
+  double speed_ = 1;
+  Time ordered_at_{};
+  bool moving_ = false;
+  bool ordering_ = false;  // somebody waits for the controller's word on an order
+  bool stopping_ = false;
+  bool stopped_ = false;
+  std::optional<Failure> why_stopped_;
+
+  double opening_mm_ = 0;
+  bool gripping_ = false;
+  Time gripping_since_{};
+  std::uint64_t reads_ = 0;
+};
+
+}  // namespace pizarra

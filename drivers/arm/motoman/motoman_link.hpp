@@ -1,0 +1,66 @@
+#pragma once
+
+// What a MotomanArm needs of a Motoman controller, whichever protocol reaches it: pulses, millimetres and switches, as
+// the controller has them.
+//
+// Lifecycle: open(); the others. `no-answer` and `disconnected` leave open whether the controller has done what was
+// asked. Questions and switches are repeated until they are answered; a move is sent ONCE, so that it is the arm's part
+// to look whether it was begun.
+//
+// Failures: no-answer, disconnected, bad-reply; refused, whose subject is the controller's code.
+
+#include <array>
+#include <cstdint>
+
+#include "blackboard/time/clock.hpp"
+#include "blackboard/time/task.hpp"
+#include "lisp/result.hpp"
+
+namespace pizarra {
+
+inline constexpr std::size_t motoman_axes = 8;
+using MotomanPulses = std::array<std::int32_t, motoman_axes>;
+
+struct MotomanStatus {
+  bool running = false;
+  bool teaching = false;  // the pendant has control
+  bool remote = false;    // commands may come from outside
+  bool pendant_hold = false;
+  bool external_hold = false;
+  bool command_hold = false;
+  bool alarm = false;
+  bool error = false;
+  bool servo = false;
+};
+
+// Of the controller's tool in its base frame.
+struct MotomanPose {
+  std::array<double, 3> place_mm{};
+  std::array<double, 3> angles_deg{};  // Rx, Ry, Rz
+  std::uint32_t form = 0;
+  std::uint32_t extended_form = 0;
+  std::uint32_t tool = 0;
+};
+
+enum class MotomanSwitch : std::uint8_t { servo, hold };
+
+class MotomanLink {
+ public:
+  virtual ~MotomanLink() = default;
+  virtual Task<Result<void>> open(Time deadline) = 0;
+  virtual Task<Result<MotomanStatus>> status() = 0;
+  virtual Task<Result<std::uint32_t>> alarm_code() = 0;
+  virtual Task<Result<MotomanPulses>> pulses() = 0;
+  virtual Task<Result<MotomanPose>> pose() = 0;
+  virtual Task<Result<void>> turn(MotomanSwitch which, bool on) = 0;
+  // Alarms and errors.
+  virtual Task<Result<void>> reset() = 0;
+  // `part` 0..1 of the axes' speeds.
+  virtual Task<Result<void>> move_joints(MotomanPulses target, double part) = 0;
+  virtual Task<Result<void>> move_straight(MotomanPose target, double mm_s) = 0;
+  // Double precision integer variables, D000 to D099.
+  virtual Task<Result<std::int32_t>> variable(int number) = 0;
+  virtual Task<Result<void>> set_variable(int number, std::int32_t value) = 0;
+};
+
+}  // namespace pizarra

@@ -1,0 +1,179 @@
+#include "drivers/simulation/controllers/arms/arm_cabinet.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "drivers/arm/route.hpp"
+
+namespace pizarra {
+
+namespace {
+
+std::optional<int> number_in(std::string_view text, int low, int high) {
+  int value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || value < low || value > high) return std::nullopt;
+  return value;
+}
+
+}  // namespace
+
+Result<void> ArmCabinet::obey(std::string_view words) {
+  const std::size_t blank = words.find(' ');
+  const std::string_view what = words.substr(0, blank);
+  const std::string_view how = blank == std::string_view::npos ? "" : words.substr(blank + 1);
+  if (how == "on" || how == "off") return turn(what, how == "on");
+  constexpr int highest_alarm = 9999;
+  if (const auto code = number_in(how, 1, highest_alarm); code && what == "alarm") {
+    raise(*code);
+    return {};
+  }
+  if (const auto percent = number_in(how, 1, 100); percent && what == "override") {
+    override_ = *percent / 100.0;
+    return {};
+  }
+  return fail("unknown-command", "nobody here understands '" + std::string(words) +
+                                     "': power, estop, pendant or hold with on or off; alarm CODE; override PERCENT; "
+                                     "status");
+}
+
+Result<void> ArmCabinet::turn(std::string_view what, bool on) {
+  if (what == "power") {
+    power(on);
+  } else if (what == "estop") {
+    emergency_ = on;
+    if (on) servo_since_.reset();
+  } else if (what == "pendant") {
+    pendant_ = on;
+  } else if (what == "hold") {
+    pendant_hold_ = on;
+  } else {
+    return fail("unknown-command", "there is no switch '" + std::string(what) + "': power, estop, pendant, hold");
+  }
+  if (on && what != "power") brake();
+  return {};
+}
+
+void ArmCabinet::power(bool on) {
+  if (on == powered_) return;
+  powered_ = on;
+  servo_since_.reset();
+  command_hold_ = false;
+  if (on) {
+    alarm_ = lost_in_motion_ ? power_lost_alarm : 0;
+    lost_in_motion_ = false;
+    return;
+  }
+  brake();
+}
+
+void ArmCabinet::raise(int alarm) {
+  alarm_ = alarm;
+  servo_since_.reset();
+  brake();
+}
+
+void ArmCabinet::brake() { braking_ = executor_.spawn(brake_and_look()); }
+
+Task<void> ArmCabinet::brake_and_look() {
+  const Result<ArmReading> reading = co_await body_.read();
+  const bool moves = reading && reading->moving;
+  if (moves && !powered_) lost_in_motion_ = true;
+  // One that cannot be reached is noticed when it is read.
+  [[maybe_unused]] const Result<void> stopped = co_await body_.stop();
+}
+
+Refusal ArmCabinet::refusal() const {
+  if (pendant_) return Refusal::pendant;
+  if (alarm_ != 0) return Refusal::alarm;
+  if (emergency_) return Refusal::emergency;
+  if (!servo()) return Refusal::servo_off;
+  if (pendant_hold_) return Refusal::pendant_hold;
+  if (command_hold_) return Refusal::command_hold;
+  return Refusal::none;
+}
+
+Task<Refusal> ArmCabinet::move(std::vector<Joints> waypoints, double speed) {
+  const Refusal why = refusal();
+  if (why != Refusal::none) co_return why;
+  for (const Joints& joints : waypoints) {
+    if (!check_limits(model_, joints)) co_return Refusal::out_of_range;
+  }
+  const bool sound = !waypoints.empty() && speed > 0;
+  if (!sound) co_return Refusal::out_of_range;
+  const ArmReading before = co_await read();
+  if (before.moving) co_return Refusal::running;
+  const Joints target = waypoints.back();
+  const double part = std::min(1.0, speed * override_);
+  Result<void> started = co_await body_.start_move(waypoints, part);
+  if (!started && started.error().symbol == "not-in-control") {
+    const Result<void> control = co_await body_.take_control();
+    if (control) started = co_await body_.start_move(std::move(waypoints), part);
+  }
+  if (!started) {
+    if (started.error().symbol == "busy") co_return Refusal::running;
+    raise(arm_lost_alarm);
+    co_return Refusal::alarm;
+  }
+  // What came meanwhile found nothing to stop.
+  if (refusal() != Refusal::none) brake();
+  constexpr double nowhere_else = 1e-3;
+  if (are_same_place(target, before.joints, nowhere_else)) co_return Refusal::none;
+  ++moves_;
+  last_target_ = target;
+  co_return Refusal::none;
+}
+
+Task<void> ArmCabinet::stop() {
+  const Result<void> stopped = co_await body_.stop();
+  if (!stopped) raise(arm_lost_alarm);
+}
+
+Refusal ArmCabinet::servo(bool on) {
+  if (!on) {
+    servo_since_.reset();
+    brake();
+    return Refusal::none;
+  }
+  if (pendant_) return Refusal::pendant;
+  if (emergency_) return Refusal::emergency;
+  if (alarm_ != 0) return Refusal::alarm;
+  if (!servo_since_) servo_since_ = executor_.now();
+  return Refusal::none;
+}
+
+Refusal ArmCabinet::hold(bool on) {
+  if (pendant_) return Refusal::pendant;
+  command_hold_ = on;
+  if (on) brake();
+  return Refusal::none;
+}
+
+Refusal ArmCabinet::reset() {
+  if (pendant_) return Refusal::pendant;
+  alarm_ = 0;
+  return Refusal::none;
+}
+
+Task<void> ArmCabinet::grip(double opening_mm) {
+  Result<void> started = co_await body_.start_gripper(opening_mm);
+  if (!started && started.error().symbol == "not-in-control") {
+    const Result<void> control = co_await body_.take_control();
+    if (control) started = co_await body_.start_gripper(opening_mm);
+  }
+  if (!started) raise(arm_lost_alarm);
+}
+
+Task<ArmReading> ArmCabinet::read() {
+  const Result<ArmReading> reading = co_await body_.read();
+  if (reading) {
+    last_ = *reading;
+  } else {
+    last_.moving = false;
+    if (alarm_ == 0) raise(arm_lost_alarm);
+  }
+  co_return last_;
+}
+
+}  // namespace pizarra

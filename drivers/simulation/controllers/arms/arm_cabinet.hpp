@@ -1,0 +1,106 @@
+#pragma once
+
+// What the controller cabinet of any arm has besides its protocol: a power switch, an emergency stop, a pendant that
+// may have control, servos that come on with a delay, alarms and their reset, holds, a speed override; and the arm.
+//
+// Lifecycle: made with power on and the servos off, the arm where it is. What somebody beside it does comes by
+// obey(), what a protocol does by the others; what an arm may not do now is a Refusal, which a protocol words in its
+// own codes.
+//
+//   MovingArm body(executor, model);          // or the simulated world's arm, over the device link
+//   ArmCabinet cabinet(executor, body, model);
+//   cabinet.obey("pendant on");               // "estop on", "hold on", "alarm 4107", "override 50", "power off" ...
+//   const Refusal refusal = co_await cabinet.move(waypoints, 0.5);
+//
+// A move that a hold, an alarm, the emergency stop or a loss of power ended is not taken up again by itself. An arm
+// that lost its power while it moved has alarm 4107 when it is back: its encoders and its memory differ.
+
+#include <optional>
+
+#include "blackboard/time/executor.hpp"
+#include "drivers/arm/arm_driver.hpp"
+
+namespace pizarra {
+
+enum class Refusal : std::uint8_t {
+  none,
+  running,
+  pendant,
+  alarm,
+  emergency,
+  servo_off,
+  pendant_hold,
+  command_hold,
+  out_of_range,
+};
+
+class ArmCabinet {
+ public:
+  static constexpr int power_lost_alarm = 4107;
+  static constexpr int arm_lost_alarm = 4000;  // the body does not answer
+
+  // The body outlives it.
+  ArmCabinet(Executor& executor, ArmDriver& body, const ArmModel& model)
+      : executor_(executor), body_(body), model_(model) {
+    last_.joints = model.ready;
+  }
+
+  // Somebody beside it: `power`, `estop`, `pendant` or `hold` with `on` or `off`; `alarm CODE`; `override PERCENT`.
+  // Failure: unknown-command.
+  Result<void> obey(std::string_view words);
+
+  // Through the waypoints at `speed` 0..1 of the axes' speeds, times the override.
+  Task<Refusal> move(std::vector<Joints> waypoints, double speed);
+  // Brakes; nothing is held.
+  Task<void> stop();
+  // Refusals: pendant, emergency, alarm.
+  Refusal servo(bool on);
+  Refusal hold(bool on);
+  Refusal reset();
+  Task<void> grip(double opening_mm);
+  // What its encoders say; where nobody knows, it has an alarm and says what it said last.
+  Task<ArmReading> read();
+
+  const ArmModel& model() const { return model_; }
+  Executor& executor() { return executor_; }
+  bool powered() const { return powered_; }
+  bool pendant() const { return pendant_; }
+  bool emergency() const { return emergency_; }
+  bool pendant_hold() const { return pendant_hold_; }
+  bool command_hold() const { return command_hold_; }
+  bool servo() const { return servo_since_ && executor_.now() - *servo_since_ >= servo_delay; }
+  int alarm() const { return alarm_; }
+  double speed_override() const { return override_; }
+  // Moves begun that led anywhere else than where the arm stood, and where the last of them led.
+  std::uint64_t moves() const { return moves_; }
+  const Joints& last_target() const { return last_target_; }
+
+ private:
+  static constexpr Duration servo_delay = 200ms;
+  // Why it does not move; none where it may.
+  Refusal refusal() const;
+  Result<void> turn(std::string_view what, bool on);
+  void power(bool on);
+  void raise(int alarm);
+  void brake();
+  Task<void> brake_and_look();
+
+  Executor& executor_;
+  ArmDriver& body_;
+  const ArmModel& model_;
+  bool powered_ = true;
+  bool pendant_ = false;
+  bool emergency_ = false;
+  bool pendant_hold_ = false;
+  bool command_hold_ = false;
+  int alarm_ = 0;
+  double override_ = 1;
+  std::optional<Time> servo_since_;
+  bool lost_in_motion_ = false;
+  ArmReading last_{};
+  std::uint64_t moves_ = 0;
+  Joints last_target_;
+  Job braking_;
+};
+
+}  // namespace pizarra

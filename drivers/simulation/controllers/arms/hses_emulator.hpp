@@ -1,0 +1,55 @@
+#pragma once
+
+// The controller of a Motoman arm as its High Speed Ethernet Server shows it: status, alarms, positions in pulses and
+// millimetres, D variables, switches, and moves that take their time; what it refuses it refuses with Yaskawa's codes.
+//
+//   HsesEmulator emulator(cabinet);
+//   const std::string reply = co_await emulator.answer(datagram);       // empty: it says nothing
+//   const Job serving = executor.spawn(serve(executor, emulator, *port));
+//
+// It carries out every datagram that comes, also one that it has had: the manual does not promise more. One move at a
+// time; the next is refused while the arm runs. Its base frame has its origin at the height of axis 2 and its tool ends
+// at the flange, so that who takes them for the cell's is wrong by that much.
+//
+// D000 is the opening that the gripper's job holds the fingers to, D001 the opening measured, micrometres; D002 is 1
+// while they move.
+//
+// How far it is proven: with the driver of drivers/arm/motoman/ alone.
+
+#include <map>
+
+#include "drivers/arm/motoman/hses_packet.hpp"
+#include "drivers/simulation/controllers/arms/arm_cabinet.hpp"
+#include "drivers/wire/datagram_wire.hpp"
+
+namespace pizarra {
+
+class HsesEmulator {
+ public:
+  // The cabinet outlives it.
+  explicit HsesEmulator(ArmCabinet& cabinet) : cabinet_(cabinet) {}
+  Task<std::string> answer(std::string datagram);
+
+ private:
+  // What a request comes to: data, or why not.
+  struct Outcome {
+    std::uint16_t refusal = 0;
+    std::string data = {};
+  };
+  static Task<Outcome> at_once(Outcome outcome);
+  Task<Outcome> carry_out(HsesRequest request);
+  Task<Outcome> status();
+  Task<Outcome> position(std::uint16_t instance);
+  Task<Outcome> variable(HsesRequest request);
+  Outcome turn(const HsesRequest& request);
+  Task<Outcome> move_pulses(HsesRequest request);
+  Task<Outcome> move_cartesian(HsesRequest request);
+
+  ArmCabinet& cabinet_;
+  std::map<std::uint16_t, std::int32_t> variables_;
+};
+
+// Until destroyed. All three outlive it.
+Task<void> serve(Executor& executor, HsesEmulator& emulator, DatagramWire& port);
+
+}  // namespace pizarra

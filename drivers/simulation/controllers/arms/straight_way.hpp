@@ -1,0 +1,18 @@
+#pragma once
+
+// How a controller interpolates a straight line of its tool: the waypoints, and the part of the axes' speeds at which
+// they take as long as the line does at so many mm/s.
+
+#include "drivers/arm/kinematics.hpp"
+
+namespace pizarra {
+
+struct StraightWay {
+  std::vector<Joints> waypoints;
+  double part;  // 0..1
+};
+
+// From where the joints are to `to`, turning evenly. Failures: those of inverse(), at any point of the line.
+Result<StraightWay> straight_way(const ArmModel& model, const Joints& from, const ToolPose& to, double mm_s);
+
+}  // namespace pizarra

@@ -1,0 +1,74 @@
+// The robot agent over controllers on wires, emulated, in virtual time.
+
+#include "tests/agents/robot/robot_fixture.hpp"
+#include "tests/drivers/arm/motoman/hses_cell.hpp"
+
+namespace pizarra {
+namespace {
+
+class WiredRobot : public testing::Test {
+ protected:
+  std::string call(std::string_view operation) {
+    const std::string id = fmt::format("r{}", ++asked_);
+    Transaction request;
+    request.tell(list("request"_sym, Datum::symbol(id), "robot"_sym, form(operation)));
+    EXPECT_TRUE(board.transact("user", request)) << operation;
+    return reply(id);
+  }
+  std::string reply(const std::string& id) {
+    const Query query = query_from_datum(form(fmt::format("(reply {} ?answer)", id))).value();
+    const Time deadline = cell.executor.now() + 60s;
+    cell.executor.run_until([&] { return !board.ask(query)->answers.empty() || cell.executor.now() > deadline; });
+    const Answers answers = board.ask(query).value();
+    return answers.answers.empty() ? "" : write(answers.answers.front().facts.front().datum[2]);
+  }
+
+  HsesCell cell;
+  MemoryBoard board{cell.executor};
+  int asked_ = 0;
+};
+
+TEST_F(WiredRobot, DoesItsOperationsOverALineThatLosesAFifth) {
+  cell.line.loss = 0.2;
+  cell.line.duplication = 0.1;
+  const RobotLife life(cell.executor, board, cell.arm, up6());
+  cell.executor.run_for(2s);
+  for (const std::string_view operation :
+       {"(gripper 84)", "(extend keep-height 80)", "(move-v down 100)", "(move-h left 120)", "(turn right 20)",
+        "(turn-wrist left 10)", "(turn-ef up 10)", "(turn-ef down 10)", "(retract 60)", "(gripper 40)", "(ready)"}) {
+    EXPECT_EQ(call(operation), "(ok true)") << operation;
+  }
+  EXPECT_TRUE(are_same_place(cell.read()->joints, up6().ready));
+}
+
+TEST_F(WiredRobot, SaysWhyTheControllerEndedAMotionAndGoesOnWhenAskedAnew) {
+  const RobotLife life(cell.executor, board, cell.arm, up6());
+  cell.executor.run_for(1s);
+  Transaction request;
+  request.tell(form("(request turn robot (turn right 90))"));
+  ASSERT_TRUE(board.transact("user", request));
+  cell.executor.run_for(500ms);
+  ASSERT_TRUE(cell.cabinet.obey("alarm 4321"));
+  EXPECT_EQ(reply("turn"), R"((fail stopped "the controller has alarm 4321" 4321))");
+  cell.executor.run_for(5s);
+  EXPECT_EQ(cell.cabinet.alarm(), 4321) << "nobody asked for its reset";
+  EXPECT_EQ(call("(ready)"), "(ok true)");
+}
+
+TEST_F(WiredRobot, AStopFactBrakesTheController) {
+  const RobotLife life(cell.executor, board, cell.arm, up6());
+  cell.executor.run_for(1s);
+  Transaction request;
+  request.tell(form("(request turn robot (turn right 120))"));
+  ASSERT_TRUE(board.transact("user", request));
+  cell.executor.run_for(500ms);
+  Transaction stop;
+  stop.tell(form("(stop somebody \"a child\")"));
+  ASSERT_TRUE(board.transact("somebody", stop));
+  cell.executor.run_for(20ms);
+  EXPECT_TRUE(cell.cabinet.command_hold());
+  EXPECT_TRUE(reply("turn").starts_with("(fail stopped")) << reply("turn");
+}
+
+}  // namespace
+}  // namespace pizarra
