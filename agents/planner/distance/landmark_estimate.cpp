@@ -14,8 +14,8 @@ constexpr std::uint32_t unreachable = ~std::uint32_t{0};
 constexpr Distance event_weight = 4;
 constexpr Distance ready_weight = 2;
 
-std::size_t rank_in(std::span<const FactIndex> group, FactIndex fact) {
-  return static_cast<std::size_t>(std::ranges::lower_bound(group, fact) - group.begin());
+std::uint32_t rank_in(std::span<const FactIndex> group, FactIndex fact) {
+  return static_cast<std::uint32_t>(std::ranges::lower_bound(group, fact) - group.begin());
 }
 
 // What is common to the rows of all the actions.
@@ -38,39 +38,54 @@ std::vector<FactIndex> shared(std::span<const ActionIndex> actions, const auto& 
 LandmarkEstimate::LandmarkEstimate(const CompactProblem& problem, const InvariantGroups& invariants)
     : problem_(problem),
       invariants_(invariants),
-      state_(problem.initials()),
+      state_(problem.facts()),
       holds_(invariants.groups().size(), {nothing, 0}),
       marks_(problem.facts()),
       goal_hops_(problem.goals().count(), 0),
       awaited_(invariants.groups().size()) {
   learn_changes();
-  problem.goals().for_each([&](std::size_t goal) {
-    goals_.push_back(static_cast<FactIndex>(goal));
-    hops_.push_back({});
-    for (const std::uint32_t group : invariants.groups_of(static_cast<FactIndex>(goal))) {
-      hops_.back().push_back(hops_to(static_cast<FactIndex>(goal), invariants.groups()[group]));
-    }
-  });
+  problem.goals().for_each([&](std::size_t goal) { goals_.push_back(static_cast<FactIndex>(goal)); });
+  learn_hops();
+  look_at(problem.initials());
 }
 
 void LandmarkEstimate::learn_changes() {
   const auto preconditions = [&](ActionIndex action) { return problem_.preconditions(action); };
   const auto adds = [&](ActionIndex action) { return problem_.adds(action); };
+  const auto put = [&](const auto& row) {
+    const auto begin = static_cast<std::uint32_t>(items_.size());
+    items_.insert(items_.end(), row.begin(), row.end());
+    return begin;
+  };
   for (FactIndex fact = 0; fact < problem_.facts(); ++fact) {
     const std::span<const ActionIndex> adding = problem_.adding(fact), deleting = problem_.deleting(fact);
-    can_come_.push_back(adding.empty() ? 0 : 1);
-    can_go_.push_back(deleting.empty() ? 0 : 1);
-    needs_.add(shared(adding, preconditions));
     const std::vector<FactIndex> needed = shared(deleting, preconditions), added = shared(deleting, adds);
-    std::vector<FactIndex> both;
-    std::ranges::set_union(needed, added, std::back_inserter(both));
-    leaving_.add(both);
-    leaving_adds_.add(added);
-    std::vector<std::uint32_t> ranks;
+    std::vector<FactIndex> only_needed;
+    std::ranges::set_difference(needed, added, std::back_inserter(only_needed));
+    Rows rows{};
+    rows.groups = put(invariants_.groups_of(fact));
+    rows.ranks = static_cast<std::uint32_t>(items_.size());
     for (const std::uint32_t group : invariants_.groups_of(fact)) {
-      ranks.push_back(static_cast<std::uint32_t>(rank_in(invariants_.groups()[group], fact)));
+      items_.push_back(rank_in(invariants_.groups()[group], fact));
     }
-    ranks_.add(ranks);
+    rows.needs = put(shared(adding, preconditions));
+    rows.leaving_adds = put(added);
+    rows.leaving = put(only_needed);
+    rows.end = static_cast<std::uint32_t>(items_.size());
+    rows.can_come = !adding.empty();
+    rows.can_go = !deleting.empty();
+    rows.is_goal = problem_.goals().test(fact);
+    rows_.push_back(rows);
+  }
+}
+
+void LandmarkEstimate::learn_hops() {
+  for (const FactIndex goal : goals_) {
+    hops_of_.emplace_back();
+    for (const std::uint32_t group : groups_of(goal)) {
+      hops_of_.back().push_back({group, static_cast<std::uint32_t>(hops_.size())});
+      std::ranges::copy(hops_to(goal, invariants_.groups()[group]), std::back_inserter(hops_));
+    }
   }
 }
 
@@ -95,30 +110,33 @@ std::vector<std::uint32_t> LandmarkEstimate::hops_to(FactIndex goal, std::span<c
 // How often the goal's place has to change hands; the longest way in any of its groups.
 std::uint32_t LandmarkEstimate::hops_left(std::size_t goal) const {
   std::uint32_t most = 0;
-  const auto groups = invariants_.groups_of(goals_[goal]);
-  for (std::size_t i = 0; i < groups.size(); ++i) {
-    const Holds& holds = holds_[groups[i]];
-    if (holds.fact == nothing) return unreachable;
-    most = std::max(most, hops_[goal][i][holds.rank]);
+  for (const Hops& hops : hops_of_[goal]) {
+    const Holds& here = holds_[hops.group];
+    if (here.fact == nothing) return unreachable;
+    most = std::max(most, hops_[hops.from + here.rank]);
   }
   return most;
 }
 
 void LandmarkEstimate::look_at(const Bits& state) {
+  Bits gone = state_, come = state;
+  gone -= state;
+  come -= state_;
+  gone.for_each([&](std::size_t fact) { reset(static_cast<FactIndex>(fact)); });
+  come.for_each([&](std::size_t fact) { set(static_cast<FactIndex>(fact)); });
   state_ = state;
-  std::ranges::fill(holds_, Holds{nothing, 0});
-  state.for_each([&](std::size_t fact) { set(static_cast<FactIndex>(fact)); });
 }
 
 void LandmarkEstimate::set(FactIndex fact) {
-  state_.set(fact);
-  const auto groups = invariants_.groups_of(fact), ranks = ranks_[fact];
-  for (std::size_t i = 0; i < groups.size(); ++i) holds_[groups[i]] = {fact, ranks[i]};
+  marks_[fact].holds = true;
+  const Rows& rows = rows_[fact];
+  const std::uint32_t groups = rows.ranks - rows.groups;
+  for (std::uint32_t i = 0; i < groups; ++i) holds_[items_[rows.groups + i]] = {fact, items_[rows.ranks + i]};
 }
 
 void LandmarkEstimate::reset(FactIndex fact) {
-  state_.reset(fact);
-  for (const std::uint32_t group : invariants_.groups_of(fact)) {
+  marks_[fact].holds = false;
+  for (const std::uint32_t group : groups_of(fact)) {
     if (holds_[group].fact == fact) holds_[group].fact = nothing;
   }
 }
@@ -127,8 +145,8 @@ std::optional<Distance> LandmarkEstimate::beyond(ActionIndex action) {
   const auto adds = problem_.adds(action), deletes = problem_.deletes(action);
   added_.clear();
   deleted_.clear();
-  std::ranges::copy_if(adds, std::back_inserter(added_), [&](FactIndex fact) { return !state_.test(fact); });
-  std::ranges::copy_if(deletes, std::back_inserter(deleted_), [&](FactIndex fact) { return state_.test(fact); });
+  std::ranges::copy_if(adds, std::back_inserter(added_), [&](FactIndex fact) { return !marks_[fact].holds; });
+  std::ranges::copy_if(deletes, std::back_inserter(deleted_), [&](FactIndex fact) { return marks_[fact].holds; });
   for (const FactIndex fact : deleted_) reset(fact);
   for (const FactIndex fact : added_) set(fact);
   const std::optional<Distance> distance = here();
@@ -143,7 +161,7 @@ std::optional<Distance> LandmarkEstimate::here() {
   facts_ = 0;
   open_.clear();
   for (std::size_t i = 0; i < goals_.size(); ++i) {
-    if (state_.test(goals_[i])) continue;
+    if (marks_[goals_[i]].holds) continue;
     goal_hops_[i] = hops_left(i);
     if (goal_hops_[i] == unreachable) return std::nullopt;
     push(goals_[i]);
@@ -155,22 +173,22 @@ std::optional<Distance> LandmarkEstimate::here() {
   }
   bool any_ready = false;
   for (std::size_t i = 0; i < goals_.size(); ++i) {
-    if (state_.test(goals_[i])) continue;
+    if (marks_[goals_[i]].holds) continue;
     std::uint32_t awaited = 0;
-    for (const std::uint32_t group : invariants_.groups_of(goals_[i]))
-      awaited = std::max(awaited, awaited_[group].count);
+    for (const Hops& hops : hops_of_[i]) awaited = std::max(awaited, awaited_[hops.group].count);
     if (goal_hops_[i] > awaited) events_ += goal_hops_[i] - awaited;
     any_ready = any_ready || ready(goals_[i]);
   }
   return event_weight * events_ + facts_ + (any_ready ? 0 : ready_weight);
 }
 
-void LandmarkEstimate::push(FactIndex fact) {
-  if (state_.test(fact) || marks_[fact].pending == evaluation_) return;
-  marks_[fact].pending = evaluation_;
+inline void LandmarkEstimate::push(FactIndex fact) {
+  Marks& marks = marks_[fact];
+  if (marks.holds || marks.pending == evaluation_) return;
+  marks.pending = evaluation_;
   open_.push_back(fact);
   ++facts_;
-  for (const std::uint32_t group : invariants_.groups_of(fact)) {
+  for (const std::uint32_t group : groups_of(fact)) {
     Awaited& awaited = awaited_[group];
     if (awaited.in != evaluation_) awaited = {0, evaluation_};
     ++awaited.count;
@@ -179,26 +197,37 @@ void LandmarkEstimate::push(FactIndex fact) {
 
 // Whether one action may make the goal true for good.
 bool LandmarkEstimate::ready(FactIndex goal) const {
-  return std::ranges::all_of(needs_[goal], [&](FactIndex fact) { return state_.test(fact); }) &&
-         std::ranges::all_of(invariants_.groups_of(goal),
-                             [&](std::uint32_t group) { return awaited_[group].count == 1; });
+  return std::ranges::all_of(row(rows_[goal].needs, rows_[goal].leaving_adds),
+                             [&](FactIndex fact) { return marks_[fact].holds; }) &&
+         std::ranges::all_of(groups_of(goal), [&](std::uint32_t group) { return awaited_[group].count == 1; });
 }
 
-void LandmarkEstimate::count_once(FactIndex event) {
+inline void LandmarkEstimate::count_once(FactIndex event) {
   if (marks_[event].counted == evaluation_) return;
   marks_[event].counted = evaluation_;
   ++events_;
 }
 
+// Whether all actions that take away what is in the way make the fact true.
+inline bool LandmarkEstimate::makes_room(FactIndex in_the_way, FactIndex fact) const {
+  const Rows& rows = rows_[in_the_way];
+  for (std::uint32_t i = rows.leaving_adds; i < rows.leaving; ++i) {
+    if (items_[i] == fact) return true;
+  }
+  return false;
+}
+
 // The fact does not hold and has to.
-bool LandmarkEstimate::must_happen(FactIndex fact) {
-  if (can_come_[fact] == 0) return false;
-  for (const FactIndex needed : needs_[fact]) push(needed);
+inline bool LandmarkEstimate::must_happen(FactIndex fact) {
+  const Rows& rows = rows_[fact];
+  if (!rows.can_come) return false;
+  for (const FactIndex needed : row(rows.needs, rows.leaving_adds)) push(needed);
   bool comes_alone = true;
-  for (const std::uint32_t group : invariants_.groups_of(fact)) {
+  for (const std::uint32_t group : groups_of(fact)) {
     const FactIndex in_the_way = holds_[group].fact;
-    if (in_the_way == nothing || !must_be_taken_away(in_the_way)) return false;
-    if (std::ranges::find(leaving_adds_[in_the_way], fact) == leaving_adds_[in_the_way].end()) continue;
+    if (in_the_way == nothing) return false;
+    if (marks_[in_the_way].taken != evaluation_ && !must_be_taken_away(in_the_way)) return false;
+    if (!makes_room(in_the_way, fact)) continue;
     count_once(in_the_way);
     comes_alone = false;
   }
@@ -206,15 +235,15 @@ bool LandmarkEstimate::must_happen(FactIndex fact) {
   return true;
 }
 
-// The fact holds and has to end; a goal has to come back.
+// The fact holds and has to end, which was not known yet; a goal has to come back.
 bool LandmarkEstimate::must_be_taken_away(FactIndex fact) {
-  if (marks_[fact].taken == evaluation_) return true;
   marks_[fact].taken = evaluation_;
-  if (can_go_[fact] == 0) return false;
-  for (const FactIndex other : leaving_[fact]) push(other);
-  if (!problem_.goals().test(fact)) return true;
+  const Rows& rows = rows_[fact];
+  if (!rows.can_go) return false;
+  for (const FactIndex other : row(rows.leaving_adds, rows.end)) push(other);
+  if (!rows.is_goal) return true;
   ++events_;
-  for (const FactIndex needed : needs_[fact]) push(needed);
+  for (const FactIndex needed : row(rows.needs, rows.leaving_adds)) push(needed);
   return true;
 }
 

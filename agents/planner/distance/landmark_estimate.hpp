@@ -32,6 +32,7 @@ class LandmarkEstimate {
 
  private:
   void learn_changes();
+  void learn_hops();
   std::vector<std::uint32_t> hops_to(FactIndex goal, std::span<const FactIndex> group) const;
   void set(FactIndex fact);
   void reset(FactIndex fact);
@@ -39,18 +40,37 @@ class LandmarkEstimate {
   void push(FactIndex fact);
   bool must_happen(FactIndex fact);
   bool must_be_taken_away(FactIndex fact);
+  bool makes_room(FactIndex in_the_way, FactIndex fact) const;
   void count_once(FactIndex event);
   bool ready(FactIndex goal) const;
 
+  // Where in items_ the rows of a fact begin, one behind the other.
+  struct Rows {
+    std::uint32_t groups;        // that it is in
+    std::uint32_t ranks;         // its place in each of them
+    std::uint32_t needs;         // what all actions need that add it
+    std::uint32_t leaving_adds;  // what all actions add that delete it
+    std::uint32_t leaving;       // what else they all need
+    std::uint32_t end;
+    bool can_come, can_go, is_goal;
+  };
+  std::span<const std::uint32_t> row(std::uint32_t begin, std::uint32_t end) const {
+    return {items_.data() + begin, end - begin};
+  }
+  std::span<const std::uint32_t> groups_of(FactIndex fact) const { return row(rows_[fact].groups, rows_[fact].ranks); }
+
   const CompactProblem& problem_;
   const InvariantGroups& invariants_;
-  Rows ranks_;         // of a fact: its place in each of its groups
-  Rows needs_;         // of a fact: what all actions need that add it
-  Rows leaving_;       // what all actions need or add that delete it
-  Rows leaving_adds_;  // what they all add
-  std::vector<char> can_come_, can_go_;
+  std::vector<Rows> rows_;
+  std::vector<std::uint32_t> items_;
   std::vector<FactIndex> goals_;
-  std::vector<std::vector<std::vector<std::uint32_t>>> hops_;  // of a goal, one of its groups, from a fact of that
+  // Of a goal, for one of its groups: from a fact of that, by its rank in the group, so many hops.
+  struct Hops {
+    std::uint32_t group;
+    std::uint32_t from;  // in hops_
+  };
+  std::vector<std::vector<Hops>> hops_of_;
+  std::vector<std::uint32_t> hops_;
 
   Bits state_;
   struct Holds {
@@ -64,6 +84,7 @@ class LandmarkEstimate {
   std::uint32_t evaluation_ = 0;
   struct Marks {
     std::uint32_t pending = 0, taken = 0, counted = 0;
+    bool holds = false;  // of the state
   };
   std::vector<Marks> marks_;  // of a fact
   std::vector<std::uint32_t> goal_hops_;
