@@ -8,36 +8,13 @@
 //
 // Numbers are those of the problem.
 
-#include <cstdint>
-#include <span>
-
 #include "agents/planner/task/problem.hpp"
+#include "agents/planner/task/rows.hpp"
 
 namespace pizarra {
 
 using FactIndex = std::uint32_t;
 using ActionIndex = std::uint32_t;
-
-// Rows of different lengths, one after another.
-class Rows {
- public:
-  void add(std::span<const std::uint32_t> row) {
-    items_.insert(items_.end(), row.begin(), row.end());
-    ends_.push_back(static_cast<std::uint32_t>(items_.size()));
-  }
-  std::span<const std::uint32_t> operator[](std::size_t row) const {
-    const std::size_t begin = row == 0 ? 0 : ends_[row - 1];
-    return {items_.data() + begin, ends_[row] - begin};
-  }
-  std::size_t size() const { return ends_.size(); }
-
- private:
-  std::vector<std::uint32_t> items_;
-  std::vector<std::uint32_t> ends_;
-};
-
-// The rows turned round: row i of the result lists, ascending, the rows that hold i.
-Rows transposed(const Rows& rows, std::size_t size);
 
 class CompactProblem {
  public:

@@ -16,29 +16,29 @@ RelaxedLandmarks::RelaxedLandmarks(const Problem& problem, const Bits& allowed, 
       kind_of_(std::move(kind_of)),
       kinds_(kinds),
       words_((kinds + 63) / 64),
-      needed_by_(problem.facts.size()),
       need_count_(problem.actions.size(), never),
       labels_(problem.facts.size() * words_),
       scratch_(words_) {
+  Rows allowed_needs;
+  const std::vector<std::size_t> nothing;
   for (std::uint32_t i = 0; i < problem.actions.size(); ++i) {
     const GroundAction& action = problem.actions[i];
-    for (const std::size_t fact : action.preconditions) needs_.push_back(static_cast<std::uint32_t>(fact));
-    for (const std::size_t fact : action.adds) adds_.push_back(static_cast<std::uint32_t>(fact));
-    need_ends_.push_back(static_cast<std::uint32_t>(needs_.size()));
-    add_ends_.push_back(static_cast<std::uint32_t>(adds_.size()));
+    needs_.add(action.preconditions);
+    adds_.add(action.adds);
+    allowed_needs.add(allowed.test(i) ? action.preconditions : nothing);
     if (!allowed.test(i)) continue;
     need_count_[i] = static_cast<std::uint32_t>(action.preconditions.size());
-    for (const std::size_t fact : action.preconditions) needed_by_[fact].push_back(i);
     if (action.preconditions.empty()) needless_.push_back(i);
   }
+  needed_by_ = transposed(allowed_needs, problem.facts.size());
 }
 
 // What the action needs; false where it cannot be taken.
 bool RelaxedLandmarks::label(std::size_t action, Word* to) const {
   if (missing_[action] != 0) return false;
   std::fill_n(to, words_, 0);
-  for (std::size_t i = action == 0 ? 0 : need_ends_[action - 1]; i < need_ends_[action]; ++i) {
-    const Word* needed = labels_.data() + needs_[i] * words_;
+  for (const std::uint32_t fact : needs_[action]) {
+    const Word* needed = labels_.data() + fact * words_;
     for (std::size_t word = 0; word < words_; ++word) to[word] |= needed[word];
   }
   const std::uint32_t kind = kind_of_[action];
@@ -53,7 +53,7 @@ void RelaxedLandmarks::reach(std::size_t fact, const Word* needed) {
   bool fewer = first;
   reached_[fact] = 1;
   for (std::size_t word = 0; word < words_; ++word) {
-    fewer = fewer || (known[word] & ~needed[word]) != 0;
+    fewer |= (known[word] & ~needed[word]) != 0;
     known[word] &= needed[word];
   }
   if (!fewer) return;
@@ -77,9 +77,7 @@ void RelaxedLandmarks::from(const Bits& state) {
     const std::uint32_t action = open_[i];
     waiting_[action] = 0;
     label(action, scratch_.data());
-    for (std::size_t j = action == 0 ? 0 : add_ends_[action - 1]; j < add_ends_[action]; ++j) {
-      reach(adds_[j], scratch_.data());
-    }
+    for (const std::uint32_t fact : adds_[action]) reach(fact, scratch_.data());
   }
 }
 

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "agents/planner/task/problem.hpp"
+#include "agents/planner/task/rows.hpp"
 
 namespace pizarra {
 
@@ -38,10 +39,9 @@ class RelaxedLandmarks {
   const Problem& problem_;
   const std::vector<std::uint32_t> kind_of_;
   const std::size_t kinds_, words_;
-  std::vector<std::vector<std::uint32_t>> needed_by_;
+  Rows needs_, adds_;  // of every action
+  Rows needed_by_;     // of every fact: allowed actions
   std::vector<std::uint32_t> need_count_, needless_;
-  // Of every action, one after another, its preconditions and what it adds.
-  std::vector<std::uint32_t> needs_, need_ends_, adds_, add_ends_;
 
   std::vector<std::uint32_t> missing_;
   std::vector<Word> labels_;         // of every fact

@@ -13,25 +13,34 @@ constexpr std::size_t max_rounds = 100;
 // Depth-first for a hitting set of at most `allowed` elements.
 class HittingSearch {
  public:
-  explicit HittingSearch(const std::vector<std::vector<std::size_t>>& sets) : sets_(sets) {}
+  explicit HittingSearch(const std::vector<std::vector<std::size_t>>& sets) : sets_(sets) {
+    std::size_t elements = 0;
+    for (const std::vector<std::size_t>& set : sets) {
+      for (const std::size_t element : set) elements = std::max(elements, element + 1);
+    }
+    marks_.resize(elements);
+  }
 
   bool within(std::size_t allowed) {
     if (++steps_ > max_hitting_steps) return false;
     const std::vector<std::size_t>* open = nullptr;
     std::size_t apart = 0;  // open sets that share nothing: each needs an element of its own
-    std::vector<std::size_t> seen;
     for (const std::vector<std::size_t>& set : sets_) {
-      if (touches(set, chosen_)) continue;
+      const auto is_chosen = [&](std::size_t element) { return marks_[element].chosen; };
+      const auto is_seen = [&](std::size_t element) { return marks_[element].seen == steps_; };
+      if (std::ranges::any_of(set, is_chosen)) continue;
       if (open == nullptr || set.size() < open->size()) open = &set;
-      if (touches(set, seen)) continue;
-      seen.insert(seen.end(), set.begin(), set.end());
+      if (std::ranges::any_of(set, is_seen)) continue;
+      for (const std::size_t element : set) marks_[element].seen = steps_;
       if (++apart > allowed) return false;
     }
     if (open == nullptr) return true;
     for (const std::size_t element : *open) {
       chosen_.push_back(element);
+      marks_[element].chosen = true;
       if (within(allowed - 1)) return true;
       chosen_.pop_back();
+      marks_[element].chosen = false;
     }
     return false;
   }
@@ -40,11 +49,12 @@ class HittingSearch {
   const std::vector<std::size_t>& chosen() const { return chosen_; }
 
  private:
-  static bool touches(const std::vector<std::size_t>& set, const std::vector<std::size_t>& elements) {
-    return std::ranges::find_first_of(set, elements) != set.end();
-  }
-
   const std::vector<std::vector<std::size_t>>& sets_;
+  struct Marks {
+    bool chosen = false;
+    std::size_t seen = 0;  // in this step
+  };
+  std::vector<Marks> marks_;  // of every element
   std::vector<std::size_t> chosen_;
   std::size_t steps_ = 0;
 };

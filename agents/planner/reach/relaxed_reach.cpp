@@ -3,19 +3,23 @@
 namespace pizarra {
 
 RelaxedReach::RelaxedReach(const Problem& problem, const Bits& allowed)
-    : problem_(problem), needed_by_(problem.facts.size()), need_count_(problem.actions.size()) {
-  allowed.for_each([&](std::size_t action) {
-    const std::vector<std::size_t>& needs = problem.actions[action].preconditions;
-    for (const std::size_t fact : needs) needed_by_[fact].push_back(static_cast<std::uint32_t>(action));
-    need_count_[action] = static_cast<std::uint32_t>(needs.size());
-    if (needs.empty()) needless_.push_back(action);
-  });
+    : problem_(problem), need_count_(problem.actions.size()) {
+  Rows needs;
+  const std::vector<std::size_t> nothing;
+  for (std::size_t action = 0; action < problem.actions.size(); ++action) {
+    const std::vector<std::size_t>& preconditions = problem.actions[action].preconditions;
+    adds_.add(problem.actions[action].adds);
+    needs.add(allowed.test(action) ? preconditions : nothing);
+    need_count_[action] = static_cast<std::uint32_t>(preconditions.size());
+    if (allowed.test(action) && preconditions.empty()) needless_.push_back(action);
+  }
+  needed_by_ = transposed(needs, problem.facts.size());
 }
 
 void RelaxedReach::take(std::size_t action, const Bits& forbidden) {
   if (forbidden.test(action)) return;
   actions_.set(action);
-  for (const std::size_t fact : problem_.actions[action].adds) {
+  for (const std::uint32_t fact : adds_[action]) {
     if (facts_.test(fact)) continue;
     facts_.set(fact);
     open_.push_back(fact);

@@ -9,6 +9,7 @@
 #include <cstdint>
 
 #include "agents/planner/task/problem.hpp"
+#include "agents/planner/task/rows.hpp"
 
 namespace pizarra {
 
@@ -25,9 +26,10 @@ class RelaxedReach {
   void take(std::size_t action, const Bits& forbidden);
 
   const Problem& problem_;
-  std::vector<std::vector<std::uint32_t>> needed_by_;  // of every fact: allowed actions
-  std::vector<std::uint32_t> need_count_;              // of every action: its preconditions
-  std::vector<std::size_t> needless_;                  // allowed actions without preconditions
+  Rows adds_;                              // of every action
+  Rows needed_by_;                         // of every fact: allowed actions
+  std::vector<std::uint32_t> need_count_;  // of every action: its preconditions
+  std::vector<std::size_t> needless_;      // allowed actions without preconditions
   std::vector<std::uint32_t> missing_;
   std::vector<std::size_t> open_;
   Bits facts_, actions_;
