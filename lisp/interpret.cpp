@@ -25,6 +25,12 @@ Failure locate(const Source& source, const Datum& error) {
   return source.failure_at(path_of(error), std::string(error[0].text()), std::string(error[1].text()), context);
 }
 
+std::unexpected<std::vector<Failure>> alone(Failure failure) {
+  return std::unexpected(std::vector<Failure>{std::move(failure)});
+}
+
+}  // namespace
+
 // Of what could not be read, nothing else is said at the same place.
 std::vector<Failure> failures_of(const Source& source, std::span<const Datum> errors) {
   std::vector<Failure> failures;
@@ -39,16 +45,6 @@ std::vector<Failure> failures_of(const Source& source, std::span<const Datum> er
   }
   for (; unread != source.errors().end(); ++unread) failures.push_back(source.failure_of(*unread));
   return failures;
-}
-
-std::unexpected<std::vector<Failure>> alone(Failure failure) {
-  return std::unexpected(std::vector<Failure>{std::move(failure)});
-}
-
-}  // namespace
-
-Failure report_errors(const Source& source, std::span<const Datum> errors) {
-  return one_report(failures_of(source, errors));
 }
 
 std::expected<Datum, std::vector<Failure>> interpret_apart(const Source& source, const std::string& module,

@@ -33,8 +33,7 @@ std::expected<Datum, std::vector<Failure>> interpret_apart(const Source& source,
                                                            const std::vector<Datum>& more = {},
                                                            const std::string& procedure = "interpret");
 
-// That report of errors `(symbol "sentence" (path ...) ("context" ...))` and of what the source could not read, at
-// least one.
-Failure report_errors(const Source& source, std::span<const Datum> errors);
+// Each of the errors `(symbol "sentence" (path ...) ("context" ...))`, and of what the source could not read.
+std::vector<Failure> failures_of(const Source& source, std::span<const Datum> errors = {});
 
 }  // namespace pizarra

@@ -70,9 +70,18 @@ Datum form_of(const Domain& domain) {
               Datum::list(domain.facts));
 }
 
-std::unexpected<Failure> wrong_file(const Source& source, std::string sentence) {
-  if (!source.errors().empty()) return fail(report_errors(source, {}));
-  return fail(source.failure_at({0}, "wrong-file", std::move(sentence)));
+// What was read, or every error of its own.
+template <class T>
+using Read = std::expected<T, std::vector<Failure>>;
+
+std::vector<Failure> joined(std::vector<Failure> failures, const std::vector<Failure>& more) {
+  failures.insert(failures.end(), more.begin(), more.end());
+  return failures;
+}
+
+std::unexpected<std::vector<Failure>> wrong_file(const Source& source, std::string sentence) {
+  if (!source.errors().empty()) return std::unexpected(failures_of(source));
+  return std::unexpected(std::vector{source.failure_at({0}, "wrong-file", std::move(sentence))});
 }
 
 enum class FileKind : std::uint8_t { domain, problem, other };
@@ -88,39 +97,75 @@ FileKind kind_of(const Source& source) {
   return named.is_form("domain") ? FileKind::domain : FileKind::other;
 }
 
-Result<PlanningDomain> read_pddl_domain(const Source& source) {
-  Result<Datum> form = interpret(source, "pddl-domain");
-  if (!form) return fail(form);
-  return PlanningDomain{PlanningLanguage::pddl, std::move(*form), {}};
-}
-
 // Where the facts are not all readable, objects may be missing that are there.
 bool tells_objects(const Source& facts) {
   return kind_of(facts) == FileKind::problem && !is_pddl(facts) && facts.errors().empty();
 }
 
-std::vector<Datum> fitting(const Source* facts) {
-  if (facts == nullptr || !tells_objects(*facts)) return {};
-  return {Datum::list(facts->data())};
-}
-
-Result<PlanningDomain> read_operators(const Source& source, const Source* facts) {
-  Result<Datum> form = interpret(source, "planning-operators");
-  if (!form) return fail(interpret(source, "planning-operators", fitting(facts)));
+Read<PlanningDomain> read_operators(const Source& source, const Source* facts) {
+  std::vector<Datum> fitting;
+  if (facts != nullptr && tells_objects(*facts)) fitting = {Datum::list(facts->data())};
+  Read<Datum> form = interpret_apart(source, "planning-operators", fitting);
+  if (!form) return std::unexpected(form.error());
   return PlanningDomain{PlanningLanguage::operators, std::move(*form), source};
 }
 
-Result<Datum> read_facts(const Source& source, const PlanningDomain& domain) {
-  const bool open = domain.language == PlanningLanguage::operators;
-  const auto facts = interpret_apart(source, "planning-facts", {domain.form, open ? "open"_sym : "closed"_sym});
-  std::vector<Failure> wrong;
-  if (domain.operators) {
-    const auto operators = interpret_apart(*domain.operators, "planning-operators", fitting(&source));
-    if (!operators) wrong = operators.error();
+Read<PlanningDomain> read_domain(const Source& source, const Source* problem) {
+  if (kind_of(source) == FileKind::problem) {
+    return wrong_file(source, "this is a problem; the domain must be named first, and it second");
   }
-  if (!facts) wrong.insert(wrong.end(), facts.error().begin(), facts.error().end());
-  if (!wrong.empty()) return fail(one_report(wrong));
-  return *facts;
+  if (is_pddl(source)) {
+    Read<Datum> form = interpret_apart(source, "pddl-domain");
+    if (!form) return std::unexpected(form.error());
+    return PlanningDomain{PlanningLanguage::pddl, std::move(*form), {}};
+  }
+  if (first_head(source) == "operator") return read_operators(source, problem);
+  if (first_head(source) == "domain") {
+    const Result<Domain> domain = domain_from_source(source);
+    if (!domain) return std::unexpected(std::vector{domain.error()});
+    return PlanningDomain{PlanningLanguage::domain_file, form_of(*domain), {}};
+  }
+  return wrong_file(source, "a domain begins with (define (domain ...) ...), (operator ...) or (domain ...)");
+}
+
+// Why the file cannot be a problem of a domain in PDDL, or not in PDDL; nothing where it can.
+std::vector<Failure> misfit(const Source& source, bool pddl) {
+  if (kind_of(source) == FileKind::domain)
+    return wrong_file(source, "this is a domain; a problem must stand here").error();
+  if (pddl == is_pddl(source)) return {};
+  return wrong_file(source, pddl ? "the domain is PDDL, so the problem must be: (define (problem ...) ...)"
+                                 : "the domain is not PDDL, so its facts are (types ...) (initials ...) (goals ...)")
+      .error();
+}
+
+Read<Datum> read_problem(const Source& source, const PlanningDomain& domain) {
+  const bool pddl = domain.language == PlanningLanguage::pddl;
+  std::vector<Failure> unfit = misfit(source, pddl);
+  if (!unfit.empty()) return std::unexpected(std::move(unfit));
+  if (pddl) return interpret_apart(source, "pddl-problem", {domain.form});
+  const bool open = domain.language == PlanningLanguage::operators;
+  Read<Datum> facts = interpret_apart(source, "planning-facts", {domain.form, open ? "open"_sym : "closed"_sym});
+  if (!domain.operators) return facts;
+  const Read<PlanningDomain> operators = read_operators(*domain.operators, &source);
+  if (operators) return facts;
+  return std::unexpected(joined(operators.error(), facts ? std::vector<Failure>() : facts.error()));
+}
+
+// What is wrong with a problem as far as its domain, which is wrong, can be understood.
+std::vector<Failure> wrong_beside(const Source& source, const Source& domain) {
+  if (kind_of(domain) != FileKind::domain) return {};
+  std::vector<Failure> unfit = misfit(source, is_pddl(domain));
+  if (!unfit.empty()) return unfit;
+  if (first_head(domain) == "domain") return failures_of(source);
+  const std::string module = is_pddl(domain) ? "pddl-problem" : "planning-operators";
+  const Read<Datum> read = interpret_apart(source, module, {Datum::list(domain.data())}, "interpret-beside");
+  return read ? std::vector<Failure>() : read.error();
+}
+
+template <class T>
+Result<T> reported(Read<T> read) {
+  if (!read) return fail(one_report(read.error()));
+  return std::move(*read);
 }
 
 }  // namespace
@@ -141,28 +186,26 @@ Result<Source> read_planning_source_file(const std::string& path) {
 }
 
 Result<PlanningDomain> read_planning_domain(const Source& source, const Source* facts) {
-  if (kind_of(source) == FileKind::problem) {
-    return wrong_file(source, "this is a problem; the domain must be named first, and it second");
-  }
-  if (is_pddl(source)) return read_pddl_domain(source);
-  if (first_head(source) == "operator") return read_operators(source, facts);
-  if (first_head(source) == "domain") {
-    const Result<Domain> domain = domain_from_source(source);
-    if (!domain) return fail(domain);
-    return PlanningDomain{PlanningLanguage::domain_file, form_of(*domain), {}};
-  }
-  return wrong_file(source, "a domain begins with (define (domain ...) ...), (operator ...) or (domain ...)");
+  return reported(read_domain(source, facts));
 }
 
 Result<Datum> read_planning_problem(const Source& source, const PlanningDomain& domain) {
-  if (kind_of(source) == FileKind::domain) return wrong_file(source, "this is a domain; a problem must stand here");
-  const bool pddl = domain.language == PlanningLanguage::pddl;
-  if (pddl != is_pddl(source)) {
-    return wrong_file(source, pddl ? "the domain is PDDL, so the problem must be: (define (problem ...) ...)"
-                                   : "the domain is not PDDL, so its facts are (types ...) (initials ...) (goals ...)");
-  }
-  if (pddl) return interpret(source, "pddl-problem", {domain.form});
-  return read_facts(source, domain);
+  return reported(read_problem(source, domain));
+}
+
+Result<void> check_planning_problem(const Source& source, const Source& domain) {
+  const std::vector<Failure> failures = wrong_beside(source, domain);
+  if (!failures.empty()) return fail(one_report(failures));
+  return {};
+}
+
+Result<PlanningFiles> read_planning_files(const Source& domain, const Source& problem) {
+  Read<PlanningDomain> read = read_domain(domain, &problem);
+  if (!read) return fail(one_report(joined(read.error(), wrong_beside(problem, domain))));
+  read->operators.reset();  // they fit the problem
+  Read<Datum> form = read_problem(problem, *read);
+  if (!form) return fail(one_report(form.error()));
+  return PlanningFiles{std::move(*read), std::move(*form)};
 }
 
 }  // namespace pizarra

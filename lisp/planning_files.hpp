@@ -12,9 +12,9 @@
 //
 // The language is told by the first form: (define ...), (operator ...), (domain ...).
 //
-//   const Result<Source> text = read_planning_source("domain.pddl");
-//   const Result<PlanningDomain> domain = read_planning_domain(*text);
-//   const Result<Datum> problem = read_planning_problem(*problem_text, *domain);
+//   const Result<Source> domain = read_planning_source_file("domain.pddl");
+//   const Result<Source> problem = read_planning_source_file("problem.pddl");
+//   const Result<PlanningFiles> files = read_planning_files(*domain, *problem);
 
 #include <optional>
 
@@ -35,13 +35,21 @@ struct PlanningDomain {
 Result<Source> read_planning_source(std::string_view text, std::string file);
 Result<Source> read_planning_source_file(const std::string& path);
 
-// Failures, all of the file in one report: the reader's, malformed, repeated, unknown-section, unknown-requirement,
+// Failures, all of the files in one report: the reader's, malformed, repeated, unknown-section, unknown-requirement,
 // unknown-type, unknown-predicate, unknown-function, unknown-object, unknown-variable, wrong-arity, wrong-type,
 // wrong-domain, not-ground, contradictory, bad-number, unsupported (PDDL that is not understood), too-many; and
-// wrong-file where the file holds something else altogether.
-// Operators that are wrong are told together with what in them does not fit the `facts`, and operators that do not fit
-// together with what is wrong in the facts.
+// wrong-file where a file holds something else altogether.
+struct PlanningFiles {
+  PlanningDomain domain;
+  Datum problem;
+};
+Result<PlanningFiles> read_planning_files(const Source& domain, const Source& problem);
+
+// One after another. Operators that are wrong are told together with what in them does not fit the `facts`, and
+// operators that do not fit together with what is wrong in the facts.
 Result<PlanningDomain> read_planning_domain(const Source& source, const Source* facts = nullptr);
 Result<Datum> read_planning_problem(const Source& source, const PlanningDomain& domain);
+// What is wrong with a problem as far as its domain, which is wrong, can be understood.
+Result<void> check_planning_problem(const Source& source, const Source& domain);
 
 }  // namespace pizarra

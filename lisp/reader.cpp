@@ -99,7 +99,7 @@ class Reader {
       return refuse(offset, "too-many", fmt::format("more than {} elements", limits_.elements));
     }
     waiting_.push_back(std::move(datum));
-    if (spots_) waiting_spots_.push_back({offset, {}});
+    if (spots_) waiting_spots_.push_back({offset, at_ - 1, {}});
     return true;
   }
 
@@ -291,6 +291,7 @@ namespace {
 void restore_offsets(std::vector<Spot>& spots, const Balanced& balanced) {
   for (Spot& spot : spots) {
     spot.offset = balanced.original_offset(spot.offset);
+    spot.last = balanced.original_offset(spot.last);
     restore_offsets(spot.items, balanced);
   }
 }

@@ -36,9 +36,10 @@ struct ReadLimits {
 // Exactly one datum with nothing but blanks and comments around it.
 Result<Datum> read_one(std::string_view text, const ReadLimits& limits = {}, std::string_view file = "input");
 
-// Where an element began, in bytes from the beginning of the text, and its elements.
+// Where an element began and its last byte, from the beginning of the text, and its elements.
 struct Spot {
   std::size_t offset = 0;
+  std::size_t last = 0;
   std::vector<Spot> items = {};
 };
 
@@ -49,7 +50,8 @@ class Source {
   const std::string& file() const { return file_; }
   const std::string& text() const { return text_; }
   // A failure about the element that `path` leads to: {2, 0} is the first element of the third datum. The place gets
-  // file:line:column, the line, a caret, and `context` (outermost first). A path that leads nowhere means its longest
+  // file:line:column, the line, a caret, and `context` (outermost first). An index one behind a list's last element
+  // means the place where the list is closed, or behind all of the text; any other path that leads nowhere its longest
   // existing part.
   Failure failure_at(const std::vector<std::size_t>& path, std::string symbol, std::string sentence,
                      const std::vector<std::string>& context = {}) const;

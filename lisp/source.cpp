@@ -29,10 +29,14 @@ Failure one_report(const std::vector<Failure>& failures) {
 std::size_t Source::offset_at(const std::vector<std::size_t>& path) const {
   const std::vector<Spot>* level = &spots_;
   std::size_t offset = 0;
+  std::size_t end = spots_.empty() ? 0 : spots_.back().last + 1;
   for (const std::size_t index : path) {
-    if (index >= level->size()) break;
-    offset = (*level)[index].offset;
-    level = &(*level)[index].items;
+    if (index == level->size()) return end;
+    if (index > level->size()) break;
+    const Spot& spot = (*level)[index];
+    offset = spot.offset;
+    end = spot.last;
+    level = &spot.items;
   }
   return offset;
 }
@@ -46,6 +50,7 @@ Failure Source::failure_at(const std::vector<std::size_t>& path, std::string sym
   std::span<const Datum> elements = data_;
   Datum subject;
   for (const std::size_t index : path) {
+    if (index == elements.size()) subject = Datum();
     if (index >= elements.size()) break;
     subject = elements[index];
     elements = subject.items();

@@ -102,17 +102,27 @@ std::string last_words(std::string_view output) {
   return {};
 }
 
+// A shell that has another program in its hands tells the signal that ended that as a status; no planner has one of
+// these for itself.
+std::optional<int> signal_in(int status) {
+  constexpr int first = 128;
+  return status > first && status < first + NSIG ? std::optional(status - first) : std::nullopt;
+}
+
+Failure crashed(int signal, std::string_view output) {
+  return {
+      "planner-crashed", fmt::format("the planner was ended by {}{}", strsignal(signal), last_words(output)), {}, {}};
+}
+
 std::optional<Failure> failure_of(const ProcessEnd& end, const ProcessLimits& limits) {
   using Kind = ProcessEnd::Kind;
   switch (end.kind) {
     case Kind::exited:
+      if (const std::optional<int> signal = signal_in(end.code)) return crashed(*signal, end.output);
       if (end.code != 126 && end.code != 127) return std::nullopt;
       return Failure{"planner-missing", "the planner cannot be started" + last_words(end.output), {}, {}};
     case Kind::signalled:
-      return Failure{"planner-crashed",
-                     fmt::format("the planner was ended by {}{}", strsignal(end.code), last_words(end.output)),
-                     {},
-                     {}};
+      return crashed(end.code, end.output);
     case Kind::timed_out:
       return Failure{"time-out", fmt::format("the planner had no plan after {:g} s", limits.seconds), {}, {}};
     case Kind::cancelled:

@@ -90,6 +90,9 @@ TEST(SourceTest, FindsThePlaceOfAnElement) {
   EXPECT_TRUE(source.failure_at({1, 2}, "odd", "e").place.starts_with("file.scm:3:4\n"));
   EXPECT_TRUE(source.failure_at({1, 1, 7}, "odd", "").place.starts_with("file.scm:2:4\n"));
   EXPECT_TRUE(source.failure_at({}, "odd", "").place.starts_with("file.scm:1:1\n"));
+  EXPECT_TRUE(source.failure_at({1, 1, 2}, "odd", "").place.starts_with("file.scm:2:9\n")) << "where it is closed";
+  EXPECT_TRUE(source.failure_at({2}, "odd", "").place.starts_with("file.scm:3:6\n")) << "behind the text";
+  EXPECT_EQ(source.failure_at({2}, "odd", "").subject, Datum());
 }
 
 TEST(SourceTest, ReadsFilesAsEditorsOnOtherSystemsLeaveThem) {

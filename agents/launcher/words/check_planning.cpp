@@ -28,16 +28,25 @@ bool PlanningCheck::knows(const Source& source) {
   return std::ranges::find(heads, first_head(source)) != heads.end();
 }
 
-Result<std::string> PlanningCheck::check(const Source& source) {
-  if (is_domain(source)) {
-    domain_.reset();
-    Result<PlanningDomain> domain = read_planning_domain(source);
-    if (!domain) return fail(domain);
-    domain_ = std::move(*domain);
-    const Datum& form = domain_->form;
-    if (domain_->language == PlanningLanguage::operators) return counted(form[6].size(), "operator");
-    return fmt::format("domain {}: {}, {}", form[1].text(), counted(form[4].size(), "predicate"),
-                       counted(form[6].size(), "action"));
+Result<std::string> PlanningCheck::check_domain(const Source& source, const Source* next) {
+  domain_.reset();
+  wrong_domain_ = source;
+  Result<PlanningDomain> domain = read_planning_domain(source, next);
+  if (!domain) return fail(domain);
+  wrong_domain_.reset();
+  domain_ = std::move(*domain);
+  const Datum& form = domain_->form;
+  if (domain_->language == PlanningLanguage::operators) return counted(form[6].size(), "operator");
+  return fmt::format("domain {}: {}, {}", form[1].text(), counted(form[4].size(), "predicate"),
+                     counted(form[6].size(), "action"));
+}
+
+Result<std::string> PlanningCheck::check(const Source& source, const Source* next) {
+  if (is_domain(source)) return check_domain(source, next);
+  if (wrong_domain_) {
+    const Result<void> checked = check_planning_problem(source, *wrong_domain_);
+    if (!checked) return fail(checked);
+    return std::string("nothing wrong is found, as far as its domain can be understood");
   }
   if (!domain_) {
     return fail("no-domain",

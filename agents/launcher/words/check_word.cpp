@@ -75,10 +75,18 @@ Result<std::string> check_goal_file(const std::string& file, const CheckChoices&
   return fmt::format("goal of {}", counted(goal->size(), "fact"));
 }
 
-Result<std::string> check_file(const std::string& file, const CheckChoices& choices, PlanningCheck& planning) {
+// `next` is the file behind it, or empty.
+Result<std::string> check_planning(const Source& source, const std::string& next, PlanningCheck& planning) {
+  if (next.empty()) return planning.check(source, nullptr);
+  const Result<Source> behind = read_planning_source_file(next);
+  return planning.check(source, behind ? &*behind : nullptr);
+}
+
+Result<std::string> check_file(const std::string& file, const std::string& next, const CheckChoices& choices,
+                               PlanningCheck& planning) {
   const Result<Source> source = read_planning_source_file(file);
   if (!source) return fail(source);
-  if (PlanningCheck::knows(*source)) return planning.check(*source);
+  if (PlanningCheck::knows(*source)) return check_planning(*source, next, planning);
   const std::string_view head = source->data().empty() ? std::string_view() : source->data().front().head();
   if (head == "domain") {
     const Result<std::string> domain = check_domain(file);
@@ -100,8 +108,10 @@ int check_files(const CheckChoices& choices) {
     const Result<void> used = planning.use_domain(choices.domain);
     if (!used) return complain(used.error(), exit_usage);
   }
-  for (const std::string& file : choices.files) {
-    const Result<std::string> checked = check_file(file, choices, planning);
+  for (std::size_t i = 0; i < choices.files.size(); ++i) {
+    const std::string& file = choices.files[i];
+    const std::string next = i + 1 < choices.files.size() ? choices.files[i + 1] : std::string();
+    const Result<std::string> checked = check_file(file, next, choices, planning);
     if (checked) {
       fmt::print("{}: {}\n", file, *checked);
     } else {

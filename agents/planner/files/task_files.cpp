@@ -51,11 +51,9 @@ PlanningTask task_from(const PlanningDomain& domain, const Datum& problem) {
 }  // namespace
 
 Result<PlanningTask> read_task(const Source& domain, const Source& problem) {
-  const Result<PlanningDomain> read = read_planning_domain(domain, &problem);
-  if (!read) return fail(read);
-  const Result<Datum> form = read_planning_problem(problem, *read);
-  if (!form) return fail(form);
-  return task_from(*read, *form);
+  const Result<PlanningFiles> files = read_planning_files(domain, problem);
+  if (!files) return fail(files);
+  return task_from(files->domain, files->problem);
 }
 
 Result<PlanningTask> read_task_files(const std::string& domain_path, const std::string& problem_path) {

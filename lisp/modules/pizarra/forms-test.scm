@@ -1,4 +1,4 @@
-(use-modules (pizarra checks) (pizarra forms))
+(use-modules (srfi srfi-1) (pizarra checks) (pizarra forms))
 
 (define (read-cell data)
   (interpreting data
@@ -51,5 +51,19 @@
        (length (interpreting (iota 5000)
                  (lambda (file) (for-each (lambda (node) (complain! node 'odd "odd")) (node-items file)))))
        1001)
+
+;; That a section is missing, after everything else.
+(define (read-goal . items)
+  (interpreting (list items)
+    (lambda (file)
+      (let ((node (node-ref file 0)))
+        (complain-missing! node '(goal) "(goal) is missing")
+        (for-each (lambda (item) (symbol-of item "an item")) (node-items node))))))
+(check "what is missing is complained about last, where the list ends" (map third (cdr (read-goal 'a 3)))
+       '((0 1) (0 2)))
+(check "what is mistyped is not missing" (map third (cdr (read-goal 'a '(gaol)))) '((0 1)))
+(check "a text that is wrong can be understood in part"
+       (guessing '(a 3) (lambda (file) (filter-map (lambda (node) (symbol-of node "an item")) (node-items file))))
+       '(a))
 
 (finish-checks)

@@ -15,7 +15,7 @@
 (define-module (pizarra forms)
   #:use-module (srfi srfi-1)
   #:use-module (srfi srfi-9)
-  #:export (interpreting complain!
+  #:export (interpreting guessing complain!
             node-datum node-items node-rest node-ref node-head node-within node-form? path-to
             only-form sections section-in sections-in find-section
             symbol-at string-at number-at integer-at symbol-of
@@ -46,6 +46,11 @@
           (list 'ok value)
           (cons 'errors (stable-sort found (lambda (a b) (path<? (third a) (third b)))))))))
 
+;; What (interpreter ROOT) returns, whatever it complains about: as much as can be made of a text that is wrong.
+(define (guessing data interpreter)
+  (parameterize ((complaints '()) (complaint-count 0))
+    (interpreter (make-node data '() '()))))
+
 (define (path<? a b)
   (cond ((null? b) #f)
         ((null? a) #t)
@@ -63,12 +68,13 @@
                       (complaints))))
   #f)
 
-;; Notes behind the last of NODE's items that a section NAME is missing, unless one of them is NAME mistyped, which is
-;; complained about as such.
-(define (complain-missing! node name sentence . values)
+;; Notes where NODE ends, behind whatever else is wrong in it, that it has none of the sections NAMES; unless one is
+;; there mistyped, which is complained about as such.
+(define (complain-missing! node names sentence . values)
   (let ((items (node-items node)))
-    (unless (any (lambda (item) (and (node-head item) (nearest-name (node-head item) (list name)))) items)
-      (apply complain! (if (null? items) node (last items)) 'malformed sentence values))
+    (unless (any (lambda (item) (and (node-head item) (nearest-name (node-head item) names))) items)
+      (apply complain! (make-node '() (cons (length items) (node-path node)) (node-context node)) 'malformed sentence
+             values))
     #f))
 
 ;; The indices from the top of the text to the node.

@@ -27,6 +27,6 @@
 (check "an operator twice" (wrong '(operator A (effects (p))) '(operator A (effects (p)))) '((repeated (1))))
 (check "no effects, an empty deletion, an unknown part"
        (wrong '(operator A) '(operator B (effects (del))) '(operator C (del (p)) (effects (p))))
-       '((malformed (0)) (malformed (1 2 1)) (unknown-section (2 2))))
+       '((malformed (0 2)) (malformed (1 2 1)) (unknown-section (2 2))))
 
 (finish-checks)

@@ -37,7 +37,7 @@
                 (read-fact (fact-reader params))
                 (preconds (filter-map (lambda (node) (read-fact node (node-items node))) (rest-of 'preconds))))
            (unless (section-in found 'effects)
-             (complain! inside 'malformed "an operator has (effects ...)"))
+             (complain-missing! inside '(effects) "(effects ...) is missing before this"))
            (let-values (((adds deletes) (read-effects (rest-of 'effects) read-fact check-deletion)))
              (list name (map (lambda (param) (list (pattern-variable (first param)) (second param))) params)
                    preconds adds deletes))))))

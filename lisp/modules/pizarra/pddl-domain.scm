@@ -13,7 +13,7 @@
   #:use-module (srfi srfi-11)
   #:use-module (pizarra forms)
   #:use-module (pizarra pddl)
-  #:export (interpret check-requirements whole-cost))
+  #:export (interpret guess check-requirements whole-cost))
 
 (define most-in-section 1000)
 (define most-in-action 100)
@@ -27,11 +27,14 @@
     :goal-utilities :durative-actions :duration-inequalities :continuous-effects :timed-initial-literals :preferences
     :constraints :safety-constraints))
 
-(define (interpret data)
-  (interpreting data
-    (lambda (file)
-      (let ((domain (defined file 'domain)))
-        (and domain (read-domain domain))))))
+(define (interpret data) (interpreting data read-file))
+
+;; As much of a domain as can be made of a file that is wrong, in which a type that is not known is #f; or #f.
+(define (guess data) (guessing data read-file))
+
+(define (read-file file)
+  (let ((domain (defined file 'domain)))
+    (and domain (read-domain domain))))
 
 (define (read-domain domain)
   (let* ((found (sections (understood (cddr (node-items domain)))

@@ -39,7 +39,7 @@
 (check "constraints" (wrong objects goal '(:constraints (always (clear a)))) '((unsupported (0 5))))
 (check "another domain" (interpret '((define (problem p) (:domain e) (:goal ()))) domain)
        '(errors (wrong-domain "this problem is one of the domain e, and the domain file defines d" (0 2) ())))
-(check "no goal" (wrong objects) '((malformed (0 3))))
+(check "no goal" (wrong objects) '((malformed (0 4))))
 (check "a goal mistyped" (wrong objects '(:gaol (clear a))) '((unknown-section (0 4))))
 (check "two goals" (wrong objects '(:goal (clear a) (clear b))) '((malformed (0 4))))
 (check "equalities that hold are no goals" (problem objects '(:goal (and (= a a) (not (= a b)))))

@@ -3,14 +3,15 @@
 ;; (interpret DATA DOMAIN), DOMAIN being what (pizarra pddl-domain) answers, answers (errors ...) or
 ;;   (ok (problem ((OBJECT TYPE) ...) (FACT ...) (((FUNCTION ARGUMENT ...) VALUE) ...) (GOAL ...) (ABSENT-GOAL ...)
 ;;        METRIC))
-;; where METRIC is `cost` when costs are to be minimised, else `none`.
+;; where METRIC is `cost` when costs are to be minimised, else `none`. (interpret-beside DATA FILE), FILE being the data of
+;; a domain file that is wrong, answers the problem's errors as far as the domain can be understood.
 
 (define-module (pizarra pddl-problem)
   #:use-module (srfi srfi-1)
   #:use-module (pizarra forms)
   #:use-module (pizarra pddl)
-  #:use-module ((pizarra pddl-domain) #:select (check-requirements whole-cost))
-  #:export (interpret))
+  #:use-module ((pizarra pddl-domain) #:select (guess check-requirements whole-cost))
+  #:export (interpret interpret-beside))
 
 (define most-objects 20000)
 
@@ -19,6 +20,11 @@
     (lambda (file)
       (let ((problem (defined file 'problem)))
         (and problem (apply read-problem problem (cdr domain)))))))
+
+(define (interpret-beside data file)
+  (let* ((domain (guess file))
+         (outcome (if domain (interpret data domain) '(ok))))
+    (if (eq? (car outcome) 'ok) '(ok ()) outcome)))
 
 (define (read-problem problem domain-name types constants predicates functions operators facts)
   (let* ((found (sections (understood (cddr (node-items problem))) '(:domain :requirements :objects :init :goal :metric)))
@@ -54,7 +60,7 @@
 (define (check-domain problem found domain-name)
   (let ((section (section-in found ':domain)))
     (if (not section)
-        (complain! problem 'malformed "(:domain ~a) is missing" domain-name)
+        (complain-missing! problem '(:domain) "(:domain ~a) is missing before this" domain-name)
         (let ((name (symbol-at section 1 "the domain's name")))
           (when (and name (not (eq? name domain-name)))
             (complain! section 'wrong-domain "this problem is one of the domain ~a, and the domain file defines ~a"
@@ -90,7 +96,7 @@
 (define (read-goal problem found vocabulary term)
   (let* ((section (section-in found ':goal))
          (condition (and section (node-ref (node-within section "in :goal") 1))))
-    (cond ((not section) (complain-missing! problem ':goal "(:goal ...) is missing after this") '())
+    (cond ((not section) (complain-missing! problem '(:goal) "(:goal ...) is missing before this") '())
           ((not (and condition (= (length (node-items section)) 2) (list? (node-datum condition))))
            (complain! section 'malformed "a goal is written (:goal FACT) or (:goal (and FACT ...))")
            '())

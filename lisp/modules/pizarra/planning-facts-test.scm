@@ -39,7 +39,9 @@
        '(ok (problem ((a OBJECT)) () () ((at a here)) () none)))
 (check "one with another type" (wrong declared 'closed '(types (here OBJECT)) '(goals (clear here)))
        '((repeated (0 1)) (wrong-type (1 1 1))))
-(check "no goals" (wrong-facts '(initials (clear a))) '((malformed ())))
+(check "no goals" (wrong-facts '(initials (clear a))) '((malformed (2))))
+(check "a section without goals" (wrong-facts '(goals) '(initials (clear a))) '((malformed (1))))
+(check "goals mistyped" (wrong-facts '(gaols (clear a))) '((unknown-section (1))))
 (check "an unknown section" (wrong-facts '(goals (clear a)) '(initial (clear a))) '((unknown-section (2))))
 (check "all errors are found"
        (map car (wrong-facts '(initials (clera a) (on a) (on a c)) '(goals (under a a) 3)))

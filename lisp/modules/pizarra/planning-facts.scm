@@ -32,8 +32,8 @@
                                    (append-map (lambda (name) (inside found name)) names))))
            (initials (read-all open? 'initials 'preconds))
            (goals (read-all #f 'goals 'effects)))
-      (unless (or (pair? (inside found 'goals)) (pair? (inside found 'effects)))
-        (complain! file 'malformed "there must be at least one goal: (goals FACT ...)"))
+      (check-goals file (or (section-in found 'goals) (section-in found 'effects))
+                   (append (inside found 'goals) (inside found 'effects)))
       (list 'problem objects initials '() (delete-duplicates goals) '() 'none))))
 
 ;; Graphplan's (OBJECT TYPE) is two names; a section's items are lists, or it has none.
@@ -80,6 +80,13 @@
                                     (suggestion (second datum) types))
                          (list (first datum) '*)))))
               nodes))
+
+;; SECTION is one that goals stand in, or #f.
+(define (check-goals file section goals)
+  (define sentence "there must be at least one goal: (goals FACT ...)")
+  (cond ((pair? goals) #t)
+        (section (complain! section 'malformed sentence))
+        (else (complain-missing! file '(goals effects) sentence))))
 
 ;; (NAME TYPE ...) by name, and the names in order.
 (define (table entries)

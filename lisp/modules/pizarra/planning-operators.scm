@@ -4,28 +4,44 @@
 ;; (interpret DATA) answers (errors ...) or (ok (domain ...)) as (pizarra pddl-domain) does. A predicate's arguments
 ;; have the type `*`, which is any. (interpret DATA FACTS), FACTS being the data of a facts file, also complains about
 ;; what is no object of the facts, and about types that no object has and that are a slip of the pen.
+;; (interpret-beside FACTS DATA), DATA being those of an operator file that is wrong, answers the facts' errors as far as
+;; the operators can be understood.
 
 (define-module (pizarra planning-operators)
   #:use-module (srfi srfi-1)
+  #:use-module (srfi srfi-9)
   #:use-module (pizarra forms)
   #:use-module (pizarra operators)
-  #:use-module ((pizarra planning-facts) #:select (object-entries))
-  #:export (interpret))
+  #:use-module ((pizarra planning-facts) #:select (object-entries (interpret . interpret-facts)))
+  #:export (interpret interpret-beside))
 
 (define reserved '(and or not del add = when forall exists imply))
 
+;; The predicates that operators speak of: how many arguments each has, and their names, the last first.
+(define-record-type <spoken-of>
+  (make-spoken-of arities names)
+  spoken-of?
+  (arities spoken-of-arities)
+  (names spoken-of-names set-spoken-of-names!))
+
 (define* (interpret data #:optional facts)
-  (interpreting data
-    (lambda (file)
-      (let* ((arities (make-hash-table))
-             (entries (and facts (object-entries facts)))
-             (objects (and facts (table-of (map first entries))))
-             (types-had (if facts (lset-intersection eq? (types-written data) (map second entries)) '()))
-             (read-param (lambda (node) (typed-param node types-had)))
-             (operators (map in-common-form
-                             (read-operators (filter operator-form? (node-items file)) read-param
-                                             (lambda (params) (fact-reader params arities objects))))))
-        (list 'domain 'operators (types-of operators) '() (predicates-of operators arities) '() operators '())))))
+  (interpreting data (lambda (file) (read-file file data facts))))
+
+(define (interpret-beside facts data)
+  (let* ((domain (guessing data (lambda (file) (read-file file data #f))))
+         (outcome (interpret-facts facts domain 'open)))
+    (if (eq? (car outcome) 'ok) '(ok ()) outcome)))
+
+(define (read-file file data facts)
+  (let* ((predicates (make-spoken-of (make-hash-table) '()))
+         (entries (and facts (object-entries facts)))
+         (objects (and facts (table-of (map first entries))))
+         (types-had (if facts (lset-intersection eq? (types-written data) (map second entries)) '()))
+         (read-param (lambda (node) (typed-param node types-had)))
+         (operators (map in-common-form
+                         (read-operators (filter operator-form? (node-items file)) read-param
+                                         (lambda (params) (fact-reader params predicates objects))))))
+    (list 'domain 'operators (types-of operators) '() (predicates-of predicates) '() operators '())))
 
 ;; For lookups, and the names in order.
 (define (table-of names)
@@ -53,12 +69,17 @@
   (map (lambda (type) (list type 'object))
        (delete-duplicates (append-map (lambda (operator) (map second (second operator))) operators))))
 
-(define (predicates-of operators arities)
-  (map (lambda (name) (cons name (make-list (hashq-ref arities name) '*)))
-       (delete-duplicates
-        (append-map (lambda (operator)
-                      (map car (append (third operator) (sixth operator) (seventh operator))))
-                    operators))))
+(define (predicates-of predicates)
+  (map (lambda (name) (cons name (make-list (hashq-ref (spoken-of-arities predicates) name) '*)))
+       (reverse (spoken-of-names predicates))))
+
+;; How many arguments the predicate has; its first mention says it.
+(define (arity-of name count predicates)
+  (let ((arities (spoken-of-arities predicates)))
+    (or (hashq-ref arities name)
+        (begin
+          (set-spoken-of-names! predicates (cons name (spoken-of-names predicates)))
+          (hashq-set! arities name count)))))
 
 ;; ---- what stands in an operator
 
@@ -73,15 +94,14 @@
            datum)
           (else datum))))
 
-;; The first mention of a predicate says how many arguments it has. OBJECTS is #f where any name may be one.
-(define (fact-reader params arities objects)
+;; OBJECTS is #f where any name may be one.
+(define (fact-reader params predicates objects)
   (define (read-object node type) (object-name node params objects))
   (define read-argument (argument-reader params read-object (const #t)))
   (define (read-fact node name arguments)
-    (let ((arity (hashq-ref arities name))
-          (count (length arguments)))
-      (unless arity (hashq-set! arities name count))
-      (if (and arity (not (= arity count)))
+    (let* ((count (length arguments))
+           (arity (arity-of name count predicates)))
+      (if (not (= arity count))
           (complain! node 'wrong-arity "~a has ~a argument~a elsewhere, and ~a here" name arity
                      (if (= arity 1) "" "s") count)
           (let ((terms (map (lambda (argument) (read-argument argument '*)) arguments)))

@@ -73,6 +73,23 @@ TEST_F(Check, FindsTheObjectsThatOperatorsNameAndTheFactsDoNot) {
   EXPECT_NE(said_.find("there is no object tabel; the nearest is table\noperators:2:15"), said_.npos) << said_;
 }
 
+TEST_F(Check, ReadsAProblemAlsoWhereItsDomainIsWrong) {
+  write("d.pddl", "(define (domain d) (:predicates (p ?x))\n (:action a :parameters (?x) :effect (q ?x)))");
+  write("p.pddl", "(define (problem q) (:domain d) (:objects o)\n (:init (p u)) (:goal (p o)))");
+  write("good.pddl", "(define (problem q) (:domain d) (:objects o) (:goal (p o)))");
+  EXPECT_EQ(run("check d.pddl p.pddl good.pddl"), 2);
+  EXPECT_NE(said_.find("there is no predicate q; the nearest is p\nd.pddl:2:39"), said_.npos) << said_;
+  EXPECT_NE(said_.find("there is no object u; the nearest is o\np.pddl:2:11"), said_.npos) << said_;
+  EXPECT_NE(said_.find("good.pddl: nothing wrong is found, as far as its domain can be understood"), said_.npos)
+      << said_;
+  write("operators", "(operator GO (params (<x> T))\n (preconds (p tabel)) (effects (q <y>)))");
+  write("facts", "(types (table T)) (initials (p table)) (goals (q tble))");
+  EXPECT_EQ(run("check operators facts"), 2);
+  EXPECT_NE(said_.find("there is no object tabel; the nearest is table (and 1 more)\noperators:2:15"), said_.npos)
+      << said_;
+  EXPECT_NE(said_.find("there is no object tble; the nearest is table\nfacts:1:50"), said_.npos) << said_;
+}
+
 TEST_F(Check, FindsABadDomainFromEveryFileThatLeadsToIt) {
   for (const char* file : {"domain.scm", "cell.scm", "story.scm"}) {
     EXPECT_EQ(run(std::string("check ") + file), 2) << said_;

@@ -171,17 +171,57 @@ TEST(TaskFiles, ReportWhatIsMissingBehindItsCause) {
   EXPECT_EQ(errors_of(domain, "(define (problem q) (:domain d)\n (:gaol (p)))"),
             (std::vector<std::string>{"problem:2:2 there is no section :gaol; the nearest is :goal"}));
   EXPECT_EQ(errors_of(domain, "(define (problem q) (:domain d)\n (:init (p) (q)))"),
-            (std::vector<std::string>{"problem:2:2 (:goal ...) is missing after this (and 1 more)",
-                                      "problem:2:14 there is no predicate q; the nearest is p"}));
+            (std::vector<std::string>{"problem:2:14 there is no predicate q; the nearest is p (and 1 more)",
+                                      "problem:2:18 (:goal ...) is missing before this"}));
   EXPECT_EQ(errors_of(domain, "(define (problem q)\n (:domain d\n (:init (p) (goal (p"),
             (std::vector<std::string>{"problem:2:2 this list is not closed before the next form begins (and 3 more)",
-                                      "problem:3:2 (:goal ...) is missing after this",
                                       "problem:3:14 there is no predicate goal; there are p",
-                                      "problem:3:19 this list is not closed"}));
-  const Failure shown =
-      read(domain, "(define (problem q) (:domain d)\n (:objects a b c d e f g h i j k l m n))").error();
-  EXPECT_TRUE(describe(shown).starts_with("(:goal ...) is missing after this: (:objects a b c d e f g h i j ...\n"))
-      << describe(shown);
+                                      "problem:3:19 this list is not closed",
+                                      "problem:3:22 (:goal ...) is missing before this"}));
+  EXPECT_EQ(errors_of(domain, "(define (problem q) (domain d)\n (:init (q)) (:goal (p)))"),
+            (std::vector<std::string>{"problem:1:21 there is no section domain; the nearest is :domain (and 1 more)",
+                                      "problem:2:9 there is no predicate q; the nearest is p"}));
+  EXPECT_EQ(errors_of(domain, "(define (problem q)\n (:init (q)) (:goal (p)))"),
+            (std::vector<std::string>{"problem:2:9 there is no predicate q; the nearest is p (and 1 more)",
+                                      "problem:2:25 (:domain d) is missing before this"}));
+}
+
+TEST(TaskFiles, ReportWhatIsMissingInTheThesisFilesBehindItsCause) {
+  EXPECT_EQ(errors_of("(operator A\n (preconds (p) (p a)))", "(types (a T)) (goals (p))"),
+            (std::vector<std::string>{"domain:2:16 p has 0 arguments elsewhere, and 1 here (and 1 more)",
+                                      "domain:2:22 (effects ...) is missing before this"}));
+  EXPECT_EQ(errors_of("(operator A\n (efects (p)))", "(types (a T)) (goals (p))"),
+            (std::vector<std::string>{"domain:2:2 there is no section efects; the nearest is effects (and 1 more)",
+                                      "problem:1:23 there is no predicate p; there is none at all"}));
+  const std::string_view operators = "(operator A (effects (p)))";
+  EXPECT_EQ(errors_of(operators, "(types (a T))\n(gaols (p))\n"),
+            (std::vector<std::string>{"problem:2:1 there is no section gaols; the nearest is goals"}));
+  EXPECT_EQ(errors_of(operators, "(types (a T))\n(initials (p a))\n\n"),
+            (std::vector<std::string>{"problem:2:11 p takes 0 arguments, not 1 (and 1 more)",
+                                      "problem:2:17 there must be at least one goal: (goals FACT ...)"}));
+  EXPECT_EQ(errors_of(operators, "(goals)\n(types (a T))"),
+            (std::vector<std::string>{"problem:1:1 there must be at least one goal: (goals FACT ...)"}));
+}
+
+TEST(TaskFiles, ReportWhatIsWrongInBothFilesTogether) {
+  EXPECT_EQ(errors_of("(define (domain d) (:types t - s)\n (:predicates (p ?x - u) (q ?x - t))\n"
+                      " (:action a :parameters (?y - t) :effect (r ?y)))",
+                      "(define (problem x) (:domain e)\n (:objects a - t b - u)\n (:init (p a) (p b c) (q a))\n"
+                      " (:goal (q d)))"),
+            (std::vector<std::string>{"domain:2:22 there is no type u; the nearest is t (and 5 more)",
+                                      "domain:3:43 there is no predicate r; the nearest is p",
+                                      "problem:1:21 this problem is one of the domain e, and the domain file defines d",
+                                      "problem:2:21 there is no type u; the nearest is t",
+                                      "problem:3:14 p takes 1 argument, not 2",
+                                      "problem:4:12 there is no object d; the nearest is a"}));
+  EXPECT_EQ(errors_of("(operator A (params (<x> T))\n (preconds (p <y>)) (effects (q <x>)))",
+                      "(types (a T))\n(initials (p a) (p a a))\n(goals (q b))"),
+            (std::vector<std::string>{"domain:2:15 there is no parameter <y>; the nearest is <x> (and 2 more)",
+                                      "problem:2:17 p takes 1 argument, not 2",
+                                      "problem:3:10 there is no object b; the nearest is a"}));
+  EXPECT_EQ(
+      errors_of("(define (domain d) (:predicates (p)) (:action a :effect (q)))", "(types (a T)) (goals (p))").size(),
+      2u);
 }
 
 TEST(TaskFiles, ReportATypeOfOperatorsThatIsASlipOfThePen) {

@@ -65,7 +65,10 @@ TEST_F(ExternalPlannerTest, AnEmptyPlanIsAPlan) { EXPECT_TRUE(plan(": > {plan}")
 TEST_F(ExternalPlannerTest, TellsEveryWayToFailApart) {
   EXPECT_EQ(refusal("exec /nowhere/planner"), "planner-missing");
   EXPECT_EQ(refusal("kill -SEGV $$"), "planner-crashed");
+  EXPECT_EQ(refusal("sh -c 'kill -SEGV $$'; exit $?"), "planner-crashed");
   EXPECT_EQ(refusal("echo unsolvable; exit 12"), "planner-failed");
+  EXPECT_EQ(refusal("exit 128"), "planner-failed");
+  EXPECT_EQ(refusal("exit 255"), "planner-failed");
   EXPECT_EQ(refusal("echo hello"), "garbage");
   EXPECT_EQ(refusal("echo hello > {plan}"), "garbage");
   EXPECT_EQ(refusal("head -c 100000 /dev/urandom"), "garbage");
@@ -87,6 +90,11 @@ TEST_F(ExternalPlannerTest, RefusesAPlanThatIsTooLong) {
 TEST_F(ExternalPlannerTest, RepeatsWhatThePlannerSaidLast) {
   EXPECT_EQ(plan("echo first; echo 'no :adl here'; exit 3").error().sentence,
             "the planner ended with status 3 and without a plan; it said: no :adl here");
+}
+
+TEST_F(ExternalPlannerTest, NamesTheSignalThatAShellTellsAsAStatus) {
+  EXPECT_EQ(plan("echo searching; exit 139").error().sentence,
+            "the planner was ended by Segmentation fault; it said: searching");
 }
 
 TEST_F(ExternalPlannerTest, EndsAPlannerThatTakesTooLong) {
