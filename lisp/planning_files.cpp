@@ -81,6 +81,7 @@ std::vector<Failure> joined(std::vector<Failure> failures, const std::vector<Fai
 
 std::unexpected<std::vector<Failure>> wrong_file(const Source& source, std::string sentence) {
   if (!source.errors().empty()) return std::unexpected(failures_of(source));
+  if (source.data().empty()) sentence = "nothing is written here; " + sentence;
   return std::unexpected(std::vector{source.failure_at({0}, "wrong-file", std::move(sentence))});
 }
 

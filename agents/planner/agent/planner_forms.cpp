@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "agents/planner/task/notation.hpp"
 #include "lisp/pattern.hpp"
 #include "lisp/writer.hpp"
 
@@ -20,14 +21,6 @@ Datum with_variables(const Datum& datum) {
   const std::string_view name = datum.text();
   if (!datum.is_symbol() || name.size() < 3 || name.front() != '<' || name.back() != '>') return datum;
   return Datum::symbol(fmt::format("?{}", name.substr(1, name.size() - 2)));
-}
-
-Datum without_variables(const Datum& datum) {
-  if (is_variable(datum)) return Datum::symbol(fmt::format("<{}>", datum.text().substr(1)));
-  if (!datum.is_list()) return datum;
-  std::vector<Datum> items;
-  for (const Datum& item : datum.items()) items.push_back(without_variables(item));
-  return Datum::list(std::move(items));
 }
 
 // A predicate with names behind it, none of them a list.
@@ -146,7 +139,7 @@ std::vector<Datum> operations_of(const PlanSteps& steps) {
 }
 
 Failure as_asked(Failure failure) {
-  failure.subject = without_variables(failure.subject);
+  failure.subject = with_angles(failure.subject);
   return failure;
 }
 

@@ -5,7 +5,9 @@
 #include <optional>
 #include <set>
 
+#include "agents/planner/explanation/never_together.hpp"
 #include "agents/planner/explanation/no_plan.hpp"
+#include "agents/planner/task/notation.hpp"
 #include "lisp/pattern.hpp"
 #include "lisp/writer.hpp"
 
@@ -45,7 +47,7 @@ class WhyNever {
     std::size_t last = looked_at_.size() - 1;
     while (last > 0 && !could_begin(last)) --last;
     return chain(last) + fmt::format("{} does not hold at the beginning, and only what needs it brings it about",
-                                     write(looked_at_[last].wanted));
+                                     text_of(looked_at_[last].wanted));
   }
 
  private:
@@ -72,8 +74,8 @@ class WhyNever {
   std::string chain(std::size_t end) const {
     std::string text;
     for (std::size_t i = end; i > 0; i = looked_at_[i].needed_by) {
-      const std::string by = write(looked_at_[looked_at_[i].needed_by].wanted);
-      text = fmt::format("{} needs {}, and ", by, write(looked_at_[i].wanted)) + text;
+      const std::string by = text_of(looked_at_[looked_at_[i].needed_by].wanted);
+      text = fmt::format("{} needs {}, and ", by, text_of(looked_at_[i].wanted)) + text;
     }
     return text;
   }
@@ -83,24 +85,24 @@ class WhyNever {
     const Datum wanted = looked_at_[i].wanted;
     const std::vector<Way> ways = ways_to(wanted);
     if (ways.empty() && wanted.is_form("not")) {
-      return fmt::format("{} holds from the beginning, and no operator ends that", write(wanted[1]));
+      return fmt::format("{} holds from the beginning, and no operator ends that", text_of(wanted[1]));
     }
     const std::string misfit = ways.empty() ? misfit_for(wanted) : std::string();
     if (!misfit.empty()) return misfit;
     if (ways.empty()) {
-      return fmt::format("{} neither holds at the beginning nor is brought about by any operator", write(wanted));
+      return fmt::format("{} neither holds at the beginning nor is brought about by any operator", text_of(wanted));
     }
     for (const Way& way : ways) {
       const std::string& name = way.by.name;
       for (const PlanningParameter& parameter : way.by.parameters) {
         if (has_objects(parameter.type)) continue;
-        return fmt::format("{}, which brings {} about, takes a {}, and there is none", name, write(wanted),
+        return fmt::format("{}, which brings {} about, takes a {}, and there is none", name, text_of(wanted),
                            parameter.type);
       }
       const std::vector<Datum> missing = missing_for(way);
       if (missing.empty()) {
         return fmt::format("{} needs {} for {}, and no objects have all of that", name, in_words(needed_for(way)),
-                           write(wanted));
+                           text_of(wanted));
       }
       for (const Datum& needed : missing) look_later(needed, i);
     }
@@ -167,8 +169,9 @@ class WhyNever {
         for (const PlanningParameter& parameter : op.parameters) {
           const PlanningObject* object = misfitting(parameter, *bindings);
           if (object == nullptr) continue;
-          return fmt::format("{}, which brings {} about, takes a {} for {}, and {} is a {}", op.name, write(effect),
-                             parameter.type, parameter.variable, write(object->name), object->type);
+          return fmt::format("{}, which brings {} about, takes a {} for {}, and {} is a {}", op.name, text_of(effect),
+                             parameter.type, text_of(Datum::symbol(parameter.variable)), write(object->name),
+                             object->type);
         }
       }
     }
@@ -195,11 +198,13 @@ class WhyNever {
     return missing;
   }
 
-  static std::string in_words(const std::vector<Datum>& needed) {
+  std::string in_words(const std::vector<Datum>& needed) const {
     std::string words;
-    for (const Datum& one : needed) words += (words.empty() ? "" : " and ") + write(one);
+    for (const Datum& one : needed) words += (words.empty() ? "" : " and ") + text_of(one);
     return words.empty() ? "its objects" : words;
   }
+
+  std::string text_of(const Datum& datum) const { return written(task_, datum); }
 
   const PlanningTask& task_;
   std::set<Datum> initials_;
@@ -212,21 +217,29 @@ class WhyNever {
 
 namespace {
 
-// Of a fact that was proved never to hold although each thing that it needs may: an action needs too much at once.
-std::string never_together(const Problem& problem, const Datum& fact) {
-  const auto adds_it = [&](const GroundAction& action) {
-    return std::ranges::any_of(action.adds, [&](std::size_t added) { return problem.facts[added] == fact; });
-  };
-  const auto action = std::ranges::find_if(problem.actions, adds_it);
-  if (action == problem.actions.end()) return {};
-  std::string needed;
-  for (const std::size_t one : action->preconditions) {
-    needed += (needed.empty() ? "" : " and ") + write(problem.facts[one]);
+std::string in_words(const PlanningTask& task, const Problem& problem, const std::vector<std::size_t>& facts) {
+  std::string words;
+  for (const std::size_t fact : facts) words += (words.empty() ? "" : " and ") + written(task, problem.facts[fact]);
+  return words;
+}
+
+std::string never_together(const PlanningTask& task, const Problem& problem, const Datum& fact,
+                           const std::function<bool()>& cancelled) {
+  const auto number = std::ranges::find(problem.facts, fact) - problem.facts.begin();
+  std::string text;
+  const std::vector<BlockedWay> ways = why_never_together(problem, static_cast<std::size_t>(number), cancelled);
+  for (const BlockedWay& way : ways) {
+    const std::string wanted = written(task, problem.facts[way.fact]);
+    const std::string conflict = in_words(task, problem, way.conflict);
+    if (&way != &ways.back()) {
+      text += fmt::format("{} needs {}, and ", wanted, conflict);
+      continue;
+    }
+    text += fmt::format("{} needs {}, which never {}{}", write(problem.actions[way.action].name), conflict,
+                        way.conflict.size() > 1 ? "hold together" : "holds",
+                        way.only_way ? "" : ", and so it is with every other action that brings " + wanted + " about");
   }
-  const bool several = action->preconditions.size() > 1;
-  const bool others = std::ranges::count_if(problem.actions, adds_it) > 1;
-  return fmt::format("{} needs {}, which never {}{}", write(action->name), needed, several ? "hold together" : "holds",
-                     others ? ", and so it is with every other action that brings it about" : "");
+  return text;
 }
 
 }  // namespace
@@ -234,7 +247,7 @@ std::string never_together(const Problem& problem, const Datum& fact) {
 std::string why_never(const PlanningTask& task, const Problem& problem, const Datum& fact,
                       const std::function<bool()>& cancelled) {
   WhyNever why(task, problem);
-  if (why.possible(fact)) return never_together(problem, fact);
+  if (why.possible(fact)) return never_together(task, problem, fact, cancelled);
   const std::string nothing = task.initials.empty() ? "; nothing at all holds at the beginning" : "";
   return why.explain(fact, cancelled) + nothing;
 }

@@ -29,6 +29,7 @@ void add_objects(PlanningTask& task, const Datum& objects) {
 
 PlanningTask task_from(const PlanningDomain& domain, const Datum& problem) {
   PlanningTask task;
+  task.angles = domain.language != PlanningLanguage::pddl;
   if (domain.language == PlanningLanguage::pddl) {
     for (const Datum& type : domain.form[2].items()) {
       task.types.push_back({std::string(type[0].text()), std::string(type[1].text())});

@@ -71,6 +71,7 @@ struct PlanningTask {
   // Declared: a goal of any other predicate that no operator and no initial fact speaks of is a slip of the pen.
   std::set<std::string> predicates = {};
   bool counts_cost = false;  // whether a plan is the better the less it costs, else the shorter
+  bool angles = false;       // whether people wrote `<x>` for the parameter ?x: notation.hpp
 };
 
 // Whether every object of `type` is one of `wanted`.

@@ -59,6 +59,8 @@
 (check "a name for a condition" (wrong-action ':precondition 'empty) '((malformed (0 4 3))))
 (check "a parameter without a question mark" (wrong-action ':parameters '(x - block)) '((malformed (0 4 3 0))))
 (check "a dash without a type" (wrong-action ':parameters '(?x -)) '((malformed (0 4 3 1))))
+(check "a type whose parent is wrong is a type all the same"
+       (wrong '(:types a - (either b c)) '(:constants k - a)) '((unsupported (0 2 3))))
 (check "a dash without names" (wrong '(:types - thing)) '((malformed (0 2 1))))
 (check "either" (wrong-action ':parameters '(?x - (either block thing))) '((unsupported (0 4 3 2))))
 (check "a type above itself" (wrong '(:types a - b b - a)) '((contradictory (0 2 1))))

@@ -71,14 +71,17 @@
 
 ;; ---- declarations
 
-;; A type may have several parents, each in an entry of its own; a parent is a type by being named.
+;; A type may have several parents, each in an entry of its own; a parent is a type by being named. One whose parent is
+;; wrong is a type all the same.
 (define (read-types nodes)
   (define (parent-of node)
     (if (eq? (node-head node) 'either)
         (complain! node 'unsupported "a type is one name; `either` is not understood")
         (and (name-node? node "a type") (node-datum node))))
   (let* ((declared (read-declarations nodes "a type" name-node? parent-of #:repeatable? #t))
-         (pairs (filter (lambda (pair) (and (second pair) (not (eq? (first pair) 'object)))) declared))
+         (pairs (filter-map (lambda (pair)
+                              (and (not (eq? (first pair) 'object)) (list (first pair) (or (second pair) 'object))))
+                            declared))
          (parents (lset-difference eq? (delete-duplicates (map second pairs)) (cons 'object (map first pairs)))))
     (refuse-circle nodes pairs)
     (append pairs (map (lambda (parent) (list parent 'object)) parents))))

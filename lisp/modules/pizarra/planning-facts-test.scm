@@ -26,6 +26,8 @@
 
 (check "a slip in an initial fact" (wrong-facts '(initials (clera a)) '(goals (clear a))) '((unknown-predicate (1 1 0))))
 (check "a goal of a new predicate" (wrong-facts '(goals (wanted a))) '((unknown-predicate (1 1 0))))
+(check "a negation" (wrong-facts '(initials (not (red a))) '(goals (clear a) (not (clear a))))
+       '((malformed (1 1)) (malformed (2 2))))
 (check "an unknown object" (wrong-facts '(goals (on a c))) '((unknown-object (1 1 2))))
 (check "a wrong arity" (wrong-facts '(goals (on a))) '((wrong-arity (1 1))))
 (check "a slip in a type" (wrong operators 'open '(types (a OBJCET)) '(goals (arm-empty))) '((unknown-type (0 1 1))))

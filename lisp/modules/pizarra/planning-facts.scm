@@ -114,6 +114,8 @@
          (types (and name (hash-ref (car declared) name)))
          (arguments (node-rest node)))
     (cond ((not name) (complain! node 'malformed "a fact is written (PREDICATE OBJECT ...)"))
+          ((and (not types) (memq name '(not and or del)))
+           (complain! node 'malformed "`~a` is not understood here; a fact is written (PREDICATE OBJECT ...)" name))
           ((and (not types) open? (not (nearest-name name (cdr declared))))
            (hash-set! (car declared) name (map (const '*) arguments))
            (read-arguments node name term (map (const '*) arguments)))

@@ -48,7 +48,7 @@
        '((repeated (0 5 2 2))))
 (check "a parameter without brackets" (wrong-operator '(params (a OBJECT)) '(effects (arm-empty)))
        '((malformed (0 5 2 1 0))))
-(check "no effects" (wrong-operator '(params (<a> OBJECT))) '((malformed (0 5))))
+(check "no effects" (wrong-operator '(params (<a> OBJECT))) '((malformed (0 5 3))))
 (check "an empty deletion" (wrong-operator '(effects (del))) '((malformed (0 5 2 1))))
 (check "added and deleted" (wrong-operator '(effects (arm-empty) (del (arm-empty)))) '((contradictory-effect (0 5 2 2 1))))
 (check "an unknown part" (wrong-operator '(precond (arm-empty)) '(effects (arm-empty))) '((unknown-section (0 5 2))))

@@ -177,6 +177,17 @@ TEST(Plan, ThatCannotBeIsTracedToATypeThatNoObjectHas) {
             "square) about, takes a BLOCK, and there is none\n");
 }
 
+TEST(Plan, ThatCannotBeIsExplainedInTheLanguageOfTheFiles) {
+  const std::string operators = file("typed", R"(
+    (operator PUT (params (<a> CUBE) (<b> CUBE)) (preconds (near <a> <b>) (free <b>)) (effects (on <a> <b>))))");
+  const auto why_not = [&](const std::string& facts) {
+    return shell(fmt::format("{} plan {} {} 2>&1", PIZARRA_PLAN, operators, file("typed-facts", facts))).text;
+  };
+  EXPECT_EQ(why_not("(types (a CUBE) (t TABLE)) (initials (free t)) (goals (on a t))"),
+            "pizarra: no plan exists: (on a t) can never hold from here: PUT, which brings (on <a> <b>) about, takes a "
+            "CUBE for <b>, and t is a TABLE\n");
+}
+
 TEST(Plan, ThatCannotBeIsTracedToAnObjectOfAnotherType) {
   const std::string tables = file("tables.pddl", R"((define (domain tables) (:requirements :typing)
     (:types block table) (:predicates (on ?x ?y) (clear ?x))
@@ -191,6 +202,23 @@ TEST(Plan, ThatCannotBeIsTracedToAnObjectOfAnotherType) {
 TEST(Plan, ThatCannotBeIsTracedToWhatNeverHoldsTogether) {
   EXPECT_EQ(why("(clear a) (on-table a) (arm-empty)", "(on a a)"),
             "(stack a a) needs (clear a) and (holding a), which never hold together\n");
+}
+
+// Every fact can be had, but a coin buys one thing only; of what the last action needs, only that is told.
+TEST(Plan, ThatCannotBeIsTracedThroughWhatNeverHoldsByItself) {
+  const std::string shop = file("shop.pddl", R"((define (domain shop)
+    (:predicates (coin) (open) (bread) (wine) (tired) (meal) (happy) (song))
+    (:action buy-bread :precondition (and (open) (coin)) :effect (and (bread) (not (coin))))
+    (:action buy-wine :precondition (and (open) (coin)) :effect (and (wine) (not (coin))))
+    (:action dine :precondition (and (open) (bread) (wine)) :effect (meal))
+    (:action sing :precondition (and (open) (wine)) :effect (song))
+    (:action rest :precondition (and (meal) (open)) :effect (happy))
+    (:action doze :precondition (and (meal) (song)) :effect (happy))))");
+  const std::string text =
+      file("evening.pddl", "(define (problem p) (:domain shop) (:init (coin) (open)) (:goal (and (song) (happy))))");
+  EXPECT_EQ(shell(fmt::format("{} plan {} {} 2>&1", PIZARRA_PLAN, shop, text)).text,
+            "pizarra: no plan exists: (happy) can never hold from here: (happy) needs (meal), and (dine) needs (bread) "
+            "and (wine), which never hold together\n");
 }
 
 TEST(Plan, OfWrongFilesIsAUsageError) {

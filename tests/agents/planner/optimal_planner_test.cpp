@@ -59,6 +59,8 @@ TYPED_TEST(FewestSteps, ForRandomLogistics) { expect_fewest_steps(this->engine, 
 
 TYPED_TEST(FewestSteps, ForARobotWithTwoGrippers) { expect_fewest_steps(this->engine, 60, random_gripper); }
 
+TYPED_TEST(FewestSteps, ForRandomTowersOfHanoi) { expect_fewest_steps(this->engine, 200, random_hanoi); }
+
 TYPED_TEST(FewestSteps, ForRandomNonsense) { expect_fewest_steps(this->engine, 1500, random_nonsense); }
 
 TYPED_TEST(FewestSteps, WhereFactsMustBeAbsent) { expect_fewest_steps(this->engine, 400, random_conditions); }
@@ -78,6 +80,7 @@ TEST(StepSearch, FindsFewestStepsWhereStatesHaveFewSteps) {
   expect_fewest_steps(engine, 100, [](Random& random) { return random_blocks(2 + random.below(3), random); });
   expect_fewest_steps(engine, 60, random_logistics);
   expect_fewest_steps(engine, 60, random_gripper);
+  expect_fewest_steps(engine, 100, random_hanoi);
   expect_fewest_steps(engine, 1000, random_nonsense);
   expect_fewest_steps(engine, 100, random_impossible_blocks);
 }

@@ -149,6 +149,51 @@ PlanningTask random_gripper(Random& random) {
   return task;
 }
 
+namespace {
+
+// What each disc, the smallest first, stands on, each on a peg chosen at random.
+std::vector<Datum> random_towers(const std::vector<Datum>& discs, Random& random) {
+  std::vector<Datum> tops = facts_of("p q r");
+  std::vector<Datum> facts;
+  for (std::size_t i = discs.size(); i-- > 0;) {
+    Datum& top = tops[random.below(tops.size())];
+    facts.push_back(list("on"_sym, discs[i], top));
+    top = discs[i];
+  }
+  for (const Datum& top : tops) facts.push_back(list("clear"_sym, top));
+  return facts;
+}
+
+}  // namespace
+
+PlanningTask random_hanoi(Random& random) {
+  PlanningTask task;
+  task.types = {{"disc", "place"}, {"peg", "place"}};
+  task.operators = {{"MOVE",
+                     {{"?d", "disc"}, {"?from", "place"}, {"?to", "place"}},
+                     facts_of("(smaller ?d ?to) (on ?d ?from) (clear ?d) (clear ?to)"),
+                     facts_of("(on ?d ?to) (clear ?from)"),
+                     facts_of("(on ?d ?from) (clear ?to)")}};
+  task.operators.front().equalities.push_back({"?from"_sym, "?to"_sym, false});
+  std::vector<Datum> discs = facts_of("a b c");
+  discs.resize(2 + random.below(2));
+  for (const Datum& disc : discs) task.objects.push_back({disc, "disc"});
+  add_objects(task, "p q r", "peg");
+  task.initials = random_towers(discs, random);
+  for (std::size_t i = 0; i < discs.size(); ++i) {
+    for (const Datum& peg : facts_of("p q r")) task.initials.push_back(list("smaller"_sym, discs[i], peg));
+    for (std::size_t j = i + 1; j < discs.size(); ++j) {
+      task.initials.push_back(list("smaller"_sym, discs[i], discs[j]));
+    }
+  }
+  for (const Datum& fact : random_towers(discs, random)) {
+    if (random.below(3) != 0) task.goals.push_back(fact);
+  }
+  if (random.below(5) == 0) task.goals.push_back(list("on"_sym, discs.back(), discs.front()));
+  if (random.below(4) == 0) task.absent_goals.push_back(list("on"_sym, discs.front(), discs.back()));
+  return task;
+}
+
 PlanningTask random_nonsense(Random& random) {
   constexpr std::size_t fact_count = 7;
   PlanningTask task;

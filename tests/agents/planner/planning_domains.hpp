@@ -23,6 +23,9 @@ PlanningTask random_blocks(std::size_t blocks, Random& random);
 PlanningTask random_logistics(Random& random);
 // Two rooms, a robot with two grippers, three balls.
 PlanningTask random_gripper(Random& random);
+// Two or three discs on three pegs in any legal order, wanted in any other: discs and pegs are places, and a disc may
+// not be moved to where it is. Some goals cannot be.
+PlanningTask random_hanoi(Random& random);
 // Seven facts and eight operators of no meaning at all: many have no plan.
 PlanningTask random_nonsense(Random& random);
 
