@@ -97,7 +97,7 @@ TEST(TaskFiles, ReportEveryErrorWithItsPlace) {
       "(define (domain d)\n  (:predicates (on ?x ?y))\n"
       "  (:action Lift :parameters (?x)\n    :precondition (ON ?x)\n"
       "    :effect (and (no ?x ?x) (on ?x ?z))))",
-      "()");
+      "(define (problem p) (:domain d) (:goal (and)))");
   ASSERT_FALSE(task);
   EXPECT_EQ(task.error().symbol, "wrong-arity");
   EXPECT_EQ(describe(task.error()),
@@ -111,16 +111,27 @@ TEST(TaskFiles, ReportEveryErrorWithItsPlace) {
 }
 
 // The lines and sentences of a report, without what they show.
-std::vector<std::string> errors_of(std::string_view domain, std::string_view problem) {
-  const Result<PlanningTask> task = read(domain, problem);
-  if (task) return {};
+std::vector<std::string> lines_of(const Failure& failure) {
   std::vector<std::string> lines;
-  std::string sentence = task.error().sentence;
-  std::istringstream text(task.error().place);
+  std::string sentence = failure.sentence;
+  std::istringstream text(failure.place);
   for (std::string line, before = sentence; std::getline(text, line); before = line) {
     if (line.starts_with("domain:") || line.starts_with("problem:")) lines.push_back(line + " " + before);
   }
   return lines;
+}
+
+std::vector<std::string> errors_of(std::string_view domain, std::string_view problem) {
+  const Result<PlanningTask> task = read(domain, problem);
+  return task ? std::vector<std::string>() : lines_of(task.error());
+}
+
+// Those of the domain alone.
+std::vector<std::string> errors_of(std::string_view domain) {
+  const Result<Source> source = read_planning_source(domain, "domain");
+  if (!source) return lines_of(source.error());
+  const Result<PlanningDomain> read = read_planning_domain(*source);
+  return read ? std::vector<std::string>() : lines_of(read.error());
 }
 
 TEST(TaskFiles, ReportWhatCannotBeReadTogetherWithWhatIsWrong) {
@@ -128,27 +139,26 @@ TEST(TaskFiles, ReportWhatCannotBeReadTogetherWithWhatIsWrong) {
                       "  (:predicates (p ?x))\n"
                       "  (:action a :parameters (?x) :effect (and (p ?x))\n"  // one parenthesis is missing
                       "  (:action b :parameters (?y) :effect (p #?y 2x))\n"
-                      "  (:action c :effect (q)))\n",
-                      ""),
+                      "  (:action c :effect (q)))\n"),
             (std::vector<std::string>{"domain:3:3 this list is not closed before the next form begins (and 4 more)",
                                       "domain:4:39 p takes 1 argument, not 2", "domain:4:42 `#` has no meaning here",
                                       "domain:4:46 `2x` begins like a number but is none",
                                       "domain:5:23 there is no predicate q; the nearest is p"}));
-  EXPECT_EQ(errors_of("(define (domain d)\n  (:predicates (p)))\n  (:action a :effect (q)))\n", ""),
+  EXPECT_EQ(errors_of("(define (domain d)\n  (:predicates (p)))\n  (:action a :effect (q)))\n"),
             (std::vector<std::string>{"domain:2:20 this closes the whole form, and more of it follows (and 1 more)",
                                       "domain:3:23 there is no predicate q; the nearest is p"}));
-  EXPECT_EQ(errors_of("(operator A (effects (p))\n(operator B (effects (p a)))", ""),
+  EXPECT_EQ(errors_of("(operator A (effects (p))\n(operator B (effects (p a)))"),
             (std::vector<std::string>{"domain:1:1 this list is not closed before the next form begins (and 1 more)",
                                       "domain:2:22 p has 0 arguments elsewhere, and 1 here"}));
   EXPECT_EQ(errors_of("(operator A (effects (p)))", "(types (a T)\n(goals (p)"),
             (std::vector<std::string>{"problem:1:1 this list is not closed before the next form begins (and 1 more)",
                                       "problem:2:1 this list is not closed"}));
-  EXPECT_EQ(errors_of("(DEFINE (domain d)\n(:ACTION a :effect (q)\n(:ACTION b))\n'", ""),
+  EXPECT_EQ(errors_of("(DEFINE (domain d)\n(:ACTION a :effect (q)\n(:ACTION b))\n'"),
             (std::vector<std::string>{"domain:2:1 this list is not closed before the next form begins (and 2 more)",
                                       "domain:2:21 there is no predicate q; there is none at all",
                                       "domain:4:1 `'` has no meaning here"}));
-  EXPECT_EQ(errors_of("'", ""), (std::vector<std::string>{"domain:1:1 `'` has no meaning here"}));
-  EXPECT_EQ(errors_of("(define (domain d)\n(:predicates (p))\n(:action a\xE4 ; \xF6\xFC\n :effect (q)))", ""),
+  EXPECT_EQ(errors_of("'"), (std::vector<std::string>{"domain:1:1 `'` has no meaning here"}));
+  EXPECT_EQ(errors_of("(define (domain d)\n(:predicates (p))\n(:action a\xE4 ; \xF6\xFC\n :effect (q)))"),
             (std::vector<std::string>{"domain:3:11 this is not UTF-8, nor are 2 more characters (and 1 more)",
                                       "domain:4:11 there is no predicate q; the nearest is p"}));
 }
@@ -161,10 +171,12 @@ TEST(TaskFiles, ReportWhatOperatorsNameAndTheFactsDoNot) {
                                       "domain:3:26 there is no object x; the parameter is written <x>"}));
   EXPECT_EQ(errors_of("(operator A (params (<x> T))\n (effects (p <x>) (delete p <x>)))", facts),
             (std::vector<std::string>{"domain:2:19 a deletion is written (del FACT)"}));
-  EXPECT_EQ(errors_of("(operator A\n (preconds (p 3 <x>))\n (effects (p \"a\" a)))", facts),
-            (std::vector<std::string>{"domain:2:15 there is no object 3; there are table, a (and 2 more)",
-                                      "domain:2:17 there is no parameter <x>; there is none at all",
-                                      "domain:3:14 there is no object \"a\"; there are table, a"}));
+  EXPECT_EQ(
+      errors_of("(operator A\n (preconds (p 3 <x>))\n (effects (p \"a\" a)))", facts),
+      (std::vector<std::string>{"domain:2:15 there is no object 3; there are table, a (and 4 more)",
+                                "domain:2:17 there is no parameter <x>; there is none at all",
+                                "domain:3:14 there is no object \"a\"; there are table, a",
+                                "problem:2:11 p takes 2 arguments, not 1", "problem:3:8 p takes 2 arguments, not 1"}));
 }
 
 TEST(TaskFiles, ReportWhatIsMissingBehindItsCause) {
@@ -173,17 +185,17 @@ TEST(TaskFiles, ReportWhatIsMissingBehindItsCause) {
             (std::vector<std::string>{"problem:2:2 there is no section :gaol; the nearest is :goal"}));
   EXPECT_EQ(errors_of(domain, "(define (problem q) (:domain d)\n (:init (p) (q)))"),
             (std::vector<std::string>{"problem:2:14 there is no predicate q; the nearest is p (and 1 more)",
-                                      "problem:2:18 (:goal ...) is missing before this"}));
+                                      "problem:2:17 (:goal ...) is missing before this"}));
   EXPECT_EQ(errors_of(domain, "(define (problem q)\n (:domain d\n (:init (p) (goal (p"),
             (std::vector<std::string>{"problem:2:2 this list is not closed before the next form begins (and 3 more)",
                                       "problem:3:14 there is no predicate goal; there are p",
                                       "problem:3:19 this list is not closed",
-                                      "problem:3:22 (:goal ...) is missing before this"}));
+                                      "problem:3:21 (:goal ...) is missing before this"}));
   EXPECT_EQ(errors_of(domain, "(define (problem q) (domain d)\n (:init (q)) (:goal (p)))"),
             (std::vector<std::string>{"problem:1:21 there is no section domain; the nearest is :domain (and 1 more)",
-                                      "problem:2:9 there is no predicate q; the nearest is p"}));
+                                      "problem:2:10 there is no predicate q; the nearest is p"}));
   EXPECT_EQ(errors_of(domain, "(define (problem q)\n (:init (q)) (:goal (p)))"),
-            (std::vector<std::string>{"problem:2:9 there is no predicate q; the nearest is p (and 1 more)",
+            (std::vector<std::string>{"problem:2:10 there is no predicate q; the nearest is p (and 1 more)",
                                       "problem:2:25 (:domain d) is missing before this"}));
 }
 
@@ -209,17 +221,17 @@ TEST(TaskFiles, ReportWhatIsWrongInBothFilesTogether) {
                       " (:action a :parameters (?y - t) :effect (r ?y)))",
                       "(define (problem x) (:domain e)\n (:objects a - t b - u)\n (:init (p a) (p b c) (q a))\n"
                       " (:goal (q d)))"),
-            (std::vector<std::string>{"domain:2:22 there is no type u; the nearest is t (and 5 more)",
+            (std::vector<std::string>{"domain:2:23 there is no type u; the nearest is t (and 5 more)",
                                       "domain:3:43 there is no predicate r; the nearest is p",
                                       "problem:1:21 this problem is one of the domain e, and the domain file defines d",
-                                      "problem:2:21 there is no type u; the nearest is t",
-                                      "problem:3:14 p takes 1 argument, not 2",
+                                      "problem:2:22 there is no type u; the nearest is t",
+                                      "problem:3:15 p takes 1 argument, not 2",
                                       "problem:4:12 there is no object d; the nearest is a"}));
   EXPECT_EQ(errors_of("(operator A (params (<x> T))\n (preconds (p <y>)) (effects (q <x>)))",
                       "(types (a T))\n(initials (p a) (p a a))\n(goals (q b))"),
             (std::vector<std::string>{"domain:2:15 there is no parameter <y>; the nearest is <x> (and 2 more)",
                                       "problem:2:17 p takes 1 argument, not 2",
-                                      "problem:3:10 there is no object b; the nearest is a"}));
+                                      "problem:3:11 there is no object b; the nearest is a"}));
   EXPECT_EQ(
       errors_of("(define (domain d) (:predicates (p)) (:action a :effect (q)))", "(types (a T)) (goals (p))").size(),
       2u);
@@ -255,14 +267,14 @@ TEST(TaskFiles, ReadTheSameWithCarriageReturns) {
   const Result<PlanningTask> task = read(with_carriage_returns(pddl_domain), with_carriage_returns(pddl_problem));
   ASSERT_TRUE(task) << describe(task.error());
   EXPECT_EQ(show(*task), show(read(pddl_domain, pddl_problem).value()));
-  EXPECT_EQ(errors_of("(define (domain d)\r\n (:action a :effect (q)))", ""),
+  EXPECT_EQ(errors_of("(define (domain d)\r\n (:action a :effect (q)))"),
             (std::vector<std::string>{"domain:2:22 there is no predicate q; there is none at all"}));
 }
 
 TEST(TaskFiles, RefuseWhatPddlCanSayAndThePlannerCannotDo) {
   const auto refusal = [](const std::string& sections) {
     const std::vector<std::string> errors =
-        errors_of("(define (domain d) (:types t)\n(:predicates (p) (q ?x - t))\n" + sections + ")", "");
+        errors_of("(define (domain d) (:types t)\n(:predicates (p) (q ?x - t))\n" + sections + ")");
     return errors.size() == 1 ? errors.front() : fmt::format("{} errors", errors.size());
   };
   const std::string facts = "is not understood here; facts, (not FACT), (= A B) and (and ...) are";
