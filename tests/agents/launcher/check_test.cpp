@@ -79,7 +79,7 @@ TEST_F(Check, ReadsAProblemAlsoWhereItsDomainIsWrong) {
   write("good.pddl", "(define (problem q) (:domain d) (:objects o) (:goal (p o)))");
   EXPECT_EQ(run("check d.pddl p.pddl good.pddl"), 2);
   EXPECT_NE(said_.find("there is no predicate q; the nearest is p\nd.pddl:2:39"), said_.npos) << said_;
-  EXPECT_NE(said_.find("there is no object u; the nearest is o\np.pddl:2:11"), said_.npos) << said_;
+  EXPECT_NE(said_.find("there is no object u; the nearest is o\np.pddl:2:12"), said_.npos) << said_;
   EXPECT_NE(said_.find("good.pddl: nothing wrong is found, as far as its domain can be understood"), said_.npos)
       << said_;
   write("operators", "(operator GO (params (<x> T))\n (preconds (p tabel)) (effects (q <y>)))");
