@@ -1,6 +1,8 @@
 #include "blackboard/evaluate.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "lisp/nearest.hpp"
@@ -14,11 +16,14 @@ namespace {
 // An answer that is to be ordered and cut to a limit may pass through this many frames' worth of others.
 constexpr std::size_t frames_to_sort = 64;
 
-// Numbers by value, whichever kind they are; everything else as Datum orders it.
-std::partial_ordering compare_values(const Datum& a, const Datum& b) {
-  if (a.is_integer() && b.is_integer()) return a.integer() <=> b.integer();
-  if (a.is_number() && b.is_number()) return a.number() <=> b.number();
-  return a <=> b;
+// An integer and a real, exactly: a double does not hold every integer.
+std::strong_ordering compare_numbers(std::int64_t integer, double real) {
+  constexpr double beyond_integers = 9223372036854775808.0;
+  if (real >= beyond_integers) return std::strong_ordering::less;
+  if (real < -beyond_integers) return std::strong_ordering::greater;
+  const double whole = std::floor(real);
+  const std::strong_ordering order = integer <=> static_cast<std::int64_t>(whole);
+  return order == 0 && real > whole ? std::strong_ordering::less : order;
 }
 
 Weight weigh(const Query& query) {
@@ -34,21 +39,28 @@ Weight weigh(const Query& query) {
 
 class Search {
  public:
-  Search(const Query& query, const Tables& tables, const Fact* pinned)
-      : query_(query), tables_(tables), pinned_(pinned), enough_(query.order.empty() ? query.limit : std::nullopt) {
-    weight_bound_ = limits::bytes;
-    if (!query.order.empty() && query.limit) weight_bound_ *= frames_to_sort;
-  }
+  Search(const Query& query, const Tables& tables, std::span<const std::size_t> course, std::size_t& examined)
+      : query_(query), tables_(tables), course_(course), chosen_(query.clauses.size()), examined_(examined) {}
 
-  Result<std::vector<Answer>> run() {
+  // The query's answers, in its order and up to its limit.
+  Result<std::vector<Answer>> whole() {
+    if (query_.order.empty()) enough_ = query_.limit;
+    if (!query_.order.empty() && query_.limit) weight_bound_ *= frames_to_sort;
     if (query_.limit != 0U) extend(0, {});
-    if (examined_ > limits::examined) {
-      return fail("too-large", "answering this takes looking at more than a million facts", query_to_datum(query_));
-    }
-    if (weight_.bytes > weight_bound_) return too_many();
+    const Result<void> done = check_bounds();
+    if (!done) return fail(done);
     if (!query_.order.empty()) sort();
     if (query_.limit && answers_.size() > *query_.limit) cut();
     if (!check_weight(weight_, "the answer")) return too_many();
+    return std::move(answers_);
+  }
+
+  Result<std::vector<Answer>> from(SearchStart start) {
+    if (query_.limit) weight_bound_ *= frames_to_sort;
+    chosen_[start.clause] = start.fact;
+    extend(0, std::move(start.bindings));
+    const Result<void> done = check_bounds();
+    if (!done) return fail(done);
     return std::move(answers_);
   }
 
@@ -57,40 +69,44 @@ class Search {
     return fail("too-large", "the answers are more than fit one message", query_to_datum(query_));
   }
 
+  Result<void> check_bounds() const {
+    if (examined_ > limits::examined) {
+      return fail("too-large", "answering this takes looking at more than a million facts", query_to_datum(query_));
+    }
+    if (weight_.bytes > weight_bound_) return too_many();
+    return {};
+  }
+
   // Whether the search should go on.
-  bool extend(std::size_t clause, Bindings bindings) {
-    if (clause == query_.clauses.size()) return finish(std::move(bindings));
-    const Query::Clause& next = query_.clauses[clause];
+  bool extend(std::size_t step, Bindings bindings) {
+    if (step == course_.size()) return finish(std::move(bindings));
+    const Query::Clause& next = query_.clauses[course_[step]];
     switch (next.kind) {
       case Query::Clause::Kind::compare:
-        return !holds(next.form, bindings) || extend(clause + 1, std::move(bindings));
+        return !holds(next.form, bindings) || extend(step + 1, std::move(bindings));
       case Query::Clause::Kind::absent:
-        return exists(substitute(next.form, bindings)) || extend(clause + 1, std::move(bindings));
+        return exists(substitute(next.form, bindings)) || extend(step + 1, std::move(bindings));
       case Query::Clause::Kind::fact:
-        return extend_by_fact(clause, bindings);
+        return extend_by_fact(step, bindings);
     }
     return false;
   }
 
-  bool extend_by_fact(std::size_t clause, const Bindings& bindings) {
+  bool extend_by_fact(std::size_t step, const Bindings& bindings) {
+    const std::size_t clause = course_[step];
     const Datum& form = query_.clauses[clause].form;
     bool go_on = true;
     const auto consider = [&](const Fact& fact) {
       if (++examined_ > limits::examined) return go_on = false;
       Bindings both = bindings;
       if (!match(form, fact.datum, both)) return true;
-      chosen_.push_back(&fact);
-      go_on = extend(clause + 1, std::move(both));
-      chosen_.pop_back();
+      chosen_[clause] = &fact;
+      go_on = extend(step + 1, std::move(both));
       return go_on;
     };
-    if (pinned_ != nullptr) {
-      consider(*pinned_);
-    } else if (bindings.all().empty()) {
-      tables_.find(form.head())->second.visit(form, consider);
-    } else {
-      tables_.find(form.head())->second.visit(substitute(form, bindings), consider);
-    }
+    const FactTable& table = tables_.find(form.head())->second;
+    table.visit(bindings.all().empty() ? form : substitute(form, bindings), consider);
+    chosen_[clause] = nullptr;
     return go_on;
   }
 
@@ -108,8 +124,9 @@ class Search {
   bool finish(Bindings bindings) {
     Answer& answer = answers_.emplace_back();
     answer.bindings = std::move(bindings);
-    answer.facts.reserve(chosen_.size());
-    for (const Fact* fact : chosen_) answer.facts.push_back(*fact);
+    for (const Fact* fact : chosen_) {
+      if (fact != nullptr) answer.facts.push_back(*fact);
+    }
     weight_ += weigh(answer);
     const bool enough = enough_ && answers_.size() >= *enough_;
     return !enough && weight_.bytes <= weight_bound_;
@@ -130,21 +147,27 @@ class Search {
 
   const Query& query_;
   const Tables& tables_;
-  const Fact* pinned_;
+  const std::span<const std::size_t> course_;  // the clauses, in the order they are satisfied in
   std::optional<std::size_t> enough_;
-  std::vector<const Fact*> chosen_;
+  std::vector<const Fact*> chosen_;  // by each clause
   std::vector<Answer> answers_;
-  std::size_t examined_ = 0;
+  std::size_t& examined_;
   Weight weight_;
-  std::size_t weight_bound_ = 0;
+  std::size_t weight_bound_ = limits::bytes;
 };
 
 }  // namespace
 
+std::strong_ordering compare_values(const Datum& a, const Datum& b) {
+  if (a.is_integer() && b.is_real()) return compare_numbers(a.integer(), b.number());
+  if (a.is_real() && b.is_integer()) return 0 <=> compare_numbers(b.integer(), a.number());
+  return a <=> b;
+}
+
 bool holds(const Datum& comparison, const Bindings& bindings) {
   const Datum a = substitute(comparison[1], bindings);
   const Datum b = substitute(comparison[2], bindings);
-  const std::partial_ordering order = compare_values(a, b);
+  const std::strong_ordering order = compare_values(a, b);
   const std::string_view name = comparison.head();
   if (name == "=") return order == 0;
   if (name == "/=") return order != 0;
@@ -184,8 +207,16 @@ Result<void> check_query_on(const Query& query, const Tables& tables) {
   return {};
 }
 
-Result<std::vector<Answer>> evaluate(const Query& query, const Tables& tables, const Fact* pinned) {
-  return Search(query, tables, pinned).run();
+Result<std::vector<Answer>> evaluate(const Query& query, const Tables& tables) {
+  std::vector<std::size_t> as_written(query.clauses.size());
+  std::iota(as_written.begin(), as_written.end(), 0);
+  std::size_t examined = 0;
+  return Search(query, tables, as_written, examined).whole();
+}
+
+Result<std::vector<Answer>> evaluate_from(SearchStart start, std::span<const std::size_t> course, const Query& query,
+                                          const Tables& tables, std::size_t& examined) {
+  return Search(query, tables, course, examined).from(std::move(start));
 }
 
 Weight weigh(const Answer& answer) {

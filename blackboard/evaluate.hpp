@@ -5,6 +5,14 @@
 //
 //   Result<void> checked = check_query_on(query, tables);         // bad-query, undeclared-relation, wrong-shape
 //   Result<std::vector<Answer>> answers = evaluate(query, tables);
+//
+// What one fact has to do with the answers is found from that fact on, the other clauses in an order of their own
+// (join_course.hpp):
+//
+//   std::size_t examined = 0;
+//   Result<std::vector<Answer>> with_it = evaluate_from({bindings, clause, &fact}, course, query, tables, examined);
+
+#include <span>
 
 #include "blackboard/fact_table.hpp"
 #include "blackboard/limits.hpp"
@@ -18,9 +26,23 @@ Result<const FactTable*> table_for(const Datum& pattern, const Tables& tables);
 // Whether the query is well made and its patterns fit declared relations.
 Result<void> check_query_on(const Query& query, const Tables& tables);
 
-// The query must have been checked. With `pinned`, only the answers in which the query's positive patterns, of which
-// there must be one, match that fact, whether or not it stands.
-Result<std::vector<Answer>> evaluate(const Query& query, const Tables& tables, const Fact* pinned = nullptr);
+// The query must have been checked.
+Result<std::vector<Answer>> evaluate(const Query& query, const Tables& tables);
+
+// What is settled before a search: variables, and the fact that a positive clause is to match, where there is one.
+struct SearchStart {
+  Bindings bindings;
+  std::size_t clause = 0;
+  const Fact* fact = nullptr;
+};
+// Every answer that begins so and satisfies the clauses of the course, by none but their order; the query's order and
+// limit do not count. Adds to `examined` how many facts were looked at: failure too-large beyond a million, and where
+// the answers fit no message.
+Result<std::vector<Answer>> evaluate_from(SearchStart start, std::span<const std::size_t> course, const Query& query,
+                                          const Tables& tables, std::size_t& examined);
+
+// Numbers by value, whichever kind they are; everything else as Datum orders it.
+std::strong_ordering compare_values(const Datum& a, const Datum& b);
 
 // Whether a comparison of values that are all bound is true.
 bool holds(const Datum& comparison, const Bindings& bindings);

@@ -40,11 +40,6 @@ void add(Delta::Side& side, const Fact& fact) {
   ++side.answers;
 }
 
-void add(Delta::Side& side, std::vector<Fact> facts) {
-  std::ranges::move(facts, std::back_inserter(side.facts));
-  ++side.answers;
-}
-
 Weight weigh(const Delta& delta) {
   constexpr std::size_t answer_bytes = 3;
   Weight weight;
@@ -63,7 +58,9 @@ WatchQueue::WatchQueue(WatchTable& table, const Store& store, Query query)
       store_(store),
       query_(std::move(query)),
       only_pattern_(only_pattern_of(query_)),
-      fits_all_(only_pattern_ != nullptr && is_fitted_by_all(query_)) {}
+      fits_all_(only_pattern_ != nullptr && is_fitted_by_all(query_)) {
+  if (only_pattern_ == nullptr) joined_.emplace(query_, store_.tables());
+}
 
 WatchQueue::~WatchQueue() {
   if (number_ != 0) table_.forget(*this);
@@ -119,9 +116,10 @@ void WatchQueue::committed(const Commit& commit) {
   if (state_ == State::lagging) return;
   if (state_ == State::sending) return committed_while_sending(commit);
   if (only_pattern_ != nullptr) return committed_by_facts(commit);
-  Result<Delta> delta = difference(commit);
-  if (!delta) return resynchronise();
-  push(std::move(*delta));
+  Delta delta;
+  delta.revision = commit.revision;
+  if (!joined_->follow(commit, delta)) return resynchronise();
+  push(std::move(delta));
 }
 
 void WatchQueue::committed_by_facts(const Commit& commit) {
@@ -184,46 +182,15 @@ Delta WatchQueue::next_part() {
   return part;
 }
 
-Result<std::vector<Answer>> WatchQueue::answers_now() {
-  Result<std::vector<Answer>> answers = evaluate(query_, store_.tables());
-  if (!answers) return answers;
-  standing_.clear();
-  for (const Answer& answer : *answers) {
-    AnswerKey key;
-    for (const Fact& fact : answer.facts) key.push_back(fact.id);
-    standing_.emplace(std::move(key), answer.facts);
-  }
-  return answers;
-}
-
 Result<Delta> WatchQueue::all_answers() {
-  Result<std::vector<Answer>> answers = answers_now();
+  Result<Delta::Side> answers = joined_->all();
   if (!answers) return fail(answers);
   state_ = State::following;
   Delta all;
   all.revision = store_.revision();
   all.kind = Delta::Kind::all;
-  for (Answer& answer : *answers) add(all.added, std::move(answer.facts));
+  all.added = std::move(*answers);
   return all;
-}
-
-Result<Delta> WatchQueue::difference(const Commit& commit) {
-  std::map<AnswerKey, std::vector<Fact>> before;
-  before.swap(standing_);
-  Result<std::vector<Answer>> answers = answers_now();
-  if (!answers) return fail(answers);
-  Delta delta;
-  delta.revision = commit.revision;
-  AnswerKey key;
-  for (Answer& answer : *answers) {
-    key.clear();
-    for (const Fact& fact : answer.facts) key.push_back(fact.id);
-    if (!before.contains(key)) add(delta.added, std::move(answer.facts));
-  }
-  for (auto& [former, facts] : before) {
-    if (!standing_.contains(former)) add(delta.removed, std::move(facts));
-  }
-  return delta;
 }
 
 void WatchQueue::push(Delta delta) {

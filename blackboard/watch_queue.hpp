@@ -2,8 +2,8 @@
 
 // One watched query: what each commit changes in its answers, queued for whoever watches.
 //
-// A watch of one positive pattern is brought up to date from the changed facts alone; any other is answered anew, when
-// a fact changed that resembles one of its patterns, and compared.
+// A watch is brought up to date from the changed facts alone: one of a single pattern needs nothing else, any other
+// keeps its answers (joined_answers.hpp).
 //
 // Lifecycle: lagging (the reader knows nothing), sending (it is told in parts what holds), following (changes are
 // queued). A queue holds at most 1024 changes and 4 MB; when it overflows it is emptied, and the watch lags again.
@@ -12,10 +12,11 @@
 
 #include <deque>
 #include <functional>
-#include <map>
+#include <optional>
 
 #include "blackboard/commit.hpp"
 #include "blackboard/delta.hpp"
+#include "blackboard/joined_answers.hpp"
 #include "blackboard/store.hpp"
 
 namespace pizarra {
@@ -39,11 +40,12 @@ class WatchQueue {
   // Forgets what is queued; the next change is a resynchronised one.
   void resynchronise();
   const Query& query() const { return query_; }
+  // How many facts of the board were looked at to follow the commits.
+  std::uint64_t examined() const { return joined_ ? joined_->examined() : 0; }
 
  private:
   friend class WatchTable;
   enum class State : std::uint8_t { lagging, sending, following };
-  using AnswerKey = std::vector<FactId>;
 
   Result<void> begin();
   void committed(const Commit& commit);
@@ -52,8 +54,6 @@ class WatchQueue {
   bool fits(const Fact& fact) const;
   Delta next_part();
   Result<Delta> all_answers();
-  Result<Delta> difference(const Commit& commit);
-  Result<std::vector<Answer>> answers_now();
   void push(Delta delta);
 
   WatchTable& table_;
@@ -67,10 +67,10 @@ class WatchQueue {
   Revision touched_ = 0;  // the commit that last concerned it
 
   State state_ = State::lagging;
-  FactId sent_up_to_ = 0;                                 // while sending
-  Delta::Side gone_;                                      // while sending: what was sent and went since
-  std::size_t gone_bytes_ = 0;                            //
-  std::map<AnswerKey, std::vector<Fact>> standing_ = {};  // unless there is only_pattern_
+  FactId sent_up_to_ = 0;                // while sending
+  Delta::Side gone_;                     // while sending: what was sent and went since
+  std::size_t gone_bytes_ = 0;           //
+  std::optional<JoinedAnswers> joined_;  // unless there is only_pattern_
   struct Queued {
     Delta delta;
     std::size_t bytes;
