@@ -19,11 +19,14 @@ struct Commit {
       retracted,  // `fact` stands no more
       taken,      // `fact` stands no more and is held for its taker
       settled,    // the held `fact` will not come back
-      returned    // the held fact with id `former` stands again, as `fact`
+      returned,   // the held fact with id `former` stands again, as `fact`
+      leased,     // `fact`, which stands and is durable, goes with a lease from now on
+      kept        // ... and from now on with none
     };
     Kind kind;
     Fact fact;
     FactId former = 0;
+    bool under_lease = false;  // what was told is durable, and goes with a lease
     bool operator==(const Entry&) const = default;
   };
 

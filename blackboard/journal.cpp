@@ -1,6 +1,7 @@
 #include "blackboard/journal.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 
 #include "lisp/reader.hpp"
@@ -30,24 +31,35 @@ Datum entry_to_datum(const Commit::Entry& entry) {
       return list("settle"_sym, fact.id);
     case Kind::returned:
       return list("return"_sym, entry.former, fact.id);
+    case Kind::leased:
+      return list("leased"_sym, fact.id);
+    case Kind::kept:
+      return list("kept"_sym, fact.id);
     case Kind::told:
       break;
   }
-  if (fact.because.empty()) return list("tell"_sym, fact.id, fact.datum);
-  std::vector<Datum> because = {"because"_sym};
-  for (const FactId id : fact.because) because.push_back(to_datum(id));
-  return list("tell"_sym, fact.id, fact.datum, Datum::list(std::move(because)));
+  std::vector<Datum> told = {"tell"_sym, to_datum(fact.id), fact.datum};
+  if (!fact.because.empty()) {
+    std::vector<Datum> because = {"because"_sym};
+    for (const FactId id : fact.because) because.push_back(to_datum(id));
+    told.push_back(Datum::list(std::move(because)));
+  }
+  if (entry.under_lease) told.push_back("leased"_sym);
+  return Datum::list(std::move(told));
 }
 
 bool is_id(const Datum& datum) { return datum.is_integer() && datum.integer() > 0; }
 
-bool read_told(const Datum& form, const Commit& commit, Fact& fact) {
-  if (form.size() < 3 || form.size() > 4) return false;
+bool read_told(const Datum& form, const Commit& commit, Commit::Entry& entry) {
+  Fact& fact = entry.fact;
+  entry.under_lease = form.size() > 3 && form[form.size() - 1].is_symbol("leased");
+  const std::size_t size = form.size() - (entry.under_lease ? 1 : 0);
+  if (size < 3 || size > 4) return false;
   fact.datum = form[2];
   fact.teller = commit.teller;
   fact.when = commit.when;
   fact.revision = commit.revision;
-  if (form.size() == 3) return true;
+  if (size == 3) return true;
   if (!form[3].is_form("because")) return false;
   for (const Datum& id : form[3].items().subspan(1)) {
     if (!is_id(id)) return false;
@@ -61,7 +73,7 @@ bool read_entry(const Datum& form, const Commit& commit, Commit::Entry& entry) {
   entry.fact.id = static_cast<FactId>(form[1].integer());
   if (form.is_form("tell")) {
     entry.kind = Kind::told;
-    return read_told(form, commit, entry.fact);
+    return read_told(form, commit, entry);
   }
   if (form.is_form("return")) {
     if (form.size() != 3 || !is_id(form[2])) return false;
@@ -70,8 +82,15 @@ bool read_entry(const Datum& form, const Commit& commit, Commit::Entry& entry) {
     entry.fact.id = static_cast<FactId>(form[2].integer());
     return true;
   }
-  entry.kind = form.is_form("take") ? Kind::taken : form.is_form("settle") ? Kind::settled : Kind::retracted;
-  return form.size() == 2 && (entry.kind != Kind::retracted || form.is_form("retract"));
+  constexpr std::array<std::pair<std::string_view, Kind>, 5> plain = {{{"retract", Kind::retracted},
+                                                                       {"take", Kind::taken},
+                                                                       {"settle", Kind::settled},
+                                                                       {"leased", Kind::leased},
+                                                                       {"kept", Kind::kept}}};
+  const auto kind = std::ranges::find(plain, form.head(), &std::pair<std::string_view, Kind>::first);
+  if (kind == plain.end() || form.size() != 2) return false;
+  entry.kind = kind->second;
+  return true;
 }
 
 Result<std::vector<Relation>> read_declaration(const Datum& form) {

@@ -28,7 +28,7 @@ class Horizon {
  private:
   struct Standing {
     Fact fact;
-    bool taken = false;
+    Store::Restored state = Store::Restored::standing;
   };
 
   Result<void> apply_line(std::string_view line);
@@ -91,7 +91,7 @@ Result<void> Horizon::declare(const std::vector<Relation>& relations) {
 Result<void> Horizon::apply_entry(const Commit& commit, const Commit::Entry& entry) {
   const FactId id = entry.kind == Kind::returned ? entry.former : entry.fact.id;
   if (entry.kind == Kind::told) {
-    standing_[id].fact = entry.fact;
+    standing_[id] = {entry.fact, entry.under_lease ? Store::Restored::leased : Store::Restored::standing};
     next_fact_ = id + 1;
     return {};
   }
@@ -101,8 +101,10 @@ Result<void> Horizon::apply_entry(const Commit& commit, const Commit::Entry& ent
   }
   const Result<Standing*> found = standing(id);
   if (!found) return fail(found);
-  if (entry.kind == Kind::taken) {
-    (*found)->taken = true;
+  if (entry.kind != Kind::returned) {
+    (*found)->state = entry.kind == Kind::taken    ? Store::Restored::taken
+                      : entry.kind == Kind::leased ? Store::Restored::leased
+                                                   : Store::Restored::standing;
     return {};
   }
   Fact fact = (*found)->fact;
@@ -130,7 +132,7 @@ Result<Horizon::Standing*> Horizon::standing(FactId id) {
   Result<Fact> fact = wire::fact_from_datum(*form);
   if (!fact) return fail("damaged", fact.error().sentence);
   removed_.push_back(id);
-  return &(standing_[id] = {std::move(*fact), false});
+  return &(standing_[id] = {std::move(*fact), Store::Restored::standing});
 }
 
 Result<void> Horizon::write() {
@@ -142,8 +144,8 @@ Result<void> Horizon::write() {
   sqlite::Statement insert(database_, "INSERT INTO facts VALUES (?, ?, ?, ?)");
   for (const auto& [id, standing] : standing_) {
     const std::string form = pizarra::write(wire::fact_to_datum(standing.fact));
-    insert.bind(1, static_cast<std::int64_t>(id)).bind(2, std::int64_t{standing.taken}).bind(3, form);
-    const Result<void> inserted = insert.bind(4, sum_of_fact(id, standing.taken, form)).run();
+    insert.bind(1, static_cast<std::int64_t>(id)).bind(2, static_cast<std::int64_t>(standing.state)).bind(3, form);
+    const Result<void> inserted = insert.bind(4, sum_of_fact(id, standing.state, form)).run();
     if (!inserted) return inserted;
   }
   Result<void> set = set_about(database_, "horizon", static_cast<std::int64_t>(at_.revision));

@@ -47,6 +47,8 @@ Result<PlayedBack> read_text(const std::string& path, Store& store, const Moment
   return fail("bad-journal", path + ": " + rest.error().sentence, rest.error().subject);
 }
 
+std::string mark_beside(const std::string& path) { return path + "-kept"; }
+
 Result<LineStart> end_of(sqlite::Database& database) {
   sqlite::Statement row(
       database,
@@ -57,16 +59,36 @@ Result<LineStart> end_of(sqlite::Database& database) {
   return LineStart{static_cast<Revision>(row.integer(0)), Time(Duration(row.integer(1)))};
 }
 
+// Whether all that the mark knows of is there.
+Result<void> check_end(sqlite::Database& database, const KeptMark& mark) {
+  const std::optional<std::int64_t> kept = mark.get();
+  const Result<std::int64_t> last = database.ask("SELECT coalesce(max(number), 0) FROM log");
+  if (!last) return fail(last);
+  if (!kept || *last >= *kept) return {};
+  const Result<LineStart> end = end_of(database);
+  if (!end) return fail(end);
+  return fail("damaged", "it ends with entry " + std::to_string(*last) + ", revision " + std::to_string(end->revision) +
+                             ", but was kept up to entry " + std::to_string(*kept) +
+                             ": what comes between is damaged or missing; without " + mark.path() +
+                             " it is taken as it is");
+}
+
 }  // namespace
 
 std::string reply_line(const RememberedReply& reply) {
-  return write(pizarra::list(reply.session, reply.teller, reply.request, reply.result)) + "\n";
+  const Datum line = reply.key.empty()
+                         ? pizarra::list(reply.session, reply.teller, reply.request, reply.result)
+                         : pizarra::list(reply.session, reply.teller, reply.request, reply.result, reply.key);
+  return write(line) + "\n";
 }
 
 JournalFile::Lock::~Lock() { close(file_); }
 
 Result<std::shared_ptr<JournalFile>> JournalFile::open(const std::string& path, const History& history) {
-  const int lock = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
+  int lock = ::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
+  // A mark without its journal is of one that was taken away.
+  if (lock >= 0) KeptMark(mark_beside(path)).remove();
+  if (lock < 0 && errno == EEXIST) lock = ::open(path.c_str(), O_RDWR | O_CLOEXEC);
   if (lock < 0) return refused("cannot open", path);
   if (flock(lock, LOCK_EX | LOCK_NB) != 0) {
     const auto taken = refused("another board keeps", path);
@@ -79,6 +101,8 @@ Result<std::shared_ptr<JournalFile>> JournalFile::open(const std::string& path, 
     return fail(journal_tables::failure_of(database.error(), path));
   }
   std::shared_ptr<JournalFile> file(new JournalFile(path, history, lock, std::move(*database)));
+  const Result<void> whole = check_end(file->database_, file->mark_);
+  if (!whole) return fail(journal_tables::failure_of(whole.error(), path));
   const Result<std::int64_t> last = file->database_.ask("SELECT coalesce(max(number), 0) FROM log");
   if (!last) return fail(journal_tables::failure_of(last.error(), path));
   file->next_group_ = *last + 1;
@@ -91,6 +115,7 @@ JournalFile::JournalFile(std::string path, History history, int lock, sqlite::Da
       history_(history),
       lock_(lock),
       reserve_(path_ + "-reserve"),
+      mark_(mark_beside(path_)),
       database_(std::move(database)) {}
 
 JournalFile::~JournalFile() = default;
@@ -109,6 +134,7 @@ Result<void> JournalFile::append(const JournalGroup& group) {
   Result<void> written = write(group);
   if (!written && written.error().symbol == "disk-full" && reserve_.spend()) written = write(group);
   if (!written) return fail(journal_tables::failure_of(written.error(), path_));
+  if (group.durable) mark_.set(next_group_);
   ++next_group_;
   return {};
 }
@@ -147,7 +173,7 @@ Result<bool> JournalFile::compact(Time now) {
 }
 
 void remove_journal(const std::string& path) {
-  for (const char* part : {"", "-wal", "-shm", "-reserve"}) unlink((path + part).c_str());
+  for (const char* part : {"", "-wal", "-shm", "-reserve", "-kept"}) unlink((path + part).c_str());
 }
 
 Result<LineStart> end_of_journal(const std::string& path) {
@@ -167,6 +193,9 @@ Result<PlayedBack> read_journal(const std::string& path, Store& store, const Mom
   if (!is_sqlite(path)) return read_text(path, store, until);
   Result<sqlite::Database> database = journal_tables::open(path, sqlite::Access::read);
   if (!database) return fail(journal_tables::failure_of(database.error(), path));
+  // The mark is read first: the journal may grow meanwhile.
+  Result<void> whole = check_end(*database, KeptMark(mark_beside(path)));
+  if (!whole) return fail(journal_tables::failure_of(whole.error(), path));
   Result<PlayedBack> rest = journal_tables::restore(*database, store, until);
   if (!rest) return fail(journal_tables::failure_of(rest.error(), path));
   return rest;

@@ -1,7 +1,8 @@
 #pragma once
 
 // A journal kept in an SQLite file, for a board that is to live again: what stood at some revision, the horizon, and
-// the journal's lines since. Both are checked against damage when they are read.
+// the journal's lines since. Both are checked against damage when they are read, and so is that the end is there
+// (kept_mark.hpp).
 //
 //   Store store;
 //   Result<std::shared_ptr<JournalFile>> file = JournalFile::open("cell.journal", {});
@@ -20,6 +21,7 @@
 #include <vector>
 
 #include "blackboard/journal.hpp"
+#include "blackboard/kept_mark.hpp"
 #include "blackboard/space_reserve.hpp"
 #include "blackboard/sqlite.hpp"
 
@@ -31,6 +33,7 @@ struct RememberedReply {
   std::string teller;
   std::uint64_t request = 0;
   Datum result;
+  std::string key = {};  // the public key whose session it is, if any
 };
 std::string reply_line(const RememberedReply& reply);
 
@@ -87,6 +90,7 @@ class JournalFile {
   std::mutex mutex_;
   const Lock lock_;  // closed after the database, because closing a file gives up SQLite's own locks on it
   SpaceReserve reserve_;
+  KeptMark mark_;
   sqlite::Database database_;
   std::int64_t next_group_ = 1;
   bool waits_for_disk_ = true;

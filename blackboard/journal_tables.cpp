@@ -69,17 +69,17 @@ Result<void> restore_facts(sqlite::Database& database, Store& store) {
   for (Result<bool> row = rows.step(); !row || *row; row = rows.step()) {
     if (!row) return fail(row);
     const auto id = static_cast<FactId>(rows.integer(0));
-    const bool taken = rows.integer(1) != 0;
+    const auto state = static_cast<Store::Restored>(rows.integer(1));
     const std::string_view text = rows.text(2);
     const auto bad = [id](const std::string& why) {
       return damaged("fact " + std::to_string(id) + " is damaged: " + why);
     };
-    if (sum_of_fact(id, taken, text) != rows.integer(3)) return bad("its checksum does not fit");
+    if (sum_of_fact(id, state, text) != rows.integer(3)) return bad("its checksum does not fit");
     const Result<Datum> form = read_one(text, fact_limits, "journal");
     if (!form) return bad(form.error().sentence);
     Result<Fact> fact = wire::fact_from_datum(*form);
     if (!fact) return bad(fact.error().sentence);
-    const Result<void> restored = store.restore(std::move(*fact), taken);
+    const Result<void> restored = store.restore(std::move(*fact), state);
     if (!restored) return bad(restored.error().sentence);
   }
   return {};
@@ -113,11 +113,12 @@ Result<PlayedBack> restore_log(sqlite::Database& database, Store& store, const M
 
 std::optional<RememberedReply> reply_from_line(std::string_view line) {
   const Result<Datum> form = wire::read_frame(line);
-  if (!form || form->size() != 4 || !(*form)[1].is_string()) return std::nullopt;
+  if (!form || form->size() < 4 || form->size() > 5 || !(*form)[1].is_string()) return std::nullopt;
   const std::optional<std::uint64_t> session = wire::count_at(*form, 0);
   const std::optional<std::uint64_t> request = wire::count_at(*form, 2);
   if (!session || !request) return std::nullopt;
-  return RememberedReply{*session, std::string((*form)[1].text()), *request, (*form)[3]};
+  const std::string key(form->size() == 5 ? (*form)[4].text() : std::string_view());
+  return RememberedReply{*session, std::string((*form)[1].text()), *request, (*form)[3], key};
 }
 
 }  // namespace
@@ -145,8 +146,8 @@ Result<sqlite::Database> open(const std::string& path, sqlite::Access access) {
   return database;
 }
 
-std::int64_t sum_of_fact(FactId id, bool taken, std::string_view form) {
-  return Sum().add(id).add(std::uint64_t{taken}).add(form).value();
+std::int64_t sum_of_fact(FactId id, Store::Restored state, std::string_view form) {
+  return Sum().add(id).add(static_cast<std::uint64_t>(state)).add(form).value();
 }
 
 std::int64_t sum_of_group(std::int64_t number, std::string_view lines, std::string_view replies) {

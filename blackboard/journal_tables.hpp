@@ -4,8 +4,8 @@
 //
 //   about(name, value)               horizon (a revision), horizon-time, next-fact
 //   relations(name, form)            declared at the horizon
-//   facts(id, taken, form, sum)      standing or taken at the horizon, as on the wire
-//   log(number, revision, time, lines, replies, sum)     what came since, a group a row, numbered without a gap
+//   facts(id, taken, form, sum)      at the horizon standing (0), taken (1) or standing under a lease (2), as on the
+//   wire log(number, revision, time, lines, replies, sum)     what came since, a group a row, numbered without a gap
 //
 // `sum` is a checksum of its row: SQLite has none of its own.
 
@@ -18,7 +18,7 @@ namespace pizarra::journal_tables {
 // Makes them where there are none. Failure bad-journal when it is some other file.
 Result<sqlite::Database> open(const std::string& path, sqlite::Access access);
 
-std::int64_t sum_of_fact(FactId id, bool taken, std::string_view form);
+std::int64_t sum_of_fact(FactId id, Store::Restored state, std::string_view form);
 std::int64_t sum_of_group(std::int64_t number, std::string_view lines, std::string_view replies);
 
 Result<std::int64_t> about(sqlite::Database& database, std::string_view name);

@@ -52,14 +52,17 @@ class Store {
   LeaseId lease_of(FactId standing) const;
   LeaseId holder_of(FactId taken) const;
 
-  // What stood, or was taken, at the revision where a journal begins, by ascending id; then its counters.
-  Result<void> restore(Fact fact, bool taken);
+  // What stood, with a lease or without, or was taken, at the revision where a journal begins, by ascending id; then
+  // its counters.
+  enum class Restored : std::uint8_t { standing, taken, leased };
+  Result<void> restore(Fact fact, Restored as);
   void restore_counters(Revision revision, FactId next_fact);
   // Repeats a commit of another store, in order; a failure says why it cannot have happened here. Of facts that it
   // removes, only the ids need be known.
   Result<void> apply(Commit commit);
-  // After the last apply, makes the store live: facts of relations that are not durable go, what was taken comes back,
-  // and leased relations' facts begin their leases.
+  // After the last apply, makes the store live: facts of relations that are not durable go, and durable ones that stood
+  // under a lease, for no lease outlives the board that gave it; what was taken comes back, and leased relations' facts
+  // begin their leases.
   void resume(Time now);
 
  private:

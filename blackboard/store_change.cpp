@@ -26,7 +26,10 @@ FactTable& Store::Change::table_of(const Datum& fact) {
 void Store::Change::tell(const Datum& fact, const std::vector<FactId>& because, LeaseId lease) {
   FactTable& table = table_of(fact);
   if (StandingFact* standing = table.find_key_of(fact)) {
-    if (standing->fact.datum == fact) return set_lease(table, *standing, lease);
+    if (standing->fact.datum == fact) {
+      note_lease(table, *standing, lease);
+      return set_lease(table, *standing, lease);
+    }
     retract(standing->fact.id);
   }
   Fact told;
@@ -37,6 +40,7 @@ void Store::Change::tell(const Datum& fact, const std::vector<FactId>& because, 
   told.because = because;
   told.revision = commit_.revision;
   commit_.entries.emplace_back(Kind::told, told);
+  commit_.entries.back().under_lease = lease != 0 && table.relation().durable;
   insert(std::move(told), lease);
 }
 
@@ -112,6 +116,20 @@ Fact Store::Change::remove(FactId id) {
 void Store::Change::insert(Fact fact, LeaseId lease) {
   FactTable& table = table_of(fact.datum);
   set_lease(table, store_.put(table, std::move(fact)), lease);
+}
+
+// Whether a durable fact goes with a lease is part of what must last: it is not to outlive a lease that did not.
+void Store::Change::note_lease(const FactTable& table, const StandingFact& standing, LeaseId lease) {
+  const bool changes = (standing.lease != 0) != (lease != 0);
+  if (!table.relation().durable || !changes) return;
+  if (standing.fact.revision != commit_.revision) {
+    commit_.entries.emplace_back(lease != 0 ? Kind::leased : Kind::kept, standing.fact);
+    return;
+  }
+  const auto told = std::find_if(commit_.entries.rbegin(), commit_.entries.rend(), [&](const Commit::Entry& entry) {
+    return adds(entry) && entry.fact.id == standing.fact.id;
+  });
+  told->under_lease = lease != 0;
 }
 
 void Store::Change::set_lease(FactTable& table, StandingFact& standing, LeaseId lease) {

@@ -25,6 +25,7 @@ class Store::Change {
   FactTable& table_of(const Datum& fact);
   Fact remove(FactId id);
   void insert(Fact fact, LeaseId lease);
+  void note_lease(const FactTable& table, const StandingFact& standing, LeaseId lease);
   void set_lease(FactTable& table, StandingFact& entry, LeaseId lease);
 
   Store& store_;

@@ -10,6 +10,9 @@ using Kind = Commit::Entry::Kind;
 
 namespace {
 
+// That of a standing fact whose lease ended with the board that gave it.
+constexpr LeaseId lease_of_former_life = ~LeaseId{0};
+
 std::unexpected<Failure> impossible(const Commit& commit, std::string sentence, Datum subject) {
   return fail("bad-journal", "revision " + std::to_string(commit.revision) + ": " + std::move(sentence),
               std::move(subject));
@@ -40,6 +43,14 @@ Result<void> Store::apply_entry(const Commit& commit, Commit::Entry& entry) {
     fact.id = id;
     fact.revision = commit.revision;
   }
+  if (entry.kind == Kind::leased || entry.kind == Kind::kept) {
+    const Home* home = home_of(fact.id);
+    if (home == nullptr) return impossible(commit, "there is no such fact", to_datum(fact.id));
+    StandingFact& standing = *home->standing;
+    standing.lease = entry.kind == Kind::leased ? lease_of_former_life : 0;
+    fact = standing.fact;
+    return {};
+  }
   if (removes(entry)) {
     const Home* home = home_of(fact.id);
     if (home == nullptr) return impossible(commit, "there is no such fact", to_datum(fact.id));
@@ -47,17 +58,18 @@ Result<void> Store::apply_entry(const Commit& commit, Commit::Entry& entry) {
     if (entry.kind == Kind::taken) held_[fact.id] = {fact, 0};
     return {};
   }
-  const Result<void> restored = restore(fact, false);
+  const Result<void> restored = restore(fact, entry.under_lease ? Restored::leased : Restored::standing);
   if (!restored) return impossible(commit, restored.error().sentence, restored.error().subject);
   return {};
 }
 
-Result<void> Store::restore(Fact fact, bool taken) {
+Result<void> Store::restore(Fact fact, Restored as) {
   const Result<const FactTable*> found = table_for(fact.datum, tables_);
   if (!found) return fail(found);
   FactTable& table = tables_.find(fact.datum.head())->second;
   const Result<void> shaped = check_shape(table.relation(), fact.datum);
   if (!shaped) return shaped;
+  const bool taken = as == Restored::taken;
   const bool free = fact.id >= next_fact_ && (taken || table.find_key_of(fact.datum) == nullptr);
   if (!free) return fail("bad-journal", "a fact with this id or key stands already", fact.datum);
   next_fact_ = fact.id + 1;
@@ -65,7 +77,7 @@ Result<void> Store::restore(Fact fact, bool taken) {
     held_[fact.id] = {std::move(fact), 0};
     return {};
   }
-  put(table, std::move(fact));
+  put(table, std::move(fact)).lease = as == Restored::leased ? lease_of_former_life : 0;
   return {};
 }
 
@@ -79,7 +91,7 @@ void Store::resume(Time now) {
   for (auto& [name, table] : tables_) {
     std::vector<FactId> passing;
     for (const StandingFact& standing : table.facts()) {
-      if (!table.relation().durable) passing.push_back(standing.fact.id);
+      if (!table.relation().durable || standing.lease != 0) passing.push_back(standing.fact.id);
     }
     for (const FactId id : passing) change.retract(id);
     if (!table.relation().lease) continue;

@@ -103,6 +103,42 @@ TEST_F(JournalFileTest, DurableFactsOutliveTheBoardAndOthersDoNot) {
   EXPECT_EQ(life.board->store().revision(), before + 1);
 }
 
+// No lease outlives the board that gave it, and what stood under one is not to outlive it either.
+TEST_F(JournalFileTest, DurableFactsUnderALeaseGoWithIt) {
+  const auto live = [&](const History& history) {
+    Life life(path_, history);
+    EXPECT_TRUE(life.board->declare("alice", relations_).has_value());
+    const LeaseId lease = life.board->lease(3600s).value();
+    Transaction transaction;
+    transaction.tell(read("(goal 1 told-under-it)"), {}, lease).tell(read("(goal 2 bound-later)"));
+    transaction.tell(read("(goal 3 freed-later)"), {}, lease).tell(read("(goal 4 free)"));
+    transaction.tell(read("(goal 5 freed-at-once)"), {}, lease).tell(read("(goal 5 freed-at-once)"));
+    transaction.tell(read("(goal 6 because)"), {1}, lease);
+    EXPECT_TRUE(life.board->transact("alice", transaction).has_value());
+    Transaction again;
+    again.tell(read("(goal 2 bound-later)"), {}, lease).tell(read("(goal 3 freed-later)"));
+    EXPECT_TRUE(life.board->transact("alice", again).has_value());
+    EXPECT_EQ(life.facts("(goal ? ?)").size(), 6U);
+    if (history.revisions > 0) return;
+    // So that the horizon passes them.
+    for (int n = 0; n < 200; ++n) {
+      life.tell(write(list("goal"_sym, 7, list(n, std::string(3000, 'x')))));
+      life.executor.run_for(1s);
+    }
+    EXPECT_TRUE(life.board->transact("alice", Transaction().retract(read("(goal 7 ?)"))).has_value());
+  };
+  for (const History& history : {History{}, History{.revisions = 0}}) {
+    live(history);
+    EXPECT_EQ(facts_at({.revision = 1}, "(goal ?n ?)").is_symbol("forgotten"), history.revisions == 0);
+    for (int restart = 0; restart < 2; ++restart) {
+      EXPECT_EQ(
+          Life(path_).facts("(query (goal ?n ?) (order ?n))"),
+          (std::vector<Datum>{read("(goal 3 freed-later)"), read("(goal 4 free)"), read("(goal 5 freed-at-once)")}));
+    }
+    remove_journal(path_);
+  }
+}
+
 TEST_F(JournalFileTest, WhatIsWaitedForIsWrittenInOneGroupAndWhatIsNotSoonAfter) {
   Life life(path_);
   ASSERT_TRUE(life.board->declare("alice", relations_).has_value());
@@ -229,6 +265,58 @@ TEST_F(JournalFileTest, DamageIsAFailureAndNeverAWrongBoard) {
     EXPECT_EQ(facts, expected) << "round " << round;
   }
   EXPECT_GT(found, 60) << "most damage meets something";
+}
+
+// SQLite takes the first damaged page of its log for the end of it.
+TEST_F(JournalFileTest, DamageWithinWhatWasKeptIsSaidAndNothingBehindItDroppedSilently) {
+  constexpr std::uint64_t seed = 6;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  const std::string copy = (folder_ / "copy.journal").string();
+  Life life(path_);
+  ASSERT_TRUE(life.board->declare("alice", relations_).has_value());
+  for (int n = 1; n <= 100; ++n) {
+    life.tell(write(list("goal"_sym, n, std::string(500, 'y'))));
+    life.keep();
+  }
+  const auto restart_with = [&](const std::string& log) {
+    remove_journal(copy);
+    for (const char* part : {"", "-kept"}) std::filesystem::copy_file(path_ + part, copy + part);
+    std::ofstream(copy + "-wal", std::ios::binary) << log;
+    return JournalFile::open(copy, {});
+  };
+  std::ifstream in(path_ + "-wal", std::ios::binary);
+  const std::string log((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+  ASSERT_GT(log.size(), 100'000U);
+  EXPECT_TRUE(restart_with(log).has_value()) << "killed, it goes on";
+  Random random(seed);
+  for (int round = 0; round < 30; ++round) {
+    std::string damaged = log;
+    damaged[random.below(damaged.size() * 9 / 10)] ^= static_cast<char>(1U << random.below(8));
+    const auto opened = restart_with(damaged);
+    // What SQLite never reads, the counters of the header, may be anything.
+    if (opened && (*opened)->append({"(1000 1 \"a\" (retract 1))\n", "", true})) continue;
+    ASSERT_FALSE(opened.has_value());
+    EXPECT_EQ(opened.error().symbol, "bad-journal");
+    EXPECT_NE(opened.error().sentence.find("up to entry 1"), std::string::npos) << opened.error().sentence;
+    Store store;
+    EXPECT_EQ(read_journal(copy, store).error().symbol, "bad-journal");
+    // Who would rather have less than nothing says so.
+    std::filesystem::remove(copy + "-kept");
+    EXPECT_TRUE(JournalFile::open(copy, {}).has_value());
+  }
+}
+
+TEST_F(JournalFileTest, AJournalThatBeginsAnewKnowsNothingOfTheOneBefore) {
+  for (int n = 0; n < 2; ++n) {
+    Life life(path_);
+    ASSERT_TRUE(life.board->declare("alice", relations_).has_value());
+    if (n == 0) life.tell("(goal 1 x)");
+    if (n == 0) life.keep();
+    life.board.reset();
+    life.writer.reset();
+    life.file.reset();
+    std::filesystem::remove(path_);
+  }
 }
 
 TEST_F(JournalFileTest, WhenTheFileMayNotGrowWhatIsDurableIsRefusedAndLaterWritten) {
