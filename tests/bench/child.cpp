@@ -113,9 +113,18 @@ double Child::memory_mb(const std::string& name) const {
   return 0;
 }
 
+TemporaryFolder::TemporaryFolder() : path_(std::filesystem::temp_directory_path() / "pizarra-bench-XXXXXX") {
+  if (mkdtemp(path_.data()) == nullptr) throw std::system_error(errno, std::generic_category(), "mkdtemp");
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  if (!path_.empty()) std::filesystem::remove_all(path_);
+}
+
 std::optional<std::string> find_program(const std::string& name) {
   const char* path = std::getenv("PATH");
-  std::istringstream folders(path == nullptr ? "/usr/bin" : path);
+  // Servers are where not everybody looks.
+  std::istringstream folders(std::string(path == nullptr ? "/usr/bin" : path) + ":/usr/sbin");
   for (std::string folder; std::getline(folders, folder, ':');) {
     std::string file = folder + "/" + name;
     if (access(file.c_str(), X_OK) == 0) return file;

@@ -12,6 +12,7 @@
 #include <optional>
 #include <string>
 #include <sys/types.h>
+#include <utility>
 #include <vector>
 
 namespace pizarra::bench {
@@ -51,6 +52,19 @@ class Child {
   Child(pid_t process, int file) : process_(process), pipe_(file) {}
   pid_t process_;
   Pipe pipe_;
+};
+
+// Removed with all that is in it.
+class TemporaryFolder {
+ public:
+  TemporaryFolder();
+  TemporaryFolder(TemporaryFolder&& other) noexcept : path_(std::exchange(other.path_, {})) {}
+  TemporaryFolder& operator=(TemporaryFolder&&) = delete;
+  ~TemporaryFolder();
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
 };
 
 // Where a program is installed, if it is.

@@ -22,8 +22,10 @@ constexpr std::array table = {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("The board's speed, against its goals, raw ZeroMQ and Redis (where redis-server is installed).",
-               "pizarra bench blackboard");
+  CLI::App app(
+      "The board's speed, against its goals, raw ZeroMQ, and Redis, NATS and MQTT (mosquitto), where they are "
+      "installed.",
+      "pizarra bench blackboard");
   bool json = false;
   std::vector<std::string> only;
   std::vector<std::string> names;

@@ -11,6 +11,7 @@
 #include <string>
 #include <string_view>
 
+#include "tests/bench/blackboard/tcp_client.hpp"
 #include "tests/bench/child.hpp"
 
 namespace pizarra::bench {
@@ -19,27 +20,22 @@ class RedisServer {
  public:
   // With options of redis-server's command line.
   static std::optional<RedisServer> start(const std::vector<std::string>& options = {});
-  RedisServer(RedisServer&&) = default;
-  ~RedisServer();
   int port() const { return port_; }
 
  private:
-  RedisServer(Child process, std::string folder, int port)
-      : process_(std::move(process)), folder_(std::move(folder)), port_(port) {}
+  RedisServer(TemporaryFolder folder, Child process, int port)
+      : folder_(std::move(folder)), process_(std::move(process)), port_(port) {}
+  TemporaryFolder folder_;  // outlives the process, which would go on writing there
   Child process_;
-  std::string folder_;
   int port_;
 };
 
 class RedisClient {
  public:
-  explicit RedisClient(int port);
-  RedisClient(const RedisClient&) = delete;
-  RedisClient& operator=(const RedisClient&) = delete;
-  ~RedisClient();
+  explicit RedisClient(int port) : link_(port, "redis") {}
 
   static std::string command(std::initializer_list<std::string_view> words);
-  void send(std::string_view commands) const;
+  void send(std::string_view commands) const { link_.send(commands); }
   // Reads until `replies` of them have come that are one line, or a string of at most a line.
   void receive(int replies);
   void call(std::initializer_list<std::string_view> words) {
@@ -50,9 +46,7 @@ class RedisClient {
   std::string message();
 
  private:
-  std::string line();
-  int file_;
-  std::string buffer_;
+  TcpClient link_;
 };
 
 }  // namespace pizarra::bench

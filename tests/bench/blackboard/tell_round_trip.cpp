@@ -1,6 +1,7 @@
 // A fact told and acknowledged, against a message of as many bytes sent to a router and answered.
 
 #include "tests/bench/blackboard/board_process.hpp"
+#include "tests/bench/blackboard/brokers.hpp"
 #include "tests/bench/blackboard/raw_zmq.hpp"
 #include "tests/bench/blackboard/redis.hpp"
 #include "tests/bench/blackboard/rows.hpp"
@@ -38,6 +39,7 @@ void tell_round_trip(Figures& figures) {
   const RawRouter router;
   const BoardProcess server;
   const std::optional<RedisServer> redis = RedisServer::start();
+  const std::vector<Broker> brokers = start_brokers();
   Client client(server.address(), "teller");
   RawDealer dealer(router.address());
   std::optional<RedisClient> other;
@@ -59,13 +61,22 @@ void tell_round_trip(Figures& figures) {
   const auto set = [&] {
     return median_of(other ? trips : 0, [&] { other->call({"SET", "object-000042", payload}); });
   };
-  const std::vector<double> us = medians_of_rounds(rounds, {tell, raw, set});
+  std::vector<std::function<double()>> works = {tell, raw, set};
+  std::vector<std::unique_ptr<BrokerClient>> publishers;
+  for (const Broker& broker : brokers) {
+    publishers.push_back(broker.connect(true));
+    const auto publish = [&payload, publisher = publishers.back().get()] {
+      return median_of(publisher ? trips : 0, [&] { publisher->publish_acknowledged(payload); });
+    };
+    works.emplace_back(publish);
+  }
+  const std::vector<double> us = medians_of_rounds(rounds, works);
   const std::optional<double> redis_us = redis ? std::optional(us[2]) : std::nullopt;
   figures.say({"tell, acknowledged, p50",
                us[0],
                "us",
                at_most(1.15 * us[1], "<= 1.15 x ZeroMQ's round trip"),
-               {{"zeromq", us[1]}, {"redis", redis_us}}});
+               {{"zeromq", us[1]}, {"redis", redis_us}, brokers[0].peer(us[3]), brokers[1].peer(us[4])}});
 }
 
 }  // namespace pizarra::bench

@@ -6,6 +6,7 @@
 
 #include "lisp/reader.hpp"
 #include "tests/bench/blackboard/board_process.hpp"
+#include "tests/bench/blackboard/brokers.hpp"
 #include "tests/bench/blackboard/raw_zmq.hpp"
 #include "tests/bench/blackboard/redis.hpp"
 #include "tests/bench/blackboard/rows.hpp"
@@ -100,6 +101,19 @@ Task<void> tell_often(Board& board) {
   }
 }
 
+// Ready when it has said so, where the broker runs.
+Child listener_of(const Broker& broker) {
+  Child listener = Child::running([&](Pipe& parent) {
+    if (!broker.runs()) return;
+    const std::unique_ptr<BrokerClient> client = broker.connect(false);
+    client->watch();
+    parent.say(0);
+    for (Medians medians(parent);;) medians.add(std::stod(client->message()));
+  });
+  if (broker.runs()) listener.pipe().hear();
+  return listener;
+}
+
 }  // namespace
 
 void tell_to_watcher(Figures& figures) {
@@ -127,6 +141,9 @@ void tell_to_watcher(Figures& figures) {
     for (Medians medians(parent);;) medians.add(std::stod(client.message()));
   });
   if (redis) subscriber.pipe().hear();
+  const std::vector<Broker> brokers = start_brokers();
+  std::vector<Child> listeners;
+  for (const Broker& broker : brokers) listeners.push_back(listener_of(broker));
   Child others = [&] {
     {
       Client client(server.address(), "teller");
@@ -158,13 +175,23 @@ void tell_to_watcher(Figures& figures) {
     for (int i = 0; publisher && i < tells; ++i) publisher->call({"PUBLISH", "seen", stamped()});
     return publisher ? subscriber.pipe().hear() : 0;
   };
-  const std::vector<double> us = medians_of_rounds(rounds, {tell, forward, publish});
+  std::vector<std::function<double()>> works = {tell, forward, publish};
+  std::vector<std::unique_ptr<BrokerClient>> publishers;
+  for (std::size_t i = 0; i < brokers.size(); ++i) {
+    publishers.push_back(brokers[i].connect(true));
+    const auto publish_there = [&, client = publishers.back().get(), i] {
+      for (int n = 0; client && n < tells; ++n) client->publish_acknowledged(stamped());
+      return client ? listeners[i].pipe().hear() : 0;
+    };
+    works.emplace_back(publish_there);
+  }
+  const std::vector<double> us = medians_of_rounds(rounds, works);
   const std::optional<double> redis_us = redis ? std::optional(us[2]) : std::nullopt;
   figures.say({"tell to watcher, p50, 10,000 other watches",
                us[0],
                "us",
                at_most(1.2 * us[1], "<= 1.2 x ZeroMQ's forwarding"),
-               {{"zeromq", us[1]}, {"redis", redis_us}}});
+               {{"zeromq", us[1]}, {"redis", redis_us}, brokers[0].peer(us[3]), brokers[1].peer(us[4])}});
 }
 
 }  // namespace pizarra::bench

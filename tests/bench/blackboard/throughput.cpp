@@ -5,6 +5,7 @@
 
 #include "lisp/reader.hpp"
 #include "tests/bench/blackboard/board_process.hpp"
+#include "tests/bench/blackboard/brokers.hpp"
 #include "tests/bench/blackboard/raw_zmq.hpp"
 #include "tests/bench/blackboard/redis.hpp"
 #include "tests/bench/blackboard/rows.hpp"
@@ -109,6 +110,40 @@ double routed_per_second(RawDealer& sender, Pipe& watcher) {
   return batch * batches / seconds;
 }
 
+// Says so whenever a section's worth has come, and when it is ready, where the broker runs.
+Child counter_of(const Broker& broker) {
+  Child counter = Child::running([&](Pipe& parent) {
+    if (!broker.runs()) return;
+    const std::unique_ptr<BrokerClient> client = broker.connect(false);
+    client->watch();
+    parent.say(0);
+    for (int come = 1;; ++come) {
+      client->message();
+      if (come % (batch * section) == 0) parent.say(0);
+    }
+  });
+  if (broker.runs()) counter.pipe().hear();
+  return counter;
+}
+
+// Nothing is stored, and nobody acknowledges: only the watcher holds the publisher back.
+double published_per_second(BrokerClient& client, Pipe& watcher) {
+  const std::string payload(40, 'x');
+  const auto publish_section = [&] {
+    for (int i = 0; i < batch * section; ++i) client.publish(payload);
+    client.flush();
+  };
+  const double seconds = seconds_of([&] {
+    publish_section();
+    for (int told = section; told < batches; told += section) {
+      publish_section();
+      watcher.hear();
+    }
+    watcher.hear();
+  });
+  return batch * batches / seconds;
+}
+
 }  // namespace
 
 void throughput(Figures& figures) {
@@ -130,6 +165,9 @@ void throughput(Figures& figures) {
     }
   });
   raw.pipe().hear();
+  const std::vector<Broker> brokers = start_brokers();
+  std::vector<Child> counters;
+  for (const Broker& broker : brokers) counters.push_back(counter_of(broker));
   Client teller(server.address(), "teller");
   RawDealer sender(router.address());
   std::optional<RedisClient> client;
@@ -138,9 +176,19 @@ void throughput(Figures& figures) {
   const auto tell = [&] { return told_per_second(teller, ours.pipe(), ++round); };
   const auto route = [&] { return routed_per_second(sender, raw.pipe()); };
   const auto set = [&] { return client ? set_per_second(*client, round) : 0; };
-  const std::vector<double> rates = medians_of_rounds(rounds, {tell, route, set});
+  std::vector<std::function<double()>> works = {tell, route, set};
+  std::vector<std::unique_ptr<BrokerClient>> publishers;
+  for (std::size_t i = 0; i < brokers.size(); ++i) {
+    publishers.push_back(brokers[i].connect(false));
+    const auto publish = [&, client = publishers.back().get(), i] {
+      return client ? published_per_second(*client, counters[i].pipe()) : 0;
+    };
+    works.emplace_back(publish);
+  }
+  const std::vector<double> rates = medians_of_rounds(rounds, works);
   const std::optional<double> set_rate = redis ? std::optional(rates[2]) : std::nullopt;
-  const std::vector<Peer> peers = {{"zeromq", rates[1]}, {"redis", set_rate}};
+  const std::vector<Peer> peers = {
+      {"zeromq", rates[1]}, {"redis", set_rate}, brokers[0].peer(rates[3]), brokers[1].peer(rates[4])};
   const char* name = "facts stored, matched, forwarded";
   figures.say({name, rates[0], "1/s", at_least(1e6), peers});
   const Goal goal =
