@@ -71,6 +71,7 @@ BoardServer::BoardServer(Executor& executor, MemoryBoard& board, const BoardServ
       session_length_(options.session_length),
       keys_(std::move(keys)),
       gate_(board),
+      leases_(board),
       refusals_(board),
       life_(random_number()),
       durability_(options.journal,
@@ -95,6 +96,7 @@ void BoardServer::restore(const std::vector<RememberedReply>& remembered) {
   for (const RememberedReply& reply : remembered) {
     Session& session = sessions_[reply.session];
     session.teller = reply.teller;
+    if (!reply.key.empty()) session.key = PublicKey{.name = {}, .key = reply.key, .may = {}};
     session.heard = executor_.now();
     remember(session, reply.request, {write(list("reply"_sym, reply.request, reply.result)), 0});
   }
@@ -117,7 +119,13 @@ BoardServer::~BoardServer() {
   executor_.cancel(sweep_timer_);
 }
 
+void BoardServer::say_goodbye() {
+  leaving_ = true;
+  for (const auto& [id, session] : sessions_) send(session.peer, list("goodbye"_sym));
+}
+
 void BoardServer::receive(const std::string& peer, std::optional<std::string_view> frame) {
+  if (leaving_) return;
   if (!frame) return refuse(peer, {"bad-frame", "a message is one frame", {}, {}});
   const Result<Datum> message = wire::read_frame(*frame);
   if (!message) return refuse(peer, {"bad-frame", message.error().sentence, {}, {}});
@@ -139,7 +147,7 @@ void BoardServer::receive(const std::string& peer, std::optional<std::string_vie
 void BoardServer::handle(wire::SessionId id, Session& session, const Datum& message) {
   if (message.is_form("request")) return request(id, session, message);
   if (message.is_form("bye")) return end_session(id);
-  if (message.is_form("ping")) return send(session.peer, list("pong"_sym));
+  if (message.is_form("ping")) return send(session.peer, list("pong"_sym, executor_.now().time_since_epoch().count()));
   const std::optional<std::uint64_t> number = wire::count_at(message, 2);
   const bool known = message.is_form("unwatch") || message.is_form("ack");
   if (!number || !known) return refuse(session.peer, {"bad-frame", "a client does not say this", {}, {}});
@@ -155,13 +163,17 @@ void BoardServer::handle(wire::SessionId id, Session& session, const Datum& mess
     return refuse(session.peer, {"bad-frame", "what was never sent is acknowledged", {}, {}});
   }
   watch->second.acknowledged = std::max(watch->second.acknowledged, sequence);
+  const bool timed = message.size() == 6 && message[4].is_symbol() && message[5].is_integer();
+  if (timed) board_.statistics().delivered(message[4].text(), Duration(message[5].integer()), executor_.now());
   schedule_flush(id);
 }
 
 void BoardServer::request(wire::SessionId id, Session& session, const Datum& message) {
   const std::optional<std::uint64_t> number = wire::count_at(message, 2);
-  if (!number || message.size() != 4) {
-    return refuse(session.peer, {"bad-frame", "a request is (request SESSION ID BODY)", {}, {}});
+  const bool timed = message.size() == 5 && message[4].is_integer();
+  if (!number || (message.size() != 4 && !timed)) {
+    return refuse(session.peer,
+                  {"bad-frame", "a request is (request SESSION ID BODY) or has its time after it", {}, {}});
   }
   if (const auto done = session.replies.find(*number); done != session.replies.end()) {
     // One that is held comes when it may.
@@ -171,7 +183,19 @@ void BoardServer::request(wire::SessionId id, Session& session, const Datum& mes
   if (must_be_done_once(message[3]) && *number <= session.replies_forgotten) {
     return refuse(session.peer, {"bad-frame", "this request, or one far after it, was answered long ago", {}, {}});
   }
+  const Revision before = board_.store().revision();
   answer(id, session, *number, message[3]);
+  if (timed && board_.store().revision() > before) note_journey(message[3], Time(Duration(message[4].integer())));
+}
+
+// Of the first fact that the transaction told.
+void BoardServer::note_journey(const Datum& body, Time sent) {
+  if (!body.is_form("transact") || body.size() < 3) return;
+  for (const Datum& step : body[2].items()) {
+    if (!step.is_form("tell") || step.size() < 2) continue;
+    const Time now = executor_.now();
+    return board_.statistics().came(step[1].head(), now - sent, now);
+  }
 }
 
 void BoardServer::answer(wire::SessionId id, Session& session, wire::RequestId number, const Datum& body) {
@@ -187,7 +211,10 @@ void BoardServer::answer(wire::SessionId id, Session& session, wire::RequestId n
   const std::string text = write(reply);
   if (must_be_done_once(body)) {
     remember(session, number, {text, durable ? durability_.position() : 0});
-    if (durable && durability_.position() > before) durability_.remember({id, session.teller, number, reply[2]});
+    if (durable && durability_.position() > before) {
+      const std::string key = session.key ? session.key->key : "";
+      durability_.remember({id, session.teller, number, reply[2], key});
+    }
   }
   // Changes go before the reply to the request that made them, and after the one to the request for them.
   if (!body.is_form("watch")) flush_all();
@@ -308,9 +335,12 @@ Result<Datum> BoardServer::lease(const Session& session, const Datum& body) {
   const bool whole = body.size() == 2 && body[1].is_integer();
   if (!whole) return bad_frame("not a request");
   if (body.is_form("lease")) {
+    const Result<void> within = leases_.check(session.teller);
+    if (!within) return fail(within);
     const Result<LeaseId> lease = board_.lease(Duration(body[1].integer()));
     if (!lease) return fail(lease);
     gate_.granted(key_of(session), *lease);
+    leases_.granted(session.teller, *lease);
     return to_datum(*lease);
   }
   const std::optional<std::uint64_t> lease = wire::count_from(body[1]);

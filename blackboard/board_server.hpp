@@ -27,6 +27,7 @@
 #include "blackboard/durability.hpp"
 #include "blackboard/gate.hpp"
 #include "blackboard/key_folder.hpp"
+#include "blackboard/lease_quota.hpp"
 #include "blackboard/memory_board.hpp"
 #include "blackboard/past.hpp"
 #include "blackboard/refusals.hpp"
@@ -52,10 +53,11 @@ class BoardServer {
  public:
   static constexpr std::size_t max_sessions = 1024;
   static constexpr std::size_t max_sessions_of_a_key = 64;
-  static constexpr std::size_t max_watches = 256;   // of a session
-  static constexpr std::size_t max_replies = 256;   // remembered, of a session
-  static constexpr std::size_t max_under_way = 16;  // changes of a watch
-  static constexpr std::size_t max_teller = 256;    // bytes of its name
+  static constexpr std::size_t max_sessions_of_a_name = 256;  // of those without a key
+  static constexpr std::size_t max_watches = 256;             // of a session
+  static constexpr std::size_t max_replies = 256;             // remembered, of a session
+  static constexpr std::size_t max_under_way = 16;            // changes of a watch
+  static constexpr std::size_t max_teller = 256;              // bytes of its name
 
   // Failures bad-address, not-loopback, address-in-use, and those of KeyFolder::open.
   static Result<std::unique_ptr<BoardServer>> open(Executor& executor, MemoryBoard& board,
@@ -66,6 +68,10 @@ class BoardServer {
 
   const std::vector<std::string>& addresses() const { return addresses_; }
   std::size_t sessions() const { return sessions_.size(); }
+  // Tells every client that the server ends, and hears nobody any more. A connection that breaks takes along what its
+  // client has not read, so that a server should live on for `goodbye_length`.
+  void say_goodbye();
+  static constexpr Duration goodbye_length = 50ms;
 
  private:
   struct ServedWatch {
@@ -116,6 +122,7 @@ class BoardServer {
   void ask_past(wire::SessionId id, const Session& session, wire::RequestId number, const Datum& body);
   Result<Datum> take(const Session& session, const Datum& body);
   Result<Datum> watch(wire::SessionId id, Session& session, const Datum& body);
+  void note_journey(const Datum& body, Time sent);
   Result<Datum> lease(const Session& session, const Datum& body);
   void answer(wire::SessionId id, Session& session, wire::RequestId number, const Datum& body);
   void remember(Session& session, wire::RequestId number, Session::Reply reply);
@@ -133,6 +140,7 @@ class BoardServer {
   std::vector<std::string> addresses_;
   std::optional<KeyFolder> keys_;
   Gate gate_;
+  LeaseQuota leases_;
   Refusals refusals_;
   std::map<wire::SessionId, Session> sessions_;
   std::map<std::string, wire::SessionId> session_of_peer_;
@@ -141,6 +149,7 @@ class BoardServer {
   std::optional<Past> past_;
   std::set<std::pair<wire::SessionId, wire::RequestId>> past_asked_;
   std::set<wire::SessionId> to_flush_;
+  bool leaving_ = false;
   bool receiving_ = false;  // what is to be flushed is, when this is done
   Executor::TimerId flush_timer_ = 0;
   Executor::TimerId sweep_timer_ = 0;

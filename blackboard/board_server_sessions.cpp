@@ -78,10 +78,9 @@ Result<wire::SessionId> BoardServer::session_for(const std::string& peer, const 
     return key == nullptr ? !session.key : session.key && session.key->key == key->key;
   };
   const auto known = sessions_.find(asked);
-  // One that was restored has lost its key's name, not its teller's.
-  const bool its_own = known != sessions_.end() && known->second.teller == teller &&
-                       (known->second.peer.empty() || is_of_key(known->second));
+  const bool its_own = known != sessions_.end() && known->second.teller == teller && is_of_key(known->second);
   if (its_own) {
+    // One that was restored knows no more of its key than which it is.
     if (key != nullptr) known->second.key = *key;
     move_session(asked, known->second, peer);
     return asked;
@@ -90,6 +89,11 @@ Result<wire::SessionId> BoardServer::session_for(const std::string& peer, const 
   const auto of_key = std::ranges::count_if(sessions_, [&](const auto& entry) { return is_of_key(entry.second); });
   if (key != nullptr && of_key >= static_cast<std::ptrdiff_t>(max_sessions_of_a_key)) {
     return fail("too-large", "too many clients come with the key " + key->name);
+  }
+  const auto of_name = std::ranges::count_if(
+      sessions_, [&](const auto& entry) { return !entry.second.key && entry.second.teller == teller; });
+  if (key == nullptr && of_name >= static_cast<std::ptrdiff_t>(max_sessions_of_a_name)) {
+    return fail("too-large", "too many clients are called " + teller, to_datum(teller));
   }
   wire::SessionId id = random_number();
   while (sessions_.contains(id)) id = random_number();
@@ -126,7 +130,7 @@ void BoardServer::follow_keys() {
   for (const Failure& fault : keys_->faults()) refusals_.note("", fault);
   std::vector<wire::SessionId> ended;
   for (const auto& [id, session] : sessions_) {
-    if (!session.key) continue;
+    if (!session.key || session.peer.empty()) continue;
     const PublicKey* now = keys_->find(session.key->key);
     if (now == nullptr || *now != *session.key) ended.push_back(id);
   }
@@ -144,6 +148,7 @@ void BoardServer::forget_the_gone() {
   }
   for (const wire::SessionId id : gone) end_session(id);
   gate_.sweep();
+  leases_.sweep();
   if (keys_) follow_keys();
   sweep_timer_ = executor_.call_at(now + session_length_ / 8, [this] { forget_the_gone(); });
 }

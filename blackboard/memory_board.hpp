@@ -44,6 +44,7 @@ class MemoryBoard {
 
   Executor& executor() { return executor_; }
   const Store& store() const { return *store_; }
+  Statistics& statistics() { return statistics_; }
 
   Result<void> declare(const std::string& teller, const std::vector<Relation>& relations);
   Result<Revision> transact(const std::string& teller, const Transaction& transaction);

@@ -209,8 +209,19 @@ wire::RequestId RemoteBoard::begin(std::string body, bool repeatable, Done done)
 void RemoteBoard::transmit(wire::RequestId request, Pending& pending) {
   std::string frame = "(request " + std::to_string(session_) + ' ' + std::to_string(request) + ' ';
   frame += pending.body;
+  if (const std::optional<Time> now = time_to_say(pending))
+    frame += ' ' + std::to_string(now->time_since_epoch().count());
   frame += ')';
   if (socket_.send({}, frame)) pending.sent = executor_.now();
+}
+
+// A hundred times a second at most, of a change that is sent for the first time.
+std::optional<Time> RemoteBoard::time_to_say(const Pending& pending) {
+  constexpr Duration between = 10ms;
+  const Time now = executor_.now();
+  if (pending.sent || pending.repeatable || now - timed_ < between) return std::nullopt;
+  timed_ = now;
+  return board_clock_.there(now);
 }
 
 bool RemoteBoard::send(const Datum& message) { return socket_.send({}, write(message)); }

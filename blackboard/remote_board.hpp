@@ -20,6 +20,7 @@
 #include <string>
 
 #include "blackboard/board.hpp"
+#include "blackboard/clock_offset.hpp"
 #include "blackboard/time/executor.hpp"
 #include "blackboard/wire.hpp"
 #include "blackboard/wire_socket.hpp"
@@ -43,6 +44,11 @@ class RemoteBoard : public Board {
   bool connected() const { return joined_; }
   // For how long nothing has been heard from the board; it is asked for a sign of life every half second.
   Duration silence() const { return executor_.now() - heard_; }
+  // When the board said that it ends, if that is the last that was heard of it.
+  const std::optional<Time>& said_goodbye() const { return goodbye_; }
+  // What the board's clock shows, as far as its answers tell: what a fact's `when` is to be compared with. Nothing
+  // until it has said so.
+  std::optional<Time> board_time() const { return board_clock_.there(executor_.now()); }
 
   // Declares the relation and holds its facts from then on: a question about it alone is answered here, as it is at a
   // revision that has all that this board's own requests did. Failures as of declare() and watch().
@@ -75,6 +81,7 @@ class RemoteBoard : public Board {
   wire::RequestId begin(std::string body, bool repeatable, Done done);
   void forget(wire::RequestId request) { pending_.erase(request); }
   void transmit(wire::RequestId request, Pending& pending);
+  std::optional<Time> time_to_say(const Pending& pending);
   bool send(const Datum& message);
 
   void receive(std::string_view frame);
@@ -98,6 +105,10 @@ class RemoteBoard : public Board {
   Time greeted_{};
   Time pinged_{};
   std::optional<Time> connect_again_;
+  std::optional<Time> goodbye_;
+  ClockOffset board_clock_;
+  int pings_under_way_ = 0;
+  Time timed_{};  // the last request that said when it was sent
   wire::RequestId next_request_ = 1;
   wire::WatchId next_watch_ = 1;
   std::map<wire::RequestId, Pending> pending_;

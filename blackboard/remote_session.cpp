@@ -26,9 +26,22 @@ void RemoteBoard::receive(std::string_view frame) {
   const Datum& message = *read;
   heard_ = executor_.now();
   if (message.is_form("reply")) return replied(message);
+  if (message.is_form("goodbye")) {
+    goodbye_ = heard_;
+    joined_ = false;
+    greeted_ = {};
+    return;
+  }
   if (message.is_form("refused") && message.size() == 2 && !joined_) return refused(failure_from_datum(message[1]));
   const std::optional<std::uint64_t> number = wire::count_at(message, 1);
   if (!number) return;
+  if (message.is_form("pong")) {
+    const Time said{Duration(static_cast<Duration::rep>(*number))};
+    // Of several it answers an earlier one than the last.
+    if (pings_under_way_ == 1) board_clock_.heard(pinged_, heard_, said);
+    pings_under_way_ = std::max(pings_under_way_ - 1, 0);
+    return;
+  }
   if (message.is_form("welcome")) return welcomed(*number, wire::count_at(message, 2).value_or(0));
   if (message.is_form("unknown-session") && *number == session_) {
     joined_ = false;
@@ -52,9 +65,12 @@ void RemoteBoard::receive(std::string_view frame) {
 void RemoteBoard::welcomed(wire::SessionId session, wire::SessionId life) {
   if (joined_) return;
   joined_ = true;
+  goodbye_.reset();
+  pings_under_way_ = 0;
   const bool same_session = std::exchange(session_, session) == session;
   const bool same_life = std::exchange(life_, life) == life;
   if (!same_session) fail_what_may_have_happened();
+  if (!same_life) board_clock_.forget();
   if (!same_session || !same_life) {
     redeclare();
     replicas_->begin_again();
@@ -135,7 +151,10 @@ void RemoteBoard::tick() {
     if (due && send(list("hello"_sym, teller_, session_))) greeted_ = now;
     return;
   }
-  if (pinged_ + ping_length <= now && send(list("ping"_sym, session_))) pinged_ = now;
+  if (pinged_ + ping_length <= now && send(list("ping"_sym, session_))) {
+    pinged_ = now;
+    ++pings_under_way_;
+  }
   retransmit(now);
 }
 

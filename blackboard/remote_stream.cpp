@@ -49,7 +49,18 @@ void RemoteStream::receive(std::uint64_t sequence, const Datum& message) {
   const bool gap = sequence > expected_ && !from_the_start;
   if (gap || !has_room()) return begin_again();
   expected_ = sequence + 1;
+  note_arrival(*delta);
   come(sequence, std::move(*delta));
+}
+
+void RemoteStream::note_arrival(const Delta& delta) {
+  if (delta.kind != Delta::Kind::change || arrival_) return;
+  const std::optional<Time> now = board_.board_time();
+  for (const Fact& fact : delta.added.facts) {
+    if (!now || fact.revision != delta.revision) continue;
+    arrival_ = Arrival{std::string(fact.datum.head()), *now - fact.when};
+    return;
+  }
 }
 
 void RemoteStream::read_up_to(std::uint64_t sequence, bool say_so) {
@@ -60,7 +71,11 @@ void RemoteStream::read_up_to(std::uint64_t sequence, bool say_so) {
 
 void RemoteStream::acknowledge() {
   if (read_ == acknowledged_) return;
-  if (board_.send(list("ack"_sym, board_.session_, id_, read_))) acknowledged_ = read_;
+  Datum ack = list("ack"_sym, board_.session_, id_, read_);
+  if (arrival_) ack = list(ack[0], ack[1], ack[2], ack[3], Datum::symbol(arrival_->relation), arrival_->took.count());
+  if (!board_.send(ack)) return;
+  acknowledged_ = read_;
+  arrival_.reset();
 }
 
 }  // namespace pizarra

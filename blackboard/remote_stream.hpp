@@ -40,6 +40,7 @@ class RemoteStream {
 
  private:
   void enrol();
+  void note_arrival(const Delta& delta);
 
   RemoteBoard& board_;
   const Query query_;
@@ -49,6 +50,11 @@ class RemoteStream {
   std::uint64_t expected_ = 1;
   std::uint64_t read_ = 0;
   std::uint64_t acknowledged_ = 0;
+  struct Arrival {
+    std::string relation;
+    Duration took;
+  };
+  std::optional<Arrival> arrival_;  // of a fact, not told to the server yet
 };
 
 }  // namespace pizarra

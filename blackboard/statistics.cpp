@@ -1,6 +1,7 @@
 #include "blackboard/statistics.hpp"
 
-#include <algorithm>
+#include <array>
+#include <optional>
 
 #include "blackboard/evaluate.hpp"
 #include "blackboard/store.hpp"
@@ -10,17 +11,57 @@ namespace pizarra {
 
 namespace {
 
-constexpr std::string_view name = "relation-stats";
+// What can be asked for, and in which shape.
+Relation about_relations() {
+  return {.name = "relation-stats",
+          .arguments = {{"name", ArgumentType::symbol},
+                        {"facts", ArgumentType::integer},
+                        {"told", ArgumentType::integer},
+                        {"gone", ArgumentType::integer},
+                        {"per-second", ArgumentType::integer},
+                        {"tellers", ArgumentType::list},
+                        {"watchers", ArgumentType::list}},
+          .key = {0},
+          .durable = false,
+          .lease = {}};
+}
 
-Relation relation_stats() {
-  Relation relation;
-  relation.name = name;
-  relation.arguments = {{"name", ArgumentType::symbol},        {"facts", ArgumentType::integer},
-                        {"told", ArgumentType::integer},       {"gone", ArgumentType::integer},
-                        {"per-second", ArgumentType::integer}, {"tellers", ArgumentType::list},
-                        {"watchers", ArgumentType::list}};
-  relation.key = {0};
-  return relation;
+Relation about_journeys() {
+  return {
+      .name = "journey-stats",
+      .arguments = {{"name", ArgumentType::symbol}, {"told", ArgumentType::list}, {"delivered", ArgumentType::list}},
+      .key = {0},
+      .durable = false,
+      .lease = {}};
+}
+
+Relation about_watchers() {
+  return {.name = "watcher-stats",
+          .arguments = {{"watcher", ArgumentType::string},
+                        {"watches", ArgumentType::integer},
+                        {"queued", ArgumentType::integer},
+                        {"bytes", ArgumentType::integer}},
+          .key = {0},
+          .durable = false,
+          .lease = {}};
+}
+
+constexpr std::array<Relation (*)(), 3> askable = {about_relations, about_journeys, about_watchers};
+
+// Which of them the query is about, first of all.
+std::optional<Relation> relation_asked_for(const Query& query) {
+  for (const Query::Clause& clause : query.clauses) {
+    if (clause.kind == Query::Clause::Kind::compare || !clause.form.head().ends_with("-stats")) continue;
+    for (const auto& make : askable) {
+      Relation relation = make();
+      if (relation.name == clause.form.head()) return relation;
+    }
+  }
+  return std::nullopt;
+}
+
+Datum summary_form(const Latencies::Summary& summary) {
+  return list(summary.count, summary.p50.count(), summary.p90.count(), summary.p99.count());
 }
 
 template <class Names>
@@ -71,19 +112,32 @@ void Statistics::committed(const Commit& commit) {
   }
 }
 
-bool Statistics::is_about(const Query& query) {
-  return std::ranges::any_of(query.clauses, [](const Query::Clause& clause) {
-    return clause.kind != Query::Clause::Kind::compare && clause.form.head() == name;
-  });
+Statistics::Journeys* Statistics::journeys_of(std::string_view relation) {
+  const auto found = relations_.find(relation);
+  if (found == relations_.end()) return nullptr;
+  std::unique_ptr<Journeys>& journeys = found->second.journeys;
+  if (journeys == nullptr) journeys = std::make_unique<Journeys>();
+  return journeys.get();
 }
 
+void Statistics::came(std::string_view relation, Duration took, Time now) {
+  if (Journeys* journeys = journeys_of(relation)) journeys->to_board.add(took, now);
+}
+
+void Statistics::delivered(std::string_view relation, Duration took, Time now) {
+  if (Journeys* journeys = journeys_of(relation)) journeys->to_watchers.add(took, now);
+}
+
+bool Statistics::is_about(const Query& query) { return relation_asked_for(query).has_value(); }
+
 Result<Answers> Statistics::ask(const Query& query, const Store& store, const WatchTable& watches, Time now) {
+  const Relation about = *relation_asked_for(query);
   Tables tables;
-  FactTable& table = tables.try_emplace(std::string(name), relation_stats()).first->second;
+  FactTable& table = tables.try_emplace(about.name, about).first->second;
   FactId id = 0;
-  for (const auto& [relation, facts] : store.tables()) {
+  for (Datum& form : facts_of(about.name, store, watches, now)) {
     Fact fact;
-    fact.datum = fact_about(relation, facts.size(), watches, now);
+    fact.datum = std::move(form);
     fact.id = ++id;
     fact.teller = "board";
     fact.when = now;
@@ -92,7 +146,7 @@ Result<Answers> Statistics::ask(const Query& query, const Store& store, const Wa
   }
   const Result<void> checked = check_query_on(query, tables);
   if (!checked && checked.error().symbol == "undeclared-relation") {
-    return fail("bad-query", "relation-stats is asked for alone", query_to_datum(query));
+    return fail("bad-query", about.name + " is asked for alone", query_to_datum(query));
   }
   if (!checked) return fail(checked);
   Result<std::vector<Answer>> answers = evaluate(query, tables);
@@ -100,10 +154,32 @@ Result<Answers> Statistics::ask(const Query& query, const Store& store, const Wa
   return Answers{store.revision(), std::move(*answers)};
 }
 
-Datum Statistics::fact_about(const std::string& relation, std::size_t facts, const WatchTable& watches, Time now) {
+std::vector<Datum> Statistics::facts_of(std::string_view about, const Store& store, const WatchTable& watches,
+                                        Time now) {
+  std::vector<Datum> facts;
+  if (about == "relation-stats") {
+    for (const auto& [relation, table] : store.tables()) {
+      facts.push_back(relation_fact(relation, table.size(), watches, now));
+    }
+  } else if (about == "journey-stats") {
+    for (auto& [relation, counts] : relations_) {
+      if (counts.journeys == nullptr) continue;
+      const Datum told = summary_form(counts.journeys->to_board.summary(now));
+      const Datum delivered = summary_form(counts.journeys->to_watchers.summary(now));
+      facts.push_back(list("journey-stats"_sym, Datum::symbol(relation), told, delivered));
+    }
+  } else {
+    for (const auto& [watcher, load] : watches.loads()) {
+      facts.push_back(list("watcher-stats"_sym, watcher, load.watches, load.changes, load.bytes));
+    }
+  }
+  return facts;
+}
+
+Datum Statistics::relation_fact(const std::string& relation, std::size_t facts, const WatchTable& watches, Time now) {
   Counts& counts = counts_of(relation);
   counts.rate.pass_to(now);
-  return list(Datum::symbol(name), Datum::symbol(relation), facts, counts.told, counts.gone, counts.rate.before,
+  return list("relation-stats"_sym, Datum::symbol(relation), facts, counts.told, counts.gone, counts.rate.before,
               counted(counts.tellers), counted(watches.watchers_of(relation)));
 }
 

@@ -41,6 +41,8 @@ class Streams {
   class Subscription {
    public:
     virtual ~Subscription() = default;
+    // Why it does not follow its stream just now, such as not-permitted.
+    virtual std::optional<Failure> trouble() const { return std::nullopt; }
   };
 
   virtual ~Streams() = default;

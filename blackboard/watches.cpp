@@ -104,18 +104,38 @@ void WatchTable::find_touched(const Fact& fact, Revision revision, std::vector<W
   }
 }
 
+template <class Visitor>
+void WatchTable::visit(const Concerned& relation, Visitor&& visitor) {
+  for (const Filed& filed : relation.all) visitor(*filed.watch);
+  for (const auto& [place, files] : relation.by_argument) {
+    for (const auto& [value, file] : files) {
+      for (const Filed& filed : file) visitor(*filed.watch);
+    }
+  }
+}
+
 std::map<std::string, std::size_t> WatchTable::watchers_of(std::string_view relation) const {
   std::map<std::string, std::size_t> watchers;
   const auto found = relations_.find(relation);
   if (found == relations_.end()) return watchers;
-  const auto count = [&](const File& file) {
-    for (const Filed& filed : file) ++watchers[filed.watch->watcher_];
-  };
-  count(found->second.all);
-  for (const auto& [place, files] : found->second.by_argument) {
-    for (const auto& [value, file] : files) count(file);
-  }
+  visit(found->second, [&](const WatchQueue& watch) { ++watchers[watch.watcher_]; });
   return watchers;
+}
+
+std::map<std::string, WatchTable::Load> WatchTable::loads() const {
+  // One watch may be filed under several patterns.
+  std::map<std::uint64_t, const WatchQueue*> watches;
+  for (const auto& [name, relation] : relations_) {
+    visit(relation, [&](const WatchQueue& watch) { watches.emplace(watch.number_, &watch); });
+  }
+  std::map<std::string, Load> loads;
+  for (const auto& [number, watch] : watches) {
+    Load& load = loads[watch->watcher_];
+    ++load.watches;
+    load.changes += watch->deltas_.size();
+    load.bytes += watch->queued_bytes_;
+  }
+  return loads;
 }
 
 }  // namespace pizarra

@@ -34,6 +34,13 @@ class WatchTable {
   std::size_t size() const { return size_; }
   // How many patterns of whose watches are about a relation.
   std::map<std::string, std::size_t> watchers_of(std::string_view relation) const;
+  // What waits for each watcher.
+  struct Load {
+    std::size_t watches = 0;
+    std::size_t changes = 0;
+    std::size_t bytes = 0;
+  };
+  std::map<std::string, Load> loads() const;
 
  private:
   friend class WatchQueue;
@@ -52,6 +59,9 @@ class WatchTable {
   void forget(const WatchQueue& watch);
   File& file_for(Concerned& relation, const Datum& pattern);
   void find_touched(const Fact& fact, Revision revision, std::vector<WatchQueue*>& touched) const;
+
+  template <class Visitor>
+  static void visit(const Concerned& relation, Visitor&& visitor);
 
   const Store& store_;
   std::uint64_t next_number_ = 1;

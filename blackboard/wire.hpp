@@ -4,17 +4,20 @@
 //
 // Client to server                              Server to client
 //   (hello TELLER SESSION)  SESSION 0: a new one   (welcome SESSION LIFE)
-//   (request SESSION ID BODY)                      (reply ID RESULT) or (reply ID RESULT REVISION SENT)
-//   (ack SESSION WATCH SEQ)  read up to there      (change WATCH SEQ REVISION KIND (ANSWER ...) (ANSWER ...))
+//   (request SESSION ID BODY [TIME])               (reply ID RESULT) or (reply ID RESULT REVISION SENT)
+//   (ack SESSION WATCH SEQ [RELATION TOOK])        (change WATCH SEQ REVISION KIND (ANSWER ...) (ANSWER ...))
 //   (unwatch SESSION WATCH)                        (watch-failed WATCH (fail ...))
-//   (ping SESSION)                                 (pong)
-//   (bye SESSION)                                  (unknown-session SESSION), (refused (fail ...))
+//   (ping SESSION)                                 (pong TIME)
+//   (bye SESSION)                                  (unknown-session SESSION), (refused (fail ...)), (goodbye)
 //
 // A RESULT is (ok VALUE) or (fail ...). A client that holds what it watches is told the revision the board was at then,
 // and whether all changes up to there went to it before the reply: SENT is `yes` or `no`. A reply that is given again
 // does not say. The answers of a change are those that came, then those that went. Its KIND is `no` for what changed,
 // `yes` for all that holds, or, where that is more than a message holds, `first`, `more` ... and `last` for the parts
 // of it: what went is then of the parts before, and what holds is known with the last.
+//
+// An `ack` is of all changes up to SEQ. Times are the server's, in microseconds: a client that knows them from its pongs
+// may say when it sent a request, and how long a fact of a relation TOOK from its commit to here.
 //
 // A BODY and the VALUE of its reply:
 //   (declare RELATION ...) -> ()                       (take PATTERN LEASE) -> () or (FACT)
@@ -25,8 +28,8 @@
 // (settle ID); FACT is (ID REVISION MICROSECONDS TELLER DATUM CAUSE ...). An ANSWER is the list of its facts: the
 // bindings follow from the query.
 //
-// A session lives while its client is heard from. Changes of one watch are numbered from 1; only so many are under way
-// before they are acknowledged.
+// A server that is ended in order says goodbye to every client. A session lives while its client is heard from. Changes
+// of one watch are numbered from 1; only so many are under way before they are acknowledged.
 
 #include <optional>
 #include <string>

@@ -7,6 +7,8 @@ namespace pizarra {
 namespace {
 
 constexpr Duration retry_pause = 200ms;
+// What a board refuses it refuses again, and counts.
+constexpr Duration longest_pause = 30s;
 
 }  // namespace
 
@@ -26,6 +28,7 @@ class RemoteStreams::Following : public Streams::Subscription {
   ~Following() override {
     if (retry_ != 0) executor_.cancel(retry_);
   }
+  std::optional<Failure> trouble() const override { return trouble_; }
 
  private:
   Task<void> follow();
@@ -40,6 +43,7 @@ class RemoteStreams::Following : public Streams::Subscription {
   const std::string stream_;
   Receiver receiver_;
   Datum place_;
+  std::optional<Failure> trouble_;
   std::unique_ptr<Subscription> connection_;
   Executor::TimerId retry_ = 0;
   Job job_;
@@ -54,15 +58,22 @@ Task<Result<std::unique_ptr<Watch>>> RemoteStreams::Following::watch() {
 }
 
 Task<void> RemoteStreams::Following::follow() {
+  Duration pause = retry_pause;
   while (true) {
     const Result<std::unique_ptr<Watch>> watching = co_await watch();
     bool going_on = watching.has_value();
+    if (!going_on) trouble_ = watching.error();
     while (going_on) {
       const Result<Change> change = co_await (*watching)->next();
       going_on = change.has_value();
-      if (going_on) announced(*change);
+      if (!going_on) trouble_ = change.error();
+      if (!going_on) continue;
+      announced(*change);
+      trouble_.reset();
+      pause = retry_pause;
     }
-    co_await sleep(executor_, retry_pause);
+    co_await sleep(executor_, pause);
+    pause = std::min(2 * pause, longest_pause);
   }
 }
 

@@ -18,10 +18,10 @@ struct RealExecutor::Offloaded {
   Event finished;
 };
 
-RealExecutor::RealExecutor()
-    : steady_start_(std::chrono::steady_clock::now()),
-      start_(std::chrono::time_point_cast<Duration>(std::chrono::system_clock::now())),
-      wake_up_(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {
+Time RealExecutor::wall_clock() { return std::chrono::time_point_cast<Duration>(std::chrono::system_clock::now()); }
+
+RealExecutor::RealExecutor(Time begin)
+    : steady_start_(std::chrono::steady_clock::now()), start_(begin), wake_up_(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {
   if (wake_up_ < 0) throw std::system_error(errno, std::generic_category(), "eventfd");
 }
 

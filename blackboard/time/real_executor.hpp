@@ -1,6 +1,7 @@
 #pragma once
 
-// This machine's time. It begins at the wall clock and then goes on steadily, whatever is done to the wall clock.
+// This machine's time. It begins at the wall clock, or where it is told to, and then goes on steadily, whatever is done
+// to the wall clock: no timer, lease or deadline is early or late because somebody set it.
 //
 //   RealExecutor executor;
 //   Job job = executor.spawn(agent.run());
@@ -21,11 +22,12 @@ namespace pizarra {
 
 class RealExecutor : public Executor {
  public:
-  RealExecutor();
+  explicit RealExecutor(Time begin = wall_clock());
   ~RealExecutor() override;
   RealExecutor(const RealExecutor&) = delete;
   RealExecutor& operator=(const RealExecutor&) = delete;
 
+  static Time wall_clock();
   Time now() const override;
   void post(Callback callback) override;
   TimerId call_at(Time when, Callback callback) override;

@@ -1,82 +1,25 @@
 #include <csignal>
 #include <filesystem>
-#include <fstream>
 #include <gtest/gtest.h>
-#include <iterator>
-#include <spawn.h>
-#include <sys/wait.h>
 #include <unistd.h>
 #include <zmq.hpp>
 
+#include "blackboard/journal_file.hpp"
 #include "blackboard/remote_board.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "lisp/writer.hpp"
 #include "tests/blackboard/board_fixture.hpp"
-
-extern char** environ;
+#include "tests/blackboard/child_program.hpp"
 
 namespace pizarra {
 namespace {
 
-// The program as a child, and what it printed.
-class Program {
- public:
-  explicit Program(std::vector<std::string> words) {
+struct Program : ChildProgram {
+  explicit Program(std::vector<std::string> words) : ChildProgram(of_board(std::move(words))) {}
+  static std::vector<std::string> of_board(std::vector<std::string> words) {
     words.insert(words.begin(), PIZARRA_BOARD_PROGRAM);
-    std::vector<char*> arguments;
-    for (std::string& word : words) arguments.push_back(word.data());
-    arguments.push_back(nullptr);
-    int ends[2];
-    EXPECT_EQ(pipe(ends), 0);
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
-    posix_spawn_file_actions_adddup2(&actions, ends[1], STDERR_FILENO);
-    posix_spawn_file_actions_addclose(&actions, ends[0]);
-    EXPECT_EQ(posix_spawn(&child_, PIZARRA_BOARD_PROGRAM, &actions, nullptr, arguments.data(), environ), 0);
-    posix_spawn_file_actions_destroy(&actions);
-    close(ends[1]);
-    output_ = ends[0];
+    return words;
   }
-  Program(const Program&) = delete;
-  Program& operator=(const Program&) = delete;
-  ~Program() {
-    if (child_ != 0) stop(SIGKILL);
-    close(output_);
-  }
-
-  // The next line it prints; what there is when it ends.
-  std::string line() {
-    std::string line;
-    for (char c = 0; read_char(c) && c != '\n';) line += c;
-    return line;
-  }
-  std::string rest() {
-    std::string rest;
-    for (char c = 0; read_char(c);) rest += c;
-    return rest;
-  }
-  // Every file that its memory shows: the program and the libraries it runs with.
-  std::string mapped_files() const {
-    std::ifstream maps("/proc/" + std::to_string(child_) + "/maps");
-    return {std::istreambuf_iterator<char>(maps), {}};
-  }
-  // Its exit code, or minus the signal that ended it.
-  int stop(int signal) {
-    kill(child_, signal);
-    return wait();
-  }
-  int wait() {
-    int status = 0;
-    waitpid(child_, &status, 0);
-    child_ = 0;
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
-  }
-
- private:
-  bool read_char(char& c) const { return ::read(output_, &c, 1) == 1; }
-  pid_t child_ = 0;
-  int output_ = -1;
 };
 
 class BoardProgram : public testing::Test, public Wall {
@@ -98,10 +41,14 @@ TEST_F(BoardProgram, SaysThatItIsReadyServesAndStopsCleanly) {
     Program program({"--listen", address_, "--listen", "tcp://127.0.0.1:*"});
     const std::string ready = program.line();
     EXPECT_TRUE(ready.starts_with("pizarra-board: ready on " + address_ + " tcp://127.0.0.1:")) << ready;
-    const auto alice = view("alice");
+    const auto alice = RemoteBoard::connect(executor_, address_, "alice").value();
     EXPECT_EQ(symbol_of(run(alice->declare(relations_))), "ok");
     EXPECT_EQ(symbol_of(run(alice->tell(read("(seen 1)")))), "ok");
-    EXPECT_EQ(program.stop(signal), 0);
+    const Time stopped = executor_.now();
+    program.send(signal);
+    executor_.run_until([&] { return !alice->connected() || executor_.now() > stopped + 3s; });
+    EXPECT_LT(executor_.now() - stopped, 1s) << "its clients are told";
+    EXPECT_EQ(program.wait(), 0);
     EXPECT_EQ(program.rest(), "");
     EXPECT_FALSE(std::filesystem::exists(path_));
   }
@@ -134,7 +81,7 @@ TEST_F(BoardProgram, DurableFactsOutliveItsSuddenDeath) {
   EXPECT_EQ(run(bob->facts(read("(goal ?n)")))->size(), 1U);
   EXPECT_TRUE(run(bob->facts(read("(seen ?n)")))->empty());
   EXPECT_EQ(program.stop(SIGTERM), 0);
-  std::filesystem::remove(journal);
+  remove_journal(journal);
 }
 
 // The client's side of the wire, word by word, over a connection of its own.
@@ -177,7 +124,7 @@ TEST_F(BoardProgram, ARequestWhoseAnswerWasLostInACrashIsNotDoneTwice) {
   const auto bob = view("bob");
   EXPECT_EQ(run(bob->facts(read("(goal ?n)")))->size(), 1U) << "the other one was not taken in its place";
   EXPECT_EQ(program.stop(SIGTERM), 0);
-  std::filesystem::remove(journal);
+  remove_journal(journal);
 }
 
 TEST_F(BoardProgram, ItsExitCodesSayWhatWasWrong) {

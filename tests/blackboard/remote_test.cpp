@@ -73,6 +73,58 @@ TEST_F(RemoteTest, AfterTheServerWasLostAgentsGoOnAndTheirLeasesAreGone) {
   EXPECT_EQ(symbol_of(run(alice->renew(lease))), "unknown-lease");
 }
 
+TEST_F(RemoteTest, AServerThatEndsSaysGoodbyeAndTheNextIsFollowed) {
+  start_server();
+  const auto alice = RemoteBoard::connect(executor_, address_, "alice").value();
+  ASSERT_EQ(symbol_of(run(alice->declare(relations_))), "ok");
+  EXPECT_FALSE(alice->said_goodbye());
+  const Time ended = executor_.now();
+  server_->say_goodbye();
+  pass(BoardServer::goodbye_length);
+  stop_server();
+  executor_.run_until([&] { return alice->said_goodbye() || executor_.now() > ended + 5s; });
+  EXPECT_FALSE(alice->connected());
+  EXPECT_LT(executor_.now() - ended, 500ms) << "not only when it has been silent for long";
+  start_server();
+  EXPECT_EQ(symbol_of(tell(*alice, "(on a b)")), "ok");
+  EXPECT_FALSE(alice->said_goodbye());
+}
+
+TEST_F(RemoteTest, ClientsSayHowLongFactsAreUnderWay) {
+  start_server();
+  const auto alice = RemoteBoard::connect(executor_, address_, "alice").value();
+  const auto bob = RemoteBoard::connect(executor_, address_, "bob").value();
+  ASSERT_EQ(symbol_of(run(alice->declare(relations_))), "ok");
+  const std::unique_ptr<Watch> watch = run(bob->watch(query("(on ?x ?y)"))).value();
+  run(watch->next()).value();
+  executor_.run_until([&] { return alice->board_time() && bob->board_time(); });
+  EXPECT_LT(std::chrono::abs(*alice->board_time() - executor_.now()), 100ms) << "it is the same clock";
+  constexpr int told = 5;
+  for (int i = 0; i < told; ++i) {
+    pass(12ms);
+    const Time before = executor_.now();
+    ASSERT_EQ(symbol_of(tell(*alice, "(on a b" + std::to_string(i) + ")")), "ok");
+    const Fact arrived = run(watch->next())->added.front().facts.front();
+    const Duration took = *bob->board_time() - arrived.when;
+    EXPECT_LE(took, executor_.now() - before + 100ms);
+  }
+  const auto journeys = [&] { return board_->ask(query("(journey-stats on ?told ?delivered)")); };
+  const auto count = [&](const char* of) {
+    const Result<Answers> answers = journeys();
+    return answers->answers.empty() ? 0 : (*answers->answers.front().bindings.find(of))[0].integer();
+  };
+  executor_.run_until([&] { return count("?delivered") >= told - 1; });
+  EXPECT_GE(count("?told"), told - 1);
+  for (const char* of : {"?told", "?delivered"}) {
+    const Result<Answers> answers = journeys();
+    const Datum spread = *answers->answers.front().bindings.find(of);
+    ASSERT_EQ(spread.size(), 4U);
+    EXPECT_LE(spread[1].integer(), spread[2].integer());
+    EXPECT_LE(spread[2].integer(), spread[3].integer());
+    EXPECT_LT(spread[1].integer(), 5'000'000) << write(spread);
+  }
+}
+
 TEST_F(RemoteTest, AClientThatWasForgottenComesBack) {
   auto store = std::make_unique<Store>();
   board_ = std::make_unique<MemoryBoard>(executor_, std::move(store));

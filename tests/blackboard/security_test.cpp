@@ -83,6 +83,41 @@ TEST_F(SecurityTest, AClientWithAnAuthorisedKeyTellsUnderItsName) {
   EXPECT_EQ(run(boss->facts(read("(agent ?)")))->front().teller, "robot/gripper");
 }
 
+// A board that lives again knows its sessions by what their clients were answered.
+TEST_F(SecurityTest, ARestoredSessionIsItsKeysAlone) {
+  BoardServerOptions options;
+  options.addresses = {"tcp://127.0.0.1:*", ipc_};
+  options.keys = folder_;
+  const std::string key = read_public_key(folder_ + "/robot.key")->key;
+  options.remembered = {{77, "robot", 1, read("(ok 5)"), key}, {78, "hand", 1, read("(ok 6)"), ""}};
+  server_ = BoardServer::open(executor_, board_, options).value();
+  // The session that is given to who says so over the address.
+  const auto welcomed = [&](const std::string& address, const ClientKeys* keys, const std::string& hello) {
+    std::optional<std::uint64_t> session;
+    WireSocket client(executor_, WireSocket::Kind::dealer,
+                      [&](const std::string&, std::optional<std::string_view> frame) {
+                        if (frame && frame->starts_with("(welcome"))
+                          session = wire::count_at(read(std::string(*frame)), 1);
+                      });
+    EXPECT_TRUE(client.connect(address, keys).has_value());
+    for (int tries = 0; tries < 200 && !session; ++tries) {
+      client.send({}, hello);
+      pass(10ms);
+    }
+    return session.value_or(0);
+  };
+  const ClientKeys keys = read_client_keys(secret_of("robot")).value();
+  EXPECT_NE(welcomed(ipc_, nullptr, "(hello \"robot\" 77)"), 77U) << "came with no key";
+  EXPECT_EQ(welcomed(ipc_, nullptr, "(hello \"hand\" 78)"), 78U);
+  EXPECT_EQ(welcomed(tcp(), &keys, "(hello \"robot\" 77)"), 77U);
+  ASSERT_TRUE(make_keys(folder_ + ".new", "robot", {{"*"}, {"*"}, {"*"}, {}}).has_value());
+  std::filesystem::rename(folder_ + ".new/robot.key", folder_ + "/robot.key");
+  ClientKeys anew = keys;
+  anew.own = read_secret_key(folder_ + ".new/robot.secret").value();
+  std::filesystem::remove_all(folder_ + ".new");
+  EXPECT_NE(welcomed(tcp(), &anew, "(hello \"robot\" 77)"), 77U) << "came with another key of that name";
+}
+
 TEST_F(SecurityTest, AStrangersKeyIsRefusedWithAReasonAndTold) {
   serve();
   const std::string elsewhere = folder_ + ".other";

@@ -109,6 +109,10 @@ int serve(Options options) {
   fmt::print("pizarra-board: ready on {}\n", fmt::join((*server)->addresses(), " "));
   std::fflush(stdout);
   executor.run_until([] { return false; });
+  if ((*server)->sessions() == 0) return stopped;
+  (*server)->say_goodbye();
+  executor.call_at(executor.now() + BoardServer::goodbye_length, [&executor] { executor.stop(); });
+  executor.run_until([] { return false; });
   return stopped;
 }
 

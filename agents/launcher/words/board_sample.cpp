@@ -33,17 +33,54 @@ bool is_teller(const std::string& teller, const std::string& agent) {
   return teller == agent || teller.ends_with("/" + agent);
 }
 
+Spread spread_from(const Datum& form) {
+  if (form.size() != 4) return {};
+  return {form[0].integer(), form[1].integer(), form[2].integer(), form[3].integer()};
+}
+
 }  // namespace
 
-Task<Result<std::vector<Fact>>> BoardSampler::statistics() {
-  const Datum any = "?"_sym;
-  Query query = query_for(list("relation-stats"_sym, any, any, any, any, any, any, any));
+Task<Result<std::vector<Fact>>> BoardSampler::ask_about(Datum pattern) {
+  Query query = query_for(std::move(pattern));
   const Result<Answers> answers = co_await board_.ask(std::move(query));
   if (!answers) co_return fail(answers);
   revision_ = answers->revision;
   std::vector<Fact> facts;
   for (const Answer& answer : answers->answers) facts.push_back(answer.facts.front());
   co_return facts;
+}
+
+Task<Result<std::vector<Fact>>> BoardSampler::statistics() {
+  const Datum any = "?"_sym;
+  Datum pattern = list("relation-stats"_sym, any, any, any, any, any, any, any);
+  co_return co_await ask_about(std::move(pattern));
+}
+
+// Who may not read this sees the rest.
+Task<void> BoardSampler::add_journeys(BoardSample& sample) {
+  const Datum any = "?"_sym;
+  Datum pattern = list("journey-stats"_sym, any, any, any);
+  const Result<std::vector<Fact>> journeys = co_await ask_about(std::move(pattern));
+  if (!journeys) co_return;
+  for (const Fact& fact : *journeys) {
+    const auto relation = std::ranges::find(sample.relations, fact.datum[1].text(), &RelationSample::name);
+    if (relation == sample.relations.end()) continue;
+    relation->told = spread_from(fact.datum[2]);
+    relation->delivered = spread_from(fact.datum[3]);
+  }
+}
+
+Task<void> BoardSampler::add_queues(BoardSample& sample) {
+  const Datum any = "?"_sym;
+  Datum pattern = list("watcher-stats"_sym, any, any, any, any);
+  const Result<std::vector<Fact>> watchers = co_await ask_about(std::move(pattern));
+  if (!watchers) co_return;
+  for (const Fact& fact : *watchers) {
+    const std::string watcher(fact.datum[1].text());
+    for (AgentSample& agent : sample.agents) {
+      if (is_teller(watcher, agent.name)) agent.queued += fact.datum[3].integer();
+    }
+  }
 }
 
 BoardSampler::Counts BoardSampler::count(const std::vector<Fact>& statistics, Revision revision) const {
@@ -101,6 +138,8 @@ Task<Result<BoardSample>> BoardSampler::next() {
   std::ranges::stable_sort(sample.relations, std::ranges::greater(), &RelationSample::told_per_second);
   const Result<void> agents = co_await add_agents(sample, now);
   if (!agents) co_return fail(agents);
+  co_await add_journeys(sample);
+  co_await add_queues(sample);
   const Result<Journey> journey = co_await travel();
   if (journey) sample.journey = *journey;
   // What the probes did counts for nobody's next rate.

@@ -8,7 +8,8 @@
 //   co_await sleep(executor, 1s);
 //   Result<BoardSample> sample = co_await sampler.next();       // since begin(), or since the last
 //
-// A fact's journey is timed on facts of the sampler's own, (board-probe WHO N SENT-US), one key, gone with it: from
+// How long the facts of a relation are under way their tellers and watchers say themselves (statistics.hpp). Where nobody
+// tells anything, a fact's journey is timed on facts of the sampler's own, (board-probe WHO N SENT-US), one key, gone with it: from
 // telling to the board's committing it (by the board's clock: on one machine the same), to the board's answer, and to
 // its arrival at a watcher. Who may not tell them has no journey to show.
 
@@ -22,12 +23,23 @@
 
 namespace pizarra {
 
+// In microseconds.
+struct Spread {
+  std::int64_t count = 0;
+  std::int64_t p50_us = 0;
+  std::int64_t p90_us = 0;
+  std::int64_t p99_us = 0;
+};
+
 struct RelationSample {
   std::string name;
   std::int64_t facts = 0;
   double told_per_second = 0;
   std::int64_t watches = 0;
   std::vector<std::string> tellers;
+  // How long its facts were under way lately, to the board and from there to watchers; count 0 where nobody said so.
+  Spread told = {};
+  Spread delivered = {};
 };
 
 struct AgentSample {
@@ -36,6 +48,7 @@ struct AgentSample {
   std::string host;
   double told_per_second = 0;
   std::int64_t waiting = 0;  // requests that it has not taken
+  std::int64_t queued = 0;   // changes of what it watches that it has not read
 };
 
 // Medians, in microseconds.
@@ -71,7 +84,10 @@ class BoardSampler {
     std::map<std::pair<std::string, std::string>, std::int64_t> tells;  // by relation and teller
   };
 
+  Task<Result<std::vector<Fact>>> ask_about(Datum pattern);
   Task<Result<std::vector<Fact>>> statistics();
+  Task<void> add_journeys(BoardSample& sample);
+  Task<void> add_queues(BoardSample& sample);
   Task<Result<void>> add_agents(BoardSample& sample, const Counts& now);
   Task<Result<Journey>> travel();
   Counts count(const std::vector<Fact>& statistics, Revision revision) const;

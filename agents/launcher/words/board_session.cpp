@@ -20,6 +20,8 @@ namespace {
 constexpr Duration answer_timeout = 5s;
 // Longer than a supervisor takes to start a board again.
 constexpr Duration longest_silence = 10s;
+// One that ends in order may be started again in its place.
+constexpr Duration longest_goodbye = 1s;
 constexpr Duration look_pause = 200ms;
 constexpr Duration goodbye_timeout = 500ms;
 
@@ -56,6 +58,8 @@ Loss loss_of(const RemoteBoard& board, const Destination& to) {
       if (!anew) return Failure{"unreachable", fmt::format("the cell {} has ended", run->cell), {}, {}};
       run = anew;
     }
+    const bool ended = board.said_goodbye() && board.silence() >= longest_goodbye;
+    if (ended) return Failure{"unreachable", "the board has ended", to_datum(to.address), {}};
     if (board.silence() < longest_silence) return std::nullopt;
     const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(longest_silence).count();
     const std::string sentence = fmt::format("the board has answered nothing for {} s", seconds);

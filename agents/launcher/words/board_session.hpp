@@ -7,9 +7,9 @@
 //   return talk_to(*to, {"(ask (on ?x ?y))"}, {.style = Style::json});  // the exit status
 //
 // A board elsewhere may go while something of it is waited for. It is gone at once when it is that of a cell which runs
-// here and ends, else when it has answered nothing for `longest_silence`; one that comes back before is none the wiser.
-// Then the talk ends with exit_unavailable; a prompt that a person types at says so and stays. Who ends, also by a
-// signal that ended its executor, takes its presence along.
+// here and ends, a second after it has said goodbye, else when it has answered nothing for `longest_silence`; one that
+// comes back before is none the wiser. Then the talk ends with exit_unavailable; a prompt that a person types at says
+// so and stays. Who ends, also by a signal that ended its executor, takes its presence along.
 
 #include <CLI/CLI.hpp>
 #include <functional>

@@ -26,6 +26,17 @@ struct TopChoices {
   bool json = false;
 };
 
+// The half, and ninety-nine in a hundred.
+std::string spread_text(const Spread& spread) {
+  return spread.count == 0 ? "-" : fmt::format("{} / {}", spread.p50_us, spread.p99_us);
+}
+
+std::string spread_json(const Spread& spread) {
+  if (spread.count == 0) return "null";
+  return fmt::format("{{\"count\":{},\"p50\":{},\"p90\":{},\"p99\":{}}}", spread.count, spread.p50_us, spread.p90_us,
+                     spread.p99_us);
+}
+
 void print_text(const BoardSample& sample, const std::string& address) {
   // A terminal shows each in the place of the one before.
   if (isatty(STDOUT_FILENO) != 0) fmt::print("\x1b[H\x1b[2J");
@@ -35,36 +46,41 @@ void print_text(const BoardSample& sample, const std::string& address) {
     fmt::print("a fact is committed after {:.0f} us, acknowledged after {:.0f} us, delivered after {:.0f} us\n",
                journey->committed_us, journey->acknowledged_us, journey->delivered_us);
   }
-  fmt::print("\n{:<20} {:<14} {:<16} {:>9} {:>9}\n", "AGENT", "KIND", "HOST", "TOLD/S", "WAITING");
+  fmt::print("\n{:<20} {:<14} {:<16} {:>9} {:>9} {:>9}\n", "AGENT", "KIND", "HOST", "TOLD/S", "WAITING", "QUEUED");
   for (const AgentSample& agent : sample.agents) {
-    fmt::print("{:<20} {:<14} {:<16} {:>9.1f} {:>9}\n", agent.name, agent.kind, agent.host, agent.told_per_second,
-               agent.waiting);
+    fmt::print("{:<20} {:<14} {:<16} {:>9.1f} {:>9} {:>9}\n", agent.name, agent.kind, agent.host, agent.told_per_second,
+               agent.waiting, agent.queued);
   }
-  fmt::print("\n{:<20} {:>9} {:>9} {:>9}  {}\n", "RELATION", "FACTS", "TOLD/S", "WATCHES", "TELLERS");
+  fmt::print("\n{:<20} {:>9} {:>9} {:>9} {:>13} {:>13}  {}\n", "RELATION", "FACTS", "TOLD/S", "WATCHES", "TO BOARD us",
+             "TO WATCHER us", "TELLERS");
   std::size_t shown = 0;
   for (const RelationSample& relation : sample.relations) {
     if (relation.facts == 0 && relation.told_per_second == 0 && relation.watches == 0) continue;
     if (++shown > relations_shown) break;
-    fmt::print("{:<20} {:>9} {:>9.1f} {:>9}  {}\n", relation.name, relation.facts, relation.told_per_second,
-               relation.watches, fmt::join(relation.tellers, " "));
+    fmt::print("{:<20} {:>9} {:>9.1f} {:>9} {:>13} {:>13}  {}\n", relation.name, relation.facts,
+               relation.told_per_second, relation.watches, spread_text(relation.told), spread_text(relation.delivered),
+               fmt::join(relation.tellers, " "));
   }
 }
 
 void print_json(const BoardSample& sample) {
   std::vector<std::string> agents;
   for (const AgentSample& agent : sample.agents) {
-    agents.push_back(fmt::format("{{\"name\":{},\"kind\":{},\"host\":{},\"told_per_second\":{:.1f},\"waiting\":{}}}",
-                                 json_string(agent.name), json_string(agent.kind), json_string(agent.host),
-                                 agent.told_per_second, agent.waiting));
+    agents.push_back(
+        fmt::format("{{\"name\":{},\"kind\":{},\"host\":{},\"told_per_second\":{:.1f},\"waiting\":{},"
+                    "\"queued\":{}}}",
+                    json_string(agent.name), json_string(agent.kind), json_string(agent.host), agent.told_per_second,
+                    agent.waiting, agent.queued));
   }
   std::vector<std::string> relations;
   for (const RelationSample& relation : sample.relations) {
     std::vector<std::string> tellers;
     for (const std::string& teller : relation.tellers) tellers.push_back(json_string(teller));
     relations.push_back(
-        fmt::format("{{\"name\":{},\"facts\":{},\"told_per_second\":{:.1f},\"watches\":{},\"tellers\":[{}]}}",
+        fmt::format("{{\"name\":{},\"facts\":{},\"told_per_second\":{:.1f},\"watches\":{},\"tellers\":[{}],"
+                    "\"told_us\":{},\"delivered_us\":{}}}",
                     json_string(relation.name), relation.facts, relation.told_per_second, relation.watches,
-                    fmt::join(tellers, ",")));
+                    fmt::join(tellers, ","), spread_json(relation.told), spread_json(relation.delivered)));
   }
   const std::string journey =
       sample.journey

@@ -129,6 +129,36 @@ TEST_P(StreamsTest, ASubscriberMayEndFromInsideItsReceiver) {
   EXPECT_EQ(frames, 1);
 }
 
+// A board that lets nobody watch.
+class RefusingBoard : public Board {
+ public:
+  int tries = 0;
+  Task<Result<void>> declare(std::vector<Relation>) override {
+    ++tries;
+    co_return fail("not-permitted", "not you");
+  }
+  Task<Result<Revision>> transact(Transaction) override { co_return 0U; }
+  Task<Result<Answers>> ask(Query) override { co_return Answers(); }
+  Task<Result<std::unique_ptr<Watch>>> watch(Query) override { co_return nullptr; }
+  Task<Result<std::optional<Fact>>> take(Datum, LeaseId) override { co_return std::nullopt; }
+  Task<Result<LeaseId>> lease(Duration) override { co_return 1U; }
+  Task<Result<void>> renew(LeaseId) override { co_return Result<void>(); }
+  Task<Result<void>> release(LeaseId) override { co_return Result<void>(); }
+};
+
+TEST_P(StreamsTest, ASubscriptionThatIsRefusedSaysWhyAndAsksMoreAndMoreSeldom) {
+  if (!GetParam().remote || GetParam().by_network) GTEST_SKIP() << "it is the same however frames come";
+  RefusingBoard board;
+  const auto streams = RemoteStreams::open(executor, board).value();
+  const auto subscription = streams->subscribe("eyes", [](const StreamFrame&) {});
+  const Time begun = executor.now();
+  EXPECT_TRUE(wait_until([&] { return executor.now() > begun + 1300ms; }));
+  ASSERT_TRUE(subscription->trouble());
+  EXPECT_EQ(subscription->trouble()->symbol, "not-permitted");
+  EXPECT_GE(board.tries, 2);
+  EXPECT_LE(board.tries, 3);
+}
+
 TEST_P(StreamsTest, ASubscriptionGoesOnWithTheNextPublisherUnderTheName) {
   if (!GetParam().remote) GTEST_SKIP() << "publishers of one process share their streams";
   const auto subscription = subscribe();

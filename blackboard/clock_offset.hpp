@@ -1,0 +1,38 @@
+#pragma once
+
+// What another's clock shows, from the times that it said: the answer that came soonest says it best, for its time is
+// known to half of what the question and the answer took together.
+//
+//   ClockOffset board;
+//   board.heard(asked, executor.now(), said);
+//   board.there(executor.now());              // nothing before it said anything
+
+#include <optional>
+
+#include "blackboard/time/clock.hpp"
+
+namespace pizarra {
+
+class ClockOffset {
+ public:
+  // Clocks drift apart.
+  static constexpr Duration believed = 30s;
+
+  void heard(Time asked, Time answered, Time said) {
+    const Duration took = answered - asked;
+    const bool better = !offset_ || took <= took_ || answered - measured_ > believed;
+    if (!better) return;
+    took_ = took;
+    measured_ = answered;
+    offset_ = said + took / 2 - answered;
+  }
+  std::optional<Time> there(Time here) const { return offset_ ? std::optional(here + *offset_) : std::nullopt; }
+  void forget() { offset_.reset(); }
+
+ private:
+  std::optional<Duration> offset_;
+  Duration took_{};
+  Time measured_{};
+};
+
+}  // namespace pizarra

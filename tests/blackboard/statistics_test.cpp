@@ -1,0 +1,89 @@
+#include <algorithm>
+#include <gtest/gtest.h>
+
+#include "blackboard/clock_offset.hpp"
+#include "blackboard/latencies.hpp"
+#include "blackboard/time/random.hpp"
+#include "blackboard/time/virtual_executor.hpp"
+#include "blackboard/watch_queue.hpp"
+#include "tests/blackboard/wall.hpp"
+
+namespace pizarra {
+namespace {
+
+TEST(Latencies, AreKnownToAFifthOfThemselves) {
+  constexpr std::uint64_t seed = 4;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  Random random(seed);
+  Latencies latencies;
+  std::vector<std::int64_t> took;
+  for (int i = 0; i < 1000; ++i) {
+    took.push_back(static_cast<std::int64_t>(random.below(1U << (4 + random.below(16)))));
+    latencies.add(Duration(took.back()), Time(1s));
+  }
+  std::ranges::sort(took);
+  const Latencies::Summary summary = latencies.summary(Time(2s));
+  EXPECT_EQ(summary.count, 1000U);
+  const auto near = [](Duration said, std::int64_t exact) {
+    return said.count() >= exact - 1 && static_cast<double>(said.count()) <= 1.2 * static_cast<double>(exact) + 1;
+  };
+  EXPECT_TRUE(near(summary.p50, took[499])) << summary.p50.count() << " of " << took[499];
+  EXPECT_TRUE(near(summary.p90, took[899])) << summary.p90.count() << " of " << took[899];
+  EXPECT_TRUE(near(summary.p99, took[989])) << summary.p99.count() << " of " << took[989];
+}
+
+TEST(Latencies, AreThoseOfTheLastTwentySecondsAtMost) {
+  Latencies latencies;
+  latencies.add(100us, Time(100s));
+  EXPECT_EQ(latencies.summary(Time(112s)).count, 1U);
+  latencies.add(200us, Time(113s));
+  EXPECT_EQ(latencies.summary(Time(119s)).count, 2U);
+  EXPECT_EQ(latencies.summary(Time(125s)).count, 1U);
+  EXPECT_EQ(latencies.summary(Time(200s)).count, 0U);
+  latencies.add(std::chrono::hours(3), Time(200s));
+  latencies.add(-5s, Time(200s));
+  EXPECT_EQ(latencies.summary(Time(200s)).count, 2U);
+}
+
+TEST(ClockOffset, IsSaidBestByTheQuickestAnswer) {
+  ClockOffset other;
+  EXPECT_FALSE(other.there(Time(1s)));
+  other.heard(Time(10s), Time(10s + 100ms), Time(5s + 50ms));
+  EXPECT_EQ(other.there(Time(20s)), Time(15s));
+  other.heard(Time(11s), Time(11s + 400ms), Time(6s + 1ms));
+  EXPECT_EQ(other.there(Time(20s)), Time(15s)) << "a slower answer says it less well";
+  other.heard(Time(12s), Time(12s + 10ms), Time(7s + 6ms));
+  EXPECT_EQ(other.there(Time(20s)), Time(15s + 1ms));
+  other.heard(Time(50s), Time(50s + 300ms), Time(46s + 150ms));
+  EXPECT_EQ(other.there(Time(60s)), Time(56s)) << "clocks drift: what was said long ago counts no more";
+}
+
+TEST(Statistics, SayWhatWaitsForEachWatcher) {
+  VirtualExecutor executor;
+  MemoryBoard board(executor);
+  ASSERT_TRUE(board.declare("test", {relation("(relation note ((n integer) (text datum)) (key n))")}).has_value());
+  const auto fast = board.watch("fast", query("(note ?n ?text)"), [] {}).value();
+  const auto slow = board.watch("slow", query("(and (note ?n ?text) (not (note ?n a)))"), [] {}).value();
+  const auto also_slow = board.watch("slow", query("(note 1 ?text)"), [] {}).value();
+  for (WatchQueue* queue : {fast.get(), slow.get(), also_slow.get()}) queue->pop().value();
+  for (int n = 0; n < 3; ++n) {
+    Transaction transaction;
+    transaction.tell(list("note"_sym, n, "x"_sym));
+    ASSERT_TRUE(board.transact("test", transaction).has_value());
+    fast->pop().value();
+  }
+  const auto said_of = [&](const std::string& watcher) {
+    const Result<Answers> answers = board.ask(query("(watcher-stats \"" + watcher + "\" ?watches ?queued ?bytes)"));
+    return answers->answers.front().facts.front().datum;
+  };
+  EXPECT_EQ(said_of("fast"), read("(watcher-stats \"fast\" 1 0 0)"));
+  EXPECT_EQ(said_of("slow")[2], to_datum(2)) << "a watch of two patterns is one";
+  EXPECT_EQ(said_of("slow")[3], to_datum(4));
+  EXPECT_GT(said_of("slow")[4].integer(), 0);
+  EXPECT_EQ(board.ask(query("(and (watcher-stats ?w ? ? ?) (note ?n ?))")).error().symbol, "bad-query");
+  EXPECT_EQ(board.declare("test", {relation("(relation journey ((n integer)))")}).has_value(), true);
+  EXPECT_FALSE(relation_from_datum(read("(relation watcher-stats ((n integer)))")).has_value());
+}
+
+}  // namespace
+}  // namespace pizarra
