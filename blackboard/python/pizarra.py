@@ -12,6 +12,8 @@
         if fact: board.transact(steps=[settle(fact.id), tell("(done 1)")])
         watch = board.watch("(seen ?name ?x)")
         change = watch.next(timeout=5)                            # what holds now, then every change, in order
+        eyes = board.stream("vision-left")                        # of a publisher that other machines may see
+        frame = eyes.next(timeout=5)                              # the newest: number, width, height, channels, pixels
 
 A symbol is a Symbol, a string a str, a list a list; integers and reals are int and float. What fails raises Failure, with
 its symbol, sentence and subject: undeclared-relation, wrong-shape, precondition-failed, unknown-lease, not-permitted,
@@ -25,6 +27,7 @@ sent again while it is not answered; when the server was lost, relations are dec
 import os
 import re
 import stat
+import struct
 import time
 
 import zmq
@@ -270,6 +273,62 @@ class Watch:
             self.board._send([Symbol("unwatch"), self.board._session, self.id])
 
 
+class Frame:
+    """An image: `pixels` are bytes, row by row, blue, green and red of each where there are three channels."""
+    HEADER = struct.Struct("<5Q")
+
+    def __init__(self, text):
+        (self.number, self.microseconds, self.width, self.height, self.channels) = self.HEADER.unpack_from(text)
+        self.pixels = text[self.HEADER.size:]
+        if len(self.pixels) != self.width * self.height * self.channels:
+            raise ValueError("not a frame")
+
+
+class Stream:
+    """Follows an image stream: newest wins, and the next publisher under its name is gone on with."""
+
+    def __init__(self, board, name):
+        self.board, self.topic, self.socket = board, name.encode() + b" ", None
+        self.watch = board.watch([Symbol("stream"), Symbol(name), Symbol("?kind"), Symbol("?place")])
+
+    def poll(self):
+        """The newest frame, or None where there is none yet."""
+        change = self.watch.poll()
+        if change and change.added:
+            self._connect(change.added[-1].facts[0].datum[3])
+        if self.socket is None or not self.socket.poll(0):
+            return None
+        try:
+            return Frame(self.socket.recv()[len(self.topic):])
+        except (ValueError, struct.error):
+            return None
+
+    def _connect(self, place):
+        ways = [way[1:] for way in place if way[0] == Symbol("tcp") and len(way) == 5]
+        if not ways:
+            raise Failure("no-image", "the stream is to be had on its publisher's machine alone, without Python")
+        self._disconnect()
+        address, server_key, public_key, secret_key = ways[0]
+        self.socket = self.board._context.socket(zmq.SUB)
+        for option, value in ((zmq.LINGER, 0), (zmq.CONFLATE, 1), (zmq.HEARTBEAT_IVL, 2000), (zmq.SUBSCRIBE, self.topic)):
+            self.socket.setsockopt(option, value)
+        self.socket.curve_serverkey = server_key.encode()
+        self.socket.curve_publickey, self.socket.curve_secretkey = public_key.encode(), secret_key.encode()
+        self.socket.connect(address)
+
+    def _disconnect(self):
+        if self.socket is not None:
+            self.socket.close(linger=0)
+        self.socket = None
+
+    def next(self, timeout=None):
+        return self.board._until(self.poll, timeout, "no frame came in time")
+
+    def close(self):
+        self.watch.close()
+        self._disconnect()
+
+
 class Board:
     PING, RESEND, GREET, SILENCE = 0.5, 1.0, 0.5, 2.0
 
@@ -347,6 +406,9 @@ class Board:
             watch.close()
             raise
         return watch
+
+    def stream(self, name):
+        return Stream(self, name)
 
     def take(self, pattern, lease=0):
         taken = self._call([Symbol("take"), _datum(pattern), lease], False)
@@ -466,7 +528,7 @@ class Board:
             request.result = [result[1]] if result[0] == Symbol("ok") else Failure(*result[1:4])
         elif kind == "welcome" and not self._joined:
             self._welcomed(*message[1:3])
-        elif kind == "unknown-session" and message[1] == self._session:
+        elif kind == "goodbye" or kind == "unknown-session" and message[1] == self._session:
             self._joined, self._greeted = False, -1e9
         elif kind == "refused" and not self._joined:
             self._fail_all(Failure(*message[1][1:4]))

@@ -65,6 +65,11 @@ class ChildProgram {
     return wait();
   }
   void send(int signal) const { kill(child_, signal); }
+  // Whether it has ended by itself; wait() then has its exit code.
+  bool ended() const {
+    siginfo_t news{};
+    return waitid(P_PID, static_cast<id_t>(child_), &news, WEXITED | WNOHANG | WNOWAIT) == 0 && news.si_pid == child_;
+  }
   int wait() {
     int status = 0;
     waitpid(child_, &status, 0);

@@ -1,0 +1,58 @@
+// Python's client and an image stream.
+
+#include <gtest/gtest.h>
+
+#include "blackboard/board_server.hpp"
+#include "blackboard/memory_board.hpp"
+#include "blackboard/streams/remote_streams.hpp"
+#include "blackboard/time/real_executor.hpp"
+#include "tests/blackboard/child_program.hpp"
+#include "tests/blackboard/streams/frames.hpp"
+#include "tests/scratch.hpp"
+#include "tests/source_dir.hpp"
+
+namespace pizarra {
+namespace {
+
+constexpr const char* script = R"(
+import sys
+sys.path.insert(0, sys.argv[1])
+from pizarra import Board, Failure
+with Board(sys.argv[2], "script") as board:
+    eyes = board.stream("eyes")
+    first, second = eyes.next(timeout=20), eyes.next(timeout=20)
+    print(first.width, first.height, first.channels, len(first.pixels), second.number > first.number)
+    try:
+        board.stream("blind").next(timeout=20)
+    except Failure as failure:
+        print(failure.symbol)
+)";
+
+TEST(PythonStream, SeesTheNewestFramesOfAPublisherThatOthersReachAndIsToldOfOneThatNobodyElseSees) {
+  RealExecutor executor;
+  MemoryBoard board(executor);
+  const std::string address = "ipc://" + scratch_folder() + "board";
+  const auto server = BoardServer::open(executor, board, {.addresses = {address}}).value();
+  const std::unique_ptr<Board> view = board.view("publisher");
+  const auto streams = RemoteStreams::open(executor, *view, "tcp://127.0.0.1:*").value();
+  const auto hidden = RemoteStreams::open(executor, *view).value();
+  ASSERT_TRUE(board.declare("publisher", {stream_relation()}).has_value());
+  Transaction announcing;
+  announcing.tell(stream_fact("eyes", "left", *streams)).tell(stream_fact("blind", "left", *hidden));
+  ASSERT_TRUE(board.transact("publisher", announcing).has_value());
+  ChildProgram python({"/usr/bin/python3", "-c", script, source_dir() + "/blackboard/python", address});
+  std::uint64_t number = 0;
+  const std::function<void()> publish = [&] {
+    streams->publish("eyes", numbered_frame(++number, 12, 8, 3));
+    executor.call_at(executor.now() + 5ms, publish);
+  };
+  publish();
+  const Time patience = executor.now() + 30s;
+  executor.run_until([&] { return python.ended() || executor.now() > patience; });
+  ASSERT_TRUE(python.ended());
+  EXPECT_EQ(python.rest(), "12 8 3 288 True\nno-image\n");
+  EXPECT_EQ(python.wait(), 0);
+}
+
+}  // namespace
+}  // namespace pizarra
