@@ -19,7 +19,10 @@ namespace {
 // States of the greedy search in vain, before the climb has its turn; with a hundred blocks it recovers from 80.
 constexpr std::size_t greedy_patience = 200;
 
-// Of reordering, before a beam has its turn: the longer the plan, the more ways there are.
+// Of reordering. The first cost a tenth of the proof that is tried next and may take longer than there is time, and at
+// most a quarter of the effort; the others come before a beam has its turn, and the longer the plan, the more ways
+// there are.
+constexpr std::size_t first_attempts_an_action = 5;
 constexpr std::size_t vain_attempts = 1000;
 constexpr std::size_t vain_attempts_an_action = 60;
 
@@ -84,10 +87,12 @@ class Improvement {
 
   // Until the effort is spent, or nothing is left to look at.
   void run() {
+    reorder(first_attempts());
     if (effort_.stopped() || is_shortest() || effort_.stopped()) return;
     BeamSearch beam(compact_, nearness_.estimate, effort_, options_.seed);
     for (std::size_t width = 2; width <= widest() && !plan_.empty(); width *= 2) {
-      reorder();
+      while (reorder(vain_attempts + vain_attempts_an_action * plan_.size())) {
+      }
       if (effort_.stopped()) return;
       const SearchEnd end = beam.run(width, plan_.size() - 1);
       if (end == SearchEnd::found) keep(beam.plan());
@@ -116,16 +121,22 @@ class Improvement {
     return best_.shortest = shortest.proved();
   }
 
-  void reorder() {
+  std::size_t first_attempts() const {
+    const std::size_t actions = std::max<std::size_t>(1, plan_.size());
+    return std::min(first_attempts_an_action * actions, effort_.nodes_left() / 4 / actions);
+  }
+
+  // Whether the plan became shorter.
+  bool reorder(std::size_t attempts) {
+    const std::size_t before = plan_.size();
     PlanReordering reordering(compact_, plan_, random_);
-    const std::size_t patience = vain_attempts + vain_attempts_an_action * plan_.size();
-    for (std::size_t in_vain = 0; in_vain < patience && !effort_.stopped(); ++in_vain) {
+    for (std::size_t i = 0; i < attempts && !plan_.empty() && !effort_.stopped(); ++i) {
       effort_.count(plan_.size());
       if (!reordering.try_once()) continue;
       keep(reordering.plan());
       reordering.go_on_from(plan_);
-      in_vain = 0;
     }
+    return plan_.size() < before;
   }
 
   // How wide a beam the memory allows.

@@ -243,6 +243,26 @@ TEST(FastPlanner, HasNothingToDoWhereTheGoalsHold) {
   EXPECT_TRUE(outcome.steps.empty());
 }
 
+TEST(FastPlanner, ShortensAPlanBeforeItTriesToProveItTheShortest) {
+  std::size_t first = 0;
+  std::size_t shortened = 0;
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    Random random(seed);
+    const Problem problem = ground(random_blocks(30, random)).value();
+    std::size_t length = 0, looks = 0;
+    const auto better = [&](const Outcome& plan) {
+      if (length == 0) length = actions_of(plan);
+    };
+    // Sooner than the proof can be ready.
+    const auto cancelled = [&] { return length > 0 && ++looks > 4 * length; };
+    const Outcome outcome = FastPlanner({.better = better}).solve(problem, Budget{}, cancelled);
+    EXPECT_FALSE(outcome.shortest) << "seed " << seed;
+    first += length;
+    shortened += actions_of(outcome);
+  }
+  EXPECT_LT(shortened, first);
+}
+
 TEST(InvariantGroups, NeverHoldTogetherOnAnyWay) {
   for (std::uint64_t seed = 0; seed < 400; ++seed) {
     const PlanningTask task = random_task(seed);
