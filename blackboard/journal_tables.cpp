@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "blackboard/checksum.hpp"
 #include "blackboard/wire.hpp"
 #include "lisp/reader.hpp"
 
@@ -27,24 +28,6 @@ constexpr const char* schema = R"(
   PRAGMA user_version = 1;
   COMMIT;
 )";
-
-// FNV-1a, 64 bits.
-class Sum {
- public:
-  Sum& add(std::string_view text) {
-    for (const char c : text) add_byte(static_cast<unsigned char>(c));
-    return *this;
-  }
-  Sum& add(std::uint64_t number) {
-    for (int shift = 0; shift < 64; shift += 8) add_byte(static_cast<unsigned char>(number >> shift));
-    return *this;
-  }
-  std::int64_t value() const { return static_cast<std::int64_t>(sum_); }
-
- private:
-  void add_byte(unsigned char byte) { sum_ = (sum_ ^ byte) * 1099511628211U; }
-  std::uint64_t sum_ = 14695981039346656037U;
-};
 
 std::unexpected<Failure> damaged(std::string sentence) { return fail("bad-journal", std::move(sentence)); }
 
@@ -147,11 +130,11 @@ Result<sqlite::Database> open(const std::string& path, sqlite::Access access) {
 }
 
 std::int64_t sum_of_fact(FactId id, Store::Restored state, std::string_view form) {
-  return Sum().add(id).add(static_cast<std::uint64_t>(state)).add(form).value();
+  return Checksum().add(id).add(static_cast<std::uint64_t>(state)).add(form).value();
 }
 
 std::int64_t sum_of_group(std::int64_t number, std::string_view lines, std::string_view replies) {
-  return Sum().add(static_cast<std::uint64_t>(number)).add(lines.size()).add(lines).add(replies).value();
+  return Checksum().add(static_cast<std::uint64_t>(number)).add(lines.size()).add(lines).add(replies).value();
 }
 
 Result<std::int64_t> about(sqlite::Database& database, std::string_view name) {

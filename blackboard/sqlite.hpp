@@ -53,6 +53,7 @@ class Statement {
 
   // Parameters count from 1. Text must live until the statement is reset.
   Statement& bind(int parameter, std::int64_t value);
+  Statement& bind_real(int parameter, double value);
   Statement& bind(int parameter, std::string_view text);
   Result<bool> step();
   // Steps to the end and makes it ready for the next values.
@@ -61,6 +62,7 @@ class Statement {
 
   // Columns count from 0. Text is valid until the next step.
   std::int64_t integer(int column) const;
+  double real(int column) const;
   std::string_view text(int column) const;
 
  private:

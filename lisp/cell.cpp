@@ -66,6 +66,7 @@ CellDescription cell_from_datum(const Datum& datum, const std::string& file) {
                              {room[0][1].number(), room[1][1].number(), room[2][1].number()}};
   }
   cell.arm_line = arm_line_from_datum(datum[15]);
+  cell.objects_directory = beside(file, std::string(datum[16].text()));
   return cell;
 }
 

@@ -16,6 +16,8 @@
 //                                                              ; with (room (x 200 600) (z 20 700)) it stays in there
 //                                                              ; with (driver hses "192.168.0.3") it is a real one
 //     (pan-tilt (tcp "192.168.0.2" 4000) (reversed pan))       ; or (serial "/dev/ttyUSB0" 9600); what counts leftwards
+//     (objects "objects")                                      ; the folder where what the eyes learn is kept, beside
+//                                                              ; the cell file; left out: on the board alone
 //     (domain "../../domains/blocks.scm")                      ; relative to the cell file
 //     (board "localhost" "tcp://127.0.0.1:7800")               ; its host and address; left out: the first host, ipc
 //     (host "localhost" (agents robot vision planner coordinator person)))
@@ -110,7 +112,8 @@ struct CellDescription {
   std::optional<CellRoom> arm_room;  // where its grip centre may be; none: wherever it reaches
   ArmLine arm_line;
   PanTiltLine pan_tilt;
-  std::string domain_file;  // a path that can be opened
+  std::string objects_directory;  // of the object database, empty: there is none
+  std::string domain_file;        // a path that can be opened
   std::string board_host;
   std::string board_address;  // empty: an ipc address of the run
   std::string board_keys;     // the folder of the keys that may come, empty: none are asked for

@@ -1,6 +1,7 @@
 // The commands that know what a cell of agents is about: goals, plans, objects.
 
 #include <fmt/format.h>
+#include <set>
 
 #include "agents/repl/commands.hpp"
 #include "agents/repl/json_answers.hpp"
@@ -125,9 +126,10 @@ Task<Evaluation> Interpreter::objects(Datum) {
   const Result<std::vector<Fact>> tracking = co_await context_.board.facts(pattern("(vision-mode tracking ?)"));
   const bool followed = tracking && !tracking->empty();
   if (learned->empty()) output_("nothing has been learned");
+  std::set<std::string> said;
   for (const Fact& object : *learned) {
-    if (object.datum[2].integer() != 1) continue;
     const std::string name(object.datum[1].text());
+    if (!said.insert(name).second) continue;
     std::string where = followed ? "not seen" : "learned; it is followed from the first goal on";
     // Without a coordinator nobody says where things are.
     for (const Fact& place : places.value_or(std::vector<Fact>())) {
@@ -137,7 +139,29 @@ Task<Evaluation> Interpreter::objects(Datum) {
     }
     output_(fmt::format("  {:14} {}", name, where));
   }
+  const Result<std::vector<Fact>> alike = co_await context_.board.facts(pattern("(look-alike ? ? ? ?)"));
+  for (const Fact& fact : alike.value_or(std::vector<Fact>())) output_(std::string(fact.datum[4].text()));
+  const Result<std::vector<Fact>> damaged = co_await context_.board.facts(pattern("(objects-damaged ? ? ?)"));
+  for (const Fact& fact : damaged.value_or(std::vector<Fact>())) {
+    output_(fmt::format("{}: {}", fact.datum[1].text(), fact.datum[3].text()));
+  }
   co_return Evaluation::done;
+}
+
+Task<std::vector<Datum>> Interpreter::remarks_on(Datum operation, Datum answer) {
+  std::vector<Datum> out;
+  const bool by_eyes = operation.is_form("learn") || operation.is_form("find");
+  if (!by_eyes || answer.size() != 1) co_return out;
+  const Datum failed = list("vision-failed"_sym, "?"_sym, answer[0], "?"_sym, "?"_sym);
+  const Result<std::vector<Fact>> failures = co_await context_.board.facts(failed);
+  for (const Fact& fact : failures.value_or(std::vector<Fact>())) out.push_back(fact.datum[4]);
+  if (!operation.is_form("learn") || !out.empty()) co_return out;
+  const Datum& name = operation.items().back();
+  const Result<std::vector<Fact>> alike = co_await context_.board.facts(pattern("(look-alike ? ? ? ?)"));
+  for (const Fact& fact : alike.value_or(std::vector<Fact>())) {
+    if (fact.datum[1] == name || fact.datum[2] == name) out.push_back(fact.datum[4]);
+  }
+  co_return out;
 }
 
 Task<Evaluation> Interpreter::agents(Datum) {

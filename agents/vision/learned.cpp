@@ -73,15 +73,15 @@ Datum learned_fact(const std::string& name, const LearnedSample& sample) {
 Datum learned_template_fact(const std::string& name, const LearnedSample& sample) {
   return list("learned-template"_sym, name, sample.number,
               Datum::symbol(sample.tone == MarkTone::dark ? "dark" : "light"), sample.height_px, sample.slimness,
-              sample.roundness, sample.size_mm, template_to_text(sample.picture));
+              sample.roundness, sample.roundness_spread, sample.size_mm, template_to_text(sample.picture));
 }
 
 Result<LearnedSample> sample_from_facts(const Datum& learned, const Datum& learned_template) {
   if (!learned.is_form("learned") || learned.size() != 9 || !learned_template.is_form("learned-template") ||
-      learned_template.size() != 9) {
+      learned_template.size() != 10) {
     return fail("bad-template", "a learned object is one learned and one learned-template fact", learned);
   }
-  Result<MarkTemplate> picture = template_from_text(learned_template[8].text());
+  Result<MarkTemplate> picture = template_from_text(learned_template[9].text());
   if (!picture) return fail(picture);
   LearnedSample out;
   out.number = static_cast<int>(learned[2].number());
@@ -93,7 +93,8 @@ Result<LearnedSample> sample_from_facts(const Datum& learned, const Datum& learn
   out.height_px = learned_template[4].number();
   out.slimness = learned_template[5].number();
   out.roundness = learned_template[6].number();
-  out.size_mm = learned_template[7].number();
+  out.roundness_spread = learned_template[7].number();
+  out.size_mm = learned_template[8].number();
   out.set_picture(*picture);
   return out;
 }

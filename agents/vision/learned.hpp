@@ -2,8 +2,8 @@
 
 // What vision has learned: objects by name, each with one or more samples of its mark. Kept as the durable facts
 //   (learned NAME NUM AREA PERIMETER FEATURES M0 M1 M2)                            the thesis' Table C.1
-//   (learned-template NAME NUM TONE HEIGHT SLIMNESS ROUNDNESS SIZE TEMPLATE)       what recognition needs besides
-// so that a restarted agent reads them back.
+//   (learned-template NAME NUM TONE HEIGHT SLIMNESS ROUNDNESS SPREAD SIZE TEMPLATE)    what recognition needs besides
+// so that a restarted agent reads them back; and, where a cell says so, as files too (object_database.hpp).
 //
 //   LearnedObjects objects;
 //   objects.add("circle", sample);                 // again under the same name: a second sample
@@ -28,6 +28,7 @@ struct LearnedSample {
   double height_px = 0;
   double slimness = 0;
   double roundness = 0;
+  double roundness_spread = 0;  // a standard deviation, over the frames it was learned from
   double size_mm = 0;  // the standard deviation along y in the world; 0 when the right image did not show the mark
   MarkTemplate picture{};
   // Of `picture`, and as a blur of so many standard deviations would show it: far away a mark is small, and blur is

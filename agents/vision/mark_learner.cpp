@@ -11,12 +11,37 @@ namespace {
 // A closed contour must have been followed in this many of the ten frames.
 constexpr std::size_t least_measured = 7;
 constexpr double most_motion_px = 1.5;
+// Within one mark, in grey levels.
+constexpr double most_grey_change = 40;
 
 template <typename Measured>
 double mean_of(const std::vector<Measured>& measured, auto value) {
   const double sum = std::accumulate(measured.begin(), measured.end(), 0.0,
                                      [&](double so_far, const Measured& m) { return so_far + value(m); });
   return sum / static_cast<double>(measured.size());
+}
+
+// Ground that has a mark in it has a hole; so has a ring, which is no solid mark either.
+bool encloses_something(const cv::Mat1b& filled) {
+  cv::Mat1b around;
+  cv::copyMakeBorder(filled, around, 1, 1, 1, 1, cv::BORDER_CONSTANT, 0);
+  cv::floodFill(around, cv::Point(0, 0), 255, nullptr, 0, 0, 4);
+  return around.total() - static_cast<std::size_t>(cv::countNonZero(around)) >= least_mark_area_px;
+}
+
+// Whether most of what was filled is of another grey than where the filling began.
+bool leaks(const cv::Mat1b& image, const cv::Mat1b& filled, cv::Point seed) {
+  const double begun_at = cv::mean(image(cv::Rect(seed.x - 1, seed.y - 1, 3, 3) & cv::Rect({}, image.size())))[0];
+  int others = 0;
+  int all = 0;
+  for (int y = 0; y < filled.rows; ++y) {
+    for (int x = 0; x < filled.cols; ++x) {
+      if (filled(y, x) == 0) continue;
+      ++all;
+      others += std::abs(image(y, x) - begun_at) > most_grey_change ? 1 : 0;
+    }
+  }
+  return 2 * others > all;
 }
 
 }  // namespace
@@ -58,20 +83,23 @@ Result<void> MarkLearner::fill(const cv::Mat& left) {
 Result<void> MarkLearner::check_region(const ImageSegmentation& mean) {
   const Datum where = list(click_.x, click_.y);
   const int area = cv::countNonZero(filled_);
-  if (area == 0) return fail("no-contrast", "there is nothing but even ground around the point", where);
+  if (area == 0) return fail("background", "there is nothing but even ground around the point", where);
   const cv::Rect box = cv::boundingRect(filled_);
-  if (box.x <= 1 || box.y <= 1 || box.br().x >= filled_.cols - 1 || box.br().y >= filled_.rows - 1) {
-    return fail("border", "the region around the point reaches the border of the image", where);
+  const bool cut = box.x <= 1 || box.y <= 1 || box.br().x >= filled_.cols - 1 || box.br().y >= filled_.rows - 1;
+  const bool large = area > largest_mark_area_px(filled_.size());
+  const cv::Point seed(cvRound(click_.x), cvRound(click_.y));
+  if (leaks(mean.image(), filled_, seed)) {
+    return fail("open-contour", "the contour of the mark is open: what is filled leaks out of it", where);
   }
-  if (area > largest_mark_area_px(filled_.size())) {
-    return fail("too-large", "the region around the point is too large for a mark: it is ground, or leaks out", where);
+  if (large || encloses_something(filled_)) {
+    return fail("background", "the point is on the ground around marks, which is no mark itself", where);
   }
+  if (cut) return fail("border", "the shape around the point is cut by the border of the image", where);
   if (area < least_mark_area_px) return fail("too-small", "the region around the point is too small", where);
   int x = box.x;
   while (filled_(box.y, x) == 0) ++x;
   const std::optional<MarkContour> contour =
       follow_contour(MaskField(filled_), {x, box.y}, longest_contour_px(filled_.size()));
-  const cv::Point seed(cvRound(click_.x), cvRound(click_.y));
   const MarkTone tone = mean.bits(MarkTone::dark).inside(seed.x, seed.y) ? MarkTone::dark : MarkTone::light;
   if (contour) first_ = measure_mark(mean.image(), *contour, tone);
   if (!first_) {
@@ -128,6 +156,10 @@ LearnedSample MarkLearner::sample() const {
   out.height_px = mean_of(measured_, [](const SeenMark& m) { return m.height_px; });
   out.slimness = mean_of(measured_, [](const SeenMark& m) { return m.slimness; });
   out.roundness = mean_of(measured_, [](const SeenMark& m) { return m.roundness; });
+  out.roundness_spread = std::sqrt(mean_of(measured_, [&](const SeenMark& m) {
+    const double off = m.roundness - out.roundness;
+    return off * off;
+  }));
   if (2 * sizes_mm_.size() > measured_.size()) {
     out.size_mm = std::accumulate(sizes_mm_.begin(), sizes_mm_.end(), 0.0) / static_cast<double>(sizes_mm_.size());
   }

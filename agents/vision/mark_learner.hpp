@@ -22,7 +22,7 @@ class MarkLearner {
   MarkLearner(std::string name, cv::Point2d click, const LearnedObjects& objects)
       : name_(std::move(name)), click_(click), objects_(objects) {}
 
-  // Failures: outside, no-contrast, border, too-small, too-large, open-contour, moved, ambiguous.
+  // Failures: outside, background, open-contour, border, too-small, moved, ambiguous.
   Result<void> feed(StereoSight& sight);
   bool done() const { return filled_frames_ == frames_per_step && contour_frames_ == frames_per_step; }
   // After done().

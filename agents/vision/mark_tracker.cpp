@@ -49,14 +49,20 @@ std::optional<SeenMark> follow_mark(const cv::Mat& grey, double noise, const See
 
 Result<void> MarkTracker::add(const LearnedObject& object) {
   for (const Track& track : tracks_) {
-    if (track.object == &object) return {};
+    if (same_name(track.name, object.name)) return {};
   }
   if (tracks_.size() >= most_tracked) {
     return fail("full", "no more than 16 objects can be tracked", to_datum(object.name));
   }
   const auto place = same_name(object.name, end_effector_name) ? tracks_.begin() : tracks_.end();
-  tracks_.insert(place, Track{.object = &object, .left = {}, .right = {}, .velocity_px = {}});
+  tracks_.insert(place, Track{.name = object.name, .left = {}, .right = {}, .velocity_px = {}});
   return {};
+}
+
+void MarkTracker::rename(std::string_view name, const std::string& new_name) {
+  for (Track& track : tracks_) {
+    if (same_name(track.name, name)) track.name = new_name;
+  }
 }
 
 std::vector<TrackSighting> MarkTracker::update(StereoSight& sight) {
@@ -65,12 +71,12 @@ std::vector<TrackSighting> MarkTracker::update(StereoSight& sight) {
   return out;
 }
 
-std::optional<SeenPair> MarkTracker::follow(StereoSight& sight, const Track& track) const {
+std::optional<SeenPair> MarkTracker::follow(StereoSight& sight, const Track& track, const LearnedObject& object) const {
   if (!track.left) return std::nullopt;
   SeenPair out;
   std::optional<SeenMark> left =
       follow_mark(sight.left(), sight.noise(), *track.left, track.left->centre + track.velocity_px);
-  if (!left || !is_recognised(*left, objects_, *track.object)) return std::nullopt;
+  if (!left || !is_recognised(*left, objects_, object)) return std::nullopt;
   out.left = std::move(*left);
   std::optional<double> disparity;
   if (track.right) {
@@ -83,20 +89,26 @@ std::optional<SeenPair> MarkTracker::follow(StereoSight& sight, const Track& tra
     const SeenMark* partner = find_partner(out.left, sight.right_segmentation().marks(), disparity);
     if (partner != nullptr) out.right = *partner;
   }
-  if (out.right && !is_whole(sight.model(), *track.object, out.left, *out.right)) return std::nullopt;
+  if (out.right && !is_whole(sight.model(), object, out.left, *out.right)) return std::nullopt;
   return out;
 }
 
-TrackSighting MarkTracker::update(StereoSight& sight, Track& track) const {
-  std::optional<SeenPair> now = follow(sight, track);
+std::optional<SeenPair> MarkTracker::see(StereoSight& sight, const Track& track, const LearnedObject& object) const {
+  std::optional<SeenPair> now = follow(sight, track, object);
   if (!now && track.left) {
-    now = sight.find(objects_, *track.object, track.left->centre + track.velocity_px, local_reach_px);
+    now = sight.find(objects_, object, track.left->centre + track.velocity_px, local_reach_px);
   }
-  if (!now) now = sight.find(objects_, *track.object);
+  return now ? now : sight.find(objects_, object);
+}
 
-  TrackSighting out{.name = track.object->name, .centre = {}, .yaw_deg = {}, .contour = {}};
+TrackSighting MarkTracker::update(StereoSight& sight, Track& track) const {
+  const LearnedObject* object = objects_.find(track.name);
+  std::optional<SeenPair> now;
+  if (object != nullptr) now = see(sight, track, *object);
+
+  TrackSighting out{.name = track.name, .centre = {}, .yaw_deg = {}, .contour = {}};
   if (!now) {
-    track = Track{.object = track.object, .left = {}, .right = {}, .velocity_px = {}};
+    track = Track{.name = track.name, .left = {}, .right = {}, .velocity_px = {}};
     return out;
   }
   const cv::Point2d motion = track.left ? now->left.centre - track.left->centre : cv::Point2d();
@@ -113,8 +125,8 @@ TrackSighting MarkTracker::update(StereoSight& sight, Track& track) const {
     out.seen = true;
     out.range_mm = range_mm(sight.model(), now->left.centre, disparity);
     out.yaw_deg = face_yaw_deg(sight.model(), now->left, *now->right);
-  } else if (sight.is_cut_off(*track.object, now->left)) {
-    const std::optional<double> range = range_by_size_mm(sight.model(), *track.object, now->left);
+  } else if (sight.is_cut_off(*object, now->left)) {
+    const std::optional<double> range = range_by_size_mm(sight.model(), *object, now->left);
     out.seen = range.has_value();
     out.range_mm = range.value_or(0);
   }

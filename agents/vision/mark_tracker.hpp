@@ -27,11 +27,13 @@ inline constexpr std::size_t most_tracked = 16;
 
 class MarkTracker {
  public:
-  // `objects` outlives it and keeps its objects.
+  // `objects` outlives it. An object that is not among them any more is not seen.
   explicit MarkTracker(const LearnedObjects& objects) : objects_(objects) {}
 
   // Once more is harmless. Failure `full`.
   Result<void> add(const LearnedObject& object);
+  // What is tracked under a name is tracked on under another.
+  void rename(std::string_view name, const std::string& new_name);
   void clear() { tracks_.clear(); }
   bool empty() const { return tracks_.empty(); }
 
@@ -40,14 +42,15 @@ class MarkTracker {
 
  private:
   struct Track {
-    const LearnedObject* object;
+    std::string name;
     // As seen in the last frame, if it was.
     std::optional<SeenMark> left;
     std::optional<SeenMark> right;
     cv::Point2d velocity_px;  // a frame, in the left image
     double disparity_change_px = 0;
   };
-  std::optional<SeenPair> follow(StereoSight& sight, const Track& track) const;
+  std::optional<SeenPair> follow(StereoSight& sight, const Track& track, const LearnedObject& object) const;
+  std::optional<SeenPair> see(StereoSight& sight, const Track& track, const LearnedObject& object) const;
   TrackSighting update(StereoSight& sight, Track& track) const;
 
   const LearnedObjects& objects_;

@@ -42,6 +42,18 @@ double recognition_error(const SeenMark& mark, const LearnedObject& object) {
   return best;
 }
 
+double likeness_error(const LearnedObject& a, const LearnedObject& b) {
+  double best = impossible;
+  for (const LearnedSample& one : a.samples) {
+    for (const LearnedSample& other : b.samples) {
+      if (one.tone != other.tone) continue;
+      const double roundness = roundness_weight * std::abs(one.roundness / other.roundness - 1);
+      best = std::min(best, signature_error(one.signatures.front(), other.signatures.front()) + roundness);
+    }
+  }
+  return best;
+}
+
 bool is_recognised(const SeenMark& mark, const LearnedObjects& objects, const LearnedObject& object) {
   const double error = recognition_error(mark, object);
   if (error > recognition_threshold) return false;

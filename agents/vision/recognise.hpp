@@ -17,6 +17,11 @@ inline constexpr double recognition_threshold = 0.085;
 // learned) or slimness (a face yawed by more than 45 degrees) cannot be the object's.
 double recognition_error(const SeenMark& mark, const LearnedObject& object);
 
+// How much two learned objects differ: the least over pairs of their samples, as a mark of one would differ from the
+// other. Below `alike_below` noise, blur or a turned face may make one pass for the other.
+double likeness_error(const LearnedObject& a, const LearnedObject& b);
+inline constexpr double alike_below = 0.075;
+
 // Whether the mark is this object rather than nothing or any other learned one.
 bool is_recognised(const SeenMark& mark, const LearnedObjects& objects, const LearnedObject& object);
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <opencv2/imgproc.hpp>
 
+#include "agents/vision/look_alike.hpp"
 #include "agents/vision/vision_replies.hpp"
 #include "agents/vision/vision_state.hpp"
 
@@ -19,23 +20,31 @@ constexpr std::string_view contract_text = R"(
     (end-track)
     (get-objects)
     (connect)
-    (disconnect))
+    (disconnect)
+    (accept (name string))
+    (reject (name string))
+    (forget (name string))
+    (rename (name string) (new-name string)))
   (posts
     (relation vision-mode ((mode symbol) (connected symbol)) (key))
     (relation vision-says ((frame integer) (text string)) (key))
     (relation faces ((frame integer) (turned list)) (key))
-    (relation vision-failed ((frame integer) (text string) (reason string)) (key))
+    (relation vision-failed ((frame integer) (text string) (symbol symbol) (sentence string)) (key))
     (relation learned ((name string) (num integer) (area number) (perimeter number) (features integer)
                        (m0 number) (m1 number) (m2 number)) (key name num) (durable))
     (relation learned-template ((name string) (num integer) (tone symbol) (height number) (slimness number)
-                                (roundness number) (size number) (picture string)) (key name num) (durable))
+                                (roundness number) (roundness-spread number) (size number) (picture string))
+                               (key name num) (durable))
+    (relation to-accept ((name string) (num integer)) (key))
+    (relation look-alike ((name string) (other string) (error number) (sentence string)) (key name other))
+    (relation objects-damaged ((file string) (symbol symbol) (sentence string)) (key file))
     (relation camera-model ((width integer) (height integer) (focal number) (cx number) (cy number)
                             (base-line number)) (key))
     (relation camera-state ((state symbol) (trouble string)) (key))
     (relation stream ((name symbol) (kind symbol) (place list)) (key name)))
   (reads frames)
-  (configures (learn connect disconnect))
-  (monitors (vision-mode camera-state)))
+  (configures (learn accept reject forget rename connect disconnect))
+  (monitors (vision-mode camera-state objects-damaged)))
 )";
 
 std::string_view state_name(CameraFeed::State state) {
@@ -73,6 +82,7 @@ VisionAgent::State::State(AgentContext agent_context, StereoCamera& stereo_camer
       options(std::move(vision_options)),
       camera(stereo_camera),
       streams(image_streams),
+      memory(context, options.objects_directory),
       feed(
           context.executor, stereo_camera, [this](StereoFrame frame) { return on_frame(std::move(frame)); },
           [this] { return camera_changed(); }) {}
@@ -96,9 +106,10 @@ Task<Result<void>> VisionAgent::State::run() {
   service.emplace(context, std::move(*contract));
   const Result<void> started = co_await service->start();
   if (!started) co_return started;
-  const Result<void> recalled = co_await recall();
+  const Result<void> recalled = co_await memory.recall();
   if (!recalled) co_return recalled;
   co_await tell_state();
+  co_await tell_objects();
   again = context.executor.spawn(tell_state_again());
   Handler handler = [this](Datum operation) { return handle(std::move(operation)); };
   const Result<void> served = co_await service->serve(std::move(handler));
@@ -113,35 +124,11 @@ Task<Result<Datum>> VisionAgent::State::handle(Datum operation) {
   if (name == "end-track") return end_track();
   if (name == "connect") return connect();
   if (name == "disconnect") return disconnect();
+  if (name == "accept") return accept(std::string(operation[1].text()));
+  if (name == "reject") return reject(std::string(operation[1].text()));
+  if (name == "forget") return forget(std::string(operation[1].text()));
+  if (name == "rename") return rename(std::string(operation[1].text()), std::string(operation[2].text()));
   return get_objects();
-}
-
-// The learned objects that an earlier life of the agent left on the board.
-Task<Result<void>> VisionAgent::State::recall() {
-  const Datum any = "?"_sym;
-  const Datum samples = list("learned"_sym, any, any, any, any, any, any, any, any);
-  const Datum templates = list("learned-template"_sym, any, any, any, any, any, any, any, any);
-  const Result<std::vector<Fact>> learned = co_await context.board.facts(samples);
-  if (!learned) co_return fail(learned);
-  const Result<std::vector<Fact>> pictures = co_await context.board.facts(templates);
-  if (!pictures) co_return fail(pictures);
-  for (const Fact& fact : *learned) {
-    const auto picture = std::ranges::find_if(*pictures, [&](const Fact& candidate) {
-      return candidate.datum[1] == fact.datum[1] && candidate.datum[2] == fact.datum[2];
-    });
-    Result<LearnedSample> sample = fail("bad-template", "its template is missing", fact.datum[1]);
-    if (picture != pictures->end()) sample = sample_from_facts(fact.datum, picture->datum);
-    const std::string name(fact.datum[1].text());
-    const Result<LearnedObjects::Slot> slot = objects.slot_for(name);
-    if (sample && slot) {
-      objects.add(slot->name, std::move(*sample));
-      continue;
-    }
-    const std::string why = sample ? describe(slot.error()) : describe(sample.error());
-    const std::vector<Datum> said{list("vision-failed"_sym, 0, learn_reply(name, false), why)};
-    co_await tell(said);
-  }
-  co_return Result<void>();
 }
 
 // Facts stand under the agent's presence, so that they go with it.
@@ -171,8 +158,34 @@ Task<void> VisionAgent::State::tell_state() {
 Task<void> VisionAgent::State::tell_state_again() {
   while (true) {
     co_await sleep(context.executor, state_check);
-    if (told_under != service->presence()) co_await tell_state();
+    if (told_under != service->presence()) {
+      co_await tell_state();
+      co_await tell_objects();
+    }
+    co_await follow_memory();
   }
+}
+
+Task<void> VisionAgent::State::tell_objects() {
+  Transaction transaction;
+  const LeaseId presence = service->presence();
+  transaction.retract(list("to-accept"_sym, "?"_sym, "?"_sym));
+  transaction.retract(list("look-alike"_sym, "?"_sym, "?"_sym, "?"_sym, "?"_sym));
+  transaction.retract(list("objects-damaged"_sym, "?"_sym, "?"_sym, "?"_sym));
+  if (to_accept) transaction.tell(list("to-accept"_sym, to_accept->name, to_accept->number), {}, presence);
+  for (Datum& fact : look_alikes(objects)) transaction.tell(std::move(fact), {}, presence);
+  for (const Failure& trouble : memory.troubles()) {
+    Datum fact = list("objects-damaged"_sym, trouble.subject, Datum::symbol(trouble.symbol), trouble.sentence);
+    transaction.tell(std::move(fact), {}, presence);
+  }
+  const Result<Revision> told = co_await context.board.transact(std::move(transaction));
+  if (!told) told_under = 0;
+}
+
+Task<void> VisionAgent::State::follow_memory() {
+  const Result<bool> changed = co_await memory.recall_changed();
+  const bool anew = changed && *changed;
+  if (anew) co_await tell_objects();
 }
 
 Task<void> VisionAgent::State::camera_changed() {

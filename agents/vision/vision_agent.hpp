@@ -4,9 +4,9 @@
 // is known to it. Its replies are the thesis' Table C.2 to the letter; facts as docs/facts.md lists them.
 //
 // Lifecycle: constructed, run() spawned; `(connect)` opens the capture and starts the data channel, `learn`, `find` and
-// `track` open it themselves (`track` connects too, for its only output is that channel). What was learned is kept in
-// the durable facts `learned` and `learned-template`, so that a restarted agent knows it; what was tracked is not
-// resumed. A camera that fails is tried again with back-off and the fact `(camera-state ...)` says so.
+// `track` open it themselves (`track` connects too, for its only output is that channel). What was learned is kept
+// (object_memory.hpp), so that a restarted agent knows it; what was tracked is not resumed. A camera that fails is
+// tried again with back-off and the fact `(camera-state ...)` says so.
 //
 // Modes: idle, capturing, learning, finding, tracking. Learning, finding and tracking exclude each other (`busy`, with
 // the mode as the subject), but a find suspends a tracking and resumes it.
@@ -24,8 +24,8 @@
 namespace pizarra {
 
 struct VisionOptions {
-  // Where the template bitmaps (NAME-NUM.pgm) are kept besides the facts; empty: nowhere.
-  std::string template_directory;
+  // The folder of the object database; empty: what was learned is kept on the board alone.
+  std::string objects_directory;
 };
 
 class VisionAgent : public Agent {

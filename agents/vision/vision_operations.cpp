@@ -1,6 +1,4 @@
-#include <filesystem>
 #include <fmt/format.h>
-#include <opencv2/imgcodecs.hpp>
 
 #include "agents/vision/vision_replies.hpp"
 #include "agents/vision/vision_state.hpp"
@@ -25,9 +23,10 @@ Task<void> VisionAgent::State::finish_activity() {
   co_await tell_state();
 }
 
-Task<Result<Datum>> VisionAgent::State::answer_failed(std::string text, std::string reason) {
+Task<Result<Datum>> VisionAgent::State::answer_failed(std::string text, Failure why) {
   std::vector<Datum> facts;
-  facts.push_back(list("vision-failed"_sym, feed.frame_number(), text, reason));
+  const Datum symbol = Datum::symbol(why.symbol);
+  facts.push_back(list("vision-failed"_sym, feed.frame_number(), text, symbol, describe(why)));
   co_await tell(std::move(facts));
   co_return list(text);
 }
@@ -41,13 +40,20 @@ Task<Result<Datum>> VisionAgent::State::learn(double x, double y, std::string na
   feed.start();
   co_await tell_state();
   Result<LearnedSample> sample = co_await learn_sample(name, x, y);
-  Result<void> kept;
-  if (sample) kept = co_await keep(name, std::move(*sample));
+  Result<void> kept = sample ? Result<void>() : fail(sample);
+  if (sample) {
+    ObjectChange keep = KeepSample{name, std::move(*sample)};
+    kept = co_await change_objects(std::move(keep));
+  }
+  const LearnedObject* object = objects.find(name);
+  if (kept && object != nullptr) {
+    to_accept.emplace(object->name, object->samples.back().number);
+    co_await tell_objects();
+  }
   co_await finish_activity();
-  if (sample && kept) co_return list(learn_reply(name, true));
-  const std::string reason = sample ? describe(kept.error()) : describe(sample.error());
+  if (kept) co_return list(learn_reply(name, true));
   const std::string text = learn_reply(name, false);
-  const Result<Datum> answer = co_await answer_failed(text, reason);
+  const Result<Datum> answer = co_await answer_failed(text, kept.error());
   co_return answer;
 }
 
@@ -64,39 +70,12 @@ Task<Result<LearnedSample>> VisionAgent::State::learn_sample(std::string name, d
   co_return learner->sample();
 }
 
-// Known only once the board has it.
-Task<Result<void>> VisionAgent::State::keep(std::string name, LearnedSample sample) {
-  const Result<LearnedObjects::Slot> slot = objects.slot_for(name);
-  if (!slot) co_return fail(slot);
-  sample.number = slot->number;
-  const Result<void> written = write_template(slot->name, sample);
-  if (!written) co_return written;
-  Transaction transaction;
-  transaction.tell(learned_fact(slot->name, sample)).tell(learned_template_fact(slot->name, sample));
-  const Result<Revision> told = co_await context.board.transact(std::move(transaction));
-  if (!told) co_return fail(told);
-  objects.add(slot->name, std::move(sample));
-  co_return Result<void>();
-}
-
-Result<void> VisionAgent::State::write_template(const std::string& name, const LearnedSample& sample) const {
-  if (options.template_directory.empty()) return {};
-  cv::Mat1b bitmap(template_size, template_size);
-  std::ranges::transform(sample.picture, bitmap.begin(), [&](std::uint8_t level) {
-    return static_cast<std::uint8_t>(sample.tone == MarkTone::dark ? 255 - 17 * level : 17 * level);
-  });
-  const std::filesystem::path directory = options.template_directory;
-  const std::string path = directory / fmt::format("{}-{}.pgm", name, sample.number);
-  std::error_code error;
-  std::filesystem::create_directories(directory, error);
-  bool written = false;
-  try {
-    written = !error && cv::imwrite(path, bitmap);
-  } catch (const cv::Exception&) {
-    written = false;
-  }
-  if (!written) return fail("template-not-written", "the template bitmap cannot be written", to_datum(path));
-  return {};
+Task<Result<void>> VisionAgent::State::change_objects(ObjectChange change) {
+  const Result<void> changed = co_await memory.change(std::move(change));
+  if (!changed) co_return changed;
+  to_accept.reset();
+  co_await tell_objects();
+  co_return changed;
 }
 
 Task<Result<Datum>> VisionAgent::State::find(std::string name) {
@@ -109,17 +88,19 @@ Task<Result<Datum>> VisionAgent::State::find(std::string name) {
   co_await finish_activity();
   if (found) co_return list(find_reply(name, found->centre));
   const std::string text = find_reply(name, std::nullopt);
-  const std::string reason = describe(found.error());
-  const Result<Datum> answer = co_await answer_failed(text, reason);
+  const Result<Datum> answer = co_await answer_failed(text, found.error());
   co_return answer;
 }
 
 Task<Result<SeenMark>> VisionAgent::State::find_mark(std::string name) {
-  const LearnedObject* object = objects.find(name);
-  if (object == nullptr) co_return fail("not-learned", "nothing is learned under this name", to_datum(name));
+  const Failure unknown{"not-learned", "nothing is learned under this name", to_datum(name), {}};
+  if (objects.find(name) == nullptr) co_return fail(unknown);
   for (int i = 0; i < frames_to_find; ++i) {
     const Result<StereoFrame> frame = co_await feed.next(longest_frame_wait);
     if (!frame) co_return fail(frame);
+    // It may have been forgotten meanwhile.
+    const LearnedObject* object = objects.find(name);
+    if (object == nullptr) co_return fail(unknown);
     const GreyPair grey = grey_pair(*frame);
     StereoSight sight(grey.left, grey.right, *feed.model());
     const std::optional<SeenPair> found = sight.find(objects, *object);
@@ -171,6 +152,53 @@ Task<Result<Datum>> VisionAgent::State::disconnect() {
   co_return Datum();
 }
 
-Task<Result<Datum>> VisionAgent::State::get_objects() { co_return list(get_reply(objects)); }
+Task<Result<Datum>> VisionAgent::State::get_objects() {
+  co_await follow_memory();
+  co_return list(get_reply(objects));
+}
+
+Result<void> VisionAgent::State::check_to_accept(const std::string& name) const {
+  if (to_accept && same_name(to_accept->name, name)) return {};
+  return fail("nothing-to-accept", "the sample that was learned last is not of this name, or has been judged already",
+              to_datum(name));
+}
+
+Task<Result<Datum>> VisionAgent::State::accept(std::string name) {
+  const Result<void> waiting = check_to_accept(name);
+  if (!waiting) co_return fail(waiting);
+  to_accept.reset();
+  co_await tell_objects();
+  co_return Datum();
+}
+
+Task<Result<Datum>> VisionAgent::State::reject(std::string name) {
+  const Result<void> waiting = check_to_accept(name);
+  if (!waiting) co_return fail(waiting);
+  ObjectChange withdraw = WithdrawSample{to_accept->name, to_accept->number};
+  const Result<void> done = co_await change_objects(std::move(withdraw));
+  if (!done) co_return fail(done);
+  co_return Datum();
+}
+
+Task<Result<Datum>> VisionAgent::State::forget(std::string name) {
+  const Result<void> free = check_free(Activity::tracking);
+  if (!free) co_return fail(free);
+  ObjectChange forget = ForgetObject{name};
+  const Result<void> done = co_await change_objects(std::move(forget));
+  if (!done) co_return fail(done);
+  co_return Datum();
+}
+
+Task<Result<Datum>> VisionAgent::State::rename(std::string name, std::string new_name) {
+  const Result<void> good_name = check_object_name(new_name);
+  if (!good_name) co_return fail(good_name);
+  const Result<void> free = check_free(Activity::tracking);
+  if (!free) co_return fail(free);
+  ObjectChange rename = RenameObject{name, new_name};
+  const Result<void> done = co_await change_objects(std::move(rename));
+  if (!done) co_return fail(done);
+  tracker.rename(name, new_name);
+  co_return Datum();
+}
 
 }  // namespace pizarra

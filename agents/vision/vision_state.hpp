@@ -9,6 +9,7 @@
 #include "agents/vision/camera_feed.hpp"
 #include "agents/vision/mark_learner.hpp"
 #include "agents/vision/mark_tracker.hpp"
+#include "agents/vision/object_memory.hpp"
 #include "agents/vision/vision_agent.hpp"
 
 namespace pizarra {
@@ -30,16 +31,25 @@ struct VisionAgent::State {
   Task<Result<Datum>> get_objects();
   Task<Result<Datum>> connect();
   Task<Result<Datum>> disconnect();
+  Task<Result<Datum>> accept(std::string name);
+  Task<Result<Datum>> reject(std::string name);
+  Task<Result<Datum>> forget(std::string name);
+  Task<Result<Datum>> rename(std::string name, std::string new_name);
 
   Task<Result<LearnedSample>> learn_sample(std::string name, double x, double y);
   Task<Result<void>> keep(std::string name, LearnedSample sample);
   Task<Result<SeenMark>> find_mark(std::string name);
-  Task<Result<Datum>> answer_failed(std::string text, std::string reason);
-  Result<void> write_template(const std::string& name, const LearnedSample& sample) const;
+  Task<Result<Datum>> answer_failed(std::string text, Failure why);
+  // Changes what is known, and has everything that goes by it follow.
+  Task<Result<void>> change_objects(ObjectChange change);
+  Result<void> check_to_accept(const std::string& name) const;
 
   // Facts.
-  Task<Result<void>> recall();
   Task<void> tell_state();
+  // What is worth knowing of the learned objects: damage, those that look alike, the one to be accepted.
+  Task<void> tell_objects();
+  // Another agent may have changed what is known.
+  Task<void> follow_memory();
   Task<void> tell_state_again();
   Task<void> camera_changed();
   // What was said of earlier frames holds no longer.
@@ -63,9 +73,16 @@ struct VisionAgent::State {
   VisionOptions options;
   StereoCamera& camera;
   Streams* streams;
-  LearnedObjects objects;
+  ObjectMemory memory;
+  const LearnedObjects& objects = memory.objects();
   MarkTracker tracker{objects};
   std::optional<MarkLearner> learner;
+  // The sample that was learned last, until it is accepted, rejected or followed by another.
+  struct ToAccept {
+    std::string name;
+    int number;
+  };
+  std::optional<ToAccept> to_accept;
   Activity activity = Activity::none;
   bool connected = false;
   LeaseId told_under = 0;

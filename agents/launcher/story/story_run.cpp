@@ -50,6 +50,8 @@ Result<StoryReport> run_on(Executor& executor, const Scenario& scenario, const C
   // A story is told in the simulated world, whatever controller the cell's own arm has.
   CellDescription simulated = description;
   simulated.arm_line = {};
+  // It begins with nothing learned and leaves nothing behind, so that it repeats.
+  simulated.objects_directory.clear();
   LocalCell cell(executor, std::move(simulated), options.seed);
   const Result<void> journaled = start_journal(journal, options.journal_file, cell.board());
   if (!journaled) return fail(journaled);

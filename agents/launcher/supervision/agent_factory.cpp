@@ -164,7 +164,8 @@ Result<std::unique_ptr<BuiltAgent>> build_agent(const std::string& kind, AgentCo
   }
   if (kind == "vision") {
     return std::make_unique<WithDevice<VisionAgent, SimulatedCamera>>(link, [&](SimulatedCamera& camera) {
-      return std::make_unique<VisionAgent>(std::move(context), camera, streams);
+      return std::make_unique<VisionAgent>(std::move(context), camera, streams,
+                                           VisionOptions{description.objects_directory});
     });
   }
   if (kind == "pan-tilt") {

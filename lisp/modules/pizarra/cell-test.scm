@@ -12,10 +12,10 @@
 
 (check "what is left out has a default" (interpret '((cell c)))
        '(ok (c (1330 0 200 0 0 "") (3 0.7 0.12) () crs-f3 "" "localhost" ""
-               (("localhost" "" robot vision planner coordinator person)) 60 (76 84 96) (450 -200 200) "" ("" "" 0 ()) () ())))
+               (("localhost" "" robot vision planner coordinator person)) 60 (76 84 96) (450 -200 200) "" ("" "" 0 ()) () () "")))
 (check "the gripper opens as the cubes' size asks"
        (list-tail (cadr (interpret '((cell c (world (cube-size 50) (row (x 460) (y -150 150))))))) 9)
-       '(50 (66 74 86) (460 -150 150) "" ("" "" 0 ()) () ()))
+       '(50 (66 74 86) (460 -150 150) "" ("" "" 0 ()) () () ""))
 (check "openings are the file's where it says them"
        (list-ref (cadr (interpret '((cell c (world (openings 70 80 90)))))) 10)
        '(70 80 90))
@@ -75,6 +75,9 @@
 (check "a port is a port" (complaint '(pan-tilt (tcp "ptu" 70000))) '(1 out-of-range (0 2 1 2)))
 (check "an agent without anything to turn is refused"
        (complaint '(host "a" (agents robot pan-tilt))) '(1 unknown-agent (0 2 2 2)))
+(check "what the eyes learn is kept in a folder where one is named"
+       (list-ref (cadr (interpret '((cell c (objects "learned"))))) 16) "learned")
+(check "the folder of the objects is text" (complaint '(objects learned)) '(1 malformed (0 2 1)))
 (check "an arm may be given room"
        (list-ref (cadr (interpret '((cell c (arm crs-f3 (room (x 200 600) (z 20 700))))))) 14)
        '((200 600) (-10000 10000) (20 700)))

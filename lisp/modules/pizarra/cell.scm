@@ -3,11 +3,12 @@
 ;; (interpret DATA), the data of a file, answers (errors ...) or
 ;;   (ok (NAME (X Y Z PAN TILT HEAD) (SENSOR BLUR GRADIENT) (CUBE ...) ARM DOMAIN BOARD-HOST BOARD-ADDRESS
 ;;        ((HOST KEY KIND ...) ...) CUBE-SIZE (NARROW NORMAL WIDE) (ROW-X ROW-Y-LOW ROW-Y-HIGH) BOARD-KEYS
-;;        (LINE WHERE NUMBER (REVERSED ...)) ROOM DRIVER))
+;;        (LINE WHERE NUMBER (REVERSED ...)) ROOM DRIVER OBJECTS))
 ;; with CUBE = (NAME MARK X Y YAW ON), ON the empty string for the table; KEY and BOARD-KEYS are paths or empty; HEAD the
 ;; simulated pan-tilt unit under the cameras or the empty string; LINE serial, tcp or the empty string, how the unit of
 ;; the agent is reached, NUMBER a baud rate or a port; ROOM that of the arm, or (); DRIVER how its controller is reached,
-;; (PROTOCOL (PLACE ...) (NUMBER ...)), or () for the simulated arm.
+;; (PROTOCOL (PLACE ...) (NUMBER ...)), or () for the simulated arm;
+;; OBJECTS the folder of the object database, or empty.
 
 (define-module (pizarra cell)
   #:use-module (srfi srfi-1)
@@ -334,7 +335,7 @@
 ;; ----
 
 (define (interpret-sections cell name arms)
-  (let* ((found (sections (drop (node-items cell) 2) '(world arm pan-tilt domain board host) '(host)))
+  (let* ((found (sections (drop (node-items cell) 2) '(world arm pan-tilt objects domain board host) '(host)))
          (world (section-in found 'world))
          (things (if world
                      (sections (node-rest (node-within world "in the world"))
@@ -363,7 +364,8 @@
           (third board)
           pan-tilt
           (if arm (room-of (node-within arm "in the arm")) '())
-          (if arm (driver-of (node-within arm "in the arm")) '()))))
+          (if arm (driver-of (node-within arm "in the arm")) '())
+          (text-of-section found 'objects "the folder of the objects" ""))))
 
 ;; ARMS are the names of the arms that come with the tree.
 (define* (interpret data #:optional (arms '(crs-f3)))

@@ -1,12 +1,16 @@
+#include <filesystem>
+#include <fstream>
 #include <gtest/gtest.h>
 
 #include "agents/runtime/service.hpp"
+#include "agents/vision/object_database.hpp"
 #include "agents/vision/vision_agent.hpp"
 #include "blackboard/memory_board.hpp"
 #include "blackboard/time/virtual_executor.hpp"
 #include "lisp/reader.hpp"
 #include "lisp/writer.hpp"
 #include "tests/agents/vision/fake_camera.hpp"
+#include "tests/scratch.hpp"
 
 namespace pizarra {
 namespace {
@@ -16,8 +20,9 @@ Datum form(std::string_view written) { return read_one(written).value(); }
 // One life of the agent: destroying it is its death.
 class VisionLife {
  public:
-  VisionLife(Executor& executor, MemoryBoard& board, StereoCamera& camera, Streams* streams)
-      : view_(board.view("vision")), agent_({"vision", "here", executor, *view_, Random(1)}, camera, streams) {
+  VisionLife(Executor& executor, MemoryBoard& board, StereoCamera& camera, Streams* streams, VisionOptions options)
+      : view_(board.view("vision")),
+        agent_({"vision", "here", executor, *view_, Random(1)}, camera, streams, std::move(options)) {
     job_ = executor.spawn(live());
   }
 
@@ -41,7 +46,9 @@ class Vision : public testing::Test {
     executor.run_until([&] { return started.done(); });
     live();
   }
-  void live() { life.emplace(executor, board, camera, &streams); }
+  void live(const std::string& objects = "") {
+    life.emplace(executor, board, camera, &streams, VisionOptions{.objects_directory = objects});
+  }
   Task<void> start() {
     const Result<void> present = co_await service.start();
     EXPECT_TRUE(present.has_value());
@@ -76,6 +83,14 @@ class Vision : public testing::Test {
       out += write(answer.facts.front().datum);
     }
     return out;
+  }
+  void retract(std::string_view pattern) {
+    const Job job = executor.spawn(retract_task(form(pattern)));
+    executor.run_until([&] { return job.done(); });
+  }
+  Task<void> retract_task(Datum pattern) {
+    const Result<Revision> retracted = co_await view->retract(pattern);
+    EXPECT_TRUE(retracted.has_value());
   }
   std::string learn_request(std::size_t face, const std::string& name) {
     const cv::Point2d at = project(camera.model(), camera.scene.faces[face].place, false);
@@ -126,13 +141,117 @@ TEST_F(Vision, LearningANameTwiceKeepsASecondSample) {
 
 TEST_F(Vision, SaysWhyItCouldNotLearn) {
   EXPECT_EQ(call("(learn 500 20 \"circle\")"), R"x((LEARN "circle" FAIL))x");
-  EXPECT_NE(facts("(vision-failed ? ? ?)").find("outside the image"), std::string::npos);
+  EXPECT_NE(facts("(vision-failed ? ? ? ?)").find("outside the image"), std::string::npos);
   EXPECT_EQ(call("(learn 20 200 \"circle\")"), R"x((LEARN "circle" FAIL))x");
-  EXPECT_NE(facts("(vision-failed ? ? ?)").find("even ground"), std::string::npos);
+  EXPECT_NE(facts("(vision-failed ? ? ? ?)").find("even ground"), std::string::npos);
   EXPECT_EQ(call("(learn 20 200 \"cir cle\")"), "bad-name \"cir cle\"");
   EXPECT_EQ(call("(find \"star\")"), R"x((FIND "star" FAIL))x");
-  EXPECT_NE(facts("(vision-failed ? ? ?)").find("nothing is learned"), std::string::npos);
+  EXPECT_NE(facts("(vision-failed ? ? ? ?)").find("nothing is learned"), std::string::npos);
   EXPECT_EQ(call("(track \"star\")"), "not-learned \"star\"");
+}
+
+TEST_F(Vision, TellsTheReasonOfAFailureAsASymbolAndASentence) {
+  EXPECT_EQ(call("(learn 20 200 \"circle\")"), R"x((LEARN "circle" FAIL))x");
+  EXPECT_EQ(facts("(vision-failed ? \"(LEARN \\\"circle\\\" FAIL)\" background ?)").find("(vision-failed "), 0U);
+}
+
+TEST_F(Vision, ALearnedSampleMayBeRejectedUntilItIsAccepted) {
+  EXPECT_EQ(call(learn_request(0, "circle")), R"x((LEARN "circle" OK))x");
+  EXPECT_EQ(facts("(to-accept ? ?)"), "(to-accept \"circle\" 1)");
+  EXPECT_EQ(call("(accept \"Circle\")"), "()");
+  EXPECT_EQ(facts("(to-accept ? ?)"), "");
+  EXPECT_EQ(call("(reject \"circle\")"), "nothing-to-accept \"circle\"");
+  EXPECT_EQ(call(learn_request(0, "circle")), R"x((LEARN "circle" OK))x");
+  EXPECT_EQ(call("(reject \"square\")"), "nothing-to-accept \"square\"");
+  EXPECT_EQ(call("(reject \"circle\")"), "()");
+  EXPECT_EQ(facts("(learned ? 2 ? ? ? ? ? ?)"), "");
+  EXPECT_EQ(call("(get-objects)"), R"x((GET 1 ("circle")))x");
+  EXPECT_EQ(call(learn_request(2, "end-effector")), R"x((LEARN "end-effector" OK))x");
+  EXPECT_EQ(call("(reject \"end-effector\")"), "()");
+  EXPECT_EQ(call("(get-objects)"), R"x((GET 1 ("circle")))x");
+}
+
+TEST_F(Vision, ObjectsAreRenamedAndForgottenAlsoWhileTheyAreTracked) {
+  learn_all();
+  EXPECT_EQ(call("(track \"circle\")"), "()");
+  run_for(200ms);
+  EXPECT_EQ(call("(rename \"circle\" \"disc\")"), "()");
+  run_for(300ms);
+  EXPECT_NE(says().find("(\"disc\" OK"), std::string::npos) << says();
+  EXPECT_NE(facts("(learned \"disc\" 1 ? ? ? ? ? ?)"), "");
+  EXPECT_EQ(facts("(learned \"circle\" ? ? ? ? ? ? ?)"), "");
+  EXPECT_EQ(call("(rename \"disc\" \"End-Effector\")"), "name-taken \"End-Effector\"");
+  EXPECT_EQ(call("(rename \"disc\" \"a b\")"), "bad-name \"a b\"");
+  EXPECT_EQ(call("(rename \"circle\" \"ring\")"), "not-learned \"circle\"");
+  EXPECT_EQ(call("(forget \"disc\")"), "()");
+  run_for(300ms);
+  EXPECT_TRUE(says().ends_with("(\"disc\" FAIL))")) << says();
+  EXPECT_EQ(call("(forget \"disc\")"), "not-learned \"disc\"");
+  EXPECT_EQ(call("(get-objects)"), R"x((GET 1 ("end-effector")))x");
+}
+
+// With a database: agent, board and all may go.
+class KeptVision : public Vision {
+ protected:
+  KeptVision() {
+    std::filesystem::remove_all(folder);
+    live(folder);
+  }
+  const std::string folder = scratch_folder() + "kept-objects";
+};
+
+TEST_F(KeptVision, WhatWasLearnedOutlivesTheBoardsMemoryOfIt) {
+  learn_all();
+  life.reset();
+  run_for(3s);
+  retract("(learned ? ? ? ? ? ? ? ?)");
+  retract("(learned-template ? ? ? ? ? ? ? ? ?)");
+  live(folder);
+  EXPECT_EQ(call("(get-objects)"), R"x((GET 2 ("circle", "end-effector")))x");
+  EXPECT_NE(facts("(learned \"circle\" 1 ? ? ? ? ? ?)"), "");
+  EXPECT_TRUE(call("(find \"circle\")").starts_with(R"x((FIND "circle" OK ()x"));
+}
+
+TEST_F(KeptVision, WhatTheDatabaseDoesNotKnowIsTakenFromTheBoard) {
+  learn_all();
+  ObjectDatabase other = ObjectDatabase::open(folder).value();
+  ASSERT_TRUE(other.apply(RenameObject{"circle", "disc"}));
+  run_for(2s);
+  EXPECT_EQ(facts("(learned \"circle\" ? ? ? ? ? ? ?)"), "");
+  EXPECT_EQ(call("(get-objects)"), R"x((GET 2 ("disc", "end-effector")))x");
+  EXPECT_TRUE(call("(find \"disc\")").starts_with(R"x((FIND "disc" OK ()x"));
+}
+
+TEST_F(KeptVision, ADamagedSampleIsSaidOnceAndTheOthersGoOn) {
+  learn_all();
+  std::filesystem::resize_file(folder + "/circle-1.pgm", 100);
+  life.reset();
+  run_for(3s);
+  live(folder);
+  EXPECT_EQ(call("(get-objects)"), R"x((GET 1 ("end-effector")))x");
+  EXPECT_EQ(facts("(objects-damaged ? ? ?)"),
+            "(objects-damaged \"circle-1.pgm\" damaged \"the template bitmap is damaged\")");
+  EXPECT_EQ(call(learn_request(0, "circle")), R"x((LEARN "circle" OK))x");
+  EXPECT_EQ(call("(get-objects)"), R"x((GET 2 ("end-effector", "circle")))x");
+}
+
+TEST_F(KeptVision, ADatabaseThatIsNoneLeavesWhatTheBoardRemembersAndRefusesToLearn) {
+  learn_all();
+  life.reset();
+  run_for(3s);
+  const std::string file = folder + "/objects.sqlite";
+  std::filesystem::rename(file, file + ".sound");
+  std::ofstream(file) << std::string(4000, 'x');
+  live(folder);
+  EXPECT_EQ(call("(get-objects)"), R"x((GET 2 ("circle", "end-effector")))x");
+  EXPECT_EQ(facts("(objects-damaged \"objects.sqlite\" damaged ?)").find("(objects-damaged"), 0U);
+  EXPECT_EQ(call(learn_request(1, "square")), R"x((LEARN "square" FAIL))x");
+  EXPECT_EQ(facts("(vision-failed ? ? damaged ?)").find("(vision-failed"), 0U);
+  // Mended, it is used again.
+  std::filesystem::rename(file + ".sound", file);
+  run_for(2s);
+  EXPECT_EQ(facts("(objects-damaged ? ? ?)"), "");
+  EXPECT_EQ(call(learn_request(1, "square")), R"x((LEARN "square" OK))x");
 }
 
 TEST_F(Vision, TracksTheEndEffectorFirstAndTellsOnceAFrame) {
@@ -224,7 +343,7 @@ TEST_F(Vision, ALostCameraIsSaidAndTriedAgain) {
   EXPECT_TRUE(facts("(camera-state ? ?)").starts_with("(camera-state lost \"the camera is unplugged"));
   EXPECT_LT(camera.opened, 9);
   EXPECT_EQ(call("(learn 100 100 \"circle\")"), R"x((LEARN "circle" FAIL))x");
-  EXPECT_NE(facts("(vision-failed ? ? ?)").find("unplugged"), std::string::npos);
+  EXPECT_NE(facts("(vision-failed ? ? ? ?)").find("unplugged"), std::string::npos);
   camera.plugged = true;
   run_for(6s);
   EXPECT_EQ(facts("(camera-state ? ?)"), "(camera-state open \"\")");

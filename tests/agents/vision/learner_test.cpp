@@ -44,13 +44,13 @@ TEST(Learner, SaysWhyAPlaceCannotBeLearned) {
   EXPECT_EQ(failure_of(scene, {-3, 20}), "outside");
   EXPECT_EQ(failure_of(scene, {320, 20}), "outside");
   EXPECT_EQ(failure_of(scene, {1e300, 20}), "outside");
-  EXPECT_EQ(failure_of(scene, {40, 40}), "no-contrast");
+  EXPECT_EQ(failure_of(scene, {40, 40}), "background");
   EXPECT_EQ(failure_of(scene, centre), "none");
 }
 
 TEST(Learner, RefusesTheFaceAroundTheMark) {
   const cv::Point2d corner = project(DrawnSight::model(), in_front + cv::Point3d(-26, -26, 0), false);
-  EXPECT_EQ(failure_of(circle_scene(), corner), "open-contour");
+  EXPECT_EQ(failure_of(circle_scene(), corner), "background");
 }
 
 TEST(Learner, RefusesWhatReachesTheBorder) {
@@ -60,14 +60,26 @@ TEST(Learner, RefusesWhatReachesTheBorder) {
   EXPECT_EQ(failure_of(scene, seen), "border");
 }
 
+// As on a sheet of paper: light ground that reaches the border, with marks on it.
+TEST(Learner, RefusesTheGroundAroundMarksAtWhateverDistance) {
+  Scene scene;
+  scene.ground = 200;
+  scene.blots = {{.box = {100, 80, 24, 24}, .level = 30}, {.box = {180, 120, 24, 24}, .level = 30}};
+  for (const double off : {3.0, 8.0, 20.0, 60.0}) {
+    EXPECT_EQ(failure_of(scene, {100 - off, 92}), "background") << off << " px beside a mark";
+  }
+  EXPECT_EQ(failure_of(scene, {112, 92}), "none");
+}
+
 TEST(Learner, RefusesAContourThatIsNotClosed) {
   Scene scene = circle_scene();
   const cv::Point2d centre = project(DrawnSight::model(), in_front, false);
   // A dark bar lets the fill leak over the face and out.
   scene.blots = {{.box = {centre.x, centre.y - 4, 30, 8}, .level = 25}};
-  EXPECT_EQ(failure_of(scene, centre), "too-large");
-  scene.blots = {{.box = {centre.x, centre.y - 4, 200, 8}, .level = 25}};
-  EXPECT_EQ(failure_of(scene, centre), "border");
+  EXPECT_EQ(failure_of(scene, centre), "open-contour");
+  // As thick as a pencil's line.
+  scene.blots = {{.box = {centre.x, centre.y - 2, 30, 3}, .level = 25}};
+  EXPECT_EQ(failure_of(scene, centre), "open-contour");
 }
 
 TEST(Learner, RefusesAMarkThatMovesMeanwhile) {

@@ -1,0 +1,198 @@
+#include "agents/vision/object_database.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+
+#include "tests/agents/vision/eyes.hpp"
+#include "tests/scratch.hpp"
+
+namespace pizarra {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Database : public testing::Test {
+ protected:
+  std::string folder() const { return (room / "objects").string(); }
+  ObjectDatabase open() { return ObjectDatabase::open(folder()).value(); }
+  static KeepSample keep(const std::string& name) { return {name, learned_cell().find(name)->samples.front()}; }
+  void learn(const std::vector<std::string>& names) {
+    ObjectDatabase database = open();
+    for (const std::string& name : names) ASSERT_TRUE(database.apply(keep(name)));
+  }
+  // What is there, `name*samples`, and what is damaged, `!file`.
+  std::string content() {
+    const KeptObjects kept = open().read().value();
+    std::string out;
+    for (const LearnedObject& object : kept.objects.all()) {
+      out += object.name + "*" + std::to_string(object.samples.size()) + " ";
+    }
+    for (const Failure& failure : kept.damaged) out += "!" + std::string(failure.subject.text()) + " ";
+    return out;
+  }
+  std::vector<std::string> files() {
+    std::vector<std::string> out;
+    for (const auto& entry : fs::directory_iterator(folder())) out.push_back(entry.path().filename().string());
+    std::ranges::sort(out);
+    return out;
+  }
+  // Changes one byte of a file.
+  void damage(const fs::path& file, std::streamoff at) {
+    std::fstream stream(file, std::ios::in | std::ios::out | std::ios::binary);
+    stream.seekg(at);
+    const char was = static_cast<char>(stream.get());
+    stream.seekp(at);
+    stream.put(static_cast<char>(was ^ 0x55));
+  }
+
+  Database() {
+    fs::remove_all(room);
+    fs::create_directories(room);
+  }
+  const fs::path room = fs::path(scratch_folder()) / "database";
+};
+
+TEST_F(Database, GivesBackExactlyWhatItWasGiven) {
+  learn(cell_marks());
+  const KeptObjects kept = open().read().value();
+  EXPECT_TRUE(kept.damaged.empty());
+  ASSERT_EQ(kept.objects.all().size(), cell_marks().size());
+  EXPECT_EQ(facts_of(kept.objects), facts_of(learned_cell()));
+}
+
+TEST_F(Database, KeepsSeveralSamplesUnderTheFirstSpelling) {
+  learn({"circle", "circle", "square"});
+  ObjectDatabase database = open();
+  ASSERT_TRUE(database.apply(KeepSample{"CIRCLE", learned_cell().find("circle")->samples.front()}));
+  EXPECT_EQ(content(), "circle*3 square*1 ");
+  EXPECT_EQ(files(), (std::vector<std::string>{"circle-1.pgm", "circle-2.pgm", "circle-3.pgm", "objects.sqlite",
+                                               "square-1.pgm"}));
+}
+
+TEST_F(Database, RenamesForgetsAndWithdrawsWithTheBitmaps) {
+  learn({"circle", "circle", "square"});
+  ObjectDatabase database = open();
+  ASSERT_TRUE(database.apply(RenameObject{"Circle", "disc"}));
+  ASSERT_TRUE(database.apply(WithdrawSample{"DISC", 2}));
+  ASSERT_TRUE(database.apply(ForgetObject{"square"}));
+  EXPECT_EQ(content(), "disc*1 ");
+  EXPECT_EQ(files(), (std::vector<std::string>{"disc-1.pgm", "objects.sqlite"}));
+  EXPECT_EQ(database.apply(ForgetObject{"square"}).error().symbol, "not-learned");
+  learn({"square"});
+  EXPECT_EQ(database.apply(RenameObject{"square", "Disc"}).error().symbol, "name-taken");
+  EXPECT_TRUE(database.apply(RenameObject{"disc", "Disc"}));
+  EXPECT_EQ(content(), "Disc*1 square*1 ");
+}
+
+TEST_F(Database, TellsAnotherThatItHasChanged) {
+  ObjectDatabase one = open();
+  ObjectDatabase other = open();
+  const std::int64_t before = other.version().value();
+  EXPECT_EQ(other.version().value(), before);
+  ASSERT_TRUE(one.apply(keep("circle")));
+  EXPECT_NE(other.version().value(), before);
+  EXPECT_NE(other.read().value().objects.find("circle"), nullptr);
+  // Its own changes are none of another.
+  const std::int64_t now = one.version().value();
+  ASSERT_TRUE(one.apply(keep("square")));
+  EXPECT_EQ(one.version().value(), now);
+}
+
+TEST_F(Database, IsCopiedAsAFolder) {
+  learn({"circle", "cross"});
+  fs::copy(folder(), room / "copy");
+  fs::remove_all(folder());
+  fs::rename(room / "copy", folder());
+  EXPECT_EQ(content(), "circle*1 cross*1 ");
+}
+
+TEST_F(Database, RefusesMoreThanItsBounds) {
+  ObjectDatabase database = open();
+  for (std::size_t i = 0; i < most_samples; ++i) ASSERT_TRUE(database.apply(keep("circle")));
+  EXPECT_EQ(database.apply(keep("circle")).error().symbol, "full");
+}
+
+TEST_F(Database, ADamagedBitmapCostsOneSampleAndIsNamed) {
+  learn({"circle", "circle", "square"});
+  const fs::path bitmap = fs::path(folder()) / "circle-2.pgm";
+  for (const std::streamoff at : {0, 5, 40, 700}) {
+    fs::copy(bitmap, room / "sound.pgm");
+    damage(bitmap, at);
+    EXPECT_EQ(content(), "circle*1 square*1 !circle-2.pgm ") << "at " << at;
+    fs::remove(bitmap);
+    fs::rename(room / "sound.pgm", bitmap);
+  }
+  EXPECT_EQ(content(), "circle*2 square*1 ");
+  fs::resize_file(bitmap, 500);
+  EXPECT_EQ(content(), "circle*1 square*1 !circle-2.pgm ");
+  fs::remove(bitmap);
+  EXPECT_EQ(content(), "circle*1 square*1 !circle-2.pgm ");
+  // Its number is not given again, and forgetting the object mends it.
+  ASSERT_TRUE(open().apply(keep("circle")));
+  EXPECT_EQ(content(), "circle*2 square*1 !circle-2.pgm ");
+  ASSERT_TRUE(open().apply(ForgetObject{"circle"}));
+  EXPECT_EQ(content(), "square*1 ");
+}
+
+// A bitmap of sound form that shows something else.
+TEST_F(Database, ABitmapOfAnotherObjectIsFoundOut) {
+  learn({"circle", "square"});
+  fs::copy(fs::path(folder()) / "circle-1.pgm", fs::path(folder()) / "square-1.pgm",
+           fs::copy_options::overwrite_existing);
+  EXPECT_EQ(content(), "circle*1 !square-1.pgm ");
+}
+
+TEST_F(Database, ADamagedRowCostsOneSample) {
+  learn({"circle", "square", "cross"});
+  sqlite::Database raw = sqlite::Database::open(folder() + "/objects.sqlite", sqlite::Access::write).value();
+  const std::vector<std::string> values = {"height = 0",     "slimness = -1", "size = 9e999", "roundness = 1.3",
+                                           "tone = 'light'", "num = 0",       "name = '../x'"};
+  for (const std::string& value : values) {
+    const std::string where = " WHERE rowid = 2";
+    ASSERT_TRUE(raw.run(("CREATE TABLE kept AS SELECT * FROM samples; UPDATE samples SET " + value + where).c_str()));
+    const KeptObjects kept = open().read().value();
+    EXPECT_EQ(kept.objects.all().size(), 2U) << value;
+    ASSERT_EQ(kept.damaged.size(), 1U) << value;
+    ASSERT_TRUE(raw.run("DELETE FROM samples; INSERT INTO samples SELECT * FROM kept; DROP TABLE kept"));
+  }
+  EXPECT_EQ(content(), "circle*1 square*1 cross*1 ");
+}
+
+TEST_F(Database, AFileThatIsNoDatabaseOrAnothersIsRefused) {
+  fs::create_directories(folder());
+  const std::string file = folder() + "/objects.sqlite";
+  std::ofstream(file) << std::string(5000, 'x');
+  EXPECT_EQ(ObjectDatabase::open(folder()).error().symbol, "damaged");
+  fs::remove(file);
+  ASSERT_TRUE(sqlite::Database::open(file, sqlite::Access::write)->run("CREATE TABLE t (a)"));
+  EXPECT_EQ(ObjectDatabase::open(folder()).error().symbol, "unusable");
+  std::ofstream(room / "plain") << "no folder";
+  EXPECT_EQ(ObjectDatabase::open((room / "plain").string()).error().symbol, "unusable");
+}
+
+// Bytes of the file changed anywhere: an answer or a failure, never a crash, and no other object in an object's place.
+TEST_F(Database, SurvivesAnyDamageToItsFile) {
+  learn(cell_marks());
+  const fs::path file = fs::path(folder()) / "objects.sqlite";
+  const std::uintmax_t size = fs::file_size(file);
+  fs::copy(file, room / "sound.sqlite");
+  Random random(3);
+  for (int round = 0; round < 60; ++round) {
+    SCOPED_TRACE(round);
+    fs::copy(room / "sound.sqlite", file, fs::copy_options::overwrite_existing);
+    for (int i = 0; i < 5; ++i) damage(file, static_cast<std::streamoff>(random.below(size)));
+    Result<ObjectDatabase> database = ObjectDatabase::open(folder());
+    if (!database) continue;
+    const Result<KeptObjects> kept = database->read();
+    if (!kept) continue;
+    for (const LearnedObject& object : kept->objects.all()) {
+      const LearnedObject* learned = learned_cell().find(object.name);
+      ASSERT_NE(learned, nullptr) << object.name;
+      EXPECT_EQ(object.samples.front().picture, learned->samples.front().picture);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace pizarra
