@@ -10,6 +10,8 @@
 //   StereoSight sight(left, right, model);
 //   for (const TrackSighting& sighting : tracker.update(sight)) ...
 
+#include <set>
+
 #include "agents/vision/stereo_sight.hpp"
 
 namespace pizarra {
@@ -34,6 +36,9 @@ class MarkTracker {
   Result<void> add(const LearnedObject& object);
   // What is tracked under a name is tracked on under another.
   void rename(std::string_view name, const std::string& new_name);
+  void keep_only(const std::set<std::string>& names) {
+    std::erase_if(tracks_, [&](const Track& track) { return !names.contains(track.name); });
+  }
   void clear() { tracks_.clear(); }
   bool empty() const { return tracks_.empty(); }
 

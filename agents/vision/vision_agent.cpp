@@ -27,6 +27,7 @@ constexpr std::string_view contract_text = R"(
     (rename (name string) (new-name string)))
   (posts
     (relation vision-mode ((mode symbol) (connected symbol)) (key))
+    (relation vision-held ((client symbol) (mode symbol)) (key client mode))
     (relation vision-says ((frame integer) (text string)) (key))
     (relation faces ((frame integer) (turned list)) (key))
     (relation vision-failed ((frame integer) (text string) (symbol symbol) (sentence string)) (key))
@@ -85,7 +86,8 @@ VisionAgent::State::State(AgentContext agent_context, StereoCamera& stereo_camer
       memory(context, options.objects_directory),
       feed(
           context.executor, stereo_camera, [this](StereoFrame frame) { return on_frame(std::move(frame)); },
-          [this] { return camera_changed(); }) {}
+          [this] { return camera_changed(); }),
+      turn_ended(context.executor) {}
 
 Task<Result<void>> VisionAgent::State::run() {
   // However the run ends, nothing of it goes on.
@@ -111,23 +113,26 @@ Task<Result<void>> VisionAgent::State::run() {
   co_await tell_state();
   co_await tell_objects();
   again = context.executor.spawn(tell_state_again());
-  Handler handler = [this](Datum operation) { return handle(std::move(operation)); };
-  const Result<void> served = co_await service->serve(std::move(handler));
+  RequestHandler handler = [this](Fact request) { return handle(std::move(request)); };
+  const Result<void> served = co_await service->serve_requests(std::move(handler));
   co_return served;
 }
 
-Task<Result<Datum>> VisionAgent::State::handle(Datum operation) {
-  const std::string_view name = operation.head();
-  if (name == "learn") return learn(operation[1].number(), operation[2].number(), std::string(operation[3].text()));
-  if (name == "find") return find(std::string(operation[1].text()));
-  if (name == "track") return track(std::string(operation[1].text()));
-  if (name == "end-track") return end_track();
-  if (name == "connect") return connect();
-  if (name == "disconnect") return disconnect();
-  if (name == "accept") return accept(std::string(operation[1].text()));
-  if (name == "reject") return reject(std::string(operation[1].text()));
-  if (name == "forget") return forget(std::string(operation[1].text()));
-  if (name == "rename") return rename(std::string(operation[1].text()), std::string(operation[2].text()));
+Task<Result<Datum>> VisionAgent::State::handle(Fact request) {
+  const Datum& operation = request.datum[3];
+  const std::string_view asked = operation.head();
+  // Of operations that take one.
+  const std::string name = operation.size() > 1 ? std::string(operation.items().back().text()) : "";
+  if (asked == "learn") return learn(request.teller, operation[1].number(), operation[2].number(), name);
+  if (asked == "find") return find(request.teller, name);
+  if (asked == "track") return track(request.teller, name);
+  if (asked == "end-track") return end_track(request.teller);
+  if (asked == "connect") return connect(request.teller);
+  if (asked == "disconnect") return disconnect(request.teller);
+  if (asked == "accept") return accept(name);
+  if (asked == "reject") return reject(name);
+  if (asked == "forget") return forget(name);
+  if (asked == "rename") return rename(std::string(operation[1].text()), name);
   return get_objects();
 }
 
@@ -143,7 +148,7 @@ Task<void> VisionAgent::State::tell(std::vector<Datum> facts) {
 Task<void> VisionAgent::State::tell_state() {
   told_under = service->presence();
   std::vector<Datum> facts;
-  facts.push_back(list("vision-mode"_sym, Datum::symbol(mode()), Datum::symbol(connected ? "yes" : "no")));
+  facts.push_back(list("vision-mode"_sym, Datum::symbol(mode()), Datum::symbol(holders.connected() ? "yes" : "no")));
   facts.push_back(list("camera-state"_sym, Datum::symbol(state_name(feed.state())), feed.trouble()));
   if (const std::optional<StereoModel>& model = feed.model()) {
     facts.push_back(list("camera-model"_sym, model->width, model->height, model->focal_px, model->centre_x_px,
@@ -153,6 +158,22 @@ Task<void> VisionAgent::State::tell_state() {
     for (const std::string_view kind : stream_kinds) facts.push_back(stream_fact(stream(kind), kind, *streams));
   }
   co_await tell(std::move(facts));
+  co_await tell_holders();
+}
+
+Task<void> VisionAgent::State::tell_holders() {
+  std::vector<Datum> facts = holders.facts();
+  const bool busy = activity == Activity::learning || activity == Activity::finding;
+  if (busy) facts.push_back(list("vision-held"_sym, Datum::symbol(busy_for), Datum::symbol(mode())));
+  Transaction transaction;
+  for (const Datum& fact : told_held) {
+    if (std::ranges::find(facts, fact) == facts.end()) transaction.retract(fact);
+  }
+  told_held = facts;
+  for (Datum& fact : facts) transaction.tell(std::move(fact), {}, service->presence());
+  if (transaction.steps.empty()) co_return;
+  const Result<Revision> told = co_await context.board.transact(std::move(transaction));
+  if (!told) told_under = 0;
 }
 
 Task<void> VisionAgent::State::tell_state_again() {
@@ -163,6 +184,7 @@ Task<void> VisionAgent::State::tell_state_again() {
       co_await tell_objects();
     }
     co_await follow_memory();
+    co_await let_dead_go();
   }
 }
 
@@ -224,7 +246,7 @@ Task<void> VisionAgent::State::on_frame(StereoFrame frame) {
     sightings = tracker.update(sight);
   }
   publish(frame, sightings);
-  if (activity != Activity::tracking || !connected) co_return;
+  if (activity != Activity::tracking || !holders.connected()) co_return;
   std::vector<Datum> facts;
   // What is concluded from the reply finds the faces of its frame there already.
   facts.push_back(faces_fact(frame.number, sightings));
@@ -250,7 +272,8 @@ void VisionAgent::State::publish(const StereoFrame& frame, const std::vector<Tra
     annotation.learned_contour = learner->contour();
     if (learner->contour().empty()) annotation.filled = learner->filled().clone();
   }
-  annotation.status = fmt::format("frame {}   {}{}", frame.number, mode(), connected ? "" : " (not connected)");
+  annotation.status =
+      fmt::format("frame {}   {}{}", frame.number, mode(), holders.connected() ? "" : " (not connected)");
   showing = context.executor.spawn(show(frame, std::move(annotation)));
 }
 

@@ -11,18 +11,6 @@ constexpr int frames_to_find = 3;
 
 }  // namespace
 
-Result<void> VisionAgent::State::check_free(Activity allowed) const {
-  if (activity == Activity::none || activity == allowed) return {};
-  return fail("busy", fmt::format("vision is {}", mode()), Datum::symbol(mode()));
-}
-
-Task<void> VisionAgent::State::finish_activity() {
-  activity = tracker.empty() ? Activity::none : Activity::tracking;
-  learner.reset();
-  if (activity == Activity::none && !connected) feed.stop();
-  co_await tell_state();
-}
-
 Task<Result<Datum>> VisionAgent::State::answer_failed(std::string text, Failure why) {
   std::vector<Datum> facts;
   const Datum symbol = Datum::symbol(why.symbol);
@@ -31,14 +19,12 @@ Task<Result<Datum>> VisionAgent::State::answer_failed(std::string text, Failure 
   co_return list(text);
 }
 
-Task<Result<Datum>> VisionAgent::State::learn(double x, double y, std::string name) {
+Task<Result<Datum>> VisionAgent::State::learn(std::string client, double x, double y, std::string name) {
   const Result<void> good_name = check_object_name(name);
   if (!good_name) co_return fail(good_name);
-  const Result<void> free = check_free(Activity::none);
+  const Result<void> free = co_await take_turn(Activity::none);
   if (!free) co_return fail(free);
-  activity = Activity::learning;
-  feed.start();
-  co_await tell_state();
+  co_await begin(Activity::learning, std::move(client));
   Result<LearnedSample> sample = co_await learn_sample(name, x, y);
   Result<void> kept = sample ? Result<void>() : fail(sample);
   if (sample) {
@@ -78,12 +64,10 @@ Task<Result<void>> VisionAgent::State::change_objects(ObjectChange change) {
   co_return changed;
 }
 
-Task<Result<Datum>> VisionAgent::State::find(std::string name) {
-  const Result<void> free = check_free(Activity::tracking);
+Task<Result<Datum>> VisionAgent::State::find(std::string client, std::string name) {
+  const Result<void> free = co_await take_turn(Activity::tracking);
   if (!free) co_return fail(free);
-  activity = Activity::finding;
-  feed.start();
-  co_await tell_state();
+  co_await begin(Activity::finding, std::move(client));
   const Result<SeenMark> found = co_await find_mark(name);
   co_await finish_activity();
   if (found) co_return list(find_reply(name, found->centre));
@@ -109,46 +93,48 @@ Task<Result<SeenMark>> VisionAgent::State::find_mark(std::string name) {
   co_return fail("not-seen", "no mark in the image is like it", to_datum(name));
 }
 
-Task<Result<Datum>> VisionAgent::State::track(std::string name) {
-  const Result<void> free = check_free(Activity::tracking);
+Task<Result<Datum>> VisionAgent::State::track(std::string client, std::string name) {
+  const std::string holder = co_await holder_for(std::move(client));
+  const Result<void> free = co_await take_turn(Activity::tracking);
   if (!free) co_return fail(free);
   const LearnedObject* object = objects.find(name);
   if (object == nullptr) co_return fail("not-learned", "nothing is learned under this name", to_datum(name));
   const LearnedObject* end_effector = objects.find(end_effector_name);
-  if (end_effector != nullptr) {
-    const Result<void> added = tracker.add(*end_effector);
+  for (const LearnedObject* each : {end_effector, object}) {
+    if (each == nullptr) continue;
+    const Result<void> added = tracker.add(*each);
     if (!added) co_return fail(added);
+    holders.track(holder, each->name);
   }
-  const Result<void> added = tracker.add(*object);
-  if (!added) co_return fail(added);
   activity = Activity::tracking;
-  connected = true;
+  holders.connect(holder);
   feed.start();
   co_await tell_state();
   co_return Datum();
 }
 
-Task<Result<Datum>> VisionAgent::State::end_track() {
-  tracker.clear();
-  if (activity == Activity::tracking) co_await finish_activity();
-  const Result<void> unsaid = co_await unsay();
-  if (!unsaid) co_return fail(unsaid);
+Task<Result<Datum>> VisionAgent::State::end_track(std::string client) {
+  if (holders.tracker().empty()) co_return Datum();
+  if (!holders.tracks(client)) {
+    const std::string holder = holders.tracker();
+    co_return fail("busy", fmt::format("{} tracks, and ends it itself", holder), Datum::symbol(holder));
+  }
+  holders.end_track(client);
+  co_await follow_holders();
   co_return Datum();
 }
 
-Task<Result<Datum>> VisionAgent::State::connect() {
-  connected = true;
+Task<Result<Datum>> VisionAgent::State::connect(std::string client) {
+  const std::string holder = co_await holder_for(std::move(client));
+  holders.connect(holder);
   feed.start();
   co_await tell_state();
   co_return Datum();
 }
 
-Task<Result<Datum>> VisionAgent::State::disconnect() {
-  connected = false;
-  if (activity == Activity::none) feed.stop();
-  co_await tell_state();
-  const Result<void> unsaid = co_await unsay();
-  if (!unsaid) co_return fail(unsaid);
+Task<Result<Datum>> VisionAgent::State::disconnect(std::string client) {
+  holders.disconnect(client);
+  co_await follow_holders();
   co_return Datum();
 }
 
@@ -194,10 +180,13 @@ Task<Result<Datum>> VisionAgent::State::rename(std::string name, std::string new
   if (!good_name) co_return fail(good_name);
   const Result<void> free = check_free(Activity::tracking);
   if (!free) co_return fail(free);
+  const LearnedObject* object = objects.find(name);
+  if (object != nullptr) name = object->name;
   ObjectChange rename = RenameObject{name, new_name};
   const Result<void> done = co_await change_objects(std::move(rename));
   if (!done) co_return fail(done);
   tracker.rename(name, new_name);
+  holders.rename(name, new_name);
   co_return Datum();
 }
 

@@ -2,13 +2,16 @@
 
 // What the vision agent knows and is doing; vision_agent.cpp runs it, vision_operations.cpp has its operations.
 
+#include <deque>
 #include <optional>
+#include <set>
 
 #include "agents/runtime/service.hpp"
 #include "agents/vision/annotate.hpp"
 #include "agents/vision/camera_feed.hpp"
 #include "agents/vision/mark_learner.hpp"
 #include "agents/vision/mark_tracker.hpp"
+#include "agents/vision/mode_holders.hpp"
 #include "agents/vision/object_memory.hpp"
 #include "agents/vision/vision_agent.hpp"
 
@@ -21,16 +24,16 @@ struct VisionAgent::State {
   State(AgentContext agent_context, StereoCamera& stereo_camera, Streams* image_streams, VisionOptions vision_options);
 
   Task<Result<void>> run();
-  Task<Result<Datum>> handle(Datum operation);
+  Task<Result<Datum>> handle(Fact request);
 
-  // The operations. What they answer stands after `ok`.
-  Task<Result<Datum>> learn(double x, double y, std::string name);
-  Task<Result<Datum>> find(std::string name);
-  Task<Result<Datum>> track(std::string name);
-  Task<Result<Datum>> end_track();
+  // The operations, for a client where it matters whose they are. What they answer stands after `ok`.
+  Task<Result<Datum>> learn(std::string client, double x, double y, std::string name);
+  Task<Result<Datum>> find(std::string client, std::string name);
+  Task<Result<Datum>> track(std::string client, std::string name);
+  Task<Result<Datum>> end_track(std::string client);
   Task<Result<Datum>> get_objects();
-  Task<Result<Datum>> connect();
-  Task<Result<Datum>> disconnect();
+  Task<Result<Datum>> connect(std::string client);
+  Task<Result<Datum>> disconnect(std::string client);
   Task<Result<Datum>> accept(std::string name);
   Task<Result<Datum>> reject(std::string name);
   Task<Result<Datum>> forget(std::string name);
@@ -50,16 +53,27 @@ struct VisionAgent::State {
   Task<void> tell_objects();
   // Another agent may have changed what is known.
   Task<void> follow_memory();
+  Task<void> tell_holders();
   Task<void> tell_state_again();
   Task<void> camera_changed();
   // What was said of earlier frames holds no longer.
   Task<Result<void>> unsay();
   Task<void> tell(std::vector<Datum> facts);
   std::string_view mode() const;
-  // A failure `busy` unless nothing goes on, or only what `allowed` says.
+  // Modes.
+  // The client as one who can hold a mode: itself while it is present, ModeHolders::anybody otherwise.
+  Task<std::string> holder_for(std::string client);
+  // A failure `busy`, its subject who holds the mode, unless nothing goes on, or only what `allowed` says.
   Result<void> check_free(Activity allowed) const;
+  // Waits in turn until no other learning or finding goes on; `allowed` as above. Who has had its turn begins at once.
+  Task<Result<void>> take_turn(Activity allowed);
+  Task<void> begin(Activity wanted, std::string client);
   // Ends an activity and goes on with what it interrupted.
   Task<void> finish_activity();
+  // Of those who hold modes and are not present any more, a second long, all is ended.
+  Task<void> let_dead_go();
+  // The tracker, and who is told, become what the holders say.
+  Task<void> follow_holders();
 
   // Frames.
   Task<void> on_frame(StereoFrame frame);
@@ -84,9 +98,15 @@ struct VisionAgent::State {
   };
   std::optional<ToAccept> to_accept;
   Activity activity = Activity::none;
-  bool connected = false;
+  ModeHolders holders;
+  std::string busy_for;   // whose learning or finding goes on
+  std::deque<int> turns;  // of those who wait, and of the one who is next
+  int last_turn = 0;
+  std::vector<Datum> told_held;   // the facts that say who holds what
+  std::set<std::string> missing;  // holders who were not present at the last look
   LeaseId told_under = 0;
   CameraFeed feed;
+  WaitList turn_ended;
   std::optional<Service> service;  // it ends first: its handlers wait for the feed
   Job again;
   Job showing;

@@ -63,11 +63,7 @@ class Vision : public testing::Test {
   }
   Task<void> ask(Datum operation, Duration timeout, std::string& answer) {
     const Result<Datum> result = co_await caller.call("vision", operation, timeout);
-    if (result) {
-      answer = result->size() == 1 ? std::string((*result)[0].text()) : write(*result);
-    } else {
-      answer = result.error().symbol + " " + write(result.error().subject);
-    }
+    answer = shown(result);
   }
   void run_for(Duration duration) {
     const Time end = executor.now() + duration;
@@ -104,6 +100,42 @@ class Vision : public testing::Test {
     const Answers answers = board.ask(query_from_datum(form("(vision-says ?frame ?text)")).value()).value();
     if (answers.answers.empty()) return "nothing";
     return std::string(answers.answers[0].bindings.find("?text")->text());
+  }
+
+  // Another client, present until it is destroyed.
+  struct Client {
+    Client(Vision& room, const std::string& name)
+        : fixture(room), view(room.board.view(name)), context{name, "here", room.executor, *view, Random(3)} {
+      const Job started = fixture.executor.spawn(start());
+      fixture.executor.run_until([&] { return started.done(); });
+    }
+    Task<void> start() {
+      const Result<void> present = co_await service.start();
+      EXPECT_TRUE(present.has_value());
+    }
+    std::string call(const std::string& operation) {
+      std::string answer;
+      const Job job = fixture.executor.spawn(ask(form(operation), answer));
+      fixture.executor.run_until([&] { return job.done(); });
+      return answer;
+    }
+    Task<void> ask(Datum operation, std::string& answer) {
+      const Result<Datum> result = co_await caller.call("vision", operation, 20s);
+      answer = Vision::shown(result);
+    }
+    Vision& fixture;
+    std::unique_ptr<Board> view;
+    AgentContext context;
+    Service service{context, contract_from_text("(contract client)").value()};
+    Caller caller{context, service};
+  };
+  static std::string shown(const Result<Datum>& result) {
+    if (!result) return result.error().symbol + " " + write(result.error().subject);
+    return result->size() == 1 ? std::string((*result)[0].text()) : write(*result);
+  }
+  static Task<void> tell(Board& teller, Datum fact) {
+    const Result<Revision> told = co_await teller.tell(fact);
+    EXPECT_TRUE(told.has_value());
   }
 
   VirtualExecutor executor;
@@ -279,23 +311,10 @@ TEST_F(Vision, TracksTheEndEffectorFirstAndTellsOnceAFrame) {
   EXPECT_EQ(facts("(vision-mode ? ?)"), "(vision-mode capturing yes)");
 }
 
-TEST_F(Vision, ModesExcludeEachOtherButAFindSuspendsATracking) {
-  EXPECT_EQ(call("(connect)"), "()");
-  EXPECT_EQ(facts("(vision-mode ? ?)"), "(vision-mode capturing yes)");
-  std::string learned;
-  const Job learning = executor.spawn(ask(form(learn_request(0, "circle")), 20s, learned));
-  run_for(300ms);
-  EXPECT_EQ(facts("(vision-mode ? ?)"), "(vision-mode learning yes)");
-  EXPECT_EQ(call("(find \"circle\")"), "busy learning");
-  EXPECT_EQ(call("(track \"circle\")"), "busy learning");
-  EXPECT_EQ(call(learn_request(1, "square")), "busy learning");
-  EXPECT_EQ(call("(get-objects)"), R"x((GET 0 ()))x");
-  executor.run_until([&] { return learning.done(); });
-  EXPECT_EQ(learned, R"x((LEARN "circle" OK))x");
-
+TEST_F(Vision, AFindSuspendsATrackingAndResumesIt) {
+  EXPECT_EQ(call(learn_request(0, "circle")), R"x((LEARN "circle" OK))x");
   EXPECT_EQ(call("(track \"circle\")"), "()");
   run_for(200ms);
-  EXPECT_EQ(call(learn_request(1, "square")), "busy tracking");
   std::string found;
   const Job finding = executor.spawn(ask(form("(find \"circle\")"), 20s, found));
   run_for(10ms);
@@ -306,6 +325,86 @@ TEST_F(Vision, ModesExcludeEachOtherButAFindSuspendsATracking) {
   const std::string before = facts("(vision-says ? ?)");
   run_for(200ms);
   EXPECT_NE(facts("(vision-says ? ?)"), before);
+}
+
+TEST_F(Vision, LearningAndFindingAreServedInTurn) {
+  EXPECT_EQ(call("(connect)"), "()");
+  EXPECT_EQ(facts("(vision-mode ? ?)"), "(vision-mode capturing yes)");
+  Client other(*this, "other");
+  std::string learned;
+  const Job learning = executor.spawn(ask(form(learn_request(0, "circle")), 20s, learned));
+  run_for(300ms);
+  EXPECT_EQ(facts("(vision-mode ? ?)"), "(vision-mode learning yes)");
+  EXPECT_EQ(facts("(vision-held ? learning)"), "(vision-held tester learning)");
+  std::vector<std::string> later(3);
+  std::vector<Job> jobs;
+  jobs.push_back(executor.spawn(other.ask(form(learn_request(1, "square")), later[0])));
+  jobs.push_back(executor.spawn(other.ask(form("(find \"circle\")"), later[1])));
+  jobs.push_back(executor.spawn(ask(form("(find \"square\")"), 20s, later[2])));
+  EXPECT_EQ(call("(get-objects)"), R"x((GET 0 ()))x");
+  executor.run_until([&] { return std::ranges::all_of(jobs, &Job::done); });
+  EXPECT_EQ(learned, R"x((LEARN "circle" OK))x");
+  EXPECT_EQ(later[0], R"x((LEARN "square" OK))x");
+  EXPECT_TRUE(later[1].starts_with(R"x((FIND "circle" OK ()x")) << later[1];
+  EXPECT_TRUE(later[2].starts_with(R"x((FIND "square" OK ()x")) << later[2];
+}
+
+TEST_F(Vision, WhatATrackingExcludesIsRefusedWithWhoTracks) {
+  learn_all();
+  EXPECT_EQ(call("(track \"circle\")"), "()");
+  Client other(*this, "other");
+  EXPECT_EQ(other.call(learn_request(1, "square")), "busy tester");
+  EXPECT_EQ(call(learn_request(1, "square")), "busy tester");
+  EXPECT_EQ(other.call("(end-track)"), "busy tester");
+  EXPECT_EQ(facts("(vision-mode ? ?)"), "(vision-mode tracking yes)");
+  EXPECT_EQ(call("(end-track)"), "()");
+  EXPECT_EQ(other.call("(end-track)"), "()");
+  EXPECT_EQ(other.call(learn_request(1, "square")), R"x((LEARN "square" OK))x");
+}
+
+TEST_F(Vision, EachClientTracksAndConnectsForItself) {
+  EXPECT_EQ(call(learn_request(0, "circle")), R"x((LEARN "circle" OK))x");
+  EXPECT_EQ(call(learn_request(1, "square")), R"x((LEARN "square" OK))x");
+  Client other(*this, "other");
+  EXPECT_EQ(call("(track \"circle\")"), "()");
+  EXPECT_EQ(other.call("(track \"square\")"), "()");
+  run_for(200ms);
+  EXPECT_TRUE(says().starts_with("(TRACK 2 ")) << says();
+  EXPECT_EQ(facts("(vision-held ? tracking)"), "(vision-held tester tracking)\n(vision-held other tracking)");
+  EXPECT_EQ(call("(end-track)"), "()");
+  EXPECT_EQ(call("(disconnect)"), "()");
+  run_for(200ms);
+  EXPECT_TRUE(says().starts_with("(TRACK 1 (\"square\" OK")) << says();
+  EXPECT_EQ(facts("(vision-mode ? ?)"), "(vision-mode tracking yes)");
+  EXPECT_EQ(other.call("(end-track)"), "()");
+  EXPECT_EQ(other.call("(disconnect)"), "()");
+  EXPECT_EQ(facts("(vision-mode ? ?)"), "(vision-mode idle no)");
+  EXPECT_EQ(facts("(vision-held ? ?)"), "");
+}
+
+TEST_F(Vision, AClientThatDiesLetsGoOfItsModes) {
+  EXPECT_EQ(call(learn_request(0, "circle")), R"x((LEARN "circle" OK))x");
+  {
+    Client dying(*this, "dying");
+    EXPECT_EQ(dying.call("(track \"circle\")"), "()");
+    run_for(5s);
+    EXPECT_EQ(facts("(vision-mode ? ?)"), "(vision-mode tracking yes)");
+  }
+  run_for(5s);
+  EXPECT_EQ(facts("(vision-mode ? ?)"), "(vision-mode idle no)");
+  EXPECT_EQ(facts("(vision-held ? ?)"), "");
+  EXPECT_EQ(says(), "nothing");
+}
+
+// A script that only tells requests has no presence: what it began lasts until someone ends it.
+TEST_F(Vision, WhatAClientWithoutPresenceBeganAnyoneMayEnd) {
+  EXPECT_EQ(call(learn_request(0, "circle")), R"x((LEARN "circle" OK))x");
+  const std::unique_ptr<Board> script = board.view("script");
+  const Job telling = executor.spawn(tell(*script, form("(request r1 vision (track \"circle\"))")));
+  run_for(6s);
+  EXPECT_EQ(facts("(vision-held ? ?)"), "(vision-held anybody connected)\n(vision-held anybody tracking)");
+  EXPECT_EQ(call("(end-track)"), "()");
+  EXPECT_EQ(facts("(vision-mode ? ?)"), "(vision-mode capturing yes)");
 }
 
 TEST_F(Vision, DisconnectedItCapturesOnlyWhileItMust) {

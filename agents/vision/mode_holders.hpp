@@ -1,0 +1,58 @@
+#pragma once
+
+// Which clients hold which modes of the eyes. Each connects, and tracks objects, for itself: what one ends goes on for
+// the others, and whoever dies lets go of what it held.
+//
+//   ModeHolders holders;
+//   holders.track("coordinator", {"circle"});
+//   holders.end_track("person");                      // nothing: it tracks nothing
+//   holders.tracker();                                // "coordinator"
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "lisp/datum.hpp"
+
+namespace pizarra {
+
+class ModeHolders {
+ public:
+  // Whoever is not present on the board: what such a client began anyone may end.
+  static constexpr std::string_view anybody = "anybody";
+
+  void connect(const std::string& client) { clients_[client].connected = true; }
+  void disconnect(const std::string& client);
+  bool connected() const;
+
+  void track(const std::string& client, const std::string& name);
+  void end_track(const std::string& client);
+  bool tracks(const std::string& client) const;
+  // One who tracks; empty: nobody.
+  std::string tracker() const;
+  // Everything that is tracked, each once.
+  std::set<std::string> tracked() const;
+  void rename(const std::string& name, const std::string& new_name);
+
+  // Those who hold anything, without anybody.
+  std::vector<std::string> clients() const;
+  void let_go(const std::string& client) { clients_.erase(client); }
+
+  // (vision-held CLIENT connected) and (vision-held CLIENT tracking).
+  std::vector<Datum> facts() const;
+
+ private:
+  struct Held {
+    bool connected = false;
+    std::set<std::string> tracked;
+    bool nothing() const { return !connected && tracked.empty(); }
+  };
+  void tidy() {
+    std::erase_if(clients_, [](const auto& entry) { return entry.second.nothing(); });
+  }
+
+  std::map<std::string, Held> clients_;
+};
+
+}  // namespace pizarra
