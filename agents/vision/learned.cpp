@@ -11,6 +11,18 @@ double rounded(double value) { return std::round(value * 1000) / 1000; }
 
 char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
 
+double spread_of_roundness(const std::vector<LearnedSample>& samples) {
+  const auto count = static_cast<double>(samples.size());
+  double mean = 0;
+  for (const LearnedSample& sample : samples) mean += sample.roundness / count;
+  double variance = 0;
+  for (const LearnedSample& sample : samples) {
+    const double between = sample.roundness - mean;
+    variance += (between * between + sample.roundness_spread * sample.roundness_spread) / count;
+  }
+  return std::sqrt(variance);
+}
+
 bool is_letter(char c) { return lower(c) >= 'a' && lower(c) <= 'z'; }
 
 }  // namespace
@@ -63,6 +75,7 @@ void LearnedObjects::add(const std::string& name, LearnedSample sample) {
     }
   }
   found->samples.push_back(std::move(sample));
+  found->roundness_spread = spread_of_roundness(found->samples);
 }
 
 Datum learned_fact(const std::string& name, const LearnedSample& sample) {

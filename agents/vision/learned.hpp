@@ -42,6 +42,8 @@ struct LearnedSample {
 struct LearnedObject {
   std::string name;
   std::vector<LearnedSample> samples;
+  // Of their roundness, between the samples and within each: a standard deviation.
+  double roundness_spread = 0;
   // The least signature_error() between its samples and those of the same tone of any other object.
   double rival_error = 2;
 };

@@ -138,6 +138,17 @@ std::optional<SeenMark> measure_mark(const cv::Mat1b& image, MarkContour contour
   return out;
 }
 
+double centre_spread_px(const SeenMark& mark, double noise) {
+  constexpr double least_noise = 0.3;  // that of rounding to grey levels
+  constexpr double systematic_px = 0.02;
+  const double contrast = std::max(1.0, std::abs(mark.mark_level - mark.ground_level));
+  // Those counted are the mark's pixels and the two around it.
+  const double counted = mark.area_px + 2 * mark.perimeter_px;
+  const double reach = mark.width_px * std::sqrt(counted / mark.area_px);
+  const double random = std::max(noise, least_noise) * std::sqrt(counted) * reach / (contrast * mark.area_px);
+  return std::hypot(random, systematic_px);
+}
+
 void move_by(SeenMark& mark, cv::Point origin) {
   mark.centre += cv::Point2d(origin);
   mark.box += origin;

@@ -32,6 +32,12 @@ struct SeenMark {
 // Nothing where MarkPatch::cut() finds none.
 std::optional<SeenMark> measure_mark(const cv::Mat1b& image, MarkContour contour, MarkTone tone);
 
+// How far its centre may be off along x, as a standard deviation in px, in an image of this noise. The centre is the
+// mean of columns weighted by how far each pixel is from the ground's level, so noise of one sigma a pixel moves it by
+// sigma sqrt(sum of (x - centre)^2) / (sum of weights): the propagation of uncertainty to first order (JCGM 100:2008,
+// 5.1.2). What the pixels' phase and the light's slope add besides was measured.
+double centre_spread_px(const SeenMark& mark, double noise);
+
 // The same mark where its image is a part of another one that begins at `origin`.
 void move_by(SeenMark& mark, cv::Point origin);
 

@@ -12,6 +12,8 @@ constexpr int gate_px = 12;
 constexpr int small_gate_px = 5;
 // How far a lost mark is looked for before the whole image is.
 constexpr double local_reach_px = 48;
+// How much of the confidence is left after each frame in which a mark was not seen.
+constexpr double trust_in_a_bridge = 0.7;
 
 // How far around the predicted place of its middle an image must be looked at for a mark to be followed there.
 cv::Rect area_around(const SeenMark& last, cv::Point middle, int gate, cv::Size image) {
@@ -55,7 +57,7 @@ Result<void> MarkTracker::add(const LearnedObject& object) {
     return fail("full", "no more than 16 objects can be tracked", to_datum(object.name));
   }
   const auto place = same_name(object.name, end_effector_name) ? tracks_.begin() : tracks_.end();
-  tracks_.insert(place, Track{.name = object.name, .left = {}, .right = {}, .velocity_px = {}});
+  tracks_.insert(place, Track{.name = object.name});
   return {};
 }
 
@@ -74,13 +76,15 @@ std::vector<TrackSighting> MarkTracker::update(StereoSight& sight) {
 std::optional<SeenPair> MarkTracker::follow(StereoSight& sight, const Track& track, const LearnedObject& object) const {
   if (!track.left) return std::nullopt;
   SeenPair out;
-  std::optional<SeenMark> left =
-      follow_mark(sight.left(), sight.noise(), *track.left, track.left->centre + track.velocity_px);
-  if (!left || !is_recognised(*left, objects_, object)) return std::nullopt;
+  std::optional<SeenMark> left = follow_mark(sight.left(), sight.noise(), *track.left, track.expected());
+  if (!left) return std::nullopt;
+  const std::optional<Likeness> likely = recognise(*left, objects_, object);
+  if (!likely) return std::nullopt;
   out.left = std::move(*left);
+  out.likeness = *likely;
   std::optional<double> disparity;
   if (track.right) {
-    disparity = track.left->centre.x - track.right->centre.x + track.disparity_change_px;
+    disparity = track.left->centre.x - track.right->centre.x + (track.missing + 1) * track.disparity_change_px;
     const cv::Point2d expected(out.left.centre.x - *disparity, out.left.centre.y);
     out.right = follow_mark(sight.right(), sight.noise(), *track.right, expected);
   }
@@ -95,43 +99,62 @@ std::optional<SeenPair> MarkTracker::follow(StereoSight& sight, const Track& tra
 
 std::optional<SeenPair> MarkTracker::see(StereoSight& sight, const Track& track, const LearnedObject& object) const {
   std::optional<SeenPair> now = follow(sight, track, object);
-  if (!now && track.left) {
-    now = sight.find(objects_, object, track.left->centre + track.velocity_px, local_reach_px);
-  }
+  if (!now && track.left) now = sight.find(objects_, object, track.expected(), local_reach_px);
   return now ? now : sight.find(objects_, object);
+}
+
+// What is said of a frame in which it was not found.
+TrackSighting MarkTracker::miss(const StereoSight& sight, Track& track) {
+  TrackSighting out{.name = track.name, .centre = {}, .yaw_deg = {}, .contour = {}};
+  const cv::Rect2d image(0, 0, sight.left().cols, sight.left().rows);
+  const bool near = track.left && track.missing < most_bridged && image.contains(track.expected());
+  if (!near) {
+    track = Track{.name = track.name};
+    return out;
+  }
+  out.bridged = true;
+  out.centre = track.expected();
+  out.range_mm = track.range_mm;
+  ++track.missing;
+  out.confidence = track.confidence * std::pow(trust_in_a_bridge, track.missing);
+  return out;
 }
 
 TrackSighting MarkTracker::update(StereoSight& sight, Track& track) const {
   const LearnedObject* object = objects_.find(track.name);
   std::optional<SeenPair> now;
   if (object != nullptr) now = see(sight, track, *object);
+  if (!now) return miss(sight, track);
 
   TrackSighting out{.name = track.name, .centre = {}, .yaw_deg = {}, .contour = {}};
-  if (!now) {
-    track = Track{.name = track.name, .left = {}, .right = {}, .velocity_px = {}};
-    return out;
-  }
-  const cv::Point2d motion = track.left ? now->left.centre - track.left->centre : cv::Point2d();
+  const int frames = track.missing + 1;
+  const cv::Point2d motion = track.left ? (now->left.centre - track.left->centre) / frames : cv::Point2d();
   const bool steady = cv::norm(motion) < local_reach_px;
   track.velocity_px = steady ? motion : cv::Point2d();
   track.disparity_change_px = 0;
   out.centre = now->left.centre;
   out.contour = now->left.contour;
+  out.confidence = now->likeness.confidence();
   if (now->right) {
     const double disparity = now->left.centre.x - now->right->centre.x;
     if (track.left && track.right && steady) {
-      track.disparity_change_px = disparity - (track.left->centre.x - track.right->centre.x);
+      track.disparity_change_px = (disparity - (track.left->centre.x - track.right->centre.x)) / frames;
     }
     out.seen = true;
     out.range_mm = range_mm(sight.model(), now->left.centre, disparity);
+    out.range_spread_mm = range_spread_mm(sight.model(), now->left, *now->right, sight.noise());
     out.yaw_deg = face_yaw_deg(sight.model(), now->left, *now->right);
   } else if (sight.is_cut_off(*object, now->left)) {
     const std::optional<double> range = range_by_size_mm(sight.model(), *object, now->left);
     out.seen = range.has_value();
     out.range_mm = range.value_or(0);
+    out.range_spread_mm = spread_by_size_mm(out.range_mm);
   }
   track.left = std::move(now->left);
   track.right = std::move(now->right);
+  if (out.seen) track.range_mm = out.range_mm;
+  track.confidence = out.confidence;
+  track.missing = 0;
   return out;
 }
 

@@ -3,7 +3,8 @@
 // Follows several objects from frame to frame in both images. Each object is found once; then its closed contour is
 // followed from where its motion predicts its centre. Where that fails, it is looked for nearby and then everywhere,
 // in this same frame and in every later one, while the others go on. What is followed is recognised anew in every
-// frame, so that a hand, the gripper or another cube in its place is a loss, never a position.
+// frame, so that a hand, the gripper or another cube in its place is a loss, never a position. A loss of a few frames
+// is bridged: the object is expected where its motion would have brought it, and is said not to be seen.
 //
 //   MarkTracker tracker(objects);
 //   tracker.add(*objects.find("circle"));
@@ -19,13 +20,18 @@ namespace pizarra {
 struct TrackSighting {
   std::string name;
   bool seen = false;
+  // Not seen, but so shortly that its place is told as its motion predicts it.
+  bool bridged = false;
   cv::Point2d centre;             // in the left image, px
   double range_mm = 0;            // by the pair, or by its size where the right image ends before it
+  double range_spread_mm = 0;     // a standard deviation; 0 where it is not seen
+  double confidence = 0;          // Likeness::confidence(); of a bridged one less with every frame
   std::optional<double> yaw_deg;  // of its face (face_yaw_deg), where both images show it
   MarkContour contour;            // in the left image
 };
 
 inline constexpr std::size_t most_tracked = 16;
+inline constexpr int most_bridged = 5;  // frames
 
 class MarkTracker {
  public:
@@ -48,15 +54,21 @@ class MarkTracker {
  private:
   struct Track {
     std::string name;
-    // As seen in the last frame, if it was.
-    std::optional<SeenMark> left;
-    std::optional<SeenMark> right;
-    cv::Point2d velocity_px;  // a frame, in the left image
+    // As seen last, if it was within most_bridged frames.
+    std::optional<SeenMark> left = {};
+    std::optional<SeenMark> right = {};
+    cv::Point2d velocity_px = {};  // a frame, in the left image
     double disparity_change_px = 0;
+    double range_mm = 0;
+    double confidence = 0;
+    int missing = 0;  // frames since
+    // Where it should be in the frame to come.
+    cv::Point2d expected() const { return left->centre + (missing + 1) * velocity_px; }
   };
   std::optional<SeenPair> follow(StereoSight& sight, const Track& track, const LearnedObject& object) const;
   std::optional<SeenPair> see(StereoSight& sight, const Track& track, const LearnedObject& object) const;
   TrackSighting update(StereoSight& sight, Track& track) const;
+  static TrackSighting miss(const StereoSight& sight, Track& track);
 
   const LearnedObjects& objects_;
   std::vector<Track> tracks_;

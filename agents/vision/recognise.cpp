@@ -11,20 +11,26 @@ constexpr double impossible = std::numeric_limits<double>::infinity();
 constexpr double least_slimness = 0.55;
 // Two faces of one yawed cube are seen about this many mark heights (standard deviations) apart at most.
 constexpr double neighbour_heights = 8;
+// Of roundness, while samples spread as little as the frames of one do in good light; less where they spread more.
 constexpr double roundness_weight = 0.25;
+constexpr double ordinary_spread = 0.01;
 // With less error than this a mark need not be compared with what blur would make of the object.
 constexpr double clear_error = 0.01;
 // More than this no lens that is nearly focused blurs.
 constexpr double widest_blur_px = 2.2;
-// A mark that is no more like the object than that above its rival is neither for certain.
-constexpr double least_margin = 0.005;
+// So much error makes something e times less likely.
+constexpr double error_scale = 0.01;
 
-double sample_error(const SeenMark& mark, const LearnedSample& sample) {
+double weight_of_roundness(const LearnedObject& object) {
+  return roundness_weight * ordinary_spread / std::max(ordinary_spread, object.roundness_spread);
+}
+
+double sample_error(const SeenMark& mark, const LearnedSample& sample, double weight) {
   if (mark.tone != sample.tone || mark.slimness < least_slimness * sample.slimness) return impossible;
   const double scale = mark.height_px / sample.height_px;
   if (scale < 0.5 || scale > 1.8) return impossible;
   // The parameters first: where they differ too much the shapes need not be compared.
-  const double roundness = roundness_weight * std::abs(mark.roundness / sample.roundness - 1);
+  const double roundness = weight * std::abs(mark.roundness / sample.roundness - 1);
   if (roundness > recognition_threshold) return impossible;
   double best = impossible;
   for (std::size_t i = 0; i < sample.blurs.size() && best > clear_error; ++i) {
@@ -37,8 +43,9 @@ double sample_error(const SeenMark& mark, const LearnedSample& sample) {
 }  // namespace
 
 double recognition_error(const SeenMark& mark, const LearnedObject& object) {
+  const double weight = weight_of_roundness(object);
   double best = impossible;
-  for (const LearnedSample& sample : object.samples) best = std::min(best, sample_error(mark, sample));
+  for (const LearnedSample& sample : object.samples) best = std::min(best, sample_error(mark, sample, weight));
   return best;
 }
 
@@ -54,14 +61,39 @@ double likeness_error(const LearnedObject& a, const LearnedObject& b) {
   return best;
 }
 
-bool is_recognised(const SeenMark& mark, const LearnedObjects& objects, const LearnedObject& object) {
+double Likeness::confidence() const {
+  const double ahead_of_second = std::exp(-(second_error - error) / error_scale);
+  const double ahead_of_unknown = std::exp(-(recognition_threshold - error) / error_scale);
+  return 1 / (1 + ahead_of_second + ahead_of_unknown);
+}
+
+Likeness likeness(const SeenMark& mark, const LearnedObjects& objects, const LearnedObject& object) {
+  Likeness out{.error = recognition_error(mark, object)};
+  for (const LearnedObject& rival : objects.all()) {
+    if (&rival == &object) continue;
+    const double error = recognition_error(mark, rival);
+    if (error >= out.second_error) continue;
+    out.second = &rival;
+    out.second_error = error;
+  }
+  return out;
+}
+
+std::optional<Likeness> recognise(const SeenMark& mark, const LearnedObjects& objects, const LearnedObject& object) {
   const double error = recognition_error(mark, object);
-  if (error > recognition_threshold) return false;
+  if (error > recognition_threshold) return std::nullopt;
   // The square root of the error is a distance: within half of that to the nearest rival nothing else can be nearer.
-  if (4 * error < object.rival_error) return true;
-  return std::none_of(objects.all().begin(), objects.all().end(), [&](const LearnedObject& rival) {
-    return &rival != &object && recognition_error(mark, rival) < error + least_margin;
-  });
+  if (4 * error < object.rival_error) {
+    const double least_distance = std::sqrt(object.rival_error) - std::sqrt(error);
+    return Likeness{.error = error, .second_error = least_distance * least_distance};
+  }
+  const Likeness out = likeness(mark, objects, object);
+  if (out.margin() < least_margin) return std::nullopt;
+  return out;
+}
+
+bool is_recognised(const SeenMark& mark, const LearnedObjects& objects, const LearnedObject& object) {
+  return recognise(mark, objects, object).has_value();
 }
 
 const SeenMark* find_object(const std::vector<SeenMark>& marks, const LearnedObjects& objects,
@@ -85,6 +117,17 @@ const SeenMark* find_object(const std::vector<SeenMark>& marks, const LearnedObj
     if (cv::norm(mark->centre - centre) < reach_px && mark->area_px > best->area_px) best = mark;
   }
   return best;
+}
+
+std::vector<cv::Point2d> others_like(const std::vector<SeenMark>& marks, const LearnedObjects& objects,
+                                     const LearnedObject& object, const SeenMark& found) {
+  const double reach_px = neighbour_heights * found.height_px;
+  std::vector<cv::Point2d> out;
+  for (const SeenMark& mark : marks) {
+    const bool elsewhere = cv::norm(mark.centre - found.centre) >= reach_px;
+    if (elsewhere && is_recognised(mark, objects, object)) out.push_back(mark.centre);
+  }
+  return out;
 }
 
 bool are_partners(const SeenMark& left, const SeenMark& right) {

@@ -94,8 +94,9 @@ std::optional<SeenPair> StereoSight::find(const LearnedObjects& objects, const L
     const SeenMark* best = find_object(candidates, objects, object);
     if (best == nullptr) return std::nullopt;
     const SeenMark* partner = find_partner(*best, right_segmentation().marks(), std::nullopt);
-    if (partner == nullptr && is_cut_off(object, *best)) return SeenPair{*best, std::nullopt};
-    if (partner != nullptr && is_whole(model_, object, *best, *partner)) return SeenPair{*best, *partner};
+    const Likeness likely = *recognise(*best, objects, object);
+    if (partner == nullptr && is_cut_off(object, *best)) return SeenPair{*best, std::nullopt, likely};
+    if (partner != nullptr && is_whole(model_, object, *best, *partner)) return SeenPair{*best, *partner, likely};
     candidates.erase(candidates.begin() + (best - candidates.data()));
   }
   return std::nullopt;
@@ -134,6 +135,13 @@ std::optional<double> range_by_size_mm(const StereoModel& model, const LearnedOb
     return range_mm(model, left.centre, disparity);
   }
   return std::nullopt;
+}
+
+double spread_by_size_mm(double range_mm) { return 0.01 * range_mm; }
+
+double range_spread_mm(const StereoModel& model, const SeenMark& left, const SeenMark& right, double noise) {
+  const double disparity_spread = std::hypot(centre_spread_px(left, noise), centre_spread_px(right, noise));
+  return range_spread_mm(model, left.centre, left.centre.x - right.centre.x, disparity_spread);
 }
 
 bool is_whole(const StereoModel& model, const LearnedObject& object, const SeenMark& left, const SeenMark& right) {

@@ -16,6 +16,7 @@ namespace pizarra {
 struct SeenPair {
   SeenMark left;
   std::optional<SeenMark> right;  // absent where the right image does not show it
+  Likeness likeness = {};
 };
 
 class StereoSight {
@@ -60,6 +61,11 @@ double face_yaw_deg(const StereoModel& model, const SeenMark& left, const SeenMa
 // was learned: good to about a percent, some ten times worse than the pair. Nothing where no sample was learned with
 // its size.
 std::optional<double> range_by_size_mm(const StereoModel& model, const LearnedObject& object, const SeenMark& left);
+
+// How far range_by_size_mm() may be off, as a standard deviation.
+double spread_by_size_mm(double range_mm);
+// The same of the pair's range, by the spread of both centres.
+double range_spread_mm(const StereoModel& model, const SeenMark& left, const SeenMark& right, double noise);
 
 // Whether the pair can be the whole of the object's mark: as high in the world as one of its samples, and, but for what
 // yaw does, as wide in one image as in the other. Something in front of a part of it makes it too low, or hides more of

@@ -30,6 +30,10 @@ constexpr std::string_view contract_text = R"(
     (relation vision-held ((client symbol) (mode symbol)) (key client mode))
     (relation vision-says ((frame integer) (text string)) (key))
     (relation faces ((frame integer) (turned list)) (key))
+    (relation sightings ((frame integer) (of list)) (key))
+    (relation tracked ((name string) (state symbol) (frame integer) (confidence number)) (key name))
+    (relation found ((name string) (frame integer) (confidence number) (second string) (margin number)
+                     (elsewhere list)) (key name))
     (relation vision-failed ((frame integer) (text string) (symbol symbol) (sentence string)) (key))
     (relation learned ((name string) (num integer) (area number) (perimeter number) (features integer)
                        (m0 number) (m1 number) (m2 number)) (key name num) (durable))
@@ -146,6 +150,8 @@ Task<void> VisionAgent::State::tell(std::vector<Datum> facts) {
 }
 
 Task<void> VisionAgent::State::tell_state() {
+  // What was told under another presence went with it.
+  if (told_under != service->presence()) told_tracks.clear();
   told_under = service->presence();
   std::vector<Datum> facts;
   facts.push_back(list("vision-mode"_sym, Datum::symbol(mode()), Datum::symbol(holders.connected() ? "yes" : "no")));
@@ -218,8 +224,12 @@ Task<void> VisionAgent::State::camera_changed() {
 }
 
 Task<Result<void>> VisionAgent::State::unsay() {
-  const Datum said = list("vision-says"_sym, "?"_sym, "?"_sym);
-  const Result<Revision> retracted = co_await context.board.retract(said);
+  told_tracks.clear();
+  Transaction transaction;
+  transaction.retract(list("vision-says"_sym, "?"_sym, "?"_sym));
+  transaction.retract(list("sightings"_sym, "?"_sym, "?"_sym));
+  transaction.retract(list("tracked"_sym, "?"_sym, "?"_sym, "?"_sym, "?"_sym));
+  const Result<Revision> retracted = co_await context.board.transact(std::move(transaction));
   if (!retracted) co_return fail(retracted);
   co_return Result<void>();
 }
@@ -250,6 +260,15 @@ Task<void> VisionAgent::State::on_frame(StereoFrame frame) {
   std::vector<Datum> facts;
   // What is concluded from the reply finds the faces of its frame there already.
   facts.push_back(faces_fact(frame.number, sightings));
+  facts.push_back(sightings_fact(frame.number, sightings));
+  for (const TrackSighting& sighting : sightings) {
+    const std::string_view state = track_state(sighting);
+    std::string& told = told_tracks[sighting.name];
+    if (told == state) continue;
+    told = state;
+    const double confidence = std::round(sighting.confidence * 1000) / 1000;
+    facts.push_back(list("tracked"_sym, sighting.name, Datum::symbol(state), frame.number, confidence));
+  }
   facts.push_back(list("vision-says"_sym, frame.number, track_reply(sightings)));
   co_await tell(std::move(facts));
 }

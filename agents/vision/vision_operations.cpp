@@ -1,3 +1,4 @@
+#include <cmath>
 #include <fmt/format.h>
 
 #include "agents/vision/vision_replies.hpp"
@@ -79,6 +80,7 @@ Task<Result<Datum>> VisionAgent::State::find(std::string client, std::string nam
 Task<Result<SeenMark>> VisionAgent::State::find_mark(std::string name) {
   const Failure unknown{"not-learned", "nothing is learned under this name", to_datum(name), {}};
   if (objects.find(name) == nullptr) co_return fail(unknown);
+  Failure why = unknown;
   for (int i = 0; i < frames_to_find; ++i) {
     const Result<StereoFrame> frame = co_await feed.next(longest_frame_wait);
     if (!frame) co_return fail(frame);
@@ -88,9 +90,40 @@ Task<Result<SeenMark>> VisionAgent::State::find_mark(std::string name) {
     const GreyPair grey = grey_pair(*frame);
     StereoSight sight(grey.left, grey.right, *feed.model());
     const std::optional<SeenPair> found = sight.find(objects, *object);
-    if (found) co_return found->left;
+    if (!found) why = not_found(sight.left_segmentation(), *object);
+    if (!found) continue;
+    std::vector<Datum> facts{found_fact(frame->number, sight.left_segmentation(), *object, found->left)};
+    co_await tell(std::move(facts));
+    co_return found->left;
   }
-  co_return fail("not-seen", "no mark in the image is like it", to_datum(name));
+  co_return fail(why);
+}
+
+Failure VisionAgent::State::not_found(ImageSegmentation& segmentation, const LearnedObject& object) const {
+  for (const SeenMark& mark : segmentation.marks()) {
+    const Likeness likely = likeness(mark, objects, object);
+    if (likely.error > recognition_threshold || likely.margin() >= least_margin) continue;
+    return {"ambiguous",
+            fmt::format("a mark looks like it, and as much like {}", likely.second->name),
+            to_datum(object.name),
+            {}};
+  }
+  return {"not-seen", "no mark in the image is like it", to_datum(object.name), {}};
+}
+
+// (found NAME FRAME CONFIDENCE SECOND MARGIN ((X Y) ...))
+Datum VisionAgent::State::found_fact(std::uint64_t frame, ImageSegmentation& segmentation, const LearnedObject& object,
+                                     const SeenMark& mark) const {
+  constexpr std::size_t most_others = 8;
+  const auto rounded = [](double value, double parts) { return std::round(value * parts) / parts; };
+  const Likeness likely = likeness(mark, objects, object);
+  std::vector<Datum> elsewhere;
+  for (const cv::Point2d& place : others_like(segmentation.marks(), objects, object, mark)) {
+    if (elsewhere.size() < most_others) elsewhere.push_back(list(rounded(place.x, 100), rounded(place.y, 100)));
+  }
+  return list("found"_sym, object.name, frame, rounded(likely.confidence(), 1000),
+              likely.second == nullptr ? "" : likely.second->name, rounded(likely.margin(), 1000),
+              Datum::list(std::move(elsewhere)));
 }
 
 Task<Result<Datum>> VisionAgent::State::track(std::string client, std::string name) {

@@ -20,4 +20,11 @@ std::string get_reply(const LearnedObjects& objects);
 // show.
 Datum faces_fact(std::uint64_t frame, std::span<const TrackSighting> sightings);
 
+// (sightings FRAME (("a" seen CONFIDENCE SPREAD) ("b" bridged CONFIDENCE X Y D) ("c" lost) ...)): how sure each is, and
+// how far its d may be off, mm; of one that was lost a moment ago, where it should be.
+Datum sightings_fact(std::uint64_t frame, std::span<const TrackSighting> sightings);
+
+// seen, bridged or lost.
+std::string_view track_state(const TrackSighting& sighting);
+
 }  // namespace pizarra

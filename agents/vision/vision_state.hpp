@@ -3,6 +3,7 @@
 // What the vision agent knows and is doing; vision_agent.cpp runs it, vision_operations.cpp has its operations.
 
 #include <deque>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -42,6 +43,11 @@ struct VisionAgent::State {
   Task<Result<LearnedSample>> learn_sample(std::string name, double x, double y);
   Task<Result<void>> keep(std::string name, LearnedSample sample);
   Task<Result<SeenMark>> find_mark(std::string name);
+  // (found ...): how sure it is, what it might be otherwise, where else one like it is.
+  Datum found_fact(std::uint64_t frame, ImageSegmentation& segmentation, const LearnedObject& object,
+                   const SeenMark& mark) const;
+  // Why none of the marks is the object: like another one as much, or like none.
+  Failure not_found(ImageSegmentation& segmentation, const LearnedObject& object) const;
   Task<Result<Datum>> answer_failed(std::string text, Failure why);
   // Changes what is known, and has everything that goes by it follow.
   Task<Result<void>> change_objects(ObjectChange change);
@@ -102,8 +108,9 @@ struct VisionAgent::State {
   std::string busy_for;   // whose learning or finding goes on
   std::deque<int> turns;  // of those who wait, and of the one who is next
   int last_turn = 0;
-  std::vector<Datum> told_held;   // the facts that say who holds what
-  std::set<std::string> missing;  // holders who were not present at the last look
+  std::map<std::string, std::string> told_tracks;  // the state of each tracked object as it was told last
+  std::vector<Datum> told_held;                    // the facts that say who holds what
+  std::set<std::string> missing;                   // holders who were not present at the last look
   LeaseId told_under = 0;
   CameraFeed feed;
   WaitList turn_ended;

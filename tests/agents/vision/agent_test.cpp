@@ -488,5 +488,62 @@ TEST_F(Vision, PublishesImagesWhileTheyAreWatched) {
   EXPECT_EQ(grey, 3);
 }
 
+TEST_F(Vision, SaysHowSureAFindIsAndWhereElseOneLikeItIs) {
+  learn_all();
+  EXPECT_EQ(call(learn_request(1, "square")), R"x((LEARN "square" OK))x");
+  EXPECT_TRUE(call("(find \"circle\")").starts_with(R"x((FIND "circle" OK ()x"));
+  EXPECT_NE(facts("(and (found \"circle\" ?f ?c \"square\" ?m ()) (> ?c 0.9) (> ?m 0.03))"), "");
+  camera.scene.faces[1].mark = "circle";
+  EXPECT_TRUE(call("(find \"circle\")").starts_with(R"x((FIND "circle" OK ()x"));
+  EXPECT_EQ(facts("(found \"circle\" ? ? ? ? ())"), "");
+}
+
+TEST_F(Vision, TellsWhenAnObjectIsLostAndSeenAgain) {
+  learn_all();
+  EXPECT_EQ(call("(track \"circle\")"), "()");
+  run_for(250ms);
+  EXPECT_EQ(facts("(tracked \"circle\" seen ? ?)").find("(tracked \"circle\" seen "), 0U);
+  const std::string first = facts("(tracked \"circle\" ? ? ?)");
+  run_for(300ms);
+  EXPECT_EQ(facts("(tracked \"circle\" ? ? ?)"), first);
+  camera.scene.faces[0].mark = "none";
+  run_for(250ms);
+  EXPECT_NE(facts("(tracked \"circle\" bridged ? ?)"), "");
+  EXPECT_TRUE(says().ends_with("(\"circle\" FAIL))")) << says();
+  run_for(600ms);
+  EXPECT_NE(facts("(tracked \"circle\" lost ? ?)"), "");
+  camera.scene.faces[0].mark = "circle";
+  run_for(250ms);
+  EXPECT_NE(facts("(tracked \"circle\" seen ? ?)"), "");
+  EXPECT_NE(facts("(tracked \"circle\" seen ? ?)"), first);
+  EXPECT_EQ(call("(end-track)"), "()");
+  EXPECT_EQ(facts("(tracked ? ? ? ?)"), "");
+  EXPECT_EQ(facts("(sightings ? ?)"), "");
+}
+
+// Colour is asked of the camera, and pictures are drawn, only for those who look.
+TEST_F(Vision, SendsEachImageOnlyWhileSomeoneWatchesThatKind) {
+  learn_all();
+  EXPECT_EQ(call("(track \"circle\")"), "()");
+  run_for(500ms);
+  EXPECT_EQ(camera.colour_asked, 0);
+  for (const std::string kind : {"left", "right", "grey", "colour", "annotated"}) {
+    SCOPED_TRACE(kind);
+    std::map<std::string, int> sent;
+    const int colours = camera.colour_asked;
+    {
+      const auto watching = streams.subscribe("vision-" + kind, [&](const StreamFrame&) { ++sent[kind]; });
+      run_for(350ms);
+    }
+    EXPECT_GE(sent[kind], 3);
+    EXPECT_EQ(camera.colour_asked > colours, kind == "colour" || kind == "annotated");
+    const int before = sent[kind];
+    const int colours_before = camera.colour_asked;
+    run_for(300ms);
+    EXPECT_EQ(sent[kind], before);
+    EXPECT_EQ(camera.colour_asked, colours_before);
+  }
+}
+
 }  // namespace
 }  // namespace pizarra

@@ -16,6 +16,7 @@ class FakeCamera : public StereoCamera {
   Scene scene;
   bool plugged = true;
   int opened = 0;
+  int colour_asked = 0;
 
   Task<Result<StereoModel>> open() override {
     ++opened;
@@ -31,6 +32,7 @@ class FakeCamera : public StereoCamera {
     if (!plugged) co_return fail("disconnected", "the camera is unplugged");
     StereoFrame frame = draw_scene(scene, model_, number_, random_);
     frame.captured = executor_.now();
+    colour_asked += colour ? 1 : 0;
     if (colour) frame.left = in_colour(*frame.left);
     co_return frame;
   }

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "agents/vision/look_alike.hpp"
 #include "tests/agents/vision/eyes.hpp"
 
 namespace pizarra {
@@ -123,6 +124,93 @@ TEST(Recognise, ALargerThingThatTheRightImageCutsOffIsNotANearerObject) {
       EXPECT_FALSE(find_in(scene, "square", random)) << size << " px at " << x;
     }
   }
+}
+
+TEST(Likeness, OfAClearMarkNamesTheSecondAndIsSure) {
+  Random random(9);
+  Scene scene;
+  scene.faces = {{.mark = "circle", .place = {0, 0, 850}}};
+  DrawnSight drawn(scene, random);
+  const LearnedObject& circle = *learned_cell().find("circle");
+  const std::optional<SeenPair> found = drawn.sight.find(learned_cell(), circle);
+  ASSERT_TRUE(found);
+  const Likeness whole = likeness(found->left, learned_cell(), circle);
+  ASSERT_NE(whole.second, nullptr);
+  EXPECT_EQ(whole.second->name, "square");
+  EXPECT_GT(whole.margin(), 0.05);
+  EXPECT_GT(whole.confidence(), 0.98);
+  // What tracking takes for it without looking at every other object promises no more.
+  EXPECT_LE(found->likeness.margin(), whole.margin() + 0.02);
+  EXPECT_GT(found->likeness.confidence(), 0.9);
+}
+
+TEST(Likeness, OfAMarkThatMightAsWellBeAnotherIsAHalfAndNotRecognised) {
+  Random random(10);
+  LearnedObjects twins;
+  twins.add("circle", learned_cell().find("circle")->samples.front());
+  twins.add("ball", learned_cell().find("circle")->samples.front());
+  Scene scene;
+  scene.faces = {{.mark = "circle", .place = {0, 0, 850}}};
+  DrawnSight drawn(scene, random);
+  EXPECT_FALSE(drawn.sight.find(twins, *twins.find("circle")));
+  const SeenMark* mark =
+      find_object(drawn.sight.left_segmentation().marks(), learned_cell(), *learned_cell().find("circle"));
+  ASSERT_NE(mark, nullptr);
+  const Likeness either = likeness(*mark, twins, *twins.find("circle"));
+  EXPECT_EQ(either.second->name, "ball");
+  EXPECT_LT(either.margin(), least_margin);
+  EXPECT_NEAR(either.confidence(), 0.5, 0.02);
+}
+
+// An object whose samples differ in roundness is forgiven more of it, and only of it.
+TEST(Likeness, WeighsAParameterByTheSpreadOfTheSamples) {
+  Random random(11);
+  Scene scene;
+  scene.faces = {{.mark = "square", .place = {0, 0, 850}}};
+  DrawnSight drawn(scene, random);
+  SeenMark mark = *find_object(drawn.sight.left_segmentation().marks(), learned_cell(), *learned_cell().find("square"));
+  LearnedSample sample = learned_cell().find("square")->samples.front();
+  LearnedObjects alike;
+  LearnedObjects apart;
+  alike.add("square", sample);
+  alike.add("square", sample);
+  apart.add("square", sample);
+  LearnedSample rounder = sample;
+  rounder.roundness *= 0.94;
+  apart.add("square", rounder);
+  EXPECT_NEAR(apart.find("square")->roundness_spread, 0.03 * sample.roundness, 0.003);
+  const double before = recognition_error(mark, *alike.find("square"));
+  mark.roundness *= 1.1;
+  const double by_alike = recognition_error(mark, *alike.find("square")) - before;
+  const double by_apart = recognition_error(mark, *apart.find("square")) - before;
+  EXPECT_NEAR(by_alike, 0.025, 0.003);
+  EXPECT_LT(by_apart, by_alike / 2);
+  EXPECT_GT(by_apart, 0);
+}
+
+TEST(Likeness, MarksElsewhereThatLookTheSameAreTold) {
+  Random random(12);
+  Scene scene;
+  scene.faces = {{.mark = "cross", .place = {-100, 0, 850}}, {.mark = "cross", .place = {100, 0, 850}}};
+  DrawnSight drawn(scene, random);
+  const LearnedObject& cross = *learned_cell().find("cross");
+  const std::optional<SeenPair> found = drawn.sight.find(learned_cell(), cross);
+  ASSERT_TRUE(found);
+  const std::vector<cv::Point2d> others =
+      others_like(drawn.sight.left_segmentation().marks(), learned_cell(), cross, found->left);
+  ASSERT_EQ(others.size(), 1U);
+  EXPECT_NEAR(std::abs(others[0].x - found->left.centre.x), 200 * 431.0 / 850, 1);
+}
+
+TEST(LookAlikes, AreToldOnceAPair) {
+  EXPECT_TRUE(look_alikes(learned_cell()).empty());
+  LearnedObjects objects = learned_cell();
+  objects.add("ball", learned_cell().find("circle")->samples.front());
+  const std::vector<Datum> alike = look_alikes(objects);
+  ASSERT_EQ(alike.size(), 1U);
+  EXPECT_EQ(alike[0][1].text(), "ball");
+  EXPECT_EQ(alike[0][2].text(), "circle");
+  EXPECT_NE(alike[0][4].text().find("look much alike"), std::string::npos);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "agents/vision/vision_replies.hpp"
+#include "lisp/writer.hpp"
 #include "tests/agents/vision/eyes.hpp"
 
 namespace pizarra {
@@ -177,6 +178,80 @@ TEST(Replies, AreTheThesisTexts) {
   EXPECT_EQ(track_reply(sightings), "(TRACK 2 (\"end-effector\" OK (160.12, 88.40, 812.30)) (\"circle\" FAIL))");
   EXPECT_EQ(get_reply(LearnedObjects()), "(GET 0 ())");
   EXPECT_EQ(get_reply(learned_cell()), "(GET 5 (\"circle\", \"square\", \"cross\", \"triangle\", \"end-effector\"))");
+}
+
+TEST_F(Tracker, BridgesALossOfAFewFramesAndSaysThatItDoes) {
+  track("circle");
+  for (int frame = 0; frame < 4; ++frame) {
+    scene.faces = {{.mark = "circle", .place = {-60.0 + 8 * frame, 0, 850}}};
+    expect_at(see()[0], scene.faces[0].place);
+  }
+  double confidence = 1;
+  for (int frame = 4; frame < 4 + most_bridged; ++frame) {
+    scene.faces = {{.mark = "none", .place = {-60.0 + 8 * frame, 0, 850}}};
+    const TrackSighting sighting = see()[0];
+    EXPECT_FALSE(sighting.seen);
+    ASSERT_TRUE(sighting.bridged);
+    EXPECT_LT(cv::norm(sighting.centre - project(DrawnSight::model(), scene.faces[0].place, false)), 2);
+    EXPECT_NEAR(sighting.range_mm, 850, 10);
+    EXPECT_LT(sighting.confidence, confidence);
+    confidence = sighting.confidence;
+  }
+  const TrackSighting gone = see()[0];
+  EXPECT_FALSE(gone.seen || gone.bridged);
+  EXPECT_EQ(gone.confidence, 0);
+  scene.faces = {{.mark = "circle", .place = {20, 0, 850}}};
+  expect_at(see()[0], scene.faces[0].place);
+}
+
+TEST_F(Tracker, SaysHowSureItIsAndHowFarTheRangeMayBeOff) {
+  for (const std::string& name : cell_marks()) track(name);
+  for (const TrackSighting& sighting : see()) {
+    EXPECT_GT(sighting.confidence, 0.9) << sighting.name;
+    EXPECT_GT(sighting.range_spread_mm, 0.2) << sighting.name;
+    EXPECT_LT(sighting.range_spread_mm, 3) << sighting.name;
+  }
+}
+
+// Errors of the range, each divided by what was said of it, have a standard deviation of about one.
+TEST_F(Tracker, TheSpreadOfTheRangeIsThatOfItsErrors) {
+  for (const double noise : {1.0, 4.0, 10.0}) {
+    double squares = 0;
+    int within_three = 0;
+    int count = 0;
+    for (int n = 0; n < 40; ++n) {
+      const std::string name = cell_marks()[static_cast<std::size_t>(n) % cell_marks().size()];
+      const cv::Point3d place(random.uniform(-100, 140), random.uniform(-60, 60), random.uniform(650, 1100));
+      scene.faces = {{.mark = drawn_as(name), .place = place}};
+      scene.noise = noise;
+      tracker.clear();
+      track(name);
+      const TrackSighting sighting = see()[0];
+      if (!sighting.seen) continue;
+      const double off = (sighting.range_mm - cv::norm(place)) / sighting.range_spread_mm;
+      squares += off * off;
+      within_three += std::abs(off) < 3 ? 1 : 0;
+      ++count;
+    }
+    ASSERT_GT(count, 30) << noise;
+    const double spread = std::sqrt(squares / count);
+    EXPECT_GT(spread, 0.4) << "at a noise of " << noise;
+    EXPECT_LT(spread, 1.6) << "at a noise of " << noise;
+    EXPECT_GE(within_three, count - 2) << "at a noise of " << noise;
+  }
+}
+
+TEST(Replies, SayWhatTheThesisTextHasNoRoomFor) {
+  TrackSighting seen{.name = "a", .seen = true, .centre = {}, .yaw_deg = {}, .contour = {}};
+  seen.confidence = 0.98765;
+  seen.range_spread_mm = 0.5678;
+  TrackSighting bridged{.name = "b", .bridged = true, .centre = {10.123, 20}, .yaw_deg = {}, .contour = {}};
+  bridged.confidence = 0.5;
+  bridged.range_mm = 800;
+  const TrackSighting lost{.name = "c", .centre = {}, .yaw_deg = {}, .contour = {}};
+  const std::vector<TrackSighting> all{seen, bridged, lost};
+  EXPECT_EQ(write(sightings_fact(7, all)),
+            R"x((sightings 7 (("a" seen 0.988 0.57) ("b" bridged 0.5 10.12 20.0 800.0) ("c" lost))))x");
 }
 
 }  // namespace
