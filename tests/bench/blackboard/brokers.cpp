@@ -122,7 +122,8 @@ Broker::Broker(Kind kind) : kind_(kind) {
   if (!program) return;
   port_ = free_port();
   if (kind == Kind::nats) {
-    process_.emplace(Child::program({*program, "-a", "127.0.0.1", "-p", std::to_string(port_)}));
+    const std::string log = folder_.path() + "/log";
+    process_.emplace(Child::program({*program, "-a", "127.0.0.1", "-p", std::to_string(port_), "-l", log}));
   } else {
     const std::string settings = folder_.path() + "/mosquitto.conf";
     std::ofstream(settings) << fmt::format(
