@@ -16,6 +16,8 @@ using namespace std::chrono_literals;
 
 constexpr int links = 4;
 constexpr auto settle_patience = 90s;
+// Longer than anybody holds what it took; who was killed before it said what it had made never says so.
+constexpr auto last_word_patience = 10s;
 
 std::string link_path(const std::string& folder, int link) { return folder + "/link-" + std::to_string(link); }
 
@@ -123,7 +125,13 @@ void Ordeal::settle() {
     clients_.erase(writer);
   }
   const Clock::time_point patience = Clock::now() + settle_patience;
-  while (judge_.unmade() > 0 && Clock::now() < patience) pass(200ms);
+  Clock::time_point heard = Clock::now();
+  std::size_t left = judge_.unmade();
+  while (left > 0 && Clock::now() < std::min(patience, heard + last_word_patience)) {
+    pass(200ms);
+    if (judge_.unmade() < left) heard = Clock::now();
+    left = judge_.unmade();
+  }
   // What was taken by somebody who is not sure of it comes back, and is made by another.
   pass(2s);
 }
