@@ -66,7 +66,8 @@ void tell_end(Narrator& narrator, const StoryReport& report, const DemoChoices& 
 int status_of(const DirectorReport& report, const std::string& typed_goal) {
   if (report.reached()) return exit_reached;
   if (report.outcome == "refused" && report.refusal) {
-    const Failure refusal = at_its_goal(*report.refusal, typed_goal);
+    const std::string goal = typed_goal.empty() ? goal_words(report.goal) : typed_goal;
+    const Failure refusal = at_its_goal(*report.refusal, goal);
     if (!report.refusal_told) return complain(refusal, exit_refused);
     // One that the coordinator came to has been part of the story already, but for its place.
     if (!refusal.place.empty()) fmt::print(stderr, "{}\n", refusal.place);

@@ -245,6 +245,18 @@ TEST(Words, TheVersionIsThatOfTheTree) {
   EXPECT_EQ(run("--help > /dev/null; " + source_dir() + "/pizarra --version").text, said.text);
 }
 
+TEST(Words, ARefusedGoalOfAStoryIsShownWithACaretToo) {
+  const std::string folder = scratch_folder() + "refused-story/";
+  std::filesystem::create_directory(folder);
+  std::ofstream(folder + "cell.scm") << "(cell c (world (cube circle (at 450 0)) (cube cross (at 450 150))) (domain \""
+                                     << source_dir() << "/domains/blocks.scm\"))\n";
+  std::ofstream(folder + "story.scm") << "(scenario \"neither way\" (cell \"cell.scm\")\n"
+                                         "  (goal (on circle cross) (on cross circle)) (expect reached) (within 60))\n";
+  const Said said = run("demo --png '' " + folder + "cell.scm");
+  EXPECT_EQ(said.status, 3) << said.text;
+  EXPECT_TRUE(contains(said, "goal:1:1\n  (on circle cross) (on cross circle)\n  ^\n")) << said.text;
+}
+
 TEST(Words, WithoutAStoryBesideTheCellAGoalIsAskedFor) {
   const std::string file = scratch_folder() + "lone-cell.scm";
   std::ofstream(file) << "(cell c (world (cube circle (at 450 0))) (domain \"" << source_dir()
