@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <new>
 
+#include "agents/planner/distance/impossible_goals.hpp"
 #include "agents/planner/fast/beam_search.hpp"
 #include "agents/planner/fast/greedy_search.hpp"
 #include "agents/planner/fast/hill_climbing.hpp"
@@ -159,6 +160,11 @@ class Improvement {
 
 Outcome FastPlanner::solve(const Problem& problem, const Budget& budget, const std::function<bool()>& cancelled) {
   Nearness nearness(problem);
+  if (std::vector<std::size_t> never = impossible_goals(nearness.compact, nearness.invariants); !never.empty()) {
+    Outcome none = ended(Outcome::Kind::none, 0);
+    none.culprits = std::move(never);
+    return none;
+  }
   Effort effort(budget, cancelled);
   Improvement improvement(problem, nearness, effort, options_);
   std::vector<ActionIndex> plan;

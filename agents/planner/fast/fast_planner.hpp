@@ -27,7 +27,8 @@ struct FastPlannerOptions {
 class FastPlanner : public PlanEngine {
  public:
   explicit FastPlanner(FastPlannerOptions options = {}) : options_(std::move(options)) {}
-  // Budget::nodes counts states whose distance is asked, and actions redone. The culprits of `none` are all the goals.
+  // Budget::nodes counts states whose distance is asked, and actions redone. The culprits of `none` are those that the
+  // invariants name (impossible_goals.hpp), or all the goals.
   Outcome solve(const Problem& problem, const Budget& budget, const std::function<bool()>& cancelled) override;
 
  private:

@@ -189,6 +189,21 @@ TEST(FastPlanner, PlansForThirtyParcelsInEightCitiesWithFewStatesLookedAt) {
   }
 }
 
+TEST(FastPlanner, SaysWithoutASearchWhichGoalsOfSixtyBlocksCanNeverHold) {
+  for (const char* goals : {"(on b1 b1)", "(on b1 b2) (on b1 b3)"}) {
+    Random random(5);
+    PlanningTask task = random_blocks(60, random);
+    task.goals = facts_of(goals);
+    const Problem problem = ground(task).value();
+    FastPlanner engine;
+    const Outcome outcome = engine.solve(problem, Budget{.nodes = 0}, [] { return false; });
+    ASSERT_EQ(outcome.kind, Outcome::Kind::none) << goals;
+    std::vector<Datum> culprits;
+    for (const std::size_t fact : outcome.culprits) culprits.push_back(problem.facts[fact]);
+    EXPECT_EQ(culprits, task.goals);
+  }
+}
+
 TEST(HillClimbing, FindsPlansThatWorkForMostProblemsThatHaveOne) {
   int with_plan = 0, found = 0;
   for (std::uint64_t seed = 0; seed < 400; ++seed) {
