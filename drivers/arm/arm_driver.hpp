@@ -4,8 +4,8 @@
 // drivers/simulation/.
 //
 // Lifecycle: identify() and take_control() once, then moves, one at a time; read() and stop() at any time, also while a
-// move runs. Failures: not-in-control (what take_control() may mend: the pendant, a hold, an alarm, servos that are off),
-// busy, joint-limit, not-finite, bad-joints, disconnected; refused (the controller's own code as subject).
+// move runs. Failures: not-in-control (what take_control() may mend: the pendant, a hold, an alarm, servos that are
+// off), busy, joint-limit, not-finite, bad-joints, disconnected; refused (the controller's own code as subject).
 
 #include <optional>
 #include <vector>

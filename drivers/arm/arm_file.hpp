@@ -15,7 +15,9 @@
 //     (ready 0 60 -90 -90 0 500))
 //
 // `articulated` may be polar, scara or gantry instead; arm_model.hpp says which axes each has and what they count.
-// What is left out is 0, counts upwards (sense 1) and from the link before. (pizarra arm) interprets it.
+// Of `articulated`, without an axis of roll, also (side 133) where the links' plane lies beside axis 1, and (across
+// 100) where the tool lies beside the pitch axis. What is left out is 0, counts upwards (sense 1) and from the link
+// before. (pizarra arm) interprets it.
 
 #include "drivers/arm/arm_model.hpp"
 #include "lisp/reader.hpp"

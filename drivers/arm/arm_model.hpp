@@ -84,10 +84,12 @@ struct ArmModel {
   Build build;
   double height_mm;         // of axis 2 above the table; of a scara's or a gantry's wrist at lift 0
   double offset_mm;         // of axis 2 ahead of axis 1
+  double side_mm;           // by how much the links' plane lies to the left of axis 1
   double upper_arm_mm;      // a
   double forearm_mm;        // elbow to wrist centre, along the forearm ...
   double forearm_raise_mm;  // ... and across it, so that b = sqrt(forearm^2 + raise^2)
-  double wrist_mm;          // wrist centre to flange
+  double wrist_mm;          // wrist centre to flange, along the tool ...
+  double wrist_across_mm;   // ... and across it, in the links' plane: ahead where the tool is down
   double tool_mm;           // flange to grip centre
   std::vector<Axis> axes;   // axis 1 first
   bool track_along_x;       // or along y

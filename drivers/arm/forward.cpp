@@ -25,9 +25,10 @@ ToolPose forward(const ArmModel& model, const Joints& joints) {
   const Posture posture = posture_of(model, joints);
   const Placement placed = place(model, posture);
   ToolPose pose = ToolPose::Identity();
-  pose.linear() = placed.forearm * about_z(-posture.roll_deg) * about_y(posture.pitch_deg) * about_z(-posture.spin_deg);
-  pose.translation() =
-      placed.wrist_mm + track_offset(model, posture) + (model.wrist_mm + model.tool_mm) * pose.linear().col(2);
+  const Eigen::Matrix3d pitched = placed.forearm * about_z(-posture.roll_deg) * about_y(posture.pitch_deg);
+  pose.linear() = pitched * about_z(-posture.spin_deg);
+  pose.translation() = placed.wrist_mm + track_offset(model, posture) +
+                       (model.wrist_mm + model.tool_mm) * pitched.col(2) + model.wrist_across_mm * pitched.col(0);
   return pose;
 }
 
@@ -39,7 +40,8 @@ ToolPose nearest_attainable(const ArmModel& model, const ToolPose& pose, const J
   // The tool's direction lies in the plane that axis 1 turns, and so does the point.
   const Vector3d point = pose.translation() - track_offset(model, from);
   if (std::hypot(point.x(), point.y()) < on_axis_1_mm) return pose;
-  const Vector3d across = Vector3d::UnitZ().cross(point).normalized();
+  const double beside = std::asin(std::clamp(model.side_mm / std::hypot(point.x(), point.y()), -1.0, 1.0));
+  const Vector3d across = about_z(-degrees(beside)) * Vector3d::UnitZ().cross(point).normalized();
   const Vector3d approach = pose.linear().col(2);
   const Vector3d within = approach - approach.dot(across) * across;
   if (within.norm() < 1e-3) return pose;
@@ -76,7 +78,8 @@ std::vector<Vector3d> skeleton(const ArmModel& model, const Joints& joints) {
     return {carried, shoulder, elbow, {wrist.x(), wrist.y(), model.height_mm}, wrist, flange};
   }
   const Vector3d ahead = level_direction(posture.place[0]);
-  const Vector3d shoulder = carried + model.offset_mm * ahead + Vector3d(0, 0, model.height_mm);
+  const Vector3d shoulder = carried + model.offset_mm * ahead + model.side_mm * Vector3d::UnitZ().cross(ahead) +
+                            Vector3d(0, 0, model.height_mm);
   if (model.build == Build::polar) return {carried, shoulder, wrist, flange};
   const double th1 = radians(posture.place[1]);
   const Vector3d elbow = shoulder + model.upper_arm_mm * (std::cos(th1) * ahead + std::sin(th1) * Vector3d::UnitZ());

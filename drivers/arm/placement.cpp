@@ -70,7 +70,8 @@ Placement place(const ArmModel& model, const Posture& posture) {
     height += model.upper_arm_mm * std::sin(th1) + model.elbow_to_wrist_mm() * std::sin(th2);
   }
   const double turn = radians(first);
-  return {{radius * std::cos(turn), radius * std::sin(turn), height},
+  return {{radius * std::cos(turn) - model.side_mm * std::sin(turn),
+           radius * std::sin(turn) + model.side_mm * std::cos(turn), height},
           forearm_frame(first, forearm_elevation_deg(model, posture))};
 }
 
@@ -88,15 +89,26 @@ Ways ways_to(const ArmModel& model, const Vector3d& wrist, double heading_deg) {
     }
     return ways;
   }
-  const double radius = std::hypot(wrist.x(), wrist.y());
-  const double ahead = radius > on_axis_1_mm ? degrees(std::atan2(wrist.y(), wrist.x())) : heading_deg;
-  add_upright(ways, model, ahead, radius - model.offset_mm, up);
-  add_upright(ways, model, ahead + 180, -radius - model.offset_mm, up);
+  const std::optional<Bearing> bearing = bearing_of(model, wrist, heading_deg);
+  if (!bearing) return ways;
+  add_upright(ways, model, bearing->front_deg, bearing->radius_mm - model.offset_mm, up);
+  add_upright(ways, model, bearing->back_deg, -bearing->radius_mm - model.offset_mm, up);
   return ways;
 }
 
+std::optional<Bearing> bearing_of(const ArmModel& model, const Vector3d& point, double heading_deg) {
+  const double away = std::hypot(point.x(), point.y());
+  if (away < std::abs(model.side_mm)) return std::nullopt;
+  const double direction = away > on_axis_1_mm ? degrees(std::atan2(point.y(), point.x())) : heading_deg;
+  const double beside = model.side_mm == 0 ? 0 : degrees(std::asin(model.side_mm / away));
+  const double radius = std::sqrt(away * away - model.side_mm * model.side_mm);
+  return Bearing{direction - beside, direction + 180 + beside, radius};
+}
+
 double longest_reach_mm(const ArmModel& model) {
-  double furthest = std::abs(model.offset_mm) + model.upper_arm_mm + model.elbow_to_wrist_mm();
+  double furthest =
+      std::hypot(std::abs(model.offset_mm) + model.upper_arm_mm + model.elbow_to_wrist_mm(), model.side_mm) +
+      std::abs(model.wrist_across_mm);
   double slide = 0;
   for (const Axis& axis : model.axes) {
     if (!slides(axis.role) || axis.role == Role::track) continue;

@@ -93,12 +93,40 @@ class Chooser {
   double distance_ = 0;
 };
 
+// Where the wrist centre may be: a tool beside its pitch axis hangs to one side of it or, with axis 1 half a turn away,
+// to the other. Without the track.
+struct WristPlaces {
+  std::array<Vector3d, 2> places;
+  std::size_t count = 0;
+};
+
+WristPlaces wrist_places(const ArmModel& model, const ToolPose& pose, const Vector3d& track, double heading_deg) {
+  WristPlaces wrists;
+  const Vector3d over = wrist_of(model, pose) - track;
+  if (model.wrist_across_mm == 0) {
+    wrists.places[wrists.count++] = over;
+    return wrists;
+  }
+  const std::optional<Bearing> bearing = bearing_of(model, pose.translation() - track, heading_deg);
+  if (!bearing) return wrists;
+  for (const double turn : {bearing->front_deg, bearing->back_deg}) {
+    const Vector3d right = about_z(turn) * -Vector3d::UnitY();
+    wrists.places[wrists.count++] = over - model.wrist_across_mm * right.cross(pose.linear().col(2));
+  }
+  return wrists;
+}
+
 // Where axis 1 stands when the wrist centre is on it: a wrist without roll has only the tool's own heading.
 double free_heading(const ArmModel& model, const ToolPose& pose, const Posture& near) {
   const Vector3d approach = pose.linear().col(2);
   const bool rolls = model.axis_of(Role::roll).has_value();
   if (rolls || std::hypot(approach.x(), approach.y()) < singular_sine) return near.place[0];
   return degrees(std::atan2(approach.y(), approach.x()));
+}
+
+bool reaches(const ArmModel& model, const Posture& posture, const ToolPose& pose) {
+  constexpr double near_mm = 1e-3;
+  return (forward(model, joints_of(model, posture)).translation() - pose.translation()).norm() < near_mm;
 }
 
 }  // namespace
@@ -124,11 +152,14 @@ double margin_of(const ArmModel& model, const Joints& joints) {
 
 Solution best_solution(const ArmModel& model, const ToolPose& pose, const Joints& near) {
   const Posture from = posture_of(model, near);
-  const Vector3d wrist = wrist_of(model, pose) - from.track_mm * along_track(model);
+  const Vector3d track = from.track_mm * along_track(model);
   const bool rolls = model.axis_of(Role::roll).has_value();
   const bool pitches = model.axis_of(Role::pitch).has_value();
-  const Ways ways = ways_to(model, wrist, free_heading(model, pose, from));
+  const double heading = free_heading(model, pose, from);
+  const WristPlaces wrists_at = wrist_places(model, pose, track, heading);
   Chooser chooser(model, near);
+  Ways ways;
+  for (std::size_t i = 0; i < wrists_at.count; ++i) ways.append(ways_to(model, wrists_at.places[i], heading));
   for (std::size_t way = 0; way < ways.count; ++way) {
     Posture posture = from;
     posture.place = ways.ways[way];
@@ -138,6 +169,8 @@ Solution best_solution(const ArmModel& model, const ToolPose& pose, const Joints
       posture.roll_deg = wrists.ways[i][0];
       posture.pitch_deg = wrists.ways[i][1];
       posture.spin_deg = wrists.ways[i][2];
+      // The wrist's place was reckoned for one way to stand, and is wrong for the other.
+      if (model.wrist_across_mm != 0 && !reaches(model, posture, pose)) continue;
       chooser.consider(posture);
     }
   }

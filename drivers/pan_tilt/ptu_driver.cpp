@@ -4,45 +4,17 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "drivers/wire/printable.hpp"
+
 namespace pizarra {
 
 namespace {
-
-bool is_printable(char c) { return c >= 0x20 && c < 0x7f; }
-
-bool is_printable(std::string_view text) {
-  return std::ranges::all_of(text, [](char c) { return is_printable(c); });
-}
-
-// What came over the line, fit to be told.
-std::string printable(std::string_view text) {
-  std::string out;
-  for (const char c : text.substr(0, 80)) {
-    out += is_printable(c) ? std::string(1, c) : fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
-  }
-  return out;
-}
 
 std::unexpected<Failure> not_understood(std::string_view command, std::string_view said) {
   return fail("bad-reply", fmt::format("the pan-tilt unit answered {} with \"{}\"", command, printable(said)));
 }
 
 }  // namespace
-
-// Commands are carried out one after another.
-class PtuDriver::Turn {
- public:
-  explicit Turn(PtuDriver& driver) : driver_(&driver) { driver.in_use_ = true; }
-  Turn(const Turn&) = delete;
-  Turn& operator=(const Turn&) = delete;
-  ~Turn() {
-    driver_->in_use_ = false;
-    driver_->turns_.wake_one();
-  }
-
- private:
-  PtuDriver* driver_;
-};
 
 PtuDriver::PtuDriver(Executor& executor, ByteWire& wire, PtuDirections directions)
     : executor_(executor),
@@ -109,8 +81,7 @@ Task<Result<std::string>> PtuDriver::exchange(std::string command, Duration pati
 }
 
 Task<Result<std::string>> PtuDriver::answer_to(std::string command, Duration patience) {
-  while (in_use_) co_await turns_.wait();
-  const Turn turn(*this);
+  const Turns::Turn turn = co_await turns_.take();
   if (!connected_) co_return fail("not-connected", why_lost_);
   Result<std::string> answer = co_await exchange(std::move(command), patience);
   co_return answer;
@@ -123,8 +94,7 @@ Task<Result<void>> PtuDriver::command(std::string command, Duration patience) {
 }
 
 Task<Result<PanTiltRange>> PtuDriver::connect() {
-  while (in_use_) co_await turns_.wait();
-  const Turn turn(*this);
+  const Turns::Turn turn = co_await turns_.take();
   Result<PanTiltRange> connected = co_await connect_in_turn();
   co_return connected;
 }
@@ -261,8 +231,7 @@ Task<Result<void>> PtuDriver::reset(PanTiltAxis axis) {
 Task<Result<void>> PtuDriver::reset_all() { return command("R", reset_time); }
 
 Task<Result<PanTiltReading>> PtuDriver::read() {
-  while (in_use_) co_await turns_.wait();
-  const Turn turn(*this);
+  const Turns::Turn turn = co_await turns_.take();
   if (!connected_) co_return fail("not-connected", why_lost_);
   const Result<double> pan = co_await ask(pan_, 'P');
   if (!pan) co_return fail(pan);

@@ -16,10 +16,10 @@
 // lose and garble; never with hardware. Which way a unit counts is not in the sources: where pan counts to the left or
 // tilt counts downwards, say so in PtuDirections.
 
-#include "blackboard/time/event.hpp"
 #include "drivers/pan_tilt/pan_tilt_driver.hpp"
 #include "drivers/pan_tilt/ptu_reply.hpp"
 #include "drivers/wire/byte_wire.hpp"
+#include "drivers/wire/turns.hpp"
 
 namespace pizarra {
 
@@ -61,7 +61,6 @@ class PtuDriver : public PanTiltDriver {
     double slowest = 0;
     double fastest = 0;
   };
-  class Turn;
 
   Axis& axis_of(PanTiltAxis axis) { return axis == PanTiltAxis::pan ? pan_ : tilt_; }
   Task<Result<PanTiltRange>> connect_in_turn();
@@ -84,9 +83,8 @@ class PtuDriver : public PanTiltDriver {
   bool connected_ = false;
   std::string why_lost_ = "the pan-tilt unit is not connected";
   bool echoes_ = false;
-  bool in_use_ = false;
   std::string unread_;
-  WaitList turns_;
+  Turns turns_;  // commands are carried out one after another
 };
 
 }  // namespace pizarra

@@ -11,8 +11,12 @@
 #include "drivers/arm/arm_file.hpp"
 #include "drivers/simulation/controllers/arms/hses_emulator.hpp"
 #include "drivers/simulation/controllers/arms/moving_arm.hpp"
+#include "drivers/simulation/controllers/arms/simple_emulator.hpp"
+#include "drivers/simulation/controllers/arms/ur_emulator.hpp"
 #include "drivers/simulation/simulated_arm.hpp"
 #include "drivers/simulation/socket_link.hpp"
+#include "drivers/wire/pty_wire.hpp"
+#include "drivers/wire/tcp_port.hpp"
 #include "drivers/wire/udp_wire.hpp"
 
 namespace pizarra {
@@ -66,14 +70,114 @@ Result<std::unique_ptr<Serving>> serve_hses(Executor& executor, ArmCabinet& cabi
   return std::make_unique<HsesServing>(executor, cabinet, std::move(*port), choices.address);
 }
 
+// Ports of one device: its own, any that are free (0), or those from the one asked for on.
+std::vector<std::uint16_t> ports_of(const EmulateChoices& choices, std::initializer_list<std::uint16_t> own) {
+  std::vector<std::uint16_t> ports(own);
+  if (choices.port < 0) return ports;
+  for (std::size_t i = 0; i < ports.size(); ++i) {
+    ports[i] = static_cast<std::uint16_t>(choices.port == 0 ? 0 : choices.port + static_cast<int>(i));
+  }
+  return ports;
+}
+
+Result<std::vector<std::unique_ptr<TcpPort>>> listen_at(Executor& executor, const std::string& address,
+                                                        const std::vector<std::uint16_t>& ports) {
+  std::vector<std::unique_ptr<TcpPort>> listening;
+  for (const std::uint16_t wanted : ports) {
+    Result<std::unique_ptr<TcpPort>> port = TcpPort::listen(executor, address, wanted);
+    if (!port) return fail(port);
+    listening.push_back(std::move(*port));
+  }
+  return listening;
+}
+
+std::string where_tcp(const std::string& address, const std::vector<std::unique_ptr<TcpPort>>& ports) {
+  std::string where = fmt::format("tcp://{}:", address);
+  for (std::size_t i = 0; i < ports.size(); ++i) where += fmt::format("{}{}", i == 0 ? "" : ",", ports[i]->port());
+  return where;
+}
+
+class UrServing : public Serving {
+ public:
+  UrServing(Executor& executor, ArmCabinet& cabinet, std::vector<std::unique_ptr<TcpPort>> ports, std::string address)
+      : ports_(std::move(ports)),
+        address_(std::move(address)),
+        emulator_(cabinet),
+        telling_(executor.spawn(serve_rtde(executor, emulator_, *ports_[0]))),
+        running_(executor.spawn(serve_script(executor, emulator_, *ports_[1]))),
+        answering_(executor.spawn(serve_dashboard(executor, emulator_, *ports_[2]))) {}
+  std::string where() const override { return where_tcp(address_, ports_); }
+
+ private:
+  std::vector<std::unique_ptr<TcpPort>> ports_;
+  std::string address_;
+  UrEmulator emulator_;
+  Job telling_;
+  Job running_;
+  Job answering_;
+};
+
+Result<std::unique_ptr<Serving>> serve_ur(Executor& executor, ArmCabinet& cabinet, const EmulateChoices& choices) {
+  const std::vector<std::uint16_t> wanted = ports_of(choices, {rtde::port, rtde::script_port, rtde::dashboard_port});
+  Result<std::vector<std::unique_ptr<TcpPort>>> ports = listen_at(executor, choices.address, wanted);
+  if (!ports) return fail(ports);
+  return std::make_unique<UrServing>(executor, cabinet, std::move(*ports), choices.address);
+}
+
+class SimpleServing : public Serving {
+ public:
+  SimpleServing(Executor& executor, ArmCabinet& cabinet, SimpleKind kind, std::vector<std::unique_ptr<ByteWire>> lines,
+                std::string where)
+      : lines_(std::move(lines)),
+        where_(std::move(where)),
+        emulator_(cabinet, kind),
+        moving_(executor.spawn(serve_motion(executor, emulator_, *lines_[0]))),
+        telling_(executor.spawn(serve_state(executor, emulator_, *lines_[1]))) {}
+  std::string where() const override { return where_; }
+
+ private:
+  std::vector<std::unique_ptr<ByteWire>> lines_;
+  std::string where_;
+  SimpleEmulator emulator_;
+  Job moving_;
+  Job telling_;
+};
+
+// The C500C's servers count angles the other way round.
+Result<std::unique_ptr<Serving>> serve_c500c(Executor& executor, ArmCabinet& cabinet) {
+  Result<std::unique_ptr<PtyWire>> motion = PtyWire::make(executor);
+  if (!motion) return fail(motion);
+  Result<std::unique_ptr<PtyWire>> state = PtyWire::make(executor);
+  if (!state) return fail(state);
+  const std::string where = (*motion)->path() + "," + (*state)->path();
+  std::vector<std::unique_ptr<ByteWire>> lines;
+  lines.push_back(std::move(*motion));
+  lines.push_back(std::move(*state));
+  const SimpleKind kind{.serial = true, .sign = -1};
+  return std::make_unique<SimpleServing>(executor, cabinet, kind, std::move(lines), where);
+}
+
+Result<std::unique_ptr<Serving>> serve_simple(Executor& executor, ArmCabinet& cabinet, const EmulateChoices& choices) {
+  if (choices.pty) return serve_c500c(executor, cabinet);
+  const std::vector<std::uint16_t> wanted = ports_of(choices, {simple::motion_port, simple::state_port});
+  Result<std::vector<std::unique_ptr<TcpPort>>> ports = listen_at(executor, choices.address, wanted);
+  if (!ports) return fail(ports);
+  const std::string where = where_tcp(choices.address, *ports);
+  std::vector<std::unique_ptr<ByteWire>> lines;
+  for (std::unique_ptr<TcpPort>& port : *ports) lines.push_back(std::move(port));
+  return std::make_unique<SimpleServing>(executor, cabinet, SimpleKind{}, std::move(lines), where);
+}
+
 // An arm that can be emulated: its name here, its file among arms/, and who answers for it.
 struct ArmKind {
   std::string_view name;
   std::string_view arm;
   Result<std::unique_ptr<Serving>> (*serve)(Executor&, ArmCabinet&, const EmulateChoices&);
+  bool serial = false;  // whether it has serial lines, too
 };
 
-constexpr ArmKind kinds[] = {{"up6", "motoman-up6", serve_hses}};
+constexpr ArmKind kinds[] = {
+    {"up6", "motoman-up6", serve_hses}, {"ur5e", "ur5e", serve_ur}, {"f3", "crs-f3", serve_simple, true}};
 
 std::string in_json(const ArmCabinet& cabinet, const ArmReading& reading) {
   return fmt::format(
@@ -111,7 +215,7 @@ std::vector<std::string> arm_device_names() {
 
 int emulate_arm(const EmulateChoices& choices) {
   const ArmKind& kind = *std::ranges::find(kinds, choices.device, &ArmKind::name);
-  if (choices.pty) {
+  if (choices.pty && !kind.serial) {
     const Failure useless{"bad-option", choices.device + " is on a network, not at a serial line", {}, {}};
     return complain(useless, exit_usage);
   }

@@ -40,16 +40,22 @@ void add_emulate_word(CLI::App& app, int& status) {
       "A device's controller without the device, for drivers to be tried on: it speaks the device's own protocol,\n"
       "keeps state, moves in time, and refuses what the device refuses. Until Ctrl-C.");
   emulating
-      ->add_option("device", choices->device,
-                   "Which: a pan-tilt unit, ptu46-17.5 or ptu46-70; an arm, up6 (High Speed Ethernet Server)")
+      ->add_option(
+          "device", choices->device,
+          "Which: a pan-tilt unit, ptu46-17.5 or ptu46-70; an arm, up6 (High Speed Ethernet Server), ur5e (RTDE, "
+          "URScript, dashboard) or f3 (ROS-Industrial simple_message)")
       ->required()
       ->check(CLI::IsMember(device_names()));
-  CLI::Option* pty = emulating->add_flag("--pty", choices->pty, "At a pseudo-terminal, opened like a serial line");
+  CLI::Option* pty =
+      emulating->add_flag("--pty", choices->pty,
+                          "At a pseudo-terminal, opened like a serial line; f3 at two, motion and state, as a C500C's");
   CLI::Option* port =
       emulating
-          ->add_option("--port,--tcp,--udp", choices->port,
-                       "At this TCP port, UDP of up6; 0 takes any that is free; otherwise the device's own: 4000 of "
-                       "pan-tilt units, 10040 of up6")
+          ->add_option(
+              "--port,--tcp,--udp", choices->port,
+              "At this TCP port, UDP of up6, and those after it where it has several; 0 takes any that are free; "
+              "otherwise the device's own: 4000 of pan-tilt units, 10040 of up6, 30004, 30002 and 29999 of "
+              "ur5e, 11000 and 11002 of f3")
           ->check(CLI::Range(0, 65535));
   port->excludes(pty);
   emulating->add_option("--address", choices->address, "Where its port listens; only this machine otherwise")
@@ -63,11 +69,11 @@ void add_emulate_word(CLI::App& app, int& status) {
         return text.starts_with("ipc://") ? std::string() : "a simulated world is at ipc://PATH";
       });
   emulating->add_flag("--json", choices->json, "One JSON object a line");
-  emulating->footer(
-      help_footer("emulate ptu46-17.5 --tcp 4000",
-                  "What somebody beside the device does is typed, a line each: `power off`, `power on`, `status`; of\n"
-                  "an arm also `estop`, `pendant` and `hold` with `on` or `off`, `alarm CODE`, `override PERCENT`.\n"
-                  "Exit status: 0 interrupted; 2 a wrong word or option; 4 no terminal or port to be had."));
+  emulating->footer(help_footer(
+      "emulate ptu46-17.5 --tcp 4000",
+      "What somebody beside the device does is typed, a line each: `power off`, `power on`, `status`; of\n"
+      "an arm also `estop`, `pendant`, `hold` and `servo` with `on` or `off`, `alarm CODE`, `override PERCENT`.\n"
+      "Exit status: 0 interrupted; 2 a wrong word or option; 4 no terminal or port to be had."));
   emulating->callback([choices, &status] { status = emulate(*choices); });
 }
 

@@ -2,7 +2,11 @@
 
 #include "drivers/arm/motoman/hses_link.hpp"
 #include "drivers/arm/motoman/motoman_arm.hpp"
+#include "drivers/arm/simple_message/simple_arm.hpp"
+#include "drivers/arm/universal/universal_arm.hpp"
 #include "drivers/simulation/simulated_arm.hpp"
+#include "drivers/wire/serial_wire.hpp"
+#include "drivers/wire/tcp_wire.hpp"
 #include "drivers/wire/udp_wire.hpp"
 
 namespace pizarra {
@@ -32,10 +36,59 @@ class HsesDevice : public ArmDevice {
   MotomanArm arm_;
 };
 
+class UniversalDevice : public ArmDevice {
+ public:
+  UniversalDevice(Executor& executor, const ArmLine& line, const ArmModel& model)
+      : rtde_(executor, line.places[0], port_of(line, 0)),
+        script_(executor, line.places[0], port_of(line, 1)),
+        dashboard_(executor, line.places[0], port_of(line, 2)),
+        arm_(executor, {rtde_, script_, dashboard_}, model) {}
+  ArmDriver& driver() override { return arm_; }
+
+ private:
+  TcpWire rtde_;
+  TcpWire script_;
+  TcpWire dashboard_;
+  UniversalArm arm_;
+};
+
+class SimpleDevice : public ArmDevice {
+ public:
+  SimpleDevice(Executor& executor, const ArmLine& line, const ArmModel& model)
+      : motion_(executor, line.places[0], port_of(line, 0)),
+        state_(executor, line.places[0], port_of(line, 1)),
+        arm_(executor, {motion_, state_}, model) {}
+  ArmDriver& driver() override { return arm_; }
+
+ private:
+  TcpWire motion_;
+  TcpWire state_;
+  SimpleArm arm_;
+};
+
+class C500cDevice : public ArmDevice {
+ public:
+  C500cDevice(Executor& executor, const ArmLine& line, const ArmModel& model)
+      : motion_(executor, line.places[0], baud),
+        state_(executor, line.places[1], baud),
+        arm_(executor, {motion_, state_, true, ByteOrder::little, sign}, model) {}
+  ArmDriver& driver() override { return arm_; }
+
+ private:
+  static constexpr int baud = 115200;
+  static constexpr double sign = -1;  // its servers count angles as the KUKA KR3 does
+  SerialWire motion_;
+  SerialWire state_;
+  SimpleArm arm_;
+};
+
 }  // namespace
 
 std::unique_ptr<ArmDevice> make_arm_device(Executor& executor, const ArmLine& line, const ArmModel& model, Link& link) {
   if (line.protocol == "hses") return std::make_unique<HsesDevice>(executor, line, model);
+  if (line.protocol == "universal") return std::make_unique<UniversalDevice>(executor, line, model);
+  if (line.protocol == "simple-message") return std::make_unique<SimpleDevice>(executor, line, model);
+  if (line.protocol == "c500c") return std::make_unique<C500cDevice>(executor, line, model);
   return std::make_unique<SimulatedDevice>(link);
 }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "drivers/arm/move_check.hpp"
+
 namespace pizarra {
 
 namespace {
@@ -26,18 +28,6 @@ bool without_answer(const Failure& failure) { return failure.symbol == "no-answe
 std::unexpected<Failure> lost(const Failure& why) {
   if (without_answer(why)) return fail("disconnected", why.sentence, why.subject);
   return fail(why);
-}
-
-Result<void> check_move(const ArmModel& model, const std::vector<Joints>& waypoints, double speed) {
-  if (!std::isfinite(speed)) return fail("not-finite", "the speed is not a number");
-  if (waypoints.empty() || speed <= 0 || speed > 1) {
-    return fail("bad-request", "a move has waypoints, and a speed above 0 and at most 1", to_datum(speed));
-  }
-  for (const Joints& joints : waypoints) {
-    const Result<void> within = check_limits(model, joints);
-    if (!within) return within;
-  }
-  return {};
 }
 
 }  // namespace

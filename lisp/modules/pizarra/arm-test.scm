@@ -19,7 +19,7 @@
   (if (eq? (car outcome) 'errors) (list (car (cadr outcome)) (caddr (cadr outcome))) outcome))
 
 (check "what is left out is zero, counts upwards and from the link before" (apply arm crane)
-       '(ok (crane gantry (700 0 0 0 0 0 130)
+       '(ok (crane gantry (700 0 0 0 0 0 130 0 0)
                    ((ahead 0 600 800 1 0 link () 0 y) (across -500 500 800 1 0 link () 0 y)
                     (lift 0 500 500 -1 0 link () 0 y) (spin -360 360 200 1 0 link () 0 y))
                    (0 0 0 0) (300 0 100 0))))
@@ -55,5 +55,13 @@
        '(malformed (0 7)))
 (check "every error is told" (length (cdr (arm '(gantry (hight 7)) '(axis ahead (limits 1 0) (speed 0)))))
        5)
+
+(check "links beside axis 1 ask for a wrist that stays in their plane"
+       (first-error (arm '(articulated (upper-arm 400) (forearm 400) (side 130))
+                         '(axis turn (limits 0 1) (speed 1)) '(axis shoulder (limits 0 1) (speed 1))
+                         '(axis elbow (limits 0 1) (speed 1)) '(axis roll (limits 0 1) (speed 1))
+                         '(axis pitch (limits 0 1) (speed 1)) '(axis spin (limits 0 1) (speed 1))
+                         '(home 0 0 0 0 0 0) '(ready 0 0 0 0 0 0)))
+       '(malformed (0 2)))
 
 (finish-checks)

@@ -1,7 +1,7 @@
 ;; Arm files: see drivers/arm/arm_file.hpp for the language.
 ;;
 ;; (interpret DATA), the data of a file, answers (errors ...) or
-;;   (ok (NAME STRUCTURE (HEIGHT OFFSET UPPER-ARM FOREARM RAISE WRIST TOOL)
+;;   (ok (NAME STRUCTURE (HEIGHT OFFSET UPPER-ARM FOREARM RAISE WRIST TOOL SIDE ACROSS)
 ;;        ((ROLE LOW HIGH SPEED SENSE ZERO FROM (STOP-LOW STOP-HIGH) PULSES-PER-TURN ALONG) ...) (HOME ...) (READY ...)))
 ;; in mm and degrees whatever the file's units are; an axis without stops has the empty list there.
 
@@ -12,11 +12,11 @@
   #:export (interpret))
 
 (define most-axes 8)
-(define lengths '(height offset upper-arm forearm raise wrist tool))
+(define lengths '(height offset upper-arm forearm raise wrist tool side across))
 
 ;; STRUCTURE, the roles of its own axes, the lengths it has, and those of them that it cannot be without.
 (define structures
-  '((articulated (turn shoulder elbow) (height offset upper-arm forearm raise wrist tool) (upper-arm forearm))
+  '((articulated (turn shoulder elbow) (height offset upper-arm forearm raise wrist tool side across) (upper-arm forearm))
     (polar (turn shoulder reach) (height offset wrist tool) ())
     (scara (turn elbow lift) (height upper-arm forearm wrist tool) (upper-arm forearm))
     (gantry (ahead across lift) (height wrist tool) ())))
@@ -74,7 +74,7 @@
     (map (lambda (name)
            (let ((low (if (memq name '(upper-arm forearm)) (/ 1 (car units)) 0)))
              (* (car units)
-                (one-number found name (list (if (memq name '(height offset raise)) (- longest) low) longest) 0))))
+                (one-number found name (list (if (memq name '(height offset raise side across)) (- longest) low) longest) 0))))
          lengths)))
 
 ;; ---- axes
@@ -137,6 +137,11 @@
       (unless (or (null? nodes) (any (lambda (known) (lset= eq? known wrist)) wrists))
         (complain! (first nodes) 'malformed "a wrist has (axis spin), with it (axis pitch), and with both (axis roll)")))))
 
+;; Links beside axis 1, or a tool beside its pitch axis, ask for a wrist that stays in the links' plane.
+(define (check-beside node axes sizes)
+  (when (and (assq 'roll axes) (not (every zero? (list-tail sizes 7))))
+    (complain! node 'malformed "(side ...) and (across ...) are of arms without an axis of roll")))
+
 ;; With an axis of roll before it, the tool's elevation is not the pitch axis' alone.
 (define (check-coupling nodes axes)
   (let ((pitch (assq 'pitch axes)))
@@ -179,6 +184,7 @@
                (nodes (sections-in found 'axis))
                (axes (axes-of nodes structure units))
                (sound? (= (length axes) (length nodes))))
+          (check-beside links axes sizes)
           (list name structure sizes axes
                 (if sound? (pose-of found 'home axes units arm) '())
                 (if sound? (pose-of found 'ready axes units arm) '()))))))

@@ -294,7 +294,10 @@
 ;; How the controllers of arms are reached: the protocol, what its places are, and the ports that may follow, each with
 ;; what is taken where it is left out.
 (define protocols
-  '((hses ("the controller's address") (10040))))
+  '((hses ("the controller's address") (10040))
+    (universal ("the controller's address") (30004 30002 29999))
+    (simple-message ("the controller's address") (11000 11002))
+    (c500c ("the file of the motion's line" "the file of the state's line") ())))
 
 (define (place-in node)
   (lambda (index what) (string-at node (+ index 2) what)))

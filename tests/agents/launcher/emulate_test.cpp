@@ -1,5 +1,6 @@
 // `pizarra emulate` as a person meets it at the shell.
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -41,6 +42,19 @@ TEST(Emulate, AnArmsCabinetDoesWhatItsSwitchesSay) {
                            "still at 0.00 -35.00 -70.00 0.00 -55.00 0.00"),
             std::string::npos)
       << said.text;
+}
+
+TEST(Emulate, AnArmWithSeveralPortsNamesThemAll) {
+  const Said said = emulate("ur5e --tcp 0", "status\\n", arm_seconds);
+  const std::string ports = said.text.substr(0, said.text.find('\n'));
+  EXPECT_TRUE(ports.starts_with("ur5e at tcp://127.0.0.1:")) << said.text;
+  EXPECT_EQ(std::ranges::count(ports, ','), 2) << said.text;
+}
+
+TEST(Emulate, AnArmWithSerialLinesNamesBoth) {
+  const Said said = emulate("f3 --pty", "status\\n", arm_seconds);
+  EXPECT_TRUE(said.text.starts_with("f3 at /dev/pts/")) << said.text;
+  EXPECT_NE(said.text.find(",/dev/pts/"), std::string::npos) << said.text;
 }
 
 TEST(Emulate, AnArmTellsProgramsAnObjectALine) {

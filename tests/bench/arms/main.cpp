@@ -15,8 +15,9 @@ struct Row {
 };
 
 using namespace pizarra::bench;
-constexpr std::array table = {Row{"move", one_move}, Row{"targets", random_targets}, Row{"lines", lines_of_description},
-                              Row{"stop", stop_latency}, Row{"loss", bad_network}};
+constexpr std::array table = {
+    Row{"move", one_move},     Row{"targets", random_targets}, Row{"lines", lines_of_description},
+    Row{"stop", stop_latency}, Row{"loss", bad_network},       Row{"command", command_latency}};
 
 }  // namespace
 
@@ -37,7 +38,7 @@ int main(int argc, char** argv) {
   app.add_option("--targets", targets, "reachable targets of every arm, and as many others")
       ->check(CLI::Range(1000, 100'000'000))
       ->capture_default_str();
-  app.add_option("--stops", stops, "how often an arm in motion is stopped")
+  app.add_option("--stops", stops, "how often an arm in motion is stopped, and one at rest commanded")
       ->check(CLI::Range(10, 1'000'000))
       ->capture_default_str();
   app.add_option("--moves", moves, "over a network that loses a fifth and repeats a tenth")

@@ -11,7 +11,7 @@ namespace pizarra::bench {
 struct ArmsBench {
   Figures& figures;
   std::uint64_t targets;  // of every arm, reachable and unreachable ones each
-  std::uint64_t stops;    // how often an arm in motion is stopped
+  std::uint64_t stops;    // how often an arm in motion is stopped, and one at rest commanded
   std::uint64_t moves;    // over a bad network
 };
 
@@ -20,5 +20,6 @@ void random_targets(ArmsBench& bench);
 void lines_of_description(ArmsBench& bench);
 void stop_latency(ArmsBench& bench);
 void bad_network(ArmsBench& bench);
+void command_latency(ArmsBench& bench);
 
 }  // namespace pizarra::bench

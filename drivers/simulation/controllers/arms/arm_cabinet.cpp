@@ -25,17 +25,19 @@ Result<void> ArmCabinet::obey(std::string_view words) {
   const std::string_view how = blank == std::string_view::npos ? "" : words.substr(blank + 1);
   if (how == "on" || how == "off") return turn(what, how == "on");
   constexpr int highest_alarm = 9999;
-  if (const auto code = number_in(how, 1, highest_alarm); code && what == "alarm") {
-    raise(*code);
+  if (const auto code = number_in(how, 0, highest_alarm); code && what == "alarm") {
+    if (*code != 0) raise(*code);
+    alarm_ = *code;
     return {};
   }
   if (const auto percent = number_in(how, 1, 100); percent && what == "override") {
     override_ = *percent / 100.0;
     return {};
   }
-  return fail("unknown-command", "nobody here understands '" + std::string(words) +
-                                     "': power, estop, pendant or hold with on or off; alarm CODE; override PERCENT; "
-                                     "status");
+  return fail("unknown-command",
+              "nobody here understands '" + std::string(words) +
+                  "': power, estop, pendant, hold or servo with on or off; alarm CODE; override PERCENT; "
+                  "status");
 }
 
 Result<void> ArmCabinet::turn(std::string_view what, bool on) {
@@ -48,8 +50,12 @@ Result<void> ArmCabinet::turn(std::string_view what, bool on) {
     pendant_ = on;
   } else if (what == "hold") {
     pendant_hold_ = on;
+  } else if (what == "servo") {
+    if (servo(on) != Refusal::none) return fail("refused", "the servos cannot be switched on now");
+    return {};
   } else {
-    return fail("unknown-command", "there is no switch '" + std::string(what) + "': power, estop, pendant, hold");
+    return fail("unknown-command",
+                "there is no switch '" + std::string(what) + "': power, estop, pendant, hold, servo");
   }
   if (on && what != "power") brake();
   return {};

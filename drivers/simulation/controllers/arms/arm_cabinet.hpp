@@ -45,8 +45,8 @@ class ArmCabinet {
     last_.joints = model.ready;
   }
 
-  // Somebody beside it: `power`, `estop`, `pendant` or `hold` with `on` or `off`; `alarm CODE`; `override PERCENT`.
-  // Failure: unknown-command.
+  // Somebody beside it: `power`, `estop`, `pendant`, `hold` or `servo` with `on` or `off`; `alarm CODE`, 0 for none;
+  // `override PERCENT`. Failures: unknown-command, refused.
   Result<void> obey(std::string_view words);
 
   // Through the waypoints at `speed` 0..1 of the axes' speeds, times the override.

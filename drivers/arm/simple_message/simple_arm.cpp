@@ -1,0 +1,227 @@
+#include "drivers/arm/simple_message/simple_arm.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "drivers/arm/angles.hpp"
+#include "drivers/arm/move_check.hpp"
+
+namespace pizarra {
+
+namespace {
+
+FrameReader frames_of(const SimpleWires& wires) {
+  if (wires.serial) return frame_of_serial;
+  return wires.order == ByteOrder::little ? frame_of_tcp_little : frame_of_tcp_big;
+}
+
+// Holds a flag for as long as it lives.
+class Held {
+ public:
+  explicit Held(bool& flag) : flag_(flag) { flag_ = true; }
+  Held(const Held&) = delete;
+  Held& operator=(const Held&) = delete;
+  ~Held() { flag_ = false; }
+
+ private:
+  bool& flag_;
+};
+
+}  // namespace
+
+SimpleArm::SimpleArm(Executor& executor, SimpleWires wires, ArmModel model)
+    : executor_(executor),
+      wires_(wires),
+      model_(std::move(model)),
+      answers_(wires.motion, frames_of(wires)),
+      states_(wires.state, frames_of(wires)),
+      joints_(model_.ready),
+      turns_(executor) {
+  if (wires_.serial) wires_.order = ByteOrder::little;
+}
+
+bool SimpleArm::known() const { return heard_at_ && executor_.now() - *heard_at_ <= fresh; }
+
+Task<Result<std::string>> SimpleArm::identify() {
+  listening_ = Job();
+  heard_at_.reset();
+  const Time deadline = executor_.now() + opening_time;
+  for (ByteWire* wire : {&wires_.motion, &wires_.state}) {
+    const Result<void> open = co_await wire->open(deadline);
+    if (!open) co_return fail(open);
+  }
+  answers_.clear();
+  states_.clear();
+  listening_ = executor_.spawn(listen());
+  SimpleMessage ping{.type = simple::ping, .kind = simple::request};
+  ping.data = std::string(4 * simple::axes, '\0');
+  const Result<void> there = co_await order(std::move(ping));
+  if (!there) co_return fail(there);
+  while (!known()) {
+    if (executor_.now() >= deadline) co_return fail("disconnected", "the controller does not tell its state");
+    co_await sleep(executor_, 10ms);
+  }
+  co_return model_.type;
+}
+
+Task<void> SimpleArm::listen() {
+  while (true) {
+    const Time deadline = executor_.now() + opening_time;
+    const Result<std::string> octets = co_await states_.next(deadline);
+    if (!octets && octets.error().symbol == "timeout") continue;
+    if (!octets) {
+      why_unknown_ = octets.error().sentence;
+      heard_at_.reset();
+      co_return;
+    }
+    const Result<SimpleMessage> message = read_simple(*octets, wires_.order);
+    if (message) hear(*message);
+  }
+}
+
+// What is not sound is left out: the state is then not known any more before long, and why is.
+void SimpleArm::hear(const SimpleMessage& message) {
+  if (message.type == simple::status) {
+    const Result<SimpleStatus> status = read_status(message.data, wires_.order);
+    if (status) status_ = *status;
+    if (!status) why_unknown_ = status.error().sentence;
+  }
+  if (message.type != simple::joint_position) return;
+  const Result<SimplePosition> position = read_position(message.data, wires_.order);
+  if (!position) {
+    why_unknown_ = position.error().sentence;
+    return;
+  }
+  std::size_t next = 0;
+  for (std::size_t axis = 0; axis < joints_.size(); ++axis) {
+    if (turned(axis)) joints_[axis] = degrees(wires_.sign * position->joints_rad[next++]);
+  }
+  heard_at_ = executor_.now();
+}
+
+// Sends a message and waits for its reply; one at a time.
+Task<Result<void>> SimpleArm::order(SimpleMessage message) {
+  const Turns::Turn turn = co_await turns_.take();
+  const std::string octets = write_simple(message, wires_.order);
+  const Result<void> sent = wires_.motion.write(wires_.serial ? serial_frame(octets) : tcp_frame(octets, wires_.order));
+  if (!sent) co_return fail("disconnected", sent.error().sentence);
+  const Time deadline = executor_.now() + answer_time;
+  while (true) {
+    const Result<std::string> answer = co_await answers_.next(deadline);
+    if (!answer) co_return fail("disconnected", "the controller did not answer: " + answer.error().sentence);
+    const Result<SimpleMessage> reply = read_simple(*answer, wires_.order);
+    if (!reply || reply->type != message.type || reply->kind != simple::reply) continue;
+    if (reply->code == simple::success) co_return Result<void>();
+    co_return fail("refused", "the controller refused the motion", to_datum(reply->code));
+  }
+}
+
+Result<void> SimpleArm::possible() const {
+  if (!known()) return fail("disconnected", why_unknown_);
+  if (status_.emergency_stopped == 1) return fail("not-in-control", "the emergency stop is pressed");
+  if (status_.in_error == 1) {
+    return fail("not-in-control", "the controller has an error", to_datum(status_.error_code));
+  }
+  if (status_.mode == 1) return fail("not-in-control", "the pendant has control: the controller is in manual mode");
+  if (status_.drives_powered == 0) return fail("not-in-control", "the arm's drives are off");
+  if (status_.motion_possible == 0) return fail("not-in-control", "the controller says that no motion is possible");
+  return {};
+}
+
+Task<Result<void>> SimpleArm::take_control() { co_return possible(); }
+
+Task<Result<void>> SimpleArm::send_point(Leg leg) {
+  SimplePoint point{.sequence = sequence_++};
+  std::size_t next = 0;
+  for (std::size_t axis = 0; axis < leg.to.size(); ++axis) {
+    if (turned(axis)) point.joints_rad[next++] = static_cast<float>(wires_.sign * radians(leg.to[axis]));
+  }
+  point.velocity = static_cast<float>(speed_);
+  point.duration_s = static_cast<float>(leg.seconds / speed_);
+  SimpleMessage message{.type = simple::trajectory_point, .kind = simple::request};
+  message.data = write_point(point, wires_.order);
+  sent_at_ = executor_.now();
+  Result<void> done = co_await order(std::move(message));
+  co_return done;
+}
+
+Task<Result<void>> SimpleArm::start_move(std::vector<Joints> waypoints, double speed) {
+  const Result<void> sound = check_move(model_, waypoints, speed);
+  if (!sound) co_return sound;
+  if (moving_ || ordering_) co_return fail("busy", "the arm is moving already");
+  const Result<void> ready = possible();
+  if (!ready) co_return ready;
+  for (std::size_t axis = 0; axis < joints_.size(); ++axis) {
+    if (turned(axis) || std::abs(waypoints.back()[axis] - joints_[axis]) < 0.5) continue;
+    co_return fail("bad-request", "the track cannot be moved by this protocol", to_datum(axis + 1));
+  }
+  const Held ordering(ordering_);
+  const std::vector<Leg> legs = legs_of(model_, joints_, waypoints);
+  legs_.assign(legs.begin(), legs.end());
+  speed_ = speed;
+  sequence_ = 0;
+  stopping_ = false;
+  stopped_ = false;
+  why_stopped_.reset();
+  const Result<void> begun = co_await send_point(legs_.front());
+  if (!begun) co_return begun;
+  moving_ = true;
+  co_return Result<void>();
+}
+
+Task<Result<void>> SimpleArm::stop() {
+  stopping_ = true;
+  SimpleMessage message{.type = simple::trajectory_point, .kind = simple::request};
+  message.data = write_point({.sequence = simple::stop_trajectory}, wires_.order);
+  Result<void> done = co_await order(std::move(message));
+  co_return done;
+}
+
+Task<Result<void>> SimpleArm::start_gripper(double opening_mm) {
+  if (!std::isfinite(opening_mm)) co_return fail("not-finite", "the opening is not a number");
+  opening_mm_ = opening_mm;
+  co_return Result<void>();
+}
+
+// Looks whether the leg under way has ended, and sends the next.
+Task<void> SimpleArm::go_on() {
+  constexpr double rounded = 0.05;  // a float of radians, and what the controller makes of it
+  const bool there = are_same_place(joints_, legs_.front().to, rounded);
+  const Result<void> able = possible();
+  const bool begins = !there && able && !stopping_ && executor_.now() - sent_at_ <= starting_time;
+  if (begins) co_return;
+  std::optional<Failure> why;
+  if (there && !stopping_ && legs_.size() > 1) {
+    legs_.pop_front();
+    const Leg next = legs_.front();
+    const Result<void> sent = co_await send_point(next);
+    if (sent) co_return;
+    why = sent.error();
+    // Whether it was heard nobody knows: it is not gone to in any case.
+    [[maybe_unused]] const Result<void> ended = co_await stop();
+  } else if (!there && !stopping_) {
+    why = Failure{"stopped", "the controller has ended the motion", {}, {}};
+    if (!able) why = able.error();
+  }
+  moving_ = false;
+  stopped_ = !there || legs_.size() > 1 || why;
+  why_stopped_ = std::move(why);
+  if (why_stopped_) why_stopped_->symbol = "stopped";
+}
+
+Task<Result<ArmReading>> SimpleArm::read() {
+  if (!known()) co_return fail("disconnected", why_unknown_);
+  if (moving_ && !ordering_ && status_.in_motion == 0) {
+    const Held ordering(ordering_);
+    co_await go_on();
+  }
+  ArmReading reading{.joints = joints_,
+                     .moving = moving_ || status_.in_motion == 1,
+                     .stopped = stopped_,
+                     .opening_mm = opening_mm_,
+                     .gripper_moving = false,
+                     .why_stopped = why_stopped_};
+  co_return reading;
+}
+
+}  // namespace pizarra

@@ -1,0 +1,86 @@
+#pragma once
+
+// An arm whose controller speaks ROS-Industrial's simple_message: over TCP (motion at 11000, state at 11002), or a
+// CRS-F3 whose C500C runs the servers of crs-c500c-utils, over two serial lines of 115200 baud.
+//
+//   SimpleArm arm(executor, {.motion = motion_wire, .state = state_wire, .serial = true}, model);
+//
+// A move is a trajectory: the ends of its legs (route.hpp), each acknowledged before the next is sent, which is when
+// read() comes. A controller that takes them one move at a time stands a moment at each. The state is streamed by the
+// controller; one that has not been heard of for half a second is not known. Nothing is sent twice: a point whose
+// acknowledgement does not come ends the trajectory with a stop.
+//
+// The protocol has neither servo nor alarm commands: take_control() asks whether motion is possible and says why not.
+// It has no gripper and no track either: the opening is the one last asked for, a track reads where
+// it is in the arm's `ready` pose, must stand there, and is not moved.
+//
+// How far it is proven: with the emulator of drivers/simulation/controllers/arms/ alone, over TCP frames and serial
+// frames that are garbled. The C500C's own servers print moves and do not make them, as published.
+
+#include <deque>
+
+#include "drivers/arm/arm_driver.hpp"
+#include "drivers/arm/route.hpp"
+#include "drivers/arm/simple_message/simple_message.hpp"
+#include "drivers/wire/turns.hpp"
+
+namespace pizarra {
+
+struct SimpleWires {
+  ByteWire& motion;
+  ByteWire& state;
+  bool serial = false;                  // the C500C's frames, or TCP's
+  ByteOrder order = ByteOrder::little;  // of TCP's
+  double sign = 1;                      // -1 where the controller's angles count the other way round
+};
+
+class SimpleArm : public ArmDriver {
+ public:
+  // The wires outlive it.
+  SimpleArm(Executor& executor, SimpleWires wires, ArmModel model);
+  Task<Result<std::string>> identify() override;
+  Task<Result<void>> take_control() override;
+  Task<Result<void>> start_move(std::vector<Joints> waypoints, double speed) override;
+  Task<Result<void>> stop() override;
+  Task<Result<void>> start_gripper(double opening_mm) override;
+  Task<Result<ArmReading>> read() override;
+
+ private:
+  static constexpr Duration answer_time = 1s;
+  static constexpr Duration opening_time = 3s;
+  static constexpr Duration fresh = 500ms;
+  static constexpr Duration starting_time = 300ms;  // until an arm that was sent somewhere is said to move
+
+  Task<Result<void>> order(SimpleMessage message);
+  Task<Result<void>> send_point(Leg leg);
+  Task<void> go_on();
+  Task<void> listen();
+  void hear(const SimpleMessage& message);
+  Result<void> possible() const;
+  bool known() const;
+  bool turned(std::size_t axis) const { return model_.axes[axis].role != Role::track; }
+
+  Executor& executor_;
+  SimpleWires wires_;
+  ArmModel model_;
+  Frames answers_;
+  Frames states_;
+  Joints joints_;
+  SimpleStatus status_;
+  std::optional<Time> heard_at_;
+  std::string why_unknown_ = "the controller is not connected";
+  std::deque<Leg> legs_;  // the one under way first
+  double speed_ = 1;
+  std::int32_t sequence_ = 0;
+  Time sent_at_{};
+  bool moving_ = false;
+  bool stopped_ = false;
+  bool stopping_ = false;
+  bool ordering_ = false;
+  std::optional<Failure> why_stopped_;
+  double opening_mm_ = 0;
+  Turns turns_;  // one message waits for its reply at a time
+  Job listening_;
+};
+
+}  // namespace pizarra

@@ -1,0 +1,56 @@
+#include "drivers/arm/universal/rtde.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+
+namespace pizarra::rtde {
+
+namespace {
+
+constexpr std::size_t header = 3;
+
+}  // namespace
+
+std::string write(char type, std::string_view payload) {
+  OctetWriter octets(ByteOrder::big);
+  octets.u16(static_cast<std::uint16_t>(header + payload.size())).u8(static_cast<std::uint8_t>(type));
+  return octets.text(payload).octets();
+}
+
+Result<std::optional<Frame>> frame(std::string_view octets) {
+  if (octets.size() < header) return std::nullopt;
+  const std::size_t size = OctetReader(octets, ByteOrder::big).u16();
+  if (size < header) return fail("bad-reply", "this is no message of the Real-Time Data Exchange");
+  if (octets.size() < size) return std::nullopt;
+  return Frame{size, octets.substr(2, size - 2)};
+}
+
+Result<State> read_state(std::string_view payload) {
+  OctetReader read(payload, ByteOrder::big);
+  read.u8();
+  State state;
+  for (double& joint : state.joints_rad) joint = read.f64();
+  state.robot_mode = read.i32();
+  state.safety_mode = read.i32();
+  state.runtime = read.u32();
+  state.marker = read.i32();
+  state.fingers = read.i32();
+  state.opening_mm = read.f64();
+  if (!read.whole()) return fail("bad-reply", fmt::format("the arm told its state in {} octets", payload.size()));
+  for (std::size_t axis = 0; axis < state.joints_rad.size(); ++axis) {
+    if (std::isfinite(state.joints_rad[axis])) continue;
+    return fail("bad-reply", fmt::format("the arm says of axis {} what is no number", axis + 1), to_datum(axis + 1));
+  }
+  if (!std::isfinite(state.opening_mm)) return fail("bad-reply", "the arm says of its gripper what is no number");
+  return state;
+}
+
+std::string write_state(std::uint8_t recipe, const State& state) {
+  OctetWriter octets(ByteOrder::big);
+  octets.u8(recipe);
+  for (const double joint : state.joints_rad) octets.f64(joint);
+  octets.i32(state.robot_mode).i32(state.safety_mode).u32(state.runtime).i32(state.marker).i32(state.fingers);
+  return octets.f64(state.opening_mm).octets();
+}
+
+}  // namespace pizarra::rtde

@@ -1,0 +1,75 @@
+#pragma once
+
+// A Universal Robots arm (e-Series, CB3 from 3.5 on) as an ArmDriver: its state by RTDE, its motion as URScript, its
+// power and mode by the dashboard server. Wrist 2 stands at -90 degrees (arms/ur5e.scm): the arm is driven as one of
+// five axes, and refused where it stands otherwise.
+//
+//   UniversalArm arm(executor, {.rtde = rtde_wire, .script = script_wire, .dashboard = dashboard_wire}, model);
+//
+// A move is one program of movej and movel, blended through its waypoints, that says in integer register 24 which it is
+// and, at last, that it has ended: so nothing is taken for begun or done that is not. The gripper is a daemon's of the
+// controller: double input register 24 is the opening wanted, mm; double output register 24 the one measured; integer
+// output register 25 is 1 while the fingers move.
+//
+// take_control() refuses an arm in local control, releases a protective stop, switches on and releases the brakes.
+//
+// How far it is proven: with the emulator of drivers/simulation/controllers/arms/ alone. Facts from: the maker's RTDE
+// guide, URScript manual and dashboard server documentation.
+
+#include "drivers/arm/arm_driver.hpp"
+#include "drivers/arm/route.hpp"
+#include "drivers/arm/universal/rtde.hpp"
+#include "drivers/wire/turns.hpp"
+
+namespace pizarra {
+
+struct UniversalWires {
+  ByteWire& rtde;
+  ByteWire& script;
+  ByteWire& dashboard;
+};
+
+class UniversalArm : public ArmDriver {
+ public:
+  // The wires outlive it.
+  UniversalArm(Executor& executor, UniversalWires wires, ArmModel model);
+  Task<Result<std::string>> identify() override;
+  Task<Result<void>> take_control() override;
+  Task<Result<void>> start_move(std::vector<Joints> waypoints, double speed) override;
+  Task<Result<void>> stop() override;
+  Task<Result<void>> start_gripper(double opening_mm) override;
+  Task<Result<ArmReading>> read() override;
+
+ private:
+  static constexpr double told_per_s = 125;
+  static constexpr Duration answer_time = 1s;
+  static constexpr Duration fresh = 200ms;  // what the arm said longer ago is not known any more
+  static constexpr Duration power_time = 20s;
+
+  Task<Result<std::string>> ask_rtde(char type, std::string payload);
+  Task<Result<std::string>> ask_dashboard(std::string question);
+  Task<void> listen();
+  Task<bool> comes_true(std::function<bool()> what, Duration patience);
+  std::string program(const std::vector<Leg>& legs, double speed, const Joints& from) const;
+  Failure trouble() const;
+  Joints joints() const;
+  bool known() const;
+
+  Executor& executor_;
+  UniversalWires wires_;
+  ArmModel model_;
+  Frames rtde_;
+  Frames dashboard_;
+  Turns turns_;  // one question to the dashboard at a time
+  rtde::State state_;
+  std::optional<Time> told_at_;
+  std::string why_unknown_ = "the arm is not connected";
+  std::uint8_t input_recipe_ = 0;
+  std::int32_t programs_ = 0;  // the last begins with the marker 2 N and ends with 2 N + 1
+  bool moving_ = false;
+  bool stopping_ = false;
+  Time gripping_until_{};
+  Job listening_;
+};
+
+}  // namespace pizarra

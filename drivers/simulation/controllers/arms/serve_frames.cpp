@@ -1,0 +1,30 @@
+#include "drivers/simulation/controllers/arms/serve_frames.hpp"
+
+namespace pizarra {
+
+Task<void> serve_frames(Executor& executor, FrameService service, ByteWire& port) {
+  constexpr Duration patience = 3600s;
+  constexpr Duration retry_pause = 100ms;
+  Frames frames(port, service.reader);
+  while (true) {
+    frames.clear();
+    const Time opened_by = executor.now() + patience;
+    const Result<void> open = co_await port.open(opened_by);
+    if (!open) co_await sleep(executor, retry_pause);
+    bool there = open.has_value();
+    if (there) static_cast<void>(port.write(service.greet()));
+    while (there) {
+      const Time said_by = executor.now() + patience;
+      Result<std::string> message = co_await frames.next(said_by);
+      if (!message) {
+        there = message.error().symbol == "timeout";
+        continue;
+      }
+      const std::string said = co_await service.answer(std::move(*message));
+      if (!said.empty()) static_cast<void>(port.write(said));
+    }
+    port.close();
+  }
+}
+
+}  // namespace pizarra

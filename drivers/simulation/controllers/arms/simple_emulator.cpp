@@ -1,0 +1,117 @@
+#include "drivers/simulation/controllers/arms/simple_emulator.hpp"
+
+#include "drivers/arm/angles.hpp"
+#include "drivers/simulation/controllers/arms/serve_frames.hpp"
+
+namespace pizarra {
+
+namespace {
+
+constexpr Duration told_every = 20ms;
+
+FrameReader frames_of(const SimpleKind& kind) {
+  if (kind.serial) return frame_of_serial;
+  return kind.order == ByteOrder::little ? frame_of_tcp_little : frame_of_tcp_big;
+}
+
+}  // namespace
+
+std::string SimpleEmulator::framed(const SimpleMessage& message) const {
+  const std::string octets = write_simple(message, kind_.order);
+  return kind_.serial ? serial_frame(octets) : tcp_frame(octets, kind_.order);
+}
+
+Task<bool> SimpleEmulator::obey(SimplePoint point) {
+  const bool next = point.sequence == 0 || point.sequence == last_sequence_ + 1;
+  if (point.sequence == simple::stop_trajectory || !next) {
+    last_sequence_ = -1;
+    co_await cabinet_.stop();
+    co_return point.sequence == simple::stop_trajectory;
+  }
+  const ArmReading reading = co_await cabinet_.read();
+  const ArmModel& model = cabinet_.model();
+  Joints target = reading.joints;
+  std::size_t angle = 0;
+  for (std::size_t axis = 0; axis < target.size(); ++axis) {
+    if (model.axes[axis].role == Role::track) continue;
+    target[axis] = degrees(kind_.sign * static_cast<double>(point.joints_rad[angle++]));
+  }
+  std::vector<Joints> waypoints{target};
+  const Refusal refusal = co_await cabinet_.move(std::move(waypoints), point.velocity);
+  if (refusal == Refusal::none) last_sequence_ = point.sequence;
+  co_return refusal == Refusal::none;
+}
+
+Task<std::string> SimpleEmulator::answer(std::string octets) {
+  const Result<SimpleMessage> message = read_simple(octets, kind_.order);
+  const bool asked = message && cabinet_.powered() && message->kind == simple::request;
+  if (!asked) co_return std::string();
+  SimpleMessage reply{.type = message->type, .kind = simple::reply, .code = simple::failure};
+  reply.data = std::string(4 * simple::axes, '\0');
+  if (message->type == simple::ping) reply.code = simple::success;
+  if (message->type == simple::trajectory_point) {
+    const Result<SimplePoint> point = read_point(message->data, kind_.order);
+    const bool done = point.has_value();
+    if (done) {
+      const bool obeyed = co_await obey(*point);
+      if (obeyed) reply.code = simple::success;
+    }
+  }
+  co_return framed(reply);
+}
+
+Task<std::string> SimpleEmulator::state() {
+  const ArmReading reading = co_await cabinet_.read();
+  const ArmModel& model = cabinet_.model();
+  SimplePosition position;
+  std::size_t angle = 0;
+  for (std::size_t axis = 0; axis < reading.joints.size(); ++axis) {
+    if (model.axes[axis].role == Role::track) continue;
+    position.joints_rad[angle++] = static_cast<float>(kind_.sign * radians(reading.joints[axis]));
+  }
+  SimpleStatus status;
+  status.drives_powered = cabinet_.servo() ? 1 : 0;
+  status.emergency_stopped = cabinet_.emergency() ? 1 : 0;
+  status.error_code = cabinet_.alarm();
+  status.in_error = cabinet_.alarm() != 0 ? 1 : 0;
+  status.in_motion = reading.moving ? 1 : 0;
+  status.mode = cabinet_.pendant() ? 1 : 2;
+  status.motion_possible = cabinet_.servo() && !cabinet_.pendant_hold() ? 1 : 0;
+  SimpleMessage told{.type = simple::status, .kind = simple::topic};
+  told.data = write_status(status, kind_.order);
+  std::string both = framed(told);
+  told.type = simple::joint_position;
+  told.data = write_position(position, kind_.order);
+  co_return both + framed(told);
+}
+
+Task<void> serve_motion(Executor& executor, SimpleEmulator& emulator, ByteWire& line) {
+  FrameService service{.reader = frames_of(emulator.kind())};
+  service.answer = [&emulator](std::string message) { return emulator.answer(std::move(message)); };
+  co_await serve_frames(executor, std::move(service), line);
+}
+
+namespace {
+
+Task<void> tell_states(Executor& executor, SimpleEmulator& emulator, ByteWire& line) {
+  while (true) {
+    co_await sleep(executor, told_every);
+    if (!emulator.powered()) continue;
+    const std::string state = co_await emulator.state();
+    // What nobody takes is lost.
+    static_cast<void>(line.write(state));
+  }
+}
+
+Task<std::string> nothing() { co_return std::string(); }
+
+}  // namespace
+
+Task<void> serve_state(Executor& executor, SimpleEmulator& emulator, ByteWire& line) {
+  const Job telling = executor.spawn(tell_states(executor, emulator, line));
+  FrameService service{.reader = frames_of(emulator.kind())};
+  service.answer = [](std::string) { return nothing(); };
+  co_await serve_frames(executor, std::move(service), line);
+}
+
+}  // namespace pizarra

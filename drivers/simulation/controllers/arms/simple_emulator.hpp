@@ -1,0 +1,53 @@
+#pragma once
+
+// A controller that speaks ROS-Industrial's simple_message: points of a trajectory one at a time, in the order of their
+// numbers, and its state every 20 ms. As the CRS C500C with the servers of crs-c500c-utils, whose angles count the
+// other way round.
+//
+//   SimpleEmulator emulator(cabinet, {.serial = true, .sign = -1});
+//   const Job moving = executor.spawn(serve_motion(executor, emulator, *motion_line));
+//   const Job telling = executor.spawn(serve_state(executor, emulator, *state_line));
+//
+// A point out of order stops the arm; one that comes while the arm moves is refused. Its servos are switched on by
+// hand, as its power comes on.
+//
+// How far it is proven: with the driver of drivers/arm/simple_message/ alone.
+
+#include "drivers/arm/simple_message/simple_message.hpp"
+#include "drivers/simulation/controllers/arms/arm_cabinet.hpp"
+
+namespace pizarra {
+
+struct SimpleKind {
+  bool serial = false;  // frames of a serial line, or of TCP
+  ByteOrder order = ByteOrder::little;
+  double sign = 1;
+};
+
+class SimpleEmulator {
+ public:
+  // The cabinet outlives it.
+  SimpleEmulator(ArmCabinet& cabinet, SimpleKind kind) : cabinet_(cabinet), kind_(kind) {
+    static_cast<void>(cabinet_.servo(true));
+  }
+  const SimpleKind& kind() const { return kind_; }
+  bool powered() const { return cabinet_.powered(); }
+  // A message without its frame, and the reply with one; empty: none.
+  Task<std::string> answer(std::string message);
+  // Position and status, each with its frame.
+  Task<std::string> state();
+
+ private:
+  std::string framed(const SimpleMessage& message) const;
+  Task<bool> obey(SimplePoint point);
+
+  ArmCabinet& cabinet_;
+  SimpleKind kind_;
+  std::int32_t last_sequence_ = -1;
+};
+
+// Each until destroyed. All outlive them.
+Task<void> serve_motion(Executor& executor, SimpleEmulator& emulator, ByteWire& line);
+Task<void> serve_state(Executor& executor, SimpleEmulator& emulator, ByteWire& line);
+
+}  // namespace pizarra

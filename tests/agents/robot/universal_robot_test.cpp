@@ -1,0 +1,44 @@
+// The robot agent over an emulated Universal Robots controller, in virtual time.
+
+#include "drivers/arm/universal/universal_arm.hpp"
+#include "drivers/simulation/controllers/arms/moving_arm.hpp"
+#include "drivers/simulation/controllers/arms/ur_emulator.hpp"
+#include "tests/agents/robot/robot_fixture.hpp"
+#include "tests/drivers/wire/wire_pair.hpp"
+
+namespace pizarra {
+namespace {
+
+TEST(UniversalRobot, DoesTheOperationsOfEveryArm) {
+  VirtualExecutor executor;
+  MemoryBoard board(executor);
+  const ArmModel model = shipped_arm("ur5e").value();
+  MovingArm body(executor, model);
+  ArmCabinet cabinet(executor, body, model);
+  UrEmulator emulator(cabinet);
+  WirePair rtde(executor), script(executor), dashboard(executor);
+  const Job telling = executor.spawn(serve_rtde(executor, emulator, rtde.far));
+  const Job running = executor.spawn(serve_script(executor, emulator, script.far));
+  const Job answering = executor.spawn(serve_dashboard(executor, emulator, dashboard.far));
+  UniversalArm arm(executor, {rtde.near, script.near, dashboard.near}, model);
+  const RobotLife life(executor, board, arm, model);
+  executor.run_for(2s);
+  int asked = 0;
+  for (const std::string_view operation :
+       {"(gripper 84)", "(extend keep-height 60)", "(move-v down 80)", "(move-h left 100)", "(move-h right 200)",
+        "(turn right 15)", "(turn-wrist left 10)", "(retract 40)", "(ready)", "(home)"}) {
+    const std::string id = fmt::format("r{}", ++asked);
+    Transaction request;
+    request.tell(list("request"_sym, Datum::symbol(id), "robot"_sym, form(operation)));
+    ASSERT_TRUE(board.transact("user", request));
+    const Query query = query_from_datum(form(fmt::format("(reply {} ?answer)", id))).value();
+    const Time deadline = executor.now() + 60s;
+    executor.run_until([&] { return !board.ask(query)->answers.empty() || executor.now() > deadline; });
+    const Answers answers = board.ask(query).value();
+    ASSERT_FALSE(answers.answers.empty()) << operation;
+    EXPECT_EQ(write(answers.answers.front().facts.front().datum[2]), "(ok true)") << operation;
+  }
+}
+
+}  // namespace
+}  // namespace pizarra

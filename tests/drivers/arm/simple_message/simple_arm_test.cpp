@@ -1,0 +1,192 @@
+#include "drivers/arm/simple_message/simple_arm.hpp"
+
+#include <gtest/gtest.h>
+#include <limits>
+
+#include "blackboard/time/random.hpp"
+#include "blackboard/time/virtual_executor.hpp"
+#include "drivers/arm/arm_file.hpp"
+#include "drivers/simulation/controllers/arms/moving_arm.hpp"
+#include "drivers/simulation/controllers/arms/simple_emulator.hpp"
+#include "tests/drivers/wire/wire_pair.hpp"
+#include "tests/run_task.hpp"
+
+namespace pizarra {
+namespace {
+
+struct Line {
+  const char* name;
+  SimpleKind kind;
+};
+
+// Over TCP in either order of octets, and over the C500C's serial lines.
+class Simple : public testing::TestWithParam<Line> {
+ protected:
+  // Until its drives are on.
+  void SetUp() override { executor.run_for(300ms); }
+  template <class T>
+  T ask(Task<T> task) {
+    return run(executor, std::move(task));
+  }
+  std::string outcome(Task<Result<void>> task) {
+    const Result<void> done = ask(std::move(task));
+    return done ? "" : done.error().symbol;
+  }
+  std::string connect() {
+    const Result<std::string> type = ask(arm.identify());
+    return type ? outcome(arm.take_control()) : type.error().symbol;
+  }
+  Result<ArmReading> read() { return ask(arm.read()); }
+  Result<ArmReading> wait() {
+    Result<ArmReading> reading = read();
+    while (reading && reading->moving) {
+      executor.run_for(20ms);
+      reading = read();
+    }
+    return reading;
+  }
+  Joints moved(std::size_t axis, double by) {
+    Joints joints = read()->joints;
+    joints[axis] += by;
+    return joints;
+  }
+
+  VirtualExecutor executor;
+  const SimpleKind kind = GetParam().kind;
+  MovingArm body{executor, crs_f3()};
+  ArmCabinet cabinet{executor, body, crs_f3()};
+  SimpleEmulator emulator{cabinet, kind};
+  WirePair motion{executor};
+  WirePair state{executor};
+  Job moving{executor.spawn(serve_motion(executor, emulator, motion.far))};
+  Job telling{executor.spawn(serve_state(executor, emulator, state.far))};
+  SimpleArm arm{executor, {motion.near, state.near, kind.serial, kind.order, kind.sign}, crs_f3()};
+};
+
+INSTANTIATE_TEST_SUITE_P(Over, Simple,
+                         testing::Values(Line{"TcpLittleEndian", {}}, Line{"TcpBigEndian", {.order = ByteOrder::big}},
+                                         Line{"C500CSerial", {.serial = true, .sign = -1}}),
+                         [](const auto& line) { return std::string(line.param.name); });
+
+TEST_P(Simple, ReadsWhereTheArmIsAndGoesWhereItIsSent) {
+  ASSERT_EQ(connect(), "");
+  EXPECT_TRUE(are_same_place(read()->joints, crs_f3().ready));
+  const Joints there = moved(0, 30);
+  Joints further = there;
+  further[4] += 20;
+  EXPECT_EQ(outcome(arm.start_move({there, further}, 0.5)), "");
+  EXPECT_TRUE(read()->moving);
+  const Result<ArmReading> ended = wait();
+  ASSERT_TRUE(ended);
+  EXPECT_FALSE(ended->stopped);
+  EXPECT_TRUE(are_same_place(ended->joints, further));
+  EXPECT_EQ(cabinet.moves(), 2u);
+}
+
+TEST_P(Simple, AStopBrakesAndLeavesTheOtherPointsOut) {
+  ASSERT_EQ(connect(), "");
+  ASSERT_EQ(outcome(arm.start_move({moved(0, 100), crs_f3().ready}, 1)), "");
+  executor.run_for(300ms);
+  EXPECT_EQ(outcome(arm.stop()), "");
+  const Result<ArmReading> ended = wait();
+  ASSERT_TRUE(ended);
+  EXPECT_TRUE(ended->stopped);
+  EXPECT_EQ(cabinet.moves(), 1u);
+  EXPECT_EQ(outcome(arm.start_move({crs_f3().ready}, 1)), "");
+  EXPECT_TRUE(are_same_place(wait()->joints, crs_f3().ready));
+}
+
+TEST_P(Simple, WhatEndsAMoveIsNamedAndRefusesTheNext) {
+  ASSERT_EQ(connect(), "");
+  struct Case {
+    const char* what;
+    const char* says;
+    const char* undo;
+  };
+  for (const Case& each : {Case{"estop on", "emergency", "estop off"}, Case{"pendant on", "pendant", "pendant off"},
+                           Case{"alarm 17", "error", "alarm 0"}}) {
+    ASSERT_EQ(outcome(arm.start_move({moved(0, read()->joints[0] > 0 ? -60 : 60)}, 1)), "") << each.what;
+    executor.run_for(250ms);
+    ASSERT_TRUE(cabinet.obey(each.what));
+    const Result<ArmReading> ended = wait();
+    ASSERT_TRUE(ended);
+    ASSERT_TRUE(ended->why_stopped) << each.what;
+    EXPECT_NE(ended->why_stopped->sentence.find(each.says), std::string::npos) << ended->why_stopped->sentence;
+    EXPECT_EQ(outcome(arm.start_move({crs_f3().ready}, 1)), "not-in-control") << each.what;
+    ASSERT_TRUE(cabinet.obey(each.undo));
+    ASSERT_TRUE(cabinet.obey("servo on"));
+    executor.run_for(1s);
+    EXPECT_EQ(outcome(arm.take_control()), "") << each.what;
+  }
+}
+
+TEST_P(Simple, RefusesWhatItsAxesCannotAndTheTrackItCannotReach) {
+  ASSERT_EQ(connect(), "");
+  motion.near.written.clear();
+  const Result<void> beyond = ask(arm.start_move({moved(2, 300)}, 1));
+  EXPECT_EQ(beyond.error().symbol, "joint-limit");
+  EXPECT_EQ(beyond.error().subject, to_datum(3));
+  EXPECT_EQ(ask(arm.start_move({moved(6, 100)}, 1)).error().subject, to_datum(7));
+  EXPECT_EQ(outcome(arm.start_move({moved(2, std::numeric_limits<double>::infinity())}, 1)), "not-finite");
+  EXPECT_EQ(motion.near.written, "");
+}
+
+TEST_P(Simple, ALostPowerOrACutLineLeavesNothingKnown) {
+  ASSERT_EQ(connect(), "");
+  ASSERT_EQ(outcome(arm.start_move({moved(0, 100)}, 1)), "");
+  executor.run_for(200ms);
+  ASSERT_TRUE(cabinet.obey("power off"));
+  executor.run_for(600ms);
+  EXPECT_EQ(read().error().symbol, "disconnected");
+  ASSERT_TRUE(cabinet.obey("power on"));
+  executor.run_for(100ms);
+  EXPECT_TRUE(wait()->stopped);
+  state.cut(true);
+  executor.run_for(600ms);
+  EXPECT_EQ(read().error().symbol, "disconnected");
+  state.cut(false);
+  ASSERT_TRUE(cabinet.obey("alarm 0"));
+  ASSERT_TRUE(cabinet.obey("servo on"));
+  executor.run_for(1s);
+  EXPECT_EQ(connect(), "");
+}
+
+TEST_P(Simple, AnAcknowledgementThatDoesNotComeEndsTheMotionInAFailure) {
+  ASSERT_EQ(connect(), "");
+  motion.far.spoil = [](std::string) { return std::string(); };
+  const Time before = executor.now();
+  EXPECT_EQ(outcome(arm.start_move({moved(0, 10)}, 1)), "disconnected");
+  EXPECT_LE(executor.now() - before, 2s);
+}
+
+// Over serial lines that garble, no reading is false and every move that is said to have ended ended there.
+TEST(SimpleOverABadLine, NoReadingIsFalse) {
+  VirtualExecutor executor;
+  MovingArm body(executor, crs_f3());
+  ArmCabinet cabinet(executor, body, crs_f3());
+  SimpleEmulator emulator(cabinet, {.serial = true});
+  WirePair motion(executor), state(executor);
+  const Job moving = executor.spawn(serve_motion(executor, emulator, motion.far));
+  const Job telling = executor.spawn(serve_state(executor, emulator, state.far));
+  SimpleArm arm(executor, {motion.near, state.near, true}, crs_f3());
+  ASSERT_TRUE(run(executor, arm.identify()));
+  Random random(1);
+  state.far.spoil = [&random](std::string octets) {
+    for (char& octet : octets) {
+      if (random.uniform(0, 1) < 0.002) octet = static_cast<char>(random.below(256));
+    }
+    return octets;
+  };
+  int readings = 0;
+  for (int i = 0; i < 300; ++i) {
+    executor.run_for(50ms);
+    const Result<ArmReading> reading = run(executor, arm.read());
+    if (!reading) continue;
+    ++readings;
+    ASSERT_TRUE(are_same_place(reading->joints, crs_f3().ready, 0.05)) << "seed 1, reading " << i;
+  }
+  EXPECT_GT(readings, 100);
+}
+
+}  // namespace
+}  // namespace pizarra
