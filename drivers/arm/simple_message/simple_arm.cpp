@@ -163,8 +163,13 @@ Task<Result<void>> SimpleArm::start_move(std::vector<Joints> waypoints, double s
   stopping_ = false;
   stopped_ = false;
   why_stopped_.reset();
-  const Result<void> begun = co_await send_point(legs_.front());
-  if (!begun) co_return begun;
+  const Leg first = legs_.front();
+  const Result<void> begun = co_await send_point(first);
+  if (!begun) {
+    // Whether it was heard nobody knows: it is not gone to in any case.
+    [[maybe_unused]] const Result<void> ended = co_await stop();
+    co_return begun;
+  }
   moving_ = true;
   co_return Result<void>();
 }
@@ -179,8 +184,7 @@ Task<Result<void>> SimpleArm::stop() {
 
 Task<Result<void>> SimpleArm::start_gripper(double opening_mm) {
   if (!std::isfinite(opening_mm)) co_return fail("not-finite", "the opening is not a number");
-  opening_mm_ = opening_mm;
-  co_return Result<void>();
+  co_return fail("refused", "the protocol of this arm's controller has no gripper", to_datum(opening_mm));
 }
 
 // Looks whether the leg under way has ended, and sends the next.
@@ -218,7 +222,7 @@ Task<Result<ArmReading>> SimpleArm::read() {
   ArmReading reading{.joints = joints_,
                      .moving = moving_ || status_.in_motion == 1,
                      .stopped = stopped_,
-                     .opening_mm = opening_mm_,
+                     .opening_mm = 0,
                      .gripper_moving = false,
                      .why_stopped = why_stopped_};
   co_return reading;

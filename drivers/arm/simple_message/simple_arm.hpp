@@ -11,8 +11,8 @@
 // acknowledgement does not come ends the trajectory with a stop.
 //
 // The protocol has neither servo nor alarm commands: take_control() asks whether motion is possible and says why not.
-// It has no gripper and no track either: the opening is the one last asked for, a track reads where
-// it is in the arm's `ready` pose, must stand there, and is not moved.
+// It has no gripper and no track either: a gripper is refused; a track reads where it is in the arm's `ready` pose,
+// must stand there, and is not moved.
 //
 // How far it is proven: with the emulator of drivers/simulation/controllers/arms/ alone, over TCP frames and serial
 // frames that are garbled. The C500C's own servers print moves and do not make them, as published.
@@ -78,7 +78,6 @@ class SimpleArm : public ArmDriver {
   bool stopping_ = false;
   bool ordering_ = false;
   std::optional<Failure> why_stopped_;
-  double opening_mm_ = 0;
   Turns turns_;  // one message waits for its reply at a time
   Job listening_;
 };

@@ -128,6 +128,7 @@ TEST_P(Simple, RefusesWhatItsAxesCannotAndTheTrackItCannotReach) {
   EXPECT_EQ(beyond.error().subject, to_datum(3));
   EXPECT_EQ(ask(arm.start_move({moved(6, 100)}, 1)).error().subject, to_datum(7));
   EXPECT_EQ(outcome(arm.start_move({moved(2, std::numeric_limits<double>::infinity())}, 1)), "not-finite");
+  EXPECT_EQ(outcome(arm.start_gripper(40)), "refused") << "the protocol has none";
   EXPECT_EQ(motion.near.written, "");
 }
 
