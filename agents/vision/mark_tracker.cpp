@@ -100,7 +100,8 @@ std::optional<SeenPair> MarkTracker::follow(StereoSight& sight, const Track& tra
 std::optional<SeenPair> MarkTracker::see(StereoSight& sight, const Track& track, const LearnedObject& object) const {
   std::optional<SeenPair> now = follow(sight, track, object);
   if (!now && track.left) now = sight.find(objects_, object, track.expected(), local_reach_px);
-  return now ? now : sight.find(objects_, object);
+  if (!now) now = sight.find(objects_, object);
+  return now;
 }
 
 // What is said of a frame in which it was not found.

@@ -200,7 +200,7 @@ Task<Result<Datum>> VisionAgent::State::reject(std::string name) {
 }
 
 Task<Result<Datum>> VisionAgent::State::forget(std::string name) {
-  const Result<void> free = check_free(Activity::tracking);
+  const Result<void> free = co_await take_turn(Activity::tracking);
   if (!free) co_return fail(free);
   ObjectChange forget = ForgetObject{name};
   const Result<void> done = co_await change_objects(std::move(forget));
@@ -211,7 +211,7 @@ Task<Result<Datum>> VisionAgent::State::forget(std::string name) {
 Task<Result<Datum>> VisionAgent::State::rename(std::string name, std::string new_name) {
   const Result<void> good_name = check_object_name(new_name);
   if (!good_name) co_return fail(good_name);
-  const Result<void> free = check_free(Activity::tracking);
+  const Result<void> free = co_await take_turn(Activity::tracking);
   if (!free) co_return fail(free);
   const LearnedObject* object = objects.find(name);
   if (object != nullptr) name = object->name;

@@ -17,10 +17,12 @@ struct VisionBench {
   int runs = 1000;
 };
 
-void find_time(VisionBench& bench);   // five objects in one image
-void track_time(VisionBench& bench);  // five objects in both, with depth
-void recall(VisionBench& bench);      // over random scenes
-void depth(VisionBench& bench);       // at 0.6 m
-void sequences(VisionBench& bench);   // hidden for half a second, and moving fast
+void find_time(VisionBench& bench);     // five objects in one image
+void track_time(VisionBench& bench);    // five objects in both, with depth
+void recall(VisionBench& bench);        // over random scenes
+void depth(VisionBench& bench);         // at 0.6 m
+void sequences(VisionBench& bench);     // hidden for half a second, and moving fast
+void arrival(VisionBench& bench);       // from a frame to the fact that says what was seen
+void agent_memory(VisionBench& bench);  // of an agent's process
 
 }  // namespace pizarra::bench
