@@ -91,7 +91,7 @@ Result<ReadyPlan> Replanner::plan(const PlanningTask& task, const Budget& budget
                                   const std::function<bool()>& cancelled) {
   if (!known_ || !same_but_for_initials(known_->task, task) || !begin_from(task.initials)) {
     known_.reset();
-    Result<Problem> problem = ground(task);
+    Result<Problem> problem = ground(task, cancelled);
     if (!problem) return fail(problem);
     known_ = std::make_unique<Known>(task, std::move(*problem));
   }

@@ -1,6 +1,7 @@
 #include "agents/planner/agent/replanner.hpp"
 
 #include <algorithm>
+#include <ctime>
 
 #include "agents/planner/optimal/optimal_planner.hpp"
 #include "agents/planner/task/grounding.hpp"
@@ -127,6 +128,23 @@ TEST(Replanner, WorksLessForAChangedFactThanForPlanningAnew) {
     anew += fresh;
   }
   EXPECT_LT(2 * again, anew);
+}
+
+std::clock_t cpu_of(const std::function<void()>& work) {
+  const std::clock_t begin = std::clock();
+  work();
+  return std::clock() - begin;
+}
+
+TEST(Replanner, EndsBeforeAllIsGroundedWhereItIsCancelled) {
+  Random random(7);
+  const PlanningTask task = random_blocks(150, random);
+  const std::clock_t whole = cpu_of([&] { EXPECT_TRUE(ground(task)); });
+  const std::clock_t cancelled = cpu_of([&] {
+    const Result<ReadyPlan> plan = Replanner().plan(task, {}, [] { return true; });
+    EXPECT_EQ(plan ? "a plan" : plan.error().symbol, "cancelled");
+  });
+  EXPECT_LT(4 * cancelled, whole);
 }
 
 TEST(Replanner, PlansFastWhereAShortestPlanWouldTakeTooLong) {
