@@ -7,6 +7,7 @@
 
 #include "agents/planner/explanation/never_together.hpp"
 #include "agents/planner/explanation/no_plan.hpp"
+#include "agents/planner/task/grounding.hpp"
 #include "agents/planner/task/notation.hpp"
 #include "lisp/pattern.hpp"
 #include "lisp/writer.hpp"
@@ -38,6 +39,7 @@ class WhyNever {
 
   // Goes from what is wanted to what that needs, nearest first, until something is missing for good.
   std::string explain(const Datum& fact, const std::function<bool()>& cancelled) {
+    if (task_.counts_cost) ground_without_costs(cancelled);
     looked_at_ = {{fact, 0}};
     for (std::size_t i = 0; i < looked_at_.size() && !cancelled(); ++i) {
       const std::string end = look_at(i);
@@ -83,6 +85,8 @@ class WhyNever {
   // How the explanation ends here, or nothing, and then there is more to look at.
   std::string look_at(std::size_t i) {
     const Datum wanted = looked_at_[i].wanted;
+    const std::string unpaid = look_at_costs(i);
+    if (!unpaid.empty()) return unpaid;
     const std::vector<Way> ways = ways_to(wanted);
     if (ways.empty() && wanted.is_form("not")) {
       return fmt::format("{} holds from the beginning, and no operator ends that", text_of(wanted[1]));
@@ -100,13 +104,64 @@ class WhyNever {
                            parameter.type);
       }
       const std::vector<Datum> missing = missing_for(way);
-      if (missing.empty()) {
+      if (missing.empty() && !possible_without_costs(wanted)) {
         return fmt::format("{} needs {} for {}, and no objects have all of that", name, in_words(needed_for(way)),
                            text_of(wanted));
       }
       for (const Datum& needed : missing) look_later(needed, i);
     }
     return {};
+  }
+
+  void ground_without_costs(const std::function<bool()>& cancelled) {
+    PlanningTask task = task_;
+    task.counts_cost = false;
+    Result<Problem> problem = ground(task, cancelled);
+    if (!problem) return;
+    const auto unpaid = [&](const GroundAction& action) { return cost_without_value(action).has_value(); };
+    if (std::ranges::any_of(problem->actions, unpaid)) without_costs_ = std::move(*problem);
+  }
+
+  bool brings_about(const GroundAction& action, const Datum& wanted) const {
+    const bool absent = wanted.is_form("not");
+    const Datum& pattern = absent ? wanted[1] : wanted;
+    return std::ranges::any_of(absent ? action.deletes : action.adds,
+                               [&](std::size_t fact) { return fits(pattern, without_costs_.facts[fact]); });
+  }
+
+  bool possible_without_costs(const Datum& wanted) const {
+    return std::ranges::any_of(without_costs_.actions,
+                               [&](const GroundAction& action) { return brings_about(action, wanted); });
+  }
+
+  // An action that would bring it about, if only what it costs had a value. Of one that needs such an action first,
+  // what it needs is looked at later.
+  std::string look_at_costs(std::size_t i) {
+    const Datum wanted = looked_at_[i].wanted;
+    for (const GroundAction& action : without_costs_.actions) {
+      if (!brings_about(action, wanted)) continue;
+      if (const std::optional<Datum> cost = cost_without_value(action)) {
+        const std::string missing = text_of(*cost);
+        return fmt::format("{} costs {}, and {} has no value", text_of(action.name), missing, missing);
+      }
+      for (const std::size_t fact : action.preconditions) {
+        if (!possible(without_costs_.facts[fact])) look_later(without_costs_.facts[fact], i);
+      }
+    }
+    return {};
+  }
+
+  std::optional<Datum> cost_without_value(const GroundAction& action) const {
+    const auto op = std::ranges::find(task_.operators, action.name.head(), &PlanningOperator::name);
+    Bindings bindings;
+    for (std::size_t i = 0; i < op->parameters.size(); ++i) {
+      bindings.bind(Datum::symbol(op->parameters[i].variable), action.name[i + 1]);
+    }
+    for (const Datum& cost : op->costs) {
+      Datum function = substitute(cost, bindings);
+      if (function.is_list() && !task_.values.contains(function)) return function;
+    }
+    return std::nullopt;
   }
 
   void look_later(const Datum& wanted, std::size_t needed_by) {
@@ -210,6 +265,7 @@ class WhyNever {
   std::set<Datum> initials_;
   std::set<Datum> possible_;  // if nothing were ever deleted
   std::set<Datum> deleted_;
+  Problem without_costs_;  // where a cost without a value makes an action impossible
   std::vector<Looked> looked_at_;
 };
 

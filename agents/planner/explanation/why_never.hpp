@@ -10,8 +10,8 @@
 namespace pizarra {
 
 // For a fact, or `(not FACT)`, of which it was proved that it never holds. The chain ends in a fact that is missing at
-// the beginning, a type without objects, an object of another type, an operator that no objects suit, or an action that
-// needs what never holds together. Cancelled, it says what it has found out.
+// the beginning, a type without objects, an object of another type, an operator that no objects suit, a cost without
+// a value, or an action that needs what never holds together. Cancelled, it says what it has found out.
 std::string why_never(const PlanningTask& task, const Problem& problem, const Datum& fact,
                       const std::function<bool()>& cancelled);
 

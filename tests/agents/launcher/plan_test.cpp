@@ -221,6 +221,30 @@ TEST(Plan, ThatCannotBeIsTracedThroughWhatNeverHoldsByItself) {
             "and (wine), which never hold together\n");
 }
 
+// A road whose length is not told cannot be paid for; the one behind it is not to blame.
+TEST(Plan, ThatCannotBeIsTracedToACostWithoutAValue) {
+  const std::string roads = file("roads.pddl", R"((define (domain roads)
+    (:requirements :typing :action-costs) (:types truck city)
+    (:predicates (at ?t - truck ?c - city) (road ?a ?b - city))
+    (:functions (total-cost) - number (dist ?a ?b - city) - number)
+    (:action drive :parameters (?t - truck ?a ?b - city) :precondition (and (at ?t ?a) (road ?a ?b))
+      :effect (and (at ?t ?b) (not (at ?t ?a)) (increase (total-cost) (dist ?a ?b))))))");
+  const auto plan_to = [&](const std::string& goal) {
+    const std::string trip = file("trip.pddl", fmt::format(R"((define (problem trip) (:domain roads)
+      (:objects t1 - truck a b c d - city) (:init (at t1 a) (road a b) (road b c) (= (dist b c) 3))
+      (:goal (at t1 {})) (:metric minimize (total-cost))))",
+                                                           goal));
+    return shell(fmt::format("{} plan {} {} 2>&1", PIZARRA_PLAN, roads, trip)).text;
+  };
+  const std::string near = "(drive t1 a b) costs (dist a b), and (dist a b) has no value\n";
+  EXPECT_EQ(plan_to("b"), "pizarra: no plan exists: (at t1 b) can never hold from here: " + near);
+  EXPECT_EQ(plan_to("c"),
+            "pizarra: no plan exists: (at t1 c) can never hold from here: (at t1 c) needs (at t1 b), and " + near);
+  EXPECT_EQ(plan_to("d"),
+            "pizarra: no plan exists: (at t1 d) can never hold from here: (at t1 d) needs (road ?a d), and (road ?a d) "
+            "neither holds at the beginning nor is brought about by any operator\n");
+}
+
 TEST(Plan, OfWrongFilesIsAUsageError) {
   const Said said = plan("(and (on a d) (clera b))");
   EXPECT_EQ(said.status, 2);
@@ -281,6 +305,29 @@ TEST(Plan, MayBeAnotherPlannersAndIsChecked) {
   EXPECT_EQ(plan("(on a b)", "--planner '/nowhere/ff {domain} {problem}'").status, 4);
   EXPECT_EQ(plan("(on a b)", "--planner 'sleep 100 # {domain} {problem}' --time 0.2").status, 1);
   EXPECT_EQ(plan("(on a b)", "--planner 'ff {domain}'").status, 2);
+}
+
+// What another planner left behind when it crashed, failed or ran out of time counts only where it is a plan.
+TEST(Plan, OfAnotherPlannerThatEndsBadlyIsTakenOnlyWhereItWorks) {
+  const auto with = [](const std::string& script, const std::string& options = "") {
+    return plan("(on a b)", fmt::format("--pddl {} --planner '{} # {{domain}} {{problem}}'", options, script));
+  };
+  const std::string whole = "echo \"(pick-up a)\" > {plan}; echo \"(stack a b)\" >> {plan}; ";
+  const std::string half = "echo \"(pick-up a)\" > {plan}; printf \"(stack a\" >> {plan}; ";
+  for (const std::string left : {"touch {plan}; ", half.c_str(), "echo \"(pick-up a)\" > {plan}; "}) {
+    const Said crashed = with(left + "kill -SEGV $$");
+    EXPECT_EQ(crashed.status, 1);
+    EXPECT_EQ(crashed.text, "pizarra: the planner was ended by Segmentation fault\n") << left;
+    EXPECT_EQ(with(left + "echo no solution; exit 1").text,
+              "pizarra: the planner ended with status 1 and without a plan; it said: no solution\n")
+        << left;
+    EXPECT_EQ(with(left + "sleep 10", "--time 0.3").text, "pizarra: the planner had no plan after 0.3 s\n") << left;
+  }
+  EXPECT_EQ(with("touch {plan}").text, "pizarra: the planner\'s plan does not work: (on a b) is not reached\n");
+  for (const std::string end : {"kill -SEGV $$", "exit 139", "exit 2"}) {
+    EXPECT_EQ(with(whole + end).text, "(pick-up a)\n(stack a b)\n") << end;
+  }
+  EXPECT_EQ(with(whole + "sleep 10", "--time 0.5").text, "(pick-up a)\n(stack a b)\n");
 }
 
 // Twenty discs: no planner of ours is through with them soon.
