@@ -114,13 +114,23 @@ Failure crashed(int signal, std::string_view output) {
       "planner-crashed", fmt::format("the planner was ended by {}{}", strsignal(signal), last_words(output)), {}, {}};
 }
 
+std::optional<Failure> failure_of_status(const ProcessEnd& end) {
+  if (const std::optional<int> signal = signal_in(end.code)) return crashed(*signal, end.output);
+  if (end.code == 126 || end.code == 127) {
+    return Failure{"planner-missing", "the planner cannot be started" + last_words(end.output), {}, {}};
+  }
+  if (end.code == 0) return std::nullopt;
+  return Failure{"planner-failed",
+                 fmt::format("the planner ended with status {} and without a plan{}", end.code, last_words(end.output)),
+                 {},
+                 {}};
+}
+
 std::optional<Failure> failure_of(const ProcessEnd& end, const ProcessLimits& limits) {
   using Kind = ProcessEnd::Kind;
   switch (end.kind) {
     case Kind::exited:
-      if (const std::optional<int> signal = signal_in(end.code)) return crashed(*signal, end.output);
-      if (end.code != 126 && end.code != 127) return std::nullopt;
-      return Failure{"planner-missing", "the planner cannot be started" + last_words(end.output), {}, {}};
+      return failure_of_status(end);
     case Kind::signalled:
       return crashed(end.code, end.output);
     case Kind::timed_out:
@@ -135,11 +145,26 @@ std::optional<Failure> failure_of(const ProcessEnd& end, const ProcessLimits& li
   return std::nullopt;
 }
 
+// What the planner wrote, in its file or else in what it printed; empty where there is no plan to be seen.
+Result<std::optional<PlanActions>> plan_left(const std::string& plan_file, const ProcessEnd& end,
+                                             const ProcessLimits& limits, const PlanOperators& operators) {
+  const Result<std::optional<std::string>> written = newest_plan(plan_file, limits.output_bytes);
+  if (!written) return fail(written);
+  if (*written) {
+    const Result<PlanActions> actions = read_actions(**written, operators);
+    if (!actions) return fail(actions);
+    return *actions;
+  }
+  if (end.kind != ProcessEnd::Kind::exited || signal_in(end.code)) return std::nullopt;
+  PlanActions found = find_actions(end.output, operators);
+  if (found.empty()) return std::nullopt;
+  return found;
+}
+
 }  // namespace
 
-Result<PlanActions> ExternalPlanner::plan(const std::string& domain, const std::string& problem,
-                                          const PlanOperators& operators,
-                                          const std::function<bool()>& cancelled) const {
+Result<PlanClaim> ExternalPlanner::plan(const std::string& domain, const std::string& problem,
+                                        const PlanOperators& operators, const std::function<bool()>& cancelled) const {
   for (const std::string_view needed : {"{domain}", "{problem}"}) {
     if (command_.find(needed) == std::string::npos) {
       return fail("bad-command",
@@ -157,19 +182,13 @@ Result<PlanActions> ExternalPlanner::plan(const std::string& domain, const std::
   command = replaced(replaced(command, "{problem}", problem_file), "{plan}", plan_file);
   const ProcessEnd end = run_process(command, folder.path(), limits_, cancelled);
 
-  // One that ran out of time may have left a plan all the same.
-  if (end.kind != ProcessEnd::Kind::cancelled) {
-    const Result<std::optional<std::string>> written = newest_plan(plan_file, limits_.output_bytes);
-    if (!written) return fail(written);
-    if (*written) return read_actions(**written, operators);
-  }
-  if (const std::optional<Failure> failure = failure_of(end, limits_)) return fail(*failure);
-  PlanActions found = find_actions(end.output, operators);
-  if (!found.empty()) return found;
-  if (end.code != 0) {
-    return fail("planner-failed",
-                fmt::format("the planner ended with status {} and without a plan{}", end.code, last_words(end.output)));
-  }
+  // One that crashed or ran out of time may have left a plan all the same.
+  const std::optional<Failure> ended = failure_of(end, limits_);
+  if (end.kind == ProcessEnd::Kind::cancelled) return fail(*ended);
+  Result<std::optional<PlanActions>> left = plan_left(plan_file, end, limits_, operators);
+  if (left && *left) return PlanClaim{std::move(**left), ended};
+  if (ended) return fail(*ended);
+  if (!left) return fail(left);
   return fail("garbage", "there is no plan in what the planner wrote" + last_words(end.output));
 }
 

@@ -31,8 +31,9 @@ Budget unhurried(std::size_t memory_mb) {
 }
 // How long a fast plan is made shorter where no time is given.
 constexpr double improving_s = 10;
-// A foreign planner is not left alone for ever.
+// A foreign planner is not left alone for ever, and has a moment even where reading took all the time.
 constexpr double longest_s = 86'400;
+constexpr double shortest_s = 0.01;
 constexpr const char* blanks = " \t\n";
 
 struct PlanChoices {
@@ -129,11 +130,12 @@ std::string first_word(const std::string& command) {
 }
 
 Result<PlanReport> ask_planner(const PlanningTask& task, const PlanChoices& choices, PlanClock& clock) {
-  const ExternalPlanner planner(
-      choices.planner, {.seconds = std::min(choices.limit_s, longest_s), .memory_bytes = choices.memory_mb << 20});
-  const Result<PlanSteps> steps = plan_externally(planner, task, [&] { return clock.over(); });
+  const double left_s = std::clamp(choices.limit_s - clock.seconds(), shortest_s, longest_s);
+  const ExternalPlanner planner(choices.planner, {.seconds = left_s, .memory_bytes = choices.memory_mb << 20});
+  // Its time is the driver's to end, which then looks for what the planner has left.
+  const Result<PlanSteps> steps = plan_externally(planner, task, [&] { return clock.over() && clock.interrupted(); });
   if (clock.interrupted()) return fail(stopped(clock));
-  if (!steps && steps.error().symbol == "cancelled") {
+  if (!steps && steps.error().symbol == "time-out") {
     return fail("time-out", fmt::format("the planner had no plan after {:g} s", choices.limit_s));
   }
   if (!steps) return fail(steps);

@@ -31,6 +31,20 @@ Result<Datum> operation_of(const PddlText& text, const std::vector<std::string>&
   return Datum::list(std::move(operation));
 }
 
+Result<PlanSteps> steps_of(const PddlText& text, const PlanningTask& task, const PlanActions& actions) {
+  PlanSteps steps;
+  for (const std::vector<std::string>& action : actions) {
+    const Result<Datum> operation = operation_of(text, action);
+    if (!operation) return fail(operation);
+    steps.push_back({*operation});
+  }
+  const Result<void> valid = validate_plan(task, steps);
+  if (!valid) {
+    return fail("bad-plan", "the planner's plan does not work: " + valid.error().sentence, valid.error().subject);
+  }
+  return steps;
+}
+
 }  // namespace
 
 Result<PlanSteps> plan_externally(const ExternalPlanner& planner, const PlanningTask& task,
@@ -38,17 +52,10 @@ Result<PlanSteps> plan_externally(const ExternalPlanner& planner, const Planning
   const Result<NumberedTask> checked = number_task(task);
   if (!checked) return fail(checked);
   const PddlText text = pddl_text(task);
-  const Result<PlanActions> actions = planner.plan(text.domain, text.problem, operators_of(text, task), cancelled);
-  if (!actions) return fail(actions);
-  PlanSteps steps;
-  for (const std::vector<std::string>& action : *actions) {
-    const Result<Datum> operation = operation_of(text, action);
-    if (!operation) return fail(operation);
-    steps.push_back({*operation});
-  }
-  const Result<void> valid = validate_plan(task, steps);
-  if (!valid)
-    return fail("bad-plan", "the planner's plan does not work: " + valid.error().sentence, valid.error().subject);
+  const Result<PlanClaim> claim = planner.plan(text.domain, text.problem, operators_of(text, task), cancelled);
+  if (!claim) return fail(claim);
+  Result<PlanSteps> steps = steps_of(text, task, claim->actions);
+  if (!steps && claim->ended) return fail(*claim->ended);
   return steps;
 }
 

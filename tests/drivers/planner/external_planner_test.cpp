@@ -30,9 +30,14 @@ class ExternalPlannerTest : public testing::Test {
     setenv("TMPDIR", scratch_folder().c_str(), 1);
   }
 
-  Result<PlanActions> plan(const std::string& script, const ProcessLimits& limits = {}) {
+  Result<PlanClaim> claim(const std::string& script, const ProcessLimits& limits = {}) {
     const ExternalPlanner planner(": {domain} {problem}; " + script, limits);
     return planner.plan("the domain", "the problem", operators, [this] { return cancelled_ && cancelled_(); });
+  }
+  Result<PlanActions> plan(const std::string& script, const ProcessLimits& limits = {}) {
+    const Result<PlanClaim> claimed = claim(script, limits);
+    if (!claimed) return fail(claimed);
+    return claimed->actions;
   }
   std::string refusal(const std::string& script, const ProcessLimits& limits = {}) {
     const Result<PlanActions> actions = plan(script, limits);
@@ -74,6 +79,29 @@ TEST_F(ExternalPlannerTest, TellsEveryWayToFailApart) {
   EXPECT_EQ(refusal("head -c 100000 /dev/urandom"), "garbage");
   EXPECT_EQ(refusal("yes", {.output_bytes = 100'000}), "too-much-output");
   EXPECT_EQ(ExternalPlanner("ff {domain}").plan("", "", operators, [] { return false; }).error().symbol, "bad-command");
+}
+
+// Whether its plan works is for others to find out: then how it ended does not matter.
+TEST_F(ExternalPlannerTest, HandsOnThePlanOfOneThatEndedBadlyWithHowItEnded) {
+  const std::string write = "echo '(pick-up b1)\n(stack b1 b2)' > {plan}; ";
+  EXPECT_FALSE(claim(write)->ended);
+  for (const auto& [end, symbol] : {std::pair{"kill -SEGV $$", "planner-crashed"},
+                                    {"exit 139", "planner-crashed"},
+                                    {"exit 1", "planner-failed"},
+                                    {"sleep 100", "time-out"}}) {
+    const Result<PlanClaim> claimed = claim(write + end, {.seconds = 0.3});
+    ASSERT_TRUE(claimed) << end;
+    EXPECT_EQ(claimed->actions, wanted);
+    EXPECT_EQ(claimed->ended.value().symbol, symbol);
+  }
+}
+
+TEST_F(ExternalPlannerTest, TellsHowThePlannerEndedBeforeWhatIsWrongWithThePlanItLeft) {
+  const std::string half = "echo '(pick-up b1)' > {plan}; printf '(stack b1' >> {plan}; ";
+  EXPECT_EQ(refusal(half), "garbage");
+  EXPECT_EQ(refusal(half + "kill -SEGV $$"), "planner-crashed");
+  EXPECT_EQ(refusal(half + "exit 1"), "planner-failed");
+  EXPECT_EQ(refusal(half + "sleep 100", {.seconds = 0.2}), "time-out");
 }
 
 TEST_F(ExternalPlannerTest, RefusesAPlanThatIsNoPlainFile) {
