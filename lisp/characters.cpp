@@ -67,12 +67,14 @@ std::string place_of(std::string_view file, std::string_view text, std::size_t o
   offset = std::min(offset, text.size());
   const std::string_view before = text.substr(0, offset);
   const auto line_number = 1 + std::ranges::count(before, '\n');
-  const std::size_t line_start = before.rfind('\n') == std::string_view::npos ? 0 : before.rfind('\n') + 1;
-  const std::size_t line_end = std::min(text.find_first_of("\r\n", offset), text.size());
+  const std::size_t line_start = before.rfind('\n') + 1;  // npos + 1 is 0
   const std::size_t column = characters_of(text.substr(line_start, offset - line_start));
 
   constexpr std::size_t shown_before = 70;
   constexpr std::size_t shown_after = 40;
+  // A whole file may be one line: its end is looked for no further than it is shown, and a character beyond.
+  const std::string_view near = text.substr(0, offset + shown_after + 4);
+  const std::size_t line_end = std::min(near.find_first_of("\r\n", offset), near.size());
   std::size_t from = offset - line_start > shown_before ? offset - shown_before : line_start;
   std::size_t to = std::min(line_end, offset + shown_after);
   while (from < offset && is_continuation(text[from])) ++from;

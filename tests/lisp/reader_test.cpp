@@ -1,10 +1,13 @@
 #include "lisp/reader.hpp"
 
 #include <cstdio>
+#include <ctime>
+#include <ctime>
 #include <fmt/format.h>
 #include <fstream>
 #include <gtest/gtest.h>
 
+#include "lisp/characters.hpp"
 #include "lisp/writer.hpp"
 #include "tests/scratch.hpp"
 
@@ -79,6 +82,19 @@ TEST(ReaderTest, ALongLineIsShownAroundTheCaret) {
   ASSERT_FALSE(read);
   EXPECT_TRUE(read.error().place.starts_with("input:1:5003\n"));
   EXPECT_LT(read.error().place.size(), 250u);
+}
+
+TEST(ReaderTest, TellsAPlaceAsSoonWhereTheWholeFileIsOneLongLine) {
+  const auto cpu_of_places = [](std::size_t length) {
+    const std::string text(length, 'x');
+    const std::clock_t begin = std::clock();
+    for (std::size_t offset = 0; offset < 300; ++offset) {
+      EXPECT_TRUE(place_of("f", text, offset).starts_with("f:1:"));
+    }
+    return std::clock() - begin;
+  };
+  const std::clock_t brief = cpu_of_places(1000);
+  EXPECT_LT(cpu_of_places(4'000'000), 20 * brief + CLOCKS_PER_SEC / 50);
 }
 
 TEST(SourceTest, FindsThePlaceOfAnElement) {
