@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <unistd.h>
+#include <utility>
 
 namespace pizarra {
 
@@ -14,8 +15,10 @@ constexpr double between_shows_s = 1;
 
 PlanClock::PlanClock(double limit_s) : limit_s_(limit_s), on_terminal_(isatty(STDERR_FILENO) != 0) {}
 
-PlanClock::~PlanClock() {
-  if (shown_) fmt::print(stderr, "\r\x1b[K");
+PlanClock::~PlanClock() { hide(); }
+
+void PlanClock::hide() {
+  if (std::exchange(shown_, false)) fmt::print(stderr, "\r\x1b[K");
 }
 
 double PlanClock::seconds() const {

@@ -1,6 +1,6 @@
 #pragma once
 
-// What ends a search from outside: Ctrl-C, SIGTERM, or the time that was given. On a terminal it shows that time
+// What ends planning from outside: Ctrl-C, SIGTERM, or the time that was given. On a terminal it shows that time
 // passes.
 //
 //   PlanClock clock(10.0);
@@ -31,6 +31,8 @@ class PlanClock {
   bool over();
   bool interrupted() const { return interrupted_; }
   double seconds() const;
+  // Takes what it shows off the terminal.
+  void hide();
 
  private:
   void show(double now_s);

@@ -10,6 +10,7 @@
 #include "agents/launcher/plan/memory_limit.hpp"
 #include "agents/launcher/plan/plan_clock.hpp"
 #include "agents/launcher/plan/plan_report.hpp"
+#include "agents/launcher/plan/reading_watch.hpp"
 #include "agents/planner/explanation/fewest_culprits.hpp"
 #include "agents/planner/explanation/no_plan.hpp"
 #include "agents/planner/explanation/why_never.hpp"
@@ -142,10 +143,20 @@ Result<PlanReport> ask_planner(const PlanningTask& task, const PlanChoices& choi
   return PlanReport{.steps = *steps, .engine = first_word(choices.planner)};
 }
 
+int tell(const Failure& failure, const PlanChoices& choices) {
+  if (choices.json) fmt::print("{}\n", json_error(failure));
+  return choices.json ? exit_code_of(failure) : complain(failure, exit_code_of(failure));
+}
+
+Result<PlanningTask> read_in_time(const PlanChoices& choices, PlanClock& clock) {
+  const ReadingWatch watch(clock, [&] { return tell(stopped(clock), choices); });
+  return read_task_files(choices.domain, choices.problem);
+}
+
 // The clock is gone, and what it showed with it, before anything is printed.
 Result<PlanReport> make_plan(const PlanChoices& choices) {
   PlanClock clock(choices.limit_s);
-  const Result<PlanningTask> task = read_task_files(choices.domain, choices.problem);
+  const Result<PlanningTask> task = read_in_time(choices, clock);
   if (!task) return fail(task);
   Result<PlanReport> report =
       choices.planner.empty() ? search_within_memory(*task, choices, clock) : ask_planner(*task, choices, clock);
@@ -158,12 +169,9 @@ Result<PlanReport> make_plan(const PlanChoices& choices) {
 
 int run_plan(const PlanChoices& choices) {
   const Result<PlanReport> report = make_plan(choices);
-  if (report) {
-    fmt::print("{}", plan_text(*report, format_of(choices)));
-    return exit_reached;
-  }
-  if (choices.json) fmt::print("{}\n", json_error(report.error()));
-  return choices.json ? exit_code_of(report.error()) : complain(report.error(), exit_code_of(report.error()));
+  if (!report) return tell(report.error(), choices);
+  fmt::print("{}", plan_text(*report, format_of(choices)));
+  return exit_reached;
 }
 
 // CLI11 takes `nan` for a number.

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <gtest/gtest.h>
 #include <string>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "tests/agents/launcher/shell.hpp"
@@ -364,6 +365,36 @@ TEST(Plan, IsInterruptedByCtrlC) {
       shell(fmt::format("timeout --preserve-status --signal=INT 1 {} plan {} 2>&1", PIZARRA_PLAN, endless()));
   EXPECT_EQ(said.status, 130) << said.text;
   EXPECT_TRUE(said.text.starts_with("pizarra: interrupted")) << said.text;
+}
+
+// That nobody writes to.
+std::string pipe_called(const std::string& name) {
+  const std::string path = scratch_folder() + name;
+  EXPECT_EQ(mkfifo(path.c_str(), 0600), 0);
+  return path;
+}
+
+TEST(Plan, GivesUpInTimeWhereAFileCannotBeReadToItsEnd) {
+  const std::string pipe = pipe_called("silent");
+  const auto in_time = [&](const std::string& files, const std::string& options) {
+    return shell(fmt::format("timeout -s KILL 5 {} plan {} --time 0.2 {} 2>&1", PIZARRA_PLAN, files, options));
+  };
+  for (const std::string& files : {pipe + " " + problem("(on a b)"), domain() + " " + pipe}) {
+    const Said said = in_time(files, "");
+    EXPECT_EQ(said.status, 1) << said.text;
+    EXPECT_EQ(said.text, "pizarra: no plan was found in 0.2 s; there may be one\n");
+    EXPECT_TRUE(in_time(files, "--json").text.starts_with("{\"error\"")) << in_time(files, "--json").text;
+  }
+}
+
+TEST(Plan, IsInterruptedWhileFilesAreRead) {
+  const std::string pipe = pipe_called("mute");
+  for (const char* signal : {"INT", "TERM"}) {
+    const Said said = shell(fmt::format("timeout --preserve-status -k 5 --signal={} 0.5 {} plan {} {} 2>&1", signal,
+                                        PIZARRA_PLAN, domain(), pipe));
+    EXPECT_EQ(said.status, 130) << said.text;
+    EXPECT_EQ(said.text, "pizarra: interrupted before a plan was found\n");
+  }
 }
 
 TEST(Plan, SaysWhatItCostsAndThatItWasMadeShortNotCheap) {
