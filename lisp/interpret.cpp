@@ -29,6 +29,11 @@ std::unexpected<std::vector<Failure>> alone(Failure failure) {
   return std::unexpected(std::vector<Failure>{std::move(failure)});
 }
 
+// Behind the name or number that begins there; of a list, behind its parenthesis.
+std::size_t end_of_atom(const Source& source, std::size_t offset) {
+  return std::max(offset + 1, std::min(source.text().find_first_of(" \t\r\n();\"", offset), source.text().size()));
+}
+
 }  // namespace
 
 // Of what could not be read, nothing else is said at the same place.
@@ -40,7 +45,7 @@ std::vector<Failure> failures_of(const Source& source, std::span<const Datum> er
     for (; unread != source.errors().end() && unread->offset < offset; ++unread) {
       failures.push_back(source.failure_of(*unread));
     }
-    const bool said = unread != source.errors().end() && unread->offset == offset;
+    const bool said = unread != source.errors().end() && unread->offset < end_of_atom(source, offset);
     if (!said) failures.push_back(locate(source, error));
   }
   for (; unread != source.errors().end(); ++unread) failures.push_back(source.failure_of(*unread));

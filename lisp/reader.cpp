@@ -319,6 +319,12 @@ std::size_t blank_what_is_no_text(std::string& text) {
   return count;
 }
 
+// Of the alphabets from Latin to Arabic; what other signs have two bytes, such as a wide blank, comes before.
+bool is_letter_of_two_bytes(char lead) {
+  const auto byte = static_cast<unsigned char>(lead);
+  return byte >= 0xC3 && byte <= 0xDF;
+}
+
 // Puts something that can be read in the place of what cannot, as long as that; whether there is such a thing.
 bool mend(std::string& text, Trouble& trouble) {
   const std::string_view symbol = trouble.symbol;
@@ -333,8 +339,19 @@ bool mend(std::string& text, Trouble& trouble) {
   }
   if (symbol != "bad-character" && symbol != "bad-escape") return false;
   const std::size_t length = std::max<std::size_t>(1, utf8_length(std::string_view(text).substr(trouble.offset)));
-  text.replace(trouble.offset, length, length, ' ');
+  text.replace(trouble.offset, length, length, is_letter_of_two_bytes(text[trouble.offset]) ? '_' : ' ');
   return true;
+}
+
+// Whether a form that can stand in so many lists only, at least one, stands in more or in fewer: then parentheses are
+// wrong, though as many are open as closed.
+bool stands_elsewhere(std::span<const Datum> data, std::size_t depth, const DepthOfForm& depth_of_form) {
+  return std::ranges::any_of(data, [&](const Datum& datum) {
+    if (!datum.is_list() || datum.items().empty()) return false;
+    const std::optional<std::size_t> only = depth_of_form(datum.head());
+    const bool elsewhere = only && *only > 0 && *only != depth;
+    return elsewhere || stands_elsewhere(datum.items(), depth + 1, depth_of_form);
+  });
 }
 
 }  // namespace
@@ -342,7 +359,8 @@ bool mend(std::string& text, Trouble& trouble) {
 Result<Source> read_source_to_the_end(std::string_view text, std::string file, const ReadLimits& limits,
                                       const DepthOfForm& depth_of_form) {
   Result<Source> strict = read_source(text, file, limits);
-  if (strict || !can_be_mended(strict.error().symbol)) return strict;
+  if (strict && !stands_elsewhere(strict->data(), 0, depth_of_form)) return strict;
+  if (!strict && !can_be_mended(strict.error().symbol)) return strict;
   Balanced balanced = balance(text, depth_of_form);
   Source source;
   source.file_ = std::move(file);

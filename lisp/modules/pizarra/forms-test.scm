@@ -15,6 +15,9 @@
        '(errors (malformed "this must be a form (cell ...)" (0) ())))
 (check "a second form is refused" (read-cell '((cell blocks) (cell blocks)))
        '(errors (malformed "only one form (cell ...) may stand here" (1) ())))
+(check "what is wrong in the first is told beside the second" (read-cell '((cell "b") (cell blocks)))
+       '(errors (malformed "the cell's name must be a symbol" (0 1) ())
+                (malformed "only one form (cell ...) may stand here" (1) ())))
 (check "an empty text is refused" (car (read-cell '())) 'errors)
 
 (define (read-sections data)

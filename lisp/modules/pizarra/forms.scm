@@ -116,15 +116,16 @@
   (or (eq? (node-head node) head)
       (complain! node 'malformed "this must be a form (~a ...)" head)))
 
-;; The one form that the whole text must be, or #f.
+;; The one form that the whole text must be, also where more follows, or #f.
 (define (only-form root head)
   (let ((items (node-items root)))
     (cond ((null? items)
            (complain! root 'malformed "nothing is written here; a form (~a ...) must be" head))
           ((not (node-form? (car items) head)) #f)
-          ((pair? (cdr items))
-           (complain! (cadr items) 'malformed "only one form (~a ...) may stand here" head))
-          (else (car items)))))
+          (else
+           (when (pair? (cdr items))
+             (complain! (cadr items) 'malformed "only one form (~a ...) may stand here" head))
+           (car items)))))
 
 ;; Sorts NODES, forms (NAME ...), by name: an association list for section-in and sections-in. Names not ALLOWED and
 ;; repetitions of those not REPEATABLE are complained about.

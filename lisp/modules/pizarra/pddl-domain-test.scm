@@ -44,7 +44,12 @@
        (cadr (cadr (domain '(:requirements :typign)))) "there is no requirement :typign; the nearest is :typing")
 (check "what is known, where nothing is near"
        (cadr (cadr (domain '(:requirements :magic))))
-       "there is no requirement :magic; there are :strips, :typing, :negative-preconditions, :equality, :action-costs")
+       (string-append "there is no requirement :magic; there are :strips, :typing, :negative-preconditions, :equality, "
+                      ":action-costs, :adl, :disjunctive-preconditions, :conditional-effects, "
+                      ":existential-preconditions, :universal-preconditions, :quantified-preconditions, "
+                      ":derived-predicates, ..."))
+(check "the nearest of those that may be named" (cadr (cadr (domain '(:requirements :fluent))))
+       "there is no requirement :fluent; the nearest is :fluents")
 (check "an unknown predicate" (wrong-action ':effect '(emtpy)) '((unknown-predicate (0 4 3 0))))
 (check "an unknown type" (wrong-action ':parameters '(?x - blok)) '((unknown-type (0 4 3 2))))
 (check "an unknown variable" (wrong-action ':effect '(clear ?x)) '((unknown-variable (0 4 3 1))))

@@ -66,7 +66,7 @@
               (let ((name (node-datum node)))
                 (unless (or (memq name supported) (memq name other-requirements))
                   (complain! node 'unknown-requirement "there is no requirement ~a~a" name
-                             (suggestion (and (symbol? name) name) supported)))))
+                             (suggestion (and (symbol? name) name) (append supported other-requirements))))))
             nodes))
 
 ;; ---- declarations

@@ -35,6 +35,7 @@
          (initials (filter-map (lambda (node) (read-initial node vocabulary term)) (in ':init)))
          (goals (read-goal problem found vocabulary term))
          (never-differ (filter-map differs-from-itself goals)))
+    (refuse-two-values (in ':init))
     (check-domain problem found domain-name)
     (check-requirements (in ':requirements))
     (list 'problem objects (append (of-kind initials 'fact) never-differ) (of-kind initials 'value)
@@ -92,6 +93,19 @@
     (else
      (let ((fact (read-atom vocabulary node term)))
        (and fact (list 'fact fact))))))
+
+;; The same value may be said twice.
+(define (refuse-two-values nodes)
+  (let ((values-of (make-hash-table)))
+    (for-each (lambda (node)
+                (when (and (eq? (node-head node) '=) (= (length (node-rest node)) 2))
+                  (let* ((function (node-datum (node-ref node 1)))
+                         (value (node-datum (node-ref node 2)))
+                         (before (hash-ref values-of function)))
+                    (if (and before (not (equal? before value)))
+                        (complain! node 'repeated "~a has the value ~a already" function before)
+                        (hash-set! values-of function value)))))
+              nodes)))
 
 (define (read-goal problem found vocabulary term)
   (let* ((section (section-in found ':goal))

@@ -160,7 +160,9 @@
   (let ((name (node-head node)))
     (cond ((not name) (complain! node 'malformed "a ~a with its arguments must stand here: (NAME ARGUMENT ...)" kind))
           ((known? declared name) (arguments-of node name (lookup declared name) term))
-          ((memq name '(and not or imply exists forall when assign increase decrease at-end preference))
+          ((memq name '(and not))
+           (complain! node 'unsupported "a single fact must stand here, not `~a`" name))
+          ((memq name '(or imply exists forall when assign increase decrease at-end preference))
            (complain! node 'unsupported
                       "`~a` is not understood here; facts, (not FACT), (= A B) and (and ...) are" name))
           (else

@@ -147,6 +147,15 @@ TEST(TaskFiles, ReportWhatCannotBeReadTogetherWithWhatIsWrong) {
   EXPECT_EQ(errors_of("(define (domain d)\n  (:predicates (p)))\n  (:action a :effect (q)))\n"),
             (std::vector<std::string>{"domain:2:20 this closes the whole form, and more of it follows (and 1 more)",
                                       "domain:3:23 there is no predicate q; the nearest is p"}));
+  // The same where as many are open as closed: one is missing at the end.
+  EXPECT_EQ(errors_of("(define (domain d)\n  (:predicates (p)))\n  (:action a :effect (q))\n"),
+            (std::vector<std::string>{"domain:1:1 this list is not closed (and 2 more)",
+                                      "domain:2:20 this closes the whole form, and more of it follows",
+                                      "domain:3:23 there is no predicate q; the nearest is p"}));
+  EXPECT_EQ(errors_of("(define (domain d) (:predicates (p))\n  (:action a :effect (p)\n  (:action b :effect (q))))\n"),
+            (std::vector<std::string>{"domain:2:3 this list is not closed before the next form begins (and 2 more)",
+                                      "domain:3:23 there is no predicate q; the nearest is p",
+                                      "domain:3:27 nothing is open that this could close"}));
   EXPECT_EQ(errors_of("(operator A (effects (p))\n(operator B (effects (p a)))"),
             (std::vector<std::string>{"domain:1:1 this list is not closed before the next form begins (and 1 more)",
                                       "domain:2:22 p has 0 arguments elsewhere, and 1 here"}));
@@ -161,6 +170,19 @@ TEST(TaskFiles, ReportWhatCannotBeReadTogetherWithWhatIsWrong) {
   EXPECT_EQ(errors_of("(define (domain d)\n(:predicates (p))\n(:action a\xE4 ; \xF6\xFC\n :effect (q)))"),
             (std::vector<std::string>{"domain:3:11 this is not UTF-8, nor are 2 more characters (and 1 more)",
                                       "domain:4:11 there is no predicate q; the nearest is p"}));
+}
+
+// A letter that no name may have is one of a name all the same, and a blank of another kind is none.
+TEST(TaskFiles, ReportALetterThatNoNameMayHaveOnce) {
+  const std::string_view domain = "(define (domain d) (:predicates (on ?x ?y)))";
+  for (const std::string name : {"\u00e4", "b\u00e4", "b\u00e4b", "\u00e4b", "\u0436"}) {
+    const std::vector<std::string> errors = errors_of(
+        domain, fmt::format("(define (problem p) (:domain d) (:objects b) (:init (on {} b)) (:goal ()))", name));
+    ASSERT_EQ(errors.size(), 1u) << name << errors[1];
+    EXPECT_TRUE(errors.front().ends_with("` has no meaning here")) << errors.front();
+  }
+  EXPECT_EQ(errors_of(domain, "(define (problem p) (:domain d) (:objects b) (:init (on b\u00a0b)) (:goal ()))").size(),
+            1u);
 }
 
 // Only the facts know which objects there are.
@@ -282,7 +304,8 @@ TEST(TaskFiles, RefuseWhatPddlCanSayAndThePlannerCannotDo) {
   EXPECT_EQ(refusal("(:action a :precondition (exists (?x) (q ?x)))"), "domain:3:26 `exists` " + facts);
   EXPECT_EQ(refusal("(:action a :precondition (or (p) (p)))"), "domain:3:26 `or` " + facts);
   EXPECT_EQ(refusal("(:action a :effect (when (p) (not (p))))"), "domain:3:20 `when` " + facts);
-  EXPECT_EQ(refusal("(:action a :precondition (not (not (p))))"), "domain:3:31 `not` " + facts);
+  EXPECT_EQ(refusal("(:action a :precondition (not (not (p))))"),
+            "domain:3:31 a single fact must stand here, not `not`");
   EXPECT_EQ(refusal("(:action a :parameters (?x - (either t object)))"),
             "domain:3:30 a type is one name; `either` is not understood");
   EXPECT_EQ(refusal("(:derived (p) (p))"), "domain:3:1 :derived is not understood");
