@@ -41,6 +41,35 @@ ArmLine arm_line_from_datum(const Datum& datum) {
   return line;
 }
 
+CameraSource camera_source_from_datum(const Datum& datum, const std::string& file) {
+  using enum CameraSource::Kind;
+  const std::string where(datum[1].text());
+  if (datum[0].is_symbol("video")) return {video, beside(file, where)};
+  if (datum[0].is_symbol("images")) return {images, beside(file, where)};
+  if (datum[0].is_symbol("stream")) return {stream, where};
+  if (datum[0].is_symbol("pipeline")) return {pipeline, where};
+  return {device, where};
+}
+
+CameraSetup eyes_from_datum(const Datum& datum, const std::string& file) {
+  using enum CameraSetup::Arrangement;
+  if (datum.size() == 0) return {};
+  CameraSetup eyes;
+  eyes.arrangement = datum[0].is_symbol("pair") ? pair : datum[0].is_symbol("single") ? single : side_by_side;
+  for (const Datum& source : datum[1].items()) eyes.sources.push_back(camera_source_from_datum(source, file));
+  eyes.width = static_cast<int>(datum[2][0].integer());
+  eyes.height = static_cast<int>(datum[2][1].integer());
+  eyes.rate_hz = datum[3].number();
+  eyes.exposure_ms = datum[4].number();
+  eyes.grey = datum[5].is_symbol("grey");
+  eyes.skew_ms = datum[6].number();
+  eyes.calibration_file = beside(file, std::string(datum[7].text()));
+  eyes.focal_px = datum[8].number();
+  eyes.base_line_mm = datum[9].number();
+  eyes.learned_at_mm = datum[10].number();
+  return eyes;
+}
+
 CellDescription cell_from_datum(const Datum& datum, const std::string& file) {
   CellDescription cell;
   cell.name = datum[0].text();
@@ -67,6 +96,7 @@ CellDescription cell_from_datum(const Datum& datum, const std::string& file) {
   }
   cell.arm_line = arm_line_from_datum(datum[15]);
   cell.objects_directory = beside(file, std::string(datum[16].text()));
+  cell.eyes = eyes_from_datum(datum[17], file);
   return cell;
 }
 

@@ -18,6 +18,7 @@
 //     (pan-tilt (tcp "192.168.0.2" 4000) (reversed pan))       ; or (serial "/dev/ttyUSB0" 9600); what counts leftwards
 //     (objects "objects")                                      ; the folder where what the eyes learn is kept, beside
 //                                                              ; the cell file; left out: on the board alone
+//     (camera (pair (device 0) (device 2)) (calibration "pair.calibration"))   ; camera_setup.hpp
 //     (domain "../../domains/blocks.scm")                      ; relative to the cell file
 //     (board "localhost" "tcp://127.0.0.1:7800")               ; its host and address; left out: the first host, ipc
 //     (host "localhost" (agents robot vision planner coordinator person)))
@@ -28,6 +29,7 @@
 // Cameras on a pan-tilt unit: (camera (at 1330 0 200) (head ptu46-17.5)), and the agent pan-tilt, which turns that unit
 // or, where (pan-tilt ...) names a line, the one there. A cell without either has no agent pan-tilt.
 //
+// Without (camera ...) outside of the world the cell's eyes are the simulated pair.
 // Everything but the name has a default. A failure reports every error of the file, each with a caret.
 
 #include <array>
@@ -36,6 +38,7 @@
 #include <vector>
 
 #include "lisp/camera_pose.hpp"
+#include "lisp/camera_setup.hpp"
 #include "lisp/reader.hpp"
 
 namespace pizarra {
@@ -112,6 +115,7 @@ struct CellDescription {
   std::optional<CellRoom> arm_room;  // where its grip centre may be; none: wherever it reaches
   ArmLine arm_line;
   PanTiltLine pan_tilt;
+  CameraSetup eyes;               // of the vision agent
   std::string objects_directory;  // of the object database, empty: there is none
   std::string domain_file;        // a path that can be opened
   std::string board_host;

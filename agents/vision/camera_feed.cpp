@@ -18,7 +18,7 @@ bool fits(const StereoModel& model, const std::shared_ptr<const Image>& image) {
 
 bool usable(const StereoModel& model) {
   return model.width >= 64 && model.width <= 8192 && model.height >= 64 && model.height <= 8192 && model.focal_px > 0 &&
-         model.base_line_mm > 0;
+         (model.base_line_mm > 0 || (model.is_single() && model.learned_at_mm > 0));
 }
 
 }  // namespace

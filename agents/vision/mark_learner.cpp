@@ -14,6 +14,15 @@ constexpr double most_motion_px = 1.5;
 // Within one mark, in grey levels.
 constexpr double most_grey_change = 40;
 
+// In the world, by the partner; or, before one camera alone, by where objects are said to be while they are learned.
+std::optional<double> size_mm(StereoSight& sight, const SeenMark& seen) {
+  const StereoModel& model = sight.model();
+  if (model.is_single()) return seen.height_px * model.learned_at_mm / model.focal_px;
+  const SeenMark* partner = find_partner(seen, sight.right_segmentation().marks(), std::nullopt);
+  if (partner == nullptr) return std::nullopt;
+  return size_mm(model, seen, *partner);
+}
+
 template <typename Measured>
 double mean_of(const std::vector<Measured>& measured, auto value) {
   const double sum = std::accumulate(measured.begin(), measured.end(), 0.0,
@@ -122,8 +131,8 @@ Result<void> MarkLearner::measure(StereoSight& sight) {
         portray_mark(sight.left_segmentation().image(), seen->contour, seen->tone);
     measured_.push_back(*seen);
     portraits_.push_back(portrait.value());
-    const SeenMark* partner = find_partner(*seen, sight.right_segmentation().marks(), std::nullopt);
-    if (partner != nullptr) sizes_mm_.push_back(size_mm(sight.model(), *seen, *partner));
+    const std::optional<double> size = size_mm(sight, *seen);
+    if (size) sizes_mm_.push_back(*size);
   }
   return done() ? check_measured() : Result<void>{};
 }

@@ -103,6 +103,7 @@ std::optional<SeenPair> StereoSight::find(const LearnedObjects& objects, const L
 }
 
 bool StereoSight::is_cut_off(const LearnedObject& object, const SeenMark& left) {
+  if (model_.is_single()) return true;
   const std::optional<double> expected = least_disparity(model_, object, left);
   if (!expected) return true;
   if (left.centre.x - *expected >= edge_px) return false;
@@ -131,8 +132,7 @@ std::optional<double> range_by_size_mm(const StereoModel& model, const LearnedOb
     if (sample.size_mm <= 0 || left.height_px <= 0) continue;
     const bool on_its_side = sample.slimness < least_round && left.height_px > left.width_px;
     const double height_mm = on_its_side ? sample.size_mm / sample.slimness : sample.size_mm;
-    const double disparity = model.base_line_mm * left.height_px / height_mm;
-    return range_mm(model, left.centre, disparity);
+    return range_at_depth_mm(model, left.centre, model.focal_px * height_mm / left.height_px);
   }
   return std::nullopt;
 }

@@ -46,6 +46,7 @@ constexpr std::string_view contract_text = R"(
     (relation camera-model ((width integer) (height integer) (focal number) (cx number) (cy number)
                             (base-line number)) (key))
     (relation camera-state ((state symbol) (trouble string)) (key))
+    (relation camera-drops ((late integer) (skewed integer) (corrupt integer)) (key))
     (relation stream ((name symbol) (kind symbol) (place list)) (key name)))
   (reads frames)
   (configures (learn accept reject forget rename connect disconnect))
@@ -160,6 +161,10 @@ Task<void> VisionAgent::State::tell_state() {
     facts.push_back(list("camera-model"_sym, model->width, model->height, model->focal_px, model->centre_x_px,
                          model->centre_y_px, model->base_line_mm));
   }
+  told_drops = camera.drops();
+  if (told_drops != CameraDrops()) {
+    facts.push_back(list("camera-drops"_sym, told_drops.late, told_drops.skewed, told_drops.corrupt));
+  }
   if (streams != nullptr) {
     for (const std::string_view kind : stream_kinds) facts.push_back(stream_fact(stream(kind), kind, *streams));
   }
@@ -185,10 +190,10 @@ Task<void> VisionAgent::State::tell_holders() {
 Task<void> VisionAgent::State::tell_state_again() {
   while (true) {
     co_await sleep(context.executor, state_check);
-    if (told_under != service->presence()) {
-      co_await tell_state();
-      co_await tell_objects();
-    }
+    const bool lapsed = told_under != service->presence();
+    const bool news = lapsed || told_drops != camera.drops();
+    if (news) co_await tell_state();
+    if (lapsed) co_await tell_objects();
     co_await follow_memory();
     co_await let_dead_go();
   }

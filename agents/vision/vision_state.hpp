@@ -112,6 +112,7 @@ struct VisionAgent::State {
   std::vector<Datum> told_held;                    // the facts that say who holds what
   std::set<std::string> missing;                   // holders who were not present at the last look
   LeaseId told_under = 0;
+  CameraDrops told_drops;
   CameraFeed feed;
   WaitList turn_ended;
   std::optional<Service> service;  // it ends first: its handlers wait for the feed

@@ -43,7 +43,7 @@ class Executor {
   virtual ~Executor() = default;
 
   virtual Time now() const = 0;
-  // Runs `callback` soon, after what is due already. The one call that other threads may make in real time.
+  // Runs `callback` soon, after what is due already. In real time other threads may call this and now(), no more.
   virtual void post(Callback callback) = 0;
   virtual TimerId call_at(Time when, Callback callback) = 0;
   // Unknown or finished timers are ignored.

@@ -1,7 +1,8 @@
 #pragma once
 
 // A pair of cameras that look the same way, a base line apart. One implementation a device; the simulated one is in
-// drivers/simulation/.
+// drivers/simulation/,
+// video_camera.hpp has the others.
 
 #include <cstdint>
 #include <memory>
@@ -19,7 +20,8 @@ struct StereoFrame {
   std::shared_ptr<const Image> right;
 };
 
-// A rectified pair: both images share the focal length and the centre row; base line along the rows.
+// A rectified pair: both images share the focal length and the centre row; base line along the rows. One camera alone
+// is a pair with no base line, whose right images show nothing.
 struct StereoModel {
   int width = 320;
   int height = 240;
@@ -27,6 +29,17 @@ struct StereoModel {
   double centre_x_px = 159.5;
   double centre_y_px = 119.5;
   double base_line_mm = 90;
+  double learned_at_mm = 0;  // of one camera alone: how far away objects are while they are learned
+
+  bool is_single() const { return base_line_mm == 0; }
+};
+
+// What never reached who asked for frames.
+struct CameraDrops {
+  std::uint64_t late = 0;     // a newer one came before it was taken
+  std::uint64_t skewed = 0;   // its partner was of another moment
+  std::uint64_t corrupt = 0;  // it could not be read
+  bool operator==(const CameraDrops&) const = default;
 };
 
 class StereoCamera {
@@ -36,6 +49,8 @@ class StereoCamera {
   // The first frame with a number above `after`, waiting for it. Colour where asked for, else grey.
   // Failures: disconnected, corrupt-frame.
   virtual Task<Result<StereoFrame>> next(std::uint64_t after, bool colour) = 0;
+  // Since it was made.
+  virtual CameraDrops drops() const { return {}; }
 };
 
 }  // namespace pizarra

@@ -47,9 +47,10 @@ Result<void> finish_recording(Recorder& recorder, Executor& executor, const Stor
 Result<StoryReport> run_on(Executor& executor, const Scenario& scenario, const CellDescription& description,
                            const Judge& judge, const StoryOptions& options, Narrator& narrator) {
   std::ofstream journal;
-  // A story is told in the simulated world, whatever controller the cell's own arm has.
+  // A story is told in the simulated world, whatever controller and cameras the cell has of its own.
   CellDescription simulated = description;
   simulated.arm_line = {};
+  simulated.eyes = {};
   // It begins with nothing learned and leaves nothing behind, so that it repeats.
   simulated.objects_directory.clear();
   LocalCell cell(executor, std::move(simulated), options.seed);
@@ -63,7 +64,7 @@ Result<StoryReport> run_on(Executor& executor, const Scenario& scenario, const C
   const Time start = executor.now();
   const auto wall_start = std::chrono::steady_clock::now();
   narrator.begin(start);
-  for (const std::string& kind : agent_kinds(description)) {
+  for (const std::string& kind : agent_kinds(cell.description())) {
     const Result<void> started = cell.start(kind);
     if (!started) return fail(started);
   }

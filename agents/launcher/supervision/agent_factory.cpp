@@ -12,6 +12,7 @@
 #include "agents/speech/speech_agent.hpp"
 #include "agents/vision/vision_agent.hpp"
 #include "drivers/arm/arm_file.hpp"
+#include "drivers/camera/video_camera.hpp"
 #include "drivers/pan_tilt/ptu_driver.hpp"
 #include "drivers/simulation/head_wire.hpp"
 #include "drivers/simulation/simulated_camera.hpp"
@@ -21,19 +22,6 @@
 namespace pizarra {
 
 namespace {
-
-// An agent and the device it owns, if any: the device is there before it and after it.
-template <class A, class Device>
-class WithDevice : public BuiltAgent {
- public:
-  template <class Make>
-  WithDevice(Link& link, Make make) : device_(link), agent_(make(device_)) {}
-
- private:
-  Agent& agent() override { return *agent_; }
-  Device device_;
-  std::unique_ptr<A> agent_;
-};
 
 class WithoutDevice : public BuiltAgent {
  public:
@@ -79,6 +67,24 @@ class BuiltPanTilt : public BuiltAgent {
   PanTiltAgent agent_;
 };
 
+// The agent, and the eyes that the cell file says it has.
+class BuiltVision : public BuiltAgent {
+ public:
+  BuiltVision(AgentContext context, const CellDescription& description, Link& link, Streams* streams)
+      : camera_(make_camera(context.executor, description.eyes, link)),
+        agent_(std::move(context), *camera_, streams, VisionOptions{description.objects_directory}) {}
+
+ private:
+  static std::unique_ptr<StereoCamera> make_camera(Executor& executor, const CameraSetup& eyes, Link& link) {
+    if (eyes.is_simulated()) return std::make_unique<SimulatedCamera>(link);
+    return std::make_unique<VideoCamera>(executor, eyes);
+  }
+  Agent& agent() override { return agent_; }
+
+  std::unique_ptr<StereoCamera> camera_;
+  VisionAgent agent_;
+};
+
 bool has_pan_tilt(const CellDescription& description) {
   return !description.head.empty() || !description.pan_tilt.kind.empty();
 }
@@ -121,6 +127,7 @@ const std::vector<std::string>& further_agent_kinds() {
 std::vector<std::string> agent_kinds(const CellDescription& description) {
   std::vector<std::string> kinds = agent_kinds();
   if (!has_pan_tilt(description)) std::erase(kinds, "pan-tilt");
+  if (!description.eyes.is_simulated()) std::erase(kinds, "person");
   for (const std::string& kind : further_agent_kinds()) {
     const auto has = [&](const CellHost& host) { return std::ranges::find(host.agents, kind) != host.agents.end(); };
     if (std::ranges::any_of(description.hosts, has)) kinds.push_back(kind);
@@ -163,10 +170,7 @@ Result<std::unique_ptr<BuiltAgent>> build_agent(const std::string& kind, AgentCo
     return std::make_unique<BuiltRobot>(std::move(context), description.arm_line, *model, room_of(description), link);
   }
   if (kind == "vision") {
-    return std::make_unique<WithDevice<VisionAgent, SimulatedCamera>>(link, [&](SimulatedCamera& camera) {
-      return std::make_unique<VisionAgent>(std::move(context), camera, streams,
-                                           VisionOptions{description.objects_directory});
-    });
+    return std::make_unique<BuiltVision>(std::move(context), description, link, streams);
   }
   if (kind == "pan-tilt") {
     if (!has_pan_tilt(description)) return fail("unknown-agent", "the cell has no pan-tilt unit", Datum::symbol(kind));

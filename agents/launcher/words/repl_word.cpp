@@ -40,7 +40,7 @@ int talk_to_own_cell(const ReplChoices& choices) {
     if (!started) return complain(started.error(), exit_usage);
   }
   Manner manner = manner_of(choices);
-  manner.taught = whole && is_script(choices);
+  manner.taught = whole && is_script(choices) && cell->eyes.is_simulated();
   const std::unique_ptr<Board> view = local.board().view("prompt");
   return BoardSession(executor, *view, manner).run(choices.forms);
 }

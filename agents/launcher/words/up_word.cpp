@@ -65,8 +65,10 @@ std::string last_line_of(const std::string& file) {
   return last;
 }
 
-// Kinds that own a device, which in the simulated cell is reached over the world's socket, on this machine alone.
-bool owns_device(const std::string& kind) { return kind == "robot" || kind == "vision" || kind == "person"; }
+// Kinds that own a device of the simulated world, which is reached over its socket, on this machine alone.
+bool needs_world(const std::string& kind, const CellDescription& cell) {
+  return kind == "robot" || kind == "person" || (kind == "vision" && cell.eyes.is_simulated());
+}
 
 class Up {
  public:
@@ -116,7 +118,7 @@ Result<void> Up::find_world() {
     return {};
   }
   for (const std::string& kind : host_.agents) {
-    if (!owns_device(kind)) continue;
+    if (!needs_world(kind, cell_)) continue;
     return fail("no-world", fmt::format("{} needs the simulated world, and that runs on {}, which is not up on this "
                                         "machine: give {} to that host, or start that host here first",
                                         kind, cell_.board_host, kind));

@@ -8,7 +8,6 @@
 (define-module (pizarra arm)
   #:use-module (srfi srfi-1)
   #:use-module (pizarra forms)
-  #:use-module (pizarra cell)
   #:export (interpret))
 
 (define most-axes 8)

@@ -3,20 +3,24 @@
 ;; (interpret DATA), the data of a file, answers (errors ...) or
 ;;   (ok (NAME (X Y Z PAN TILT HEAD) (SENSOR BLUR GRADIENT) (CUBE ...) ARM DOMAIN BOARD-HOST BOARD-ADDRESS
 ;;        ((HOST KEY KIND ...) ...) CUBE-SIZE (NARROW NORMAL WIDE) (ROW-X ROW-Y-LOW ROW-Y-HIGH) BOARD-KEYS
-;;        (LINE WHERE NUMBER (REVERSED ...)) ROOM DRIVER OBJECTS))
+;;        (LINE WHERE NUMBER (REVERSED ...)) ROOM DRIVER OBJECTS CAMERA))
 ;; with CUBE = (NAME MARK X Y YAW ON), ON the empty string for the table; KEY and BOARD-KEYS are paths or empty; HEAD the
 ;; simulated pan-tilt unit under the cameras or the empty string; LINE serial, tcp or the empty string, how the unit of
 ;; the agent is reached, NUMBER a baud rate or a port; ROOM that of the arm, or (); DRIVER how its controller is reached,
 ;; (PROTOCOL (PLACE ...) (NUMBER ...)), or () for the simulated arm;
-;; OBJECTS the folder of the object database, or empty.
+;; OBJECTS the folder of the object database, or empty; CAMERA what (pizarra camera) makes of the cameras of the
+;; agent, or () for the simulated ones.
 
 (define-module (pizarra cell)
   #:use-module (srfi srfi-1)
   #:use-module (pizarra forms)
-  #:export (interpret cubes-of numbers-of text-of-section))
+  #:use-module (pizarra camera)
+  #:export (interpret cubes-of))
 
 (define marks '(circle triangle square cross))
 (define kinds '(robot vision pan-tilt planner coordinator person))
+;; Sees and points through the simulation alone.
+(define simulated-kinds '(person))
 ;; Those that a cell has only where it says so.
 (define further-kinds '(speech))
 (define known-kinds (append kinds further-kinds))
@@ -29,39 +33,6 @@
 
 ;; Where a cube on the table can be seen and reached.
 (define reach-mm '((250 650) (-350 350)))
-
-;; ---- the arguments of a section (NAME ARGUMENT ...)
-
-;; As many numbers as RANGES, each a list (LOW HIGH), or #f.
-(define (numbers-of node ranges)
-  (let ((arguments (node-rest node)))
-    (if (not (and (= (length arguments) (length ranges))
-                  (every (lambda (argument) (real? (node-datum argument))) arguments)))
-        (complain! node 'malformed "(~a ...) takes ~a" (node-datum (node-ref node 0))
-                   (if (= (length ranges) 1) "one number" (simple-format #f "~a numbers" (length ranges))))
-        (and (every (lambda (argument range)
-                      (or (<= (first range) (node-datum argument) (second range))
-                          (complain! argument 'out-of-range "this must lie between ~a and ~a"
-                                     (first range) (second range))))
-                    arguments ranges)
-             (map node-datum arguments)))))
-
-;; The numbers of a section that may be missing.
-(define (numbers-in found name ranges otherwise)
-  (let ((node (section-in found name)))
-    (or (and node (numbers-of node ranges)) otherwise)))
-
-(define (text-of-section found name what otherwise)
-  (let ((node (section-in found name)))
-    (or (and node (string-at node 1 what)) otherwise)))
-
-;; The symbol at INDEX, which must be one of CHOICES.
-(define (choice-at node index what choices)
-  (let ((choice (symbol-at node index what)))
-    (and choice
-         (or (find (lambda (known) (eq? known choice)) choices)
-             (complain! (node-ref node index) 'unknown-name "~a cannot be ~a~a" what choice
-                        (suggestion choice choices))))))
 
 ;; Letters, digits and dashes, a letter first: what can name an object, a fact's argument and a file alike.
 (define (plain-name? text)
@@ -252,9 +223,9 @@
     (cons (text-of-section found 'key "the file of the host's key" "")
           (if agents (node-rest agents) '()))))
 
-(define (hosts-of nodes has-unit)
+(define (hosts-of nodes missing)
   (if (null? nodes)
-      (list (cons* "localhost" "" (if has-unit kinds (delq 'pan-tilt kinds))))
+      (list (cons* "localhost" "" (lset-difference eq? kinds missing)))
       (let* ((named (filter (lambda (node) (host-at node 1)) nodes))
              (things (map things-of-host named)))
         (refuse-repeated named (lambda (node) (node-datum (node-ref node 1))) "a host")
@@ -263,14 +234,12 @@
                (cons* (node-datum (node-ref node 1)) (car things-of-it) (filter-map agent-of (cdr things-of-it))))
              named things))))
 
-;; The agent needs a unit to turn.
-(define (refuse-pan-tilt hosts)
+;; Complains about every host's agent of this kind, which the cell has nothing for.
+(define (refuse-agent hosts refused sentence)
   (for-each (lambda (host)
               (let* ((agents (find (lambda (item) (eq? (node-head item) 'agents)) (node-rest host)))
-                     (node (and agents (find (lambda (kind) (eq? (node-datum kind) 'pan-tilt)) (node-rest agents)))))
-                (when node
-                  (complain! node 'unknown-agent
-                             "there is nothing to turn: neither (camera (head UNIT)) nor (pan-tilt LINE) is given"))))
+                     (node (and agents (find (lambda (kind) (eq? (node-datum kind) refused)) (node-rest agents)))))
+                (when node (complain! node 'unknown-agent sentence))))
             hosts))
 
 ;; (HOST ADDRESS KEYS), KEYS the folder of the keys that may come.
@@ -338,7 +307,7 @@
 ;; ----
 
 (define (interpret-sections cell name arms)
-  (let* ((found (sections (drop (node-items cell) 2) '(world arm pan-tilt objects domain board host) '(host)))
+  (let* ((found (sections (drop (node-items cell) 2) '(world arm camera pan-tilt objects domain board host) '(host)))
          (world (section-in found 'world))
          (things (if world
                      (sections (node-rest (node-within world "in the world"))
@@ -349,9 +318,15 @@
          (camera (camera-of things))
          (pan-tilt (pan-tilt-of found))
          (has-unit (or (section-in found 'pan-tilt) (symbol? (sixth camera))))
-         (hosts (hosts-of (sections-in found 'host) has-unit))
+         (own-cameras (section-in found 'camera))
+         (named-hosts (sections-in found 'host))
+         (hosts (hosts-of named-hosts (append (if has-unit '() '(pan-tilt)) (if own-cameras simulated-kinds '()))))
          (board (board-of found hosts)))
-    (unless has-unit (refuse-pan-tilt (sections-in found 'host)))
+    (unless has-unit
+      (refuse-agent named-hosts 'pan-tilt
+                    "there is nothing to turn: neither (camera (head UNIT)) nor (pan-tilt LINE) is given"))
+    (when own-cameras
+      (refuse-agent named-hosts 'person "the person is simulated, and sees nothing through the cell's own cameras"))
     (list name
           camera
           (noise-of things)
@@ -368,7 +343,8 @@
           pan-tilt
           (if arm (room-of (node-within arm "in the arm")) '())
           (if arm (driver-of (node-within arm "in the arm")) '())
-          (text-of-section found 'objects "the folder of the objects" ""))))
+          (text-of-section found 'objects "the folder of the objects" "")
+          (if own-cameras (camera-of-section own-cameras) '()))))
 
 ;; ARMS are the names of the arms that come with the tree.
 (define* (interpret data #:optional (arms '(crs-f3)))

@@ -19,6 +19,7 @@
             node-datum node-items node-rest node-ref node-head node-within node-form? path-to
             only-form sections section-in sections-in find-section
             symbol-at string-at number-at integer-at symbol-of
+            numbers-of numbers-in text-of-section choice-at
             complain-missing! refuse-repeated at-most suggestion nearest-name same-name? find-name object-name?))
 
 (define-record-type <node>
@@ -176,6 +177,41 @@
   (if (symbol? (node-datum node))
       (node-datum node)
       (complain! node 'malformed "~a must be a symbol" what)))
+
+;; ---- the arguments of a section (NAME ARGUMENT ...)
+
+;; As many numbers as RANGES, each a list (LOW HIGH), or #f.
+(define (numbers-of node ranges)
+  (let ((arguments (node-rest node)))
+    (if (not (and (= (length arguments) (length ranges))
+                  (every (lambda (argument) (real? (node-datum argument))) arguments)))
+        (complain! node 'malformed "(~a ...) takes ~a" (node-datum (node-ref node 0))
+                   (if (= (length ranges) 1) "one number" (simple-format #f "~a numbers" (length ranges))))
+        (and (every (lambda (argument range)
+                      (or (<= (first range) (node-datum argument) (second range))
+                          (complain! argument 'out-of-range "this must lie between ~a and ~a"
+                                     (first range) (second range))))
+                    arguments ranges)
+             (map node-datum arguments)))))
+
+;; The numbers of a section that may be missing.
+(define (numbers-in found name ranges otherwise)
+  (let ((node (section-in found name)))
+    (or (and node (numbers-of node ranges)) otherwise)))
+
+(define (text-of-section found name what otherwise)
+  (let ((node (section-in found name)))
+    (or (and node (string-at node 1 what)) otherwise)))
+
+;; The symbol at INDEX, which must be one of CHOICES.
+(define (choice-at node index what choices)
+  (let ((choice (symbol-at node index what)))
+    (and choice
+         (or (find (lambda (known) (eq? known choice)) choices)
+             (complain! (node-ref node index) 'unknown-name "~a cannot be ~a~a" what choice
+                        (suggestion choice choices))))))
+
+;; ----
 
 ;; Complains about every node whose (name-of NODE) an earlier node has; #f is no name.
 (define (refuse-repeated nodes name-of what)

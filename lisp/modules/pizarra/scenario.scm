@@ -8,7 +8,7 @@
 (define-module (pizarra scenario)
   #:use-module (srfi srfi-1)
   #:use-module (pizarra forms)
-  #:use-module ((pizarra cell) #:select (cubes-of numbers-of text-of-section))
+  #:use-module ((pizarra cell) #:select (cubes-of))
   #:export (interpret))
 
 (define hand-operations '((push . 3) (place . 3) (stack . 2) (steal . 1) (remove . 1) (add . 4) (knock . 1)))

@@ -1,0 +1,57 @@
+#pragma once
+
+// What is known of a pair of cameras: their lenses, and how they stand to each other. A file that a person can read:
+//
+//   (calibration
+//     (size 640 480)                                    ; of the images, px
+//     (left (focal 536.1 536.2) (centre 342.3 235.6) (distortion -0.27 -0.04 0.001 0 0.24))    ; px; k1 k2 p1 p2 k3
+//     (right (focal 539.2 539.1) (centre 328.1 248.5) (distortion -0.29 0.1 0 0 0))
+//     (rotation 0.99 0 0.01 0 1 0 -0.01 0 0.99)         ; row by row, and in mm:
+//     (translation -83.2 1.1 0.1)                       ; right = rotation left + translation
+//     (board 9 6 25)                                    ; that it was made with: inner corners, mm
+//     (errors 13 0.31 0.17))                            ; pairs; px: RMS of the corners, mean across the rectified rows
+//
+//   Result<StereoCalibration> calibration = read_calibration_file("pair.calibration");
+
+#include <array>
+#include <string>
+#include <string_view>
+
+#include "lisp/result.hpp"
+
+namespace pizarra {
+
+struct LensModel {
+  double focal_x_px = 0;
+  double focal_y_px = 0;
+  double centre_x_px = 0;
+  double centre_y_px = 0;
+  std::array<double, 5> distortion{};
+};
+
+struct CalibrationBoard {
+  int columns = 9;  // of inner corners
+  int rows = 6;
+  double square_mm = 25;
+};
+
+struct StereoCalibration {
+  int width = 0;
+  int height = 0;
+  LensModel left;
+  LensModel right;
+  std::array<double, 9> rotation{1, 0, 0, 0, 1, 0, 0, 0, 1};
+  std::array<double, 3> translation_mm{};
+  CalibrationBoard board;
+  int pairs = 0;
+  double reprojection_px = 0;
+  double epipolar_px = 0;
+};
+
+// A failure reports every error of the file, each with a caret.
+Result<StereoCalibration> read_calibration(std::string_view text, const std::string& file);
+Result<StereoCalibration> read_calibration_file(const std::string& path);
+// What read_calibration() reads.
+std::string write_calibration(const StereoCalibration& calibration);
+
+}  // namespace pizarra

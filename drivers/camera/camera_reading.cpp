@@ -1,0 +1,133 @@
+#include "drivers/camera/camera_reading.hpp"
+
+#include <fmt/format.h>
+#include <opencv2/imgproc.hpp>
+
+#include "drivers/camera/stereo_geometry.hpp"
+
+namespace pizarra {
+namespace {
+
+using Side = StereoGeometry::Side;
+
+std::shared_ptr<const Image> shared_image(const cv::Mat& image) {
+  auto out = std::make_shared<Image>(Image{image.cols, image.rows, image.channels(), {}});
+  const std::size_t row_bytes = image.cols * image.elemSize();
+  out->pixels.reserve(row_bytes * static_cast<std::size_t>(image.rows));
+  for (int y = 0; y < image.rows; ++y) out->pixels.insert(out->pixels.end(), image.ptr(y), image.ptr(y) + row_bytes);
+  return out;
+}
+
+cv::Mat with_channels(const cv::Mat& image, int channels) {
+  if (image.channels() == channels) return image;
+  cv::Mat out;
+  cv::cvtColor(image, out, channels == 1 ? cv::COLOR_BGR2GRAY : cv::COLOR_GRAY2BGR);
+  return out;
+}
+
+// When the next image is due. Recordings are waited for; of a camera that is faster than it was asked to be, images are
+// let go.
+class Pace {
+ public:
+  Pace(double rate_hz, Time now) : next_(now) {
+    if (rate_hz > 0) period_ = Duration(static_cast<std::int64_t>(1e6 / rate_hz));
+  }
+  Duration until_due(Time now) const { return next_ - now; }
+  // A camera's own rate is never quite what it is said to be.
+  bool is_due(Time now) const { return next_ - now < period_ / 4; }
+  // Who is late begins anew.
+  void taken(Time now) { next_ = std::max(next_ + period_, now); }
+
+ private:
+  Duration period_{};
+  Time next_;
+};
+
+class Reading {
+ public:
+  Reading(const CameraReading& reading, FrameDesk& desk)
+      : setup_(reading.setup),
+        now_(reading.now),
+        desk_(desk),
+        reader_(setup_, reading.sources(), now_),
+        number_(reading.first_number - 1) {}
+
+  Failure run() {
+    Result<void> going = reader_.open();
+    Pace pace(reader_.recorded_hz() > 0 ? reader_.recorded_hz() : setup_.rate_hz, now_());
+    while (going && !desk_.closing(now_())) {
+      if (reader_.recorded_hz() > 0) desk_.wait(pace.until_due(now_()));
+      going = reader_.grab();
+      desk_.count_skewed(reader_.skewed());
+      if (going && !pace.is_due(now_())) continue;
+      pace.taken(now_());
+      if (going) going = take_frame();
+      if (!going && going.error().symbol == "corrupt-frame") {
+        desk_.put_trouble(going.error());
+        going = {};
+      }
+    }
+    reader_.close();
+    return going ? Failure{"disconnected", "the camera was let go, for nobody asked for its images", {}, {}}
+                 : going.error();
+  }
+
+ private:
+  Result<void> take_frame() {
+    ++number_;
+    const Result<StereoImages> images = reader_.retrieve();
+    if (!images) return fail(images);
+    const Result<void> known = know(images->left.size());
+    if (!known) return known;
+    DeskFrame frame;
+    frame.grey = {number_, images->captured, seen(images->left, Side::left, 1), seen(images->right, Side::right, 1)};
+    if (desk_.colour_wanted()) {
+      frame.colour_left = seen(images->left, Side::left, 3);
+      frame.colour_right = seen(images->right, Side::right, 3);
+    }
+    desk_.put(std::move(frame), geometry_->model());
+    return {};
+  }
+
+  // The first image says how large all are.
+  Result<void> know(cv::Size size) {
+    if (geometry_) {
+      const StereoModel& model = geometry_->model();
+      if (size == cv::Size(model.width, model.height)) return {};
+      return fail("corrupt-frame", fmt::format("the camera's image is {}x{}, and those before were {}x{}", size.width,
+                                               size.height, model.width, model.height));
+    }
+    Result<StereoGeometry> geometry = StereoGeometry::make(setup_, size);
+    if (!geometry) return fail(geometry);
+    geometry_ = std::move(*geometry);
+    return {};
+  }
+
+  std::shared_ptr<const Image> seen(const cv::Mat& image, Side side, int channels) {
+    if (image.empty()) return nothing_seen(channels);
+    return shared_image(geometry_->rectified(with_channels(image, channels), side));
+  }
+
+  // What the right camera shows where there is none.
+  std::shared_ptr<const Image> nothing_seen(int channels) {
+    std::shared_ptr<const Image>& image = channels == 1 ? nothing_grey_ : nothing_coloured_;
+    const StereoModel& model = geometry_->model();
+    if (!image) image = shared_image(cv::Mat::zeros(model.height, model.width, CV_8UC(channels)));
+    return image;
+  }
+
+  const CameraSetup& setup_;
+  const std::function<Time()>& now_;
+  FrameDesk& desk_;
+  StereoReader reader_;
+  std::uint64_t number_;
+  std::optional<StereoGeometry> geometry_;
+  std::shared_ptr<const Image> nothing_grey_;
+  std::shared_ptr<const Image> nothing_coloured_;
+};
+
+}  // namespace
+
+void read_camera(const CameraReading& reading, FrameDesk& desk) { desk.end(Reading(reading, desk).run()); }
+
+}  // namespace pizarra

@@ -1,0 +1,106 @@
+#include "drivers/camera/capture_source.hpp"
+
+#include <fmt/format.h>
+#include <opencv2/core/utils/logger.hpp>
+
+namespace pizarra {
+namespace {
+
+constexpr int open_timeout_ms = 5000;
+constexpr int read_timeout_ms = 3000;
+constexpr double usual_video_hz = 25;
+// What V4L2 calls them, and what it counts exposures in.
+constexpr double manual_exposure = 1;
+constexpr double automatic_exposure = 3;
+constexpr double exposure_units_a_ms = 10;
+
+}  // namespace
+
+bool CaptureSource::open_capture() {
+  switch (source_.kind) {
+    case CameraSource::Kind::device:
+      return capture_.open(source_.where, cv::CAP_V4L2);
+    case CameraSource::Kind::pipeline:
+      return capture_.open(source_.where, cv::CAP_GSTREAMER);
+    case CameraSource::Kind::stream:
+      return capture_.open(
+          source_.where, cv::CAP_FFMPEG,
+          {cv::CAP_PROP_OPEN_TIMEOUT_MSEC, open_timeout_ms, cv::CAP_PROP_READ_TIMEOUT_MSEC, read_timeout_ms});
+    case CameraSource::Kind::video:
+    case CameraSource::Kind::images:
+      break;
+  }
+  return capture_.open(source_.where);
+}
+
+Result<void> CaptureSource::open() {
+  // What goes wrong is told by our failures.
+  cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
+  capture_.release();
+  taken_any_ = false;
+  bool opened = false;
+  try {
+    opened = open_capture();
+  } catch (const cv::Exception&) {
+    opened = false;
+  }
+  if (!opened) return fail("disconnected", fmt::format("{} cannot be opened", source_.where));
+  if (source_.kind == CameraSource::Kind::video) {
+    const double own_hz = capture_.get(cv::CAP_PROP_FPS);
+    const double sane_hz = own_hz >= 1 && own_hz <= 1000 ? own_hz : usual_video_hz;
+    recorded_hz_ = setup_.rate_hz > 0 ? setup_.rate_hz : sane_hz;
+  }
+  return source_.kind == CameraSource::Kind::device ? apply_settings() : Result<void>();
+}
+
+// Size and rate are a wish that the images themselves are held to; an exposure nobody can see in them.
+Result<void> CaptureSource::apply_settings() {
+  const int halves = setup_.arrangement == CameraSetup::Arrangement::side_by_side ? 2 : 1;
+  if (setup_.width > 0 || setup_.rate_hz > 0) {
+    // Uncompressed, most cameras have no bandwidth for large or many images.
+    capture_.set(cv::CAP_PROP_FOURCC, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'));
+  }
+  if (setup_.width > 0) {
+    capture_.set(cv::CAP_PROP_FRAME_WIDTH, halves * setup_.width);
+    capture_.set(cv::CAP_PROP_FRAME_HEIGHT, setup_.height);
+  }
+  if (setup_.rate_hz > 0) capture_.set(cv::CAP_PROP_FPS, setup_.rate_hz);
+  if (setup_.exposure_ms == 0) {
+    capture_.set(cv::CAP_PROP_AUTO_EXPOSURE, automatic_exposure);
+    return {};
+  }
+  const bool set = capture_.set(cv::CAP_PROP_AUTO_EXPOSURE, manual_exposure) &&
+                   capture_.set(cv::CAP_PROP_EXPOSURE, setup_.exposure_ms * exposure_units_a_ms);
+  if (set) return {};
+  return fail("refused-setting", fmt::format("{} takes no exposure of {} ms", source_.where, setup_.exposure_ms));
+}
+
+Result<std::optional<double>> CaptureSource::grab() {
+  bool grabbed = false;
+  try {
+    grabbed = capture_.grab();
+  } catch (const cv::Exception&) {
+    grabbed = false;
+  }
+  const bool recorded = source_.kind == CameraSource::Kind::video;
+  if (!grabbed && recorded && taken_any_) return fail("ended", fmt::format("{} is over", source_.where));
+  if (!grabbed) return fail("disconnected", fmt::format("{} gives no images", source_.where));
+  taken_any_ = true;
+  // Devices of one machine share a clock, videos begin at 0; streams and pipelines begin when they like.
+  if (!recorded && source_.kind != CameraSource::Kind::device) return std::nullopt;
+  const double moment_ms = capture_.get(cv::CAP_PROP_POS_MSEC);
+  if (recorded || moment_ms > 0) return moment_ms;
+  return std::nullopt;
+}
+
+Result<cv::Mat> CaptureSource::retrieve() {
+  cv::Mat image;
+  try {
+    if (!capture_.retrieve(image)) image.release();
+  } catch (const cv::Exception&) {
+    image.release();
+  }
+  return checked_image(std::move(image), "what " + source_.where + " gives");
+}
+
+}  // namespace pizarra

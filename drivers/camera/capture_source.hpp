@@ -1,0 +1,32 @@
+#pragma once
+
+// What OpenCV's VideoCapture opens: devices, video files, network streams, GStreamer pipelines.
+
+#include <opencv2/videoio.hpp>
+
+#include "drivers/camera/frame_source.hpp"
+
+namespace pizarra {
+
+class CaptureSource : public FrameSource {
+ public:
+  CaptureSource(CameraSource source, const CameraSetup& setup) : source_(std::move(source)), setup_(setup) {}
+
+  Result<void> open() override;
+  void close() override { capture_.release(); }
+  Result<std::optional<double>> grab() override;
+  Result<cv::Mat> retrieve() override;
+  double recorded_hz() const override { return recorded_hz_; }
+
+ private:
+  bool open_capture();
+  Result<void> apply_settings();
+
+  CameraSource source_;
+  CameraSetup setup_;
+  cv::VideoCapture capture_;
+  double recorded_hz_ = 0;
+  bool taken_any_ = false;
+};
+
+}  // namespace pizarra

@@ -1,0 +1,42 @@
+#pragma once
+
+// Calibrates a pair of cameras by a chessboard that both see from several sides.
+//
+//   std::vector<BoardView> views;
+//   Result<BoardView> view = find_board(left, right, board);         // for each pair of images
+//   Result<CalibratedPair> pair = calibrate_pair(views, left.size(), board);
+//
+// Failures: no-board, saying in which image; too-few-pairs; swapped, where the right camera stands left of the left
+// one; no-solution.
+
+#include <opencv2/core.hpp>
+#include <vector>
+
+#include "drivers/camera/calibration.hpp"
+
+namespace pizarra {
+
+// The board's inner corners in both images, in the same order, px.
+struct BoardView {
+  std::vector<cv::Point2f> left;
+  std::vector<cv::Point2f> right;
+};
+
+// 8 bit images, grey or BGR, of one size.
+Result<BoardView> find_board(const cv::Mat& left, const cv::Mat& right, const CalibrationBoard& board);
+
+inline constexpr std::size_t least_views = 5;
+
+struct CalibratedPair {
+  StereoCalibration calibration;
+  // RMS of each view's corners in both images, px: a view far above the others spoils all.
+  std::vector<double> view_errors_px;
+};
+
+Result<CalibratedPair> calibrate_pair(const std::vector<BoardView>& views, cv::Size image,
+                                      const CalibrationBoard& board);
+
+// How far apart in height the same corner lies in both images once rectified: mean of the views, px.
+double epipolar_error_px(const StereoCalibration& calibration, const std::vector<BoardView>& views);
+
+}  // namespace pizarra

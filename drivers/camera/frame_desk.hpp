@@ -1,0 +1,77 @@
+#pragma once
+
+// Where the thread that reads a camera leaves its newest frame, and the agents' thread finds it. One frame lies there
+// at most: a newer one replaces it.
+//
+//   FrameDesk desk(ring, now);             // `ring` is called, by the reader, once for what is new
+//                                        // since somebody looked
+//   desk.put(frame);                       // the reader
+//   std::optional<Result<DeskFrame>> frame = desk.take(after, false, now);    // the agents
+//   desk.close();                          // the reader finds closing(), lets the device go and ends
+
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <optional>
+
+#include "drivers/camera/stereo_camera.hpp"
+
+namespace pizarra {
+
+struct DeskFrame {
+  StereoFrame grey;
+  // Made only while somebody asks for colour.
+  std::shared_ptr<const Image> colour_left;
+  std::shared_ptr<const Image> colour_right;
+};
+
+class FrameDesk {
+ public:
+  FrameDesk(std::function<void()> ring, Time now) : ring_(std::move(ring)), asked_(now) {}
+
+  // ---- for the reader
+  void put(DeskFrame frame, const StereoModel& model);
+  // This frame cannot be had.
+  void put_trouble(Failure failure);
+  // No frame will come any more.
+  void end(Failure failure);
+  // Whether nothing is wanted any more, also because nobody has asked for a while.
+  bool closing(Time now) const;
+  bool colour_wanted() const;
+  // Ends early when the desk closes.
+  void wait(Duration duration);
+  void count_skewed(std::uint64_t skewed);
+
+  // ---- for the agents
+  // What there is above `after`; nothing while there is none. A trouble is handed out once.
+  std::optional<Result<DeskFrame>> take(std::uint64_t after, bool colour, Time now);
+  // Of the frames put, or why there will be none; nothing while there is neither.
+  std::optional<Result<StereoModel>> model(Time now);
+  // Whether the newest that happened is a frame.
+  bool healthy() const;
+  void close();
+  CameraDrops drops() const;
+
+ private:
+  static constexpr Duration longest_alone = 10s;
+  static constexpr Duration soon = 1s;
+  static constexpr int frames_in_colour = 30;
+
+  void ring_once(std::unique_lock<std::mutex> lock);
+
+  const std::function<void()> ring_;
+  mutable std::mutex mutex_;
+  std::condition_variable changed_;
+  std::optional<DeskFrame> newest_;
+  std::optional<StereoModel> model_;
+  std::optional<Failure> trouble_;
+  std::optional<Failure> ended_;
+  bool taken_ = true;
+  bool rung_ = false;  // and nobody has looked since
+  bool closed_ = false;
+  int colour_left_ = 0;
+  Time asked_;
+  CameraDrops drops_;
+};
+
+}  // namespace pizarra

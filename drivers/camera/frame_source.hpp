@@ -1,0 +1,42 @@
+#pragma once
+
+// One camera, or what stands for one, as its reader sees it: images one after another, each with its moment. Every call
+// may block, and all come from one thread.
+//
+//   std::unique_ptr<FrameSource> source = make_frame_source(setup.sources[0], setup);
+//   Result<void> opened = source->open();
+//   Result<std::optional<double>> moment_ms = source->grab();
+//   Result<cv::Mat> image = source->retrieve();
+//
+// Failures: disconnected (not there, or gone), refused-setting, corrupt-frame (this image, not the next), and ended for
+// a recording that is over; open() then begins anew.
+
+#include <memory>
+#include <opencv2/core.hpp>
+#include <optional>
+
+#include "lisp/camera_setup.hpp"
+#include "lisp/result.hpp"
+
+namespace pizarra {
+
+class FrameSource {
+ public:
+  virtual ~FrameSource() = default;
+  virtual Result<void> open() = 0;
+  virtual void close() = 0;
+  // The next image is held, yet not decoded. Its moment by the source's own clock, where it has one that tells two of
+  // its kind apart.
+  virtual Result<std::optional<double>> grab() = 0;
+  // What was grabbed: 8 bit, grey or BGR, not empty.
+  virtual Result<cv::Mat> retrieve() = 0;
+  // A recording's own rate, 0: it comes as it comes. Known once open.
+  virtual double recorded_hz() const = 0;
+};
+
+std::unique_ptr<FrameSource> make_frame_source(const CameraSource& source, const CameraSetup& setup);
+
+// What both kinds of source hold an image to. Failure corrupt-frame.
+Result<cv::Mat> checked_image(cv::Mat image, const std::string& where);
+
+}  // namespace pizarra

@@ -1,0 +1,69 @@
+#include "drivers/camera/image_files.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <fmt/format.h>
+#include <glob.h>
+#include <opencv2/imgcodecs.hpp>
+
+namespace pizarra {
+namespace {
+
+constexpr std::size_t most_files = 100'000;
+
+bool has_image_name(const std::string& file) {
+  std::string ending = std::filesystem::path(file).extension().string();
+  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  constexpr std::string_view endings[] = {".png", ".jpg", ".jpeg", ".bmp", ".pgm", ".ppm", ".tif", ".tiff", ".webp"};
+  return std::ranges::find(endings, ending) != std::end(endings);
+}
+
+// As the shell expands the pattern.
+std::vector<std::string> files_like(const std::string& pattern) {
+  glob_t found{};
+  std::vector<std::string> out;
+  if (glob(pattern.c_str(), 0, nullptr, &found) == 0) {
+    out.assign(found.gl_pathv, found.gl_pathv + std::min<std::size_t>(found.gl_pathc, most_files));
+  }
+  globfree(&found);
+  return out;
+}
+
+}  // namespace
+
+std::vector<std::string> image_files_at(const std::string& where) {
+  std::error_code error;
+  if (!std::filesystem::is_directory(where, error)) return files_like(where);
+  std::vector<std::string> out;
+  for (std::filesystem::directory_iterator it(where, error), end; !error && it != end; it.increment(error)) {
+    if (out.size() < most_files && has_image_name(it->path().string())) out.push_back(it->path().string());
+  }
+  std::ranges::sort(out);
+  return out;
+}
+
+Result<void> ImageFiles::open() {
+  files_ = image_files_at(where_);
+  taken_ = 0;
+  if (files_.empty()) return fail("disconnected", fmt::format("there are no images at {}", where_));
+  return {};
+}
+
+Result<std::optional<double>> ImageFiles::grab() {
+  if (taken_ == files_.size()) return fail("ended", fmt::format("there are no more images at {}", where_));
+  return 1000 * static_cast<double>(taken_++) / rate_hz_;
+}
+
+Result<cv::Mat> ImageFiles::retrieve() {
+  const std::string& file = files_[taken_ - 1];
+  cv::Mat image;
+  try {
+    image = cv::imread(file, grey_ ? cv::IMREAD_GRAYSCALE : cv::IMREAD_COLOR);
+  } catch (const cv::Exception&) {
+    image.release();
+  }
+  return checked_image(std::move(image), file);
+}
+
+}  // namespace pizarra

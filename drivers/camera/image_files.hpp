@@ -1,0 +1,38 @@
+#pragma once
+
+// An image sequence: the image files of a folder, or those that a pattern fits, in the order of their names.
+//
+//   ImageFiles shots("shots", 10, false);          // shots/*.png, .jpg, ...
+//   ImageFiles left("calib/left*.jpg", 10, true);  // grey
+
+#include <vector>
+
+#include "drivers/camera/frame_source.hpp"
+
+namespace pizarra {
+
+class ImageFiles : public FrameSource {
+ public:
+  static constexpr double usual_rate_hz = 10;
+
+  ImageFiles(std::string where, double rate_hz, bool grey)
+      : where_(std::move(where)), rate_hz_(rate_hz > 0 ? rate_hz : usual_rate_hz), grey_(grey) {}
+
+  Result<void> open() override;
+  void close() override { files_.clear(); }
+  Result<std::optional<double>> grab() override;
+  Result<cv::Mat> retrieve() override;
+  double recorded_hz() const override { return rate_hz_; }
+
+ private:
+  std::string where_;
+  double rate_hz_;
+  bool grey_;
+  std::vector<std::string> files_;
+  std::size_t taken_ = 0;
+};
+
+// The files that ImageFiles reads, sorted; bounded.
+std::vector<std::string> image_files_at(const std::string& where);
+
+}  // namespace pizarra

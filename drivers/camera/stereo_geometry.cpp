@@ -1,0 +1,94 @@
+#include "drivers/camera/stereo_geometry.hpp"
+
+#include <fmt/format.h>
+#include <opencv2/calib3d.hpp>
+#include <opencv2/imgproc.hpp>
+
+namespace pizarra {
+namespace {
+
+// An ordinary webcam sees about 60 degrees.
+constexpr double usual_focal_of_width = 0.87;
+constexpr double usual_learned_at_mm = 500;
+
+StereoModel plain_model(const CameraSetup& setup, cv::Size image) {
+  StereoModel model;
+  model.width = image.width;
+  model.height = image.height;
+  model.focal_px = setup.focal_px > 0 ? setup.focal_px : usual_focal_of_width * image.width;
+  model.centre_x_px = (image.width - 1) / 2.0;
+  model.centre_y_px = (image.height - 1) / 2.0;
+  model.base_line_mm = setup.base_line_mm;
+  if (setup.arrangement == CameraSetup::Arrangement::single) {
+    model.base_line_mm = 0;
+    model.learned_at_mm = setup.learned_at_mm > 0 ? setup.learned_at_mm : usual_learned_at_mm;
+  }
+  return model;
+}
+
+}  // namespace
+
+Result<StereoGeometry> StereoGeometry::make(const CameraSetup& setup, cv::Size image) {
+  if (setup.calibration_file.empty()) {
+    StereoGeometry plain;
+    plain.model_ = plain_model(setup, image);
+    return plain;
+  }
+  const Result<StereoCalibration> calibration = read_calibration_file(setup.calibration_file);
+  if (!calibration) return fail(calibration);
+  if (image != cv::Size(calibration->width, calibration->height)) {
+    return fail("wrong-size",
+                fmt::format("the camera's images are {}x{}, and {} is of {}x{}", image.width, image.height,
+                            setup.calibration_file, calibration->width, calibration->height));
+  }
+  return StereoGeometry(*calibration);
+}
+
+StereoGeometry::Lens StereoGeometry::lens_of(const LensModel& model) {
+  Lens lens;
+  lens.camera = {model.focal_x_px, 0, model.centre_x_px, 0, model.focal_y_px, model.centre_y_px, 0, 0, 1};
+  lens.distortion = cv::Vec<double, 5>(model.distortion.data());
+  return lens;
+}
+
+StereoGeometry::StereoGeometry(const StereoCalibration& calibration) : rectifies_(true) {
+  lenses_[0] = lens_of(calibration.left);
+  lenses_[1] = lens_of(calibration.right);
+  const cv::Size size(calibration.width, calibration.height);
+  const cv::Matx33d rotation(calibration.rotation.data());
+  const cv::Vec3d translation(calibration.translation_mm.data());
+  cv::Mat unused;
+  // Nothing black at the borders: a mark must not meet an edge that is none.
+  cv::stereoRectify(lenses_[0].camera, lenses_[0].distortion, lenses_[1].camera, lenses_[1].distortion, size, rotation,
+                    translation, lenses_[0].rotation, lenses_[1].rotation, lenses_[0].projection, lenses_[1].projection,
+                    unused, cv::CALIB_ZERO_DISPARITY, 0);
+  for (Lens& lens : lenses_) {
+    cv::initUndistortRectifyMap(lens.camera, lens.distortion, lens.rotation, lens.projection, size, CV_16SC2,
+                                lens.map_whole, lens.map_fraction);
+  }
+  const cv::Matx34d& projection = lenses_[1].projection;
+  model_ = {.width = size.width,
+            .height = size.height,
+            .focal_px = projection(0, 0),
+            .centre_x_px = projection(0, 2),
+            .centre_y_px = projection(1, 2),
+            .base_line_mm = -projection(0, 3) / projection(0, 0)};
+}
+
+cv::Mat StereoGeometry::rectified(const cv::Mat& image, Side side) const {
+  if (!rectifies_) return image;
+  const Lens& lens = lenses_[side == Side::right];
+  cv::Mat out;
+  cv::remap(image, out, lens.map_whole, lens.map_fraction, cv::INTER_LINEAR, cv::BORDER_REPLICATE);
+  return out;
+}
+
+cv::Point2d StereoGeometry::rectified(cv::Point2d point, Side side) const {
+  if (!rectifies_) return point;
+  const Lens& lens = lenses_[side == Side::right];
+  std::vector<cv::Point2d> out;
+  cv::undistortPoints(std::vector{point}, out, lens.camera, lens.distortion, lens.rotation, lens.projection);
+  return out.front();
+}
+
+}  // namespace pizarra

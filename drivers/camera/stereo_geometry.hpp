@@ -1,0 +1,49 @@
+#pragma once
+
+// What the pixels of a camera setup mean, and how its images become a rectified pair: distortion taken out, and what
+// one image shows in a row in the same row of the other.
+//
+//   Result<StereoGeometry> geometry = StereoGeometry::make(setup, image.size());
+//   geometry->model();                                  // for depths
+//   geometry->rectified(image, StereoGeometry::Side::left);
+
+#include <opencv2/core.hpp>
+
+#include "drivers/camera/calibration.hpp"
+#include "drivers/camera/stereo_camera.hpp"
+#include "lisp/camera_setup.hpp"
+
+namespace pizarra {
+
+class StereoGeometry {
+ public:
+  enum class Side : std::uint8_t { left, right };
+
+  // Failures: those of the calibration's file, and wrong-size where that is of other images.
+  static Result<StereoGeometry> make(const CameraSetup& setup, cv::Size image);
+  explicit StereoGeometry(const StereoCalibration& calibration);
+
+  const StereoModel& model() const { return model_; }
+  // The same image where nothing is known to take out.
+  cv::Mat rectified(const cv::Mat& image, Side side) const;
+  // Where a point of the image is in the rectified one.
+  cv::Point2d rectified(cv::Point2d point, Side side) const;
+
+ private:
+  StereoGeometry() = default;
+  struct Lens {
+    cv::Matx33d camera = cv::Matx33d::eye();
+    cv::Vec<double, 5> distortion;
+    cv::Matx33d rotation;
+    cv::Matx34d projection;
+    cv::Mat map_whole;
+    cv::Mat map_fraction;
+  };
+  static Lens lens_of(const LensModel& model);
+
+  StereoModel model_;
+  bool rectifies_ = false;
+  Lens lenses_[2];
+};
+
+}  // namespace pizarra

@@ -1,0 +1,125 @@
+#include "drivers/camera/video_camera.hpp"
+
+#include <fmt/format.h>
+#include <opencv2/imgproc.hpp>
+
+namespace pizarra {
+namespace {
+
+constexpr Duration longest_opening = 10s;
+constexpr Duration longest_ending = 5s;
+constexpr Duration least_silence = 3s;
+
+StereoReader::Sources sources_of(const CameraSetup& setup) {
+  StereoReader::Sources out;
+  for (const CameraSource& source : setup.sources) out.push_back(make_frame_source(source, setup));
+  return out;
+}
+
+}  // namespace
+
+VideoCamera::VideoCamera(Executor& executor, CameraSetup setup)
+    : VideoCamera(executor, setup, [setup] { return sources_of(setup); }) {}
+
+VideoCamera::VideoCamera(Executor& executor, CameraSetup setup, MakeSources make_sources)
+    : executor_(executor),
+      setup_(std::move(setup)),
+      make_sources_(std::move(make_sources)),
+      bell_(std::make_shared<WaitList>(executor)) {}
+
+VideoCamera::~VideoCamera() {
+  if (desk_) desk_->close();
+}
+
+Task<Result<StereoModel>> VideoCamera::open() {
+  const bool goes_on = desk_ != nullptr && !reading_.done() && desk_->healthy();
+  if (!goes_on) {
+    const Result<void> ended = co_await end_reading();
+    if (!ended) co_return fail(ended);
+    begin_reading();
+  }
+  const Time deadline = executor_.now() + longest_opening;
+  while (true) {
+    std::optional<Result<StereoModel>> model = desk_->model(executor_.now());
+    if (model) co_return std::move(*model);
+    const bool woken = co_await bell_->wait(deadline);
+    if (!woken) break;
+  }
+  std::optional<Result<DeskFrame>> trouble = desk_->take(last_number_, false, executor_.now());
+  if (trouble && !*trouble) co_return fail(trouble->error());
+  co_return fail("disconnected", fmt::format("no image came within {} s", longest_opening / 1s));
+}
+
+// A device is had by one reader at a time.
+Task<Result<void>> VideoCamera::end_reading() {
+  if (desk_ == nullptr) co_return Result<void>();
+  desk_->close();
+  const Time deadline = executor_.now() + longest_ending;
+  while (!reading_.done()) {
+    const bool woken = co_await bell_->wait(deadline);
+    if (!woken) co_return fail("disconnected", "the camera hangs: what was asked of it before is not answered");
+  }
+  co_return Result<void>();
+}
+
+void VideoCamera::begin_reading() {
+  dropped_before_ = drops();
+  auto ring = [&executor = executor_, bell = std::weak_ptr<WaitList>(bell_)] {
+    executor.post([bell] {
+      if (const std::shared_ptr<WaitList> waiting = bell.lock()) waiting->wake_all();
+    });
+  };
+  desk_ = std::make_shared<FrameDesk>(std::move(ring), executor_.now());
+  reading_ = executor_.spawn(read(desk_));
+}
+
+// The thread owns all it touches, for it may outlive this while a device holds it up.
+Task<void> VideoCamera::read(std::shared_ptr<FrameDesk> desk) {
+  const CameraReading reading{setup_, make_sources_, [&executor = executor_] { return executor.now(); },
+                              last_number_ + 1};
+  std::function<void(const std::function<bool()>&)> work = [reading, desk](const std::function<bool()>&) {
+    read_camera(reading, *desk);
+  };
+  co_await executor_.offload(std::move(work), Duration());
+  bell_->wake_all();
+}
+
+Duration VideoCamera::longest_silence() const {
+  const double period_us = setup_.rate_hz > 0 ? 1e6 / setup_.rate_hz : 0;
+  return std::max(least_silence, Duration(static_cast<std::int64_t>(3 * period_us)));
+}
+
+Task<Result<StereoFrame>> VideoCamera::next(std::uint64_t after, bool colour) {
+  if (desk_ == nullptr) co_return fail("disconnected", "the camera is not open");
+  const Time deadline = executor_.now() + longest_silence();
+  // Kept alive: open() may put another in its place meanwhile.
+  const std::shared_ptr<FrameDesk> desk = desk_;
+  while (true) {
+    std::optional<Result<DeskFrame>> taken = desk->take(after, colour, executor_.now());
+    if (taken) {
+      if (!*taken) co_return fail(taken->error());
+      StereoFrame frame = (*taken)->grey;
+      last_number_ = std::max(last_number_, frame.number);
+      if (colour) {
+        frame.left = (*taken)->colour_left;
+        frame.right = (*taken)->colour_right;
+      }
+      co_return frame;
+    }
+    const bool woken = co_await bell_->wait(deadline);
+    if (!woken) break;
+  }
+  co_return fail("disconnected", fmt::format("no image came within {} s", longest_silence() / 1s));
+}
+
+CameraDrops VideoCamera::drops() const {
+  CameraDrops out = dropped_before_;
+  if (!desk_) return out;
+  const CameraDrops now = desk_->drops();
+  out.late += now.late;
+  out.skewed += now.skewed;
+  out.corrupt += now.corrupt;
+  return out;
+}
+
+}  // namespace pizarra

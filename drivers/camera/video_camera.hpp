@@ -1,0 +1,53 @@
+#pragma once
+
+// The cameras of a cell file's (camera ...) as a StereoCamera: two devices, one that gives both images side by side,
+// one camera alone, videos, image sequences, network streams, GStreamer pipelines.
+//
+// Devices block; so a thread reads them (camera_reading.hpp), and here its newest frame is waited for. It ends, and the
+// device is let go, when nobody has asked for frames for 10 s. A camera that fails is opened again by open(). Real time
+// only.
+//
+//   VideoCamera eyes(executor, description.eyes);
+//   Result<StereoModel> model = co_await eyes.open();
+//   Result<StereoFrame> frame = co_await eyes.next(0, false);
+//
+// Failures, each naming the camera: disconnected, refused-setting, wrong-size and those of the calibration file from
+// open(); disconnected and corrupt-frame from next().
+
+#include "blackboard/time/event.hpp"
+#include "drivers/camera/camera_reading.hpp"
+
+namespace pizarra {
+
+class VideoCamera : public StereoCamera {
+ public:
+  using MakeSources = std::function<StereoReader::Sources()>;
+
+  VideoCamera(Executor& executor, CameraSetup setup);
+  // Sources of a test's own.
+  VideoCamera(Executor& executor, CameraSetup setup, MakeSources make_sources);
+  VideoCamera(const VideoCamera&) = delete;
+  VideoCamera& operator=(const VideoCamera&) = delete;
+  ~VideoCamera() override;
+
+  Task<Result<StereoModel>> open() override;
+  Task<Result<StereoFrame>> next(std::uint64_t after, bool colour) override;
+  CameraDrops drops() const override;
+
+ private:
+  Task<Result<void>> end_reading();
+  void begin_reading();
+  Task<void> read(std::shared_ptr<FrameDesk> desk);
+  Duration longest_silence() const;
+
+  Executor& executor_;
+  CameraSetup setup_;
+  MakeSources make_sources_;
+  std::shared_ptr<WaitList> bell_;  // the reader's thread may ring when this is gone
+  std::shared_ptr<FrameDesk> desk_;
+  Job reading_;
+  std::uint64_t last_number_ = 0;
+  CameraDrops dropped_before_;
+};
+
+}  // namespace pizarra

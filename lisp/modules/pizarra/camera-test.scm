@@ -1,0 +1,46 @@
+(use-modules (pizarra cell) (pizarra checks))
+
+;; What a cell file with these words in its (camera ...) becomes, or how many complaints it has and the first one.
+(define (camera . words)
+  (let ((outcome (interpret `((cell c (camera ,@words))))))
+    (if (eq? (car outcome) 'ok)
+        (list-ref (cadr outcome) 17)
+        (list (length (cdr outcome)) (car (cadr outcome)) (caddr (cadr outcome))))))
+
+(check "a cell without words about cameras has the simulated ones"
+       (list-ref (cadr (interpret '((cell c)))) 17) '())
+(check "one camera leaves the rest to its device" (camera '(single (device 0)))
+       '(single ((device "/dev/video0")) (0 0) 0 0 colour 0 "" 0 0 0))
+(check "all can be said"
+       (camera '(pair (stream "rtsp://left") (stream "rtsp://right")) '(size 1280 960) '(rate 120) '(exposure 2.5)
+               '(tones grey) '(skew 4) '(calibration "pair.calibration"))
+       '(pair ((stream "rtsp://left") (stream "rtsp://right")) (1280 960) 120 2.5 grey 4 "pair.calibration" 0 0 0))
+(check "a rectified pair needs no calibration"
+       (camera '(side-by-side (video "film.avi")) '(focal 500) '(base-line 60))
+       '(side-by-side ((video "film.avi")) (0 0) 0 0 colour 0 "" 500 60 0))
+(check "one camera says where objects are when they are learned"
+       (list-ref (camera '(single (images "shots")) '(learned-at 600)) 10) 600)
+(check "the cell's own cameras have no simulated person before them"
+       (list-ref (cadr (interpret '((cell c (camera (single (device 0))))))) 8)
+       '(("localhost" "" robot vision planner coordinator)))
+(check "a person asked for beside them is refused"
+       (let ((outcome (interpret '((cell c (camera (single (device 0))) (host "a" (agents vision person)))))))
+         (list (car outcome) (car (cadr outcome)) (caddr (cadr outcome))))
+       '(errors unknown-agent (0 3 2 2)))
+(check "something must give images" (camera) '(1 malformed (0 2)))
+(check "an arrangement that is not known is refused" (camera '(twin (device 0))) '(1 unknown-name (0 2 1)))
+(check "a source that is not known is refused" (camera '(single (usb 0))) '(1 unknown-name (0 2 1 1)))
+(check "a source has a place" (camera '(single (video))) '(1 malformed (0 2 1 1)))
+(check "a device is a number or a file" (camera '(single (device front))) '(1 malformed (0 2 1 1 1)))
+(check "a pair has two" (camera '(pair (device 0))) '(1 malformed (0 2 1)))
+(check "a pair has two of a kind" (camera '(pair (device 0) (video "a.avi")) '(focal 500) '(base-line 60))
+       '(1 malformed (0 2 1 2)))
+(check "a pair has two cameras" (camera '(pair (device 1) (device 1)) '(focal 500) '(base-line 60))
+       '(1 repeated (0 2 1 2)))
+(check "two cameras that nothing is known of are refused" (camera '(pair (device 0) (device 1))) '(1 malformed (0 2)))
+(check "a calibration is of two" (camera '(single (device 0)) '(calibration "c")) '(1 malformed (0 2 2)))
+(check "what is too large is refused" (camera '(single (device 0)) '(size 9000 100) '(rate 500))
+       '(2 out-of-range (0 2 2 1)))
+(check "a word that is not known is refused" (camera '(single (device 0)) '(exposur 3)) '(1 unknown-section (0 2 2)))
+
+(finish-checks)

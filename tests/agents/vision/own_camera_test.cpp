@@ -1,0 +1,186 @@
+// The vision agent alone on photographs of a printed sheet, as a person tries it: an image sequence in place of the
+// camera, clicks, finds and tracks.
+
+#include <filesystem>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <opencv2/imgcodecs.hpp>
+
+#include "agents/runtime/service.hpp"
+#include "agents/vision/vision_agent.hpp"
+#include "blackboard/memory_board.hpp"
+#include "blackboard/time/real_executor.hpp"
+#include "drivers/camera/video_camera.hpp"
+#include "lisp/reader.hpp"
+#include "lisp/writer.hpp"
+#include "tests/agents/vision/photograph.hpp"
+#include "tests/scratch.hpp"
+
+namespace pizarra {
+namespace {
+
+constexpr int shots = 6;
+
+Datum form(std::string_view written) { return read_one(written).value(); }
+
+class OwnCamera : public testing::TestWithParam<cv::Size> {
+ protected:
+  OwnCamera() : folder(scratch_folder() + fmt::format("shots-{}", GetParam().width)) {
+    std::filesystem::create_directories(folder);
+    learning.size = GetParam();
+    learning.tilt_deg = 8;
+    show(learning);
+    setup.sources = {{CameraSource::Kind::images, folder}};
+    camera.emplace(executor, setup);
+    agent.emplace(AgentContext{"vision", "here", executor, *agent_view, Random(1)}, *camera, nullptr);
+    life = executor.spawn(live(*agent));
+    Job started = executor.spawn(begin());
+    executor.run_until([&] { return started.done(); });
+  }
+  ~OwnCamera() override {
+    life = Job();
+    std::filesystem::remove_all(folder);
+  }
+  static Task<void> live(VisionAgent& vision) {
+    const Result<void> ended = co_await vision.run();
+    EXPECT_TRUE(ended.has_value());
+  }
+  Task<void> begin() {
+    const Result<void> present = co_await service.start();
+    EXPECT_TRUE(present.has_value());
+  }
+
+  // What the camera sees from now on.
+  void show(const Photograph& photograph) {
+    for (int i = 0; i < shots; ++i) {
+      const std::string file = fmt::format("{}/{}.jpg", folder, i);
+      const std::string fresh = fmt::format("{}/{}.tmp.jpg", scratch_folder(), i);
+      ASSERT_TRUE(cv::imwrite(fresh, photograph.take(random), {cv::IMWRITE_JPEG_QUALITY, photograph.jpeg_quality}));
+      std::filesystem::rename(fresh, file);
+    }
+  }
+  std::string call(const std::string& operation) {
+    std::string answer;
+    const Job job = executor.spawn(ask(form(operation), answer));
+    executor.run_until([&] { return job.done(); });
+    return answer;
+  }
+  Task<void> ask(Datum operation, std::string& answer) {
+    const Result<Datum> result = co_await caller.call("vision", operation, 20s);
+    if (!result) {
+      answer = describe(result.error());
+    } else {
+      answer = result->size() == 1 ? std::string((*result)[0].text()) : write(*result);
+    }
+  }
+  void run_for(Duration duration) {
+    const Time end = executor.now() + duration;
+    executor.call_at(end, [] {});
+    executor.run_until([&] { return executor.now() >= end; });
+  }
+  std::string why() {
+    const Answers answers = board.ask(query_from_datum(form("(vision-failed ?f ?t ?why)")).value()).value();
+    return answers.answers.empty() ? "" : std::string(answers.answers[0].bindings.find("?why")->text());
+  }
+  void learn_all() {
+    for (const PrintedShape& shape : printed_shapes()) {
+      const cv::Point2d at = learning.seen_at(shape.name);
+      const std::string answer = call(fmt::format("(learn {:.0f} {:.0f} \"{}\")", at.x, at.y, shape.name));
+      EXPECT_EQ(answer, fmt::format("(LEARN \"{}\" OK)", shape.name)) << why();
+    }
+  }
+
+  const std::string folder;
+  Random random{5};
+  Photograph learning;
+  CameraSetup setup{.arrangement = CameraSetup::Arrangement::single,
+                    .sources = {},
+                    .rate_hz = 60,
+                    .calibration_file = {},
+                    .learned_at_mm = 500};
+  RealExecutor executor;
+  MemoryBoard board{executor};
+  std::unique_ptr<Board> agent_view = board.view("vision");
+  std::unique_ptr<Board> own_view = board.view("tester");
+  AgentContext context{"tester", "here", executor, *own_view, Random(2)};
+  Service service{context, contract_from_text("(contract tester)").value()};
+  Caller caller{context, service};
+  std::optional<VideoCamera> camera;
+  std::optional<VisionAgent> agent;
+  Job life;
+};
+
+TEST_P(OwnCamera, LearnsPrintedShapesAndFindsThemWhereTheyAre) {
+  learn_all();
+  for (const PrintedShape& shape : printed_shapes()) {
+    double x = 0;
+    double y = 0;
+    const std::string answer = call(fmt::format("(find \"{}\")", shape.name));
+    char name[16];
+    ASSERT_EQ(std::sscanf(answer.c_str(), "(FIND \"%15[a-z]\" OK (%lf, %lf))", name, &x, &y), 3) << answer << why();
+    EXPECT_LT(cv::norm(cv::Point2d(x, y) - learning.seen_at(shape.name)), 1.5) << answer;
+  }
+  EXPECT_EQ(call("(find \"star\")"), "(FIND \"star\" FAIL)");
+}
+
+TEST_P(OwnCamera, FindsThemInOtherPhotographsToo) {
+  learn_all();
+  Photograph other = learning;
+  other.tilt_deg = -12;
+  other.pan_deg = 18;
+  other.roll_deg = 20;
+  other.distance_mm = 640;
+  other.light = 0.6;
+  other.slope = -0.5;
+  other.noise = 6;
+  other.jpeg_quality = 70;
+  show(other);
+  run_for(300ms);
+  for (const PrintedShape& shape : printed_shapes()) {
+    const std::string answer = call(fmt::format("(find \"{}\")", shape.name));
+    double x = 0;
+    double y = 0;
+    char name[16];
+    ASSERT_EQ(std::sscanf(answer.c_str(), "(FIND \"%15[a-z]\" OK (%lf, %lf))", name, &x, &y), 3) << answer << why();
+    EXPECT_LT(cv::norm(cv::Point2d(x, y) - other.seen_at(shape.name)), 2) << answer;
+  }
+}
+
+TEST_P(OwnCamera, TracksThemAndSaysHowFarAwayByTheirSize) {
+  learn_all();
+  EXPECT_EQ(call("(track \"circle\")"), "()");
+  EXPECT_EQ(call("(track \"square\")"), "()");
+  Photograph nearer = learning;
+  nearer.distance_mm = 400;
+  show(nearer);
+  run_for(400ms);
+  const Answers answers = board.ask(query_from_datum(form("(vision-says ?frame ?text)")).value()).value();
+  ASSERT_FALSE(answers.answers.empty());
+  const std::string text(answers.answers[0].bindings.find("?text")->text());
+  double x[2];
+  double y[2];
+  double d[2];
+  ASSERT_EQ(std::sscanf(text.c_str(), "(TRACK 2 (\"circle\" OK (%lf, %lf, %lf)) (\"square\" OK (%lf, %lf, %lf)))", x, y,
+                        d, x + 1, y + 1, d + 1),
+            6)
+      << text;
+  for (const int i : {0, 1}) {
+    const PrintedShape& shape = printed_shapes()[i == 0 ? 0 : 2];
+    EXPECT_LT(cv::norm(cv::Point2d(x[i], y[i]) - nearer.seen_at(shape.name)), 1.5) << text;
+    EXPECT_NEAR(d[i], nearer.range_mm(shape.at_mm), 0.04 * 400) << text;
+  }
+}
+
+TEST_P(OwnCamera, AClickOnThePaperIsRefusedWithItsReason) {
+  const cv::Point2d paper = learning.project({0, 0});
+  EXPECT_EQ(call(fmt::format("(learn {:.0f} {:.0f} \"paper\")", paper.x, paper.y)), "(LEARN \"paper\" FAIL)");
+  EXPECT_FALSE(why().empty());
+  EXPECT_EQ(call("(learn 5000 10 \"outside\")"), "(LEARN \"outside\" FAIL)");
+  EXPECT_NE(why().find("outside the image"), std::string::npos) << why();
+}
+
+INSTANTIATE_TEST_SUITE_P(Sizes, OwnCamera, testing::Values(cv::Size(640, 480), cv::Size(1280, 960)),
+                         [](const auto& info) { return fmt::format("Width{}", info.param.width); });
+
+}  // namespace
+}  // namespace pizarra

@@ -1,0 +1,153 @@
+#include <algorithm>
+#include <filesystem>
+#include <gtest/gtest.h>
+#include <opencv2/calib3d.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "drivers/camera/chessboard.hpp"
+#include "drivers/camera/stereo_geometry.hpp"
+#include "tests/drivers/camera/board_scene.hpp"
+
+namespace pizarra {
+namespace {
+
+StereoCalibration calibrated(const BoardScene& scene) {
+  std::vector<BoardView> views;
+  for (const cv::Affine3d& pose : board_poses()) {
+    const Result<BoardView> view = find_board(scene.draw(pose, false), scene.draw(pose, true), scene.board);
+    EXPECT_TRUE(view) << view.error().sentence;
+    if (view) views.push_back(*view);
+  }
+  const Result<CalibratedPair> pair = calibrate_pair(views, scene.size, scene.board);
+  EXPECT_TRUE(pair) << pair.error().sentence;
+  return pair->calibration;
+}
+
+class CalibrationTest : public testing::Test {
+ protected:
+  static const StereoCalibration& found() {
+    static const StereoCalibration calibration = calibrated(scene());
+    return calibration;
+  }
+  static const BoardScene& scene() {
+    static const BoardScene scene;
+    return scene;
+  }
+};
+
+TEST_F(CalibrationTest, FindsTheCamerasThatDrewTheBoards) {
+  const StereoCalibration& c = found();
+  EXPECT_NEAR(c.left.focal_x_px, scene().left(0, 0), 2);
+  EXPECT_NEAR(c.right.focal_x_px, scene().right(0, 0), 2);
+  EXPECT_NEAR(c.left.centre_x_px, scene().left(0, 2), 3);
+  EXPECT_NEAR(c.left.distortion[0], scene().distortion(0), 0.02);
+  EXPECT_NEAR(c.translation_mm[0], scene().between.translation()[0], 0.5);
+  EXPECT_LT(c.reprojection_px, 0.15);
+  EXPECT_LT(c.epipolar_px, 0.15);
+}
+
+TEST_F(CalibrationTest, RectifiedImagesShowTheBoardInTheSameRowsAndAtItsDistance) {
+  const StereoGeometry geometry(found());
+  const cv::Affine3d pose(cv::Vec3d(0, 0.2, 0.05), cv::Vec3d(-80, -60, 700));
+  const cv::Mat left = geometry.rectified(scene().draw(pose, false), StereoGeometry::Side::left);
+  const cv::Mat right = geometry.rectified(scene().draw(pose, true), StereoGeometry::Side::right);
+  const Result<BoardView> view = find_board(left, right, scene().board);
+  ASSERT_TRUE(view) << view.error().sentence;
+  const StereoModel& model = geometry.model();
+  double worst_row_px = 0;
+  double worst_mm = 0;
+  for (std::size_t i = 0; i < view->left.size(); ++i) {
+    worst_row_px = std::max<double>(worst_row_px, std::abs(view->left[i].y - view->right[i].y));
+    const double depth = model.focal_px * model.base_line_mm / (view->left[i].x - view->right[i].x);
+    // The rectified pair looks along a direction of its own: distances from the left camera stay.
+    const cv::Vec3d seen((view->left[i].x - model.centre_x_px) * depth / model.focal_px,
+                         (view->left[i].y - model.centre_y_px) * depth / model.focal_px, depth);
+    const cv::Vec3d corner = pose * scene().corner(i);
+    worst_mm = std::max(worst_mm, std::abs(cv::norm(seen) - cv::norm(corner)));
+  }
+  EXPECT_LT(worst_row_px, 0.5);
+  EXPECT_LT(worst_mm, 7) << "1 % of 0.7 m";
+}
+
+TEST_F(CalibrationTest, AFileOfItReadsBackAsItWas) {
+  const Result<StereoCalibration> read = read_calibration(write_calibration(found()), "pair.calibration");
+  ASSERT_TRUE(read) << read.error().sentence << "\n" << read.error().place;
+  EXPECT_EQ(read->width, found().width);
+  EXPECT_NEAR(read->left.focal_x_px, found().left.focal_x_px, 1e-3);
+  EXPECT_NEAR(read->right.distortion[1], found().right.distortion[1], 1e-6);
+  EXPECT_NEAR(read->rotation[2], found().rotation[2], 1e-8);
+  EXPECT_NEAR(read->translation_mm[0], found().translation_mm[0], 1e-3);
+  EXPECT_EQ(read->pairs, found().pairs);
+  const StereoModel as_found = StereoGeometry(found()).model();
+  const StereoModel as_read = StereoGeometry(*read).model();
+  EXPECT_NEAR(as_found.focal_px, as_read.focal_px, 0.01);
+  EXPECT_NEAR(as_found.base_line_mm, as_read.base_line_mm, 0.01);
+}
+
+TEST_F(CalibrationTest, AFaultInAFileIsShownWhereItStands) {
+  std::string text = write_calibration(found());
+  text.replace(text.find("(focal "), 7, "(fokal ");
+  const Result<StereoCalibration> read = read_calibration(text, "pair.calibration");
+  ASSERT_FALSE(read);
+  EXPECT_NE(read.error().sentence.find("fokal"), std::string::npos) << read.error().sentence;
+  EXPECT_NE(read.error().place.find("pair.calibration:4:"), std::string::npos) << read.error().place;
+}
+
+TEST_F(CalibrationTest, ImagesWithoutABoardAreNamed) {
+  const cv::Mat board = scene().draw(board_poses().front(), false);
+  const cv::Mat1b nothing(scene().size, 128);
+  EXPECT_EQ(find_board(board, nothing, scene().board).error().sentence,
+            "no board of 9 x 6 inner corners in the right image");
+  EXPECT_EQ(find_board(nothing, board, scene().board).error().sentence,
+            "no board of 9 x 6 inner corners in the left image");
+  EXPECT_EQ(find_board(nothing, nothing, scene().board).error().sentence,
+            "no board of 9 x 6 inner corners in either image");
+}
+
+TEST_F(CalibrationTest, TooFewPairsAreRefused) {
+  const std::vector<BoardView> views(least_views - 1);
+  EXPECT_EQ(calibrate_pair(views, scene().size, scene().board).error().symbol, "too-few-pairs");
+}
+
+TEST_F(CalibrationTest, SwappedCamerasAreToldSo) {
+  std::vector<BoardView> views;
+  for (const cv::Affine3d& pose : board_poses()) {
+    views.push_back(find_board(scene().draw(pose, true), scene().draw(pose, false), scene().board).value());
+  }
+  EXPECT_EQ(calibrate_pair(views, scene().size, scene().board).error().symbol, "swapped");
+}
+
+TEST_F(CalibrationTest, AnImageOfAnotherSizeCannotBeRectified) {
+  const Result<StereoGeometry> geometry =
+      StereoGeometry::make({.arrangement = CameraSetup::Arrangement::pair, .calibration_file = "/nowhere"}, {320, 240});
+  EXPECT_FALSE(geometry);
+}
+
+// Debian's package opencv-doc has the pairs that OpenCV's own manual calibrates with.
+TEST(DebiansPairs, AreRectifiedToAFractionOfAPixel) {
+  const std::string folder = "/usr/share/doc/opencv-doc/examples/data/";
+  if (!std::filesystem::exists(folder + "left01.jpg")) GTEST_SKIP() << "opencv-doc is not installed";
+  const CalibrationBoard board{9, 6, 25};
+  std::vector<BoardView> views;
+  cv::Size size;
+  for (int i = 1; i <= 14; ++i) {
+    const std::string number = (i < 10 ? "0" : "") + std::to_string(i) + ".jpg";
+    const cv::Mat left = cv::imread(folder + "left" + number, cv::IMREAD_GRAYSCALE);
+    const cv::Mat right = cv::imread(folder + "right" + number, cv::IMREAD_GRAYSCALE);
+    if (left.empty() || right.empty()) continue;
+    size = left.size();
+    const Result<BoardView> view = find_board(left, right, board);
+    if (view) views.push_back(*view);
+  }
+  EXPECT_EQ(views.size(), 13u);
+  const Result<CalibratedPair> pair = calibrate_pair(views, size, board);
+  ASSERT_TRUE(pair) << pair.error().sentence;
+  const StereoCalibration& c = pair->calibration;
+  std::printf("reprojection %.3f px, epipolar %.3f px\n", c.reprojection_px, c.epipolar_px);
+  EXPECT_LT(c.reprojection_px, 0.6);
+  EXPECT_LT(c.epipolar_px, 0.4);
+}
+
+}  // namespace
+}  // namespace pizarra

@@ -1,0 +1,166 @@
+// Image files and videos, as a person has them, read as a camera.
+
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/videoio.hpp>
+#include <set>
+
+#include "blackboard/time/real_executor.hpp"
+#include "drivers/camera/image_files.hpp"
+#include "drivers/camera/video_camera.hpp"
+#include "tests/run_task.hpp"
+#include "tests/scratch.hpp"
+
+namespace pizarra {
+namespace {
+
+using Arrangement = CameraSetup::Arrangement;
+
+// A folder of its own, gone with the test.
+class Recordings : public testing::Test {
+ protected:
+  Recordings() : folder(scratch_folder() + testing::UnitTest::GetInstance()->current_test_info()->name() + "/") {
+    std::filesystem::create_directories(folder);
+  }
+  ~Recordings() override { std::filesystem::remove_all(folder); }
+
+  void write_image(const std::string& name, int level, cv::Size size = {320, 240}) const {
+    ASSERT_TRUE(cv::imwrite(folder + name, cv::Mat(size, CV_8UC3, cv::Scalar::all(level))));
+  }
+  void write_video(const std::string& name, cv::Size size, double hz, int frames) const {
+    cv::VideoWriter film(folder + name, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), hz, size);
+    ASSERT_TRUE(film.isOpened());
+    for (int i = 0; i < frames; ++i) film.write(cv::Mat(size, CV_8UC3, cv::Scalar::all(40 + i % 150)));
+  }
+  CameraSetup setup(Arrangement arrangement, CameraSource::Kind kind, std::vector<std::string> names) const {
+    CameraSetup out{.arrangement = arrangement, .sources = {}, .calibration_file = {}};
+    for (const std::string& name : names) out.sources.push_back({kind, folder + name});
+    if (arrangement != Arrangement::single) {
+      out.focal_px = 400;
+      out.base_line_mm = 60;
+    }
+    return out;
+  }
+  Result<StereoFrame> next(VideoCamera& camera, std::uint64_t after) {
+    return run(executor, camera.next(after, false));
+  }
+
+  const std::string folder;
+  RealExecutor executor;
+};
+
+TEST_F(Recordings, AFolderAndAPatternGiveTheirImagesInTheOrderOfTheirNames) {
+  write_image("b.png", 20);
+  write_image("a.jpg", 10);
+  write_image("c.PNG", 30);
+  std::ofstream(folder + "notes.txt") << "no image";
+  ImageFiles all(folder, 10, true);
+  ASSERT_TRUE(all.open());
+  for (const int level : {10, 20, 30}) {
+    ASSERT_TRUE(all.grab());
+    EXPECT_EQ(all.retrieve()->data[0], level);
+  }
+  EXPECT_EQ(all.grab().error().symbol, "ended");
+  ImageFiles some(folder + "[ab].*", 10, true);
+  ASSERT_TRUE(some.open());
+  EXPECT_EQ(image_files_at(folder + "[ab].*").size(), 2u);
+}
+
+TEST_F(Recordings, NoImagesAtAllIsNoCamera) {
+  EXPECT_EQ(ImageFiles(folder, 10, true).open().error().sentence, "there are no images at " + folder);
+  EXPECT_EQ(ImageFiles("/nowhere/*.png", 10, true).open().error().symbol, "disconnected");
+}
+
+TEST_F(Recordings, AnImageThatIsNoneIsToldByItsNameAndTheOthersAreSeen) {
+  write_image("1.png", 50);
+  std::ofstream(folder + "2.png") << "this is no picture";
+  std::ofstream(folder + "3.png") << "";
+  write_image("4.png", 60);
+  CameraSetup eyes = setup(Arrangement::single, CameraSource::Kind::images, {"*.png"});
+  eyes.rate_hz = 100;
+  VideoCamera camera(executor, eyes);
+  ASSERT_TRUE(run(executor, camera.open()));
+  std::set<std::string> said;
+  std::set<int> seen;
+  std::uint64_t last = 0;
+  for (int i = 0; i < 200 && (said.size() < 2 || seen.size() < 2); ++i) {
+    const Result<StereoFrame> frame = next(camera, last);
+    if (frame) {
+      seen.insert(frame->left->pixels[0]);
+      last = frame->number;
+    } else {
+      EXPECT_EQ(frame.error().symbol, "corrupt-frame");
+      said.insert(frame.error().sentence);
+    }
+  }
+  EXPECT_EQ(seen, (std::set<int>{50, 60}));
+  EXPECT_EQ(said, (std::set<std::string>{"the camera: " + folder + "2.png is no image that can be read",
+                                         "the camera: " + folder + "3.png is no image that can be read"}));
+}
+
+TEST_F(Recordings, APairOfImageSequencesIsSeenInStep) {
+  for (int i = 0; i < 3; ++i) {
+    write_image("left" + std::to_string(i) + ".png", 10 * i);
+    write_image("right" + std::to_string(i) + ".png", 10 * i + 100);
+  }
+  CameraSetup eyes = setup(Arrangement::pair, CameraSource::Kind::images, {"left*.png", "right*.png"});
+  eyes.rate_hz = 100;
+  VideoCamera camera(executor, eyes);
+  const Result<StereoModel> model = run(executor, camera.open());
+  ASSERT_TRUE(model);
+  EXPECT_EQ(model->base_line_mm, 60);
+  std::uint64_t last = 0;
+  for (int i = 0; i < 10; ++i) {
+    const Result<StereoFrame> frame = next(camera, last);
+    ASSERT_TRUE(frame);
+    EXPECT_EQ(frame->left->pixels[0] + 100, frame->right->pixels[0]);
+    last = frame->number;
+  }
+}
+
+TEST_F(Recordings, AVideoIsShownAtItsOwnRateAndBeginsAnew) {
+  write_video("film.avi", {320, 240}, 50, 10);
+  VideoCamera camera(executor, setup(Arrangement::single, CameraSource::Kind::video, {"film.avi"}));
+  ASSERT_TRUE(run(executor, camera.open()));
+  const Time first = next(camera, 0)->captured;
+  std::uint64_t last = 1;
+  while (last < 26) last = next(camera, last)->number;
+  const double seconds = std::chrono::duration<double>(executor.now() - first).count();
+  EXPECT_NEAR(seconds, 0.5, 0.2) << "25 frames at 50 a second, two and a half times the film";
+}
+
+TEST_F(Recordings, WhatIsNoVideoIsNoCamera) {
+  std::ofstream(folder + "film.avi") << "this is no film";
+  VideoCamera camera(executor, setup(Arrangement::single, CameraSource::Kind::video, {"film.avi"}));
+  const Result<StereoModel> model = run(executor, camera.open());
+  ASSERT_FALSE(model);
+  EXPECT_EQ(model.error().sentence, "the camera: " + folder + "film.avi cannot be opened");
+}
+
+TEST_F(Recordings, APairSideBySideOf1280x960At120AsecondKeepsUp) {
+  write_video("film.avi", {2560, 960}, 120, 12);
+  CameraSetup eyes = setup(Arrangement::side_by_side, CameraSource::Kind::video, {"film.avi"});
+  eyes.width = 1280;
+  eyes.height = 960;
+  VideoCamera camera(executor, eyes);
+  ASSERT_TRUE(run(executor, camera.open()));
+  const std::clock_t cpu_before = std::clock();
+  const std::uint64_t first = next(camera, 0)->number;
+  std::uint64_t last = first;
+  for (int i = 0; i < 60; ++i) {
+    const Result<StereoFrame> frame = next(camera, last);
+    ASSERT_TRUE(frame);
+    EXPECT_EQ(frame->left->width, 1280);
+    last = frame->number;
+  }
+  const double cpu_ms = 1000.0 * static_cast<double>(std::clock() - cpu_before) / CLOCKS_PER_SEC;
+  const double cpu_ms_a_frame = cpu_ms / static_cast<double>(last - first);
+  RecordProperty("cpu_us_a_frame", static_cast<int>(1000 * cpu_ms_a_frame));
+  std::printf("%.2f ms of a processor a pair of 1280 x 960\n", cpu_ms_a_frame);
+  EXPECT_LT(cpu_ms_a_frame, 25);
+}
+
+}  // namespace
+}  // namespace pizarra
