@@ -8,7 +8,8 @@
 //   (camera (single (images "shots/*.jpg")) (rate 10) (learned-at 600))      ; one camera alone
 //
 // A source is a (device N) or (device "/dev/video0"), a (video "FILE"), an image sequence (images "FOLDER") or
-// (images "PATTERN"), a (stream "URL"), or a (pipeline "ELEMENT ! ... ! appsink") of GStreamer. drivers/camera/ reads it.
+// (images "PATTERN"), a (stream "URL"), or a (pipeline "ELEMENT ! ... ! appsink") of GStreamer. drivers/camera/ reads
+// it.
 
 #include <cstdint>
 #include <string>
@@ -26,7 +27,7 @@ struct CameraSource {
 struct CameraSetup {
   enum class Arrangement : std::uint8_t { simulated, single, side_by_side, pair };
   Arrangement arrangement = Arrangement::simulated;
-  std::vector<CameraSource> sources;  // two for a pair, the left one first; one otherwise
+  std::vector<CameraSource> sources = {};  // two for a pair, the left one first; one otherwise
   // Of one image; 0: as it comes. One that comes otherwise is an error.
   int width = 0;
   int height = 0;
@@ -35,7 +36,7 @@ struct CameraSetup {
   bool grey = false;       // colour is not even taken
   double skew_ms = 0;      // how far the moments of a pair may lie apart; 0: half of the time between two images
   // What its pixels mean: a calibration of the pair, or the numbers of a rectified one. 0: unknown.
-  std::string calibration_file;
+  std::string calibration_file = {};
   double focal_px = 0;
   double base_line_mm = 0;
   double learned_at_mm = 0;  // one camera alone: how far away objects are while they are learned

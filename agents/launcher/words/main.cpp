@@ -25,6 +25,8 @@ int main(int argc, char** argv) {
   pizarra::add_repl_word(app, status);
   pizarra::add_form_words(app, status);
   pizarra::add_look_word(app, status);
+  pizarra::add_shapes_word(app, status);
+  pizarra::add_calibrate_word(app, status);
   pizarra::add_top_word(app, status);
   pizarra::add_replay_word(app, status);
   return pizarra::run_program(app, argc, argv, status);

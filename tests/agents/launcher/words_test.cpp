@@ -24,8 +24,9 @@ Said run(const std::string& words) {
 bool contains(const Said& said, const std::string& text) { return said.text.find(text) != std::string::npos; }
 
 TEST(Words, EveryWordHelps) {
-  for (const char* word : {"demo", "scenario", "check", "up", "ps", "down", "agent", "world", "repl", "tell", "retract",
-                           "ask", "watch", "look", "top", "goal", "why", "replay"}) {
+  for (const char* word :
+       {"demo",    "scenario", "check", "up",   "ps",  "down", "agent", "world",  "repl",   "tell",
+        "retract", "ask",      "watch", "look", "top", "goal", "why",   "replay", "shapes", "calibrate"}) {
     const Said said = run(std::string(word) + " --help");
     EXPECT_EQ(said.status, 0) << word;
     EXPECT_TRUE(contains(said, "pizarra " + std::string(word))) << said.text;

@@ -19,7 +19,7 @@
 namespace pizarra {
 namespace {
 
-constexpr int shots = 6;
+constexpr int shots = 3;
 
 Datum form(std::string_view written) { return read_one(written).value(); }
 
@@ -39,6 +39,8 @@ class OwnCamera : public testing::TestWithParam<cv::Size> {
   }
   ~OwnCamera() override {
     life = Job();
+    agent.reset();
+    camera.reset();
     std::filesystem::remove_all(folder);
   }
   static Task<void> live(VisionAgent& vision) {
@@ -78,6 +80,19 @@ class OwnCamera : public testing::TestWithParam<cv::Size> {
     executor.call_at(end, [] {});
     executor.run_until([&] { return executor.now() >= end; });
   }
+  // Of the newest TRACK reply, once all it tells of is seen.
+  std::string says() {
+    const Query query = query_from_datum(form("(vision-says ?frame ?text)")).value();
+    const Time deadline = executor.now() + 10s;
+    while (executor.now() < deadline) {
+      run_for(20ms);
+      const Answers answers = board.ask(query).value();
+      if (answers.answers.empty()) continue;
+      const std::string text(answers.answers[0].bindings.find("?text")->text());
+      if (text.find("FAIL") == std::string::npos) return text;
+    }
+    return "nothing";
+  }
   std::string why() {
     const Answers answers = board.ask(query_from_datum(form("(vision-failed ?f ?t ?why)")).value()).value();
     return answers.answers.empty() ? "" : std::string(answers.answers[0].bindings.find("?why")->text());
@@ -93,11 +108,7 @@ class OwnCamera : public testing::TestWithParam<cv::Size> {
   const std::string folder;
   Random random{5};
   Photograph learning;
-  CameraSetup setup{.arrangement = CameraSetup::Arrangement::single,
-                    .sources = {},
-                    .rate_hz = 60,
-                    .calibration_file = {},
-                    .learned_at_mm = 500};
+  CameraSetup setup{.arrangement = CameraSetup::Arrangement::single, .rate_hz = 60, .learned_at_mm = 500};
   RealExecutor executor;
   MemoryBoard board{executor};
   std::unique_ptr<Board> agent_view = board.view("vision");
@@ -153,10 +164,8 @@ TEST_P(OwnCamera, TracksThemAndSaysHowFarAwayByTheirSize) {
   Photograph nearer = learning;
   nearer.distance_mm = 400;
   show(nearer);
-  run_for(400ms);
-  const Answers answers = board.ask(query_from_datum(form("(vision-says ?frame ?text)")).value()).value();
-  ASSERT_FALSE(answers.answers.empty());
-  const std::string text(answers.answers[0].bindings.find("?text")->text());
+  run_for(300ms);
+  const std::string text = says();
   double x[2];
   double y[2];
   double d[2];
@@ -180,7 +189,7 @@ TEST_P(OwnCamera, AClickOnThePaperIsRefusedWithItsReason) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Sizes, OwnCamera, testing::Values(cv::Size(640, 480), cv::Size(1280, 960)),
-                         [](const auto& info) { return fmt::format("Width{}", info.param.width); });
+                         [](const auto& size) { return fmt::format("Width{}", size.param.width); });
 
 }  // namespace
 }  // namespace pizarra

@@ -40,17 +40,28 @@ bench::Shape projected(const Photograph& photograph, const bench::Shape& shape, 
 // Multiplies the picture with what light falls on it.
 void light_up(cv::Mat1f& picture, const Photograph& photograph) {
   const double reach = std::hypot(picture.cols, picture.rows) / 2;
-  const double edge_px = 0.04 * picture.cols;
+  const double edge_px = 0.1 * picture.cols;
   for (int y = 0; y < picture.rows; ++y) {
     for (int x = 0; x < picture.cols; ++x) {
       const double across = static_cast<double>(x) / picture.cols - 0.5;
       const double away = std::hypot(x - picture.cols / 2.0, y - picture.rows / 2.0) / reach;
-      const double into_shadow = (y - x - 0.25 * picture.rows) / edge_px;
-      const double shaded = 1 - (1 - photograph.shadow) / (1 + std::exp(-into_shadow));
+      const double into_shadow = std::clamp((y - x - 0.25 * picture.rows) / edge_px, -0.5, 0.5);
+      const double shaded = 1 - (1 - photograph.shadow) * (into_shadow + 0.5);
       const double light = photograph.light * (1 - photograph.slope * across) * (1 - 0.25 * away * away) * shaded;
       picture(y, x) *= static_cast<float>(light);
     }
   }
+}
+
+// Drawn once; each row of each picture reads them from a place of its own.
+const std::vector<float>& normal_numbers() {
+  static const std::vector<float> numbers = [] {
+    Random random(77);
+    std::vector<float> out(1 << 16);
+    for (float& number : out) number = static_cast<float>(random.normal());
+    return out;
+  }();
+  return numbers;
 }
 
 }  // namespace
@@ -81,14 +92,15 @@ cv::Mat3b Photograph::take(Random& random) const {
   }
   cv::GaussianBlur(picture, picture, {0, 0}, blur_px);
   light_up(picture, *this);
+  const std::vector<float>& normal = normal_numbers();
   cv::Mat3b out(size);
   for (int y = 0; y < size.height; ++y) {
+    const float* number = normal.data() + random.below(normal.size() - 3 * static_cast<std::size_t>(size.width));
     for (int x = 0; x < size.width; ++x) {
       // A warm lamp: blue is darker than red.
-      const double level = picture(y, x);
       for (int channel = 0; channel < 3; ++channel) {
         const double tint = 0.88 + 0.08 * channel;
-        out(y, x)[channel] = cv::saturate_cast<std::uint8_t>(level * tint + noise * random.normal());
+        out(y, x)[channel] = cv::saturate_cast<std::uint8_t>(picture(y, x) * tint + noise * *number++);
       }
     }
   }

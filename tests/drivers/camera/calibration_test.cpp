@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <gtest/gtest.h>
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgcodecs.hpp>
@@ -8,36 +9,46 @@
 #include "drivers/camera/chessboard.hpp"
 #include "drivers/camera/stereo_geometry.hpp"
 #include "tests/drivers/camera/board_scene.hpp"
+#include "tests/scratch.hpp"
 
 namespace pizarra {
 namespace {
 
-StereoCalibration calibrated(const BoardScene& scene) {
-  std::vector<BoardView> views;
-  for (const cv::Affine3d& pose : board_poses()) {
-    const Result<BoardView> view = find_board(scene.draw(pose, false), scene.draw(pose, true), scene.board);
-    EXPECT_TRUE(view) << view.error().sentence;
-    if (view) views.push_back(*view);
-  }
-  const Result<CalibratedPair> pair = calibrate_pair(views, scene.size, scene.board);
-  EXPECT_TRUE(pair) << pair.error().sentence;
-  return pair->calibration;
+// What a calibration of the drawn scene should be.
+StereoCalibration truth(const BoardScene& scene) {
+  const auto lens = [&](const cv::Matx33d& camera) {
+    LensModel out{camera(0, 0), camera(1, 1), camera(0, 2), camera(1, 2), {}};
+    std::copy_n(scene.distortion.val, 5, out.distortion.begin());
+    return out;
+  };
+  StereoCalibration out{.width = scene.size.width,
+                        .height = scene.size.height,
+                        .left = lens(scene.left),
+                        .right = lens(scene.right),
+                        .board = scene.board,
+                        .pairs = 14,
+                        .reprojection_px = 0.1,
+                        .epipolar_px = 0.05};
+  std::copy_n(scene.between.rotation().val, 9, out.rotation.begin());
+  std::copy_n(scene.between.translation().val, 3, out.translation_mm.begin());
+  return out;
 }
 
-class CalibrationTest : public testing::Test {
- protected:
-  static const StereoCalibration& found() {
-    static const StereoCalibration calibration = calibrated(scene());
-    return calibration;
-  }
-  static const BoardScene& scene() {
-    static const BoardScene scene;
-    return scene;
-  }
-};
+const BoardScene& scene() {
+  static const BoardScene drawn;
+  return drawn;
+}
 
-TEST_F(CalibrationTest, FindsTheCamerasThatDrewTheBoards) {
-  const StereoCalibration& c = found();
+TEST(Calibration, FindsTheCamerasThatDrewTheBoards) {
+  std::vector<BoardView> views;
+  for (const cv::Affine3d& pose : board_poses()) {
+    const Result<BoardView> view = find_board(scene().draw(pose, false), scene().draw(pose, true), scene().board);
+    ASSERT_TRUE(view) << view.error().sentence;
+    views.push_back(*view);
+  }
+  const Result<CalibratedPair> pair = calibrate_pair(views, scene().size, scene().board);
+  ASSERT_TRUE(pair) << pair.error().sentence;
+  const StereoCalibration& c = pair->calibration;
   EXPECT_NEAR(c.left.focal_x_px, scene().left(0, 0), 2);
   EXPECT_NEAR(c.right.focal_x_px, scene().right(0, 0), 2);
   EXPECT_NEAR(c.left.centre_x_px, scene().left(0, 2), 3);
@@ -45,10 +56,11 @@ TEST_F(CalibrationTest, FindsTheCamerasThatDrewTheBoards) {
   EXPECT_NEAR(c.translation_mm[0], scene().between.translation()[0], 0.5);
   EXPECT_LT(c.reprojection_px, 0.15);
   EXPECT_LT(c.epipolar_px, 0.15);
+  EXPECT_EQ(pair->view_errors_px.size(), views.size());
 }
 
-TEST_F(CalibrationTest, RectifiedImagesShowTheBoardInTheSameRowsAndAtItsDistance) {
-  const StereoGeometry geometry(found());
+TEST(Calibration, RectifiedImagesShowTheBoardInTheSameRowsAndAtItsDistance) {
+  const StereoGeometry geometry(truth(scene()));
   const cv::Affine3d pose(cv::Vec3d(0, 0.2, 0.05), cv::Vec3d(-80, -60, 700));
   const cv::Mat left = geometry.rectified(scene().draw(pose, false), StereoGeometry::Side::left);
   const cv::Mat right = geometry.rectified(scene().draw(pose, true), StereoGeometry::Side::right);
@@ -70,23 +82,23 @@ TEST_F(CalibrationTest, RectifiedImagesShowTheBoardInTheSameRowsAndAtItsDistance
   EXPECT_LT(worst_mm, 7) << "1 % of 0.7 m";
 }
 
-TEST_F(CalibrationTest, AFileOfItReadsBackAsItWas) {
-  const Result<StereoCalibration> read = read_calibration(write_calibration(found()), "pair.calibration");
+TEST(Calibration, AFileOfItReadsBackAsItWas) {
+  const Result<StereoCalibration> read = read_calibration(write_calibration(truth(scene())), "pair.calibration");
   ASSERT_TRUE(read) << read.error().sentence << "\n" << read.error().place;
-  EXPECT_EQ(read->width, found().width);
-  EXPECT_NEAR(read->left.focal_x_px, found().left.focal_x_px, 1e-3);
-  EXPECT_NEAR(read->right.distortion[1], found().right.distortion[1], 1e-6);
-  EXPECT_NEAR(read->rotation[2], found().rotation[2], 1e-8);
-  EXPECT_NEAR(read->translation_mm[0], found().translation_mm[0], 1e-3);
-  EXPECT_EQ(read->pairs, found().pairs);
-  const StereoModel as_found = StereoGeometry(found()).model();
+  EXPECT_EQ(read->width, truth(scene()).width);
+  EXPECT_NEAR(read->left.focal_x_px, truth(scene()).left.focal_x_px, 1e-3);
+  EXPECT_NEAR(read->right.distortion[1], truth(scene()).right.distortion[1], 1e-6);
+  EXPECT_NEAR(read->rotation[2], truth(scene()).rotation[2], 1e-8);
+  EXPECT_NEAR(read->translation_mm[0], truth(scene()).translation_mm[0], 1e-3);
+  EXPECT_EQ(read->pairs, truth(scene()).pairs);
+  const StereoModel as_found = StereoGeometry(truth(scene())).model();
   const StereoModel as_read = StereoGeometry(*read).model();
   EXPECT_NEAR(as_found.focal_px, as_read.focal_px, 0.01);
   EXPECT_NEAR(as_found.base_line_mm, as_read.base_line_mm, 0.01);
 }
 
-TEST_F(CalibrationTest, AFaultInAFileIsShownWhereItStands) {
-  std::string text = write_calibration(found());
+TEST(Calibration, AFaultInAFileIsShownWhereItStands) {
+  std::string text = write_calibration(truth(scene()));
   text.replace(text.find("(focal "), 7, "(fokal ");
   const Result<StereoCalibration> read = read_calibration(text, "pair.calibration");
   ASSERT_FALSE(read);
@@ -94,7 +106,7 @@ TEST_F(CalibrationTest, AFaultInAFileIsShownWhereItStands) {
   EXPECT_NE(read.error().place.find("pair.calibration:4:"), std::string::npos) << read.error().place;
 }
 
-TEST_F(CalibrationTest, ImagesWithoutABoardAreNamed) {
+TEST(Calibration, ImagesWithoutABoardAreNamed) {
   const cv::Mat board = scene().draw(board_poses().front(), false);
   const cv::Mat1b nothing(scene().size, 128);
   EXPECT_EQ(find_board(board, nothing, scene().board).error().sentence,
@@ -105,23 +117,37 @@ TEST_F(CalibrationTest, ImagesWithoutABoardAreNamed) {
             "no board of 9 x 6 inner corners in either image");
 }
 
-TEST_F(CalibrationTest, TooFewPairsAreRefused) {
+TEST(Calibration, TooFewPairsAreRefused) {
   const std::vector<BoardView> views(least_views - 1);
   EXPECT_EQ(calibrate_pair(views, scene().size, scene().board).error().symbol, "too-few-pairs");
 }
 
-TEST_F(CalibrationTest, SwappedCamerasAreToldSo) {
+TEST(Calibration, SwappedCamerasAreToldSo) {
+  std::vector<cv::Point3d> corners;
+  for (int i = 0; i < scene().board.columns * scene().board.rows; ++i) {
+    corners.emplace_back(scene().corner(static_cast<std::size_t>(i)));
+  }
   std::vector<BoardView> views;
   for (const cv::Affine3d& pose : board_poses()) {
-    views.push_back(find_board(scene().draw(pose, true), scene().draw(pose, false), scene().board).value());
+    const auto seen = [&](const cv::Affine3d& from, const cv::Matx33d& camera) {
+      std::vector<cv::Point2d> points;
+      cv::projectPoints(corners, from.rvec(), from.translation(), camera, scene().distortion, points);
+      return std::vector<cv::Point2f>(points.begin(), points.end());
+    };
+    views.push_back({seen(scene().between * pose, scene().right), seen(pose, scene().left)});
   }
   EXPECT_EQ(calibrate_pair(views, scene().size, scene().board).error().symbol, "swapped");
 }
 
-TEST_F(CalibrationTest, AnImageOfAnotherSizeCannotBeRectified) {
-  const Result<StereoGeometry> geometry =
-      StereoGeometry::make({.arrangement = CameraSetup::Arrangement::pair, .calibration_file = "/nowhere"}, {320, 240});
-  EXPECT_FALSE(geometry);
+TEST(Calibration, ImagesOfAnotherSizeCannotBeRectified) {
+  const std::string file = scratch_folder() + "other.calibration";
+  std::ofstream(file) << write_calibration(truth(scene()));
+  const CameraSetup setup{.arrangement = CameraSetup::Arrangement::pair, .calibration_file = file};
+  EXPECT_TRUE(StereoGeometry::make(setup, scene().size));
+  const Result<StereoGeometry> geometry = StereoGeometry::make(setup, {320, 240});
+  ASSERT_FALSE(geometry);
+  EXPECT_EQ(geometry.error().symbol, "wrong-size");
+  EXPECT_EQ(geometry.error().sentence, "the camera's images are 320x240, and " + file + " is of 480x360");
 }
 
 // Debian's package opencv-doc has the pairs that OpenCV's own manual calibrates with.

@@ -35,7 +35,7 @@ class Recordings : public testing::Test {
     for (int i = 0; i < frames; ++i) film.write(cv::Mat(size, CV_8UC3, cv::Scalar::all(40 + i % 150)));
   }
   CameraSetup setup(Arrangement arrangement, CameraSource::Kind kind, std::vector<std::string> names) const {
-    CameraSetup out{.arrangement = arrangement, .sources = {}, .calibration_file = {}};
+    CameraSetup out{.arrangement = arrangement};
     for (const std::string& name : names) out.sources.push_back({kind, folder + name});
     if (arrangement != Arrangement::single) {
       out.focal_px = 400;

@@ -25,7 +25,7 @@ class StereoReaderTest : public testing::Test {
   }
   static std::string sentence(const auto& failed) { return failed ? "" : failed.error().sentence; }
 
-  CameraSetup setup{.arrangement = CameraSetup::Arrangement::pair, .sources = {}, .calibration_file = {}};
+  CameraSetup setup{.arrangement = CameraSetup::Arrangement::pair};
   FakeDevice left;
   FakeDevice right;
   Time now{};

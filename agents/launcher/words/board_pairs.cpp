@@ -1,0 +1,109 @@
+#include "agents/launcher/words/board_pairs.hpp"
+
+#include <chrono>
+#include <filesystem>
+#include <fmt/format.h>
+#include <opencv2/imgcodecs.hpp>
+
+#include "drivers/camera/image_files.hpp"
+#include "drivers/camera/stereo_reader.hpp"
+
+namespace pizarra {
+namespace {
+
+class FilePairs : public BoardPairs {
+ public:
+  FilePairs(std::vector<std::string> left, std::vector<std::string> right)
+      : left_(std::move(left)), right_(std::move(right)) {}
+
+  std::optional<Result<ImagePair>> next() override {
+    if (taken_ == left_.size()) return std::nullopt;
+    const std::size_t pair = taken_++;
+    Result<cv::Mat> left = read(left_[pair]);
+    if (!left) return fail(left);
+    Result<cv::Mat> right = read(right_[pair]);
+    if (!right) return fail(right);
+    return ImagePair{std::move(*left), std::move(*right)};
+  }
+  std::string name() const override {
+    const auto name_of = [](const std::string& file) { return std::filesystem::path(file).filename().string(); };
+    return name_of(left_[taken_ - 1]) + " " + name_of(right_[taken_ - 1]);
+  }
+  bool endless() const override { return false; }
+
+ private:
+  static Result<cv::Mat> read(const std::string& file) {
+    cv::Mat image;
+    try {
+      image = cv::imread(file, cv::IMREAD_GRAYSCALE);
+    } catch (const cv::Exception&) {
+      image.release();
+    }
+    return checked_image(std::move(image), file);
+  }
+
+  std::vector<std::string> left_;
+  std::vector<std::string> right_;
+  std::size_t taken_ = 0;
+};
+
+class CameraPairs : public BoardPairs {
+ public:
+  explicit CameraPairs(const CameraSetup& eyes) : reader_(eyes, sources_of(eyes), real_time) { reader_.read_once(); }
+
+  Result<void> open() { return reader_.open(); }
+  std::optional<Result<ImagePair>> next() override {
+    const Result<void> grabbed = reader_.grab();
+    if (!grabbed && grabbed.error().symbol != "corrupt-frame") return std::nullopt;
+    ++taken_;
+    if (!grabbed) return fail(grabbed);
+    Result<StereoImages> images = reader_.retrieve();
+    if (!images) return fail(images);
+    return ImagePair{std::move(images->left), std::move(images->right)};
+  }
+  std::string name() const override { return fmt::format("pair {}", taken_); }
+  bool endless() const override { return reader_.recorded_hz() == 0; }
+
+ private:
+  static StereoReader::Sources sources_of(const CameraSetup& eyes) {
+    StereoReader::Sources out;
+    for (const CameraSource& source : eyes.sources) out.push_back(make_frame_source(source, eyes));
+    return out;
+  }
+  static Time real_time() {
+    return Time(std::chrono::duration_cast<Duration>(std::chrono::steady_clock::now().time_since_epoch()));
+  }
+
+  StereoReader reader_;
+  int taken_ = 0;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<BoardPairs>> BoardPairs::of_files(const std::string& left, const std::string& right) {
+  std::vector<std::string> left_files = image_files_at(left);
+  std::vector<std::string> right_files = image_files_at(right);
+  for (const auto& [files, where] : {std::pair(&left_files, &left), std::pair(&right_files, &right)}) {
+    if (files->empty()) return fail("no-images", fmt::format("there are no images at {}", *where));
+  }
+  if (left_files.size() != right_files.size()) {
+    return fail("uneven", fmt::format("there are {} images at {} and {} at {}; pairs are made in the order of names",
+                                      left_files.size(), left, right_files.size(), right));
+  }
+  return std::make_unique<FilePairs>(std::move(left_files), std::move(right_files));
+}
+
+Result<std::unique_ptr<BoardPairs>> BoardPairs::of_cameras(const CameraSetup& eyes) {
+  using enum CameraSetup::Arrangement;
+  if (eyes.arrangement != pair && eyes.arrangement != side_by_side) {
+    return fail("no-pair",
+                "the cell has no pair of cameras of its own: (camera (pair ...)) or (camera (side-by-side "
+                "...))");
+  }
+  auto pairs = std::make_unique<CameraPairs>(eyes);
+  const Result<void> opened = pairs->open();
+  if (!opened) return fail(opened);
+  return pairs;
+}
+
+}  // namespace pizarra

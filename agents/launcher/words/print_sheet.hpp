@@ -1,0 +1,38 @@
+#pragma once
+
+// A sheet of paper to try the eyes with: marks as drawings in mm, on A4, for a printer.
+//
+//   const Sheet sheet = shapes_sheet();
+//   Result<void> written = write_sheet("shapes.pdf", sheet);     // or .png
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "lisp/result.hpp"
+
+namespace pizarra {
+
+// From the upper left corner, y downwards, mm; black.
+struct Sheet {
+  static constexpr double width_mm = 210;
+  static constexpr double height_mm = 297;
+  struct Text {
+    Eigen::Vector2d at_mm;  // where its first letter stands
+    double height_mm;
+    std::string words;
+  };
+  std::vector<std::vector<Eigen::Vector2d>> areas;  // convex
+  std::vector<Text> texts;
+};
+
+// The four shapes apart, four cubes' faces with theirs between marks to cut along, and a bar of 100 mm.
+Sheet shapes_sheet();
+// The chessboard that `calibrate` looks for unless told otherwise: 10 x 7 squares of 25 mm.
+Sheet board_sheet();
+
+// What a printer prints at real size: PDF in lines, PNG at 300 dots an inch, which it says. By the name's ending.
+// Failures: unknown-format, cannot-write.
+Result<void> write_sheet(const std::string& path, const Sheet& sheet);
+
+}  // namespace pizarra

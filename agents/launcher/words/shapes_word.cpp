@@ -1,0 +1,38 @@
+// `shapes`: something to show to the eyes, from a printer.
+
+#include <fmt/format.h>
+
+#include "agents/launcher/command_line/word_tools.hpp"
+#include "agents/launcher/words/print_sheet.hpp"
+#include "agents/launcher/words/words.hpp"
+
+namespace pizarra {
+namespace {
+
+struct ShapesChoices {
+  std::string file;
+  bool board = false;
+};
+
+int print_shapes(const ShapesChoices& choices) {
+  const Result<void> written = write_sheet(choices.file, choices.board ? board_sheet() : shapes_sheet());
+  if (!written)
+    return complain(written.error(), written.error().symbol == "cannot-write" ? exit_unavailable : exit_usage);
+  fmt::print("{}: an A4 page; print it at 100 %, and measure its bar of 100 mm\n", choices.file);
+  return exit_reached;
+}
+
+}  // namespace
+
+void add_shapes_word(CLI::App& app, int& status) {
+  auto choices = std::make_shared<ShapesChoices>();
+  CLI::App* shapes = app.add_subcommand(
+      "shapes",
+      "Make a sheet to print, for trying the eyes on a camera of your own: the four shapes, and faces for cubes.");
+  shapes->add_option("--print", choices->file, "Write the page here")->required()->type_name("FILE.pdf|FILE.png");
+  shapes->add_flag("--board", choices->board, "Instead: the chessboard that `calibrate` looks for");
+  shapes->footer(help_footer("shapes --print shapes.pdf"));
+  shapes->callback([choices, &status] { status = print_shapes(*choices); });
+}
+
+}  // namespace pizarra

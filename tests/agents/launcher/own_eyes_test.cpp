@@ -1,0 +1,169 @@
+// A camera of one's own, from the shell: the sheet to print, the cell file, the prompt, the calibration.
+
+#include <filesystem>
+#include <fmt/format.h>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <opencv2/imgcodecs.hpp>
+
+#include "tests/agents/launcher/running.hpp"
+#include "tests/agents/launcher/shell.hpp"
+#include "tests/agents/vision/photograph.hpp"
+#include "tests/drivers/camera/board_scene.hpp"
+#include "tests/scratch.hpp"
+#include "tests/source_dir.hpp"
+
+namespace pizarra {
+namespace {
+
+Said run(const std::string& words) {
+  return shell("cd " + scratch_folder() + " && " + PIZARRA_CELL + " " + words + " 2>&1");
+}
+
+bool contains(const Said& said, const std::string& text) { return said.text.find(text) != std::string::npos; }
+
+std::string cell_with(const std::string& name, const std::string& camera) {
+  const std::string file = scratch_folder() + name + ".scm";
+  std::ofstream(file) << "(cell " << name << " (camera " << camera << ") (host \"localhost\" (agents vision)))";
+  return file;
+}
+
+std::string folder_of_photographs() {
+  const std::string folder = scratch_folder() + "photographs/";
+  std::filesystem::create_directories(folder);
+  Random random(3);
+  for (int i = 0; i < 4; ++i) {
+    cv::imwrite(fmt::format("{}{}.jpg", folder, i), Photograph{.tilt_deg = 10}.take(random));
+  }
+  return folder;
+}
+
+TEST(OwnEyes, ASheetIsPrintedAtItsRealSize) {
+  ASSERT_EQ(run("shapes --print shapes.png").status, 0);
+  const std::string bytes = text_of(scratch_folder() + "shapes.png");
+  EXPECT_EQ(bytes.substr(37, 4), "pHYs") << "it says how many dots a metre has";
+  const cv::Mat page = cv::imread(scratch_folder() + "shapes.png", cv::IMREAD_GRAYSCALE);
+  ASSERT_EQ(page.size(), cv::Size(2480, 3508));
+  const double dots_a_mm = 300 / 25.4;
+  const auto at = [&](double x_mm, double y_mm) {
+    return page.at<std::uint8_t>(cvFloor(y_mm * dots_a_mm), cvFloor(x_mm * dots_a_mm));
+  };
+  // The circle of 44 mm around (60, 47), and the face of 60 mm with the same around (60, 168).
+  for (const double middle : {47.0, 168.0}) {
+    EXPECT_EQ(at(60 - 21.8, middle), 0);
+    EXPECT_EQ(at(60 - 22.2, middle), 255);
+    EXPECT_EQ(at(60, middle + 21.8), 0);
+    EXPECT_EQ(at(60, middle + 22.2), 255);
+  }
+  EXPECT_EQ(at(55.2, 284.2), 0) << "the bar begins at 55 mm";
+  EXPECT_EQ(at(54.8, 284.2), 255);
+  EXPECT_EQ(at(154.8, 284.2), 0) << "and ends at 155 mm";
+  EXPECT_EQ(at(155.2, 284.2), 255);
+}
+
+TEST(OwnEyes, APdfLeadsToItsParts) {
+  ASSERT_EQ(run("shapes --board --print board.pdf").status, 0);
+  const std::string pdf = text_of(scratch_folder() + "board.pdf");
+  EXPECT_TRUE(pdf.starts_with("%PDF-1.4\n"));
+  EXPECT_TRUE(pdf.ends_with("%%EOF\n"));
+  const std::size_t table = std::stoul(pdf.substr(pdf.rfind("startxref") + 10));
+  EXPECT_EQ(pdf.substr(table, 5), "xref\n");
+  const std::size_t first = std::stoul(pdf.substr(pdf.find("65535 f \n") + 9, 10));
+  EXPECT_EQ(pdf.substr(first, 7), "1 0 obj");
+}
+
+TEST(OwnEyes, WhatIsNoSheetOrCannotBeWrittenIsToldSo) {
+  const Said unknown = run("shapes --print shapes.doc");
+  EXPECT_EQ(unknown.status, 2);
+  EXPECT_TRUE(contains(unknown, "FILE.pdf")) << unknown.text;
+  EXPECT_EQ(run("shapes --print /proc/shapes.pdf").status, 4);
+}
+
+TEST(OwnEyes, APersonTeachesAndFindsAtThePromptWithPhotographsForACamera) {
+  const std::string cell = cell_with("photos", "(single (images \"" + folder_of_photographs() + "\")) (rate 60)");
+  const Photograph photograph{.tilt_deg = 10};
+  std::string words = "repl " + cell + " --agents vision";
+  for (const PrintedShape& shape : printed_shapes()) {
+    const cv::Point2d at = photograph.seen_at(shape.name);
+    words += fmt::format(" --eval '(vision (learn {:.0f} {:.0f} \"{}\"))'", at.x, at.y, shape.name);
+  }
+  words += " --eval '(vision (find \"cross\"))'";
+  const Said said = run(words);
+  EXPECT_EQ(said.status, 0) << said.text;
+  for (const PrintedShape& shape : printed_shapes()) {
+    EXPECT_TRUE(contains(said, "(LEARN \\\"" + shape.name + "\\\" OK)")) << said.text;
+  }
+  EXPECT_TRUE(contains(said, "(FIND \\\"cross\\\" OK (")) << said.text;
+}
+
+TEST(OwnEyes, ACameraThatIsNotThereIsNamedAndThePromptGoesOn) {
+  const std::string cell = cell_with("blind", "(single (device \"/dev/no-such-camera\"))");
+  const Said said =
+      run("repl " + cell + " --agents vision --eval '(vision (connect))' --eval '(vision (learn 5 5 \"a\"))'" +
+          " --eval '(ask (camera-state ?state ?trouble))'");
+  EXPECT_TRUE(contains(said, "the camera: /dev/no-such-camera cannot be opened")) << said.text;
+}
+
+TEST(OwnEyes, ADemoHasTheSimulatedEyesInAnyCase) {
+  const std::string file = scratch_folder() + "both.scm";
+  std::ofstream(file)
+      << "(cell both (world (cube circle (at 450 0))) (camera (single (device \"/dev/no-such-camera\")))"
+      << " (domain \"" << source_dir() << "/domains/blocks.scm\"))";
+  const Said said = run("demo " + file + " --png '' --goal '(holding circle)'");
+  EXPECT_EQ(said.status, 0) << said.text;
+}
+
+class OwnPair : public testing::Test {
+ protected:
+  // Drawn once, for they take a second.
+  static void SetUpTestSuite() {
+    const BoardScene scene;
+    int number = 10;
+    for (const cv::Affine3d& pose : board_poses()) {
+      cv::imwrite(scratch_folder() + fmt::format("left{}.png", number), scene.draw(pose, false));
+      cv::imwrite(scratch_folder() + fmt::format("right{}.png", number), scene.draw(pose, true));
+      ++number;
+    }
+  }
+};
+
+TEST_F(OwnPair, IsCalibratedFromFilesAndTheFileIsTheCells) {
+  const Said said = run("calibrate 'left*.png' 'right*.png'");
+  ASSERT_EQ(said.status, 0) << said.text;
+  EXPECT_TRUE(contains(said, "left10.png right10.png: board found")) << said.text;
+  EXPECT_TRUE(contains(said, "14 pairs of 480 x 360")) << said.text;
+  const std::string cell = cell_with(
+      "pair", "(pair (images \"left*.png\") (images \"right*.png\")) (rate 60) (calibration \"pair.calibration\")");
+  const Said seen = run("repl " + cell + " --agents vision --eval '(vision (connect))'" +
+                        " --eval '(vision (learn 5 5 \"corner\"))' --eval '(ask (camera-model ?w ?h ?f ?cx ?cy ?b))'");
+  EXPECT_TRUE(contains(seen, "?w = 480")) << seen.text;
+}
+
+TEST_F(OwnPair, IsCalibratedThroughItsOwnCameras) {
+  const std::string cell =
+      cell_with("live", "(pair (images \"left*.png\") (images \"right*.png\")) (focal 400) (base-line 80)");
+  const Said said = run("calibrate --json --out live.calibration --cell " + cell);
+  EXPECT_EQ(said.status, 0) << said.text;
+  EXPECT_TRUE(contains(said, "\"pairs\":14")) << said.text;
+}
+
+TEST_F(OwnPair, ThatCannotBeCalibratedIsToldWhy) {
+  const Said uneven = run("calibrate 'left*.png' 'right1?.png'");
+  EXPECT_EQ(uneven.status, 2);
+  EXPECT_TRUE(contains(uneven, "there are 14 images at left*.png and 10 at right1?.png")) << uneven.text;
+  const Said few = run("calibrate 'left1[0-3].png' 'right1[0-3].png'");
+  EXPECT_EQ(few.status, 1);
+  EXPECT_TRUE(contains(few, "there are 4")) << few.text;
+  const Said none = run("calibrate --columns 12 'left1[01].png' 'right1[01].png'");
+  EXPECT_TRUE(contains(none, "left10.png right10.png: no board of 12 x 6 inner corners in either image")) << none.text;
+  cv::imwrite(scratch_folder() + "small0.png", cv::Mat1b(240, 320, 100));
+  const Said sizes = run("calibrate 'left10.png' 'small0.png'");
+  EXPECT_EQ(sizes.status, 2);
+  EXPECT_TRUE(contains(sizes, "320x240")) << sizes.text;
+  EXPECT_EQ(run("calibrate").status, 2);
+  const Said nowhere = run("calibrate 'nowhere*.png' 'right*.png'");
+  EXPECT_TRUE(contains(nowhere, "there are no images at nowhere*.png")) << nowhere.text;
+}
+
+}  // namespace
+}  // namespace pizarra
