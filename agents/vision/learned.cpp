@@ -27,6 +27,21 @@ bool is_letter(char c) { return lower(c) >= 'a' && lower(c) <= 'z'; }
 
 }  // namespace
 
+std::string tone_of(const LearnedSample& sample) {
+  if (sample.tag) return tag_name(*sample.tag);
+  return sample.tone == MarkTone::dark ? "dark" : "light";
+}
+
+void set_tone(LearnedSample& sample, std::string_view tone) {
+  sample.tone = tone == "light" ? MarkTone::light : MarkTone::dark;
+  sample.tag = tag_called(tone);
+}
+
+const Tag* LearnedObject::tag() const {
+  const auto found = std::ranges::find_if(samples, [](const LearnedSample& sample) { return sample.tag.has_value(); });
+  return found == samples.end() ? nullptr : &*found->tag;
+}
+
 bool same_name(std::string_view a, std::string_view b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) { return lower(x) == lower(y); });
 }
@@ -68,7 +83,7 @@ void LearnedObjects::add(const std::string& name, LearnedSample sample) {
   for (LearnedObject& rival : objects_) {
     if (&rival == &*found) continue;
     for (const LearnedSample& other : rival.samples) {
-      if (other.tone != sample.tone) continue;
+      if (other.tone != sample.tone || other.tag || sample.tag) continue;
       const double error = signature_error(sample.signatures.front(), other.signatures.front());
       found->rival_error = std::min(found->rival_error, error);
       rival.rival_error = std::min(rival.rival_error, error);
@@ -84,9 +99,9 @@ Datum learned_fact(const std::string& name, const LearnedSample& sample) {
 }
 
 Datum learned_template_fact(const std::string& name, const LearnedSample& sample) {
-  return list("learned-template"_sym, name, sample.number,
-              Datum::symbol(sample.tone == MarkTone::dark ? "dark" : "light"), sample.height_px, sample.slimness,
-              sample.roundness, sample.roundness_spread, sample.size_mm, template_to_text(sample.picture));
+  return list("learned-template"_sym, name, sample.number, Datum::symbol(tone_of(sample)), sample.height_px,
+              sample.slimness, sample.roundness, sample.roundness_spread, sample.size_mm,
+              template_to_text(sample.picture));
 }
 
 Result<LearnedSample> sample_from_facts(const Datum& learned, const Datum& learned_template) {
@@ -102,7 +117,7 @@ Result<LearnedSample> sample_from_facts(const Datum& learned, const Datum& learn
   out.perimeter_px = static_cast<int>(learned[4].number());
   out.corners = static_cast<int>(learned[5].number());
   out.moments = {learned[6].number(), learned[7].number(), learned[8].number()};
-  out.tone = learned_template[3].is_symbol("light") ? MarkTone::light : MarkTone::dark;
+  set_tone(out, learned_template[3].text());
   out.height_px = learned_template[4].number();
   out.slimness = learned_template[5].number();
   out.roundness = learned_template[6].number();

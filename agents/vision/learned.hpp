@@ -3,7 +3,8 @@
 // What vision has learned: objects by name, each with one or more samples of its mark. Kept as the durable facts
 //   (learned NAME NUM AREA PERIMETER FEATURES M0 M1 M2)                            the thesis' Table C.1
 //   (learned-template NAME NUM TONE HEIGHT SLIMNESS ROUNDNESS SPREAD SIZE TEMPLATE)    what recognition needs besides
-// so that a restarted agent reads them back; and, where a cell says so, as files too (object_database.hpp).
+// TONE being dark, light, or the tag that it is; so that a restarted agent reads them back; and, where a cell says so,
+// as files too (object_database.hpp).
 //
 //   LearnedObjects objects;
 //   objects.add("circle", sample);                 // again under the same name: a second sample
@@ -15,12 +16,14 @@
 #include <vector>
 
 #include "agents/vision/mark_measure.hpp"
+#include "agents/vision/tag.hpp"
 
 namespace pizarra {
 
 struct LearnedSample {
   int number = 0;  // NUM, from 1
   MarkTone tone = MarkTone::dark;
+  std::optional<Tag> tag = {};  // it is known by this alone
   double area_px = 0;
   int perimeter_px = 0;
   int corners = 0;
@@ -39,6 +42,10 @@ struct LearnedSample {
   void set_picture(const MarkTemplate& new_picture);
 };
 
+// "dark", "light", or its tag's name; and what such a text says.
+std::string tone_of(const LearnedSample& sample);
+void set_tone(LearnedSample& sample, std::string_view tone);
+
 struct LearnedObject {
   std::string name;
   std::vector<LearnedSample> samples;
@@ -46,6 +53,9 @@ struct LearnedObject {
   double roundness_spread = 0;
   // The least signature_error() between its samples and those of the same tone of any other object.
   double rival_error = 2;
+
+  // What it is found by, where one of its samples is a tag.
+  const Tag* tag() const;
 };
 
 inline constexpr std::size_t most_objects = 32;

@@ -5,6 +5,8 @@
 #include <numeric>
 #include <opencv2/imgproc.hpp>
 
+#include "agents/vision/tags.hpp"
+
 namespace pizarra {
 namespace {
 
@@ -21,6 +23,18 @@ std::optional<double> size_mm(StereoSight& sight, const SeenMark& seen) {
   const SeenMark* partner = find_partner(seen, sight.right_segmentation().marks(), std::nullopt);
   if (partner == nullptr) return std::nullopt;
   return size_mm(model, seen, *partner);
+}
+
+// What the thesis' Table C.1 and the template picture say of a square; a tag is found by neither.
+MarkPortrait portrait_of_tag(const cv::Mat& grey, const SeenMark& seen) {
+  MarkPortrait out{.corners = 4, .picture = {}};
+  cv::Mat small;
+  cv::resize(grey(seen.box & cv::Rect({0, 0}, grey.size())), small, {template_size, template_size}, 0, 0,
+             cv::INTER_AREA);
+  // How much of each place is dark.
+  small.convertTo(out.picture, CV_32F, -1.0 / 255, 1);
+  out.moments[0] = seen.roundness;
+  return out;
 }
 
 template <typename Measured>
@@ -86,7 +100,10 @@ Result<void> MarkLearner::fill(const cv::Mat& left) {
     padded(cv::Rect(1, 1, left.cols, left.rows)).copyTo(filled_);
   }
   if (filled_frames_ < frames_per_step) return {};
-  return check_region(segmentation);
+  first_ = tag_at(mean, click_);
+  if (!first_) return check_region(segmentation);
+  contour_ = first_->contour;
+  return {};
 }
 
 Result<void> MarkLearner::check_region(const ImageSegmentation& mean) {
@@ -121,6 +138,10 @@ Result<void> MarkLearner::check_region(const ImageSegmentation& mean) {
 
 Result<void> MarkLearner::measure(StereoSight& sight) {
   ++contour_frames_;
+  if (first_->tag) {
+    measure_tag(sight);
+    return done() ? check_measured() : Result<void>{};
+  }
   const SeenMark* seen = nullptr;
   for (const SeenMark& mark : sight.left_segmentation().marks()) {
     if (mark.tone == first_->tone && cv::norm(mark.centre - first_->centre) < most_motion_px) seen = &mark;
@@ -135,6 +156,19 @@ Result<void> MarkLearner::measure(StereoSight& sight) {
     if (size) sizes_mm_.push_back(*size);
   }
   return done() ? check_measured() : Result<void>{};
+}
+
+void MarkLearner::measure_tag(StereoSight& sight) {
+  const std::optional<SeenPair> seen = sight.find(*first_->tag, first_->centre, most_motion_px);
+  if (!seen || cv::norm(seen->left.centre - first_->centre) > most_motion_px) return;
+  measured_.push_back(seen->left);
+  portraits_.push_back(portrait_of_tag(sight.left(), seen->left));
+  const StereoModel& model = sight.model();
+  if (model.is_single()) {
+    sizes_mm_.push_back(seen->left.height_px * model.learned_at_mm / model.focal_px);
+  } else if (seen->right) {
+    sizes_mm_.push_back(size_mm(model, seen->left, *seen->right));
+  }
 }
 
 Result<void> MarkLearner::check_measured() const {
@@ -155,6 +189,7 @@ LearnedSample MarkLearner::sample() const {
   assert(done() && !measured_.empty());
   LearnedSample out;
   out.tone = first_->tone;
+  out.tag = first_->tag;
   out.area_px = mean_of(measured_, [](const SeenMark& m) { return m.area_px; });
   out.perimeter_px =
       static_cast<int>(std::lround(mean_of(measured_, [](const SeenMark& m) { return m.perimeter_px; })));

@@ -1,7 +1,7 @@
 #pragma once
 
 // Learns a mark from a click: ten frames are averaged while the region around the clicked point is filled, then its
-// contour is followed and measured in ten more.
+// contour is followed and measured in ten more. Where the point lies in a tag, it is the tag that is learned.
 //
 //   MarkLearner learner("circle", {160, 120}, objects);
 //   while (!learner.done()) {
@@ -36,6 +36,7 @@ class MarkLearner {
   Result<void> fill(const cv::Mat& left);
   Result<void> check_region(const ImageSegmentation& mean);
   Result<void> measure(StereoSight& sight);
+  void measure_tag(StereoSight& sight);
   Result<void> check_measured() const;
 
   std::string name_;

@@ -10,20 +10,22 @@
 
 #include "agents/vision/mark_patch.hpp"
 #include "agents/vision/mark_signature.hpp"
+#include "agents/vision/tag.hpp"
 
 namespace pizarra {
 
 struct SeenMark {
   MarkTone tone = MarkTone::dark;
-  cv::Point2d centre;     // grey-weighted, px
-  cv::Rect box;           // around its contour
-  double area_px = 0;     // filled pixels
-  int perimeter_px = 0;   // contour pixels
-  double width_px = 0;    // standard deviation along x
-  double height_px = 0;   // standard deviation along y, which a yawed face keeps
-  double slimness = 0;    // the smaller over the larger principal standard deviation
-  double roundness = 0;   // 1 for a disc, more for any other shape; no view changes it
-  double mark_level = 0;  // grey levels of the mark and of the ground around it
+  std::optional<Tag> tag = {};  // where it is one; its shape then says nothing
+  cv::Point2d centre;           // grey-weighted, px
+  cv::Rect box;                 // around its contour
+  double area_px = 0;           // filled pixels
+  int perimeter_px = 0;         // contour pixels
+  double width_px = 0;          // standard deviation along x
+  double height_px = 0;         // standard deviation along y, which a yawed face keeps
+  double slimness = 0;          // the smaller over the larger principal standard deviation
+  double roundness = 0;         // 1 for a disc, more for any other shape; no view changes it
+  double mark_level = 0;        // grey levels of the mark and of the ground around it
   double ground_level = 0;
   MarkSignature signature;
   MarkContour contour;

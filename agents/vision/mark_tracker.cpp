@@ -74,7 +74,7 @@ std::vector<TrackSighting> MarkTracker::update(StereoSight& sight) {
 }
 
 std::optional<SeenPair> MarkTracker::follow(StereoSight& sight, const Track& track, const LearnedObject& object) const {
-  if (!track.left) return std::nullopt;
+  if (!track.left || object.tag() != nullptr) return std::nullopt;
   SeenPair out;
   std::optional<SeenMark> left = follow_mark(sight.left(), sight.noise(), *track.left, track.expected());
   if (!left) return std::nullopt;

@@ -107,7 +107,7 @@ Result<LearnedSample> ObjectDatabase::sample_of(sqlite::Statement& row, const st
   if (!good_name) return fail("damaged", "the row of the sample is damaged: its name is none");
   LearnedSample out;
   out.number = static_cast<int>(row.integer(1));
-  out.tone = row.text(2) == "light" ? MarkTone::light : MarkTone::dark;
+  set_tone(out, row.text(2));
   out.area_px = row.real(3);
   out.perimeter_px = static_cast<int>(row.integer(4));
   out.corners = static_cast<int>(row.integer(5));
@@ -170,9 +170,10 @@ Result<ObjectDatabase::Leftover> ObjectDatabase::change(const KeepSample& keep) 
   sample.number = known->empty() ? 1 : static_cast<int>(known->back().number) + 1;
   const Result<void> drawn = write_bitmap(bitmap({name, sample.number}), sample.picture, sample.tone);
   if (!drawn) return fail(drawn);
+  const std::string tone = tone_of(sample);
   sqlite::Statement row(database_, "INSERT INTO samples VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   row.bind(1, name).bind(2, std::int64_t{sample.number});
-  row.bind(3, sample.tone == MarkTone::light ? "light" : "dark").bind_real(4, sample.area_px);
+  row.bind(3, tone).bind_real(4, sample.area_px);
   row.bind(5, std::int64_t{sample.perimeter_px}).bind(6, std::int64_t{sample.corners});
   for (int i = 0; i < 3; ++i) row.bind_real(7 + i, sample.moments[static_cast<std::size_t>(i)]);
   row.bind_real(10, sample.height_px).bind_real(11, sample.slimness).bind_real(12, sample.roundness);

@@ -26,6 +26,7 @@ double weight_of_roundness(const LearnedObject& object) {
 }
 
 double sample_error(const SeenMark& mark, const LearnedSample& sample, double weight) {
+  if (mark.tag || sample.tag) return mark.tag == sample.tag ? 0 : impossible;
   if (mark.tone != sample.tone || mark.slimness < least_slimness * sample.slimness) return impossible;
   const double scale = mark.height_px / sample.height_px;
   if (scale < 0.5 || scale > 1.8) return impossible;
@@ -53,7 +54,7 @@ double likeness_error(const LearnedObject& a, const LearnedObject& b) {
   double best = impossible;
   for (const LearnedSample& one : a.samples) {
     for (const LearnedSample& other : b.samples) {
-      if (one.tone != other.tone) continue;
+      if (one.tone != other.tone || one.tag || other.tag) continue;
       const double roundness = roundness_weight * std::abs(one.roundness / other.roundness - 1);
       best = std::min(best, signature_error(one.signatures.front(), other.signatures.front()) + roundness);
     }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "agents/vision/tags.hpp"
+
 namespace pizarra {
 namespace {
 
@@ -14,6 +16,8 @@ constexpr double width_tolerance = 0.05;
 constexpr double widest = 1.1;
 // Nearer than this to the image's edge a mark cannot be measured.
 constexpr double edge_px = 24;
+// How much further than its centre a tag reaches that is looked for nearby.
+constexpr double tag_reach_px = 100;
 // How far beside the border of a mark its tone and the ground's are looked for, and in which share of its rows.
 constexpr int border_slack_px = 3;
 constexpr double least_border_share = 0.7;
@@ -85,6 +89,7 @@ ImageSegmentation& StereoSight::right_segmentation() {
 
 std::optional<SeenPair> StereoSight::find(const LearnedObjects& objects, const LearnedObject& object,
                                           std::optional<cv::Point2d> near, double reach_px) {
+  if (object.tag() != nullptr) return find(*object.tag(), near, reach_px);
   std::vector<SeenMark> candidates;
   for (const SeenMark& mark : left_segmentation().marks()) {
     const bool within = !near || cv::norm(mark.centre - *near) <= reach_px;
@@ -100,6 +105,24 @@ std::optional<SeenPair> StereoSight::find(const LearnedObjects& objects, const L
     candidates.erase(candidates.begin() + (best - candidates.data()));
   }
   return std::nullopt;
+}
+
+std::optional<SeenPair> StereoSight::find(const Tag& tag, std::optional<cv::Point2d> near, double reach_px) {
+  cv::Rect area;
+  if (near) {
+    const int reach = cvCeil(reach_px + tag_reach_px);
+    area = {cvRound(near->x) - reach, cvRound(near->y) - reach, 2 * reach, 2 * reach};
+  }
+  std::optional<SeenMark> left = find_tag(left_, tag, area);
+  if (!left) return std::nullopt;
+  SeenPair out{std::move(*left), std::nullopt, Likeness{.error = 0}};
+  if (model_.is_single()) return out;
+  // In the same rows, as far left as it may be.
+  const int margin = out.left.box.height;
+  const cv::Rect rows(0, out.left.box.y - margin, out.left.box.br().x, out.left.box.height + 2 * margin);
+  std::optional<SeenMark> right = find_tag(right_, tag, rows);
+  if (right && are_tag_partners(out.left, *right)) out.right = std::move(*right);
+  return out;
 }
 
 bool StereoSight::is_cut_off(const LearnedObject& object, const SeenMark& left) {

@@ -47,6 +47,7 @@ class Reading {
  public:
   Reading(const CameraReading& reading, FrameDesk& desk)
       : setup_(reading.setup),
+        calibration_(reading.calibration),
         now_(reading.now),
         desk_(desk),
         reader_(setup_, reading.sources(), now_),
@@ -97,7 +98,7 @@ class Reading {
       return fail("corrupt-frame", fmt::format("the camera's image is {}x{}, and those before were {}x{}", size.width,
                                                size.height, model.width, model.height));
     }
-    Result<StereoGeometry> geometry = StereoGeometry::make(setup_, size);
+    Result<StereoGeometry> geometry = StereoGeometry::make(setup_, calibration_, size);
     if (!geometry) return fail(geometry);
     geometry_ = std::move(*geometry);
     return {};
@@ -117,6 +118,7 @@ class Reading {
   }
 
   const CameraSetup& setup_;
+  const std::optional<StereoCalibration>& calibration_;
   const std::function<Time()>& now_;
   FrameDesk& desk_;
   StereoReader reader_;

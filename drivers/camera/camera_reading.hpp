@@ -5,6 +5,7 @@
 //
 //   read_camera({.setup = setup, .sources = make, .now = now, .first_number = 1}, desk);
 
+#include "drivers/camera/calibration.hpp"
 #include "drivers/camera/frame_desk.hpp"
 #include "drivers/camera/stereo_reader.hpp"
 
@@ -12,6 +13,7 @@ namespace pizarra {
 
 struct CameraReading {
   CameraSetup setup;
+  std::optional<StereoCalibration> calibration;  // what the setup's file says: files are interpreted on one thread
   std::function<StereoReader::Sources()> sources;
   std::function<Time()> now;
   std::uint64_t first_number = 1;

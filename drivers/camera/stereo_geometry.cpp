@@ -28,14 +28,13 @@ StereoModel plain_model(const CameraSetup& setup, cv::Size image) {
 
 }  // namespace
 
-Result<StereoGeometry> StereoGeometry::make(const CameraSetup& setup, cv::Size image) {
-  if (setup.calibration_file.empty()) {
+Result<StereoGeometry> StereoGeometry::make(const CameraSetup& setup,
+                                            const std::optional<StereoCalibration>& calibration, cv::Size image) {
+  if (!calibration) {
     StereoGeometry plain;
     plain.model_ = plain_model(setup, image);
     return plain;
   }
-  const Result<StereoCalibration> calibration = read_calibration_file(setup.calibration_file);
-  if (!calibration) return fail(calibration);
   if (image != cv::Size(calibration->width, calibration->height)) {
     return fail("wrong-size",
                 fmt::format("the camera's images are {}x{}, and {} is of {}x{}", image.width, image.height,

@@ -3,11 +3,12 @@
 // What the pixels of a camera setup mean, and how its images become a rectified pair: distortion taken out, and what
 // one image shows in a row in the same row of the other.
 //
-//   Result<StereoGeometry> geometry = StereoGeometry::make(setup, image.size());
+//   Result<StereoGeometry> geometry = StereoGeometry::make(setup, calibration, image.size());
 //   geometry->model();                                  // for depths
 //   geometry->rectified(image, StereoGeometry::Side::left);
 
 #include <opencv2/core.hpp>
+#include <optional>
 
 #include "drivers/camera/calibration.hpp"
 #include "drivers/camera/stereo_camera.hpp"
@@ -19,8 +20,9 @@ class StereoGeometry {
  public:
   enum class Side : std::uint8_t { left, right };
 
-  // Failures: those of the calibration's file, and wrong-size where that is of other images.
-  static Result<StereoGeometry> make(const CameraSetup& setup, cv::Size image);
+  // `calibration`: what the setup's file says, where it names one. Failure: wrong-size where that is of other images.
+  static Result<StereoGeometry> make(const CameraSetup& setup, const std::optional<StereoCalibration>& calibration,
+                                     cv::Size image);
   explicit StereoGeometry(const StereoCalibration& calibration);
 
   const StereoModel& model() const { return model_; }

@@ -36,7 +36,8 @@ Task<Result<StereoModel>> VideoCamera::open() {
   if (!goes_on) {
     const Result<void> ended = co_await end_reading();
     if (!ended) co_return fail(ended);
-    begin_reading();
+    const Result<void> begun = begin_reading();
+    if (!begun) co_return fail(begun);
   }
   const Time deadline = executor_.now() + longest_opening;
   while (true) {
@@ -62,7 +63,13 @@ Task<Result<void>> VideoCamera::end_reading() {
   co_return Result<void>();
 }
 
-void VideoCamera::begin_reading() {
+Result<void> VideoCamera::begin_reading() {
+  std::optional<StereoCalibration> calibration;
+  if (!setup_.calibration_file.empty()) {
+    Result<StereoCalibration> read = read_calibration_file(setup_.calibration_file);
+    if (!read) return fail(read);
+    calibration = std::move(*read);
+  }
   dropped_before_ = drops();
   auto ring = [&executor = executor_, bell = std::weak_ptr<WaitList>(bell_)] {
     executor.post([bell] {
@@ -70,13 +77,14 @@ void VideoCamera::begin_reading() {
     });
   };
   desk_ = std::make_shared<FrameDesk>(std::move(ring), executor_.now());
-  reading_ = executor_.spawn(read(desk_));
+  reading_ = executor_.spawn(read(desk_, std::move(calibration)));
+  return {};
 }
 
 // The thread owns all it touches, for it may outlive this while a device holds it up.
-Task<void> VideoCamera::read(std::shared_ptr<FrameDesk> desk) {
-  const CameraReading reading{setup_, make_sources_, [&executor = executor_] { return executor.now(); },
-                              last_number_ + 1};
+Task<void> VideoCamera::read(std::shared_ptr<FrameDesk> desk, std::optional<StereoCalibration> calibration) {
+  const CameraReading reading{setup_, std::move(calibration), make_sources_,
+                              [&executor = executor_] { return executor.now(); }, last_number_ + 1};
   std::function<void(const std::function<bool()>&)> work = [reading, desk](const std::function<bool()>&) {
     read_camera(reading, *desk);
   };

@@ -36,8 +36,8 @@ class VideoCamera : public StereoCamera {
 
  private:
   Task<Result<void>> end_reading();
-  void begin_reading();
-  Task<void> read(std::shared_ptr<FrameDesk> desk);
+  Result<void> begin_reading();
+  Task<void> read(std::shared_ptr<FrameDesk> desk, std::optional<StereoCalibration> calibration);
   Duration longest_silence() const;
 
   Executor& executor_;

@@ -16,10 +16,10 @@
 (check "a calibration is read" (interpret (file))
        '(ok ((640 480) (535.9 536 342.3 235.5 -0.26 -0.04 0 0 0.25) (535.9 536 342.3 235.5 -0.26 -0.04 0 0 0.25)
              (1 0 0 0 1 0 0 0 1) (-60 0.1 0.2) (9 6 25) (13 0.3 0.2))))
-(check "what is missing is told" (complaint '((calibration (size 640 480)))) '(6 malformed (0 1)))
+(check "what is missing is told" (complaint '((calibration (size 640 480)))) '(6 malformed (0 2)))
 (check "a rotation is one" (complaint (file '(rotation 1 0 0 0 1 0 0 1 0))) '(1 out-of-range (0 4)))
 (check "two cameras stand beside each other" (complaint (file '(translation 0 0 60))) '(1 out-of-range (0 5)))
 (check "left and right are not swapped" (complaint (file '(translation 60 0 0))) '(1 out-of-range (0 5)))
-(check "a lens has a focal length" (complaint (file '(left (centre 1 2) (distortion 0 0 0 0 0)))) '(1 malformed (0 2 2)))
+(check "a lens has a focal length" (complaint (file '(left (centre 1 2) (distortion 0 0 0 0 0)))) '(1 malformed (0 2 3)))
 
 (finish-checks)

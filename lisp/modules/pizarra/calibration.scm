@@ -18,12 +18,12 @@
   (let ((node (section-in found name)))
     (if node
         (numbers-of node ranges)
-        (complain-missing! parent name "~a is missing" name))))
+        (complain-missing! parent (list name) "~a is missing" name))))
 
 (define (lens-of parent found name)
   (let ((node (section-in found name)))
     (if (not node)
-        (complain-missing! parent name "the ~a camera is missing" name)
+        (complain-missing! parent (list name) "the ~a camera is missing" name)
         (let* ((inside (node-within node (simple-format #f "in the ~a camera" name)))
                (parts (sections (node-rest inside) '(focal centre distortion)))
                (numbers (list (must-have inside parts 'focal (many 2 pixels))

@@ -91,9 +91,9 @@ TEST(OwnEyes, APersonTeachesAndFindsAtThePromptWithPhotographsForACamera) {
   const Said said = run(words);
   EXPECT_EQ(said.status, 0) << said.text;
   for (const PrintedShape& shape : printed_shapes()) {
-    EXPECT_TRUE(contains(said, "(LEARN \\\"" + shape.name + "\\\" OK)")) << said.text;
+    EXPECT_TRUE(contains(said, "(LEARN \"" + shape.name + "\" OK)")) << said.text;
   }
-  EXPECT_TRUE(contains(said, "(FIND \\\"cross\\\" OK (")) << said.text;
+  EXPECT_TRUE(contains(said, "(FIND \"cross\" OK (")) << said.text;
 }
 
 TEST(OwnEyes, ACameraThatIsNotThereIsNamedAndThePromptGoesOn) {

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <gtest/gtest.h>
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgcodecs.hpp>
@@ -141,10 +140,10 @@ TEST(Calibration, SwappedCamerasAreToldSo) {
 
 TEST(Calibration, ImagesOfAnotherSizeCannotBeRectified) {
   const std::string file = scratch_folder() + "other.calibration";
-  std::ofstream(file) << write_calibration(truth(scene()));
   const CameraSetup setup{.arrangement = CameraSetup::Arrangement::pair, .calibration_file = file};
-  EXPECT_TRUE(StereoGeometry::make(setup, scene().size));
-  const Result<StereoGeometry> geometry = StereoGeometry::make(setup, {320, 240});
+  const StereoCalibration calibration = truth(scene());
+  EXPECT_TRUE(StereoGeometry::make(setup, calibration, scene().size));
+  const Result<StereoGeometry> geometry = StereoGeometry::make(setup, calibration, {320, 240});
   ASSERT_FALSE(geometry);
   EXPECT_EQ(geometry.error().symbol, "wrong-size");
   EXPECT_EQ(geometry.error().sentence, "the camera's images are 320x240, and " + file + " is of 480x360");
