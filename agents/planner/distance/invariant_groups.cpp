@@ -10,6 +10,7 @@ namespace pizarra {
 namespace {
 
 constexpr std::size_t max_guesses = 300;
+constexpr ActionIndex actions_between_looks = 4096;
 
 struct Named {
   std::uint32_t predicate = 0;
@@ -27,11 +28,14 @@ using Key = std::vector<std::uint32_t>;  // the objects of one group
 
 class Finder {
  public:
-  Finder(const Problem& problem, const CompactProblem& compact) : compact_(compact) { name_facts(problem); }
+  Finder(const Problem& problem, const CompactProblem& compact, const std::function<bool()>& cancelled)
+      : compact_(compact), cancelled_(cancelled) {
+    name_facts(problem);
+  }
 
   std::vector<std::vector<FactIndex>> run() {
     for (const auto& [predicate, arity] : arities_) guess_alone(predicate, arity);
-    for (std::size_t i = 0; i < guesses_.size() && i < max_guesses; ++i) {
+    for (std::size_t i = 0; i < guesses_.size() && i < max_guesses && !cancelled_(); ++i) {
       const Guess guess = guesses_[i];
       if (proved(guess)) keep_groups(guess);
     }
@@ -89,6 +93,7 @@ class Finder {
 
   bool proved(const Guess& guess) {
     for (ActionIndex action = 0; action < compact_.actions(); ++action) {
+      if (action % actions_between_looks == 0 && cancelled_()) return false;
       for (const FactIndex fact : compact_.adds(action)) {
         const Part* part = part_of(guess, fact);
         if (part == nullptr || needs(action, fact)) continue;
@@ -147,6 +152,7 @@ class Finder {
   }
 
   const CompactProblem& compact_;
+  const std::function<bool()>& cancelled_;
   std::vector<Named> named_;
   std::map<std::uint32_t, std::size_t> arities_;
   std::vector<Guess> guesses_;
@@ -156,8 +162,9 @@ class Finder {
 
 }  // namespace
 
-InvariantGroups::InvariantGroups(const Problem& problem, const CompactProblem& compact)
-    : groups_(Finder(problem, compact).run()) {
+InvariantGroups::InvariantGroups(const Problem& problem, const CompactProblem& compact,
+                                 const std::function<bool()>& cancelled)
+    : groups_(Finder(problem, compact, cancelled).run()) {
   Rows rows;
   for (const std::vector<FactIndex>& group : groups_) rows.add(group);
   groups_of_ = transposed(rows, compact.facts());

@@ -9,13 +9,18 @@
 // (holding X) and (on-table X); it is proved when every action that adds a fact of a group takes another one of it
 // away. A guess that fails is tried again with what the action takes away joined to it (Helmert 2009, section 5).
 
+#include <functional>
+
 #include "agents/planner/distance/compact_problem.hpp"
 
 namespace pizarra {
 
 class InvariantGroups {
  public:
-  InvariantGroups(const Problem& problem, const CompactProblem& compact);
+  // Where it is cancelled, there are fewer of them.
+  InvariantGroups(
+      const Problem& problem, const CompactProblem& compact,
+      const std::function<bool()>& cancelled = [] { return false; });
 
   // Whether the two, different, facts never hold together, as far as it was found out.
   bool exclude(FactIndex a, FactIndex b) const;

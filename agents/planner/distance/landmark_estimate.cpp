@@ -9,6 +9,7 @@ namespace {
 
 constexpr FactIndex nothing = ~FactIndex{0};
 constexpr std::uint32_t unreachable = ~std::uint32_t{0};
+constexpr FactIndex facts_between_looks = 1024;
 // What an event weighs against a fact that has to be made true by one counted already, and what it is worth that a goal
 // can be made true right now: in doubt, finish something before beginning another thing.
 constexpr Distance event_weight = 4;
@@ -35,7 +36,8 @@ std::vector<FactIndex> shared(std::span<const ActionIndex> actions, const auto& 
 
 }  // namespace
 
-LandmarkEstimate::LandmarkEstimate(const CompactProblem& problem, const InvariantGroups& invariants)
+LandmarkEstimate::LandmarkEstimate(const CompactProblem& problem, const InvariantGroups& invariants,
+                                   const std::function<bool()>& cancelled)
     : problem_(problem),
       invariants_(invariants),
       state_(problem.facts()),
@@ -43,13 +45,11 @@ LandmarkEstimate::LandmarkEstimate(const CompactProblem& problem, const Invarian
       marks_(problem.facts()),
       goal_hops_(problem.goals().count(), 0),
       awaited_(invariants.groups().size()) {
-  learn_changes();
   problem.goals().for_each([&](std::size_t goal) { goals_.push_back(static_cast<FactIndex>(goal)); });
-  learn_hops();
-  look_at(problem.initials());
+  if (learn_changes(cancelled) && learn_hops(cancelled)) look_at(problem.initials());
 }
 
-void LandmarkEstimate::learn_changes() {
+bool LandmarkEstimate::learn_changes(const std::function<bool()>& cancelled) {
   const auto preconditions = [&](ActionIndex action) { return problem_.preconditions(action); };
   const auto adds = [&](ActionIndex action) { return problem_.adds(action); };
   const auto put = [&](const auto& row) {
@@ -58,6 +58,7 @@ void LandmarkEstimate::learn_changes() {
     return begin;
   };
   for (FactIndex fact = 0; fact < problem_.facts(); ++fact) {
+    if (fact % facts_between_looks == 0 && cancelled()) return false;
     const std::span<const ActionIndex> adding = problem_.adding(fact), deleting = problem_.deleting(fact);
     const std::vector<FactIndex> needed = shared(deleting, preconditions), added = shared(deleting, adds);
     std::vector<FactIndex> only_needed;
@@ -77,16 +78,19 @@ void LandmarkEstimate::learn_changes() {
     rows.is_goal = problem_.goals().test(fact);
     rows_.push_back(rows);
   }
+  return true;
 }
 
-void LandmarkEstimate::learn_hops() {
+bool LandmarkEstimate::learn_hops(const std::function<bool()>& cancelled) {
   for (const FactIndex goal : goals_) {
+    if (cancelled()) return false;
     hops_of_.emplace_back();
     for (const std::uint32_t group : groups_of(goal)) {
       hops_of_.back().push_back({group, static_cast<std::uint32_t>(hops_.size())});
       std::ranges::copy(hops_to(goal, invariants_.groups()[group]), std::back_inserter(hops_));
     }
   }
+  return true;
 }
 
 // From every fact of the group to the goal, which is one of them, by actions that put one in the other's place.

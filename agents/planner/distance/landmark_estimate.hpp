@@ -23,7 +23,10 @@ using Distance = std::uint32_t;
 
 class LandmarkEstimate {
  public:
-  LandmarkEstimate(const CompactProblem& problem, const InvariantGroups& invariants);
+  // Not to be asked where this was cancelled.
+  LandmarkEstimate(
+      const CompactProblem& problem, const InvariantGroups& invariants,
+      const std::function<bool()>& cancelled = [] { return false; });
 
   void look_at(const Bits& state);
   // Of the state looked at, and of one action beyond it. None: the goals cannot be reached from there.
@@ -31,8 +34,9 @@ class LandmarkEstimate {
   std::optional<Distance> beyond(ActionIndex action);
 
  private:
-  void learn_changes();
-  void learn_hops();
+  // False when they were cancelled.
+  bool learn_changes(const std::function<bool()>& cancelled);
+  bool learn_hops(const std::function<bool()>& cancelled);
   std::vector<std::uint32_t> hops_to(FactIndex goal, std::span<const FactIndex> group) const;
   void set(FactIndex fact);
   void reset(FactIndex fact);

@@ -10,8 +10,10 @@
 namespace pizarra {
 
 struct Nearness {
-  explicit Nearness(const Problem& problem)
-      : compact(problem), invariants(problem, compact), estimate(compact, invariants) {}
+  // Of no use where this was cancelled.
+  explicit Nearness(
+      const Problem& problem, const std::function<bool()>& cancelled = [] { return false; })
+      : compact(problem), invariants(problem, compact, cancelled), estimate(compact, invariants, cancelled) {}
   Nearness(const Nearness&) = delete;
   Nearness& operator=(const Nearness&) = delete;
 

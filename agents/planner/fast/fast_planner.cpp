@@ -158,8 +158,12 @@ class Improvement {
 
 }  // namespace
 
-Outcome FastPlanner::solve(const Problem& problem, const Budget& budget, const std::function<bool()>& cancelled) {
-  Nearness nearness(problem);
+Outcome FastPlanner::solve(const Problem& problem, const Budget& budget,
+                           const std::function<bool()>& caller_cancelled) {
+  bool stopped = false;  // for good: what was given up half-way must not be used
+  const std::function<bool()> cancelled = [&] { return stopped = stopped || caller_cancelled(); };
+  Nearness nearness(problem, cancelled);
+  if (stopped) return ended(Outcome::Kind::cancelled, 0);
   if (std::vector<std::size_t> never = impossible_goals(nearness.compact, nearness.invariants); !never.empty()) {
     Outcome none = ended(Outcome::Kind::none, 0);
     none.culprits = std::move(never);

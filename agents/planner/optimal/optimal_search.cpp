@@ -66,13 +66,15 @@ bool OptimalSearch::prepare(const std::function<bool()>& cancelled) {
   prepared_ = true;
   if (problem_.facts.size() <= most_facts_for_dead_ends) dead_ends_.emplace(problem_, *exclusions_, cancelled);
   if (cancelled()) return false;
-  const std::optional<FactGroup> resource =
-      resource_of_all(problem_, exclusions_->actions(), exclusion_groups(*exclusions_));
+  const std::vector<FactGroup> groups = exclusion_groups(*exclusions_, cancelled);
+  if (cancelled()) return false;
+  const std::optional<FactGroup> resource = resource_of_all(problem_, exclusions_->actions(), groups);
   if (!resource) return true;
   bound_.emplace(problem_, *exclusions_, *resource, cancelled);
-  nearness_.emplace(problem_);
+  nearness_.emplace(problem_, cancelled);
+  if (cancelled()) return false;
   guided_.emplace(problem_, *nearness_, *bound_, dead_ends_ ? &*dead_ends_ : nullptr);
-  return !cancelled();
+  return true;
 }
 
 void OptimalSearch::forget() {

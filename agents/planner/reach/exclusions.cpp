@@ -141,7 +141,7 @@ bool Exclusions::allow(const Bits& facts) const {
   return allowed;
 }
 
-std::vector<FactGroup> exclusion_groups(const Exclusions& exclusions) {
+std::vector<FactGroup> exclusion_groups(const Exclusions& exclusions, const std::function<bool()>& cancelled) {
   std::vector<Bits> uncovered;
   std::vector<std::size_t> open;
   const std::size_t count = exclusions.facts().words().size() * 64;
@@ -151,9 +151,9 @@ std::vector<FactGroup> exclusion_groups(const Exclusions& exclusions) {
     open.push_back(uncovered.back().count());
   }
   std::vector<FactGroup> groups;
-  while (true) {
+  while (!cancelled()) {
     const auto seed = static_cast<std::size_t>(std::ranges::max_element(open) - open.begin());
-    if (open.empty() || open[seed] == 0) return groups;
+    if (open.empty() || open[seed] == 0) break;
     FactGroup group = clique_from(seed, exclusions, uncovered);
     for (const std::size_t fact : group) {
       for (const std::size_t other : group) {
@@ -164,6 +164,7 @@ std::vector<FactGroup> exclusion_groups(const Exclusions& exclusions) {
     }
     groups.push_back(std::move(group));
   }
+  return groups;
 }
 
 }  // namespace pizarra

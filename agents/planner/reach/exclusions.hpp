@@ -38,7 +38,8 @@ class Exclusions {
 };
 
 // Cliques of facts that exclude each other, ascending within, such that every excluded pair stands in one of them;
-// found greedily, the larger ones first.
-std::vector<FactGroup> exclusion_groups(const Exclusions& exclusions);
+// found greedily, the larger ones first. Where it is cancelled, some pairs stand in none.
+std::vector<FactGroup> exclusion_groups(
+    const Exclusions& exclusions, const std::function<bool()>& cancelled = [] { return false; });
 
 }  // namespace pizarra

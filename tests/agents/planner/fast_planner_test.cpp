@@ -1,11 +1,13 @@
 #include "agents/planner/fast/fast_planner.hpp"
 
 #include <algorithm>
+#include <ctime>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <new>
+#include <utility>
 
-#include "agents/planner/distance/invariant_groups.hpp"
+#include "agents/planner/distance/nearness.hpp"
 #include "agents/planner/fast/hill_climbing.hpp"
 #include "agents/planner/fast/plan_reordering.hpp"
 #include "agents/planner/judge/breadth_first.hpp"
@@ -276,6 +278,33 @@ TEST(FastPlanner, ShortensAPlanBeforeItTriesToProveItTheShortest) {
     shortened += actions_of(outcome);
   }
   EXPECT_LT(shortened, first);
+}
+
+// The longest time of the processor between two looks at whether it is cancelled, until this many of them.
+std::clock_t longest_silence(const Problem& problem, std::size_t looks) {
+  std::clock_t before = std::clock(), longest = 0;
+  const auto cancelled = [&] {
+    const std::clock_t now = std::clock();
+    longest = std::max(longest, now - std::exchange(before, now));
+    return looks == 0 || --looks == 0;
+  };
+  EXPECT_EQ(FastPlanner().solve(problem, Budget{}, cancelled).kind, Outcome::Kind::cancelled);
+  return longest;
+}
+
+TEST(FastPlanner, HearsOfItsCancellationWhileItLearnsTheProblem) {
+  Random random(8);
+  const Problem problem = ground(random_blocks(200, random)).value();
+  const std::clock_t begin = std::clock();
+  EXPECT_TRUE(Nearness(problem).estimate.here());
+  const std::clock_t learning = std::clock() - begin;
+  EXPECT_LT(2 * longest_silence(problem, 100), learning);
+}
+
+TEST(FastPlanner, CanBeCancelledWhereverItIs) {
+  Random random(9);
+  const Problem problem = ground(random_blocks(30, random)).value();
+  for (std::size_t looks = 1; looks < 60; ++looks) longest_silence(problem, looks);
 }
 
 TEST(InvariantGroups, NeverHoldTogetherOnAnyWay) {
