@@ -27,18 +27,19 @@ void say_after_a_while(PlannerBench& bench, const std::string& name, std::size_t
   const double time_s = blocks == 200 ? 10 : 1;
   const auto plan = bench.measure(task, Mode::fast, time_s);
   const std::size_t greedy = blocks_greedy_actions(task);
-  Goal goal = at_most(static_cast<double>(greedy), "<= a near-sighted greedy's");
-  if (better_greedy) goal = at_most(*better_greedy, "<= a far-sighted greedy's");
+  Goal goal = at_most(static_cast<double>(greedy), fmt::format("<= {}, near-sighted greedy", greedy));
+  if (better_greedy) goal = at_most(*better_greedy, fmt::format("<= {}, far-sighted greedy", *better_greedy));
   if (blocks == 20) {
     const auto optimum = bench.measure(task, Mode::optimal, bench.limit_s);
-    goal = optimum ? at_most(1.05 * static_cast<double>(optimum->actions), "<= 1.05 x the optimum")
+    goal = optimum ? at_most(1.05 * static_cast<double>(optimum->actions),
+                             fmt::format("<= 1.05 x {}, the optimum", optimum->actions))
                    : not_comparable("no optimum within the limit");
   }
   bench.figures.say({fmt::format("{}, after {} s", name, time_s),
                      plan ? std::optional(static_cast<double>(plan->actions)) : std::nullopt,
                      "actions",
                      goal,
-                     {{"greedy", static_cast<double>(greedy)}},
+                     {{"near-sighted greedy", static_cast<double>(greedy)}},
                      plan ? note_of(*plan) : "no plan"});
 }
 

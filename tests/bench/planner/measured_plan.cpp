@@ -1,6 +1,7 @@
 #include "tests/bench/planner/measured_plan.hpp"
 
 #include <chrono>
+#include <ctime>
 #include <fmt/format.h>
 #include <poll.h>
 #include <sstream>
@@ -21,15 +22,18 @@ constexpr double grace_s = 5;
 
 using Clock = std::chrono::steady_clock;
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 // A line for the parent: "-" without a plan.
 std::string plan_line(const PlanningTask& task, Mode mode, double limit_s) {
   const Clock::time_point start = Clock::now();
+  const double cpu_start_s = cpu_seconds();
   const Result<Problem> problem = ground(task);
   if (!problem) return "-\n";
-  double first_s = 0;
+  double first_s = 0, cpu_s = 0;
   const auto better = [&](const Outcome&) {
     if (first_s == 0) first_s = seconds_since(start);
+    cpu_s = cpu_seconds() - cpu_start_s;
   };
   FastPlanner fast({.seed = 1, .better = better, .first_only = mode == Mode::fast_first});
   OptimalPlanner optimal;
@@ -37,11 +41,12 @@ std::string plan_line(const PlanningTask& task, Mode mode, double limit_s) {
   const Budget unlimited{.nodes = std::size_t{1} << 60, .levels = std::size_t{1} << 30, .bytes = std::size_t{1} << 30};
   const Outcome outcome = engine.solve(*problem, unlimited, [&] { return seconds_since(start) > limit_s; });
   const double seconds = first_s > 0 ? first_s : seconds_since(start);
+  if (first_s == 0) cpu_s = cpu_seconds() - cpu_start_s;
   const double memory_mb = peak_memory_mb();
   if (outcome.kind != Outcome::Kind::plan || !validate_plan(task, steps_of(*problem, outcome.steps))) return "-\n";
   std::size_t actions = 0;
   for (const std::vector<std::size_t>& step : outcome.steps) actions += step.size();
-  return fmt::format("{} {} {} {} {}\n", seconds, memory_mb, actions, outcome.steps.size(), outcome.engine);
+  return fmt::format("{} {} {} {} {} {}\n", seconds, cpu_s, memory_mb, actions, outcome.steps.size(), outcome.engine);
 }
 
 }  // namespace
@@ -55,14 +60,14 @@ std::optional<MeasuredPlan> measured(const PlanningTask& task, Mode mode, double
   if (poll(&waiting, 1, static_cast<int>((limit_s + grace_s) * 1000)) != 1) return std::nullopt;
   MeasuredPlan plan;
   std::istringstream line(child.pipe().hear_line());
-  if (!(line >> plan.seconds >> plan.memory_mb >> plan.actions >> plan.steps)) return std::nullopt;
+  if (!(line >> plan.seconds >> plan.cpu_s >> plan.memory_mb >> plan.actions >> plan.steps)) return std::nullopt;
   line >> plan.engine;
   return plan;
 }
 
 std::string note_of(const MeasuredPlan& plan) {
-  return fmt::format("{} actions in {} steps, {}, {:.0f} MB", plan.actions, plan.steps,
-                     plan.engine.empty() ? "optimal" : plan.engine, plan.memory_mb);
+  return fmt::format("{} actions in {} steps, {}, CPU {:.4g} ms, {:.0f} MB", plan.actions, plan.steps,
+                     plan.engine.empty() ? "optimal" : plan.engine, plan.cpu_s * 1000, plan.memory_mb);
 }
 
 }  // namespace pizarra::bench

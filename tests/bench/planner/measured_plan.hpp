@@ -3,7 +3,7 @@
 // One plan, made in a process of its own, so that its memory is its own.
 //
 //   const std::optional<MeasuredPlan> plan = measured(task, Mode::fast, 1.0);
-//   note_of(plan);        // "46 actions in 46 steps, fast, 5 MB"
+//   note_of(plan);        // "46 actions in 46 steps, fast, CPU 12.3 ms, 5 MB"
 
 #include <optional>
 #include <string>
@@ -16,6 +16,7 @@ enum class Mode { optimal, fast_first, fast };
 
 struct MeasuredPlan {
   double seconds = 0;  // with grounding; of the first plan in fast mode
+  double cpu_s = 0;    // of processor time, until this plan was found, the last one in fast mode
   double memory_mb = 0;
   std::size_t actions = 0;
   std::size_t steps = 0;
