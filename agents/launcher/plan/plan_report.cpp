@@ -46,7 +46,7 @@ std::string readable_text(const PlanReport& report) {
   return out + fmt::format("{}{}, {}{}; {}, {:.3f} s{}\n", counted(report.steps.size(), "step"),
                            report.fewest_steps ? " (as few as can be)" : "",
                            counted(action_count(report.steps), "action"), cost, report.engine, report.seconds,
-                           report.out_of_memory ? "; memory ended the search for a shorter one" : "");
+                           report.out_of_memory ? "; with more memory it might be shorter" : "");
 }
 
 std::string json_text(const PlanReport& report) {

@@ -9,6 +9,7 @@
 #include "agents/planner/explanation/no_plan.hpp"
 #include "agents/planner/task/grounding.hpp"
 #include "agents/planner/task/notation.hpp"
+#include "lisp/nearest.hpp"
 #include "lisp/pattern.hpp"
 #include "lisp/writer.hpp"
 
@@ -94,7 +95,8 @@ class WhyNever {
     const std::string misfit = ways.empty() ? misfit_for(wanted) : std::string();
     if (!misfit.empty()) return misfit;
     if (ways.empty()) {
-      return fmt::format("{} neither holds at the beginning nor is brought about by any operator", text_of(wanted));
+      return fmt::format("{} neither holds at the beginning nor is brought about by any operator{}", text_of(wanted),
+                         name_meant(wanted.head()));
     }
     for (const Way& way : ways) {
       const std::string& name = way.by.name;
@@ -162,6 +164,18 @@ class WhyNever {
       if (function.is_list() && !task_.values.contains(function)) return function;
     }
     return std::nullopt;
+  }
+
+  // Where nothing is declared, what nothing brings about may be a slip of the pen.
+  std::string name_meant(std::string_view predicate) const {
+    if (!task_.angles) return {};
+    std::set<std::string> known;
+    for (const Datum& fact : initials_) known.emplace(fact.head());
+    for (const PlanningOperator& op : task_.operators) {
+      for (const Datum& added : op.adds) known.emplace(added.head());
+    }
+    const std::string nearest = known.contains(std::string(predicate)) ? "" : nearest_name(predicate, known);
+    return nearest.empty() ? nearest : fmt::format("; the nearest is {}", nearest);
   }
 
   void look_later(const Datum& wanted, std::size_t needed_by) {

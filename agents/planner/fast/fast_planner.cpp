@@ -119,6 +119,7 @@ class Improvement {
         plan.push_back(static_cast<ActionIndex>(step.front()));
       keep(plan);
     }
+    if (shortest.lacked_memory()) note_out_of_memory();
     return best_.shortest = shortest.proved();
   }
 

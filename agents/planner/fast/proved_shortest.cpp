@@ -24,7 +24,8 @@ std::vector<FactGroup> wide(const std::vector<std::vector<FactIndex>>& groups) {
 
 std::optional<Outcome> ProvedShortest::shorter_than(std::size_t actions) {
   const std::size_t table_bytes = problem_.facts.size() * problem_.facts.size() / 8;
-  if (table_bytes > std::min(most_table_bytes, effort_.bytes() / 4)) return std::nullopt;
+  lacked_memory_ = table_bytes <= most_table_bytes && table_bytes > effort_.bytes() / 4;
+  if (lacked_memory_ || table_bytes > most_table_bytes) return std::nullopt;
   const std::vector<FactGroup> groups = wide(nearness_.invariants.groups());
   const Exclusions exclusions(problem_, groups);
   const std::optional<FactGroup> resource = resource_of_all(problem_, exclusions.actions(), groups);

@@ -23,12 +23,14 @@ class ProvedShortest {
   // None: there is none, or it would take too long, or the problem is not of the kind.
   std::optional<Outcome> shorter_than(std::size_t actions);
   bool proved() const { return proved_; }
+  bool lacked_memory() const { return lacked_memory_; }
 
  private:
   const Problem& problem_;
   Nearness& nearness_;
   Effort& effort_;
   bool proved_ = false;
+  bool lacked_memory_ = false;
 };
 
 }  // namespace pizarra

@@ -67,7 +67,7 @@ struct Outcome {
   std::size_t nodes = 0;         // work done
   std::string_view engine = {};  // which search answered, where there are several; a literal
   bool shortest = false;         // a plan's: proved that none has fewer steps, nor fewer actions
-  bool out_of_memory = false;    // a plan's: that ended the search for a shorter one
+  bool out_of_memory = false;    // a plan's: with more of it the plan might be shorter
 };
 
 class PlanEngine {

@@ -102,6 +102,17 @@ TEST(Plan, ThatCannotBeIsTracedToWhatIsMissing) {
             "(plugged a), and (plugged a) neither holds at the beginning nor is brought about by any operator\n");
 }
 
+// Nothing is declared in the thesis' files.
+TEST(Plan, ThatCannotBeForASlipOfThePenNamesTheNearest) {
+  const std::string operators = file("slip", R"(
+    (operator TAKE (params (<x> LAMP)) (preconds (free)) (effects (holding <x>)))
+    (operator LIGHT (params (<x> LAMP)) (preconds (holdin <x>)) (effects (lit <x>))))");
+  const std::string facts = file("slip-facts", "(types (a LAMP)) (initials (free)) (goals (lit a))");
+  EXPECT_EQ(shell(fmt::format("{} plan {} {} 2>&1", PIZARRA_PLAN, operators, facts)).text,
+            "pizarra: no plan exists: (lit a) can never hold from here: (lit a) needs (holdin a), and (holdin a) "
+            "neither holds at the beginning nor is brought about by any operator; the nearest is holding\n");
+}
+
 // What stands behind "can never hold from here: ".
 std::string why(const std::string& facts, const std::string& goal) {
   const std::string text = file(
@@ -436,7 +447,16 @@ TEST(Plan, EndsInASentenceWhereMemoryIsTooLittle) {
     EXPECT_NE(said.text.find(fmt::format("no plan was found within {} MB of memory", memory_mb)), std::string::npos)
         << mode << said.text;
   }
-  EXPECT_EQ(plan_for_many_blocks("--fast --memory 200").status, 0);
+}
+
+TEST(Plan, SaysWhereMoreMemoryMightMakeItShorter) {
+  constexpr std::string_view more = "; with more memory it might be shorter\n";
+  const Said little = plan_for_many_blocks("--fast --memory 30 --time 3");
+  EXPECT_EQ(little.status, 0) << little.text;
+  EXPECT_TRUE(little.text.ends_with(more)) << little.text;
+  const Said much = plan_for_many_blocks("--fast --memory 200");
+  EXPECT_EQ(much.status, 0) << much.text;
+  EXPECT_EQ(much.text.find(more), much.text.npos) << much.text;
 }
 
 }  // namespace
