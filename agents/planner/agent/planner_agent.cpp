@@ -1,6 +1,7 @@
 #include "agents/planner/agent/planner_agent.hpp"
 
 #include <atomic>
+#include <mutex>
 #include <optional>
 
 #include "agents/planner/agent/planner_forms.hpp"
@@ -27,11 +28,16 @@ constexpr std::string_view contract_text = R"(
 constexpr Duration search_cost = 20ms;
 constexpr Duration retry_pause = 200ms;
 
-// One search. The worker may outlive the agent, so it owns what it reads and writes; what was learned comes back with
-// the result.
+// What one search after another learns. One that was abandoned may not have ended yet when the next begins.
+struct SharedReplanner {
+  std::mutex in_use;
+  Replanner replanner;
+};
+
+// One search. The worker may outlive the agent, so it owns what it reads and writes.
 struct Search {
   PlanningTask task;
-  Replanner replanner;
+  std::shared_ptr<SharedReplanner> shared;
   Budget budget;
   std::atomic<bool> abandoned = false;
   Result<ReadyPlan> result = ReadyPlan{};
@@ -40,7 +46,8 @@ struct Search {
 std::function<void(const std::function<bool()>&)> work_of(std::shared_ptr<Search> search) {
   return [search = std::move(search)](const std::function<bool()>& cancelled) {
     const auto stopped = [&] { return search->abandoned || cancelled(); };
-    search->result = search->replanner.plan(search->task, search->budget, stopped);
+    const std::lock_guard<std::mutex> mine(search->shared->in_use);
+    search->result = search->shared->replanner.plan(search->task, search->budget, stopped);
   };
 }
 
@@ -66,7 +73,7 @@ struct PlannerAgent::State {
   std::optional<std::vector<PlanningOperator>> operators;
   std::optional<PlanningFacts> facts;
   std::shared_ptr<Search> search;  // the one under way
-  Replanner replanner;             // at rest, while no search has it
+  const std::shared_ptr<SharedReplanner> shared = std::make_shared<SharedReplanner>();
   std::optional<std::vector<Datum>> plan;
   bool started = false;
 };
@@ -143,14 +150,13 @@ Task<Result<Datum>> PlannerAgent::State::get_plan() {
   const std::shared_ptr<Search> mine = std::make_shared<Search>();
   mine->task = PlanningTask{*operators, facts->objects, facts->initials, facts->goals};
   mine->budget = budget;
-  mine->replanner = std::move(replanner);
+  mine->shared = shared;
   search = mine;
   co_await tell_state("planning", Datum::list(facts->goals));
   std::function<void(const std::function<bool()>&)> work = work_of(mine);
   co_await context.executor.offload(std::move(work), search_cost);
   if (search != mine) co_return fail("cancelled", "something else is to be planned now");
   search.reset();
-  replanner = std::move(mine->replanner);
   if (!mine->result) {
     const Failure failure = as_asked(mine->result.error());
     co_await tell_state("no-plan", failure_to_datum(failure));

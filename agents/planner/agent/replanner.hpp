@@ -1,7 +1,8 @@
 #pragma once
 
 // Plans for one task after another, and cheaply where only the initial facts have changed since the last: the grounded
-// problem and what was learned of it are kept, and a state that the last plan comes through is planned for already.
+// problem and what was learned of it are kept, and a state that the last plan comes through is planned for already. A
+// plan made fast is kept wherever an end of it works, and repaired where a few actions lead back to it.
 //
 //   Replanner replanner;
 //   Result<ReadyPlan> plan = replanner.plan(task, Budget{}, cancelled);
@@ -15,21 +16,22 @@
 #include <map>
 #include <optional>
 
+#include "agents/planner/fast/fast_planner.hpp"
+#include "agents/planner/fast/last_plan.hpp"
 #include "agents/planner/optimal/optimal_search.hpp"
-#include "agents/planner/task/plan_mode.hpp"
 
 namespace pizarra {
 
 struct ReadyPlan {
   PlanSteps steps;
   PlanMode mode = PlanMode::optimal;  // optimal: no plan has fewer parallel steps
-  std::string_view engine;            // `kept`: the end of the last plan; else the search that found it
-  std::size_t nodes = 0;              // work done
+  std::string_view engine;  // `kept`: the end of the last plan; `repaired`: with a way back to it; else the search
+  std::size_t nodes = 0;    // work done
 };
 
 class Replanner {
  public:
-  // The failures of ground(), explain() and validate_plan().
+  // The failures of ground(), explain() and validate_plan(). One that is cancelled forgets nothing of the task.
   Result<ReadyPlan> plan(const PlanningTask& task, const Budget& budget, const std::function<bool()>& cancelled);
 
  private:
@@ -39,16 +41,22 @@ class Replanner {
     PlanningTask task;
     Problem problem;
     std::optional<OptimalSearch> search;  // none: the problem is too large
+    std::optional<Nearness> nearness;     // for plans made fast, when first needed
+    // Of the facts, as far as the problem goes: those that can hold, and those that held at first and cannot end.
+    Bits possible, lasting;
     std::map<Datum, std::size_t> fact_index;
-    std::vector<Datum> fixed;                // initial facts that are not among the problem's
-    PlanMode last_mode = PlanMode::optimal;  // of the last plan
-    std::vector<std::vector<std::size_t>> last_steps;
-    std::vector<Bits> last_states;  // before every step of it, and after the last
+    std::vector<Datum> fixed;  // initial facts that are not among the problem's
+    std::optional<LastPlan> last;
   };
   bool begin_from(const std::vector<Datum>& initials);
-  std::optional<Outcome> end_of_last_plan() const;
-  Outcome search(const Budget& budget, const std::function<bool()>& cancelled);
-  void remember(const Outcome& outcome);
+  // A plan, and of which mode it is.
+  struct Found {
+    Outcome outcome;
+    PlanMode mode = PlanMode::optimal;
+  };
+  std::optional<Found> rest_of_last_plan() const;
+  Found search(const Budget& budget, const std::function<bool()>& cancelled);
+  Outcome search_fast(const Budget& budget, const std::function<bool()>& cancelled);
 
   std::unique_ptr<Known> known_;
 };

@@ -29,6 +29,7 @@ class CompactProblem {
   std::span<const ActionIndex> adding(FactIndex fact) const { return adding_[fact]; }
   std::span<const ActionIndex> deleting(FactIndex fact) const { return deleting_[fact]; }
   const Bits& initials() const { return initials_; }
+  void begin_from(const Bits& initials) { initials_ = initials; }
   const Bits& goals() const { return goals_; }
 
   bool applicable(ActionIndex action, const Bits& state) const {

@@ -170,6 +170,12 @@ InvariantGroups::InvariantGroups(const Problem& problem, const CompactProblem& c
   groups_of_ = transposed(rows, compact.facts());
 }
 
+bool InvariantGroups::hold_in(const Bits& state) const {
+  return std::ranges::all_of(groups_, [&](const std::vector<FactIndex>& group) {
+    return std::ranges::count_if(group, [&](FactIndex fact) { return state.test(fact); }) <= 1;
+  });
+}
+
 bool InvariantGroups::exclude(FactIndex a, FactIndex b) const {
   const std::span<const std::uint32_t> of_a = groups_of_[a], of_b = groups_of_[b];
   auto i = of_a.begin();

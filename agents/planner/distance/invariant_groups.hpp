@@ -24,6 +24,8 @@ class InvariantGroups {
 
   // Whether the two, different, facts never hold together, as far as it was found out.
   bool exclude(FactIndex a, FactIndex b) const;
+  // Whether at most one fact of each group holds: then the same is true of all states that can be reached from there.
+  bool hold_in(const Bits& state) const;
   std::span<const std::uint32_t> groups_of(FactIndex fact) const { return groups_of_[fact]; }
   const std::vector<std::vector<FactIndex>>& groups() const { return groups_; }
 

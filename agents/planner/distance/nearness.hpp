@@ -4,6 +4,7 @@
 //
 //   Nearness nearness(problem);
 //   nearness.estimate.look_at(state);
+//   if (nearness.begin_from(elsewhere)) ...         // of the same problem, with other initial facts
 
 #include "agents/planner/distance/landmark_estimate.hpp"
 
@@ -17,7 +18,13 @@ struct Nearness {
   Nearness(const Nearness&) = delete;
   Nearness& operator=(const Nearness&) = delete;
 
-  const CompactProblem compact;
+  // False where what was proved does not hold from there: it must then not be used.
+  bool begin_from(const Bits& initials) {
+    compact.begin_from(initials);
+    return invariants.hold_in(initials);
+  }
+
+  CompactProblem compact;
   const InvariantGroups invariants;
   LandmarkEstimate estimate;
 };

@@ -86,6 +86,12 @@ class Improvement {
     if (options_.better) options_.better(best_);
   }
 
+  // Until the effort is spent, or many attempts were in vain.
+  void reorder_only() {
+    while (reorder(vain_attempts)) {
+    }
+  }
+
   // Until the effort is spent, or nothing is left to look at.
   void run() {
     reorder(first_attempts());
@@ -165,6 +171,20 @@ Outcome FastPlanner::solve(const Problem& problem, const Budget& budget,
   const std::function<bool()> cancelled = [&] { return stopped = stopped || caller_cancelled(); };
   Nearness nearness(problem, cancelled);
   if (stopped) return ended(Outcome::Kind::cancelled, 0);
+  return solve(problem, nearness, budget, cancelled);
+}
+
+Outcome FastPlanner::shorten(const Problem& problem, Nearness& nearness, const std::vector<ActionIndex>& plan,
+                             const Budget& budget, const std::function<bool()>& cancelled) {
+  Effort effort(budget, cancelled);
+  Improvement improvement(problem, nearness, effort, options_);
+  improvement.keep(plan);
+  improvement.reorder_only();
+  return improvement.best();
+}
+
+Outcome FastPlanner::solve(const Problem& problem, Nearness& nearness, const Budget& budget,
+                           const std::function<bool()>& cancelled) {
   if (std::vector<std::size_t> never = impossible_goals(nearness.compact, nearness.invariants); !never.empty()) {
     Outcome none = ended(Outcome::Kind::none, 0);
     none.culprits = std::move(never);

@@ -13,7 +13,7 @@
 // nothing out: the plan is then as short as can be. A call that is cancelled, or spends its budget, after the first
 // plan was found answers its best one; so does one to which std::bad_alloc happens.
 
-#include "agents/planner/task/problem.hpp"
+#include "agents/planner/distance/nearness.hpp"
 
 namespace pizarra {
 
@@ -30,6 +30,13 @@ class FastPlanner : public PlanEngine {
   // Budget::nodes counts states whose distance is asked, and actions redone. The culprits of `none` are those that the
   // invariants name (impossible_goals.hpp), or all the goals.
   Outcome solve(const Problem& problem, const Budget& budget, const std::function<bool()>& cancelled) override;
+  // With what is known of the problem, which begins where the problem does.
+  Outcome solve(const Problem& problem, Nearness& nearness, const Budget& budget,
+                const std::function<bool()>& cancelled);
+  // Of a plan of the problem, what is needed, in as few actions as trying other orders gives. Neither beams nor proofs
+  // are tried.
+  Outcome shorten(const Problem& problem, Nearness& nearness, const std::vector<ActionIndex>& plan,
+                  const Budget& budget, const std::function<bool()>& cancelled);
 
  private:
   const FastPlannerOptions options_;

@@ -140,6 +140,19 @@ TEST(PlannerAgent, KeepsWhatIsLeftOfItsPlanWhenTheFactsAreThoseItExpects) {
   EXPECT_EQ(cell.state(), "planned (optimal kept (((PICK-UP circle)) ((STACK circle square))))");
 }
 
+TEST(PlannerAgent, KeepsWhatIsLeftOfItsPlanWhenASearchWasCancelledMeanwhile) {
+  Cell cell;
+  cell.call(operators);
+  cell.call(facts("(on circle square)"));
+  cell.call("(get-plan)");
+  const std::string cancelled = cell.ask("(get-plan)");
+  cell.call(facts("(on circle square)"));
+  EXPECT_EQ(cell.call("(get-plan)"),
+            "(ok (((UNSTACK square circle)) ((PUT-DOWN square)) ((PICK-UP circle)) ((STACK circle square))))");
+  EXPECT_EQ(form(cell.reply(cancelled))[1], "cancelled"_sym);
+  EXPECT_EQ(cell.state().substr(0, 21), "planned (optimal kept");
+}
+
 TEST(PlannerAgent, NeverAnswersANewGoalOrAVanishedObjectWithTheOldPlan) {
   Cell cell;
   cell.call(operators);
