@@ -1,9 +1,8 @@
 #include "tests/bench/blackboard/kept_facts.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <fmt/format.h>
-#include <system_error>
-#include <unistd.h>
 
 #include "lisp/reader.hpp"
 
@@ -21,13 +20,9 @@ Task<void> tell_on(Board& board, int& next, int transactions, const std::functio
 
 }  // namespace
 
-JournalFolder::JournalFolder() : path_(std::filesystem::temp_directory_path() / "pizarra-bench-journal-XXXXXX") {
-  if (mkdtemp(path_.data()) == nullptr) throw std::system_error(errno, std::generic_category(), "mkdtemp");
-}
-
 double JournalFolder::megabytes() const {
   std::uintmax_t bytes = 0;
-  for (const auto& file : std::filesystem::directory_iterator(path_)) bytes += file.file_size();
+  for (const auto& file : std::filesystem::directory_iterator(folder_.path())) bytes += file.file_size();
   return static_cast<double>(bytes) / 1e6;
 }
 

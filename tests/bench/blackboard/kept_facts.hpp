@@ -2,8 +2,6 @@
 
 // A board that keeps its journal, and durable facts to tell it.
 
-#include <filesystem>
-
 #include "tests/bench/blackboard/board_process.hpp"
 
 namespace pizarra::bench {
@@ -11,15 +9,11 @@ namespace pizarra::bench {
 // Gone with everything in it.
 class JournalFolder {
  public:
-  JournalFolder();
-  JournalFolder(const JournalFolder&) = delete;
-  JournalFolder& operator=(const JournalFolder&) = delete;
-  ~JournalFolder() { std::filesystem::remove_all(path_); }
-  std::vector<std::string> board_options() const { return {"--journal", path_ + "/board.journal"}; }
+  std::vector<std::string> board_options() const { return {"--journal", folder_.path() + "/board.journal"}; }
   double megabytes() const;
 
  private:
-  std::string path_;
+  TemporaryFolder folder_;
 };
 
 // `(kept NAME X Y D)`, durable, its key the name, 40 bytes of text.

@@ -3,10 +3,9 @@
 
 #include <CLI/CLI.hpp>
 #include <csignal>
-#include <filesystem>
 #include <fmt/format.h>
-#include <unistd.h>
 
+#include "tests/bench/child.hpp"
 #include "tests/bench/crash/ordeal.hpp"
 
 namespace pizarra::bench {
@@ -14,23 +13,8 @@ namespace {
 
 volatile std::sig_atomic_t interrupted = 0;
 
-// Gone with everything in it.
-class Folder {
- public:
-  Folder() : path_(std::filesystem::temp_directory_path() / "pizarra-crash-XXXXXX") {
-    if (mkdtemp(path_.data()) == nullptr) throw std::runtime_error("no temporary folder can be made");
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  ~Folder() { std::filesystem::remove_all(path_); }
-  const std::string& path() const { return path_; }
-
- private:
-  std::string path_;
-};
-
 int run(int rounds, std::uint64_t seed) {
-  const Folder folder;
+  const TemporaryFolder folder;
   Ordeal ordeal(folder.path(), seed);
   int done = 0;
   for (; done < rounds && interrupted == 0; ++done) ordeal.round();
