@@ -11,11 +11,6 @@ namespace {
 
 class Motoman : public testing::Test, protected HsesCell {
  protected:
-  Joints moved(std::size_t axis, double by) {
-    Joints joints = read()->joints;
-    joints[axis] += by;
-    return joints;
-  }
   // The tool straight to the side, as the robot agent asks for it: a waypoint every 5 mm.
   std::vector<Joints> line_of(double dy_mm) {
     Joints at = read()->joints;
@@ -237,13 +232,8 @@ TEST_F(Motoman, RepliesThatAreNotWhatWasAskedAreOneClearFailure) {
 TEST_F(Motoman, TheGripperIsHeldToItsVariables) {
   ASSERT_EQ(connect(), "");
   EXPECT_EQ(outcome(arm.start_gripper(40)), "");
-  Result<ArmReading> reading = read();
-  EXPECT_TRUE(reading->gripper_moving);
-  while (reading && reading->gripper_moving) {
-    executor.run_for(20ms);
-    reading = read();
-  }
-  EXPECT_NEAR(reading->opening_mm, 40, 0.01);
+  EXPECT_TRUE(read()->gripper_moving);
+  EXPECT_NEAR(wait_for_gripper()->opening_mm, 40, 0.01);
 }
 
 TEST_F(Motoman, AnArmWhosePulsesItsFileDoesNotSayIsRefused) {

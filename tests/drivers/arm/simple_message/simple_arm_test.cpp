@@ -8,8 +8,8 @@
 #include "drivers/arm/arm_file.hpp"
 #include "drivers/simulation/controllers/arms/moving_arm.hpp"
 #include "drivers/simulation/controllers/arms/simple_emulator.hpp"
+#include "tests/drivers/arm/driven_arm.hpp"
 #include "tests/drivers/wire/wire_pair.hpp"
-#include "tests/run_task.hpp"
 
 namespace pizarra {
 namespace {
@@ -20,37 +20,11 @@ struct Line {
 };
 
 // Over TCP in either order of octets, and over the C500C's serial lines.
-class Simple : public testing::TestWithParam<Line> {
+class Simple : public testing::TestWithParam<Line>, public DrivenArm<Simple> {
  protected:
   // Until its drives are on.
   void SetUp() override { executor.run_for(300ms); }
-  template <class T>
-  T ask(Task<T> task) {
-    return run(executor, std::move(task));
-  }
-  std::string outcome(Task<Result<void>> task) {
-    const Result<void> done = ask(std::move(task));
-    return done ? "" : done.error().symbol;
-  }
-  std::string connect() {
-    const Result<std::string> type = ask(arm.identify());
-    return type ? outcome(arm.take_control()) : type.error().symbol;
-  }
-  Result<ArmReading> read() { return ask(arm.read()); }
-  Result<ArmReading> wait() {
-    Result<ArmReading> reading = read();
-    while (reading && reading->moving) {
-      executor.run_for(20ms);
-      reading = read();
-    }
-    return reading;
-  }
-  Joints moved(std::size_t axis, double by) {
-    Joints joints = read()->joints;
-    joints[axis] += by;
-    return joints;
-  }
-
+  friend DrivenArm<Simple>;
   VirtualExecutor executor;
   const SimpleKind kind = GetParam().kind;
   MovingArm body{executor, crs_f3()};

@@ -9,8 +9,8 @@
 #include "drivers/arm/universal/universal_arm.hpp"
 #include "drivers/simulation/controllers/arms/moving_arm.hpp"
 #include "drivers/simulation/controllers/arms/ur_emulator.hpp"
+#include "tests/drivers/arm/driven_arm.hpp"
 #include "tests/drivers/wire/wire_pair.hpp"
-#include "tests/run_task.hpp"
 
 namespace pizarra {
 namespace {
@@ -20,37 +20,9 @@ const ArmModel& ur5e() {
   return model;
 }
 
-class Universal : public testing::Test {
+class Universal : public testing::Test, public DrivenArm<Universal> {
  protected:
-  template <class T>
-  T ask(Task<T> task) {
-    return run(executor, std::move(task));
-  }
-  std::string outcome(Task<Result<void>> task) {
-    const Result<void> done = ask(std::move(task));
-    return done ? "" : done.error().symbol;
-  }
-  std::string connect() {
-    const Result<std::string> type = ask(arm.identify());
-    if (!type) return type.error().symbol + ": " + type.error().sentence;
-    EXPECT_EQ(*type, "ur5e");
-    return outcome(arm.take_control());
-  }
-  Result<ArmReading> read() { return ask(arm.read()); }
-  Result<ArmReading> wait() {
-    Result<ArmReading> reading = read();
-    while (reading && reading->moving) {
-      executor.run_for(20ms);
-      reading = read();
-    }
-    return reading;
-  }
-  Joints moved(std::size_t axis, double by) {
-    Joints joints = read()->joints;
-    joints[axis] += by;
-    return joints;
-  }
-
+  friend DrivenArm<Universal>;
   VirtualExecutor executor;
   MovingArm body{executor, ur5e()};
   ArmCabinet cabinet{executor, body, ur5e()};
@@ -94,6 +66,7 @@ TEST(Ur5eModel, StandsWhereTheMakersParametersPutItAnywhere) {
 }
 
 TEST_F(Universal, SwitchesTheArmOnAndReadsWhereItIs) {
+  EXPECT_EQ(ask(arm.identify()).value(), "ur5e");
   ASSERT_EQ(connect(), "");
   EXPECT_TRUE(cabinet.servo());
   const Result<ArmReading> reading = read();
@@ -233,13 +206,8 @@ TEST_F(Universal, AnAngleThatIsNoNumberIsNotTakenForOne) {
 TEST_F(Universal, TheGripperIsHeldToItsRegisters) {
   ASSERT_EQ(connect(), "");
   EXPECT_EQ(outcome(arm.start_gripper(40)), "");
-  Result<ArmReading> reading = read();
-  EXPECT_TRUE(reading->gripper_moving);
-  while (reading && reading->gripper_moving) {
-    executor.run_for(20ms);
-    reading = read();
-  }
-  EXPECT_NEAR(reading->opening_mm, 40, 0.01);
+  EXPECT_TRUE(read()->gripper_moving);
+  EXPECT_NEAR(wait_for_gripper()->opening_mm, 40, 0.01);
 }
 
 TEST(Rtde, AMessageStandsAsTheGuideHasIt) {
