@@ -67,20 +67,15 @@ ArmModel model_from(const Datum& arm) {
   return model;
 }
 
-Result<ArmModel> interpret_source(const Result<Source>& source) {
+}  // namespace
+
+Result<ArmModel> read_arm_file(const std::string& path) {
+  const Result<Source> source = read_source_file(path);
   if (!source) return fail(source);
   const Result<Datum> arm = interpret(*source, "arm");
   if (!arm) return fail(arm);
   return model_from(*arm);
 }
-
-}  // namespace
-
-Result<ArmModel> read_arm(std::string_view text, const std::string& file) {
-  return interpret_source(read_source(text, file));
-}
-
-Result<ArmModel> read_arm_file(const std::string& path) { return interpret_source(read_source_file(path)); }
 
 Result<ArmModel> shipped_arm(std::string_view name) {
   const std::vector<std::string> names = arm_names();

@@ -25,7 +25,6 @@
 namespace pizarra {
 
 // A failure reports every error of the file, each with a caret.
-Result<ArmModel> read_arm(std::string_view text, const std::string& file);
 Result<ArmModel> read_arm_file(const std::string& path);
 
 // The arm that arms/NAME.scm describes. Failure: unknown-arm, with the nearest name.

@@ -36,8 +36,6 @@ class LandmarkBound {
 
   // Whether each action that can be taken is counted, so that no two of them fit into one step.
   bool counts_every_action() const { return counts_every_action_; }
-  // How many facts of the group may need visits; without any the bound is 0.
-  std::size_t visitable() const { return visits_.size(); }
   // None: the goals are out of reach. The state respects the exclusions.
   std::optional<std::size_t> from(const Bits& state);
 
