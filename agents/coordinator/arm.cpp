@@ -96,10 +96,10 @@ Task<Result<double>> Arm::grip(double opening_mm) {
   const Result<Datum> done = co_await ask(operation);
   if (!done) co_return fail(done);
   // The robot tells the opening before it answers.
-  const Datum pattern = list("gripper"_sym, "?opening"_sym);
+  const Datum pattern = list("gripper"_sym, Datum::symbol(options_.robot), "?opening"_sym);
   const std::optional<Datum> opening = co_await surroundings_.newest(pattern);
   if (!opening) co_return fail("bad-reply", "the robot told no opening of its gripper", operation);
-  co_return (*opening)[1].number();
+  co_return (*opening)[2].number();
 }
 
 }  // namespace pizarra

@@ -34,6 +34,7 @@ Surroundings::Surroundings(AgentContext& context, const CoordinatorOptions& opti
 void Surroundings::start() {
   Executor& executor = context_.executor;
   const Datum any = "?"_sym;
+  const Datum robot = Datum::symbol(options_.robot);
   const Datum model = list("camera-model"_sym, any, any, any, any, any, any);
   jobs_.push_back(executor.spawn(watch(model, &Surroundings::take_model)));
   if (options_.head) {
@@ -41,9 +42,9 @@ void Surroundings::start() {
   } else {
     head_ = HeadTurn();
   }
-  jobs_.push_back(executor.spawn(watch(list("gripper"_sym, any), &Surroundings::take_gripper)));
+  jobs_.push_back(executor.spawn(watch(list("gripper"_sym, robot, any), &Surroundings::take_gripper)));
   jobs_.push_back(executor.spawn(watch(list("faces"_sym, any, any), &Surroundings::take_faces)));
-  const Datum pose = list("arm-pose"_sym, any, any, any, any, any, any);
+  const Datum pose = list("arm-pose"_sym, robot, any, any, any, any, any, any);
   jobs_.push_back(executor.spawn(watch(pose, &Surroundings::take_pose)));
   jobs_.push_back(executor.spawn(watch(list("agent"_sym, any, any, any), &Surroundings::take_presence)));
   jobs_.push_back(executor.spawn(watch_vision()));
@@ -111,7 +112,7 @@ void Surroundings::turn_view() {
 }
 
 void Surroundings::take_gripper(const Change& change) {
-  if (!change.added.empty()) opening_mm_ = change.added.back().facts.front().datum[1].number();
+  if (!change.added.empty()) opening_mm_ = change.added.back().facts.front().datum[2].number();
 }
 
 void Surroundings::take_faces(const Change& change) {
@@ -126,7 +127,7 @@ void Surroundings::take_faces(const Change& change) {
 void Surroundings::take_pose(const Change& change) {
   if (change.added.empty()) return;
   const Datum& pose = change.added.back().facts.front().datum;
-  pose_mm_ = Eigen::Vector3d(pose[1].number(), pose[2].number(), pose[3].number());
+  pose_mm_ = Eigen::Vector3d(pose[2].number(), pose[3].number(), pose[4].number());
   pose_look_ = looks();
 }
 

@@ -63,7 +63,7 @@ class Surroundings {
   Task<bool> look_after(std::uint64_t look, Time deadline);
   // True once the agent is present.
   Task<bool> wait_present(std::string agent, Time deadline);
-  // The newest fact of a relation of which there is one at most, such as (gripper OPENING).
+  // The newest fact of a relation of which there is one at most, such as (gripper ROBOT OPENING).
   Task<std::optional<Datum>> newest(Datum pattern);
 
  private:

@@ -55,15 +55,15 @@ std::optional<Joints> joints_from_datum(const Datum& datum) {
 
 void ArmFacts::set_arm(std::string_view state, std::string action) {
   action_ = std::move(action);
-  facts_[arm].now = list("arm"_sym, Datum::symbol(state), action_);
+  facts_[arm].now = list("arm"_sym, robot_, Datum::symbol(state), action_);
 }
 
 void ArmFacts::set_reading(const ArmModel& model, const ArmReading& reading) {
   std::vector<Datum> at = pose_numbers(model, reading.joints);
-  at.insert(at.begin(), "arm-pose"_sym);
+  at.insert(at.begin(), {"arm-pose"_sym, robot_});
   facts_[pose].now = Datum::list(std::move(at));
-  facts_[joints].now = list("arm-joints"_sym, Datum::list(joint_numbers(reading.joints)));
-  facts_[gripper].now = list("gripper"_sym, rounded(reading.opening_mm, opening_step_mm));
+  facts_[joints].now = list("arm-joints"_sym, robot_, Datum::list(joint_numbers(reading.joints)));
+  facts_[gripper].now = list("gripper"_sym, robot_, rounded(reading.opening_mm, opening_step_mm));
 }
 
 Task<Result<void>> ArmFacts::tell(Transaction with) {

@@ -15,7 +15,7 @@ namespace pizarra {
 
 class ArmFacts {
  public:
-  explicit ArmFacts(AgentContext& context) : context_(context) {}
+  explicit ArmFacts(AgentContext& context) : context_(context), robot_(Datum::symbol(context.name)) {}
 
   // STATE idle, moving, stopped or fault; the action stays where none is given.
   void set_arm(std::string_view state, std::string action);
@@ -39,6 +39,7 @@ class ArmFacts {
   enum : std::size_t { arm, pose, joints, gripper, kinds };
 
   AgentContext& context_;
+  const Datum robot_;  // the key of all of them
   std::string action_ = "NO_ACTION";
   std::array<Told, kinds> facts_;
 };

@@ -32,6 +32,7 @@ struct CutOff {
 struct RobotAgent::State {
   State(AgentContext given, ArmDriver& driver, ArmModel described, std::optional<Room> kept_in)
       : context(std::move(given)),
+        name(Datum::symbol(context.name)),
         model(std::move(described)),
         room(kept_in),
         facts(context),
@@ -40,6 +41,7 @@ struct RobotAgent::State {
         service(context, contract_from_text(robot_contract).value()) {}
 
   AgentContext context;
+  const Datum name;  // the first argument of all that it tells
   const ArmModel model;
   const std::optional<Room> room;
   ArmFacts facts;
@@ -100,25 +102,25 @@ Task<Result<std::vector<Fact>>> RobotAgent::State::known(Datum pattern) {
 // What an earlier life of this agent knew. A fact that somebody else mangled is left alone.
 Task<Result<void>> RobotAgent::State::restore() {
   const Datum any = "?"_sym;
-  const Datum variable = list("robot-variable"_sym, any, any);
+  const Datum variable = list("robot-variable"_sym, name, any, any);
   const Result<std::vector<Fact>> learned = co_await known(variable);
   if (!learned) co_return fail(learned);
   for (const Fact& fact : *learned) {
-    const std::optional<Joints> joints = joints_from_datum(fact.datum[2]);
+    const std::optional<Joints> joints = joints_from_datum(fact.datum[3]);
     const bool fits = joints && joints->size() == model.axes.size();
-    if (fits) variables.insert_or_assign(std::string(fact.datum[1].text()), *joints);
+    if (fits) variables.insert_or_assign(std::string(fact.datum[2].text()), *joints);
   }
-  const Datum speed_fact = list("robot-speed"_sym, any);
+  const Datum speed_fact = list("robot-speed"_sym, name, any);
   const Result<std::vector<Fact>> speeds = co_await known(speed_fact);
   if (!speeds) co_return fail(speeds);
-  for (const Fact& fact : *speeds) speed_percent = amount_in(fact.datum[1], 1, 100, "percent").value_or(100);
-  const Datum move_fact = list("robot-move"_sym, any, any);
+  for (const Fact& fact : *speeds) speed_percent = amount_in(fact.datum[2], 1, 100, "percent").value_or(100);
+  const Datum move_fact = list("robot-move"_sym, name, any, any);
   const Result<std::vector<Fact>> moves = co_await known(move_fact);
   if (!moves) co_return fail(moves);
   for (const Fact& fact : *moves) {
-    const std::optional<Joints> start = joints_from_datum(fact.datum[2]);
+    const std::optional<Joints> start = joints_from_datum(fact.datum[3]);
     const bool fits = start && start->size() == model.axes.size();
-    if (fits) cut_off = CutOff{fact.datum[1], *start};
+    if (fits) cut_off = CutOff{fact.datum[2], *start};
   }
   co_return {};
 }
@@ -175,7 +177,7 @@ Task<Result<Datum>> RobotAgent::State::move(Datum operation, std::string client)
   Result<Motion> motion = plan(operation, reading->joints, start);
   if (!motion) co_return fail(motion);
   Transaction end;
-  end.retract(list("robot-move"_sym, "?"_sym, "?"_sym));
+  end.retract(list("robot-move"_sym, name, "?"_sym, "?"_sym));
   if (motion->waypoints.empty()) {
     facts.set_arm("idle", write(operation));
     const Result<void> told = co_await facts.tell_surely(std::move(end));
@@ -184,7 +186,7 @@ Task<Result<Datum>> RobotAgent::State::move(Datum operation, std::string client)
   }
   facts.set_arm("moving", write(operation));
   Transaction begin;
-  begin.tell(list("robot-move"_sym, operation, joints_to_datum(start)));
+  begin.tell(list("robot-move"_sym, name, operation, joints_to_datum(start)));
   const Result<void> begun = co_await facts.tell_surely(std::move(begin));
   if (!begun) co_return fail(begun);
   const double speed_part = speed_percent / 100;
@@ -218,7 +220,7 @@ Task<Result<Datum>> RobotAgent::State::gripper(Datum operation, std::string clie
   cut_off.reset();
   facts.set_arm("moving", write(operation));
   Transaction begin;
-  begin.retract(list("robot-move"_sym, "?"_sym, "?"_sym));
+  begin.retract(list("robot-move"_sym, name, "?"_sym, "?"_sym));
   const Result<void> begun = co_await facts.tell_surely(std::move(begin));
   if (!begun) co_return fail(begun);
   const double opening_mm = *opening;
@@ -236,7 +238,7 @@ Task<Result<Datum>> RobotAgent::State::gripper(Datum operation, std::string clie
 Task<Result<Datum>> RobotAgent::State::speed(Datum operation) {
   const Result<double> percent = amount_in(operation[1], 1, 100, "percent");
   if (!percent) co_return fail(percent);
-  const Datum fact = list("robot-speed"_sym, *percent);
+  const Datum fact = list("robot-speed"_sym, name, *percent);
   const Result<Revision> told = co_await context.board.tell(fact);
   if (!told) co_return fail(told);
   speed_percent = *percent;
@@ -244,16 +246,16 @@ Task<Result<Datum>> RobotAgent::State::speed(Datum operation) {
 }
 
 Task<Result<Datum>> RobotAgent::State::learn(Datum operation) {
-  const std::string name(operation[1].text());
-  if (!variables.contains(name) && variables.size() >= max_variables) {
+  const std::string variable(operation[1].text());
+  if (!variables.contains(variable) && variables.size() >= max_variables) {
     co_return fail("out-of-range", fmt::format("{} variables are learned already", max_variables), operation[1]);
   }
   const Result<ArmReading> reading = co_await control.read();
   if (!reading) co_return fail(reading);
-  const Datum fact = list("robot-variable"_sym, operation[1], joints_to_datum(reading->joints));
+  const Datum fact = list("robot-variable"_sym, name, operation[1], joints_to_datum(reading->joints));
   const Result<Revision> told = co_await context.board.tell(fact);
   if (!told) co_return fail(told);
-  variables.insert_or_assign(name, reading->joints);
+  variables.insert_or_assign(variable, reading->joints);
   co_return answer(true);
 }
 

@@ -10,7 +10,7 @@
 // One motion at a time, the gripper's included (`busy`, with the running operation as the subject); get-status,
 // monitor, finish, speed and learn are answered meanwhile. Every motion has one plan, made before it starts, so that a
 // refused motion has moved nothing. A motion cut off by this agent's end is finished, not added to itself, when its
-// successor is asked for it again: the durable fact `(robot-move OPERATION (J1 ... JN))` tells where it began.
+// successor is asked for it again: the durable fact `(robot-move ROBOT OPERATION (J1 ... JN))` tells where it began.
 //
 //   RobotAgent robot(AgentContext{"robot", "localhost", executor, board, random}, arm, model);
 //   Job job = executor.spawn(until_it_ends(robot));

@@ -326,7 +326,7 @@ TEST(CrowdedCell, SetsAsideWhatStandsBeforeThePlaceWhereAMissingCubeWasSeenLast)
   cell.run_for(3s);
   cell.request("coordinator", "(goal (on circle square))");
   ASSERT_TRUE(cell.run_until("(event ? servo \"setting triangle aside, to see what it hides\" ?)", 30s));
-  ASSERT_TRUE(cell.run_until("(gripper 60.0)", 30s));
+  ASSERT_TRUE(cell.run_until("(gripper robot 60.0)", 30s));
   cell.hidden.clear();
   ASSERT_TRUE(cell.run_until("(goal-state 2 reached ?)", 60s));
 }

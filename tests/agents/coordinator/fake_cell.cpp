@@ -22,8 +22,9 @@ constexpr std::string_view robot_text = R"(
   (offers (retract (mm number)) (extend (keep symbol) (mm number)) (turn (d symbol) (deg number))
           (move-h (d symbol) (mm number)) (move-v (d symbol) (mm number)) (turn-wrist (d symbol) (deg number))
           (ready) (speed (percent number)) (gripper (mm number)) (monitor) (do-action (text string)))
-  (posts (relation gripper ((opening number)) (key))
-         (relation arm-pose ((x number) (y number) (z number) (rx number) (ry number) (rz number)) (key))))
+  (posts (relation gripper ((robot symbol) (opening number)) (key robot))
+         (relation arm-pose ((robot symbol) (x number) (y number) (z number) (rx number) (ry number) (rz number))
+                   (key robot))))
 )";
 constexpr std::string_view vision_text = R"(
 (contract vision
@@ -221,7 +222,7 @@ Task<Result<Datum>> FakeCell::handle_robot(Datum operation) {
   Eigen::Vector3d to = grip;
   if (name == "gripper") {
     const double opening = close_gripper(operation[1].number());
-    const Datum fact = list("gripper"_sym, opening);
+    const Datum fact = list("gripper"_sym, "robot"_sym, opening);
     co_await agents_->robot_view->tell(fact);
   }
   if (name == "ready") to = {370, 0, 410};
@@ -247,7 +248,7 @@ Task<Result<Datum>> FakeCell::handle_robot(Datum operation) {
 
 Task<void> FakeCell::tell_pose() {
   const Eigen::Vector3d believed = grip + pose_error_mm;
-  const Datum pose = list("arm-pose"_sym, believed.x(), believed.y(), believed.z(), 180.0, 0.0, yaw_deg_);
+  const Datum pose = list("arm-pose"_sym, "robot"_sym, believed.x(), believed.y(), believed.z(), 180.0, 0.0, yaw_deg_);
   co_await agents_->robot_view->tell(pose);
 }
 

@@ -7,10 +7,10 @@ namespace {
 
 TEST_F(Robot, TakesControlAndTellsWhereTheArmStands) {
   EXPECT_EQ(arm.controls, 1);
-  EXPECT_EQ(fact("(arm ? ?)"), "(arm idle \"NO_ACTION\")");
-  EXPECT_EQ(fact("(arm-pose ? ? ? ? ? ?)"), "(arm-pose 370.0 0.0 410.0 180.0 0.0 0.0)");
-  EXPECT_EQ(fact("(arm-joints ?)"), "(arm-joints (0.0 0.0 -90.0 0.0 -90.0 0.0 2500.0))");
-  EXPECT_EQ(fact("(gripper ?)"), "(gripper 80.0)");
+  EXPECT_EQ(fact("(arm robot ? ?)"), "(arm robot idle \"NO_ACTION\")");
+  EXPECT_EQ(fact("(arm-pose robot ? ? ? ? ? ?)"), "(arm-pose robot 370.0 0.0 410.0 180.0 0.0 0.0)");
+  EXPECT_EQ(fact("(arm-joints robot ?)"), "(arm-joints robot (0.0 0.0 -90.0 0.0 -90.0 0.0 2500.0))");
+  EXPECT_EQ(fact("(gripper robot ?)"), "(gripper robot 80.0)");
   EXPECT_EQ(call("(get-status)"), "(ok \"NO_ACTION\")");
 }
 
@@ -36,7 +36,7 @@ TEST_F(Robot, EveryMotionMovesTheGripCentreAsItsNameSays) {
     EXPECT_EQ(call(given.operation), "(ok true)") << given.operation;
     EXPECT_FALSE(arm.moving()) << "the reply comes when the move has ended";
     EXPECT_LT((point() - before - given.offset).norm(), 1e-6) << given.operation;
-    EXPECT_EQ(fact("(arm ? ?)"), fmt::format("(arm idle {})", write(Datum::string(given.operation))));
+    EXPECT_EQ(fact("(arm robot ? ?)"), fmt::format("(arm robot idle {})", write(Datum::string(given.operation))));
     EXPECT_EQ(call("(get-status)"), fmt::format("(ok {})", write(Datum::string(given.operation))));
   }
 }
@@ -63,7 +63,7 @@ TEST_F(Robot, SpeedIsAPartOfTheAxesSpeedAndIsRemembered) {
   EXPECT_EQ(call("(turn right 24)"), "(ok true)");
   EXPECT_GE(executor.now() - begun, 1000ms);
   EXPECT_LE(executor.now() - begun, 1100ms);
-  EXPECT_EQ(fact("(robot-speed ?)"), "(robot-speed 10.0)");
+  EXPECT_EQ(fact("(robot-speed robot ?)"), "(robot-speed robot 10.0)");
   for (const std::string_view bad : {"(speed 0)", "(speed -5)", "(speed 101)"}) {
     EXPECT_EQ(refusal(bad), "out-of-range") << bad;
   }
@@ -88,11 +88,11 @@ TEST_F(Robot, DoesAFreeFormAction) {
 
 TEST_F(Robot, GripperAnswersWhenTheFingersStandOnWhatTheyHold) {
   EXPECT_EQ(call("(gripper 20)"), "(ok true)");
-  EXPECT_EQ(fact("(gripper ?)"), "(gripper 20.0)");
+  EXPECT_EQ(fact("(gripper robot ?)"), "(gripper robot 20.0)");
   EXPECT_EQ(call("(gripper 80)"), "(ok true)");
   arm.between_fingers_mm = 60;
   EXPECT_EQ(call("(gripper 40)"), "(ok true)");
-  EXPECT_EQ(fact("(gripper ?)"), "(gripper 60.0)");
+  EXPECT_EQ(fact("(gripper robot ?)"), "(gripper robot 60.0)");
   EXPECT_EQ(refusal("(gripper -1)"), "out-of-range");
   EXPECT_EQ(refusal("(gripper 101)"), "out-of-range");
 }
@@ -122,7 +122,7 @@ TEST_F(Robot, RefusedMotionsMoveNothing) {
   }
   EXPECT_EQ(arm.moves, 0);
   EXPECT_EQ(arm.at(), before);
-  EXPECT_EQ(fact("(arm ? ?)"), "(arm idle \"NO_ACTION\")");
+  EXPECT_EQ(fact("(arm robot ? ?)"), "(arm robot idle \"NO_ACTION\")");
   EXPECT_EQ(refusal("(turnn left 5)"), "unknown-operation");
   EXPECT_EQ(refusal("(turn sideways 5)"), "wrong-direction");
 }
@@ -138,7 +138,7 @@ TEST_F(Robot, TellsThePoseTenTimesASecondWhileItMovesAndTheLastBeforeTheReply) {
   const double seconds = std::chrono::duration<double>(executor.now() - begun).count();
   EXPECT_GE(poses.size(), static_cast<std::size_t>(seconds * 9));
   EXPECT_LE(poses.size(), static_cast<std::size_t>(seconds * 10) + 2 + 1) << "declarations may be one";
-  EXPECT_EQ(first("(arm-joints ?)", 1), "(24.0 0.0 -90.0 0.0 -90.0 0.0 2500.0)");
+  EXPECT_EQ(first("(arm-joints robot ?)", 2), "(24.0 0.0 -90.0 0.0 -90.0 0.0 2500.0)");
 }
 
 }  // namespace

@@ -22,8 +22,8 @@ inline Datum form(std::string_view text) { return read_one(text).value(); }
 class RobotLife {
  public:
   RobotLife(Executor& executor, MemoryBoard& board, ArmDriver& arm, const ArmModel& model = crs_f3(),
-            std::optional<Room> room = {})
-      : board_(board.view("robot")), agent_({"robot", "localhost", executor, *board_, Random(1)}, arm, model, room) {
+            std::optional<Room> room = {}, const std::string& name = "robot")
+      : board_(board.view(name)), agent_({name, "localhost", executor, *board_, Random(1)}, arm, model, room) {
     job_ = executor.spawn(live());
   }
   std::optional<Result<void>> ended;
@@ -44,10 +44,10 @@ class Robot : public testing::Test {
   void begin() { life.emplace(executor, board, arm); }
 
   // Asks without waiting; the answer to `id` is what reply() says later.
-  std::string ask(std::string_view operation, std::string id = "") {
+  std::string ask(std::string_view operation, std::string id = "", std::string_view robot = "robot") {
     if (id.empty()) id = fmt::format("r{}", ++asked);
     Transaction request;
-    request.tell(list("request"_sym, Datum::symbol(id), "robot"_sym, form(operation)));
+    request.tell(list("request"_sym, Datum::symbol(id), Datum::symbol(robot), form(operation)));
     const Result<Revision> told = board.transact("user", request);
     EXPECT_TRUE(told) << operation;
     return id;

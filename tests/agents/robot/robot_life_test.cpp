@@ -9,7 +9,7 @@ TEST_F(Robot, OneMotionAtATimeButMonitoredMeanwhile) {
   call("(speed 10)");
   const std::string turning = ask("(turn right 90)");
   executor.run_for(1s);
-  EXPECT_EQ(fact("(arm ? ?)"), "(arm moving \"(turn right 90)\")");
+  EXPECT_EQ(fact("(arm robot ? ?)"), "(arm robot moving \"(turn right 90)\")");
   EXPECT_EQ(refusal("(home)"), "busy");
   EXPECT_EQ(refusal("(gripper 10)"), "busy");
   EXPECT_EQ(call("(finish report)"), "(ok false)");
@@ -30,7 +30,7 @@ TEST_F(Robot, StopEndsTheMotionAndItsCallerHearsSo) {
   EXPECT_FALSE(arm.moving());
   EXPECT_GT(arm.at()[0], 20);
   EXPECT_LT(arm.at()[0], 30);
-  EXPECT_EQ(fact("(arm ? ?)"), "(arm stopped \"(turn right 90)\")");
+  EXPECT_EQ(fact("(arm robot ? ?)"), "(arm robot stopped \"(turn right 90)\")");
   EXPECT_EQ(call("(turn left 5)"), "(ok true)") << "a stop does not outlast its motion";
 }
 
@@ -80,11 +80,11 @@ TEST_F(Robot, RestartedAgentStopsTheArmSaysSoAndIsIdle) {
   executor.run_for(1s);
   EXPECT_TRUE(arm.moving()) << "the controller goes on without its agent";
   board.set_journal([&](std::string_view line) {
-    if (line.find("(arm stopped") != std::string_view::npos) states.emplace_back(line);
+    if (line.find("(arm robot stopped") != std::string_view::npos) states.emplace_back(line);
   });
   arm.in_control = false;
   begin();
-  executor.run_until([&] { return fact("(arm ? ?)").starts_with("(arm idle \"STOPPED"); });
+  executor.run_until([&] { return fact("(arm robot ? ?)").starts_with("(arm robot idle \"STOPPED"); });
   EXPECT_EQ(states.size(), 1u);
   EXPECT_FALSE(arm.moving());
 }
@@ -102,9 +102,36 @@ TEST_F(Robot, RestartedAgentFinishesTheMotionThatWasCutOffInsteadOfAddingToIt) {
   executor.run_for(60s);
   EXPECT_EQ(reply(lowering), "(ok true)");
   EXPECT_NEAR(point().z(), before - 100, 1e-6);
-  EXPECT_EQ(fact("(robot-move ? ?)"), "");
+  EXPECT_EQ(fact("(robot-move robot ? ?)"), "");
   EXPECT_EQ(call("(move-v down 10)"), "(ok true)");
   EXPECT_NEAR(point().z(), before - 110, 1e-6);
+}
+
+TEST_F(Robot, ArmsOnOneBoardTellSideBySideAndRememberTheirOwn) {
+  FakeArm other_arm{executor};
+  std::optional<RobotLife> other;
+  const auto begin_other = [&] { other.emplace(executor, board, other_arm, crs_f3(), std::nullopt, "other"); };
+  begin_other();
+  executor.run_for(1s);
+  call("(speed 30)");
+  call("(learn here)");
+  const std::string turned = ask("(turn right 24)", "", "other");
+  executor.run_for(10s);
+  EXPECT_EQ(reply(turned), "(ok true)");
+  EXPECT_EQ(first("(arm-joints robot ?)", 2), "(0.0 0.0 -90.0 0.0 -90.0 0.0 2500.0)");
+  EXPECT_EQ(first("(arm-joints other ?)", 2), "(24.0 0.0 -90.0 0.0 -90.0 0.0 2500.0)");
+  EXPECT_EQ(fact("(arm robot ? ?)"), "(arm robot idle \"NO_ACTION\")");
+  EXPECT_EQ(fact("(arm other ? ?)"), "(arm other idle \"(turn right 24)\")");
+  ask("(speed 50)", "", "other");
+  executor.run_for(100ms);
+  EXPECT_EQ(fact("(robot-speed robot ?)"), "(robot-speed robot 30.0)");
+  EXPECT_EQ(fact("(robot-speed other ?)"), "(robot-speed other 50.0)");
+  other.reset();
+  begin_other();
+  executor.run_for(3s);
+  const std::string unknown = ask("(goto here)", "", "other");
+  executor.run_for(1s);
+  EXPECT_EQ(form(reply(unknown))[1].text(), "unknown-variable") << "the other arm's";
 }
 
 TEST_F(Robot, RestartedAgentKnowsItsVariablesAndSpeed) {
@@ -123,13 +150,13 @@ TEST_F(Robot, RestartedAgentKnowsItsVariablesAndSpeed) {
 TEST_F(Robot, ControllerThatGoesAwayIsAFaultUntilItIsBack) {
   arm.plugged = false;
   executor.run_for(1s);
-  EXPECT_EQ(fact("(arm ? ?)"), "(arm fault \"NO_ACTION\")");
+  EXPECT_EQ(fact("(arm robot ? ?)"), "(arm robot fault \"NO_ACTION\")");
   EXPECT_EQ(refusal("(home)"), "disconnected");
   EXPECT_EQ(refusal("(monitor)"), "disconnected");
   arm.plugged = true;
   arm.in_control = false;
   executor.run_for(2s);
-  EXPECT_EQ(fact("(arm ? ?)"), "(arm idle \"NO_ACTION\")");
+  EXPECT_EQ(fact("(arm robot ? ?)"), "(arm robot idle \"NO_ACTION\")");
   EXPECT_EQ(call("(home)"), "(ok true)");
 }
 
@@ -142,7 +169,7 @@ TEST_F(Robot, PlugPulledDuringAMotionFailsItOnce) {
   EXPECT_EQ(reply(turning), "") << "a short silence is waited out";
   executor.run_for(3s);
   EXPECT_EQ(form(reply(turning))[1].text(), "disconnected");
-  EXPECT_EQ(fact("(arm ? ?)"), "(arm fault \"(turn right 90)\")");
+  EXPECT_EQ(fact("(arm robot ? ?)"), "(arm robot fault \"(turn right 90)\")");
 }
 
 TEST_F(Robot, ControlTakenAwayByThePendantIsAskedForAgain) {

@@ -35,7 +35,7 @@ TEST_F(RobotSafety, StopFactFromAnyoneStopsTheMotionAndSaysWhoAndWhy) {
   executor.run_for(100ms);
   EXPECT_FALSE(arm.moving());
   EXPECT_EQ(reply(id), "(fail stopped \"passer-by says stop: mind the dog\" (stop passer-by \"mind the dog\"))");
-  EXPECT_EQ(first("(arm ?state ?action)", 1), "stopped");
+  EXPECT_EQ(first("(arm robot ?state ?action)", 2), "stopped");
 }
 
 TEST_F(RobotSafety, NothingMovesWhileAStopStandsNorByItselfAfterwards) {

@@ -33,8 +33,8 @@ TEST(SimulatedRobot, ReachesTheTableGripsACubeAndLiftsIt) {
         "(move-v up 150)", "(turn right 10)", "(turn-wrist left 10)", "(home)", "(ready)"}) {
     EXPECT_EQ(call(operation, fmt::format("r{}", ++asked)), "(ok true)") << operation;
   }
-  const Query opening = query_from_datum(form("(gripper ?mm)")).value();
-  EXPECT_NEAR(board.ask(opening)->answers.front().facts.front().datum[1].number(), 60, 1.5);
+  const Query opening = query_from_datum(form("(gripper robot ?mm)")).value();
+  EXPECT_NEAR(board.ask(opening)->answers.front().facts.front().datum[2].number(), 60, 1.5);
 }
 
 }  // namespace

@@ -86,7 +86,7 @@ void command_latency(ArmsBench& bench) {
   const std::vector<Relation> relations = {object_relation()};
   client.run(client.board().declare(relations));
   client.run(await_fact(client, "(agent robot ?kind ?host)", 10s));
-  client.run(await_fact(client, "(arm idle ?action)", 10s));
+  client.run(await_fact(client, "(arm robot idle ?action)", 10s));
   std::vector<double> ms;
   std::vector<double> board_ms;
   for (std::uint64_t count = 0; count < bench.stops; ++count) {

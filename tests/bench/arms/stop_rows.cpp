@@ -91,7 +91,7 @@ Task<void> rest(Executor& executor) { co_await sleep(executor, moving_time); }
 double stop_once(Client& client, std::uint64_t count) {
   const char* side = count % 2 == 0 ? "right" : "left";
   client.run(client.board().tell(form(fmt::format("(request s{} robot (turn {} 120))", count, side))));
-  client.run(await_fact(client, "(arm moving ?action)", 5s));
+  client.run(await_fact(client, "(arm robot moving ?action)", 5s));
   client.run(rest(client.executor()));
   const double told_us = now_us();
   client.run(client.board().tell(form("(stop bench \"a try\")")));
@@ -113,7 +113,7 @@ void stop_latency(ArmsBench& bench) {
   Client client(board.address(), "bench");
   client.run(client.board().declare(runtime_relations()));
   client.run(await_fact(client, "(agent robot ?kind ?host)", 10s));
-  client.run(await_fact(client, "(arm idle ?action)", 10s));
+  client.run(await_fact(client, "(arm robot idle ?action)", 10s));
   std::vector<double> ms;
   for (std::uint64_t count = 0; count < bench.stops; ++count) {
     const double told_us = stop_once(client, count);
