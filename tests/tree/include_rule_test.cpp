@@ -38,6 +38,21 @@ std::vector<Include> own_includes() {
   return includes;
 }
 
+// Which rooms of a folder each of its rooms may include from.
+using Rooms = std::map<std::string, std::set<std::string>>;
+
+void expect_rooms(const std::string& folder, const Rooms& may) {
+  std::set<std::string> seen;
+  for (const auto& [from, to] : own_includes()) {
+    if (!from.starts_with(folder) || !to.starts_with(folder)) continue;
+    const auto room = may.find(part(from, 2));
+    ASSERT_NE(room, may.end()) << from << " lies in no known room";
+    seen.insert(room->first);
+    EXPECT_TRUE(part(to, 2) == room->first || room->second.contains(part(to, 2))) << from << " includes " << to;
+  }
+  EXPECT_EQ(seen.size(), may.size());
+}
+
 TEST(IncludeRule, EveryIncludeIsWrittenFromTheRootAndReachesItsOwnLayerOrOneBelow) {
   const std::vector<Include> includes = own_includes();
   ASSERT_GT(includes.size(), 50u);
@@ -60,28 +75,29 @@ TEST(IncludeRule, AgentsMeetThroughFactsAloneAndOnlyTheLauncherKnowsThemAll) {
 }
 
 TEST(IncludeRule, EachRoomOfThePlannerIncludesOnlyTheRoomsItStandsOn) {
-  const std::map<std::string, std::set<std::string>> may = {
-      {"task", {}},
-      {"files", {"task"}},
-      {"external", {"task", "files"}},
-      {"reach", {"task"}},
-      {"distance", {"task"}},
-      {"guided", {"task", "reach", "distance"}},
-      {"judge", {"task"}},
-      {"graphplan", {"task", "reach"}},
-      {"optimal", {"task", "reach", "distance", "guided", "graphplan"}},
-      {"fast", {"task", "reach", "distance", "guided"}},
-      {"explanation", {"task", "reach", "optimal"}},
-      {"agent", {"task", "explanation", "optimal", "fast"}}};
-  std::set<std::string> seen;
-  for (const auto& [from, to] : own_includes()) {
-    if (!from.starts_with("agents/planner/") || !to.starts_with("agents/planner/")) continue;
-    const auto room = may.find(part(from, 2));
-    ASSERT_NE(room, may.end()) << from << " lies in no known room";
-    seen.insert(room->first);
-    EXPECT_TRUE(part(to, 2) == room->first || room->second.contains(part(to, 2))) << from << " includes " << to;
-  }
-  EXPECT_EQ(seen.size(), may.size());
+  const Rooms may = {{"task", {}},
+                     {"files", {"task"}},
+                     {"external", {"task", "files"}},
+                     {"reach", {"task"}},
+                     {"distance", {"task"}},
+                     {"guided", {"task", "reach", "distance"}},
+                     {"judge", {"task"}},
+                     {"graphplan", {"task", "reach"}},
+                     {"optimal", {"task", "reach", "distance", "guided", "graphplan"}},
+                     {"fast", {"task", "reach", "distance", "guided"}},
+                     {"explanation", {"task", "reach", "optimal"}},
+                     {"agent", {"task", "explanation", "optimal", "fast"}}};
+  expect_rooms("agents/planner/", may);
+}
+
+TEST(IncludeRule, EachRoomOfTheEyesIncludesOnlyTheRoomsItStandsOn) {
+  const Rooms may = {{"image", {}},
+                     {"marks", {"image"}},
+                     {"objects", {"marks"}},
+                     {"memory", {"marks", "objects"}},
+                     {"sight", {"image", "marks", "objects"}},
+                     {"agent", {"marks", "objects", "memory", "sight"}}};
+  expect_rooms("agents/vision/", may);
 }
 
 TEST(IncludeRule, TheSimulatedWorldIsReachedByDriversThePersonAndTheLauncherAlone) {

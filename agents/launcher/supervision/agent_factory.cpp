@@ -10,7 +10,7 @@
 #include "agents/planner/agent/planner_agent.hpp"
 #include "agents/robot/robot_agent.hpp"
 #include "agents/speech/speech_agent.hpp"
-#include "agents/vision/vision_agent.hpp"
+#include "agents/vision/agent/vision_agent.hpp"
 #include "drivers/arm/arm_file.hpp"
 #include "drivers/camera/video_camera.hpp"
 #include "drivers/pan_tilt/ptu_driver.hpp"

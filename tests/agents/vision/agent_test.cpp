@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "agents/runtime/service.hpp"
-#include "agents/vision/object_database.hpp"
-#include "agents/vision/vision_agent.hpp"
+#include "agents/vision/agent/vision_agent.hpp"
+#include "agents/vision/memory/object_database.hpp"
 #include "blackboard/memory_board.hpp"
 #include "blackboard/time/virtual_executor.hpp"
 #include "lisp/reader.hpp"

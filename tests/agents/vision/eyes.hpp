@@ -2,7 +2,7 @@
 
 // What the tests of the eyes share: sights of drawn scenes, and the five objects of a cell as learned from clicks.
 
-#include "agents/vision/mark_learner.hpp"
+#include "agents/vision/sight/mark_learner.hpp"
 #include "tests/agents/vision/scene.hpp"
 
 namespace pizarra {

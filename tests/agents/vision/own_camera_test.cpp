@@ -7,7 +7,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "agents/runtime/service.hpp"
-#include "agents/vision/vision_agent.hpp"
+#include "agents/vision/agent/vision_agent.hpp"
 #include "blackboard/memory_board.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "drivers/camera/video_camera.hpp"

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "agents/vision/look_alike.hpp"
+#include "agents/vision/objects/look_alike.hpp"
 #include "tests/agents/vision/eyes.hpp"
 
 namespace pizarra {

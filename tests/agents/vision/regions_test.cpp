@@ -1,9 +1,9 @@
-#include "agents/vision/regions.hpp"
+#include "agents/vision/image/regions.hpp"
 
 #include <gtest/gtest.h>
 #include <opencv2/imgproc.hpp>
 
-#include "agents/vision/look.hpp"
+#include "agents/vision/image/look.hpp"
 #include "blackboard/time/random.hpp"
 
 namespace pizarra {

@@ -1,10 +1,10 @@
-#include "agents/vision/tags.hpp"
+#include "agents/vision/marks/tags.hpp"
 
 #include <gtest/gtest.h>
 #include <opencv2/aruco.hpp>
 
-#include "agents/vision/mark_learner.hpp"
-#include "agents/vision/mark_tracker.hpp"
+#include "agents/vision/sight/mark_learner.hpp"
+#include "agents/vision/sight/mark_tracker.hpp"
 #include "tests/bench/vision/scene.hpp"
 
 namespace pizarra {

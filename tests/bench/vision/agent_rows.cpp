@@ -6,8 +6,8 @@
 #include <zmq.hpp>
 
 #include "agents/runtime/service.hpp"
-#include "agents/vision/object_database.hpp"
-#include "agents/vision/vision_agent.hpp"
+#include "agents/vision/agent/vision_agent.hpp"
+#include "agents/vision/memory/object_database.hpp"
 #include "blackboard/memory_board.hpp"
 #include "blackboard/remote_board.hpp"
 #include "blackboard/time/real_executor.hpp"

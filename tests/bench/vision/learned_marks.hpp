@@ -2,7 +2,7 @@
 
 // The five marks as the eyes learn them: by a click on each, in a quiet scene.
 
-#include "agents/vision/mark_learner.hpp"
+#include "agents/vision/sight/mark_learner.hpp"
 #include "tests/bench/vision/scene.hpp"
 
 namespace pizarra::bench {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
-#include "agents/vision/mark_tracker.hpp"
+#include "agents/vision/sight/mark_tracker.hpp"
 #include "tests/bench/vision/rows.hpp"
 
 namespace pizarra::bench {

@@ -2,7 +2,7 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "agents/vision/mark_tracker.hpp"
+#include "agents/vision/sight/mark_tracker.hpp"
 #include "tests/bench/measure.hpp"
 #include "tests/bench/vision/rows.hpp"
 

@@ -1,0 +1,111 @@
+#include "agents/vision/agent/camera_feed.hpp"
+
+#include <algorithm>
+
+namespace pizarra {
+namespace {
+
+constexpr Duration first_pause = 200ms;
+constexpr Duration longest_pause = 5s;
+constexpr Duration corrupt_pause = 20ms;
+constexpr int most_corrupt_frames = 20;  // in a row, before the camera is opened anew
+
+bool fits(const StereoModel& model, const std::shared_ptr<const Image>& image) {
+  return image != nullptr && image->width == model.width && image->height == model.height &&
+         (image->channels == 1 || image->channels == 3) &&
+         image->pixels.size() == static_cast<std::size_t>(image->width * image->height * image->channels);
+}
+
+bool usable(const StereoModel& model) {
+  return model.width >= 64 && model.width <= 8192 && model.height >= 64 && model.height <= 8192 && model.focal_px > 0 &&
+         (model.base_line_mm > 0 || (model.is_single() && model.learned_at_mm > 0));
+}
+
+}  // namespace
+
+CameraFeed::CameraFeed(Executor& executor, StereoCamera& camera, FrameHandler on_frame, ChangeHandler on_change)
+    : executor_(executor),
+      camera_(camera),
+      on_frame_(std::move(on_frame)),
+      on_change_(std::move(on_change)),
+      waiting_(executor) {}
+
+void CameraFeed::start() {
+  wanted_ = true;
+  if (job_.done()) job_ = executor_.spawn(run());
+}
+
+void CameraFeed::abandon() {
+  wanted_ = false;
+  job_ = Job();
+  state_ = State::closed;
+}
+
+Task<Result<StereoFrame>> CameraFeed::next(Duration timeout) {
+  const Time deadline = executor_.now() + timeout;
+  const bool woken = co_await waiting_.wait(deadline);
+  if (woken && latest_.left != nullptr) co_return latest_;
+  const std::string sentence = trouble_.empty() ? "the camera gives no images" : trouble_;
+  co_return fail("no-image", sentence);
+}
+
+Task<void> CameraFeed::run() {
+  const std::string no_trouble;
+  Duration pause = first_pause;
+  while (true) {
+    if (!wanted_) {
+      co_await change_to(State::closed, no_trouble);
+      if (!wanted_) co_return;
+    }
+    if (state_ == State::closed) co_await change_to(State::opening, no_trouble);
+    const Result<StereoModel> model = co_await camera_.open();
+    std::string trouble;
+    if (model && usable(*model)) {
+      model_ = *model;
+      latest_ = {};
+      co_await change_to(State::open, no_trouble);
+      co_await capture();
+      if (!wanted_) continue;
+      if (latest_.number != 0) pause = first_pause;
+      trouble = trouble_;
+    } else {
+      trouble = model ? "the camera's model makes no sense" : describe(model.error());
+    }
+    co_await change_to(State::lost, trouble);
+    co_await sleep(executor_, pause);
+    pause = std::min(2 * pause, longest_pause);
+  }
+}
+
+Task<void> CameraFeed::capture() {
+  int corrupt = 0;
+  while (wanted_) {
+    const std::uint64_t after = latest_.number;
+    const Result<StereoFrame> frame = co_await camera_.next(after, false);
+    const bool good = frame && fits(*model_, frame->left) && fits(*model_, frame->right) && frame->number > after;
+    if (good) {
+      corrupt = 0;
+      latest_ = *frame;
+      waiting_.wake_all();
+      StereoFrame copy = *frame;
+      co_await on_frame_(std::move(copy));
+      continue;
+    }
+    const bool broken = frame || frame.error().symbol == "corrupt-frame";
+    if (broken && ++corrupt < most_corrupt_frames) {
+      co_await sleep(executor_, corrupt_pause);
+      continue;
+    }
+    trouble_ = frame ? "the camera gives corrupt images" : describe(frame.error());
+    co_return;
+  }
+}
+
+Task<void> CameraFeed::change_to(State state, std::string trouble) {
+  if (state == state_ && trouble == trouble_) co_return;
+  state_ = state;
+  trouble_ = std::move(trouble);
+  co_await on_change_();
+}
+
+}  // namespace pizarra

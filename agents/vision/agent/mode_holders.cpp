@@ -1,0 +1,69 @@
+#include "agents/vision/agent/mode_holders.hpp"
+
+#include <algorithm>
+
+namespace pizarra {
+
+void ModeHolders::disconnect(const std::string& client) {
+  for (const std::string& whose : {client, std::string(anybody)}) {
+    const auto held = clients_.find(whose);
+    if (held != clients_.end()) held->second.connected = false;
+  }
+  tidy();
+}
+
+bool ModeHolders::connected() const {
+  return std::ranges::any_of(clients_, [](const auto& entry) { return entry.second.connected; });
+}
+
+void ModeHolders::track(const std::string& client, const std::string& name) { clients_[client].tracked.insert(name); }
+
+void ModeHolders::end_track(const std::string& client) {
+  for (const std::string& whose : {client, std::string(anybody)}) {
+    const auto held = clients_.find(whose);
+    if (held != clients_.end()) held->second.tracked.clear();
+  }
+  tidy();
+}
+
+bool ModeHolders::tracks(const std::string& client) const {
+  return std::ranges::any_of(clients_, [&](const auto& entry) {
+    return (entry.first == client || entry.first == anybody) && !entry.second.tracked.empty();
+  });
+}
+
+std::string ModeHolders::tracker() const {
+  const auto held = std::ranges::find_if(clients_, [](const auto& entry) { return !entry.second.tracked.empty(); });
+  return held == clients_.end() ? "" : held->first;
+}
+
+std::set<std::string> ModeHolders::tracked() const {
+  std::set<std::string> out;
+  for (const auto& [client, held] : clients_) out.insert(held.tracked.begin(), held.tracked.end());
+  return out;
+}
+
+void ModeHolders::rename(const std::string& name, const std::string& new_name) {
+  for (auto& [client, held] : clients_) {
+    if (held.tracked.erase(name) != 0) held.tracked.insert(new_name);
+  }
+}
+
+std::vector<std::string> ModeHolders::clients() const {
+  std::vector<std::string> out;
+  for (const auto& [client, held] : clients_) {
+    if (client != anybody) out.push_back(client);
+  }
+  return out;
+}
+
+std::vector<Datum> ModeHolders::facts() const {
+  std::vector<Datum> out;
+  for (const auto& [client, held] : clients_) {
+    if (held.connected) out.push_back(list("vision-held"_sym, Datum::symbol(client), "connected"_sym));
+    if (!held.tracked.empty()) out.push_back(list("vision-held"_sym, Datum::symbol(client), "tracking"_sym));
+  }
+  return out;
+}
+
+}  // namespace pizarra

@@ -1,0 +1,226 @@
+#include <cmath>
+#include <fmt/format.h>
+
+#include "agents/vision/agent/vision_replies.hpp"
+#include "agents/vision/agent/vision_state.hpp"
+
+namespace pizarra {
+namespace {
+
+constexpr Duration longest_frame_wait = 3s;
+constexpr int frames_to_find = 3;
+
+}  // namespace
+
+Task<Result<Datum>> VisionAgent::State::answer_failed(std::string text, Failure why) {
+  std::vector<Datum> facts;
+  const Datum symbol = Datum::symbol(why.symbol);
+  facts.push_back(list("vision-failed"_sym, feed.frame_number(), text, symbol, describe(why)));
+  co_await tell(std::move(facts));
+  co_return list(text);
+}
+
+Task<Result<Datum>> VisionAgent::State::learn(std::string client, double x, double y, std::string name) {
+  const Result<void> good_name = check_object_name(name);
+  if (!good_name) co_return fail(good_name);
+  const Result<void> free = co_await take_turn(Activity::none);
+  if (!free) co_return fail(free);
+  co_await begin(Activity::learning, std::move(client));
+  Result<LearnedSample> sample = co_await learn_sample(name, x, y);
+  Result<void> kept = sample ? Result<void>() : fail(sample);
+  if (sample) {
+    ObjectChange keep = KeepSample{name, std::move(*sample)};
+    kept = co_await change_objects(std::move(keep));
+  }
+  const LearnedObject* object = objects.find(name);
+  if (kept && object != nullptr) {
+    to_accept.emplace(object->name, object->samples.back().number);
+    co_await tell_objects();
+  }
+  co_await finish_activity();
+  if (kept) co_return list(learn_reply(name, true));
+  const std::string text = learn_reply(name, false);
+  const Result<Datum> answer = co_await answer_failed(text, kept.error());
+  co_return answer;
+}
+
+Task<Result<LearnedSample>> VisionAgent::State::learn_sample(std::string name, double x, double y) {
+  learner.emplace(name, cv::Point2d(x, y), objects);
+  while (!learner->done()) {
+    const Result<StereoFrame> frame = co_await feed.next(longest_frame_wait);
+    if (!frame) co_return fail(frame);
+    const GreyPair grey = grey_pair(*frame);
+    StereoSight sight(grey.left, grey.right, *feed.model());
+    const Result<void> fed = learner->feed(sight);
+    if (!fed) co_return fail(fed);
+  }
+  co_return learner->sample();
+}
+
+Task<Result<void>> VisionAgent::State::change_objects(ObjectChange change) {
+  const Result<void> changed = co_await memory.change(std::move(change));
+  if (!changed) co_return changed;
+  to_accept.reset();
+  co_await tell_objects();
+  co_return changed;
+}
+
+Task<Result<Datum>> VisionAgent::State::find(std::string client, std::string name) {
+  const Result<void> free = co_await take_turn(Activity::tracking);
+  if (!free) co_return fail(free);
+  co_await begin(Activity::finding, std::move(client));
+  const Result<SeenMark> found = co_await find_mark(name);
+  co_await finish_activity();
+  if (found) co_return list(find_reply(name, found->centre));
+  const std::string text = find_reply(name, std::nullopt);
+  const Result<Datum> answer = co_await answer_failed(text, found.error());
+  co_return answer;
+}
+
+Task<Result<SeenMark>> VisionAgent::State::find_mark(std::string name) {
+  const Failure unknown{"not-learned", "nothing is learned under this name", to_datum(name), {}};
+  if (objects.find(name) == nullptr) co_return fail(unknown);
+  Failure why = unknown;
+  for (int i = 0; i < frames_to_find; ++i) {
+    const Result<StereoFrame> frame = co_await feed.next(longest_frame_wait);
+    if (!frame) co_return fail(frame);
+    // It may have been forgotten meanwhile.
+    const LearnedObject* object = objects.find(name);
+    if (object == nullptr) co_return fail(unknown);
+    const GreyPair grey = grey_pair(*frame);
+    StereoSight sight(grey.left, grey.right, *feed.model());
+    const std::optional<SeenPair> found = sight.find(objects, *object);
+    if (!found) why = not_found(sight.left_segmentation(), *object);
+    if (!found) continue;
+    std::vector<Datum> facts{found_fact(frame->number, sight.left_segmentation(), *object, found->left)};
+    co_await tell(std::move(facts));
+    co_return found->left;
+  }
+  co_return fail(why);
+}
+
+Failure VisionAgent::State::not_found(ImageSegmentation& segmentation, const LearnedObject& object) const {
+  for (const SeenMark& mark : segmentation.marks()) {
+    const Likeness likely = likeness(mark, objects, object);
+    if (likely.error > recognition_threshold || likely.margin() >= least_margin) continue;
+    return {"ambiguous",
+            fmt::format("a mark looks like it, and as much like {}", likely.second->name),
+            to_datum(object.name),
+            {}};
+  }
+  return {"not-seen", "no mark in the image is like it", to_datum(object.name), {}};
+}
+
+// (found NAME FRAME CONFIDENCE SECOND MARGIN ((X Y) ...))
+Datum VisionAgent::State::found_fact(std::uint64_t frame, ImageSegmentation& segmentation, const LearnedObject& object,
+                                     const SeenMark& mark) const {
+  constexpr std::size_t most_others = 8;
+  const auto rounded = [](double value, double parts) { return std::round(value * parts) / parts; };
+  const Likeness likely = likeness(mark, objects, object);
+  std::vector<Datum> elsewhere;
+  for (const cv::Point2d& place : others_like(segmentation.marks(), objects, object, mark)) {
+    if (elsewhere.size() < most_others) elsewhere.push_back(list(rounded(place.x, 100), rounded(place.y, 100)));
+  }
+  return list("found"_sym, object.name, frame, rounded(likely.confidence(), 1000),
+              likely.second == nullptr ? "" : likely.second->name, rounded(likely.margin(), 1000),
+              Datum::list(std::move(elsewhere)));
+}
+
+Task<Result<Datum>> VisionAgent::State::track(std::string client, std::string name) {
+  const std::string holder = co_await holder_for(std::move(client));
+  const Result<void> free = co_await take_turn(Activity::tracking);
+  if (!free) co_return fail(free);
+  const LearnedObject* object = objects.find(name);
+  if (object == nullptr) co_return fail("not-learned", "nothing is learned under this name", to_datum(name));
+  const LearnedObject* end_effector = objects.find(end_effector_name);
+  for (const LearnedObject* each : {end_effector, object}) {
+    if (each == nullptr) continue;
+    const Result<void> added = tracker.add(*each);
+    if (!added) co_return fail(added);
+    holders.track(holder, each->name);
+  }
+  activity = Activity::tracking;
+  holders.connect(holder);
+  feed.start();
+  co_await tell_state();
+  co_return Datum();
+}
+
+Task<Result<Datum>> VisionAgent::State::end_track(std::string client) {
+  if (holders.tracker().empty()) co_return Datum();
+  if (!holders.tracks(client)) {
+    const std::string holder = holders.tracker();
+    co_return fail("busy", fmt::format("{} tracks, and ends it itself", holder), Datum::symbol(holder));
+  }
+  holders.end_track(client);
+  co_await follow_holders();
+  co_return Datum();
+}
+
+Task<Result<Datum>> VisionAgent::State::connect(std::string client) {
+  const std::string holder = co_await holder_for(std::move(client));
+  holders.connect(holder);
+  feed.start();
+  co_await tell_state();
+  co_return Datum();
+}
+
+Task<Result<Datum>> VisionAgent::State::disconnect(std::string client) {
+  holders.disconnect(client);
+  co_await follow_holders();
+  co_return Datum();
+}
+
+Task<Result<Datum>> VisionAgent::State::get_objects() {
+  co_await follow_memory();
+  co_return list(get_reply(objects));
+}
+
+Result<void> VisionAgent::State::check_to_accept(const std::string& name) const {
+  if (to_accept && same_name(to_accept->name, name)) return {};
+  return fail("nothing-to-accept", "the sample that was learned last is not of this name, or has been judged already",
+              to_datum(name));
+}
+
+Task<Result<Datum>> VisionAgent::State::accept(std::string name) {
+  const Result<void> waiting = check_to_accept(name);
+  if (!waiting) co_return fail(waiting);
+  to_accept.reset();
+  co_await tell_objects();
+  co_return Datum();
+}
+
+Task<Result<Datum>> VisionAgent::State::reject(std::string name) {
+  const Result<void> waiting = check_to_accept(name);
+  if (!waiting) co_return fail(waiting);
+  ObjectChange withdraw = WithdrawSample{to_accept->name, to_accept->number};
+  const Result<void> done = co_await change_objects(std::move(withdraw));
+  if (!done) co_return fail(done);
+  co_return Datum();
+}
+
+Task<Result<Datum>> VisionAgent::State::forget(std::string name) {
+  const Result<void> free = co_await take_turn(Activity::tracking);
+  if (!free) co_return fail(free);
+  ObjectChange forget = ForgetObject{name};
+  const Result<void> done = co_await change_objects(std::move(forget));
+  if (!done) co_return fail(done);
+  co_return Datum();
+}
+
+Task<Result<Datum>> VisionAgent::State::rename(std::string name, std::string new_name) {
+  const Result<void> good_name = check_object_name(new_name);
+  if (!good_name) co_return fail(good_name);
+  const Result<void> free = co_await take_turn(Activity::tracking);
+  if (!free) co_return fail(free);
+  const LearnedObject* object = objects.find(name);
+  if (object != nullptr) name = object->name;
+  ObjectChange rename = RenameObject{name, new_name};
+  const Result<void> done = co_await change_objects(std::move(rename));
+  if (!done) co_return fail(done);
+  tracker.rename(name, new_name);
+  holders.rename(name, new_name);
+  co_return Datum();
+}
+
+}  // namespace pizarra

@@ -1,0 +1,65 @@
+#include "agents/vision/agent/vision_replies.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+
+namespace pizarra {
+namespace {
+
+double rounded(double value, double parts) { return std::round(value * parts) / parts; }
+
+}  // namespace
+
+std::string learn_reply(const std::string& name, bool ok) {
+  return fmt::format("(LEARN \"{}\" {})", name, ok ? "OK" : "FAIL");
+}
+
+std::string find_reply(const std::string& name, const std::optional<cv::Point2d>& place) {
+  if (!place) return fmt::format("(FIND \"{}\" FAIL)", name);
+  return fmt::format("(FIND \"{}\" OK ({:.2f}, {:.2f}))", name, place->x, place->y);
+}
+
+std::string track_reply(std::span<const TrackSighting> sightings) {
+  std::string text = fmt::format("(TRACK {}", sightings.size());
+  for (const TrackSighting& s : sightings) {
+    text += s.seen ? fmt::format(" (\"{}\" OK ({:.2f}, {:.2f}, {:.2f}))", s.name, s.centre.x, s.centre.y, s.range_mm)
+                   : fmt::format(" (\"{}\" FAIL)", s.name);
+  }
+  return text + ")";
+}
+
+Datum faces_fact(std::uint64_t frame, std::span<const TrackSighting> sightings) {
+  std::vector<Datum> faces;
+  for (const TrackSighting& s : sightings) {
+    if (s.yaw_deg) faces.push_back(list(s.name, std::round(*s.yaw_deg * 10) / 10));
+  }
+  return list("faces"_sym, frame, Datum::list(std::move(faces)));
+}
+
+std::string_view track_state(const TrackSighting& sighting) {
+  return sighting.seen ? "seen" : sighting.bridged ? "bridged" : "lost";
+}
+
+Datum sightings_fact(std::uint64_t frame, std::span<const TrackSighting> sightings) {
+  std::vector<Datum> out;
+  for (const TrackSighting& s : sightings) {
+    std::vector<Datum> one{to_datum(s.name), Datum::symbol(track_state(s))};
+    if (s.seen || s.bridged) one.push_back(to_datum(rounded(s.confidence, 1000)));
+    if (s.seen) one.push_back(to_datum(rounded(s.range_spread_mm, 100)));
+    if (s.bridged) {
+      for (const double value : {s.centre.x, s.centre.y, s.range_mm}) one.push_back(to_datum(rounded(value, 100)));
+    }
+    out.push_back(Datum::list(std::move(one)));
+  }
+  return list("sightings"_sym, frame, Datum::list(std::move(out)));
+}
+
+std::string get_reply(const LearnedObjects& objects) {
+  std::string names;
+  for (const LearnedObject& object : objects.all()) {
+    names += fmt::format("{}\"{}\"", names.empty() ? "" : ", ", object.name);
+  }
+  return fmt::format("(GET {} ({}))", objects.all().size(), names);
+}
+
+}  // namespace pizarra

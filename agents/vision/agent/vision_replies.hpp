@@ -1,0 +1,30 @@
+#pragma once
+
+// The texts of the thesis' Table C.2, to the letter; numbers have two decimals.
+//
+//   (LEARN "name" OK)   (FIND "name" OK (112.25, 87.50))   (TRACK 2 ("a" OK (x, y, d)) ("b" FAIL))   (GET 2 ("a", "b"))
+
+#include <span>
+
+#include "agents/vision/sight/mark_tracker.hpp"
+
+namespace pizarra {
+
+std::string learn_reply(const std::string& name, bool ok);
+// `place`: px, absent when it was not found.
+std::string find_reply(const std::string& name, const std::optional<cv::Point2d>& place);
+std::string track_reply(std::span<const TrackSighting> sightings);
+std::string get_reply(const LearnedObjects& objects);
+
+// What the thesis' text has no room for: (faces FRAME (("a" DEGREES) ...)), the yaw of every face that both images
+// show.
+Datum faces_fact(std::uint64_t frame, std::span<const TrackSighting> sightings);
+
+// (sightings FRAME (("a" seen CONFIDENCE SPREAD) ("b" bridged CONFIDENCE X Y D) ("c" lost) ...)): how sure each is, and
+// how far its d may be off, mm; of one that was lost a moment ago, where it should be.
+Datum sightings_fact(std::uint64_t frame, std::span<const TrackSighting> sightings);
+
+// seen, bridged or lost.
+std::string_view track_state(const TrackSighting& sighting);
+
+}  // namespace pizarra

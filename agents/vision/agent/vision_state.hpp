@@ -1,0 +1,131 @@
+#pragma once
+
+// What the vision agent knows and is doing; vision_agent.cpp runs it, vision_operations.cpp has its operations.
+
+#include <deque>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "agents/runtime/service.hpp"
+#include "agents/vision/agent/camera_feed.hpp"
+#include "agents/vision/agent/mode_holders.hpp"
+#include "agents/vision/agent/vision_agent.hpp"
+#include "agents/vision/memory/object_memory.hpp"
+#include "agents/vision/sight/annotate.hpp"
+#include "agents/vision/sight/mark_learner.hpp"
+#include "agents/vision/sight/mark_tracker.hpp"
+
+namespace pizarra {
+
+struct VisionAgent::State {
+  // Learning, finding and tracking exclude each other; none: idle or capturing.
+  enum class Activity : std::uint8_t { none, learning, finding, tracking };
+
+  State(AgentContext agent_context, StereoCamera& stereo_camera, Streams* image_streams, VisionOptions vision_options);
+
+  Task<Result<void>> run();
+  Task<Result<Datum>> handle(Fact request);
+
+  // The operations, for a client where it matters whose they are. What they answer stands after `ok`.
+  Task<Result<Datum>> learn(std::string client, double x, double y, std::string name);
+  Task<Result<Datum>> find(std::string client, std::string name);
+  Task<Result<Datum>> track(std::string client, std::string name);
+  Task<Result<Datum>> end_track(std::string client);
+  Task<Result<Datum>> get_objects();
+  Task<Result<Datum>> connect(std::string client);
+  Task<Result<Datum>> disconnect(std::string client);
+  Task<Result<Datum>> accept(std::string name);
+  Task<Result<Datum>> reject(std::string name);
+  Task<Result<Datum>> forget(std::string name);
+  Task<Result<Datum>> rename(std::string name, std::string new_name);
+
+  Task<Result<LearnedSample>> learn_sample(std::string name, double x, double y);
+  Task<Result<void>> keep(std::string name, LearnedSample sample);
+  Task<Result<SeenMark>> find_mark(std::string name);
+  // (found ...): how sure it is, what it might be otherwise, where else one like it is.
+  Datum found_fact(std::uint64_t frame, ImageSegmentation& segmentation, const LearnedObject& object,
+                   const SeenMark& mark) const;
+  // Why none of the marks is the object: like another one as much, or like none.
+  Failure not_found(ImageSegmentation& segmentation, const LearnedObject& object) const;
+  Task<Result<Datum>> answer_failed(std::string text, Failure why);
+  // Changes what is known, and has everything that goes by it follow.
+  Task<Result<void>> change_objects(ObjectChange change);
+  Result<void> check_to_accept(const std::string& name) const;
+
+  // Facts.
+  Task<void> tell_state();
+  // What is worth knowing of the learned objects: damage, those that look alike, the one to be accepted.
+  Task<void> tell_objects();
+  // Another agent may have changed what is known.
+  Task<void> follow_memory();
+  Task<void> tell_holders();
+  Task<void> tell_state_again();
+  Task<void> camera_changed();
+  // What was said of earlier frames holds no longer.
+  Task<Result<void>> unsay();
+  Task<void> tell(std::vector<Datum> facts);
+  std::string_view mode() const;
+  // Modes.
+  // The client as one who can hold a mode: itself while it is present, ModeHolders::anybody otherwise.
+  Task<std::string> holder_for(std::string client);
+  // A failure `busy`, its subject who holds the mode, unless nothing goes on, or only what `allowed` says.
+  Result<void> check_free(Activity allowed) const;
+  // Waits in turn until no other learning or finding goes on; `allowed` as above. Who has had its turn begins at once.
+  Task<Result<void>> take_turn(Activity allowed);
+  Task<void> begin(Activity wanted, std::string client);
+  // Ends an activity and goes on with what it interrupted.
+  Task<void> finish_activity();
+  // Of those who hold modes and are not present any more, a second long, all is ended.
+  Task<void> let_dead_go();
+  // The tracker, and who is told, become what the holders say.
+  Task<void> follow_holders();
+
+  // Frames.
+  Task<void> on_frame(StereoFrame frame);
+  // The name of the stream of this kind, and whether anybody watches it.
+  std::string stream(std::string_view kind) const;
+  bool watched(std::string_view kind) const;
+  void publish(const StereoFrame& frame, const std::vector<TrackSighting>& sightings);
+  Task<void> show(StereoFrame frame, Annotation annotation);
+
+  AgentContext context;
+  VisionOptions options;
+  StereoCamera& camera;
+  Streams* streams;
+  ObjectMemory memory;
+  const LearnedObjects& objects = memory.objects();
+  MarkTracker tracker{objects};
+  std::optional<MarkLearner> learner;
+  // The sample that was learned last, until it is accepted, rejected or followed by another.
+  struct ToAccept {
+    std::string name;
+    int number;
+  };
+  std::optional<ToAccept> to_accept;
+  Activity activity = Activity::none;
+  ModeHolders holders;
+  std::string busy_for;   // whose learning or finding goes on
+  std::deque<int> turns;  // of those who wait, and of the one who is next
+  int last_turn = 0;
+  std::map<std::string, std::string> told_tracks;  // the state of each tracked object as it was told last
+  std::vector<Datum> told_held;                    // the facts that say who holds what
+  std::set<std::string> missing;                   // holders who were not present at the last look
+  LeaseId told_under = 0;
+  CameraDrops told_drops;
+  CameraFeed feed;
+  WaitList turn_ended;
+  std::optional<Service> service;  // it ends first: its handlers wait for the feed
+  Job again;
+  Job showing;
+};
+
+// Grey images of a frame; they share its pixels where these are grey already.
+struct GreyPair {
+  cv::Mat left;
+  cv::Mat right;
+};
+GreyPair grey_pair(const StereoFrame& frame);
+std::shared_ptr<const Image> grey_image(const std::shared_ptr<const Image>& image);
+
+}  // namespace pizarra

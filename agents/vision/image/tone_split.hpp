@@ -1,0 +1,24 @@
+#pragma once
+
+// An image divided into what is dark and what is light around each pixel. The threshold is local, halfway between the
+// darkest and the lightest in the tiles nearby, so that a light gradient does not matter; where nothing but noise is
+// nearby, a pixel is neither.
+//
+//   ToneSplit split = split_tones(cut.pixels, cut.noise);
+//   regions_of(split.dark) ...
+
+#include <opencv2/core.hpp>
+
+#include "agents/vision/image/bit_rows.hpp"
+
+namespace pizarra {
+
+struct ToneSplit {
+  BitImage dark;
+  BitImage light;
+};
+
+// `noise`: what there is in the image, as a standard deviation.
+ToneSplit split_tones(const cv::Mat1b& image, double noise);
+
+}  // namespace pizarra

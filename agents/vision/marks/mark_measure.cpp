@@ -1,0 +1,192 @@
+#include "agents/vision/marks/mark_measure.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pizarra {
+namespace {
+
+// Of the patch's values, about its left upper corner: sums are exact.
+struct Sums {
+  double s, x, y, xx, xy, yy;
+};
+
+// Columns and their squares; 16 bits hold both.
+using Columns = std::array<std::int16_t, MarkPatch::most_side_px>;
+constexpr Columns columns = [] {
+  Columns out{};
+  for (int x = 0; x < MarkPatch::most_side_px; ++x) out[static_cast<std::size_t>(x)] = static_cast<std::int16_t>(x);
+  return out;
+}();
+constexpr Columns squared_columns = [] {
+  Columns out{};
+  for (int x = 0; x < MarkPatch::most_side_px; ++x) out[static_cast<std::size_t>(x)] = static_cast<std::int16_t>(x * x);
+  return out;
+}();
+
+std::int32_t dot(const std::int16_t* a, const std::int16_t* b, int count) {
+  std::int32_t sum = 0;
+  for (int i = 0; i < count; ++i) sum += static_cast<std::int32_t>(a[i]) * b[i];
+  return sum;
+}
+
+Sums sums_of(const MarkPatch& patch) {
+  Sums out{};
+  for (int y = 1; y < patch.box.height - 1; ++y) {
+    const std::int16_t* row = patch.row(y);
+    std::int32_t sum = 0;
+    for (int x = 0; x < patch.stride; ++x) sum += row[x];
+    const double s = sum;
+    const double x = dot(row, columns.data(), patch.stride);
+    out.s += s;
+    out.x += x;
+    out.y += y * s;
+    out.xx += dot(row, squared_columns.data(), patch.stride);
+    out.xy += y * x;
+    out.yy += static_cast<double>(y) * y * s;
+  }
+  return out;
+}
+
+struct Ellipse {
+  cv::Point2d centre;
+  double xx, xy, yy;  // covariance, px^2
+  double area_px;     // the sum of all weights
+};
+
+std::optional<Ellipse> ellipse_of(const MarkPatch& patch) {
+  const Sums sums = sums_of(patch);
+  if (sums.s < patch.contrast) return std::nullopt;
+  Ellipse out{};
+  out.centre = {sums.x / sums.s, sums.y / sums.s};
+  out.xx = sums.xx / sums.s - out.centre.x * out.centre.x;
+  out.xy = sums.xy / sums.s - out.centre.x * out.centre.y;
+  out.yy = sums.yy / sums.s - out.centre.y * out.centre.y;
+  out.area_px = sums.s / patch.contrast;
+  if (out.xx <= 0 || out.yy <= 0 || out.xx * out.yy <= out.xy * out.xy) return std::nullopt;
+  return out;
+}
+
+// The symmetric square root of a 2x2 covariance: (S + sqrt(det S) I) / sqrt(trace S + 2 sqrt(det S)).
+cv::Matx22d spread_of(const Ellipse& e) {
+  const double root = std::sqrt(e.xx * e.yy - e.xy * e.xy);
+  const double scale = 1 / std::sqrt(e.xx + e.yy + 2 * root);
+  return {(e.xx + root) * scale, e.xy * scale, e.xy * scale, (e.yy + root) * scale};
+}
+
+WeightedShape shape_of(const MarkPatch& patch, const Ellipse& ellipse) {
+  return {.weights = patch.values.data(),
+          .stride = patch.stride,
+          .size = patch.box.size(),
+          .centre = ellipse.centre,
+          .spread = spread_of(ellipse),
+          .full = static_cast<double>(patch.contrast)};
+}
+
+// M. K. Hu, Visual Pattern Recognition by Moment Invariants, 1962.
+std::array<double, 3> hu_moments(const MarkPatch& patch, const Ellipse& e) {
+  double mu30 = 0;
+  double mu21 = 0;
+  double mu12 = 0;
+  double mu03 = 0;
+  for (int y = 0; y < patch.box.height; ++y) {
+    for (int x = 0; x < patch.box.width; ++x) {
+      const double w = patch.row(y)[x] / static_cast<double>(patch.contrast);
+      const double u = x - e.centre.x;
+      const double v = y - e.centre.y;
+      mu30 += w * u * u * u;
+      mu21 += w * u * u * v;
+      mu12 += w * u * v * v;
+      mu03 += w * v * v * v;
+    }
+  }
+  const double third = e.area_px * e.area_px * std::sqrt(e.area_px);
+  const double n20 = e.xx / e.area_px;
+  const double n02 = e.yy / e.area_px;
+  const double n11 = e.xy / e.area_px;
+  const double h1 = n20 + n02;
+  const double h2 = (n20 - n02) * (n20 - n02) + 4 * n11 * n11;
+  const double a = (mu30 - 3 * mu12) / third;
+  const double b = (3 * mu21 - mu03) / third;
+  return {2 * CV_PI * h1, 1e6 * h2, 1e9 * (a * a + b * b)};
+}
+
+}  // namespace
+
+std::optional<SeenMark> measure_mark(const cv::Mat1b& image, MarkContour contour, MarkTone tone) {
+  MarkPatch patch;
+  if (!patch.cut(image, contour, tone)) return std::nullopt;
+  const std::optional<Ellipse> ellipse = ellipse_of(patch);
+  if (!ellipse) return std::nullopt;
+  std::optional<SeenMark> out(std::in_place);
+  out->tone = tone;
+  out->centre = cv::Point2d(patch.box.tl()) + ellipse->centre;
+  const cv::Point margin(MarkPatch::margin_px, MarkPatch::margin_px);
+  out->box = {patch.box.tl() + margin, patch.box.br() - margin};
+  out->area_px = patch.area_px;
+  out->perimeter_px = static_cast<int>(contour.size());
+  out->width_px = std::sqrt(ellipse->xx);
+  out->height_px = std::sqrt(ellipse->yy);
+  const double mean = (ellipse->xx + ellipse->yy) / 2;
+  const double half = std::hypot((ellipse->xx - ellipse->yy) / 2, ellipse->xy);
+  out->slimness = std::sqrt(std::max(0.0, mean - half) / (mean + half));
+  out->roundness = 4 * CV_PI * std::sqrt(ellipse->xx * ellipse->yy - ellipse->xy * ellipse->xy) / ellipse->area_px;
+  out->mark_level = patch.mark_level;
+  out->ground_level = patch.ground_level;
+  out->signature = signature_of(shape_of(patch, *ellipse));
+  out->contour = std::move(contour);
+  return out;
+}
+
+double centre_spread_px(const SeenMark& mark, double noise) {
+  constexpr double least_noise = 0.3;  // that of rounding to grey levels
+  constexpr double systematic_px = 0.02;
+  const double contrast = std::max(1.0, std::abs(mark.mark_level - mark.ground_level));
+  // Those counted are the mark's pixels and the two around it.
+  const double counted = mark.area_px + 2 * mark.perimeter_px;
+  const double reach = mark.width_px * std::sqrt(counted / mark.area_px);
+  const double random = std::max(noise, least_noise) * std::sqrt(counted) * reach / (contrast * mark.area_px);
+  return std::hypot(random, systematic_px);
+}
+
+void move_by(SeenMark& mark, cv::Point origin) {
+  mark.centre += cv::Point2d(origin);
+  mark.box += origin;
+  for (cv::Point& p : mark.contour) p += origin;
+}
+
+std::optional<MarkPortrait> portray_mark(const cv::Mat1b& image, const MarkContour& contour, MarkTone tone) {
+  MarkPatch patch;
+  if (!patch.cut(image, contour, tone)) return std::nullopt;
+  const std::optional<Ellipse> ellipse = ellipse_of(patch);
+  if (!ellipse) return std::nullopt;
+  return MarkPortrait{.corners = count_corners(contour),
+                      .moments = hu_moments(patch, *ellipse),
+                      .picture = template_picture(shape_of(patch, *ellipse))};
+}
+
+int count_corners(const MarkContour& contour) {
+  const int size = static_cast<int>(contour.size());
+  const int reach = std::clamp(size / 16, 2, 6);
+  if (size < 4 * reach) return 0;
+  const auto at = [&](int i) { return contour[static_cast<std::size_t>((i + size) % size)]; };
+  std::vector<double> turn(contour.size());
+  for (int i = 0; i < size; ++i) {
+    const cv::Point before = at(i) - at(i - reach);
+    const cv::Point after = at(i + reach) - at(i);
+    turn[static_cast<std::size_t>(i)] = std::abs(std::atan2(before.cross(after), before.dot(after)));
+  }
+  int corners = 0;
+  for (int i = 0; i < size; ++i) {
+    const double here = turn[static_cast<std::size_t>(i)];
+    bool peak = here > 50 * CV_PI / 180;
+    for (int step = 1; step <= reach && peak; ++step) {
+      peak = here > turn[static_cast<std::size_t>((i - step + size) % size)] &&
+             here >= turn[static_cast<std::size_t>((i + step) % size)];
+    }
+    corners += peak ? 1 : 0;
+  }
+  return corners;
+}
+
+}  // namespace pizarra

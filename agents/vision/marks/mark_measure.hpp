@@ -1,0 +1,58 @@
+#pragma once
+
+// What is measured of one mark in one image: its place to a few hundredths of a pixel, and its shape; and, for
+// learning, the rest of the thesis' Table C.1 and its picture.
+//
+//   std::optional<SeenMark> mark = measure_mark(image, contour, MarkTone::dark);
+//   std::optional<MarkPortrait> portrait = portray_mark(image, mark->contour, mark->tone);
+
+#include <optional>
+
+#include "agents/vision/marks/mark_patch.hpp"
+#include "agents/vision/marks/mark_signature.hpp"
+#include "agents/vision/marks/tag.hpp"
+
+namespace pizarra {
+
+struct SeenMark {
+  MarkTone tone = MarkTone::dark;
+  std::optional<Tag> tag = {};  // where it is one; its shape then says nothing
+  cv::Point2d centre;           // grey-weighted, px
+  cv::Rect box;                 // around its contour
+  double area_px = 0;           // filled pixels
+  int perimeter_px = 0;         // contour pixels
+  double width_px = 0;          // standard deviation along x
+  double height_px = 0;         // standard deviation along y, which a yawed face keeps
+  double slimness = 0;          // the smaller over the larger principal standard deviation
+  double roundness = 0;         // 1 for a disc, more for any other shape; no view changes it
+  double mark_level = 0;        // grey levels of the mark and of the ground around it
+  double ground_level = 0;
+  MarkSignature signature;
+  MarkContour contour;
+};
+
+// Nothing where MarkPatch::cut() finds none.
+std::optional<SeenMark> measure_mark(const cv::Mat1b& image, MarkContour contour, MarkTone tone);
+
+// How far its centre may be off along x, as a standard deviation in px, in an image of this noise. The centre is the
+// mean of columns weighted by how far each pixel is from the ground's level, so noise of one sigma a pixel moves it by
+// sigma sqrt(sum of (x - centre)^2) / (sum of weights): the propagation of uncertainty to first order (JCGM 100:2008,
+// 5.1.2). What the pixels' phase and the light's slope add besides was measured.
+double centre_spread_px(const SeenMark& mark, double noise);
+
+// The same mark where its image is a part of another one that begins at `origin`.
+void move_by(SeenMark& mark, cv::Point origin);
+
+struct MarkPortrait {
+  int corners = 0;  // NF
+  // Hu's first three moment invariants, scaled: 2 pi h1 (1 for a disc), 1e6 h2, 1e9 h3.
+  std::array<double, 3> moments{};
+  cv::Mat1f picture;  // template_picture()
+};
+
+std::optional<MarkPortrait> portray_mark(const cv::Mat1b& image, const MarkContour& contour, MarkTone tone);
+
+// The number of places where the contour turns by more than 50 degrees within a few pixels.
+int count_corners(const MarkContour& contour);
+
+}  // namespace pizarra

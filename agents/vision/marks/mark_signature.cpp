@@ -1,0 +1,191 @@
+#include "agents/vision/marks/mark_signature.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <opencv2/core/hal/intrin.hpp>
+#include <opencv2/imgproc.hpp>
+
+namespace pizarra {
+namespace {
+
+// In standard deviations; a circle ends at 2, a square between 1.7 and 2.4, a triangle's corners at 2.8.
+constexpr std::array<double, MarkSignature::rings> ring_radii = {1.0, 1.4, 1.7, 2.05, 2.4, 2.7};
+constexpr double quantum = 64;
+
+// Bilinear, in the units of the weights.
+float sample(const WeightedShape& shape, float x, float y) {
+  // Beyond the picture it is as on its border: 0.
+  const float inside_x = std::clamp(x, 0.F, static_cast<float>(shape.size.width) - 1.001F);
+  const float inside_y = std::clamp(y, 0.F, static_cast<float>(shape.size.height) - 1.001F);
+  const int left = static_cast<int>(inside_x);
+  const int top = static_cast<int>(inside_y);
+  const std::int16_t* upper = shape.weights + top * shape.stride + left;
+  const std::int16_t* lower = upper + shape.stride;
+  const float fx = inside_x - static_cast<float>(left);
+  const float fy = inside_y - static_cast<float>(top);
+  const float above = static_cast<float>(upper[0]) + fx * static_cast<float>(upper[1] - upper[0]);
+  const float below = static_cast<float>(lower[0]) + fx * static_cast<float>(lower[1] - lower[0]);
+  return above + fy * (below - above);
+}
+
+// sample() of four places at once, given in px.
+cv::v_float32x4 sample(const WeightedShape& shape, cv::v_float32x4 x, cv::v_float32x4 y) {
+  const cv::v_float32x4 zero = cv::v_setzero_f32();
+  x = cv::v_max(zero, cv::v_min(x, cv::v_setall_f32(static_cast<float>(shape.size.width) - 1.001F)));
+  y = cv::v_max(zero, cv::v_min(y, cv::v_setall_f32(static_cast<float>(shape.size.height) - 1.001F)));
+  const cv::v_float32x4 left = cv::v_cvt_f32(cv::v_trunc(x));
+  const cv::v_float32x4 top = cv::v_cvt_f32(cv::v_trunc(y));
+  std::array<std::int32_t, 4> place;
+  cv::v_store(place.data(), cv::v_trunc(top * cv::v_setall_f32(static_cast<float>(shape.stride)) + left));
+  std::array<std::int32_t, 4> upper;  // each a pixel and its right neighbour
+  std::array<std::int32_t, 4> lower;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::int16_t* at = shape.weights + place[i];
+    std::memcpy(&upper[i], at, sizeof upper[i]);
+    std::memcpy(&lower[i], at + shape.stride, sizeof lower[i]);
+  }
+  const auto neighbour_of = [](cv::v_int32x4 pairs) { return cv::v_cvt_f32(pairs >> 16); };
+  const auto pixel_of = [](cv::v_int32x4 pairs) { return cv::v_cvt_f32((pairs << 16) >> 16); };
+  const auto between = [](cv::v_float32x4 a, cv::v_float32x4 b, cv::v_float32x4 part) { return a + part * (b - a); };
+  const cv::v_int32x4 above(upper[0], upper[1], upper[2], upper[3]);
+  const cv::v_int32x4 below(lower[0], lower[1], lower[2], lower[3]);
+  const cv::v_float32x4 part = x - left;
+  return between(between(pixel_of(above), neighbour_of(above), part),
+                 between(pixel_of(below), neighbour_of(below), part), y - top);
+}
+
+// Where the samples are taken, in standard deviations, ring by ring.
+struct SamplePlaces {
+  std::array<float, MarkSignature::rings * MarkSignature::turns> u;
+  std::array<float, MarkSignature::rings * MarkSignature::turns> v;
+};
+
+const SamplePlaces& sample_places() {
+  static const SamplePlaces places = [] {
+    SamplePlaces out{};
+    for (std::size_t ring = 0; ring < MarkSignature::rings; ++ring) {
+      for (std::size_t i = 0; i < MarkSignature::turns; ++i) {
+        const double angle = 2 * CV_PI * static_cast<double>(i) / MarkSignature::turns;
+        out.u[ring * MarkSignature::turns + i] = static_cast<float>(ring_radii[ring] * std::cos(angle));
+        out.v[ring * MarkSignature::turns + i] = static_cast<float>(ring_radii[ring] * std::sin(angle));
+      }
+    }
+    return out;
+  }();
+  return places;
+}
+
+std::int32_t correlation(const MarkSignature& a, const MarkSignature& b, int turn) {
+  constexpr int turns = MarkSignature::turns;
+  std::int32_t sum = 0;
+  for (int ring = 0; ring < MarkSignature::rings; ++ring) {
+    const std::int16_t* p = a.samples.data() + ring * 2 * turns;
+    const std::int16_t* q = b.samples.data() + ring * 2 * turns + turn;
+    for (int i = 0; i < turns; ++i) sum += static_cast<std::int32_t>(p[i]) * q[i];
+  }
+  return sum;
+}
+
+double error_of(const MarkSignature& a, const MarkSignature& b, std::int32_t best) {
+  const double energy = std::sqrt(static_cast<double>(a.energy) * static_cast<double>(b.energy));
+  return energy > 0 ? 2 - 2 * best / energy : 2;
+}
+
+}  // namespace
+
+MarkSignature signature_of(const WeightedShape& shape) {
+  MarkSignature out;
+  const auto all = [](double value) { return cv::v_setall_f32(static_cast<float>(value)); };
+  const cv::v_float32x4 xx = all(shape.spread(0, 0)), xy = all(shape.spread(0, 1)), yy = all(shape.spread(1, 1));
+  const cv::v_float32x4 centre_x = all(shape.centre.x), centre_y = all(shape.centre.y);
+  const SamplePlaces& places = sample_places();
+  cv::v_int32x4 energy = cv::v_setzero_s32();
+  for (std::size_t ring = 0; ring < MarkSignature::rings; ++ring) {
+    const cv::v_float32x4 scale = all(quantum * std::sqrt(ring_radii[ring]) / shape.full);
+    std::int16_t* ring_samples = out.samples.data() + ring * 2 * MarkSignature::turns;
+    for (std::size_t i = 0; i < MarkSignature::turns; i += 4) {
+      const cv::v_float32x4 u = cv::v_load(places.u.data() + ring * MarkSignature::turns + i);
+      const cv::v_float32x4 v = cv::v_load(places.v.data() + ring * MarkSignature::turns + i);
+      const cv::v_float32x4 value = sample(shape, centre_x + xx * u + xy * v, centre_y + xy * u + yy * v);
+      const cv::v_int32x4 rounded = cv::v_round(value * scale);
+      energy += rounded * rounded;
+      cv::v_pack_store(ring_samples + i, rounded);
+      cv::v_pack_store(ring_samples + i + MarkSignature::turns, rounded);
+    }
+  }
+  out.energy = cv::v_reduce_sum(energy);
+  return out;
+}
+
+MarkSignature signature_of(const MarkTemplate& picture, double blur) {
+  constexpr double finer = 16;  // than the picture's levels
+  cv::Mat1s weights(template_size, template_size);
+  std::ranges::transform(picture, weights.begin(), [](std::uint8_t level) { return finer * level; });
+  const double sigma = template_scale * blur;
+  if (blur > 0) cv::GaussianBlur(weights, weights, {}, sigma, sigma, cv::BORDER_CONSTANT);
+  const double spread = template_scale * std::sqrt(1 + blur * blur);
+  return signature_of({.weights = weights.ptr<std::int16_t>(0),
+                       .stride = template_size,
+                       .size = {template_size, template_size},
+                       .centre = {template_size / 2.0, template_size / 2.0},
+                       .spread = {spread, 0, 0, spread},
+                       .full = 15 * finer});
+}
+
+double signature_error(const MarkSignature& a, const MarkSignature& b) {
+  std::int32_t best = std::numeric_limits<std::int32_t>::min();
+  for (int turn = 0; turn < MarkSignature::turns; ++turn) best = std::max(best, correlation(a, b, turn));
+  return error_of(a, b, best);
+}
+
+double signature_error(const MarkSignature& a, const MarkSignature& b, int most_turns) {
+  std::int32_t best = correlation(a, b, 0);
+  for (int turn = 1; turn <= most_turns; ++turn) {
+    best = std::max({best, correlation(a, b, turn), correlation(a, b, MarkSignature::turns - turn)});
+  }
+  return error_of(a, b, best);
+}
+
+cv::Mat1f template_picture(const WeightedShape& shape) {
+  cv::Mat1f out(template_size, template_size);
+  for (int y = 0; y < template_size; ++y) {
+    for (int x = 0; x < template_size; ++x) {
+      const double u = (x - template_size / 2.0) / template_scale;
+      const double v = (y - template_size / 2.0) / template_scale;
+      const double at_x = shape.centre.x + shape.spread(0, 0) * u + shape.spread(0, 1) * v;
+      const double at_y = shape.centre.y + shape.spread(1, 0) * u + shape.spread(1, 1) * v;
+      out(y, x) = sample(shape, static_cast<float>(at_x), static_cast<float>(at_y)) / static_cast<float>(shape.full);
+    }
+  }
+  return out;
+}
+
+MarkTemplate template_from_picture(const cv::Mat1f& picture) {
+  MarkTemplate out{};
+  std::transform(picture.begin(), picture.end(), out.begin(), [](float weight) {
+    return static_cast<std::uint8_t>(std::lround(std::clamp(weight, 0.F, 1.F) * 15));
+  });
+  return out;
+}
+
+std::string template_to_text(const MarkTemplate& picture) {
+  std::string text;
+  text.reserve(picture.size());
+  for (const std::uint8_t level : picture) text += "0123456789abcdef"[level];
+  return text;
+}
+
+Result<MarkTemplate> template_from_text(std::string_view text) {
+  MarkTemplate out{};
+  if (text.size() != out.size()) return fail("bad-template", "a template has 1024 hexadecimal digits");
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const std::size_t level = std::string_view("0123456789abcdef").find(text[i]);
+    if (level == std::string_view::npos) return fail("bad-template", "a template has 1024 hexadecimal digits");
+    out[i] = static_cast<std::uint8_t>(level);
+  }
+  return out;
+}
+
+}  // namespace pizarra

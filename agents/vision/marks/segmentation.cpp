@@ -1,0 +1,61 @@
+#include "agents/vision/marks/segmentation.hpp"
+
+#include <cassert>
+
+#include "agents/vision/image/regions.hpp"
+
+namespace pizarra {
+namespace {
+
+constexpr int usual_width_px = 320;
+
+bool has_the_size_of_a_mark(const Region& region, cv::Size image) {
+  const cv::Rect& box = region.box;
+  return region.area_px >= least_mark_area_px && region.area_px <= largest_mark_area_px(image) &&
+         5 * region.area_px >= box.area() && box.width <= 4 * box.height && box.height <= 4 * box.width && box.x > 0 &&
+         box.y > 0 && box.br().x < image.width && box.br().y < image.height;
+}
+
+}  // namespace
+
+int largest_mark_area_px(cv::Size image) { return image.area() / 30; }
+
+std::size_t longest_contour_px(cv::Size image) {
+  return static_cast<std::size_t>(400 * std::max(1, image.width / usual_width_px));
+}
+
+ImageSegmentation::ImageSegmentation(const cv::Mat& grey, double noise)
+    : cut_(look_at(grey, {0, 0, grey.cols, grey.rows}, noise)), split_(split_tones(cut_.pixels, cut_.noise)) {}
+
+cv::Mat1b ImageSegmentation::mask(MarkTone tone) const {
+  cv::Mat1b out = cv::Mat1b::zeros(image().size());
+  const BitImage& there = bits(tone);
+  for (int y = 0; y < out.rows; ++y) {
+    for_each_run_of_bits(there.row(y), there.words_a_row(),
+                         [&](int first, int end) { out.row(y).colRange(first, end).setTo(255); });
+  }
+  return out;
+}
+
+const std::vector<SeenMark>& ImageSegmentation::marks() {
+  if (!collected_) {
+    collected_ = true;
+    collect(MarkTone::dark);
+    collect(MarkTone::light);
+  }
+  return marks_;
+}
+
+void ImageSegmentation::collect(MarkTone tone) {
+  const std::size_t longest = longest_contour_px(image().size());
+  for (const Region& region : regions_of(bits(tone))) {
+    if (marks_.size() >= most_marks) return;
+    if (!has_the_size_of_a_mark(region, image().size())) continue;
+    std::optional<MarkContour> contour = follow_contour(bits(tone), region.start, longest);
+    if (!contour || contour->size() < 4) continue;
+    std::optional<SeenMark> mark = measure_mark(image(), std::move(*contour), tone);
+    if (mark) marks_.push_back(std::move(*mark));
+  }
+}
+
+}  // namespace pizarra

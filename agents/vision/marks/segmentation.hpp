@@ -1,0 +1,44 @@
+#pragma once
+
+// One image and the closed regions of either tone in it that could be marks.
+//
+//   ImageSegmentation segmentation(grey);
+//   for (const SeenMark& mark : segmentation.marks()) ...
+
+#include <vector>
+
+#include "agents/vision/image/look.hpp"
+#include "agents/vision/image/tone_split.hpp"
+#include "agents/vision/marks/mark_measure.hpp"
+
+namespace pizarra {
+
+inline constexpr int least_mark_area_px = 60;
+inline constexpr std::size_t most_marks = 128;
+// In an image of 320 x 240; larger ones show larger marks.
+int largest_mark_area_px(cv::Size image);
+std::size_t longest_contour_px(cv::Size image);
+
+class ImageSegmentation {
+ public:
+  // `grey`: 8 bit, one channel; it may be shared, not copied.
+  ImageSegmentation(const cv::Mat& grey, double noise);
+  explicit ImageSegmentation(const cv::Mat& grey) : ImageSegmentation(grey, noise_of(grey)) {}
+
+  // As the eyes look at it.
+  const cv::Mat1b& image() const { return cut_.pixels; }
+  const BitImage& bits(MarkTone tone) const { return tone == MarkTone::dark ? split_.dark : split_.light; }
+  // 255 where the image has that tone.
+  cv::Mat1b mask(MarkTone tone) const;
+  // Every closed region that measures as a mark, dark ones first; at most most_marks. Computed once.
+  const std::vector<SeenMark>& marks();
+
+ private:
+  void collect(MarkTone tone);
+  ImageCut cut_;
+  ToneSplit split_;
+  bool collected_ = false;
+  std::vector<SeenMark> marks_;
+};
+
+}  // namespace pizarra

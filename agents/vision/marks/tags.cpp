@@ -1,0 +1,179 @@
+#include "agents/vision/marks/tags.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <opencv2/aruco.hpp>
+#include <opencv2/imgproc.hpp>
+
+namespace pizarra {
+namespace {
+
+struct Family {
+  std::string_view name;
+  cv::aruco::PREDEFINED_DICTIONARY_NAME dictionary;
+};
+
+// Those with fewer tags and more cells first: what they say is surer. ArUco's larger families begin with the smaller.
+constexpr Family families[] = {
+    {"apriltag-36h11", cv::aruco::DICT_APRILTAG_36h11}, {"apriltag-36h10", cv::aruco::DICT_APRILTAG_36h10},
+    {"apriltag-25h9", cv::aruco::DICT_APRILTAG_25h9},   {"aruco-7x7-50", cv::aruco::DICT_7X7_50},
+    {"aruco-6x6-50", cv::aruco::DICT_6X6_50},           {"aruco-5x5-50", cv::aruco::DICT_5X5_50},
+    {"aruco-4x4-50", cv::aruco::DICT_4X4_50},           {"apriltag-16h5", cv::aruco::DICT_APRILTAG_16h5},
+    {"aruco-7x7-1000", cv::aruco::DICT_7X7_1000},       {"aruco-6x6-1000", cv::aruco::DICT_6X6_1000},
+    {"aruco-5x5-1000", cv::aruco::DICT_5X5_1000},       {"aruco-original", cv::aruco::DICT_ARUCO_ORIGINAL},
+    {"aruco-4x4-1000", cv::aruco::DICT_4X4_1000},
+};
+
+constexpr double most_row_difference_px = 2;
+// Around a tag there must be light for its border to be seen.
+constexpr double margin_of_side = 0.35;
+
+using Corners = std::vector<cv::Point2f>;
+
+struct Detection {
+  std::vector<Corners> found;
+  std::vector<int> numbers;
+  std::vector<Corners> others;  // squares that no tag of the family fits
+};
+
+const Family* family_called(std::string_view name) {
+  const auto found = std::ranges::find(families, name, &Family::name);
+  return found == std::end(families) ? nullptr : &*found;
+}
+
+Detection detect(const cv::Mat& grey, const Family& family, bool faultless) {
+  const auto parameters = cv::aruco::DetectorParameters::create();
+  parameters->cornerRefinementMethod = cv::aruco::CORNER_REFINE_SUBPIX;
+  if (faultless) parameters->errorCorrectionRate = 0;
+  Detection out;
+  cv::aruco::detectMarkers(grey, cv::aruco::getPredefinedDictionary(family.dictionary), out.found, out.numbers,
+                           parameters, out.others);
+  return out;
+}
+
+void move_by(Corners& corners, cv::Point origin) {
+  for (cv::Point2f& p : corners) p += cv::Point2f(origin);
+}
+
+double side_px(const Corners& corners) { return cv::arcLength(corners, true) / 4; }
+
+cv::Rect around(const Corners& corners, cv::Size image) {
+  const int margin = cvCeil(margin_of_side * side_px(corners)) + 2;
+  const cv::Rect box = cv::boundingRect(corners);
+  return cv::Rect(box.x - margin, box.y - margin, box.width + 2 * margin, box.height + 2 * margin) &
+         cv::Rect({0, 0}, image);
+}
+
+cv::Point2d diagonals_meet(const Corners& c) {
+  const cv::Point2d a = c[2] - c[0];
+  const cv::Point2d b = c[3] - c[1];
+  const cv::Point2d between = c[1] - c[0];
+  const double across = a.cross(b);
+  return cv::Point2d(c[0]) + a * (std::abs(across) < 1e-9 ? 0.5 : between.cross(b) / across);
+}
+
+MarkContour outline_of(const cv::Mat& grey, const Corners& corners) {
+  MarkContour out;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const cv::Point from(corners[i]);
+    const cv::Point to(corners[(i + 1) % corners.size()]);
+    cv::LineIterator line(grey, from, to);
+    // The last pixel is the next side's first.
+    for (int j = 0; j + 1 < line.count; ++j, ++line) out.push_back(line.pos());
+  }
+  return out;
+}
+
+SeenMark mark_of(const cv::Mat& grey, const Corners& corners, Tag tag) {
+  const cv::Moments moments = cv::moments(corners);
+  const double xx = moments.mu20 / moments.m00;
+  const double yy = moments.mu02 / moments.m00;
+  const double xy = moments.mu11 / moments.m00;
+  const double spread = std::hypot((xx - yy) / 2, xy);
+  SeenMark out;
+  out.tag = std::move(tag);
+  out.mark_level = 0;
+  out.ground_level = 255;
+  out.centre = diagonals_meet(corners);
+  out.contour = outline_of(grey, corners);
+  out.box = cv::boundingRect(corners);
+  out.area_px = moments.m00;
+  out.perimeter_px = static_cast<int>(out.contour.size());
+  out.width_px = std::sqrt(xx);
+  out.height_px = std::sqrt(yy);
+  out.slimness = std::sqrt(((xx + yy) / 2 - spread) / ((xx + yy) / 2 + spread));
+  out.roundness = 2 * CV_PI * (xx + yy) / moments.m00;
+  return out;
+}
+
+bool is_around(const Corners& corners, cv::Point2d point) {
+  return cv::pointPolygonTest(corners, cv::Point2f(point), false) >= 0;
+}
+
+// The smallest square around the point, whether a tag of that family or not.
+std::optional<Corners> square_around(const Detection& detection, cv::Point2d point) {
+  std::optional<Corners> best;
+  for (const auto* squares : {&detection.found, &detection.others}) {
+    for (const Corners& corners : *squares) {
+      if (!is_around(corners, point)) continue;
+      if (!best || cv::contourArea(corners) < cv::contourArea(*best)) best = corners;
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+std::string tag_name(const Tag& tag) { return tag.family + "-" + std::to_string(tag.number); }
+
+std::optional<Tag> tag_called(std::string_view name) {
+  const std::size_t dash = name.rfind('-');
+  if (dash == std::string_view::npos || family_called(name.substr(0, dash)) == nullptr) return std::nullopt;
+  Tag out{std::string(name.substr(0, dash)), 0};
+  const char* end = name.data() + name.size();
+  const auto [read_to, error] = std::from_chars(name.data() + dash + 1, end, out.number);
+  if (error != std::errc() || read_to != end || out.number < 0) return std::nullopt;
+  return out;
+}
+
+// The whole image is looked at once; then the square around the point alone.
+std::optional<SeenMark> tag_at(const cv::Mat& grey, cv::Point2d point) {
+  const std::optional<Corners> square = square_around(detect(grey, families[0], true), point);
+  if (!square) return std::nullopt;
+  const cv::Rect area = around(*square, grey.size());
+  for (const Family& family : families) {
+    Detection detection = detect(grey(area), family, true);
+    for (std::size_t i = 0; i < detection.found.size(); ++i) {
+      Corners& corners = detection.found[i];
+      move_by(corners, area.tl());
+      if (!is_around(corners, point)) continue;
+      return mark_of(grey, corners, {std::string(family.name), detection.numbers[i]});
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<SeenMark> find_tag(const cv::Mat& grey, const Tag& tag, cv::Rect area) {
+  const Family* family = family_called(tag.family);
+  if (family == nullptr) return std::nullopt;
+  const cv::Rect whole({0, 0}, grey.size());
+  const cv::Rect looked_at = area.empty() ? whole : area & whole;
+  if (looked_at.empty()) return std::nullopt;
+  Detection detection = detect(grey(looked_at), *family, false);
+  for (std::size_t i = 0; i < detection.found.size(); ++i) {
+    if (detection.numbers[i] != tag.number) continue;
+    move_by(detection.found[i], looked_at.tl());
+    return mark_of(grey, detection.found[i], tag);
+  }
+  return std::nullopt;
+}
+
+bool are_tag_partners(const SeenMark& left, const SeenMark& right) {
+  const double scale = right.height_px / left.height_px;
+  return std::abs(left.centre.y - right.centre.y) < most_row_difference_px && left.centre.x > right.centre.x &&
+         scale > 0.8 && scale < 1.25;
+}
+
+}  // namespace pizarra

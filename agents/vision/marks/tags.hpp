@@ -1,0 +1,26 @@
+#pragma once
+
+// Tags: dark squares whose cells spell a number, of ArUco's and AprilTag's families. A lab that has them needs no other
+// marks: what bears one is learned, found and tracked by it. OpenCV's detector finds them.
+//
+//   std::optional<SeenMark> clicked = tag_at(grey, {160, 120});      // of whatever family
+//   std::optional<SeenMark> seen = find_tag(grey, *clicked->tag);    // and nothing else
+
+#include <optional>
+
+#include "agents/vision/marks/mark_measure.hpp"
+
+namespace pizarra {
+
+// Of a seen tag the mark is the outer square, and the centre where its diagonals meet.
+
+// The tag around the point, read without a fault.
+std::optional<SeenMark> tag_at(const cv::Mat& grey, cv::Point2d point);
+
+// This tag, within `area` where that is given.
+std::optional<SeenMark> find_tag(const cv::Mat& grey, const Tag& tag, cv::Rect area = {});
+
+// Whether the two can be views of one tag: in the same row, the right one further left.
+bool are_tag_partners(const SeenMark& left, const SeenMark& right);
+
+}  // namespace pizarra

@@ -1,0 +1,227 @@
+#include "agents/vision/memory/object_database.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+#include "agents/vision/memory/template_bitmap.hpp"
+#include "blackboard/checksum.hpp"
+#include "lisp/writer.hpp"
+
+namespace pizarra {
+namespace {
+
+constexpr std::int64_t application = 0x506f626a;  // "Pobj"
+constexpr std::int64_t format = 1;
+
+constexpr const char* schema = R"(
+  CREATE TABLE samples (name TEXT COLLATE NOCASE, num INTEGER, tone TEXT, area REAL, perimeter INTEGER, nf INTEGER,
+                        m0 REAL, m1 REAL, m2 REAL, height REAL, slimness REAL, roundness REAL, roundness_spread REAL,
+                        size REAL, sum INTEGER, UNIQUE (name, num));
+  PRAGMA application_id = 1349476970;
+  PRAGMA user_version = 1;
+)";
+
+// Of all that is kept of a sample, its bitmap included.
+std::int64_t sum_of(const LearnedSample& sample) {
+  const std::string nameless;
+  return Checksum()
+      .add(write(learned_fact(nameless, sample)))
+      .add(write(learned_template_fact(nameless, sample)))
+      .value();
+}
+
+bool makes_sense(const LearnedSample& s) {
+  const std::array<double, 9> values = {s.area_px,  s.moments[0], s.moments[1],       s.moments[2], s.height_px,
+                                        s.slimness, s.roundness,  s.roundness_spread, s.size_mm};
+  return s.number > 0 && s.height_px > 0 && s.slimness > 0 && s.roundness > 0 && s.size_mm >= 0 &&
+         std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
+}
+
+}  // namespace
+
+Result<ObjectDatabase> ObjectDatabase::open(const std::string& directory) {
+  std::error_code error;
+  std::filesystem::create_directories(directory, error);
+  if (error) {
+    return fail("unusable", fmt::format("the folder of the objects cannot be made: {}", error.message()),
+                to_datum(directory));
+  }
+  const std::filesystem::path file = std::filesystem::path(directory) / "objects.sqlite";
+  Result<sqlite::Database> database = sqlite::Database::open(file.string(), sqlite::Access::write);
+  if (!database) return fail(database);
+  ObjectDatabase out(directory, std::move(*database));
+  const Result<void> prepared = out.prepare();
+  if (!prepared) return fail(prepared);
+  return out;
+}
+
+Result<void> ObjectDatabase::prepare() {
+  const Result<std::int64_t> whose = database_.ask("PRAGMA application_id");
+  if (!whose) return fail(whose);
+  const Result<std::int64_t> version = database_.ask("PRAGMA user_version");
+  if (!version) return fail(version);
+  if (*whose == application && *version == format) return {};
+  sqlite::Transaction making(database_);
+  const Result<void> begun = making.begin();
+  if (!begun) return begun;
+  const Result<std::int64_t> tables = database_.ask("SELECT count(*) FROM sqlite_schema");
+  if (!tables) return fail(tables);
+  // Another agent may just have made it.
+  const Result<std::int64_t> now = database_.ask("PRAGMA application_id");
+  if (!now) return fail(now);
+  if (*now == application && *version <= format) return {};
+  if (*tables != 0) return fail("unusable", "the file is no database of objects that this version knows");
+  const Result<void> made = database_.run(schema);
+  if (!made) return made;
+  return making.commit();
+}
+
+std::filesystem::path ObjectDatabase::bitmap(const Row& row) const {
+  return directory_ / fmt::format("{}-{}.pgm", row.name, row.number);
+}
+
+Result<KeptObjects> ObjectDatabase::read() {
+  KeptObjects out;
+  sqlite::Statement rows(database_,
+                         "SELECT name, num, tone, area, perimeter, nf, m0, m1, m2, height, slimness, roundness, "
+                         "roundness_spread, size, sum FROM samples ORDER BY rowid");
+  for (Result<bool> row = rows.step(); !row || *row; row = rows.step()) {
+    if (!row) return fail(row);
+    const std::string name(rows.text(0));
+    Result<LearnedSample> sample = sample_of(rows, name);
+    const Result<LearnedObjects::Slot> room = sample ? out.objects.slot_for(name) : fail(sample);
+    if (room) {
+      out.objects.add(room->name, std::move(*sample));
+    } else {
+      Failure why = room.error();
+      why.subject = to_datum(bitmap({name, rows.integer(1)}).filename().string());
+      out.damaged.push_back(std::move(why));
+    }
+  }
+  return out;
+}
+
+Result<LearnedSample> ObjectDatabase::sample_of(sqlite::Statement& row, const std::string& name) const {
+  const Result<void> good_name = check_object_name(name);
+  if (!good_name) return fail("damaged", "the row of the sample is damaged: its name is none");
+  LearnedSample out;
+  out.number = static_cast<int>(row.integer(1));
+  set_tone(out, row.text(2));
+  out.area_px = row.real(3);
+  out.perimeter_px = static_cast<int>(row.integer(4));
+  out.corners = static_cast<int>(row.integer(5));
+  out.moments = {row.real(6), row.real(7), row.real(8)};
+  out.height_px = row.real(9);
+  out.slimness = row.real(10);
+  out.roundness = row.real(11);
+  out.roundness_spread = row.real(12);
+  out.size_mm = row.real(13);
+  const Result<MarkTemplate> picture = read_bitmap(bitmap({name, out.number}), out.tone);
+  if (!picture) return fail(picture);
+  out.set_picture(*picture);
+  if (!makes_sense(out) || sum_of(out) != row.integer(14)) {
+    return fail("damaged", "the sample's row and its bitmap do not belong together: one of them is damaged");
+  }
+  return out;
+}
+
+Result<void> ObjectDatabase::apply(const ObjectChange& change_wanted) {
+  sqlite::Transaction transaction(database_);
+  const Result<void> begun = transaction.begin();
+  if (!begun) return begun;
+  const Result<Leftover> leftover = std::visit([&](const auto& wanted) { return change(wanted); }, change_wanted);
+  if (!leftover) return fail(leftover);
+  const Result<void> committed = transaction.commit();
+  if (!committed) return committed;
+  // A file that stays is overwritten by the next sample of its name.
+  std::error_code ignored;
+  for (const std::filesystem::path& file : *leftover) std::filesystem::remove(file, ignored);
+  return {};
+}
+
+Result<ObjectDatabase::Rows> ObjectDatabase::rows_of(const std::string& name) {
+  Rows out;
+  sqlite::Statement rows(database_, "SELECT name, num FROM samples WHERE name = ? ORDER BY num");
+  rows.bind(1, name);
+  for (Result<bool> row = rows.step(); !row || *row; row = rows.step()) {
+    if (!row) return fail(row);
+    out.push_back({std::string(rows.text(0)), rows.integer(1)});
+  }
+  return out;
+}
+
+Result<ObjectDatabase::Rows> ObjectDatabase::known_rows(const std::string& name) {
+  Result<Rows> rows = rows_of(name);
+  if (rows && rows->empty()) return fail("not-learned", "nothing is learned under this name", to_datum(name));
+  return rows;
+}
+
+Result<ObjectDatabase::Leftover> ObjectDatabase::change(const KeepSample& keep) {
+  const Result<KeptObjects> now = read();
+  if (!now) return fail(now);
+  const Result<LearnedObjects::Slot> slot = now->objects.slot_for(keep.name);
+  if (!slot) return fail(slot);
+  const Result<Rows> known = rows_of(keep.name);
+  if (!known) return fail(known);
+  const std::string name = known->empty() ? slot->name : known->back().name;
+  LearnedSample sample = keep.sample;
+  // A damaged sample keeps its number.
+  sample.number = known->empty() ? 1 : static_cast<int>(known->back().number) + 1;
+  const Result<void> drawn = write_bitmap(bitmap({name, sample.number}), sample.picture, sample.tone);
+  if (!drawn) return fail(drawn);
+  const std::string tone = tone_of(sample);
+  sqlite::Statement row(database_, "INSERT INTO samples VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  row.bind(1, name).bind(2, std::int64_t{sample.number});
+  row.bind(3, tone).bind_real(4, sample.area_px);
+  row.bind(5, std::int64_t{sample.perimeter_px}).bind(6, std::int64_t{sample.corners});
+  for (int i = 0; i < 3; ++i) row.bind_real(7 + i, sample.moments[static_cast<std::size_t>(i)]);
+  row.bind_real(10, sample.height_px).bind_real(11, sample.slimness).bind_real(12, sample.roundness);
+  row.bind_real(13, sample.roundness_spread).bind_real(14, sample.size_mm).bind(15, sum_of(sample));
+  const Result<void> inserted = row.run();
+  if (!inserted) return fail(inserted);
+  return Leftover();
+}
+
+Result<ObjectDatabase::Leftover> ObjectDatabase::change(const WithdrawSample& withdraw) {
+  const Result<Rows> rows = known_rows(withdraw.name);
+  if (!rows) return fail(rows);
+  sqlite::Statement row(database_, "DELETE FROM samples WHERE name = ? AND num = ?");
+  const Result<void> gone = row.bind(1, withdraw.name).bind(2, std::int64_t{withdraw.number}).run();
+  if (!gone) return fail(gone);
+  return Leftover{bitmap({rows->front().name, withdraw.number})};
+}
+
+Result<ObjectDatabase::Leftover> ObjectDatabase::change(const ForgetObject& forget) {
+  const Result<Rows> rows = known_rows(forget.name);
+  if (!rows) return fail(rows);
+  sqlite::Statement row(database_, "DELETE FROM samples WHERE name = ?");
+  const Result<void> gone = row.bind(1, forget.name).run();
+  if (!gone) return fail(gone);
+  Leftover leftover;
+  for (const Row& each : *rows) leftover.push_back(bitmap(each));
+  return leftover;
+}
+
+Result<ObjectDatabase::Leftover> ObjectDatabase::change(const RenameObject& rename) {
+  const Result<Rows> rows = known_rows(rename.name);
+  if (!rows) return fail(rows);
+  const Result<Rows> others = rows_of(rename.new_name);
+  if (!others) return fail(others);
+  if (!others->empty() && !same_name(rename.name, rename.new_name)) return name_taken(rename.new_name);
+  Leftover leftover;
+  for (const Row& each : *rows) {
+    const std::filesystem::path to = bitmap({rename.new_name, each.number});
+    if (bitmap(each) == to) continue;
+    // One that is missing stays so.
+    std::error_code ignored;
+    std::filesystem::copy_file(bitmap(each), to, std::filesystem::copy_options::overwrite_existing, ignored);
+    leftover.push_back(bitmap(each));
+  }
+  sqlite::Statement row(database_, "UPDATE samples SET name = ? WHERE name = ?");
+  const Result<void> renamed = row.bind(1, rename.new_name).bind(2, rename.name).run();
+  if (!renamed) return fail(renamed);
+  return leftover;
+}
+
+}  // namespace pizarra

@@ -1,0 +1,146 @@
+#include "agents/vision/memory/object_memory.hpp"
+
+#include <algorithm>
+
+namespace pizarra {
+namespace {
+
+// How often, and after which pauses, a database that another agent is writing is tried.
+constexpr int tries = 20;
+constexpr Duration busy_pause = 50ms;
+
+bool is_busy(const Failure& failure) { return failure.symbol == "busy"; }
+
+Datum samples_pattern() {
+  const Datum any = "?"_sym;
+  return list("learned"_sym, any, any, any, any, any, any, any, any);
+}
+
+Datum templates_pattern() {
+  const Datum any = "?"_sym;
+  return list("learned-template"_sym, any, any, any, any, any, any, any, any, any);
+}
+
+}  // namespace
+
+Result<void> ObjectMemory::open() {
+  if (database_) return {};
+  Result<ObjectDatabase> opened = ObjectDatabase::open(directory_);
+  if (!opened) return fail(opened);
+  database_.emplace(std::move(*opened));
+  return {};
+}
+
+Result<KeptObjects> ObjectMemory::read() {
+  const Result<void> opened = open();
+  if (!opened) return fail(opened);
+  const Result<std::int64_t> version = database_->version();
+  if (!version) return fail(version);
+  Result<KeptObjects> kept = database_->read();
+  if (kept) version_ = *version;
+  return kept;
+}
+
+Result<void> ObjectMemory::apply(const ObjectChange& change) {
+  const Result<void> opened = open();
+  if (!opened) return opened;
+  return database_->apply(change);
+}
+
+Task<Result<void>> ObjectMemory::recall() {
+  if (directory_.empty()) co_return co_await recall_facts();
+  Result<KeptObjects> kept = read();
+  for (int n = 1; n < tries; ++n) {
+    if (kept || !is_busy(kept.error())) break;
+    co_await sleep(context_.executor, busy_pause);
+    kept = read();
+  }
+  if (kept) {
+    objects_ = std::move(kept->objects);
+    troubles_ = std::move(kept->damaged);
+    const Result<void> told = co_await tell_objects();
+    co_return told;
+  }
+  Failure why = kept.error();
+  why.subject = to_datum("objects.sqlite");
+  // Whatever is wrong with the file, it is looked at anew the next time.
+  database_.reset();
+  const Result<void> recalled = co_await recall_facts();
+  troubles_.push_back(std::move(why));
+  co_return recalled;
+}
+
+Task<Result<bool>> ObjectMemory::recall_changed() {
+  if (directory_.empty()) co_return false;
+  const Result<std::int64_t> version = database_ ? database_->version() : Result<std::int64_t>(version_ - 1);
+  if (version && *version == version_) co_return false;
+  const Result<void> recalled = co_await recall();
+  if (!recalled) co_return fail(recalled);
+  co_return true;
+}
+
+Task<Result<void>> ObjectMemory::change(ObjectChange change) {
+  if (!directory_.empty()) {
+    Result<void> applied = apply(change);
+    for (int n = 1; n < tries; ++n) {
+      if (applied || !is_busy(applied.error())) break;
+      co_await sleep(context_.executor, busy_pause);
+      applied = apply(change);
+    }
+    if (!applied) co_return applied;
+    const Result<void> recalled = co_await recall();
+    co_return recalled;
+  }
+  Result<Transaction> facts = facts_of(change, objects_);
+  if (!facts) co_return fail(facts);
+  const Result<Revision> told = co_await context_.board.transact(std::move(*facts));
+  if (!told) co_return fail(told);
+  const Result<void> recalled = co_await recall_facts();
+  co_return recalled;
+}
+
+// What an earlier life of the agent left on the board.
+Task<Result<void>> ObjectMemory::recall_facts() {
+  const Result<std::vector<Fact>> samples = co_await context_.board.facts(samples_pattern());
+  if (!samples) co_return fail(samples);
+  const Result<std::vector<Fact>> templates = co_await context_.board.facts(templates_pattern());
+  if (!templates) co_return fail(templates);
+  objects_ = LearnedObjects();
+  troubles_.clear();
+  for (const Fact& fact : *samples) {
+    const auto picture = std::ranges::find_if(*templates, [&](const Fact& candidate) {
+      return candidate.datum[1] == fact.datum[1] && candidate.datum[2] == fact.datum[2];
+    });
+    Result<LearnedSample> sample = fail("damaged", "its template is missing");
+    if (picture != templates->end()) sample = sample_from_facts(fact.datum, picture->datum);
+    const Result<LearnedObjects::Slot> slot = objects_.slot_for(fact.datum[1].text());
+    if (sample && slot) {
+      objects_.add(slot->name, std::move(*sample));
+    } else {
+      Failure why = sample ? slot.error() : sample.error();
+      why.subject = fact.datum[1];
+      troubles_.push_back(std::move(why));
+    }
+  }
+  co_return Result<void>();
+}
+
+// The facts become what the database says.
+Task<Result<void>> ObjectMemory::tell_objects() {
+  const std::vector<Datum> wanted = facts_of(objects_);
+  Transaction transaction;
+  const std::vector<Datum> patterns{samples_pattern(), templates_pattern()};
+  for (const Datum& pattern : patterns) {
+    const Result<std::vector<Fact>> standing = co_await context_.board.facts(pattern);
+    if (!standing) co_return fail(standing);
+    for (const Fact& fact : *standing) {
+      if (std::ranges::find(wanted, fact.datum) == wanted.end()) transaction.retract(fact.datum);
+    }
+  }
+  for (const Datum& fact : wanted) transaction.tell(fact);
+  const Result<Revision> told = co_await context_.board.transact(std::move(transaction));
+  if (!told) co_return fail(told);
+  co_return Result<void>();
+}
+
+}  // namespace pizarra

@@ -1,0 +1,52 @@
+#pragma once
+
+// What the vision agent knows of objects, and where that is kept: in the durable facts `learned` and `learned-template`
+// alone, or, where a folder is given, in an object database, of which the facts are then the picture that others read.
+//
+//   ObjectMemory memory(context, "objects");            // or "": the board alone
+//   Result<void> recalled = co_await memory.recall();
+//   Result<void> done = co_await memory.change(ForgetObject{"circle"});
+//   const LearnedObject* circle = memory.objects().find("circle");
+//
+// A database that cannot be used, or samples of it that are damaged, are troubles() and nothing worse: what is sound is
+// used, and where nothing can be read, what the board remembers is.
+
+#include "agents/runtime/agent.hpp"
+#include "agents/vision/memory/object_database.hpp"
+
+namespace pizarra {
+
+class ObjectMemory {
+ public:
+  // `directory`: of the database, made where there is none; empty: no database.
+  ObjectMemory(AgentContext& context, std::string directory) : context_(context), directory_(std::move(directory)) {}
+
+  // The object stays in its place, what is in it is replaced by whatever changes it.
+  const LearnedObjects& objects() const { return objects_; }
+  // What is damaged and where; the subject is a file's name.
+  const std::vector<Failure>& troubles() const { return troubles_; }
+
+  // Reads everything anew. Failures: the board's.
+  Task<Result<void>> recall();
+  // The same where another agent has changed the database, or what kept it from being read is gone; whether it was
+  // read.
+  Task<Result<bool>> recall_changed();
+  // Failures: full, not-learned, name-taken, those of the database and of the board.
+  Task<Result<void>> change(ObjectChange change);
+
+ private:
+  Result<void> open();
+  Result<KeptObjects> read();
+  Result<void> apply(const ObjectChange& change);
+  Task<Result<void>> recall_facts();
+  Task<Result<void>> tell_objects();
+
+  AgentContext& context_;
+  std::string directory_;
+  std::optional<ObjectDatabase> database_;
+  std::int64_t version_ = 0;  // of the database as it was read last
+  LearnedObjects objects_;
+  std::vector<Failure> troubles_;
+};
+
+}  // namespace pizarra

@@ -1,0 +1,63 @@
+#include "agents/vision/memory/template_bitmap.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <fstream>
+#include <unistd.h>
+
+namespace pizarra {
+namespace {
+
+constexpr int levels_apart = 17;  // a template has levels 0 to 15, a bitmap 0 to 255
+
+std::string header() { return fmt::format("P5\n{0} {0}\n255\n", template_size); }
+
+char grey_of(std::uint8_t level, MarkTone tone) {
+  const int grey = levels_apart * level;
+  return static_cast<char>(tone == MarkTone::dark ? 255 - grey : grey);
+}
+
+bool write_whole(const std::filesystem::path& path, std::string_view bytes) {
+  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+  if (file < 0) return false;
+  const bool written = ::write(file, bytes.data(), bytes.size()) == static_cast<ssize_t>(bytes.size());
+  const bool synced = written && ::fsync(file) == 0;
+  return ::close(file) == 0 && synced;
+}
+
+}  // namespace
+
+Result<void> write_bitmap(const std::filesystem::path& path, const MarkTemplate& picture, MarkTone tone) {
+  std::string bytes = header();
+  for (const std::uint8_t level : picture) bytes += grey_of(level, tone);
+  // Beside it first: whoever reads meanwhile finds the old one or the new one, whole.
+  std::filesystem::path beside = path;
+  beside += ".new";
+  if (write_whole(beside, bytes) && ::rename(beside.c_str(), path.c_str()) == 0) return {};
+  const std::string cause = std::strerror(errno);
+  ::unlink(beside.c_str());
+  return fail("disk-full", fmt::format("the template bitmap cannot be written: {}", cause), to_datum(path.string()));
+}
+
+Result<MarkTemplate> read_bitmap(const std::filesystem::path& path, MarkTone tone) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return fail("missing", "the template bitmap is missing", to_datum(path.string()));
+  const std::string head = header();
+  std::string bytes(head.size() + template_size * template_size + 1, '\0');
+  file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  bytes.resize(static_cast<std::size_t>(file.gcount()));
+  MarkTemplate picture{};
+  bool sound = bytes.size() == head.size() + picture.size() && bytes.starts_with(head);
+  for (std::size_t i = 0; i < picture.size() && sound; ++i) {
+    const int grey = static_cast<std::uint8_t>(bytes[head.size() + i]);
+    const int weight = tone == MarkTone::dark ? 255 - grey : grey;
+    picture[i] = static_cast<std::uint8_t>(weight / levels_apart);
+    sound = weight % levels_apart == 0;
+  }
+  if (!sound) return fail("damaged", "the template bitmap is damaged", to_datum(path.string()));
+  return picture;
+}
+
+}  // namespace pizarra

@@ -1,0 +1,130 @@
+#include "agents/vision/objects/learned.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+namespace pizarra {
+namespace {
+
+double rounded(double value) { return std::round(value * 1000) / 1000; }
+
+char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
+
+double spread_of_roundness(const std::vector<LearnedSample>& samples) {
+  const auto count = static_cast<double>(samples.size());
+  double mean = 0;
+  for (const LearnedSample& sample : samples) mean += sample.roundness / count;
+  double variance = 0;
+  for (const LearnedSample& sample : samples) {
+    const double between = sample.roundness - mean;
+    variance += (between * between + sample.roundness_spread * sample.roundness_spread) / count;
+  }
+  return std::sqrt(variance);
+}
+
+bool is_letter(char c) { return lower(c) >= 'a' && lower(c) <= 'z'; }
+
+}  // namespace
+
+std::string tone_of(const LearnedSample& sample) {
+  if (sample.tag) return tag_name(*sample.tag);
+  return sample.tone == MarkTone::dark ? "dark" : "light";
+}
+
+void set_tone(LearnedSample& sample, std::string_view tone) {
+  sample.tone = tone == "light" ? MarkTone::light : MarkTone::dark;
+  sample.tag = tag_called(tone);
+}
+
+const Tag* LearnedObject::tag() const {
+  const auto found = std::ranges::find_if(samples, [](const LearnedSample& sample) { return sample.tag.has_value(); });
+  return found == samples.end() ? nullptr : &*found->tag;
+}
+
+bool same_name(std::string_view a, std::string_view b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) { return lower(x) == lower(y); });
+}
+
+Result<void> check_object_name(std::string_view name) {
+  const bool good =
+      !name.empty() && name.size() <= 64 && is_letter(name[0]) &&
+      std::all_of(name.begin(), name.end(), [](char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '-'; });
+  if (good) return {};
+  return fail("bad-name", "a name is a letter and at most 63 letters, digits and hyphens", to_datum(name));
+}
+
+void LearnedSample::set_picture(const MarkTemplate& new_picture) {
+  picture = new_picture;
+  for (std::size_t i = 0; i < blurs.size(); ++i) signatures[i] = signature_of(picture, blurs[i]);
+}
+
+const LearnedObject* LearnedObjects::find(std::string_view name) const {
+  const auto found = std::find_if(objects_.begin(), objects_.end(),
+                                  [&](const LearnedObject& object) { return same_name(object.name, name); });
+  return found == objects_.end() ? nullptr : &*found;
+}
+
+Result<LearnedObjects::Slot> LearnedObjects::slot_for(std::string_view name) const {
+  const LearnedObject* known = find(name);
+  if (known == nullptr && objects_.size() >= most_objects) {
+    return fail("full", "no more than 32 objects can be learned", to_datum(name));
+  }
+  if (known == nullptr) return Slot{std::string(name), 1};
+  if (known->samples.size() >= most_samples) {
+    return fail("full", "no more than 8 samples of one object can be learned", to_datum(name));
+  }
+  return Slot{known->name, known->samples.back().number + 1};
+}
+
+void LearnedObjects::add(const std::string& name, LearnedSample sample) {
+  auto found = std::ranges::find(objects_, name, &LearnedObject::name);
+  if (found == objects_.end()) found = objects_.insert(objects_.end(), LearnedObject{.name = name, .samples = {}});
+  for (LearnedObject& rival : objects_) {
+    if (&rival == &*found) continue;
+    for (const LearnedSample& other : rival.samples) {
+      if (other.tone != sample.tone || other.tag || sample.tag) continue;
+      const double error = signature_error(sample.signatures.front(), other.signatures.front());
+      found->rival_error = std::min(found->rival_error, error);
+      rival.rival_error = std::min(rival.rival_error, error);
+    }
+  }
+  found->samples.push_back(std::move(sample));
+  found->roundness_spread = spread_of_roundness(found->samples);
+}
+
+Datum learned_fact(const std::string& name, const LearnedSample& sample) {
+  return list("learned"_sym, name, sample.number, rounded(sample.area_px), sample.perimeter_px, sample.corners,
+              rounded(sample.moments[0]), rounded(sample.moments[1]), rounded(sample.moments[2]));
+}
+
+Datum learned_template_fact(const std::string& name, const LearnedSample& sample) {
+  return list("learned-template"_sym, name, sample.number, Datum::symbol(tone_of(sample)), sample.height_px,
+              sample.slimness, sample.roundness, sample.roundness_spread, sample.size_mm,
+              template_to_text(sample.picture));
+}
+
+Result<LearnedSample> sample_from_facts(const Datum& learned, const Datum& learned_template) {
+  if (!learned.is_form("learned") || learned.size() != 9 || !learned_template.is_form("learned-template") ||
+      learned_template.size() != 10) {
+    return fail("bad-template", "a learned object is one learned and one learned-template fact", learned);
+  }
+  Result<MarkTemplate> picture = template_from_text(learned_template[9].text());
+  if (!picture) return fail(picture);
+  LearnedSample out;
+  out.number = static_cast<int>(learned[2].number());
+  out.area_px = learned[3].number();
+  out.perimeter_px = static_cast<int>(learned[4].number());
+  out.corners = static_cast<int>(learned[5].number());
+  out.moments = {learned[6].number(), learned[7].number(), learned[8].number()};
+  set_tone(out, learned_template[3].text());
+  out.height_px = learned_template[4].number();
+  out.slimness = learned_template[5].number();
+  out.roundness = learned_template[6].number();
+  out.roundness_spread = learned_template[7].number();
+  out.size_mm = learned_template[8].number();
+  out.set_picture(*picture);
+  return out;
+}
+
+}  // namespace pizarra

@@ -1,0 +1,91 @@
+#pragma once
+
+// What vision has learned: objects by name, each with one or more samples of its mark. Kept as the durable facts
+//   (learned NAME NUM AREA PERIMETER FEATURES M0 M1 M2)                            the thesis' Table C.1
+//   (learned-template NAME NUM TONE HEIGHT SLIMNESS ROUNDNESS SPREAD SIZE TEMPLATE)    what recognition needs besides
+// TONE being dark, light, or the tag that it is; so that a restarted agent reads them back; and, where a cell says so,
+// as files too (object_database.hpp).
+//
+//   LearnedObjects objects;
+//   objects.add("circle", sample);                 // again under the same name: a second sample
+//   objects.find("Circle")->samples.size();        // names compare without case
+
+#include <deque>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "agents/vision/marks/mark_measure.hpp"
+#include "agents/vision/marks/tag.hpp"
+
+namespace pizarra {
+
+struct LearnedSample {
+  int number = 0;  // NUM, from 1
+  MarkTone tone = MarkTone::dark;
+  std::optional<Tag> tag = {};  // it is known by this alone
+  double area_px = 0;
+  int perimeter_px = 0;
+  int corners = 0;
+  std::array<double, 3> moments{};
+  double height_px = 0;
+  double slimness = 0;
+  double roundness = 0;
+  double roundness_spread = 0;  // a standard deviation, over the frames it was learned from
+  double size_mm = 0;  // the standard deviation along y in the world; 0 when the right image did not show the mark
+  MarkTemplate picture{};
+  // Of `picture`, and as a blur of so many standard deviations would show it: far away a mark is small, and blur is
+  // wide beside it.
+  static constexpr std::array<double, 3> blurs = {0, 0.3, 0.5};
+  std::array<MarkSignature, blurs.size()> signatures;
+
+  void set_picture(const MarkTemplate& new_picture);
+};
+
+// "dark", "light", or its tag's name; and what such a text says.
+std::string tone_of(const LearnedSample& sample);
+void set_tone(LearnedSample& sample, std::string_view tone);
+
+struct LearnedObject {
+  std::string name;
+  std::vector<LearnedSample> samples;
+  // Of their roundness, between the samples and within each: a standard deviation.
+  double roundness_spread = 0;
+  // The least signature_error() between its samples and those of the same tone of any other object.
+  double rival_error = 2;
+
+  // What it is found by, where one of its samples is a tag.
+  const Tag* tag() const;
+};
+
+inline constexpr std::size_t most_objects = 32;
+inline constexpr std::size_t most_samples = 8;  // of one object
+
+class LearnedObjects {
+ public:
+  // In the order in which they were learned; addresses stay.
+  const std::deque<LearnedObject>& all() const { return objects_; }
+  const LearnedObject* find(std::string_view name) const;
+  // The name an object was first learned under, or `name`, and the number its next sample gets. Failure `full`.
+  struct Slot {
+    std::string name;
+    int number;
+  };
+  Result<Slot> slot_for(std::string_view name) const;
+  // After slot_for() has given the name and `sample.number`.
+  void add(const std::string& name, LearnedSample sample);
+
+ private:
+  std::deque<LearnedObject> objects_;
+};
+
+bool same_name(std::string_view a, std::string_view b);
+// Names of objects match [A-Za-z][A-Za-z0-9-]* and have at most 64 characters; failure `bad-name`.
+Result<void> check_object_name(std::string_view name);
+
+Datum learned_fact(const std::string& name, const LearnedSample& sample);
+Datum learned_template_fact(const std::string& name, const LearnedSample& sample);
+// What both facts of one sample say. Failure `bad-template`.
+Result<LearnedSample> sample_from_facts(const Datum& learned, const Datum& learned_template);
+
+}  // namespace pizarra

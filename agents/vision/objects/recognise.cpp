@@ -1,0 +1,159 @@
+#include "agents/vision/objects/recognise.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pizarra {
+namespace {
+
+constexpr double impossible = std::numeric_limits<double>::infinity();
+constexpr double least_slimness = 0.55;
+// Two faces of one yawed cube are seen about this many mark heights (standard deviations) apart at most.
+constexpr double neighbour_heights = 8;
+// Of roundness, while samples spread as little as the frames of one do in good light; less where they spread more.
+constexpr double roundness_weight = 0.25;
+constexpr double ordinary_spread = 0.01;
+// With less error than this a mark need not be compared with what blur would make of the object.
+constexpr double clear_error = 0.01;
+// More than this no lens that is nearly focused blurs.
+constexpr double widest_blur_px = 2.2;
+// So much error makes something e times less likely.
+constexpr double error_scale = 0.01;
+
+double weight_of_roundness(const LearnedObject& object) {
+  return roundness_weight * ordinary_spread / std::max(ordinary_spread, object.roundness_spread);
+}
+
+double sample_error(const SeenMark& mark, const LearnedSample& sample, double weight) {
+  if (mark.tag || sample.tag) return mark.tag == sample.tag ? 0 : impossible;
+  if (mark.tone != sample.tone || mark.slimness < least_slimness * sample.slimness) return impossible;
+  const double scale = mark.height_px / sample.height_px;
+  if (scale < 0.5 || scale > 1.8) return impossible;
+  // The parameters first: where they differ too much the shapes need not be compared.
+  const double roundness = weight * std::abs(mark.roundness / sample.roundness - 1);
+  if (roundness > recognition_threshold) return impossible;
+  double best = impossible;
+  for (std::size_t i = 0; i < sample.blurs.size() && best > clear_error; ++i) {
+    if (sample.blurs[i] * mark.height_px > widest_blur_px) break;
+    best = std::min(best, signature_error(mark.signature, sample.signatures[i]));
+  }
+  return best + roundness;
+}
+
+}  // namespace
+
+double recognition_error(const SeenMark& mark, const LearnedObject& object) {
+  const double weight = weight_of_roundness(object);
+  double best = impossible;
+  for (const LearnedSample& sample : object.samples) best = std::min(best, sample_error(mark, sample, weight));
+  return best;
+}
+
+double likeness_error(const LearnedObject& a, const LearnedObject& b) {
+  double best = impossible;
+  for (const LearnedSample& one : a.samples) {
+    for (const LearnedSample& other : b.samples) {
+      if (one.tone != other.tone || one.tag || other.tag) continue;
+      const double roundness = roundness_weight * std::abs(one.roundness / other.roundness - 1);
+      best = std::min(best, signature_error(one.signatures.front(), other.signatures.front()) + roundness);
+    }
+  }
+  return best;
+}
+
+double Likeness::confidence() const {
+  const double ahead_of_second = std::exp(-(second_error - error) / error_scale);
+  const double ahead_of_unknown = std::exp(-(recognition_threshold - error) / error_scale);
+  return 1 / (1 + ahead_of_second + ahead_of_unknown);
+}
+
+Likeness likeness(const SeenMark& mark, const LearnedObjects& objects, const LearnedObject& object) {
+  Likeness out{.error = recognition_error(mark, object)};
+  for (const LearnedObject& rival : objects.all()) {
+    if (&rival == &object) continue;
+    const double error = recognition_error(mark, rival);
+    if (error >= out.second_error) continue;
+    out.second = &rival;
+    out.second_error = error;
+  }
+  return out;
+}
+
+std::optional<Likeness> recognise(const SeenMark& mark, const LearnedObjects& objects, const LearnedObject& object) {
+  const double error = recognition_error(mark, object);
+  if (error > recognition_threshold) return std::nullopt;
+  // The square root of the error is a distance: within half of that to the nearest rival nothing else can be nearer.
+  if (4 * error < object.rival_error) {
+    const double least_distance = std::sqrt(object.rival_error) - std::sqrt(error);
+    return Likeness{.error = error, .second_error = least_distance * least_distance};
+  }
+  const Likeness out = likeness(mark, objects, object);
+  if (out.margin() < least_margin) return std::nullopt;
+  return out;
+}
+
+bool is_recognised(const SeenMark& mark, const LearnedObjects& objects, const LearnedObject& object) {
+  return recognise(mark, objects, object).has_value();
+}
+
+const SeenMark* find_object(const std::vector<SeenMark>& marks, const LearnedObjects& objects,
+                            const LearnedObject& object) {
+  const SeenMark* best = nullptr;
+  double least = impossible;
+  std::vector<const SeenMark*> recognised;
+  for (const SeenMark& mark : marks) {
+    if (!is_recognised(mark, objects, object)) continue;
+    recognised.push_back(&mark);
+    const double error = recognition_error(mark, object);
+    if (error < least) {
+      least = error;
+      best = &mark;
+    }
+  }
+  if (best == nullptr) return nullptr;
+  const cv::Point2d centre = best->centre;
+  const double reach_px = neighbour_heights * best->height_px;
+  for (const SeenMark* mark : recognised) {
+    if (cv::norm(mark->centre - centre) < reach_px && mark->area_px > best->area_px) best = mark;
+  }
+  return best;
+}
+
+std::vector<cv::Point2d> others_like(const std::vector<SeenMark>& marks, const LearnedObjects& objects,
+                                     const LearnedObject& object, const SeenMark& found) {
+  const double reach_px = neighbour_heights * found.height_px;
+  std::vector<cv::Point2d> out;
+  for (const SeenMark& mark : marks) {
+    const bool elsewhere = cv::norm(mark.centre - found.centre) >= reach_px;
+    if (elsewhere && is_recognised(mark, objects, object)) out.push_back(mark.centre);
+  }
+  return out;
+}
+
+bool are_partners(const SeenMark& left, const SeenMark& right) {
+  const double scale = right.height_px / left.height_px;
+  const double area = right.area_px / left.area_px;
+  return left.tone == right.tone && std::abs(left.centre.y - right.centre.y) < 1.0 &&
+         left.centre.x > right.centre.x + 1 && scale > 0.9 && scale < 1.1 && area > 0.75 && area < 1.33 &&
+         signature_error(left.signature, right.signature, 1) < recognition_threshold;
+}
+
+const SeenMark* find_partner(const SeenMark& left, const std::vector<SeenMark>& right,
+                             std::optional<double> disparity_px) {
+  const SeenMark* best = nullptr;
+  double least = impossible;
+  for (const SeenMark& mark : right) {
+    if (!are_partners(left, mark)) continue;
+    const double disparity = left.centre.x - mark.centre.x;
+    const double error =
+        disparity_px ? std::abs(disparity - *disparity_px) : signature_error(left.signature, mark.signature);
+    if (error < least) {
+      least = error;
+      best = &mark;
+    }
+  }
+  return best;
+}
+
+}  // namespace pizarra

@@ -1,0 +1,62 @@
+#pragma once
+
+// Which learned object a seen mark is, and where in an image an object is: the second and third stage of the thesis'
+// find (the first, candidates over the image, is ImageSegmentation). A parameter counts the less the more the samples
+// of an object differ in it.
+//
+//   double error = recognition_error(mark, *objects.find("circle"));     // infinite where it cannot be
+//   const SeenMark* found = find_object(segmentation.marks(), objects, "circle");
+
+#include "agents/vision/objects/learned.hpp"
+
+namespace pizarra {
+
+// Above this error a mark is not the object.
+inline constexpr double recognition_threshold = 0.085;
+
+// The weighted difference of the parameters to the nearest sample. Infinite where tone, size (0.5 to 1.8 times as
+// learned) or slimness (a face yawed by more than 45 degrees) cannot be the object's.
+double recognition_error(const SeenMark& mark, const LearnedObject& object);
+
+// How much two learned objects differ: the least over pairs of their samples, as a mark of one would differ from the
+// other. Below `alike_below` noise, blur or a turned face may make one pass for the other.
+double likeness_error(const LearnedObject& a, const LearnedObject& b);
+inline constexpr double alike_below = 0.075;
+
+// How much a mark is like an object, and the learned object that it is most like otherwise.
+struct Likeness {
+  double error = 0;
+  const LearnedObject* second = nullptr;  // null: none comes near
+  double second_error = 2;                // of that one, or less than it can be
+  // By how much the object is ahead; below `least_margin` it is neither for certain.
+  double margin() const { return second_error - error; }
+  // From 0 to 1: the object's share against the second and against anything unknown, each of which counts e times less
+  // for every hundredth of error that it is farther away. One half: it might as well be the other.
+  double confidence() const;
+};
+inline constexpr double least_margin = 0.005;
+
+Likeness likeness(const SeenMark& mark, const LearnedObjects& objects, const LearnedObject& object);
+
+// The likeness of a mark that is this object rather than nothing or any other learned one. The second is looked for
+// only where it may come near.
+std::optional<Likeness> recognise(const SeenMark& mark, const LearnedObjects& objects, const LearnedObject& object);
+bool is_recognised(const SeenMark& mark, const LearnedObjects& objects, const LearnedObject& object);
+
+// The mark that is the object: the least error, but of several within one cube's width the largest. Null: none.
+const SeenMark* find_object(const std::vector<SeenMark>& marks, const LearnedObjects& objects,
+                            const LearnedObject& object);
+
+// Where else, beyond the width of a cube from `found`, marks are recognised as the object.
+std::vector<cv::Point2d> others_like(const std::vector<SeenMark>& marks, const LearnedObjects& objects,
+                                     const LearnedObject& object, const SeenMark& found);
+
+// The partner of a left mark in the right image: same tone, line, size and shape, to the left of it and nearest to the
+// expected disparity where one is given. Null: none.
+const SeenMark* find_partner(const SeenMark& left, const std::vector<SeenMark>& right,
+                             std::optional<double> disparity_px);
+
+// Whether the two can be views of one mark.
+bool are_partners(const SeenMark& left, const SeenMark& right);
+
+}  // namespace pizarra

@@ -1,0 +1,20 @@
+#pragma once
+
+// The camera's picture as a person likes to see it: twice the size, with the contour, a cross, the name and x, y, d of
+// each tracked object; red what is being filled while learning; a line that says what the eyes are doing.
+
+#include "agents/vision/sight/mark_tracker.hpp"
+
+namespace pizarra {
+
+struct Annotation {
+  std::vector<TrackSighting> sightings;
+  cv::Mat1b filled;             // may be empty
+  MarkContour learned_contour;  // may be empty
+  std::string status;           // "frame 12  tracking"
+};
+
+// `base`: grey or BGR. The result is BGR.
+std::shared_ptr<const Image> annotate(const Image& base, const Annotation& annotation);
+
+}  // namespace pizarra

@@ -1,0 +1,217 @@
+#include "agents/vision/sight/mark_learner.hpp"
+
+#include <cassert>
+#include <cmath>
+#include <numeric>
+#include <opencv2/imgproc.hpp>
+
+#include "agents/vision/marks/tags.hpp"
+
+namespace pizarra {
+namespace {
+
+// A closed contour must have been followed in this many of the ten frames.
+constexpr std::size_t least_measured = 7;
+constexpr double most_motion_px = 1.5;
+// Within one mark, in grey levels.
+constexpr double most_grey_change = 40;
+
+// In the world, by the partner; or, before one camera alone, by where objects are said to be while they are learned.
+std::optional<double> size_mm(StereoSight& sight, const SeenMark& seen) {
+  const StereoModel& model = sight.model();
+  if (model.is_single()) return seen.height_px * model.learned_at_mm / model.focal_px;
+  const SeenMark* partner = find_partner(seen, sight.right_segmentation().marks(), std::nullopt);
+  if (partner == nullptr) return std::nullopt;
+  return size_mm(model, seen, *partner);
+}
+
+// What the thesis' Table C.1 and the template picture say of a square; a tag is found by neither.
+MarkPortrait portrait_of_tag(const cv::Mat& grey, const SeenMark& seen) {
+  MarkPortrait out{.corners = 4, .picture = {}};
+  cv::Mat small;
+  cv::resize(grey(seen.box & cv::Rect({0, 0}, grey.size())), small, {template_size, template_size}, 0, 0,
+             cv::INTER_AREA);
+  // How much of each place is dark.
+  small.convertTo(out.picture, CV_32F, -1.0 / 255, 1);
+  out.moments[0] = seen.roundness;
+  return out;
+}
+
+template <typename Measured>
+double mean_of(const std::vector<Measured>& measured, auto value) {
+  const double sum = std::accumulate(measured.begin(), measured.end(), 0.0,
+                                     [&](double so_far, const Measured& m) { return so_far + value(m); });
+  return sum / static_cast<double>(measured.size());
+}
+
+// Ground that has a mark in it has a hole; so has a ring, which is no solid mark either.
+bool encloses_something(const cv::Mat1b& filled) {
+  cv::Mat1b around;
+  cv::copyMakeBorder(filled, around, 1, 1, 1, 1, cv::BORDER_CONSTANT, 0);
+  cv::floodFill(around, cv::Point(0, 0), 255, nullptr, 0, 0, 4);
+  return around.total() - static_cast<std::size_t>(cv::countNonZero(around)) >= least_mark_area_px;
+}
+
+// Whether most of what was filled is of another grey than where the filling began.
+bool leaks(const cv::Mat1b& image, const cv::Mat1b& filled, cv::Point seed) {
+  const double begun_at = cv::mean(image(cv::Rect(seed.x - 1, seed.y - 1, 3, 3) & cv::Rect({}, image.size())))[0];
+  int others = 0;
+  int all = 0;
+  for (int y = 0; y < filled.rows; ++y) {
+    for (int x = 0; x < filled.cols; ++x) {
+      if (filled(y, x) == 0) continue;
+      ++all;
+      others += std::abs(image(y, x) - begun_at) > most_grey_change ? 1 : 0;
+    }
+  }
+  return 2 * others > all;
+}
+
+}  // namespace
+
+Result<void> MarkLearner::feed(StereoSight& sight) {
+  assert(!done());
+  if (filled_frames_ < frames_per_step) return fill(sight.left());
+  return measure(sight);
+}
+
+Result<void> MarkLearner::fill(const cv::Mat& left) {
+  const cv::Point seed(cvRound(click_.x), cvRound(click_.y));
+  if (!cv::Rect(0, 0, left.cols, left.rows).contains(seed)) {
+    return fail("outside", "the point is outside the image", list(click_.x, click_.y));
+  }
+  cv::Mat1f grey;
+  left.convertTo(grey, CV_32F);
+  if (sum_.empty()) {
+    sum_ = grey;
+  } else {
+    sum_ += grey;
+  }
+  ++filled_frames_;
+  cv::Mat mean;
+  sum_.convertTo(mean, CV_8U, 1.0 / filled_frames_);
+  ImageSegmentation segmentation(mean);
+  const bool dark = segmentation.bits(MarkTone::dark).inside(seed.x, seed.y);
+  filled_ = cv::Mat1b::zeros(left.size());
+  if (dark || segmentation.bits(MarkTone::light).inside(seed.x, seed.y)) {
+    cv::Mat1b padded = cv::Mat1b::zeros(left.rows + 2, left.cols + 2);
+    cv::Mat1b regions = segmentation.mask(dark ? MarkTone::dark : MarkTone::light);
+    cv::floodFill(regions, padded, seed, 0, nullptr, 0, 0, 8 | cv::FLOODFILL_MASK_ONLY | (255 << 8));
+    padded(cv::Rect(1, 1, left.cols, left.rows)).copyTo(filled_);
+  }
+  if (filled_frames_ < frames_per_step) return {};
+  first_ = tag_at(mean, click_);
+  if (!first_) return check_region(segmentation);
+  contour_ = first_->contour;
+  return {};
+}
+
+Result<void> MarkLearner::check_region(const ImageSegmentation& mean) {
+  const Datum where = list(click_.x, click_.y);
+  const int area = cv::countNonZero(filled_);
+  if (area == 0) return fail("background", "there is nothing but even ground around the point", where);
+  const cv::Rect box = cv::boundingRect(filled_);
+  const bool cut = box.x <= 1 || box.y <= 1 || box.br().x >= filled_.cols - 1 || box.br().y >= filled_.rows - 1;
+  const bool large = area > largest_mark_area_px(filled_.size());
+  const cv::Point seed(cvRound(click_.x), cvRound(click_.y));
+  if (leaks(mean.image(), filled_, seed)) {
+    return fail("open-contour", "the contour of the mark is open: what is filled leaks out of it", where);
+  }
+  if (large || encloses_something(filled_)) {
+    return fail("background", "the point is on the ground around marks, which is no mark itself", where);
+  }
+  if (cut) return fail("border", "the shape around the point is cut by the border of the image", where);
+  if (area < least_mark_area_px) return fail("too-small", "the region around the point is too small", where);
+  int x = box.x;
+  while (filled_(box.y, x) == 0) ++x;
+  const std::optional<MarkContour> contour =
+      follow_contour(MaskField(filled_), {x, box.y}, longest_contour_px(filled_.size()));
+  const MarkTone tone = mean.bits(MarkTone::dark).inside(seed.x, seed.y) ? MarkTone::dark : MarkTone::light;
+  if (contour) first_ = measure_mark(mean.image(), *contour, tone);
+  if (!first_) {
+    return fail("open-contour", "the region around the point is no solid mark with a closed contour on even ground",
+                where);
+  }
+  contour_ = *contour;
+  return {};
+}
+
+Result<void> MarkLearner::measure(StereoSight& sight) {
+  ++contour_frames_;
+  if (first_->tag) {
+    measure_tag(sight);
+    return done() ? check_measured() : Result<void>{};
+  }
+  const SeenMark* seen = nullptr;
+  for (const SeenMark& mark : sight.left_segmentation().marks()) {
+    if (mark.tone == first_->tone && cv::norm(mark.centre - first_->centre) < most_motion_px) seen = &mark;
+  }
+  if (seen != nullptr) {
+    contour_ = seen->contour;
+    const std::optional<MarkPortrait> portrait =
+        portray_mark(sight.left_segmentation().image(), seen->contour, seen->tone);
+    measured_.push_back(*seen);
+    portraits_.push_back(portrait.value());
+    const std::optional<double> size = size_mm(sight, *seen);
+    if (size) sizes_mm_.push_back(*size);
+  }
+  return done() ? check_measured() : Result<void>{};
+}
+
+void MarkLearner::measure_tag(StereoSight& sight) {
+  const std::optional<SeenPair> seen = sight.find(*first_->tag, first_->centre, most_motion_px);
+  if (!seen || cv::norm(seen->left.centre - first_->centre) > most_motion_px) return;
+  measured_.push_back(seen->left);
+  portraits_.push_back(portrait_of_tag(sight.left(), seen->left));
+  const StereoModel& model = sight.model();
+  if (model.is_single()) {
+    sizes_mm_.push_back(seen->left.height_px * model.learned_at_mm / model.focal_px);
+  } else if (seen->right) {
+    sizes_mm_.push_back(size_mm(model, seen->left, *seen->right));
+  }
+}
+
+Result<void> MarkLearner::check_measured() const {
+  const Datum where = list(click_.x, click_.y);
+  if (measured_.size() < least_measured) {
+    return fail("moved", "the mark moved, or its contour did not stay closed, while it was learned", where);
+  }
+  for (const LearnedObject& other : objects_.all()) {
+    if (same_name(other.name, name_)) continue;
+    if (recognition_error(measured_.back(), other) < recognition_threshold / 2) {
+      return fail("ambiguous", "the mark looks like one that is learned under another name", to_datum(other.name));
+    }
+  }
+  return {};
+}
+
+LearnedSample MarkLearner::sample() const {
+  assert(done() && !measured_.empty());
+  LearnedSample out;
+  out.tone = first_->tone;
+  out.tag = first_->tag;
+  out.area_px = mean_of(measured_, [](const SeenMark& m) { return m.area_px; });
+  out.perimeter_px =
+      static_cast<int>(std::lround(mean_of(measured_, [](const SeenMark& m) { return m.perimeter_px; })));
+  out.corners = static_cast<int>(std::lround(mean_of(portraits_, [](const MarkPortrait& p) { return p.corners; })));
+  for (std::size_t i = 0; i < out.moments.size(); ++i) {
+    out.moments[i] = mean_of(portraits_, [i](const MarkPortrait& p) { return p.moments[i]; });
+  }
+  out.height_px = mean_of(measured_, [](const SeenMark& m) { return m.height_px; });
+  out.slimness = mean_of(measured_, [](const SeenMark& m) { return m.slimness; });
+  out.roundness = mean_of(measured_, [](const SeenMark& m) { return m.roundness; });
+  out.roundness_spread = std::sqrt(mean_of(measured_, [&](const SeenMark& m) {
+    const double off = m.roundness - out.roundness;
+    return off * off;
+  }));
+  if (2 * sizes_mm_.size() > measured_.size()) {
+    out.size_mm = std::accumulate(sizes_mm_.begin(), sizes_mm_.end(), 0.0) / static_cast<double>(sizes_mm_.size());
+  }
+  cv::Mat1f picture = cv::Mat1f::zeros(template_size, template_size);
+  for (const MarkPortrait& portrait : portraits_) picture += portrait.picture;
+  picture /= static_cast<double>(portraits_.size());
+  out.set_picture(template_from_picture(picture));
+  return out;
+}
+
+}  // namespace pizarra

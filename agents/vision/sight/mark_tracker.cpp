@@ -1,0 +1,162 @@
+#include "agents/vision/sight/mark_tracker.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+namespace pizarra {
+namespace {
+
+// How far from its predicted place a mark is followed: more than a frame's motion (12 mm are 6 px).
+constexpr int gate_px = 12;
+constexpr int small_gate_px = 5;
+// How far a lost mark is looked for before the whole image is.
+constexpr double local_reach_px = 48;
+// How much of the confidence is left after each frame in which a mark was not seen.
+constexpr double trust_in_a_bridge = 0.7;
+
+// How far around the predicted place of its middle an image must be looked at for a mark to be followed there.
+cv::Rect area_around(const SeenMark& last, cv::Point middle, int gate, cv::Size image) {
+  const int reach_y = last.box.height / 2 + gate + 2 * MarkPatch::margin_px;
+  // As many columns as fill whole vectors.
+  const int reach_x = (last.box.width / 2 + gate + 2 * MarkPatch::margin_px + 7) / 8 * 8;
+  return cv::Rect(middle.x - reach_x, middle.y - reach_y, 2 * reach_x, 2 * reach_y) & cv::Rect({0, 0}, image);
+}
+
+// Follows the contour of the mark that was `last` from about `centre`, no further than `gate_px` away.
+std::optional<SeenMark> follow_mark(const cv::Mat& grey, double noise, const SeenMark& last, cv::Point2d centre,
+                                    int gate) {
+  const cv::Point middle(cvRound(centre.x), cvRound(centre.y));
+  const cv::Rect area = area_around(last, middle, gate, grey.size());
+  if (!area.contains(middle)) return std::nullopt;
+  const ImageCut cut = look_at(grey, area, noise);
+  const int threshold = cvRound((last.mark_level + last.ground_level) / 2);
+  const ToneField field(cut.pixels, threshold, last.tone == MarkTone::dark);
+  std::optional<MarkContour> contour =
+      contour_from_centre(field, middle - area.tl(), gate, longest_contour_px(grey.size()));
+  if (!contour || contour->size() < 4) return std::nullopt;
+  std::optional<SeenMark> mark = measure_mark(cut.pixels, std::move(*contour), last.tone);
+  if (mark) move_by(*mark, cut.origin);
+  if (!mark || cv::norm(mark->centre - centre) > gate) return std::nullopt;
+  return mark;
+}
+
+// Most marks are where they are expected; then little need be looked at.
+std::optional<SeenMark> follow_mark(const cv::Mat& grey, double noise, const SeenMark& last, cv::Point2d centre) {
+  std::optional<SeenMark> near = follow_mark(grey, noise, last, centre, small_gate_px);
+  return near ? near : follow_mark(grey, noise, last, centre, gate_px);
+}
+
+}  // namespace
+
+Result<void> MarkTracker::add(const LearnedObject& object) {
+  for (const Track& track : tracks_) {
+    if (same_name(track.name, object.name)) return {};
+  }
+  if (tracks_.size() >= most_tracked) {
+    return fail("full", "no more than 16 objects can be tracked", to_datum(object.name));
+  }
+  const auto place = same_name(object.name, end_effector_name) ? tracks_.begin() : tracks_.end();
+  tracks_.insert(place, Track{.name = object.name});
+  return {};
+}
+
+void MarkTracker::rename(std::string_view name, const std::string& new_name) {
+  for (Track& track : tracks_) {
+    if (same_name(track.name, name)) track.name = new_name;
+  }
+}
+
+std::vector<TrackSighting> MarkTracker::update(StereoSight& sight) {
+  std::vector<TrackSighting> out;
+  for (Track& track : tracks_) out.push_back(update(sight, track));
+  return out;
+}
+
+std::optional<SeenPair> MarkTracker::follow(StereoSight& sight, const Track& track, const LearnedObject& object) const {
+  if (!track.left || object.tag() != nullptr) return std::nullopt;
+  SeenPair out;
+  std::optional<SeenMark> left = follow_mark(sight.left(), sight.noise(), *track.left, track.expected());
+  if (!left) return std::nullopt;
+  const std::optional<Likeness> likely = recognise(*left, objects_, object);
+  if (!likely) return std::nullopt;
+  out.left = std::move(*left);
+  out.likeness = *likely;
+  std::optional<double> disparity;
+  if (track.right) {
+    disparity = track.left->centre.x - track.right->centre.x + (track.missing + 1) * track.disparity_change_px;
+    const cv::Point2d expected(out.left.centre.x - *disparity, out.left.centre.y);
+    out.right = follow_mark(sight.right(), sight.noise(), *track.right, expected);
+  }
+  if (!out.right || !are_partners(out.left, *out.right)) {
+    out.right.reset();
+    const SeenMark* partner = find_partner(out.left, sight.right_segmentation().marks(), disparity);
+    if (partner != nullptr) out.right = *partner;
+  }
+  if (out.right && !is_whole(sight.model(), object, out.left, *out.right)) return std::nullopt;
+  return out;
+}
+
+std::optional<SeenPair> MarkTracker::see(StereoSight& sight, const Track& track, const LearnedObject& object) const {
+  std::optional<SeenPair> now = follow(sight, track, object);
+  if (!now && track.left) now = sight.find(objects_, object, track.expected(), local_reach_px);
+  if (!now) now = sight.find(objects_, object);
+  return now;
+}
+
+// What is said of a frame in which it was not found.
+TrackSighting MarkTracker::miss(const StereoSight& sight, Track& track) {
+  TrackSighting out{.name = track.name, .centre = {}, .yaw_deg = {}, .contour = {}};
+  const cv::Rect2d image(0, 0, sight.left().cols, sight.left().rows);
+  const bool near = track.left && track.missing < most_bridged && image.contains(track.expected());
+  if (!near) {
+    track = Track{.name = track.name};
+    return out;
+  }
+  out.bridged = true;
+  out.centre = track.expected();
+  out.range_mm = track.range_mm;
+  ++track.missing;
+  out.confidence = track.confidence * std::pow(trust_in_a_bridge, track.missing);
+  return out;
+}
+
+TrackSighting MarkTracker::update(StereoSight& sight, Track& track) const {
+  const LearnedObject* object = objects_.find(track.name);
+  std::optional<SeenPair> now;
+  if (object != nullptr) now = see(sight, track, *object);
+  if (!now) return miss(sight, track);
+
+  TrackSighting out{.name = track.name, .centre = {}, .yaw_deg = {}, .contour = {}};
+  const int frames = track.missing + 1;
+  const cv::Point2d motion = track.left ? (now->left.centre - track.left->centre) / frames : cv::Point2d();
+  const bool steady = cv::norm(motion) < local_reach_px;
+  track.velocity_px = steady ? motion : cv::Point2d();
+  track.disparity_change_px = 0;
+  out.centre = now->left.centre;
+  out.contour = now->left.contour;
+  out.confidence = now->likeness.confidence();
+  if (now->right) {
+    const double disparity = now->left.centre.x - now->right->centre.x;
+    if (track.left && track.right && steady) {
+      track.disparity_change_px = (disparity - (track.left->centre.x - track.right->centre.x)) / frames;
+    }
+    out.seen = true;
+    out.range_mm = range_mm(sight.model(), now->left.centre, disparity);
+    out.range_spread_mm = range_spread_mm(sight.model(), now->left, *now->right, sight.noise());
+    out.yaw_deg = face_yaw_deg(sight.model(), now->left, *now->right);
+  } else if (sight.is_cut_off(*object, now->left)) {
+    const std::optional<double> range = range_by_size_mm(sight.model(), *object, now->left);
+    out.seen = range.has_value();
+    out.range_mm = range.value_or(0);
+    out.range_spread_mm = spread_by_size_mm(out.range_mm);
+  }
+  track.left = std::move(now->left);
+  track.right = std::move(now->right);
+  if (out.seen) track.range_mm = out.range_mm;
+  track.confidence = out.confidence;
+  track.missing = 0;
+  return out;
+}
+
+}  // namespace pizarra

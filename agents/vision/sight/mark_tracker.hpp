@@ -1,0 +1,79 @@
+#pragma once
+
+// Follows several objects from frame to frame in both images. Each object is found once; then its closed contour is
+// followed from where its motion predicts its centre. Where that fails, it is looked for nearby and then everywhere,
+// in this same frame and in every later one, while the others go on. What is followed is recognised anew in every
+// frame, so that a hand, the gripper or another cube in its place is a loss, never a position. A loss of a few frames
+// is bridged: the object is expected where its motion would have brought it, and is said not to be seen.
+//
+//   MarkTracker tracker(objects);
+//   tracker.add(*objects.find("circle"));
+//   StereoSight sight(left, right, model);
+//   for (const TrackSighting& sighting : tracker.update(sight)) ...
+
+#include <set>
+
+#include "agents/vision/sight/stereo_sight.hpp"
+
+namespace pizarra {
+
+struct TrackSighting {
+  std::string name;
+  bool seen = false;
+  // Not seen, but so shortly that its place is told as its motion predicts it.
+  bool bridged = false;
+  cv::Point2d centre;             // in the left image, px
+  double range_mm = 0;            // by the pair, or by its size where the right image ends before it
+  double range_spread_mm = 0;     // a standard deviation; 0 where it is not seen
+  double confidence = 0;          // Likeness::confidence(); of a bridged one less with every frame
+  std::optional<double> yaw_deg;  // of its face (face_yaw_deg), where both images show it
+  MarkContour contour;            // in the left image
+};
+
+inline constexpr std::size_t most_tracked = 16;
+inline constexpr int most_bridged = 5;  // frames
+
+class MarkTracker {
+ public:
+  // `objects` outlives it. An object that is not among them any more is not seen.
+  explicit MarkTracker(const LearnedObjects& objects) : objects_(objects) {}
+
+  // Once more is harmless. Failure `full`.
+  Result<void> add(const LearnedObject& object);
+  // What is tracked under a name is tracked on under another.
+  void rename(std::string_view name, const std::string& new_name);
+  void keep_only(const std::set<std::string>& names) {
+    std::erase_if(tracks_, [&](const Track& track) { return !names.contains(track.name); });
+  }
+  void clear() { tracks_.clear(); }
+  bool empty() const { return tracks_.empty(); }
+
+  // One sighting an object, the end-effector first, then in the order added.
+  std::vector<TrackSighting> update(StereoSight& sight);
+
+ private:
+  struct Track {
+    std::string name;
+    // As seen last, if it was within most_bridged frames.
+    std::optional<SeenMark> left = {};
+    std::optional<SeenMark> right = {};
+    cv::Point2d velocity_px = {};  // a frame, in the left image
+    double disparity_change_px = 0;
+    double range_mm = 0;
+    double confidence = 0;
+    int missing = 0;  // frames since
+    // Where it should be in the frame to come.
+    cv::Point2d expected() const { return left->centre + (missing + 1) * velocity_px; }
+  };
+  std::optional<SeenPair> follow(StereoSight& sight, const Track& track, const LearnedObject& object) const;
+  std::optional<SeenPair> see(StereoSight& sight, const Track& track, const LearnedObject& object) const;
+  TrackSighting update(StereoSight& sight, Track& track) const;
+  static TrackSighting miss(const StereoSight& sight, Track& track);
+
+  const LearnedObjects& objects_;
+  std::vector<Track> tracks_;
+};
+
+inline constexpr std::string_view end_effector_name = "end-effector";
+
+}  // namespace pizarra

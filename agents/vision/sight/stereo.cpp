@@ -1,0 +1,29 @@
+#include "agents/vision/sight/stereo.hpp"
+
+#include <cassert>
+#include <cmath>
+
+namespace pizarra {
+
+double depth_mm(const StereoModel& model, double disparity_px) {
+  assert(disparity_px > 0);
+  return model.focal_px * model.base_line_mm / disparity_px;
+}
+
+double range_mm(const StereoModel& model, cv::Point2d left, double disparity_px) {
+  return range_at_depth_mm(model, left, depth_mm(model, disparity_px));
+}
+
+double range_at_depth_mm(const StereoModel& model, cv::Point2d left, double depth) {
+  const double x = (left.x - model.centre_x_px) * depth / model.focal_px - model.base_line_mm / 2;
+  const double y = (left.y - model.centre_y_px) * depth / model.focal_px;
+  return std::sqrt(x * x + y * y + depth * depth);
+}
+
+double range_spread_mm(const StereoModel& model, cv::Point2d left, double disparity_px, double disparity_spread_px) {
+  const double depth = depth_mm(model, disparity_px);
+  const double depth_spread = depth * depth / (model.focal_px * model.base_line_mm) * disparity_spread_px;
+  return depth_spread * range_mm(model, left, disparity_px) / depth;
+}
+
+}  // namespace pizarra

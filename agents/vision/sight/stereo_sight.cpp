@@ -1,0 +1,189 @@
+#include "agents/vision/sight/stereo_sight.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "agents/vision/marks/tags.hpp"
+
+namespace pizarra {
+namespace {
+
+constexpr double height_tolerance = 0.1;
+// Of a mark slimmer than this it is not known how wide it should look, for it may have been turned.
+constexpr double least_round = 0.9;
+constexpr double width_tolerance = 0.05;
+constexpr double widest = 1.1;
+// Nearer than this to the image's edge a mark cannot be measured.
+constexpr double edge_px = 24;
+// How much further than its centre a tag reaches that is looked for nearby.
+constexpr double tag_reach_px = 100;
+// How far beside the border of a mark its tone and the ground's are looked for, and in which share of its rows.
+constexpr int border_slack_px = 3;
+constexpr double least_border_share = 0.7;
+// What the right image shows of a mark at less than this part of the disparity that its size asks for is another size.
+constexpr double least_disparity_share = 0.87;
+
+// The least disparity at which the object can be, going by its learned sizes; nothing where one was learned without.
+std::optional<double> least_disparity(const StereoModel& model, const LearnedObject& object, const SeenMark& left) {
+  double largest_mm = 0;
+  for (const LearnedSample& sample : object.samples) {
+    if (sample.size_mm <= 0) return std::nullopt;
+    largest_mm = std::max(largest_mm, sample.size_mm);
+  }
+  return model.base_line_mm * left.height_px / largest_mm;
+}
+
+// Columns of the mark's right-hand border, a row each, from the top of its box.
+std::vector<int> right_border(const SeenMark& mark) {
+  std::vector<int> out(static_cast<std::size_t>(mark.box.height), mark.box.x);
+  for (const cv::Point& p : mark.contour) {
+    int& border = out[static_cast<std::size_t>(p.y - mark.box.y)];
+    border = std::max(border, p.x);
+  }
+  return out;
+}
+
+// Whether the right image shows the mark's right-hand border at this disparity, as far as it reaches.
+bool shows_border(const cv::Mat1b& right, const SeenMark& left, const std::vector<int>& border, int disparity) {
+  const double middle = (left.mark_level + left.ground_level) / 2;
+  const auto is_mark = [&](int x, int y) { return (right(y, x) < middle) == (left.tone == MarkTone::dark); };
+  int agreeing = 0;
+  for (std::size_t i = 0; i < border.size(); ++i) {
+    const int y = left.box.y + static_cast<int>(i);
+    const int x = border[i] - disparity;
+    const bool within = x >= border_slack_px && x + border_slack_px < right.cols;
+    if (within && is_mark(x - border_slack_px, y) && !is_mark(x + border_slack_px, y)) ++agreeing;
+  }
+  return agreeing >= least_border_share * static_cast<double>(border.size());
+}
+
+// Whether one yaw of the face gives both widths, as parts of the learned one. A face of yaw p seen at slope t off the
+// axis is cos(p) + t sin(p) = sqrt(1 + t^2) cos(p - atan(t)) times as wide as one that faces the camera.
+bool yaw_explains(double left_width, double left_slope, double right_width, double right_slope, double tolerance) {
+  const double full = std::sqrt(1 + left_slope * left_slope);
+  if (left_width > widest * full) return false;
+  const double turn = std::acos(std::min(1.0, left_width / full));
+  for (const double side : {-1.0, 1.0}) {
+    const double yaw = std::atan(left_slope) + side * turn;
+    const double expected = std::cos(yaw) + right_slope * std::sin(yaw);
+    if (std::abs(right_width / expected - 1) < tolerance) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+StereoSight::StereoSight(cv::Mat left, cv::Mat right, const StereoModel& model)
+    : left_(std::move(left)), right_(std::move(right)), model_(model), noise_(noise_of(left_)) {}
+
+ImageSegmentation& StereoSight::left_segmentation() {
+  if (!left_segmentation_) left_segmentation_.emplace(left_, noise_);
+  return *left_segmentation_;
+}
+
+ImageSegmentation& StereoSight::right_segmentation() {
+  if (!right_segmentation_) right_segmentation_.emplace(right_, noise_);
+  return *right_segmentation_;
+}
+
+std::optional<SeenPair> StereoSight::find(const LearnedObjects& objects, const LearnedObject& object,
+                                          std::optional<cv::Point2d> near, double reach_px) {
+  if (object.tag() != nullptr) return find(*object.tag(), near, reach_px);
+  std::vector<SeenMark> candidates;
+  for (const SeenMark& mark : left_segmentation().marks()) {
+    const bool within = !near || cv::norm(mark.centre - *near) <= reach_px;
+    if (within && is_recognised(mark, objects, object)) candidates.push_back(mark);
+  }
+  while (!candidates.empty()) {
+    const SeenMark* best = find_object(candidates, objects, object);
+    if (best == nullptr) return std::nullopt;
+    const SeenMark* partner = find_partner(*best, right_segmentation().marks(), std::nullopt);
+    const Likeness likely = *recognise(*best, objects, object);
+    if (partner == nullptr && is_cut_off(object, *best)) return SeenPair{*best, std::nullopt, likely};
+    if (partner != nullptr && is_whole(model_, object, *best, *partner)) return SeenPair{*best, *partner, likely};
+    candidates.erase(candidates.begin() + (best - candidates.data()));
+  }
+  return std::nullopt;
+}
+
+std::optional<SeenPair> StereoSight::find(const Tag& tag, std::optional<cv::Point2d> near, double reach_px) {
+  cv::Rect area;
+  if (near) {
+    const int reach = cvCeil(reach_px + tag_reach_px);
+    area = {cvRound(near->x) - reach, cvRound(near->y) - reach, 2 * reach, 2 * reach};
+  }
+  std::optional<SeenMark> left = find_tag(left_, tag, area);
+  if (!left) return std::nullopt;
+  SeenPair out{std::move(*left), std::nullopt, Likeness{.error = 0}};
+  if (model_.is_single()) return out;
+  // In the same rows, as far left as it may be.
+  const int margin = out.left.box.height;
+  const cv::Rect rows(0, out.left.box.y - margin, out.left.box.br().x, out.left.box.height + 2 * margin);
+  std::optional<SeenMark> right = find_tag(right_, tag, rows);
+  if (right && are_tag_partners(out.left, *right)) out.right = std::move(*right);
+  return out;
+}
+
+bool StereoSight::is_cut_off(const LearnedObject& object, const SeenMark& left) {
+  if (model_.is_single()) return true;
+  const std::optional<double> expected = least_disparity(model_, object, left);
+  if (!expected) return true;
+  if (left.centre.x - *expected >= edge_px) return false;
+  const std::vector<int> border = right_border(left);
+  for (int disparity = 1; disparity < least_disparity_share * *expected; ++disparity) {
+    if (shows_border(right_segmentation().image(), left, border, disparity)) return false;
+  }
+  return true;
+}
+
+double size_mm(const StereoModel& model, const SeenMark& left, const SeenMark& right) {
+  return left.height_px * depth_mm(model, left.centre.x - right.centre.x) / model.focal_px;
+}
+
+double face_yaw_deg(const StereoModel& model, const SeenMark& left, const SeenMark& right) {
+  const double left_slope = (left.centre.x - model.centre_x_px) / model.focal_px;
+  const double right_slope = (right.centre.x - model.centre_x_px) / model.focal_px;
+  const double sine = right.width_px - left.width_px;
+  const double cosine = left_slope * right.width_px - right_slope * left.width_px;
+  return cosine <= 0 ? 0 : std::atan(sine / cosine) * 180 / std::numbers::pi;
+}
+
+// On its side a mark is as high as it was wide. Which it is, its own proportions tell best.
+std::optional<double> range_by_size_mm(const StereoModel& model, const LearnedObject& object, const SeenMark& left) {
+  for (const LearnedSample& sample : object.samples) {
+    if (sample.size_mm <= 0 || left.height_px <= 0) continue;
+    const bool on_its_side = sample.slimness < least_round && left.height_px > left.width_px;
+    const double height_mm = on_its_side ? sample.size_mm / sample.slimness : sample.size_mm;
+    return range_at_depth_mm(model, left.centre, model.focal_px * height_mm / left.height_px);
+  }
+  return std::nullopt;
+}
+
+double spread_by_size_mm(double range_mm) { return 0.01 * range_mm; }
+
+double range_spread_mm(const StereoModel& model, const SeenMark& left, const SeenMark& right, double noise) {
+  const double disparity_spread = std::hypot(centre_spread_px(left, noise), centre_spread_px(right, noise));
+  return range_spread_mm(model, left.centre, left.centre.x - right.centre.x, disparity_spread);
+}
+
+bool is_whole(const StereoModel& model, const LearnedObject& object, const SeenMark& left, const SeenMark& right) {
+  const double depth = depth_mm(model, left.centre.x - right.centre.x);
+  const double height = left.height_px * depth / model.focal_px;
+  const double left_width = left.width_px * depth / model.focal_px;
+  const double right_width = right.width_px * depth / model.focal_px;
+  return std::any_of(object.samples.begin(), object.samples.end(), [&](const LearnedSample& sample) {
+    if (sample.size_mm <= 0) return true;
+    // On its side a mark is as high as it was wide.
+    const double low = sample.size_mm * sample.slimness * (1 - height_tolerance);
+    const double high = sample.size_mm / sample.slimness * (1 + height_tolerance);
+    if (height < low || height > high) return false;
+    if (sample.slimness < least_round) return true;
+    // Turned about the line of sight it is a little wider or narrower than it was high.
+    const double tolerance = width_tolerance + 1 / sample.slimness - 1;
+    return yaw_explains(left_width / sample.size_mm, (left.centre.x - model.centre_x_px) / model.focal_px,
+                        right_width / sample.size_mm, (right.centre.x - model.centre_x_px) / model.focal_px, tolerance);
+  });
+}
+
+}  // namespace pizarra

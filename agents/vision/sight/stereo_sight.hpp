@@ -1,0 +1,77 @@
+#pragma once
+
+// One pair of images as the eyes see it: both segmented, at most once and only when needed, and objects found in it.
+//
+//   StereoSight sight(left, right, model);
+//   std::optional<SeenPair> circle = sight.find(objects, *objects.find("circle"));
+
+#include <optional>
+
+#include "agents/vision/marks/segmentation.hpp"
+#include "agents/vision/objects/recognise.hpp"
+#include "agents/vision/sight/stereo.hpp"
+
+namespace pizarra {
+
+struct SeenPair {
+  SeenMark left;
+  std::optional<SeenMark> right;  // absent where the right image does not show it
+  Likeness likeness = {};
+};
+
+class StereoSight {
+ public:
+  // Both 8 bit, one channel, of the model's size; shared, not copied.
+  StereoSight(cv::Mat left, cv::Mat right, const StereoModel& model);
+
+  const cv::Mat& left() const { return left_; }
+  const cv::Mat& right() const { return right_; }
+  const StereoModel& model() const { return model_; }
+  // noise_of() the left image; the right sensor is of the same kind.
+  double noise() const { return noise_; }
+  ImageSegmentation& left_segmentation();
+  ImageSegmentation& right_segmentation();
+
+  // The object anywhere in the left image, or within `reach_px` of `near` where that is given; with its partner, and
+  // whole. A partner may be missing only where the right image's edge cuts it off.
+  std::optional<SeenPair> find(const LearnedObjects& objects, const LearnedObject& object,
+                               std::optional<cv::Point2d> near = {}, double reach_px = 0);
+  // A tag in both images; nowhere in the right one where that does not show it.
+  std::optional<SeenPair> find(const Tag& tag, std::optional<cv::Point2d> near = {}, double reach_px = 0);
+  // Whether the right image ends before it could show the whole of the object's mark, going by its learned size, and
+  // shows no part of it farther away: then it is a larger thing.
+  bool is_cut_off(const LearnedObject& object, const SeenMark& left);
+
+ private:
+  cv::Mat left_;
+  cv::Mat right_;
+  const StereoModel& model_;
+  double noise_;
+  std::optional<ImageSegmentation> left_segmentation_;
+  std::optional<ImageSegmentation> right_segmentation_;
+};
+
+// The mark's standard deviation along y in the world, mm.
+double size_mm(const StereoModel& model, const SeenMark& left, const SeenMark& right);
+
+// How far the face that bears the mark is turned from facing along the optical axis, degrees, positive where it looks
+// to the right, by how much wider one image shows it than the other; good to a few degrees, so worth averaging. A face
+// of yaw p that is seen at slope t off the axis is cos(p) - t sin(p) times as wide as one that faces the camera.
+double face_yaw_deg(const StereoModel& model, const SeenMark& left, const SeenMark& right);
+
+// The range of a mark that the left image alone shows (StereoSight::is_cut_off), by how high it looks and how high it
+// was learned: good to about a percent, some ten times worse than the pair. Nothing where no sample was learned with
+// its size.
+std::optional<double> range_by_size_mm(const StereoModel& model, const LearnedObject& object, const SeenMark& left);
+
+// How far range_by_size_mm() may be off, as a standard deviation.
+double spread_by_size_mm(double range_mm);
+// The same of the pair's range, by the spread of both centres.
+double range_spread_mm(const StereoModel& model, const SeenMark& left, const SeenMark& right, double noise);
+
+// Whether the pair can be the whole of the object's mark: as high in the world as one of its samples, and, but for what
+// yaw does, as wide in one image as in the other. Something in front of a part of it makes it too low, or hides more of
+// it from one camera than from the other.
+bool is_whole(const StereoModel& model, const LearnedObject& object, const SeenMark& left, const SeenMark& right);
+
+}  // namespace pizarra
