@@ -213,9 +213,8 @@ Result<ObjectDatabase::Leftover> ObjectDatabase::change(const RenameObject& rena
   for (const Row& each : *rows) {
     const std::filesystem::path to = bitmap({rename.new_name, each.number});
     if (bitmap(each) == to) continue;
-    // One that is missing stays so.
-    std::error_code ignored;
-    std::filesystem::copy_file(bitmap(each), to, std::filesystem::copy_options::overwrite_existing, ignored);
+    const Result<void> copied = copy_bitmap(bitmap(each), to);
+    if (!copied) return fail(copied);
     leftover.push_back(bitmap(each));
   }
   sqlite::Statement row(database_, "UPDATE samples SET name = ? WHERE name = ?");

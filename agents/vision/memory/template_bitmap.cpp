@@ -5,6 +5,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <fstream>
+#include <optional>
 #include <unistd.h>
 
 namespace pizarra {
@@ -27,31 +28,57 @@ bool write_whole(const std::filesystem::path& path, std::string_view bytes) {
   return ::close(file) == 0 && synced;
 }
 
-}  // namespace
+// A file's name is on the disk when its folder is.
+bool sync_folder(const std::filesystem::path& folder) {
+  const int opened = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (opened < 0) return false;
+  const bool synced = ::fsync(opened) == 0;
+  return ::close(opened) == 0 && synced;
+}
 
-Result<void> write_bitmap(const std::filesystem::path& path, const MarkTemplate& picture, MarkTone tone) {
-  std::string bytes = header();
-  for (const std::uint8_t level : picture) bytes += grey_of(level, tone);
-  // Beside it first: whoever reads meanwhile finds the old one or the new one, whole.
+// Beside it first: whoever reads meanwhile finds the old one or the new one, whole.
+Result<void> replace(const std::filesystem::path& path, std::string_view bytes) {
   std::filesystem::path beside = path;
   beside += ".new";
-  if (write_whole(beside, bytes) && ::rename(beside.c_str(), path.c_str()) == 0) return {};
+  const bool replaced = write_whole(beside, bytes) && ::rename(beside.c_str(), path.c_str()) == 0;
+  if (replaced && sync_folder(path.parent_path())) return {};
   const std::string cause = std::strerror(errno);
   ::unlink(beside.c_str());
   return fail("disk-full", fmt::format("the template bitmap cannot be written: {}", cause), to_datum(path.string()));
 }
 
-Result<MarkTemplate> read_bitmap(const std::filesystem::path& path, MarkTone tone) {
+// As much of it as a sound one has, and a byte more.
+std::optional<std::string> read_bytes(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
-  if (!file) return fail("missing", "the template bitmap is missing", to_datum(path.string()));
-  const std::string head = header();
-  std::string bytes(head.size() + template_size * template_size + 1, '\0');
+  if (!file) return {};
+  std::string bytes(header().size() + template_size * template_size + 1, '\0');
   file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   bytes.resize(static_cast<std::size_t>(file.gcount()));
+  return bytes;
+}
+
+}  // namespace
+
+Result<void> write_bitmap(const std::filesystem::path& path, const MarkTemplate& picture, MarkTone tone) {
+  std::string bytes = header();
+  for (const std::uint8_t level : picture) bytes += grey_of(level, tone);
+  return replace(path, bytes);
+}
+
+Result<void> copy_bitmap(const std::filesystem::path& from, const std::filesystem::path& to) {
+  const std::optional<std::string> bytes = read_bytes(from);
+  if (!bytes) return {};
+  return replace(to, *bytes);
+}
+
+Result<MarkTemplate> read_bitmap(const std::filesystem::path& path, MarkTone tone) {
+  const std::optional<std::string> bytes = read_bytes(path);
+  if (!bytes) return fail("missing", "the template bitmap is missing", to_datum(path.string()));
+  const std::string head = header();
   MarkTemplate picture{};
-  bool sound = bytes.size() == head.size() + picture.size() && bytes.starts_with(head);
+  bool sound = bytes->size() == head.size() + picture.size() && bytes->starts_with(head);
   for (std::size_t i = 0; i < picture.size() && sound; ++i) {
-    const int grey = static_cast<std::uint8_t>(bytes[head.size() + i]);
+    const int grey = static_cast<std::uint8_t>((*bytes)[head.size() + i]);
     const int weight = tone == MarkTone::dark ? 255 - grey : grey;
     picture[i] = static_cast<std::uint8_t>(weight / levels_apart);
     sound = weight % levels_apart == 0;

@@ -16,6 +16,9 @@ namespace pizarra {
 // On the disk, whole, when it returns. Failure `disk-full`.
 Result<void> write_bitmap(const std::filesystem::path& path, const MarkTemplate& picture, MarkTone tone);
 
+// As it is, sound or damaged, and on the disk when it returns; one that is missing stays so. Failure `disk-full`.
+Result<void> copy_bitmap(const std::filesystem::path& from, const std::filesystem::path& to);
+
 // Failures `missing` and `damaged`.
 Result<MarkTemplate> read_bitmap(const std::filesystem::path& path, MarkTone tone);
 

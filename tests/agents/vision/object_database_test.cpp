@@ -85,6 +85,26 @@ TEST_F(Database, RenamesForgetsAndWithdrawsWithTheBitmaps) {
   EXPECT_EQ(content(), "Disc*1 square*1 ");
 }
 
+TEST_F(Database, ARenameThatCannotWriteItsBitmapChangesNothing) {
+  learn({"circle", "circle", "square"});
+  // Where the second bitmap would go something else stands.
+  fs::create_directories(fs::path(folder()) / "disc-2.pgm" / "in-the-way");
+  ObjectDatabase database = open();
+  const Result<void> renamed = database.apply(RenameObject{"circle", "disc"});
+  ASSERT_FALSE(renamed.has_value());
+  EXPECT_EQ(renamed.error().symbol, "disk-full");
+  EXPECT_EQ(content(), "circle*2 square*1 ");
+}
+
+TEST_F(Database, WhatIsDamagedStaysSoUnderANewName) {
+  learn({"circle", "circle", "square"});
+  damage(fs::path(folder()) / "circle-1.pgm", 100);
+  fs::remove(fs::path(folder()) / "circle-2.pgm");
+  EXPECT_EQ(content(), "square*1 !circle-1.pgm !circle-2.pgm ");
+  ASSERT_TRUE(open().apply(RenameObject{"circle", "disc"}));
+  EXPECT_EQ(content(), "square*1 !disc-1.pgm !disc-2.pgm ");
+}
+
 TEST_F(Database, TellsAnotherThatItHasChanged) {
   ObjectDatabase one = open();
   ObjectDatabase other = open();
