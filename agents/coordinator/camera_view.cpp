@@ -9,12 +9,12 @@
 namespace pizarra {
 
 Result<CameraModel> camera_model_from_fact(const Datum& fact) {
-  const bool numbers = fact.size() == 7 && std::ranges::all_of(fact.items().subspan(1), &Datum::is_number);
-  if (!fact.is_form("camera-model") || !numbers || fact[3].number() <= 0 || fact[6].number() <= 0) {
+  const bool numbers = fact.size() == 8 && std::ranges::all_of(fact.items().subspan(2), &Datum::is_number);
+  if (!fact.is_form("camera-model") || !numbers || fact[4].number() <= 0 || fact[7].number() <= 0) {
     return fail("bad-camera-model", "a camera model has a positive focal length and base line", fact);
   }
-  return CameraModel{fact[1].number(), fact[2].number(), fact[3].number(),
-                     fact[4].number(), fact[5].number(), fact[6].number()};
+  return CameraModel{fact[2].number(), fact[3].number(), fact[4].number(),
+                     fact[5].number(), fact[6].number(), fact[7].number()};
 }
 
 namespace {

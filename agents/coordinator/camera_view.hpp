@@ -16,7 +16,7 @@
 
 namespace pizarra {
 
-// As in (camera-model WIDTH HEIGHT FOCAL CX CY BASE-LINE): px, mm.
+// As in (camera-model EYES WIDTH HEIGHT FOCAL CX CY BASE-LINE): px, mm.
 struct CameraModel {
   double width_px = 320;
   double height_px = 240;

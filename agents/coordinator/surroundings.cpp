@@ -35,7 +35,8 @@ void Surroundings::start() {
   Executor& executor = context_.executor;
   const Datum any = "?"_sym;
   const Datum robot = Datum::symbol(options_.robot);
-  const Datum model = list("camera-model"_sym, any, any, any, any, any, any);
+  const Datum eyes = Datum::symbol(options_.vision);
+  const Datum model = list("camera-model"_sym, eyes, any, any, any, any, any, any);
   jobs_.push_back(executor.spawn(watch(model, &Surroundings::take_model)));
   if (options_.head) {
     jobs_.push_back(executor.spawn(watch(list("head"_sym, any, any, any), &Surroundings::take_head)));
@@ -43,7 +44,7 @@ void Surroundings::start() {
     head_ = HeadTurn();
   }
   jobs_.push_back(executor.spawn(watch(list("gripper"_sym, robot, any), &Surroundings::take_gripper)));
-  jobs_.push_back(executor.spawn(watch(list("faces"_sym, any, any), &Surroundings::take_faces)));
+  jobs_.push_back(executor.spawn(watch(list("faces"_sym, eyes, any, any), &Surroundings::take_faces)));
   const Datum pose = list("arm-pose"_sym, robot, any, any, any, any, any, any);
   jobs_.push_back(executor.spawn(watch(pose, &Surroundings::take_pose)));
   jobs_.push_back(executor.spawn(watch(list("agent"_sym, any, any, any), &Surroundings::take_presence)));
@@ -72,7 +73,8 @@ Task<void> Surroundings::watch(Datum pattern, Handler handler) {
 }
 
 Task<void> Surroundings::watch_vision() {
-  const Query query = query_from_datum(list("vision-says"_sym, "?frame"_sym, "?text"_sym)).value();
+  const Datum says = list("vision-says"_sym, Datum::symbol(options_.vision), "?frame"_sym, "?text"_sym);
+  const Query query = query_from_datum(says).value();
   while (true) {
     Result<std::unique_ptr<Watch>> watch = co_await context_.board.watch(query);
     while (watch) {
@@ -80,9 +82,9 @@ Task<void> Surroundings::watch_vision() {
       if (!change) break;
       // What stands there already when the watch begins may be old.
       if (change->resynchronised || change->added.empty()) continue;
-      const Datum says = change->added.back().facts.front().datum;
-      std::string text(says[2].text());
-      co_await take_look(says[1].integer(), std::move(text));
+      const Datum newest = change->added.back().facts.front().datum;
+      std::string text(newest[3].text());
+      co_await take_look(newest[2].integer(), std::move(text));
     }
     co_await sleep(context_.executor, retry_pause);
   }
@@ -118,7 +120,7 @@ void Surroundings::take_gripper(const Change& change) {
 void Surroundings::take_faces(const Change& change) {
   if (change.added.empty()) return;
   if (!head_ || blurred_looks_ > 0) return;
-  for (const Datum& face : change.added.back().facts.front().datum[2].items()) {
+  for (const Datum& face : change.added.back().facts.front().datum[3].items()) {
     // Told as the camera is turned, kept as it is mounted.
     if (face.size() == 2) sightings_.face(face[0].text(), face[1].number() - head_->pan_deg);
   }

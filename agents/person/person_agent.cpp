@@ -1,5 +1,6 @@
 #include "agents/person/person_agent.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace pizarra {
@@ -21,6 +22,14 @@ constexpr Duration vision_timeout = 10s;
 constexpr std::int64_t step_down_mm = 50;
 constexpr int most_steps_down = 6;
 
+Datum learned_pattern(const Datum& name) {
+  std::vector<Datum> any(10, "?"_sym);
+  any[0] = "learned"_sym;
+  any[1] = "vision"_sym;
+  any[2] = name;
+  return Datum::list(std::move(any));
+}
+
 }  // namespace
 
 PersonAgent::PersonAgent(AgentContext context, Link& link, std::vector<std::string> names)
@@ -37,10 +46,7 @@ Task<void> PersonAgent::say(Datum state, Datum detail) {
 }
 
 Task<Result<bool>> PersonAgent::known(std::string name) {
-  std::vector<Datum> any(9, "?"_sym);
-  any[0] = "learned"_sym;
-  any[1] = Datum::string(name);
-  Datum pattern = Datum::list(std::move(any));
+  Datum pattern = learned_pattern(Datum::string(name));
   const Result<std::vector<Fact>> samples = co_await context_.board.facts(std::move(pattern));
   if (samples) co_return !samples->empty();
   // Vision has not yet come to declare what it tells.
@@ -79,6 +85,21 @@ Task<Result<void>> PersonAgent::teach_once(std::string name) {
   co_return fail("not-learned", fmt::format("vision could not learn {}", name), *reply);
 }
 
+// Whether it could not be learned because it looks like an object that bears a name of nothing in the cell: somebody
+// has renamed it since it was taught.
+Task<bool> PersonAgent::renamed(std::string name) {
+  const Datum any = "?"_sym;
+  const std::string reply = fmt::format("(LEARN \"{}\" FAIL)", name);
+  const Datum pattern = list("vision-failed"_sym, "vision"_sym, any, reply, "ambiguous"_sym, any);
+  const Result<std::vector<Fact>> ambiguous = co_await context_.board.facts(pattern);
+  if (!ambiguous || ambiguous->empty()) co_return false;
+  const Datum anything = learned_pattern(any);
+  const Result<std::vector<Fact>> samples = co_await context_.board.facts(anything);
+  if (!samples) co_return false;
+  co_return std::ranges::any_of(
+      *samples, [&](const Fact& sample) { return std::ranges::find(names_, sample.datum[2].text()) == names_.end(); });
+}
+
 Task<Result<void>> PersonAgent::teach(std::string name) {
   Result<void> taught = fail("not-learned", fmt::format("{} was not taught", name));
   for (int n = 0; n < tries; ++n) {
@@ -87,6 +108,8 @@ Task<Result<void>> PersonAgent::teach(std::string name) {
     co_await say("teaching"_sym, Datum::string(name));
     taught = co_await teach_once(name);
     if (taught) co_return {};
+    const bool was_renamed = co_await renamed(name);
+    if (was_renamed) co_return {};
     co_await sleep(context_.executor, pause_between_tries);
   }
   co_return taught;

@@ -33,6 +33,7 @@ class PersonAgent : public Agent {
   Task<Result<void>> teach_once(std::string name);
   Task<Result<void>> show_end_effector();
   Task<Result<bool>> known(std::string name);
+  Task<bool> renamed(std::string name);
   Task<Result<Datum>> serve(Datum operation);
   Task<void> say(Datum state, Datum detail);
 

@@ -120,15 +120,15 @@ Task<Evaluation> Interpreter::plan(Datum) {
 }
 
 Task<Evaluation> Interpreter::objects(Datum) {
-  const Result<std::vector<Fact>> learned = co_await context_.board.facts(pattern("(learned ? ? ? ? ? ? ? ?)"));
+  const Result<std::vector<Fact>> learned = co_await context_.board.facts(pattern("(learned ? ? ? ? ? ? ? ? ?)"));
   if (!learned) co_return show(learned.error());
   const Result<std::vector<Fact>> places = co_await context_.board.facts(pattern("(place ? ? ? ? ?)"));
-  const Result<std::vector<Fact>> tracking = co_await context_.board.facts(pattern("(vision-mode tracking ?)"));
+  const Result<std::vector<Fact>> tracking = co_await context_.board.facts(pattern("(vision-mode ? tracking ?)"));
   const bool followed = tracking && !tracking->empty();
   if (learned->empty()) output_("nothing has been learned");
   std::set<std::string> said;
   for (const Fact& object : *learned) {
-    const std::string name(object.datum[1].text());
+    const std::string name(object.datum[2].text());
     if (!said.insert(name).second) continue;
     std::string where = followed ? "not seen" : "learned; it is followed from the first goal on";
     // Without a coordinator nobody says where things are.
@@ -139,28 +139,45 @@ Task<Evaluation> Interpreter::objects(Datum) {
     }
     output_(fmt::format("  {:14} {}", name, where));
   }
-  const Result<std::vector<Fact>> alike = co_await context_.board.facts(pattern("(look-alike ? ? ? ?)"));
-  for (const Fact& fact : alike.value_or(std::vector<Fact>())) output_(std::string(fact.datum[4].text()));
-  const Result<std::vector<Fact>> damaged = co_await context_.board.facts(pattern("(objects-damaged ? ? ?)"));
+  const Result<std::vector<Fact>> alike = co_await context_.board.facts(pattern("(look-alike ? ? ? ? ?)"));
+  for (const Fact& fact : alike.value_or(std::vector<Fact>())) output_(std::string(fact.datum[5].text()));
+  const Result<std::vector<Fact>> damaged = co_await context_.board.facts(pattern("(objects-damaged ? ? ? ?)"));
   for (const Fact& fact : damaged.value_or(std::vector<Fact>())) {
-    output_(fmt::format("{}: {}", fact.datum[1].text(), fact.datum[3].text()));
+    output_(fmt::format("{}: {}", fact.datum[2].text(), fact.datum[4].text()));
   }
   co_return Evaluation::done;
 }
 
-Task<std::vector<Datum>> Interpreter::remarks_on(Datum operation, Datum answer) {
+Task<std::vector<Datum>> Interpreter::remarks_on(std::string agent, Datum operation, Datum answer) {
+  const bool learns = operation.is_form("learn");
+  const bool looks = learns || operation.is_form("find");
+  const bool lasts = operation.is_form("track") || operation.is_form("connect");
+  const Datum eyes = Datum::symbol(agent);
   std::vector<Datum> out;
-  const bool by_eyes = operation.is_form("learn") || operation.is_form("find");
-  if (!by_eyes || answer.size() != 1) co_return out;
-  const Datum failed = list("vision-failed"_sym, "?"_sym, answer[0], "?"_sym, "?"_sym);
+  if (lasts) out = co_await remarks_on_mode(eyes);
+  if (!looks || answer.size() != 1) co_return out;
+  const Datum failed = list("vision-failed"_sym, eyes, "?"_sym, answer[0], "?"_sym, "?"_sym);
   const Result<std::vector<Fact>> failures = co_await context_.board.facts(failed);
-  for (const Fact& fact : failures.value_or(std::vector<Fact>())) out.push_back(fact.datum[4]);
-  if (!operation.is_form("learn") || !out.empty()) co_return out;
+  for (const Fact& fact : failures.value_or(std::vector<Fact>())) out.push_back(fact.datum[5]);
+  if (!learns || !out.empty()) co_return out;
   const Datum& name = operation.items().back();
-  const Result<std::vector<Fact>> alike = co_await context_.board.facts(pattern("(look-alike ? ? ? ?)"));
+  const Datum any_alike = list("look-alike"_sym, eyes, "?"_sym, "?"_sym, "?"_sym, "?"_sym);
+  const Result<std::vector<Fact>> alike = co_await context_.board.facts(any_alike);
   for (const Fact& fact : alike.value_or(std::vector<Fact>())) {
-    if (fact.datum[1] == name || fact.datum[2] == name) out.push_back(fact.datum[4]);
+    if (fact.datum[2] == name || fact.datum[3] == name) out.push_back(fact.datum[5]);
   }
+  co_return out;
+}
+
+// A mode belongs to who asked for it, which here is the prompt.
+Task<std::vector<Datum>> Interpreter::remarks_on_mode(Datum eyes) {
+  const Datum held = list("vision-held"_sym, eyes, Datum::symbol(context_.name), "?"_sym);
+  const Result<std::vector<Fact>> ours = co_await context_.board.facts(held);
+  std::vector<Datum> out;
+  if (!ours || ours->empty()) co_return out;
+  const std::string sentence =
+      fmt::format("until this prompt ends; ({} (keep)) lets it go on until somebody ends it", eyes.text());
+  out.push_back(Datum::string(sentence));
   co_return out;
 }
 
@@ -195,8 +212,8 @@ Task<void> Interpreter::learn_words() {
       }
     }
   }
-  const Result<std::vector<Fact>> learned = co_await context_.board.facts(pattern("(learned ? ? ? ? ? ? ? ?)"));
-  for (const Fact& fact : learned.value_or(std::vector<Fact>())) words_.emplace(fact.datum[1].text());
+  const Result<std::vector<Fact>> learned = co_await context_.board.facts(pattern("(learned ? ? ? ? ? ? ? ? ?)"));
+  for (const Fact& fact : learned.value_or(std::vector<Fact>())) words_.emplace(fact.datum[2].text());
 }
 
 }  // namespace pizarra

@@ -113,7 +113,7 @@ Task<bool> Interpreter::is_agent(std::string name) {
 Task<Evaluation> Interpreter::request(std::string agent, Datum operation) {
   const Result<Datum> answer = co_await caller_.call(agent, operation, answer_timeout);
   if (!answer) co_return show(answer.error(), Evaluation::failed);
-  const std::vector<Datum> remarks = co_await remarks_on(operation, *answer);
+  const std::vector<Datum> remarks = co_await remarks_on(agent, operation, *answer);
   const std::string further = remarks.empty() ? "" : ",\"remarks\":" + json_values(remarks);
   const std::string json = fmt::format("{{\"reply\":{}{}}}", json_values(answer->items()), further);
   const bool sentences = std::ranges::all_of(answer->items(), &Datum::is_string);

@@ -68,7 +68,8 @@ class Interpreter {
   Task<Evaluation> quit(Datum form);
   Task<Evaluation> request(std::string agent, Datum operation);
   // Sentences that an answer of the eyes has no room for: why it is FAIL, and what the learned object looks like.
-  Task<std::vector<Datum>> remarks_on(Datum operation, Datum answer);
+  Task<std::vector<Datum>> remarks_on(std::string agent, Datum operation, Datum answer);
+  Task<std::vector<Datum>> remarks_on_mode(Datum eyes);
   Task<Evaluation> wait_for_end(Datum number, std::string typed);
   Task<bool> being_taught();
   Task<bool> is_agent(std::string name);

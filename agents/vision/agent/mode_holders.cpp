@@ -49,6 +49,15 @@ void ModeHolders::rename(const std::string& name, const std::string& new_name) {
   }
 }
 
+bool ModeHolders::keep(const std::string& client) {
+  auto held = clients_.extract(client);
+  if (held.empty()) return false;
+  Held& kept = clients_[std::string(anybody)];
+  kept.connected |= held.mapped().connected;
+  kept.tracked.merge(held.mapped().tracked);
+  return true;
+}
+
 std::vector<std::string> ModeHolders::clients() const {
   std::vector<std::string> out;
   for (const auto& [client, held] : clients_) {

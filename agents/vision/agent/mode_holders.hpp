@@ -19,7 +19,7 @@ namespace pizarra {
 
 class ModeHolders {
  public:
-  // Whoever is not present on the board: what such a client began anyone may end.
+  // Whoever is not present on the board, or has gone on: what is held so anyone may end.
   static constexpr std::string_view anybody = "anybody";
 
   void connect(const std::string& client) { clients_[client].connected = true; }
@@ -34,6 +34,9 @@ class ModeHolders {
   // Everything that is tracked, each once.
   std::set<std::string> tracked() const;
   void rename(const std::string& name, const std::string& new_name);
+
+  // What this client holds goes on without it, as anybody's; false where it holds nothing.
+  bool keep(const std::string& client);
 
   // Those who hold anything, without anybody.
   std::vector<std::string> clients() const;

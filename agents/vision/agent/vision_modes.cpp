@@ -83,8 +83,7 @@ Task<void> VisionAgent::State::follow_holders() {
   if (activity == Activity::none && !holders.connected()) feed.stop();
   co_await tell_state();
   if (!tracker.empty() && holders.connected()) co_return;
-  const Result<void> unsaid = co_await unsay();
-  if (!unsaid) told_under = 0;
+  co_await facts.unsay();
 }
 
 Task<void> VisionAgent::State::let_dead_go() {

@@ -13,10 +13,9 @@ constexpr int frames_to_find = 3;
 }  // namespace
 
 Task<Result<Datum>> VisionAgent::State::answer_failed(std::string text, Failure why) {
-  std::vector<Datum> facts;
   const Datum symbol = Datum::symbol(why.symbol);
-  facts.push_back(list("vision-failed"_sym, feed.frame_number(), text, symbol, describe(why)));
-  co_await tell(std::move(facts));
+  std::vector<Datum> failed{list("vision-failed"_sym, feed.frame_number(), text, symbol, describe(why))};
+  co_await facts.tell(std::move(failed));
   co_return list(text);
 }
 
@@ -92,8 +91,8 @@ Task<Result<SeenMark>> VisionAgent::State::find_mark(std::string name) {
     const std::optional<SeenPair> found = sight.find(objects, *object);
     if (!found) why = not_found(sight.left_segmentation(), *object);
     if (!found) continue;
-    std::vector<Datum> facts{found_fact(frame->number, sight.left_segmentation(), *object, found->left)};
-    co_await tell(std::move(facts));
+    std::vector<Datum> told{found_fact(frame->number, sight.left_segmentation(), *object, found->left)};
+    co_await facts.tell(std::move(told));
     co_return found->left;
   }
   co_return fail(why);
@@ -168,6 +167,12 @@ Task<Result<Datum>> VisionAgent::State::connect(std::string client) {
 Task<Result<Datum>> VisionAgent::State::disconnect(std::string client) {
   holders.disconnect(client);
   co_await follow_holders();
+  co_return Datum();
+}
+
+Task<Result<Datum>> VisionAgent::State::keep_modes(std::string client) {
+  if (!holders.keep(client)) co_return fail("nothing-held", "who asks is neither connected nor tracks", "keep"_sym);
+  co_await tell_holders();
   co_return Datum();
 }
 

@@ -1,16 +1,16 @@
 #pragma once
 
-// What the vision agent knows and is doing; vision_agent.cpp runs it, vision_operations.cpp has its operations.
+// What the vision agent knows and is doing. vision_agent.cpp runs it, vision_operations.cpp has its operations,
+// vision_modes.cpp who may use it when, vision_frames.cpp what becomes of a frame, vision_telling.cpp what is told.
 
 #include <deque>
-#include <map>
 #include <optional>
 #include <set>
 
-#include "agents/runtime/service.hpp"
 #include "agents/vision/agent/camera_feed.hpp"
 #include "agents/vision/agent/mode_holders.hpp"
 #include "agents/vision/agent/vision_agent.hpp"
+#include "agents/vision/agent/vision_facts.hpp"
 #include "agents/vision/memory/object_memory.hpp"
 #include "agents/vision/sight/annotate.hpp"
 #include "agents/vision/sight/mark_learner.hpp"
@@ -35,6 +35,7 @@ struct VisionAgent::State {
   Task<Result<Datum>> get_objects();
   Task<Result<Datum>> connect(std::string client);
   Task<Result<Datum>> disconnect(std::string client);
+  Task<Result<Datum>> keep_modes(std::string client);
   Task<Result<Datum>> accept(std::string name);
   Task<Result<Datum>> reject(std::string name);
   Task<Result<Datum>> forget(std::string name);
@@ -62,10 +63,9 @@ struct VisionAgent::State {
   Task<void> tell_holders();
   Task<void> tell_state_again();
   Task<void> camera_changed();
-  // What was said of earlier frames holds no longer.
-  Task<Result<void>> unsay();
-  Task<void> tell(std::vector<Datum> facts);
+  Task<void> tell_streams();
   std::string_view mode() const;
+
   // Modes.
   // The client as one who can hold a mode: itself while it is present, ModeHolders::anybody otherwise.
   Task<std::string> holder_for(std::string client);
@@ -108,11 +108,9 @@ struct VisionAgent::State {
   std::string busy_for;   // whose learning or finding goes on
   std::deque<int> turns;  // of those who wait, and of the one who is next
   int last_turn = 0;
-  std::map<std::string, std::string> told_tracks;  // the state of each tracked object as it was told last
-  std::vector<Datum> told_held;                    // the facts that say who holds what
-  std::set<std::string> missing;                   // holders who were not present at the last look
-  LeaseId told_under = 0;
+  std::set<std::string> missing;  // holders who were not present at the last look
   CameraDrops told_drops;
+  VisionFacts facts{context, service};
   CameraFeed feed;
   WaitList turn_ended;
   std::optional<Service> service;  // it ends first: its handlers wait for the feed

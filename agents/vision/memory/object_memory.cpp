@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "agents/vision/memory/told_by.hpp"
+
 namespace pizarra {
 namespace {
 
@@ -11,17 +13,28 @@ constexpr Duration busy_pause = 50ms;
 
 bool is_busy(const Failure& failure) { return failure.symbol == "busy"; }
 
-Datum samples_pattern() {
-  const Datum any = "?"_sym;
-  return list("learned"_sym, any, any, any, any, any, any, any, any);
+// Any fact of a relation that has so many arguments besides the agent's name.
+Datum any_of(std::string_view agent, Datum relation, std::size_t arguments) {
+  std::vector<Datum> items(arguments + 1, "?"_sym);
+  items.front() = std::move(relation);
+  return told_by(agent, Datum::list(std::move(items)));
 }
 
-Datum templates_pattern() {
-  const Datum any = "?"_sym;
-  return list("learned-template"_sym, any, any, any, any, any, any, any, any, any);
+Transaction told_by(std::string_view agent, Transaction transaction) {
+  for (Transaction::Step& step : transaction.steps) {
+    if (auto* tell = std::get_if<Transaction::Tell>(&step)) tell->fact = told_by(agent, tell->fact);
+    if (auto* retract = std::get_if<Transaction::Retract>(&step)) retract->pattern = told_by(agent, retract->pattern);
+  }
+  return transaction;
 }
 
 }  // namespace
+
+ObjectMemory::ObjectMemory(AgentContext& context, std::string directory)
+    : context_(context),
+      directory_(std::move(directory)),
+      samples_(any_of(context.name, "learned"_sym, 8)),
+      templates_(any_of(context.name, "learned-template"_sym, 9)) {}
 
 Result<void> ObjectMemory::open() {
   if (database_) return {};
@@ -93,7 +106,8 @@ Task<Result<void>> ObjectMemory::change(ObjectChange change) {
   }
   Result<Transaction> facts = facts_of(change, objects_);
   if (!facts) co_return fail(facts);
-  const Result<Revision> told = co_await context_.board.transact(std::move(*facts));
+  Transaction ours = told_by(context_.name, std::move(*facts));
+  const Result<Revision> told = co_await context_.board.transact(std::move(ours));
   if (!told) co_return fail(told);
   const Result<void> recalled = co_await recall_facts();
   co_return recalled;
@@ -101,24 +115,24 @@ Task<Result<void>> ObjectMemory::change(ObjectChange change) {
 
 // What an earlier life of the agent left on the board.
 Task<Result<void>> ObjectMemory::recall_facts() {
-  const Result<std::vector<Fact>> samples = co_await context_.board.facts(samples_pattern());
+  const Result<std::vector<Fact>> samples = co_await context_.board.facts(samples_);
   if (!samples) co_return fail(samples);
-  const Result<std::vector<Fact>> templates = co_await context_.board.facts(templates_pattern());
+  const Result<std::vector<Fact>> templates = co_await context_.board.facts(templates_);
   if (!templates) co_return fail(templates);
   objects_ = LearnedObjects();
   troubles_.clear();
   for (const Fact& fact : *samples) {
     const auto picture = std::ranges::find_if(*templates, [&](const Fact& candidate) {
-      return candidate.datum[1] == fact.datum[1] && candidate.datum[2] == fact.datum[2];
+      return candidate.datum[2] == fact.datum[2] && candidate.datum[3] == fact.datum[3];
     });
     Result<LearnedSample> sample = fail("damaged", "its template is missing");
-    if (picture != templates->end()) sample = sample_from_facts(fact.datum, picture->datum);
-    const Result<LearnedObjects::Slot> slot = objects_.slot_for(fact.datum[1].text());
+    if (picture != templates->end()) sample = sample_from_facts(as_said(fact.datum), as_said(picture->datum));
+    const Result<LearnedObjects::Slot> slot = objects_.slot_for(fact.datum[2].text());
     if (sample && slot) {
       objects_.add(slot->name, std::move(*sample));
     } else {
       Failure why = sample ? slot.error() : sample.error();
-      why.subject = fact.datum[1];
+      why.subject = fact.datum[2];
       troubles_.push_back(std::move(why));
     }
   }
@@ -127,9 +141,10 @@ Task<Result<void>> ObjectMemory::recall_facts() {
 
 // The facts become what the database says.
 Task<Result<void>> ObjectMemory::tell_objects() {
-  const std::vector<Datum> wanted = facts_of(objects_);
+  std::vector<Datum> wanted = facts_of(objects_);
+  for (Datum& fact : wanted) fact = told_by(context_.name, fact);
   Transaction transaction;
-  const std::vector<Datum> patterns{samples_pattern(), templates_pattern()};
+  const std::vector<Datum> patterns{samples_, templates_};
   for (const Datum& pattern : patterns) {
     const Result<std::vector<Fact>> standing = co_await context_.board.facts(pattern);
     if (!standing) co_return fail(standing);

@@ -1,6 +1,6 @@
 #pragma once
 
-// What the vision agent knows of objects, and where that is kept: in the durable facts `learned` and `learned-template`
+// What the vision agent knows of objects, and where that is kept: in its durable facts `learned` and `learned-template`
 // alone, or, where a folder is given, in an object database, of which the facts are then the picture that others read.
 //
 //   ObjectMemory memory(context, "objects");            // or "": the board alone
@@ -19,7 +19,7 @@ namespace pizarra {
 class ObjectMemory {
  public:
   // `directory`: of the database, made where there is none; empty: no database.
-  ObjectMemory(AgentContext& context, std::string directory) : context_(context), directory_(std::move(directory)) {}
+  ObjectMemory(AgentContext& context, std::string directory);
 
   // The object stays in its place, what is in it is replaced by whatever changes it.
   const LearnedObjects& objects() const { return objects_; }
@@ -43,6 +43,8 @@ class ObjectMemory {
 
   AgentContext& context_;
   std::string directory_;
+  const Datum samples_;    // the pattern of the agent's facts `learned`
+  const Datum templates_;  // and `learned-template`
   std::optional<ObjectDatabase> database_;
   std::int64_t version_ = 0;  // of the database as it was read last
   LearnedObjects objects_;

@@ -29,8 +29,9 @@ constexpr std::string_view robot_text = R"(
 constexpr std::string_view vision_text = R"(
 (contract vision
   (offers (find (name string)) (track (name string)) (get-objects) (connect))
-  (posts (relation vision-says ((frame integer) (text string)) (key))
-         (relation camera-model ((w integer) (h integer) (f number) (x number) (y number) (b number)) (key))))
+  (posts (relation vision-says ((eyes symbol) (frame integer) (text string)) (key eyes))
+         (relation camera-model ((eyes symbol) (w integer) (h integer) (f number) (x number) (y number) (b number))
+                   (key eyes))))
 )";
 constexpr std::string_view planner_text = R"(
 (contract planner
@@ -270,7 +271,7 @@ Task<Result<Datum>> FakeCell::handle_vision(Datum operation) {
 
 // Ten frames a second, told a moment after they were taken.
 Task<void> FakeCell::look() {
-  const Datum model = list("camera-model"_sym, 320, 240, 431.0, 159.5, 119.5, 90.0);
+  const Datum model = list("camera-model"_sym, "vision"_sym, 320, 240, 431.0, 159.5, 119.5, 90.0);
   while (true) {
     co_await sleep(executor_, 60ms);
     const Eigen::Vector3d front(30, 0, 0);
@@ -285,7 +286,7 @@ Task<void> FakeCell::look() {
                    : fmt::format(" (\"{}\" FAIL)", name);
     }
     co_await sleep(executor_, 40ms);
-    const Datum says = list("vision-says"_sym, ++frame_, text + ")");
+    const Datum says = list("vision-says"_sym, "vision"_sym, ++frame_, text + ")");
     co_await agents_->vision_view->tell(model);
     if (tracking_) co_await agents_->vision_view->tell(says);
   }

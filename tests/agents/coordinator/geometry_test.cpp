@@ -59,9 +59,9 @@ TEST(CameraView, AHeadThatTurnsItTurnsTheImageAndNotWhereThingsAre) {
 }
 
 TEST(CameraView, RefusesAModelThatIsNone) {
-  EXPECT_FALSE(camera_model_from_fact(list("camera-model"_sym, 320, 240, 0.0, 160.0, 120.0, 90.0)));
-  EXPECT_FALSE(camera_model_from_fact(list("camera-model"_sym, 320)));
-  EXPECT_TRUE(camera_model_from_fact(list("camera-model"_sym, 320, 240, 431.0, 159.5, 119.5, 90.0)));
+  EXPECT_FALSE(camera_model_from_fact(list("camera-model"_sym, "vision"_sym, 320, 240, 0.0, 160.0, 120.0, 90.0)));
+  EXPECT_FALSE(camera_model_from_fact(list("camera-model"_sym, "vision"_sym, 320)));
+  EXPECT_TRUE(camera_model_from_fact(list("camera-model"_sym, "vision"_sym, 320, 240, 431.0, 159.5, 119.5, 90.0)));
 }
 
 TEST(CameraView, ShowsWhatBothImagesShowWhole) {

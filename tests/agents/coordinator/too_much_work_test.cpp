@@ -33,11 +33,13 @@ class TooMuchWork : public testing::Test {
  protected:
   TooMuchWork() {
     EXPECT_TRUE(board_.declare(
-        "vision", {relation_from_datum(form("(relation vision-says ((frame integer) (text string)) (key))")).value(),
-                   relation_from_datum(form("(relation camera-model ((w integer) (h integer) (f number) (x number) "
-                                            "(y number) (b number)) (key))"))
-                       .value()}));
-    tell("(camera-model 320 240 431.0 159.5 119.5 90.0)");
+        "vision",
+        {relation_from_datum(form("(relation vision-says ((eyes symbol) (frame integer) (text string)) (key eyes))"))
+             .value(),
+         relation_from_datum(form("(relation camera-model ((eyes symbol) (w integer) (h integer) (f number) (x number) "
+                                  "(y number) (b number)) (key eyes))"))
+             .value()}));
+    tell("(camera-model vision 320 240 431.0 159.5 119.5 90.0)");
   }
 
   void tell(std::string_view fact) {
@@ -52,7 +54,7 @@ class TooMuchWork : public testing::Test {
       text += " (\"m" + std::to_string(i) + "\" OK (" + std::to_string(10 + 20 * i) + ", 150, 1000))";
     }
     Transaction says;
-    says.tell(list("vision-says"_sym, frame, to_datum(text + ")")));
+    says.tell(list("vision-says"_sym, "vision"_sym, frame, to_datum(text + ")")));
     EXPECT_TRUE(board_.transact("vision", says));
     executor_.run_for(100ms);
   }

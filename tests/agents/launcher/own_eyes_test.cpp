@@ -100,7 +100,7 @@ TEST(OwnEyes, ACameraThatIsNotThereIsNamedAndThePromptGoesOn) {
   const std::string cell = cell_with("blind", "(single (device \"/dev/no-such-camera\"))");
   const Said said =
       run("repl " + cell + " --agents vision --eval '(vision (connect))' --eval '(vision (learn 5 5 \"a\"))'" +
-          " --eval '(ask (camera-state ?state ?trouble))'");
+          " --eval '(ask (camera-state vision ?state ?trouble))'");
   EXPECT_TRUE(contains(said, "the camera: /dev/no-such-camera cannot be opened")) << said.text;
 }
 
@@ -134,8 +134,9 @@ TEST_F(OwnPair, IsCalibratedFromFilesAndTheFileIsTheCells) {
   EXPECT_TRUE(contains(said, "14 pairs of 480 x 360")) << said.text;
   const std::string cell = cell_with(
       "pair", "(pair (images \"left*.png\") (images \"right*.png\")) (rate 60) (calibration \"pair.calibration\")");
-  const Said seen = run("repl " + cell + " --agents vision --eval '(vision (connect))'" +
-                        " --eval '(vision (learn 5 5 \"corner\"))' --eval '(ask (camera-model ?w ?h ?f ?cx ?cy ?b))'");
+  const Said seen =
+      run("repl " + cell + " --agents vision --eval '(vision (connect))'" +
+          " --eval '(vision (learn 5 5 \"corner\"))' --eval '(ask (camera-model vision ?w ?h ?f ?cx ?cy ?b))'");
   EXPECT_TRUE(contains(seen, "?w = 480")) << seen.text;
 }
 

@@ -69,7 +69,7 @@ TEST(Person, WhoComesBackDoesNotTeachAgain) {
   Room room;
   const Job robot = room.executor.spawn(until_it_ends(room.robot));
   const Job vision = room.executor.spawn(until_it_ends(room.vision));
-  std::vector<Datum> pattern(9, "?"_sym);
+  std::vector<Datum> pattern(10, "?"_sym);
   pattern[0] = "learned"_sym;
   const Datum learned = Datum::list(pattern);
   const AgentContext context{"person", "localhost", room.executor, *room.person_view, Random(3)};
@@ -84,6 +84,31 @@ TEST(Person, WhoComesBackDoesNotTeachAgain) {
   room.executor.run_for(20s);
   EXPECT_EQ(room.facts(learned), before);
   EXPECT_FALSE(before.empty());
+}
+
+Task<void> rename(Board& board, std::string name, std::string new_name) {
+  const Datum request = list("request"_sym, "r1"_sym, "vision"_sym, list("rename"_sym, name, new_name));
+  const Result<Revision> told = co_await board.tell(request);
+  EXPECT_TRUE(told.has_value());
+}
+
+TEST(Person, WhoComesBackAcceptsThatACubeWasGivenAnotherName) {
+  Room room;
+  const Job robot = room.executor.spawn(until_it_ends(room.robot));
+  const Job vision = room.executor.spawn(until_it_ends(room.vision));
+  const AgentContext context{"person", "localhost", room.executor, *room.person_view, Random(3)};
+  {
+    PersonAgent person(context, room.link, room.names);
+    const Job teaching = room.executor.spawn(until_it_ends(person));
+    room.executor.run_for(40s);
+  }
+  const Job renaming = room.executor.spawn(rename(*room.person_view, "circle", "disc"));
+  room.executor.run_for(2s);
+  PersonAgent again(context, room.link, room.names);
+  const Job teaching = room.executor.spawn(until_it_ends(again));
+  room.executor.run_for(40s);
+  EXPECT_EQ(room.facts(list("person"_sym, "?"_sym, "?"_sym)),
+            "(person done (\"end-effector\" \"circle\" \"triangle\" \"square\" \"cross\"))\n");
 }
 
 }  // namespace

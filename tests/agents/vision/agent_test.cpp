@@ -20,9 +20,10 @@ Datum form(std::string_view written) { return read_one(written).value(); }
 // One life of the agent: destroying it is its death.
 class VisionLife {
  public:
-  VisionLife(Executor& executor, MemoryBoard& board, StereoCamera& camera, Streams* streams, VisionOptions options)
-      : view_(board.view("vision")),
-        agent_({"vision", "here", executor, *view_, Random(1)}, camera, streams, std::move(options)) {
+  VisionLife(Executor& executor, MemoryBoard& board, StereoCamera& camera, Streams* streams, VisionOptions options,
+             const std::string& name = "vision")
+      : view_(board.view(name)),
+        agent_({name, "here", executor, *view_, Random(1)}, camera, streams, std::move(options)) {
     job_ = executor.spawn(live());
   }
 
@@ -55,14 +56,14 @@ class Vision : public testing::Test {
   }
 
   // The text that was answered, "()" where there is none, or the failure's symbol and subject.
-  std::string call(const std::string& operation, Duration timeout = 20s) {
+  std::string call(const std::string& operation, Duration timeout = 20s, const std::string& agent = "vision") {
     std::string answer;
-    const Job job = executor.spawn(ask(form(operation), timeout, answer));
+    const Job job = executor.spawn(ask(agent, form(operation), timeout, answer));
     executor.run_until([&] { return job.done(); });
     return answer;
   }
-  Task<void> ask(Datum operation, Duration timeout, std::string& answer) {
-    const Result<Datum> result = co_await caller.call("vision", operation, timeout);
+  Task<void> ask(std::string agent, Datum operation, Duration timeout, std::string& answer) {
+    const Result<Datum> result = co_await caller.call(agent, operation, timeout);
     answer = shown(result);
   }
   void run_for(Duration duration) {
@@ -97,7 +98,7 @@ class Vision : public testing::Test {
     EXPECT_EQ(call(learn_request(2, "end-effector")), R"x((LEARN "end-effector" OK))x");
   }
   std::string says() {
-    const Answers answers = board.ask(query_from_datum(form("(vision-says ?frame ?text)")).value()).value();
+    const Answers answers = board.ask(query_from_datum(form("(vision-says vision ?frame ?text)")).value()).value();
     if (answers.answers.empty()) return "nothing";
     return std::string(answers.answers[0].bindings.find("?text")->text());
   }
@@ -161,42 +162,44 @@ TEST_F(Vision, LearnsFindsAndListsInTheThesisWords) {
   EXPECT_NEAR(x, truth.x, 0.2);
   EXPECT_NEAR(y, truth.y, 0.2);
   EXPECT_EQ(found.substr(found.find('.') + 3, 2), ", ");
-  EXPECT_NE(facts("(learned \"circle\" 1 ? ? ? ? ? ?)"), "");
+  EXPECT_NE(facts("(learned vision \"circle\" 1 ? ? ? ? ? ?)"), "");
 }
 
 TEST_F(Vision, LearningANameTwiceKeepsASecondSample) {
   EXPECT_EQ(call(learn_request(0, "circle")), R"x((LEARN "circle" OK))x");
   EXPECT_EQ(call(learn_request(0, "CIRCLE")), R"x((LEARN "CIRCLE" OK))x");
-  EXPECT_NE(facts("(learned \"circle\" 2 ? ? ? ? ? ?)"), "");
+  EXPECT_NE(facts("(learned vision \"circle\" 2 ? ? ? ? ? ?)"), "");
   EXPECT_EQ(call("(get-objects)"), R"x((GET 1 ("circle")))x");
 }
 
 TEST_F(Vision, SaysWhyItCouldNotLearn) {
   EXPECT_EQ(call("(learn 500 20 \"circle\")"), R"x((LEARN "circle" FAIL))x");
-  EXPECT_NE(facts("(vision-failed ? ? ? ?)").find("outside the image"), std::string::npos);
+  EXPECT_NE(facts("(vision-failed vision ? ? ? ?)").find("outside the image"), std::string::npos);
   EXPECT_EQ(call("(learn 20 200 \"circle\")"), R"x((LEARN "circle" FAIL))x");
-  EXPECT_NE(facts("(vision-failed ? ? ? ?)").find("even ground"), std::string::npos);
+  EXPECT_NE(facts("(vision-failed vision ? ? ? ?)").find("even ground"), std::string::npos);
   EXPECT_EQ(call("(learn 20 200 \"cir cle\")"), "bad-name \"cir cle\"");
   EXPECT_EQ(call("(find \"star\")"), R"x((FIND "star" FAIL))x");
-  EXPECT_NE(facts("(vision-failed ? ? ? ?)").find("nothing is learned"), std::string::npos);
+  EXPECT_NE(facts("(vision-failed vision ? ? ? ?)").find("nothing is learned"), std::string::npos);
   EXPECT_EQ(call("(track \"star\")"), "not-learned \"star\"");
 }
 
 TEST_F(Vision, TellsTheReasonOfAFailureAsASymbolAndASentence) {
   EXPECT_EQ(call("(learn 20 200 \"circle\")"), R"x((LEARN "circle" FAIL))x");
-  EXPECT_EQ(facts("(vision-failed ? \"(LEARN \\\"circle\\\" FAIL)\" background ?)").find("(vision-failed "), 0U);
+  EXPECT_EQ(
+      facts("(vision-failed vision ? \"(LEARN \\\"circle\\\" FAIL)\" background ?)").find("(vision-failed vision "),
+      0U);
 }
 
 TEST_F(Vision, ALearnedSampleMayBeRejectedUntilItIsAccepted) {
   EXPECT_EQ(call(learn_request(0, "circle")), R"x((LEARN "circle" OK))x");
-  EXPECT_EQ(facts("(to-accept ? ?)"), "(to-accept \"circle\" 1)");
+  EXPECT_EQ(facts("(to-accept vision ? ?)"), "(to-accept vision \"circle\" 1)");
   EXPECT_EQ(call("(accept \"Circle\")"), "()");
-  EXPECT_EQ(facts("(to-accept ? ?)"), "");
+  EXPECT_EQ(facts("(to-accept vision ? ?)"), "");
   EXPECT_EQ(call("(reject \"circle\")"), "nothing-to-accept \"circle\"");
   EXPECT_EQ(call(learn_request(0, "circle")), R"x((LEARN "circle" OK))x");
   EXPECT_EQ(call("(reject \"square\")"), "nothing-to-accept \"square\"");
   EXPECT_EQ(call("(reject \"circle\")"), "()");
-  EXPECT_EQ(facts("(learned ? 2 ? ? ? ? ? ?)"), "");
+  EXPECT_EQ(facts("(learned vision ? 2 ? ? ? ? ? ?)"), "");
   EXPECT_EQ(call("(get-objects)"), R"x((GET 1 ("circle")))x");
   EXPECT_EQ(call(learn_request(2, "end-effector")), R"x((LEARN "end-effector" OK))x");
   EXPECT_EQ(call("(reject \"end-effector\")"), "()");
@@ -210,8 +213,8 @@ TEST_F(Vision, ObjectsAreRenamedAndForgottenAlsoWhileTheyAreTracked) {
   EXPECT_EQ(call("(rename \"circle\" \"disc\")"), "()");
   run_for(300ms);
   EXPECT_NE(says().find("(\"disc\" OK"), std::string::npos) << says();
-  EXPECT_NE(facts("(learned \"disc\" 1 ? ? ? ? ? ?)"), "");
-  EXPECT_EQ(facts("(learned \"circle\" ? ? ? ? ? ? ?)"), "");
+  EXPECT_NE(facts("(learned vision \"disc\" 1 ? ? ? ? ? ?)"), "");
+  EXPECT_EQ(facts("(learned vision \"circle\" ? ? ? ? ? ? ?)"), "");
   EXPECT_EQ(call("(rename \"disc\" \"End-Effector\")"), "name-taken \"End-Effector\"");
   EXPECT_EQ(call("(rename \"disc\" \"a b\")"), "bad-name \"a b\"");
   EXPECT_EQ(call("(rename \"circle\" \"ring\")"), "not-learned \"circle\"");
@@ -236,11 +239,11 @@ TEST_F(KeptVision, WhatWasLearnedOutlivesTheBoardsMemoryOfIt) {
   learn_all();
   life.reset();
   run_for(3s);
-  retract("(learned ? ? ? ? ? ? ? ?)");
-  retract("(learned-template ? ? ? ? ? ? ? ? ?)");
+  retract("(learned vision ? ? ? ? ? ? ? ?)");
+  retract("(learned-template vision ? ? ? ? ? ? ? ? ?)");
   live(folder);
   EXPECT_EQ(call("(get-objects)"), R"x((GET 2 ("circle", "end-effector")))x");
-  EXPECT_NE(facts("(learned \"circle\" 1 ? ? ? ? ? ?)"), "");
+  EXPECT_NE(facts("(learned vision \"circle\" 1 ? ? ? ? ? ?)"), "");
   EXPECT_TRUE(call("(find \"circle\")").starts_with(R"x((FIND "circle" OK ()x"));
 }
 
@@ -249,7 +252,7 @@ TEST_F(KeptVision, WhatTheDatabaseDoesNotKnowIsTakenFromTheBoard) {
   ObjectDatabase other = ObjectDatabase::open(folder).value();
   ASSERT_TRUE(other.apply(RenameObject{"circle", "disc"}));
   run_for(2s);
-  EXPECT_EQ(facts("(learned \"circle\" ? ? ? ? ? ? ?)"), "");
+  EXPECT_EQ(facts("(learned vision \"circle\" ? ? ? ? ? ? ?)"), "");
   EXPECT_EQ(call("(get-objects)"), R"x((GET 2 ("disc", "end-effector")))x");
   EXPECT_TRUE(call("(find \"disc\")").starts_with(R"x((FIND "disc" OK ()x"));
 }
@@ -261,8 +264,8 @@ TEST_F(KeptVision, ADamagedSampleIsSaidOnceAndTheOthersGoOn) {
   run_for(3s);
   live(folder);
   EXPECT_EQ(call("(get-objects)"), R"x((GET 1 ("end-effector")))x");
-  EXPECT_EQ(facts("(objects-damaged ? ? ?)"),
-            "(objects-damaged \"circle-1.pgm\" damaged \"the template bitmap is damaged\")");
+  EXPECT_EQ(facts("(objects-damaged vision ? ? ?)"),
+            "(objects-damaged vision \"circle-1.pgm\" damaged \"the template bitmap is damaged\")");
   EXPECT_EQ(call(learn_request(0, "circle")), R"x((LEARN "circle" OK))x");
   EXPECT_EQ(call("(get-objects)"), R"x((GET 2 ("end-effector", "circle")))x");
 }
@@ -276,14 +279,74 @@ TEST_F(KeptVision, ADatabaseThatIsNoneLeavesWhatTheBoardRemembersAndRefusesToLea
   std::ofstream(file) << std::string(4000, 'x');
   live(folder);
   EXPECT_EQ(call("(get-objects)"), R"x((GET 2 ("circle", "end-effector")))x");
-  EXPECT_EQ(facts("(objects-damaged \"objects.sqlite\" damaged ?)").find("(objects-damaged"), 0U);
+  EXPECT_EQ(facts("(objects-damaged vision \"objects.sqlite\" damaged ?)").find("(objects-damaged"), 0U);
   EXPECT_EQ(call(learn_request(1, "square")), R"x((LEARN "square" FAIL))x");
-  EXPECT_EQ(facts("(vision-failed ? ? damaged ?)").find("(vision-failed"), 0U);
+  EXPECT_EQ(facts("(vision-failed vision ? ? damaged ?)").find("(vision-failed"), 0U);
   // Mended, it is used again.
   std::filesystem::rename(file + ".sound", file);
   run_for(2s);
-  EXPECT_EQ(facts("(objects-damaged ? ? ?)"), "");
+  EXPECT_EQ(facts("(objects-damaged vision ? ? ?)"), "");
   EXPECT_EQ(call(learn_request(1, "square")), R"x((LEARN "square" OK))x");
+}
+
+// Two agents before cameras of their own, which show the circle elsewhere, with one database.
+class TwoVisions : public KeptVision {
+ protected:
+  TwoVisions() {
+    other_camera.scene.faces = {{.mark = "circle", .place = {60, 20, 850}}, {.mark = "square", .place = {-60, 0, 850}}};
+    other_life.emplace(executor, board, other_camera, &streams, VisionOptions{.objects_directory = folder}, "side");
+    run_for(1s);
+  }
+  std::string call_other(const std::string& operation) { return call(operation, 20s, "side"); }
+
+  FakeCamera other_camera{executor, 8};
+  std::optional<VisionLife> other_life;
+};
+
+TEST_F(TwoVisions, WhatOneLearnsTheOtherFindsByItsOwnCamera) {
+  EXPECT_EQ(call(learn_request(0, "circle")), R"x((LEARN "circle" OK))x");
+  run_for(2s);
+  const std::string found = call_other("(find \"circle\")");
+  double x = 0;
+  double y = 0;
+  ASSERT_EQ(std::sscanf(found.c_str(), R"x((FIND "circle" OK (%lf, %lf)))x", &x, &y), 2) << found;
+  const cv::Point2d truth = project(other_camera.model(), other_camera.scene.faces[0].place, false);
+  EXPECT_NEAR(x, truth.x, 0.5);
+  EXPECT_NEAR(y, truth.y, 0.5);
+  EXPECT_NE(facts("(found side \"circle\" ? ? ? ? ?)"), "");
+  EXPECT_EQ(facts("(found vision \"circle\" ? ? ? ? ?)"), "");
+}
+
+TEST_F(TwoVisions, EachTellsOfItselfAndEndsForItself) {
+  EXPECT_EQ(call(learn_request(0, "circle")), R"x((LEARN "circle" OK))x");
+  EXPECT_EQ(facts("(to-accept ? ? ?)"), R"((to-accept vision "circle" 1))");
+  run_for(2s);
+  EXPECT_EQ(call("(track \"circle\")"), "()");
+  EXPECT_EQ(facts("(vision-mode ? ? ?)"), "(vision-mode side idle no)\n(vision-mode vision tracking yes)");
+  EXPECT_EQ(call_other("(track \"circle\")"), "()");
+  run_for(1s);
+  EXPECT_EQ(board.ask(query_from_datum(form("(vision-says ?eyes ?frame ?text)")).value())->answers.size(), 2U);
+  EXPECT_EQ(call_other("(end-track)"), "()");
+  EXPECT_EQ(call_other("(disconnect)"), "()");
+  run_for(1s);
+  EXPECT_EQ(facts("(vision-says side ? ?)"), "");
+  const std::string before = says();
+  EXPECT_NE(before, "nothing");
+  EXPECT_EQ(facts("(vision-held ? ? ?)"),
+            "(vision-held vision tester connected)\n(vision-held vision tester tracking)");
+  // Even its death is its own.
+  other_life.reset();
+  run_for(5s);
+  EXPECT_EQ(facts("(vision-mode ? ? ?)"), "(vision-mode vision tracking yes)");
+  EXPECT_NE(facts("(tracked vision \"circle\" seen ? ?)"), "");
+}
+
+TEST_F(Vision, TwoWithoutADatabaseRememberEachItsOwn) {
+  EXPECT_EQ(call(learn_request(0, "circle")), R"x((LEARN "circle" OK))x");
+  FakeCamera other_camera{executor, 8};
+  VisionLife other(executor, board, other_camera, &streams, {}, "side");
+  EXPECT_EQ(call("(get-objects)", 20s, "side"), "(GET 0 ())");
+  EXPECT_EQ(call("(get-objects)"), R"x((GET 1 ("circle")))x");
 }
 
 TEST_F(Vision, TracksTheEndEffectorFirstAndTellsOnceAFrame) {
@@ -300,15 +363,15 @@ TEST_F(Vision, TracksTheEndEffectorFirstAndTellsOnceAFrame) {
       << text;
   EXPECT_NEAR(d[0], cv::norm(camera.scene.faces[2].place), 4);
   EXPECT_NEAR(d[1], cv::norm(camera.scene.faces[0].place), 4);
-  const std::string one = facts("(vision-says ? ?)");
+  const std::string one = facts("(vision-says vision ? ?)");
   run_for(100ms);
-  EXPECT_NE(facts("(vision-says ? ?)"), one);
+  EXPECT_NE(facts("(vision-says vision ? ?)"), one);
   camera.scene.faces[0].mark = "none";
   run_for(200ms);
   EXPECT_TRUE(says().ends_with("(\"circle\" FAIL))")) << says();
   EXPECT_EQ(call("(end-track)"), "()");
   EXPECT_EQ(says(), "nothing");
-  EXPECT_EQ(facts("(vision-mode ? ?)"), "(vision-mode capturing yes)");
+  EXPECT_EQ(facts("(vision-mode vision ? ?)"), "(vision-mode vision capturing yes)");
 }
 
 TEST_F(Vision, AFindSuspendsATrackingAndResumesIt) {
@@ -316,31 +379,31 @@ TEST_F(Vision, AFindSuspendsATrackingAndResumesIt) {
   EXPECT_EQ(call("(track \"circle\")"), "()");
   run_for(200ms);
   std::string found;
-  const Job finding = executor.spawn(ask(form("(find \"circle\")"), 20s, found));
+  const Job finding = executor.spawn(ask("vision", form("(find \"circle\")"), 20s, found));
   run_for(10ms);
-  EXPECT_EQ(facts("(vision-mode ? ?)"), "(vision-mode finding yes)");
+  EXPECT_EQ(facts("(vision-mode vision ? ?)"), "(vision-mode vision finding yes)");
   executor.run_until([&] { return finding.done(); });
   EXPECT_TRUE(found.starts_with(R"x((FIND "circle" OK ()x")) << found;
-  EXPECT_EQ(facts("(vision-mode ? ?)"), "(vision-mode tracking yes)");
-  const std::string before = facts("(vision-says ? ?)");
+  EXPECT_EQ(facts("(vision-mode vision ? ?)"), "(vision-mode vision tracking yes)");
+  const std::string before = facts("(vision-says vision ? ?)");
   run_for(200ms);
-  EXPECT_NE(facts("(vision-says ? ?)"), before);
+  EXPECT_NE(facts("(vision-says vision ? ?)"), before);
 }
 
 TEST_F(Vision, LearningAndFindingAreServedInTurn) {
   EXPECT_EQ(call("(connect)"), "()");
-  EXPECT_EQ(facts("(vision-mode ? ?)"), "(vision-mode capturing yes)");
+  EXPECT_EQ(facts("(vision-mode vision ? ?)"), "(vision-mode vision capturing yes)");
   Client other(*this, "other");
   std::string learned;
-  const Job learning = executor.spawn(ask(form(learn_request(0, "circle")), 20s, learned));
+  const Job learning = executor.spawn(ask("vision", form(learn_request(0, "circle")), 20s, learned));
   run_for(300ms);
-  EXPECT_EQ(facts("(vision-mode ? ?)"), "(vision-mode learning yes)");
-  EXPECT_EQ(facts("(vision-held ? learning)"), "(vision-held tester learning)");
+  EXPECT_EQ(facts("(vision-mode vision ? ?)"), "(vision-mode vision learning yes)");
+  EXPECT_EQ(facts("(vision-held vision ? learning)"), "(vision-held vision tester learning)");
   std::vector<std::string> later(4);
   std::vector<Job> jobs;
   jobs.push_back(executor.spawn(other.ask(form(learn_request(1, "square")), later[0])));
   jobs.push_back(executor.spawn(other.ask(form("(find \"circle\")"), later[1])));
-  jobs.push_back(executor.spawn(ask(form("(find \"square\")"), 20s, later[2])));
+  jobs.push_back(executor.spawn(ask("vision", form("(find \"square\")"), 20s, later[2])));
   jobs.push_back(executor.spawn(other.ask(form("(rename \"square\" \"box\")"), later[3])));
   EXPECT_EQ(call("(get-objects)"), R"x((GET 0 ()))x");
   executor.run_until([&] { return std::ranges::all_of(jobs, &Job::done); });
@@ -359,7 +422,7 @@ TEST_F(Vision, WhatATrackingExcludesIsRefusedWithWhoTracks) {
   EXPECT_EQ(other.call(learn_request(1, "square")), "busy tester");
   EXPECT_EQ(call(learn_request(1, "square")), "busy tester");
   EXPECT_EQ(other.call("(end-track)"), "busy tester");
-  EXPECT_EQ(facts("(vision-mode ? ?)"), "(vision-mode tracking yes)");
+  EXPECT_EQ(facts("(vision-mode vision ? ?)"), "(vision-mode vision tracking yes)");
   EXPECT_EQ(call("(end-track)"), "()");
   EXPECT_EQ(other.call("(end-track)"), "()");
   EXPECT_EQ(other.call(learn_request(1, "square")), R"x((LEARN "square" OK))x");
@@ -373,16 +436,17 @@ TEST_F(Vision, EachClientTracksAndConnectsForItself) {
   EXPECT_EQ(other.call("(track \"square\")"), "()");
   run_for(200ms);
   EXPECT_TRUE(says().starts_with("(TRACK 2 ")) << says();
-  EXPECT_EQ(facts("(vision-held ? tracking)"), "(vision-held tester tracking)\n(vision-held other tracking)");
+  EXPECT_EQ(facts("(vision-held vision ? tracking)"),
+            "(vision-held vision tester tracking)\n(vision-held vision other tracking)");
   EXPECT_EQ(call("(end-track)"), "()");
   EXPECT_EQ(call("(disconnect)"), "()");
   run_for(200ms);
   EXPECT_TRUE(says().starts_with("(TRACK 1 (\"square\" OK")) << says();
-  EXPECT_EQ(facts("(vision-mode ? ?)"), "(vision-mode tracking yes)");
+  EXPECT_EQ(facts("(vision-mode vision ? ?)"), "(vision-mode vision tracking yes)");
   EXPECT_EQ(other.call("(end-track)"), "()");
   EXPECT_EQ(other.call("(disconnect)"), "()");
-  EXPECT_EQ(facts("(vision-mode ? ?)"), "(vision-mode idle no)");
-  EXPECT_EQ(facts("(vision-held ? ?)"), "");
+  EXPECT_EQ(facts("(vision-mode vision ? ?)"), "(vision-mode vision idle no)");
+  EXPECT_EQ(facts("(vision-held vision ? ?)"), "");
 }
 
 TEST_F(Vision, AClientThatDiesLetsGoOfItsModes) {
@@ -391,12 +455,29 @@ TEST_F(Vision, AClientThatDiesLetsGoOfItsModes) {
     Client dying(*this, "dying");
     EXPECT_EQ(dying.call("(track \"circle\")"), "()");
     run_for(5s);
-    EXPECT_EQ(facts("(vision-mode ? ?)"), "(vision-mode tracking yes)");
+    EXPECT_EQ(facts("(vision-mode vision ? ?)"), "(vision-mode vision tracking yes)");
   }
   run_for(5s);
-  EXPECT_EQ(facts("(vision-mode ? ?)"), "(vision-mode idle no)");
-  EXPECT_EQ(facts("(vision-held ? ?)"), "");
+  EXPECT_EQ(facts("(vision-mode vision ? ?)"), "(vision-mode vision idle no)");
+  EXPECT_EQ(facts("(vision-held vision ? ?)"), "");
   EXPECT_EQ(says(), "nothing");
+}
+
+TEST_F(Vision, WhatAClientAskedToKeepGoesOnWithoutItUntilAnyoneEndsIt) {
+  EXPECT_EQ(call(learn_request(0, "circle")), R"x((LEARN "circle" OK))x");
+  {
+    Client passing(*this, "passing");
+    EXPECT_EQ(passing.call("(keep)"), "nothing-held keep");
+    EXPECT_EQ(passing.call("(track \"circle\")"), "()");
+    EXPECT_EQ(passing.call("(keep)"), "()");
+  }
+  run_for(10s);
+  EXPECT_EQ(facts("(vision-held vision ? ?)"),
+            "(vision-held vision anybody connected)\n(vision-held vision anybody tracking)");
+  EXPECT_NE(says(), "nothing");
+  EXPECT_EQ(call("(end-track)"), "()");
+  EXPECT_EQ(call("(disconnect)"), "()");
+  EXPECT_EQ(facts("(vision-mode vision ? ?)"), "(vision-mode vision idle no)");
 }
 
 // A script that only tells requests has no presence: what it began lasts until someone ends it.
@@ -405,22 +486,23 @@ TEST_F(Vision, WhatAClientWithoutPresenceBeganAnyoneMayEnd) {
   const std::unique_ptr<Board> script = board.view("script");
   const Job telling = executor.spawn(tell(*script, form("(request r1 vision (track \"circle\"))")));
   run_for(6s);
-  EXPECT_EQ(facts("(vision-held ? ?)"), "(vision-held anybody connected)\n(vision-held anybody tracking)");
+  EXPECT_EQ(facts("(vision-held vision ? ?)"),
+            "(vision-held vision anybody connected)\n(vision-held vision anybody tracking)");
   EXPECT_EQ(call("(end-track)"), "()");
-  EXPECT_EQ(facts("(vision-mode ? ?)"), "(vision-mode capturing yes)");
+  EXPECT_EQ(facts("(vision-mode vision ? ?)"), "(vision-mode vision capturing yes)");
 }
 
 TEST_F(Vision, DisconnectedItCapturesOnlyWhileItMust) {
   EXPECT_EQ(call(learn_request(0, "circle")), R"x((LEARN "circle" OK))x");
   run_for(300ms);
-  EXPECT_EQ(facts("(vision-mode ? ?)"), "(vision-mode idle no)");
-  EXPECT_EQ(facts("(camera-state ? ?)"), "(camera-state closed \"\")");
+  EXPECT_EQ(facts("(vision-mode vision ? ?)"), "(vision-mode vision idle no)");
+  EXPECT_EQ(facts("(camera-state vision ? ?)"), "(camera-state vision closed \"\")");
   EXPECT_EQ(call("(connect)"), "()");
   run_for(300ms);
-  EXPECT_EQ(facts("(camera-state ? ?)"), "(camera-state open \"\")");
-  EXPECT_EQ(facts("(camera-model ? ? ? ? ? ?)"), "(camera-model 320 240 431.0 159.5 119.5 90.0)");
+  EXPECT_EQ(facts("(camera-state vision ? ?)"), "(camera-state vision open \"\")");
+  EXPECT_EQ(facts("(camera-model vision ? ? ? ? ? ?)"), "(camera-model vision 320 240 431.0 159.5 119.5 90.0)");
   EXPECT_EQ(call("(disconnect)"), "()");
-  EXPECT_EQ(facts("(vision-mode ? ?)"), "(vision-mode idle no)");
+  EXPECT_EQ(facts("(vision-mode vision ? ?)"), "(vision-mode vision idle no)");
 }
 
 TEST_F(Vision, ARestartedAgentKnowsWhatWasLearnedAndTracksNothing) {
@@ -429,11 +511,11 @@ TEST_F(Vision, ARestartedAgentKnowsWhatWasLearnedAndTracksNothing) {
   run_for(300ms);
   life.reset();
   run_for(3s);
-  EXPECT_EQ(facts("(vision-mode ? ?)"), "");
-  EXPECT_EQ(facts("(vision-says ? ?)"), "");
+  EXPECT_EQ(facts("(vision-mode vision ? ?)"), "");
+  EXPECT_EQ(facts("(vision-says vision ? ?)"), "");
   live();
   EXPECT_EQ(call("(get-objects)"), R"x((GET 2 ("circle", "end-effector")))x");
-  EXPECT_EQ(facts("(vision-mode ? ?)"), "(vision-mode idle no)");
+  EXPECT_EQ(facts("(vision-mode vision ? ?)"), "(vision-mode vision idle no)");
   EXPECT_TRUE(call("(find \"circle\")").starts_with(R"x((FIND "circle" OK ()x"));
 }
 
@@ -442,13 +524,13 @@ TEST_F(Vision, ALostCameraIsSaidAndTriedAgain) {
   run_for(300ms);
   camera.plugged = false;
   run_for(5s);
-  EXPECT_TRUE(facts("(camera-state ? ?)").starts_with("(camera-state lost \"the camera is unplugged"));
+  EXPECT_TRUE(facts("(camera-state vision ? ?)").starts_with("(camera-state vision lost \"the camera is unplugged"));
   EXPECT_LT(camera.opened, 9);
   EXPECT_EQ(call("(learn 100 100 \"circle\")"), R"x((LEARN "circle" FAIL))x");
-  EXPECT_NE(facts("(vision-failed ? ? ? ?)").find("unplugged"), std::string::npos);
+  EXPECT_NE(facts("(vision-failed vision ? ? ? ?)").find("unplugged"), std::string::npos);
   camera.plugged = true;
   run_for(6s);
-  EXPECT_EQ(facts("(camera-state ? ?)"), "(camera-state open \"\")");
+  EXPECT_EQ(facts("(camera-state vision ? ?)"), "(camera-state vision open \"\")");
   EXPECT_EQ(call(learn_request(0, "circle")), R"x((LEARN "circle" OK))x");
 }
 
@@ -495,33 +577,33 @@ TEST_F(Vision, SaysHowSureAFindIsAndWhereElseOneLikeItIs) {
   learn_all();
   EXPECT_EQ(call(learn_request(1, "square")), R"x((LEARN "square" OK))x");
   EXPECT_TRUE(call("(find \"circle\")").starts_with(R"x((FIND "circle" OK ()x"));
-  EXPECT_NE(facts("(and (found \"circle\" ?f ?c \"square\" ?m ()) (> ?c 0.9) (> ?m 0.03))"), "");
+  EXPECT_NE(facts("(and (found vision \"circle\" ?f ?c \"square\" ?m ()) (> ?c 0.9) (> ?m 0.03))"), "");
   camera.scene.faces[1].mark = "circle";
   EXPECT_TRUE(call("(find \"circle\")").starts_with(R"x((FIND "circle" OK ()x"));
-  EXPECT_EQ(facts("(found \"circle\" ? ? ? ? ())"), "");
+  EXPECT_EQ(facts("(found vision \"circle\" ? ? ? ? ())"), "");
 }
 
 TEST_F(Vision, TellsWhenAnObjectIsLostAndSeenAgain) {
   learn_all();
   EXPECT_EQ(call("(track \"circle\")"), "()");
   run_for(250ms);
-  EXPECT_EQ(facts("(tracked \"circle\" seen ? ?)").find("(tracked \"circle\" seen "), 0U);
-  const std::string first = facts("(tracked \"circle\" ? ? ?)");
+  EXPECT_EQ(facts("(tracked vision \"circle\" seen ? ?)").find("(tracked vision \"circle\" seen "), 0U);
+  const std::string first = facts("(tracked vision \"circle\" ? ? ?)");
   run_for(300ms);
-  EXPECT_EQ(facts("(tracked \"circle\" ? ? ?)"), first);
+  EXPECT_EQ(facts("(tracked vision \"circle\" ? ? ?)"), first);
   camera.scene.faces[0].mark = "none";
   run_for(250ms);
-  EXPECT_NE(facts("(tracked \"circle\" bridged ? ?)"), "");
+  EXPECT_NE(facts("(tracked vision \"circle\" bridged ? ?)"), "");
   EXPECT_TRUE(says().ends_with("(\"circle\" FAIL))")) << says();
   run_for(600ms);
-  EXPECT_NE(facts("(tracked \"circle\" lost ? ?)"), "");
+  EXPECT_NE(facts("(tracked vision \"circle\" lost ? ?)"), "");
   camera.scene.faces[0].mark = "circle";
   run_for(250ms);
-  EXPECT_NE(facts("(tracked \"circle\" seen ? ?)"), "");
-  EXPECT_NE(facts("(tracked \"circle\" seen ? ?)"), first);
+  EXPECT_NE(facts("(tracked vision \"circle\" seen ? ?)"), "");
+  EXPECT_NE(facts("(tracked vision \"circle\" seen ? ?)"), first);
   EXPECT_EQ(call("(end-track)"), "()");
-  EXPECT_EQ(facts("(tracked ? ? ? ?)"), "");
-  EXPECT_EQ(facts("(sightings ? ?)"), "");
+  EXPECT_EQ(facts("(tracked vision ? ? ? ?)"), "");
+  EXPECT_EQ(facts("(sightings vision ? ?)"), "");
 }
 
 // Colour is asked of the camera, and pictures are drawn, only for those who look.

@@ -82,7 +82,7 @@ class OwnCamera : public testing::TestWithParam<cv::Size> {
   }
   // Of the newest TRACK reply, once all it tells of is seen.
   std::string says() {
-    const Query query = query_from_datum(form("(vision-says ?frame ?text)")).value();
+    const Query query = query_from_datum(form("(vision-says vision ?frame ?text)")).value();
     const Time deadline = executor.now() + 10s;
     while (executor.now() < deadline) {
       run_for(20ms);
@@ -94,7 +94,8 @@ class OwnCamera : public testing::TestWithParam<cv::Size> {
     return "nothing";
   }
   std::string why() {
-    const Answers answers = board.ask(query_from_datum(form("(vision-failed ?f ?t ?symbol ?why)")).value()).value();
+    const Answers answers =
+        board.ask(query_from_datum(form("(vision-failed vision ?f ?t ?symbol ?why)")).value()).value();
     return answers.answers.empty() ? "" : std::string(answers.answers[0].bindings.find("?why")->text());
   }
   void learn_all() {

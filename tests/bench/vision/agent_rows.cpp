@@ -85,7 +85,7 @@ Task<Result<void>> measure(AgentContext& context, const std::vector<std::string>
     const Result<Datum> tracked = co_await caller.call("vision", operation, patience);
     if (!tracked) co_return fail(tracked);
   }
-  const Query said = query_for(list("vision-says"_sym, "?frame"_sym, "?text"_sym));
+  const Query said = query_for(list("vision-says"_sym, "vision"_sym, "?frame"_sym, "?text"_sym));
   const Query echoed = query_for(list("bench-says"_sym, "?frame"_sym, "?text"_sym));
   const Result<std::unique_ptr<Watch>> words = co_await context.board.watch(said);
   const Result<std::unique_ptr<Watch>> echoes = co_await context.board.watch(echoed);
@@ -97,7 +97,7 @@ Task<Result<void>> measure(AgentContext& context, const std::vector<std::string>
     if (!change) co_return fail(change);
     if (change->added.empty()) continue;
     const Datum fact = change->added.back().facts.front().datum;
-    if (fact[2].text().find("FAIL") != std::string_view::npos) co_return fail("not-measured", "a mark was lost");
+    if (fact[3].text().find("FAIL") != std::string_view::npos) co_return fail("not-measured", "a mark was lost");
     out.track_us.push_back(seen_us - camera.arrival_us.at(static_cast<std::uint64_t>(fact[1].integer())));
     const Datum echo = list("bench-says"_sym, fact[1], fact[2]);
     const double before_us = thread_us();

@@ -1,0 +1,55 @@
+#pragma once
+
+// What the vision agent offers, posts, reads, lets you configure and monitor. Every fact begins with its name: several
+// of its kind share a board.
+
+#include <string_view>
+
+namespace pizarra {
+
+inline constexpr std::string_view vision_contract = R"scheme(
+(contract vision
+  (offers
+    (learn (x number) (y number) (name string))
+    (find (name string))
+    (track (name string))
+    (end-track)
+    (get-objects)
+    (connect)
+    (disconnect)
+    (keep)
+    (accept (name string))
+    (reject (name string))
+    (forget (name string))
+    (rename (name string) (new-name string)))
+  (posts
+    (relation vision-mode ((eyes symbol) (mode symbol) (connected symbol)) (key eyes))
+    (relation vision-held ((eyes symbol) (client symbol) (mode symbol)) (key eyes client mode))
+    (relation vision-says ((eyes symbol) (frame integer) (text string)) (key eyes))
+    (relation faces ((eyes symbol) (frame integer) (turned list)) (key eyes))
+    (relation sightings ((eyes symbol) (frame integer) (of list)) (key eyes))
+    (relation tracked ((eyes symbol) (name string) (state symbol) (frame integer) (confidence number))
+                      (key eyes name))
+    (relation found ((eyes symbol) (name string) (frame integer) (confidence number) (second string) (margin number)
+                     (elsewhere list)) (key eyes name))
+    (relation vision-failed ((eyes symbol) (frame integer) (text string) (symbol symbol) (sentence string)) (key eyes))
+    (relation learned ((eyes symbol) (name string) (num integer) (area number) (perimeter number) (features integer)
+                       (m0 number) (m1 number) (m2 number)) (key eyes name num) (durable))
+    (relation learned-template ((eyes symbol) (name string) (num integer) (tone symbol) (height number)
+                                (slimness number) (roundness number) (roundness-spread number) (size number)
+                                (picture string)) (key eyes name num) (durable))
+    (relation to-accept ((eyes symbol) (name string) (num integer)) (key eyes))
+    (relation look-alike ((eyes symbol) (name string) (other string) (error number) (sentence string))
+                         (key eyes name other))
+    (relation objects-damaged ((eyes symbol) (file string) (symbol symbol) (sentence string)) (key eyes file))
+    (relation camera-model ((eyes symbol) (width integer) (height integer) (focal number) (cx number) (cy number)
+                            (base-line number)) (key eyes))
+    (relation camera-state ((eyes symbol) (state symbol) (trouble string)) (key eyes))
+    (relation camera-drops ((eyes symbol) (late integer) (skewed integer) (corrupt integer)) (key eyes))
+    (relation stream ((name symbol) (kind symbol) (place list)) (key name)))
+  (reads frames)
+  (configures (learn accept reject forget rename connect disconnect keep))
+  (monitors (vision-mode camera-state objects-damaged)))
+)scheme";
+
+}  // namespace pizarra

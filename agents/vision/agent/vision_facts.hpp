@@ -1,0 +1,56 @@
+#pragma once
+
+// How the vision agent tells: everything under its name and its presence, so that it goes with the agent. What a lapsed
+// presence or an absent board took away is lost() until told anew; of single frames, the next one tells.
+//
+//   VisionFacts facts(context, service);
+//   facts.begin_anew();
+//   co_await facts.tell({...});
+//   co_await facts.tell_look(frame.number, sightings);
+//   if (facts.lost()) ...                             // tell all that lasts again
+
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "agents/runtime/service.hpp"
+#include "agents/vision/sight/mark_tracker.hpp"
+
+namespace pizarra {
+
+class VisionFacts {
+ public:
+  // Both outlive it; `service` is there before anything is told.
+  VisionFacts(AgentContext& context, const std::optional<Service>& service) : context_(context), service_(service) {}
+
+  bool lost() const { return told_under_ != service_->presence(); }
+  // What is told from here on stands under the presence of now.
+  void begin_anew();
+
+  // These as they come, in one transaction.
+  Task<void> tell(std::vector<Datum> facts);
+  // Who holds which mode: of the facts told last by this, those are retracted that are not among these.
+  Task<void> tell_held(std::vector<Datum> facts);
+  // What is worth knowing of the learned objects: of `to-accept`, `look-alike` and `objects-damaged` no others stand.
+  Task<void> tell_objects(std::vector<Datum> facts);
+  // What tracking has seen in a frame; of each mark, since when it is seen or lost.
+  Task<void> tell_look(std::uint64_t frame, const std::vector<TrackSighting>& sightings);
+  // What was told of earlier frames holds no longer.
+  Task<void> unsay();
+
+  // As it is.
+  Task<void> transact(Transaction transaction);
+
+ private:
+  void add(Transaction& transaction, const std::vector<Datum>& facts) const;
+  // The facts of a relation, as many arguments as they may have besides the agent's name.
+  void retract_all(Transaction& transaction, Datum relation, std::size_t arguments) const;
+
+  AgentContext& context_;
+  const std::optional<Service>& service_;
+  LeaseId told_under_ = 0;
+  std::map<std::string, std::string> told_tracks_;  // the state of each tracked object as it was told last
+  std::vector<Datum> told_held_;
+};
+
+}  // namespace pizarra

@@ -1,0 +1,89 @@
+// What becomes of each frame: it is looked at, told of, and shown to whoever watches.
+
+#include <fmt/format.h>
+#include <opencv2/imgproc.hpp>
+
+#include "agents/vision/agent/vision_state.hpp"
+
+namespace pizarra {
+namespace {
+
+// What can be watched: the pair as the camera gives it, the eyes' grey, the same in colour, and what a person likes to
+// see.
+constexpr std::string_view stream_kinds[] = {"left", "right", "grey", "colour", "annotated"};
+
+// Shares the pixels of what is grey already.
+cv::Mat grey(const Image& image) {
+  cv::Mat view(image.height, image.width, CV_8UC(image.channels), const_cast<std::uint8_t*>(image.pixels.data()));
+  if (image.channels == 3) cv::cvtColor(view, view, cv::COLOR_BGR2GRAY);
+  return view;
+}
+
+}  // namespace
+
+Task<void> VisionAgent::State::on_frame(StereoFrame frame) {
+  std::vector<TrackSighting> sightings;
+  if (activity == Activity::tracking) {
+    const GreyPair grey = grey_pair(frame);
+    StereoSight sight(grey.left, grey.right, *feed.model());
+    sightings = tracker.update(sight);
+  }
+  publish(frame, sightings);
+  if (activity != Activity::tracking || !holders.connected()) co_return;
+  co_await facts.tell_look(frame.number, sightings);
+}
+
+std::string VisionAgent::State::stream(std::string_view kind) const { return fmt::format("{}-{}", context.name, kind); }
+
+// Streams have the agent's name already, so this fact does not begin with it.
+Task<void> VisionAgent::State::tell_streams() {
+  if (streams == nullptr) co_return;
+  Transaction transaction;
+  for (const std::string_view kind : stream_kinds) {
+    transaction.tell(stream_fact(stream(kind), kind, *streams), {}, service->presence());
+  }
+  co_await facts.transact(std::move(transaction));
+}
+
+bool VisionAgent::State::watched(std::string_view kind) const { return streams->watched(stream(kind)); }
+
+void VisionAgent::State::publish(const StereoFrame& frame, const std::vector<TrackSighting>& sightings) {
+  if (streams == nullptr) return;
+  const auto send = [&](std::string_view kind, std::shared_ptr<const Image> image) {
+    streams->publish(stream(kind), {frame.number, frame.captured, std::move(image)});
+  };
+  if (watched("left")) send("left", frame.left);
+  if (watched("right")) send("right", frame.right);
+  if (watched("grey")) send("grey", grey_image(frame.left));
+  if (!(watched("colour") || watched("annotated")) || !showing.done()) return;
+  Annotation annotation{.sightings = sightings, .filled = {}, .learned_contour = {}, .status = {}};
+  if (learner) {
+    annotation.learned_contour = learner->contour();
+    if (learner->contour().empty()) annotation.filled = learner->filled().clone();
+  }
+  annotation.status =
+      fmt::format("frame {}   {}{}", frame.number, mode(), holders.connected() ? "" : " (not connected)");
+  showing = context.executor.spawn(show(frame, std::move(annotation)));
+}
+
+// The eyes' own images are always grey, so that nothing they tell depends on who watches: the same frame, or the next
+// where the camera has moved on, is asked for once more in colour.
+Task<void> VisionAgent::State::show(StereoFrame frame, Annotation annotation) {
+  const std::uint64_t before = frame.number - 1;
+  const Result<StereoFrame> coloured = co_await camera.next(before, true);
+  const bool usable = coloured && coloured->left != nullptr && coloured->left->width == frame.left->width;
+  const StereoFrame& base = usable ? *coloured : frame;
+  if (watched("colour")) streams->publish(stream("colour"), {base.number, base.captured, base.left});
+  if (!watched("annotated")) co_return;
+  streams->publish(stream("annotated"), {frame.number, frame.captured, annotate(*base.left, annotation)});
+}
+
+GreyPair grey_pair(const StereoFrame& frame) { return {grey(*frame.left), grey(*frame.right)}; }
+
+std::shared_ptr<const Image> grey_image(const std::shared_ptr<const Image>& image) {
+  if (image->channels == 1) return image;
+  const cv::Mat view = grey(*image);
+  return std::make_shared<Image>(Image{image->width, image->height, 1, {view.datastart, view.dataend}});
+}
+
+}  // namespace pizarra

@@ -1,0 +1,99 @@
+// What the board is told of the eyes, and when.
+
+#include "agents/vision/agent/vision_state.hpp"
+#include "agents/vision/objects/look_alike.hpp"
+
+namespace pizarra {
+namespace {
+
+std::string_view state_name(CameraFeed::State state) {
+  switch (state) {
+    case CameraFeed::State::closed:
+      return "closed";
+    case CameraFeed::State::opening:
+      return "opening";
+    case CameraFeed::State::open:
+      return "open";
+    case CameraFeed::State::lost:
+      break;
+  }
+  return "lost";
+}
+
+constexpr Duration state_check = 1s;
+
+}  // namespace
+
+std::string_view VisionAgent::State::mode() const {
+  switch (activity) {
+    case Activity::learning:
+      return "learning";
+    case Activity::finding:
+      return "finding";
+    case Activity::tracking:
+      return "tracking";
+    case Activity::none:
+      break;
+  }
+  return feed.wanted() ? "capturing" : "idle";
+}
+
+Task<void> VisionAgent::State::tell_state() {
+  facts.begin_anew();
+  std::vector<Datum> state;
+  state.push_back(list("vision-mode"_sym, Datum::symbol(mode()), Datum::symbol(holders.connected() ? "yes" : "no")));
+  state.push_back(list("camera-state"_sym, Datum::symbol(state_name(feed.state())), feed.trouble()));
+  if (const std::optional<StereoModel>& model = feed.model()) {
+    state.push_back(list("camera-model"_sym, model->width, model->height, model->focal_px, model->centre_x_px,
+                         model->centre_y_px, model->base_line_mm));
+  }
+  told_drops = camera.drops();
+  if (told_drops != CameraDrops()) {
+    state.push_back(list("camera-drops"_sym, told_drops.late, told_drops.skewed, told_drops.corrupt));
+  }
+  co_await facts.tell(std::move(state));
+  co_await tell_streams();
+  co_await tell_holders();
+}
+
+Task<void> VisionAgent::State::tell_holders() {
+  std::vector<Datum> held = holders.facts();
+  const bool busy = activity == Activity::learning || activity == Activity::finding;
+  if (busy) held.push_back(list("vision-held"_sym, Datum::symbol(busy_for), Datum::symbol(mode())));
+  co_await facts.tell_held(std::move(held));
+}
+
+Task<void> VisionAgent::State::tell_objects() {
+  std::vector<Datum> known = look_alikes(objects);
+  if (to_accept) known.push_back(list("to-accept"_sym, to_accept->name, to_accept->number));
+  for (const Failure& trouble : memory.troubles()) {
+    known.push_back(list("objects-damaged"_sym, trouble.subject, Datum::symbol(trouble.symbol), trouble.sentence));
+  }
+  co_await facts.tell_objects(std::move(known));
+}
+
+Task<void> VisionAgent::State::tell_state_again() {
+  while (true) {
+    co_await sleep(context.executor, state_check);
+    const bool lost = facts.lost();
+    const bool news = lost || told_drops != camera.drops();
+    if (news) co_await tell_state();
+    if (lost) co_await tell_objects();
+    co_await follow_memory();
+    co_await let_dead_go();
+  }
+}
+
+Task<void> VisionAgent::State::follow_memory() {
+  const Result<bool> changed = co_await memory.recall_changed();
+  const bool anew = changed && *changed;
+  if (anew) co_await tell_objects();
+}
+
+Task<void> VisionAgent::State::camera_changed() {
+  co_await tell_state();
+  if (feed.state() == CameraFeed::State::open) co_return;
+  co_await facts.unsay();
+}
+
+}  // namespace pizarra

@@ -1,0 +1,28 @@
+#pragma once
+
+// Every fact of the eyes begins with the name of the agent that tells it, for several may see one table:
+//
+//   told_by("left-eyes", form("(to-accept \"circle\" 1)"))    // (to-accept left-eyes "circle" 1)
+//   as_said(form("(to-accept left-eyes \"circle\" 1)"))       // (to-accept "circle" 1)
+
+#include <string_view>
+#include <vector>
+
+#include "lisp/datum.hpp"
+
+namespace pizarra {
+
+// The same of a pattern.
+inline Datum told_by(std::string_view agent, const Datum& fact) {
+  std::vector<Datum> items(fact.items().begin(), fact.items().end());
+  items.insert(items.begin() + 1, Datum::symbol(agent));
+  return Datum::list(std::move(items));
+}
+
+inline Datum as_said(const Datum& told) {
+  std::vector<Datum> items(told.items().begin(), told.items().end());
+  items.erase(items.begin() + 1);
+  return Datum::list(std::move(items));
+}
+
+}  // namespace pizarra
