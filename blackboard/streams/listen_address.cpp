@@ -7,7 +7,7 @@
 #include <sys/socket.h>
 
 #include "blackboard/streams/file.hpp"
-#include "blackboard/wire_address.hpp"
+#include "blackboard/wire/wire_address.hpp"
 
 namespace pizarra {
 

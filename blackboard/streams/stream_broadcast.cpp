@@ -5,7 +5,7 @@
 
 #include "blackboard/streams/frame_text.hpp"
 #include "blackboard/streams/shared_ring.hpp"
-#include "blackboard/wire_address.hpp"
+#include "blackboard/wire/wire_address.hpp"
 
 namespace pizarra {
 

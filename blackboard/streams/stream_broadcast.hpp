@@ -16,9 +16,9 @@
 #include <string>
 #include <zmq.hpp>
 
-#include "blackboard/doorkeeper.hpp"
 #include "blackboard/stream.hpp"
 #include "blackboard/streams/socket_pump.hpp"
+#include "blackboard/wire/doorkeeper.hpp"
 #include "lisp/result.hpp"
 
 namespace pizarra {

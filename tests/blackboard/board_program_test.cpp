@@ -4,8 +4,8 @@
 #include <unistd.h>
 #include <zmq.hpp>
 
-#include "blackboard/journal_file.hpp"
-#include "blackboard/remote_board.hpp"
+#include "blackboard/client/remote_board.hpp"
+#include "blackboard/journal/journal_file.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "lisp/writer.hpp"
 #include "tests/blackboard/board_fixture.hpp"

@@ -1,4 +1,4 @@
-#include "blackboard/fact_list.hpp"
+#include "blackboard/store/fact_list.hpp"
 
 #include <gtest/gtest.h>
 #include <map>

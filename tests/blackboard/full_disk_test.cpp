@@ -6,7 +6,7 @@
 #include <sched.h>
 #include <sys/mount.h>
 
-#include "blackboard/remote_board.hpp"
+#include "blackboard/client/remote_board.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "tests/blackboard/board_fixture.hpp"
 #include "tests/blackboard/child_program.hpp"

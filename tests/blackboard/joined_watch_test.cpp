@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "blackboard/evaluate.hpp"
-#include "blackboard/store.hpp"
+#include "blackboard/store/evaluate.hpp"
+#include "blackboard/store/store.hpp"
 #include "blackboard/time/random.hpp"
-#include "blackboard/watches.hpp"
+#include "blackboard/watch/watches.hpp"
 #include "lisp/writer.hpp"
 #include "tests/blackboard/wall.hpp"
 

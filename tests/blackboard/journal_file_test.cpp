@@ -1,4 +1,4 @@
-#include "blackboard/journal_file.hpp"
+#include "blackboard/journal/journal_file.hpp"
 
 #include <csignal>
 #include <filesystem>
@@ -7,7 +7,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include "blackboard/journal_writer.hpp"
+#include "blackboard/journal/journal_writer.hpp"
 #include "blackboard/time/random.hpp"
 #include "blackboard/time/virtual_executor.hpp"
 #include "lisp/writer.hpp"

@@ -1,11 +1,11 @@
-#include "blackboard/journal.hpp"
+#include "blackboard/journal/journal.hpp"
 
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "blackboard/recorded_board.hpp"
+#include "blackboard/memory/recorded_board.hpp"
 #include "blackboard/time/virtual_executor.hpp"
 #include "lisp/writer.hpp"
 #include "tests/blackboard/wall.hpp"

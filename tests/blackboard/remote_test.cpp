@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "blackboard/board_server.hpp"
-#include "blackboard/remote_board.hpp"
+#include "blackboard/client/remote_board.hpp"
+#include "blackboard/server/board_server.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "lisp/writer.hpp"
 #include "tests/blackboard/board_fixture.hpp"

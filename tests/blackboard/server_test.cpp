@@ -2,8 +2,8 @@
 #include <set>
 #include <zmq.hpp>
 
-#include "blackboard/board_server.hpp"
 #include "blackboard/limits.hpp"
+#include "blackboard/server/board_server.hpp"
 #include "blackboard/time/random.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "lisp/writer.hpp"

@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-#include "blackboard/clock_offset.hpp"
-#include "blackboard/latencies.hpp"
+#include "blackboard/client/clock_offset.hpp"
+#include "blackboard/memory/latencies.hpp"
 #include "blackboard/time/random.hpp"
 #include "blackboard/time/virtual_executor.hpp"
-#include "blackboard/watch_queue.hpp"
+#include "blackboard/watch/watch_queue.hpp"
 #include "tests/blackboard/wall.hpp"
 
 namespace pizarra {

@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
-#include "blackboard/journal.hpp"
-#include "blackboard/store.hpp"
+#include "blackboard/journal/journal.hpp"
+#include "blackboard/store/store.hpp"
 #include "blackboard/time/random.hpp"
-#include "blackboard/watches.hpp"
+#include "blackboard/watch/watches.hpp"
 #include "lisp/writer.hpp"
 #include "tests/blackboard/store_model.hpp"
 #include "tests/blackboard/wall.hpp"

@@ -1,7 +1,7 @@
 #include <unistd.h>
 
-#include "blackboard/board_server.hpp"
-#include "blackboard/remote_board.hpp"
+#include "blackboard/client/remote_board.hpp"
+#include "blackboard/server/board_server.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "blackboard/time/virtual_executor.hpp"
 #include "tests/blackboard/python_wall.hpp"

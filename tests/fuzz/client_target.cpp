@@ -8,7 +8,7 @@
 #include <string_view>
 #include <unistd.h>
 
-#include "blackboard/remote_board.hpp"
+#include "blackboard/client/remote_board.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "lisp/writer.hpp"
 #include "tests/fuzz/frames.hpp"

@@ -12,10 +12,10 @@
 #include <string_view>
 #include <unistd.h>
 
-#include "blackboard/journal.hpp"
-#include "blackboard/journal_file.hpp"
+#include "blackboard/journal/journal.hpp"
+#include "blackboard/journal/journal_file.hpp"
 #include "blackboard/query.hpp"
-#include "blackboard/store.hpp"
+#include "blackboard/store/store.hpp"
 #include "lisp/reader.hpp"
 
 using namespace pizarra;

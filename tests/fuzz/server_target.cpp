@@ -8,7 +8,7 @@
 #include <string_view>
 #include <unistd.h>
 
-#include "blackboard/board_server.hpp"
+#include "blackboard/server/board_server.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "tests/fuzz/frames.hpp"
 #include "tests/scratch.hpp"

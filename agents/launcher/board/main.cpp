@@ -9,10 +9,10 @@
 
 #include "agents/launcher/command_line/command_line.hpp"
 #include "agents/launcher/command_line/word_tools.hpp"
-#include "blackboard/board_server.hpp"
-#include "blackboard/journal_writer.hpp"
-#include "blackboard/memory_board.hpp"
-#include "blackboard/store.hpp"
+#include "blackboard/journal/journal_writer.hpp"
+#include "blackboard/memory/memory_board.hpp"
+#include "blackboard/server/board_server.hpp"
+#include "blackboard/store/store.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "blackboard/time/stop_signals.hpp"
 

@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-#include "blackboard/keys.hpp"
+#include "blackboard/wire/keys.hpp"
 
 namespace pizarra {
 

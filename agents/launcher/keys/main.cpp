@@ -6,7 +6,7 @@
 
 #include "agents/launcher/command_line/command_line.hpp"
 #include "agents/launcher/command_line/word_tools.hpp"
-#include "blackboard/keys.hpp"
+#include "blackboard/wire/keys.hpp"
 #include "lisp/json.hpp"
 
 namespace pizarra {

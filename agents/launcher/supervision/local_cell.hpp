@@ -15,7 +15,7 @@
 #include <string>
 
 #include "agents/launcher/supervision/agent_factory.hpp"
-#include "blackboard/memory_board.hpp"
+#include "blackboard/memory/memory_board.hpp"
 #include "blackboard/stream.hpp"
 #include "drivers/simulation/world.hpp"
 

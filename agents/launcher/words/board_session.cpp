@@ -9,7 +9,7 @@
 #include "agents/launcher/supervision/readiness.hpp"
 #include "agents/repl/json_answers.hpp"
 #include "agents/repl/repl.hpp"
-#include "blackboard/remote_board.hpp"
+#include "blackboard/client/remote_board.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "blackboard/time/stop_signals.hpp"
 

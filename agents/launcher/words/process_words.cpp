@@ -7,7 +7,7 @@
 #include "agents/launcher/command_line/word_tools.hpp"
 #include "agents/launcher/supervision/agent_factory.hpp"
 #include "agents/launcher/words/words.hpp"
-#include "blackboard/remote_board.hpp"
+#include "blackboard/client/remote_board.hpp"
 #include "blackboard/streams/remote_streams.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "blackboard/time/stop_signals.hpp"

@@ -7,7 +7,7 @@
 #include "agents/launcher/command_line/word_tools.hpp"
 #include "agents/launcher/supervision/run_directory.hpp"
 #include "agents/launcher/words/words.hpp"
-#include "blackboard/remote_board.hpp"
+#include "blackboard/client/remote_board.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "lisp/json.hpp"
 

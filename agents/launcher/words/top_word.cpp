@@ -9,7 +9,7 @@
 #include "agents/launcher/words/board_sample.hpp"
 #include "agents/launcher/words/board_session.hpp"
 #include "agents/launcher/words/words.hpp"
-#include "blackboard/remote_board.hpp"
+#include "blackboard/client/remote_board.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "lisp/json.hpp"
 

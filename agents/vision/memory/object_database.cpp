@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "agents/vision/memory/template_bitmap.hpp"
-#include "blackboard/checksum.hpp"
+#include "blackboard/journal/checksum.hpp"
 #include "lisp/writer.hpp"
 
 namespace pizarra {

@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "agents/vision/memory/object_change.hpp"
-#include "blackboard/sqlite.hpp"
+#include "blackboard/journal/sqlite.hpp"
 
 namespace pizarra {
 

@@ -17,7 +17,7 @@
 #include "agents/coordinator/coordinator_agent.hpp"
 #include "agents/coordinator/task_domain.hpp"
 #include "agents/runtime/service.hpp"
-#include "blackboard/memory_board.hpp"
+#include "blackboard/memory/memory_board.hpp"
 #include "blackboard/time/virtual_executor.hpp"
 
 namespace pizarra {

@@ -6,8 +6,8 @@
 //   bool disk_full = false;
 //   FullDisk view(board, "coordinator", disk_full);
 
-#include "blackboard/memory_board.hpp"
-#include "blackboard/store.hpp"
+#include "blackboard/memory/memory_board.hpp"
+#include "blackboard/store/store.hpp"
 
 namespace pizarra {
 

@@ -5,7 +5,7 @@
 #include <iterator>
 
 #include "agents/coordinator/coordinator_agent.hpp"
-#include "blackboard/memory_board.hpp"
+#include "blackboard/memory/memory_board.hpp"
 #include "blackboard/time/virtual_executor.hpp"
 #include "lisp/reader.hpp"
 #include "tests/scratch.hpp"

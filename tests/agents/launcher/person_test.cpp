@@ -3,7 +3,7 @@
 #include "agents/person/person_agent.hpp"
 #include "agents/robot/robot_agent.hpp"
 #include "agents/vision/agent/vision_agent.hpp"
-#include "blackboard/memory_board.hpp"
+#include "blackboard/memory/memory_board.hpp"
 #include "blackboard/time/virtual_executor.hpp"
 #include "drivers/simulation/simulated_arm.hpp"
 #include "drivers/simulation/simulated_camera.hpp"

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "agents/launcher/supervision/agent_factory.hpp"
-#include "blackboard/memory_board.hpp"
+#include "blackboard/memory/memory_board.hpp"
 #include "blackboard/time/virtual_executor.hpp"
 #include "drivers/simulation/world.hpp"
 

@@ -4,7 +4,7 @@
 
 #include "agents/repl/commands.hpp"
 #include "agents/repl/terminal.hpp"
-#include "blackboard/memory_board.hpp"
+#include "blackboard/memory/memory_board.hpp"
 #include "blackboard/time/virtual_executor.hpp"
 #include "lisp/reader.hpp"
 

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "agents/robot/robot_agent.hpp"
-#include "blackboard/memory_board.hpp"
+#include "blackboard/memory/memory_board.hpp"
 #include "blackboard/time/virtual_executor.hpp"
 #include "drivers/arm/kinematics.hpp"
 #include "lisp/reader.hpp"

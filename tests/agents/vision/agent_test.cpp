@@ -5,7 +5,7 @@
 #include "agents/runtime/service.hpp"
 #include "agents/vision/agent/vision_agent.hpp"
 #include "agents/vision/memory/object_database.hpp"
-#include "blackboard/memory_board.hpp"
+#include "blackboard/memory/memory_board.hpp"
 #include "blackboard/time/virtual_executor.hpp"
 #include "lisp/reader.hpp"
 #include "lisp/writer.hpp"

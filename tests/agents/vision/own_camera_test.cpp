@@ -8,7 +8,7 @@
 
 #include "agents/runtime/service.hpp"
 #include "agents/vision/agent/vision_agent.hpp"
-#include "blackboard/memory_board.hpp"
+#include "blackboard/memory/memory_board.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "drivers/camera/video_camera.hpp"
 #include "lisp/reader.hpp"

@@ -9,7 +9,7 @@
 #include <chrono>
 #include <stdexcept>
 
-#include "blackboard/remote_board.hpp"
+#include "blackboard/client/remote_board.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "tests/bench/child.hpp"
 

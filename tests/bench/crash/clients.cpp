@@ -3,7 +3,7 @@
 #include <map>
 #include <unistd.h>
 
-#include "blackboard/remote_board.hpp"
+#include "blackboard/client/remote_board.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "lisp/reader.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <map>
 
-#include "blackboard/journal_file.hpp"
+#include "blackboard/journal/journal_file.hpp"
 
 namespace pizarra::bench {
 

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "blackboard/board_server.hpp"
-#include "blackboard/memory_board.hpp"
+#include "blackboard/memory/memory_board.hpp"
+#include "blackboard/server/board_server.hpp"
 #include "blackboard/streams/remote_streams.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "tests/blackboard/child_program.hpp"

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <ostream>
 
-#include "blackboard/memory_board.hpp"
+#include "blackboard/memory/memory_board.hpp"
 #include "blackboard/streams/listen_address.hpp"
 #include "blackboard/streams/remote_streams.hpp"
 #include "blackboard/time/real_executor.hpp"

@@ -1,0 +1,122 @@
+#pragma once
+
+// The wall to another process: a Board whose facts a BoardServer keeps.
+//
+//   Result<std::unique_ptr<RemoteBoard>> board = RemoteBoard::connect(executor, "ipc:///tmp/cell", "vision");
+//
+// The server need not be there yet. A request is sent again while it is not answered, and fails with `unreachable`
+// after five seconds. A board that refuses the client, or its key, has its requests fail with `not-permitted` at once,
+// and is tried again every second. When the server was lost, relations are declared again and watches begin again
+// (their next change is a resynchronised one); leases are lost (`unknown-lease`). A transaction or a take that was
+// under way is done once by a server that remembers the session from its journal, and fails with `unreachable` on one
+// that does not, because nobody can say whether it happened.
+//
+// It outlives its watches and the tasks that use it.
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "blackboard/board.hpp"
+#include "blackboard/client/clock_offset.hpp"
+#include "blackboard/time/executor.hpp"
+#include "blackboard/wire/wire.hpp"
+#include "blackboard/wire/wire_socket.hpp"
+
+namespace pizarra {
+
+class RemoteBoard : public Board {
+ public:
+  static constexpr Duration default_timeout = 5s;
+  static constexpr std::size_t max_pending = 1024;  // requests under way
+
+  // With keys the teller is called by its key's name: KEY where that is its own, KEY/TELLER otherwise. Failure
+  // bad-address.
+  static Result<std::unique_ptr<RemoteBoard>> connect(Executor& executor, const std::string& address,
+                                                      std::string teller, Duration timeout = default_timeout,
+                                                      const std::optional<ClientKeys>& keys = std::nullopt);
+  RemoteBoard(const RemoteBoard&) = delete;
+  RemoteBoard& operator=(const RemoteBoard&) = delete;
+  ~RemoteBoard() override;
+
+  bool connected() const { return joined_; }
+  // For how long nothing has been heard from the board; it is asked for a sign of life every half second.
+  Duration silence() const { return executor_.now() - heard_; }
+  // When the board said that it ends, if that is the last that was heard of it.
+  const std::optional<Time>& said_goodbye() const { return goodbye_; }
+  // What the board's clock shows, as far as its answers tell: what a fact's `when` is to be compared with. Nothing
+  // until it has said so.
+  std::optional<Time> board_time() const { return board_clock_.there(executor_.now()); }
+
+  // Declares the relation and holds its facts from then on: a question about it alone is answered here, as it is at a
+  // revision that has all that this board's own requests did. Failures as of declare() and watch().
+  Task<Result<void>> replicate(Relation relation);
+
+  Task<Result<void>> declare(std::vector<Relation> relations) override;
+  Task<Result<Revision>> transact(Transaction transaction) override;
+  Task<Result<Answers>> ask(Query query) override;
+  Task<Result<std::unique_ptr<Watch>>> watch(Query query) override;
+  Task<Result<std::optional<Fact>>> take(Datum pattern, LeaseId holder) override;
+  Task<Result<LeaseId>> lease(Duration length) override;
+  Task<Result<void>> renew(LeaseId lease) override;
+  Task<Result<void>> release(LeaseId lease) override;
+
+ private:
+  friend class RemoteStream;
+  using Done = std::function<void(Result<Datum>)>;
+  struct Pending {
+    std::string body;
+    // Whether doing it again on a board that may have done it is harmless.
+    bool repeatable;
+    Done done;
+    std::optional<Time> deadline = {};
+    std::optional<Time> sent = {};
+  };
+
+  RemoteBoard(Executor& executor, std::string address, std::string teller, Duration timeout);
+  Task<Result<Datum>> call(Datum body, bool repeatable);
+  Task<Result<Datum>> call_text(std::string body, bool repeatable);
+  wire::RequestId begin(std::string body, bool repeatable, Done done);
+  void forget(wire::RequestId request) { pending_.erase(request); }
+  void transmit(wire::RequestId request, Pending& pending);
+  std::optional<Time> time_to_say(const Pending& pending);
+  bool send(const Datum& message);
+
+  void receive(std::string_view frame);
+  void welcomed(wire::SessionId session, wire::SessionId life);
+  void refused(const Failure& failure);
+  void fail_what_may_have_happened();
+  void redeclare();
+  void replied(const Datum& message);
+  void tick();
+  void retransmit(Time now);
+  void give_up_overdue(Time now);
+
+  Executor& executor_;
+  const std::string address_;
+  const std::string teller_;
+  const Duration timeout_;
+  bool joined_ = false;
+  wire::SessionId session_ = 0;
+  wire::SessionId life_ = 0;  // the server's
+  Time heard_{};
+  Time greeted_{};
+  Time pinged_{};
+  std::optional<Time> connect_again_;
+  std::optional<Time> goodbye_;
+  ClockOffset board_clock_;
+  int pings_under_way_ = 0;
+  Time timed_{};  // the last request that said when it was sent
+  wire::RequestId next_request_ = 1;
+  wire::WatchId next_watch_ = 1;
+  std::map<wire::RequestId, Pending> pending_;
+  std::map<std::string, Relation> declared_;
+  std::map<wire::WatchId, class RemoteStream*> streams_;
+  std::unique_ptr<class Replicas> replicas_;
+  Executor::TimerId tick_timer_ = 0;
+  WireSocket socket_;
+};
+
+}  // namespace pizarra

@@ -1,0 +1,178 @@
+// How a RemoteBoard keeps its session with the server: greeting, pinging, repeating, beginning again.
+
+#include "blackboard/client/remote_board.hpp"
+#include "blackboard/client/remote_stream.hpp"
+#include "blackboard/client/replicas.hpp"
+#include "lisp/writer.hpp"
+
+namespace pizarra {
+
+namespace {
+
+constexpr Duration tick_length = 50ms;
+constexpr Duration tick_while_idle = 250ms;
+constexpr Duration tick_while_connecting = 10ms;
+constexpr Duration greet_again_after = 500ms;
+constexpr Duration ping_length = 500ms;
+constexpr Duration silence_means_lost = 2s;
+constexpr Duration resend_after = 1s;
+
+}  // namespace
+
+void RemoteBoard::receive(std::string_view frame) {
+  const Result<Datum> read = wire::read_frame(frame);
+  // What the server says wrongly is as good as not said, and asked for again.
+  if (!read) return;
+  const Datum& message = *read;
+  heard_ = executor_.now();
+  if (message.is_form("reply")) return replied(message);
+  if (message.is_form("goodbye")) {
+    goodbye_ = heard_;
+    joined_ = false;
+    greeted_ = {};
+    return;
+  }
+  if (message.is_form("refused") && message.size() == 2 && !joined_) return refused(failure_from_datum(message[1]));
+  const std::optional<std::uint64_t> number = wire::count_at(message, 1);
+  if (!number) return;
+  if (message.is_form("pong")) {
+    const Time said{Duration(static_cast<Duration::rep>(*number))};
+    // Of several it answers an earlier one than the last.
+    if (pings_under_way_ == 1) board_clock_.heard(pinged_, heard_, said);
+    pings_under_way_ = std::max(pings_under_way_ - 1, 0);
+    return;
+  }
+  if (message.is_form("welcome")) return welcomed(*number, wire::count_at(message, 2).value_or(0));
+  if (message.is_form("unknown-session") && *number == session_) {
+    joined_ = false;
+    greeted_ = {};
+    return;
+  }
+  const auto stream = streams_.find(*number);
+  if (message.is_form("change")) {
+    const std::optional<std::uint64_t> sequence = wire::count_at(message, 2);
+    if (stream == streams_.end()) {
+      send(list("unwatch"_sym, session_, *number));
+    } else if (sequence) {
+      stream->second->receive(*sequence, message);
+    }
+  }
+  if (message.is_form("watch-failed") && message.size() == 3 && stream != streams_.end()) {
+    stream->second->end(failure_from_datum(message[2]));
+  }
+}
+
+void RemoteBoard::welcomed(wire::SessionId session, wire::SessionId life) {
+  if (joined_) return;
+  joined_ = true;
+  goodbye_.reset();
+  pings_under_way_ = 0;
+  const bool same_session = std::exchange(session_, session) == session;
+  const bool same_life = std::exchange(life_, life) == life;
+  if (!same_session) fail_what_may_have_happened();
+  if (!same_life) board_clock_.forget();
+  if (!same_session || !same_life) {
+    redeclare();
+    replicas_->begin_again();
+    std::vector<RemoteStream*> streaming;
+    for (const auto& [id, stream] : streams_) streaming.push_back(stream);
+    for (RemoteStream* stream : streaming) stream->begin_again();
+  }
+  for (auto& [request, pending] : pending_) {
+    if (same_session || !pending.sent) transmit(request, pending);
+  }
+}
+
+void RemoteBoard::fail_what_may_have_happened() {
+  std::vector<Done> lost;
+  for (auto request = pending_.begin(); request != pending_.end();) {
+    Pending& pending = request->second;
+    const bool perhaps_done = pending.sent && !pending.repeatable;
+    if (perhaps_done) lost.push_back(std::move(pending.done));
+    pending.sent.reset();
+    request = perhaps_done ? pending_.erase(request) : std::next(request);
+  }
+  for (const Done& done : lost) {
+    done(fail("unreachable", "the board was lost before it answered: whether this happened is not known"));
+  }
+}
+
+void RemoteBoard::refused(const Failure& failure) {
+  // What breaks off may come back: `unreachable` is for the timeout to say.
+  if (failure.symbol == "unreachable") return;
+  for (auto& [request, pending] : std::exchange(pending_, {})) pending.done(fail(failure));
+}
+
+void RemoteBoard::redeclare() {
+  if (declared_.empty()) return;
+  std::vector<Datum> body = {"declare"_sym};
+  for (const auto& [name, relation] : declared_) body.push_back(relation_to_datum(relation));
+  // A refusal shows when the relation is used.
+  begin(write(Datum::list(std::move(body))), true, [](const Result<Datum>&) {});
+}
+
+void RemoteBoard::replied(const Datum& message) {
+  const std::optional<std::uint64_t> request = wire::count_at(message, 1);
+  const bool formed = request && (message.size() == 3 || message.size() == 5);
+  const auto found = formed ? pending_.find(*request) : pending_.end();
+  if (found == pending_.end()) return;
+  const std::optional<std::uint64_t> revision = wire::count_at(message, 3);
+  if (revision && message[4].is_symbol()) {
+    replicas_->answered_at(*revision, message[4].is_symbol("yes"));
+  } else {
+    replicas_->answered();
+  }
+  const Done done = std::move(found->second.done);
+  pending_.erase(found);
+  const Datum& result = message[2];
+  if (result.is_form("ok") && result.size() == 2) {
+    done(result[1]);
+  } else {
+    done(fail(failure_from_datum(result)));
+  }
+}
+
+void RemoteBoard::tick() {
+  const Time now = executor_.now();
+  const bool connecting = !joined_ && session_ == 0;
+  const Duration length = connecting ? tick_while_connecting : pending_.empty() ? tick_while_idle : tick_length;
+  tick_timer_ = executor_.call_at(now + length, [this] { tick(); });
+  give_up_overdue(now);
+  if (connect_again_ && *connect_again_ <= now) {
+    connect_again_.reset();
+    socket_.connect_again();
+  }
+  if (joined_ && heard_ + silence_means_lost <= now) {
+    joined_ = false;
+    greeted_ = {};
+  }
+  if (!joined_) {
+    const bool due = greeted_ + greet_again_after <= now;
+    if (due && send(list("hello"_sym, teller_, session_))) greeted_ = now;
+    return;
+  }
+  if (pinged_ + ping_length <= now && send(list("ping"_sym, session_))) {
+    pinged_ = now;
+    ++pings_under_way_;
+  }
+  retransmit(now);
+}
+
+void RemoteBoard::retransmit(Time now) {
+  for (auto& [request, pending] : pending_) {
+    if (!pending.sent || *pending.sent + resend_after <= now) transmit(request, pending);
+  }
+  for (const auto& [id, stream] : streams_) stream->acknowledge();
+}
+
+void RemoteBoard::give_up_overdue(Time now) {
+  std::vector<Done> overdue;
+  for (auto request = pending_.begin(); request != pending_.end();) {
+    const bool late = request->second.deadline && *request->second.deadline <= now;
+    if (late) overdue.push_back(std::move(request->second.done));
+    request = late ? pending_.erase(request) : std::next(request);
+  }
+  for (const Done& done : overdue) done(fail("unreachable", "the board does not answer", to_datum(address_)));
+}
+
+}  // namespace pizarra

@@ -1,0 +1,81 @@
+#include "blackboard/client/remote_stream.hpp"
+
+#include "lisp/writer.hpp"
+
+namespace pizarra {
+
+RemoteStream::RemoteStream(RemoteBoard& board, Query query, bool held)
+    : board_(board), query_(std::move(query)), held_(held) {
+  enrol();
+}
+
+RemoteStream::~RemoteStream() {
+  board_.streams_.erase(id_);
+  board_.forget(request_);
+  board_.send(list("unwatch"_sym, board_.session_, id_));
+}
+
+Datum RemoteStream::request() const {
+  if (held_) return list("watch"_sym, id_, query_to_datum(query_), "held"_sym);
+  return list("watch"_sym, id_, query_to_datum(query_));
+}
+
+void RemoteStream::enrol() {
+  id_ = board_.next_watch_++;
+  board_.streams_.emplace(id_, this);
+}
+
+void RemoteStream::begin_again() {
+  if (has_ended()) return;
+  board_.streams_.erase(id_);
+  board_.forget(request_);
+  board_.send(list("unwatch"_sym, board_.session_, id_));
+  enrol();
+  expected_ = 1;
+  read_ = 0;
+  acknowledged_ = 0;
+  begun_again();
+  request_ = board_.begin(write(request()), true, [this](const Result<Datum>& reply) {
+    request_ = 0;
+    if (!reply) end(reply.error());
+  });
+}
+
+void RemoteStream::receive(std::uint64_t sequence, const Datum& message) {
+  Result<Delta> delta = wire::delta_from_datum(query_, message);
+  if (!delta) return end(delta.error());
+  if (sequence < expected_) return;
+  const bool from_the_start = delta->kind == Delta::Kind::all || delta->kind == Delta::Kind::first_part;
+  const bool gap = sequence > expected_ && !from_the_start;
+  if (gap || !has_room()) return begin_again();
+  expected_ = sequence + 1;
+  note_arrival(*delta);
+  come(sequence, std::move(*delta));
+}
+
+void RemoteStream::note_arrival(const Delta& delta) {
+  if (delta.kind != Delta::Kind::change || arrival_) return;
+  const std::optional<Time> now = board_.board_time();
+  for (const Fact& fact : delta.added.facts) {
+    if (!now || fact.revision != delta.revision) continue;
+    arrival_ = Arrival{std::string(fact.datum.head()), *now - fact.when};
+    return;
+  }
+}
+
+void RemoteStream::read_up_to(std::uint64_t sequence, bool say_so) {
+  // What was received under a former number needs no acknowledgement any more.
+  if (sequence > read_ && sequence < expected_) read_ = sequence;
+  if (say_so || read_ - acknowledged_ >= acknowledge_after) acknowledge();
+}
+
+void RemoteStream::acknowledge() {
+  if (read_ == acknowledged_) return;
+  Datum ack = list("ack"_sym, board_.session_, id_, read_);
+  if (arrival_) ack = list(ack[0], ack[1], ack[2], ack[3], Datum::symbol(arrival_->relation), arrival_->took.count());
+  if (!board_.send(ack)) return;
+  acknowledged_ = read_;
+  arrival_.reset();
+}
+
+}  // namespace pizarra

@@ -1,0 +1,40 @@
+#pragma once
+
+// One watch of a RemoteBoard: what comes waits until it is read.
+
+#include <deque>
+
+#include "blackboard/client/remote_stream.hpp"
+#include "blackboard/time/event.hpp"
+
+namespace pizarra {
+
+class RemoteWatch : public Watch, public RemoteStream {
+ public:
+  RemoteWatch(RemoteBoard& board, Executor& executor, Query query)
+      : RemoteStream(board, std::move(query), false), waiters_(executor) {}
+
+  Task<Result<Change>> next() override;
+  void end(Failure failure) override;
+
+ private:
+  static constexpr std::size_t max_unread = 64;  // more than a server sends unacknowledged
+
+  void come(std::uint64_t sequence, Delta delta) override;
+  bool has_room() const override { return unread_.size() < max_unread; }
+  bool has_ended() const override { return ended_.has_value(); }
+  void begun_again() override;
+  // What holds comes in parts: the whole with the last of them.
+  bool complete(Delta& delta);
+
+  struct Received {
+    std::uint64_t sequence;
+    Delta delta;
+  };
+  std::deque<Received> unread_;
+  std::map<FactId, Fact> parts_;
+  std::optional<Failure> ended_;
+  WaitList waiters_;
+};
+
+}  // namespace pizarra

@@ -1,0 +1,204 @@
+#include "blackboard/journal/journal_file.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <fstream>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include "blackboard/journal/journal_compaction.hpp"
+#include "blackboard/journal/journal_tables.hpp"
+#include "lisp/writer.hpp"
+
+namespace pizarra {
+
+namespace {
+
+constexpr std::string_view sqlite_files_begin_with = "SQLite format 3";
+
+std::unexpected<Failure> refused(const std::string& what, const std::string& path) {
+  return fail("journal-file", what + " " + path + ": " + std::strerror(errno));
+}
+
+bool is_sqlite(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string begin(sqlite_files_begin_with.size(), '\0');
+  file.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+  return begin == sqlite_files_begin_with;
+}
+
+// A journal in text, as `demo --journal` writes it.
+Result<std::string> text_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return refused("cannot read", path);
+  return std::string((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+}
+
+PlayedBack played_back(std::string_view text, std::string_view rest) {
+  return {start_of_last_line(text.substr(0, text.size() - rest.size())), std::string(rest)};
+}
+
+Result<PlayedBack> read_text(const std::string& path, Store& store, const Moment& until) {
+  const Result<std::string> text = text_of(path);
+  if (!text) return fail(text);
+  const Result<std::string_view> rest = replay(*text, store, until);
+  if (rest) return played_back(*text, *rest);
+  return fail("bad-journal", path + ": " + rest.error().sentence, rest.error().subject);
+}
+
+std::string mark_beside(const std::string& path) { return path + "-kept"; }
+
+Result<LineStart> end_of(sqlite::Database& database) {
+  sqlite::Statement row(
+      database,
+      "SELECT revision, time FROM log UNION ALL SELECT (SELECT value FROM about WHERE name = 'horizon'), "
+      "(SELECT value FROM about WHERE name = 'horizon-time') ORDER BY 1 DESC LIMIT 1");
+  const Result<bool> found = row.step();
+  if (!found) return fail(found);
+  return LineStart{static_cast<Revision>(row.integer(0)), Time(Duration(row.integer(1)))};
+}
+
+// Whether all that the mark knows of is there.
+Result<void> check_end(sqlite::Database& database, const KeptMark& mark) {
+  const std::optional<std::int64_t> kept = mark.get();
+  const Result<std::int64_t> last = database.ask("SELECT coalesce(max(number), 0) FROM log");
+  if (!last) return fail(last);
+  if (!kept || *last >= *kept) return {};
+  const Result<LineStart> end = end_of(database);
+  if (!end) return fail(end);
+  return fail("damaged", "it ends with entry " + std::to_string(*last) + ", revision " + std::to_string(end->revision) +
+                             ", but was kept up to entry " + std::to_string(*kept) +
+                             ": what comes between is damaged or missing; without " + mark.path() +
+                             " it is taken as it is");
+}
+
+}  // namespace
+
+std::string reply_line(const RememberedReply& reply) {
+  const Datum line = reply.key.empty()
+                         ? pizarra::list(reply.session, reply.teller, reply.request, reply.result)
+                         : pizarra::list(reply.session, reply.teller, reply.request, reply.result, reply.key);
+  return write(line) + "\n";
+}
+
+JournalFile::Lock::~Lock() { close(file_); }
+
+Result<std::shared_ptr<JournalFile>> JournalFile::open(const std::string& path, const History& history) {
+  int lock = ::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
+  // A mark without its journal is of one that was taken away.
+  if (lock >= 0) KeptMark(mark_beside(path)).remove();
+  if (lock < 0 && errno == EEXIST) lock = ::open(path.c_str(), O_RDWR | O_CLOEXEC);
+  if (lock < 0) return refused("cannot open", path);
+  if (flock(lock, LOCK_EX | LOCK_NB) != 0) {
+    const auto taken = refused("another board keeps", path);
+    close(lock);
+    return taken;
+  }
+  Result<sqlite::Database> database = journal_tables::open(path, sqlite::Access::write);
+  if (!database) {
+    close(lock);
+    return fail(journal_tables::failure_of(database.error(), path));
+  }
+  std::shared_ptr<JournalFile> file(new JournalFile(path, history, lock, std::move(*database)));
+  const Result<void> whole = check_end(file->database_, file->mark_);
+  if (!whole) return fail(journal_tables::failure_of(whole.error(), path));
+  const Result<std::int64_t> last = file->database_.ask("SELECT coalesce(max(number), 0) FROM log");
+  if (!last) return fail(journal_tables::failure_of(last.error(), path));
+  file->next_group_ = *last + 1;
+  file->reserve_.fill();
+  return file;
+}
+
+JournalFile::JournalFile(std::string path, History history, int lock, sqlite::Database database)
+    : path_(std::move(path)),
+      history_(history),
+      lock_(lock),
+      reserve_(path_ + "-reserve"),
+      mark_(mark_beside(path_)),
+      database_(std::move(database)) {}
+
+JournalFile::~JournalFile() = default;
+
+Result<std::vector<RememberedReply>> JournalFile::recover(Store& store) {
+  const std::scoped_lock lock(mutex_);
+  const Result<PlayedBack> restored = journal_tables::restore(database_, store, {});
+  if (!restored) return fail(journal_tables::failure_of(restored.error(), path_));
+  Result<std::vector<RememberedReply>> replies = journal_tables::remembered(database_, replies_kept);
+  if (!replies) return fail(journal_tables::failure_of(replies.error(), path_));
+  return replies;
+}
+
+Result<void> JournalFile::append(const JournalGroup& group) {
+  const std::scoped_lock lock(mutex_);
+  Result<void> written = write(group);
+  if (!written && written.error().symbol == "disk-full" && reserve_.spend()) written = write(group);
+  if (!written) return fail(journal_tables::failure_of(written.error(), path_));
+  if (group.durable) mark_.set(next_group_);
+  ++next_group_;
+  return {};
+}
+
+Result<void> JournalFile::write(const JournalGroup& group) {
+  if (waits_for_disk_ != group.durable) {
+    const Result<void> set = database_.run(group.durable ? "PRAGMA synchronous = FULL" : "PRAGMA synchronous = NORMAL");
+    if (!set) return set;
+    waits_for_disk_ = group.durable;
+  }
+  const LineStart last = start_of_last_line(group.lines);
+  sqlite::Statement insert(database_, "INSERT INTO log VALUES (?, ?, ?, ?, ?, ?)");
+  insert.bind(1, next_group_).bind(2, static_cast<std::int64_t>(last.revision));
+  insert.bind(3, last.when.time_since_epoch().count()).bind(4, group.lines).bind(5, group.replies);
+  return insert.bind(6, journal_tables::sum_of_group(next_group_, group.lines, group.replies)).run();
+}
+
+bool JournalFile::has_room() {
+  const std::scoped_lock lock(mutex_);
+  return reserve_.fill();
+}
+
+Result<bool> JournalFile::compact(Time now) {
+  const std::scoped_lock lock(mutex_);
+  const Result<std::int64_t> newest =
+      database_.ask("SELECT coalesce((SELECT revision FROM log ORDER BY number DESC LIMIT 1), 0)");
+  if (!newest) return fail(journal_tables::failure_of(newest.error(), path_));
+  const auto revision = static_cast<Revision>(*newest);
+  // The newest group stays, and says where the numbers go on.
+  const Revision kept = history_.time ? 0 : history_.revisions;
+  const Time oldest_time = now - std::max(replies_kept, history_.time.value_or(replies_kept));
+  if (revision < kept) return false;
+  Result<bool> more = journal_tables::advance_horizon(database_, revision - kept, oldest_time);
+  if (!more) return fail(journal_tables::failure_of(more.error(), path_));
+  return more;
+}
+
+void remove_journal(const std::string& path) {
+  for (const char* part : {"", "-wal", "-shm", "-reserve", "-kept"}) unlink((path + part).c_str());
+}
+
+Result<LineStart> end_of_journal(const std::string& path) {
+  if (!is_sqlite(path)) {
+    const Result<std::string> text = text_of(path);
+    if (!text) return fail(text);
+    return start_of_last_line(std::string_view(*text).substr(0, text->rfind('\n') + 1));
+  }
+  Result<sqlite::Database> database = journal_tables::open(path, sqlite::Access::read);
+  if (!database) return fail(journal_tables::failure_of(database.error(), path));
+  const Result<LineStart> end = end_of(*database);
+  if (!end) return fail(journal_tables::failure_of(end.error(), path));
+  return end;
+}
+
+Result<PlayedBack> read_journal(const std::string& path, Store& store, const Moment& until) {
+  if (!is_sqlite(path)) return read_text(path, store, until);
+  Result<sqlite::Database> database = journal_tables::open(path, sqlite::Access::read);
+  if (!database) return fail(journal_tables::failure_of(database.error(), path));
+  // The mark is read first: the journal may grow meanwhile.
+  Result<void> whole = check_end(*database, KeptMark(mark_beside(path)));
+  if (!whole) return fail(journal_tables::failure_of(whole.error(), path));
+  Result<PlayedBack> rest = journal_tables::restore(*database, store, until);
+  if (!rest) return fail(journal_tables::failure_of(rest.error(), path));
+  return rest;
+}
+
+}  // namespace pizarra

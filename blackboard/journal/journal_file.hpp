@@ -1,0 +1,113 @@
+#pragma once
+
+// A journal kept in an SQLite file, for a board that is to live again: what stood at some revision, the horizon, and
+// the journal's lines since. Both are checked against damage when they are read, and so is that the end is there
+// (kept_mark.hpp).
+//
+//   Store store;
+//   Result<std::shared_ptr<JournalFile>> file = JournalFile::open("cell.journal", {});
+//   Result<std::vector<RememberedReply>> replies = (*file)->recover(store);     // before anything is appended
+//   (*file)->append({lines, replies, true});           // it survives kill -9 and a power cut when this returns
+//   while (*(*file)->compact(now)) {}                  // moves the horizon on, a slice at a time
+//
+// One board at a time has the file; others may read it meanwhile, with read_journal(). Calls may come from any thread,
+// one after another. Failures: journal-full (no space, or the disk cannot be written), bad-journal (damaged, or no
+// journal at all), journal-file (everything else that the operating system or SQLite refuses).
+
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "blackboard/journal/journal.hpp"
+#include "blackboard/journal/kept_mark.hpp"
+#include "blackboard/journal/space_reserve.hpp"
+#include "blackboard/journal/sqlite.hpp"
+
+namespace pizarra {
+
+// What a client was answered: sent again, its request is not done again, in no later life of the board either.
+struct RememberedReply {
+  std::uint64_t session = 0;
+  std::string teller;
+  std::uint64_t request = 0;
+  Datum result;
+  std::string key = {};  // the public key whose session it is, if any
+};
+std::string reply_line(const RememberedReply& reply);
+
+// Lines that are written together, each with its newline: all of them survive, or none.
+struct JournalGroup {
+  std::string lines;
+  std::string replies;
+  bool durable = false;  // whether it is worth waiting for the disk
+};
+
+// How much of the past the horizon leaves to be asked about: at least that much.
+struct History {
+  std::uint64_t revisions = 200'000;
+  std::optional<Duration> time = {};  // in place of the revisions
+};
+
+class JournalFile {
+ public:
+  // Replies are remembered for longer than any client waits for them.
+  static constexpr Duration replies_kept = 20s;
+
+  static Result<std::shared_ptr<JournalFile>> open(const std::string& path, const History& history);
+  JournalFile(const JournalFile&) = delete;
+  JournalFile& operator=(const JournalFile&) = delete;
+  ~JournalFile();
+
+  const std::string& path() const { return path_; }
+
+  // All of it, into an empty store.
+  Result<std::vector<RememberedReply>> recover(Store& store);
+  Result<void> append(const JournalGroup& group);
+  // Whether there is space for more: tries to set it aside again when it was used up.
+  bool has_room();
+  // Whether there may be more to do.
+  Result<bool> compact(Time now);
+
+ private:
+  class Lock {
+   public:
+    explicit Lock(int file) : file_(file) {}
+    Lock(const Lock&) = delete;
+    Lock& operator=(const Lock&) = delete;
+    ~Lock();
+
+   private:
+    const int file_;
+  };
+
+  JournalFile(std::string path, History history, int lock, sqlite::Database database);
+  Result<void> write(const JournalGroup& group);
+
+  const std::string path_;
+  const History history_;
+  std::mutex mutex_;
+  const Lock lock_;  // closed after the database, because closing a file gives up SQLite's own locks on it
+  SpaceReserve reserve_;
+  KeptMark mark_;
+  sqlite::Database database_;
+  std::int64_t next_group_ = 1;
+  bool waits_for_disk_ = true;
+};
+
+// With what SQLite and the board leave beside it when they are killed.
+void remove_journal(const std::string& path);
+
+// Where a journal ends. Failures as above.
+Result<LineStart> end_of_journal(const std::string& path);
+
+// The journal of a file as of a moment, whether a board has it or not, and whether it is SQLite or text: into an empty
+// store. Failure `forgotten` when compaction has let that moment go.
+struct PlayedBack {
+  LineStart to;
+  std::string later;  // the lines that came after
+};
+Result<PlayedBack> read_journal(const std::string& path, Store& store, const Moment& until = {});
+
+}  // namespace pizarra

@@ -1,0 +1,208 @@
+#include "blackboard/journal/journal_tables.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "blackboard/journal/checksum.hpp"
+#include "blackboard/wire/wire.hpp"
+#include "lisp/reader.hpp"
+
+namespace pizarra::journal_tables {
+
+namespace {
+
+constexpr std::int64_t application = 0x50697a61;  // "Piza"
+constexpr std::int64_t format = 1;
+constexpr std::size_t replies_of_session = 256;
+constexpr std::size_t most_replies = 1 << 18;
+constexpr ReadLimits fact_limits = {.bytes = 4 << 20, .depth = 70, .elements = 400'000};
+
+constexpr const char* schema = R"(
+  BEGIN;
+  CREATE TABLE about (name TEXT PRIMARY KEY, value INTEGER) WITHOUT ROWID;
+  CREATE TABLE relations (name TEXT PRIMARY KEY, form TEXT) WITHOUT ROWID;
+  CREATE TABLE facts (id INTEGER PRIMARY KEY, taken INTEGER, form TEXT, sum INTEGER);
+  CREATE TABLE log (number INTEGER PRIMARY KEY, revision INTEGER, time INTEGER, lines TEXT, replies TEXT, sum INTEGER);
+  INSERT INTO about VALUES ('horizon', 0), ('horizon-time', 0), ('next-fact', 1);
+  PRAGMA application_id = 1349089889;
+  PRAGMA user_version = 1;
+  COMMIT;
+)";
+
+std::unexpected<Failure> damaged(std::string sentence) { return fail("bad-journal", std::move(sentence)); }
+
+Result<void> restore_relations(sqlite::Database& database, Store& store) {
+  sqlite::Statement rows(database, "SELECT form FROM relations ORDER BY name");
+  std::vector<Relation> relations;
+  for (Result<bool> row = rows.step(); !row || *row; row = rows.step()) {
+    if (!row) return fail(row);
+    const Result<Datum> form = read_one(rows.text(0));
+    if (!form) return damaged("a relation is damaged: " + form.error().sentence);
+    Result<Relation> relation = relation_from_datum(*form);
+    if (!relation) return damaged("a relation is damaged: " + relation.error().sentence);
+    relations.push_back(std::move(*relation));
+  }
+  const Result<std::vector<Relation>> declared = store.declare(relations);
+  if (!declared) return fail(declared);
+  return {};
+}
+
+Result<void> restore_facts(sqlite::Database& database, Store& store) {
+  sqlite::Statement rows(database, "SELECT id, taken, form, sum FROM facts ORDER BY id");
+  for (Result<bool> row = rows.step(); !row || *row; row = rows.step()) {
+    if (!row) return fail(row);
+    const auto id = static_cast<FactId>(rows.integer(0));
+    const auto state = static_cast<Store::Restored>(rows.integer(1));
+    const std::string_view text = rows.text(2);
+    const auto bad = [id](const std::string& why) {
+      return damaged("fact " + std::to_string(id) + " is damaged: " + why);
+    };
+    if (sum_of_fact(id, state, text) != rows.integer(3)) return bad("its checksum does not fit");
+    const Result<Datum> form = read_one(text, fact_limits, "journal");
+    if (!form) return bad(form.error().sentence);
+    Result<Fact> fact = wire::fact_from_datum(*form);
+    if (!fact) return bad(fact.error().sentence);
+    const Result<void> restored = store.restore(std::move(*fact), state);
+    if (!restored) return bad(restored.error().sentence);
+  }
+  return {};
+}
+
+Result<PlayedBack> restore_log(sqlite::Database& database, Store& store, const Moment& until, LineStart to) {
+  sqlite::Statement rows(database, "SELECT number, lines, replies, sum FROM log ORDER BY number");
+  std::int64_t expected = 0;
+  std::string later;
+  for (Result<bool> row = rows.step(); !row || *row; row = rows.step()) {
+    if (!row) return fail(row);
+    const std::int64_t number = rows.integer(0);
+    if (expected != 0 && number != expected) return damaged("entry " + std::to_string(expected) + " is missing");
+    expected = number + 1;
+    const auto bad = [number](const std::string& why) {
+      return damaged("entry " + std::to_string(number) + " is damaged: " + why);
+    };
+    if (sum_of_group(number, rows.text(1), rows.text(2)) != rows.integer(3)) return bad("its checksum does not fit");
+    if (!later.empty()) {
+      later += rows.text(1);
+      continue;
+    }
+    const Result<std::string_view> rest = replay(rows.text(1), store, until);
+    if (!rest) return bad(rest.error().sentence);
+    later = *rest;
+    const std::string_view played = rows.text(1).substr(0, rows.text(1).size() - rest->size());
+    if (!played.empty()) to = start_of_last_line(played);
+  }
+  return PlayedBack{to, std::move(later)};
+}
+
+std::optional<RememberedReply> reply_from_line(std::string_view line) {
+  const Result<Datum> form = wire::read_frame(line);
+  if (!form || form->size() < 4 || form->size() > 5 || !(*form)[1].is_string()) return std::nullopt;
+  const std::optional<std::uint64_t> session = wire::count_at(*form, 0);
+  const std::optional<std::uint64_t> request = wire::count_at(*form, 2);
+  if (!session || !request) return std::nullopt;
+  const std::string key(form->size() == 5 ? (*form)[4].text() : std::string_view());
+  return RememberedReply{*session, std::string((*form)[1].text()), *request, (*form)[3], key};
+}
+
+}  // namespace
+
+Result<sqlite::Database> open(const std::string& path, sqlite::Access access) {
+  Result<sqlite::Database> database = sqlite::Database::open(path, access);
+  if (!database) return database;
+  Result<void> set =
+      database->run("PRAGMA busy_timeout = 2000; PRAGMA cell_size_check = ON; PRAGMA cache_size = -8000");
+  if (!set) return fail(set);
+  // A board that was killed while it began leaves a file with nothing in it.
+  const Result<std::int64_t> tables = database->ask("SELECT count(*) FROM sqlite_master");
+  if (!tables) return fail(tables);
+  if (*tables == 0 && access == sqlite::Access::write) {
+    set = database->run("PRAGMA journal_mode = WAL");
+    if (set) set = database->run(schema);
+    if (!set) return fail(set);
+  }
+  const Result<std::int64_t> kind = database->ask("PRAGMA application_id");
+  if (!kind) return fail(kind);
+  if (*kind != application) return fail("damaged", "it is not a journal");
+  const Result<std::int64_t> version = database->ask("PRAGMA user_version");
+  if (!version) return fail(version);
+  if (*version != format) return fail("damaged", "it is a journal of another format, " + std::to_string(*version));
+  return database;
+}
+
+std::int64_t sum_of_fact(FactId id, Store::Restored state, std::string_view form) {
+  return Checksum().add(id).add(static_cast<std::uint64_t>(state)).add(form).value();
+}
+
+std::int64_t sum_of_group(std::int64_t number, std::string_view lines, std::string_view replies) {
+  return Checksum().add(static_cast<std::uint64_t>(number)).add(lines.size()).add(lines).add(replies).value();
+}
+
+Result<std::int64_t> about(sqlite::Database& database, std::string_view name) {
+  sqlite::Statement row(database, "SELECT value FROM about WHERE name = ?");
+  const Result<bool> found = row.bind(1, name).step();
+  if (!found) return fail(found);
+  if (!*found) return fail("damaged", "it does not say its " + std::string(name));
+  return row.integer(0);
+}
+
+Result<void> set_about(sqlite::Database& database, std::string_view name, std::int64_t value) {
+  sqlite::Statement row(database, "UPDATE about SET value = ? WHERE name = ?");
+  return row.bind(1, value).bind(2, name).run();
+}
+
+Result<PlayedBack> restore(sqlite::Database& database, Store& store, const Moment& until) {
+  // One view of the file, whatever is written meanwhile.
+  sqlite::Transaction reading(database);
+  const Result<void> begun = reading.begin_reading();
+  if (!begun) return fail(begun);
+  const Result<std::int64_t> horizon = about(database, "horizon");
+  if (!horizon) return fail(horizon);
+  const Result<std::int64_t> horizon_time = about(database, "horizon-time");
+  if (!horizon_time) return fail(horizon_time);
+  const Result<std::int64_t> next_fact = about(database, "next-fact");
+  if (!next_fact) return fail(next_fact);
+  const auto oldest = static_cast<Revision>(*horizon);
+  if (is_beyond({oldest, Time(Duration(*horizon_time))}, until)) {
+    return fail("forgotten", "the journal goes back to revision " + std::to_string(oldest) + " only", to_datum(oldest));
+  }
+  Result<void> restored = restore_relations(database, store);
+  if (restored) restored = restore_facts(database, store);
+  if (!restored) return fail(restored);
+  store.restore_counters(oldest, static_cast<FactId>(*next_fact));
+  return restore_log(database, store, until, {oldest, Time(Duration(*horizon_time))});
+}
+
+Result<std::vector<RememberedReply>> remembered(sqlite::Database& database, Duration length) {
+  sqlite::Statement rows(database, "SELECT time, replies FROM log ORDER BY number DESC");
+  std::vector<RememberedReply> replies;
+  std::map<std::uint64_t, std::size_t> of_session;
+  std::optional<std::int64_t> newest;
+  for (Result<bool> row = rows.step(); !row || *row; row = rows.step()) {
+    if (!row) return fail(row);
+    if (!newest) newest = rows.integer(0);
+    if (rows.integer(0) < *newest - length.count() || replies.size() > most_replies) break;
+    std::string_view text = rows.text(1);
+    std::vector<RememberedReply> group;
+    for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n')) {
+      std::optional<RememberedReply> reply = reply_from_line(text.substr(0, end));
+      if (!reply) return damaged("a remembered reply is damaged");
+      text.remove_prefix(end + 1);
+      group.push_back(std::move(*reply));
+    }
+    for (auto reply = group.rbegin(); reply != group.rend(); ++reply) {
+      if (++of_session[reply->session] <= replies_of_session) replies.push_back(std::move(*reply));
+    }
+  }
+  return replies;
+}
+
+Failure failure_of(const Failure& failure, const std::string& path) {
+  Failure told = failure;
+  told.sentence = path + ": " + failure.sentence;
+  if (failure.symbol == "disk-full") told.symbol = "journal-full";
+  if (failure.symbol == "damaged") told.symbol = "bad-journal";
+  if (failure.symbol == "busy" || failure.symbol == "unusable") told.symbol = "journal-file";
+  return told;
+}
+
+}  // namespace pizarra::journal_tables

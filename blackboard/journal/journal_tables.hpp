@@ -1,0 +1,35 @@
+#pragma once
+
+// The tables of a journal's SQLite file, and how they become a store again.
+//
+//   about(name, value)               horizon (a revision), horizon-time, next-fact
+//   relations(name, form)            declared at the horizon
+//   facts(id, taken, form, sum)      at the horizon standing (0), taken (1) or standing under a lease (2), as on the
+//   wire log(number, revision, time, lines, replies, sum)     what came since, a group a row, numbered without a gap
+//
+// `sum` is a checksum of its row: SQLite has none of its own.
+
+#include <vector>
+
+#include "blackboard/journal/journal_file.hpp"
+
+namespace pizarra::journal_tables {
+
+// Makes them where there are none. Failure bad-journal when it is some other file.
+Result<sqlite::Database> open(const std::string& path, sqlite::Access access);
+
+std::int64_t sum_of_fact(FactId id, Store::Restored state, std::string_view form);
+std::int64_t sum_of_group(std::int64_t number, std::string_view lines, std::string_view replies);
+
+Result<std::int64_t> about(sqlite::Database& database, std::string_view name);
+Result<void> set_about(sqlite::Database& database, std::string_view name, std::int64_t value);
+
+// Up to a moment, into an empty store. Failures bad-journal and forgotten.
+Result<PlayedBack> restore(sqlite::Database& database, Store& store, const Moment& until);
+// Of the last `length` before the last group, newest 256 of a session.
+Result<std::vector<RememberedReply>> remembered(sqlite::Database& database, Duration length);
+
+// What SQLite says, in a journal's words.
+Failure failure_of(const Failure& failure, const std::string& path);
+
+}  // namespace pizarra::journal_tables

@@ -1,0 +1,88 @@
+#pragma once
+
+// Writes a board's journal while the board goes on: what is told while one group is written becomes the next group, so
+// that one wait for the disk serves many.
+//
+//   JournalWriter writer(executor, file);
+//   board.set_journal([&](std::string_view line) { writer.append(line); });
+//   writer.on_progress = [&] { answer whoever waits for a position up to writer.kept(); };
+//   writer.keep();                        // everything so far, soon; otherwise within 100 ms, and not waited for
+//
+// A group waits a little for company, an eighth of what the disk took lately: those who are acknowledged together come
+// again together. When the disk is full, writer.failure() says so until there is space again: what touches durable
+// relations should be refused meanwhile. What was appended already is tried again four times a second. Destroying it
+// writes what is left.
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "blackboard/journal/journal_file.hpp"
+#include "blackboard/time/event.hpp"
+#include "blackboard/time/executor.hpp"
+
+namespace pizarra {
+
+class JournalWriter {
+ public:
+  using Position = std::uint64_t;  // how many lines came before, and this one
+  static constexpr std::size_t max_pending_bytes = 16 << 20;
+
+  JournalWriter(Executor& executor, std::shared_ptr<JournalFile> file);
+  JournalWriter(const JournalWriter&) = delete;
+  JournalWriter& operator=(const JournalWriter&) = delete;
+  ~JournalWriter();
+
+  // Called when kept() may have grown, or something could not be written.
+  std::function<void()> on_progress;
+  // Called when failure() comes, and when it goes.
+  std::function<void(const std::optional<Failure>&)> on_failure;
+
+  void append(std::string_view line);
+  // With the lines appended last, or, if those changed nothing, not at all.
+  void remember(const RememberedReply& reply);
+  void keep();
+  Position position() const { return position_; }
+  Position kept() const { return kept_; }
+  // Why nothing more can be written, since when durable changes should be refused.
+  const std::optional<Failure>& failure() const { return failure_; }
+  // Whether what was appended already cannot be written either.
+  bool stuck() const { return work_ != nullptr && failure_.has_value(); }
+  // Whether more may be appended: a failure, or so much that waits for a slow disk.
+  Result<void> check_room(bool durable) const;
+  const JournalFile& file() const { return *file_; }
+
+ private:
+  // What a worker does away from the board's thread; it outlives the writer if need be.
+  struct Work {
+    std::shared_ptr<JournalFile> file;
+    JournalGroup group;
+    Position last = 0;
+    Result<void> written = {};
+    bool room = true;
+    std::atomic<bool> ended = false;
+  };
+  Task<void> write_groups();
+  Task<void> write_group();
+  Task<void> compact();
+  void take_pending();
+  void finish();
+
+  Executor& executor_;
+  const std::shared_ptr<JournalFile> file_;
+  JournalGroup pending_;
+  Position position_ = 0;
+  Position kept_ = 0;
+  std::shared_ptr<Work> work_;  // under way, or to be tried again
+  std::size_t bytes_until_compaction_ = 0;
+  Duration disk_takes_{};  // to make a group durable, lately
+  std::optional<Failure> failure_;
+  Event due_;
+  Executor::TimerId timer_ = 0;
+  Job job_;
+};
+
+}  // namespace pizarra

@@ -1,0 +1,56 @@
+#include "blackboard/journal/past.hpp"
+
+namespace pizarra {
+
+namespace {
+
+constexpr Duration look_again_after = 5ms;
+
+Result<Answers> answer_from(const std::string& path, Query query) {
+  Store store;
+  const Result<PlayedBack> read = read_journal(path, store, *query.at);
+  if (!read) return fail(read);
+  query.at.reset();
+  return store.ask(query);
+}
+
+}  // namespace
+
+Past::Past(Executor& executor, JournalWriter& journal)
+    : executor_(executor), journal_(journal), asked_(executor), job_(executor.spawn(answer_all())) {}
+
+void Past::ask(Query query, Done done) {
+  if (waiting_.size() >= max_waiting) return done(fail("too-large", "too many questions about the past wait"));
+  waiting_.push_back({std::move(query), std::move(done)});
+  asked_.set();
+}
+
+Task<void> Past::answer_all() {
+  while (true) {
+    co_await asked_.wait();
+    asked_.reset();
+    while (!waiting_.empty()) {
+      const Result<Answers> answers = co_await answer(waiting_.front().query);
+      waiting_.front().done(answers);
+      waiting_.pop_front();
+    }
+  }
+}
+
+Task<Result<Answers>> Past::answer(Query query) {
+  // What was told before the question is to be in the file.
+  const JournalWriter::Position last = journal_.position();
+  journal_.keep();
+  while (journal_.kept() < last && !journal_.stuck()) {
+    co_await sleep(executor_, look_again_after);
+  }
+  const auto answers = std::make_shared<Result<Answers>>(Answers());
+  const std::string path = journal_.file().path();
+  std::function<void(const std::function<bool()>&)> job = [=](const std::function<bool()>&) {
+    *answers = answer_from(path, query);
+  };
+  co_await executor_.offload(std::move(job), Duration::zero());
+  co_return *answers;
+}
+
+}  // namespace pizarra

@@ -1,0 +1,172 @@
+#include "blackboard/memory/memory_board.hpp"
+
+#include "blackboard/journal/journal.hpp"
+#include "blackboard/store/store.hpp"
+#include "blackboard/time/event.hpp"
+#include "blackboard/watch/watches.hpp"
+
+namespace pizarra {
+
+namespace {
+
+class MemoryWatch : public Watch {
+ public:
+  explicit MemoryWatch(Executor& executor) : waiters_(executor) {}
+  void attach(std::unique_ptr<WatchQueue> queue) { queue_ = std::move(queue); }
+  void wake() { waiters_.wake_all(); }
+
+  Task<Result<Change>> next() override {
+    while (!queue_->ready()) {
+      co_await waiters_.wait();
+    }
+    co_return queue_->pop();
+  }
+
+ private:
+  WaitList waiters_;
+  std::unique_ptr<WatchQueue> queue_;
+};
+
+class View : public Board {
+ public:
+  View(MemoryBoard& board, std::string teller) : board_(board), teller_(std::move(teller)) {}
+
+  Task<Result<void>> declare(std::vector<Relation> relations) override { co_return board_.declare(teller_, relations); }
+  Task<Result<Revision>> transact(Transaction transaction) override { co_return board_.transact(teller_, transaction); }
+  Task<Result<Answers>> ask(Query query) override { co_return board_.ask(query); }
+  Task<Result<std::optional<Fact>>> take(Datum pattern, LeaseId holder) override {
+    co_return board_.take(teller_, pattern, holder);
+  }
+  Task<Result<LeaseId>> lease(Duration length) override { co_return board_.lease(length); }
+  Task<Result<void>> renew(LeaseId lease) override { co_return board_.renew(lease); }
+  Task<Result<void>> release(LeaseId lease) override { co_return board_.release(lease); }
+
+  Task<Result<std::unique_ptr<Watch>>> watch(Query query) override {
+    auto watch = std::make_unique<MemoryWatch>(board_.executor());
+    Result<std::unique_ptr<WatchQueue>> queue = board_.watch(teller_, query, [watch = watch.get()] { watch->wake(); });
+    if (!queue) co_return fail(queue);
+    watch->attach(std::move(*queue));
+    co_return watch;
+  }
+
+ private:
+  MemoryBoard& board_;
+  const std::string teller_;
+};
+
+}  // namespace
+
+MemoryBoard::MemoryBoard(Executor& executor) : MemoryBoard(executor, std::make_unique<Store>()) {}
+
+MemoryBoard::MemoryBoard(Executor& executor, std::unique_ptr<Store> store)
+    : executor_(executor), store_(std::move(store)), watches_(std::make_unique<WatchTable>(*store_)) {
+  store_->on_commit = [this](const Commit& commit) { committed(commit); };
+  schedule();
+}
+
+MemoryBoard::~MemoryBoard() {
+  if (timer_ != 0) executor_.cancel(timer_);
+}
+
+std::unique_ptr<Board> MemoryBoard::view(std::string teller) {
+  return std::make_unique<View>(*this, std::move(teller));
+}
+
+void MemoryBoard::set_journal(JournalSink sink) {
+  journal_ = std::move(sink);
+  std::vector<Relation> declared;
+  for (const auto& [name, table] : store_->tables()) declared.push_back(table.relation());
+  if (journal_ && !declared.empty()) journal_(journal_line(store_->revision(), executor_.now(), "board", declared));
+}
+
+void MemoryBoard::resume() {
+  store_->resume(executor_.now());
+  schedule();
+}
+
+Result<void> MemoryBoard::declare(const std::string& teller, const std::vector<Relation>& relations) {
+  const Result<std::vector<Relation>> fresh = store_->declare(relations);
+  if (!fresh) return fail(fresh);
+  if (journal_ && !fresh->empty()) journal_(journal_line(store_->revision(), executor_.now(), teller, *fresh));
+  return {};
+}
+
+Result<Revision> MemoryBoard::transact(const std::string& teller, const Transaction& transaction) {
+  const Time now = begin();
+  const Result<Revision> revision = store_->transact(teller, transaction, now);
+  schedule();
+  return revision;
+}
+
+Result<Answers> MemoryBoard::ask(const Query& query) {
+  const Time now = begin();
+  const bool about_the_board = Statistics::is_about(query);
+  Result<Answers> answers = about_the_board ? statistics_.ask(query, *store_, *watches_, now) : store_->ask(query);
+  schedule();
+  return answers;
+}
+
+Result<std::optional<Fact>> MemoryBoard::take(const std::string& teller, const Datum& pattern, LeaseId holder) {
+  const Time now = begin();
+  Result<std::optional<Fact>> taken = store_->take(teller, pattern, holder, now);
+  schedule();
+  return taken;
+}
+
+Result<LeaseId> MemoryBoard::lease(Duration length) {
+  const Time now = begin();
+  const Result<LeaseId> lease = store_->lease(length, now);
+  schedule();
+  return lease;
+}
+
+Result<void> MemoryBoard::renew(LeaseId lease) {
+  const Time now = begin();
+  const Result<void> renewed = store_->renew(lease, now);
+  schedule();
+  return renewed;
+}
+
+Result<void> MemoryBoard::release(LeaseId lease) {
+  const Time now = begin();
+  const Result<void> released = store_->release(lease, now);
+  schedule();
+  return released;
+}
+
+Result<std::unique_ptr<WatchQueue>> MemoryBoard::watch(const std::string& watcher, const Query& query,
+                                                       std::function<void()> ready) {
+  begin();
+  Result<std::unique_ptr<WatchQueue>> queue = watches_->add(query, std::move(ready), watcher);
+  schedule();
+  return queue;
+}
+
+Time MemoryBoard::begin() {
+  const Time now = executor_.now();
+  store_->expire(now);
+  return now;
+}
+
+void MemoryBoard::schedule() {
+  const std::optional<Time> due = store_->next_expiry();
+  if (due == timer_due_) return;
+  if (timer_ != 0) executor_.cancel(timer_);
+  timer_ = 0;
+  timer_due_ = due;
+  if (!due) return;
+  timer_ = executor_.call_at(*due, [this] {
+    timer_ = 0;
+    timer_due_.reset();
+    begin();
+    schedule();
+  });
+}
+
+void MemoryBoard::committed(const Commit& commit) {
+  if (journal_) journal_(journal_line(commit));
+  statistics_.committed(commit);
+  watches_->committed(commit);
+}
+
+}  // namespace pizarra

@@ -1,0 +1,76 @@
+#pragma once
+
+// The wall in this process: one store, its watches and its lease timers, and a view for every teller.
+//
+//   MemoryBoard board(executor);
+//   std::unique_ptr<Board> vision = board.view("vision");
+//   board.set_journal([&](std::string_view line) { file << line << '\n'; });
+//
+// It outlives its views and their watches. The calls that name a teller are the same operations without the wait; the
+// ZeroMQ server answers its clients with them, so that agents of this process and of others may share one board.
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "blackboard/board.hpp"
+#include "blackboard/memory/statistics.hpp"
+#include "blackboard/store/commit.hpp"
+#include "blackboard/time/executor.hpp"
+
+namespace pizarra {
+
+class Store;
+class WatchTable;
+class WatchQueue;
+
+class MemoryBoard {
+ public:
+  explicit MemoryBoard(Executor& executor);
+  // Goes on from what a journal restored, with resume() before anybody comes.
+  MemoryBoard(Executor& executor, std::unique_ptr<Store> store);
+  MemoryBoard(const MemoryBoard&) = delete;
+  MemoryBoard& operator=(const MemoryBoard&) = delete;
+  ~MemoryBoard();
+
+  std::unique_ptr<Board> view(std::string teller);
+
+  // Calls `sink` with every declaration and committed transaction from now on; beforehand with what was declared so
+  // far.
+  void set_journal(JournalSink sink);
+  // Lets go what is not durable and puts back what was taken, which the journal should hear.
+  void resume();
+
+  Executor& executor() { return executor_; }
+  const Store& store() const { return *store_; }
+  Statistics& statistics() { return statistics_; }
+
+  Result<void> declare(const std::string& teller, const std::vector<Relation>& relations);
+  Result<Revision> transact(const std::string& teller, const Transaction& transaction);
+  Result<Answers> ask(const Query& query);
+  Result<std::optional<Fact>> take(const std::string& teller, const Datum& pattern, LeaseId holder);
+  Result<LeaseId> lease(Duration length);
+  Result<void> renew(LeaseId lease);
+  Result<void> release(LeaseId lease);
+  // The queue's first change is there already; `ready` is called whenever one comes to an empty queue.
+  // `watcher` is who will be named in what relation-stats says (statistics.hpp).
+  Result<std::unique_ptr<WatchQueue>> watch(const std::string& watcher, const Query& query,
+                                            std::function<void()> ready);
+
+ private:
+  // Lapses what is due, before an operation; and has the timer wait for what is next, after it.
+  Time begin();
+  void schedule();
+  void committed(const Commit& commit);
+
+  Executor& executor_;
+  std::unique_ptr<Store> store_;
+  std::unique_ptr<WatchTable> watches_;
+  Statistics statistics_;
+  JournalSink journal_;
+  Executor::TimerId timer_ = 0;
+  std::optional<Time> timer_due_;
+};
+
+}  // namespace pizarra

@@ -1,0 +1,85 @@
+#include "blackboard/memory/recorded_board.hpp"
+
+#include "blackboard/journal/journal_file.hpp"
+#include "blackboard/store/store.hpp"
+
+namespace pizarra {
+
+namespace {
+
+std::unexpected<Failure> read_only() { return fail("read-only", "a recorded board cannot be changed"); }
+
+}  // namespace
+
+RecordedBoard::RecordedBoard(Executor& executor, std::unique_ptr<Store> store, PlayedBack played)
+    : store_(*store),
+      board_(executor, std::move(store)),
+      view_(board_.view("recorded")),
+      lines_(std::move(played.later)),
+      when_(played.to.when) {}
+
+RecordedBoard::~RecordedBoard() = default;
+
+Result<std::unique_ptr<RecordedBoard>> RecordedBoard::open(Executor& executor, const std::string& path,
+                                                           const Moment& until) {
+  auto store = std::make_unique<Store>();
+  Result<PlayedBack> played = read_journal(path, *store, until);
+  if (!played) return fail(played);
+  return std::unique_ptr<RecordedBoard>(new RecordedBoard(executor, std::move(store), std::move(*played)));
+}
+
+Revision RecordedBoard::revision() const { return store_.revision(); }
+
+std::optional<std::string_view> RecordedBoard::next_line() const {
+  const std::string_view rest = std::string_view(lines_).substr(at_);
+  const std::size_t end = rest.find('\n');
+  if (end == std::string_view::npos) return std::nullopt;
+  return rest.substr(0, end);
+}
+
+std::optional<Time> RecordedBoard::next() const {
+  const std::optional<std::string_view> line = next_line();
+  if (!line) return std::nullopt;
+  return start_of_line(*line).when;
+}
+
+Result<bool> RecordedBoard::step() {
+  const Revision before = revision();
+  while (revision() == before) {
+    const std::optional<std::string_view> line = next_line();
+    if (!line) return false;
+    at_ += line->size() + 1;
+    when_ = start_of_line(*line).when;
+    const Result<void> replayed = replay_line(*line, store_);
+    if (!replayed) return fail(replayed);
+  }
+  return true;
+}
+
+Result<void> RecordedBoard::play_to(const Moment& until) {
+  for (auto line = next_line(); line && !is_beyond(start_of_line(*line), until); line = next_line()) {
+    const Result<bool> stepped = step();
+    if (!stepped) return fail(stepped);
+  }
+  return {};
+}
+
+Task<Result<void>> RecordedBoard::declare(std::vector<Relation> relations) {
+  for (const Relation& relation : relations) {
+    const auto standing = store_.tables().find(relation.name);
+    if (standing == store_.tables().end() || standing->second.relation() != relation) co_return read_only();
+  }
+  co_return Result<void>();
+}
+
+Task<Result<Answers>> RecordedBoard::ask(Query query) { return view_->ask(std::move(query)); }
+
+Task<Result<std::unique_ptr<Watch>>> RecordedBoard::watch(Query query) { return view_->watch(std::move(query)); }
+
+Task<Result<Revision>> RecordedBoard::transact(Transaction) { co_return read_only(); }
+Task<Result<std::optional<Fact>>> RecordedBoard::take(Datum, LeaseId) { co_return read_only(); }
+Task<Result<LeaseId>> RecordedBoard::lease(Duration) { co_return read_only(); }
+Task<Result<void>> RecordedBoard::renew(LeaseId) { co_return read_only(); }
+Task<Result<void>> RecordedBoard::release(LeaseId) { co_return read_only(); }
+
+}  // namespace pizarra

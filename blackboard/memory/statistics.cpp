@@ -1,0 +1,186 @@
+#include "blackboard/memory/statistics.hpp"
+
+#include <array>
+#include <optional>
+
+#include "blackboard/store/evaluate.hpp"
+#include "blackboard/store/store.hpp"
+#include "blackboard/watch/watches.hpp"
+
+namespace pizarra {
+
+namespace {
+
+// What can be asked for, and in which shape.
+Relation about_relations() {
+  return {.name = "relation-stats",
+          .arguments = {{"name", ArgumentType::symbol},
+                        {"facts", ArgumentType::integer},
+                        {"told", ArgumentType::integer},
+                        {"gone", ArgumentType::integer},
+                        {"per-second", ArgumentType::integer},
+                        {"tellers", ArgumentType::list},
+                        {"watchers", ArgumentType::list}},
+          .key = {0},
+          .durable = false,
+          .lease = {}};
+}
+
+Relation about_journeys() {
+  return {
+      .name = "journey-stats",
+      .arguments = {{"name", ArgumentType::symbol}, {"told", ArgumentType::list}, {"delivered", ArgumentType::list}},
+      .key = {0},
+      .durable = false,
+      .lease = {}};
+}
+
+Relation about_watchers() {
+  return {.name = "watcher-stats",
+          .arguments = {{"watcher", ArgumentType::string},
+                        {"watches", ArgumentType::integer},
+                        {"queued", ArgumentType::integer},
+                        {"bytes", ArgumentType::integer}},
+          .key = {0},
+          .durable = false,
+          .lease = {}};
+}
+
+constexpr std::array<Relation (*)(), 3> askable = {about_relations, about_journeys, about_watchers};
+
+// Which of them the query is about, first of all.
+std::optional<Relation> relation_asked_for(const Query& query) {
+  for (const Query::Clause& clause : query.clauses) {
+    if (clause.kind == Query::Clause::Kind::compare || !clause.form.head().ends_with("-stats")) continue;
+    for (const auto& make : askable) {
+      Relation relation = make();
+      if (relation.name == clause.form.head()) return relation;
+    }
+  }
+  return std::nullopt;
+}
+
+Datum summary_form(const Latencies::Summary& summary) {
+  return list(summary.count, summary.p50.count(), summary.p90.count(), summary.p99.count());
+}
+
+template <class Names>
+Datum counted(const Names& names) {
+  std::vector<Datum> items;
+  for (const auto& [who, count] : names) {
+    if (items.size() < Statistics::max_names) items.push_back(list(who, count));
+  }
+  return Datum::list(std::move(items));
+}
+
+}  // namespace
+
+void Statistics::Rate::pass_to(Time time) {
+  const Time second = std::chrono::floor<std::chrono::seconds>(time);
+  if (second == begun) return;
+  before = second == begun + 1s ? now : 0;
+  now = 0;
+  begun = second;
+}
+
+// Most changes are of the relation that changed before.
+Statistics::Counts& Statistics::counts_of(std::string_view relation) {
+  if (last_ == nullptr || last_->first != relation) {
+    auto found = relations_.find(relation);
+    if (found == relations_.end()) found = relations_.emplace(relation, Counts()).first;
+    last_ = &*found;
+  }
+  return last_->second;
+}
+
+void Statistics::committed(const Commit& commit) {
+  for (const Commit::Entry& entry : commit.entries) {
+    if (!adds(entry) && !removes(entry)) continue;
+    Counts& counts = counts_of(entry.fact.datum.head());
+    if (removes(entry)) {
+      ++counts.gone;
+      continue;
+    }
+    ++counts.told;
+    counts.rate.pass_to(commit.when);
+    ++counts.rate.now;
+    auto teller = counts.tellers.find(commit.teller);
+    if (teller == counts.tellers.end() && counts.tellers.size() < max_names) {
+      teller = counts.tellers.emplace(commit.teller, 0).first;
+    }
+    if (teller != counts.tellers.end()) ++teller->second;
+  }
+}
+
+Statistics::Journeys* Statistics::journeys_of(std::string_view relation) {
+  const auto found = relations_.find(relation);
+  if (found == relations_.end()) return nullptr;
+  std::unique_ptr<Journeys>& journeys = found->second.journeys;
+  if (journeys == nullptr) journeys = std::make_unique<Journeys>();
+  return journeys.get();
+}
+
+void Statistics::came(std::string_view relation, Duration took, Time now) {
+  if (Journeys* journeys = journeys_of(relation)) journeys->to_board.add(took, now);
+}
+
+void Statistics::delivered(std::string_view relation, Duration took, Time now) {
+  if (Journeys* journeys = journeys_of(relation)) journeys->to_watchers.add(took, now);
+}
+
+bool Statistics::is_about(const Query& query) { return relation_asked_for(query).has_value(); }
+
+Result<Answers> Statistics::ask(const Query& query, const Store& store, const WatchTable& watches, Time now) {
+  const Relation about = *relation_asked_for(query);
+  Tables tables;
+  FactTable& table = tables.try_emplace(about.name, about).first->second;
+  FactId id = 0;
+  for (Datum& form : facts_of(about.name, store, watches, now)) {
+    Fact fact;
+    fact.datum = std::move(form);
+    fact.id = ++id;
+    fact.teller = "board";
+    fact.when = now;
+    fact.revision = store.revision();
+    table.insert({std::move(fact)});
+  }
+  const Result<void> checked = check_query_on(query, tables);
+  if (!checked && checked.error().symbol == "undeclared-relation") {
+    return fail("bad-query", about.name + " is asked for alone", query_to_datum(query));
+  }
+  if (!checked) return fail(checked);
+  Result<std::vector<Answer>> answers = evaluate(query, tables);
+  if (!answers) return fail(answers);
+  return Answers{store.revision(), std::move(*answers)};
+}
+
+std::vector<Datum> Statistics::facts_of(std::string_view about, const Store& store, const WatchTable& watches,
+                                        Time now) {
+  std::vector<Datum> facts;
+  if (about == "relation-stats") {
+    for (const auto& [relation, table] : store.tables()) {
+      facts.push_back(relation_fact(relation, table.size(), watches, now));
+    }
+  } else if (about == "journey-stats") {
+    for (auto& [relation, counts] : relations_) {
+      if (counts.journeys == nullptr) continue;
+      const Datum told = summary_form(counts.journeys->to_board.summary(now));
+      const Datum delivered = summary_form(counts.journeys->to_watchers.summary(now));
+      facts.push_back(list("journey-stats"_sym, Datum::symbol(relation), told, delivered));
+    }
+  } else {
+    for (const auto& [watcher, load] : watches.loads()) {
+      facts.push_back(list("watcher-stats"_sym, watcher, load.watches, load.changes, load.bytes));
+    }
+  }
+  return facts;
+}
+
+Datum Statistics::relation_fact(const std::string& relation, std::size_t facts, const WatchTable& watches, Time now) {
+  Counts& counts = counts_of(relation);
+  counts.rate.pass_to(now);
+  return list("relation-stats"_sym, Datum::symbol(relation), facts, counts.told, counts.gone, counts.rate.before,
+              counted(counts.tellers), counted(watches.watchers_of(relation)));
+}
+
+}  // namespace pizarra

@@ -1,0 +1,73 @@
+#pragma once
+
+// What goes on on a board, as facts of relations that nobody tells and anybody may ask for, each alone:
+//
+//   (relation-stats NAME FACTS TOLD GONE PER-SECOND ((TELLER COUNT) ...) ((WATCHER COUNT) ...))
+//   (journey-stats NAME (COUNT P50 P90 P99) (COUNT P50 P90 P99))
+//   (watcher-stats WATCHER WATCHES QUEUED BYTES)
+//
+// FACTS stand now; TOLD and GONE count those that came and went since the board began; PER-SECOND is how many came in
+// the last whole second. A watcher's count is that of its patterns that are about the relation. At most 64 of each are
+// named. A journey is that of the relation's facts, lately, in microseconds: from their teller in another process to
+// the board, which committed them then, and from there to their watchers in other processes, as far as these say
+// (latencies.hpp); relations without any are left out. QUEUED changes, of BYTES, wait for the watcher.
+//
+//   statistics.committed(commit);
+//   if (Statistics::is_about(query)) answers = statistics.ask(query, store, watches, now);
+
+#include <map>
+#include <memory>
+#include <string>
+
+#include "blackboard/memory/latencies.hpp"
+#include "blackboard/query.hpp"
+#include "blackboard/store/commit.hpp"
+
+namespace pizarra {
+
+class Store;
+class WatchTable;
+
+class Statistics {
+ public:
+  static constexpr std::size_t max_names = 64;  // of one relation
+
+  void committed(const Commit& commit);
+  // How long a fact of the relation was under way to the board, or from there to a watcher. Of one that the board has
+  // not, it is nobody's.
+  void came(std::string_view relation, Duration took, Time now);
+  void delivered(std::string_view relation, Duration took, Time now);
+  // Whether one of its patterns is.
+  static bool is_about(const Query& query);
+  // Failure bad-query where other relations are asked for too.
+  Result<Answers> ask(const Query& query, const Store& store, const WatchTable& watches, Time now);
+
+ private:
+  // Counts by the second.
+  struct Rate {
+    Time begun{};
+    std::uint64_t now = 0;
+    std::uint64_t before = 0;
+    void pass_to(Time time);
+  };
+  struct Journeys {
+    Latencies to_board;
+    Latencies to_watchers;
+  };
+  struct Counts {
+    std::uint64_t told = 0;
+    std::uint64_t gone = 0;
+    Rate rate;
+    std::map<std::string, std::uint64_t, std::less<>> tellers;
+    std::unique_ptr<Journeys> journeys;
+  };
+  Counts& counts_of(std::string_view relation);
+  Journeys* journeys_of(std::string_view relation);
+  std::vector<Datum> facts_of(std::string_view about, const Store& store, const WatchTable& watches, Time now);
+  Datum relation_fact(const std::string& relation, std::size_t facts, const WatchTable& watches, Time now);
+
+  std::map<std::string, Counts, std::less<>> relations_;
+  std::pair<const std::string, Counts>* last_ = nullptr;
+};
+
+}  // namespace pizarra

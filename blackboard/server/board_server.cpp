@@ -1,0 +1,176 @@
+#include "blackboard/server/board_server.hpp"
+
+#include "blackboard/wire/wire_address.hpp"
+#include "lisp/writer.hpp"
+
+namespace pizarra {
+
+Result<std::unique_ptr<BoardServer>> BoardServer::open(Executor& executor, MemoryBoard& board,
+                                                       const BoardServerOptions& options) {
+  std::optional<KeyFolder> keys;
+  if (!options.keys.empty()) {
+    Result<KeyFolder> opened = KeyFolder::open(options.keys);
+    if (!opened) return fail(opened);
+    keys = std::move(*opened);
+  }
+  const Result<void> declared = Refusals::declare(board);
+  if (!declared) return fail(declared);
+  std::unique_ptr<BoardServer> server(new BoardServer(executor, board, options, std::move(keys)));
+  const Result<void> listening = server->listen(options.addresses, options.insecure);
+  if (!listening) return fail(listening);
+  return server;
+}
+
+BoardServer::BoardServer(Executor& executor, MemoryBoard& board, const BoardServerOptions& options,
+                         std::optional<KeyFolder> keys)
+    : executor_(executor),
+      board_(board),
+      session_length_(options.session_length),
+      keys_(std::move(keys)),
+      gate_(board),
+      leases_(board),
+      refusals_(board),
+      life_(random_number()),
+      durability_(options.journal,
+                  [this](wire::SessionId id, const std::string& reply) {
+                    const auto session = sessions_.find(id);
+                    if (session != sessions_.end()) socket_.send(session->second.peer, reply);
+                  }),
+      socket_(executor, WireSocket::Kind::router,
+              [this](const std::string& peer, std::optional<std::string_view> frame) {
+                receiving_ = true;
+                receive(peer, frame);
+                flush_all();
+                receiving_ = false;
+              }) {
+  if (options.journal != nullptr) past_.emplace(executor, *options.journal);
+  restore(options.remembered);
+  if (keys_) ask_for_keys();
+  forget_the_gone();
+}
+
+void BoardServer::restore(const std::vector<RememberedReply>& remembered) {
+  for (const RememberedReply& reply : remembered) {
+    Session& session = sessions_[reply.session];
+    session.teller = reply.teller;
+    if (!reply.key.empty()) session.key = PublicKey{.name = {}, .key = reply.key, .may = {}};
+    session.heard = executor_.now();
+    remember(session, reply.request, {write(list("reply"_sym, reply.request, reply.result)), 0});
+  }
+}
+
+Result<void> BoardServer::listen(const std::vector<std::string>& addresses, bool insecure) {
+  for (const std::string& address : addresses) {
+    const Result<void> allowed = check_listening_address(address, keys_ || insecure);
+    if (!allowed) return allowed;
+    const bool with_keys = keys_ && !is_ipc(address);
+    const Result<std::string> bound = socket_.bind(address, with_keys ? &keys_->own() : nullptr);
+    if (!bound) return fail(bound);
+    addresses_.push_back(*bound);
+  }
+  return {};
+}
+
+BoardServer::~BoardServer() {
+  if (flush_timer_ != 0) executor_.cancel(flush_timer_);
+  executor_.cancel(sweep_timer_);
+}
+
+void BoardServer::say_goodbye() {
+  leaving_ = true;
+  for (const auto& [id, session] : sessions_) send(session.peer, list("goodbye"_sym));
+}
+
+void BoardServer::receive(const std::string& peer, std::optional<std::string_view> frame) {
+  if (leaving_) return;
+  if (!frame) return refuse(peer, {"bad-frame", "a message is one frame", {}, {}});
+  const Result<Datum> message = wire::read_frame(*frame);
+  if (!message) return refuse(peer, {"bad-frame", message.error().sentence, {}, {}});
+  if (message->is_form("hello")) return greet(peer, *message);
+  const std::optional<std::uint64_t> id = wire::count_at(*message, 1);
+  if (!id) return refuse(peer, {"bad-frame", "a message is (KIND SESSION ...)", {}, {}});
+  const auto session = sessions_.find(*id);
+  // One that was restored has no peer before it greets: its client must learn that this is another life.
+  if (session == sessions_.end() || session->second.peer != peer) {
+    const bool forged = session != sessions_.end() && session_of_peer_.contains(peer);
+    if (forged) refusals_.note(who_is(peer), {"not-permitted", "a message in the session of another", {}, {}});
+    return send(peer, list("unknown-session"_sym, *id));
+  }
+  session->second.heard = executor_.now();
+  if (std::exchange(session->second.blocked, false)) schedule_flush(*id);
+  handle(*id, session->second, *message);
+}
+
+void BoardServer::handle(wire::SessionId id, Session& session, const Datum& message) {
+  if (message.is_form("request")) return request(id, session, message);
+  if (message.is_form("bye")) return end_session(id);
+  if (message.is_form("ping")) return send(session.peer, list("pong"_sym, executor_.now().time_since_epoch().count()));
+  const std::optional<std::uint64_t> number = wire::count_at(message, 2);
+  const bool known = message.is_form("unwatch") || message.is_form("ack");
+  if (!number || !known) return refuse(session.peer, {"bad-frame", "a client does not say this", {}, {}});
+  // A watch may have ended while its client said something about it.
+  const auto watch = session.watches.find(*number);
+  if (watch == session.watches.end()) return;
+  if (message.is_form("unwatch")) {
+    session.watches.erase(watch);
+    return;
+  }
+  const std::uint64_t sequence = wire::count_at(message, 3).value_or(0);
+  if (sequence > watch->second.sent) {
+    return refuse(session.peer, {"bad-frame", "what was never sent is acknowledged", {}, {}});
+  }
+  watch->second.acknowledged = std::max(watch->second.acknowledged, sequence);
+  const bool timed = message.size() == 6 && message[4].is_symbol() && message[5].is_integer();
+  if (timed) board_.statistics().delivered(message[4].text(), Duration(message[5].integer()), executor_.now());
+  schedule_flush(id);
+}
+
+// A reply that a peer does not take is lost to it; its client asks again.
+void BoardServer::send(const std::string& peer, const Datum& message) { socket_.send(peer, write(message)); }
+
+void BoardServer::schedule_flush(wire::SessionId id) {
+  to_flush_.insert(id);
+  if (receiving_ || flush_timer_ != 0) return;
+  flush_timer_ = executor_.call_at(executor_.now(), [this] {
+    flush_timer_ = 0;
+    flush_all();
+  });
+}
+
+void BoardServer::flush_all() {
+  for (const wire::SessionId waiting : std::exchange(to_flush_, {})) {
+    const auto session = sessions_.find(waiting);
+    if (session != sessions_.end()) flush(session->second);
+  }
+}
+
+void BoardServer::flush(Session& session) {
+  for (auto& [id, watch] : session.watches) {
+    if (session.blocked) break;
+    flush_watch(session, id, watch);
+  }
+  std::erase_if(session.watches, [](const auto& watch) { return watch.second.queue == nullptr; });
+}
+
+void BoardServer::flush_watch(Session& session, wire::WatchId id, ServedWatch& watch) {
+  const std::size_t width = width_of(watch.queue->query());
+  std::string text;
+  while (watch.queue->ready() && watch.sent - watch.acknowledged < max_under_way) {
+    const Result<Delta> delta = watch.queue->pop_delta();
+    if (!delta) {
+      const Datum message = list("watch-failed"_sym, id, failure_to_datum(delta.error()));
+      session.blocked = !socket_.send(session.peer, write(message));
+      if (!session.blocked) watch.queue.reset();
+      return;
+    }
+    text.clear();
+    wire::write_change(text, id, ++watch.sent, width, *delta);
+    if (!socket_.send(session.peer, text)) {
+      session.blocked = true;
+      watch.queue->resynchronise();
+      return;
+    }
+  }
+}
+
+}  // namespace pizarra

@@ -1,0 +1,160 @@
+#pragma once
+
+// The board for other processes: serves a MemoryBoard over ZeroMQ (see wire.hpp for what is said).
+//
+//   Result<std::unique_ptr<BoardServer>> server = BoardServer::open(executor, board, {.addresses =
+//   {"ipc:///tmp/cell"}});
+//   (*server)->addresses();      // where it is reached, wildcard ports filled in
+//
+// The board outlives it.
+// A client is a session: made by its hello, forgotten with its watches ten seconds after it was last heard from. Its
+// number cannot be guessed and counts on the connection that said hello alone, until the same teller says hello with it
+// on another. A connection has one session. With a folder of keys, every tcp address asks for one: a session is then
+// its key's, its teller called by the key's name, and what it asks for held against the key's permissions; a key that
+// changes or goes ends its sessions within session_length / 8. What is refused is told (refusals.hpp). What
+// changes the board is done once however often it is sent: the last 256 such replies of a session are remembered, and
+// with a journal those about durable facts also in its next life, where the session goes on when its client greets. A
+// watch has at most 16 changes under way; what a slow client has not read waits in the watch's own bounded queue, and
+// when that overflows, or a change could not be sent, the client is resynchronised.
+
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "blackboard/journal/past.hpp"
+#include "blackboard/memory/memory_board.hpp"
+#include "blackboard/server/durability.hpp"
+#include "blackboard/server/gate.hpp"
+#include "blackboard/server/key_folder.hpp"
+#include "blackboard/server/lease_quota.hpp"
+#include "blackboard/server/refusals.hpp"
+#include "blackboard/watch/watches.hpp"
+#include "blackboard/wire/doorkeeper.hpp"
+#include "blackboard/wire/wire.hpp"
+#include "blackboard/wire/wire_socket.hpp"
+
+namespace pizarra {
+
+struct BoardServerOptions {
+  std::vector<std::string> addresses;
+  // The folder of the keys that may come, the board's own among them (key_folder.hpp); empty: none are asked for.
+  std::string keys = {};
+  // Without keys, allows addresses that other machines reach.
+  bool insecure = false;
+  Duration session_length = 10s;
+  // The board's: what concerns durable facts is answered when it is written there.
+  JournalWriter* journal = nullptr;
+  std::vector<RememberedReply> remembered = {};
+};
+
+class BoardServer {
+ public:
+  static constexpr std::size_t max_sessions = 1024;
+  static constexpr std::size_t max_sessions_of_a_key = 64;
+  static constexpr std::size_t max_sessions_of_a_name = 256;  // of those without a key
+  static constexpr std::size_t max_watches = 256;             // of a session
+  static constexpr std::size_t max_replies = 256;             // remembered, of a session
+  static constexpr std::size_t max_under_way = 16;            // changes of a watch
+  static constexpr std::size_t max_teller = 256;              // bytes of its name
+
+  // Failures bad-address, not-loopback, address-in-use, and those of KeyFolder::open.
+  static Result<std::unique_ptr<BoardServer>> open(Executor& executor, MemoryBoard& board,
+                                                   const BoardServerOptions& options);
+  BoardServer(const BoardServer&) = delete;
+  BoardServer& operator=(const BoardServer&) = delete;
+  ~BoardServer();
+
+  const std::vector<std::string>& addresses() const { return addresses_; }
+  std::size_t sessions() const { return sessions_.size(); }
+  // Tells every client that the server ends, and hears nobody any more. A connection that breaks takes along what its
+  // client has not read, so that a server should live on for `goodbye_length`.
+  void say_goodbye();
+  static constexpr Duration goodbye_length = 50ms;
+
+ private:
+  struct ServedWatch {
+    Datum query;
+    std::unique_ptr<WatchQueue> queue;
+    std::uint64_t sent = 0;
+    std::uint64_t acknowledged = 0;
+  };
+  struct Session {
+    std::string teller;
+    std::string peer;
+    std::optional<PublicKey> key;
+    Time heard{};
+    bool blocked = false;  // its connection takes no more; until it is heard from
+    std::map<wire::WatchId, ServedWatch> watches;
+    bool holds = false;  // what it watches, and answers questions from it
+    struct Reply {
+      std::string text;
+      JournalWriter::Position after;  // not to be given before this is in the journal
+    };
+    std::map<wire::RequestId, Reply> replies;
+    wire::RequestId replies_forgotten = 0;  // up to this request
+  };
+
+  BoardServer(Executor& executor, MemoryBoard& board, const BoardServerOptions& options, std::optional<KeyFolder> keys);
+  static std::uint64_t random_number();
+  void ask_for_keys();
+  Result<void> listen(const std::vector<std::string>& addresses, bool insecure);
+  void restore(const std::vector<RememberedReply>& remembered);
+  void receive(const std::string& peer, std::optional<std::string_view> frame);
+  void refuse(const std::string& peer, const Failure& failure);
+  std::string who_is(const std::string& peer) const;
+  void greet(const std::string& peer, const Datum& hello);
+  static Gate::Key key_of(const Session& session) { return session.key ? &*session.key : nullptr; }
+  Result<void> check_hello(const std::string& peer, const std::string& teller, const PublicKey* key) const;
+  Result<wire::SessionId> session_for(const std::string& peer, const std::string& teller, wire::SessionId asked,
+                                      const PublicKey* key);
+  void move_session(wire::SessionId id, Session& session, const std::string& peer);
+  void end_session(wire::SessionId id);
+  void follow_keys();
+  void handle(wire::SessionId id, Session& session, const Datum& message);
+  void request(wire::SessionId id, Session& session, const Datum& message);
+  Result<Datum> perform(wire::SessionId id, Session& session, const Datum& body);
+  Result<Datum> declare(const Session& session, const Datum& body);
+  Result<Datum> transact(const Session& session, const Datum& body);
+  Result<Query> permitted_query(const Session& session, const Datum& body);
+  Result<Datum> ask(const Session& session, const Datum& body);
+  void ask_past(wire::SessionId id, const Session& session, wire::RequestId number, const Datum& body);
+  Result<Datum> take(const Session& session, const Datum& body);
+  Result<Datum> watch(wire::SessionId id, Session& session, const Datum& body);
+  void note_journey(const Datum& body, Time sent);
+  Result<Datum> lease(const Session& session, const Datum& body);
+  void answer(wire::SessionId id, Session& session, wire::RequestId number, const Datum& body);
+  void remember(Session& session, wire::RequestId number, Session::Reply reply);
+  std::string with_progress(const Session& session, std::string reply) const;
+  void send(const std::string& peer, const Datum& message);
+  void schedule_flush(wire::SessionId id);
+  void flush_all();
+  void flush(Session& session);
+  void flush_watch(Session& session, wire::WatchId id, ServedWatch& watch);
+  void forget_the_gone();
+
+  Executor& executor_;
+  MemoryBoard& board_;
+  const Duration session_length_;
+  std::vector<std::string> addresses_;
+  std::optional<KeyFolder> keys_;
+  Gate gate_;
+  LeaseQuota leases_;
+  Refusals refusals_;
+  std::map<wire::SessionId, Session> sessions_;
+  std::map<std::string, wire::SessionId> session_of_peer_;
+  const wire::SessionId life_;  // another one in every life of the server
+  Durability durability_;
+  std::optional<Past> past_;
+  std::set<std::pair<wire::SessionId, wire::RequestId>> past_asked_;
+  std::set<wire::SessionId> to_flush_;
+  bool leaving_ = false;
+  bool receiving_ = false;  // what is to be flushed is, when this is done
+  Executor::TimerId flush_timer_ = 0;
+  Executor::TimerId sweep_timer_ = 0;
+  WireSocket socket_;
+  std::optional<Doorkeeper> doorkeeper_;
+};
+
+}  // namespace pizarra

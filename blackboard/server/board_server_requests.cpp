@@ -1,0 +1,236 @@
+// What a BoardServer's clients ask of the board, and what each is answered: once, however often it is asked.
+
+#include <algorithm>
+
+#include "blackboard/limits.hpp"
+#include "blackboard/server/board_server.hpp"
+#include "blackboard/store/store.hpp"
+#include "lisp/writer.hpp"
+
+namespace pizarra {
+
+namespace {
+
+// What a client should not have said, as opposed to what cannot be done just now.
+bool is_offence(const Failure& failure) {
+  return failure.symbol == "bad-frame" || failure.symbol == "too-large" || failure.symbol == "not-permitted";
+}
+
+std::unexpected<Failure> bad_frame(const char* sentence) { return fail("bad-frame", sentence); }
+
+// Whether doing it twice would differ from doing it once.
+bool must_be_done_once(const Datum& body) {
+  return body.is_form("transact") || body.is_form("take") || body.is_form("lease") || body.is_form("release");
+}
+
+Datum reply_to_datum(wire::RequestId id, const Result<Datum>& result) {
+  if (result) return list("reply"_sym, id, list("ok"_sym, *result));
+  Failure failure = result.error();
+  constexpr std::size_t heaviest_subject = limits::bytes / 2;
+  if (weigh(failure.subject).bytes > heaviest_subject) failure.subject = {};
+  return list("reply"_sym, id, failure_to_datum(failure));
+}
+
+Result<Datum> nothing_or(const Result<void>& result) {
+  if (!result) return fail(result);
+  return Datum();
+}
+
+Result<Datum> answers_to_datum(const Result<Answers>& answers) {
+  if (!answers) return fail(answers);
+  std::vector<Datum> value = {to_datum(answers->revision)};
+  value.reserve(answers->answers.size() + 1);
+  for (const Answer& answer : answers->answers) value.push_back(wire::answer_to_datum(answer));
+  return Datum::list(std::move(value));
+}
+
+bool asks_past(const Datum& query) {
+  return query.is_form("query") && std::ranges::any_of(query.items(), [](const Datum& o) { return o.is_form("at"); });
+}
+
+}  // namespace
+
+void BoardServer::request(wire::SessionId id, Session& session, const Datum& message) {
+  const std::optional<std::uint64_t> number = wire::count_at(message, 2);
+  const bool timed = message.size() == 5 && message[4].is_integer();
+  if (!number || (message.size() != 4 && !timed)) {
+    return refuse(session.peer,
+                  {"bad-frame", "a request is (request SESSION ID BODY) or has its time after it", {}, {}});
+  }
+  if (const auto done = session.replies.find(*number); done != session.replies.end()) {
+    // One that is held comes when it may.
+    if (durability_.kept(done->second.after)) socket_.send(session.peer, done->second.text);
+    return;
+  }
+  if (must_be_done_once(message[3]) && *number <= session.replies_forgotten) {
+    return refuse(session.peer, {"bad-frame", "this request, or one far after it, was answered long ago", {}, {}});
+  }
+  const Revision before = board_.store().revision();
+  answer(id, session, *number, message[3]);
+  if (timed && board_.store().revision() > before) note_journey(message[3], Time(Duration(message[4].integer())));
+}
+
+// Of the first fact that the transaction told.
+void BoardServer::note_journey(const Datum& body, Time sent) {
+  if (!body.is_form("transact") || body.size() < 3) return;
+  for (const Datum& step : body[2].items()) {
+    if (!step.is_form("tell") || step.size() < 2) continue;
+    const Time now = executor_.now();
+    return board_.statistics().came(step[1].head(), now - sent, now);
+  }
+}
+
+void BoardServer::answer(wire::SessionId id, Session& session, wire::RequestId number, const Datum& body) {
+  if (past_ && body.is_form("ask") && body.size() == 2 && asks_past(body[1]))
+    return ask_past(id, session, number, body);
+  const bool durable = durability_.concerns_durable(board_.store(), body);
+  const Result<void> room = durability_.check_room(body, durable);
+  if (!room) return send(session.peer, reply_to_datum(number, fail(room)));
+  const JournalWriter::Position before = durability_.position();
+  const Result<Datum> result = perform(id, session, body);
+  if (!result && is_offence(result.error())) refusals_.note(session.teller, result.error());
+  const Datum reply = reply_to_datum(number, result);
+  const std::string text = write(reply);
+  if (must_be_done_once(body)) {
+    remember(session, number, {text, durable ? durability_.position() : 0});
+    if (durable && durability_.position() > before) {
+      const std::string key = session.key ? session.key->key : "";
+      durability_.remember({id, session.teller, number, reply[2], key});
+    }
+  }
+  // Changes go before the reply to the request that made them, and after the one to the request for them.
+  if (!body.is_form("watch")) flush_all();
+  if (durable) return durability_.hold(id, number, text);
+  socket_.send(session.peer, session.holds ? with_progress(session, text) : text);
+}
+
+// What is remembered, or held back, does not say it: it may be given when changes are under way anew.
+std::string BoardServer::with_progress(const Session& session, std::string reply) const {
+  const bool behind = std::ranges::any_of(session.watches, [](const auto& w) { return w.second.queue->ready(); });
+  reply.back() = ' ';
+  reply += std::to_string(board_.store().revision());
+  reply += behind ? " no)" : " yes)";
+  return reply;
+}
+
+void BoardServer::remember(Session& session, wire::RequestId number, Session::Reply reply) {
+  session.replies.emplace(number, std::move(reply));
+  if (session.replies.size() <= max_replies) return;
+  session.replies_forgotten = session.replies.begin()->first;
+  session.replies.erase(session.replies.begin());
+}
+
+Result<Datum> BoardServer::perform(wire::SessionId id, Session& session, const Datum& body) {
+  if (body.is_form("transact")) return transact(session, body);
+  if (body.is_form("ask")) return ask(session, body);
+  if (body.is_form("take")) return take(session, body);
+  if (body.is_form("declare")) return declare(session, body);
+  if (body.is_form("watch")) return watch(id, session, body);
+  return lease(session, body);
+}
+
+Result<Datum> BoardServer::declare(const Session& session, const Datum& body) {
+  std::vector<Relation> relations;
+  for (const Datum& form : body.items().subspan(1)) {
+    Result<Relation> relation = relation_from_datum(form);
+    if (!relation) return fail(relation);
+    relations.push_back(std::move(*relation));
+  }
+  const Result<void> permitted = gate_.declare(key_of(session), relations);
+  if (!permitted) return fail(permitted);
+  return nothing_or(board_.declare(session.teller, relations));
+}
+
+Result<Datum> BoardServer::transact(const Session& session, const Datum& body) {
+  const Result<Transaction> transaction = wire::transaction_from_datum(body);
+  if (!transaction) return fail(transaction);
+  const Result<void> permitted = gate_.transact(key_of(session), *transaction);
+  if (!permitted) return fail(permitted);
+  const Result<Revision> revision = board_.transact(session.teller, *transaction);
+  if (!revision) return fail(revision);
+  return to_datum(*revision);
+}
+
+Result<Query> BoardServer::permitted_query(const Session& session, const Datum& body) {
+  if (body.size() != 2) return bad_frame("a question is (ask QUERY)");
+  Result<Query> query = query_from_datum(body[1]);
+  if (!query) return query;
+  const Result<void> permitted = gate_.ask(key_of(session), *query);
+  if (!permitted) return fail(permitted);
+  return query;
+}
+
+Result<Datum> BoardServer::ask(const Session& session, const Datum& body) {
+  const Result<Query> query = permitted_query(session, body);
+  if (!query) return fail(query);
+  return answers_to_datum(board_.ask(*query));
+}
+
+void BoardServer::ask_past(wire::SessionId id, const Session& session, wire::RequestId number, const Datum& body) {
+  const auto reply = [this, id, number](const Result<Answers>& answers) {
+    past_asked_.erase({id, number});
+    const auto asking = sessions_.find(id);
+    if (asking == sessions_.end()) return;
+    send(asking->second.peer, reply_to_datum(number, answers_to_datum(answers)));
+  };
+  // One that is asked again while it is worked on is answered once.
+  if (!past_asked_.emplace(id, number).second) return;
+  Result<Query> query = permitted_query(session, body);
+  if (!query) return reply(fail(query));
+  past_->ask(std::move(*query), reply);
+}
+
+Result<Datum> BoardServer::take(const Session& session, const Datum& body) {
+  const std::optional<std::uint64_t> holder = wire::count_at(body, 2);
+  if (!holder || body.size() != 3) return bad_frame("taking is (take PATTERN LEASE)");
+  const Result<void> permitted = gate_.take(key_of(session), body[1], *holder);
+  if (!permitted) return fail(permitted);
+  const Result<std::optional<Fact>> taken = board_.take(session.teller, body[1], *holder);
+  if (!taken) return fail(taken);
+  if (!*taken) return Datum();
+  return list(wire::fact_to_datum(**taken));
+}
+
+Result<Datum> BoardServer::watch(wire::SessionId id, Session& session, const Datum& body) {
+  const std::optional<std::uint64_t> number = wire::count_at(body, 1);
+  const bool held = body.size() == 4 && body[3].is_symbol("held");
+  if (!number || (body.size() != 3 && !held)) return bad_frame("watching is (watch WATCH QUERY) or with held after it");
+  const auto standing = session.watches.find(*number);
+  if (standing != session.watches.end()) {
+    if (standing->second.query == body[2]) return Datum();
+    return bad_frame("the watch is of another query");
+  }
+  if (session.watches.size() >= max_watches) return fail("too-large", "a client has at most 256 watches");
+  const Result<Query> query = query_from_datum(body[2]);
+  if (!query) return fail(query);
+  const Result<void> permitted = gate_.ask(key_of(session), *query);
+  if (!permitted) return fail(permitted);
+  Result<std::unique_ptr<WatchQueue>> queue = board_.watch(session.teller, *query, [this, id] { schedule_flush(id); });
+  if (!queue) return fail(queue);
+  session.watches[*number] = {body[2], std::move(*queue)};
+  session.holds = session.holds || held;
+  schedule_flush(id);
+  return Datum();
+}
+
+Result<Datum> BoardServer::lease(const Session& session, const Datum& body) {
+  const bool whole = body.size() == 2 && body[1].is_integer();
+  if (!whole) return bad_frame("not a request");
+  if (body.is_form("lease")) {
+    const Result<void> within = leases_.check(session.teller);
+    if (!within) return fail(within);
+    const Result<LeaseId> lease = board_.lease(Duration(body[1].integer()));
+    if (!lease) return fail(lease);
+    gate_.granted(key_of(session), *lease);
+    leases_.granted(session.teller, *lease);
+    return to_datum(*lease);
+  }
+  const std::optional<std::uint64_t> lease = wire::count_from(body[1]);
+  const Result<void> permitted = gate_.use_lease(key_of(session), lease.value_or(0));
+  if (!permitted) return fail(permitted);
+  if (lease && body.is_form("renew")) return nothing_or(board_.renew(*lease));
+  if (lease && body.is_form("release")) return nothing_or(board_.release(*lease));
+  return bad_frame("not a request");
+}
+
+}  // namespace pizarra

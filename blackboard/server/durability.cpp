@@ -1,0 +1,68 @@
+#include "blackboard/server/durability.hpp"
+
+#include <algorithm>
+
+#include "lisp/writer.hpp"
+
+namespace pizarra {
+
+namespace {
+
+bool is_durable(const Store& store, const Datum& pattern) {
+  const auto table = store.tables().find(pattern.head());
+  return table != store.tables().end() && table->second.relation().durable;
+}
+
+bool step_is_durable(const Store& store, const Datum& step) {
+  if (step.size() < 2) return false;
+  if (!step.is_form("settle")) return is_durable(store, step[1]);
+  const Fact* held = store.held(wire::count_from(step[1]).value_or(0));
+  return held != nullptr && is_durable(store, held->datum);
+}
+
+bool declares_durable(const Datum& relation) {
+  return std::ranges::any_of(relation.items(), [](const Datum& part) { return part.is_form("durable"); });
+}
+
+}  // namespace
+
+Durability::Durability(JournalWriter* journal, Send send) : journal_(journal), send_(std::move(send)) {
+  if (journal_ != nullptr) journal_->on_progress = [this] { progress(); };
+}
+
+Durability::~Durability() {
+  if (journal_ != nullptr) journal_->on_progress = nullptr;
+}
+
+bool Durability::concerns_durable(const Store& store, const Datum& body) const {
+  if (journal_ == nullptr || body.size() < 2) return false;
+  if (body.is_form("take")) return is_durable(store, body[1]);
+  if (body.is_form("declare")) return std::ranges::any_of(body.items(), declares_durable);
+  if (!body.is_form("transact") || body.size() < 3) return false;
+  return std::ranges::any_of(body[2].items(), [&](const Datum& step) { return step_is_durable(store, step); });
+}
+
+Result<void> Durability::check_room(const Datum& body, bool durable) const {
+  const bool changes = body.is_form("transact") || body.is_form("take") || body.is_form("declare");
+  if (journal_ == nullptr || !changes) return {};
+  return journal_->check_room(durable);
+}
+
+void Durability::hold(wire::SessionId session, wire::RequestId request, std::string reply) {
+  held_.push_back({journal_->position(), session, request, std::move(reply)});
+  journal_->keep();
+}
+
+void Durability::progress() {
+  while (!held_.empty() && held_.front().position <= journal_->kept()) {
+    send_(held_.front().session, held_.front().reply);
+    held_.pop_front();
+  }
+  if (!journal_->stuck()) return;
+  const Datum failure = failure_to_datum(*journal_->failure());
+  for (const Held& held : std::exchange(held_, {})) {
+    send_(held.session, write(list("reply"_sym, held.request, failure)));
+  }
+}
+
+}  // namespace pizarra

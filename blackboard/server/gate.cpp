@@ -1,0 +1,125 @@
+#include "blackboard/server/gate.hpp"
+
+#include "blackboard/store/store.hpp"
+
+namespace pizarra {
+
+namespace {
+
+std::unexpected<Failure> not_permitted(const PublicKey& key, std::string what, const Datum& subject) {
+  return fail("not-permitted", "the key " + key.name + " may not " + std::move(what), subject);
+}
+
+std::unexpected<Failure> not_permitted(const PublicKey& key, const char* verb, const Datum& subject) {
+  const std::string relation(subject.head());
+  return not_permitted(key, verb + (relation.empty() ? std::string(" this") : " facts of " + relation), subject);
+}
+
+// What a fact or pattern with the same key as `fact` looks like.
+Datum pattern_of_key(const Relation& relation, const Datum& fact) {
+  std::vector<Datum> pattern(fact.items().begin(), fact.items().end());
+  for (std::size_t i = 1; i < pattern.size(); ++i) pattern[i] = "?"_sym;
+  for (const std::size_t position : relation.key) pattern[position + 1] = fact[position + 1];
+  return Datum::list(std::move(pattern));
+}
+
+}  // namespace
+
+Result<void> Gate::declare(Key key, const std::vector<Relation>& relations) const {
+  if (key == nullptr) return {};
+  for (const Relation& relation : relations) {
+    if (board_.store().tables().contains(relation.name)) continue;
+    const bool concerned = permits(key->may.tell, relation.name) || permits(key->may.take, relation.name) ||
+                           permits(key->may.read, relation.name);
+    if (!concerned) return not_permitted(*key, "declare " + relation.name, relation_to_datum(relation));
+  }
+  return {};
+}
+
+Result<void> Gate::transact(Key key, const Transaction& transaction) const {
+  if (key == nullptr) return {};
+  for (const Transaction::Precondition& precondition : transaction.preconditions) {
+    const Result<void> checked = check(*key, precondition);
+    if (!checked) return checked;
+  }
+  for (const Transaction::Step& step : transaction.steps) {
+    const Result<void> checked = check(*key, step);
+    if (!checked) return checked;
+  }
+  return {};
+}
+
+// Whether a transaction happened says something of what its preconditions name.
+Result<void> Gate::check(const PublicKey& key, const Transaction::Precondition& precondition) const {
+  const Datum& pattern = std::visit([](const auto& p) -> const Datum& { return p.pattern; }, precondition);
+  if (permits(key.may.read, pattern.head()) || permits(key.may.tell, pattern.head())) return {};
+  return not_permitted(key, "read", pattern);
+}
+
+Result<void> Gate::check(const PublicKey& key, const Transaction::Step& step) const {
+  if (const auto* settle = std::get_if<Transaction::Settle>(&step)) {
+    const LeaseId holder = board_.store().holder_of(settle->taken);
+    return holder == 0 ? Result<void>() : use_lease(&key, holder);
+  }
+  const auto* tell = std::get_if<Transaction::Tell>(&step);
+  const Datum& datum = tell != nullptr ? tell->fact : std::get<Transaction::Retract>(step).pattern;
+  if (!permits(key.may.tell, datum.head())) return not_permitted(key, tell != nullptr ? "tell" : "retract", datum);
+  if (tell != nullptr && tell->lease != 0) {
+    const Result<void> own = use_lease(&key, tell->lease);
+    if (!own) return own;
+  }
+  if (permits(key.may.override_leases, datum.head())) return {};
+  const auto table = board_.store().tables().find(datum.head());
+  // The board refuses what has no relation or not its shape.
+  if (table == board_.store().tables().end()) return {};
+  if (tell == nullptr) return leave_to_others(key, datum, datum);
+  if (!check_shape(table->second.relation(), datum)) return {};
+  return leave_to_others(key, datum, pattern_of_key(table->second.relation(), datum));
+}
+
+Result<void> Gate::leave_to_others(const PublicKey& key, const Datum& told, const Datum& pattern) const {
+  const FactTable& table = board_.store().tables().find(pattern.head())->second;
+  if (!check_pattern_shape(table.relation(), pattern)) return {};
+  std::string other;
+  table.visit(pattern, [&](const Fact& fact) {
+    Bindings bindings;
+    const bool leased = board_.store().lease_of(fact.id) != 0;
+    if (leased && !may_call_itself(key.name, fact.teller) && match(pattern, fact.datum, bindings)) other = fact.teller;
+    return other.empty();
+  });
+  if (other.empty()) return {};
+  return not_permitted(key, "replace or retract what " + other + " told under its lease", told);
+}
+
+Result<void> Gate::ask(Key key, const Query& query) const {
+  if (key == nullptr) return {};
+  for (const Query::Clause& clause : query.clauses) {
+    if (clause.kind == Query::Clause::Kind::compare || permits(key->may.read, clause.form.head())) continue;
+    return not_permitted(*key, "read", clause.form);
+  }
+  return {};
+}
+
+Result<void> Gate::take(Key key, const Datum& pattern, LeaseId holder) const {
+  if (key == nullptr) return {};
+  if (!permits(key->may.take, pattern.head())) return not_permitted(*key, "take", pattern);
+  return holder == 0 ? Result<void>() : use_lease(key, holder);
+}
+
+Result<void> Gate::use_lease(Key key, LeaseId lease) const {
+  // One that has lapsed is the board's to refuse.
+  if (key == nullptr || !board_.store().stands(lease)) return {};
+  const auto owner = owners_.find(lease);
+  if (owner != owners_.end() && owner->second == key->name) return {};
+  return not_permitted(*key, "use the lease of another", to_datum(lease));
+}
+
+void Gate::granted(Key key, LeaseId lease) {
+  if (key != nullptr) owners_[lease] = key->name;
+}
+
+void Gate::sweep() {
+  std::erase_if(owners_, [this](const auto& owned) { return !board_.store().stands(owned.first); });
+}
+
+}  // namespace pizarra

@@ -1,0 +1,45 @@
+#pragma once
+
+// What a client with a key may do on a board: its permissions (keys.hpp), held against each request before the board
+// sees it. Leases and what is held under them belong to the key that asked for them.
+//
+//   Gate gate(board);
+//   const Result<void> permitted = gate.transact(key, transaction);       // failure not-permitted
+//
+// A client without a key is one of this machine: it may do everything, and every call answers at once.
+
+#include <map>
+#include <string>
+
+#include "blackboard/memory/memory_board.hpp"
+#include "blackboard/wire/keys.hpp"
+
+namespace pizarra {
+
+class Gate {
+ public:
+  // Several clients may come with one key.
+  using Key = const PublicKey*;
+
+  explicit Gate(const MemoryBoard& board) : board_(board) {}
+
+  // Of a new relation: it may tell, take or read its facts.
+  Result<void> declare(Key key, const std::vector<Relation>& relations) const;
+  Result<void> transact(Key key, const Transaction& transaction) const;
+  Result<void> ask(Key key, const Query& query) const;
+  Result<void> take(Key key, const Datum& pattern, LeaseId holder) const;
+  Result<void> use_lease(Key key, LeaseId lease) const;
+  void granted(Key key, LeaseId lease);
+  // Forgets the owners of leases that have lapsed.
+  void sweep();
+
+ private:
+  Result<void> check(const PublicKey& key, const Transaction::Precondition& precondition) const;
+  Result<void> check(const PublicKey& key, const Transaction::Step& step) const;
+  Result<void> leave_to_others(const PublicKey& key, const Datum& told, const Datum& pattern) const;
+
+  const MemoryBoard& board_;
+  std::map<LeaseId, std::string> owners_;
+};
+
+}  // namespace pizarra

@@ -1,0 +1,51 @@
+#pragma once
+
+// What the board refused its clients for being malformed, forged, too much or not permitted, as facts:
+//
+//   (board-refusal CLIENT SYMBOL COUNT SENTENCE)       ; key CLIENT SYMBOL
+//
+// CLIENT is who said it (the session's teller, a public key that is not known, or "" for one that has no session),
+// COUNT how often that was since the server began, SENTENCE about the newest. At most 256 pairs of client and symbol
+// are told; those of more clients count for "others". A flood of refusals changes the facts ten times a second at most.
+//
+//   Refusals refusals(board);
+//   refusals.note("alice", failure);
+
+#include <map>
+#include <set>
+#include <string>
+
+#include "blackboard/memory/memory_board.hpp"
+
+namespace pizarra {
+
+class Refusals {
+ public:
+  static constexpr std::size_t most_kinds = 256;
+  static constexpr Duration pause = 100ms;
+
+  // Failure wrong-shape: the relation is declared differently.
+  static Result<void> declare(MemoryBoard& board);
+
+  explicit Refusals(MemoryBoard& board) : board_(board) {}
+  Refusals(const Refusals&) = delete;
+  Refusals& operator=(const Refusals&) = delete;
+  ~Refusals();
+
+  void note(const std::string& client, const Failure& failure);
+
+ private:
+  using Kind = std::pair<std::string, std::string>;
+  struct Count {
+    std::int64_t count = 0;
+    std::string sentence;
+  };
+  void tell();
+
+  MemoryBoard& board_;
+  std::map<Kind, Count> counts_;
+  std::set<Kind> untold_;
+  Executor::TimerId timer_ = 0;
+};
+
+}  // namespace pizarra

@@ -1,0 +1,230 @@
+#include "blackboard/store/evaluate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "lisp/nearest.hpp"
+#include "lisp/pattern.hpp"
+#include "lisp/writer.hpp"
+
+namespace pizarra {
+
+namespace {
+
+// An answer that is to be ordered and cut to a limit may pass through this many frames' worth of others.
+constexpr std::size_t frames_to_sort = 64;
+
+// An integer and a real, exactly: a double does not hold every integer.
+std::strong_ordering compare_numbers(std::int64_t integer, double real) {
+  constexpr double beyond_integers = 9223372036854775808.0;
+  if (real >= beyond_integers) return std::strong_ordering::less;
+  if (real < -beyond_integers) return std::strong_ordering::greater;
+  const double whole = std::floor(real);
+  const std::strong_ordering order = integer <=> static_cast<std::int64_t>(whole);
+  return order == 0 && real > whole ? std::strong_ordering::less : order;
+}
+
+Weight weigh(const Query& query) {
+  constexpr std::size_t envelope = 64;
+  Weight whole;
+  for (const Query::Clause& clause : query.clauses) {
+    whole += pizarra::weigh(clause.form);
+    whole.bytes += envelope;
+    whole.elements += 4;
+  }
+  return whole;
+}
+
+class Search {
+ public:
+  Search(const Query& query, const Tables& tables, std::span<const std::size_t> course, std::size_t& examined)
+      : query_(query), tables_(tables), course_(course), chosen_(query.clauses.size()), examined_(examined) {}
+
+  // The query's answers, in its order and up to its limit.
+  Result<std::vector<Answer>> whole() {
+    if (query_.order.empty()) enough_ = query_.limit;
+    if (!query_.order.empty() && query_.limit) weight_bound_ *= frames_to_sort;
+    if (query_.limit != 0U) extend(0, {});
+    const Result<void> done = check_bounds();
+    if (!done) return fail(done);
+    if (!query_.order.empty()) sort();
+    if (query_.limit && answers_.size() > *query_.limit) cut();
+    if (!check_weight(weight_, "the answer")) return too_many();
+    return std::move(answers_);
+  }
+
+  Result<std::vector<Answer>> from(SearchStart start) {
+    if (query_.limit) weight_bound_ *= frames_to_sort;
+    chosen_[start.clause] = start.fact;
+    extend(0, std::move(start.bindings));
+    const Result<void> done = check_bounds();
+    if (!done) return fail(done);
+    return std::move(answers_);
+  }
+
+ private:
+  std::unexpected<Failure> too_many() const {
+    return fail("too-large", "the answers are more than fit one message", query_to_datum(query_));
+  }
+
+  Result<void> check_bounds() const {
+    if (examined_ > limits::examined) {
+      return fail("too-large", "answering this takes looking at more than a million facts", query_to_datum(query_));
+    }
+    if (weight_.bytes > weight_bound_) return too_many();
+    return {};
+  }
+
+  // Whether the search should go on.
+  bool extend(std::size_t step, Bindings bindings) {
+    if (step == course_.size()) return finish(std::move(bindings));
+    const Query::Clause& next = query_.clauses[course_[step]];
+    switch (next.kind) {
+      case Query::Clause::Kind::compare:
+        return !holds(next.form, bindings) || extend(step + 1, std::move(bindings));
+      case Query::Clause::Kind::absent:
+        return exists(substitute(next.form, bindings)) || extend(step + 1, std::move(bindings));
+      case Query::Clause::Kind::fact:
+        return extend_by_fact(step, bindings);
+    }
+    return false;
+  }
+
+  bool extend_by_fact(std::size_t step, const Bindings& bindings) {
+    const std::size_t clause = course_[step];
+    const Datum& form = query_.clauses[clause].form;
+    bool go_on = true;
+    const auto consider = [&](const Fact& fact) {
+      if (++examined_ > limits::examined) return go_on = false;
+      Bindings both = bindings;
+      if (!match(form, fact.datum, both)) return true;
+      chosen_[clause] = &fact;
+      go_on = extend(step + 1, std::move(both));
+      return go_on;
+    };
+    const FactTable& table = tables_.find(form.head())->second;
+    table.visit(bindings.all().empty() ? form : substitute(form, bindings), consider);
+    chosen_[clause] = nullptr;
+    return go_on;
+  }
+
+  bool exists(const Datum& pattern) {
+    bool found = false;
+    tables_.find(pattern.head())->second.visit(pattern, [&](const Fact& fact) {
+      ++examined_;
+      Bindings bindings;
+      found = match(pattern, fact.datum, bindings);
+      return !found && examined_ <= limits::examined;
+    });
+    return found;
+  }
+
+  bool finish(Bindings bindings) {
+    Answer& answer = answers_.emplace_back();
+    answer.bindings = std::move(bindings);
+    for (const Fact* fact : chosen_) {
+      if (fact != nullptr) answer.facts.push_back(*fact);
+    }
+    weight_ += weigh(answer);
+    const bool enough = enough_ && answers_.size() >= *enough_;
+    return !enough && weight_.bytes <= weight_bound_;
+  }
+
+  void cut() {
+    answers_.resize(*query_.limit);
+    weight_ = {};
+    for (const Answer& answer : answers_) weight_ += weigh(answer);
+  }
+
+  void sort() {
+    const auto value = [&](const Answer& answer) -> const Datum& { return *answer.bindings.find(query_.order); };
+    std::stable_sort(answers_.begin(), answers_.end(), [&](const Answer& a, const Answer& b) {
+      return query_.descending ? compare_values(value(b), value(a)) < 0 : compare_values(value(a), value(b)) < 0;
+    });
+  }
+
+  const Query& query_;
+  const Tables& tables_;
+  const std::span<const std::size_t> course_;  // the clauses, in the order they are satisfied in
+  std::optional<std::size_t> enough_;
+  std::vector<const Fact*> chosen_;  // by each clause
+  std::vector<Answer> answers_;
+  std::size_t& examined_;
+  Weight weight_;
+  std::size_t weight_bound_ = limits::bytes;
+};
+
+}  // namespace
+
+std::strong_ordering compare_values(const Datum& a, const Datum& b) {
+  if (a.is_integer() && b.is_real()) return compare_numbers(a.integer(), b.number());
+  if (a.is_real() && b.is_integer()) return 0 <=> compare_numbers(b.integer(), a.number());
+  return a <=> b;
+}
+
+bool holds(const Datum& comparison, const Bindings& bindings) {
+  const Datum a = substitute(comparison[1], bindings);
+  const Datum b = substitute(comparison[2], bindings);
+  const std::strong_ordering order = compare_values(a, b);
+  const std::string_view name = comparison.head();
+  if (name == "=") return order == 0;
+  if (name == "/=") return order != 0;
+  if (!a.is_number() || !b.is_number()) return false;
+  if (name == "<") return order < 0;
+  if (name == "<=") return order <= 0;
+  if (name == ">") return order > 0;
+  return order >= 0;
+}
+
+Result<const FactTable*> table_for(const Datum& pattern, const Tables& tables) {
+  const auto found = tables.find(pattern.head());
+  if (found != tables.end()) {
+    const Result<void> fits = check_pattern_shape(found->second.relation(), pattern);
+    if (!fits) return fail(fits);
+    return &found->second;
+  }
+  if (pattern.head().empty()) return fail("wrong-shape", "a fact is a list that begins with a symbol", pattern);
+  std::vector<std::string> names;
+  for (const auto& [name, table] : tables) names.push_back(name);
+  const std::string nearest = nearest_name(pattern.head(), names);
+  const std::string hint = nearest.empty() ? "" : "; did you mean " + nearest + "?";
+  return fail("undeclared-relation", "no relation is called " + std::string(pattern.head()) + hint,
+              Datum::symbol(pattern.head()));
+}
+
+Result<void> check_query_on(const Query& query, const Tables& tables) {
+  Result<void> checked = check_query(query);
+  if (!checked) return checked;
+  checked = check_weight(weigh(query), "a query");
+  if (!checked) return checked;
+  for (const Query::Clause& clause : query.clauses) {
+    if (clause.kind == Query::Clause::Kind::compare) continue;
+    const Result<const FactTable*> table = table_for(clause.form, tables);
+    if (!table) return fail(table);
+  }
+  return {};
+}
+
+Result<std::vector<Answer>> evaluate(const Query& query, const Tables& tables) {
+  std::vector<std::size_t> as_written(query.clauses.size());
+  std::iota(as_written.begin(), as_written.end(), 0);
+  std::size_t examined = 0;
+  return Search(query, tables, as_written, examined).whole();
+}
+
+Result<std::vector<Answer>> evaluate_from(SearchStart start, std::span<const std::size_t> course, const Query& query,
+                                          const Tables& tables, std::size_t& examined) {
+  return Search(query, tables, course, examined).from(std::move(start));
+}
+
+Weight weigh(const Answer& answer) {
+  Weight weight;
+  weight.bytes = 3;
+  weight.elements = 1;
+  for (const Fact& fact : answer.facts) weight += weigh(fact);
+  return weight;
+}
+
+}  // namespace pizarra

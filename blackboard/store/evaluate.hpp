@@ -1,0 +1,52 @@
+#pragma once
+
+// Answers a query from tables of facts: clauses are joined in the order they are written, each through the indexes of
+// its relation. At most a million facts are looked at, and the answers must fit a frame: failure too-large otherwise.
+//
+//   Result<void> checked = check_query_on(query, tables);         // bad-query, undeclared-relation, wrong-shape
+//   Result<std::vector<Answer>> answers = evaluate(query, tables);
+//
+// What one fact has to do with the answers is found from that fact on, the other clauses in an order of their own
+// (join_course.hpp):
+//
+//   std::size_t examined = 0;
+//   Result<std::vector<Answer>> with_it = evaluate_from({bindings, clause, &fact}, course, query, tables, examined);
+
+#include <span>
+
+#include "blackboard/limits.hpp"
+#include "blackboard/query.hpp"
+#include "blackboard/store/fact_table.hpp"
+
+namespace pizarra {
+
+// The table of the relation that the pattern is about, whose shape the pattern has.
+Result<const FactTable*> table_for(const Datum& pattern, const Tables& tables);
+
+// Whether the query is well made and its patterns fit declared relations.
+Result<void> check_query_on(const Query& query, const Tables& tables);
+
+// The query must have been checked.
+Result<std::vector<Answer>> evaluate(const Query& query, const Tables& tables);
+
+// What is settled before a search: variables, and the fact that a positive clause is to match, where there is one.
+struct SearchStart {
+  Bindings bindings;
+  std::size_t clause = 0;
+  const Fact* fact = nullptr;
+};
+// Every answer that begins so and satisfies the clauses of the course, by none but their order; the query's order and
+// limit do not count. Adds to `examined` how many facts were looked at: failure too-large beyond a million, and where
+// the answers fit no message.
+Result<std::vector<Answer>> evaluate_from(SearchStart start, std::span<const std::size_t> course, const Query& query,
+                                          const Tables& tables, std::size_t& examined);
+
+// Numbers by value, whichever kind they are; everything else as Datum orders it.
+std::strong_ordering compare_values(const Datum& a, const Datum& b);
+
+// Whether a comparison of values that are all bound is true.
+bool holds(const Datum& comparison, const Bindings& bindings);
+
+Weight weigh(const Answer& answer);
+
+}  // namespace pizarra

@@ -1,0 +1,57 @@
+#include "blackboard/store/fact_list.hpp"
+
+#include <cassert>
+#include <utility>
+
+namespace pizarra {
+
+StandingFact* FactList::find(FactId id) {
+  const auto found = lower_bound(order_, id);
+  return found != order_.end() && found->id == id && found->stands() ? found->standing : nullptr;
+}
+
+StandingFact& FactList::insert(StandingFact standing) {
+  const FactId id = standing.fact.id;
+  assert(id != 0);
+  sweep();
+  StandingFact& kept = memory_for(std::move(standing));
+  if (order_.empty() || order_.back().id < id) {
+    order_.push_back({id, &kept});
+    return kept;
+  }
+  const auto place = lower_bound(order_, id);
+  if (place->id != id) {
+    order_.insert(place, {id, &kept});
+    return kept;
+  }
+  assert(!place->stands() || place->standing == &kept);
+  place->standing = &kept;
+  --gone_;
+  return kept;
+}
+
+StandingFact FactList::remove(StandingFact& standing) {
+  StandingFact removed = std::exchange(standing, {});
+  free_.push_back(&standing);
+  ++gone_;
+  return removed;
+}
+
+StandingFact& FactList::memory_for(StandingFact standing) {
+  if (free_.empty()) return memory_.emplace_back(std::move(standing));
+  StandingFact& memory = *free_.back();
+  free_.pop_back();
+  return memory = std::move(standing);
+}
+
+void FactList::sweep() {
+  constexpr std::size_t few = 64;
+  if (gone_ <= size() + few) return;
+  std::erase_if(order_, [](const Place& place) { return !place.stands(); });
+  gone_ = 0;
+  if (!order_.empty()) return;
+  free_.clear();
+  memory_.clear();
+}
+
+}  // namespace pizarra

@@ -1,0 +1,132 @@
+#include "blackboard/store/fact_table.hpp"
+
+#include <algorithm>
+#include <bit>
+
+#include "blackboard/limits.hpp"
+#include "lisp/pattern.hpp"
+
+namespace pizarra {
+
+namespace {
+
+constexpr std::size_t small_enough_to_look_through = 16;
+
+}  // namespace
+
+const StandingFact* FactTable::find_key_of(const Datum& fact) const {
+  StandingFact* const* found =
+      by_key_.find(key_hash(fact), [&](const StandingFact* standing) { return same_key(standing->fact.datum, fact); });
+  return found == nullptr ? nullptr : *found;
+}
+
+StandingFact& FactTable::insert(StandingFact standing) {
+  const std::size_t hash = key_hash(standing.fact.datum);
+  StandingFact& inserted = facts_.insert(std::move(standing));
+  by_key_.insert(hash, &inserted);
+  for (auto& [mask, index] : indexes_) {
+    index[arguments_in(mask, inserted.fact.datum)].emplace(inserted.fact.id, &inserted);
+  }
+  return inserted;
+}
+
+StandingFact FactTable::remove(StandingFact& standing, Revision revision) {
+  const Datum& datum = standing.fact.datum;
+  by_key_.erase(key_hash(datum), [&](const StandingFact* other) { return other == &standing; });
+  for (auto& [mask, index] : indexes_) {
+    const auto place = index.find(arguments_in(mask, datum));
+    place->second.erase(standing.fact.id);
+    if (place->second.empty()) index.erase(place);
+  }
+  remember_removal(revision, datum);
+  return facts_.remove(standing);
+}
+
+void FactTable::remember_removal(Revision revision, const Datum& datum) {
+  removals_.push_back({revision, datum, weigh(datum).bytes});
+  removed_bytes_ += removals_.back().bytes;
+  while (removals_.size() > max_removals || removed_bytes_ > max_removed_bytes) {
+    removals_forgotten_ = removals_.front().revision;
+    removed_bytes_ -= removals_.front().bytes;
+    removals_.pop_front();
+  }
+}
+
+bool FactTable::unchanged_since(const Datum& pattern, Revision revision) const {
+  if (revision < removals_forgotten_) return false;
+  const auto fits = [&](const Datum& datum) {
+    Bindings bindings;
+    return match(pattern, datum, bindings);
+  };
+  for (auto removal = removals_.rbegin(); removal != removals_.rend() && removal->revision > revision; ++removal) {
+    if (fits(removal->datum)) return false;
+  }
+  bool unchanged = true;
+  visit(pattern, [&](const Fact& fact) {
+    unchanged = fact.revision <= revision || !fits(fact.datum);
+    return unchanged;
+  });
+  return unchanged;
+}
+
+bool FactTable::key_is_ground(const Datum& pattern) const {
+  return std::ranges::all_of(relation_.key, [&](std::size_t position) { return is_ground(pattern[position + 1]); });
+}
+
+std::size_t FactTable::key_hash(const Datum& datum) const {
+  std::size_t hash = 0;
+  for (const std::size_t position : relation_.key) hash = std::rotl(hash, 7) ^ datum[position + 1].hash();
+  return hash;
+}
+
+bool FactTable::same_key(const Datum& a, const Datum& b) const {
+  return std::ranges::all_of(relation_.key, [&](std::size_t position) { return a[position + 1] == b[position + 1]; });
+}
+
+Datum FactTable::arguments_in(Mask mask, const Datum& datum) const {
+  std::vector<Datum> arguments;
+  arguments.reserve(static_cast<std::size_t>(std::popcount(mask)));
+  for (std::size_t i = 0; i < relation_.arguments.size(); ++i) {
+    if ((mask >> i & 1U) != 0) arguments.push_back(datum[i + 1]);
+  }
+  return Datum::list(std::move(arguments));
+}
+
+// The facts that an index finds for the pattern's ground arguments; null where looking through all is the way.
+const FactTable::Bucket* FactTable::bucket_for(const Datum& pattern) const {
+  static const Bucket none;
+  if (facts_.size() <= small_enough_to_look_through) return nullptr;
+  Mask bound = 0;
+  for (std::size_t i = 0; i < relation_.arguments.size(); ++i) {
+    if (is_ground(pattern[i + 1])) bound |= Mask{1} << i;
+  }
+  if (bound == 0) return nullptr;
+  Mask used = 0;
+  const Index* index = index_for(bound, used);
+  if (index == nullptr) return nullptr;
+  const auto found = index->find(arguments_in(used, pattern));
+  return found == index->end() ? &none : &found->second;
+}
+
+const FactTable::Index* FactTable::index_for(Mask bound, Mask& used) const {
+  used = bound;
+  if (const auto exact = indexes_.find(bound); exact != indexes_.end()) return &exact->second;
+  if (indexes_.size() < max_indexes) {
+    Index& index = indexes_[bound];
+    for (const StandingFact& standing : facts()) {
+      index[arguments_in(bound, standing.fact.datum)].emplace(standing.fact.id, &standing);
+    }
+    return &index;
+  }
+  const Index* best = nullptr;
+  used = 0;
+  for (const auto& [mask, index] : indexes_) {
+    if ((mask & ~bound) == 0 && std::popcount(mask) > std::popcount(used)) {
+      best = &index;
+      used = mask;
+    }
+  }
+  return best;
+}
+
+}  // namespace pizarra

@@ -1,0 +1,240 @@
+#include "blackboard/store/store.hpp"
+
+#include "blackboard/limits.hpp"
+#include "blackboard/store/evaluate.hpp"
+#include "blackboard/store/store_change.hpp"
+#include "lisp/pattern.hpp"
+
+namespace pizarra {
+
+namespace {
+
+constexpr Duration longest_lease = std::chrono::hours(24 * 365);
+
+std::unexpected<Failure> unknown_lease(LeaseId lease) {
+  return fail("unknown-lease", "lease " + std::to_string(lease) + " has lapsed, or never was", to_datum(lease));
+}
+
+std::unexpected<Failure> not_met(std::string sentence, Datum subject) {
+  return fail("precondition-failed", std::move(sentence), std::move(subject));
+}
+
+const Fact* first_fit(const FactTable& table, const Datum& pattern) {
+  const Fact* first = nullptr;
+  table.visit(pattern, [&](const Fact& fact) {
+    Bindings bindings;
+    if (match(pattern, fact.datum, bindings)) first = &fact;
+    return first == nullptr;
+  });
+  return first;
+}
+
+Weight weigh(const Transaction& transaction) {
+  constexpr std::size_t envelope = 64;
+  constexpr std::size_t id_bytes = 21;
+  Weight whole;
+  const auto add = [&](const Datum& datum, std::size_t ids) {
+    whole += pizarra::weigh(datum);
+    whole.bytes += envelope + ids * id_bytes;
+    whole.elements += 6 + ids;
+  };
+  for (const auto& precondition : transaction.preconditions) {
+    std::visit([&](const auto& p) { add(p.pattern, 1); }, precondition);
+  }
+  for (const Transaction::Step& step : transaction.steps) {
+    if (const auto* tell = std::get_if<Transaction::Tell>(&step)) add(tell->fact, tell->because.size() + 1);
+    if (const auto* retract = std::get_if<Transaction::Retract>(&step)) add(retract->pattern, 0);
+    if (std::holds_alternative<Transaction::Settle>(step)) add({}, 1);
+  }
+  return whole;
+}
+
+}  // namespace
+
+Result<std::vector<Relation>> Store::declare(const std::vector<Relation>& relations) {
+  std::vector<Relation> fresh;
+  for (const Relation& relation : relations) {
+    // Through its form, so that one put together in C++ is checked like one that was read.
+    const Result<Relation> checked = relation_from_datum(relation_to_datum(relation));
+    if (!checked) return fail(checked);
+    const auto standing = tables_.find(relation.name);
+    if (standing == tables_.end()) {
+      fresh.push_back(*checked);
+    } else if (standing->second.relation() != *checked) {
+      return fail("wrong-shape", "the relation " + relation.name + " is declared differently already",
+                  relation_to_datum(standing->second.relation()));
+    }
+  }
+  if (tables_.size() + fresh.size() > limits::relations) return fail("too-large", "the board has too many relations");
+  for (const Relation& relation : fresh) {
+    tables_.try_emplace(relation.name, relation);
+  }
+  return fresh;
+}
+
+Result<void> Store::check_precondition(const Transaction::Precondition& precondition) const {
+  const Datum& pattern = std::visit([](const auto& p) -> const Datum& { return p.pattern; }, precondition);
+  const Result<const FactTable*> table = table_for(pattern, tables_);
+  if (!table) return fail(table);
+  if (const auto* unchanged = std::get_if<Transaction::Unchanged>(&precondition)) {
+    if ((*table)->unchanged_since(pattern, unchanged->revision)) return {};
+    return not_met("changed since revision " + std::to_string(unchanged->revision), pattern);
+  }
+  const bool wanted = std::holds_alternative<Transaction::Present>(precondition);
+  if ((first_fit(**table, pattern) != nullptr) == wanted) return {};
+  return not_met(wanted ? "no fact is like this" : "there is a fact like this", pattern);
+}
+
+Result<void> Store::check_step(const Transaction::Step& step, std::set<FactId>& settled) {
+  if (const auto* settle = std::get_if<Transaction::Settle>(&step)) {
+    if (held_.contains(settle->taken) && settled.insert(settle->taken).second) return {};
+    return not_met("fact " + std::to_string(settle->taken) + " is not taken, or was put back", to_datum(settle->taken));
+  }
+  const auto* tell = std::get_if<Transaction::Tell>(&step);
+  const Datum& datum = tell != nullptr ? tell->fact : std::get<Transaction::Retract>(step).pattern;
+  const Result<const FactTable*> table = table_for(datum, tables_);
+  if (!table) return fail(table);
+  if (tell == nullptr) return {};
+  if (tell->lease != 0 && leases_.find(tell->lease) == nullptr) return unknown_lease(tell->lease);
+  return check_shape((*table)->relation(), tell->fact);
+}
+
+Result<void> Store::check(const Transaction& transaction) {
+  if (transaction.steps.size() + transaction.preconditions.size() > limits::steps) {
+    return fail("too-large", "a transaction has at most 10000 steps and preconditions");
+  }
+  if (size() + transaction.steps.size() > limits::facts) return fail("too-large", "the board is full");
+  Result<void> checked = check_weight(weigh(transaction), "the transaction");
+  if (!checked) return checked;
+  for (const auto& precondition : transaction.preconditions) {
+    checked = check_precondition(precondition);
+    if (!checked) return checked;
+  }
+  std::set<FactId> settled;
+  for (const Transaction::Step& step : transaction.steps) {
+    checked = check_step(step, settled);
+    if (!checked) return checked;
+  }
+  return {};
+}
+
+Result<Revision> Store::transact(const std::string& teller, const Transaction& transaction, Time now) {
+  const Result<void> checked = check(transaction);
+  if (!checked) return fail(checked);
+  Change change(*this, teller, now);
+  for (const Transaction::Step& step : transaction.steps) {
+    if (const auto* tell = std::get_if<Transaction::Tell>(&step)) change.tell(tell->fact, tell->because, tell->lease);
+    if (const auto* retract = std::get_if<Transaction::Retract>(&step)) change.retract_matching(retract->pattern);
+    if (const auto* settle = std::get_if<Transaction::Settle>(&step)) change.settle(settle->taken);
+  }
+  return change.finish();
+}
+
+Result<Answers> Store::ask(const Query& query) const {
+  if (query.at) return fail("no-history", "this board keeps no journal that could say what was");
+  const Result<void> checked = check_query_on(query, tables_);
+  if (!checked) return fail(checked);
+  Result<std::vector<Answer>> answers = evaluate(query, tables_);
+  if (!answers) return fail(answers);
+  return Answers{revision_, std::move(*answers)};
+}
+
+Result<std::optional<Fact>> Store::take(const std::string& teller, const Datum& pattern, LeaseId holder, Time now) {
+  const Result<void> light = check_weight(pizarra::weigh(pattern), "the pattern");
+  if (!light) return fail(light);
+  const Result<const FactTable*> table = table_for(pattern, tables_);
+  if (!table) return fail(table);
+  if (holder != 0 && leases_.find(holder) == nullptr) return unknown_lease(holder);
+  const Fact* fact = first_fit(**table, pattern);
+  if (fact == nullptr) return std::nullopt;
+  Change change(*this, teller, now);
+  Fact taken = change.take(fact->id, holder);
+  change.finish();
+  return taken;
+}
+
+const Fact* Store::held(FactId id) const {
+  const auto found = held_.find(id);
+  return found == held_.end() ? nullptr : &found->second.fact;
+}
+
+Result<LeaseId> Store::lease(Duration length, Time now) {
+  if (length <= Duration::zero() || length > longest_lease) {
+    return fail("wrong-shape", "a lease is longer than nothing and at most a year", to_datum(length.count()));
+  }
+  if (leases_.size() >= limits::leases) return fail("too-large", "the board has too many leases");
+  return leases_.grant(length, now);
+}
+
+Result<void> Store::renew(LeaseId lease, Time now) {
+  if (leases_.find(lease) == nullptr) return unknown_lease(lease);
+  leases_.renew(lease, now);
+  return {};
+}
+
+Result<void> Store::release(LeaseId lease, Time now) {
+  if (leases_.find(lease) == nullptr) return unknown_lease(lease);
+  lapse(lease, now);
+  return {};
+}
+
+LeaseId Store::lease_of(FactId standing) const {
+  const Home* home = home_of(standing);
+  return home == nullptr ? 0 : home->standing->lease;
+}
+
+const Store::Home* Store::home_of(FactId standing) const {
+  return homes_.find(standing, [&](const Home& home) { return home.standing->fact.id == standing; });
+}
+
+StandingFact& Store::put(FactTable& table, Fact fact) {
+  StandingFact& standing = table.insert({std::move(fact)});
+  homes_.insert(standing.fact.id, {&table, &standing});
+  return standing;
+}
+
+StandingFact Store::remove(Home home, Revision revision) {
+  homes_.erase(home.standing->fact.id, [&](const Home& other) { return other.standing == home.standing; });
+  return home.table->remove(*home.standing, revision);
+}
+
+LeaseId Store::holder_of(FactId taken) const {
+  const auto held = held_.find(taken);
+  return held == held_.end() ? 0 : held->second.holder;
+}
+
+std::optional<Time> Store::next_expiry() const {
+  std::optional<Time> next;
+  if (const auto lease = leases_.first()) next = lease->first;
+  if (!fact_expiries_.empty() && (!next || fact_expiries_.begin()->first < *next)) next = fact_expiries_.begin()->first;
+  return next;
+}
+
+void Store::expire(Time now) {
+  for (std::optional<Time> next = next_expiry(); next && *next <= now; next = next_expiry()) {
+    const auto lease = leases_.first();
+    if (lease && lease->first == *next) {
+      lapse(lease->second, now);
+    } else {
+      lapse_facts(*next, now);
+    }
+  }
+}
+
+void Store::lapse(LeaseId lease, Time now) {
+  const Leases::Lease lapsed = leases_.remove(lease);
+  Change change(*this, "board", now);
+  for (const FactId fact : lapsed.facts) change.retract(fact);
+  for (const FactId taken : lapsed.held) change.put_back(taken);
+  change.finish();
+}
+
+void Store::lapse_facts(Time expiry, Time now) {
+  Change change(*this, "board", now);
+  while (!fact_expiries_.empty() && fact_expiries_.begin()->first <= expiry) {
+    change.retract(fact_expiries_.begin()->second);
+  }
+  change.finish();
+}
+
+}  // namespace pizarra

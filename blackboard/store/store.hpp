@@ -1,0 +1,98 @@
+#pragma once
+
+// The facts themselves: one thread, no clock of its own, the same calls give the same contents and the same commits.
+//
+// Every call that may change something is given the time. expire() must be called before any other call with a time at
+// or after next_expiry(): it lapses leases and leased facts, each lapse one transaction told by "board".
+//
+//   Store store;
+//   store.on_commit = [&](const Commit& commit) { ... };
+//   store.declare({relation});
+//   store.transact("vision", transaction, now);
+
+#include <functional>
+#include <memory>
+
+#include "blackboard/board.hpp"
+#include "blackboard/store/commit.hpp"
+#include "blackboard/store/fact_table.hpp"
+#include "blackboard/store/leases.hpp"
+
+namespace pizarra {
+
+class Store {
+ public:
+  // A board that may live again in the same agents' lifetime begins with a lease that no earlier life has given out.
+  explicit Store(LeaseId first_lease = 1) : leases_(first_lease) {}
+  Store(const Store&) = delete;
+  Store& operator=(const Store&) = delete;
+
+  std::function<void(const Commit&)> on_commit;
+
+  // Answers those that are new.
+  Result<std::vector<Relation>> declare(const std::vector<Relation>& relations);
+  Result<Revision> transact(const std::string& teller, const Transaction& transaction, Time now);
+  Result<Answers> ask(const Query& query) const;
+  // With holder 0 the fact is removed for good.
+  Result<std::optional<Fact>> take(const std::string& teller, const Datum& pattern, LeaseId holder, Time now);
+
+  Result<LeaseId> lease(Duration length, Time now);
+  Result<void> renew(LeaseId lease, Time now);
+  Result<void> release(LeaseId lease, Time now);
+  std::optional<Time> next_expiry() const;
+  void expire(Time now);
+
+  const Tables& tables() const { return tables_; }
+  Revision revision() const { return revision_; }
+  std::size_t size() const { return homes_.size(); }
+  // A taken fact that is neither settled nor put back.
+  const Fact* held(FactId id) const;
+  bool stands(LeaseId lease) const { return leases_.contains(lease); }
+  // The lease that a standing fact goes with, and the one that a taken fact is held under; 0 where there is none.
+  LeaseId lease_of(FactId standing) const;
+  LeaseId holder_of(FactId taken) const;
+
+  // What stood, with a lease or without, or was taken, at the revision where a journal begins, by ascending id; then
+  // its counters.
+  enum class Restored : std::uint8_t { standing, taken, leased };
+  Result<void> restore(Fact fact, Restored as);
+  void restore_counters(Revision revision, FactId next_fact);
+  // Repeats a commit of another store, in order; a failure says why it cannot have happened here. Of facts that it
+  // removes, only the ids need be known.
+  Result<void> apply(Commit commit);
+  // After the last apply, makes the store live: facts of relations that are not durable go, and durable ones that stood
+  // under a lease, for no lease outlives the board that gave it; what was taken comes back, and leased relations' facts
+  // begin their leases.
+  void resume(Time now);
+
+ private:
+  struct Held {
+    Fact fact;
+    LeaseId holder;
+  };
+  struct Home {
+    FactTable* table;
+    StandingFact* standing;
+  };
+  class Change;
+
+  const Home* home_of(FactId standing) const;
+  StandingFact& put(FactTable& table, Fact fact);
+  StandingFact remove(Home home, Revision revision);
+  Result<void> check(const Transaction& transaction);
+  Result<void> check_precondition(const Transaction::Precondition& precondition) const;
+  Result<void> check_step(const Transaction::Step& step, std::set<FactId>& settled);
+  void lapse(LeaseId lease, Time now);
+  void lapse_facts(Time expiry, Time now);
+  Result<void> apply_entry(const Commit& commit, Commit::Entry& entry);
+
+  Tables tables_;
+  HashIndex<Home> homes_;  // by the ids of what stands
+  std::map<FactId, Held> held_;
+  Leases leases_;
+  std::set<std::pair<Time, FactId>> fact_expiries_;
+  Revision revision_ = 0;
+  FactId next_fact_ = 1;
+};
+
+}  // namespace pizarra

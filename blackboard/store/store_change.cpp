@@ -1,0 +1,148 @@
+#include "blackboard/store/store_change.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+#include "lisp/pattern.hpp"
+
+namespace pizarra {
+
+using Kind = Commit::Entry::Kind;
+
+Store::Change::Change(Store& store, std::string teller, Time now) : store_(store) {
+  commit_.revision = store.revision_ + 1;
+  commit_.when = now;
+  commit_.teller = std::move(teller);
+}
+
+// Most transactions are about one relation.
+FactTable& Store::Change::table_of(const Datum& fact) {
+  if (last_table_ == nullptr || last_table_->relation().name != fact.head()) {
+    last_table_ = &store_.tables_.find(fact.head())->second;
+  }
+  return *last_table_;
+}
+
+void Store::Change::tell(const Datum& fact, const std::vector<FactId>& because, LeaseId lease) {
+  FactTable& table = table_of(fact);
+  if (StandingFact* standing = table.find_key_of(fact)) {
+    if (standing->fact.datum == fact) {
+      note_lease(table, *standing, lease);
+      return set_lease(table, *standing, lease);
+    }
+    retract(standing->fact.id);
+  }
+  Fact told;
+  told.datum = fact;
+  told.id = store_.next_fact_++;
+  told.teller = commit_.teller;
+  told.when = commit_.when;
+  told.because = because;
+  told.revision = commit_.revision;
+  commit_.entries.emplace_back(Kind::told, told);
+  commit_.entries.back().under_lease = lease != 0 && table.relation().durable;
+  insert(std::move(told), lease);
+}
+
+void Store::Change::retract(FactId id) {
+  Fact fact = remove(id);
+  if (fact.revision == commit_.revision) {
+    const auto told = std::find_if(commit_.entries.rbegin(), commit_.entries.rend(),
+                                   [&](const Commit::Entry& entry) { return adds(entry) && entry.fact.id == id; });
+    commit_.entries.erase(std::next(told).base());
+  } else {
+    commit_.entries.emplace_back(Kind::retracted, std::move(fact));
+  }
+}
+
+void Store::Change::retract_matching(const Datum& pattern) {
+  std::vector<FactId> fitting;
+  table_of(pattern).visit(pattern, [&](const Fact& fact) {
+    Bindings bindings;
+    if (match(pattern, fact.datum, bindings)) fitting.push_back(fact.id);
+    return true;
+  });
+  for (const FactId id : fitting) retract(id);
+}
+
+Fact Store::Change::take(FactId id, LeaseId holder) {
+  Fact fact = remove(id);
+  commit_.entries.push_back({holder == 0 ? Kind::retracted : Kind::taken, fact});
+  if (holder != 0) {
+    store_.held_[id] = {fact, holder};
+    store_.leases_.find(holder)->held.insert(id);
+  }
+  return fact;
+}
+
+void Store::Change::settle(FactId taken) {
+  const auto held = store_.held_.find(taken);
+  if (Leases::Lease* lease = store_.leases_.find(held->second.holder)) lease->held.erase(taken);
+  commit_.entries.push_back({Kind::settled, std::move(held->second.fact)});
+  store_.held_.erase(held);
+}
+
+void Store::Change::put_back(FactId taken) {
+  const auto held = store_.held_.find(taken);
+  if (table_of(held->second.fact.datum).find_key_of(held->second.fact.datum) != nullptr) {
+    return settle(taken);
+  }
+  Fact fact = std::move(held->second.fact);
+  store_.held_.erase(held);
+  fact.id = store_.next_fact_++;
+  fact.revision = commit_.revision;
+  commit_.entries.push_back({Kind::returned, fact, taken});
+  insert(std::move(fact), 0);
+}
+
+Revision Store::Change::finish() {
+  if (commit_.entries.empty()) return store_.revision_;
+  store_.revision_ = commit_.revision;
+  if (store_.on_commit) store_.on_commit(commit_);
+  return store_.revision_;
+}
+
+Fact Store::Change::remove(FactId id) {
+  const Home* home = store_.home_of(id);
+  assert(home != nullptr);
+  StandingFact removed = store_.remove(*home, commit_.revision);
+  if (removed.lease != 0) {
+    if (Leases::Lease* lease = store_.leases_.find(removed.lease)) lease->facts.erase(id);
+  }
+  if (removed.expiry) store_.fact_expiries_.erase({*removed.expiry, id});
+  return std::move(removed.fact);
+}
+
+void Store::Change::insert(Fact fact, LeaseId lease) {
+  FactTable& table = table_of(fact.datum);
+  set_lease(table, store_.put(table, std::move(fact)), lease);
+}
+
+// Whether a durable fact goes with a lease is part of what must last: it is not to outlive a lease that did not.
+void Store::Change::note_lease(const FactTable& table, const StandingFact& standing, LeaseId lease) {
+  const bool changes = (standing.lease != 0) != (lease != 0);
+  if (!table.relation().durable || !changes) return;
+  if (standing.fact.revision != commit_.revision) {
+    commit_.entries.emplace_back(lease != 0 ? Kind::leased : Kind::kept, standing.fact);
+    return;
+  }
+  const auto told = std::find_if(commit_.entries.rbegin(), commit_.entries.rend(), [&](const Commit::Entry& entry) {
+    return adds(entry) && entry.fact.id == standing.fact.id;
+  });
+  told->under_lease = lease != 0;
+}
+
+void Store::Change::set_lease(FactTable& table, StandingFact& standing, LeaseId lease) {
+  const FactId id = standing.fact.id;
+  if (standing.lease != lease) {
+    if (Leases::Lease* former = store_.leases_.find(standing.lease)) former->facts.erase(id);
+    if (Leases::Lease* now = store_.leases_.find(lease)) now->facts.insert(id);
+    standing.lease = lease;
+  }
+  if (standing.expiry) store_.fact_expiries_.erase({*standing.expiry, id});
+  if (!table.relation().lease) return;
+  standing.expiry = commit_.when + *table.relation().lease;
+  store_.fact_expiries_.emplace(*standing.expiry, id);
+}
+
+}  // namespace pizarra

@@ -1,0 +1,36 @@
+#pragma once
+
+// One transaction of a Store while it is carried out: every change of the facts goes through here and becomes part of
+// the Commit that finish() hands on. Nothing here can fail; what could was checked before.
+
+#include "blackboard/store/store.hpp"
+
+namespace pizarra {
+
+class Store::Change {
+ public:
+  Change(Store& store, std::string teller, Time now);
+
+  void tell(const Datum& fact, const std::vector<FactId>& because, LeaseId lease);
+  void retract(FactId id);
+  void retract_matching(const Datum& pattern);
+  Fact take(FactId id, LeaseId holder);
+  void settle(FactId taken);
+  // Puts a held fact back under a new id, or lets it go where another with its key stands by now.
+  void put_back(FactId taken);
+  // The revision the store is at then; a new one if anything changed.
+  Revision finish();
+
+ private:
+  FactTable& table_of(const Datum& fact);
+  Fact remove(FactId id);
+  void insert(Fact fact, LeaseId lease);
+  void note_lease(const FactTable& table, const StandingFact& standing, LeaseId lease);
+  void set_lease(FactTable& table, StandingFact& entry, LeaseId lease);
+
+  Store& store_;
+  FactTable* last_table_ = nullptr;
+  Commit commit_;
+};
+
+}  // namespace pizarra

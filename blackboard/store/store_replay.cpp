@@ -1,0 +1,115 @@
+// How a store repeats what a journal tells it, and comes back to life from it.
+
+#include "blackboard/store/evaluate.hpp"
+#include "blackboard/store/store.hpp"
+#include "blackboard/store/store_change.hpp"
+
+namespace pizarra {
+
+using Kind = Commit::Entry::Kind;
+
+namespace {
+
+// That of a standing fact whose lease ended with the board that gave it.
+constexpr LeaseId lease_of_former_life = ~LeaseId{0};
+
+std::unexpected<Failure> impossible(const Commit& commit, std::string sentence, Datum subject) {
+  return fail("bad-journal", "revision " + std::to_string(commit.revision) + ": " + std::move(sentence),
+              std::move(subject));
+}
+
+}  // namespace
+
+Result<void> Store::apply(Commit commit) {
+  if (commit.revision <= revision_) return impossible(commit, "revisions only grow", to_datum(revision_));
+  for (Commit::Entry& entry : commit.entries) {
+    Result<void> applied = apply_entry(commit, entry);
+    if (!applied) return applied;
+  }
+  revision_ = commit.revision;
+  if (on_commit) on_commit(commit);
+  return {};
+}
+
+Result<void> Store::apply_entry(const Commit& commit, Commit::Entry& entry) {
+  Fact& fact = entry.fact;
+  if (entry.kind == Kind::settled || entry.kind == Kind::returned) {
+    const auto held = held_.find(entry.kind == Kind::settled ? fact.id : entry.former);
+    if (held == held_.end()) return impossible(commit, "this fact was not taken", to_datum(fact.id));
+    const FactId id = fact.id;
+    fact = std::move(held->second.fact);
+    held_.erase(held);
+    if (entry.kind == Kind::settled) return {};
+    fact.id = id;
+    fact.revision = commit.revision;
+  }
+  if (entry.kind == Kind::leased || entry.kind == Kind::kept) {
+    const Home* home = home_of(fact.id);
+    if (home == nullptr) return impossible(commit, "there is no such fact", to_datum(fact.id));
+    StandingFact& standing = *home->standing;
+    standing.lease = entry.kind == Kind::leased ? lease_of_former_life : 0;
+    fact = standing.fact;
+    return {};
+  }
+  if (removes(entry)) {
+    const Home* home = home_of(fact.id);
+    if (home == nullptr) return impossible(commit, "there is no such fact", to_datum(fact.id));
+    fact = remove(*home, commit.revision).fact;
+    if (entry.kind == Kind::taken) held_[fact.id] = {fact, 0};
+    return {};
+  }
+  const Result<void> restored = restore(fact, entry.under_lease ? Restored::leased : Restored::standing);
+  if (!restored) return impossible(commit, restored.error().sentence, restored.error().subject);
+  return {};
+}
+
+Result<void> Store::restore(Fact fact, Restored as) {
+  const Result<const FactTable*> found = table_for(fact.datum, tables_);
+  if (!found) return fail(found);
+  FactTable& table = tables_.find(fact.datum.head())->second;
+  const Result<void> shaped = check_shape(table.relation(), fact.datum);
+  if (!shaped) return shaped;
+  const bool taken = as == Restored::taken;
+  const bool free = fact.id >= next_fact_ && (taken || table.find_key_of(fact.datum) == nullptr);
+  if (!free) return fail("bad-journal", "a fact with this id or key stands already", fact.datum);
+  next_fact_ = fact.id + 1;
+  if (taken) {
+    held_[fact.id] = {std::move(fact), 0};
+    return {};
+  }
+  put(table, std::move(fact)).lease = as == Restored::leased ? lease_of_former_life : 0;
+  return {};
+}
+
+void Store::restore_counters(Revision revision, FactId next_fact) {
+  revision_ = revision;
+  next_fact_ = std::max(next_fact_, next_fact);
+}
+
+void Store::resume(Time now) {
+  Change change(*this, "board", now);
+  for (auto& [name, table] : tables_) {
+    std::vector<FactId> passing;
+    for (const StandingFact& standing : table.facts()) {
+      if (!table.relation().durable || standing.lease != 0) passing.push_back(standing.fact.id);
+    }
+    for (const FactId id : passing) change.retract(id);
+    if (!table.relation().lease) continue;
+    for (const StandingFact& standing : table.facts()) {
+      const FactId id = standing.fact.id;
+      table.find(id)->expiry = now + *table.relation().lease;
+      fact_expiries_.emplace(now + *table.relation().lease, id);
+    }
+  }
+  while (!held_.empty()) {
+    const auto& [id, held] = *held_.begin();
+    if (tables_.find(held.fact.datum.head())->second.relation().durable) {
+      change.put_back(id);
+    } else {
+      change.settle(id);
+    }
+  }
+  change.finish();
+}
+
+}  // namespace pizarra

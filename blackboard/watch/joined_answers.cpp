@@ -1,0 +1,177 @@
+#include "blackboard/watch/joined_answers.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "blackboard/watch/join_course.hpp"
+#include "lisp/pattern.hpp"
+
+namespace pizarra {
+
+namespace {
+
+using Kind = Query::Clause::Kind;
+
+Weight weigh_answer(const std::vector<Fact>& facts) {
+  constexpr std::size_t answer_bytes = 3;
+  Weight weight{.bytes = answer_bytes, .elements = 1};
+  for (const Fact& fact : facts) weight += weigh(fact);
+  return weight;
+}
+
+}  // namespace
+
+bool JoinedAnswers::Before::operator()(const Rank& a, const Rank& b) const {
+  const std::strong_ordering order = compare_values(a.value, b.value);
+  if (order != 0) return descending ? order > 0 : order < 0;
+  return a.ids < b.ids;
+}
+
+JoinedAnswers::JoinedAnswers(const Query& query, const Tables& tables)
+    : query_(with_own_variables(query)), tables_(tables), standing_(Before{query.descending}) {
+  const auto is_absent = [&](std::size_t i) { return query_.clauses[i].kind == Kind::absent; };
+  for (std::size_t i = 0; i < query_.clauses.size(); ++i) {
+    std::vector<std::size_t> course = course_from(query_, i, tables_);
+    positive_courses_.push_back(course);
+    std::erase_if(positive_courses_.back(), is_absent);
+    // Something else may stand in the way still.
+    if (is_absent(i)) course.insert(course.begin(), i);
+    courses_.push_back(std::move(course));
+  }
+}
+
+Result<Delta::Side> JoinedAnswers::all() {
+  Result<std::vector<Answer>> answers = evaluate(query_, tables_);
+  if (!answers) return fail(answers);
+  standing_with_.clear();
+  standing_.clear();
+  weight_ = {};
+  Delta::Side side;
+  for (Answer& answer : *answers) {
+    std::ranges::copy(answer.facts, std::back_inserter(side.facts));
+    add(std::move(answer), nullptr);
+  }
+  side.answers = standing_.size();
+  return side;
+}
+
+Result<void> JoinedAnswers::follow(const Commit& commit, Delta& delta) {
+  Changes changes{Answers(standing_.key_comp()), Answers(standing_.key_comp())};
+  const bool was_full = query_.limit && standing_.size() >= *query_.limit;
+  std::size_t examined = 0;
+  for (const Commit::Entry& entry : commit.entries) {
+    if (removes(entry)) remove_with(entry.fact.id, changes);
+  }
+  Result<void> done = find_blocked(commit, changes, examined);
+  if (done) done = was_full && !changes.removed.empty() ? answer_anew(changes) : find_new(commit, changes, examined);
+  examined_ += examined;
+  if (!done) return done;
+  cut(changes);
+  const auto move_to = [](Delta::Side& side, Answers& answers) {
+    side.answers = answers.size();
+    for (auto& [rank, answer] : answers) std::ranges::move(answer.facts, std::back_inserter(side.facts));
+  };
+  move_to(delta.added, changes.added);
+  move_to(delta.removed, changes.removed);
+  return check_weight(weight_, "the answer");
+}
+
+JoinedAnswers::Rank JoinedAnswers::rank_of(const Answer& answer) const {
+  Rank rank;
+  if (!query_.order.empty()) rank.value = *answer.bindings.find(query_.order);
+  for (const Fact& fact : answer.facts) rank.ids.push_back(fact.id);
+  return rank;
+}
+
+void JoinedAnswers::add(Answer answer, Changes* changes) {
+  const auto [place, fresh] = standing_.try_emplace(rank_of(answer), Standing{next_serial_, {}});
+  if (!fresh) return;
+  ++next_serial_;
+  place->second.facts = std::move(answer.facts);
+  for (const Fact& fact : place->second.facts) standing_with_[{fact.id, place->second.serial}] = place;
+  weight_ += weigh_answer(place->second.facts);
+  if (changes != nullptr) changes->added.insert(*place);
+}
+
+// What came by the same commit has not been heard of, and goes without a word.
+void JoinedAnswers::remove(Answers::iterator answer, Changes& changes) {
+  for (const Fact& fact : answer->second.facts) standing_with_.erase({fact.id, answer->second.serial});
+  const Weight weight = weigh_answer(answer->second.facts);
+  weight_.bytes -= weight.bytes;
+  weight_.elements -= weight.elements;
+  auto node = standing_.extract(answer);
+  if (changes.added.erase(node.key()) == 0) changes.removed.insert(std::move(node));
+}
+
+void JoinedAnswers::remove_with(FactId fact, Changes& changes) {
+  for (auto next = standing_with_.lower_bound({fact, 0}); next != standing_with_.end() && next->first.first == fact;
+       next = standing_with_.lower_bound({fact, 0})) {
+    remove(next->second, changes);
+  }
+}
+
+void JoinedAnswers::cut(Changes& changes) {
+  while (query_.limit && standing_.size() > *query_.limit) remove(std::prev(standing_.end()), changes);
+}
+
+// Nothing where the clause is not about the fact.
+std::optional<SearchStart> JoinedAnswers::start_from(const Fact& fact, std::size_t clause) const {
+  const auto& [kind, form] = query_.clauses[clause];
+  Bindings bindings;
+  if (!resembles(form, fact.datum) || !match(form, fact.datum, bindings)) return std::nullopt;
+  if (kind == Kind::fact) return SearchStart{std::move(bindings), clause, &fact};
+  return SearchStart{shared_bindings(query_, bindings), clause, nullptr};
+}
+
+Result<void> JoinedAnswers::find_blocked(const Commit& commit, Changes& changes, std::size_t& examined) {
+  for (std::size_t clause = 0; clause < query_.clauses.size(); ++clause) {
+    if (query_.clauses[clause].kind != Kind::absent) continue;
+    for (const Commit::Entry& entry : commit.entries) {
+      if (!adds(entry) || standing_.empty()) continue;
+      std::optional<SearchStart> start = start_from(entry.fact, clause);
+      if (!start) continue;
+      const Result<std::vector<Answer>> blocked =
+          evaluate_from(std::move(*start), positive_courses_[clause], query_, tables_, examined);
+      if (!blocked) return fail(blocked);
+      for (const Answer& answer : *blocked) {
+        const auto found = standing_.find(rank_of(answer));
+        if (found != standing_.end()) remove(found, changes);
+      }
+    }
+  }
+  return {};
+}
+
+Result<void> JoinedAnswers::find_new(const Commit& commit, Changes& changes, std::size_t& examined) {
+  for (std::size_t clause = 0; clause < query_.clauses.size(); ++clause) {
+    const Kind kind = query_.clauses[clause].kind;
+    if (kind == Kind::compare) continue;
+    for (const Commit::Entry& entry : commit.entries) {
+      if (kind == Kind::fact ? !adds(entry) : !removes(entry)) continue;
+      std::optional<SearchStart> start = start_from(entry.fact, clause);
+      if (!start) continue;
+      Result<std::vector<Answer>> found = evaluate_from(std::move(*start), courses_[clause], query_, tables_, examined);
+      if (!found) return fail(found);
+      for (Answer& answer : *found) add(std::move(answer), &changes);
+    }
+  }
+  return {};
+}
+
+Result<void> JoinedAnswers::answer_anew(Changes& changes) {
+  Result<std::vector<Answer>> answers = evaluate(query_, tables_);
+  if (!answers) return fail(answers);
+  std::set<Ids> now;
+  for (Answer& answer : *answers) {
+    now.insert(rank_of(answer).ids);
+    add(std::move(answer), &changes);
+  }
+  for (auto answer = standing_.begin(); answer != standing_.end();) {
+    const auto next = std::next(answer);
+    if (!now.contains(answer->first.ids)) remove(answer, changes);
+    answer = next;
+  }
+  return {};
+}
+
+}  // namespace pizarra

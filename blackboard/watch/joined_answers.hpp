@@ -1,0 +1,78 @@
+#pragma once
+
+// The answers of a watched query of several patterns, kept up to date from what commits change: the answers that a fact
+// brings, ends, blocks (one that a `not` fits) or frees are found from that fact on, whatever else is on the board.
+//
+// Of a query with a limit only the answers within it are kept. It is answered anew when one of them goes while others
+// may stand outside: nobody knows which of those comes in.
+//
+//   JoinedAnswers answers(query, tables);
+//   Result<Delta::Side> all = answers.all();
+//   Result<void> followed = answers.follow(commit, delta);          // what is added and removed
+//
+// After a failure, too-large, what is kept is worth nothing, until all() is asked for again.
+
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "blackboard/delta.hpp"
+#include "blackboard/limits.hpp"
+#include "blackboard/store/commit.hpp"
+#include "blackboard/store/evaluate.hpp"
+
+namespace pizarra {
+
+class JoinedAnswers {
+ public:
+  // The query has been checked on the tables, which outlive this.
+  JoinedAnswers(const Query& query, const Tables& tables);
+
+  Result<Delta::Side> all();
+  Result<void> follow(const Commit& commit, Delta& delta);
+  // How many facts following has looked at.
+  std::uint64_t examined() const { return examined_; }
+
+ private:
+  using Ids = std::vector<FactId>;
+  struct Rank {
+    Datum value;  // what the answers are ordered by, where they are
+    Ids ids;
+  };
+  struct Before {
+    bool descending;
+    bool operator()(const Rank& a, const Rank& b) const;
+  };
+  struct Standing {
+    std::uint64_t serial;
+    std::vector<Fact> facts;
+  };
+  using Answers = std::map<Rank, Standing, Before>;
+  struct Changes {
+    Answers added;
+    Answers removed;
+  };
+
+  Rank rank_of(const Answer& answer) const;
+  void add(Answer answer, Changes* changes);
+  void remove(Answers::iterator answer, Changes& changes);
+  void remove_with(FactId fact, Changes& changes);
+  void cut(Changes& changes);
+  std::optional<SearchStart> start_from(const Fact& fact, std::size_t clause) const;
+  Result<void> find_blocked(const Commit& commit, Changes& changes, std::size_t& examined);
+  Result<void> find_new(const Commit& commit, Changes& changes, std::size_t& examined);
+  Result<void> answer_anew(Changes& changes);
+
+  const Query query_;
+  const Tables& tables_;
+  // From each clause: to the answers that a fact brings or frees, and, through no other `not`, to those it may block.
+  std::vector<std::vector<std::size_t>> courses_;
+  std::vector<std::vector<std::size_t>> positive_courses_;
+  Answers standing_;
+  std::map<std::pair<FactId, std::uint64_t>, Answers::iterator> standing_with_;  // a fact, by the answers' serials
+  std::uint64_t next_serial_ = 1;
+  Weight weight_;
+  std::uint64_t examined_ = 0;
+};
+
+}  // namespace pizarra

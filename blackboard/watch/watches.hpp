@@ -1,0 +1,72 @@
+#pragma once
+
+// Watched queries, found by what a commit changes: a commit costs what it concerns, not the number of watches.
+//
+// Every pattern of a query, also one under `not`, is filed under one of its arguments that is a value, the one that the
+// fewest others are filed under; those without any are filed under their relation. A changed fact leads to what is
+// filed under its own arguments, and of these it touches the watches that have a pattern it resembles.
+//
+//   Result<std::unique_ptr<WatchQueue>> queue = watches.add(query, [&] { wake_reader(); });
+//   watches.committed(commit);
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "blackboard/watch/watch_queue.hpp"
+
+namespace pizarra {
+
+// It outlives its queues.
+class WatchTable {
+ public:
+  explicit WatchTable(const Store& store) : store_(store) {}
+  WatchTable(const WatchTable&) = delete;
+  WatchTable& operator=(const WatchTable&) = delete;
+  ~WatchTable();
+
+  // The first change is queued; `on_ready` is called whenever the queue becomes ready after having been empty.
+  Result<std::unique_ptr<WatchQueue>> add(const Query& query, std::function<void()> on_ready, std::string watcher = "");
+  void committed(const Commit& commit);
+  std::size_t size() const { return size_; }
+  // How many patterns of whose watches are about a relation.
+  std::map<std::string, std::size_t> watchers_of(std::string_view relation) const;
+  // What waits for each watcher.
+  struct Load {
+    std::size_t watches = 0;
+    std::size_t changes = 0;
+    std::size_t bytes = 0;
+  };
+  std::map<std::string, Load> loads() const;
+
+ private:
+  friend class WatchQueue;
+  struct Filed {
+    WatchQueue* watch;
+    const Datum* pattern;
+  };
+  using File = std::vector<Filed>;
+  using Files = std::unordered_map<Datum, File>;  // by an argument's value
+  struct Concerned {                              // with a relation
+    File all;
+    std::map<std::size_t, Files> by_argument;  // by its place in the fact
+  };
+
+  void enter(WatchQueue& watch);
+  void forget(const WatchQueue& watch);
+  File& file_for(Concerned& relation, const Datum& pattern);
+  void find_touched(const Fact& fact, Revision revision, std::vector<WatchQueue*>& touched) const;
+
+  template <class Visitor>
+  static void visit(const Concerned& relation, Visitor&& visitor);
+
+  const Store& store_;
+  std::uint64_t next_number_ = 1;
+  std::size_t size_ = 0;
+  std::map<std::string, Concerned, std::less<>> relations_;
+};
+
+}  // namespace pizarra

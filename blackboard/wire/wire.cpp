@@ -1,0 +1,279 @@
+#include "blackboard/wire/wire.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+#include "blackboard/limits.hpp"
+#include "lisp/pattern.hpp"
+#include "lisp/writer.hpp"
+
+namespace pizarra::wire {
+
+namespace {
+
+std::unexpected<Failure> bad_frame(const char* sentence, const Datum& form) {
+  return fail("bad-frame", sentence, form);
+}
+
+Result<std::vector<FactId>> ids_from(std::span<const Datum> forms) {
+  std::vector<FactId> ids;
+  for (const Datum& form : forms) {
+    const std::optional<std::uint64_t> id = count_from(form);
+    if (!id) return bad_frame("a cause is the id of a fact", form);
+    ids.push_back(*id);
+  }
+  return ids;
+}
+
+Result<Transaction::Precondition> precondition_from_datum(const Datum& form) {
+  if (form.is_form("present") && form.size() == 2) return Transaction::Present{form[1]};
+  if (form.is_form("absent") && form.size() == 2) return Transaction::Absent{form[1]};
+  if (form.is_form("unchanged") && form.size() == 3) {
+    if (const auto revision = count_from(form[2])) return Transaction::Unchanged{form[1], *revision};
+  }
+  return bad_frame("not a precondition", form);
+}
+
+Result<Transaction::Step> step_from_datum(const Datum& form) {
+  if (form.is_form("retract") && form.size() == 2) return Transaction::Retract{form[1]};
+  if (form.is_form("settle") && form.size() == 2) {
+    if (const auto taken = count_from(form[1])) return Transaction::Settle{*taken};
+  }
+  if (form.is_form("tell") && form.size() >= 3) {
+    const std::optional<std::uint64_t> lease = count_from(form[2]);
+    Result<std::vector<FactId>> because = ids_from(form.items().subspan(3));
+    if (!because) return fail(because);
+    if (lease) return Transaction::Tell{form[1], std::move(*because), *lease};
+  }
+  return bad_frame("not a step of a transaction", form);
+}
+
+Result<Delta::Side> side_from_datum(std::size_t width, const Datum& form) {
+  if (!form.is_list()) return bad_frame("not a list of answers", form);
+  Delta::Side side;
+  side.answers = form.size();
+  side.facts.reserve(side.answers * width);
+  for (const Datum& answer : form.items()) {
+    if (!answer.is_list() || answer.size() != width) return bad_frame("an answer has another number of facts", answer);
+    for (const Datum& item : answer.items()) {
+      Result<Fact> fact = fact_from_datum(item);
+      if (!fact) return fail(fact);
+      side.facts.push_back(std::move(*fact));
+    }
+  }
+  return side;
+}
+
+constexpr std::array<std::string_view, 5> kind_names = {"no", "yes", "first", "more", "last"};
+
+void write_number(std::string& out, std::integral auto value) {
+  std::array<char, 24> digits;
+  out.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr);
+}
+
+// Each precondition and step as a form, one after another.
+struct TransactionWriter {
+  explicit TransactionWriter(std::string& text) : out(text) {}
+
+  void operator()(const Transaction::Present& present) { write_form("(present ", present.pattern); }
+  void operator()(const Transaction::Absent& absent) { write_form("(absent ", absent.pattern); }
+  void operator()(const Transaction::Unchanged& unchanged) {
+    write_form("(unchanged ", unchanged.pattern);
+    add_number(unchanged.revision);
+  }
+  void operator()(const Transaction::Tell& tell) {
+    write_form("(tell ", tell.fact);
+    add_number(tell.lease);
+    for (const FactId cause : tell.because) add_number(cause);
+  }
+  void operator()(const Transaction::Retract& retract) { write_form("(retract ", retract.pattern); }
+  void operator()(const Transaction::Settle& settle) {
+    out += "(settle)";
+    add_number(settle.taken);
+  }
+
+  std::string& out;
+  Weight weight;
+
+ private:
+  void write_form(std::string_view head, const Datum& datum) {
+    out += head;
+    write_to(out, datum);
+    out += ')';
+    weight += weigh(datum);
+    weight.elements += 2;
+  }
+  // Into the form that was written last.
+  void add_number(std::uint64_t number) {
+    out.back() = ' ';
+    write_number(out, number);
+    out += ')';
+    ++weight.elements;
+  }
+};
+
+void write_fact(std::string& out, const Fact& fact) {
+  out += '(';
+  write_number(out, fact.id);
+  out += ' ';
+  write_number(out, fact.revision);
+  out += ' ';
+  write_number(out, fact.when.time_since_epoch().count());
+  out += ' ';
+  write_to(out, to_datum(fact.teller));
+  out += ' ';
+  write_to(out, fact.datum);
+  for (const FactId cause : fact.because) {
+    out += ' ';
+    write_number(out, cause);
+  }
+  out += ')';
+}
+
+void write_answers(std::string& out, std::size_t width, const Delta::Side& side) {
+  out += " (";
+  auto next = side.facts.begin();
+  for (std::size_t answer = 0; answer < side.answers; ++answer) {
+    out += '(';
+    for (std::size_t i = 0; i < width; ++i) write_fact(out, *next++);
+    out += ')';
+  }
+  out += ')';
+}
+
+Result<Answer> answer_from_datum(const Query& query, const Datum& form) {
+  Answer answer;
+  for (const Query::Clause& clause : query.clauses) {
+    if (clause.kind != Query::Clause::Kind::fact) continue;
+    if (answer.facts.size() >= form.size()) return bad_frame("an answer lacks a fact", form);
+    Result<Fact> fact = fact_from_datum(form[answer.facts.size()]);
+    if (!fact) return fail(fact);
+    if (!match(clause.form, fact->datum, answer.bindings)) return bad_frame("a fact does not fit the query", form);
+    answer.facts.push_back(std::move(*fact));
+  }
+  if (!form.is_list() || answer.facts.size() != form.size()) return bad_frame("an answer has a fact too many", form);
+  return answer;
+}
+
+}  // namespace
+
+Result<Datum> read_frame(std::string_view text) {
+  ReadLimits allowed;
+  allowed.bytes = limits::frame_bytes;
+  allowed.depth = limits::frame_depth;
+  allowed.elements = limits::frame_elements;
+  return read_one(text, allowed, "frame");
+}
+
+std::optional<std::uint64_t> count_from(const Datum& datum) {
+  if (!datum.is_integer() || datum.integer() < 0) return std::nullopt;
+  return static_cast<std::uint64_t>(datum.integer());
+}
+
+std::optional<std::uint64_t> count_at(const Datum& form, std::size_t index) {
+  if (index >= form.size()) return std::nullopt;
+  return count_from(form[index]);
+}
+
+Weight write_transaction(std::string& out, const Transaction& transaction) {
+  TransactionWriter writer(out);
+  out += "(transact (";
+  for (const auto& precondition : transaction.preconditions) std::visit(writer, precondition);
+  out += ") (";
+  for (const Transaction::Step& step : transaction.steps) std::visit(writer, step);
+  out += "))";
+  return writer.weight;
+}
+
+Result<Transaction> transaction_from_datum(const Datum& body) {
+  if (body.size() != 3 || !body[1].is_list() || !body[2].is_list()) return bad_frame("not a transaction", body);
+  Transaction transaction;
+  for (const Datum& form : body[1].items()) {
+    Result<Transaction::Precondition> precondition = precondition_from_datum(form);
+    if (!precondition) return fail(precondition);
+    transaction.preconditions.push_back(std::move(*precondition));
+  }
+  for (const Datum& form : body[2].items()) {
+    Result<Transaction::Step> step = step_from_datum(form);
+    if (!step) return fail(step);
+    transaction.steps.push_back(std::move(*step));
+  }
+  return transaction;
+}
+
+Datum fact_to_datum(const Fact& fact) {
+  std::vector<Datum> form = {to_datum(fact.id), to_datum(fact.revision), to_datum(fact.when.time_since_epoch().count()),
+                             to_datum(fact.teller), fact.datum};
+  for (const FactId cause : fact.because) form.push_back(to_datum(cause));
+  return Datum::list(std::move(form));
+}
+
+Result<Fact> fact_from_datum(const Datum& form) {
+  if (form.size() < 5 || !form[2].is_integer() || !form[3].is_string() || !form[4].is_list()) {
+    return bad_frame("not a fact with its provenance", form);
+  }
+  const std::optional<std::uint64_t> id = count_from(form[0]);
+  const std::optional<std::uint64_t> revision = count_from(form[1]);
+  Result<std::vector<FactId>> because = ids_from(form.items().subspan(5));
+  if (!id || *id == 0 || !revision || !because) return bad_frame("not a fact with its provenance", form);
+  Fact fact;
+  fact.id = *id;
+  fact.revision = *revision;
+  fact.when = Time(Duration(form[2].integer()));
+  fact.teller = form[3].text();
+  fact.datum = form[4];
+  fact.because = std::move(*because);
+  return fact;
+}
+
+Datum answer_to_datum(const Answer& answer) {
+  std::vector<Datum> facts;
+  facts.reserve(answer.facts.size());
+  for (const Fact& fact : answer.facts) facts.push_back(fact_to_datum(fact));
+  return Datum::list(std::move(facts));
+}
+
+Result<std::vector<Answer>> answers_from_datum(const Query& query, std::span<const Datum> forms) {
+  std::vector<Answer> answers;
+  answers.reserve(forms.size());
+  for (const Datum& form : forms) {
+    Result<Answer> answer = answer_from_datum(query, form);
+    if (!answer) return fail(answer);
+    answers.push_back(std::move(*answer));
+  }
+  return answers;
+}
+
+void write_change(std::string& out, WatchId watch, std::uint64_t sequence, std::size_t width, const Delta& delta) {
+  out += "(change ";
+  write_number(out, watch);
+  out += ' ';
+  write_number(out, sequence);
+  out += ' ';
+  write_number(out, delta.revision);
+  out += ' ';
+  out += kind_names[static_cast<std::size_t>(delta.kind)];
+  write_answers(out, width, delta.added);
+  write_answers(out, width, delta.removed);
+  out += ')';
+}
+
+Result<Delta> delta_from_datum(const Query& query, const Datum& form) {
+  const auto name = std::ranges::find(kind_names, form.size() == 7 ? form[4].text() : std::string_view());
+  const std::optional<std::uint64_t> revision = count_at(form, 3);
+  if (name == kind_names.end() || !revision || !form[4].is_symbol()) return bad_frame("not a change", form);
+  const std::size_t width = width_of(query);
+  Result<Delta::Side> added = side_from_datum(width, form[5]);
+  if (!added) return fail(added);
+  Result<Delta::Side> removed = side_from_datum(width, form[6]);
+  if (!removed) return fail(removed);
+  Delta delta;
+  delta.revision = *revision;
+  delta.kind = static_cast<Delta::Kind>(name - kind_names.begin());
+  delta.added = std::move(*added);
+  delta.removed = std::move(*removed);
+  return delta;
+}
+
+}  // namespace pizarra::wire

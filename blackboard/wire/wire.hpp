@@ -1,0 +1,72 @@
+#pragma once
+
+// What clients and the board server say to each other: one s-expression a frame, in text.
+//
+// Client to server                              Server to client
+//   (hello TELLER SESSION)  SESSION 0: a new one   (welcome SESSION LIFE)
+//   (request SESSION ID BODY [TIME])               (reply ID RESULT) or (reply ID RESULT REVISION SENT)
+//   (ack SESSION WATCH SEQ [RELATION TOOK])        (change WATCH SEQ REVISION KIND (ANSWER ...) (ANSWER ...))
+//   (unwatch SESSION WATCH)                        (watch-failed WATCH (fail ...))
+//   (ping SESSION)                                 (pong TIME)
+//   (bye SESSION)                                  (unknown-session SESSION), (refused (fail ...)), (goodbye)
+//
+// A RESULT is (ok VALUE) or (fail ...). A client that holds what it watches is told the revision the board was at then,
+// and whether all changes up to there went to it before the reply: SENT is `yes` or `no`. A reply that is given again
+// does not say. The answers of a change are those that came, then those that went. Its KIND is `no` for what changed,
+// `yes` for all that holds, or, where that is more than a message holds, `first`, `more` ... and `last` for the parts
+// of it: what went is then of the parts before, and what holds is known with the last.
+//
+// An `ack` is of all changes up to SEQ. Times are the server's, in microseconds: a client that knows them from its
+// pongs may say when it sent a request, and how long a fact of a relation TOOK from its commit to here.
+//
+// A BODY and the VALUE of its reply:
+//   (declare RELATION ...) -> ()                       (take PATTERN LEASE) -> () or (FACT)
+//   (transact (PRECONDITION ...) (STEP ...)) -> N      (lease MICROSECONDS) -> LEASE
+//   (ask QUERY) -> (REVISION ANSWER ...)               (renew LEASE), (release LEASE) -> ()
+//   (watch WATCH QUERY), (watch WATCH QUERY held) -> ()
+// PRECONDITION is (present P), (absent P), (unchanged P REVISION); STEP is (tell FACT LEASE CAUSE ...), (retract P),
+// (settle ID); FACT is (ID REVISION MICROSECONDS TELLER DATUM CAUSE ...). An ANSWER is the list of its facts: the
+// bindings follow from the query.
+//
+// A server that is ended in order says goodbye to every client. A session lives while its client is heard from. Changes
+// of one watch are numbered from 1; only so many are under way before they are acknowledged.
+
+#include <optional>
+#include <string>
+
+#include "blackboard/board.hpp"
+#include "blackboard/delta.hpp"
+#include "blackboard/limits.hpp"
+#include "lisp/reader.hpp"
+
+namespace pizarra::wire {
+
+using SessionId = std::uint64_t;
+using RequestId = std::uint64_t;
+using WatchId = std::uint64_t;
+
+// The strict reader with the limits of a frame.
+Result<Datum> read_frame(std::string_view text);
+
+// The datum as a number that counts something; nothing where it is none.
+std::optional<std::uint64_t> count_from(const Datum& datum);
+// The same for an element of a list, which need not be there.
+std::optional<std::uint64_t> count_at(const Datum& form, std::size_t index);
+
+// Adds `(transact ...)`, and answers what it weighs.
+Weight write_transaction(std::string& out, const Transaction& transaction);
+// Failure bad-frame, here and below.
+Result<Transaction> transaction_from_datum(const Datum& body);
+
+Datum fact_to_datum(const Fact& fact);
+Result<Fact> fact_from_datum(const Datum& form);
+
+Datum answer_to_datum(const Answer& answer);
+Result<std::vector<Answer>> answers_from_datum(const Query& query, std::span<const Datum> forms);
+
+// Adds `(change ...)`, of a query whose answers have `width` facts each.
+void write_change(std::string& out, WatchId watch, std::uint64_t sequence, std::size_t width, const Delta& delta);
+// What a `(change ...)` says that has at least its watch and sequence.
+Result<Delta> delta_from_datum(const Query& query, const Datum& form);
+
+}  // namespace pizarra::wire

@@ -1,0 +1,76 @@
+#include "blackboard/wire/wire_address.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cstring>
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+namespace pizarra {
+
+namespace {
+
+constexpr std::string_view ipc = "ipc://";
+constexpr std::string_view tcp = "tcp://";
+
+std::unexpected<Failure> bad_address(std::string sentence, const std::string& address) {
+  return fail("bad-address", std::move(sentence), to_datum(address));
+}
+
+bool is_loopback(const std::string& address) {
+  const std::string host = address.substr(tcp.size(), address.rfind(':') - tcp.size());
+  const bool numeric = host.starts_with("127.") && host.find_first_not_of("0123456789.") == std::string::npos;
+  return numeric || host == "localhost" || host == "[::1]";
+}
+
+// Binding an ipc path takes it away from a server that lives there, so it is asked first.
+bool somebody_answers(const std::string& path) {
+  sockaddr_un name{};
+  name.sun_family = AF_UNIX;
+  std::memcpy(static_cast<char*>(name.sun_path), path.c_str(), path.size() + 1);
+  const int probe = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
+  if (probe < 0) return false;
+  const int connected = connect(probe, reinterpret_cast<const sockaddr*>(&name), sizeof name);
+  close(probe);
+  return connected == 0;
+}
+
+}  // namespace
+
+Result<void> check_address(const std::string& address) {
+  // What came from a command line need not be text that a Datum can hold.
+  if (!is_string_text(address)) return fail("bad-address", "the address is not text");
+  if (address.starts_with(ipc)) {
+    const std::size_t length = address.size() - ipc.size();
+    if (length > 0 && length < sizeof(sockaddr_un::sun_path)) return {};
+    return bad_address("an ipc path has from 1 to 107 bytes", address);
+  }
+  if (!address.starts_with(tcp)) return bad_address("a board's address is ipc://PATH or tcp://HOST:PORT", address);
+  const std::size_t colon = address.rfind(':');
+  const std::string port = address.substr(colon + 1);
+  const bool digits = !port.empty() && port.size() <= 5 &&
+                      std::ranges::all_of(port, [](unsigned char c) { return std::isdigit(c) != 0; });
+  const bool host = colon > tcp.size();
+  if (host && (port == "*" || (digits && std::stoi(port) <= 65535))) return {};
+  return bad_address("a tcp address is tcp://HOST:PORT with a port from 0 to 65535, or * for any", address);
+}
+
+bool is_ipc(const std::string& address) { return address.starts_with(ipc); }
+
+Result<void> check_listening_address(const std::string& address, bool open_to_others) {
+  const Result<void> formed = check_address(address);
+  if (!formed) return formed;
+  if (address.starts_with(tcp) && !open_to_others && !is_loopback(address)) {
+    return fail("not-loopback",
+                "other machines reach this address: name the folder of the keys that may come with --keys DIR, or give "
+                "--insecure to let anybody come unencrypted",
+                to_datum(address));
+  }
+  if (address.starts_with(ipc) && somebody_answers(address.substr(ipc.size()))) {
+    return fail("address-in-use", "another board answers there", to_datum(address));
+  }
+  return {};
+}
+
+}  // namespace pizarra

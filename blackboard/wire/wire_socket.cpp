@@ -1,0 +1,161 @@
+#include "blackboard/wire/wire_socket.hpp"
+
+#include <unistd.h>
+
+namespace pizarra {
+
+namespace {
+
+constexpr int messages_at_once = 64;
+constexpr int linger_ms = 50;
+constexpr int heartbeat_ms = 2000;
+constexpr int heartbeat_timeout_ms = 6000;
+constexpr int reconnect_ms = 50;
+constexpr int reconnect_most_ms = 1000;
+
+std::unexpected<Failure> refused_address(const zmq::error_t& error, const std::string& address) {
+  const char* symbol = error.num() == EADDRINUSE ? "address-in-use" : "bad-address";
+  return fail(symbol, std::string("ZeroMQ refuses the address: ") + error.what(), to_datum(address));
+}
+
+std::string user_of(zmq::message_t& message) {
+  const char* user = zmq_msg_gets(message.handle(), "User-Id");
+  return user == nullptr ? "" : user;
+}
+
+}  // namespace
+
+WireSocket::WireSocket(Executor& executor, Kind kind, Receiver receiver)
+    : executor_(executor),
+      kind_(kind),
+      receiver_(std::move(receiver)),
+      context_(1),
+      socket_(context_, kind == Kind::router ? zmq::socket_type::router : zmq::socket_type::dealer) {
+  socket_.set(zmq::sockopt::linger, linger_ms);
+  socket_.set(zmq::sockopt::sndhwm, high_water);
+  socket_.set(zmq::sockopt::rcvhwm, high_water);
+  socket_.set(zmq::sockopt::maxmsgsize, longest_message);
+  socket_.set(zmq::sockopt::heartbeat_ivl, heartbeat_ms);
+  socket_.set(zmq::sockopt::heartbeat_timeout, heartbeat_timeout_ms);
+  if (kind == Kind::router) {
+    // Otherwise what cannot be delivered would be lost without a word.
+    socket_.set(zmq::sockopt::router_mandatory, true);
+  } else {
+    // What is said to a server that is away would reach the next one, which knows nothing of it.
+    socket_.set(zmq::sockopt::immediate, true);
+    socket_.set(zmq::sockopt::reconnect_ivl, reconnect_ms);
+    socket_.set(zmq::sockopt::reconnect_ivl_max, reconnect_most_ms);
+  }
+  file_ = socket_.get(zmq::sockopt::fd);
+  executor_.watch_readable(file_, [this] { pump(); });
+}
+
+WireSocket::~WireSocket() {
+  executor_.unwatch_readable(file_);
+  if (pump_timer_ != 0) executor_.cancel(pump_timer_);
+  // ZeroMQ leaves them behind. One that is gone already is fine.
+  for (const std::string& file : bound_files_) unlink(file.c_str());
+}
+
+Result<std::string> WireSocket::bind(const std::string& address, const KeyPair* own) {
+  try {
+    // Each address keeps the options that were set when it was bound.
+    socket_.set(zmq::sockopt::curve_server, own != nullptr);
+    if (own != nullptr) socket_.set(zmq::sockopt::curve_secretkey, own->secret_key);
+    keyed_ = keyed_ || own != nullptr;
+    socket_.bind(address);
+    schedule_pump();
+    std::string bound = socket_.get(zmq::sockopt::last_endpoint);
+    constexpr std::string_view ipc = "ipc://";
+    if (bound.starts_with(ipc)) bound_files_.push_back(bound.substr(ipc.size()));
+    return bound;
+  } catch (const zmq::error_t& error) {
+    return refused_address(error, address);
+  }
+}
+
+Result<void> WireSocket::connect(const std::string& address, const ClientKeys* keys, HandshakeWatch::Refused refused) {
+  try {
+    if (keys != nullptr) {
+      socket_.set(zmq::sockopt::curve_serverkey, keys->board_key);
+      socket_.set(zmq::sockopt::curve_publickey, keys->own.public_key);
+      socket_.set(zmq::sockopt::curve_secretkey, keys->own.secret_key);
+    }
+    if (refused) handshakes_.emplace(executor_, context_, socket_, keys != nullptr, std::move(refused));
+    connected_to_ = address;
+    socket_.connect(address);
+    schedule_pump();
+    return {};
+  } catch (const zmq::error_t& error) {
+    return refused_address(error, address);
+  }
+}
+
+void WireSocket::connect_again() {
+  try {
+    socket_.disconnect(connected_to_);
+  } catch (const zmq::error_t&) {
+    // ZeroMQ may have let go of it by itself.
+  }
+  socket_.connect(connected_to_);
+}
+
+bool WireSocket::send(const std::string& peer, std::string_view frame) {
+  // Sending may consume the one sign that something has come; who is pumping looks again in any case.
+  if (!pumping_) schedule_pump();
+  const auto dont_wait = zmq::send_flags::dontwait;
+  try {
+    if (kind_ == Kind::router) {
+      const auto routed = socket_.send(zmq::buffer(peer), dont_wait | zmq::send_flags::sndmore);
+      if (!routed) return false;
+    }
+    return socket_.send(zmq::buffer(frame), dont_wait).has_value();
+  } catch (const zmq::error_t&) {
+    // The peer is gone: EHOSTUNREACH.
+    return false;
+  }
+}
+
+void WireSocket::pump() {
+  pumping_ = true;
+  int received = 0;
+  while (received < messages_at_once && receive_one()) ++received;
+  pumping_ = false;
+  if (received == messages_at_once) schedule_pump();
+}
+
+bool WireSocket::receive_one() {
+  std::string peer;
+  zmq::message_t part;
+  try {
+    if (!socket_.recv(part, zmq::recv_flags::dontwait)) return false;
+    if (kind_ == Kind::router) {
+      peer = part.to_string();
+      if (!part.more() || !socket_.recv(part)) return true;
+    }
+    if (keyed_) sender_key_ = user_of(part);
+    const bool whole = !part.more();
+    if (whole) {
+      receiver_(peer, part.to_string_view());
+      return true;
+    }
+    while (part.more() && socket_.recv(part)) {
+    }
+  } catch (const zmq::error_t&) {
+    // Interrupted by a signal; the executor comes back.
+    schedule_pump();
+    return false;
+  }
+  receiver_(peer, std::nullopt);
+  return true;
+}
+
+void WireSocket::schedule_pump() {
+  if (pump_timer_ != 0) return;
+  pump_timer_ = executor_.call_at(executor_.now(), [this] {
+    pump_timer_ = 0;
+    pump();
+  });
+}
+
+}  // namespace pizarra

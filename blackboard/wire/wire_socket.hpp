@@ -1,0 +1,76 @@
+#pragma once
+
+// A ZeroMQ socket on the executor: frames come by callback, sending never blocks.
+//
+//   WireSocket router(executor, WireSocket::Kind::router,
+//                     [&](const std::string& peer, std::optional<std::string_view> frame) { ... });
+//   Result<std::string> at = router.bind("tcp://127.0.0.1:*");   // the address that it got
+//   if (!router.send(peer, text)) ...                            // it reads too slowly, or is gone
+//
+// Destroying it removes the files of the ipc addresses that it was bound to.
+// A message of more than one frame is no frame at all; one of more than 4 MiB ends its sender's connection.
+//
+// With keys it is encrypted: a router's addresses bound with encrypt() in force, and all that a dealer connects to.
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+#include <zmq.hpp>
+
+#include "blackboard/time/executor.hpp"
+#include "blackboard/wire/handshake_watch.hpp"
+#include "blackboard/wire/keys.hpp"
+#include "lisp/result.hpp"
+
+namespace pizarra {
+
+class WireSocket {
+ public:
+  enum class Kind : std::uint8_t { router, dealer };
+  // `peer` names who sent it to a router, and is empty for a dealer.
+  using Receiver = std::function<void(const std::string& peer, std::optional<std::string_view> frame)>;
+  // Frames under way to one peer that does not read.
+  static constexpr int high_water = 256;
+
+  static constexpr std::int64_t longest_message = 4 << 20;
+
+  WireSocket(Executor& executor, Kind kind, Receiver receiver);
+  WireSocket(const WireSocket&) = delete;
+  WireSocket& operator=(const WireSocket&) = delete;
+  ~WireSocket();
+
+  // Failure address-in-use, or bad-address. With `own` keys, whoever comes there must have a key that the doorkeeper of
+  // context() lets in.
+  Result<std::string> bind(const std::string& address, const KeyPair* own = nullptr);
+  Result<void> connect(const std::string& address, const ClientKeys* keys = nullptr,
+                       HandshakeWatch::Refused refused = {});
+  // After it was refused: ZeroMQ does not try again by itself.
+  void connect_again();
+  bool send(const std::string& peer, std::string_view frame);
+  // The public key of who sent what is being received; empty for one without.
+  const std::string& sender_key() const { return sender_key_; }
+  zmq::context_t& context() { return context_; }
+
+ private:
+  void pump();
+  bool receive_one();
+  void schedule_pump();
+
+  Executor& executor_;
+  const Kind kind_;
+  Receiver receiver_;
+  zmq::context_t context_;
+  zmq::socket_t socket_;
+  int file_ = -1;
+  Executor::TimerId pump_timer_ = 0;
+  bool pumping_ = false;
+  std::vector<std::string> bound_files_;
+  bool keyed_ = false;
+  std::string sender_key_;
+  std::string connected_to_;
+  std::optional<HandshakeWatch> handshakes_;
+};
+
+}  // namespace pizarra
