@@ -5,9 +5,9 @@
 #include <optional>
 #include <string>
 
-#include "agents/coordinator/camera_view.hpp"
-#include "agents/coordinator/occlusion.hpp"
-#include "agents/coordinator/servo.hpp"
+#include "agents/coordinator/geometry/camera_view.hpp"
+#include "agents/coordinator/geometry/occlusion.hpp"
+#include "agents/coordinator/geometry/servo.hpp"
 #include "blackboard/time/clock.hpp"
 #include "lisp/cell.hpp"
 

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <fstream>
 
-#include "agents/coordinator/task_domain.hpp"
+#include "agents/coordinator/plan/task_domain.hpp"
 #include "agents/launcher/story/output_file.hpp"
 #include "agents/launcher/story/recorder.hpp"
 #include "blackboard/time/real_executor.hpp"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-#include "agents/coordinator/coordinator_agent.hpp"
+#include "agents/coordinator/pursue/coordinator_agent.hpp"
 #include "agents/launcher/supervision/arm_device.hpp"
 #include "agents/pan_tilt/pan_tilt_agent.hpp"
 #include "agents/person/person_agent.hpp"

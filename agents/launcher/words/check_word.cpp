@@ -3,7 +3,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "agents/coordinator/task_domain.hpp"
+#include "agents/coordinator/plan/task_domain.hpp"
 #include "agents/launcher/command_line/word_tools.hpp"
 #include "agents/launcher/story/story_run.hpp"
 #include "agents/launcher/words/check_planning.hpp"

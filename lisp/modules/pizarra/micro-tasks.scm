@@ -10,7 +10,7 @@
 ;;; Every operator of the domain has a task of its name with as many parameters. An argument is an object's name or
 ;;; <parameter>; some primitives take a target too, a form such as (on-top <ob1> <ob2>), and so do tasks that hand it on
 ;;; to them. Which primitives and targets there are, and what they mean, is the coordinator's matter
-;;; (agents/coordinator/primitives.hpp).
+;;; (agents/coordinator/plan/primitives.hpp).
 
 (define-module (pizarra micro-tasks)
   #:use-module (srfi srfi-1)

@@ -1,8 +1,8 @@
-#include "agents/coordinator/beliefs.hpp"
+#include "agents/coordinator/perceive/beliefs.hpp"
 
 #include <gtest/gtest.h>
 
-#include "agents/coordinator/sightings.hpp"
+#include "agents/coordinator/geometry/sightings.hpp"
 #include "lisp/reader.hpp"
 
 namespace pizarra {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <iterator>
 
-#include "agents/coordinator/task_domain.hpp"
+#include "agents/coordinator/plan/task_domain.hpp"
 #include "lisp/reader.hpp"
 #include "lisp/writer.hpp"
 #include "tests/agents/coordinator/shortest_plan.hpp"

@@ -13,9 +13,9 @@
 #include <functional>
 #include <map>
 
-#include "agents/coordinator/camera_view.hpp"
-#include "agents/coordinator/coordinator_agent.hpp"
-#include "agents/coordinator/task_domain.hpp"
+#include "agents/coordinator/geometry/camera_view.hpp"
+#include "agents/coordinator/plan/task_domain.hpp"
+#include "agents/coordinator/pursue/coordinator_agent.hpp"
 #include "agents/runtime/service.hpp"
 #include "blackboard/memory/memory_board.hpp"
 #include "blackboard/time/virtual_executor.hpp"

@@ -2,10 +2,10 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "agents/coordinator/aim.hpp"
-#include "agents/coordinator/camera_view.hpp"
-#include "agents/coordinator/elbow_room.hpp"
-#include "agents/coordinator/spots.hpp"
+#include "agents/coordinator/act/aim.hpp"
+#include "agents/coordinator/geometry/camera_view.hpp"
+#include "agents/coordinator/geometry/elbow_room.hpp"
+#include "agents/coordinator/geometry/spots.hpp"
 #include "blackboard/time/random.hpp"
 
 namespace pizarra {

@@ -1,8 +1,8 @@
-#include "agents/coordinator/occlusion.hpp"
+#include "agents/coordinator/geometry/occlusion.hpp"
 
 #include <gtest/gtest.h>
 
-#include "agents/coordinator/sightings.hpp"
+#include "agents/coordinator/geometry/sightings.hpp"
 #include "lisp/reader.hpp"
 
 namespace pizarra {

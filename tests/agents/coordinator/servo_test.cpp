@@ -1,4 +1,4 @@
-#include "agents/coordinator/servo.hpp"
+#include "agents/coordinator/geometry/servo.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>

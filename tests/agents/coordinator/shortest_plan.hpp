@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "agents/coordinator/task_domain.hpp"
+#include "agents/coordinator/plan/task_domain.hpp"
 
 namespace pizarra {
 

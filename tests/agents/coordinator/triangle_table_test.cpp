@@ -1,9 +1,9 @@
-#include "agents/coordinator/triangle_table.hpp"
+#include "agents/coordinator/plan/triangle_table.hpp"
 
 #include <algorithm>
 #include <gtest/gtest.h>
 
-#include "agents/coordinator/vigil.hpp"
+#include "agents/coordinator/plan/vigil.hpp"
 #include "blackboard/time/random.hpp"
 #include "lisp/reader.hpp"
 

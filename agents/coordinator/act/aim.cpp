@@ -1,0 +1,134 @@
+#include "agents/coordinator/act/aim.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <numbers>
+
+#include "agents/coordinator/geometry/spots.hpp"
+
+namespace pizarra {
+
+namespace {
+
+// A mark that a moment's noise hides is taken to be where it was for as many looks.
+constexpr std::uint64_t tolerated_looks = 3;
+
+}  // namespace
+
+Datum target_name(const Datum& target) {
+  if (!target.is_list()) return target;
+  if (target.size() > 2) return target[2];
+  return "table"_sym;
+}
+
+Result<Eigen::Vector3d> Aims::seen(std::string_view name) const {
+  if (!surroundings_.sightings().recent(name, tolerated_looks)) {
+    return fail("unseen", fmt::format("{} is not seen", name), Datum::symbol(name));
+  }
+  return surroundings_.sightings().find(name)->place_mm;
+}
+
+Result<Eigen::Vector3d> Aims::grip() const {
+  const std::optional<Eigen::Vector3d> grip = surroundings_.grip_mm();
+  if (grip) return *grip;
+  const std::string& mark = options_.gripper.mark;
+  return fail("unseen", fmt::format("{} is not seen, and the arm does not say where it is", mark), Datum::symbol(mark));
+}
+
+Result<Eigen::Vector3d> Aims::on_table(double x_mm, double y_mm) const {
+  const double height = domain_.cube_mm() / 2 + options_.release_mm;
+  const Eigen::Vector3d centre(x_mm, y_mm, height);
+  return Eigen::Vector3d(centre - domain_.cube_mm() / 2 * surroundings_.view()->away());
+}
+
+// What is held faces the camera, whatever the one below it does: middle goes over middle.
+Result<Eigen::Vector3d> Aims::on_top_of(std::string_view lower) const {
+  const Result<Eigen::Vector3d> mark = seen(lower);
+  if (!mark) return mark;
+  const std::string name(lower);
+  const Eigen::Vector3d middle = surroundings_.centre_mm(name, *surroundings_.sightings().find(lower));
+  const Eigen::Vector3d front = middle - domain_.cube_mm() / 2 * surroundings_.view()->away();
+  return Eigen::Vector3d(front + (domain_.cube_mm() + options_.release_mm) * Eigen::Vector3d::UnitZ());
+}
+
+Result<Eigen::Vector3d> Aims::free_spot_for(std::string_view held) {
+  if (!spot_) {
+    std::vector<Eigen::Vector2d> occupied;
+    for (const auto& [name, sighting] : surroundings_.sightings().all()) {
+      if (name == held || name == options_.gripper.mark) continue;
+      const Eigen::Vector3d centre = surroundings_.centre_mm(name, sighting);
+      occupied.emplace_back(centre.x(), centre.y());
+    }
+    const std::optional<Eigen::Vector3d> grip = surroundings_.grip_mm();
+    const Shown shown = [this](const Eigen::Vector2d& spot) {
+      const double mark_mm = options_.gripper.outline.mark_half_mm;
+      return surroundings_.view()->shows(*on_table(spot.x(), spot.y()), mark_mm);
+    };
+    spot_ = free_spot(TableArea::of(options_.row, domain_.cube_mm()), occupied, grip ? grip->y() : 0, shown);
+  }
+  if (!spot_) return fail("no-room", "there is no free spot on the table", Datum::symbol(held));
+  return on_table(spot_->x(), spot_->y());
+}
+
+Result<Aim> Aims::at(const Datum& target) {
+  if (!surroundings_.view()) return fail("unseen", "the camera has not said how it projects");
+  const Result<Eigen::Vector3d> grip = this->grip();
+  if (!grip) return fail(grip);
+  if (target.is_symbol()) {
+    const Result<Eigen::Vector3d> object = seen(target.text());
+    if (!object) return fail(object);
+    const Eigen::Vector3d to_mark = -surroundings_.mark_to_front_mm();
+    return Aim{*grip + to_mark, *object + to_mark, grip->z()};
+  }
+  if (target.size() < 2) return fail("bad-target", "this is no target of a micro-task", target);
+  const std::string_view held = target[1].text();
+  const bool held_is_seen = surroundings_.sightings().recent(held, 1);
+  const Eigen::Vector3d followed = held_is_seen ? surroundings_.sightings().find(held)->place_mm : *grip;
+  Result<Eigen::Vector3d> wanted = fail("bad-target", "this is no target of a micro-task", target);
+  if (target.is_form("on-top") && target.size() == 3) {
+    wanted = on_top_of(target[2].text());
+  } else if (target.is_form("free-spot")) {
+    wanted = free_spot_for(held);
+  } else if (target.is_form("at-place") && target.size() == 3) {
+    const Datum* spot = domain_.spot(target[2].text());
+    if (!spot) return fail("unknown-place", "perception has no (spot PLACE X Y) for this place", target[2]);
+    wanted = on_table((*spot)[2].number(), (*spot)[3].number());
+  }
+  if (!wanted) return fail(wanted);
+  return Aim{followed, *wanted, grip->z()};
+}
+
+double Aims::opening_around(std::string_view object, double wide_mm) const {
+  const Sighting* centre = surroundings_.sightings().find(object);
+  if (!centre) return options_.gripper.openings.normal_mm;
+  std::vector<Eigen::Vector3d> neighbours;
+  for (const auto& [name, sighting] : surroundings_.sightings().all()) {
+    if (name == object || name == options_.gripper.mark) continue;
+    neighbours.push_back(surroundings_.centre_mm(name, sighting));
+  }
+  const std::string name(object);
+  return opening_between(surroundings_.centre_mm(name, *centre), neighbours, domain_.cube_mm(),
+                         options_.gripper.finger_mm, options_.gripper.openings.narrow_mm, wide_mm);
+}
+
+// The arm's axis 1 is the base frame's origin, and the tool's axis stands behind the mark.
+ServoErrors servo_errors(const Aim& aim, const CameraView& view, double mark_before_grip_mm, double travel_mm) {
+  const Eigen::Vector3d now = aim.followed_mm + mark_before_grip_mm * view.away();
+  const Eigen::Vector3d then = aim.wanted_mm + mark_before_grip_mm * view.away();
+  const double radius = std::hypot(then.x(), then.y());
+  const double turn =
+      std::remainder(std::atan2(then.y(), then.x()) - std::atan2(now.y(), now.x()), 2 * std::numbers::pi);
+  return {.across_mm = turn * radius,
+          .bearing_deg = turn * 180 / std::numbers::pi,
+          .along_mm = radius - std::hypot(now.x(), now.y()),
+          .down_mm = now.z() - then.z(),
+          .clearance_mm = travel_mm - aim.grip_height_mm};
+}
+
+ServoPixels servo_pixels(const Aim& aim, const CameraView& view) {
+  const Eigen::Vector3d missing = aim.wanted_mm - aim.followed_mm;
+  const double px_per_mm = view.focal_px() / view.sight(aim.wanted_mm).depth_mm;
+  return {missing.dot(view.right()) * px_per_mm, -missing.z() * px_per_mm, missing.dot(view.away())};
+}
+
+}  // namespace pizarra

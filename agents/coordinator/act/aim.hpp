@@ -1,0 +1,49 @@
+#pragma once
+
+// A target of a micro-task (plan/primitives.hpp) as geometry: which mark is followed and where it is to be. Looked up
+// anew at every look, so that what moves is followed.
+
+#include "agents/coordinator/geometry/servo.hpp"
+#include "agents/coordinator/perceive/surroundings.hpp"
+
+namespace pizarra {
+
+struct Aim {
+  Eigen::Vector3d followed_mm;  // where the mark is: the end effector's, or that of the held object
+  Eigen::Vector3d wanted_mm;    // where it is to be
+  double grip_height_mm;        // where the gripper is
+};
+
+class Aims {
+ public:
+  Aims(const CoordinatorOptions& options, const TaskDomain& domain, const Surroundings& surroundings)
+      : options_(options), domain_(domain), surroundings_(surroundings) {}
+
+  // A new operation: a free spot is chosen anew.
+  void reset() { spot_.reset(); }
+  // Failures: unseen (with the mark that is), no-room, unknown-place, bad-target.
+  Result<Aim> at(const Datum& target);
+  // How far the gripper may open around an object, mm.
+  double opening_around(std::string_view object, double wide_mm) const;
+
+ private:
+  Result<Eigen::Vector3d> seen(std::string_view name) const;
+  Result<Eigen::Vector3d> grip() const;
+  Result<Eigen::Vector3d> on_top_of(std::string_view lower) const;
+  Result<Eigen::Vector3d> free_spot_for(std::string_view held);
+  Result<Eigen::Vector3d> on_table(double x_mm, double y_mm) const;
+
+  const CoordinatorOptions& options_;
+  const TaskDomain& domain_;
+  const Surroundings& surroundings_;
+  std::optional<Eigen::Vector2d> spot_;
+};
+
+// The name a target is told under: its object, the object below, the place, or `table`.
+Datum target_name(const Datum& target);
+
+// The aim as the servo's errors. `travel_mm` is the height that is safe.
+ServoErrors servo_errors(const Aim& aim, const CameraView& view, double mark_before_grip_mm, double travel_mm);
+ServoPixels servo_pixels(const Aim& aim, const CameraView& view);
+
+}  // namespace pizarra

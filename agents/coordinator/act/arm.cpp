@@ -1,0 +1,105 @@
+#include "agents/coordinator/act/arm.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+
+namespace pizarra {
+
+namespace {
+
+// Longer than an agent that died may stay away, since a request it left is done by its successor.
+constexpr Duration motion_timeout = 40s;
+constexpr Duration busy_pause = 200ms;
+constexpr int busy_tries = 50;
+
+}  // namespace
+
+Task<Result<Datum>> Arm::ask(Datum operation) {
+  for (int i = 0; i < busy_tries; ++i) {
+    if (!surroundings_.present(options_.robot)) {
+      const Datum robot = Datum::symbol(options_.robot);
+      co_await story_.tell("agent", "waiting for the robot agent to come back", robot);
+      const Time deadline = context_.executor.now() + options_.absence_patience;
+      const bool back = co_await surroundings_.wait_present(options_.robot, deadline);
+      if (!back) {
+        co_return fail("absent", "the robot agent stays away", Datum::symbol(options_.robot));
+      }
+    }
+    const Result<Datum> done = co_await caller_.call(options_.robot, operation, motion_timeout);
+    if (done) co_return done;
+    if (done.error().symbol != "busy") co_return done;
+    co_await sleep(context_.executor, busy_pause);
+  }
+  co_return fail("busy", "the robot stays busy", operation);
+}
+
+Task<Result<void>> Arm::perform(ServoCommand command) {
+  using Motion = ServoCommand::Motion;
+  const double amount = std::abs(command.amount);
+  const bool positive = command.amount >= 0;
+  const Datum side = Datum::symbol(positive ? "right" : "left");
+  const Datum back = Datum::symbol(positive ? "left" : "right");
+  Datum operation;
+  switch (command.motion) {
+    case Motion::done:
+      co_return Result<void>();
+    case Motion::up:
+      operation = list("move-v"_sym, "up"_sym, amount);
+      break;
+    case Motion::down:
+      operation = list("move-v"_sym, "down"_sym, amount);
+      break;
+    case Motion::move_h:
+      operation = list("move-h"_sym, side, amount);
+      break;
+    case Motion::turn:
+      operation = list("turn"_sym, side, amount);
+      break;
+    case Motion::extend:
+      operation = positive ? list("extend"_sym, "keep-height"_sym, amount) : list("retract"_sym, amount);
+      break;
+  }
+  Result<Datum> done = co_await ask(operation);
+  if (!done) co_return fail(done);
+  if (command.motion != Motion::turn) co_return Result<void>();
+  const Datum turned_back = list("turn-wrist"_sym, back, amount);
+  done = co_await ask(turned_back);
+  if (!done) co_return fail(done);
+  co_return Result<void>();
+}
+
+Task<Result<Eigen::Vector3d>> Arm::grip_centre() {
+  const Datum monitor = list("monitor"_sym);
+  const Result<Datum> reading = co_await ask(monitor);
+  if (!reading) co_return fail(reading);
+  if (reading->size() < 3) co_return fail("bad-reply", "the robot's monitor gives no position", *reading);
+  co_return Eigen::Vector3d((*reading)[0].number(), (*reading)[1].number(), (*reading)[2].number());
+}
+
+Task<Result<void>> Arm::face(double yaw_deg) {
+  constexpr double good_enough_deg = 0.5;
+  const Datum monitor = list("monitor"_sym);
+  const Result<Datum> reading = co_await ask(monitor);
+  if (!reading) co_return fail(reading);
+  if (reading->size() < 6) co_return fail("bad-reply", "the robot's monitor gives no pose", *reading);
+  const double missing = std::remainder(yaw_deg - (*reading)[5].number(), 360);
+  if (std::abs(missing) < good_enough_deg) co_return Result<void>();
+  const Datum side = Datum::symbol(missing > 0 ? "right" : "left");
+  const Datum operation = list("turn-wrist"_sym, side, std::abs(missing));
+  const Result<Datum> turned = co_await ask(operation);
+  if (!turned) co_return fail(turned);
+  co_return Result<void>();
+}
+
+Task<Result<double>> Arm::grip(double opening_mm) {
+  const Datum operation = list("gripper"_sym, opening_mm);
+  const Result<Datum> done = co_await ask(operation);
+  if (!done) co_return fail(done);
+  // The robot tells the opening before it answers.
+  const Datum pattern = list("gripper"_sym, Datum::symbol(options_.robot), "?opening"_sym);
+  const std::optional<Datum> opening = co_await surroundings_.newest(pattern);
+  if (!opening) co_return fail("bad-reply", "the robot told no opening of its gripper", operation);
+  co_return (*opening)[2].number();
+}
+
+}  // namespace pizarra

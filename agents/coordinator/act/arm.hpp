@@ -1,0 +1,41 @@
+#pragma once
+
+// The robot agent as the coordinator uses it: motions that answer when they have ended. An agent that is away is waited
+// for, a busy one asked again; both have their bounds.
+//
+//   Result<void> moved = co_await arm.perform(command);
+//   Result<double> opening = co_await arm.grip(0);
+
+#include <Eigen/Core>
+
+#include "agents/coordinator/perceive/surroundings.hpp"
+#include "agents/coordinator/story.hpp"
+
+namespace pizarra {
+
+class Arm {
+ public:
+  Arm(AgentContext& context, const CoordinatorOptions& options, Surroundings& surroundings, Story& story,
+      Caller& caller)
+      : context_(context), options_(options), surroundings_(surroundings), story_(story), caller_(caller) {}
+
+  // One robot operation. Failures: those of the robot, and `absent` when it stays away too long.
+  Task<Result<Datum>> ask(Datum operation);
+  // What the servo decided. A turn is taken back by the wrist, so that the fingers stay along the base's y.
+  Task<Result<void>> perform(ServoCommand command);
+  // Where the grip centre is, base frame, mm.
+  Task<Result<Eigen::Vector3d>> grip_centre();
+  // Turns the wrist until the gripper's front looks `yaw_deg` away from the base's x axis, positive to the right.
+  Task<Result<void>> face(double yaw_deg);
+  // Opens or closes the gripper to `opening_mm` and answers the opening it came to.
+  Task<Result<double>> grip(double opening_mm);
+
+ private:
+  AgentContext& context_;
+  const CoordinatorOptions& options_;
+  Surroundings& surroundings_;
+  Story& story_;
+  Caller& caller_;
+};
+
+}  // namespace pizarra

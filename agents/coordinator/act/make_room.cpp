@@ -1,0 +1,98 @@
+#include <algorithm>
+#include <fmt/format.h>
+
+#include "agents/coordinator/act/task_runner.hpp"
+
+namespace pizarra {
+
+namespace {
+
+// The highest pile that can be pushed, in cube sizes: what stands higher would topple, and meet the gripper's palm.
+constexpr double highest_pile = 2;
+// The palm passes over a pile of two, and the fingers still reach the lower one.
+constexpr double grip_height = 0.7;
+// Where a cube on its edge is pushed, above its centre and in cube sizes: the plate with the gripper's mark, which is
+// ahead of the fingers, passes over it.
+constexpr double above_centre = 0.15;
+constexpr double careful_percent = 30;
+constexpr double usual_percent = 100;
+
+std::string move_to(double x_mm, double y_mm, double z_mm) {
+  return fmt::format("(move {:.2f} {:.2f} {:.2f})", x_mm, y_mm, z_mm);
+}
+
+}  // namespace
+
+ElbowRoom TaskRunner::elbow_room() const {
+  ElbowRoom room;
+  room.cube_mm = domain_.cube_mm();
+  room.finger_mm = options_.gripper.finger_mm;
+  room.narrow_mm = options_.gripper.openings.narrow_mm;
+  if (!surroundings_.view()) return room;
+  for (const Eigen::Vector3d& eye : surroundings_.view()->eyes()) room.eyes_mm.emplace_back(eye.head<2>());
+  room.shown = [this](const Eigen::Vector3d& centre) {
+    const CameraView& view = *surroundings_.view();
+    const Eigen::Vector3d mark = centre - domain_.cube_mm() / 2 * view.away();
+    return view.shows(mark, options_.gripper.outline.mark_half_mm);
+  };
+  return room;
+}
+
+std::optional<Push> TaskRunner::push_for(std::string_view object) const {
+  const Sightings& sightings = surroundings_.sightings();
+  const Sighting* target = sightings.find(object);
+  if (!target || target->place_mm.z() > highest_pile * domain_.cube_mm()) return std::nullopt;
+  std::vector<Eigen::Vector3d> others;
+  for (const auto& [name, sighting] : sightings.all()) {
+    if (name != object && name != options_.gripper.mark) others.push_back(surroundings_.centre_mm(name, sighting));
+  }
+  return push_for_room(elbow_room(), surroundings_.centre_mm(std::string(object), *target), others);
+}
+
+Task<Result<void>> TaskRunner::make_room(std::string object) {
+  const std::optional<Push> push = push_for(object);
+  if (!push) co_return Result<void>();
+  const std::string sentence = fmt::format("{} stands too close to its neighbour: pushing it out of the row", object);
+  co_await story_.tell("servo", sentence, Datum::symbol(object));
+  const Result<void> pushed = co_await push_along(*push, grip_height * domain_.cube_mm());
+  co_return pushed;
+}
+
+Task<Result<void>> TaskRunner::push_over(std::string object) {
+  const Sighting* seen = surroundings_.sightings().find(object);
+  if (!seen) co_return fail("lost-sight", fmt::format("{} is not seen", object), Datum::symbol(object));
+  const double cube = domain_.cube_mm();
+  const Eigen::Vector3d centre = surroundings_.centre_mm(object, *seen);
+  const Push push = push_over_from(elbow_room(), centre);
+  const double height = std::max(centre.z() + above_centre * cube, grip_height * cube);
+  vigil_.commit();
+  const Result<void> pushed = co_await push_along(push, height);
+  co_return pushed;
+}
+
+Task<Result<void>> TaskRunner::push_along(Push push, double height_mm) {
+  const double pusher_mm = ElbowRoom().pusher_mm;
+  const Result<void> narrowed = co_await open(pusher_mm);
+  if (!narrowed) co_return narrowed;
+  const double high = options_.travel_height_mm;
+  const std::string ways[] = {
+      move_to(push.from_mm.x(), push.from_mm.y(), high), move_to(push.from_mm.x(), push.from_mm.y(), height_mm),
+      move_to(push.to_mm.x(), push.to_mm.y(), height_mm), move_to(push.to_mm.x(), push.to_mm.y(), high)};
+  Result<void> done = co_await arm_.face(0);
+  for (std::size_t i = 0; done && i < std::size(ways); ++i) {
+    done = check();
+    if (!done) break;
+    const bool pushes = i == 2;
+    const Datum speed = list("speed"_sym, pushes ? careful_percent : usual_percent);
+    const Datum operation = list("do-action"_sym, ways[i]);
+    Result<Datum> moved = co_await arm_.ask(speed);
+    if (moved) moved = co_await arm_.ask(operation);
+    if (!moved) done = fail(moved);
+  }
+  const Datum usual = list("speed"_sym, usual_percent);
+  const Result<Datum> restored = co_await arm_.ask(usual);
+  if (!restored && done) co_return fail(restored);
+  co_return done;
+}
+
+}  // namespace pizarra

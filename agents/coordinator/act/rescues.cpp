@@ -1,0 +1,67 @@
+#include "agents/coordinator/act/rescues.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+
+namespace pizarra {
+
+Task<Result<bool>> Rescues::holds() {
+  const Result<double> closed = co_await arm_.grip(0);
+  if (!closed) co_return fail(closed);
+  co_return *closed > domain_.cube_mm() / 2;
+}
+
+Task<Result<void>> Rescues::lay_down(std::string object) {
+  const double opening = surroundings_.opening_mm().value_or(0);
+  if (std::abs(opening - domain_.cube_mm()) > TaskRunner::closed_mm) co_return Result<void>();
+  const Result<bool> held = co_await holds();
+  if (!held) co_return fail(held);
+  if (!*held) co_return Result<void>();
+  co_await story_.tell("servo", "laying down what the gripper holds", Datum::symbol(object));
+  // What it is is not known, so its mark says nothing of how it is held: the gripper alone is aimed.
+  const Datum spot = list("free-spot"_sym, "held"_sym);
+  // It may be held askew and touch the table early: it is let go wherever the way down ended.
+  const std::vector<Datum> down{list("raise"_sym), list("square-up"_sym), list("align"_sym, spot),
+                                list("lower"_sym, spot)};
+  const Result<void> lowered = co_await runner_.improvise(down);
+  const bool interrupted = !lowered && lowered.error().symbol != "stopped";
+  if (interrupted) co_return lowered;
+  const std::vector<Datum> let_go{list("release"_sym), list("raise"_sym)};
+  const Result<void> released = co_await runner_.improvise(let_go);
+  co_return released;
+}
+
+Task<Result<void>> Rescues::set_aside(std::string object) {
+  const Datum name = Datum::symbol(object);
+  const std::string sentence = fmt::format("setting {} aside, to see what it hides", object);
+  co_await story_.tell("servo", sentence, name);
+  const std::vector<Datum> grasp{list("open"_sym, name),  list("raise"_sym),       list("turn-fingers"_sym, name),
+                                 list("align"_sym, name), list("lower"_sym, name), list("close"_sym),
+                                 list("raise"_sym)};
+  const Result<void> grasped = co_await runner_.improvise(grasp);
+  if (!grasped) co_return grasped;
+  const Result<void> laid = co_await lay_down(object);
+  co_return laid;
+}
+
+Task<Result<void>> Rescues::loosen(Datum operation) {
+  if (operation.size() < 2) co_return Result<void>();
+  const std::string object(operation[1].text());
+  const Result<bool> held = co_await holds();
+  if (!held) co_return fail(held);
+  if (*held) {
+    const Result<void> laid = co_await lay_down(object);
+    const bool onto_nothing = operation.size() < 3;
+    if (!laid || onto_nothing) co_return laid;
+    const std::vector<Datum> room{list("raise"_sym), list("make-room"_sym, operation[2])};
+    const Result<void> made = co_await runner_.improvise(room);
+    co_return made;
+  }
+  const std::string sentence = fmt::format("{} cannot be grasped as it lies: pushing it", object);
+  co_await story_.tell("servo", sentence, operation[1]);
+  const std::vector<Datum> push{list("raise"_sym), list("push-over"_sym, operation[1]), list("raise"_sym)};
+  const Result<void> pushed = co_await runner_.improvise(push);
+  co_return pushed;
+}
+
+}  // namespace pizarra

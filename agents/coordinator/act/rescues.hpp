@@ -1,0 +1,39 @@
+#pragma once
+
+// What is done where the plan cannot go on as the cell is: a rescue belongs to no operation and has no effect that is
+// planned on. It changes what stands in the way, and what comes of it is seen, and planned on, afterwards.
+//
+//   Result<void> done = co_await rescues.set_aside("square");
+//
+// Each is a task of the runner's, and fails as those do.
+
+#include "agents/coordinator/act/task_runner.hpp"
+
+namespace pizarra {
+
+class Rescues {
+ public:
+  Rescues(const TaskDomain& domain, const Surroundings& surroundings, Story& story, Arm& arm, TaskRunner& runner)
+      : domain_(domain), surroundings_(surroundings), story_(story), arm_(arm), runner_(runner) {}
+
+  // Puts down on a free spot whatever the gripper holds, `object` or another, so that the eyes can tell what it is.
+  // Nothing is done where it holds nothing.
+  Task<Result<void>> lay_down(std::string object);
+  // Takes `object` to a free spot, away from what it may hide.
+  Task<Result<void>> set_aside(std::string object);
+  // Pushes what the operation is about and cannot be grasped where it lies, so that it lies otherwise. What is held
+  // already is laid down, and what it could not be put on pushed out of its row where it is crowded.
+  Task<Result<void>> loosen(Datum operation);
+
+ private:
+  // Whether something is between the fingers, which close on it.
+  Task<Result<bool>> holds();
+
+  const TaskDomain& domain_;
+  const Surroundings& surroundings_;
+  Story& story_;
+  Arm& arm_;
+  TaskRunner& runner_;
+};
+
+}  // namespace pizarra

@@ -1,0 +1,187 @@
+#include "agents/coordinator/act/task_runner.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+#include "agents/coordinator/telling.hpp"
+#include "lisp/writer.hpp"
+
+namespace pizarra {
+
+namespace {
+
+constexpr Duration effects_patience = 3s;
+// How near a held object's mark is to where it should be.
+constexpr double held_mm = 25;
+constexpr int held_looks = 12;
+// Where the arm does not reach as high as it should, it goes inwards by as much, and tries again.
+constexpr double retreat_mm = 20;
+constexpr double least_rise_mm = 15;
+constexpr int most_retreats = 15;
+// A smaller yaw of a cube is straightened by the fingers; a larger one hides the end effector's mark.
+constexpr double least_turn_deg = 4;
+constexpr double most_turn_deg = 38;
+
+}  // namespace
+
+Task<Result<Revision>> TaskRunner::tell(const Datum& fact) {
+  Transaction transaction;
+  transaction.tell(fact);
+  return commit(context_.board, context_.executor, std::move(transaction));
+}
+
+Task<Result<void>> TaskRunner::run(std::size_t index, GroundOperation operation) {
+  const Result<std::vector<Datum>> steps = domain_.micro_tasks().expand(operation.name);
+  if (!steps) co_return fail(steps);
+  aims_.reset();
+  const std::string sentence = fmt::format("operation {}: {}", index + 1, write(operation.name));
+  co_await story_.tell("operation", sentence, operation.name);
+  co_await tell(list("operation"_sym, index, operation.name, "running"_sym));
+  Result<void> done = co_await run_steps(*steps);
+  if (done) done = co_await await_effects(operation);
+  const Datum state = Datum::symbol(done ? "done" : "failed");
+  co_await tell(list("operation"_sym, index, operation.name, state));
+  co_return done;
+}
+
+Task<Result<void>> TaskRunner::improvise(std::vector<Datum> steps) {
+  vigil_.rest();
+  aims_.reset();
+  const Result<void> done = co_await run_steps(std::move(steps));
+  co_return done;
+}
+
+Task<Result<void>> TaskRunner::run_steps(std::vector<Datum> steps) {
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const Result<void> fine = check();
+    if (!fine) co_return fine;
+    co_await tell(list("micro-task"_sym, i, steps[i], "running"_sym));
+    const Result<void> done = co_await run_step(steps[i]);
+    const Datum state = Datum::symbol(done ? "done" : "failed");
+    co_await tell(list("micro-task"_sym, i, steps[i], state));
+    if (!done) co_return done;
+  }
+  co_return Result<void>();
+}
+
+Task<Result<void>> TaskRunner::run_step(Datum step) {
+  const std::string_view name = step.head();
+  if (name == "raise") return raise();
+  if (name == "align") return servo(step[1], false);
+  if (name == "lower") return servo(step[1], true);
+  if (name == "close") return close();
+  if (name == "release") return release();
+  if (name == "turn-fingers") return turn_fingers(std::string(step[1].text()));
+  if (name == "square-up") return arm_.face(0);
+  if (name == "make-room") return make_room(std::string(step[1].text()));
+  if (name == "push-over") return push_over(std::string(step[1].text()));
+  if (name == "check-held") return check_held(std::string(step[1].text()));
+  return open(aims_.opening_around(step[1].text(), options_.gripper.openings.wide_mm));
+}
+
+Task<Result<void>> TaskRunner::open(double opening_mm) {
+  const Result<double> opened = co_await arm_.grip(opening_mm);
+  if (!opened) co_return fail(opened);
+  co_return Result<void>();
+}
+
+// The base frame's x axis looks at a camera that faces the arm.
+Task<Result<void>> TaskRunner::turn_fingers(std::string object) {
+  const double seen_deg = surroundings_.sightings().yaw_deg(object);
+  const double wanted_deg =
+      std::abs(seen_deg) < least_turn_deg ? 0 : std::clamp(seen_deg, -most_turn_deg, most_turn_deg);
+  const double square_deg = -options_.camera.pan_deg;
+  const Result<void> turned = co_await arm_.face(square_deg + wanted_deg);
+  co_return turned;
+}
+
+Task<Result<void>> TaskRunner::close() {
+  vigil_.commit();
+  const Result<double> opening = co_await arm_.grip(0);
+  if (!opening) co_return fail(opening);
+  if (std::abs(*opening - domain_.cube_mm()) <= closed_mm) co_return Result<void>();
+  co_return fail("missed", fmt::format("the gripper closed to {:.0f} mm", *opening), to_datum(*opening));
+}
+
+Task<Result<void>> TaskRunner::release() {
+  vigil_.commit();
+  const Result<double> opened = co_await arm_.grip(options_.gripper.openings.normal_mm);
+  if (!opened) co_return fail(opened);
+  co_return Result<void>();
+}
+
+// Far out it goes up as far as it can first, over what stands behind.
+Task<Result<void>> TaskRunner::go_up(double missing_mm) {
+  const ServoCommand inwards{0, ServoCommand::Motion::extend, -retreat_mm};
+  double step_mm = missing_mm;
+  int retreats = 0;
+  while (std::abs(missing_mm) > 2) {
+    const ServoCommand::Motion motion = step_mm > 0 ? ServoCommand::Motion::up : ServoCommand::Motion::down;
+    const ServoCommand command{0, motion, std::abs(step_mm)};
+    const Result<void> moved = co_await arm_.perform(command);
+    if (moved) {
+      missing_mm -= step_mm;
+      continue;
+    }
+    const bool too_high = moved.error().symbol == "unreachable" || moved.error().symbol == "joint-limit";
+    if (!too_high || step_mm < 0 || retreats == most_retreats) co_return moved;
+    step_mm /= 2;
+    if (step_mm > least_rise_mm) continue;
+    const Result<void> retreated = co_await arm_.perform(inwards);
+    if (!retreated) co_return retreated;
+    step_mm = missing_mm;
+    ++retreats;
+  }
+  co_return Result<void>();
+}
+
+// Only vision can tell whether the mark stands where the arm believes it to be, so a raise ends with a look.
+Task<Result<void>> TaskRunner::raise() {
+  for (int attempt = 0; attempt < 2; ++attempt) {
+    const Result<Eigen::Vector3d> grip = co_await arm_.grip_centre();
+    if (!grip) co_return fail(grip);
+    const double missing = options_.travel_height_mm - grip->z();
+    if (std::abs(missing) > 2) {
+      const Result<void> moved = co_await go_up(missing);
+      if (!moved) co_return moved;
+    }
+    const Result<void> looked = co_await eyes_.fresh_look();
+    if (!looked) co_return looked;
+    if (surroundings_.sightings().recent(options_.gripper.mark, 3)) co_return Result<void>();
+    // Out of the camera's view, as after home: the ready pose is before it.
+    const Datum ready = list("ready"_sym);
+    const Result<Datum> readied = co_await arm_.ask(ready);
+    if (!readied) co_return fail(readied);
+  }
+  co_return fail("lost-sight", "the end effector's mark is not seen", Datum::symbol(options_.gripper.mark));
+}
+
+Task<Result<void>> TaskRunner::check_held(std::string object) {
+  for (int i = 0; i < held_looks; ++i) {
+    const Result<void> looked = co_await eyes_.fresh_look();
+    if (!looked) co_return looked;
+    const std::optional<Eigen::Vector3d> grip = surroundings_.grip_mm();
+    const Sighting* seen = surroundings_.sightings().find(object);
+    if (!grip || !seen || !surroundings_.sightings().recent(object, 1)) continue;
+    if ((seen->place_mm - *grip).norm() < held_mm) co_return Result<void>();
+  }
+  co_return fail("missed", fmt::format("{} is not seen between the fingers", object), Datum::symbol(object));
+}
+
+Task<Result<void>> TaskRunner::await_effects(GroundOperation operation) {
+  const Time deadline = context_.executor.now() + effects_patience;
+  while (true) {
+    const Facts& beliefs = surroundings_.beliefs();
+    bool effective = true;
+    for (const Datum& fact : operation.adds) effective = effective && beliefs.contains(fact);
+    if (effective) co_return Result<void>();
+    if (vigil_.interrupted() || context_.executor.now() > deadline) break;
+    const Result<void> looked = co_await eyes_.fresh_look();
+    if (!looked) co_return looked;
+  }
+  co_return fail("no-effect", fmt::format("{} was carried out, but its effect is not seen", write(operation.name)),
+                 operation.name);
+}
+
+}  // namespace pizarra

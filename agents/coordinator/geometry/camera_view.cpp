@@ -1,0 +1,79 @@
+#include "agents/coordinator/geometry/camera_view.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+namespace pizarra {
+
+Result<CameraModel> camera_model_from_fact(const Datum& fact) {
+  const bool numbers = fact.size() == 8 && std::ranges::all_of(fact.items().subspan(2), &Datum::is_number);
+  if (!fact.is_form("camera-model") || !numbers || fact[4].number() <= 0 || fact[7].number() <= 0) {
+    return fail("bad-camera-model", "a camera model has a positive focal length and base line", fact);
+  }
+  return CameraModel{fact[2].number(), fact[3].number(), fact[4].number(),
+                     fact[5].number(), fact[6].number(), fact[7].number()};
+}
+
+namespace {
+
+// Horizontally, at an angle from the base's -x towards +y.
+Eigen::Vector3d direction(double pan_deg) {
+  const double facing = (180 - pan_deg) * std::numbers::pi / 180;
+  return {std::cos(facing), std::sin(facing), 0};
+}
+
+}  // namespace
+
+CameraView::CameraView(const CameraPose& pose, const CameraModel& model, HeadTurn head)
+    : model_(model), centre_(pose.at_mm[0], pose.at_mm[1], pose.at_mm[2]) {
+  away_ = direction(pose.pan_deg);
+  right_ = away_.cross(Eigen::Vector3d::UnitZ());
+  const Eigen::Vector3d ahead = direction(pose.pan_deg + head.pan_deg);
+  const double downwards = -(pose.tilt_deg + head.tilt_deg) * std::numbers::pi / 180;
+  across_ = ahead.cross(Eigen::Vector3d::UnitZ());
+  forward_ = std::cos(downwards) * ahead - std::sin(downwards) * Eigen::Vector3d::UnitZ();
+  down_ = forward_.cross(across_);
+}
+
+// With u, v the slopes of the left camera's ray, b the base line and Z the depth, the point lies at
+// (Z u - b/2, Z v, Z) from the base line's centre, and the length of that is the range.
+Eigen::Vector3d CameraView::place(double x_px, double y_px, double range_mm) const {
+  const double u = (x_px - model_.centre_x_px) / model_.focal_px;
+  const double v = (y_px - model_.centre_y_px) / model_.focal_px;
+  const double half = model_.base_line_mm / 2;
+  const double a = 1 + u * u + v * v;
+  const double b = u * half;
+  const double c = half * half - range_mm * range_mm;
+  const double depth = (b + std::sqrt(std::max(0.0, b * b - a * c))) / a;
+  return centre_ + (depth * u - half) * across_ + depth * v * down_ + depth * forward_;
+}
+
+Sight CameraView::sight(const Eigen::Vector3d& point) const {
+  const Eigen::Vector3d from_centre = point - centre_;
+  const double depth = from_centre.dot(forward_);
+  assert(depth > 0);
+  const double x = from_centre.dot(across_) + model_.base_line_mm / 2;
+  const double y = from_centre.dot(down_);
+  return {model_.centre_x_px + model_.focal_px * x / depth, model_.centre_y_px + model_.focal_px * y / depth,
+          from_centre.norm(), depth};
+}
+
+bool CameraView::shows(const Eigen::Vector3d& point, double around_mm) const {
+  const double depth = (point - centre_).dot(forward_);
+  if (depth <= around_mm) return false;
+  const Sight left = sight(point);
+  const double around_px = model_.focal_px * around_mm / depth;
+  const double right_x_px = left.x_px - model_.focal_px * model_.base_line_mm / depth;
+  return right_x_px >= around_px && left.x_px <= model_.width_px - around_px && left.y_px >= around_px &&
+         left.y_px <= model_.height_px - around_px;
+}
+
+std::array<Eigen::Vector3d, 2> CameraView::eyes() const {
+  const Eigen::Vector3d aside = model_.base_line_mm / 2 * across_;
+  return {centre_ - aside, centre_ + aside};
+}
+
+}  // namespace pizarra

@@ -1,0 +1,108 @@
+#include "agents/coordinator/geometry/elbow_room.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace pizarra {
+
+namespace {
+
+// How far away along x a cube must stand to leave the fingers alone.
+double clear_along(const ElbowRoom& room) { return room.cube_mm / 2 + room.finger_half_mm + room.margin_mm; }
+
+bool crowds(const ElbowRoom& room, const Eigen::Vector3d& centre, const Eigen::Vector3d& other) {
+  const Eigen::Vector3d apart = (other - centre).cwiseAbs();
+  const double clear_across = room.narrow_mm / 2 + room.finger_mm + room.cube_mm / 2 + room.margin_mm;
+  const bool at_its_height = other.z() > centre.z() - 0.75 * room.cube_mm;
+  return at_its_height && apart.x() < clear_along(room) && apart.y() < clear_across && apart.y() > room.cube_mm / 2;
+}
+
+bool within_reach(const ElbowRoom& room, const Eigen::Vector2d& point) {
+  return point.norm() >= room.reach_low_mm && point.norm() <= room.reach_high_mm;
+}
+
+// Whether the one nearer the camera covers some of the other's mark, for one of the eyes.
+bool covers(const ElbowRoom& room, const Eigen::Vector3d& nearer, const Eigen::Vector3d& other) {
+  const double half = room.cube_mm / 2;
+  if (nearer.x() - other.x() < half || nearer.z() < other.z() - 0.75 * room.cube_mm) return false;
+  const double face_x = other.x() + half;
+  for (const Eigen::Vector2d& eye : room.eyes_mm) {
+    for (const double mark_edge : {other.y() - room.mark_half_mm, other.y() + room.mark_half_mm}) {
+      for (const double x : {std::max(face_x, nearer.x() - half), nearer.x() + half}) {
+        const double y = mark_edge + (x - face_x) / (eye.x() - face_x) * (eye.y() - mark_edge);
+        if (std::abs(y - nearer.y()) < half + room.margin_mm) return true;
+      }
+    }
+  }
+  return false;
+}
+
+bool is_shown(const ElbowRoom& room, const Eigen::Vector3d& centre) { return !room.shown || room.shown(centre); }
+
+// The shortest that will do, to whichever side; with `seen`, one that leaves every mark in sight.
+std::optional<Push> shortest_push(const ElbowRoom& room, const Eigen::Vector3d& centre,
+                                  const std::vector<Eigen::Vector3d>& others, bool seen) {
+  constexpr double longest_mm = 150;
+  constexpr double step_mm = 2;
+  const double half = room.cube_mm / 2;
+  const double before = half + room.finger_half_mm + 2 * room.margin_mm;
+  const double pusher_half = room.pusher_mm / 2 + room.finger_mm;
+  // A push ends a few millimetres off.
+  ElbowRoom ample = room;
+  ample.margin_mm += 5;
+  for (double length = step_mm; length <= longest_mm; length += step_mm) {
+    for (const double sign : {1.0, -1.0}) {
+      if (sign > 0 && centre.z() > room.cube_mm) continue;
+      const Eigen::Vector3d after = centre + Eigen::Vector3d(sign * length, 0, 0);
+      if (!is_shown(room, after) || is_crowded(ample, after, others)) continue;
+      const auto cover_each_other = [&](const Eigen::Vector3d& other) {
+        return covers(room, after, other) || covers(room, other, after);
+      };
+      if (seen && std::ranges::any_of(others, cover_each_other)) continue;
+      const double from_x = centre.x() - sign * before;
+      const auto in_the_way = [&](const Eigen::Vector3d& other) {
+        const double across = std::abs(other.y() - centre.y());
+        const bool of_its_pile = across < half && std::abs(other.x() - centre.x()) < half;
+        if (of_its_pile) return false;
+        const bool where_fingers_go =
+            std::abs(other.x() - from_x) < half + room.finger_half_mm + room.margin_mm && across < pusher_half + half;
+        const double ahead = sign * (other.x() - centre.x());
+        const bool where_the_cube_goes = ahead > half && ahead < length + room.cube_mm && across < room.cube_mm - 2;
+        return where_fingers_go || where_the_cube_goes;
+      };
+      const Push push{{from_x, centre.y()}, {from_x + sign * (length + 2 * room.margin_mm), centre.y()}};
+      const bool possible = within_reach(room, push.from_mm) && within_reach(room, push.to_mm) &&
+                            std::ranges::none_of(others, in_the_way);
+      if (possible) return push;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+bool is_crowded(const ElbowRoom& room, const Eigen::Vector3d& centre, const std::vector<Eigen::Vector3d>& others) {
+  return std::ranges::any_of(others, [&](const Eigen::Vector3d& other) { return crowds(room, centre, other); });
+}
+
+std::optional<Push> push_for_room(const ElbowRoom& room, const Eigen::Vector3d& centre,
+                                  const std::vector<Eigen::Vector3d>& others) {
+  if (!is_crowded(room, centre, others)) return std::nullopt;
+  const std::optional<Push> in_sight = shortest_push(room, centre, others, true);
+  return in_sight ? in_sight : shortest_push(room, centre, others, false);
+}
+
+Push push_over_from(const ElbowRoom& room, const Eigen::Vector3d& centre) {
+  // A cube on its edge reaches half its diagonal.
+  const double before = std::numbers::sqrt2 / 2 * room.cube_mm + room.finger_half_mm + 2 * room.margin_mm;
+  const double length = room.cube_mm / 2;
+  // The fingers come to where its middle would be that much further on.
+  const double cube_goes = length + room.cube_mm / 2;
+  const Eigen::Vector3d towards = centre + Eigen::Vector3d(cube_goes, 0, 0);
+  const Eigen::Vector3d away = centre - Eigen::Vector3d(cube_goes, 0, 0);
+  const double sign = is_shown(room, towards) || !is_shown(room, away) ? 1 : -1;
+  return {{centre.x() - sign * before, centre.y()}, {centre.x() + sign * length, centre.y()}};
+}
+
+}  // namespace pizarra

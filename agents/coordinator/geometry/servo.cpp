@@ -1,0 +1,35 @@
+#include "agents/coordinator/geometry/servo.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pizarra {
+
+namespace {
+
+using Motion = ServoCommand::Motion;
+
+ServoCommand fine_command(const ServoErrors& errors, const ServoLimits& limits) {
+  if (std::abs(errors.across_mm) > limits.turn_mm) return {4, Motion::turn, limits.fine_gain * errors.bearing_deg};
+  if (std::abs(errors.across_mm) > limits.fine_mm) return {4, Motion::move_h, limits.fine_gain * errors.across_mm};
+  if (std::abs(errors.along_mm) > limits.fine_mm) return {4, Motion::extend, limits.fine_gain * errors.along_mm};
+  if (errors.down_mm > limits.done_mm) return {4, Motion::down, std::min(errors.down_mm, limits.fine_step_mm)};
+  if (errors.down_mm < -2 * limits.done_mm) return {4, Motion::up, -errors.down_mm};
+  return {4, Motion::done, 0};
+}
+
+}  // namespace
+
+ServoCommand servo_command(const ServoErrors& errors, const ServoLimits& limits, bool descend) {
+  const double sideways = std::max(std::abs(errors.across_mm), std::abs(errors.along_mm));
+  const bool must_rise = descend ? sideways > limits.follow_mm : sideways > limits.coarse_mm;
+  if (must_rise && errors.clearance_mm > limits.coarse_mm) return {0, Motion::up, errors.clearance_mm};
+  const bool fine = descend && errors.down_mm <= limits.fine_zone_mm && sideways <= limits.follow_mm;
+  if (fine) return fine_command(errors, limits);
+  if (std::abs(errors.across_mm) > limits.coarse_mm) return {1, Motion::turn, errors.bearing_deg};
+  if (std::abs(errors.along_mm) > limits.coarse_mm) return {2, Motion::extend, errors.along_mm};
+  if (!descend) return {2, Motion::done, 0};
+  return {3, Motion::down, std::min(errors.down_mm - limits.fine_zone_mm + limits.coarse_mm, limits.step_mm)};
+}
+
+}  // namespace pizarra

@@ -1,0 +1,75 @@
+#include "agents/coordinator/geometry/sightings.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pizarra {
+
+namespace {
+
+constexpr int least_yaw_samples = 3;
+constexpr int most_yaw_samples = 12;
+
+}  // namespace
+
+void Sightings::look(std::int64_t frame, const Datum& track, const CameraView& view) {
+  ++looks_;
+  frame_ = frame;
+  for (const Datum& item : track.items().subspan(1)) {
+    if (item.size() != 4) continue;
+    const Eigen::Vector3d place = view.place(item[1].number(), item[2].number(), item[3].number());
+    const std::string name(item[0].text());
+    const auto [it, is_new] = seen_.try_emplace(name, Sighting{place, frame, looks_, place, looks_});
+    Sighting& sighting = it->second;
+    sighting.place_mm = place;
+    sighting.frame = frame;
+    sighting.look = looks_;
+    sighting.excused = 0;
+    if ((place - sighting.anchor_mm).norm() > still_mm) {
+      sighting.anchor_mm = place;
+      sighting.still_since = looks_;
+      sighting.yaw_samples = 0;
+    }
+  }
+}
+
+void Sightings::excuse(const std::string& name) {
+  const auto it = seen_.find(name);
+  if (it == seen_.end() || it->second.look == looks_ || it->second.excused == most_excused) return;
+  ++it->second.excused;
+  ++it->second.look;
+}
+
+// A turn that goes on without moving the mark shows too: old samples weigh less and less.
+void Sightings::face(std::string_view name, double yaw_deg) {
+  const auto it = seen_.find(name);
+  if (it == seen_.end()) return;
+  Sighting& sighting = it->second;
+  if (sighting.yaw_samples == 0) sighting.yaw_deg = yaw_deg;
+  sighting.yaw_samples = std::min(sighting.yaw_samples + 1, most_yaw_samples);
+  sighting.yaw_deg += (yaw_deg - sighting.yaw_deg) / sighting.yaw_samples;
+}
+
+double Sightings::yaw_deg(std::string_view name) const {
+  const Sighting* sighting = find(name);
+  if (!sighting || sighting->yaw_samples < least_yaw_samples) return 0;
+  // A cube looks the same every quarter turn.
+  return std::remainder(sighting->yaw_deg, 90);
+}
+
+const Sighting* Sightings::find(std::string_view name) const {
+  const auto it = seen_.find(name);
+  return it == seen_.end() ? nullptr : &it->second;
+}
+
+bool Sightings::recent(std::string_view name, std::uint64_t looks) const {
+  const Sighting* sighting = find(name);
+  return sighting && sighting->look + looks > looks_;
+}
+
+std::uint64_t Sightings::still_looks(std::string_view name) const {
+  const Sighting* sighting = find(name);
+  return sighting ? looks_ - sighting->still_since : 0;
+}
+
+}  // namespace pizarra

@@ -1,0 +1,63 @@
+#pragma once
+
+// Where each object was last seen, for how many looks it has been unseen, and for how many it has lain still.
+//
+// A look is one periodic reply of vision. Looks are counted here and not by their frame numbers, which begin again when
+// a camera is restarted.
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "agents/coordinator/geometry/camera_view.hpp"
+
+namespace pizarra {
+
+struct Sighting {
+  Eigen::Vector3d place_mm;   // of its mark, base frame
+  std::int64_t frame;         // the newest it was seen in
+  std::uint64_t look;         // the newest it was seen in
+  Eigen::Vector3d anchor_mm;  // it has been within `still_mm` of here ...
+  std::uint64_t still_since;  // ... since this look
+  int excused = 0;            // for how many looks in a row something known hid it
+  double yaw_deg = 0;         // how far its face looks to the right of facing the camera, averaged while it is still
+  int yaw_samples = 0;
+};
+
+class Sightings {
+ public:
+  static constexpr double still_mm = 6;
+
+  // Takes in one interpreted TRACK reply: `(track ("name" X Y D) ("name" fail) ...)`.
+  void look(std::int64_t frame, const Datum& track, const CameraView& view);
+
+  // Keeps an object that the newest look did not show as young as it was, because something known hides it; for
+  // `most_excused` looks in a row, then it ages like any other.
+  static constexpr int most_excused = 150;
+  void excuse(const std::string& name);
+
+  // Takes in one object's entry of a (faces ...) fact.
+  void face(std::string_view name, double yaw_deg);
+
+  std::uint64_t looks() const { return looks_; }
+  std::int64_t frame() const { return frame_; }
+  const std::map<std::string, Sighting, std::less<>>& all() const { return seen_; }
+  const Sighting* find(std::string_view name) const;
+  // How far its face is turned, within 45 degrees; 0 while too few looks told.
+  double yaw_deg(std::string_view name) const;
+  // Whether it was seen within the last `looks` looks; 1: in the newest.
+  bool recent(std::string_view name, std::uint64_t looks) const;
+  // For how many looks it has lain where it is.
+  std::uint64_t still_looks(std::string_view name) const;
+  void forget(const std::string& name) { seen_.erase(name); }
+
+ private:
+  std::uint64_t looks_ = 0;
+  std::int64_t frame_ = 0;
+  std::map<std::string, Sighting, std::less<>> seen_;
+};
+
+}  // namespace pizarra

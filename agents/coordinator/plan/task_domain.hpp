@@ -1,0 +1,43 @@
+#pragma once
+
+// One domain file with all its meaning: operators to plan with, rules to perceive by, micro-tasks to act by.
+//
+//   Result<TaskDomain> domain = TaskDomain::read("domains/blocks.scm");
+//   Result<GroundOperation> operation = domain->ground(list("STACK"_sym, "circle"_sym, "square"_sym));
+
+#include "agents/coordinator/plan/triangle_table.hpp"
+#include "blackboard/relation.hpp"
+#include "lisp/domain.hpp"
+#include "lisp/micro_tasks.hpp"
+#include "lisp/perception.hpp"
+
+namespace pizarra {
+
+class TaskDomain {
+ public:
+  // Failures: those of the three languages, missing-constant where perception says not how big a cube is, and
+  // unknown-type where what it sees has no type of the domain; all in one report, once the operators are right.
+  static Result<TaskDomain> read(const std::string& file);
+
+  const Domain& domain() const { return domain_; }
+  const Perception& perception() const { return perception_; }
+  const MicroTasks& micro_tasks() const { return micro_tasks_; }
+  double cube_mm() const { return cube_mm_; }
+  // The cell's cubes, in place of those that the domain was written for.
+  void use_cubes(double cube_mm);
+
+  // Failures: unknown-operator, wrong-arity.
+  Result<GroundOperation> ground(const Datum& operation) const;
+  // The predicates as relations, every argument key.
+  std::vector<Relation> relations() const;
+  // Where a named place of the table is: (spot NAME X Y) of the perception section.
+  const Datum* spot(std::string_view name) const;
+
+ private:
+  Domain domain_;
+  Perception perception_;
+  MicroTasks micro_tasks_;
+  double cube_mm_ = 0;
+};
+
+}  // namespace pizarra

@@ -1,0 +1,39 @@
+#pragma once
+
+// What must go on holding while an operation is done, so that it makes sense to finish it. The operation's own expected
+// effects are no differences: its preconditions count until it commits itself (`close` or `release`), what the rest of
+// the plan needs counts throughout.
+//
+//   vigil.begin(table, index);
+//   Result<void> fine = vigil.check(beliefs);      // before every motion
+
+#include "agents/coordinator/plan/triangle_table.hpp"
+#include "lisp/result.hpp"
+
+namespace pizarra {
+
+class Vigil {
+ public:
+  void begin(const TriangleTable& table, std::size_t index);
+  // Between operations: nothing has to hold.
+  void rest() {
+    preconditions_.clear();
+    throughout_.clear();
+  }
+  void commit() { committed_ = true; }
+  // The goal was replaced or cancelled: whatever is being done ends at the next check.
+  void interrupt() { interrupted_ = true; }
+  void clear_interrupt() { interrupted_ = false; }
+  bool interrupted() const { return interrupted_; }
+
+  // Failures: interrupted; difference, with the list of facts that ceased to hold as the subject.
+  Result<void> check(const Facts& beliefs) const;
+
+ private:
+  Facts preconditions_;
+  Facts throughout_;
+  bool committed_ = false;
+  bool interrupted_ = false;
+};
+
+}  // namespace pizarra

@@ -1,0 +1,110 @@
+#include "agents/coordinator/pursue/coordinator_agent.hpp"
+
+#include "agents/coordinator/pursue/contract.hpp"
+#include "agents/coordinator/pursue/pursuit.hpp"
+#include "agents/coordinator/telling.hpp"
+#include "lisp/goal.hpp"
+#include "lisp/writer.hpp"
+
+namespace pizarra {
+
+namespace {
+
+// All that exists while the agent serves, each part standing on those before it.
+struct Life {
+  Life(AgentContext& context, const CoordinatorOptions& options, TaskDomain task, Service& service)
+      : domain(std::move(task)),
+        caller(context, service),
+        story(context.board, context.executor),
+        surroundings(context, options, domain, service, story),
+        arm(context, options, surroundings, story, caller),
+        eyes(context, options, surroundings, story, caller),
+        planning(context, options, domain, surroundings, caller),
+        runner(context, options, domain, service, surroundings, story, arm, eyes, vigil),
+        rescues(domain, surroundings, story, arm, runner),
+        pursuit(context, options, domain, surroundings, story, eyes, planning, runner, rescues, vigil) {}
+
+  TaskDomain domain;
+  Caller caller;
+  Story story;
+  Surroundings surroundings;
+  Vigil vigil;
+  Arm arm;
+  Eyes eyes;
+  Planning planning;
+  TaskRunner runner;
+  Rescues rescues;
+  Pursuit pursuit;
+  Job pursuing;
+};
+
+Task<Result<Datum>> take_goal(Life& life, Datum operation) {
+  const Result<std::vector<std::string>> known = co_await life.eyes.objects();
+  if (!known) co_return fail(known);
+  std::vector<std::pair<std::string, std::string>> objects;
+  for (const std::string& name : *known) objects.emplace_back(name, life.domain.perception().sees());
+  std::string text;
+  for (const Datum& form : operation.items().subspan(1)) text += write(form) + '\n';
+  Result<std::vector<Datum>> facts = read_goal(life.domain.domain(), text, objects);
+  if (!facts) co_return fail(facts);
+  const Result<std::int64_t> number = co_await life.pursuit.submit(std::move(*facts));
+  if (!number) co_return fail(number);
+  co_return list(*number);
+}
+
+Task<Result<Datum>> take_cancel(Life& life) {
+  const Result<void> cancelled = co_await life.pursuit.cancel();
+  if (!cancelled) co_return fail(cancelled);
+  co_return Datum();
+}
+
+Task<Result<Datum>> tell_why(Life& life) {
+  const std::vector<std::string> sentences = co_await life.story.why();
+  std::vector<Datum> told;
+  for (const std::string& sentence : sentences) told.push_back(to_datum(sentence));
+  co_return Datum::list(std::move(told));
+}
+
+Task<Result<Datum>> handle(Life& life, Datum operation) {
+  if (operation.is_form("goal")) return take_goal(life, std::move(operation));
+  if (operation.is_form("cancel")) return take_cancel(life);
+  return tell_why(life);
+}
+
+}  // namespace
+
+struct CoordinatorAgent::State {
+  AgentContext context;
+  CoordinatorOptions options;
+};
+
+CoordinatorAgent::CoordinatorAgent(AgentContext context, CoordinatorOptions options)
+    : state_(std::make_unique<State>(std::move(context), std::move(options))) {}
+
+CoordinatorAgent::~CoordinatorAgent() = default;
+
+Task<Result<void>> CoordinatorAgent::run() {
+  AgentContext& context = state_->context;
+  Result<TaskDomain> domain = TaskDomain::read(state_->options.domain_file);
+  if (!domain) co_return fail(domain);
+  if (state_->options.cube_mm) domain->use_cubes(*state_->options.cube_mm);
+  const std::vector<Relation> predicates = domain->relations();
+  Result<Contract> contract = contract_from_text(coordinator_contract);
+  if (!contract) co_return fail(contract);
+  contract->posts.insert(contract->posts.end(), predicates.begin(), predicates.end());
+  // Requests in hand, which the service holds, end before what they work with.
+  std::unique_ptr<Life> life;
+  Service service(context, std::move(*contract));
+  const Result<void> started = co_await service.start();
+  if (!started) co_return started;
+  life = std::make_unique<Life>(context, state_->options, std::move(*domain), service);
+  co_await life->story.resume();
+  co_await life->pursuit.resume();
+  life->surroundings.start();
+  life->pursuing = context.executor.spawn(life->pursuit.run());
+  Handler handler = [&part = *life](Datum operation) { return handle(part, std::move(operation)); };
+  const Result<void> served = co_await service.serve(std::move(handler));
+  co_return served;
+}
+
+}  // namespace pizarra

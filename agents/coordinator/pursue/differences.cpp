@@ -1,0 +1,82 @@
+#include <algorithm>
+#include <fmt/format.h>
+
+#include "agents/coordinator/pursue/pursuit.hpp"
+#include "agents/coordinator/telling.hpp"
+#include "lisp/writer.hpp"
+
+namespace pizarra {
+
+namespace {
+
+bool share_an_object(const Datum& a, const Datum& b) {
+  return std::ranges::any_of(a.items().subspan(1), [&b](const Datum& object) {
+    return std::ranges::find(b.items().subspan(1), object) != b.items().end();
+  });
+}
+
+}  // namespace
+
+// Which fact, seen in which frame, broke which expectation: what is believed instead is what came with that frame about
+// the same objects.
+Task<void> Pursuit::tell_difference(std::vector<Datum> lost, std::string expected_by) {
+  std::vector<FactId> because;
+  std::string sentence;
+  for (const Datum& fact : lost) {
+    const std::int64_t frame = surroundings_.changed_in(fact);
+    std::string instead;
+    for (const Datum& belief : surroundings_.beliefs()) {
+      const bool came_instead = surroundings_.changed_in(belief) >= frame && share_an_object(fact, belief);
+      if (frame == 0 || !came_instead) continue;
+      instead += (instead.empty() ? "" : " ") + write(belief);
+      const Datum believed = list("believed"_sym, belief);
+      const std::vector<Fact> facts = co_await facts_now(context_.board, context_.executor, believed);
+      for (const Fact& evidence : facts) because.push_back(evidence.id);
+    }
+    if (!sentence.empty()) sentence += "; ";
+    sentence += fmt::format("{} does not hold", write(fact));
+    if (frame != 0) sentence += fmt::format(" since frame {}", frame);
+    if (!instead.empty()) sentence += fmt::format(", which shows {}", instead);
+  }
+  sentence += fmt::format("; it was expected by {}", expected_by);
+  co_await story_.tell("difference", sentence, Datum::list(lost), because);
+}
+
+// The furthest suffix is not the one that the last operation should have led to.
+Task<void> Pursuit::tell_unexpected(std::size_t expected, std::size_t next) {
+  const std::vector<GroundOperation>& plan = table_->plan();
+  if (next > expected) {
+    std::string skipped;
+    std::vector<Datum> operations;
+    for (std::size_t i = expected; i < next; ++i) {
+      skipped += ' ' + write(plan[i].name);
+      operations.push_back(plan[i].name);
+    }
+    const std::string sentence = fmt::format("somebody else did{}: it is skipped", skipped);
+    co_await story_.tell("difference", sentence, Datum::list(operations));
+    co_return;
+  }
+  std::vector<Datum> lost;
+  for (const Datum& fact : table_->needed(expected)) {
+    if (!surroundings_.beliefs().contains(fact)) lost.push_back(fact);
+  }
+  const std::string expected_by = expected < plan.size() ? write(plan[expected].name) : std::string("the goal");
+  co_await tell_difference(std::move(lost), expected_by);
+}
+
+Task<void> Pursuit::tell_still_serves(std::int64_t goal, std::size_t next) {
+  const std::vector<GroundOperation>& plan = table_->plan();
+  std::vector<Datum> rest;
+  std::string told;
+  for (std::size_t i = next; i < plan.size(); ++i) {
+    rest.push_back(plan[i].name);
+    told += ' ' + write(plan[i].name);
+  }
+  const std::string sentence =
+      rest.empty() ? "nothing is left to do of the plan in hand"
+                   : fmt::format("the plan in hand still serves, from operation {} on:{}", next + 1, told);
+  const Datum detail = list("plan"_sym, goal, Datum::list(rest));
+  co_await story_.tell("plan", sentence, detail);
+}
+
+}  // namespace pizarra

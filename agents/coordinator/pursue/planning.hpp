@@ -1,0 +1,35 @@
+#pragma once
+
+// The dialogue with the planning server (steps d to f): operators, facts and goals go there, a plan comes back.
+
+#include "agents/coordinator/perceive/surroundings.hpp"
+#include "agents/coordinator/story.hpp"
+
+namespace pizarra {
+
+class Planning {
+ public:
+  Planning(AgentContext& context, const CoordinatorOptions& options, const TaskDomain& domain,
+           Surroundings& surroundings, Caller& caller)
+      : context_(context), options_(options), domain_(domain), surroundings_(surroundings), caller_(caller) {}
+
+  // A plan from what is believed now, one operation after another; empty where the goal holds. Failures: no-plan
+  // (proved), gave-up, absent, and what the planner says of a task it cannot read.
+  Task<Result<std::vector<GroundOperation>>> plan(std::vector<Datum> goal);
+  // Asks for operation `index` of the plan that was handed out last, as the planner remembers it; nothing where it does
+  // not.
+  Task<std::optional<Datum>> operation(std::size_t index);
+
+ private:
+  Task<Result<Datum>> ask(Datum operation);
+  Datum operators() const;
+  Datum task(const std::vector<Datum>& goal) const;
+
+  AgentContext& context_;
+  const CoordinatorOptions& options_;
+  const TaskDomain& domain_;
+  Surroundings& surroundings_;
+  Caller& caller_;
+};
+
+}  // namespace pizarra

@@ -1,0 +1,247 @@
+#include "agents/coordinator/pursue/pursuit.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <iterator>
+
+#include "agents/coordinator/telling.hpp"
+#include "lisp/writer.hpp"
+
+namespace pizarra {
+
+namespace {
+
+// Bounds of one goal. A tower of four takes about ten operations; every disturbance costs a few more.
+constexpr int most_rounds = 150;
+constexpr int most_plans = 30;
+constexpr int most_failures = 25;
+constexpr int most_failures_of_one = 5;
+// Failures of one operation till something else is tried.
+constexpr int failures_till_otherwise = 2;
+constexpr Duration untold_pause = 1s;
+
+std::vector<Datum> missing_from(const Facts& beliefs, const Facts& needed) {
+  std::vector<Datum> missing;
+  std::ranges::set_difference(needed, beliefs, std::back_inserter(missing));
+  return missing;
+}
+
+// What ends the pursuit whatever else might be tried.
+bool is_final(const Failure& failure) { return failure.symbol == "interrupted" || failure.symbol == "absent"; }
+
+bool is_of_how_it_lies(const Failure& failure) {
+  constexpr std::string_view symbols[] = {"stopped", "missed", "no-convergence", "no-effect"};
+  return std::ranges::find(symbols, failure.symbol) != std::end(symbols);
+}
+
+}  // namespace
+
+Task<void> Pursuit::run() {
+  while (true) {
+    while (!current_) co_await wanted_.wait();
+    const Goal goal = *current_;
+    vigil_.clear_interrupt();
+    if (planned_for_ != goal.number) table_.reset();
+    const Result<void> outcome = co_await pursue(goal);
+    co_await finish(goal, outcome);
+  }
+}
+
+Task<Result<void>> Pursuit::pursue(Goal goal) {
+  const Result<void> tracking = co_await eyes_.track();
+  if (!tracking) co_return tracking;
+  const Result<void> looked = co_await eyes_.fresh_look();
+  if (!looked) co_return looked;
+  const std::vector<std::string> objects = objects_of(goal);
+  const Result<void> there = co_await look_for(objects);
+  if (!there) co_return there;
+  co_await await_steady(objects);
+  const Result<void> outcome = co_await rounds(goal);
+  co_return outcome;
+}
+
+Task<Result<void>> Pursuit::rounds(Goal goal) {
+  const std::vector<std::string> objects = objects_of(goal);
+  Progress progress;
+  for (int round = 0; round < most_rounds; ++round) {
+    if (vigil_.interrupted()) co_return fail("interrupted", "another goal, or none, is wanted now");
+    // The arm keeps out of the way of a hand at work.
+    const bool calm = surroundings_.calm();
+    if (!calm) co_await await_steady(objects);
+    const Result<std::optional<std::size_t>> chosen = co_await choose(goal, progress);
+    if (!chosen) co_return fail(chosen);
+    if (!*chosen) continue;
+    const std::size_t next = **chosen;
+    if (next == table_->plan().size()) {
+      const bool settled = co_await settles(goal);
+      if (settled) co_return Result<void>();
+      progress.expected.reset();
+      progress.announced.reset();
+      continue;
+    }
+    const Result<void> done = co_await do_operation(next);
+    if (done) {
+      progress.expected = progress.announced = next + 1;
+      progress.failures_of.erase(table_->plan()[next].name);
+      continue;
+    }
+    const Result<void> recovered = co_await recover(next, done.error(), progress);
+    if (!recovered) co_return recovered;
+    co_await await_steady(objects);
+  }
+  co_return fail("gave-up", "the goal was not reached in a great many operations");
+}
+
+Task<Result<std::optional<std::size_t>>> Pursuit::choose(Goal goal, Progress& progress) {
+  std::optional<std::size_t> next;
+  if (table_) next = table_->furthest(surroundings_.beliefs());
+  if (!next) {
+    if (table_ && progress.expected) {
+      const std::vector<Datum> lost = missing_from(surroundings_.beliefs(), table_->needed(*progress.expected));
+      co_await tell_difference(lost, "the rest of the plan");
+    }
+    progress.expected.reset();
+    progress.announced.reset();
+    if (++progress.plans > most_plans) co_return fail("gave-up", "too many plans came to nothing");
+    std::vector<std::string> objects = objects_of(goal);
+    const Result<bool> planned = co_await plan_anew(goal, std::move(objects));
+    if (!planned) co_return fail(planned);
+    if (*planned) progress.announced = 0;
+    co_return next;
+  }
+  const bool unexpected = progress.expected && *next != *progress.expected;
+  if (unexpected) co_await tell_unexpected(*progress.expected, *next);
+  if (progress.announced != next) co_await tell_still_serves(goal.number, *next);
+  progress.expected = progress.announced = next;
+  co_return next;
+}
+
+Task<Result<void>> Pursuit::recover(std::size_t index, Failure why, Progress& progress) {
+  if (is_final(why)) co_return fail(why);
+  // A difference was told when it was noticed; what follows from it is not another one.
+  progress.expected.reset();
+  if (why.symbol == "difference") {
+    progress.announced.reset();
+    co_return Result<void>();
+  }
+  const GroundOperation operation = table_->plan()[index];
+  const int failures = ++progress.failures_of[operation.name];
+  const bool too_often = ++progress.failures > most_failures || failures > most_failures_of_one;
+  if (too_often) co_return fail(why);
+  const bool in_vain = failures % failures_till_otherwise == 0;
+  if (in_vain) co_await try_otherwise(operation, std::move(why));
+  co_return Result<void>();
+}
+
+// Whatever comes of it is seen afterwards.
+Task<void> Pursuit::try_otherwise(GroundOperation operation, Failure why) {
+  const bool hidden = why.symbol == "lost-sight" && why.subject.is_symbol();
+  if (hidden) {
+    const std::string missing(why.subject.text());
+    co_await clear_view(missing);
+    co_return;
+  }
+  const bool lies_badly = is_of_how_it_lies(why);
+  if (lies_badly) co_await rescues_.loosen(operation.name);
+}
+
+Task<Result<void>> Pursuit::do_operation(std::size_t index) {
+  // Step h: the planner hands out one operation at a time. The coordinator keeps the plan too, since only it knows
+  // which operation can be next, and a planner that was restarted has forgotten.
+  const std::optional<Datum> handed_out = co_await planning_.operation(index);
+  const GroundOperation operation = table_->plan()[index];
+  if (handed_out && *handed_out != operation.name) {
+    table_.reset();
+    co_return fail("difference", "somebody else had the planner make another plan", *handed_out);
+  }
+  vigil_.begin(*table_, index);
+  const Result<void> done = co_await runner_.run(index, operation);
+  if (done) co_return done;
+  const Failure& why = done.error();
+  if (why.symbol == "interrupted") co_return done;
+  if (why.symbol == "difference") {
+    std::vector<Datum> lost(why.subject.items().begin(), why.subject.items().end());
+    co_await tell_difference(std::move(lost), write(operation.name));
+  } else {
+    const std::string sentence = fmt::format("{} failed: {}", write(operation.name), why.sentence);
+    co_await story_.tell("operation", sentence, failure_to_datum(why));
+  }
+  co_return done;
+}
+
+Task<bool> Pursuit::settles(Goal goal) {
+  const Facts wanted(goal.facts.begin(), goal.facts.end());
+  const Time settled = context_.executor.now() + options_.settle;
+  while (context_.executor.now() < settled) {
+    const Result<void> looked = co_await eyes_.fresh_look();
+    if (!looked) co_return false;
+    if (vigil_.interrupted()) co_return false;
+    const std::vector<Datum> lost = missing_from(surroundings_.beliefs(), wanted);
+    if (lost.empty()) continue;
+    co_await tell_difference(lost, "the goal");
+    co_await await_steady(objects_of(goal));
+    co_return false;
+  }
+  co_return true;
+}
+
+Task<Result<std::int64_t>> Pursuit::submit(std::vector<Datum> facts) {
+  const Turns::Turn turn = co_await turns_.next();
+  const Goal goal{last_number_ + 1, std::move(facts)};
+  const Datum told_goal = list("goal"_sym, goal.number, Datum::list(goal.facts));
+  Transaction transaction;
+  if (current_) transaction.tell(list("goal-state"_sym, current_->number, "replaced"_sym, Datum()));
+  transaction.tell(told_goal);
+  transaction.tell(list("goal-state"_sym, goal.number, "running"_sym, Datum()));
+  story_.add(transaction, "goal", goal_sentence(told_goal), told_goal[2]);
+  const Result<Revision> told = co_await commit(context_.board, context_.executor, std::move(transaction));
+  if (!told) co_return fail(told);
+  last_number_ = goal.number;
+  current_ = goal;
+  vigil_.interrupt();
+  wanted_.wake_all();
+  co_return goal.number;
+}
+
+Task<Result<void>> Pursuit::cancel() {
+  const Turns::Turn turn = co_await turns_.next();
+  if (!current_) co_return fail("no-goal", "there is no goal in hand");
+  const Result<Revision> told = co_await tell_outcome(current_->number, "cancelled", Datum());
+  if (!told) co_return fail(told);
+  current_.reset();
+  vigil_.interrupt();
+  co_return Result<void>();
+}
+
+// A goal stays in hand until its end could be told.
+Task<void> Pursuit::finish(Goal goal, Result<void> outcome) {
+  bool ended = co_await end(goal, outcome);
+  while (!ended) {
+    co_await sleep(context_.executor, untold_pause);
+    ended = co_await end(goal, outcome);
+  }
+}
+
+Task<bool> Pursuit::end(Goal goal, Result<void> outcome) {
+  const Turns::Turn turn = co_await turns_.next();
+  const bool still_wanted = current_ && current_->number == goal.number;
+  if (!still_wanted) co_return true;
+  const std::string_view state = outcome ? "reached" : "refused";
+  const Datum detail = outcome ? Datum() : failure_to_datum(outcome.error());
+  const Result<Revision> told = co_await tell_outcome(goal.number, state, detail);
+  const bool try_again = !told && told.error().symbol == "journal-full";
+  if (try_again) co_return false;
+  current_.reset();
+  table_.reset();
+  co_return true;
+}
+
+Task<Result<Revision>> Pursuit::tell_outcome(std::int64_t number, std::string_view state, Datum detail) {
+  const Datum told = list("goal-state"_sym, number, Datum::symbol(state), detail);
+  Transaction transaction;
+  transaction.tell(told);
+  story_.add(transaction, "result", outcome_sentence(told), detail);
+  return commit(context_.board, context_.executor, std::move(transaction));
+}
+
+}  // namespace pizarra

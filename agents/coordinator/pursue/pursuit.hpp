@@ -1,0 +1,112 @@
+#pragma once
+
+// Pursues the goal: the thesis' steps a to h, one goal at a time, until it holds or cannot.
+//
+// Its rounds: which suffix of the plan can go on from what is believed (triangle table)? None: a new plan. The empty
+// one: watch for a while that the goal stays. Any other: do its first operation. What was believed and is not any more
+// is told as a difference, with the frame that showed it, and so is what is made of it: which part of the plan in hand
+// still serves, or the new plan. Goal, plan and operation are durable facts, from which a new life of the coordinator
+// goes on.
+//
+// What is wanted changes on the board first: a goal that the board refuses, as one whose disk is full does, changes
+// nothing here.
+
+#include <map>
+
+#include "agents/coordinator/act/rescues.hpp"
+#include "agents/coordinator/act/task_runner.hpp"
+#include "agents/coordinator/pursue/planning.hpp"
+#include "agents/coordinator/pursue/turns.hpp"
+
+namespace pizarra {
+
+class Pursuit {
+ public:
+  Pursuit(AgentContext& context, const CoordinatorOptions& options, const TaskDomain& domain,
+          Surroundings& surroundings, Story& story, Eyes& eyes, Planning& planning, TaskRunner& runner,
+          Rescues& rescues, Vigil& vigil)
+      : context_(context),
+        options_(options),
+        domain_(domain),
+        surroundings_(surroundings),
+        story_(story),
+        eyes_(eyes),
+        planning_(planning),
+        runner_(runner),
+        rescues_(rescues),
+        vigil_(vigil),
+        turns_(context.executor),
+        wanted_(context.executor) {}
+
+  // Takes up the goal and the plan that stand on the board, before anything else.
+  Task<void> resume();
+  // Goes on for ever, one goal after another.
+  Task<void> run();
+  // Takes a checked goal, instead of the one in hand, and answers its number. Failures: the board's.
+  Task<Result<std::int64_t>> submit(std::vector<Datum> facts);
+  // Gives up the goal in hand. Failures: no-goal, and the board's.
+  Task<Result<void>> cancel();
+
+ private:
+  struct Goal {
+    std::int64_t number;
+    std::vector<Datum> facts;
+  };
+
+  // How far the rounds of one goal have come.
+  struct Progress {
+    std::optional<std::size_t> expected;   // the operation that is next unless something differs
+    std::optional<std::size_t> announced;  // the one that the story has said to be next
+    std::map<Datum, int> failures_of;
+    int failures = 0;
+    int plans = 0;
+  };
+
+  Task<Result<void>> pursue(Goal goal);
+  Task<Result<void>> rounds(Goal goal);
+  // The operation to go on with; none where a plan had to be made first.
+  Task<Result<std::optional<std::size_t>>> choose(Goal goal, Progress& progress);
+  // Takes note of a failed operation; a failure where it is to be the last.
+  Task<Result<void>> recover(std::size_t index, Failure why, Progress& progress);
+  // Changes the scene where trying the same again would end the same way.
+  Task<void> try_otherwise(GroundOperation operation, Failure why);
+  Task<Result<void>> look_for(std::vector<std::string> objects);
+  Task<Result<void>> look_once_for(std::string object, Time deadline);
+  Task<Result<void>> clear_view(std::string missing);
+  Task<void> await_steady(std::vector<std::string> objects);
+  // Whether a new plan was made: false where the one in hand serves again.
+  Task<Result<bool>> plan_anew(Goal goal, std::vector<std::string> objects);
+  Task<void> adopt(Goal goal, std::vector<GroundOperation> plan);
+  Task<Result<void>> do_operation(std::size_t index);
+  // Whether the goal still held after the time to settle.
+  Task<bool> settles(Goal goal);
+  Task<void> tell_difference(std::vector<Datum> lost, std::string expected_by);
+  Task<void> tell_unexpected(std::size_t expected, std::size_t next);
+  Task<void> tell_still_serves(std::int64_t goal, std::size_t next);
+  Task<void> finish(Goal goal, Result<void> outcome);
+  // False where the board has no room for it.
+  Task<bool> end(Goal goal, Result<void> outcome);
+  Task<Result<Revision>> tell_outcome(std::int64_t number, std::string_view state, Datum detail);
+  std::vector<std::string> objects_of(const Goal& goal) const;
+
+  AgentContext& context_;
+  const CoordinatorOptions& options_;
+  const TaskDomain& domain_;
+  Surroundings& surroundings_;
+  Story& story_;
+  Eyes& eyes_;
+  Planning& planning_;
+  TaskRunner& runner_;
+  Rescues& rescues_;
+  Vigil& vigil_;
+  Turns turns_;  // to change what is wanted
+  WaitList wanted_;
+
+  std::optional<Goal> current_;
+  std::int64_t last_number_ = 0;
+  // The plan in use; none until one was made, or when no suffix of it holds.
+  std::optional<TriangleTable> table_;
+  std::int64_t planned_for_ = 0;  // the goal's number
+};
+
+}  // namespace pizarra

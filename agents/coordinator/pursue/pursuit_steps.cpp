@@ -1,0 +1,186 @@
+#include <algorithm>
+#include <fmt/format.h>
+
+#include "agents/coordinator/pursue/pursuit.hpp"
+#include "agents/coordinator/telling.hpp"
+#include "lisp/writer.hpp"
+
+namespace pizarra {
+
+namespace {
+
+constexpr Duration steady_patience = 8s;
+constexpr Duration second_proof_after = 2s;
+constexpr Duration planner_pause = 1s;
+constexpr int planner_tries = 3;
+constexpr int most_attempts = 12;
+constexpr std::uint64_t lately = 10;
+
+bool is_verdict(const Failure& failure) {
+  return failure.symbol == "no-plan" || failure.symbol == "gave-up" || failure.symbol == "absent";
+}
+
+}  // namespace
+
+std::vector<std::string> Pursuit::objects_of(const Goal& goal) const {
+  std::vector<std::string> names;
+  for (const Datum& fact : goal.facts) {
+    for (const Datum& argument : fact.items().subspan(1)) {
+      const std::string name(argument.text());
+      const std::vector<TypedName>& fixed = domain_.domain().objects;
+      const bool of_domain = std::ranges::find(fixed, name, &TypedName::name) != fixed.end();
+      if (!of_domain && std::ranges::find(names, name) == names.end()) names.push_back(name);
+    }
+  }
+  return names;
+}
+
+// Steps b and c. What is seen while tracked needs no search of the whole image.
+Task<Result<void>> Pursuit::look_for(std::vector<std::string> objects) {
+  const Time deadline = context_.executor.now() + options_.missing_patience;
+  for (const std::string& name : objects) {
+    const Result<void> there = co_await look_once_for(name, deadline);
+    if (!there) co_return there;
+  }
+  co_return Result<void>();
+}
+
+Task<Result<void>> Pursuit::look_once_for(std::string object, Time deadline) {
+  bool out_of_the_way = false;
+  bool searched = false;
+  const Time doubtful = context_.executor.now() + options_.missing_patience / 2;
+  while (!surroundings_.sightings().recent(object, lately)) {
+    if (vigil_.interrupted()) co_return fail("interrupted", "another goal, or none, is wanted now");
+    const Result<bool> found = co_await eyes_.find(object);
+    if (!found) co_return fail(found);
+    // Found in one image alone, it has no place, and that is as good as not seen.
+    if (context_.executor.now() > deadline) {
+      co_return fail("missing-object", fmt::format("{} is not seen", object), Datum::symbol(object));
+    }
+    // The arm itself may hide it, if it stands low before it.
+    const std::optional<Eigen::Vector3d> grip = surroundings_.grip_mm();
+    const bool low = grip && grip->z() < options_.travel_height_mm - 10;
+    if (!*found && low && !out_of_the_way) {
+      out_of_the_way = true;
+      const Result<void> raised = co_await runner_.raise();
+      if (!raised) co_return raised;
+    }
+    if (!searched && context_.executor.now() > doubtful) {
+      searched = true;
+      const Result<void> cleared = co_await clear_view(object);
+      if (!cleared) co_return cleared;
+      deadline = context_.executor.now() + options_.missing_patience;
+    }
+    const Result<void> looked = co_await eyes_.fresh_look();
+    if (!looked) co_return looked;
+  }
+  co_return Result<void>();
+}
+
+// Where a thing is nowhere to be seen, the gripper may hold it, or another may stand before it. That a try fails is no
+// reason to give up looking.
+Task<Result<void>> Pursuit::clear_view(std::string missing) {
+  Result<void> done = co_await rescues_.lay_down(missing);
+  const std::optional<std::string> before = surroundings_.may_hide(missing);
+  const bool may_hide = done && before && *before != missing;
+  if (may_hide) done = co_await rescues_.set_aside(*before);
+  if (!done && done.error().symbol == "interrupted") co_return done;
+  co_return Result<void>();
+}
+
+// A hand may be at work: what is planned on should have come to rest. Not for ever.
+Task<void> Pursuit::await_steady(std::vector<std::string> objects) {
+  const Time deadline = context_.executor.now() + steady_patience;
+  while (!surroundings_.steady(objects) && context_.executor.now() < deadline && !vigil_.interrupted()) {
+    const Result<void> looked = co_await eyes_.fresh_look();
+    if (!looked) co_return;
+  }
+}
+
+// Steps d to f. That there is no plan counts when it is proved twice, in case something was on its way.
+Task<Result<bool>> Pursuit::plan_anew(Goal goal, std::vector<std::string> objects) {
+  const Result<void> there = co_await look_for(objects);
+  if (!there) co_return fail(there);
+  co_await await_steady(objects);
+  // Whoever disturbed may have put things right again.
+  if (table_ && table_->furthest(surroundings_.beliefs())) co_return false;
+  bool proved = false;
+  int failed = 0;
+  for (int attempt = 0; attempt < most_attempts; ++attempt) {
+    if (vigil_.interrupted()) co_return fail("interrupted", "another goal, or none, is wanted now");
+    const Facts planned_on = surroundings_.beliefs();
+    Result<std::vector<GroundOperation>> plan = co_await planning_.plan(goal.facts);
+    if (plan) {
+      co_await adopt(goal, std::move(*plan));
+      co_return true;
+    }
+    if (is_verdict(plan.error()) && (proved || plan.error().symbol == "absent")) co_return fail(plan);
+    proved = is_verdict(plan.error());
+    // What is held askew is neither held nor lying anywhere, as far as the eyes can tell. What comes of it is seen.
+    const bool may_hold = proved && !objects.empty();
+    if (may_hold) co_await rescues_.lay_down(objects.front());
+    if (!proved) ++failed;
+    if (failed == planner_tries) co_return fail(plan);
+    const Duration pause = proved ? second_proof_after : planner_pause;
+    co_await sleep(context_.executor, pause);
+    co_await await_steady(objects);
+    if (surroundings_.beliefs() != planned_on) proved = false;
+    const Result<void> still_there = co_await look_for(objects);
+    if (!still_there) co_return fail(still_there);
+  }
+  co_return fail("gave-up", "the cell does not come to rest, and none of the states it was seen in has a plan");
+}
+
+Task<void> Pursuit::adopt(Goal goal, std::vector<GroundOperation> plan) {
+  std::vector<Datum> operations;
+  std::string told;
+  for (const GroundOperation& operation : plan) {
+    operations.push_back(operation.name);
+    told += ' ' + write(operation.name);
+  }
+  const bool again = table_.has_value();
+  table_.emplace(std::move(plan), goal.facts);
+  planned_for_ = goal.number;
+  const Datum fact = list("plan"_sym, goal.number, Datum::list(operations));
+  Transaction transaction;
+  transaction.tell(fact);
+  co_await commit(context_.board, context_.executor, std::move(transaction));
+  const std::string sentence =
+      operations.empty() ? "nothing needs to be done" : fmt::format("{}:{}", again ? "new plan" : "plan", told);
+  co_await story_.tell("plan", sentence, fact);
+}
+
+Task<void> Pursuit::resume() {
+  const Datum any = "?"_sym;
+  const std::vector<Fact> goals = co_await facts_now(context_.board, context_.executor, list("goal"_sym, any, any));
+  const std::vector<Fact> states =
+      co_await facts_now(context_.board, context_.executor, list("goal-state"_sym, any, "running"_sym, any));
+  const std::vector<Fact> plans = co_await facts_now(context_.board, context_.executor, list("plan"_sym, any, any));
+  std::optional<Goal> goal;
+  for (const Fact& fact : goals) {
+    const std::int64_t number = fact.datum[1].integer();
+    last_number_ = std::max(last_number_, number);
+    const bool running =
+        std::ranges::any_of(states, [&](const Fact& state) { return state.datum[1] == fact.datum[1]; });
+    const auto wanted = fact.datum[2].items();
+    if (running) goal = Goal{number, {wanted.begin(), wanted.end()}};
+  }
+  if (!goal) co_return;
+  current_ = goal;
+  for (const Fact& fact : plans) {
+    if (fact.datum[1].integer() != goal->number) continue;
+    std::vector<GroundOperation> plan;
+    for (const Datum& operation : fact.datum[2].items()) {
+      Result<GroundOperation> ground = domain_.ground(operation);
+      if (ground) plan.push_back(std::move(*ground));
+    }
+    // A plan in terms of another domain file is none.
+    if (plan.size() != fact.datum[2].size()) continue;
+    table_.emplace(std::move(plan), goal->facts);
+    planned_for_ = goal->number;
+  }
+  const std::string sentence = fmt::format("going on with goal {} after a restart", goal->number);
+  co_await story_.tell("agent", sentence, to_datum(goal->number));
+}
+
+}  // namespace pizarra
