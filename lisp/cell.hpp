@@ -84,7 +84,7 @@ struct PanTiltLine {
 
 // How the arm's controller is reached.
 struct ArmLine {
-  std::string protocol;  // hses, universal, simple-message, c500c; empty: the simulated arm, over the device link
+  std::string protocol;  // of `protocols` in cell.scm; empty: the simulated arm, over the device link
   std::vector<std::string> places;  // hosts or files
   std::vector<int> ports;
 };

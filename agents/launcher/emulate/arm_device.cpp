@@ -9,6 +9,8 @@
 #include "blackboard/time/real_executor.hpp"
 #include "blackboard/time/stop_signals.hpp"
 #include "drivers/arm/arm_file.hpp"
+#include "drivers/arm/motoman/ethernet_line.hpp"
+#include "drivers/simulation/controllers/arms/host_control.hpp"
 #include "drivers/simulation/controllers/arms/hses_emulator.hpp"
 #include "drivers/simulation/controllers/arms/moving_arm.hpp"
 #include "drivers/simulation/controllers/arms/simple_emulator.hpp"
@@ -97,6 +99,39 @@ std::string where_tcp(const std::string& address, const std::vector<std::unique_
   return where;
 }
 
+class HostServing : public Serving {
+ public:
+  using Serve = Task<void> (*)(Executor&, HostControl&, ByteWire&);
+  HostServing(Executor& executor, ArmCabinet& cabinet, Serve serve, std::unique_ptr<ByteWire> line, std::string where)
+      : line_(std::move(line)),
+        where_(std::move(where)),
+        control_(cabinet),
+        job_(executor.spawn(serve(executor, control_, *line_))) {}
+  std::string where() const override { return where_; }
+
+ private:
+  std::unique_ptr<ByteWire> line_;
+  std::string where_;
+  HostControl control_;
+  Job job_;
+};
+
+// The Ethernet Server, or the serial line.
+Result<std::unique_ptr<Serving>> serve_host(Executor& executor, ArmCabinet& cabinet, const EmulateChoices& choices) {
+  if (choices.pty) {
+    Result<std::unique_ptr<PtyWire>> line = PtyWire::make(executor);
+    if (!line) return fail(line);
+    std::string where = (*line)->path();
+    return std::make_unique<HostServing>(executor, cabinet, serve_bsc, std::move(*line), std::move(where));
+  }
+  Result<std::vector<std::unique_ptr<TcpPort>>> ports =
+      listen_at(executor, choices.address, ports_of(choices, {ethernet_server_port}));
+  if (!ports) return fail(ports);
+  std::string where = where_tcp(choices.address, *ports);
+  return std::make_unique<HostServing>(executor, cabinet, serve_ethernet_server, std::move(ports->front()),
+                                       std::move(where));
+}
+
 class UrServing : public Serving {
  public:
   UrServing(Executor& executor, ArmCabinet& cabinet, std::vector<std::unique_ptr<TcpPort>> ports, std::string address)
@@ -176,8 +211,10 @@ struct ArmKind {
   bool serial = false;  // whether it has serial lines, too
 };
 
-constexpr ArmKind kinds[] = {
-    {"up6", "motoman-up6", serve_hses}, {"ur5e", "ur5e", serve_ur}, {"f3", "crs-f3", serve_simple, true}};
+constexpr ArmKind kinds[] = {{"up6", "motoman-up6", serve_hses},
+                             {"up6-nx100", "motoman-up6", serve_host, true},
+                             {"ur5e", "ur5e", serve_ur},
+                             {"f3", "crs-f3", serve_simple, true}};
 
 std::string in_json(const ArmCabinet& cabinet, const ArmReading& reading) {
   return fmt::format(

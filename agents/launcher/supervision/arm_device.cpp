@@ -1,5 +1,8 @@
 #include "agents/launcher/supervision/arm_device.hpp"
 
+#include "drivers/arm/motoman/bsc_line.hpp"
+#include "drivers/arm/motoman/ethernet_line.hpp"
+#include "drivers/arm/motoman/host_link.hpp"
 #include "drivers/arm/motoman/hses_link.hpp"
 #include "drivers/arm/motoman/motoman_arm.hpp"
 #include "drivers/arm/simple_message/simple_arm.hpp"
@@ -33,6 +36,38 @@ class HsesDevice : public ArmDevice {
  private:
   UdpWire wire_;
   HsesLink link_;
+  MotomanArm arm_;
+};
+
+class EthernetServerDevice : public ArmDevice {
+ public:
+  EthernetServerDevice(Executor& executor, const ArmLine& line, const ArmModel& model)
+      : wire_(executor, line.places[0], port_of(line, 0)),
+        line_(executor, wire_),
+        link_(line_),
+        arm_(executor, link_, model) {}
+  ArmDriver& driver() override { return arm_; }
+
+ private:
+  TcpWire wire_;
+  EthernetLine line_;
+  HostLink link_;
+  MotomanArm arm_;
+};
+
+class BscDevice : public ArmDevice {
+ public:
+  BscDevice(Executor& executor, const ArmLine& line, const ArmModel& model)
+      : wire_(executor, line.places[0], BscLine::baud, Parity::even),
+        line_(executor, wire_),
+        link_(line_),
+        arm_(executor, link_, model) {}
+  ArmDriver& driver() override { return arm_; }
+
+ private:
+  SerialWire wire_;
+  BscLine line_;
+  HostLink link_;
   MotomanArm arm_;
 };
 
@@ -86,6 +121,8 @@ class C500cDevice : public ArmDevice {
 
 std::unique_ptr<ArmDevice> make_arm_device(Executor& executor, const ArmLine& line, const ArmModel& model, Link& link) {
   if (line.protocol == "hses") return std::make_unique<HsesDevice>(executor, line, model);
+  if (line.protocol == "ethernet-server") return std::make_unique<EthernetServerDevice>(executor, line, model);
+  if (line.protocol == "bsc") return std::make_unique<BscDevice>(executor, line, model);
   if (line.protocol == "universal") return std::make_unique<UniversalDevice>(executor, line, model);
   if (line.protocol == "simple-message") return std::make_unique<SimpleDevice>(executor, line, model);
   if (line.protocol == "c500c") return std::make_unique<C500cDevice>(executor, line, model);

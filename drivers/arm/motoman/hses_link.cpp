@@ -61,17 +61,7 @@ Task<Result<MotomanStatus>> HsesLink::status() {
   OctetReader read(*data, ByteOrder::little);
   const std::uint32_t modes = read.u32();
   const std::uint32_t states = read.u32();
-  MotomanStatus status;
-  status.running = modes >> 3 & 1;
-  status.teaching = modes >> 5 & 1;
-  status.remote = modes >> 7 & 1;
-  status.pendant_hold = states >> 1 & 1;
-  status.external_hold = states >> 2 & 1;
-  status.command_hold = states >> 3 & 1;
-  status.alarm = states >> 4 & 1;
-  status.error = states >> 5 & 1;
-  status.servo = states >> 6 & 1;
-  co_return status;
+  co_return motoman_status(modes, states);
 }
 
 Task<Result<std::uint32_t>> HsesLink::alarm_code() {

@@ -54,15 +54,7 @@ inline constexpr std::uint32_t percent = 0;      // speed classes: 0.01 % ...
 inline constexpr std::uint32_t millimetres = 1;  // ... and 0.1 mm/s
 inline constexpr std::uint32_t base_frame = 16;
 
-// Added status: why a request was refused.
-inline constexpr std::uint16_t operating = 0x2010;
-inline constexpr std::uint16_t pendant_hold = 0x2020;
-inline constexpr std::uint16_t external_hold = 0x2040;
-inline constexpr std::uint16_t command_hold = 0x2050;
-inline constexpr std::uint16_t alarm_occurring = 0x2060;
-inline constexpr std::uint16_t servo_off = 0x2070;
-inline constexpr std::uint16_t not_remote = 0x2100;
-inline constexpr std::uint16_t servo_refused = 0x3450;
+// Added status: why a request was refused, besides what motoman_codes.hpp has.
 inline constexpr std::uint16_t undefined_command = 0xa000;
 inline constexpr std::uint16_t wrong_instance = 0xa001;
 inline constexpr std::uint16_t wrong_attribute = 0xa002;

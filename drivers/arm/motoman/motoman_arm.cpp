@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "drivers/arm/motoman/motoman_codes.hpp"
 #include "drivers/arm/move_check.hpp"
 
 namespace pizarra {
@@ -16,13 +17,15 @@ constexpr int fingers_move = 2;
 constexpr double um_per_mm = 1000;
 constexpr double most_opening_mm = 1000;
 constexpr double most_mm_s = 1500;
-constexpr std::int64_t operating = 0x2010;
 
 bool refused_with(const Failure& failure, std::int64_t code) {
   return failure.symbol == "refused" && failure.subject == to_datum(code);
 }
 
 bool without_answer(const Failure& failure) { return failure.symbol == "no-answer"; }
+
+// Whether a controller that fails so may have done what was asked.
+bool perhaps_done(const Failure& failure) { return without_answer(failure) || failure.symbol == "bad-reply"; }
 
 // What a line's failures are to the agent.
 std::unexpected<Failure> lost(const Failure& why) {
@@ -204,12 +207,16 @@ Task<Result<void>> MotomanArm::order(Leg leg, Joints from) {
     ordered_at_ = executor_.now();
     const Result<void> ordered = co_await order_once(leg, line);
     // An arm that runs although it stood runs for us: it was a copy of the order that was refused.
-    const bool begun = ordered || refused_with(ordered.error(), operating);
+    const bool begun = ordered || refused_with(ordered.error(), motoman::operating);
     // Somebody wanted it stopped meanwhile, and what was not begun is not begun any more.
     if (begun || stopping_) co_return Result<void>();
-    if (!without_answer(ordered.error())) co_return lost(ordered.error());
+    if (!perhaps_done(ordered.error())) co_return lost(ordered.error());
     const Result<Seen> seen = co_await look();
-    if (!seen) co_return fail(seen);
+    if (!seen) {
+      // Whether it goes there nobody knows: it is held in any case, where the controller hears that.
+      [[maybe_unused]] const Result<void> held = co_await stop();
+      co_return fail(seen);
+    }
     const bool on_its_way = seen->status.running || !are_same_place(seen->joints, from);
     if (on_its_way || stopping_) co_return Result<void>();
   }

@@ -7,7 +7,7 @@
 // asked. Questions and switches are repeated until they are answered; a move is sent ONCE, so that it is the arm's part
 // to look whether it was begun.
 //
-// Failures: no-answer, disconnected, bad-reply; refused, whose subject is the controller's code.
+// Failures: no-answer, disconnected, bad-reply; refused, whose subject is the controller's code (motoman_codes.hpp).
 
 #include <array>
 #include <cstdint>
@@ -32,6 +32,21 @@ struct MotomanStatus {
   bool error = false;
   bool servo = false;
 };
+
+// What a controller's two status words say, whichever protocol brings them.
+inline MotomanStatus motoman_status(std::uint32_t modes, std::uint32_t states) {
+  MotomanStatus status;
+  status.running = modes >> 3 & 1;
+  status.teaching = modes >> 5 & 1;
+  status.remote = modes >> 7 & 1;
+  status.pendant_hold = states >> 1 & 1;
+  status.external_hold = states >> 2 & 1;
+  status.command_hold = states >> 3 & 1;
+  status.alarm = states >> 4 & 1;
+  status.error = states >> 5 & 1;
+  status.servo = states >> 6 & 1;
+  return status;
+}
 
 // Of the controller's tool in its base frame.
 struct MotomanPose {

@@ -89,8 +89,10 @@
        (list (driver-of '(driver hses "10.0.0.3")) (driver-of '(room (z 20 700)) '(driver hses "up6" 10041)) (driver-of))
        '((hses ("10.0.0.3") (10040)) (hses ("up6") (10041)) ()))
 (check "a protocol has as many places and ports as it needs"
-       (list (driver-of '(driver universal "ur" 1 2)) (driver-of '(driver c500c "/dev/ttyS1" "/dev/ttyS0")))
-       '((universal ("ur") (1 2 29999)) (c500c ("/dev/ttyS1" "/dev/ttyS0") ())))
+       (list (driver-of '(driver universal "ur" 1 2)) (driver-of '(driver c500c "/dev/ttyS1" "/dev/ttyS0"))
+             (driver-of '(driver ethernet-server "nx")) (driver-of '(driver bsc "/dev/ttyS0")))
+       '((universal ("ur") (1 2 29999)) (c500c ("/dev/ttyS1" "/dev/ttyS0") ()) (ethernet-server ("nx") (80))
+         (bsc ("/dev/ttyS0") ())))
 (check "a protocol that is not known is refused"
        (complaint '(arm crs-f3 (driver hse "a"))) '(1 unknown-name (0 2 2 1)))
 (check "a controller has an address" (complaint '(arm crs-f3 (driver hses))) '(1 malformed (0 2 2)))

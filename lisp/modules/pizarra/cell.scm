@@ -264,6 +264,8 @@
 ;; what is taken where it is left out.
 (define protocols
   '((hses ("the controller's address") (10040))
+    (ethernet-server ("the controller's address") (80))
+    (bsc ("the line's file") ())
     (universal ("the controller's address") (30004 30002 29999))
     (simple-message ("the controller's address") (11000 11002))
     (c500c ("the file of the motion's line" "the file of the state's line") ())))

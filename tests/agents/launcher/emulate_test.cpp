@@ -44,6 +44,11 @@ TEST(Emulate, AnArmsCabinetDoesWhatItsSwitchesSay) {
       << said.text;
 }
 
+TEST(Emulate, AControllerWithAPortAndASerialLineIsAtEither) {
+  EXPECT_TRUE(emulate("up6-nx100 --tcp 0", "status\\n", arm_seconds).text.starts_with("up6-nx100 at tcp://127.0.0.1:"));
+  EXPECT_TRUE(emulate("up6-nx100 --pty", "status\\n", arm_seconds).text.starts_with("up6-nx100 at /dev/pts/"));
+}
+
 TEST(Emulate, AnArmWithSeveralPortsNamesThemAll) {
   const Said said = emulate("ur5e --tcp 0", "status\\n", arm_seconds);
   const std::string ports = said.text.substr(0, said.text.find('\n'));

@@ -1,6 +1,6 @@
 #pragma once
 
-// The two ends of a line of bytes in virtual time, which may be cut, garbled and mended.
+// The two ends of a line of bytes in virtual time, which may be cut, garbled and mended; the device's end may hang up.
 //
 //   WirePair line(executor);
 //   UniversalArm arm(..., line.near, ...);      // who drives
@@ -25,6 +25,7 @@ class WirePair {
       if (!device_ && pair_.cut_) co_return fail("disconnected", "the line is cut");
       if (!device_) {
         unread_.clear();
+        pair_.far.unread_.clear();
         ++pair_.connections_;
         pair_.far.come_.wake_all();
       }
@@ -36,9 +37,13 @@ class WirePair {
       served_ = pair_.connections_;
       co_return Result<void>();
     }
-    void close() override {}
+    void close() override {
+      if (!device_) return;
+      pair_.hung_up_ = served_;
+      pair_.near.come_.wake_all();
+    }
     Result<void> write(std::string_view bytes) override {
-      if (pair_.cut_) return fail("disconnected", "the line is cut");
+      if (over()) return fail("disconnected", "the line is cut");
       written += bytes;
       End& other = device_ ? pair_.near : pair_.far;
       other.unread_ += spoil ? spoil(std::string(bytes)) : std::string(bytes);
@@ -46,16 +51,21 @@ class WirePair {
       return {};
     }
     Task<Result<std::string>> read(Time deadline) override {
-      while (unread_.empty() && !pair_.cut_ && !(device_ && served_ != pair_.connections_)) {
+      while (unread_.empty() && !over()) {
         const bool woken = co_await come_.wait(deadline);
         if (!woken) co_return fail("timeout", "nothing came");
       }
-      if (unread_.empty()) co_return fail("disconnected", "the line is cut");
+      // What came over a connection is of no other.
+      if (unread_.empty() || (device_ && over())) co_return fail("disconnected", "the line is cut");
       co_return std::exchange(unread_, {});
     }
 
    private:
     friend class WirePair;
+    bool over() const {
+      const bool of_another = device_ && served_ != pair_.connections_;
+      return pair_.cut_ || pair_.hung_up_ == pair_.connections_ || of_another;
+    }
     WirePair& pair_;
     bool device_;
     std::string unread_;
@@ -78,6 +88,7 @@ class WirePair {
  private:
   bool cut_ = false;
   int connections_ = 0;
+  int hung_up_ = 0;  // the last connection that the device has ended
 };
 
 }  // namespace pizarra

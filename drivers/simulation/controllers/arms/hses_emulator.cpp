@@ -2,8 +2,7 @@
 
 #include <cmath>
 
-#include "drivers/arm/angles.hpp"
-#include "drivers/simulation/controllers/arms/straight_way.hpp"
+#include "drivers/arm/motoman/motoman_codes.hpp"
 #include "drivers/wire/octets.hpp"
 
 namespace pizarra {
@@ -11,54 +10,17 @@ namespace pizarra {
 namespace {
 
 constexpr std::uint8_t abnormal = 0x1f;
-constexpr std::uint16_t wanted_opening = 0;  // variables
-constexpr std::uint16_t measured_opening = 1;
-constexpr std::uint16_t fingers_move = 2;
-constexpr std::uint16_t last_variable = 99;
 constexpr double um_per_mm = 1000;
 constexpr double units_per_deg = 10'000;
-constexpr std::size_t axes_told = 8;
 constexpr std::size_t axes_in_a_move = 7;
 
 std::uint16_t code_of(Refusal refusal) {
-  switch (refusal) {
-    case Refusal::none:
-      return 0;
-    case Refusal::running:
-      return hses::operating;
-    case Refusal::pendant:
-      return hses::not_remote;
-    case Refusal::alarm:
-      return hses::alarm_occurring;
-    case Refusal::emergency:
-    case Refusal::servo_off:
-      return hses::servo_off;
-    case Refusal::pendant_hold:
-      return hses::pendant_hold;
-    case Refusal::command_hold:
-      return hses::command_hold;
-    case Refusal::out_of_range:
-      return hses::out_of_range;
-  }
-  return hses::undefined_command;
+  return refusal == Refusal::out_of_range ? hses::out_of_range : motoman_code(refusal);
 }
 
 std::int32_t rounded(double value) { return static_cast<std::int32_t>(std::llround(value)); }
 
-// The controller's base frame and tool, and the cell's.
-ToolPose flange_in_base(const ArmModel& model, const Joints& joints) {
-  ToolPose pose = forward(model, joints);
-  pose.translation() -= model.tool_mm * pose.linear().col(2);
-  pose.translation().z() -= model.height_mm;
-  return pose;
-}
-ToolPose grip_in_cell(const ArmModel& model, ToolPose flange) {
-  flange.translation() += model.tool_mm * flange.linear().col(2);
-  flange.translation().z() += model.height_mm;
-  return flange;
-}
-
-std::string position_data(std::uint32_t kind, const std::array<std::int32_t, axes_told>& axes) {
+std::string position_data(std::uint32_t kind, const MotomanPulses& axes) {
   OctetWriter data(ByteOrder::little);
   data.u32(kind).u32(0).u32(0).u32(0).u32(0);
   for (const std::int32_t axis : axes) data.i32(axis);
@@ -102,37 +64,23 @@ Task<HsesEmulator::Outcome> HsesEmulator::carry_out(HsesRequest request) {
 }
 
 Task<HsesEmulator::Outcome> HsesEmulator::status() {
-  const ArmReading reading = co_await cabinet_.read();
-  const bool pendant = cabinet_.pendant();
-  std::uint32_t modes = 1u << 2;
-  if (reading.moving) modes |= 1u << 3;
-  modes |= pendant ? 1u << 5 : 1u << 6 | 1u << 7;
-  std::uint32_t states = 0;
-  if (cabinet_.pendant_hold()) states |= 1u << 1;
-  if (cabinet_.command_hold()) states |= 1u << 3;
-  if (cabinet_.alarm() != 0) states |= 1u << 4;
-  if (cabinet_.servo()) states |= 1u << 6;
+  const MotomanController::Words words = co_await controller_.status();
   Outcome outcome;
-  outcome.data = OctetWriter(ByteOrder::little).u32(modes).u32(states).octets();
+  outcome.data = OctetWriter(ByteOrder::little).u32(words.modes).u32(words.states).octets();
   co_return outcome;
 }
 
 Task<HsesEmulator::Outcome> HsesEmulator::position(std::uint16_t instance) {
-  const ArmReading reading = co_await cabinet_.read();
-  const ArmModel& model = cabinet_.model();
-  std::array<std::int32_t, axes_told> axes{};
   Outcome outcome;
   if (instance == hses::robot_pulses) {
-    for (std::size_t axis = 0; axis < model.axes.size(); ++axis) {
-      axes[axis] = rounded(reading.joints[axis] * model.axes[axis].pulses_per_turn / 360);
-    }
-    outcome.data = position_data(0, axes);
+    const MotomanPulses pulses = co_await controller_.pulses();
+    outcome.data = position_data(0, pulses);
   } else if (instance == hses::robot_base) {
-    const ToolPose flange = flange_in_base(model, reading.joints);
-    const std::array<double, 3> angles = fixed_angles(flange.linear());
+    const MotomanPose pose = co_await controller_.pose();
+    MotomanPulses axes{};
     for (std::size_t i = 0; i < 3; ++i) {
-      axes[i] = rounded(flange.translation()[static_cast<Eigen::Index>(i)] * um_per_mm);
-      axes[i + 3] = rounded(angles[i] * units_per_deg);
+      axes[i] = rounded(pose.place_mm[i] * um_per_mm);
+      axes[i + 3] = rounded(pose.angles_deg[i] * units_per_deg);
     }
     outcome.data = position_data(hses::base_frame, axes);
   } else {
@@ -143,15 +91,12 @@ Task<HsesEmulator::Outcome> HsesEmulator::position(std::uint16_t instance) {
 
 Task<HsesEmulator::Outcome> HsesEmulator::variable(HsesRequest request) {
   Outcome outcome;
-  if (request.instance > last_variable) {
+  if (request.instance >= MotomanController::variables) {
     outcome.refusal = hses::wrong_instance;
     co_return outcome;
   }
-  const ArmReading reading = co_await cabinet_.read();
   if (request.service == hses::get_one) {
-    std::int32_t value = variables_[request.instance];
-    if (request.instance == measured_opening) value = rounded(reading.opening_mm * um_per_mm);
-    if (request.instance == fingers_move) value = reading.gripper_moving ? 1 : 0;
+    const std::int32_t value = co_await controller_.variable(request.instance);
     outcome.data = OctetWriter(ByteOrder::little).i32(value).octets();
     co_return outcome;
   }
@@ -162,8 +107,7 @@ Task<HsesEmulator::Outcome> HsesEmulator::variable(HsesRequest request) {
     outcome.refusal = hses::wrong_size;
     co_return outcome;
   }
-  variables_[request.instance] = value;
-  if (request.instance == wanted_opening) co_await cabinet_.grip(value / um_per_mm);
+  co_await controller_.set_variable(request.instance, value);
   co_return outcome;
 }
 
@@ -189,7 +133,7 @@ HsesEmulator::Outcome HsesEmulator::turn(const HsesRequest& request) {
   if (request.instance == hses::hold) return {.refusal = code_of(cabinet_.hold(wanted == hses::on))};
   if (request.instance != hses::servo) return {.refusal = hses::wrong_instance};
   const Refusal refusal = cabinet_.servo(wanted == hses::on);
-  return {.refusal = refusal == Refusal::emergency ? hses::servo_refused : code_of(refusal)};
+  return {.refusal = refusal == Refusal::emergency ? motoman::servo_refused : code_of(refusal)};
 }
 
 Task<HsesEmulator::Outcome> HsesEmulator::move_pulses(HsesRequest request) {
@@ -199,12 +143,8 @@ Task<HsesEmulator::Outcome> HsesEmulator::move_pulses(HsesRequest request) {
   read.u32();
   const std::uint32_t speed_class = read.u32();
   const std::uint32_t speed = read.u32();
-  const ArmModel& model = cabinet_.model();
-  Joints target(model.axes.size());
-  for (std::size_t axis = 0; axis < axes_in_a_move; ++axis) {
-    const std::int32_t pulses = read.i32();
-    if (axis < target.size()) target[axis] = pulses * 360.0 / model.axes[axis].pulses_per_turn;
-  }
+  MotomanPulses target{};
+  for (std::size_t axis = 0; axis < axes_in_a_move; ++axis) target[axis] = read.i32();
   read.u32();
   read.u32();
   read.text(36);
@@ -216,9 +156,8 @@ Task<HsesEmulator::Outcome> HsesEmulator::move_pulses(HsesRequest request) {
   } else if (speed_class != hses::percent || speed < 1 || speed > whole) {
     outcome.refusal = hses::wrong_speed;
   } else {
-    std::vector<Joints> waypoints{target};
     const double part = static_cast<double>(speed) / whole;
-    const Refusal refusal = co_await cabinet_.move(std::move(waypoints), part);
+    const Refusal refusal = co_await controller_.move_joints(target, part);
     outcome.refusal = code_of(refusal);
   }
   co_return outcome;
@@ -232,10 +171,9 @@ Task<HsesEmulator::Outcome> HsesEmulator::move_cartesian(HsesRequest request) {
   const std::uint32_t speed_class = read.u32();
   const std::uint32_t speed = read.u32();
   const std::uint32_t frame = read.u32();
-  Eigen::Vector3d place_mm;
-  Eigen::Vector3d angles_deg;
-  for (double& mm : place_mm) mm = read.i32() / um_per_mm;
-  for (double& deg : angles_deg) deg = read.i32() / units_per_deg;
+  MotomanPose target;
+  for (double& mm : target.place_mm) mm = read.i32() / um_per_mm;
+  for (double& deg : target.angles_deg) deg = read.i32() / units_per_deg;
   // The seventh axis, form, tool and user frame, and what is reserved.
   read.text(6 * 4 + 36);
   if (!read.whole()) {
@@ -248,18 +186,7 @@ Task<HsesEmulator::Outcome> HsesEmulator::move_cartesian(HsesRequest request) {
     outcome.refusal = hses::wrong_speed;
   }
   if (outcome.refusal != 0) co_return outcome;
-  ToolPose flange;
-  flange.translation() = place_mm;
-  const Eigen::AngleAxisd about_x(radians(angles_deg.x()), Eigen::Vector3d::UnitX());
-  flange.linear() = about_z(angles_deg.z()) * about_y(angles_deg.y()) * about_x.toRotationMatrix();
-  const ArmReading reading = co_await cabinet_.read();
-  const ArmModel& model = cabinet_.model();
-  const Result<StraightWay> way = straight_way(model, reading.joints, grip_in_cell(model, flange), speed / 10.0);
-  if (!way) {
-    outcome.refusal = reading.moving ? hses::operating : hses::out_of_range;
-    co_return outcome;
-  }
-  const Refusal refusal = co_await cabinet_.move(way->waypoints, way->part);
+  const Refusal refusal = co_await controller_.move_straight(target, speed / 10.0);
   outcome.refusal = code_of(refusal);
   co_return outcome;
 }

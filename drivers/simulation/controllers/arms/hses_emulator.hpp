@@ -1,25 +1,19 @@
 #pragma once
 
-// The controller of a Motoman arm as its High Speed Ethernet Server shows it: status, alarms, positions in pulses and
-// millimetres, D variables, switches, and moves that take their time; what it refuses it refuses with Yaskawa's codes.
+// The controller of a Motoman arm as its High Speed Ethernet Server shows it; what it refuses it refuses with Yaskawa's
+// codes.
 //
 //   HsesEmulator emulator(cabinet);
 //   const std::string reply = co_await emulator.answer(datagram);       // empty: it says nothing
 //   const Job serving = executor.spawn(serve(executor, emulator, *port));
 //
-// It carries out every datagram that comes, also one that it has had: the manual does not promise more. One move at a
-// time; the next is refused while the arm runs. Its base frame has its origin at the height of axis 2 and its tool ends
-// at the flange, so that who takes them for the cell's is wrong by that much.
-//
-// D000 is the opening that the gripper's job holds the fingers to, D001 the opening measured, micrometres; D002 is 1
-// while they move.
+// It carries out every datagram that comes, also one that it has had: the manual does not promise more. What it has and
+// does is the MotomanController's.
 //
 // How far it is proven: with the driver of drivers/arm/motoman/ alone.
 
-#include <map>
-
 #include "drivers/arm/motoman/hses_packet.hpp"
-#include "drivers/simulation/controllers/arms/arm_cabinet.hpp"
+#include "drivers/simulation/controllers/arms/motoman_controller.hpp"
 #include "drivers/wire/datagram_wire.hpp"
 
 namespace pizarra {
@@ -27,7 +21,7 @@ namespace pizarra {
 class HsesEmulator {
  public:
   // The cabinet outlives it.
-  explicit HsesEmulator(ArmCabinet& cabinet) : cabinet_(cabinet) {}
+  explicit HsesEmulator(ArmCabinet& cabinet) : controller_(cabinet), cabinet_(cabinet) {}
   Task<std::string> answer(std::string datagram);
 
  private:
@@ -45,8 +39,8 @@ class HsesEmulator {
   Task<Outcome> move_pulses(HsesRequest request);
   Task<Outcome> move_cartesian(HsesRequest request);
 
+  MotomanController controller_;
   ArmCabinet& cabinet_;
-  std::map<std::uint16_t, std::int32_t> variables_;
 };
 
 // Until destroyed. All three outlive it.

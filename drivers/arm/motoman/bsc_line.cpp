@@ -1,0 +1,44 @@
+#include "drivers/arm/motoman/bsc_line.hpp"
+
+#include <fmt/format.h>
+
+#include "drivers/wire/printable.hpp"
+
+namespace pizarra {
+
+Task<Result<void>> BscLine::open(Time deadline) {
+  const Turns::Turn turn = co_await turns_.take();
+  Result<void> open = co_await station_.open(deadline);
+  co_return open;
+}
+
+Task<Result<std::string>> BscLine::command(HostCommand command) {
+  const Turns::Turn turn = co_await turns_.take();
+  Result<std::string> answer = co_await exchange(command);
+  const bool again = !answer && answer.error().symbol == "no-answer" && command.kind != HostCommand::Kind::motion;
+  if (!again) co_return answer;
+  answer = co_await exchange(command);
+  co_return answer;
+}
+
+Task<Result<std::string>> BscLine::exchange(const HostCommand& command) {
+  BscMessage message{std::string(bsc::command), command.name};
+  if (!command.operands.empty()) message.text += " " + command.operands;
+  message.text += "\r";
+  const Result<void> sent = co_await station_.send(std::move(message));
+  if (!sent) co_return fail(sent);
+  const Time deadline = executor_.now() + reply_time;
+  const Result<BscMessage> reply = co_await station_.receive(deadline);
+  if (!reply) co_return fail("no-answer", "the controller did not answer: " + reply.error().sentence);
+  std::string_view text = reply->text;
+  while (text.ends_with('\r') || text.ends_with('\n')) text.remove_suffix(1);
+  const bool question = command.kind == HostCommand::Kind::question;
+  if (question && reply->header == bsc::data) co_return std::string(text);
+  const bool code = reply->header == bsc::code && is_host_code(text);
+  if (code && text != "0000") co_return refused_command(command.name, text);
+  if (code && !question) co_return std::string();
+  co_return fail("bad-reply", fmt::format("the controller answered {} with {} '{}'", command.name,
+                                          printable(reply->header), printable(text)));
+}
+
+}  // namespace pizarra

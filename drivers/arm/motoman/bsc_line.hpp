@@ -1,0 +1,41 @@
+#pragma once
+
+// Host control over the serial line of older Motoman controllers (ERC, XRC, NX100), 9600 baud, even parity: a command
+// goes there as one message, and the answer comes back as another.
+//
+//   01,000 "SVON 1" CR     ->  90,000 "0000" CR, or a code
+//   01,000 "RSTATS" CR     ->  90,001 "194,64" CR
+//
+// A command is begun with the end of its message: what fails before is `disconnected`, what fails after `no-answer`.
+// Questions and orders are then carried over once more; a motion is not. An answer takes a tenth of a second at this
+// speed, and those who ask meanwhile wait for their turn, stop() too.
+//
+// How far it is proven: with the emulated controller of drivers/simulation/controllers/arms/ alone, over lines that
+// lose, garble and invent octets.
+
+#include "drivers/arm/motoman/bsc_station.hpp"
+#include "drivers/arm/motoman/host_command.hpp"
+#include "drivers/wire/turns.hpp"
+
+namespace pizarra {
+
+class BscLine : public HostLine {
+ public:
+  static constexpr int baud = 9600;
+
+  // The wire outlives it.
+  BscLine(Executor& executor, ByteWire& wire)
+      : executor_(executor), station_(executor, wire, BscStation::Manners::yields), turns_(executor) {}
+  Task<Result<void>> open(Time deadline) override;
+  Task<Result<std::string>> command(HostCommand command) override;
+
+ private:
+  static constexpr Duration reply_time = 2s;
+  Task<Result<std::string>> exchange(const HostCommand& command);
+
+  Executor& executor_;
+  BscStation station_;
+  Turns turns_;
+};
+
+}  // namespace pizarra

@@ -1,0 +1,50 @@
+#pragma once
+
+// Host control over Yaskawa's Ethernet Server: TCP port 80 of controllers from the NX100 on. A session is opened for
+// any number of commands; the controller closes it after half a minute of silence and after what it does not
+// understand, and it is then opened anew.
+//
+//   CONNECT Robot_access Keep-Alive:-1<CR><LF>      OK: NX Information Server(Ver) Keep-Alive:-1.<CR><LF>
+//   HOSTCTRL_REQUEST SVON 2<CR><LF>                 OK: SVON<CR><LF>
+//   1<CR>                                           0000<CR>
+//
+// A command is begun by its operands alone: what fails before they are sent may be tried again, also a motion. What
+// fails after them, a motion's answer that does not come, is `no-answer`. Questions and other orders are then asked
+// again for a second.
+//
+// How far it is proven: with the emulated controller of drivers/simulation/controllers/arms/ alone.
+
+#include "drivers/arm/motoman/host_command.hpp"
+#include "drivers/wire/frames.hpp"
+#include "drivers/wire/turns.hpp"
+
+namespace pizarra {
+
+inline constexpr std::uint16_t ethernet_server_port = 80;
+
+class EthernetLine : public HostLine {
+ public:
+  // The wire outlives it.
+  EthernetLine(Executor& executor, ByteWire& wire)
+      : executor_(executor), wire_(wire), lines_(wire, frame_of_line), turns_(executor) {}
+  Task<Result<void>> open(Time deadline) override;
+  Task<Result<std::string>> command(HostCommand command) override;
+
+ private:
+  static constexpr Duration answer_time = 400ms;
+  static constexpr Duration patience = 1s;
+  static constexpr Duration pause = 100ms;
+  Task<Result<void>> begin_session(Time deadline);
+  // Disconnected, where it was not begun; no-answer and bad-reply where it may have been.
+  Task<Result<std::string>> exchange(const HostCommand& command);
+  Task<Result<std::string>> said(const HostCommand& command);
+
+  Executor& executor_;
+  ByteWire& wire_;
+  Frames lines_;
+  Turns turns_;
+  // Nothing is under way over it. What was cut off in the middle would be answered to whoever comes next.
+  bool session_ = false;
+};
+
+}  // namespace pizarra

@@ -1,0 +1,129 @@
+#include "drivers/simulation/controllers/arms/motoman_controller.hpp"
+
+#include <cmath>
+
+#include "drivers/arm/angles.hpp"
+#include "drivers/arm/motoman/motoman_codes.hpp"
+#include "drivers/simulation/controllers/arms/straight_way.hpp"
+
+namespace pizarra {
+
+namespace {
+
+constexpr int wanted_opening = 0;  // variables
+constexpr int measured_opening = 1;
+constexpr int fingers_move = 2;
+constexpr double um_per_mm = 1000;
+
+// The controller's base frame and tool, and the cell's.
+ToolPose flange_in_base(const ArmModel& model, const Joints& joints) {
+  ToolPose pose = forward(model, joints);
+  pose.translation() -= model.tool_mm * pose.linear().col(2);
+  pose.translation().z() -= model.height_mm;
+  return pose;
+}
+
+ToolPose grip_in_cell(const ArmModel& model, const MotomanPose& target) {
+  ToolPose flange;
+  for (std::size_t i = 0; i < 3; ++i) flange.translation()[static_cast<Eigen::Index>(i)] = target.place_mm[i];
+  const auto& [rx, ry, rz] = target.angles_deg;
+  const Eigen::AngleAxisd about_x(radians(rx), Eigen::Vector3d::UnitX());
+  flange.linear() = about_z(rz) * about_y(ry) * about_x.toRotationMatrix();
+  flange.translation() += model.tool_mm * flange.linear().col(2);
+  flange.translation().z() += model.height_mm;
+  return flange;
+}
+
+}  // namespace
+
+std::uint16_t motoman_code(Refusal refusal) {
+  switch (refusal) {
+    case Refusal::none:
+      return 0;
+    case Refusal::running:
+      return motoman::operating;
+    case Refusal::pendant:
+      return motoman::not_remote;
+    case Refusal::alarm:
+      return motoman::alarm_occurring;
+    case Refusal::emergency:
+    case Refusal::servo_off:
+      return motoman::servo_off;
+    case Refusal::pendant_hold:
+      return motoman::pendant_hold;
+    case Refusal::command_hold:
+      return motoman::command_hold;
+    case Refusal::out_of_range:
+      return motoman::out_of_range;
+  }
+  return motoman::unknown_command;
+}
+
+Task<MotomanController::Words> MotomanController::status() {
+  const ArmReading reading = co_await cabinet_.read();
+  const bool pendant = cabinet_.pendant();
+  std::uint32_t modes = 1u << 2;
+  if (reading.moving) modes |= 1u << 3;
+  modes |= pendant ? 1u << 5 : 1u << 6 | 1u << 7;
+  std::uint32_t states = 0;
+  if (cabinet_.pendant_hold()) states |= 1u << 1;
+  if (cabinet_.command_hold()) states |= 1u << 3;
+  if (cabinet_.alarm() != 0) states |= 1u << 4;
+  if (cabinet_.servo()) states |= 1u << 6;
+  Words words{modes, states};
+  co_return words;
+}
+
+Task<MotomanPulses> MotomanController::pulses() {
+  const ArmReading reading = co_await cabinet_.read();
+  const ArmModel& model = cabinet_.model();
+  MotomanPulses pulses{};
+  for (std::size_t axis = 0; axis < model.axes.size(); ++axis) {
+    const double count = reading.joints[axis] * model.axes[axis].pulses_per_turn / 360;
+    pulses[axis] = static_cast<std::int32_t>(std::llround(count));
+  }
+  co_return pulses;
+}
+
+Task<MotomanPose> MotomanController::pose() {
+  const ArmReading reading = co_await cabinet_.read();
+  const ToolPose flange = flange_in_base(cabinet_.model(), reading.joints);
+  MotomanPose pose;
+  pose.angles_deg = fixed_angles(flange.linear());
+  for (std::size_t i = 0; i < 3; ++i) pose.place_mm[i] = flange.translation()[static_cast<Eigen::Index>(i)];
+  co_return pose;
+}
+
+Task<Refusal> MotomanController::move_joints(MotomanPulses target, double part) {
+  const ArmModel& model = cabinet_.model();
+  Joints joints(model.axes.size());
+  for (std::size_t axis = 0; axis < joints.size(); ++axis) {
+    joints[axis] = target[axis] * 360.0 / model.axes[axis].pulses_per_turn;
+  }
+  std::vector<Joints> waypoints{joints};
+  const Refusal refusal = co_await cabinet_.move(std::move(waypoints), part);
+  co_return refusal;
+}
+
+Task<Refusal> MotomanController::move_straight(MotomanPose target, double mm_s) {
+  const ArmReading reading = co_await cabinet_.read();
+  const ArmModel& model = cabinet_.model();
+  const Result<StraightWay> way = straight_way(model, reading.joints, grip_in_cell(model, target), mm_s);
+  if (!way) co_return reading.moving ? Refusal::running : Refusal::out_of_range;
+  const Refusal refusal = co_await cabinet_.move(way->waypoints, way->part);
+  co_return refusal;
+}
+
+Task<std::int32_t> MotomanController::variable(int number) {
+  const ArmReading reading = co_await cabinet_.read();
+  if (number == measured_opening) co_return static_cast<std::int32_t>(std::llround(reading.opening_mm * um_per_mm));
+  if (number == fingers_move) co_return reading.gripper_moving ? 1 : 0;
+  co_return variables_[number];
+}
+
+Task<void> MotomanController::set_variable(int number, std::int32_t value) {
+  variables_[number] = value;
+  if (number == wanted_opening) co_await cabinet_.grip(value / um_per_mm);
+}
+
+}  // namespace pizarra

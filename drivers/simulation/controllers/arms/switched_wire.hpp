@@ -1,0 +1,31 @@
+#pragma once
+
+// The line of a device that may be without power: it is then deaf and mute.
+//
+//   SwitchedWire line(*pty, [&] { return cabinet.powered(); });
+
+#include <functional>
+
+#include "drivers/wire/byte_wire.hpp"
+
+namespace pizarra {
+
+class SwitchedWire : public ByteWire {
+ public:
+  // The wire outlives it.
+  SwitchedWire(ByteWire& wire, std::function<bool()> powered) : wire_(wire), powered_(std::move(powered)) {}
+  Task<Result<void>> open(Time deadline) override { return wire_.open(deadline); }
+  void close() override { wire_.close(); }
+  Result<void> write(std::string_view bytes) override { return powered_() ? wire_.write(bytes) : Result<void>(); }
+  Task<Result<std::string>> read(Time deadline) override {
+    Result<std::string> bytes = co_await wire_.read(deadline);
+    while (bytes && !powered_()) bytes = co_await wire_.read(deadline);
+    co_return bytes;
+  }
+
+ private:
+  ByteWire& wire_;
+  std::function<bool()> powered_;
+};
+
+}  // namespace pizarra
