@@ -70,7 +70,10 @@ class Session {
     say(*commands == 1 ? "OK: NX Information Server(1.30).\r\n"
                        : fmt::format("OK: NX Information Server(1.30) Keep-Alive:{}.\r\n", *commands));
     bool goes_on = true;
-    for (int i = 0; goes_on && i != *commands; i = *commands < 0 ? 0 : i + 1) goes_on = co_await command();
+    for (int i = 0; goes_on && i != *commands; ++i) {
+      goes_on = co_await command();
+      if (*commands < 0) i = 0;
+    }
   }
 
  private:

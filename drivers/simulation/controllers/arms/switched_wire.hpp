@@ -19,7 +19,10 @@ class SwitchedWire : public ByteWire {
   Result<void> write(std::string_view bytes) override { return powered_() ? wire_.write(bytes) : Result<void>(); }
   Task<Result<std::string>> read(Time deadline) override {
     Result<std::string> bytes = co_await wire_.read(deadline);
-    while (bytes && !powered_()) bytes = co_await wire_.read(deadline);
+    while (bytes) {
+      if (powered_()) co_return bytes;
+      bytes = co_await wire_.read(deadline);
+    }
     co_return bytes;
   }
 
