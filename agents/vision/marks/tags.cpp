@@ -29,6 +29,10 @@ constexpr Family families[] = {
 constexpr double most_row_difference_px = 2;
 // Around a tag there must be light for its border to be seen.
 constexpr double margin_of_side = 0.35;
+// Half a cell beside a tag's border, as a part of its side; and by how much, in how many places, it is lighter outside.
+constexpr double beside_border = 0.05;
+constexpr double least_contrast = 20;
+constexpr double least_border_share = 0.75;
 
 using Corners = std::vector<cv::Point2f>;
 
@@ -112,6 +116,28 @@ bool is_around(const Corners& corners, cv::Point2d point) {
   return cv::pointPolygonTest(corners, cv::Point2f(point), false) >= 0;
 }
 
+// Whether it is dark within the border and light around it. Cells alone are no proof: of the larger families' codes a
+// light triangle may spell one.
+bool has_a_border(const cv::Mat1b& grey, const Corners& corners) {
+  constexpr int places = 8;  // a side
+  const cv::Point2d middle = diagonals_meet(corners);
+  const cv::Rect image({0, 0}, grey.size());
+  int agreeing = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const cv::Point2d from(corners[i]);
+    const cv::Point2d along = cv::Point2d(corners[(i + 1) % corners.size()]) - from;
+    for (int j = 0; j < places; ++j) {
+      const cv::Point2d on = from + along * ((j + 0.5) / places);
+      const cv::Point2d outwards = (on - middle) * (2 * beside_border);
+      const cv::Point outside(on + outwards);
+      const cv::Point inside(on - outwards);
+      if (!image.contains(outside) || !image.contains(inside)) continue;
+      agreeing += grey(outside) - grey(inside) > least_contrast ? 1 : 0;
+    }
+  }
+  return agreeing >= least_border_share * places * static_cast<double>(corners.size());
+}
+
 // The smallest square around the point, whether a tag of that family or not.
 std::optional<Corners> square_around(const Detection& detection, cv::Point2d point) {
   std::optional<Corners> best;
@@ -148,7 +174,7 @@ std::optional<SeenMark> tag_at(const cv::Mat& grey, cv::Point2d point) {
     for (std::size_t i = 0; i < detection.found.size(); ++i) {
       Corners& corners = detection.found[i];
       move_by(corners, area.tl());
-      if (!is_around(corners, point)) continue;
+      if (!is_around(corners, point) || !has_a_border(grey, corners)) continue;
       return mark_of(grey, corners, {std::string(family.name), detection.numbers[i]});
     }
   }
