@@ -32,7 +32,7 @@ std::int32_t dot(const std::int16_t* a, const std::int16_t* b, int count) {
 
 Sums sums_of(const MarkPatch& patch) {
   Sums out{};
-  for (int y = 1; y < patch.box.height - 1; ++y) {
+  for (int y = 1; y < patch.size.height - 1; ++y) {
     const std::int16_t* row = patch.row(y);
     std::int32_t sum = 0;
     for (int x = 0; x < patch.stride; ++x) sum += row[x];
@@ -77,7 +77,7 @@ cv::Matx22d spread_of(const Ellipse& e) {
 WeightedShape shape_of(const MarkPatch& patch, const Ellipse& ellipse) {
   return {.weights = patch.values.data(),
           .stride = patch.stride,
-          .size = patch.box.size(),
+          .size = patch.size,
           .centre = ellipse.centre,
           .spread = spread_of(ellipse),
           .full = static_cast<double>(patch.contrast)};
@@ -89,8 +89,8 @@ std::array<double, 3> hu_moments(const MarkPatch& patch, const Ellipse& e) {
   double mu21 = 0;
   double mu12 = 0;
   double mu03 = 0;
-  for (int y = 0; y < patch.box.height; ++y) {
-    for (int x = 0; x < patch.box.width; ++x) {
+  for (int y = 0; y < patch.size.height; ++y) {
+    for (int x = 0; x < patch.size.width; ++x) {
       const double w = patch.row(y)[x] / static_cast<double>(patch.contrast);
       const double u = x - e.centre.x;
       const double v = y - e.centre.y;
@@ -120,13 +120,12 @@ std::optional<SeenMark> measure_mark(const cv::Mat1b& image, MarkContour contour
   if (!ellipse) return std::nullopt;
   std::optional<SeenMark> out(std::in_place);
   out->tone = tone;
-  out->centre = cv::Point2d(patch.box.tl()) + ellipse->centre;
-  const cv::Point margin(MarkPatch::margin_px, MarkPatch::margin_px);
-  out->box = {patch.box.tl() + margin, patch.box.br() - margin};
+  out->centre = patch.in_image(ellipse->centre);
+  out->box = patch.mark_box;
   out->area_px = patch.area_px;
   out->perimeter_px = static_cast<int>(contour.size());
-  out->width_px = std::sqrt(ellipse->xx);
-  out->height_px = std::sqrt(ellipse->yy);
+  out->width_px = patch.reduction * std::sqrt(ellipse->xx);
+  out->height_px = patch.reduction * std::sqrt(ellipse->yy);
   const double mean = (ellipse->xx + ellipse->yy) / 2;
   const double half = std::hypot((ellipse->xx - ellipse->yy) / 2, ellipse->xy);
   out->slimness = std::sqrt(std::max(0.0, mean - half) / (mean + half));

@@ -2,55 +2,19 @@
 
 #include <algorithm>
 #include <opencv2/core/hal/intrin.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include "agents/vision/image/bit_rows.hpp"
+#include "agents/vision/image/light_map.hpp"
 
 namespace pizarra {
 namespace {
 
 constexpr int least_contrast = 20;
+constexpr int large_px = 30;                 // wider or higher than that, light changes across a mark
 constexpr double least_core_share = 0.85;    // of the mark's pixels, within a third of the contrast
 constexpr double least_ground_share = 0.75;  // of the ground's around it, within a fifth
 constexpr double most_stray = 0.3;           // of the contrast: beyond it a ground pixel belongs to something else
-
-// The median of some pixels, and which share of them lies near it.
-class Levels {
- public:
-  void add(const std::uint8_t* row, int first, int end) {
-    for (int x = first; x < end; ++x) ++counts_[row[x]];
-    total_ += end - first;
-  }
-  int total() const { return total_; }
-  int median() const {
-    int level = 0;
-    int seen = 0;
-    // Whole blocks first: their sums are quick.
-    while (level + block < 256 && 2 * (seen + sum_of_block(level)) < total_) {
-      seen += sum_of_block(level);
-      level += block;
-    }
-    while (level < 255 && 2 * (seen += counts_[static_cast<std::size_t>(level)]) < total_) ++level;
-    return level;
-  }
-  bool are_near(int level, int tolerance, double share) const {
-    int near = 0;
-    for (int i = std::max(0, level - tolerance); i <= std::min(255, level + tolerance); ++i) {
-      near += counts_[static_cast<std::size_t>(i)];
-    }
-    return near >= share * total_;
-  }
-
- private:
-  static constexpr int block = 16;
-  int sum_of_block(int first) const {
-    std::uint16_t sum = 0;
-    for (int i = first; i < first + block; ++i) sum += counts_[static_cast<std::size_t>(i)];
-    return sum;
-  }
-
-  std::array<std::uint16_t, 256> counts_{};
-  int total_ = 0;
-};
 
 // Of eight pixels: -1 for those whose bits are set.
 using Mask = std::array<std::int16_t, 8>;
@@ -109,24 +73,44 @@ BitRow<words> shrunk(const Rows<words>& in, int y) {
   return narrow(y - 1) & narrow(y) & narrow(y + 1);
 }
 
+// As seen in an image that begins at `origin` and has one pixel for so many along and across.
+MarkContour reduced_contour(const MarkContour& contour, cv::Point origin, int reduction) {
+  MarkContour out;
+  for (const cv::Point& p : contour) {
+    const cv::Point at = (p - origin) / reduction;
+    if (out.empty() || at != out.back()) out.push_back(at);
+  }
+  return out;
+}
+
 }  // namespace
 
+bool MarkPatch::is_large() const { return std::max(mark_box.width, mark_box.height) > large_px; }
+
 template <int words>
-bool MarkPatch::cut_rows(const cv::Mat1b& image, const MarkContour& contour, MarkTone tone) {
+bool MarkPatch::cut_rows(cv::Mat1b& pixels, const MarkContour& contour, cv::Point corner, MarkTone tone) {
   Rows<words> inside;
   Rows<words> grown;
   Rows<words> around;  // within two pixels, as far as blur spreads the mark; the second is even ground on a clean mark
-  fill_inside<words>(contour, box.tl(), box.height, inside);
-  grow<words>(inside, box.height, grown);
-  grow<words>(grown, box.height, around);
+  fill_inside<words>(contour, corner, size.height, inside);
+  grow<words>(inside, size.height, grown);
+  grow<words>(grown, size.height, around);
 
-  Levels core;
-  Levels ground;
-  for (int y = 1; y < box.height - 1; ++y) {
-    const std::uint8_t* pixels = image.ptr<std::uint8_t>(box.y + y) + box.x;
+  if (is_large()) {
+    LightMap light(size);
+    for (int y = 1; y < size.height - 1; ++y) {
+      const BitRow<words> lighter = tone == MarkTone::light ? shrunk<words>(inside, y) : around[y].without(grown[y]);
+      lighter.for_each_run([&](int first, int end) { light.add(pixels.ptr<std::uint8_t>(y), y, first, end); });
+    }
+    light.divide_out(pixels);
+  }
+  GreyLevels core;
+  GreyLevels ground;
+  for (int y = 1; y < size.height - 1; ++y) {
+    const std::uint8_t* row = pixels.ptr<std::uint8_t>(y);
     // Half the rows tell the median as well.
-    if (y % 2 == 0) shrunk<words>(inside, y).for_each_run([&](int first, int end) { core.add(pixels, first, end); });
-    around[y].without(grown[y]).for_each_run([&](int first, int end) { ground.add(pixels, first, end); });
+    if (y % 2 == 0) shrunk<words>(inside, y).for_each_run([&](int first, int end) { core.add(row, first, end); });
+    around[y].without(grown[y]).for_each_run([&](int first, int end) { ground.add(row, first, end); });
   }
   mark_level = core.median();
   ground_level = ground.median();
@@ -142,16 +126,21 @@ bool MarkPatch::cut_rows(const cv::Mat1b& image, const MarkContour& contour, Mar
   const cv::v_int16x8 stray = all(static_cast<int>(most_stray * contrast));
   const cv::v_int16x8 minus_stray = all(-static_cast<int>(most_stray * contrast));
   std::array<std::uint8_t, most_side_px + 8> line{};
-  for (int y = 0; y < box.height; ++y) {
-    std::copy_n(image.ptr<std::uint8_t>(box.y + y) + box.x, box.width, line.begin());
+  for (int y = 0; y < size.height; ++y) {
+    std::copy_n(pixels.ptr<std::uint8_t>(y), size.width, line.begin());
     for (int x = 0; x < stride; x += 8) {
-      const cv::v_int16x8 pixels = cv::v_reinterpret_as_s16(cv::v_load_expand(line.data() + x));
-      const cv::v_int16x8 value = cv::v_mul_wrap(pixels - ground_all, sign_all);
+      const cv::v_int16x8 levels = cv::v_reinterpret_as_s16(cv::v_load_expand(line.data() + x));
+      const cv::v_int16x8 value = cv::v_mul_wrap(levels - ground_all, sign_all);
       const cv::v_int16x8 clean = (value <= stray) & (value >= minus_stray);
       const cv::v_int16x8 within = cv::v_load(masks()[grown[y].byte(x)].data());
       const cv::v_int16x8 near = cv::v_load(masks()[around[y].byte(x)].data());
       cv::v_store(values.data() + y * stride + x, value & (within | (near & clean)));
     }
+  }
+  for (int y = 1; is_large() && y < size.height - 1; ++y) {
+    std::int16_t* row = values.data() + y * stride;
+    shrunk<words>(inside, y).for_each_run(
+        [&](int first, int end) { std::fill(row + first, row + end, static_cast<std::int16_t>(contrast)); });
   }
   return true;
 }
@@ -163,15 +152,25 @@ bool MarkPatch::cut(const cv::Mat1b& image, const MarkContour& contour, MarkTone
     low = {std::min(low.x, p.x), std::min(low.y, p.y)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y)};
   }
+  mark_box = {low, high + cv::Point(1, 1)};
   // G. Pick's theorem: lattice points within and on a polygon.
   const auto border = static_cast<int>(contour.size());
   area_px = static_cast<int>(std::abs(signed_area(contour)) / 2) + border / 2 + 1;
-  const cv::Point margin(margin_px, margin_px);
-  box = {low - margin, high + margin + cv::Point(1, 1)};
-  if ((box & cv::Rect(0, 0, image.cols, image.rows)) != box) return false;
-  if (box.width > most_side_px || box.height > most_side_px) return false;
-  stride = (box.width + 7) / 8 * 8;
-  return box.width <= 64 ? cut_rows<1>(image, contour, tone) : cut_rows<2>(image, contour, tone);
+  const auto parts = [](int whole, int part) { return (whole + part - 1) / part; };
+  reduction = parts(std::max(mark_box.width, mark_box.height), most_side_px - 2 * margin_px);
+  origin = low - reduction * cv::Point(margin_px, margin_px);
+  size = {parts(mark_box.width, reduction) + 2 * margin_px, parts(mark_box.height, reduction) + 2 * margin_px};
+  stride = (size.width + 7) / 8 * 8;
+  const cv::Rect area(origin, size * reduction);
+  if ((area & cv::Rect({0, 0}, image.size())) != area) return false;
+  cv::Mat1b pixels = image(area);
+  if (reduction > 1) {
+    cv::resize(image(area), pixels, size, 0, 0, cv::INTER_AREA);
+    const MarkContour reduced = reduced_contour(contour, origin, reduction);
+    return size.width <= 64 ? cut_rows<1>(pixels, reduced, {}, tone) : cut_rows<2>(pixels, reduced, {}, tone);
+  }
+  if (is_large()) pixels = pixels.clone();
+  return size.width <= 64 ? cut_rows<1>(pixels, contour, origin, tone) : cut_rows<2>(pixels, contour, origin, tone);
 }
 
 }  // namespace pizarra

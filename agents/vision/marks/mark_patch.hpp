@@ -16,13 +16,22 @@ struct MarkPatch {
   static constexpr int most_side_px = 128;  // margins included
   static constexpr int margin_px = 3;
 
-  // False where the region is no solid mark on even ground: cut by the image's edge, too large, full of holes or of
-  // other tones, touched by something, or of too little contrast.
+  // False where the region is no solid mark on even ground: cut by the image's edge, full of holes or of other tones,
+  // touched by something, or of too little contrast. What is larger than a patch is cut from a reduced image.
   bool cut(const cv::Mat1b& image, const MarkContour& contour, MarkTone tone);
 
   const std::int16_t* row(int y) const { return values.data() + y * stride; }
 
-  cv::Rect box;  // in the image; its outermost pixels are 0
+  // From a place in the patch to the same in the image.
+  cv::Point2d in_image(cv::Point2d place) const {
+    const cv::Point2d half(0.5, 0.5);
+    return cv::Point2d(origin) + (place + half) * reduction - half;
+  }
+
+  cv::Point origin;   // of its first pixel, in the image
+  int reduction = 1;  // so many pixels of the image, along and across, are one of the patch
+  cv::Size size;      // its outermost pixels are 0
+  cv::Rect mark_box;  // around the contour, in the image
   int stride = 0;
   int area_px = 0;  // enclosed by the contour
   int mark_level = 0;
@@ -31,12 +40,15 @@ struct MarkPatch {
   // Row by row, `contrast` where the mark is, 0 where the ground is, in between where an edge crosses a pixel. Not
   // clamped: noise must not add weight. What lies two pixels outside and is yet unlike the ground belongs to something
   // else. A light gradient moves the centre a little, by the same in both images (0.06 px at 30 % over the image's
-  // width); fitting the light per mark would cost more in depth than it gains.
+  // width); fitting the light per mark would cost more in depth than it gains. Across a large mark light changes: it is
+  // divided out, the mark's inside is `contrast` all over, and its edge alone tells where it is.
   std::array<std::int16_t, most_side_px * most_side_px> values;
 
  private:
+  bool is_large() const;
+  // `pixels` are those of the patch; it begins at `corner` of what `contour` is in.
   template <int words>
-  bool cut_rows(const cv::Mat1b& image, const MarkContour& contour, MarkTone tone);
+  bool cut_rows(cv::Mat1b& pixels, const MarkContour& contour, cv::Point corner, MarkTone tone);
 };
 
 }  // namespace pizarra

@@ -7,8 +7,6 @@
 namespace pizarra {
 namespace {
 
-constexpr int usual_width_px = 320;
-
 bool has_the_size_of_a_mark(const Region& region, cv::Size image) {
   const cv::Rect& box = region.box;
   return region.area_px >= least_mark_area_px && region.area_px <= largest_mark_area_px(image) &&
@@ -18,11 +16,9 @@ bool has_the_size_of_a_mark(const Region& region, cv::Size image) {
 
 }  // namespace
 
-int largest_mark_area_px(cv::Size image) { return image.area() / 30; }
+int largest_mark_area_px(cv::Size image) { return image.area() / 3; }
 
-std::size_t longest_contour_px(cv::Size image) {
-  return static_cast<std::size_t>(400 * std::max(1, image.width / usual_width_px));
-}
+std::size_t longest_contour_px(cv::Size image) { return static_cast<std::size_t>(2 * (image.width + image.height)); }
 
 ImageSegmentation::ImageSegmentation(const cv::Mat& grey, double noise)
     : cut_(look_at(grey, {0, 0, grey.cols, grey.rows}, noise)), split_(split_tones(cut_.pixels, cut_.noise)) {}

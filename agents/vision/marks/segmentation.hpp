@@ -1,6 +1,7 @@
 #pragma once
 
-// One image and the closed regions of either tone in it that could be marks.
+// One image and the closed regions of either tone in it that could be marks. The inside of a large mark, where nothing
+// but the mark is nearby, has no tone: such a mark is a closed band along its border.
 //
 //   ImageSegmentation segmentation(grey);
 //   for (const SeenMark& mark : segmentation.marks()) ...
@@ -15,7 +16,7 @@ namespace pizarra {
 
 inline constexpr int least_mark_area_px = 60;
 inline constexpr std::size_t most_marks = 128;
-// In an image of 320 x 240; larger ones show larger marks.
+// A square two thirds as high as the image has so much.
 int largest_mark_area_px(cv::Size image);
 std::size_t longest_contour_px(cv::Size image);
 

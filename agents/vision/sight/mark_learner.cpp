@@ -13,8 +13,9 @@ namespace {
 // A closed contour must have been followed in this many of the ten frames.
 constexpr std::size_t least_measured = 7;
 constexpr double most_motion_px = 1.5;
-// Within one mark, in grey levels.
+// Within one mark, in grey levels; or, where that is more, as a part of the lighter level, as light and shadow are.
 constexpr double most_grey_change = 40;
+constexpr double most_light_change = 0.4;
 
 // In the world, by the partner; or, before one camera alone, by where objects are said to be while they are learned.
 std::optional<double> size_mm(StereoSight& sight, const SeenMark& seen) {
@@ -44,27 +45,32 @@ double mean_of(const std::vector<Measured>& measured, auto value) {
   return sum / static_cast<double>(measured.size());
 }
 
-// Ground that has a mark in it has a hole; so has a ring, which is no solid mark either.
-bool encloses_something(const cv::Mat1b& filled) {
-  cv::Mat1b around;
-  cv::copyMakeBorder(filled, around, 1, 1, 1, 1, cv::BORDER_CONSTANT, 0);
-  cv::floodFill(around, cv::Point(0, 0), 255, nullptr, 0, 0, 4);
-  return around.total() - static_cast<std::size_t>(cv::countNonZero(around)) >= least_mark_area_px;
+// What is of another level than the place where the filling began.
+cv::Mat1b unlike(const cv::Mat1b& image, cv::Point seed) {
+  const double begun_at = cv::mean(image(cv::Rect(seed.x - 1, seed.y - 1, 3, 3) & cv::Rect({}, image.size())))[0];
+  cv::Mat1b levels(1, 256);
+  for (int level = 0; level < 256; ++level) {
+    const double most = std::max(most_grey_change, most_light_change * std::max<double>(level, begun_at));
+    levels(level) = std::abs(level - begun_at) > most ? 255 : 0;
+  }
+  cv::Mat1b out;
+  cv::LUT(image, levels, out);
+  return out;
 }
 
-// Whether most of what was filled is of another grey than where the filling began.
-bool leaks(const cv::Mat1b& image, const cv::Mat1b& filled, cv::Point seed) {
-  const double begun_at = cv::mean(image(cv::Rect(seed.x - 1, seed.y - 1, 3, 3) & cv::Rect({}, image.size())))[0];
-  int others = 0;
-  int all = 0;
-  for (int y = 0; y < filled.rows; ++y) {
-    for (int x = 0; x < filled.cols; ++x) {
-      if (filled(y, x) == 0) continue;
-      ++all;
-      others += std::abs(image(y, x) - begun_at) > most_grey_change ? 1 : 0;
-    }
-  }
-  return 2 * others > all;
+// The pixels of `bits` that are connected with `seed`: 255.
+cv::Mat1b connected(cv::Mat1b bits, cv::Point seed) {
+  cv::Mat1b padded = cv::Mat1b::zeros(bits.rows + 2, bits.cols + 2);
+  if (bits(seed) != 0) cv::floodFill(bits, padded, seed, 0, nullptr, 0, 0, 8 | cv::FLOODFILL_MASK_ONLY | (255 << 8));
+  return padded(cv::Rect(1, 1, bits.cols, bits.rows)).clone();
+}
+
+// What a region encloses without being of it: 255.
+cv::Mat1b enclosed(const cv::Mat1b& region) {
+  cv::Mat1b around;
+  cv::copyMakeBorder(region, around, 1, 1, 1, 1, cv::BORDER_CONSTANT, 0);
+  cv::floodFill(around, cv::Point(0, 0), 255, nullptr, 0, 0, 4);
+  return around(cv::Rect(1, 1, region.cols, region.rows)) == 0;
 }
 
 }  // namespace
@@ -91,19 +97,45 @@ Result<void> MarkLearner::fill(const cv::Mat& left) {
   cv::Mat mean;
   sum_.convertTo(mean, CV_8U, 1.0 / filled_frames_);
   ImageSegmentation segmentation(mean);
-  const bool dark = segmentation.bits(MarkTone::dark).inside(seed.x, seed.y);
-  filled_ = cv::Mat1b::zeros(left.size());
-  if (dark || segmentation.bits(MarkTone::light).inside(seed.x, seed.y)) {
-    cv::Mat1b padded = cv::Mat1b::zeros(left.rows + 2, left.cols + 2);
-    cv::Mat1b regions = segmentation.mask(dark ? MarkTone::dark : MarkTone::light);
-    cv::floodFill(regions, padded, seed, 0, nullptr, 0, 0, 8 | cv::FLOODFILL_MASK_ONLY | (255 << 8));
-    padded(cv::Rect(1, 1, left.cols, left.rows)).copyTo(filled_);
-  }
+  fill(segmentation, seed);
   if (filled_frames_ < frames_per_step) return {};
   first_ = tag_at(mean, click_);
-  if (!first_) return check_region(segmentation);
-  contour_ = first_->contour;
-  return {};
+  if (first_) {
+    contour_ = first_->contour;
+    return {};
+  }
+  const Result<void> checked = check_region(segmentation);
+  // A shadow's edge within a large light mark is filled up to that edge; it is within the mark's contour all the same.
+  return checked || is_within_a_mark(segmentation) ? Result<void>() : checked;
+}
+
+bool MarkLearner::is_within_a_mark(ImageSegmentation& mean) {
+  const cv::Mat1b other = unlike(mean.image(), {cvRound(click_.x), cvRound(click_.y)});
+  for (const SeenMark& mark : mean.marks()) {
+    if (cv::pointPolygonTest(mark.contour, cv::Point2f(click_), false) < 0) continue;
+    cv::Mat1b inside = cv::Mat1b::zeros(other.size());
+    cv::fillPoly(inside, std::vector<MarkContour>{mark.contour}, 255);
+    const bool solid = cv::countNonZero(inside & other) < least_mark_area_px;
+    if (solid && (!first_ || mark.area_px < first_->area_px)) first_ = mark;
+  }
+  if (first_) contour_ = first_->contour;
+  return first_.has_value();
+}
+
+// The inside of a large mark has no tone: there the border is the first that has, to the left.
+void MarkLearner::fill(const ImageSegmentation& mean, cv::Point seed) {
+  const auto toned = [&](MarkTone tone, int x) { return mean.bits(tone).inside(x, seed.y); };
+  int x = seed.x;
+  while (x > 0 && !toned(MarkTone::dark, x) && !toned(MarkTone::light, x)) --x;
+  tone_ = toned(MarkTone::dark, x) ? MarkTone::dark : MarkTone::light;
+  filled_ = connected(mean.mask(tone_), {x, seed.y});
+  const cv::Mat1b hole = enclosed(filled_);
+  other_px_ = cv::countNonZero(hole & unlike(mean.image(), seed));
+  if (filled_(seed) == 0 && hole(seed) == 0) {
+    filled_.setTo(0);
+  } else if (other_px_ < least_mark_area_px) {
+    filled_ |= hole;
+  }
 }
 
 Result<void> MarkLearner::check_region(const ImageSegmentation& mean) {
@@ -112,12 +144,12 @@ Result<void> MarkLearner::check_region(const ImageSegmentation& mean) {
   if (area == 0) return fail("background", "there is nothing but even ground around the point", where);
   const cv::Rect box = cv::boundingRect(filled_);
   const bool cut = box.x <= 1 || box.y <= 1 || box.br().x >= filled_.cols - 1 || box.br().y >= filled_.rows - 1;
-  const bool large = area > largest_mark_area_px(filled_.size());
   const cv::Point seed(cvRound(click_.x), cvRound(click_.y));
-  if (leaks(mean.image(), filled_, seed)) {
+  if (2 * cv::countNonZero(filled_ & unlike(mean.image(), seed)) > area) {
     return fail("open-contour", "the contour of the mark is open: what is filled leaks out of it", where);
   }
-  if (large || encloses_something(filled_)) {
+  // Ground that has a mark in it has a hole; so has a ring, which is no solid mark either.
+  if (area > largest_mark_area_px(filled_.size()) || other_px_ >= least_mark_area_px) {
     return fail("background", "the point is on the ground around marks, which is no mark itself", where);
   }
   if (cut) return fail("border", "the shape around the point is cut by the border of the image", where);
@@ -126,8 +158,7 @@ Result<void> MarkLearner::check_region(const ImageSegmentation& mean) {
   while (filled_(box.y, x) == 0) ++x;
   const std::optional<MarkContour> contour =
       follow_contour(MaskField(filled_), {x, box.y}, longest_contour_px(filled_.size()));
-  const MarkTone tone = mean.bits(MarkTone::dark).inside(seed.x, seed.y) ? MarkTone::dark : MarkTone::light;
-  if (contour) first_ = measure_mark(mean.image(), *contour, tone);
+  if (contour) first_ = measure_mark(mean.image(), *contour, tone_);
   if (!first_) {
     return fail("open-contour", "the region around the point is no solid mark with a closed contour on even ground",
                 where);

@@ -34,7 +34,9 @@ class MarkLearner {
 
  private:
   Result<void> fill(const cv::Mat& left);
+  void fill(const ImageSegmentation& mean, cv::Point seed);
   Result<void> check_region(const ImageSegmentation& mean);
+  bool is_within_a_mark(ImageSegmentation& mean);
   Result<void> measure(StereoSight& sight);
   void measure_tag(StereoSight& sight);
   Result<void> check_measured() const;
@@ -46,6 +48,8 @@ class MarkLearner {
   int contour_frames_ = 0;
   cv::Mat1f sum_;
   cv::Mat1b filled_;
+  MarkTone tone_ = MarkTone::dark;  // of what is filled
+  int other_px_ = 0;                // what it encloses that is unlike it
   MarkContour contour_;
   std::optional<SeenMark> first_;  // on the averaged image
   std::vector<SeenMark> measured_;

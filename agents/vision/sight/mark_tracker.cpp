@@ -7,13 +7,17 @@
 namespace pizarra {
 namespace {
 
-// How far from its predicted place a mark is followed: more than a frame's motion (12 mm are 6 px).
+// How far from its predicted place a mark is followed, in an image 320 px wide: more than a frame's motion (12 mm are
+// 6 px).
 constexpr int gate_px = 12;
 constexpr int small_gate_px = 5;
 // How far a lost mark is looked for before the whole image is.
 constexpr double local_reach_px = 48;
 // How much of the confidence is left after each frame in which a mark was not seen.
 constexpr double trust_in_a_bridge = 0.7;
+
+// What so many px in an image 320 px wide are in this one.
+double px_in(const cv::Mat& image, double px) { return px * std::max(1.0, image.cols / 320.0); }
 
 // How far around the predicted place of its middle an image must be looked at for a mark to be followed there.
 cv::Rect area_around(const SeenMark& last, cv::Point middle, int gate, cv::Size image) {
@@ -43,8 +47,8 @@ std::optional<SeenMark> follow_mark(const cv::Mat& grey, double noise, const See
 
 // Most marks are where they are expected; then little need be looked at.
 std::optional<SeenMark> follow_mark(const cv::Mat& grey, double noise, const SeenMark& last, cv::Point2d centre) {
-  std::optional<SeenMark> near = follow_mark(grey, noise, last, centre, small_gate_px);
-  return near ? near : follow_mark(grey, noise, last, centre, gate_px);
+  std::optional<SeenMark> near = follow_mark(grey, noise, last, centre, cvRound(px_in(grey, small_gate_px)));
+  return near ? near : follow_mark(grey, noise, last, centre, cvRound(px_in(grey, gate_px)));
 }
 
 }  // namespace
@@ -99,7 +103,7 @@ std::optional<SeenPair> MarkTracker::follow(StereoSight& sight, const Track& tra
 
 std::optional<SeenPair> MarkTracker::see(StereoSight& sight, const Track& track, const LearnedObject& object) const {
   std::optional<SeenPair> now = follow(sight, track, object);
-  if (!now && track.left) now = sight.find(objects_, object, track.expected(), local_reach_px);
+  if (!now && track.left) now = sight.find(objects_, object, track.expected(), px_in(sight.left(), local_reach_px));
   if (!now) now = sight.find(objects_, object);
   return now;
 }
@@ -130,7 +134,7 @@ TrackSighting MarkTracker::update(StereoSight& sight, Track& track) const {
   TrackSighting out{.name = track.name, .centre = {}, .yaw_deg = {}, .contour = {}};
   const int frames = track.missing + 1;
   const cv::Point2d motion = track.left ? (now->left.centre - track.left->centre) / frames : cv::Point2d();
-  const bool steady = cv::norm(motion) < local_reach_px;
+  const bool steady = cv::norm(motion) < px_in(sight.left(), local_reach_px);
   track.velocity_px = steady ? motion : cv::Point2d();
   track.disparity_change_px = 0;
   out.centre = now->left.centre;

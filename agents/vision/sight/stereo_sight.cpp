@@ -14,8 +14,9 @@ constexpr double height_tolerance = 0.1;
 constexpr double least_round = 0.9;
 constexpr double width_tolerance = 0.05;
 constexpr double widest = 1.1;
-// Nearer than this to the image's edge a mark cannot be measured.
+// Nearer than this to the image's edge a mark cannot be measured, nor where its own half is not within.
 constexpr double edge_px = 24;
+constexpr double margin_px = 8;
 // How much further than its centre a tag reaches that is looked for nearby.
 constexpr double tag_reach_px = 100;
 // How far beside the border of a mark its tone and the ground's are looked for, and in which share of its rows.
@@ -129,7 +130,7 @@ bool StereoSight::is_cut_off(const LearnedObject& object, const SeenMark& left) 
   if (model_.is_single()) return true;
   const std::optional<double> expected = least_disparity(model_, object, left);
   if (!expected) return true;
-  if (left.centre.x - *expected >= edge_px) return false;
+  if (left.centre.x - *expected >= std::max(edge_px, left.box.width / 2.0 + margin_px)) return false;
   const std::vector<int> border = right_border(left);
   for (int disparity = 1; disparity < least_disparity_share * *expected; ++disparity) {
     if (shows_border(right_segmentation().image(), left, border, disparity)) return false;
