@@ -1,6 +1,7 @@
 #include "agents/launcher/command_line/word_tools.hpp"
 
 #include <charconv>
+#include <filesystem>
 #include <fmt/format.h>
 
 namespace pizarra {
@@ -32,5 +33,9 @@ std::string counted(std::size_t number, std::string_view thing) {
 }
 
 std::string shipped_file(const std::string& path) { return std::string(PIZARRA_SOURCE_DIR) + "/" + path; }
+
+std::string beside_this_program(const std::string& name) {
+  return (std::filesystem::read_symlink("/proc/self/exe").parent_path() / name).string();
+}
 
 }  // namespace pizarra

@@ -29,4 +29,7 @@ std::string counted(std::size_t number, std::string_view thing);
 // A file that comes with the program: from the tree it was built from.
 std::string shipped_file(const std::string& path);
 
+// Another of our programs, where this one is.
+std::string beside_this_program(const std::string& name);
+
 }  // namespace pizarra

@@ -12,7 +12,6 @@
 #include "agents/speech/speech_agent.hpp"
 #include "agents/vision/agent/vision_agent.hpp"
 #include "drivers/arm/arm_file.hpp"
-#include "drivers/camera/video_camera.hpp"
 #include "drivers/pan_tilt/ptu_driver.hpp"
 #include "drivers/simulation/head_wire.hpp"
 #include "drivers/simulation/simulated_camera.hpp"
@@ -67,18 +66,13 @@ class BuiltPanTilt : public BuiltAgent {
   PanTiltAgent agent_;
 };
 
-// The agent, and the eyes that the cell file says it has.
+// The agent, and the eyes that it looks through.
 class BuiltVision : public BuiltAgent {
  public:
-  BuiltVision(AgentContext context, const CellDescription& description, Link& link, Streams* streams)
-      : camera_(make_camera(context.executor, description.eyes, link)),
-        agent_(std::move(context), *camera_, streams, VisionOptions{description.objects_directory}) {}
+  BuiltVision(AgentContext context, std::unique_ptr<StereoCamera> camera, Streams* streams, VisionOptions options)
+      : camera_(std::move(camera)), agent_(std::move(context), *camera_, streams, std::move(options)) {}
 
  private:
-  static std::unique_ptr<StereoCamera> make_camera(Executor& executor, const CameraSetup& eyes, Link& link) {
-    if (eyes.is_simulated()) return std::make_unique<SimulatedCamera>(link);
-    return std::make_unique<VideoCamera>(executor, eyes);
-  }
   Agent& agent() override { return agent_; }
 
   std::unique_ptr<StereoCamera> camera_;
@@ -163,14 +157,23 @@ Task<void> BuiltAgent::run() {
 }
 
 Result<std::unique_ptr<BuiltAgent>> build_agent(const std::string& kind, AgentContext context,
-                                                const CellDescription& description, Link& link, Streams* streams) {
+                                                const CellDescription& description, Link& link, Streams* streams,
+                                                const CameraMaker& own_cameras) {
   if (kind == "robot") {
     Result<ArmModel> model = read_arm_file(description.arm_file);
     if (!model) return fail(model);
     return std::make_unique<BuiltRobot>(std::move(context), description.arm_line, *model, room_of(description), link);
   }
   if (kind == "vision") {
-    return std::make_unique<BuiltVision>(std::move(context), description, link, streams);
+    std::unique_ptr<StereoCamera> camera;
+    if (description.eyes.is_simulated()) {
+      camera = std::make_unique<SimulatedCamera>(link);
+    } else if (own_cameras) {
+      camera = own_cameras(context.executor, description.eyes);
+    }
+    if (!camera) return fail("no-camera", "this program opens no cameras of one's own", Datum::symbol(kind));
+    VisionOptions options{.objects_directory = description.objects_directory};
+    return std::make_unique<BuiltVision>(std::move(context), std::move(camera), streams, std::move(options));
   }
   if (kind == "pan-tilt") {
     if (!has_pan_tilt(description)) return fail("unknown-agent", "the cell has no pan-tilt unit", Datum::symbol(kind));

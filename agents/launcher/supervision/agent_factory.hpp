@@ -5,12 +5,14 @@
 //   Result<std::unique_ptr<BuiltAgent>> vision = build_agent("vision", context, description, link, &streams);
 //   Job job = executor.spawn((*vision)->run());
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "agents/runtime/agent.hpp"
 #include "blackboard/stream.hpp"
+#include "drivers/camera/stereo_camera.hpp"
 #include "drivers/simulation/link.hpp"
 #include "drivers/simulation/world_config.hpp"
 #include "lisp/cell.hpp"
@@ -42,8 +44,13 @@ class BuiltAgent {
   std::optional<Result<void>> ended_;
 };
 
-// Link and streams outlive the agent. Failures: unknown-agent, and those of the domain file.
+// Opens real cameras and recordings. Only a program that gives it links the libraries that do.
+using CameraMaker = std::function<std::unique_ptr<StereoCamera>(Executor&, const CameraSetup&)>;
+
+// Link and streams outlive the agent. `own_cameras` may be none where the cell's eyes are simulated. Failures:
+// unknown-agent, no-camera, and those of the arm file.
 Result<std::unique_ptr<BuiltAgent>> build_agent(const std::string& kind, AgentContext context,
-                                                const CellDescription& description, Link& link, Streams* streams);
+                                                const CellDescription& description, Link& link, Streams* streams,
+                                                const CameraMaker& own_cameras = {});
 
 }  // namespace pizarra

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "drivers/camera/video_camera.hpp"
+
 namespace pizarra {
 
 struct LocalCell::Running {
@@ -25,7 +27,11 @@ Result<void> LocalCell::start(const std::string& kind) {
   auto running = std::make_unique<Running>();
   running->view = board_.view(kind);
   AgentContext context{kind, "localhost", executor_, *running->view, random_.split(kind)};
-  Result<std::unique_ptr<BuiltAgent>> built = build_agent(kind, std::move(context), description_, link_, &streams_);
+  const auto own_cameras = [](Executor& executor, const CameraSetup& setup) {
+    return std::make_unique<VideoCamera>(executor, setup);
+  };
+  Result<std::unique_ptr<BuiltAgent>> built =
+      build_agent(kind, std::move(context), description_, link_, &streams_, own_cameras);
   if (!built) return fail(built);
   running->agent = std::move(*built);
   running->job = executor_.spawn(running->agent->run());

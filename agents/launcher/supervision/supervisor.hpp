@@ -7,7 +7,7 @@
 // each program, then the executor runs; stop() or a signal begins the end, and stopped() says when no child is left.
 //
 //   Supervisor supervisor(executor, [](const ProcessEvent& event) { ... });
-//   supervisor.start({"vision", {"/usr/bin/pizarra-cell", "agent", "vision"}, "/run/.../vision.log"});
+//   supervisor.start({"vision", {"/usr/bin/pizarra-agent", "agent", "vision"}, "/run/.../vision.log"});
 //   executor.run_until([&] { return supervisor.stopped(); });
 
 #include <functional>

@@ -21,7 +21,6 @@ int main(int argc, char** argv) {
   pizarra::add_up_word(app, status);
   pizarra::add_ps_word(app, status);
   pizarra::add_down_word(app, status);
-  pizarra::add_process_words(app, status);
   pizarra::add_repl_word(app, status);
   pizarra::add_form_words(app, status);
   pizarra::add_look_word(app, status);

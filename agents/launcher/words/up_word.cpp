@@ -49,10 +49,6 @@ Result<CellHost> choose_host(const CellDescription& cell, const std::string& ask
   return fail("unknown-host", fmt::format("say which host this is with --host: the cell has {}", known));
 }
 
-std::string beside_this_program(const std::string& name) {
-  return (std::filesystem::read_symlink("/proc/self/exe").parent_path() / name).string();
-}
-
 // With these a board ends that will not do better next time: wrong arguments, address or journal.
 const std::vector<int> hopeless_board{2, 3, 4};
 
@@ -127,7 +123,7 @@ Result<void> Up::find_world() {
 }
 
 Result<void> Up::start_all() {
-  const std::string self = beside_this_program("pizarra-cell");
+  const std::string program = beside_this_program("pizarra-agent");
   const std::string seed = std::to_string(choices_.seed);
   const std::string cell = std::filesystem::absolute(choices_.cell).string();
   const bool owns_board = host_.name == cell_.board_host && choices_.board.empty();
@@ -142,11 +138,11 @@ Result<void> Up::start_all() {
     if (!board) return board;
   }
   if (host_.name == cell_.board_host) {
-    const Result<void> world = start("world", {self, "world", cell, "--listen", world_address_, "--seed", seed});
+    const Result<void> world = start("world", {program, "world", cell, "--listen", world_address_, "--seed", seed});
     if (!world) return world;
   }
   for (const std::string& kind : host_.agents) {
-    std::vector<std::string> command = {self,      "agent",        kind,     cell,       "--board", board_address_,
+    std::vector<std::string> command = {program,   "agent",        kind,     cell,       "--board", board_address_,
                                         "--world", world_address_, "--host", host_.name, "--seed",  seed};
     if (!key_.empty()) command.insert(command.end(), {"--key", key_});
     const bool watched_elsewhere = kind == "vision" && cell_.hosts.size() > 1;

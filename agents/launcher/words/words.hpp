@@ -18,7 +18,6 @@ void add_check_word(CLI::App& app, int& status);
 void add_up_word(CLI::App& app, int& status);
 void add_ps_word(CLI::App& app, int& status);
 void add_down_word(CLI::App& app, int& status);
-void add_process_words(CLI::App& app, int& status);  // agent, world
 void add_shapes_word(CLI::App& app, int& status);
 void add_calibrate_word(CLI::App& app, int& status);
 void add_look_word(CLI::App& app, int& status);

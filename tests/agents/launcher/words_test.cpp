@@ -27,7 +27,9 @@ TEST(Words, EveryWordHelps) {
   for (const char* word :
        {"demo",    "scenario", "check", "up",   "ps",  "down", "agent", "world",  "repl",   "tell",
         "retract", "ask",      "watch", "look", "top", "goal", "why",   "replay", "shapes", "calibrate"}) {
-    const Said said = run(std::string(word) + " --help");
+    const bool is_process = word == std::string("agent") || word == std::string("world");
+    const Said said = is_process ? shell(std::string(PIZARRA_AGENT) + " " + word + " --help 2>&1")
+                                 : run(std::string(word) + " --help");
     EXPECT_EQ(said.status, 0) << word;
     EXPECT_TRUE(contains(said, "pizarra " + std::string(word))) << said.text;
     EXPECT_TRUE(contains(said, "Example:\n  ./pizarra " + std::string(word))) << said.text;
@@ -120,8 +122,17 @@ TEST(Words, AFilmIsWholeAlsoWhenNobodyReadsTheStory) {
   EXPECT_NE(text_of(scratch_folder() + "unread.avi").find("idx1"), std::string::npos) << said.text;
 }
 
+// They take four times the memory of all else that an agent needs.
+TEST(Words, AnAgentLoadsNoLibraryThatOpensCamerasUnlessItHasOneOfItsOwn) {
+  const std::string libraries = "ldd " + std::string(PIZARRA_AGENT);
+  EXPECT_TRUE(contains(shell(libraries), "libopencv_core"));
+  EXPECT_FALSE(contains(shell(libraries), "libopencv_videoio"));
+  EXPECT_FALSE(contains(shell(libraries), "libopencv_imgcodecs"));
+}
+
 TEST(Words, TheWorldListensOnThisMachineAlone) {
-  const Said said = run("world " + source_dir() + "/examples/01-blocks/cell.scm --listen tcp://127.0.0.1:7999");
+  const Said said = shell(std::string(PIZARRA_AGENT) + " world " + source_dir() +
+                          "/examples/01-blocks/cell.scm --listen tcp://127.0.0.1:7999 2>&1");
   EXPECT_EQ(said.status, 2);
   EXPECT_TRUE(contains(said, "ipc://")) << said.text;
 }

@@ -201,7 +201,7 @@ void agent_memory(VisionBench& bench) {
                          "(cube cross (at 450 50)) (cube square (at 450 150))))";
   const std::string board_at = "ipc://" + folder.path() + "/board";
   const std::string world_at = "ipc://" + folder.path() + "/world";
-  const std::string program = program_beside("pizarra-cell");
+  const std::string program = program_beside("pizarra-agent");
   const Child board = Child::program({program_beside("pizarra-board"), "--listen", board_at});
   const Child world = Child::program({program, "world", cell, "--listen", world_at});
   const Child vision = Child::program({program, "agent", "vision", cell, "--board", board_at, "--world", world_at});

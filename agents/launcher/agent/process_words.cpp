@@ -1,12 +1,15 @@
-// The words that `up` starts processes with: one agent, or the world.
+#include "agents/launcher/agent/process_words.hpp"
 
+#include <cerrno>
+#include <cstring>
 #include <fmt/format.h>
+#include <opencv2/core/utility.hpp>
+#include <unistd.h>
 #include <zmq.hpp>
 
+#include "agents/launcher/command_line/command_line.hpp"
 #include "agents/launcher/command_line/key_option.hpp"
 #include "agents/launcher/command_line/word_tools.hpp"
-#include "agents/launcher/supervision/agent_factory.hpp"
-#include "agents/launcher/words/words.hpp"
 #include "blackboard/client/remote_board.hpp"
 #include "blackboard/streams/remote_streams.hpp"
 #include "blackboard/time/real_executor.hpp"
@@ -30,9 +33,20 @@ struct ProcessChoices {
   std::uint64_t seed = 1;
 };
 
-int run_agent(const ProcessChoices& choices) {
+// Becomes the program that opens cameras of one's own.
+int become_eyes(std::span<char*> arguments) {
+  const std::string program = beside_this_program("pizarra-eyes");
+  std::vector<char*> same(arguments.begin(), arguments.end());
+  same.push_back(nullptr);
+  ::execv(program.c_str(), same.data());
+  const Failure why{"no-program", fmt::format("{} cannot be started: {}", program, std::strerror(errno)), {}, {}};
+  return complain(why, exit_unavailable);
+}
+
+int run_agent(const ProcessChoices& choices, std::span<char*> arguments, const CameraMaker& own_cameras) {
   const Result<CellDescription> cell = read_cell_file(choices.cell);
   if (!cell) return complain(cell.error(), exit_usage);
+  if (choices.kind == "vision" && !cell->eyes.is_simulated() && !own_cameras) return become_eyes(arguments);
   RealExecutor executor;
   const StopSignals signals(executor);
   const std::string name = choices.name.empty() ? choices.kind : choices.name;
@@ -46,7 +60,7 @@ int run_agent(const ProcessChoices& choices) {
   const auto streams = RemoteStreams::open(executor, **board, choices.streams);
   if (!streams) return complain(streams.error(), exit_unavailable);
   AgentContext agent_context{name, choices.host, executor, **board, Random(choices.seed).split(name)};
-  const auto agent = build_agent(choices.kind, std::move(agent_context), *cell, link, streams->get());
+  const auto agent = build_agent(choices.kind, std::move(agent_context), *cell, link, streams->get(), own_cameras);
   if (!agent) return complain(agent.error(), exit_usage);
   const Job job = executor.spawn((*agent)->run());
   executor.run_until([&job] { return job.done(); });
@@ -77,9 +91,7 @@ int run_world(const ProcessChoices& choices) {
   return exit_reached;
 }
 
-}  // namespace
-
-void add_process_words(CLI::App& app, int& status) {
+void add_agent_word(CLI::App& app, int& status, std::span<char*> arguments, const CameraMaker& own_cameras) {
   auto choices = std::make_shared<ProcessChoices>();
   CLI::App* agent = app.add_subcommand("agent", "Run one agent in this process, on a board of another.");
   agent->add_option("kind", choices->kind, "robot, vision, pan-tilt, planner, coordinator or person")
@@ -96,17 +108,32 @@ void add_process_words(CLI::App& app, int& status) {
   agent->add_option("--host", choices->host, "Which host it says it is on")->capture_default_str();
   agent->add_option("--seed", choices->seed, "What its chance begins from")->check(seed_check())->capture_default_str();
   agent->footer(help_footer("agent planner examples/01-blocks/cell.scm --board ipc:///tmp/b --world ipc:///tmp/w"));
-  agent->callback([choices, &status] { status = run_agent(*choices); });
+  agent->callback([choices, &status, arguments, own_cameras] { status = run_agent(*choices, arguments, own_cameras); });
+}
 
-  auto world_choices = std::make_shared<ProcessChoices>();
+void add_world_word(CLI::App& app, int& status) {
+  auto choices = std::make_shared<ProcessChoices>();
   CLI::App* world = app.add_subcommand("world", "Run a cell's simulated world in this process.");
-  world->add_option("cell", world_choices->cell, "The cell file")->required()->check(CLI::ExistingFile);
-  world->add_option("--listen", world_choices->world, "Where it is reached: ipc://PATH")->required();
-  world->add_option("--seed", world_choices->seed, "What its chance begins from")
-      ->check(seed_check())
-      ->capture_default_str();
+  world->add_option("cell", choices->cell, "The cell file")->required()->check(CLI::ExistingFile);
+  world->add_option("--listen", choices->world, "Where it is reached: ipc://PATH")->required();
+  world->add_option("--seed", choices->seed, "What its chance begins from")->check(seed_check())->capture_default_str();
   world->footer(help_footer("world examples/01-blocks/cell.scm --listen ipc:///tmp/w"));
-  world->callback([world_choices, &status] { status = run_world(*world_choices); });
+  world->callback([choices, &status] { status = run_world(*choices); });
+}
+
+}  // namespace
+
+int run_process_program(std::span<char*> arguments, CameraMaker own_cameras) {
+  // One thread: two runs of the same seed must not differ.
+  cv::setNumThreads(1);
+  CLI::App app("One agent of a cell, or its simulated world.", "pizarra");
+  app.require_subcommand(1);
+  app.set_version_flag("--version", version());
+  app.footer(exit_code_help);
+  int status = exit_reached;
+  add_agent_word(app, status, arguments, own_cameras);
+  add_world_word(app, status);
+  return run_program(app, static_cast<int>(arguments.size()), arguments.data(), status);
 }
 
 }  // namespace pizarra
