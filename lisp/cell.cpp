@@ -70,6 +70,26 @@ CameraSetup eyes_from_datum(const Datum& datum, const std::string& file) {
   return eyes;
 }
 
+std::optional<CellRoom> room_from_datum(const Datum& room) {
+  if (room.size() != 3) return std::nullopt;
+  return CellRoom{{room[0][0].number(), room[1][0].number(), room[2][0].number()},
+                  {room[0][1].number(), room[1][1].number(), room[2][1].number()}};
+}
+
+std::string arm_file_from_datum(const Datum& arm, const std::string& file) {
+  return arm.is_string() ? beside(file, std::string(arm.text())) : shipped_arm_file(arm.text());
+}
+
+std::optional<CellSlave> slave_from_datum(const Datum& slave, const std::string& file) {
+  if (slave.size() == 0) return std::nullopt;
+  const Datum& offset = slave[3];
+  return CellSlave{.arm_file = arm_file_from_datum(slave[0], file),
+                   .room = room_from_datum(slave[1]),
+                   .line = arm_line_from_datum(slave[2]),
+                   .offset_mm = {offset[0].number(), offset[1].number(), offset[2].number()},
+                   .mirrored = slave[4].is_symbol("mirror")};
+}
+
 CellDescription cell_from_datum(const Datum& datum, const std::string& file) {
   CellDescription cell;
   cell.name = datum[0].text();
@@ -78,7 +98,7 @@ CellDescription cell_from_datum(const Datum& datum, const std::string& file) {
   cell.head = camera[5].text();
   cell.noise = {datum[2][0].number(), datum[2][1].number(), datum[2][2].number()};
   for (const Datum& cube : datum[3].items()) cell.cubes.push_back(cube_from_datum(cube));
-  cell.arm_file = datum[4].is_string() ? beside(file, std::string(datum[4].text())) : shipped_arm_file(datum[4].text());
+  cell.arm_file = arm_file_from_datum(datum[4], file);
   cell.arm = datum[4].is_string() ? std::filesystem::path(cell.arm_file).stem().string() : datum[4].text();
   cell.domain_file = beside(file, std::string(datum[5].text()));
   cell.board_host = datum[6].text();
@@ -89,14 +109,11 @@ CellDescription cell_from_datum(const Datum& datum, const std::string& file) {
   cell.row = {datum[11][0].number(), datum[11][1].number(), datum[11][2].number()};
   cell.board_keys = beside(file, std::string(datum[12].text()));
   cell.pan_tilt = pan_tilt_from_datum(datum[13]);
-  if (datum[14].size() == 3) {
-    const Datum& room = datum[14];
-    cell.arm_room = CellRoom{{room[0][0].number(), room[1][0].number(), room[2][0].number()},
-                             {room[0][1].number(), room[1][1].number(), room[2][1].number()}};
-  }
+  cell.arm_room = room_from_datum(datum[14]);
   cell.arm_line = arm_line_from_datum(datum[15]);
   cell.objects_directory = beside(file, std::string(datum[16].text()));
   cell.eyes = eyes_from_datum(datum[17], file);
+  cell.slave = slave_from_datum(datum[18], file);
   return cell;
 }
 

@@ -15,6 +15,9 @@
 //     (arm crs-f3)                                             ; of arms/, or "my-arm.scm" beside the cell file;
 //                                                              ; with (room (x 200 600) (z 20 700)) it stays in there
 //                                                              ; with (driver hses "192.168.0.3") it is a real one
+//     (slave crs-t265 (offset 0 0 50) (mirror))                ; a second arm, which the agent follower has follow it:
+//                                                              ; mm in its own base frame, left for right; room and
+//                                                              ; driver as above
 //     (pan-tilt (tcp "192.168.0.2" 4000) (reversed pan))       ; or (serial "/dev/ttyUSB0" 9600); what counts leftwards
 //     (objects "objects")                                      ; the folder where what the eyes learn is kept, beside
 //                                                              ; the cell file; left out: on the board alone
@@ -95,6 +98,15 @@ struct CellRoom {
   std::array<double, 3> high_mm;
 };
 
+// The arm of the agent `slave`, and where its grip centre is to be for a place of the first arm's.
+struct CellSlave {
+  std::string arm_file;
+  std::optional<CellRoom> room;
+  ArmLine line;
+  std::array<double, 3> offset_mm;
+  bool mirrored = false;  // y the other way round
+};
+
 struct CellHost {
   std::string name;
   std::string key;  // the file of the secret with which it comes to a board elsewhere, empty: it has none
@@ -114,6 +126,7 @@ struct CellDescription {
   std::string arm_file;              // a path that can be opened
   std::optional<CellRoom> arm_room;  // where its grip centre may be; none: wherever it reaches
   ArmLine arm_line;
+  std::optional<CellSlave> slave;
   PanTiltLine pan_tilt;
   CameraSetup eyes;               // of the vision agent
   std::string objects_directory;  // of the object database, empty: there is none

@@ -36,36 +36,36 @@ Task<Result<void>> SimulatedArm::command(Datum request) {
 }
 
 Task<Result<std::string>> SimulatedArm::identify() {
-  const Datum request = list("arm"_sym, "identify"_sym);
+  const Datum request = list(device_, "identify"_sym);
   const Result<Message> answer = co_await link_.call(request, answer_time);
   if (!answer) co_return fail(answer);
   if (answer->head.size() != 1) co_return odd_answer(answer->head);
   co_return std::string(answer->head[0].text());
 }
 
-Task<Result<void>> SimulatedArm::take_control() { return command(list("arm"_sym, "take-control"_sym)); }
+Task<Result<void>> SimulatedArm::take_control() { return command(list(device_, "take-control"_sym)); }
 
 Task<Result<void>> SimulatedArm::start_move(std::vector<Joints> waypoints, double speed) {
   const bool sound = std::isfinite(speed) && finite(waypoints);
   if (!sound) co_return fail("not-finite", "a joint angle or the speed is not a number");
-  std::vector<Datum> request{"arm"_sym, "move"_sym, Datum::real(speed)};
+  std::vector<Datum> request{device_, "move"_sym, Datum::real(speed)};
   for (const Joints& joints : waypoints) request.push_back(joints_to_datum(joints));
   Datum form = Datum::list(std::move(request));
   Result<void> started = co_await command(std::move(form));
   co_return started;
 }
 
-Task<Result<void>> SimulatedArm::stop() { return command(list("arm"_sym, "stop"_sym)); }
+Task<Result<void>> SimulatedArm::stop() { return command(list(device_, "stop"_sym)); }
 
 Task<Result<void>> SimulatedArm::start_gripper(double opening_mm) {
   if (!std::isfinite(opening_mm)) co_return fail("not-finite", "the opening is not a number");
-  Datum request = list("arm"_sym, "gripper"_sym, opening_mm);
+  Datum request = list(device_, "gripper"_sym, opening_mm);
   Result<void> started = co_await command(std::move(request));
   co_return started;
 }
 
 Task<Result<ArmReading>> SimulatedArm::read() {
-  const Datum request = list("arm"_sym, "read"_sym);
+  const Datum request = list(device_, "read"_sym);
   const Result<Message> answer = co_await link_.call(request, answer_time);
   if (!answer) co_return fail(answer);
   const Datum& head = answer->head;

@@ -12,8 +12,8 @@ namespace pizarra {
 
 class SimulatedArm : public ArmDriver {
  public:
-  // The link outlives it.
-  explicit SimulatedArm(Link& link) : link_(link) {}
+  // The link outlives it. The device is `arm` or `second-arm`.
+  explicit SimulatedArm(Link& link, std::string_view device = "arm") : link_(link), device_(Datum::symbol(device)) {}
   Task<Result<std::string>> identify() override;
   Task<Result<void>> take_control() override;
   Task<Result<void>> start_move(std::vector<Joints> waypoints, double speed) override;
@@ -24,6 +24,7 @@ class SimulatedArm : public ArmDriver {
  private:
   Task<Result<void>> command(Datum request);
   Link& link_;
+  const Datum device_;
 };
 
 }  // namespace pizarra

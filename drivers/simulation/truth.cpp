@@ -121,16 +121,21 @@ Datum facts(const Cell& cell, const std::vector<State>& states) {
 
 }  // namespace
 
-Datum truth_of(const Cell& cell, const Eye& left) {
+Datum truth_of(const Cell& cell, const Eye& left, const Eye& right) {
   const Physics& physics = cell.physics();
-  const std::vector<MarkView> marks = seen_marks(left, cell.scene().solids);
+  const std::vector<Solid> solids = cell.scene().solids;
+  const std::vector<MarkView> on_left = seen_marks(left, solids);
+  const std::vector<MarkView> on_right = seen_marks(right, solids);
+  const auto visible_in = [](const std::vector<MarkView>& marks, CubeId cube) {
+    return visible(best_mark(marks, mark_id(cube, 0), mark_id(cube, 5)));
+  };
   std::vector<State> states;
   for (CubeId cube = 0; cube < physics.cubes(); ++cube) states.push_back(state_of(cell, cube));
   std::vector<Datum> out;
   for (CubeId cube = 0; cube < physics.cubes(); ++cube) {
     const Pose pose = physics.pose(cube);
     const Vector3d at = pose.translation();
-    const double seen = physics.present(cube) ? visible(best_mark(marks, mark_id(cube, 0), mark_id(cube, 5))) : 0.0;
+    const double seen = physics.present(cube) ? std::min(visible_in(on_left, cube), visible_in(on_right, cube)) : 0.0;
     out.push_back(list("cube"_sym, Datum::symbol(cell.name(cube)), at.x(), at.y(), at.z(), yaw_deg(pose),
                        tilt_deg(pose), to_datum(cell, states[cube]), seen));
   }

@@ -8,7 +8,8 @@
 
 namespace pizarra {
 
-Datum truth_of(const Cell& cell, const Eye& left);
+// Visible is what both eyes see: an object in one image alone has no depth.
+Datum truth_of(const Cell& cell, const Eye& left, const Eye& right);
 // Failures: unknown-object, not-seen.
 Result<Datum> where_seen(const Cell& cell, const Eye& left, std::string_view name);
 Datum describe_scene(const Cell& cell, const WorldConfig& config);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <map>
 
+#include "drivers/simulation/arm_requests.hpp"
+#include "drivers/simulation/controllers/arms/moving_arm.hpp"
 #include "drivers/simulation/frame_clock.hpp"
 #include "drivers/simulation/hand_request.hpp"
 #include "drivers/simulation/head_line.hpp"
@@ -18,29 +20,6 @@ constexpr Duration longest_hand_job = 15s;
 constexpr Duration hand_poll = 50ms;
 // Frames waited for at once.
 constexpr std::size_t most_waiting = 64;
-
-Datum yes_no(bool value) { return value ? "yes"_sym : "no"_sym; }
-
-Datum joints_to_datum(const Joints& joints) {
-  std::vector<Datum> out;
-  for (const double angle : joints) out.push_back(Datum::real(angle));
-  return Datum::list(std::move(out));
-}
-
-Result<Joints> joints_from_datum(const Datum& datum) {
-  if (datum.size() < 1 || datum.size() > most_axes) return bad_request(datum);
-  Joints joints(datum.size());
-  for (std::size_t axis = 0; axis < joints.size(); ++axis) {
-    if (!datum[axis].is_number()) return bad_request(datum);
-    joints[axis] = datum[axis].number();
-  }
-  return joints;
-}
-
-Result<Message> answer(const Result<void>& done) {
-  if (!done) return fail(done);
-  return Message{};
-}
 
 }  // namespace
 
@@ -77,10 +56,12 @@ struct World::Inside {
         config(the_config),
         clock(the_executor.now()),
         cell(config),
+        arm(cell, config.arm.type),
         renderer(config, Random(config.seed).split("camera")) {
     steps = clock.steps_until(executor.now());
     const PtuModel* head_model = find_ptu_model(config.camera.head);
     if (head_model != nullptr) head.emplace(executor, *head_model);
+    if (config.second_arm) second_arm.emplace(executor, *config.second_arm);
   }
 
   void advance();
@@ -90,8 +71,6 @@ struct World::Inside {
   Result<Message> tell_truth(const Datum& request);
   // How the cameras look now.
   CameraConfig camera_now();
-  Result<Message> arm(const Datum& request);
-  Result<void> move(const Datum& request);
   Task<Result<Message>> camera(Datum request);
   Message camera_model() const;
   Message frame_message(std::uint64_t frame, bool colour) const;
@@ -101,10 +80,11 @@ struct World::Inside {
   const WorldConfig config;
   const FrameClock clock;
   Cell cell;
+  CellArm arm;
+  std::optional<MovingArm> second_arm;
   StereoRenderer renderer;
   std::optional<HeadLine> head;
   std::int64_t steps = 0;
-  bool controlled = false;
   std::map<std::uint64_t, Wanted> wanted;
 };
 
@@ -138,7 +118,15 @@ void World::Inside::advance() {
 Task<Result<Message>> World::Inside::handle(Datum request) {
   advance();
   const std::string_view device = request.head();
-  if (device == "arm") co_return arm(request);
+  if (device == "arm") {
+    Result<Message> answer = co_await answer_arm(arm, std::move(request));
+    co_return answer;
+  }
+  if (device == "second-arm") {
+    if (!second_arm) co_return fail("bad-request", "there is no second arm in this world", request);
+    Result<Message> answer = co_await answer_arm(*second_arm, std::move(request));
+    co_return answer;
+  }
   if (device == "camera") {
     Result<Message> taken = co_await camera(std::move(request));
     co_return taken;
@@ -172,41 +160,6 @@ Result<Message> World::Inside::tell_truth(const Datum& request) {
   const Result<Datum> seen = where_seen(cell, left, word(request, 1));
   if (!seen) return fail(seen);
   return Message{*seen};
-}
-
-Result<Message> World::Inside::arm(const Datum& request) {
-  const std::string_view what = word(request, 1);
-  if (what == "identify") return Message{list(config.arm.type)};
-  if (what == "read") {
-    return Message{list(joints_to_datum(cell.arm().joints()), yes_no(cell.arm().moving()), yes_no(cell.arm().stopped()),
-                        cell.gripper().opening_mm(), yes_no(cell.gripper().moving()))};
-  }
-  if (what == "take-control") {
-    controlled = true;
-    return Message{};
-  }
-  if (what == "stop") {
-    cell.arm().brake();
-    return Message{};
-  }
-  if (!controlled) return fail("not-in-control", "nobody has taken control of the arm");
-  if (what == "move") return answer(move(request));
-  if (what == "gripper" && request.size() == 3 && request[2].is_number()) {
-    cell.gripper().command(request[2].number());
-    return Message{};
-  }
-  return bad_request(request);
-}
-
-Result<void> World::Inside::move(const Datum& request) {
-  if (request.size() < 4 || !request[2].is_number()) return bad_request(request);
-  std::vector<Joints> waypoints;
-  for (const Datum& item : request.items().subspan(3)) {
-    const Result<Joints> joints = joints_from_datum(item);
-    if (!joints) return fail(joints);
-    waypoints.push_back(*joints);
-  }
-  return cell.arm().start(std::move(waypoints), request[2].number());
 }
 
 Task<Result<Message>> World::Inside::camera(Datum request) {

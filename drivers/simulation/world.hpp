@@ -15,6 +15,7 @@
 // Requests and the values they answer; lengths mm, angles degrees, YES is `yes` or `no`:
 //   (arm identify) -> ("type")        (arm take-control)     (arm move SPEED (J1 ... JN) ...)     (arm stop)
 //   (arm gripper MM)                  (arm read) -> ((J1 ... JN) MOVING STOPPED OPENING GRIPPER-MOVING)
+// A second arm, where there is one, answers the same to (second-arm ...). It stands aside, at a table without cubes.
 //   (camera open) -> (WIDTH HEIGHT FOCAL CX CY BASE-LINE)
 //   (camera next AFTER grey|colour) -> (NUMBER MICROSECONDS), left and right image; waits for the frame
 //   (head send "bytes")               to the pan-tilt unit under the cameras, as over its line

@@ -68,6 +68,7 @@ struct WorldConfig {
   double cube_mm = 60;  // the edge of every cube; its marks grow with it
   std::vector<CubeConfig> cubes;
   ArmModel arm = crs_f3();
+  std::optional<ArmModel> second_arm;
   std::optional<Joints> start_joints;  // the arm's ready pose where not given
 };
 

@@ -94,7 +94,7 @@ int run_world(const ProcessChoices& choices) {
 void add_agent_word(CLI::App& app, int& status, std::span<char*> arguments, const CameraMaker& own_cameras) {
   auto choices = std::make_shared<ProcessChoices>();
   CLI::App* agent = app.add_subcommand("agent", "Run one agent in this process, on a board of another.");
-  agent->add_option("kind", choices->kind, "robot, vision, pan-tilt, planner, coordinator or person")
+  agent->add_option("kind", choices->kind, "robot, vision, pan-tilt, planner, coordinator or person; speech, slave, follower")
       ->required()
       ->check(CLI::IsMember(agent_kinds()) | CLI::IsMember(further_agent_kinds()));
   agent->add_option("cell", choices->cell, "The cell file")->required()->check(CLI::ExistingFile);

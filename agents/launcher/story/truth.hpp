@@ -22,7 +22,7 @@ struct Truth {
     bool held = false;
     std::string on;      // the cube that it stands squarely on
     bool loose = false;  // neither stands on a face nor is held: it leans, falls, or a hand carries it
-    double visible = 0;  // the part of its mark that the left camera sees, 0..1
+    double visible = 0;  // the part of its mark that both cameras see, 0..1
   };
   std::map<std::string, Cube> cubes;  // by the name, in small letters
 };

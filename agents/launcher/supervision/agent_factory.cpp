@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "agents/coordinator/pursue/coordinator_agent.hpp"
+#include "agents/follower/follower_agent.hpp"
 #include "agents/launcher/supervision/arm_device.hpp"
 #include "agents/pan_tilt/pan_tilt_agent.hpp"
 #include "agents/person/person_agent.hpp"
@@ -33,8 +34,9 @@ class WithoutDevice : public BuiltAgent {
 
 class BuiltRobot : public BuiltAgent {
  public:
-  BuiltRobot(AgentContext context, const ArmLine& line, const ArmModel& model, std::optional<Room> room, Link& link)
-      : device_(make_arm_device(context.executor, line, model, link)),
+  BuiltRobot(AgentContext context, const ArmLine& line, const ArmModel& model, std::optional<Room> room, Link& link,
+             std::string_view simulated)
+      : device_(make_arm_device(context.executor, line, model, link, simulated)),
         agent_(std::move(context), device_->driver(), model, room) {}
 
  private:
@@ -94,10 +96,24 @@ CoordinatorOptions coordinator_options(const CellDescription& description) {
   return options;
 }
 
-std::optional<Room> room_of(const CellDescription& description) {
-  if (!description.arm_room) return {};
-  const auto& [low, high] = *description.arm_room;
+std::optional<Room> room_from(const std::optional<CellRoom>& given) {
+  if (!given) return {};
+  const auto& [low, high] = *given;
   return Room{{low[0], low[1], low[2]}, {high[0], high[1], high[2]}};
+}
+
+// The second arm's robot agent, or the one that has it follow the first.
+Result<std::unique_ptr<BuiltAgent>> build_second(const std::string& kind, AgentContext context, const CellSlave& slave,
+                                                 Link& link) {
+  if (kind == "follower") {
+    const auto& [x_mm, y_mm, z_mm] = slave.offset_mm;
+    const FollowerOptions options{.offset_mm = {x_mm, y_mm, z_mm}, .mirrored = slave.mirrored};
+    return std::make_unique<WithoutDevice>(std::make_unique<FollowerAgent>(std::move(context), options));
+  }
+  const Result<ArmModel> model = read_arm_file(slave.arm_file);
+  if (!model) return fail(model);
+  return std::make_unique<BuiltRobot>(std::move(context), slave.line, *model, room_from(slave.room), link,
+                                      "second-arm");
 }
 
 std::unique_ptr<BuiltAgent> build_person(AgentContext context, const CellDescription& description, Link& link) {
@@ -114,7 +130,7 @@ const std::vector<std::string>& agent_kinds() {
 }
 
 const std::vector<std::string>& further_agent_kinds() {
-  static const std::vector<std::string> kinds{"speech"};
+  static const std::vector<std::string> kinds{"speech", "slave", "follower"};
   return kinds;
 }
 
@@ -134,6 +150,11 @@ Result<WorldConfig> world_config(const CellDescription& description, std::uint64
   Result<ArmModel> arm = read_arm_file(description.arm_file);
   if (!arm) return fail(arm);
   config.arm = std::move(*arm);
+  if (description.slave) {
+    Result<ArmModel> second = read_arm_file(description.slave->arm_file);
+    if (!second) return fail(second);
+    config.second_arm = std::move(*second);
+  }
   config.seed = seed;
   config.cube_mm = description.cube_mm;
   CameraConfig& camera = config.camera;
@@ -162,7 +183,12 @@ Result<std::unique_ptr<BuiltAgent>> build_agent(const std::string& kind, AgentCo
   if (kind == "robot") {
     Result<ArmModel> model = read_arm_file(description.arm_file);
     if (!model) return fail(model);
-    return std::make_unique<BuiltRobot>(std::move(context), description.arm_line, *model, room_of(description), link);
+    return std::make_unique<BuiltRobot>(std::move(context), description.arm_line, *model,
+                                        room_from(description.arm_room), link, "arm");
+  }
+  if (kind == "slave" || kind == "follower") {
+    if (!description.slave) return fail("unknown-agent", "the cell has no second arm", Datum::symbol(kind));
+    return build_second(kind, std::move(context), *description.slave, link);
   }
   if (kind == "vision") {
     std::unique_ptr<StereoCamera> camera;

@@ -21,7 +21,7 @@ namespace pizarra {
 
 // robot, vision, pan-tilt, planner, coordinator, person: in the order in which they are listed.
 const std::vector<std::string>& agent_kinds();
-// Those that a cell has only where its file says so: speech.
+// Those that a cell has only where its file says so: speech, slave, follower.
 const std::vector<std::string>& further_agent_kinds();
 // Those that the cell has devices for, and the further ones that it names.
 std::vector<std::string> agent_kinds(const CellDescription& description);

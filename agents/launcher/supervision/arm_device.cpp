@@ -20,7 +20,7 @@ std::uint16_t port_of(const ArmLine& line, std::size_t index) { return static_ca
 
 class SimulatedDevice : public ArmDevice {
  public:
-  explicit SimulatedDevice(Link& link) : arm_(link) {}
+  SimulatedDevice(Link& link, std::string_view device) : arm_(link, device) {}
   ArmDriver& driver() override { return arm_; }
 
  private:
@@ -119,14 +119,15 @@ class C500cDevice : public ArmDevice {
 
 }  // namespace
 
-std::unique_ptr<ArmDevice> make_arm_device(Executor& executor, const ArmLine& line, const ArmModel& model, Link& link) {
+std::unique_ptr<ArmDevice> make_arm_device(Executor& executor, const ArmLine& line, const ArmModel& model, Link& link,
+                                           std::string_view simulated) {
   if (line.protocol == "hses") return std::make_unique<HsesDevice>(executor, line, model);
   if (line.protocol == "ethernet-server") return std::make_unique<EthernetServerDevice>(executor, line, model);
   if (line.protocol == "bsc") return std::make_unique<BscDevice>(executor, line, model);
   if (line.protocol == "universal") return std::make_unique<UniversalDevice>(executor, line, model);
   if (line.protocol == "simple-message") return std::make_unique<SimpleDevice>(executor, line, model);
   if (line.protocol == "c500c") return std::make_unique<C500cDevice>(executor, line, model);
-  return std::make_unique<SimulatedDevice>(link);
+  return std::make_unique<SimulatedDevice>(link, simulated);
 }
 
 }  // namespace pizarra

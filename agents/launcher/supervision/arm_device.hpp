@@ -2,7 +2,7 @@
 
 // The arm of a cell with the line to its controller: the simulated one's where the cell names no other.
 //
-//   const std::unique_ptr<ArmDevice> device = make_arm_device(executor, description, model, link);
+//   const std::unique_ptr<ArmDevice> device = make_arm_device(executor, description.arm_line, model, link);
 //   RobotAgent robot(context, device->driver(), model);
 
 #include <memory>
@@ -21,7 +21,8 @@ class ArmDevice {
   virtual ArmDriver& driver() = 0;
 };
 
-// Executor and link outlive it.
-std::unique_ptr<ArmDevice> make_arm_device(Executor& executor, const ArmLine& line, const ArmModel& model, Link& link);
+// Executor and link outlive it. `simulated` is the device of the world that a line without a protocol leads to.
+std::unique_ptr<ArmDevice> make_arm_device(Executor& executor, const ArmLine& line, const ArmModel& model, Link& link,
+                                           std::string_view simulated = "arm");
 
 }  // namespace pizarra

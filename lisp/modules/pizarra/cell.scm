@@ -3,13 +3,13 @@
 ;; (interpret DATA), the data of a file, answers (errors ...) or
 ;;   (ok (NAME (X Y Z PAN TILT HEAD) (SENSOR BLUR GRADIENT) (CUBE ...) ARM DOMAIN BOARD-HOST BOARD-ADDRESS
 ;;        ((HOST KEY KIND ...) ...) CUBE-SIZE (NARROW NORMAL WIDE) (ROW-X ROW-Y-LOW ROW-Y-HIGH) BOARD-KEYS
-;;        (LINE WHERE NUMBER (REVERSED ...)) ROOM DRIVER OBJECTS CAMERA))
+;;        (LINE WHERE NUMBER (REVERSED ...)) ROOM DRIVER OBJECTS CAMERA SLAVE))
 ;; with CUBE = (NAME MARK X Y YAW ON), ON the empty string for the table; KEY and BOARD-KEYS are paths or empty; HEAD the
 ;; simulated pan-tilt unit under the cameras or the empty string; LINE serial, tcp or the empty string, how the unit of
 ;; the agent is reached, NUMBER a baud rate or a port; ROOM that of the arm, or (); DRIVER how its controller is reached,
 ;; (PROTOCOL (PLACE ...) (NUMBER ...)), or () for the simulated arm;
 ;; OBJECTS the folder of the object database, or empty; CAMERA what (pizarra camera) makes of the cameras of the
-;; agent, or () for the simulated ones.
+;; agent, or () for the simulated ones; SLAVE the second arm, (ARM ROOM DRIVER (X Y Z) plain|mirror), or ().
 
 (define-module (pizarra cell)
   #:use-module (srfi srfi-1)
@@ -22,7 +22,7 @@
 ;; Sees and points through the simulation alone.
 (define simulated-kinds '(person))
 ;; Those that a cell has only where it says so.
-(define further-kinds '(speech))
+(define further-kinds '(speech slave follower))
 (define known-kinds (append kinds further-kinds))
 (define heads '(ptu46-17.5 ptu46-70))
 (define baud-rates '(9600 19200 38400 57600 115200))
@@ -274,8 +274,8 @@
   (lambda (index what) (string-at node (+ index 2) what)))
 
 ;; (driver PROTOCOL PLACE ... PORT ...) as (PROTOCOL (PLACE ...) (PORT ...)), or ().
-(define (driver-of arm)
-  (let* ((node (section-in (sections (if (pair? (node-rest arm)) (cdr (node-rest arm)) '()) '(room driver)) 'driver))
+(define (driver-of found)
+  (let* ((node (section-in found 'driver))
          (name (and node (choice-at node 1 "the protocol" (map first protocols))))
          (protocol (and name (assq name protocols))))
     (if (not protocol)
@@ -294,10 +294,8 @@
                      (append (map node-datum given) (list-tail ports (min (length ports) (length given))))))))))
 
 ;; Where the arm's grip centre may be, ((LOW HIGH) (LOW HIGH) (LOW HIGH)), or () for wherever it reaches.
-(define (room-of arm)
-  (let* ((rest (node-rest arm))
-         (found (sections (if (pair? rest) (cdr rest) '()) '(room driver)))
-         (room (section-in found 'room))
+(define (room-of found)
+  (let* ((room (section-in found 'room))
          (parts (if room (sections (node-rest (node-within room "in the room")) '(x y z)) '()))
          (span-of (lambda (name)
                     (let ((span (numbers-in parts name '((-10000 10000) (-10000 10000)) '(-10000 10000))))
@@ -306,10 +304,25 @@
                       span))))
     (if room (map span-of '(x y z)) '())))
 
+;; What an arm's section holds after its name.
+(define (parts-of arm known)
+  (let ((rest (node-rest arm)))
+    (sections (if (pair? rest) (cdr rest) '()) known)))
+
+;; (slave ARM (offset X Y Z) (mirror) ...): the second arm, and where it is to be for a place of the first.
+(define (slave-of node arms)
+  (let ((found (parts-of node '(room driver offset mirror))))
+    (list (or (arm-of node arms) 'crs-f3)
+          (room-of found)
+          (driver-of found)
+          (numbers-in found 'offset '((-5000 5000) (-5000 5000) (-5000 5000)) '(0 0 0))
+          (if (section-in found 'mirror) 'mirror 'plain))))
+
 ;; ----
 
 (define (interpret-sections cell name arms)
-  (let* ((found (sections (drop (node-items cell) 2) '(world arm camera pan-tilt objects domain board host) '(host)))
+  (let* ((found (sections (drop (node-items cell) 2) '(world arm slave camera pan-tilt objects domain board host)
+                          '(host)))
          (world (section-in found 'world))
          (things (if world
                      (sections (node-rest (node-within world "in the world"))
@@ -317,6 +330,8 @@
                      '()))
          (size (cube-size-of things))
          (arm (section-in found 'arm))
+         (arm-parts (if arm (parts-of (node-within arm "in the arm") '(room driver)) '()))
+         (slave (section-in found 'slave))
          (camera (camera-of things))
          (pan-tilt (pan-tilt-of found))
          (has-unit (or (section-in found 'pan-tilt) (symbol? (sixth camera))))
@@ -327,6 +342,9 @@
     (unless has-unit
       (refuse-agent named-hosts 'pan-tilt
                     "there is nothing to turn: neither (camera (head UNIT)) nor (pan-tilt LINE) is given"))
+    (unless slave
+      (for-each (lambda (kind) (refuse-agent named-hosts kind "there is no second arm: (slave ARM) is not given"))
+                '(slave follower)))
     (when own-cameras
       (refuse-agent named-hosts 'person "the person is simulated, and sees nothing through the cell's own cameras"))
     (list name
@@ -343,10 +361,11 @@
           (row-of things)
           (third board)
           pan-tilt
-          (if arm (room-of (node-within arm "in the arm")) '())
-          (if arm (driver-of (node-within arm "in the arm")) '())
+          (room-of arm-parts)
+          (driver-of arm-parts)
           (text-of-section found 'objects "the folder of the objects" "")
-          (if own-cameras (camera-of-section own-cameras) '()))))
+          (if own-cameras (camera-of-section own-cameras) '())
+          (if slave (slave-of (node-within slave "in the second arm") arms) '()))))
 
 ;; ARMS are the names of the arms that come with the tree.
 (define* (interpret data #:optional (arms '(crs-f3)))

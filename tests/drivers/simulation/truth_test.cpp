@@ -29,6 +29,14 @@ TEST(Truth, AMarkOutOfTheImageIsNotVisible) {
   EXPECT_LT(bench.truth("aside").visible, 0.1);
 }
 
+TEST(Truth, AMarkThatOneCameraAloneSeesIsNotVisible) {
+  WorldConfig config;
+  config.cubes = {{.name = "aside", .x_mm = 450, .y_mm = -300}};
+  Bench bench(config);
+  EXPECT_EQ(bench.outcome("(where-seen aside)"), "ok") << "in the left image";
+  EXPECT_LT(bench.truth("aside").visible, 0.1) << "there is no depth without the right one";
+}
+
 TEST(Truth, TheEndEffectorIsAnObjectToo) {
   Bench bench(four_cubes());
   bench.go(450, 0, 200);

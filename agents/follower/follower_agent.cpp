@@ -1,0 +1,198 @@
+#include "agents/follower/follower_agent.hpp"
+
+#include <algorithm>
+#include <array>
+#include <fmt/format.h>
+
+namespace pizarra {
+
+namespace {
+
+constexpr const char* contract_text = R"((contract follower
+  (offers (follow) (rest))
+  (posts (relation following ((slave symbol) (master symbol) (state symbol) (detail list)) (key slave)))
+  (reads agent arm arm-pose)
+  (configures)
+  (monitors following)))";
+
+constexpr std::array<const char*, 4> state_names = {"resting", "following", "limited", "broken"};
+
+constexpr double nearest_mm = 0.5;      // a leg that is shorter is not begun
+constexpr Duration longest_leg = 60s;   // more than any move within an arm's reach takes
+constexpr Duration stopping_time = 6s;  // more than a robot agent waits for its arm to stand
+constexpr Duration busy_pause = 100ms;  // before the slave is asked again
+constexpr Duration retry_pause = 200ms;
+
+// What the slave answers where it cannot be, rather than cannot go on.
+bool is_limit(const Failure& failure) {
+  constexpr std::array limits = {"joint-limit", "unreachable", "out-of-room"};
+  return std::ranges::find(limits, failure.symbol) != limits.end();
+}
+
+}  // namespace
+
+FollowerAgent::FollowerAgent(AgentContext context, FollowerOptions options)
+    : context_(std::move(context)),
+      options_(std::move(options)),
+      changed_(context_.executor),
+      service_(context_, contract_from_text(contract_text).value()),
+      caller_(context_, service_) {}
+
+Task<Result<void>> FollowerAgent::run() {
+  const Result<void> started = co_await service_.start();
+  if (!started) co_return started;
+  const Datum master = Datum::symbol(options_.master);
+  const Datum any = "?"_sym;
+  Executor& executor = context_.executor;
+  watching_.push_back(executor.spawn(watch(list("agent"_sym, master, any, any), &FollowerAgent::see_presence)));
+  watching_.push_back(executor.spawn(watch(list("arm"_sym, master, any, any), &FollowerAgent::see_arm)));
+  Datum pose = list("arm-pose"_sym, master, any, any, any, any, any, any);
+  watching_.push_back(executor.spawn(watch(std::move(pose), &FollowerAgent::see_pose)));
+  const Result<void> rests = co_await enter(State::resting, std::nullopt, false);
+  if (!rests) co_return rests;
+  Handler handler = [this](Datum operation) { return handle(std::move(operation)); };
+  co_return co_await service_.serve(std::move(handler));
+}
+
+// Relations are declared by the agents that tell them, so a watch may have to wait for its relation.
+Task<void> FollowerAgent::watch(Datum pattern, See see) {
+  const Query query = query_for(pattern);
+  while (true) {
+    Result<std::unique_ptr<Watch>> watch = co_await context_.board.watch(query);
+    while (watch) {
+      const Result<Change> change = co_await (*watch)->next();
+      if (!change) break;
+      (this->*see)(*change);
+      changed_.wake_all();
+    }
+    co_await sleep(context_.executor, retry_pause);
+  }
+}
+
+void FollowerAgent::see_pose(const Change& change) {
+  if (change.added.empty()) return;
+  const Datum& pose = change.added.back().facts.front().datum;
+  master_mm_ = Eigen::Vector3d(pose[2].number(), pose[3].number(), pose[4].number());
+}
+
+void FollowerAgent::see_presence(const Change& change) {
+  master_there_ = !change.added.empty();
+  if (master_there_) return;
+  // Where it is when it comes back, it has to say itself.
+  master_mm_.reset();
+  give_up({"absent", fmt::format("{} is gone", options_.master), Datum::symbol(options_.master), {}});
+}
+
+void FollowerAgent::see_arm(const Change& change) {
+  if (change.added.empty()) return;
+  const Datum& arm = change.added.back().facts.front().datum;
+  if (!arm[2].is_symbol("fault")) return;
+  give_up({"fault", fmt::format("nobody knows where the arm of {} is", options_.master), arm, {}});
+}
+
+Eigen::Vector3d FollowerAgent::wanted_mm() const {
+  const Eigen::Vector3d mirror(1, options_.mirrored ? -1 : 1, 1);
+  return master_mm_->cwiseProduct(mirror) + options_.offset_mm;
+}
+
+Task<Result<Datum>> FollowerAgent::handle(Datum operation) {
+  if (operation.is_form("follow")) return follow();
+  return rest();
+}
+
+Task<Result<Datum>> FollowerAgent::follow() {
+  if (at_work()) co_return Datum();
+  if (!master_there_ || !master_mm_) {
+    co_return fail("absent", fmt::format("{} does not say where its arm is", options_.master),
+                   Datum::symbol(options_.master));
+  }
+  const Datum slave = Datum::symbol(options_.slave);
+  const Datum present = list("agent"_sym, slave, "?"_sym, "?"_sym);
+  const Result<std::vector<Fact>> slaves = co_await context_.board.facts(present);
+  if (!slaves) co_return fail(slaves);
+  if (slaves->empty()) co_return fail("absent", fmt::format("{} is not there", options_.slave), slave);
+  given_up_.reset();
+  const Result<void> begun = co_await enter(State::following, std::nullopt, true);
+  if (!begun) co_return fail(begun);
+  going_ = context_.executor.spawn(go_after());
+  co_return Datum();
+}
+
+Task<Result<Datum>> FollowerAgent::rest() {
+  const bool worked = at_work();
+  going_ = Job();
+  const Result<void> rests = co_await enter(State::resting, std::nullopt, false);
+  if (!rests) co_return fail(rests);
+  if (worked) co_await stop_slave();
+  co_return Datum();
+}
+
+// Leg after leg to where the master is by then.
+Task<void> FollowerAgent::go_after() {
+  std::optional<Eigen::Vector3d> sent_mm;
+  while (!given_up_) {
+    const Eigen::Vector3d to_mm = wanted_mm();
+    const bool there = sent_mm && (to_mm - *sent_mm).norm() < nearest_mm;
+    if (there) {
+      co_await changed_.wait();
+      continue;
+    }
+    const std::optional<Failure> failure = co_await leg(to_mm);
+    if (given_up_) break;
+    const bool busy = failure && failure->symbol == "busy";
+    if (busy) {
+      co_await sleep(context_.executor, busy_pause);
+      continue;
+    }
+    sent_mm = to_mm;
+    if (failure && !is_limit(*failure)) {
+      given_up_ = failure;
+      break;
+    }
+    const State state = failure ? State::limited : State::following;
+    const bool same = !failure && state_ == state;
+    if (same) continue;
+    const Result<void> said = co_await enter(state, failure, true);
+    if (!said) given_up_ = said.error();
+  }
+  const std::optional<Failure> why = given_up_;
+  [[maybe_unused]] const Result<void> ended = co_await enter(State::broken, why, false);
+}
+
+Task<std::optional<Failure>> FollowerAgent::leg(Eigen::Vector3d to_mm) {
+  const Datum move = list("do-action"_sym, fmt::format("(move {:.2f} {:.2f} {:.2f})", to_mm.x(), to_mm.y(), to_mm.z()));
+  const Result<Datum> moved = co_await caller_.call(options_.slave, move, longest_leg);
+  if (moved) co_return std::nullopt;
+  co_return moved.error();
+}
+
+void FollowerAgent::give_up(Failure why) {
+  if (!at_work() || given_up_) return;
+  given_up_ = std::move(why);
+  changed_.wake_all();
+  stopping_ = context_.executor.spawn(stop_slave());
+}
+
+Task<void> FollowerAgent::stop_slave() {
+  const Datum stop = list("finish"_sym, "stop"_sym);
+  [[maybe_unused]] const Result<Datum> stopped = co_await caller_.call(options_.slave, stop, stopping_time);
+}
+
+// Says so, and takes or gives back the command of the slave with it.
+Task<Result<void>> FollowerAgent::enter(State state, std::optional<Failure> why, bool commands) {
+  state_ = state;
+  const Datum slave = Datum::symbol(options_.slave);
+  const Datum name = Datum::symbol(state_names[static_cast<std::size_t>(state)]);
+  const Datum detail = why ? failure_to_datum(*why) : Datum::list({});
+  Transaction says;
+  says.tell(list("following"_sym, slave, Datum::symbol(options_.master), name, detail), {}, service_.presence());
+  const Datum command = list("commander"_sym, slave, Datum::symbol(context_.name));
+  if (commands) says.tell(command, {}, service_.presence());
+  if (!commands && commands_) says.retract(command);
+  commands_ = commands;
+  const Result<Revision> told = co_await context_.board.transact(std::move(says));
+  if (!told) co_return fail(told);
+  co_return Result<void>();
+}
+
+}  // namespace pizarra

@@ -1,0 +1,74 @@
+#pragma once
+
+// Has one arm, the slave, follow another, the master, through facts alone: it watches where the master's agent says its
+// grip centre is, and sends the slave's there in straight moves, by the robot interface. The slave keeps its reflexes,
+// its limits and its tool's direction. Nothing is extrapolated: where the master's facts end, so does the way.
+//
+//   resting --(follow)--> following <----> limited        limited: the slave cannot go there, DETAIL says why
+//   following, limited --(rest)--> resting
+//   following, limited --the master or the slave fails--> broken --(follow)--> following
+//
+// While it follows it is the slave's commander. It goes on by itself from a limit, as soon as the master is where the
+// slave can be; from what is broken only when asked.
+//
+//   FollowerAgent follower(context, {.offset_mm = {0, 0, 50}, .mirrored = true});
+//   Job job = executor.spawn(follower.run());
+//
+// Failures of (follow): `absent`, where the master or the slave is not there, or the master's place is not known.
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "agents/runtime/service.hpp"
+#include "blackboard/time/event.hpp"
+
+namespace pizarra {
+
+struct FollowerOptions {
+  Eigen::Vector3d offset_mm{0, 0, 0};  // in the slave's base frame, after the mirror
+  bool mirrored = false;               // y the other way round
+  std::string master = "robot";
+  std::string slave = "slave";
+};
+
+class FollowerAgent : public Agent {
+ public:
+  FollowerAgent(AgentContext context, FollowerOptions options);
+  Task<Result<void>> run() override;
+
+ private:
+  enum class State : std::uint8_t { resting, following, limited, broken };
+  using See = void (FollowerAgent::*)(const Change&);
+
+  Task<void> watch(Datum pattern, See see);
+  void see_pose(const Change& change);
+  void see_presence(const Change& change);
+  void see_arm(const Change& change);
+
+  Task<Result<Datum>> handle(Datum operation);
+  Task<Result<Datum>> follow();
+  Task<Result<Datum>> rest();
+  Task<void> go_after();
+  Task<std::optional<Failure>> leg(Eigen::Vector3d to_mm);
+  void give_up(Failure why);
+  Task<void> stop_slave();
+  Task<Result<void>> enter(State state, std::optional<Failure> why, bool commands);
+  Eigen::Vector3d wanted_mm() const;
+  bool at_work() const { return state_ == State::following || state_ == State::limited; }
+
+  AgentContext context_;
+  const FollowerOptions options_;
+  State state_ = State::resting;
+  std::optional<Eigen::Vector3d> master_mm_;
+  bool master_there_ = false;
+  bool commands_ = false;  // the slave, as far as the board was told
+  std::optional<Failure> given_up_;
+  WaitList changed_;
+  std::vector<Job> watching_;
+  Job stopping_;
+  Service service_;
+  Caller caller_;
+  Job going_;
+};
+
+}  // namespace pizarra

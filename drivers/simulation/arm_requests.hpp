@@ -1,0 +1,35 @@
+#pragma once
+
+// What a simulated arm is asked over the device link, the same for every arm of a world; world.hpp lists the requests.
+//
+//   Result<Message> answer = co_await answer_arm(arm, request);
+
+#include "drivers/arm/arm_driver.hpp"
+#include "drivers/simulation/link.hpp"
+#include "drivers/simulation/physics/cell.hpp"
+
+namespace pizarra {
+
+// The arm among the world's cubes.
+class CellArm : public ArmDriver {
+ public:
+  CellArm(Cell& cell, std::string type) : cell_(cell), type_(std::move(type)) {}
+  Task<Result<std::string>> identify() override;
+  Task<Result<void>> take_control() override;
+  Task<Result<void>> start_move(std::vector<Joints> waypoints, double speed) override;
+  Task<Result<void>> stop() override;
+  Task<Result<void>> start_gripper(double opening_mm) override;
+  Task<Result<ArmReading>> read() override;
+
+ private:
+  Result<void> controlled() const;
+
+  Cell& cell_;
+  const std::string type_;
+  bool controlled_ = false;
+};
+
+// Failures: bad-request, and the arm's.
+Task<Result<Message>> answer_arm(ArmDriver& arm, Datum request);
+
+}  // namespace pizarra
