@@ -154,7 +154,9 @@ CameraConfig World::Inside::camera_now() {
 
 Result<Message> World::Inside::tell_truth(const Datum& request) {
   const Eye left = make_eye(camera_now(), Side::left);
-  if (request.is_form("truth")) return Message{truth_of(cell, left)};
+  if (request.is_form("truth")) {
+    return Message{truth_of(cell, left, make_eye(camera_now(), Side::right))};
+  }
   if (request.is_form("scene")) return Message{describe_scene(cell, config)};
   if (!request.is_form("where-seen") || request.size() != 2) return bad_request(request);
   const Result<Datum> seen = where_seen(cell, left, word(request, 1));

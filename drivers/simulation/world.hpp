@@ -33,7 +33,7 @@
 //   (scene) -> ((table X-LOW X-HIGH Y-LOW Y-HIGH) (camera X Y Z PAN TILT) (cube NAME "mark") ...)
 //   (truth) -> ((cube NAME X Y Z YAW TILT STATE VISIBLE) ... (facts (on A B) (on-table A) (clear A) (holding A)
 //              (arm-empty)))   STATE: table, (on B), held, carried (by the hand), loose, gone; VISIBLE: the part of its
-//              mark, 0..1, that the left camera sees
+//              mark, 0..1, that both cameras see
 //   (where-seen NAME) -> (X Y)        left image pixel of its mark's centre; `not-seen` when over half is hidden.
 //                                     NAME may be end-effector
 // Names are symbols or strings and compared without case. Failures: unknown-object, busy, not-in-control, joint-limit,
