@@ -196,6 +196,12 @@ std::optional<SeenMark> find_tag(const cv::Mat& grey, const Tag& tag, cv::Rect a
   return std::nullopt;
 }
 
+cv::Rect area_around_tag(cv::Rect box) {
+  constexpr int least_margin_px = 16;
+  const int margin = std::max(least_margin_px, std::max(box.width, box.height) / 2);
+  return {box.x - margin, box.y - margin, box.width + 2 * margin, box.height + 2 * margin};
+}
+
 bool are_tag_partners(const SeenMark& left, const SeenMark& right) {
   const double scale = right.height_px / left.height_px;
   return std::abs(left.centre.y - right.centre.y) < most_row_difference_px && left.centre.x > right.centre.x &&

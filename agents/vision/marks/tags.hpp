@@ -20,6 +20,10 @@ std::optional<SeenMark> tag_at(const cv::Mat& grey, cv::Point2d point);
 // This tag, within `area` where that is given.
 std::optional<SeenMark> find_tag(const cv::Mat& grey, const Tag& tag, cv::Rect area = {});
 
+// How much of an image must be looked at for a tag to be found that is about where `box` is: half its side to each
+// side, for the light around it and for its motion.
+cv::Rect area_around_tag(cv::Rect box);
+
 // Whether the two can be views of one tag: in the same row, the right one further left.
 bool are_tag_partners(const SeenMark& left, const SeenMark& right);
 

@@ -190,7 +190,7 @@ Result<void> MarkLearner::measure(StereoSight& sight) {
 }
 
 void MarkLearner::measure_tag(StereoSight& sight) {
-  const std::optional<SeenPair> seen = sight.find(*first_->tag, first_->centre, most_motion_px);
+  const std::optional<SeenPair> seen = sight.find(*first_->tag, area_around_tag(first_->box));
   if (!seen || cv::norm(seen->left.centre - first_->centre) > most_motion_px) return;
   measured_.push_back(seen->left);
   portraits_.push_back(portrait_of_tag(sight.left(), seen->left));

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "agents/vision/marks/tags.hpp"
+
 namespace pizarra {
 namespace {
 
@@ -78,7 +80,15 @@ std::vector<TrackSighting> MarkTracker::update(StereoSight& sight) {
 }
 
 std::optional<SeenPair> MarkTracker::follow(StereoSight& sight, const Track& track, const LearnedObject& object) const {
-  if (!track.left || object.tag() != nullptr) return std::nullopt;
+  if (!track.left) return std::nullopt;
+  std::optional<double> disparity;
+  if (track.right) {
+    disparity = track.left->centre.x - track.right->centre.x + (track.missing + 1) * track.disparity_change_px;
+  }
+  if (object.tag() != nullptr) {
+    const cv::Point motion = track.expected() - track.left->centre;
+    return sight.find(*object.tag(), area_around_tag(track.left->box + motion), disparity);
+  }
   SeenPair out;
   std::optional<SeenMark> left = follow_mark(sight.left(), sight.noise(), *track.left, track.expected());
   if (!left) return std::nullopt;
@@ -86,9 +96,7 @@ std::optional<SeenPair> MarkTracker::follow(StereoSight& sight, const Track& tra
   if (!likely) return std::nullopt;
   out.left = std::move(*left);
   out.likeness = *likely;
-  std::optional<double> disparity;
-  if (track.right) {
-    disparity = track.left->centre.x - track.right->centre.x + (track.missing + 1) * track.disparity_change_px;
+  if (disparity) {
     const cv::Point2d expected(out.left.centre.x - *disparity, out.left.centre.y);
     out.right = follow_mark(sight.right(), sight.noise(), *track.right, expected);
   }

@@ -17,8 +17,8 @@ constexpr double widest = 1.1;
 // Nearer than this to the image's edge a mark cannot be measured, nor where its own half is not within.
 constexpr double edge_px = 24;
 constexpr double margin_px = 8;
-// How much further than its centre a tag reaches that is looked for nearby.
-constexpr double tag_reach_px = 100;
+// How much further than its centre a tag reaches that is looked for nearby, as a part of the image's height.
+constexpr double tag_reach = 0.4;
 // How far beside the border of a mark its tone and the ground's are looked for, and in which share of its rows.
 constexpr int border_slack_px = 3;
 constexpr double least_border_share = 0.7;
@@ -90,7 +90,11 @@ ImageSegmentation& StereoSight::right_segmentation() {
 
 std::optional<SeenPair> StereoSight::find(const LearnedObjects& objects, const LearnedObject& object,
                                           std::optional<cv::Point2d> near, double reach_px) {
-  if (object.tag() != nullptr) return find(*object.tag(), near, reach_px);
+  if (object.tag() != nullptr) {
+    if (!near) return find(*object.tag());
+    const int reach = cvCeil(reach_px + tag_reach * left_.rows);
+    return find(*object.tag(), cv::Rect(cvRound(near->x) - reach, cvRound(near->y) - reach, 2 * reach, 2 * reach));
+  }
   std::vector<SeenMark> candidates;
   for (const SeenMark& mark : left_segmentation().marks()) {
     const bool within = !near || cv::norm(mark.centre - *near) <= reach_px;
@@ -108,21 +112,21 @@ std::optional<SeenPair> StereoSight::find(const LearnedObjects& objects, const L
   return std::nullopt;
 }
 
-std::optional<SeenPair> StereoSight::find(const Tag& tag, std::optional<cv::Point2d> near, double reach_px) {
-  cv::Rect area;
-  if (near) {
-    const int reach = cvCeil(reach_px + tag_reach_px);
-    area = {cvRound(near->x) - reach, cvRound(near->y) - reach, 2 * reach, 2 * reach};
-  }
-  std::optional<SeenMark> left = find_tag(left_, tag, area);
+std::optional<SeenPair> StereoSight::find(const Tag& tag, std::optional<cv::Rect> area,
+                                          std::optional<double> disparity_px) {
+  std::optional<SeenMark> left = find_tag(left_, tag, area.value_or(cv::Rect()));
   if (!left) return std::nullopt;
   SeenPair out{std::move(*left), std::nullopt, Likeness{.error = 0}};
   if (model_.is_single()) return out;
+  const auto right_within = [&](const cv::Rect& looked_at) {
+    std::optional<SeenMark> right = find_tag(right_, tag, looked_at);
+    if (right && are_tag_partners(out.left, *right)) out.right = std::move(*right);
+  };
+  if (disparity_px) right_within(area_around_tag(out.left.box - cv::Point(cvRound(*disparity_px), 0)));
+  if (out.right) return out;
   // In the same rows, as far left as it may be.
   const int margin = out.left.box.height;
-  const cv::Rect rows(0, out.left.box.y - margin, out.left.box.br().x, out.left.box.height + 2 * margin);
-  std::optional<SeenMark> right = find_tag(right_, tag, rows);
-  if (right && are_tag_partners(out.left, *right)) out.right = std::move(*right);
+  right_within({0, out.left.box.y - margin, out.left.box.br().x, out.left.box.height + 2 * margin});
   return out;
 }
 

@@ -36,8 +36,10 @@ class StereoSight {
   // whole. A partner may be missing only where the right image's edge cuts it off.
   std::optional<SeenPair> find(const LearnedObjects& objects, const LearnedObject& object,
                                std::optional<cv::Point2d> near = {}, double reach_px = 0);
-  // A tag in both images; nowhere in the right one where that does not show it.
-  std::optional<SeenPair> find(const Tag& tag, std::optional<cv::Point2d> near = {}, double reach_px = 0);
+  // A tag in both images, within `area` of the left one where that is given, and in the right one first where the
+  // disparity that is expected puts it; nowhere in the right one where that does not show it.
+  std::optional<SeenPair> find(const Tag& tag, std::optional<cv::Rect> area = {},
+                               std::optional<double> disparity_px = {});
   // Whether the right image ends before it could show the whole of the object's mark, going by its learned size, and
   // shows no part of it farther away: then it is a larger thing.
   bool is_cut_off(const LearnedObject& object, const SeenMark& left);

@@ -100,6 +100,22 @@ TEST_F(Tags, AreLearnedFoundAndTrackedLikeOtherMarks) {
   }
 }
 
+TEST_F(Tags, WhileItIsTrackedOneIsLookedForWhereItWasSoThatAnotherOfItsNumberDoesNotDrawItAway) {
+  learn_all();
+  MarkTracker tracker(objects);
+  ASSERT_TRUE(tracker.add(*objects.find("a")));
+  StereoSight alone = look();
+  ASSERT_TRUE(tracker.update(alone).front().seen);
+  scene.marks.push_back(scene.marks[0]);
+  for (const cv::Point2d& other : {cv::Point2d(250, 190), cv::Point2d(255, 30)}) {
+    scene.marks.back().centre = other;
+    scene.marks[0].centre += cv::Point2d(3, 2);
+    StereoSight sight = look();
+    const TrackSighting seen = tracker.update(sight).front();
+    EXPECT_LT(cv::norm(seen.centre - scene.marks[0].centre), 0.5);
+  }
+}
+
 TEST_F(Tags, ATagThatIsNotThereIsNotFoundInAnother) {
   learn_all();
   scene.marks.erase(scene.marks.begin());

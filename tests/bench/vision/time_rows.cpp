@@ -1,5 +1,6 @@
 // What the eyes compute, in turns with the detectors of tags on the same scenes: one thread each, and its own time.
 
+#include <fmt/format.h>
 #include <opencv2/imgproc.hpp>
 
 #include "agents/vision/sight/mark_tracker.hpp"
@@ -75,7 +76,7 @@ std::vector<Work> peers_work(const VisionBench& bench, const std::vector<Scene>&
 
 // Says our figure against a share of ArUco's time, the peers beside it.
 void say_time(VisionBench& bench, const std::string& name, double share, const std::string& share_text,
-              const std::function<void()>& ours, const std::vector<Work>& others) {
+              const std::function<void()>& ours, const std::vector<Work>& others, const std::string& note = "") {
   const auto timed = [](const std::function<void()>& work) {
     return std::function<double()>([work] { return thread_seconds_of(work); });
   };
@@ -90,8 +91,65 @@ void say_time(VisionBench& bench, const std::string& name, double share, const s
   }
   const double ours_us = seconds[0] * 1e6 / (scenes_in_turn * repeats);
   const double aruco_us = *peers.front().value;
-  bench.figures.say(
-      {name, ours_us, "us", at_most(aruco_us * share, "<= " + share_text + " of ArUco's detection"), std::move(peers)});
+  bench.figures.say({name, ours_us, "us", at_most(aruco_us * share, "<= " + share_text + " ArUco's detection"),
+                     std::move(peers), note});
+}
+
+// Scenes that move there and back, a few pixels a frame, and who follows what is in them.
+struct Followed {
+  std::vector<Pair> frames;
+  MarkTracker tracker;
+  std::size_t next = 0;
+};
+
+std::vector<Followed> followed(const std::vector<Scene>& scenes, const LearnedObjects& objects, Random& random) {
+  std::vector<Followed> out;
+  for (const Scene& scene : scenes) {
+    Followed one{.frames = {}, .tracker = MarkTracker(objects)};
+    for (const double step : {0.0, 1.3, 3.1, 4.7, 3.6, 1.8}) {
+      Scene moved = scene;
+      for (SceneMark& mark : moved.marks) mark.centre += cv::Point2d(-step, 0.5 * step);
+      one.frames.push_back({draw(moved, Side::left, random), draw(moved, Side::right, random)});
+    }
+    for (const LearnedObject& object : objects.all()) {
+      if (!one.tracker.add(object)) throw std::runtime_error("too many objects");
+    }
+    out.push_back(std::move(one));
+  }
+  return out;
+}
+
+// How many are seen, of how many.
+struct Seen {
+  std::size_t seen = 0;
+  std::size_t shown = 0;
+};
+
+Seen track_all(std::vector<Followed>& all) {
+  Seen out;
+  for (Followed& one : all) {
+    for (int i = 0; i < repeats; ++i) {
+      const Pair& pair = one.frames[one.next++ % one.frames.size()];
+      StereoSight sight(pair.left, pair.right, scene_camera());
+      for (const TrackSighting& sighting : one.tracker.update(sight)) {
+        ++out.shown;
+        out.seen += sighting.seen ? 1 : 0;
+      }
+    }
+  }
+  return out;
+}
+
+// ArUco's first tags, which the scenes of its peer bear.
+LearnedObjects tags_learned() {
+  LearnedObjects out;
+  for (int number = 0; number < tags_of_a_scene; ++number) {
+    LearnedSample sample;
+    sample.number = 1;
+    sample.tag = Tag{"aruco-4x4-50", number};
+    out.add("tag-" + std::to_string(number), std::move(sample));
+  }
+  return out;
 }
 
 }  // namespace
@@ -111,42 +169,29 @@ void find_time(VisionBench& bench) {
   };
   std::vector<Work> others = peers_work(bench, scenes, random);
   others.emplace_back("five template matches", template_matching(scenes, random));
-  say_time(bench, "find five objects, one image", 0.1, "1/10", find_all, others);
+  say_time(bench, "find five objects, one image", 0.1, "1/10 of", find_all, others);
 }
 
 void track_time(VisionBench& bench) {
   Random random(bench.seed);
   const std::vector<Scene> scenes = lab_scenes(bench.seed);
-  struct Followed {
-    std::vector<Pair> frames;
-    MarkTracker tracker;
-    std::size_t next = 0;
-  };
-  std::vector<Followed> all;
-  for (const Scene& scene : scenes) {
-    Followed followed{.frames = {}, .tracker = MarkTracker(bench.marks)};
-    // There and back, a few pixels a frame.
-    for (const double step : {0.0, 1.3, 3.1, 4.7, 3.6, 1.8}) {
-      Scene moved = scene;
-      for (SceneMark& mark : moved.marks) mark.centre += cv::Point2d(-step, 0.5 * step);
-      followed.frames.push_back({draw(moved, Side::left, random), draw(moved, Side::right, random)});
-    }
-    for (const LearnedObject& object : bench.marks.all()) {
-      if (!followed.tracker.add(object)) throw std::runtime_error("too many objects");
-    }
-    all.push_back(std::move(followed));
-  }
-  const auto track_all = [&] {
-    for (Followed& followed : all) {
-      for (int i = 0; i < repeats; ++i) {
-        const Pair& pair = followed.frames[followed.next++ % followed.frames.size()];
-        StereoSight sight(pair.left, pair.right, scene_camera());
-        followed.tracker.update(sight);
-      }
-    }
-  };
-  say_time(bench, "track five objects, both images, depth", 1.0 / 40, "1/40", track_all,
-           peers_work(bench, scenes, random));
+  std::vector<Followed> all = followed(scenes, bench.marks, random);
+  say_time(
+      bench, "track five objects, both images, depth", 1.0 / 40, "1/40 of", [&] { track_all(all); },
+      peers_work(bench, scenes, random));
+}
+
+void tag_time(VisionBench& bench) {
+  Random random(bench.seed);
+  std::vector<Scene> scenes = lab_scenes(bench.seed);
+  const std::vector<Work> peers = peers_work(bench, scenes, random);
+  for (Scene& scene : scenes) scene = with_tags(scene, bench.peers.front().tags);
+  const LearnedObjects tags = tags_learned();
+  std::vector<Followed> all = followed(scenes, tags, random);
+  const Seen seen = track_all(all);
+  say_time(
+      bench, "track five tags, both images, depth", 2, "twice", [&] { track_all(all); }, peers,
+      fmt::format("{:.1f} % of them seen", 100.0 * static_cast<double>(seen.seen) / static_cast<double>(seen.shown)));
 }
 
 }  // namespace pizarra::bench
