@@ -41,6 +41,29 @@ ArmLine arm_line_from_datum(const Datum& datum) {
   return line;
 }
 
+GripperSetup gripper_from_datum(const Datum& datum) {
+  GripperSetup gripper;
+  if (datum.size() == 0) return gripper;
+  gripper.protocol = datum[0].text();
+  gripper.place = datum[1].text();
+  gripper.port = static_cast<int>(datum[2].integer());
+  gripper.unit = static_cast<int>(datum[3].integer());
+  gripper.closed_mm = datum[4][0].number();
+  gripper.open_mm = datum[4][1].number();
+  gripper.closed_count = static_cast<int>(datum[5][0].integer());
+  gripper.open_count = static_cast<int>(datum[5][1].integer());
+  gripper.speed = datum[6].number() / 100;
+  gripper.force = datum[7].number() / 100;
+  RegisterField* const fields[] = {&gripper.activate,    &gripper.go,          &gripper.target,
+                                   &gripper.speed_field, &gripper.force_field, &gripper.active,
+                                   &gripper.object,      &gripper.fault,       &gripper.opening};
+  for (std::size_t i = 0; i < std::size(fields); ++i) {
+    const auto number = [&](std::size_t part) { return static_cast<int>(datum[8][i][part].integer()); };
+    *fields[i] = {number(0), number(1), number(2)};
+  }
+  return gripper;
+}
+
 CameraSource camera_source_from_datum(const Datum& datum, const std::string& file) {
   using enum CameraSource::Kind;
   const std::string where(datum[1].text());
@@ -83,9 +106,11 @@ std::string arm_file_from_datum(const Datum& arm, const std::string& file) {
 std::optional<CellSlave> slave_from_datum(const Datum& slave, const std::string& file) {
   if (slave.size() == 0) return std::nullopt;
   const Datum& offset = slave[3];
+  ArmLine line = arm_line_from_datum(slave[2]);
+  line.gripper = gripper_from_datum(slave[5]);
   return CellSlave{.arm_file = arm_file_from_datum(slave[0], file),
                    .room = room_from_datum(slave[1]),
-                   .line = arm_line_from_datum(slave[2]),
+                   .line = std::move(line),
                    .offset_mm = {offset[0].number(), offset[1].number(), offset[2].number()},
                    .mirrored = slave[4].is_symbol("mirror")};
 }
@@ -111,6 +136,7 @@ CellDescription cell_from_datum(const Datum& datum, const std::string& file) {
   cell.pan_tilt = pan_tilt_from_datum(datum[13]);
   cell.arm_room = room_from_datum(datum[14]);
   cell.arm_line = arm_line_from_datum(datum[15]);
+  cell.arm_line.gripper = gripper_from_datum(datum[19]);
   cell.objects_directory = beside(file, std::string(datum[16].text()));
   cell.eyes = eyes_from_datum(datum[17], file);
   cell.slave = slave_from_datum(datum[18], file);

@@ -14,10 +14,11 @@
 //       (noise (sensor 3) (blur 0.7) (gradient 0.12)))         ; grey levels, px, part of the light
 //     (arm crs-f3)                                             ; of arms/, or "my-arm.scm" beside the cell file;
 //                                                              ; with (room (x 200 600) (z 20 700)) it stays in there
-//                                                              ; with (driver hses "192.168.0.3") it is a real one
+//                                                              ; with (driver hses "192.168.0.3") it is a real one;
+//                                                              ; with (gripper ...), gripper_setup.hpp, so is that
 //     (slave crs-t265 (offset 0 0 50) (mirror))                ; a second arm, which the agent follower has follow it:
-//                                                              ; mm in its own base frame, left for right; room and
-//                                                              ; driver as above
+//                                                              ; mm in its own base frame, left for right; room,
+//                                                              ; driver and gripper as above
 //     (pan-tilt (tcp "192.168.0.2" 4000) (reversed pan))       ; or (serial "/dev/ttyUSB0" 9600); what counts leftwards
 //     (objects "objects")                                      ; the folder where what the eyes learn is kept, beside
 //                                                              ; the cell file; left out: on the board alone
@@ -42,6 +43,7 @@
 
 #include "lisp/camera_pose.hpp"
 #include "lisp/camera_setup.hpp"
+#include "lisp/gripper_setup.hpp"
 #include "lisp/reader.hpp"
 
 namespace pizarra {
@@ -85,11 +87,12 @@ struct PanTiltLine {
   bool tilt_reversed = false;
 };
 
-// How the arm's controller is reached.
+// How the arm's controller is reached, and its gripper's.
 struct ArmLine {
   std::string protocol;  // of `protocols` in cell.scm; empty: the simulated arm, over the device link
   std::vector<std::string> places;  // hosts or files
   std::vector<int> ports;
+  GripperSetup gripper;
 };
 
 // A box in the base frame, mm.

@@ -22,7 +22,7 @@ int accept_one(int listener) { return ::accept4(listener, nullptr, nullptr, SOCK
 
 }  // namespace
 
-Result<std::unique_ptr<TcpPort>> TcpPort::listen(Executor& executor, const std::string& address, std::uint16_t port) {
+Result<Listening> listen_at(const std::string& address, std::uint16_t port) {
   sockaddr_in at{};
   at.sin_family = AF_INET;
   at.sin_port = htons(port);
@@ -38,7 +38,13 @@ Result<std::unique_ptr<TcpPort>> TcpPort::listen(Executor& executor, const std::
     ::close(listener);
     return refused(address, port, why);
   }
-  return std::unique_ptr<TcpPort>(new TcpPort(executor, listener, ntohs(at.sin_port)));
+  return Listening{listener, ntohs(at.sin_port)};
+}
+
+Result<std::unique_ptr<TcpPort>> TcpPort::listen(Executor& executor, const std::string& address, std::uint16_t port) {
+  const Result<Listening> listening = listen_at(address, port);
+  if (!listening) return fail(listening);
+  return std::unique_ptr<TcpPort>(new TcpPort(executor, listening->file, listening->port));
 }
 
 TcpPort::TcpPort(Executor& executor, int listener, std::uint16_t port)

@@ -11,6 +11,14 @@
 
 namespace pizarra {
 
+// A socket that listens, and where.
+struct Listening {
+  int file;
+  std::uint16_t port;
+};
+// Failure: bad-address.
+Result<Listening> listen_at(const std::string& address, std::uint16_t port);
+
 class TcpPort : public FileWire {
  public:
   // Failure: bad-address.

@@ -114,8 +114,12 @@ TEST(InterpretersTest, PerceptionAndMicroTasksSurviveDamage) {
 }
 
 TEST(InterpretersTest, CellsSurviveDamage) {
-  survive(data_of("examples/01-blocks/cell.scm"), 1000,
-          [](const std::string& text) { return outcome_of(read_cell(text, "damaged")); });
+  const auto read = [](const std::string& text) { return outcome_of(read_cell(text, "damaged")); };
+  survive(data_of("examples/01-blocks/cell.scm"), 1000, read);
+  survive({read_one(R"((cell c (arm ur5e (driver universal "u" 1) (room (z 20 700)) (gripper (driver modbus "g" 502)
+                        (unit 9) (opening 0 85) (counts 255 0) (force 20) (registers (go 1000 11 1))))))")
+               .value()},
+          1000, read);
 }
 
 TEST(InterpretersTest, ScenariosSurviveDamage) {

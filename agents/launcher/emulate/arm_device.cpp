@@ -1,9 +1,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <optional>
-#include <zmq.hpp>
 
 #include "agents/launcher/command_line/word_tools.hpp"
+#include "agents/launcher/emulate/body.hpp"
 #include "agents/launcher/emulate/bystander.hpp"
 #include "agents/launcher/emulate/devices.hpp"
 #include "blackboard/time/real_executor.hpp"
@@ -12,11 +11,8 @@
 #include "drivers/arm/motoman/ethernet_line.hpp"
 #include "drivers/simulation/controllers/arms/host_control.hpp"
 #include "drivers/simulation/controllers/arms/hses_emulator.hpp"
-#include "drivers/simulation/controllers/arms/moving_arm.hpp"
 #include "drivers/simulation/controllers/arms/simple_emulator.hpp"
 #include "drivers/simulation/controllers/arms/ur_emulator.hpp"
-#include "drivers/simulation/simulated_arm.hpp"
-#include "drivers/simulation/socket_link.hpp"
 #include "drivers/wire/pty_wire.hpp"
 #include "drivers/wire/tcp_port.hpp"
 #include "drivers/wire/udp_wire.hpp"
@@ -24,23 +20,6 @@
 namespace pizarra {
 
 namespace {
-
-// The arm that a cabinet moves: one of its own, or the simulated world's.
-class Body {
- public:
-  Body(Executor& executor, const ArmModel& model, const std::string& world) : own_(executor, model) {
-    if (world.empty()) return;
-    link_.emplace(executor, context_, world);
-    worlds_.emplace(*link_);
-  }
-  ArmDriver& arm() { return worlds_ ? static_cast<ArmDriver&>(*worlds_) : own_; }
-
- private:
-  MovingArm own_;
-  zmq::context_t context_{1};
-  std::optional<SocketLink> link_;
-  std::optional<SimulatedArm> worlds_;
-};
 
 // Its line and who answers there; destroying it ends both.
 class Serving {

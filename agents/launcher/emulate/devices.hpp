@@ -24,6 +24,9 @@ int emulate_pan_tilt(const EmulateChoices& choices);
 std::vector<std::string> arm_device_names();
 int emulate_arm(const EmulateChoices& choices);
 
+inline constexpr const char* gripper_name = "gripper";
+int emulate_gripper(const EmulateChoices& choices);
+
 // Says that `choices` are emulated, and where.
 void say_where(const EmulateChoices& choices, const std::string& where);
 

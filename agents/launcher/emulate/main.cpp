@@ -24,12 +24,14 @@ namespace {
 int emulate(const EmulateChoices& choices) {
   const std::vector<std::string> units = pan_tilt_names();
   const bool unit = std::ranges::find(units, choices.device) != units.end();
+  if (choices.device == gripper_name) return emulate_gripper(choices);
   return unit ? emulate_pan_tilt(choices) : emulate_arm(choices);
 }
 
 std::vector<std::string> device_names() {
   std::vector<std::string> names = pan_tilt_names();
   std::ranges::copy(arm_device_names(), std::back_inserter(names));
+  names.emplace_back(gripper_name);
   return names;
 }
 
@@ -43,7 +45,9 @@ void add_emulate_word(CLI::App& app, int& status) {
       ->add_option(
           "device", choices->device,
           "Which: a pan-tilt unit, ptu46-17.5 or ptu46-70; an arm, up6 (High Speed Ethernet Server), up6-nx100 "
-          "(Ethernet Server, or a serial line), ur5e (RTDE, URScript, dashboard) or f3 (ROS-Industrial simple_message)")
+          "(Ethernet Server, or a serial line), ur5e (RTDE, URScript, dashboard) or f3 (ROS-Industrial "
+          "simple_message); "
+          "or gripper (Modbus TCP)")
       ->required()
       ->check(CLI::IsMember(device_names()));
   CLI::Option* pty =
@@ -55,7 +59,7 @@ void add_emulate_word(CLI::App& app, int& status) {
               "--port,--tcp,--udp", choices->port,
               "At this TCP port, UDP of up6, and those after it where it has several; 0 takes any that are free; "
               "otherwise the device's own: 4000 of pan-tilt units, 10040 of up6, 80 of up6-nx100, 30004, "
-              "30002 and 29999 of ur5e, 11000 and 11002 of f3")
+              "30002 and 29999 of ur5e, 11000 and 11002 of f3, 502 of gripper")
           ->check(CLI::Range(0, 65535));
   port->excludes(pty);
   emulating->add_option("--address", choices->address, "Where its port listens; only this machine otherwise")
@@ -72,7 +76,8 @@ void add_emulate_word(CLI::App& app, int& status) {
   emulating->footer(help_footer(
       "emulate ptu46-17.5 --tcp 4000",
       "What somebody beside the device does is typed, a line each: `power off`, `power on`, `status`; of\n"
-      "an arm also `estop`, `pendant`, `hold` and `servo` with `on` or `off`, `alarm CODE`, `override PERCENT`.\n"
+      "an arm also `estop`, `pendant`, `hold` and `servo` with `on` or `off`, `alarm CODE`, `override PERCENT`;\n"
+      "of a gripper also `fault CODE` and `refuse CODE`.\n"
       "Exit status: 0 interrupted; 2 a wrong word or option; 4 no terminal or port to be had."));
   emulating->callback([choices, &status] { status = emulate(*choices); });
 }

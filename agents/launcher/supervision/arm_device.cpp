@@ -7,6 +7,8 @@
 #include "drivers/arm/motoman/motoman_arm.hpp"
 #include "drivers/arm/simple_message/simple_arm.hpp"
 #include "drivers/arm/universal/universal_arm.hpp"
+#include "drivers/gripper/gripping_arm.hpp"
+#include "drivers/gripper/modbus_gripper.hpp"
 #include "drivers/simulation/simulated_arm.hpp"
 #include "drivers/wire/serial_wire.hpp"
 #include "drivers/wire/tcp_wire.hpp"
@@ -117,10 +119,25 @@ class C500cDevice : public ArmDevice {
   SimpleArm arm_;
 };
 
-}  // namespace
+// An arm, and a gripper with a controller of its own.
+class GrippingDevice : public ArmDevice {
+ public:
+  GrippingDevice(Executor& executor, std::unique_ptr<ArmDevice> arm, const GripperSetup& setup)
+      : arm_(std::move(arm)),
+        client_(executor, setup.place, setup.port, setup.unit),
+        gripper_(executor, client_, setup),
+        both_(arm_->driver(), gripper_) {}
+  ArmDriver& driver() override { return both_; }
 
-std::unique_ptr<ArmDevice> make_arm_device(Executor& executor, const ArmLine& line, const ArmModel& model, Link& link,
-                                           std::string_view simulated) {
+ private:
+  std::unique_ptr<ArmDevice> arm_;
+  ModbusClient client_;
+  ModbusGripper gripper_;
+  GrippingArm both_;
+};
+
+std::unique_ptr<ArmDevice> make_arm_alone(Executor& executor, const ArmLine& line, const ArmModel& model, Link& link,
+                                          std::string_view simulated) {
   if (line.protocol == "hses") return std::make_unique<HsesDevice>(executor, line, model);
   if (line.protocol == "ethernet-server") return std::make_unique<EthernetServerDevice>(executor, line, model);
   if (line.protocol == "bsc") return std::make_unique<BscDevice>(executor, line, model);
@@ -128,6 +145,15 @@ std::unique_ptr<ArmDevice> make_arm_device(Executor& executor, const ArmLine& li
   if (line.protocol == "simple-message") return std::make_unique<SimpleDevice>(executor, line, model);
   if (line.protocol == "c500c") return std::make_unique<C500cDevice>(executor, line, model);
   return std::make_unique<SimulatedDevice>(link, simulated);
+}
+
+}  // namespace
+
+std::unique_ptr<ArmDevice> make_arm_device(Executor& executor, const ArmLine& line, const ArmModel& model, Link& link,
+                                           std::string_view simulated) {
+  std::unique_ptr<ArmDevice> arm = make_arm_alone(executor, line, model, link, simulated);
+  if (line.gripper.protocol != "modbus") return arm;
+  return std::make_unique<GrippingDevice>(executor, std::move(arm), line.gripper);
 }
 
 }  // namespace pizarra

@@ -1,6 +1,7 @@
 #pragma once
 
-// The arm of a cell with the line to its controller: the simulated one's where the cell names no other.
+// The arm of a cell with the line to its controller: the simulated one's where the cell names no other; and with the
+// gripper that the cell puts onto it.
 //
 //   const std::unique_ptr<ArmDevice> device = make_arm_device(executor, description.arm_line, model, link);
 //   RobotAgent robot(context, device->driver(), model);

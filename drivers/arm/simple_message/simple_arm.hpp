@@ -11,7 +11,7 @@
 // acknowledgement does not come ends the trajectory with a stop.
 //
 // The protocol has neither servo nor alarm commands: take_control() asks whether motion is possible and says why not.
-// It has no gripper and no track either: a gripper is refused; a track reads where it is in the arm's `ready` pose,
+// It has no gripper and no track either: a gripper is refused, unless a GrippingArm brings one; a track reads where it is in the arm's `ready` pose,
 // must stand there, and is not moved.
 //
 // How far it is proven: with the emulator of drivers/simulation/controllers/arms/ alone, over TCP frames and serial

@@ -3,18 +3,21 @@
 ;; (interpret DATA), the data of a file, answers (errors ...) or
 ;;   (ok (NAME (X Y Z PAN TILT HEAD) (SENSOR BLUR GRADIENT) (CUBE ...) ARM DOMAIN BOARD-HOST BOARD-ADDRESS
 ;;        ((HOST KEY KIND ...) ...) CUBE-SIZE (NARROW NORMAL WIDE) (ROW-X ROW-Y-LOW ROW-Y-HIGH) BOARD-KEYS
-;;        (LINE WHERE NUMBER (REVERSED ...)) ROOM DRIVER OBJECTS CAMERA SLAVE))
+;;        (LINE WHERE NUMBER (REVERSED ...)) ROOM DRIVER OBJECTS CAMERA SLAVE GRIPPER))
 ;; with CUBE = (NAME MARK X Y YAW ON), ON the empty string for the table; KEY and BOARD-KEYS are paths or empty; HEAD the
 ;; simulated pan-tilt unit under the cameras or the empty string; LINE serial, tcp or the empty string, how the unit of
 ;; the agent is reached, NUMBER a baud rate or a port; ROOM that of the arm, or (); DRIVER how its controller is reached,
 ;; (PROTOCOL (PLACE ...) (NUMBER ...)), or () for the simulated arm;
 ;; OBJECTS the folder of the object database, or empty; CAMERA what (pizarra camera) makes of the cameras of the
-;; agent, or () for the simulated ones; SLAVE the second arm, (ARM ROOM DRIVER (X Y Z) plain|mirror), or ().
+;; agent, or () for the simulated ones; SLAVE the second arm, (ARM ROOM DRIVER (X Y Z) plain|mirror GRIPPER), or ();
+;; GRIPPER what (pizarra gripper) makes of the arm's, or () for its own.
 
 (define-module (pizarra cell)
   #:use-module (srfi srfi-1)
   #:use-module (pizarra forms)
   #:use-module (pizarra camera)
+  #:use-module (pizarra driver)
+  #:use-module (pizarra gripper)
   #:export (interpret cubes-of))
 
 (define marks '(circle triangle square cross))
@@ -270,28 +273,13 @@
     (simple-message ("the controller's address") (11000 11002))
     (c500c ("the file of the motion's line" "the file of the state's line") ())))
 
-(define (place-in node)
-  (lambda (index what) (string-at node (+ index 2) what)))
-
-;; (driver PROTOCOL PLACE ... PORT ...) as (PROTOCOL (PLACE ...) (PORT ...)), or ().
 (define (driver-of found)
-  (let* ((node (section-in found 'driver))
-         (name (and node (choice-at node 1 "the protocol" (map first protocols))))
-         (protocol (and name (assq name protocols))))
-    (if (not protocol)
-        '()
-        (let* ((places (map (place-in node) (iota (length (second protocol))) (second protocol)))
-               (given (drop (node-items node) (min (length (node-items node)) (+ 2 (length places)))))
-               (ports (third protocol)))
-          (for-each (lambda (port)
-                      (unless (and (exact-integer? (node-datum port)) (<= 1 (node-datum port) 65535))
-                        (complain! port 'out-of-range "a port is a number from 1 to 65535")))
-                    given)
-          (when (> (length given) (length ports))
-            (complain! (list-ref given (length ports)) 'malformed "~a takes ~a ports at most" name (length ports)))
-          (and (every identity places)
-               (list name places
-                     (append (map node-datum given) (list-tail ports (min (length ports) (length given))))))))))
+  (let ((driver (section-in found 'driver)))
+    (if driver (driver-of-section driver protocols) '())))
+
+(define (gripper-of found)
+  (let ((gripper (section-in found 'gripper)))
+    (if gripper (gripper-of-section gripper) '())))
 
 ;; Where the arm's grip centre may be, ((LOW HIGH) (LOW HIGH) (LOW HIGH)), or () for wherever it reaches.
 (define (room-of found)
@@ -311,12 +299,13 @@
 
 ;; (slave ARM (offset X Y Z) (mirror) ...): the second arm, and where it is to be for a place of the first.
 (define (slave-of node arms)
-  (let ((found (parts-of node '(room driver offset mirror))))
+  (let ((found (parts-of node '(room driver gripper offset mirror))))
     (list (or (arm-of node arms) 'crs-f3)
           (room-of found)
           (driver-of found)
           (numbers-in found 'offset '((-5000 5000) (-5000 5000) (-5000 5000)) '(0 0 0))
-          (if (section-in found 'mirror) 'mirror 'plain))))
+          (if (section-in found 'mirror) 'mirror 'plain)
+          (gripper-of found))))
 
 ;; ----
 
@@ -330,7 +319,7 @@
                      '()))
          (size (cube-size-of things))
          (arm (section-in found 'arm))
-         (arm-parts (if arm (parts-of (node-within arm "in the arm") '(room driver)) '()))
+         (arm-parts (if arm (parts-of (node-within arm "in the arm") '(room driver gripper)) '()))
          (slave (section-in found 'slave))
          (camera (camera-of things))
          (pan-tilt (pan-tilt-of found))
@@ -365,7 +354,8 @@
           (driver-of arm-parts)
           (text-of-section found 'objects "the folder of the objects" "")
           (if own-cameras (camera-of-section own-cameras) '())
-          (if slave (slave-of (node-within slave "in the second arm") arms) '()))))
+          (if slave (slave-of (node-within slave "in the second arm") arms) '())
+          (gripper-of arm-parts))))
 
 ;; ARMS are the names of the arms that come with the tree.
 (define* (interpret data #:optional (arms '(crs-f3)))

@@ -69,6 +69,14 @@ TEST(Emulate, AnArmTellsProgramsAnObjectALine) {
       << said.text;
 }
 
+TEST(Emulate, AGripperSaysWhatSomebodyBesideItMadeOfIt) {
+  const Said said = emulate("gripper --tcp 0", "fault 11\\nrefuse 4\\nopen\\n");
+  EXPECT_EQ(said.status, 0) << said.text;
+  EXPECT_TRUE(said.text.starts_with("gripper at tcp://127.0.0.1:")) << said.text;
+  EXPECT_NE(said.text.find("power on, not active, fault 11, refuses with 4, still at"), std::string::npos) << said.text;
+  EXPECT_NE(said.text.find("nobody here understands 'open'"), std::string::npos) << said.text;
+}
+
 TEST(Emulate, RefusesOptionsThatTheDeviceHasNoUseFor) {
   EXPECT_EQ(shell(fmt::format("{} emulate up6 --pty 2>&1", PIZARRA_EMULATE)).status, 2);
   EXPECT_EQ(shell(fmt::format("{} emulate ptu46-70 --world ipc:///tmp/w 2>&1", PIZARRA_EMULATE)).status, 2);

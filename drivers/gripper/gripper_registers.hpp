@@ -1,0 +1,72 @@
+#pragma once
+
+// Where a gripper has what in its 16-bit registers, as data: a cell file may say it of any gripper
+// (lisp/gripper_setup.hpp), and the emulated one has the same.
+//
+//   const GripperSetup setup;
+//   RegisterImage orders(orders_of(setup));
+//   orders.put(setup.target, 255);            // some bits of one of its registers
+//
+// What the values of the fields mean is as Robotiq's two-finger grippers have it: `active` 3 is ready to move; `object`
+// 0 the fingers move, 1 and 2 something stopped them as they opened and closed, 3 they are where they were sent;
+// `fault` 0 is none. Facts from: public drivers of these grippers.
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "lisp/gripper_setup.hpp"
+
+namespace pizarra {
+
+namespace gripper {
+
+inline constexpr std::uint16_t ready = 3;       // of `active`
+inline constexpr std::uint16_t on_its_way = 0;  // of `object`
+inline constexpr std::uint16_t met_opening = 1;
+inline constexpr std::uint16_t met_closing = 2;
+inline constexpr std::uint16_t arrived = 3;
+
+}  // namespace gripper
+
+// What a gripper is told, and what it tells.
+inline std::array<RegisterField, 5> orders_of(const GripperSetup& setup) {
+  return {setup.activate, setup.go, setup.target, setup.speed_field, setup.force_field};
+}
+inline std::array<RegisterField, 4> states_of(const GripperSetup& setup) {
+  return {setup.active, setup.object, setup.fault, setup.opening};
+}
+
+// Registers that lie together.
+class RegisterImage {
+ public:
+  RegisterImage(int first, std::vector<std::uint16_t> values) : first_(first), values_(std::move(values)) {}
+  // Those from the first to the last of the fields, all 0.
+  explicit RegisterImage(std::span<const RegisterField> fields)
+      : first_(std::ranges::min(fields, {}, &RegisterField::number).number),
+        values_(static_cast<std::size_t>(std::ranges::max(fields, {}, &RegisterField::number).number - first_ + 1)) {}
+
+  int first() const { return first_; }
+  const std::vector<std::uint16_t>& values() const { return values_; }
+  std::uint16_t get(const RegisterField& field) const {
+    return static_cast<std::uint16_t>(at(field) >> field.low_bit & mask(field));
+  }
+  void put(const RegisterField& field, std::uint16_t value) {
+    std::uint16_t& whole = values_[static_cast<std::size_t>(field.number - first_)];
+    whole =
+        static_cast<std::uint16_t>((whole & ~(mask(field) << field.low_bit)) | (value & mask(field)) << field.low_bit);
+  }
+
+ private:
+  std::uint16_t at(const RegisterField& field) const {
+    return values_[static_cast<std::size_t>(field.number - first_)];
+  }
+  static unsigned mask(const RegisterField& field) { return (1u << field.bits) - 1; }
+
+  int first_;
+  std::vector<std::uint16_t> values_;
+};
+
+}  // namespace pizarra

@@ -1,0 +1,125 @@
+#include "drivers/simulation/controllers/gripper/gripper_emulator.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace pizarra {
+
+namespace {
+
+constexpr double at_target_mm = 1;
+
+std::optional<int> number_after(std::string_view words, std::string_view what) {
+  if (!words.starts_with(what)) return std::nullopt;
+  words.remove_prefix(what.size());
+  int value = 0;
+  const auto [end, error] = std::from_chars(words.data(), words.data() + words.size(), value);
+  const bool sound = error == std::errc() && end == words.data() + words.size() && value >= 0 && value <= 255;
+  return sound ? std::optional(value) : std::nullopt;
+}
+
+}  // namespace
+
+GripperEmulator::GripperEmulator(Executor& executor, ArmDriver& body, const GripperSetup& setup)
+    : executor_(executor),
+      body_(body),
+      setup_(setup),
+      orders_(orders_of(setup)),
+      states_(states_of(setup)),
+      living_(executor.spawn(live())) {}
+
+double GripperEmulator::wanted_mm() const {
+  const double range = setup_.open_count - setup_.closed_count;
+  return std::lerp(setup_.closed_mm, setup_.open_mm, (orders_.get(setup_.target) - setup_.closed_count) / range);
+}
+
+void GripperEmulator::told(RegisterImage orders) {
+  const bool goes_elsewhere =
+      orders.get(setup_.target) != orders_.get(setup_.target) || orders.get(setup_.go) != orders_.get(setup_.go);
+  orders_ = std::move(orders);
+  if (orders_.get(setup_.activate) == 0) {
+    active_since_.reset();
+    fault_ = 0;
+  } else if (!active_since_ && fault_ == 0) {
+    active_since_ = executor_.now();
+  }
+  const bool may = active_since_ && executor_.now() - *active_since_ >= activation_time;
+  if (!goes_elsewhere || !may || orders_.get(setup_.go) == 0) return;
+  ++sent_;
+  goes_ = true;
+  states_.put(setup_.object, gripper::on_its_way);
+  sending_ = executor_.spawn(send_to(wanted_mm()));
+}
+
+Task<void> GripperEmulator::send_to(double opening_mm) {
+  Result<void> sent = co_await body_.start_gripper(opening_mm);
+  if (!sent && sent.error().symbol == "not-in-control") {
+    const Result<void> control = co_await body_.take_control();
+    if (control) sent = co_await body_.start_gripper(opening_mm);
+  }
+  constexpr int internal_fault = 15;
+  if (!sent) fault_ = internal_fault;
+}
+
+Task<void> GripperEmulator::live() {
+  while (true) {
+    const Result<ArmReading> reading = co_await body_.read();
+    if (reading && sending_.done()) look(*reading);
+    co_await sleep(executor_, look_every);
+  }
+}
+
+void GripperEmulator::look(const ArmReading& reading) {
+  opening_mm_ = reading.opening_mm;
+  const double part = (opening_mm_ - setup_.closed_mm) / (setup_.open_mm - setup_.closed_mm);
+  const double count = std::lerp(setup_.closed_count, setup_.open_count, std::clamp(part, 0.0, 1.0));
+  states_.put(setup_.opening, static_cast<std::uint16_t>(std::lround(count)));
+  states_.put(setup_.fault, static_cast<std::uint16_t>(fault_));
+  const bool active = active_since_ && executor_.now() - *active_since_ >= activation_time;
+  states_.put(setup_.active, active ? gripper::ready : active_since_ ? 1 : 0);
+  if (reading.gripper_moving) return;
+  const double short_of = opening_mm_ - wanted_mm();
+  const std::uint16_t met = short_of > 0 ? gripper::met_closing : gripper::met_opening;
+  if (goes_) states_.put(setup_.object, std::abs(short_of) <= at_target_mm ? gripper::arrived : met);
+  goes_ = false;
+}
+
+Result<void> GripperEmulator::obey(std::string_view words) {
+  const std::optional<int> fault = number_after(words, "fault ");
+  const std::optional<int> exception = number_after(words, "refuse ");
+  if (fault) {
+    fault_ = *fault;
+    if (fault_ != 0) active_since_.reset();
+  } else if (exception) {
+    exception_ = *exception;
+  } else if (words == "power on" || words == "power off") {
+    powered_ = words == "power on";
+    active_since_.reset();
+  } else {
+    return fail("unknown-command", fmt::format("nobody here understands '{}': power on, power off, fault CODE, "
+                                               "refuse CODE, status",
+                                               words));
+  }
+  return {};
+}
+
+std::string GripperEmulator::status() const {
+  std::string line = fmt::format("power {}, {}", powered_ ? "on" : "off", active_since_ ? "active" : "not active");
+  if (fault_ != 0) line += fmt::format(", fault {}", fault_);
+  if (exception_ != 0) line += fmt::format(", refuses with {}", exception_);
+  const std::uint16_t object = states_.get(setup_.object);
+  const bool holds = object == gripper::met_closing || object == gripper::met_opening;
+  return fmt::format("{}, {} at {:.1f} mm{}", line, goes_ ? "moving" : "still", opening_mm_,
+                     holds ? ", something between its fingers" : "");
+}
+
+std::string GripperEmulator::status_in_json() const {
+  const std::uint16_t object = states_.get(setup_.object);
+  return fmt::format(
+      "{{\"power\":{},\"active\":{},\"fault\":{},\"refuses\":{},\"state\":\"{}\",\"opening\":{:.2f},\"gripped\":{}}}",
+      powered_, active_since_.has_value(), fault_, exception_, goes_ ? "moving" : "still", opening_mm_,
+      object == gripper::met_closing || object == gripper::met_opening);
+}
+
+}  // namespace pizarra

@@ -1,0 +1,65 @@
+#pragma once
+
+// A gripper with registers, as GripperSetup lays them out: it is activated, goes where it is told, and stops at what is
+// between its fingers. It moves the gripper of an arm: one of its own, or the simulated world's.
+//
+//   MovingArm body(executor, model);
+//   GripperEmulator gripper(executor, body, GripperSetup());
+//   gripper.obey("fault 11");             // what somebody beside it does
+//
+// Somebody beside it: `power on` and `off` (off: it is silent), `fault CODE`, 0 for none, which ends its being active;
+// `refuse CODE`: every request is answered with this exception, 0 for none.
+
+#include <optional>
+
+#include "blackboard/time/executor.hpp"
+#include "drivers/arm/arm_driver.hpp"
+#include "drivers/gripper/gripper_registers.hpp"
+
+namespace pizarra {
+
+class GripperEmulator {
+ public:
+  // The body outlives it.
+  GripperEmulator(Executor& executor, ArmDriver& body, const GripperSetup& setup);
+
+  // Registers that it has, from the first to the last.
+  const RegisterImage& orders() const { return orders_; }
+  const RegisterImage& states() const { return states_; }
+  // They have been written.
+  void told(RegisterImage orders);
+
+  // Failure: unknown-command.
+  Result<void> obey(std::string_view words);
+  bool powered() const { return powered_; }
+  int exception() const { return exception_; }
+  std::string status() const;
+  std::string status_in_json() const;
+  // Times that its fingers were sent anywhere.
+  std::uint64_t closings() const { return sent_; }
+
+ private:
+  static constexpr Duration look_every = 20ms;
+  static constexpr Duration activation_time = 200ms;
+  Task<void> live();
+  Task<void> send_to(double opening_mm);
+  void look(const ArmReading& reading);
+  double wanted_mm() const;
+
+  Executor& executor_;
+  ArmDriver& body_;
+  const GripperSetup setup_;
+  RegisterImage orders_;
+  RegisterImage states_;
+  bool powered_ = true;
+  int exception_ = 0;
+  int fault_ = 0;
+  std::optional<Time> active_since_;
+  bool goes_ = false;  // it was sent somewhere and has not been seen to stand since
+  double opening_mm_ = 0;
+  std::uint64_t sent_ = 0;
+  Job sending_;
+  Job living_;
+};
+
+}  // namespace pizarra

@@ -1,0 +1,32 @@
+#include "lisp/cell.hpp"
+
+#include <gtest/gtest.h>
+
+namespace pizarra {
+namespace {
+
+TEST(Cell, AGripperIsLaidOutAsItsSetupIsUnlessTheFileSaysOtherwise) {
+  const Result<CellDescription> cell = read_cell(
+      "(cell c (arm crs-f3 (gripper (driver modbus \"g\") (opening 0 85) (force 30) (registers (go 1000 9 1)))))", "c");
+  ASSERT_TRUE(cell) << describe(cell.error());
+  const GripperSetup& given = cell->arm_line.gripper;
+  const GripperSetup otherwise;
+  EXPECT_EQ(given.protocol, "modbus");
+  EXPECT_EQ(given.place, "g");
+  EXPECT_EQ(given.port, otherwise.port);
+  EXPECT_EQ(given.unit, otherwise.unit);
+  EXPECT_EQ(given.open_mm, 85);
+  EXPECT_EQ(given.closed_count, otherwise.closed_count);
+  EXPECT_EQ(given.open_count, otherwise.open_count);
+  EXPECT_EQ(given.speed, otherwise.speed);
+  EXPECT_EQ(given.force, 0.3);
+  EXPECT_EQ(given.go, (RegisterField{1000, 9, 1}));
+  for (const auto field :
+       {&GripperSetup::activate, &GripperSetup::target, &GripperSetup::speed_field, &GripperSetup::force_field,
+        &GripperSetup::active, &GripperSetup::object, &GripperSetup::fault, &GripperSetup::opening}) {
+    EXPECT_EQ(given.*field, otherwise.*field);
+  }
+}
+
+}  // namespace
+}  // namespace pizarra
