@@ -54,7 +54,9 @@ Datum Datum::list_of(std::span<Datum> items) {
 
 void Datum::release() {
   auto* shared = value<Shared*>();
-  if (shared->users.fetch_sub(1, std::memory_order_acq_rel) != 1) return;
+  // Who is alone needs no locked instruction to say so.
+  const bool alone = shared->users.load(std::memory_order_acquire) == 1;
+  if (!alone && shared->users.fetch_sub(1, std::memory_order_acq_rel) != 1) return;
   if (is_list()) {
     auto* items = static_cast<Items*>(shared);
     std::destroy_n(items->data(), items->size);
@@ -86,6 +88,13 @@ std::size_t Datum::hash() const {
 
 std::strong_ordering operator<=>(const Datum& a, const Datum& b) {
   if (a.kind() != b.kind()) return a.kind() <=> b.kind();
+  const bool short_texts = std::min(a.tag(), b.tag()) >= Datum::first_tag(Datum::Form::short_symbol) &&
+                           std::max(a.tag(), b.tag()) < Datum::first_tag(Datum::Form::integer);
+  // No text holds the zeros behind a shorter one, and the byte that says its length comes last.
+  if (short_texts) {
+    const auto order = std::byteswap(a.words_[0]) <=> std::byteswap(b.words_[0]);
+    return order != 0 ? order : std::byteswap(a.words_[1]) <=> std::byteswap(b.words_[1]);
+  }
   switch (a.kind()) {
     case Datum::Kind::symbol:
     case Datum::Kind::string:

@@ -53,11 +53,15 @@ bool match(const Datum& pattern, const Datum& datum, Bindings& bindings) {
     values.resize(before);
     return false;
   }
-  for (std::size_t i = before; i < values.size(); ++i) {
-    const auto moved = values.begin() + static_cast<std::ptrdiff_t>(i);
-    const auto place =
-        std::ranges::lower_bound(values.begin(), moved, moved->variable, {}, &Bindings::Binding::variable);
-    std::rotate(place, moved, moved + 1);
+  for (std::size_t i = std::max<std::size_t>(before, 1); i < values.size(); ++i) {
+    std::size_t place = i;
+    while (place > 0 && values[i].variable < values[place - 1].variable) --place;
+    if (place == i) continue;
+    const auto begin = values.begin();
+    Bindings::Binding moved = std::move(values[i]);
+    std::move_backward(begin + static_cast<std::ptrdiff_t>(place), begin + static_cast<std::ptrdiff_t>(i),
+                       begin + static_cast<std::ptrdiff_t>(i) + 1);
+    values[place] = std::move(moved);
   }
   return true;
 }
