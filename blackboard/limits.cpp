@@ -14,34 +14,38 @@ Weight& Weight::operator+=(const Weight& other) {
 
 namespace {
 
-// Adds what the datum weighs, inside `depth` lists.
-void add(const Datum& datum, std::size_t depth, Weight& whole) {
+// Of a datum that is no list.
+std::size_t bytes_of(const Datum& datum) {
   constexpr std::size_t longest_number = 26;
-  ++whole.elements;
-  switch (datum.kind()) {
-    case Datum::Kind::symbol:
-      whole.bytes += datum.text().size() + 1;
-      return;
-    case Datum::Kind::string:
-      whole.bytes += 2 * datum.text().size() + 3;
-      return;
-    case Datum::Kind::integer:
-    case Datum::Kind::real:
-      whole.bytes += longest_number;
-      return;
-    case Datum::Kind::list:
-      break;
+  if (datum.is_number()) return longest_number;
+  return datum.is_symbol() ? datum.text().size() + 1 : 2 * datum.text().size() + 3;
+}
+
+// Adds what the list weighs, inside `depth` others.
+void add_list(const Datum& list, std::size_t depth, Weight& whole) {
+  const std::span<const Datum> items = list.items();
+  std::size_t bytes = 3;
+  for (const Datum& item : items) {
+    if (item.is_list()) {
+      add_list(item, depth + 1, whole);
+    } else {
+      bytes += bytes_of(item);
+    }
   }
-  whole.bytes += 3;
+  whole.bytes += bytes;
+  whole.elements += items.size();
   whole.depth = std::max(whole.depth, depth + 1);
-  for (const Datum& item : datum.items()) add(item, depth + 1, whole);
 }
 
 }  // namespace
 
 Weight weigh(const Datum& datum) {
-  Weight whole;
-  add(datum, 0, whole);
+  Weight whole{.bytes = 0, .elements = 1, .depth = 0};
+  if (datum.is_list()) {
+    add_list(datum, 0, whole);
+  } else {
+    whole.bytes = bytes_of(datum);
+  }
   return whole;
 }
 

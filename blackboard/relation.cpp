@@ -174,12 +174,14 @@ Result<void> check_pattern_shape(const Relation& relation, const Datum& pattern)
 }
 
 Result<void> check_shape(const Relation& relation, const Datum& fact) {
-  for (std::size_t i = 1; i < fact.size(); ++i) {
-    if (is_ground(fact[i])) continue;
-    const std::string argument = i <= relation.arguments.size() ? relation.arguments[i - 1].name : std::to_string(i);
+  Result<void> shaped = check_pattern_shape(relation, fact);
+  if (!shaped) return shaped;
+  for (std::size_t i = 0; i < relation.arguments.size(); ++i) {
+    if (is_ground(fact[i + 1])) continue;
+    const std::string& argument = relation.arguments[i].name;
     return malformed("argument " + argument + " of " + relation.name + " holds a variable, and facts hold none", fact);
   }
-  return check_pattern_shape(relation, fact);
+  return {};
 }
 
 Datum key_of(const Relation& relation, const Datum& fact) {

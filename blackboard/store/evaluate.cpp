@@ -37,6 +37,10 @@ Weight weigh(const Query& query) {
   return whole;
 }
 
+std::unexpected<Failure> too_many(const Query& query) {
+  return fail("too-large", "the answers are more than fit one message", query_to_datum(query));
+}
+
 class Search {
  public:
   Search(const Query& query, const Tables& tables, std::span<const std::size_t> course, std::size_t& examined)
@@ -51,7 +55,7 @@ class Search {
     if (!done) return fail(done);
     if (!query_.order.empty()) sort();
     if (query_.limit && answers_.size() > *query_.limit) cut();
-    if (!check_weight(weight_, "the answer")) return too_many();
+    if (!check_weight(weight_, "the answer")) return too_many(query_);
     return std::move(answers_);
   }
 
@@ -65,15 +69,11 @@ class Search {
   }
 
  private:
-  std::unexpected<Failure> too_many() const {
-    return fail("too-large", "the answers are more than fit one message", query_to_datum(query_));
-  }
-
   Result<void> check_bounds() const {
     if (examined_ > limits::examined) {
       return fail("too-large", "answering this takes looking at more than a million facts", query_to_datum(query_));
     }
-    if (weight_.bytes > weight_bound_) return too_many();
+    if (weight_.bytes > weight_bound_) return too_many(query_);
     return {};
   }
 
@@ -156,6 +156,20 @@ class Search {
   std::size_t weight_bound_ = limits::bytes;
 };
 
+// What a pattern that binds its relation's key is answered: one fact at most, found without a search.
+Result<std::vector<Answer>> find_by_key(const Query& query, const FactTable& table) {
+  const Datum& pattern = query.clauses.front().form;
+  std::vector<Answer> answers;
+  const StandingFact* only = table.find_key_of(pattern);
+  Bindings bindings;
+  if (only == nullptr || query.limit == 0U || !match(pattern, only->fact.datum, bindings)) return answers;
+  Answer& answer = answers.emplace_back();
+  answer.bindings = std::move(bindings);
+  answer.facts.push_back(only->fact);
+  if (!check_weight(weigh(answer), "the answer")) return too_many(query);
+  return answers;
+}
+
 }  // namespace
 
 std::strong_ordering compare_values(const Datum& a, const Datum& b) {
@@ -179,12 +193,16 @@ bool holds(const Datum& comparison, const Bindings& bindings) {
 }
 
 Result<const FactTable*> table_for(const Datum& pattern, const Tables& tables) {
+  Result<const FactTable*> table = table_named_by(pattern, tables);
+  if (!table) return table;
+  const Result<void> fits = check_pattern_shape((*table)->relation(), pattern);
+  if (!fits) return fail(fits);
+  return table;
+}
+
+Result<const FactTable*> table_named_by(const Datum& pattern, const Tables& tables) {
   const auto found = tables.find(pattern.head());
-  if (found != tables.end()) {
-    const Result<void> fits = check_pattern_shape(found->second.relation(), pattern);
-    if (!fits) return fail(fits);
-    return &found->second;
-  }
+  if (found != tables.end()) return &found->second;
   if (pattern.head().empty()) return fail("wrong-shape", "a fact is a list that begins with a symbol", pattern);
   std::vector<std::string> names;
   for (const auto& [name, table] : tables) names.push_back(name);
@@ -208,6 +226,11 @@ Result<void> check_query_on(const Query& query, const Tables& tables) {
 }
 
 Result<std::vector<Answer>> evaluate(const Query& query, const Tables& tables) {
+  const Query::Clause& first = query.clauses.front();
+  if (query.clauses.size() == 1 && first.kind == Query::Clause::Kind::fact) {
+    const FactTable& table = tables.find(first.form.head())->second;
+    if (table.key_is_ground(first.form)) return find_by_key(query, table);
+  }
   std::vector<std::size_t> as_written(query.clauses.size());
   std::iota(as_written.begin(), as_written.end(), 0);
   std::size_t examined = 0;

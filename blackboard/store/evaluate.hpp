@@ -20,7 +20,9 @@
 
 namespace pizarra {
 
-// The table of the relation that the pattern is about, whose shape the pattern has.
+// The table of the relation that the pattern is about, whatever its shape.
+Result<const FactTable*> table_named_by(const Datum& pattern, const Tables& tables);
+// The same, and the pattern has the relation's shape.
 Result<const FactTable*> table_for(const Datum& pattern, const Tables& tables);
 
 // Whether the query is well made and its patterns fit declared relations.

@@ -30,6 +30,14 @@ StandingFact& FactList::insert(StandingFact standing) {
   return kept;
 }
 
+Fact FactList::replace(StandingFact& standing, Fact fact) {
+  assert(order_.back().id < fact.id);
+  sweep();
+  order_.push_back({fact.id, &standing});
+  ++gone_;
+  return std::exchange(standing.fact, std::move(fact));
+}
+
 StandingFact FactList::remove(StandingFact& standing) {
   StandingFact removed = std::exchange(standing, {});
   free_.push_back(&standing);

@@ -6,6 +6,7 @@
 //   FactList facts;
 //   StandingFact& standing = facts.insert({fact});
 //   for (const StandingFact& standing : facts.from(first_id)) ...
+//   Fact former = facts.replace(standing, fact);          // in the former's memory, at the end of the order
 //   StandingFact gone = facts.remove(standing);
 //
 // What was taken out leaves its mark in the order, swept away when there are more of these than facts.
@@ -21,11 +22,16 @@
 
 namespace pizarra {
 
-struct StandingFact {
+class FactTable;
+
+// Two lines of a cache, fetched at once, and no third.
+struct alignas(128) StandingFact {
   Fact fact;
   LeaseId lease = 0;
   std::optional<Time> expiry = {};  // by the relation's own lease
+  FactTable* table = nullptr;       // where it stands
 };
+static_assert(sizeof(StandingFact) == 128);
 
 class FactList {
   struct Place {
@@ -48,6 +54,8 @@ class FactList {
   StandingFact* find(FactId id);
   // None with its id may stand. Quick where its id is the highest so far.
   StandingFact& insert(StandingFact standing);
+  // By a fact whose id is the highest so far; answers the former.
+  Fact replace(StandingFact& standing, Fact fact);
   StandingFact remove(StandingFact& standing);
   // Those with an id from `first` on.
   auto from(FactId first) const {

@@ -15,31 +15,45 @@ constexpr std::size_t small_enough_to_look_through = 16;
 }  // namespace
 
 const StandingFact* FactTable::find_key_of(const Datum& fact) const {
-  StandingFact* const* found =
-      by_key_.find(key_hash(fact), [&](const StandingFact* standing) { return same_key(standing->fact.datum, fact); });
-  return found == nullptr ? nullptr : *found;
+  return by_key_.find(key_hash(fact),
+                      [&](const StandingFact& standing) { return same_key(standing.fact.datum, fact); });
 }
 
 StandingFact& FactTable::insert(StandingFact standing) {
-  const std::size_t hash = key_hash(standing.fact.datum);
+  standing.table = this;
   StandingFact& inserted = facts_.insert(std::move(standing));
-  by_key_.insert(hash, &inserted);
-  for (auto& [mask, index] : indexes_) {
-    index[arguments_in(mask, inserted.fact.datum)].emplace(inserted.fact.id, &inserted);
-  }
+  by_key_.insert(key_hash(inserted.fact.datum), &inserted);
+  enter_indexes(inserted);
   return inserted;
 }
 
+Fact FactTable::replace(StandingFact& standing, Fact fact) {
+  remember_removal(fact.revision, standing.fact.datum);
+  leave_indexes(standing);
+  Fact former = facts_.replace(standing, std::move(fact));
+  enter_indexes(standing);
+  return former;
+}
+
 StandingFact FactTable::remove(StandingFact& standing, Revision revision) {
-  const Datum& datum = standing.fact.datum;
-  by_key_.erase(key_hash(datum), [&](const StandingFact* other) { return other == &standing; });
+  by_key_.erase(key_hash(standing.fact.datum), &standing);
+  leave_indexes(standing);
+  remember_removal(revision, standing.fact.datum);
+  return facts_.remove(standing);
+}
+
+void FactTable::enter_indexes(const StandingFact& standing) {
   for (auto& [mask, index] : indexes_) {
-    const auto place = index.find(arguments_in(mask, datum));
+    index[arguments_in(mask, standing.fact.datum)].emplace(standing.fact.id, &standing);
+  }
+}
+
+void FactTable::leave_indexes(const StandingFact& standing) {
+  for (auto& [mask, index] : indexes_) {
+    const auto place = index.find(arguments_in(mask, standing.fact.datum));
     place->second.erase(standing.fact.id);
     if (place->second.empty()) index.erase(place);
   }
-  remember_removal(revision, datum);
-  return facts_.remove(standing);
 }
 
 void FactTable::remember_removal(Revision revision, const Datum& datum) {

@@ -42,8 +42,12 @@ class FactTable {
   StandingFact* find_key_of(const Datum& fact) {
     return const_cast<StandingFact*>(std::as_const(*this).find_key_of(fact));
   }
+  // Whether at most one fact can fit: find_key_of() finds it.
+  bool key_is_ground(const Datum& pattern) const;
   // None with its id or its key may stand.
   StandingFact& insert(StandingFact standing);
+  // By a fact with the same key and an id higher than any; answers the former.
+  Fact replace(StandingFact& standing, Fact fact);
   StandingFact remove(StandingFact& standing, Revision revision);
 
   // Calls `visitor` for every fact that may fit, and for all that do, until it answers false; for those with an id from
@@ -72,17 +76,18 @@ class FactTable {
   using Index = std::unordered_map<Datum, Bucket>;
   using Mask = std::uint32_t;
 
-  bool key_is_ground(const Datum& pattern) const;
   std::size_t key_hash(const Datum& datum) const;
   bool same_key(const Datum& a, const Datum& b) const;
   Datum arguments_in(Mask mask, const Datum& datum) const;
+  void enter_indexes(const StandingFact& standing);
+  void leave_indexes(const StandingFact& standing);
   const Bucket* bucket_for(const Datum& pattern) const;
   const Index* index_for(Mask bound, Mask& used) const;
   void remember_removal(Revision revision, const Datum& datum);
 
   Relation relation_;
   FactList facts_;
-  HashIndex<StandingFact*> by_key_;
+  HashIndex<StandingFact> by_key_;
   mutable std::map<Mask, Index> indexes_;
   struct Removal {
     Revision revision;

@@ -92,11 +92,14 @@ Result<void> Store::check_step(const Transaction::Step& step, std::set<FactId>& 
   }
   const auto* tell = std::get_if<Transaction::Tell>(&step);
   const Datum& datum = tell != nullptr ? tell->fact : std::get<Transaction::Retract>(step).pattern;
-  const Result<const FactTable*> table = table_for(datum, tables_);
+  const Result<const FactTable*> table = table_named_by(datum, tables_);
   if (!table) return fail(table);
-  if (tell == nullptr) return {};
+  const Relation& relation = (*table)->relation();
+  if (tell == nullptr) return check_pattern_shape(relation, datum);
+  Result<void> shaped = check_shape(relation, datum);
+  if (!shaped) return shaped;
   if (tell->lease != 0 && leases_.find(tell->lease) == nullptr) return unknown_lease(tell->lease);
-  return check_shape((*table)->relation(), tell->fact);
+  return {};
 }
 
 Result<void> Store::check(const Transaction& transaction) {
@@ -122,6 +125,7 @@ Result<Revision> Store::transact(const std::string& teller, const Transaction& t
   const Result<void> checked = check(transaction);
   if (!checked) return fail(checked);
   Change change(*this, teller, now);
+  change.expect(transaction.steps.size());
   for (const Transaction::Step& step : transaction.steps) {
     if (const auto* tell = std::get_if<Transaction::Tell>(&step)) change.tell(tell->fact, tell->because, tell->lease);
     if (const auto* retract = std::get_if<Transaction::Retract>(&step)) change.retract_matching(retract->pattern);
@@ -179,23 +183,29 @@ Result<void> Store::release(LeaseId lease, Time now) {
 }
 
 LeaseId Store::lease_of(FactId standing) const {
-  const Home* home = home_of(standing);
-  return home == nullptr ? 0 : home->standing->lease;
+  const StandingFact* found = find(standing);
+  return found == nullptr ? 0 : found->lease;
 }
 
-const Store::Home* Store::home_of(FactId standing) const {
-  return homes_.find(standing, [&](const Home& home) { return home.standing->fact.id == standing; });
+StandingFact* Store::find(FactId standing) const {
+  return standing_.find(standing, [](const StandingFact&) { return true; });
 }
 
 StandingFact& Store::put(FactTable& table, Fact fact) {
   StandingFact& standing = table.insert({std::move(fact)});
-  homes_.insert(standing.fact.id, {&table, &standing});
+  standing_.insert(standing.fact.id, &standing);
   return standing;
 }
 
-StandingFact Store::remove(Home home, Revision revision) {
-  homes_.erase(home.standing->fact.id, [&](const Home& other) { return other.standing == home.standing; });
-  return home.table->remove(*home.standing, revision);
+Fact Store::replace(StandingFact& standing, Fact fact) {
+  standing_.erase(standing.fact.id, &standing);
+  standing_.insert(fact.id, &standing);
+  return standing.table->replace(standing, std::move(fact));
+}
+
+StandingFact Store::remove(StandingFact& standing, Revision revision) {
+  standing_.erase(standing.fact.id, &standing);
+  return standing.table->remove(standing, revision);
 }
 
 LeaseId Store::holder_of(FactId taken) const {

@@ -44,7 +44,7 @@ class Store {
 
   const Tables& tables() const { return tables_; }
   Revision revision() const { return revision_; }
-  std::size_t size() const { return homes_.size(); }
+  std::size_t size() const { return standing_.size(); }
   // A taken fact that is neither settled nor put back.
   const Fact* held(FactId id) const;
   bool stands(LeaseId lease) const { return leases_.contains(lease); }
@@ -70,15 +70,12 @@ class Store {
     Fact fact;
     LeaseId holder;
   };
-  struct Home {
-    FactTable* table;
-    StandingFact* standing;
-  };
   class Change;
 
-  const Home* home_of(FactId standing) const;
+  StandingFact* find(FactId standing) const;
   StandingFact& put(FactTable& table, Fact fact);
-  StandingFact remove(Home home, Revision revision);
+  Fact replace(StandingFact& standing, Fact fact);
+  StandingFact remove(StandingFact& standing, Revision revision);
   Result<void> check(const Transaction& transaction);
   Result<void> check_precondition(const Transaction::Precondition& precondition) const;
   Result<void> check_step(const Transaction::Step& step, std::set<FactId>& settled);
@@ -87,7 +84,7 @@ class Store {
   Result<void> apply_entry(const Commit& commit, Commit::Entry& entry);
 
   Tables tables_;
-  HashIndex<Home> homes_;  // by the ids of what stands
+  HashIndex<StandingFact> standing_;  // by their ids
   std::map<FactId, Held> held_;
   Leases leases_;
   std::set<std::pair<Time, FactId>> fact_expiries_;

@@ -1,7 +1,6 @@
 #include "blackboard/store/store_change.hpp"
 
 #include <algorithm>
-#include <cassert>
 
 #include "lisp/pattern.hpp"
 
@@ -30,22 +29,35 @@ void Store::Change::tell(const Datum& fact, const std::vector<FactId>& because, 
       note_lease(table, *standing, lease);
       return set_lease(table, *standing, lease);
     }
+    if (standing->fact.revision != commit_.revision) return replace(*standing, fresh(fact, because), lease);
     retract(standing->fact.id);
   }
-  Fact told;
-  told.datum = fact;
-  told.id = store_.next_fact_++;
-  told.teller = commit_.teller;
-  told.when = commit_.when;
-  told.because = because;
-  told.revision = commit_.revision;
+  Fact told = fresh(fact, because);
   commit_.entries.emplace_back(Kind::told, told);
   commit_.entries.back().under_lease = lease != 0 && table.relation().durable;
   insert(std::move(told), lease);
 }
 
+Fact Store::Change::fresh(const Datum& fact, const std::vector<FactId>& because) {
+  return {.datum = fact,
+          .id = store_.next_fact_++,
+          .teller = commit_.teller,
+          .when = commit_.when,
+          .revision = commit_.revision,
+          .because = because};
+}
+
+void Store::Change::replace(StandingFact& standing, Fact fact, LeaseId lease) {
+  FactTable& table = *standing.table;
+  let_go_of_leases(standing);
+  commit_.entries.emplace_back(Kind::retracted, store_.replace(standing, std::move(fact)));
+  commit_.entries.emplace_back(Kind::told, standing.fact);
+  commit_.entries.back().under_lease = lease != 0 && table.relation().durable;
+  set_lease(table, standing, lease);
+}
+
 void Store::Change::retract(FactId id) {
-  Fact fact = remove(id);
+  Fact fact = remove(*store_.find(id));
   if (fact.revision == commit_.revision) {
     const auto told = std::find_if(commit_.entries.rbegin(), commit_.entries.rend(),
                                    [&](const Commit::Entry& entry) { return adds(entry) && entry.fact.id == id; });
@@ -66,7 +78,7 @@ void Store::Change::retract_matching(const Datum& pattern) {
 }
 
 Fact Store::Change::take(FactId id, LeaseId holder) {
-  Fact fact = remove(id);
+  Fact fact = remove(*store_.find(id));
   commit_.entries.push_back({holder == 0 ? Kind::retracted : Kind::taken, fact});
   if (holder != 0) {
     store_.held_[id] = {fact, holder};
@@ -102,15 +114,19 @@ Revision Store::Change::finish() {
   return store_.revision_;
 }
 
-Fact Store::Change::remove(FactId id) {
-  const Home* home = store_.home_of(id);
-  assert(home != nullptr);
-  StandingFact removed = store_.remove(*home, commit_.revision);
-  if (removed.lease != 0) {
-    if (Leases::Lease* lease = store_.leases_.find(removed.lease)) lease->facts.erase(id);
+Fact Store::Change::remove(StandingFact& standing) {
+  let_go_of_leases(standing);
+  return store_.remove(standing, commit_.revision).fact;
+}
+
+void Store::Change::let_go_of_leases(StandingFact& standing) {
+  const FactId id = standing.fact.id;
+  if (standing.lease != 0) {
+    if (Leases::Lease* lease = store_.leases_.find(standing.lease)) lease->facts.erase(id);
   }
-  if (removed.expiry) store_.fact_expiries_.erase({*removed.expiry, id});
-  return std::move(removed.fact);
+  if (standing.expiry) store_.fact_expiries_.erase({*standing.expiry, id});
+  standing.lease = 0;
+  standing.expiry.reset();
 }
 
 void Store::Change::insert(Fact fact, LeaseId lease) {
@@ -135,8 +151,10 @@ void Store::Change::note_lease(const FactTable& table, const StandingFact& stand
 void Store::Change::set_lease(FactTable& table, StandingFact& standing, LeaseId lease) {
   const FactId id = standing.fact.id;
   if (standing.lease != lease) {
-    if (Leases::Lease* former = store_.leases_.find(standing.lease)) former->facts.erase(id);
-    if (Leases::Lease* now = store_.leases_.find(lease)) now->facts.insert(id);
+    Leases::Lease* former = standing.lease == 0 ? nullptr : store_.leases_.find(standing.lease);
+    Leases::Lease* now = lease == 0 ? nullptr : store_.leases_.find(lease);
+    if (former != nullptr) former->facts.erase(id);
+    if (now != nullptr) now->facts.insert(id);
     standing.lease = lease;
   }
   if (standing.expiry) store_.fact_expiries_.erase({*standing.expiry, id});

@@ -11,6 +11,8 @@ class Store::Change {
  public:
   Change(Store& store, std::string teller, Time now);
 
+  // Makes room for so many steps.
+  void expect(std::size_t steps) { commit_.entries.reserve(2 * steps); }
   void tell(const Datum& fact, const std::vector<FactId>& because, LeaseId lease);
   void retract(FactId id);
   void retract_matching(const Datum& pattern);
@@ -23,8 +25,11 @@ class Store::Change {
 
  private:
   FactTable& table_of(const Datum& fact);
-  Fact remove(FactId id);
+  Fact remove(StandingFact& standing);
+  Fact fresh(const Datum& fact, const std::vector<FactId>& because);
+  void replace(StandingFact& standing, Fact fact, LeaseId lease);
   void insert(Fact fact, LeaseId lease);
+  void let_go_of_leases(StandingFact& standing);
   void note_lease(const FactTable& table, const StandingFact& standing, LeaseId lease);
   void set_lease(FactTable& table, StandingFact& entry, LeaseId lease);
 

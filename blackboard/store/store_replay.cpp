@@ -44,17 +44,16 @@ Result<void> Store::apply_entry(const Commit& commit, Commit::Entry& entry) {
     fact.revision = commit.revision;
   }
   if (entry.kind == Kind::leased || entry.kind == Kind::kept) {
-    const Home* home = home_of(fact.id);
-    if (home == nullptr) return impossible(commit, "there is no such fact", to_datum(fact.id));
-    StandingFact& standing = *home->standing;
-    standing.lease = entry.kind == Kind::leased ? lease_of_former_life : 0;
-    fact = standing.fact;
+    StandingFact* standing = find(fact.id);
+    if (standing == nullptr) return impossible(commit, "there is no such fact", to_datum(fact.id));
+    standing->lease = entry.kind == Kind::leased ? lease_of_former_life : 0;
+    fact = standing->fact;
     return {};
   }
   if (removes(entry)) {
-    const Home* home = home_of(fact.id);
-    if (home == nullptr) return impossible(commit, "there is no such fact", to_datum(fact.id));
-    fact = remove(*home, commit.revision).fact;
+    StandingFact* standing = find(fact.id);
+    if (standing == nullptr) return impossible(commit, "there is no such fact", to_datum(fact.id));
+    fact = remove(*standing, commit.revision).fact;
     if (entry.kind == Kind::taken) held_[fact.id] = {fact, 0};
     return {};
   }

@@ -125,6 +125,8 @@ void WatchQueue::committed(const Commit& commit) {
 void WatchQueue::committed_by_facts(const Commit& commit) {
   Delta delta;
   delta.revision = commit.revision;
+  if (fits_all_) delta.added.facts.reserve(commit.entries.size() / 2);
+  if (fits_all_) delta.removed.facts.reserve(commit.entries.size() / 2);
   for (const Commit::Entry& entry : commit.entries) {
     const bool comes = adds(entry);
     if ((comes || removes(entry)) && fits(entry.fact)) add(comes ? delta.added : delta.removed, entry.fact);

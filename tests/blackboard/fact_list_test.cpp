@@ -57,6 +57,19 @@ TEST(FactList, HoldsWhatAMapHolds) {
   }
 }
 
+TEST(FactList, AReplacedFactStandsInTheFormersPlaceAndAtTheEndOfTheOrder) {
+  FactList facts;
+  StandingFact& first = facts.insert(fact_of(1));
+  facts.insert(fact_of(2));
+  for (FactId id = 3; id < 300; ++id) {
+    EXPECT_EQ(facts.replace(first, fact_of(id).fact).id, id == 3 ? 1 : id - 1);
+    ASSERT_EQ(facts.find(id), &first);
+    ASSERT_EQ(facts.find(id - 1) == nullptr, id > 3);
+    ASSERT_EQ(ids_from(facts, 0), (std::vector<FactId>{2, id}));
+  }
+  EXPECT_EQ(facts.size(), 2U);
+}
+
 TEST(FactList, KeepsAFactsPlaceWhileOthersComeAndGo) {
   FactList facts;
   const StandingFact& first = facts.insert(fact_of(1));
