@@ -17,6 +17,7 @@ RemoteStream::~RemoteStream() {
 
 Datum RemoteStream::request() const {
   if (held_) return list("watch"_sym, id_, query_to_datum(query_), "held"_sym);
+  if (width_of(query_) == 1) return list("watch"_sym, id_, query_to_datum(query_), "kept"_sym);
   return list("watch"_sym, id_, query_to_datum(query_));
 }
 

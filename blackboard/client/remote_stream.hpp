@@ -30,7 +30,8 @@ class RemoteStream {
 
   const Query& query() const { return query_; }
   RemoteBoard& board() { return board_; }
-  // What came is kept or made use of; read_up_to() then says so.
+  // What came is kept or made use of; read_up_to() then says so. Of what went from a query whose answers are one fact,
+  // only the ids are known.
   virtual void come(std::uint64_t sequence, Delta delta) = 0;
   virtual bool has_room() const = 0;
   virtual bool has_ended() const = 0;

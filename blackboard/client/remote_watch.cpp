@@ -14,30 +14,37 @@ Task<Result<Change>> RemoteWatch::next() {
 }
 
 void RemoteWatch::come(std::uint64_t sequence, Delta delta) {
+  const bool last = delta.kind != Delta::Kind::first_part && delta.kind != Delta::Kind::part;
+  if (width_of(query()) == 1 && !keep(delta)) return begin_again();
   // A part is read when it is put to the others.
-  if (!complete(delta)) return read_up_to(sequence, true);
+  if (!last) return read_up_to(sequence, true);
   unread_.push_back({sequence, std::move(delta)});
   waiters_.wake_all();
 }
 
-bool RemoteWatch::complete(Delta& delta) {
-  if (delta.kind == Delta::Kind::change || delta.kind == Delta::Kind::all) return true;
-  if (delta.kind == Delta::Kind::first_part) parts_.clear();
-  for (const Fact& fact : delta.removed.facts) parts_.erase(fact.id);
-  for (Fact& fact : delta.added.facts) {
-    const FactId id = fact.id;
-    parts_.emplace(id, std::move(fact));
+bool RemoteWatch::keep(Delta& delta) {
+  if (delta.kind == Delta::Kind::all || delta.kind == Delta::Kind::first_part) kept_.emplace();
+  if (!kept_) return false;
+  for (Fact& fact : delta.removed.facts) {
+    StandingFact* gone = kept_->find(fact.id);
+    if (gone == nullptr) return false;
+    fact = kept_->remove(*gone).fact;
   }
-  if (delta.kind != Delta::Kind::last_part) return false;
-  delta.added = {parts_.size(), {}};
+  for (const Fact& fact : delta.added.facts) {
+    if (kept_->find(fact.id) != nullptr) return false;
+    kept_->insert({fact});
+  }
+  // With the last part the whole is known.
+  if (delta.kind != Delta::Kind::last_part) return true;
+  delta.added = {kept_->size(), {}};
   delta.removed = {};
-  for (auto& [id, fact] : parts_) delta.added.facts.push_back(std::move(fact));
-  parts_.clear();
+  for (const StandingFact& standing : kept_->from(0)) delta.added.facts.push_back(standing.fact);
   return true;
 }
 
 void RemoteWatch::begun_again() {
   for (Received& received : unread_) received.sequence = 0;
+  kept_.reset();
 }
 
 void RemoteWatch::end(Failure failure) {

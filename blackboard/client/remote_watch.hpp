@@ -1,10 +1,12 @@
 #pragma once
 
-// One watch of a RemoteBoard: what comes waits until it is read.
+// One watch of a RemoteBoard: what comes waits until it is read. Where an answer is one fact, what holds is kept, so
+// that the server need not say again what it was that went.
 
 #include <deque>
 
 #include "blackboard/client/remote_stream.hpp"
+#include "blackboard/store/fact_list.hpp"
 #include "blackboard/time/event.hpp"
 
 namespace pizarra {
@@ -24,15 +26,15 @@ class RemoteWatch : public Watch, public RemoteStream {
   bool has_room() const override { return unread_.size() < max_unread; }
   bool has_ended() const override { return ended_.has_value(); }
   void begun_again() override;
-  // What holds comes in parts: the whole with the last of them.
-  bool complete(Delta& delta);
+  // Brings what is kept up to date, and the delta to what it says of it; false where that does not fit together.
+  bool keep(Delta& delta);
 
   struct Received {
     std::uint64_t sequence;
     Delta delta;
   };
   std::deque<Received> unread_;
-  std::map<FactId, Fact> parts_;
+  std::optional<FactList> kept_;
   std::optional<Failure> ended_;
   WaitList waiters_;
 };

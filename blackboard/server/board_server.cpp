@@ -164,7 +164,7 @@ void BoardServer::flush_watch(Session& session, wire::WatchId id, ServedWatch& w
       return;
     }
     text.clear();
-    wire::write_change(text, id, ++watch.sent, width, *delta);
+    wire::write_change(text, id, ++watch.sent, width, watch.kept, *delta);
     if (!socket_.send(session.peer, text)) {
       session.blocked = true;
       watch.queue->resynchronise();

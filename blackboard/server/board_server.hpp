@@ -77,6 +77,7 @@ class BoardServer {
   struct ServedWatch {
     Datum query;
     std::unique_ptr<WatchQueue> queue;
+    bool kept = false;  // by the client, which is told the ids of what goes
     std::uint64_t sent = 0;
     std::uint64_t acknowledged = 0;
   };

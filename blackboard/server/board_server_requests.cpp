@@ -194,7 +194,10 @@ Result<Datum> BoardServer::take(const Session& session, const Datum& body) {
 Result<Datum> BoardServer::watch(wire::SessionId id, Session& session, const Datum& body) {
   const std::optional<std::uint64_t> number = wire::count_at(body, 1);
   const bool held = body.size() == 4 && body[3].is_symbol("held");
-  if (!number || (body.size() != 3 && !held)) return bad_frame("watching is (watch WATCH QUERY) or with held after it");
+  const bool kept = held || (body.size() == 4 && body[3].is_symbol("kept"));
+  if (!number || (body.size() != 3 && !kept)) {
+    return bad_frame("watching is (watch WATCH QUERY), or has kept or held after it");
+  }
   const auto standing = session.watches.find(*number);
   if (standing != session.watches.end()) {
     if (standing->second.query == body[2]) return Datum();
@@ -207,7 +210,7 @@ Result<Datum> BoardServer::watch(wire::SessionId id, Session& session, const Dat
   if (!permitted) return fail(permitted);
   Result<std::unique_ptr<WatchQueue>> queue = board_.watch(session.teller, *query, [this, id] { schedule_flush(id); });
   if (!queue) return fail(queue);
-  session.watches[*number] = {body[2], std::move(*queue)};
+  session.watches[*number] = {body[2], std::move(*queue), kept};
   session.holds = session.holds || held;
   schedule_flush(id);
   return Datum();

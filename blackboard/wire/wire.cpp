@@ -49,12 +49,17 @@ Result<Transaction::Step> step_from_datum(const Datum& form) {
   return bad_frame("not a step of a transaction", form);
 }
 
-Result<Delta::Side> side_from_datum(std::size_t width, const Datum& form) {
+// `by_id`: the id of a fact may stand for it.
+Result<Delta::Side> side_from_datum(std::size_t width, bool by_id, const Datum& form) {
   if (!form.is_list()) return bad_frame("not a list of answers", form);
   Delta::Side side;
   side.answers = form.size();
   side.facts.reserve(side.answers * width);
   for (const Datum& answer : form.items()) {
+    if (const auto id = by_id ? count_from(answer) : std::nullopt) {
+      side.facts.push_back({.datum = {}, .id = *id, .teller = {}, .because = {}});
+      continue;
+    }
     if (!answer.is_list() || answer.size() != width) return bad_frame("an answer has another number of facts", answer);
     for (const Datum& item : answer.items()) {
       Result<Fact> fact = fact_from_datum(item);
@@ -127,6 +132,15 @@ void write_fact(std::string& out, const Fact& fact) {
   for (const FactId cause : fact.because) {
     out += ' ';
     write_number(out, cause);
+  }
+  out += ')';
+}
+
+void write_ids(std::string& out, const Delta::Side& side) {
+  out += " (";
+  for (const Fact& fact : side.facts) {
+    write_number(out, fact.id);
+    out += ' ';
   }
   out += ')';
 }
@@ -245,7 +259,8 @@ Result<std::vector<Answer>> answers_from_datum(const Query& query, std::span<con
   return answers;
 }
 
-void write_change(std::string& out, WatchId watch, std::uint64_t sequence, std::size_t width, const Delta& delta) {
+void write_change(std::string& out, WatchId watch, std::uint64_t sequence, std::size_t width, bool kept,
+                  const Delta& delta) {
   out += "(change ";
   write_number(out, watch);
   out += ' ';
@@ -255,7 +270,11 @@ void write_change(std::string& out, WatchId watch, std::uint64_t sequence, std::
   out += ' ';
   out += kind_names[static_cast<std::size_t>(delta.kind)];
   write_answers(out, width, delta.added);
-  write_answers(out, width, delta.removed);
+  if (kept && width == 1) {
+    write_ids(out, delta.removed);
+  } else {
+    write_answers(out, width, delta.removed);
+  }
   out += ')';
 }
 
@@ -264,9 +283,9 @@ Result<Delta> delta_from_datum(const Query& query, const Datum& form) {
   const std::optional<std::uint64_t> revision = count_at(form, 3);
   if (name == kind_names.end() || !revision || !form[4].is_symbol()) return bad_frame("not a change", form);
   const std::size_t width = width_of(query);
-  Result<Delta::Side> added = side_from_datum(width, form[5]);
+  Result<Delta::Side> added = side_from_datum(width, false, form[5]);
   if (!added) return fail(added);
-  Result<Delta::Side> removed = side_from_datum(width, form[6]);
+  Result<Delta::Side> removed = side_from_datum(width, width == 1, form[6]);
   if (!removed) return fail(removed);
   Delta delta;
   delta.revision = *revision;

@@ -23,10 +23,11 @@
 //   (declare RELATION ...) -> ()                       (take PATTERN LEASE) -> () or (FACT)
 //   (transact (PRECONDITION ...) (STEP ...)) -> N      (lease MICROSECONDS) -> LEASE
 //   (ask QUERY) -> (REVISION ANSWER ...)               (renew LEASE), (release LEASE) -> ()
-//   (watch WATCH QUERY), (watch WATCH QUERY held) -> ()
+//   (watch WATCH QUERY), (watch WATCH QUERY kept), (watch WATCH QUERY held) -> ()
 // PRECONDITION is (present P), (absent P), (unchanged P REVISION); STEP is (tell FACT LEASE CAUSE ...), (retract P),
 // (settle ID); FACT is (ID REVISION MICROSECONDS TELLER DATUM CAUSE ...). An ANSWER is the list of its facts: the
-// bindings follow from the query.
+// bindings follow from the query. A client that keeps what it was sent, as one that holds it does too, is told the ID
+// of what went in the place of an ANSWER that was one fact.
 //
 // A server that is ended in order says goodbye to every client. A session lives while its client is heard from. Changes
 // of one watch are numbered from 1; only so many are under way before they are acknowledged.
@@ -64,9 +65,11 @@ Result<Fact> fact_from_datum(const Datum& form);
 Datum answer_to_datum(const Answer& answer);
 Result<std::vector<Answer>> answers_from_datum(const Query& query, std::span<const Datum> forms);
 
-// Adds `(change ...)`, of a query whose answers have `width` facts each.
-void write_change(std::string& out, WatchId watch, std::uint64_t sequence, std::size_t width, const Delta& delta);
-// What a `(change ...)` says that has at least its watch and sequence.
+// Adds `(change ...)`, of a query whose answers have `width` facts each, to a client that keeps what it was sent or
+// not.
+void write_change(std::string& out, WatchId watch, std::uint64_t sequence, std::size_t width, bool kept,
+                  const Delta& delta);
+// What a `(change ...)` says that has at least its watch and sequence. Of a fact that went, only the id may be known.
 Result<Delta> delta_from_datum(const Query& query, const Datum& form);
 
 }  // namespace pizarra::wire
