@@ -12,7 +12,7 @@
 //   Result<Change> first = co_await (*watch)->next();      // what holds now, then every change, in order
 //
 // Failures: undeclared-relation (names the nearest), wrong-shape, bad-query, precondition-failed, unknown-lease,
-// unreachable, too-large, and, from a journal played back, read-only.
+// unreachable, too-large, too-costly, and, from a journal played back, read-only.
 
 #include <memory>
 #include <variant>

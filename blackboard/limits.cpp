@@ -59,6 +59,11 @@ Weight weigh(const Fact& fact) {
   return weight;
 }
 
+Result<void> check_examined(std::size_t examined, const Datum& subject) {
+  if (examined <= limits::examined) return {};
+  return fail("too-costly", "this takes looking at more than 250000 facts, one after another", subject);
+}
+
 Result<void> check_weight(const Weight& weight, const char* what) {
   const auto refuse = [&](const char* measure, std::size_t value, std::size_t bound) {
     return fail("too-large", std::string(what) + " takes " + std::to_string(value) + " " + measure + ", and " +

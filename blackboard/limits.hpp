@@ -34,12 +34,14 @@ constexpr std::size_t bytes = frame_bytes - (1 << 14);
 constexpr std::size_t elements = frame_elements - 1000;
 constexpr std::size_t depth = frame_depth - 8;
 
-constexpr std::size_t steps = 10'000;        // in a transaction
-constexpr std::size_t facts = 1'000'000;     // on a board
-constexpr std::size_t relations = 4096;      // on a board
-constexpr std::size_t leases = 100'000;      // on a board
-constexpr std::size_t watches = 100'000;     // on a board
-constexpr std::size_t examined = 1'000'000;  // facts looked at to answer one question
+constexpr std::size_t steps = 10'000;     // in a transaction
+constexpr std::size_t facts = 1'000'000;  // on a board
+constexpr std::size_t relations = 4096;   // on a board
+constexpr std::size_t leases = 100'000;   // on a board
+constexpr std::size_t watches = 100'000;  // on a board
+// Facts looked at to answer one question or to check and do one transaction: some 25 ms, in which nobody else is
+// served.
+constexpr std::size_t examined = 250'000;
 // What waits for a reader of a watch; one that lags further behind is resynchronised.
 constexpr std::size_t pending_changes = 1024;
 constexpr std::size_t pending_bytes = 4 << 20;
@@ -48,6 +50,8 @@ constexpr std::size_t part_bytes = 1 << 18;
 
 }  // namespace limits
 
+// Failure too-costly.
+Result<void> check_examined(std::size_t examined, const Datum& subject);
 // Failure too-large.
 Result<void> check_weight(const Weight& weight, const char* what);
 

@@ -13,7 +13,8 @@ namespace {
 
 // What a client should not have said, as opposed to what cannot be done just now.
 bool is_offence(const Failure& failure) {
-  return failure.symbol == "bad-frame" || failure.symbol == "too-large" || failure.symbol == "not-permitted";
+  return failure.symbol == "bad-frame" || failure.symbol == "too-large" || failure.symbol == "too-costly" ||
+         failure.symbol == "not-permitted";
 }
 
 std::unexpected<Failure> bad_frame(const char* sentence) { return fail("bad-frame", sentence); }

@@ -70,9 +70,7 @@ class Search {
 
  private:
   Result<void> check_bounds() const {
-    if (examined_ > limits::examined) {
-      return fail("too-large", "answering this takes looking at more than a million facts", query_to_datum(query_));
-    }
+    if (examined_ > limits::examined) return check_examined(examined_, query_to_datum(query_));
     if (weight_.bytes > weight_bound_) return too_many(query_);
     return {};
   }

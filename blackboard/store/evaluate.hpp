@@ -1,7 +1,8 @@
 #pragma once
 
 // Answers a query from tables of facts: clauses are joined in the order they are written, each through the indexes of
-// its relation. At most a million facts are looked at, and the answers must fit a frame: failure too-large otherwise.
+// its relation. At most limits::examined facts are looked at (failure too-costly), and the answers must fit a frame
+// (too-large).
 //
 //   Result<void> checked = check_query_on(query, tables);         // bad-query, undeclared-relation, wrong-shape
 //   Result<std::vector<Answer>> answers = evaluate(query, tables);
@@ -38,8 +39,7 @@ struct SearchStart {
   const Fact* fact = nullptr;
 };
 // Every answer that begins so and satisfies the clauses of the course, by none but their order; the query's order and
-// limit do not count. Adds to `examined` how many facts were looked at: failure too-large beyond a million, and where
-// the answers fit no message.
+// limit do not count. Adds to `examined` how many facts were looked at. Failures too-costly and too-large, as above.
 Result<std::vector<Answer>> evaluate_from(SearchStart start, std::span<const std::size_t> course, const Query& query,
                                           const Tables& tables, std::size_t& examined);
 

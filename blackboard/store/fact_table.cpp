@@ -83,6 +83,12 @@ bool FactTable::unchanged_since(const Datum& pattern, Revision revision) const {
   return unchanged;
 }
 
+std::size_t FactTable::candidates(const Datum& pattern) const {
+  if (key_is_ground(pattern)) return 1;
+  const Bucket* bucket = bucket_for(pattern);
+  return bucket != nullptr ? bucket->size() : size();
+}
+
 bool FactTable::key_is_ground(const Datum& pattern) const {
   return std::ranges::all_of(relation_.key, [&](std::size_t position) { return is_ground(pattern[position + 1]); });
 }

@@ -67,6 +67,8 @@ class FactTable {
       }
     }
   }
+  // How many facts visit() considers at most.
+  std::size_t candidates(const Datum& pattern) const;
   // Whether no fact that fits came or went after `revision`. False, too, when the removals since then are forgotten:
   // the last 4096 are remembered, up to a megabyte.
   bool unchanged_since(const Datum& pattern, Revision revision) const;

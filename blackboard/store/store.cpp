@@ -19,12 +19,13 @@ std::unexpected<Failure> not_met(std::string sentence, Datum subject) {
   return fail("precondition-failed", std::move(sentence), std::move(subject));
 }
 
-const Fact* first_fit(const FactTable& table, const Datum& pattern) {
+// Adds to `examined` how many facts it looked at, and gives up beyond the bound.
+const Fact* first_fit(const FactTable& table, const Datum& pattern, std::size_t& examined) {
   const Fact* first = nullptr;
   table.visit(pattern, [&](const Fact& fact) {
     Bindings bindings;
     if (match(pattern, fact.datum, bindings)) first = &fact;
-    return first == nullptr;
+    return first == nullptr && ++examined <= limits::examined;
   });
   return first;
 }
@@ -72,20 +73,26 @@ Result<std::vector<Relation>> Store::declare(const std::vector<Relation>& relati
   return fresh;
 }
 
-Result<void> Store::check_precondition(const Transaction::Precondition& precondition) const {
+Result<void> Store::check_precondition(const Transaction::Precondition& precondition, std::size_t& examined) const {
   const Datum& pattern = std::visit([](const auto& p) -> const Datum& { return p.pattern; }, precondition);
   const Result<const FactTable*> table = table_for(pattern, tables_);
   if (!table) return fail(table);
   if (const auto* unchanged = std::get_if<Transaction::Unchanged>(&precondition)) {
+    examined += (*table)->candidates(pattern);
+    const Result<void> cheap = check_examined(examined, pattern);
+    if (!cheap) return cheap;
     if ((*table)->unchanged_since(pattern, unchanged->revision)) return {};
     return not_met("changed since revision " + std::to_string(unchanged->revision), pattern);
   }
   const bool wanted = std::holds_alternative<Transaction::Present>(precondition);
-  if ((first_fit(**table, pattern) != nullptr) == wanted) return {};
+  const bool there = first_fit(**table, pattern, examined) != nullptr;
+  const Result<void> cheap = check_examined(examined, pattern);
+  if (!cheap) return cheap;
+  if (there == wanted) return {};
   return not_met(wanted ? "no fact is like this" : "there is a fact like this", pattern);
 }
 
-Result<void> Store::check_step(const Transaction::Step& step, std::set<FactId>& settled) {
+Result<void> Store::check_step(const Transaction::Step& step, std::set<FactId>& settled, std::size_t& examined) {
   if (const auto* settle = std::get_if<Transaction::Settle>(&step)) {
     if (held_.contains(settle->taken) && settled.insert(settle->taken).second) return {};
     return not_met("fact " + std::to_string(settle->taken) + " is not taken, or was put back", to_datum(settle->taken));
@@ -95,9 +102,12 @@ Result<void> Store::check_step(const Transaction::Step& step, std::set<FactId>& 
   const Result<const FactTable*> table = table_named_by(datum, tables_);
   if (!table) return fail(table);
   const Relation& relation = (*table)->relation();
-  if (tell == nullptr) return check_pattern_shape(relation, datum);
-  Result<void> shaped = check_shape(relation, datum);
+  Result<void> shaped = tell != nullptr ? check_shape(relation, datum) : check_pattern_shape(relation, datum);
   if (!shaped) return shaped;
+  if (tell == nullptr) {
+    examined += (*table)->candidates(datum);
+    return check_examined(examined, datum);
+  }
   if (tell->lease != 0 && leases_.find(tell->lease) == nullptr) return unknown_lease(tell->lease);
   return {};
 }
@@ -109,13 +119,14 @@ Result<void> Store::check(const Transaction& transaction) {
   if (size() + transaction.steps.size() > limits::facts) return fail("too-large", "the board is full");
   Result<void> checked = check_weight(weigh(transaction), "the transaction");
   if (!checked) return checked;
+  std::size_t examined = 0;
   for (const auto& precondition : transaction.preconditions) {
-    checked = check_precondition(precondition);
+    checked = check_precondition(precondition, examined);
     if (!checked) return checked;
   }
   std::set<FactId> settled;
   for (const Transaction::Step& step : transaction.steps) {
-    checked = check_step(step, settled);
+    checked = check_step(step, settled, examined);
     if (!checked) return checked;
   }
   return {};
@@ -149,7 +160,10 @@ Result<std::optional<Fact>> Store::take(const std::string& teller, const Datum& 
   const Result<const FactTable*> table = table_for(pattern, tables_);
   if (!table) return fail(table);
   if (holder != 0 && leases_.find(holder) == nullptr) return unknown_lease(holder);
-  const Fact* fact = first_fit(**table, pattern);
+  std::size_t examined = 0;
+  const Fact* fact = first_fit(**table, pattern, examined);
+  const Result<void> cheap = check_examined(examined, pattern);
+  if (!cheap) return fail(cheap);
   if (fact == nullptr) return std::nullopt;
   Change change(*this, teller, now);
   Fact taken = change.take(fact->id, holder);

@@ -89,6 +89,49 @@ class ServerTest : public testing::Test {
   std::unique_ptr<BoardServer> server;
 };
 
+TEST_F(ServerTest, WhatWentIsSaidByItsIdToWhoKeepsWhatItWasSent) {
+  Client client = this->client();
+  const std::string session = client.join("alice");
+  ASSERT_TRUE(client.ask("(request " + session + " 1 (transact () ((tell (note 1 a) 0))))").is_form("reply"));
+  client.ask("(request " + session + " 2 (watch 1 (note ?n ?text) kept))");
+  client.ask("(request " + session + " 3 (watch 2 (note ?n ?text)))");
+  for (int first = 0; first < 2; ++first) client.receive();
+  const Datum kept = client.ask("(request " + session + " 4 (transact () ((retract (note ? ?)))))");
+  const Datum whole = client.receive();
+  ASSERT_EQ(kept.size(), 7U) << write(kept);
+  ASSERT_EQ(whole.size(), 7U) << write(whole);
+  EXPECT_EQ(kept[6], read("(1)")) << write(kept);
+  EXPECT_EQ(whole[6][0][0][4], read("(note 1 a)")) << write(whole);
+}
+
+TEST_F(ServerTest, WhatTakesLookingAtTooManyFactsIsRefusedToWhoAsksItAlone) {
+  Client greedy = client();
+  Client polite = client();
+  const std::string asking = greedy.join("greedy");
+  const std::string telling = polite.join("polite");
+  Transaction facts;
+  for (int n = 0; n < 600; ++n) facts.tell(list("note"_sym, n, "same"_sym));
+  ASSERT_TRUE(board.transact("test", facts).has_value());
+  // Each pair is looked at, and none fits; the transactions look through the relation once a step.
+  std::string steps;
+  for (int i = 0; i < 500; ++i) steps += "(retract (note ? (f ?x ?x)))";
+  std::string absences;
+  for (int i = 0; i < 500; ++i) absences += "(absent (note ?n (f ?x ?x)))";
+  int request = 0;
+  for (const std::string& body : {std::string("(ask (and (note ?a ?t) (note ?b ?u) (= ?a -1)))"),
+                                  "(transact () (" + steps + "))", "(transact (" + absences + ") ())"}) {
+    const Datum refused = greedy.ask("(request " + asking + " " + std::to_string(++request) + " " + body + ")");
+    ASSERT_TRUE(refused.is_form("reply")) << write(refused);
+    EXPECT_EQ(refused[2][1], "too-costly"_sym) << write(refused);
+    const Datum told =
+        polite.ask("(request " + telling + " " + std::to_string(request) + " (transact () ((tell (note 1 " +
+                   std::string(static_cast<std::size_t>(request), 'x') + ") 0))))");
+    EXPECT_TRUE(told[2].is_form("ok")) << write(told);
+  }
+  EXPECT_EQ(refusals("greedy"), std::vector<Datum>{read("(too-costly 3)")});
+  EXPECT_TRUE(refusals("polite").empty());
+}
+
 TEST_F(ServerTest, ARequestSentTwiceIsDoneOnce) {
   Client client = this->client();
   const std::string session = client.join("alice");
