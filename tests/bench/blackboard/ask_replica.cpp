@@ -16,14 +16,11 @@ constexpr int gets = 3000;
 constexpr int step = 7919;  // through the objects, so that neighbours are not asked for in turn
 
 Task<void> ask_often(Board& board, std::vector<double>& took_us) {
-  std::vector<Query> queries;
   for (int i = 0; i < asks; ++i) {
     const Datum name = object_name(i * step % objects);
-    queries.push_back(query_for(list("seen"_sym, name, "?x"_sym, "?y"_sym, "?d"_sym)));
-  }
-  for (const Query& query : queries) {
+    Query query = query_for(list("seen"_sym, name, "?x"_sym, "?y"_sym, "?d"_sym));
     const double begun = now_us();
-    const Result<Answers> answers = co_await board.ask(query);
+    const Result<Answers> answers = co_await board.ask(std::move(query));
     took_us.push_back(now_us() - begun);
     if (!answers || answers->answers.size() != 1) throw std::runtime_error("the replica does not answer");
   }

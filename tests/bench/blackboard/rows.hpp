@@ -10,6 +10,8 @@ namespace pizarra::bench {
 constexpr int rounds = 7;
 
 void ask_replica(Figures& figures);
+void in_process(Figures& figures);
+void tracing(Figures& figures);
 void start_and_memory(Figures& figures);
 void tell_round_trip(Figures& figures);
 void tell_to_watcher(Figures& figures);
