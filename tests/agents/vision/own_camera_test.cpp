@@ -181,6 +181,51 @@ TEST_P(OwnCamera, TracksThemAndSaysHowFarAwayByTheirSize) {
   }
 }
 
+// A person's desk: the sheet does not fill the picture, a keyboard and fingers lie about, a lamp's shadow falls across,
+// and the pictures come from a telephone.
+TEST_P(OwnCamera, TracksShapesOfEitherToneThroughASequenceOnAClutteredDesk) {
+  for (const bool light_on_dark : {false, true}) {
+    SCOPED_TRACE(light_on_dark ? "light on dark" : "dark on light");
+    const std::string suffix = light_on_dark ? "-light" : "";
+    learning = {.size = GetParam(),
+                .tilt_deg = 6,
+                .distance_mm = 280,
+                .shadow = 0.7,
+                .light_on_dark = light_on_dark,
+                .cluttered = true,
+                .noise = 5,
+                .jpeg_quality = 60};
+    show(learning);
+    run_for(200ms);
+    for (const PrintedShape& shape : printed_shapes()) {
+      const cv::Point2d at = learning.seen_at(shape.name);
+      const std::string name = shape.name + suffix;
+      EXPECT_EQ(call(fmt::format("(learn {:.0f} {:.0f} \"{}\")", at.x, at.y, name)),
+                fmt::format("(LEARN \"{}\" OK)", name))
+          << why();
+      EXPECT_TRUE(call(fmt::format("(find \"{}\")", name)).find("OK") != std::string::npos) << name << why();
+    }
+    const std::string hero = printed_shapes()[light_on_dark ? 1 : 3].name;
+    EXPECT_EQ(call(fmt::format("(track \"{}\")", hero + suffix)), "()");
+    Photograph seen = learning;
+    for (int step = 0; step < 4; ++step) {
+      seen.distance_mm += 22;
+      seen.roll_deg += 3;
+      seen.pan_deg += 2;
+      show(seen);
+      run_for(150ms);
+      double x = 0;
+      double y = 0;
+      double d = 0;
+      const std::string text = says();
+      const std::string form = fmt::format("(TRACK 1 (\"{}\" OK (%lf, %lf, %lf)))", hero + suffix);
+      ASSERT_EQ(std::sscanf(text.c_str(), form.c_str(), &x, &y, &d), 3) << text << " after " << step;
+      EXPECT_LT(cv::norm(cv::Point2d(x, y) - seen.seen_at(hero)), 0.004 * seen.size.width) << text;
+    }
+    EXPECT_EQ(call("(end-track)"), "()");
+  }
+}
+
 TEST_P(OwnCamera, AClickOnThePaperIsRefusedWithItsReason) {
   const cv::Point2d paper = learning.project({0, 0});
   EXPECT_EQ(call(fmt::format("(learn {:.0f} {:.0f} \"paper\")", paper.x, paper.y)), "(LEARN \"paper\" FAIL)");

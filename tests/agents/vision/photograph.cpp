@@ -11,8 +11,10 @@ namespace pizarra {
 namespace {
 
 constexpr double desk_level = 95;
-constexpr double paper_level = 205;
-constexpr double ink_level = 28;
+constexpr double light_level = 205;
+constexpr double dark_level = 28;
+constexpr double key_level = 45;
+constexpr double skin_level = 150;
 constexpr double paper_width_mm = 230;
 constexpr double paper_height_mm = 170;
 
@@ -64,6 +66,20 @@ const std::vector<float>& normal_numbers() {
   return numbers;
 }
 
+// On the desk, its keys dark, left of the sheet and right of it; and what holds the sheet.
+void paint_clutter(cv::Mat1f& picture, const Photograph& photograph) {
+  const auto put = [&](const bench::Shape& shape, cv::Point2d at_mm, double level) {
+    bench::paint(picture, projected(photograph, shape, at_mm), static_cast<float>(level));
+  };
+  for (const double side : {-1.0, 1.0}) {
+    put(bench::box(70, 200), {side * 160, 0}, light_level - 40);
+    for (int row = -4; row <= 4; ++row) {
+      for (const int column : {-1, 0, 1}) put(bench::box(16, 16), {side * 160 + 19.0 * column, 19.0 * row}, key_level);
+    }
+  }
+  for (const double x : {-8.0, 12.0}) put(bench::box(16, 70), {x, paper_height_mm / 2 + 18}, skin_level);
+}
+
 }  // namespace
 
 const std::vector<PrintedShape>& printed_shapes() {
@@ -86,10 +102,13 @@ cv::Point2d Photograph::seen_at(const std::string& shape) const {
 
 cv::Mat3b Photograph::take(Random& random) const {
   cv::Mat1f picture(size, static_cast<float>(desk_level));
-  bench::paint(picture, projected(*this, bench::box(paper_width_mm, paper_height_mm), {0, 0}), paper_level);
+  bench::paint(picture, projected(*this, bench::box(paper_width_mm, paper_height_mm), {0, 0}),
+               static_cast<float>(light_on_dark ? dark_level : light_level));
   for (const PrintedShape& shape : printed_shapes()) {
-    bench::paint(picture, projected(*this, bench::mark_shape(shape.name), shape.at_mm), ink_level);
+    bench::paint(picture, projected(*this, bench::mark_shape(shape.name), shape.at_mm),
+                 static_cast<float>(light_on_dark ? light_level : dark_level));
   }
+  if (cluttered) paint_clutter(picture, *this);
   cv::GaussianBlur(picture, picture, {0, 0}, blur_px);
   light_up(picture, *this);
   const std::vector<float>& normal = normal_numbers();

@@ -21,9 +21,11 @@ struct Photograph {
   double pan_deg = 0;   // its right edge away
   double roll_deg = 0;
   double distance_mm = 500;
-  double light = 0.9;    // at the middle; the left is brighter, the corners are darker
-  double slope = 0.5;    // part of the light from one edge to the other
-  double shadow = 0.75;  // of the light, on the lower left
+  double light = 0.9;          // at the middle; the left is brighter, the corners are darker
+  double slope = 0.5;          // part of the light from one edge to the other
+  double shadow = 0.75;        // of the light, on the lower left
+  bool light_on_dark = false;  // the sheet's shapes
+  bool cluttered = false;      // a keyboard beside the sheet, two fingers on its edge
   double blur_px = 1;
   double noise = 4;  // grey levels
   int jpeg_quality = 80;
