@@ -31,7 +31,7 @@ inline constexpr std::string_view vision_contract = R"scheme(
     (relation tracked ((eyes symbol) (name string) (state symbol) (frame integer) (confidence number))
                       (key eyes name))
     (relation found ((eyes symbol) (name string) (frame integer) (confidence number) (second string) (margin number)
-                     (elsewhere list)) (key eyes name))
+                     (elsewhere list) (places list)) (key eyes name))
     (relation vision-failed ((eyes symbol) (frame integer) (text string) (symbol symbol) (sentence string)) (key eyes))
     (relation learned ((eyes symbol) (name string) (num integer) (area number) (perimeter number) (features integer)
                        (m0 number) (m1 number) (m2 number)) (key eyes name num) (durable))

@@ -91,7 +91,7 @@ Task<Result<SeenMark>> VisionAgent::State::find_mark(std::string name) {
     const std::optional<SeenPair> found = sight.find(objects, *object);
     if (!found) why = not_found(sight.left_segmentation(), *object);
     if (!found) continue;
-    std::vector<Datum> told{found_fact(frame->number, sight.left_segmentation(), *object, found->left)};
+    std::vector<Datum> told{found_fact(frame->number, sight, *object, *found)};
     co_await facts.tell(std::move(told));
     co_return found->left;
   }
@@ -110,19 +110,21 @@ Failure VisionAgent::State::not_found(ImageSegmentation& segmentation, const Lea
   return {"not-seen", "no mark in the image is like it", to_datum(object.name), {}};
 }
 
-// (found NAME FRAME CONFIDENCE SECOND MARGIN ((X Y) ...))
-Datum VisionAgent::State::found_fact(std::uint64_t frame, ImageSegmentation& segmentation, const LearnedObject& object,
-                                     const SeenMark& mark) const {
+// (found NAME FRAME CONFIDENCE SECOND MARGIN ((X Y) ...) PLACES)
+Datum VisionAgent::State::found_fact(std::uint64_t frame, StereoSight& sight, const LearnedObject& object,
+                                     const SeenPair& pair) const {
   constexpr std::size_t most_others = 8;
   const auto rounded = [](double value, double parts) { return std::round(value * parts) / parts; };
-  const Likeness likely = likeness(mark, objects, object);
+  const Likeness likely = object.tag() != nullptr ? pair.likeness : likeness(pair.left, objects, object);
   std::vector<Datum> elsewhere;
-  for (const cv::Point2d& place : others_like(segmentation.marks(), objects, object, mark)) {
+  for (const cv::Point2d& place : others_like(sight.left_segmentation().marks(), objects, object, pair.left)) {
     if (elsewhere.size() < most_others) elsewhere.push_back(list(rounded(place.x, 100), rounded(place.y, 100)));
   }
+  const SeenRange range = range_of(sight, object, pair).value_or(SeenRange());
+  const std::optional<cv::Point2d> right = pair.right ? std::optional(pair.right->centre) : std::nullopt;
   return list("found"_sym, object.name, frame, rounded(likely.confidence(), 1000),
               likely.second == nullptr ? "" : likely.second->name, rounded(likely.margin(), 1000),
-              Datum::list(std::move(elsewhere)));
+              Datum::list(std::move(elsewhere)), places_datum({pair.left.centre, right, range.mm, range.spread_mm}));
 }
 
 Task<Result<Datum>> VisionAgent::State::track(std::string client, std::string name) {

@@ -40,12 +40,29 @@ std::string_view track_state(const TrackSighting& sighting) {
   return sighting.seen ? "seen" : sighting.bridged ? "bridged" : "lost";
 }
 
+Datum places_datum(const SeenPlaces& places) {
+  const auto place = [](const char* where, cv::Point2d at) {
+    return list(Datum::symbol(where), rounded(at.x, 100), rounded(at.y, 100));
+  };
+  std::vector<Datum> out{place("left", places.left)};
+  if (places.right) out.push_back(place("right", *places.right));
+  if (places.range_mm > 0) {
+    out.push_back(list("range"_sym, rounded(places.range_mm, 100), rounded(places.range_spread_mm, 100)));
+  }
+  return Datum::list(std::move(out));
+}
+
 Datum sightings_fact(std::uint64_t frame, std::span<const TrackSighting> sightings) {
   std::vector<Datum> out;
   for (const TrackSighting& s : sightings) {
     std::vector<Datum> one{to_datum(s.name), Datum::symbol(track_state(s))};
     if (s.seen || s.bridged) one.push_back(to_datum(rounded(s.confidence, 1000)));
-    if (s.seen) one.push_back(to_datum(rounded(s.range_spread_mm, 100)));
+    if (s.seen) {
+      one.push_back(to_datum(rounded(s.range_spread_mm, 100)));
+      one.push_back(to_datum(s.second));
+      one.push_back(to_datum(rounded(s.margin, 1000)));
+      one.push_back(places_datum({s.centre, s.right_centre, s.range_mm, s.range_spread_mm}));
+    }
     if (s.bridged) {
       for (const double value : {s.centre.x, s.centre.y, s.range_mm}) one.push_back(to_datum(rounded(value, 100)));
     }

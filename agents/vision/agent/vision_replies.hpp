@@ -20,8 +20,19 @@ std::string get_reply(const LearnedObjects& objects);
 // show.
 Datum faces_fact(std::uint64_t frame, std::span<const TrackSighting> sightings);
 
-// (sightings FRAME (("a" seen CONFIDENCE SPREAD) ("b" bridged CONFIDENCE X Y D) ("c" lost) ...)): how sure each is, and
-// how far its d may be off, mm; of one that was lost a moment ago, where it should be.
+// ((left X Y) (right X Y) (range D SPREAD)): where both images show it, px, and how far away it is, mm. `right` and
+// `range` are left out where they are not known.
+struct SeenPlaces {
+  cv::Point2d left;
+  std::optional<cv::Point2d> right;
+  double range_mm = 0;         // 0: not known
+  double range_spread_mm = 0;  // a standard deviation
+};
+Datum places_datum(const SeenPlaces& places);
+
+// (sightings FRAME (("a" seen CONFIDENCE SPREAD SECOND MARGIN PLACES) ("b" bridged CONFIDENCE X Y D) ("c" lost) ...)):
+// how sure each is, how far its d may be off, mm, what it is most like otherwise and by how much less, and
+// places_datum(); of one that was lost a moment ago, where it should be.
 Datum sightings_fact(std::uint64_t frame, std::span<const TrackSighting> sightings);
 
 // seen, bridged or lost.

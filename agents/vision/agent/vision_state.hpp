@@ -45,8 +45,7 @@ struct VisionAgent::State {
   Task<Result<void>> keep(std::string name, LearnedSample sample);
   Task<Result<SeenMark>> find_mark(std::string name);
   // (found ...): how sure it is, what it might be otherwise, where else one like it is.
-  Datum found_fact(std::uint64_t frame, ImageSegmentation& segmentation, const LearnedObject& object,
-                   const SeenMark& mark) const;
+  Datum found_fact(std::uint64_t frame, StereoSight& sight, const LearnedObject& object, const SeenPair& pair) const;
   // Why none of the marks is the object: like another one as much, or like none.
   Failure not_found(ImageSegmentation& segmentation, const LearnedObject& object) const;
   Task<Result<Datum>> answer_failed(std::string text, Failure why);

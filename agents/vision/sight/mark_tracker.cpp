@@ -148,20 +148,22 @@ TrackSighting MarkTracker::update(StereoSight& sight, Track& track) const {
   out.centre = now->left.centre;
   out.contour = now->left.contour;
   out.confidence = now->likeness.confidence();
+  if (now->likeness.second != nullptr) out.second = now->likeness.second->name;
+  out.margin = now->likeness.margin();
+  const bool measurable = now->right || sight.is_cut_off(*object, now->left);
+  const std::optional<SeenRange> range = measurable ? range_of(sight, *object, *now) : std::nullopt;
+  if (range) {
+    out.seen = true;
+    out.range_mm = range->mm;
+    out.range_spread_mm = range->spread_mm;
+  }
   if (now->right) {
     const double disparity = now->left.centre.x - now->right->centre.x;
     if (track.left && track.right && steady) {
       track.disparity_change_px = (disparity - (track.left->centre.x - track.right->centre.x)) / frames;
     }
-    out.seen = true;
-    out.range_mm = range_mm(sight.model(), now->left.centre, disparity);
-    out.range_spread_mm = range_spread_mm(sight.model(), now->left, *now->right, sight.noise());
+    out.right_centre = now->right->centre;
     out.yaw_deg = face_yaw_deg(sight.model(), now->left, *now->right);
-  } else if (sight.is_cut_off(*object, now->left)) {
-    const std::optional<double> range = range_by_size_mm(sight.model(), *object, now->left);
-    out.seen = range.has_value();
-    out.range_mm = range.value_or(0);
-    out.range_spread_mm = spread_by_size_mm(out.range_mm);
   }
   track.left = std::move(now->left);
   track.right = std::move(now->right);

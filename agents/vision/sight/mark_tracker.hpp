@@ -22,10 +22,13 @@ struct TrackSighting {
   bool seen = false;
   // Not seen, but so shortly that its place is told as its motion predicts it.
   bool bridged = false;
-  cv::Point2d centre;             // in the left image, px
-  double range_mm = 0;            // by the pair, or by its size where the right image ends before it
-  double range_spread_mm = 0;     // a standard deviation; 0 where it is not seen
-  double confidence = 0;          // Likeness::confidence(); of a bridged one less with every frame
+  cv::Point2d centre;                            // in the left image, px
+  std::optional<cv::Point2d> right_centre = {};  // the same in the right one, where that shows it
+  double range_mm = 0;                           // by the pair, or by its size where the right image ends before it
+  double range_spread_mm = 0;                    // a standard deviation; 0 where it is not seen
+  double confidence = 0;                         // Likeness::confidence(); of a bridged one less with every frame
+  std::string second = {};        // the learned object that it is most like otherwise, where one comes near
+  double margin = 0;              // Likeness::margin()
   std::optional<double> yaw_deg;  // of its face (face_yaw_deg), where both images show it
   MarkContour contour;            // in the left image
 };

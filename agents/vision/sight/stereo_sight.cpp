@@ -172,6 +172,18 @@ double range_spread_mm(const StereoModel& model, const SeenMark& left, const See
   return range_spread_mm(model, left.centre, left.centre.x - right.centre.x, disparity_spread);
 }
 
+std::optional<SeenRange> range_of(const StereoSight& sight, const LearnedObject& object, const SeenPair& pair) {
+  const StereoModel& model = sight.model();
+  if (pair.right) {
+    const double disparity = pair.left.centre.x - pair.right->centre.x;
+    return SeenRange{range_mm(model, pair.left.centre, disparity),
+                     range_spread_mm(model, pair.left, *pair.right, sight.noise())};
+  }
+  const std::optional<double> by_size = range_by_size_mm(model, object, pair.left);
+  if (!by_size) return std::nullopt;
+  return SeenRange{*by_size, spread_by_size_mm(*by_size)};
+}
+
 bool is_whole(const StereoModel& model, const LearnedObject& object, const SeenMark& left, const SeenMark& right) {
   const double depth = depth_mm(model, left.centre.x - right.centre.x);
   const double height = left.height_px * depth / model.focal_px;

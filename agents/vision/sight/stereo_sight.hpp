@@ -71,6 +71,13 @@ double spread_by_size_mm(double range_mm);
 // The same of the pair's range, by the spread of both centres.
 double range_spread_mm(const StereoModel& model, const SeenMark& left, const SeenMark& right, double noise);
 
+// The range of what was seen, by the pair, or by its size where the right image does not show it.
+struct SeenRange {
+  double mm = 0;
+  double spread_mm = 0;  // a standard deviation
+};
+std::optional<SeenRange> range_of(const StereoSight& sight, const LearnedObject& object, const SeenPair& pair);
+
 // Whether the pair can be the whole of the object's mark: as high in the world as one of its samples, and, but for what
 // yaw does, as wide in one image as in the other. Something in front of a part of it makes it too low, or hides more of
 // it from one camera than from the other.

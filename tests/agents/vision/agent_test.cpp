@@ -313,8 +313,8 @@ TEST_F(TwoVisions, WhatOneLearnsTheOtherFindsByItsOwnCamera) {
   const cv::Point2d truth = project(other_camera.model(), other_camera.scene.faces[0].place, false);
   EXPECT_NEAR(x, truth.x, 0.5);
   EXPECT_NEAR(y, truth.y, 0.5);
-  EXPECT_NE(facts("(found side \"circle\" ? ? ? ? ?)"), "");
-  EXPECT_EQ(facts("(found vision \"circle\" ? ? ? ? ?)"), "");
+  EXPECT_NE(facts("(found side \"circle\" ? ? ? ? ? ?)"), "");
+  EXPECT_EQ(facts("(found vision \"circle\" ? ? ? ? ? ?)"), "");
 }
 
 TEST_F(TwoVisions, EachTellsOfItselfAndEndsForItself) {
@@ -577,10 +577,14 @@ TEST_F(Vision, SaysHowSureAFindIsAndWhereElseOneLikeItIs) {
   learn_all();
   EXPECT_EQ(call(learn_request(1, "square")), R"x((LEARN "square" OK))x");
   EXPECT_TRUE(call("(find \"circle\")").starts_with(R"x((FIND "circle" OK ()x"));
-  EXPECT_NE(facts("(and (found vision \"circle\" ?f ?c \"square\" ?m ()) (> ?c 0.9) (> ?m 0.03))"), "");
+  EXPECT_NE(facts("(and (found vision \"circle\" ?f ?c \"square\" ?m () ?places) (> ?c 0.9) (> ?m 0.03))"), "");
+  const std::string found = facts("(found vision \"circle\" ? ? ? ? ? ?)");
+  EXPECT_NE(found.find("((left "), std::string::npos) << found;
+  EXPECT_NE(found.find("(right "), std::string::npos) << found;
+  EXPECT_NE(found.find("(range 8"), std::string::npos) << found;
   camera.scene.faces[1].mark = "circle";
   EXPECT_TRUE(call("(find \"circle\")").starts_with(R"x((FIND "circle" OK ()x"));
-  EXPECT_EQ(facts("(found vision \"circle\" ? ? ? ? ())"), "");
+  EXPECT_EQ(facts("(found vision \"circle\" ? ? ? ? () ?)"), "");
 }
 
 TEST_F(Vision, TellsWhenAnObjectIsLostAndSeenAgain) {

@@ -244,14 +244,20 @@ TEST_F(Tracker, TheSpreadOfTheRangeIsThatOfItsErrors) {
 TEST(Replies, SayWhatTheThesisTextHasNoRoomFor) {
   TrackSighting seen{.name = "a", .seen = true, .centre = {}, .yaw_deg = {}, .contour = {}};
   seen.confidence = 0.98765;
+  seen.centre = {30, 40.555};
+  seen.right_centre = {20, 40.5};
+  seen.range_mm = 851.234;
   seen.range_spread_mm = 0.5678;
+  seen.second = "b";
+  seen.margin = 0.12345;
   TrackSighting bridged{.name = "b", .bridged = true, .centre = {10.123, 20}, .yaw_deg = {}, .contour = {}};
   bridged.confidence = 0.5;
   bridged.range_mm = 800;
   const TrackSighting lost{.name = "c", .centre = {}, .yaw_deg = {}, .contour = {}};
   const std::vector<TrackSighting> all{seen, bridged, lost};
-  EXPECT_EQ(write(sightings_fact(7, all)),
-            R"x((sightings 7 (("a" seen 0.988 0.57) ("b" bridged 0.5 10.12 20.0 800.0) ("c" lost))))x");
+  EXPECT_EQ(
+      write(sightings_fact(7, all)),
+      R"x((sightings 7 (("a" seen 0.988 0.57 "b" 0.123 ((left 30.0 40.56) (right 20.0 40.5) (range 851.23 0.57))) ("b" bridged 0.5 10.12 20.0 800.0) ("c" lost))))x");
 }
 
 }  // namespace
