@@ -6,6 +6,7 @@
 
 #include "blackboard/client/remote_board.hpp"
 #include "blackboard/journal/journal_file.hpp"
+#include "blackboard/memory/memory_board.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "lisp/writer.hpp"
 #include "tests/blackboard/board_fixture.hpp"
@@ -123,6 +124,33 @@ TEST_F(BoardProgram, ARequestWhoseAnswerWasLostInACrashIsNotDoneTwice) {
   EXPECT_EQ(again[2][1][0][4], read("(goal 1)")) << write(again);
   const auto bob = view("bob");
   EXPECT_EQ(run(bob->facts(read("(goal ?n)")))->size(), 1U) << "the other one was not taken in its place";
+  EXPECT_EQ(program.stop(SIGTERM), 0);
+  remove_journal(journal);
+}
+
+// An hour after the wall clock: as after a life before somebody set the clock back.
+TEST_F(BoardProgram, ItsTimeGoesOnFromItsJournalsEndWhenTheClockWasSetBack) {
+  const std::string journal = path_ + ".journal";
+  {
+    RealExecutor later(RealExecutor::wall_clock() + std::chrono::hours(1));
+    MemoryBoard board(later);
+    std::string lines;
+    board.set_journal([&](std::string_view line) { lines.append(line) += '\n'; });
+    ASSERT_TRUE(board.declare("alice", relations_).has_value());
+    ASSERT_TRUE(board.transact("alice", Transaction().tell(read("(goal 1)"))).has_value());
+    const auto file = JournalFile::open(journal, {}).value();
+    ASSERT_TRUE(file->append({.lines = lines, .replies = {}, .durable = true}).has_value());
+  }
+  Program program({"--listen", address_, "--journal", journal});
+  program.line();
+  const auto bob = view("bob");
+  ASSERT_EQ(symbol_of(run(bob->tell(read("(goal 2)")))), "ok");
+  const std::vector<Fact> goals = run(bob->facts(read("(goal ?n)"))).value();
+  ASSERT_EQ(goals.size(), 2U);
+  EXPECT_GT(goals[1].when, goals[0].when);
+  Query then = query("(goal ?n)");
+  then.at = Moment{.time = goals[0].when};
+  EXPECT_EQ(run(bob->ask(then))->answers.size(), 1U);
   EXPECT_EQ(program.stop(SIGTERM), 0);
   remove_journal(journal);
 }

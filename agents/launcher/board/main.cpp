@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <charconv>
+#include <filesystem>
 #include <fmt/format.h>
 #include <string>
 #include <vector>
@@ -96,8 +97,19 @@ class KeptBoard {
   std::unique_ptr<MemoryBoard> board_;
 };
 
+// The wall clock's, unless that was set back since the journal's end: a board's times only grow, from life to life, and
+// so do its leases' numbers.
+Time first_moment(const std::string& journal) {
+  const Time now = RealExecutor::wall_clock();
+  std::error_code unseen;
+  if (!std::filesystem::exists(journal, unseen)) return now;
+  // One that cannot be read is reported by whoever goes on from it.
+  const Result<LineStart> end = end_of_journal(journal);
+  return end ? std::max(now, end->when) : now;
+}
+
 int serve(Options options) {
-  RealExecutor executor;
+  RealExecutor executor(first_moment(options.journal));
   const StopSignals signals(executor);
   KeptBoard kept(executor);
   const Result<void> begun = kept.begin(options);
