@@ -1,5 +1,6 @@
 #include "agents/launcher/story/story_run.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <fmt/format.h>
 #include <fstream>
@@ -133,7 +134,17 @@ Result<CellDescription> cell_of(const Scenario& scenario) {
   return cell;
 }
 
+bool needs_domain(const CellDescription& cell) {
+  return std::ranges::any_of(cell.hosts, [](const CellHost& host) {
+    return std::ranges::find(host.agents, "coordinator") != host.agents.end();
+  });
+}
+
 Result<Domain> domain_of(const CellDescription& cell) {
+  if (cell.domain_file.empty()) {
+    return fail("no-domain", "a coordinator needs to know the task, and the cell names no file with (domain \"FILE\")",
+                Datum::symbol(cell.name));
+  }
   const Result<TaskDomain> task = TaskDomain::read(cell.domain_file);
   if (!task) return fail(task);
   return task->domain();

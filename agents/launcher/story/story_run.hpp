@@ -38,6 +38,8 @@ struct StoryReport {
 Result<CellDescription> cell_of(const Scenario& scenario);
 // The cell's domain as its coordinator reads it, so that what that would refuse is told before anything begins.
 Result<Domain> domain_of(const CellDescription& cell);
+// Whether one of its agents reads it.
+bool needs_domain(const CellDescription& cell);
 
 // Whether its conditions and expectations are queries. Failure: bad-scenario.
 Result<void> check_scenario(const Scenario& scenario);

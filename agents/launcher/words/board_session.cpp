@@ -89,10 +89,12 @@ Result<Destination> destination(const BoardChoices& choices) {
   return Destination{run->board_address, key, std::move(*run)};
 }
 
+std::string prompt_name() { return fmt::format("prompt-{}", getpid()); }
+
 BoardSession::BoardSession(Executor& executor, Board& board, Manner manner, Loss loss)
     : manner_(manner),
       loss_(std::move(loss)),
-      context_{fmt::format("prompt-{}", getpid()), "localhost", executor, board, Random(1)},
+      context_{prompt_name(), "localhost", executor, board, Random(1)},
       service_(context_, contract_from_text("(contract prompt)").value()),
       interpreter_(
           context_, service_, [this](const std::string& line) { print(line); }, manner.patience, manner.style) {}
@@ -199,8 +201,7 @@ int talk_to(const Destination& to, const std::vector<std::string>& forms, Manner
   if (!forms.empty()) signals.emplace(executor);
   const Result<std::optional<ClientKeys>> keys = keys_from(to.key);
   if (!keys) return complain_as(manner.style, keys.error(), exit_usage);
-  const auto board =
-      RemoteBoard::connect(executor, to.address, fmt::format("prompt-{}", getpid()), answer_timeout, *keys);
+  const auto board = RemoteBoard::connect(executor, to.address, prompt_name(), answer_timeout, *keys);
   if (!board) return complain_as(manner.style, board.error(), exit_usage);
   return BoardSession(executor, **board, manner, loss_of(**board, to)).run(forms);
 }

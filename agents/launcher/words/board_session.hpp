@@ -53,6 +53,9 @@ struct Manner {
 // Why the board is not to be had any more; nothing while it is.
 using Loss = std::function<std::optional<Failure>()>;
 
+// What this process is called on a board: what it asks for and what it holds there are one client's.
+std::string prompt_name();
+
 class BoardSession {
  public:
   BoardSession(Executor& executor, Board& board, Manner manner, Loss loss = nullptr);

@@ -29,11 +29,18 @@ Result<std::string> check_domain(const std::string& file) {
                      counted(domain.operators.size(), "operator"));
 }
 
+Result<std::string> check_domain(const CellDescription& cell) {
+  const Result<Domain> domain = domain_of(cell);
+  if (!domain) return fail(domain);
+  return check_domain(cell.domain_file);
+}
+
 // A cell with the domain that it names.
 Result<std::string> check_cell_whole(const CellDescription& cell) {
   const Result<WorldConfig> sound = world_config(cell, 1);
   if (!sound) return fail(sound);
-  const Result<std::string> domain = check_domain(cell.domain_file);
+  const bool has_domain = !cell.domain_file.empty() || needs_domain(cell);
+  const Result<std::string> domain = has_domain ? check_domain(cell) : "no domain";
   if (!domain) return fail(domain);
   return fmt::format("cell {}: {}, {}; {}", cell.name, counted(cell.cubes.size(), "cube"),
                      counted(cell.hosts.size(), "host"), *domain);

@@ -41,7 +41,7 @@ int talk_to_own_cell(const ReplChoices& choices) {
   }
   Manner manner = manner_of(choices);
   manner.taught = whole && is_script(choices) && cell->eyes.is_simulated();
-  const std::unique_ptr<Board> view = local.board().view("prompt");
+  const std::unique_ptr<Board> view = local.board().view(prompt_name());
   return BoardSession(executor, *view, manner).run(choices.forms);
 }
 

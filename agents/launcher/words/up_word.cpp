@@ -219,8 +219,10 @@ int Up::run() {
 int run_up(const UpChoices& choices) {
   Result<CellDescription> cell = read_cell_file(choices.cell);
   if (!cell) return complain(cell.error(), exit_usage);
-  const Result<Domain> domain = domain_of(*cell);
-  if (!domain) return complain(domain.error(), exit_usage);
+  if (needs_domain(*cell)) {
+    const Result<Domain> domain = domain_of(*cell);
+    if (!domain) return complain(domain.error(), exit_usage);
+  }
   Result<CellHost> host = choose_host(*cell, choices.host);
   if (!host) return complain(host.error(), exit_usage);
   Result<RunDirectory> directory = RunDirectory::make(cell->name, host->name);
