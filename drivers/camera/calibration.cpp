@@ -23,9 +23,10 @@ Result<StereoCalibration> interpret_source(const Result<Source>& source) {
   out.width = static_cast<int>(file[0][0].number());
   out.height = static_cast<int>(file[0][1].number());
   out.left = lens_from(file[1]);
-  out.right = lens_from(file[2]);
-  for (std::size_t i = 0; i < out.rotation.size(); ++i) out.rotation[i] = file[3][i].number();
-  for (std::size_t i = 0; i < out.translation_mm.size(); ++i) out.translation_mm[i] = file[4][i].number();
+  const bool single = file[2].size() == 0;
+  if (!single) out.right = lens_from(file[2]);
+  for (std::size_t i = 0; i < out.rotation.size() && !single; ++i) out.rotation[i] = file[3][i].number();
+  for (std::size_t i = 0; i < out.translation_mm.size() && !single; ++i) out.translation_mm[i] = file[4][i].number();
   out.board = {static_cast<int>(file[5][0].number()), static_cast<int>(file[5][1].number()), file[5][2].number()};
   out.pairs = static_cast<int>(file[6][0].number());
   out.reprojection_px = file[6][1].number();
@@ -49,6 +50,17 @@ Result<StereoCalibration> read_calibration_file(const std::string& path) {
 }
 
 std::string write_calibration(const StereoCalibration& c) {
+  if (c.is_single()) {
+    return fmt::format(
+        "; A camera as `./pizarra calibrate` found it. Pixels and mm.\n"
+        "(calibration\n"
+        "  (size {} {})\n"
+        "  (lens {})\n"
+        "  (board {} {} {})      ; inner corners a row, rows, the edge of a square\n"
+        "  (errors {} {:.4f}))  ; images used, RMS of their corners\n",
+        c.width, c.height, lens_text(c.left), c.board.columns, c.board.rows, c.board.square_mm, c.pairs,
+        c.reprojection_px);
+  }
   return fmt::format(
       "; A pair of cameras as `./pizarra calibrate` found it. Pixels and mm; right = rotation left + translation.\n"
       "(calibration\n"

@@ -11,6 +11,9 @@
 //     (board 9 6 25)                                    ; that it was made with: inner corners, mm
 //     (errors 13 0.31 0.17))                            ; pairs; px: RMS of the corners, mean across the rectified rows
 //
+// Of one camera alone there are (size ...), (lens (focal ...) (centre ...) (distortion ...)), (board ...), and
+// (errors 13 0.31), images and px.
+//
 //   Result<StereoCalibration> calibration = read_calibration_file("pair.calibration");
 
 #include <array>
@@ -35,6 +38,7 @@ struct CalibrationBoard {
   double square_mm = 25;
 };
 
+// Of one camera alone, `left` is its lens and the translation is none.
 struct StereoCalibration {
   int width = 0;
   int height = 0;
@@ -46,6 +50,8 @@ struct StereoCalibration {
   int pairs = 0;
   double reprojection_px = 0;
   double epipolar_px = 0;
+
+  bool is_single() const { return translation_mm == std::array<double, 3>{}; }
 };
 
 // A failure reports every error of the file, each with a caret.

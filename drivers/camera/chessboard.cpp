@@ -57,11 +57,44 @@ LensModel model_of(const Lens& lens) {
   return out;
 }
 
+Result<CalibratedPair> calibrate_single(const std::vector<BoardView>& views, cv::Size image,
+                                        const CalibrationBoard& board) {
+  const std::vector<std::vector<cv::Point3f>> boards(views.size(), corners_of(board));
+  std::vector<std::vector<cv::Point2f>> corners;
+  for (const BoardView& view : views) corners.push_back(view.left);
+  Lens lens;
+  std::vector<cv::Mat> unused;
+  std::vector<double> view_errors;
+  double error = 0;
+  try {
+    error = cv::calibrateCamera(boards, corners, image, lens.camera, lens.distortion, unused, unused, cv::noArray(),
+                                cv::noArray(), view_errors, lens_flags);
+  } catch (const cv::Exception&) {
+    error = NAN;
+  }
+  if (!std::isfinite(error)) return fail("no-solution", "no camera sees the boards like that");
+  CalibratedPair out;
+  out.calibration = {.width = image.width,
+                     .height = image.height,
+                     .left = model_of(lens),
+                     .right = {},
+                     .board = board,
+                     .pairs = static_cast<int>(views.size()),
+                     .reprojection_px = error};
+  out.view_errors_px = std::move(view_errors);
+  return out;
+}
+
 }  // namespace
 
 Result<BoardView> find_board(const cv::Mat& left, const cv::Mat& right, const CalibrationBoard& board) {
-  BoardView view{find_corners(left, board), find_corners(right, board)};
+  BoardView view{find_corners(left, board), {}};
   const bool in_left = !view.left.empty();
+  if (right.empty() && !in_left) {
+    return fail("no-board", fmt::format("no board of {} x {} inner corners", board.columns, board.rows));
+  }
+  if (right.empty()) return view;
+  view.right = find_corners(right, board);
   const bool in_right = !view.right.empty();
   if (!in_left || !in_right) {
     return fail("no-board", fmt::format("no board of {} x {} inner corners in {}", board.columns, board.rows,
@@ -75,11 +108,13 @@ Result<BoardView> find_board(const cv::Mat& left, const cv::Mat& right, const Ca
 
 Result<CalibratedPair> calibrate_pair(const std::vector<BoardView>& views, cv::Size image,
                                       const CalibrationBoard& board) {
+  const bool single = !views.empty() && views.front().right.empty();
   if (views.size() < least_views) {
-    return fail("too-few-pairs", fmt::format("a calibration takes at least {} pairs in which the board is found, from "
-                                             "different sides; there are {}",
-                                             least_views, views.size()));
+    return fail("too-few", fmt::format("a calibration takes at least {} {} in which the board is found, from "
+                                       "different sides; there are {}",
+                                       least_views, single ? "images" : "pairs", views.size()));
   }
+  if (single) return calibrate_single(views, image, board);
   const std::vector<std::vector<cv::Point3f>> boards(views.size(), corners_of(board));
   std::vector<std::vector<cv::Point2f>> left;
   std::vector<std::vector<cv::Point2f>> right;

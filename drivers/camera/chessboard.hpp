@@ -1,12 +1,13 @@
 #pragma once
 
-// Calibrates a pair of cameras by a chessboard that both see from several sides.
+// Calibrates a pair of cameras, or one, by a chessboard that all see from several sides. One camera is a pair without a
+// right image.
 //
 //   std::vector<BoardView> views;
 //   Result<BoardView> view = find_board(left, right, board);         // for each pair of images
 //   Result<CalibratedPair> pair = calibrate_pair(views, left.size(), board);
 //
-// Failures: no-board, saying in which image; too-few-pairs; swapped, where the right camera stands left of the left
+// Failures: no-board, saying in which image; too-few; swapped, where the right camera stands left of the left
 // one; no-solution.
 
 #include <opencv2/core.hpp>
@@ -22,7 +23,7 @@ struct BoardView {
   std::vector<cv::Point2f> right;
 };
 
-// 8 bit images, grey or BGR, of one size.
+// 8 bit images, grey or BGR, of one size; the right one is empty where one camera is alone.
 Result<BoardView> find_board(const cv::Mat& left, const cv::Mat& right, const CalibrationBoard& board);
 
 inline constexpr std::size_t least_views = 5;
@@ -33,6 +34,7 @@ struct CalibratedPair {
   std::vector<double> view_errors_px;
 };
 
+// Of views with corners in the left image alone, one camera's lens.
 Result<CalibratedPair> calibrate_pair(const std::vector<BoardView>& views, cv::Size image,
                                       const CalibrationBoard& board);
 

@@ -1,5 +1,6 @@
 #include "drivers/camera/stereo_geometry.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
@@ -11,6 +12,12 @@ namespace {
 constexpr double usual_focal_of_width = 0.87;
 constexpr double usual_learned_at_mm = 500;
 
+bool is_single(const CameraSetup& setup) { return setup.arrangement == CameraSetup::Arrangement::single; }
+
+double learned_at_mm(const CameraSetup& setup) {
+  return setup.learned_at_mm > 0 ? setup.learned_at_mm : usual_learned_at_mm;
+}
+
 StereoModel plain_model(const CameraSetup& setup, cv::Size image) {
   StereoModel model;
   model.width = image.width;
@@ -19,9 +26,9 @@ StereoModel plain_model(const CameraSetup& setup, cv::Size image) {
   model.centre_x_px = (image.width - 1) / 2.0;
   model.centre_y_px = (image.height - 1) / 2.0;
   model.base_line_mm = setup.base_line_mm;
-  if (setup.arrangement == CameraSetup::Arrangement::single) {
+  if (is_single(setup)) {
     model.base_line_mm = 0;
-    model.learned_at_mm = setup.learned_at_mm > 0 ? setup.learned_at_mm : usual_learned_at_mm;
+    model.learned_at_mm = learned_at_mm(setup);
   }
   return model;
 }
@@ -40,7 +47,14 @@ Result<StereoGeometry> StereoGeometry::make(const CameraSetup& setup,
                 fmt::format("the camera's images are {}x{}, and {} is of {}x{}", image.width, image.height,
                             setup.calibration_file, calibration->width, calibration->height));
   }
-  return StereoGeometry(*calibration);
+  if (calibration->is_single() != is_single(setup)) {
+    return fail("wrong-calibration", fmt::format("{} is of {}, and the cell has {}", setup.calibration_file,
+                                                 calibration->is_single() ? "one camera" : "a pair of cameras",
+                                                 is_single(setup) ? "one" : "a pair"));
+  }
+  StereoGeometry geometry(*calibration);
+  if (is_single(setup)) geometry.model_.learned_at_mm = learned_at_mm(setup);
+  return geometry;
 }
 
 StereoGeometry::Lens StereoGeometry::lens_of(const LensModel& model) {
@@ -52,6 +66,34 @@ StereoGeometry::Lens StereoGeometry::lens_of(const LensModel& model) {
 
 StereoGeometry::StereoGeometry(const StereoCalibration& calibration) : rectifies_(true) {
   lenses_[0] = lens_of(calibration.left);
+  if (calibration.is_single()) {
+    see_with_one(calibration);
+  } else {
+    see_with_two(calibration);
+  }
+}
+
+// Nothing black at the borders: a mark must not meet an edge that is none. Pixels are made square.
+void StereoGeometry::see_with_one(const StereoCalibration& calibration) {
+  const cv::Size size(calibration.width, calibration.height);
+  Lens& lens = lenses_[0];
+  const cv::Matx33d best =
+      cv::Mat(cv::getOptimalNewCameraMatrix(lens.camera, lens.distortion, size, 0, size, nullptr, true));
+  const double focal_px = std::max(best(0, 0), best(1, 1));
+  lens.rotation = cv::Matx33d::eye();
+  lens.projection = {focal_px, 0, best(0, 2), 0, 0, focal_px, best(1, 2), 0, 0, 0, 1, 0};
+  cv::initUndistortRectifyMap(lens.camera, lens.distortion, lens.rotation, lens.projection, size, CV_16SC2,
+                              lens.map_whole, lens.map_fraction);
+  model_ = {.width = size.width,
+            .height = size.height,
+            .focal_px = focal_px,
+            .centre_x_px = best(0, 2),
+            .centre_y_px = best(1, 2),
+            .base_line_mm = 0,
+            .learned_at_mm = usual_learned_at_mm};
+}
+
+void StereoGeometry::see_with_two(const StereoCalibration& calibration) {
   lenses_[1] = lens_of(calibration.right);
   const cv::Size size(calibration.width, calibration.height);
   const cv::Matx33d rotation(calibration.rotation.data());

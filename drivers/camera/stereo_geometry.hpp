@@ -20,7 +20,8 @@ class StereoGeometry {
  public:
   enum class Side : std::uint8_t { left, right };
 
-  // `calibration`: what the setup's file says, where it names one. Failure: wrong-size where that is of other images.
+  // `calibration`: what the setup's file says, where it names one. Failures: wrong-size where that is of other images,
+  // wrong-calibration where it is of a pair and the setup of one camera, or the other way round.
   static Result<StereoGeometry> make(const CameraSetup& setup, const std::optional<StereoCalibration>& calibration,
                                      cv::Size image);
   explicit StereoGeometry(const StereoCalibration& calibration);
@@ -42,6 +43,8 @@ class StereoGeometry {
     cv::Mat map_fraction;
   };
   static Lens lens_of(const LensModel& model);
+  void see_with_one(const StereoCalibration& calibration);
+  void see_with_two(const StereoCalibration& calibration);
 
   StereoModel model_;
   bool rectifies_ = false;

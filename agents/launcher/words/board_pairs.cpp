@@ -21,15 +21,17 @@ class FilePairs : public BoardPairs {
     const std::size_t pair = taken_++;
     Result<cv::Mat> left = read(left_[pair]);
     if (!left) return fail(left);
+    if (single()) return ImagePair{std::move(*left), {}};
     Result<cv::Mat> right = read(right_[pair]);
     if (!right) return fail(right);
     return ImagePair{std::move(*left), std::move(*right)};
   }
   std::string name() const override {
     const auto name_of = [](const std::string& file) { return std::filesystem::path(file).filename().string(); };
-    return name_of(left_[taken_ - 1]) + " " + name_of(right_[taken_ - 1]);
+    return name_of(left_[taken_ - 1]) + (single() ? "" : " " + name_of(right_[taken_ - 1]));
   }
   bool endless() const override { return false; }
+  bool single() const override { return right_.empty(); }
 
  private:
   static Result<cv::Mat> read(const std::string& file) {
@@ -49,7 +51,10 @@ class FilePairs : public BoardPairs {
 
 class CameraPairs : public BoardPairs {
  public:
-  explicit CameraPairs(const CameraSetup& eyes) : reader_(eyes, sources_of(eyes), real_time) { reader_.read_once(); }
+  explicit CameraPairs(const CameraSetup& eyes)
+      : reader_(eyes, sources_of(eyes), real_time), single_(eyes.arrangement == CameraSetup::Arrangement::single) {
+    reader_.read_once();
+  }
 
   Result<void> open() { return reader_.open(); }
   std::optional<Result<ImagePair>> next() override {
@@ -61,7 +66,8 @@ class CameraPairs : public BoardPairs {
     if (!images) return fail(images);
     return ImagePair{std::move(images->left), std::move(images->right)};
   }
-  std::string name() const override { return fmt::format("pair {}", taken_); }
+  std::string name() const override { return fmt::format("{} {}", single_ ? "image" : "pair", taken_); }
+  bool single() const override { return single_; }
   bool endless() const override { return reader_.recorded_hz() == 0; }
 
  private:
@@ -75,6 +81,7 @@ class CameraPairs : public BoardPairs {
   }
 
   StereoReader reader_;
+  const bool single_;
   int taken_ = 0;
 };
 
@@ -82,11 +89,12 @@ class CameraPairs : public BoardPairs {
 
 Result<std::unique_ptr<BoardPairs>> BoardPairs::of_files(const std::string& left, const std::string& right) {
   std::vector<std::string> left_files = image_files_at(left);
-  std::vector<std::string> right_files = image_files_at(right);
+  const bool single = right.empty();
+  std::vector<std::string> right_files = single ? std::vector<std::string>() : image_files_at(right);
   for (const auto& [files, where] : {std::pair(&left_files, &left), std::pair(&right_files, &right)}) {
-    if (files->empty()) return fail("no-images", fmt::format("there are no images at {}", *where));
+    if (files->empty() && !where->empty()) return fail("no-images", fmt::format("there are no images at {}", *where));
   }
-  if (left_files.size() != right_files.size()) {
+  if (!single && left_files.size() != right_files.size()) {
     return fail("uneven", fmt::format("there are {} images at {} and {} at {}; pairs are made in the order of names",
                                       left_files.size(), left, right_files.size(), right));
   }
@@ -94,11 +102,8 @@ Result<std::unique_ptr<BoardPairs>> BoardPairs::of_files(const std::string& left
 }
 
 Result<std::unique_ptr<BoardPairs>> BoardPairs::of_cameras(const CameraSetup& eyes) {
-  using enum CameraSetup::Arrangement;
-  if (eyes.arrangement != pair && eyes.arrangement != side_by_side) {
-    return fail("no-pair",
-                "the cell has no pair of cameras of its own: (camera (pair ...)) or (camera (side-by-side "
-                "...))");
+  if (eyes.is_simulated()) {
+    return fail("no-camera", "the cell has no cameras of its own: (camera (single ...)) or (camera (pair ...))");
   }
   auto pairs = std::make_unique<CameraPairs>(eyes);
   const Result<void> opened = pairs->open();

@@ -1,4 +1,4 @@
-// `calibrate`: what a pair of cameras is, from pairs of images of a chessboard.
+// `calibrate`: what a pair of cameras is, or one, from images of a chessboard.
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -22,7 +22,7 @@ constexpr double least_motion = 0.04;
 struct CalibrateChoices {
   std::vector<std::string> images;
   std::string cell;
-  std::string out = "pair.calibration";
+  std::string out;  // empty: pair.calibration, of one camera camera.calibration
   CalibrationBoard board;
   std::size_t pairs = 20;
   bool json = false;
@@ -43,8 +43,7 @@ class Calibration {
     const Result<CalibratedPair> found = calibrate_pair(views_, size_, choices_.board);
     if (!found) return complain_as(style(), found.error(), exit_failed);
     const std::string text = write_calibration(found->calibration);
-    const Result<void> written =
-        write_file(choices_.out, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+    const Result<void> written = write_file(out(), {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
     if (!written) return complain_as(style(), written.error(), exit_unavailable);
     tell_result(*found);
     return exit_reached;
@@ -52,10 +51,15 @@ class Calibration {
 
  private:
   Style style() const { return choices_.json ? Style::json : Style::text; }
+  std::string out() const {
+    if (!choices_.out.empty()) return choices_.out;
+    return pairs_.single() ? "camera.calibration" : "pair.calibration";
+  }
   bool enough() const { return pairs_.endless() && views_.size() >= choices_.pairs; }
 
   Result<void> take(const ImagePair& pair) {
     for (const cv::Mat* image : {&pair.left, &pair.right}) {
+      if (image->empty()) continue;
       if (size_.empty()) size_ = image->size();
       if (image->size() == size_) continue;
       return fail("wrong-size", fmt::format("{}: an image of {}x{}, and those before are {}x{}", pairs_.name(),
@@ -93,11 +97,15 @@ class Calibration {
     const StereoModel model = StereoGeometry(c).model();
     const auto worst = std::ranges::max_element(found.view_errors_px);
     const std::string& worst_name = names_[static_cast<std::size_t>(worst - found.view_errors_px.begin())];
+    if (c.is_single()) {
+      tell_lens(c, *worst, worst_name);
+      return;
+    }
     if (choices_.json) {
       fmt::print(
           "{{\"file\":{},\"pairs\":{},\"reprojection_px\":{:.4f},\"worst_px\":{:.4f},\"worst\":{},"
           "\"epipolar_px\":{:.4f},\"focal_px\":{:.3f},\"base_line_mm\":{:.3f}}}\n",
-          json_string(choices_.out), c.pairs, c.reprojection_px, *worst, json_string(worst_name), c.epipolar_px,
+          json_string(out()), c.pairs, c.reprojection_px, *worst, json_string(worst_name), c.epipolar_px,
           model.focal_px, model.base_line_mm);
       return;
     }
@@ -105,7 +113,23 @@ class Calibration {
     fmt::print("reprojection error {:.3f} px RMS, at most {:.3f} in {}\n", c.reprojection_px, *worst, worst_name);
     fmt::print("rectified, a corner's rows differ by {:.3f} px\n", c.epipolar_px);
     fmt::print("focal length {:.1f} px, base line {:.2f} mm\n", model.focal_px, model.base_line_mm);
-    fmt::print("{} written; in the cell file: (camera ... (calibration \"{}\"))\n", choices_.out, choices_.out);
+    fmt::print("{} written; in the cell file: (camera ... (calibration \"{}\"))\n", out(), out());
+  }
+
+  void tell_lens(const StereoCalibration& c, double worst_px, const std::string& worst_name) const {
+    if (choices_.json) {
+      fmt::print(
+          "{{\"file\":{},\"images\":{},\"reprojection_px\":{:.4f},\"worst_px\":{:.4f},\"worst\":{},"
+          "\"focal_px\":{:.3f}}}\n",
+          json_string(out()), c.pairs, c.reprojection_px, worst_px, json_string(worst_name), c.left.focal_x_px);
+      return;
+    }
+    fmt::print("{} images of {} x {}\n", c.pairs, c.width, c.height);
+    fmt::print("reprojection error {:.3f} px RMS, at most {:.3f} in {}\n", c.reprojection_px, worst_px, worst_name);
+    fmt::print("focal length {:.1f} px across, {:.1f} down; centre {:.1f} {:.1f}; distortion k1 {:.3f}, k2 {:.3f}\n",
+               c.left.focal_x_px, c.left.focal_y_px, c.left.centre_x_px, c.left.centre_y_px, c.left.distortion[0],
+               c.left.distortion[1]);
+    fmt::print("{} written; in the cell file: (camera (single ...) (calibration \"{}\"))\n", out(), out());
   }
 
   const CalibrateChoices& choices_;
@@ -116,7 +140,10 @@ class Calibration {
 };
 
 Result<std::unique_ptr<BoardPairs>> pairs_of(const CalibrateChoices& choices) {
-  if (choices.cell.empty()) return BoardPairs::of_files(choices.images[0], choices.images[1]);
+  if (choices.cell.empty()) {
+    const std::string right = choices.images.size() == 2 ? choices.images[1] : "";
+    return BoardPairs::of_files(choices.images[0], right);
+  }
   const Result<CellDescription> cell = read_cell_file(choices.cell);
   if (!cell) return fail(cell);
   return BoardPairs::of_cameras(cell->eyes);
@@ -125,8 +152,11 @@ Result<std::unique_ptr<BoardPairs>> pairs_of(const CalibrateChoices& choices) {
 int run_calibrate(const CalibrateChoices& choices) {
   const Style style = choices.json ? Style::json : Style::text;
   if (choices.cell.empty() == choices.images.empty()) {
-    const Failure which{
-        "no-images", "say LEFT and RIGHT, where the images are, or --cell, whose cameras see them", {}, {}};
+    const Failure which{"no-images",
+                        "say LEFT and RIGHT, where the images are (of one camera alone the one place), or --cell, "
+                        "whose cameras see them",
+                        {},
+                        {}};
     return complain_as(style, which, exit_usage);
   }
   const Result<std::unique_ptr<BoardPairs>> pairs = pairs_of(choices);
@@ -139,15 +169,17 @@ int run_calibrate(const CalibrateChoices& choices) {
 void add_calibrate_word(CLI::App& app, int& status) {
   auto choices = std::make_shared<CalibrateChoices>();
   CLI::App* word = app.add_subcommand("calibrate",
-                                      "Find out what a pair of cameras is, from pairs of images of a chessboard "
-                                      "(`shapes --board` prints one), and keep\n"
-                                      "it in a file for a cell's (camera ...).");
-  word->add_option("images", choices->images, "LEFT and RIGHT: folders of images, or quoted patterns; in one order")
-      ->expected(2)
-      ->type_name("LEFT RIGHT");
+                                      "Find out what a pair of cameras is, or one alone, from images of a chessboard "
+                                      "(`shapes --board` prints one),\n"
+                                      "and keep it in a file for a cell's (camera ...).");
+  word->add_option("images", choices->images,
+                   "LEFT and RIGHT: folders of images, or quoted patterns; in one order. Of one camera "
+                   "alone the one place")
+      ->expected(1, 2)
+      ->type_name("LEFT [RIGHT]");
   word->add_option("--cell", choices->cell, "Instead: what the cameras of this cell see, while the board is moved")
       ->check(CLI::ExistingFile);
-  word->add_option("--out", choices->out, "The file to write")->capture_default_str();
+  word->add_option("--out", choices->out, "The file to write; else pair.calibration, or camera.calibration");
   word->add_option("--columns", choices->board.columns, "Inner corners of the board, one way")
       ->check(CLI::Range(3, 50))
       ->capture_default_str();
@@ -155,7 +187,7 @@ void add_calibrate_word(CLI::App& app, int& status) {
   word->add_option("--square", choices->board.square_mm, "The edge of a square, mm")
       ->check(CLI::Range(0.1, 1000.0))
       ->capture_default_str();
-  word->add_option("--pairs", choices->pairs, "With --cell, of a live camera: how many to take")
+  word->add_option("--pairs", choices->pairs, "With --cell, of a live camera: how many pairs or images to take")
       ->check(CLI::Range(5, 200))
       ->capture_default_str();
   word->add_flag("--json", choices->json, "One JSON object a line");

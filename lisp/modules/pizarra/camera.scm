@@ -82,8 +82,6 @@
         (base-line (section-in found 'base-line))
         (learned-at (section-in found 'learned-at))
         (single (eq? arrangement 'single)))
-    (when (and calibration single)
-      (complain! calibration 'malformed "a calibration is of two cameras; one alone has a (focal PX)"))
     (when (and calibration focal)
       (complain! focal 'repeated "the calibration says the focal length already"))
     (when (and calibration base-line)

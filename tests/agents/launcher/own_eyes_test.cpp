@@ -104,6 +104,27 @@ TEST(OwnEyes, ACameraThatIsNotThereIsNamedAndThePromptGoesOn) {
   EXPECT_TRUE(contains(said, "the camera: /dev/no-such-camera cannot be opened")) << said.text;
 }
 
+TEST(OwnEyes, ACellOfEyesAloneNeedsNoDomainAndOneWithACoordinatorDoes) {
+  const Said eyes = run("check " + cell_with("alone", "(single (device 0))"));
+  EXPECT_EQ(eyes.status, 0) << eyes.text;
+  EXPECT_TRUE(contains(eyes, "no domain")) << eyes.text;
+  const std::string file = scratch_folder() + "whole.scm";
+  std::ofstream(file) << "(cell whole (camera (single (device 0))) (host \"localhost\" (agents vision coordinator)))";
+  for (const std::string word : {"check ", "up "}) {
+    const Said whole = run(word + file);
+    EXPECT_EQ(whole.status, 2) << whole.text;
+    EXPECT_TRUE(contains(whole, "the cell names no file with (domain \"FILE\")")) << whole.text;
+  }
+}
+
+TEST(OwnEyes, ThePromptSaysThatAModeEndsWithItAndKeepsIt) {
+  const std::string cell = cell_with("kept", "(single (images \"" + folder_of_photographs() + "\")) (rate 60)");
+  const Said kept = run("repl " + cell + " --agents vision --eval '(vision (connect))' --eval '(vision (keep))'" +
+                        " --eval '(ask (vision-held vision ?c ?m))'");
+  EXPECT_TRUE(contains(kept, "until this prompt ends; (vision (keep)) lets it go on")) << kept.text;
+  EXPECT_TRUE(contains(kept, "?c = anybody  ?m = connected")) << kept.text;
+}
+
 TEST(OwnEyes, ADemoHasTheSimulatedEyesInAnyCase) {
   const std::string file = scratch_folder() + "both.scm";
   std::ofstream(file)
@@ -138,6 +159,24 @@ TEST_F(OwnPair, IsCalibratedFromFilesAndTheFileIsTheCells) {
       run("repl " + cell + " --agents vision --eval '(vision (connect))'" +
           " --eval '(vision (learn 5 5 \"corner\"))' --eval '(ask (camera-model vision ?w ?h ?f ?cx ?cy ?b))'");
   EXPECT_TRUE(contains(seen, "?w = 480")) << seen.text;
+}
+
+TEST_F(OwnPair, OneCameraAloneIsCalibratedToo) {
+  const Said said = run("calibrate 'left*.png'");
+  ASSERT_EQ(said.status, 0) << said.text;
+  EXPECT_TRUE(contains(said, "left10.png: board found")) << said.text;
+  EXPECT_TRUE(contains(said, "14 images of 480 x 360")) << said.text;
+  EXPECT_TRUE(contains(said, "reprojection error 0.")) << said.text;
+  const std::string camera = "(single (images \"left*.png\")) (rate 60)";
+  const std::string cell = cell_with("one", camera + " (calibration \"camera.calibration\")");
+  const Said seen =
+      run("repl " + cell + " --agents vision --eval '(vision (connect))'" +
+          " --eval '(vision (learn 5 5 \"corner\"))' --eval '(ask (camera-model vision ?w ?h ?f ?cx ?cy 0.0))'");
+  EXPECT_TRUE(contains(seen, "?w = 480")) << seen.text;
+  EXPECT_FALSE(contains(seen, "?f = 417.6")) << "0.87 of the width is a guess: " << seen.text;
+  const Said live = run("calibrate --json --out one.calibration --cell " + cell_with("live-one", camera));
+  EXPECT_EQ(live.status, 0) << live.text;
+  EXPECT_TRUE(contains(live, "\"images\":14")) << live.text;
 }
 
 TEST_F(OwnPair, IsCalibratedThroughItsOwnCameras) {

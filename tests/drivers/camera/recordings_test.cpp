@@ -162,5 +162,29 @@ TEST_F(Recordings, APairSideBySideOf1280x960At120AsecondKeepsUp) {
   EXPECT_LT(cpu_ms_a_frame, 25);
 }
 
+// The plugins of GStreamer are packages of their own.
+bool has_gstreamer_plugin(const std::string& name) {
+  for (const auto& architecture : std::filesystem::directory_iterator("/usr/lib")) {
+    if (std::filesystem::exists(architecture.path() / "gstreamer-1.0" / ("libgst" + name + ".so"))) return true;
+  }
+  return false;
+}
+
+TEST_F(Recordings, APipelineIsACameraWhateverItsColoursAre) {
+  if (!has_gstreamer_plugin("videotestsrc")) GTEST_SKIP() << "gstreamer1.0-plugins-base is not installed";
+  for (const std::string format : {"format=BGR,", "format=GRAY8,", ""}) {
+    const std::string pipeline =
+        "videotestsrc is-live=true ! video/x-raw," + format + "width=640,height=480,framerate=30/1 ! appsink";
+    VideoCamera camera(executor,
+                       {.arrangement = Arrangement::single, .sources = {{CameraSource::Kind::pipeline, pipeline}}});
+    const Result<StereoModel> model = run(executor, camera.open());
+    ASSERT_TRUE(model.has_value()) << format << describe(model.error());
+    EXPECT_EQ(model->width, 640) << format;
+    const Result<StereoFrame> frame = next(camera, 0);
+    ASSERT_TRUE(frame.has_value()) << format << describe(frame.error());
+    EXPECT_EQ(frame->left->channels, 1) << format;
+  }
+}
+
 }  // namespace
 }  // namespace pizarra
