@@ -171,15 +171,24 @@ Result<std::unique_ptr<Serving>> serve_c500c(Executor& executor, ArmCabinet& cab
   return std::make_unique<SimpleServing>(executor, cabinet, kind, std::move(lines), where);
 }
 
-Result<std::unique_ptr<Serving>> serve_simple(Executor& executor, ArmCabinet& cabinet, const EmulateChoices& choices) {
-  if (choices.pty) return serve_c500c(executor, cabinet);
+Result<std::unique_ptr<Serving>> serve_simple_tcp(Executor& executor, ArmCabinet& cabinet,
+                                                  const EmulateChoices& choices, SimpleKind kind) {
   const std::vector<std::uint16_t> wanted = ports_of(choices, {simple::motion_port, simple::state_port});
   Result<std::vector<std::unique_ptr<TcpPort>>> ports = listen_at(executor, choices.address, wanted);
   if (!ports) return fail(ports);
   const std::string where = where_tcp(choices.address, *ports);
   std::vector<std::unique_ptr<ByteWire>> lines;
   for (std::unique_ptr<TcpPort>& port : *ports) lines.push_back(std::move(port));
-  return std::make_unique<SimpleServing>(executor, cabinet, SimpleKind{}, std::move(lines), where);
+  return std::make_unique<SimpleServing>(executor, cabinet, kind, std::move(lines), where);
+}
+
+Result<std::unique_ptr<Serving>> serve_simple(Executor& executor, ArmCabinet& cabinet, const EmulateChoices& choices) {
+  return choices.pty ? serve_c500c(executor, cabinet) : serve_simple_tcp(executor, cabinet, choices, {});
+}
+
+Result<std::unique_ptr<Serving>> serve_with_track(Executor& executor, ArmCabinet& cabinet,
+                                                  const EmulateChoices& choices) {
+  return serve_simple_tcp(executor, cabinet, choices, {.track = true});
 }
 
 // An arm that can be emulated: its name here, its file among arms/, and who answers for it.
@@ -193,7 +202,8 @@ struct ArmKind {
 constexpr ArmKind kinds[] = {{"up6", "motoman-up6", serve_hses},
                              {"up6-nx100", "motoman-up6", serve_host, true},
                              {"ur5e", "ur5e", serve_ur},
-                             {"f3", "crs-f3", serve_simple, true}};
+                             {"f3", "crs-f3", serve_simple, true},
+                             {"f3-track", "crs-f3", serve_with_track}};
 
 std::string in_json(const ArmCabinet& cabinet, const ArmReading& reading) {
   return fmt::format(

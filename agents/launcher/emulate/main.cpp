@@ -45,9 +45,8 @@ void add_emulate_word(CLI::App& app, int& status) {
       ->add_option(
           "device", choices->device,
           "Which: a pan-tilt unit, ptu46-17.5 or ptu46-70; an arm, up6 (High Speed Ethernet Server), up6-nx100 "
-          "(Ethernet Server, or a serial line), ur5e (RTDE, URScript, dashboard) or f3 (ROS-Industrial "
-          "simple_message); "
-          "or gripper (Modbus TCP)")
+          "(Ethernet Server, or a serial line), ur5e (RTDE, URScript, dashboard), f3 (ROS-Industrial "
+          "simple_message) or f3-track (with its track); or gripper (Modbus TCP)")
       ->required()
       ->check(CLI::IsMember(device_names()));
   CLI::Option* pty =
@@ -59,7 +58,7 @@ void add_emulate_word(CLI::App& app, int& status) {
               "--port,--tcp,--udp", choices->port,
               "At this TCP port, UDP of up6, and those after it where it has several; 0 takes any that are free; "
               "otherwise the device's own: 4000 of pan-tilt units, 10040 of up6, 80 of up6-nx100, 30004, "
-              "30002 and 29999 of ur5e, 11000 and 11002 of f3, 502 of gripper")
+              "30002 and 29999 of ur5e, 11000 and 11002 of f3 and f3-track, 502 of gripper")
           ->check(CLI::Range(0, 65535));
   port->excludes(pty);
   emulating->add_option("--address", choices->address, "Where its port listens; only this machine otherwise")

@@ -94,7 +94,7 @@ class SimpleDevice : public ArmDevice {
   SimpleDevice(Executor& executor, const ArmLine& line, const ArmModel& model)
       : motion_(executor, line.places[0], port_of(line, 0)),
         state_(executor, line.places[0], port_of(line, 1)),
-        arm_(executor, {motion_, state_}, model) {}
+        arm_(executor, {.motion = motion_, .state = state_, .track = line.protocol == "simple-message-track"}, model) {}
   ArmDriver& driver() override { return arm_; }
 
  private:
@@ -142,7 +142,7 @@ std::unique_ptr<ArmDevice> make_arm_alone(Executor& executor, const ArmLine& lin
   if (line.protocol == "ethernet-server") return std::make_unique<EthernetServerDevice>(executor, line, model);
   if (line.protocol == "bsc") return std::make_unique<BscDevice>(executor, line, model);
   if (line.protocol == "universal") return std::make_unique<UniversalDevice>(executor, line, model);
-  if (line.protocol == "simple-message") return std::make_unique<SimpleDevice>(executor, line, model);
+  if (line.protocol.starts_with("simple-message")) return std::make_unique<SimpleDevice>(executor, line, model);
   if (line.protocol == "c500c") return std::make_unique<C500cDevice>(executor, line, model);
   return std::make_unique<SimulatedDevice>(link, simulated);
 }

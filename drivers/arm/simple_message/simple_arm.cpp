@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "drivers/arm/angles.hpp"
 #include "drivers/arm/move_check.hpp"
 
 namespace pizarra {
@@ -94,7 +93,7 @@ void SimpleArm::hear(const SimpleMessage& message) {
   }
   std::size_t next = 0;
   for (std::size_t axis = 0; axis < joints_.size(); ++axis) {
-    if (turned(axis)) joints_[axis] = degrees(wires_.sign * position->joints_rad[next++]);
+    if (told(axis)) joints_[axis] = axis_of_joint(model_.axes[axis].role, position->joints_rad[next++], wires_.sign);
   }
   heard_at_ = executor_.now();
 }
@@ -134,7 +133,7 @@ Task<Result<void>> SimpleArm::send_point(Leg leg) {
   SimplePoint point{.sequence = sequence_++};
   std::size_t next = 0;
   for (std::size_t axis = 0; axis < leg.to.size(); ++axis) {
-    if (turned(axis)) point.joints_rad[next++] = static_cast<float>(wires_.sign * radians(leg.to[axis]));
+    if (told(axis)) point.joints_rad[next++] = joint_of_axis(model_.axes[axis].role, leg.to[axis], wires_.sign);
   }
   point.velocity = static_cast<float>(speed_);
   point.duration_s = static_cast<float>(leg.seconds / speed_);
@@ -152,8 +151,8 @@ Task<Result<void>> SimpleArm::start_move(std::vector<Joints> waypoints, double s
   const Result<void> ready = possible();
   if (!ready) co_return ready;
   for (std::size_t axis = 0; axis < joints_.size(); ++axis) {
-    if (turned(axis) || std::abs(waypoints.back()[axis] - joints_[axis]) < 0.5) continue;
-    co_return fail("bad-request", "the track cannot be moved by this protocol", to_datum(axis + 1));
+    if (told(axis) || std::abs(waypoints.back()[axis] - joints_[axis]) < 0.5) continue;
+    co_return fail("bad-request", "the controller does not have the track", to_datum(axis + 1));
   }
   const Held ordering(ordering_);
   const std::vector<Leg> legs = legs_of(model_, joints_, waypoints);

@@ -11,7 +11,8 @@
 // acknowledgement does not come ends the trajectory with a stop.
 //
 // The protocol has neither servo nor alarm commands: take_control() asks whether motion is possible and says why not.
-// It has no gripper and no track either: a gripper is refused, unless a GrippingArm brings one; a track reads where it is in the arm's `ready` pose,
+// It has no gripper: one is refused, unless a GrippingArm brings it. Joints are told in the order of the axes. A track
+// is one of them where the controller has it (`track`); else it reads where it is in the arm's `ready` pose,
 // must stand there, and is not moved.
 //
 // How far it is proven: with the emulator of drivers/simulation/controllers/arms/ alone, over TCP frames and serial
@@ -32,6 +33,7 @@ struct SimpleWires {
   bool serial = false;                  // the C500C's frames, or TCP's
   ByteOrder order = ByteOrder::little;  // of TCP's
   double sign = 1;                      // -1 where the controller's angles count the other way round
+  bool track = false;                   // it has the track among its joints, metres
 };
 
 class SimpleArm : public ArmDriver {
@@ -58,7 +60,7 @@ class SimpleArm : public ArmDriver {
   void hear(const SimpleMessage& message);
   Result<void> possible() const;
   bool known() const;
-  bool turned(std::size_t axis) const { return model_.axes[axis].role != Role::track; }
+  bool told(std::size_t axis) const { return model_.axes[axis].role != Role::track || wires_.track; }
 
   Executor& executor_;
   SimpleWires wires_;

@@ -4,9 +4,13 @@
 #include <fmt/format.h>
 #include <numeric>
 
+#include "drivers/arm/angles.hpp"
+
 namespace pizarra {
 
 namespace {
+
+constexpr double mm_per_m = 1000;
 
 constexpr std::size_t head = 12;
 constexpr std::size_t longest_message = 1024;
@@ -108,6 +112,15 @@ Result<SimpleStatus> read_status(std::string_view data, ByteOrder order) {
   }
   if (!read.whole()) return wrong_size("a status", data.size());
   return status;
+}
+
+float joint_of_axis(Role role, double reading, double sign) {
+  return static_cast<float>(slides(role) ? reading / mm_per_m : sign * radians(reading));
+}
+
+double axis_of_joint(Role role, float joint, double sign) {
+  const auto wide = static_cast<double>(joint);
+  return slides(role) ? wide * mm_per_m : degrees(sign * wide);
 }
 
 std::string tcp_frame(std::string_view message, ByteOrder order) {

@@ -12,6 +12,7 @@
 
 #include <array>
 
+#include "drivers/arm/arm_model.hpp"
 #include "drivers/wire/frames.hpp"
 #include "drivers/wire/octets.hpp"
 
@@ -79,6 +80,10 @@ std::string write_point(const SimplePoint& point, ByteOrder order);
 Result<SimplePoint> read_point(std::string_view data, ByteOrder order);
 std::string write_status(const SimpleStatus& status, ByteOrder order);
 Result<SimpleStatus> read_status(std::string_view data, ByteOrder order);
+
+// An axis' reading, degrees or mm, and the joint that it is on the wire, radians or metres; `sign` is of angles.
+float joint_of_axis(Role role, double reading, double sign);
+double axis_of_joint(Role role, float joint, double sign);
 
 std::string tcp_frame(std::string_view message, ByteOrder order);
 std::string serial_frame(std::string_view message);

@@ -90,9 +90,10 @@
        '((hses ("10.0.0.3") (10040)) (hses ("up6") (10041)) ()))
 (check "a protocol has as many places and ports as it needs"
        (list (driver-of '(driver universal "ur" 1 2)) (driver-of '(driver c500c "/dev/ttyS1" "/dev/ttyS0"))
-             (driver-of '(driver ethernet-server "nx")) (driver-of '(driver bsc "/dev/ttyS0")))
+             (driver-of '(driver ethernet-server "nx")) (driver-of '(driver bsc "/dev/ttyS0"))
+             (driver-of '(driver simple-message-track "f3")))
        '((universal ("ur") (1 2 29999)) (c500c ("/dev/ttyS1" "/dev/ttyS0") ()) (ethernet-server ("nx") (80))
-         (bsc ("/dev/ttyS0") ())))
+         (bsc ("/dev/ttyS0") ()) (simple-message-track ("f3") (11000 11002))))
 (check "a protocol that is not known is refused"
        (complaint '(arm crs-f3 (driver hse "a"))) '(1 unknown-name (0 2 2 1)))
 (check "a controller has an address" (complaint '(arm crs-f3 (driver hses))) '(1 malformed (0 2 2)))

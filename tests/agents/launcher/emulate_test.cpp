@@ -49,6 +49,11 @@ TEST(Emulate, AControllerWithAPortAndASerialLineIsAtEither) {
   EXPECT_TRUE(emulate("up6-nx100 --pty", "status\\n", arm_seconds).text.starts_with("up6-nx100 at /dev/pts/"));
 }
 
+TEST(Emulate, AnArmWhoseControllerHasItsTrackHasNoSerialLine) {
+  EXPECT_TRUE(emulate("f3-track --tcp 0", "status\\n", arm_seconds).text.starts_with("f3-track at tcp://127.0.0.1:"));
+  EXPECT_EQ(shell(fmt::format("{} emulate f3-track --pty 2>&1", PIZARRA_EMULATE)).status, 2);
+}
+
 TEST(Emulate, AnArmWithSeveralPortsNamesThemAll) {
   const Said said = emulate("ur5e --tcp 0", "status\\n", arm_seconds);
   const std::string ports = said.text.substr(0, said.text.find('\n'));

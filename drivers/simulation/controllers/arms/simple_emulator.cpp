@@ -1,6 +1,5 @@
 #include "drivers/simulation/controllers/arms/simple_emulator.hpp"
 
-#include "drivers/arm/angles.hpp"
 #include "drivers/simulation/controllers/arms/serve_frames.hpp"
 
 namespace pizarra {
@@ -31,10 +30,10 @@ Task<bool> SimpleEmulator::obey(SimplePoint point) {
   const ArmReading reading = co_await cabinet_.read();
   const ArmModel& model = cabinet_.model();
   Joints target = reading.joints;
-  std::size_t angle = 0;
+  std::size_t joint = 0;
   for (std::size_t axis = 0; axis < target.size(); ++axis) {
-    if (model.axes[axis].role == Role::track) continue;
-    target[axis] = degrees(kind_.sign * static_cast<double>(point.joints_rad[angle++]));
+    if (model.axes[axis].role == Role::track && !kind_.track) continue;
+    target[axis] = axis_of_joint(model.axes[axis].role, point.joints_rad[joint++], kind_.sign);
   }
   std::vector<Joints> waypoints{target};
   const Refusal refusal = co_await cabinet_.move(std::move(waypoints), point.velocity);
@@ -64,10 +63,10 @@ Task<std::string> SimpleEmulator::state() {
   const ArmReading reading = co_await cabinet_.read();
   const ArmModel& model = cabinet_.model();
   SimplePosition position;
-  std::size_t angle = 0;
+  std::size_t joint = 0;
   for (std::size_t axis = 0; axis < reading.joints.size(); ++axis) {
-    if (model.axes[axis].role == Role::track) continue;
-    position.joints_rad[angle++] = static_cast<float>(kind_.sign * radians(reading.joints[axis]));
+    if (model.axes[axis].role == Role::track && !kind_.track) continue;
+    position.joints_rad[joint++] = joint_of_axis(model.axes[axis].role, reading.joints[axis], kind_.sign);
   }
   SimpleStatus status;
   status.drives_powered = cabinet_.servo() ? 1 : 0;

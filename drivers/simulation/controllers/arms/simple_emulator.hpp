@@ -22,6 +22,7 @@ struct SimpleKind {
   bool serial = false;  // frames of a serial line, or of TCP
   ByteOrder order = ByteOrder::little;
   double sign = 1;
+  bool track = false;  // it has the track among its joints
 };
 
 class SimpleEmulator {
