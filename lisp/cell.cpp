@@ -112,7 +112,8 @@ std::optional<CellSlave> slave_from_datum(const Datum& slave, const std::string&
                    .room = room_from_datum(slave[1]),
                    .line = std::move(line),
                    .offset_mm = {offset[0].number(), offset[1].number(), offset[2].number()},
-                   .mirrored = slave[4].is_symbol("mirror")};
+                   .mirrored = slave[4].is_symbol("mirror"),
+                   .rate_hz = slave[6].number()};
 }
 
 CellDescription cell_from_datum(const Datum& datum, const std::string& file) {
@@ -140,6 +141,7 @@ CellDescription cell_from_datum(const Datum& datum, const std::string& file) {
   cell.objects_directory = beside(file, std::string(datum[16].text()));
   cell.eyes = eyes_from_datum(datum[17], file);
   cell.slave = slave_from_datum(datum[18], file);
+  cell.arm_rate_hz = datum[20].number();
   return cell;
 }
 

@@ -14,6 +14,7 @@
 //       (noise (sensor 3) (blur 0.7) (gradient 0.12)))         ; grey levels, px, part of the light
 //     (arm crs-f3)                                             ; of arms/, or "my-arm.scm" beside the cell file;
 //                                                              ; with (room (x 200 600) (z 20 700)) it stays in there
+//                                                              ; with (rate 125) it tells its state so often a second
 //                                                              ; with (driver hses "192.168.0.3") it is a real one;
 //                                                              ; with (gripper ...), gripper_setup.hpp, so is that
 //     (slave crs-t265 (offset 0 0 50) (mirror))                ; a second arm, which the agent follower has follow it:
@@ -89,7 +90,7 @@ struct PanTiltLine {
 
 // How the arm's controller is reached, and its gripper's.
 struct ArmLine {
-  std::string protocol;  // of `protocols` in cell.scm; empty: the simulated arm, over the device link
+  std::string protocol;             // of `protocols` in cell.scm; empty: the simulated arm, over the device link
   std::vector<std::string> places;  // hosts or files
   std::vector<int> ports;
   GripperSetup gripper;
@@ -108,6 +109,7 @@ struct CellSlave {
   ArmLine line;
   std::array<double, 3> offset_mm;
   bool mirrored = false;  // y the other way round
+  double rate_hz = 10;
 };
 
 struct CellHost {
@@ -129,6 +131,7 @@ struct CellDescription {
   std::string arm_file;              // a path that can be opened
   std::optional<CellRoom> arm_room;  // where its grip centre may be; none: wherever it reaches
   ArmLine arm_line;
+  double arm_rate_hz = 10;  // how often it tells its state while that changes
   std::optional<CellSlave> slave;
   PanTiltLine pan_tilt;
   CameraSetup eyes;               // of the vision agent

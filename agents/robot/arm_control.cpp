@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "blackboard/time/pace.hpp"
 #include "lisp/writer.hpp"
 
 namespace pizarra {
@@ -12,7 +13,7 @@ namespace {
 
 constexpr double arrived = 0.5;          // degrees or mm: how far a controller may report from where it was sent
 constexpr Duration gripping_time = 20s;  // at most
-constexpr std::size_t looks_between_full_telling = 10;
+constexpr Duration full_telling = 1s;    // a board that restarted has forgotten what it was told
 
 }  // namespace
 
@@ -96,10 +97,17 @@ Task<void> ArmControl::look() {
 }
 
 Task<void> ArmControl::keep_watch() {
-  for (std::size_t looks = 1;; ++looks) {
-    const Duration pause = connected_ ? tell_period : reconnect_pause;
+  Pace pace(context_.executor, tell_period_);
+  Time told = context_.executor.now();
+  while (true) {
+    const Duration beat = pace.pause();
+    const Duration pause = connected_ ? beat : reconnect_pause;
     co_await sleep(context_.executor, pause);
-    if (looks % looks_between_full_telling == 0) facts_.forget_told();
+    const Time now = context_.executor.now();
+    if (now - told >= full_telling) {
+      facts_.forget_told();
+      told = now;
+    }
     if (!running_) co_await look();
   }
 }
@@ -119,9 +127,11 @@ Task<Result<ArmReading>> ArmControl::read() {
 Task<Result<ArmReading>> ArmControl::until_ended(bool gripper, Duration longest) {
   const Time begun = context_.executor.now();
   Time heard = begun;
-  Time told = begun;
+  Pace pace(context_.executor, std::min(poll_period, tell_period_ / 2));
+  Time tell_at = begun + tell_period_;
   while (true) {
-    co_await sleep(context_.executor, poll_period);
+    const Duration pause = pace.pause();
+    co_await sleep(context_.executor, pause);
     const Result<ArmReading> reading = co_await read();
     const Time now = context_.executor.now();
     if (!reading) {
@@ -137,12 +147,20 @@ Task<Result<ArmReading>> ArmControl::until_ended(bool gripper, Duration longest)
       if (!halting) lose(halting.error());
       co_return fail("fault", fmt::format("the motion did not end within {:.1f} s", longest.count() / 1e6));
     }
-    if (now - told < tell_period) continue;
-    told = now;
-    // A board that is away misses this; the end of the motion is told surely.
-    const Result<void> telling = co_await facts_.tell();
-    if (!telling) facts_.forget_told();
+    // Where the controller was late with something new, it is told as soon as it comes.
+    if (now < tell_at || !facts_.changed()) continue;
+    tell_at = std::max(tell_at + tell_period_, now);
+    // A board that is slow is told the newest when it is back, and the looking at the arm does not wait for it.
+    if (!telling_) on_the_way_ = context_.executor.spawn(tell_on_the_way());
   }
+}
+
+// A board that is away misses this; the end of the motion is told surely.
+Task<void> ArmControl::tell_on_the_way() {
+  telling_ = true;
+  const Result<void> told = co_await facts_.tell();
+  if (!told) facts_.forget_told();
+  telling_ = false;
 }
 
 // Whoever took control away from us meanwhile (a pendant, a controller that restarted) is asked for it once.
@@ -167,11 +185,9 @@ Task<Result<void>> ArmControl::brake() {
   return in_control([this] { return driver_.stop(); });
 }
 
-Task<Result<void>> ArmControl::follow(std::vector<Joints> waypoints, double speed) {
+Task<Result<void>> ArmControl::follow(Joints from, std::vector<Joints> waypoints, double speed) {
   const Joints target = waypoints.back();
-  const Result<ArmReading> before = co_await read();
-  if (!before) co_return fail(before);
-  const Duration longest = longest_time(before->joints, waypoints, speed);
+  const Duration longest = longest_time(from, waypoints, speed);
   if (stop_requested_) co_return stopped();
   const Result<void> started = co_await start_move(std::move(waypoints), speed);
   if (!started) co_return started;

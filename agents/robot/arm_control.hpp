@@ -8,7 +8,7 @@
 // goes.
 //
 //   const Result<InHand> in_hand = control.take_in_hand(operation);   // or busy, disconnected
-//   const Result<void> moved = co_await control.follow(waypoints, 1.0);
+//   const Result<void> moved = co_await control.follow(reading.joints, waypoints, 1.0);
 //
 // Failures: busy, disconnected, unknown-arm, stopped, fault, those of the Guard, and the driver's own.
 
@@ -37,19 +37,19 @@ class [[nodiscard]] InHand {
 
 class ArmControl {
  public:
-  static constexpr Duration poll_period = 20ms;
-  static constexpr Duration tell_period = 100ms;  // ten times a second while something changes
+  static constexpr Duration poll_period = 20ms;  // at most
   static constexpr Duration reconnect_pause = 500ms;
   static constexpr Duration patience = 2s;       // with a controller that does not answer during a move
   static constexpr Duration stopping_time = 5s;  // at most, until a stopped arm stands
 
   ArmControl(AgentContext& context, ArmDriver& driver, const ArmModel& model, const std::optional<Room>& room,
-             ArmFacts& facts)
+             double told_per_s, ArmFacts& facts)
       : context_(context),
         driver_(driver),
         model_(model),
         guard_(model, room),
         facts_(facts),
+        tell_period_(std::chrono::duration_cast<Duration>(std::chrono::duration<double>(1 / told_per_s))),
         ended_(context.executor) {}
 
   // Asks the type, takes control, and stops what moves: nobody is left who could answer for that move.
@@ -64,8 +64,9 @@ class ArmControl {
 
   Result<InHand> take_in_hand(Datum operation);
   Task<Result<ArmReading>> read();
-  // Through the waypoints (one at least) at `speed` 0..1; answers when the arm stands again.
-  Task<Result<void>> follow(std::vector<Joints> waypoints, double speed);
+  // From where it was just read to stand through the waypoints (one at least) at `speed` 0..1; answers when the arm
+  // stands again.
+  Task<Result<void>> follow(Joints from, std::vector<Joints> waypoints, double speed);
   // Answers when the fingers stand, at the opening or on something between them.
   Task<Result<void>> grip(double opening_mm);
   // Answers when the arm stands and the motion it was in has failed with `stopped`; at rest it does nothing.
@@ -86,6 +87,7 @@ class ArmControl {
   Task<Result<void>> brake();
   Task<Result<ArmReading>> until_ended(bool gripper, Duration longest);
   Task<void> look();
+  Task<void> tell_on_the_way();
   Task<void> obey();
   std::unexpected<Failure> stopped() const;
   void let_go();
@@ -96,7 +98,9 @@ class ArmControl {
   const ArmModel& model_;
   Guard guard_;
   ArmFacts& facts_;
-  bool known_ = false;  // the controller has said once that it is of this arm
+  const Duration tell_period_;  // while something changes
+  bool telling_ = false;        // on the way, and not yet acknowledged
+  bool known_ = false;          // the controller has said once that it is of this arm
   bool connected_ = false;
   std::string why_lost_;
   std::optional<Datum> running_;
@@ -106,6 +110,7 @@ class ArmControl {
   bool gripping_ = false;
   WaitList ended_;
   Job obeying_;
+  Job on_the_way_;
 };
 
 }  // namespace pizarra

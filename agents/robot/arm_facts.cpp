@@ -66,6 +66,10 @@ void ArmFacts::set_reading(const ArmModel& model, const ArmReading& reading) {
   facts_[gripper].now = list("gripper"_sym, robot_, rounded(reading.opening_mm, opening_step_mm));
 }
 
+bool ArmFacts::changed() const {
+  return std::ranges::any_of(facts_, [](const Told& fact) { return fact.now != fact.told; });
+}
+
 Task<Result<void>> ArmFacts::tell(Transaction with) {
   const std::array<Told, kinds> sent = facts_;
   for (const Told& fact : sent) {

@@ -24,6 +24,8 @@ class ArmFacts {
   // The last commanded action, NO_ACTION before the first.
   const std::string& action() const { return action_; }
 
+  // Whether there is something to tell.
+  bool changed() const;
   // Tells what changed, and `with` it.
   Task<Result<void>> tell(Transaction with = {});
   // The same, again and again while the board cannot be reached.

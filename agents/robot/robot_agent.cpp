@@ -30,13 +30,13 @@ struct CutOff {
 }  // namespace
 
 struct RobotAgent::State {
-  State(AgentContext given, ArmDriver& driver, ArmModel described, std::optional<Room> kept_in)
+  State(AgentContext given, ArmDriver& driver, ArmModel described, const RobotOptions& options)
       : context(std::move(given)),
         name(Datum::symbol(context.name)),
         model(std::move(described)),
-        room(kept_in),
+        room(options.room),
         facts(context),
-        control(context, driver, model, room, facts),
+        control(context, driver, model, room, options.told_per_s, facts),
         reflex(context, control),
         service(context, contract_from_text(robot_contract).value()) {}
 
@@ -71,8 +71,8 @@ struct RobotAgent::State {
   Task<Result<void>> tell_end(std::optional<Failure> failure, Transaction with);
 };
 
-RobotAgent::RobotAgent(AgentContext context, ArmDriver& driver, ArmModel model, std::optional<Room> room)
-    : state_(std::make_unique<State>(std::move(context), driver, std::move(model), room)) {}
+RobotAgent::RobotAgent(AgentContext context, ArmDriver& driver, ArmModel model, RobotOptions options)
+    : state_(std::make_unique<State>(std::move(context), driver, std::move(model), options)) {}
 
 RobotAgent::~RobotAgent() = default;
 
@@ -190,8 +190,9 @@ Task<Result<Datum>> RobotAgent::State::move(Datum operation, std::string client)
   const Result<void> begun = co_await facts.tell_surely(std::move(begin));
   if (!begun) co_return fail(begun);
   const double speed_part = speed_percent / 100;
+  const Joints at = reading->joints;
   const Job watching = context.executor.spawn(reflex.watch_motion(client, service.presence()));
-  const Result<void> moved = co_await control.follow(std::move(motion->waypoints), speed_part);
+  const Result<void> moved = co_await control.follow(at, std::move(motion->waypoints), speed_part);
   std::optional<Failure> failure;
   if (!moved) failure = moved.error();
   const Result<void> told = co_await tell_end(failure, std::move(end));

@@ -24,11 +24,15 @@
 
 namespace pizarra {
 
+struct RobotOptions {
+  std::optional<Room> room = {};  // where its grip centre stays
+  double told_per_s = 10;         // how often pose and joints are told while they change
+};
+
 class RobotAgent : public Agent {
  public:
   // The driver outlives the agent; the model is that of the arm that its controller will say it is of.
-  // Its grip centre stays in the room, where there is one.
-  RobotAgent(AgentContext context, ArmDriver& driver, ArmModel model, std::optional<Room> room = {});
+  RobotAgent(AgentContext context, ArmDriver& driver, ArmModel model, RobotOptions options = {});
   ~RobotAgent() override;
   Task<Result<void>> run() override;
 

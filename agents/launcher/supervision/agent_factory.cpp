@@ -34,10 +34,10 @@ class WithoutDevice : public BuiltAgent {
 
 class BuiltRobot : public BuiltAgent {
  public:
-  BuiltRobot(AgentContext context, const ArmLine& line, const ArmModel& model, std::optional<Room> room, Link& link,
+  BuiltRobot(AgentContext context, const ArmLine& line, const ArmModel& model, RobotOptions options, Link& link,
              std::string_view simulated)
       : device_(make_arm_device(context.executor, line, model, link, simulated)),
-        agent_(std::move(context), device_->driver(), model, room) {}
+        agent_(std::move(context), device_->driver(), model, options) {}
 
  private:
   Agent& agent() override { return agent_; }
@@ -112,8 +112,8 @@ Result<std::unique_ptr<BuiltAgent>> build_second(const std::string& kind, AgentC
   }
   const Result<ArmModel> model = read_arm_file(slave.arm_file);
   if (!model) return fail(model);
-  return std::make_unique<BuiltRobot>(std::move(context), slave.line, *model, room_from(slave.room), link,
-                                      "second-arm");
+  return std::make_unique<BuiltRobot>(std::move(context), slave.line, *model,
+                                      RobotOptions{room_from(slave.room), slave.rate_hz}, link, "second-arm");
 }
 
 std::unique_ptr<BuiltAgent> build_person(AgentContext context, const CellDescription& description, Link& link) {
@@ -184,7 +184,8 @@ Result<std::unique_ptr<BuiltAgent>> build_agent(const std::string& kind, AgentCo
     Result<ArmModel> model = read_arm_file(description.arm_file);
     if (!model) return fail(model);
     return std::make_unique<BuiltRobot>(std::move(context), description.arm_line, *model,
-                                        room_from(description.arm_room), link, "arm");
+                                        RobotOptions{room_from(description.arm_room), description.arm_rate_hz}, link,
+                                        "arm");
   }
   if (kind == "slave" || kind == "follower") {
     if (!description.slave) return fail("unknown-agent", "the cell has no second arm", Datum::symbol(kind));

@@ -76,7 +76,15 @@ Task<Result<MotomanArm::Seen>> MotomanArm::look() {
   const Result<MotomanPulses> pulses = co_await link_.pulses();
   if (!pulses) co_return lost(pulses.error());
   Seen seen{*status, joints_of(*pulses)};
+  seen_ = seen;
+  seen_at_ = executor_.now();
   co_return seen;
+}
+
+Task<Result<MotomanArm::Seen>> MotomanArm::look_lately() {
+  const bool lately = seen_ && executor_.now() - seen_at_ <= fresh;
+  if (lately) co_return *seen_;
+  co_return co_await look();
 }
 
 // Why an arm with this status does not move.
@@ -99,6 +107,7 @@ Task<Failure> MotomanArm::trouble(MotomanStatus status) {
 }
 
 Task<Result<void>> MotomanArm::take_control() {
+  seen_.reset();
   Result<MotomanStatus> status = co_await link_.status();
   if (!status) co_return lost(status.error());
   const bool locked = status->teaching || !status->remote;
@@ -164,7 +173,7 @@ Task<Result<void>> MotomanArm::start_move(std::vector<Joints> waypoints, double 
     ~Done() { flag = false; }
     bool& flag;
   } done{ordering_};
-  const Result<Seen> seen = co_await look();
+  const Result<Seen> seen = co_await look_lately();
   if (!seen) co_return fail(seen);
   if (seen->status.running) co_return fail("busy", "the controller moves the arm already");
   const Result<void> ready = co_await ready_to_move(seen->status);
@@ -205,6 +214,7 @@ Task<Result<void>> MotomanArm::order(Leg leg, Joints from) {
   }
   for (int i = 0; i < most_orders; ++i) {
     ordered_at_ = executor_.now();
+    seen_.reset();
     const Result<void> ordered = co_await order_once(leg, line);
     // An arm that runs although it stood runs for us: it was a copy of the order that was refused.
     const bool begun = ordered || refused_with(ordered.error(), motoman::operating);
@@ -225,6 +235,7 @@ Task<Result<void>> MotomanArm::order(Leg leg, Joints from) {
 
 Task<Result<void>> MotomanArm::stop() {
   stopping_ = true;
+  seen_.reset();
   const Result<void> held = co_await link_.turn(MotomanSwitch::hold, true);
   if (!held) co_return lost(held.error());
   co_return Result<void>();

@@ -47,7 +47,8 @@ class MotomanArm : public ArmDriver {
   static constexpr Duration opening_time = 3s;
   static constexpr Duration servo_time = 3s;  // at most, until the servos are on
   static constexpr Duration look_again = 50ms;
-  static constexpr Duration starting_time = 300ms;          // at most, until an arm that was ordered to move runs
+  static constexpr Duration starting_time = 300ms;  // at most, until an arm that was ordered to move runs
+  static constexpr Duration fresh = 20ms;
   static constexpr int most_orders = 25;                    // of one target that the line loses
   static constexpr std::uint64_t reads_of_an_opening = 10;  // while the fingers stand
 
@@ -62,6 +63,8 @@ class MotomanArm : public ArmDriver {
   };
 
   Task<Result<Seen>> look();
+  // The last look, where it is no older than `fresh`.
+  Task<Result<Seen>> look_lately();
   Task<Result<void>> look_at_gripper();
   Task<Result<void>> switch_on();
   Task<Result<void>> ready_to_move(MotomanStatus status);
@@ -77,6 +80,9 @@ class MotomanArm : public ArmDriver {
   Executor& executor_;
   MotomanLink& link_;
   ArmModel model_;
+
+  std::optional<Seen> seen_;  // nothing was commanded since
+  Time seen_at_{};
 
   // The move in hand.
   std::deque<Leg> legs_;  // the one under way first

@@ -12,10 +12,10 @@
 
 (check "what is left out has a default" (interpret '((cell c)))
        '(ok (c (1330 0 200 0 0 "") (3 0.7 0.12) () crs-f3 "" "localhost" ""
-               (("localhost" "" robot vision planner coordinator person)) 60 (76 84 96) (450 -200 200) "" ("" "" 0 ()) () () "" () () ())))
+               (("localhost" "" robot vision planner coordinator person)) 60 (76 84 96) (450 -200 200) "" ("" "" 0 ()) () () "" () () () 10)))
 (check "the gripper opens as the cubes' size asks"
        (list-tail (cadr (interpret '((cell c (world (cube-size 50) (row (x 460) (y -150 150))))))) 9)
-       '(50 (66 74 86) (460 -150 150) "" ("" "" 0 ()) () () "" () () ()))
+       '(50 (66 74 86) (460 -150 150) "" ("" "" 0 ()) () () "" () () () 10))
 (check "openings are the file's where it says them"
        (list-ref (cadr (interpret '((cell c (world (openings 70 80 90)))))) 10)
        '(70 80 90))
@@ -100,14 +100,17 @@
 (check "a controller's port is a port" (complaint '(arm crs-f3 (driver hses "a" 70000))) '(1 out-of-range (0 2 2 3)))
 (check "a controller has no more ports than its protocol"
        (complaint '(arm crs-f3 (driver hses "a" 1 2))) '(1 malformed (0 2 2 4)))
+(check "an arm tells its state as often as its section says"
+       (list-ref (cadr (interpret '((cell c (arm crs-f3 (rate 125)))))) 20) 125)
+(check "an arm tells its state 500 times a second at most" (complaint '(arm crs-f3 (rate 501))) '(1 out-of-range (0 2 2 1)))
 ;; A second arm.
 (define (slave-of . parts)
   (list-ref (cadr (interpret `((cell c ,@parts)))) 18))
 (check "a second arm has a place for each of the first's"
        (list (slave-of '(slave crs-f3 (offset 10 -20 30) (mirror) (driver hses "up6")))
              (slave-of '(slave crs-f3 (room (z 20 700)))) (slave-of))
-       '((crs-f3 () (hses ("up6") (10040)) (10 -20 30) mirror ())
-         (crs-f3 ((-10000 10000) (-10000 10000) (20 700)) () (0 0 0) plain ()) ()))
+       '((crs-f3 () (hses ("up6") (10040)) (10 -20 30) mirror () 10)
+         (crs-f3 ((-10000 10000) (-10000 10000) (20 700)) () (0 0 0) plain () 10) ()))
 (check "a second arm is of those there are" (complaint '(slave kr3)) '(1 unknown-name (0 2 1)))
 (check "an offset has three lengths" (complaint '(slave crs-f3 (offset 10 20))) '(1 malformed (0 2 2)))
 (check "agents of a second arm need one"

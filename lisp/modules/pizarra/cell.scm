@@ -3,14 +3,15 @@
 ;; (interpret DATA), the data of a file, answers (errors ...) or
 ;;   (ok (NAME (X Y Z PAN TILT HEAD) (SENSOR BLUR GRADIENT) (CUBE ...) ARM DOMAIN BOARD-HOST BOARD-ADDRESS
 ;;        ((HOST KEY KIND ...) ...) CUBE-SIZE (NARROW NORMAL WIDE) (ROW-X ROW-Y-LOW ROW-Y-HIGH) BOARD-KEYS
-;;        (LINE WHERE NUMBER (REVERSED ...)) ROOM DRIVER OBJECTS CAMERA SLAVE GRIPPER))
+;;        (LINE WHERE NUMBER (REVERSED ...)) ROOM DRIVER OBJECTS CAMERA SLAVE GRIPPER RATE))
 ;; with CUBE = (NAME MARK X Y YAW ON), ON the empty string for the table; KEY and BOARD-KEYS are paths or empty; HEAD the
 ;; simulated pan-tilt unit under the cameras or the empty string; LINE serial, tcp or the empty string, how the unit of
 ;; the agent is reached, NUMBER a baud rate or a port; ROOM that of the arm, or (); DRIVER how its controller is reached,
 ;; (PROTOCOL (PLACE ...) (NUMBER ...)), or () for the simulated arm;
 ;; OBJECTS the folder of the object database, or empty; CAMERA what (pizarra camera) makes of the cameras of the
-;; agent, or () for the simulated ones; SLAVE the second arm, (ARM ROOM DRIVER (X Y Z) plain|mirror GRIPPER), or ();
-;; GRIPPER what (pizarra gripper) makes of the arm's, or () for its own.
+;; agent, or () for the simulated ones; SLAVE the second arm, (ARM ROOM DRIVER (X Y Z) plain|mirror GRIPPER RATE), or ();
+;; GRIPPER what (pizarra gripper) makes of the arm's, or () for its own; RATE how
+;; often a second the arm tells its state.
 
 (define-module (pizarra cell)
   #:use-module (srfi srfi-1)
@@ -298,15 +299,20 @@
   (let ((rest (node-rest arm)))
     (sections (if (pair? rest) (cdr rest) '()) known)))
 
+;; How often a second the arm tells where it is while it moves.
+(define (rate-of found)
+  (first (numbers-in found 'rate '((1 500)) '(10))))
+
 ;; (slave ARM (offset X Y Z) (mirror) ...): the second arm, and where it is to be for a place of the first.
 (define (slave-of node arms)
-  (let ((found (parts-of node '(room driver gripper offset mirror))))
+  (let ((found (parts-of node '(room driver gripper rate offset mirror))))
     (list (or (arm-of node arms) 'crs-f3)
           (room-of found)
           (driver-of found)
           (numbers-in found 'offset '((-5000 5000) (-5000 5000) (-5000 5000)) '(0 0 0))
           (if (section-in found 'mirror) 'mirror 'plain)
-          (gripper-of found))))
+          (gripper-of found)
+          (rate-of found))))
 
 ;; ----
 
@@ -320,7 +326,7 @@
                      '()))
          (size (cube-size-of things))
          (arm (section-in found 'arm))
-         (arm-parts (if arm (parts-of (node-within arm "in the arm") '(room driver gripper)) '()))
+         (arm-parts (if arm (parts-of (node-within arm "in the arm") '(room driver gripper rate)) '()))
          (slave (section-in found 'slave))
          (camera (camera-of things))
          (pan-tilt (pan-tilt-of found))
@@ -356,7 +362,8 @@
           (text-of-section found 'objects "the folder of the objects" "")
           (if own-cameras (camera-of-section own-cameras) '())
           (if slave (slave-of (node-within slave "in the second arm") arms) '())
-          (gripper-of arm-parts))))
+          (gripper-of arm-parts)
+          (rate-of arm-parts))))
 
 ;; ARMS are the names of the arms that come with the tree.
 (define* (interpret data #:optional (arms '(crs-f3)))

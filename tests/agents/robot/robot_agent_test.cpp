@@ -141,5 +141,18 @@ TEST_F(Robot, TellsThePoseTenTimesASecondWhileItMovesAndTheLastBeforeTheReply) {
   EXPECT_EQ(first("(arm-joints robot ?)", 2), "(24.0 0.0 -90.0 0.0 -90.0 0.0 2500.0)");
 }
 
+TEST_F(Robot, TellsThePoseAsOftenAsItIsToldTo) {
+  life.reset();
+  life.emplace(executor, board, arm, crs_f3(), RobotOptions{.told_per_s = 125});
+  executor.run_for(3s);
+  call("(speed 5)");
+  std::size_t poses = 0;
+  board.set_journal([&](std::string_view line) { poses += line.find("arm-pose") != std::string_view::npos ? 1 : 0; });
+  ask("(turn right 24)");
+  executor.run_for(1s);
+  EXPECT_GE(poses, 120u);
+  EXPECT_LE(poses, 127u);
+}
+
 }  // namespace
 }  // namespace pizarra

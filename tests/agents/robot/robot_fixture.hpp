@@ -22,8 +22,8 @@ inline Datum form(std::string_view text) { return read_one(text).value(); }
 class RobotLife {
  public:
   RobotLife(Executor& executor, MemoryBoard& board, ArmDriver& arm, const ArmModel& model = crs_f3(),
-            std::optional<Room> room = {}, const std::string& name = "robot")
-      : board_(board.view(name)), agent_({name, "localhost", executor, *board_, Random(1)}, arm, model, room) {
+            RobotOptions options = {}, const std::string& name = "robot")
+      : board_(board.view(name)), agent_({name, "localhost", executor, *board_, Random(1)}, arm, model, options) {
     job_ = executor.spawn(live());
   }
   std::optional<Result<void>> ended;

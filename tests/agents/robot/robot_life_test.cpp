@@ -110,7 +110,7 @@ TEST_F(Robot, RestartedAgentFinishesTheMotionThatWasCutOffInsteadOfAddingToIt) {
 TEST_F(Robot, ArmsOnOneBoardTellSideBySideAndRememberTheirOwn) {
   FakeArm other_arm{executor};
   std::optional<RobotLife> other;
-  const auto begin_other = [&] { other.emplace(executor, board, other_arm, crs_f3(), std::nullopt, "other"); };
+  const auto begin_other = [&] { other.emplace(executor, board, other_arm, crs_f3(), RobotOptions(), "other"); };
   begin_other();
   executor.run_for(1s);
   call("(speed 30)");

@@ -199,7 +199,7 @@ TEST(Guard, RoomIsLeftByNobodyAndComeBackToByAll) {
 TEST_F(RobotSafety, MotionOutOfTheRoomIsRefusedBeforeAnythingMoves) {
   life.reset();
   executor.run_for(3s);
-  life.emplace(executor, board, arm, crs_f3(), Room{{200, -300, 30}, {380, 300, 700}});
+  life.emplace(executor, board, arm, crs_f3(), RobotOptions{.room = Room{{200, -300, 30}, {380, 300, 700}}});
   executor.run_for(1s);
   EXPECT_EQ(refusal("(extend keep-height 60)"), "out-of-room");
   EXPECT_EQ(refusal("(turn right 90)"), "out-of-room");

@@ -4,26 +4,19 @@
 
 #include <fmt/format.h>
 
-#include "agents/robot/robot_agent.hpp"
-#include "agents/runtime/contract.hpp"
-#include "blackboard/query.hpp"
 #include "drivers/arm/arm_file.hpp"
 #include "drivers/arm/motoman/hses_link.hpp"
 #include "drivers/arm/motoman/motoman_arm.hpp"
 #include "drivers/simulation/controllers/arms/hses_emulator.hpp"
 #include "drivers/simulation/controllers/arms/moving_arm.hpp"
 #include "drivers/wire/udp_wire.hpp"
-#include "lisp/reader.hpp"
+#include "tests/bench/arms/robot_process.hpp"
 #include "tests/bench/arms/rows.hpp"
-#include "tests/bench/blackboard/board_process.hpp"
 #include "tests/bench/measure.hpp"
 
 namespace pizarra::bench {
 
 namespace {
-
-Datum form(const std::string& text) { return read_one(text).value(); }
-Query query(const std::string& text) { return query_from_datum(form(text)).value(); }
 
 // A UDP line that says when a move goes over it.
 class HeardWire : public DatagramWire {
@@ -56,18 +49,7 @@ void be_the_robot(Pipe& parent, const std::string& address) {
   HeardWire wire(executor, port->port(), parent);
   HsesLink link(executor, wire);
   MotomanArm arm(executor, link, model);
-  const auto board = RemoteBoard::connect(executor, address, "robot").value();
-  RobotAgent robot({"robot", "localhost", executor, *board, Random(1)}, arm, model);
-  const Job job = executor.spawn([](RobotAgent& agent) -> Task<void> {
-    const Result<void> ended = co_await agent.run();
-    throw std::runtime_error(describe(ended.error()));
-  }(robot));
-  executor.run_until([] { return false; });
-}
-
-Task<Result<Answer>> await_fact(Client& client, std::string pattern, Duration longest) {
-  const Time deadline = client.executor().now() + longest;
-  return await_answer(client.board(), query(pattern), deadline, client.executor());
+  be_a_robot(executor, address, {}, arm, model);
 }
 
 double told_in_us(Client& client, Datum fact) {
@@ -82,11 +64,9 @@ void command_latency(ArmsBench& bench) {
   const BoardProcess board;
   Child robot = Child::running([&](Pipe& parent) { be_the_robot(parent, board.address()); });
   Client client(board.address(), "bench");
-  client.run(client.board().declare(runtime_relations()));
   const std::vector<Relation> relations = {object_relation()};
   client.run(client.board().declare(relations));
-  client.run(await_fact(client, "(agent robot ?kind ?host)", 10s));
-  client.run(await_fact(client, "(arm robot idle ?action)", 10s));
+  wait_for_robots(client, {"robot"});
   std::vector<double> ms;
   std::vector<double> board_ms;
   for (std::uint64_t count = 0; count < bench.stops; ++count) {
@@ -98,14 +78,16 @@ void command_latency(ArmsBench& bench) {
     ms.push_back((robot.pipe().hear() - told_us) / 1000);
     client.run(await_fact(client, fmt::format("(reply c{} ?answer)", count), 10s));
   }
-  const double round_trip_ms = percentile(board_ms, 0.5);
-  bench.figures.say({"command fact to its move on the wire, p99 beyond the board's round trip",
-                     percentile(ms, 0.99) - round_trip_ms,
-                     "ms",
-                     at_most(1),
-                     {},
-                     fmt::format("{} commands, p50 {:.2f} ms; the board's round trip {:.2f} ms", ms.size(),
-                                 percentile(ms, 0.5), round_trip_ms)});
+  const double round_trip_ms = percentile(board_ms, 0.99);
+  bench.figures.say(
+      {"command fact to its move on the wire, p99 beyond the board's round trip",
+       percentile(ms, 0.99) - round_trip_ms,
+       "ms",
+       at_most(1),
+       {},
+       fmt::format("{} commands, p50 {:.2f} ms, p99 {:.2f}; a round trip of the board between them p50 "
+                   "{:.2f} ms, p99 {:.2f}",
+                   ms.size(), percentile(ms, 0.5), percentile(ms, 0.99), percentile(board_ms, 0.5), round_trip_ms)});
 }
 
 }  // namespace pizarra::bench

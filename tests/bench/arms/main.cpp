@@ -17,14 +17,15 @@ struct Row {
 using namespace pizarra::bench;
 constexpr std::array table = {
     Row{"move", one_move},     Row{"targets", random_targets}, Row{"lines", lines_of_description},
-    Row{"stop", stop_latency}, Row{"loss", bad_network},       Row{"command", command_latency}};
+    Row{"stop", stop_latency}, Row{"loss", bad_network},       Row{"command", command_latency},
+    Row{"state", state_stream}};
 
 }  // namespace
 
 int main(int argc, char** argv) {
   CLI::App app(
-      "Every arm of arms/: inverse kinematics, random targets, lines of description; how fast a stop arrives; and "
-      "moves over a network that loses datagrams.",
+      "Every arm of arms/: inverse kinematics, random targets, lines of description; how fast a stop arrives; how "
+      "often an arm tells its state; and moves over a network that loses datagrams.",
       "pizarra bench arms");
   bool json = false;
   std::uint64_t targets = 1'000'000;

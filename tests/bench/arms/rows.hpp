@@ -16,6 +16,7 @@ struct ArmsBench {
 };
 
 void one_move(ArmsBench& bench);
+void state_stream(ArmsBench& bench);
 void random_targets(ArmsBench& bench);
 void lines_of_description(ArmsBench& bench);
 void stop_latency(ArmsBench& bench);

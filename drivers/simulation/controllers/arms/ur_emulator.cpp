@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "blackboard/time/pace.hpp"
 #include "drivers/arm/angles.hpp"
 #include "drivers/arm/route.hpp"
 #include "drivers/simulation/controllers/arms/serve_frames.hpp"
@@ -23,6 +24,7 @@ constexpr std::int32_t safety_emergency = 7;
 constexpr std::uint32_t stopped = 1;
 constexpr std::uint8_t recipe = 1;
 constexpr std::size_t longest_program = 1 << 20;
+constexpr Duration client_pause = 10ms;  // until it is looked again for one that wants to be told
 
 Joints five_of(const std::array<double, 6>& q) {
   return {degrees(q[0]), degrees(q[1]), degrees(q[2]), degrees(q[3]), degrees(q[5])};
@@ -197,11 +199,17 @@ Task<std::string> answer_line(UrEmulator& emulator, std::string line) {
 }
 
 Task<void> tell_states(Executor& executor, UrEmulator& emulator, ByteWire& port) {
+  std::optional<Pace> pace;
   while (true) {
     const std::optional<Duration> every = emulator.told_every();
-    const Duration pause = every.value_or(Duration(10ms));
+    if (!every) {
+      co_await sleep(executor, client_pause);
+      pace.reset();
+      continue;
+    }
+    if (!pace) pace.emplace(executor, *every);
+    const Duration pause = pace->pause();
     co_await sleep(executor, pause);
-    if (!every) continue;
     const rtde::State state = co_await emulator.state();
     // Nobody reads, or it has no power: what is not told is lost.
     static_cast<void>(port.write(rtde::write(rtde::data, rtde::write_state(recipe, state))));
