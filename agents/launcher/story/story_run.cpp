@@ -48,9 +48,10 @@ Result<void> finish_recording(Recorder& recorder, Executor& executor, const Stor
 Result<StoryReport> run_on(Executor& executor, const Scenario& scenario, const CellDescription& description,
                            const Judge& judge, const StoryOptions& options, Narrator& narrator) {
   std::ofstream journal;
-  // A story is told in the simulated world, whatever controller and cameras the cell has of its own.
+  // A story is told in the simulated world, whatever controllers and cameras the cell has of its own.
   CellDescription simulated = description;
   simulated.arm_line = {};
+  if (simulated.slave) simulated.slave->line = {};
   simulated.eyes = {};
   // It begins with nothing learned and leaves nothing behind, so that it repeats.
   simulated.objects_directory.clear();
