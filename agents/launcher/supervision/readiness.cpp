@@ -25,7 +25,7 @@ Task<Result<void>> await_agents(LocalCell& cell, Board& board) {
   const Time deadline = cell.executor().now() + agents_timeout;
   const std::vector<std::string> kinds = agent_kinds(cell.description());
   for (const std::string& kind : kinds) {
-    Query query = query_for(list("agent"_sym, "?"_sym, Datum::symbol(kind), "?"_sym));
+    Query query = query_for(list("agent"_sym, Datum::symbol(kind), "?"_sym, "?"_sym));
     const Result<Answer> there = co_await await_when_declared(board, cell.executor(), std::move(query), deadline);
     if (there) continue;
     const std::optional<Failure> why = cell.ended(kind);

@@ -12,7 +12,7 @@ namespace pizarra {
 // As await_answer(), also when the relations are yet to be declared.
 Task<Result<Answer>> await_when_declared(Board& board, Executor& executor, Query query, Time deadline);
 
-// All kinds of agents are present. Failure: no-agents.
+// The agents of the cell are present, each under its own name: two may be of one kind. Failure: no-agents.
 Task<Result<void>> await_agents(LocalCell& cell, Board& board);
 // The person has shown every object to the eyes. Failure: not-taught.
 Task<Result<void>> await_teaching(Board& board, Executor& executor);

@@ -21,7 +21,7 @@ TEST(StoryRun, BothArmsOfACellAreSimulatedWhateverControllersTheyHave) {
   Scenario scenario;
   scenario.name = "two arms";
   scenario.cell_file = source_dir() + "/examples/01-blocks/cell.scm";
-  scenario.goal = {list("on-table"_sym, "circle"_sym)};
+  scenario.goal = {list("on"_sym, "circle"_sym, "triangle"_sym)};
   Result<CellDescription> cell = cell_of(scenario);
   ASSERT_TRUE(cell) << describe(cell.error());
   // Nobody listens there.
