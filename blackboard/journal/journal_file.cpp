@@ -116,7 +116,8 @@ JournalFile::JournalFile(std::string path, History history, int lock, sqlite::Da
       lock_(lock),
       reserve_(path_ + "-reserve"),
       mark_(mark_beside(path_)),
-      database_(std::move(database)) {}
+      database_(std::move(database)),
+      insert_(database_, "INSERT INTO log VALUES (?, ?, ?, ?, ?, ?)") {}
 
 JournalFile::~JournalFile() = default;
 
@@ -146,10 +147,9 @@ Result<void> JournalFile::write(const JournalGroup& group) {
     waits_for_disk_ = group.durable;
   }
   const LineStart last = start_of_last_line(group.lines);
-  sqlite::Statement insert(database_, "INSERT INTO log VALUES (?, ?, ?, ?, ?, ?)");
-  insert.bind(1, next_group_).bind(2, static_cast<std::int64_t>(last.revision));
-  insert.bind(3, last.when.time_since_epoch().count()).bind(4, group.lines).bind(5, group.replies);
-  return insert.bind(6, journal_tables::sum_of_group(next_group_, group.lines, group.replies)).run();
+  insert_.bind(1, next_group_).bind(2, static_cast<std::int64_t>(last.revision));
+  insert_.bind(3, last.when.time_since_epoch().count()).bind(4, group.lines).bind(5, group.replies);
+  return insert_.bind(6, journal_tables::sum_of_group(next_group_, group.lines, group.replies)).run();
 }
 
 bool JournalFile::has_room() {

@@ -92,6 +92,7 @@ class JournalFile {
   SpaceReserve reserve_;
   KeptMark mark_;
   sqlite::Database database_;
+  sqlite::Statement insert_;
   std::int64_t next_group_ = 1;
   bool waits_for_disk_ = true;
 };

@@ -51,9 +51,9 @@ class Executor {
   // Calls back whenever the file can be read, until unwatched. Virtual time refuses it by assertion.
   virtual void watch_readable(int file, std::function<void()> callback) = 0;
   virtual void unwatch_readable(int file) = 0;
-  // A long computation away from the agents' thread: in real time on a worker thread, in virtual time inline, finishing
-  // `virtual_cost` later. Destroying the task abandons the result; `work` should look at `cancelled` now and then, and
-  // must own all it touches, because it may outlive the task.
+  // A long computation away from the agents' thread: in real time on one of a bounded number of worker threads
+  // (worker_pool.hpp), in virtual time inline, finishing `virtual_cost` later. Destroying the task abandons the result;
+  // `work` should look at `cancelled` now and then, and must own all it touches, because it may outlive the task.
   virtual Task<void> offload(std::function<void(const std::function<bool()>& cancelled)> work,
                              Duration virtual_cost) = 0;
 

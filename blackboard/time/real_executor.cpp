@@ -14,7 +14,6 @@ struct RealExecutor::Offloaded {
   explicit Offloaded(Executor& executor) : finished(executor) {}
   std::function<void(const std::function<bool()>&)> work;
   std::atomic<bool> cancelled = false;
-  std::atomic<bool> ended = false;
   Event finished;
 };
 
@@ -26,8 +25,8 @@ RealExecutor::RealExecutor(Time begin)
 }
 
 RealExecutor::~RealExecutor() {
-  for (Worker& worker : workers_) worker.work->cancelled = true;
-  for (Worker& worker : workers_) worker.thread.join();
+  ending_ = true;
+  workers_.reset();
   close(wake_up_);
 }
 
@@ -74,20 +73,6 @@ void RealExecutor::watch_readable(int file, std::function<void()> callback) {
 
 void RealExecutor::unwatch_readable(int file) { files_.erase(file); }
 
-void RealExecutor::start_work(std::shared_ptr<Offloaded> work) {
-  const auto ended = [](const Worker& worker) { return worker.work->ended.load(); };
-  for (Worker& worker : workers_) {
-    if (ended(worker)) worker.thread.join();
-  }
-  std::erase_if(workers_, [](const Worker& worker) { return !worker.thread.joinable(); });
-  std::thread thread([this, work] {
-    work->work([&] { return work->cancelled.load(); });
-    post([work] { work->finished.set(); });
-    work->ended = true;
-  });
-  workers_.push_back({std::move(work), std::move(thread)});
-}
-
 Task<void> RealExecutor::offload(std::function<void(const std::function<bool()>&)> work, Duration) {
   struct Cancel {
     std::shared_ptr<Offloaded> offloaded;
@@ -95,7 +80,10 @@ Task<void> RealExecutor::offload(std::function<void(const std::function<bool()>&
   };
   const Cancel running{std::make_shared<Offloaded>(*this)};
   running.offloaded->work = std::move(work);
-  start_work(running.offloaded);
+  workers_->start([this, offloaded = running.offloaded] {
+    offloaded->work([this, &offloaded] { return offloaded->cancelled || ending_; });
+    post([offloaded] { offloaded->finished.set(); });
+  });
   co_await running.offloaded->finished.wait();
 }
 

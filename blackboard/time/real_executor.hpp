@@ -13,10 +13,11 @@
 #include <deque>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <thread>
-#include <vector>
 
 #include "blackboard/time/executor.hpp"
+#include "blackboard/time/worker_pool.hpp"
 
 namespace pizarra {
 
@@ -50,7 +51,6 @@ class RealExecutor : public Executor {
   Due::iterator find_due(TimerId timer);
   bool has_work();
   void poll_files();
-  void start_work(std::shared_ptr<Offloaded> work);
   void drain_wake_up();
 
   const std::chrono::steady_clock::time_point steady_start_;
@@ -70,11 +70,8 @@ class RealExecutor : public Executor {
   std::map<int, std::shared_ptr<std::function<void()>>> files_;
   int rounds_without_files_ = 0;
 
-  struct Worker {
-    std::shared_ptr<Offloaded> work;
-    std::thread thread;
-  };
-  std::vector<Worker> workers_;
+  std::atomic<bool> ending_ = false;
+  std::optional<WorkerPool> workers_{std::in_place};
 };
 
 }  // namespace pizarra

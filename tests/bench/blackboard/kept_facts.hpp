@@ -9,7 +9,8 @@ namespace pizarra::bench {
 // Gone with everything in it.
 class JournalFolder {
  public:
-  std::vector<std::string> board_options() const { return {"--journal", folder_.path() + "/board.journal"}; }
+  std::string file(const std::string& name) const { return folder_.path() + "/" + name; }
+  std::vector<std::string> board_options() const { return {"--journal", file("board.journal")}; }
   double megabytes() const;
 
  private:

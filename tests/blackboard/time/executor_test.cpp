@@ -1,8 +1,10 @@
 #include "blackboard/time/executor.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <gtest/gtest.h>
 #include <memory>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -12,6 +14,7 @@
 #include "blackboard/time/random.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "blackboard/time/virtual_executor.hpp"
+#include "blackboard/time/worker_pool.hpp"
 
 namespace pizarra {
 namespace {
@@ -164,6 +167,71 @@ TEST(RealExecutor, DestroyingATaskTellsItsOffloadedWork) {
     executor.run_until([&] { return begun; });
   }
   EXPECT_TRUE(*noticed);
+}
+
+Task<void> note_threads(Executor& executor, std::shared_ptr<std::vector<std::thread::id>> threads, int times) {
+  const std::function<void(const std::function<bool()>&)> work = [threads](const std::function<bool()>&) {
+    threads->push_back(std::this_thread::get_id());
+  };
+  for (int i = 0; i < times; ++i) co_await executor.offload(work, 0ms);
+}
+
+TEST(RealExecutor, OffloadedWorkAfterWorkNeedsNoNewThreadEachTime) {
+  constexpr int times = 200;
+  RealExecutor executor;
+  auto threads = std::make_shared<std::vector<std::thread::id>>();
+  const Job job = executor.spawn(note_threads(executor, threads, times));
+  executor.run_until([&] { return job.done(); });
+  ASSERT_EQ(threads->size(), times);
+  // One may still be on its way back when the next work comes.
+  EXPECT_LT(std::set<std::thread::id>(threads->begin(), threads->end()).size(), times / 10);
+}
+
+struct Crowd {
+  std::atomic<std::size_t> begun = 0;
+  std::atomic<std::size_t> inside = 0;
+  std::atomic<std::size_t> most_inside = 0;
+  std::atomic<bool> may_leave = false;
+};
+
+Task<void> join(Executor& executor, std::shared_ptr<Crowd> crowd) {
+  const std::function<void(const std::function<bool()>&)> work = [&executor,
+                                                                  crowd](const std::function<bool()>& cancelled) {
+    const std::size_t inside = ++crowd->inside;
+    std::size_t most = crowd->most_inside;
+    while (most < inside && !crowd->most_inside.compare_exchange_weak(most, inside)) continue;
+    ++crowd->begun;
+    executor.post([] {});  // somebody may wait for it
+    while (!crowd->may_leave && !cancelled()) std::this_thread::yield();
+    --crowd->inside;
+  };
+  co_await executor.offload(work, 0ms);
+}
+
+TEST(RealExecutor, MoreOffloadedWorkThanItHasThreadsWaitsItsTurn) {
+  constexpr std::size_t works = WorkerPool::most_threads + 8;
+  auto crowd = std::make_shared<Crowd>();
+  RealExecutor executor;
+  std::vector<Job> jobs;
+  for (std::size_t i = 0; i < works; ++i) jobs.push_back(executor.spawn(join(executor, crowd)));
+  executor.run_until([&] { return crowd->begun == WorkerPool::most_threads; });
+  crowd->may_leave = true;
+  executor.run_until([&] { return std::ranges::all_of(jobs, &Job::done); });
+  EXPECT_EQ(crowd->begun, works);
+  EXPECT_EQ(crowd->most_inside, WorkerPool::most_threads);
+}
+
+TEST(RealExecutor, OffloadedWorkWhoseTurnNeverCameLearnsOfTheEndToo) {
+  constexpr std::size_t works = WorkerPool::most_threads + 8;
+  auto crowd = std::make_shared<Crowd>();
+  {
+    RealExecutor executor;
+    std::vector<Job> jobs;
+    for (std::size_t i = 0; i < works; ++i) jobs.push_back(executor.spawn(join(executor, crowd)));
+    executor.run_until([&] { return crowd->begun == WorkerPool::most_threads; });
+  }
+  EXPECT_EQ(crowd->begun, works);
+  EXPECT_EQ(crowd->inside, 0);
 }
 
 TEST(RealExecutor, OtherThreadsWakeItByPosting) {
