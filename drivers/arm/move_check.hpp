@@ -21,4 +21,10 @@ inline Result<void> check_move(const ArmModel& model, const std::vector<Joints>&
   return {};
 }
 
+// Failure: not-finite.
+inline Result<void> check_opening(double opening_mm) {
+  if (!std::isfinite(opening_mm)) return fail("not-finite", "the opening is not a number");
+  return {};
+}
+
 }  // namespace pizarra

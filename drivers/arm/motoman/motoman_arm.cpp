@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "drivers/arm/held.hpp"
 #include "drivers/arm/motoman/motoman_codes.hpp"
 #include "drivers/arm/move_check.hpp"
 
@@ -167,12 +168,8 @@ Task<Result<void>> MotomanArm::start_move(std::vector<Joints> waypoints, double 
   const Result<void> sound = check_move(model_, waypoints, speed);
   if (!sound) co_return sound;
   if (moving_ || ordering_) co_return fail("busy", "the arm is moving already");
-  ordering_ = true;
+  const Held ordering(ordering_);
   stopping_ = false;
-  struct Done {
-    ~Done() { flag = false; }
-    bool& flag;
-  } done{ordering_};
   const Result<Seen> seen = co_await look_lately();
   if (!seen) co_return fail(seen);
   if (seen->status.running) co_return fail("busy", "the controller moves the arm already");
@@ -281,7 +278,8 @@ Task<Result<void>> MotomanArm::go_on(const Seen& seen) {
 }
 
 Task<Result<void>> MotomanArm::start_gripper(double opening_mm) {
-  if (!std::isfinite(opening_mm)) co_return fail("not-finite", "the opening is not a number");
+  const Result<void> sound = check_opening(opening_mm);
+  if (!sound) co_return sound;
   const double opening = std::clamp(opening_mm, 0.0, most_opening_mm);
   const auto um = static_cast<std::int32_t>(std::llround(opening * um_per_mm));
   const Result<void> set = co_await link_.set_variable(wanted_opening, um);
@@ -311,11 +309,7 @@ Task<Result<ArmReading>> MotomanArm::read() {
   }
   // Only one of those who read moves it on.
   if (moving_ && !ordering_) {
-    ordering_ = true;
-    struct Done {
-      ~Done() { flag = false; }
-      bool& flag;
-    } done{ordering_};
+    const Held ordering(ordering_);
     const Result<void> gone_on = co_await go_on(*seen);
     if (!gone_on) co_return fail(gone_on);
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drivers/arm/held.hpp"
 #include "drivers/arm/move_check.hpp"
 
 namespace pizarra {
@@ -14,109 +15,71 @@ FrameReader frames_of(const SimpleWires& wires) {
   return wires.order == ByteOrder::little ? frame_of_tcp_little : frame_of_tcp_big;
 }
 
-// Holds a flag for as long as it lives.
-class Held {
- public:
-  explicit Held(bool& flag) : flag_(flag) { flag_ = true; }
-  Held(const Held&) = delete;
-  Held& operator=(const Held&) = delete;
-  ~Held() { flag_ = false; }
-
- private:
-  bool& flag_;
-};
-
 }  // namespace
 
 SimpleArm::SimpleArm(Executor& executor, SimpleWires wires, ArmModel model)
     : executor_(executor),
       wires_(wires),
       model_(std::move(model)),
-      answers_(wires.motion, frames_of(wires)),
-      states_(wires.state, frames_of(wires)),
-      joints_(model_.ready),
-      turns_(executor) {
+      motion_(executor, wires.motion, frames_of(wires), "the controller"),
+      states_(executor, wires.state, frames_of(wires), "the controller"),
+      told_(states_, fresh),
+      joints_(model_.ready) {
   if (wires_.serial) wires_.order = ByteOrder::little;
 }
 
-bool SimpleArm::known() const { return heard_at_ && executor_.now() - *heard_at_ <= fresh; }
-
 Task<Result<std::string>> SimpleArm::identify() {
-  listening_ = Job();
-  heard_at_.reset();
+  told_.forget();
   const Time deadline = executor_.now() + opening_time;
-  for (ByteWire* wire : {&wires_.motion, &wires_.state}) {
-    const Result<void> open = co_await wire->open(deadline);
+  for (Dialogue* line : {&motion_, &states_}) {
+    const Result<void> open = co_await line->open(deadline);
     if (!open) co_return fail(open);
   }
-  answers_.clear();
-  states_.clear();
-  listening_ = executor_.spawn(listen());
   SimpleMessage ping{.type = simple::ping, .kind = simple::request};
   ping.data = std::string(4 * simple::axes, '\0');
   const Result<void> there = co_await order(std::move(ping));
   if (!there) co_return fail(there);
-  while (!known()) {
-    if (executor_.now() >= deadline) co_return fail("disconnected", "the controller does not tell its state");
-    co_await sleep(executor_, 10ms);
-  }
+  ToldState::Hear hears = [this](const std::string& octets) { return hear(octets); };
+  const Result<void> known = co_await told_.listen(std::move(hears), opening_time);
+  if (!known) co_return fail(known);
   co_return model_.type;
 }
 
-Task<void> SimpleArm::listen() {
-  while (true) {
-    const Time deadline = executor_.now() + opening_time;
-    const Result<std::string> octets = co_await states_.next(deadline);
-    if (!octets && octets.error().symbol == "timeout") continue;
-    if (!octets) {
-      why_unknown_ = octets.error().sentence;
-      heard_at_.reset();
-      co_return;
-    }
-    const Result<SimpleMessage> message = read_simple(*octets, wires_.order);
-    if (message) hear(*message);
+Result<bool> SimpleArm::hear(const std::string& octets) {
+  const Result<SimpleMessage> message = read_simple(octets, wires_.order);
+  if (!message) return fail(message);
+  if (message->type == simple::status) {
+    const Result<SimpleStatus> status = read_status(message->data, wires_.order);
+    if (!status) return fail(status);
+    status_ = *status;
   }
-}
-
-// What is not sound is left out: the state is then not known any more before long, and why is.
-void SimpleArm::hear(const SimpleMessage& message) {
-  if (message.type == simple::status) {
-    const Result<SimpleStatus> status = read_status(message.data, wires_.order);
-    if (status) status_ = *status;
-    if (!status) why_unknown_ = status.error().sentence;
-  }
-  if (message.type != simple::joint_position) return;
-  const Result<SimplePosition> position = read_position(message.data, wires_.order);
-  if (!position) {
-    why_unknown_ = position.error().sentence;
-    return;
-  }
+  if (message->type != simple::joint_position) return false;
+  const Result<SimplePosition> position = read_position(message->data, wires_.order);
+  if (!position) return fail(position);
   std::size_t next = 0;
   for (std::size_t axis = 0; axis < joints_.size(); ++axis) {
     if (told(axis)) joints_[axis] = axis_of_joint(model_.axes[axis].role, position->joints_rad[next++], wires_.sign);
   }
-  heard_at_ = executor_.now();
+  return true;
 }
 
-// Sends a message and waits for its reply; one at a time.
+// Sends a message and waits for its reply.
 Task<Result<void>> SimpleArm::order(SimpleMessage message) {
-  const Turns::Turn turn = co_await turns_.take();
   const std::string octets = write_simple(message, wires_.order);
-  const Result<void> sent = wires_.motion.write(wires_.serial ? serial_frame(octets) : tcp_frame(octets, wires_.order));
-  if (!sent) co_return fail("disconnected", sent.error().sentence);
-  const Time deadline = executor_.now() + answer_time;
-  while (true) {
-    const Result<std::string> answer = co_await answers_.next(deadline);
-    if (!answer) co_return fail("disconnected", "the controller did not answer: " + answer.error().sentence);
-    const Result<SimpleMessage> reply = read_simple(*answer, wires_.order);
-    if (!reply || reply->type != message.type || reply->kind != simple::reply) continue;
-    if (reply->code == simple::success) co_return Result<void>();
-    co_return fail("refused", "the controller refused the motion", to_datum(reply->code));
-  }
+  std::string request = wires_.serial ? serial_frame(octets) : tcp_frame(octets, wires_.order);
+  Dialogue::Fits is_its_reply = [type = message.type, order = wires_.order](const std::string& answer) {
+    const Result<SimpleMessage> reply = read_simple(answer, order);
+    return reply && reply->type == type && reply->kind == simple::reply;
+  };
+  const Result<std::string> answer = co_await motion_.ask(std::move(request), std::move(is_its_reply));
+  if (!answer) co_return fail(answer);
+  const Result<SimpleMessage> reply = read_simple(*answer, wires_.order);
+  if (reply->code == simple::success) co_return Result<void>();
+  co_return fail("refused", "the controller refused the motion", to_datum(reply->code));
 }
 
 Result<void> SimpleArm::possible() const {
-  if (!known()) return fail("disconnected", why_unknown_);
+  if (!told_.known()) return told_.unknown();
   if (status_.emergency_stopped == 1) return fail("not-in-control", "the emergency stop is pressed");
   if (status_.in_error == 1) {
     return fail("not-in-control", "the controller has an error", to_datum(status_.error_code));
@@ -182,7 +145,8 @@ Task<Result<void>> SimpleArm::stop() {
 }
 
 Task<Result<void>> SimpleArm::start_gripper(double opening_mm) {
-  if (!std::isfinite(opening_mm)) co_return fail("not-finite", "the opening is not a number");
+  const Result<void> sound = check_opening(opening_mm);
+  if (!sound) co_return sound;
   co_return fail("refused", "the protocol of this arm's controller has no gripper", to_datum(opening_mm));
 }
 
@@ -213,7 +177,7 @@ Task<void> SimpleArm::go_on() {
 }
 
 Task<Result<ArmReading>> SimpleArm::read() {
-  if (!known()) co_return fail("disconnected", why_unknown_);
+  if (!told_.known()) co_return told_.unknown();
   if (moving_ && !ordering_ && status_.in_motion == 0) {
     const Held ordering(ordering_);
     co_await go_on();

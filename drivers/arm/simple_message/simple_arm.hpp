@@ -23,7 +23,7 @@
 #include "drivers/arm/arm_driver.hpp"
 #include "drivers/arm/route.hpp"
 #include "drivers/arm/simple_message/simple_message.hpp"
-#include "drivers/wire/turns.hpp"
+#include "drivers/wire/told_state.hpp"
 
 namespace pizarra {
 
@@ -48,7 +48,6 @@ class SimpleArm : public ArmDriver {
   Task<Result<ArmReading>> read() override;
 
  private:
-  static constexpr Duration answer_time = 1s;
   static constexpr Duration opening_time = 3s;
   static constexpr Duration fresh = 500ms;
   static constexpr Duration starting_time = 300ms;  // until an arm that was sent somewhere is said to move
@@ -56,21 +55,18 @@ class SimpleArm : public ArmDriver {
   Task<Result<void>> order(SimpleMessage message);
   Task<Result<void>> send_point(Leg leg);
   Task<void> go_on();
-  Task<void> listen();
-  void hear(const SimpleMessage& message);
+  Result<bool> hear(const std::string& octets);
   Result<void> possible() const;
-  bool known() const;
   bool told(std::size_t axis) const { return model_.axes[axis].role != Role::track || wires_.track; }
 
   Executor& executor_;
   SimpleWires wires_;
   ArmModel model_;
-  Frames answers_;
-  Frames states_;
+  Dialogue motion_;
+  Dialogue states_;
+  ToldState told_;
   Joints joints_;
   SimpleStatus status_;
-  std::optional<Time> heard_at_;
-  std::string why_unknown_ = "the controller is not connected";
   std::deque<Leg> legs_;  // the one under way first
   double speed_ = 1;
   std::int32_t sequence_ = 0;
@@ -80,8 +76,6 @@ class SimpleArm : public ArmDriver {
   bool stopping_ = false;
   bool ordering_ = false;
   std::optional<Failure> why_stopped_;
-  Turns turns_;  // one message waits for its reply at a time
-  Job listening_;
 };
 
 }  // namespace pizarra

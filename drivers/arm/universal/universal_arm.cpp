@@ -6,28 +6,25 @@
 
 #include "drivers/arm/angles.hpp"
 #include "drivers/arm/move_check.hpp"
+#include "drivers/arm/universal/move_script.hpp"
 #include "drivers/wire/printable.hpp"
 
 namespace pizarra {
 
 namespace {
 
-constexpr double wrist_2_deg = -90;
 constexpr double wrist_2_slack_deg = 0.5;
 constexpr std::size_t wrist_2 = 4;  // between the fourth axis of five and the last
-constexpr Duration look_again = 8ms;
 
 }  // namespace
 
 UniversalArm::UniversalArm(Executor& executor, UniversalWires wires, ArmModel model)
     : executor_(executor),
-      wires_(wires),
       model_(std::move(model)),
-      rtde_(wires.rtde, rtde::frame),
-      dashboard_(wires.dashboard, frame_of_line),
-      turns_(executor) {}
-
-bool UniversalArm::known() const { return told_at_ && executor_.now() - *told_at_ <= fresh; }
+      rtde_(executor, wires.rtde, rtde::frame, "the arm"),
+      script_(executor, wires.script, frame_of_line, "the arm"),
+      dashboard_(executor, wires.dashboard, frame_of_line, "the dashboard server"),
+      told_(rtde_, fresh) {}
 
 Joints UniversalArm::joints() const {
   const auto& q = state_.joints_rad;
@@ -35,40 +32,15 @@ Joints UniversalArm::joints() const {
 }
 
 Task<Result<std::string>> UniversalArm::ask_rtde(char type, std::string payload) {
-  const Result<void> sent = wires_.rtde.write(rtde::write(type, payload));
-  if (!sent) co_return fail(sent);
-  const Time deadline = executor_.now() + answer_time;
-  while (true) {
-    Result<std::string> answer = co_await rtde_.next(deadline);
-    if (!answer) co_return answer;
-    if (answer->front() == type) co_return answer->substr(1);
-  }
-}
-
-Task<Result<std::string>> UniversalArm::ask_dashboard(std::string question) {
-  const Turns::Turn turn = co_await turns_.take();
-  const Result<void> sent = wires_.dashboard.write(question + "\n");
-  if (!sent) co_return fail("disconnected", sent.error().sentence);
-  const Time deadline = executor_.now() + answer_time;
-  Result<std::string> answer = co_await dashboard_.next(deadline);
-  if (!answer) co_return fail("disconnected", "the dashboard server did not answer: " + answer.error().sentence);
+  Dialogue::Fits same_type = [type](const std::string& answer) { return answer.front() == type; };
+  std::string question = rtde::write(type, payload);
+  Result<std::string> answer = co_await rtde_.ask(std::move(question), std::move(same_type));
+  if (answer) answer->erase(0, 1);
   co_return answer;
 }
 
-Task<Result<std::string>> UniversalArm::identify() {
-  listening_ = Job();
-  told_at_.reset();
-  const Time deadline = executor_.now() + answer_time;
-  for (ByteWire* wire : {&wires_.rtde, &wires_.script, &wires_.dashboard}) {
-    const Result<void> open = co_await wire->open(deadline);
-    if (!open) co_return fail(open);
-  }
-  rtde_.clear();
-  dashboard_.clear();
-  const Result<std::string> greeting = co_await dashboard_.next(deadline);
-  if (!greeting) co_return fail("disconnected", "the dashboard server does not greet");
-  const Result<std::string> kind = co_await ask_dashboard("get robot model");
-  if (!kind) co_return fail(kind);
+// Has the arm tell its state.
+Task<Result<void>> UniversalArm::subscribe() {
   std::string version = OctetWriter(ByteOrder::big).u16(2).octets();
   const Result<std::string> accepted = co_await ask_rtde(rtde::version, std::move(version));
   if (!accepted) co_return fail(accepted);
@@ -83,44 +55,39 @@ Task<Result<std::string>> UniversalArm::identify() {
   input_recipe_ = static_cast<std::uint8_t>(input->empty() ? 0 : input->front());
   const Result<std::string> started = co_await ask_rtde(rtde::start, "");
   if (!started) co_return fail(started);
-  listening_ = executor_.spawn(listen());
-  std::function<bool()> heard = [this] { return known(); };
-  const bool told = co_await comes_true(std::move(heard), answer_time);
-  if (!told) co_return fail("disconnected", "the arm does not tell its state");
+  ToldState::Hear hears = [this](const std::string& message) { return hear(message); };
+  Result<void> known = co_await told_.listen(std::move(hears), answer_time);
+  co_return known;
+}
+
+Task<Result<std::string>> UniversalArm::identify() {
+  told_.forget();
+  const Time deadline = executor_.now() + answer_time;
+  for (Dialogue* line : {&rtde_, &script_, &dashboard_}) {
+    const Result<void> open = co_await line->open(deadline);
+    if (!open) co_return fail(open);
+  }
+  const Result<std::string> greeting = co_await dashboard_.next(deadline);
+  if (!greeting) co_return fail("disconnected", "the dashboard server does not greet");
+  const Result<std::string> kind = co_await dashboard_.ask("get robot model\n");
+  if (!kind) co_return fail(kind);
+  const Result<void> told = co_await subscribe();
+  if (!told) co_return fail(told);
   programs_ = std::max(programs_, state_.marker / 2);
-  std::string type;
-  for (const char c : *kind) type += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   const bool stands = std::abs(degrees(state_.joints_rad[wrist_2]) - wrist_2_deg) <= wrist_2_slack_deg;
   if (!stands) co_return fail("unknown-arm", "wrist 2 does not stand at -90 degrees", to_datum(wrist_2 + 1));
+  std::string type = *kind;
+  std::ranges::transform(type, type.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   // An e-Series controller says UR5 of a UR5e.
   co_return model_.type.starts_with(type) ? model_.type : printable(type);
 }
 
-Task<void> UniversalArm::listen() {
-  while (true) {
-    const Time deadline = executor_.now() + power_time;
-    const Result<std::string> message = co_await rtde_.next(deadline);
-    if (!message && message.error().symbol == "timeout") continue;
-    Result<rtde::State> state;
-    if (message && message->front() != rtde::data) continue;
-    if (message) state = rtde::read_state(std::string_view(*message).substr(1));
-    if (!message || !state) {
-      why_unknown_ = message ? state.error().sentence : message.error().sentence;
-      told_at_.reset();
-      co_return;
-    }
-    state_ = *state;
-    told_at_ = executor_.now();
-  }
-}
-
-Task<bool> UniversalArm::comes_true(std::function<bool()> what, Duration patience) {
-  const Time deadline = executor_.now() + patience;
-  while (!what()) {
-    if (executor_.now() >= deadline) co_return false;
-    co_await sleep(executor_, look_again);
-  }
-  co_return true;
+Result<bool> UniversalArm::hear(const std::string& message) {
+  if (message.front() != rtde::data) return false;
+  const Result<rtde::State> state = rtde::read_state(std::string_view(message).substr(1));
+  if (!state) return fail(state);
+  state_ = *state;
+  return true;
 }
 
 // Why an arm that was asked to move does not.
@@ -138,86 +105,62 @@ Failure UniversalArm::trouble() const {
 }
 
 Task<Result<void>> UniversalArm::take_control() {
-  if (!known()) co_return fail("disconnected", why_unknown_);
-  const Result<std::string> remote = co_await ask_dashboard("is in remote control");
+  if (!told_.known()) co_return told_.unknown();
+  const Result<std::string> remote = co_await dashboard_.ask("is in remote control\n");
   if (!remote) co_return fail(remote);
   if (*remote != "true") co_return fail("not-in-control", "the pendant has control: the arm is in local control");
-  for (const char* order : {"unlock protective stop", "power on", "brake release"}) {
-    const Result<std::string> done = co_await ask_dashboard(order);
+  for (const char* order : {"unlock protective stop\n", "power on\n", "brake release\n"}) {
+    const Result<std::string> done = co_await dashboard_.ask(order);
     if (!done) co_return fail(done);
   }
   std::function<bool()> ready = [this] { return state_.robot_mode == rtde::running_mode && state_.safety_mode <= 2; };
   // An emergency stop is released by hand alone.
   const Duration patience = state_.safety_mode > 3 ? answer_time : power_time;
-  const bool on = co_await comes_true(std::move(ready), patience);
+  const bool on = co_await told_.until(std::move(ready), patience);
   if (!on) co_return fail(trouble());
   co_return Result<void>();
-}
-
-std::string UniversalArm::program(const std::vector<Leg>& legs, double speed, const Joints& from) const {
-  std::string text = fmt::format("def pizarra():\n  write_output_integer_register(24, {})\n", 2 * programs_);
-  Joints at = from;
-  for (std::size_t i = 0; i < legs.size(); ++i) {
-    const Joints& to = legs[i].to;
-    const double seconds = std::max(legs[i].seconds / speed, 1e-3);
-    double way = 0;  // of the leading axis, or of the tool
-    for (std::size_t axis = 0; axis < to.size(); ++axis) way = std::max(way, radians(std::abs(to[axis] - at[axis])));
-    if (legs[i].straight) way = (forward(model_, to).translation() - forward(model_, at).translation()).norm() / 1000;
-    const double v = way / seconds;
-    text += fmt::format("  {}([{:.6f}, {:.6f}, {:.6f}, {:.6f}, {:.6f}, {:.6f}], a={:.4f}, v={:.4f}, r={})\n",
-                        legs[i].straight ? "movel" : "movej", radians(to[0]), radians(to[1]), radians(to[2]),
-                        radians(to[3]), radians(wrist_2_deg), radians(to[4]), std::max(4 * v, 0.01), std::max(v, 0.001),
-                        i + 1 < legs.size() ? "0.001" : "0");
-    at = to;
-  }
-  return text + fmt::format("  write_output_integer_register(24, {})\nend\n", 2 * programs_ + 1);
 }
 
 Task<Result<void>> UniversalArm::start_move(std::vector<Joints> waypoints, double speed) {
   const Result<void> sound = check_move(model_, waypoints, speed);
   if (!sound) co_return sound;
-  if (!known()) co_return fail("disconnected", why_unknown_);
-  if (moving_) co_return fail("busy", "the arm is moving already");
+  if (!told_.known()) co_return told_.unknown();
+  if (playing() && !ended()) co_return fail("busy", "the arm is moving already");
   if (state_.robot_mode != rtde::running_mode || state_.safety_mode > 2) co_return fail(trouble());
   ++programs_;
   stopping_ = false;
   const Joints from = joints();
   const std::vector<Leg> legs = legs_of(model_, from, waypoints);
-  const Result<void> sent = wires_.script.write(program(legs, speed, from));
+  const Result<void> sent = script_.say(move_script(model_, legs, speed, from, 2 * programs_));
   if (!sent) co_return fail(sent);
   const std::int32_t begun = 2 * programs_;
   std::function<bool()> has_begun = [this, begun] { return state_.marker >= begun; };
-  const bool begins = co_await comes_true(std::move(has_begun), answer_time);
+  const bool begins = co_await told_.until(std::move(has_begun), answer_time);
   if (!begins) co_return fail(trouble());
-  moving_ = true;
   co_return Result<void>();
 }
 
 Task<Result<void>> UniversalArm::stop() {
   stopping_ = true;
-  co_return wires_.script.write("def pizarra_stops():\n  stopj(8.0)\nend\n");
+  co_return script_.say("def pizarra_stops():\n  stopj(8.0)\nend\n");
 }
 
 Task<Result<void>> UniversalArm::start_gripper(double opening_mm) {
-  if (!std::isfinite(opening_mm)) co_return fail("not-finite", "the opening is not a number");
+  const Result<void> sound = check_opening(opening_mm);
+  if (!sound) co_return sound;
   OctetWriter input(ByteOrder::big);
   input.u8(input_recipe_).f64(opening_mm);
   gripping_until_ = executor_.now() + fresh;
-  co_return wires_.rtde.write(rtde::write(rtde::data, input.octets()));
+  co_return rtde_.say(rtde::write(rtde::data, input.octets()));
 }
 
 Task<Result<ArmReading>> UniversalArm::read() {
-  if (!known()) co_return fail("disconnected", why_unknown_);
-  const bool ended = state_.marker == 2 * programs_ + 1;
-  const bool stands = state_.runtime != rtde::playing;
+  if (!told_.known()) co_return told_.unknown();
   ArmReading reading{.joints = joints(),
-                     .moving = moving_,
-                     .stopped = false,
+                     .moving = playing(),
+                     .stopped = !ended() && programs_ > 0,
                      .opening_mm = state_.opening_mm,
                      .gripper_moving = state_.fingers != 0 || executor_.now() < gripping_until_};
-  if (moving_ && (ended || stands)) moving_ = false;
-  reading.moving = !stands;
-  reading.stopped = !ended && programs_ > 0;
   const bool unasked = reading.stopped && !stopping_ && !reading.moving;
   if (unasked) {
     reading.why_stopped = trouble();

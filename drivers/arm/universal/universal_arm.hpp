@@ -17,9 +17,8 @@
 // guide, URScript manual and dashboard server documentation.
 
 #include "drivers/arm/arm_driver.hpp"
-#include "drivers/arm/route.hpp"
 #include "drivers/arm/universal/rtde.hpp"
-#include "drivers/wire/turns.hpp"
+#include "drivers/wire/told_state.hpp"
 
 namespace pizarra {
 
@@ -47,29 +46,24 @@ class UniversalArm : public ArmDriver {
   static constexpr Duration power_time = 20s;
 
   Task<Result<std::string>> ask_rtde(char type, std::string payload);
-  Task<Result<std::string>> ask_dashboard(std::string question);
-  Task<void> listen();
-  Task<bool> comes_true(std::function<bool()> what, Duration patience);
-  std::string program(const std::vector<Leg>& legs, double speed, const Joints& from) const;
+  Task<Result<void>> subscribe();
+  Result<bool> hear(const std::string& message);
   Failure trouble() const;
+  bool playing() const { return state_.runtime == rtde::playing; }
+  bool ended() const { return state_.marker == 2 * programs_ + 1; }  // the last program
   Joints joints() const;
-  bool known() const;
 
   Executor& executor_;
-  UniversalWires wires_;
   ArmModel model_;
-  Frames rtde_;
-  Frames dashboard_;
-  Turns turns_;  // one question to the dashboard at a time
+  Dialogue rtde_;
+  Dialogue script_;  // is told programs, and not listened to
+  Dialogue dashboard_;
+  ToldState told_;
   rtde::State state_;
-  std::optional<Time> told_at_;
-  std::string why_unknown_ = "the arm is not connected";
   std::uint8_t input_recipe_ = 0;
   std::int32_t programs_ = 0;  // the last begins with the marker 2 N and ends with 2 N + 1
-  bool moving_ = false;
   bool stopping_ = false;
   Time gripping_until_{};
-  Job listening_;
 };
 
 }  // namespace pizarra

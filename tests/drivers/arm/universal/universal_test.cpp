@@ -6,6 +6,8 @@
 #include "blackboard/time/random.hpp"
 #include "blackboard/time/virtual_executor.hpp"
 #include "drivers/arm/arm_file.hpp"
+#include "drivers/arm/kinematics.hpp"
+#include "drivers/arm/route.hpp"
 #include "drivers/arm/universal/universal_arm.hpp"
 #include "drivers/simulation/controllers/arms/moving_arm.hpp"
 #include "drivers/simulation/controllers/arms/ur_emulator.hpp"
@@ -197,6 +199,8 @@ TEST_F(Universal, AnAngleThatIsNoNumberIsNotTakenForOne) {
     return message.substr(0, 12) + std::string(8, '\xff') + message.substr(20);
   };
   executor.run_for(50ms);
+  EXPECT_TRUE(are_same_place(read()->joints, ur5e().ready, 1e-6)) << "the last that was sound";
+  executor.run_for(200ms);
   const Result<ArmReading> reading = read();
   ASSERT_FALSE(reading);
   EXPECT_EQ(reading.error().symbol, "disconnected");
