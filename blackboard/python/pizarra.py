@@ -17,13 +17,14 @@
 
 A symbol is a Symbol, a string a str, a list a list; integers and reals are int and float. What fails raises Failure, with
 its symbol, sentence and subject: undeclared-relation, wrong-shape, precondition-failed, unknown-lease, not-permitted,
-too-large, unreachable, timeout. With key="NAME.secret" (board.key stands beside it) the board may be on another machine.
+too-large, unreachable, timeout; bad-datum for what cannot be said to a board, as None, nan or bytes. With key="NAME.secret" (board.key stands beside it) the board may be on another machine.
 
 One thread uses a Board. Every call lets it speak with the server; between calls use board.wait(seconds): a client
 that is silent for ten seconds is forgotten, and its watches then begin again with a resynchronised change. A request is
 sent again while it is not answered; when the server was lost, relations are declared again and watches begin again.
 """
 
+import math
 import os
 import re
 import stat
@@ -34,7 +35,9 @@ import zmq
 
 FRAME_BYTES = 1 << 20
 FRAME_DEPTH = 64
+FRAME_ELEMENTS = 200_000
 ENVELOPE_BYTES = 64
+ENVELOPE_ELEMENTS = 4
 
 
 class Failure(Exception):
@@ -62,25 +65,53 @@ class Symbol(str):
 
 # ---- the language
 
-_TOKEN = re.compile(r'[\s]+|;[^\n]*|([()])|"((?:[^"\\]|\\.)*)"|([^\s()";]+)', re.DOTALL)
-_NUMBER = re.compile(r"[+-]?\d+(\.\d+)?([eE][+-]?\d+)?\Z")
+_LETTERS = r"[A-Za-z0-9!$%&*/:<=>?^_~+\-.@]+"
+_TOKEN = re.compile(rf'[ \t\r\n]+|;[^\n]*|([()])|"((?:[^"\\]|\\.)*)"|({_LETTERS})', re.DOTALL)
+_SYMBOL = re.compile(rf"(?![+-]?\.?[0-9])(?!\.\Z){_LETTERS}\Z")
+_NUMBER_LIKE = re.compile(r"[+-]?\.?[0-9]")
+_NUMBER = re.compile(r"([+-]?[0-9]+(?:\.[0-9]+)?)([eE][+-]?[0-9]+)?\Z")
+_NO_TEXT = re.compile("[\0\ud800-\udfff]")
+_WHOLE = range(-1 << 63, 1 << 63)
 _UNESCAPED = {"n": "\n", "t": "\t", '"': '"', "\\": "\\"}
 _ESCAPES = {"\\": "\\\\", '"': '\\"', "\n": "\\n", "\t": "\\t"}
 
 
 def _atom(text):
-    if not _NUMBER.match(text):
+    if not _NUMBER_LIKE.match(text):
+        if text == ".":
+            raise Failure("bad-character", "a dot has no meaning here")
         return Symbol(text)
-    return float(text) if set(text) & set(".eE") else int(text)
+    number = _NUMBER.match(text)
+    if not number:
+        raise Failure("bad-number", f"{text[:40]} begins like a number but is none")
+    if set(text) & set(".eE"):
+        value = float(text)
+        fits = math.isfinite(value) and (value != 0 or not set(number[1]) & set("123456789"))
+    else:
+        value = int(text) if len(text.lstrip("+-0")) < 20 else _WHOLE.stop
+        fits = value in _WHOLE
+    if not fits:
+        raise Failure("bad-number", f"{text[:40]} is too large, or too small, for a number")
+    return value
+
+
+def _string(text):
+    try:
+        return re.sub(r"\\(.)", lambda escape: _UNESCAPED[escape[1]], text, flags=re.DOTALL)
+    except KeyError as escape:
+        raise Failure("bad-escape", f"a string has no escape of {escape}") from None
 
 
 def read(text):
     """The one datum that the text holds."""
+    if _NO_TEXT.search(text):
+        raise Failure("bad-text", "no text holds a NUL or half a character")
     stack, at = [[]], 0
     while at < len(text):
         token = _TOKEN.match(text, at)
         if not token:
-            raise Failure("bad-character", f"this is no datum from byte {at} on: {text[at:at + 20]!r}")
+            symbol = "unclosed-string" if text[at] == '"' else "bad-character"
+            raise Failure(symbol, f"this is no datum from character {at} on: {text[at:at + 20]!r}")
         at = token.end()
         if token[1] == "(":
             stack.append([])
@@ -90,30 +121,51 @@ def read(text):
             done = stack.pop()
             stack[-1].append(done)
         elif token[2] is not None:
-            stack[-1].append(re.sub(r"\\(.)", lambda escape: _UNESCAPED[escape[1]], token[2], flags=re.DOTALL))
+            stack[-1].append(_string(token[2]))
         elif token[3] is not None:
             stack[-1].append(_atom(token[3]))
-    if len(stack) != 1 or len(stack[0]) != 1:
-        raise Failure("unclosed-list" if len(stack) > 1 else "more-than-one", "text holds one datum")
+    if len(stack) > 1:
+        raise Failure("unclosed-list", "a list is not closed")
+    if len(stack[0]) != 1:
+        raise Failure("more-than-one" if stack[0] else "nothing-to-read", "a text holds one datum")
     return stack[0][0]
 
 
-def write(datum):
+def write(datum, deepest=FRAME_DEPTH):
     if isinstance(datum, Symbol):
+        if not _SYMBOL.match(datum):
+            raise Failure("bad-datum", f"{str.__repr__(datum)[:60]} is no symbol")
         return str(datum)
     if isinstance(datum, str):
+        if _NO_TEXT.search(datum):
+            raise Failure("bad-datum", "no string holds a NUL or half a character")
         return '"' + "".join(_ESCAPES.get(letter, letter) for letter in datum) + '"'
     if isinstance(datum, (list, tuple)):
-        return "(" + " ".join(map(write, datum)) + ")"
-    return repr(datum)
+        if deepest == 0:
+            raise Failure("too-large", "lists nest deeper than the board takes them")
+        return "(" + " ".join(write(item, deepest - 1) for item in datum) + ")"
+    if isinstance(datum, int) and not isinstance(datum, bool) and datum in _WHOLE:
+        return int.__repr__(datum)
+    if isinstance(datum, float) and math.isfinite(datum):
+        return float.__repr__(datum)
+    kind = "out of range" if isinstance(datum, (int, float)) and not isinstance(datum, bool) else "no datum"
+    raise Failure("bad-datum", f"a value of the type {type(datum).__name__} is {kind}: "
+                               "data are lists, Symbols, strings, integers of 64 bits and finite reals")
 
 
-def _depth(datum):
-    return 1 + max(map(_depth, datum), default=0) if isinstance(datum, (list, tuple)) else 0
+def _elements(datum):
+    return 1 + sum(map(_elements, datum)) if isinstance(datum, (list, tuple)) else 1
 
 
 def _datum(given):
     return read(given) if isinstance(given, str) and not isinstance(given, Symbol) else given
+
+
+def _query(given):
+    query = read(write(_datum(given)))
+    if not isinstance(query, list) or len(query) < 1 + (query[:1] == [Symbol("query")]):
+        raise Failure("bad-query", "a query is a pattern, (and CLAUSE ...) or (query QUERY OPTION ...)", query)
+    return query
 
 
 def _same(a, b):
@@ -134,9 +186,9 @@ def _match(pattern, datum, bindings):
 def _positive_patterns(query):
     if query[0] == Symbol("query"):
         query = query[1]
-    clauses = query[1:] if query[0] == Symbol("and") else [query]
+    clauses = query[1:] if isinstance(query, list) and query[:1] == [Symbol("and")] else [query]
     others = {Symbol(name) for name in ("not", "<", "<=", ">", ">=", "=", "/=")}
-    return [clause for clause in clauses if clause[0] not in others]
+    return [clause for clause in clauses if isinstance(clause, list) and clause and clause[0] not in others]
 
 
 # ---- what the board answers
@@ -288,8 +340,8 @@ class Stream:
     """Follows an image stream: newest wins, and the next publisher under its name is gone on with."""
 
     def __init__(self, board, name):
-        self.board, self.topic, self.socket = board, name.encode() + b" ", None
         self.watch = board.watch([Symbol("stream"), Symbol(name), Symbol("?kind"), Symbol("?place")])
+        self.board, self.topic, self.socket = board, name.encode() + b" ", None
 
     def poll(self):
         """The newest frame, or None where there is none yet."""
@@ -333,6 +385,7 @@ class Board:
     PING, RESEND, GREET, SILENCE = 0.5, 1.0, 0.5, 2.0
 
     def __init__(self, address, teller, key=None, timeout=5.0):
+        write(teller)
         self.address, self.teller, self.timeout = address, teller, timeout
         self._keys = None
         if key and not address.startswith("ipc://"):
@@ -393,13 +446,13 @@ class Board:
 
     def ask(self, query):
         """The answers; their revision is board.revision."""
-        query = _datum(query)
+        query = _query(query)
         self.revision, *forms = self._call([Symbol("ask"), query], True)
         patterns = _positive_patterns(query)
         return [Answer(patterns, form) for form in forms]
 
     def watch(self, query):
-        watch = Watch(self, _datum(query))
+        watch = Watch(self, _query(query))
         try:
             self._finish(watch.request)
         except Failure:
@@ -415,6 +468,8 @@ class Board:
         return Fact(taken[0]) if taken else None
 
     def lease(self, seconds):
+        if not isinstance(seconds, (int, float)) or not abs(seconds) < 1e12:
+            raise Failure("wrong-shape", "a lease is a number of seconds, at most a year")
         return self._call([Symbol("lease"), round(seconds * 1e6)], True)
 
     def renew(self, lease):
@@ -425,7 +480,7 @@ class Board:
 
     def await_answer(self, query, timeout):
         """The first answer that holds now or comes to hold in time."""
-        query = _datum(query)
+        query = _query(query)
         for answer in self.ask(query):
             return answer
         watch, deadline = self.watch(query), time.monotonic() + timeout
@@ -446,8 +501,8 @@ class Board:
     # For those who have a loop of their own: begin(), turn() often, look at the request's result.
 
     def begin(self, body, repeatable):
-        text = write(body)
-        if len(text.encode()) + ENVELOPE_BYTES > FRAME_BYTES or _depth(body) + 1 > FRAME_DEPTH:
+        size = len(write(body, FRAME_DEPTH - 1).encode())
+        if size + ENVELOPE_BYTES > FRAME_BYTES or _elements(body) + ENVELOPE_ELEMENTS > FRAME_ELEMENTS:
             raise Failure("too-large", "the request does not fit one message of the board")
         number, self._next_request = self._next_request, self._next_request + 1
         request = self._pending[number] = Request(body, repeatable)
@@ -530,7 +585,8 @@ class Board:
             self._welcomed(*message[1:3])
         elif kind == "goodbye" or kind == "unknown-session" and message[1] == self._session:
             self._joined, self._greeted = False, -1e9
-        elif kind == "refused" and not self._joined:
+        elif kind == "refused":
+            # It does not say of which message: of those that wait for an answer.
             self._fail_all(Failure(*message[1][1:4]))
         elif kind == "change" and message[1] in self._watches:
             self._watches[message[1]].receive(message[2], message[3:])

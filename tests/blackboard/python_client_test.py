@@ -1,0 +1,99 @@
+"""What the Python client makes of what is no datum: a Failure at once, and nothing sent.
+
+python_client_test.py PIZARRA-BOARD
+"""
+
+import math
+import os
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+from pizarra import Board, Failure, Symbol, read, write
+
+NOTE = "(relation note ((n integer) (text datum)) (key n))"
+
+
+def nested(depth):
+    datum = []
+    for _ in range(depth):
+        datum = [datum]
+    return datum
+
+
+class Data(unittest.TestCase):
+    def refused(self, symbol, action, *arguments):
+        with self.assertRaises(Failure) as caught:
+            action(*arguments)
+        self.assertEqual(caught.exception.symbol, symbol, (arguments, caught.exception))
+        self.assertTrue(caught.exception.sentence)
+
+    def test_what_is_no_datum_is_not_written(self):
+        no_data = [2**63, -2**63 - 1, math.nan, math.inf, True, None, b"bytes", {"a": 1}, {1}, object(), "\0", "\ud800",
+                   Symbol(""), Symbol("12"), Symbol("-.5"), Symbol("a b"), Symbol("'a"), Symbol("."), Symbol("\u00e9"),
+                   Symbol("a\n")]
+        for datum in no_data:
+            self.refused("bad-datum", write, [Symbol("note"), 1, datum])
+        self.refused("too-large", write, nested(3000))
+
+    def test_what_is_a_datum_is_written_and_read_back(self):
+        data = [2**63 - 1, -2**63, 0.1, -1e-7, 1e22, "", "\r\x01\t\n\"\\", "\u00e9\U0001f600", Symbol("nan"), Symbol("-"),
+                Symbol("?x"), Symbol("..."), [], [[Symbol("a")], 1, "1"], nested(60)]
+        for datum in data:
+            self.assertEqual(read(write(datum)), datum)
+            self.assertIs(type(read(write(datum))), type(datum))
+
+    def test_what_the_board_would_not_read_is_not_read(self):
+        texts = {"(n k 1.)": "bad-number", "(n k .5)": "bad-number", "(n k 1e999)": "bad-number", "1x": "bad-number",
+                 "(n k 1e-999)": "bad-number", f"(n {2**63})": "bad-number", "9" * 5000: "bad-number",
+                 "(n k 'a)": "bad-character", "(n . k)": "bad-character", "(n, k)": "bad-character", "\u0663": "bad-character",
+                 "a\u00a0b": "bad-character", '"\0"': "bad-text", '"\ud800"': "bad-text", '"\\q"': "bad-escape",
+                 '"open': "unclosed-string", "(open": "unclosed-list", ")": "unexpected-close", "a b": "more-than-one",
+                 "": "nothing-to-read", " ; nothing": "nothing-to-read"}
+        for text, symbol in texts.items():
+            self.refused(symbol, read, text)
+
+
+class OnABoard(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        address = "ipc://" + os.path.join(self.folder.name, "board")
+        server = subprocess.Popen([program, "--listen", address], stdout=subprocess.DEVNULL)
+        self.addCleanup(server.wait)
+        self.addCleanup(server.terminate)
+        self.board = Board(address, "script", timeout=8)
+        self.addCleanup(self.board.close)
+        self.board.declare(NOTE)
+
+    def refused(self, symbol, action, *arguments):
+        began = time.monotonic()
+        with self.assertRaises(Failure) as caught:
+            action(*arguments)
+        self.assertEqual(caught.exception.symbol, symbol, caught.exception)
+        self.assertLess(time.monotonic() - began, 4)
+
+    def test_what_is_no_datum_is_refused_and_the_board_goes_on(self):
+        for datum in (2**70, b"bytes", {}, "\r\x00\x01", None, "\ud800", Symbol("12")):
+            self.refused("bad-datum", self.board.tell, [Symbol("note"), 1, datum])
+        for text in ("(note 1 1.)", "(note 1 .5)", "(note 1 'a)", '(note 1 "\\q")'):
+            self.assertRaises(Failure, self.board.tell, text)
+        self.refused("too-large", self.board.tell, [Symbol("note"), 1, nested(3000)])
+        self.refused("too-large", self.board.tell, [Symbol("note"), 1, [1] * 300_000])
+        for seconds in (math.inf, math.nan, "1", None, 1e300):
+            self.refused("wrong-shape", self.board.lease, seconds)
+        for query in ("()", "42", [], 42, "(query)"):
+            self.refused("bad-query", self.board.watch, query)
+        self.board.tell((Symbol("note"), 1, ("\r\x01", 0.5)))
+        [answer] = self.board.ask((Symbol("note"), 1, Symbol("?text")))
+        self.assertEqual(answer.bindings, {"?text": ["\r\x01", 0.5]})
+
+    def test_what_the_board_cannot_read_fails_at_once(self):
+        self.board._transmit = lambda number, request: self.board._socket.send(b"(request 1.")
+        self.refused("bad-frame", self.board.tell, "(note 1 2)")
+
+
+program = sys.argv.pop(1)
+unittest.main()
