@@ -77,6 +77,7 @@ Task<void> VisionFacts::unsay() {
   told_tracks_.clear();
   Transaction transaction;
   retract_all(transaction, "vision-says"_sym, 2);
+  retract_all(transaction, "faces"_sym, 2);
   retract_all(transaction, "sightings"_sym, 2);
   retract_all(transaction, "tracked"_sym, 4);
   co_await transact(std::move(transaction));

@@ -608,6 +608,7 @@ TEST_F(Vision, TellsWhenAnObjectIsLostAndSeenAgain) {
   EXPECT_EQ(call("(end-track)"), "()");
   EXPECT_EQ(facts("(tracked vision ? ? ? ?)"), "");
   EXPECT_EQ(facts("(sightings vision ? ?)"), "");
+  EXPECT_EQ(facts("(faces vision ? ?)"), "");
 }
 
 // Colour is asked of the camera, and pictures are drawn, only for those who look.

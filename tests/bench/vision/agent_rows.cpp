@@ -98,8 +98,8 @@ Task<Result<void>> measure(AgentContext& context, const std::vector<std::string>
     if (change->added.empty()) continue;
     const Datum fact = change->added.back().facts.front().datum;
     if (fact[3].text().find("FAIL") != std::string_view::npos) co_return fail("not-measured", "a mark was lost");
-    out.track_us.push_back(seen_us - camera.arrival_us.at(static_cast<std::uint64_t>(fact[1].integer())));
-    const Datum echo = list("bench-says"_sym, fact[1], fact[2]);
+    out.track_us.push_back(seen_us - camera.arrival_us.at(static_cast<std::uint64_t>(fact[2].integer())));
+    const Datum echo = list("bench-says"_sym, fact[2], fact[3]);
     const double before_us = thread_us();
     const Result<Revision> told = co_await context.board.tell(echo);
     const Result<Change> heard = co_await (*echoes)->next();
