@@ -33,7 +33,8 @@ Task<Result<Datum>> VisionAgent::State::learn(std::string client, double x, doub
   }
   const LearnedObject* object = objects.find(name);
   if (kept && object != nullptr) {
-    to_accept.emplace(object->name, object->samples.back().number);
+    const LearnedSample& newest = object->samples.back();
+    to_accept.emplace(object->name, newest.number, newest.id);
     co_await tell_objects();
   }
   co_await finish_activity();
@@ -190,6 +191,7 @@ Result<void> VisionAgent::State::check_to_accept(const std::string& name) const 
 }
 
 Task<Result<Datum>> VisionAgent::State::accept(std::string name) {
+  co_await follow_memory();
   const Result<void> waiting = check_to_accept(name);
   if (!waiting) co_return fail(waiting);
   to_accept.reset();
@@ -198,9 +200,10 @@ Task<Result<Datum>> VisionAgent::State::accept(std::string name) {
 }
 
 Task<Result<Datum>> VisionAgent::State::reject(std::string name) {
+  co_await follow_memory();
   const Result<void> waiting = check_to_accept(name);
   if (!waiting) co_return fail(waiting);
-  ObjectChange withdraw = WithdrawSample{to_accept->name, to_accept->number};
+  ObjectChange withdraw = WithdrawSample{to_accept->name, to_accept->number, to_accept->id};
   const Result<void> done = co_await change_objects(std::move(withdraw));
   if (!done) co_return fail(done);
   co_return Datum();

@@ -57,8 +57,9 @@ struct VisionAgent::State {
   Task<void> tell_state();
   // What is worth knowing of the learned objects: damage, those that look alike, the one to be accepted.
   Task<void> tell_objects();
-  // Another agent may have changed what is known.
+  // Another agent may have changed what is known: renamed what is to be accepted, or forgotten it.
   Task<void> follow_memory();
+  void follow_to_accept();
   Task<void> tell_holders();
   Task<void> tell_state_again();
   Task<void> camera_changed();
@@ -100,6 +101,7 @@ struct VisionAgent::State {
   struct ToAccept {
     std::string name;
     int number;
+    std::int64_t id;
   };
   std::optional<ToAccept> to_accept;
   Activity activity = Activity::none;

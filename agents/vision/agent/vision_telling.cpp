@@ -87,7 +87,20 @@ Task<void> VisionAgent::State::tell_state_again() {
 Task<void> VisionAgent::State::follow_memory() {
   const Result<bool> changed = co_await memory.recall_changed();
   const bool anew = changed && *changed;
-  if (anew) co_await tell_objects();
+  if (!anew) co_return;
+  follow_to_accept();
+  co_await tell_objects();
+}
+
+void VisionAgent::State::follow_to_accept() {
+  if (!to_accept) return;
+  const ToAccept was = *to_accept;
+  to_accept.reset();
+  for (const LearnedObject& object : objects.all()) {
+    for (const LearnedSample& sample : object.samples) {
+      if (sample.id == was.id) to_accept.emplace(object.name, sample.number, sample.id);
+    }
+  }
 }
 
 Task<void> VisionAgent::State::camera_changed() {

@@ -21,6 +21,7 @@ struct KeepSample {
 struct WithdrawSample {
   std::string name;
   int number;
+  std::int64_t id = 0;  // in a database: what it goes by there, for numbers are given again
 };
 struct ForgetObject {
   std::string name;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <sys/stat.h>
 
 #include "agents/vision/memory/template_bitmap.hpp"
 #include "blackboard/journal/checksum.hpp"
@@ -11,15 +12,24 @@
 namespace pizarra {
 namespace {
 
+constexpr const char* file_name = "objects.sqlite";
 constexpr std::int64_t application = 0x506f626a;  // "Pobj"
-constexpr std::int64_t format = 1;
+constexpr std::int64_t format = 2;
 
+// A row's id is never given again; the number of a sample is, once its object is forgotten.
 constexpr const char* schema = R"(
-  CREATE TABLE samples (name TEXT COLLATE NOCASE, num INTEGER, tone TEXT, area REAL, perimeter INTEGER, nf INTEGER,
-                        m0 REAL, m1 REAL, m2 REAL, height REAL, slimness REAL, roundness REAL, roundness_spread REAL,
-                        size REAL, sum INTEGER, UNIQUE (name, num));
+  CREATE TABLE samples (id INTEGER PRIMARY KEY AUTOINCREMENT, name TEXT COLLATE NOCASE, num INTEGER, tone TEXT,
+                        area REAL, perimeter INTEGER, nf INTEGER, m0 REAL, m1 REAL, m2 REAL, height REAL, slimness REAL,
+                        roundness REAL, roundness_spread REAL, size REAL, sum INTEGER, UNIQUE (name, num));
   PRAGMA application_id = 1349476970;
-  PRAGMA user_version = 1;
+  PRAGMA user_version = 2;
+)";
+
+// The first format had no ids.
+constexpr const char* put_away_first_format = "ALTER TABLE samples RENAME TO samples_1";
+constexpr const char* take_first_format = R"(
+  INSERT INTO samples SELECT NULL, * FROM samples_1 ORDER BY rowid;
+  DROP TABLE samples_1;
 )";
 
 // Of all that is kept of a sample, its bitmap included.
@@ -47,13 +57,41 @@ Result<ObjectDatabase> ObjectDatabase::open(const std::string& directory) {
     return fail("unusable", fmt::format("the folder of the objects cannot be made: {}", error.message()),
                 to_datum(directory));
   }
-  const std::filesystem::path file = std::filesystem::path(directory) / "objects.sqlite";
+  return open_prepared(directory, &ObjectDatabase::prepare);
+}
+
+Result<ObjectDatabase> ObjectDatabase::open_again(const std::string& directory) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(std::filesystem::path(directory) / file_name, error)) {
+    return fail("missing", "the database of the objects is not in its place any more", to_datum(directory));
+  }
+  return open_prepared(directory, &ObjectDatabase::check_prepared);
+}
+
+Result<ObjectDatabase> ObjectDatabase::open_prepared(const std::string& directory,
+                                                     Result<void> (ObjectDatabase::*prepare)()) {
+  const std::filesystem::path file = std::filesystem::path(directory) / file_name;
   Result<sqlite::Database> database = sqlite::Database::open(file.string(), sqlite::Access::write);
   if (!database) return fail(database);
   ObjectDatabase out(directory, std::move(*database));
-  const Result<void> prepared = out.prepare();
+  const Result<void> prepared = (out.*prepare)();
   if (!prepared) return fail(prepared);
+  out.file_ = out.file_now();
   return out;
+}
+
+ObjectDatabase::FileId ObjectDatabase::file_now() const {
+  struct stat found {};
+  if (::stat((directory_ / file_name).c_str(), &found) != 0) return std::nullopt;
+  return std::pair<std::uint64_t, std::uint64_t>(found.st_dev, found.st_ino);
+}
+
+// A copy that is still being made is none yet.
+Result<void> ObjectDatabase::check_prepared() {
+  const Result<std::int64_t> whose = database_.ask("PRAGMA application_id");
+  if (!whose) return fail(whose);
+  if (*whose == application) return prepare();
+  return fail("damaged", "the file in the place of the database of the objects is no such database");
 }
 
 Result<void> ObjectDatabase::prepare() {
@@ -65,16 +103,29 @@ Result<void> ObjectDatabase::prepare() {
   sqlite::Transaction making(database_);
   const Result<void> begun = making.begin();
   if (!begun) return begun;
-  const Result<std::int64_t> tables = database_.ask("SELECT count(*) FROM sqlite_schema");
-  if (!tables) return fail(tables);
-  // Another agent may just have made it.
-  const Result<std::int64_t> now = database_.ask("PRAGMA application_id");
-  if (!now) return fail(now);
-  if (*now == application && *version <= format) return {};
-  if (*tables != 0) return fail("unusable", "the file is no database of objects that this version knows");
-  const Result<void> made = database_.run(schema);
+  const Result<void> made = make_tables();
   if (!made) return made;
   return making.commit();
+}
+
+Result<void> ObjectDatabase::make_tables() {
+  const Result<std::int64_t> tables = database_.ask("SELECT count(*) FROM sqlite_schema");
+  if (!tables) return fail(tables);
+  // Another agent may just have made them.
+  const Result<std::int64_t> whose = database_.ask("PRAGMA application_id");
+  if (!whose) return fail(whose);
+  const Result<std::int64_t> version = database_.ask("PRAGMA user_version");
+  if (!version) return fail(version);
+  if (*whose == application && *version == format) return {};
+  if (*tables == 0) return database_.run(schema);
+  if (*whose != application || *version != 1) {
+    return fail("unusable", "the file is no database of objects that this version knows");
+  }
+  const Result<void> put_away = database_.run(put_away_first_format);
+  if (!put_away) return put_away;
+  const Result<void> made = database_.run(schema);
+  if (!made) return made;
+  return database_.run(take_first_format);
 }
 
 std::filesystem::path ObjectDatabase::bitmap(const Row& row) const {
@@ -85,7 +136,7 @@ Result<KeptObjects> ObjectDatabase::read() {
   KeptObjects out;
   sqlite::Statement rows(database_,
                          "SELECT name, num, tone, area, perimeter, nf, m0, m1, m2, height, slimness, roundness, "
-                         "roundness_spread, size, sum FROM samples ORDER BY rowid");
+                         "roundness_spread, size, sum, id FROM samples ORDER BY id");
   for (Result<bool> row = rows.step(); !row || *row; row = rows.step()) {
     if (!row) return fail(row);
     const std::string name(rows.text(0));
@@ -117,6 +168,7 @@ Result<LearnedSample> ObjectDatabase::sample_of(sqlite::Statement& row, const st
   out.roundness = row.real(11);
   out.roundness_spread = row.real(12);
   out.size_mm = row.real(13);
+  out.id = row.integer(15);
   const Result<MarkTemplate> picture = read_bitmap(bitmap({name, out.number}), out.tone);
   if (!picture) return fail(picture);
   out.set_picture(*picture);
@@ -127,17 +179,36 @@ Result<LearnedSample> ObjectDatabase::sample_of(sqlite::Statement& row, const st
 }
 
 Result<void> ObjectDatabase::apply(const ObjectChange& change_wanted) {
-  sqlite::Transaction transaction(database_);
-  const Result<void> begun = transaction.begin();
-  if (!begun) return begun;
-  const Result<Leftover> leftover = std::visit([&](const auto& wanted) { return change(wanted); }, change_wanted);
-  if (!leftover) return fail(leftover);
-  const Result<void> committed = transaction.commit();
-  if (!committed) return committed;
-  // A file that stays is overwritten by the next sample of its name.
-  std::error_code ignored;
-  for (const std::filesystem::path& file : *leftover) std::filesystem::remove(file, ignored);
+  Bitmaps bitmaps;
+  {
+    sqlite::Transaction transaction(database_);
+    const Result<void> begun = transaction.begin();
+    if (!begun) return begun;
+    Result<void> done = std::visit([&](const auto& wanted) { return change(wanted, bitmaps); }, change_wanted);
+    if (done) done = transaction.commit();
+    // Nobody else writes before the transaction has ended.
+    std::error_code ignored;
+    for (const Row& row : bitmaps.written) {
+      if (!done) std::filesystem::remove(bitmap(row), ignored);
+    }
+    if (!done) return done;
+  }
+  remove(bitmaps.left_over);
   return {};
+}
+
+// Another agent may have given the number, and so the file, to a sample of its own meanwhile. A file that stays is
+// overwritten by the next sample of its name.
+void ObjectDatabase::remove(const Rows& bitmaps) {
+  if (bitmaps.empty()) return;
+  sqlite::Transaction alone(database_);
+  if (!alone.begin()) return;
+  for (const Row& row : bitmaps) {
+    sqlite::Statement same(database_, "SELECT 1 FROM samples WHERE name = ? COLLATE BINARY AND num = ?");
+    const Result<bool> used = same.bind(1, row.name).bind(2, row.number).step();
+    std::error_code ignored;
+    if (used && !*used) std::filesystem::remove(bitmap(row), ignored);
+  }
 }
 
 Result<ObjectDatabase::Rows> ObjectDatabase::rows_of(const std::string& name) {
@@ -157,7 +228,7 @@ Result<ObjectDatabase::Rows> ObjectDatabase::known_rows(const std::string& name)
   return rows;
 }
 
-Result<ObjectDatabase::Leftover> ObjectDatabase::change(const KeepSample& keep) {
+Result<void> ObjectDatabase::change(const KeepSample& keep, Bitmaps& bitmaps) {
   const Result<KeptObjects> now = read();
   if (!now) return fail(now);
   const Result<LearnedObjects::Slot> slot = now->objects.slot_for(keep.name);
@@ -168,10 +239,8 @@ Result<ObjectDatabase::Leftover> ObjectDatabase::change(const KeepSample& keep) 
   LearnedSample sample = keep.sample;
   // A damaged sample keeps its number.
   sample.number = known->empty() ? 1 : static_cast<int>(known->back().number) + 1;
-  const Result<void> drawn = write_bitmap(bitmap({name, sample.number}), sample.picture, sample.tone);
-  if (!drawn) return fail(drawn);
   const std::string tone = tone_of(sample);
-  sqlite::Statement row(database_, "INSERT INTO samples VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  sqlite::Statement row(database_, "INSERT INTO samples VALUES (NULL, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   row.bind(1, name).bind(2, std::int64_t{sample.number});
   row.bind(3, tone).bind_real(4, sample.area_px);
   row.bind(5, std::int64_t{sample.perimeter_px}).bind(6, std::int64_t{sample.corners});
@@ -179,48 +248,48 @@ Result<ObjectDatabase::Leftover> ObjectDatabase::change(const KeepSample& keep) 
   row.bind_real(10, sample.height_px).bind_real(11, sample.slimness).bind_real(12, sample.roundness);
   row.bind_real(13, sample.roundness_spread).bind_real(14, sample.size_mm).bind(15, sum_of(sample));
   const Result<void> inserted = row.run();
-  if (!inserted) return fail(inserted);
-  return Leftover();
+  if (!inserted) return inserted;
+  const Result<void> drawn = write_bitmap(bitmap({name, sample.number}), sample.picture, sample.tone);
+  if (drawn) bitmaps.written.push_back({name, sample.number});
+  return drawn;
 }
 
-Result<ObjectDatabase::Leftover> ObjectDatabase::change(const WithdrawSample& withdraw) {
-  const Result<Rows> rows = known_rows(withdraw.name);
-  if (!rows) return fail(rows);
-  sqlite::Statement row(database_, "DELETE FROM samples WHERE name = ? AND num = ?");
-  const Result<void> gone = row.bind(1, withdraw.name).bind(2, std::int64_t{withdraw.number}).run();
-  if (!gone) return fail(gone);
-  return Leftover{bitmap({rows->front().name, withdraw.number})};
+Result<void> ObjectDatabase::change(const WithdrawSample& withdraw, Bitmaps& bitmaps) {
+  sqlite::Statement row(database_, "DELETE FROM samples WHERE id = ? RETURNING name, num");
+  const Result<bool> there = row.bind(1, withdraw.id).step();
+  if (!there) return fail(there);
+  if (!*there) return fail("not-learned", "this sample is not there any more", to_datum(withdraw.name));
+  bitmaps.left_over.push_back({std::string(row.text(0)), row.integer(1)});
+  return row.run();
 }
 
-Result<ObjectDatabase::Leftover> ObjectDatabase::change(const ForgetObject& forget) {
+Result<void> ObjectDatabase::change(const ForgetObject& forget, Bitmaps& bitmaps) {
   const Result<Rows> rows = known_rows(forget.name);
   if (!rows) return fail(rows);
   sqlite::Statement row(database_, "DELETE FROM samples WHERE name = ?");
   const Result<void> gone = row.bind(1, forget.name).run();
-  if (!gone) return fail(gone);
-  Leftover leftover;
-  for (const Row& each : *rows) leftover.push_back(bitmap(each));
-  return leftover;
+  if (gone) bitmaps.left_over = *rows;
+  return gone;
 }
 
-Result<ObjectDatabase::Leftover> ObjectDatabase::change(const RenameObject& rename) {
+Result<void> ObjectDatabase::change(const RenameObject& rename, Bitmaps& bitmaps) {
   const Result<Rows> rows = known_rows(rename.name);
   if (!rows) return fail(rows);
   const Result<Rows> others = rows_of(rename.new_name);
   if (!others) return fail(others);
   if (!others->empty() && !same_name(rename.name, rename.new_name)) return name_taken(rename.new_name);
-  Leftover leftover;
-  for (const Row& each : *rows) {
-    const std::filesystem::path to = bitmap({rename.new_name, each.number});
-    if (bitmap(each) == to) continue;
-    const Result<void> copied = copy_bitmap(bitmap(each), to);
-    if (!copied) return fail(copied);
-    leftover.push_back(bitmap(each));
-  }
   sqlite::Statement row(database_, "UPDATE samples SET name = ? WHERE name = ?");
   const Result<void> renamed = row.bind(1, rename.new_name).bind(2, rename.name).run();
-  if (!renamed) return fail(renamed);
-  return leftover;
+  if (!renamed) return renamed;
+  for (const Row& each : *rows) {
+    const Row to{rename.new_name, each.number};
+    if (bitmap(each) == bitmap(to)) continue;
+    const Result<void> copied = copy_bitmap(bitmap(each), bitmap(to));
+    if (!copied) return copied;
+    bitmaps.written.push_back(to);
+    bitmaps.left_over.push_back(each);
+  }
+  return {};
 }
 
 }  // namespace pizarra

@@ -11,11 +11,14 @@
 //   Result<ObjectDatabase> database = ObjectDatabase::open("objects");
 //   Result<KeptObjects> kept = database->read();
 //   Result<void> done = database->apply(RenameObject{"circle", "disc"});
+//   if (!database->in_place()) ...                  // another file is there now, or none: open_again()
 //
-// Failures: `damaged` (not a database, or not one of ours any more), `disk-full`, `busy` (another agent is writing:
-// try again), `unusable`; of a change also `full`, `not-learned` and `name-taken`.
+// Failures: `missing` (of open_again()), `damaged` (not a database, or not one of ours any more), `disk-full`, `busy`
+// (another agent is writing: try again), `unusable`; of a change also `full`, `not-learned` and `name-taken`.
 
 #include <filesystem>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "agents/vision/memory/object_change.hpp"
@@ -33,9 +36,13 @@ struct KeptObjects {
 class ObjectDatabase {
  public:
   static Result<ObjectDatabase> open(const std::string& directory);
+  // Makes nothing: where nothing is at the moment, what was moved away may be on its way back. Failure `missing`.
+  static Result<ObjectDatabase> open_again(const std::string& directory);
 
   Result<KeptObjects> read();
   Result<void> apply(const ObjectChange& change);
+  // Whether the file at its path is the one that was opened.
+  bool in_place() const { return file_now() == file_; }
   // Another number once another agent has changed it.
   Result<std::int64_t> version() { return database_.ask("PRAGMA data_version"); }
 
@@ -43,7 +50,14 @@ class ObjectDatabase {
   ObjectDatabase(std::filesystem::path directory, sqlite::Database database)
       : directory_(std::move(directory)), database_(std::move(database)) {}
 
+  static Result<ObjectDatabase> open_prepared(const std::string& directory, Result<void> (ObjectDatabase::*prepare)());
+  // Device and inode; nothing where there is no file.
+  using FileId = std::optional<std::pair<std::uint64_t, std::uint64_t>>;
+  FileId file_now() const;
   Result<void> prepare();
+  // Failure `damaged` unless it has been prepared already.
+  Result<void> check_prepared();
+  Result<void> make_tables();
   Result<LearnedSample> sample_of(sqlite::Statement& row, const std::string& name) const;
   struct Row {
     std::string name;  // as it was spelt first
@@ -54,15 +68,21 @@ class ObjectDatabase {
   Result<Rows> rows_of(const std::string& name);
   // Failure `not-learned` where there are none.
   Result<Rows> known_rows(const std::string& name);
-  // Files that a change, once committed, leaves without a row.
-  using Leftover = std::vector<std::filesystem::path>;
-  Result<Leftover> change(const KeepSample& keep);
-  Result<Leftover> change(const WithdrawSample& withdraw);
-  Result<Leftover> change(const ForgetObject& forget);
-  Result<Leftover> change(const RenameObject& rename);
+  // The bitmaps that a change has written, and those that it, once committed, leaves without a row.
+  struct Bitmaps {
+    Rows written;
+    Rows left_over;
+  };
+  Result<void> change(const KeepSample& keep, Bitmaps& bitmaps);
+  Result<void> change(const WithdrawSample& withdraw, Bitmaps& bitmaps);
+  Result<void> change(const ForgetObject& forget, Bitmaps& bitmaps);
+  Result<void> change(const RenameObject& rename, Bitmaps& bitmaps);
+  // Those that have no row, while nobody writes.
+  void remove(const Rows& bitmaps);
 
   std::filesystem::path directory_;
   sqlite::Database database_;
+  FileId file_;
 };
 
 }  // namespace pizarra

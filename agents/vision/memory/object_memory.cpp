@@ -37,10 +37,12 @@ ObjectMemory::ObjectMemory(AgentContext& context, std::string directory)
       templates_(any_of(context.name, "learned-template"_sym, 9)) {}
 
 Result<void> ObjectMemory::open() {
-  if (database_) return {};
-  Result<ObjectDatabase> opened = ObjectDatabase::open(directory_);
+  if (database_ && database_->in_place()) return {};
+  database_.reset();
+  Result<ObjectDatabase> opened = was_open_ ? ObjectDatabase::open_again(directory_) : ObjectDatabase::open(directory_);
   if (!opened) return fail(opened);
   database_.emplace(std::move(*opened));
+  was_open_ = true;
   return {};
 }
 
@@ -85,7 +87,8 @@ Task<Result<void>> ObjectMemory::recall() {
 
 Task<Result<bool>> ObjectMemory::recall_changed() {
   if (directory_.empty()) co_return false;
-  const Result<std::int64_t> version = database_ ? database_->version() : Result<std::int64_t>(version_ - 1);
+  const bool in_place = database_ && database_->in_place();
+  const Result<std::int64_t> version = in_place ? database_->version() : Result<std::int64_t>(version_ - 1);
   if (version && *version == version_) co_return false;
   const Result<void> recalled = co_await recall();
   if (!recalled) co_return fail(recalled);

@@ -46,6 +46,7 @@ class ObjectMemory {
   const Datum samples_;    // the pattern of the agent's facts `learned`
   const Datum templates_;  // and `learned-template`
   std::optional<ObjectDatabase> database_;
+  bool was_open_ = false;
   std::int64_t version_ = 0;  // of the database as it was read last
   LearnedObjects objects_;
   std::vector<Failure> troubles_;

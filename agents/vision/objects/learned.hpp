@@ -21,7 +21,8 @@
 namespace pizarra {
 
 struct LearnedSample {
-  int number = 0;  // NUM, from 1
+  int number = 0;       // NUM, from 1
+  std::int64_t id = 0;  // in a database, where no other sample ever gets it; 0: in none
   MarkTone tone = MarkTone::dark;
   std::optional<Tag> tag = {};  // it is known by this alone
   double area_px = 0;

@@ -341,6 +341,49 @@ TEST_F(TwoVisions, EachTellsOfItselfAndEndsForItself) {
   EXPECT_NE(facts("(tracked vision \"circle\" seen ? ?)"), "");
 }
 
+TEST_F(TwoVisions, RejectingLeavesTheSampleThatAnotherHasLearnedUnderTheNameSince) {
+  EXPECT_EQ(call(learn_request(0, "circle")), R"x((LEARN "circle" OK))x");
+  run_for(2s);
+  EXPECT_EQ(call_other("(forget \"circle\")"), "()");
+  const cv::Point2d at = project(other_camera.model(), other_camera.scene.faces[1].place, false);
+  EXPECT_EQ(call_other(write(list("learn"_sym, at.x, at.y, "circle"))), R"x((LEARN "circle" OK))x");
+  EXPECT_EQ(call("(reject \"circle\")"), "nothing-to-accept \"circle\"");
+  EXPECT_EQ(facts("(to-accept ? ? ?)"), R"((to-accept side "circle" 1))");
+  EXPECT_EQ(call_other("(get-objects)"), R"x((GET 1 ("circle")))x");
+  EXPECT_TRUE(std::filesystem::exists(folder + "/circle-1.pgm"));
+}
+
+TEST_F(TwoVisions, WhatIsToBeAcceptedFollowsWhatAnotherDoesWithIt) {
+  EXPECT_EQ(call(learn_request(0, "circle")), R"x((LEARN "circle" OK))x");
+  run_for(2s);
+  EXPECT_EQ(call_other("(rename \"circle\" \"disc\")"), "()");
+  run_for(2s);
+  EXPECT_EQ(facts("(to-accept ? ? ?)"), R"((to-accept vision "disc" 1))");
+  EXPECT_EQ(call_other("(forget \"disc\")"), "()");
+  run_for(2s);
+  EXPECT_EQ(facts("(to-accept ? ? ?)"), "");
+}
+
+// As a backup is put in the place of what was moved away.
+TEST_F(TwoVisions, AnotherDatabaseInItsPlaceIsTakenUpByAll) {
+  namespace fs = std::filesystem;
+  EXPECT_EQ(call(learn_request(0, "circle")), R"x((LEARN "circle" OK))x");
+  run_for(2s);
+  const std::string away = folder + "-away";
+  fs::remove_all(away);
+  fs::rename(folder, away);
+  run_for(2s);
+  EXPECT_FALSE(fs::exists(folder));
+  EXPECT_EQ(call("(get-objects)"), R"x((GET 1 ("circle")))x");
+  EXPECT_EQ(call(learn_request(2, "end-effector")), R"x((LEARN "end-effector" FAIL))x");
+  fs::copy(away, folder);
+  run_for(2s);
+  EXPECT_EQ(facts("(objects-damaged ? ? ? ?)"), "");
+  EXPECT_EQ(call(learn_request(2, "end-effector")), R"x((LEARN "end-effector" OK))x");
+  EXPECT_EQ(call_other("(get-objects)"), R"x((GET 2 ("circle", "end-effector")))x");
+  fs::remove_all(away);
+}
+
 TEST_F(Vision, TwoWithoutADatabaseRememberEachItsOwn) {
   EXPECT_EQ(call(learn_request(0, "circle")), R"x((LEARN "circle" OK))x");
   FakeCamera other_camera{executor, 8};

@@ -74,7 +74,9 @@ TEST_F(Database, RenamesForgetsAndWithdrawsWithTheBitmaps) {
   learn({"circle", "circle", "square"});
   ObjectDatabase database = open();
   ASSERT_TRUE(database.apply(RenameObject{"Circle", "disc"}));
-  ASSERT_TRUE(database.apply(WithdrawSample{"DISC", 2}));
+  const std::int64_t second = database.read().value().objects.find("disc")->samples[1].id;
+  ASSERT_TRUE(database.apply(WithdrawSample{"DISC", 2, second}));
+  EXPECT_EQ(database.apply(WithdrawSample{"DISC", 2, second}).error().symbol, "not-learned");
   ASSERT_TRUE(database.apply(ForgetObject{"square"}));
   EXPECT_EQ(content(), "disc*1 ");
   EXPECT_EQ(files(), (std::vector<std::string>{"disc-1.pgm", "objects.sqlite"}));
@@ -103,6 +105,29 @@ TEST_F(Database, WhatIsDamagedStaysSoUnderANewName) {
   EXPECT_EQ(content(), "square*1 !circle-1.pgm !circle-2.pgm ");
   ASSERT_TRUE(open().apply(RenameObject{"circle", "disc"}));
   EXPECT_EQ(content(), "square*1 !disc-1.pgm !disc-2.pgm ");
+}
+
+TEST_F(Database, ReadsWhatTheFirstFormatKept) {
+  learn({"circle", "square"});
+  sqlite::Database raw = sqlite::Database::open(folder() + "/objects.sqlite", sqlite::Access::write).value();
+  ASSERT_TRUE(
+      raw.run("CREATE TABLE old (name TEXT COLLATE NOCASE, num INTEGER, tone TEXT, area REAL, "
+              "perimeter INTEGER, nf INTEGER, m0 REAL, m1 REAL, m2 REAL, height REAL, slimness REAL, "
+              "roundness REAL, roundness_spread REAL, size REAL, sum INTEGER, UNIQUE (name, num));"
+              "INSERT INTO old SELECT name, num, tone, area, perimeter, nf, m0, m1, m2, height, slimness, "
+              "roundness, roundness_spread, size, sum FROM samples;"
+              "DROP TABLE samples; ALTER TABLE old RENAME TO samples; PRAGMA user_version = 1"));
+  EXPECT_EQ(content(), "circle*1 square*1 ");
+  learn({"circle"});
+  EXPECT_EQ(content(), "circle*2 square*1 ");
+}
+
+TEST_F(Database, AChangeThatFailsLeavesNoBitmap) {
+  learn({"circle"});
+  sqlite::Database raw = sqlite::Database::open(folder() + "/objects.sqlite", sqlite::Access::write).value();
+  ASSERT_TRUE(raw.run("CREATE TRIGGER refuse BEFORE INSERT ON samples BEGIN SELECT RAISE(ABORT, 'no'); END"));
+  EXPECT_FALSE(open().apply(keep("square")).has_value());
+  EXPECT_EQ(files(), (std::vector<std::string>{"circle-1.pgm", "objects.sqlite"}));
 }
 
 TEST_F(Database, TellsAnotherThatItHasChanged) {
