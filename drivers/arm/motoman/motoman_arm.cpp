@@ -300,9 +300,24 @@ Task<Result<void>> MotomanArm::look_at_gripper() {
   co_return Result<void>();
 }
 
+// Holds an arm that runs in remote mode for nobody, as by a copy of an order that the line has kept until now.
+Task<void> MotomanArm::hold_if_nobody_ordered(MotomanStatus status) {
+  const bool stray = status.running && status.remote && !status.teaching && !stopping_;
+  if (!stray) co_return;
+  why_stopped_ = Failure{"stopped", "the arm ran although nobody had ordered it, and was held", {}, {}};
+  stopped_ = true;
+  // Where the controller did not hear it, the next look finds it running still.
+  const Result<void> held = co_await stop();
+  if (!held) stopping_ = false;
+}
+
 Task<Result<ArmReading>> MotomanArm::read() {
+  const bool idle = !moving_ && !ordering_;
+  const Time ordered_at = ordered_at_;
   const Result<Seen> seen = co_await look();
   if (!seen) co_return fail(seen);
+  const bool still_idle = idle && !moving_ && !ordering_ && ordered_at_ == ordered_at;
+  if (still_idle) co_await hold_if_nobody_ordered(seen->status);
   if (gripping_ || reads_++ % reads_of_an_opening == 0) {
     const Result<void> looked = co_await look_at_gripper();
     if (!looked) co_return fail(looked);

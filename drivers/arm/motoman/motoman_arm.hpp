@@ -12,8 +12,12 @@
 // axes of that frame must be the cell's.
 //
 // Every target is gone to exactly once, whatever the line loses or repeats: one whose answer does not come is looked
-// into (does the arm run? is it there?) before it is ordered again. It does so as the arm's only commander, and over
-// lines on which nothing comes later than the next target does.
+// into (does the arm run? is it there?) before it is ordered again, and no other is ordered before. It does so as the
+// arm's only commander, and over lines on which no datagram is older than the target in hand: the protocol has nothing
+// by which a controller would know an old one. What remains is an order that the network kept for longer. While the arm
+// moves the controller refuses it; while the arm stands it is carried out, and read(), which finds an arm in remote
+// mode running for nobody, holds it: it goes as far as it gets between two readings. Between two targets of a move it
+// is taken for the second's beginning, and the move fails, `stopped`, where it leads.
 //
 // take_control() resets alarms, ends its own hold and switches the servos on; not at the pendant's word, whose TEACH
 // refuses it. stop() is the controller's hold, which stays until control is taken or a move is started.
@@ -72,6 +76,7 @@ class MotomanArm : public ArmDriver {
   Task<Result<void>> order_once(const Leg& leg, const std::optional<Line>& line);
   Task<Result<Line>> line_to(Joints to, Joints from);
   Task<Result<void>> go_on(const Seen& seen);
+  Task<void> hold_if_nobody_ordered(MotomanStatus status);
   void end_move(std::optional<Failure> why_stopped);
   Task<Failure> trouble(MotomanStatus status);
   Joints joints_of(const MotomanPulses& pulses) const;

@@ -25,6 +25,8 @@ class Motoman : public testing::Test, protected HsesCell {
     }
     return waypoints;
   }
+
+  LossyLine late_line{executor, Random(2), [this](std::string said) { return emulator.answer(std::move(said)); }};
 };
 
 TEST_F(Motoman, SaysWhereTheArmIsToAPulseAndTakesControl) {
@@ -46,6 +48,36 @@ TEST_F(Motoman, GoesThereInPulsesAndSaysWhenItStands) {
   EXPECT_FALSE(ended->stopped);
   EXPECT_TRUE(are_same_place(ended->joints, there));
   EXPECT_EQ(cabinet.moves(), 1u);
+}
+
+// What a network has kept for seconds comes while the arm stands, and is carried out by a controller that tells no old
+// order from a new one.
+TEST_F(Motoman, AnOrderThatComesAgainWhileTheArmStandsIsHeldAndTheNextMoveGoesOnFromThere) {
+  ASSERT_EQ(connect(), "");
+  const Joints first = moved(0, 100);
+  ASSERT_EQ(move({first}), "");
+  ASSERT_FALSE(wait()->stopped);
+  const Joints second = moved(0, -100);
+  ASSERT_EQ(move({second}), "");
+  ASSERT_FALSE(wait()->stopped);
+  HsesLink other(executor, late_line);
+  ASSERT_TRUE(ask(other.open(executor.now() + 1s)));
+  MotomanPulses old{};
+  for (std::size_t axis = 0; axis < first.size(); ++axis) {
+    old[axis] = static_cast<std::int32_t>(std::llround(first[axis] * up6().axes[axis].pulses_per_turn / 360));
+  }
+  ASSERT_TRUE(ask(other.move_joints(old, 1)));
+  const Result<ArmReading> held = wait();
+  ASSERT_TRUE(held);
+  EXPECT_FALSE(are_same_place(held->joints, first, 10));
+  ASSERT_TRUE(held->why_stopped);
+  EXPECT_EQ(held->why_stopped->symbol, "stopped");
+  executor.run_for(1s);
+  EXPECT_TRUE(are_same_place(read()->joints, held->joints));
+  EXPECT_EQ(move({second}), "");
+  const Result<ArmReading> ended = wait();
+  EXPECT_FALSE(ended->stopped);
+  EXPECT_TRUE(are_same_place(ended->joints, second));
 }
 
 TEST_F(Motoman, AStraightLineOfManyWaypointsIsOneLinearMoveAndStraightAllAlong) {
