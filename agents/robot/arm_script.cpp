@@ -95,8 +95,12 @@ Result<Vector3d> Script::point(const Datum& given) const {
 }
 
 Result<void> Script::line(const Vector3d& to) {
-  // Written so that a distance that is not finite is refused too.
-  if (!((to - path_.point()).norm() < 10'000)) return fail("unreachable", "the point is over 10 m away");
+  const Vector3d way_mm = to - path_.point();
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    // Written so that a distance that is not finite is refused too.
+    if (std::abs(way_mm[i]) < 10'000) continue;
+    return fail("unreachable", fmt::format("the point's {} is over 10 m away", "xyz"[i]));
+  }
   const LineEnd end = path_.line_to(to);
   if (end.ended_by) return fail(*end.ended_by);
   return {};

@@ -185,6 +185,8 @@ Task<Result<Datum>> RobotAgent::State::move(Datum operation, std::string client)
     co_return answer(!motion->at_limit);
   }
   facts.set_arm("moving", write(operation));
+  // Awaited before anything moves, a round trip of the board: had the arm begun and this agent died before the board
+  // had it, its successor would be asked for the same and add it to what was moved already.
   Transaction begin;
   begin.tell(list("robot-move"_sym, name, operation, joints_to_datum(start)));
   const Result<void> begun = co_await facts.tell_surely(std::move(begin));

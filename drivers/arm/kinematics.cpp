@@ -18,14 +18,20 @@ constexpr double track_step_mm = 10;
 constexpr double fine_track_step_mm = 1;
 constexpr double track_resolution_mm = 1e-3;
 
-std::unexpected<Failure> out_of_reach(const ToolPose& pose) {
+// With the coordinate that leads furthest from where the arm is; none where only the tool's direction differs.
+std::unexpected<Failure> out_of_reach(const ArmModel& model, const ToolPose& pose, const Joints& near) {
+  constexpr double same_mm = 0.05;
   const Vector3d at = (pose.translation() * 10).array().round() / 10;
-  return fail("unreachable", "the arm cannot reach this point with this tool direction",
+  Eigen::Index furthest = 0;
+  const Vector3d way_mm = pose.translation() - forward(model, near).translation();
+  const bool led = way_mm.cwiseAbs().maxCoeff(&furthest) > same_mm;
+  const std::string which = led ? fmt::format(", {} leads out of its reach", "xyz"[furthest]) : "";
+  return fail("unreachable", "the arm cannot reach this point with this tool direction" + which,
               list("point"_sym, at.x(), at.y(), at.z()));
 }
 
-Result<Joints> answer_of(const ArmModel& model, const ToolPose& pose, const Solution& best) {
-  if (!best.found) return out_of_reach(pose);
+Result<Joints> answer_of(const ArmModel& model, const ToolPose& pose, const Joints& near, const Solution& best) {
+  if (!best.found) return out_of_reach(model, pose, near);
   const Result<void> within = check_limits(model, best.joints);
   if (!within) return fail(within);
   Joints joints = best.joints;
@@ -97,7 +103,7 @@ class TrackSearch {
 
 Result<Joints> inverse_in_place(const ArmModel& model, const ToolPose& pose, const Joints& near) {
   if (!pose.matrix().allFinite()) return fail("unreachable", "the pose holds a number that is not finite");
-  return answer_of(model, pose, best_solution(model, pose, near));
+  return answer_of(model, pose, near, best_solution(model, pose, near));
 }
 
 Result<Joints> inverse(const ArmModel& model, const ToolPose& pose, const Joints& near) {
@@ -105,13 +111,13 @@ Result<Joints> inverse(const ArmModel& model, const ToolPose& pose, const Joints
   if (!track || !pose.matrix().allFinite()) return inverse_in_place(model, pose, near);
   const Solution here = best_solution(model, pose, near);
   const bool reached = here.found && here.excess == 0;
-  if (reached && margin_of(model, here.joints) >= track_margin_deg) return answer_of(model, pose, here);
+  if (reached && margin_of(model, here.joints) >= track_margin_deg) return answer_of(model, pose, near, here);
   const TrackSearch search(model, pose, near, *track);
-  if (!search.within_reach()) return answer_of(model, pose, here);
+  if (!search.within_reach()) return answer_of(model, pose, near, here);
   std::optional<Joints> elsewhere = search.nearest(track_step_mm, track_margin_deg);
   if (!elsewhere && !reached) elsewhere = search.nearest(fine_track_step_mm, 0);
-  if (elsewhere) return answer_of(model, pose, {true, *elsewhere, 0});
-  return answer_of(model, pose, here);
+  if (elsewhere) return answer_of(model, pose, near, {true, *elsewhere, 0});
+  return answer_of(model, pose, near, here);
 }
 
 Result<void> check_limits(const ArmModel& model, const Joints& joints) {

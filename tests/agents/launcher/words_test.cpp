@@ -203,7 +203,8 @@ TEST(Words, AnUnreachablePointIsSaidOnceInTenthsOfMillimetres) {
   const Said said = run("repl --agents robot --eval '(robot (do-action \"(move 1450.123456789 0 200)\"))'");
   EXPECT_EQ(said.status, 1);
   EXPECT_TRUE(
-      said.text.starts_with("the arm cannot reach this point with this tool direction: (point 589.9 0.0 367.2)"))
+      said.text.starts_with("the arm cannot reach this point with this tool direction, x leads out of its "
+                            "reach: (point 589.9 0.0 367.2)"))
       << said.text;
 }
 

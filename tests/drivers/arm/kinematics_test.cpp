@@ -111,10 +111,13 @@ TEST(Kinematics, WorkspaceOfTheTableIsReachedWithTheToolDown) {
 }
 
 TEST(Kinematics, PosesOutOfReachAreRefused) {
-  for (const ToolPose& pose : {tool_down(2000, 0, 100), tool_down(0, -900, 900), tool_down(450, 0, 3000)}) {
+  const std::pair<ToolPose, std::string> cases[] = {
+      {tool_down(2000, 0, 100), "x leads"}, {tool_down(0, -900, 900), "y leads"}, {tool_down(450, 0, 3000), "z leads"}};
+  for (const auto& [pose, coordinate] : cases) {
     const Result<Joints> joints = inverse(model, pose, model.ready);
     ASSERT_FALSE(joints);
     EXPECT_EQ(joints.error().symbol, "unreachable");
+    EXPECT_NE(joints.error().sentence.find(coordinate), std::string::npos) << joints.error().sentence;
   }
 }
 
