@@ -72,6 +72,8 @@ class FactTable {
   // Whether no fact that fits came or went after `revision`. False, too, when the removals since then are forgotten:
   // the last 4096 are remembered, up to a megabyte.
   bool unchanged_since(const Datum& pattern, Revision revision) const;
+  // What went until then was never known here.
+  void forget_removals(Revision until) { removals_forgotten_ = until; }
 
  private:
   using Bucket = std::map<FactId, const StandingFact*>;

@@ -68,7 +68,7 @@ Result<std::vector<Relation>> Store::declare(const std::vector<Relation>& relati
   }
   if (tables_.size() + fresh.size() > limits::relations) return fail("too-large", "the board has too many relations");
   for (const Relation& relation : fresh) {
-    tables_.try_emplace(relation.name, relation);
+    tables_.try_emplace(relation.name, relation).first->second.forget_removals(horizon_);
   }
   return fresh;
 }

@@ -89,6 +89,7 @@ class Store {
   Leases leases_;
   std::set<std::pair<Time, FactId>> fact_expiries_;
   Revision revision_ = 0;
+  Revision horizon_ = 0;  // what went before is not known
   FactId next_fact_ = 1;
 };
 

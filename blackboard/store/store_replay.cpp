@@ -83,6 +83,8 @@ Result<void> Store::restore(Fact fact, Restored as) {
 void Store::restore_counters(Revision revision, FactId next_fact) {
   revision_ = revision;
   next_fact_ = std::max(next_fact_, next_fact);
+  horizon_ = revision;
+  for (auto& [name, table] : tables_) table.forget_removals(horizon_);
 }
 
 void Store::resume(Time now) {

@@ -139,6 +139,31 @@ TEST_F(JournalFileTest, DurableFactsUnderALeaseGoWithIt) {
   }
 }
 
+// What the journal has let go can be told from nothing no more.
+TEST_F(JournalFileTest, WhatCompactionForgotDoesNotPassForUnchanged) {
+  Revision seen = 0;
+  {
+    Life life(path_, {.revisions = 1});
+    ASSERT_TRUE(life.board->declare("alice", relations_).has_value());
+    life.tell("(goal 1 x)");
+    seen = life.board->store().revision();
+    ASSERT_TRUE(life.board->transact("alice", Transaction().retract(read("(goal 1 ?)"))).has_value());
+    for (int n = 0; n < 200; ++n) {
+      life.tell(write(list("goal"_sym, 7, list(n, std::string(3000, 'x')))));
+      life.executor.run_for(1s);
+    }
+  }
+  Life life(path_, {.revisions = 1});
+  const auto told_if_unchanged = [&](const std::string& fact, Revision since) {
+    Transaction transaction;
+    transaction.require(Transaction::Unchanged{read(fact), since}).tell(read(fact));
+    const Result<Revision> told = life.board->transact("alice", transaction);
+    return told ? "ok" : told.error().symbol;
+  };
+  EXPECT_EQ(told_if_unchanged("(goal 1 x)", seen), "precondition-failed");
+  EXPECT_EQ(told_if_unchanged("(goal 1 x)", life.board->store().revision()), "ok");
+}
+
 TEST_F(JournalFileTest, WhatIsWaitedForIsWrittenInOneGroupAndWhatIsNotSoonAfter) {
   Life life(path_);
   ASSERT_TRUE(life.board->declare("alice", relations_).has_value());
