@@ -30,6 +30,7 @@ Datum entry_to_datum(const Commit::Entry& entry) {
     case Kind::settled:
       return list("settle"_sym, fact.id);
     case Kind::returned:
+      if (entry.under_lease) return list("return"_sym, entry.former, fact.id, "leased"_sym);
       return list("return"_sym, entry.former, fact.id);
     case Kind::leased:
       return list("leased"_sym, fact.id);
@@ -76,7 +77,8 @@ bool read_entry(const Datum& form, const Commit& commit, Commit::Entry& entry) {
     return read_told(form, commit, entry);
   }
   if (form.is_form("return")) {
-    if (form.size() != 3 || !is_id(form[2])) return false;
+    entry.under_lease = form.size() == 4 && form[3].is_symbol("leased");
+    if (form.size() != (entry.under_lease ? 4 : 3) || !is_id(form[2])) return false;
     entry.kind = Kind::returned;
     entry.former = entry.fact.id;
     entry.fact.id = static_cast<FactId>(form[2].integer());

@@ -8,7 +8,8 @@
 //
 // A line begins with the revision, the time in microseconds and the teller. `tell` gives the new fact's id, `return`
 // the id of a taken fact and its new one. Of a durable fact it is said whether it goes with a lease: `(tell 1 (goal 1)
-// leased)`, and where that changes, `(leased 1)` and `(kept 1)`. The renewal of a lease is no change and has no line.
+// leased)`, `(return 1 2 leased)`, and where that changes, `(leased 1)` and `(kept 1)`. The renewal of a lease is no
+// change and has no line.
 //
 //   Store store;
 //   Result<std::string_view> rest = replay(text, store);          // all of it, or up to a revision or a time

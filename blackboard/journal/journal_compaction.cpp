@@ -101,10 +101,13 @@ Result<void> Horizon::apply_entry(const Commit& commit, const Commit::Entry& ent
   }
   const Result<Standing*> found = standing(id);
   if (!found) return fail(found);
+  if (entry.kind == Kind::taken) {
+    const bool leased = (*found)->state == Store::Restored::leased;
+    (*found)->state = leased ? Store::Restored::taken_leased : Store::Restored::taken;
+    return {};
+  }
   if (entry.kind != Kind::returned) {
-    (*found)->state = entry.kind == Kind::taken    ? Store::Restored::taken
-                      : entry.kind == Kind::leased ? Store::Restored::leased
-                                                   : Store::Restored::standing;
+    (*found)->state = entry.kind == Kind::leased ? Store::Restored::leased : Store::Restored::standing;
     return {};
   }
   Fact fact = (*found)->fact;
@@ -112,7 +115,8 @@ Result<void> Horizon::apply_entry(const Commit& commit, const Commit::Entry& ent
   fact.id = entry.fact.id;
   fact.revision = commit.revision;
   next_fact_ = fact.id + 1;
-  standing_[fact.id].fact = std::move(fact);
+  const FactId returned = fact.id;
+  standing_[returned] = {std::move(fact), entry.under_lease ? Store::Restored::leased : Store::Restored::standing};
   return {};
 }
 
@@ -123,7 +127,7 @@ void Horizon::remove(FactId id) {
 Result<Horizon::Standing*> Horizon::standing(FactId id) {
   const auto known = standing_.find(id);
   if (known != standing_.end()) return &known->second;
-  sqlite::Statement row(database_, "SELECT form FROM facts WHERE id = ?");
+  sqlite::Statement row(database_, "SELECT form, taken FROM facts WHERE id = ?");
   const Result<bool> found = row.bind(1, static_cast<std::int64_t>(id)).step();
   if (!found) return fail(found);
   const Result<Datum> form =
@@ -132,7 +136,7 @@ Result<Horizon::Standing*> Horizon::standing(FactId id) {
   Result<Fact> fact = wire::fact_from_datum(*form);
   if (!fact) return fail("damaged", fact.error().sentence);
   removed_.push_back(id);
-  return &(standing_[id] = {std::move(*fact), Store::Restored::standing});
+  return &(standing_[id] = {std::move(*fact), static_cast<Store::Restored>(row.integer(1))});
 }
 
 Result<void> Horizon::write() {

@@ -4,8 +4,9 @@
 //
 //   about(name, value)               horizon (a revision), horizon-time, next-fact
 //   relations(name, form)            declared at the horizon
-//   facts(id, taken, form, sum)      at the horizon standing (0), taken (1) or standing under a lease (2), as on the
-//   wire log(number, revision, time, lines, replies, sum)     what came since, a group a row, numbered without a gap
+//   facts(id, taken, form, sum)      at the horizon, as on the wire: standing (0), taken (1), and the same of what was
+//                                    told under a lease (2, 3)
+//   log(number, revision, time, lines, replies, sum)     what came since, a group a row, numbered without a gap
 //
 // `sum` is a checksum of its row: SQLite has none of its own.
 

@@ -26,7 +26,7 @@ struct Commit {
     Kind kind;
     Fact fact;
     FactId former = 0;
-    bool under_lease = false;  // what was told is durable, and goes with a lease
+    bool under_lease = false;  // what was told or returned is durable, and goes with a lease
     bool operator==(const Entry&) const = default;
   };
 

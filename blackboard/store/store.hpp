@@ -52,9 +52,9 @@ class Store {
   LeaseId lease_of(FactId standing) const;
   LeaseId holder_of(FactId taken) const;
 
-  // What stood, with a lease or without, or was taken, at the revision where a journal begins, by ascending id; then
-  // its counters.
-  enum class Restored : std::uint8_t { standing, taken, leased };
+  // What stood or was taken, told under a lease or without, at the revision where a journal begins, by ascending id;
+  // then its counters.
+  enum class Restored : std::uint8_t { standing, taken, leased, taken_leased };
   Result<void> restore(Fact fact, Restored as);
   void restore_counters(Revision revision, FactId next_fact);
   // Repeats a commit of another store, in order; a failure says why it cannot have happened here. Of facts that it
@@ -69,6 +69,7 @@ class Store {
   struct Held {
     Fact fact;
     LeaseId holder;
+    LeaseId told_under;  // 0 for none
   };
   class Change;
 

@@ -78,10 +78,12 @@ void Store::Change::retract_matching(const Datum& pattern) {
 }
 
 Fact Store::Change::take(FactId id, LeaseId holder) {
-  Fact fact = remove(*store_.find(id));
+  StandingFact& standing = *store_.find(id);
+  const LeaseId told_under = standing.lease;
+  Fact fact = remove(standing);
   commit_.entries.push_back({holder == 0 ? Kind::retracted : Kind::taken, fact});
   if (holder != 0) {
-    store_.held_[id] = {fact, holder};
+    store_.held_[id] = {fact, holder, told_under};
     store_.leases_.find(holder)->held.insert(id);
   }
   return fact;
@@ -96,15 +98,16 @@ void Store::Change::settle(FactId taken) {
 
 void Store::Change::put_back(FactId taken) {
   const auto held = store_.held_.find(taken);
-  if (table_of(held->second.fact.datum).find_key_of(held->second.fact.datum) != nullptr) {
-    return settle(taken);
-  }
+  FactTable& table = table_of(held->second.fact.datum);
+  const LeaseId lease = held->second.told_under;
+  const bool lapsed = lease != 0 && !store_.leases_.contains(lease);
+  if (lapsed || table.find_key_of(held->second.fact.datum) != nullptr) return settle(taken);
   Fact fact = std::move(held->second.fact);
   store_.held_.erase(held);
   fact.id = store_.next_fact_++;
   fact.revision = commit_.revision;
-  commit_.entries.push_back({Kind::returned, fact, taken});
-  insert(std::move(fact), 0);
+  commit_.entries.push_back({Kind::returned, fact, taken, lease != 0 && table.relation().durable});
+  insert(std::move(fact), lease);
 }
 
 Revision Store::Change::finish() {

@@ -18,7 +18,8 @@ class Store::Change {
   void retract_matching(const Datum& pattern);
   Fact take(FactId id, LeaseId holder);
   void settle(FactId taken);
-  // Puts a held fact back under a new id, or lets it go where another with its key stands by now.
+  // Puts a held fact back under a new id and the lease that it was told under. It goes where that has lapsed, or where
+  // another with its key stands by now.
   void put_back(FactId taken);
   // The revision the store is at then; a new one if anything changed.
   Revision finish();

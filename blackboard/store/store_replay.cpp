@@ -53,8 +53,9 @@ Result<void> Store::apply_entry(const Commit& commit, Commit::Entry& entry) {
   if (removes(entry)) {
     StandingFact* standing = find(fact.id);
     if (standing == nullptr) return impossible(commit, "there is no such fact", to_datum(fact.id));
+    const LeaseId told_under = standing->lease;
     fact = remove(*standing, commit.revision).fact;
-    if (entry.kind == Kind::taken) held_[fact.id] = {fact, 0};
+    if (entry.kind == Kind::taken) held_[fact.id] = {fact, 0, told_under};
     return {};
   }
   const Result<void> restored = restore(fact, entry.under_lease ? Restored::leased : Restored::standing);
@@ -68,15 +69,17 @@ Result<void> Store::restore(Fact fact, Restored as) {
   FactTable& table = tables_.find(fact.datum.head())->second;
   const Result<void> shaped = check_shape(table.relation(), fact.datum);
   if (!shaped) return shaped;
-  const bool taken = as == Restored::taken;
+  const bool taken = as == Restored::taken || as == Restored::taken_leased;
+  const bool leased = as == Restored::leased || as == Restored::taken_leased;
+  const LeaseId told_under = leased ? lease_of_former_life : 0;
   const bool free = fact.id >= next_fact_ && (taken || table.find_key_of(fact.datum) == nullptr);
   if (!free) return fail("bad-journal", "a fact with this id or key stands already", fact.datum);
   next_fact_ = fact.id + 1;
   if (taken) {
-    held_[fact.id] = {std::move(fact), 0};
+    held_[fact.id] = {std::move(fact), 0, told_under};
     return {};
   }
-  put(table, std::move(fact)).lease = as == Restored::leased ? lease_of_former_life : 0;
+  put(table, std::move(fact)).lease = told_under;
   return {};
 }
 

@@ -164,6 +164,44 @@ TEST_F(JournalFileTest, WhatCompactionForgotDoesNotPassForUnchanged) {
   EXPECT_EQ(told_if_unchanged("(goal 1 x)", life.board->store().revision()), "ok");
 }
 
+// A fact that was taken still goes with the lease that it was told under.
+TEST_F(JournalFileTest, ADurableFactThatWasTakenGoesWithTheLeaseItWasToldUnder) {
+  const auto live = [&](const History& history) {
+    Life life(path_, history);
+    EXPECT_TRUE(life.board->declare("alice", relations_).has_value());
+    const LeaseId told = life.board->lease(3600s).value();
+    Transaction transaction;
+    for (const char* fact : {"(goal 1 held)", "(goal 2 standing)", "(goal 3 returned)"}) {
+      transaction.tell(read(fact), {}, told);
+    }
+    EXPECT_TRUE(life.board->transact("alice", transaction.tell(read("(goal 4 free)"))).has_value());
+    const LeaseId released = life.board->lease(3600s).value();
+    EXPECT_TRUE(life.board->take("bob", read("(goal 3 ?)"), released).has_value());
+    if (history.revisions == 0) {
+      for (int n = 0; n < 100; ++n) {
+        life.tell(write(list("goal"_sym, 7, list(n, std::string(3000, 'x')))));
+        life.executor.run_for(1s);
+      }
+    }
+    EXPECT_TRUE(life.board->release(released).has_value());
+    EXPECT_EQ(life.facts("(goal 3 ?)").size(), 1U);
+    const LeaseId holder = life.board->lease(3600s).value();
+    EXPECT_TRUE(life.board->take("bob", read("(goal 1 ?)"), holder).has_value());
+    EXPECT_TRUE(life.board->take("bob", read("(goal 4 ?)"), holder).has_value());
+    if (history.revisions > 0) return;
+    for (int n = 0; n < 200; ++n) {
+      life.tell(write(list("goal"_sym, 7, list(n, std::string(3000, 'x')))));
+      life.executor.run_for(1s);
+    }
+    EXPECT_TRUE(life.board->transact("alice", Transaction().retract(read("(goal 7 ?)"))).has_value());
+  };
+  for (const History& history : {History{}, History{.revisions = 0}}) {
+    live(history);
+    EXPECT_EQ(Life(path_).facts("(goal ?n ?)"), std::vector<Datum>{read("(goal 4 free)")});
+    remove_journal(path_);
+  }
+}
+
 TEST_F(JournalFileTest, WhatIsWaitedForIsWrittenInOneGroupAndWhatIsNotSoonAfter) {
   Life life(path_);
   ASSERT_TRUE(life.board->declare("alice", relations_).has_value());

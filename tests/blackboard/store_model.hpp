@@ -19,6 +19,10 @@ class StoreModel {
     std::string teller;
     LeaseId lease = 0;
   };
+  struct Held {
+    Entry fact;
+    LeaseId holder = 0;
+  };
 
   explicit StoreModel(std::vector<Relation> relations) : relations_(std::move(relations)) {}
 
@@ -49,10 +53,9 @@ class StoreModel {
   std::optional<Datum> take(const Datum& pattern, LeaseId holder, FactId id) {
     const auto found = std::ranges::find_if(facts_, [&](const Entry& e) { return fits(pattern, e.datum); });
     if (found == facts_.end()) return std::nullopt;
-    held_[id] = *found;
-    held_[id].lease = holder;
+    held_[id] = {*found, holder};
     facts_.erase(found);
-    return held_[id].datum;
+    return held_[id].fact.datum;
   }
   bool settle(FactId id) { return held_.erase(id) == 1; }
 
@@ -60,13 +63,13 @@ class StoreModel {
     leases_.erase(id);
     std::erase_if(facts_, [&](const Entry& e) { return e.lease == id; });
     std::vector<FactId> back;
-    for (const auto& [held, entry] : held_) {
-      if (entry.lease == id) back.push_back(held);
+    for (const auto& [taken, held] : held_) {
+      if (held.holder == id) back.push_back(taken);
     }
-    for (const FactId held : back) {
-      Entry entry = held_.at(held);
-      held_.erase(held);
-      entry.lease = 0;
+    for (const FactId taken : back) {
+      const Entry entry = held_.at(taken).fact;
+      held_.erase(taken);
+      if (entry.lease != 0 && !leases_.contains(entry.lease)) continue;
       if (std::ranges::none_of(facts_, [&](const Entry& e) { return key(e.datum) == key(entry.datum); })) {
         facts_.push_back(entry);
       }
@@ -128,7 +131,7 @@ class StoreModel {
   std::vector<Relation> relations_;
   std::vector<Entry> facts_;
   std::map<LeaseId, Time> leases_;
-  std::map<FactId, Entry> held_;
+  std::map<FactId, Held> held_;
 };
 
 }  // namespace pizarra
