@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
+#include <filesystem>
 #include <fstream>
 #include <sys/file.h>
 #include <unistd.h>
@@ -73,6 +74,17 @@ Result<void> check_end(sqlite::Database& database, const KeptMark& mark) {
                              " it is taken as it is");
 }
 
+// A journal whose file is gone is not begun anew over what is left of it: SQLite's log may hold most of it.
+Result<void> check_together(const std::string& path) {
+  if (std::filesystem::exists(std::filesystem::symlink_status(path))) return {};
+  for (const std::string& part : {path + "-wal", mark_beside(path)}) {
+    if (!std::filesystem::exists(std::filesystem::symlink_status(part))) continue;
+    return fail("bad-journal", path + " is gone, but " + part + " is there: bring it back, or remove " + part +
+                                   " as well to begin anew");
+  }
+  return {};
+}
+
 }  // namespace
 
 std::string reply_line(const RememberedReply& reply) {
@@ -85,10 +97,9 @@ std::string reply_line(const RememberedReply& reply) {
 JournalFile::Lock::~Lock() { close(file_); }
 
 Result<std::shared_ptr<JournalFile>> JournalFile::open(const std::string& path, const History& history) {
-  int lock = ::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
-  // A mark without its journal is of one that was taken away.
-  if (lock >= 0) KeptMark(mark_beside(path)).remove();
-  if (lock < 0 && errno == EEXIST) lock = ::open(path.c_str(), O_RDWR | O_CLOEXEC);
+  const Result<void> together = check_together(path);
+  if (!together) return fail(together);
+  const int lock = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
   if (lock < 0) return refused("cannot open", path);
   if (flock(lock, LOCK_EX | LOCK_NB) != 0) {
     const auto taken = refused("another board keeps", path);

@@ -39,6 +39,4 @@ void KeptMark::set(std::int64_t entry) {
   [[maybe_unused]] const ssize_t written = pwrite(file_, text.data(), text.size(), 0);
 }
 
-void KeptMark::remove() { unlink(path_.c_str()); }
-
 }  // namespace pizarra

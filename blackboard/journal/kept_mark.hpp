@@ -24,7 +24,6 @@ class KeptMark {
   std::optional<std::int64_t> get() const;
   // What cannot be said is left as it was.
   void set(std::int64_t entry);
-  void remove();
 
  private:
   const std::string path_;

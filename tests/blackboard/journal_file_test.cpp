@@ -369,17 +369,26 @@ TEST_F(JournalFileTest, DamageWithinWhatWasKeptIsSaidAndNothingBehindItDroppedSi
   }
 }
 
-TEST_F(JournalFileTest, AJournalThatBeginsAnewKnowsNothingOfTheOneBefore) {
-  for (int n = 0; n < 2; ++n) {
+TEST_F(JournalFileTest, WhatIsLeftOfAJournalWhoseFileIsGoneIsNotBegunAnew) {
+  {
     Life life(path_);
     ASSERT_TRUE(life.board->declare("alice", relations_).has_value());
-    if (n == 0) life.tell("(goal 1 x)");
-    if (n == 0) life.keep();
-    life.board.reset();
-    life.writer.reset();
-    life.file.reset();
-    std::filesystem::remove(path_);
+    life.tell("(goal 1 x)");
+    life.keep();
+    // As a crash leaves it.
+    for (const char* part : {"-wal", "-kept"}) std::filesystem::copy_file(path_ + part, path_ + "2" + part);
   }
+  const std::string gone = path_ + "2";
+  for (const char* part : {"-wal", "-kept"}) {
+    const auto opened = JournalFile::open(gone, {});
+    ASSERT_FALSE(opened.has_value());
+    EXPECT_EQ(opened.error().symbol, "bad-journal");
+    EXPECT_NE(opened.error().sentence.find(gone + part), std::string::npos) << opened.error().sentence;
+    EXPECT_FALSE(std::filesystem::exists(gone));
+    EXPECT_TRUE(std::filesystem::exists(gone + part));
+    std::filesystem::remove(gone + part);
+  }
+  EXPECT_TRUE(JournalFile::open(gone, {}).has_value());
 }
 
 TEST_F(JournalFileTest, WhenTheFileMayNotGrowWhatIsDurableIsRefusedAndLaterWritten) {
