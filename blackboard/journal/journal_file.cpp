@@ -5,6 +5,7 @@
 #include <fcntl.h>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <sys/file.h>
 #include <unistd.h>
 
@@ -16,6 +17,7 @@ namespace pizarra {
 
 namespace {
 
+constexpr std::uintmax_t longest_line = 64 << 20;
 constexpr std::string_view sqlite_files_begin_with = "SQLite format 3";
 
 std::unexpected<Failure> refused(const std::string& what, const std::string& path) {
@@ -29,10 +31,14 @@ bool is_sqlite(const std::string& path) {
   return begin == sqlite_files_begin_with;
 }
 
-// A journal in text, as `demo --journal` writes it.
-Result<std::string> text_of(const std::string& path) {
+// A journal in text, as `demo --journal` writes it: the last of it at least, where it has more than `most` bytes.
+Result<std::string> text_of(const std::string& path, std::uintmax_t most = std::numeric_limits<std::uintmax_t>::max()) {
+  std::error_code unseen;
+  if (std::filesystem::is_directory(path, unseen)) return fail("journal-file", path + " is a folder");
   std::ifstream file(path, std::ios::binary);
   if (!file) return refused("cannot read", path);
+  const std::uintmax_t size = std::filesystem::file_size(path, unseen);
+  if (!unseen && size > most) file.seekg(static_cast<std::streamoff>(size - most));
   return std::string((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
 }
 
@@ -189,7 +195,7 @@ void remove_journal(const std::string& path) {
 
 Result<LineStart> end_of_journal(const std::string& path) {
   if (!is_sqlite(path)) {
-    const Result<std::string> text = text_of(path);
+    const Result<std::string> text = text_of(path, longest_line);
     if (!text) return fail(text);
     return start_of_last_line(std::string_view(*text).substr(0, text->rfind('\n') + 1));
   }

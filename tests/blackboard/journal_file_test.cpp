@@ -391,6 +391,13 @@ TEST_F(JournalFileTest, WhatIsLeftOfAJournalWhoseFileIsGoneIsNotBegunAnew) {
   EXPECT_TRUE(JournalFile::open(gone, {}).has_value());
 }
 
+TEST_F(JournalFileTest, AFolderIsNoJournal) {
+  EXPECT_EQ(end_of_journal(folder_.string()).error().symbol, "journal-file");
+  Store store;
+  EXPECT_EQ(read_journal(folder_.string(), store).error().symbol, "journal-file");
+  EXPECT_EQ(JournalFile::open(folder_.string(), {}).error().symbol, "journal-file");
+}
+
 TEST_F(JournalFileTest, WhenTheFileMayNotGrowWhatIsDurableIsRefusedAndLaterWritten) {
   Life life(path_);
   ASSERT_TRUE(life.board->declare("alice", relations_).has_value());
