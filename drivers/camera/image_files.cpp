@@ -1,16 +1,21 @@
 #include "drivers/camera/image_files.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <filesystem>
 #include <fmt/format.h>
+#include <fstream>
 #include <glob.h>
+#include <opencv2/core/utils/logger.hpp>
 #include <opencv2/imgcodecs.hpp>
+#include <span>
 
 namespace pizarra {
 namespace {
 
 constexpr std::size_t most_files = 100'000;
+constexpr std::uintmax_t most_bytes = 256 << 20;
 
 bool has_image_name(const std::string& file) {
   std::string ending = std::filesystem::path(file).extension().string();
@@ -30,6 +35,36 @@ std::vector<std::string> files_like(const std::string& pattern) {
   return out;
 }
 
+// Bounded; a file that is none, as a pipe, might never answer.
+Result<std::vector<unsigned char>> bytes_of(const std::string& file) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) {
+    return fail("corrupt-frame", fmt::format("{} is no regular file", file));
+  }
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  if (error || size > most_bytes) return fail("corrupt-frame", fmt::format("{} is too large for an image", file));
+  std::vector<unsigned char> out(size);
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(reinterpret_cast<char*>(out.data()), static_cast<std::streamsize>(size));
+  out.resize(static_cast<std::size_t>(stream.gcount()));
+  return out;
+}
+
+// What is cut short is decoded all the same, its rest grey. A JPEG's previews, whole pictures themselves, lie in
+// segments before its scan, in which no end marker can occur by chance.
+bool is_cut_short(std::span<const unsigned char> bytes) {
+  constexpr std::array<unsigned char, 8> png_end = {'I', 'E', 'N', 'D', 0xae, 0x42, 0x60, 0x82};
+  if (bytes.size() > 4 && bytes[0] == 0x89 && bytes[1] == 'P') return std::ranges::search(bytes, png_end).empty();
+  if (bytes.size() < 2 || bytes[0] != 0xff || bytes[1] != 0xd8) return false;
+  std::size_t at = 2;
+  while (at + 4 <= bytes.size() && bytes[at] == 0xff && bytes[at + 1] != 0xda) {
+    const bool padding = bytes[at + 1] == 0xff;
+    at += padding ? 1 : 2U + 256U * bytes[at + 2] + bytes[at + 3];
+  }
+  constexpr std::array<unsigned char, 2> jpeg_end = {0xff, 0xd9};
+  return at >= bytes.size() || std::ranges::search(bytes.subspan(at), jpeg_end).empty();
+}
+
 }  // namespace
 
 std::vector<std::string> image_files_at(const std::string& where) {
@@ -44,6 +79,8 @@ std::vector<std::string> image_files_at(const std::string& where) {
 }
 
 Result<void> ImageFiles::open() {
+  // What goes wrong is told by our failures.
+  cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
   files_ = image_files_at(where_);
   taken_ = 0;
   if (files_.empty()) return fail("disconnected", fmt::format("there are no images at {}", where_));
@@ -57,9 +94,12 @@ Result<std::optional<double>> ImageFiles::grab() {
 
 Result<cv::Mat> ImageFiles::retrieve() {
   const std::string& file = files_[taken_ - 1];
+  const Result<std::vector<unsigned char>> bytes = bytes_of(file);
+  if (!bytes) return fail(bytes);
+  if (is_cut_short(*bytes)) return fail("corrupt-frame", fmt::format("{} is cut short: its end is missing", file));
   cv::Mat image;
   try {
-    image = cv::imread(file, grey_ ? cv::IMREAD_GRAYSCALE : cv::IMREAD_COLOR);
+    if (!bytes->empty()) image = cv::imdecode(*bytes, grey_ ? cv::IMREAD_GRAYSCALE : cv::IMREAD_COLOR);
   } catch (const cv::Exception&) {
     image.release();
   }

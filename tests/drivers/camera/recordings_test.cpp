@@ -6,6 +6,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/videoio.hpp>
 #include <set>
+#include <sys/stat.h>
 
 #include "blackboard/time/real_executor.hpp"
 #include "drivers/camera/image_files.hpp"
@@ -98,6 +99,37 @@ TEST_F(Recordings, AnImageThatIsNoneIsToldByItsNameAndTheOthersAreSeen) {
   EXPECT_EQ(seen, (std::set<int>{50, 60}));
   EXPECT_EQ(said, (std::set<std::string>{"the camera: " + folder + "2.png is no image that can be read",
                                          "the camera: " + folder + "3.png is no image that can be read"}));
+}
+
+// What is decoded of it would be half grey.
+TEST_F(Recordings, AnImageThatIsCutShortIsNone) {
+  cv::Mat noise(480, 640, CV_8UC3);
+  cv::randu(noise, 0, 255);
+  for (const std::string name : {"a.jpg", "b.png"}) {
+    ASSERT_TRUE(cv::imwrite(folder + name, noise));
+    const std::uintmax_t whole = std::filesystem::file_size(folder + name);
+    for (const std::uintmax_t size : {whole - 1, 2 * whole / 3, std::uintmax_t{3000}, std::uintmax_t{300}}) {
+      SCOPED_TRACE(name + " of " + std::to_string(size));
+      ImageFiles images(folder + name, 10, false);
+      ASSERT_TRUE(images.open());
+      ASSERT_TRUE(images.grab());
+      EXPECT_TRUE(images.retrieve());
+      std::filesystem::copy_file(folder + name, folder + "kept");
+      std::filesystem::resize_file(folder + name, size);
+      const Result<cv::Mat> cut = images.retrieve();
+      std::filesystem::rename(folder + "kept", folder + name);
+      ASSERT_FALSE(cut);
+      EXPECT_EQ(cut.error().sentence, folder + name + " is cut short: its end is missing");
+    }
+  }
+}
+
+TEST_F(Recordings, APipeAmongTheImagesIsToldAndNotWaitedFor) {
+  ASSERT_EQ(mkfifo((folder + "a.png").c_str(), 0600), 0);
+  ImageFiles images(folder, 10, false);
+  ASSERT_TRUE(images.open());
+  ASSERT_TRUE(images.grab());
+  EXPECT_EQ(images.retrieve().error().sentence, folder + "a.png is no regular file");
 }
 
 TEST_F(Recordings, APairOfImageSequencesIsSeenInStep) {
