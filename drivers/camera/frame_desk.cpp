@@ -81,12 +81,14 @@ std::optional<Result<StereoModel>> FrameDesk::model(Time now) {
   rung_ = false;
   if (model_) return *model_;
   if (ended_) return fail(*ended_);
+  if (trouble_ && drops_.corrupt >= most_corrupt_at_first) return fail(*trouble_);
   return std::nullopt;
 }
 
-bool FrameDesk::healthy() const {
+bool FrameDesk::healthy(Time now, Duration longest_silence) const {
   const std::scoped_lock lock(mutex_);
-  return newest_ && !trouble_ && !ended_ && !closed_;
+  const bool silent = newest_ && now - newest_->grey.captured > longest_silence;
+  return newest_ && !silent && !trouble_ && !ended_ && !closed_;
 }
 
 void FrameDesk::close() {

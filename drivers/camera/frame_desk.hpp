@@ -45,10 +45,10 @@ class FrameDesk {
   // ---- for the agents
   // What there is above `after`; nothing while there is none. A trouble is handed out once.
   std::optional<Result<DeskFrame>> take(std::uint64_t after, bool colour, Time now);
-  // Of the frames put, or why there will be none; nothing while there is neither.
+  // Of the frames put, or why there will be none, or why the first 20 could not be had; nothing while there is neither.
   std::optional<Result<StereoModel>> model(Time now);
-  // Whether the newest that happened is a frame.
-  bool healthy() const;
+  // Whether the newest that happened is a frame, and not longer ago than this.
+  bool healthy(Time now, Duration longest_silence) const;
   void close();
   CameraDrops drops() const;
 
@@ -56,6 +56,7 @@ class FrameDesk {
   static constexpr Duration longest_alone = 10s;
   static constexpr Duration soon = 1s;
   static constexpr int frames_in_colour = 30;
+  static constexpr std::uint64_t most_corrupt_at_first = 20;
 
   void ring_once(std::unique_lock<std::mutex> lock);
 

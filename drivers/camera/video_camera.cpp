@@ -32,7 +32,7 @@ VideoCamera::~VideoCamera() {
 }
 
 Task<Result<StereoModel>> VideoCamera::open() {
-  const bool goes_on = desk_ != nullptr && !reading_.done() && desk_->healthy();
+  const bool goes_on = desk_ != nullptr && !reading_.done() && desk_->healthy(executor_.now(), longest_silence());
   if (!goes_on) {
     const Result<void> ended = co_await end_reading();
     if (!ended) co_return fail(ended);

@@ -14,6 +14,7 @@ namespace pizarra {
 struct FakeDevice {
   std::atomic<bool> plugged = true;
   std::atomic<bool> garbage = false;
+  std::atomic<bool> hangs = false;
   std::atomic<int> width = 320;
   std::atomic<int> height = 240;
   std::atomic<int> opened = 0;
@@ -43,6 +44,7 @@ class FakeSource : public FrameSource {
     open_ = false;
   }
   Result<std::optional<double>> grab() override {
+    device_.hangs.wait(true);
     if (!device_.plugged) return fail("disconnected", "fake gives no images");
     const std::size_t image = taken_++;
     if (device_.moments_ms.empty()) return std::nullopt;

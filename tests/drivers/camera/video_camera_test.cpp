@@ -124,6 +124,31 @@ TEST_F(VideoCameraTest, GarbageIsACorruptFrameEachAndTheNextGoodOneComes) {
   EXPECT_EQ(device.opened, 1);
 }
 
+TEST_F(VideoCameraTest, ACameraThatHangsIsNotOpenUntilItAnswersAgain) {
+  ASSERT_TRUE(open());
+  std::uint64_t last = next(0)->number;
+  device.hangs = true;
+  Result<StereoFrame> frame = next(last);
+  for (; frame; frame = next(last)) last = frame->number;
+  EXPECT_EQ(frame.error().sentence, "no image came within 3 s");
+  const Result<StereoModel> hung = open();
+  device.hangs = false;
+  device.hangs.notify_all();
+  ASSERT_FALSE(hung);
+  EXPECT_EQ(hung.error().sentence, "the camera hangs: what was asked of it before is not answered");
+  ASSERT_TRUE(open());
+  EXPECT_GT(next(last)->number, last);
+}
+
+TEST_F(VideoCameraTest, WhereAllIsGarbageOpeningSaysSoAfterTwentyImages) {
+  device.garbage = true;
+  const Time begun = executor.now();
+  const Result<StereoModel> model = open();
+  ASSERT_FALSE(model);
+  EXPECT_EQ(model.error().sentence, "the camera: what fake gives is no image that can be read");
+  EXPECT_LT(executor.now() - begun, 5s);
+}
+
 TEST_F(VideoCameraTest, ImagesThatChangeTheirSizeAreRefusedUntilTheCameraIsOpenedAnew) {
   ASSERT_TRUE(open());
   device.width = 640;
