@@ -1,6 +1,7 @@
 #include "agents/vision/agent/camera_feed.hpp"
 
 #include <algorithm>
+#include <fmt/format.h>
 
 namespace pizarra {
 namespace {
@@ -16,9 +17,18 @@ bool fits(const StereoModel& model, const std::shared_ptr<const Image>& image) {
          image->pixels.size() == static_cast<std::size_t>(image->width * image->height * image->channels);
 }
 
-bool usable(const StereoModel& model) {
-  return model.width >= 64 && model.width <= 8192 && model.height >= 64 && model.height <= 8192 && model.focal_px > 0 &&
-         (model.base_line_mm > 0 || (model.is_single() && model.learned_at_mm > 0));
+constexpr int least_side_px = 64;
+constexpr int most_side_px = 8192;
+
+// Why the camera cannot be used; empty where it can.
+std::string trouble_with(const StereoModel& model) {
+  const auto fits = [](int side) { return side >= least_side_px && side <= most_side_px; };
+  if (!fits(model.width) || !fits(model.height)) {
+    return fmt::format("the camera's images are {0}x{1}, and what works is {2}x{2} to {3}x{3}", model.width,
+                       model.height, least_side_px, most_side_px);
+  }
+  const bool has_depth = model.base_line_mm > 0 || (model.is_single() && model.learned_at_mm > 0);
+  return model.focal_px > 0 && has_depth ? "" : "the camera's model makes no sense";
 }
 
 }  // namespace
@@ -59,8 +69,8 @@ Task<void> CameraFeed::run() {
     }
     if (state_ == State::closed) co_await change_to(State::opening, no_trouble);
     const Result<StereoModel> model = co_await camera_.open();
-    std::string trouble;
-    if (model && usable(*model)) {
+    std::string trouble = model ? trouble_with(*model) : describe(model.error());
+    if (trouble.empty()) {
       model_ = *model;
       latest_ = {};
       co_await change_to(State::open, no_trouble);
@@ -68,8 +78,6 @@ Task<void> CameraFeed::run() {
       if (!wanted_) continue;
       if (latest_.number != 0) pause = first_pause;
       trouble = trouble_;
-    } else {
-      trouble = model ? "the camera's model makes no sense" : describe(model.error());
     }
     co_await change_to(State::lost, trouble);
     co_await sleep(executor_, pause);

@@ -562,6 +562,17 @@ TEST_F(Vision, ARestartedAgentKnowsWhatWasLearnedAndTracksNothing) {
   EXPECT_TRUE(call("(find \"circle\")").starts_with(R"x((FIND "circle" OK ()x"));
 }
 
+TEST_F(Vision, ImagesOfASizeThatDoesNotWorkAreRefusedWithTheSizesThatDo) {
+  camera.plugged = false;
+  run_for(1s);
+  camera.resize(60, 60);
+  camera.plugged = true;
+  call("(connect)");
+  run_for(6s);
+  EXPECT_EQ(facts("(camera-state vision ? ?)"),
+            "(camera-state vision lost \"the camera's images are 60x60, and what works is 64x64 to 8192x8192\")");
+}
+
 TEST_F(Vision, ALostCameraIsSaidAndTriedAgain) {
   EXPECT_EQ(call("(connect)"), "()");
   run_for(300ms);

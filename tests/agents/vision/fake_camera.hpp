@@ -38,6 +38,10 @@ class FakeCamera : public StereoCamera {
   }
 
   const StereoModel& model() const { return model_; }
+  void resize(int width, int height) {
+    model_.width = width;
+    model_.height = height;
+  }
 
  private:
   static std::shared_ptr<const Image> in_colour(const Image& grey) {
