@@ -168,6 +168,8 @@ TEST_F(BoardProgram, ItsExitCodesSayWhatWasWrong) {
   EXPECT_EQ(code({"--listen", "tcp://0.0.0.0:5999"}), 3);
   EXPECT_EQ(code({"--listen", "\xff\xfe"}), 3);
   EXPECT_EQ(code({"--listen", address_, "--journal", "/no/such/folder/journal"}), 4);
+  EXPECT_EQ(code({"--listen", address_, "--journal", "/"}), 4);
+  EXPECT_EQ(code({"--listen", address_, "--journal", ""}), 2);
   EXPECT_EQ(code({"--listen", address_, "--journal", path_ + ".none", "--history", "long"}), 2);
 }
 

@@ -102,7 +102,7 @@ class KeptBoard {
 Time first_moment(const std::string& journal) {
   const Time now = RealExecutor::wall_clock();
   std::error_code unseen;
-  if (!std::filesystem::exists(journal, unseen)) return now;
+  if (!std::filesystem::is_regular_file(journal, unseen)) return now;
   // One that cannot be read is reported by whoever goes on from it.
   const Result<LineStart> end = end_of_journal(journal);
   return end ? std::max(now, end->when) : now;
@@ -139,6 +139,7 @@ int main(int argc, char** argv) {
       ->required()
       ->type_name("ADDRESS");
   app.add_option("--journal", options.journal, "keep every transaction in FILE, and durable facts beyond a restart")
+      ->check([](const std::string& file) { return file.empty() ? "names no file" : std::string(); })
       ->type_name("FILE");
   app.add_option("--history", options.history,
                  "how much of the past the journal keeps at least: revisions, or a time such as 90s, 30min, 12h, 7d")
