@@ -1,8 +1,6 @@
 #include "blackboard/store/evaluate.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
 #include <utility>
 
 #include "lisp/nearest.hpp"
@@ -15,16 +13,6 @@ namespace {
 
 // An answer that is to be ordered and cut to a limit may pass through this many frames' worth of others.
 constexpr std::size_t frames_to_sort = 64;
-
-// An integer and a real, exactly: a double does not hold every integer.
-std::strong_ordering compare_numbers(std::int64_t integer, double real) {
-  constexpr double beyond_integers = 9223372036854775808.0;
-  if (real >= beyond_integers) return std::strong_ordering::less;
-  if (real < -beyond_integers) return std::strong_ordering::greater;
-  const double whole = std::floor(real);
-  const std::strong_ordering order = integer <=> static_cast<std::int64_t>(whole);
-  return order == 0 && real > whole ? std::strong_ordering::less : order;
-}
 
 Weight weigh(const Query& query) {
   constexpr std::size_t envelope = 64;
@@ -41,6 +29,77 @@ std::unexpected<Failure> too_many(const Query& query) {
   return fail("too-large", "the answers are more than fit one message", query_to_datum(query));
 }
 
+bool is_known(const Datum& form, const std::vector<Datum>& known) {
+  if (is_variable(form)) return std::ranges::find(known, form) != known.end();
+  return std::ranges::all_of(form.items(), [&](const Datum& item) { return is_known(item, known); });
+}
+
+void learn(const Datum& pattern, std::vector<Datum>& known) {
+  if (is_variable(pattern)) known.push_back(pattern);
+  for (const Datum& item : pattern.items()) learn(item, known);
+}
+
+// The patterns as written, each comparison as soon as it can be made.
+std::vector<std::size_t> course_of(const Query& query) {
+  std::vector<std::size_t> course;
+  std::vector<std::size_t> comparisons;
+  for (std::size_t i = 0; i < query.clauses.size(); ++i) {
+    if (query.clauses[i].kind == Query::Clause::Kind::compare) comparisons.push_back(i);
+  }
+  std::vector<Datum> known;
+  const auto compare = [&] {
+    std::erase_if(comparisons, [&](std::size_t i) {
+      if (!is_known(query.clauses[i].form, known)) return false;
+      course.push_back(i);
+      return true;
+    });
+  };
+  compare();
+  for (std::size_t i = 0; i < query.clauses.size(); ++i) {
+    if (query.clauses[i].kind == Query::Clause::Kind::compare) continue;
+    course.push_back(i);
+    if (query.clauses[i].kind == Query::Clause::Kind::absent) continue;
+    learn(query.clauses[i].form, known);
+    compare();
+  }
+  return course;
+}
+
+std::optional<std::size_t> argument_of(const Datum& variable, const Datum& pattern) {
+  const auto arguments = pattern.items().subspan(1);
+  const auto found = std::ranges::find(arguments, variable);
+  if (found == arguments.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - arguments.begin());
+}
+
+// By what comparison NAME with a value leaves of it.
+void narrow(Range& range, std::string_view name, const Datum& value) {
+  if (name == "=" || name == ">" || name == ">=") range.begin_at(value, name != ">");
+  if (name == "=" || name == "<" || name == "<=") range.end_at(value, name != "<");
+}
+
+std::string_view turned_round(std::string_view name) {
+  if (name == "<") return ">";
+  if (name == "<=") return ">=";
+  if (name == ">") return "<";
+  if (name == ">=") return "<=";
+  return name;
+}
+
+// Narrows what the arguments of a pattern may be, where one is compared with what is known.
+void narrow(std::vector<Range>& ranges, const Datum& pattern, const Datum& comparison) {
+  if (comparison.is_form("/=")) return;
+  for (const bool turned : {false, true}) {
+    const Datum& variable = comparison[turned ? 2 : 1];
+    const Datum& value = comparison[turned ? 1 : 2];
+    const std::optional<std::size_t> argument = argument_of(variable, pattern);
+    if (!is_variable(variable) || !is_ground(value) || !argument) continue;
+    auto range = std::ranges::find(ranges, *argument, &Range::argument);
+    if (range == ranges.end()) range = ranges.insert(range, Range{.argument = *argument});
+    narrow(*range, turned ? turned_round(comparison.head()) : comparison.head(), value);
+  }
+}
+
 class Search {
  public:
   Search(const Query& query, const Tables& tables, std::span<const std::size_t> course, std::size_t& examined)
@@ -49,7 +108,9 @@ class Search {
   // The query's answers, in its order and up to its limit.
   Result<std::vector<Answer>> whole() {
     if (query_.order.empty()) enough_ = query_.limit;
-    if (!query_.order.empty() && query_.limit) weight_bound_ *= frames_to_sort;
+    sorts_ = !query_.order.empty() && query_.limit;
+    if (sorts_) weight_bound_ *= frames_to_sort;
+    if (sorts_) order_first_pattern();
     if (query_.limit != 0U) extend(0, {});
     const Result<void> done = check_bounds();
     if (!done) return fail(done);
@@ -69,6 +130,16 @@ class Search {
   }
 
  private:
+  void order_first_pattern() {
+    const auto is_fact = [&](std::size_t i) { return query_.clauses[i].kind == Query::Clause::Kind::fact; };
+    const auto first = std::ranges::find_if(course_, is_fact);
+    const auto argument = argument_of(Datum::symbol(query_.order), query_.clauses[*first].form);
+    if (!argument) return;
+    ordered_step_ = static_cast<std::size_t>(first - course_.begin());
+    order_ = {*argument, query_.descending};
+    enough_ = query_.limit;
+  }
+
   Result<void> check_bounds() const {
     if (examined_ > limits::examined) return check_examined(examined_, query_to_datum(query_));
     if (weight_.bytes > weight_bound_) return too_many(query_);
@@ -103,9 +174,30 @@ class Search {
       return go_on;
     };
     const FactTable& table = tables_.find(form.head())->second;
-    table.visit(bindings.all().empty() ? form : substitute(form, bindings), consider);
+    const Datum pattern = bindings.all().empty() ? form : substitute(form, bindings);
+    const std::vector<Range> ranges = ranges_for(pattern, step, bindings);
+    const bool ordered = ordered_step_ == step && table.visit_ordered(pattern, order_, ranges, consider);
+    if (ordered_step_ == step && !ordered) collect_all();
+    if (!ordered) table.visit_within(pattern, ranges, consider);
     chosen_[clause] = nullptr;
     return go_on;
+  }
+
+  std::vector<Range> ranges_for(const Datum& pattern, std::size_t step, const Bindings& bindings) const {
+    std::vector<Range> ranges;
+    for (const std::size_t later : course_.subspan(step + 1)) {
+      const auto& [kind, form] = query_.clauses[later];
+      if (kind == Query::Clause::Kind::compare) narrow(ranges, pattern, substitute(form, bindings));
+    }
+    return ranges;
+  }
+
+  // Begins anew, to sort what is found.
+  void collect_all() {
+    ordered_step_.reset();
+    enough_.reset();
+    answers_.clear();
+    weight_ = {};
   }
 
   bool exists(const Datum& pattern) {
@@ -126,6 +218,10 @@ class Search {
       if (fact != nullptr) answer.facts.push_back(*fact);
     }
     weight_ += weigh(answer);
+    constexpr std::size_t few = 64;
+    const bool sorts = sorts_ && !enough_ && answers_.size() / 2 >= *query_.limit + few;
+    if (sorts) sort();
+    if (sorts) cut();
     const bool enough = enough_ && answers_.size() >= *enough_;
     return !enough && weight_.bytes <= weight_bound_;
   }
@@ -146,7 +242,10 @@ class Search {
   const Query& query_;
   const Tables& tables_;
   const std::span<const std::size_t> course_;  // the clauses, in the order they are satisfied in
+  bool sorts_ = false;                         // and keeps no more than the limit
   std::optional<std::size_t> enough_;
+  std::optional<std::size_t> ordered_step_;  // that finds the answers in their order
+  FactTable::Order order_{};
   std::vector<const Fact*> chosen_;  // by each clause
   std::vector<Answer> answers_;
   std::size_t& examined_;
@@ -169,12 +268,6 @@ Result<std::vector<Answer>> find_by_key(const Query& query, const FactTable& tab
 }
 
 }  // namespace
-
-std::strong_ordering compare_values(const Datum& a, const Datum& b) {
-  if (a.is_integer() && b.is_real()) return compare_numbers(a.integer(), b.number());
-  if (a.is_real() && b.is_integer()) return 0 <=> compare_numbers(b.integer(), a.number());
-  return a <=> b;
-}
 
 bool holds(const Datum& comparison, const Bindings& bindings) {
   const Datum a = substitute(comparison[1], bindings);
@@ -224,15 +317,18 @@ Result<void> check_query_on(const Query& query, const Tables& tables) {
 }
 
 Result<std::vector<Answer>> evaluate(const Query& query, const Tables& tables) {
+  std::size_t examined = 0;
+  return evaluate(query, tables, examined);
+}
+
+Result<std::vector<Answer>> evaluate(const Query& query, const Tables& tables, std::size_t& examined) {
   const Query::Clause& first = query.clauses.front();
   if (query.clauses.size() == 1 && first.kind == Query::Clause::Kind::fact) {
     const FactTable& table = tables.find(first.form.head())->second;
     if (table.key_is_ground(first.form)) return find_by_key(query, table);
   }
-  std::vector<std::size_t> as_written(query.clauses.size());
-  std::iota(as_written.begin(), as_written.end(), 0);
-  std::size_t examined = 0;
-  return Search(query, tables, as_written, examined).whole();
+  const std::vector<std::size_t> course = course_of(query);
+  return Search(query, tables, course, examined).whole();
 }
 
 Result<std::vector<Answer>> evaluate_from(SearchStart start, std::span<const std::size_t> course, const Query& query,

@@ -1,8 +1,10 @@
 #pragma once
 
-// Answers a query from tables of facts: clauses are joined in the order they are written, each through the indexes of
-// its relation. At most limits::examined facts are looked at (failure too-costly), and the answers must fit a frame
-// (too-large).
+// Answers a query from tables of facts: patterns are joined in the order they are written, each through the indexes of
+// its relation, by what is bound in it and by what its variables are compared with; a comparison is made as soon as its
+// variables are bound. With an order by an argument of the first pattern and a limit, that relation is gone through in
+// that order as far as the limit asks. At most limits::examined facts are looked at (failure too-costly), and the
+// answers must fit a frame (too-large).
 //
 //   Result<void> checked = check_query_on(query, tables);         // bad-query, undeclared-relation, wrong-shape
 //   Result<std::vector<Answer>> answers = evaluate(query, tables);
@@ -17,6 +19,7 @@
 
 #include "blackboard/limits.hpp"
 #include "blackboard/query.hpp"
+#include "blackboard/store/compare_values.hpp"
 #include "blackboard/store/fact_table.hpp"
 
 namespace pizarra {
@@ -31,6 +34,8 @@ Result<void> check_query_on(const Query& query, const Tables& tables);
 
 // The query must have been checked.
 Result<std::vector<Answer>> evaluate(const Query& query, const Tables& tables);
+// Adds to `examined` how many facts were looked at.
+Result<std::vector<Answer>> evaluate(const Query& query, const Tables& tables, std::size_t& examined);
 
 // What is settled before a search: variables, and the fact that a positive clause is to match, where there is one.
 struct SearchStart {
@@ -42,9 +47,6 @@ struct SearchStart {
 // limit do not count. Adds to `examined` how many facts were looked at. Failures too-costly and too-large, as above.
 Result<std::vector<Answer>> evaluate_from(SearchStart start, std::span<const std::size_t> course, const Query& query,
                                           const Tables& tables, std::size_t& examined);
-
-// Numbers by value, whichever kind they are; everything else as Datum orders it.
-std::strong_ordering compare_values(const Datum& a, const Datum& b);
 
 // Whether a comparison of values that are all bound is true.
 bool holds(const Datum& comparison, const Bindings& bindings);

@@ -46,9 +46,11 @@ void FactTable::enter_indexes(const StandingFact& standing) {
   for (auto& [mask, index] : indexes_) {
     index[arguments_in(mask, standing.fact.datum)].emplace(standing.fact.id, &standing);
   }
+  for (auto& [argument, index] : ordered_) index.insert(&standing);
 }
 
 void FactTable::leave_indexes(const StandingFact& standing) {
+  for (auto& [argument, index] : ordered_) index.erase(&standing);
   for (auto& [mask, index] : indexes_) {
     const auto place = index.find(arguments_in(mask, standing.fact.datum));
     place->second.erase(standing.fact.id);
@@ -147,6 +149,47 @@ const FactTable::Index* FactTable::index_for(Mask bound, Mask& used) const {
     }
   }
   return best;
+}
+
+const OrderedIndex* FactTable::ordered_index_for(std::size_t argument) const {
+  if (facts_.size() <= small_enough_to_look_through) return nullptr;
+  const auto made = ordered_.find(argument);
+  if (made != ordered_.end()) return &made->second;
+  if (ordered_.size() >= max_ordered_indexes) return nullptr;
+  const ByArgument before{argument};
+  std::vector<const StandingFact*> sorted;
+  sorted.reserve(size());
+  for (const StandingFact& standing : facts()) sorted.push_back(&standing);
+  std::ranges::sort(sorted, before);
+  return &ordered_.emplace(argument, OrderedIndex(sorted.begin(), sorted.end(), before)).first->second;
+}
+
+std::vector<OrderedFacts> FactTable::ordered_within(const Datum& pattern, std::span<const Range> ranges) const {
+  std::vector<OrderedFacts> within;
+  if (ranges.empty() || is_few(candidates(pattern))) return within;
+  for (const Range& range : ranges) {
+    const OrderedIndex* index = ordered_index_for(range.argument);
+    if (index != nullptr) within.push_back(facts_within(*index, range));
+  }
+  return within;
+}
+
+bool FactTable::is_few(std::size_t facts) { return facts <= small_enough_to_look_through; }
+
+std::optional<std::size_t> FactTable::step(std::vector<OrderedFacts>& all) {
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i].empty()) return i;
+    all[i].advance(1);
+  }
+  return std::nullopt;
+}
+
+std::vector<const StandingFact*> FactTable::by_id(const OrderedFacts& facts, FactId first) {
+  const auto id = [](const StandingFact* standing) { return standing->fact.id; };
+  std::vector<const StandingFact*> sorted;
+  std::ranges::copy_if(facts, std::back_inserter(sorted), [&](const StandingFact* s) { return id(s) >= first; });
+  std::ranges::sort(sorted, {}, id);
+  return sorted;
 }
 
 }  // namespace pizarra

@@ -3,10 +3,14 @@
 // The facts of one relation: by id, by key, and by whatever arguments queries have bound so far.
 //
 // An index over a set of argument positions is made when a pattern first binds just those and the table has grown
-// beyond what is quicker to look through; at most eight a table, after which patterns use the best there is.
+// beyond what is quicker to look through; at most eight a table, after which patterns use the best there is. In the
+// same way one that is ordered by an argument is made when that is first compared or ordered by; at most four a table,
+// after which other arguments are looked through.
 //
 //   table.insert({fact, lease, expiry});
 //   table.visit(pattern, [&](const Fact& fact) { return true; });    // candidates by ascending id; false stops
+//   table.visit_within(pattern, ranges, visitor);                    // without most that are beyond the ranges
+//   table.visit_ordered(pattern, {.argument = 1}, ranges, visitor);  // candidates by ascending argument
 //
 // Telling, retracting and finding by key cost the same however many facts there are.
 
@@ -19,12 +23,14 @@
 #include "blackboard/relation.hpp"
 #include "blackboard/store/fact_list.hpp"
 #include "blackboard/store/hash_index.hpp"
+#include "blackboard/store/ordered_index.hpp"
 
 namespace pizarra {
 
 class FactTable {
  public:
   static constexpr std::size_t max_indexes = 8;
+  static constexpr std::size_t max_ordered_indexes = 4;
   static constexpr std::size_t max_removals = 4096;
   static constexpr std::size_t max_removed_bytes = 1 << 20;
 
@@ -67,6 +73,58 @@ class FactTable {
       }
     }
   }
+  // Facts outside of the ranges may be among those that it calls for, but no more than there are in the smallest of
+  // them: it goes through the facts by id and through the ranges side by side, until one ends.
+  template <class Visitor>
+  void visit_within(const Datum& pattern, std::span<const Range> ranges, Visitor&& visitor) const {
+    const std::vector<OrderedFacts> within = ordered_within(pattern, ranges);
+    std::vector<OrderedFacts> left = within;
+    std::optional<std::size_t> ended;
+    FactId next = 0;
+    visit(pattern, [&](const Fact& fact) {
+      next = fact.id;
+      ended = step(left);
+      return !ended && visitor(fact);
+    });
+    if (!ended) return;
+    for (const StandingFact* standing : by_id(within[*ended], next)) {
+      if (!visitor(standing->fact)) return;
+    }
+  }
+  struct Order {
+    std::size_t argument;
+    bool descending = false;
+  };
+  // By the argument's value, those with the same by id. False where that is not the way: there is no such index, or it
+  // has called for as many facts as visit_within() would.
+  template <class Visitor>
+  bool visit_ordered(const Datum& pattern, Order order, std::span<const Range> ranges, Visitor&& visitor) const {
+    std::size_t left_of_pattern = candidates(pattern);
+    const OrderedIndex* index = is_few(left_of_pattern) ? nullptr : ordered_index_for(order.argument);
+    if (index == nullptr) return false;
+    Range own{.argument = order.argument};
+    std::vector<Range> others;
+    for (const Range& range : ranges) {
+      if (range.argument == order.argument) own = range;
+      if (range.argument != order.argument) others.push_back(range);
+    }
+    std::vector<OrderedFacts> left = ordered_within(pattern, others);
+    bool is_shorter = true;
+    const auto consider = [&](const StandingFact* standing) {
+      is_shorter = left_of_pattern-- > 0 && !step(left);
+      return is_shorter && visitor(standing->fact);
+    };
+    const OrderedFacts all = facts_within(*index, own);
+    auto begin = order.descending ? all.end() : all.begin();
+    auto end = all.end();
+    do {
+      // Those with the highest value that is left.
+      if (begin == end && begin != all.begin()) begin = first_with_value_of(*index, *std::prev(end));
+      if (std::find_if_not(begin, end, consider) != end) return is_shorter;
+      end = begin;
+    } while (end != all.begin());
+    return true;
+  }
   // How many facts visit() considers at most.
   std::size_t candidates(const Datum& pattern) const;
   // Whether no fact that fits came or went after `revision`. False, too, when the removals since then are forgotten:
@@ -87,12 +145,24 @@ class FactTable {
   void leave_indexes(const StandingFact& standing);
   const Bucket* bucket_for(const Datum& pattern) const;
   const Index* index_for(Mask bound, Mask& used) const;
+  // Null where looking through all is quicker, or there are too many.
+  const OrderedIndex* ordered_index_for(std::size_t argument) const;
+  std::vector<OrderedFacts> ordered_within(const Datum& pattern, std::span<const Range> ranges) const;
+  static bool is_few(std::size_t facts);
+  static OrderedIndex::const_iterator first_with_value_of(const OrderedIndex& index, const StandingFact* standing) {
+    return index.lower_bound(ByArgument::Edge{index.key_comp().value(standing), false});
+  }
+  // On by one fact each; which of them had none.
+  static std::optional<std::size_t> step(std::vector<OrderedFacts>& all);
+  // Those with an id from `first` on.
+  static std::vector<const StandingFact*> by_id(const OrderedFacts& facts, FactId first);
   void remember_removal(Revision revision, const Datum& datum);
 
   Relation relation_;
   FactList facts_;
   HashIndex<StandingFact> by_key_;
   mutable std::map<Mask, Index> indexes_;
+  mutable std::map<std::size_t, OrderedIndex> ordered_;  // by argument
   struct Removal {
     Revision revision;
     Datum datum;

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "blackboard/journal/journal.hpp"
+#include "blackboard/store/evaluate.hpp"
 #include "blackboard/store/store.hpp"
 #include "blackboard/time/random.hpp"
 #include "blackboard/watch/watches.hpp"
@@ -234,6 +235,119 @@ TEST(StoreProperty, IndexesFindWhatLookingThroughFinds) {
     Query asked;
     asked.clauses.push_back({Query::Clause::Kind::fact, Datum::list(fact)});
     ASSERT_EQ(store.ask(asked)->answers.size(), model.answers(asked).size()) << write(Datum::list(fact));
+  }
+}
+
+// Says by its facts' ids what answers there are, in their order: every choice of facts is looked at.
+std::vector<std::vector<FactId>> looked_through(const Query& asked, const Tables& tables) {
+  std::vector<std::pair<Datum, std::vector<FactId>>> found;
+  const auto extend = [&](const auto& self, std::size_t clause, const Bindings& bindings,
+                          const std::vector<FactId>& ids) -> void {
+    if (clause == asked.clauses.size()) {
+      const Datum* value = asked.order.empty() ? nullptr : bindings.find(asked.order);
+      return found.push_back({value == nullptr ? Datum() : *value, ids});
+    }
+    const auto& [kind, form] = asked.clauses[clause];
+    if (kind == Query::Clause::Kind::compare) {
+      if (holds(form, bindings)) self(self, clause + 1, bindings, ids);
+      return;
+    }
+    for (const StandingFact& standing : tables.find(form.head())->second.facts()) {
+      Bindings both = bindings;
+      if (!match(form, standing.fact.datum, both)) continue;
+      std::vector<FactId> more = ids;
+      more.push_back(standing.fact.id);
+      self(self, clause + 1, both, more);
+    }
+  };
+  extend(extend, 0, {}, {});
+  std::ranges::stable_sort(found, [&](const auto& a, const auto& b) {
+    if (asked.order.empty()) return false;
+    return asked.descending ? compare_values(b.first, a.first) < 0 : compare_values(a.first, b.first) < 0;
+  });
+  std::vector<std::vector<FactId>> ids;
+  for (const auto& [value, facts] : found) ids.push_back(facts);
+  if (asked.limit && ids.size() > *asked.limit) ids.resize(*asked.limit);
+  return ids;
+}
+
+TEST(StoreProperty, ComparisonsOrdersAndLimitsFindWhatLookingThroughFinds) {
+  const std::vector<Relation> measured = {relation("(relation wide ((a datum) (b number) (c datum)))"),
+                                          relation("(relation next ((a datum) (b datum)) (key a))")};
+  const std::vector<std::string> values = {"1", "1.0", "2", "2.5", "-3", "-0.0", "0", "0.0", "7", "8", "9", "12.25"};
+  constexpr std::uint64_t seed = 17;
+  Random random(seed);
+  Store store;
+  ASSERT_TRUE(store.declare(measured).has_value());
+  const auto one_of = [&](const std::vector<std::string>& choices) { return choices[random.below(choices.size())]; };
+  const auto any = [&] { return random.below(5) == 0 ? one_of({"x", "(f 1)", "\"s\""}) : one_of(values); };
+  const auto pattern = [&](const std::string& a, const std::string& b) {
+    const auto part = [&](const std::string& v) { return random.below(5) == 0 ? one_of(values) : v; };
+    if (random.below(3) == 0) return "(next " + part(a) + " " + part(b) + ")";
+    return "(wide " + part(a) + " " + part(b) + " " + part(one_of({"?c", "?", a})) + ")";
+  };
+  std::size_t answered = 0;
+  for (int round = 0; round < 2000; ++round) {
+    Transaction transaction;
+    transaction.tell(read("(wide " + any() + " " + one_of(values) + " " + any() + ")"));
+    transaction.tell(read("(next " + any() + " " + any() + ")"));
+    if (round % 4 == 0) transaction.retract(read("(wide " + any() + " ? ?)"));
+    ASSERT_TRUE(store.transact("t", transaction, {}).has_value());
+    const bool joined = random.below(3) == 0;
+    std::string text = "(query (and " + pattern("?a", "?b");
+    if (joined) text += " " + pattern(one_of({"?a", "?d"}), one_of({"?b", "?e"}));
+    for (std::uint64_t i = random.below(4); i > 0; --i) {
+      const std::string variable = one_of({"?a", "?b", "?c", "?d"});
+      const std::string other = one_of({"?a", "?b", "?e", one_of(values), one_of(values)});
+      const std::string sides = random.below(2) == 0 ? variable + " " + other : other + " " + variable;
+      text += " (" + one_of({"<", "<=", ">", ">=", "=", "=", "/="}) + " " + sides + ")";
+    }
+    text += ")";
+    if (random.below(2) == 0)
+      text += one_of({" (order ?a)", " (order (down ?a))", " (order ?b)", " (order (down ?b))"});
+    if (random.below(2) == 0) text += " (limit " + std::to_string(random.below(5)) + ")";
+    const Result<Query> asked = query_from_datum(read(text + ")"));
+    if (!asked) continue;
+    std::vector<std::vector<FactId>> ids;
+    const Result<Answers> answers = store.ask(*asked);
+    ASSERT_TRUE(answers.has_value()) << describe(answers.error());
+    for (const Answer& answer : answers->answers) {
+      ids.emplace_back();
+      for (const Fact& fact : answer.facts) ids.back().push_back(fact.id);
+    }
+    ASSERT_EQ(ids, looked_through(*asked, store.tables())) << text << ", round " << round << " of seed " << seed;
+    answered += ids.empty() ? 0 : 1;
+  }
+  EXPECT_GT(answered, 500U);
+}
+
+// How many facts a question looks at among so many.
+std::size_t looked_at(const std::string& text, int facts) {
+  Store store;
+  EXPECT_TRUE(store.declare({relation("(relation e ((a integer) (b integer)))")}).has_value());
+  for (int n = 0; n < facts;) {
+    Transaction transaction;
+    for (const int last = n + 1000; n < last; ++n) transaction.tell(list("e"_sym, n, n % 100));
+    EXPECT_TRUE(store.transact("t", transaction, {}).has_value());
+  }
+  std::size_t examined = 0;
+  const Result<std::vector<Answer>> answers = evaluate(query(text), store.tables(), examined);
+  EXPECT_TRUE(answers.has_value());
+  EXPECT_FALSE(answers->empty()) << text;
+  return examined;
+}
+
+TEST(StoreProperty, AQuestionLooksAtFactsByItsAnswersHoweverManyThereAre) {
+  for (const std::string text :
+       {"(and (e ?a ?b) (= ?a 900))", "(and (e ?a ?b) (>= ?a 990) (< ?a 1000))", "(and (e ?a ?b) (< ?a 3) (> ?a 0))",
+        "(and (e ?a ?b) (e ?c ?d) (= ?a 1) (= ?c 900))", "(and (e ?a ?b) (= 7 ?a) (e ?c ?d) (= ?c ?b))",
+        "(query (e ?a ?b) (order (down ?a)) (limit 1))", "(query (e ?a ?b) (order ?a) (limit 5))",
+        "(query (e ?a ?b) (limit 2))", "(query (and (e ?a ?b) (> ?a 0)) (limit 2))",
+        "(query (and (e ?a ?b) (= ?a 900)) (order ?b) (limit 1))",
+        "(query (and (e ?a ?b) (> ?a 300) (< ?a 900)) (order (down ?a)) (limit 3))"}) {
+    const std::size_t among_few = looked_at(text, 1000);
+    EXPECT_LT(among_few, 100U) << text;
+    EXPECT_EQ(looked_at(text, 9000), among_few) << text;
   }
 }
 
