@@ -12,10 +12,10 @@
 // on another. A connection has one session. With a folder of keys, every tcp address asks for one: a session is then
 // its key's, its teller called by the key's name, and what it asks for held against the key's permissions; a key that
 // changes or goes ends its sessions within session_length / 8. What is refused is told (refusals.hpp). What
-// changes the board is done once however often it is sent: the last 256 such replies of a session are remembered, and
-// with a journal those about durable facts also in its next life, where the session goes on when its client greets. A
-// watch has at most 16 changes under way; what a slow client has not read waits in the watch's own bounded queue, and
-// when that overflows, or a change could not be sent, the client is resynchronised.
+// changes the board is done once however often it is sent: the last 256 such replies of a session, of 4 MB at most, are
+// remembered, and with a journal those about durable facts also in its next life, where the session goes on when its
+// client greets. A watch has at most 16 changes under way; what a slow client has not read waits in the watch's own
+// bounded queue, and when that overflows, or a change could not be sent, the client is resynchronised.
 
 #include <map>
 #include <memory>
@@ -56,6 +56,7 @@ class BoardServer {
   static constexpr std::size_t max_sessions_of_a_name = 256;  // of those without a key
   static constexpr std::size_t max_watches = 256;             // of a session
   static constexpr std::size_t max_replies = 256;             // remembered, of a session
+  static constexpr std::size_t max_reply_bytes = 4 << 20;     // of these
   static constexpr std::size_t max_under_way = 16;            // changes of a watch
   static constexpr std::size_t max_teller = 256;              // bytes of its name
 
@@ -94,6 +95,7 @@ class BoardServer {
       JournalWriter::Position after;  // not to be given before this is in the journal
     };
     std::map<wire::RequestId, Reply> replies;
+    std::size_t reply_bytes = 0;
     wire::RequestId replies_forgotten = 0;  // up to this request
   };
 

@@ -27,7 +27,9 @@ bool must_be_done_once(const Datum& body) {
 Datum reply_to_datum(wire::RequestId id, const Result<Datum>& result) {
   if (result) return list("reply"_sym, id, list("ok"_sym, *result));
   Failure failure = result.error();
-  constexpr std::size_t heaviest_subject = limits::bytes / 2;
+  constexpr std::size_t heaviest_subject = 1 << 12;
+  const bool heavy = weigh(failure.subject).bytes > heaviest_subject;
+  if (heavy) failure.subject = failure.subject.items().empty() ? Datum() : failure.subject[0];
   if (weigh(failure.subject).bytes > heaviest_subject) failure.subject = {};
   return list("reply"_sym, id, failure_to_datum(failure));
 }
@@ -115,10 +117,15 @@ std::string BoardServer::with_progress(const Session& session, std::string reply
 }
 
 void BoardServer::remember(Session& session, wire::RequestId number, Session::Reply reply) {
-  session.replies.emplace(number, std::move(reply));
-  if (session.replies.size() <= max_replies) return;
-  session.replies_forgotten = session.replies.begin()->first;
-  session.replies.erase(session.replies.begin());
+  const auto [place, fresh] = session.replies.emplace(number, std::move(reply));
+  if (fresh) session.reply_bytes += place->second.text.size();
+  // One is remembered whatever its size.
+  while (session.replies.size() > max_replies ||
+         (session.reply_bytes > max_reply_bytes && session.replies.size() > 1)) {
+    session.replies_forgotten = session.replies.begin()->first;
+    session.reply_bytes -= session.replies.begin()->second.text.size();
+    session.replies.erase(session.replies.begin());
+  }
 }
 
 Result<Datum> BoardServer::perform(wire::SessionId id, Session& session, const Datum& body) {

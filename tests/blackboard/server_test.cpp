@@ -295,6 +295,40 @@ TEST_F(ServerTest, ARequestFarBehindTheOthersIsRefusedAndNotDone) {
   EXPECT_EQ(board.store().size(), 0U);
 }
 
+TEST_F(ServerTest, ALongSubjectIsNotSentBackNorRemembered) {
+  Client client = this->client();
+  const std::string session = client.join("alice");
+  const std::string heavy(250'000, 'x');
+  const std::string request = "(request " + session + " 1 (transact ((present (note 1 \"" + heavy + "\"))) ()))";
+  for (int i = 0; i < 2; ++i) {
+    const std::string reply = write(client.ask(request));
+    EXPECT_TRUE(reply.contains("(fail ")) << reply.substr(0, 200);
+    EXPECT_LT(reply.size(), 1000U);
+  }
+}
+
+TEST_F(ServerTest, RepliesAreRememberedUpToABoundOfBytes) {
+  Client client = this->client();
+  const std::string session = client.join("alice");
+  const auto take = [&](int i) {
+    return "(request " + session + " " + std::to_string(i) + " (take (note " + std::to_string(i) + " ?) 1))";
+  };
+  ASSERT_EQ(board.lease(60s).value(), 1U);
+  constexpr std::size_t heavy = 500'000;
+  const int more = static_cast<int>(BoardServer::max_reply_bytes / heavy) + 2;
+  for (int i = 1; i <= more; ++i) {
+    Transaction told;
+    told.tell(list("note"_sym, i, std::string(heavy, 'x')));
+    ASSERT_TRUE(board.transact("test", told).has_value());
+    const Datum reply = client.ask(take(i));
+    ASSERT_TRUE(reply.is_form("reply")) << write(reply).substr(0, 200);
+    ASSERT_TRUE(reply[2].is_form("ok")) << write(reply).substr(0, 200);
+    ASSERT_EQ(client.ask(take(i)), reply);
+  }
+  EXPECT_TRUE(client.ask(take(1)).is_form("refused"));
+  EXPECT_TRUE(client.ask(take(more - 1)).is_form("reply"));
+}
+
 TEST_F(ServerTest, WhoOpensSessionsWithoutEndIsRefusedCountedAndLeavesRoomForOthers) {
   std::vector<std::unique_ptr<Client>> greedy;
   for (std::size_t i = 0; i < BoardServer::max_sessions_of_a_name; ++i) {
