@@ -162,13 +162,17 @@ Refusal ArmCabinet::reset() {
   return Refusal::none;
 }
 
-Task<void> ArmCabinet::grip(double opening_mm) {
+Task<Refusal> ArmCabinet::grip(double opening_mm) {
+  const Refusal why = refusal();
+  if (why != Refusal::none) co_return why;
   Result<void> started = co_await body_.start_gripper(opening_mm);
   if (!started && started.error().symbol == "not-in-control") {
     const Result<void> control = co_await body_.take_control();
     if (control) started = co_await body_.start_gripper(opening_mm);
   }
-  if (!started) raise(arm_lost_alarm);
+  if (started) co_return Refusal::none;
+  raise(arm_lost_alarm);
+  co_return Refusal::alarm;
 }
 
 Task<ArmReading> ArmCabinet::read() {

@@ -57,7 +57,8 @@ class ArmCabinet {
   Refusal servo(bool on);
   Refusal hold(bool on);
   Refusal reset();
-  Task<void> grip(double opening_mm);
+  // Refused as a move is.
+  Task<Refusal> grip(double opening_mm);
   // What its encoders say; where nobody knows, it has an alarm and says what it said last.
   Task<ArmReading> read();
 

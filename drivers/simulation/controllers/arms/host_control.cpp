@@ -148,8 +148,9 @@ Task<HostAnswer> HostControl::load_variable(Numbers operands) {
   const bool known = operands[0] == double_integer && is_whole(operands[1], 0, MotomanController::variables - 1);
   const bool sound = known && is_pulses(operands[2]);
   if (!sound) co_return wrong_value;
-  co_await controller_.set_variable(static_cast<int>(operands[1]), static_cast<std::int32_t>(operands[2]));
-  co_return HostAnswer();
+  const auto value = static_cast<std::int32_t>(operands[2]);
+  const Refusal refusal = co_await controller_.set_variable(static_cast<int>(operands[1]), value);
+  co_return refused(refusal);
 }
 
 }  // namespace pizarra

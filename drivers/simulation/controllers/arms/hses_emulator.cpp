@@ -107,7 +107,8 @@ Task<HsesEmulator::Outcome> HsesEmulator::variable(HsesRequest request) {
     outcome.refusal = hses::wrong_size;
     co_return outcome;
   }
-  co_await controller_.set_variable(request.instance, value);
+  const Refusal refusal = co_await controller_.set_variable(request.instance, value);
+  outcome.refusal = code_of(refusal);
   co_return outcome;
 }
 

@@ -121,9 +121,11 @@ Task<std::int32_t> MotomanController::variable(int number) {
   co_return variables_[number];
 }
 
-Task<void> MotomanController::set_variable(int number, std::int32_t value) {
-  variables_[number] = value;
-  if (number == wanted_opening) co_await cabinet_.grip(value / um_per_mm);
+Task<Refusal> MotomanController::set_variable(int number, std::int32_t value) {
+  Refusal refusal = Refusal::none;
+  if (number == wanted_opening) refusal = co_await cabinet_.grip(value / um_per_mm);
+  if (refusal == Refusal::none) variables_[number] = value;
+  co_return refusal;
 }
 
 }  // namespace pizarra

@@ -40,7 +40,8 @@ class MotomanController {
   Task<Refusal> move_straight(MotomanPose target, double mm_s);
   // Of a D variable, 0 to 99.
   Task<std::int32_t> variable(int number);
-  Task<void> set_variable(int number, std::int32_t value);
+  // What moves the fingers is refused as a move is.
+  Task<Refusal> set_variable(int number, std::int32_t value);
 
  private:
   ArmCabinet& cabinet_;

@@ -185,7 +185,9 @@ Task<std::string> UrEmulator::answer(std::string message) {
   const std::uint8_t which = read.u8();
   const double opening_mm = read.f64();
   const bool sound = which == recipe && read.whole() && std::isfinite(opening_mm);
-  if (sound) co_await cabinet_.grip(opening_mm);
+  // The protocol answers nothing to this: fingers that may not move stay.
+  if (sound) [[maybe_unused]]
+    const Refusal refusal = co_await cabinet_.grip(opening_mm);
   co_return std::string();
 }
 
