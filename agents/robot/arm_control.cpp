@@ -15,6 +15,12 @@ constexpr double arrived = 0.5;          // degrees or mm: how far a controller 
 constexpr Duration gripping_time = 20s;  // at most
 constexpr Duration full_telling = 1s;    // a board that restarted has forgotten what it was told
 
+// What the driver refuses for want of control, with the word that asks for it.
+std::unexpected<Failure> refused(Failure why) {
+  if (why.symbol == "not-in-control") why.sentence += "; (get-control) takes it back";
+  return std::unexpected(std::move(why));
+}
+
 }  // namespace
 
 InHand::~InHand() {
@@ -46,8 +52,10 @@ Task<Result<void>> ArmControl::connect() {
                    fmt::format("the controller is of a {}, and the cell describes a {}", *type, model_.type),
                    to_datum(*type));
   }
-  const Result<void> control = co_await driver_.take_control();
-  if (!control) co_return control;
+  if (!known_) {
+    const Result<void> met = co_await meet();
+    if (!met) co_return met;
+  }
   const Result<ArmReading> reading = co_await driver_.read();
   if (!reading) co_return fail(reading);
   known_ = true;
@@ -61,11 +69,32 @@ Task<Result<void>> ArmControl::connect() {
   co_return {};
 }
 
+// The agent's first sight of the controller: servos that are merely off are switched on.
+Task<Result<void>> ArmControl::meet() {
+  const Result<ArmReading> reading = co_await driver_.read();
+  if (!reading) co_return fail(reading);
+  const bool in_trouble = reading->trouble && reading->trouble->kind != ArmTrouble::Kind::off;
+  if (in_trouble) co_return Result<void>();
+  const Result<void> control = co_await driver_.take_control();
+  // One that gives no control is monitored all the same.
+  if (!control && control.error().symbol != "not-in-control") co_return control;
+  co_return Result<void>();
+}
+
+Task<Result<void>> ArmControl::get_control() {
+  const Result<void> control = co_await driver_.take_control();
+  if (!control) co_return control;
+  const Result<ArmReading> reading = co_await read();
+  if (!reading) co_return fail(reading);
+  facts_.set_arm("idle");
+  co_return Result<void>();
+}
+
 Task<Result<void>> ArmControl::halt() {
   facts_.set_arm("stopped", "STOPPED_AT_RESTART");
   const Result<void> told = co_await facts_.tell();
   if (!told) co_return told;
-  const Result<void> stopping = co_await brake();
+  const Result<void> stopping = co_await driver_.stop();
   if (!stopping) co_return stopping;
   const Result<ArmReading> reading = co_await until_ended(false, stopping_time);
   if (!reading) co_return fail(reading);
@@ -75,6 +104,7 @@ Task<Result<void>> ArmControl::halt() {
 void ArmControl::lose(const Failure& why) {
   connected_ = false;
   why_lost_ = fmt::format("the arm cannot be commanded: {}", why.sentence);
+  facts_.set_trouble({});
   facts_.set_arm("fault");
 }
 
@@ -143,7 +173,7 @@ Task<Result<ArmReading>> ArmControl::until_ended(bool gripper, Duration longest)
     const bool moving = gripper ? reading->gripper_moving : reading->moving;
     if (!moving) co_return reading;
     if (now - begun > longest) {
-      const Result<void> halting = co_await brake();
+      const Result<void> halting = co_await driver_.stop();
       if (!halting) lose(halting.error());
       co_return fail("fault", fmt::format("the motion did not end within {:.1f} s", longest.count() / 1e6));
     }
@@ -163,37 +193,15 @@ Task<void> ArmControl::tell_on_the_way() {
   telling_ = false;
 }
 
-// Whoever took control away from us meanwhile (a pendant, a controller that restarted) is asked for it once.
-Task<Result<void>> ArmControl::in_control(Command command) {
-  const Result<void> done = co_await command();
-  if (done || done.error().symbol != "not-in-control") co_return done;
-  const Result<void> control = co_await driver_.take_control();
-  if (!control) co_return control;
-  const Result<void> again = co_await command();
-  co_return again;
-}
-
-Task<Result<void>> ArmControl::start_move(std::vector<Joints> waypoints, double speed) {
-  return in_control([this, waypoints = std::move(waypoints), speed] { return driver_.start_move(waypoints, speed); });
-}
-
-Task<Result<void>> ArmControl::start_gripper(double opening_mm) {
-  return in_control([this, opening_mm] { return driver_.start_gripper(opening_mm); });
-}
-
-Task<Result<void>> ArmControl::brake() {
-  return in_control([this] { return driver_.stop(); });
-}
-
 Task<Result<void>> ArmControl::follow(Joints from, std::vector<Joints> waypoints, double speed) {
   const Joints target = waypoints.back();
   const Duration longest = longest_time(from, waypoints, speed);
   if (stop_requested_) co_return stopped();
-  const Result<void> started = co_await start_move(std::move(waypoints), speed);
-  if (!started) co_return started;
+  const Result<void> started = co_await driver_.start_move(std::move(waypoints), speed);
+  if (!started) co_return refused(started.error());
   // A stop may have come before there was anything to stop.
   if (stop_requested_) {
-    const Result<void> halting = co_await brake();
+    const Result<void> halting = co_await driver_.stop();
     if (!halting) co_return halting;
   }
   const Result<ArmReading> ended = co_await until_ended(false, longest);
@@ -215,8 +223,8 @@ Task<Result<void>> ArmControl::follow(Joints from, std::vector<Joints> waypoints
 Task<Result<void>> ArmControl::grip(double opening_mm) {
   gripping_ = true;
   if (stop_requested_) co_return stopped();
-  const Result<void> started = co_await start_gripper(opening_mm);
-  if (!started) co_return started;
+  const Result<void> started = co_await driver_.start_gripper(opening_mm);
+  if (!started) co_return refused(started.error());
   const Result<ArmReading> ended = co_await until_ended(true, gripping_time);
   if (!ended) co_return fail(ended);
   if (stop_requested_) co_return stopped();
@@ -243,14 +251,14 @@ Task<void> ArmControl::obey() {
 Task<Result<void>> ArmControl::stop() {
   const std::uint64_t motion = motions_;
   stop_requested_ = running_.has_value();
-  const Result<void> stopping = co_await brake();
+  const Result<void> stopping = co_await driver_.stop();
   if (!stopping) co_return stopping;
   if (gripping_) {
     // Fingers stop by being sent to where they are.
     const Result<ArmReading> reading = co_await read();
     if (!reading) co_return fail(reading);
     const double opening_mm = reading->opening_mm;
-    const Result<void> held = co_await start_gripper(opening_mm);
+    const Result<void> held = co_await driver_.start_gripper(opening_mm);
     if (!held) co_return held;
   }
   const Time deadline = context_.executor.now() + stopping_time;

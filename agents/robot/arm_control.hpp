@@ -1,10 +1,14 @@
 #pragma once
 
-// The agent's hold on one arm: takes control, runs one motion at a time, stops it, and sees to it that the board knows
+// The agent's hold on one arm: runs one motion at a time, stops it, and sees to it that the board knows
 // where the arm is.
 //
-// Lifecycle: connect(); keep_watch() runs beside it for as long as it lives (tells what changes by itself, takes
-// control again after the controller was away). A motion: take_in_hand(), then follow() or grip(), then the InHand
+// Control is taken when the agent meets the controller for the first time and finds neither alarm nor lock there, and
+// from then on only when somebody asks for it: a controller that had an alarm, lost its power or was locked keeps its
+// servos off until then, and a motion is refused with its reason.
+//
+// Lifecycle: connect(); keep_watch() runs beside it for as long as it lives (tells what changes by itself, connects
+// again after the controller was away). A motion: take_in_hand(), then follow() or grip(), then the InHand
 // goes.
 //
 //   const Result<InHand> in_hand = control.take_in_hand(operation);   // or busy, disconnected
@@ -12,7 +16,6 @@
 //
 // Failures: busy, disconnected, unknown-arm, stopped, fault, those of the Guard, and the driver's own.
 
-#include <functional>
 #include <optional>
 
 #include "agents/robot/arm_facts.hpp"
@@ -52,8 +55,10 @@ class ArmControl {
         tell_period_(std::chrono::duration_cast<Duration>(std::chrono::duration<double>(1 / told_per_s))),
         ended_(context.executor) {}
 
-  // Asks the type, takes control, and stops what moves: nobody is left who could answer for that move.
+  // Asks the type, and stops what moves: nobody is left who could answer for that move.
   Task<Result<void>> connect();
+  // Resets alarms, switches servos on, releases brakes: what somebody asked for who knows why they were as they were.
+  Task<Result<void>> get_control();
   Task<void> keep_watch();
   // The controller is away; keep_watch() looks for it.
   void lose(const Failure& why);
@@ -79,12 +84,7 @@ class ArmControl {
  private:
   friend class InHand;
   Task<Result<void>> halt();
-  // Every command of the driver goes through here: where control was lost it is taken back and the command tried again.
-  using Command = std::function<Task<Result<void>>()>;
-  Task<Result<void>> in_control(Command command);
-  Task<Result<void>> start_move(std::vector<Joints> waypoints, double speed);
-  Task<Result<void>> start_gripper(double opening_mm);
-  Task<Result<void>> brake();
+  Task<Result<void>> meet();
   Task<Result<ArmReading>> until_ended(bool gripper, Duration longest);
   Task<void> look();
   Task<void> tell_on_the_way();

@@ -54,11 +54,25 @@ std::optional<Joints> joints_from_datum(const Datum& datum) {
 }
 
 void ArmFacts::set_arm(std::string_view state, std::string action) {
+  state_ = state;
   action_ = std::move(action);
-  facts_[arm].now = list("arm"_sym, robot_, Datum::symbol(state), action_);
+  set_state_fact();
+}
+
+void ArmFacts::set_trouble(std::optional<ArmTrouble> trouble) {
+  trouble_ = std::move(trouble);
+  if (!state_.empty()) set_state_fact();
+}
+
+void ArmFacts::set_state_fact() {
+  facts_[arm].now = list("arm"_sym, robot_, Datum::symbol(state_), action_);
+  if (!trouble_ || state_ == "moving") return;
+  const Datum state = trouble_->kind == ArmTrouble::Kind::fault ? "fault"_sym : "stopped"_sym;
+  facts_[arm].now = list("arm"_sym, robot_, state, trouble_->why.sentence);
 }
 
 void ArmFacts::set_reading(const ArmModel& model, const ArmReading& reading) {
+  set_trouble(reading.trouble);
   std::vector<Datum> at = pose_numbers(model, reading.joints);
   at.insert(at.begin(), {"arm-pose"_sym, robot_});
   facts_[pose].now = Datum::list(std::move(at));
@@ -71,13 +85,17 @@ bool ArmFacts::changed() const {
 }
 
 Task<Result<void>> ArmFacts::tell(Transaction with) {
+  const LeaseId presence = service_.presence();
+  // A board that began anew, or let the presence lapse, knows nothing of what was told before.
+  if (presence != told_under_) forget_told();
   const std::array<Told, kinds> sent = facts_;
   for (const Told& fact : sent) {
-    if (fact.now != fact.told && fact.now.size() > 0) with.tell(fact.now);
+    if (fact.now != fact.told && fact.now.size() > 0) with.tell(fact.now, {}, presence);
   }
   if (with.steps.empty()) co_return {};
   const Result<Revision> told = co_await context_.board.transact(std::move(with));
   if (!told) co_return fail(told);
+  told_under_ = presence;
   for (std::size_t kind = 0; kind < kinds; ++kind) facts_[kind].told = sent[kind].now;
   co_return {};
 }
@@ -85,7 +103,10 @@ Task<Result<void>> ArmFacts::tell(Transaction with) {
 Task<Result<void>> ArmFacts::tell_surely(Transaction with) {
   while (true) {
     const Result<void> told = co_await tell(with);
-    if (told || told.error().symbol != "unreachable") co_return told;
+    if (told) co_return told;
+    // A presence that has lapsed is announced anew before long.
+    const bool passing = told.error().symbol == "unreachable" || told.error().symbol == "unknown-lease";
+    if (!passing) co_return told;
     co_await sleep(context_.executor, retry_pause);
   }
 }

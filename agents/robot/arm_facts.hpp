@@ -1,6 +1,7 @@
 #pragma once
 
-// What the board is told about the arm: state, pose, joints and gripper opening, each when it changed.
+// What the board is told about the arm: state, pose, joints and gripper opening, each when it changed, under the
+// agent's presence, so that they go with it. At rest, why the controller would not move goes before what was last done.
 //
 //   facts.set_arm("moving", "(home)");
 //   facts.set_reading(model, reading);
@@ -8,19 +9,21 @@
 
 #include <array>
 
-#include "agents/runtime/agent.hpp"
+#include "agents/runtime/service.hpp"
 #include "drivers/arm/arm_driver.hpp"
 
 namespace pizarra {
 
 class ArmFacts {
  public:
-  explicit ArmFacts(AgentContext& context) : context_(context), robot_(Datum::symbol(context.name)) {}
+  ArmFacts(AgentContext& context, const Service& service)
+      : context_(context), service_(service), robot_(Datum::symbol(context.name)) {}
 
   // STATE idle, moving, stopped or fault; the action stays where none is given.
   void set_arm(std::string_view state, std::string action);
   void set_arm(std::string_view state) { set_arm(state, action_); }
   void set_reading(const ArmModel& model, const ArmReading& reading);
+  void set_trouble(std::optional<ArmTrouble> trouble);
   // The last commanded action, NO_ACTION before the first.
   const std::string& action() const { return action_; }
 
@@ -40,9 +43,15 @@ class ArmFacts {
   };
   enum : std::size_t { arm, pose, joints, gripper, kinds };
 
+  void set_state_fact();
+
   AgentContext& context_;
+  const Service& service_;
+  LeaseId told_under_ = 0;
   const Datum robot_;  // the key of all of them
+  std::string state_;
   std::string action_ = "NO_ACTION";
+  std::optional<ArmTrouble> trouble_;
   std::array<Told, kinds> facts_;
 };
 

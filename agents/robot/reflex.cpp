@@ -31,6 +31,13 @@ void Reflex::begin() {
   }
 }
 
+Task<void> Reflex::known() {
+  while (heard_.size() < following_.size()) {
+    const Time deadline = context_.executor.now() + retry_pause;
+    co_await more_heard_.wait(deadline);
+  }
+}
+
 Task<void> Reflex::follow(Datum pattern) {
   const Query query = query_for(pattern);
   const std::string relation(pattern.head());
@@ -40,7 +47,9 @@ Task<void> Reflex::follow(Datum pattern) {
     while (watching) {
       const Result<Change> change = co_await (*watch)->next();
       watching = change.has_value();
-      if (watching) see(relation, *change);
+      if (!watching) break;
+      see(relation, *change);
+      if (heard_.insert(relation).second) more_heard_.wake_all();
     }
     co_await sleep(context_.executor, retry_pause);
   }
@@ -102,8 +111,11 @@ Result<void> Reflex::allows(const std::string& client) const {
     const Datum& stop = stops_.begin()->second;
     return fail("halted", fmt::format("{} says stop: {}", stop[1].text(), stop[2].text()), stop);
   }
-  if (commanders_.empty() || commanders_.begin()->second == client) return {};
-  const std::string& commander = commanders_.begin()->second;
+  // One that is not present may have died without a word, and its fact may stand for ever.
+  const auto first =
+      std::ranges::find_if(commanders_, [&](const auto& entry) { return among(present_, entry.second); });
+  if (first == commanders_.end() || first->second == client) return {};
+  const std::string& commander = first->second;
   return fail("not-commander", fmt::format("{} commands the arm", commander), Datum::symbol(commander));
 }
 

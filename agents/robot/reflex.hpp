@@ -6,17 +6,19 @@
 //   - a board that has not answered for four beats of the reflex's own timer (80 ms)
 //   - the going of the client whose motion it is: its `(agent ...)` presence, or its `(commander ROBOT CLIENT)`
 //
-// Of the clients that hold a `(commander ROBOT CLIENT)`, told by themselves under a lease of theirs, the first to have
-// told it commands; while there is none, anyone may. Monitoring and stopping are open to all. What was stopped goes on
+// Of the clients that hold a `(commander ROBOT CLIENT)`, told by themselves, and are present, the first to have told it
+// commands; while there is none, anyone may. Monitoring and stopping are open to all. What was stopped goes on
 // only when asked for again.
 //
-// Lifecycle: constructed beside the ArmControl; begin() once the relations are declared; watch_motion() for as long as
+// Lifecycle: constructed beside the ArmControl; begin() once the relations are declared; known() before anybody is
+// obeyed; watch_motion() for as long as
 // a motion is in hand.
 //
 //   if (const Result<void> allowed = reflex.allows(client); !allowed) co_return fail(allowed);
 //   const Job watching = executor.spawn(reflex.watch_motion(client, lease));
 
 #include <map>
+#include <set>
 #include <vector>
 
 #include "agents/robot/arm_control.hpp"
@@ -28,11 +30,14 @@ class Reflex {
   static constexpr Duration beat = 20ms;
   static constexpr int silent_beats = 4;
 
-  Reflex(AgentContext& context, ArmControl& control) : context_(context), control_(control) {}
+  Reflex(AgentContext& context, ArmControl& control)
+      : context_(context), control_(control), more_heard_(context.executor) {}
 
   // Follows stops, commanders and presences on the board from now on.
   void begin();
-  // Whether `client` may begin a motion now. Failures: `halted`, `not-commander`, each with who is in the way.
+  // Answers when the board has said of each of them what holds.
+  Task<void> known();
+  // Whether `client` may move or change anything now. Failures: `halted`, `not-commander`, each with who is in the way.
   Result<void> allows(const std::string& client) const;
   // Beside a motion that `client` asked for: beats on the board under the agent's `lease`.
   Task<void> watch_motion(std::string client, LeaseId lease);
@@ -51,8 +56,10 @@ class Reflex {
   std::map<FactId, Datum> stops_;
   std::map<FactId, std::string> commanders_;  // the first commands
   std::map<FactId, std::string> present_;
-  std::string client_;   // whose motion is in hand; empty: nobody's
-  bool leased_ = false;  // it was present when its motion began
+  std::string client_;           // whose motion is in hand; empty: nobody's
+  bool leased_ = false;          // it was present when its motion began
+  std::set<std::string> heard_;  // the relations whose first answer has come
+  WaitList more_heard_;
   std::vector<Job> following_;
   int silence_ = 0;  // beats since the board answered
 };

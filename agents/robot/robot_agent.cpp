@@ -19,6 +19,11 @@ constexpr Duration connecting_time = 5s;  // after it, requests are answered `di
 constexpr Duration connecting_pause = 250ms;
 constexpr Duration retry_pause = 200ms;
 
+// Open to all; whatever else is asked for changes something, and is its commander's to ask for.
+bool only_monitors(const Datum& operation) {
+  return operation.is_form("get-status") || operation.is_form("monitor") || operation.is_form("finish");
+}
+
 Datum answer(bool done) { return list(done ? "true"_sym : "false"_sym); }
 
 // A motion that was cut off by the end of the agent that ran it.
@@ -35,7 +40,7 @@ struct RobotAgent::State {
         name(Datum::symbol(context.name)),
         model(std::move(described)),
         room(options.room),
-        facts(context),
+        facts(context, service),
         control(context, driver, model, room, options.told_per_s, facts),
         reflex(context, control),
         service(context, contract_from_text(robot_contract).value()) {}
@@ -59,6 +64,8 @@ struct RobotAgent::State {
   Task<Result<void>> connect();
 
   Task<Result<Datum>> handle(Fact request);
+  Task<Result<Datum>> answer_monitor(Datum operation);
+  Task<Result<Datum>> refuse(Failure why);
   Task<Result<Datum>> get_status();
   Task<Result<Datum>> move(Datum operation, std::string client);
   Task<Result<Datum>> gripper(Datum operation, std::string client);
@@ -66,6 +73,7 @@ struct RobotAgent::State {
   Task<Result<Datum>> learn(Datum operation);
   Task<Result<Datum>> monitor();
   Task<Result<Datum>> finish(Datum operation);
+  Task<Result<Datum>> get_control(Datum operation);
 
   Result<Motion> plan(const Datum& operation, const Joints& at, Joints& start);
   Task<Result<void>> tell_end(std::optional<Failure> failure, Transaction with);
@@ -87,6 +95,8 @@ Task<Result<void>> RobotAgent::State::run() {
   if (!connected) co_return connected;
   watch = context.executor.spawn(control.keep_watch());
   reflex.begin();
+  // Who stops it and who commands it is known before anybody is obeyed.
+  co_await reflex.known();
   RequestHandler handler = [this](Fact request) { return handle(std::move(request)); };
   co_return co_await service.serve_requests(std::move(handler));
 }
@@ -141,14 +151,23 @@ Task<Result<void>> RobotAgent::State::connect() {
 
 Task<Result<Datum>> RobotAgent::State::handle(Fact request) {
   Datum operation = request.datum[3];
+  if (only_monitors(operation)) return answer_monitor(std::move(operation));
+  const Result<void> allowed = reflex.allows(request.teller);
+  if (!allowed) return refuse(allowed.error());
   if (is_motion(operation)) return move(std::move(operation), std::move(request.teller));
   if (operation.is_form("gripper")) return gripper(std::move(operation), std::move(request.teller));
   if (operation.is_form("speed")) return speed(std::move(operation));
   if (operation.is_form("learn")) return learn(std::move(operation));
+  return get_control(std::move(operation));
+}
+
+Task<Result<Datum>> RobotAgent::State::answer_monitor(Datum operation) {
   if (operation.is_form("monitor")) return monitor();
   if (operation.is_form("finish")) return finish(std::move(operation));
   return get_status();
 }
+
+Task<Result<Datum>> RobotAgent::State::refuse(Failure why) { co_return fail(why); }
 
 Task<Result<Datum>> RobotAgent::State::get_status() { co_return list(facts.action()); }
 
@@ -167,8 +186,6 @@ Result<Motion> RobotAgent::State::plan(const Datum& operation, const Joints& at,
 }
 
 Task<Result<Datum>> RobotAgent::State::move(Datum operation, std::string client) {
-  const Result<void> allowed = reflex.allows(client);
-  if (!allowed) co_return fail(allowed);
   const Result<InHand> in_hand = control.take_in_hand(operation);
   if (!in_hand) co_return fail(in_hand);
   const Result<ArmReading> reading = co_await control.read();
@@ -214,8 +231,6 @@ Task<Result<void>> RobotAgent::State::tell_end(std::optional<Failure> failure, T
 }
 
 Task<Result<Datum>> RobotAgent::State::gripper(Datum operation, std::string client) {
-  const Result<void> allowed = reflex.allows(client);
-  if (!allowed) co_return fail(allowed);
   const Result<double> opening = amount_in(operation[1], 0, max_opening_mm, "mm");
   if (!opening) co_return fail(opening);
   const Result<InHand> in_hand = control.take_in_hand(operation);
@@ -278,6 +293,16 @@ Task<Result<Datum>> RobotAgent::State::finish(Datum operation) {
   }
   const Result<void> stopped = co_await control.stop();
   if (!stopped) co_return fail(stopped);
+  co_return answer(true);
+}
+
+Task<Result<Datum>> RobotAgent::State::get_control(Datum operation) {
+  const Result<InHand> in_hand = control.take_in_hand(operation);
+  if (!in_hand) co_return fail(in_hand);
+  const Result<void> taken = co_await control.get_control();
+  if (!taken) co_return fail(taken);
+  const Result<void> told = co_await facts.tell_surely();
+  if (!told) co_return fail(told);
   co_return answer(true);
 }
 

@@ -1,11 +1,12 @@
 #pragma once
 
-// The robot agent: the thesis' seventeen operations over any ArmDriver, the same for every arm.
+// The robot agent: the thesis' seventeen operations, and `get-control`, over any ArmDriver, the same for every arm.
 //
 // Lifecycle: constructed, run() spawned. It takes control of the controller, asks which arm it is (another
 // than the cell describes ends run() with `unknown-arm`), stops what it finds moving and says so, reads back its
-// learned variables and its speed from durable facts, then serves. A controller that goes away is taken control of
-// again when it is back; meanwhile motion answers `disconnected` and the arm's fact says `fault`.
+// learned variables and its speed from durable facts, then serves. A controller that goes away is connected to
+// again when it is back, as it is then: meanwhile motion answers `disconnected` and the arm's fact says `fault`, and
+// what it has for an alarm stays until somebody asks for (get-control).
 //
 // One motion at a time, the gripper's included (`busy`, with the running operation as the subject); get-status,
 // monitor, finish, speed and learn are answered meanwhile. Every motion has one plan, made before it starts, so that a

@@ -3,10 +3,13 @@
 // What a robot agent needs of an arm's controller. One implementation a controller; the simulated one is in
 // drivers/simulation/.
 //
-// Lifecycle: identify() and take_control() once, then moves, one at a time; read() and stop() at any time, also while a
-// move runs. Failures: not-in-control (what take_control() may mend: the pendant, a hold, an alarm, servos that are
-// off), busy, joint-limit, not-finite, bad-joints, disconnected; refused (the controller's own code as subject).
+// Lifecycle: identify(), then take_control() whenever somebody wants the arm's troubles done away with, then moves, one
+// at a time; read() and stop() at any time, also while a move runs and before control is taken. Nothing but
+// take_control() resets an alarm, releases a brake or switches servos on. Failures: not-in-control (what take_control()
+// may mend: the pendant, a hold, an alarm, servos that are off), busy, joint-limit, not-finite, bad-joints,
+// disconnected; refused (the controller's own code as subject).
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -16,6 +19,17 @@
 
 namespace pizarra {
 
+// Why a controller would not move its arm now.
+struct ArmTrouble {
+  enum class Kind : std::uint8_t {
+    off,      // its servos or brakes, and nothing else
+    stopped,  // somebody keeps it from moving: a pendant, a hold, an emergency stop
+    fault,    // something is wrong with it: an alarm
+  };
+  Kind kind;
+  Failure why;  // not-in-control, the controller's code as subject
+};
+
 struct ArmReading {
   Joints joints;
   bool moving;        // a move started and has not ended
@@ -23,6 +37,7 @@ struct ArmReading {
   double opening_mm;  // the gripper's measured opening between the fingers
   bool gripper_moving;
   std::optional<Failure> why_stopped = {};  // where the controller says it
+  std::optional<ArmTrouble> trouble = {};   // where the controller says it
 };
 
 class ArmDriver {

@@ -28,6 +28,12 @@ bool without_answer(const Failure& failure) { return failure.symbol == "no-answe
 // Whether a controller that fails so may have done what was asked.
 bool perhaps_done(const Failure& failure) { return without_answer(failure) || failure.symbol == "bad-reply"; }
 
+bool is_locked(const MotomanStatus& status) { return status.teaching || !status.remote; }
+
+bool is_held(const MotomanStatus& status) { return status.pendant_hold || status.external_hold; }
+
+bool has_alarm(const MotomanStatus& status) { return status.alarm || status.error; }
+
 // What a line's failures are to the agent.
 std::unexpected<Failure> lost(const Failure& why) {
   if (without_answer(why)) return fail("disconnected", why.sentence, why.subject);
@@ -107,13 +113,26 @@ Task<Failure> MotomanArm::trouble(MotomanStatus status) {
   co_return why;
 }
 
+// An alarm's code is asked for once.
+Task<void> MotomanArm::look_for_trouble(MotomanStatus status) {
+  using Kind = ArmTrouble::Kind;
+  const bool stopped = is_locked(status) || is_held(status);
+  const bool fault = has_alarm(status);
+  const bool known = fault && trouble_ && trouble_->kind == Kind::fault;
+  if (known) co_return;
+  trouble_.reset();
+  if (!fault && !stopped && status.servo) co_return;
+  const Failure why = co_await trouble(status);
+  trouble_ = ArmTrouble{fault ? Kind::fault : stopped ? Kind::stopped : Kind::off, why};
+}
+
 Task<Result<void>> MotomanArm::take_control() {
   seen_.reset();
   Result<MotomanStatus> status = co_await link_.status();
   if (!status) co_return lost(status.error());
-  const bool locked = status->teaching || !status->remote;
+  const bool locked = is_locked(*status);
   if (!locked) {
-    if (status->alarm || status->error) {
+    if (has_alarm(*status)) {
       const Result<void> reset = co_await link_.reset();
       if (!reset && reset.error().symbol != "refused") co_return lost(reset.error());
     }
@@ -124,7 +143,7 @@ Task<Result<void>> MotomanArm::take_control() {
     status = co_await link_.status();
     if (!status) co_return lost(status.error());
   }
-  const bool in_the_way = locked || status->alarm || status->error || status->pendant_hold || status->external_hold;
+  const bool in_the_way = locked || has_alarm(*status) || is_held(*status);
   if (in_the_way) {
     const Failure why = co_await trouble(*status);
     co_return fail(why);
@@ -152,8 +171,7 @@ Task<Result<void>> MotomanArm::switch_on() {
 }
 
 Task<Result<void>> MotomanArm::ready_to_move(MotomanStatus status) {
-  const bool in_the_way = status.teaching || !status.remote || status.alarm || status.error || !status.servo ||
-                          status.pendant_hold || status.external_hold;
+  const bool in_the_way = is_locked(status) || has_alarm(status) || !status.servo || is_held(status);
   if (in_the_way) {
     const Failure why = co_await trouble(status);
     co_return fail(why);
@@ -250,8 +268,7 @@ Task<Result<void>> MotomanArm::go_on(const Seen& seen) {
   if (seen.status.running) co_return Result<void>();
   const bool there = are_same_place(seen.joints, legs_.front().to, legs_.front().straight ? 0.2 : same_place);
   const MotomanStatus& status = seen.status;
-  const bool held = status.alarm || status.error || !status.servo || status.pendant_hold || status.external_hold ||
-                    status.command_hold || status.teaching || !status.remote;
+  const bool held = has_alarm(status) || !status.servo || is_held(status) || status.command_hold || is_locked(status);
   if (!there && !held && executor_.now() - ordered_at_ < starting_time) co_return Result<void>();
   if (!there || (stopping_ && legs_.size() > 1)) {
     std::optional<Failure> why;
@@ -280,6 +297,10 @@ Task<Result<void>> MotomanArm::go_on(const Seen& seen) {
 Task<Result<void>> MotomanArm::start_gripper(double opening_mm) {
   const Result<void> sound = check_opening(opening_mm);
   if (!sound) co_return sound;
+  const Result<Seen> seen = co_await look_lately();
+  if (!seen) co_return fail(seen);
+  const Result<void> ready = co_await ready_to_move(seen->status);
+  if (!ready) co_return ready;
   const double opening = std::clamp(opening_mm, 0.0, most_opening_mm);
   const auto um = static_cast<std::int32_t>(std::llround(opening * um_per_mm));
   const Result<void> set = co_await link_.set_variable(wanted_opening, um);
@@ -322,6 +343,7 @@ Task<Result<ArmReading>> MotomanArm::read() {
     const Result<void> looked = co_await look_at_gripper();
     if (!looked) co_return fail(looked);
   }
+  co_await look_for_trouble(seen->status);
   // Only one of those who read moves it on.
   if (moving_ && !ordering_) {
     const Held ordering(ordering_);
@@ -333,7 +355,8 @@ Task<Result<ArmReading>> MotomanArm::read() {
                      .stopped = stopped_,
                      .opening_mm = opening_mm_,
                      .gripper_moving = gripping_,
-                     .why_stopped = why_stopped_};
+                     .why_stopped = why_stopped_,
+                     .trouble = trouble_};
   reading.moving = moving_ || seen->status.running;
   co_return reading;
 }

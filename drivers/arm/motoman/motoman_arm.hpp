@@ -79,6 +79,7 @@ class MotomanArm : public ArmDriver {
   Task<void> hold_if_nobody_ordered(MotomanStatus status);
   void end_move(std::optional<Failure> why_stopped);
   Task<Failure> trouble(MotomanStatus status);
+  Task<void> look_for_trouble(MotomanStatus status);
   Joints joints_of(const MotomanPulses& pulses) const;
   MotomanPulses pulses_of(const Joints& joints) const;
 
@@ -98,6 +99,7 @@ class MotomanArm : public ArmDriver {
   bool stopping_ = false;
   bool stopped_ = false;
   std::optional<Failure> why_stopped_;
+  std::optional<ArmTrouble> trouble_;
 
   double opening_mm_ = 0;
   bool gripping_ = false;

@@ -188,6 +188,13 @@ Task<Result<ArmReading>> SimpleArm::read() {
                      .opening_mm = 0,
                      .gripper_moving = false,
                      .why_stopped = why_stopped_};
+  const Result<void> able = possible();
+  if (!able) {
+    using Kind = ArmTrouble::Kind;
+    const bool stopped = status_.emergency_stopped == 1 || status_.mode == 1 || status_.drives_powered != 0;
+    const Kind kind = status_.in_error == 1 ? Kind::fault : stopped ? Kind::stopped : Kind::off;
+    reading.trouble = ArmTrouble{kind, able.error()};
+  }
   co_return reading;
 }
 

@@ -14,7 +14,8 @@ namespace pizarra {
 namespace {
 
 constexpr double wrist_2_slack_deg = 0.5;
-constexpr std::size_t wrist_2 = 4;  // between the fourth axis of five and the last
+constexpr std::size_t wrist_2 = 4;   // between the fourth axis of five and the last
+constexpr int safety_violation = 8;  // and fault above it
 
 }  // namespace
 
@@ -25,6 +26,8 @@ UniversalArm::UniversalArm(Executor& executor, UniversalWires wires, ArmModel mo
       script_(executor, wires.script, frame_of_line, "the arm"),
       dashboard_(executor, wires.dashboard, frame_of_line, "the dashboard server"),
       told_(rtde_, fresh) {}
+
+bool UniversalArm::able() const { return state_.robot_mode == rtde::running_mode && state_.safety_mode <= 2; }
 
 Joints UniversalArm::joints() const {
   const auto& q = state_.joints_rad;
@@ -113,7 +116,7 @@ Task<Result<void>> UniversalArm::take_control() {
     const Result<std::string> done = co_await dashboard_.ask(order);
     if (!done) co_return fail(done);
   }
-  std::function<bool()> ready = [this] { return state_.robot_mode == rtde::running_mode && state_.safety_mode <= 2; };
+  std::function<bool()> ready = [this] { return able(); };
   // An emergency stop is released by hand alone.
   const Duration patience = state_.safety_mode > 3 ? answer_time : power_time;
   const bool on = co_await told_.until(std::move(ready), patience);
@@ -126,7 +129,7 @@ Task<Result<void>> UniversalArm::start_move(std::vector<Joints> waypoints, doubl
   if (!sound) co_return sound;
   if (!told_.known()) co_return told_.unknown();
   if (playing() && !ended()) co_return fail("busy", "the arm is moving already");
-  if (state_.robot_mode != rtde::running_mode || state_.safety_mode > 2) co_return fail(trouble());
+  if (!able()) co_return fail(trouble());
   ++programs_;
   stopping_ = false;
   const Joints from = joints();
@@ -148,6 +151,8 @@ Task<Result<void>> UniversalArm::stop() {
 Task<Result<void>> UniversalArm::start_gripper(double opening_mm) {
   const Result<void> sound = check_opening(opening_mm);
   if (!sound) co_return sound;
+  if (!told_.known()) co_return told_.unknown();
+  if (!able()) co_return fail(trouble());
   OctetWriter input(ByteOrder::big);
   input.u8(input_recipe_).f64(opening_mm);
   gripping_until_ = executor_.now() + fresh;
@@ -161,6 +166,12 @@ Task<Result<ArmReading>> UniversalArm::read() {
                      .stopped = !ended() && programs_ > 0,
                      .opening_mm = state_.opening_mm,
                      .gripper_moving = state_.fingers != 0 || executor_.now() < gripping_until_};
+  if (!able()) {
+    using Kind = ArmTrouble::Kind;
+    const bool fault = state_.safety_mode >= safety_violation;
+    const bool off = state_.safety_mode <= 2;
+    reading.trouble = ArmTrouble{fault ? Kind::fault : off ? Kind::off : Kind::stopped, trouble()};
+  }
   const bool unasked = reading.stopped && !stopping_ && !reading.moving;
   if (unasked) {
     reading.why_stopped = trouble();

@@ -48,6 +48,7 @@ class UniversalArm : public ArmDriver {
   Task<Result<std::string>> ask_rtde(char type, std::string payload);
   Task<Result<void>> subscribe();
   Result<bool> hear(const std::string& message);
+  bool able() const;
   Failure trouble() const;
   bool playing() const { return state_.runtime == rtde::playing; }
   bool ended() const { return state_.marker == 2 * programs_ + 1; }  // the last program

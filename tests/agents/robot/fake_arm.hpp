@@ -58,6 +58,7 @@ class FakeArm : public ArmDriver {
     if (!plugged) co_return unplugged();
     ++controls;
     in_control = gives_control;
+    if (!in_control) co_return uncontrolled();
     co_return {};
   }
   Task<Result<void>> start_move(std::vector<Joints> waypoints, double speed) override {
@@ -79,7 +80,6 @@ class FakeArm : public ArmDriver {
   }
   Task<Result<void>> stop() override {
     if (!plugged) co_return unplugged();
-    if (!in_control) co_return uncontrolled();
     stopped_ = moving();
     path_ = {at()};
     co_return {};

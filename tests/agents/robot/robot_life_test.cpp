@@ -154,9 +154,9 @@ TEST_F(Robot, ControllerThatGoesAwayIsAFaultUntilItIsBack) {
   EXPECT_EQ(refusal("(home)"), "disconnected");
   EXPECT_EQ(refusal("(monitor)"), "disconnected");
   arm.plugged = true;
-  arm.in_control = false;
   executor.run_for(2s);
   EXPECT_EQ(fact("(arm robot ? ?)"), "(arm robot idle \"NO_ACTION\")");
+  EXPECT_EQ(arm.controls, 1) << "nobody asked for it";
   EXPECT_EQ(call("(home)"), "(ok true)");
 }
 
@@ -172,17 +172,22 @@ TEST_F(Robot, PlugPulledDuringAMotionFailsItOnce) {
   EXPECT_EQ(fact("(arm robot ? ?)"), "(arm robot fault \"(turn right 90)\")");
 }
 
-TEST_F(Robot, ControlTakenAwayByThePendantIsAskedForAgain) {
-  arm.in_control = false;
-  EXPECT_EQ(call("(turn right 5)"), "(ok true)");
-  EXPECT_EQ(arm.controls, 2);
+TEST_F(Robot, ControlTakenAwayByThePendantIsTakenBackOnlyWhenAskedFor) {
+  for (const std::string_view operation : {"(turn right 5)", "(gripper 0)"}) {
+    arm.in_control = false;
+    EXPECT_EQ(refusal(operation), "not-in-control") << operation;
+    EXPECT_FALSE(arm.in_control);
+    EXPECT_EQ(call("(get-control)"), "(ok true)");
+    EXPECT_EQ(call(operation), "(ok true)") << operation;
+  }
+  EXPECT_EQ(arm.controls, 3);
 }
 
-TEST_F(Robot, ControllerThatRestartedIsAskedForControlByTheFingersToo) {
-  arm.in_control = false;
-  EXPECT_EQ(call("(gripper 0)"), "(ok true)");
-  EXPECT_EQ(arm.opening(), 0);
-  EXPECT_EQ(arm.controls, 2);
+TEST_F(Robot, ControlIsNotTakenInTheMiddleOfAMotion) {
+  ask("(turn right 90)");
+  executor.run_for(300ms);
+  EXPECT_EQ(refusal("(get-control)"), "busy");
+  EXPECT_EQ(arm.controls, 1);
 }
 
 TEST_F(Robot, StopIsObeyedAlthoughControlWasTakenAway) {
@@ -192,12 +197,13 @@ TEST_F(Robot, StopIsObeyedAlthoughControlWasTakenAway) {
   EXPECT_EQ(call("(finish stop)"), "(ok true)");
   EXPECT_EQ(form(reply(turning))[1].text(), "stopped");
   EXPECT_FALSE(arm.moving());
-  EXPECT_EQ(arm.controls, 2);
+  EXPECT_EQ(arm.controls, 1);
 }
 
-TEST_F(Robot, ControllerThatGivesNoControlIsAskedOnce) {
+TEST_F(Robot, ControllerThatGivesNoControlSaysSo) {
   arm.in_control = false;
   arm.gives_control = false;
+  EXPECT_EQ(refusal("(get-control)"), "not-in-control");
   EXPECT_EQ(refusal("(gripper 0)"), "not-in-control");
   EXPECT_EQ(arm.controls, 2);
 }

@@ -62,7 +62,9 @@ TEST_F(RobotSafety, FingersStopToo) {
 
 TEST_F(RobotSafety, CommandsAreOneClientsAndMonitoringEverybodys) {
   const LeaseId lease = board.lease(10s).value();
+  tell("anna", "(agent anna person \"here\")", lease);
   tell("anna", "(commander robot anna)", lease);
+  tell("user", "(agent user person \"here\")", board.lease(10s).value());
   tell("user", "(commander robot user)");
   executor.run_for(100ms);
   EXPECT_EQ(refusal("(home)"), "not-commander");
@@ -72,6 +74,51 @@ TEST_F(RobotSafety, CommandsAreOneClientsAndMonitoringEverybodys) {
   ASSERT_TRUE(board.release(lease));
   executor.run_for(100ms);
   EXPECT_EQ(call("(home)"), "(ok true)") << "user is the next in line";
+}
+
+TEST_F(RobotSafety, WhatTheRobotIsToDoOrKnowIsItsCommandersToSay) {
+  const LeaseId lease = board.lease(10s).value();
+  tell("anna", "(agent anna person \"here\")", lease);
+  tell("anna", "(commander robot anna)", lease);
+  executor.run_for(100ms);
+  for (const std::string_view operation : {"(speed 3)", "(learn p1)", "(gripper 20)", "(home)", "(get-control)"}) {
+    EXPECT_EQ(refusal(operation), "not-commander") << operation;
+  }
+  for (const std::string_view operation : {"(get-status)", "(monitor)", "(finish report)", "(finish stop)"}) {
+    EXPECT_TRUE(call(operation).starts_with("(ok ")) << operation;
+  }
+  EXPECT_EQ(fact("(robot-speed robot ?)"), "");
+  EXPECT_EQ(fact("(robot-variable robot ? ?)"), "");
+}
+
+TEST_F(RobotSafety, ACommanderThatIsNotPresentCommandsNobody) {
+  tell("anna", "(commander robot anna)");
+  executor.run_for(100ms);
+  EXPECT_EQ(call("(home)"), "(ok true)");
+}
+
+TEST_F(RobotSafety, AStopThatStandsAtTheStartIsKnownBeforeTheFirstRequest) {
+  life.reset();
+  executor.run_for(3s);
+  tell("passer-by", "(stop passer-by \"wait\")");
+  const std::string id = ask("(home)");
+  begin();
+  executor.run_for(20s);
+  EXPECT_TRUE(reply(id).starts_with("(fail halted ")) << reply(id);
+  EXPECT_EQ(arm.moves, 0);
+}
+
+TEST_F(RobotSafety, WhatIsToldOfTheArmGoesWithItsAgent) {
+  ASSERT_NE(fact("(arm robot ? ?)"), "");
+  life.reset();
+  executor.run_for(3s);
+  for (const std::string_view told :
+       {"(arm robot ? ?)", "(arm-pose robot ? ? ? ? ? ?)", "(arm-joints robot ?)", "(gripper robot ?)"}) {
+    EXPECT_EQ(fact(told), "");
+  }
+  begin();
+  executor.run_for(1s);
+  EXPECT_EQ(fact("(arm robot ? ?)"), "(arm robot idle \"NO_ACTION\")");
 }
 
 TEST_F(RobotSafety, NobodyMakesAnotherTheCommander) {

@@ -52,7 +52,71 @@ TEST_F(WiredRobot, SaysWhyTheControllerEndedAMotionAndGoesOnWhenAskedAnew) {
   EXPECT_EQ(reply("turn"), R"((fail stopped "the controller has alarm 4321" 4321))");
   cell.executor.run_for(5s);
   EXPECT_EQ(cell.cabinet.alarm(), 4321) << "nobody asked for its reset";
+  EXPECT_EQ(call("(turn left 5)"),
+            R"((fail not-in-control "the controller has alarm 4321; (get-control) takes it back" 4321))");
+  EXPECT_EQ(call("(get-control)"), "(ok true)");
   EXPECT_EQ(call("(ready)"), "(ok true)");
+}
+
+TEST_F(WiredRobot, LeavesAlarmAndServosAsTheyAreWhenTheControllerIsBack) {
+  const RobotLife life(cell.executor, board, cell.arm, up6());
+  cell.executor.run_for(1s);
+  Transaction request;
+  request.tell(form("(request turn robot (turn right 90))"));
+  ASSERT_TRUE(board.transact("user", request));
+  cell.executor.run_for(500ms);
+  ASSERT_TRUE(cell.cabinet.obey("power off"));
+  cell.executor.run_for(4s);
+  ASSERT_TRUE(cell.cabinet.obey("power on"));
+  cell.executor.run_for(10s);
+  EXPECT_EQ(cell.cabinet.alarm(), ArmCabinet::power_lost_alarm);
+  EXPECT_FALSE(cell.cabinet.servo());
+  EXPECT_TRUE(call("(monitor)").starts_with("(ok ")) << "monitoring goes on";
+  EXPECT_TRUE(call("(ready)").starts_with("(fail not-in-control"));
+  EXPECT_EQ(call("(get-control)"), "(ok true)");
+  EXPECT_TRUE(cell.cabinet.servo());
+  EXPECT_EQ(call("(ready)"), "(ok true)");
+}
+
+TEST_F(WiredRobot, AnAlarmAtTheAgentsStartIsNotResetByIt) {
+  ASSERT_TRUE(cell.cabinet.obey("alarm 77"));
+  const RobotLife life(cell.executor, board, cell.arm, up6());
+  cell.executor.run_for(10s);
+  EXPECT_EQ(cell.cabinet.alarm(), 77);
+  EXPECT_FALSE(cell.cabinet.servo());
+  EXPECT_EQ(call("(get-control)"), "(ok true)");
+  EXPECT_EQ(call("(ready)"), "(ok true)");
+}
+
+TEST_F(WiredRobot, FingersAreRefusedUnderTheEmergencyStopAndUnderAnAlarm) {
+  const RobotLife life(cell.executor, board, cell.arm, up6());
+  cell.executor.run_for(1s);
+  ASSERT_EQ(call("(gripper 80)"), "(ok true)");
+  for (const std::string_view trouble : {"estop on", "alarm 77"}) {
+    ASSERT_TRUE(cell.cabinet.obey(trouble));
+    cell.executor.run_for(1s);
+    EXPECT_TRUE(call("(gripper 20)").starts_with("(fail not-in-control")) << trouble;
+    EXPECT_NEAR(cell.read()->opening_mm, 80, 0.1) << trouble;
+    ASSERT_TRUE(cell.cabinet.obey("estop off"));
+  }
+}
+
+TEST_F(WiredRobot, SaysAtRestWhyTheControllerWouldNotMove) {
+  const RobotLife life(cell.executor, board, cell.arm, up6());
+  cell.executor.run_for(1s);
+  const auto arm = [&] {
+    cell.executor.run_for(500ms);
+    return write(board.ask(query_from_datum(form("(arm robot ?state ?why)")).value())->answers[0].facts[0].datum);
+  };
+  EXPECT_EQ(arm(), R"((arm robot idle "NO_ACTION"))");
+  ASSERT_TRUE(cell.cabinet.obey("pendant on"));
+  EXPECT_EQ(arm(), R"((arm robot stopped "the pendant has control"))");
+  ASSERT_TRUE(cell.cabinet.obey("pendant off"));
+  EXPECT_EQ(arm(), R"((arm robot idle "NO_ACTION"))");
+  ASSERT_TRUE(cell.cabinet.obey("estop on"));
+  EXPECT_EQ(arm(), R"((arm robot stopped "the controller's servos are off"))");
+  ASSERT_TRUE(cell.cabinet.obey("alarm 77"));
+  EXPECT_EQ(arm(), R"((arm robot fault "the controller has alarm 77"))");
 }
 
 TEST_F(WiredRobot, AStopFactBrakesTheController) {
