@@ -18,9 +18,9 @@ constexpr std::array<std::pair<ArgumentType, std::string_view>, 6> type_names = 
                                                                                   {ArgumentType::number, "number"},
                                                                                   {ArgumentType::list, "list"},
                                                                                   {ArgumentType::datum, "datum"}}};
-constexpr std::array<std::string_view, 14> reserved_names = {
-    "and", "not", "query",          "order",         "limit",        "<", "<=", ">", ">=",
-    "=",   "/=",  "relation-stats", "journey-stats", "watcher-stats"};
+constexpr std::array<std::string_view, 15> reserved_names = {
+    "and", "not", "query",          "order",         "limit",         "<",           "<=", ">", ">=",
+    "=",   "/=",  "relation-stats", "journey-stats", "watcher-stats", "client-stats"};
 constexpr std::size_t max_arguments = 32;
 constexpr std::int64_t max_lease_ms = 1'000'000'000;
 

@@ -46,7 +46,18 @@ Relation about_watchers() {
           .lease = {}};
 }
 
-constexpr std::array<Relation (*)(), 3> askable = {about_relations, about_journeys, about_watchers};
+Relation about_clients() {
+  return {.name = "client-stats",
+          .arguments = {{"client", ArgumentType::string},
+                        {"requests", ArgumentType::integer},
+                        {"refused", ArgumentType::integer},
+                        {"per-second", ArgumentType::integer}},
+          .key = {0},
+          .durable = false,
+          .lease = {}};
+}
+
+constexpr std::array<Relation (*)(), 4> askable = {about_relations, about_journeys, about_watchers, about_clients};
 
 // Which of them the query is about, first of all.
 std::optional<Relation> relation_asked_for(const Query& query) {
@@ -75,14 +86,6 @@ Datum counted(const Names& names) {
 
 }  // namespace
 
-void Statistics::Rate::pass_to(Time time) {
-  const Time second = std::chrono::floor<std::chrono::seconds>(time);
-  if (second == begun) return;
-  before = second == begun + 1s ? now : 0;
-  now = 0;
-  begun = second;
-}
-
 // Most changes are of the relation that changed before.
 Statistics::Counts& Statistics::counts_of(std::string_view relation) {
   if (last_ == nullptr || last_->first != relation) {
@@ -102,8 +105,7 @@ void Statistics::committed(const Commit& commit) {
       continue;
     }
     ++counts.told;
-    counts.rate.pass_to(commit.when);
-    ++counts.rate.now;
+    counts.rate.count(commit.when);
     auto teller = counts.tellers.find(commit.teller);
     if (teller == counts.tellers.end() && counts.tellers.size() < max_names) {
       teller = counts.tellers.emplace(commit.teller, 0).first;
@@ -168,6 +170,10 @@ std::vector<Datum> Statistics::facts_of(std::string_view about, const Store& sto
       const Datum delivered = summary_form(counts.journeys->to_watchers.summary(now));
       facts.push_back(list("journey-stats"_sym, Datum::symbol(relation), told, delivered));
     }
+  } else if (about == "client-stats") {
+    for (const auto& [client, asked] : requests_.clients(now)) {
+      facts.push_back(list("client-stats"_sym, client, asked.requests, asked.refused, asked.rate.last_second()));
+    }
   } else {
     for (const auto& [watcher, load] : watches.loads()) {
       facts.push_back(list("watcher-stats"_sym, watcher, load.watches, load.changes, load.bytes));
@@ -179,7 +185,7 @@ std::vector<Datum> Statistics::facts_of(std::string_view about, const Store& sto
 Datum Statistics::relation_fact(const std::string& relation, std::size_t facts, const WatchTable& watches, Time now) {
   Counts& counts = counts_of(relation);
   counts.rate.pass_to(now);
-  return list("relation-stats"_sym, Datum::symbol(relation), facts, counts.told, counts.gone, counts.rate.before,
+  return list("relation-stats"_sym, Datum::symbol(relation), facts, counts.told, counts.gone, counts.rate.last_second(),
               counted(counts.tellers), counted(watches.watchers_of(relation)));
 }
 

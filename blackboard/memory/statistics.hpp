@@ -5,12 +5,15 @@
 //   (relation-stats NAME FACTS TOLD GONE PER-SECOND ((TELLER COUNT) ...) ((WATCHER COUNT) ...))
 //   (journey-stats NAME (COUNT P50 P90 P99) (COUNT P50 P90 P99))
 //   (watcher-stats WATCHER WATCHES QUEUED BYTES)
+//   (client-stats CLIENT REQUESTS REFUSED PER-SECOND)
 //
 // FACTS stand now; TOLD and GONE count those that came and went since the board began; PER-SECOND is how many came in
 // the last whole second. A watcher's count is that of its patterns that are about the relation. At most 64 of each are
 // named. A journey is that of the relation's facts, lately, in microseconds: from their teller in another process to
 // the board, which committed them then, and from there to their watchers in other processes, as far as these say
 // (latencies.hpp); relations without any are left out. QUEUED changes, of BYTES, wait for the watcher.
+// REQUESTS are those of a client in another process, REFUSED those of them that were too many, PER-SECOND how many came
+// in the last whole second (client_requests.hpp).
 //
 //   statistics.committed(commit);
 //   if (Statistics::is_about(query)) answers = statistics.ask(query, store, watches, now);
@@ -19,6 +22,7 @@
 #include <memory>
 #include <string>
 
+#include "blackboard/memory/client_requests.hpp"
 #include "blackboard/memory/latencies.hpp"
 #include "blackboard/query.hpp"
 #include "blackboard/store/commit.hpp"
@@ -37,19 +41,13 @@ class Statistics {
   // not, it is nobody's.
   void came(std::string_view relation, Duration took, Time now);
   void delivered(std::string_view relation, Duration took, Time now);
+  ClientRequests& requests() { return requests_; }
   // Whether one of its patterns is.
   static bool is_about(const Query& query);
   // Failure bad-query where other relations are asked for too.
   Result<Answers> ask(const Query& query, const Store& store, const WatchTable& watches, Time now);
 
  private:
-  // Counts by the second.
-  struct Rate {
-    Time begun{};
-    std::uint64_t now = 0;
-    std::uint64_t before = 0;
-    void pass_to(Time time);
-  };
   struct Journeys {
     Latencies to_board;
     Latencies to_watchers;
@@ -66,6 +64,7 @@ class Statistics {
   std::vector<Datum> facts_of(std::string_view about, const Store& store, const WatchTable& watches, Time now);
   Datum relation_fact(const std::string& relation, std::size_t facts, const WatchTable& watches, Time now);
 
+  ClientRequests requests_;
   std::map<std::string, Counts, std::less<>> relations_;
   std::pair<const std::string, Counts>* last_ = nullptr;
 };

@@ -43,6 +43,7 @@ BoardServer::BoardServer(Executor& executor, MemoryBoard& board, const BoardServ
                 flush_all();
                 receiving_ = false;
               }) {
+  board_.statistics().requests().set_limit(options.requests);
   if (options.journal != nullptr) past_.emplace(executor, *options.journal);
   restore(options.remembered);
   if (keys_) ask_for_keys();

@@ -44,6 +44,7 @@ struct BoardServerOptions {
   // Without keys, allows addresses that other machines reach.
   bool insecure = false;
   Duration session_length = 10s;
+  ClientRequests::Limit requests = {};  // of a client, while others ask
   // The board's: what concerns durable facts is answered when it is written there.
   JournalWriter* journal = nullptr;
   std::vector<RememberedReply> remembered = {};

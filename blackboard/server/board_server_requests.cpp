@@ -60,6 +60,7 @@ void BoardServer::request(wire::SessionId id, Session& session, const Datum& mes
     return refuse(session.peer,
                   {"bad-frame", "a request is (request SESSION ID BODY) or has its time after it", {}, {}});
   }
+  const Result<void> served = board_.statistics().requests().ask(session.teller, executor_.now());
   if (const auto done = session.replies.find(*number); done != session.replies.end()) {
     // One that is held comes when it may.
     if (durability_.kept(done->second.after)) socket_.send(session.peer, done->second.text);
@@ -67,6 +68,11 @@ void BoardServer::request(wire::SessionId id, Session& session, const Datum& mes
   }
   if (must_be_done_once(message[3]) && *number <= session.replies_forgotten) {
     return refuse(session.peer, {"bad-frame", "this request, or one far after it, was answered long ago", {}, {}});
+  }
+  // It is not done, and not remembered: sent again later, it is as new.
+  if (!served) {
+    refusals_.note(session.teller, served.error());
+    return send(session.peer, reply_to_datum(*number, fail(served)));
   }
   const Revision before = board_.store().revision();
   answer(id, session, *number, message[3]);

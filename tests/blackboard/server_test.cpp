@@ -60,10 +60,11 @@ class ServerTest : public testing::Test {
     EXPECT_TRUE(board.declare("test", {relation("(relation note ((n integer) (text datum)) (key n))")}).has_value());
     serve(10s);
   }
-  void serve(Duration session_length) {
+  void serve(Duration session_length, ClientRequests::Limit requests = {}) {
     BoardServerOptions options;
     options.addresses = {"tcp://127.0.0.1:*"};
     options.session_length = session_length;
+    options.requests = requests;
     server = BoardServer::open(executor, board, options).value();
   }
   static void pass(Executor& executor, Duration time) {
@@ -406,6 +407,44 @@ TEST_F(ServerTest, AFloodDelaysNobodyByMoreThanItsShare) {
     pour(connections * 50);
   }
   EXPECT_LT(served_between, Revision{connections * flood / 2}) << "of " << sent << " that were sent";
+}
+
+TEST_F(ServerTest, AFloodBesideOthersIsRefusedCountedAndLosesNothingThatWasAcknowledged) {
+  constexpr int most = 200;
+  serve(10s, {.most = most, .window = 60s});
+  Client flooder(executor, server->addresses().front(), 100'000);
+  Client polite = client();
+  const std::string flooding = flooder.join("flooder");
+  const std::string own = polite.join("polite");
+  const auto tell = [](const std::string& session, int number, int note) {
+    const std::string fact = "(note " + std::to_string(note) + " x)";
+    return "(request " + session + " " + std::to_string(number) + " (transact () ((tell " + fact + " 0))))";
+  };
+  ASSERT_TRUE(polite.ask(tell(own, 1, -1))[2].is_form("ok"));
+  constexpr int flood = 800;
+  for (int i = 1; i <= flood; ++i) flooder.send(tell(flooding, i, i));
+  for (int i = 2; i <= 10; ++i) EXPECT_TRUE(polite.ask(tell(own, i, -i))[2].is_form("ok"));
+  std::set<std::int64_t> acknowledged;
+  std::set<std::int64_t> refused;
+  for (int i = 0; i < flood; ++i) {
+    const Datum reply = flooder.receive();
+    ASSERT_TRUE(reply.is_form("reply")) << write(reply);
+    const bool done = reply[2].is_form("ok");
+    if (!done) {
+      EXPECT_EQ(reply[2][1], "too-many"_sym) << write(reply);
+    }
+    (done ? acknowledged : refused).insert(reply[1].integer());
+  }
+  EXPECT_EQ(acknowledged.size(), most);
+  EXPECT_EQ(refused.size(), flood - most);
+  const Result<Answers> stand = board.ask(query("(query (note ?n x) (order ?n))"));
+  std::set<std::int64_t> standing;
+  for (const Answer& answer : stand->answers) standing.insert(answer.facts.front().datum[1].integer());
+  std::erase_if(standing, [](std::int64_t n) { return n < 0; });
+  EXPECT_EQ(standing, acknowledged);
+  EXPECT_EQ(refusals("flooder"), std::vector<Datum>{list("too-many"_sym, flood - most)});
+  // One that was done is answered as it was, however much else is refused.
+  EXPECT_TRUE(flooder.ask(tell(flooding, static_cast<int>(*acknowledged.rbegin()), 1))[2].is_form("ok"));
 }
 
 TEST_F(ServerTest, WhatIsRefusedIsToldWithACountAndTheNewestReason) {

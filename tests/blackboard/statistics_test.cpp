@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "blackboard/client/clock_offset.hpp"
+#include "blackboard/memory/client_requests.hpp"
 #include "blackboard/memory/latencies.hpp"
 #include "blackboard/time/random.hpp"
 #include "blackboard/time/virtual_executor.hpp"
@@ -83,6 +84,68 @@ TEST(Statistics, SayWhatWaitsForEachWatcher) {
   EXPECT_EQ(board.ask(query("(and (watcher-stats ?w ? ? ?) (note ?n ?))")).error().symbol, "bad-query");
   EXPECT_EQ(board.declare("test", {relation("(relation journey ((n integer)))")}).has_value(), true);
   EXPECT_FALSE(relation_from_datum(read("(relation watcher-stats ((n integer)))")).has_value());
+}
+
+// How many of so many requests, `apart` from one another, were served.
+int served(ClientRequests& requests, const std::string& client, Time& now, int count, Duration apart) {
+  int served = 0;
+  for (int i = 0; i < count; ++i, now += apart) served += requests.ask(client, now).has_value() ? 1 : 0;
+  return served;
+}
+
+TEST(ClientRequests, AloneAClientAsksAsFastAsItCan) {
+  ClientRequests requests;
+  Time now(100s);
+  EXPECT_EQ(served(requests, "alice", now, 100'000, 1us), 100'000);
+}
+
+TEST(ClientRequests, WhileOthersAskAFloodIsServedItsShareAndTheyAllThatTheyAsk) {
+  ClientRequests requests;
+  requests.set_limit({.most = 100, .window = 100ms});
+  Time now(100s);
+  int flooder = 0;
+  int polite = 0;
+  // Ten thousand a second, and one each 50 ms.
+  for (int i = 0; i < 20; ++i) {
+    polite += served(requests, "polite", now, 1, 1us);
+    flooder += served(requests, "flooder", now, 500, 100us);
+  }
+  EXPECT_EQ(polite, 20);
+  EXPECT_GE(flooder, 900);
+  EXPECT_LE(flooder, 1100);
+  EXPECT_EQ(served(requests, "polite", now, 100, 1us), 100) << "a hundred at once";
+  served(requests, "flooder", now, 100, 1us);
+  EXPECT_EQ(requests.ask("flooder", now).error().symbol, "too-many");
+  now += 1s;
+  EXPECT_EQ(served(requests, "flooder", now, 5000, 10us), 5000) << "nobody else asks any more";
+}
+
+TEST(ClientRequests, AreCountedByTheSecond) {
+  VirtualExecutor executor;
+  MemoryBoard board(executor);
+  ClientRequests& requests = board.statistics().requests();
+  requests.set_limit({.most = 2, .window = 100ms});
+  for (int i = 0; i < 3; ++i) {
+    [[maybe_unused]] const Result<void> first = requests.ask("alice", executor.now());
+    [[maybe_unused]] const Result<void> second = requests.ask("bob", executor.now());
+  }
+  executor.run_for(1s);
+  const Result<Answers> answers = board.ask(query("(client-stats ?client ?requests ?refused ?per-second)"));
+  ASSERT_EQ(answers->answers.size(), 2U);
+  EXPECT_EQ(answers->answers[0].facts.front().datum, read("(client-stats \"alice\" 3 1 3)"));
+  EXPECT_EQ(answers->answers[1].facts.front().datum, read("(client-stats \"bob\" 3 1 3)"));
+}
+
+TEST(ClientRequests, OfMoreNamesThanAreKeptAreCountedTogether) {
+  ClientRequests requests;
+  Time now(100s);
+  for (std::size_t i = 0; i < ClientRequests::most_clients + 10; ++i) {
+    EXPECT_EQ(served(requests, "client-" + std::to_string(i), now, 1, 1us), 1);
+  }
+  EXPECT_EQ(requests.clients(now).at("others").requests, 10U);
+  now += 61s;
+  EXPECT_EQ(served(requests, "newcomer", now, 1, 1us), 1);
+  EXPECT_LE(requests.clients(now).size(), 3U) << "who asked nothing for a minute is forgotten";
 }
 
 }  // namespace
