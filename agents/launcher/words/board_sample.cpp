@@ -83,6 +83,33 @@ Task<void> BoardSampler::add_queues(BoardSample& sample) {
   }
 }
 
+Task<void> BoardSampler::add_clients(BoardSample& sample) {
+  const Datum any = "?"_sym;
+  Datum asked = list("client-stats"_sym, any, any, any, any);
+  const Result<std::vector<Fact>> clients = co_await ask_about(std::move(asked));
+  std::map<std::string, ClientSample> by_name;
+  if (clients) {
+    for (const Fact& fact : *clients) {
+      by_name[std::string(fact.datum[1].text())].requests_per_second = fact.datum[4].integer();
+    }
+  }
+  Datum refused = list("board-refusal"_sym, any, any, any, any);
+  Result<std::vector<Fact>> refusals = co_await ask_about(std::move(refused));
+  if (refusals) {
+    std::ranges::sort(*refusals, {}, &Fact::revision);
+    for (const Fact& fact : *refusals) {
+      ClientSample& client = by_name[std::string(fact.datum[1].text())];
+      client.refused += fact.datum[3].integer();
+      client.newest_refusal = fact.datum[4].text();
+    }
+  }
+  for (auto& [name, client] : by_name) {
+    client.name = name;
+    sample.clients.push_back(std::move(client));
+  }
+  std::ranges::stable_sort(sample.clients, std::ranges::greater(), &ClientSample::requests_per_second);
+}
+
 BoardSampler::Counts BoardSampler::count(const std::vector<Fact>& statistics, Revision revision) const {
   Counts counts{.when = executor_.now(), .revision = revision, .told = {}, .tells = {}};
   for (const Fact& fact : statistics) {
@@ -121,7 +148,7 @@ Task<Result<BoardSample>> BoardSampler::next() {
   const Result<std::vector<Fact>> statistics_now = co_await statistics();
   if (!statistics_now) co_return fail(statistics_now);
   const Counts now = count(*statistics_now, revision_);
-  BoardSample sample{.revision = now.revision, .agents = {}, .relations = {}, .journey = {}};
+  BoardSample sample{.revision = now.revision, .agents = {}, .relations = {}, .clients = {}, .journey = {}};
   sample.transactions_per_second =
       rate(static_cast<std::int64_t>(now.revision), static_cast<std::int64_t>(before_.revision), now);
   for (const Fact& fact : *statistics_now) {
@@ -140,6 +167,7 @@ Task<Result<BoardSample>> BoardSampler::next() {
   if (!agents) co_return fail(agents);
   co_await add_journeys(sample);
   co_await add_queues(sample);
+  co_await add_clients(sample);
   const Result<Journey> journey = co_await travel();
   if (journey) sample.journey = *journey;
   // What the probes did counts for nobody's next rate.

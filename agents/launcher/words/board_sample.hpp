@@ -8,10 +8,10 @@
 //   co_await sleep(executor, 1s);
 //   Result<BoardSample> sample = co_await sampler.next();       // since begin(), or since the last
 //
-// How long the facts of a relation are under way their tellers and watchers say themselves (statistics.hpp). Where nobody
-// tells anything, a fact's journey is timed on facts of the sampler's own, (board-probe WHO N SENT-US), one key, gone with it: from
-// telling to the board's committing it (by the board's clock: on one machine the same), to the board's answer, and to
-// its arrival at a watcher. Who may not tell them has no journey to show.
+// How long the facts of a relation are under way their tellers and watchers say themselves (statistics.hpp). Where
+// nobody tells anything, a fact's journey is timed on facts of the sampler's own, (board-probe WHO N SENT-US), one key,
+// gone with it: from telling to the board's committing it (by the board's clock: on one machine the same), to the
+// board's answer, and to its arrival at a watcher. Who may not tell them has no journey to show.
 
 #include <map>
 #include <optional>
@@ -51,6 +51,14 @@ struct AgentSample {
   std::int64_t queued = 0;   // changes of what it watches that it has not read
 };
 
+// Of all clients of one name in other processes; "" are those that said no hello.
+struct ClientSample {
+  std::string name;
+  std::int64_t requests_per_second = 0;
+  std::int64_t refused = 0;  // since the board began
+  std::string newest_refusal = {};
+};
+
 // Medians, in microseconds.
 struct Journey {
   double committed_us = 0;
@@ -64,6 +72,7 @@ struct BoardSample {
   std::int64_t facts = 0;
   std::vector<AgentSample> agents;        // by name
   std::vector<RelationSample> relations;  // the busiest first
+  std::vector<ClientSample> clients;      // the busiest first
   std::optional<Journey> journey;
 };
 
@@ -88,6 +97,7 @@ class BoardSampler {
   Task<Result<std::vector<Fact>>> statistics();
   Task<void> add_journeys(BoardSample& sample);
   Task<void> add_queues(BoardSample& sample);
+  Task<void> add_clients(BoardSample& sample);
   Task<Result<void>> add_agents(BoardSample& sample, const Counts& now);
   Task<Result<Journey>> travel();
   Counts count(const std::vector<Fact>& statistics, Revision revision) const;

@@ -15,27 +15,50 @@ namespace pizarra {
 
 namespace {
 
-// The agents on the board by name, or nothing when it does not answer in time.
-Task<void> list_agents(RemoteBoard& board, std::vector<Fact>* out) {
-  Datum pattern = list("agent"_sym, "?"_sym, "?"_sym, "?"_sym);
-  Result<std::vector<Fact>> facts = co_await board.facts(std::move(pattern));
-  if (facts) *out = std::move(*facts);
+struct OnBoard {
+  std::vector<Fact> agents;
+  std::vector<Fact> refusals;  // board-refusal
+};
+
+// What the board says, or nothing of what it does not answer in time.
+Task<void> list_facts(RemoteBoard& board, OnBoard* out) {
+  Datum agent = list("agent"_sym, "?"_sym, "?"_sym, "?"_sym);
+  Result<std::vector<Fact>> agents = co_await board.facts(std::move(agent));
+  if (agents) out->agents = std::move(*agents);
+  if (!board.connected()) co_return;
+  Datum refusal = list("board-refusal"_sym, "?"_sym, "?"_sym, "?"_sym, "?"_sym);
+  Result<std::vector<Fact>> refusals = co_await board.facts(std::move(refusal));
+  if (refusals) out->refusals = std::move(*refusals);
 }
 
-std::vector<Fact> agents_on(const RunState& run) {
+OnBoard facts_on(const RunState& run) {
   RealExecutor executor;
-  std::vector<Fact> facts;
+  OnBoard facts;
   const Result<std::optional<ClientKeys>> keys = keys_from(run.key);
   if (!keys) return facts;
   const auto board = RemoteBoard::connect(executor, run.board_address, "ps", 2s, *keys);
   if (!board) return facts;
-  const Job job = executor.spawn(list_agents(**board, &facts));
+  const Job job = executor.spawn(list_facts(**board, &facts));
   executor.run_until([&job] { return job.done(); });
   return facts;
 }
 
+// Of (board-refusal CLIENT SYMBOL COUNT SENTENCE).
+void print_refusal(const RunState& run, const Datum& refusal, bool json) {
+  const std::string_view client = refusal[1].text();
+  const std::int64_t count = refusal[3].integer();
+  if (json) {
+    fmt::print("{{\"cell\":{},\"refused\":{},\"symbol\":{},\"count\":{},\"newest\":{}}}\n", json_string(run.cell),
+               json_string(client), json_string(refusal[2].text()), count, json_string(refusal[4].text()));
+    return;
+  }
+  fmt::print("  refused {} {}, {}: {}\n", client.empty() ? "who said no hello" : client,
+             counted(static_cast<std::size_t>(count), "time"), refusal[2].text(), refusal[4].text());
+}
+
 void print_run(const RunState& run, bool json) {
-  std::vector<Fact> agents = agents_on(run);
+  OnBoard on_board = facts_on(run);
+  std::vector<Fact>& agents = on_board.agents;
   if (!json)
     fmt::print("cell {} on {}, process {}, board {}\n", run.cell, run.host, run.supervisor_pid, run.board_address);
   const auto print = [&](std::string_view name, std::string_view kind, std::string_view host,
@@ -59,6 +82,7 @@ void print_run(const RunState& run, bool json) {
     if (fact != agents.end()) agents.erase(fact);
   }
   for (const Fact& agent : agents) print(agent.datum[1].text(), agent.datum[2].text(), agent.datum[3].text(), nullptr);
+  for (const Fact& refusal : on_board.refusals) print_refusal(run, refusal.datum, json);
 }
 
 int run_ps(bool json) {

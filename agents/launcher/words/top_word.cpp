@@ -18,6 +18,7 @@ namespace pizarra {
 namespace {
 
 constexpr std::size_t relations_shown = 20;
+constexpr std::size_t clients_shown = 20;
 
 struct TopChoices {
   BoardChoices board;
@@ -35,6 +36,27 @@ std::string spread_json(const Spread& spread) {
   if (spread.count == 0) return "null";
   return fmt::format("{{\"count\":{},\"p50\":{},\"p90\":{},\"p99\":{}}}", spread.count, spread.p50_us, spread.p90_us,
                      spread.p99_us);
+}
+
+void print_clients(const std::vector<ClientSample>& clients) {
+  fmt::print("\n{:<20} {:>10} {:>9}  {}\n", "CLIENT", "REQUESTS/S", "REFUSED", "NEWEST REFUSAL");
+  std::size_t shown = 0;
+  for (const ClientSample& client : clients) {
+    // Whoever is refused is shown, however little it asks.
+    if (client.refused == 0 && ++shown > clients_shown) continue;
+    fmt::print("{:<20} {:>10} {:>9}  {}\n", client.name.empty() ? "(no hello)" : client.name,
+               client.requests_per_second, client.refused, client.newest_refusal);
+  }
+}
+
+std::string clients_json(const std::vector<ClientSample>& clients) {
+  std::vector<std::string> objects;
+  for (const ClientSample& client : clients) {
+    objects.push_back(fmt::format("{{\"name\":{},\"requests_per_second\":{},\"refused\":{},\"newest_refusal\":{}}}",
+                                  json_string(client.name), client.requests_per_second, client.refused,
+                                  client.refused == 0 ? "null" : json_string(client.newest_refusal)));
+  }
+  return fmt::format("[{}]", fmt::join(objects, ","));
 }
 
 void print_text(const BoardSample& sample, const std::string& address) {
@@ -61,6 +83,7 @@ void print_text(const BoardSample& sample, const std::string& address) {
                relation.told_per_second, relation.watches, spread_text(relation.told), spread_text(relation.delivered),
                fmt::join(relation.tellers, " "));
   }
+  print_clients(sample.clients);
 }
 
 void print_json(const BoardSample& sample) {
@@ -89,9 +112,9 @@ void print_json(const BoardSample& sample) {
           : "null";
   fmt::print(
       "{{\"revision\":{},\"facts\":{},\"transactions_per_second\":{:.1f},\"journey\":{},\"agents\":[{}],"
-      "\"relations\":[{}]}}\n",
+      "\"relations\":[{}],\"clients\":{}}}\n",
       sample.revision, sample.facts, sample.transactions_per_second, journey, fmt::join(agents, ","),
-      fmt::join(relations, ","));
+      fmt::join(relations, ","), clients_json(sample.clients));
 }
 
 Task<void> show(const TopChoices& choices, const std::string& address, Executor& executor, Board& board, int& status) {
