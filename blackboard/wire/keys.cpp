@@ -12,6 +12,7 @@
 #include <unistd.h>
 #include <zmq.h>
 
+#include "blackboard/limits.hpp"
 #include "lisp/reader.hpp"
 #include "lisp/writer.hpp"
 
@@ -23,6 +24,15 @@ constexpr std::size_t key_length = 40;
 constexpr std::size_t raw_length = 32;
 constexpr std::size_t longest_name = 64;
 constexpr std::size_t most_key_files = 1024;
+
+constexpr const char* permitted_names =
+    "a relation is a name of at most 64 characters, a beginning with a star, or a star for all";
+
+// A relation's, or the beginning of some.
+bool is_permitted_name(std::string_view name) {
+  return name.size() <= limits::name_bytes && is_symbol_name(name) && name.front() != '?' &&
+         name.find('*') >= name.size() - 1;
+}
 
 bool is_key(const Datum& datum) {
   if (!datum.is_string() || datum.text().size() != key_length) return false;
@@ -68,9 +78,8 @@ Result<Permissions> read_permissions(const Source& source) {
     if (!listed->empty()) return bad_key(source, {0, i}, "this permission is given already");
     for (std::size_t n = 1; n < form[i].size(); ++n) {
       const Datum& relation = form[i][n];
-      const bool star_inside = relation.text().find('*') < relation.text().size() - 1;
-      if (!relation.is_symbol() || star_inside) {
-        return bad_key(source, {0, i, n}, "a relation is a name, a beginning with a star, or a star for all");
+      if (!relation.is_symbol() || !is_permitted_name(relation.text())) {
+        return bad_key(source, {0, i, n}, permitted_names);
       }
       listed->emplace_back(relation.text());
     }
@@ -142,6 +151,12 @@ Result<KeyPair> make_keys(const std::string& folder, const std::string& name, co
   if (!is_key_name(name)) {
     return fail("bad-name", "a key's name has letters, digits and dashes, a letter first, and 64 at most");
   }
+  for (const auto* listed : {&may.tell, &may.take, &may.read, &may.override_leases}) {
+    for (const std::string& relation : *listed) {
+      if (is_permitted_name(relation)) continue;
+      return fail("bad-name", permitted_names, is_string_text(relation) ? to_datum(relation) : Datum());
+    }
+  }
   std::error_code refused;
   if (std::filesystem::create_directories(folder, refused)) chmod(folder.c_str(), S_IRWXU);
   const std::string base = folder + "/" + name;
@@ -158,7 +173,10 @@ Result<KeyPair> make_keys(const std::string& folder, const std::string& name, co
   const Result<void> kept = write_new_file(base + ".secret", secret + "\n", S_IRUSR | S_IWUSR);
   if (!kept) return fail(kept);
   const Result<void> shown = write_new_file(base + ".key", public_key_text(pair, may), 0644);
-  if (!shown) return fail(shown);
+  if (!shown) {
+    std::filesystem::remove(base + ".secret", refused);
+    return fail(shown);
+  }
   return pair;
 }
 

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "blackboard/client/remote_board.hpp"
+#include "blackboard/limits.hpp"
 #include "blackboard/server/board_server.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "tests/blackboard/board_fixture.hpp"
@@ -310,14 +311,33 @@ TEST(KeyFiles, AreWrittenSoThatOnlyTheOwnerReadsTheSecretAndReadBack) {
   std::filesystem::remove_all(folder);
 }
 
+TEST(KeyFiles, AreNotMadeForWhatIsNoRelationAndNothingIsLeftBehind) {
+  const std::string folder = ipc_address().substr(6) + ".keys";
+  const std::string longest(limits::name_bytes, 'r');
+  for (const std::string& name :
+       {std::string(), std::string(" x"), std::string("a*b"), std::string("**"), std::string("?x"), std::string("12"),
+        std::string("."), std::string("a(b"), std::string("\xff"), std::string("a\0", 2), longest + "r"}) {
+    for (const Permissions& may : {Permissions{{"arm", name}, {}, {}, {}}, Permissions{{}, {name}, {}, {}},
+                                   Permissions{{}, {}, {name}, {}}, Permissions{{}, {}, {}, {name}}}) {
+      EXPECT_EQ(symbol_of(make_keys(folder, "robot", may)), "bad-name") << name;
+    }
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder));
+  const Permissions may{{"arm-*", longest}, {"*"}, {"<-*"}, {}};
+  ASSERT_EQ(symbol_of(make_keys(folder, "robot", may)), "ok");
+  EXPECT_EQ(read_public_key(folder + "/robot.key").value().may, may);
+  std::filesystem::remove_all(folder);
+}
+
 TEST(KeyFiles, SayWhereTheyAreWrong) {
   const std::string file = ipc_address().substr(6) + ".key";
   const std::string key(40, '0');
   for (const std::string& text :
        {std::string("(key)"), std::string("(key robot)"), "(key robot \"" + key.substr(1) + "\")",
         "(key \"robot\" \"" + key + "\")", "(key robot \"" + key + "\" (dance *))",
-        "(key robot \"" + key + "\" (tell a*b))", "(key robot \"" + key + "\" (tell \"arm\"))",
-        "(key robot \"" + key + "\" (tell a) (tell b))", "(key robot \"" + key + "\") (key)"}) {
+        "(key robot \"" + key + "\" (tell a*b))", "(key robot \"" + key + "\" (tell ?a))",
+        "(key robot \"" + key + "\" (tell \"arm\"))", "(key robot \"" + key + "\" (tell a) (tell b))",
+        "(key robot \"" + key + "\") (key)"}) {
     std::ofstream(file) << text;
     const Result<PublicKey> read = read_public_key(file);
     ASSERT_EQ(symbol_of(read), "bad-key") << text;
