@@ -73,7 +73,7 @@ std::optional<std::size_t> argument_of(const Datum& variable, const Datum& patte
 }
 
 // By what comparison NAME with a value leaves of it.
-void narrow(Range& range, std::string_view name, const Datum& value) {
+void narrow(ValueRange& range, std::string_view name, const Datum& value) {
   if (name == "=" || name == ">" || name == ">=") range.begin_at(value, name != ">");
   if (name == "=" || name == "<" || name == "<=") range.end_at(value, name != "<");
 }
@@ -87,15 +87,15 @@ std::string_view turned_round(std::string_view name) {
 }
 
 // Narrows what the arguments of a pattern may be, where one is compared with what is known.
-void narrow(std::vector<Range>& ranges, const Datum& pattern, const Datum& comparison) {
+void narrow(std::vector<ValueRange>& ranges, const Datum& pattern, const Datum& comparison) {
   if (comparison.is_form("/=")) return;
   for (const bool turned : {false, true}) {
     const Datum& variable = comparison[turned ? 2 : 1];
     const Datum& value = comparison[turned ? 1 : 2];
     const std::optional<std::size_t> argument = argument_of(variable, pattern);
     if (!is_variable(variable) || !is_ground(value) || !argument) continue;
-    auto range = std::ranges::find(ranges, *argument, &Range::argument);
-    if (range == ranges.end()) range = ranges.insert(range, Range{.argument = *argument});
+    auto range = std::ranges::find(ranges, *argument, &ValueRange::argument);
+    if (range == ranges.end()) range = ranges.insert(range, ValueRange{.argument = *argument});
     narrow(*range, turned ? turned_round(comparison.head()) : comparison.head(), value);
   }
 }
@@ -175,7 +175,7 @@ class Search {
     };
     const FactTable& table = tables_.find(form.head())->second;
     const Datum pattern = bindings.all().empty() ? form : substitute(form, bindings);
-    const std::vector<Range> ranges = ranges_for(pattern, step, bindings);
+    const std::vector<ValueRange> ranges = ranges_for(pattern, step, bindings);
     const bool ordered = ordered_step_ == step && table.visit_ordered(pattern, order_, ranges, consider);
     if (ordered_step_ == step && !ordered) collect_all();
     if (!ordered) table.visit_within(pattern, ranges, consider);
@@ -183,8 +183,8 @@ class Search {
     return go_on;
   }
 
-  std::vector<Range> ranges_for(const Datum& pattern, std::size_t step, const Bindings& bindings) const {
-    std::vector<Range> ranges;
+  std::vector<ValueRange> ranges_for(const Datum& pattern, std::size_t step, const Bindings& bindings) const {
+    std::vector<ValueRange> ranges;
     for (const std::size_t later : course_.subspan(step + 1)) {
       const auto& [kind, form] = query_.clauses[later];
       if (kind == Query::Clause::Kind::compare) narrow(ranges, pattern, substitute(form, bindings));

@@ -164,10 +164,10 @@ const OrderedIndex* FactTable::ordered_index_for(std::size_t argument) const {
   return &ordered_.emplace(argument, OrderedIndex(sorted.begin(), sorted.end(), before)).first->second;
 }
 
-std::vector<OrderedFacts> FactTable::ordered_within(const Datum& pattern, std::span<const Range> ranges) const {
+std::vector<OrderedFacts> FactTable::ordered_within(const Datum& pattern, std::span<const ValueRange> ranges) const {
   std::vector<OrderedFacts> within;
   if (ranges.empty() || is_few(candidates(pattern))) return within;
-  for (const Range& range : ranges) {
+  for (const ValueRange& range : ranges) {
     const OrderedIndex* index = ordered_index_for(range.argument);
     if (index != nullptr) within.push_back(facts_within(*index, range));
   }

@@ -76,7 +76,7 @@ class FactTable {
   // Facts outside of the ranges may be among those that it calls for, but no more than there are in the smallest of
   // them: it goes through the facts by id and through the ranges side by side, until one ends.
   template <class Visitor>
-  void visit_within(const Datum& pattern, std::span<const Range> ranges, Visitor&& visitor) const {
+  void visit_within(const Datum& pattern, std::span<const ValueRange> ranges, Visitor&& visitor) const {
     const std::vector<OrderedFacts> within = ordered_within(pattern, ranges);
     std::vector<OrderedFacts> left = within;
     std::optional<std::size_t> ended;
@@ -98,13 +98,13 @@ class FactTable {
   // By the argument's value, those with the same by id. False where that is not the way: there is no such index, or it
   // has called for as many facts as visit_within() would.
   template <class Visitor>
-  bool visit_ordered(const Datum& pattern, Order order, std::span<const Range> ranges, Visitor&& visitor) const {
+  bool visit_ordered(const Datum& pattern, Order order, std::span<const ValueRange> ranges, Visitor&& visitor) const {
     std::size_t left_of_pattern = candidates(pattern);
     const OrderedIndex* index = is_few(left_of_pattern) ? nullptr : ordered_index_for(order.argument);
     if (index == nullptr) return false;
-    Range own{.argument = order.argument};
-    std::vector<Range> others;
-    for (const Range& range : ranges) {
+    ValueRange own{.argument = order.argument};
+    std::vector<ValueRange> others;
+    for (const ValueRange& range : ranges) {
       if (range.argument == order.argument) own = range;
       if (range.argument != order.argument) others.push_back(range);
     }
@@ -147,7 +147,7 @@ class FactTable {
   const Index* index_for(Mask bound, Mask& used) const;
   // Null where looking through all is quicker, or there are too many.
   const OrderedIndex* ordered_index_for(std::size_t argument) const;
-  std::vector<OrderedFacts> ordered_within(const Datum& pattern, std::span<const Range> ranges) const;
+  std::vector<OrderedFacts> ordered_within(const Datum& pattern, std::span<const ValueRange> ranges) const;
   static bool is_few(std::size_t facts);
   static OrderedIndex::const_iterator first_with_value_of(const OrderedIndex& index, const StandingFact* standing) {
     return index.lower_bound(ByArgument::Edge{index.key_comp().value(standing), false});

@@ -4,21 +4,21 @@
 
 namespace pizarra {
 
-void Range::begin_at(const Datum& value, bool itself) {
+void ValueRange::begin_at(const Datum& value, bool itself) {
   const std::strong_ordering order = from ? compare_values(value, *from) : std::strong_ordering::greater;
   if (order < 0) return;
   from_itself = itself && (order > 0 || from_itself);
   from = value;
 }
 
-void Range::end_at(const Datum& value, bool itself) {
+void ValueRange::end_at(const Datum& value, bool itself) {
   const std::strong_ordering order = to ? compare_values(value, *to) : std::strong_ordering::less;
   if (order > 0) return;
   to_itself = itself && (order < 0 || to_itself);
   to = value;
 }
 
-bool Range::is_empty() const {
+bool ValueRange::is_empty() const {
   if (!from || !to) return false;
   const std::strong_ordering order = compare_values(*from, *to);
   return order > 0 || (order == 0 && !(from_itself && to_itself));
@@ -39,7 +39,7 @@ bool ByArgument::operator()(const Edge& a, const StandingFact* b) const {
   return order != 0 ? order < 0 : !a.after;
 }
 
-OrderedFacts facts_within(const OrderedIndex& index, const Range& range) {
+OrderedFacts facts_within(const OrderedIndex& index, const ValueRange& range) {
   if (range.is_empty()) return {index.end(), index.end()};
   const auto edge = [](const Datum& value, bool after) { return ByArgument::Edge{value, after}; };
   const auto first = range.from ? index.lower_bound(edge(*range.from, !range.from_itself)) : index.begin();

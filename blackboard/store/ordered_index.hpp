@@ -16,7 +16,7 @@
 namespace pizarra {
 
 // What an argument may be; without an end, anything on that side.
-struct Range {
+struct ValueRange {
   std::size_t argument = 0;
   std::optional<Datum> from = {};
   std::optional<Datum> to = {};
@@ -47,6 +47,6 @@ struct ByArgument {
 using OrderedIndex = std::set<const StandingFact*, ByArgument>;
 using OrderedFacts = std::ranges::subrange<OrderedIndex::const_iterator>;
 
-OrderedFacts facts_within(const OrderedIndex& index, const Range& range);
+OrderedFacts facts_within(const OrderedIndex& index, const ValueRange& range);
 
 }  // namespace pizarra
