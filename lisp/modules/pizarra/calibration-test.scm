@@ -26,7 +26,7 @@
   `((calibration (size 640 480) (lens ,@lens) (board 9 6 25) (errors 13 0.3) ,@sections)))
 (check "one camera alone has a lens" (interpret (single))
        '(ok ((640 480) (535.9 536 342.3 235.5 -0.26 -0.04 0 0 0.25) () () () (9 6 25) (13 0.3 0))))
-(check "one camera alone stands nowhere" (complaint (single '(translation -60 0 0))) '(1 unknown-section (0 5 0)))
-(check "a lens is whole" (complaint '((calibration (lens (focal 500 500))))) '(5 malformed (0 1)))
+(check "one camera alone stands nowhere" (complaint (single '(translation -60 0 0))) '(1 unknown-section (0 5)))
+(check "a lens is whole" (complaint '((calibration (lens (focal 500 500))))) '(5 malformed (0 1 2)))
 
 (finish-checks)
