@@ -32,7 +32,8 @@ bool finite(const std::vector<Joints>& waypoints) {
 Task<Result<void>> SimulatedArm::command(Datum request) {
   const Result<Message> answer = co_await link_.call(request, answer_time);
   if (answer) co_return Result<void>();
-  if (answer.error().symbol != "not-in-control") co_return fail(answer);
+  const bool forgotten = had_control_ && answer.error().symbol == "not-in-control";
+  if (!forgotten) co_return fail(answer);
   // A world that began anew has forgotten who had control of its arm; it has no alarm that this could reset.
   const Datum taking = list(device_, "take-control"_sym);
   const Result<Message> taken = co_await link_.call(taking, answer_time);
@@ -50,7 +51,12 @@ Task<Result<std::string>> SimulatedArm::identify() {
   co_return std::string(answer->head[0].text());
 }
 
-Task<Result<void>> SimulatedArm::take_control() { return command(list(device_, "take-control"_sym)); }
+Task<Result<void>> SimulatedArm::take_control() {
+  Datum request = list(device_, "take-control"_sym);
+  Result<void> taken = co_await command(std::move(request));
+  had_control_ = had_control_ || taken.has_value();
+  co_return taken;
+}
 
 Task<Result<void>> SimulatedArm::start_move(std::vector<Joints> waypoints, double speed) {
   const bool sound = std::isfinite(speed) && finite(waypoints);

@@ -25,6 +25,7 @@ class SimulatedArm : public ArmDriver {
   Task<Result<void>> command(Datum request);
   Link& link_;
   const Datum device_;
+  bool had_control_ = false;
 };
 
 }  // namespace pizarra
