@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <regex>
 #include <string>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -393,7 +394,10 @@ TEST(Plan, GivesUpInTimeWhereAFileCannotBeReadToItsEnd) {
   for (const std::string& files : {pipe + " " + problem("(on a b)"), domain() + " " + pipe}) {
     const Said said = in_time(files, "");
     EXPECT_EQ(said.status, 1) << said.text;
-    EXPECT_EQ(said.text, "pizarra: no plan was found in 0.2 s; there may be one\n");
+    // The time that it took: what was asked for, and on a busy machine a little more.
+    EXPECT_TRUE(
+        std::regex_match(said.text, std::regex(R"(pizarra: no plan was found in 0\.[2-9] s; there may be one\n)")))
+        << said.text;
     EXPECT_TRUE(in_time(files, "--json").text.starts_with("{\"error\"")) << in_time(files, "--json").text;
   }
 }
