@@ -23,6 +23,14 @@ class WiredRobot : public testing::Test {
     return answers.answers.empty() ? "" : write(answers.answers.front().facts.front().datum[2]);
   }
 
+  // Its answer is that of the request `turn`.
+  void begin_turn() {
+    Transaction request;
+    request.tell(form("(request turn robot (turn right 90))"));
+    ASSERT_TRUE(board.transact("user", request));
+    cell.executor.run_for(500ms);
+  }
+
   HsesCell cell;
   MemoryBoard board{cell.executor};
   int asked_ = 0;
@@ -44,10 +52,7 @@ TEST_F(WiredRobot, DoesItsOperationsOverALineThatLosesAFifth) {
 TEST_F(WiredRobot, SaysWhyTheControllerEndedAMotionAndGoesOnWhenAskedAnew) {
   const RobotLife life(cell.executor, board, cell.arm, up6());
   cell.executor.run_for(1s);
-  Transaction request;
-  request.tell(form("(request turn robot (turn right 90))"));
-  ASSERT_TRUE(board.transact("user", request));
-  cell.executor.run_for(500ms);
+  begin_turn();
   ASSERT_TRUE(cell.cabinet.obey("alarm 4321"));
   EXPECT_EQ(reply("turn"), R"((fail stopped "the controller has alarm 4321" 4321))");
   cell.executor.run_for(5s);
@@ -61,10 +66,7 @@ TEST_F(WiredRobot, SaysWhyTheControllerEndedAMotionAndGoesOnWhenAskedAnew) {
 TEST_F(WiredRobot, LeavesAlarmAndServosAsTheyAreWhenTheControllerIsBack) {
   const RobotLife life(cell.executor, board, cell.arm, up6());
   cell.executor.run_for(1s);
-  Transaction request;
-  request.tell(form("(request turn robot (turn right 90))"));
-  ASSERT_TRUE(board.transact("user", request));
-  cell.executor.run_for(500ms);
+  begin_turn();
   ASSERT_TRUE(cell.cabinet.obey("power off"));
   cell.executor.run_for(4s);
   ASSERT_TRUE(cell.cabinet.obey("power on"));

@@ -80,23 +80,28 @@ struct DrivenUniversal : DrivenLines<DrivenUniversal> {
   UniversalArm arm{executor, {rtde_line.near, script_line.near, dashboard_line.near}, model()};
 };
 
-template <bool serial>
-struct DrivenSimple : DrivenLines<DrivenSimple<serial>> {
-  static constexpr const char* name = serial ? "C500c" : "SimpleMessage";
-  static const ArmModel& model() { return crs_f3(); }
+struct SimpleCell : DrivenLines<SimpleCell> {
   // Until its drives are on.
-  DrivenSimple() { executor.run_for(300ms); }
+  explicit SimpleCell(const SimpleKind& kind_of_line) : kind(kind_of_line) { executor.run_for(300ms); }
+  static const ArmModel& model() { return crs_f3(); }
   std::vector<WirePair*> all_lines() { return {&motion, &state}; }
 
+  const SimpleKind kind;
   VirtualExecutor executor;
   MovingArm body{executor, crs_f3()};
   ArmCabinet cabinet{executor, body, crs_f3()};
-  SimpleEmulator emulator{cabinet, {.serial = serial}};
+  SimpleEmulator emulator{cabinet, kind};
   WirePair motion{executor};
   WirePair state{executor};
   Job moving{executor.spawn(serve_motion(executor, emulator, motion.far))};
   Job telling{executor.spawn(serve_state(executor, emulator, state.far))};
-  SimpleArm arm{executor, {motion.near, state.near, serial}, crs_f3()};
+  SimpleArm arm{executor, {motion.near, state.near, kind.serial, kind.order, kind.sign, kind.track}, crs_f3()};
+};
+
+template <bool serial>
+struct DrivenSimple : SimpleCell {
+  static constexpr const char* name = serial ? "C500c" : "SimpleMessage";
+  DrivenSimple() : SimpleCell({.serial = serial}) {}
 };
 
 using DrivenCells = testing::Types<DrivenHses, DrivenHost<EthernetCell>, DrivenHost<BscCell>, DrivenUniversal,

@@ -8,7 +8,7 @@
 #include "drivers/arm/arm_file.hpp"
 #include "drivers/simulation/controllers/arms/moving_arm.hpp"
 #include "drivers/simulation/controllers/arms/simple_emulator.hpp"
-#include "tests/drivers/arm/driven_arm.hpp"
+#include "tests/drivers/arm/driven_cells.hpp"
 #include "tests/drivers/wire/wire_pair.hpp"
 
 namespace pizarra {
@@ -20,21 +20,9 @@ struct Line {
 };
 
 // Over TCP in either order of octets, and over the C500C's serial lines.
-class Simple : public testing::TestWithParam<Line>, public DrivenArm<Simple> {
+class Simple : public testing::TestWithParam<Line>, protected SimpleCell {
  protected:
-  // Until its drives are on.
-  void SetUp() override { executor.run_for(300ms); }
-  friend DrivenArm<Simple>;
-  VirtualExecutor executor;
-  const SimpleKind kind = GetParam().kind;
-  MovingArm body{executor, crs_f3()};
-  ArmCabinet cabinet{executor, body, crs_f3()};
-  SimpleEmulator emulator{cabinet, kind};
-  WirePair motion{executor};
-  WirePair state{executor};
-  Job moving{executor.spawn(serve_motion(executor, emulator, motion.far))};
-  Job telling{executor.spawn(serve_state(executor, emulator, state.far))};
-  SimpleArm arm{executor, {motion.near, state.near, kind.serial, kind.order, kind.sign, kind.track}, crs_f3()};
+  Simple() : SimpleCell(GetParam().kind) {}
 };
 
 INSTANTIATE_TEST_SUITE_P(Over, Simple,

@@ -11,7 +11,7 @@
 #include "drivers/arm/universal/universal_arm.hpp"
 #include "drivers/simulation/controllers/arms/moving_arm.hpp"
 #include "drivers/simulation/controllers/arms/ur_emulator.hpp"
-#include "tests/drivers/arm/driven_arm.hpp"
+#include "tests/drivers/arm/driven_cells.hpp"
 #include "tests/drivers/wire/wire_pair.hpp"
 
 namespace pizarra {
@@ -22,21 +22,7 @@ const ArmModel& ur5e() {
   return model;
 }
 
-class Universal : public testing::Test, public DrivenArm<Universal> {
- protected:
-  friend DrivenArm<Universal>;
-  VirtualExecutor executor;
-  MovingArm body{executor, ur5e()};
-  ArmCabinet cabinet{executor, body, ur5e()};
-  UrEmulator emulator{cabinet};
-  WirePair rtde_line{executor};
-  WirePair script_line{executor};
-  WirePair dashboard_line{executor};
-  Job telling{executor.spawn(serve_rtde(executor, emulator, rtde_line.far))};
-  Job running{executor.spawn(serve_script(executor, emulator, script_line.far))};
-  Job answering{executor.spawn(serve_dashboard(executor, emulator, dashboard_line.far))};
-  UniversalArm arm{executor, {rtde_line.near, script_line.near, dashboard_line.near}, ur5e()};
-};
+class Universal : public testing::Test, protected DrivenUniversal {};
 
 // The maker's Denavit-Hartenberg parameters, multiplied out.
 Eigen::Isometry3d flange_by_maker(const Joints& joints) {
