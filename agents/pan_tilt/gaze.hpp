@@ -9,7 +9,7 @@
 
 #include <array>
 
-#include "lisp/camera_pose.hpp"
+#include "lisp/forms/camera_pose.hpp"
 
 namespace pizarra {
 

@@ -14,7 +14,7 @@
 
 #include "agents/runtime/agent.hpp"
 #include "drivers/pan_tilt/pan_tilt_driver.hpp"
-#include "lisp/camera_pose.hpp"
+#include "lisp/forms/camera_pose.hpp"
 
 namespace pizarra {
 

@@ -5,7 +5,7 @@
 
 #include "agents/repl/commands.hpp"
 #include "agents/repl/json_answers.hpp"
-#include "lisp/goal.hpp"
+#include "lisp/forms/goal.hpp"
 #include "lisp/reader.hpp"
 #include "lisp/writer.hpp"
 

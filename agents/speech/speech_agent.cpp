@@ -1,6 +1,6 @@
 #include "agents/speech/speech_agent.hpp"
 
-#include "lisp/sentence.hpp"
+#include "lisp/forms/sentence.hpp"
 #include "lisp/writer.hpp"
 
 namespace pizarra {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-#include "lisp/arm_names.hpp"
-#include "lisp/interpret.hpp"
+#include "lisp/forms/arm_names.hpp"
+#include "lisp/guile/interpret.hpp"
 #include "lisp/nearest.hpp"
 
 namespace pizarra {

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "lisp/interpret.hpp"
+#include "lisp/guile/interpret.hpp"
 
 namespace pizarra {
 namespace {

@@ -15,7 +15,7 @@
 #include <opencv2/core.hpp>
 #include <optional>
 
-#include "lisp/camera_setup.hpp"
+#include "lisp/forms/camera_setup.hpp"
 #include "lisp/result.hpp"
 
 namespace pizarra {

@@ -12,7 +12,7 @@
 
 #include "drivers/camera/calibration.hpp"
 #include "drivers/camera/stereo_camera.hpp"
-#include "lisp/camera_setup.hpp"
+#include "lisp/forms/camera_setup.hpp"
 
 namespace pizarra {
 

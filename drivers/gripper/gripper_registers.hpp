@@ -1,7 +1,7 @@
 #pragma once
 
 // Where a gripper has what in its 16-bit registers, as data: a cell file may say it of any gripper
-// (lisp/gripper_setup.hpp), and the emulated one has the same.
+// (lisp/forms/gripper_setup.hpp), and the emulated one has the same.
 //
 //   const GripperSetup setup;
 //   RegisterImage orders(orders_of(setup));
@@ -17,7 +17,7 @@
 #include <span>
 #include <vector>
 
-#include "lisp/gripper_setup.hpp"
+#include "lisp/forms/gripper_setup.hpp"
 
 namespace pizarra {
 

@@ -15,7 +15,7 @@
 
 #include "drivers/arm/arm_file.hpp"
 #include "drivers/camera/stereo_camera.hpp"
-#include "lisp/camera_pose.hpp"
+#include "lisp/forms/camera_pose.hpp"
 #include "lisp/result.hpp"
 
 namespace pizarra {

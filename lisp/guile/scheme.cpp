@@ -1,4 +1,4 @@
-#include "lisp/scheme.hpp"
+#include "lisp/guile/scheme.hpp"
 
 #include <cassert>
 #include <cstdlib>

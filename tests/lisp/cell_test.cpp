@@ -1,4 +1,4 @@
-#include "lisp/cell.hpp"
+#include "lisp/forms/cell.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "lisp/domain.hpp"
+#include "lisp/forms/domain.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "lisp/goal.hpp"
+#include "lisp/forms/goal.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,13 +4,13 @@
 #include <functional>
 #include <gtest/gtest.h>
 
-#include "lisp/cell.hpp"
-#include "lisp/domain.hpp"
-#include "lisp/goal.hpp"
-#include "lisp/micro_tasks.hpp"
-#include "lisp/perception.hpp"
-#include "lisp/scenario.hpp"
-#include "lisp/vision_reply.hpp"
+#include "lisp/forms/cell.hpp"
+#include "lisp/forms/domain.hpp"
+#include "lisp/forms/goal.hpp"
+#include "lisp/forms/micro_tasks.hpp"
+#include "lisp/forms/perception.hpp"
+#include "lisp/forms/scenario.hpp"
+#include "lisp/forms/vision_reply.hpp"
 #include "lisp/writer.hpp"
 #include "tests/lisp/random_datum.hpp"
 #include "tests/source_dir.hpp"

@@ -1,4 +1,4 @@
-#include "lisp/scenario.hpp"
+#include "lisp/forms/scenario.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
-#include "lisp/scheme.hpp"
+#include "lisp/guile/scheme.hpp"
 
 #include <gtest/gtest.h>
 #include <malloc.h>
 
-#include "lisp/interpret.hpp"
+#include "lisp/guile/interpret.hpp"
 #include "lisp/writer.hpp"
 #include "tests/lisp/random_datum.hpp"
 

@@ -1,4 +1,4 @@
-#include "lisp/vision_reply.hpp"
+#include "lisp/forms/vision_reply.hpp"
 
 #include <gtest/gtest.h>
 

@@ -80,6 +80,11 @@ TEST(IncludeRule, AgentsMeetThroughFactsAloneAndOnlyTheLauncherKnowsThemAll) {
   }
 }
 
+TEST(IncludeRule, EachRoomOfTheLanguageIncludesOnlyTheRoomsItStandsOn) {
+  const Rooms may = {{"", {}}, {"guile", {""}}, {"forms", {"", "guile"}}};
+  expect_rooms("lisp/", may);
+}
+
 TEST(IncludeRule, EachRoomOfTheBoardIncludesOnlyTheRoomsItStandsOn) {
   const Rooms may = {{"time", {}},
                      {"", {"time"}},

@@ -11,7 +11,7 @@
 #include <Eigen/Core>
 #include <array>
 
-#include "lisp/camera_pose.hpp"
+#include "lisp/forms/camera_pose.hpp"
 #include "lisp/result.hpp"
 
 namespace pizarra {

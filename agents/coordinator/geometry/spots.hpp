@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "lisp/cell.hpp"
+#include "lisp/forms/cell.hpp"
 
 namespace pizarra {
 

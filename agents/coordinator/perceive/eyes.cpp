@@ -1,6 +1,6 @@
 #include "agents/coordinator/perceive/eyes.hpp"
 
-#include "lisp/vision_reply.hpp"
+#include "lisp/forms/vision_reply.hpp"
 
 namespace pizarra {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "agents/coordinator/telling.hpp"
-#include "lisp/vision_reply.hpp"
+#include "lisp/forms/vision_reply.hpp"
 
 namespace pizarra {
 

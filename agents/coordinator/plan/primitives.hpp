@@ -23,7 +23,7 @@
 //
 // `close` and `release` change what is held: until the first of them an operation's preconditions must go on holding.
 
-#include "lisp/micro_tasks.hpp"
+#include "lisp/forms/micro_tasks.hpp"
 
 namespace pizarra {
 

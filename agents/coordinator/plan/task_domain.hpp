@@ -7,9 +7,9 @@
 
 #include "agents/coordinator/plan/triangle_table.hpp"
 #include "blackboard/relation.hpp"
-#include "lisp/domain.hpp"
-#include "lisp/micro_tasks.hpp"
-#include "lisp/perception.hpp"
+#include "lisp/forms/domain.hpp"
+#include "lisp/forms/micro_tasks.hpp"
+#include "lisp/forms/perception.hpp"
 
 namespace pizarra {
 

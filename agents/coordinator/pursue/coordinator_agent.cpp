@@ -3,7 +3,7 @@
 #include "agents/coordinator/pursue/contract.hpp"
 #include "agents/coordinator/pursue/pursuit.hpp"
 #include "agents/coordinator/telling.hpp"
-#include "lisp/goal.hpp"
+#include "lisp/forms/goal.hpp"
 #include "lisp/writer.hpp"
 
 namespace pizarra {

@@ -13,7 +13,7 @@
 #include "agents/launcher/story/director_report.hpp"
 #include "blackboard/board.hpp"
 #include "blackboard/time/executor.hpp"
-#include "lisp/scenario.hpp"
+#include "lisp/forms/scenario.hpp"
 
 namespace pizarra {
 

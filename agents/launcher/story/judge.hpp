@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "agents/launcher/story/truth.hpp"
-#include "lisp/domain.hpp"
-#include "lisp/perception.hpp"
+#include "lisp/forms/domain.hpp"
+#include "lisp/forms/perception.hpp"
 
 namespace pizarra {
 

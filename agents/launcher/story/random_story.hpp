@@ -5,8 +5,8 @@
 //   RandomStory story = random_story(cell, Random(seed));
 
 #include "blackboard/time/random.hpp"
-#include "lisp/domain.hpp"
-#include "lisp/scenario.hpp"
+#include "lisp/forms/domain.hpp"
+#include "lisp/forms/scenario.hpp"
 
 namespace pizarra {
 

@@ -15,7 +15,7 @@
 
 #include "agents/launcher/story/narrator.hpp"
 #include "agents/launcher/supervision/local_cell.hpp"
-#include "lisp/scenario.hpp"
+#include "lisp/forms/scenario.hpp"
 
 namespace pizarra {
 

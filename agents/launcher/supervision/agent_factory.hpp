@@ -15,7 +15,7 @@
 #include "drivers/camera/stereo_camera.hpp"
 #include "drivers/simulation/link.hpp"
 #include "drivers/simulation/world_config.hpp"
-#include "lisp/cell.hpp"
+#include "lisp/forms/cell.hpp"
 
 namespace pizarra {
 

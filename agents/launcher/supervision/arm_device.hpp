@@ -10,7 +10,7 @@
 
 #include "drivers/arm/arm_driver.hpp"
 #include "drivers/simulation/link.hpp"
-#include "lisp/cell.hpp"
+#include "lisp/forms/cell.hpp"
 
 namespace pizarra {
 

@@ -11,7 +11,7 @@
 #include <optional>
 #include <string>
 
-#include "lisp/camera_setup.hpp"
+#include "lisp/forms/camera_setup.hpp"
 #include "lisp/result.hpp"
 
 namespace pizarra {

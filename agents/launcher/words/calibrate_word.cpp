@@ -10,7 +10,7 @@
 #include "agents/launcher/words/words.hpp"
 #include "drivers/camera/chessboard.hpp"
 #include "drivers/camera/stereo_geometry.hpp"
-#include "lisp/cell.hpp"
+#include "lisp/forms/cell.hpp"
 #include "lisp/json.hpp"
 
 namespace pizarra {

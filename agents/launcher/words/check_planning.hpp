@@ -8,7 +8,7 @@
 
 #include <optional>
 
-#include "lisp/planning_files.hpp"
+#include "lisp/forms/planning_files.hpp"
 
 namespace pizarra {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "lisp/cell.hpp"
-#include "lisp/goal.hpp"
+#include "lisp/forms/cell.hpp"
+#include "lisp/forms/goal.hpp"
 
 namespace pizarra {
 

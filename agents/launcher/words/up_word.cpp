@@ -17,7 +17,7 @@
 #include "blackboard/journal/journal_file.hpp"
 #include "blackboard/streams/listen_address.hpp"
 #include "blackboard/time/real_executor.hpp"
-#include "lisp/cell.hpp"
+#include "lisp/forms/cell.hpp"
 
 namespace pizarra {
 

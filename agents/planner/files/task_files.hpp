@@ -1,12 +1,12 @@
 #pragma once
 
-// Planning tasks from files, in PDDL or the thesis' language: see lisp/planning_files.hpp for what is understood.
+// Planning tasks from files, in PDDL or the thesis' language: see lisp/forms/planning_files.hpp for what is understood.
 //
 //   const Result<PlanningTask> task = read_task_files("domain.pddl", "problem.pddl");
 //   const Result<Problem> problem = ground(*task);
 
 #include "agents/planner/task/task.hpp"
-#include "lisp/planning_files.hpp"
+#include "lisp/forms/planning_files.hpp"
 
 namespace pizarra {
 

@@ -1,4 +1,4 @@
-;; The cameras of a cell that are not simulated: see lisp/camera_setup.hpp for what is said of them.
+;; The cameras of a cell that are not simulated: see lisp/forms/camera_setup.hpp for what is said of them.
 ;;
 ;; (camera-of-section NODE), NODE the section (camera ARRANGEMENT OPTION ...) of a cell file, answers
 ;;   (ARRANGEMENT ((KIND WHERE) ...) (WIDTH HEIGHT) RATE EXPOSURE TONES SKEW CALIBRATION FOCAL BASE-LINE LEARNED-AT)

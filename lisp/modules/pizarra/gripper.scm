@@ -1,4 +1,4 @@
-;; The gripper of a cell that has a controller of its own: see lisp/gripper_setup.hpp for what is said of it.
+;; The gripper of a cell that has a controller of its own: see lisp/forms/gripper_setup.hpp for what is said of it.
 ;;
 ;; (gripper-of-section NODE), NODE the section (gripper (driver ...) OPTION ...) of an arm, answers
 ;;   (PROTOCOL PLACE PORT UNIT (CLOSED-MM OPEN-MM) (CLOSED-COUNT OPEN-COUNT) SPEED FORCE ((REGISTER LOW-BIT BITS) ...))

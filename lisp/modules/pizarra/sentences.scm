@@ -1,4 +1,4 @@
-;; Plain English for an arm and its cell: see lisp/sentence.hpp.
+;; Plain English for an arm and its cell: see lisp/forms/sentence.hpp.
 ;;
 ;; (interpret WORDS), symbols and numbers, answers (errors ...) or (ok (AGENT OPERATION)): AGENT `robot` and one of its
 ;; operations, or `coordinator` and (goal FACT).

@@ -1,4 +1,4 @@
-;; STRIPS domain files: see lisp/domain.hpp for the language.
+;; STRIPS domain files: see lisp/forms/domain.hpp for the language.
 ;;
 ;; (interpret DATA), the data of a file, answers (errors ...) or
 ;;   (ok (domain NAME (TYPE ...) ((PREDICATE (ARGUMENT TYPE) ...) ...) ((OBJECT TYPE) ...) (FACT ...)

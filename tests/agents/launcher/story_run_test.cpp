@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <sstream>
 
-#include "lisp/arm_names.hpp"
+#include "lisp/forms/arm_names.hpp"
 #include "tests/scratch.hpp"
 #include "tests/source_dir.hpp"
 

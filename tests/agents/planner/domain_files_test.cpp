@@ -5,7 +5,7 @@
 #include "agents/planner/agent/planner_forms.hpp"
 #include "agents/planner/graphplan/graphplan.hpp"
 #include "agents/planner/task/grounding.hpp"
-#include "lisp/domain.hpp"
+#include "lisp/forms/domain.hpp"
 #include "tests/agents/planner/planning_domains.hpp"
 #include "tests/source_dir.hpp"
 

@@ -5,7 +5,7 @@
 #include "blackboard/time/random.hpp"
 #include "drivers/arm/arm_file.hpp"
 #include "drivers/arm/posture.hpp"
-#include "lisp/arm_names.hpp"
+#include "lisp/forms/arm_names.hpp"
 #include "lisp/reader.hpp"
 
 // What the seventeen operations mean is the same for every arm that comes with the tree.

@@ -8,7 +8,7 @@
 #include "drivers/arm/arm_file.hpp"
 #include "drivers/arm/kinematics.hpp"
 #include "drivers/arm/posture.hpp"
-#include "lisp/arm_names.hpp"
+#include "lisp/forms/arm_names.hpp"
 #include "tests/bench/arms/rows.hpp"
 #include "tests/bench/measure.hpp"
 

@@ -1,6 +1,6 @@
-#include "lisp/vision_reply.hpp"
+#include "lisp/forms/vision_reply.hpp"
 
-#include "lisp/interpret.hpp"
+#include "lisp/guile/interpret.hpp"
 
 namespace pizarra {
 

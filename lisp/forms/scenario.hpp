@@ -23,7 +23,7 @@
 #include <string>
 #include <vector>
 
-#include "lisp/cell.hpp"
+#include "lisp/forms/cell.hpp"
 
 namespace pizarra {
 

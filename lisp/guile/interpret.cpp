@@ -1,9 +1,9 @@
-#include "lisp/interpret.hpp"
+#include "lisp/guile/interpret.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 
-#include "lisp/scheme.hpp"
+#include "lisp/guile/scheme.hpp"
 
 namespace pizarra {
 

@@ -1,4 +1,4 @@
-#include "lisp/arm_names.hpp"
+#include "lisp/forms/arm_names.hpp"
 
 #include <algorithm>
 #include <filesystem>

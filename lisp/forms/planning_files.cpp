@@ -1,9 +1,9 @@
-#include "lisp/planning_files.hpp"
+#include "lisp/forms/planning_files.hpp"
 
 #include <algorithm>
 
-#include "lisp/domain.hpp"
-#include "lisp/interpret.hpp"
+#include "lisp/forms/domain.hpp"
+#include "lisp/guile/interpret.hpp"
 
 namespace pizarra {
 

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "lisp/domain.hpp"
+#include "lisp/forms/domain.hpp"
 
 namespace pizarra {
 

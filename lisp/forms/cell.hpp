@@ -42,9 +42,9 @@
 #include <string>
 #include <vector>
 
-#include "lisp/camera_pose.hpp"
-#include "lisp/camera_setup.hpp"
-#include "lisp/gripper_setup.hpp"
+#include "lisp/forms/camera_pose.hpp"
+#include "lisp/forms/camera_setup.hpp"
+#include "lisp/forms/gripper_setup.hpp"
 #include "lisp/reader.hpp"
 
 namespace pizarra {

@@ -1,12 +1,12 @@
-#include "lisp/cell.hpp"
+#include "lisp/forms/cell.hpp"
 
 #include <filesystem>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "lisp/arm_names.hpp"
-#include "lisp/file_paths.hpp"
-#include "lisp/interpret.hpp"
+#include "lisp/forms/arm_names.hpp"
+#include "lisp/forms/file_paths.hpp"
+#include "lisp/guile/interpret.hpp"
 #include "lisp/nearest.hpp"
 
 namespace pizarra {

@@ -1,9 +1,9 @@
-#include "lisp/goal.hpp"
+#include "lisp/forms/goal.hpp"
 
 #include <algorithm>
 #include <cctype>
 
-#include "lisp/interpret.hpp"
+#include "lisp/guile/interpret.hpp"
 
 namespace pizarra {
 

@@ -1,9 +1,9 @@
-#include "lisp/domain.hpp"
+#include "lisp/forms/domain.hpp"
 
 #include <algorithm>
 #include <cassert>
 
-#include "lisp/interpret.hpp"
+#include "lisp/guile/interpret.hpp"
 
 namespace pizarra {
 

@@ -1,9 +1,9 @@
-#include "lisp/sentence.hpp"
+#include "lisp/forms/sentence.hpp"
 
 #include <algorithm>
 #include <cctype>
 
-#include "lisp/interpret.hpp"
+#include "lisp/guile/interpret.hpp"
 
 namespace pizarra {
 

@@ -7,7 +7,7 @@
 //   Result<MicroTasks> tasks = MicroTasks::read(source, {{"PICK-UP", 1}}, motions);
 //   Result<std::vector<Datum>> steps = tasks->expand(operation);     // (raise) (align circle) ...
 
-#include "lisp/perception.hpp"
+#include "lisp/forms/perception.hpp"
 
 namespace pizarra {
 

@@ -1,7 +1,7 @@
-#include "lisp/perception.hpp"
+#include "lisp/forms/perception.hpp"
 
-#include "lisp/interpret.hpp"
-#include "lisp/scheme.hpp"
+#include "lisp/guile/interpret.hpp"
+#include "lisp/guile/scheme.hpp"
 
 namespace pizarra {
 

@@ -1,7 +1,7 @@
-#include "lisp/scenario.hpp"
+#include "lisp/forms/scenario.hpp"
 
-#include "lisp/file_paths.hpp"
-#include "lisp/interpret.hpp"
+#include "lisp/forms/file_paths.hpp"
+#include "lisp/guile/interpret.hpp"
 
 namespace pizarra {
 
