@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "blackboard/time/pace.hpp"
+#include "drivers/arm/meeting.hpp"
 #include "lisp/writer.hpp"
 
 namespace pizarra {
@@ -44,40 +45,40 @@ void ArmControl::let_go() {
   ended_.wake_all();
 }
 
+Task<Result<ArmReading>> ArmControl::find() {
+  const Result<ArmMeeting> met = co_await meet_arm(context_.executor, driver_, model_);
+  if (!met) co_return fail(met);
+  if (met->was_stopped) found_moving_ = true;
+  facts_.set_reading(model_, met->reading);
+  co_return met->reading;
+}
+
 Task<Result<void>> ArmControl::connect() {
-  const Result<std::string> type = co_await driver_.identify();
-  if (!type) co_return fail(type);
-  if (*type != model_.type) {
-    co_return fail("unknown-arm",
-                   fmt::format("the controller is of a {}, and the cell describes a {}", *type, model_.type),
-                   to_datum(*type));
+  const Result<ArmReading> found = co_await find();
+  if (!found) co_return fail(found);
+  const bool in_trouble = found->trouble && found->trouble->kind != ArmTrouble::Kind::off;
+  if (!known_ && !in_trouble) {
+    const Result<void> on = co_await switch_on();
+    if (!on) co_return on;
   }
-  if (!known_) {
-    const Result<void> met = co_await meet();
-    if (!met) co_return met;
-  }
-  const Result<ArmReading> reading = co_await driver_.read();
-  if (!reading) co_return fail(reading);
   known_ = true;
-  facts_.set_reading(model_, *reading);
-  if (reading->moving) {
-    const Result<void> halted = co_await halt();
-    if (!halted) co_return halted;
+  if (found_moving_) {
+    facts_.set_arm("stopped", "STOPPED_AT_RESTART");
+  } else {
+    facts_.set_arm("idle");
   }
-  facts_.set_arm("idle");
+  found_moving_ = false;
   connected_ = true;
   co_return {};
 }
 
-// The agent's first sight of the controller: servos that are merely off are switched on.
-Task<Result<void>> ArmControl::meet() {
+// One that gives no control is monitored all the same.
+Task<Result<void>> ArmControl::switch_on() {
+  const Result<void> control = co_await driver_.take_control();
+  if (!control && control.error().symbol != "not-in-control") co_return control;
   const Result<ArmReading> reading = co_await driver_.read();
   if (!reading) co_return fail(reading);
-  const bool in_trouble = reading->trouble && reading->trouble->kind != ArmTrouble::Kind::off;
-  if (in_trouble) co_return Result<void>();
-  const Result<void> control = co_await driver_.take_control();
-  // One that gives no control is monitored all the same.
-  if (!control && control.error().symbol != "not-in-control") co_return control;
+  facts_.set_reading(model_, *reading);
   co_return Result<void>();
 }
 
@@ -88,17 +89,6 @@ Task<Result<void>> ArmControl::get_control() {
   if (!reading) co_return fail(reading);
   facts_.set_arm("idle");
   co_return Result<void>();
-}
-
-Task<Result<void>> ArmControl::halt() {
-  facts_.set_arm("stopped", "STOPPED_AT_RESTART");
-  const Result<void> told = co_await facts_.tell();
-  if (!told) co_return told;
-  const Result<void> stopping = co_await driver_.stop();
-  if (!stopping) co_return stopping;
-  const Result<ArmReading> reading = co_await until_ended(false, stopping_time);
-  if (!reading) co_return fail(reading);
-  co_return {};
 }
 
 void ArmControl::lose(const Failure& why) {

@@ -7,9 +7,9 @@
 // from then on only when somebody asks for it: a controller that had an alarm, lost its power or was locked keeps its
 // servos off until then, and a motion is refused with its reason.
 //
-// Lifecycle: connect(); keep_watch() runs beside it for as long as it lives (tells what changes by itself, connects
-// again after the controller was away). A motion: take_in_hand(), then follow() or grip(), then the InHand
-// goes.
+// Lifecycle: find(), where what moves should stop before anybody may be obeyed; connect(); keep_watch() runs beside it
+// for as long as it lives (tells what changes by itself, connects again after the controller was away). A motion:
+// take_in_hand(), then follow() or grip(), then the InHand goes.
 //
 //   const Result<InHand> in_hand = control.take_in_hand(operation);   // or busy, disconnected
 //   const Result<void> moved = co_await control.follow(reading.joints, waypoints, 1.0);
@@ -55,7 +55,9 @@ class ArmControl {
         tell_period_(std::chrono::duration_cast<Duration>(std::chrono::duration<double>(1 / told_per_s))),
         ended_(context.executor) {}
 
-  // Asks the type, and stops what moves: nobody is left who could answer for that move.
+  // Asks which arm it is, and stops what moves: nobody is left who could answer for that move.
+  Task<Result<ArmReading>> find();
+  // The same, and switches its servos on where the controller was not met before.
   Task<Result<void>> connect();
   // Resets alarms, switches servos on, releases brakes: what somebody asked for who knows why they were as they were.
   Task<Result<void>> get_control();
@@ -83,8 +85,7 @@ class ArmControl {
 
  private:
   friend class InHand;
-  Task<Result<void>> halt();
-  Task<Result<void>> meet();
+  Task<Result<void>> switch_on();
   Task<Result<ArmReading>> until_ended(bool gripper, Duration longest);
   Task<void> look();
   Task<void> tell_on_the_way();
@@ -101,6 +102,7 @@ class ArmControl {
   const Duration tell_period_;  // while something changes
   bool telling_ = false;        // on the way, and not yet acknowledged
   bool known_ = false;          // the controller has said once that it is of this arm
+  bool found_moving_ = false;   // and was stopped, which is not told yet
   bool connected_ = false;
   std::string why_lost_;
   std::optional<Datum> running_;

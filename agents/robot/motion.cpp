@@ -173,25 +173,6 @@ Result<Joints> find_variable(const ArmVariables& variables, std::string_view nam
               Datum::symbol(name));
 }
 
-Result<Motion> rest_of(Motion motion, const Joints& start, const Joints& at) {
-  constexpr double astray_deg = 10;
-  const auto distance = [&at](const Joints& waypoint) {
-    double furthest = 0;
-    for (std::size_t axis = 0; axis < waypoint.size(); ++axis) {
-      furthest = std::max(furthest, std::abs(waypoint[axis] - at[axis]));
-    }
-    return furthest;
-  };
-  // A joint move of one waypoint passes anything between its ends.
-  if (motion.waypoints.size() < 2) return motion;
-  const auto nearest = std::ranges::min_element(motion.waypoints, {}, distance);
-  if (distance(*nearest) > astray_deg && distance(start) > astray_deg) {
-    return fail("stopped", "the arm is no longer where this motion was cut off");
-  }
-  motion.waypoints.erase(motion.waypoints.begin(), nearest);
-  return motion;
-}
-
 Result<double> amount_in(const Datum& given, double low, double high, std::string_view unit) {
   const double value = given.number();
   if (value >= low && value <= high) return value;

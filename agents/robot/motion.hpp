@@ -1,7 +1,7 @@
 #pragma once
 
 // What a motion operation means for an arm that stands somewhere: the waypoints to follow, or why not. Pure: the same
-// arm, place and variables give the same motion, so a motion can be planned again after a restart.
+// arm, place and variables give the same motion.
 //
 // Extend and retract move in the plane that axis 1 turns, and are clamped to what the arm can reach, as are the turns;
 // move-h and move-v name a place (the current one plus the increment), to which a track may help, and are refused when
@@ -42,10 +42,6 @@ Result<void> check_room(const ArmModel& model, const std::optional<Room>& room, 
 
 // The joints of a learned variable; the failure names the nearest.
 Result<Joints> find_variable(const ArmVariables& variables, std::string_view name);
-
-// What is left of a motion for an arm that was stopped on its way: the waypoints from the nearest on. Failure `stopped`
-// where the arm is further than 10 degrees from all of them.
-Result<Motion> rest_of(Motion motion, const Joints& start, const Joints& at);
 
 // A number given by a caller: at least `low`, at most `high`.
 Result<double> amount_in(const Datum& given, double low, double high, std::string_view unit);

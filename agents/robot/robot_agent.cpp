@@ -26,10 +26,16 @@ bool only_monitors(const Datum& operation) {
 
 Datum answer(bool done) { return list(done ? "true"_sym : "false"_sym); }
 
-// A motion that was cut off by the end of the agent that ran it.
-struct CutOff {
-  Datum operation;
-  Joints start;
+// What a reply says, as a handler does.
+Result<Datum> result_of(const Datum& reply) {
+  if (reply.is_form("fail")) return fail(failure_from_datum(reply));
+  return Datum::list({reply.items().begin() + 1, reply.items().end()});
+}
+
+// The newest motion of an earlier life, and what its request is answered.
+struct EarlierMotion {
+  Datum request;
+  Result<Datum> answer;
 };
 
 }  // namespace
@@ -54,7 +60,7 @@ struct RobotAgent::State {
   Reflex reflex;
   ArmVariables variables;
   double speed_percent = 100;
-  std::optional<CutOff> cut_off;
+  std::optional<EarlierMotion> earlier;
   Job watch;
   Service service;  // last, because its jobs use all the others
 
@@ -65,18 +71,20 @@ struct RobotAgent::State {
 
   Task<Result<Datum>> handle(Fact request);
   Task<Result<Datum>> answer_monitor(Datum operation);
-  Task<Result<Datum>> refuse(Failure why);
+  Task<Result<Datum>> answer_with(Result<Datum> known);
   Task<Result<Datum>> get_status();
-  Task<Result<Datum>> move(Datum operation, std::string client);
-  Task<Result<Datum>> gripper(Datum operation, std::string client);
+  Task<Result<Datum>> move(Fact request);
+  Task<Result<Datum>> gripper(Fact request);
+  Task<Result<Datum>> carry_out(Fact request, Task<Result<void>> motion);
   Task<Result<Datum>> speed(Datum operation);
   Task<Result<Datum>> learn(Datum operation);
   Task<Result<Datum>> monitor();
   Task<Result<Datum>> finish(Datum operation);
   Task<Result<Datum>> get_control(Datum operation);
 
-  Result<Motion> plan(const Datum& operation, const Joints& at, Joints& start);
-  Task<Result<void>> tell_end(std::optional<Failure> failure, Transaction with);
+  Datum motion_fact(const Datum& request, const Datum& outcome) const {
+    return list("robot-motion"_sym, name, request, outcome);
+  }
 };
 
 RobotAgent::RobotAgent(AgentContext context, ArmDriver& driver, ArmModel model, RobotOptions options)
@@ -87,6 +95,9 @@ RobotAgent::~RobotAgent() = default;
 Task<Result<void>> RobotAgent::run() { return state_->run(); }
 
 Task<Result<void>> RobotAgent::State::run() {
+  // At once: what an earlier life of this agent began may go on, and its name is taken for as long as its lease. One
+  // that is not there yet is waited for below.
+  [[maybe_unused]] const Result<ArmReading> found = co_await control.find();
   const Result<void> started = co_await service.start();
   if (!started) co_return started;
   const Result<void> restored = co_await restore();
@@ -124,13 +135,15 @@ Task<Result<void>> RobotAgent::State::restore() {
   const Result<std::vector<Fact>> speeds = co_await known(speed_fact);
   if (!speeds) co_return fail(speeds);
   for (const Fact& fact : *speeds) speed_percent = amount_in(fact.datum[2], 1, 100, "percent").value_or(100);
-  const Datum move_fact = list("robot-move"_sym, name, any, any);
-  const Result<std::vector<Fact>> moves = co_await known(move_fact);
-  if (!moves) co_return fail(moves);
-  for (const Fact& fact : *moves) {
-    const std::optional<Joints> start = joints_from_datum(fact.datum[3]);
-    const bool fits = start && start->size() == model.axes.size();
-    if (fits) cut_off = CutOff{fact.datum[2], *start};
+  const Datum any_motion = motion_fact(any, any);
+  const Result<std::vector<Fact>> motions = co_await known(any_motion);
+  if (!motions) co_return fail(motions);
+  for (const Fact& fact : *motions) {
+    const Datum& outcome = fact.datum[3];
+    const bool ended = outcome.is_form("ok") || outcome.is_form("fail");
+    earlier.emplace(fact.datum[2],
+                    fail("stopped", "the robot agent began anew while it did this, and stopped the arm"));
+    if (ended) earlier->answer = result_of(outcome);
   }
   co_return {};
 }
@@ -152,10 +165,11 @@ Task<Result<void>> RobotAgent::State::connect() {
 Task<Result<Datum>> RobotAgent::State::handle(Fact request) {
   Datum operation = request.datum[3];
   if (only_monitors(operation)) return answer_monitor(std::move(operation));
+  if (earlier && earlier->request == request.datum[1]) return answer_with(earlier->answer);
   const Result<void> allowed = reflex.allows(request.teller);
-  if (!allowed) return refuse(allowed.error());
-  if (is_motion(operation)) return move(std::move(operation), std::move(request.teller));
-  if (operation.is_form("gripper")) return gripper(std::move(operation), std::move(request.teller));
+  if (!allowed) return answer_with(fail(allowed));
+  if (is_motion(operation)) return move(std::move(request));
+  if (operation.is_form("gripper")) return gripper(std::move(request));
   if (operation.is_form("speed")) return speed(std::move(operation));
   if (operation.is_form("learn")) return learn(std::move(operation));
   return get_control(std::move(operation));
@@ -167,87 +181,64 @@ Task<Result<Datum>> RobotAgent::State::answer_monitor(Datum operation) {
   return get_status();
 }
 
-Task<Result<Datum>> RobotAgent::State::refuse(Failure why) { co_return fail(why); }
+Task<Result<Datum>> RobotAgent::State::answer_with(Result<Datum> known) { co_return known; }
 
 Task<Result<Datum>> RobotAgent::State::get_status() { co_return list(facts.action()); }
 
-// The motion from where the arm is, or the rest of the same one that was cut off; `start` is where it began.
-Result<Motion> RobotAgent::State::plan(const Datum& operation, const Joints& at, Joints& start) {
-  const bool again = cut_off && cut_off->operation == operation;
-  start = again ? cut_off->start : at;
-  Result<Motion> motion = plan_motion(model, operation, start, variables);
-  if (!motion) return motion;
-  const Result<void> inside = check_room(model, room, start, motion->waypoints);
-  if (!inside) return fail(inside);
-  // Whatever moves now, an earlier motion is not gone on with any more.
-  cut_off.reset();
-  if (!again) return motion;
-  return rest_of(std::move(*motion), start, at);
-}
-
-Task<Result<Datum>> RobotAgent::State::move(Datum operation, std::string client) {
+Task<Result<Datum>> RobotAgent::State::move(Fact request) {
+  const Datum operation = request.datum[3];
   const Result<InHand> in_hand = control.take_in_hand(operation);
   if (!in_hand) co_return fail(in_hand);
   const Result<ArmReading> reading = co_await control.read();
   if (!reading) co_return fail(reading);
-  Joints start;
-  Result<Motion> motion = plan(operation, reading->joints, start);
+  const Joints at = reading->joints;
+  Result<Motion> motion = plan_motion(model, operation, at, variables);
   if (!motion) co_return fail(motion);
-  Transaction end;
-  end.retract(list("robot-move"_sym, name, "?"_sym, "?"_sym));
+  const Result<void> inside = check_room(model, room, at, motion->waypoints);
+  if (!inside) co_return fail(inside);
   if (motion->waypoints.empty()) {
     facts.set_arm("idle", write(operation));
-    const Result<void> told = co_await facts.tell_surely(std::move(end));
+    const Result<void> told = co_await facts.tell_surely();
     if (!told) co_return fail(told);
     co_return answer(!motion->at_limit);
   }
-  facts.set_arm("moving", write(operation));
-  // Awaited before anything moves, a round trip of the board: had the arm begun and this agent died before the board
-  // had it, its successor would be asked for the same and add it to what was moved already.
-  Transaction begin;
-  begin.tell(list("robot-move"_sym, name, operation, joints_to_datum(start)));
-  const Result<void> begun = co_await facts.tell_surely(std::move(begin));
-  if (!begun) co_return fail(begun);
   const double speed_part = speed_percent / 100;
-  const Joints at = reading->joints;
-  const Job watching = context.executor.spawn(reflex.watch_motion(client, service.presence()));
-  const Result<void> moved = co_await control.follow(at, std::move(motion->waypoints), speed_part);
-  std::optional<Failure> failure;
-  if (!moved) failure = moved.error();
-  const Result<void> told = co_await tell_end(failure, std::move(end));
-  if (!moved) co_return fail(moved);
-  if (!told) co_return fail(told);
-  co_return answer(true);
+  Task<Result<void>> following = control.follow(at, std::move(motion->waypoints), speed_part);
+  co_return co_await carry_out(std::move(request), std::move(following));
 }
 
-// How a motion ended, with the arm's last reading, before its reply.
-Task<Result<void>> RobotAgent::State::tell_end(std::optional<Failure> failure, Transaction with) {
-  if (!failure) facts.set_arm("idle");
-  if (failure && control.connected()) {
-    const bool stopped = control.was_stopped() || failure->symbol == "stopped";
-    facts.set_arm(failure->symbol == "fault" ? "fault" : stopped ? "stopped" : "idle");
-  }
-  return facts.tell_surely(std::move(with));
-}
-
-Task<Result<Datum>> RobotAgent::State::gripper(Datum operation, std::string client) {
-  const Result<double> opening = amount_in(operation[1], 0, max_opening_mm, "mm");
-  if (!opening) co_return fail(opening);
+Task<Result<Datum>> RobotAgent::State::gripper(Fact request) {
+  const Datum operation = request.datum[3];
+  const Result<double> opening_mm = amount_in(operation[1], 0, max_opening_mm, "mm");
+  if (!opening_mm) co_return fail(opening_mm);
   const Result<InHand> in_hand = control.take_in_hand(operation);
   if (!in_hand) co_return fail(in_hand);
-  cut_off.reset();
-  facts.set_arm("moving", write(operation));
+  Task<Result<void>> gripping = control.grip(*opening_mm);
+  co_return co_await carry_out(std::move(request), std::move(gripping));
+}
+
+// The board has it before anything moves, a round trip, and how it ended before it is answered: whenever this agent
+// dies, its successor knows what to answer, and moves nothing twice.
+Task<Result<Datum>> RobotAgent::State::carry_out(Fact request, Task<Result<void>> motion) {
+  const Datum& id = request.datum[1];
+  facts.set_arm("moving", write(request.datum[3]));
   Transaction begin;
-  begin.retract(list("robot-move"_sym, name, "?"_sym, "?"_sym));
+  begin.tell(motion_fact(id, Datum()));
   const Result<void> begun = co_await facts.tell_surely(std::move(begin));
-  if (!begun) co_return fail(begun);
-  const double opening_mm = *opening;
-  const Job watching = context.executor.spawn(reflex.watch_motion(client, service.presence()));
-  const Result<void> moved = co_await control.grip(opening_mm);
-  std::optional<Failure> failure;
-  if (!moved) failure = moved.error();
-  Transaction nothing_else;
-  const Result<void> told = co_await tell_end(failure, std::move(nothing_else));
+  if (!begun) {
+    facts.set_arm("idle");
+    co_return fail(begun);
+  }
+  const Job watching = context.executor.spawn(reflex.watch_motion(request.teller, service.presence()));
+  const Result<void> moved = co_await motion;
+  if (moved) facts.set_arm("idle");
+  if (!moved && control.connected()) {
+    const bool stopped = control.was_stopped() || moved.error().symbol == "stopped";
+    facts.set_arm(moved.error().symbol == "fault" ? "fault" : stopped ? "stopped" : "idle");
+  }
+  Transaction end;
+  end.tell(motion_fact(id, moved ? list("ok"_sym, "true"_sym) : failure_to_datum(moved.error())));
+  const Result<void> told = co_await facts.tell_surely(std::move(end));
   if (!moved) co_return fail(moved);
   if (!told) co_return fail(told);
   co_return answer(true);

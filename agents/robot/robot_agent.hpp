@@ -2,16 +2,17 @@
 
 // The robot agent: the thesis' seventeen operations, and `get-control`, over any ArmDriver, the same for every arm.
 //
-// Lifecycle: constructed, run() spawned. It takes control of the controller, asks which arm it is (another
-// than the cell describes ends run() with `unknown-arm`), stops what it finds moving and says so, reads back its
-// learned variables and its speed from durable facts, then serves. A controller that goes away is connected to
+// Lifecycle: constructed, run() spawned. It asks the controller which arm it is of (another than the cell describes
+// ends run() with `unknown-arm`) and stops what moves there, before it waits for its name; then takes control, reads
+// back its learned variables and its speed from durable facts, and serves. A controller that goes away is connected to
 // again when it is back, as it is then: meanwhile motion answers `disconnected` and the arm's fact says `fault`, and
 // what it has for an alarm stays until somebody asks for (get-control).
 //
 // One motion at a time, the gripper's included (`busy`, with the running operation as the subject); get-status,
 // monitor, finish, speed and learn are answered meanwhile. Every motion has one plan, made before it starts, so that a
-// refused motion has moved nothing. A motion cut off by this agent's end is finished, not added to itself, when its
-// successor is asked for it again: the durable fact `(robot-move ROBOT OPERATION (J1 ... JN))` tells where it began.
+// refused motion has moved nothing. Every motion is done once: the durable fact `(robot-motion ROBOT REQUEST OUTCOME)`
+// says which was begun last and how it ended, so that the successor of an agent that died in mid-motion answers that
+// request, `stopped` or as it ended, and does not move for it.
 //
 //   RobotAgent robot(AgentContext{"robot", "localhost", executor, board, random}, arm, model);
 //   Job job = executor.spawn(until_it_ends(robot));

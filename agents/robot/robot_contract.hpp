@@ -25,8 +25,8 @@ inline constexpr std::string_view robot_contract = R"scheme(
          (relation commander ((robot symbol) (client symbol)) (key robot client))
          (relation robot-variable ((robot symbol) (name symbol) (joints list)) (key robot name) (durable))
          (relation robot-speed ((robot symbol) (percent number)) (key robot) (durable))
-         (relation robot-move ((robot symbol) (operation list) (start list)) (key robot) (durable)))
-  (reads robot-variable robot-speed robot-move stop commander agent)
+         (relation robot-motion ((robot symbol) (request symbol) (outcome list)) (key robot) (durable)))
+  (reads robot-variable robot-speed robot-motion stop commander agent)
   (configures speed learn)
   (monitors get-status monitor finish))
 )scheme";

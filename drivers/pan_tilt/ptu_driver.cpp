@@ -145,6 +145,9 @@ Task<Result<void>> PtuDriver::set_up() {
   const Result<std::string> version = co_await next_line(deadline);
   if (!version) co_return fail("no-answer", "the pan-tilt unit did not answer V");
   echoes_ = read_ptu_line(*version).echo == "V";
+  // Where somebody who is gone has sent it, it goes no further.
+  const Result<std::string> halted = co_await exchange("H", answer_time);
+  if (!halted) co_return fail(halted);
   const Result<std::string> immediate = co_await exchange("I", answer_time);
   if (!immediate) co_return fail(immediate);
   co_return Result<void>();

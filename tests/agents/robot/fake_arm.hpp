@@ -30,6 +30,7 @@ class FakeArm : public ArmDriver {
   double last_speed = 0;
   bool in_control = false;
   bool gives_control = true;
+  std::optional<ArmTrouble> trouble;
 
   Joints at() const {
     double left_s = seconds_since(begun_);
@@ -94,7 +95,9 @@ class FakeArm : public ArmDriver {
   }
   Task<Result<ArmReading>> read() override {
     if (!plugged) co_return unplugged();
-    co_return ArmReading{at(), moving(), stopped_, opening(), opening() != towards_};
+    ArmReading reading{at(), moving(), stopped_, opening(), opening() != towards_};
+    reading.trouble = trouble;
+    co_return reading;
   }
 
   double opening() const {

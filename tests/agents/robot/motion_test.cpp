@@ -177,16 +177,5 @@ TEST(Motion, RandomStraightMovesStayOnTheirLine) {
   EXPECT_EQ(planned_moves, 300);
 }
 
-TEST(Motion, CutOffMotionGoesOnFromTheNearestWaypoint) {
-  const Result<Motion> whole = planned("(move-v down 100)");
-  ASSERT_TRUE(whole);
-  const Joints half = whole->waypoints[whole->waypoints.size() / 2];
-  const Result<Motion> rest = rest_of(*whole, at_work, half);
-  ASSERT_TRUE(rest);
-  EXPECT_EQ(rest->waypoints.front(), half);
-  EXPECT_EQ(rest->waypoints.back(), whole->waypoints.back());
-  EXPECT_FALSE(rest_of(*whole, at_work, {90, 0, 0, 0, 0, 0, 2500}));
-}
-
 }  // namespace
 }  // namespace pizarra

@@ -71,40 +71,63 @@ TEST_F(Robot, SameRequestIsDoneOnce) {
   EXPECT_NEAR(arm.at()[0], 10, 1e-9);
 }
 
-TEST_F(Robot, RestartedAgentStopsTheArmSaysSoAndIsIdle) {
+TEST_F(Robot, RestartedAgentStopsTheArmAtOnceAndSaysSo) {
   call("(speed 1)");
   ask("(turn right 90)", "dropped");
   executor.run_for(1s);
   life.reset();
-  std::vector<std::string> states;
-  executor.run_for(1s);
+  executor.run_for(500ms);
   EXPECT_TRUE(arm.moving()) << "the controller goes on without its agent";
-  board.set_journal([&](std::string_view line) {
-    if (line.find("(arm robot stopped") != std::string_view::npos) states.emplace_back(line);
-  });
-  arm.in_control = false;
   begin();
-  executor.run_until([&] { return fact("(arm robot ? ?)").starts_with("(arm robot idle \"STOPPED"); });
-  EXPECT_EQ(states.size(), 1u);
-  EXPECT_FALSE(arm.moving());
+  executor.run_for(50ms);
+  EXPECT_FALSE(arm.moving()) << "whoever still has its name";
+  executor.run_for(3s);
+  EXPECT_EQ(fact("(arm robot ? ?)"), "(arm robot stopped \"STOPPED_AT_RESTART\")");
 }
 
-TEST_F(Robot, RestartedAgentFinishesTheMotionThatWasCutOffInsteadOfAddingToIt) {
-  call("(move-v down 20)");
-  call("(speed 2)");
-  const double before = point().z();
-  const std::string lowering = ask("(move-v down 100)");
-  executor.run_for(2s);
+TEST_F(Robot, WhatAPersonMovesByThePendantIsLetAlone) {
+  call("(speed 1)");
+  ask("(turn right 90)");
+  executor.run_for(1s);
   life.reset();
-  executor.run_for(500ms);
-  EXPECT_TRUE(arm.moving());
+  arm.trouble = ArmTrouble{ArmTrouble::Kind::stopped, {"not-in-control", "the pendant has control", {}, {}}};
   begin();
-  executor.run_for(60s);
-  EXPECT_EQ(reply(lowering), "(ok true)");
-  EXPECT_NEAR(point().z(), before - 100, 1e-6);
-  EXPECT_EQ(fact("(robot-move robot ? ?)"), "");
-  EXPECT_EQ(call("(move-v down 10)"), "(ok true)");
-  EXPECT_NEAR(point().z(), before - 110, 1e-6);
+  executor.run_for(3s);
+  EXPECT_TRUE(arm.moving());
+  EXPECT_EQ(fact("(arm robot ? ?)"), "(arm robot stopped \"the pendant has control\")");
+}
+
+TEST_F(Robot, RequestOfAnAgentThatDiedIsAnsweredOnceAndNothingGoesOn) {
+  call("(speed 5)");
+  for (const std::string_view operation : {"(turn right 90)", "(gripper 0)"}) {
+    const std::string cut_off = ask(operation);
+    executor.run_for(200ms);
+    life.reset();
+    begin();
+    executor.run_for(5s);
+    EXPECT_TRUE(reply(cut_off).starts_with("(fail stopped \"the robot agent began anew")) << reply(cut_off);
+    const Joints stands = arm.at();
+    executor.run_for(10s);
+    EXPECT_EQ(arm.at(), stands) << operation;
+  }
+  EXPECT_EQ(arm.moves, 1);
+  EXPECT_EQ(call("(turn left 5)"), "(ok true)");
+}
+
+// How a motion ended is told before its reply, and its agent may die between the two.
+TEST_F(Robot, MotionThatHadEndedIsAnsweredByTheSuccessorAndNotDoneAgain) {
+  life.reset();
+  executor.run_for(3s);
+  ask("(turn right 10)", "ended");
+  ask("(turn right 20)", "new");
+  Transaction earlier;
+  earlier.tell(form("(robot-motion robot ended (ok true))"));
+  ASSERT_TRUE(board.transact("robot", earlier));
+  begin();
+  executor.run_for(5s);
+  EXPECT_EQ(reply("ended"), "(ok true)");
+  EXPECT_EQ(reply("new"), "(ok true)");
+  EXPECT_NEAR(arm.at()[0], 20, 1e-9);
 }
 
 TEST_F(Robot, ArmsOnOneBoardTellSideBySideAndRememberTheirOwn) {

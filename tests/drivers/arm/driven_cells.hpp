@@ -9,9 +9,11 @@
 // A cell has `executor`, `arm`, `cabinet`, model(), and
 //   cut(true)            the line is cut, or mended
 //   spoil(f)             what becomes of what the controller says; nullptr: nothing
+//   begin_anew()         the driver is another, as in a process that was started again
 //   orders()             how many octets or datagrams the controller was sent
 
 #include <gtest/gtest.h>
+#include <memory>
 
 #include "drivers/arm/simple_message/simple_arm.hpp"
 #include "drivers/arm/universal/universal_arm.hpp"
@@ -23,12 +25,19 @@ namespace pizarra {
 
 using Spoil = std::function<std::string(std::string)>;
 
+template <class Driver, class... Given>
+void replace(Driver& driver, Given&&... given) {
+  std::destroy_at(&driver);
+  std::construct_at(&driver, std::forward<Given>(given)...);
+}
+
 struct DrivenHses : HsesCell {
   static constexpr const char* name = "Hses";
   static const ArmModel& model() { return up6(); }
   void cut(bool now) { line.pulled = now; }
   void spoil(Spoil how) { line.from_device = std::move(how); }
   std::size_t orders() const { return line.sent; }
+  void begin_anew() { replace(arm, executor, link, model()); }
 };
 
 template <class Cell>
@@ -38,6 +47,7 @@ struct DrivenHost : Cell {
   void cut(bool now) { Cell::wire.cut(now); }
   void spoil(Spoil how) { Cell::wire.far.spoil = std::move(how); }
   std::size_t orders() const { return Cell::wire.near.written.size(); }
+  void begin_anew() { replace(Cell::arm, Cell::executor, Cell::link, model()); }
 };
 
 // Several lines, all cut and spoilt together.
@@ -77,7 +87,9 @@ struct DrivenUniversal : DrivenLines<DrivenUniversal> {
   Job telling{executor.spawn(serve_rtde(executor, emulator, rtde_line.far))};
   Job running{executor.spawn(serve_script(executor, emulator, script_line.far))};
   Job answering{executor.spawn(serve_dashboard(executor, emulator, dashboard_line.far))};
-  UniversalArm arm{executor, {rtde_line.near, script_line.near, dashboard_line.near}, model()};
+  UniversalWires wires{rtde_line.near, script_line.near, dashboard_line.near};
+  UniversalArm arm{executor, wires, model()};
+  void begin_anew() { replace(arm, executor, wires, model()); }
 };
 
 struct SimpleCell : DrivenLines<SimpleCell> {
@@ -95,7 +107,9 @@ struct SimpleCell : DrivenLines<SimpleCell> {
   WirePair state{executor};
   Job moving{executor.spawn(serve_motion(executor, emulator, motion.far))};
   Job telling{executor.spawn(serve_state(executor, emulator, state.far))};
-  SimpleArm arm{executor, {motion.near, state.near, kind.serial, kind.order, kind.sign, kind.track}, crs_f3()};
+  SimpleWires wires{motion.near, state.near, kind.serial, kind.order, kind.sign, kind.track};
+  SimpleArm arm{executor, wires, crs_f3()};
+  void begin_anew() { replace(arm, executor, wires, crs_f3()); }
 };
 
 template <bool serial>

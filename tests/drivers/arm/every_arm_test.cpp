@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "blackboard/time/random.hpp"
+#include "drivers/arm/meeting.hpp"
 #include "lisp/writer.hpp"
 #include "tests/drivers/arm/driven_cells.hpp"
 
@@ -226,6 +227,26 @@ TYPED_TEST(EveryArm, WhateverBecomesOfItsWordsEveryCallEndsInOneWay) {
     this->spoil(nullptr);
     this->expect_recovered("seed " + std::to_string(seed));
   }
+}
+
+// As by an agent that was killed: its controller goes on without it.
+TYPED_TEST(EveryArm, WhatMovesForNobodyIsStoppedWhenItIsMetAndWhereItStandsIsKnown) {
+  ASSERT_TRUE(this->send_to(this->elsewhere(), 0.1));
+  this->executor.run_for(300ms);
+  this->begin_anew();
+  const Result<ArmMeeting> met = this->ask(meet_arm(this->executor, this->arm, this->model()));
+  ASSERT_TRUE(met) << describe(met.error());
+  EXPECT_TRUE(met->was_stopped);
+  EXPECT_FALSE(met->reading.moving);
+  const Joints stands = this->cabinet_joints();
+  EXPECT_TRUE(are_same_place(met->reading.joints, stands, 0.01));
+  this->executor.run_for(5s);
+  EXPECT_TRUE(are_same_place(this->cabinet_joints(), stands)) << "it went on";
+  this->expect_recovered("began anew");
+  this->begin_anew();
+  const Result<ArmMeeting> at_rest = this->ask(meet_arm(this->executor, this->arm, this->model()));
+  ASSERT_TRUE(at_rest) << describe(at_rest.error());
+  EXPECT_FALSE(at_rest->was_stopped);
 }
 
 TYPED_TEST(EveryArm, ACallThatIsCancelledLeavesNothingBehind) {

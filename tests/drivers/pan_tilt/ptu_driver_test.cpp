@@ -79,6 +79,19 @@ TEST_F(Driver, GoesWhereItIsSentAndSaysWhetherItIsOnItsWay) {
   EXPECT_NEAR(unit.tilt_deg(), -12, range.tilt.resolution_deg / 2);
 }
 
+TEST_F(Driver, WhatAnotherHadSentItDoingIsStoppedWhenItIsConnectedTo) {
+  connect();
+  ASSERT_EQ(outcome(driver.set_speed(PanTiltAxis::pan, 0.05)), "ok");
+  ASSERT_EQ(outcome(driver.move_to(PanTiltAxis::pan, 120)), "ok");
+  PtuDriver successor(executor, wire);
+  ASSERT_TRUE(ask(successor.connect()));
+  executor.run_for(1s);
+  const double stands = unit.pan_deg();
+  EXPECT_LT(stands, 60);
+  executor.run_for(5s);
+  EXPECT_EQ(unit.pan_deg(), stands);
+}
+
 TEST_F(Driver, RefusesAnglesBeyondTheUnitsOwnLimitsAndWhatIsNoNumber) {
   connect();
   wire.sent.clear();

@@ -1,0 +1,48 @@
+#include "drivers/arm/meeting.hpp"
+
+#include <fmt/format.h>
+
+namespace pizarra {
+
+namespace {
+
+constexpr Duration look_again = 20ms;
+constexpr Duration stopping_time = 5s;  // at most, until a stopped arm stands
+
+bool moves_for_nobody(const ArmReading& reading) {
+  const bool by_pendant = reading.trouble && reading.trouble->kind == ArmTrouble::Kind::stopped;
+  return reading.moving && !by_pendant;
+}
+
+Task<Result<ArmReading>> bring_to_rest(Executor& executor, ArmDriver& driver) {
+  const Result<void> stopping = co_await driver.stop();
+  if (!stopping) co_return fail(stopping);
+  const Time deadline = executor.now() + stopping_time;
+  Result<ArmReading> reading = co_await driver.read();
+  while (reading && reading->moving) {
+    if (executor.now() >= deadline) co_return fail("fault", "the arm was found moving, and does not stop");
+    co_await sleep(executor, look_again);
+    reading = co_await driver.read();
+  }
+  co_return reading;
+}
+
+}  // namespace
+
+Task<Result<ArmMeeting>> meet_arm(Executor& executor, ArmDriver& driver, const ArmModel& model) {
+  const Result<std::string> type = co_await driver.identify();
+  if (!type) co_return fail(type);
+  if (*type != model.type) {
+    co_return fail("unknown-arm",
+                   fmt::format("the controller is of a {}, and the cell describes a {}", *type, model.type),
+                   to_datum(*type));
+  }
+  Result<ArmReading> reading = co_await driver.read();
+  const bool stop = reading && moves_for_nobody(*reading);
+  if (stop) reading = co_await bring_to_rest(executor, driver);
+  if (!reading) co_return fail(reading);
+  ArmMeeting meeting{*reading, stop};
+  co_return meeting;
+}
+
+}  // namespace pizarra

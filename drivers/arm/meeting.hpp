@@ -1,0 +1,25 @@
+#pragma once
+
+// The first thing that is asked of an arm's controller, and of one that was away: whether it is of the arm that is
+// meant, and that nothing moves there for nobody. What another had begun before goes on at most controllers, whatever
+// became of who began it; it is stopped here, for every driver alike. What somebody moves by the pendant is theirs.
+//
+//   const Result<ArmMeeting> met = co_await meet_arm(executor, driver, model);
+//
+// Failures: unknown-arm, where the controller is of another, which is then let alone; fault, where the arm does not
+// come to rest; the driver's own.
+
+#include "blackboard/time/executor.hpp"
+#include "drivers/arm/arm_driver.hpp"
+
+namespace pizarra {
+
+struct ArmMeeting {
+  ArmReading reading;
+  bool was_stopped;  // it moved, and does not any more
+};
+
+// The executor and the driver outlive it.
+Task<Result<ArmMeeting>> meet_arm(Executor& executor, ArmDriver& driver, const ArmModel& model);
+
+}  // namespace pizarra
