@@ -57,15 +57,31 @@ Task<void> Reflex::follow(Datum pattern) {
 
 void Reflex::see(const std::string& relation, const Change& change) {
   if (change.resynchronised) {
-    const bool commanded = among(commanders_, client_);
+    const bool commanded = client_ && among(commanders_, *client_);
     forget(relation);
     for (const Answer& answer : change.added) add(answer.facts.front());
-    const bool lost = (leased_ && !among(present_, client_)) || (commanded && !among(commanders_, client_));
-    if (lost) gone(client_);
-    return;
+    const bool absent = client_ && leased_ && !among(present_, *client_);
+    const bool lost = absent || (commanded && !among(commanders_, *client_));
+    if (lost) gone(*client_);
+  } else {
+    for (const Answer& answer : change.added) add(answer.facts.front());
+    for (const Answer& answer : change.removed) remove(answer.facts.front());
   }
-  for (const Answer& answer : change.added) add(answer.facts.front());
-  for (const Answer& answer : change.removed) remove(answer.facts.front());
+  hand_over();
+}
+
+// One that is not present may have died without a word, and its fact may stand for ever.
+const std::string* Reflex::commander() const {
+  const auto first =
+      std::ranges::find_if(commanders_, [&](const auto& entry) { return among(present_, entry.second); });
+  return first == commanders_.end() ? nullptr : &first->second;
+}
+
+// Ends the motion in hand where another than its client commands now.
+void Reflex::hand_over() {
+  const std::string* now = commander();
+  if (!client_ || now == nullptr || *now == *client_) return;
+  control_.stop_at_once(stopped(fmt::format("{} commands the arm now", *now), Datum::symbol(*now)));
 }
 
 void Reflex::forget(const std::string& relation) {
@@ -92,7 +108,7 @@ void Reflex::remove(const Fact& fact) {
   if (commander != commanders_.end()) {
     const std::string client = commander->second;
     commanders_.erase(commander);
-    gone(client);
+    if (!among(commanders_, client)) gone(client);
   }
   const auto agent = present_.find(fact.id);
   if (agent == present_.end()) return;
@@ -111,18 +127,24 @@ Result<void> Reflex::allows(const std::string& client) const {
     const Datum& stop = stops_.begin()->second;
     return fail("halted", fmt::format("{} says stop: {}", stop[1].text(), stop[2].text()), stop);
   }
-  // One that is not present may have died without a word, and its fact may stand for ever.
-  const auto first =
-      std::ranges::find_if(commanders_, [&](const auto& entry) { return among(present_, entry.second); });
-  if (first == commanders_.end() || first->second == client) return {};
-  const std::string& commander = first->second;
-  return fail("not-commander", fmt::format("{} commands the arm", commander), Datum::symbol(commander));
+  const std::string* now = commander();
+  if (now != nullptr && *now != client) {
+    return fail("not-commander", fmt::format("{} commands the arm", *now), Datum::symbol(*now));
+  }
+  if (now != nullptr || !among(commanders_, client)) return {};
+  return fail("not-present",
+              fmt::format("{0} says that it commands the arm and is not present: there is no (agent {0} ...)", client),
+              Datum::symbol(client));
 }
 
-Task<void> Reflex::watch_motion(std::string client, LeaseId lease) {
-  client_ = std::move(client);
-  leased_ = among(present_, client_);
-  silence_ = 0;
+Reflex::Watching::Watching(Reflex& reflex, std::string client, LeaseId lease) : reflex_(reflex) {
+  reflex_.leased_ = among(reflex_.present_, client);
+  reflex_.client_ = std::move(client);
+  reflex_.silence_ = 0;
+  beating_ = reflex_.context_.executor.spawn(reflex_.beat_on(lease));
+}
+
+Task<void> Reflex::beat_on(LeaseId lease) {
   const Job asking = context_.executor.spawn(ask_board(lease));
   while (true) {
     co_await sleep(context_.executor, beat);

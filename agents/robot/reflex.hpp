@@ -5,19 +5,20 @@
 //   - a fact `(stop WHO REASON)`, told by anyone: the motion in hand ends, and none begins while such a fact stands
 //   - a board that has not answered for four beats of the reflex's own timer (80 ms)
 //   - the going of the client whose motion it is: its `(agent ...)` presence, or its `(commander ROBOT CLIENT)`
+//   - another who commands from now on
 //
 // Of the clients that hold a `(commander ROBOT CLIENT)`, told by themselves, and are present, the first to have told it
-// commands; while there is none, anyone may. Monitoring and stopping are open to all. What was stopped goes on
-// only when asked for again.
+// commands; while there is none, anyone may but those that hold one and are not present. Monitoring and stopping are
+// open to all. What was stopped goes on only when asked for again.
 //
 // Lifecycle: constructed beside the ArmControl; begin() once the relations are declared; known() before anybody is
-// obeyed; watch_motion() for as long as
-// a motion is in hand.
+// obeyed; a Watching for as long as a motion is in hand.
 //
 //   if (const Result<void> allowed = reflex.allows(client); !allowed) co_return fail(allowed);
-//   const Job watching = executor.spawn(reflex.watch_motion(client, lease));
+//   const Reflex::Watching watching(reflex, client, lease);
 
 #include <map>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -37,10 +38,23 @@ class Reflex {
   void begin();
   // Answers when the board has said of each of them what holds.
   Task<void> known();
-  // Whether `client` may move or change anything now. Failures: `halted`, `not-commander`, each with who is in the way.
+  // Whether `client` may move or change anything now. Failures: `halted`, `not-commander`, each with who is in the
+  // way; `not-present`.
   Result<void> allows(const std::string& client) const;
-  // Beside a motion that `client` asked for: beats on the board under the agent's `lease`.
-  Task<void> watch_motion(std::string client, LeaseId lease);
+
+  // For as long as a motion is in hand that `client` asked for: beats on the board under the agent's `lease`, and stops
+  // the arm where what allowed the motion ends.
+  class Watching {
+   public:
+    Watching(Reflex& reflex, std::string client, LeaseId lease);
+    Watching(const Watching&) = delete;
+    Watching& operator=(const Watching&) = delete;
+    ~Watching() { reflex_.client_.reset(); }
+
+   private:
+    Reflex& reflex_;
+    Job beating_;
+  };
 
  private:
   Task<void> follow(Datum pattern);
@@ -49,6 +63,9 @@ class Reflex {
   void add(const Fact& fact);
   void remove(const Fact& fact);
   void gone(const std::string& client);
+  const std::string* commander() const;
+  void hand_over();
+  Task<void> beat_on(LeaseId lease);
   Task<void> ask_board(LeaseId lease);
 
   AgentContext& context_;
@@ -56,9 +73,9 @@ class Reflex {
   std::map<FactId, Datum> stops_;
   std::map<FactId, std::string> commanders_;  // the first commands
   std::map<FactId, std::string> present_;
-  std::string client_;           // whose motion is in hand; empty: nobody's
-  bool leased_ = false;          // it was present when its motion began
-  std::set<std::string> heard_;  // the relations whose first answer has come
+  std::optional<std::string> client_;  // whose motion is in hand
+  bool leased_ = false;                // it was present when its motion began
+  std::set<std::string> heard_;        // the relations whose first answer has come
   WaitList more_heard_;
   std::vector<Job> following_;
   int silence_ = 0;  // beats since the board answered

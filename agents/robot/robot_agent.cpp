@@ -229,8 +229,10 @@ Task<Result<Datum>> RobotAgent::State::carry_out(Fact request, Task<Result<void>
     facts.set_arm("idle");
     co_return fail(begun);
   }
-  const Job watching = context.executor.spawn(reflex.watch_motion(request.teller, service.presence()));
-  const Result<void> moved = co_await motion;
+  const Reflex::Watching watching(reflex, request.teller, service.presence());
+  // Anything may have been said meanwhile.
+  Result<void> moved = reflex.allows(request.teller);
+  if (moved) moved = co_await motion;
   if (moved) facts.set_arm("idle");
   if (!moved && control.connected()) {
     const bool stopped = control.was_stopped() || moved.error().symbol == "stopped";

@@ -97,6 +97,43 @@ TEST_F(RobotSafety, ACommanderThatIsNotPresentCommandsNobody) {
   EXPECT_EQ(call("(home)"), "(ok true)");
 }
 
+TEST_F(RobotSafety, WhoCommandsWithoutBeingPresentIsToldSo) {
+  tell("user", "(commander robot user)");
+  executor.run_for(100ms);
+  EXPECT_EQ(call("(home)"),
+            "(fail not-present \"user says that it commands the arm and is not present: there is no (agent user ...)\" "
+            "user)");
+  EXPECT_EQ(arm.moves, 0);
+  tell("user", "(agent user person \"here\")", board.lease(10s).value());
+  executor.run_for(100ms);
+  EXPECT_EQ(call("(home)"), "(ok true)");
+}
+
+TEST_F(RobotSafety, AMotionEndsWithinATenthOfASecondWhenAnotherComesToCommand) {
+  const std::string id = begin_motion();
+  tell("anna", "(commander robot anna)");
+  executor.run_for(100ms);
+  EXPECT_TRUE(arm.moving()) << "she is not present";
+  tell("anna", "(agent anna person \"here\")", board.lease(10s).value());
+  executor.run_for(100ms);
+  EXPECT_FALSE(arm.moving());
+  EXPECT_EQ(reply(id), "(fail stopped \"anna commands the arm now\" anna)");
+}
+
+TEST_F(RobotSafety, WhoComesToCommandWhileTheCommanderMovesTheArmWaits) {
+  tell("anna", "(agent anna person \"here\")", board.lease(10s).value());
+  tell("anna", "(commander robot anna)");
+  const std::string id = begin_motion("anna");
+  tell("user", "(agent user person \"here\")", board.lease(10s).value());
+  tell("user", "(commander robot user)");
+  executor.run_for(200ms);
+  EXPECT_TRUE(arm.moving());
+  retract("(commander robot anna)");
+  executor.run_for(100ms);
+  EXPECT_FALSE(arm.moving());
+  EXPECT_EQ(reply(id), "(fail stopped \"anna, who commanded this, is gone\" anna)");
+}
+
 TEST_F(RobotSafety, AStopThatStandsAtTheStartIsKnownBeforeTheFirstRequest) {
   life.reset();
   executor.run_for(3s);
@@ -129,6 +166,7 @@ TEST_F(RobotSafety, NobodyMakesAnotherTheCommander) {
 
 TEST_F(RobotSafety, CommanderWhoseLeaseLapsesStopsTheArmWithinATenthOfASecond) {
   const LeaseId lease = board.lease(10s).value();
+  tell("anna", "(agent anna person \"here\")", board.lease(10s).value());
   tell("anna", "(commander robot anna)", lease);
   const std::string id = begin_motion("anna");
   ASSERT_TRUE(board.release(lease));
@@ -179,15 +217,17 @@ class MutedBoard : public Board {
   std::unique_ptr<Board> board_;
 };
 
+Task<void> live(RobotAgent& robot) {
+  const Result<void> ended = co_await robot.run();
+  EXPECT_TRUE(ended) << ended.error().sentence;
+}
+
 TEST_F(RobotSafety, BoardThatFallsSilentStopsTheArmWithinATenthOfASecond) {
   life.reset();
   executor.run_for(3s);
   MutedBoard muted(executor, board.view("robot"));
   RobotAgent agent({"robot", "localhost", executor, muted, Random(1)}, arm, crs_f3());
-  const Job job = executor.spawn([](RobotAgent& robot) -> Task<void> {
-    const Result<void> ended = co_await robot.run();
-    EXPECT_TRUE(ended) << ended.error().sentence;
-  }(agent));
+  const Job job = executor.spawn(live(agent));
   executor.run_for(1s);
   const std::string id = begin_motion();
   muted.muted = true;
@@ -198,6 +238,26 @@ TEST_F(RobotSafety, BoardThatFallsSilentStopsTheArmWithinATenthOfASecond) {
   executor.run_for(1s);
   EXPECT_EQ(reply(id), "(fail stopped \"the board has not answered for 80 ms\" ())");
   EXPECT_EQ(arm.at(), stood) << "nothing goes on before it is asked for";
+}
+
+// Between a request and its first motion lie the board's round trips.
+TEST_F(RobotSafety, WhoComesToCommandBeforeTheMotionBeginsKeepsItFromBeginning) {
+  life.reset();
+  executor.run_for(3s);
+  MutedBoard muted(executor, board.view("robot"));
+  RobotAgent agent({"robot", "localhost", executor, muted, Random(1)}, arm, crs_f3());
+  const Job job = executor.spawn(live(agent));
+  executor.run_for(1s);
+  muted.muted = true;
+  const std::string id = ask("(turn right 90)");
+  executor.run_for(50ms);
+  tell("anna", "(agent anna person \"here\")", board.lease(10s).value());
+  tell("anna", "(commander robot anna)");
+  executor.run_for(50ms);
+  muted.muted = false;
+  executor.run_for(1s);
+  EXPECT_EQ(reply(id), "(fail not-commander \"anna commands the arm\" anna)");
+  EXPECT_EQ(arm.moves, 0);
 }
 
 ArmReading reading_of(const Joints& joints) { return {joints, true, false, 80, false}; }
