@@ -131,7 +131,10 @@ Task<Evaluation> Interpreter::help(Datum form) {
     if (form.size() > 1 && form[1].text() != command.name) continue;
     output_(fmt::format("  {:22} {}", command.usage, command.help));
   }
-  if (form.size() == 1) output_("  (AGENT (OPERATION ...)) ask one agent: (robot (monitor)), (vision (get-objects))");
+  if (form.size() == 1) {
+    output_("  (AGENT (OPERATION ...)) ask one agent: (robot (monitor)), (vision (get-objects));");
+    output_("                         (robot (get-control)) resets an arm's alarm and switches its servos on");
+  }
   co_return Evaluation::done;
 }
 

@@ -171,6 +171,7 @@ TEST_F(Repl, ACommandNeedsNoParenthesesOfItsOwn) {
   for (const Command& command : Command::all()) {
     EXPECT_NE(shown.find(command.usage), std::string::npos) << command.name;
   }
+  EXPECT_NE(shown.find("(robot (get-control))"), std::string::npos) << shown;
   EXPECT_EQ(type("quit"), Evaluation::quit);
 }
 
