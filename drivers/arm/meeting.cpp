@@ -38,10 +38,12 @@ Task<Result<ArmMeeting>> meet_arm(Executor& executor, ArmDriver& driver, const A
                    to_datum(*type));
   }
   Result<ArmReading> reading = co_await driver.read();
-  const bool stop = reading && moves_for_nobody(*reading);
-  if (stop) reading = co_await bring_to_rest(executor, driver);
+  const bool moves = reading && moves_for_nobody(*reading);
+  // Of one that does not say whether it moves nobody knows that it stands.
+  const bool stops = moves || !reading;
+  if (stops) reading = co_await bring_to_rest(executor, driver);
   if (!reading) co_return fail(reading);
-  ArmMeeting meeting{*reading, stop};
+  ArmMeeting meeting{*reading, moves};
   co_return meeting;
 }
 
