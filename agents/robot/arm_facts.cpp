@@ -78,6 +78,7 @@ void ArmFacts::set_reading(const ArmModel& model, const ArmReading& reading) {
   facts_[pose].now = Datum::list(std::move(at));
   facts_[joints].now = list("arm-joints"_sym, robot_, Datum::list(joint_numbers(reading.joints)));
   facts_[gripper].now = list("gripper"_sym, robot_, rounded(reading.opening_mm, opening_step_mm));
+  if (reading.gripped) facts_[gripped].now = list("gripped"_sym, robot_, *reading.gripped ? "yes"_sym : "no"_sym);
 }
 
 bool ArmFacts::changed() const {

@@ -1,6 +1,6 @@
 #pragma once
 
-// What the board is told about the arm: state, pose, joints and gripper opening, each when it changed, under the
+// What the board is told about the arm: state, pose, joints, gripper opening and grip, each when it changed, under the
 // agent's presence, so that they go with it. At rest, why the controller would not move goes before what was last done.
 //
 //   facts.set_arm("moving", "(home)");
@@ -41,7 +41,7 @@ class ArmFacts {
     Datum now;
     Datum told;
   };
-  enum : std::size_t { arm, pose, joints, gripper, kinds };
+  enum : std::size_t { arm, pose, joints, gripper, gripped, kinds };
 
   void set_state_fact();
 

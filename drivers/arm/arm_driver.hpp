@@ -38,6 +38,7 @@ struct ArmReading {
   bool gripper_moving;
   std::optional<Failure> why_stopped = {};  // where the controller says it
   std::optional<ArmTrouble> trouble = {};   // where the controller says it
+  std::optional<bool> gripped = {};         // something stopped the fingers, where the gripper says it
 };
 
 class ArmDriver {

@@ -32,6 +32,7 @@ Task<Result<ArmReading>> GrippingArm::read() {
   }
   reading->opening_mm = last_.opening_mm;
   reading->gripper_moving = last_.moving;
+  reading->gripped = last_.gripped;
   co_return reading;
 }
 

@@ -31,6 +31,7 @@ class FakeArm : public ArmDriver {
   bool in_control = false;
   bool gives_control = true;
   std::optional<ArmTrouble> trouble;
+  std::optional<bool> gripped;
 
   Joints at() const {
     double left_s = seconds_since(begun_);
@@ -97,6 +98,7 @@ class FakeArm : public ArmDriver {
     if (!plugged) co_return unplugged();
     ArmReading reading{at(), moving(), stopped_, opening(), opening() != towards_};
     reading.trouble = trouble;
+    reading.gripped = gripped;
     co_return reading;
   }
 

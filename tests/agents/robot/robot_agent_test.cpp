@@ -97,6 +97,15 @@ TEST_F(Robot, GripperAnswersWhenTheFingersStandOnWhatTheyHold) {
   EXPECT_EQ(refusal("(gripper 101)"), "out-of-range");
 }
 
+TEST_F(Robot, TellsWhetherSomethingIsGrippedWhereTheGripperSaysIt) {
+  EXPECT_EQ(fact("(gripped robot ?)"), "");
+  for (const bool gripped : {false, true}) {
+    arm.gripped = gripped;
+    executor.run_for(200ms);
+    EXPECT_EQ(fact("(gripped robot ?)"), gripped ? "(gripped robot yes)" : "(gripped robot no)");
+  }
+}
+
 TEST_F(Robot, MonitorAnswersPoseAndJoints) {
   call("(turn right 10)");
   EXPECT_EQ(call("(monitor)"), "(ok 364.38 64.25 410.0 180.0 0.0 10.0 10.0 0.0 -90.0 0.0 -90.0 0.0 2500.0)");

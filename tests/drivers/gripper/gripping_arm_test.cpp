@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "drivers/arm/meeting.hpp"
 #include "tests/drivers/arm/driven_cells.hpp"
 
 namespace pizarra {
@@ -48,6 +49,7 @@ TEST_F(Gripping, AnArmWithoutAGripperGripsAndMovesAsOne) {
   EXPECT_EQ(outcome(arm.start_gripper(40)), "refused");
   EXPECT_EQ(outcome(both.start_gripper(40)), "");
   EXPECT_EQ(ask(both.read())->opening_mm, 40);
+  EXPECT_EQ(ask(both.read())->gripped, false);
   Joints there = model().ready;
   there[0] += 30;
   EXPECT_EQ(outcome(both.start_move({there}, 1)), "");
@@ -84,6 +86,19 @@ TEST_F(Gripping, AFailingGripperDoesNotKeepTheArmFromStopping) {
   gripper.wrong = Failure{"disconnected", "the gripper does not answer", {}, {}};
   EXPECT_EQ(outcome(both.stop()), "");
   EXPECT_TRUE(wait()->stopped);
+}
+
+TEST_F(Gripping, AFailingGripperDoesNotKeepAnArmThatMovesForNobodyFromBeingStopped) {
+  ASSERT_EQ(connect(), "");
+  Joints there = model().ready;
+  there[0] += 60;
+  ASSERT_EQ(outcome(both.start_move({there}, 0.1)), "");
+  executor.run_for(200ms);
+  begin_anew();
+  gripper.wrong = Failure{"disconnected", "the gripper does not answer", {}, {}};
+  EXPECT_FALSE(ask(meet_arm(executor, both, model())));
+  executor.run_for(1s);
+  EXPECT_FALSE(read()->moving);
 }
 
 }  // namespace
