@@ -105,7 +105,7 @@ Task<Failure> MotomanArm::trouble(MotomanStatus status) {
   } else if (status.teaching || !status.remote) {
     sentence = "the pendant has control";
   } else if (!status.servo) {
-    sentence = "the controller's servos are off";
+    sentence = "the controller's servos are off, as by its emergency stop, which it does not tell apart";
   } else if (status.pendant_hold || status.external_hold) {
     sentence = status.pendant_hold ? "the pendant holds the arm" : "a hold input holds the arm";
   }

@@ -20,9 +20,10 @@
 // is taken for the second's beginning, and the move fails, `stopped`, where it leads.
 //
 // take_control() resets alarms, ends its own hold and switches the servos on; not at the pendant's word, whose TEACH
-// refuses it. stop() is the controller's hold, which stays until control is taken or a move is started.
-// The gripper is held by a job of the controller to variables: D000 the opening wanted, D001 the opening measured, both
-// micrometres, D002 1 while the fingers move.
+// refuses it. None of the protocols has a bit of the emergency stop: with it pressed the servos are off and do not come
+// on. stop() is the controller's hold, which stays until control is taken or a move is started. The gripper is held by
+// a job of the controller to variables: D000 the opening wanted, D001 the opening measured, both micrometres, D002 1
+// while the fingers move.
 //
 // How far it is proven: with emulated controllers alone.
 

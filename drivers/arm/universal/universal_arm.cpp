@@ -63,8 +63,20 @@ Task<Result<void>> UniversalArm::subscribe() {
   co_return known;
 }
 
+// An arm that does not know the question has no local control.
+Task<Result<void>> UniversalArm::ask_mode() {
+  const Result<std::string> remote = co_await dashboard_.ask("is in remote control\n");
+  if (!remote) co_return fail(remote);
+  local_ = *remote == "false";
+  co_return Result<void>();
+}
+
+// What it said last holds where it does not answer.
+Task<void> UniversalArm::ask_mode_again() { [[maybe_unused]] const Result<void> asked = co_await ask_mode(); }
+
 Task<Result<std::string>> UniversalArm::identify() {
   told_.forget();
+  asking_mode_ = Job();
   const Time deadline = executor_.now() + answer_time;
   for (Dialogue* line : {&rtde_, &script_, &dashboard_}) {
     const Result<void> open = co_await line->open(deadline);
@@ -74,6 +86,8 @@ Task<Result<std::string>> UniversalArm::identify() {
   if (!greeting) co_return fail("disconnected", "the dashboard server does not greet");
   const Result<std::string> kind = co_await dashboard_.ask("get robot model\n");
   if (!kind) co_return fail(kind);
+  const Result<void> mode = co_await ask_mode();
+  if (!mode) co_return fail(mode);
   const Result<void> told = co_await subscribe();
   if (!told) co_return fail(told);
   programs_ = std::max(programs_, state_.marker / 2);
@@ -95,6 +109,7 @@ Result<bool> UniversalArm::hear(const std::string& message) {
 
 // Why an arm that was asked to move does not.
 Failure UniversalArm::trouble() const {
+  if (local_) return {"not-in-control", "the pendant has control: the arm is in local control", {}, {}};
   constexpr std::string_view safety[] = {"",          "",          "",          "a protective stop", "recovery",
                                          "safeguard", "emergency", "emergency", "a violation",       "a fault"};
   const auto mode = static_cast<std::size_t>(state_.safety_mode);
@@ -109,9 +124,9 @@ Failure UniversalArm::trouble() const {
 
 Task<Result<void>> UniversalArm::take_control() {
   if (!told_.known()) co_return told_.unknown();
-  const Result<std::string> remote = co_await dashboard_.ask("is in remote control\n");
-  if (!remote) co_return fail(remote);
-  if (*remote != "true") co_return fail("not-in-control", "the pendant has control: the arm is in local control");
+  const Result<void> mode = co_await ask_mode();
+  if (!mode) co_return mode;
+  if (local_) co_return fail(trouble());
   for (const char* order : {"unlock protective stop\n", "power on\n", "brake release\n"}) {
     const Result<std::string> done = co_await dashboard_.ask(order);
     if (!done) co_return fail(done);
@@ -161,15 +176,19 @@ Task<Result<void>> UniversalArm::start_gripper(double opening_mm) {
 
 Task<Result<ArmReading>> UniversalArm::read() {
   if (!told_.known()) co_return told_.unknown();
+  if (!playing() && executor_.now() - mode_asked_at_ >= mode_time) {
+    mode_asked_at_ = executor_.now();
+    asking_mode_ = executor_.spawn(ask_mode_again());
+  }
   ArmReading reading{.joints = joints(),
                      .moving = playing(),
                      .stopped = !ended() && programs_ > 0,
                      .opening_mm = state_.opening_mm,
                      .gripper_moving = state_.fingers != 0 || executor_.now() < gripping_until_};
-  if (!able()) {
+  if (!able() || local_) {
     using Kind = ArmTrouble::Kind;
     const bool fault = state_.safety_mode >= safety_violation;
-    const bool off = state_.safety_mode <= 2;
+    const bool off = state_.safety_mode <= 2 && !local_;
     reading.trouble = ArmTrouble{fault ? Kind::fault : off ? Kind::off : Kind::stopped, trouble()};
   }
   const bool unasked = reading.stopped && !stopping_ && !reading.moving;

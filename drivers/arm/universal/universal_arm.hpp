@@ -44,9 +44,12 @@ class UniversalArm : public ArmDriver {
   static constexpr Duration answer_time = 1s;
   static constexpr Duration fresh = 200ms;  // what the arm said longer ago is not known any more
   static constexpr Duration power_time = 20s;
+  static constexpr Duration mode_time = 500ms;  // while it stands: local control is not among what it tells
 
   Task<Result<std::string>> ask_rtde(char type, std::string payload);
   Task<Result<void>> subscribe();
+  Task<Result<void>> ask_mode();
+  Task<void> ask_mode_again();
   Result<bool> hear(const std::string& message);
   bool able() const;
   Failure trouble() const;
@@ -64,6 +67,9 @@ class UniversalArm : public ArmDriver {
   std::uint8_t input_recipe_ = 0;
   std::int32_t programs_ = 0;  // the last begins with the marker 2 N and ends with 2 N + 1
   bool stopping_ = false;
+  bool local_ = false;  // the pendant has control
+  Time mode_asked_at_{};
+  Job asking_mode_;
   Time gripping_until_{};
 };
 

@@ -116,7 +116,9 @@ TEST_F(WiredRobot, SaysAtRestWhyTheControllerWouldNotMove) {
   ASSERT_TRUE(cell.cabinet.obey("pendant off"));
   EXPECT_EQ(arm(), R"((arm robot idle "NO_ACTION"))");
   ASSERT_TRUE(cell.cabinet.obey("estop on"));
-  EXPECT_EQ(arm(), R"((arm robot stopped "the controller's servos are off"))");
+  EXPECT_EQ(
+      arm(),
+      R"((arm robot stopped "the controller's servos are off, as by its emergency stop, which it does not tell apart"))");
   ASSERT_TRUE(cell.cabinet.obey("alarm 77"));
   EXPECT_EQ(arm(), R"((arm robot fault "the controller has alarm 77"))");
 }

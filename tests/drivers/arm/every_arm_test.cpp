@@ -126,6 +126,24 @@ TYPED_TEST(EveryArm, DoesNotMoveWhileItIsLockedAndSaysWhy) {
   }
 }
 
+TYPED_TEST(EveryArm, SaysAtRestWhyItWouldNotMoveAndWhenItWouldAgain) {
+  for (const auto& [lock, unlock] : {std::pair("pendant on", "pendant off"), std::pair("estop on", "estop off"),
+                                     std::pair("alarm 4321", "alarm 0")}) {
+    ASSERT_TRUE(this->cabinet.obey(lock));
+    static_cast<void>(this->read());
+    this->executor.run_for(1s);
+    static_cast<void>(this->read());
+    this->executor.run_for(100ms);
+    const Result<ArmReading> locked = this->read();
+    ASSERT_TRUE(locked) << lock;
+    ASSERT_TRUE(locked->trouble) << lock;
+    EXPECT_EQ(locked->trouble->why.symbol, "not-in-control") << lock;
+    ASSERT_TRUE(this->cabinet.obey(unlock));
+    this->expect_recovered(lock);
+    EXPECT_FALSE(this->read()->trouble) << unlock;
+  }
+}
+
 TYPED_TEST(EveryArm, WhatEndsAMoveIsSaidAndItIsNotTakenUpByItself) {
   for (const auto& [ends, undoes] : {std::pair("pendant on", "pendant off"), std::pair("estop on", "estop off"),
                                      std::pair("hold on", "hold off"), std::pair("alarm 4321", "alarm 0")}) {
