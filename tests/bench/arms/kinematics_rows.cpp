@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
 #include <numbers>
@@ -11,6 +12,7 @@
 #include "lisp/forms/arm_names.hpp"
 #include "tests/bench/arms/rows.hpp"
 #include "tests/bench/measure.hpp"
+#include "tests/source_dir.hpp"
 
 namespace pizarra::bench {
 
@@ -141,6 +143,16 @@ std::vector<ArmModel> arms() {
   return all;
 }
 
+int lines_of_code(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  int lines = 0;
+  for (std::string line; std::getline(file, line);) {
+    const std::size_t begin = line.find_first_not_of(" \t");
+    if (begin != std::string::npos && line.substr(begin, 2) != "//") ++lines;
+  }
+  return lines;
+}
+
 }  // namespace
 
 void one_move(ArmsBench& bench) {
@@ -161,6 +173,21 @@ void lines_of_description(ArmsBench& bench) {
     for (std::string line; std::getline(file, line);) ++lines;
     bench.figures.say({name + ": description", lines, "lines", at_most(59, "< 60")});
   }
+  const std::string folder = source_dir() + "/drivers/arm/universal";
+  int driver = 0;
+  int messages = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string file = entry.path().filename().string();
+    if (!file.ends_with("pp")) continue;
+    (file.starts_with("universal_arm") ? driver : messages) += lines_of_code(entry.path());
+  }
+  bench.figures.say(
+      {"Universal Robots: driver with its protocol's messages",
+       driver + messages,
+       "lines",
+       at_most(199, "< 200"),
+       {},
+       fmt::format("without blank lines and comments; the driver {}, messages and programs {}", driver, messages)});
 }
 
 }  // namespace pizarra::bench

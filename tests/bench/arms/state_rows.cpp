@@ -86,7 +86,7 @@ void tell_delay(ArmsBench& bench) {
   wait_for_robots(client, {"often", "seldom"});
   std::vector<double> often_ms;
   std::vector<double> seldom_ms;
-  const std::uint64_t tries = std::max<std::uint64_t>(bench.stops / 4, 10);
+  const std::uint64_t tries = std::max<std::uint64_t>(bench.stops / 2, 10);
   for (std::uint64_t count = 0; count < 2 * tries; ++count) {
     const bool first = count % 2 == 0;
     Pipe& pipe = (first ? often : seldom).pipe();
@@ -94,14 +94,16 @@ void tell_delay(ArmsBench& bench) {
     (first ? often_ms : seldom_ms).push_back((pipe.hear() - told_us) / 1000);
     go_on(client, count);
   }
-  bench.figures.say({"stop fact to brake: how much later at 125 Hz, p90",
-                     percentile(often_ms, 0.9) - percentile(seldom_ms, 0.9),
-                     "ms",
-                     at_most(1),
-                     {},
-                     fmt::format("{} stops each in turns; at 125 Hz p50 {:.2f} ms, p99 {:.2f}; at 10 Hz {:.2f}, {:.2f}",
-                                 tries, percentile(often_ms, 0.5), percentile(often_ms, 0.99),
-                                 percentile(seldom_ms, 0.5), percentile(seldom_ms, 0.99))});
+  bench.figures.say(
+      {"stop fact to the controller's brake at 125 Hz, p99",
+       percentile(often_ms, 0.99),
+       "ms",
+       at_most(20),
+       {},
+       fmt::format("{} stops each in turns; at 125 Hz p50 {:.2f} ms, p90 {:.2f}; at 10 Hz p50 {:.2f}, p90 "
+                   "{:.2f}, p99 {:.2f}",
+                   tries, percentile(often_ms, 0.5), percentile(often_ms, 0.9), percentile(seldom_ms, 0.5),
+                   percentile(seldom_ms, 0.9), percentile(seldom_ms, 0.99))});
 }
 
 }  // namespace
