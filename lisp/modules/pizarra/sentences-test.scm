@@ -1,4 +1,4 @@
-(use-modules (pizarra sentences) (pizarra checks))
+(use-modules (srfi srfi-1) (pizarra sentences) (pizarra checks))
 
 (define (said . words) (interpret words))
 (define (symbol-of-error outcome) (car (cadr outcome)))
@@ -21,7 +21,18 @@
 (check "or on the table" (said 'put 'the 'circle 'on 'the 'table) '(ok (coordinator (goal (on-table circle)))))
 (check "a misspelt word is named" (cdr (said 'mvoe 'left 5 'cm))
        '((not-understood "mvoe is not understood; the nearest is move" (0) ())))
-(check "a length without a unit is not guessed" (symbol-of-error (said 'move 'left 5)) 'not-understood)
+(define (complaint . words) (second (cadr (apply said words))))
+(check "a length without a unit is not guessed" (complaint 'move 'left 5)
+       "5 has no unit: a length is in one; there are mm, cm, m, inches")
+(check "a unit that is none is named, with those there are" (cadr (said 'move 'left 5 'parsecs))
+       '(not-understood
+         "parsecs is no unit of a length; there are mm, millimetre, millimetres, millimeter, millimeters, cm, centimetre, centimetres, centimeter, centimeters, m, metre, ..."
+         (3) ()))
+(check "and the nearest where there is one" (complaint 'turn 'left 5 'degres)
+       "degres is no unit of an angle; the nearest is degrees")
+(check "a number that is none is named" (complaint 'move 'left 'many 'cm) "many is no number: a length must stand here")
+(check "what is missing is said" (complaint 'turn 'right) "an angle is missing; there are degrees")
+(check "and what is too much" (complaint 'move 'left 5 'cm 'quickly) "quickly is not understood here")
 (check "nothing said is nothing understood" (symbol-of-error (said)) 'not-understood)
 
 (finish-checks)

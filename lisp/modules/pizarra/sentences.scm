@@ -103,8 +103,39 @@
            (and found (filled (second sentence) found))))
        sentences))
 
+;; ---- what is wrong where nothing fits
+
+(define measures
+  `((<length> ,length-units "a length" (mm cm m inches))
+    (<angle> ,angle-units "an angle" (degrees))
+    (<part> ,part-units "a speed" (percent))))
+
+;; How far NODES say PATTERN: (COUNT PART NODES), what part they come to grief at, #f behind the last, and what is left.
+(define (way-along pattern nodes)
+  (let loop ((count 0) (pattern pattern) (nodes nodes))
+    (let ((took (and (pair? pattern) (taken (car pattern) (map node-datum nodes)))))
+      (if took
+          (loop (+ count 1) (cdr pattern) (take-right nodes (length (cdr took))))
+          (list count (and (pair? pattern) (car pattern)) nodes)))))
+
+;; The number or the unit at the head of NODES that is none of PART's.
+(define (complain-about-measure part nodes root)
+  (let* ((measure (assq part measures))
+         (what (third measure))
+         (units (fourth measure)))
+    (cond ((null? nodes) (complain! root 'not-understood "~a is missing~a" what (suggestion #f units)))
+          ((not (number-of (node-datum (first nodes))))
+           (complain! (first nodes) 'not-understood "~a is no number: ~a must stand here" (node-datum (first nodes)) what))
+          ((null? (cdr nodes))
+           (complain! (first nodes) 'not-understood "~a has no unit: ~a is in one~a" (node-datum (first nodes)) what
+                      (suggestion #f units)))
+          (else
+           (let ((unit (node-datum (second nodes))))
+             (complain! (second nodes) 'not-understood "~a is no unit of ~a~a" unit what
+                        (suggestion (and (symbol? unit) unit) (map car (second measure)))))))))
+
 ;; The word that is not known, if any is to blame, and what it was probably meant to be.
-(define (complain-about nodes root)
+(define (complain-about-words nodes root)
   (let ((strange (find (lambda (node)
                          (let ((word (node-datum node)))
                            (and (symbol? word) (not (memq word known-words)) (nearest-name word known-words))))
@@ -114,6 +145,16 @@
                    (suggestion (node-datum strange) known-words))
         (complain! root 'not-understood
                    "this is not understood; say it like: move left 5 centimetres, or: pick up the circle"))))
+
+(define (complain-about nodes root)
+  (let* ((ways (map (lambda (sentence) (way-along (first sentence) nodes)) sentences))
+         (best (fold (lambda (way best) (if (> (first way) (first best)) way best)) (first ways) (cdr ways)))
+         (part (second best)))
+    (cond ((zero? (first best)) (complain-about-words nodes root))
+          ((assq part measures) (complain-about-measure part (third best) root))
+          ((not part)
+           (complain! (first (third best)) 'not-understood "~a is not understood here" (node-datum (first (third best)))))
+          (else (complain-about-words nodes root)))))
 
 (define (interpret data)
   (interpreting data
