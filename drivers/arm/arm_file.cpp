@@ -1,8 +1,11 @@
 #include "drivers/arm/arm_file.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 
+#include "drivers/arm/angles.hpp"
+#include "drivers/arm/kinematics.hpp"
 #include "lisp/forms/arm_names.hpp"
 #include "lisp/guile/interpret.hpp"
 #include "lisp/nearest.hpp"
@@ -67,6 +70,23 @@ ArmModel model_from(const Datum& arm) {
   return model;
 }
 
+// Where the arm's form holds the pose `name`.
+std::vector<std::size_t> path_to(const Source& source, std::string_view name) {
+  const auto sections = source.data().front().items();
+  const auto pose = std::ranges::find_if(sections, [name](const Datum& section) { return section.head() == name; });
+  return {0, static_cast<std::size_t>(pose - sections.begin())};
+}
+
+// Work begins and ends with the tool down.
+Result<void> check_pose(const Source& source, const ArmModel& model, std::string_view name, const Joints& pose) {
+  constexpr double slack_deg = 0.5;
+  const double down = -forward(model, pose).linear()(2, 2);
+  const double tilt_deg = degrees(std::acos(std::clamp(down, -1.0, 1.0)));
+  if (tilt_deg <= slack_deg) return {};
+  const std::string sentence = fmt::format("the tool points down there, and here it leans by {:.1f} degrees", tilt_deg);
+  return fail(source.failure_at(path_to(source, name), "malformed", sentence, {"in arm " + model.type}));
+}
+
 }  // namespace
 
 Result<ArmModel> read_arm_file(const std::string& path) {
@@ -74,7 +94,12 @@ Result<ArmModel> read_arm_file(const std::string& path) {
   if (!source) return fail(source);
   const Result<Datum> arm = interpret(*source, "arm");
   if (!arm) return fail(arm);
-  return model_from(*arm);
+  ArmModel model = model_from(*arm);
+  for (const auto& [name, pose] : {std::pair("home", &model.home), std::pair("ready", &model.ready)}) {
+    const Result<void> sound = check_pose(*source, model, name, *pose);
+    if (!sound) return fail(sound);
+  }
+  return model;
 }
 
 Result<ArmModel> shipped_arm(std::string_view name) {

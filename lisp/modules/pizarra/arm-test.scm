@@ -53,6 +53,15 @@
                          '(axis pitch (limits 0 1) (speed 1) (from base)) '(axis spin (limits 0 1) (speed 1))
                          '(home 0 0 0 0 0 0) '(ready 0 0 0 0 0 0)))
        '(malformed (0 7)))
+(check "an arm has one build, and its other is the one error"
+       (cdr (apply arm (append crane '((polar (height 5))))))
+       '((repeated "an arm has one build, and this one is gantry already" (0 9) ("in arm crane"))))
+(check "stops are of an axis that a linkage holds"
+       (first-error (arm '(articulated (upper-arm 400) (forearm 400))
+                         '(axis turn (limits 0 1) (speed 1)) '(axis shoulder (limits 0 1) (speed 1))
+                         '(axis elbow (limits 0 1) (speed 1) (stops 0 1)) '(axis spin (limits 0 1) (speed 1))
+                         '(home 0 0 0 0) '(ready 0 0 0 0)))
+       '(malformed (0 5 4)))
 (check "every error is told" (length (cdr (arm '(gantry (hight 7)) '(axis ahead (limits 1 0) (speed 0)))))
        5)
 

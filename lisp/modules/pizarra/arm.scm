@@ -109,6 +109,8 @@
                 (speed (one-number found 'speed (list 0.001 largest) #f))
                 (stops (section-in found 'stops)))
            (unless (section-in found 'speed) (complain! inside 'malformed "the axis has no (speed S)"))
+           (when (and stops (not (section-in found 'from)))
+             (complain! stops 'malformed "(stops LOW HIGH) are of an axis that a linkage holds: (from base)"))
            (and pair speed
                 (list role (first pair) (second pair) (* unit speed)
                       (sense-of found)
@@ -171,22 +173,27 @@
 
 ;; ----
 
+(define (interpret-links arm name found links)
+  (let* ((structure (node-head links))
+         (units (units-of found))
+         (sizes (lengths-of links structure units))
+         (nodes (sections-in found 'axis))
+         (axes (axes-of nodes structure units))
+         (sound? (= (length axes) (length nodes))))
+    (check-beside links axes sizes)
+    (list name structure sizes axes
+          (if sound? (pose-of found 'home axes units arm) '())
+          (if sound? (pose-of found 'ready axes units arm) '()))))
+
 (define (interpret-sections arm name)
   (let* ((kinds (map first structures))
          (found (sections (drop (node-items arm) 2) (append '(units axis home ready) kinds) '(axis)))
-         (structure (find (lambda (kind) (section-in found kind)) kinds))
-         (units (units-of found)))
-    (if (not structure)
-        (complain! arm 'malformed "the arm's build is missing~a" (suggestion #f kinds))
-        (let* ((links (node-within (section-in found structure) "in the links"))
-               (sizes (lengths-of links structure units))
-               (nodes (sections-in found 'axis))
-               (axes (axes-of nodes structure units))
-               (sound? (= (length axes) (length nodes))))
-          (check-beside links axes sizes)
-          (list name structure sizes axes
-                (if sound? (pose-of found 'home axes units arm) '())
-                (if sound? (pose-of found 'ready axes units arm) '()))))))
+         (builds (filter-map (lambda (entry) (and (memq (car entry) kinds) (cdr entry))) found)))
+    (cond ((null? builds) (complain! arm 'malformed "the arm's build is missing~a" (suggestion #f kinds)))
+          ((pair? (cdr builds))
+           (complain! (second builds) 'repeated "an arm has one build, and this one is ~a already"
+                      (node-head (first builds))))
+          (else (interpret-links arm name found (node-within (first builds) "in the links"))))))
 
 (define (interpret data)
   (interpreting data

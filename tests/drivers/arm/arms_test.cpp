@@ -4,6 +4,8 @@
 #include <fstream>
 #include <numbers>
 
+#include "tests/scratch.hpp"
+
 namespace pizarra {
 namespace {
 
@@ -24,6 +26,23 @@ TEST(Arms, EveryShippedArmIsDescribedInUnderSixtyLines) {
     std::size_t lines = 0;
     for (std::string line; std::getline(file, line);) ++lines;
     EXPECT_LT(lines, 60U) << name;
+  }
+}
+
+TEST(Arms, APoseInWhichTheToolLeansIsRefusedWhereItStands) {
+  std::ifstream shipped(shipped_arm_file("crs-f3"));
+  std::string text(std::istreambuf_iterator<char>(shipped), {});
+  const std::string file = scratch_folder() + "leaning.scm";
+  for (const auto& [pose, leaning] : {std::pair("(home  0 20 -80 0 -120", "(home  0 20 -80 0 -110"),
+                                      std::pair("(ready 0 0 -90 0 -90", "(ready 0 0 -90 5 -90")}) {
+    std::string changed = text;
+    changed.replace(changed.find(pose), std::string_view(pose).size(), leaning);
+    std::ofstream(file) << changed;
+    const Result<ArmModel> arm = read_arm_file(file);
+    ASSERT_FALSE(arm) << leaning;
+    EXPECT_EQ(arm.error().symbol, "malformed");
+    EXPECT_NE(arm.error().sentence.find("the tool points down there"), std::string::npos) << arm.error().sentence;
+    EXPECT_NE(arm.error().place.find(std::string(leaning).substr(0, 5)), std::string::npos) << arm.error().place;
   }
 }
 
