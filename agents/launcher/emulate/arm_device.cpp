@@ -196,14 +196,15 @@ struct ArmKind {
   std::string_view name;
   std::string_view arm;
   Result<std::unique_ptr<Serving>> (*serve)(Executor&, ArmCabinet&, const EmulateChoices&);
+  int ports = 1;        // one after another, where the first is asked for
   bool serial = false;  // whether it has serial lines, too
 };
 
 constexpr ArmKind kinds[] = {{"up6", "motoman-up6", serve_hses},
-                             {"up6-nx100", "motoman-up6", serve_host, true},
-                             {"ur5e", "ur5e", serve_ur},
-                             {"f3", "crs-f3", serve_simple, true},
-                             {"f3-track", "crs-f3", serve_with_track}};
+                             {"up6-nx100", "motoman-up6", serve_host, 1, true},
+                             {"ur5e", "ur5e", serve_ur, 3},
+                             {"f3", "crs-f3", serve_simple, 2, true},
+                             {"f3-track", "crs-f3", serve_with_track, 2}};
 
 std::string in_json(const ArmCabinet& cabinet, const ArmReading& reading) {
   return fmt::format(
@@ -251,6 +252,16 @@ int emulate_arm(const EmulateChoices& choices) {
   const StopSignals signals(executor);
   Body body(executor, *model, choices.world);
   ArmCabinet cabinet(executor, body.arm(), *model);
+  const int last = choices.port + kind.ports - 1;
+  constexpr int highest = 65535;
+  if (last > highest) {
+    const Failure beyond{
+        "bad-option",
+        fmt::format("{} has {} ports, and from {} on there are not so many", choices.device, kind.ports, choices.port),
+        {},
+        {}};
+    return complain(beyond, exit_usage);
+  }
   const Result<std::unique_ptr<Serving>> serving = kind.serve(executor, cabinet, choices);
   if (!serving) return complain(serving.error(), exit_unavailable);
   say_where(choices, (*serving)->where());

@@ -67,6 +67,31 @@ TEST(Emulate, AnArmWithSerialLinesNamesBoth) {
   EXPECT_NE(said.text.find(",/dev/pts/"), std::string::npos) << said.text;
 }
 
+TEST(Emulate, PortsThatThereAreNotAreRefusedAtOnce) {
+  const Said beyond = emulate("ur5e --tcp 65534", "");
+  EXPECT_EQ(beyond.status, 2);
+  EXPECT_NE(beyond.text.find("ur5e has 3 ports, and from 65534 on there are not so many"), std::string::npos)
+      << beyond.text;
+  for (const char* port : {"70000", "-1", "http"}) {
+    EXPECT_EQ(emulate(fmt::format("f3 --tcp {}", port), "").status, 2) << port;
+  }
+  EXPECT_EQ(emulate("f3 --tcp 65534", "", arm_seconds).status, 0);
+}
+
+TEST(Emulate, APortThatAnotherHasIsNamed) {
+  for (const auto& [device, port] : {std::pair("up6", "--udp"), std::pair("ptu46-70", "--tcp"),
+                                     std::pair("f3", "--tcp"), std::pair("gripper", "--tcp")}) {
+    const std::string both = fmt::format(
+        "{0} emulate {1} {2} 45671 >/dev/null </dev/null & first=$!; sleep {3}; {0} emulate {1} {2} 45671 </dev/null "
+        "2>&1; "
+        "status=$?; kill $first; wait; exit $status",
+        PIZARRA_EMULATE, device, port, arm_seconds);
+    const Said said = shell(fmt::format("timeout 20 bash -c '{}'", both));
+    EXPECT_EQ(said.status, 4) << device << said.text;
+    EXPECT_NE(said.text.find("cannot listen at 127.0.0.1 port 45671: "), std::string::npos) << device << said.text;
+  }
+}
+
 TEST(Emulate, AnArmTellsProgramsAnObjectALine) {
   const Said said = emulate("up6 --udp 0 --json", "status\\n", arm_seconds);
   EXPECT_NE(said.text.find(R"({"power":true,"servo":false,"pendant":false,"estop":false,"hold":false,"alarm":0,)"),
