@@ -177,7 +177,7 @@ Result<void> put_arm(CellDescription& cell, const std::string& arm) {
     const std::string nearest = nearest_name(arm, arm_names());
     return fail(
         "unknown-arm",
-        fmt::format("there is no arm {} and no such arm file; there are {}{}", arm, fmt::join(arm_names(), ", "),
+        fmt::format("there is no arm \"{}\" and no such arm file; there are {}{}", arm, fmt::join(arm_names(), ", "),
                     nearest.empty() ? "" : fmt::format(": did you mean {}?", nearest)),
         Datum::string(arm));
   }

@@ -4,6 +4,7 @@
 
 #include "agents/launcher/story/random_story.hpp"
 #include "agents/launcher/story/story_run.hpp"
+#include "agents/launcher/supervision/agent_factory.hpp"
 #include "lisp/writer.hpp"
 
 namespace pizarra {
@@ -47,6 +48,8 @@ RandomResult run_random_seed(const std::string& cell_file, const std::string& ar
     const Result<void> put = put_arm(*cell, arm);
     if (!put) return {RandomResult::Kind::unreadable, describe(put.error())};
   }
+  const Result<WorldConfig> sound = world_config(*cell, seed);
+  if (!sound) return {RandomResult::Kind::unreadable, describe(sound.error())};
   const Result<Domain> domain = domain_of(*cell);
   if (!domain) return {RandomResult::Kind::unreadable, describe(domain.error())};
   const Result<void> drawable = check_random_cell(*cell, *domain);

@@ -122,6 +122,20 @@ std::unique_ptr<BuiltAgent> build_person(AgentContext context, const CellDescrip
   return std::make_unique<WithoutDevice>(std::make_unique<PersonAgent>(std::move(context), link, std::move(names)));
 }
 
+bool has_agent(const CellDescription& description, const std::string& kind) {
+  return std::ranges::any_of(description.hosts, [&](const CellHost& host) {
+    return std::ranges::find(host.agents, kind) != host.agents.end();
+  });
+}
+
+// The coordinator brings the gripper over an object by turning axis 1.
+Result<void> check_suits(const CellDescription& description, const ArmModel& arm) {
+  if (arm.axis_of(Role::turn) || !has_agent(description, "coordinator")) return {};
+  return fail("bad-cell",
+              fmt::format("the coordinator needs an arm that turns, and the arm {} has no such axis", arm.type),
+              Datum::symbol(arm.type));
+}
+
 }  // namespace
 
 const std::vector<std::string>& agent_kinds() {
@@ -139,8 +153,7 @@ std::vector<std::string> agent_kinds(const CellDescription& description) {
   if (!has_pan_tilt(description)) std::erase(kinds, "pan-tilt");
   if (!description.eyes.is_simulated()) std::erase(kinds, "person");
   for (const std::string& kind : further_agent_kinds()) {
-    const auto has = [&](const CellHost& host) { return std::ranges::find(host.agents, kind) != host.agents.end(); };
-    if (std::ranges::any_of(description.hosts, has)) kinds.push_back(kind);
+    if (has_agent(description, kind)) kinds.push_back(kind);
   }
   return kinds;
 }
@@ -149,6 +162,8 @@ Result<WorldConfig> world_config(const CellDescription& description, std::uint64
   WorldConfig config;
   Result<ArmModel> arm = read_arm_file(description.arm_file);
   if (!arm) return fail(arm);
+  const Result<void> suits = check_suits(description, *arm);
+  if (!suits) return fail(suits);
   config.arm = std::move(*arm);
   if (description.slave) {
     Result<ArmModel> second = read_arm_file(description.slave->arm_file);

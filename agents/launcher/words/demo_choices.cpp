@@ -45,6 +45,7 @@ Result<void> check_choices(const DemoChoices& choices) {
   if (!choices.picture.empty() && std::filesystem::path(choices.picture).extension() != ".png") {
     return bad_option(fmt::format("--png {}: a picture is named .png", choices.picture));
   }
+  if (choices.has("--arm") && choices.arm.empty()) return bad_option("--arm '': an arm has a name, or a file");
   return check_random(choices);
 }
 

@@ -5,6 +5,7 @@
 #include "agents/launcher/story/output_file.hpp"
 #include "agents/launcher/story/random_story.hpp"
 #include "agents/launcher/story/story_run.hpp"
+#include "agents/launcher/supervision/agent_factory.hpp"
 #include "agents/launcher/words/demo_choices.hpp"
 #include "agents/launcher/words/goal_text.hpp"
 #include "agents/launcher/words/random_runs.hpp"
@@ -90,6 +91,8 @@ int run_demo(const DemoChoices& choices) {
     const Result<void> put = put_arm(*cell, choices.arm);
     if (!put) return complain(put.error(), exit_usage);
   }
+  const Result<WorldConfig> sound = world_config(*cell, choices.seed);
+  if (!sound) return complain(sound.error(), exit_usage);
   const Result<Domain> domain = domain_of(*cell);
   if (!domain) return complain(domain.error(), exit_usage);
   if (choices.has("--goal")) {

@@ -1,5 +1,6 @@
 // `repl`: a prompt on the cell that runs here, or on one in this process.
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include "agents/launcher/command_line/word_tools.hpp"
@@ -18,6 +19,7 @@ struct ReplChoices {
   std::vector<std::string> forms;
   std::vector<std::string> agents;
   std::uint64_t seed = 1;
+  std::string of_own_cell;  // what was given that says something of a cell in this process alone
 };
 
 bool is_script(const ReplChoices& choices) { return !choices.forms.empty() || isatty(STDIN_FILENO) == 0; }
@@ -48,6 +50,13 @@ int talk_to_own_cell(const ReplChoices& choices) {
 int run_repl(const ReplChoices& choices) {
   const bool own = !choices.agents.empty() || (choices.board.board.empty() && running_cells().empty());
   if (own) return talk_to_own_cell(choices);
+  if (!choices.of_own_cell.empty()) {
+    const std::string sentence = fmt::format(
+        "{} is for a cell in this process, and this prompt talks to one that runs already: leave it out, "
+        "or end that one first (`down`)",
+        choices.of_own_cell);
+    return complain(Failure{"bad-option", sentence, {}, {}}, exit_usage);
+  }
   const Result<Destination> to = destination(choices.board);
   if (!to) return complain(to.error(), exit_unavailable);
   return talk_to(*to, choices.forms, manner_of(choices));
@@ -70,7 +79,11 @@ void add_repl_word(CLI::App& app, int& status) {
   repl->add_option("--seed", choices->seed, "What chance begins from")->check(seed_check())->capture_default_str();
   add_board_options(repl, choices->board);
   repl->footer(help_footer("repl --eval '(goal (on circle triangle))'"));
-  repl->callback([choices, &status] { status = run_repl(*choices); });
+  repl->callback([choices, repl, &status] {
+    if (repl->get_option("--seed")->count() > 0) choices->of_own_cell = "--seed";
+    if (repl->get_option("file")->count() > 0) choices->of_own_cell = choices->cell_file;
+    status = run_repl(*choices);
+  });
 }
 
 }  // namespace pizarra

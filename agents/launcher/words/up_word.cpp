@@ -10,6 +10,7 @@
 #include "agents/launcher/command_line/word_tools.hpp"
 #include "agents/launcher/story/narrator.hpp"
 #include "agents/launcher/story/story_run.hpp"
+#include "agents/launcher/supervision/agent_factory.hpp"
 #include "agents/launcher/supervision/run_directory.hpp"
 #include "agents/launcher/supervision/supervisor.hpp"
 #include "agents/launcher/words/words.hpp"
@@ -219,6 +220,8 @@ int Up::run() {
 int run_up(const UpChoices& choices) {
   Result<CellDescription> cell = read_cell_file(choices.cell);
   if (!cell) return complain(cell.error(), exit_usage);
+  const Result<WorldConfig> sound = world_config(*cell, choices.seed);
+  if (!sound) return complain(sound.error(), exit_usage);
   if (needs_domain(*cell)) {
     const Result<Domain> domain = domain_of(*cell);
     if (!domain) return complain(domain.error(), exit_usage);

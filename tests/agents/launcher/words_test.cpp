@@ -199,6 +199,28 @@ TEST(Words, AnEmptyGoalIsMalformedInTheSameWordsEverywhere) {
   }
 }
 
+TEST(Words, AnArmThatTheTaskCannotBeDoneWithIsRefusedAtOnce) {
+  for (const char* words : {"demo --arm gantry", "demo --random --seeds 2 --arm gantry"}) {
+    const Said said = run(words);
+    EXPECT_EQ(said.status, 2) << words;
+    EXPECT_TRUE(contains(said, "the coordinator needs an arm that turns, and the arm gantry has no such axis"))
+        << said.text;
+  }
+  const Said nameless = run("demo --arm ''");
+  EXPECT_EQ(nameless.status, 2);
+  EXPECT_EQ(nameless.text, "pizarra: --arm '': an arm has a name, or a file\n");
+}
+
+TEST(Words, WhatIsForACellInThisProcessIsNotLeftOutWithoutAWord) {
+  const std::string file = source_dir() + "/examples/01-blocks/cell.scm";
+  for (const std::string& given : {file, std::string("--seed 7")}) {
+    const Said said = run("repl --board ipc:///tmp/nobody " + given + " --eval '(help)'");
+    EXPECT_EQ(said.status, 2) << said.text;
+    EXPECT_TRUE(contains(said, " is for a cell in this process, and this prompt talks to one that runs already"))
+        << said.text;
+  }
+}
+
 TEST(Words, AnUnreachablePointIsSaidOnceInTenthsOfMillimetres) {
   const Said said = run("repl --agents robot --eval '(robot (do-action \"(move 1450.123456789 0 200)\"))'");
   EXPECT_EQ(said.status, 1);
