@@ -54,20 +54,31 @@ Task<Result<bool>> PersonAgent::known(std::string name) {
   co_return fail(samples);
 }
 
+// A motion that was stopped, as where the robot agent began anew, is asked for again.
+Task<Result<void>> PersonAgent::move_arm(Datum operation) {
+  Result<Datum> moved = fail("stopped", "the arm was not moved");
+  for (int n = 0; n < tries; ++n) {
+    moved = co_await caller_.call("robot", operation, arm_timeout);
+    if (moved) co_return {};
+    if (moved.error().symbol != "stopped") break;
+  }
+  co_return fail(moved);
+}
+
 Task<Result<void>> PersonAgent::show_end_effector() {
   Datum question = list("where-seen"_sym, end_effector);
   const Result<Message> at_once = co_await link_.call(question, look_timeout);
   if (at_once) co_return {};
   Datum ready = list("ready"_sym);
-  const Result<Datum> stood = co_await caller_.call("robot", ready, arm_timeout);
-  if (!stood) co_return fail(stood);
+  const Result<void> stood = co_await move_arm(ready);
+  if (!stood) co_return stood;
   for (int step = 0; step < most_steps_down; ++step) {
     const Result<Message> seen = co_await link_.call(question, look_timeout);
     if (seen) co_return {};
     if (seen.error().symbol != "not-seen") co_return fail(seen);
     Datum down = list("move-v"_sym, "down"_sym, step_down_mm);
-    const Result<Datum> moved = co_await caller_.call("robot", down, arm_timeout);
-    if (!moved) co_return fail(moved);
+    const Result<void> moved = co_await move_arm(down);
+    if (!moved) co_return moved;
   }
   co_return fail("not-seen", "the end effector does not come into the image");
 }

@@ -31,6 +31,7 @@ class PersonAgent : public Agent {
   Task<Result<void>> teach_cell();
   Task<Result<void>> teach(std::string name);
   Task<Result<void>> teach_once(std::string name);
+  Task<Result<void>> move_arm(Datum operation);
   Task<Result<void>> show_end_effector();
   Task<Result<bool>> known(std::string name);
   Task<bool> renamed(std::string name);

@@ -65,6 +65,24 @@ TEST(Person, TeachesEveryCubeAndTheEndEffectorByClickingOnThem) {
             "(person done (\"end-effector\" \"circle\" \"triangle\" \"square\" \"cross\"))\n");
 }
 
+TEST(Person, AsksForAMotionAgainThatWasStopped) {
+  Room room;
+  PersonAgent person(AgentContext{"person", "localhost", room.executor, *room.person_view, Random(3)}, room.link,
+                     room.names);
+  const Job robot = room.executor.spawn(until_it_ends(room.robot));
+  const Job vision = room.executor.spawn(until_it_ends(room.vision));
+  const Job teaching = room.executor.spawn(until_it_ends(person));
+  const Datum moving = list("arm"_sym, "robot"_sym, "moving"_sym, "?"_sym);
+  const auto moves = [&] { return room.facts(moving).starts_with("(arm"); };
+  room.executor.run_until([&] { return moves() || room.executor.now() > Time{} + 20s; });
+  ASSERT_TRUE(moves());
+  Transaction stop;
+  stop.tell(list("request"_sym, "s1"_sym, "robot"_sym, list("finish"_sym, "stop"_sym)));
+  ASSERT_TRUE(room.board.transact("somebody", stop));
+  room.executor.run_for(60s);
+  EXPECT_TRUE(room.facts(list("person"_sym, "?"_sym, "?"_sym)).starts_with("(person done"));
+}
+
 TEST(Person, WhoComesBackDoesNotTeachAgain) {
   Room room;
   const Job robot = room.executor.spawn(until_it_ends(room.robot));
