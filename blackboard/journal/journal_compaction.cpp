@@ -4,7 +4,6 @@
 
 #include "blackboard/journal/journal_tables.hpp"
 #include "blackboard/wire/wire.hpp"
-#include "lisp/reader.hpp"
 #include "lisp/writer.hpp"
 
 namespace pizarra::journal_tables {
@@ -127,16 +126,15 @@ void Horizon::remove(FactId id) {
 Result<Horizon::Standing*> Horizon::standing(FactId id) {
   const auto known = standing_.find(id);
   if (known != standing_.end()) return &known->second;
-  sqlite::Statement row(database_, "SELECT form, taken FROM facts WHERE id = ?");
+  sqlite::Statement row(database_, "SELECT form, taken, sum FROM facts WHERE id = ?");
   const Result<bool> found = row.bind(1, static_cast<std::int64_t>(id)).step();
   if (!found) return fail(found);
-  const Result<Datum> form =
-      *found ? read_one(row.text(0)) : fail("damaged", "fact " + std::to_string(id) + " is missing");
-  if (!form) return fail("damaged", form.error().sentence);
-  Result<Fact> fact = wire::fact_from_datum(*form);
-  if (!fact) return fail("damaged", fact.error().sentence);
+  if (!*found) return fail("damaged", "fact " + std::to_string(id) + " is missing");
+  const auto state = static_cast<Store::Restored>(row.integer(1));
+  Result<Fact> fact = fact_from_row(id, state, row.text(0), row.integer(2));
+  if (!fact) return fail(fact);
   removed_.push_back(id);
-  return &(standing_[id] = {std::move(*fact), static_cast<Store::Restored>(row.integer(1))});
+  return &(standing_[id] = {std::move(*fact), state});
 }
 
 Result<void> Horizon::write() {
@@ -155,6 +153,7 @@ Result<void> Horizon::write() {
   Result<void> set = set_about(database_, "horizon", static_cast<std::int64_t>(at_.revision));
   if (set) set = set_about(database_, "horizon-time", at_.when.time_since_epoch().count());
   if (set) set = set_about(database_, "next-fact", static_cast<std::int64_t>(next_fact_));
+  if (set) set = seal_head(database_);
   return set;
 }
 
@@ -164,18 +163,24 @@ Result<bool> advance_horizon(sqlite::Database& database, Revision before_revisio
   sqlite::Transaction transaction(database);
   const Result<void> begun = transaction.begin();
   if (!begun) return fail(begun);
+  // What is damaged must not be summed up anew.
+  const Result<void> whole = check_head(database);
+  if (!whole) return fail(whole);
   Horizon horizon(database);
   const Result<void> read = horizon.read_about();
   if (!read) return fail(read);
   std::int64_t last = 0;
   std::size_t bytes = 0;
   {
-    sqlite::Statement groups(database, "SELECT number, revision, time, lines FROM log ORDER BY number");
+    sqlite::Statement groups(database, "SELECT number, revision, time, lines, replies, sum FROM log ORDER BY number");
     for (Result<bool> group = groups.step(); bytes < slice_bytes; group = groups.step()) {
       if (!group) return fail(group);
       if (!*group || static_cast<Revision>(groups.integer(1)) >= before_revision) break;
       if (Time(Duration(groups.integer(2))) >= before_time) break;
       last = groups.integer(0);
+      if (sum_of_group(last, groups.text(3), groups.text(4)) != groups.integer(5)) {
+        return fail("damaged", "entry " + std::to_string(last) + " is damaged: its checksum does not fit");
+      }
       bytes += groups.text(3).size();
       const Result<void> applied = horizon.apply(groups.text(3));
       if (!applied) return fail(applied);

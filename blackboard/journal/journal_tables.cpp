@@ -12,24 +12,51 @@ namespace pizarra::journal_tables {
 namespace {
 
 constexpr std::int64_t application = 0x50697a61;  // "Piza"
-constexpr std::int64_t format = 1;
+constexpr std::int64_t format = 2;
+constexpr std::int64_t format_without_head_sum = 1;
 constexpr std::size_t replies_of_session = 256;
 constexpr std::size_t most_replies = 1 << 18;
 constexpr ReadLimits fact_limits = {.bytes = 4 << 20, .depth = 70, .elements = 400'000};
 
 constexpr const char* schema = R"(
-  BEGIN;
   CREATE TABLE about (name TEXT PRIMARY KEY, value INTEGER) WITHOUT ROWID;
   CREATE TABLE relations (name TEXT PRIMARY KEY, form TEXT) WITHOUT ROWID;
   CREATE TABLE facts (id INTEGER PRIMARY KEY, taken INTEGER, form TEXT, sum INTEGER);
   CREATE TABLE log (number INTEGER PRIMARY KEY, revision INTEGER, time INTEGER, lines TEXT, replies TEXT, sum INTEGER);
   INSERT INTO about VALUES ('horizon', 0), ('horizon-time', 0), ('next-fact', 1);
   PRAGMA application_id = 1349089889;
-  PRAGMA user_version = 1;
-  COMMIT;
+  PRAGMA user_version = 2;
 )";
 
 std::unexpected<Failure> damaged(std::string sentence) { return fail("bad-journal", std::move(sentence)); }
+
+std::unexpected<Failure> damaged_fact(FactId id, const std::string& why) {
+  return damaged("fact " + std::to_string(id) + " is damaged: " + why);
+}
+
+// Of `about` and `relations`, whose rows have none of their own.
+Result<std::int64_t> sum_of_head(sqlite::Database& database) {
+  sqlite::Statement rows(database,
+                         "SELECT name, value, '' FROM (SELECT * FROM about WHERE name <> 'sum' ORDER BY name) "
+                         "UNION ALL SELECT name, 0, form FROM (SELECT * FROM relations ORDER BY name)");
+  Checksum sum;
+  for (Result<bool> row = rows.step(); !row || *row; row = rows.step()) {
+    if (!row) return fail(row);
+    sum.add(rows.text(0).size()).add(rows.text(0)).add(static_cast<std::uint64_t>(rows.integer(1)));
+    sum.add(rows.text(2).size()).add(rows.text(2));
+  }
+  return sum.value();
+}
+
+// Runs the statements and sums up the head that they leave: all of it, or nothing.
+Result<void> run_and_seal(sqlite::Database& database, const char* sql) {
+  sqlite::Transaction transaction(database);
+  Result<void> done = transaction.begin();
+  if (done) done = database.run(sql);
+  if (done) done = seal_head(database);
+  if (done) done = transaction.commit();
+  return done;
+}
 
 Result<void> restore_relations(sqlite::Database& database, Store& store) {
   sqlite::Statement rows(database, "SELECT form FROM relations ORDER BY name");
@@ -53,23 +80,16 @@ Result<void> restore_facts(sqlite::Database& database, Store& store) {
     if (!row) return fail(row);
     const auto id = static_cast<FactId>(rows.integer(0));
     const auto state = static_cast<Store::Restored>(rows.integer(1));
-    const std::string_view text = rows.text(2);
-    const auto bad = [id](const std::string& why) {
-      return damaged("fact " + std::to_string(id) + " is damaged: " + why);
-    };
-    if (sum_of_fact(id, state, text) != rows.integer(3)) return bad("its checksum does not fit");
-    const Result<Datum> form = read_one(text, fact_limits, "journal");
-    if (!form) return bad(form.error().sentence);
-    Result<Fact> fact = wire::fact_from_datum(*form);
-    if (!fact) return bad(fact.error().sentence);
+    Result<Fact> fact = fact_from_row(id, state, rows.text(2), rows.integer(3));
+    if (!fact) return fail(fact);
     const Result<void> restored = store.restore(std::move(*fact), state);
-    if (!restored) return bad(restored.error().sentence);
+    if (!restored) return damaged_fact(id, restored.error().sentence);
   }
   return {};
 }
 
 Result<PlayedBack> restore_log(sqlite::Database& database, Store& store, const Moment& until, LineStart to) {
-  sqlite::Statement rows(database, "SELECT number, lines, replies, sum FROM log ORDER BY number");
+  sqlite::Statement rows(database, "SELECT number, lines, replies, sum, revision, time FROM log ORDER BY number");
   std::int64_t expected = 0;
   std::string later;
   for (Result<bool> row = rows.step(); !row || *row; row = rows.step()) {
@@ -81,6 +101,9 @@ Result<PlayedBack> restore_log(sqlite::Database& database, Store& store, const M
       return damaged("entry " + std::to_string(number) + " is damaged: " + why);
     };
     if (sum_of_group(number, rows.text(1), rows.text(2)) != rows.integer(3)) return bad("its checksum does not fit");
+    const LineStart last = start_of_last_line(rows.text(1));
+    const LineStart said{static_cast<Revision>(rows.integer(4)), Time(Duration(rows.integer(5)))};
+    if (last.revision != said.revision || last.when != said.when) return bad("it ends at another moment than it says");
     if (!later.empty()) {
       later += rows.text(1);
       continue;
@@ -117,7 +140,7 @@ Result<sqlite::Database> open(const std::string& path, sqlite::Access access) {
   if (!tables) return fail(tables);
   if (*tables == 0 && access == sqlite::Access::write) {
     set = database->run("PRAGMA journal_mode = WAL");
-    if (set) set = database->run(schema);
+    if (set) set = run_and_seal(*database, schema);
     if (!set) return fail(set);
   }
   const Result<std::int64_t> kind = database->ask("PRAGMA application_id");
@@ -125,12 +148,45 @@ Result<sqlite::Database> open(const std::string& path, sqlite::Access access) {
   if (*kind != application) return fail("damaged", "it is not a journal");
   const Result<std::int64_t> version = database->ask("PRAGMA user_version");
   if (!version) return fail(version);
-  if (*version != format) return fail("damaged", "it is a journal of another format, " + std::to_string(*version));
+  if (*version == format) return database;
+  if (*version != format_without_head_sum) {
+    return fail("damaged", "it is a journal of another format, " + std::to_string(*version));
+  }
+  if (access == sqlite::Access::write) set = run_and_seal(*database, "PRAGMA user_version = 2");
+  if (!set) return fail(set);
   return database;
+}
+
+Result<void> check_head(sqlite::Database& database) {
+  const Result<std::int64_t> version = database.ask("PRAGMA user_version");
+  if (!version) return fail(version);
+  if (*version == format_without_head_sum) return {};
+  const Result<std::int64_t> said = about(database, "sum");
+  if (!said) return fail(said);
+  const Result<std::int64_t> sum = sum_of_head(database);
+  if (!sum) return fail(sum);
+  if (*sum == *said) return {};
+  return damaged("where it begins, or a relation, is damaged: their checksum does not fit");
+}
+
+Result<void> seal_head(sqlite::Database& database) {
+  const Result<std::int64_t> sum = sum_of_head(database);
+  if (!sum) return fail(sum);
+  sqlite::Statement row(database, "INSERT OR REPLACE INTO about VALUES ('sum', ?)");
+  return row.bind(1, *sum).run();
 }
 
 std::int64_t sum_of_fact(FactId id, Store::Restored state, std::string_view form) {
   return Checksum().add(id).add(static_cast<std::uint64_t>(state)).add(form).value();
+}
+
+Result<Fact> fact_from_row(FactId id, Store::Restored state, std::string_view form, std::int64_t sum) {
+  if (sum_of_fact(id, state, form) != sum) return damaged_fact(id, "its checksum does not fit");
+  const Result<Datum> read = read_one(form, fact_limits, "journal");
+  if (!read) return damaged_fact(id, read.error().sentence);
+  Result<Fact> fact = wire::fact_from_datum(*read);
+  if (!fact) return damaged_fact(id, fact.error().sentence);
+  return fact;
 }
 
 std::int64_t sum_of_group(std::int64_t number, std::string_view lines, std::string_view replies) {
@@ -155,6 +211,8 @@ Result<PlayedBack> restore(sqlite::Database& database, Store& store, const Momen
   sqlite::Transaction reading(database);
   const Result<void> begun = reading.begin_reading();
   if (!begun) return fail(begun);
+  const Result<void> whole = check_head(database);
+  if (!whole) return fail(whole);
   const Result<std::int64_t> horizon = about(database, "horizon");
   if (!horizon) return fail(horizon);
   const Result<std::int64_t> horizon_time = about(database, "horizon-time");

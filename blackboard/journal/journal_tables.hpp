@@ -2,13 +2,15 @@
 
 // The tables of a journal's SQLite file, and how they become a store again.
 //
-//   about(name, value)               horizon (a revision), horizon-time, next-fact
+//   about(name, value)               horizon (a revision), horizon-time, next-fact; and sum, over the rest of `about`
+//                                    and all of `relations`: the head
 //   relations(name, form)            declared at the horizon
 //   facts(id, taken, form, sum)      at the horizon, as on the wire: standing (0), taken (1), and the same of what was
 //                                    told under a lease (2, 3)
 //   log(number, revision, time, lines, replies, sum)     what came since, a group a row, numbered without a gap
 //
-// `sum` is a checksum of its row: SQLite has none of its own.
+// Elsewhere `sum` is a checksum of its row: SQLite has none of its own. A file of format 1 has none over its head: it is
+// believed when it is opened, and has one from its next opening to write on (format 2).
 
 #include <vector>
 
@@ -20,7 +22,14 @@ namespace pizarra::journal_tables {
 Result<sqlite::Database> open(const std::string& path, sqlite::Access access);
 
 std::int64_t sum_of_fact(FactId id, Store::Restored state, std::string_view form);
+// Failure bad-journal.
+Result<Fact> fact_from_row(FactId id, Store::Restored state, std::string_view form, std::int64_t sum);
 std::int64_t sum_of_group(std::int64_t number, std::string_view lines, std::string_view replies);
+
+// Whether the head is as it was written.
+Result<void> check_head(sqlite::Database& database);
+// Sums it up anew, in the transaction that changed it.
+Result<void> seal_head(sqlite::Database& database);
 
 Result<std::int64_t> about(sqlite::Database& database, std::string_view name);
 Result<void> set_about(sqlite::Database& database, std::string_view name, std::int64_t value);

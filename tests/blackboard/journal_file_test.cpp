@@ -2,83 +2,14 @@
 
 #include <csignal>
 #include <filesystem>
-#include <fstream>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
-#include <unistd.h>
 
-#include "blackboard/journal/journal_writer.hpp"
-#include "blackboard/time/random.hpp"
-#include "blackboard/time/virtual_executor.hpp"
 #include "lisp/writer.hpp"
-#include "tests/blackboard/wall.hpp"
+#include "tests/blackboard/journal_fixture.hpp"
 
 namespace pizarra {
 namespace {
-
-class JournalFileTest : public testing::Test {
- protected:
-  JournalFileTest()
-      : folder_(memory_or_disk() / ("pizarra-journal-file-" + std::to_string(getpid()))),
-        path_((folder_ / "cell.journal").string()) {
-    std::filesystem::create_directory(folder_);
-  }
-  // A disk is slow to say that it has everything; few tests are about that.
-  static std::filesystem::path memory_or_disk() {
-    const std::filesystem::path memory = "/dev/shm";
-    return std::filesystem::exists(memory) ? memory : std::filesystem::temp_directory_path();
-  }
-  ~JournalFileTest() override { std::filesystem::remove_all(folder_); }
-
-  // One life of a board that keeps its journal in the file.
-  struct Life {
-    explicit Life(const std::string& path, const History& history = {}) {
-      auto store = std::make_unique<Store>();
-      file = JournalFile::open(path, history).value();
-      remembered = file->recover(*store).value();
-      writer = std::make_unique<JournalWriter>(executor, file);
-      board = std::make_unique<MemoryBoard>(executor, std::move(store));
-      board->set_journal([this](std::string_view line) { writer->append(line); });
-      board->resume();
-    }
-    std::vector<Datum> facts(const std::string& pattern) {
-      std::vector<Datum> facts;
-      const Result<Answers> answers = board->ask(query(pattern));
-      for (const Answer& answer : answers->answers) facts.push_back(answer.facts.front().datum);
-      return facts;
-    }
-    void tell(const std::string& fact) {
-      Transaction transaction;
-      transaction.tell(read(fact));
-      EXPECT_TRUE(board->transact("alice", transaction).has_value());
-    }
-    // Until everything is written.
-    void keep() {
-      writer->keep();
-      executor.run_for(1ms);
-    }
-    VirtualExecutor executor;
-    std::shared_ptr<JournalFile> file;
-    std::vector<RememberedReply> remembered;
-    std::unique_ptr<JournalWriter> writer;
-    std::unique_ptr<MemoryBoard> board;
-  };
-
-  Datum facts_at(const Moment& until, const std::string& pattern) {
-    Store store;
-    const Result<PlayedBack> later = read_journal(path_, store, until);
-    if (!later) return Datum::symbol(later.error().symbol);
-    std::vector<Datum> facts;
-    const Result<Answers> answers = store.ask(query(pattern));
-    for (const Answer& answer : answers->answers) facts.push_back(answer.facts.front().datum);
-    return Datum::list(std::move(facts));
-  }
-
-  const std::filesystem::path folder_;
-  const std::string path_;
-  const std::vector<Relation> relations_ = {relation("(relation goal ((n integer) (what datum)) (key n) (durable))"),
-                                            relation("(relation seen ((name string)))")};
-};
 
 TEST_F(JournalFileTest, DurableFactsOutliveTheBoardAndOthersDoNot) {
   {
@@ -271,124 +202,6 @@ TEST_F(JournalFileTest, RepliesAreRememberedInTheNextLife) {
   EXPECT_EQ(life.remembered.front().teller, "ali\"ce");
   EXPECT_EQ(life.remembered.front().result, read("(ok 300)"));
   EXPECT_EQ(life.remembered.back().request, 45U);
-}
-
-TEST_F(JournalFileTest, WhatIsNoJournalIsRefusedByName) {
-  for (const std::string& text : {std::string("hello"), std::string(5000, 'x'), std::string("SQLite format 3\0", 16)}) {
-    std::ofstream(path_, std::ios::binary) << text;
-    const auto opened = JournalFile::open(path_, {});
-    ASSERT_FALSE(opened.has_value());
-    EXPECT_EQ(opened.error().symbol, "bad-journal") << opened.error().sentence;
-    EXPECT_NE(opened.error().sentence.find(path_), std::string::npos) << opened.error().sentence;
-  }
-}
-
-// A board that was killed leaves its file and SQLite's beside it as they are; damage must not pass for less.
-TEST_F(JournalFileTest, DamageIsAFailureAndNeverAWrongBoard) {
-  constexpr std::uint64_t seed = 5;
-  SCOPED_TRACE("seed " + std::to_string(seed));
-  std::vector<Datum> expected;
-  {
-    Life life(path_, {.revisions = 50});
-    ASSERT_TRUE(life.board->declare("alice", relations_).has_value());
-    for (int n = 1; n <= 400; ++n) {
-      life.tell(write(list("goal"_sym, n % 100, list(n, std::string(1500, 'y')))));
-      life.executor.run_for(1s);
-    }
-    expected = life.facts("(goal ? ?)");
-  }
-  std::ifstream in(path_, std::ios::binary);
-  const std::string whole((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
-  Random random(seed);
-  int found = 0;
-  for (int round = 0; round < 120; ++round) {
-    std::string text = whole;
-    if (round % 3 == 0) {
-      text.resize(random.below(text.size()));
-    } else {
-      for (int n = 0; n < 8; ++n) text[random.below(text.size())] ^= static_cast<char>(1 + random.below(255));
-    }
-    std::ofstream(path_, std::ios::binary) << text;
-    std::filesystem::remove(path_ + "-wal");
-    std::filesystem::remove(path_ + "-shm");
-    Store store;
-    const auto file = JournalFile::open(path_, {});
-    const auto recovered = file ? (*file)->recover(store) : fail(file.error());
-    if (!recovered) {
-      ++found;
-      EXPECT_TRUE(recovered.error().symbol == "bad-journal" || recovered.error().symbol == "journal-file")
-          << recovered.error().symbol << ": " << recovered.error().sentence;
-      continue;
-    }
-    if (store.tables().empty() && text.empty()) continue;
-    std::vector<Datum> facts;
-    const Result<Answers> answers = store.ask(query("(goal ? ?)"));
-    ASSERT_TRUE(answers.has_value()) << "round " << round;
-    for (const Answer& answer : answers->answers) facts.push_back(answer.facts.front().datum);
-    EXPECT_EQ(facts, expected) << "round " << round;
-  }
-  EXPECT_GT(found, 60) << "most damage meets something";
-}
-
-// SQLite takes the first damaged page of its log for the end of it.
-TEST_F(JournalFileTest, DamageWithinWhatWasKeptIsSaidAndNothingBehindItDroppedSilently) {
-  constexpr std::uint64_t seed = 6;
-  SCOPED_TRACE("seed " + std::to_string(seed));
-  const std::string copy = (folder_ / "copy.journal").string();
-  Life life(path_);
-  ASSERT_TRUE(life.board->declare("alice", relations_).has_value());
-  for (int n = 1; n <= 100; ++n) {
-    life.tell(write(list("goal"_sym, n, std::string(500, 'y'))));
-    life.keep();
-  }
-  const auto restart_with = [&](const std::string& log) {
-    remove_journal(copy);
-    for (const char* part : {"", "-kept"}) std::filesystem::copy_file(path_ + part, copy + part);
-    std::ofstream(copy + "-wal", std::ios::binary) << log;
-    return JournalFile::open(copy, {});
-  };
-  std::ifstream in(path_ + "-wal", std::ios::binary);
-  const std::string log((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
-  ASSERT_GT(log.size(), 100'000U);
-  EXPECT_TRUE(restart_with(log).has_value()) << "killed, it goes on";
-  Random random(seed);
-  for (int round = 0; round < 30; ++round) {
-    std::string damaged = log;
-    damaged[random.below(damaged.size() * 9 / 10)] ^= static_cast<char>(1U << random.below(8));
-    const auto opened = restart_with(damaged);
-    // What SQLite never reads, the counters of the header, may be anything.
-    if (opened && (*opened)->append({"(1000 1 \"a\" (retract 1))\n", "", true})) continue;
-    ASSERT_FALSE(opened.has_value());
-    EXPECT_EQ(opened.error().symbol, "bad-journal");
-    EXPECT_NE(opened.error().sentence.find("up to entry 1"), std::string::npos) << opened.error().sentence;
-    Store store;
-    EXPECT_EQ(read_journal(copy, store).error().symbol, "bad-journal");
-    // Who would rather have less than nothing says so.
-    std::filesystem::remove(copy + "-kept");
-    EXPECT_TRUE(JournalFile::open(copy, {}).has_value());
-  }
-}
-
-TEST_F(JournalFileTest, WhatIsLeftOfAJournalWhoseFileIsGoneIsNotBegunAnew) {
-  {
-    Life life(path_);
-    ASSERT_TRUE(life.board->declare("alice", relations_).has_value());
-    life.tell("(goal 1 x)");
-    life.keep();
-    // As a crash leaves it.
-    for (const char* part : {"-wal", "-kept"}) std::filesystem::copy_file(path_ + part, path_ + "2" + part);
-  }
-  const std::string gone = path_ + "2";
-  for (const char* part : {"-wal", "-kept"}) {
-    const auto opened = JournalFile::open(gone, {});
-    ASSERT_FALSE(opened.has_value());
-    EXPECT_EQ(opened.error().symbol, "bad-journal");
-    EXPECT_NE(opened.error().sentence.find(gone + part), std::string::npos) << opened.error().sentence;
-    EXPECT_FALSE(std::filesystem::exists(gone));
-    EXPECT_TRUE(std::filesystem::exists(gone + part));
-    std::filesystem::remove(gone + part);
-  }
-  EXPECT_TRUE(JournalFile::open(gone, {}).has_value());
 }
 
 TEST_F(JournalFileTest, AFolderIsNoJournal) {

@@ -5,7 +5,6 @@
 
 #include <cstdint>
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
@@ -43,26 +42,20 @@ std::string contents_of(const std::string& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-void remove_all_of(const std::string& path) {
-  for (const char* ending : {"", "-wal", "-shm", "-journal", ".lock", "-lock", ".reserve"}) {
-    std::filesystem::remove(path + ending);
-  }
-}
-
 std::string path_for(const char* purpose) {
   return "/dev/shm/pizarra-fuzz-" + std::string(purpose) + "-" + std::to_string(getpid());
 }
 
 std::string sound_file() {
   const std::string path = path_for("sound");
-  remove_all_of(path);
+  remove_journal(path);
   {
     const auto file = JournalFile::open(path, {}).value();
     Store store;
     if (!file->recover(store) || !file->append({sound_lines, "", true})) std::abort();
   }
   std::string contents = contents_of(path);
-  remove_all_of(path);
+  remove_journal(path);
   return contents;
 }
 
@@ -76,14 +69,14 @@ void open_damaged(std::string_view damage) {
   if (damage.size() == 2) contents.resize((byte(0) << 8 | byte(1)) % contents.size());
   if (damage.size() == 1) contents.resize(contents.size() * byte(0) / 256);
   const std::string path = path_for("damaged");
-  remove_all_of(path);
+  remove_journal(path);
   std::ofstream(path, std::ios::binary) << contents;
   {
     const Result<std::shared_ptr<JournalFile>> file = JournalFile::open(path, {});
     Store store;
     if (file && (*file)->recover(store)) use(store);
   }
-  remove_all_of(path);
+  remove_journal(path);
 }
 
 }  // namespace

@@ -1,0 +1,243 @@
+// What is damaged, torn or no journal at all is refused by name, and never passes for less or for something else.
+
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+
+#include "blackboard/journal/sqlite.hpp"
+#include "blackboard/time/random.hpp"
+#include "lisp/writer.hpp"
+#include "tests/blackboard/journal_fixture.hpp"
+
+namespace pizarra {
+namespace {
+
+class JournalDamageTest : public JournalFileTest {
+ protected:
+  // A journal whose horizon has moved on: relations and facts stand in their tables.
+  std::vector<Datum> keep_a_past() {
+    Life life(path_, {.revisions = 50});
+    EXPECT_TRUE(life.board->declare("alice", relations_).has_value());
+    for (int n = 1; n <= 400; ++n) {
+      life.tell(write(list("goal"_sym, n % 100, list(n, std::string(1500, 'y')))));
+      life.executor.run_for(1s);
+    }
+    return life.facts("(goal ? ?)");
+  }
+  std::string contents() const {
+    std::ifstream in(path_, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+  // What a board makes of a file that holds this.
+  Result<void> recover(const std::string& text, Store& store) const {
+    std::ofstream(path_, std::ios::binary) << text;
+    for (const char* part : {"-wal", "-shm"}) std::filesystem::remove(path_ + part);
+    const auto file = JournalFile::open(path_, {});
+    if (!file) return fail(file.error());
+    const auto recovered = (*file)->recover(store);
+    if (!recovered) return fail(recovered.error());
+    return {};
+  }
+  // A journal as it was before heads had a sum.
+  void make_format_1() const {
+    sqlite::Database database = sqlite::Database::open(path_, sqlite::Access::write).value();
+    ASSERT_TRUE(database.run("DELETE FROM about WHERE name = 'sum'; PRAGMA user_version = 1").has_value());
+  }
+  static std::vector<Datum> facts_of(const Store& store) {
+    std::vector<Datum> facts;
+    const Result<Answers> answers = store.ask(query("(goal ? ?)"));
+    if (!answers) return {};
+    for (const Answer& answer : answers->answers) facts.push_back(answer.facts.front().datum);
+    return facts;
+  }
+};
+
+// Every bit of the first row that begins so, wherever SQLite has kept it.
+TEST_F(JournalDamageTest, ABitThatFlipsWhereItBeginsOrInARelationIsNoticed) {
+  const std::vector<Datum> expected = keep_a_past();
+  const std::string whole = contents();
+  Store sound;
+  ASSERT_TRUE(recover(whole, sound).has_value());
+  constexpr std::size_t time_bytes = 4;  // of 350 s in microseconds
+  const std::vector<std::pair<std::string, std::size_t>> rows = {{"(relation goal ((n integer)", 0},
+                                                                 {"(relation seen ((name", 0},
+                                                                 {"horizon-time", time_bytes},
+                                                                 {"next-fact", 2}};
+  for (const auto& [row, more] : rows) {
+    const std::size_t begin = whole.find(row);
+    ASSERT_NE(begin, std::string::npos) << row;
+    int refused = 0;
+    const std::size_t bits = 8 * (row.size() + more);
+    for (std::size_t bit = 0; bit < bits; ++bit) {
+      std::string damaged = whole;
+      damaged[begin + bit / 8] = static_cast<char>(damaged[begin + bit / 8] ^ (1 << bit % 8));
+      Store store;
+      const Result<void> recovered = recover(damaged, store);
+      if (recovered) {
+        ADD_FAILURE() << "bit " << bit << " of " << row << " went unnoticed";
+        break;
+      }
+      refused += recovered.error().symbol == "bad-journal" ? 1 : 0;
+      ASSERT_NE(recovered.error().sentence.find(path_), std::string::npos) << recovered.error().sentence;
+    }
+    EXPECT_EQ(refused, static_cast<int>(bits)) << row;
+  }
+  EXPECT_EQ(facts_of(sound), expected);
+}
+
+TEST_F(JournalDamageTest, AMomentThatAnEntryDoesNotEndAtIsNoticed) {
+  {
+    Life life(path_);
+    ASSERT_TRUE(life.board->declare("alice", relations_).has_value());
+    life.tell("(goal 1 x)");
+    life.keep();
+  }
+  for (const char* column : {"revision", "time"}) {
+    sqlite::Database database = sqlite::Database::open(path_, sqlite::Access::write).value();
+    const std::string change = std::string("UPDATE log SET ") + column + " = " + column;
+    ASSERT_TRUE(database.run((change + " + 1").c_str()).has_value());
+    Store store;
+    EXPECT_EQ(read_journal(path_, store).error().symbol, "bad-journal") << column;
+    ASSERT_TRUE(database.run((change + " - 1").c_str()).has_value());
+  }
+  Store store;
+  EXPECT_TRUE(read_journal(path_, store).has_value());
+}
+
+TEST_F(JournalDamageTest, AJournalFromBeforeThereWasASumIsTakenAsItIsAndHasOneFromThenOn) {
+  const std::vector<Datum> expected = keep_a_past();
+  make_format_1();
+  Store read_only;
+  EXPECT_TRUE(read_journal(path_, read_only).has_value());
+  EXPECT_EQ(Life(path_).facts("(goal ? ?)"), expected);
+  std::string damaged = contents();
+  damaged[damaged.find("(relation goal ((n integer)") + 1] ^= 1;
+  Store store;
+  EXPECT_EQ(recover(damaged, store).error().symbol, "bad-journal");
+}
+
+// The horizon must not take up what it cannot trust, nor stumble over what a fact may be.
+TEST_F(JournalDamageTest, AFactOfManyElementsThatWasTakenPassesTheHorizon) {
+  const History history{.revisions = 1};
+  Life life(path_, history);
+  ASSERT_TRUE(life.board->declare("alice", relations_).has_value());
+  Transaction large;
+  large.tell(list("goal"_sym, 1, Datum::list(std::vector<Datum>(150'000, "x"_sym))));
+  ASSERT_TRUE(life.board->transact("alice", large).has_value());
+  const auto pass_the_horizon = [&] {
+    for (int n = 0; n < 200; ++n) {
+      life.tell(write(list("goal"_sym, 7, list(n, std::string(3000, 'x')))));
+      life.executor.run_for(1s);
+    }
+  };
+  pass_the_horizon();
+  const LeaseId lease = life.board->lease(86400s).value();
+  ASSERT_TRUE(life.board->take("bob", read("(goal 1 ?)"), lease).has_value());
+  const Revision taken = life.board->store().revision();
+  pass_the_horizon();
+  EXPECT_FALSE(life.writer->failure().has_value());
+  EXPECT_TRUE(facts_at({.revision = taken}, "(goal ?n ?)").is_symbol("forgotten"));
+}
+
+TEST_F(JournalDamageTest, WhatIsNoJournalIsRefusedByName) {
+  for (const std::string& text : {std::string("hello"), std::string(5000, 'x'), std::string("SQLite format 3\0", 16)}) {
+    std::ofstream(path_, std::ios::binary) << text;
+    const auto opened = JournalFile::open(path_, {});
+    ASSERT_FALSE(opened.has_value());
+    EXPECT_EQ(opened.error().symbol, "bad-journal") << opened.error().sentence;
+    EXPECT_NE(opened.error().sentence.find(path_), std::string::npos) << opened.error().sentence;
+  }
+}
+
+// A board that was killed leaves its file and SQLite's beside it as they are; damage must not pass for less.
+TEST_F(JournalDamageTest, DamageIsAFailureAndNeverAWrongBoard) {
+  constexpr std::uint64_t seed = 5;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  const std::vector<Datum> expected = keep_a_past();
+  const std::string whole = contents();
+  Random random(seed);
+  int found = 0;
+  for (int round = 0; round < 120; ++round) {
+    std::string text = whole;
+    if (round % 3 == 0) {
+      text.resize(random.below(text.size()));
+    } else {
+      for (int n = 0; n < 8; ++n) text[random.below(text.size())] ^= static_cast<char>(1 + random.below(255));
+    }
+    Store store;
+    const Result<void> recovered = recover(text, store);
+    if (!recovered) {
+      ++found;
+      EXPECT_TRUE(recovered.error().symbol == "bad-journal" || recovered.error().symbol == "journal-file")
+          << recovered.error().symbol << ": " << recovered.error().sentence;
+      continue;
+    }
+    if (store.tables().empty() && text.empty()) continue;
+    EXPECT_EQ(facts_of(store), expected) << "round " << round;
+  }
+  EXPECT_GT(found, 60) << "most damage meets something";
+}
+
+// SQLite takes the first damaged page of its log for the end of it.
+TEST_F(JournalDamageTest, DamageWithinWhatWasKeptIsSaidAndNothingBehindItDroppedSilently) {
+  constexpr std::uint64_t seed = 6;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  const std::string copy = (folder_ / "copy.journal").string();
+  Life life(path_);
+  ASSERT_TRUE(life.board->declare("alice", relations_).has_value());
+  for (int n = 1; n <= 100; ++n) {
+    life.tell(write(list("goal"_sym, n, std::string(500, 'y'))));
+    life.keep();
+  }
+  const auto restart_with = [&](const std::string& log) {
+    remove_journal(copy);
+    for (const char* part : {"", "-kept"}) std::filesystem::copy_file(path_ + part, copy + part);
+    std::ofstream(copy + "-wal", std::ios::binary) << log;
+    return JournalFile::open(copy, {});
+  };
+  std::ifstream in(path_ + "-wal", std::ios::binary);
+  const std::string log((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+  ASSERT_GT(log.size(), 100'000U);
+  EXPECT_TRUE(restart_with(log).has_value()) << "killed, it goes on";
+  Random random(seed);
+  for (int round = 0; round < 30; ++round) {
+    std::string damaged = log;
+    damaged[random.below(damaged.size() * 9 / 10)] ^= static_cast<char>(1U << random.below(8));
+    const auto opened = restart_with(damaged);
+    // What SQLite never reads, the counters of the header, may be anything.
+    if (opened && (*opened)->append({"(1000 1 \"a\" (retract 1))\n", "", true})) continue;
+    ASSERT_FALSE(opened.has_value());
+    EXPECT_EQ(opened.error().symbol, "bad-journal");
+    EXPECT_NE(opened.error().sentence.find("up to entry 1"), std::string::npos) << opened.error().sentence;
+    Store store;
+    EXPECT_EQ(read_journal(copy, store).error().symbol, "bad-journal");
+    // Who would rather have less than nothing says so.
+    std::filesystem::remove(copy + "-kept");
+    EXPECT_TRUE(JournalFile::open(copy, {}).has_value());
+  }
+}
+
+TEST_F(JournalDamageTest, WhatIsLeftOfAJournalWhoseFileIsGoneIsNotBegunAnew) {
+  {
+    Life life(path_);
+    ASSERT_TRUE(life.board->declare("alice", relations_).has_value());
+    life.tell("(goal 1 x)");
+    life.keep();
+    // As a crash leaves it.
+    for (const char* part : {"-wal", "-kept"}) std::filesystem::copy_file(path_ + part, path_ + "2" + part);
+  }
+  const std::string gone = path_ + "2";
+  for (const char* part : {"-wal", "-kept"}) {
+    const auto opened = JournalFile::open(gone, {});
+    ASSERT_FALSE(opened.has_value());
+    EXPECT_EQ(opened.error().symbol, "bad-journal");
+    EXPECT_NE(opened.error().sentence.find(gone + part), std::string::npos) << opened.error().sentence;
+    EXPECT_FALSE(std::filesystem::exists(gone));
+    EXPECT_TRUE(std::filesystem::exists(gone + part));
+    std::filesystem::remove(gone + part);
+  }
+  EXPECT_TRUE(JournalFile::open(gone, {}).has_value());
+}
+
+}  // namespace
+}  // namespace pizarra
