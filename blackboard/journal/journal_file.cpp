@@ -66,6 +66,16 @@ Result<LineStart> end_of(sqlite::Database& database) {
   return LineStart{static_cast<Revision>(row.integer(0)), Time(Duration(row.integer(1)))};
 }
 
+// Whether there was such a revision.
+Result<PlayedBack> check_reached(Result<PlayedBack> played, const Moment& until) {
+  const bool bounded = until.revision != Moment().revision;
+  if (!played || !bounded || !played->later.empty() || played->to.revision >= until.revision) return played;
+  return fail("not-yet",
+              "there is no revision " + std::to_string(until.revision) + " yet: the newest is " +
+                  std::to_string(played->to.revision),
+              to_datum(until.revision));
+}
+
 // Whether all that the mark knows of is there.
 Result<void> check_end(sqlite::Database& database, const KeptMark& mark) {
   const std::optional<std::int64_t> kept = mark.get();
@@ -207,7 +217,7 @@ Result<LineStart> end_of_journal(const std::string& path) {
 }
 
 Result<PlayedBack> read_journal(const std::string& path, Store& store, const Moment& until) {
-  if (!is_sqlite(path)) return read_text(path, store, until);
+  if (!is_sqlite(path)) return check_reached(read_text(path, store, until), until);
   Result<sqlite::Database> database = journal_tables::open(path, sqlite::Access::read);
   if (!database) return fail(journal_tables::failure_of(database.error(), path));
   // The mark is read first: the journal may grow meanwhile.
@@ -215,7 +225,7 @@ Result<PlayedBack> read_journal(const std::string& path, Store& store, const Mom
   if (!whole) return fail(journal_tables::failure_of(whole.error(), path));
   Result<PlayedBack> rest = journal_tables::restore(*database, store, until);
   if (!rest) return fail(journal_tables::failure_of(rest.error(), path));
-  return rest;
+  return check_reached(std::move(rest), until);
 }
 
 }  // namespace pizarra

@@ -104,7 +104,7 @@ void remove_journal(const std::string& path);
 Result<LineStart> end_of_journal(const std::string& path);
 
 // The journal of a file as of a moment, whether a board has it or not, and whether it is SQLite or text: into an empty
-// store. Failure `forgotten` when compaction has let that moment go.
+// store. Failure `forgotten` when compaction has let that moment go, `not-yet` when there is no such revision.
 struct PlayedBack {
   LineStart to;
   std::string later;  // the lines that came after

@@ -5,6 +5,8 @@ namespace pizarra {
 namespace {
 
 constexpr Duration look_again_after = 5ms;
+// A time that people say lasts to the end of its second.
+constexpr Duration longest_second = 1s;
 
 Result<Answers> answer_from(const std::string& path, Query query) {
   Store store;
@@ -38,6 +40,10 @@ Task<void> Past::answer_all() {
 }
 
 Task<Result<Answers>> Past::answer(Query query) {
+  const bool timed = query.at->time != Moment().time;
+  if (timed && query.at->time > executor_.now() + longest_second) {
+    co_return fail("not-yet", "this is later than the board's clock", to_datum(query.at->time.time_since_epoch().count()));
+  }
   // What was told before the question is to be in the file.
   const JournalWriter::Position last = journal_.position();
   journal_.keep();

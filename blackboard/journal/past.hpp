@@ -6,7 +6,7 @@
 //   Past past(executor, writer);
 //   past.ask(query, [&](const Result<Answers>& answers) { ... });       // a query with `at`
 //
-// Failures: too-large when too many questions wait, forgotten, and those of reading a journal.
+// Failures: too-large when too many questions wait, forgotten, not-yet, and those of reading a journal.
 
 #include <deque>
 #include <functional>

@@ -83,7 +83,7 @@ TEST_F(Journal, ARecordedBoardAnswersAsOfItsRevision) {
   EXPECT_EQ(ready.teller, "bob");
   EXPECT_EQ(ready.when, Time(20us));
   EXPECT_EQ(ready.revision, 2U);
-  EXPECT_TRUE(facts(*play(modes, {.revision = 100}), "(mode ?m)").empty()) << "the torn line is left out";
+  EXPECT_TRUE(facts(*play(modes, {}), "(mode ?m)").empty()) << "the torn line is left out";
 }
 
 TEST_F(Journal, ARecordedBoardAnswersAsOfATime) {
