@@ -53,6 +53,7 @@ Result<std::unique_ptr<RemoteBoard>> RemoteBoard::connect(Executor& executor, co
   const ClientKeys* shown = keys && !is_ipc(address) ? &*keys : nullptr;
   const auto refused = [board = board.get()](const Failure& failure) {
     board->connect_again_ = board->executor_.now() + connect_again_after;
+    board->lose_session();
     board->refused(failure);
   };
   const Result<void> connected = board->socket_.connect(address, shown, refused);

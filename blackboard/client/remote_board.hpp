@@ -86,6 +86,10 @@ class RemoteBoard : public Board {
 
   void receive(std::string_view frame);
   void welcomed(wire::SessionId session, wire::SessionId life);
+  void lose_session();
+  // Fails the requests under way of which the condition holds.
+  template <class Condition>
+  void fail_where(const Condition& condition, const Failure& failure);
   void refused(const Failure& failure);
   void fail_what_may_have_happened();
   void redeclare();

@@ -28,11 +28,9 @@ void RemoteBoard::receive(std::string_view frame) {
   if (message.is_form("reply")) return replied(message);
   if (message.is_form("goodbye")) {
     goodbye_ = heard_;
-    joined_ = false;
-    greeted_ = {};
-    return;
+    return lose_session();
   }
-  if (message.is_form("refused") && message.size() == 2 && !joined_) return refused(failure_from_datum(message[1]));
+  if (message.is_form("refused") && message.size() == 2) return refused(failure_from_datum(message[1]));
   const std::optional<std::uint64_t> number = wire::count_at(message, 1);
   if (!number) return;
   if (message.is_form("pong")) {
@@ -43,11 +41,7 @@ void RemoteBoard::receive(std::string_view frame) {
     return;
   }
   if (message.is_form("welcome")) return welcomed(*number, wire::count_at(message, 2).value_or(0));
-  if (message.is_form("unknown-session") && *number == session_) {
-    joined_ = false;
-    greeted_ = {};
-    return;
-  }
+  if (message.is_form("unknown-session") && *number == session_) return lose_session();
   const auto stream = streams_.find(*number);
   if (message.is_form("change")) {
     const std::optional<std::uint64_t> sequence = wire::count_at(message, 2);
@@ -83,24 +77,36 @@ void RemoteBoard::welcomed(wire::SessionId session, wire::SessionId life) {
   }
 }
 
-void RemoteBoard::fail_what_may_have_happened() {
-  std::vector<Done> lost;
-  for (auto request = pending_.begin(); request != pending_.end();) {
-    Pending& pending = request->second;
-    const bool perhaps_done = pending.sent && !pending.repeatable;
-    if (perhaps_done) lost.push_back(std::move(pending.done));
-    pending.sent.reset();
-    request = perhaps_done ? pending_.erase(request) : std::next(request);
-  }
-  for (const Done& done : lost) {
-    done(fail("unreachable", "the board was lost before it answered: whether this happened is not known"));
-  }
+void RemoteBoard::lose_session() {
+  joined_ = false;
+  greeted_ = {};
 }
 
+template <class Condition>
+void RemoteBoard::fail_where(const Condition& condition, const Failure& failure) {
+  std::vector<Done> over;
+  for (auto request = pending_.begin(); request != pending_.end();) {
+    const bool concerned = condition(request->second);
+    if (concerned) over.push_back(std::move(request->second.done));
+    request = concerned ? pending_.erase(request) : std::next(request);
+  }
+  for (const Done& done : over) done(fail(failure));
+}
+
+void RemoteBoard::fail_what_may_have_happened() {
+  const auto perhaps_done = [](Pending& pending) {
+    const bool sent = std::exchange(pending.sent, {}).has_value();
+    return sent && !pending.repeatable;
+  };
+  fail_where(perhaps_done,
+             {"unreachable", "the board was lost before it answered: whether this happened is not known", {}, {}});
+}
+
+// Of a hello, on which everything waits; or of what the board could not read, any of what was sent to it.
 void RemoteBoard::refused(const Failure& failure) {
   // What breaks off may come back: `unreachable` is for the timeout to say.
   if (failure.symbol == "unreachable") return;
-  for (auto& [request, pending] : std::exchange(pending_, {})) pending.done(fail(failure));
+  fail_where([this](const Pending& pending) { return !joined_ || pending.sent; }, failure);
 }
 
 void RemoteBoard::redeclare() {
@@ -142,10 +148,7 @@ void RemoteBoard::tick() {
     connect_again_.reset();
     socket_.connect_again();
   }
-  if (joined_ && heard_ + silence_means_lost <= now) {
-    joined_ = false;
-    greeted_ = {};
-  }
+  if (joined_ && heard_ + silence_means_lost <= now) lose_session();
   if (!joined_) {
     const bool due = greeted_ + greet_again_after <= now;
     if (due && send(list("hello"_sym, teller_, session_))) greeted_ = now;
@@ -166,13 +169,8 @@ void RemoteBoard::retransmit(Time now) {
 }
 
 void RemoteBoard::give_up_overdue(Time now) {
-  std::vector<Done> overdue;
-  for (auto request = pending_.begin(); request != pending_.end();) {
-    const bool late = request->second.deadline && *request->second.deadline <= now;
-    if (late) overdue.push_back(std::move(request->second.done));
-    request = late ? pending_.erase(request) : std::next(request);
-  }
-  for (const Done& done : overdue) done(fail("unreachable", "the board does not answer", to_datum(address_)));
+  const auto late = [now](const Pending& pending) { return pending.deadline && *pending.deadline <= now; };
+  fail_where(late, {"unreachable", "the board does not answer", to_datum(address_), {}});
 }
 
 }  // namespace pizarra

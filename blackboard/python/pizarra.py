@@ -586,8 +586,8 @@ class Board:
         elif kind == "goodbye" or kind == "unknown-session" and message[1] == self._session:
             self._joined, self._greeted = False, -1e9
         elif kind == "refused":
-            # It does not say of which message: of those that wait for an answer.
-            self._fail_all(Failure(*message[1][1:4]))
+            # Of a hello, on which everything waits; or of what the board could not read, any of what was sent to it.
+            self._fail(Failure(*message[1][1:4]), lambda request: not self._joined or request.sent is not None)
         elif kind == "change" and message[1] in self._watches:
             self._watches[message[1]].receive(message[2], message[3:])
         elif kind == "change":
@@ -617,18 +617,18 @@ class Board:
     def _refused(self):
         while self._monitor.poll(0):
             self._monitor.recv_multipart()
-        self._fail_all(Failure("not-permitted", "the board does not accept this key" if self._keys else
-                               "the board asks for a key at this address"))
+        self._joined = False
+        self._fail(Failure("not-permitted", "the board does not accept this key" if self._keys else
+                           "the board asks for a key at this address"), lambda request: True)
         # ZeroMQ does not try again by itself.
         self._socket.disable_monitor()
         self._socket.close(linger=0)
-        self._joined = False
         self._connect()
 
-    def _fail_all(self, failure):
-        pending, self._pending = self._pending, {}
-        for request in pending.values():
-            request.result = failure
+    def _fail(self, failure, concerned):
+        for number, request in list(self._pending.items()):
+            if concerned(request):
+                self._pending.pop(number).result = failure
 
 
 def _read_keys(path):

@@ -180,6 +180,17 @@ Result<Datum> read_frame(std::string_view text) {
   return read_one(text, allowed, "frame");
 }
 
+std::optional<RequestId> request_begun(std::string_view frame, SessionId session) {
+  const std::string begin = "(request " + std::to_string(session) + ' ';
+  if (!frame.starts_with(begin)) return std::nullopt;
+  frame.remove_prefix(begin.size());
+  std::int64_t number = 0;
+  const auto read = std::from_chars(frame.data(), frame.data() + frame.size(), number);
+  const bool whole = read.ec == std::errc() && read.ptr != frame.data() + frame.size() && *read.ptr == ' ';
+  if (!whole || number < 0) return std::nullopt;
+  return static_cast<RequestId>(number);
+}
+
 std::optional<std::uint64_t> count_from(const Datum& datum) {
   if (!datum.is_integer() || datum.integer() < 0) return std::nullopt;
   return static_cast<std::uint64_t>(datum.integer());

@@ -29,6 +29,10 @@
 // bindings follow from the query. A client that keeps what it was sent, as one that holds it does too, is told the ID
 // of what went in the place of an ANSWER that was one fact.
 //
+// What is wrong with a request is its reply's to say, also where no more than `(request SESSION ID` can be read of it.
+// `refused` is of what is no request: of a hello, or of what cannot be read that far. Which that was, it does not say:
+// a client that has joined takes whatever it has sent and waits for as refused.
+//
 // A server that is ended in order says goodbye to every client. A session lives while its client is heard from. Changes
 // of one watch are numbered from 1; only so many are under way before they are acknowledged.
 
@@ -48,6 +52,9 @@ using WatchId = std::uint64_t;
 
 // The strict reader with the limits of a frame.
 Result<Datum> read_frame(std::string_view text);
+
+// The request that a frame begins as, `(request SESSION ID`, whatever comes then.
+std::optional<RequestId> request_begun(std::string_view frame, SessionId session);
 
 // The datum as a number that counts something; nothing where it is none.
 std::optional<std::uint64_t> count_from(const Datum& datum);

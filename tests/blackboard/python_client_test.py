@@ -90,9 +90,22 @@ class OnABoard(unittest.TestCase):
         [answer] = self.board.ask((Symbol("note"), 1, Symbol("?text")))
         self.assertEqual(answer.bindings, {"?text": ["\r\x01", 0.5]})
 
+    def mangle(self, frame):
+        def transmit(number, request):
+            self.board._socket.send(frame.format(session=self.board._session, number=number).encode())
+            request.sent = time.monotonic()
+        self.board._transmit = transmit
+
     def test_what_the_board_cannot_read_fails_at_once(self):
-        self.board._transmit = lambda number, request: self.board._socket.send(b"(request 1.")
+        self.mangle("(request 1.")
         self.refused("bad-frame", self.board.tell, "(note 1 2)")
+
+    def test_what_the_board_cannot_read_fails_alone_where_it_begins_like_a_request(self):
+        self.mangle("(ping {session})")
+        other = self.board.begin([Symbol("ask"), read("(note 1 ?)")], True)
+        self.mangle("(request {session} {number} (tell 1.")
+        self.refused("bad-frame", self.board.tell, "(note 1 2)")
+        self.assertIsNone(other.result)
 
 
 program = sys.argv.pop(1)

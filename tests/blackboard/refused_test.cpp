@@ -1,0 +1,77 @@
+// What both clients make of a board that refuses what they say: it reaches whom it concerns, in the board's words.
+
+#include <gtest/gtest.h>
+
+#include "blackboard/client/remote_board.hpp"
+#include "blackboard/time/real_executor.hpp"
+#include "blackboard/wire/wire_socket.hpp"
+#include "lisp/writer.hpp"
+#include "tests/blackboard/board_fixture.hpp"
+#include "tests/blackboard/python_wall.hpp"
+
+namespace pizarra {
+namespace {
+
+struct ClientKind {
+  std::string name;
+};
+void PrintTo(const ClientKind& kind, std::ostream* out) { *out << kind.name; }
+
+// A server of the test's own: it refuses transactions and answers questions.
+class RefusedTest : public testing::TestWithParam<ClientKind>, public Wall {
+ protected:
+  RefusedTest() { EXPECT_TRUE(server_.bind(address_).has_value()); }
+
+  Executor& executor() override { return executor_; }
+  std::unique_ptr<Board> view(const std::string& teller) override {
+    if (GetParam().name == "python") return python_.view(address_, teller);
+    return RemoteBoard::connect(executor_, address_, teller).value();
+  }
+  void receive(const std::string& client, std::string_view frame) {
+    const Datum message = wire::read_frame(frame).value();
+    const auto say = [&](const Datum& said) { server_.send(client, write(said)); };
+    const Datum refusal = list("fail"_sym, "bad-frame"_sym, "not as a board likes it", list());
+    if (message.is_form("hello")) return say(welcomes_ ? list("welcome"_sym, 7, 1) : list("refused"_sym, refusal));
+    if (!message.is_form("request")) return;
+    if (message[3].is_form("transact")) return say(list("refused"_sym, refusal));
+    if (message[3].is_form("take")) return say(list("reply"_sym, message[2], refusal));
+    if (message[3].is_form("ask")) say(list("reply"_sym, message[2], list("ok"_sym, list(5))));
+  }
+
+  const std::string address_ = ipc_address();
+  bool welcomes_ = true;
+  RealExecutor executor_;
+  WireSocket server_{executor_, WireSocket::Kind::router,
+                     [this](const std::string& client, std::optional<std::string_view> frame) {
+                       receive(client, frame.value());
+                     }};
+  PythonProcess python_{executor_};
+};
+
+TEST_P(RefusedTest, WhatIsRefusedOnceJoinedFailsAtOnceWithTheBoardsSentence) {
+  const std::unique_ptr<Board> board = view("alice");
+  EXPECT_EQ(symbol_of(run(board->ask(query("(on ?x ?y)")))), "ok");
+  const Time before = executor_.now();
+  const Result<Revision> told = run(board->tell(read("(on a b)")));
+  ASSERT_EQ(symbol_of(told), "bad-frame");
+  EXPECT_EQ(told.error().sentence, "not as a board likes it");
+  const Result<std::optional<Fact>> taken = run(board->take(read("(on a ?)"), 0));
+  ASSERT_EQ(symbol_of(taken), "bad-frame");
+  EXPECT_EQ(taken.error().sentence, "not as a board likes it");
+  EXPECT_LT(executor_.now() - before, 4s) << "not when its patience ends";
+  EXPECT_EQ(symbol_of(run(board->ask(query("(on ?x ?y)")))), "ok") << "it goes on";
+}
+
+TEST_P(RefusedTest, AHelloThatIsRefusedFailsWhateverWaitsForIt) {
+  welcomes_ = false;
+  const std::unique_ptr<Board> board = view("alice");
+  const Result<Answers> asked = run(board->ask(query("(on ?x ?y)")));
+  ASSERT_EQ(symbol_of(asked), "bad-frame");
+  EXPECT_EQ(asked.error().sentence, "not as a board likes it");
+}
+
+INSTANTIATE_TEST_SUITE_P(Clients, RefusedTest, testing::Values(ClientKind{"remote"}, ClientKind{"python"}),
+                         [](const auto& tested) { return tested.param.name; });
+
+}  // namespace
+}  // namespace pizarra
