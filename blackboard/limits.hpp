@@ -36,8 +36,8 @@ constexpr std::size_t depth = frame_depth - 8;
 
 constexpr std::size_t steps = 10'000;     // in a transaction
 constexpr std::size_t facts = 1'000'000;  // on a board
-constexpr std::size_t relations = 4096;   // on a board
-constexpr std::size_t name_bytes = 64;    // of a relation that a key's permission names
+constexpr std::size_t relations = 2048;   // on a board
+constexpr std::size_t name_bytes = 128;   // of a relation, of an argument, of a teller
 constexpr std::size_t leases = 100'000;   // on a board
 constexpr std::size_t watches = 100'000;  // on a board
 // Facts looked at to answer one question or to check and do one transaction: some 25 ms, in which nobody else is

@@ -5,7 +5,10 @@
 #include <numeric>
 #include <utility>
 
+#include "blackboard/boards_own.hpp"
+#include "blackboard/limits.hpp"
 #include "lisp/pattern.hpp"
+#include "lisp/shortened.hpp"
 #include "lisp/writer.hpp"
 
 namespace pizarra {
@@ -18,9 +21,8 @@ constexpr std::array<std::pair<ArgumentType, std::string_view>, 6> type_names = 
                                                                                   {ArgumentType::number, "number"},
                                                                                   {ArgumentType::list, "list"},
                                                                                   {ArgumentType::datum, "datum"}}};
-constexpr std::array<std::string_view, 15> reserved_names = {
-    "and", "not", "query",          "order",         "limit",         "<",           "<=", ">", ">=",
-    "=",   "/=",  "relation-stats", "journey-stats", "watcher-stats", "client-stats"};
+constexpr std::array<std::string_view, 11> query_words = {"and", "not", "query", "order", "limit", "<",
+                                                          "<=",  ">",   ">=",    "=",     "/="};
 constexpr std::size_t max_arguments = 32;
 constexpr std::int64_t max_lease_ms = 1'000'000'000;
 
@@ -32,6 +34,13 @@ std::string name_of(ArgumentType type) {
 
 std::unexpected<Failure> malformed(std::string sentence, const Datum& subject) {
   return fail("wrong-shape", std::move(sentence), subject);
+}
+
+Result<void> check_name(const Datum& name) {
+  if (name.text().size() <= limits::name_bytes) return {};
+  return fail("too-large", "the name of a relation or of an argument has at most " +
+                               std::to_string(limits::name_bytes) + " bytes, and this one " +
+                               std::to_string(name.text().size()));
 }
 
 Result<Argument> argument_from_datum(const Datum& form) {
@@ -49,6 +58,8 @@ Result<void> read_arguments(const Datum& form, Relation& relation) {
   for (const Datum& item : form.items()) {
     const Result<Argument> argument = argument_from_datum(item);
     if (!argument) return fail(argument);
+    const Result<void> named = check_name(item[0]);
+    if (!named) return named;
     for (const Argument& other : relation.arguments) {
       if (other.name == argument->name) return malformed("two arguments have the same name", item);
     }
@@ -89,14 +100,7 @@ Result<void> read_option(const Datum& form, Relation& relation) {
 }
 
 // Enough of a value to recognise it.
-std::string brief(const Datum& value) {
-  constexpr std::size_t enough = 60;
-  std::string text = write(value);
-  if (text.size() <= enough) return text;
-  std::size_t end = enough;
-  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
-  return text.substr(0, end) + "...";
-}
+std::string brief(const Datum& value) { return shortened(write(value), 60); }
 
 }  // namespace
 
@@ -104,13 +108,16 @@ Result<Relation> relation_from_datum(const Datum& form) {
   if (!form.is_form("relation") || form.size() < 3 || !form[1].is_symbol()) {
     return malformed("a relation is (relation NAME ((ARGUMENT TYPE) ...) OPTION ...)", form);
   }
+  Result<void> read = check_name(form[1]);
+  if (!read) return fail(read);
   Relation relation;
   relation.name = form[1].text();
   if (is_variable(form[1])) return malformed("a relation's name begins with a question mark", form[1]);
-  if (std::find(reserved_names.begin(), reserved_names.end(), relation.name) != reserved_names.end()) {
+  if (std::ranges::find(query_words, relation.name) != query_words.end()) {
     return malformed("a relation has a name that queries use", form[1]);
   }
-  Result<void> read = read_arguments(form[2], relation);
+  if (is_statistics(relation.name)) return fail(left_to_the_board(relation.name));
+  read = read_arguments(form[2], relation);
   if (!read) return fail(read);
   relation.key.resize(relation.arguments.size());
   std::iota(relation.key.begin(), relation.key.end(), 0);

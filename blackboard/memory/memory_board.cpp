@@ -1,5 +1,6 @@
 #include "blackboard/memory/memory_board.hpp"
 
+#include "blackboard/boards_own.hpp"
 #include "blackboard/journal/journal.hpp"
 #include "blackboard/store/store.hpp"
 #include "blackboard/time/event.hpp"
@@ -85,6 +86,10 @@ void MemoryBoard::resume() {
 }
 
 Result<void> MemoryBoard::declare(const std::string& teller, const std::vector<Relation>& relations) {
+  for (const Relation& relation : relations) {
+    const bool own = is_told_by_the_board(relation.name) && teller != board_teller;
+    if (own) return fail(left_to_the_board(relation.name));
+  }
   const Result<std::vector<Relation>> fresh = store_->declare(relations);
   if (!fresh) return fail(fresh);
   if (journal_ && !fresh->empty()) journal_(journal_line(store_->revision(), executor_.now(), teller, *fresh));

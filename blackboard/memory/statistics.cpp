@@ -75,11 +75,16 @@ Datum summary_form(const Latencies::Summary& summary) {
   return list(summary.count, summary.p50.count(), summary.p90.count(), summary.p99.count());
 }
 
+// As many as there is room for.
 template <class Names>
-Datum counted(const Names& names) {
+Datum counted(const Names& names, std::size_t room) {
   std::vector<Datum> items;
   for (const auto& [who, count] : names) {
-    if (items.size() < Statistics::max_names) items.push_back(list(who, count));
+    Datum item = list(who, count);
+    const std::size_t bytes = weigh(item).bytes;
+    if (bytes > room || items.size() == Statistics::max_names) break;
+    room -= bytes;
+    items.push_back(std::move(item));
   }
   return Datum::list(std::move(items));
 }
@@ -161,7 +166,7 @@ std::vector<Datum> Statistics::facts_of(std::string_view about, const Store& sto
   std::vector<Datum> facts;
   if (about == "relation-stats") {
     for (const auto& [relation, table] : store.tables()) {
-      facts.push_back(relation_fact(relation, table.size(), watches, now));
+      facts.push_back(relation_fact(table, store.tables().size(), watches, now));
     }
   } else if (about == "journey-stats") {
     for (auto& [relation, counts] : relations_) {
@@ -182,11 +187,13 @@ std::vector<Datum> Statistics::facts_of(std::string_view about, const Store& sto
   return facts;
 }
 
-Datum Statistics::relation_fact(const std::string& relation, std::size_t facts, const WatchTable& watches, Time now) {
+Datum Statistics::relation_fact(const FactTable& table, std::size_t relations, const WatchTable& watches, Time now) {
+  const std::string& relation = table.relation().name;
   Counts& counts = counts_of(relation);
   counts.rate.pass_to(now);
-  return list("relation-stats"_sym, Datum::symbol(relation), facts, counts.told, counts.gone, counts.rate.last_second(),
-              counted(counts.tellers), counted(watches.watchers_of(relation)));
+  const std::size_t room = names_bytes / relations / 2;
+  return list("relation-stats"_sym, Datum::symbol(relation), table.size(), counts.told, counts.gone, counts.rate.last_second(),
+              counted(counts.tellers, room), counted(watches.watchers_of(relation), room));
 }
 
 }  // namespace pizarra

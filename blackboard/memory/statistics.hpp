@@ -9,7 +9,8 @@
 //
 // FACTS stand now; TOLD and GONE count those that came and went since the board began; PER-SECOND is how many came in
 // the last whole second. A watcher's count is that of its patterns that are about the relation. At most 64 of each are
-// named. A journey is that of the relation's facts, lately, in microseconds: from their teller in another process to
+// named, and of all relations together as many as take 128 kB, each relation having the same share: whatever there is
+// on a board, what is said of it fits an answer. A journey is that of the relation's facts, lately, in microseconds: from their teller in another process to
 // the board, which committed them then, and from there to their watchers in other processes, as far as these say
 // (latencies.hpp); relations without any are left out. QUEUED changes, of BYTES, wait for the watcher.
 // REQUESTS are those of a client in another process, REFUSED those of them that were too many, PER-SECOND how many came
@@ -29,12 +30,14 @@
 
 namespace pizarra {
 
+class FactTable;
 class Store;
 class WatchTable;
 
 class Statistics {
  public:
-  static constexpr std::size_t max_names = 64;  // of one relation
+  static constexpr std::size_t max_names = 64;           // of one relation
+  static constexpr std::size_t names_bytes = 128 << 10;  // of all
 
   void committed(const Commit& commit);
   // How long a fact of the relation was under way to the board, or from there to a watcher. Of one that the board has
@@ -62,7 +65,7 @@ class Statistics {
   Counts& counts_of(std::string_view relation);
   Journeys* journeys_of(std::string_view relation);
   std::vector<Datum> facts_of(std::string_view about, const Store& store, const WatchTable& watches, Time now);
-  Datum relation_fact(const std::string& relation, std::size_t facts, const WatchTable& watches, Time now);
+  Datum relation_fact(const FactTable& table, std::size_t relations, const WatchTable& watches, Time now);
 
   ClientRequests requests_;
   std::map<std::string, Counts, std::less<>> relations_;

@@ -86,7 +86,7 @@ void BoardServer::receive(const std::string& peer, std::optional<std::string_vie
   if (leaving_) return;
   if (!frame) return refuse(peer, {"bad-frame", "a message is one frame", {}, {}});
   const Result<Datum> message = wire::read_frame(*frame);
-  if (!message) return refuse(peer, {"bad-frame", message.error().sentence, {}, {}});
+  if (!message) return refuse_unreadable(peer, *frame, {"bad-frame", message.error().sentence, {}, {}});
   if (message->is_form("hello")) return greet(peer, *message);
   const std::optional<std::uint64_t> id = wire::count_at(*message, 1);
   if (!id) return refuse(peer, {"bad-frame", "a message is (KIND SESSION ...)", {}, {}});
@@ -118,7 +118,10 @@ void BoardServer::handle(wire::SessionId id, Session& session, const Datum& mess
   }
   const std::uint64_t sequence = wire::count_at(message, 3).value_or(0);
   if (sequence > watch->second.sent) {
-    return refuse(session.peer, {"bad-frame", "what was never sent is acknowledged", {}, {}});
+    const Failure failure{"bad-frame", "what was never sent is acknowledged", {}, {}};
+    refusals_.note(client_of(session), failure);
+    session.watches.erase(watch);
+    return send(session.peer, list("watch-failed"_sym, *number, failure_to_datum(failure)));
   }
   watch->second.acknowledged = std::max(watch->second.acknowledged, sequence);
   const bool timed = message.size() == 6 && message[4].is_symbol() && message[5].is_integer();

@@ -59,7 +59,6 @@ class BoardServer {
   static constexpr std::size_t max_replies = 256;             // remembered, of a session
   static constexpr std::size_t max_reply_bytes = 4 << 20;     // of these
   static constexpr std::size_t max_under_way = 16;            // changes of a watch
-  static constexpr std::size_t max_teller = 256;              // bytes of its name
 
   // Failures bad-address, not-loopback, address-in-use, and those of KeyFolder::open.
   static Result<std::unique_ptr<BoardServer>> open(Executor& executor, MemoryBoard& board,
@@ -107,9 +106,15 @@ class BoardServer {
   void restore(const std::vector<RememberedReply>& remembered);
   void receive(const std::string& peer, std::optional<std::string_view> frame);
   void refuse(const std::string& peer, const Failure& failure);
+  void refuse_unreadable(const std::string& peer, std::string_view frame, const Failure& failure);
+  void refuse_request(const Session& session, wire::RequestId number, const Failure& failure);
   std::string who_is(const std::string& peer) const;
   void greet(const std::string& peer, const Datum& hello);
   static Gate::Key key_of(const Session& session) { return session.key ? &*session.key : nullptr; }
+  // Whose what it asks for and is refused is: its key's, whatever its teller is called beyond that.
+  static const std::string& client_of(const Session& session) {
+    return session.key ? session.key->name : session.teller;
+  }
   Result<void> check_hello(const std::string& peer, const std::string& teller, const PublicKey* key) const;
   Result<wire::SessionId> session_for(const std::string& peer, const std::string& teller, wire::SessionId asked,
                                       const PublicKey* key);

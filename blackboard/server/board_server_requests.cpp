@@ -5,6 +5,7 @@
 #include "blackboard/limits.hpp"
 #include "blackboard/server/board_server.hpp"
 #include "blackboard/store/store.hpp"
+#include "lisp/shortened.hpp"
 #include "lisp/writer.hpp"
 
 namespace pizarra {
@@ -27,7 +28,9 @@ bool must_be_done_once(const Datum& body) {
 Datum reply_to_datum(wire::RequestId id, const Result<Datum>& result) {
   if (result) return list("reply"_sym, id, list("ok"_sym, *result));
   Failure failure = result.error();
+  constexpr std::size_t longest_sentence = 1 << 10;
   constexpr std::size_t heaviest_subject = 1 << 12;
+  failure.sentence = shortened(failure.sentence, longest_sentence);
   const bool heavy = weigh(failure.subject).bytes > heaviest_subject;
   if (heavy) failure.subject = failure.subject.items().empty() ? Datum() : failure.subject[0];
   if (weigh(failure.subject).bytes > heaviest_subject) failure.subject = {};
@@ -56,27 +59,38 @@ bool asks_past(const Datum& query) {
 void BoardServer::request(wire::SessionId id, Session& session, const Datum& message) {
   const std::optional<std::uint64_t> number = wire::count_at(message, 2);
   const bool timed = message.size() == 5 && message[4].is_integer();
-  if (!number || (message.size() != 4 && !timed)) {
-    return refuse(session.peer,
-                  {"bad-frame", "a request is (request SESSION ID BODY) or has its time after it", {}, {}});
-  }
-  const Result<void> served = board_.statistics().requests().ask(session.teller, executor_.now());
+  const Failure malformed{"bad-frame", "a request is (request SESSION ID BODY) or has its time after it", {}, {}};
+  if (!number) return refuse(session.peer, malformed);
+  if (message.size() != 4 && !timed) return refuse_request(session, *number, malformed);
+  const Result<void> served = board_.statistics().requests().ask(client_of(session), executor_.now());
   if (const auto done = session.replies.find(*number); done != session.replies.end()) {
     // One that is held comes when it may.
     if (durability_.kept(done->second.after)) socket_.send(session.peer, done->second.text);
     return;
   }
   if (must_be_done_once(message[3]) && *number <= session.replies_forgotten) {
-    return refuse(session.peer, {"bad-frame", "this request, or one far after it, was answered long ago", {}, {}});
+    return refuse_request(session, *number,
+                          {"bad-frame", "this request, or one far after it, was answered long ago", {}, {}});
   }
   // It is not done, and not remembered: sent again later, it is as new.
-  if (!served) {
-    refusals_.note(session.teller, served.error());
-    return send(session.peer, reply_to_datum(*number, fail(served)));
-  }
+  if (!served) return refuse_request(session, *number, served.error());
   const Revision before = board_.store().revision();
   answer(id, session, *number, message[3]);
   if (timed && board_.store().revision() > before) note_journey(message[3], Time(Duration(message[4].integer())));
+}
+
+void BoardServer::refuse_request(const Session& session, wire::RequestId number, const Failure& failure) {
+  refusals_.note(client_of(session), failure);
+  send(session.peer, reply_to_datum(number, fail(failure)));
+}
+
+// To the request that it begins as, where it is one of the sender's session.
+void BoardServer::refuse_unreadable(const std::string& peer, std::string_view frame, const Failure& failure) {
+  const auto session = session_of_peer_.find(peer);
+  if (session == session_of_peer_.end()) return refuse(peer, failure);
+  const std::optional<wire::RequestId> number = wire::request_begun(frame, session->second);
+  if (!number) return refuse(peer, failure);
+  refuse_request(sessions_.at(session->second), *number, failure);
 }
 
 // Of the first fact that the transaction told.
@@ -97,7 +111,7 @@ void BoardServer::answer(wire::SessionId id, Session& session, wire::RequestId n
   if (!room) return send(session.peer, reply_to_datum(number, fail(room)));
   const JournalWriter::Position before = durability_.position();
   const Result<Datum> result = perform(id, session, body);
-  if (!result && is_offence(result.error())) refusals_.note(session.teller, result.error());
+  if (!result && is_offence(result.error())) refusals_.note(client_of(session), result.error());
   const Datum reply = reply_to_datum(number, result);
   const std::string text = write(reply);
   if (must_be_done_once(body)) {
@@ -234,12 +248,12 @@ Result<Datum> BoardServer::lease(const Session& session, const Datum& body) {
   const bool whole = body.size() == 2 && body[1].is_integer();
   if (!whole) return bad_frame("not a request");
   if (body.is_form("lease")) {
-    const Result<void> within = leases_.check(session.teller);
+    const Result<void> within = leases_.check(client_of(session));
     if (!within) return fail(within);
     const Result<LeaseId> lease = board_.lease(Duration(body[1].integer()));
     if (!lease) return fail(lease);
     gate_.granted(key_of(session), *lease);
-    leases_.granted(session.teller, *lease);
+    leases_.granted(client_of(session), *lease);
     return to_datum(*lease);
   }
   const std::optional<std::uint64_t> lease = wire::count_from(body[1]);

@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <sys/random.h>
 
+#include "blackboard/limits.hpp"
 #include "blackboard/server/board_server.hpp"
 
 namespace pizarra {
@@ -29,10 +30,10 @@ void BoardServer::refuse(const std::string& peer, const Failure& failure) {
   send(peer, list("refused"_sym, failure_to_datum(failure)));
 }
 
-// Of what is being received: its session's teller, else its key's name, else nothing.
+// Of what is being received: its session's client, else its key's name, else nothing.
 std::string BoardServer::who_is(const std::string& peer) const {
   if (const auto found = session_of_peer_.find(peer); found != session_of_peer_.end()) {
-    return sessions_.at(found->second).teller;
+    return client_of(sessions_.at(found->second));
   }
   const PublicKey* key = keys_ ? keys_->find(socket_.sender_key()) : nullptr;
   return key == nullptr ? socket_.sender_key() : key->name;
@@ -40,8 +41,12 @@ std::string BoardServer::who_is(const std::string& peer) const {
 
 void BoardServer::greet(const std::string& peer, const Datum& hello) {
   const bool formed = hello.size() == 3 && hello[1].is_string() && wire::count_at(hello, 2);
-  if (!formed || hello[1].text().empty() || hello[1].text().size() > max_teller) {
+  if (!formed || hello[1].text().empty()) {
     return refuse(peer, {"bad-frame", "a hello is (hello TELLER SESSION)", {}, {}});
+  }
+  if (hello[1].text().size() > limits::name_bytes) {
+    const std::string most = std::to_string(limits::name_bytes);
+    return refuse(peer, {"too-large", "the name of a teller has at most " + most + " bytes", {}, {}});
   }
   if (keys_) follow_keys();
   const PublicKey* key = nullptr;

@@ -6,13 +6,14 @@ namespace pizarra {
 
 namespace {
 
-std::unexpected<Failure> not_permitted(const PublicKey& key, std::string what, const Datum& subject) {
-  return fail("not-permitted", "the key " + key.name + " may not " + std::move(what), subject);
+std::unexpected<Failure> may_not(const PublicKey& key, const std::string& what, const Datum& subject) {
+  return fail("not-permitted", "the key " + key.name + " may not " + what, subject);
 }
 
-std::unexpected<Failure> not_permitted(const PublicKey& key, const char* verb, const Datum& subject) {
-  const std::string relation(subject.head());
-  return not_permitted(key, verb + (relation.empty() ? std::string(" this") : " facts of " + relation), subject);
+// Tell, retract, take or read what the pattern is about.
+std::unexpected<Failure> may_not_with_facts(const PublicKey& key, const std::string& verb, const Datum& pattern) {
+  const std::string relation(pattern.head());
+  return may_not(key, verb + (relation.empty() ? " this" : " facts of " + relation), pattern);
 }
 
 // What a fact or pattern with the same key as `fact` looks like.
@@ -31,7 +32,7 @@ Result<void> Gate::declare(Key key, const std::vector<Relation>& relations) cons
     if (board_.store().tables().contains(relation.name)) continue;
     const bool concerned = permits(key->may.tell, relation.name) || permits(key->may.take, relation.name) ||
                            permits(key->may.read, relation.name);
-    if (!concerned) return not_permitted(*key, "declare " + relation.name, relation_to_datum(relation));
+    if (!concerned) return may_not(*key, "declare " + relation.name, relation_to_datum(relation));
   }
   return {};
 }
@@ -53,7 +54,7 @@ Result<void> Gate::transact(Key key, const Transaction& transaction) const {
 Result<void> Gate::check(const PublicKey& key, const Transaction::Precondition& precondition) const {
   const Datum& pattern = std::visit([](const auto& p) -> const Datum& { return p.pattern; }, precondition);
   if (permits(key.may.read, pattern.head()) || permits(key.may.tell, pattern.head())) return {};
-  return not_permitted(key, "read", pattern);
+  return may_not_with_facts(key, "read", pattern);
 }
 
 Result<void> Gate::check(const PublicKey& key, const Transaction::Step& step) const {
@@ -63,7 +64,7 @@ Result<void> Gate::check(const PublicKey& key, const Transaction::Step& step) co
   }
   const auto* tell = std::get_if<Transaction::Tell>(&step);
   const Datum& datum = tell != nullptr ? tell->fact : std::get<Transaction::Retract>(step).pattern;
-  if (!permits(key.may.tell, datum.head())) return not_permitted(key, tell != nullptr ? "tell" : "retract", datum);
+  if (!permits(key.may.tell, datum.head())) return may_not_with_facts(key, tell != nullptr ? "tell" : "retract", datum);
   if (tell != nullptr && tell->lease != 0) {
     const Result<void> own = use_lease(&key, tell->lease);
     if (!own) return own;
@@ -88,21 +89,21 @@ Result<void> Gate::leave_to_others(const PublicKey& key, const Datum& told, cons
     return other.empty();
   });
   if (other.empty()) return {};
-  return not_permitted(key, "replace or retract what " + other + " told under its lease", told);
+  return may_not(key, "replace or retract what " + other + " told under its lease", told);
 }
 
 Result<void> Gate::ask(Key key, const Query& query) const {
   if (key == nullptr) return {};
   for (const Query::Clause& clause : query.clauses) {
     if (clause.kind == Query::Clause::Kind::compare || permits(key->may.read, clause.form.head())) continue;
-    return not_permitted(*key, "read", clause.form);
+    return may_not_with_facts(*key, "read", clause.form);
   }
   return {};
 }
 
 Result<void> Gate::take(Key key, const Datum& pattern, LeaseId holder) const {
   if (key == nullptr) return {};
-  if (!permits(key->may.take, pattern.head())) return not_permitted(*key, "take", pattern);
+  if (!permits(key->may.take, pattern.head())) return may_not_with_facts(*key, "take", pattern);
   return holder == 0 ? Result<void>() : use_lease(key, holder);
 }
 
@@ -111,7 +112,7 @@ Result<void> Gate::use_lease(Key key, LeaseId lease) const {
   if (key == nullptr || !board_.store().stands(lease)) return {};
   const auto owner = owners_.find(lease);
   if (owner != owners_.end() && owner->second == key->name) return {};
-  return not_permitted(*key, "use the lease of another", to_datum(lease));
+  return may_not(*key, "use the lease of another", to_datum(lease));
 }
 
 void Gate::granted(Key key, LeaseId lease) {

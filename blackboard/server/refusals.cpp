@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "blackboard/relation.hpp"
+#include "lisp/shortened.hpp"
 
 namespace pizarra {
 
@@ -27,7 +28,7 @@ void Refusals::note(const std::string& client, const Failure& failure) {
   if (!counts_.contains(kind) && counts_.size() >= most_kinds) kind = {"others", "refused"};
   Count& count = counts_[kind];
   ++count.count;
-  count.sentence = failure.sentence;
+  count.sentence = shortened(failure.sentence, longest_sentence);
   untold_.insert(std::move(kind));
   if (timer_ != 0) return;
   timer_ = board_.executor().call_at(board_.executor().now() + pause, [this] {

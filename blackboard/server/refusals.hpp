@@ -4,8 +4,9 @@
 //
 //   (board-refusal CLIENT SYMBOL COUNT SENTENCE)       ; key CLIENT SYMBOL
 //
-// CLIENT is who said it (the session's teller, a public key that is not known, or "" for one that has no session),
-// COUNT how often that was since the server began, SENTENCE about the newest. At most 256 pairs of client and symbol
+// CLIENT is who said it (the name of the session's key, its teller where it came without one, a public key that is not
+// known, or "" for one that has no session), COUNT how often that was since the server began, SENTENCE about the newest,
+// 256 bytes of it. At most 256 pairs of client and symbol
 // are told; those of more clients count for "others". A flood of refusals changes the facts ten times a second at most.
 //
 //   Refusals refusals(board);
@@ -22,6 +23,7 @@ namespace pizarra {
 class Refusals {
  public:
   static constexpr std::size_t most_kinds = 256;
+  static constexpr std::size_t longest_sentence = 256;
   static constexpr Duration pause = 100ms;
 
   // Failure wrong-shape: the relation is declared differently.

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "blackboard/boards_own.hpp"
+#include "blackboard/store/narrowing.hpp"
 #include "lisp/nearest.hpp"
 #include "lisp/pattern.hpp"
+#include "lisp/shortened.hpp"
 #include "lisp/writer.hpp"
 
 namespace pizarra {
@@ -63,41 +66,6 @@ std::vector<std::size_t> course_of(const Query& query) {
     compare();
   }
   return course;
-}
-
-std::optional<std::size_t> argument_of(const Datum& variable, const Datum& pattern) {
-  const auto arguments = pattern.items().subspan(1);
-  const auto found = std::ranges::find(arguments, variable);
-  if (found == arguments.end()) return std::nullopt;
-  return static_cast<std::size_t>(found - arguments.begin());
-}
-
-// By what comparison NAME with a value leaves of it.
-void narrow(ValueRange& range, std::string_view name, const Datum& value) {
-  if (name == "=" || name == ">" || name == ">=") range.begin_at(value, name != ">");
-  if (name == "=" || name == "<" || name == "<=") range.end_at(value, name != "<");
-}
-
-std::string_view turned_round(std::string_view name) {
-  if (name == "<") return ">";
-  if (name == "<=") return ">=";
-  if (name == ">") return "<";
-  if (name == ">=") return "<=";
-  return name;
-}
-
-// Narrows what the arguments of a pattern may be, where one is compared with what is known.
-void narrow(std::vector<ValueRange>& ranges, const Datum& pattern, const Datum& comparison) {
-  if (comparison.is_form("/=")) return;
-  for (const bool turned : {false, true}) {
-    const Datum& variable = comparison[turned ? 2 : 1];
-    const Datum& value = comparison[turned ? 1 : 2];
-    const std::optional<std::size_t> argument = argument_of(variable, pattern);
-    if (!is_variable(variable) || !is_ground(value) || !argument) continue;
-    auto range = std::ranges::find(ranges, *argument, &ValueRange::argument);
-    if (range == ranges.end()) range = ranges.insert(range, ValueRange{.argument = *argument});
-    narrow(*range, turned ? turned_round(comparison.head()) : comparison.head(), value);
-  }
 }
 
 class Search {
@@ -295,11 +263,16 @@ Result<const FactTable*> table_named_by(const Datum& pattern, const Tables& tabl
   const auto found = tables.find(pattern.head());
   if (found != tables.end()) return &found->second;
   if (pattern.head().empty()) return fail("wrong-shape", "a fact is a list that begins with a symbol", pattern);
+  if (is_statistics(pattern.head())) {
+    return fail("not-permitted",
+                std::string(pattern.head()) + " says what is now: it can be asked for, alone, and nothing else",
+                Datum::symbol(pattern.head()));
+  }
   std::vector<std::string> names;
   for (const auto& [name, table] : tables) names.push_back(name);
   const std::string nearest = nearest_name(pattern.head(), names);
   const std::string hint = nearest.empty() ? "" : "; did you mean " + nearest + "?";
-  return fail("undeclared-relation", "no relation is called " + std::string(pattern.head()) + hint,
+  return fail("undeclared-relation", "no relation is called " + shortened(pattern.head(), limits::name_bytes) + hint,
               Datum::symbol(pattern.head()));
 }
 

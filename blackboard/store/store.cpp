@@ -1,5 +1,6 @@
 #include "blackboard/store/store.hpp"
 
+#include "blackboard/boards_own.hpp"
 #include "blackboard/limits.hpp"
 #include "blackboard/store/evaluate.hpp"
 #include "blackboard/store/store_change.hpp"
@@ -28,6 +29,11 @@ const Fact* first_fit(const FactTable& table, const Datum& pattern, std::size_t&
     return first == nullptr && ++examined <= limits::examined;
   });
   return first;
+}
+
+Result<void> check_teller(const std::string& teller, const Relation& relation) {
+  if (!is_told_by_the_board(relation.name) || teller == board_teller) return {};
+  return fail(left_to_the_board(relation.name));
 }
 
 Weight weigh(const Transaction& transaction) {
@@ -92,7 +98,8 @@ Result<void> Store::check_precondition(const Transaction::Precondition& precondi
   return not_met(wanted ? "no fact is like this" : "there is a fact like this", pattern);
 }
 
-Result<void> Store::check_step(const Transaction::Step& step, std::set<FactId>& settled, std::size_t& examined) {
+Result<void> Store::check_step(const std::string& teller, const Transaction::Step& step, std::set<FactId>& settled,
+                               std::size_t& examined) {
   if (const auto* settle = std::get_if<Transaction::Settle>(&step)) {
     if (held_.contains(settle->taken) && settled.insert(settle->taken).second) return {};
     return not_met("fact " + std::to_string(settle->taken) + " is not taken, or was put back", to_datum(settle->taken));
@@ -102,6 +109,8 @@ Result<void> Store::check_step(const Transaction::Step& step, std::set<FactId>& 
   const Result<const FactTable*> table = table_named_by(datum, tables_);
   if (!table) return fail(table);
   const Relation& relation = (*table)->relation();
+  const Result<void> allowed = check_teller(teller, relation);
+  if (!allowed) return allowed;
   Result<void> shaped = tell != nullptr ? check_shape(relation, datum) : check_pattern_shape(relation, datum);
   if (!shaped) return shaped;
   if (tell == nullptr) {
@@ -112,7 +121,7 @@ Result<void> Store::check_step(const Transaction::Step& step, std::set<FactId>& 
   return {};
 }
 
-Result<void> Store::check(const Transaction& transaction) {
+Result<void> Store::check(const std::string& teller, const Transaction& transaction) {
   if (transaction.steps.size() + transaction.preconditions.size() > limits::steps) {
     return fail("too-large", "a transaction has at most 10000 steps and preconditions");
   }
@@ -126,14 +135,14 @@ Result<void> Store::check(const Transaction& transaction) {
   }
   std::set<FactId> settled;
   for (const Transaction::Step& step : transaction.steps) {
-    checked = check_step(step, settled, examined);
+    checked = check_step(teller, step, settled, examined);
     if (!checked) return checked;
   }
   return {};
 }
 
 Result<Revision> Store::transact(const std::string& teller, const Transaction& transaction, Time now) {
-  const Result<void> checked = check(transaction);
+  const Result<void> checked = check(teller, transaction);
   if (!checked) return fail(checked);
   Change change(*this, teller, now);
   change.expect(transaction.steps.size());
@@ -159,6 +168,8 @@ Result<std::optional<Fact>> Store::take(const std::string& teller, const Datum& 
   if (!light) return fail(light);
   const Result<const FactTable*> table = table_for(pattern, tables_);
   if (!table) return fail(table);
+  const Result<void> allowed = check_teller(teller, (*table)->relation());
+  if (!allowed) return fail(allowed);
   if (holder != 0 && leases_.find(holder) == nullptr) return unknown_lease(holder);
   std::size_t examined = 0;
   const Fact* fact = first_fit(**table, pattern, examined);

@@ -77,9 +77,10 @@ class Store {
   StandingFact& put(FactTable& table, Fact fact);
   Fact replace(StandingFact& standing, Fact fact);
   StandingFact remove(StandingFact& standing, Revision revision);
-  Result<void> check(const Transaction& transaction);
+  Result<void> check(const std::string& teller, const Transaction& transaction);
   Result<void> check_precondition(const Transaction::Precondition& precondition, std::size_t& examined) const;
-  Result<void> check_step(const Transaction::Step& step, std::set<FactId>& settled, std::size_t& examined);
+  Result<void> check_step(const std::string& teller, const Transaction::Step& step, std::set<FactId>& settled,
+                          std::size_t& examined);
   void lapse(LeaseId lease, Time now);
   void lapse_facts(Time expiry, Time now);
   Result<void> apply_entry(const Commit& commit, Commit::Entry& entry);

@@ -26,7 +26,7 @@ constexpr std::size_t longest_name = 64;
 constexpr std::size_t most_key_files = 1024;
 
 constexpr const char* permitted_names =
-    "a relation is a name of at most 64 characters, a beginning with a star, or a star for all";
+    "a relation is a name of at most 128 characters, a beginning with a star, or a star for all";
 
 // A relation's, or the beginning of some.
 bool is_permitted_name(std::string_view name) {

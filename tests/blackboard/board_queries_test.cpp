@@ -87,7 +87,7 @@ TEST_P(BoardQueries, TheBoardSaysOfEveryRelationWhoTellsAndWhoWatches) {
   EXPECT_EQ(values(ask(*alice, "(and (relation-stats ?name ? ?told ? ? ? ?) (> ?told 2))"), "?name"),
             std::vector<Datum>{"on"_sym});
   EXPECT_EQ(symbol_of(wall->run(bob->ask(query("(and (on ?x ?y) (relation-stats on ? ? ? ? ? ?))")))), "bad-query");
-  EXPECT_EQ(symbol_of(tell(*bob, "(relation-stats on 1 1 1 1 () ())")), "undeclared-relation");
+  EXPECT_EQ(symbol_of(tell(*bob, "(relation-stats on 1 1 1 1 () ())")), "not-permitted");
 }
 
 TEST_P(BoardQueries, AwaitAnswersWhatHoldsOrComesToHold) {

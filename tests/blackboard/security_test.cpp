@@ -214,6 +214,10 @@ TEST_F(SecurityTest, NobodyTellsReadsOrTakesWhatItsKeyDoesNotAllow) {
   const std::vector<Fact> told = refusals("robot");
   ASSERT_EQ(told.size(), 1U);
   EXPECT_EQ(told.front().datum[3].integer(), 8);
+  const auto hand = view("robot", "prompt-17");
+  EXPECT_EQ(ask(*hand, "(goal ?n)"), "not-permitted");
+  EXPECT_EQ(refusals("robot").front().datum[3].integer(), 9) << "it is the key that was refused";
+  EXPECT_TRUE(refusals("robot/prompt-17").empty());
 }
 
 TEST_F(SecurityTest, WhatAnotherToldUnderItsLeaseIsLeftToItUnlessThatIsPermitted) {
@@ -227,7 +231,9 @@ TEST_F(SecurityTest, WhatAnotherToldUnderItsLeaseIsLeftToItUnlessThatIsPermitted
   EXPECT_EQ(retract(*robot, "(agent ?)"), "not-permitted");
   EXPECT_EQ(tell(*robot, "(agent boss)"), "not-permitted") << "it would take the lease away";
   EXPECT_EQ(tell(*robot, "(agent robot)", lease), "not-permitted");
-  EXPECT_EQ(symbol_of(run(robot->renew(lease))), "not-permitted");
+  const Result<void> renewed = run(robot->renew(lease));
+  ASSERT_EQ(symbol_of(renewed), "not-permitted");
+  EXPECT_EQ(renewed.error().sentence, "the key robot may not use the lease of another");
   EXPECT_EQ(symbol_of(run(robot->release(lease))), "not-permitted");
   EXPECT_EQ(retract(*robot, "(agent loose)"), "ok") << "nobody's lease";
   EXPECT_EQ(symbol_of(run(boss->renew(lease))), "ok");

@@ -1,94 +1,11 @@
-#include <gtest/gtest.h>
 #include <set>
-#include <zmq.hpp>
 
 #include "blackboard/limits.hpp"
-#include "blackboard/server/board_server.hpp"
 #include "blackboard/time/random.hpp"
-#include "blackboard/time/real_executor.hpp"
-#include "lisp/writer.hpp"
-#include "tests/blackboard/wall.hpp"
+#include "tests/blackboard/server_fixture.hpp"
 
 namespace pizarra {
 namespace {
-
-// A server, and clients that say just what a test has them say.
-class ServerTest : public testing::Test {
- protected:
-  class Client {
-   public:
-    Client(Executor& executor, const std::string& address, int room = 1000)
-        : executor_(executor), socket_(context_, zmq::socket_type::dealer) {
-      socket_.set(zmq::sockopt::linger, 0);
-      socket_.set(zmq::sockopt::rcvhwm, room);
-      socket_.connect(address);
-    }
-    void send(const std::string& text) { ASSERT_TRUE(socket_.send(zmq::buffer(text)).has_value()); }
-    void send_parts(const std::vector<std::string>& parts) {
-      for (std::size_t i = 0; i < parts.size(); ++i) {
-        const auto flags = i + 1 < parts.size() ? zmq::send_flags::sndmore : zmq::send_flags::none;
-        ASSERT_TRUE(socket_.send(zmq::buffer(parts[i]), flags).has_value());
-      }
-    }
-    // The next message, or an empty list when patience ends.
-    Datum receive(Duration patience = 5s) {
-      zmq::message_t message;
-      const Time deadline = executor_.now() + patience;
-      while (executor_.now() < deadline) {
-        if (socket_.recv(message, zmq::recv_flags::dontwait)) return read_one(message.to_string_view()).value();
-        pass(executor_, 1ms);
-      }
-      return {};
-    }
-    Datum ask(const std::string& text) {
-      send(text);
-      return receive();
-    }
-    std::string join(const std::string& teller) {
-      const Datum welcome = ask("(hello \"" + teller + "\" 0)");
-      EXPECT_TRUE(welcome.is_form("welcome"));
-      return welcome.size() == 3 ? write(welcome[1]) : "0";
-    }
-
-   private:
-    Executor& executor_;
-    zmq::context_t context_{1};
-    zmq::socket_t socket_;
-  };
-
-  ServerTest() {
-    EXPECT_TRUE(board.declare("test", {relation("(relation note ((n integer) (text datum)) (key n))")}).has_value());
-    serve(10s);
-  }
-  void serve(Duration session_length, ClientRequests::Limit requests = {}) {
-    BoardServerOptions options;
-    options.addresses = {"tcp://127.0.0.1:*"};
-    options.session_length = session_length;
-    options.requests = requests;
-    server = BoardServer::open(executor, board, options).value();
-  }
-  static void pass(Executor& executor, Duration time) {
-    bool passed = false;
-    executor.call_at(executor.now() + time, [&] { passed = true; });
-    executor.run_until([&] { return passed; });
-  }
-  Client client() { return {executor, server->addresses().front()}; }
-  // (SYMBOL COUNT) of what the server refused this client, once it is told.
-  std::vector<Datum> refusals(const std::string& teller) {
-    pass(executor, 2 * Refusals::pause);
-    const Query asked = query_for(list("board-refusal"_sym, teller, "?symbol"_sym, "?count"_sym, "?"_sym));
-    std::vector<Datum> counts;
-    const Result<Answers> told = board.ask(asked);
-    for (const Answer& answer : told->answers) {
-      counts.push_back(list(*answer.bindings.find("?symbol"), *answer.bindings.find("?count")));
-    }
-    return counts;
-  }
-
-  RealExecutor executor;
-  MemoryBoard board{executor};
-  std::unique_ptr<BoardServer> server;
-};
 
 TEST_F(ServerTest, WhatWentIsSaidByItsIdToWhoKeepsWhatItWasSent) {
   Client client = this->client();
@@ -103,34 +20,6 @@ TEST_F(ServerTest, WhatWentIsSaidByItsIdToWhoKeepsWhatItWasSent) {
   ASSERT_EQ(whole.size(), 7U) << write(whole);
   EXPECT_EQ(kept[6], read("(1)")) << write(kept);
   EXPECT_EQ(whole[6][0][0][4], read("(note 1 a)")) << write(whole);
-}
-
-TEST_F(ServerTest, WhatTakesLookingAtTooManyFactsIsRefusedToWhoAsksItAlone) {
-  Client greedy = client();
-  Client polite = client();
-  const std::string asking = greedy.join("greedy");
-  const std::string telling = polite.join("polite");
-  Transaction facts;
-  for (int n = 0; n < 600; ++n) facts.tell(list("note"_sym, n, "same"_sym));
-  ASSERT_TRUE(board.transact("test", facts).has_value());
-  // Each pair is looked at, and none fits; the transactions look through the relation once a step.
-  std::string steps;
-  for (int i = 0; i < 500; ++i) steps += "(retract (note ? (f ?x ?x)))";
-  std::string absences;
-  for (int i = 0; i < 500; ++i) absences += "(absent (note ?n (f ?x ?x)))";
-  int request = 0;
-  for (const std::string& body : {std::string("(ask (and (note ?a ?t) (note ?b ?u) (/= ?t ?u)))"),
-                                  "(transact () (" + steps + "))", "(transact (" + absences + ") ())"}) {
-    const Datum refused = greedy.ask("(request " + asking + " " + std::to_string(++request) + " " + body + ")");
-    ASSERT_TRUE(refused.is_form("reply")) << write(refused);
-    EXPECT_EQ(refused[2][1], "too-costly"_sym) << write(refused);
-    const Datum told =
-        polite.ask("(request " + telling + " " + std::to_string(request) + " (transact () ((tell (note 1 " +
-                   std::string(static_cast<std::size_t>(request), 'x') + ") 0))))");
-    EXPECT_TRUE(told[2].is_form("ok")) << write(told);
-  }
-  EXPECT_EQ(refusals("greedy"), std::vector<Datum>{read("(too-costly 3)")});
-  EXPECT_TRUE(refusals("polite").empty());
 }
 
 TEST_F(ServerTest, ARequestSentTwiceIsDoneOnce) {
@@ -167,56 +56,6 @@ TEST_F(ServerTest, AClientThatSaysByeIsForgottenAtOnce) {
   EXPECT_EQ(server->sessions(), 1U);
   client.send("(bye " + session + ")");
   executor.run_until([&] { return server->sessions() == 0; });
-}
-
-TEST_F(ServerTest, AClientThatDoesNotAcknowledgeGetsSixteenChangesAndLaterOneThatSaysAll) {
-  Client slow = client();
-  const std::string session = slow.join("slow");
-  ASSERT_EQ(slow.ask("(request " + session + " 1 (watch 7 (note ?n ?text)))"), read("(reply 1 (ok ()))"));
-  const int many = 3000;
-  for (int i = 0; i < many; ++i) {
-    Transaction transaction;
-    transaction.tell(list("note"_sym, 1, i));
-    ASSERT_TRUE(board.transact("fast", transaction).has_value());
-    if (i % 100 != 0) continue;
-    slow.send("(ping " + session + ")");
-    pass(executor, 1ms);
-  }
-  std::int64_t sequence = 0;
-  for (Datum message = slow.receive(100ms); message != Datum(); message = slow.receive(100ms)) {
-    if (!message.is_form("change")) continue;
-    EXPECT_EQ(message[2].integer(), ++sequence);
-  }
-  EXPECT_EQ(sequence, 16);
-  slow.send("(ack " + session + " 7 " + std::to_string(sequence) + ")");
-  const Datum next = slow.receive();
-  ASSERT_TRUE(next.is_form("change")) << write(next);
-  EXPECT_EQ(next[3], to_datum(many));
-  EXPECT_TRUE(next[4].is_symbol("yes"));
-  EXPECT_EQ(next[5][0][0][4], list("note"_sym, 1, many - 1));
-}
-
-TEST_F(ServerTest, AClientThatReadsNothingDelaysNobody) {
-  Client deaf(executor, server->addresses().front(), 1);
-  const std::string session = deaf.join("deaf");
-  Transaction heavy;
-  heavy.tell(list("note"_sym, 1, std::string(100'000, 'x')));
-  ASSERT_TRUE(board.transact("fast", heavy).has_value());
-  // More than the sockets and their queues hold.
-  for (int i = 0; i < 600; ++i)
-    deaf.send("(request " + session + " " + std::to_string(i + 1) + " (ask (note 1 ?text)))");
-  Client other = client();
-  const std::string own = other.join("other");
-  for (int i = 1; i <= 20; ++i) {
-    const std::string number = std::to_string(i);
-    const Datum reply =
-        other.ask("(request " + own + " " + number + " (transact () ((tell (note 2 " + number + ") 0))))");
-    ASSERT_EQ(reply.head(), "reply");
-  }
-  int replies = 0;
-  while (deaf.receive(200ms) != Datum()) ++replies;
-  EXPECT_LT(replies, 600) << "its queue was full";
-  EXPECT_EQ(deaf.ask("(request " + session + " 601 (ask (note 2 ?text)))")[2].head(), "ok");
 }
 
 TEST_F(ServerTest, ANewConnectionOfASessionIsResynchronised) {
@@ -292,8 +131,36 @@ TEST_F(ServerTest, ARequestFarBehindTheOthersIsRefusedAndNotDone) {
   const int many = static_cast<int>(BoardServer::max_replies) + 2;
   for (int i = 2; i <= many + 1; ++i) client.ask("(request " + session + " " + std::to_string(i) + " (lease 1000000))");
   const Datum reply = client.ask("(request " + session + " 1 (transact () ((tell (note 1 late) 0))))");
-  EXPECT_TRUE(reply.is_form("refused")) << write(reply);
+  ASSERT_TRUE(reply.is_form("reply")) << write(reply);
+  EXPECT_EQ(reply[1], to_datum(1));
+  EXPECT_EQ(reply[2][1], "bad-frame"_sym) << write(reply);
   EXPECT_EQ(board.store().size(), 0U);
+}
+
+TEST_F(ServerTest, ARequestThatCannotBeReadIsAnsweredToItsNumber) {
+  Client client = this->client();
+  const std::string session = client.join("alice");
+  for (const std::string& rest : {std::string("(ask (note 1. ?)))"), std::string(500'000, '('), std::string("(ask"),
+                                  std::string("(ask (note ?n ?)) 1 2)"), std::string("\xff)"), std::string()}) {
+    const Datum reply = client.ask("(request " + session + " 7 " + rest);
+    ASSERT_TRUE(reply.is_form("reply")) << write(reply);
+    EXPECT_EQ(reply[1], to_datum(7)) << write(reply);
+    EXPECT_EQ(reply[2][1], "bad-frame"_sym) << write(reply);
+  }
+  EXPECT_TRUE(client.ask("(request 12345 7 (ask").is_form("refused")) << "another's";
+  EXPECT_TRUE(client.ask("(request " + session + " 1.").is_form("refused"));
+  EXPECT_EQ(refusals("alice"), std::vector<Datum>{read("(bad-frame 8)")});
+}
+
+TEST_F(ServerTest, AWatchWhoseClientAcknowledgesWhatWasNeverSentEnds) {
+  Client client = this->client();
+  const std::string session = client.join("alice");
+  client.ask("(request " + session + " 1 (watch 3 (note ?n ?)))");
+  ASSERT_TRUE(client.receive().is_form("change"));
+  const Datum ended = client.ask("(ack " + session + " 3 99)");
+  ASSERT_TRUE(ended.is_form("watch-failed")) << write(ended);
+  EXPECT_EQ(ended[1], to_datum(3));
+  EXPECT_EQ(refusals("alice"), std::vector<Datum>{read("(bad-frame 1)")});
 }
 
 TEST_F(ServerTest, ALongSubjectIsNotSentBackNorRemembered) {
@@ -308,145 +175,6 @@ TEST_F(ServerTest, ALongSubjectIsNotSentBackNorRemembered) {
   }
 }
 
-TEST_F(ServerTest, RepliesAreRememberedUpToABoundOfBytes) {
-  Client client = this->client();
-  const std::string session = client.join("alice");
-  const auto take = [&](int i) {
-    return "(request " + session + " " + std::to_string(i) + " (take (note " + std::to_string(i) + " ?) 1))";
-  };
-  ASSERT_EQ(board.lease(60s).value(), 1U);
-  constexpr std::size_t heavy = 500'000;
-  const int more = static_cast<int>(BoardServer::max_reply_bytes / heavy) + 2;
-  for (int i = 1; i <= more; ++i) {
-    Transaction told;
-    told.tell(list("note"_sym, i, std::string(heavy, 'x')));
-    ASSERT_TRUE(board.transact("test", told).has_value());
-    const Datum reply = client.ask(take(i));
-    ASSERT_TRUE(reply.is_form("reply")) << write(reply).substr(0, 200);
-    ASSERT_TRUE(reply[2].is_form("ok")) << write(reply).substr(0, 200);
-    ASSERT_EQ(client.ask(take(i)), reply);
-  }
-  EXPECT_TRUE(client.ask(take(1)).is_form("refused"));
-  EXPECT_TRUE(client.ask(take(more - 1)).is_form("reply"));
-}
-
-TEST_F(ServerTest, WhoOpensSessionsWithoutEndIsRefusedCountedAndLeavesRoomForOthers) {
-  std::vector<std::unique_ptr<Client>> greedy;
-  for (std::size_t i = 0; i < BoardServer::max_sessions_of_a_name; ++i) {
-    greedy.push_back(std::make_unique<Client>(executor, server->addresses().front()));
-    greedy.back()->join("greedy");
-  }
-  Client one_more = client();
-  const Datum refused = one_more.ask("(hello \"greedy\" 0)");
-  ASSERT_TRUE(refused.is_form("refused")) << write(refused);
-  EXPECT_TRUE(refused[1][1].is_symbol("too-large")) << write(refused);
-  Client polite = client();
-  EXPECT_EQ(polite.ask("(ping " + polite.join("polite") + ")").head(), "pong");
-  EXPECT_EQ(refusals(""), std::vector<Datum>{list("too-large"_sym, 1)});
-}
-
-TEST_F(ServerTest, WhoAsksForLeasesWithoutEndIsRefusedCountedAndLeavesThemToOthers) {
-  Client greedy = client();
-  const std::string session = greedy.join("greedy");
-  std::size_t number = 0;
-  const auto request = [&](const std::string& body) {
-    return "(request " + session + " " + std::to_string(++number) + " (" + body + "))";
-  };
-  for (std::size_t i = 0; i < LeaseQuota::most; ++i) {
-    greedy.send(request("lease 60000000"));
-    // As many as wait for it without being lost.
-    if (i % 128 == 127) {
-      for (int n = 0; n < 128; ++n) ASSERT_TRUE(greedy.receive()[2].is_form("ok"));
-    }
-  }
-  const Datum refused = greedy.ask(request("lease 60000000"))[2];
-  ASSERT_TRUE(refused.is_form("fail")) << write(refused);
-  EXPECT_TRUE(refused[1].is_symbol("too-large"));
-  EXPECT_EQ(refusals("greedy"), std::vector<Datum>{list("too-large"_sym, 1)});
-  Client polite = client();
-  const std::string own = polite.join("polite");
-  EXPECT_TRUE(polite.ask("(request " + own + " 1 (lease 60000000))")[2].is_form("ok"));
-  // What it gives back it may ask for again.
-  greedy.ask(request("release 1"));
-  EXPECT_TRUE(greedy.ask(request("lease 60000000"))[2].is_form("ok"));
-}
-
-// Each connection is served in turn: between two frames of the polite client's come few of the flooder's, and not all
-// that it has sent before.
-TEST_F(ServerTest, AFloodDelaysNobodyByMoreThanItsShare) {
-  std::vector<std::unique_ptr<Client>> flooders;
-  std::vector<std::string> sessions;
-  constexpr int connections = 4;
-  constexpr int flood = 900;
-  for (int i = 0; i < connections; ++i) {
-    flooders.push_back(std::make_unique<Client>(executor, server->addresses().front(), 100'000));
-    sessions.push_back(flooders.back()->join("flooder"));
-  }
-  Client polite = client();
-  const std::string own = polite.join("polite");
-  int sent = 0;
-  const auto pour = [&](int count) {
-    for (int n = 0; n < count; ++n, ++sent) {
-      const auto which = static_cast<std::size_t>(sent % connections);
-      flooders[which]->send("(request " + sessions[which] + " " + std::to_string(sent + 1) +
-                            " (transact () ((tell (note " + std::to_string(10 + which) + " " + std::to_string(sent) +
-                            ") 0))))");
-    }
-  };
-  pour(connections * flood);
-  Revision served_between = 0;
-  constexpr int asked = 10;
-  for (int i = 1; i <= asked; ++i) {
-    const Revision before = board.store().revision();
-    const std::string number = std::to_string(i);
-    const Datum reply =
-        polite.ask("(request " + own + " " + number + " (transact () ((tell (note 1 " + number + ") 0))))");
-    ASSERT_EQ(reply.head(), "reply");
-    const auto committed = static_cast<Revision>(reply[2][1].integer());
-    served_between = std::max(served_between, committed - before);
-    pour(connections * 50);
-  }
-  EXPECT_LT(served_between, Revision{connections * flood / 2}) << "of " << sent << " that were sent";
-}
-
-TEST_F(ServerTest, AFloodBesideOthersIsRefusedCountedAndLosesNothingThatWasAcknowledged) {
-  constexpr int most = 200;
-  serve(10s, {.most = most, .window = 60s});
-  Client flooder(executor, server->addresses().front(), 100'000);
-  Client polite = client();
-  const std::string flooding = flooder.join("flooder");
-  const std::string own = polite.join("polite");
-  const auto tell = [](const std::string& session, int number, int note) {
-    const std::string fact = "(note " + std::to_string(note) + " x)";
-    return "(request " + session + " " + std::to_string(number) + " (transact () ((tell " + fact + " 0))))";
-  };
-  ASSERT_TRUE(polite.ask(tell(own, 1, -1))[2].is_form("ok"));
-  constexpr int flood = 800;
-  for (int i = 1; i <= flood; ++i) flooder.send(tell(flooding, i, i));
-  for (int i = 2; i <= 10; ++i) EXPECT_TRUE(polite.ask(tell(own, i, -i))[2].is_form("ok"));
-  std::set<std::int64_t> acknowledged;
-  std::set<std::int64_t> refused;
-  for (int i = 0; i < flood; ++i) {
-    const Datum reply = flooder.receive();
-    ASSERT_TRUE(reply.is_form("reply")) << write(reply);
-    const bool done = reply[2].is_form("ok");
-    if (!done) {
-      EXPECT_EQ(reply[2][1], "too-many"_sym) << write(reply);
-    }
-    (done ? acknowledged : refused).insert(reply[1].integer());
-  }
-  EXPECT_EQ(acknowledged.size(), most);
-  EXPECT_EQ(refused.size(), flood - most);
-  const Result<Answers> stand = board.ask(query("(query (note ?n x) (order ?n))"));
-  std::set<std::int64_t> standing;
-  for (const Answer& answer : stand->answers) standing.insert(answer.facts.front().datum[1].integer());
-  std::erase_if(standing, [](std::int64_t n) { return n < 0; });
-  EXPECT_EQ(standing, acknowledged);
-  EXPECT_EQ(refusals("flooder"), std::vector<Datum>{list("too-many"_sym, flood - most)});
-  // One that was done is answered as it was, however much else is refused.
-  EXPECT_TRUE(flooder.ask(tell(flooding, static_cast<int>(*acknowledged.rbegin()), 1))[2].is_form("ok"));
-}
-
 TEST_F(ServerTest, WhatIsRefusedIsToldWithACountAndTheNewestReason) {
   Client client = this->client();
   const std::string session = client.join("alice");
@@ -454,6 +182,33 @@ TEST_F(ServerTest, WhatIsRefusedIsToldWithACountAndTheNewestReason) {
   client.ask("(dance " + session + ")");
   client.ask("(request " + session + " 1 (dance))");
   EXPECT_EQ(refusals("alice"), std::vector<Datum>{list("bad-frame"_sym, 5)});
+}
+
+TEST_F(ServerTest, WhatItRefusedIsItsOwnToTell) {
+  Client client = this->client();
+  const std::string session = client.join("alice");
+  client.ask("garbage(");
+  ASSERT_EQ(refusals("alice").size(), 1U);
+  int number = 0;
+  for (const char* body : {"(transact () ((tell (board-refusal \"bob\" too-large 9 \"forged\") 0)))",
+                           "(transact () ((retract (board-refusal ? ? ? ?))))", "(take (board-refusal ? ? ? ?) 0)",
+                           "(declare (relation board-refusal ((n integer))))"}) {
+    const Datum reply = client.ask("(request " + session + " " + std::to_string(++number) + " " + body + ")")[2];
+    ASSERT_TRUE(reply.is_form("fail")) << body;
+    EXPECT_EQ(reply[1], "not-permitted"_sym) << write(reply);
+  }
+  EXPECT_EQ(refusals("alice"), (std::vector<Datum>{read("(bad-frame 1)"), read("(not-permitted 4)")}));
+  EXPECT_TRUE(refusals("bob").empty());
+  const std::string required = "(transact ((present (board-refusal \"alice\" ? ? ?))) ())";
+  EXPECT_TRUE(client.ask("(request " + session + " 9 " + required + ")")[2].is_form("ok")) << "anybody may read it";
+}
+
+TEST_F(ServerTest, ATellersNameHasABound) {
+  const std::string longest(limits::name_bytes, 'x');
+  const Datum refused = client().ask("(hello \"" + longest + "x\" 0)");
+  ASSERT_TRUE(refused.is_form("refused")) << write(refused);
+  EXPECT_EQ(refused[1][1], "too-large"_sym) << write(refused);
+  EXPECT_TRUE(client().ask("(hello \"" + longest + "\" 0)").is_form("welcome"));
 }
 
 TEST_F(ServerTest, WhatIsNoMessageIsRefusedAndTheServerGoesOn) {
@@ -481,19 +236,6 @@ TEST_F(ServerTest, WhatIsNoMessageIsRefusedAndTheServerGoesOn) {
     EXPECT_TRUE(reply[2].is_form("fail")) << body;
   }
   EXPECT_EQ(client.ask("(ping " + session + ")").head(), "pong");
-}
-
-TEST_F(ServerTest, AFrameBeyondTheLimitIsRefusedAndOneFarBeyondItEndsItsConnectionAlone) {
-  Client other = client();
-  const std::string session = other.join("other");
-  Client large = client();
-  large.join("large");
-  EXPECT_TRUE(large.ask("\"" + std::string(2 * limits::frame_bytes, 'x') + "\"").is_form("refused"));
-  Client huge = client();
-  huge.join("huge");
-  huge.send("\"" + std::string(8 * limits::frame_bytes, 'x') + "\"");
-  EXPECT_EQ(huge.receive(100ms), Datum());
-  EXPECT_EQ(other.ask("(ping " + session + ")").head(), "pong");
 }
 
 TEST_F(ServerTest, RandomDamageToMessagesHurtsNobody) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "blackboard/client/clock_offset.hpp"
+#include "blackboard/limits.hpp"
 #include "blackboard/memory/client_requests.hpp"
 #include "blackboard/memory/latencies.hpp"
 #include "blackboard/time/random.hpp"
@@ -11,6 +12,10 @@
 
 namespace pizarra {
 namespace {
+
+Relation named(const std::string& name) {
+  return {.name = name, .arguments = {{"n", ArgumentType::integer}}, .key = {0}, .durable = false, .lease = {}};
+}
 
 TEST(Latencies, AreKnownToAFifthOfThemselves) {
   constexpr std::uint64_t seed = 4;
@@ -84,6 +89,63 @@ TEST(Statistics, SayWhatWaitsForEachWatcher) {
   EXPECT_EQ(board.ask(query("(and (watcher-stats ?w ? ? ?) (note ?n ?))")).error().symbol, "bad-query");
   EXPECT_EQ(board.declare("test", {relation("(relation journey ((n integer)))")}).has_value(), true);
   EXPECT_FALSE(relation_from_datum(read("(relation watcher-stats ((n integer)))")).has_value());
+}
+
+// However many there are, and whatever they are called.
+TEST(Statistics, FitAnAnswerWhateverClientsDo) {
+  VirtualExecutor executor;
+  MemoryBoard board(executor);
+  // Quotes are written with two letters each.
+  const auto name_of = [](std::size_t n, char filling) {
+    const std::string number = std::to_string(n);
+    return number + std::string(limits::name_bytes - number.size(), filling);
+  };
+  const auto relation_of = [&](std::size_t n) { return "r" + name_of(n, 'x').substr(1); };
+  std::vector<Relation> relations;
+  for (std::size_t n = 0; n < limits::relations; ++n) relations.push_back(named(relation_of(n + 10'000)));
+  ASSERT_TRUE(board.declare("test", relations).has_value());
+  EXPECT_EQ(board.declare("test", {named("one-more")}).error().symbol, "too-large");
+  std::vector<std::unique_ptr<WatchQueue>> watches;
+  for (std::size_t who = 0; who < Statistics::max_names + 1; ++who) {
+    for (std::size_t n = 0; n < relations.size(); ++n) {
+      const Datum form = Datum::symbol(relations[n].name);
+      Transaction told;
+      told.tell(list(form, who));
+      ASSERT_TRUE(board.transact(name_of(who, '"'), told).has_value());
+      if (who >= 16) continue;
+      watches.push_back(board.watch(name_of(who, '"'), query_for(list(form, "?"_sym)), [] {}).value());
+    }
+  }
+  for (const Relation& relation : relations) {
+    board.statistics().came(relation.name, 5ms, executor.now());
+    board.statistics().delivered(relation.name, 5ms, executor.now());
+  }
+  for (std::size_t n = 0; n < 2 * ClientRequests::most_clients; ++n) {
+    ASSERT_TRUE(board.statistics().requests().ask(name_of(n, '"'), executor.now()).has_value());
+  }
+  for (const auto& [asked, fewest] : {std::pair("(relation-stats ? ? ? ? ? ? ?)", relations.size()),
+                                      std::pair("(journey-stats ? ? ?)", relations.size()),
+                                      std::pair("(watcher-stats ? ? ? ?)", std::size_t{16}),
+                                      std::pair("(client-stats ? ? ? ?)", ClientRequests::most_clients)}) {
+    const Result<Answers> answers = board.ask(query(asked));
+    ASSERT_TRUE(answers.has_value()) << asked << ": " << answers.error().sentence;
+    EXPECT_GE(answers->answers.size(), fewest) << asked;
+  }
+}
+
+TEST(Statistics, NameTheTellersAndWatchersOfACellOfUsualSize) {
+  VirtualExecutor executor;
+  MemoryBoard board(executor);
+  std::vector<Relation> relations;
+  for (int n = 0; n < 60; ++n) relations.push_back(named("relation-" + std::to_string(n)));
+  ASSERT_TRUE(board.declare("test", relations).has_value());
+  for (int who = 0; who < 20; ++who) {
+    Transaction told;
+    told.tell(list("relation-0"_sym, who));
+    ASSERT_TRUE(board.transact("agent-" + std::to_string(who), told).has_value());
+  }
+  const Result<Answers> answers = board.ask(query("(relation-stats relation-0 ? ? ? ? ?tellers ?)"));
+  EXPECT_EQ(answers->answers.front().bindings.find("?tellers")->size(), 20U);
 }
 
 // How many of so many requests, `apart` from one another, were served.

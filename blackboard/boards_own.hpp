@@ -1,0 +1,31 @@
+#pragma once
+
+// What is the board's own: what it alone tells (`board-refusal`), and the statistics that it makes up when it is asked
+// (memory/statistics.hpp).
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
+
+#include "lisp/result.hpp"
+
+namespace pizarra {
+
+// Who tells what the board does by itself; nobody else is called so.
+inline constexpr std::string_view board_teller = "board";
+
+inline bool is_statistics(std::string_view relation) {
+  constexpr std::array<std::string_view, 4> names = {"relation-stats", "journey-stats", "watcher-stats",
+                                                     "client-stats"};
+  return std::ranges::find(names, relation) != names.end();
+}
+
+inline bool is_told_by_the_board(std::string_view relation) { return relation == "board-refusal"; }
+
+inline Failure left_to_the_board(std::string_view relation) {
+  return {"not-permitted", std::string(relation) + " is the board's own: nobody else declares, tells or takes it",
+          Datum::symbol(relation), {}};
+}
+
+}  // namespace pizarra

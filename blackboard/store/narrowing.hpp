@@ -1,0 +1,22 @@
+#pragma once
+
+// What comparisons leave of the facts that can fit a pattern: the range in which each argument must lie that is
+// compared with something known, so that an index finds those facts alone.
+//
+//   std::vector<ValueRange> ranges;
+//   narrow(ranges, pattern, comparison);      // (seen ?name ?x) and (< ?x 200): argument 1 up to 200
+
+#include <optional>
+#include <vector>
+
+#include "blackboard/store/ordered_index.hpp"
+
+namespace pizarra {
+
+// Which argument of the pattern the variable is, if any.
+std::optional<std::size_t> argument_of(const Datum& variable, const Datum& pattern);
+
+// By a comparison in which what is bound stands already. One that says nothing of an argument narrows nothing.
+void narrow(std::vector<ValueRange>& ranges, const Datum& pattern, const Datum& comparison);
+
+}  // namespace pizarra

@@ -1,0 +1,244 @@
+// What a client that asks, sends, opens or keeps too much gets, and that nobody else notices.
+
+#include <set>
+
+#include "blackboard/limits.hpp"
+#include "tests/blackboard/server_fixture.hpp"
+
+namespace pizarra {
+namespace {
+
+using ServerLoad = ServerTest;
+
+TEST_F(ServerLoad, WhatTakesLookingAtTooManyFactsIsRefusedToWhoAsksItAlone) {
+  Client greedy = client();
+  Client polite = client();
+  const std::string asking = greedy.join("greedy");
+  const std::string telling = polite.join("polite");
+  Transaction facts;
+  for (int n = 0; n < 600; ++n) facts.tell(list("note"_sym, n, "same"_sym));
+  ASSERT_TRUE(board.transact("test", facts).has_value());
+  // Each pair is looked at, and none fits; the transactions look through the relation once a step.
+  std::string steps;
+  for (int i = 0; i < 500; ++i) steps += "(retract (note ? (f ?x ?x)))";
+  std::string absences;
+  for (int i = 0; i < 500; ++i) absences += "(absent (note ?n (f ?x ?x)))";
+  int request = 0;
+  for (const std::string& body : {std::string("(ask (and (note ?a ?t) (note ?b ?u) (/= ?t ?u)))"),
+                                  "(transact () (" + steps + "))", "(transact (" + absences + ") ())"}) {
+    const Datum refused = greedy.ask("(request " + asking + " " + std::to_string(++request) + " " + body + ")");
+    ASSERT_TRUE(refused.is_form("reply")) << write(refused);
+    EXPECT_EQ(refused[2][1], "too-costly"_sym) << write(refused);
+    const Datum told =
+        polite.ask("(request " + telling + " " + std::to_string(request) + " (transact () ((tell (note 1 " +
+                   std::string(static_cast<std::size_t>(request), 'x') + ") 0))))");
+    EXPECT_TRUE(told[2].is_form("ok")) << write(told);
+  }
+  EXPECT_EQ(refusals("greedy"), std::vector<Datum>{read("(too-costly 3)")});
+  EXPECT_TRUE(refusals("polite").empty());
+}
+
+TEST_F(ServerLoad, AClientThatDoesNotAcknowledgeGetsSixteenChangesAndLaterOneThatSaysAll) {
+  Client slow = client();
+  const std::string session = slow.join("slow");
+  ASSERT_EQ(slow.ask("(request " + session + " 1 (watch 7 (note ?n ?text)))"), read("(reply 1 (ok ()))"));
+  const int many = 3000;
+  for (int i = 0; i < many; ++i) {
+    Transaction transaction;
+    transaction.tell(list("note"_sym, 1, i));
+    ASSERT_TRUE(board.transact("fast", transaction).has_value());
+    if (i % 100 != 0) continue;
+    slow.send("(ping " + session + ")");
+    pass(executor, 1ms);
+  }
+  std::int64_t sequence = 0;
+  for (Datum message = slow.receive(100ms); message != Datum(); message = slow.receive(100ms)) {
+    if (!message.is_form("change")) continue;
+    EXPECT_EQ(message[2].integer(), ++sequence);
+  }
+  EXPECT_EQ(sequence, 16);
+  slow.send("(ack " + session + " 7 " + std::to_string(sequence) + ")");
+  const Datum next = slow.receive();
+  ASSERT_TRUE(next.is_form("change")) << write(next);
+  EXPECT_EQ(next[3], to_datum(many));
+  EXPECT_TRUE(next[4].is_symbol("yes"));
+  EXPECT_EQ(next[5][0][0][4], list("note"_sym, 1, many - 1));
+}
+
+TEST_F(ServerLoad, AClientThatReadsNothingDelaysNobody) {
+  Client deaf(executor, server->addresses().front(), 1);
+  const std::string session = deaf.join("deaf");
+  Transaction heavy;
+  heavy.tell(list("note"_sym, 1, std::string(100'000, 'x')));
+  ASSERT_TRUE(board.transact("fast", heavy).has_value());
+  // More than the sockets and their queues hold.
+  for (int i = 0; i < 600; ++i)
+    deaf.send("(request " + session + " " + std::to_string(i + 1) + " (ask (note 1 ?text)))");
+  Client other = client();
+  const std::string own = other.join("other");
+  for (int i = 1; i <= 20; ++i) {
+    const std::string number = std::to_string(i);
+    const Datum reply =
+        other.ask("(request " + own + " " + number + " (transact () ((tell (note 2 " + number + ") 0))))");
+    ASSERT_EQ(reply.head(), "reply");
+  }
+  int replies = 0;
+  while (deaf.receive(200ms) != Datum()) ++replies;
+  EXPECT_LT(replies, 600) << "its queue was full";
+  EXPECT_EQ(deaf.ask("(request " + session + " 601 (ask (note 2 ?text)))")[2].head(), "ok");
+}
+
+TEST_F(ServerLoad, RepliesAreRememberedUpToABoundOfBytes) {
+  Client client = this->client();
+  const std::string session = client.join("alice");
+  const auto take = [&](int i) {
+    return "(request " + session + " " + std::to_string(i) + " (take (note " + std::to_string(i) + " ?) 1))";
+  };
+  ASSERT_EQ(board.lease(60s).value(), 1U);
+  constexpr std::size_t heavy = 500'000;
+  const int more = static_cast<int>(BoardServer::max_reply_bytes / heavy) + 2;
+  for (int i = 1; i <= more; ++i) {
+    Transaction told;
+    told.tell(list("note"_sym, i, std::string(heavy, 'x')));
+    ASSERT_TRUE(board.transact("test", told).has_value());
+    const Datum reply = client.ask(take(i));
+    ASSERT_TRUE(reply.is_form("reply")) << write(reply).substr(0, 200);
+    ASSERT_TRUE(reply[2].is_form("ok")) << write(reply).substr(0, 200);
+    ASSERT_EQ(client.ask(take(i)), reply);
+  }
+  EXPECT_EQ(client.ask(take(1))[2][1], "bad-frame"_sym);
+  EXPECT_TRUE(client.ask(take(more - 1)).is_form("reply"));
+}
+
+TEST_F(ServerLoad, WhoOpensSessionsWithoutEndIsRefusedCountedAndLeavesRoomForOthers) {
+  std::vector<std::unique_ptr<Client>> greedy;
+  for (std::size_t i = 0; i < BoardServer::max_sessions_of_a_name; ++i) {
+    greedy.push_back(std::make_unique<Client>(executor, server->addresses().front()));
+    greedy.back()->join("greedy");
+  }
+  Client one_more = client();
+  const Datum refused = one_more.ask("(hello \"greedy\" 0)");
+  ASSERT_TRUE(refused.is_form("refused")) << write(refused);
+  EXPECT_TRUE(refused[1][1].is_symbol("too-large")) << write(refused);
+  Client polite = client();
+  EXPECT_EQ(polite.ask("(ping " + polite.join("polite") + ")").head(), "pong");
+  EXPECT_EQ(refusals(""), std::vector<Datum>{list("too-large"_sym, 1)});
+}
+
+TEST_F(ServerLoad, WhoAsksForLeasesWithoutEndIsRefusedCountedAndLeavesThemToOthers) {
+  Client greedy = client();
+  const std::string session = greedy.join("greedy");
+  std::size_t number = 0;
+  const auto request = [&](const std::string& body) {
+    return "(request " + session + " " + std::to_string(++number) + " (" + body + "))";
+  };
+  for (std::size_t i = 0; i < LeaseQuota::most; ++i) {
+    greedy.send(request("lease 60000000"));
+    // As many as wait for it without being lost.
+    if (i % 128 == 127) {
+      for (int n = 0; n < 128; ++n) ASSERT_TRUE(greedy.receive()[2].is_form("ok"));
+    }
+  }
+  const Datum refused = greedy.ask(request("lease 60000000"))[2];
+  ASSERT_TRUE(refused.is_form("fail")) << write(refused);
+  EXPECT_TRUE(refused[1].is_symbol("too-large"));
+  EXPECT_EQ(refusals("greedy"), std::vector<Datum>{list("too-large"_sym, 1)});
+  Client polite = client();
+  const std::string own = polite.join("polite");
+  EXPECT_TRUE(polite.ask("(request " + own + " 1 (lease 60000000))")[2].is_form("ok"));
+  // What it gives back it may ask for again.
+  greedy.ask(request("release 1"));
+  EXPECT_TRUE(greedy.ask(request("lease 60000000"))[2].is_form("ok"));
+}
+
+// Each connection is served in turn: between two frames of the polite client's come few of the flooder's, and not all
+// that it has sent before.
+TEST_F(ServerLoad, AFloodDelaysNobodyByMoreThanItsShare) {
+  std::vector<std::unique_ptr<Client>> flooders;
+  std::vector<std::string> sessions;
+  constexpr int connections = 4;
+  constexpr int flood = 900;
+  for (int i = 0; i < connections; ++i) {
+    flooders.push_back(std::make_unique<Client>(executor, server->addresses().front(), 100'000));
+    sessions.push_back(flooders.back()->join("flooder"));
+  }
+  Client polite = client();
+  const std::string own = polite.join("polite");
+  int sent = 0;
+  const auto pour = [&](int count) {
+    for (int n = 0; n < count; ++n, ++sent) {
+      const auto which = static_cast<std::size_t>(sent % connections);
+      flooders[which]->send("(request " + sessions[which] + " " + std::to_string(sent + 1) +
+                            " (transact () ((tell (note " + std::to_string(10 + which) + " " + std::to_string(sent) +
+                            ") 0))))");
+    }
+  };
+  pour(connections * flood);
+  Revision served_between = 0;
+  constexpr int asked = 10;
+  for (int i = 1; i <= asked; ++i) {
+    const Revision before = board.store().revision();
+    const std::string number = std::to_string(i);
+    const Datum reply =
+        polite.ask("(request " + own + " " + number + " (transact () ((tell (note 1 " + number + ") 0))))");
+    ASSERT_EQ(reply.head(), "reply");
+    const auto committed = static_cast<Revision>(reply[2][1].integer());
+    served_between = std::max(served_between, committed - before);
+    pour(connections * 50);
+  }
+  EXPECT_LT(served_between, Revision{connections * flood / 2}) << "of " << sent << " that were sent";
+}
+
+TEST_F(ServerLoad, AFloodBesideOthersIsRefusedCountedAndLosesNothingThatWasAcknowledged) {
+  constexpr int most = 200;
+  serve(10s, {.most = most, .window = 60s});
+  Client flooder(executor, server->addresses().front(), 100'000);
+  Client polite = client();
+  const std::string flooding = flooder.join("flooder");
+  const std::string own = polite.join("polite");
+  const auto tell = [](const std::string& session, int number, int note) {
+    const std::string fact = "(note " + std::to_string(note) + " x)";
+    return "(request " + session + " " + std::to_string(number) + " (transact () ((tell " + fact + " 0))))";
+  };
+  ASSERT_TRUE(polite.ask(tell(own, 1, -1))[2].is_form("ok"));
+  constexpr int flood = 800;
+  for (int i = 1; i <= flood; ++i) flooder.send(tell(flooding, i, i));
+  for (int i = 2; i <= 10; ++i) EXPECT_TRUE(polite.ask(tell(own, i, -i))[2].is_form("ok"));
+  std::set<std::int64_t> acknowledged;
+  std::set<std::int64_t> refused;
+  for (int i = 0; i < flood; ++i) {
+    const Datum reply = flooder.receive();
+    ASSERT_TRUE(reply.is_form("reply")) << write(reply);
+    const bool done = reply[2].is_form("ok");
+    if (!done) {
+      EXPECT_EQ(reply[2][1], "too-many"_sym) << write(reply);
+    }
+    (done ? acknowledged : refused).insert(reply[1].integer());
+  }
+  EXPECT_EQ(acknowledged.size(), most);
+  EXPECT_EQ(refused.size(), flood - most);
+  const Result<Answers> stand = board.ask(query("(query (note ?n x) (order ?n))"));
+  std::set<std::int64_t> standing;
+  for (const Answer& answer : stand->answers) standing.insert(answer.facts.front().datum[1].integer());
+  std::erase_if(standing, [](std::int64_t n) { return n < 0; });
+  EXPECT_EQ(standing, acknowledged);
+  EXPECT_EQ(refusals("flooder"), std::vector<Datum>{list("too-many"_sym, flood - most)});
+  // One that was done is answered as it was, however much else is refused.
+  EXPECT_TRUE(flooder.ask(tell(flooding, static_cast<int>(*acknowledged.rbegin()), 1))[2].is_form("ok"));
+}
+
+TEST_F(ServerLoad, AFrameBeyondTheLimitIsRefusedAndOneFarBeyondItEndsItsConnectionAlone) {
+  Client other = client();
+  const std::string session = other.join("other");
+  Client large = client();
+  large.join("large");
+  EXPECT_TRUE(large.ask("\"" + std::string(2 * limits::frame_bytes, 'x') + "\"").is_form("refused"));
+  Client huge = client();
+  huge.join("huge");
+  huge.send("\"" + std::string(8 * limits::frame_bytes, 'x') + "\"");
+  EXPECT_EQ(huge.receive(100ms), Datum());
+  EXPECT_EQ(other.ask("(ping " + session + ")").head(), "pong");
+}
+
+}  // namespace
+}  // namespace pizarra
