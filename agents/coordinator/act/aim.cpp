@@ -53,13 +53,12 @@ Result<Eigen::Vector3d> Aims::on_top_of(std::string_view lower) const {
 
 Result<Eigen::Vector3d> Aims::free_spot_for(std::string_view held) {
   if (!spot_) {
-    std::vector<Eigen::Vector2d> occupied;
+    std::vector<Eigen::Vector3d> centres;
     for (const auto& [name, sighting] : surroundings_.sightings().all()) {
-      if (name == held || name == options_.gripper.mark) continue;
-      const Eigen::Vector3d centre = surroundings_.centre_mm(name, sighting);
-      occupied.emplace_back(centre.x(), centre.y());
+      if (name != held && name != options_.gripper.mark) centres.push_back(surroundings_.centre_mm(name, sighting));
     }
     const std::optional<Eigen::Vector3d> grip = surroundings_.grip_mm();
+    const std::vector<Eigen::Vector2d> occupied = spots_of(centres, grip, domain_.cube_mm());
     const Shown shown = [this](const Eigen::Vector2d& spot) {
       const double mark_mm = options_.gripper.outline.mark_half_mm;
       return surroundings_.view()->shows(*on_table(spot.x(), spot.y()), mark_mm);

@@ -148,6 +148,14 @@ TEST(FreeSpot, IsFoundBetweenRowsWhereNoRowHasOne) {
   EXPECT_TRUE(usable(area, *spot, occupied)) << *spot;
 }
 
+// A tower's two cubes between the fingers are no reason to keep holding them.
+TEST(FreeSpot, IsNotTakenByWhatHangsInTheGripper) {
+  const std::vector<Eigen::Vector3d> centres{{450, 0, 30}, {440, -158, 300}, {430, -150, 270}};
+  const Eigen::Vector3d grip(440, -158, 300);
+  EXPECT_EQ(spots_of(centres, grip, 60), (std::vector<Eigen::Vector2d>{{450, 0}}));
+  EXPECT_EQ(spots_of(centres, std::nullopt, 60).size(), 3u);
+}
+
 TEST(FreeSpot, IsWhereItsMarkIsShown) {
   const auto shown = [](const Eigen::Vector2d& spot) { return spot.y() > 0; };
   const std::optional<Eigen::Vector2d> spot = free_spot({}, {{450, 150}}, -150, shown);
