@@ -8,7 +8,7 @@ namespace pizarra {
 Task<Result<bool>> Rescues::holds() {
   const Result<double> closed = co_await arm_.grip(0);
   if (!closed) co_return fail(closed);
-  co_return *closed > domain_.cube_mm() / 2;
+  co_return *closed > domain_.cube_mm() - TaskRunner::closed_mm;
 }
 
 Task<Result<void>> Rescues::lay_down(std::string object) {

@@ -26,7 +26,7 @@ class Rescues {
   Task<Result<void>> loosen(Datum operation);
 
  private:
-  // Whether something is between the fingers, which close on it.
+  // Whether something as wide as a cube is between the fingers, which close on it: they may also have met on an edge.
   Task<Result<bool>> holds();
 
   const TaskDomain& domain_;

@@ -53,6 +53,13 @@ TEST_F(Coordinator, RefusesAMissingObjectAfterLookingForItAndKeepsTheArmStill) {
   EXPECT_EQ(cell.grip, Eigen::Vector3d(370, 0, 410));
 }
 
+TEST_F(Coordinator, PushesWhatCannotBeGraspedAlsoWhereTheFingersMeetOnAnEdge) {
+  cell.lowest_mm = 60;
+  cell.jam_mm = 40;
+  want("(goal (holding circle))");
+  EXPECT_TRUE(cell.run_until("(event ? servo \"circle cannot be grasped as it lies: pushing it\" ?)", 60s));
+}
+
 TEST_F(Coordinator, RefusesWhatThePlannerProvesImpossible) {
   want("(goal (on circle triangle) (on triangle circle))");
   ASSERT_TRUE(cell.run_until("(goal-state 1 refused ?)", 30s));

@@ -202,7 +202,7 @@ void FakeCell::let_go() {
 double FakeCell::close_gripper(double wanted_mm) {
   ++motions;
   if (wanted_mm > 60) let_go();
-  opening_mm = wanted_mm;
+  opening_mm = std::max(wanted_mm, jam_mm);
   if (wanted_mm > 60) return opening_mm;
   for (const auto& [name, place] : cubes) {
     if (!is_near(place, grip, 12, 15)) continue;
@@ -228,6 +228,7 @@ Task<Result<Datum>> FakeCell::handle_robot(Datum operation) {
   }
   if (name == "ready") to = {370, 0, 410};
   if (name == "move-v") to.z() += amount;
+  if (to.z() < std::min(lowest_mm, grip.z())) co_return fail("stopped", "the arm feels a collision", operation);
   if (name == "move-h") to.y() += amount;
   if (name == "extend") to += operation[2].number() * out;
   if (name == "retract") to -= operation[1].number() * out;

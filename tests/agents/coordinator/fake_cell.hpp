@@ -58,7 +58,9 @@ class FakeCell {
   Eigen::Vector3d pose_error_mm{0, 0, 0};                    // of the arm's own word for where it is
   Eigen::Vector3d grip{370, 0, 410};                         // the grip centre
   double opening_mm = 100;
-  std::string held;  // between the fingers
+  std::string held;      // between the fingers
+  double lowest_mm = 0;  // what is in the way stops the arm on its way further down,
+  double jam_mm = 0;     // and the fingers there at this opening
   int motions = 0;
   bool disk_full = false;  // of the board's journal, for what the coordinator tells
 
