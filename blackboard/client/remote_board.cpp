@@ -218,9 +218,8 @@ void RemoteBoard::transmit(wire::RequestId request, Pending& pending) {
 
 // A hundred times a second at most, of a change that is sent for the first time.
 std::optional<Time> RemoteBoard::time_to_say(const Pending& pending) {
-  constexpr Duration between = 10ms;
   const Time now = executor_.now();
-  if (pending.sent || pending.repeatable || now - timed_ < between) return std::nullopt;
+  if (pending.sent || pending.repeatable || now - timed_ < between_timed) return std::nullopt;
   timed_ = now;
   return board_clock_.there(now);
 }

@@ -112,7 +112,9 @@ class RemoteBoard : public Board {
   std::optional<Time> goodbye_;
   ClockOffset board_clock_;
   int pings_under_way_ = 0;
-  Time timed_{};  // the last request that said when it was sent
+  static constexpr Duration between_timed = 10ms;
+  Time timed_{};          // the last request that said when it was sent
+  Time arrival_timed_{};  // the last change of which it is said how long it took
   wire::RequestId next_request_ = 1;
   wire::WatchId next_watch_ = 1;
   std::map<wire::RequestId, Pending> pending_;

@@ -55,11 +55,13 @@ void RemoteStream::receive(std::uint64_t sequence, const Datum& message) {
 }
 
 void RemoteStream::note_arrival(const Delta& delta) {
-  if (delta.kind != Delta::Kind::change || arrival_) return;
-  const std::optional<Time> now = board_.board_time();
+  const Time here = board_.executor_.now();
+  if (delta.kind != Delta::Kind::change || here - board_.arrival_timed_ < RemoteBoard::between_timed) return;
+  const std::optional<Time> now = board_.board_clock_.there(here);
   for (const Fact& fact : delta.added.facts) {
     if (!now || fact.revision != delta.revision) continue;
     arrival_ = Arrival{std::string(fact.datum.head()), *now - fact.when};
+    board_.arrival_timed_ = here;
     return;
   }
 }
@@ -67,7 +69,8 @@ void RemoteStream::note_arrival(const Delta& delta) {
 void RemoteStream::read_up_to(std::uint64_t sequence, bool say_so) {
   // What was received under a former number needs no acknowledgement any more.
   if (sequence > read_ && sequence < expected_) read_ = sequence;
-  if (say_so || read_ - acknowledged_ >= acknowledge_after) acknowledge();
+  // Where changes come one by one, an acknowledgement of each would wake the server as often as the changes do.
+  if (say_so || arrival_ || read_ - acknowledged_ >= acknowledge_after) acknowledge();
 }
 
 void RemoteStream::acknowledge() {

@@ -9,7 +9,7 @@ Task<Result<Change>> RemoteWatch::next() {
   if (unread_.empty()) co_return fail(*ended_);
   Received first = std::move(unread_.front());
   unread_.pop_front();
-  read_up_to(first.sequence, unread_.empty());
+  read_up_to(first.sequence, false);
   co_return change_of(query(), std::move(first.delta));
 }
 
