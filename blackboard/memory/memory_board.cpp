@@ -140,9 +140,9 @@ Result<void> MemoryBoard::release(LeaseId lease) {
 }
 
 Result<std::unique_ptr<WatchQueue>> MemoryBoard::watch(const std::string& watcher, const Query& query,
-                                                       std::function<void()> ready) {
+                                                       std::function<void()> ready, std::shared_ptr<Backlog> backlog) {
   begin();
-  Result<std::unique_ptr<WatchQueue>> queue = watches_->add(query, std::move(ready), watcher);
+  Result<std::unique_ptr<WatchQueue>> queue = watches_->add(query, std::move(ready), watcher, std::move(backlog));
   schedule();
   return queue;
 }

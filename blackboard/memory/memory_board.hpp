@@ -18,6 +18,7 @@
 #include "blackboard/memory/statistics.hpp"
 #include "blackboard/store/commit.hpp"
 #include "blackboard/time/executor.hpp"
+#include "blackboard/watch/backlog.hpp"
 
 namespace pizarra {
 
@@ -54,9 +55,9 @@ class MemoryBoard {
   Result<void> renew(LeaseId lease);
   Result<void> release(LeaseId lease);
   // The queue's first change is there already; `ready` is called whenever one comes to an empty queue.
-  // `watcher` is who will be named in what relation-stats says (statistics.hpp).
-  Result<std::unique_ptr<WatchQueue>> watch(const std::string& watcher, const Query& query,
-                                            std::function<void()> ready);
+  // `watcher` is who will be named in what relation-stats says (statistics.hpp); its queues may share a backlog.
+  Result<std::unique_ptr<WatchQueue>> watch(const std::string& watcher, const Query& query, std::function<void()> ready,
+                                            std::shared_ptr<Backlog> backlog = std::make_shared<Backlog>());
 
  private:
   // Lapses what is due, before an operation; and has the timer wait for what is next, after it.

@@ -160,6 +160,8 @@ void BoardServer::flush_watch(Session& session, wire::WatchId id, ServedWatch& w
   const std::size_t width = width_of(watch.queue->query());
   std::string text;
   while (watch.queue->ready() && watch.sent - watch.acknowledged < max_under_way) {
+    session.blocked = !socket_.has_room(session.peer);
+    if (session.blocked) return;
     const Result<Delta> delta = watch.queue->pop_delta();
     if (!delta) {
       const Datum message = list("watch-failed"_sym, id, failure_to_datum(delta.error()));

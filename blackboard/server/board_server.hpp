@@ -14,8 +14,9 @@
 // changes or goes ends its sessions within session_length / 8. What is refused is told (refusals.hpp). What
 // changes the board is done once however often it is sent: the last 256 such replies of a session, of 4 MB at most, are
 // remembered, and with a journal those about durable facts also in its next life, where the session goes on when its
-// client greets. A watch has at most 16 changes under way; what a slow client has not read waits in the watch's own
-// bounded queue, and when that overflows, or a change could not be sent, the client is resynchronised.
+// client greets. A watch has at most 16 changes under way, a client 4 MB, half of which is for replies alone. What a
+// slow client has not read waits in its watches' queues, in 4 MB that these share; a watch whose change has no room
+// there, or could not be sent, is resynchronised.
 
 #include <map>
 #include <memory>
@@ -88,6 +89,7 @@ class BoardServer {
     std::optional<PublicKey> key;
     Time heard{};
     bool blocked = false;  // its connection takes no more; until it is heard from
+    std::shared_ptr<Backlog> backlog = std::make_shared<Backlog>();
     std::map<wire::WatchId, ServedWatch> watches;
     bool holds = false;  // what it watches, and answers questions from it
     struct Reply {

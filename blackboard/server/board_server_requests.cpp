@@ -236,7 +236,8 @@ Result<Datum> BoardServer::watch(wire::SessionId id, Session& session, const Dat
   if (!query) return fail(query);
   const Result<void> permitted = gate_.ask(key_of(session), *query);
   if (!permitted) return fail(permitted);
-  Result<std::unique_ptr<WatchQueue>> queue = board_.watch(session.teller, *query, [this, id] { schedule_flush(id); });
+  Result<std::unique_ptr<WatchQueue>> queue = board_.watch(
+      session.teller, *query, [this, id] { schedule_flush(id); }, session.backlog);
   if (!queue) return fail(queue);
   session.watches[*number] = {body[2], std::move(*queue), kept};
   session.holds = session.holds || held;

@@ -53,12 +53,13 @@ Weight weigh(const Delta& delta) {
 
 }  // namespace
 
-WatchQueue::WatchQueue(WatchTable& table, const Store& store, Query query)
+WatchQueue::WatchQueue(WatchTable& table, const Store& store, Query query, std::shared_ptr<Backlog> backlog)
     : table_(table),
       store_(store),
       query_(std::move(query)),
       only_pattern_(only_pattern_of(query_)),
-      fits_all_(only_pattern_ != nullptr && is_fitted_by_all(query_)) {
+      fits_all_(only_pattern_ != nullptr && is_fitted_by_all(query_)),
+      waiting_(std::move(backlog)) {
   if (only_pattern_ == nullptr) joined_.emplace(query_, store_.tables());
 }
 
@@ -88,7 +89,7 @@ Result<Delta> WatchQueue::pop_delta() {
   if (state_ != State::following) return only_pattern_ != nullptr ? next_part() : all_answers();
   Queued first = std::move(deltas_.front());
   deltas_.pop_front();
-  queued_bytes_ -= first.bytes;
+  waiting_.remove(first.bytes);
   return std::move(first.delta);
 }
 
@@ -106,10 +107,16 @@ Result<Change> WatchQueue::pop() {
 
 void WatchQueue::resynchronise() {
   const bool was_ready = ready();
-  deltas_.clear();
-  queued_bytes_ = 0;
+  empty();
   state_ = State::lagging;
   if (!was_ready && on_ready_) on_ready_();
+}
+
+void WatchQueue::empty() {
+  deltas_.clear();
+  gone_ = {};
+  gone_bytes_ = 0;
+  waiting_.clear();
 }
 
 void WatchQueue::committed(const Commit& commit) {
@@ -138,8 +145,10 @@ void WatchQueue::committed_by_facts(const Commit& commit) {
 void WatchQueue::committed_while_sending(const Commit& commit) {
   for (const Commit::Entry& entry : commit.entries) {
     if (!removes(entry) || entry.fact.id > sent_up_to_ || !fits(entry.fact)) continue;
+    const std::size_t bytes = pizarra::weigh(entry.fact).bytes;
+    if (!waiting_.add(bytes)) return resynchronise();
     add(gone_, entry.fact);
-    gone_bytes_ += pizarra::weigh(entry.fact).bytes;
+    gone_bytes_ += bytes;
   }
   if (gone_bytes_ > limits::part_bytes) resynchronise();
 }
@@ -158,13 +167,13 @@ Delta WatchQueue::next_part() {
   const bool first = state_ != State::sending;
   if (first) {
     sent_up_to_ = 0;
-    gone_ = {};
-    gone_bytes_ = 0;
+    empty();
   }
   Delta part;
   part.revision = store_.revision();
   part.removed = std::exchange(gone_, {});
   std::size_t bytes = std::exchange(gone_bytes_, 0);
+  waiting_.remove(bytes);
   bool last = true;
   const auto consider = [&](const Fact& fact) {
     if (fits(fact)) {
@@ -198,13 +207,12 @@ Result<Delta> WatchQueue::all_answers() {
 void WatchQueue::push(Delta delta) {
   if (delta.kind == Delta::Kind::change && delta.added.answers + delta.removed.answers == 0) return;
   const Weight weight = weigh(delta);
-  const bool room = deltas_.size() < limits::pending_changes && queued_bytes_ + weight.bytes <= limits::pending_bytes;
   // A change that takes more elements than a frame has is as good as one that takes more bytes.
-  if (!room || !check_weight(weight, "a change")) return resynchronise();
+  const bool fitting = deltas_.size() < limits::pending_changes && check_weight(weight, "a change");
+  if (!fitting || !waiting_.add(weight.bytes)) return resynchronise();
   const bool was_ready = ready();
   state_ = State::following;
   deltas_.push_back({std::move(delta), weight.bytes});
-  queued_bytes_ += weight.bytes;
   if (!was_ready && on_ready_) on_ready_();
 }
 

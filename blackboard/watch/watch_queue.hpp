@@ -6,7 +6,8 @@
 // keeps its answers (joined_answers.hpp).
 //
 // Lifecycle: lagging (the reader knows nothing), sending (it is told in parts what holds), following (changes are
-// queued). A queue holds at most 1024 changes and 4 MB; when it overflows it is emptied, and the watch lags again.
+// queued). A queue holds at most 1024 changes, and 4 MB with those that share its backlog; when it overflows it is
+// emptied, and the watch lags again.
 //
 //   while (queue.ready()) Result<Change> change = queue.pop();          // or pop_delta(), to send it on
 
@@ -17,6 +18,7 @@
 #include "blackboard/delta.hpp"
 #include "blackboard/store/commit.hpp"
 #include "blackboard/store/store.hpp"
+#include "blackboard/watch/backlog.hpp"
 #include "blackboard/watch/joined_answers.hpp"
 
 namespace pizarra {
@@ -26,7 +28,7 @@ class WatchTable;
 // Destroying it ends the watch.
 class WatchQueue {
  public:
-  WatchQueue(WatchTable& table, const Store& store, Query query);
+  WatchQueue(WatchTable& table, const Store& store, Query query, std::shared_ptr<Backlog> backlog);
   WatchQueue(const WatchQueue&) = delete;
   WatchQueue& operator=(const WatchQueue&) = delete;
   ~WatchQueue();
@@ -55,6 +57,7 @@ class WatchQueue {
   Delta next_part();
   Result<Delta> all_answers();
   void push(Delta delta);
+  void empty();
 
   WatchTable& table_;
   const Store& store_;
@@ -67,16 +70,16 @@ class WatchQueue {
   Revision touched_ = 0;  // the commit that last concerned it
 
   State state_ = State::lagging;
-  FactId sent_up_to_ = 0;                // while sending
-  Delta::Side gone_;                     // while sending: what was sent and went since
-  std::size_t gone_bytes_ = 0;           //
+  FactId sent_up_to_ = 0;  // while sending
+  Delta::Side gone_;       // while sending: what was sent and went since
+  std::size_t gone_bytes_ = 0;
   std::optional<JoinedAnswers> joined_;  // unless there is only_pattern_
   struct Queued {
     Delta delta;
     std::size_t bytes;
   };
   std::deque<Queued> deltas_;
-  std::size_t queued_bytes_ = 0;
+  Backlog::Share waiting_;  // what is queued, or gone
 };
 
 }  // namespace pizarra

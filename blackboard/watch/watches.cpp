@@ -24,12 +24,12 @@ void for_patterns(const Clauses& clauses, Visitor&& visitor) {
 WatchTable::~WatchTable() { assert(size_ == 0); }
 
 Result<std::unique_ptr<WatchQueue>> WatchTable::add(const Query& query, std::function<void()> on_ready,
-                                                    std::string watcher) {
+                                                    std::string watcher, std::shared_ptr<Backlog> backlog) {
   if (query.at) return fail("bad-query", "what was cannot be watched, only asked", query_to_datum(query));
   if (size_ >= limits::watches) return fail("too-large", "the board has too many watches");
   const Result<void> checked = check_query_on(query, store_.tables());
   if (!checked) return fail(checked);
-  auto queue = std::make_unique<WatchQueue>(*this, store_, query);
+  auto queue = std::make_unique<WatchQueue>(*this, store_, query, std::move(backlog));
   const Result<void> begun = queue->begin();
   if (!begun) return fail(begun);
   queue->on_ready_ = std::move(on_ready);
@@ -133,7 +133,7 @@ std::map<std::string, WatchTable::Load> WatchTable::loads() const {
     Load& load = loads[watch->watcher_];
     ++load.watches;
     load.changes += watch->deltas_.size();
-    load.bytes += watch->queued_bytes_;
+    load.bytes += watch->waiting_.bytes();
   }
   return loads;
 }

@@ -29,7 +29,8 @@ class WatchTable {
   ~WatchTable();
 
   // The first change is queued; `on_ready` is called whenever the queue becomes ready after having been empty.
-  Result<std::unique_ptr<WatchQueue>> add(const Query& query, std::function<void()> on_ready, std::string watcher = "");
+  Result<std::unique_ptr<WatchQueue>> add(const Query& query, std::function<void()> on_ready, std::string watcher = "",
+                                          std::shared_ptr<Backlog> backlog = std::make_shared<Backlog>());
   void committed(const Commit& commit);
   std::size_t size() const { return size_; }
   // How many patterns of whose watches are about a relation.

@@ -105,11 +105,10 @@ bool WireSocket::send(const std::string& peer, std::string_view frame) {
   if (!pumping_) schedule_pump();
   const auto dont_wait = zmq::send_flags::dontwait;
   try {
-    if (kind_ == Kind::router) {
-      const auto routed = socket_.send(zmq::buffer(peer), dont_wait | zmq::send_flags::sndmore);
-      if (!routed) return false;
-    }
-    return socket_.send(zmq::buffer(frame), dont_wait).has_value();
+    if (kind_ == Kind::dealer) return socket_.send(zmq::buffer(frame), dont_wait).has_value();
+    if (under_way_.bytes_to(peer) + frame.size() > most_under_way) return false;
+    const auto routed = socket_.send(zmq::buffer(peer), dont_wait | zmq::send_flags::sndmore);
+    return routed && socket_.send(under_way_.message(peer, frame), dont_wait).has_value();
   } catch (const zmq::error_t&) {
     // The peer is gone: EHOSTUNREACH.
     return false;

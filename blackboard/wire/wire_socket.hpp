@@ -22,6 +22,7 @@
 #include "blackboard/time/executor.hpp"
 #include "blackboard/wire/handshake_watch.hpp"
 #include "blackboard/wire/keys.hpp"
+#include "blackboard/wire/under_way.hpp"
 #include "lisp/result.hpp"
 
 namespace pizarra {
@@ -31,8 +32,9 @@ class WireSocket {
   enum class Kind : std::uint8_t { router, dealer };
   // `peer` names who sent it to a router, and is empty for a dealer.
   using Receiver = std::function<void(const std::string& peer, std::optional<std::string_view> frame)>;
-  // Frames under way to one peer that does not read.
+  // Frames under way to one peer that does not read, and a router's bytes.
   static constexpr int high_water = 256;
+  static constexpr std::size_t most_under_way = 4 << 20;
 
   static constexpr std::int64_t longest_message = 4 << 20;
 
@@ -48,7 +50,10 @@ class WireSocket {
                        HandshakeWatch::Refused refused = {});
   // After it was refused: ZeroMQ does not try again by itself.
   void connect_again();
+  // False, and nothing sent, when more than the bound would be under way to the peer, or it is gone.
   bool send(const std::string& peer, std::string_view frame);
+  // Whether half of that is free: what can wait leaves the rest to what cannot.
+  bool has_room(const std::string& peer) const { return under_way_.bytes_to(peer) <= most_under_way / 2; }
   // The public key of who sent what is being received; empty for one without.
   const std::string& sender_key() const { return sender_key_; }
   zmq::context_t& context() { return context_; }
@@ -67,6 +72,7 @@ class WireSocket {
   Executor::TimerId pump_timer_ = 0;
   bool pumping_ = false;
   std::vector<std::string> bound_files_;
+  UnderWay under_way_;
   bool keyed_ = false;
   std::string sender_key_;
   std::string connected_to_;

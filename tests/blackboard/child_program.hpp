@@ -59,6 +59,13 @@ class ChildProgram {
     std::ifstream maps("/proc/" + std::to_string(child_) + "/maps");
     return {std::istreambuf_iterator<char>(maps), {}};
   }
+  double resident_mb() const {
+    std::ifstream status("/proc/" + std::to_string(child_) + "/status");
+    for (std::string line; std::getline(status, line);) {
+      if (line.starts_with("VmRSS:")) return std::stod(line.substr(6)) / 1024;
+    }
+    return 0;
+  }
   // Its exit code, or minus the signal that ended it.
   int stop(int signal) {
     send(signal);
