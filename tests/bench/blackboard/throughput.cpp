@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "blackboard/time/event.hpp"
 #include "lisp/reader.hpp"
 #include "tests/bench/blackboard/board_process.hpp"
 #include "tests/bench/blackboard/brokers.hpp"
@@ -41,9 +42,21 @@ Task<void> count_objects(Board& board, Pipe& parent) {
   }
 }
 
-Task<void> tell_batches(Board& board, const std::vector<Transaction>& all, std::size_t end, std::size_t& next) {
-  while (next < end) {
-    Transaction transaction = all[next++];
+// What is told, and how far that may go.
+struct Course {
+  std::vector<Transaction> all;
+  WaitList waiting;
+  std::size_t allowed = 0;
+  std::size_t next = 0;
+};
+
+Task<void> tell_batches(Board& board, Course& course) {
+  while (course.next < course.all.size()) {
+    if (course.next == course.allowed) {
+      co_await course.waiting.wait();
+      continue;
+    }
+    Transaction transaction = std::move(course.all[course.next++]);
     const Result<Revision> done = co_await board.transact(std::move(transaction));
     if (!done) throw std::runtime_error(describe(done.error()));
   }
@@ -57,25 +70,19 @@ std::vector<Transaction> prepared(int round) {
   return all;
 }
 
-void tell_section(Client& client, const std::vector<Transaction>& all, std::size_t& next) {
-  const std::size_t end = next + section;
-  std::vector<Job> jobs;
-  for (int i = 0; i < in_flight; ++i) {
-    jobs.push_back(client.executor().spawn(tell_batches(client.board(), all, end, next)));
-  }
-  client.executor().run_until([&] { return std::ranges::all_of(jobs, &Job::done); });
-}
-
 double told_per_second(Client& client, Pipe& watcher, int round) {
-  const std::vector<Transaction> all = prepared(round);
+  Course course{prepared(round), WaitList(client.executor())};
   const double seconds = seconds_of([&] {
-    std::size_t next = 0;
-    tell_section(client, all, next);
-    while (next < all.size()) {
-      tell_section(client, all, next);
-      watcher.hear();
+    std::vector<Job> jobs;
+    for (int i = 0; i < in_flight; ++i) jobs.push_back(client.executor().spawn(tell_batches(client.board(), course)));
+    while (course.allowed < course.all.size()) {
+      if (course.allowed >= 2 * section) watcher.hear();
+      course.allowed += section;
+      course.waiting.wake_all();
+      client.executor().run_until([&] { return course.next == course.allowed; });
     }
-    watcher.hear();
+    client.executor().run_until([&] { return std::ranges::all_of(jobs, &Job::done); });
+    for (int left = 0; left < 2; ++left) watcher.hear();
   });
   return batch * batches / seconds;
 }
