@@ -73,7 +73,6 @@ Task<Evaluation> Interpreter::evaluate(std::string text) {
     const Evaluation outcome = co_await evaluate_form(form);
     if (outcome != Evaluation::done) co_return outcome;
   }
-  co_await learn_words();
   co_return Evaluation::done;
 }
 

@@ -36,6 +36,8 @@ std::string teaching_line(const Datum& person) {
 
 Task<void> evaluate_into(Interpreter& interpreter, std::string typed, Evaluation& outcome, Event& settled) {
   outcome = co_await interpreter.evaluate(std::move(typed));
+  // Only who types completes names.
+  co_await interpreter.learn_words();
   settled.set();
 }
 

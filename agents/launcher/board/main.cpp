@@ -100,12 +100,15 @@ class KeptBoard {
 // The wall clock's, unless that was set back since the journal's end: a board's times only grow, from life to life, and
 // so do its leases' numbers.
 Time first_moment(const std::string& journal) {
-  const Time now = RealExecutor::wall_clock();
+  Time end{};
   std::error_code unseen;
-  if (!std::filesystem::is_regular_file(journal, unseen)) return now;
-  // One that cannot be read is reported by whoever goes on from it.
-  const Result<LineStart> end = end_of_journal(journal);
-  return end ? std::max(now, end->when) : now;
+  if (std::filesystem::is_regular_file(journal, unseen)) {
+    // One that cannot be read is reported by whoever goes on from it.
+    const Result<LineStart> last = end_of_journal(journal);
+    if (last) end = last->when;
+  }
+  // Read last: the executor's clock goes on from here.
+  return std::max(RealExecutor::wall_clock(), end);
 }
 
 int serve(Options options) {

@@ -4,6 +4,7 @@
 // `2026-11-21T12:30:00` the local time, `@12.5` that many seconds after the journal's clock began, as a demo's begins
 // at 0.
 
+#include <CLI/CLI.hpp>
 #include <string>
 
 #include "blackboard/fact.hpp"
@@ -11,7 +12,13 @@
 
 namespace pizarra {
 
-// Failure bad-moment. `end`: what "before" counts from.
+// `end`: what "before" counts from, and nothing is later than. Failures bad-moment and not-yet.
 Result<Moment> moment_from_text(const std::string& text, Time end);
+
+// `2026-11-21T12:30:00`, or `@12.500000` of a clock that begins at 0.
+std::string time_text(Time when);
+
+// What an option `--at` is given; an empty one names no moment.
+CLI::Validator moment_check();
 
 }  // namespace pizarra

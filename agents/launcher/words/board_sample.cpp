@@ -20,10 +20,10 @@ Relation probe_relation() {
       .value();
 }
 
-double median(std::vector<double> values) {
+double median_us(std::vector<Duration> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::ranges::nth_element(values, middle);
-  return *middle;
+  return static_cast<double>(middle->count());
 }
 
 double us_since(Time from, Time to) { return static_cast<double>((to - from).count()); }
@@ -39,6 +39,15 @@ Spread spread_from(const Datum& form) {
 }
 
 }  // namespace
+
+std::vector<Duration> commit_times(const std::vector<Probe>& probes) {
+  Duration ahead{};  // the board's clock, of ours
+  for (const Probe& probe : probes) ahead = std::min(ahead, probe.committed - probe.sent);
+  for (const Probe& probe : probes) ahead = std::max(ahead, probe.committed - probe.acknowledged);
+  std::vector<Duration> times;
+  for (const Probe& probe : probes) times.push_back(probe.committed - ahead - probe.sent);
+  return times;
+}
 
 Task<Result<std::vector<Fact>>> BoardSampler::ask_about(Datum pattern) {
   Query query = query_for(std::move(pattern));
@@ -148,7 +157,7 @@ Task<Result<BoardSample>> BoardSampler::next() {
   const Result<std::vector<Fact>> statistics_now = co_await statistics();
   if (!statistics_now) co_return fail(statistics_now);
   const Counts now = count(*statistics_now, revision_);
-  BoardSample sample{.revision = now.revision, .agents = {}, .relations = {}, .clients = {}, .journey = {}};
+  BoardSample sample{.revision = now.revision, .agents = {}, .agents_unknown = {}, .relations = {}, .clients = {}, .journey = {}};
   sample.transactions_per_second =
       rate(static_cast<std::int64_t>(now.revision), static_cast<std::int64_t>(before_.revision), now);
   for (const Fact& fact : *statistics_now) {
@@ -176,6 +185,13 @@ Task<Result<BoardSample>> BoardSampler::next() {
   co_return sample;
 }
 
+// What clients tell may be more than can be shown, and is then no reason to show nothing of the rest.
+Result<void> BoardSampler::go_without(BoardSample& sample, const Failure& failure) {
+  if (failure.symbol != "too-large") return fail(failure);
+  sample.agents_unknown = failure;
+  return {};
+}
+
 Task<Result<void>> BoardSampler::add_agents(BoardSample& sample, const Counts& now) {
   const Datum any = "?"_sym;
   const Datum present = list("agent"_sym, any, any, any);
@@ -184,9 +200,9 @@ Task<Result<void>> BoardSampler::add_agents(BoardSample& sample, const Counts& n
   // A board on which no agent ever was has no such relation.
   const bool nobody = !agents && agents.error().symbol == "undeclared-relation";
   if (nobody) co_return Result<void>();
-  if (!agents) co_return fail(agents);
+  if (!agents) co_return go_without(sample, agents.error());
   const Result<std::vector<Fact>> requests = co_await board_.facts(waiting);
-  if (!requests) co_return fail(requests);
+  if (!requests) co_return go_without(sample, requests.error());
   for (const Fact& fact : *agents) {
     AgentSample agent{.name = std::string(fact.datum[1].text()),
                       .kind = std::string(fact.datum[2].text()),
@@ -210,25 +226,27 @@ Task<Result<Journey>> BoardSampler::travel() {
   if (!first) co_return fail(first);
   const Result<LeaseId> lease = co_await board_.lease(probe_lease);
   if (!lease) co_return fail(lease);
-  std::vector<double> committed;
-  std::vector<double> acknowledged;
-  std::vector<double> delivered;
+  std::vector<Probe> probes_told;
+  std::vector<Duration> acknowledged;
+  std::vector<Duration> delivered;
   for (int i = 0; i < probes; ++i) {
     const Time sent = executor_.now();
     Transaction telling;
     telling.tell(list("board-probe"_sym, Datum::symbol(who_), i, sent.time_since_epoch().count()), {}, *lease);
     const Result<Revision> told_at = co_await board_.transact(std::move(telling));
     if (!told_at) co_return fail(told_at);
-    acknowledged.push_back(us_since(sent, executor_.now()));
+    const Time answered = executor_.now();
+    acknowledged.push_back(answered - sent);
     const Result<Change> change = co_await (*watch)->next();
     if (!change) co_return fail(change);
-    delivered.push_back(us_since(sent, executor_.now()));
-    if (!change->added.empty()) committed.push_back(us_since(sent, change->added.front().facts.front().when));
+    delivered.push_back(executor_.now() - sent);
+    if (change->added.empty()) continue;
+    probes_told.push_back({.sent = sent, .committed = change->added.front().facts.front().when, .acknowledged = answered});
   }
   const Result<void> released = co_await board_.release(*lease);
   if (!released) co_return fail(released);
-  if (committed.empty()) co_return fail("no-journey", "the board showed none of the facts that were told");
-  co_return Journey{median(committed), median(acknowledged), median(delivered)};
+  if (probes_told.empty()) co_return fail("no-journey", "the board showed none of the facts that were told");
+  co_return Journey{median_us(commit_times(probes_told)), median_us(acknowledged), median_us(delivered)};
 }
 
 }  // namespace pizarra

@@ -10,8 +10,10 @@
 //
 // How long the facts of a relation are under way their tellers and watchers say themselves (statistics.hpp). Where
 // nobody tells anything, a fact's journey is timed on facts of the sampler's own, (board-probe WHO N SENT-US), one key,
-// gone with it: from telling to the board's committing it (by the board's clock: on one machine the same), to the
-// board's answer, and to its arrival at a watcher. Who may not tell them has no journey to show.
+// gone with it: from telling to the board's committing it, to the board's answer, and to its arrival at a watcher. The
+// board says by its own clock when it commits. That is taken for ours, moved by as little as puts every commit between
+// its telling and its answer: on one machine the two differ by next to nothing. Who may not tell them has no journey to
+// show.
 
 #include <map>
 #include <optional>
@@ -42,6 +44,15 @@ struct RelationSample {
   Spread delivered = {};
 };
 
+// One probe: `committed` by the board's clock, the others by ours.
+struct Probe {
+  Time sent{};
+  Time committed{};
+  Time acknowledged{};
+};
+// How long after its telling each was committed.
+std::vector<Duration> commit_times(const std::vector<Probe>& probes);
+
 struct AgentSample {
   std::string name;
   std::string kind;
@@ -71,6 +82,7 @@ struct BoardSample {
   double transactions_per_second = 0;
   std::int64_t facts = 0;
   std::vector<AgentSample> agents;        // by name
+  std::optional<Failure> agents_unknown;  // where clients have told more of them than an answer holds
   std::vector<RelationSample> relations;  // the busiest first
   std::vector<ClientSample> clients;      // the busiest first
   std::optional<Journey> journey;
@@ -98,6 +110,7 @@ class BoardSampler {
   Task<void> add_journeys(BoardSample& sample);
   Task<void> add_queues(BoardSample& sample);
   Task<void> add_clients(BoardSample& sample);
+  static Result<void> go_without(BoardSample& sample, const Failure& failure);
   Task<Result<void>> add_agents(BoardSample& sample, const Counts& now);
   Task<Result<Journey>> travel();
   Counts count(const std::vector<Fact>& statistics, Revision revision) const;

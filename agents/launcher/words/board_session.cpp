@@ -75,6 +75,10 @@ int complain_as(Style style, const Failure& failure, ExitCode code) {
   return code;
 }
 
+int complain_of_board(Style style, const Failure& failure) {
+  return complain_as(style, failure, failure.symbol == "unreachable" ? exit_unavailable : exit_failed);
+}
+
 void add_board_options(CLI::App* word, BoardChoices& choices) {
   word->add_option("--board", choices.board, "The board's address; that of the cell that runs here otherwise");
   word->add_option("--cell", choices.cell, "Which cell that runs here, by name");
@@ -137,8 +141,7 @@ Task<Result<void>> BoardSession::reach_board() {
 Task<void> BoardSession::talk(std::vector<std::string> forms) {
   const Result<void> reached = co_await reach_board();
   if (!reached) {
-    const bool there = reached.error().symbol == "not-permitted";
-    status_ = complain_as(manner_.style, reached.error(), there ? exit_failed : exit_unavailable);
+    status_ = complain_of_board(manner_.style, reached.error());
     co_return;
   }
   if (loss_) looking_ = context_.executor.spawn(look_after_board());

@@ -87,5 +87,7 @@ int talk_to(const Destination& to, const std::vector<std::string>& forms, Manner
 
 // Prints the failure, in the style for people to standard error.
 int complain_as(Style style, const Failure& failure, ExitCode code);
+// With the status of what failed there: exit_unavailable when no board answered, exit_failed when it answered no.
+int complain_of_board(Style style, const Failure& failure);
 
 }  // namespace pizarra

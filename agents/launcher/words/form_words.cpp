@@ -102,7 +102,7 @@ void add_form_word(CLI::App& app, int& status, const FormWord& word) {
         ->add_option("--at", choices->at,
                      "What held then: a revision, 90s, 5min, 2h, 1d ago, 2026-11-21T12:30:00; of a "
                      "board that keeps a journal")
-        ->type_name("MOMENT");
+        ->check(moment_check());
     added->add_option("--journal", choices->journal, "Ask this journal in place of a board")->check(CLI::ExistingFile);
   }
   added->callback([&word, choices, &status] { status = run_form(word, *choices); });

@@ -53,7 +53,7 @@ class Look {
   Task<void> run() {
     const Result<std::vector<Announced>> announced = co_await ask();
     if (!announced) {
-      status_ = complain_as(style(), announced.error(), exit_unavailable);
+      status_ = complain_of_board(style(), announced.error());
       co_return;
     }
     if (choices_.stream.empty()) {

@@ -1,7 +1,6 @@
 // `replay`: a journal as a board that can be asked, watched and played on.
 
 #include <cmath>
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -51,10 +50,11 @@ class Player {
  public:
   Player(Executor& executor, const ReplayChoices& choices) : executor_(executor), choices_(choices) {}
 
-  Result<void> open(const std::string& at) {
+  // At the end where no moment is said.
+  Result<void> open(const std::optional<std::string>& at) {
     const Result<LineStart> end = end_of_journal(choices_.journal);
     if (!end) return fail(end);
-    const Result<Moment> moment = at.empty() ? Moment{} : moment_from_text(at, end->when);
+    const Result<Moment> moment = at ? moment_from_text(*at, end->when) : Moment{};
     if (!moment) return fail(moment);
     Result<std::unique_ptr<RecordedBoard>> board = RecordedBoard::open(executor_, choices_.journal, *moment);
     if (!board) return fail(board);
@@ -86,6 +86,7 @@ class Player {
       std::optional<std::string> typed = co_await terminal.read();
       if (!typed) break;
       outcome = co_await evaluate(std::move(*typed));
+      co_await recorded_->interpreter.learn_words();
     }
     terminal_ = nullptr;
     if (terminal.interrupted()) status_ = exit_interrupted;
@@ -135,19 +136,9 @@ class Player {
   Evaluation tell_moment() {
     const LineStart moment = recorded_->board->moment();
     const auto microseconds = moment.when.time_since_epoch().count();
-    const auto seconds = static_cast<double>(microseconds) / 1e6;
     print(choices_.json ? fmt::format("{{\"revision\":{},\"microseconds\":{}}}", moment.revision, microseconds)
-                        : fmt::format("revision {} at {}", moment.revision, shown(moment.when, seconds)));
+                        : fmt::format("revision {} at {}", moment.revision, time_text(moment.when)));
     return Evaluation::done;
-  }
-
-  // A simulated clock begins at 0.
-  static std::string shown(Time when, double seconds) {
-    constexpr double a_year = 365.0 * 24 * 3600;
-    if (seconds < a_year) return fmt::format("@{:.6f}", seconds);
-    const auto whole =
-        std::chrono::system_clock::to_time_t(std::chrono::system_clock::time_point(when.time_since_epoch()));
-    return fmt::format("{:%Y-%m-%dT%H:%M:%S}", fmt::localtime(whole));
   }
 
   Evaluation step(const Datum& form) {
@@ -161,6 +152,9 @@ class Player {
   }
 
   Evaluation go_to(const Datum& moment) {
+    if (!moment.is_string() && !moment.is_integer()) {
+      return complain_of({"malformed", "(at MOMENT) takes a revision or a string", {}, {}}, Evaluation::malformed);
+    }
     const std::string text = moment.is_string() ? std::string(moment.text()) : std::to_string(moment.integer());
     const Result<void> opened = open(text);
     if (!opened) return complain_of(opened.error(), Evaluation::failed);
@@ -194,7 +188,7 @@ class Player {
 int run_replay(const ReplayChoices& choices) {
   RealExecutor executor;
   Player player(executor, choices);
-  const Result<void> opened = player.open(choices.at);
+  const Result<void> opened = player.open(choices.at.empty() ? std::nullopt : std::optional(choices.at));
   if (!opened) return complain(opened.error(), exit_usage);
   return player.run();
 }
@@ -211,7 +205,7 @@ void add_replay_word(CLI::App& app, int& status) {
       ->add_option("--at", choices->at,
                    "Begin at this moment: a revision, 90s, 5min, 2h, 1d before the end, "
                    "2026-11-21T12:30:00, or @SECONDS of its clock; the end otherwise")
-      ->type_name("MOMENT");
+      ->check(moment_check());
   replay->add_option("--eval", choices->forms, "Evaluate this form and end; may be given several times");
   replay->add_flag("--json", choices->json, "One JSON object a line");
   replay->footer(help_footer("replay run.txt --at @60 --eval '(ask (on ?x ?y))'"));

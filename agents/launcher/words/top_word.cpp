@@ -69,6 +69,7 @@ void print_text(const BoardSample& sample, const std::string& address) {
                journey->committed_us, journey->acknowledged_us, journey->delivered_us);
   }
   fmt::print("\n{:<20} {:<14} {:<16} {:>9} {:>9} {:>9}\n", "AGENT", "KIND", "HOST", "TOLD/S", "WAITING", "QUEUED");
+  if (sample.agents_unknown) fmt::print("unknown: {}\n", describe(*sample.agents_unknown));
   for (const AgentSample& agent : sample.agents) {
     fmt::print("{:<20} {:<14} {:<16} {:>9.1f} {:>9} {:>9}\n", agent.name, agent.kind, agent.host, agent.told_per_second,
                agent.waiting, agent.queued);
@@ -111,9 +112,10 @@ void print_json(const BoardSample& sample) {
                         sample.journey->committed_us, sample.journey->acknowledged_us, sample.journey->delivered_us)
           : "null";
   fmt::print(
-      "{{\"revision\":{},\"facts\":{},\"transactions_per_second\":{:.1f},\"journey\":{},\"agents\":[{}],"
+      "{{\"revision\":{},\"facts\":{},\"transactions_per_second\":{:.1f},\"journey\":{},\"agents\":{},"
       "\"relations\":[{}],\"clients\":{}}}\n",
-      sample.revision, sample.facts, sample.transactions_per_second, journey, fmt::join(agents, ","),
+      sample.revision, sample.facts, sample.transactions_per_second, journey,
+      sample.agents_unknown ? "null" : fmt::format("[{}]", fmt::join(agents, ",")),
       fmt::join(relations, ","), clients_json(sample.clients));
 }
 
@@ -123,7 +125,7 @@ Task<void> show(const TopChoices& choices, const std::string& address, Executor&
   BoardSampler sampler(executor, board, fmt::format("top-{}", getpid()));
   const Result<void> begun = co_await sampler.begin();
   if (!begun) {
-    status = complain_as(style, begun.error(), exit_unavailable);
+    status = complain_of_board(style, begun.error());
     co_return;
   }
   bool going_on = true;
@@ -131,7 +133,7 @@ Task<void> show(const TopChoices& choices, const std::string& address, Executor&
     co_await sleep(executor, interval);
     const Result<BoardSample> sample = co_await sampler.next();
     if (!sample) {
-      status = complain_as(style, sample.error(), exit_unavailable);
+      status = complain_of_board(style, sample.error());
       co_return;
     }
     if (choices.json) {

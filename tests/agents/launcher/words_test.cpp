@@ -479,7 +479,13 @@ TEST(Words, AskAnswersFromAJournalWhatHeldThen) {
   for (const char* moment : {"1", "@1.5", "2s"}) {
     EXPECT_EQ(run(ask + " --at " + moment + " '(mode ?m)'").text, "?m = idle\n") << moment;
   }
-  EXPECT_EQ(run(ask + " --at 1970-01-02T00:00:00 --json '(mode ?m)'").text, "{\"revision\":3,\"answers\":[]}\n");
+  EXPECT_EQ(run(ask + " --at @3 --json '(mode ?m)'").text, "{\"revision\":3,\"answers\":[]}\n");
+  for (const char* later : {"1970-01-02T00:00:00", "@3.1", "4"}) {
+    const Said refused = run(ask + " --at " + later + " '(mode ?m)'");
+    EXPECT_EQ(refused.status, 2) << refused.text;
+    EXPECT_TRUE(contains(refused, later[0] == '4' ? "the newest is 3" : "later than the end")) << refused.text;
+  }
+  EXPECT_EQ(run(ask + " --at '' '(mode ?m)'").status, 2);
   const Said soon = run(ask + " --at soon '(mode ?m)'");
   EXPECT_EQ(soon.status, 2);
   EXPECT_TRUE(contains(soon, "a moment is")) << soon.text;
@@ -496,6 +502,10 @@ TEST(Words, ReplayStepsAsksWatchesAndGoesBack) {
   const Said told = run(replay + " --eval '(tell (mode busy))'");
   EXPECT_EQ(told.status, 1);
   EXPECT_TRUE(contains(told, "a recorded board cannot be changed")) << told.text;
+  for (const char* moment : {"\"\"", "4", "soon", "\"2026-02-30T00:00:00\""}) {
+    EXPECT_NE(run(replay + " --eval '(at " + moment + ")'").status, 0) << moment;
+  }
+  EXPECT_EQ(run("replay " + journal_of_modes() + " --at ''").status, 2);
   EXPECT_EQ(run("replay " + scratch_folder()).status, 2);
 }
 
