@@ -20,6 +20,12 @@ Datum reply_datum(const Datum& id, const Result<Datum>& result) {
   return list("reply"_sym, id, Datum::list(std::move(ok)));
 }
 
+// What declares the relations of a board that has them in another shape is most often its journal.
+Failure of_another_version(Failure failure) {
+  failure.sentence += ", by another version of the agents: begin with a board, and a journal, of its own";
+  return failure;
+}
+
 }  // namespace
 
 struct Service::Running {
@@ -55,7 +61,9 @@ Task<Result<void>> Service::declare() {
   relations.insert(relations.end(), contract_.posts.begin(), contract_.posts.end());
   while (true) {
     const Result<void> declared = co_await context_.board.declare(relations);
-    if (declared || declared.error().symbol != "unreachable") co_return declared;
+    if (declared) co_return declared;
+    if (declared.error().symbol == "wrong-shape") co_return fail(of_another_version(declared.error()));
+    if (declared.error().symbol != "unreachable") co_return declared;
     co_await sleep(context_.executor, retry_pause);
   }
 }

@@ -66,8 +66,10 @@ int run_agent(const ProcessChoices& choices, std::span<char*> arguments, const C
   executor.run_until([&job] { return job.done(); });
   if (signals.received()) return exit_reached;
   const Result<void>* ended = (*agent)->ended();
-  if (ended != nullptr && !*ended) return complain(ended->error(), exit_failed);
-  return exit_failed;
+  if (ended == nullptr || *ended) return exit_failed;
+  // Started again on that board it would be refused again.
+  const bool hopeless = ended->error().symbol == "wrong-shape";
+  return complain(ended->error(), hopeless ? exit_usage : exit_failed);
 }
 
 int run_world(const ProcessChoices& choices) {

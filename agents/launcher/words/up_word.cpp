@@ -50,8 +50,10 @@ Result<CellHost> choose_host(const CellDescription& cell, const std::string& ask
   return fail("unknown-host", fmt::format("say which host this is with --host: the cell has {}", known));
 }
 
-// With these a board ends that will not do better next time: wrong arguments, address or journal.
+// With these a board ends that will not do better next time: wrong arguments, address or journal; and an agent: a cell
+// file or a key that cannot be read, a board with relations of another shape.
 const std::vector<int> hopeless_board{2, 3, 4};
+const std::vector<int> hopeless_agent{exit_usage};
 
 std::string last_line_of(const std::string& file) {
   std::ifstream in(file);
@@ -101,7 +103,7 @@ class Up {
 };
 
 Result<void> Up::start(const std::string& name, std::vector<std::string> command) {
-  const std::vector<int> final_statuses = name == "board" ? hopeless_board : std::vector<int>();
+  const std::vector<int>& final_statuses = name == "board" ? hopeless_board : hopeless_agent;
   return supervisor_.start({name, std::move(command), directory_.file(name + ".log"), final_statuses});
 }
 
@@ -158,8 +160,10 @@ Result<void> Up::start_all() {
 void Up::on_process(const ProcessEvent& event) {
   narrator_.say(executor_.now(), "process", fmt::format("{} {}", event.name, event.sentence));
   save_state();
-  if (event.name != "board" || !event.given_up) return;
-  board_failure_ = last_line_of(directory_.file("board.log"));
+  if (!event.given_up) return;
+  const std::string last_words = last_line_of(directory_.file(event.name + ".log"));
+  if (event.name != "board") return narrator_.say(executor_.now(), "failure", event.name + ": " + last_words);
+  board_failure_ = last_words;
   supervisor_.stop();
 }
 
