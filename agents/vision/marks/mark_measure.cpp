@@ -126,6 +126,7 @@ std::optional<SeenMark> measure_mark(const cv::Mat1b& image, MarkContour contour
   out->perimeter_px = static_cast<int>(contour.size());
   out->width_px = patch.reduction * std::sqrt(ellipse->xx);
   out->height_px = patch.reduction * std::sqrt(ellipse->yy);
+  out->slant_px2 = patch.reduction * patch.reduction * ellipse->xy;
   const double mean = (ellipse->xx + ellipse->yy) / 2;
   const double half = std::hypot((ellipse->xx - ellipse->yy) / 2, ellipse->xy);
   out->slimness = std::sqrt(std::max(0.0, mean - half) / (mean + half));

@@ -23,6 +23,7 @@ struct SeenMark {
   int perimeter_px = 0;         // contour pixels
   double width_px = 0;          // standard deviation along x
   double height_px = 0;         // standard deviation along y, which a yawed face keeps
+  double slant_px2 = 0;         // covariance of x and y
   double slimness = 0;          // the smaller over the larger principal standard deviation
   double roundness = 0;         // 1 for a disc, more for any other shape; no view changes it
   double mark_level = 0;        // grey levels of the mark and of the ground around it

@@ -15,6 +15,8 @@ constexpr int gate_px = 12;
 constexpr int small_gate_px = 5;
 // How far a lost mark is looked for before the whole image is.
 constexpr double local_reach_px = 48;
+// How far off the centre of a mark may be, by what covers a part of it, that is told.
+constexpr double most_off_px = 1;
 // How much of the confidence is left after each frame in which a mark was not seen.
 constexpr double trust_in_a_bridge = 0.7;
 
@@ -51,6 +53,14 @@ std::optional<SeenMark> follow_mark(const cv::Mat& grey, double noise, const See
 std::optional<SeenMark> follow_mark(const cv::Mat& grey, double noise, const SeenMark& last, cv::Point2d centre) {
   std::optional<SeenMark> near = follow_mark(grey, noise, last, centre, cvRound(px_in(grey, small_gate_px)));
   return near ? near : follow_mark(grey, noise, last, centre, cvRound(px_in(grey, gate_px)));
+}
+
+void remember(std::optional<WholeMark>& whole, const SeenMark& now) {
+  if (whole) {
+    whole->follow(now);
+  } else {
+    whole.emplace(now);
+  }
 }
 
 }  // namespace
@@ -116,13 +126,32 @@ std::optional<SeenPair> MarkTracker::see(StereoSight& sight, const Track& track,
   return now;
 }
 
+bool MarkTracker::is_whole_still(const StereoSight& sight, const Track& track, const SeenPair& now) {
+  const double off_px = px_in(sight.left(), most_off_px);
+  const bool lost = !track.left;
+  const auto is_it = [&](const std::optional<WholeMark>& whole, const SeenMark& mark) {
+    if (!whole) return true;
+    const WholeMark::Look look = whole->look_at(mark, off_px);
+    return look != WholeMark::Look::covered && (look != WholeMark::Look::unlike || lost);
+  };
+  return is_it(track.whole_left, now.left) && (!now.right || is_it(track.whole_right, *now.right));
+}
+
 // What is said of a frame in which it was not found.
 TrackSighting MarkTracker::miss(const StereoSight& sight, Track& track) {
+  for (std::optional<WholeMark>* whole : {&track.whole_left, &track.whole_right}) {
+    if (*whole) (*whole)->wait();
+  }
   TrackSighting out{.name = track.name, .centre = {}, .yaw_deg = {}, .contour = {}};
   const cv::Rect2d image(0, 0, sight.left().cols, sight.left().rows);
   const bool near = track.left && track.missing < most_bridged && image.contains(track.expected());
   if (!near) {
-    track = Track{.name = track.name};
+    // What rested is behind what hides it; where what moved may be by now, nobody knows.
+    const bool rests = track.whole_left && !track.whole_left->moves();
+    Track lost{.name = track.name};
+    if (rests) lost.whole_left = track.whole_left;
+    if (rests) lost.whole_right = track.whole_right;
+    track = std::move(lost);
     return out;
   }
   out.bridged = true;
@@ -137,7 +166,7 @@ TrackSighting MarkTracker::update(StereoSight& sight, Track& track) const {
   const LearnedObject* object = objects_.find(track.name);
   std::optional<SeenPair> now;
   if (object != nullptr) now = see(sight, track, *object);
-  if (!now) return miss(sight, track);
+  if (!now || !is_whole_still(sight, track, *now)) return miss(sight, track);
 
   TrackSighting out{.name = track.name, .centre = {}, .yaw_deg = {}, .contour = {}};
   const int frames = track.missing + 1;
@@ -164,6 +193,12 @@ TrackSighting MarkTracker::update(StereoSight& sight, Track& track) const {
     }
     out.right_centre = now->right->centre;
     out.yaw_deg = face_yaw_deg(sight.model(), now->left, *now->right);
+  }
+  // A tag that is read is whole.
+  if (out.seen && !now->left.tag) {
+    remember(track.whole_left, now->left);
+    if (now->right) remember(track.whole_right, *now->right);
+    if (!now->right && track.whole_right) track.whole_right->wait();
   }
   track.left = std::move(now->left);
   track.right = std::move(now->right);

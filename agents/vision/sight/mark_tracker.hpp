@@ -3,8 +3,9 @@
 // Follows several objects from frame to frame in both images. Each object is found once; then its closed contour is
 // followed from where its motion predicts its centre. Where that fails, it is looked for nearby and then everywhere,
 // in this same frame and in every later one, while the others go on. What is followed is recognised anew in every
-// frame, so that a hand, the gripper or another cube in its place is a loss, never a position. A loss of a few frames
-// is bridged: the object is expected where its motion would have brought it, and is said not to be seen.
+// frame, so that a hand, the gripper or another cube in its place is a loss, never a position; and so is one that hides
+// a part of it (continuity.hpp). A loss of a few frames is bridged: the object is expected where its motion would have
+// brought it, and is said not to be seen. So long, nothing elsewhere is taken for it that is of another size.
 //
 //   MarkTracker tracker(objects);
 //   tracker.add(*objects.find("circle"));
@@ -13,6 +14,7 @@
 
 #include <set>
 
+#include "agents/vision/sight/continuity.hpp"
 #include "agents/vision/sight/stereo_sight.hpp"
 
 namespace pizarra {
@@ -60,6 +62,9 @@ class MarkTracker {
     // As seen last, if it was within most_bridged frames.
     std::optional<SeenMark> left = {};
     std::optional<SeenMark> right = {};
+    // As they were while nothing covered them.
+    std::optional<WholeMark> whole_left = {};
+    std::optional<WholeMark> whole_right = {};
     cv::Point2d velocity_px = {};  // a frame, in the left image
     double disparity_change_px = 0;
     double range_mm = 0;
@@ -70,6 +75,8 @@ class MarkTracker {
   };
   std::optional<SeenPair> follow(StereoSight& sight, const Track& track, const LearnedObject& object) const;
   std::optional<SeenPair> see(StereoSight& sight, const Track& track, const LearnedObject& object) const;
+  // Whether what was found is the whole mark, going by what is remembered of it.
+  static bool is_whole_still(const StereoSight& sight, const Track& track, const SeenPair& now);
   TrackSighting update(StereoSight& sight, Track& track) const;
   static TrackSighting miss(const StereoSight& sight, Track& track);
 

@@ -23,6 +23,7 @@ void tag_time(VisionBench& bench);      // five tags in both, with depth
 void recall(VisionBench& bench);        // over random scenes
 void depth(VisionBench& bench);         // at 0.6 m
 void sequences(VisionBench& bench);     // hidden for half a second, and moving fast
+void coverings(VisionBench& bench);     // partly covered by a hand
 void arrival(VisionBench& bench);       // from a frame to the fact that says what was seen
 void agent_memory(VisionBench& bench);  // of an agent's process
 
