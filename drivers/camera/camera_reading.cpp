@@ -130,6 +130,9 @@ class Reading {
 
 }  // namespace
 
-void read_camera(const CameraReading& reading, FrameDesk& desk) { desk.end(Reading(reading, desk).run()); }
+void read_camera(const CameraReading& reading, FrameDesk& desk) {
+  Failure why = Reading(reading, desk).run();
+  desk.end(std::move(why));
+}
 
 }  // namespace pizarra

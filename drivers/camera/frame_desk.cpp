@@ -33,6 +33,7 @@ void FrameDesk::put_trouble(Failure failure) {
 void FrameDesk::end(Failure failure) {
   std::unique_lock lock(mutex_);
   ended_ = std::move(failure);
+  changed_.notify_all();
   ring_once(std::move(lock));
 }
 
@@ -89,6 +90,17 @@ bool FrameDesk::healthy(Time now, Duration longest_silence) const {
   const std::scoped_lock lock(mutex_);
   const bool silent = newest_ && now - newest_->grey.captured > longest_silence;
   return newest_ && !silent && !trouble_ && !ended_ && !closed_;
+}
+
+bool FrameDesk::ended() {
+  const std::scoped_lock lock(mutex_);
+  rung_ = false;
+  return ended_.has_value();
+}
+
+bool FrameDesk::wait_for_end(Duration duration) {
+  std::unique_lock lock(mutex_);
+  return changed_.wait_for(lock, duration, [this] { return ended_.has_value(); });
 }
 
 void FrameDesk::close() {

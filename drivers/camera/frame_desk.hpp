@@ -47,6 +47,10 @@ class FrameDesk {
   std::optional<Result<DeskFrame>> take(std::uint64_t after, bool colour, Time now);
   // Of the frames put, or why there will be none, or why the first 20 could not be had; nothing while there is neither.
   std::optional<Result<StereoModel>> model(Time now);
+  // Whether the reader has let the device go.
+  bool ended();
+  // Waits for that, so long at most.
+  bool wait_for_end(Duration duration);
   // Whether the newest that happened is a frame, and not longer ago than this.
   bool healthy(Time now, Duration longest_silence) const;
   void close();
@@ -62,7 +66,7 @@ class FrameDesk {
 
   const std::function<void()> ring_;
   mutable std::mutex mutex_;
-  std::condition_variable changed_;
+  std::condition_variable changed_;  // closed or ended
   std::optional<DeskFrame> newest_;
   std::optional<StereoModel> model_;
   std::optional<Failure> trouble_;

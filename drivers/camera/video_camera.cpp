@@ -1,13 +1,15 @@
 #include "drivers/camera/video_camera.hpp"
 
 #include <fmt/format.h>
-#include <opencv2/imgproc.hpp>
+
+#include "blackboard/time/detached_work.hpp"
 
 namespace pizarra {
 namespace {
 
 constexpr Duration longest_opening = 10s;
 constexpr Duration longest_ending = 5s;
+constexpr Duration longest_farewell = 1s;
 constexpr Duration least_silence = 3s;
 
 StereoReader::Sources sources_of(const CameraSetup& setup) {
@@ -18,6 +20,25 @@ StereoReader::Sources sources_of(const CameraSetup& setup) {
 
 }  // namespace
 
+struct VideoCamera::Bell : std::enable_shared_from_this<Bell> {
+  explicit Bell(Executor& made_on) : executor(&made_on), waiting(made_on) {}
+  void ring() {
+    const std::scoped_lock lock(mutex);
+    if (executor == nullptr) return;
+    executor->post([bell = weak_from_this()] {
+      if (const std::shared_ptr<Bell> here = bell.lock()) here->waiting.wake_all();
+    });
+  }
+  void silence() {
+    const std::scoped_lock lock(mutex);
+    executor = nullptr;
+  }
+
+  std::mutex mutex;
+  Executor* executor;
+  WaitList waiting;  // on the executor's thread
+};
+
 VideoCamera::VideoCamera(Executor& executor, CameraSetup setup)
     : VideoCamera(executor, setup, [setup] { return sources_of(setup); }) {}
 
@@ -25,14 +46,17 @@ VideoCamera::VideoCamera(Executor& executor, CameraSetup setup, MakeSources make
     : executor_(executor),
       setup_(std::move(setup)),
       make_sources_(std::move(make_sources)),
-      bell_(std::make_shared<WaitList>(executor)) {}
+      bell_(std::make_shared<Bell>(executor)) {}
 
 VideoCamera::~VideoCamera() {
-  if (desk_) desk_->close();
+  bell_->silence();
+  if (!desk_) return;
+  desk_->close();
+  desk_->wait_for_end(longest_farewell);
 }
 
 Task<Result<StereoModel>> VideoCamera::open() {
-  const bool goes_on = desk_ != nullptr && !reading_.done() && desk_->healthy(executor_.now(), longest_silence());
+  const bool goes_on = desk_ != nullptr && desk_->healthy(executor_.now(), longest_silence());
   if (!goes_on) {
     const Result<void> ended = co_await end_reading();
     if (!ended) co_return fail(ended);
@@ -43,7 +67,7 @@ Task<Result<StereoModel>> VideoCamera::open() {
   while (true) {
     std::optional<Result<StereoModel>> model = desk_->model(executor_.now());
     if (model) co_return std::move(*model);
-    const bool woken = co_await bell_->wait(deadline);
+    const bool woken = co_await bell_->waiting.wait(deadline);
     if (!woken) break;
   }
   std::optional<Result<DeskFrame>> trouble = desk_->take(last_number_, false, executor_.now());
@@ -56,8 +80,8 @@ Task<Result<void>> VideoCamera::end_reading() {
   if (desk_ == nullptr) co_return Result<void>();
   desk_->close();
   const Time deadline = executor_.now() + longest_ending;
-  while (!reading_.done()) {
-    const bool woken = co_await bell_->wait(deadline);
+  while (!desk_->ended()) {
+    const bool woken = co_await bell_->waiting.wait(deadline);
     if (!woken) co_return fail("disconnected", "the camera hangs: what was asked of it before is not answered");
   }
   co_return Result<void>();
@@ -71,25 +95,12 @@ Result<void> VideoCamera::begin_reading() {
     calibration = std::move(*read);
   }
   dropped_before_ = drops();
-  auto ring = [&executor = executor_, bell = std::weak_ptr<WaitList>(bell_)] {
-    executor.post([bell] {
-      if (const std::shared_ptr<WaitList> waiting = bell.lock()) waiting->wake_all();
-    });
-  };
-  desk_ = std::make_shared<FrameDesk>(std::move(ring), executor_.now());
-  reading_ = executor_.spawn(read(desk_, std::move(calibration)));
+  desk_ = std::make_shared<FrameDesk>([bell = bell_] { bell->ring(); }, executor_.now());
+  start_detached(executor_.now(), [desk = desk_, setup = setup_, calibration = std::move(calibration),
+                                   make = make_sources_, first = last_number_ + 1](const std::function<Time()>& now) {
+    read_camera({setup, calibration, make, now, first}, *desk);
+  });
   return {};
-}
-
-// The thread owns all it touches, for it may outlive this while a device holds it up.
-Task<void> VideoCamera::read(std::shared_ptr<FrameDesk> desk, std::optional<StereoCalibration> calibration) {
-  const CameraReading reading{setup_, std::move(calibration), make_sources_,
-                              [&executor = executor_] { return executor.now(); }, last_number_ + 1};
-  std::function<void(const std::function<bool()>&)> work = [reading, desk](const std::function<bool()>&) {
-    read_camera(reading, *desk);
-  };
-  co_await executor_.offload(std::move(work), Duration());
-  bell_->wake_all();
 }
 
 Duration VideoCamera::longest_silence() const {
@@ -114,7 +125,7 @@ Task<Result<StereoFrame>> VideoCamera::next(std::uint64_t after, bool colour) {
       }
       co_return frame;
     }
-    const bool woken = co_await bell_->wait(deadline);
+    const bool woken = co_await bell_->waiting.wait(deadline);
     if (!woken) break;
   }
   co_return fail("disconnected", fmt::format("no image came within {} s", longest_silence() / 1s));

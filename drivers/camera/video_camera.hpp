@@ -7,6 +7,9 @@
 // device is let go, when nobody has asked for frames for 10 s. A camera that fails is opened again by open(). Real time
 // only.
 //
+// A device may never answer again. So the thread is of its own, none of the executor's, which waits for its own in the
+// end: whoever lets the camera go waits a second for it, and leaves it behind.
+//
 //   VideoCamera eyes(executor, description.eyes);
 //   Result<StereoModel> model = co_await eyes.open();
 //   Result<StereoFrame> frame = co_await eyes.next(0, false);
@@ -35,17 +38,18 @@ class VideoCamera : public StereoCamera {
   CameraDrops drops() const override;
 
  private:
+  // How the reader's thread wakes who waits here, for as long as there is somebody.
+  struct Bell;
+
   Task<Result<void>> end_reading();
   Result<void> begin_reading();
-  Task<void> read(std::shared_ptr<FrameDesk> desk, std::optional<StereoCalibration> calibration);
   Duration longest_silence() const;
 
   Executor& executor_;
   CameraSetup setup_;
   MakeSources make_sources_;
-  std::shared_ptr<WaitList> bell_;  // the reader's thread may ring when this is gone
+  std::shared_ptr<Bell> bell_;
   std::shared_ptr<FrameDesk> desk_;
-  Job reading_;
   std::uint64_t last_number_ = 0;
   CameraDrops dropped_before_;
 };

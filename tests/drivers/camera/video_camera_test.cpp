@@ -140,6 +140,25 @@ TEST_F(VideoCameraTest, ACameraThatHangsIsNotOpenUntilItAnswersAgain) {
   EXPECT_GT(next(last)->number, last);
 }
 
+TEST_F(VideoCameraTest, ADeviceThatNeverAnswersHoldsUpNobodysEnd) {
+  const auto stuck = std::make_shared<FakeDevice>();  // the thread that waits for it stays
+  stuck->hz = 200;
+  const auto begun = std::chrono::steady_clock::now();
+  {
+    RealExecutor ending;
+    VideoCamera hung(ending, setup, [stuck] {
+      StereoReader::Sources out;
+      out.push_back(std::make_unique<FakeSource>(*stuck));
+      return out;
+    });
+    ASSERT_TRUE(run(ending, hung.open()));
+    stuck->hangs = true;
+  }
+  EXPECT_LT(std::chrono::steady_clock::now() - begun, 2s);
+  stuck->hangs = false;
+  stuck->hangs.notify_all();
+}
+
 TEST_F(VideoCameraTest, WhereAllIsGarbageOpeningSaysSoAfterTwentyImages) {
   device.garbage = true;
   const Time begun = executor.now();
