@@ -37,7 +37,7 @@ inline constexpr std::string_view vision_contract = R"scheme(
                        (m0 number) (m1 number) (m2 number)) (key eyes name num) (durable))
     (relation learned-template ((eyes symbol) (name string) (num integer) (tone symbol) (height number)
                                 (slimness number) (roundness number) (roundness-spread number) (size number)
-                                (picture string)) (key eyes name num) (durable))
+                                (by symbol) (picture string)) (key eyes name num) (durable))
     (relation to-accept ((eyes symbol) (name string) (num integer)) (key eyes))
     (relation look-alike ((eyes symbol) (name string) (other string) (error number) (sentence string))
                          (key eyes name other))

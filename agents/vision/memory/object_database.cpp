@@ -14,31 +14,36 @@ namespace {
 
 constexpr const char* file_name = "objects.sqlite";
 constexpr std::int64_t application = 0x506f626a;  // "Pobj"
-constexpr std::int64_t format = 2;
+constexpr std::int64_t format = 3;
 
 // A row's id is never given again; the number of a sample is, once its object is forgotten.
 constexpr const char* schema = R"(
   CREATE TABLE samples (id INTEGER PRIMARY KEY AUTOINCREMENT, name TEXT COLLATE NOCASE, num INTEGER, tone TEXT,
                         area REAL, perimeter INTEGER, nf INTEGER, m0 REAL, m1 REAL, m2 REAL, height REAL, slimness REAL,
-                        roundness REAL, roundness_spread REAL, size REAL, sum INTEGER, UNIQUE (name, num));
+                        roundness REAL, roundness_spread REAL, size REAL, sum INTEGER, guessed INTEGER,
+                        UNIQUE (name, num));
   PRAGMA application_id = 1349476970;
-  PRAGMA user_version = 2;
+  PRAGMA user_version = 3;
 )";
 
-// The first format had no ids.
+// The first format had no ids, the second did not say which sizes were guesses.
 constexpr const char* put_away_first_format = "ALTER TABLE samples RENAME TO samples_1";
 constexpr const char* take_first_format = R"(
-  INSERT INTO samples SELECT NULL, * FROM samples_1 ORDER BY rowid;
+  INSERT INTO samples SELECT NULL, *, 0 FROM samples_1 ORDER BY rowid;
   DROP TABLE samples_1;
 )";
+constexpr const char* take_second_format = R"(
+  ALTER TABLE samples ADD COLUMN guessed INTEGER DEFAULT 0;
+  PRAGMA user_version = 3;
+)";
 
-// Of all that is kept of a sample, its bitmap included.
+// Of all that is kept of a sample, its bitmap included. What every format keeps is in the same words in all.
 std::int64_t sum_of(const LearnedSample& sample) {
   const std::string nameless;
-  return Checksum()
-      .add(write(learned_fact(nameless, sample)))
-      .add(write(learned_template_fact(nameless, sample)))
-      .value();
+  const Datum facts = learned_template_fact(nameless, sample);
+  std::vector<Datum> kept(facts.items().begin(), facts.items().end());
+  if (!sample.size_guessed) kept.erase(kept.end() - 2);
+  return Checksum().add(write(learned_fact(nameless, sample))).add(write(Datum::list(std::move(kept)))).value();
 }
 
 bool makes_sense(const LearnedSample& s) {
@@ -118,6 +123,7 @@ Result<void> ObjectDatabase::make_tables() {
   if (!version) return fail(version);
   if (*whose == application && *version == format) return {};
   if (*tables == 0) return database_.run(schema);
+  if (*whose == application && *version == 2) return database_.run(take_second_format);
   if (*whose != application || *version != 1) {
     return fail("unusable", "the file is no database of objects that this version knows");
   }
@@ -136,7 +142,7 @@ Result<KeptObjects> ObjectDatabase::read() {
   KeptObjects out;
   sqlite::Statement rows(database_,
                          "SELECT name, num, tone, area, perimeter, nf, m0, m1, m2, height, slimness, roundness, "
-                         "roundness_spread, size, sum, id FROM samples ORDER BY id");
+                         "roundness_spread, size, sum, id, guessed FROM samples ORDER BY id");
   for (Result<bool> row = rows.step(); !row || *row; row = rows.step()) {
     if (!row) return fail(row);
     const std::string name(rows.text(0));
@@ -169,6 +175,7 @@ Result<LearnedSample> ObjectDatabase::sample_of(sqlite::Statement& row, const st
   out.roundness_spread = row.real(12);
   out.size_mm = row.real(13);
   out.id = row.integer(15);
+  out.size_guessed = row.integer(16) != 0;
   const Result<MarkTemplate> picture = read_bitmap(bitmap({name, out.number}), out.tone);
   if (!picture) return fail(picture);
   out.set_picture(*picture);
@@ -240,13 +247,14 @@ Result<void> ObjectDatabase::change(const KeepSample& keep, Bitmaps& bitmaps) {
   // A damaged sample keeps its number.
   sample.number = known->empty() ? 1 : static_cast<int>(known->back().number) + 1;
   const std::string tone = tone_of(sample);
-  sqlite::Statement row(database_, "INSERT INTO samples VALUES (NULL, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  sqlite::Statement row(database_, "INSERT INTO samples VALUES (NULL, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   row.bind(1, name).bind(2, std::int64_t{sample.number});
   row.bind(3, tone).bind_real(4, sample.area_px);
   row.bind(5, std::int64_t{sample.perimeter_px}).bind(6, std::int64_t{sample.corners});
   for (int i = 0; i < 3; ++i) row.bind_real(7 + i, sample.moments[static_cast<std::size_t>(i)]);
   row.bind_real(10, sample.height_px).bind_real(11, sample.slimness).bind_real(12, sample.roundness);
   row.bind_real(13, sample.roundness_spread).bind_real(14, sample.size_mm).bind(15, sum_of(sample));
+  row.bind(16, std::int64_t{sample.size_guessed ? 1 : 0});
   const Result<void> inserted = row.run();
   if (!inserted) return inserted;
   const Result<void> drawn = write_bitmap(bitmap({name, sample.number}), sample.picture, sample.tone);

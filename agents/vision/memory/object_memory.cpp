@@ -34,7 +34,7 @@ ObjectMemory::ObjectMemory(AgentContext& context, std::string directory)
     : context_(context),
       directory_(std::move(directory)),
       samples_(any_of(context.name, "learned"_sym, 8)),
-      templates_(any_of(context.name, "learned-template"_sym, 9)) {}
+      templates_(any_of(context.name, "learned-template"_sym, 10)) {}
 
 Result<void> ObjectMemory::open() {
   if (database_ && database_->in_place()) return {};

@@ -101,15 +101,15 @@ Datum learned_fact(const std::string& name, const LearnedSample& sample) {
 Datum learned_template_fact(const std::string& name, const LearnedSample& sample) {
   return list("learned-template"_sym, name, sample.number, Datum::symbol(tone_of(sample)), sample.height_px,
               sample.slimness, sample.roundness, sample.roundness_spread, sample.size_mm,
-              template_to_text(sample.picture));
+              sample.size_guessed ? "guessed"_sym : "measured"_sym, template_to_text(sample.picture));
 }
 
 Result<LearnedSample> sample_from_facts(const Datum& learned, const Datum& learned_template) {
   if (!learned.is_form("learned") || learned.size() != 9 || !learned_template.is_form("learned-template") ||
-      learned_template.size() != 10) {
+      learned_template.size() != 11) {
     return fail("bad-template", "a learned object is one learned and one learned-template fact", learned);
   }
-  Result<MarkTemplate> picture = template_from_text(learned_template[9].text());
+  Result<MarkTemplate> picture = template_from_text(learned_template[10].text());
   if (!picture) return fail(picture);
   LearnedSample out;
   out.number = static_cast<int>(learned[2].number());
@@ -123,6 +123,7 @@ Result<LearnedSample> sample_from_facts(const Datum& learned, const Datum& learn
   out.roundness = learned_template[6].number();
   out.roundness_spread = learned_template[7].number();
   out.size_mm = learned_template[8].number();
+  out.size_guessed = learned_template[9].text() == "guessed";
   out.set_picture(*picture);
   return out;
 }

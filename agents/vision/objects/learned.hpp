@@ -2,9 +2,9 @@
 
 // What vision has learned: objects by name, each with one or more samples of its mark. Kept as the durable facts
 //   (learned NAME NUM AREA PERIMETER FEATURES M0 M1 M2)                            the thesis' Table C.1
-//   (learned-template NAME NUM TONE HEIGHT SLIMNESS ROUNDNESS SPREAD SIZE TEMPLATE)    what recognition needs besides
-// TONE being dark, light, or the tag that it is; so that a restarted agent reads them back; and, where a cell says so,
-// as files too (object_database.hpp).
+//   (learned-template NAME NUM TONE HEIGHT SLIMNESS ROUNDNESS SPREAD SIZE BY TEMPLATE) what recognition needs besides
+// TONE being dark, light, or the tag that it is, and BY how its SIZE is known, `measured` or `guessed`; so that a
+// restarted agent reads them back; and, where a cell says so, as files too (object_database.hpp).
 //
 //   LearnedObjects objects;
 //   objects.add("circle", sample);                 // again under the same name: a second sample
@@ -34,12 +34,15 @@ struct LearnedSample {
   double roundness = 0;
   double roundness_spread = 0;  // a standard deviation, over the frames it was learned from
   double size_mm = 0;  // the standard deviation along y in the world; 0 when the right image did not show the mark
+  bool size_guessed = false;  // by where objects are said to be while one camera alone learns them
   MarkTemplate picture{};
   // Of `picture`, and as a blur of so many standard deviations would show it: far away a mark is small, and blur is
   // wide beside it.
   static constexpr std::array<double, 3> blurs = {0, 0.3, 0.5};
   std::array<MarkSignature, blurs.size()> signatures;
 
+  // For a pair of cameras, which a guess is nothing to.
+  double measured_size_mm() const { return size_guessed ? 0 : size_mm; }
   void set_picture(const MarkTemplate& new_picture);
 };
 

@@ -169,6 +169,7 @@ Result<void> MarkLearner::check_region(const ImageSegmentation& mean) {
 
 Result<void> MarkLearner::measure(StereoSight& sight) {
   ++contour_frames_;
+  size_guessed_ = sight.model().is_single();
   if (first_->tag) {
     measure_tag(sight);
     return done() ? check_measured() : Result<void>{};
@@ -237,6 +238,7 @@ LearnedSample MarkLearner::sample() const {
   }));
   if (2 * sizes_mm_.size() > measured_.size()) {
     out.size_mm = std::accumulate(sizes_mm_.begin(), sizes_mm_.end(), 0.0) / static_cast<double>(sizes_mm_.size());
+    out.size_guessed = size_guessed_;
   }
   cv::Mat1f picture = cv::Mat1f::zeros(template_size, template_size);
   for (const MarkPortrait& portrait : portraits_) picture += portrait.picture;

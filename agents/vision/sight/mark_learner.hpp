@@ -55,6 +55,7 @@ class MarkLearner {
   std::vector<SeenMark> measured_;
   std::vector<MarkPortrait> portraits_;  // of the same
   std::vector<double> sizes_mm_;
+  bool size_guessed_ = false;
 };
 
 }  // namespace pizarra

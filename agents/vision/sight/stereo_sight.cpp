@@ -29,8 +29,8 @@ constexpr double least_disparity_share = 0.87;
 std::optional<double> least_disparity(const StereoModel& model, const LearnedObject& object, const SeenMark& left) {
   double largest_mm = 0;
   for (const LearnedSample& sample : object.samples) {
-    if (sample.size_mm <= 0) return std::nullopt;
-    largest_mm = std::max(largest_mm, sample.size_mm);
+    if (sample.measured_size_mm() <= 0) return std::nullopt;
+    largest_mm = std::max(largest_mm, sample.measured_size_mm());
   }
   return model.base_line_mm * left.height_px / largest_mm;
 }
@@ -157,9 +157,10 @@ double face_yaw_deg(const StereoModel& model, const SeenMark& left, const SeenMa
 // On its side a mark is as high as it was wide. Which it is, its own proportions tell best.
 std::optional<double> range_by_size_mm(const StereoModel& model, const LearnedObject& object, const SeenMark& left) {
   for (const LearnedSample& sample : object.samples) {
-    if (sample.size_mm <= 0 || left.height_px <= 0) continue;
+    const double size_mm = model.is_single() ? sample.size_mm : sample.measured_size_mm();
+    if (size_mm <= 0 || left.height_px <= 0) continue;
     const bool on_its_side = sample.slimness < least_round && left.height_px > left.width_px;
-    const double height_mm = on_its_side ? sample.size_mm / sample.slimness : sample.size_mm;
+    const double height_mm = on_its_side ? size_mm / sample.slimness : size_mm;
     return range_at_depth_mm(model, left.centre, model.focal_px * height_mm / left.height_px);
   }
   return std::nullopt;
@@ -190,7 +191,7 @@ bool is_whole(const StereoModel& model, const LearnedObject& object, const SeenM
   const double left_width = left.width_px * depth / model.focal_px;
   const double right_width = right.width_px * depth / model.focal_px;
   return std::any_of(object.samples.begin(), object.samples.end(), [&](const LearnedSample& sample) {
-    if (sample.size_mm <= 0) return true;
+    if (sample.measured_size_mm() <= 0) return true;
     // On its side a mark is as high as it was wide.
     const double low = sample.size_mm * sample.slimness * (1 - height_tolerance);
     const double high = sample.size_mm / sample.slimness * (1 + height_tolerance);

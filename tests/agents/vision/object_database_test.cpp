@@ -107,6 +107,26 @@ TEST_F(Database, WhatIsDamagedStaysSoUnderANewName) {
   EXPECT_EQ(content(), "square*1 !disc-1.pgm !disc-2.pgm ");
 }
 
+TEST_F(Database, RemembersThatASizeIsAGuess) {
+  KeepSample guessed = keep("circle");
+  guessed.sample.size_guessed = true;
+  ASSERT_TRUE(open().apply(guessed));
+  learn({"square"});
+  const KeptObjects kept = open().read().value();
+  ASSERT_TRUE(kept.damaged.empty());
+  EXPECT_TRUE(kept.objects.find("circle")->samples.front().size_guessed);
+  EXPECT_FALSE(kept.objects.find("square")->samples.front().size_guessed);
+}
+
+TEST_F(Database, ReadsWhatTheSecondFormatKept) {
+  learn({"circle", "square"});
+  sqlite::Database raw = sqlite::Database::open(folder() + "/objects.sqlite", sqlite::Access::write).value();
+  ASSERT_TRUE(raw.run("ALTER TABLE samples DROP COLUMN guessed; PRAGMA user_version = 2"));
+  EXPECT_EQ(content(), "circle*1 square*1 ");
+  learn({"cross"});
+  EXPECT_EQ(content(), "circle*1 square*1 cross*1 ");
+}
+
 TEST_F(Database, ReadsWhatTheFirstFormatKept) {
   learn({"circle", "square"});
   sqlite::Database raw = sqlite::Database::open(folder() + "/objects.sqlite", sqlite::Access::write).value();

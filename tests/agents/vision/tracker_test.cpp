@@ -204,6 +204,18 @@ TEST_F(Tracker, BridgesALossOfAFewFramesAndSaysThatItDoes) {
   expect_at(see()[0], scene.faces[0].place);
 }
 
+TEST_F(Tracker, APairGoesByNoGuessOfASize) {
+  LearnedSample guessed = learned_cell().find("circle")->samples.front();
+  guessed.size_mm *= 2;
+  guessed.size_guessed = true;
+  LearnedObjects objects;
+  objects.add("circle", guessed);
+  MarkTracker one(objects);
+  ASSERT_TRUE(one.add(*objects.find("circle")));
+  DrawnSight drawn(scene, random);
+  expect_at(one.update(drawn.sight)[0], face("circle").place);
+}
+
 TEST_F(Tracker, SaysHowSureItIsAndHowFarTheRangeMayBeOff) {
   for (const std::string& name : cell_marks()) track(name);
   for (const TrackSighting& sighting : see()) {
