@@ -58,8 +58,10 @@ Task<Result<LearnedSample>> VisionAgent::State::learn_sample(std::string name, d
 }
 
 Task<Result<void>> VisionAgent::State::change_objects(ObjectChange change) {
+  const SampleNames before = names_of_samples();
   const Result<void> changed = co_await memory.change(std::move(change));
   if (!changed) co_return changed;
+  follow_renames(before);
   to_accept.reset();
   co_await tell_objects();
   co_return changed;

@@ -4,6 +4,7 @@
 // vision_modes.cpp who may use it when, vision_frames.cpp what becomes of a frame, vision_telling.cpp what is told.
 
 #include <deque>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -57,8 +58,12 @@ struct VisionAgent::State {
   Task<void> tell_state();
   // What is worth knowing of the learned objects: damage, those that look alike, the one to be accepted.
   Task<void> tell_objects();
-  // Another agent may have changed what is known: renamed what is to be accepted, or forgotten it.
+  // Another agent may have changed what is known: renamed what is tracked or to be accepted, or forgotten it.
   Task<void> follow_memory();
+  // By their ids, which they keep. Of samples that are in no database nobody else changes the names.
+  using SampleNames = std::map<std::int64_t, std::string>;
+  SampleNames names_of_samples() const;
+  void follow_renames(const SampleNames& before);
   void follow_to_accept();
   Task<void> tell_holders();
   Task<void> tell_state_again();

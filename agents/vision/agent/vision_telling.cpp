@@ -85,11 +85,32 @@ Task<void> VisionAgent::State::tell_state_again() {
 }
 
 Task<void> VisionAgent::State::follow_memory() {
+  const SampleNames before = names_of_samples();
   const Result<bool> changed = co_await memory.recall_changed();
   const bool anew = changed && *changed;
   if (!anew) co_return;
+  follow_renames(before);
   follow_to_accept();
   co_await tell_objects();
+}
+
+VisionAgent::State::SampleNames VisionAgent::State::names_of_samples() const {
+  SampleNames out;
+  for (const LearnedObject& object : objects.all()) {
+    for (const LearnedSample& sample : object.samples) {
+      if (sample.id != 0) out.emplace(sample.id, object.name);
+    }
+  }
+  return out;
+}
+
+void VisionAgent::State::follow_renames(const SampleNames& before) {
+  for (const auto& [id, name] : names_of_samples()) {
+    const auto was = before.find(id);
+    if (was == before.end() || was->second == name) continue;
+    tracker.rename(was->second, name);
+    holders.rename(was->second, name);
+  }
 }
 
 void VisionAgent::State::follow_to_accept() {

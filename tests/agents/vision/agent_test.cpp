@@ -257,6 +257,17 @@ TEST_F(KeptVision, WhatTheDatabaseDoesNotKnowIsTakenFromTheBoard) {
   EXPECT_TRUE(call("(find \"disc\")").starts_with(R"x((FIND "disc" OK ()x"));
 }
 
+TEST_F(KeptVision, WhatAnotherAgentRenamesIsTrackedOnUnderItsNewName) {
+  learn_all();
+  EXPECT_EQ(call("(track \"circle\")"), "()");
+  run_for(1s);
+  ObjectDatabase other = ObjectDatabase::open(folder).value();
+  ASSERT_TRUE(other.apply(RenameObject{"circle", "disc"}));
+  run_for(2s);
+  EXPECT_NE(says().find(R"x(("disc" OK ()x"), std::string::npos) << says();
+  EXPECT_EQ(says().find("circle"), std::string::npos) << says();
+}
+
 TEST_F(KeptVision, ADamagedSampleIsSaidOnceAndTheOthersGoOn) {
   learn_all();
   std::filesystem::resize_file(folder + "/circle-1.pgm", 100);
