@@ -29,6 +29,12 @@ class Link {
   virtual Task<Result<Message>> call(Datum request, Duration timeout) = 0;
 };
 
+// Where there is no world.
+class NoLink : public Link {
+ public:
+  Task<Result<Message>> call(Datum request, Duration timeout) override;
+};
+
 class World;
 
 class LocalLink : public Link {

@@ -5,4 +5,8 @@ namespace pizarra {
 
 Task<Result<Message>> LocalLink::call(Datum request, Duration) { return world_.handle(std::move(request)); }
 
+Task<Result<Message>> NoLink::call(Datum, Duration) {
+  co_return fail("disconnected", "there is no simulated world here");
+}
+
 }  // namespace pizarra

@@ -47,6 +47,11 @@ int run_agent(const ProcessChoices& choices, std::span<char*> arguments, const C
   const Result<CellDescription> cell = read_cell_file(choices.cell);
   if (!cell) return complain(cell.error(), exit_usage);
   if (choices.kind == "vision" && !cell->eyes.is_simulated() && !own_cameras) return become_eyes(arguments);
+  if (choices.world.empty() && needs_world(choices.kind, *cell)) {
+    const Failure none{
+        "no-world", fmt::format("{}'s device is simulated in this cell: --world says where", choices.kind), {}, {}};
+    return complain(none, exit_usage);
+  }
   RealExecutor executor;
   const StopSignals signals(executor);
   const std::string name = choices.name.empty() ? choices.kind : choices.name;
@@ -56,11 +61,12 @@ int run_agent(const ProcessChoices& choices, std::span<char*> arguments, const C
       RemoteBoard::connect(executor, choices.board, name, RemoteBoard::default_timeout, *keys);
   if (!board) return complain(board.error(), exit_usage);
   zmq::context_t context(1);
-  SocketLink link(executor, context, choices.world);
+  std::unique_ptr<Link> link = std::make_unique<NoLink>();
+  if (!choices.world.empty()) link = std::make_unique<SocketLink>(executor, context, choices.world);
   const auto streams = RemoteStreams::open(executor, **board, choices.streams);
   if (!streams) return complain(streams.error(), exit_unavailable);
   AgentContext agent_context{name, choices.host, executor, **board, Random(choices.seed).split(name)};
-  const auto agent = build_agent(choices.kind, std::move(agent_context), *cell, link, streams->get(), own_cameras);
+  const auto agent = build_agent(choices.kind, std::move(agent_context), *cell, *link, streams->get(), own_cameras);
   if (!agent) return complain(agent.error(), exit_usage);
   const Job job = executor.spawn((*agent)->run());
   executor.run_until([&job] { return job.done(); });
@@ -96,12 +102,14 @@ int run_world(const ProcessChoices& choices) {
 void add_agent_word(CLI::App& app, int& status, std::span<char*> arguments, const CameraMaker& own_cameras) {
   auto choices = std::make_shared<ProcessChoices>();
   CLI::App* agent = app.add_subcommand("agent", "Run one agent in this process, on a board of another.");
-  agent->add_option("kind", choices->kind, "robot, vision, pan-tilt, planner, coordinator or person; speech, slave, follower")
+  agent
+      ->add_option("kind", choices->kind,
+                   "robot, vision, pan-tilt, planner, coordinator or person; speech, slave, follower")
       ->required()
       ->check(CLI::IsMember(agent_kinds()) | CLI::IsMember(further_agent_kinds()));
   agent->add_option("cell", choices->cell, "The cell file")->required()->check(CLI::ExistingFile);
   agent->add_option("--board", choices->board, "Where the board listens: ipc:// or tcp://")->required();
-  agent->add_option("--world", choices->world, "Where the simulated world listens: ipc://")->required();
+  agent->add_option("--world", choices->world, "Where the simulated world listens, if its device is there: ipc://");
   add_key_option(agent, choices->key);
   agent->add_option("--streams", choices->streams,
                     "Where other machines take its image streams: tcp://HOST:PORT, or * for any port; this machine's "

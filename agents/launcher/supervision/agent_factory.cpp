@@ -158,6 +158,14 @@ std::vector<std::string> agent_kinds(const CellDescription& description) {
   return kinds;
 }
 
+bool needs_world(const std::string& kind, const CellDescription& description) {
+  if (kind == "robot") return description.arm_line.protocol.empty();
+  if (kind == "slave") return description.slave && description.slave->line.protocol.empty();
+  if (kind == "pan-tilt") return description.pan_tilt.kind.empty();
+  if (kind == "vision") return description.eyes.is_simulated();
+  return kind == "person";
+}
+
 Result<WorldConfig> world_config(const CellDescription& description, std::uint64_t seed) {
   WorldConfig config;
   Result<ArmModel> arm = read_arm_file(description.arm_file);

@@ -26,6 +26,9 @@ const std::vector<std::string>& further_agent_kinds();
 // Those that the cell has devices for, and the further ones that it names.
 std::vector<std::string> agent_kinds(const CellDescription& description);
 
+// Whether the agent has a device in the simulated world, which is reached over its socket, on this machine alone.
+bool needs_world(const std::string& kind, const CellDescription& description);
+
 // The simulated world of the cell, checked. Failures: bad-cell, and those of the arm file.
 Result<WorldConfig> world_config(const CellDescription& description, std::uint64_t seed);
 

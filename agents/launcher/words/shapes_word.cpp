@@ -1,5 +1,6 @@
 // `shapes`: something to show to the eyes, from a printer.
 
+#include <filesystem>
 #include <fmt/format.h>
 
 #include "agents/launcher/command_line/word_tools.hpp"
@@ -15,10 +16,13 @@ struct ShapesChoices {
 };
 
 int print_shapes(const ShapesChoices& choices) {
+  const std::filesystem::path folder = std::filesystem::path(choices.file).parent_path();
+  const bool new_folder = !folder.empty() && !std::filesystem::exists(folder);
   const Result<void> written = write_sheet(choices.file, choices.board ? board_sheet() : shapes_sheet());
   if (!written)
     return complain(written.error(), written.error().symbol == "cannot-write" ? exit_unavailable : exit_usage);
-  fmt::print("{}: an A4 page; print it at 100 %, and measure its bar of 100 mm\n", choices.file);
+  fmt::print("{}: an A4 page{}; print it at 100 %, and measure its bar of 100 mm\n", choices.file,
+             new_folder ? " in a new folder" : "");
   return exit_reached;
 }
 

@@ -64,11 +64,6 @@ std::string last_line_of(const std::string& file) {
   return last;
 }
 
-// Kinds that own a device of the simulated world, which is reached over its socket, on this machine alone.
-bool needs_world(const std::string& kind, const CellDescription& cell) {
-  return kind == "robot" || kind == "slave" || kind == "person" || (kind == "vision" && cell.eyes.is_simulated());
-}
-
 class Up {
  public:
   Up(const UpChoices& choices, CellDescription cell, CellHost host, RunDirectory directory)
