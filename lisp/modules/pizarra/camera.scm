@@ -66,7 +66,7 @@
   (first (numbers-in found name (list (list low high)) '(0))))
 
 (define (size-of found)
-  (let ((size (numbers-in found 'size '((64 4096) (64 4096)) '(0 0))))
+  (let ((size (numbers-in found 'size '((64 8192) (64 8192)) '(0 0))))
     (if (every exact-integer? size)
         size
         (complain! (section-in found 'size) 'malformed "a size is two whole numbers of pixels"))))
