@@ -32,8 +32,8 @@ struct VisionOptions {
 class VisionAgent : public Agent {
  public:
   // `streams` may be null; otherwise images go to NAME-left, NAME-right (as the camera gives them), NAME-grey,
-  // NAME-colour (of the left) and NAME-annotated (BGR, twice the size) while somebody watches. Both, and the camera,
-  // outlive the agent.
+  // NAME-colour (of the left) and NAME-annotated (BGR; twice the size up to 800 px of width) while somebody watches.
+  // Both, and the camera, outlive the agent.
   VisionAgent(AgentContext context, StereoCamera& camera, Streams* streams, VisionOptions options = {});
   ~VisionAgent() override;
   Task<Result<void>> run() override;

@@ -8,7 +8,8 @@
 namespace pizarra {
 namespace {
 
-constexpr int scale = 2;
+// Small images are shown twice as large.
+constexpr int widest_enlarged_px = 800;
 constexpr int subpixel_bits = 4;
 const cv::Scalar white(255, 255, 255);
 const cv::Scalar black(0, 0, 0);
@@ -19,7 +20,7 @@ const std::array<cv::Scalar, 6> palette = {cv::Scalar(60, 200, 255), cv::Scalar(
                                            cv::Scalar(230, 220, 60), cv::Scalar(120, 150, 255)};
 
 // From a place in the camera's image to one in the picture, in 1/16 px.
-cv::Point in_picture(cv::Point2d p) {
+cv::Point in_picture(cv::Point2d p, int scale) {
   const double unit = 1 << subpixel_bits;
   return {cvRound(((p.x + 0.5) * scale - 0.5) * unit), cvRound(((p.y + 0.5) * scale - 0.5) * unit)};
 }
@@ -35,15 +36,15 @@ void write_text(cv::Mat& picture, const std::string& text, cv::Point at, double 
   cv::putText(picture, text, at, cv::FONT_HERSHEY_SIMPLEX, size, colour, 1, cv::LINE_AA);
 }
 
-void draw_contour(cv::Mat& picture, const MarkContour& contour, const cv::Scalar& colour) {
+void draw_contour(cv::Mat& picture, const MarkContour& contour, int scale, const cv::Scalar& colour) {
   std::vector<cv::Point> line;
-  for (const cv::Point& p : contour) line.push_back(in_picture(p));
+  for (const cv::Point& p : contour) line.push_back(in_picture(p, scale));
   if (line.empty()) return;
   cv::polylines(picture, line, true, colour, 2, cv::LINE_AA, subpixel_bits);
 }
 
-void draw_cross(cv::Mat& picture, cv::Point2d centre, const cv::Scalar& colour) {
-  const cv::Point p = in_picture(centre);
+// `p`: in_picture().
+void draw_cross(cv::Mat& picture, cv::Point p, const cv::Scalar& colour) {
   const int arm = 9 << subpixel_bits;
   for (const auto& [line, width] : {std::pair(black, 3), std::pair(colour, 1)}) {
     cv::line(picture, p - cv::Point(arm, 0), p + cv::Point(arm, 0), line, width, cv::LINE_AA, subpixel_bits);
@@ -77,7 +78,7 @@ cv::Rect place_label(cv::Size picture, cv::Rect around, cv::Size size, const std
 }
 
 // The name and the numbers on a darkened plate.
-void draw_label(cv::Mat& picture, const TrackSighting& sighting, const cv::Scalar& colour,
+void draw_label(cv::Mat& picture, const TrackSighting& sighting, int scale, const cv::Scalar& colour,
                 std::vector<cv::Rect>& taken) {
   const std::string place = fmt::format("{:.1f} {:.1f}", sighting.centre.x, sighting.centre.y);
   const std::string range = fmt::format("{:.1f} mm", sighting.range_mm);
@@ -98,6 +99,7 @@ void draw_label(cv::Mat& picture, const TrackSighting& sighting, const cv::Scala
 
 std::shared_ptr<const Image> annotate(const Image& base, const Annotation& annotation) {
   const cv::Mat seen(base.height, base.width, CV_8UC(base.channels), const_cast<std::uint8_t*>(base.pixels.data()));
+  const int scale = base.width <= widest_enlarged_px ? 2 : 1;
   auto out = std::make_shared<Image>();
   out->width = base.width * scale;
   out->height = base.height * scale;
@@ -112,7 +114,7 @@ std::shared_ptr<const Image> annotate(const Image& base, const Annotation& annot
     colour = painted;
   }
   cv::resize(colour, picture, picture.size(), 0, 0, cv::INTER_CUBIC);
-  draw_contour(picture, annotation.learned_contour, palette[1]);
+  draw_contour(picture, annotation.learned_contour, scale, palette[1]);
   std::vector<cv::Rect> taken;
   for (const TrackSighting& sighting : annotation.sightings) {
     if (sighting.contour.empty()) continue;
@@ -122,10 +124,10 @@ std::shared_ptr<const Image> annotate(const Image& base, const Annotation& annot
   std::size_t index = 0;
   for (const TrackSighting& sighting : annotation.sightings) {
     const cv::Scalar& ink = palette[index++ % palette.size()];
-    draw_contour(picture, sighting.contour, ink);
+    draw_contour(picture, sighting.contour, scale, ink);
     if (!sighting.seen) continue;
-    draw_cross(picture, sighting.centre, ink);
-    draw_label(picture, sighting, ink, taken);
+    draw_cross(picture, in_picture(sighting.centre, scale), ink);
+    draw_label(picture, sighting, scale, ink, taken);
   }
   darken(picture, {0, picture.rows - 20, picture.cols, 20});
   write_text(picture, annotation.status, {8, picture.rows - 6}, 0.42, white);

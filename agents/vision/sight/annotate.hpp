@@ -1,7 +1,8 @@
 #pragma once
 
-// The camera's picture as a person likes to see it: twice the size, with the contour, a cross, the name and x, y, d of
-// each tracked object; red what is being filled while learning; a line that says what the eyes are doing.
+// The camera's picture as a person likes to see it: twice the size, where it is small, with the contour, a cross, the
+// name and x, y, d of each tracked object; red what is being filled while learning; a line that says what the eyes are
+// doing.
 
 #include "agents/vision/sight/mark_tracker.hpp"
 
