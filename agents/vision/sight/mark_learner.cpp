@@ -141,7 +141,11 @@ void MarkLearner::fill(const ImageSegmentation& mean, cv::Point seed) {
 Result<void> MarkLearner::check_region(const ImageSegmentation& mean) {
   const Datum where = list(click_.x, click_.y);
   const int area = cv::countNonZero(filled_);
-  if (area == 0) return fail("background", "there is nothing but even ground around the point", where);
+  if (area == 0)
+    return fail(
+        "background",
+        "there is nothing but even ground around the point, or the inside of a shape that the image's border cuts",
+        where);
   const cv::Rect box = cv::boundingRect(filled_);
   const bool cut = box.x <= 1 || box.y <= 1 || box.br().x >= filled_.cols - 1 || box.br().y >= filled_.rows - 1;
   const cv::Point seed(cvRound(click_.x), cvRound(click_.y));
