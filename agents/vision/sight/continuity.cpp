@@ -17,9 +17,9 @@ constexpr double speed_gain = 0.3;
 constexpr double place_gain = 0.15;
 constexpr double spread_gain = 0.1;
 constexpr double unrest_kept = 0.8;
-// How much better one explanation must be than the other, as a logarithm: where it is told, and where it is remembered.
-constexpr double sure = 1;
-constexpr double suspicious = 0.3;
+// How many times better one explanation must be than the other: where it is told, and where it is remembered.
+constexpr double sure = 2.7;
+constexpr double suspicious = 1.35;
 // Less change of size than noise makes, in px of the centre.
 constexpr double least_off_px = 0.2;
 // Frames.
@@ -87,10 +87,11 @@ WholeMark::Evidence WholeMark::evidence(const Axis& axis, const Axis& now) const
 
 // Unforeseen motions have heavy tails, Cauchy's: a push is none of the ordinary ones.
 double WholeMark::covering(const Evidence& covered, const Evidence& other) const {
-  const double usual = std::hypot(rest_px, unrest_);
-  const double if_turned = std::hypot(usual, covered.moved, other.moved);
-  const double if_covered = std::hypot(usual, covered.missed, std::min(other.moved, other.missed));
-  return 2 * std::log(if_turned / if_covered);
+  const auto squared = [](double a, double b) { return a * a + b * b; };
+  const double usual = squared(rest_px, unrest_);
+  const double if_turned = usual + squared(covered.moved, other.moved);
+  const double if_covered = usual + squared(covered.missed, std::min(other.moved, other.missed));
+  return if_turned / if_covered;
 }
 
 std::array<WholeMark::Evidence, 4> WholeMark::evidence(const Axes& now) const {
@@ -123,7 +124,7 @@ WholeMark::Look WholeMark::look_at(const SeenMark& mark, double most_off_px) con
     // What comes back from behind something is a part at first.
     const bool explained =
         std::hypot(one.missed, std::min(other.moved, other.missed)) < clear_px + most_missed * one.off;
-    if (hidden_ && by_covering > -sure && explained) return Look::covered;
+    if (hidden_ && by_covering > 1 / sure && explained) return Look::covered;
   }
   return Look::turned;
 }
@@ -133,7 +134,7 @@ void WholeMark::follow(Axis& axis, const Axis& now, const Evidence& seen, double
   const double gain = seen.missed > clear_px ? 1 : place_gain;
   axis.speed += speed_gain * ((now.place - axis.place) / frames_ - axis.speed);
   axis.place = foreseen + gain * (now.place - foreseen);
-  axis.spread += (covering < -suspicious ? 1 : spread_gain) * (now.spread - axis.spread);
+  axis.spread += (covering < 1 / suspicious ? 1 : spread_gain) * (now.spread - axis.spread);
   axis.low = now.low;
   axis.high = now.high;
 }

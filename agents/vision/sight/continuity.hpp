@@ -53,7 +53,7 @@ class WholeMark {
     double missed = 0;  // and if it is
   };
   Evidence evidence(const Axis& axis, const Axis& now) const;
-  // The logarithm of how much better covering along the first explains both than turning does.
+  // How many times better covering along the first explains both than turning does.
   double covering(const Evidence& covered, const Evidence& other) const;
   void follow(Axis& axis, const Axis& now, const Evidence& seen, double covering) const;
 
