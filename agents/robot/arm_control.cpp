@@ -103,26 +103,49 @@ Task<void> ArmControl::look() {
     const Result<void> again = co_await connect();
     if (!again) lose(again.error());
   } else {
-    const Result<ArmReading> reading = co_await driver_.read();
-    // A motion that began meanwhile tells for itself.
-    if (running_) co_return;
-    if (reading) {
-      facts_.set_reading(model_, *reading);
-    } else {
-      lose(reading.error());
-    }
+    co_await look_at_rest();
   }
+  // A motion that began meanwhile tells for itself.
+  if (running_) co_return;
   const Result<void> told = co_await facts_.tell();
   if (!told) facts_.forget_told();
+}
+
+Task<void> ArmControl::look_at_rest() {
+  const std::uint64_t motion = motions_;
+  const Result<ArmReading> reading = co_await driver_.read();
+  // Of a motion that began meanwhile it says nothing that is wrong.
+  if (motions_ != motion) co_return;
+  if (!reading) {
+    lose(reading.error());
+    co_return;
+  }
+  facts_.set_reading(model_, *reading);
+  // Some controllers move, or say so, while they brake.
+  const bool braking = braked_at_ && context_.executor.now() - *braked_at_ < braking_time;
+  const bool stray = moves_for_nobody(*reading) && !braking;
+  if (!stray) co_return;
+  facts_.set_arm("stopped", "MOVED_BY_ITSELF");
+  const Result<void> braked = co_await brake();
+  if (!braked) lose(braked.error());
+}
+
+Task<Result<void>> ArmControl::brake() {
+  braked_at_ = context_.executor.now();
+  return driver_.stop();
 }
 
 Task<void> ArmControl::keep_watch() {
   Pace pace(context_.executor, tell_period_);
   Time told = context_.executor.now();
+  Time next = told;
+  bool early = false;
   while (true) {
-    const Duration beat = pace.pause();
-    const Duration pause = connected_ ? beat : reconnect_pause;
-    co_await sleep(context_.executor, pause);
+    if (!early) {
+      const Duration beat = pace.pause();
+      next = context_.executor.now() + (connected_ ? beat : reconnect_pause);
+    }
+    early = co_await look_now_.wait(next);
     const Time now = context_.executor.now();
     if (now - told >= full_telling) {
       facts_.forget_told();
@@ -163,7 +186,7 @@ Task<Result<ArmReading>> ArmControl::until_ended(bool gripper, Duration longest)
     const bool moving = gripper ? reading->gripper_moving : reading->moving;
     if (!moving) co_return reading;
     if (now - begun > longest) {
-      const Result<void> halting = co_await driver_.stop();
+      const Result<void> halting = co_await brake();
       if (!halting) lose(halting.error());
       co_return fail("fault", fmt::format("the motion did not end within {:.1f} s", longest.count() / 1e6));
     }
@@ -191,7 +214,7 @@ Task<Result<void>> ArmControl::follow(Joints from, std::vector<Joints> waypoints
   if (!started) co_return refused(started.error());
   // A stop may have come before there was anything to stop.
   if (stop_requested_) {
-    const Result<void> halting = co_await driver_.stop();
+    const Result<void> halting = co_await brake();
     if (!halting) co_return halting;
   }
   const Result<ArmReading> ended = co_await until_ended(false, longest);
@@ -227,6 +250,10 @@ std::unexpected<Failure> ArmControl::stopped() const {
 }
 
 void ArmControl::stop_at_once(Failure why) {
+  if (!running_ && connected_) {
+    braked_at_.reset();
+    look_now_.wake_all();
+  }
   if (!running_ || why_stopped_) return;
   stop_requested_ = true;
   why_stopped_ = std::move(why);
@@ -241,7 +268,7 @@ Task<void> ArmControl::obey() {
 Task<Result<void>> ArmControl::stop() {
   const std::uint64_t motion = motions_;
   stop_requested_ = running_.has_value();
-  const Result<void> stopping = co_await driver_.stop();
+  const Result<void> stopping = co_await brake();
   if (!stopping) co_return stopping;
   if (gripping_) {
     // Fingers stop by being sent to where they are.

@@ -7,6 +7,9 @@
 // from then on only when somebody asks for it: a controller that had an alarm, lost its power or was locked keeps its
 // servos off until then, and a motion is refused with its reason.
 //
+// What moves with no motion in hand moves for nobody (an order that came late, another's program): it is stopped, and
+// told. What somebody moves by the pendant is theirs.
+//
 // Lifecycle: find(), where what moves should stop before anybody may be obeyed; connect(); keep_watch() runs beside it
 // for as long as it lives (tells what changes by itself, connects again after the controller was away). A motion:
 // take_in_hand(), then follow() or grip(), then the InHand goes.
@@ -44,6 +47,7 @@ class ArmControl {
   static constexpr Duration reconnect_pause = 500ms;
   static constexpr Duration patience = 2s;       // with a controller that does not answer during a move
   static constexpr Duration stopping_time = 5s;  // at most, until a stopped arm stands
+  static constexpr Duration braking_time = 1s;   // what still moves after it is told to stop once more
 
   ArmControl(AgentContext& context, ArmDriver& driver, const ArmModel& model, const std::optional<Room>& room,
              double told_per_s, ArmFacts& facts)
@@ -53,6 +57,7 @@ class ArmControl {
         guard_(model, room),
         facts_(facts),
         tell_period_(std::chrono::duration_cast<Duration>(std::chrono::duration<double>(1 / told_per_s))),
+        look_now_(context.executor),
         ended_(context.executor) {}
 
   // Asks which arm it is, and stops what moves: nobody is left who could answer for that move.
@@ -78,8 +83,8 @@ class ArmControl {
   Task<Result<void>> grip(double opening_mm);
   // Answers when the arm stands and the motion it was in has failed with `stopped`; at rest it does nothing.
   Task<Result<void>> stop();
-  // The reflex: brakes at once, without waiting for anything; the motion in hand fails with `why`. At rest it does
-  // nothing.
+  // The reflex: brakes at once, without waiting for anything; the motion in hand fails with `why`. With none in hand
+  // the arm is looked at at once, and what moves for nobody is stopped.
   void stop_at_once(Failure why);
   bool was_stopped() const { return stop_requested_; }
 
@@ -87,7 +92,9 @@ class ArmControl {
   friend class InHand;
   Task<Result<void>> switch_on();
   Task<Result<ArmReading>> until_ended(bool gripper, Duration longest);
+  Task<Result<void>> brake();
   Task<void> look();
+  Task<void> look_at_rest();
   Task<void> tell_on_the_way();
   Task<void> obey();
   std::unexpected<Failure> stopped() const;
@@ -110,6 +117,8 @@ class ArmControl {
   bool stop_requested_ = false;
   std::optional<Failure> why_stopped_;
   bool gripping_ = false;
+  std::optional<Time> braked_at_;
+  WaitList look_now_;
   WaitList ended_;
   Job obeying_;
   Job on_the_way_;

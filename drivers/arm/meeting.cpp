@@ -9,11 +9,6 @@ namespace {
 constexpr Duration look_again = 20ms;
 constexpr Duration stopping_time = 5s;  // at most, until a stopped arm stands
 
-bool moves_for_nobody(const ArmReading& reading) {
-  const bool by_pendant = reading.trouble && reading.trouble->kind == ArmTrouble::Kind::stopped;
-  return reading.moving && !by_pendant;
-}
-
 Task<Result<ArmReading>> bring_to_rest(Executor& executor, ArmDriver& driver) {
   const Result<void> stopping = co_await driver.stop();
   if (!stopping) co_return fail(stopping);
@@ -28,6 +23,11 @@ Task<Result<ArmReading>> bring_to_rest(Executor& executor, ArmDriver& driver) {
 }
 
 }  // namespace
+
+bool moves_for_nobody(const ArmReading& reading) {
+  const bool by_pendant = reading.trouble && reading.trouble->kind == ArmTrouble::Kind::stopped;
+  return reading.moving && !by_pendant;
+}
 
 Task<Result<ArmMeeting>> meet_arm(Executor& executor, ArmDriver& driver, const ArmModel& model) {
   const Result<std::string> type = co_await driver.identify();

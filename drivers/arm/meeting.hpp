@@ -14,6 +14,9 @@
 
 namespace pizarra {
 
+// It moves, and nobody at the pendant moves it.
+bool moves_for_nobody(const ArmReading& reading);
+
 struct ArmMeeting {
   ArmReading reading;
   bool was_stopped;  // it moved, and does not any more

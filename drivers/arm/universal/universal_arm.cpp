@@ -154,7 +154,12 @@ Task<Result<void>> UniversalArm::start_move(std::vector<Joints> waypoints, doubl
   const std::int32_t begun = 2 * programs_;
   std::function<bool()> has_begun = [this, begun] { return state_.marker >= begun; };
   const bool begins = co_await told_.until(std::move(has_begun), answer_time);
-  if (!begins) co_return fail(trouble());
+  if (!begins) {
+    const Failure why = trouble();
+    // It may come late: it is not gone through in any case.
+    [[maybe_unused]] const Result<void> ended = co_await stop();
+    co_return fail(why);
+  }
   co_return Result<void>();
 }
 
@@ -176,7 +181,8 @@ Task<Result<void>> UniversalArm::start_gripper(double opening_mm) {
 
 Task<Result<ArmReading>> UniversalArm::read() {
   if (!told_.known()) co_return told_.unknown();
-  if (!playing() && executor_.now() - mode_asked_at_ >= mode_time) {
+  const bool on_our_way = playing() && programs_ > 0 && !ended();
+  if (!on_our_way && executor_.now() - mode_asked_at_ >= mode_time) {
     mode_asked_at_ = executor_.now();
     asking_mode_ = executor_.spawn(ask_mode_again());
   }

@@ -44,7 +44,7 @@ class UniversalArm : public ArmDriver {
   static constexpr Duration answer_time = 1s;
   static constexpr Duration fresh = 200ms;  // what the arm said longer ago is not known any more
   static constexpr Duration power_time = 20s;
-  static constexpr Duration mode_time = 500ms;  // while it stands: local control is not among what it tells
+  static constexpr Duration mode_time = 500ms;  // while it does not move for us: local control is not told unasked
 
   Task<Result<std::string>> ask_rtde(char type, std::string payload);
   Task<Result<void>> subscribe();

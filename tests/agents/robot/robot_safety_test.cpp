@@ -1,5 +1,6 @@
 #include "agents/robot/guard.hpp"
 #include "tests/agents/robot/robot_fixture.hpp"
+#include "tests/run_task.hpp"
 
 // What stops the arm without its commander being asked, and who may command it.
 
@@ -27,7 +28,43 @@ class RobotSafety : public Robot {
     EXPECT_TRUE(arm.moving());
     return id;
   }
+  // The controller moves the arm by itself, as one to which an order came late.
+  void stray() {
+    Joints there = arm.at();
+    there[0] += 150;
+    ASSERT_TRUE(pizarra::run(executor, arm.start_move({there}, 0.3)));
+    ASSERT_TRUE(arm.moving());
+  }
 };
+
+TEST_F(RobotSafety, WhatMovesWithNoMotionInHandIsStoppedAndToldSo) {
+  stray();
+  executor.run_for(200ms);
+  EXPECT_FALSE(arm.moving());
+  EXPECT_EQ(fact("(arm robot ? ?)"), "(arm robot stopped \"MOVED_BY_ITSELF\")");
+  EXPECT_EQ(call("(ready)"), "(ok true)");
+}
+
+TEST_F(RobotSafety, WhatAPersonMovesByThePendantBetweenMotionsIsLetAlone) {
+  arm.trouble = ArmTrouble{ArmTrouble::Kind::stopped, {"not-in-control", "the pendant has control", {}, {}}};
+  stray();
+  executor.run_for(200ms);
+  tell("passer-by", "(stop passer-by \"mind the dog\")");
+  executor.run_for(200ms);
+  EXPECT_TRUE(arm.moving());
+  EXPECT_EQ(fact("(arm robot ? ?)"), "(arm robot stopped \"the pendant has control\")");
+}
+
+TEST_F(RobotSafety, AStopStopsAtOnceWhatMovesWithNoMotionInHandToo) {
+  life.reset();
+  executor.run_for(3s);
+  life.emplace(executor, board, arm, crs_f3(), RobotOptions{.told_per_s = 1});
+  executor.run_for(5s);
+  stray();
+  tell("passer-by", "(stop passer-by \"mind the dog\")");
+  executor.run_for(20ms);
+  EXPECT_FALSE(arm.moving()) << "long before it is looked at again";
+}
 
 TEST_F(RobotSafety, StopFactFromAnyoneStopsTheMotionAndSaysWhoAndWhy) {
   const std::string id = begin_motion();

@@ -26,7 +26,7 @@ TEST(UniversalRobot, DoesTheOperationsOfEveryArm) {
   int asked = 0;
   for (const std::string_view operation :
        {"(gripper 84)", "(extend keep-height 60)", "(move-v down 80)", "(move-h left 100)", "(move-h right 200)",
-        "(turn right 15)", "(turn-wrist left 10)", "(retract 40)", "(ready)", "(home)"}) {
+        "(finish stop)", "(turn right 15)", "(turn-wrist left 10)", "(retract 40)", "(ready)", "(home)"}) {
     const std::string id = fmt::format("r{}", ++asked);
     Transaction request;
     request.tell(list("request"_sym, Datum::symbol(id), "robot"_sym, form(operation)));
@@ -37,6 +37,9 @@ TEST(UniversalRobot, DoesTheOperationsOfEveryArm) {
     const Answers answers = board.ask(query).value();
     ASSERT_FALSE(answers.answers.empty()) << operation;
     EXPECT_EQ(write(answers.answers.front().facts.front().datum[2]), "(ok true)") << operation;
+    executor.run_for(300ms);
+    const Query stray = query_from_datum(form("(arm robot ? \"MOVED_BY_ITSELF\")")).value();
+    EXPECT_TRUE(board.ask(stray)->answers.empty()) << operation;
   }
 }
 

@@ -118,6 +118,22 @@ TEST_F(Universal, AStopBrakesAndTheNextMoveIsAskedAnew) {
   EXPECT_TRUE(are_same_place(wait()->joints, there, 1e-3));
 }
 
+// A line that keeps what it is given for longer than a beginning is waited for.
+TEST_F(Universal, AProgramThatComesTooLateIsNotGoneThrough) {
+  ASSERT_EQ(connect(), "");
+  const Joints there = moved(0, 100);
+  std::string kept;
+  script_line.near.spoil = [&kept](const std::string& program) {
+    kept += program;
+    return std::string();
+  };
+  ASSERT_EQ(outcome(arm.start_move({there}, 1)), "not-in-control");
+  script_line.near.spoil = [&kept](const std::string& program) { return std::exchange(kept, {}) + program; };
+  ASSERT_TRUE(script_line.near.write("\n"));
+  executor.run_for(10s);
+  EXPECT_FALSE(are_same_place(read()->joints, there, 20)) << "it went there after all";
+}
+
 TEST_F(Universal, WhatEndsAMoveIsNamedAndTheArmIsSwitchedOnOnlyWhenAsked) {
   ASSERT_EQ(connect(), "");
   const Joints there = moved(0, 100);
