@@ -22,7 +22,7 @@ inline constexpr std::string_view robot_contract = R"scheme(
          (relation arm-joints ((robot symbol) (joints list)) (key robot))
          (relation gripper ((robot symbol) (opening number)) (key robot))
          (relation gripped ((robot symbol) (whether symbol)) (key robot))
-         (relation stop ((who symbol) (reason string)) (key who))
+         (relation stop ((who symbol) (reason string)) (key who) (durable))
          (relation commander ((robot symbol) (client symbol)) (key robot client))
          (relation robot-variable ((robot symbol) (name symbol) (joints list)) (key robot name) (durable))
          (relation robot-speed ((robot symbol) (percent number)) (key robot) (durable))

@@ -31,12 +31,24 @@ bool says(const Running& program, const std::string& text) {
   return wait_until([&] { return program.said().find(text) != std::string::npos; }, patience);
 }
 
+void write_cell(const std::string& agent) {
+  std::ofstream(file("cell.scm")) << "(cell lone (world (cube circle (at 450 0))) (domain \"" << source_dir()
+                                  << "/domains/blocks.scm\") (host \"localhost\" (agents " << agent << ")))\n";
+}
+
+// As nothing kills it but a fault; who runs the cell starts it again.
+void kill_board() {
+  const std::string ps = run("ps --json").text;
+  const std::size_t pid = ps.find("\"pid\":", ps.find("\"name\":\"board\""));
+  ASSERT_NE(pid, std::string::npos) << ps;
+  ASSERT_EQ(kill(std::atoi(ps.c_str() + pid + 6), SIGKILL), 0);
+}
+
 // A cell with a planner alone, its watch, and a form that waits.
 class BoardOfACellGone : public testing::Test {
  protected:
   void SetUp() override {
-    std::ofstream(file("cell.scm")) << "(cell lone (world (cube circle (at 450 0))) (domain \"" << source_dir()
-                                    << "/domains/blocks.scm\") (host \"localhost\" (agents planner)))\n";
+    write_cell("planner");
     up_.emplace(std::vector<std::string>{PIZARRA_CELL, "up", file("cell.scm")}, file("up.log"));
     const auto planner_is_there = [] { return run("ask '(agent planner ?k ?)'").text == "?k = planner\n"; };
     ASSERT_TRUE(wait_until(planner_is_there, patience)) << up_->said();
@@ -69,10 +81,7 @@ TEST_F(BoardOfACellGone, AKilledUpEndsWhoWaitsToo) {
 }
 
 TEST_F(BoardOfACellGone, ABoardThatIsStartedAgainEndsNobody) {
-  const std::string ps = run("ps --json").text;
-  const std::size_t pid = ps.find("\"pid\":", ps.find("\"name\":\"board\""));
-  ASSERT_NE(pid, std::string::npos) << ps;
-  ASSERT_EQ(kill(std::atoi(ps.c_str() + pid + 6), SIGKILL), 0);
+  kill_board();
   const auto told = [] { return run("tell '(agent spirit robot \"there\")'").status == 0; };
   EXPECT_TRUE(wait_until(told, patience)) << up_->said();
   EXPECT_TRUE(says(*watch_, "+ ?who = spirit")) << watch_->said();
@@ -99,6 +108,21 @@ TEST_F(BoardOfACellGone, WhoEndsOrIsInterruptedIsNotPresentAnyMore) {
   EXPECT_EQ(watch_->end(patience), 130) << watch_->said();
   EXPECT_EQ(waiting_->end(patience), 130) << waiting_->said();
   EXPECT_EQ(presences(), 0U) << run("ps").text;
+}
+
+TEST(BoardGone, AStopOutlivesItUntilSomebodyWithdrawsIt) {
+  write_cell("robot");
+  Running up({PIZARRA_CELL, "up", file("cell.scm")}, file("up.log"));
+  const auto arm_is_there = [] { return run("ask '(arm robot idle ?a)'").status == 0; };
+  ASSERT_TRUE(wait_until(arm_is_there, patience)) << up.said();
+  ASSERT_EQ(run("tell '(stop me \"my arm is in there\")'").status, 0);
+  kill_board();
+  const auto told = [] { return run("tell '(agent spirit robot \"there\")'").status == 0; };
+  ASSERT_TRUE(wait_until(told, patience)) << up.said();
+  ASSERT_TRUE(wait_until(arm_is_there, patience)) << up.said();
+  EXPECT_EQ(run("ask '(stop me ?reason)'").text, "?reason = \"my arm is in there\"\n");
+  const Said refused = run("repl --eval '(robot (home))'");
+  EXPECT_NE(refused.text.find("me says stop: my arm is in there"), std::string::npos) << refused.text;
 }
 
 TEST(BoardGone, OneThatAnswersNothingForTenSecondsEndsWhoWaitsWithStatus4) {
