@@ -17,7 +17,12 @@
 
 A symbol is a Symbol, a string a str, a list a list; integers and reals are int and float. What fails raises Failure, with
 its symbol, sentence and subject: undeclared-relation, wrong-shape, precondition-failed, unknown-lease, not-permitted,
-too-large, unreachable, timeout; bad-datum for what cannot be said to a board, as None, nan or bytes. With key="NAME.secret" (board.key stands beside it) the board may be on another machine.
+too-large, unreachable, timeout; bad-datum for what cannot be said to a board, as None, nan or bytes; bad-address,
+unreadable-file and bad-key for what it cannot begin with; closed for what is asked of it after close(). With
+key="NAME.secret" (board.key stands beside it) the board may be on another machine.
+
+There are no replicas here: every ask goes to the server and back. A script that asks often watches instead, and keeps
+what the changes say.
 
 One thread uses a Board. Every call lets it speak with the server; between calls use board.wait(seconds): a client
 that is silent for ten seconds is forgotten, and its watches then begin again with a resynchronised change. A request is
@@ -32,6 +37,7 @@ import struct
 import time
 
 import zmq
+from zmq.utils import z85
 
 FRAME_BYTES = 1 << 20
 FRAME_DEPTH = 64
@@ -300,6 +306,7 @@ class Watch:
 
     def poll(self):
         """The next change, or None where there is none yet."""
+        self.board._check_open()
         if not self.unread:
             failed = isinstance(self.request.result, Failure) and self.request.result
             if self.ended or failed:
@@ -366,7 +373,7 @@ class Stream:
             self.socket.setsockopt(option, value)
         self.socket.curve_serverkey = server_key.encode()
         self.socket.curve_publickey, self.socket.curve_secretkey = public_key.encode(), secret_key.encode()
-        self.socket.connect(address)
+        _connect_to(self.socket, address)
 
     def _disconnect(self):
         if self.socket is not None:
@@ -385,6 +392,8 @@ class Board:
     PING, RESEND, GREET, SILENCE = 0.5, 1.0, 0.5, 2.0
 
     def __init__(self, address, teller, key=None, timeout=5.0):
+        if not isinstance(address, str) or not isinstance(teller, str):
+            raise Failure("wrong-shape", "a board's address and the name of a teller are strings")
         write(teller)
         self.address, self.teller, self.timeout = address, teller, timeout
         self._keys = None
@@ -398,7 +407,11 @@ class Board:
         self._next_request = self._next_watch = 1
         self._pending, self._watches, self._declared = {}, {}, {}
         self._context = zmq.Context()
-        self._connect()
+        try:
+            self._connect()
+        except Failure:
+            self._context.destroy(linger=0)
+            raise
 
     def _connect(self):
         self._socket = self._context.socket(zmq.DEALER)
@@ -411,9 +424,15 @@ class Board:
             self._socket.curve_publickey, self._socket.curve_secretkey = own[2].encode(), own[3].encode()
         self._monitor = self._socket.get_monitor_socket(
             zmq.EVENT_HANDSHAKE_FAILED_AUTH | zmq.EVENT_HANDSHAKE_FAILED_PROTOCOL)
-        self._socket.connect(self.address)
+        _connect_to(self._socket, self.address)
+
+    def _check_open(self):
+        if self._context.closed:
+            raise Failure("closed", "this board was closed", self.address)
 
     def close(self):
+        if self._context.closed:
+            return
         for watch in list(self._watches.values()):
             watch.close()
         if self._joined:
@@ -501,6 +520,7 @@ class Board:
     # For those who have a loop of their own: begin(), turn() often, look at the request's result.
 
     def begin(self, body, repeatable):
+        self._check_open()
         size = len(write(body, FRAME_DEPTH - 1).encode())
         if size + ENVELOPE_BYTES > FRAME_BYTES or _elements(body) + ENVELOPE_ELEMENTS > FRAME_ELEMENTS:
             raise Failure("too-large", "the request does not fit one message of the board")
@@ -512,6 +532,7 @@ class Board:
 
     def turn(self, seconds=0.0):
         """Receives what has come, waiting that long for it, and says what is due."""
+        self._check_open()
         self._tick()
         if self._socket.poll(int(seconds * 1000)):
             while self._socket.poll(0):
@@ -548,6 +569,7 @@ class Board:
         self._pending = {number: other for number, other in self._pending.items() if other is not request}
 
     def _send(self, message):
+        self._check_open()
         try:
             self._socket.send(write(message).encode(), zmq.DONTWAIT)
             return True
@@ -631,10 +653,35 @@ class Board:
                 self._pending.pop(number).result = failure
 
 
+def _connect_to(socket, address):
+    try:
+        socket.connect(address)
+    except zmq.ZMQError as error:
+        raise Failure("bad-address", f"nothing can be connected to {address[:100]}: {error}", address) from None
+
+
 def _read_keys(path):
+    """The secret, (secret-key NAME PUBLIC SECRET), and the board's key beside it, (key board PUBLIC)."""
+    own = _read_key(path, "secret-key", 2)
     if os.stat(path).st_mode & (stat.S_IRWXG | stat.S_IRWXO):
-        raise Failure("exposed-key", "others may read this secret: chmod 600 it, and make a new key", path)
-    with open(path, encoding="utf-8") as file:
-        own = read(file.read())
-    with open(os.path.join(os.path.dirname(path), "board.key"), encoding="utf-8") as file:
-        return own, read(file.read())
+        raise Failure("exposed-key", "others may read this secret: chmod 600 it, and make a new key", str(path))
+    return own, _read_key(os.path.join(os.path.dirname(path), "board.key"), "key", 1)
+
+
+def _read_key(path, head, keys):
+    try:
+        with open(path, encoding="utf-8") as file:
+            form = read(file.read(1 << 16))
+    except OSError as error:
+        raise Failure("unreadable-file", f"{path}: {error.strerror}", str(path)) from None
+    except (UnicodeDecodeError, Failure) as error:
+        raise Failure("bad-key", f"{path}: {error}", str(path)) from None
+    formed = isinstance(form, list) and len(form) >= 2 + keys and form[0] == Symbol(head) and isinstance(form[1], Symbol)
+    try:
+        decoded = formed and [z85.decode(key.encode()) for key in form[2:2 + keys] if len(key) == 40]
+    except (AttributeError, TypeError, ValueError, KeyError, struct.error):
+        decoded = []
+    if not formed or len(decoded) != keys:
+        raise Failure("bad-key", f"{path}: this file holds one form, ({head} NAME KEY ...), each KEY 40 characters of Z85",
+                      str(path))
+    return form

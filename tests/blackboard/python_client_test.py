@@ -11,6 +11,8 @@ import tempfile
 import time
 import unittest
 
+import zmq
+
 from pizarra import Board, Failure, Symbol, read, write
 
 NOTE = "(relation note ((n integer) (text datum)) (key n))"
@@ -106,6 +108,56 @@ class OnABoard(unittest.TestCase):
         self.mangle("(request {session} {number} (tell 1.")
         self.refused("bad-frame", self.board.tell, "(note 1 2)")
         self.assertIsNone(other.result)
+
+
+    def test_a_closed_board_says_so(self):
+        watch = self.board.watch("(note ?n ?)")
+        self.board.tell("(note 1 2)")
+        self.board.close()
+        for action, arguments in ((self.board.ask, ["(note ?n ?)"]), (self.board.tell, ["(note 1 2)"]), (self.board.turn, []),
+                                  (self.board.wait, [0.1]), (watch.next, [1]), (self.board.stream, ["vision-left"])):
+            self.refused("closed", action, *arguments)
+        watch.close()
+        self.board.close()
+
+
+class WhatABoardCannotBeginWith(unittest.TestCase):
+    def refused(self, symbol, *arguments):
+        with self.assertRaises(Failure) as caught:
+            Board(*arguments)
+        self.assertEqual(caught.exception.symbol, symbol, (arguments, caught.exception))
+
+    def test_an_address_that_is_none(self):
+        for address in ("", "nowhere", "tcp://", "tcp://here:port", "carrier-pigeon://x", "ipc://" + "x" * 200):
+            self.refused("bad-address", address, "script")
+        self.refused("wrong-shape", None, "script")
+        self.refused("wrong-shape", "ipc:///tmp/none", 1)
+
+    def test_keys_that_are_none(self):
+        with tempfile.TemporaryDirectory() as folder:
+            secret, board = os.path.join(folder, "me.secret"), os.path.join(folder, "board.key")
+            self.refused("unreadable-file", "tcp://127.0.0.1:9", "me", secret)
+            self.refused("unreadable-file", "tcp://127.0.0.1:9", "me", folder)
+            public, own = zmq.curve_keypair()
+            whole = f'(secret-key me "{public.decode()}" "{own.decode()}")'
+            for junk in (b"", b"junk", b"(junk)", b"(secret-key)", b"\xff\xfe", b"(", b'(secret-key me "a" "b")',
+                         f'(secret-key me "{"#" * 40}" "{"#" * 40}")'.encode(), b"(secret-key me 1 2)",
+                         b"(secret-key me (1) 2)", whole.replace("secret-", "").encode()):
+                with open(secret, "wb", opener=lambda path, flags: os.open(path, flags, 0o600)) as file:
+                    file.write(junk)
+                self.refused("bad-key", "tcp://127.0.0.1:9", "me", secret)
+            with open(secret, "w", encoding="utf-8") as file:
+                file.write(whole)
+            self.refused("unreadable-file", "tcp://127.0.0.1:9", "me", secret)
+            with open(board, "w", encoding="utf-8") as file:
+                file.write("(key board)")
+            self.refused("bad-key", "tcp://127.0.0.1:9", "me", secret)
+            with open(board, "w", encoding="utf-8") as file:
+                file.write(f'(key board "{public.decode()}")')
+            os.chmod(secret, 0o644)
+            self.refused("exposed-key", "tcp://127.0.0.1:9", "me", secret)
+            os.chmod(secret, 0o600)
+            Board("tcp://127.0.0.1:9", "me", secret).close()
 
 
 program = sys.argv.pop(1)
