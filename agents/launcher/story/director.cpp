@@ -52,7 +52,8 @@ Director::~Director() = default;
 Task<Result<void>> Director::prepare() {
   const Result<void> started = co_await service_.start();
   if (!started) co_return started;
-  const Result<void> there = co_await await_agents(cell_, *board_);
+  std::vector<std::string> players = agent_kinds(cell_.description());
+  const Result<void> there = co_await await_agents(cell_, *board_, std::move(players));
   if (!there) co_return there;
   const Result<void> taught = co_await await_teaching(*board_, cell_.executor());
   if (!taught) co_return taught;

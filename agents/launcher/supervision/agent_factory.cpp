@@ -123,9 +123,8 @@ std::unique_ptr<BuiltAgent> build_person(AgentContext context, const CellDescrip
 }
 
 bool has_agent(const CellDescription& description, const std::string& kind) {
-  return std::ranges::any_of(description.hosts, [&](const CellHost& host) {
-    return std::ranges::find(host.agents, kind) != host.agents.end();
-  });
+  const std::vector<std::string> named = named_agents(description);
+  return std::ranges::find(named, kind) != named.end();
 }
 
 // The coordinator brings the gripper over an object by turning axis 1.
@@ -155,6 +154,12 @@ std::vector<std::string> agent_kinds(const CellDescription& description) {
   for (const std::string& kind : further_agent_kinds()) {
     if (has_agent(description, kind)) kinds.push_back(kind);
   }
+  return kinds;
+}
+
+std::vector<std::string> named_agents(const CellDescription& description) {
+  std::vector<std::string> kinds;
+  for (const CellHost& host : description.hosts) kinds.insert(kinds.end(), host.agents.begin(), host.agents.end());
   return kinds;
 }
 

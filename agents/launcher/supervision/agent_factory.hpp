@@ -23,8 +23,10 @@ namespace pizarra {
 const std::vector<std::string>& agent_kinds();
 // Those that a cell has only where its file says so: speech, slave, follower.
 const std::vector<std::string>& further_agent_kinds();
-// Those that the cell has devices for, and the further ones that it names.
+// Those that the cell has devices for, and the further ones that it names: who plays a story in the simulated world.
 std::vector<std::string> agent_kinds(const CellDescription& description);
+// Those that the cell's hosts run.
+std::vector<std::string> named_agents(const CellDescription& description);
 
 // Whether the agent has a device in the simulated world, which is reached over its socket, on this machine alone.
 bool needs_world(const std::string& kind, const CellDescription& description);

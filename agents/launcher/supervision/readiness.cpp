@@ -1,14 +1,31 @@
 #include "agents/launcher/supervision/readiness.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
+
+#include "lisp/reader.hpp"
 
 namespace pizarra {
 
 namespace {
 
 constexpr Duration agents_timeout = 20s;
+// Longer than an agent waits for a controller that starts together with it.
+constexpr Duration devices_timeout = 10s;
 constexpr Duration teaching_timeout = 120s;
 constexpr Duration declared_pause = 100ms;
+
+// What an agent tells once it has come to its device.
+struct Device {
+  std::string_view agent;
+  std::string_view name;
+  std::string_view known;
+};
+constexpr Device devices[] = {{"robot", "arm", "(arm-pose robot ? ? ? ? ? ?)"},
+                              {"slave", "arm", "(arm-pose slave ? ? ? ? ? ?)"},
+                              {"pan-tilt", "unit", "(head ? ? ?)"}};
+
+std::string reason_of(const std::optional<Failure>& ended) { return ended ? ": " + describe(*ended) : std::string(); }
 
 }  // namespace
 
@@ -21,16 +38,29 @@ Task<Result<Answer>> await_when_declared(Board& board, Executor& executor, Query
   }
 }
 
-Task<Result<void>> await_agents(LocalCell& cell, Board& board) {
+Task<Result<void>> await_agents(LocalCell& cell, Board& board, std::vector<std::string> kinds) {
   const Time deadline = cell.executor().now() + agents_timeout;
-  const std::vector<std::string> kinds = agent_kinds(cell.description());
   for (const std::string& kind : kinds) {
     Query query = query_for(list("agent"_sym, Datum::symbol(kind), "?"_sym, "?"_sym));
     const Result<Answer> there = co_await await_when_declared(board, cell.executor(), std::move(query), deadline);
     if (there) continue;
-    const std::optional<Failure> why = cell.ended(kind);
-    const std::string reason = why.has_value() ? ": " + describe(*why) : std::string();
-    co_return fail("no-agents", fmt::format("the {} agent does not come up{}", kind, reason));
+    co_return fail("no-agents", fmt::format("the {} agent does not come up{}", kind, reason_of(cell.ended(kind))));
+  }
+  co_return {};
+}
+
+Task<Result<void>> await_devices(LocalCell& cell, Board& board, std::vector<std::string> kinds) {
+  const Time deadline = cell.executor().now() + devices_timeout;
+  for (const Device& device : devices) {
+    if (std::ranges::find(kinds, device.agent) == kinds.end()) continue;
+    Query query = query_for(read_one(device.known).value());
+    const Result<Answer> there = co_await await_when_declared(board, cell.executor(), std::move(query), deadline);
+    if (there) continue;
+    const std::string agent(device.agent);
+    const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(devices_timeout).count();
+    const std::string sentence = fmt::format("{} has not come to its {} within {} s{}", agent, device.name, seconds,
+                                             reason_of(cell.ended(agent)));
+    co_return fail("no-device", sentence, Datum::symbol(agent));
   }
   co_return {};
 }

@@ -6,7 +6,6 @@
 
 #include "agents/launcher/command_line/key_option.hpp"
 #include "agents/launcher/command_line/word_tools.hpp"
-#include "agents/launcher/supervision/readiness.hpp"
 #include "agents/repl/json_answers.hpp"
 #include "agents/repl/repl.hpp"
 #include "blackboard/client/remote_board.hpp"
@@ -145,10 +144,10 @@ Task<void> BoardSession::talk(std::vector<std::string> forms) {
     co_return;
   }
   if (loss_) looking_ = context_.executor.spawn(look_after_board());
-  if (manner_.taught) {
-    const Result<void> taught = co_await await_teaching(context_.board, context_.executor);
-    if (!taught) {
-      status_ = complain_as(manner_.style, taught.error(), exit_unavailable);
+  if (manner_.prepared) {
+    const Result<void> prepared = co_await manner_.prepared(context_.board);
+    if (!prepared) {
+      status_ = complain_as(manner_.style, prepared.error(), exit_unavailable);
       co_return;
     }
   }

@@ -41,13 +41,16 @@ struct Destination {
 
 Result<Destination> destination(const BoardChoices& choices);
 
+// What there must be on the board before a form is evaluated, or why it does not come.
+using Preparation = std::function<Task<Result<void>>(Board&)>;
+
 // How a word is to talk.
 struct Manner {
   Interpreter::Patience patience = Interpreter::Patience::ended;
   Style style = Style::text;
   bool stay = false;      // until interrupted, also when the forms are done
   bool recorded = false;  // nobody is there, and nobody is told of us
-  bool taught = false;    // the forms wait until the person of the cell has taught its objects
+  Preparation prepared = nullptr;
 };
 
 // Why the board is not to be had any more; nothing while it is.

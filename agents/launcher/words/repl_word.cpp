@@ -1,10 +1,12 @@
 // `repl`: a prompt on the cell that runs here, or on one in this process.
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include "agents/launcher/command_line/word_tools.hpp"
 #include "agents/launcher/supervision/local_cell.hpp"
+#include "agents/launcher/supervision/readiness.hpp"
 #include "agents/launcher/words/board_session.hpp"
 #include "agents/launcher/words/words.hpp"
 #include "blackboard/time/real_executor.hpp"
@@ -29,6 +31,17 @@ Manner manner_of(const ReplChoices& choices) {
   return {.patience = is_script(choices) ? Interpreter::Patience::ended : Interpreter::Patience::accepted};
 }
 
+// A script finds everybody at work; who runs but a few agents teaches for himself.
+Task<Result<void>> await_cell(LocalCell& cell, Board& board, std::vector<std::string> kinds, bool whole) {
+  const Result<void> there = co_await await_agents(cell, board, kinds);
+  if (!there) co_return there;
+  const Result<void> met = co_await await_devices(cell, board, kinds);
+  if (!met) co_return met;
+  const bool taught = whole && std::ranges::find(kinds, "person") != kinds.end();
+  if (!taught) co_return {};
+  co_return co_await await_teaching(board, cell.executor());
+}
+
 int talk_to_own_cell(const ReplChoices& choices) {
   const Result<CellDescription> cell = read_cell_file(choices.cell_file);
   if (!cell) return complain(cell.error(), exit_usage);
@@ -37,12 +50,15 @@ int talk_to_own_cell(const ReplChoices& choices) {
   RealExecutor executor;
   LocalCell local(executor, *cell, choices.seed);
   const bool whole = choices.agents.empty();
-  for (const std::string& kind : whole ? agent_kinds(*cell) : choices.agents) {
+  const std::vector<std::string> kinds = whole ? named_agents(*cell) : choices.agents;
+  for (const std::string& kind : kinds) {
     const Result<void> started = local.start(kind);
     if (!started) return complain(started.error(), exit_usage);
   }
   Manner manner = manner_of(choices);
-  manner.taught = whole && is_script(choices) && cell->eyes.is_simulated();
+  if (is_script(choices)) {
+    manner.prepared = [&local, &kinds, whole](Board& board) { return await_cell(local, board, kinds, whole); };
+  }
   const std::unique_ptr<Board> view = local.board().view(prompt_name());
   return BoardSession(executor, *view, manner).run(choices.forms);
 }

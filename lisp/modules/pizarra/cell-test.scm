@@ -64,6 +64,12 @@
 (check "cameras on a pan-tilt unit bring the agent that turns it"
        (pan-tilt-of '(world (camera (head ptu46-70))))
        '(ptu46-70 ("" "" 0 ()) (pan-tilt planner coordinator person)))
+(define (agents-of . sections)
+  (cddar (list-ref (cadr (interpret (list (append '(cell c) sections)))) 8)))
+(check "nobody moves a real arm by himself who is not named"
+       (list (agents-of '(arm crs-f3)) (agents-of '(arm crs-f3 (driver hses "10.0.0.3")))
+             (agents-of '(arm crs-f3 (driver hses "10.0.0.3")) '(host "a" (agents robot person))))
+       '((robot vision planner coordinator person) (robot vision planner coordinator) (robot person)))
 (check "a unit on a serial line runs at 9600 baud unless told otherwise"
        (cadr (pan-tilt-of '(pan-tilt (serial "/dev/ttyUSB0")))) '(serial "/dev/ttyUSB0" 9600 ()))
 (check "a unit on a network counts as it is said to"

@@ -333,7 +333,9 @@
          (has-unit (or (section-in found 'pan-tilt) (symbol? (sixth camera))))
          (own-cameras (section-in found 'camera))
          (named-hosts (sections-in found 'host))
-         (hosts (hosts-of named-hosts (append (if has-unit '() '(pan-tilt)) (if own-cameras simulated-kinds '()))))
+         ;; A person who sees the simulation alone moves no real arm by it, unless told to.
+         (real (or own-cameras (section-in arm-parts 'driver)))
+         (hosts (hosts-of named-hosts (append (if has-unit '() '(pan-tilt)) (if real simulated-kinds '()))))
          (board (board-of found hosts)))
     (unless has-unit
       (refuse-agent named-hosts 'pan-tilt

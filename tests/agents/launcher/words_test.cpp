@@ -221,6 +221,16 @@ TEST(Words, WhatIsForACellInThisProcessIsNotLeftOutWithoutAWord) {
   }
 }
 
+TEST(Words, APromptHasTheAgentsThatItsCellNamesAndNoOthers) {
+  const std::string file = scratch_folder() + "alone.scm";
+  std::ofstream(file) << "(cell alone (world (cube circle (at 450 0))) (host \"desk\" (agents robot)))";
+  const Said said = run("repl " + file + " --eval '(ask (agent ?n ?k ?h))'");
+  EXPECT_TRUE(contains(said, "?n = robot\n")) << said.text;
+  for (const char* kind : {"person", "vision", "planner", "coordinator"}) {
+    EXPECT_FALSE(contains(said, "?n = " + std::string(kind))) << said.text;
+  }
+}
+
 TEST(Words, AnUnreachablePointIsSaidOnceInTenthsOfMillimetres) {
   const Said said = run("repl --agents robot --eval '(robot (do-action \"(move 1450.123456789 0 200)\"))'");
   EXPECT_EQ(said.status, 1);
