@@ -46,6 +46,8 @@ Result<Motion> clamped_line(const ArmModel& model, const Joints& from, const Eig
   if (!mm) return fail(mm);
   ToolPath path(model, from, model.track_along_x ? ToolPath::Track::helps : ToolPath::Track::stays);
   const LineEnd end = path.line_by(along * *mm);
+  // That is no end of its reach.
+  if (end.ended_by && end.ended_by->symbol == "singular") return fail(*end.ended_by);
   return Motion{path.waypoints(), end.ended_by && path.waypoints().empty()};
 }
 

@@ -9,8 +9,8 @@
 // turn (CRS-F3: dj5 = -(dj2 + dj3), UP6: dB = dL - dU), unless the arm does that itself. With the tool down,
 // (turn-wrist left D) takes back what (turn right D) turned the fingers by.
 //
-// Failures: no-such-axis, out-of-range, wrong-direction, unknown-variable, unreachable, joint-limit, bad-action,
-// too-long.
+// Failures: no-such-axis, out-of-range, wrong-direction, unknown-variable, unreachable, joint-limit, singular (the line
+// cannot be kept to), bad-action, too-long.
 
 #include <map>
 #include <optional>

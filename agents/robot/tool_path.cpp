@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <fmt/format.h>
+#include <numeric>
 
 namespace pizarra {
 
@@ -35,50 +36,75 @@ void ToolPath::append(const Joints& joints, const Eigen::Vector3d& point_mm) {
   pose_.translation() = point_mm;
 }
 
-void ToolPath::append_straight(const Line& line, double from_mm, double to_mm, const Joints& joints) {
-  Joints middle = joints;
-  for (std::size_t axis = 0; axis < joints.size(); ++axis) middle[axis] = (joints_[axis] + joints[axis]) / 2;
-  const Eigen::Vector3d off = forward(model_, middle).translation() - line.start_mm;
-  const bool straight = (off - off.dot(line.along) * line.along).norm() <= deviation_mm;
-  const double half_mm = (from_mm + to_mm) / 2;
-  if (!straight && half_mm - from_mm > resolution_mm) {
-    const Result<Joints> half = reach(line.at(half_mm));
-    if (half) append_straight(line, from_mm, half_mm, *half);
-    const Result<Joints> rest = half ? reach(line.at(to_mm)) : half;
-    if (rest) return append_straight(line, half_mm, to_mm, *rest);
+bool ToolPath::is_straight(const Line& line, const Joints& to) const {
+  const Eigen::Matrix3d before = forward(model_, joints_).linear();
+  const double turned = (forward(model_, to).linear() - before).norm();
+  Joints between = to;
+  for (const double part : {0.25, 0.5, 0.75}) {
+    for (std::size_t axis = 0; axis < to.size(); ++axis) between[axis] = std::lerp(joints_[axis], to[axis], part);
+    const ToolPose pose = forward(model_, between);
+    const Eigen::Vector3d off = pose.translation() - line.start_mm;
+    if ((off - off.dot(line.along) * line.along).norm() > deviation_mm) return false;
+    if ((pose.linear() - before).norm() > turned + tilt_rad) return false;
   }
-  append(joints, line.at(to_mm));
+  return true;
+}
+
+LineEnd ToolPath::advance(const Line& line, double from_mm, double to_mm) {
+  const Result<Joints> joints = reach(line.at(to_mm));
+  if (!joints) return {from_mm, joints.error()};
+  if (is_straight(line, *joints)) {
+    append(*joints, line.at(to_mm));
+    return {to_mm, {}};
+  }
+  if (to_mm - from_mm < resolution_mm) return {from_mm, singular(*joints, from_mm)};
+  const double half_mm = std::midpoint(from_mm, to_mm);
+  LineEnd half = advance(line, from_mm, half_mm);
+  return half.ended_by ? half : advance(line, half_mm, to_mm);
+}
+
+Failure ToolPath::singular(const Joints& to, double way_mm) const {
+  std::size_t fastest = 0;
+  for (std::size_t axis = 0; axis < to.size(); ++axis) {
+    if (std::abs(to[axis] - joints_[axis]) > std::abs(to[fastest] - joints_[fastest])) fastest = axis;
+  }
+  const Eigen::Vector3d at = point();
+  return {"singular",
+          fmt::format("axis {} would have to jump {:.2f} mm along the line, at ({:.1f} {:.1f} {:.1f}), to keep the arm "
+                      "on it",
+                      fastest + 1, way_mm, at.x(), at.y(), at.z()),
+          to_datum(fastest + 1),
+          {}};
+}
+
+double ToolPath::advance_as_far_as_it_can(const Line& line, double from_mm, double to_mm) {
+  const std::size_t waypoints = waypoints_.size();
+  const Joints joints = joints_;
+  const ToolPose pose = pose_;
+  double near_mm = from_mm;
+  while (to_mm - near_mm > resolution_mm / 2) {
+    const double middle_mm = std::midpoint(near_mm, to_mm);
+    const LineEnd tried = advance(line, from_mm, middle_mm);
+    (tried.ended_by ? to_mm : near_mm) = middle_mm;
+    waypoints_.resize(waypoints);
+    joints_ = joints;
+    pose_ = pose;
+  }
+  if (near_mm - from_mm < resolution_mm) return from_mm;
+  return advance(line, from_mm, near_mm).length_mm;
 }
 
 LineEnd ToolPath::line_by(const Eigen::Vector3d& offset_mm) {
   const double length_mm = offset_mm.norm();
   if (!(length_mm > 0)) return {0, {}};
-  const Eigen::Vector3d start = point();
-  const Eigen::Vector3d along = offset_mm / length_mm;
+  const Line line{point(), offset_mm / length_mm};
   const double steps = std::ceil(length_mm / step_mm);
   double good_mm = 0;
   for (double step = 1; step <= steps; ++step) {
-    double far_mm = length_mm * step / steps;
-    const Result<Joints> joints = reach(start + along * far_mm);
-    if (joints) {
-      append_straight({start, along}, good_mm, far_mm, *joints);
-      good_mm = far_mm;
-      continue;
-    }
-    // The last piece ends between two waypoints.
-    double near_mm = good_mm;
-    std::optional<Joints> last;
-    while (far_mm - near_mm > resolution_mm / 2) {
-      const double middle_mm = (near_mm + far_mm) / 2;
-      const Result<Joints> tried = reach(start + along * middle_mm);
-      (tried ? near_mm : far_mm) = middle_mm;
-      if (tried) last = *tried;
-    }
-    if (last && near_mm - good_mm >= resolution_mm) {
-      append(*last, start + along * near_mm);
-      good_mm = near_mm;
-    }
-    return {good_mm, joints.error()};
+    const double far_mm = length_mm * step / steps;
+    const LineEnd end = advance(line, good_mm, far_mm);
+    if (end.ended_by) return {advance_as_far_as_it_can(line, end.length_mm, far_mm), end.ended_by};
+    good_mm = far_mm;
   }
   return {length_mm, {}};
 }

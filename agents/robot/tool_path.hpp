@@ -1,8 +1,9 @@
 #pragma once
 
 // A path of the grip centre through straight pieces, the tool's direction kept (as nearly as the arm's axes can), as
-// waypoints that an arm follows by joint interpolation. Waypoints stand at most 5 mm apart, which keeps the way between
-// them within 0.1 mm of the line.
+// waypoints that an arm follows by joint interpolation. Waypoints stand at most 5 mm apart, and nearer where the way
+// between two of them would leave the line, as where a track begins to help or the wrist turns fast. A line which no
+// waypoints keep the arm on is not followed (`singular`).
 //
 //   ToolPath path(model, joints);
 //   LineEnd end = path.line_by({0, 0, -50});
@@ -18,15 +19,17 @@ namespace pizarra {
 
 struct LineEnd {
   double length_mm;                 // how far the path got along this piece
-  std::optional<Failure> ended_by;  // why no further: unreachable, joint-limit; nothing where it got there
+  std::optional<Failure> ended_by;  // why no further: unreachable, joint-limit, singular; nothing where it got there
 };
 
 class ToolPath {
  public:
   static constexpr double step_mm = 5;
-  // Half way between two waypoints the grip centre is no further from the line.
+  // A quarter, half and three quarters of the way between two waypoints the grip centre is no further from the line,
+  // and the tool no further from the directions that it has at both; which keeps all the way within 0.1 mm.
   static constexpr double deviation_mm = 0.05;
-  // How near to a limit a line is followed.
+  static constexpr double tilt_rad = 1e-3;
+  // How near to a limit a line is followed, and how near to each other waypoints are put.
   static constexpr double resolution_mm = 0.01;
   // An axis that turns further between two waypoints is changing posture, which no straight line survives.
   static constexpr double posture_change_deg = 30;
@@ -58,8 +61,12 @@ class ToolPath {
     Eigen::Vector3d along;
     Eigen::Vector3d at(double way_mm) const { return start_mm + along * way_mm; }
   };
-  // With waypoints between where the way to `joints` would leave the line, as it does where a track begins to help.
-  void append_straight(const Line& line, double from_mm, double to_mm, const Joints& joints);
+  bool is_straight(const Line& line, const Joints& to) const;
+  // Goes on from one place of the line, where it ends, to another; how far it got, from the line's start.
+  LineEnd advance(const Line& line, double from_mm, double to_mm);
+  // The last piece of a line that cannot be followed to `to_mm`.
+  double advance_as_far_as_it_can(const Line& line, double from_mm, double to_mm);
+  Failure singular(const Joints& to, double way_mm) const;
 
   const ArmModel& model_;
   const Track track_;

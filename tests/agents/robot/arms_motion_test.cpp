@@ -1,5 +1,7 @@
 #include <cmath>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <set>
 
 #include "agents/robot/motion.hpp"
 #include "blackboard/time/random.hpp"
@@ -79,6 +81,78 @@ TEST(ArmsMotion, LinesAreStraightAllAlongAndKeepTheTool) {
         const Deviation off = deviation(arm, from, motion->waypoints);
         EXPECT_LT(off.mm, 0.1) << arm.type << " " << operation << " seed " << seed << " case " << i;
         EXPECT_LT(off.tilt, 2e-3) << arm.type << " " << operation << " seed " << seed << " case " << i;
+      }
+    }
+    EXPECT_GT(checked, 300) << arm.type;
+  }
+}
+
+// Anywhere that the axes go, singular places and the ends of axes as often as others.
+Joints anywhere(const ArmModel& arm, Random& random) {
+  Joints joints(arm.axes.size());
+  for (std::size_t axis = 0; axis < joints.size(); ++axis) {
+    const Range range = range_of(arm, joints, axis);
+    const double kind = random.uniform(0, 1);
+    joints[axis] = random.uniform(range.low, range.high);
+    if (kind < 0.05) joints[axis] = range.low;
+    if (kind > 0.95) joints[axis] = range.high;
+    const bool straight = kind > 0.4 && kind < 0.5;
+    if (straight) joints[axis] = std::clamp(0.0, range.low, range.high);
+  }
+  return joints;
+}
+
+// Where the operation leads: of unit length, in the base frame.
+Eigen::Vector3d direction(const ArmModel& arm, std::string_view operation, const Joints& from) {
+  if (operation == "move-h right") return Eigen::Vector3d::UnitY();
+  if (operation == "move-h left") return -Eigen::Vector3d::UnitY();
+  if (operation == "move-v up" || operation == "extend keep-distance") return Eigen::Vector3d::UnitZ();
+  if (operation == "move-v down") return -Eigen::Vector3d::UnitZ();
+  const Stretch stretch = stretch_of(arm, from);
+  if (operation == "extend keep-height") return stretch.ahead;
+  if (operation == "retract") return -stretch.ahead;
+  return (stretch.d_mm * stretch.ahead + stretch.h_mm * Eigen::Vector3d::UnitZ()).normalized();
+}
+
+// The furthest that the way leaves the line along `along`, seen at as many places between two waypoints.
+double off_line_mm(const ArmModel& arm, const Joints& from, const Eigen::Vector3d& along,
+                   const std::vector<Joints>& waypoints) {
+  constexpr int places = 12;
+  const Eigen::Vector3d start = forward(arm, from).translation();
+  double worst = 0;
+  const Joints* before = &from;
+  for (const Joints& to : waypoints) {
+    for (int place = 1; place <= places; ++place) {
+      const Joints joints = between(*before, to, static_cast<double>(place) / places);
+      const Eigen::Vector3d off = forward(arm, joints).translation() - start;
+      worst = std::max(worst, (off - off.dot(along) * along).norm());
+    }
+    before = &to;
+  }
+  return worst;
+}
+
+TEST(ArmsMotion, LongLinesFromAnywhereAreStraightOrRefused) {
+  const std::set<std::string> refusals{"unreachable", "joint-limit", "singular"};
+  for (const ArmModel& arm : arms()) {
+    Random random(seed);
+    int checked = 0;
+    for (int i = 0; i < 120; ++i) {
+      const Joints from = anywhere(arm, random);
+      const double mm = std::round(random.uniform(150, 300));
+      for (const char* operation : {"move-h right", "move-h left", "move-v up", "move-v down", "extend keep-height",
+                                    "extend keep-angle", "extend keep-distance", "retract"}) {
+        const std::string asked = fmt::format("({} {})", operation, mm);
+        const std::string which = fmt::format("{} {} seed {} case {}", arm.type, asked, seed, i);
+        const Result<Motion> motion = planned(arm, asked, from);
+        if (!motion) {
+          EXPECT_TRUE(refusals.contains(motion.error().symbol)) << which << " " << motion.error().symbol;
+          continue;
+        }
+        if (motion->waypoints.empty()) continue;
+        ++checked;
+        for (const Joints& joints : motion->waypoints) ASSERT_TRUE(check_limits(arm, joints)) << which;
+        EXPECT_LT(off_line_mm(arm, from, direction(arm, operation, from), motion->waypoints), 0.1) << which;
       }
     }
     EXPECT_GT(checked, 300) << arm.type;
