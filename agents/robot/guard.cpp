@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "drivers/arm/kinematics.hpp"
+#include "drivers/arm/move_check.hpp"
 
 namespace pizarra {
 
@@ -16,14 +17,8 @@ std::optional<Failure> failure(std::string symbol, std::string sentence, Datum s
 }  // namespace
 
 std::optional<Failure> Guard::look(Time now, const ArmReading& reading) {
-  for (std::size_t axis = 0; axis < model_.axes.size(); ++axis) {
-    const Range& limits = model_.axes[axis].limits;
-    const double at = reading.joints[axis];
-    if (at >= limits.low - limit_slack && at <= limits.high + limit_slack) continue;
-    return failure("joint-limit",
-                   fmt::format("axis {} reads {:.2f}, beyond its {:g} to {:g}", axis + 1, at, limits.low, limits.high),
-                   to_datum(axis + 1));
-  }
+  const Result<void> within = check_reading(model_, reading.joints);
+  if (!within) return within.error();
   if (const std::optional<Failure> fast = look_at_speed(now, reading.joints)) return fast;
   if (!room_) return {};
   const Eigen::Vector3d point = forward(model_, reading.joints).translation();

@@ -16,8 +16,6 @@ namespace pizarra {
 
 class Guard {
  public:
-  // What a controller may report beyond a limit, degrees or mm.
-  static constexpr double limit_slack = 1;
   // How much faster than its axis' speed a reading may seem, and over how long it is measured: readings come late.
   static constexpr double speed_slack = 1.5;
   static constexpr Duration speed_window = 100ms;

@@ -44,7 +44,8 @@ struct ArmReading {
 class ArmDriver {
  public:
   virtual ~ArmDriver() = default;
-  // The controller's arm type, as in ArmModel::type.
+  // The controller's arm type, as in ArmModel::type; where its protocol does not say, the driver's own file's, unless
+  // what it does say is not of that arm (unknown-arm).
   virtual Task<Result<std::string>> identify() = 0;
   virtual Task<Result<void>> take_control() = 0;
   // Starts a move through the waypoints (joint interpolation between them, in what the axes read), at `speed` 0..1 of

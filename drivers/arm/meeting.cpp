@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "drivers/arm/move_check.hpp"
+
 namespace pizarra {
 
 namespace {
@@ -43,6 +45,13 @@ Task<Result<ArmMeeting>> meet_arm(Executor& executor, ArmDriver& driver, const A
   const bool stops = moves || !reading;
   if (stops) reading = co_await bring_to_rest(executor, driver);
   if (!reading) co_return fail(reading);
+  const Result<void> possible = check_reading(model, reading->joints);
+  if (!possible) {
+    co_return fail(
+        "joint-limit",
+        fmt::format("{}: the arm is no {}, or its pendant must bring it back", possible.error().sentence, model.type),
+        possible.error().subject);
+  }
   ArmMeeting meeting{*reading, moves};
   co_return meeting;
 }

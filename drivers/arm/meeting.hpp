@@ -6,8 +6,11 @@
 //
 //   const Result<ArmMeeting> met = co_await meet_arm(executor, driver, model);
 //
-// Failures: unknown-arm, where the controller is of another, which is then let alone; fault, where the arm does not
-// come to rest; the driver's own.
+// Most controllers do not say of which arm they are (see the drivers). An arm that stands where one of the file cannot
+// is either another or one that somebody must bring back: it is stopped, and commanded no further.
+//
+// Failures: unknown-arm, where the controller is of another, which is then let alone; joint-limit, where it stands
+// beyond the file's limits; fault, where the arm does not come to rest; the driver's own.
 
 #include "blackboard/time/executor.hpp"
 #include "drivers/arm/arm_driver.hpp"

@@ -1,8 +1,10 @@
 #pragma once
 
-// What every arm driver refuses before anything goes over its wire: waypoints beyond the limits, what is no number.
+// What every arm driver refuses before anything goes over its wire: waypoints beyond the limits, what is no number; and
+// whether an arm stands where one of this file can.
 
 #include <cmath>
+#include <fmt/format.h>
 
 #include "drivers/arm/kinematics.hpp"
 
@@ -17,6 +19,22 @@ inline Result<void> check_move(const ArmModel& model, const std::vector<Joints>&
   for (const Joints& joints : waypoints) {
     const Result<void> within = check_limits(model, joints);
     if (!within) return within;
+  }
+  return {};
+}
+
+// What a controller may report beyond a limit, degrees or mm.
+inline constexpr double limit_slack = 1;
+
+// Failure: joint-limit (with the axis).
+inline Result<void> check_reading(const ArmModel& model, const Joints& joints) {
+  for (std::size_t axis = 0; axis < model.axes.size(); ++axis) {
+    const Range& limits = model.axes[axis].limits;
+    const double at = joints[axis];
+    if (at >= limits.low - limit_slack && at <= limits.high + limit_slack) continue;
+    return fail("joint-limit",
+                fmt::format("axis {} reads {:.2f}, beyond its {:g} to {:g}", axis + 1, at, limits.low, limits.high),
+                to_datum(axis + 1));
   }
   return {};
 }

@@ -25,6 +25,9 @@
 // a job of the controller to variables: D000 the opening wanted, D001 the opening measured, both micrometres, D002 1
 // while the fingers move.
 //
+// Nothing asked for here says which arm it is: identify() refuses one that has pulses on an axis that the arm's file
+// does not have, and no other.
+//
 // How far it is proven: with emulated controllers alone.
 
 #include <deque>

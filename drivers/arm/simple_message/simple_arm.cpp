@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 
 #include "drivers/arm/held.hpp"
 #include "drivers/arm/move_check.hpp"
@@ -42,6 +43,12 @@ Task<Result<std::string>> SimpleArm::identify() {
   ToldState::Hear hears = [this](const std::string& octets) { return hear(octets); };
   const Result<void> known = co_await told_.listen(std::move(hears), opening_time);
   if (!known) co_return fail(known);
+  if (further_axis_) {
+    co_return fail("unknown-arm",
+                   fmt::format("the controller's arm has an axis {}, and of a {} it would tell {}", *further_axis_ + 1,
+                               model_.type, *further_axis_),
+                   to_datum(*further_axis_ + 1));
+  }
   co_return model_.type;
 }
 
@@ -60,6 +67,10 @@ Result<bool> SimpleArm::hear(const std::string& octets) {
   for (std::size_t axis = 0; axis < joints_.size(); ++axis) {
     if (told(axis)) joints_[axis] = axis_of_joint(model_.axes[axis].role, position->joints_rad[next++], wires_.sign);
   }
+  const auto further = std::find_if(position->joints_rad.begin() + static_cast<std::ptrdiff_t>(next),
+                                    position->joints_rad.end(), [](float joint) { return joint != 0; });
+  further_axis_.reset();
+  if (further != position->joints_rad.end()) further_axis_ = further - position->joints_rad.begin();
   return true;
 }
 

@@ -15,6 +15,9 @@
 // is one of them where the controller has it (`track`); else it reads where it is in the arm's `ready` pose,
 // must stand there, and is not moved.
 //
+// The protocol does not say which arm it is: identify() refuses one whose controller tells an angle other than 0 for an
+// axis that the arm's file does not have, and no other.
+//
 // How far it is proven: with the emulator of drivers/simulation/controllers/arms/ alone, over TCP frames and serial
 // frames that are garbled. The C500C's own servers print moves and do not make them, as published.
 
@@ -67,7 +70,8 @@ class SimpleArm : public ArmDriver {
   ToldState told_;
   Joints joints_;
   SimpleStatus status_;
-  std::deque<Leg> legs_;  // the one under way first
+  std::optional<std::size_t> further_axis_;  // told by the controller, and none of the arm's
+  std::deque<Leg> legs_;                     // the one under way first
   double speed_ = 1;
   std::int32_t sequence_ = 0;
   Time sent_at_{};

@@ -1,6 +1,7 @@
 #include "drivers/arm/universal/universal_arm.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -16,6 +17,20 @@ namespace {
 constexpr double wrist_2_slack_deg = 0.5;
 constexpr std::size_t wrist_2 = 4;   // between the fourth axis of five and the last
 constexpr int safety_violation = 8;  // and fault above it
+constexpr int e_series = 5;          // its major version; before it 3
+
+// As in the arm's file, `ur5e` of UR5 and URSoftware 5.11.0; nothing of what is none.
+std::optional<std::string> type_of_model(std::string type, std::string_view version) {
+  std::ranges::transform(type, type.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  version.remove_prefix(std::min(version.find_first_of("0123456789"), version.size()));
+  int major = 0;
+  const std::errc wrong = std::from_chars(version.data(), version.data() + version.size(), major).ec;
+  if (wrong != std::errc() || !type.starts_with("ur") || printable(type) != type) return {};
+  constexpr std::string_view without_e[] = {"ur3", "ur5", "ur10", "ur16"};  // is what an e-Series says of each
+  const bool shortened = std::ranges::find(without_e, type) != std::end(without_e);
+  if (shortened && major >= e_series) type += 'e';
+  return type;
+}
 
 }  // namespace
 
@@ -63,6 +78,17 @@ Task<Result<void>> UniversalArm::subscribe() {
   co_return known;
 }
 
+Task<Result<std::string>> UniversalArm::ask_type() {
+  Result<std::string> model = co_await dashboard_.ask("get robot model\n");
+  if (!model) co_return model;
+  const Result<std::string> version = co_await dashboard_.ask("PolyscopeVersion\n");
+  if (!version) co_return version;
+  const std::optional<std::string> type = type_of_model(*model, *version);
+  if (type) co_return *type;
+  co_return fail("bad-reply", fmt::format("the dashboard server does not say which arm it is of: {}, {}",
+                                          printable(*model), printable(*version)));
+}
+
 // An arm that does not know the question has no local control.
 Task<Result<void>> UniversalArm::ask_mode() {
   const Result<std::string> remote = co_await dashboard_.ask("is in remote control\n");
@@ -84,8 +110,8 @@ Task<Result<std::string>> UniversalArm::identify() {
   }
   const Result<std::string> greeting = co_await dashboard_.next(deadline);
   if (!greeting) co_return fail("disconnected", "the dashboard server does not greet");
-  const Result<std::string> kind = co_await dashboard_.ask("get robot model\n");
-  if (!kind) co_return fail(kind);
+  Result<std::string> type = co_await ask_type();
+  if (!type) co_return type;
   const Result<void> mode = co_await ask_mode();
   if (!mode) co_return fail(mode);
   const Result<void> told = co_await subscribe();
@@ -93,10 +119,7 @@ Task<Result<std::string>> UniversalArm::identify() {
   programs_ = std::max(programs_, state_.marker / 2);
   const bool stands = std::abs(degrees(state_.joints_rad[wrist_2]) - wrist_2_deg) <= wrist_2_slack_deg;
   if (!stands) co_return fail("unknown-arm", "wrist 2 does not stand at -90 degrees", to_datum(wrist_2 + 1));
-  std::string type = *kind;
-  std::ranges::transform(type, type.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  // An e-Series controller says UR5 of a UR5e.
-  co_return model_.type.starts_with(type) ? model_.type : printable(type);
+  co_return type;
 }
 
 Result<bool> UniversalArm::hear(const std::string& message) {

@@ -11,6 +11,9 @@
 // controller: double input register 24 is the opening wanted, mm; double output register 24 the one measured; integer
 // output register 25 is 1 while the fingers move.
 //
+// identify() goes by the dashboard server's model and version: an e-Series (PolyScope 5) says UR5 of a UR5e, as a CB3
+// (PolyScope 3) does of a UR5, and the two differ in their links.
+//
 // take_control() refuses an arm in local control, releases a protective stop, switches on and releases the brakes.
 //
 // How far it is proven: with the emulator of drivers/simulation/controllers/arms/ alone. Facts from: the maker's RTDE
@@ -48,6 +51,7 @@ class UniversalArm : public ArmDriver {
 
   Task<Result<std::string>> ask_rtde(char type, std::string payload);
   Task<Result<void>> subscribe();
+  Task<Result<std::string>> ask_type();
   Task<Result<void>> ask_mode();
   Task<void> ask_mode_again();
   Result<bool> hear(const std::string& message);

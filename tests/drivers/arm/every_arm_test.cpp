@@ -267,6 +267,19 @@ TYPED_TEST(EveryArm, WhatMovesForNobodyIsStoppedWhenItIsMetAndWhereItStandsIsKno
   EXPECT_FALSE(at_rest->was_stopped);
 }
 
+// It is another arm, or one that somebody must bring back first.
+TYPED_TEST(EveryArm, AnArmThatStandsWhereTheFilesCannotIsNotTaken) {
+  ASSERT_TRUE(this->send_to(this->elsewhere()));
+  const Result<ArmReading> there = this->wait();
+  ASSERT_TRUE(there);
+  ArmModel narrow = this->model();
+  narrow.axes[0].limits = {there->joints[0] + 2, there->joints[0] + 20};
+  const Result<ArmMeeting> met = this->ask(meet_arm(this->executor, this->arm, narrow));
+  ASSERT_FALSE(met);
+  EXPECT_EQ(met.error().symbol, "joint-limit");
+  EXPECT_EQ(met.error().subject, to_datum(1));
+}
+
 TYPED_TEST(EveryArm, ACallThatIsCancelledLeavesNothingBehind) {
   for (int i = 0; i < 20; ++i) {
     {

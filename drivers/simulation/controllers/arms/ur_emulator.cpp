@@ -36,6 +36,17 @@ bool is_move(const UrStep& step) {
 
 std::string yes_no(bool value) { return value ? "true" : "false"; }
 
+// Of a UR5e too it says UR5.
+std::string model_name(std::string type) {
+  std::ranges::transform(type, type.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  if (type.ends_with('E')) type.pop_back();
+  return type;
+}
+
+std::string software_of(std::string_view type) {
+  return type.ends_with('e') ? "URSoftware 5.11.0.108249 (Jan 01 2021)" : "URSoftware 3.15.0.106331 (Jan 01 2021)";
+}
+
 std::string octet(std::uint8_t value) { return std::string(1, static_cast<char>(value)); }
 
 }  // namespace
@@ -43,7 +54,8 @@ std::string octet(std::uint8_t value) { return std::string(1, static_cast<char>(
 Task<std::string> UrEmulator::dashboard(std::string line) {
   const bool pendant = cabinet_.pendant();
   if (line == "is in remote control") co_return yes_no(!pendant);
-  if (line == "get robot model") co_return std::string("UR5");
+  if (line == "get robot model") co_return model_name(cabinet_.model().type);
+  if (line == "PolyscopeVersion") co_return software_of(cabinet_.model().type);
   if (line == "robotmode") co_return std::string(cabinet_.servo() ? "Robotmode: RUNNING" : "Robotmode: POWER_OFF");
   if (line == "running") co_return "Program running: " + yes_no(playing_);
   if (pendant) co_return "Command is not allowed due to: local control";

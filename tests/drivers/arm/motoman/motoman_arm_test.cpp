@@ -278,6 +278,18 @@ TEST_F(Motoman, AnArmWhosePulsesItsFileDoesNotSayIsRefused) {
   EXPECT_EQ(type.error().subject, to_datum(3));
 }
 
+TEST_F(Motoman, AnArmWithAnAxisMoreIsNotTakenForOneWithout) {
+  ASSERT_EQ(connect(), "");
+  ASSERT_EQ(move({moved(5, 20)}), "");
+  ASSERT_TRUE(wait());
+  ArmModel shorter = up6();
+  shorter.axes.pop_back();
+  MotomanArm other(executor, link, shorter);
+  const Result<std::string> type = ask(other.identify());
+  ASSERT_FALSE(type);
+  EXPECT_EQ(type.error().symbol, "unknown-arm") << type.error().sentence;
+}
+
 // Over a line that loses a fifth and repeats a tenth, every target is gone to once, in order, and none beside.
 TEST(MotomanOverABadLine, EveryMoveIsCarriedOutExactlyOnce) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {

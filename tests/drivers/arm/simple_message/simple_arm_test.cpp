@@ -46,6 +46,19 @@ TEST_P(Simple, ReadsWhereTheArmIsAndGoesWhereItIsSent) {
   EXPECT_EQ(cabinet.moves(), 2u);
 }
 
+TEST_P(Simple, AnArmWithAnAxisMoreIsNotTakenForOneWithout) {
+  ASSERT_EQ(connect(), "");
+  ASSERT_EQ(move({moved(5, 20)}), "");
+  ASSERT_TRUE(wait());
+  ArmModel shorter = crs_f3();
+  shorter.axes.resize(5);
+  shorter.ready = {0, 0, -90, 0, -90};
+  replace(arm, executor, wires, shorter);
+  const Result<std::string> type = ask(arm.identify());
+  ASSERT_FALSE(type);
+  EXPECT_EQ(type.error().symbol, "unknown-arm") << type.error().sentence;
+}
+
 TEST_P(Simple, AStopBrakesAndLeavesTheOtherPointsOut) {
   ASSERT_EQ(connect(), "");
   ASSERT_EQ(outcome(arm.start_move({moved(0, 100), crs_f3().ready}, 1)), "");

@@ -63,6 +63,26 @@ TEST_F(Universal, SwitchesTheArmOnAndReadsWhereItIs) {
   EXPECT_FALSE(reading->moving);
 }
 
+// UR5 is what a CB3's UR5, whose links are others, and a UR5e both say.
+TEST_F(Universal, AnArmOfAnotherModelOrSeriesOrOfNoneIsNotTakenForThisOne) {
+  const auto says = [this](const std::string& model, const std::string& version) {
+    dashboard_line.far.spoil = [=](const std::string& said) {
+      if (said.starts_with("UR5")) return model + "\n";
+      return said.starts_with("URSoftware") ? version + "\n" : said;
+    };
+    const Result<std::string> type = ask(arm.identify());
+    return type ? *type : type.error().symbol;
+  };
+  EXPECT_EQ(says("UR5", "URSoftware 5.4.0"), "ur5e");
+  EXPECT_EQ(says("UR5e", "URSoftware 5.4.0"), "ur5e");
+  EXPECT_EQ(says("UR5", "URSoftware 3.15.0"), "ur5");
+  EXPECT_EQ(says("UR10", "URSoftware 5.4.0"), "ur10e");
+  EXPECT_EQ(says("UR20", "5.14.0"), "ur20");
+  for (const char* none : {"u", "what?"}) EXPECT_EQ(says(none, "URSoftware 5.4.0"), "bad-reply") << none;
+  EXPECT_EQ(says("", "URSoftware 5.4.0"), "disconnected") << "an empty line is no answer";
+  EXPECT_EQ(says("UR5", "could not understand"), "bad-reply");
+}
+
 TEST_F(Universal, GoesThereAsOneProgramAndSaysWhenItStands) {
   ASSERT_EQ(connect(), "");
   const Joints there = moved(0, 40);
