@@ -83,11 +83,14 @@ void wait_for_robots(Client& client, const std::vector<std::string>& names) {
   }
 }
 
-double stop_once(Client& client, const std::string& robot, std::uint64_t count) {
+void begin_turn(Client& client, const std::string& robot, std::uint64_t count) {
   // To and fro, also where two are stopped in turns: none comes to its limit.
   const char* side = count / 2 % 2 == 0 ? "right" : "left";
   client.run(client.board().tell(form(fmt::format("(request s{} {} (turn {} 120))", count, robot, side))));
   client.run(await_fact(client, fmt::format("(arm {} moving ?action)", robot), 5s));
+}
+
+double stop_turn(Client& client) {
   client.run(rest(client.executor()));
   const double told_us = now_us();
   client.run(client.board().tell(form("(stop bench \"a try\")")));

@@ -26,8 +26,9 @@ Datum form(const std::string& text);
 Task<Result<Answer>> await_fact(Client& client, std::string pattern, Duration longest);
 // Declares what clients of robots need, and waits until these are idle.
 void wait_for_robots(Client& client, const std::vector<std::string>& names);
-// Begins a motion, lets it run a while and tells a stop; answers when that was told. go_on() takes it back.
-double stop_once(Client& client, const std::string& robot, std::uint64_t count);
+// Begins a motion; lets it run a while and tells a stop, and answers when that was told. go_on() takes it back.
+void begin_turn(Client& client, const std::string& robot, std::uint64_t count);
+double stop_turn(Client& client);
 void go_on(Client& client, std::uint64_t count);
 
 }  // namespace pizarra::bench

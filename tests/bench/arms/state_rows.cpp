@@ -90,12 +90,13 @@ void tell_delay(ArmsBench& bench) {
   for (std::uint64_t count = 0; count < 2 * tries; ++count) {
     const bool first = count % 2 == 0;
     Pipe& pipe = (first ? often : seldom).pipe();
-    const double told_us = stop_once(client, first ? "often" : "seldom", count);
+    begin_turn(client, first ? "often" : "seldom", count);
+    const double told_us = stop_turn(client);
     (first ? often_ms : seldom_ms).push_back((pipe.hear() - told_us) / 1000);
     go_on(client, count);
   }
   bench.figures.say(
-      {"stop fact to the controller's brake at 125 Hz, p99",
+      {"stop fact to the simulated arm's brake, in the agent's process, at 125 Hz, p99",
        percentile(often_ms, 0.99),
        "ms",
        at_most(20),
