@@ -1,6 +1,6 @@
 // From the fact `(stop WHO REASON)`, told by a client, to the arm's brake: board, robot agent and client are a process
-// each, the arm is in motion, and another client tells facts all the while. Once with the simulated arm, which is in the
-// agent's process and has no controller; once with an emulated controller in a process of its own, over its wire.
+// each, the arm is in motion, and another client tells facts all the while. Once with the simulated arm, which is in
+// the agent's process and has no controller; once with an emulated controller in a process of its own, over its wire.
 
 #include <fmt/format.h>
 
