@@ -96,9 +96,10 @@ Result<void> MemoryBoard::declare(const std::string& teller, const std::vector<R
   return {};
 }
 
-Result<Revision> MemoryBoard::transact(const std::string& teller, const Transaction& transaction) {
+Result<Revision> MemoryBoard::transact(const std::string& teller, const Transaction& transaction,
+                                       std::size_t examined) {
   const Time now = begin();
-  const Result<Revision> revision = store_->transact(teller, transaction, now);
+  const Result<Revision> revision = store_->transact(teller, transaction, now, examined);
   schedule();
   return revision;
 }

@@ -48,7 +48,8 @@ class MemoryBoard {
   Statistics& statistics() { return statistics_; }
 
   Result<void> declare(const std::string& teller, const std::vector<Relation>& relations);
-  Result<Revision> transact(const std::string& teller, const Transaction& transaction);
+  // `examined` facts were looked at already, and count as the transaction's.
+  Result<Revision> transact(const std::string& teller, const Transaction& transaction, std::size_t examined = 0);
   Result<Answers> ask(const Query& query);
   Result<std::optional<Fact>> take(const std::string& teller, const Datum& pattern, LeaseId holder);
   Result<LeaseId> lease(Duration length);

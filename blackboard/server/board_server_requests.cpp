@@ -172,9 +172,9 @@ Result<Datum> BoardServer::declare(const Session& session, const Datum& body) {
 Result<Datum> BoardServer::transact(const Session& session, const Datum& body) {
   const Result<Transaction> transaction = wire::transaction_from_datum(body);
   if (!transaction) return fail(transaction);
-  const Result<void> permitted = gate_.transact(key_of(session), *transaction);
-  if (!permitted) return fail(permitted);
-  const Result<Revision> revision = board_.transact(session.teller, *transaction);
+  const Result<std::size_t> examined = gate_.transact(key_of(session), *transaction);
+  if (!examined) return fail(examined);
+  const Result<Revision> revision = board_.transact(session.teller, *transaction, *examined);
   if (!revision) return fail(revision);
   return to_datum(*revision);
 }

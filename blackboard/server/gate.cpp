@@ -1,5 +1,6 @@
 #include "blackboard/server/gate.hpp"
 
+#include "blackboard/limits.hpp"
 #include "blackboard/store/store.hpp"
 
 namespace pizarra {
@@ -37,17 +38,18 @@ Result<void> Gate::declare(Key key, const std::vector<Relation>& relations) cons
   return {};
 }
 
-Result<void> Gate::transact(Key key, const Transaction& transaction) const {
-  if (key == nullptr) return {};
+Result<std::size_t> Gate::transact(Key key, const Transaction& transaction) const {
+  std::size_t examined = 0;
+  if (key == nullptr) return examined;
   for (const Transaction::Precondition& precondition : transaction.preconditions) {
     const Result<void> checked = check(*key, precondition);
-    if (!checked) return checked;
+    if (!checked) return fail(checked);
   }
   for (const Transaction::Step& step : transaction.steps) {
-    const Result<void> checked = check(*key, step);
-    if (!checked) return checked;
+    const Result<void> checked = check(*key, step, examined);
+    if (!checked) return fail(checked);
   }
-  return {};
+  return examined;
 }
 
 // Whether a transaction happened says something of what its preconditions name.
@@ -57,7 +59,7 @@ Result<void> Gate::check(const PublicKey& key, const Transaction::Precondition& 
   return may_not_with_facts(key, "read", pattern);
 }
 
-Result<void> Gate::check(const PublicKey& key, const Transaction::Step& step) const {
+Result<void> Gate::check(const PublicKey& key, const Transaction::Step& step, std::size_t& examined) const {
   if (const auto* settle = std::get_if<Transaction::Settle>(&step)) {
     const LeaseId holder = board_.store().holder_of(settle->taken);
     return holder == 0 ? Result<void>() : use_lease(&key, holder);
@@ -73,14 +75,18 @@ Result<void> Gate::check(const PublicKey& key, const Transaction::Step& step) co
   const auto table = board_.store().tables().find(datum.head());
   // The board refuses what has no relation or not its shape.
   if (table == board_.store().tables().end()) return {};
-  if (tell == nullptr) return leave_to_others(key, datum, datum);
+  if (tell == nullptr) return leave_to_others(key, datum, datum, examined);
   if (!check_shape(table->second.relation(), datum)) return {};
-  return leave_to_others(key, datum, pattern_of_key(table->second.relation(), datum));
+  return leave_to_others(key, datum, pattern_of_key(table->second.relation(), datum), examined);
 }
 
-Result<void> Gate::leave_to_others(const PublicKey& key, const Datum& told, const Datum& pattern) const {
+Result<void> Gate::leave_to_others(const PublicKey& key, const Datum& told, const Datum& pattern,
+                                   std::size_t& examined) const {
   const FactTable& table = board_.store().tables().find(pattern.head())->second;
   if (!check_pattern_shape(table.relation(), pattern)) return {};
+  examined += table.candidates(pattern);
+  const Result<void> cheap = check_examined(examined, told);
+  if (!cheap) return cheap;
   std::string other;
   table.visit(pattern, [&](const Fact& fact) {
     Bindings bindings;

@@ -4,7 +4,7 @@
 // sees it. Leases and what is held under them belong to the key that asked for them.
 //
 //   Gate gate(board);
-//   const Result<void> permitted = gate.transact(key, transaction);       // failure not-permitted
+//   const Result<void> permitted = gate.ask(key, query);       // failure not-permitted
 //
 // A client without a key is one of this machine: it may do everything, and every call answers at once.
 
@@ -25,7 +25,8 @@ class Gate {
 
   // Of a new relation: it may tell, take or read its facts.
   Result<void> declare(Key key, const std::vector<Relation>& relations) const;
-  Result<void> transact(Key key, const Transaction& transaction) const;
+  // Answers how many facts it looked at, for whose they are: they count as the transaction's own. Failure too-costly.
+  Result<std::size_t> transact(Key key, const Transaction& transaction) const;
   Result<void> ask(Key key, const Query& query) const;
   Result<void> take(Key key, const Datum& pattern, LeaseId holder) const;
   Result<void> use_lease(Key key, LeaseId lease) const;
@@ -35,8 +36,9 @@ class Gate {
 
  private:
   Result<void> check(const PublicKey& key, const Transaction::Precondition& precondition) const;
-  Result<void> check(const PublicKey& key, const Transaction::Step& step) const;
-  Result<void> leave_to_others(const PublicKey& key, const Datum& told, const Datum& pattern) const;
+  Result<void> check(const PublicKey& key, const Transaction::Step& step, std::size_t& examined) const;
+  Result<void> leave_to_others(const PublicKey& key, const Datum& told, const Datum& pattern,
+                               std::size_t& examined) const;
 
   const MemoryBoard& board_;
   std::map<LeaseId, std::string> owners_;

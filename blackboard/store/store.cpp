@@ -121,14 +121,13 @@ Result<void> Store::check_step(const std::string& teller, const Transaction::Ste
   return {};
 }
 
-Result<void> Store::check(const std::string& teller, const Transaction& transaction) {
+Result<void> Store::check(const std::string& teller, const Transaction& transaction, std::size_t examined) {
   if (transaction.steps.size() + transaction.preconditions.size() > limits::steps) {
     return fail("too-large", "a transaction has at most 10000 steps and preconditions");
   }
   if (size() + transaction.steps.size() > limits::facts) return fail("too-large", "the board is full");
   Result<void> checked = check_weight(weigh(transaction), "the transaction");
   if (!checked) return checked;
-  std::size_t examined = 0;
   for (const auto& precondition : transaction.preconditions) {
     checked = check_precondition(precondition, examined);
     if (!checked) return checked;
@@ -141,8 +140,9 @@ Result<void> Store::check(const std::string& teller, const Transaction& transact
   return {};
 }
 
-Result<Revision> Store::transact(const std::string& teller, const Transaction& transaction, Time now) {
-  const Result<void> checked = check(teller, transaction);
+Result<Revision> Store::transact(const std::string& teller, const Transaction& transaction, Time now,
+                                 std::size_t examined) {
+  const Result<void> checked = check(teller, transaction, examined);
   if (!checked) return fail(checked);
   Change change(*this, teller, now);
   change.expect(transaction.steps.size());

@@ -31,7 +31,9 @@ class Store {
 
   // Answers those that are new.
   Result<std::vector<Relation>> declare(const std::vector<Relation>& relations);
-  Result<Revision> transact(const std::string& teller, const Transaction& transaction, Time now);
+  // `examined` facts were looked at for it already.
+  Result<Revision> transact(const std::string& teller, const Transaction& transaction, Time now,
+                            std::size_t examined = 0);
   Result<Answers> ask(const Query& query) const;
   // With holder 0 the fact is removed for good.
   Result<std::optional<Fact>> take(const std::string& teller, const Datum& pattern, LeaseId holder, Time now);
@@ -77,7 +79,7 @@ class Store {
   StandingFact& put(FactTable& table, Fact fact);
   Fact replace(StandingFact& standing, Fact fact);
   StandingFact remove(StandingFact& standing, Revision revision);
-  Result<void> check(const std::string& teller, const Transaction& transaction);
+  Result<void> check(const std::string& teller, const Transaction& transaction, std::size_t examined);
   Result<void> check_precondition(const Transaction::Precondition& precondition, std::size_t& examined) const;
   Result<void> check_step(const std::string& teller, const Transaction::Step& step, std::set<FactId>& settled,
                           std::size_t& examined);

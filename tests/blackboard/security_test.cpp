@@ -241,6 +241,31 @@ TEST_F(SecurityTest, WhatAnotherToldUnderItsLeaseIsLeftToItUnlessThatIsPermitted
   EXPECT_EQ(retract(*warden, "(agent ?)"), "ok");
 }
 
+// To permit a transaction and to do it have one bound together.
+TEST_F(SecurityTest, WhatAKeyRetractsIsLookedAtWithinTheBoundOfATransaction) {
+  serve();
+  const std::vector<Relation> pairs = {relation("(relation arm-pair ((a integer) (b integer)))")};
+  ASSERT_EQ(symbol_of(run(view("boss")->declare(pairs))), "ok");
+  constexpr std::size_t many = limits::examined * 3 / 5;
+  Transaction all;
+  for (std::size_t i = 0; i < many; ++i) {
+    all.tell(list("arm-pair"_sym, i, i + 1));
+    if (all.steps.size() < limits::steps / 2 && i + 1 < many) continue;
+    ASSERT_EQ(symbol_of(board_.transact("robot", std::exchange(all, {}))), "ok");
+  }
+  ASSERT_TRUE(make_keys(folder_, "arm", {{"arm*"}, {}, {}, {}}).has_value());
+  ASSERT_TRUE(make_keys(folder_, "warden", {{"arm*"}, {}, {}, {"arm*"}}).has_value());
+  EXPECT_EQ(retract(*view("arm"), "(arm-pair ?x ?x)"), "too-costly") << "looked at twice";
+  EXPECT_EQ(retract(*view("warden"), "(arm-pair ?x ?x)"), "ok") << "looked at once";
+  Transaction flood;
+  for (int i = 0; i < 200; ++i) flood.retract(read("(arm-pair ?x ?x)"));
+  const auto arm = view("arm");
+  ASSERT_EQ(symbol_of(run(arm->ask(query("(arm-pair 1 ?)")))), "not-permitted") << "it is met";
+  const Time before = executor_.now();
+  EXPECT_EQ(symbol_of(run(arm->transact(flood))), "too-costly");
+  EXPECT_LT(executor_.now() - before, 1s) << "in which nobody else is served";
+}
+
 TEST_F(SecurityTest, WhatAnotherTookIsNotSettledForIt) {
   serve();
   const auto boss = view("boss");
