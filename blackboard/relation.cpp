@@ -165,14 +165,16 @@ bool fits_type(ArgumentType type, const Datum& value) {
 Result<void> check_pattern_shape(const Relation& relation, const Datum& pattern) {
   if (!pattern.is_form(relation.name)) return malformed("not a fact of the relation " + relation.name, pattern);
   if (pattern.size() != relation.arguments.size() + 1) {
-    return malformed(relation.name + " has " + std::to_string(relation.arguments.size()) + " arguments, not " +
-                         std::to_string(pattern.size() - 1),
+    const std::size_t count = relation.arguments.size();
+    return malformed(relation.name + " has " + std::to_string(count) + (count == 1 ? " argument" : " arguments") +
+                         ", not " + std::to_string(pattern.size() - 1),
                      pattern);
   }
   for (std::size_t i = 0; i < relation.arguments.size(); ++i) {
     const Argument& argument = relation.arguments[i];
     if (!is_variable(pattern[i + 1]) && !fits_type(argument.type, pattern[i + 1])) {
-      return malformed("argument " + argument.name + " of " + relation.name + " is a " + name_of(argument.type) +
+      const std::string article = argument.type == ArgumentType::integer ? " is an " : " is a ";
+      return malformed("argument " + argument.name + " of " + relation.name + article + name_of(argument.type) +
                            ", which " + brief(pattern[i + 1]) + " is not",
                        pattern);
     }

@@ -89,6 +89,11 @@ Task<Evaluation> Interpreter::cancel(Datum form) {
 }
 
 Task<Evaluation> Interpreter::why(Datum form) {
+  const bool known = co_await is_agent("coordinator");
+  if (!known) {
+    const Failure alone{"absent", "no coordinator is present, so nobody knows why; (agents) shows who is", {}, {}};
+    co_return show(alone);
+  }
   const Evaluation outcome = co_await request("coordinator", form);
   co_return outcome;
 }

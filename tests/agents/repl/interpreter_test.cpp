@@ -124,6 +124,20 @@ TEST_F(Repl, AGoalIsRefusedWhileObjectsAreBeingTaught) {
   EXPECT_EQ(type("(goal (on circle triangle))"), Evaluation::refused);
 }
 
+TEST_F(Repl, NobodyKnowsWhyWithoutACoordinator) {
+  EXPECT_EQ(type("(why)"), Evaluation::failed);
+  EXPECT_EQ(shown, "no coordinator is present, so nobody knows why; (agents) shows who is\n");
+}
+
+TEST_F(Repl, AFactOfAnotherShapeIsToldInOrdinaryWords) {
+  board.declare("test", {relation_from_datum(read_one("(relation note ((n integer)))").value()).value()}).value();
+  type("(tell (note x))");
+  EXPECT_TRUE(shown.contains("argument n of note is an integer, which x is not")) << shown;
+  shown.clear();
+  type("(tell (note 1 2))");
+  EXPECT_TRUE(shown.contains("note has 1 argument, not 2")) << shown;
+}
+
 class JsonRepl : public Repl {
  protected:
   JsonRepl() : Repl(Style::json) {}
