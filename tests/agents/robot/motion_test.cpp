@@ -150,6 +150,16 @@ TEST(Motion, PlacesOutOfReachAreRefusedRatherThanApproached) {
   EXPECT_TRUE(right == "unreachable" || right == "joint-limit") << right;
 }
 
+TEST(Motion, ALineThatCannotBeKeptToIsRefusedWithTheAxisAndThePlace) {
+  // Near the end of an axis, where the track would have to help at once.
+  const Result<Motion> motion = planned("(move-v up 200)", {53, -68, 134, 66, 19, 371, 3961});
+  ASSERT_FALSE(motion);
+  EXPECT_EQ(motion.error().symbol, "singular");
+  EXPECT_EQ(motion.error().subject, to_datum(7));
+  EXPECT_EQ(motion.error().sentence,
+            "axis 7 would have to jump 0.00 mm along the line, at (-102.3 1426.6 613.1), to keep the arm on it");
+}
+
 TEST(Motion, GotoLeadsToTheLearnedJointsAndNamesTheNearestForAnUnknownOne) {
   const ArmVariables variables{{"shelf", {10, -30, -70, 0, -80, 5, 2500}}};
   EXPECT_EQ(planned("(goto shelf)", at_work, variables)->waypoints.back(), variables.at("shelf"));
