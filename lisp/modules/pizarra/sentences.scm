@@ -16,7 +16,7 @@
     (cm . 10) (centimetre . 10) (centimetres . 10) (centimeter . 10) (centimeters . 10)
     (m . 1000) (metre . 1000) (metres . 1000) (meter . 1000) (meters . 1000)
     (inch . 25.4) (inches . 25.4)))
-(define angle-units '((degree . 1) (degrees . 1) (deg . 1)))
+(define angle-units '((degrees . 1) (degree . 1) (deg . 1)))
 (define part-units '((percent . 1)))
 
 (define numbers
