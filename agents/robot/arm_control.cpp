@@ -94,7 +94,8 @@ Task<Result<void>> ArmControl::get_control() {
 void ArmControl::lose(const Failure& why) {
   connected_ = false;
   why_lost_ = fmt::format("the arm cannot be commanded: {}", why.sentence);
-  facts_.set_trouble({});
+  facts_.forget_reading();
+  facts_.set_trouble(ArmTrouble{ArmTrouble::Kind::fault, {why.symbol, why_lost_, why.subject, {}}});
   facts_.set_arm("fault");
 }
 

@@ -81,8 +81,21 @@ void ArmFacts::set_reading(const ArmModel& model, const ArmReading& reading) {
   if (reading.gripped) facts_[gripped].now = list("gripped"_sym, robot_, *reading.gripped ? "yes"_sym : "no"_sym);
 }
 
+void ArmFacts::forget_reading() {
+  for (const std::size_t kind : {pose, joints, gripper, gripped}) facts_[kind].now = Datum();
+}
+
 bool ArmFacts::changed() const {
   return std::ranges::any_of(facts_, [](const Told& fact) { return fact.now != fact.told; });
+}
+
+Datum ArmFacts::pattern(std::size_t kind) const {
+  constexpr std::pair<std::string_view, std::size_t> shapes[kinds] = {
+      {"arm", 2}, {"arm-pose", 6}, {"arm-joints", 1}, {"gripper", 1}, {"gripped", 1}};
+  std::vector<Datum> form(2 + shapes[kind].second, "?"_sym);
+  form[0] = Datum::symbol(shapes[kind].first);
+  form[1] = robot_;
+  return Datum::list(std::move(form));
 }
 
 Task<Result<void>> ArmFacts::tell(Transaction with) {
@@ -90,8 +103,14 @@ Task<Result<void>> ArmFacts::tell(Transaction with) {
   // A board that began anew, or let the presence lapse, knows nothing of what was told before.
   if (presence != told_under_) forget_told();
   const std::array<Told, kinds> sent = facts_;
-  for (const Told& fact : sent) {
-    if (fact.now != fact.told && fact.now.size() > 0) with.tell(fact.now, {}, presence);
+  for (std::size_t kind = 0; kind < kinds; ++kind) {
+    const Told& fact = sent[kind];
+    if (fact.now == fact.told) continue;
+    if (fact.now.size() > 0) {
+      with.tell(fact.now, {}, presence);
+    } else {
+      with.retract(pattern(kind));
+    }
   }
   if (with.steps.empty()) co_return {};
   const Result<Revision> told = co_await context_.board.transact(std::move(with));
@@ -113,7 +132,9 @@ Task<Result<void>> ArmFacts::tell_surely(Transaction with) {
 }
 
 void ArmFacts::forget_told() {
-  for (Told& fact : facts_) fact.told = Datum();
+  for (Told& fact : facts_) {
+    if (fact.told != Datum()) fact.told.reset();
+  }
 }
 
 }  // namespace pizarra

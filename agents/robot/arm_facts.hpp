@@ -24,6 +24,8 @@ class ArmFacts {
   void set_arm(std::string_view state) { set_arm(state, action_); }
   void set_reading(const ArmModel& model, const ArmReading& reading);
   void set_trouble(std::optional<ArmTrouble> trouble);
+  // Where the arm is and what it holds is not known any more.
+  void forget_reading();
   // The last commanded action, NO_ACTION before the first.
   const std::string& action() const { return action_; }
 
@@ -38,12 +40,13 @@ class ArmFacts {
 
  private:
   struct Told {
-    Datum now;
-    Datum told;
+    Datum now;                            // empty: not known
+    std::optional<Datum> told = Datum();  // empty: nothing; none: perhaps something
   };
   enum : std::size_t { arm, pose, joints, gripper, gripped, kinds };
 
   void set_state_fact();
+  Datum pattern(std::size_t kind) const;
 
   AgentContext& context_;
   const Service& service_;

@@ -29,6 +29,8 @@ class ByteWire {
   // All of it, at once: a line that takes no more is as good as broken.
   virtual Result<void> write(std::string_view bytes) = 0;
   virtual Task<Result<std::string>> read(Time deadline) = 0;
+  // Where a person finds the device: `192.168.0.2 port 4000`, `/dev/ttyUSB0`; empty where it is no place.
+  virtual std::string place() const { return {}; }
 };
 
 }  // namespace pizarra

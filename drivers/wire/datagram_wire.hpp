@@ -29,6 +29,8 @@ class DatagramWire {
   // To whom it was opened; of a device's port, to whoever sent what was received last.
   virtual Result<void> send(std::string_view datagram) = 0;
   virtual Task<Result<std::string>> receive(Time deadline) = 0;
+  // Where a person finds the device: `192.168.0.3 port 10040`; empty where it is no place.
+  virtual std::string place() const { return {}; }
 };
 
 }  // namespace pizarra

@@ -23,7 +23,9 @@ class Dialogue {
 
   // The wire outlives it.
   Dialogue(Executor& executor, ByteWire& wire, FrameReader reader, std::string device)
-      : executor_(executor), wire_(wire), frames_(wire, reader), device_(std::move(device)), turns_(executor) {}
+      : executor_(executor), wire_(wire), frames_(wire, reader), device_(std::move(device)), turns_(executor) {
+    if (!wire.place().empty()) device_ += " at " + wire.place();
+  }
   Task<Result<void>> open(Time deadline);
   Result<void> say(std::string_view octets) { return wire_.write(octets); }
   // What comes next; where nobody asks.

@@ -55,7 +55,9 @@ Task<Result<std::string>> Exchanges::ask(std::uint32_t id, std::string request, 
     const bool come = co_await waiting.come.wait(deadline);
     if (come) co_return std::move(waiting.reply);
   }
-  co_return fail("no-answer", "the device did not answer");
+  const std::string place = wire_.place();
+  co_return fail("no-answer",
+                 place.empty() ? "the device did not answer" : "the device at " + place + " did not answer");
 }
 
 }  // namespace pizarra

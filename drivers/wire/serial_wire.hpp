@@ -1,7 +1,7 @@
 #pragma once
 
-// A serial line: 8 data bits, no parity or an even one, one stop bit, no flow control. A character whose parity is wrong
-// comes as 0.
+// A serial line: 8 data bits, no parity or an even one, one stop bit, no flow control. A character whose parity is
+// wrong comes as 0.
 //
 //   SerialWire wire(executor, "/dev/ttyUSB0", 9600);
 
@@ -18,6 +18,7 @@ class SerialWire : public FileWire {
       : FileWire(executor), path_(std::move(path)), baud_(baud), parity_(parity) {}
   // Failures: disconnected; bad-baud.
   Task<Result<void>> open(Time deadline) override;
+  std::string place() const override { return path_; }
 
  private:
   Result<int> open_line() const;

@@ -13,6 +13,7 @@ class TcpWire : public FileWire {
   TcpWire(Executor& executor, std::string host, std::uint16_t port)
       : FileWire(executor), host_(std::move(host)), port_(port) {}
   Task<Result<void>> open(Time deadline) override;
+  std::string place() const override { return host_ + " port " + std::to_string(port_); }
 
  private:
   std::string host_;

@@ -52,6 +52,7 @@ class UdpWire : public UdpSocket {
   UdpWire(Executor& executor, std::string host, std::uint16_t port)
       : UdpSocket(executor), host_(std::move(host)), port_(port) {}
   Task<Result<void>> open(Time deadline) override;
+  std::string place() const override { return host_ + " port " + std::to_string(port_); }
 
  private:
   std::string host_;

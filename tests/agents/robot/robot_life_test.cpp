@@ -173,7 +173,8 @@ TEST_F(Robot, RestartedAgentKnowsItsVariablesAndSpeed) {
 TEST_F(Robot, ControllerThatGoesAwayIsAFaultUntilItIsBack) {
   arm.plugged = false;
   executor.run_for(1s);
-  EXPECT_EQ(fact("(arm robot ? ?)"), "(arm robot fault \"NO_ACTION\")");
+  EXPECT_EQ(fact("(arm robot ? ?)"), "(arm robot fault \"the arm cannot be commanded: the plug is pulled\")");
+  EXPECT_EQ(call("(get-status)"), "(ok \"NO_ACTION\")");
   EXPECT_EQ(refusal("(home)"), "disconnected");
   EXPECT_EQ(refusal("(monitor)"), "disconnected");
   arm.plugged = true;
@@ -181,6 +182,20 @@ TEST_F(Robot, ControllerThatGoesAwayIsAFaultUntilItIsBack) {
   EXPECT_EQ(fact("(arm robot ? ?)"), "(arm robot idle \"NO_ACTION\")");
   EXPECT_EQ(arm.controls, 1) << "nobody asked for it";
   EXPECT_EQ(call("(home)"), "(ok true)");
+}
+
+TEST_F(Robot, WhereAnArmIsIsNotSaidWhileItsControllerIsAway) {
+  arm.gripped = true;
+  executor.run_for(200ms);
+  const std::string_view told[] = {"(arm-pose robot ? ? ? ? ? ?)", "(arm-joints robot ?)", "(gripper robot ?)",
+                                   "(gripped robot ?)"};
+  for (const std::string_view pattern : told) EXPECT_NE(fact(pattern), "") << pattern;
+  arm.plugged = false;
+  executor.run_for(3s);
+  for (const std::string_view pattern : told) EXPECT_EQ(fact(pattern), "") << pattern;
+  arm.plugged = true;
+  executor.run_for(2s);
+  for (const std::string_view pattern : told) EXPECT_NE(fact(pattern), "") << pattern;
 }
 
 TEST_F(Robot, PlugPulledDuringAMotionFailsItOnce) {
@@ -192,7 +207,7 @@ TEST_F(Robot, PlugPulledDuringAMotionFailsItOnce) {
   EXPECT_EQ(reply(turning), "") << "a short silence is waited out";
   executor.run_for(3s);
   EXPECT_EQ(form(reply(turning))[1].text(), "disconnected");
-  EXPECT_EQ(fact("(arm robot ? ?)"), "(arm robot fault \"(turn right 90)\")");
+  EXPECT_EQ(fact("(arm robot ? ?)"), "(arm robot fault \"the arm cannot be commanded: the plug is pulled\")");
 }
 
 TEST_F(Robot, ControlTakenAwayByThePendantIsTakenBackOnlyWhenAskedFor) {

@@ -49,6 +49,20 @@ TEST_F(WiredRobot, DoesItsOperationsOverALineThatLosesAFifth) {
   EXPECT_TRUE(are_same_place(cell.read()->joints, up6().ready));
 }
 
+TEST_F(WiredRobot, AFaultSaysWhichDeviceIsAwayAndWhy) {
+  const RobotLife life(cell.executor, board, cell.arm, up6());
+  cell.executor.run_for(1s);
+  begin_turn();
+  cell.line.pulled = true;
+  EXPECT_EQ(form(reply("turn"))[1].text(), "disconnected");
+  cell.executor.run_for(1s);
+  const Answers told = board.ask(query_from_datum(form("(arm robot fault ?)")).value()).value();
+  ASSERT_EQ(told.answers.size(), 1U);
+  const std::string why(told.answers.front().facts.front().datum[3].text());
+  EXPECT_TRUE(why.starts_with("the arm cannot be commanded: ")) << why;
+  EXPECT_NE(why.find("the end of a lossy line"), std::string::npos) << why;
+}
+
 TEST_F(WiredRobot, SaysWhyTheControllerEndedAMotionAndGoesOnWhenAskedAnew) {
   const RobotLife life(cell.executor, board, cell.arm, up6());
   cell.executor.run_for(1s);

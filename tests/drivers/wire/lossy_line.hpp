@@ -31,11 +31,12 @@ class LossyLine : public DatagramWire {
   std::uint64_t repeated = 0;
 
   Task<Result<void>> open(Time) override {
-    if (pulled) co_return fail("disconnected", "the plug is out");
+    if (pulled) co_return fail("disconnected", place() + " is not reached: the plug is out");
     heard_.clear();
     co_return Result<void>();
   }
   void close() override {}
+  std::string place() const override { return "the end of a lossy line"; }
   Result<void> send(std::string_view datagram) override {
     for (int copies = copies_of_one(); copies > 0; --copies) begin(carry(std::string(datagram)));
     return {};
