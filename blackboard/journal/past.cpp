@@ -1,5 +1,7 @@
 #include "blackboard/journal/past.hpp"
 
+#include <algorithm>
+
 namespace pizarra {
 
 namespace {
@@ -21,20 +23,35 @@ Result<Answers> answer_from(const std::string& path, Query query) {
 Past::Past(Executor& executor, JournalWriter& journal)
     : executor_(executor), journal_(journal), asked_(executor), job_(executor.spawn(answer_all())) {}
 
-void Past::ask(Query query, Done done) {
-  if (waiting_.size() >= max_waiting) return done(fail("too-large", "too many questions about the past wait"));
-  waiting_.push_back({std::move(query), std::move(done)});
+void Past::ask(const std::string& client, Query query, Done done) {
+  auto asking = std::ranges::find(clients_, client, &Client::name);
+  if (asking != clients_.end() && asking->waiting.size() >= max_waiting_of_a_client) {
+    const std::string most = std::to_string(max_waiting_of_a_client);
+    return done(fail("too-many", most + " questions about the past of " + client + " wait already", to_datum(client)));
+  }
+  if (waiting_ >= max_waiting) return done(fail("too-many", "too many questions about the past wait"));
+  if (asking == clients_.end()) asking = clients_.insert(clients_.end(), Client{.name = client});
+  asking->waiting.push_back({std::move(query), std::move(done)});
+  ++waiting_;
   asked_.set();
+}
+
+void Past::end_turn() {
+  Client client = std::move(clients_.front());
+  clients_.pop_front();
+  client.waiting.pop_front();
+  --waiting_;
+  if (!client.waiting.empty()) clients_.push_back(std::move(client));
 }
 
 Task<void> Past::answer_all() {
   while (true) {
     co_await asked_.wait();
     asked_.reset();
-    while (!waiting_.empty()) {
-      const Result<Answers> answers = co_await answer(waiting_.front().query);
-      waiting_.front().done(answers);
-      waiting_.pop_front();
+    while (!clients_.empty()) {
+      const Result<Answers> answers = co_await answer(clients_.front().waiting.front().query);
+      clients_.front().waiting.front().done(answers);
+      end_turn();
     }
   }
 }
@@ -42,7 +59,8 @@ Task<void> Past::answer_all() {
 Task<Result<Answers>> Past::answer(Query query) {
   const bool timed = query.at->time != Moment().time;
   if (timed && query.at->time > executor_.now() + longest_second) {
-    co_return fail("not-yet", "this is later than the board's clock", to_datum(query.at->time.time_since_epoch().count()));
+    co_return fail("not-yet", "this is later than the board's clock",
+                   to_datum(query.at->time.time_since_epoch().count()));
   }
   // What was told before the question is to be in the file.
   const JournalWriter::Position last = journal_.position();

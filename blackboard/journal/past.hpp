@@ -1,12 +1,13 @@
 #pragma once
 
 // Answers what was, from a board's journal, while the board goes on: one question after another, each from a board of
-// its own that is played back to the moment asked about.
+// its own that is played back to the moment asked about. The clients that wait are served in turn, a question each.
 //
 //   Past past(executor, writer);
-//   past.ask(query, [&](const Result<Answers>& answers) { ... });       // a query with `at`
+//   past.ask("alice", query, [&](const Result<Answers>& answers) { ... });       // a query with `at`
 //
-// Failures: too-large when too many questions wait, forgotten, not-yet, and those of reading a journal.
+// Failures: too-many when too many questions wait, the client's or all; forgotten, not-yet, and those of reading a
+// journal.
 
 #include <deque>
 #include <functional>
@@ -19,21 +20,28 @@ class Past {
  public:
   using Done = std::function<void(const Result<Answers>&)>;
   static constexpr std::size_t max_waiting = 64;
+  static constexpr std::size_t max_waiting_of_a_client = 8;
 
   Past(Executor& executor, JournalWriter& journal);
-  void ask(Query query, Done done);
+  void ask(const std::string& client, Query query, Done done);
 
  private:
   struct Question {
     Query query;
     Done done;
   };
+  struct Client {
+    std::string name;
+    std::deque<Question> waiting = {};
+  };
+  void end_turn();
   Task<void> answer_all();
   Task<Result<Answers>> answer(Query query);
 
   Executor& executor_;
   JournalWriter& journal_;
-  std::deque<Question> waiting_;
+  std::deque<Client> clients_;  // whose turn it is first; each has a question that waits
+  std::size_t waiting_ = 0;     // of all of them
   Event asked_;
   Job job_;
 };

@@ -93,8 +93,10 @@ void BoardServer::receive(const std::string& peer, std::optional<std::string_vie
   const auto session = sessions_.find(*id);
   // One that was restored has no peer before it greets: its client must learn that this is another life.
   if (session == sessions_.end() || session->second.peer != peer) {
+    // A connection that has said no hello may be its client's next one, made when a line broke.
     const bool forged = session != sessions_.end() && session_of_peer_.contains(peer);
-    if (forged) refusals_.note(who_is(peer), {"not-permitted", "a message in the session of another", {}, {}});
+    refusals_.note(who_is(peer), forged ? Failure{"not-permitted", "a message in the session of another", {}, {}}
+                                        : Failure{"unknown-session", "a message in no session of its own", {}, {}});
     return send(peer, list("unknown-session"_sym, *id));
   }
   session->second.heard = executor_.now();

@@ -12,11 +12,8 @@ namespace pizarra {
 
 namespace {
 
-// What a client should not have said, as opposed to what cannot be done just now.
-bool is_offence(const Failure& failure) {
-  return failure.symbol == "bad-frame" || failure.symbol == "too-large" || failure.symbol == "too-costly" ||
-         failure.symbol == "not-permitted";
-}
+// Whatever a request fails with is a refusal, but that its own precondition does not hold: that is an answer.
+bool is_refusal(const Failure& failure) { return failure.symbol != "precondition-failed"; }
 
 std::unexpected<Failure> bad_frame(const char* sentence) { return fail("bad-frame", sentence); }
 
@@ -111,7 +108,7 @@ void BoardServer::answer(wire::SessionId id, Session& session, wire::RequestId n
   if (!room) return send(session.peer, reply_to_datum(number, fail(room)));
   const JournalWriter::Position before = durability_.position();
   const Result<Datum> result = perform(id, session, body);
-  if (!result && is_offence(result.error())) refusals_.note(client_of(session), result.error());
+  if (!result && is_refusal(result.error())) refusals_.note(client_of(session), result.error());
   const Datum reply = reply_to_datum(number, result);
   const std::string text = write(reply);
   if (must_be_done_once(body)) {
@@ -199,13 +196,14 @@ void BoardServer::ask_past(wire::SessionId id, const Session& session, wire::Req
     past_asked_.erase({id, number});
     const auto asking = sessions_.find(id);
     if (asking == sessions_.end()) return;
+    if (!answers) return refuse_request(asking->second, number, answers.error());
     send(asking->second.peer, reply_to_datum(number, answers_to_datum(answers)));
   };
   // One that is asked again while it is worked on is answered once.
   if (!past_asked_.emplace(id, number).second) return;
   Result<Query> query = permitted_query(session, body);
   if (!query) return reply(fail(query));
-  past_->ask(std::move(*query), reply);
+  past_->ask(client_of(session), std::move(*query), reply);
 }
 
 Result<Datum> BoardServer::take(const Session& session, const Datum& body) {

@@ -1,13 +1,14 @@
 #pragma once
 
-// What the board refused its clients for being malformed, forged, too much or not permitted, as facts:
+// What the board refused its clients, as facts: all that is malformed, forged or in no session, and every request that
+// fails for another reason than that its precondition does not hold or that the journal cannot be written.
 //
 //   (board-refusal CLIENT SYMBOL COUNT SENTENCE)       ; key CLIENT SYMBOL
 //
 // CLIENT is who said it (the name of the session's key, its teller where it came without one, a public key that is not
-// known, or "" for one that has no session), COUNT how often that was since the server began, SENTENCE about the newest,
-// 256 bytes of it. At most 256 pairs of client and symbol
-// are told; those of more clients count for "others". A flood of refusals changes the facts ten times a second at most.
+// known, or "" for one that has no session), COUNT how often that was since the server began, SENTENCE about the
+// newest, 256 bytes of it. At most 256 pairs of client and symbol are told; those of more clients count for "others". A
+// flood of refusals changes the facts ten times a second at most.
 //
 //   Refusals refusals(board);
 //   refusals.note("alice", failure);

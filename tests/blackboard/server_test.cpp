@@ -91,6 +91,7 @@ TEST_F(ServerTest, ASessionCountsOnTheConnectionThatSaidHelloAlone) {
   EXPECT_EQ(alice.ask("(ping " + session + ")").head(), "pong");
   EXPECT_EQ(board.store().size(), 0U);
   EXPECT_EQ(refusals("thief"), std::vector<Datum>{list("not-permitted"_sym, 2)});
+  EXPECT_EQ(refusals(""), std::vector<Datum>{list("unknown-session"_sym, 1)}) << "before its hello";
 }
 
 TEST_F(ServerTest, AnothersNameDoesNotOpenItsSessionNorDoesItsNumberUnderAnotherName) {
@@ -182,6 +183,26 @@ TEST_F(ServerTest, WhatIsRefusedIsToldWithACountAndTheNewestReason) {
   client.ask("(dance " + session + ")");
   client.ask("(request " + session + " 1 (dance))");
   EXPECT_EQ(refusals("alice"), std::vector<Datum>{list("bad-frame"_sym, 5)});
+}
+
+TEST_F(ServerTest, WhateverARequestFailsWithIsCountedButThatAPreconditionDoesNotHold) {
+  Client client = this->client();
+  const std::string session = client.join("alice");
+  int number = 0;
+  std::map<std::string, int> failed;
+  for (const char* body :
+       {"(ask (nota ?))", "(ask (note ?))", "(ask (query (note ?x ?) (limit -1)))",
+        "(transact () ((tell (note \"a\" b) 0)))", "(transact () ((tell (note 1 a) 99)))", "(renew 99)", "(dance 1)",
+        "(transact ((present (note 9 ?))) ())", "(take (note ? ?) 5)", "(lease -1)"}) {
+    const Datum reply = client.ask("(request " + session + " " + std::to_string(++number) + " " + body + ")")[2];
+    ASSERT_TRUE(reply.is_form("fail")) << body;
+    ++failed[std::string(reply[1].text())];
+  }
+  ASSERT_EQ(failed.erase("precondition-failed"), 1U);
+  ASSERT_GE(failed.size(), 4U);
+  std::map<std::string, int> counted;
+  for (const Datum& refusal : refusals("alice")) counted[std::string(refusal[0].text())] = refusal[1].integer();
+  EXPECT_EQ(counted, failed);
 }
 
 TEST_F(ServerTest, WhatItRefusedIsItsOwnToTell) {

@@ -1,0 +1,53 @@
+// Who is answered when about what was, where many ask.
+
+#include "blackboard/journal/past.hpp"
+
+#include "tests/blackboard/journal_fixture.hpp"
+
+namespace pizarra {
+namespace {
+
+class PastTest : public JournalFileTest {
+ protected:
+  PastTest() {
+    EXPECT_TRUE(life_.board->declare("alice", relations_).has_value());
+    life_.tell("(goal 1 (on a b))");
+  }
+  void ask(const std::string& client) {
+    past_.ask(client, query("(query (goal ?n ?) (at 1))"), [this, client](const Result<Answers>& answers) {
+      answered_.push_back(client + (answers ? " ok" : " " + answers.error().symbol));
+    });
+  }
+
+  Life life_{path_};
+  Past past_{life_.executor, *life_.writer};
+  std::vector<std::string> answered_;
+};
+
+TEST_F(PastTest, AClientThatAsksMuchKeepsNobodyElseFromAsking) {
+  for (std::size_t i = 0; i <= Past::max_waiting; ++i) ask("flood");
+  EXPECT_EQ(answered_,
+            std::vector<std::string>(1 + Past::max_waiting - Past::max_waiting_of_a_client, "flood too-many"));
+  answered_.clear();
+  ask("alice");
+  ask("alice");
+  EXPECT_TRUE(answered_.empty()) << "hers wait";
+  life_.executor.run_for(10s);
+  ASSERT_EQ(answered_.size(), 2 + Past::max_waiting_of_a_client);
+  answered_.resize(5);
+  EXPECT_EQ(answered_, (std::vector<std::string>{"flood ok", "alice ok", "flood ok", "alice ok", "flood ok"}));
+  answered_.clear();
+  ask("flood");
+  life_.executor.run_for(10s);
+  EXPECT_EQ(answered_, std::vector<std::string>{"flood ok"}) << "there is room again";
+}
+
+TEST_F(PastTest, AllClientsTogetherHaveABound) {
+  for (std::size_t i = 0; i < Past::max_waiting; ++i) ask("client-" + std::to_string(i));
+  EXPECT_TRUE(answered_.empty());
+  ask("one-more");
+  EXPECT_EQ(answered_, std::vector<std::string>{"one-more too-many"});
+}
+
+}  // namespace
+}  // namespace pizarra
