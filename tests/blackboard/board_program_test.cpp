@@ -170,7 +170,10 @@ TEST_F(BoardProgram, ItsExitCodesSayWhatWasWrong) {
   EXPECT_EQ(code({"--listen", address_, "--journal", "/no/such/folder/journal"}), 4);
   EXPECT_EQ(code({"--listen", address_, "--journal", "/"}), 4);
   EXPECT_EQ(code({"--listen", address_, "--journal", ""}), 2);
-  EXPECT_EQ(code({"--listen", address_, "--journal", path_ + ".none", "--history", "long"}), 2);
+  for (const char* history :
+       {"long", "36501d", "999999999d", "1000000000min", "1000000001", "-1", "99999999999999999999s"}) {
+    EXPECT_EQ(code({"--listen", address_, "--journal", path_ + ".none", "--history", history}), 2) << history;
+  }
 }
 
 }  // namespace

@@ -37,16 +37,21 @@ struct Options {
   std::string history = "200000";
 };
 
+constexpr std::uint64_t most_history = 1'000'000'000;  // revisions
+constexpr Duration longest_history = std::chrono::hours(24 * 36'500);
+
 // `200000` revisions, or `90s`, `30min`, `12h`, `7d`.
 std::optional<History> history_from(const std::string& text) {
   std::uint64_t count = 0;
   const char* const end = text.data() + text.size();
   const auto read = std::from_chars(text.data(), end, count);
   const std::string_view unit(read.ptr, end);
-  constexpr std::uint64_t most = 1'000'000'000;
-  if (read.ec != std::errc() || count > most) return std::nullopt;
+  if (read.ec != std::errc() || count > most_history) return std::nullopt;
   if (unit.empty()) return History{.revisions = count};
-  const auto lasting = [&](std::chrono::seconds length) { return History{.time = length * count}; };
+  const auto lasting = [&](std::chrono::seconds unit_length) -> std::optional<History> {
+    if (count > static_cast<std::uint64_t>(longest_history / unit_length)) return std::nullopt;
+    return History{.time = unit_length * count};
+  };
   if (unit == "s") return lasting(1s);
   if (unit == "min") return lasting(std::chrono::minutes(1));
   if (unit == "h") return lasting(std::chrono::hours(1));
@@ -147,7 +152,9 @@ int main(int argc, char** argv) {
   app.add_option("--history", options.history,
                  "how much of the past the journal keeps at least: revisions, or a time such as 90s, 30min, 12h, 7d")
       ->check([](const std::string& text) {
-        return pizarra::history_from(text) ? std::string() : "not a number of revisions, nor a time such as 30min";
+        return pizarra::history_from(text) ? std::string()
+                                           : "not a number of revisions, 1000000000 at most, nor a time such as 30min, "
+                                             "36500d at most";
       })
       ->capture_default_str();
   app.add_option("--keys", options.server.keys,
