@@ -99,34 +99,32 @@ bool is_recognised(const SeenMark& mark, const LearnedObjects& objects, const Le
 
 const SeenMark* find_object(const std::vector<SeenMark>& marks, const LearnedObjects& objects,
                             const LearnedObject& object) {
-  const SeenMark* best = nullptr;
-  double least = impossible;
-  std::vector<const SeenMark*> recognised;
+  struct Candidate {
+    const SeenMark* mark;
+    double error;
+  };
+  std::vector<Candidate> recognised;
   for (const SeenMark& mark : marks) {
-    if (!is_recognised(mark, objects, object)) continue;
-    recognised.push_back(&mark);
-    const double error = recognition_error(mark, object);
-    if (error < least) {
-      least = error;
-      best = &mark;
-    }
+    const std::optional<Likeness> likely = recognise(mark, objects, object);
+    if (likely) recognised.push_back({&mark, likely->error});
   }
-  if (best == nullptr) return nullptr;
-  const cv::Point2d centre = best->centre;
-  const double reach_px = neighbour_heights * best->height_px;
-  for (const SeenMark* mark : recognised) {
-    if (cv::norm(mark->centre - centre) < reach_px && mark->area_px > best->area_px) best = mark;
+  if (recognised.empty()) return nullptr;
+  const Candidate likest = *std::ranges::min_element(recognised, {}, &Candidate::error);
+  const double reach_px = neighbour_heights * likest.mark->height_px;
+  const SeenMark* best = likest.mark;
+  for (const Candidate& other : recognised) {
+    const bool near = cv::norm(other.mark->centre - likest.mark->centre) < reach_px;
+    const bool as_like = other.error - likest.error < least_margin;
+    if (near && as_like && other.mark->area_px > best->area_px) best = other.mark;
   }
   return best;
 }
 
 std::vector<cv::Point2d> others_like(const std::vector<SeenMark>& marks, const LearnedObjects& objects,
                                      const LearnedObject& object, const SeenMark& found) {
-  const double reach_px = neighbour_heights * found.height_px;
   std::vector<cv::Point2d> out;
   for (const SeenMark& mark : marks) {
-    const bool elsewhere = cv::norm(mark.centre - found.centre) >= reach_px;
-    if (elsewhere && is_recognised(mark, objects, object)) out.push_back(mark.centre);
+    if (!found.box.contains(mark.centre) && is_recognised(mark, objects, object)) out.push_back(mark.centre);
   }
   return out;
 }

@@ -43,11 +43,12 @@ Likeness likeness(const SeenMark& mark, const LearnedObjects& objects, const Lea
 std::optional<Likeness> recognise(const SeenMark& mark, const LearnedObjects& objects, const LearnedObject& object);
 bool is_recognised(const SeenMark& mark, const LearnedObjects& objects, const LearnedObject& object);
 
-// The mark that is the object: the least error, but of several within one cube's width the largest. Null: none.
+// The mark that is the object: the least error, but of several within one cube's width that are as like it, which may
+// be two faces of the cube, the largest. Null: none.
 const SeenMark* find_object(const std::vector<SeenMark>& marks, const LearnedObjects& objects,
                             const LearnedObject& object);
 
-// Where else, beyond the width of a cube from `found`, marks are recognised as the object.
+// Where else marks are recognised as the object: another one, another face of its cube, or something like it.
 std::vector<cv::Point2d> others_like(const std::vector<SeenMark>& marks, const LearnedObjects& objects,
                                      const LearnedObject& object, const SeenMark& found);
 

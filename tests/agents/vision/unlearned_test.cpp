@@ -1,0 +1,61 @@
+// Shapes that nobody learned, beside those that are.
+
+#include "tests/bench/vision/unlearned.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/agents/vision/eyes.hpp"
+#include "tests/bench/vision/scene.hpp"
+
+namespace pizarra {
+namespace {
+
+const cv::Point2d mark_place(150, 120);
+const cv::Point2d other_place(190, 120);
+
+// A learned mark, and to the right of it, larger, a shape that nobody learned.
+bench::Scene scene_with(const std::string& mark, const bench::Shape& other) {
+  bench::Scene scene;
+  scene.marks = {{.name = mark, .centre = mark_place}};
+  const double scale = 1.15 * bench::scale_at(bench::learning_depth_mm);
+  scene.things = {{.shape = bench::placed(other, other_place, scale, 5), .level = scene.mark_level}};
+  return scene;
+}
+
+StereoModel one_camera() {
+  StereoModel model = bench::scene_camera();
+  model.base_line_mm = 0;
+  return model;
+}
+
+TEST(Unlearned, BesideALearnedMarkIsNotTakenForItAndNotKeptQuietAboutEither) {
+  const StereoModel pair = bench::scene_camera();
+  for (const bench::UnlearnedShape& other : bench::unlearned_shapes()) {
+    if (!other.no_view_of_a_mark) continue;
+    for (const std::string mark : {"circle", "square"}) {
+      for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+        SCOPED_TRACE(mark + " beside a " + other.name);
+        Random random(seed);
+        const bench::Scene scene = scene_with(mark, other.shape);
+        const cv::Mat left = draw(scene, bench::Side::left, random);
+        const cv::Mat right = draw(scene, bench::Side::right, random);
+        const LearnedObject& object = *learned_cell().find(mark);
+        for (const StereoModel& model : {one_camera(), pair}) {
+          StereoSight sight(left, model.is_single() ? left : right, model);
+          const std::optional<SeenPair> found = sight.find(learned_cell(), object);
+          ASSERT_TRUE(found) << (model.is_single() ? "one camera" : "a pair");
+          EXPECT_LT(cv::norm(found->left.centre - mark_place), 0.5) << (model.is_single() ? "one camera" : "a pair");
+          std::vector<SeenMark> marks = sight.left_segmentation().marks();
+          const auto beside =
+              std::ranges::find_if(marks, [](const SeenMark& seen) { return cv::norm(seen.centre - other_place) < 5; });
+          ASSERT_NE(beside, marks.end());
+          const bool alike = is_recognised(*beside, learned_cell(), object);
+          EXPECT_EQ(others_like(marks, learned_cell(), object, found->left).size(), alike ? 1U : 0U);
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace pizarra

@@ -1,0 +1,20 @@
+#pragma once
+
+// Shapes that nobody learned and that look more or less like those that are: convex, filled, of a mark's size.
+
+#include <array>
+
+#include "tests/bench/vision/outline.hpp"
+
+namespace pizarra::bench {
+
+struct UnlearnedShape {
+  const char* name;
+  // What no view of a learned shape can be: by a parallelogram a camera cannot know that it is no turned square.
+  bool no_view_of_a_mark;
+  Shape shape;  // about 44 mm across, around the centroid
+};
+
+const std::array<UnlearnedShape, 6>& unlearned_shapes();
+
+}  // namespace pizarra::bench
