@@ -13,8 +13,9 @@
 //   Result<void> done = database->apply(RenameObject{"circle", "disc"});
 //   if (!database->in_place()) ...                  // another file is there now, or none: open_again()
 //
-// Failures: `missing` (of open_again()), `damaged` (not a database, or not one of ours any more), `disk-full`, `busy`
-// (another agent is writing: try again), `unusable`; of a change also `full`, `not-learned` and `name-taken`.
+// Failures: `missing` (of open_again()), `damaged` (not a database, or not one of ours any more), `disk-full`,
+// `cannot-write` (a bitmap), `busy` (another agent is writing: try again), `unusable`; of a change also `full`,
+// `not-learned` and `name-taken`.
 
 #include <filesystem>
 #include <optional>

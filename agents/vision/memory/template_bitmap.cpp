@@ -21,9 +21,11 @@ char grey_of(std::uint8_t level, MarkTone tone) {
 }
 
 bool write_whole(const std::filesystem::path& path, std::string_view bytes) {
-  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NONBLOCK, 0644);
   if (file < 0) return false;
-  const bool written = ::write(file, bytes.data(), bytes.size()) == static_cast<ssize_t>(bytes.size());
+  const ssize_t count = ::write(file, bytes.data(), bytes.size());
+  const bool written = count == static_cast<ssize_t>(bytes.size());
+  if (count >= 0 && !written) errno = ENOSPC;
   const bool synced = written && ::fsync(file) == 0;
   return ::close(file) == 0 && synced;
 }
@@ -42,13 +44,18 @@ Result<void> replace(const std::filesystem::path& path, std::string_view bytes) 
   beside += ".new";
   const bool replaced = write_whole(beside, bytes) && ::rename(beside.c_str(), path.c_str()) == 0;
   if (replaced && sync_folder(path.parent_path())) return {};
-  const std::string cause = std::strerror(errno);
+  const int cause = errno;
   ::unlink(beside.c_str());
-  return fail("disk-full", fmt::format("the template bitmap cannot be written: {}", cause), to_datum(path.string()));
+  const bool full = cause == ENOSPC || cause == EDQUOT || cause == EFBIG;
+  return fail(full ? "disk-full" : "cannot-write",
+              fmt::format("the template bitmap cannot be written: {}", std::strerror(cause)), to_datum(path.string()));
 }
 
-// As much of it as a sound one has, and a byte more.
+// As much of it as a sound one has, and a byte more; of what is no file, as a pipe, which might never answer, nothing.
 std::optional<std::string> read_bytes(const std::filesystem::path& path) {
+  std::error_code error;
+  const bool there = std::filesystem::exists(path, error);
+  if (there && !std::filesystem::is_regular_file(path, error)) return std::string();
   std::ifstream file(path, std::ios::binary);
   if (!file) return {};
   std::string bytes(header().size() + template_size * template_size + 1, '\0');

@@ -13,10 +13,10 @@
 
 namespace pizarra {
 
-// On the disk, whole, when it returns. Failure `disk-full`.
+// On the disk, whole, when it returns. Failures `disk-full` and `cannot-write`.
 Result<void> write_bitmap(const std::filesystem::path& path, const MarkTemplate& picture, MarkTone tone);
 
-// As it is, sound or damaged, and on the disk when it returns; one that is missing stays so. Failure `disk-full`.
+// As it is, sound or damaged, and on the disk when it returns; one that is missing stays so. Failures the same.
 Result<void> copy_bitmap(const std::filesystem::path& from, const std::filesystem::path& to);
 
 // Failures `missing` and `damaged`.

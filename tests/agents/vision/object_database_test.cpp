@@ -94,7 +94,7 @@ TEST_F(Database, ARenameThatCannotWriteItsBitmapChangesNothing) {
   ObjectDatabase database = open();
   const Result<void> renamed = database.apply(RenameObject{"circle", "disc"});
   ASSERT_FALSE(renamed.has_value());
-  EXPECT_EQ(renamed.error().symbol, "disk-full");
+  EXPECT_EQ(renamed.error().symbol, "cannot-write");
   EXPECT_EQ(content(), "circle*2 square*1 ");
 }
 
