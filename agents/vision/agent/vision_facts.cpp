@@ -57,6 +57,14 @@ Task<void> VisionFacts::tell_objects(std::vector<Datum> facts) {
 }
 
 Task<void> VisionFacts::tell_look(std::uint64_t frame, const std::vector<TrackSighting>& sightings) {
+  Transaction transaction;
+  // What is followed no more is not seen either.
+  std::erase_if(told_tracks_, [&](const auto& told) {
+    const bool followed = std::ranges::find(sightings, told.first, &TrackSighting::name) != sightings.end();
+    if (!followed)
+      transaction.retract(told_by(context_.name, list("tracked"_sym, told.first, "?"_sym, "?"_sym, "?"_sym)));
+    return !followed;
+  });
   std::vector<Datum> facts;
   // What is concluded from the reply finds the faces of its frame there already.
   facts.push_back(faces_fact(frame, sightings));
@@ -70,7 +78,8 @@ Task<void> VisionFacts::tell_look(std::uint64_t frame, const std::vector<TrackSi
     facts.push_back(list("tracked"_sym, sighting.name, Datum::symbol(state), frame, confidence));
   }
   facts.push_back(list("vision-says"_sym, frame, track_reply(sightings)));
-  co_await tell(std::move(facts));
+  add(transaction, facts);
+  co_await transact(std::move(transaction));
 }
 
 Task<void> VisionFacts::unsay() {
