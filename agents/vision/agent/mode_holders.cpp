@@ -43,9 +43,11 @@ std::set<std::string> ModeHolders::tracked() const {
   return out;
 }
 
-void ModeHolders::rename(const std::string& name, const std::string& new_name) {
+void ModeHolders::rename(const Renames& renames) {
   for (auto& [client, held] : clients_) {
-    if (held.tracked.erase(name) != 0) held.tracked.insert(new_name);
+    std::set<std::string> tracked;
+    for (const std::string& name : held.tracked) tracked.insert(name_now(renames, name));
+    held.tracked = std::move(tracked);
   }
 }
 

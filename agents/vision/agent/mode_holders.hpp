@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "agents/vision/objects/renames.hpp"
 #include "lisp/datum.hpp"
 
 namespace pizarra {
@@ -33,7 +34,8 @@ class ModeHolders {
   std::string tracker() const;
   // Everything that is tracked, each once.
   std::set<std::string> tracked() const;
-  void rename(const std::string& name, const std::string& new_name);
+  // As MarkTracker::rename().
+  void rename(const Renames& renames);
 
   // What this client holds goes on without it, as anybody's; false where it holds nothing.
   bool keep(const std::string& client);

@@ -59,11 +59,14 @@ Task<Result<LearnedSample>> VisionAgent::State::learn_sample(std::string name, d
 
 Task<Result<void>> VisionAgent::State::change_objects(ObjectChange change) {
   const SampleNames before = names_of_samples();
+  const RenameObject* const renaming = std::get_if<RenameObject>(&change);
+  Renames own;
+  if (renaming != nullptr) own.emplace(renaming->name, renaming->new_name);
   const Result<void> changed = co_await memory.change(std::move(change));
   if (!changed) co_return changed;
-  follow_renames(before);
-  to_accept.reset();
-  co_await tell_objects();
+  Renames renames = renamed_since(before);
+  renames.merge(own);
+  co_await follow_renames(std::move(renames));
   co_return changed;
 }
 
@@ -230,8 +233,6 @@ Task<Result<Datum>> VisionAgent::State::rename(std::string name, std::string new
   ObjectChange rename = RenameObject{name, new_name};
   const Result<void> done = co_await change_objects(std::move(rename));
   if (!done) co_return fail(done);
-  tracker.rename(name, new_name);
-  holders.rename(name, new_name);
   co_return Datum();
 }
 

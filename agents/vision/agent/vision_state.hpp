@@ -63,8 +63,10 @@ struct VisionAgent::State {
   // By their ids, which they keep. Of samples that are in no database nobody else changes the names.
   using SampleNames = std::map<std::int64_t, std::string>;
   SampleNames names_of_samples() const;
-  void follow_renames(const SampleNames& before);
-  void follow_to_accept();
+  Renames renamed_since(const SampleNames& before) const;
+  // What is tracked, and what is to be accepted, as it is called now.
+  Task<void> follow_renames(Renames renames);
+  void follow_to_accept(const Renames& renames);
   Task<void> tell_holders();
   Task<void> tell_state_again();
   Task<void> camera_changed();

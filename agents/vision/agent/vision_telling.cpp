@@ -89,9 +89,8 @@ Task<void> VisionAgent::State::follow_memory() {
   const Result<bool> changed = co_await memory.recall_changed();
   const bool anew = changed && *changed;
   if (!anew) co_return;
-  follow_renames(before);
-  follow_to_accept();
-  co_await tell_objects();
+  Renames renames = renamed_since(before);
+  co_await follow_renames(std::move(renames));
 }
 
 VisionAgent::State::SampleNames VisionAgent::State::names_of_samples() const {
@@ -104,22 +103,33 @@ VisionAgent::State::SampleNames VisionAgent::State::names_of_samples() const {
   return out;
 }
 
-void VisionAgent::State::follow_renames(const SampleNames& before) {
+Renames VisionAgent::State::renamed_since(const SampleNames& before) const {
+  Renames out;
   for (const auto& [id, name] : names_of_samples()) {
     const auto was = before.find(id);
-    if (was == before.end() || was->second == name) continue;
-    tracker.rename(was->second, name);
-    holders.rename(was->second, name);
+    if (was != before.end() && was->second != name) out.emplace(was->second, name);
   }
+  return out;
 }
 
-void VisionAgent::State::follow_to_accept() {
+Task<void> VisionAgent::State::follow_renames(Renames renames) {
+  tracker.rename(renames);
+  holders.rename(renames);
+  follow_to_accept(renames);
+  co_await tell_objects();
+}
+
+// By its id; one that is in no database, which has none, by its name and number.
+void VisionAgent::State::follow_to_accept(const Renames& renames) {
   if (!to_accept) return;
   const ToAccept was = *to_accept;
+  const std::string now = name_now(renames, was.name);
   to_accept.reset();
   for (const LearnedObject& object : objects.all()) {
     for (const LearnedSample& sample : object.samples) {
-      if (sample.id == was.id) to_accept.emplace(object.name, sample.number, sample.id);
+      const bool same_place = same_name(object.name, now) && sample.number == was.number;
+      const bool same = sample.id == was.id && (was.id != 0 || same_place);
+      if (same) to_accept.emplace(object.name, sample.number, sample.id);
     }
   }
 }

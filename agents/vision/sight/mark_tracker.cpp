@@ -77,10 +77,18 @@ Result<void> MarkTracker::add(const LearnedObject& object) {
   return {};
 }
 
-void MarkTracker::rename(std::string_view name, const std::string& new_name) {
-  for (Track& track : tracks_) {
-    if (same_name(track.name, name)) track.name = new_name;
+void MarkTracker::rename(const Renames& renames) {
+  std::vector<std::string> taken;
+  for (const Track& track : tracks_) {
+    const std::string now = name_now(renames, track.name);
+    if (now != track.name) taken.push_back(now);
   }
+  std::erase_if(tracks_, [&](const Track& track) {
+    const bool is_taken =
+        std::ranges::any_of(taken, [&](const std::string& name) { return same_name(name, track.name); });
+    return is_taken && name_now(renames, track.name) == track.name;
+  });
+  for (Track& track : tracks_) track.name = name_now(renames, track.name);
 }
 
 std::vector<TrackSighting> MarkTracker::update(StereoSight& sight) {

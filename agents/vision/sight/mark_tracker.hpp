@@ -14,6 +14,7 @@
 
 #include <set>
 
+#include "agents/vision/objects/renames.hpp"
 #include "agents/vision/sight/continuity.hpp"
 #include "agents/vision/sight/stereo_sight.hpp"
 
@@ -45,8 +46,8 @@ class MarkTracker {
 
   // Once more is harmless. Failure `full`.
   Result<void> add(const LearnedObject& object);
-  // What is tracked under a name is tracked on under another.
-  void rename(std::string_view name, const std::string& new_name);
+  // What is tracked is tracked on under its new name, and only once: what bore that name before has been forgotten.
+  void rename(const Renames& renames);
   void keep_only(const std::set<std::string>& names) {
     std::erase_if(tracks_, [&](const Track& track) { return !names.contains(track.name); });
   }

@@ -1,6 +1,7 @@
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include "agents/runtime/service.hpp"
 #include "agents/vision/agent/vision_agent.hpp"
@@ -225,6 +226,30 @@ TEST_F(Vision, ObjectsAreRenamedAndForgottenAlsoWhileTheyAreTracked) {
   EXPECT_EQ(call("(get-objects)"), R"x((GET 1 ("end-effector")))x");
 }
 
+TEST_F(Vision, WhatIsRenamedTakesTheTrackOfOneThatWasForgotten) {
+  learn_all();
+  EXPECT_EQ(call("(track \"circle\")"), "()");
+  run_for(200ms);
+  EXPECT_EQ(call("(forget \"circle\")"), "()");
+  EXPECT_EQ(call("(rename \"end-effector\" \"circle\")"), "()");
+  run_for(300ms);
+  EXPECT_EQ(says().find("(\"circle\" OK"), says().rfind("\"circle\"") - 1) << says();
+}
+
+TEST_F(Vision, WhatIsToBeAcceptedStaysSoBesideOtherChanges) {
+  learn_all();
+  EXPECT_EQ(call(learn_request(0, "circle")), R"x((LEARN "circle" OK))x");
+  EXPECT_EQ(call("(forget \"end-effector\")"), "()");
+  EXPECT_EQ(call("(rename \"circle\" \"disc\")"), "()");
+  EXPECT_EQ(facts("(to-accept vision ? ?)"), "(to-accept vision \"disc\" 2)");
+  EXPECT_EQ(call("(reject \"disc\")"), "()");
+  EXPECT_EQ(facts("(learned vision \"disc\" 2 ? ? ? ? ? ?)"), "");
+  EXPECT_NE(facts("(learned vision \"disc\" 1 ? ? ? ? ? ?)"), "");
+  EXPECT_EQ(call(learn_request(0, "disc")), R"x((LEARN "disc" OK))x");
+  EXPECT_EQ(call("(forget \"disc\")"), "()");
+  EXPECT_EQ(call("(reject \"disc\")"), "nothing-to-accept \"disc\"");
+}
+
 // With a database: agent, board and all may go.
 class KeptVision : public Vision {
  protected:
@@ -266,6 +291,39 @@ TEST_F(KeptVision, WhatAnotherAgentRenamesIsTrackedOnUnderItsNewName) {
   run_for(2s);
   EXPECT_NE(says().find(R"x(("disc" OK ()x"), std::string::npos) << says();
   EXPECT_EQ(says().find("circle"), std::string::npos) << says();
+}
+
+TEST_F(KeptVision, WhatExchangesItsNamesStaysTwo) {
+  learn_all();
+  EXPECT_EQ(call("(track \"circle\")"), "()");
+  run_for(1s);
+  ObjectDatabase other = ObjectDatabase::open(folder).value();
+  ASSERT_TRUE(other.apply(RenameObject{"circle", "third"}));
+  ASSERT_TRUE(other.apply(RenameObject{"end-effector", "circle"}));
+  ASSERT_TRUE(other.apply(RenameObject{"third", "end-effector"}));
+  run_for(2s);
+  EXPECT_NE(says().find("(\"circle\" OK"), std::string::npos) << says();
+  EXPECT_NE(says().find("(\"end-effector\" OK"), std::string::npos) << says();
+}
+
+TEST_F(KeptVision, AChoiceFollowsItsSampleThroughOtherChanges) {
+  learn_all();
+  EXPECT_EQ(call("(rename \"circle\" \"disc\")"), "()");
+  EXPECT_EQ(facts("(to-accept vision ? ?)"), "(to-accept vision \"end-effector\" 1)");
+  EXPECT_EQ(call("(rename \"end-effector\" \"hand\")"), "()");
+  EXPECT_EQ(facts("(to-accept vision ? ?)"), "(to-accept vision \"hand\" 1)");
+  EXPECT_EQ(call("(reject \"hand\")"), "()");
+  EXPECT_EQ(call("(get-objects)"), R"x((GET 1 ("disc")))x");
+}
+
+TEST_F(KeptVision, APipeInABitmapsPlaceIsDamageAndHoldsNothingUp) {
+  learn_all();
+  const std::string bitmap = folder + "/circle-1.pgm";
+  std::filesystem::remove(bitmap);
+  ASSERT_EQ(::mkfifo(bitmap.c_str(), 0600), 0);
+  EXPECT_EQ(call("(rename \"circle\" \"disc\")"), "()");
+  EXPECT_NE(facts("(objects-damaged vision ? ? ?)"), "");
+  EXPECT_EQ(call("(rename \"end-effector\" \"hand\")"), "()");
 }
 
 TEST_F(KeptVision, ADamagedSampleIsSaidOnceAndTheOthersGoOn) {
@@ -674,6 +732,22 @@ TEST_F(Vision, TellsWhenAnObjectIsLostAndSeenAgain) {
   EXPECT_EQ(facts("(tracked vision ? ? ? ?)"), "");
   EXPECT_EQ(facts("(sightings vision ? ?)"), "");
   EXPECT_EQ(facts("(faces vision ? ?)"), "");
+}
+
+TEST_F(Vision, WhatIsFollowedNoLongerIsNotSaidToBeSeen) {
+  learn_all();
+  EXPECT_EQ(call("(track \"circle\")"), "()");
+  EXPECT_EQ(call("(track \"end-effector\")"), "()");
+  run_for(250ms);
+  EXPECT_NE(facts("(tracked vision \"circle\" seen ? ?)"), "");
+  EXPECT_EQ(call("(rename \"circle\" \"disc\")"), "()");
+  run_for(250ms);
+  EXPECT_EQ(facts("(tracked vision \"circle\" ? ? ?)"), "");
+  EXPECT_NE(facts("(tracked vision \"disc\" seen ? ?)"), "");
+  EXPECT_EQ(call("(rename \"disc\" \"circle\")"), "()");
+  run_for(250ms);
+  EXPECT_EQ(facts("(tracked vision \"disc\" ? ? ?)"), "");
+  EXPECT_NE(facts("(tracked vision \"circle\" seen ? ?)"), "");
 }
 
 // Colour is asked of the camera, and pictures are drawn, only for those who look.

@@ -1,0 +1,17 @@
+#pragma once
+
+// Which objects have other names now, all at once, so that two that exchange their names stay two.
+//
+//   name_now(renames, "circle");                      // "disc"
+
+#include <map>
+#include <string>
+
+namespace pizarra {
+
+using Renames = std::map<std::string, std::string>;  // from the old name to the new one
+
+// What the object that had this name is called now.
+std::string name_now(const Renames& renames, const std::string& name);
+
+}  // namespace pizarra
