@@ -14,9 +14,10 @@ struct Row {
 };
 
 using namespace pizarra::bench;
-constexpr std::array table = {Row{"find", find_time},     Row{"track", track_time}, Row{"tags", tag_time},
-                              Row{"scenes", recall},      Row{"depth", depth},      Row{"sequences", sequences},
-                              Row{"covering", coverings}, Row{"arrival", arrival},  Row{"memory", agent_memory}};
+constexpr std::array table = {Row{"find", find_time},      Row{"track", track_time},    Row{"tags", tag_time},
+                              Row{"scenes", recall},       Row{"unlearned", unlearned}, Row{"depth", depth},
+                              Row{"sequences", sequences}, Row{"covering", coverings},  Row{"arrival", arrival},
+                              Row{"memory", agent_memory}};
 
 }  // namespace
 
