@@ -43,7 +43,8 @@ std::string unknown_word(const CLI::App& app) {
     known.push_back(word->get_name());
   }
   if (known.empty()) return {};
-  return fmt::format("there is no word {}{}", typed.front(), suggestion(typed.front(), known));
+  const std::string whose = app.get_parent() == nullptr ? "there is" : app.get_name() + " has";
+  return fmt::format("{} no word {}{}", whose, typed.front(), suggestion(typed.front(), known));
 }
 
 // What was wrong, as one line.
@@ -55,7 +56,7 @@ std::string complaint_of(const CLI::App& app, const CLI::ParseError& error) {
     if (!unknown.empty()) return unknown;
   }
   const bool has_word = !app.get_subcommands().empty();
-  std::string sentence = has_word ? std::string() : unknown_word(app);
+  std::string sentence = unknown_word(*stumbled.back());
   if (sentence.empty()) sentence = error.what();
   for (std::size_t end = sentence.find('\n'); end != std::string::npos; end = sentence.find('\n')) {
     sentence.replace(end, 1, end + 1 == sentence.size() ? "" : "; ");

@@ -64,6 +64,12 @@ TEST_F(WordsWithKeys, DoWhatTheirKeyPermitsAndAreRefusedTheRestWithStatus1) {
       << run("desk", "ask", "'(board-refusal ?client ?symbol ?count ?newest)'").text;
 }
 
+TEST(KeysWord, NamesTheNearestOfItsOwnWords) {
+  const Said said = shell(std::string(PIZARRA_KEYS) + " keys nwe camera 2>&1");
+  EXPECT_EQ(said.status, 2);
+  EXPECT_EQ(said.text, "pizarra: keys has no word nwe; did you mean new?\n");
+}
+
 TEST_F(WordsWithKeys, EndWithOneStatusWhereTheKeyPermitsNothing) {
   for (const char* word : {"ask '(seen ?what)'", "top --once", "look"}) {
     const std::string text = word;
