@@ -1,6 +1,8 @@
 #include "blackboard/memory/statistics.hpp"
 
+#include <algorithm>
 #include <array>
+#include <limits>
 #include <optional>
 
 #include "blackboard/store/evaluate.hpp"
@@ -111,12 +113,46 @@ void Statistics::committed(const Commit& commit) {
     }
     ++counts.told;
     counts.rate.count(commit.when);
-    auto teller = counts.tellers.find(commit.teller);
-    if (teller == counts.tellers.end() && counts.tellers.size() < max_names) {
-      teller = counts.tellers.emplace(commit.teller, 0).first;
-    }
-    if (teller != counts.tellers.end()) ++teller->second;
+    Told& told = told_by(counts, commit.teller);
+    ++told.count;
+    told.newest = commit.revision;
+    told.gone = false;
   }
+}
+
+Statistics::Told& Statistics::told_by(Counts& counts, const std::string& teller) {
+  const auto known = counts.tellers.find(teller);
+  if (known != counts.tellers.end()) return known->second;
+  if (counts.tellers.size() >= max_names) {
+    counts.tellers.erase(std::ranges::min_element(counts.tellers, sooner_forgotten, &Tellers::value_type::second));
+  }
+  return counts.tellers[teller];
+}
+
+bool Statistics::sooner_forgotten(const Told& a, const Told& b) {
+  return a.gone != b.gone ? a.gone : a.newest < b.newest;
+}
+
+void Statistics::left(std::string_view teller) {
+  for (auto& [relation, counts] : relations_) {
+    const auto known = counts.tellers.find(teller);
+    if (known != counts.tellers.end()) known->second.gone = true;
+  }
+}
+
+// Those that would be forgotten first are left out first.
+Datum Statistics::named(const Tellers& tellers, std::size_t room) {
+  std::vector<const Tellers::value_type*> lasting;
+  for (const auto& teller : tellers) lasting.push_back(&teller);
+  std::ranges::sort(lasting, [](const auto* a, const auto* b) { return sooner_forgotten(b->second, a->second); });
+  std::map<std::string, std::uint64_t> counts;
+  for (const auto* teller : lasting) {
+    const std::size_t bytes = weigh(list(teller->first, teller->second.count)).bytes;
+    if (bytes > room) break;
+    room -= bytes;
+    counts.emplace(teller->first, teller->second.count);
+  }
+  return counted(counts, std::numeric_limits<std::size_t>::max());
 }
 
 Statistics::Journeys* Statistics::journeys_of(std::string_view relation) {
@@ -193,7 +229,7 @@ Datum Statistics::relation_fact(const FactTable& table, std::size_t relations, c
   counts.rate.pass_to(now);
   const std::size_t room = names_bytes / relations / 2;
   return list("relation-stats"_sym, Datum::symbol(relation), table.size(), counts.told, counts.gone, counts.rate.last_second(),
-              counted(counts.tellers, room), counted(watches.watchers_of(relation), room));
+              named(counts.tellers, room), counted(watches.watchers_of(relation), room));
 }
 
 }  // namespace pizarra

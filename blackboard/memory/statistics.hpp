@@ -9,7 +9,8 @@
 //
 // FACTS stand now; TOLD and GONE count those that came and went since the board began; PER-SECOND is how many came in
 // the last whole second. A watcher's count is that of its patterns that are about the relation. At most 64 of each are
-// named, and of all relations together as many as take 128 kB, each relation having the same share: whatever there is
+// named: for a newcomer among the tellers another is forgotten, who has left if there is such a one, and of those the
+// one that told nothing for longest. And of all relations together as many as take 128 kB, each relation having the same share: whatever there is
 // on a board, what is said of it fits an answer. A journey is that of the relation's facts, lately, in microseconds: from their teller in another process to
 // the board, which committed them then, and from there to their watchers in other processes, as far as these say
 // (latencies.hpp); relations without any are left out. QUEUED changes, of BYTES, wait for the watcher.
@@ -40,6 +41,8 @@ class Statistics {
   static constexpr std::size_t names_bytes = 128 << 10;  // of all
 
   void committed(const Commit& commit);
+  // The client so called is gone.
+  void left(std::string_view teller);
   // How long a fact of the relation was under way to the board, or from there to a watcher. Of one that the board has
   // not, it is nobody's.
   void came(std::string_view relation, Duration took, Time now);
@@ -55,13 +58,22 @@ class Statistics {
     Latencies to_board;
     Latencies to_watchers;
   };
+  struct Told {
+    std::uint64_t count = 0;
+    Revision newest = 0;
+    bool gone = false;
+  };
+  using Tellers = std::map<std::string, Told, std::less<>>;
   struct Counts {
     std::uint64_t told = 0;
     std::uint64_t gone = 0;
     Rate rate;
-    std::map<std::string, std::uint64_t, std::less<>> tellers;
+    Tellers tellers;
     std::unique_ptr<Journeys> journeys;
   };
+  static bool sooner_forgotten(const Told& a, const Told& b);
+  static Told& told_by(Counts& counts, const std::string& teller);
+  static Datum named(const Tellers& tellers, std::size_t room);
   Counts& counts_of(std::string_view relation);
   Journeys* journeys_of(std::string_view relation);
   std::vector<Datum> facts_of(std::string_view about, const Store& store, const WatchTable& watches, Time now);

@@ -126,7 +126,10 @@ void BoardServer::move_session(wire::SessionId id, Session& session, const std::
 void BoardServer::end_session(wire::SessionId id) {
   const auto session = sessions_.find(id);
   session_of_peer_.erase(session->second.peer);
+  const std::string teller = session->second.teller;
   sessions_.erase(session);
+  const bool others = std::ranges::any_of(sessions_, [&](const auto& entry) { return entry.second.teller == teller; });
+  if (!others) board_.statistics().left(teller);
 }
 
 // Ends the sessions of keys that are gone or have other permissions now; who still has a key says hello again.

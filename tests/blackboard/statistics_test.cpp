@@ -148,6 +148,62 @@ TEST(Statistics, NameTheTellersAndWatchersOfACellOfUsualSize) {
   EXPECT_EQ(answers->answers.front().bindings.find("?tellers")->size(), 20U);
 }
 
+TEST(Statistics, ForgetTheTellersThatAreGoneAndThenTheIdle) {
+  VirtualExecutor executor;
+  MemoryBoard board(executor);
+  ASSERT_TRUE(board.declare("test", {named("noise")}).has_value());
+  int noise = 0;
+  const auto tell = [&](const std::string& who, int times = 1) {
+    for (int n = 0; n < times; ++n) {
+      Transaction told;
+      told.tell(list("noise"_sym, ++noise));
+      ASSERT_TRUE(board.transact(who, told).has_value());
+    }
+  };
+  const auto told_by = [&](const std::string& who) -> std::int64_t {
+    const Result<Answers> answers = board.ask(query("(relation-stats noise ? ? ? ? ?tellers ?)"));
+    for (const Datum& teller : answers->answers.front().bindings.find("?tellers")->items()) {
+      if (teller[0].text() == who) return teller[1].integer();
+    }
+    return 0;
+  };
+  tell("quiet", 2);
+  for (std::size_t n = 0; n < 2 * Statistics::max_names; ++n) {
+    const std::string word = "prompt-" + std::to_string(n);
+    tell(word);
+    board.statistics().left(word);
+  }
+  tell("robot", 3000);
+  EXPECT_EQ(told_by("robot"), 3000);
+  EXPECT_EQ(told_by("quiet"), 2) << "it told before all the others, and is still there";
+  for (std::size_t n = 0; n < Statistics::max_names - 1; ++n) tell("agent-" + std::to_string(n));
+  EXPECT_EQ(told_by("robot"), 3000);
+  EXPECT_EQ(told_by("quiet"), 0) << "of as many as are named it told nothing for longest";
+}
+
+// There is no room for the names of all.
+TEST(Statistics, NameThoseWhoAreThereBeforeThoseWhoAreGone) {
+  VirtualExecutor executor;
+  MemoryBoard board(executor);
+  std::vector<Relation> relations;
+  for (int n = 0; n < 60; ++n) relations.push_back(named("relation-" + std::to_string(n)));
+  ASSERT_TRUE(board.declare("test", relations).has_value());
+  Transaction told;
+  told.tell(list("relation-0"_sym, 1));
+  ASSERT_TRUE(board.transact("robot", told).has_value());
+  for (std::size_t n = 0; n < Statistics::max_names - 1; ++n) {
+    const std::string word = "prompt-" + std::to_string(n);
+    Transaction other;
+    other.tell(list("relation-0"_sym, n + 2));
+    ASSERT_TRUE(board.transact(word, other).has_value());
+    board.statistics().left(word);
+  }
+  const Result<Answers> answers = board.ask(query("(relation-stats relation-0 ? ? ? ? ?tellers ?)"));
+  const Datum* tellers = answers->answers.front().bindings.find("?tellers");
+  EXPECT_LT(tellers->size(), Statistics::max_names);
+  EXPECT_EQ((*tellers)[tellers->size() - 1], list("robot", 1));
+}
+
 // How many of so many requests, `apart` from one another, were served.
 int served(ClientRequests& requests, const std::string& client, Time& now, int count, Duration apart) {
   int served = 0;
