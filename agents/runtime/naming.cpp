@@ -75,13 +75,13 @@ NamedEntry entry_of(const Datum& fact) {
   return entry;
 }
 
-// Contexts first, then by path.
-std::vector<NamedEntry> sorted_entries(const std::vector<Fact>& facts) {
-  std::vector<NamedEntry> entries;
-  for (const Fact& fact : facts) entries.push_back(entry_of(fact.datum));
-  std::ranges::sort(entries, {}, [](const NamedEntry& e) { return std::pair(e.reference.has_value(), e.path); });
-  if (entries.size() > Naming::max_listed) entries.resize(Naming::max_listed);
-  return entries;
+Listing listing_of(const std::vector<Fact>& facts) {
+  Listing listing;
+  for (const Fact& fact : facts) listing.entries.push_back(entry_of(fact.datum));
+  std::ranges::sort(listing.entries, {}, [](const NamedEntry& e) { return std::pair(e.reference.has_value(), e.path); });
+  listing.cut = listing.entries.size() > Naming::max_listed;
+  if (listing.cut) listing.entries.resize(Naming::max_listed);
+  return listing;
 }
 
 }  // namespace
@@ -186,14 +186,14 @@ Task<Result<void>> Naming::remove_context(Path path) {
 Task<Result<Reference>> Naming::resolve(Path path) {
   const Result<void> plain = check(path);
   if (!plain) co_return fail(plain);
-  const Datum beside = pizarra::list("bound"_sym, parent_of(path), any, any, any);
-  const Result<std::vector<Fact>> facts = co_await context_.board.facts(beside);
-  if (!facts) co_return fail(facts);
+  const Result<std::vector<Fact>> bound = co_await look(bound_form(path, any, any), 1);
+  if (!bound) co_return fail(bound);
+  if (!bound->empty()) co_return *entry_of(bound->front().datum).reference;
+  const Result<std::vector<Fact>> beside =
+      co_await look(pizarra::list("bound"_sym, parent_of(path), any, any, any), max_listed);
+  if (!beside) co_return fail(beside);
   std::vector<std::string> known;
-  for (const NamedEntry& entry : sorted_entries(*facts)) {
-    if (entry.path == path) co_return *entry.reference;
-    known.push_back(entry.path.back());
-  }
+  for (const Fact& fact : *beside) known.push_back(entry_of(fact.datum).path.back());
   const std::string nearest = nearest_name(path.back(), known);
   const std::string hint = nearest.empty() ? "" : fmt::format("; did you mean {}?", nearest);
   co_return fail("unbound", fmt::format("nothing is bound as {}{}", path_text(path), hint), to_datum(path_text(path)));
@@ -208,33 +208,41 @@ Task<Result<Reference>> Naming::await(Path path, Time deadline) {
   co_return *entry_of(answer->facts.front().datum).reference;
 }
 
-Task<Result<std::vector<NamedEntry>>> Naming::list(Path path) {
-  Query branches = query_for(pizarra::list("context"_sym, path_datum(path), "?name"_sym));
-  Query leaves = query_for(pizarra::list("bound"_sym, path_datum(path), "?name"_sym, "?kind"_sym, "?agent"_sym));
+Task<Result<std::vector<Fact>>> Naming::look(Datum pattern, std::size_t limit) {
+  Query query = query_for(std::move(pattern));
+  query.limit = limit;
+  const Result<Answers> answers = co_await context_.board.ask(std::move(query));
+  if (!answers) co_return fail(answers);
+  std::vector<Fact> facts;
+  for (const Answer& answer : answers->answers) facts.push_back(answer.facts.front());
+  co_return facts;
+}
+
+Task<Result<Listing>> Naming::list(Path path) {
   if (!path.empty()) {
     const Result<void> plain = check(path);
     if (!plain) co_return fail(plain);
-    const Result<std::vector<Fact>> itself = co_await context_.board.facts(context_form(path));
+    const Result<std::vector<Fact>> itself = co_await look(context_form(path), 1);
     if (!itself) co_return fail(itself);
     if (itself->empty()) co_return fail("no-context", path_text(path) + " is no context", to_datum(path_text(path)));
   }
-  branches.limit = max_listed;
-  leaves.limit = max_listed;
+  const Datum branches = pizarra::list("context"_sym, path_datum(path), any);
+  const Datum leaves = pizarra::list("bound"_sym, path_datum(path), any, any, any);
   std::vector<Fact> facts;
-  for (const Query& query : {branches, leaves}) {
-    const Result<Answers> answers = co_await context_.board.ask(query);
-    if (!answers) co_return fail(answers);
-    for (const Answer& answer : answers->answers) facts.push_back(answer.facts.front());
+  for (const Datum& pattern : {branches, leaves}) {
+    const Result<std::vector<Fact>> found = co_await look(pattern, max_listed + 1);
+    if (!found) co_return fail(found);
+    facts.insert(facts.end(), found->begin(), found->end());
   }
-  co_return sorted_entries(facts);
+  co_return listing_of(facts);
 }
 
-Task<Result<std::vector<NamedEntry>>> Naming::find(std::string kind) {
+Task<Result<Listing>> Naming::find(std::string kind) {
   if (!is_plain_name(kind)) co_return fail("bad-name", "a kind is letters, digits and dashes");
   const Datum pattern = pizarra::list("bound"_sym, any, any, Datum::symbol(kind), any);
-  const Result<std::vector<Fact>> facts = co_await context_.board.facts(pattern);
+  const Result<std::vector<Fact>> facts = co_await look(pattern, max_listed + 1);
   if (!facts) co_return fail(facts);
-  co_return sorted_entries(*facts);
+  co_return listing_of(*facts);
 }
 
 // What somebody else bound in the meantime, while this was away, is theirs.

@@ -40,6 +40,12 @@ struct NamedEntry {
   bool operator==(const NamedEntry&) const = default;
 };
 
+// Contexts first, by path.
+struct Listing {
+  std::vector<NamedEntry> entries;
+  bool cut = false;  // there are more
+};
+
 std::vector<Relation> naming_relations();
 // "robots/crs-f3/left"
 std::string path_text(const Path& path);
@@ -69,16 +75,17 @@ class Naming {
   // Failures bad-name, not-empty.
   Task<Result<void>> remove_context(Path path);
 
-  // Failure unbound, which names the nearest name beside it, or the kind's agents.
+  // Failure unbound, which names the nearest name beside it.
   Task<Result<Reference>> resolve(Path path);
   // Waits for it to be bound; failure timeout.
   Task<Result<Reference>> await(Path path, Time deadline);
-  // What is in a context, contexts first, by name; at most max_listed. Failure no-context.
-  Task<Result<std::vector<NamedEntry>>> list(Path path);
-  // Whatever is bound of a kind, wherever in the tree.
-  Task<Result<std::vector<NamedEntry>>> find(std::string kind);
+  // What is in a context; at most max_listed. Failure no-context.
+  Task<Result<Listing>> list(Path path);
+  // Whatever is bound of a kind, wherever in the tree; at most max_listed.
+  Task<Result<Listing>> find(std::string kind);
 
  private:
+  Task<Result<std::vector<Fact>>> look(Datum pattern, std::size_t limit);
   Task<Result<void>> put(Path path, Reference reference, bool replace);
   Task<Result<void>> tell_bindings();
   Task<void> keep_bindings();

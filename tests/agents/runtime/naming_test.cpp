@@ -41,9 +41,9 @@ TEST_P(NamingTest, WhatIsBoundIsResolvedListedReboundAndUnbound) {
   EXPECT_EQ(symbol_of(one->run(naming.make_context(crs))), "ok");
   EXPECT_EQ(symbol_of(one->run(naming.bind(left, {"robot", "robot-1"}))), "ok");
   EXPECT_EQ(two->run(two->naming.resolve(left)).value(), (Reference{"robot", "robot-1"}));
-  EXPECT_EQ(one->run(naming.list({})).value(), (std::vector<NamedEntry>{{robots, std::nullopt}}));
-  EXPECT_EQ(one->run(naming.list(robots)).value(), (std::vector<NamedEntry>{{crs, std::nullopt}}));
-  EXPECT_EQ(one->run(naming.list(crs)).value(), (std::vector<NamedEntry>{{left, Reference{"robot", "robot-1"}}}));
+  EXPECT_EQ(one->run(naming.list({})).value().entries, (std::vector<NamedEntry>{{robots, std::nullopt}}));
+  EXPECT_EQ(one->run(naming.list(robots)).value().entries, (std::vector<NamedEntry>{{crs, std::nullopt}}));
+  EXPECT_EQ(one->run(naming.list(crs)).value().entries, (std::vector<NamedEntry>{{left, Reference{"robot", "robot-1"}}}));
   EXPECT_EQ(symbol_of(two->run(two->naming.bind(left, {"robot", "robot-2"}))), "already-bound");
   EXPECT_EQ(symbol_of(two->run(two->naming.rebind(left, {"robot", "robot-2"}))), "ok");
   EXPECT_EQ(one->run(naming.resolve(left)).value().agent, "robot-2");
@@ -111,7 +111,7 @@ TEST_P(NamingTest, AServerOfSeveralObjectsShutsDownInOrder) {
   const Job calling = wall->executor().spawn(call());
   wall->pass(100ms);
   EXPECT_EQ(symbol_of(server->run(server->naming.unbind_all())), "ok");
-  EXPECT_TRUE(client->run(client->naming.find("robot")).value().empty());
+  EXPECT_TRUE(client->run(client->naming.find("robot")).value().entries.empty());
   EXPECT_EQ(symbol_of(server->run(server->service.leave(5s))), "ok");
   wall->pass(20ms);
   ASSERT_TRUE(answer.has_value());
@@ -131,7 +131,7 @@ TEST_P(NamingTest, AWrongNameIsToldTheRightOneAndAChangedOneIsFoundByKind) {
   const Result<Reference> wrong = server->run(server->naming.resolve({"robots", "crs-f3", "lft"}));
   ASSERT_FALSE(wrong.has_value());
   EXPECT_EQ(wrong.error().sentence, "nothing is bound as robots/crs-f3/lft; did you mean left?");
-  EXPECT_EQ(server->run(server->naming.find("robot")).value(),
+  EXPECT_EQ(server->run(server->naming.find("robot")).value().entries,
             (std::vector<NamedEntry>{{left, Reference{"robot", "robot-1"}}}));
   // Of another type than was agreed: refused where it is bound.
   EXPECT_EQ(symbol_of(server->run(server->naming.bind(right, {"camera", "robot-1"}))), "absent");
@@ -168,7 +168,7 @@ TEST_P(NamingTest, NoContextIsOrphaned) {
   server->run(server->naming.unbind(left)).value();
   EXPECT_EQ(symbol_of(server->run(server->naming.remove_context(crs))), "ok");
   EXPECT_EQ(symbol_of(server->run(server->naming.remove_context(robots))), "ok");
-  EXPECT_TRUE(server->run(server->naming.list({})).value().empty());
+  EXPECT_TRUE(server->run(server->naming.list({})).value().entries.empty());
 }
 
 TEST_P(NamingTest, ANameIsAContextOrABindingAndNeverBoth) {
@@ -187,10 +187,35 @@ TEST_P(NamingTest, AListingIsWholeWhateverHappensAfterIt) {
   for (std::size_t i = 0; i < many; ++i) {
     server->run(server->naming.bind({"robots", fmt::format("r{}", i)}, {"robot", "robot-1"})).value();
   }
-  const std::vector<NamedEntry> listed = server->run(server->naming.list(robots)).value();
+  const std::vector<NamedEntry> listed = server->run(server->naming.list(robots)).value().entries;
   server->run(server->naming.unbind_all()).value();
   EXPECT_EQ(listed.size(), many);
-  EXPECT_TRUE(server->run(server->naming.list(robots)).value().empty());
+  EXPECT_TRUE(server->run(server->naming.list(robots)).value().entries.empty());
+}
+
+TEST_P(NamingTest, AListingThatIsCutSaysSo) {
+  const auto one = member("robot-1");
+  one->run(one->naming.make_context(robots)).value();
+  one->run(one->naming.bind({"robots", "z"}, {"robot", "robot-1"})).value();
+  const auto fill = [&]() -> Task<void> {
+    Transaction transaction;
+    for (std::size_t n = 0; n < Naming::max_listed - 1; ++n) {
+      const std::string name = "c" + std::to_string(n);
+      transaction.tell(list("context"_sym, list("robots"_sym), Datum::symbol(name)));
+    }
+    const Result<Revision> told = co_await one->context.board.transact(std::move(transaction));
+    EXPECT_TRUE(told.has_value());
+  };
+  const Job filling = wall->executor().spawn(fill());
+  wall->pass(100ms);
+  const Listing whole = one->run(one->naming.list(robots)).value();
+  EXPECT_EQ(whole.entries.size(), Naming::max_listed);
+  EXPECT_FALSE(whole.cut);
+  one->run(one->naming.make_context({"robots", "a"})).value();
+  const Listing cut = one->run(one->naming.list(robots)).value();
+  EXPECT_EQ(cut.entries.size(), Naming::max_listed);
+  EXPECT_TRUE(cut.cut);
+  EXPECT_EQ(one->run(one->naming.resolve({"robots", "z"})).value().agent, "robot-1");
 }
 
 TEST_P(NamingTest, ABackupTakesOverTheNameAndTheRequestInHand) {
