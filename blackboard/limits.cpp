@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <string>
 
+#include "lisp/escapes.hpp"
+
 namespace pizarra {
 
 Weight& Weight::operator+=(const Weight& other) {
@@ -18,7 +20,8 @@ namespace {
 std::size_t bytes_of(const Datum& datum) {
   constexpr std::size_t longest_number = 26;
   if (datum.is_number()) return longest_number;
-  return datum.is_symbol() ? datum.text().size() + 1 : 2 * datum.text().size() + 3;
+  if (datum.is_symbol()) return datum.text().size() + 1;
+  return datum.text().size() + static_cast<std::size_t>(std::ranges::count_if(datum.text(), needs_escape)) + 3;
 }
 
 // Adds what the list weighs, inside `depth` others.
@@ -66,7 +69,7 @@ Result<void> check_examined(std::size_t examined, const Datum& subject) {
 
 Result<void> check_weight(const Weight& weight, const char* what) {
   const auto refuse = [&](const char* measure, std::size_t value, std::size_t bound) {
-    return fail("too-large", std::string(what) + " takes " + std::to_string(value) + " " + measure + ", and " +
+    return fail("too-large", std::string(what) + " takes up to " + std::to_string(value) + " " + measure + ", and " +
                                  std::to_string(bound) + " are the most");
   };
   if (weight.depth > limits::depth) return refuse("levels of lists", weight.depth, limits::depth);

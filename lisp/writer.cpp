@@ -6,12 +6,11 @@
 #include <charconv>
 
 #include "lisp/decimal.hpp"
+#include "lisp/escapes.hpp"
 
 namespace pizarra {
 
 namespace {
-
-constexpr bool needs_escape(char c) { return c == '"' || c == '\\' || c == '\n' || c == '\t'; }
 
 void write_string(std::string& out, std::string_view text) {
   out += '"';

@@ -148,9 +148,18 @@ TEST_P(BoardFacts, WhatIsTooLargeIsRefusedAndTheBoardGoesOn) {
   EXPECT_FALSE(holds(*alice, "(note ? ?)"));
 }
 
+// A string is as large as what is written of it.
+TEST_P(BoardFacts, AFactMayTakeNearlyAWholeMessage) {
+  const std::string plain(1'000'000, 'x');
+  EXPECT_EQ(symbol_of(wall->run(alice->tell(list("note"_sym, 1, plain)))), "ok");
+  EXPECT_EQ(ask(*bob, "(note 1 ?)").size(), 1U);
+  const std::string escaped(600'000, '"');
+  EXPECT_EQ(symbol_of(wall->run(alice->tell(list("note"_sym, 2, escaped)))), "too-large");
+}
+
 TEST_P(BoardFacts, AnswersThatFitNoMessageAreRefused) {
   for (int i = 0; i < 4; ++i) {
-    ASSERT_TRUE(wall->run(alice->tell(list("note"_sym, i, std::string(150'000, 'x')))).has_value());
+    ASSERT_TRUE(wall->run(alice->tell(list("note"_sym, i, std::string(300'000, 'x')))).has_value());
   }
   EXPECT_EQ(symbol_of(wall->run(bob->ask(query("(note ?n ?)")))), "too-large");
   EXPECT_EQ(symbol_of(wall->run(bob->watch(query("(and (note ?n ?) (note ?m ?))")))), "too-large");
