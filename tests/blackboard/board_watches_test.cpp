@@ -112,12 +112,14 @@ TEST_P(BoardWatches, AReaderThatLagsIsResynchronisedAndThenHearsEverything) {
 TEST_P(BoardWatches, AReaderWhoseChangesAreTooHeavyIsResynchronised) {
   const std::unique_ptr<Watch> seen = watch(*bob, "(note ?n ?text)");
   next(*seen);
-  for (int i = 0; i < 30; ++i) {
-    ASSERT_TRUE(
-        wall->run(alice->tell(list("note"_sym, 0, std::string(100'000U + static_cast<unsigned>(i), 'x')))).has_value());
+  // More than waits for a reader, besides what is under way to it.
+  constexpr std::size_t heavy = 100'000;
+  constexpr std::size_t many = 2 * limits::pending_bytes / heavy;
+  for (std::size_t i = 1; i <= many; ++i) {
+    ASSERT_TRUE(wall->run(alice->tell(list("note"_sym, 0, std::string(heavy + i, 'x')))).has_value());
   }
   bool resynchronised = false;
-  for (std::size_t size = 0; size < 100'029U;) {
+  for (std::size_t size = 0; size < heavy + many;) {
     const Change change = next(*seen);
     resynchronised = resynchronised || change.resynchronised;
     size = change.added.at(0).bindings.find("?text")->text().size();

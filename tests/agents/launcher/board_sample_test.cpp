@@ -66,7 +66,7 @@ TEST_F(BoardSamplerTest, ShowsTheRestWhereClientsHaveToldMoreAgentsThanAnAnswerH
   const BoardSample before = sample();
   EXPECT_EQ(before.agents.size(), 1U);
   EXPECT_FALSE(before.agents_unknown.has_value());
-  for (const char* name : {"a", "b", "c"}) tell(name, 300'000);
+  for (const char* name : {"a", "b", "c"}) tell(name, 400'000);
   const BoardSample after = sample();
   ASSERT_TRUE(after.agents_unknown.has_value());
   EXPECT_EQ(after.agents_unknown->symbol, "too-large");
