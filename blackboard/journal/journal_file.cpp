@@ -133,7 +133,6 @@ Result<std::shared_ptr<JournalFile>> JournalFile::open(const std::string& path, 
   const Result<std::int64_t> last = file->database_.ask("SELECT coalesce(max(number), 0) FROM log");
   if (!last) return fail(journal_tables::failure_of(last.error(), path));
   file->next_group_ = *last + 1;
-  file->reserve_.fill();
   return file;
 }
 
@@ -160,7 +159,13 @@ Result<std::vector<RememberedReply>> JournalFile::recover(Store& store) {
 Result<void> JournalFile::append(const JournalGroup& group) {
   const std::scoped_lock lock(mutex_);
   Result<void> written = write(group);
-  if (!written && written.error().symbol == "disk-full" && reserve_.spend()) written = write(group);
+  const bool full = !written && written.error().symbol == "disk-full";
+  if (written) let_log_be_copied(true);
+  if (full && reserve_.spend()) {
+    // What is set free is for the groups under way, this one and the next.
+    let_log_be_copied(false);
+    written = write(group);
+  }
   if (!written) return fail(journal_tables::failure_of(written.error(), path_));
   if (group.durable) mark_.set(next_group_);
   ++next_group_;
@@ -179,9 +184,20 @@ Result<void> JournalFile::write(const JournalGroup& group) {
   return insert_.bind(6, journal_tables::sum_of_group(next_group_, group.lines, group.replies)).run();
 }
 
-bool JournalFile::has_room() {
+// SQLite copies its log to where it belongs every now and then, for which the file grows.
+void JournalFile::let_log_be_copied(bool allowed) {
+  if (log_is_copied_ == allowed) return;
+  const Result<void> set =
+      database_.run(allowed ? "PRAGMA wal_autocheckpoint = 1000" : "PRAGMA wal_autocheckpoint = 0");
+  if (set) log_is_copied_ = allowed;
+}
+
+std::size_t JournalFile::room() {
   const std::scoped_lock lock(mutex_);
-  return reserve_.fill();
+  // Pages have heads, and some others are written with a group's own.
+  constexpr std::int64_t others = 192 << 10;
+  const std::int64_t bytes = reserve_.fill();
+  return bytes == 0 ? 0 : static_cast<std::size_t>(bytes - bytes / 32 - others);
 }
 
 Result<bool> JournalFile::compact(Time now) {

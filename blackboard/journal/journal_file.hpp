@@ -42,6 +42,8 @@ struct JournalGroup {
   std::string lines;
   std::string replies;
   bool durable = false;  // whether it is worth waiting for the disk
+
+  std::size_t bytes() const { return lines.size() + replies.size(); }
 };
 
 // How much of the past the horizon leaves to be asked about: at least that much.
@@ -65,8 +67,8 @@ class JournalFile {
   // All of it, into an empty store.
   Result<std::vector<RememberedReply>> recover(Store& store);
   Result<void> append(const JournalGroup& group);
-  // Whether there is space for more: tries to set it aside again when it was used up.
-  bool has_room();
+  // How many bytes of groups there is space for in any case: tries to set it aside again when it was used up.
+  std::size_t room();
   // Whether there may be more to do.
   Result<bool> compact(Time now);
 
@@ -84,6 +86,7 @@ class JournalFile {
 
   JournalFile(std::string path, History history, int lock, sqlite::Database database);
   Result<void> write(const JournalGroup& group);
+  void let_log_be_copied(bool allowed);
 
   const std::string path_;
   const History history_;
@@ -95,6 +98,7 @@ class JournalFile {
   sqlite::Statement insert_;
   std::int64_t next_group_ = 1;
   bool waits_for_disk_ = true;
+  bool log_is_copied_ = true;
 };
 
 // With what SQLite and the board leave beside it when they are killed.

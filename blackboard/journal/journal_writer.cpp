@@ -10,11 +10,17 @@ constexpr Duration not_waited_for = 100ms;
 constexpr Duration try_again_after = 250ms;
 constexpr Duration longest_disk = 20ms;  // that company is waited for in proportion to
 constexpr std::size_t compaction_bytes = 256 << 10;
+constexpr std::size_t written_at_once_bytes = 1 << 20;
 
 }  // namespace
 
 JournalWriter::JournalWriter(Executor& executor, std::shared_ptr<JournalFile> file)
-    : executor_(executor), file_(std::move(file)), due_(executor), job_(executor.spawn(write_groups())) {}
+    : executor_(executor),
+      file_(std::move(file)),
+      room_(file_->room()),
+      failure_(lack_of_room()),
+      due_(executor),
+      job_(executor.spawn(write_groups())) {}
 
 JournalWriter::~JournalWriter() {
   if (timer_ != 0) executor_.cancel(timer_);
@@ -32,6 +38,7 @@ void JournalWriter::append(std::string_view line) {
   pending_.lines += line;
   pending_.lines += '\n';
   ++position_;
+  if (!failure_ && pending_.bytes() >= written_at_once_bytes) due_.set();
   if (timer_ != 0) return;
   timer_ = executor_.call_at(executor_.now() + not_waited_for, [this] {
     timer_ = 0;
@@ -50,9 +57,15 @@ void JournalWriter::keep() {
   });
 }
 
-Result<void> JournalWriter::check_room(bool durable) const {
+std::optional<Failure> JournalWriter::lack_of_room() const {
+  if (room_ > 0) return std::nullopt;
+  return Failure{"journal-full", file_->path() + ": the disk is full", {}, {}};
+}
+
+Result<void> JournalWriter::check_room(bool durable, std::size_t bytes) const {
   if (durable && failure_) return fail(*failure_);
-  if (pending_.lines.size() < max_pending_bytes) return {};
+  const std::size_t under_way = work_ == nullptr ? 0 : work_->group.bytes();
+  if (under_way + pending_.bytes() + bytes <= (failure_ ? max_waiting_bytes : room_)) return {};
   return fail("journal-full", "more waits to be written to " + file_->path() + " than is allowed to wait");
 }
 
@@ -81,7 +94,7 @@ Task<void> JournalWriter::write_group() {
   const Time begun = executor_.now();
   std::function<void(const std::function<bool()>&)> job = [work](const std::function<bool()>&) {
     if (!work->group.lines.empty()) work->written = work->file->append(work->group);
-    work->room = work->file->has_room();
+    work->room = work->file->room();
     work->ended = true;
     work->ended.notify_all();
   };
@@ -94,8 +107,9 @@ Task<void> JournalWriter::write_group() {
 void JournalWriter::finish() {
   const std::shared_ptr<Work> work = work_;
   const bool failed_before = failure_.has_value();
-  failure_.reset();
-  if (!work->room) failure_ = Failure{"journal-full", file_->path() + ": the disk is full", {}, {}};
+  room_ = work->room;
+  failure_ = lack_of_room();
+  stuck_ = !work->written;
   if (work->written) {
     kept_ = work->last;
     bytes_until_compaction_ -= std::min(bytes_until_compaction_, work->group.lines.size());

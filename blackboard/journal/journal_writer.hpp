@@ -9,9 +9,10 @@
 //   writer.keep();                        // everything so far, soon; otherwise within 100 ms, and not waited for
 //
 // A group waits a little for company, an eighth of what the disk took lately: those who are acknowledged together come
-// again together. When the disk is full, writer.failure() says so until there is space again: what touches durable
-// relations should be refused meanwhile. What was appended already is tried again four times a second. Destroying it
-// writes what is left.
+// again together. No more should wait to be written than the file has set space aside for, which check_room() says. When
+// the disk is full, the space is used for what waits, and writer.failure() says so until there is space again: what
+// touches durable relations should be refused meanwhile. What cannot be written even so is tried again four times a
+// second. Destroying it writes what is left.
 
 #include <atomic>
 #include <functional>
@@ -29,7 +30,8 @@ namespace pizarra {
 class JournalWriter {
  public:
   using Position = std::uint64_t;  // how many lines came before, and this one
-  static constexpr std::size_t max_pending_bytes = 16 << 20;
+  // Of what need not last, while nothing can be written.
+  static constexpr std::size_t max_waiting_bytes = 16 << 20;
 
   JournalWriter(Executor& executor, std::shared_ptr<JournalFile> file);
   JournalWriter(const JournalWriter&) = delete;
@@ -50,9 +52,9 @@ class JournalWriter {
   // Why nothing more can be written, since when durable changes should be refused.
   const std::optional<Failure>& failure() const { return failure_; }
   // Whether what was appended already cannot be written either.
-  bool stuck() const { return work_ != nullptr && failure_.has_value(); }
-  // Whether more may be appended: a failure, or so much that waits for a slow disk.
-  Result<void> check_room(bool durable) const;
+  bool stuck() const { return stuck_; }
+  // Whether so much more may be appended: a failure, or so much that waits for a slow disk.
+  Result<void> check_room(bool durable, std::size_t bytes) const;
   const JournalFile& file() const { return *file_; }
 
  private:
@@ -62,7 +64,7 @@ class JournalWriter {
     JournalGroup group;
     Position last = 0;
     Result<void> written = {};
-    bool room = true;
+    std::size_t room = 0;
     std::atomic<bool> ended = false;
   };
   Task<void> write_groups();
@@ -70,6 +72,7 @@ class JournalWriter {
   Task<void> compact();
   void take_pending();
   void finish();
+  std::optional<Failure> lack_of_room() const;
 
   Executor& executor_;
   const std::shared_ptr<JournalFile> file_;
@@ -77,9 +80,11 @@ class JournalWriter {
   Position position_ = 0;
   Position kept_ = 0;
   std::shared_ptr<Work> work_;  // under way, or to be tried again
+  std::size_t room_;
   std::size_t bytes_until_compaction_ = 0;
   Duration disk_takes_{};  // to make a group durable, lately
   std::optional<Failure> failure_;
+  bool stuck_ = false;
   Event due_;
   Executor::TimerId timer_ = 0;
   Job job_;

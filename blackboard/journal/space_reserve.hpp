@@ -3,30 +3,32 @@
 // Space set aside on a disk that may become full, so that what was begun can still be ended.
 //
 //   SpaceReserve reserve("cell.journal-reserve");
-//   reserve.fill();              // whether it is there now
-//   reserve.spend();             // whether there was any; the disk has that much more now
+//   reserve.fill();              // how many bytes are set aside now, if any
+//   reserve.spend();             // whether there were any; the disk has that much more now
 //
-// The file goes with it.
+// It takes half of what the disk has at most, and grows with it. The file goes with it.
 
+#include <cstdint>
 #include <string>
 
 namespace pizarra {
 
 class SpaceReserve {
  public:
-  static constexpr long bytes = 1 << 20;
+  static constexpr std::int64_t least = 2 << 20;
+  static constexpr std::int64_t most = 16 << 20;
 
   explicit SpaceReserve(std::string path) : path_(std::move(path)) {}
   SpaceReserve(const SpaceReserve&) = delete;
   SpaceReserve& operator=(const SpaceReserve&) = delete;
   ~SpaceReserve() { spend(); }
 
-  bool fill();
+  std::int64_t fill();
   bool spend();
 
  private:
   const std::string path_;
-  bool filled_ = false;
+  std::int64_t bytes_ = 0;
 };
 
 }  // namespace pizarra

@@ -92,11 +92,7 @@ class BoardServer {
     std::shared_ptr<Backlog> backlog = std::make_shared<Backlog>();
     std::map<wire::WatchId, ServedWatch> watches;
     bool holds = false;  // what it watches, and answers questions from it
-    struct Reply {
-      std::string text;
-      JournalWriter::Position after;  // not to be given before this is in the journal
-    };
-    std::map<wire::RequestId, Reply> replies;
+    std::map<wire::RequestId, Durability::Reply> replies;
     std::size_t reply_bytes = 0;
     wire::RequestId replies_forgotten = 0;  // up to this request
   };
@@ -136,7 +132,7 @@ class BoardServer {
   void note_journey(const Datum& body, Time sent);
   Result<Datum> lease(const Session& session, const Datum& body);
   void answer(wire::SessionId id, Session& session, wire::RequestId number, const Datum& body);
-  void remember(Session& session, wire::RequestId number, Session::Reply reply);
+  void remember(Session& session, wire::RequestId number, Durability::Reply reply);
   std::string with_progress(const Session& session, std::string reply) const;
   void send(const std::string& peer, const Datum& message);
   void schedule_flush(wire::SessionId id);

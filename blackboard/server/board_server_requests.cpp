@@ -62,8 +62,7 @@ void BoardServer::request(wire::SessionId id, Session& session, const Datum& mes
   const Result<void> served = board_.statistics().requests().ask(client_of(session), executor_.now());
   if (const auto done = session.replies.find(*number); done != session.replies.end()) {
     // One that is held comes when it may.
-    if (durability_.kept(done->second.after)) socket_.send(session.peer, done->second.text);
-    return;
+    return durability_.answer_again(id, *number, done->second);
   }
   if (must_be_done_once(message[3]) && *number <= session.replies_forgotten) {
     return refuse_request(session, *number,
@@ -111,8 +110,9 @@ void BoardServer::answer(wire::SessionId id, Session& session, wire::RequestId n
   if (!result && is_refusal(result.error())) refusals_.note(client_of(session), result.error());
   const Datum reply = reply_to_datum(number, result);
   const std::string text = write(reply);
+  const bool stands = result && durable && durability_.position() > before;
   if (must_be_done_once(body)) {
-    remember(session, number, {text, durable ? durability_.position() : 0});
+    remember(session, number, {text, durable ? durability_.position() : 0, stands});
     if (durable && durability_.position() > before) {
       const std::string key = session.key ? session.key->key : "";
       durability_.remember({id, session.teller, number, reply[2], key});
@@ -120,7 +120,7 @@ void BoardServer::answer(wire::SessionId id, Session& session, wire::RequestId n
   }
   // Changes go before the reply to the request that made them, and after the one to the request for them.
   if (!body.is_form("watch")) flush_all();
-  if (durable) return durability_.hold(id, number, text);
+  if (durable) return durability_.hold(id, number, {text, durability_.position(), stands});
   socket_.send(session.peer, session.holds ? with_progress(session, text) : text);
 }
 
@@ -133,7 +133,7 @@ std::string BoardServer::with_progress(const Session& session, std::string reply
   return reply;
 }
 
-void BoardServer::remember(Session& session, wire::RequestId number, Session::Reply reply) {
+void BoardServer::remember(Session& session, wire::RequestId number, Durability::Reply reply) {
   const auto [place, fresh] = session.replies.emplace(number, std::move(reply));
   if (fresh) session.reply_bytes += place->second.text.size();
   // One is remembered whatever its size.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "blackboard/limits.hpp"
 #include "lisp/writer.hpp"
 
 namespace pizarra {
@@ -43,26 +44,44 @@ bool Durability::concerns_durable(const Store& store, const Datum& body) const {
 }
 
 Result<void> Durability::check_room(const Datum& body, bool durable) const {
-  const bool changes = body.is_form("transact") || body.is_form("take") || body.is_form("declare");
+  const bool takes = body.is_form("take");
+  const bool changes = takes || body.is_form("transact") || body.is_form("declare");
   if (journal_ == nullptr || !changes) return {};
-  return journal_->check_room(durable);
+  // The journal's line says what the request says, and the reply beside it what was taken.
+  constexpr std::size_t said_beside = 512;
+  return journal_->check_room(durable, weigh(body).bytes + said_beside + (takes ? limits::frame_bytes : 0));
 }
 
-void Durability::hold(wire::SessionId session, wire::RequestId request, std::string reply) {
-  held_.push_back({journal_->position(), session, request, std::move(reply)});
+void Durability::hold(wire::SessionId session, wire::RequestId request, Reply reply) {
+  held_.push_back({session, request, std::move(reply)});
   journal_->keep();
 }
 
+void Durability::answer_again(wire::SessionId session, wire::RequestId request, const Reply& reply) const {
+  if (journal_ == nullptr || reply.after <= journal_->kept()) return send_(session, reply.text);
+  if (journal_->stuck()) send_(session, in_doubt(request, reply));
+}
+
 void Durability::progress() {
-  while (!held_.empty() && held_.front().position <= journal_->kept()) {
-    send_(held_.front().session, held_.front().reply);
+  while (!held_.empty() && held_.front().reply.after <= journal_->kept()) {
+    send_(held_.front().session, held_.front().reply.text);
     held_.pop_front();
   }
   if (!journal_->stuck()) return;
-  const Datum failure = failure_to_datum(*journal_->failure());
-  for (const Held& held : std::exchange(held_, {})) {
-    send_(held.session, write(list("reply"_sym, held.request, failure)));
-  }
+  for (const Held& held : std::exchange(held_, {})) send_(held.session, in_doubt(held.request, held.reply));
+}
+
+std::string Durability::in_doubt(wire::RequestId request, const Reply& reply) const {
+  if (!reply.stands) return reply.text;
+  const Result<Datum> answered = wire::read_frame(reply.text);
+  const Datum value = answered ? (*answered)[2][1] : Datum();
+  const Failure failure{"not-durable",
+                        "it stands on the board, so do not repeat it, but it goes with the board that ends before it "
+                        "can be written: " +
+                            journal_->failure()->sentence,
+                        value,
+                        {}};
+  return write(list("reply"_sym, request, failure_to_datum(failure)));
 }
 
 }  // namespace pizarra

@@ -2,10 +2,11 @@
 
 // What a served board owes those whose changes must last: it answers them only when the disk has what they were told.
 //
-//   if (durability.concerns_durable(store, body)) durability.hold(session, request, reply);
+//   if (durability.concerns_durable(store, body)) durability.hold(session, request, {reply, durability.position()});
 //
-// Held replies are given to `send` in order, when the journal has all that came before them. When the journal cannot
-// be written, they are answered with its failure: what they are about stands, and is written when there is space again.
+// Held replies are given to `send` in order, when the journal has all that came before them. Nothing is begun that the
+// journal has no space for; should it not be written even so, those whose changes stand already are answered with the
+// failure `not-durable`, whose subject is what they would have been answered.
 
 #include <deque>
 #include <functional>
@@ -20,6 +21,12 @@ class Durability {
  public:
   using Send = std::function<void(wire::SessionId session, const std::string& reply)>;
 
+  struct Reply {
+    std::string text;
+    JournalWriter::Position after = 0;  // not to be given before this is in the journal
+    bool stands = false;                // whether it tells of a change, which is on the board already
+  };
+
   // Without a journal nothing is durable.
   Durability(JournalWriter* journal, Send send);
   Durability(const Durability&) = delete;
@@ -28,21 +35,22 @@ class Durability {
 
   // Whether the request tells, retracts, takes, settles or declares what is durable.
   bool concerns_durable(const Store& store, const Datum& body) const;
-  // Before a change: failure journal-full.
+  // Before a change, which then does not come to stand: failure journal-full.
   Result<void> check_room(const Datum& body, bool durable) const;
   JournalWriter::Position position() const { return journal_ == nullptr ? 0 : journal_->position(); }
-  bool kept(JournalWriter::Position position) const { return journal_ == nullptr || position <= journal_->kept(); }
-  void hold(wire::SessionId session, wire::RequestId request, std::string reply);
+  void hold(wire::SessionId session, wire::RequestId request, Reply reply);
+  // One that was held before, if it is to be had.
+  void answer_again(wire::SessionId session, wire::RequestId request, const Reply& reply) const;
   void remember(const RememberedReply& reply) { journal_->remember(reply); }
 
  private:
   struct Held {
-    JournalWriter::Position position;
     wire::SessionId session;
     wire::RequestId request;
-    std::string reply;
+    Reply reply;
   };
   void progress();
+  std::string in_doubt(wire::RequestId request, const Reply& reply) const;
 
   JournalWriter* const journal_;
   const Send send_;

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <charconv>
+#include <csignal>
 #include <filesystem>
 #include <fmt/format.h>
 #include <string>
@@ -88,12 +89,15 @@ class KeptBoard {
     if (!remembered) return fail(remembered);
     remembered_ = std::move(*remembered);
     journal_ = std::make_unique<JournalWriter>(executor_, *file);
-    journal_->on_failure = [](const std::optional<Failure>& failure) {
-      const std::string news = failure ? describe(*failure) + "; what is durable is refused until there is space"
-                                       : std::string("the journal can be written again");
-      fmt::print(stderr, "pizarra-board: {}\n", news);
-    };
+    journal_->on_failure = say_how_it_goes;
+    if (journal_->failure()) say_how_it_goes(journal_->failure());
     return {};
+  }
+
+  static void say_how_it_goes(const std::optional<Failure>& failure) {
+    const std::string news = failure ? describe(*failure) + "; what is durable is refused until there is space"
+                                     : std::string("the journal can be written again");
+    fmt::print(stderr, "pizarra-board: {}\n", news);
   }
 
   Executor& executor_;
@@ -119,6 +123,8 @@ Time first_moment(const std::string& journal) {
 int serve(Options options) {
   RealExecutor executor(first_moment(options.journal));
   const StopSignals signals(executor);
+  // A file that may not grow is a failure of its journal, not the board's end.
+  std::signal(SIGXFSZ, SIG_IGN);
   KeptBoard kept(executor);
   const Result<void> begun = kept.begin(options);
   if (!begun) return complain(begun.error(), bad_journal);
