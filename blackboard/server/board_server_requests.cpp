@@ -104,7 +104,13 @@ void BoardServer::answer(wire::SessionId id, Session& session, wire::RequestId n
     return ask_past(id, session, number, body);
   const bool durable = durability_.concerns_durable(board_.store(), body);
   const Result<void> room = durability_.check_room(body, durable);
-  if (!room) return send(session.peer, reply_to_datum(number, fail(room)));
+  if (!room) {
+    const std::string refusal = write(reply_to_datum(number, fail(room)));
+    // One that is on its way a second time is refused as well, though there is room by then.
+    if (must_be_done_once(body)) remember(session, number, {refusal});
+    socket_.send(session.peer, refusal);
+    return;
+  }
   const JournalWriter::Position before = durability_.position();
   const Result<Datum> result = perform(id, session, body);
   if (!result && is_refusal(result.error())) refusals_.note(client_of(session), result.error());

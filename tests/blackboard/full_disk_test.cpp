@@ -12,10 +12,15 @@
 #include "blackboard/time/real_executor.hpp"
 #include "tests/blackboard/board_fixture.hpp"
 #include "tests/blackboard/child_program.hpp"
+#include "tests/blackboard/server_fixture.hpp"
 #include "tests/scratch.hpp"
 
 namespace pizarra {
 namespace {
+
+struct Raw : ServerTest {
+  using ServerTest::Client;
+};
 
 class FullDiskTest : public testing::Test, public Wall {
  protected:
@@ -146,6 +151,30 @@ TEST_F(FullDiskTest, OfManyChangesUnderWayThoseRefusedDoNotStandAndTheOthersLast
   start();
   expected.insert(0);  // what was taken is put back, for its taker is gone
   EXPECT_EQ(numbers(), expected);
+}
+
+// A client that hears nothing for a second asks again: both may be on their way when the first is refused.
+TEST_F(FullDiskTest, WhatWasRefusedIsNotDoneWhenItComesAgainAndThereIsSpace) {
+  start();
+  declare();
+  Raw::Client client(executor_, address_);
+  const std::string session = client.join("bob");
+  const auto told = [&](int n) {
+    const std::string fact = "(goal " + std::to_string(n) + " \"" + std::string(20'000, 'x') + "\")";
+    const std::string number = std::to_string(n);
+    return client.ask("(request " + session + " " + number + " (transact () ((tell " + fact + " 0))))");
+  };
+  fill();
+  int refused = 1;
+  while (refused < 400 && told(refused)[2].is_form("ok")) ++refused;
+  std::filesystem::remove(disk_ + "/other");
+  int later = refused + 1;
+  while (later < refused + 100 && !told(later)[2].is_form("ok")) pass(50ms), ++later;
+  ASSERT_LT(later, refused + 100);
+  const Datum again = told(refused);
+  ASSERT_TRUE(again[2].is_form("fail")) << write(again);
+  EXPECT_EQ(again[2][1], "journal-full"_sym);
+  EXPECT_FALSE(numbers().contains(refused));
 }
 
 TEST_F(FullDiskTest, WhatStandsAndCannotBeWrittenIsSaidToStandAndNothingMoreIsTaken) {
