@@ -98,8 +98,9 @@ TEST_F(BoardOfACellGone, ABoardThatIsStartedAgainEndsNobody) {
 TEST_F(BoardOfACellGone, WhoEndsOrIsInterruptedIsNotPresentAnyMore) {
   const auto presences = [] {
     const std::string shown = run("ps").text;
+    const std::string_view row = "\n  prompt-";
     std::size_t count = 0;
-    for (std::size_t at = shown.find("prompt-"); at != std::string::npos; at = shown.find("prompt-", at + 1)) ++count;
+    for (std::size_t at = shown.find(row); at != std::string::npos; at = shown.find(row, at + 1)) ++count;
     return count;
   };
   EXPECT_EQ(presences(), 2U) << "the watch and the form that waits, but not who asked before: " << run("ps").text;
