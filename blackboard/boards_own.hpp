@@ -24,8 +24,10 @@ inline bool is_statistics(std::string_view relation) {
 inline bool is_told_by_the_board(std::string_view relation) { return relation == "board-refusal"; }
 
 inline Failure left_to_the_board(std::string_view relation) {
-  return {"not-permitted", std::string(relation) + " is the board's own: nobody else declares, tells or takes it",
-          Datum::symbol(relation), {}};
+  return {"not-permitted",
+          std::string(relation) + " is the board's own: nobody else declares, tells or takes it",
+          Datum::symbol(relation),
+          {}};
 }
 
 }  // namespace pizarra

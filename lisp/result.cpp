@@ -42,7 +42,8 @@ std::string beginning(std::string text, std::size_t longest) {
 
 std::string describe(const Failure& failure) {
   std::string out = failure.sentence;
-  if (failure.subject != Datum() && !says(out, failure.subject)) out += ": " + beginning(write(failure.subject), failure.place.empty() ? 200 : 30);
+  if (failure.subject != Datum() && !says(out, failure.subject))
+    out += ": " + beginning(write(failure.subject), failure.place.empty() ? 200 : 30);
   if (!failure.place.empty()) out += '\n' + failure.place;
   return out;
 }

@@ -78,7 +78,8 @@ NamedEntry entry_of(const Datum& fact) {
 Listing listing_of(const std::vector<Fact>& facts) {
   Listing listing;
   for (const Fact& fact : facts) listing.entries.push_back(entry_of(fact.datum));
-  std::ranges::sort(listing.entries, {}, [](const NamedEntry& e) { return std::pair(e.reference.has_value(), e.path); });
+  std::ranges::sort(listing.entries, {},
+                    [](const NamedEntry& e) { return std::pair(e.reference.has_value(), e.path); });
   listing.cut = listing.entries.size() > Naming::max_listed;
   if (listing.cut) listing.entries.resize(Naming::max_listed);
   return listing;

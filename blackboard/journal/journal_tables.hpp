@@ -9,8 +9,8 @@
 //                                    told under a lease (2, 3)
 //   log(number, revision, time, lines, replies, sum)     what came since, a group a row, numbered without a gap
 //
-// Elsewhere `sum` is a checksum of its row: SQLite has none of its own. A file of format 1 has none over its head: it is
-// believed when it is opened, and has one from its next opening to write on (format 2).
+// Elsewhere `sum` is a checksum of its row: SQLite has none of its own. A file of format 1 has none over its head: it
+// is believed when it is opened, and has one from its next opening to write on (format 2).
 
 #include <vector>
 

@@ -9,10 +9,10 @@
 //   writer.keep();                        // everything so far, soon; otherwise within 100 ms, and not waited for
 //
 // A group waits a little for company, an eighth of what the disk took lately: those who are acknowledged together come
-// again together. No more should wait to be written than the file has set space aside for, which check_room() says. When
-// the disk is full, the space is used for what waits, and writer.failure() says so until there is space again: what
-// touches durable relations should be refused meanwhile. What cannot be written even so is tried again four times a
-// second. Destroying it writes what is left.
+// again together. No more should wait to be written than the file has set space aside for, which check_room() says.
+// When the disk is full, the space is used for what waits, and writer.failure() says so until there is space again:
+// what touches durable relations should be refused meanwhile. What cannot be written even so is tried again four times
+// a second. Destroying it writes what is left.
 
 #include <atomic>
 #include <functional>

@@ -11,7 +11,7 @@ namespace pizarra {
 namespace {
 
 std::int64_t free_bytes(int file) {
-  struct statvfs disk{};
+  struct statvfs disk {};
   if (fstatvfs(file, &disk) != 0) return 0;
   return static_cast<std::int64_t>(disk.f_bavail) * static_cast<std::int64_t>(disk.f_frsize);
 }

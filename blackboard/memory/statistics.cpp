@@ -228,8 +228,8 @@ Datum Statistics::relation_fact(const FactTable& table, std::size_t relations, c
   Counts& counts = counts_of(relation);
   counts.rate.pass_to(now);
   const std::size_t room = names_bytes / relations / 2;
-  return list("relation-stats"_sym, Datum::symbol(relation), table.size(), counts.told, counts.gone, counts.rate.last_second(),
-              named(counts.tellers, room), counted(watches.watchers_of(relation), room));
+  return list("relation-stats"_sym, Datum::symbol(relation), table.size(), counts.told, counts.gone,
+              counts.rate.last_second(), named(counts.tellers, room), counted(watches.watchers_of(relation), room));
 }
 
 }  // namespace pizarra

@@ -10,12 +10,12 @@
 // FACTS stand now; TOLD and GONE count those that came and went since the board began; PER-SECOND is how many came in
 // the last whole second. A watcher's count is that of its patterns that are about the relation. At most 64 of each are
 // named: for a newcomer among the tellers another is forgotten, who has left if there is such a one, and of those the
-// one that told nothing for longest. And of all relations together as many as take 128 kB, each relation having the same share: whatever there is
-// on a board, what is said of it fits an answer. A journey is that of the relation's facts, lately, in microseconds: from their teller in another process to
-// the board, which committed them then, and from there to their watchers in other processes, as far as these say
-// (latencies.hpp); relations without any are left out. QUEUED changes, of BYTES, wait for the watcher.
-// REQUESTS are those of a client in another process, REFUSED those of them that were too many, PER-SECOND how many came
-// in the last whole second (client_requests.hpp).
+// one that told nothing for longest. And of all relations together as many as take 128 kB, each relation having the
+// same share: whatever there is on a board, what is said of it fits an answer. A journey is that of the relation's
+// facts, lately, in microseconds: from their teller in another process to the board, which committed them then, and
+// from there to their watchers in other processes, as far as these say (latencies.hpp); relations without any are left
+// out. QUEUED changes, of BYTES, wait for the watcher. REQUESTS are those of a client in another process, REFUSED those
+// of them that were too many, PER-SECOND how many came in the last whole second (client_requests.hpp).
 //
 //   statistics.committed(commit);
 //   if (Statistics::is_about(query)) answers = statistics.ask(query, store, watches, now);

@@ -9,8 +9,11 @@ namespace {
 using BoardOwn = BoardTest;
 
 Relation named(const std::string& name, const std::string& argument = "text") {
-  return {
-      .name = name, .arguments = {{argument, ArgumentType::datum}}, .key = {0}, .durable = false, .lease = std::nullopt};
+  return {.name = name,
+          .arguments = {{argument, ArgumentType::datum}},
+          .key = {0},
+          .durable = false,
+          .lease = std::nullopt};
 }
 
 TEST_P(BoardOwn, WhatItSaysOfItselfCanBeAskedForAndNothingElse) {

@@ -36,9 +36,9 @@ class FullDiskTest : public testing::Test, public Wall {
     umount(disk_.c_str());
   }
   void start(std::vector<std::string> words = {}) {
-    for (const std::string& word : {std::string(PIZARRA_BOARD_PROGRAM), std::string("--listen"), address_,
-                                    std::string("--journal"), disk_ + "/board.journal", std::string("--history"),
-                                    std::string("0")}) {
+    for (const std::string& word :
+         {std::string(PIZARRA_BOARD_PROGRAM), std::string("--listen"), address_, std::string("--journal"),
+          disk_ + "/board.journal", std::string("--history"), std::string("0")}) {
       words.push_back(word);
     }
     board_.emplace(std::move(words));

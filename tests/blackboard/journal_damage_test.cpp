@@ -59,10 +59,8 @@ TEST_F(JournalDamageTest, ABitThatFlipsWhereItBeginsOrInARelationIsNoticed) {
   Store sound;
   ASSERT_TRUE(recover(whole, sound).has_value());
   constexpr std::size_t time_bytes = 4;  // of 350 s in microseconds
-  const std::vector<std::pair<std::string, std::size_t>> rows = {{"(relation goal ((n integer)", 0},
-                                                                 {"(relation seen ((name", 0},
-                                                                 {"horizon-time", time_bytes},
-                                                                 {"next-fact", 2}};
+  const std::vector<std::pair<std::string, std::size_t>> rows = {
+      {"(relation goal ((n integer)", 0}, {"(relation seen ((name", 0}, {"horizon-time", time_bytes}, {"next-fact", 2}};
   for (const auto& [row, more] : rows) {
     const std::size_t begin = whole.find(row);
     ASSERT_NE(begin, std::string::npos) << row;

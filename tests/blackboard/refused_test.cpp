@@ -41,10 +41,9 @@ class RefusedTest : public testing::TestWithParam<ClientKind>, public Wall {
   const std::string address_ = ipc_address();
   bool welcomes_ = true;
   RealExecutor executor_;
-  WireSocket server_{executor_, WireSocket::Kind::router,
-                     [this](const std::string& client, std::optional<std::string_view> frame) {
-                       receive(client, frame.value());
-                     }};
+  WireSocket server_{
+      executor_, WireSocket::Kind::router,
+      [this](const std::string& client, std::optional<std::string_view> frame) { receive(client, frame.value()); }};
   PythonProcess python_{executor_};
 };
 

@@ -123,10 +123,10 @@ TEST(Statistics, FitAnAnswerWhateverClientsDo) {
   for (std::size_t n = 0; n < 2 * ClientRequests::most_clients; ++n) {
     ASSERT_TRUE(board.statistics().requests().ask(name_of(n, '"'), executor.now()).has_value());
   }
-  for (const auto& [asked, fewest] : {std::pair("(relation-stats ? ? ? ? ? ? ?)", relations.size()),
-                                      std::pair("(journey-stats ? ? ?)", relations.size()),
-                                      std::pair("(watcher-stats ? ? ? ?)", std::size_t{16}),
-                                      std::pair("(client-stats ? ? ? ?)", ClientRequests::most_clients)}) {
+  for (const auto& [asked, fewest] :
+       {std::pair("(relation-stats ? ? ? ? ? ? ?)", relations.size()),
+        std::pair("(journey-stats ? ? ?)", relations.size()), std::pair("(watcher-stats ? ? ? ?)", std::size_t{16}),
+        std::pair("(client-stats ? ? ? ?)", ClientRequests::most_clients)}) {
     const Result<Answers> answers = board.ask(query(asked));
     ASSERT_TRUE(answers.has_value()) << asked << ": " << answers.error().sentence;
     EXPECT_GE(answers->answers.size(), fewest) << asked;

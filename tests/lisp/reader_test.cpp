@@ -2,7 +2,6 @@
 
 #include <cstdio>
 #include <ctime>
-#include <ctime>
 #include <fmt/format.h>
 #include <fstream>
 #include <gtest/gtest.h>

@@ -1,10 +1,11 @@
 #include "tests/tree/tree.hpp"
-#include "tests/source_dir.hpp"
 
 #include <algorithm>
 #include <fstream>
 #include <regex>
 #include <sstream>
+
+#include "tests/source_dir.hpp"
 
 namespace pizarra {
 

@@ -96,10 +96,11 @@ Result<Moment> moment_from_text(const std::string& text, Time end) {
     lasting = std::chrono::seconds(1) - Duration(1);
   }
   if (!time) {
-    return fail("bad-moment",
-                "a moment is a revision, as 120, a time before the end, as 90s, 5min, 2h or 1d, a local time that there "
-                "was, as 2026-11-21T12:30:00, or seconds of the journal's clock, as @12.5",
-                is_string_text(text) ? to_datum(text) : Datum());
+    return fail(
+        "bad-moment",
+        "a moment is a revision, as 120, a time before the end, as 90s, 5min, 2h or 1d, a local time that there "
+        "was, as 2026-11-21T12:30:00, or seconds of the journal's clock, as @12.5",
+        is_string_text(text) ? to_datum(text) : Datum());
   }
   if (*time > end) return fail("not-yet", "this is later than the end, which is at " + time_text(end), to_datum(text));
   return Moment{.time = *time + lasting};

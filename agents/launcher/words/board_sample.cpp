@@ -157,7 +157,8 @@ Task<Result<BoardSample>> BoardSampler::next() {
   const Result<std::vector<Fact>> statistics_now = co_await statistics();
   if (!statistics_now) co_return fail(statistics_now);
   const Counts now = count(*statistics_now, revision_);
-  BoardSample sample{.revision = now.revision, .agents = {}, .agents_unknown = {}, .relations = {}, .clients = {}, .journey = {}};
+  BoardSample sample{
+      .revision = now.revision, .agents = {}, .agents_unknown = {}, .relations = {}, .clients = {}, .journey = {}};
   sample.transactions_per_second =
       rate(static_cast<std::int64_t>(now.revision), static_cast<std::int64_t>(before_.revision), now);
   for (const Fact& fact : *statistics_now) {
@@ -241,7 +242,8 @@ Task<Result<Journey>> BoardSampler::travel() {
     if (!change) co_return fail(change);
     delivered.push_back(executor_.now() - sent);
     if (change->added.empty()) continue;
-    probes_told.push_back({.sent = sent, .committed = change->added.front().facts.front().when, .acknowledged = answered});
+    probes_told.push_back(
+        {.sent = sent, .committed = change->added.front().facts.front().when, .acknowledged = answered});
   }
   const Result<void> released = co_await board_.release(*lease);
   if (!released) co_return fail(released);

@@ -115,8 +115,8 @@ void print_json(const BoardSample& sample) {
       "{{\"revision\":{},\"facts\":{},\"transactions_per_second\":{:.1f},\"journey\":{},\"agents\":{},"
       "\"relations\":[{}],\"clients\":{}}}\n",
       sample.revision, sample.facts, sample.transactions_per_second, journey,
-      sample.agents_unknown ? "null" : fmt::format("[{}]", fmt::join(agents, ",")),
-      fmt::join(relations, ","), clients_json(sample.clients));
+      sample.agents_unknown ? "null" : fmt::format("[{}]", fmt::join(agents, ",")), fmt::join(relations, ","),
+      clients_json(sample.clients));
 }
 
 Task<void> show(const TopChoices& choices, const std::string& address, Executor& executor, Board& board, int& status) {

@@ -54,8 +54,10 @@ TEST_F(BoardSamplerTest, ShowsTheRestWhereClientsHaveToldMoreAgentsThanAnAnswerH
     return Relation{.name = name, .arguments = std::move(arguments), .key = {0}, .durable = false, .lease = {}};
   };
   const std::vector<Relation> relations = {
-      declared("agent", {{"name", ArgumentType::symbol}, {"kind", ArgumentType::symbol}, {"host", ArgumentType::string}}),
-      declared("request", {{"id", ArgumentType::symbol}, {"agent", ArgumentType::symbol}, {"form", ArgumentType::datum}})};
+      declared("agent",
+               {{"name", ArgumentType::symbol}, {"kind", ArgumentType::symbol}, {"host", ArgumentType::string}}),
+      declared("request",
+               {{"id", ArgumentType::symbol}, {"agent", ArgumentType::symbol}, {"form", ArgumentType::datum}})};
   ASSERT_TRUE(board_.declare("mallory", relations).has_value());
   const auto tell = [&](const std::string& name, std::size_t host) {
     Transaction transaction;

@@ -43,7 +43,8 @@ TEST_P(NamingTest, WhatIsBoundIsResolvedListedReboundAndUnbound) {
   EXPECT_EQ(two->run(two->naming.resolve(left)).value(), (Reference{"robot", "robot-1"}));
   EXPECT_EQ(one->run(naming.list({})).value().entries, (std::vector<NamedEntry>{{robots, std::nullopt}}));
   EXPECT_EQ(one->run(naming.list(robots)).value().entries, (std::vector<NamedEntry>{{crs, std::nullopt}}));
-  EXPECT_EQ(one->run(naming.list(crs)).value().entries, (std::vector<NamedEntry>{{left, Reference{"robot", "robot-1"}}}));
+  EXPECT_EQ(one->run(naming.list(crs)).value().entries,
+            (std::vector<NamedEntry>{{left, Reference{"robot", "robot-1"}}}));
   EXPECT_EQ(symbol_of(two->run(two->naming.bind(left, {"robot", "robot-2"}))), "already-bound");
   EXPECT_EQ(symbol_of(two->run(two->naming.rebind(left, {"robot", "robot-2"}))), "ok");
   EXPECT_EQ(one->run(naming.resolve(left)).value().agent, "robot-2");

@@ -17,9 +17,7 @@ namespace {
 
 class DeviceLink : public testing::Test {
  protected:
-  DeviceLink()
-      : path_(scratch_folder() + "link"),
-        address_("ipc://" + path_) {}
+  DeviceLink() : path_(scratch_folder() + "link"), address_("ipc://" + path_) {}
   ~DeviceLink() override { std::filesystem::remove(path_); }
 
   std::unique_ptr<LinkServer> serve(World& world) {
