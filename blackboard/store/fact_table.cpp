@@ -105,23 +105,35 @@ bool FactTable::same_key(const Datum& a, const Datum& b) const {
   return std::ranges::all_of(relation_.key, [&](std::size_t position) { return a[position + 1] == b[position + 1]; });
 }
 
-Datum FactTable::arguments_in(Mask mask, const Datum& datum) const {
+Datum FactTable::arguments_in(Mask mask, const Datum& datum) {
   std::vector<Datum> arguments;
   arguments.reserve(static_cast<std::size_t>(std::popcount(mask)));
-  for (std::size_t i = 0; i < relation_.arguments.size(); ++i) {
+  for (std::size_t i = 0; i + 1 < datum.size(); ++i) {
     if ((mask >> i & 1U) != 0) arguments.push_back(datum[i + 1]);
   }
   return Datum::list(std::move(arguments));
+}
+
+FactTable::Mask FactTable::ground_arguments(const Datum& pattern) const {
+  Mask ground = 0;
+  for (std::size_t i = 0; i < relation_.arguments.size(); ++i) {
+    if (is_ground(pattern[i + 1])) ground |= Mask{1} << i;
+  }
+  return ground;
+}
+
+FactTable::Mask FactTable::found_by(const Datum& pattern) const {
+  const Mask bound = ground_arguments(pattern);
+  Mask used = 0;
+  if (bound != 0) index_for(bound, used);
+  return used;
 }
 
 // The facts that an index finds for the pattern's ground arguments; null where looking through all is the way.
 const FactTable::Bucket* FactTable::bucket_for(const Datum& pattern) const {
   static const Bucket none;
   if (facts_.size() <= small_enough_to_look_through) return nullptr;
-  Mask bound = 0;
-  for (std::size_t i = 0; i < relation_.arguments.size(); ++i) {
-    if (is_ground(pattern[i + 1])) bound |= Mask{1} << i;
-  }
+  const Mask bound = ground_arguments(pattern);
   if (bound == 0) return nullptr;
   Mask used = 0;
   const Index* index = index_for(bound, used);

@@ -127,6 +127,13 @@ class FactTable {
   }
   // How many facts visit() considers at most.
   std::size_t candidates(const Datum& pattern) const;
+  // A set of arguments, by their positions.
+  using Mask = std::uint32_t;
+  // What visit() finds the pattern's facts by in a table that has grown; none where it looks through all.
+  Mask found_by(const Datum& pattern) const;
+  static Datum arguments_in(Mask mask, const Datum& datum);
+  // Whether looking through so many is quicker than an index.
+  static bool is_few(std::size_t facts);
   // Whether no fact that fits came or went after `revision`. False, too, when the removals since then are forgotten:
   // the last 4096 are remembered, up to a megabyte.
   bool unchanged_since(const Datum& pattern, Revision revision) const;
@@ -136,11 +143,10 @@ class FactTable {
  private:
   using Bucket = std::map<FactId, const StandingFact*>;
   using Index = std::unordered_map<Datum, Bucket>;
-  using Mask = std::uint32_t;
 
   std::size_t key_hash(const Datum& datum) const;
   bool same_key(const Datum& a, const Datum& b) const;
-  Datum arguments_in(Mask mask, const Datum& datum) const;
+  Mask ground_arguments(const Datum& pattern) const;
   void enter_indexes(const StandingFact& standing);
   void leave_indexes(const StandingFact& standing);
   const Bucket* bucket_for(const Datum& pattern) const;
@@ -148,7 +154,6 @@ class FactTable {
   // Null where looking through all is quicker, or there are too many.
   const OrderedIndex* ordered_index_for(std::size_t argument) const;
   std::vector<OrderedFacts> ordered_within(const Datum& pattern, std::span<const ValueRange> ranges) const;
-  static bool is_few(std::size_t facts);
   static OrderedIndex::const_iterator first_with_value_of(const OrderedIndex& index, const StandingFact* standing) {
     return index.lower_bound(ByArgument::Edge{index.key_comp().value(standing), false});
   }

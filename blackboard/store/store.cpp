@@ -99,7 +99,7 @@ Result<void> Store::check_precondition(const Transaction::Precondition& precondi
 }
 
 Result<void> Store::check_step(const std::string& teller, const Transaction::Step& step, std::set<FactId>& settled,
-                               std::size_t& examined) {
+                               OwnTells& own, std::size_t& examined) {
   if (const auto* settle = std::get_if<Transaction::Settle>(&step)) {
     if (held_.contains(settle->taken) && settled.insert(settle->taken).second) return {};
     return not_met("fact " + std::to_string(settle->taken) + " is not taken, or was put back", to_datum(settle->taken));
@@ -114,9 +114,10 @@ Result<void> Store::check_step(const std::string& teller, const Transaction::Ste
   Result<void> shaped = tell != nullptr ? check_shape(relation, datum) : check_pattern_shape(relation, datum);
   if (!shaped) return shaped;
   if (tell == nullptr) {
-    examined += (*table)->candidates(datum);
+    examined += (*table)->candidates(datum) + own.candidates(**table, datum);
     return check_examined(examined, datum);
   }
+  own.add(datum);
   if (tell->lease != 0 && leases_.find(tell->lease) == nullptr) return unknown_lease(tell->lease);
   return {};
 }
@@ -133,8 +134,9 @@ Result<void> Store::check(const std::string& teller, const Transaction& transact
     if (!checked) return checked;
   }
   std::set<FactId> settled;
+  OwnTells own;
   for (const Transaction::Step& step : transaction.steps) {
-    checked = check_step(teller, step, settled, examined);
+    checked = check_step(teller, step, settled, own, examined);
     if (!checked) return checked;
   }
   return {};

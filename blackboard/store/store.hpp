@@ -17,6 +17,7 @@
 #include "blackboard/store/commit.hpp"
 #include "blackboard/store/fact_table.hpp"
 #include "blackboard/store/leases.hpp"
+#include "blackboard/store/own_tells.hpp"
 
 namespace pizarra {
 
@@ -82,7 +83,7 @@ class Store {
   Result<void> check(const std::string& teller, const Transaction& transaction, std::size_t examined);
   Result<void> check_precondition(const Transaction::Precondition& precondition, std::size_t& examined) const;
   Result<void> check_step(const std::string& teller, const Transaction::Step& step, std::set<FactId>& settled,
-                          std::size_t& examined);
+                          OwnTells& own, std::size_t& examined);
   void lapse(LeaseId lease, Time now);
   void lapse_facts(Time expiry, Time now);
   Result<void> apply_entry(const Commit& commit, Commit::Entry& entry);

@@ -8,7 +8,7 @@ namespace pizarra {
 
 using Kind = Commit::Entry::Kind;
 
-Store::Change::Change(Store& store, std::string teller, Time now) : store_(store) {
+Store::Change::Change(Store& store, std::string teller, Time now) : store_(store), first_own_(store.next_fact_) {
   commit_.revision = store.revision_ + 1;
   commit_.when = now;
   commit_.teller = std::move(teller);
@@ -33,9 +33,13 @@ void Store::Change::tell(const Datum& fact, const std::vector<FactId>& because, 
     retract(standing->fact.id);
   }
   Fact told = fresh(fact, because);
-  commit_.entries.emplace_back(Kind::told, told);
-  commit_.entries.back().under_lease = lease != 0 && table.relation().durable;
+  note_own({.kind = Kind::told, .fact = told, .under_lease = lease != 0 && table.relation().durable});
   insert(std::move(told), lease);
+}
+
+void Store::Change::note_own(Commit::Entry entry) {
+  entries_of_own_.push_back(commit_.entries.size());
+  commit_.entries.push_back(std::move(entry));
 }
 
 Fact Store::Change::fresh(const Datum& fact, const std::vector<FactId>& because) {
@@ -51,17 +55,14 @@ void Store::Change::replace(StandingFact& standing, Fact fact, LeaseId lease) {
   FactTable& table = *standing.table;
   let_go_of_leases(standing);
   commit_.entries.emplace_back(Kind::retracted, store_.replace(standing, std::move(fact)));
-  commit_.entries.emplace_back(Kind::told, standing.fact);
-  commit_.entries.back().under_lease = lease != 0 && table.relation().durable;
+  note_own({.kind = Kind::told, .fact = standing.fact, .under_lease = lease != 0 && table.relation().durable});
   set_lease(table, standing, lease);
 }
 
 void Store::Change::retract(FactId id) {
   Fact fact = remove(*store_.find(id));
   if (fact.revision == commit_.revision) {
-    const auto told = std::find_if(commit_.entries.rbegin(), commit_.entries.rend(),
-                                   [&](const Commit::Entry& entry) { return adds(entry) && entry.fact.id == id; });
-    commit_.entries.erase(std::next(told).base());
+    entry_of(id).fact.id = 0;
   } else {
     commit_.entries.emplace_back(Kind::retracted, std::move(fact));
   }
@@ -106,11 +107,12 @@ void Store::Change::put_back(FactId taken) {
   store_.held_.erase(held);
   fact.id = store_.next_fact_++;
   fact.revision = commit_.revision;
-  commit_.entries.push_back({Kind::returned, fact, taken, lease != 0 && table.relation().durable});
+  note_own({Kind::returned, fact, taken, lease != 0 && table.relation().durable});
   insert(std::move(fact), lease);
 }
 
 Revision Store::Change::finish() {
+  std::erase_if(commit_.entries, [](const Commit::Entry& entry) { return entry.fact.id == 0; });
   if (commit_.entries.empty()) return store_.revision_;
   store_.revision_ = commit_.revision;
   if (store_.on_commit) store_.on_commit(commit_);
@@ -145,10 +147,7 @@ void Store::Change::note_lease(const FactTable& table, const StandingFact& stand
     commit_.entries.emplace_back(lease != 0 ? Kind::leased : Kind::kept, standing.fact);
     return;
   }
-  const auto told = std::find_if(commit_.entries.rbegin(), commit_.entries.rend(), [&](const Commit::Entry& entry) {
-    return adds(entry) && entry.fact.id == standing.fact.id;
-  });
-  told->under_lease = lease != 0;
+  entry_of(standing.fact.id).under_lease = lease != 0;
 }
 
 void Store::Change::set_lease(FactTable& table, StandingFact& standing, LeaseId lease) {

@@ -26,6 +26,9 @@ class Store::Change {
 
  private:
   FactTable& table_of(const Datum& fact);
+  void note_own(Commit::Entry entry);
+  // What the commit says of a fact of its own.
+  Commit::Entry& entry_of(FactId own) { return commit_.entries[entries_of_own_[own - first_own_]]; }
   Fact remove(StandingFact& standing);
   Fact fresh(const Datum& fact, const std::vector<FactId>& because);
   void replace(StandingFact& standing, Fact fact, LeaseId lease);
@@ -37,6 +40,8 @@ class Store::Change {
   Store& store_;
   FactTable* last_table_ = nullptr;
   Commit commit_;
+  const FactId first_own_;                   // of the facts that come with this commit
+  std::vector<std::size_t> entries_of_own_;  // by their ids; an entry whose fact has none is of one that went again
 };
 
 }  // namespace pizarra

@@ -148,6 +148,38 @@ TEST_P(BoardFacts, WhatIsTooLargeIsRefusedAndTheBoardGoesOn) {
   EXPECT_FALSE(holds(*alice, "(note ? ?)"));
 }
 
+// What a retraction looks at are also the facts that its own transaction has told before it.
+TEST_P(BoardFacts, ATransactionThatLooksThroughWhatItTellsIsBounded) {
+  constexpr int many = 600;
+  Transaction costly;
+  for (int i = 0; i < many; ++i) costly.tell(list("note"_sym, i, "x"_sym));
+  for (int i = 0; i < many; ++i) costly.retract(read("(note ? (f ?x ?x))"));
+  EXPECT_EQ(symbol_of(transact(*alice, costly)), "too-costly");
+  EXPECT_FALSE(holds(*alice, "(note ? ?)"));
+  Transaction indexed;
+  for (int i = 0; i < many; ++i) {
+    const Datum upper = Datum::symbol("b" + std::to_string(i));
+    indexed.tell(list("on"_sym, upper, "x"_sym)).retract(list("on"_sym, upper, "?"_sym));
+  }
+  EXPECT_EQ(symbol_of(transact(*alice, indexed)), "ok");
+  Transaction relations_apart;
+  for (int i = 0; i < many; ++i) relations_apart.tell(list("note"_sym, i, "x"_sym));
+  for (int i = 0; i < many; ++i) relations_apart.retract(read("(on ?x ?x)"));
+  EXPECT_EQ(symbol_of(transact(*alice, relations_apart)), "ok");
+}
+
+TEST_P(BoardFacts, WhatATransactionTellsAndRetractsItselfIsNowhere) {
+  const std::unique_ptr<Watch> watched = watch(*bob, "(note ?n ?)");
+  next(*watched);
+  Transaction steps;
+  for (int i = 0; i < 9; ++i) steps.tell(list("note"_sym, i, "x"_sym));
+  for (const int i : {4, 0, 8, 2}) steps.retract(list("note"_sym, i, "?"_sym));
+  steps.tell(read("(note 2 y)")).tell(read("(note 3 y)")).retract(read("(note 3 ?)"));
+  ASSERT_EQ(symbol_of(transact(*alice, steps)), "ok");
+  EXPECT_EQ(values(next(*watched).added, "?n"),
+            (std::vector<Datum>{to_datum(1), to_datum(5), to_datum(6), to_datum(7), to_datum(2)}));
+}
+
 // A string is as large as what is written of it.
 TEST_P(BoardFacts, AFactMayTakeNearlyAWholeMessage) {
   const std::string plain(1'000'000, 'x');
