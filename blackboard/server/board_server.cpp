@@ -56,7 +56,7 @@ void BoardServer::restore(const std::vector<RememberedReply>& remembered) {
     session.teller = reply.teller;
     if (!reply.key.empty()) session.key = PublicKey{.name = {}, .key = reply.key, .may = {}};
     session.heard = executor_.now();
-    remember(session, reply.request, {write(list("reply"_sym, reply.request, reply.result))});
+    session.done.add(reply.request, {write(list("reply"_sym, reply.request, reply.result))});
   }
 }
 

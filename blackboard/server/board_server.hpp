@@ -12,11 +12,11 @@
 // on another. A connection has one session. With a folder of keys, every tcp address asks for one: a session is then
 // its key's, its teller called by the key's name, and what it asks for held against the key's permissions; a key that
 // changes or goes ends its sessions within session_length / 8. What is refused is told (refusals.hpp). What
-// changes the board is done once however often it is sent: the last 256 such replies of a session, of 4 MB at most, are
-// remembered, and with a journal those about durable facts also in its next life, where the session goes on when its
-// client greets. A watch has at most 16 changes under way, a client 4 MB, half of which is for replies alone. What a
-// slow client has not read waits in its watches' queues, in 4 MB that these share; a watch whose change has no room
-// there, or could not be sent, is resynchronised.
+// changes the board is done once however often it is sent, and what was refused undone stays so: the last replies of a
+// session are remembered (answered.hpp), and with a journal those about durable facts also in its next life, where the
+// session goes on when its client greets. A watch has at most 16 changes under way, a client 4 MB, half of which is for
+// replies alone. What a slow client has not read waits in its watches' queues, in 4 MB that these share; a watch whose
+// change has no room there, or could not be sent, is resynchronised.
 
 #include <map>
 #include <memory>
@@ -26,6 +26,7 @@
 
 #include "blackboard/journal/past.hpp"
 #include "blackboard/memory/memory_board.hpp"
+#include "blackboard/server/answered.hpp"
 #include "blackboard/server/durability.hpp"
 #include "blackboard/server/gate.hpp"
 #include "blackboard/server/key_folder.hpp"
@@ -57,8 +58,6 @@ class BoardServer {
   static constexpr std::size_t max_sessions_of_a_key = 64;
   static constexpr std::size_t max_sessions_of_a_name = 256;  // of those without a key
   static constexpr std::size_t max_watches = 256;             // of a session
-  static constexpr std::size_t max_replies = 256;             // remembered, of a session
-  static constexpr std::size_t max_reply_bytes = 4 << 20;     // of these
   static constexpr std::size_t max_under_way = 16;            // changes of a watch
 
   // Failures bad-address, not-loopback, address-in-use, and those of KeyFolder::open.
@@ -92,9 +91,8 @@ class BoardServer {
     std::shared_ptr<Backlog> backlog = std::make_shared<Backlog>();
     std::map<wire::WatchId, ServedWatch> watches;
     bool holds = false;  // what it watches, and answers questions from it
-    std::map<wire::RequestId, Durability::Reply> replies;
-    std::size_t reply_bytes = 0;
-    wire::RequestId replies_forgotten = 0;  // up to this request
+    Answered done;
+    Answered refused;  // and not done
   };
 
   BoardServer(Executor& executor, MemoryBoard& board, const BoardServerOptions& options, std::optional<KeyFolder> keys);
@@ -106,6 +104,7 @@ class BoardServer {
   void refuse(const std::string& peer, const Failure& failure);
   void refuse_unreadable(const std::string& peer, std::string_view frame, const Failure& failure);
   void refuse_request(const Session& session, wire::RequestId number, const Failure& failure);
+  void refuse_undone(Session& session, wire::RequestId number, const Datum& body, const Failure& failure);
   std::string who_is(const std::string& peer) const;
   void greet(const std::string& peer, const Datum& hello);
   static Gate::Key key_of(const Session& session) { return session.key ? &*session.key : nullptr; }
@@ -132,7 +131,6 @@ class BoardServer {
   void note_journey(const Datum& body, Time sent);
   Result<Datum> lease(const Session& session, const Datum& body);
   void answer(wire::SessionId id, Session& session, wire::RequestId number, const Datum& body);
-  void remember(Session& session, wire::RequestId number, Durability::Reply reply);
   std::string with_progress(const Session& session, std::string reply) const;
   void send(const std::string& peer, const Datum& message);
   void schedule_flush(wire::SessionId id);

@@ -60,16 +60,20 @@ void BoardServer::request(wire::SessionId id, Session& session, const Datum& mes
   if (!number) return refuse(session.peer, malformed);
   if (message.size() != 4 && !timed) return refuse_request(session, *number, malformed);
   const Result<void> served = board_.statistics().requests().ask(client_of(session), executor_.now());
-  if (const auto done = session.replies.find(*number); done != session.replies.end()) {
+  for (const Answered* answered : {&session.done, &session.refused}) {
     // One that is held comes when it may.
-    return durability_.answer_again(id, *number, done->second);
+    const Durability::Reply* again = answered->find(*number);
+    if (again != nullptr) return durability_.answer_again(id, *number, *again);
   }
-  if (must_be_done_once(message[3]) && *number <= session.replies_forgotten) {
+  const bool long_ago = *number <= std::max(session.done.forgotten(), session.refused.forgotten());
+  if (must_be_done_once(message[3]) && long_ago) {
     return refuse_request(session, *number,
                           {"bad-frame", "this request, or one far after it, was answered long ago", {}, {}});
   }
-  // It is not done, and not remembered: sent again later, it is as new.
-  if (!served) return refuse_request(session, *number, served.error());
+  if (!served) {
+    refusals_.note(client_of(session), served.error());
+    return refuse_undone(session, *number, message[3], served.error());
+  }
   const Revision before = board_.store().revision();
   answer(id, session, *number, message[3]);
   if (timed && board_.store().revision() > before) note_journey(message[3], Time(Duration(message[4].integer())));
@@ -78,6 +82,13 @@ void BoardServer::request(wire::SessionId id, Session& session, const Datum& mes
 void BoardServer::refuse_request(const Session& session, wire::RequestId number, const Failure& failure) {
   refusals_.note(client_of(session), failure);
   send(session.peer, reply_to_datum(number, fail(failure)));
+}
+
+// One that is on its way a second time is refused as well, though it could be done by then.
+void BoardServer::refuse_undone(Session& session, wire::RequestId number, const Datum& body, const Failure& failure) {
+  const std::string refusal = write(reply_to_datum(number, fail(failure)));
+  if (must_be_done_once(body)) session.refused.add(number, {refusal});
+  socket_.send(session.peer, refusal);
 }
 
 // To the request that it begins as, where it is one of the sender's session.
@@ -104,13 +115,7 @@ void BoardServer::answer(wire::SessionId id, Session& session, wire::RequestId n
     return ask_past(id, session, number, body);
   const bool durable = durability_.concerns_durable(board_.store(), body);
   const Result<void> room = durability_.check_room(body, durable);
-  if (!room) {
-    const std::string refusal = write(reply_to_datum(number, fail(room)));
-    // One that is on its way a second time is refused as well, though there is room by then.
-    if (must_be_done_once(body)) remember(session, number, {refusal});
-    socket_.send(session.peer, refusal);
-    return;
-  }
+  if (!room) return refuse_undone(session, number, body, room.error());
   const JournalWriter::Position before = durability_.position();
   const Result<Datum> result = perform(id, session, body);
   if (!result && is_refusal(result.error())) refusals_.note(client_of(session), result.error());
@@ -118,7 +123,7 @@ void BoardServer::answer(wire::SessionId id, Session& session, wire::RequestId n
   const std::string text = write(reply);
   const bool stands = result && durable && durability_.position() > before;
   if (must_be_done_once(body)) {
-    remember(session, number, {text, durable ? durability_.position() : 0, stands});
+    session.done.add(number, {text, durable ? durability_.position() : 0, stands});
     if (durable && durability_.position() > before) {
       const std::string key = session.key ? session.key->key : "";
       durability_.remember({id, session.teller, number, reply[2], key});
@@ -137,18 +142,6 @@ std::string BoardServer::with_progress(const Session& session, std::string reply
   reply += std::to_string(board_.store().revision());
   reply += behind ? " no)" : " yes)";
   return reply;
-}
-
-void BoardServer::remember(Session& session, wire::RequestId number, Durability::Reply reply) {
-  const auto [place, fresh] = session.replies.emplace(number, std::move(reply));
-  if (fresh) session.reply_bytes += place->second.text.size();
-  // One is remembered whatever its size.
-  while (session.replies.size() > max_replies ||
-         (session.reply_bytes > max_reply_bytes && session.replies.size() > 1)) {
-    session.replies_forgotten = session.replies.begin()->first;
-    session.reply_bytes -= session.replies.begin()->second.text.size();
-    session.replies.erase(session.replies.begin());
-  }
 }
 
 Result<Datum> BoardServer::perform(wire::SessionId id, Session& session, const Datum& body) {
