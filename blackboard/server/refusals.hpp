@@ -7,8 +7,8 @@
 //
 // CLIENT is who said it (the name of the session's key, its teller where it came without one, a public key that is not
 // known, or "" for one that has no session), COUNT how often that was since the server began, SENTENCE about the
-// newest, 256 bytes of it. At most 256 pairs of client and symbol are told; those of more clients count for "others". A
-// flood of refusals changes the facts ten times a second at most.
+// newest, 256 bytes of it. At most 256 pairs of client and symbol are told; what is of more of them counts for the pair
+// of "others" and refused. A flood of refusals changes the facts ten times a second at most.
 //
 //   Refusals refusals(board);
 //   refusals.note("alice", failure);

@@ -205,6 +205,18 @@ TEST_F(ServerTest, WhateverARequestFailsWithIsCountedButThatAPreconditionDoesNot
   EXPECT_EQ(counted, failed);
 }
 
+TEST_F(ServerTest, WhatIsRefusedBeyondSoManyKindsIsCountedTogether) {
+  Refusals refused(board);
+  constexpr int more = 44;
+  const int kinds = static_cast<int>(Refusals::most_kinds) + more;
+  for (int n = 0; n < kinds; ++n)
+    refused.note("client-" + std::to_string(n), {"bad-frame", "it is not formed", {}, {}});
+  refused.note("client-0", {"bad-frame", "nor is this", {}, {}});
+  EXPECT_EQ(refusals("others"), std::vector<Datum>{list("refused"_sym, more)});
+  EXPECT_EQ(refusals("client-0"), std::vector<Datum>{list("bad-frame"_sym, 2)});
+  EXPECT_EQ(board.ask(query("(board-refusal ? ? ? ?)"))->answers.size(), Refusals::most_kinds + 1);
+}
+
 TEST_F(ServerTest, WhatItRefusedIsItsOwnToTell) {
   Client client = this->client();
   const std::string session = client.join("alice");
