@@ -105,7 +105,7 @@ TEST_P(BoardLeases, OfTwoTakersOneGetsTheFact) {
     };
     const Job first = wall->executor().spawn(attempt(*alice, for_alice));
     const Job second = wall->executor().spawn(attempt(*bob, for_bob));
-    wall->executor().run_until([&] { return results.size() == 2; });
+    ASSERT_TRUE(wall->comes([&] { return results.size() == 2; }));
     ASSERT_TRUE(results[0].has_value());
     ASSERT_TRUE(results[1].has_value());
     EXPECT_NE(results[0]->has_value(), results[1]->has_value());

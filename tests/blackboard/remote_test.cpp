@@ -97,7 +97,7 @@ TEST_F(RemoteTest, ClientsSayHowLongFactsAreUnderWay) {
   ASSERT_EQ(symbol_of(run(alice->declare(relations_))), "ok");
   const std::unique_ptr<Watch> watch = run(bob->watch(query("(on ?x ?y)"))).value();
   run(watch->next()).value();
-  executor_.run_until([&] { return alice->board_time() && bob->board_time(); });
+  ASSERT_TRUE(comes([&] { return alice->board_time() && bob->board_time(); }));
   EXPECT_LT(std::chrono::abs(*alice->board_time() - executor_.now()), 100ms) << "it is the same clock";
   constexpr int told = 5;
   for (int i = 0; i < told; ++i) {
@@ -113,7 +113,7 @@ TEST_F(RemoteTest, ClientsSayHowLongFactsAreUnderWay) {
     const Result<Answers> answers = journeys();
     return answers->answers.empty() ? 0 : (*answers->answers.front().bindings.find(of))[0].integer();
   };
-  executor_.run_until([&] { return count("?delivered") >= told - 1; });
+  ASSERT_TRUE(comes([&] { return count("?delivered") >= told - 1; })) << count("?delivered");
   EXPECT_GE(count("?told"), told - 1);
   for (const char* of : {"?told", "?delivered"}) {
     const Result<Answers> answers = journeys();
@@ -137,7 +137,7 @@ TEST_F(RemoteTest, AClientThatWasForgottenComesBack) {
   ASSERT_EQ(symbol_of(run(alice->declare(relations_))), "ok");
   const std::unique_ptr<Watch> watch = run(alice->watch(query("(on ?x ?y)"))).value();
   run(watch->next()).value();
-  executor_.run_until([&] { return server_->sessions() == 0; });
+  ASSERT_TRUE(comes([&] { return server_->sessions() == 0; }));
   Transaction transaction;
   transaction.tell(read("(on a b)"));
   ASSERT_TRUE(board_->transact("bob", transaction).has_value());
@@ -153,7 +153,7 @@ TEST_F(RemoteTest, AClientThatEndsIsForgottenAtOnce) {
   EXPECT_EQ(server_->sessions(), 1U);
   alice.reset();
   const Time said_bye = executor_.now();
-  executor_.run_until([&] { return server_->sessions() == 0; });
+  ASSERT_TRUE(comes([&] { return server_->sessions() == 0; }));
   EXPECT_LT(executor_.now() - said_bye, 5s) << "not only when its session lapses";
 }
 
@@ -171,7 +171,7 @@ TEST_F(RemoteTest, RequestsOfManyTasksAreAnsweredToTheirOwn) {
   };
   std::vector<Job> jobs;
   for (int i = 0; i < 200; ++i) jobs.push_back(executor_.spawn(work(*alice, i, right)));
-  executor_.run_until([&] { return std::ranges::all_of(jobs, [](const Job& job) { return job.done(); }); });
+  ASSERT_TRUE(comes([&] { return std::ranges::all_of(jobs, [](const Job& job) { return job.done(); }); }));
   EXPECT_EQ(right, 200);
 }
 
@@ -204,7 +204,7 @@ TEST_F(RemoteTest, WhetherATransactionHappenedOnALostBoardIsUnknownButAQuestionI
   const Result<Revision> told = tell(*board, "(on a b)");
   ASSERT_EQ(symbol_of(told), "unreachable");
   EXPECT_NE(told.error().sentence.find("not known"), std::string::npos);
-  executor_.run_until([&] { return asking.done(); });
+  ASSERT_TRUE(comes([&] { return asking.done(); }));
   EXPECT_EQ(asked, "ok");
   EXPECT_EQ(std::ranges::count(heard, "transact"), 1);
   EXPECT_EQ(std::ranges::count(heard, "ask"), 2);

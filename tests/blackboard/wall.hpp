@@ -40,6 +40,15 @@ class Wall {
     return std::move(*result);
   }
 
+  // Whether it comes to hold within ten seconds.
+  bool comes(const std::function<bool()>& holds) {
+    bool late = false;
+    const auto timer = executor().call_at(executor().now() + 10s, [&] { late = true; });
+    executor().run_until([&] { return late || holds(); });
+    executor().cancel(timer);
+    return !late || holds();
+  }
+
   void pass(Duration time) {
     bool passed = false;
     executor().call_at(executor().now() + time, [&] { passed = true; });
