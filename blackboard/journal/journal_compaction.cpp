@@ -15,6 +15,8 @@ using Kind = Commit::Entry::Kind;
 // What a board's next acknowledgement may have to wait for.
 constexpr std::size_t slice_bytes = 256 << 10;
 
+std::unexpected<Failure> missing(FactId id) { return fail("damaged", "fact " + std::to_string(id) + " is missing"); }
+
 // The horizon while it moves: what comes and goes within one slice never reaches the table.
 class Horizon {
  public:
@@ -129,7 +131,7 @@ Result<Horizon::Standing*> Horizon::standing(FactId id) {
   sqlite::Statement row(database_, "SELECT form, taken, sum FROM facts WHERE id = ?");
   const Result<bool> found = row.bind(1, static_cast<std::int64_t>(id)).step();
   if (!found) return fail(found);
-  if (!*found) return fail("damaged", "fact " + std::to_string(id) + " is missing");
+  if (!*found) return missing(id);
   const auto state = static_cast<Store::Restored>(row.integer(1));
   Result<Fact> fact = fact_from_row(id, state, row.text(0), row.integer(2));
   if (!fact) return fail(fact);
@@ -138,19 +140,28 @@ Result<Horizon::Standing*> Horizon::standing(FactId id) {
 }
 
 Result<void> Horizon::write() {
-  sqlite::Statement erase(database_, "DELETE FROM facts WHERE id = ?");
+  const Result<std::int64_t> facts = about(database_, "facts");
+  if (!facts) return fail(facts);
+  std::int64_t all = *facts;
+  sqlite::Statement erase(database_, "DELETE FROM facts WHERE id = ? RETURNING sum");
   for (const FactId id : removed_) {
-    const Result<void> erased = erase.bind(1, static_cast<std::int64_t>(id)).run();
-    if (!erased) return erased;
+    const Result<bool> erased = erase.bind(1, static_cast<std::int64_t>(id)).step();
+    if (!erased) return fail(erased);
+    if (!*erased) return missing(id);
+    all -= added_to_facts(erase.integer(0));
+    erase.reset();
   }
   sqlite::Statement insert(database_, "INSERT INTO facts VALUES (?, ?, ?, ?)");
   for (const auto& [id, standing] : standing_) {
     const std::string form = pizarra::write(wire::fact_to_datum(standing.fact));
     insert.bind(1, static_cast<std::int64_t>(id)).bind(2, static_cast<std::int64_t>(standing.state)).bind(3, form);
-    const Result<void> inserted = insert.bind(4, sum_of_fact(id, standing.state, form)).run();
+    const std::int64_t sum = sum_of_fact(id, standing.state, form);
+    const Result<void> inserted = insert.bind(4, sum).run();
     if (!inserted) return inserted;
+    all += added_to_facts(sum);
   }
-  Result<void> set = set_about(database_, "horizon", static_cast<std::int64_t>(at_.revision));
+  Result<void> set = set_about(database_, "facts", all);
+  if (set) set = set_about(database_, "horizon", static_cast<std::int64_t>(at_.revision));
   if (set) set = set_about(database_, "horizon-time", at_.when.time_since_epoch().count());
   if (set) set = set_about(database_, "next-fact", static_cast<std::int64_t>(next_fact_));
   if (set) set = seal_head(database_);
@@ -189,6 +200,7 @@ Result<bool> advance_horizon(sqlite::Database& database, Revision before_revisio
   if (last == 0) return false;
   sqlite::Statement forget(database, "DELETE FROM log WHERE number <= ?");
   Result<void> done = forget.bind(1, last).run();
+  if (done) done = set_about(database, "forgotten", last);
   if (done) done = horizon.write();
   if (done) done = transaction.commit();
   if (!done) return fail(done);

@@ -12,7 +12,7 @@ namespace pizarra::journal_tables {
 namespace {
 
 constexpr std::int64_t application = 0x50697a61;  // "Piza"
-constexpr std::int64_t format = 2;
+constexpr std::int64_t format = 3;
 constexpr std::int64_t format_without_head_sum = 1;
 constexpr std::size_t replies_of_session = 256;
 constexpr std::size_t most_replies = 1 << 18;
@@ -23,9 +23,16 @@ constexpr const char* schema = R"(
   CREATE TABLE relations (name TEXT PRIMARY KEY, form TEXT) WITHOUT ROWID;
   CREATE TABLE facts (id INTEGER PRIMARY KEY, taken INTEGER, form TEXT, sum INTEGER);
   CREATE TABLE log (number INTEGER PRIMARY KEY, revision INTEGER, time INTEGER, lines TEXT, replies TEXT, sum INTEGER);
-  INSERT INTO about VALUES ('horizon', 0), ('horizon-time', 0), ('next-fact', 1);
+  INSERT INTO about VALUES ('horizon', 0), ('horizon-time', 0), ('next-fact', 1), ('facts', 0), ('forgotten', 0);
   PRAGMA application_id = 1349089889;
-  PRAGMA user_version = 2;
+  PRAGMA user_version = 3;
+)";
+
+// What is there of a former format is believed.
+constexpr const char* to_this_format = R"(
+  INSERT OR REPLACE INTO about SELECT 'facts', coalesce(sum(sum & 0xffffffff), 0) FROM facts;
+  INSERT OR REPLACE INTO about SELECT 'forgotten', coalesce(min(number) - 1, 0) FROM log;
+  PRAGMA user_version = 3;
 )";
 
 std::unexpected<Failure> damaged(std::string sentence) { return fail("bad-journal", std::move(sentence)); }
@@ -58,6 +65,16 @@ Result<void> run_and_seal(sqlite::Database& database, const char* sql) {
   return done;
 }
 
+// Of a file of a former format, nothing.
+Result<std::optional<std::int64_t>> about_if_said(sqlite::Database& database, std::string_view name) {
+  const Result<std::int64_t> version = database.ask("PRAGMA user_version");
+  if (!version) return fail(version);
+  if (*version != format) return std::nullopt;
+  const Result<std::int64_t> said = about(database, name);
+  if (!said) return fail(said);
+  return *said;
+}
+
 Result<void> restore_relations(sqlite::Database& database, Store& store) {
   sqlite::Statement rows(database, "SELECT form FROM relations ORDER BY name");
   std::vector<Relation> relations;
@@ -76,6 +93,7 @@ Result<void> restore_relations(sqlite::Database& database, Store& store) {
 
 Result<void> restore_facts(sqlite::Database& database, Store& store) {
   sqlite::Statement rows(database, "SELECT id, taken, form, sum FROM facts ORDER BY id");
+  std::int64_t all = 0;
   for (Result<bool> row = rows.step(); !row || *row; row = rows.step()) {
     if (!row) return fail(row);
     const auto id = static_cast<FactId>(rows.integer(0));
@@ -84,18 +102,24 @@ Result<void> restore_facts(sqlite::Database& database, Store& store) {
     if (!fact) return fail(fact);
     const Result<void> restored = store.restore(std::move(*fact), state);
     if (!restored) return damaged_fact(id, restored.error().sentence);
+    all += added_to_facts(rows.integer(3));
   }
+  const Result<std::optional<std::int64_t>> said = about_if_said(database, "facts");
+  if (!said) return fail(said);
+  if (said->value_or(all) != all) return damaged("facts are missing of those that stood where it begins");
   return {};
 }
 
 Result<PlayedBack> restore_log(sqlite::Database& database, Store& store, const Moment& until, LineStart to) {
   sqlite::Statement rows(database, "SELECT number, lines, replies, sum, revision, time FROM log ORDER BY number");
-  std::int64_t expected = 0;
+  const Result<std::optional<std::int64_t>> forgotten = about_if_said(database, "forgotten");
+  if (!forgotten) return fail(forgotten);
+  std::optional<std::int64_t> expected = forgotten->transform([](std::int64_t number) { return number + 1; });
   std::string later;
   for (Result<bool> row = rows.step(); !row || *row; row = rows.step()) {
     if (!row) return fail(row);
     const std::int64_t number = rows.integer(0);
-    if (expected != 0 && number != expected) return damaged("entry " + std::to_string(expected) + " is missing");
+    if (expected && number != *expected) return damaged("entry " + std::to_string(*expected) + " is missing");
     expected = number + 1;
     const auto bad = [number](const std::string& why) {
       return damaged("entry " + std::to_string(number) + " is damaged: " + why);
@@ -149,10 +173,14 @@ Result<sqlite::Database> open(const std::string& path, sqlite::Access access) {
   const Result<std::int64_t> version = database->ask("PRAGMA user_version");
   if (!version) return fail(version);
   if (*version == format) return database;
-  if (*version != format_without_head_sum) {
+  if (*version < format_without_head_sum || *version > format) {
     return fail("damaged", "it is a journal of another format, " + std::to_string(*version));
   }
-  if (access == sqlite::Access::write) set = run_and_seal(*database, "PRAGMA user_version = 2");
+  if (access == sqlite::Access::write) {
+    // What is damaged must not be summed up anew.
+    set = check_head(*database);
+    if (set) set = run_and_seal(*database, to_this_format);
+  }
   if (!set) return fail(set);
   return database;
 }

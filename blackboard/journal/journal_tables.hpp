@@ -2,15 +2,17 @@
 
 // The tables of a journal's SQLite file, and how they become a store again.
 //
-//   about(name, value)               horizon (a revision), horizon-time, next-fact; and sum, over the rest of `about`
-//                                    and all of `relations`: the head
+//   about(name, value)               horizon (a revision), horizon-time, next-fact, facts (their sums' lower halves
+//                                    added up), forgotten (the last number of the log that is gone); and sum, over the
+//                                    rest of `about` and all of `relations`: the head
 //   relations(name, form)            declared at the horizon
 //   facts(id, taken, form, sum)      at the horizon, as on the wire: standing (0), taken (1), and the same of what was
 //                                    told under a lease (2, 3)
 //   log(number, revision, time, lines, replies, sum)     what came since, a group a row, numbered without a gap
 //
-// Elsewhere `sum` is a checksum of its row: SQLite has none of its own. A file of format 1 has none over its head: it
-// is believed when it is opened, and has one from its next opening to write on (format 2).
+// Elsewhere `sum` is a checksum of its row: SQLite has none of its own. A file of format 1 has none over its head, one
+// of format 2 no `facts` and `forgotten`: it is believed when it is opened, and has them from its next opening to write
+// on (format 3).
 
 #include <vector>
 
@@ -21,6 +23,8 @@ namespace pizarra::journal_tables {
 // Makes them where there are none. Failure bad-journal when it is some other file.
 Result<sqlite::Database> open(const std::string& path, sqlite::Access access);
 
+// What a row adds to what `about` says of all `facts`, so that none can be lost.
+constexpr std::int64_t added_to_facts(std::int64_t sum_of_fact) { return sum_of_fact & 0xffffffff; }
 std::int64_t sum_of_fact(FactId id, Store::Restored state, std::string_view form);
 // Failure bad-journal.
 Result<Fact> fact_from_row(FactId id, Store::Restored state, std::string_view form, std::int64_t sum);

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <gtest/gtest.h>
 
+#include "blackboard/journal/journal_tables.hpp"
 #include "blackboard/journal/sqlite.hpp"
 #include "blackboard/time/random.hpp"
 #include "lisp/writer.hpp"
@@ -38,10 +39,18 @@ class JournalDamageTest : public JournalFileTest {
     if (!recovered) return fail(recovered.error());
     return {};
   }
-  // A journal as it was before heads had a sum.
-  void make_format_1() const {
+  // Behind the board's back.
+  void change(const std::string& sql) const {
     sqlite::Database database = sqlite::Database::open(path_, sqlite::Access::write).value();
-    ASSERT_TRUE(database.run("DELETE FROM about WHERE name = 'sum'; PRAGMA user_version = 1").has_value());
+    ASSERT_TRUE(database.run(sql.c_str()).has_value()) << database.failure().sentence;
+  }
+  // As it was before heads had a sum, or before they told of all facts and of what is forgotten.
+  void make_format(int format) const {
+    change("DELETE FROM about WHERE name IN ('sum', 'facts', 'forgotten'); PRAGMA user_version = " +
+           std::to_string(format));
+    if (format == 1) return;
+    sqlite::Database database = sqlite::Database::open(path_, sqlite::Access::write).value();
+    ASSERT_TRUE(journal_tables::seal_head(database).has_value());
   }
   static std::vector<Datum> facts_of(const Store& store) {
     std::vector<Datum> facts;
@@ -102,16 +111,58 @@ TEST_F(JournalDamageTest, AMomentThatAnEntryDoesNotEndAtIsNoticed) {
   EXPECT_TRUE(read_journal(path_, store).has_value());
 }
 
-TEST_F(JournalDamageTest, AJournalFromBeforeThereWasASumIsTakenAsItIsAndHasOneFromThenOn) {
+TEST_F(JournalDamageTest, AJournalOfAFormerFormatIsTakenAsItIsAndHasItsSumsFromThenOn) {
   const std::vector<Datum> expected = keep_a_past();
-  make_format_1();
-  Store read_only;
-  EXPECT_TRUE(read_journal(path_, read_only).has_value());
-  EXPECT_EQ(Life(path_).facts("(goal ? ?)"), expected);
-  std::string damaged = contents();
-  damaged[damaged.find("(relation goal ((n integer)") + 1] ^= 1;
-  Store store;
-  EXPECT_EQ(recover(damaged, store).error().symbol, "bad-journal");
+  const std::string whole = contents();
+  for (const int format : {1, 2}) {
+    SCOPED_TRACE("format " + std::to_string(format));
+    std::filesystem::remove(path_ + "-kept");
+    std::ofstream(path_, std::ios::binary) << whole;
+    make_format(format);
+    Store read_only;
+    EXPECT_TRUE(read_journal(path_, read_only).has_value());
+    EXPECT_EQ(Life(path_).facts("(goal ? ?)"), expected);
+    const std::string anew = contents();
+    std::string damaged = anew;
+    damaged[damaged.find("(relation goal ((n integer)") + 1] ^= 1;
+    Store store;
+    EXPECT_EQ(recover(damaged, store).error().symbol, "bad-journal");
+    std::ofstream(path_, std::ios::binary) << anew;
+    change("DELETE FROM facts WHERE id = (SELECT max(id) FROM facts)");
+    EXPECT_EQ(recover(contents(), store).error().symbol, "bad-journal");
+  }
+}
+
+TEST_F(JournalDamageTest, AJournalOfALaterFormatIsRefused) {
+  keep_a_past();
+  change("PRAGMA user_version = 4");
+  const auto opened = JournalFile::open(path_, {});
+  ASSERT_FALSE(opened.has_value());
+  EXPECT_EQ(opened.error().symbol, "bad-journal");
+  EXPECT_NE(opened.error().sentence.find("another format, 4"), std::string::npos) << opened.error().sentence;
+}
+
+TEST_F(JournalDamageTest, ARowThatIsMissingIsNoticed) {
+  keep_a_past();
+  const std::string whole = contents();
+  for (const char* some :
+       {"facts WHERE id = (SELECT min(id) FROM facts)", "facts WHERE id = (SELECT max(id) FROM facts)", "facts",
+        "log WHERE number = (SELECT min(number) FROM log)", "log WHERE number = (SELECT max(number) - 1 FROM log)"}) {
+    std::ofstream(path_, std::ios::binary) << whole;
+    change(std::string("DELETE FROM ") + some);
+    Store store;
+    EXPECT_EQ(read_journal(path_, store).error().symbol, "bad-journal") << some;
+  }
+}
+
+TEST_F(JournalDamageTest, WhenTheHorizonMovesAFactThatIsMissingIsNotForgotten) {
+  keep_a_past();
+  change("DELETE FROM facts");
+  const std::shared_ptr<JournalFile> file = JournalFile::open(path_, {.revisions = 1}).value();
+  const Result<bool> compacted = file->compact(Time(86400s));
+  ASSERT_FALSE(compacted.has_value());
+  EXPECT_EQ(compacted.error().symbol, "bad-journal");
+  EXPECT_NE(compacted.error().sentence.find("is missing"), std::string::npos) << compacted.error().sentence;
 }
 
 // The horizon must not take up what it cannot trust, nor stumble over what a fact may be.
