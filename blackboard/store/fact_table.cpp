@@ -4,6 +4,7 @@
 #include <bit>
 
 #include "blackboard/limits.hpp"
+#include "blackboard/store/compare_values.hpp"
 #include "lisp/pattern.hpp"
 
 namespace pizarra {
@@ -148,7 +149,8 @@ const FactTable::Index* FactTable::index_for(Mask bound, Mask& used) const {
   if (indexes_.size() < max_indexes) {
     Index& index = indexes_[bound];
     for (const StandingFact& standing : facts()) {
-      index[arguments_in(bound, standing.fact.datum)].emplace(standing.fact.id, &standing);
+      Bucket& bucket = index[arguments_in(bound, standing.fact.datum)];
+      bucket.emplace_hint(bucket.end(), standing.fact.id, &standing);
     }
     return &index;
   }
@@ -169,11 +171,15 @@ const OrderedIndex* FactTable::ordered_index_for(std::size_t argument) const {
   if (made != ordered_.end()) return &made->second;
   if (ordered_.size() >= max_ordered_indexes) return nullptr;
   const ByArgument before{argument};
-  std::vector<const StandingFact*> sorted;
+  // Their values beside them, for each is compared often and lies elsewhere; those with the same stay in their order.
+  std::vector<std::pair<Datum, const StandingFact*>> sorted;
   sorted.reserve(size());
-  for (const StandingFact& standing : facts()) sorted.push_back(&standing);
-  std::ranges::sort(sorted, before);
-  return &ordered_.emplace(argument, OrderedIndex(sorted.begin(), sorted.end(), before)).first->second;
+  for (const StandingFact& standing : facts()) sorted.emplace_back(before.value(&standing), &standing);
+  std::ranges::stable_sort(
+      sorted, [](const Datum& a, const Datum& b) { return compare_values(a, b) < 0; },
+      &decltype(sorted)::value_type::first);
+  const auto by_value = sorted | std::views::values;
+  return &ordered_.emplace(argument, OrderedIndex(by_value.begin(), by_value.end(), before)).first->second;
 }
 
 std::vector<OrderedFacts> FactTable::ordered_within(const Datum& pattern, std::span<const ValueRange> ranges) const {
