@@ -16,37 +16,34 @@ namespace {
 // A commit may remove everything there is at once.
 constexpr ReadLimits line_limits = {.bytes = 64 << 20, .depth = 64, .elements = 4'000'000};
 
-std::vector<Datum> line_start(Revision revision, Time when, const std::string& teller) {
-  return {to_datum(revision), to_datum(when.time_since_epoch().count()), to_datum(teller)};
+// By the kind of the entry.
+constexpr std::array<std::string_view, 7> words = {"tell", "retract", "take", "settle", "return", "leased", "kept"};
+
+std::string line_start(Revision revision, Time when, const std::string& teller) {
+  std::string line = '(' + std::to_string(revision) + ' ' + std::to_string(when.time_since_epoch().count()) + ' ';
+  write_to(line, to_datum(teller));
+  return line;
 }
 
-Datum entry_to_datum(const Commit::Entry& entry) {
+void write_id(std::string& out, FactId id) {
+  out += ' ';
+  out += std::to_string(id);
+}
+
+void write_entry(std::string& out, const Commit::Entry& entry) {
   const Fact& fact = entry.fact;
-  switch (entry.kind) {
-    case Kind::retracted:
-      return list("retract"_sym, fact.id);
-    case Kind::taken:
-      return list("take"_sym, fact.id);
-    case Kind::settled:
-      return list("settle"_sym, fact.id);
-    case Kind::returned:
-      if (entry.under_lease) return list("return"_sym, entry.former, fact.id, "leased"_sym);
-      return list("return"_sym, entry.former, fact.id);
-    case Kind::leased:
-      return list("leased"_sym, fact.id);
-    case Kind::kept:
-      return list("kept"_sym, fact.id);
-    case Kind::told:
-      break;
+  out += " (";
+  out += words[static_cast<std::size_t>(entry.kind)];
+  if (entry.kind == Kind::returned) write_id(out, entry.former);
+  write_id(out, fact.id);
+  if (entry.kind == Kind::told) {
+    out += ' ';
+    write_to(out, fact.datum);
+    if (!fact.because.empty()) out += " (because";
+    for (const FactId id : fact.because) write_id(out, id);
+    if (!fact.because.empty()) out += ')';
   }
-  std::vector<Datum> told = {"tell"_sym, to_datum(fact.id), fact.datum};
-  if (!fact.because.empty()) {
-    std::vector<Datum> because = {"because"_sym};
-    for (const FactId id : fact.because) because.push_back(to_datum(id));
-    told.push_back(Datum::list(std::move(because)));
-  }
-  if (entry.under_lease) told.push_back("leased"_sym);
-  return Datum::list(std::move(told));
+  out += entry.under_lease ? " leased)" : ")";
 }
 
 bool is_id(const Datum& datum) { return datum.is_integer() && datum.integer() > 0; }
@@ -71,28 +68,19 @@ bool read_told(const Datum& form, const Commit& commit, Commit::Entry& entry) {
 
 bool read_entry(const Datum& form, const Commit& commit, Commit::Entry& entry) {
   if (form.size() < 2 || !is_id(form[1])) return false;
+  const auto word = std::ranges::find(words, form.head());
+  if (word == words.end()) return false;
+  entry.kind = static_cast<Kind>(word - words.begin());
   entry.fact.id = static_cast<FactId>(form[1].integer());
-  if (form.is_form("tell")) {
-    entry.kind = Kind::told;
-    return read_told(form, commit, entry);
-  }
-  if (form.is_form("return")) {
+  if (entry.kind == Kind::told) return read_told(form, commit, entry);
+  if (entry.kind == Kind::returned) {
     entry.under_lease = form.size() == 4 && form[3].is_symbol("leased");
     if (form.size() != (entry.under_lease ? 4 : 3) || !is_id(form[2])) return false;
-    entry.kind = Kind::returned;
     entry.former = entry.fact.id;
     entry.fact.id = static_cast<FactId>(form[2].integer());
     return true;
   }
-  constexpr std::array<std::pair<std::string_view, Kind>, 5> plain = {{{"retract", Kind::retracted},
-                                                                       {"take", Kind::taken},
-                                                                       {"settle", Kind::settled},
-                                                                       {"leased", Kind::leased},
-                                                                       {"kept", Kind::kept}}};
-  const auto kind = std::ranges::find(plain, form.head(), &std::pair<std::string_view, Kind>::first);
-  if (kind == plain.end() || form.size() != 2) return false;
-  entry.kind = kind->second;
-  return true;
+  return form.size() == 2;
 }
 
 Result<std::vector<Relation>> read_declaration(const Datum& form) {
@@ -110,18 +98,17 @@ std::unexpected<Failure> bad_line(const Datum& line) { return fail("bad-journal"
 }  // namespace
 
 std::string journal_line(const Commit& commit) {
-  std::vector<Datum> line = line_start(commit.revision, commit.when, commit.teller);
-  for (const Commit::Entry& entry : commit.entries) line.push_back(entry_to_datum(entry));
-  return write(Datum::list(std::move(line)));
+  std::string line = line_start(commit.revision, commit.when, commit.teller);
+  for (const Commit::Entry& entry : commit.entries) write_entry(line, entry);
+  line += ')';
+  return line;
 }
 
 std::string journal_line(Revision revision, Time when, const std::string& teller,
                          const std::vector<Relation>& declared) {
   std::vector<Datum> declaration = {"declare"_sym};
   for (const Relation& relation : declared) declaration.push_back(relation_to_datum(relation));
-  std::vector<Datum> line = line_start(revision, when, teller);
-  line.push_back(Datum::list(std::move(declaration)));
-  return write(Datum::list(std::move(line)));
+  return line_start(revision, when, teller) + ' ' + write(Datum::list(std::move(declaration))) + ')';
 }
 
 LineStart start_of_line(std::string_view line) {

@@ -104,10 +104,13 @@ Result<void> check_together(const std::string& path) {
 }  // namespace
 
 std::string reply_line(const RememberedReply& reply) {
-  const Datum line = reply.key.empty()
-                         ? pizarra::list(reply.session, reply.teller, reply.request, reply.result)
-                         : pizarra::list(reply.session, reply.teller, reply.request, reply.result, reply.key);
-  return write(line) + "\n";
+  std::string line = '(' + std::to_string(reply.session) + ' ';
+  write_to(line, to_datum(reply.teller));
+  line += ' ' + std::to_string(reply.request) + ' ';
+  write_to(line, reply.result);
+  if (!reply.key.empty()) line += ' ' + pizarra::write(to_datum(reply.key));
+  line += ")\n";
+  return line;
 }
 
 JournalFile::Lock::~Lock() { close(file_); }

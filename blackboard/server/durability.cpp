@@ -44,12 +44,11 @@ bool Durability::concerns_durable(const Store& store, const Datum& body) const {
 }
 
 Result<void> Durability::check_room(const Datum& body, bool durable) const {
-  const bool takes = body.is_form("take");
-  const bool changes = takes || body.is_form("transact") || body.is_form("declare");
+  const bool changes = body.is_form("take") || body.is_form("transact") || body.is_form("declare");
   if (journal_ == nullptr || !changes) return {};
-  // The journal's line says what the request says, and the reply beside it what was taken.
+  // The journal's line says what the request says, or the reply beside it what was taken.
   constexpr std::size_t said_beside = 512;
-  return journal_->check_room(durable, weigh(body).bytes + said_beside + (takes ? limits::frame_bytes : 0));
+  return journal_->check_room(durable, limits::frame_bytes + said_beside);
 }
 
 void Durability::hold(wire::SessionId session, wire::RequestId request, Reply reply) {
