@@ -6,7 +6,8 @@ namespace pizarra {
 
 namespace {
 
-constexpr int messages_at_once = 64;
+// Then others have their turn: a group of the journal is on its way to the disk while the next one comes.
+constexpr int messages_at_once = 16;
 constexpr int linger_ms = 50;
 constexpr int heartbeat_ms = 2000;
 constexpr int heartbeat_timeout_ms = 6000;
