@@ -11,6 +11,7 @@
 
 #include "blackboard/journal/journal_compaction.hpp"
 #include "blackboard/journal/journal_tables.hpp"
+#include "blackboard/journal/log_space.hpp"
 #include "lisp/writer.hpp"
 
 namespace pizarra {
@@ -130,6 +131,7 @@ Result<std::shared_ptr<JournalFile>> JournalFile::open(const std::string& path, 
     close(lock);
     return fail(journal_tables::failure_of(database.error(), path));
   }
+  write_log_ahead(path + "-wal");
   std::shared_ptr<JournalFile> file(new JournalFile(path, history, lock, std::move(*database)));
   const Result<void> whole = check_end(file->database_, file->mark_);
   if (!whole) return fail(journal_tables::failure_of(whole.error(), path));

@@ -246,12 +246,14 @@ TEST_F(JournalDamageTest, DamageWithinWhatWasKeptIsSaidAndNothingBehindItDropped
   };
   std::ifstream in(path_ + "-wal", std::ios::binary);
   const std::string log((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
-  ASSERT_GT(log.size(), 100'000U);
+  // What SQLite has not come to yet is nothing.
+  const std::size_t written = log.find_last_not_of('\0');
+  ASSERT_GT(written, 100'000U);
   EXPECT_TRUE(restart_with(log).has_value()) << "killed, it goes on";
   Random random(seed);
   for (int round = 0; round < 30; ++round) {
     std::string damaged = log;
-    damaged[random.below(damaged.size() * 9 / 10)] ^= static_cast<char>(1U << random.below(8));
+    damaged[random.below(written * 9 / 10)] ^= static_cast<char>(1U << random.below(8));
     const auto opened = restart_with(damaged);
     // What SQLite never reads, the counters of the header, may be anything.
     if (opened && (*opened)->append({"(1000 1 \"a\" (retract 1))\n", "", true})) continue;
