@@ -16,18 +16,19 @@ namespace pizarra {
 
 using MarkContour = std::vector<cv::Point>;  // the region's border pixels, px, 8-connected, in order
 
+// What a contour is followed in has cols() and rows(), and says inside(index) of the pixel (x, y) whose index is
+// y * stride() + x, as a BitImage does.
 class MaskField {
  public:
-  explicit MaskField(const cv::Mat1b& mask) : pixels_(mask.data), step_(mask.step), size_(mask.size()) {}
+  explicit MaskField(const cv::Mat1b& mask) : pixels_(mask.data), stride_(mask.step), size_(mask.size()) {}
   int cols() const { return size_.width; }
   int rows() const { return size_.height; }
-  bool inside(int x, int y) const {
-    return pixels_[static_cast<std::size_t>(y) * step_ + static_cast<std::size_t>(x)] != 0;
-  }
+  std::ptrdiff_t stride() const { return stride_; }
+  bool inside(std::ptrdiff_t index) const { return pixels_[index] != 0; }
 
  private:
   const std::uint8_t* pixels_;
-  std::size_t step_;
+  std::ptrdiff_t stride_;
   cv::Size size_;
 };
 
@@ -35,19 +36,22 @@ class MaskField {
 class ToneField {
  public:
   ToneField(const cv::Mat1b& grey, int threshold, bool dark)
-      : pixels_(grey.data), step_(grey.step), size_(grey.size()), threshold_(threshold), sign_(dark ? 1 : -1) {}
+      : pixels_(grey.data),
+        stride_(grey.step),
+        size_(grey.size()),
+        inverted_(dark ? 0 : 255),
+        threshold_(dark ? threshold : 255 - threshold) {}
   int cols() const { return size_.width; }
   int rows() const { return size_.height; }
-  bool inside(int x, int y) const {
-    return sign_ * (pixels_[static_cast<std::size_t>(y) * step_ + static_cast<std::size_t>(x)] - threshold_) < 0;
-  }
+  std::ptrdiff_t stride() const { return stride_; }
+  bool inside(std::ptrdiff_t index) const { return (pixels_[index] ^ inverted_) < threshold_; }
 
  private:
   const std::uint8_t* pixels_;
-  std::size_t step_;
+  std::ptrdiff_t stride_;
   cv::Size size_;
+  int inverted_;  // each bit of a level, where what is lighter is inside
   int threshold_;
-  int sign_;
 };
 
 // The eight neighbours in clockwise order (y down), from the left.
@@ -61,29 +65,31 @@ long signed_area(const MarkContour& contour);
 // is longer than `max_points`, or runs along the field's edge (it is open there).
 template <typename Field>
 std::optional<MarkContour> follow_contour(const Field& field, cv::Point start, std::size_t max_points) {
+  constexpr std::size_t count = neighbours.size();
+  std::array<std::ptrdiff_t, 2 * count> offsets;  // to the neighbours, twice round
+  for (std::size_t i = 0; i < offsets.size(); ++i) {
+    offsets[i] = neighbours[i % count][1] * field.stride() + neighbours[i % count][0];
+  }
   MarkContour contour;
   contour.reserve(128);
   cv::Point at = start;
+  std::ptrdiff_t index = start.y * field.stride() + start.x;
   std::size_t outside_direction = 0;  // where, seen from `at`, the last outside pixel lies
-  std::size_t first_step = neighbours.size();
+  std::size_t first_step = count;
   while (true) {
     if (at.x <= 0 || at.y <= 0 || at.x >= field.cols() - 1 || at.y >= field.rows() - 1) return std::nullopt;
     if (contour.size() >= max_points) return std::nullopt;
-    std::size_t step = neighbours.size();
-    for (std::size_t turn = 1; turn <= neighbours.size(); ++turn) {
-      const std::size_t direction = (outside_direction + turn) % neighbours.size();
-      if (field.inside(at.x + neighbours[direction][0], at.y + neighbours[direction][1])) {
-        step = direction;
-        break;
-      }
-    }
-    if (step == neighbours.size()) return MarkContour{at};
+    std::size_t turn = 1;
+    while (turn < count && !field.inside(index + offsets[outside_direction + turn])) ++turn;
+    if (turn == count) return MarkContour{at};
+    const std::size_t step = (outside_direction + turn) % count;
     if (at == start && step == first_step) return contour;
     if (contour.empty()) first_step = step;
     contour.push_back(at);
     at += cv::Point(neighbours[step][0], neighbours[step][1]);
+    index += offsets[step];
     // The neighbour looked at before the step was outside; from the new place it lies one or two turns further back.
-    outside_direction = (step + (step % 2 == 0 ? 6 : 5)) % neighbours.size();
+    outside_direction = (step + (step % 2 == 0 ? 6 : 5)) % count;
   }
 }
 
@@ -98,8 +104,9 @@ std::optional<MarkContour> contour_from_centre(const Field& field, cv::Point cen
       const int stride = std::abs(dy) == radius ? 1 : 2 * radius;
       for (int dx = -radius; dx <= radius; dx += stride) {
         cv::Point p = centre + cv::Point(dx, dy);
-        if (!area.contains(p) || !field.inside(p.x, p.y)) continue;
-        while (p.x > 0 && field.inside(p.x - 1, p.y)) --p.x;
+        const auto inside = [&](int x) { return field.inside(p.y * field.stride() + x); };
+        if (!area.contains(p) || !inside(p.x)) continue;
+        while (p.x > 0 && inside(p.x - 1)) --p.x;
         std::optional<MarkContour> contour = follow_contour(field, p, max_points);
         if (contour && contour->size() > 1 && signed_area(*contour) <= 0) return std::nullopt;
         return contour;

@@ -19,6 +19,10 @@ class GreyLevels {
     for (int x = first; x < end; ++x) ++counts_[row[x]];
     total_ += end - first;
   }
+  void add(std::uint8_t level) {
+    ++counts_[level];
+    ++total_;
+  }
   int total() const { return total_; }
   int median() const {
     int level = 0;

@@ -5,6 +5,8 @@ namespace {
 
 constexpr int cell_px = 16;
 constexpr int least_pixels = 6;  // of a cell, for it to tell
+// So many make quotients of products of two levels exact.
+constexpr int reciprocal_bits = 24;
 
 }  // namespace
 
@@ -27,12 +29,16 @@ void LightMap::add(const std::uint8_t* row, int y, int first, int end) {
 }
 
 void LightMap::divide_out(cv::Mat1b& pixels) const {
-  const int usual = all_.median();
-  const std::vector<int> light = levels(usual);
+  const auto usual = static_cast<std::uint64_t>(all_.median());
+  std::vector<std::uint64_t> reciprocals;
+  for (const int light : levels(static_cast<int>(usual))) {
+    reciprocals.push_back((1 << reciprocal_bits) / static_cast<std::uint64_t>(light) + 1);
+  }
   for (int y = 0; y < pixels.rows; ++y) {
     std::uint8_t* row = pixels.ptr<std::uint8_t>(y);
     for (int x = 0; x < pixels.cols; ++x) {
-      row[x] = static_cast<std::uint8_t>(std::min(255, row[x] * usual / light[cell_at(x, y)]));
+      const std::uint64_t level = row[x] * usual * reciprocals[cell_at(x, y)] >> reciprocal_bits;
+      row[x] = static_cast<std::uint8_t>(std::min<std::uint64_t>(255, level));
     }
   }
 }

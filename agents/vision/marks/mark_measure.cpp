@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <opencv2/core/hal/intrin.hpp>
 
 namespace pizarra {
 namespace {
@@ -11,39 +12,53 @@ struct Sums {
   double s, x, y, xx, xy, yy;
 };
 
-// Columns and their squares; 16 bits hold both.
-using Columns = std::array<std::int16_t, MarkPatch::most_side_px>;
-constexpr Columns columns = [] {
-  Columns out{};
-  for (int x = 0; x < MarkPatch::most_side_px; ++x) out[static_cast<std::size_t>(x)] = static_cast<std::int16_t>(x);
-  return out;
-}();
-constexpr Columns squared_columns = [] {
-  Columns out{};
-  for (int x = 0; x < MarkPatch::most_side_px; ++x) out[static_cast<std::size_t>(x)] = static_cast<std::int16_t>(x * x);
-  return out;
-}();
+// Of eight columns: the sums of their values, of these times the row, and times its square. 32 bits hold each.
+struct ColumnSums {
+  std::array<std::int32_t, 8> s, y, yy;
+};
 
-std::int32_t dot(const std::int16_t* a, const std::int16_t* b, int count) {
-  std::int32_t sum = 0;
-  for (int i = 0; i < count; ++i) sum += static_cast<std::int32_t>(a[i]) * b[i];
-  return sum;
+ColumnSums column_sums(const MarkPatch& patch, int column) {
+  cv::v_int32x4 s[2], y[2], yy[2];
+  for (cv::v_int32x4* sum : {s, y, yy}) sum[0] = sum[1] = cv::v_setzero_s32();
+  const auto both = [](int upper, int lower) {
+    return cv::v_reinterpret_as_s16(cv::v_setall_s32((lower << 16) | upper));
+  };
+  const cv::v_int16x8 ones = both(1, 1);
+  // The first row is 0, and so is the last, with which those of an odd height end.
+  for (int row = 1; row < patch.size.height - 1; row += 2) {
+    const cv::v_int16x8 rows = both(row, row + 1);
+    const cv::v_int16x8 squares = both(row * row, (row + 1) * (row + 1));
+    cv::v_int16x8 pairs[2];
+    cv::v_zip(cv::v_load(patch.row(row) + column), cv::v_load(patch.row(row + 1) + column), pairs[0], pairs[1]);
+    for (int half = 0; half < 2; ++half) {
+      s[half] += cv::v_dotprod(pairs[half], ones);
+      y[half] += cv::v_dotprod(pairs[half], rows);
+      yy[half] += cv::v_dotprod(pairs[half], squares);
+    }
+  }
+  ColumnSums out;
+  for (int half = 0; half < 2; ++half) {
+    cv::v_store(out.s.data() + 4 * half, s[half]);
+    cv::v_store(out.y.data() + 4 * half, y[half]);
+    cv::v_store(out.yy.data() + 4 * half, yy[half]);
+  }
+  return out;
 }
 
 Sums sums_of(const MarkPatch& patch) {
   Sums out{};
-  for (int y = 1; y < patch.size.height - 1; ++y) {
-    const std::int16_t* row = patch.row(y);
-    std::int32_t sum = 0;
-    for (int x = 0; x < patch.stride; ++x) sum += row[x];
-    const double s = sum;
-    const double x = dot(row, columns.data(), patch.stride);
-    out.s += s;
-    out.x += x;
-    out.y += y * s;
-    out.xx += dot(row, squared_columns.data(), patch.stride);
-    out.xy += y * x;
-    out.yy += static_cast<double>(y) * y * s;
+  for (int column = 0; column < patch.stride; column += 8) {
+    const ColumnSums sums = column_sums(patch, column);
+    for (int i = 0; i < 8; ++i) {
+      const double x = column + i;
+      const double s = sums.s[i];
+      out.s += s;
+      out.x += x * s;
+      out.y += sums.y[i];
+      out.xx += x * x * s;
+      out.xy += x * sums.y[i];
+      out.yy += sums.yy[i];
+    }
   }
   return out;
 }

@@ -55,22 +55,17 @@ void fill_inside(const MarkContour& contour, cv::Point origin, int height, Rows<
 // Grown, or shrunk, by one pixel in all eight directions. The first and the last row stay empty.
 template <int words>
 void grow(const Rows<words>& in, int height, Rows<words>& out) {
-  const auto wide = [&](int y) { return in[y] | in[y].shifted_left() | in[y].shifted_right(); };
   out[0] = out[height - 1] = {};
-  BitRow<words> above = wide(0);
-  BitRow<words> here = wide(1);
   for (int y = 1; y < height - 1; ++y) {
-    const BitRow<words> below = wide(y + 1);
-    out[y] = above | here | below;
-    above = here;
-    here = below;
+    const BitRow<words> any = in[y - 1] | in[y] | in[y + 1];
+    out[y] = any | any.shifted_left() | any.shifted_right();
   }
 }
 
 template <int words>
 BitRow<words> shrunk(const Rows<words>& in, int y) {
-  const auto narrow = [&](int i) { return in[i] & in[i].shifted_left() & in[i].shifted_right(); };
-  return narrow(y - 1) & narrow(y) & narrow(y + 1);
+  const BitRow<words> all = in[y - 1] & in[y] & in[y + 1];
+  return all & all.shifted_left() & all.shifted_right();
 }
 
 // As seen in an image that begins at `origin` and has one pixel for so many along and across.
@@ -110,7 +105,7 @@ bool MarkPatch::cut_rows(cv::Mat1b& pixels, const MarkContour& contour, cv::Poin
     const std::uint8_t* row = pixels.ptr<std::uint8_t>(y);
     // Half the rows tell the median as well.
     if (y % 2 == 0) shrunk<words>(inside, y).for_each_run([&](int first, int end) { core.add(row, first, end); });
-    around[y].without(grown[y]).for_each_run([&](int first, int end) { ground.add(row, first, end); });
+    around[y].without(grown[y]).for_each([&](int x) { ground.add(row[x]); });
   }
   mark_level = core.median();
   ground_level = ground.median();
@@ -125,13 +120,15 @@ bool MarkPatch::cut_rows(cv::Mat1b& pixels, const MarkContour& contour, cv::Poin
   const cv::v_int16x8 sign_all = all(sign);
   const cv::v_int16x8 stray = all(static_cast<int>(most_stray * contrast));
   const cv::v_int16x8 minus_stray = all(-static_cast<int>(most_stray * contrast));
-  std::array<std::uint8_t, most_side_px + 8> line{};
-  for (int y = 0; y < size.height; ++y) {
-    std::copy_n(pixels.ptr<std::uint8_t>(y), size.width, line.begin());
+  std::int16_t* last = values.data() + (size.height - 1) * stride;
+  std::fill_n(values.data(), stride, std::int16_t{0});
+  std::fill_n(last, stride, std::int16_t{0});
+  for (int y = 1; y < size.height - 1; ++y) {
+    const std::uint8_t* levels = pixels.ptr<std::uint8_t>(y);  // beyond its end is the next row
     for (int x = 0; x < stride; x += 8) {
-      const cv::v_int16x8 levels = cv::v_reinterpret_as_s16(cv::v_load_expand(line.data() + x));
-      const cv::v_int16x8 value = cv::v_mul_wrap(levels - ground_all, sign_all);
-      const cv::v_int16x8 clean = (value <= stray) & (value >= minus_stray);
+      const cv::v_int16x8 level = cv::v_reinterpret_as_s16(cv::v_load_expand(levels + x));
+      const cv::v_int16x8 value = cv::v_mul_wrap(level - ground_all, sign_all);
+      const cv::v_int16x8 clean = cv::v_max(cv::v_min(value, stray), minus_stray) == value;
       const cv::v_int16x8 within = cv::v_load(masks()[grown[y].byte(x)].data());
       const cv::v_int16x8 near = cv::v_load(masks()[around[y].byte(x)].data());
       cv::v_store(values.data() + y * stride + x, value & (within | (near & clean)));

@@ -105,14 +105,16 @@ MarkSignature signature_of(const WeightedShape& shape) {
   for (std::size_t ring = 0; ring < MarkSignature::rings; ++ring) {
     const cv::v_float32x4 scale = all(quantum * std::sqrt(ring_radii[ring]) / shape.full);
     std::int16_t* ring_samples = out.samples.data() + ring * 2 * MarkSignature::turns;
-    for (std::size_t i = 0; i < MarkSignature::turns; i += 4) {
+    const auto four = [&](std::size_t i) {
       const cv::v_float32x4 u = cv::v_load(places.u.data() + ring * MarkSignature::turns + i);
       const cv::v_float32x4 v = cv::v_load(places.v.data() + ring * MarkSignature::turns + i);
-      const cv::v_float32x4 value = sample(shape, centre_x + xx * u + xy * v, centre_y + xy * u + yy * v);
-      const cv::v_int32x4 rounded = cv::v_round(value * scale);
-      energy += rounded * rounded;
-      cv::v_pack_store(ring_samples + i, rounded);
-      cv::v_pack_store(ring_samples + i + MarkSignature::turns, rounded);
+      return cv::v_round(sample(shape, centre_x + xx * u + xy * v, centre_y + xy * u + yy * v) * scale);
+    };
+    for (std::size_t i = 0; i < MarkSignature::turns; i += 8) {
+      const cv::v_int16x8 eight = cv::v_pack(four(i), four(i + 4));
+      energy += cv::v_dotprod(eight, eight);
+      cv::v_store(ring_samples + i, eight);
+      cv::v_store(ring_samples + i + MarkSignature::turns, eight);
     }
   }
   out.energy = cv::v_reduce_sum(energy);
