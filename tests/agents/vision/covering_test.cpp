@@ -1,5 +1,5 @@
-// A hand slides over a mark and away again: slowly and fast, from each side, before one camera and before a pair. What
-// is told to be seen is where the mark is.
+// A hand, light or dark, slides over a mark and away again: slowly and fast, from anywhere, before one camera and
+// before a pair. What is told to be seen is where the mark is.
 
 #include <gtest/gtest.h>
 
@@ -10,10 +10,11 @@ namespace pizarra {
 namespace {
 
 constexpr double most_off_px = 1.5;
+constexpr double reach_px = 18;  // of a mark, from its centre
 
 struct Hand {
-  cv::Point2d from;  // the side it comes from
-  double speed_px;   // a frame
+  double from_deg;  // where it comes from
+  double speed_px;  // a frame
   int level;
   double disparity_px;
 };
@@ -48,14 +49,15 @@ class Covering : public testing::TestWithParam<std::tuple<std::string, int>> {
     for (MarkTracker* each : {&pair, &single}) EXPECT_TRUE(each->add(*learned_cell().find(name)));
   }
 
-  // Covered by so many px, from the side; as wide as a hand.
-  void put_hand(const Hand& hand, double covered_px) {
-    constexpr double half = 14;
+  // Its edge is so far from the mark's centre.
+  void put_hand(const Hand& hand, double edge_px) {
     constexpr double wide = 90;
-    const cv::Point2d edge = centre + hand.from * (half - covered_px + wide / 2);
-    scene.blots = {{.box = {edge.x - wide / 2, edge.y - wide / 2, wide, wide},
+    const double from = hand.from_deg * CV_PI / 180;
+    const cv::Point2d middle = centre + (edge_px + wide / 2) * cv::Point2d(std::cos(from), std::sin(from));
+    scene.blots = {{.box = {middle.x - wide / 2, middle.y - wide / 2, wide, wide},
                     .level = hand.level,
-                    .disparity_px = hand.disparity_px}};
+                    .disparity_px = hand.disparity_px,
+                    .turn_deg = hand.from_deg}};
   }
   void look() {
     const StereoFrame frame = draw_scene(scene, model, 1, random);
@@ -72,15 +74,17 @@ class Covering : public testing::TestWithParam<std::tuple<std::string, int>> {
     return true;
   }
   void slide(const Hand& hand) {
-    for (double covered = 0; covered < 28; covered += hand.speed_px) {
-      SCOPED_TRACE(testing::Message() << "covered " << covered << " px");
-      put_hand(hand, covered);
+    for (double edge = reach_px; edge > -reach_px; edge -= hand.speed_px) {
+      SCOPED_TRACE(testing::Message() << "its edge " << edge << " px from the centre");
+      put_hand(hand, edge);
       look();
     }
+    put_hand(hand, -reach_px);
+    look();
     EXPECT_FALSE(seen_by_pair || seen_by_one);
-    for (double covered = 28; covered > 0; covered -= hand.speed_px) {
-      SCOPED_TRACE(testing::Message() << "still covered " << covered << " px");
-      put_hand(hand, covered);
+    for (double edge = -reach_px; edge < reach_px; edge += hand.speed_px) {
+      SCOPED_TRACE(testing::Message() << "leaving, its edge " << edge << " px from the centre");
+      put_hand(hand, edge);
       look();
     }
     scene.blots.clear();
@@ -104,15 +108,15 @@ class Covering : public testing::TestWithParam<std::tuple<std::string, int>> {
 TEST_P(Covering, NeverMakesAConfidentWrongPosition) {
   for (int n = 0; n < 4; ++n) look();
   ASSERT_TRUE(seen_by_pair && seen_by_one);
-  for (const cv::Point2d from : {cv::Point2d(-1, 0), {1, 0}, {0, -1}, {0, 1}}) {
-    Hand hand{from, random.below(2) == 0 ? random.uniform(1, 2) : random.uniform(5, 15), 225, 0};
-    const int levels[] = {150, 190, 225};
-    hand.level = levels[random.below(3)];
+  for (int n = 0; n < 4; ++n) {
+    const int levels[] = {25, 60, 95, 150, 190, 225};
+    Hand hand{random.uniform(0, 360), random.below(2) == 0 ? random.uniform(1, 2) : random.uniform(5, 15),
+              levels[random.below(6)], 0};
     const double disparity = model.focal_px * model.base_line_mm / scene.faces[0].place.z;
     hand.disparity_px = disparity + (random.below(2) == 0 ? 1 : 12);
-    SCOPED_TRACE(testing::Message() << "from " << from << " at " << hand.speed_px << " px a frame, level " << hand.level
-                                    << ", disparity " << hand.disparity_px - disparity << " more, yaw "
-                                    << scene.faces[0].yaw_deg);
+    SCOPED_TRACE(testing::Message() << "from " << hand.from_deg << " degrees at " << hand.speed_px
+                                    << " px a frame, level " << hand.level << ", disparity "
+                                    << hand.disparity_px - disparity << " more, yaw " << scene.faces[0].yaw_deg);
     slide(hand);
   }
 }

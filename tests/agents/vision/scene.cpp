@@ -33,23 +33,44 @@ class Painter {
   Painter(cv::Mat& canvas, const StereoModel& model, bool right) : canvas_(canvas), model_(model), right_(right) {}
 
   void fill(const SceneFace& face, const Outline& outline, int turns, int level) {
-    if (outline.empty()) return;
     const double yaw = face.yaw_deg * CV_PI / 180;
-    const double roll = (face.roll_deg + 90 * turns) * CV_PI / 180;
-    std::vector<cv::Point> polygon;
+    Outline seen;
+    for (const cv::Point2d& p : turned(outline, face.roll_deg + 90 * turns)) {
+      const cv::Point3d point = face.place + cv::Point3d(p.x * std::cos(yaw), p.y, p.x * std::sin(yaw));
+      // Pixel (0, 0) covers -0.5 to 0.5.
+      seen.push_back(project(model_, point, right_) + cv::Point2d(0.5, 0.5));
+    }
+    fill(seen, level);
+  }
+  void fill(const SceneBlot& blot) {
+    const cv::Point2d half(blot.box.width / 2, blot.box.height / 2);
+    const cv::Point2d moved(right_ ? blot.disparity_px : 0, 0);
+    Outline seen = turned(box(-half.x, -half.y, half.x, half.y), blot.turn_deg);
+    for (cv::Point2d& p : seen) p += blot.box.tl() + half - moved;
+    fill(seen, blot.level);
+  }
+
+ private:
+  static Outline turned(const Outline& outline, double degrees) {
+    const double turn = degrees * CV_PI / 180;
+    Outline out;
     for (const cv::Point2d& p : outline) {
-      const double u = std::cos(roll) * p.x - std::sin(roll) * p.y;
-      const double v = std::sin(roll) * p.x + std::cos(roll) * p.y;
-      const cv::Point3d point = face.place + cv::Point3d(u * std::cos(yaw), v, u * std::sin(yaw));
-      const cv::Point2d seen = project(model_, point, right_);
-      // Pixel (0, 0) covers -0.5 to 0.5; fillPoly takes 1/16 px here and covers sample centres.
-      polygon.emplace_back(static_cast<int>(std::lround(((seen.x + 0.5) * oversampling - 0.5) * 16)),
-                           static_cast<int>(std::lround(((seen.y + 0.5) * oversampling - 0.5) * 16)));
+      out.emplace_back(std::cos(turn) * p.x - std::sin(turn) * p.y, std::sin(turn) * p.x + std::cos(turn) * p.y);
+    }
+    return out;
+  }
+  // From the image's left upper corner, px.
+  void fill(const Outline& outline, int level) {
+    if (outline.empty()) return;
+    std::vector<cv::Point> polygon;
+    // fillPoly takes 1/16 px here and covers sample centres.
+    for (const cv::Point2d& p : outline) {
+      polygon.emplace_back(static_cast<int>(std::lround((p.x * oversampling - 0.5) * 16)),
+                           static_cast<int>(std::lround((p.y * oversampling - 0.5) * 16)));
     }
     cv::fillPoly(canvas_, std::vector<std::vector<cv::Point>>{polygon}, level, cv::LINE_8, 4);
   }
 
- private:
   cv::Mat& canvas_;
   const StereoModel& model_;
   bool right_;
@@ -63,14 +84,7 @@ std::shared_ptr<const Image> draw(const Scene& scene, const StereoModel& model, 
     painter.fill(face, plate ? box(-29, -34, 29, 22) : box(-30, -30, 30, 30), 0, plate ? 45 : 225);
     painter.fill(face, outline_of(face.mark), face.quarter_turns, plate ? 225 : 25);
   }
-  for (const SceneBlot& blot : scene.blots) {
-    cv::Rect2d moved = blot.box;
-    if (right) moved.x -= blot.disparity_px;
-    cv::rectangle(canvas,
-                  cv::Rect(cv::Point(cvRound(moved.x * oversampling), cvRound(moved.y * oversampling)),
-                           cv::Size(cvRound(moved.width * oversampling), cvRound(moved.height * oversampling))),
-                  blot.level, cv::FILLED);
-  }
+  for (const SceneBlot& blot : scene.blots) painter.fill(blot);
   cv::Mat small;
   cv::resize(canvas, small, {model.width, model.height}, 0, 0, cv::INTER_AREA);
   cv::Mat1f light;

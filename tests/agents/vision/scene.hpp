@@ -25,6 +25,7 @@ struct SceneBlot {
   cv::Rect2d box;  // px of the left image, drawn over everything
   int level = 0;
   double disparity_px = 60;  // 45 is as far away as the cubes, 60 is 200 mm nearer
+  double turn_deg = 0;       // about the middle of the box
 };
 
 struct Scene {
