@@ -105,15 +105,18 @@ Task<Result<SeenMark>> VisionAgent::State::find_mark(std::string name) {
 }
 
 Failure VisionAgent::State::not_found(ImageSegmentation& segmentation, const LearnedObject& object) const {
+  std::string_view why = "no mark in the image is like it";
   for (const SeenMark& mark : segmentation.marks()) {
     const Likeness likely = likeness(mark, objects, object);
-    if (likely.error > recognition_threshold || likely.margin() >= least_margin) continue;
+    if (likely.error > recognition_threshold) continue;
+    if (likely.doubt > 1) why = "a mark is like it, but has another outline";
+    if (likely.doubt > 1 || likely.margin() >= least_margin) continue;
     return {"ambiguous",
             fmt::format("a mark looks like it, and as much like {}", likely.second->name),
             to_datum(object.name),
             {}};
   }
-  return {"not-seen", "no mark in the image is like it", to_datum(object.name), {}};
+  return {"not-seen", std::string(why), to_datum(object.name), {}};
 }
 
 // (found NAME FRAME CONFIDENCE SECOND MARGIN ((X Y) ...) PLACES)

@@ -29,16 +29,18 @@ void LightMap::add(const std::uint8_t* row, int y, int first, int end) {
 }
 
 void LightMap::divide_out(cv::Mat1b& pixels) const {
-  const auto usual = static_cast<std::uint64_t>(all_.median());
-  std::vector<std::uint64_t> reciprocals;
-  for (const int light : levels(static_cast<int>(usual))) {
-    reciprocals.push_back((1 << reciprocal_bits) / static_cast<std::uint64_t>(light) + 1);
-  }
-  for (int y = 0; y < pixels.rows; ++y) {
-    std::uint8_t* row = pixels.ptr<std::uint8_t>(y);
-    for (int x = 0; x < pixels.cols; ++x) {
-      const std::uint64_t level = row[x] * usual * reciprocals[cell_at(x, y)] >> reciprocal_bits;
-      row[x] = static_cast<std::uint8_t>(std::min<std::uint64_t>(255, level));
+  const int usual = all_.median();
+  const std::vector<int> light = levels(usual);
+  for (int i = 0; i < columns_ * rows_; ++i) {
+    const cv::Rect cell(i % columns_ * cell_px, i / columns_ * cell_px, cell_px, cell_px);
+    const auto unit = static_cast<std::uint64_t>((1 << reciprocal_bits) / light[static_cast<std::size_t>(i)] + 1);
+    const std::uint64_t factor = static_cast<std::uint64_t>(usual) * unit;
+    const cv::Rect within = cell & cv::Rect({0, 0}, pixels.size());
+    for (int y = within.y; y < within.br().y; ++y) {
+      std::uint8_t* row = pixels.ptr<std::uint8_t>(y);
+      for (int x = within.x; x < within.br().x; ++x) {
+        row[x] = static_cast<std::uint8_t>(std::min<std::uint64_t>(255, row[x] * factor >> reciprocal_bits));
+      }
     }
   }
 }

@@ -128,9 +128,9 @@ std::array<double, 3> hu_moments(const MarkPatch& patch, const Ellipse& e) {
 
 }  // namespace
 
-std::optional<SeenMark> measure_mark(const cv::Mat1b& image, MarkContour contour, MarkTone tone) {
+std::optional<SeenMark> measure_mark(const ImageCut& cut, MarkContour contour, MarkTone tone) {
   MarkPatch patch;
-  if (!patch.cut(image, contour, tone)) return std::nullopt;
+  if (!patch.cut(cut.pixels, contour, tone)) return std::nullopt;
   const std::optional<Ellipse> ellipse = ellipse_of(patch);
   if (!ellipse) return std::nullopt;
   std::optional<SeenMark> out(std::in_place);
@@ -148,6 +148,7 @@ std::optional<SeenMark> measure_mark(const cv::Mat1b& image, MarkContour contour
   out->roundness = 4 * CV_PI * std::sqrt(ellipse->xx * ellipse->yy - ellipse->xy * ellipse->xy) / ellipse->area_px;
   out->mark_level = patch.mark_level;
   out->ground_level = patch.ground_level;
+  out->noise = cut.noise;
   out->signature = signature_of(shape_of(patch, *ellipse));
   out->contour = std::move(contour);
   return out;

@@ -3,11 +3,12 @@
 // What is measured of one mark in one image: its place to a few hundredths of a pixel, and its shape; and, for
 // learning, the rest of the thesis' Table C.1 and its picture.
 //
-//   std::optional<SeenMark> mark = measure_mark(image, contour, MarkTone::dark);
+//   std::optional<SeenMark> mark = measure_mark(cut, contour, MarkTone::dark);
 //   std::optional<MarkPortrait> portrait = portray_mark(image, mark->contour, mark->tone);
 
 #include <optional>
 
+#include "agents/vision/image/look.hpp"
 #include "agents/vision/marks/mark_patch.hpp"
 #include "agents/vision/marks/mark_signature.hpp"
 #include "agents/vision/marks/tag.hpp"
@@ -28,12 +29,13 @@ struct SeenMark {
   double roundness = 0;         // 1 for a disc, more for any other shape; no view changes it
   double mark_level = 0;        // grey levels of the mark and of the ground around it
   double ground_level = 0;
+  double noise = 0;  // of the levels it was measured from, a standard deviation
   MarkSignature signature;
   MarkContour contour;
 };
 
-// Nothing where MarkPatch::cut() finds none.
-std::optional<SeenMark> measure_mark(const cv::Mat1b& image, MarkContour contour, MarkTone tone);
+// Its places are those of the cut. Nothing where MarkPatch::cut() finds none.
+std::optional<SeenMark> measure_mark(const ImageCut& cut, MarkContour contour, MarkTone tone);
 
 // How far its centre may be off along x, as a standard deviation in px, in an image of this noise. The centre is the
 // mean of columns weighted by how far each pixel is from the ground's level, so noise of one sigma a pixel moves it by

@@ -6,13 +6,19 @@
 #include <limits>
 #include <opencv2/core/hal/intrin.hpp>
 #include <opencv2/imgproc.hpp>
+#include <vector>
 
 namespace pizarra {
 namespace {
 
 // In standard deviations; a circle ends at 2, a square between 1.7 and 2.4, a triangle's corners at 2.8.
 constexpr std::array<double, MarkSignature::rings> ring_radii = {1.0, 1.4, 1.7, 2.05, 2.4, 2.7};
+// How much of a radius each ring stands for, from 0.5 on.
+constexpr std::array<double, MarkSignature::rings> ring_shares = {0.7, 0.35, 0.325, 0.35, 0.325, 0.15};
 constexpr double quantum = 64;
+
+// The samples' unit: the outer rings have more to tell.
+double weight_of(std::size_t ring) { return quantum * std::sqrt(ring_radii[ring]); }
 
 // Bilinear, in the units of the weights.
 float sample(const WeightedShape& shape, float x, float y) {
@@ -56,6 +62,36 @@ cv::v_float32x4 sample(const WeightedShape& shape, cv::v_float32x4 x, cv::v_floa
                  between(pixel_of(below), neighbour_of(below), part), y - top);
 }
 
+// What is averaged over squares of pixels, with zeros around.
+struct CoarseShape {
+  std::vector<std::int16_t> weights;
+  WeightedShape shape;
+
+  CoarseShape(const WeightedShape& fine, int side) : shape(fine) {
+    shape.size = {(fine.size.width + side - 1) / side + 2, (fine.size.height + side - 1) / side + 2};
+    shape.stride = shape.size.width;
+    weights.resize(static_cast<std::size_t>(shape.size.area()));
+    std::vector<std::int32_t> sums(weights.size());
+    for (int y = 0; y < fine.size.height; ++y) {
+      std::int32_t* row = sums.data() + (y / side + 1) * shape.stride + 1;
+      for (int x = 0; x < fine.size.width; ++x) row[x / side] += fine.weights[y * fine.stride + x];
+    }
+    const int pixels = side * side;
+    std::ranges::transform(sums, weights.begin(),
+                           [pixels](std::int32_t sum) { return static_cast<std::int16_t>(sum / pixels); });
+    shape.weights = weights.data();
+    const cv::Point2d half(0.5, 0.5);
+    shape.centre = (fine.centre + half) / side + half;
+    shape.spread = fine.spread * (1.0 / side);
+  }
+};
+
+// How many pixels of the shape, along and across, are about one of a template: finer ones have nothing to be compared
+// with, and rings miss where between them a sharp edge lies.
+int pixels_a_template_pixel(const WeightedShape& shape) {
+  return static_cast<int>(std::min(shape.spread(0, 0), shape.spread(1, 1)) / template_scale);
+}
+
 // Where the samples are taken, in standard deviations, ring by ring.
 struct SamplePlaces {
   std::array<float, MarkSignature::rings * MarkSignature::turns> u;
@@ -96,6 +132,8 @@ double error_of(const MarkSignature& a, const MarkSignature& b, std::int32_t bes
 }  // namespace
 
 MarkSignature signature_of(const WeightedShape& shape) {
+  const int side = pixels_a_template_pixel(shape);
+  if (side > 1) return signature_of(CoarseShape(shape, side).shape);
   MarkSignature out;
   const auto all = [](double value) { return cv::v_setall_f32(static_cast<float>(value)); };
   const cv::v_float32x4 xx = all(shape.spread(0, 0)), xy = all(shape.spread(0, 1)), yy = all(shape.spread(1, 1));
@@ -103,7 +141,7 @@ MarkSignature signature_of(const WeightedShape& shape) {
   const SamplePlaces& places = sample_places();
   cv::v_int32x4 energy = cv::v_setzero_s32();
   for (std::size_t ring = 0; ring < MarkSignature::rings; ++ring) {
-    const cv::v_float32x4 scale = all(quantum * std::sqrt(ring_radii[ring]) / shape.full);
+    const cv::v_float32x4 scale = all(weight_of(ring) / shape.full);
     std::int16_t* ring_samples = out.samples.data() + ring * 2 * MarkSignature::turns;
     const auto four = [&](std::size_t i) {
       const cv::v_float32x4 u = cv::v_load(places.u.data() + ring * MarkSignature::turns + i);
@@ -136,6 +174,16 @@ MarkSignature signature_of(const MarkTemplate& picture, double blur) {
                        .full = 15 * finer});
 }
 
+std::array<float, MarkSignature::turns> reach_of(const MarkSignature& signature) {
+  std::array<float, MarkSignature::turns> out{};
+  for (std::size_t ring = 0; ring < MarkSignature::rings; ++ring) {
+    const auto share = static_cast<float>(ring_shares[ring] / weight_of(ring));
+    const std::int16_t* samples = signature.samples.data() + ring * 2 * MarkSignature::turns;
+    for (std::size_t i = 0; i < out.size(); ++i) out[i] += share * static_cast<float>(samples[i]);
+  }
+  return out;
+}
+
 double signature_error(const MarkSignature& a, const MarkSignature& b) {
   std::int32_t best = std::numeric_limits<std::int32_t>::min();
   for (int turn = 0; turn < MarkSignature::turns; ++turn) best = std::max(best, correlation(a, b, turn));
@@ -151,6 +199,8 @@ double signature_error(const MarkSignature& a, const MarkSignature& b, int most_
 }
 
 cv::Mat1f template_picture(const WeightedShape& shape) {
+  const int side = pixels_a_template_pixel(shape);
+  if (side > 1) return template_picture(CoarseShape(shape, side).shape);
   cv::Mat1f out(template_size, template_size);
   for (int y = 0; y < template_size; ++y) {
     for (int x = 0; x < template_size; ++x) {

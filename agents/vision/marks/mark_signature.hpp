@@ -46,6 +46,10 @@ MarkSignature signature_of(const WeightedShape& shape);
 // `blur`: how much more blurred than the picture the mark is to be seen, in its standard deviations.
 MarkSignature signature_of(const MarkTemplate& picture, double blur = 0);
 
+// How far the shape reaches, turn by turn, in standard deviations from half of one on. Blur hardly changes it: what it
+// takes away within the edge it adds beyond.
+std::array<float, MarkSignature::turns> reach_of(const MarkSignature& signature);
+
 // Two minus twice the correlation at the best turn.
 double signature_error(const MarkSignature& a, const MarkSignature& b);
 // The same, over turns of at most `most_turns` steps of 9 degrees either way.

@@ -49,7 +49,7 @@ void ImageSegmentation::collect(MarkTone tone) {
     if (!has_the_size_of_a_mark(region, image().size())) continue;
     std::optional<MarkContour> contour = follow_contour(bits(tone), region.start, longest);
     if (!contour || contour->size() < 4) continue;
-    std::optional<SeenMark> mark = measure_mark(image(), std::move(*contour), tone);
+    std::optional<SeenMark> mark = measure_mark(cut_, std::move(*contour), tone);
     if (mark) marks_.push_back(std::move(*mark));
   }
 }

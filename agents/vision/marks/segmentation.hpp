@@ -27,6 +27,7 @@ class ImageSegmentation {
   explicit ImageSegmentation(const cv::Mat& grey) : ImageSegmentation(grey, noise_of(grey)) {}
 
   // As the eyes look at it.
+  const ImageCut& cut() const { return cut_; }
   const cv::Mat1b& image() const { return cut_.pixels; }
   const BitImage& bits(MarkTone tone) const { return tone == MarkTone::dark ? split_.dark : split_.light; }
   // 255 where the image has that tone.

@@ -57,6 +57,7 @@ Result<void> check_object_name(std::string_view name) {
 void LearnedSample::set_picture(const MarkTemplate& new_picture) {
   picture = new_picture;
   for (std::size_t i = 0; i < blurs.size(); ++i) signatures[i] = signature_of(picture, blurs[i]);
+  outline = outline_of(signatures.front());
 }
 
 const LearnedObject* LearnedObjects::find(std::string_view name) const {

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "agents/vision/marks/mark_measure.hpp"
+#include "agents/vision/marks/mark_outline.hpp"
 #include "agents/vision/marks/tag.hpp"
 
 namespace pizarra {
@@ -40,6 +41,7 @@ struct LearnedSample {
   // wide beside it.
   static constexpr std::array<double, 3> blurs = {0, 0.3, 0.5};
   std::array<MarkSignature, blurs.size()> signatures;
+  MarkOutline outline;  // of `picture`
 
   // For a pair of cameras, which a guess is nothing to.
   double measured_size_mm() const { return size_guessed ? 0 : size_mm; }

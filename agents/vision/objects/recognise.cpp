@@ -18,8 +18,15 @@ constexpr double ordinary_spread = 0.01;
 constexpr double clear_error = 0.01;
 // More than this no lens that is nearly focused blurs.
 constexpr double widest_blur_px = 2.2;
-// So much error makes something e times less likely.
+// So much error, and so much doubt, make something e times less likely.
 constexpr double error_scale = 0.01;
+constexpr double doubt_scale = 1.0 / 6;
+// What an outline may differ by, in squared standard deviations of the mark: by the pixels' phase; as a part of what is
+// not round about it, by blur and perspective; and by noise, which is the less the more pixels there are.
+constexpr double outline_slack = 0.0003;
+constexpr double outline_share = 0.04;
+constexpr double outline_noise = 25;
+constexpr double least_noise = 0.01;  // of the contrast
 
 double weight_of_roundness(const LearnedObject& object) {
   return roundness_weight * ordinary_spread / std::max(ordinary_spread, object.roundness_spread);
@@ -50,6 +57,20 @@ double recognition_error(const SeenMark& mark, const LearnedObject& object) {
   return best;
 }
 
+double outline_doubt(const SeenMark& mark, const LearnedObject& object) {
+  if (mark.tag) return 0;
+  const MarkOutline seen = outline_of(mark.signature);
+  const double contrast = std::max(1.0, std::abs(mark.mark_level - mark.ground_level));
+  const double noise = std::max(least_noise, mark.noise / contrast) / mark.height_px;
+  double least = impossible;
+  for (const LearnedSample& sample : object.samples) {
+    if (sample.tag || sample.tone != mark.tone) continue;
+    const double allowed = outline_slack + outline_share * sample.outline.power() + outline_noise * noise * noise;
+    least = std::min(least, outline_error(seen, sample.outline) / allowed);
+  }
+  return least;
+}
+
 double likeness_error(const LearnedObject& a, const LearnedObject& b) {
   double best = impossible;
   for (const LearnedSample& one : a.samples) {
@@ -64,12 +85,13 @@ double likeness_error(const LearnedObject& a, const LearnedObject& b) {
 
 double Likeness::confidence() const {
   const double ahead_of_second = std::exp(-(second_error - error) / error_scale);
-  const double ahead_of_unknown = std::exp(-(recognition_threshold - error) / error_scale);
-  return 1 / (1 + ahead_of_second + ahead_of_unknown);
+  const double ahead_of_unlike = std::exp(-(recognition_threshold - error) / error_scale);
+  const double ahead_of_unlearned = std::exp(-(1 - doubt) / doubt_scale);
+  return 1 / (1 + ahead_of_second + ahead_of_unlike + ahead_of_unlearned);
 }
 
 Likeness likeness(const SeenMark& mark, const LearnedObjects& objects, const LearnedObject& object) {
-  Likeness out{.error = recognition_error(mark, object)};
+  Likeness out{.error = recognition_error(mark, object), .doubt = outline_doubt(mark, object)};
   for (const LearnedObject& rival : objects.all()) {
     if (&rival == &object) continue;
     const double error = recognition_error(mark, rival);
@@ -83,10 +105,12 @@ Likeness likeness(const SeenMark& mark, const LearnedObjects& objects, const Lea
 std::optional<Likeness> recognise(const SeenMark& mark, const LearnedObjects& objects, const LearnedObject& object) {
   const double error = recognition_error(mark, object);
   if (error > recognition_threshold) return std::nullopt;
+  const double doubt = outline_doubt(mark, object);
+  if (doubt > 1) return std::nullopt;
   // The square root of the error is a distance: within half of that to the nearest rival nothing else can be nearer.
   if (4 * error < object.rival_error) {
     const double least_distance = std::sqrt(object.rival_error) - std::sqrt(error);
-    return Likeness{.error = error, .second_error = least_distance * least_distance};
+    return Likeness{.error = error, .doubt = doubt, .second_error = least_distance * least_distance};
   }
   const Likeness out = likeness(mark, objects, object);
   if (out.margin() < least_margin) return std::nullopt;

@@ -2,7 +2,7 @@
 
 // Which learned object a seen mark is, and where in an image an object is: the second and third stage of the thesis'
 // find (the first, candidates over the image, is ImageSegmentation). A parameter counts the less the more the samples
-// of an object differ in it.
+// of an object differ in it. What is like an object is it where its outline differs by no more than noise makes.
 //
 //   double error = recognition_error(mark, *objects.find("circle"));     // infinite where it cannot be
 //   const SeenMark* found = find_object(segmentation.marks(), objects, "circle");
@@ -18,6 +18,10 @@ inline constexpr double recognition_threshold = 0.085;
 // learned) or slimness (a face yawed by more than 45 degrees) cannot be the object's.
 double recognition_error(const SeenMark& mark, const LearnedObject& object);
 
+// By how much the mark's outline differs from that of the nearest sample, as a part of what the image's noise, blur and
+// a turned face may make of it. Above 1 it is something that nobody learned.
+double outline_doubt(const SeenMark& mark, const LearnedObject& object);
+
 // How much two learned objects differ: the least over pairs of their samples, as a mark of one would differ from the
 // other. Below `alike_below` noise, blur or a turned face may make one pass for the other.
 double likeness_error(const LearnedObject& a, const LearnedObject& b);
@@ -26,12 +30,14 @@ inline constexpr double alike_below = 0.075;
 // How much a mark is like an object, and the learned object that it is most like otherwise.
 struct Likeness {
   double error = 0;
+  double doubt = 0;                       // outline_doubt()
   const LearnedObject* second = nullptr;  // null: none comes near
   double second_error = 2;                // of that one, or less than it can be
   // By how much the object is ahead; below `least_margin` it is neither for certain.
   double margin() const { return second_error - error; }
-  // From 0 to 1: the object's share against the second and against anything unknown, each of which counts e times less
-  // for every hundredth of error that it is farther away. One half: it might as well be the other.
+  // From 0 to 1: the object's share against the second, against what is unlike everything learned, and against what is
+  // like it but unlearned. The first two count e times less for every hundredth of error that they are farther away,
+  // the third for every sixth of the doubt that is missing. One half: it might as well be another thing.
   double confidence() const;
 };
 inline constexpr double least_margin = 0.005;

@@ -162,7 +162,7 @@ Result<void> MarkLearner::check_region(const ImageSegmentation& mean) {
   while (filled_(box.y, x) == 0) ++x;
   const std::optional<MarkContour> contour =
       follow_contour(MaskField(filled_), {x, box.y}, longest_contour_px(filled_.size()));
-  if (contour) first_ = measure_mark(mean.image(), *contour, tone_);
+  if (contour) first_ = measure_mark(mean.cut(), *contour, tone_);
   if (!first_) {
     return fail("open-contour", "the region around the point is no solid mark with a closed contour on even ground",
                 where);

@@ -43,7 +43,7 @@ std::optional<SeenMark> follow_mark(const cv::Mat& grey, double noise, const See
   std::optional<MarkContour> contour =
       contour_from_centre(field, middle - area.tl(), gate, longest_contour_px(grey.size()));
   if (!contour || contour->size() < 4) return std::nullopt;
-  std::optional<SeenMark> mark = measure_mark(cut.pixels, std::move(*contour), last.tone);
+  std::optional<SeenMark> mark = measure_mark(cut, std::move(*contour), last.tone);
   if (mark) move_by(*mark, cut.origin);
   if (!mark || cv::norm(mark->centre - centre) > gate) return std::nullopt;
   return mark;

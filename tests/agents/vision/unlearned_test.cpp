@@ -28,6 +28,27 @@ StereoModel one_camera() {
   return model;
 }
 
+// In the light and the sharpness of a lab; what noise and blur may do to it bench/vision's row `unlearned` counts.
+TEST(Unlearned, AloneIsNothing) {
+  const cv::Mat nothing = cv::Mat::zeros(240, 320, CV_8UC1);
+  for (const bench::UnlearnedShape& shape : bench::unlearned_shapes()) {
+    if (!shape.no_view_of_a_mark) continue;
+    for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+      SCOPED_TRACE(testing::Message() << shape.name << ", seed " << seed);
+      Random random(seed);
+      bench::Scene scene;
+      const cv::Point2d place(random.uniform(80, 240), random.uniform(60, 180));
+      const double scale = random.uniform(1, 1.5) * bench::scale_at(bench::learning_depth_mm);
+      scene.things = {
+          {.shape = bench::placed(shape.shape, place, scale, random.uniform(0, 360)), .level = scene.mark_level}};
+      StereoSight sight(draw(scene, bench::Side::left, random), nothing, one_camera());
+      for (const LearnedObject& object : learned_cell().all()) {
+        EXPECT_FALSE(sight.find(learned_cell(), object)) << "taken for the " << object.name;
+      }
+    }
+  }
+}
+
 TEST(Unlearned, BesideALearnedMarkIsNotTakenForItAndNotKeptQuietAboutEither) {
   const StereoModel pair = bench::scene_camera();
   for (const bench::UnlearnedShape& other : bench::unlearned_shapes()) {

@@ -1,0 +1,33 @@
+#pragma once
+
+// The outline of a mark as waves around its centre: how far it reaches in each direction, once place, size, turn and
+// slant are undone (mark_signature.hpp). Noise puts a little into every wave, another shape much into a few: so a
+// hexagon and a circle differ, whose pictures differ by hardly more than noise makes.
+//
+//   outline_error(outline_of(seen.signature), outline_of(learned.signature));      // 0 alike
+
+#include <array>
+
+#include "agents/vision/marks/mark_signature.hpp"
+
+namespace pizarra {
+
+// Amplitudes, in standard deviations of the mark. Three waves to eight around it: one or two are its place and its
+// slant, and of more the blur leaves little.
+struct MarkOutline {
+  static constexpr int first = 3;
+  static constexpr int count = 6;
+  std::array<float, count> cosines{};
+  std::array<float, count> sines{};
+
+  // The mean square of what is not round.
+  double power() const;
+};
+
+MarkOutline outline_of(const MarkSignature& signature);
+
+// The mean square of what is left of the seen one's waves, turned and all lessened as the learned one's would be by
+// some blur, in standard deviations squared.
+double outline_error(const MarkOutline& seen, const MarkOutline& learned);
+
+}  // namespace pizarra
