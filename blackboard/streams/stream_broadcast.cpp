@@ -5,6 +5,7 @@
 
 #include "blackboard/streams/frame_text.hpp"
 #include "blackboard/streams/shared_ring.hpp"
+#include "blackboard/wire/half_open.hpp"
 #include "blackboard/wire/wire_address.hpp"
 
 namespace pizarra {
@@ -14,8 +15,6 @@ namespace {
 constexpr int frames_under_way = 2;
 // Enough for a frame, and not for a second of frames that nobody wants any more.
 constexpr int socket_bytes = 1 << 18;
-constexpr int heartbeat_ms = 2000;
-constexpr int heartbeat_timeout_ms = 6000;
 constexpr std::int64_t longest_message = max_image_bytes + (1 << 16);
 
 constexpr std::size_t key_length = 40;  // in Z85
@@ -36,8 +35,7 @@ Keys fresh_keys() {
 void set_common(zmq::socket_t& socket) {
   socket.set(zmq::sockopt::linger, 0);
   socket.set(zmq::sockopt::maxmsgsize, longest_message);
-  socket.set(zmq::sockopt::heartbeat_ivl, heartbeat_ms);
-  socket.set(zmq::sockopt::heartbeat_timeout, heartbeat_timeout_ms);
+  let_go_when_half_open(socket);
 }
 
 enum TicketPart : std::size_t { transport, at, server_key, public_key, secret_key, ticket_parts };

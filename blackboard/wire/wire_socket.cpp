@@ -2,6 +2,8 @@
 
 #include <unistd.h>
 
+#include "blackboard/wire/half_open.hpp"
+
 namespace pizarra {
 
 namespace {
@@ -9,8 +11,6 @@ namespace {
 // Then others have their turn: a group of the journal is on its way to the disk while the next one comes.
 constexpr int messages_at_once = 16;
 constexpr int linger_ms = 50;
-constexpr int heartbeat_ms = 2000;
-constexpr int heartbeat_timeout_ms = 6000;
 constexpr int reconnect_ms = 50;
 constexpr int reconnect_most_ms = 1000;
 
@@ -36,8 +36,7 @@ WireSocket::WireSocket(Executor& executor, Kind kind, Receiver receiver)
   socket_.set(zmq::sockopt::sndhwm, high_water);
   socket_.set(zmq::sockopt::rcvhwm, high_water);
   socket_.set(zmq::sockopt::maxmsgsize, longest_message);
-  socket_.set(zmq::sockopt::heartbeat_ivl, heartbeat_ms);
-  socket_.set(zmq::sockopt::heartbeat_timeout, heartbeat_timeout_ms);
+  let_go_when_half_open(socket_);
   if (kind == Kind::router) {
     // Otherwise what cannot be delivered would be lost without a word.
     socket_.set(zmq::sockopt::router_mandatory, true);

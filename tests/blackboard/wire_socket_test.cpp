@@ -1,0 +1,57 @@
+// What a peer may do to a socket's connections, and nothing to the socket.
+
+#include "blackboard/wire/wire_socket.hpp"
+
+#include <gtest/gtest.h>
+#include <thread>
+
+#include "blackboard/time/real_executor.hpp"
+#include "tests/scratch.hpp"
+
+namespace pizarra {
+namespace {
+
+constexpr std::size_t frame_bytes = 8 << 10;
+
+class Peer {
+ public:
+  explicit Peer(const std::string& address) : socket_(context_, zmq::socket_type::dealer) {
+    // Long enough for what the other end has room for.
+    socket_.set(zmq::sockopt::linger, 500);
+    socket_.set(zmq::sockopt::sndhwm, 0);
+    socket_.connect(address);
+  }
+  void send(const std::string& frame) { socket_.send(zmq::buffer(frame)); }
+
+ private:
+  zmq::context_t context_{1};
+  zmq::socket_t socket_;
+};
+
+TEST(WireSocket, APeerThatGoesWhileItsFramesAreHeldBackEndsItsOwnConnectionAlone) {
+  RealExecutor executor;
+  int held_back = 0;
+  bool other_heard = false;
+  WireSocket router(executor, WireSocket::Kind::router, [&](const std::string&, std::optional<std::string_view> frame) {
+    if (frame->size() == frame_bytes) ++held_back;
+    if (*frame == "other") other_heard = true;
+  });
+  const std::string address = router.bind("ipc://" + scratch_folder() + "half_open").value();
+  {
+    Peer gone(address);
+    for (int i = 0; i < 4 * WireSocket::high_water; ++i) gone.send(std::string(frame_bytes, 'x'));
+  }
+  // ZeroMQ's own threads go on meanwhile: a beat of theirs every two seconds would fall into it.
+  std::this_thread::sleep_for(3s);
+  Peer other(address);
+  other.send("other");
+  const Time deadline = executor.now() + 10s;
+  const auto tick = executor.call_at(deadline, [] {});
+  executor.run_until([&] { return other_heard || executor.now() >= deadline; });
+  executor.cancel(tick);
+  EXPECT_TRUE(other_heard);
+  EXPECT_GT(held_back, 0);
+}
+
+}  // namespace
+}  // namespace pizarra
