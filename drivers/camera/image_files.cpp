@@ -1,7 +1,6 @@
 #include "drivers/camera/image_files.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <filesystem>
 #include <fmt/format.h>
@@ -9,7 +8,8 @@
 #include <glob.h>
 #include <opencv2/core/utils/logger.hpp>
 #include <opencv2/imgcodecs.hpp>
-#include <span>
+
+#include "drivers/camera/image_faults.hpp"
 
 namespace pizarra {
 namespace {
@@ -50,21 +50,6 @@ Result<std::vector<unsigned char>> bytes_of(const std::string& file) {
   return out;
 }
 
-// What is cut short is decoded all the same, its rest grey. A JPEG's previews, whole pictures themselves, lie in
-// segments before its scan, in which no end marker can occur by chance.
-bool is_cut_short(std::span<const unsigned char> bytes) {
-  constexpr std::array<unsigned char, 8> png_end = {'I', 'E', 'N', 'D', 0xae, 0x42, 0x60, 0x82};
-  if (bytes.size() > 4 && bytes[0] == 0x89 && bytes[1] == 'P') return std::ranges::search(bytes, png_end).empty();
-  if (bytes.size() < 2 || bytes[0] != 0xff || bytes[1] != 0xd8) return false;
-  std::size_t at = 2;
-  while (at + 4 <= bytes.size() && bytes[at] == 0xff && bytes[at + 1] != 0xda) {
-    const bool padding = bytes[at + 1] == 0xff;
-    at += padding ? 1 : 2U + 256U * bytes[at + 2] + bytes[at + 3];
-  }
-  constexpr std::array<unsigned char, 2> jpeg_end = {0xff, 0xd9};
-  return at >= bytes.size() || std::ranges::search(bytes.subspan(at), jpeg_end).empty();
-}
-
 }  // namespace
 
 std::vector<std::string> image_files_at(const std::string& where) {
@@ -96,7 +81,8 @@ Result<cv::Mat> ImageFiles::retrieve() {
   const std::string& file = files_[taken_ - 1];
   const Result<std::vector<unsigned char>> bytes = bytes_of(file);
   if (!bytes) return fail(bytes);
-  if (is_cut_short(*bytes)) return fail("corrupt-frame", fmt::format("{} is cut short: its end is missing", file));
+  const std::string_view fault = fault_of_image(*bytes);
+  if (!fault.empty()) return fail("corrupt-frame", fmt::format("{} {}", file, fault));
   cv::Mat image;
   try {
     if (!bytes->empty()) image = cv::imdecode(*bytes, grey_ ? cv::IMREAD_GRAYSCALE : cv::IMREAD_COLOR);

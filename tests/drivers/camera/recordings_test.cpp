@@ -124,6 +124,34 @@ TEST_F(Recordings, AnImageThatIsCutShortIsNone) {
   }
 }
 
+// By one byte anywhere. libpng would say something of its own.
+TEST_F(Recordings, APngThatIsDamagedIsNoneAndToldOnce) {
+  cv::Mat noise(24, 32, CV_8UC1);
+  cv::randu(noise, 0, 255);
+  ASSERT_TRUE(cv::imwrite(folder + "a.png", noise));
+  const auto size = static_cast<std::streamoff>(std::filesystem::file_size(folder + "a.png"));
+  ImageFiles images(folder + "a.png", 10, false);
+  ASSERT_TRUE(images.open());
+  ASSERT_TRUE(images.grab());
+  ASSERT_TRUE(images.retrieve());
+  testing::internal::CaptureStderr();
+  for (std::streamoff at = 0; at < size; ++at) {
+    std::fstream file(folder + "a.png", std::ios::in | std::ios::out | std::ios::binary);
+    const auto flip = [&] {
+      file.seekg(at);
+      const int byte = file.get();
+      file.seekp(at);
+      file.put(static_cast<char>(byte ^ 0x10)).flush();
+    };
+    flip();
+    const Result<cv::Mat> damaged = images.retrieve();
+    EXPECT_FALSE(damaged) << "byte " << at;
+    flip();
+  }
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  EXPECT_TRUE(images.retrieve());
+}
+
 TEST_F(Recordings, APipeAmongTheImagesIsToldAndNotWaitedFor) {
   ASSERT_EQ(mkfifo((folder + "a.png").c_str(), 0600), 0);
   ImageFiles images(folder, 10, false);

@@ -1,0 +1,69 @@
+#include "drivers/camera/image_faults.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+namespace pizarra {
+namespace {
+
+using Bytes = std::span<const unsigned char>;
+
+constexpr std::string_view cut_short = "is cut short: its end is missing";
+
+std::uint32_t big_endian(Bytes bytes) {
+  return static_cast<std::uint32_t>(bytes[0]) << 24 | static_cast<std::uint32_t>(bytes[1]) << 16 |
+         static_cast<std::uint32_t>(bytes[2]) << 8 | bytes[3];
+}
+
+// ISO 3309, as the PNG specification has it.
+std::uint32_t check_sum(Bytes bytes) {
+  static constexpr auto table = [] {
+    std::array<std::uint32_t, 256> out{};
+    for (std::uint32_t byte = 0; byte < out.size(); ++byte) {
+      out[byte] = byte;
+      for (int bit = 0; bit < 8; ++bit) out[byte] = out[byte] >> 1 ^ (0xedb88320 & -(out[byte] & 1));
+    }
+    return out;
+  }();
+  std::uint32_t sum = 0xffffffff;
+  for (const unsigned char byte : bytes) sum = sum >> 8 ^ table[(sum ^ byte) & 255];
+  return ~sum;
+}
+
+// Chunk by chunk: four bytes its length, four its type, the data, and four the sum of both.
+std::string_view fault_of_png(Bytes bytes) {
+  constexpr std::size_t around = 12;
+  for (std::size_t at = 8; at + around <= bytes.size();) {
+    const Bytes rest = bytes.subspan(at);
+    const std::size_t length = big_endian(rest);
+    if (length > rest.size() - around) return cut_short;
+    const Bytes summed = rest.subspan(4, 4 + length);
+    if (check_sum(summed) != big_endian(rest.subspan(8 + length))) return "is damaged: its check sums are not right";
+    if (std::ranges::equal(summed.first(4), std::string_view("IEND"))) return {};
+    at += around + length;
+  }
+  return cut_short;
+}
+
+// A JPEG's previews, whole pictures themselves, lie in segments before its scan, in which no end marker can occur by
+// chance.
+std::string_view fault_of_jpeg(Bytes bytes) {
+  std::size_t at = 2;
+  while (at + 4 <= bytes.size() && bytes[at] == 0xff && bytes[at + 1] != 0xda) {
+    const bool padding = bytes[at + 1] == 0xff;
+    at += padding ? 1 : 2U + 256U * bytes[at + 2] + bytes[at + 3];
+  }
+  constexpr std::array<unsigned char, 2> end = {0xff, 0xd9};
+  return at >= bytes.size() || std::ranges::search(bytes.subspan(at), end).empty() ? cut_short : std::string_view();
+}
+
+}  // namespace
+
+std::string_view fault_of_image(Bytes bytes) {
+  if (bytes.size() > 4 && bytes[0] == 0x89 && bytes[1] == 'P') return fault_of_png(bytes);
+  if (bytes.size() > 1 && bytes[0] == 0xff && bytes[1] == 0xd8) return fault_of_jpeg(bytes);
+  return {};
+}
+
+}  // namespace pizarra
