@@ -9,7 +9,6 @@ namespace pizarra {
 
 namespace {
 
-constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 constexpr bool is_continuation(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
 
 // A line as a person sees it: one column a character, whatever the byte was.
@@ -40,12 +39,6 @@ std::size_t characters_of(std::string_view text) {
 }
 
 }  // namespace
-
-bool begins_like_number(std::string_view token) {
-  if (!token.empty() && (token.front() == '+' || token.front() == '-')) token.remove_prefix(1);
-  if (!token.empty() && token.front() == '.') token.remove_prefix(1);
-  return !token.empty() && is_digit(token.front());
-}
 
 std::size_t utf8_length(std::string_view text) {
   if (text.empty()) return 0;

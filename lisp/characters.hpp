@@ -20,7 +20,11 @@ inline constexpr std::array<bool, 256> symbol_chars = [] {
 // Whether a symbol may hold this byte.
 inline bool is_symbol_char(char c) { return symbol_chars[static_cast<unsigned char>(c)]; }
 // Whether what begins so is a number or nothing: a digit, or a sign or point before a digit.
-bool begins_like_number(std::string_view token);
+constexpr bool begins_like_number(std::string_view token) {
+  if (!token.empty() && (token.front() == '+' || token.front() == '-')) token.remove_prefix(1);
+  if (!token.empty() && token.front() == '.') token.remove_prefix(1);
+  return !token.empty() && token.front() >= '0' && token.front() <= '9';
+}
 // The bytes of the UTF-8 sequence that begins here, 0 where none does (overlong forms and surrogates are none).
 std::size_t utf8_length(std::string_view text);
 

@@ -3,6 +3,9 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
+
+#include "lisp/characters.hpp"
 
 namespace pizarra {
 
@@ -11,40 +14,46 @@ namespace {
 // Two whole numbers below 2^53, the lower one a power of ten that a double holds exactly, are divided with one
 // rounding: the quotient is the double nearest to the decimal (Clinger 1990, "How to read floating point numbers
 // accurately").
-constexpr std::size_t most_digits = 15;
+constexpr std::ptrdiff_t most_digits = 15;
 constexpr std::array<double, most_digits + 1> powers_of_ten = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                                                1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
 
+// Beyond so many, a sum of digits may not fit 64 bits.
+constexpr std::ptrdiff_t most_whole_digits = 18;
+
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-// Adds the digits that `text` begins with to `value`, takes them off, and says how many they are: of more than `most`,
-// one more than that.
-std::size_t take_digits(std::string_view& text, std::size_t most, std::int64_t& value) {
-  std::size_t count = 0;
-  while (count < text.size() && count <= most && is_digit(text[count])) value = value * 10 + (text[count++] - '0');
-  text.remove_prefix(count);
-  return count;
+// Adds the digits from `at` on to `value`, and answers where they end.
+const char* take_digits(const char* at, const char* end, std::uint64_t& value) {
+  for (; at != end && is_digit(*at); ++at) value = value * 10 + static_cast<std::uint64_t>(*at - '0');
+  return at;
 }
+
+bool ends_token(const char* at, const char* end) { return at == end || !is_symbol_char(*at); }
 
 }  // namespace
 
-bool read_decimal(std::string_view token, Datum& number) {
-  const bool negative = token.starts_with('-');
-  if (negative || token.starts_with('+')) token.remove_prefix(1);
-  std::int64_t value = 0;
-  const std::size_t whole = take_digits(token, most_digits, value);
-  if (whole == 0 || whole > most_digits) return false;
-  if (token.empty()) {
-    number = Datum::integer(negative ? -value : value);
-    return true;
+Decimal read_decimal(std::string_view text) {
+  const char* const begin = text.data();
+  const char* const end = begin + text.size();
+  const bool negative = begin != end && *begin == '-';
+  const char* const whole = begin + (negative || (begin != end && *begin == '+') ? 1 : 0);
+  std::uint64_t value = 0;
+  const char* const whole_end = take_digits(whole, end, value);
+  const std::ptrdiff_t whole_digits = whole_end - whole;
+  if (whole_digits == 0 || whole_digits > most_whole_digits) return {};
+  if (ends_token(whole_end, end)) {
+    const auto integer = static_cast<std::int64_t>(value);
+    return {Datum::integer(negative ? -integer : integer), static_cast<std::size_t>(whole_end - begin)};
   }
-  if (token.front() != '.') return false;
-  token.remove_prefix(1);
-  const std::size_t behind = take_digits(token, most_digits - whole, value);
-  if (behind == 0 || whole + behind > most_digits || !token.empty()) return false;
-  const double real = static_cast<double>(value) / powers_of_ten[behind];
-  number = Datum::real(negative ? -real : real);
-  return true;
+  if (*whole_end != '.') return {};
+  const char* const behind = whole_end + 1;
+  const char* const behind_end = take_digits(behind, end, value);
+  const std::ptrdiff_t behind_digits = behind_end - behind;
+  if (behind_digits == 0 || whole_digits + behind_digits > most_digits || !ends_token(behind_end, end)) return {};
+  const auto digits = static_cast<double>(static_cast<std::int64_t>(value));
+  const double real = digits / powers_of_ten[static_cast<std::size_t>(behind_digits)];
+  return {Datum::real(negative ? -real : real), static_cast<std::size_t>(behind_end - begin)};
 }
 
 // A decimal of at most 15 digits that reads as the value is its shortest one: no other of so few digits reads the same.

@@ -3,8 +3,8 @@
 // Reads and writes the numbers that facts are full of, whole ones and those with few digits behind their point, several
 // times quicker than the library does; the same value and the same text. What is not of these is the library's.
 //
-//   Datum number;
-//   if (!read_decimal("112.25", number)) ...;          // from_chars
+//   Decimal read = read_decimal("112.25)");
+//   if (read.length == 0) ...;                          // from_chars
 //   char buffer[longest_decimal];
 //   if (char* end = write_decimal(buffer, 112.25)) ...; // else to_chars
 
@@ -17,8 +17,15 @@ namespace pizarra {
 
 inline constexpr std::size_t longest_decimal = 24;
 
-// An integer or real; whether `token` is one of at most 15 digits without an exponent, digits on both sides of a point.
-bool read_decimal(std::string_view token, Datum& number);
+// A text's first bytes as the number that they are.
+struct Decimal {
+  Datum number;
+  std::size_t length = 0;
+};
+
+// The number that `text` begins with, up to a byte that no symbol holds: a whole one of at most 18 digits, or one with
+// digits on both sides of its point, 15 in all. No length where it is none of these.
+Decimal read_decimal(std::string_view text);
 
 // The end of what was written, with a point and a digit behind it; null where the value has more than three digits
 // there, or is written with an exponent.

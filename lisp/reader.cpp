@@ -1,6 +1,7 @@
 #include "lisp/reader.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cstdint>
 #include <cstring>
@@ -21,9 +22,26 @@ struct Trouble {
   std::string sentence;
 };
 
-constexpr bool is_blank(char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\r'; }
+constexpr bool may_begin_number(char c) { return (c >= '0' && c <= '9') || c == '-' || c == '+'; }
+
+// The bytes that stand for themselves in a string, each a character of its own.
+constexpr std::array<bool, 256> plain_bytes = [] {
+  std::array<bool, 256> out{};
+  for (unsigned c = 1; c < 0x80; ++c) out[c] = c != '"' && c != '\\';
+  return out;
+}();
+
+// Of what `text` begins with.
+std::size_t length_of_plain(std::string_view text) {
+  const auto is_plain = [](char c) { return plain_bytes[static_cast<unsigned char>(c)]; };
+  return static_cast<std::size_t>(std::ranges::find_if_not(text, is_plain) - text.begin());
+}
+std::size_t length_of_token(std::string_view text) {
+  return static_cast<std::size_t>(std::ranges::find_if_not(text, is_symbol_char) - text.begin());
+}
 
 // One pass over the text with an explicit stack: elements of open lists wait in `waiting_`, in the order they came.
+// What the frames of a board seldom hold is marked cold, so that the compiler leaves it out of the way of the rest.
 class Reader {
  public:
   Reader(std::string_view text, const ReadLimits& limits, std::vector<Spot>* spots)
@@ -57,16 +75,20 @@ class Reader {
     std::size_t first;  // of its elements in waiting_
   };
 
-  bool refuse(std::size_t offset, const char* symbol, std::string sentence) {
+  [[gnu::cold]] bool refuse(std::size_t offset, const char* symbol, std::string sentence) {
     trouble_ = {offset, symbol, std::move(sentence)};
     return false;
   }
 
   bool step() {
     const char c = text_[at_];
-    if (is_blank(c)) return ++at_, true;
     if (is_symbol_char(c)) return read_token();
     switch (c) {
+      case ' ':
+      case '\n':
+      case '\t':
+      case '\r':
+        return ++at_, true;
       case '(':
         return open_list();
       case ')':
@@ -84,7 +106,7 @@ class Reader {
     return refuse_character();
   }
 
-  bool refuse_character() {
+  [[gnu::cold]] bool refuse_character() {
     const std::size_t length = utf8_length(text_.substr(at_));
     const auto byte = static_cast<unsigned char>(text_[at_]);
     if (length == 0) return refuse(at_, "bad-text", "this is not UTF-8");
@@ -94,13 +116,17 @@ class Reader {
     return refuse(at_, "bad-character", fmt::format("`{}` has no meaning here", text_.substr(at_, length)));
   }
 
-  bool add(Datum datum, std::size_t offset) {
-    if (++elements_ > limits_.elements) {
-      return refuse(offset, "too-many", fmt::format("more than {} elements", limits_.elements));
-    }
+  bool add(Datum&& datum, std::size_t offset) {
+    if (++elements_ > limits_.elements) return refuse_element(offset);
     waiting_.push_back(std::move(datum));
-    if (spots_) waiting_spots_.push_back({offset, at_ - 1, {}});
+    if (spots_) note_spot(offset);
     return true;
+  }
+
+  [[gnu::cold]] void note_spot(std::size_t offset) { waiting_spots_.push_back({offset, at_ - 1, {}}); }
+
+  [[gnu::cold]] bool refuse_element(std::size_t offset) {
+    return refuse(offset, "too-many", fmt::format("more than {} elements", limits_.elements));
   }
 
   bool open_list() {
@@ -129,8 +155,14 @@ class Reader {
 
   bool read_token() {
     const std::size_t start = at_;
-    while (at_ < text_.size() && is_symbol_char(text_[at_])) ++at_;
-    const std::string_view token = text_.substr(start, at_ - start);
+    const std::string_view rest = text_.substr(start);
+    if (may_begin_number(rest.front())) {
+      Decimal decimal = read_decimal(rest);
+      at_ += decimal.length;
+      if (decimal.length != 0) return add(std::move(decimal.number), start);
+    }
+    const std::string_view token = rest.substr(0, length_of_token(rest));
+    at_ += token.size();
     if (begins_like_number(token)) return read_number(token, start);
     if (token == ".") return refuse(start, "bad-character", "a dot has no meaning here");
     return add(Datum::checked_symbol(limits_.lower_case ? lower_case(token) : token), start);
@@ -144,7 +176,6 @@ class Reader {
   }
 
   bool read_number(std::string_view token, std::size_t start) {
-    if (Datum number; read_decimal(token, number)) return add(std::move(number), start);
     const bool signed_plus = token.front() == '+';
     const char* begin = token.data() + (signed_plus ? 1 : 0);
     const char* end = token.data() + token.size();
@@ -178,6 +209,7 @@ class Reader {
   bool read_string() {
     const std::size_t start = at_++;
     const std::size_t plain = at_;
+    at_ += length_of_plain(text_.substr(at_));
     while (at_ < text_.size()) {
       const char c = text_[at_];
       if (c == '"') return add(Datum::checked_string(text_.substr(plain, at_++ - plain)), start);
@@ -187,7 +219,7 @@ class Reader {
     return refuse(start, "unclosed-string", "this string is not closed");
   }
 
-  bool read_escaped_string(std::size_t start, std::string value) {
+  [[gnu::cold]] bool read_escaped_string(std::size_t start, std::string value) {
     while (at_ < text_.size()) {
       const char c = text_[at_];
       if (c == '"') {
@@ -239,7 +271,7 @@ class Reader {
     return true;
   }
 
-  bool skip_comment() {
+  [[gnu::cold]] bool skip_comment() {
     while (at_ < text_.size() && text_[at_] != '\n') {
       if (!skip_character()) return false;
     }

@@ -61,11 +61,12 @@ TEST(Decimal, IsReadAsTheLibraryReadsIt) {
   int read_here = 0;
   for (int i = 0; i < 300'000; ++i) {
     std::string text(random() % 3, "+-"[random() % 2]);
-    for (auto digits = random() % 18; digits > 0; --digits) text += static_cast<char>('0' + random() % 10);
+    for (auto digits = random() % 21; digits > 0; --digits) text += static_cast<char>('0' + random() % 10);
     if (random() % 3 != 0) text.insert(random() % (text.size() + 1), 1, '.');
-    Datum number;
-    if (!read_decimal(text, number)) continue;
+    const auto [number, length] = read_decimal(text + " 7");
+    if (length == 0) continue;
     ++read_here;
+    ASSERT_EQ(length, text.size());
     const char* begin = text.data() + (text.starts_with('+') ? 1 : 0);
     const char* end = text.data() + text.size();
     if (number.is_integer()) {
@@ -82,11 +83,21 @@ TEST(Decimal, IsReadAsTheLibraryReadsIt) {
 }
 
 TEST(Decimal, OfOtherFormsIsNotReadHere) {
-  Datum number;
-  for (const char* text : {"", "+", ".", ".5", "5.", "-", "--1", "1e3", "1.5e3", "1.2.3", "1,5", "1234567890123456",
-                           "123456789012.3456", "0.1234567890123456789012345678901234567890"}) {
-    EXPECT_FALSE(read_decimal(text, number)) << text;
+  for (const char* text : {"", "+", ".", ".5", "5.", "-", "--1", "1e3", "1.5e3", "1.2.3", "1x", "1.5x",
+                           "1234567890123456789", "123456789012.3456", "0.1234567890123456789012345678901234567890"}) {
+    EXPECT_EQ(read_decimal(text).length, 0U) << text;
   }
+}
+
+TEST(Decimal, EndsWhereNoSymbolGoesOn) {
+  for (const char* text : {"1 2", "1)", "1,5", "1\"", "1"}) {
+    const Decimal read = read_decimal(text);
+    EXPECT_EQ(read.length, 1U) << text;
+    EXPECT_EQ(read.number, Datum::integer(1)) << text;
+  }
+  const Decimal real = read_decimal("-2.5)");
+  EXPECT_EQ(real.length, 4U);
+  EXPECT_EQ(real.number, Datum::real(-2.5));
 }
 
 }  // namespace
