@@ -2,8 +2,16 @@
 
 // What stands behind a backslash in a string that is written.
 
+#include <array>
+
 namespace pizarra {
 
-constexpr bool needs_escape(char c) { return c == '"' || c == '\\' || c == '\n' || c == '\t'; }
+inline constexpr std::array<bool, 256> escaped_bytes = [] {
+  std::array<bool, 256> out{};
+  out['"'] = out['\\'] = out['\n'] = out['\t'] = true;
+  return out;
+}();
+
+constexpr bool needs_escape(char c) { return escaped_bytes[static_cast<unsigned char>(c)]; }
 
 }  // namespace pizarra

@@ -118,23 +118,44 @@ struct TransactionWriter {
   }
 };
 
-void write_fact(std::string& out, const Fact& fact) {
-  out += '(';
-  write_number(out, fact.id);
-  out += ' ';
-  write_number(out, fact.revision);
-  out += ' ';
-  write_number(out, fact.when.time_since_epoch().count());
-  out += ' ';
-  write_to(out, to_datum(fact.teller));
-  out += ' ';
-  write_to(out, fact.datum);
-  for (const FactId cause : fact.because) {
-    out += ' ';
-    write_number(out, cause);
+// Facts one after another, of which many say the same of when and by whom they were told.
+class FactWriter {
+ public:
+  explicit FactWriter(std::string& out) : out_(out) {}
+
+  void write(const Fact& fact) {
+    out_ += '(';
+    write_number(out_, fact.id);
+    if (before_ == nullptr || !told_alike(*before_, fact)) told_ = told_by(fact);
+    before_ = &fact;
+    out_ += told_;
+    write_to(out_, fact.datum);
+    for (const FactId cause : fact.because) {
+      out_ += ' ';
+      write_number(out_, cause);
+    }
+    out_ += ')';
   }
-  out += ')';
-}
+
+ private:
+  static bool told_alike(const Fact& a, const Fact& b) {
+    return a.revision == b.revision && a.when == b.when && a.teller == b.teller;
+  }
+  static std::string told_by(const Fact& fact) {
+    std::string text = " ";
+    write_number(text, fact.revision);
+    text += ' ';
+    write_number(text, fact.when.time_since_epoch().count());
+    text += ' ';
+    write_to(text, to_datum(fact.teller));
+    text += ' ';
+    return text;
+  }
+
+  std::string& out_;
+  const Fact* before_ = nullptr;
+  std::string told_;
+};
 
 void write_ids(std::string& out, const Delta::Side& side) {
   out += " (";
@@ -147,10 +168,11 @@ void write_ids(std::string& out, const Delta::Side& side) {
 
 void write_answers(std::string& out, std::size_t width, const Delta::Side& side) {
   out += " (";
+  FactWriter writer(out);
   auto next = side.facts.begin();
   for (std::size_t answer = 0; answer < side.answers; ++answer) {
     out += '(';
-    for (std::size_t i = 0; i < width; ++i) write_fact(out, *next++);
+    for (std::size_t i = 0; i < width; ++i) writer.write(*next++);
     out += ')';
   }
   out += ')';

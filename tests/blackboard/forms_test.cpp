@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "blackboard/stream.hpp"
+#include "blackboard/wire/wire.hpp"
 #include "tests/blackboard/wall.hpp"
 
 namespace pizarra {
@@ -35,6 +36,33 @@ TEST(QueryForm, SurvivesTheWayToDataAndBack) {
         "(query (on ?x ?y) (limit 0))"}) {
     EXPECT_EQ(query_to_datum(query(text)), read(text)) << text;
   }
+}
+
+Fact fact_told(FactId id, Revision revision, std::string teller, Duration when, std::vector<FactId> because = {}) {
+  return {.datum = list("n"_sym, id),
+          .id = id,
+          .teller = std::move(teller),
+          .when = Time(when),
+          .revision = revision,
+          .because = std::move(because)};
+}
+
+TEST(ChangeForm, SurvivesTheWayToTextAndBackWhoeverToldItsFacts) {
+  Delta change;
+  change.revision = 9;
+  change.added.facts = {fact_told(1, 7, "alice", 5ms),      fact_told(2, 7, "alice", 5ms, {1}),
+                        fact_told(3, 8, "alice", 5ms),      fact_told(4, 8, "bob \"the builder\"", 5ms),
+                        fact_told(5, 8, "alice", 5ms, {2}), fact_told(6, 8, "alice", 6ms)};
+  change.added.answers = change.added.facts.size();
+  change.removed.facts = {fact_told(7, 8, "alice", 6ms)};
+  change.removed.answers = 1;
+  std::string text;
+  wire::write_change(text, 3, 4, 1, false, change);
+  const Result<Delta> read_back = wire::delta_from_datum(query("(n ?id)"), read(text));
+  ASSERT_TRUE(read_back.has_value()) << text;
+  EXPECT_EQ(read_back->revision, 9U);
+  EXPECT_EQ(read_back->added.facts, change.added.facts) << text;
+  EXPECT_EQ(read_back->removed.facts, change.removed.facts) << text;
 }
 
 TEST(LocalStreams, TheFramesOfAStreamReachItsSubscribers) {
