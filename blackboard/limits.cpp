@@ -16,12 +16,19 @@ Weight& Weight::operator+=(const Weight& other) {
 
 namespace {
 
+std::size_t escapes_in(std::string_view text) {
+  std::size_t count = 0;
+  for (const char c : text) count += static_cast<std::size_t>(needs_escape(c));
+  return count;
+}
+
 // Of a datum that is no list.
 std::size_t bytes_of(const Datum& datum) {
   constexpr std::size_t longest_number = 26;
-  if (datum.is_number()) return longest_number;
-  if (datum.is_symbol()) return datum.text().size() + 1;
-  return datum.text().size() + static_cast<std::size_t>(std::ranges::count_if(datum.text(), needs_escape)) + 3;
+  const Datum::Kind kind = datum.kind();
+  if (kind == Datum::Kind::integer || kind == Datum::Kind::real) return longest_number;
+  const std::string_view text = datum.text();
+  return kind == Datum::Kind::symbol ? text.size() + 1 : text.size() + escapes_in(text) + 3;
 }
 
 // Adds what the list weighs, inside `depth` others.

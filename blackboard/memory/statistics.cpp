@@ -93,7 +93,7 @@ Datum counted(const Names& names, std::size_t room) {
 
 }  // namespace
 
-// Most changes are of the relation that changed before.
+// Most commits are of the relation that changed before.
 Statistics::Counts& Statistics::counts_of(std::string_view relation) {
   if (last_ == nullptr || last_->first != relation) {
     auto found = relations_.find(relation);
@@ -103,20 +103,28 @@ Statistics::Counts& Statistics::counts_of(std::string_view relation) {
   return last_->second;
 }
 
+// Most changes are of the relation of the change before them, and all of one teller's.
 void Statistics::committed(const Commit& commit) {
+  const Datum* relation = nullptr;
+  Counts* counts = nullptr;
+  Told* told = nullptr;
   for (const Commit::Entry& entry : commit.entries) {
     if (!adds(entry) && !removes(entry)) continue;
-    Counts& counts = counts_of(entry.fact.datum.head());
+    if (relation == nullptr || *relation != entry.fact.datum[0]) {
+      relation = &entry.fact.datum[0];
+      counts = &counts_of(relation->text());
+      told = nullptr;
+    }
     if (removes(entry)) {
-      ++counts.gone;
+      ++counts->gone;
       continue;
     }
-    ++counts.told;
-    counts.rate.count(commit.when);
-    Told& told = told_by(counts, commit.teller);
-    ++told.count;
-    told.newest = commit.revision;
-    told.gone = false;
+    ++counts->told;
+    counts->rate.count(commit.when);
+    if (told == nullptr) told = &told_by(*counts, commit.teller);
+    ++told->count;
+    told->newest = commit.revision;
+    told->gone = false;
   }
 }
 

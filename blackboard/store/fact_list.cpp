@@ -6,8 +6,9 @@
 namespace pizarra {
 
 StandingFact* FactList::find(FactId id) {
+  if (order_.empty() || order_.back().id < id) return nullptr;
   const auto found = lower_bound(order_, id);
-  return found != order_.end() && found->id == id && found->stands() ? found->standing : nullptr;
+  return found->id == id && found->stands() ? found->standing : nullptr;
 }
 
 StandingFact& FactList::insert(StandingFact standing) {

@@ -78,18 +78,25 @@ void WatchTable::forget(const WatchQueue& watch) {
   });
 }
 
+// Most changes are of the relation of the change before them.
 void WatchTable::committed(const Commit& commit) {
   std::vector<WatchQueue*> touched;
+  const Datum* relation = nullptr;
+  auto concerned = relations_.end();
   for (const Commit::Entry& entry : commit.entries) {
-    if (adds(entry) || removes(entry)) find_touched(entry.fact, commit.revision, touched);
+    if (!adds(entry) && !removes(entry)) continue;
+    if (relation == nullptr || *relation != entry.fact.datum[0]) {
+      relation = &entry.fact.datum[0];
+      concerned = relations_.find(relation->text());
+    }
+    if (concerned != relations_.end()) find_touched(concerned->second, entry.fact, commit.revision, touched);
   }
   std::ranges::sort(touched, {}, &WatchQueue::number_);
   for (WatchQueue* watch : touched) watch->committed(commit);
 }
 
-void WatchTable::find_touched(const Fact& fact, Revision revision, std::vector<WatchQueue*>& touched) const {
-  const auto relation = relations_.find(fact.datum.head());
-  if (relation == relations_.end()) return;
+void WatchTable::find_touched(const Concerned& relation, const Fact& fact, Revision revision,
+                              std::vector<WatchQueue*>& touched) {
   const auto look_through = [&](const File& file) {
     for (const Filed& filed : file) {
       if (filed.watch->touched_ == revision || !resembles(*filed.pattern, fact.datum)) continue;
@@ -97,8 +104,8 @@ void WatchTable::find_touched(const Fact& fact, Revision revision, std::vector<W
       touched.push_back(filed.watch);
     }
   };
-  look_through(relation->second.all);
-  for (const auto& [place, files] : relation->second.by_argument) {
+  look_through(relation.all);
+  for (const auto& [place, files] : relation.by_argument) {
     const auto file = files.find(fact.datum[place]);
     if (file != files.end()) look_through(file->second);
   }

@@ -59,7 +59,8 @@ class WatchTable {
   void enter(WatchQueue& watch);
   void forget(const WatchQueue& watch);
   File& file_for(Concerned& relation, const Datum& pattern);
-  void find_touched(const Fact& fact, Revision revision, std::vector<WatchQueue*>& touched) const;
+  static void find_touched(const Concerned& relation, const Fact& fact, Revision revision,
+                           std::vector<WatchQueue*>& touched);
 
   template <class Visitor>
   static void visit(const Concerned& relation, Visitor&& visitor);

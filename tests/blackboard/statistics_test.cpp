@@ -64,6 +64,27 @@ TEST(ClockOffset, IsSaidBestByTheQuickestAnswer) {
   EXPECT_EQ(other.there(Time(60s)), Time(56s)) << "clocks drift: what was said long ago counts no more";
 }
 
+TEST(Statistics, CountWhatOneTransactionChangesOfSeveralRelations) {
+  VirtualExecutor executor;
+  MemoryBoard board(executor);
+  ASSERT_TRUE(board.declare("test", {named("one"), named("two")}).has_value());
+  Transaction first;
+  first.tell(list("one"_sym, 1)).tell(list("two"_sym, 1)).tell(list("one"_sym, 2));
+  Transaction second;
+  second.retract(list("one"_sym, "?"_sym)).tell(list("two"_sym, 2)).tell(list("one"_sym, 3));
+  ASSERT_TRUE(board.transact("alice", first).has_value());
+  ASSERT_TRUE(board.transact("bob", second).has_value());
+  const auto said_of = [&](const char* relation) {
+    const Datum said = board.ask(query(std::string("(query (relation-stats ") + relation + " ? ? ? ? ? ?))"))
+                           ->answers.front()
+                           .facts.front()
+                           .datum;
+    return list(said[2], said[3], said[4], said[6]);
+  };
+  EXPECT_EQ(said_of("one"), read("(1 3 2 ((\"alice\" 2) (\"bob\" 1)))"));
+  EXPECT_EQ(said_of("two"), read("(2 2 0 ((\"alice\" 1) (\"bob\" 1)))"));
+}
+
 TEST(Statistics, SayWhatWaitsForEachWatcher) {
   VirtualExecutor executor;
   MemoryBoard board(executor);
