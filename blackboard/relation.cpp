@@ -182,7 +182,22 @@ Result<void> check_pattern_shape(const Relation& relation, const Datum& pattern)
   return {};
 }
 
+namespace {
+
+bool has_shape(const Relation& relation, const Datum& fact) {
+  if (fact.size() != relation.arguments.size() + 1 || fact.head() != relation.name) return false;
+  auto value = fact.items().begin();
+  return std::ranges::all_of(relation.arguments, [&](const Argument& argument) {
+    ++value;
+    return fits_type(argument.type, *value) && is_ground(*value);
+  });
+}
+
+}  // namespace
+
+// What is wrong is looked for where something is.
 Result<void> check_shape(const Relation& relation, const Datum& fact) {
+  if (has_shape(relation, fact)) return {};
   Result<void> shaped = check_pattern_shape(relation, fact);
   if (!shaped) return shaped;
   for (std::size_t i = 0; i < relation.arguments.size(); ++i) {

@@ -241,6 +241,7 @@ Result<Transaction> transaction_from_datum(const Datum& body) {
     if (!precondition) return fail(precondition);
     transaction.preconditions.push_back(std::move(*precondition));
   }
+  transaction.steps.reserve(body[2].size());
   for (const Datum& form : body[2].items()) {
     Result<Transaction::Step> step = step_from_datum(form);
     if (!step) return fail(step);
