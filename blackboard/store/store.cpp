@@ -1,5 +1,7 @@
 #include "blackboard/store/store.hpp"
 
+#include <algorithm>
+
 #include "blackboard/boards_own.hpp"
 #include "blackboard/limits.hpp"
 #include "blackboard/store/evaluate.hpp"
@@ -54,6 +56,18 @@ Weight weigh(const Transaction& transaction) {
     if (std::holds_alternative<Transaction::Settle>(step)) add({}, 1);
   }
   return whole;
+}
+
+// For what it adds to so many others: in whatever order it goes about it, facts with keys that none had before.
+Result<void> check_room(const Transaction& transaction, const Tables& tables, std::size_t others) {
+  if (others + transaction.steps.size() <= limits::facts) return {};
+  const auto adds = [&](const Transaction::Step& step) {
+    const auto* tell = std::get_if<Transaction::Tell>(&step);
+    return tell != nullptr && tables.find(tell->fact.head())->second.find_key_of(tell->fact) == nullptr;
+  };
+  const auto added = static_cast<std::size_t>(std::ranges::count_if(transaction.steps, adds));
+  if (added == 0 || others + added <= limits::facts) return {};
+  return fail("too-large", "the board is full");
 }
 
 }  // namespace
@@ -126,7 +140,6 @@ Result<void> Store::check(const std::string& teller, const Transaction& transact
   if (transaction.steps.size() + transaction.preconditions.size() > limits::steps) {
     return fail("too-large", "a transaction has at most 10000 steps and preconditions");
   }
-  if (size() + transaction.steps.size() > limits::facts) return fail("too-large", "the board is full");
   Result<void> checked = check_weight(weigh(transaction), "the transaction");
   if (!checked) return checked;
   for (const auto& precondition : transaction.preconditions) {
@@ -139,7 +152,8 @@ Result<void> Store::check(const std::string& teller, const Transaction& transact
     checked = check_step(teller, step, settled, own, examined);
     if (!checked) return checked;
   }
-  return {};
+  // What is taken may come back.
+  return check_room(transaction, tables_, size() + held_.size() - settled.size());
 }
 
 Result<Revision> Store::transact(const std::string& teller, const Transaction& transaction, Time now,
