@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 
+#include "blackboard/limits.hpp"
 #include "lisp/reader.hpp"
 #include "lisp/writer.hpp"
 
@@ -13,8 +14,12 @@ using Kind = Commit::Entry::Kind;
 
 namespace {
 
-// A commit may remove everything there is at once.
-constexpr ReadLimits line_limits = {.bytes = 64 << 20, .depth = 64, .elements = 4'000'000};
+// A commit may put back everything there is at once, or remove it and tell as much as a frame holds.
+constexpr std::size_t most_bytes_of_a_former = std::string_view(" (return  leased)").size() + 2 * 20;
+constexpr std::size_t most_elements_of_a_former = 5;
+constexpr ReadLimits line_limits = {.bytes = limits::facts * most_bytes_of_a_former + limits::frame_bytes,
+                                    .depth = limits::frame_depth,
+                                    .elements = limits::facts * most_elements_of_a_former + limits::frame_elements};
 
 // By the kind of the entry.
 constexpr std::array<std::string_view, 7> words = {"tell", "retract", "take", "settle", "return", "leased", "kept"};

@@ -3,8 +3,10 @@
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <limits>
 #include <unistd.h>
 
+#include "blackboard/limits.hpp"
 #include "blackboard/memory/recorded_board.hpp"
 #include "blackboard/time/virtual_executor.hpp"
 #include "lisp/writer.hpp"
@@ -67,6 +69,20 @@ TEST_F(Journal, SaysEveryKindOfChangeInALine) {
             "(4 1500 \"bob\" (settle 1))\n"
             "(5 1500 \"board\" (return 2 3))\n"
             "(6 1500 \"alice\" (retract 3))\n");
+}
+
+// The end of a lease under which everything was taken, on a board that has lived for long.
+TEST_F(Journal, WhatItSaysOfAllThereMayBeCanBeRead) {
+  constexpr FactId highest = std::numeric_limits<std::int64_t>::max();
+  Commit commit{.revision = 1, .when = {}, .teller = "board", .entries = {}};
+  Commit::Entry entry{.kind = Commit::Entry::Kind::returned, .fact = {}, .under_lease = true};
+  for (FactId id = highest - limits::facts; id < highest; ++id) {
+    entry.former = entry.fact.id = id;
+    commit.entries.push_back(entry);
+  }
+  const auto read = read_journal_line(journal_line(commit));
+  ASSERT_TRUE(read.has_value()) << read.error().sentence;
+  EXPECT_EQ(std::get<Commit>(*read).entries.size(), limits::facts);
 }
 
 constexpr const char* modes =
