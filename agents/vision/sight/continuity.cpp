@@ -26,6 +26,8 @@ constexpr double least_off_px = 0.2;
 constexpr int most_remembered = 100;
 // The largest ratio of the changes of size on all axes, of a mark that is nearer or farther away.
 constexpr double similar_scales = 1.03;
+// From the centre of a triangle to its corners, in standard deviations.
+const double corner_reach = std::sqrt(8.0);
 // Of the motion that covering makes, how much is left unexplained where much is covered: by how the shape is.
 constexpr double most_missed = 0.5;
 
@@ -94,6 +96,21 @@ double WholeMark::covering(const Evidence& covered, const Evidence& other) const
   return if_turned / if_covered;
 }
 
+// What covers a triangle along one side leaves a triangle of the same form with the corner opposite.
+WholeMark::Evidence WholeMark::evidence_of_a_side(const Axes& now) const {
+  const double spread = (axes_[0].spread + axes_[1].spread) / 2;
+  const double change = spread - (now[0].spread + now[1].spread) / 2;
+  constexpr double endless = std::numeric_limits<double>::infinity();
+  Evidence out{.off = corner_reach * change, .moved = endless, .missed = endless};
+  for (const int frames : {0, frames_}) {
+    const double motion =
+        std::hypot(now[0].place - axes_[0].foreseen(frames), now[1].place - axes_[1].foreseen(frames));
+    out.moved = std::min(out.moved, motion);
+    out.missed = std::min(out.missed, std::abs(motion - out.off));
+  }
+  return out;
+}
+
 std::array<WholeMark::Evidence, 4> WholeMark::evidence(const Axes& now) const {
   std::array<Evidence, 4> out;
   for (std::size_t i = 0; i < out.size(); ++i) out[i] = evidence(axes_[i], now[i]);
@@ -111,15 +128,18 @@ WholeMark::Look WholeMark::look_at(const SeenMark& mark, double most_off_px) con
   std::array<double, 4> scales;
   for (std::size_t i = 0; i < scales.size(); ++i) scales[i] = now[i].spread / axes_[i].spread;
   const auto [least, most] = std::ranges::minmax(scales);
-  // Nearer or farther away. What covers a triangle's base alone makes as much of its height as of its width.
+  // Nearer or farther away, or a triangle that is covered along one side.
   const bool similar = most < similar_scales * least;
   if (similar && least > 1) return Look::turned;
+  if (similar) {
+    const Evidence side = evidence_of_a_side(now);
+    return side.missed < clear_px && covering(side, {}) > sure ? Look::covered : Look::turned;
+  }
   for (std::size_t i = 0; i < seen.size(); ++i) {
     const Evidence& one = seen[i];
     const Evidence& other = seen[across(i)];
     if (one.off < most_off_px / 2) continue;
     const double by_covering = covering(one, other);
-    if (similar && std::hypot(one.missed, std::min(other.moved, other.missed)) > clear_px) continue;
     if (by_covering > sure) return Look::covered;
     // What comes back from behind something is a part at first.
     const bool explained =

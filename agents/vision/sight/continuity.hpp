@@ -63,6 +63,8 @@ class WholeMark {
   using Axes = std::array<Axis, 4>;
   static Axes axes_of(const SeenMark& mark);
   std::array<Evidence, 4> evidence(const Axes& now) const;
+  // Of a mark that is of the same form still.
+  Evidence evidence_of_a_side(const Axes& now) const;
 
   Axes axes_;
   double unrest_ = 0;  // how far it was lately from where it was foreseen

@@ -121,14 +121,33 @@ TEST_P(Covering, NeverMakesAConfidentWrongPosition) {
   }
 }
 
+class CoveringATriangle : public Covering {};
+
+// What is left of it has its form, and is smaller.
+TEST_P(CoveringATriangle, AlongASideLeavesNoTriangle) {
+  scene.faces[0].yaw_deg = 0;
+  for (int n = 0; n < 4; ++n) look();
+  ASSERT_TRUE(seen_by_pair && seen_by_one);
+  const double disparity = model.focal_px * model.base_line_mm / scene.faces[0].place.z;
+  for (const double side_deg : {90.0, 210.7, 329.3}) {
+    SCOPED_TRACE(testing::Message() << "from " << side_deg << " degrees");
+    slide({side_deg + scene.faces[0].roll_deg, random.uniform(1.5, 2.5), 190, disparity + 12});
+  }
+}
+
+std::string instance_name(const testing::TestParamInfo<Covering::ParamType>& one) {
+  std::string name = std::get<0>(one.param);
+  std::erase(name, '-');
+  return name + std::to_string(std::get<1>(one.param));
+}
+
 INSTANTIATE_TEST_SUITE_P(Seeds, Covering,
                          testing::Combine(testing::Values("circle", "square", "cross", "triangle", "end-effector"),
                                           testing::Range(1, 3)),
-                         [](const auto& one) {
-                           std::string name = std::get<0>(one.param);
-                           std::erase(name, '-');
-                           return name + std::to_string(std::get<1>(one.param));
-                         });
+                         instance_name);
+INSTANTIATE_TEST_SUITE_P(Seeds, CoveringATriangle,
+                         testing::Combine(testing::Values("triangle", "end-effector"), testing::Range(1, 3)),
+                         instance_name);
 
 }  // namespace
 }  // namespace pizarra
