@@ -16,7 +16,7 @@ constexpr std::chrono::seconds patience{20};
 Said prompt(const std::string& name, const std::string& sections, const std::string& words) {
   const std::string file = scratch_folder() + name + ".scm";
   std::ofstream(file) << "(cell " << name << " " << sections << ")";
-  return shell(fmt::format("cd {} && {} repl {} {} 2>&1", scratch_folder(), PIZARRA_CELL, file, words));
+  return shell_in_scratch(fmt::format("{} repl {} {}", PIZARRA_CELL, file, words));
 }
 
 // A device at a free port of this machine.

@@ -16,11 +16,7 @@
 namespace pizarra {
 namespace {
 
-Said run(const std::string& words) {
-  return shell("cd " + scratch_folder() + " && " + PIZARRA_CELL + " " + words + " 2>&1");
-}
-
-bool contains(const Said& said, const std::string& text) { return said.text.find(text) != std::string::npos; }
+Said run(const std::string& words) { return shell_in_scratch(std::string(PIZARRA_CELL) + " " + words); }
 
 std::string cell_with(const std::string& name, const std::string& camera) {
   const std::string file = scratch_folder() + name + ".scm";

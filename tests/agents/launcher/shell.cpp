@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <sys/wait.h>
 
+#include "tests/scratch.hpp"
+
 namespace pizarra {
 
 Said shell(const std::string& command) {
@@ -17,5 +19,11 @@ Said shell(const std::string& command) {
   const int status = pclose(pipe);
   return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), text};
 }
+
+Said shell_in_scratch(const std::string& command) {
+  return shell("cd " + scratch_folder() + " && " + command + " 2>&1");
+}
+
+bool contains(const Said& said, const std::string& text) { return said.text.find(text) != std::string::npos; }
 
 }  // namespace pizarra

@@ -14,5 +14,8 @@ struct Said {
 };
 
 Said shell(const std::string& command);
+// In the scratch folder, with what it says on standard error.
+Said shell_in_scratch(const std::string& command);
+bool contains(const Said& said, const std::string& text);
 
 }  // namespace pizarra

@@ -1,15 +1,9 @@
 // The program as a person meets it at the shell: what it says and how it ends.
 
-#include <csignal>
-#include <fcntl.h>
-#include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <string>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include "tests/agents/launcher/running.hpp"
 #include "tests/agents/launcher/shell.hpp"
 #include "tests/scratch.hpp"
 #include "tests/source_dir.hpp"
@@ -17,11 +11,7 @@
 namespace pizarra {
 namespace {
 
-Said run(const std::string& words) {
-  return shell("cd " + scratch_folder() + " && " + PIZARRA_CELL + " " + words + " 2>&1");
-}
-
-bool contains(const Said& said, const std::string& text) { return said.text.find(text) != std::string::npos; }
+Said run(const std::string& words) { return shell_in_scratch(std::string(PIZARRA_CELL) + " " + words); }
 
 TEST(Words, EveryWordHelps) {
   for (const char* word :
@@ -89,39 +79,6 @@ TEST(Words, WhatIsNoCellIsSaidToBeNone) {
   EXPECT_FALSE(contains(said, "story.scm")) << said.text;
 }
 
-TEST(Words, AFileThatCannotBeWrittenIsToldBeforeAnythingRuns) {
-  for (const char* words : {"--video /proc/film.avi", "--journal /proc/journal", "--png /proc/view.png"}) {
-    const Said said = run(std::string("demo ") + words);
-    EXPECT_EQ(said.status, 4) << words << said.text;
-    EXPECT_TRUE(said.text.starts_with("pizarra: cannot write /proc/")) << said.text;
-    EXPECT_EQ(said.text.find('\n'), said.text.size() - 1) << said.text;
-  }
-}
-
-// What a full disk does, for files of more than some blocks of 512 bytes.
-Said run_with_small_files(int blocks, const std::string& words) {
-  return run("--help > /dev/null; trap '' XFSZ; ulimit -f " + std::to_string(blocks) + "; " + PIZARRA_CELL + " " +
-             words);
-}
-
-TEST(Words, WhatCouldNotBeWrittenWholeIsToldWithItsPathAndReason) {
-  const std::string soon_done = " --goal '(on-table circle)'";
-  for (const char* words : {"--png '' --video film.avi", "--png '' --video film.mp4", "--png picture.png",
-                            "--png '' --journal journal.txt"}) {
-    const Said said = run_with_small_files(40, std::string("demo ") + words + soon_done);
-    const std::string file = std::string(words).substr(std::string(words).rfind(' ') + 1);
-    EXPECT_EQ(said.status, 4) << said.text;
-    const std::string last = said.text.substr(said.text.rfind('\n', said.text.size() - 2) + 1);
-    EXPECT_TRUE(last.starts_with("pizarra: cannot write " + file + " whole: File too large")) << said.text;
-    EXPECT_FALSE(contains(said, "libpng")) << said.text;
-  }
-}
-
-TEST(Words, AFilmIsWholeAlsoWhenNobodyReadsTheStory) {
-  const Said said = run("demo --png '' --video unread.avi --goal '(on-table circle)' | head -n 1");
-  EXPECT_NE(text_of(scratch_folder() + "unread.avi").find("idx1"), std::string::npos) << said.text;
-}
-
 // They take four times the memory of all else that an agent needs.
 TEST(Words, AnAgentLoadsNoLibraryThatOpensCamerasUnlessItHasOneOfItsOwn) {
   const std::string libraries = "ldd " + std::string(PIZARRA_AGENT);
@@ -154,12 +111,6 @@ TEST(Words, AFailureIsJsonForPrograms) {
             "null}}\n");
 }
 
-TEST(Words, ARefusalSaysEachFactOnce) {
-  const Said said = run("demo --png '' --goal '(on circle triangle) (on triangle circle)'");
-  EXPECT_TRUE(contains(said, "can never hold together from here")) << said.text;
-  EXPECT_FALSE(contains(said, "from here:")) << said.text;
-}
-
 TEST(Words, OneThingIsCountedAsOne) {
   const Said said = run("check " + source_dir() + "/examples/01-blocks/cell.scm");
   EXPECT_TRUE(contains(said, "4 cubes, 1 host;")) << said.text;
@@ -188,14 +139,6 @@ TEST(Words, ASeedThatIsNoWholeNumberOrTooLargeIsRefused) {
     EXPECT_EQ(said.status, 2) << words << said.text;
     EXPECT_TRUE(contains(said, "seed")) << words << said.text;
     EXPECT_FALSE(contains(said, "is there")) << words << said.text;
-  }
-}
-
-TEST(Words, AnEmptyGoalIsMalformedInTheSameWordsEverywhere) {
-  for (const char* words : {"demo --goal ''", "goal ''", "goal ' '"}) {
-    const Said said = run(words);
-    EXPECT_EQ(said.status, 2) << words;
-    EXPECT_EQ(said.text, "pizarra: nothing is typed: a goal is FACT, (and FACT ...) or several FACTs\n") << words;
   }
 }
 
@@ -240,154 +183,11 @@ TEST(Words, AnUnreachablePointIsSaidOnceInTenthsOfMillimetres) {
       << said.text;
 }
 
-TEST(Words, AnInterruptedCountOfSeedsIsSummedUp) {
-  const std::string log = scratch_folder() + "seeds.txt";
-  Running seeds({PIZARRA_CELL, "demo", "--random", "--seeds", "1000", "--jobs", "1"}, log);
-  ASSERT_TRUE(
-      wait_until([&] { return seeds.said().find("seed     1") != std::string::npos; }, std::chrono::seconds(60)));
-  seeds.signal(SIGINT);
-  EXPECT_EQ(seeds.end(std::chrono::seconds(20)), 130);
-  const std::string said = seeds.said();
-  EXPECT_NE(said.find("\nreached "), std::string::npos) << said;
-  EXPECT_TRUE(said.ends_with(" of 1000 seeds\n")) << said;
-}
-
-TEST(Words, AnAnswerThatCannotBeWrittenIsNoSuccess) {
-  const std::string tree = source_dir();
-  for (const std::string& words : {std::string("demo --png '' --goal '(on-table circle)'"), std::string("--help"),
-                                   "check " + tree + "/examples/01-blocks/cell.scm", std::string("ps"),
-                                   "scenario --quiet " + tree + "/tests/scenarios/01-undisturbed.scm"}) {
-    const Said said = shell(std::string(PIZARRA_CELL) + " " + words + " 2>&1 >/dev/full");
-    EXPECT_EQ(said.status, 4) << words;
-    EXPECT_EQ(said.text, "pizarra: cannot write standard output whole: No space left on device\n") << words;
-  }
-}
-
-// The status of a command whose output is read to its first line alone.
-Said first_line_of(const std::string& words) {
-  return shell("bash -c '" PIZARRA_CELL " " + words + " 2>&1 | head -n 1 >/dev/null; exit ${PIPESTATUS[0]}'");
-}
-
-TEST(Words, AnOutputThatIsNotReadAnyMoreEndsAsAnInterruption) {
-  EXPECT_EQ(first_line_of("demo --random --seeds 1000 --jobs 1").status, 130);
-  // More than a pipe holds, so that its reader is gone before the last of it is written.
-  std::string much = "repl --agents planner";
-  for (int i = 0; i < 100; ++i) much += " --eval \"(help)\"";
-  EXPECT_EQ(first_line_of(much).status, 130);
-}
-
-TEST(Words, SeedsWhoseLinesAreNotReadAnyMoreAreSummedUpOnStandardError) {
-  const Said said =
-      shell(std::string("(") + PIZARRA_CELL + " demo --random --seeds 1000 --jobs 1 | head -n 1 >/dev/null) 2>&1");
-  EXPECT_TRUE(contains(said, "reached ")) << said.text;
-  EXPECT_TRUE(contains(said, "; interrupted after ")) << said.text;
-}
-
 TEST(Words, TheVersionIsThatOfTheTree) {
   const Said said = run("--version");
   EXPECT_EQ(said.status, 0);
   EXPECT_EQ(said.text, "pizarra " PIZARRA_VERSION "\n");
   EXPECT_EQ(run("--help > /dev/null; " + source_dir() + "/pizarra --version").text, said.text);
-}
-
-TEST(Words, ARefusedGoalOfAStoryIsShownWithACaretToo) {
-  const std::string folder = scratch_folder() + "refused-story/";
-  std::filesystem::create_directory(folder);
-  std::ofstream(folder + "cell.scm") << "(cell c (world (cube circle (at 450 0)) (cube cross (at 450 150))) (domain \""
-                                     << source_dir() << "/domains/blocks.scm\"))\n";
-  std::ofstream(folder + "story.scm") << "(scenario \"neither way\" (cell \"cell.scm\")\n"
-                                         "  (goal (on circle cross) (on cross circle)) (expect reached) (within 60))\n";
-  const Said said = run("demo --png '' " + folder + "cell.scm");
-  EXPECT_EQ(said.status, 3) << said.text;
-  EXPECT_TRUE(contains(said, "goal:1:1\n  (on circle cross) (on cross circle)\n  ^\n")) << said.text;
-}
-
-TEST(Words, WithoutAStoryBesideTheCellAGoalIsAskedFor) {
-  const std::string file = scratch_folder() + "lone-cell.scm";
-  std::ofstream(file) << "(cell c (world (cube circle (at 450 0))) (domain \"" << source_dir()
-                      << "/domains/blocks.scm\"))\n";
-  const Said said = run("demo " + file);
-  EXPECT_EQ(said.status, 2) << said.text;
-  EXPECT_TRUE(contains(said, "--goal")) << said.text;
-}
-
-TEST(Words, AMalformedGoalIsToldAtItsPlaceBeforeAnythingRuns) {
-  const Said said = run("demo --goal '(on circle'");
-  EXPECT_EQ(said.status, 2);
-  EXPECT_TRUE(contains(said, "^")) << said.text;
-  EXPECT_FALSE(contains(said, "robot is there")) << said.text;
-}
-
-TEST(Words, AnUnknownPredicateIsToldWithTheNearest) {
-  const Said said = run("demo --goal '(onn circle triangle)'");
-  EXPECT_EQ(said.status, 2);
-  EXPECT_TRUE(contains(said, "nearest is on")) << said.text;
-}
-
-TEST(Words, AGoalWithAnUnknownObjectIsRefusedBeforeAnythingRuns) {
-  const Said said = run("demo --png unknown/view.png --goal '(on circle traingle)'");
-  EXPECT_EQ(said.status, 2);
-  EXPECT_TRUE(contains(said, "nearest is triangle")) << said.text;
-  EXPECT_TRUE(contains(said, "goal:1:12\n")) << said.text;
-  EXPECT_FALSE(contains(said, " s  ")) << "nothing was played: " << said.text;
-  EXPECT_FALSE(std::filesystem::exists(scratch_folder() + "unknown")) << "nothing was written";
-}
-
-TEST(Words, AnUnreachableGoalIsRefusedAndNothingMoves) {
-  const Said said = run("demo --png '' --goal '(on circle triangle) (on triangle circle)'");
-  EXPECT_EQ(said.status, 3);
-  EXPECT_FALSE(contains(said, "operation ")) << said.text;
-}
-
-TEST(Words, ARefusedGoalIsShownWithACaretAtTheFirstFactThatCannotHold) {
-  const Said both = run("demo --png '' --goal '(on-table cross) (on circle triangle) (on triangle circle)'");
-  EXPECT_EQ(both.status, 3) << both.text;
-  EXPECT_TRUE(contains(both, "goal:1:18\n  (on-table cross) (on circle triangle) ")) << both.text;
-  EXPECT_TRUE(contains(both, "\n                   ^\n")) << both.text;
-  const Said alone = run("demo --png '' --goal '(on Circle circle)'");
-  EXPECT_EQ(alone.status, 3) << alone.text;
-  EXPECT_TRUE(contains(alone, "goal:1:1\n  (on Circle circle)\n  ^\n")) << alone.text;
-}
-
-TEST(Words, ADemoSaysItsGoalOnce) {
-  const Said said = run("demo --png '' --goal '(on-table circle)'");
-  const std::size_t first = said.text.find(" s  goal ");
-  ASSERT_NE(first, std::string::npos) << said.text;
-  EXPECT_EQ(said.text.find(" s  goal ", first + 1), std::string::npos) << said.text;
-}
-
-TEST(Words, ARefusalIsToldOnce) {
-  const Said said = run("demo --png '' --goal '(on circle triangle) (on triangle circle)'");
-  const std::size_t first = said.text.find("no plan");
-  EXPECT_NE(first, std::string::npos) << said.text;
-  EXPECT_EQ(said.text.find("no plan", first + 1), std::string::npos) << said.text;
-}
-
-TEST(Words, ASignalEndsTheDemoInOrderWithItsFilmAndJournalWhole) {
-  const std::string base = scratch_folder() + "stopped";
-  const std::string film = base + ".avi";
-  const std::string journal = base + ".txt";
-  for (const int signal : {SIGINT, SIGTERM}) {
-    const pid_t demo = fork();
-    if (demo == 0) {
-      const int nowhere = open("/dev/null", O_WRONLY);
-      dup2(nowhere, STDOUT_FILENO);
-      execl(PIZARRA_CELL, PIZARRA_CELL, "demo", "--png", "", "--video", film.c_str(), "--journal", journal.c_str(),
-            nullptr);
-      _exit(127);
-    }
-    // Its journal shows when the story has begun.
-    std::error_code error;
-    for (int n = 0; n < 400 && (std::filesystem::file_size(journal, error) == 0 || error); ++n) usleep(20'000);
-    kill(demo, signal);
-    int status = 0;
-    waitpid(demo, &status, 0);
-    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 130) << status;
-    EXPECT_NE(text_of(film).find("idx1"), std::string::npos) << "the film has no index";
-    EXPECT_TRUE(text_of(journal).ends_with(")\n"));
-    std::filesystem::remove(journal);
-  }
-  std::filesystem::remove(film);
 }
 
 std::string pair_with(const std::string& sections) {
@@ -460,63 +260,6 @@ TEST(Words, WithoutARunningCellTheBoardWordsSaySo) {
     EXPECT_EQ(answer.status, 4) << answer.text;
     EXPECT_TRUE(contains(answer, "no cell named no-such-cell runs here")) << answer.text;
   }
-}
-
-TEST(Words, TheSameSeedGivesTheSameJournalByteForByte) {
-  const auto journal_of = [](const std::string& options) {
-    const std::string file = scratch_folder() + "journal";
-    run("demo --png '' --goal '(on circle triangle)' --journal " + file + " " + options);
-    return text_of(file);
-  };
-  const std::string seven = journal_of("--seed 7");
-  EXPECT_GT(seven.size(), 1000U);
-  EXPECT_TRUE(seven == journal_of("--seed 7"));
-  EXPECT_FALSE(seven == journal_of("--seed 8"));
-}
-
-std::string journal_of_modes() {
-  std::string path = scratch_folder() + "modes.txt";
-  std::ofstream(path) << "(0 0 \"alice\" (declare (relation mode ((name symbol)) (key))))\n"
-                         "(1 1000000 \"alice\" (tell 1 (mode idle)))\n"
-                         "(2 2000000 \"bob\" (retract 1) (tell 2 (mode ready)))\n"
-                         "(3 3000000 \"bob\" (retract 2))\n";
-  return path;
-}
-
-TEST(Words, AskAnswersFromAJournalWhatHeldThen) {
-  const std::string ask = "ask --journal " + journal_of_modes();
-  EXPECT_EQ(run(ask + " '(mode ?m)'").text, "no\n");
-  for (const char* moment : {"1", "@1.5", "2s"}) {
-    EXPECT_EQ(run(ask + " --at " + moment + " '(mode ?m)'").text, "?m = idle\n") << moment;
-  }
-  EXPECT_EQ(run(ask + " --at @3 --json '(mode ?m)'").text, "{\"revision\":3,\"answers\":[]}\n");
-  for (const char* later : {"1970-01-02T00:00:00", "@3.1", "4"}) {
-    const Said refused = run(ask + " --at " + later + " '(mode ?m)'");
-    EXPECT_EQ(refused.status, 2) << refused.text;
-    EXPECT_TRUE(contains(refused, later[0] == '4' ? "the newest is 3" : "later than the end")) << refused.text;
-  }
-  EXPECT_EQ(run(ask + " --at '' '(mode ?m)'").status, 2);
-  const Said soon = run(ask + " --at soon '(mode ?m)'");
-  EXPECT_EQ(soon.status, 2);
-  EXPECT_TRUE(contains(soon, "a moment is")) << soon.text;
-}
-
-TEST(Words, ReplayStepsAsksWatchesAndGoesBack) {
-  const std::string replay = "replay " + journal_of_modes() + " --at 1";
-  const Said said = run(replay + " --eval '(moment)' --eval '(watch (mode ?x))' --eval '(step)' --eval '(play 1000)'" +
-                        " --eval '(at 2)' --eval '(ask (mode ?m))'");
-  EXPECT_EQ(said.status, 0);
-  EXPECT_EQ(said.text,
-            "revision 1 at @1.000000\nwatch 1\n[1] + ?x = idle\nrevision 2 at @2.000000\n[1] - ?x = idle\n"
-            "[1] + ?x = ready\nrevision 3 at @3.000000\n[1] - ?x = ready\nrevision 2 at @2.000000\n?m = ready\n");
-  const Said told = run(replay + " --eval '(tell (mode busy))'");
-  EXPECT_EQ(told.status, 1);
-  EXPECT_TRUE(contains(told, "a recorded board cannot be changed")) << told.text;
-  for (const char* moment : {"\"\"", "4", "soon", "\"2026-02-30T00:00:00\""}) {
-    EXPECT_NE(run(replay + " --eval '(at " + moment + ")'").status, 0) << moment;
-  }
-  EXPECT_EQ(run("replay " + journal_of_modes() + " --at ''").status, 2);
-  EXPECT_EQ(run("replay " + scratch_folder()).status, 2);
 }
 
 }  // namespace

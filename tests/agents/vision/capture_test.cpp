@@ -1,0 +1,111 @@
+// The camera behind the agent: when it is open, what of it is sent, and what is said when it is lost.
+
+#include "tests/agents/vision/vision_life.hpp"
+
+namespace pizarra {
+namespace {
+
+TEST_F(Vision, DisconnectedItCapturesOnlyWhileItMust) {
+  EXPECT_EQ(call(learn_request(0, "circle")), R"x((LEARN "circle" OK))x");
+  run_for(300ms);
+  EXPECT_EQ(facts("(vision-mode vision ? ?)"), "(vision-mode vision idle no)");
+  EXPECT_EQ(facts("(camera-state vision ? ?)"), "(camera-state vision closed \"\")");
+  EXPECT_EQ(call("(connect)"), "()");
+  run_for(300ms);
+  EXPECT_EQ(facts("(camera-state vision ? ?)"), "(camera-state vision open \"\")");
+  EXPECT_EQ(facts("(camera-model vision ? ? ? ? ? ?)"), "(camera-model vision 320 240 431.0 159.5 119.5 90.0)");
+  EXPECT_EQ(call("(disconnect)"), "()");
+  EXPECT_EQ(facts("(vision-mode vision ? ?)"), "(vision-mode vision idle no)");
+}
+
+TEST_F(Vision, ImagesOfASizeThatDoesNotWorkAreRefusedWithTheSizesThatDo) {
+  camera.plugged = false;
+  run_for(1s);
+  camera.resize(60, 60);
+  camera.plugged = true;
+  call("(connect)");
+  run_for(6s);
+  EXPECT_EQ(facts("(camera-state vision ? ?)"),
+            "(camera-state vision lost \"the camera's images are 60x60, and what works is 64x64 to 8192x8192\")");
+}
+
+TEST_F(Vision, ALostCameraIsSaidAndTriedAgain) {
+  EXPECT_EQ(call("(connect)"), "()");
+  run_for(300ms);
+  camera.plugged = false;
+  run_for(5s);
+  EXPECT_TRUE(facts("(camera-state vision ? ?)").starts_with("(camera-state vision lost \"the camera is unplugged"));
+  EXPECT_LT(camera.opened, 9);
+  EXPECT_EQ(call("(learn 100 100 \"circle\")"), R"x((LEARN "circle" FAIL))x");
+  EXPECT_NE(facts("(vision-failed vision ? ? ? ?)").find("unplugged"), std::string::npos);
+  camera.plugged = true;
+  run_for(6s);
+  EXPECT_EQ(facts("(camera-state vision ? ?)"), "(camera-state vision open \"\")");
+  EXPECT_EQ(call(learn_request(0, "circle")), R"x((LEARN "circle" OK))x");
+}
+
+TEST_F(Vision, ALostCameraLeavesNoOldPositionsAndTrackingGoesOnWhenItIsBack) {
+  EXPECT_EQ(call(learn_request(0, "circle")), R"x((LEARN "circle" OK))x");
+  EXPECT_EQ(call("(track \"circle\")"), "()");
+  run_for(300ms);
+  EXPECT_NE(says(), "nothing");
+  camera.plugged = false;
+  run_for(300ms);
+  EXPECT_EQ(says(), "nothing");
+  camera.plugged = true;
+  run_for(2s);
+  EXPECT_TRUE(says().starts_with(R"x((TRACK 1 ("circle" OK ()x")) << says();
+}
+
+TEST_F(Vision, PublishesImagesWhileTheyAreWatched) {
+  learn_all();
+  EXPECT_EQ(call("(track \"circle\")"), "()");
+  int grey = 0;
+  std::map<std::string, int> channels;
+  std::shared_ptr<const Image> annotated;
+  {
+    const auto left = streams.subscribe("vision-left", [&](const StreamFrame& f) { grey += f.image->channels == 1; });
+    std::vector<std::unique_ptr<Streams::Subscription>> others;
+    for (const std::string kind : {"colour", "grey", "right"}) {
+      others.push_back(streams.subscribe(
+          "vision-" + kind, [&channels, kind](const StreamFrame& f) { channels[kind] = f.image->channels; }));
+    }
+    const auto shown = streams.subscribe("vision-annotated", [&](const StreamFrame& f) { annotated = f.image; });
+    run_for(350ms);
+  }
+  EXPECT_EQ(grey, 3);
+  EXPECT_EQ(facts("(stream ? annotated ?)"), "(stream vision-annotated annotated ())");
+  EXPECT_EQ(channels, (std::map<std::string, int>{{"colour", 3}, {"grey", 1}, {"right", 1}}));
+  ASSERT_NE(annotated, nullptr);
+  EXPECT_EQ(annotated->channels, 3);
+  EXPECT_EQ(annotated->width, 640);
+  run_for(300ms);
+  EXPECT_EQ(grey, 3);
+}
+
+// Colour is asked of the camera, and pictures are drawn, only for those who look.
+TEST_F(Vision, SendsEachImageOnlyWhileSomeoneWatchesThatKind) {
+  learn_all();
+  EXPECT_EQ(call("(track \"circle\")"), "()");
+  run_for(500ms);
+  EXPECT_EQ(camera.colour_asked, 0);
+  for (const std::string kind : {"left", "right", "grey", "colour", "annotated"}) {
+    SCOPED_TRACE(kind);
+    std::map<std::string, int> sent;
+    const int colours = camera.colour_asked;
+    {
+      const auto watching = streams.subscribe("vision-" + kind, [&](const StreamFrame&) { ++sent[kind]; });
+      run_for(350ms);
+    }
+    EXPECT_GE(sent[kind], 3);
+    EXPECT_EQ(camera.colour_asked > colours, kind == "colour" || kind == "annotated");
+    const int before = sent[kind];
+    const int colours_before = camera.colour_asked;
+    run_for(300ms);
+    EXPECT_EQ(sent[kind], before);
+    EXPECT_EQ(camera.colour_asked, colours_before);
+  }
+}
+
+}  // namespace
+}  // namespace pizarra

@@ -1,0 +1,127 @@
+// Several clients of one pair of eyes: who may do what while others do something else.
+
+#include "tests/agents/vision/vision_life.hpp"
+
+namespace pizarra {
+namespace {
+
+TEST_F(Vision, AFindSuspendsATrackingAndResumesIt) {
+  EXPECT_EQ(call(learn_request(0, "circle")), R"x((LEARN "circle" OK))x");
+  EXPECT_EQ(call("(track \"circle\")"), "()");
+  run_for(200ms);
+  std::string found;
+  const Job finding = executor.spawn(ask("vision", form("(find \"circle\")"), 20s, found));
+  run_for(10ms);
+  EXPECT_EQ(facts("(vision-mode vision ? ?)"), "(vision-mode vision finding yes)");
+  executor.run_until([&] { return finding.done(); });
+  EXPECT_TRUE(found.starts_with(R"x((FIND "circle" OK ()x")) << found;
+  EXPECT_EQ(facts("(vision-mode vision ? ?)"), "(vision-mode vision tracking yes)");
+  const std::string before = facts("(vision-says vision ? ?)");
+  run_for(200ms);
+  EXPECT_NE(facts("(vision-says vision ? ?)"), before);
+}
+
+TEST_F(Vision, LearningAndFindingAreServedInTurn) {
+  EXPECT_EQ(call("(connect)"), "()");
+  EXPECT_EQ(facts("(vision-mode vision ? ?)"), "(vision-mode vision capturing yes)");
+  Client other(*this, "other");
+  std::string learned;
+  const Job learning = executor.spawn(ask("vision", form(learn_request(0, "circle")), 20s, learned));
+  run_for(300ms);
+  EXPECT_EQ(facts("(vision-mode vision ? ?)"), "(vision-mode vision learning yes)");
+  EXPECT_EQ(facts("(vision-held vision ? learning)"), "(vision-held vision tester learning)");
+  std::vector<std::string> later(4);
+  std::vector<Job> jobs;
+  jobs.push_back(executor.spawn(other.ask(form(learn_request(1, "square")), later[0])));
+  jobs.push_back(executor.spawn(other.ask(form("(find \"circle\")"), later[1])));
+  jobs.push_back(executor.spawn(ask("vision", form("(find \"square\")"), 20s, later[2])));
+  jobs.push_back(executor.spawn(other.ask(form("(rename \"square\" \"box\")"), later[3])));
+  EXPECT_EQ(call("(get-objects)"), R"x((GET 0 ()))x");
+  executor.run_until([&] { return std::ranges::all_of(jobs, &Job::done); });
+  EXPECT_EQ(learned, R"x((LEARN "circle" OK))x");
+  EXPECT_EQ(later[0], R"x((LEARN "square" OK))x");
+  EXPECT_TRUE(later[1].starts_with(R"x((FIND "circle" OK ()x")) << later[1];
+  EXPECT_TRUE(later[2].starts_with(R"x((FIND "square" OK ()x")) << later[2];
+  EXPECT_EQ(later[3], "()");
+  EXPECT_EQ(call("(get-objects)"), R"x((GET 2 ("circle", "box")))x");
+}
+
+TEST_F(Vision, WhatATrackingExcludesIsRefusedWithWhoTracks) {
+  learn_all();
+  EXPECT_EQ(call("(track \"circle\")"), "()");
+  Client other(*this, "other");
+  EXPECT_EQ(other.call(learn_request(1, "square")), "busy tester");
+  EXPECT_EQ(call(learn_request(1, "square")), "busy tester");
+  EXPECT_EQ(other.call("(end-track)"), "busy tester");
+  EXPECT_EQ(facts("(vision-mode vision ? ?)"), "(vision-mode vision tracking yes)");
+  EXPECT_EQ(call("(end-track)"), "()");
+  EXPECT_EQ(other.call("(end-track)"), "()");
+  EXPECT_EQ(other.call(learn_request(1, "square")), R"x((LEARN "square" OK))x");
+}
+
+TEST_F(Vision, EachClientTracksAndConnectsForItself) {
+  EXPECT_EQ(call(learn_request(0, "circle")), R"x((LEARN "circle" OK))x");
+  EXPECT_EQ(call(learn_request(1, "square")), R"x((LEARN "square" OK))x");
+  Client other(*this, "other");
+  EXPECT_EQ(call("(track \"circle\")"), "()");
+  EXPECT_EQ(other.call("(track \"square\")"), "()");
+  run_for(200ms);
+  EXPECT_TRUE(says().starts_with("(TRACK 2 ")) << says();
+  EXPECT_EQ(facts("(vision-held vision ? tracking)"),
+            "(vision-held vision tester tracking)\n(vision-held vision other tracking)");
+  EXPECT_EQ(call("(end-track)"), "()");
+  EXPECT_EQ(call("(disconnect)"), "()");
+  run_for(200ms);
+  EXPECT_TRUE(says().starts_with("(TRACK 1 (\"square\" OK")) << says();
+  EXPECT_EQ(facts("(vision-mode vision ? ?)"), "(vision-mode vision tracking yes)");
+  EXPECT_EQ(other.call("(end-track)"), "()");
+  EXPECT_EQ(other.call("(disconnect)"), "()");
+  EXPECT_EQ(facts("(vision-mode vision ? ?)"), "(vision-mode vision idle no)");
+  EXPECT_EQ(facts("(vision-held vision ? ?)"), "");
+}
+
+TEST_F(Vision, AClientThatDiesLetsGoOfItsModes) {
+  EXPECT_EQ(call(learn_request(0, "circle")), R"x((LEARN "circle" OK))x");
+  {
+    Client dying(*this, "dying");
+    EXPECT_EQ(dying.call("(track \"circle\")"), "()");
+    run_for(5s);
+    EXPECT_EQ(facts("(vision-mode vision ? ?)"), "(vision-mode vision tracking yes)");
+  }
+  run_for(5s);
+  EXPECT_EQ(facts("(vision-mode vision ? ?)"), "(vision-mode vision idle no)");
+  EXPECT_EQ(facts("(vision-held vision ? ?)"), "");
+  EXPECT_EQ(says(), "nothing");
+}
+
+TEST_F(Vision, WhatAClientAskedToKeepGoesOnWithoutItUntilAnyoneEndsIt) {
+  EXPECT_EQ(call(learn_request(0, "circle")), R"x((LEARN "circle" OK))x");
+  {
+    Client passing(*this, "passing");
+    EXPECT_EQ(passing.call("(keep)"), "nothing-held keep");
+    EXPECT_EQ(passing.call("(track \"circle\")"), "()");
+    EXPECT_EQ(passing.call("(keep)"), "()");
+  }
+  run_for(10s);
+  EXPECT_EQ(facts("(vision-held vision ? ?)"),
+            "(vision-held vision anybody connected)\n(vision-held vision anybody tracking)");
+  EXPECT_NE(says(), "nothing");
+  EXPECT_EQ(call("(end-track)"), "()");
+  EXPECT_EQ(call("(disconnect)"), "()");
+  EXPECT_EQ(facts("(vision-mode vision ? ?)"), "(vision-mode vision idle no)");
+}
+
+// A script that only tells requests has no presence: what it began lasts until someone ends it.
+TEST_F(Vision, WhatAClientWithoutPresenceBeganAnyoneMayEnd) {
+  EXPECT_EQ(call(learn_request(0, "circle")), R"x((LEARN "circle" OK))x");
+  const std::unique_ptr<Board> script = board.view("script");
+  const Job telling = executor.spawn(tell(*script, form("(request r1 vision (track \"circle\"))")));
+  run_for(6s);
+  EXPECT_EQ(facts("(vision-held vision ? ?)"),
+            "(vision-held vision anybody connected)\n(vision-held vision anybody tracking)");
+  EXPECT_EQ(call("(end-track)"), "()");
+  EXPECT_EQ(facts("(vision-mode vision ? ?)"), "(vision-mode vision capturing yes)");
+}
+
+}  // namespace
+}  // namespace pizarra
