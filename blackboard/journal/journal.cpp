@@ -182,4 +182,11 @@ Result<std::string_view> replay(std::string_view text, Store& store, const Momen
   return std::string_view();
 }
 
+Failure failure_at(Revision revision, Failure failure) {
+  if (failure.symbol != "undeclared-relation") return failure;
+  const std::string when = revision == 0 ? ", before the first change of all, " : ", ";
+  failure.sentence = "at revision " + std::to_string(revision) + when + failure.sentence;
+  return failure;
+}
+
 }  // namespace pizarra

@@ -51,4 +51,7 @@ Result<void> replay_line(std::string_view line, Store& store);
 // by a crash, and is left out.
 Result<std::string_view> replay(std::string_view text, Store& store, const Moment& until = {});
 
+// What a question about a revision failed with: that a relation is not declared is true of that revision.
+Failure failure_at(Revision revision, Failure failure);
+
 }  // namespace pizarra

@@ -15,7 +15,9 @@ Result<Answers> answer_from(const std::string& path, Query query) {
   const Result<PlayedBack> read = read_journal(path, store, *query.at);
   if (!read) return fail(read);
   query.at.reset();
-  return store.ask(query);
+  Result<Answers> answers = store.ask(query);
+  if (!answers) return fail(failure_at(store.revision(), std::move(answers.error())));
+  return answers;
 }
 
 }  // namespace

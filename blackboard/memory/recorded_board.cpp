@@ -72,9 +72,17 @@ Task<Result<void>> RecordedBoard::declare(std::vector<Relation> relations) {
   co_return Result<void>();
 }
 
-Task<Result<Answers>> RecordedBoard::ask(Query query) { return view_->ask(std::move(query)); }
+Task<Result<Answers>> RecordedBoard::ask(Query query) {
+  Result<Answers> answers = co_await view_->ask(std::move(query));
+  if (!answers) co_return fail(failure_at(revision(), std::move(answers.error())));
+  co_return answers;
+}
 
-Task<Result<std::unique_ptr<Watch>>> RecordedBoard::watch(Query query) { return view_->watch(std::move(query)); }
+Task<Result<std::unique_ptr<Watch>>> RecordedBoard::watch(Query query) {
+  Result<std::unique_ptr<Watch>> watch = co_await view_->watch(std::move(query));
+  if (!watch) co_return fail(failure_at(revision(), std::move(watch.error())));
+  co_return watch;
+}
 
 Task<Result<Revision>> RecordedBoard::transact(Transaction) { co_return read_only(); }
 Task<Result<std::optional<Fact>>> RecordedBoard::take(Datum, LeaseId) { co_return read_only(); }

@@ -42,6 +42,23 @@ TEST_F(PastTest, AClientThatAsksMuchKeepsNobodyElseFromAsking) {
   EXPECT_EQ(answered_, std::vector<std::string>{"flood ok"}) << "there is room again";
 }
 
+TEST_F(PastTest, ARelationThatWasYetToBeDeclaredIsSaidNotToHaveBeenThereThen) {
+  life_.tell("(goal 2 (on b c))");
+  EXPECT_TRUE(life_.board->declare("alice", {relation("(relation later ((n integer)) (key n))")}).has_value());
+  life_.tell("(later 1)");
+  std::vector<std::string> said;
+  for (const char* typed : {"(query (later ?n) (at 0))", "(query (later ?n) (at 1))", "(query (later ?n) (at 2))"}) {
+    past_.ask("alice", query(typed),
+              [&](const Result<Answers>& answers) { said.push_back(answers ? "ok" : answers.error().sentence); });
+    life_.executor.run_for(1s);
+  }
+  ASSERT_EQ(said.size(), 3U);
+  EXPECT_TRUE(said[0].starts_with("at revision 0, before the first change of all, no relation is called later"))
+      << said[0];
+  EXPECT_TRUE(said[1].starts_with("at revision 1, no relation is called later")) << said[1];
+  EXPECT_EQ(said[2], "ok");
+}
+
 TEST_F(PastTest, AllClientsTogetherHaveABound) {
   for (std::size_t i = 0; i < Past::max_waiting; ++i) ask("client-" + std::to_string(i));
   EXPECT_TRUE(answered_.empty());

@@ -142,8 +142,11 @@ class Player {
   }
 
   Evaluation step(const Datum& form) {
-    std::int64_t count = form.size() == 2 ? form[1].integer() : 1;
-    for (; count > 0; --count) {
+    const std::int64_t steps = form.size() == 2 ? form[1].integer() : 1;
+    if (steps < 1) {
+      return complain_of({"malformed", "(step N) takes a whole number above 0", {}, {}}, Evaluation::malformed);
+    }
+    for (std::int64_t n = 0; n < steps; ++n) {
       const Result<bool> stepped = recorded_->board->step();
       if (!stepped) return complain_of(stepped.error(), Evaluation::failed);
       if (!*stepped) break;

@@ -60,6 +60,11 @@ TEST(JournalWords, ReplayStepsAsksWatchesAndGoesBack) {
   EXPECT_EQ(said.text,
             "revision 1 at @1.000000\nwatch 1\n[1] + ?x = idle\nrevision 2 at @2.000000\n[1] - ?x = idle\n"
             "[1] + ?x = ready\nrevision 3 at @3.000000\n[1] - ?x = ready\nrevision 2 at @2.000000\n?m = ready\n");
+  for (const char* steps : {"-3", "0", "1.5", "two", "(2)"}) {
+    const Said refused = run(replay + " --eval '(step " + steps + ")' --eval '(moment)'");
+    EXPECT_EQ(refused.status, 2) << steps;
+    EXPECT_EQ(refused.text, "(step N) takes a whole number above 0\n") << "and nothing moved";
+  }
   const Said told = run(replay + " --eval '(tell (mode busy))'");
   EXPECT_EQ(told.status, 1);
   EXPECT_TRUE(contains(told, "a recorded board cannot be changed")) << told.text;
