@@ -7,7 +7,7 @@
 // `disconnected`, `no-answer`, `bad-reply` or `restarted` nothing is known any more until connect() has succeeded
 // again.
 //
-// Other failures: not-connected, out-of-range (with the axis as subject), not-finite, refused (the unit's own words).
+// Other failures: out-of-range (with the axis as subject), not-finite, refused (the unit's own words).
 
 #include "blackboard/time/task.hpp"
 #include "lisp/result.hpp"

@@ -4,23 +4,19 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "drivers/wire/device_at.hpp"
 #include "drivers/wire/printable.hpp"
 
 namespace pizarra {
 
-namespace {
-
-std::unexpected<Failure> not_understood(std::string_view command, std::string_view said) {
-  return fail("bad-reply", fmt::format("the pan-tilt unit answered {} with \"{}\"", command, printable(said)));
-}
-
-}  // namespace
-
 PtuDriver::PtuDriver(Executor& executor, ByteWire& wire, PtuDirections directions)
     : executor_(executor),
       wire_(wire),
+      device_(device_at("the pan-tilt unit", wire.place())),
+      lines_(wire, frame_of_line),
       pan_{.letter = 'P', .name = "pan", .way = directions.pan_reversed ? -1.0 : 1.0},
       tilt_{.letter = 'T', .name = "tilt", .way = directions.tilt_reversed ? -1.0 : 1.0},
+      why_lost_(device_ + " is not connected"),
       turns_(executor) {}
 
 void PtuDriver::close() {
@@ -34,20 +30,8 @@ std::unexpected<Failure> PtuDriver::lose(Failure why) {
   return fail(std::move(why));
 }
 
-Task<Result<std::string>> PtuDriver::next_line(Time deadline) {
-  while (true) {
-    const std::size_t end = unread_.find_first_of("\r\n");
-    if (end == std::string::npos) {
-      if (unread_.size() > longest_line) co_return not_understood("a command", unread_);
-      const Result<std::string> more = co_await wire_.read(deadline);
-      if (!more) co_return fail(more);
-      unread_ += *more;
-      continue;
-    }
-    std::string line = unread_.substr(0, end);
-    unread_.erase(0, end + 1);
-    if (!line.empty()) co_return line;
-  }
+std::unexpected<Failure> PtuDriver::not_understood(std::string_view command, std::string_view said) const {
+  return fail("bad-reply", fmt::format("{} answered {} with \"{}\"", device_, command, printable(said)));
 }
 
 // Sends a command and answers what the unit says to it, without its star.
@@ -56,9 +40,9 @@ Task<Result<std::string>> PtuDriver::exchange(std::string command, Duration pati
   if (!sent) co_return lose(sent.error());
   const Time deadline = executor_.now() + patience;
   while (true) {
-    const Result<std::string> line = co_await next_line(deadline);
+    const Result<std::string> line = co_await lines_.next(deadline);
     if (!line && line.error().symbol == "timeout") {
-      const std::string sentence = fmt::format("the pan-tilt unit did not answer {}", command);
+      const std::string sentence = fmt::format("{} did not answer {}", device_, command);
       co_return lose({"no-answer", sentence, {}, {}});
     }
     if (!line) co_return lose(line.error());
@@ -70,19 +54,19 @@ Task<Result<std::string>> PtuDriver::exchange(std::string command, Duration pati
       co_return lose(not_understood(command, *line).error());
     }
     if (echoes_ && said.echo.empty() && said.pan_hit && said.tilt_hit) {
-      co_return lose({"restarted", "the pan-tilt unit was without power and has reset itself", {}, {}});
+      co_return lose({"restarted", device_ + " was without power and has reset itself", {}, {}});
     }
     // The late answer to a command that nobody waits for any more.
     if (echoes_ && !its_own) continue;
     if (!said.echo.empty() && !its_own) co_return lose(not_understood(command, *line).error());
     if (said.result == PtuLine::Result::ok) co_return said.text;
-    co_return fail("refused", fmt::format("the pan-tilt unit refused {}: {}", command, printable(said.text)));
+    co_return fail("refused", fmt::format("{} refused {}: {}", device_, command, printable(said.text)));
   }
 }
 
 Task<Result<std::string>> PtuDriver::answer_to(std::string command, Duration patience) {
   const Turns::Turn turn = co_await turns_.take();
-  if (!connected_) co_return fail("not-connected", why_lost_);
+  if (!connected_) co_return fail("disconnected", why_lost_);
   Result<std::string> answer = co_await exchange(std::move(command), patience);
   co_return answer;
 }
@@ -119,7 +103,7 @@ Task<Result<PanTiltRange>> PtuDriver::connect_in_turn() {
 
 // Throws away what was said before anybody listened.
 Task<Result<void>> PtuDriver::quieten() {
-  unread_.clear();
+  lines_.clear();
   const Time enough = executor_.now() + longest_noise;
   while (executor_.now() < enough) {
     const Time quiet = executor_.now() + quiet_time;
@@ -128,7 +112,7 @@ Task<Result<void>> PtuDriver::quieten() {
     if (noise.error().symbol != "timeout") co_return fail(noise);
     co_return Result<void>();
   }
-  co_return fail("bad-reply", "the pan-tilt unit's line is never quiet");
+  co_return fail("bad-reply", "the line of " + device_ + " is never quiet");
 }
 
 // Half a command that another has left on the line spoils the first of ours, which may therefore be refused.
@@ -142,8 +126,8 @@ Task<Result<void>> PtuDriver::set_up() {
   const Result<void> asked = wire_.write("V ");
   if (!asked) co_return asked;
   const Time deadline = executor_.now() + answer_time;
-  const Result<std::string> version = co_await next_line(deadline);
-  if (!version) co_return fail("no-answer", "the pan-tilt unit did not answer V");
+  const Result<std::string> version = co_await lines_.next(deadline);
+  if (!version) co_return fail("no-answer", device_ + " did not answer V");
   echoes_ = read_ptu_line(*version).echo == "V";
   // Where somebody who is gone has sent it, it goes no further.
   const Result<std::string> halted = co_await exchange("H", answer_time);
@@ -177,9 +161,8 @@ Task<Result<void>> PtuDriver::ask_axis(Axis& axis) {
   const bool sound =
       *arc_seconds > 0 && *arc_seconds < coarsest && *low < *high && *slowest >= 0 && *slowest < *fastest;
   if (!sound) {
-    const std::string sentence =
-        fmt::format("the pan-tilt unit says of its {}: {} arc seconds a count, {} to {}, {} to {} counts/s", axis.name,
-                    *arc_seconds, *low, *high, *slowest, *fastest);
+    const std::string sentence = fmt::format("{} says of its {}: {} arc seconds a count, {} to {}, {} to {} counts/s",
+                                             device_, axis.name, *arc_seconds, *low, *high, *slowest, *fastest);
     co_return fail("bad-reply", sentence, Datum::symbol(axis.name));
   }
   axis.deg_per_count = *arc_seconds / 3600;
@@ -199,7 +182,7 @@ PanTiltAxisRange PtuDriver::range_of(const Axis& axis) const {
 Task<Result<void>> PtuDriver::move_to(PanTiltAxis which, double deg) {
   Axis& axis = axis_of(which);
   const Datum subject = Datum::symbol(axis.name);
-  if (!connected_) co_return fail("not-connected", why_lost_, subject);
+  if (!connected_) co_return fail("disconnected", why_lost_, subject);
   if (!std::isfinite(deg))
     co_return fail("not-finite", fmt::format("the {} angle is not a number", axis.name), subject);
   const double count = std::round(axis.way * deg / axis.deg_per_count);
@@ -235,7 +218,7 @@ Task<Result<void>> PtuDriver::reset_all() { return command("R", reset_time); }
 
 Task<Result<PanTiltReading>> PtuDriver::read() {
   const Turns::Turn turn = co_await turns_.take();
-  if (!connected_) co_return fail("not-connected", why_lost_);
+  if (!connected_) co_return fail("disconnected", why_lost_);
   const Result<double> pan = co_await ask(pan_, 'P');
   if (!pan) co_return fail(pan);
   const Result<double> tilt = co_await ask(tilt_, 'P');

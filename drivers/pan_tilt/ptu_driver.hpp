@@ -18,7 +18,7 @@
 
 #include "drivers/pan_tilt/pan_tilt_driver.hpp"
 #include "drivers/pan_tilt/ptu_reply.hpp"
-#include "drivers/wire/byte_wire.hpp"
+#include "drivers/wire/frames.hpp"
 #include "drivers/wire/turns.hpp"
 
 namespace pizarra {
@@ -48,7 +48,6 @@ class PtuDriver : public PanTiltDriver {
   static constexpr Duration reset_time = 90s;  // a slow unit crosses its whole range four times
   static constexpr Duration quiet_time = 100ms;
   static constexpr Duration longest_noise = 2s;
-  static constexpr std::size_t longest_line = 256;
 
   // As the unit counts.
   struct Axis {
@@ -69,21 +68,22 @@ class PtuDriver : public PanTiltDriver {
   Task<Result<void>> ask_axis(Axis& axis);
   PanTiltAxisRange range_of(const Axis& axis) const;
 
-  Task<Result<std::string>> next_line(Time deadline);
   Task<Result<std::string>> exchange(std::string command, Duration patience);
   Task<Result<std::string>> answer_to(std::string command, Duration patience);
   Task<Result<double>> ask(Axis& axis, char what);
   Task<Result<void>> command(std::string command, Duration patience);
   std::unexpected<Failure> lose(Failure why);
+  std::unexpected<Failure> not_understood(std::string_view command, std::string_view said) const;
 
   Executor& executor_;
   ByteWire& wire_;
+  const std::string device_;
+  Frames lines_;
   Axis pan_;
   Axis tilt_;
   bool connected_ = false;
-  std::string why_lost_ = "the pan-tilt unit is not connected";
+  std::string why_lost_;
   bool echoes_ = false;
-  std::string unread_;
   Turns turns_;  // commands are carried out one after another
 };
 

@@ -11,6 +11,7 @@
 
 #include <functional>
 
+#include "drivers/wire/device_at.hpp"
 #include "drivers/wire/frames.hpp"
 #include "drivers/wire/turns.hpp"
 
@@ -23,9 +24,11 @@ class Dialogue {
 
   // The wire outlives it.
   Dialogue(Executor& executor, ByteWire& wire, FrameReader reader, std::string device)
-      : executor_(executor), wire_(wire), frames_(wire, reader), device_(std::move(device)), turns_(executor) {
-    if (!wire.place().empty()) device_ += " at " + wire.place();
-  }
+      : executor_(executor),
+        wire_(wire),
+        frames_(wire, reader),
+        device_(device_at(std::move(device), wire.place())),
+        turns_(executor) {}
   Task<Result<void>> open(Time deadline);
   Result<void> say(std::string_view octets) { return wire_.write(octets); }
   // What comes next; where nobody asks.
@@ -43,7 +46,7 @@ class Dialogue {
   Executor& executor_;
   ByteWire& wire_;
   Frames frames_;
-  std::string device_;
+  const std::string device_;
   Turns turns_;
 };
 

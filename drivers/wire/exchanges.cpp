@@ -2,6 +2,8 @@
 
 #include <cassert>
 
+#include "drivers/wire/device_at.hpp"
+
 namespace pizarra {
 
 struct Exchanges::Waiting {
@@ -55,9 +57,7 @@ Task<Result<std::string>> Exchanges::ask(std::uint32_t id, std::string request, 
     const bool come = co_await waiting.come.wait(deadline);
     if (come) co_return std::move(waiting.reply);
   }
-  const std::string place = wire_.place();
-  co_return fail("no-answer",
-                 place.empty() ? "the device did not answer" : "the device at " + place + " did not answer");
+  co_return fail("no-answer", device_at("the device", wire_.place()) + " did not answer");
 }
 
 }  // namespace pizarra

@@ -26,10 +26,10 @@ Task<Result<std::string>> BscLine::exchange(const HostCommand& command) {
   if (!command.operands.empty()) message.text += " " + command.operands;
   message.text += "\r";
   const Result<void> sent = co_await station_.send(std::move(message));
-  if (!sent) co_return fail(sent);
+  if (!sent) co_return fail(sent.error().symbol, device_ + ": " + sent.error().sentence);
   const Time deadline = executor_.now() + reply_time;
   const Result<BscMessage> reply = co_await station_.receive(deadline);
-  if (!reply) co_return fail("no-answer", "the controller did not answer: " + reply.error().sentence);
+  if (!reply) co_return fail("no-answer", device_ + " did not answer: " + reply.error().sentence);
   std::string_view text = reply->text;
   while (text.ends_with('\r') || text.ends_with('\n')) text.remove_suffix(1);
   const bool question = command.kind == HostCommand::Kind::question;
@@ -37,7 +37,7 @@ Task<Result<std::string>> BscLine::exchange(const HostCommand& command) {
   const bool code = reply->header == bsc::code && is_host_code(text);
   if (code && text != "0000") co_return refused_command(command.name, text);
   if (code && !question) co_return std::string();
-  co_return fail("bad-reply", fmt::format("the controller answered {} with {} '{}'", command.name,
+  co_return fail("bad-reply", fmt::format("{} answered {} with {} '{}'", device_, command.name,
                                           printable(reply->header), printable(text)));
 }
 

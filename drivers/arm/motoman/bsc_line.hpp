@@ -15,6 +15,7 @@
 
 #include "drivers/arm/motoman/bsc_station.hpp"
 #include "drivers/arm/motoman/host_command.hpp"
+#include "drivers/wire/device_at.hpp"
 #include "drivers/wire/turns.hpp"
 
 namespace pizarra {
@@ -25,7 +26,10 @@ class BscLine : public HostLine {
 
   // The wire outlives it.
   BscLine(Executor& executor, ByteWire& wire)
-      : executor_(executor), station_(executor, wire, BscStation::Manners::yields), turns_(executor) {}
+      : executor_(executor),
+        device_(device_at("the controller", wire.place())),
+        station_(executor, wire, BscStation::Manners::yields),
+        turns_(executor) {}
   Task<Result<void>> open(Time deadline) override;
   Task<Result<std::string>> command(HostCommand command) override;
 
@@ -34,6 +38,7 @@ class BscLine : public HostLine {
   Task<Result<std::string>> exchange(const HostCommand& command);
 
   Executor& executor_;
+  const std::string device_;
   BscStation station_;
   Turns turns_;
 };

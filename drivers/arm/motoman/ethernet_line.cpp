@@ -22,6 +22,18 @@ std::string_view code_in(std::string_view line) {
 
 }  // namespace
 
+std::unexpected<Failure> EthernetLine::unreached(const char* symbol, const Failure& why) const {
+  return fail(symbol, fmt::format("{} is not reached: {}", device_, why.sentence));
+}
+
+std::unexpected<Failure> EthernetLine::unanswered(const char* symbol, const Failure& why) const {
+  return fail(symbol, fmt::format("{} did not answer: {}", device_, why.sentence));
+}
+
+std::unexpected<Failure> EthernetLine::strange(const HostCommand& command, std::string_view answer) const {
+  return fail("bad-reply", fmt::format("{} answered {} with '{}'", device_, command.name, printable(answer)));
+}
+
 Task<Result<void>> EthernetLine::open(Time deadline) {
   const Turns::Turn turn = co_await turns_.take();
   Result<void> begun = co_await begin_session(deadline);
@@ -34,11 +46,11 @@ Task<Result<void>> EthernetLine::begin_session(Time deadline) {
   if (!open) co_return fail("disconnected", open.error().sentence);
   lines_.clear();
   const Result<void> sent = wire_.write(greeting);
-  if (!sent) co_return fail("disconnected", sent.error().sentence);
+  if (!sent) co_return unreached("disconnected", sent.error());
   const Result<std::string> answer = co_await lines_.next(deadline);
-  if (!answer) co_return fail("disconnected", "the controller does not greet: " + answer.error().sentence);
+  if (!answer) co_return fail("disconnected", device_ + " does not greet: " + answer.error().sentence);
   if (!all_is_well(*answer)) {
-    co_return fail("disconnected", fmt::format("the controller lets nobody in: {}", printable(*answer)));
+    co_return fail("disconnected", fmt::format("{} lets nobody in: {}", device_, printable(*answer)));
   }
   session_ = true;
   co_return Result<void>();
@@ -67,19 +79,18 @@ Task<Result<std::string>> EthernetLine::exchange(const HostCommand& command) {
   session_ = false;
   const std::string data = command.operands.empty() ? "" : command.operands + "\r";
   const Result<void> asked = wire_.write(fmt::format("HOSTCTRL_REQUEST {} {}\r\n", command.name, data.size()));
-  if (!asked) co_return fail("disconnected", asked.error().sentence);
+  if (!asked) co_return unreached("disconnected", asked.error());
   const Time deadline = executor_.now() + answer_time;
   const Result<std::string> accepted = co_await lines_.next(deadline);
-  if (!accepted) co_return fail("disconnected", "the controller did not answer: " + accepted.error().sentence);
+  if (!accepted) co_return unanswered("disconnected", accepted.error());
   if (!all_is_well(*accepted)) {
     const std::string_view code = code_in(*accepted);
     if (!code.empty()) co_return refused_command(command.name, code);
-    co_return fail("bad-reply",
-                   fmt::format("the controller answered {} with '{}'", command.name, printable(*accepted)));
+    co_return strange(command, *accepted);
   }
   if (!data.empty()) {
     const Result<void> sent = wire_.write(data);
-    if (!sent) co_return fail("no-answer", sent.error().sentence);
+    if (!sent) co_return unreached("no-answer", sent.error());
   }
   Result<std::string> answer = co_await said(command);
   session_ = answer || answer.error().symbol == "refused";
@@ -90,14 +101,14 @@ Task<Result<std::string>> EthernetLine::exchange(const HostCommand& command) {
 Task<Result<std::string>> EthernetLine::said(const HostCommand& command) {
   const Time deadline = executor_.now() + answer_time;
   Result<std::string> line = co_await lines_.next(deadline);
-  if (!line) co_return fail("no-answer", "the controller did not answer: " + line.error().sentence);
+  if (!line) co_return unanswered("no-answer", line.error());
   const bool error = line->starts_with("ERROR") || line->starts_with("NG");
   const bool question = command.kind == HostCommand::Kind::question;
   if (question && !error) co_return line;
   if (*line == "0000") co_return std::string();
   const std::string_view code = is_host_code(*line) ? std::string_view(*line) : code_in(*line);
   if (!code.empty()) co_return refused_command(command.name, code);
-  co_return fail("bad-reply", fmt::format("the controller answered {} with '{}'", command.name, printable(*line)));
+  co_return strange(command, *line);
 }
 
 }  // namespace pizarra

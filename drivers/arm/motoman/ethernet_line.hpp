@@ -15,6 +15,7 @@
 // How far it is proven: with the emulated controller of drivers/simulation/controllers/arms/ alone.
 
 #include "drivers/arm/motoman/host_command.hpp"
+#include "drivers/wire/device_at.hpp"
 #include "drivers/wire/frames.hpp"
 #include "drivers/wire/turns.hpp"
 
@@ -26,7 +27,11 @@ class EthernetLine : public HostLine {
  public:
   // The wire outlives it.
   EthernetLine(Executor& executor, ByteWire& wire)
-      : executor_(executor), wire_(wire), lines_(wire, frame_of_line), turns_(executor) {}
+      : executor_(executor),
+        wire_(wire),
+        device_(device_at("the controller", wire.place())),
+        lines_(wire, frame_of_line),
+        turns_(executor) {}
   Task<Result<void>> open(Time deadline) override;
   Task<Result<std::string>> command(HostCommand command) override;
 
@@ -38,9 +43,13 @@ class EthernetLine : public HostLine {
   // Disconnected, where it was not begun; no-answer and bad-reply where it may have been.
   Task<Result<std::string>> exchange(const HostCommand& command);
   Task<Result<std::string>> said(const HostCommand& command);
+  std::unexpected<Failure> unreached(const char* symbol, const Failure& why) const;
+  std::unexpected<Failure> unanswered(const char* symbol, const Failure& why) const;
+  std::unexpected<Failure> strange(const HostCommand& command, std::string_view answer) const;
 
   Executor& executor_;
   ByteWire& wire_;
+  const std::string device_;
   Frames lines_;
   Turns turns_;
   // Nothing is under way over it. What was cut off in the middle would be answered to whoever comes next.

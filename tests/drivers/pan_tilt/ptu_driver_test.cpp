@@ -165,7 +165,7 @@ TEST_F(Driver, AnAnswerThatNeverEndsFailsAndNothingIsKnownUntilConnectedAgain) {
   connect();
   wire.from_unit = [](std::string_view bytes) { return std::string(bytes.substr(0, bytes.size() / 2)); };
   EXPECT_EQ(outcome(driver.halt()), "no-answer");
-  EXPECT_EQ(outcome(driver.halt()), "not-connected");
+  EXPECT_EQ(outcome(driver.halt()), "disconnected");
   wire.from_unit = nullptr;
   connect();
   EXPECT_EQ(outcome(driver.halt()), "ok");
@@ -234,7 +234,7 @@ TEST_F(Driver, APowerCutThatNobodyWaitedThroughIsNoticedAtTheNextCommand) {
   unit.power(true);
   executor.run_for(60s);
   EXPECT_EQ(ask(driver.read()).error().symbol, "restarted");
-  EXPECT_EQ(outcome(driver.halt()), "not-connected");
+  EXPECT_EQ(outcome(driver.halt()), "disconnected");
 }
 
 // Whatever a bad line does to the bytes, a reading that is given is true. (Of digits that vanish without a trace nobody
