@@ -36,6 +36,12 @@ Task<Result<std::vector<Fact>>> Board::facts(Datum pattern) {
   co_return facts;
 }
 
+Result<Revision> if_it_stands(Result<Revision> told) {
+  const bool stands = !told && told.error().symbol == "not-durable" && told.error().subject.is_integer();
+  if (!stands) return told;
+  return static_cast<Revision>(told.error().subject.integer());
+}
+
 Task<Result<Answer>> await_answer(Board& board, Query query, Time deadline, Executor& executor) {
   const Datum form = query_to_datum(query);
   Result<Answers> now = co_await board.ask(query);

@@ -12,7 +12,8 @@
 //   Result<Change> first = co_await (*watch)->next();      // what holds now, then every change, in order
 //
 // Failures: undeclared-relation (names the nearest), wrong-shape, bad-query, precondition-failed, unknown-lease,
-// unreachable, too-large, too-costly, and, from a journal played back, read-only.
+// unreachable, too-large, too-costly, journal-full, not-durable (it stands, but may not last: the subject is what would
+// have been answered), and, from a journal played back, read-only.
 
 #include <memory>
 #include <variant>
@@ -117,6 +118,9 @@ class Board {
 };
 
 class Executor;
+
+// Of a transaction that must stand and need not last: what is `not-durable` stands too, since the revision it says.
+Result<Revision> if_it_stands(Result<Revision> told);
 
 // The first answer of a query that holds now or comes to hold before `deadline`; failure `timeout` otherwise.
 Task<Result<Answer>> await_answer(Board& board, Query query, Time deadline, Executor& executor);

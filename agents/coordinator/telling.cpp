@@ -8,7 +8,7 @@ constexpr Duration retry_pause = 200ms;
 
 Task<Result<Revision>> commit(Board& board, Executor& executor, Transaction transaction) {
   while (true) {
-    const Result<Revision> told = co_await board.transact(transaction);
+    const Result<Revision> told = if_it_stands(co_await board.transact(transaction));
     if (told || told.error().symbol != "unreachable") co_return told;
     co_await sleep(executor, retry_pause);
   }

@@ -7,7 +7,8 @@
 
 namespace pizarra {
 
-// Commits the transaction, however long the board is away. Any other failure is ours and is answered.
+// Commits the transaction, however long the board is away, whether it can be made to last or not. Any other failure is
+// ours and is answered.
 Task<Result<Revision>> commit(Board& board, Executor& executor, Transaction transaction);
 
 // Every fact that fits, however long the board is away; none where the question itself is wrong.

@@ -113,7 +113,7 @@ Task<Result<void>> ArmFacts::tell(Transaction with) {
     }
   }
   if (with.steps.empty()) co_return {};
-  const Result<Revision> told = co_await context_.board.transact(std::move(with));
+  const Result<Revision> told = if_it_stands(co_await context_.board.transact(std::move(with)));
   if (!told) co_return fail(told);
   told_under_ = presence;
   for (std::size_t kind = 0; kind < kinds; ++kind) facts_[kind].told = sent[kind].now;

@@ -250,7 +250,7 @@ Task<Result<Datum>> RobotAgent::State::speed(Datum operation) {
   const Result<double> percent = amount_in(operation[1], 1, 100, "percent");
   if (!percent) co_return fail(percent);
   const Datum fact = list("robot-speed"_sym, name, *percent);
-  const Result<Revision> told = co_await context.board.tell(fact);
+  const Result<Revision> told = if_it_stands(co_await context.board.tell(fact));
   if (!told) co_return fail(told);
   speed_percent = *percent;
   co_return answer(true);
@@ -264,7 +264,7 @@ Task<Result<Datum>> RobotAgent::State::learn(Datum operation) {
   const Result<ArmReading> reading = co_await control.read();
   if (!reading) co_return fail(reading);
   const Datum fact = list("robot-variable"_sym, name, operation[1], joints_to_datum(reading->joints));
-  const Result<Revision> told = co_await context.board.tell(fact);
+  const Result<Revision> told = if_it_stands(co_await context.board.tell(fact));
   if (!told) co_return fail(told);
   variables.insert_or_assign(variable, reading->joints);
   co_return answer(true);

@@ -110,7 +110,7 @@ Task<Result<void>> ObjectMemory::change(ObjectChange change) {
   Result<Transaction> facts = facts_of(change, objects_);
   if (!facts) co_return fail(facts);
   Transaction ours = told_by(context_.name, std::move(*facts));
-  const Result<Revision> told = co_await context_.board.transact(std::move(ours));
+  const Result<Revision> told = if_it_stands(co_await context_.board.transact(std::move(ours)));
   if (!told) co_return fail(told);
   const Result<void> recalled = co_await recall_facts();
   co_return recalled;
@@ -156,7 +156,7 @@ Task<Result<void>> ObjectMemory::tell_objects() {
     }
   }
   for (const Datum& fact : wanted) transaction.tell(fact);
-  const Result<Revision> told = co_await context_.board.transact(std::move(transaction));
+  const Result<Revision> told = if_it_stands(co_await context_.board.transact(std::move(transaction)));
   if (!told) co_return fail(told);
   co_return Result<void>();
 }

@@ -238,10 +238,10 @@ TEST_F(Coordinator, EndsWhenCancelled) {
 TEST_F(Coordinator, StaysWithTheGoalInHandWhenAnotherCannotBeKept) {
   want("(goal (on circle triangle))");
   ASSERT_TRUE(cell.run_until("(holding circle)", 60s));
-  cell.disk_full = true;
+  cell.disk = Disk::full;
   EXPECT_EQ(cell.request("coordinator", "(goal (on square triangle))")[1], "journal-full"_sym);
   EXPECT_EQ(cell.request("coordinator", "(cancel)")[1], "journal-full"_sym);
-  cell.disk_full = false;
+  cell.disk = Disk::sound;
   ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 60s));
   expect_on("circle", "triangle");
   EXPECT_EQ(cell.times_told("(operation ? (PICK-UP square) ?)"), 0);
@@ -249,7 +249,7 @@ TEST_F(Coordinator, StaysWithTheGoalInHandWhenAnotherCannotBeKept) {
 }
 
 TEST_F(Coordinator, MovesNothingForAGoalThatCannotBeKept) {
-  cell.disk_full = true;
+  cell.disk = Disk::full;
   EXPECT_EQ(cell.request("coordinator", "(goal (on circle triangle))")[1], "journal-full"_sym);
   EXPECT_EQ(cell.request("coordinator", "(cancel)")[1], "no-goal"_sym);
   cell.run_for(10s);
@@ -260,12 +260,22 @@ TEST_F(Coordinator, MovesNothingForAGoalThatCannotBeKept) {
 TEST_F(Coordinator, TellsThatAGoalIsReachedOnceThatCanBeKept) {
   want("(goal (on circle triangle))");
   ASSERT_TRUE(cell.run_until("(on circle triangle)", 60s));
-  cell.disk_full = true;
+  cell.disk = Disk::full;
   cell.run_for(20s);
   EXPECT_TRUE(cell.facts("(goal-state 1 reached ?)").empty());
   EXPECT_EQ(cell.request("coordinator", "(cancel)")[1], "journal-full"_sym) << "it listens meanwhile";
-  cell.disk_full = false;
+  cell.disk = Disk::sound;
   EXPECT_TRUE(cell.run_until("(goal-state 1 reached ?)", 5s));
+}
+
+TEST_F(Coordinator, PursuesWhatStandsThoughItMayNotLast) {
+  cell.disk = Disk::failing;
+  EXPECT_EQ(want("(goal (on circle triangle))"), "(ok 1)");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 60s));
+  expect_on("circle", "triangle");
+  EXPECT_EQ(want("(goal (on square circle))"), "(ok 2)");
+  EXPECT_EQ(want("(cancel)"), "(ok)");
+  EXPECT_EQ(cell.facts("(goal-state 2 cancelled ?)").size(), 1U);
 }
 
 TEST_F(Coordinator, TellsWhyAfterTheBoardWasKilledWhileTheCellWasIdle) {

@@ -9,7 +9,6 @@
 
 #include "lisp/reader.hpp"
 #include "lisp/writer.hpp"
-#include "tests/agents/coordinator/full_disk.hpp"
 #include "tests/agents/coordinator/shortest_plan.hpp"
 #include "tests/source_dir.hpp"
 
@@ -61,7 +60,7 @@ struct FakeCell::Agents {
       : robot_view(cell.board_.view("robot")),
         vision_view(cell.board_.view("vision")),
         planner_view(cell.board_.view("planner")),
-        coordinator_view(std::make_unique<FullDisk>(cell.board_, "coordinator", cell.disk_full)),
+        coordinator_view(std::make_unique<TroubledDisk>(cell.board_, "coordinator", cell.disk)),
         robot{"robot", "localhost", cell.executor_, *robot_view, Random(1)},
         vision{"vision", "localhost", cell.executor_, *vision_view, Random(2)},
         planner{"planner", "localhost", cell.executor_, *planner_view, Random(3)},

@@ -19,6 +19,7 @@
 #include "agents/runtime/service.hpp"
 #include "blackboard/memory/memory_board.hpp"
 #include "blackboard/time/virtual_executor.hpp"
+#include "tests/blackboard/troubled_disk.hpp"
 
 namespace pizarra {
 
@@ -62,7 +63,7 @@ class FakeCell {
   double lowest_mm = 0;  // what is in the way stops the arm on its way further down,
   double jam_mm = 0;     // and the fingers there at this opening
   int motions = 0;
-  bool disk_full = false;  // of the board's journal, for what the coordinator tells
+  Disk disk = Disk::sound;  // of the board's journal, for what the coordinator tells
 
  private:
   struct Agents;

@@ -23,7 +23,10 @@ class RobotLife {
  public:
   RobotLife(Executor& executor, MemoryBoard& board, ArmDriver& arm, const ArmModel& model = crs_f3(),
             RobotOptions options = {}, const std::string& name = "robot")
-      : board_(board.view(name)), agent_({name, "localhost", executor, *board_, Random(1)}, arm, model, options) {
+      : RobotLife(executor, board.view(name), arm, model, options, name) {}
+  RobotLife(Executor& executor, std::unique_ptr<Board> board, ArmDriver& arm, const ArmModel& model = crs_f3(),
+            RobotOptions options = {}, const std::string& name = "robot")
+      : board_(std::move(board)), agent_({name, "localhost", executor, *board_, Random(1)}, arm, model, options) {
     job_ = executor.spawn(live());
   }
   std::optional<Result<void>> ended;

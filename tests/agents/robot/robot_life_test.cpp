@@ -1,6 +1,7 @@
 // What happens beside a motion: other requests, stops, deaths, a controller that goes away.
 
 #include "tests/agents/robot/robot_fixture.hpp"
+#include "tests/blackboard/troubled_disk.hpp"
 
 namespace pizarra {
 namespace {
@@ -112,6 +113,21 @@ TEST_F(Robot, RequestOfAnAgentThatDiedIsAnsweredOnceAndNothingGoesOn) {
   }
   EXPECT_EQ(arm.moves, 1);
   EXPECT_EQ(call("(turn left 5)"), "(ok true)");
+}
+
+TEST_F(Robot, WhatStandsOnTheBoardIsDoneThoughItMayNotLast) {
+  life.reset();
+  executor.run_for(3s);
+  Disk disk = Disk::full;
+  life.emplace(executor, std::make_unique<TroubledDisk>(board, "robot", disk), arm);
+  executor.run_for(1s);
+  EXPECT_EQ(refusal("(turn right 10)"), "journal-full");
+  disk = Disk::failing;
+  EXPECT_EQ(call("(turn right 10)"), "(ok true)");
+  EXPECT_NEAR(arm.at()[0], 10, 1e-9);
+  EXPECT_EQ(call("(learn here)"), "(ok true)");
+  EXPECT_EQ(call("(speed 50)"), "(ok true)");
+  EXPECT_EQ(fact("(robot-speed robot ?)"), "(robot-speed robot 50.0)");
 }
 
 // How a motion ended is told before its reply, and its agent may die between the two.

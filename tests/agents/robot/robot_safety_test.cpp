@@ -1,5 +1,6 @@
 #include "agents/robot/guard.hpp"
 #include "tests/agents/robot/robot_fixture.hpp"
+#include "tests/blackboard/passing_board.hpp"
 #include "tests/run_task.hpp"
 
 // What stops the arm without its commander being asked, and who may command it.
@@ -224,74 +225,58 @@ TEST_F(RobotSafety, ClientThatIsNoLongerPresentStopsTheArm) {
 }
 
 // A board that goes silent: calls wait for as long as it is muted.
-class MutedBoard : public Board {
+class MutedBoard : public PassingBoard {
  public:
-  MutedBoard(Executor& executor, std::unique_ptr<Board> board) : executor_(executor), board_(std::move(board)) {}
-  bool muted = false;
+  MutedBoard(Executor& executor, std::unique_ptr<Board> board, const bool& muted)
+      : PassingBoard(std::move(board)), executor_(executor), muted_(muted) {}
 
-  Task<Result<void>> declare(std::vector<Relation> relations) override { return board_->declare(std::move(relations)); }
   Task<Result<Revision>> transact(Transaction transaction) override {
     co_await heard();
-    co_return co_await board_->transact(std::move(transaction));
+    co_return co_await PassingBoard::transact(std::move(transaction));
   }
-  Task<Result<Answers>> ask(Query query) override { return board_->ask(std::move(query)); }
-  Task<Result<std::unique_ptr<Watch>>> watch(Query query) override { return board_->watch(std::move(query)); }
-  Task<Result<std::optional<Fact>>> take(Datum pattern, LeaseId holder) override {
-    return board_->take(std::move(pattern), holder);
-  }
-  Task<Result<LeaseId>> lease(Duration length) override { return board_->lease(length); }
   Task<Result<void>> renew(LeaseId lease) override {
     co_await heard();
-    co_return co_await board_->renew(lease);
+    co_return co_await PassingBoard::renew(lease);
   }
-  Task<Result<void>> release(LeaseId lease) override { return board_->release(lease); }
 
  private:
   Task<void> heard() {
-    while (muted) co_await sleep(executor_, 10ms);
+    while (muted_) co_await sleep(executor_, 10ms);
   }
   Executor& executor_;
-  std::unique_ptr<Board> board_;
+  const bool& muted_;
 };
 
-Task<void> live(RobotAgent& robot) {
-  const Result<void> ended = co_await robot.run();
-  EXPECT_TRUE(ended) << ended.error().sentence;
-}
+class RobotBeforeSilence : public RobotSafety {
+ protected:
+  void SetUp() override {
+    life.emplace(executor, std::make_unique<MutedBoard>(executor, board.view("robot"), muted), arm);
+    executor.run_for(1s);
+  }
+  bool muted = false;
+};
 
-TEST_F(RobotSafety, BoardThatFallsSilentStopsTheArmWithinATenthOfASecond) {
-  life.reset();
-  executor.run_for(3s);
-  MutedBoard muted(executor, board.view("robot"));
-  RobotAgent agent({"robot", "localhost", executor, muted, Random(1)}, arm, crs_f3());
-  const Job job = executor.spawn(live(agent));
-  executor.run_for(1s);
+TEST_F(RobotBeforeSilence, BoardThatFallsSilentStopsTheArmWithinATenthOfASecond) {
   const std::string id = begin_motion();
-  muted.muted = true;
+  muted = true;
   executor.run_for(100ms);
   EXPECT_FALSE(arm.moving());
   const Joints stood = arm.at();
-  muted.muted = false;
+  muted = false;
   executor.run_for(1s);
   EXPECT_EQ(reply(id), "(fail stopped \"the board has not answered for 80 ms\" ())");
   EXPECT_EQ(arm.at(), stood) << "nothing goes on before it is asked for";
 }
 
 // Between a request and its first motion lie the board's round trips.
-TEST_F(RobotSafety, WhoComesToCommandBeforeTheMotionBeginsKeepsItFromBeginning) {
-  life.reset();
-  executor.run_for(3s);
-  MutedBoard muted(executor, board.view("robot"));
-  RobotAgent agent({"robot", "localhost", executor, muted, Random(1)}, arm, crs_f3());
-  const Job job = executor.spawn(live(agent));
-  executor.run_for(1s);
-  muted.muted = true;
+TEST_F(RobotBeforeSilence, WhoComesToCommandBeforeTheMotionBeginsKeepsItFromBeginning) {
+  muted = true;
   const std::string id = ask("(turn right 90)");
   executor.run_for(50ms);
   tell("anna", "(agent anna person \"here\")", board.lease(10s).value());
   tell("anna", "(commander robot anna)");
   executor.run_for(50ms);
-  muted.muted = false;
+  muted = false;
   executor.run_for(1s);
   EXPECT_EQ(reply(id), "(fail not-commander \"anna commands the arm\" anna)");
   EXPECT_EQ(arm.moves, 0);
