@@ -4,6 +4,8 @@
 #include <array>
 #include <fmt/format.h>
 
+#include "agents/runtime/declared.hpp"
+
 namespace pizarra {
 
 namespace {
@@ -58,7 +60,7 @@ Task<Result<void>> FollowerAgent::run() {
 Task<void> FollowerAgent::watch(Datum pattern, See see) {
   const Query query = query_for(pattern);
   while (true) {
-    Result<std::unique_ptr<Watch>> watch = co_await context_.board.watch(query);
+    Result<std::unique_ptr<Watch>> watch = co_await watch_when_declared(context_.board, query);
     while (watch) {
       const Result<Change> change = co_await (*watch)->next();
       if (!change) break;

@@ -6,6 +6,7 @@
 #include "agents/pan_tilt/gaze.hpp"
 #include "agents/pan_tilt/head_control.hpp"
 #include "agents/pan_tilt/pan_tilt_contract.hpp"
+#include "agents/runtime/declared.hpp"
 #include "agents/runtime/service.hpp"
 
 namespace pizarra {
@@ -20,15 +21,11 @@ constexpr double in_view_deg = 5;
 
 Datum done() { return list("true"_sym); }
 
-Query place_query(const std::string& name) {
-  const Datum pattern = list("place"_sym, Datum::symbol(name), "?x"_sym, "?y"_sym, "?z"_sym, "?frame"_sym);
-  return query_from_datum(pattern).value();
+Datum places_of(const std::string& name) {
+  return list("place"_sym, Datum::symbol(name), "?x"_sym, "?y"_sym, "?z"_sym, "?frame"_sym);
 }
 
-std::array<double, 3> place_of(const Answer& answer) {
-  const Datum& place = answer.facts.front().datum;
-  return {place[2].number(), place[3].number(), place[4].number()};
-}
+std::array<double, 3> point_of(const Datum& place) { return {place[2].number(), place[3].number(), place[4].number()}; }
 
 }  // namespace
 
@@ -146,7 +143,7 @@ Task<Result<Datum>> PanTiltAgent::State::set_speed(bool pan, Datum percent) {
   const Result<void> set = co_await head.set_speeds(speeds);
   if (!set) co_return fail(set);
   const Datum fact = list("head-speed"_sym, speeds.pan_percent, speeds.tilt_percent);
-  const Result<Revision> told = co_await context.board.tell(fact);
+  const Result<Revision> told = if_it_stands(co_await context.board.tell(fact));
   if (!told) co_return fail(told);
   co_return done();
 }
@@ -162,15 +159,14 @@ Task<Result<Datum>> PanTiltAgent::State::reset(std::string_view which) {
 }
 
 Task<Result<Datum>> PanTiltAgent::State::look_at(std::string name) {
-  const Query query = place_query(name);
-  const Result<Answers> places = co_await context.board.ask(query);
   // The relation is the coordinator's; before it has come, nothing is seen anywhere.
-  const bool known = places && !places->answers.empty();
+  const Result<std::vector<Fact>> places = co_await facts_if_declared(context.board, places_of(name));
+  const bool known = places && !places->empty();
   if (!known) {
     co_return fail("unknown-place", fmt::format("nobody tells where {} is", name), Datum::symbol(name));
   }
   co_await stop_following();
-  const std::array<double, 3> point_mm = place_of(places->answers.front());
+  const std::array<double, 3> point_mm = point_of(places->front().datum);
   const Result<void> aimed = co_await aim(point_mm, 0);
   if (!aimed) co_return fail(aimed);
   facts.set_target(name);
@@ -210,16 +206,16 @@ Task<Result<void>> PanTiltAgent::State::aim(std::array<double, 3> point_mm, doub
 
 // An aim that fails, the unit being away, is taken again with the next place.
 Task<void> PanTiltAgent::State::follow(std::string name) {
-  const Query query = place_query(name);
+  const Query query = query_for(places_of(name));
   while (true) {
-    Result<std::unique_ptr<Watch>> watch = co_await context.board.watch(query);
+    Result<std::unique_ptr<Watch>> watch = co_await watch_when_declared(context.board, query);
     while (watch) {
       const Result<Change> change = co_await (*watch)->next();
       if (!change) break;
       if (change->added.empty()) continue;
       const Time settled_by = context.executor.now() + settling_time;
       co_await head.until_still(settled_by);
-      const std::array<double, 3> point_mm = place_of(change->added.back());
+      const std::array<double, 3> point_mm = point_of(change->added.back().facts.front().datum);
       const Result<void> aimed = co_await aim(point_mm, in_view_deg);
       static_cast<void>(aimed);
     }

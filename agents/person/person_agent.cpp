@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "agents/runtime/declared.hpp"
+
 namespace pizarra {
 
 namespace {
@@ -47,11 +49,10 @@ Task<void> PersonAgent::say(Datum state, Datum detail) {
 
 Task<Result<bool>> PersonAgent::known(std::string name) {
   Datum pattern = learned_pattern(Datum::string(name));
-  const Result<std::vector<Fact>> samples = co_await context_.board.facts(std::move(pattern));
-  if (samples) co_return !samples->empty();
-  // Vision has not yet come to declare what it tells.
-  if (samples.error().symbol == "undeclared-relation") co_return false;
-  co_return fail(samples);
+  // Vision may have yet to come and declare what it tells.
+  const Result<std::vector<Fact>> samples = co_await facts_if_declared(context_.board, std::move(pattern));
+  if (!samples) co_return fail(samples);
+  co_return !samples->empty();
 }
 
 // A motion that was stopped, as where the robot agent began anew, is asked for again.

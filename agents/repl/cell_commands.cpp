@@ -5,6 +5,7 @@
 
 #include "agents/repl/commands.hpp"
 #include "agents/repl/json_answers.hpp"
+#include "agents/runtime/declared.hpp"
 #include "lisp/forms/goal.hpp"
 #include "lisp/reader.hpp"
 #include "lisp/writer.hpp"
@@ -78,7 +79,7 @@ void Interpreter::say_end(const Datum& state, const std::string& typed) {
 Task<bool> Interpreter::being_taught() {
   const Result<std::vector<Fact>> person = co_await context_.board.facts(pattern("(agent ? person ?)"));
   if (!person || person->empty()) co_return false;
-  const Result<std::vector<Fact>> says = co_await context_.board.facts(pattern("(person ? ?)"));
+  const Result<std::vector<Fact>> says = co_await facts_if_declared(context_.board, pattern("(person ? ?)"));
   if (!says || says->empty()) co_return true;
   co_return says->front().datum[1].is_symbol("teaching");
 }
@@ -99,9 +100,10 @@ Task<Evaluation> Interpreter::why(Datum form) {
 }
 
 Task<Evaluation> Interpreter::plan(Datum) {
-  const Result<std::vector<Fact>> plans = co_await context_.board.facts(pattern("(plan ?n ?operations)"));
+  const Result<std::vector<Fact>> plans = co_await facts_if_declared(context_.board, pattern("(plan ?n ?operations)"));
   if (!plans) co_return show(plans.error());
-  const Result<std::vector<Fact>> in_hand = co_await context_.board.facts(pattern("(operation ?i ?operation ?state)"));
+  const Result<std::vector<Fact>> in_hand =
+      co_await facts_if_declared(context_.board, pattern("(operation ?i ?operation ?state)"));
   if (!in_hand) co_return show(in_hand.error());
   if (plans->empty()) output_("no plan");
   for (const Fact& plan : *plans) {
@@ -125,10 +127,12 @@ Task<Evaluation> Interpreter::plan(Datum) {
 }
 
 Task<Evaluation> Interpreter::objects(Datum) {
-  const Result<std::vector<Fact>> learned = co_await context_.board.facts(pattern("(learned ? ? ? ? ? ? ? ? ?)"));
+  const Result<std::vector<Fact>> learned =
+      co_await facts_if_declared(context_.board, pattern("(learned ? ? ? ? ? ? ? ? ?)"));
   if (!learned) co_return show(learned.error());
-  const Result<std::vector<Fact>> places = co_await context_.board.facts(pattern("(place ? ? ? ? ?)"));
-  const Result<std::vector<Fact>> tracking = co_await context_.board.facts(pattern("(vision-mode ? tracking ?)"));
+  const Result<std::vector<Fact>> places = co_await facts_if_declared(context_.board, pattern("(place ? ? ? ? ?)"));
+  const Result<std::vector<Fact>> tracking =
+      co_await facts_if_declared(context_.board, pattern("(vision-mode ? tracking ?)"));
   const bool followed = tracking && !tracking->empty();
   if (learned->empty()) output_("nothing has been learned");
   std::set<std::string> said;
@@ -144,9 +148,10 @@ Task<Evaluation> Interpreter::objects(Datum) {
     }
     output_(fmt::format("  {:14} {}", name, where));
   }
-  const Result<std::vector<Fact>> alike = co_await context_.board.facts(pattern("(look-alike ? ? ? ? ?)"));
+  const Result<std::vector<Fact>> alike = co_await facts_if_declared(context_.board, pattern("(look-alike ? ? ? ? ?)"));
   for (const Fact& fact : alike.value_or(std::vector<Fact>())) output_(std::string(fact.datum[5].text()));
-  const Result<std::vector<Fact>> damaged = co_await context_.board.facts(pattern("(objects-damaged ? ? ? ?)"));
+  const Result<std::vector<Fact>> damaged =
+      co_await facts_if_declared(context_.board, pattern("(objects-damaged ? ? ? ?)"));
   for (const Fact& fact : damaged.value_or(std::vector<Fact>())) {
     output_(fmt::format("{}: {}", fact.datum[2].text(), fact.datum[4].text()));
   }
@@ -162,12 +167,12 @@ Task<std::vector<Datum>> Interpreter::remarks_on(std::string agent, Datum operat
   if (lasts) out = co_await remarks_on_mode(eyes);
   if (!looks || answer.size() != 1) co_return out;
   const Datum failed = list("vision-failed"_sym, eyes, "?"_sym, answer[0], "?"_sym, "?"_sym);
-  const Result<std::vector<Fact>> failures = co_await context_.board.facts(failed);
+  const Result<std::vector<Fact>> failures = co_await facts_if_declared(context_.board, failed);
   for (const Fact& fact : failures.value_or(std::vector<Fact>())) out.push_back(fact.datum[5]);
   if (!learns || !out.empty()) co_return out;
   const Datum& name = operation.items().back();
   const Datum any_alike = list("look-alike"_sym, eyes, "?"_sym, "?"_sym, "?"_sym, "?"_sym);
-  const Result<std::vector<Fact>> alike = co_await context_.board.facts(any_alike);
+  const Result<std::vector<Fact>> alike = co_await facts_if_declared(context_.board, any_alike);
   for (const Fact& fact : alike.value_or(std::vector<Fact>())) {
     if (fact.datum[2] == name || fact.datum[3] == name) out.push_back(fact.datum[5]);
   }
@@ -177,7 +182,7 @@ Task<std::vector<Datum>> Interpreter::remarks_on(std::string agent, Datum operat
 // A mode belongs to who asked for it, which here is the prompt.
 Task<std::vector<Datum>> Interpreter::remarks_on_mode(Datum eyes) {
   const Datum held = list("vision-held"_sym, eyes, Datum::symbol(context_.name), "?"_sym);
-  const Result<std::vector<Fact>> ours = co_await context_.board.facts(held);
+  const Result<std::vector<Fact>> ours = co_await facts_if_declared(context_.board, held);
   std::vector<Datum> out;
   if (!ours || ours->empty()) co_return out;
   const std::string sentence =
@@ -217,7 +222,8 @@ Task<void> Interpreter::learn_words() {
       }
     }
   }
-  const Result<std::vector<Fact>> learned = co_await context_.board.facts(pattern("(learned ? ? ? ? ? ? ? ? ?)"));
+  const Result<std::vector<Fact>> learned =
+      co_await facts_if_declared(context_.board, pattern("(learned ? ? ? ? ? ? ? ? ?)"));
   for (const Fact& fact : learned.value_or(std::vector<Fact>())) words_.emplace(fact.datum[2].text());
 }
 

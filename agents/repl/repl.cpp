@@ -2,20 +2,21 @@
 
 #include <fmt/format.h>
 
+#include "agents/runtime/declared.hpp"
 #include "lisp/reader.hpp"
 
 namespace pizarra {
 
 namespace {
 
-constexpr Duration declared_pause = 200ms;
+constexpr Duration retry_pause = 200ms;
 
 // Shows what comes to hold of a query; what held before the prompt opened is history, not news.
 Task<void> show_news(AgentContext& context, Terminal& terminal, Query query, std::string (*line)(const Datum&)) {
-  Result<std::unique_ptr<Watch>> watch = co_await context.board.watch(query);
-  while (!watch) {  // by the agent that is to declare it
-    co_await sleep(context.executor, declared_pause);
-    watch = co_await context.board.watch(query);
+  Result<std::unique_ptr<Watch>> watch = co_await watch_when_declared(context.board, query);
+  while (!watch) {
+    co_await sleep(context.executor, retry_pause);
+    watch = co_await watch_when_declared(context.board, query);
   }
   while (true) {
     const Result<Change> change = co_await (*watch)->next();

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "agents/coordinator/telling.hpp"
+#include "agents/runtime/declared.hpp"
 #include "lisp/forms/vision_reply.hpp"
 
 namespace pizarra {
@@ -61,7 +62,7 @@ void Surroundings::start() {
 Task<void> Surroundings::watch(Datum pattern, Handler handler) {
   const Query query = query_from_datum(pattern).value();
   while (true) {
-    Result<std::unique_ptr<Watch>> watch = co_await context_.board.watch(query);
+    Result<std::unique_ptr<Watch>> watch = co_await watch_when_declared(context_.board, query);
     while (watch) {
       const Result<Change> change = co_await (*watch)->next();
       if (!change) break;
@@ -76,7 +77,7 @@ Task<void> Surroundings::watch_vision() {
   const Datum says = list("vision-says"_sym, Datum::symbol(options_.vision), "?frame"_sym, "?text"_sym);
   const Query query = query_from_datum(says).value();
   while (true) {
-    Result<std::unique_ptr<Watch>> watch = co_await context_.board.watch(query);
+    Result<std::unique_ptr<Watch>> watch = co_await watch_when_declared(context_.board, query);
     while (watch) {
       const Result<Change> change = co_await (*watch)->next();
       if (!change) break;

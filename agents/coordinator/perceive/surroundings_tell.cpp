@@ -5,6 +5,7 @@
 
 #include "agents/coordinator/perceive/surroundings.hpp"
 #include "agents/coordinator/telling.hpp"
+#include "agents/runtime/declared.hpp"
 
 namespace pizarra {
 
@@ -96,7 +97,7 @@ Facts Surroundings::to_be_told(const Datum& pattern) const {
 Task<void> Surroundings::keep_told(Datum pattern) {
   const Query query = query_for(pattern);
   while (true) {
-    Result<std::unique_ptr<Watch>> watch = co_await context_.board.watch(query);
+    Result<std::unique_ptr<Watch>> watch = co_await watch_when_declared(context_.board, query);
     while (watch) {
       Result<Change> change = co_await (*watch)->next();
       if (!change) break;

@@ -7,6 +7,7 @@
 #include <unistd.h>
 #include <utility>
 
+#include "agents/runtime/declared.hpp"
 #include "lisp/json.hpp"
 #include "lisp/writer.hpp"
 
@@ -14,7 +15,6 @@ namespace pizarra {
 
 namespace {
 
-constexpr Duration retry_pause = 100ms;
 // Longer than an agent takes to find that the board has forgotten it.
 constexpr Duration return_pause = 5s;
 
@@ -119,23 +119,8 @@ void Narrator::tell_change(const Change& change, Executor& executor) {
   for (const Fact& fact : added) tell_added(fact);
 }
 
-namespace {
-
-// A watch on a relation that some agent may yet have to declare.
-Task<Result<std::unique_ptr<Watch>>> watch_when_declared(Board& board, Executor& executor, Datum pattern) {
-  while (true) {
-    Result<Query> query = query_from_datum(pattern);
-    if (!query) co_return fail(query);
-    Result<std::unique_ptr<Watch>> watch = co_await board.watch(*query);
-    if (watch || watch.error().symbol != "undeclared-relation") co_return watch;
-    co_await sleep(executor, retry_pause);
-  }
-}
-
-}  // namespace
-
 Task<void> Narrator::follow_pattern(Board& board, Executor& executor, Datum pattern) {
-  Result<std::unique_ptr<Watch>> watch = co_await watch_when_declared(board, executor, pattern);
+  const Result<std::unique_ptr<Watch>> watch = co_await watch_when_declared(board, query_for(pattern));
   if (!watch) {
     say(executor.now(), "failure", describe(watch.error()));
     co_return;

@@ -7,6 +7,7 @@
 #include "agents/launcher/command_line/word_tools.hpp"
 #include "agents/launcher/supervision/run_directory.hpp"
 #include "agents/launcher/words/words.hpp"
+#include "agents/runtime/declared.hpp"
 #include "blackboard/client/remote_board.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "lisp/json.hpp"
@@ -23,7 +24,7 @@ struct OnBoard {
 // What the board says, or nothing of what it does not answer in time.
 Task<void> list_facts(RemoteBoard& board, OnBoard* out) {
   Datum agent = list("agent"_sym, "?"_sym, "?"_sym, "?"_sym);
-  Result<std::vector<Fact>> agents = co_await board.facts(std::move(agent));
+  Result<std::vector<Fact>> agents = co_await facts_if_declared(board, std::move(agent));
   if (agents) out->agents = std::move(*agents);
   if (!board.connected()) co_return;
   Datum refusal = list("board-refusal"_sym, "?"_sym, "?"_sym, "?"_sym, "?"_sym);

@@ -1,0 +1,21 @@
+#pragma once
+
+// Asking for what others tell, who may yet have to come. A question about a relation that nobody has declared is
+// refused, and the board counts whom it refused what; these see first whether it is declared.
+//
+//   Result<std::vector<Fact>> learned = co_await facts_if_declared(board, pattern);       // none before eyes have come
+//   Result<std::unique_ptr<Watch>> watch = co_await watch_when_declared(board, query);    // waits for them
+
+#include "blackboard/board.hpp"
+
+namespace pizarra {
+
+// Who may not ask about relations takes them for declared.
+Task<Result<bool>> is_declared(Board& board, std::string relation);
+// Every fact that fits, and none where its relation is not declared.
+Task<Result<std::vector<Fact>>> facts_if_declared(Board& board, Datum pattern);
+// Once all its relations are declared, however long that takes: it is looked at again whenever an agent comes, which
+// has then declared what it posts.
+Task<Result<std::unique_ptr<Watch>>> watch_when_declared(Board& board, Query query);
+
+}  // namespace pizarra
