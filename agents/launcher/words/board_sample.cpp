@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "agents/runtime/declared.hpp"
 #include "lisp/reader.hpp"
 
 namespace pizarra {
@@ -25,6 +26,10 @@ double median_us(std::vector<Duration> values) {
   std::ranges::nth_element(values, middle);
   return static_cast<double>(middle->count());
 }
+
+// Since the look before. What counts less than then was counted anew: by a board that began again, or of a teller that
+// had been forgotten.
+std::int64_t grown(std::int64_t now, std::int64_t before) { return now < before ? now : now - before; }
 
 double us_since(Time from, Time to) { return static_cast<double>((to - from).count()); }
 
@@ -131,19 +136,26 @@ BoardSampler::Counts BoardSampler::count(const std::vector<Fact>& statistics, Re
   return counts;
 }
 
-double BoardSampler::rate(std::int64_t now, std::int64_t before, const Counts& counts) const {
-  const double seconds = us_since(before_.when, counts.when) / 1e6;
-  return seconds > 0 ? static_cast<double>(std::max<std::int64_t>(now - before, 0)) / seconds : 0;
+double BoardSampler::rate(std::int64_t more, const Counts& now) const {
+  const double seconds = us_since(before_.when, now.when) / 1e6;
+  return seconds > 0 ? static_cast<double>(more) / seconds : 0;
 }
 
+std::int64_t BoardSampler::told_since(const std::string& relation, const Counts& now) const {
+  const auto before = before_.told.find(relation);
+  return grown(now.told.at(relation), before == before_.told.end() ? 0 : before->second);
+}
+
+// One who was not named before is new, or there was no room for its name: then it told at most what came in all.
 double BoardSampler::rate_of(const std::string& agent, const Counts& now) const {
   std::int64_t more = 0;
   for (const auto& [who, tells] : now.tells) {
     if (!is_teller(who.second, agent)) continue;
     const auto before = before_.tells.find(who);
-    more += before == before_.tells.end() ? tells : tells - before->second;
+    const std::int64_t own = grown(tells, before == before_.tells.end() ? 0 : before->second);
+    more += std::min(own, told_since(who.first, now));
   }
-  return rate(more, 0, now);
+  return rate(more, now);
 }
 
 Task<Result<void>> BoardSampler::begin() {
@@ -159,14 +171,13 @@ Task<Result<BoardSample>> BoardSampler::next() {
   const Counts now = count(*statistics_now, revision_);
   BoardSample sample{
       .revision = now.revision, .agents = {}, .agents_unknown = {}, .relations = {}, .clients = {}, .journey = {}};
-  sample.transactions_per_second =
-      rate(static_cast<std::int64_t>(now.revision), static_cast<std::int64_t>(before_.revision), now);
+  const bool went_on = now.revision > before_.revision;
+  if (went_on) sample.transactions_per_second = rate(static_cast<std::int64_t>(now.revision - before_.revision), now);
   for (const Fact& fact : *statistics_now) {
     const Datum& form = fact.datum;
     RelationSample relation{.name = std::string(form[name].text()), .facts = form[facts].integer(), .tellers = {}};
     if (relation.name == probe_name) continue;
-    const auto before = before_.told.find(relation.name);
-    relation.told_per_second = rate(form[told].integer(), before == before_.told.end() ? 0 : before->second, now);
+    relation.told_per_second = rate(told_since(relation.name, now), now);
     for (const Datum& teller : form[tellers].items()) relation.tellers.emplace_back(teller[0].text());
     for (const Datum& watcher : form[watchers].items()) relation.watches += watcher[1].integer();
     sample.facts += relation.facts;
@@ -186,9 +197,9 @@ Task<Result<BoardSample>> BoardSampler::next() {
   co_return sample;
 }
 
-// What clients tell may be more than can be shown, and is then no reason to show nothing of the rest.
+// What clients declared otherwise, or tell more of than can be shown, is no reason to show nothing of the rest.
 Result<void> BoardSampler::go_without(BoardSample& sample, const Failure& failure) {
-  if (failure.symbol != "too-large") return fail(failure);
+  if (failure.symbol == "unreachable") return fail(failure);
   sample.agents_unknown = failure;
   return {};
 }
@@ -197,12 +208,9 @@ Task<Result<void>> BoardSampler::add_agents(BoardSample& sample, const Counts& n
   const Datum any = "?"_sym;
   const Datum present = list("agent"_sym, any, any, any);
   const Datum waiting = list("request"_sym, any, any, any);
-  const Result<std::vector<Fact>> agents = co_await board_.facts(present);
-  // A board on which no agent ever was has no such relation.
-  const bool nobody = !agents && agents.error().symbol == "undeclared-relation";
-  if (nobody) co_return Result<void>();
+  const Result<std::vector<Fact>> agents = co_await facts_if_declared(board_, present);
   if (!agents) co_return go_without(sample, agents.error());
-  const Result<std::vector<Fact>> requests = co_await board_.facts(waiting);
+  const Result<std::vector<Fact>> requests = co_await facts_if_declared(board_, waiting);
   if (!requests) co_return go_without(sample, requests.error());
   for (const Fact& fact : *agents) {
     AgentSample agent{.name = std::string(fact.datum[1].text()),

@@ -82,7 +82,7 @@ struct BoardSample {
   double transactions_per_second = 0;
   std::int64_t facts = 0;
   std::vector<AgentSample> agents;        // by name
-  std::optional<Failure> agents_unknown;  // where clients have told more of them than an answer holds
+  std::optional<Failure> agents_unknown;  // where clients declared them otherwise, or told too many for an answer
   std::vector<RelationSample> relations;  // the busiest first
   std::vector<ClientSample> clients;      // the busiest first
   std::optional<Journey> journey;
@@ -114,7 +114,8 @@ class BoardSampler {
   Task<Result<void>> add_agents(BoardSample& sample, const Counts& now);
   Task<Result<Journey>> travel();
   Counts count(const std::vector<Fact>& statistics, Revision revision) const;
-  double rate(std::int64_t now, std::int64_t before, const Counts& counts) const;
+  double rate(std::int64_t more, const Counts& now) const;
+  std::int64_t told_since(const std::string& relation, const Counts& now) const;
   double rate_of(const std::string& teller, const Counts& now) const;
 
   Executor& executor_;
