@@ -113,15 +113,13 @@ Task<Evaluation> Interpreter::request(std::string agent, Datum operation) {
   const Result<Datum> answer = co_await caller_.call(agent, operation, answer_timeout);
   if (!answer) co_return show(answer.error(), Evaluation::failed);
   const std::vector<Datum> remarks = co_await remarks_on(agent, operation, *answer);
-  const std::string further = remarks.empty() ? "" : ",\"remarks\":" + json_values(remarks);
-  const std::string json = fmt::format("{{\"reply\":{}{}}}", json_values(answer->items()), further);
   const bool sentences = std::ranges::all_of(answer->items(), &Datum::is_string);
   std::string line = answer->size() == 0 ? "ok" : "";
   for (const Datum& value : answer->items()) {
     line += (line.empty() ? "" : sentences ? "\n" : " ") + (sentences ? std::string(value.text()) : write(value));
   }
   for (const Datum& remark : remarks) line += "\n  " + std::string(remark.text());
-  say(line, json);
+  say(line, fmt::format("{{\"reply\":{}}}", json_values(answer->items())));
   co_return Evaluation::done;
 }
 
