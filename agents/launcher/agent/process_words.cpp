@@ -43,6 +43,14 @@ int become_eyes(std::span<char*> arguments) {
   return complain(why, exit_unavailable);
 }
 
+// A board that is there answers sooner.
+constexpr Duration unremarkable = 1s;
+
+Task<void> say_what_is_awaited(Executor& executor, const RemoteBoard& board, const std::string& address) {
+  co_await sleep(executor, unremarkable);
+  if (!board.connected()) fmt::print(stderr, "pizarra: no board answers at {} yet: waiting for it\n", address);
+}
+
 int run_agent(const ProcessChoices& choices, std::span<char*> arguments, const CameraMaker& own_cameras) {
   const Result<CellDescription> cell = read_cell_file(choices.cell);
   if (!cell) return complain(cell.error(), exit_usage);
@@ -68,6 +76,7 @@ int run_agent(const ProcessChoices& choices, std::span<char*> arguments, const C
   AgentContext agent_context{name, choices.host, executor, **board, Random(choices.seed).split(name)};
   const auto agent = build_agent(choices.kind, std::move(agent_context), *cell, *link, streams->get(), own_cameras);
   if (!agent) return complain(agent.error(), exit_usage);
+  const Job waiting = executor.spawn(say_what_is_awaited(executor, **board, choices.board));
   const Job job = executor.spawn((*agent)->run());
   executor.run_until([&job] { return job.done(); });
   if (signals.received()) return exit_reached;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "agents/runtime/declared.hpp"
 #include "lisp/reader.hpp"
 
 namespace pizarra {
@@ -15,17 +16,27 @@ constexpr Duration devices_timeout = 10s;
 constexpr Duration teaching_timeout = 120s;
 constexpr Duration declared_pause = 100ms;
 
-// What an agent tells once it has come to its device.
+// What an agent tells once it has come to its device, and what until then.
 struct Device {
   std::string_view agent;
   std::string_view name;
   std::string_view known;
+  std::string_view trouble;
 };
-constexpr Device devices[] = {{"robot", "arm", "(arm-pose robot ? ? ? ? ? ?)"},
-                              {"slave", "arm", "(arm-pose slave ? ? ? ? ? ?)"},
-                              {"pan-tilt", "unit", "(head ? ? ?)"}};
+constexpr Device devices[] = {
+    {"robot", "arm", "(arm-pose robot ? ? ? ? ? ?)", "(arm robot fault ?why)"},
+    {"slave", "arm", "(arm-pose slave ? ? ? ? ? ?)", "(arm slave fault ?why)"},
+    {"pan-tilt", "unit", "(head ? ? ?)", "(pan-tilt ? ?why)"},
+};
 
 std::string reason_of(const std::optional<Failure>& ended) { return ended ? ": " + describe(*ended) : std::string(); }
+
+// Of an agent that lives: what it says of its device.
+Task<std::string> trouble_of(Device device, Board& board) {
+  const Result<std::vector<Fact>> told = co_await facts_if_declared(board, read_one(device.trouble).value());
+  const bool silent = !told || told->empty() || told->front().datum.items().back().text().empty();
+  co_return silent ? std::string() : fmt::format(": {}", told->front().datum.items().back().text());
+}
 
 }  // namespace
 
@@ -58,8 +69,11 @@ Task<Result<void>> await_devices(LocalCell& cell, Board& board, std::vector<std:
     if (there) continue;
     const std::string agent(device.agent);
     const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(devices_timeout).count();
-    const std::string sentence = fmt::format("{} has not come to its {} within {} s{}", agent, device.name, seconds,
-                                             reason_of(cell.ended(agent)));
+    const std::optional<Failure> ended = cell.ended(agent);
+    std::string why = reason_of(ended);
+    if (!ended) why = co_await trouble_of(device, board);
+    const std::string sentence =
+        fmt::format("{} has not come to its {} within {} s{}", agent, device.name, seconds, why);
     co_return fail("no-device", sentence, Datum::symbol(agent));
   }
   co_return {};

@@ -87,6 +87,13 @@ TEST(Words, AnAgentLoadsNoLibraryThatOpensCamerasUnlessItHasOneOfItsOwn) {
   EXPECT_FALSE(contains(shell(libraries), "libopencv_imgcodecs"));
 }
 
+TEST(Words, AnAgentWithoutABoardSaysOnceWhatItWaitsFor) {
+  const std::string address = "ipc://" + scratch_folder() + "no-board";
+  const std::string cell = source_dir() + "/examples/01-blocks/cell.scm";
+  const Said said = shell_in_scratch("timeout 4 " PIZARRA_AGENT " agent planner " + cell + " --board " + address);
+  EXPECT_EQ(said.text, "pizarra: no board answers at " + address + " yet: waiting for it\n");
+}
+
 TEST(Words, TheWorldListensOnThisMachineAlone) {
   const Said said = shell(std::string(PIZARRA_AGENT) + " world " + source_dir() +
                           "/examples/01-blocks/cell.scm --listen tcp://127.0.0.1:7999 2>&1");
