@@ -189,21 +189,12 @@ def _match(pattern, datum, bindings):
     return _same(pattern, datum)
 
 
-def _positive_patterns(query):
-    if query[0] == Symbol("query"):
-        query = query[1]
-    clauses = query[1:] if isinstance(query, list) and query[:1] == [Symbol("and")] else [query]
-    others = {Symbol(name) for name in ("not", "<", "<=", ">", ">=", "=", "/=")}
-    return [clause for clause in clauses if isinstance(clause, list) and clause and clause[0] not in others]
-
-
 # ---- what the board answers
 
 
 class Fact:
     def __init__(self, form):
-        self.id, self.revision, self.microseconds, self.teller, self.datum = form[:5]
-        self.because = form[5:]
+        self.id, self.revision, self.microseconds, self.teller, self.datum, *self.because = form
 
 
 class Answer:
@@ -214,6 +205,14 @@ class Answer:
         self.bindings = {}
         for pattern, fact in zip(patterns, self.facts):
             _match(pattern, fact.datum, self.bindings)
+
+
+def _answers(query, forms):
+    """What a board answers to a query that it has understood."""
+    query = query[1] if query[0] == Symbol("query") else query
+    clauses = query[1:] if query[0] == Symbol("and") else [query]
+    patterns = [clause for clause in clauses if clause[0] not in map(Symbol, ("not", "<", "<=", ">", ">=", "=", "/="))]
+    return [Answer(patterns, form) for form in forms]
 
 
 class Change:
@@ -264,7 +263,7 @@ class Watch:
     ACKNOWLEDGE_AFTER = 8
 
     def __init__(self, board, query):
-        self.board, self.query, self.patterns = board, query, _positive_patterns(query)
+        self.board, self.query = board, query
         self.unread, self.ended = [], None
         self.enrol()
 
@@ -282,7 +281,7 @@ class Watch:
 
     def receive(self, sequence, form):
         revision, kind = form[0], str(form[1])
-        added, removed = ([Answer(self.patterns, answer) for answer in answers] for answers in form[2:4])
+        added, removed = (_answers(self.query, answers) for answers in form[2:4])
         if sequence < self.expected:
             return
         if sequence > self.expected and kind not in ("yes", "first"):
@@ -367,13 +366,9 @@ class Stream:
         if not ways:
             raise Failure("no-image", "the stream is to be had on its publisher's machine alone, without Python")
         self._disconnect()
-        address, server_key, public_key, secret_key = ways[0]
         self.socket = self.board._context.socket(zmq.SUB)
-        for option, value in ((zmq.LINGER, 0), (zmq.CONFLATE, 1), (zmq.HEARTBEAT_IVL, 2000), (zmq.SUBSCRIBE, self.topic)):
-            self.socket.setsockopt(option, value)
-        self.socket.curve_serverkey = server_key.encode()
-        self.socket.curve_publickey, self.socket.curve_secretkey = public_key.encode(), secret_key.encode()
-        _connect_to(self.socket, address)
+        _connect(self.socket, ways[0][0], ways[0][1:],
+                 (zmq.LINGER, 0), (zmq.CONFLATE, 1), (zmq.HEARTBEAT_IVL, 2000), (zmq.SUBSCRIBE, self.topic))
 
     def _disconnect(self):
         if self.socket is not None:
@@ -398,9 +393,9 @@ class Board:
         self.address, self.teller, self.timeout = address, teller, timeout
         self._keys = None
         if key and not address.startswith("ipc://"):
-            self._keys = own, _ = _read_keys(key)
-            if teller != own[1] and not teller.startswith(own[1] + "/"):
-                self.teller = f"{own[1]}/{teller}"
+            name, self._keys = _read_keys(key)
+            if teller != name and not teller.startswith(name + "/"):
+                self.teller = f"{name}/{teller}"
         self._session = self._life = 0
         self._joined = False
         self._heard = self._greeted = self._pinged = -1e9
@@ -415,16 +410,10 @@ class Board:
 
     def _connect(self):
         self._socket = self._context.socket(zmq.DEALER)
-        for option, value in ((zmq.LINGER, 50), (zmq.IMMEDIATE, 1), (zmq.RECONNECT_IVL, 50),
-                              (zmq.RECONNECT_IVL_MAX, 1000), (zmq.HEARTBEAT_IVL, 2000)):
-            self._socket.setsockopt(option, value)
-        if self._keys:
-            own, board_key = self._keys
-            self._socket.curve_serverkey = board_key[2].encode()
-            self._socket.curve_publickey, self._socket.curve_secretkey = own[2].encode(), own[3].encode()
         self._monitor = self._socket.get_monitor_socket(
             zmq.EVENT_HANDSHAKE_FAILED_AUTH | zmq.EVENT_HANDSHAKE_FAILED_PROTOCOL)
-        _connect_to(self._socket, self.address)
+        _connect(self._socket, self.address, self._keys, (zmq.LINGER, 50), (zmq.IMMEDIATE, 1), (zmq.RECONNECT_IVL, 50),
+                 (zmq.RECONNECT_IVL_MAX, 1000), (zmq.HEARTBEAT_IVL, 2000))
 
     def _check_open(self):
         if self._context.closed:
@@ -467,8 +456,7 @@ class Board:
         """The answers; their revision is board.revision."""
         query = _query(query)
         self.revision, *forms = self._call([Symbol("ask"), query], True)
-        patterns = _positive_patterns(query)
-        return [Answer(patterns, form) for form in forms]
+        return _answers(query, forms)
 
     def watch(self, query):
         watch = Watch(self, _query(query))
@@ -653,7 +641,12 @@ class Board:
                 self._pending.pop(number).result = failure
 
 
-def _connect_to(socket, address):
+def _connect(socket, address, keys, *options):
+    """With the server's public key, our public and our secret one, where there are any."""
+    for option, value in options:
+        socket.setsockopt(option, value)
+    if keys:
+        socket.curve_serverkey, socket.curve_publickey, socket.curve_secretkey = (key.encode() for key in keys)
     try:
         socket.connect(address)
     except zmq.ZMQError as error:
@@ -661,14 +654,16 @@ def _connect_to(socket, address):
 
 
 def _read_keys(path):
-    """The secret, (secret-key NAME PUBLIC SECRET), and the board's key beside it, (key board PUBLIC)."""
-    own = _read_key(path, "secret-key", 2)
+    """The name in the secret, (secret-key NAME PUBLIC SECRET), and three keys: the board's, (key board PUBLIC) beside it,
+    and both of the secret."""
+    name, *own = _read_key(path, "secret-key", 2)
     if os.stat(path).st_mode & (stat.S_IRWXG | stat.S_IRWXO):
         raise Failure("exposed-key", "others may read this secret: chmod 600 it, and make a new key", str(path))
-    return own, _read_key(os.path.join(os.path.dirname(path), "board.key"), "key", 1)
+    _, board = _read_key(os.path.join(os.path.dirname(path), "board.key"), "key", 1)
+    return name, [board, *own]
 
 
-def _read_key(path, head, keys):
+def _read_key(path, head, count):
     try:
         with open(path, encoding="utf-8") as file:
             form = read(file.read(1 << 16))
@@ -676,12 +671,11 @@ def _read_key(path, head, keys):
         raise Failure("unreadable-file", f"{path}: {error.strerror}", str(path)) from None
     except (UnicodeDecodeError, Failure) as error:
         raise Failure("bad-key", f"{path}: {error}", str(path)) from None
-    formed = isinstance(form, list) and len(form) >= 2 + keys and form[0] == Symbol(head) and isinstance(form[1], Symbol)
+    written = rf'\({head} {_LETTERS}(?: "[^"]{{40}}"){{{count}}}'
     try:
-        decoded = formed and [z85.decode(key.encode()) for key in form[2:2 + keys] if len(key) == 40]
-    except (AttributeError, TypeError, ValueError, KeyError, struct.error):
-        decoded = []
-    if not formed or len(decoded) != keys:
-        raise Failure("bad-key", f"{path}: this file holds one form, ({head} NAME KEY ...), each KEY 40 characters of Z85",
-                      str(path))
-    return form
+        if re.match(written, write(form)) and all(map(z85.decode, form[2:2 + count])):
+            return form[1:2 + count]
+    except (ValueError, KeyError, struct.error, Failure):
+        pass  # 40 characters, and not of Z85; or deeper than anything is written
+    raise Failure("bad-key", f"{path}: this file holds one form, ({head} NAME KEY ...), each KEY 40 characters of Z85",
+                  str(path))
