@@ -112,11 +112,11 @@ void add_agent_word(CLI::App& app, int& status, std::span<char*> arguments, cons
   auto choices = std::make_shared<ProcessChoices>();
   CLI::App* agent = app.add_subcommand("agent", "Run one agent in this process, on a board of another.");
   agent
-      ->add_option("kind", choices->kind,
+      ->add_option("KIND", choices->kind,
                    "robot, vision, pan-tilt, planner, coordinator or person; speech, slave, follower")
       ->required()
-      ->check(CLI::IsMember(agent_kinds()) | CLI::IsMember(further_agent_kinds()));
-  agent->add_option("cell", choices->cell, "The cell file")->required()->check(CLI::ExistingFile);
+      ->check(kind_fault);
+  agent->add_option("CELL", choices->cell, "The cell file")->required()->check(CLI::ExistingFile);
   agent->add_option("--board", choices->board, "Where the board listens: ipc:// or tcp://")->required();
   agent->add_option("--world", choices->world, "Where the simulated world listens, if its device is there: ipc://");
   add_key_option(agent, choices->key);
@@ -133,7 +133,7 @@ void add_agent_word(CLI::App& app, int& status, std::span<char*> arguments, cons
 void add_world_word(CLI::App& app, int& status) {
   auto choices = std::make_shared<ProcessChoices>();
   CLI::App* world = app.add_subcommand("world", "Run a cell's simulated world in this process.");
-  world->add_option("cell", choices->cell, "The cell file")->required()->check(CLI::ExistingFile);
+  world->add_option("CELL", choices->cell, "The cell file")->required()->check(CLI::ExistingFile);
   world->add_option("--listen", choices->world, "Where it is reached: ipc://PATH")->required();
   world->add_option("--seed", choices->seed, "What its chance begins from")->check(seed_check())->capture_default_str();
   world->footer(help_footer("world examples/01-blocks/cell.scm --listen ipc:///tmp/w"));

@@ -98,7 +98,7 @@ void add_keys_word(CLI::App& app, int& status) {
   keys->require_subcommand(1);
   CLI::App* fresh = keys->add_subcommand(
       "new", "Make a key: NAME.secret for its owner, NAME.key for the board. The board's own is called board.");
-  fresh->add_option("name", choices->name, "Who it is for: an agent, a host, a person")->required();
+  fresh->add_option("NAME", choices->name, "Who it is for: an agent, a host, a person")->required();
   const auto permission = [&](const char* option, std::vector<std::string>& listed, const char* help) {
     fresh->add_option(option, listed, help)->delimiter(',')->type_name("RELATION,...");
   };

@@ -199,9 +199,9 @@ void add_plan_word(CLI::App& app, int& status) {
   auto choices = std::make_shared<PlanChoices>();
   CLI::App* word =
       app.add_subcommand("plan", "Plan for a domain and a problem: PDDL, or the thesis' operators and facts.");
-  word->add_option("domain", choices->domain, "PDDL domain, operators (operator ...), or a cell's domain file")
+  word->add_option("DOMAIN", choices->domain, "PDDL domain, operators (operator ...), or a cell's domain file")
       ->required();
-  word->add_option("problem", choices->problem, "PDDL problem, or facts (types ...) (initials ...) (goals ...)")
+  word->add_option("PROBLEM", choices->problem, "PDDL problem, or facts (types ...) (initials ...) (goals ...)")
       ->required();
   CLI::Option* optimal = word->add_flag("--optimal", choices->optimal, "As few parallel steps as can be");
   CLI::Option* fast = word->add_flag("--fast", choices->fast,

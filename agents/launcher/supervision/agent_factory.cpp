@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <iterator>
 
 #include "agents/coordinator/pursue/coordinator_agent.hpp"
 #include "agents/follower/follower_agent.hpp"
@@ -18,6 +20,7 @@
 #include "drivers/simulation/simulated_camera.hpp"
 #include "drivers/wire/serial_wire.hpp"
 #include "drivers/wire/tcp_wire.hpp"
+#include "lisp/nearest.hpp"
 
 namespace pizarra {
 
@@ -135,23 +138,27 @@ Result<void> check_suits(const CellDescription& description, const ArmModel& arm
               Datum::symbol(arm.type));
 }
 
+// In the order in which they are listed.
+constexpr const char* usual_kinds[] = {"robot", "vision", "pan-tilt", "planner", "coordinator", "person"};
+// A cell has these only where its file says so.
+constexpr const char* further_kinds[] = {"speech", "slave", "follower"};
+
 }  // namespace
 
-const std::vector<std::string>& agent_kinds() {
-  static const std::vector<std::string> kinds{"robot", "vision", "pan-tilt", "planner", "coordinator", "person"};
-  return kinds;
-}
-
-const std::vector<std::string>& further_agent_kinds() {
-  static const std::vector<std::string> kinds{"speech", "slave", "follower"};
-  return kinds;
+std::string kind_fault(const std::string& typed) {
+  std::vector<std::string> kinds(std::begin(usual_kinds), std::end(usual_kinds));
+  kinds.insert(kinds.end(), std::begin(further_kinds), std::end(further_kinds));
+  if (std::ranges::find(kinds, typed) != kinds.end()) return {};
+  const std::string near = nearest_name(typed, kinds);
+  return near.empty() ? fmt::format("there is no agent {}; there are {}", typed, fmt::join(kinds, ", "))
+                      : fmt::format("there is no agent {}; did you mean {}?", typed, near);
 }
 
 std::vector<std::string> agent_kinds(const CellDescription& description) {
-  std::vector<std::string> kinds = agent_kinds();
+  std::vector<std::string> kinds(std::begin(usual_kinds), std::end(usual_kinds));
   if (!has_pan_tilt(description)) std::erase(kinds, "pan-tilt");
   if (!description.eyes.is_simulated()) std::erase(kinds, "person");
-  for (const std::string& kind : further_agent_kinds()) {
+  for (const char* kind : further_kinds) {
     if (has_agent(description, kind)) kinds.push_back(kind);
   }
   return kinds;

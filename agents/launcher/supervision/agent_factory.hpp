@@ -19,10 +19,8 @@
 
 namespace pizarra {
 
-// robot, vision, pan-tilt, planner, coordinator, person: in the order in which they are listed.
-const std::vector<std::string>& agent_kinds();
-// Those that a cell has only where its file says so: speech, slave, follower.
-const std::vector<std::string>& further_agent_kinds();
+// What is wrong with what somebody typed for a kind of agent: empty where there is such a kind.
+std::string kind_fault(const std::string& typed);
 // Those that the cell has devices for, and the further ones that it names: who plays a story in the simulated world.
 std::vector<std::string> agent_kinds(const CellDescription& description);
 // Those that the cell's hosts run.

@@ -172,7 +172,7 @@ void add_calibrate_word(CLI::App& app, int& status) {
                                       "Find out what a pair of cameras is, or one alone, from images of a chessboard "
                                       "(`shapes --board` prints one),\n"
                                       "and keep it in a file for a cell's (camera ...).");
-  word->add_option("images", choices->images,
+  word->add_option("IMAGES", choices->images,
                    "LEFT and RIGHT: folders of images, or quoted patterns; in one order. Of one camera "
                    "alone the one place")
       ->expected(1, 2)

@@ -94,7 +94,8 @@ Result<std::string> check_file(const std::string& file, const std::string& next,
   const Result<Source> source = read_planning_source_file(file);
   if (!source) return fail(source);
   if (PlanningCheck::knows(*source)) return check_planning(*source, next, planning);
-  const std::string_view head = source->data().empty() ? std::string_view() : source->data().front().head();
+  if (source->data().empty()) return fail("nothing-to-read", file + ": nothing is written here");
+  const std::string_view head = source->data().front().head();
   if (head == "domain") {
     const Result<std::string> domain = check_domain(file);
     if (!domain) return domain;
@@ -134,7 +135,7 @@ void add_check_word(CLI::App& app, int& status) {
   auto choices = std::make_shared<CheckChoices>();
   CLI::App* word =
       app.add_subcommand("check", "Check domain, cell, arm, scenario, goal and planning files; every error is told.");
-  word->add_option("files", choices->files, "What the file is, its first form says")->required();
+  word->add_option("FILE", choices->files, "What the file is, its first form says")->required();
   word->add_option("--domain", choices->domain,
                    "For goals, PDDL problems and facts: the domain; else domains/blocks.scm for goals");
   word->footer(help_footer("check domains/blocks.scm examples/01-blocks/cell.scm"));

@@ -141,7 +141,7 @@ void add_demo_word(CLI::App& app, int& status) {
       app.add_subcommand("demo",
                          "Run the simulated cell in this process: learn the objects, take a goal, plan, build it.\n"
                          "Without --goal the story beside the cell file is played, in which a hand interferes.");
-  demo->add_option("cell", choices->cell, "The cell file")->check(CLI::ExistingFile)->capture_default_str();
+  demo->add_option("CELL", choices->cell, "The cell file")->check(CLI::ExistingFile)->capture_default_str();
   demo->add_option("--goal", choices->goal, "FACT, (and FACT ...) or several FACTs; no hand interferes then");
   demo->add_option("--domain", choices->domain, "The domain file, in place of the cell's")->check(CLI::ExistingFile);
   demo->add_option("--arm", choices->arm,

@@ -28,7 +28,7 @@ int run_down(const std::string& cell) {
 void add_down_word(CLI::App& app, int& status) {
   auto cell = std::make_shared<std::string>();
   CLI::App* down = app.add_subcommand("down", "Stop a cell that runs here.");
-  down->add_option("cell", *cell, "Its name; the only one otherwise");
+  down->add_option("CELL", *cell, "Its name; the only one otherwise");
   down->footer(help_footer("down blocks"));
   down->callback([cell, &status] { status = run_down(*cell); });
 }

@@ -173,7 +173,7 @@ int run_look(const LookChoices& choices) {
 void add_look_word(CLI::App& app, int& status) {
   auto choices = std::make_shared<LookChoices>();
   CLI::App* look = app.add_subcommand("look", "Show what a running cell's cameras see, or which image streams it has.");
-  look->add_option("stream", choices->stream,
+  look->add_option("STREAM", choices->stream,
                    "A stream by its name or kind: colour, grey, left, right, annotated; none: list them");
   look->add_option("--png", choices->png, "Write the frame here; of several, the last")->type_name("FILE.png");
   look->add_option("--frames", choices->frames, "How many, a line each")

@@ -85,19 +85,19 @@ void add_repl_word(CLI::App& app, int& status) {
   choices->cell_file = shipped_file("examples/01-blocks/cell.scm");
   CLI::App* repl = app.add_subcommand(
       "repl", "A prompt on the cell that runs here, or, when none does, on the demo cell in this process.");
-  repl->add_option("file", choices->cell_file, "The cell file of the cell in this process")
+  repl->add_option("CELL", choices->cell_file, "The cell file of the cell in this process")
       ->check(CLI::ExistingFile)
       ->capture_default_str();
   repl->add_option("--eval", choices->forms, "Evaluate this form and end; may be given several times");
   repl->add_option("--agents", choices->agents, "Run just these agents on a board in this process: vision,robot")
       ->delimiter(',')
-      ->check(CLI::IsMember(agent_kinds()) | CLI::IsMember(further_agent_kinds()));
+      ->check(kind_fault);
   repl->add_option("--seed", choices->seed, "What chance begins from")->check(seed_check())->capture_default_str();
   add_board_options(repl, choices->board);
   repl->footer(help_footer("repl --eval '(goal (on circle triangle))'"));
   repl->callback([choices, repl, &status] {
     if (repl->get_option("--seed")->count() > 0) choices->of_own_cell = "--seed";
-    if (repl->get_option("file")->count() > 0) choices->of_own_cell = choices->cell_file;
+    if (repl->get_option("CELL")->count() > 0) choices->of_own_cell = choices->cell_file;
     status = run_repl(*choices);
   });
 }

@@ -201,7 +201,7 @@ int run_replay(const ReplayChoices& choices) {
 void add_replay_word(CLI::App& app, int& status) {
   auto choices = std::make_shared<ReplayChoices>();
   CLI::App* replay = app.add_subcommand("replay", "A journal as a board: ask it, watch it, step and play it on.");
-  replay->add_option("journal", choices->journal, "What `board --journal`, `up` or `demo --journal` has kept")
+  replay->add_option("FILE", choices->journal, "What `board --journal`, `up` or `demo --journal` has kept")
       ->required()
       ->check(CLI::ExistingFile);
   replay

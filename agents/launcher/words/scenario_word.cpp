@@ -55,7 +55,7 @@ int run_one(const std::string& file, const ScenarioChoices& choices, const StopS
 void add_scenario_word(CLI::App& app, int& status) {
   auto choices = std::make_shared<ScenarioChoices>();
   CLI::App* word = app.add_subcommand("scenario", "Play scenario files in virtual time and check how they end.");
-  word->add_option("files", choices->files, "Scenario files")->required()->check(CLI::ExistingFile);
+  word->add_option("FILE", choices->files, "Scenario files")->required()->check(CLI::ExistingFile);
   word->add_option("--seed", choices->seed, "In place of the scenario's own seed")->check(seed_check());
   word->add_option("--journal", choices->journal, "Write every committed transaction of the last one to this file");
   word->add_flag("--quiet", choices->quiet, "Only how each ended");

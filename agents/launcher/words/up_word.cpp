@@ -238,7 +238,7 @@ void add_up_word(CLI::App& app, int& status) {
   auto choices = std::make_shared<UpChoices>();
   CLI::App* up = app.add_subcommand(
       "up", "Run the agents that a cell file gives to this host, as processes around a board; Ctrl-C stops them all.");
-  up->add_option("cell", choices->cell, "The cell file")->required()->check(CLI::ExistingFile);
+  up->add_option("CELL", choices->cell, "The cell file")->required()->check(CLI::ExistingFile);
   up->add_option("--host", choices->host, "Which of the cell's hosts this is");
   up->add_option("--board", choices->board, "A board that runs already, in place of the cell's own");
   up->add_option("--keys", choices->keys,

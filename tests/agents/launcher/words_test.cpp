@@ -66,6 +66,19 @@ TEST(Words, AWrongCommandLineIsToldInOneLineWithTheNearestWord) {
   }
 }
 
+TEST(Words, AnUnknownAgentIsToldWithTheNearestOrAllThatThereAre) {
+  EXPECT_EQ(run("repl --agents robto").text, "pizarra: --agents: there is no agent robto; did you mean robot?\n");
+  const Said far = run("repl --agents wheel");
+  EXPECT_EQ(far.status, 2);
+  EXPECT_TRUE(contains(far, "there is no agent wheel; there are robot, vision, ")) << far.text;
+}
+
+TEST(Words, AnEmptyFileIsSaidToBeEmpty) {
+  const std::string file = scratch_folder() + "empty.scm";
+  std::ofstream(file).close();
+  EXPECT_EQ(run("check " + file).text, "pizarra: " + file + ": nothing is written here\n");
+}
+
 TEST(Words, TheCommandItselfNamesTheNearestWord) {
   const Said said = run("--help >/dev/null; " + source_dir() + "/pizarra sceanrio");
   EXPECT_EQ(said.status, 2);
