@@ -130,10 +130,11 @@ void BoardSession::print(const std::string& line) {
 }
 
 Task<Result<void>> BoardSession::reach_board() {
-  const Datum anybody = list("agent"_sym, "?"_sym, "?"_sym, "?"_sym);
-  const Result<std::vector<Fact>> there = co_await context_.board.facts(anybody);
-  if (!there && there.error().symbol != "undeclared-relation") co_return fail(there);
-  if (manner_.recorded) co_return {};
+  // Nothing, which any board answers, if it is there.
+  const std::vector<Relation> nothing;
+  const Result<void> answered = co_await context_.board.declare(nothing);
+  if (!answered) co_return answered;
+  if (!manner_.present) co_return {};
   co_return co_await service_.start();
 }
 

@@ -48,8 +48,8 @@ using Preparation = std::function<Task<Result<void>>(Board&)>;
 struct Manner {
   Interpreter::Patience patience = Interpreter::Patience::ended;
   Style style = Style::text;
-  bool stay = false;      // until interrupted, also when the forms are done
-  bool recorded = false;  // nobody is there, and nobody is told of us
+  bool stay = false;    // until interrupted, also when the forms are done
+  bool present = true;  // as an agent, which one must be to ask others
   Preparation prepared = nullptr;
 };
 

@@ -22,6 +22,7 @@ struct FormWord {
   const char* argument;  // empty: none
   const char* help;
   const char* example;
+  bool asks_agents = false;  // not the board alone
 };
 
 constexpr FormWord form_words[] = {
@@ -30,8 +31,8 @@ constexpr FormWord form_words[] = {
     {"ask", "QUERY", "Ask what holds: (on ?x ?y), (and (on ?x ?y) (clear ?x))", "ask '(and (on ?x ?y) (clear ?x))'"},
     {"watch", "QUERY", "Show what holds and every change, until interrupted", "watch '(on ?x ?y)'"},
     {"goal", "GOAL", "Give the cell a goal and wait for its end: FACT, (and FACT ...) or several FACTs",
-     "goal '(on circle triangle)'"},
-    {"why", "", "Ask the coordinator why it does what it does", "why"},
+     "goal '(on circle triangle)'", true},
+    {"why", "", "Ask the coordinator why it does what it does", "why", true},
 };
 
 struct FormChoices {
@@ -63,7 +64,7 @@ int ask_journal(const std::string& form, const FormChoices& choices, Style style
   RealExecutor executor;
   const auto board = RecordedBoard::open(executor, choices.journal, *moment);
   if (!board) return complain_as(style, board.error(), exit_usage);
-  return BoardSession(executor, **board, {.style = style, .recorded = true}).run({form});
+  return BoardSession(executor, **board, {.style = style, .present = false}).run({form});
 }
 
 int run_form(const FormWord& word, const FormChoices& choices) {
@@ -87,7 +88,7 @@ int run_form(const FormWord& word, const FormChoices& choices) {
   const Result<Destination> to = destination(choices.board);
   if (!to) return complain_as(style, to.error(), exit_unavailable);
   const bool stay = std::string_view(word.name) == "watch";
-  return talk_to(*to, {form}, {.style = style, .stay = stay});
+  return talk_to(*to, {form}, {.style = style, .stay = stay, .present = word.asks_agents});
 }
 
 void add_form_word(CLI::App& app, int& status, const FormWord& word) {

@@ -103,7 +103,7 @@ TEST_F(BoardOfACellGone, WhoEndsOrIsInterruptedIsNotPresentAnyMore) {
     for (std::size_t at = shown.find(row); at != std::string::npos; at = shown.find(row, at + 1)) ++count;
     return count;
   };
-  EXPECT_EQ(presences(), 2U) << "the watch and the form that waits, but not who asked before: " << run("ps").text;
+  EXPECT_EQ(presences(), 1U) << "the prompt whose form waits, but nobody who asks the board alone: " << run("ps").text;
   watch_->signal(SIGINT);
   waiting_->signal(SIGTERM);
   EXPECT_EQ(watch_->end(patience), 130) << watch_->said();
@@ -131,7 +131,7 @@ TEST(BoardGone, OneThatAnswersNothingForTenSecondsEndsWhoWaitsWithStatus4) {
   const std::string program = std::filesystem::path(PIZARRA_CELL).replace_filename("pizarra-board");
   Running board({program, "--listen", address}, file("board.log"));
   ASSERT_TRUE(says(board, "ready")) << board.said();
-  Running watch({PIZARRA_CELL, "watch", "--board", address, "(agent ?who robot ?)"}, file("watch.log"));
+  Running watch({PIZARRA_CELL, "watch", "--board", address, "(board-refusal ?who ? ? ?)"}, file("watch.log"));
   ASSERT_TRUE(says(watch, "[1] nothing yet")) << watch.said();
   board.signal(SIGKILL);
   ASSERT_EQ(board.end(patience), -SIGKILL);

@@ -82,16 +82,17 @@ TEST_F(WordsWithKeys, EndWithOneStatusWhereTheKeyPermitsNothing) {
 }
 
 TEST_F(WordsWithKeys, AskOfNoMomentThatThereWasNot) {
+  ASSERT_TRUE(declare_at(address_, "(relation seen ((name string)) (key name))", keys_ + "/desk.secret"));
   for (const auto& [moment, status] : {std::pair("99999", 1), std::pair("2099-01-01T00:00:00", 2),
                                        std::pair("2026-02-30T00:00:00", 2), std::pair("''", 2)}) {
-    const Said refused = run("desk", "ask", std::string("--at ") + moment + " '(agent ?n ?k ?h)'");
+    const Said refused = run("desk", "ask", std::string("--at ") + moment + " '(seen ?what)'");
     EXPECT_EQ(refused.status, status) << moment << ": " << refused.text;
     EXPECT_EQ(std::ranges::count(refused.text, '\n'), 1) << refused.text;
   }
-  const Said later = run("desk", "ask", "'(query (agent ?n ?k ?h) (at (time 4000000000000000)))'");
+  const Said later = run("desk", "ask", "'(query (seen ?what) (at (time 4000000000000000)))'");
   EXPECT_EQ(later.status, 1);
   EXPECT_TRUE(later.text.contains("later than the board's clock")) << later.text;
-  EXPECT_EQ(run("desk", "ask", "--at 0s '(agent ?n ?k ?h)'").status, 0);
+  EXPECT_EQ(run("desk", "ask", "--at 0s '(seen ?what)'").status, 0);
 }
 
 }  // namespace
