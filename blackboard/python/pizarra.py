@@ -368,7 +368,7 @@ class Stream:
         self._disconnect()
         self.socket = self.board._context.socket(zmq.SUB)
         _connect(self.socket, ways[0][0], ways[0][1:],
-                 (zmq.LINGER, 0), (zmq.CONFLATE, 1), (zmq.HEARTBEAT_IVL, 2000), (zmq.SUBSCRIBE, self.topic))
+                 (zmq.LINGER, 0), (zmq.CONFLATE, 1), (zmq.SUBSCRIBE, self.topic))
 
     def _disconnect(self):
         if self.socket is not None:
@@ -413,7 +413,7 @@ class Board:
         self._monitor = self._socket.get_monitor_socket(
             zmq.EVENT_HANDSHAKE_FAILED_AUTH | zmq.EVENT_HANDSHAKE_FAILED_PROTOCOL)
         _connect(self._socket, self.address, self._keys, (zmq.LINGER, 50), (zmq.IMMEDIATE, 1), (zmq.RECONNECT_IVL, 50),
-                 (zmq.RECONNECT_IVL_MAX, 1000), (zmq.HEARTBEAT_IVL, 2000))
+                 (zmq.RECONNECT_IVL_MAX, 1000))
 
     def _check_open(self):
         if self._context.closed:
@@ -641,9 +641,15 @@ class Board:
                 self._pending.pop(number).result = failure
 
 
+# A peer that is silent for six seconds is gone: told by TCP, for ZeroMQ's heartbeats end a program whose peer goes at
+# the wrong moment (blackboard/wire/half_open.hpp).
+_LET_GO_WHEN_HALF_OPEN = ((zmq.TCP_KEEPALIVE, 1), (zmq.TCP_KEEPALIVE_IDLE, 2), (zmq.TCP_KEEPALIVE_INTVL, 2),
+                          (zmq.TCP_KEEPALIVE_CNT, 3), (zmq.TCP_MAXRT, 6000))
+
+
 def _connect(socket, address, keys, *options):
     """With the server's public key, our public and our secret one, where there are any."""
-    for option, value in options:
+    for option, value in options + _LET_GO_WHEN_HALF_OPEN:
         socket.setsockopt(option, value)
     if keys:
         socket.curve_serverkey, socket.curve_publickey, socket.curve_secretkey = (key.encode() for key in keys)
