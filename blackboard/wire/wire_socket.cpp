@@ -34,7 +34,7 @@ WireSocket::WireSocket(Executor& executor, Kind kind, Receiver receiver)
       socket_(context_, kind == Kind::router ? zmq::socket_type::router : zmq::socket_type::dealer) {
   socket_.set(zmq::sockopt::linger, linger_ms);
   socket_.set(zmq::sockopt::sndhwm, high_water);
-  socket_.set(zmq::sockopt::rcvhwm, high_water);
+  socket_.set(zmq::sockopt::rcvhwm, kind == Kind::router ? read_ahead : high_water);
   socket_.set(zmq::sockopt::maxmsgsize, longest_message);
   let_go_when_half_open(socket_);
   if (kind == Kind::router) {

@@ -8,7 +8,7 @@
 //   if (!router.send(peer, text)) ...                            // it reads too slowly, or is gone
 //
 // Destroying it removes the files of the ipc addresses that it was bound to.
-// A message of more than one frame is no frame at all; one of more than 4 MiB ends its sender's connection.
+// A message of more than one frame is no frame at all; one of more than 2 MiB ends its sender's connection.
 //
 // With keys it is encrypted: a router's addresses bound with encrypt() in force, and all that a dealer connects to.
 
@@ -36,7 +36,10 @@ class WireSocket {
   static constexpr int high_water = 256;
   static constexpr std::size_t most_under_way = 4 << 20;
 
-  static constexpr std::int64_t longest_message = 4 << 20;
+  // Of a peer whom a router does not come to: messages that it has here. What is more waits in the network and at the
+  // peer.
+  static constexpr int read_ahead = 64;
+  static constexpr std::int64_t longest_message = 2 << 20;
 
   WireSocket(Executor& executor, Kind kind, Receiver receiver);
   WireSocket(const WireSocket&) = delete;

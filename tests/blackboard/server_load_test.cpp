@@ -261,12 +261,28 @@ TEST_F(ServerLoad, WhatWasTooMuchIsNotDoneWhenItComesAgainLater) {
   EXPECT_TRUE(flooder.ask(tell(flooding, 101 + number))[2].is_form("ok")) << "what is new is done";
 }
 
+// The server does not come to read at all.
+TEST_F(ServerLoad, WhatAClientSendsAheadIsHeldToABound) {
+  zmq::context_t context{1};
+  zmq::socket_t flooder(context, zmq::socket_type::dealer);
+  flooder.set(zmq::sockopt::linger, 0);
+  flooder.set(zmq::sockopt::sndhwm, 1);
+  flooder.set(zmq::sockopt::sndtimeo, 500);
+  flooder.connect(server->addresses().front());
+  const std::string large(limits::frame_bytes, 'x');
+  int sent = 0;
+  while (sent < 300 && flooder.send(zmq::buffer(large), zmq::send_flags::none)) ++sent;
+  constexpr int network = 16;  // holds some as well
+  EXPECT_GE(sent, WireSocket::read_ahead);
+  EXPECT_LE(sent, WireSocket::read_ahead + network);
+}
+
 TEST_F(ServerLoad, AFrameBeyondTheLimitIsRefusedAndOneFarBeyondItEndsItsConnectionAlone) {
   Client other = client();
   const std::string session = other.join("other");
   Client large = client();
   large.join("large");
-  EXPECT_TRUE(large.ask("\"" + std::string(2 * limits::frame_bytes, 'x') + "\"").is_form("refused"));
+  EXPECT_TRUE(large.ask("\"" + std::string(3 * limits::frame_bytes / 2, 'x') + "\"").is_form("refused"));
   Client huge = client();
   huge.join("huge");
   huge.send("\"" + std::string(8 * limits::frame_bytes, 'x') + "\"");
