@@ -189,11 +189,16 @@ Task<Result<Datum>> RemoteBoard::call_text(std::string body, bool repeatable) {
   if (pending_.size() >= max_pending) co_return fail("too-large", "too many requests to the board are under way");
   std::optional<Result<Datum>> reply;
   WaitList answered(executor_);
-  const Registration registration{*this, begin(std::move(body), repeatable, [&](Result<Datum> result) {
-                                    reply = std::move(result);
-                                    answered.wake_all();
-                                  })};
-  pending_.find(registration.request)->second.deadline = executor_.now() + timeout_;
+  const Registration registration{*this, next_request_++};
+  Pending& pending = pending_[registration.request];
+  pending.body = std::move(body);
+  pending.repeatable = repeatable;
+  pending.deadline = executor_.now() + timeout_;
+  pending.done = [&](Result<Datum> result) {
+    reply = std::move(result);
+    answered.wake_all();
+  };
+  transmit_waiting();
   while (!reply) {
     co_await answered.wait();
   }
@@ -203,8 +208,18 @@ Task<Result<Datum>> RemoteBoard::call_text(std::string body, bool repeatable) {
 wire::RequestId RemoteBoard::begin(std::string body, bool repeatable, Done done) {
   const wire::RequestId request = next_request_++;
   Pending& pending = pending_.emplace(request, Pending{std::move(body), repeatable, std::move(done)}).first->second;
+  // What a session is to stand on goes before what waits for it.
   if (joined_) transmit(request, pending);
   return request;
+}
+
+void RemoteBoard::transmit_waiting() {
+  if (!joined_) return;
+  for (auto next = pending_.lower_bound(first_waiting_); next != pending_.end(); ++next) {
+    if (next->first >= pending_.begin()->first + most_ahead) return;
+    first_waiting_ = next->first + 1;
+    if (!next->second.sent) transmit(next->first, next->second);
+  }
 }
 
 void RemoteBoard::transmit(wire::RequestId request, Pending& pending) {

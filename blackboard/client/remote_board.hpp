@@ -30,7 +30,10 @@ namespace pizarra {
 class RemoteBoard : public Board {
  public:
   static constexpr Duration default_timeout = 5s;
-  static constexpr std::size_t max_pending = 1024;  // requests under way
+  static constexpr std::size_t max_pending = 1024;  // requests that wait for an answer
+  // None of them goes before the board has answered those so far behind it: the board remembers the answers of the last
+  // 256, for those that are asked again, and half as many wait for a client without being lost.
+  static constexpr wire::RequestId most_ahead = 128;
 
   // With keys the teller is called by its key's name: KEY where that is its own, KEY/TELLER otherwise. Failure
   // bad-address.
@@ -80,6 +83,8 @@ class RemoteBoard : public Board {
   Task<Result<Datum>> call_text(std::string body, bool repeatable);
   wire::RequestId begin(std::string body, bool repeatable, Done done);
   void forget(wire::RequestId request) { pending_.erase(request); }
+  // Those that may go and have not.
+  void transmit_waiting();
   void transmit(wire::RequestId request, Pending& pending);
   std::optional<Time> time_to_say(const Pending& pending);
   bool send(const Datum& message);
@@ -116,6 +121,7 @@ class RemoteBoard : public Board {
   Time timed_{};          // the last request that said when it was sent
   Time arrival_timed_{};  // the last change of which it is said how long it took
   wire::RequestId next_request_ = 1;
+  wire::RequestId first_waiting_ = 1;  // all before it may have gone
   wire::WatchId next_watch_ = 1;
   std::map<wire::RequestId, Pending> pending_;
   std::map<std::string, Relation> declared_;

@@ -73,8 +73,9 @@ void RemoteBoard::welcomed(wire::SessionId session, wire::SessionId life) {
     for (RemoteStream* stream : streaming) stream->begin_again();
   }
   for (auto& [request, pending] : pending_) {
-    if (same_session || !pending.sent) transmit(request, pending);
+    if (request < first_waiting_ && (same_session || !pending.sent)) transmit(request, pending);
   }
+  transmit_waiting();
 }
 
 void RemoteBoard::lose_session() {
@@ -130,6 +131,7 @@ void RemoteBoard::replied(const Datum& message) {
   }
   const Done done = std::move(found->second.done);
   pending_.erase(found);
+  transmit_waiting();
   const Datum& result = message[2];
   if (result.is_form("ok") && result.size() == 2) {
     done(result[1]);
@@ -163,8 +165,11 @@ void RemoteBoard::tick() {
 
 void RemoteBoard::retransmit(Time now) {
   for (auto& [request, pending] : pending_) {
-    if (!pending.sent || *pending.sent + resend_after <= now) transmit(request, pending);
+    const bool waits = !pending.sent && request >= first_waiting_;
+    const bool due = !pending.sent || *pending.sent + resend_after <= now;
+    if (due && !waits) transmit(request, pending);
   }
+  transmit_waiting();
   for (const auto& [id, stream] : streams_) stream->acknowledge();
 }
 

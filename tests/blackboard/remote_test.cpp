@@ -170,9 +170,47 @@ TEST_F(RemoteTest, RequestsOfManyTasksAreAnsweredToTheirOwn) {
     if (told && facts && facts->size() == 1 && facts->front().datum == fact) ++done;
   };
   std::vector<Job> jobs;
-  for (int i = 0; i < 200; ++i) jobs.push_back(executor_.spawn(work(*alice, i, right)));
+  constexpr int most = 1000;
+  for (int i = 0; i < most; ++i) jobs.push_back(executor_.spawn(work(*alice, i, right)));
   ASSERT_TRUE(comes([&] { return std::ranges::all_of(jobs, [](const Job& job) { return job.done(); }); }));
-  EXPECT_EQ(right, 200);
+  EXPECT_EQ(right, most);
+}
+
+// What is answered is remembered for so many requests, and no more answers wait for a client that does not read.
+TEST_F(RemoteTest, NoRequestGoesFarAheadOfTheOldestThatWaits) {
+  std::vector<std::string> heard;
+  std::string client;
+  WireSocket router(executor_, WireSocket::Kind::router,
+                    [&](const std::string& peer, std::optional<std::string_view> frame) {
+                      const Datum message = read(std::string(frame.value()));
+                      client = peer;
+                      if (message.is_form("request")) heard.push_back(write(message[2]));
+                    });
+  ASSERT_TRUE(router.bind(address_).has_value());
+  const std::unique_ptr<Board> board = view("alice");
+  const auto tell = [](Board& b, int number, int& done) -> Task<void> {
+    Datum fact = list("on"_sym, Datum::symbol("x" + std::to_string(number)), "y"_sym);
+    const Result<Revision> told = co_await b.tell(fact);
+    if (told) ++done;
+  };
+  int done = 0;
+  std::vector<Job> jobs;
+  for (int i = 0; i < 300; ++i) jobs.push_back(executor_.spawn(tell(*board, i, done)));
+  ASSERT_TRUE(comes([&] { return !client.empty(); }));
+  router.send(client, "(welcome 7 1)");
+  ASSERT_TRUE(comes([&] { return heard.size() >= RemoteBoard::most_ahead; }));
+  pass(100ms);
+  EXPECT_EQ(heard.size(), RemoteBoard::most_ahead);
+  router.send(client, "(reply 2 (ok 5))");
+  pass(100ms);
+  EXPECT_EQ(heard.size(), RemoteBoard::most_ahead) << "the first waits still";
+  router.send(client, "(reply 1 (ok 5))");
+  EXPECT_TRUE(comes([&] { return heard.size() == RemoteBoard::most_ahead + 2; }));
+  for (int number = 3; number <= 300; ++number) {
+    ASSERT_TRUE(comes([&] { return std::ranges::count(heard, std::to_string(number)) > 0; })) << number;
+    router.send(client, "(reply " + std::to_string(number) + " (ok 5))");
+  }
+  EXPECT_TRUE(comes([&] { return done == 300; }));
 }
 
 // A server of the test's own, that answers as the test says.
