@@ -71,7 +71,8 @@ Weight weigh(const Fact& fact) {
 
 Result<void> check_examined(std::size_t examined, const Datum& subject) {
   if (examined <= limits::examined) return {};
-  return fail("too-costly", "this takes looking at more than 250000 facts, one after another", subject);
+  return fail("too-costly",
+              "this takes looking at more than 250000 facts, or comparing as much of them, one after another", subject);
 }
 
 Result<void> check_weight(const Weight& weight, const char* what) {

@@ -8,6 +8,8 @@
 #include <memory>
 #include <new>
 
+#include "lisp/effort.hpp"
+
 namespace pizarra {
 
 struct Datum::Text : Datum::Shared {
@@ -70,7 +72,17 @@ std::string_view Datum::long_text() const {
 }
 
 bool Datum::same_shared(const Datum& other) const {
-  return is_list() ? std::ranges::equal(items(), other.items()) : long_text() == other.long_text();
+  if (is_list()) {
+    const auto left = items();
+    const auto right = other.items();
+    if (left.size() != right.size()) return false;
+    const auto differing = std::ranges::mismatch(left, right).in1;
+    elements_looked_at += static_cast<std::size_t>(differing - left.begin());
+    return differing == left.end();
+  }
+  if (long_text().size() != other.long_text().size()) return false;
+  look_at_text(long_text().size());
+  return long_text() == other.long_text();
 }
 
 std::size_t Datum::hash() const {
@@ -79,10 +91,14 @@ std::size_t Datum::hash() const {
   };
   if (is_list()) {
     std::size_t out = mix(tag(), size());
+    elements_looked_at += size();
     for (const Datum& item : items()) out = mix(out, item.hash());
     return out;
   }
-  if (shares()) return mix(tag(), std::hash<std::string_view>{}(long_text()));
+  if (shares()) {
+    look_at_text(long_text().size());
+    return mix(tag(), std::hash<std::string_view>{}(long_text()));
+  }
   return mix(mix(0, words_[0]), words_[1]);
 }
 
@@ -98,6 +114,7 @@ std::strong_ordering operator<=>(const Datum& a, const Datum& b) {
   switch (a.kind()) {
     case Datum::Kind::symbol:
     case Datum::Kind::string:
+      look_at_text(std::min(a.text().size(), b.text().size()));
       return a.text() <=> b.text();
     case Datum::Kind::integer:
       return a.integer() <=> b.integer();
@@ -108,7 +125,11 @@ std::strong_ordering operator<=>(const Datum& a, const Datum& b) {
   }
   const auto left = a.items();
   const auto right = b.items();
-  return std::lexicographical_compare_three_way(left.begin(), left.end(), right.begin(), right.end());
+  for (std::size_t i = 0; i < std::min(left.size(), right.size()); ++i) {
+    ++elements_looked_at;
+    if (const auto order = left[i] <=> right[i]; order != 0) return order;
+  }
+  return left.size() <=> right.size();
 }
 
 }  // namespace pizarra

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 
+#include "lisp/effort.hpp"
+
 namespace pizarra {
 
 bool is_variable(const Datum& datum) { return datum.is_symbol() && datum.text().starts_with('?'); }
 
 bool is_ground(const Datum& datum) {
+  elements_looked_at += datum.size();
   return datum.is_list() ? std::ranges::all_of(datum.items(), is_ground) : !is_variable(datum);
 }
 
@@ -41,6 +44,7 @@ bool Bindings::extend(const Datum& pattern, const Datum& datum) {
   const std::span<const Datum> given = datum.items();
   if (!datum.is_list() || wanted.size() != given.size()) return false;
   for (std::size_t i = 0; i < wanted.size(); ++i) {
+    ++elements_looked_at;
     if (!extend(wanted[i], given[i])) return false;
   }
   return true;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "blackboard/boards_own.hpp"
+#include "blackboard/store/looking.hpp"
 #include "blackboard/store/narrowing.hpp"
 #include "lisp/nearest.hpp"
 #include "lisp/pattern.hpp"
@@ -71,7 +72,7 @@ std::vector<std::size_t> course_of(const Query& query) {
 class Search {
  public:
   Search(const Query& query, const Tables& tables, std::span<const std::size_t> course, std::size_t& examined)
-      : query_(query), tables_(tables), course_(course), chosen_(query.clauses.size()), examined_(examined) {}
+      : query_(query), tables_(tables), course_(course), chosen_(query.clauses.size()), looking_(examined) {}
 
   // The query's answers, in its order and up to its limit.
   Result<std::vector<Answer>> whole() {
@@ -109,7 +110,7 @@ class Search {
   }
 
   Result<void> check_bounds() const {
-    if (examined_ > limits::examined) return check_examined(examined_, query_to_datum(query_));
+    if (!looking_.is_allowed()) return check_examined(looking_.examined(), query_to_datum(query_));
     if (weight_.bytes > weight_bound_) return too_many(query_);
     return {};
   }
@@ -134,7 +135,7 @@ class Search {
     const Datum& form = query_.clauses[clause].form;
     bool go_on = true;
     const auto consider = [&](const Fact& fact) {
-      if (++examined_ > limits::examined) return go_on = false;
+      if (!looking_.at_one_more()) return go_on = false;
       Bindings both = bindings;
       if (!match(form, fact.datum, both)) return true;
       chosen_[clause] = &fact;
@@ -171,10 +172,10 @@ class Search {
   bool exists(const Datum& pattern) {
     bool found = false;
     tables_.find(pattern.head())->second.visit(pattern, [&](const Fact& fact) {
-      ++examined_;
+      const bool is_allowed = looking_.at_one_more();
       Bindings bindings;
       found = match(pattern, fact.datum, bindings);
-      return !found && examined_ <= limits::examined;
+      return !found && is_allowed;
     });
     return found;
   }
@@ -216,7 +217,7 @@ class Search {
   FactTable::Order order_{};
   std::vector<const Fact*> chosen_;  // by each clause
   std::vector<Answer> answers_;
-  std::size_t& examined_;
+  Looking looking_;
   Weight weight_;
   std::size_t weight_bound_ = limits::bytes;
 };

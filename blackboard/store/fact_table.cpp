@@ -5,6 +5,7 @@
 
 #include "blackboard/limits.hpp"
 #include "blackboard/store/compare_values.hpp"
+#include "lisp/effort.hpp"
 #include "lisp/pattern.hpp"
 
 namespace pizarra {
@@ -147,6 +148,7 @@ const FactTable::Index* FactTable::index_for(Mask bound, Mask& used) const {
   used = bound;
   if (const auto exact = indexes_.find(bound); exact != indexes_.end()) return &exact->second;
   if (indexes_.size() < max_indexes) {
+    const UncountedEffort for_all_to_come;
     Index& index = indexes_[bound];
     for (const StandingFact& standing : facts()) {
       Bucket& bucket = index[arguments_in(bound, standing.fact.datum)];
@@ -170,6 +172,7 @@ const OrderedIndex* FactTable::ordered_index_for(std::size_t argument) const {
   const auto made = ordered_.find(argument);
   if (made != ordered_.end()) return &made->second;
   if (ordered_.size() >= max_ordered_indexes) return nullptr;
+  const UncountedEffort for_all_to_come;
   const ByArgument before{argument};
   // Their values beside them, for each is compared often and lies elsewhere; those with the same stay in their order.
   std::vector<std::pair<Datum, const StandingFact*>> sorted;

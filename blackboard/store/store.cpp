@@ -5,6 +5,7 @@
 #include "blackboard/boards_own.hpp"
 #include "blackboard/limits.hpp"
 #include "blackboard/store/evaluate.hpp"
+#include "blackboard/store/looking.hpp"
 #include "blackboard/store/store_change.hpp"
 #include "lisp/pattern.hpp"
 
@@ -25,10 +26,11 @@ std::unexpected<Failure> not_met(std::string sentence, Datum subject) {
 // Adds to `examined` how many facts it looked at, and gives up beyond the bound.
 const Fact* first_fit(const FactTable& table, const Datum& pattern, std::size_t& examined) {
   const Fact* first = nullptr;
+  Looking looking(examined);
   table.visit(pattern, [&](const Fact& fact) {
     Bindings bindings;
     if (match(pattern, fact.datum, bindings)) first = &fact;
-    return first == nullptr && ++examined <= limits::examined;
+    return first == nullptr && looking.at_one_more();
   });
   return first;
 }

@@ -1,0 +1,40 @@
+#pragma once
+
+// What a search has looked at, against limits::examined: a fact counts for one, and all of them for as many as a
+// sixteenth of the elements that looking at them has compared, where that is more.
+//
+//   Looking looking(examined);                   // goes on from what others have looked at
+//   while (looking.at_one_more()) ...            // in the end, `examined` says what all have
+
+#include <algorithm>
+
+#include "blackboard/limits.hpp"
+#include "lisp/effort.hpp"
+
+namespace pizarra {
+
+class Looking {
+ public:
+  explicit Looking(std::size_t& examined) : examined_(examined) {}
+  Looking(const Looking&) = delete;
+  Looking& operator=(const Looking&) = delete;
+  ~Looking() { examined_ = examined(); }
+
+  // Whether the bound allows of another fact, and what was compared so far.
+  bool at_one_more() {
+    ++facts_;
+    return is_allowed();
+  }
+  bool is_allowed() const { return examined() <= limits::examined; }
+  std::size_t examined() const {
+    constexpr std::size_t elements_a_fact = 16;
+    return examined_ + std::max(facts_, (elements_looked_at - before_) / elements_a_fact);
+  }
+
+ private:
+  std::size_t& examined_;
+  std::size_t facts_ = 0;
+  const std::size_t before_ = elements_looked_at;
+};
+
+}  // namespace pizarra

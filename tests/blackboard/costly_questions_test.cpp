@@ -1,0 +1,91 @@
+// What counts as having looked at facts: how much of them is compared, not only how many they are.
+
+#include <gtest/gtest.h>
+
+#include "blackboard/store/evaluate.hpp"
+#include "blackboard/store/store.hpp"
+#include "tests/blackboard/wall.hpp"
+
+namespace pizarra {
+namespace {
+
+class CostlyQuestions : public testing::Test {
+ protected:
+  static constexpr std::size_t few = 16;
+
+  CostlyQuestions() {
+    EXPECT_TRUE(store_.declare({relation("(relation big ((n integer) (what datum)) (key n))")}).has_value());
+  }
+
+  // Facts which say the same but for the last of their elements.
+  void tell_lists(std::size_t facts, std::size_t elements) {
+    for (std::size_t n = 0; n < facts; ++n) {
+      std::vector<Datum> items(elements, "a"_sym);
+      items.back() = to_datum(n);
+      tell(n, Datum::list(std::move(items)));
+    }
+  }
+  void tell(std::size_t n, const Datum& what) {
+    EXPECT_TRUE(store_.transact("alice", Transaction().tell(list("big"_sym, n, what)), Time()).has_value());
+  }
+  std::size_t examined(const std::string& asked) {
+    std::size_t examined = 0;
+    EXPECT_TRUE(evaluate(query(asked), store_.tables(), examined).has_value()) << asked;
+    return examined;
+  }
+  std::string ask(const std::string& asked) {
+    const Result<Answers> answers = store_.ask(query(asked));
+    return answers ? "ok" : answers.error().symbol;
+  }
+
+  Store store_;
+};
+
+TEST_F(CostlyQuestions, FactsOfOrdinarySizeCountForOneEach) {
+  for (std::size_t n = 0; n < few; ++n) tell(n, "same"_sym);
+  EXPECT_EQ(examined("(big ?n ?l)"), few);
+  EXPECT_EQ(examined("(and (big ?n ?l) (big ?m ?k) (/= ?l ?k))"), few + few * few);
+}
+
+// So few are looked through, whatever is asked.
+TEST_F(CostlyQuestions, FactsCountForMoreWhereMoreOfThemIsCompared) {
+  tell_lists(few, 1600);
+  EXPECT_LE(examined("(big ?n ?l)"), few);
+  constexpr std::size_t pairs = few * (few - 1);
+  for (const std::string asked : {"(and (big ?n ?l) (big ?m ?k) (= ?l ?k))", "(and (big ?n ?l) (big ?m ?l))"}) {
+    EXPECT_GE(examined(asked), pairs * 99) << asked;
+    EXPECT_LE(examined(asked), pairs * 200) << asked;
+  }
+}
+
+TEST_F(CostlyQuestions, WhatComparesTooMuchIsRefused) {
+  tell_lists(few, 20'000);
+  EXPECT_EQ(ask("(query (big ?n ?l) (limit 5))"), "ok");
+  EXPECT_EQ(ask("(and (big ?n ?l) (big ?m ?k) (= ?l ?k) (/= ?n ?m))"), "too-costly");
+  EXPECT_EQ(ask("(and (big ?n ?l) (big ?m ?l) (/= ?n ?m))"), "too-costly");
+}
+
+TEST_F(CostlyQuestions, WhatATransactionRequiresCountsAlike) {
+  const Datum one = Datum::list(std::vector<Datum>(20'000, "a"_sym));
+  std::vector<Datum> other(20'000, "a"_sym);
+  other.back() = "b"_sym;
+  tell(1, list(one, Datum::list(std::move(other))));
+  const auto require = [&](std::size_t times) {
+    Transaction transaction;
+    transaction.preconditions.assign(times, Transaction::Absent{read("(big ? (?l ?l))")});
+    const Result<Revision> done = store_.transact("alice", transaction, Time());
+    return done ? "ok" : done.error().symbol;
+  };
+  EXPECT_EQ(require(100), "ok");
+  EXPECT_EQ(require(400), "too-costly");
+}
+
+TEST_F(CostlyQuestions, AnIndexThatAQuestionMakesIsForAllToCome) {
+  for (std::size_t n = 0; n < 300; ++n) tell(n, list("a"_sym, n % 3, std::string(6400, 'x')));
+  const std::string asked = "(big ?n (a 1 \"" + std::string(6400, 'x') + "\"))";
+  const std::size_t first = examined(asked);
+  EXPECT_EQ(examined(asked), first);
+}
+
+}  // namespace
+}  // namespace pizarra
