@@ -27,6 +27,7 @@ Task<void> VisionAgent::State::on_frame(StereoFrame frame) {
     const GreyPair grey = grey_pair(frame);
     StereoSight sight(grey.left, grey.right, *feed.model());
     sightings = tracker.update(sight);
+    tracked_image = frame.left;
   }
   publish(frame, sightings);
   if (activity != Activity::tracking || !holders.connected()) co_return;

@@ -103,6 +103,7 @@ struct VisionAgent::State {
   ObjectMemory memory;
   const LearnedObjects& objects = memory.objects();
   MarkTracker tracker{objects};
+  std::shared_ptr<const Image> tracked_image;  // the left one, at which the tracker may look back
   std::optional<MarkLearner> learner;
   // The sample that was learned last, until it is accepted, rejected or followed by another.
   struct ToAccept {

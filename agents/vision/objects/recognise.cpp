@@ -9,8 +9,6 @@ namespace {
 
 constexpr double impossible = std::numeric_limits<double>::infinity();
 constexpr double least_slimness = 0.55;
-// Two faces of one yawed cube are seen about this many mark heights (standard deviations) apart at most.
-constexpr double neighbour_heights = 8;
 // Of roundness, while samples spread as little as the frames of one do in good light; less where they spread more.
 constexpr double roundness_weight = 0.25;
 constexpr double ordinary_spread = 0.01;

@@ -49,6 +49,9 @@ Likeness likeness(const SeenMark& mark, const LearnedObjects& objects, const Lea
 std::optional<Likeness> recognise(const SeenMark& mark, const LearnedObjects& objects, const LearnedObject& object);
 bool is_recognised(const SeenMark& mark, const LearnedObjects& objects, const LearnedObject& object);
 
+// Two faces of one yawed cube are seen about this many mark heights (standard deviations) apart at most.
+inline constexpr double neighbour_heights = 8;
+
 // The mark that is the object: the least error, but of several within one cube's width that are as like it, which may
 // be two faces of the cube, the largest. Null: none.
 const SeenMark* find_object(const std::vector<SeenMark>& marks, const LearnedObjects& objects,

@@ -55,6 +55,16 @@ std::optional<SeenMark> follow_mark(const cv::Mat& grey, double noise, const See
   return near ? near : follow_mark(grey, noise, last, centre, cvRound(px_in(grey, gate_px)));
 }
 
+// They may move meanwhile; where one is hidden, it is thought to rest.
+void follow_others(std::vector<cv::Point2d>& others, const std::vector<SeenMark>& marks, const LearnedObjects& objects,
+                   const LearnedObject& object) {
+  for (cv::Point2d& place : others) {
+    const auto found = std::ranges::find_if(
+        marks, [&](const SeenMark& mark) { return mark.box.contains(place) && is_recognised(mark, objects, object); });
+    if (found != marks.end()) place = found->centre;
+  }
+}
+
 void remember(std::optional<WholeMark>& whole, const SeenMark& now) {
   if (whole) {
     whole->follow(now);
@@ -94,6 +104,8 @@ void MarkTracker::rename(const Renames& renames) {
 std::vector<TrackSighting> MarkTracker::update(StereoSight& sight) {
   std::vector<TrackSighting> out;
   for (Track& track : tracks_) out.push_back(update(sight, track));
+  last_left_ = sight.left();
+  last_segmentation_.reset();
   return out;
 }
 
@@ -127,10 +139,20 @@ std::optional<SeenPair> MarkTracker::follow(StereoSight& sight, const Track& tra
   return out;
 }
 
-std::optional<SeenPair> MarkTracker::see(StereoSight& sight, const Track& track, const LearnedObject& object) const {
-  std::optional<SeenPair> now = follow(sight, track, object);
-  if (!now && track.left) now = sight.find(objects_, object, track.expected(), px_in(sight.left(), local_reach_px));
-  if (!now) now = sight.find(objects_, object);
+void MarkTracker::note_others(Track& track, const LearnedObject& object) {
+  if (!last_segmentation_) last_segmentation_.emplace(last_left_);
+  track.others = others_like(last_segmentation_->marks(), objects_, object, *track.left);
+  const double reach_px = neighbour_heights * track.left->height_px;
+  std::erase_if(track.others, [&](const cv::Point2d& at) { return cv::norm(at - track.left->centre) < reach_px; });
+}
+
+std::optional<SeenPair> MarkTracker::search(StereoSight& sight, Track& track, const LearnedObject& object) {
+  if (!track.others.empty()) follow_others(track.others, sight.left_segmentation().marks(), objects_, object);
+  std::optional<SeenPair> now;
+  if (track.left) {
+    now = sight.find(objects_, object, track.expected(), px_in(sight.left(), local_reach_px), track.others);
+  }
+  if (!now) now = sight.find(objects_, object, {}, 0, track.others);
   return now;
 }
 
@@ -156,7 +178,7 @@ TrackSighting MarkTracker::miss(const StereoSight& sight, Track& track) {
   if (!near) {
     // What rested is behind what hides it; where what moved may be by now, nobody knows.
     const bool rests = track.whole_left && !track.whole_left->moves();
-    Track lost{.name = track.name};
+    Track lost{.name = track.name, .others = std::move(track.others)};
     if (rests) lost.whole_left = track.whole_left;
     if (rests) lost.whole_right = track.whole_right;
     track = std::move(lost);
@@ -170,10 +192,13 @@ TrackSighting MarkTracker::miss(const StereoSight& sight, Track& track) {
   return out;
 }
 
-TrackSighting MarkTracker::update(StereoSight& sight, Track& track) const {
+TrackSighting MarkTracker::update(StereoSight& sight, Track& track) {
   const LearnedObject* object = objects_.find(track.name);
-  std::optional<SeenPair> now;
-  if (object != nullptr) now = see(sight, track, *object);
+  if (object == nullptr) return miss(sight, track);
+  std::optional<SeenPair> now = follow(sight, track, *object);
+  const bool followed = now && is_whole_still(sight, track, *now);
+  if (!followed && track.left && track.missing == 0) note_others(track, *object);
+  if (!now) now = search(sight, track, *object);
   if (!now || !is_whole_still(sight, track, *now)) return miss(sight, track);
 
   TrackSighting out{.name = track.name, .centre = {}, .yaw_deg = {}, .contour = {}};

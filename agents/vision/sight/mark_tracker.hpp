@@ -5,7 +5,8 @@
 // in this same frame and in every later one, while the others go on. What is followed is recognised anew in every
 // frame, so that a hand, the gripper or another cube in its place is a loss, never a position; and so is one that hides
 // a part of it (continuity.hpp). A loss of a few frames is bridged: the object is expected where its motion would have
-// brought it, and is said not to be seen. So long, nothing elsewhere is taken for it that is of another size.
+// brought it, and is said not to be seen. So long, nothing elsewhere is taken for it that is of another size; and never
+// what looked like it elsewhere in the image in which it was seen last.
 //
 //   MarkTracker tracker(objects);
 //   tracker.add(*objects.find("circle"));
@@ -54,7 +55,8 @@ class MarkTracker {
   void clear() { tracks_.clear(); }
   bool empty() const { return tracks_.empty(); }
 
-  // One sighting an object, the end-effector first, then in the order added.
+  // One sighting an object, the end-effector first, then in the order added. The pixels of the left image must stay
+  // until the next one has been seen.
   std::vector<TrackSighting> update(StereoSight& sight);
 
  private:
@@ -71,18 +73,25 @@ class MarkTracker {
     double range_mm = 0;
     double confidence = 0;
     int missing = 0;  // frames since
+    // Where its like is that stood elsewhere when it was seen last, so that it is another.
+    std::vector<cv::Point2d> others = {};
     // Where it should be in the frame to come.
     cv::Point2d expected() const { return left->centre + (missing + 1) * velocity_px; }
   };
   std::optional<SeenPair> follow(StereoSight& sight, const Track& track, const LearnedObject& object) const;
-  std::optional<SeenPair> see(StereoSight& sight, const Track& track, const LearnedObject& object) const;
+  // Looks for it where it is not followed.
+  std::optional<SeenPair> search(StereoSight& sight, Track& track, const LearnedObject& object);
+  void note_others(Track& track, const LearnedObject& object);
   // Whether what was found is the whole mark, going by what is remembered of it.
   static bool is_whole_still(const StereoSight& sight, const Track& track, const SeenPair& now);
-  TrackSighting update(StereoSight& sight, Track& track) const;
+  TrackSighting update(StereoSight& sight, Track& track);
   static TrackSighting miss(const StereoSight& sight, Track& track);
 
   const LearnedObjects& objects_;
   std::vector<Track> tracks_;
+  // The left image before, looked at only where something was lost since.
+  cv::Mat last_left_;
+  std::optional<ImageSegmentation> last_segmentation_;
 };
 
 inline constexpr std::string_view end_effector_name = "end-effector";

@@ -89,7 +89,8 @@ ImageSegmentation& StereoSight::right_segmentation() {
 }
 
 std::optional<SeenPair> StereoSight::find(const LearnedObjects& objects, const LearnedObject& object,
-                                          std::optional<cv::Point2d> near, double reach_px) {
+                                          std::optional<cv::Point2d> near, double reach_px,
+                                          std::span<const cv::Point2d> others) {
   if (object.tag() != nullptr) {
     if (!near) return find(*object.tag());
     const int reach = cvCeil(reach_px + tag_reach * left_.rows);
@@ -98,7 +99,9 @@ std::optional<SeenPair> StereoSight::find(const LearnedObjects& objects, const L
   std::vector<SeenMark> candidates;
   for (const SeenMark& mark : left_segmentation().marks()) {
     const bool within = !near || cv::norm(mark.centre - *near) <= reach_px;
-    if (within && is_recognised(mark, objects, object)) candidates.push_back(mark);
+    const auto is_there = [&](const cv::Point2d& place) { return mark.box.contains(place); };
+    if (!within || std::ranges::any_of(others, is_there)) continue;
+    if (is_recognised(mark, objects, object)) candidates.push_back(mark);
   }
   while (!candidates.empty()) {
     const SeenMark* best = find_object(candidates, objects, object);

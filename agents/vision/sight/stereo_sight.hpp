@@ -6,6 +6,7 @@
 //   std::optional<SeenPair> circle = sight.find(objects, *objects.find("circle"));
 
 #include <optional>
+#include <span>
 
 #include "agents/vision/marks/segmentation.hpp"
 #include "agents/vision/objects/recognise.hpp"
@@ -32,10 +33,11 @@ class StereoSight {
   ImageSegmentation& left_segmentation();
   ImageSegmentation& right_segmentation();
 
-  // The object anywhere in the left image, or within `reach_px` of `near` where that is given; with its partner, and
-  // whole. A partner may be missing only where the right image's edge cuts it off.
+  // The object anywhere in the left image, or within `reach_px` of `near` where that is given, but at none of `others`;
+  // with its partner, and whole. A partner may be missing only where the right image's edge cuts it off.
   std::optional<SeenPair> find(const LearnedObjects& objects, const LearnedObject& object,
-                               std::optional<cv::Point2d> near = {}, double reach_px = 0);
+                               std::optional<cv::Point2d> near = {}, double reach_px = 0,
+                               std::span<const cv::Point2d> others = {});
   // A tag in both images, within `area` of the left one where that is given, and in the right one first where the
   // disparity that is expected puts it; nowhere in the right one where that does not show it.
   std::optional<SeenPair> find(const Tag& tag, std::optional<cv::Rect> area = {},

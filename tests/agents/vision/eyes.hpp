@@ -15,7 +15,7 @@ inline const std::vector<std::string>& cell_marks() {
 // How the scene calls the mark of a learned object.
 inline std::string drawn_as(const std::string& name) { return name == "end-effector" ? "plate" : name; }
 
-// A drawn frame and its sight; keeps the pixels alive.
+// A drawn frame and its sight.
 struct DrawnSight {
   DrawnSight(const Scene& scene, Random& random)
       : frame(draw_scene(scene, model(), 1, random)), sight(as_mat(*frame.left), as_mat(*frame.right), model()) {}

@@ -121,7 +121,8 @@ StereoFrame draw_scene(const Scene& scene, const StereoModel& model, std::uint64
 }
 
 cv::Mat as_mat(const Image& image) {
-  return cv::Mat(image.height, image.width, CV_8UC(image.channels), const_cast<std::uint8_t*>(image.pixels.data()));
+  const cv::Mat view(image.height, image.width, CV_8UC(image.channels), const_cast<std::uint8_t*>(image.pixels.data()));
+  return view.clone();
 }
 
 }  // namespace pizarra

@@ -42,6 +42,7 @@ cv::Point2d project(const StereoModel& model, const cv::Point3d& point, bool rig
 
 StereoFrame draw_scene(const Scene& scene, const StereoModel& model, std::uint64_t number, Random& random);
 
+// A copy.
 cv::Mat as_mat(const Image& image);
 
 }  // namespace pizarra

@@ -83,6 +83,31 @@ TEST_F(Tracker, FindsAnObjectThatJumpedInTheSameFrame) {
   expect_at(sightings[1], face("cross").place);
 }
 
+// The twin comes into sight after the one that is tracked, as large or nearer.
+TEST_F(Tracker, TakesNoTwinForWhatIsHidden) {
+  for (const std::string name : {"circle", "square", "cross", "triangle"}) {
+    for (const double depth_mm : {850, 760}) {
+      SCOPED_TRACE(name + std::string(" and its twin at ") + std::to_string(depth_mm));
+      tracker.clear();
+      track(name);
+      const SceneFace tracked{.mark = name, .place = {-90, -50, 850}};
+      SceneFace twin{.mark = name, .place = {110, 50, depth_mm}};
+      scene.faces = {tracked};
+      see();
+      scene.faces = {tracked, twin};
+      for (int frame = 0; frame < 3; ++frame) expect_at(see()[0], tracked.place);
+      const cv::Point2d centre = project(DrawnSight::model(), tracked.place, false);
+      scene.blots = {{.box = {centre.x - 25, centre.y - 25, 50, 50}, .level = 150, .disparity_px = 46}};
+      for (int frame = 0; frame < 2 * most_bridged; ++frame) {
+        scene.faces[1].place.y -= 4;
+        EXPECT_FALSE(see()[0].seen);
+      }
+      scene.blots.clear();
+      expect_at(see()[0], tracked.place);
+    }
+  }
+}
+
 TEST_F(Tracker, IsNotTakenInByAnotherCubeInTheSamePlace) {
   track("circle");
   see();
