@@ -187,24 +187,27 @@ Task<Evaluation> Interpreter::watch(Datum form) {
 }
 
 Task<void> Interpreter::follow(int number, std::unique_ptr<Watch> watch) {
-  while (true) {
+  for (bool first = true;; first = false) {
     const Result<Change> change = co_await watch->next();
     if (!change) {
       say(fmt::format("[{}] ended: {}", number, describe(change.error())),
           fmt::format("{{\"watch\":{},\"error\":{}}}", number, json_failure(change.error())));
       co_return;
     }
-    say_change(number, *change);
+    say_change(number, *change, first);
   }
 }
 
-void Interpreter::say_change(int number, const Change& change) {
-  std::string text = change.resynchronised && change.added.empty() ? fmt::format("[{}] nothing yet", number) : "";
-  const auto add = [&](char sign, const Answer& answer) {
-    text += fmt::format("{}[{}] {} {}", text.empty() ? "" : "\n", number, sign, bindings_text(answer));
+void Interpreter::say_change(int number, const Change& change, bool first) {
+  std::string text;
+  const auto add = [&](const std::string& line) {
+    text += fmt::format("{}[{}] {}", text.empty() ? "" : "\n", number, line);
   };
-  for (const Answer& answer : change.removed) add('-', answer);
-  for (const Answer& answer : change.added) add('+', answer);
+  const bool missed = change.resynchronised && !first;
+  if (missed) add("changes were missed: what was shown before is void, and this stands now");
+  if (change.resynchronised && change.added.empty()) add(missed ? "nothing" : "nothing yet");
+  for (const Answer& answer : change.removed) add("- " + bindings_text(answer));
+  for (const Answer& answer : change.added) add("+ " + bindings_text(answer));
   say(text,
       fmt::format("{{\"watch\":{},\"revision\":{},\"resynchronised\":{},\"removed\":{},\"added\":{}}}", number,
                   change.revision, change.resynchronised, json_answers(change.removed), json_answers(change.added)));

@@ -77,7 +77,7 @@ class Interpreter {
 
   Failure unknown_command(const Datum& form) const;
   void say_end(const Datum& state, const std::string& typed);
-  void say_change(int number, const Change& change);
+  void say_change(int number, const Change& change, bool first);
   void say(const std::string& text, const std::string& json);
   Evaluation show(const Failure& failure, Evaluation outcome);
   // What the board answered, or that it did not.

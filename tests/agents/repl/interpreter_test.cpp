@@ -92,6 +92,32 @@ TEST_F(Repl, WatchesUntilUnwatched) {
   EXPECT_EQ(type("(unwatch 1)"), Evaluation::failed);
 }
 
+// The watch is not read while more is told than it holds.
+TEST_F(Repl, AWatchThatMissedChangesSaysThatWhatItShowedIsVoid) {
+  type("(tell (on circle triangle))");
+  type("(watch (on ?x ?y))");
+  executor.run_for(1s);
+  EXPECT_EQ(shown, "watch 1\n[1] + ?x = circle  ?y = triangle\n");
+  const auto told = [&](const Transaction& transaction) {
+    EXPECT_TRUE(board.transact("test", transaction).has_value());
+  };
+  const auto miss_changes = [&] {
+    shown.clear();
+    for (int n = 0; n < 2000; ++n) {
+      told(Transaction().tell(list("on"_sym, Datum::symbol("cube-" + std::to_string(n)), "table"_sym)));
+    }
+    told(Transaction().retract(read_one("(on ? ?)").value()));
+  };
+  miss_changes();
+  told(Transaction().tell(read_one("(on cross square)").value()));
+  executor.run_for(1s);
+  const std::string gap = "[1] changes were missed: what was shown before is void, and this stands now\n";
+  EXPECT_EQ(shown, gap + "[1] + ?x = cross  ?y = square\n");
+  miss_changes();
+  executor.run_for(1s);
+  EXPECT_EQ(shown, gap + "[1] nothing\n");
+}
+
 TEST_F(Repl, SaysWhatIsWrongWithAPlace) {
   EXPECT_EQ(type("(aks (on ?x ?y))"), Evaluation::malformed);
   EXPECT_NE(shown.find("did you mean ask?"), std::string::npos) << shown;
