@@ -6,9 +6,11 @@
 //   (board-refusal CLIENT SYMBOL COUNT SENTENCE)       ; key CLIENT SYMBOL
 //
 // CLIENT is who said it (the name of the session's key, its teller where it came without one, a public key that is not
-// known, or "" for one that has no session), COUNT how often that was since the server began, SENTENCE about the
-// newest, 256 bytes of it. At most 256 pairs of client and symbol are told; what is of more of them counts for the pair
-// of "others" and refused. A flood of refusals changes the facts ten times a second at most.
+// known, or "" for one that has no session), COUNT how often that was since the server began or forgot it, SENTENCE
+// about the newest, 256 bytes of it. At most 256 pairs of client and symbol are told: for a new one the pair that was
+// refused longest ago is forgotten, and what it counted counts for the pair of "others" and refused, so that the newest
+// refusal always has its name, whatever strangers did before. A flood of refusals changes the facts ten times a second
+// at most.
 //
 //   Refusals refusals(board);
 //   refusals.note("alice", failure);
@@ -42,12 +44,17 @@ class Refusals {
   struct Count {
     std::int64_t count = 0;
     std::string sentence;
+    std::uint64_t newest = 0;  // the number of its newest refusal
   };
+  void forget_the_oldest();
   void tell();
 
   MemoryBoard& board_;
+  std::uint64_t noted_ = 0;
   std::map<Kind, Count> counts_;
-  std::set<Kind> untold_;
+  Count others_;           // of the forgotten
+  std::set<Kind> untold_;  // of counts_
+  std::set<Kind> told_;    // what stands on the board, `others` apart
   Executor::TimerId timer_ = 0;
 };
 

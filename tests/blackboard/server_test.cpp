@@ -205,15 +205,27 @@ TEST_F(ServerTest, WhateverARequestFailsWithIsCountedButThatAPreconditionDoesNot
   EXPECT_EQ(counted, failed);
 }
 
-TEST_F(ServerTest, WhatIsRefusedBeyondSoManyKindsIsCountedTogether) {
+TEST_F(ServerTest, WhatWasRefusedLongestAgoMakesRoomForTheNewest) {
   Refusals refused(board);
-  constexpr int more = 44;
-  const int kinds = static_cast<int>(Refusals::most_kinds) + more;
-  for (int n = 0; n < kinds; ++n)
-    refused.note("client-" + std::to_string(n), {"bad-frame", "it is not formed", {}, {}});
-  refused.note("client-0", {"bad-frame", "nor is this", {}, {}});
-  EXPECT_EQ(refusals("others"), std::vector<Datum>{list("refused"_sym, more)});
-  EXPECT_EQ(refusals("client-0"), std::vector<Datum>{list("bad-frame"_sym, 2)});
+  const auto refuse = [&](int n) { refused.note("client-" + std::to_string(n), {"bad-frame", "not formed", {}, {}}); };
+  constexpr int most = static_cast<int>(Refusals::most_kinds);
+  const auto counted = [](std::string_view symbol, int times) {
+    return std::vector<Datum>{list(Datum::symbol(symbol), times)};
+  };
+  for (int n = 0; n < most; ++n) refuse(n);
+  refuse(1);
+  EXPECT_EQ(refusals("client-1"), counted("bad-frame", 2));
+  EXPECT_EQ(refusals("others"), std::vector<Datum>());
+  refuse(0);
+  refuse(most);
+  EXPECT_EQ(refusals("client-" + std::to_string(most)), counted("bad-frame", 1)) << "the newest has its name";
+  EXPECT_EQ(refusals("client-0"), counted("bad-frame", 2)) << "it was refused again";
+  EXPECT_EQ(refusals("client-2"), std::vector<Datum>());
+  EXPECT_EQ(refusals("others"), counted("refused", 1));
+  for (int n = 0; n < 3 * most; ++n) refuse(1000 + n);
+  EXPECT_EQ(refusals("client-" + std::to_string(999 + 3 * most)), counted("bad-frame", 1));
+  EXPECT_EQ(refusals("client-0"), std::vector<Datum>());
+  EXPECT_EQ(refusals("others"), counted("refused", most + 3 + 2 * most));
   EXPECT_EQ(board.ask(query("(board-refusal ? ? ? ?)"))->answers.size(), Refusals::most_kinds + 1);
 }
 
