@@ -9,6 +9,7 @@
 #include <new>
 
 #include "lisp/effort.hpp"
+#include "lisp/keyed_hash.hpp"
 
 namespace pizarra {
 
@@ -86,20 +87,17 @@ bool Datum::same_shared(const Datum& other) const {
 }
 
 std::size_t Datum::hash() const {
-  const auto mix = [](std::size_t seed, std::size_t value) {
-    return (std::rotl(seed, 5) ^ value) * std::size_t{0x9e3779b97f4a7c15};
-  };
   if (is_list()) {
-    std::size_t out = mix(tag(), size());
+    std::size_t out = keyed_mix(tag(), size());
     elements_looked_at += size();
-    for (const Datum& item : items()) out = mix(out, item.hash());
+    for (const Datum& item : items()) out = keyed_mix(out, item.hash());
     return out;
   }
   if (shares()) {
     look_at_text(long_text().size());
-    return mix(tag(), std::hash<std::string_view>{}(long_text()));
+    return keyed_mix(tag(), keyed_hash(long_text()));
   }
-  return mix(mix(0, words_[0]), words_[1]);
+  return keyed_mix(words_[0], words_[1]);
 }
 
 std::strong_ordering operator<=>(const Datum& a, const Datum& b) {

@@ -6,6 +6,7 @@
 #include "blackboard/limits.hpp"
 #include "blackboard/store/compare_values.hpp"
 #include "lisp/effort.hpp"
+#include "lisp/keyed_hash.hpp"
 #include "lisp/pattern.hpp"
 
 namespace pizarra {
@@ -99,7 +100,7 @@ bool FactTable::key_is_ground(const Datum& pattern) const {
 
 std::size_t FactTable::key_hash(const Datum& datum) const {
   std::size_t hash = 0;
-  for (const std::size_t position : relation_.key) hash = std::rotl(hash, 7) ^ datum[position + 1].hash();
+  for (const std::size_t position : relation_.key) hash = keyed_mix(hash, datum[position + 1].hash());
   return hash;
 }
 

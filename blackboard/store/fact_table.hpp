@@ -48,6 +48,8 @@ class FactTable {
   StandingFact* find_key_of(const Datum& fact) {
     return const_cast<StandingFact*>(std::as_const(*this).find_key_of(fact));
   }
+  // What that finds it by.
+  std::size_t key_hash(const Datum& datum) const;
   // Whether at most one fact can fit: find_key_of() finds it.
   bool key_is_ground(const Datum& pattern) const;
   // None with its id or its key may stand.
@@ -144,7 +146,6 @@ class FactTable {
   using Bucket = std::map<FactId, const StandingFact*>;
   using Index = std::unordered_map<Datum, Bucket>;
 
-  std::size_t key_hash(const Datum& datum) const;
   bool same_key(const Datum& a, const Datum& b) const;
   Mask ground_arguments(const Datum& pattern) const;
   void enter_indexes(const StandingFact& standing);

@@ -54,6 +54,18 @@ TEST(DatumTest, HashesOfAGridOfFactsDiffer) {
   EXPECT_EQ(hashes.size(), 10'000u);
 }
 
+// The child begins anew, with what this process has put into the environment.
+TEST(DatumTest, HashesAreAnotherProcesssOwn) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  for (const Datum& datum : {to_datum(7), to_datum("short"), to_datum("longer than what stands in a datum"), list(7)}) {
+    const std::string hash = std::to_string(datum.hash());
+    const std::string name =
+        "PIZARRA_TEST_HASH_" + std::to_string(static_cast<int>(datum.kind())) + std::to_string(datum.text().size());
+    setenv(name.c_str(), hash.c_str(), 0);
+    EXPECT_EXIT(std::exit(getenv(name.c_str()) == hash ? 1 : 0), testing::ExitedWithCode(0), "");
+  }
+}
+
 TEST(FailureTest, CrossesTheBoardWhole) {
   const Failure failure{"unknown-object", "nothing is called star", "star"_sym, "goal:1:5"};
   EXPECT_EQ(write(failure_to_datum(failure)), R"((fail unknown-object "nothing is called star" star "goal:1:5"))");
