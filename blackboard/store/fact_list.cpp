@@ -14,13 +14,13 @@ StandingFact* FactList::find(FactId id) {
 StandingFact& FactList::insert(StandingFact standing) {
   const FactId id = standing.fact.id;
   assert(id != 0);
-  sweep();
   StandingFact& kept = memory_for(std::move(standing));
   if (order_.empty() || order_.back().id < id) {
     order_.push_back({id, &kept});
     return kept;
   }
   const auto place = lower_bound(order_, id);
+  first_ = std::min(first_, static_cast<std::size_t>(place - order_.begin()));
   if (place->id != id) {
     order_.insert(place, {id, &kept});
     return kept;
@@ -33,17 +33,23 @@ StandingFact& FactList::insert(StandingFact standing) {
 
 Fact FactList::replace(StandingFact& standing, Fact fact) {
   assert(order_.back().id < fact.id);
-  sweep();
   order_.push_back({fact.id, &standing});
-  ++gone_;
-  return std::exchange(standing.fact, std::move(fact));
+  Fact former = std::exchange(standing.fact, std::move(fact));
+  leave_mark();
+  return former;
 }
 
 StandingFact FactList::remove(StandingFact& standing) {
   StandingFact removed = std::exchange(standing, {});
   free_.push_back(&standing);
-  ++gone_;
+  leave_mark();
   return removed;
+}
+
+void FactList::leave_mark() {
+  ++gone_;
+  while (first_ < order_.size() && !order_[first_].stands()) ++first_;
+  sweep();
 }
 
 StandingFact& FactList::memory_for(StandingFact standing) {
@@ -58,6 +64,7 @@ void FactList::sweep() {
   if (gone_ <= size() + few) return;
   std::erase_if(order_, [](const Place& place) { return !place.stands(); });
   gone_ = 0;
+  first_ = 0;
   if (!order_.empty()) return;
   free_.clear();
   memory_.clear();

@@ -9,7 +9,8 @@
 //   Fact former = facts.replace(standing, fact);          // in the former's memory, at the end of the order
 //   StandingFact gone = facts.remove(standing);
 //
-// What was taken out leaves its mark in the order, swept away when there are more of these than facts.
+// What was taken out leaves its mark in the order, swept away when there are more of these than facts. Those before the
+// first fact are never gone through, so that taking from the front costs the same however many have gone from there.
 
 #include <algorithm>
 #include <deque>
@@ -59,16 +60,19 @@ class FactList {
   StandingFact remove(StandingFact& standing);
   // Those with an id from `first` on.
   auto from(FactId first) const {
-    return std::span(lower_bound(order_, first), order_.end()) | std::views::filter(&Place::stands) |
+    const std::span living(order_.begin() + static_cast<std::ptrdiff_t>(first_), order_.end());
+    return std::span(lower_bound(living, first), living.end()) | std::views::filter(&Place::stands) |
            std::views::transform([](const Place& place) -> const StandingFact& { return *place.standing; });
   }
 
  private:
   StandingFact& memory_for(StandingFact standing);
+  void leave_mark();
   void sweep();
 
   std::vector<Place> order_;
-  std::size_t gone_ = 0;  // of the order
+  std::size_t gone_ = 0;   // of the order
+  std::size_t first_ = 0;  // of the order that is not gone
   std::deque<StandingFact> memory_;
   std::vector<StandingFact*> free_;
 };

@@ -79,5 +79,38 @@ TEST(FactList, KeepsAFactsPlaceWhileOthersComeAndGo) {
   EXPECT_EQ(facts.size(), 1u);
 }
 
+// The marks that are gone through to come to the first fact.
+std::ptrdiff_t marks_before_first(const FactList& facts) {
+  const auto places = facts.from(0).base().base();
+  return std::ranges::find_if(places, [](const auto& place) { return place.stands(); }) - places.begin();
+}
+
+TEST(FactList, TakingFromTheFrontGoesThroughNoMarks) {
+  FactList facts;
+  std::deque<StandingFact*> standing;
+  for (FactId id = 1; id <= 4000; ++id) standing.push_back(&facts.insert(fact_of(id)));
+  for (FactId id = 4001; !standing.empty(); ++id) {
+    ASSERT_EQ(marks_before_first(facts), 0) << "before " << id;
+    // Every third goes to the end instead, and comes around again a few times.
+    if (id % 3 == 0) {
+      facts.replace(*standing.front(), fact_of(id).fact);
+      standing.push_back(standing.front());
+    } else {
+      facts.remove(*standing.front());
+    }
+    standing.pop_front();
+  }
+}
+
+TEST(FactList, HasNoMoreMarksThanFactsWhereNoneCome) {
+  FactList facts;
+  std::vector<StandingFact*> standing;
+  for (FactId id = 1; id <= 4000; ++id) standing.push_back(&facts.insert(fact_of(id)));
+  for (std::size_t i = 1; i < standing.size(); ++i) {
+    facts.remove(*standing[i]);
+    ASSERT_LE(facts.from(0).base().base().size(), 2 * facts.size() + 65);
+  }
+}
+
 }  // namespace
 }  // namespace pizarra
