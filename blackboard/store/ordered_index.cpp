@@ -24,6 +24,12 @@ bool ValueRange::is_empty() const {
   return order > 0 || (order == 0 && !(from_itself && to_itself));
 }
 
+bool ValueRange::has(const Datum& value) const {
+  const std::strong_ordering after_from = from ? compare_values(value, *from) : std::strong_ordering::greater;
+  const std::strong_ordering after_to = to ? compare_values(value, *to) : std::strong_ordering::less;
+  return (after_from > 0 || (after_from == 0 && from_itself)) && (after_to < 0 || (after_to == 0 && to_itself));
+}
+
 bool ByArgument::operator()(const StandingFact* a, const StandingFact* b) const {
   const std::strong_ordering order = compare_values(value(a), value(b));
   return order != 0 ? order < 0 : a->fact.id < b->fact.id;

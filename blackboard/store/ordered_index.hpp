@@ -27,6 +27,7 @@ struct ValueRange {
   void begin_at(const Datum& value, bool itself);
   void end_at(const Datum& value, bool itself);
   bool is_empty() const;
+  bool has(const Datum& value) const;
 };
 
 struct ByArgument {

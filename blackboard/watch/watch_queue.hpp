@@ -20,6 +20,7 @@
 #include "blackboard/store/store.hpp"
 #include "blackboard/watch/backlog.hpp"
 #include "blackboard/watch/joined_answers.hpp"
+#include "blackboard/watch/pattern_index.hpp"
 
 namespace pizarra {
 
@@ -68,6 +69,7 @@ class WatchQueue {
   std::string watcher_;
   std::uint64_t number_ = 0;
   Revision touched_ = 0;  // the commit that last concerned it
+  std::vector<WatchedPattern> patterns_;
 
   State state_ = State::lagging;
   FactId sent_up_to_ = 0;  // while sending

@@ -2,9 +2,8 @@
 
 // Watched queries, found by what a commit changes: a commit costs what it concerns, not the number of watches.
 //
-// Every pattern of a query, also one under `not`, is filed under one of its arguments that is a value, the one that the
-// fewest others are filed under; those without any are filed under their relation. A changed fact leads to what is
-// filed under its own arguments, and of these it touches the watches that have a pattern it resembles.
+// A changed fact leads to patterns, also those under `not`, that it may fit (pattern_index.hpp), and touches the
+// watches that have one that it resembles and is not compared away from.
 //
 //   Result<std::unique_ptr<WatchQueue>> queue = watches.add(query, [&] { wake_reader(); });
 //   watches.committed(commit);
@@ -13,7 +12,6 @@
 #include <map>
 #include <memory>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 #include "blackboard/watch/watch_queue.hpp"
@@ -45,30 +43,15 @@ class WatchTable {
 
  private:
   friend class WatchQueue;
-  struct Filed {
-    WatchQueue* watch;
-    const Datum* pattern;
-  };
-  using File = std::vector<Filed>;
-  using Files = std::unordered_map<Datum, File>;  // by an argument's value
-  struct Concerned {                              // with a relation
-    File all;
-    std::map<std::size_t, Files> by_argument;  // by its place in the fact
-  };
-
   void enter(WatchQueue& watch);
   void forget(const WatchQueue& watch);
-  File& file_for(Concerned& relation, const Datum& pattern);
-  static void find_touched(const Concerned& relation, const Fact& fact, Revision revision,
+  static void find_touched(const PatternIndex& patterns, const Fact& fact, Revision revision,
                            std::vector<WatchQueue*>& touched);
-
-  template <class Visitor>
-  static void visit(const Concerned& relation, Visitor&& visitor);
 
   const Store& store_;
   std::uint64_t next_number_ = 1;
   std::size_t size_ = 0;
-  std::map<std::string, Concerned, std::less<>> relations_;
+  std::map<std::string, PatternIndex, std::less<>> patterns_;  // by relation
 };
 
 }  // namespace pizarra
