@@ -72,7 +72,8 @@ void VisionAgent::State::publish(const StereoFrame& frame, const std::vector<Tra
 Task<void> VisionAgent::State::show(StereoFrame frame, Annotation annotation) {
   const std::uint64_t before = frame.number - 1;
   const Result<StereoFrame> coloured = co_await camera.next(before, true);
-  const bool usable = coloured && coloured->left != nullptr && coloured->left->width == frame.left->width;
+  const bool usable = coloured && coloured->left != nullptr && coloured->left->width == frame.left->width &&
+                      coloured->left->height == frame.left->height;
   const StereoFrame& base = usable ? *coloured : frame;
   if (watched("colour")) streams->publish(stream("colour"), {base.number, base.captured, base.left});
   if (!watched("annotated")) co_return;

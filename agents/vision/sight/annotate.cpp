@@ -108,7 +108,8 @@ std::shared_ptr<const Image> annotate(const Image& base, const Annotation& annot
   cv::Mat picture(out->height, out->width, CV_8UC3, out->pixels.data());
   cv::Mat colour = seen;
   if (base.channels == 1) cv::cvtColor(seen, colour, cv::COLOR_GRAY2BGR);
-  if (!annotation.filled.empty()) {
+  // A camera may just have come back with images of another size.
+  if (annotation.filled.size() == colour.size()) {
     cv::Mat painted = colour.clone();
     painted.setTo(red, annotation.filled);
     colour = painted;

@@ -10,7 +10,7 @@ namespace pizarra {
 
 struct Annotation {
   std::vector<TrackSighting> sightings;
-  cv::Mat1b filled;             // may be empty
+  cv::Mat1b filled;             // may be empty; of another size than the picture it is not shown
   MarkContour learned_contour;  // may be empty
   std::string status;           // "frame 12  tracking"
 };

@@ -78,6 +78,10 @@ cv::Mat1b enclosed(const cv::Mat1b& region) {
 Result<void> MarkLearner::feed(StereoSight& sight) {
   assert(!done());
   if (filled_frames_ < frames_per_step) return fill(sight.left());
+  if (!filled_.empty() && filled_.size() != sight.left().size()) {
+    return fail("wrong-size", "the camera came back with images of another size while the mark was learned",
+                list(click_.x, click_.y));
+  }
   return measure(sight);
 }
 

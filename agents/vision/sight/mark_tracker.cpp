@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
+#include <utility>
 
 #include "agents/vision/marks/tags.hpp"
 
@@ -102,7 +103,12 @@ void MarkTracker::rename(const Renames& renames) {
 }
 
 std::vector<TrackSighting> MarkTracker::update(StereoSight& sight) {
+  // Places and sizes in images of another size say nothing.
+  const bool anew = std::exchange(image_size_, sight.left().size()) != sight.left().size();
   std::vector<TrackSighting> out;
+  for (Track& track : tracks_) {
+    if (anew) track = Track{.name = track.name};
+  }
   for (Track& track : tracks_) out.push_back(update(sight, track));
   last_left_ = sight.left();
   last_segmentation_.reset();

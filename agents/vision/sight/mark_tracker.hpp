@@ -92,6 +92,7 @@ class MarkTracker {
   // The left image before, looked at only where something was lost since.
   cv::Mat last_left_;
   std::optional<ImageSegmentation> last_segmentation_;
+  cv::Size image_size_;  // of the frame looked at last
 };
 
 inline constexpr std::string_view end_effector_name = "end-effector";

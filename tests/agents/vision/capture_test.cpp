@@ -57,6 +57,43 @@ TEST_F(Vision, ALostCameraLeavesNoOldPositionsAndTrackingGoesOnWhenItIsBack) {
   EXPECT_TRUE(says().starts_with(R"x((TRACK 1 ("circle" OK ()x")) << says();
 }
 
+// While somebody watches what is being filled, too.
+TEST_F(Vision, ALearningFailsWhenTheCameraComesBackWithImagesOfAnotherSize) {
+  const auto watching = streams.subscribe("vision-annotated", [](const StreamFrame&) {});
+  for (const int frames : {5, 15}) {
+    SCOPED_TRACE(frames);
+    std::string learned;
+    const Job learning = executor.spawn(ask("vision", form(learn_request(0, "circle")), 20s, learned));
+    run_for(frames * 100ms);
+    EXPECT_EQ(facts("(vision-mode vision ? ?)"), "(vision-mode vision learning no)");
+    camera.plugged = false;
+    run_for(300ms);
+    camera.resize(camera.model().width + 80, camera.model().height + 60);
+    camera.plugged = true;
+    executor.run_until([&] { return learning.done(); });
+    EXPECT_EQ(learned, R"x((LEARN "circle" FAIL))x");
+    EXPECT_EQ(facts("(vision-failed vision ? ? wrong-size ?)").find("(vision-failed"), 0U);
+  }
+  EXPECT_EQ(call(learn_request(0, "circle")), R"x((LEARN "circle" OK))x");
+}
+
+// What is smaller there would pass for what something hides a part of.
+TEST_F(Vision, WhatIsTrackedIsSeenAtOnceInImagesOfAnotherSize) {
+  EXPECT_EQ(call(learn_request(0, "circle")), R"x((LEARN "circle" OK))x");
+  EXPECT_EQ(call("(track \"circle\")"), "()");
+  for (const double scale : {1.6, 1 / 1.6}) {
+    SCOPED_TRACE(scale);
+    run_for(500ms);
+    EXPECT_TRUE(says().starts_with(R"x((TRACK 1 ("circle" OK ()x")) << says();
+    camera.plugged = false;
+    run_for(300ms);
+    camera.magnify(scale);
+    camera.plugged = true;
+    while (says() == "nothing") run_for(50ms);
+    EXPECT_TRUE(says().starts_with(R"x((TRACK 1 ("circle" OK ()x")) << says();
+  }
+}
+
 TEST_F(Vision, PublishesImagesWhileTheyAreWatched) {
   learn_all();
   EXPECT_EQ(call("(track \"circle\")"), "()");

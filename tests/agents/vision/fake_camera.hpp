@@ -42,6 +42,13 @@ class FakeCamera : public StereoCamera {
     model_.width = width;
     model_.height = height;
   }
+  // The same view in more pixels, or in fewer.
+  void magnify(double scale) {
+    resize(cvRound(scale * model_.width), cvRound(scale * model_.height));
+    model_.focal_px *= scale;
+    model_.centre_x_px = (model_.width - 1) / 2.0;
+    model_.centre_y_px = (model_.height - 1) / 2.0;
+  }
 
  private:
   static std::shared_ptr<const Image> in_colour(const Image& grey) {
