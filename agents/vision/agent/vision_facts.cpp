@@ -82,6 +82,28 @@ Task<void> VisionFacts::tell_look(std::uint64_t frame, const std::vector<TrackSi
   co_await transact(std::move(transaction));
 }
 
+Task<void> VisionFacts::follow_found(Renames renames, const LearnedObjects& objects) {
+  const Datum any =
+      told_by(context_.name, list("found"_sym, "?"_sym, "?"_sym, "?"_sym, "?"_sym, "?"_sym, "?"_sym, "?"_sym));
+  const Result<std::vector<Fact>> standing = co_await context_.board.facts(any);
+  if (!standing) co_return;
+  Transaction transaction;
+  std::vector<Datum> renamed;
+  for (const Fact& fact : *standing) {
+    const Datum found = as_said(fact.datum);
+    const std::string name(found[1].text());
+    const LearnedObject* object = objects.find(name_now(renames, name));
+    if (object != nullptr && object->name == name) continue;
+    transaction.retract(fact.datum);
+    if (object == nullptr) continue;
+    std::vector<Datum> items(found.items().begin(), found.items().end());
+    items[1] = to_datum(object->name);
+    renamed.push_back(Datum::list(std::move(items)));
+  }
+  add(transaction, renamed);
+  co_await transact(std::move(transaction));
+}
+
 Task<void> VisionFacts::unsay() {
   told_tracks_.clear();
   Transaction transaction;

@@ -116,6 +116,7 @@ Task<void> VisionAgent::State::follow_renames(Renames renames) {
   tracker.rename(renames);
   holders.rename(renames);
   follow_to_accept(renames);
+  co_await facts.follow_found(std::move(renames), objects);
   co_await tell_objects();
 }
 

@@ -78,6 +78,21 @@ TEST_F(Vision, ObjectsAreRenamedAndForgottenAlsoWhileTheyAreTracked) {
   EXPECT_EQ(call("(get-objects)"), R"x((GET 1 ("end-effector")))x");
 }
 
+TEST_F(Vision, WhatWasFoundGoesByItsNewNameAndNotBeyondWhatIsKnown) {
+  learn_all();
+  EXPECT_TRUE(call("(find \"circle\")").starts_with(R"x((FIND "circle" OK ()x"));
+  EXPECT_TRUE(call("(find \"end-effector\")").starts_with(R"x((FIND "end-effector" OK ()x"));
+  const std::string found = facts("(found vision \"circle\" ? ? ? ? ? ?)");
+  EXPECT_EQ(call("(rename \"circle\" \"disc\")"), "()");
+  EXPECT_EQ(facts("(found vision \"circle\" ? ? ? ? ? ?)"), "");
+  const std::string renamed = facts("(found vision \"disc\" ? ? ? ? ? ?)");
+  EXPECT_EQ(renamed.substr(renamed.find("disc") + 4), found.substr(found.find("circle") + 6));
+  EXPECT_EQ(call("(reject \"end-effector\")"), "()");
+  EXPECT_EQ(facts("(found vision ? ? ? ? ? ? ?)"), renamed);
+  EXPECT_EQ(call("(forget \"disc\")"), "()");
+  EXPECT_EQ(facts("(found vision ? ? ? ? ? ? ?)"), "");
+}
+
 TEST_F(Vision, WhatIsRenamedTakesTheTrackOfOneThatWasForgotten) {
   learn_all();
   EXPECT_EQ(call("(track \"circle\")"), "()");
