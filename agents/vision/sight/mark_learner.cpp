@@ -2,6 +2,7 @@
 
 #include <cassert>
 #include <cmath>
+#include <fmt/format.h>
 #include <numeric>
 #include <opencv2/imgproc.hpp>
 
@@ -77,11 +78,11 @@ cv::Mat1b enclosed(const cv::Mat1b& region) {
 
 Result<void> MarkLearner::feed(StereoSight& sight) {
   assert(!done());
-  if (filled_frames_ < frames_per_step) return fill(sight.left());
   if (!filled_.empty() && filled_.size() != sight.left().size()) {
     return fail("wrong-size", "the camera came back with images of another size while the mark was learned",
                 list(click_.x, click_.y));
   }
+  if (filled_frames_ < frames_per_step) return fill(sight.left());
   return measure(sight);
 }
 
@@ -106,11 +107,25 @@ Result<void> MarkLearner::fill(const cv::Mat& left) {
   first_ = tag_at(mean, click_);
   if (first_) {
     contour_ = first_->contour;
-    return {};
+    return check_kind();
   }
   const Result<void> checked = check_region(segmentation);
   // A shadow's edge within a large light mark is filled up to that edge; it is within the mark's contour all the same.
-  return checked || is_within_a_mark(segmentation) ? Result<void>() : checked;
+  return checked || is_within_a_mark(segmentation) ? check_kind() : checked;
+}
+
+// An object is found by its shape or by its tag, and by one tag alone.
+Result<void> MarkLearner::check_kind() const {
+  const LearnedObject* object = objects_.find(name_);
+  if (object == nullptr) return {};
+  const Tag* known = object->tag();
+  if (known != nullptr && first_->tag == *known) return {};
+  if (known == nullptr && !first_->tag) return {};
+  const std::string sentence = known == nullptr ? "a shape is learned under this name, and this is a tag"
+                               : first_->tag
+                                   ? fmt::format("another tag is learned under this name, {}", tag_name(*known))
+                                   : "a tag is learned under this name, and this is a shape";
+  return fail("other-kind", sentence, to_datum(object->name));
 }
 
 bool MarkLearner::is_within_a_mark(ImageSegmentation& mean) {

@@ -37,6 +37,7 @@ class MarkLearner {
   void fill(const ImageSegmentation& mean, cv::Point seed);
   Result<void> check_region(const ImageSegmentation& mean);
   bool is_within_a_mark(ImageSegmentation& mean);
+  Result<void> check_kind() const;
   Result<void> measure(StereoSight& sight);
   void measure_tag(StereoSight& sight);
   Result<void> check_measured() const;

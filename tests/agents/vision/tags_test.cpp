@@ -131,6 +131,19 @@ TEST_F(Tags, ATagOfAnotherNameIsNotLearnedTwice) {
   EXPECT_EQ(again.error().symbol, "ambiguous");
 }
 
+TEST_F(Tags, UnderOneNameASampleOfAnotherKindIsRefused) {
+  learn_all();
+  const auto refused = [&](const std::string& name, std::size_t mark) {
+    const Result<LearnedSample> sample = learn(name, scene.marks[mark].centre);
+    return sample ? "" : sample.error().symbol + ": " + sample.error().sentence;
+  };
+  EXPECT_EQ(refused("Square", 0), "other-kind: a shape is learned under this name, and this is a tag");
+  EXPECT_EQ(refused("a", 2), "other-kind: a tag is learned under this name, and this is a shape");
+  EXPECT_EQ(refused("a", 1), "other-kind: another tag is learned under this name, apriltag-36h11-17");
+  EXPECT_EQ(refused("A", 0), "");
+  EXPECT_EQ(refused("square", 2), "");
+}
+
 TEST_F(Tags, ARestartedAgentKnowsThemFromItsFacts) {
   learn_all();
   const LearnedSample& sample = objects.find("b")->samples.front();
