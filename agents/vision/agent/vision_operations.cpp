@@ -1,5 +1,6 @@
 #include <cmath>
 #include <fmt/format.h>
+#include <ranges>
 
 #include "agents/vision/agent/vision_replies.hpp"
 #include "agents/vision/agent/vision_state.hpp"
@@ -26,15 +27,13 @@ Task<Result<Datum>> VisionAgent::State::learn(std::string client, double x, doub
   if (!free) co_return fail(free);
   co_await begin(Activity::learning, std::move(client));
   Result<LearnedSample> sample = co_await learn_sample(name, x, y);
-  Result<void> kept = sample ? Result<void>() : fail(sample);
+  Result<std::int64_t> kept = sample ? Result<std::int64_t>(0) : fail(sample);
   if (sample) {
     ObjectChange keep = KeepSample{name, std::move(*sample)};
     kept = co_await change_objects(std::move(keep));
   }
-  const LearnedObject* object = objects.find(name);
-  if (kept && object != nullptr) {
-    const LearnedSample& newest = object->samples.back();
-    to_accept.emplace(object->name, newest.number, newest.id);
+  if (kept) {
+    to_accept = kept_as(name, *kept);
     co_await tell_objects();
   }
   co_await finish_activity();
@@ -57,12 +56,23 @@ Task<Result<LearnedSample>> VisionAgent::State::learn_sample(std::string name, d
   co_return learner->sample();
 }
 
-Task<Result<void>> VisionAgent::State::change_objects(ObjectChange change) {
+// In no database all ids are 0, and the newest is the agent's own.
+std::optional<VisionAgent::State::ToAccept> VisionAgent::State::kept_as(const std::string& name,
+                                                                        std::int64_t id) const {
+  const LearnedObject* object = objects.find(name);
+  if (object == nullptr) return std::nullopt;
+  for (const LearnedSample& sample : object->samples | std::views::reverse) {
+    if (sample.id == id) return ToAccept{object->name, sample.number, id};
+  }
+  return std::nullopt;
+}
+
+Task<Result<std::int64_t>> VisionAgent::State::change_objects(ObjectChange change) {
   const SampleNames before = names_of_samples();
   const RenameObject* const renaming = std::get_if<RenameObject>(&change);
   Renames own;
   if (renaming != nullptr) own.emplace(renaming->name, renaming->new_name);
-  const Result<void> changed = co_await memory.change(std::move(change));
+  const Result<std::int64_t> changed = co_await memory.change(std::move(change));
   if (!changed) co_return changed;
   Renames renames = renamed_since(before);
   renames.merge(own);
@@ -212,7 +222,7 @@ Task<Result<Datum>> VisionAgent::State::reject(std::string name) {
   const Result<void> waiting = check_to_accept(name);
   if (!waiting) co_return fail(waiting);
   ObjectChange withdraw = WithdrawSample{to_accept->name, to_accept->number, to_accept->id};
-  const Result<void> done = co_await change_objects(std::move(withdraw));
+  const Result<std::int64_t> done = co_await change_objects(std::move(withdraw));
   if (!done) co_return fail(done);
   co_return Datum();
 }
@@ -221,7 +231,7 @@ Task<Result<Datum>> VisionAgent::State::forget(std::string name) {
   const Result<void> free = co_await take_turn(Activity::tracking);
   if (!free) co_return fail(free);
   ObjectChange forget = ForgetObject{name};
-  const Result<void> done = co_await change_objects(std::move(forget));
+  const Result<std::int64_t> done = co_await change_objects(std::move(forget));
   if (!done) co_return fail(done);
   co_return Datum();
 }
@@ -234,7 +244,7 @@ Task<Result<Datum>> VisionAgent::State::rename(std::string name, std::string new
   const LearnedObject* object = objects.find(name);
   if (object != nullptr) name = object->name;
   ObjectChange rename = RenameObject{name, new_name};
-  const Result<void> done = co_await change_objects(std::move(rename));
+  const Result<std::int64_t> done = co_await change_objects(std::move(rename));
   if (!done) co_return fail(done);
   co_return Datum();
 }

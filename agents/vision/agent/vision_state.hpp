@@ -50,11 +50,20 @@ struct VisionAgent::State {
   // Why none of the marks is the object: like another one as much, or like none.
   Failure not_found(ImageSegmentation& segmentation, const LearnedObject& object) const;
   Task<Result<Datum>> answer_failed(std::string text, Failure why);
-  // Changes what is known, and has everything that goes by it follow.
-  Task<Result<void>> change_objects(ObjectChange change);
+  // Changes what is known, and has everything that goes by it follow: the id of the sample that was kept, or 0.
+  Task<Result<std::int64_t>> change_objects(ObjectChange change);
   Result<void> check_to_accept(const std::string& name) const;
 
   // Facts.
+  // The sample that was learned last, until it is accepted, rejected or followed by another.
+  struct ToAccept {
+    std::string name;
+    int number;
+    std::int64_t id;
+  };
+  // The sample of that id.
+  std::optional<ToAccept> kept_as(const std::string& name, std::int64_t id) const;
+
   Task<void> tell_state();
   // What is worth knowing of the learned objects: damage, those that look alike, the one to be accepted.
   Task<void> tell_objects();
@@ -105,12 +114,6 @@ struct VisionAgent::State {
   MarkTracker tracker{objects};
   std::shared_ptr<const Image> tracked_image;  // the left one, at which the tracker may look back
   std::optional<MarkLearner> learner;
-  // The sample that was learned last, until it is accepted, rejected or followed by another.
-  struct ToAccept {
-    std::string name;
-    int number;
-    std::int64_t id;
-  };
   std::optional<ToAccept> to_accept;
   Activity activity = Activity::none;
   ModeHolders holders;

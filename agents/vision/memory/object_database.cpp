@@ -185,23 +185,23 @@ Result<LearnedSample> ObjectDatabase::sample_of(sqlite::Statement& row, const st
   return out;
 }
 
-Result<void> ObjectDatabase::apply(const ObjectChange& change_wanted) {
-  Bitmaps bitmaps;
+Result<std::int64_t> ObjectDatabase::apply(const ObjectChange& change_wanted) {
+  Outcome outcome;
   {
     sqlite::Transaction transaction(database_);
     const Result<void> begun = transaction.begin();
-    if (!begun) return begun;
-    Result<void> done = std::visit([&](const auto& wanted) { return change(wanted, bitmaps); }, change_wanted);
+    if (!begun) return fail(begun);
+    Result<void> done = std::visit([&](const auto& wanted) { return change(wanted, outcome); }, change_wanted);
     if (done) done = transaction.commit();
     // Nobody else writes before the transaction has ended.
     std::error_code ignored;
-    for (const Row& row : bitmaps.written) {
+    for (const Row& row : outcome.written) {
       if (!done) std::filesystem::remove(bitmap(row), ignored);
     }
-    if (!done) return done;
+    if (!done) return fail(done);
   }
-  remove(bitmaps.left_over);
-  return {};
+  remove(outcome.left_over);
+  return outcome.kept;
 }
 
 // Another agent may have given the number, and so the file, to a sample of its own meanwhile. A file that stays is
@@ -235,7 +235,7 @@ Result<ObjectDatabase::Rows> ObjectDatabase::known_rows(const std::string& name)
   return rows;
 }
 
-Result<void> ObjectDatabase::change(const KeepSample& keep, Bitmaps& bitmaps) {
+Result<void> ObjectDatabase::change(const KeepSample& keep, Outcome& outcome) {
   const Result<KeptObjects> now = read();
   if (!now) return fail(now);
   const Result<LearnedObjects::Slot> slot = now->objects.slot_for(keep.name);
@@ -257,30 +257,33 @@ Result<void> ObjectDatabase::change(const KeepSample& keep, Bitmaps& bitmaps) {
   row.bind(16, std::int64_t{sample.size_guessed ? 1 : 0});
   const Result<void> inserted = row.run();
   if (!inserted) return inserted;
+  const Result<std::int64_t> id = database_.ask("SELECT last_insert_rowid()");
+  if (!id) return fail(id);
+  outcome.kept = *id;
   const Result<void> drawn = write_bitmap(bitmap({name, sample.number}), sample.picture, sample.tone);
-  if (drawn) bitmaps.written.push_back({name, sample.number});
+  if (drawn) outcome.written.push_back({name, sample.number});
   return drawn;
 }
 
-Result<void> ObjectDatabase::change(const WithdrawSample& withdraw, Bitmaps& bitmaps) {
+Result<void> ObjectDatabase::change(const WithdrawSample& withdraw, Outcome& outcome) {
   sqlite::Statement row(database_, "DELETE FROM samples WHERE id = ? RETURNING name, num");
   const Result<bool> there = row.bind(1, withdraw.id).step();
   if (!there) return fail(there);
   if (!*there) return fail("not-learned", "this sample is not there any more", to_datum(withdraw.name));
-  bitmaps.left_over.push_back({std::string(row.text(0)), row.integer(1)});
+  outcome.left_over.push_back({std::string(row.text(0)), row.integer(1)});
   return row.run();
 }
 
-Result<void> ObjectDatabase::change(const ForgetObject& forget, Bitmaps& bitmaps) {
+Result<void> ObjectDatabase::change(const ForgetObject& forget, Outcome& outcome) {
   const Result<Rows> rows = known_rows(forget.name);
   if (!rows) return fail(rows);
   sqlite::Statement row(database_, "DELETE FROM samples WHERE name = ?");
   const Result<void> gone = row.bind(1, forget.name).run();
-  if (gone) bitmaps.left_over = *rows;
+  if (gone) outcome.left_over = *rows;
   return gone;
 }
 
-Result<void> ObjectDatabase::change(const RenameObject& rename, Bitmaps& bitmaps) {
+Result<void> ObjectDatabase::change(const RenameObject& rename, Outcome& outcome) {
   const Result<Rows> rows = known_rows(rename.name);
   if (!rows) return fail(rows);
   const Result<Rows> others = rows_of(rename.new_name);
@@ -294,8 +297,8 @@ Result<void> ObjectDatabase::change(const RenameObject& rename, Bitmaps& bitmaps
     if (bitmap(each) == bitmap(to)) continue;
     const Result<void> copied = copy_bitmap(bitmap(each), bitmap(to));
     if (!copied) return copied;
-    bitmaps.written.push_back(to);
-    bitmaps.left_over.push_back(each);
+    outcome.written.push_back(to);
+    outcome.left_over.push_back(each);
   }
   return {};
 }

@@ -41,7 +41,8 @@ class ObjectDatabase {
   static Result<ObjectDatabase> open_again(const std::string& directory);
 
   Result<KeptObjects> read();
-  Result<void> apply(const ObjectChange& change);
+  // The id of the sample that was kept; 0 where none was to be.
+  Result<std::int64_t> apply(const ObjectChange& change);
   // Whether the file at its path is the one that was opened.
   bool in_place() const { return file_now() == file_; }
   // Another number once another agent has changed it.
@@ -69,15 +70,16 @@ class ObjectDatabase {
   Result<Rows> rows_of(const std::string& name);
   // Failure `not-learned` where there are none.
   Result<Rows> known_rows(const std::string& name);
-  // The bitmaps that a change has written, and those that it, once committed, leaves without a row.
-  struct Bitmaps {
-    Rows written;
-    Rows left_over;
+  // The bitmaps that a change has written, those that it, once committed, leaves without a row, and the sample it kept.
+  struct Outcome {
+    Rows written = {};
+    Rows left_over = {};
+    std::int64_t kept = 0;
   };
-  Result<void> change(const KeepSample& keep, Bitmaps& bitmaps);
-  Result<void> change(const WithdrawSample& withdraw, Bitmaps& bitmaps);
-  Result<void> change(const ForgetObject& forget, Bitmaps& bitmaps);
-  Result<void> change(const RenameObject& rename, Bitmaps& bitmaps);
+  Result<void> change(const KeepSample& keep, Outcome& outcome);
+  Result<void> change(const WithdrawSample& withdraw, Outcome& outcome);
+  Result<void> change(const ForgetObject& forget, Outcome& outcome);
+  Result<void> change(const RenameObject& rename, Outcome& outcome);
   // Those that have no row, while nobody writes.
   void remove(const Rows& bitmaps);
 

@@ -56,9 +56,9 @@ Result<KeptObjects> ObjectMemory::read() {
   return kept;
 }
 
-Result<void> ObjectMemory::apply(const ObjectChange& change) {
+Result<std::int64_t> ObjectMemory::apply(const ObjectChange& change) {
   const Result<void> opened = open();
-  if (!opened) return opened;
+  if (!opened) return fail(opened);
   return database_->apply(change);
 }
 
@@ -95,9 +95,9 @@ Task<Result<bool>> ObjectMemory::recall_changed() {
   co_return true;
 }
 
-Task<Result<void>> ObjectMemory::change(ObjectChange change) {
+Task<Result<std::int64_t>> ObjectMemory::change(ObjectChange change) {
   if (!directory_.empty()) {
-    Result<void> applied = apply(change);
+    Result<std::int64_t> applied = apply(change);
     for (int n = 1; n < tries; ++n) {
       if (applied || !is_busy(applied.error())) break;
       co_await sleep(context_.executor, busy_pause);
@@ -105,7 +105,8 @@ Task<Result<void>> ObjectMemory::change(ObjectChange change) {
     }
     if (!applied) co_return applied;
     const Result<void> recalled = co_await recall();
-    co_return recalled;
+    if (!recalled) co_return fail(recalled);
+    co_return applied;
   }
   Result<Transaction> facts = facts_of(change, objects_);
   if (!facts) co_return fail(facts);
@@ -113,7 +114,17 @@ Task<Result<void>> ObjectMemory::change(ObjectChange change) {
   const Result<Revision> told = if_it_stands(co_await context_.board.transact(std::move(ours)));
   if (!told) co_return fail(told);
   const Result<void> recalled = co_await recall_facts();
-  co_return recalled;
+  if (!recalled) co_return fail(recalled);
+  co_return std::int64_t{0};
+}
+
+// A bitmap's name is the object's and the sample's number.
+const Failure* ObjectMemory::trouble_with(std::string_view name) const {
+  const auto found = std::ranges::find_if(troubles_, [&](const Failure& trouble) {
+    const std::string_view subject = trouble.subject.text();
+    return same_name(subject.ends_with(".pgm") ? subject.substr(0, subject.rfind('-')) : subject, name);
+  });
+  return found == troubles_.end() ? nullptr : &*found;
 }
 
 // What an earlier life of the agent left on the board.

@@ -5,7 +5,7 @@
 //
 //   ObjectMemory memory(context, "objects");            // or "": the board alone
 //   Result<void> recalled = co_await memory.recall();
-//   Result<void> done = co_await memory.change(ForgetObject{"circle"});
+//   Result<std::int64_t> done = co_await memory.change(ForgetObject{"circle"});
 //   const LearnedObject* circle = memory.objects().find("circle");
 //
 // A database that cannot be used, or samples of it that are damaged, are troubles() and nothing worse: what is sound is
@@ -32,12 +32,15 @@ class ObjectMemory {
   // read.
   Task<Result<bool>> recall_changed();
   // Failures: full, not-learned, name-taken, those of the database and of the board.
-  Task<Result<void>> change(ObjectChange change);
+  // The id of the sample that was kept; 0 where none was to be, or in no database.
+  Task<Result<std::int64_t>> change(ObjectChange change);
+  // What keeps a sample of that name from being used; null: nothing does.
+  const Failure* trouble_with(std::string_view name) const;
 
  private:
   Result<void> open();
   Result<KeptObjects> read();
-  Result<void> apply(const ObjectChange& change);
+  Result<std::int64_t> apply(const ObjectChange& change);
   Task<Result<void>> recall_facts();
   Task<Result<void>> tell_objects();
 

@@ -70,6 +70,22 @@ TEST_F(Database, KeepsSeveralSamplesUnderTheFirstSpelling) {
                                                "square-1.pgm"}));
 }
 
+// Another agent may have kept one of the same name before anything is read again.
+TEST_F(Database, SaysWhichRowItHasMade) {
+  ObjectDatabase one = open();
+  ObjectDatabase other = open();
+  const Result<std::int64_t> ours = one.apply(keep("circle"));
+  const Result<std::int64_t> theirs = other.apply(keep("circle"));
+  ASSERT_TRUE(ours);
+  ASSERT_TRUE(theirs);
+  const KeptObjects kept = one.read().value();
+  const std::vector<LearnedSample>& samples = kept.objects.find("circle")->samples;
+  ASSERT_EQ(samples.size(), 2u);
+  EXPECT_EQ(samples[0].id, *ours);
+  EXPECT_EQ(samples[1].id, *theirs);
+  EXPECT_EQ(one.apply(RenameObject{"circle", "disc"}).value(), 0);
+}
+
 TEST_F(Database, RenamesForgetsAndWithdrawsWithTheBitmaps) {
   learn({"circle", "circle", "square"});
   ObjectDatabase database = open();
@@ -92,7 +108,7 @@ TEST_F(Database, ARenameThatCannotWriteItsBitmapChangesNothing) {
   // Where the second bitmap would go something else stands.
   fs::create_directories(fs::path(folder()) / "disc-2.pgm" / "in-the-way");
   ObjectDatabase database = open();
-  const Result<void> renamed = database.apply(RenameObject{"circle", "disc"});
+  const Result<std::int64_t> renamed = database.apply(RenameObject{"circle", "disc"});
   ASSERT_FALSE(renamed.has_value());
   EXPECT_EQ(renamed.error().symbol, "cannot-write");
   EXPECT_EQ(content(), "circle*2 square*1 ");
