@@ -93,15 +93,14 @@ Task<Result<Datum>> VisionAgent::State::find(std::string client, std::string nam
 }
 
 Task<Result<SeenMark>> VisionAgent::State::find_mark(std::string name) {
-  const Failure unknown{"not-learned", "nothing is learned under this name", to_datum(name), {}};
-  if (objects.find(name) == nullptr) co_return fail(unknown);
-  Failure why = unknown;
+  if (objects.find(name) == nullptr) co_return fail(not_known(name));
+  Failure why;
   for (int i = 0; i < frames_to_find; ++i) {
     const Result<StereoFrame> frame = co_await feed.next(longest_frame_wait);
     if (!frame) co_return fail(frame);
     // It may have been forgotten meanwhile.
     const LearnedObject* object = objects.find(name);
-    if (object == nullptr) co_return fail(unknown);
+    if (object == nullptr) co_return fail(not_known(name));
     const GreyPair grey = grey_pair(*frame);
     StereoSight sight(grey.left, grey.right, *feed.model());
     const std::optional<SeenPair> found = sight.find(objects, *object);
@@ -112,6 +111,16 @@ Task<Result<SeenMark>> VisionAgent::State::find_mark(std::string name) {
     co_return found->left;
   }
   co_return fail(why);
+}
+
+Failure VisionAgent::State::not_known(const std::string& name) const {
+  const Failure* trouble = memory.trouble_with(name);
+  if (trouble == nullptr) return {"not-learned", "nothing is learned under this name", to_datum(name), {}};
+  return {
+      "damaged",
+      fmt::format("what was learned under this name is damaged, {}: {}", trouble->subject.text(), trouble->sentence),
+      to_datum(name),
+      {}};
 }
 
 Failure VisionAgent::State::not_found(ImageSegmentation& segmentation, const LearnedObject& object) const {
@@ -151,7 +160,7 @@ Task<Result<Datum>> VisionAgent::State::track(std::string client, std::string na
   const Result<void> free = co_await take_turn(Activity::tracking);
   if (!free) co_return fail(free);
   const LearnedObject* object = objects.find(name);
-  if (object == nullptr) co_return fail("not-learned", "nothing is learned under this name", to_datum(name));
+  if (object == nullptr) co_return fail(not_known(name));
   const LearnedObject* end_effector = objects.find(end_effector_name);
   for (const LearnedObject* each : {end_effector, object}) {
     if (each == nullptr) continue;

@@ -43,10 +43,11 @@ struct VisionAgent::State {
   Task<Result<Datum>> rename(std::string name, std::string new_name);
 
   Task<Result<LearnedSample>> learn_sample(std::string name, double x, double y);
-  Task<Result<void>> keep(std::string name, LearnedSample sample);
   Task<Result<SeenMark>> find_mark(std::string name);
   // (found ...): how sure it is, what it might be otherwise, where else one like it is.
   Datum found_fact(std::uint64_t frame, StereoSight& sight, const LearnedObject& object, const SeenPair& pair) const;
+  // Why there is no object of this name: it was never learned, or is damaged.
+  Failure not_known(const std::string& name) const;
   // Why none of the marks is the object: like another one as much, or like none.
   Failure not_found(ImageSegmentation& segmentation, const LearnedObject& object) const;
   Task<Result<Datum>> answer_failed(std::string text, Failure why);
@@ -54,7 +55,6 @@ struct VisionAgent::State {
   Task<Result<std::int64_t>> change_objects(ObjectChange change);
   Result<void> check_to_accept(const std::string& name) const;
 
-  // Facts.
   // The sample that was learned last, until it is accepted, rejected or followed by another.
   struct ToAccept {
     std::string name;
@@ -64,6 +64,7 @@ struct VisionAgent::State {
   // The sample of that id.
   std::optional<ToAccept> kept_as(const std::string& name, std::int64_t id) const;
 
+  // Facts.
   Task<void> tell_state();
   // What is worth knowing of the learned objects: damage, those that look alike, the one to be accepted.
   Task<void> tell_objects();

@@ -96,6 +96,10 @@ TEST_F(KeptVision, ADamagedSampleIsSaidOnceAndTheOthersGoOn) {
   EXPECT_EQ(call("(get-objects)"), R"x((GET 1 ("end-effector")))x");
   EXPECT_EQ(facts("(objects-damaged vision ? ? ?)"),
             "(objects-damaged vision \"circle-1.pgm\" damaged \"the template bitmap is damaged\")");
+  EXPECT_EQ(call("(find \"Circle\")"), R"x((FIND "Circle" FAIL))x");
+  EXPECT_NE(facts("(vision-failed vision ? ? damaged ?)").find("circle-1.pgm: the template bitmap is damaged"),
+            std::string::npos);
+  EXPECT_EQ(call("(track \"circle\")"), "damaged \"circle\"");
   EXPECT_EQ(call(learn_request(0, "circle")), R"x((LEARN "circle" OK))x");
   EXPECT_EQ(call("(get-objects)"), R"x((GET 2 ("end-effector", "circle")))x");
 }
