@@ -4,10 +4,16 @@
 #include <array>
 #include <cstdint>
 
+#include "drivers/camera/jpeg_faults.hpp"
+
 namespace pizarra {
 namespace {
 
 using Bytes = std::span<const unsigned char>;
+
+// Two of the largest images that work, side by side.
+constexpr std::uint32_t most_width = 16384;
+constexpr std::uint32_t most_height = 8192;
 
 constexpr std::string_view cut_short = "is cut short: its end is missing";
 
@@ -46,24 +52,21 @@ std::string_view fault_of_png(Bytes bytes) {
   return cut_short;
 }
 
-// A JPEG's previews, whole pictures themselves, lie in segments before its scan, in which no end marker can occur by
-// chance.
-std::string_view fault_of_jpeg(Bytes bytes) {
-  std::size_t at = 2;
-  while (at + 4 <= bytes.size() && bytes[at] == 0xff && bytes[at + 1] != 0xda) {
-    const bool padding = bytes[at + 1] == 0xff;
-    at += padding ? 1 : 2U + 256U * bytes[at + 2] + bytes[at + 3];
-  }
-  constexpr std::array<unsigned char, 2> end = {0xff, 0xd9};
-  return at >= bytes.size() || std::ranges::search(bytes.subspan(at), end).empty() ? cut_short : std::string_view();
+std::string_view fault_of_data(Bytes bytes, bool is_jpeg) {
+  if (bytes[0] == 0x89) return fault_of_png(bytes);
+  const JpegFault fault = is_jpeg ? fault_of_jpeg(bytes) : JpegFault::none;
+  if (fault == JpegFault::cut_short) return cut_short;
+  return fault == JpegFault::damaged ? "is damaged: libjpeg finds faults in it" : std::string_view();
 }
 
 }  // namespace
 
 std::string_view fault_of_image(Bytes bytes) {
-  if (bytes.size() > 4 && bytes[0] == 0x89 && bytes[1] == 'P') return fault_of_png(bytes);
-  if (bytes.size() > 1 && bytes[0] == 0xff && bytes[1] == 0xd8) return fault_of_jpeg(bytes);
-  return {};
+  const bool is_jpeg = bytes.size() > 1 && bytes[0] == 0xff && bytes[1] == 0xd8;
+  const std::optional<ImageSize> size = is_jpeg ? size_of_jpeg(bytes) : size_of_image(bytes);
+  if (!size && !is_jpeg) return "is no image that can be read";
+  if (size && (size->width > most_width || size->height > most_height)) return "is larger than 16384x8192 px";
+  return fault_of_data(bytes, is_jpeg);
 }
 
 }  // namespace pizarra

@@ -10,7 +10,8 @@
 
 namespace pizarra {
 
-// Empty where nothing is known to be wrong: a PNG is held to its check sums and its end, a JPEG to its end.
+// Empty where nothing is known to be wrong: all are held to a size that works, a PNG to its check sums and its end, a
+// JPEG to its codes and its end.
 std::string_view fault_of_image(std::span<const unsigned char> bytes);
 
 }  // namespace pizarra

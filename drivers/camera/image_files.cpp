@@ -63,6 +63,20 @@ std::vector<std::string> image_files_at(const std::string& where) {
   return out;
 }
 
+Result<cv::Mat> read_image_file(const std::string& file, bool grey) {
+  const Result<std::vector<unsigned char>> bytes = bytes_of(file);
+  if (!bytes) return fail(bytes);
+  const std::string_view fault = fault_of_image(*bytes);
+  if (!fault.empty()) return fail("corrupt-frame", fmt::format("{} {}", file, fault));
+  cv::Mat image;
+  try {
+    if (!bytes->empty()) image = cv::imdecode(*bytes, grey ? cv::IMREAD_GRAYSCALE : cv::IMREAD_COLOR);
+  } catch (const cv::Exception&) {
+    image.release();
+  }
+  return checked_image(std::move(image), file);
+}
+
 Result<void> ImageFiles::open() {
   // What goes wrong is told by our failures.
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
@@ -77,19 +91,6 @@ Result<std::optional<double>> ImageFiles::grab() {
   return 1000 * static_cast<double>(taken_++) / rate_hz_;
 }
 
-Result<cv::Mat> ImageFiles::retrieve() {
-  const std::string& file = files_[taken_ - 1];
-  const Result<std::vector<unsigned char>> bytes = bytes_of(file);
-  if (!bytes) return fail(bytes);
-  const std::string_view fault = fault_of_image(*bytes);
-  if (!fault.empty()) return fail("corrupt-frame", fmt::format("{} {}", file, fault));
-  cv::Mat image;
-  try {
-    if (!bytes->empty()) image = cv::imdecode(*bytes, grey_ ? cv::IMREAD_GRAYSCALE : cv::IMREAD_COLOR);
-  } catch (const cv::Exception&) {
-    image.release();
-  }
-  return checked_image(std::move(image), file);
-}
+Result<cv::Mat> ImageFiles::retrieve() { return read_image_file(files_[taken_ - 1], grey_); }
 
 }  // namespace pizarra

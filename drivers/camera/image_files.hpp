@@ -32,6 +32,9 @@ class ImageFiles : public FrameSource {
   std::size_t taken_ = 0;
 };
 
+// 8 bit, grey or BGR. Failure corrupt-frame.
+Result<cv::Mat> read_image_file(const std::string& file, bool grey);
+
 // The files that ImageFiles reads, sorted; bounded.
 std::vector<std::string> image_files_at(const std::string& where);
 

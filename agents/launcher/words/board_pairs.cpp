@@ -19,10 +19,10 @@ class FilePairs : public BoardPairs {
   std::optional<Result<ImagePair>> next() override {
     if (taken_ == left_.size()) return std::nullopt;
     const std::size_t pair = taken_++;
-    Result<cv::Mat> left = read(left_[pair]);
+    Result<cv::Mat> left = read_image_file(left_[pair], true);
     if (!left) return fail(left);
     if (single()) return ImagePair{std::move(*left), {}};
-    Result<cv::Mat> right = read(right_[pair]);
+    Result<cv::Mat> right = read_image_file(right_[pair], true);
     if (!right) return fail(right);
     return ImagePair{std::move(*left), std::move(*right)};
   }
@@ -34,16 +34,6 @@ class FilePairs : public BoardPairs {
   bool single() const override { return right_.empty(); }
 
  private:
-  static Result<cv::Mat> read(const std::string& file) {
-    cv::Mat image;
-    try {
-      image = cv::imread(file, cv::IMREAD_GRAYSCALE);
-    } catch (const cv::Exception&) {
-      image.release();
-    }
-    return checked_image(std::move(image), file);
-  }
-
   std::vector<std::string> left_;
   std::vector<std::string> right_;
   std::size_t taken_ = 0;

@@ -1,0 +1,100 @@
+#include "drivers/camera/image_faults.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "drivers/camera/image_size.hpp"
+#include "drivers/camera/jpeg_faults.hpp"
+
+namespace pizarra {
+namespace {
+
+using File = std::vector<unsigned char>;
+
+// Dark shapes on light ground, with noise.
+cv::Mat picture(cv::Size size) {
+  cv::Mat out(size, CV_8UC3, cv::Scalar(190, 195, 200));
+  cv::circle(out, {size.width / 4, size.height / 3}, size.height / 8, cv::Scalar::all(30), cv::FILLED);
+  cv::rectangle(out, {size.width / 2, size.height / 2}, {3 * size.width / 4, 3 * size.height / 4}, cv::Scalar::all(40),
+                cv::FILLED);
+  cv::Mat noise(size, CV_8UC3);
+  cv::randu(noise, 0, 12);
+  return out + noise;
+}
+
+File encoded(const cv::Mat& image, const std::string& ending, const std::vector<int>& how = {}) {
+  File out;
+  EXPECT_TRUE(cv::imencode(ending, image, out, how)) << ending;
+  return out;
+}
+
+File bytes_of(std::string_view text) { return {text.begin(), text.end()}; }
+
+TEST(ImageFaults, TheSizeStandsInTheHeaderOfEveryKindOfFile) {
+  for (const char* ending : {".png", ".bmp", ".ppm", ".pgm", ".tif", ".webp"}) {
+    cv::Mat image = picture({137, 61});
+    if (std::string_view(ending) == ".pgm") cv::cvtColor(image, image, cv::COLOR_BGR2GRAY);
+    EXPECT_EQ(size_of_image(encoded(image, ending)), (ImageSize{137, 61})) << ending;
+  }
+  EXPECT_EQ(size_of_image(encoded(picture({137, 61}), ".webp", {cv::IMWRITE_WEBP_QUALITY, 80})), (ImageSize{137, 61}));
+  EXPECT_EQ(size_of_jpeg(encoded(picture({137, 61}), ".jpg")), (ImageSize{137, 61}));
+  EXPECT_EQ(size_of_image(bytes_of("P5\n# by hand, 7 years ago\n 20 10\n255\n")), (ImageSize{20, 10}));
+}
+
+TEST(ImageFaults, AHeaderThatEndsTooSoonHasNoSize) {
+  for (const char* ending : {".png", ".bmp", ".ppm", ".tif", ".webp"}) {
+    File file = encoded(picture({137, 61}), ending);
+    for (std::size_t size = 0; size < 8; ++size) EXPECT_FALSE(size_of_image(std::span(file).first(size))) << ending;
+  }
+}
+
+TEST(ImageFaults, AnImageThatWouldFillTheMemoryIsRefusedByItsHeader) {
+  EXPECT_EQ(fault_of_image(bytes_of("P5 20000 20000 255 ")), "is larger than 16384x8192 px");
+  EXPECT_EQ(fault_of_image(bytes_of("P5 16384 8192 255 ")), "");
+  File jpeg = encoded(picture({160, 120}), ".jpg");
+  const std::array<unsigned char, 2> frame_header = {0xff, 0xc0};
+  const auto header = std::ranges::search(jpeg, frame_header).begin();
+  ASSERT_NE(header, jpeg.end());
+  header[5] = 0x40;
+  EXPECT_EQ(fault_of_image(jpeg), "is larger than 16384x8192 px");
+}
+
+TEST(ImageFaults, SoundJpegsOfAllKindsHaveNone) {
+  const std::vector<std::vector<int>> kinds = {{cv::IMWRITE_JPEG_QUALITY, 20},
+                                               {cv::IMWRITE_JPEG_QUALITY, 100},
+                                               {cv::IMWRITE_JPEG_PROGRESSIVE, 1},
+                                               {cv::IMWRITE_JPEG_OPTIMIZE, 1},
+                                               {cv::IMWRITE_JPEG_RST_INTERVAL, 4}};
+  cv::Mat colour = picture({333, 217});
+  cv::Mat grey;
+  cv::cvtColor(colour, grey, cv::COLOR_BGR2GRAY);
+  for (const std::vector<int>& kind : kinds) {
+    EXPECT_EQ(fault_of_image(encoded(colour, ".jpg", kind)), "") << kind[0];
+    EXPECT_EQ(fault_of_image(encoded(grey, ".jpg", kind)), "") << kind[0];
+  }
+}
+
+// A decoder that is led astray ends before its data or after it, unless it finds back in time.
+TEST(ImageFaults, AJpegsDamagedDataIsOftenToldAndNeverOnStandardError) {
+  const File sound = encoded(picture({640, 480}), ".jpg", {cv::IMWRITE_JPEG_QUALITY, 90});
+  cv::RNG random(1);
+  constexpr int tries = 200;
+  int told = 0;
+  testing::internal::CaptureStderr();
+  for (int i = 0; i < tries; ++i) {
+    File damaged = sound;
+    const int at = random.uniform(700, static_cast<int>(sound.size()) - 50);
+    for (int j = 0; j < 20; ++j) damaged[static_cast<std::size_t>(at + j)] = static_cast<unsigned char>(random);
+    const bool is_told = !fault_of_image(damaged).empty();
+    told += is_told ? 1 : 0;
+    if (!is_told) cv::imdecode(damaged, cv::IMREAD_GRAYSCALE);
+  }
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  fmt::print("{} of {} told\n", told, tries);
+  EXPECT_GT(told, tries / 4);
+}
+
+}  // namespace
+}  // namespace pizarra
