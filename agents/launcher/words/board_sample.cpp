@@ -21,12 +21,6 @@ Relation probe_relation() {
       .value();
 }
 
-double median_us(std::vector<Duration> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return static_cast<double>(middle->count());
-}
-
 // Since the look before. What counts less than then was counted anew: by a board that began again, or of a teller that
 // had been forgotten.
 std::int64_t grown(std::int64_t now, std::int64_t before) { return now < before ? now : now - before; }
@@ -45,13 +39,8 @@ Spread spread_from(const Datum& form) {
 
 }  // namespace
 
-std::vector<Duration> commit_times(const std::vector<Probe>& probes) {
-  Duration ahead{};  // the board's clock, of ours
-  for (const Probe& probe : probes) ahead = std::min(ahead, probe.committed - probe.sent);
-  for (const Probe& probe : probes) ahead = std::max(ahead, probe.committed - probe.acknowledged);
-  std::vector<Duration> times;
-  for (const Probe& probe : probes) times.push_back(probe.committed - ahead - probe.sent);
-  return times;
+Duration commit_time(const Probe& probe) {
+  return std::clamp(probe.committed, probe.sent, probe.acknowledged) - probe.sent;
 }
 
 Task<Result<std::vector<Fact>>> BoardSampler::ask_about(Datum pattern) {
@@ -191,7 +180,7 @@ Task<Result<BoardSample>> BoardSampler::next() {
   co_await add_clients(sample);
   const Result<Journey> journey = co_await travel();
   if (journey) sample.journey = *journey;
-  // What the probes did counts for nobody's next rate.
+  // What the probe did counts for nobody's next rate.
   const Result<void> begun = co_await begin();
   if (!begun) co_return fail(begun);
   co_return sample;
@@ -235,28 +224,21 @@ Task<Result<Journey>> BoardSampler::travel() {
   if (!first) co_return fail(first);
   const Result<LeaseId> lease = co_await board_.lease(probe_lease);
   if (!lease) co_return fail(lease);
-  std::vector<Probe> probes_told;
-  std::vector<Duration> acknowledged;
-  std::vector<Duration> delivered;
-  for (int i = 0; i < probes; ++i) {
-    const Time sent = executor_.now();
-    Transaction telling;
-    telling.tell(list("board-probe"_sym, Datum::symbol(who_), i, sent.time_since_epoch().count()), {}, *lease);
-    const Result<Revision> told_at = co_await board_.transact(std::move(telling));
-    if (!told_at) co_return fail(told_at);
-    const Time answered = executor_.now();
-    acknowledged.push_back(answered - sent);
-    const Result<Change> change = co_await (*watch)->next();
-    if (!change) co_return fail(change);
-    delivered.push_back(executor_.now() - sent);
-    if (change->added.empty()) continue;
-    probes_told.push_back(
-        {.sent = sent, .committed = change->added.front().facts.front().when, .acknowledged = answered});
-  }
+  const Time sent = executor_.now();
+  Transaction telling;
+  telling.tell(list("board-probe"_sym, Datum::symbol(who_), ++looks_, sent.time_since_epoch().count()), {}, *lease);
+  const Result<Revision> told_at = co_await board_.transact(std::move(telling));
+  if (!told_at) co_return fail(told_at);
+  const Time acknowledged = executor_.now();
+  const Result<Change> change = co_await (*watch)->next();
+  if (!change) co_return fail(change);
+  const Time delivered = executor_.now();
   const Result<void> released = co_await board_.release(*lease);
   if (!released) co_return fail(released);
-  if (probes_told.empty()) co_return fail("no-journey", "the board showed none of the facts that were told");
-  co_return Journey{median_us(commit_times(probes_told)), median_us(acknowledged), median_us(delivered)};
+  if (change->added.empty()) co_return fail("no-journey", "the board did not show the fact that was told");
+  const Probe probe{.sent = sent, .committed = change->added.front().facts.front().when, .acknowledged = acknowledged};
+  const Time committed = sent + commit_time(probe);
+  co_return Journey{us_since(sent, committed), us_since(sent, acknowledged), us_since(sent, delivered)};
 }
 
 }  // namespace pizarra

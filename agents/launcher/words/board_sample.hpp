@@ -9,11 +9,11 @@
 //   Result<BoardSample> sample = co_await sampler.next();       // since begin(), or since the last
 //
 // How long the facts of a relation are under way their tellers and watchers say themselves (statistics.hpp). Where
-// nobody tells anything, a fact's journey is timed on facts of the sampler's own, (board-probe WHO N SENT-US), one key,
-// gone with it: from telling to the board's committing it, to the board's answer, and to its arrival at a watcher. The
-// board says by its own clock when it commits. That is taken for ours, moved by as little as puts every commit between
-// its telling and its answer: on one machine the two differ by next to nothing. Who may not tell them has no journey to
-// show.
+// nobody tells anything, a fact's journey is timed on one of the sampler's own at each look, (board-probe WHO N
+// SENT-US), gone with it: from telling to the board's committing it, to the board's answer, and to its arrival at a
+// watcher. One, because whatever is told pushes the board's past out of its journal. The board says by its own clock
+// when it commits. That is taken for ours, moved by as little as puts the commit between telling and answer: on one
+// machine the two differ by next to nothing. Who may not tell it has no journey to show.
 
 #include <map>
 #include <optional>
@@ -50,8 +50,8 @@ struct Probe {
   Time committed{};
   Time acknowledged{};
 };
-// How long after its telling each was committed.
-std::vector<Duration> commit_times(const std::vector<Probe>& probes);
+// How long after its telling it was committed.
+Duration commit_time(const Probe& probe);
 
 struct AgentSample {
   std::string name;
@@ -70,7 +70,7 @@ struct ClientSample {
   std::string newest_refusal = {};
 };
 
-// Medians, in microseconds.
+// In microseconds.
 struct Journey {
   double committed_us = 0;
   double acknowledged_us = 0;
@@ -90,8 +90,6 @@ struct BoardSample {
 
 class BoardSampler {
  public:
-  static constexpr int probes = 20;  // a sample
-
   BoardSampler(Executor& executor, Board& board, std::string who)
       : executor_(executor), board_(board), who_(std::move(who)) {}
   Task<Result<void>> begin();
@@ -122,6 +120,7 @@ class BoardSampler {
   Board& board_;
   const std::string who_;
   Revision revision_ = 0;
+  int looks_ = 0;
   Counts before_;
 };
 
