@@ -149,6 +149,17 @@ Task<Evaluation> Interpreter::ask(Datum form) {
   co_return Evaluation::done;
 }
 
+Task<Evaluation> Interpreter::declare(Datum form) {
+  if (form.size() != 2) co_return usage("declare");
+  const Result<Relation> relation = relation_from_datum(form[1]);
+  if (!relation) co_return show(relation.error(), Evaluation::malformed);
+  const std::vector<Relation> relations(1, *relation);
+  const Result<void> declared = co_await context_.board.declare(relations);
+  if (!declared) co_return show(declared.error());
+  say("declared " + relation->name, fmt::format("{{\"declared\":{}}}", json_string(relation->name)));
+  co_return Evaluation::done;
+}
+
 Task<Evaluation> Interpreter::tell(Datum form) {
   if (form.size() != 2) co_return usage("tell");
   const Result<Revision> told = co_await context_.board.tell(form[1]);

@@ -56,6 +56,7 @@ class Interpreter {
   Task<Evaluation> help(Datum form);
   Task<Evaluation> goal(Datum form);
   Task<Evaluation> ask(Datum form);
+  Task<Evaluation> declare(Datum form);
   Task<Evaluation> tell(Datum form);
   Task<Evaluation> retract(Datum form);
   Task<Evaluation> watch(Datum form);

@@ -1,4 +1,4 @@
-// The words that put one form to a board: tell, retract, ask, watch, goal and why.
+// The words that put one form to a board: declare, tell, retract, ask, watch, goal and why.
 
 #include <fmt/format.h>
 
@@ -26,6 +26,8 @@ struct FormWord {
 };
 
 constexpr FormWord form_words[] = {
+    {"declare", "RELATION", "Declare a relation, so that its facts can be told",
+     "declare '(relation seen ((name symbol) (x number)) (key name))'"},
     {"tell", "FACT", "Tell a fact", "tell '(on circle triangle)'"},
     {"retract", "PATTERN", "Retract every fact that fits", "retract '(on circle ?)'"},
     {"ask", "QUERY", "Ask what holds: (on ?x ?y), (and (on ?x ?y) (clear ?x))", "ask '(and (on ?x ?y) (clear ?x))'"},

@@ -24,6 +24,6 @@ void add_look_word(CLI::App& app, int& status);
 void add_top_word(CLI::App& app, int& status);
 void add_replay_word(CLI::App& app, int& status);
 void add_repl_word(CLI::App& app, int& status);
-void add_form_words(CLI::App& app, int& status);  // tell, retract, ask, watch, goal, why
+void add_form_words(CLI::App& app, int& status);  // declare, tell, retract, ask, watch, goal, why
 
 }  // namespace pizarra

@@ -15,7 +15,7 @@ Said run(const std::string& words) { return shell_in_scratch(std::string(PIZARRA
 
 TEST(Words, EveryWordHelps) {
   for (const char* word :
-       {"demo",    "scenario", "check", "up",   "ps",  "down", "agent", "world",  "repl",   "tell",
+       {"demo",    "scenario", "check", "up",   "ps",  "down", "agent", "world",  "repl",   "declare",  "tell",
         "retract", "ask",      "watch", "look", "top", "goal", "why",   "replay", "shapes", "calibrate"}) {
     const bool is_process = word == std::string("agent") || word == std::string("world");
     const Said said = is_process ? shell(std::string(PIZARRA_AGENT) + " " + word + " --help 2>&1")

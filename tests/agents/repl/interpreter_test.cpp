@@ -75,6 +75,17 @@ TEST_F(Repl, TellsAsksAndRetracts) {
   EXPECT_TRUE(shown.starts_with("retracted 1"));
 }
 
+TEST_F(Repl, WhatIsDeclaredCanBeTold) {
+  EXPECT_EQ(type("(tell (seen circle 112))"), Evaluation::failed);
+  EXPECT_EQ(type("(declare (relation seen ((name symbol) (x number)) (key name)))"), Evaluation::done);
+  EXPECT_EQ(shown, "declared seen\n");
+  EXPECT_EQ(type("(tell (seen circle 111)) (tell (seen circle 112))"), Evaluation::done);
+  EXPECT_EQ(type("(ask (seen ?name ?x))"), Evaluation::done);
+  EXPECT_EQ(shown, "?name = circle  ?x = 112\n");
+  EXPECT_EQ(type("(declare (relation seen ((name string)) (key name)))"), Evaluation::failed);
+  EXPECT_EQ(type("(declare (seen name x))"), Evaluation::malformed);
+}
+
 TEST_F(Repl, WatchesUntilUnwatched) {
   EXPECT_EQ(type("(watch (on ?x ?y))"), Evaluation::done);
   executor.run_for(1s);
