@@ -10,7 +10,7 @@
 //
 //   Result<ObjectDatabase> database = ObjectDatabase::open("objects");
 //   Result<KeptObjects> kept = database->read();
-//   Result<void> done = database->apply(RenameObject{"circle", "disc"});
+//   Result<std::int64_t> row = database->apply(RenameObject{"circle", "disc"});
 //   if (!database->in_place()) ...                  // another file is there now, or none: open_again()
 //
 // Failures: `missing` (of open_again()), `damaged` (not a database, or not one of ours any more), `disk-full`,

@@ -113,7 +113,7 @@ std::string objects_folder(const TemporaryFolder& folder, const LearnedObjects& 
   const std::string path = folder.path() + "/objects";
   ObjectDatabase database = ObjectDatabase::open(path).value();
   for (const LearnedObject& object : marks.all()) {
-    const Result<void> kept = database.apply(KeepSample{object.name, object.samples.front()});
+    const Result<std::int64_t> kept = database.apply(KeepSample{object.name, object.samples.front()});
     if (!kept) throw std::runtime_error(describe(kept.error()));
   }
   return path;
