@@ -280,7 +280,7 @@ TEST(Plan, OfWrongFilesIsAUsageError) {
   EXPECT_TRUE(empty.text.starts_with("pizarra: --planner: a command must be given")) << empty.text;
   const Said alone = shell(fmt::format("{} plan {} 2>&1", PIZARRA_PLAN, domain()));
   EXPECT_EQ(alone.status, 2);
-  EXPECT_EQ(alone.text, "pizarra: problem is required; pizarra plan --help says more\n");
+  EXPECT_EQ(alone.text, "pizarra: PROBLEM is required; pizarra plan --help says more\n");
   const Said folder = shell(fmt::format("{} plan {} / 2>&1", PIZARRA_PLAN, domain()));
   EXPECT_EQ(folder.status, 2);
   EXPECT_EQ(folder.text, "pizarra: / is a folder, and a file must be named\n");
