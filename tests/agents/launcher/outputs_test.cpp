@@ -1,12 +1,9 @@
 // What is written: files, films and standard output, whole or said not to be, also where the run is ended or not read.
 
 #include <csignal>
-#include <fcntl.h>
 #include <filesystem>
 #include <gtest/gtest.h>
 #include <string>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include "tests/agents/launcher/running.hpp"
 #include "tests/agents/launcher/shell.hpp"
@@ -99,21 +96,11 @@ TEST(Outputs, ASignalEndsTheDemoInOrderWithItsFilmAndJournalWhole) {
   const std::string film = base + ".avi";
   const std::string journal = base + ".txt";
   for (const int signal : {SIGINT, SIGTERM}) {
-    const pid_t demo = fork();
-    if (demo == 0) {
-      const int nowhere = open("/dev/null", O_WRONLY);
-      dup2(nowhere, STDOUT_FILENO);
-      execl(PIZARRA_CELL, PIZARRA_CELL, "demo", "--png", "", "--video", film.c_str(), "--journal", journal.c_str(),
-            nullptr);
-      _exit(127);
-    }
-    // Its journal shows when the story has begun.
-    std::error_code error;
-    for (int n = 0; n < 400 && (std::filesystem::file_size(journal, error) == 0 || error); ++n) usleep(20'000);
-    kill(demo, signal);
-    int status = 0;
-    waitpid(demo, &status, 0);
-    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 130) << status;
+    Running demo({PIZARRA_CELL, "demo", "--png", "", "--video", film, "--journal", journal}, base + ".log");
+    ASSERT_TRUE(wait_until([&] { return !text_of(journal).empty(); }, std::chrono::seconds(20)))
+        << "no story began: " << demo.said();
+    demo.signal(signal);
+    EXPECT_EQ(demo.end(std::chrono::seconds(20)), 130) << demo.said();
     EXPECT_NE(text_of(film).find("idx1"), std::string::npos) << "the film has no index";
     EXPECT_TRUE(text_of(journal).ends_with(")\n"));
     std::filesystem::remove(journal);
