@@ -8,27 +8,11 @@
 
 namespace pizarra {
 
-namespace {
-
-__extension__ using Product = unsigned __int128;
-using Key = std::array<std::uint64_t, 2>;
-
-const Key& key() {
-  static const Key drawn = [] {
-    Key random;
-    if (getrandom(random.data(), sizeof random, 0) != sizeof random)
-      throw std::runtime_error("no random numbers to be had");
-    return random;
-  }();
-  return drawn;
-}
-
-}  // namespace
-
-std::uint64_t keyed_mix(std::uint64_t a, std::uint64_t b) {
-  const Key& secret = key();
-  const auto product = Product{a ^ secret[0]} * (b ^ secret[1]);
-  return static_cast<std::uint64_t>(product) ^ static_cast<std::uint64_t>(product >> 64);
+HashKey draw_hash_key() {
+  HashKey random;
+  if (getrandom(random.data(), sizeof random, 0) != sizeof random)
+    throw std::runtime_error("no random numbers to be had");
+  return random;
 }
 
 std::uint64_t keyed_hash(std::string_view text) {
