@@ -24,8 +24,8 @@ constexpr std::array table = {
 
 int main(int argc, char** argv) {
   CLI::App app(
-      "The board's speed, against its goals, raw ZeroMQ, and Redis, NATS and MQTT (mosquitto), where they are "
-      "installed.",
+      "The board's speed, against its goals, raw ZeroMQ, and Redis, NATS, MQTT (mosquitto) and CORBA's events "
+      "(omniEvents), where they are installed.",
       "pizarra bench blackboard");
   bool json = false;
   std::vector<std::string> only;

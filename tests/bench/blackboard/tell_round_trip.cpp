@@ -39,7 +39,7 @@ void tell_round_trip(Figures& figures) {
   const RawRouter router;
   const BoardProcess server;
   const std::optional<RedisServer> redis = RedisServer::start();
-  const std::vector<Broker> brokers = start_brokers();
+  const std::vector<Broker> brokers = start({nats(), mqtt(), omni_events()});
   Client client(server.address(), "teller");
   RawDealer dealer(router.address());
   std::optional<RedisClient> other;
@@ -72,11 +72,9 @@ void tell_round_trip(Figures& figures) {
   }
   const std::vector<double> us = medians_of_rounds(rounds, works);
   const std::optional<double> redis_us = redis ? std::optional(us[2]) : std::nullopt;
-  figures.say({"tell, acknowledged, p50",
-               us[0],
-               "us",
-               at_most(1.15 * us[1], "<= 1.15 x ZeroMQ's round trip"),
-               {{"zeromq", us[1]}, {"redis", redis_us}, brokers[0].peer(us[3]), brokers[1].peer(us[4])}});
+  std::vector<Peer> peers = {{"zeromq", us[1]}, {"redis", redis_us}};
+  add_peers(peers, brokers, std::span(us).subspan(3));
+  figures.say({"tell, acknowledged, p50", us[0], "us", at_most(1.15 * us[1], "<= 1.15 x ZeroMQ's round trip"), peers});
 }
 
 }  // namespace pizarra::bench

@@ -101,14 +101,17 @@ Task<void> tell_often(Board& board) {
   }
 }
 
-// Ready when it has said so, where the broker runs.
+// Says how long each message took. Ready when it has said so, where the broker runs.
 Child listener_of(const Broker& broker) {
   Child listener = Child::running([&](Pipe& parent) {
     if (!broker.runs()) return;
     const std::unique_ptr<BrokerClient> client = broker.connect(false);
     client->watch();
     parent.say(0);
-    for (Medians medians(parent);;) medians.add(std::stod(client->message()));
+    while (true) {
+      const double sent_us = std::stod(client->message());
+      parent.say(now_us() - sent_us);
+    }
   });
   if (broker.runs()) listener.pipe().hear();
   return listener;
@@ -141,7 +144,7 @@ void tell_to_watcher(Figures& figures) {
     for (Medians medians(parent);;) medians.add(std::stod(client.message()));
   });
   if (redis) subscriber.pipe().hear();
-  const std::vector<Broker> brokers = start_brokers();
+  const std::vector<Broker> brokers = start({nats(), mqtt(), omni_events()});
   std::vector<Child> listeners;
   for (const Broker& broker : brokers) listeners.push_back(listener_of(broker));
   Child others = [&] {
@@ -179,19 +182,23 @@ void tell_to_watcher(Figures& figures) {
   std::vector<std::unique_ptr<BrokerClient>> publishers;
   for (std::size_t i = 0; i < brokers.size(); ++i) {
     publishers.push_back(brokers[i].connect(true));
+    // One at a time: a broker may acknowledge quicker than it delivers, and what waits in it is not its latency.
     const auto publish_there = [&, client = publishers.back().get(), i] {
-      for (int n = 0; client && n < tells; ++n) client->publish_acknowledged(stamped());
-      return client ? listeners[i].pipe().hear() : 0;
+      std::vector<double> took_us;
+      for (int n = 0; client && n < tells; ++n) {
+        client->publish_acknowledged(stamped());
+        took_us.push_back(listeners[i].pipe().hear());
+      }
+      return percentile(took_us, 0.5);
     };
     works.emplace_back(publish_there);
   }
   const std::vector<double> us = medians_of_rounds(rounds, works);
   const std::optional<double> redis_us = redis ? std::optional(us[2]) : std::nullopt;
-  figures.say({"tell to watcher, p50, 10,000 other watches",
-               us[0],
-               "us",
-               at_most(1.2 * us[1], "<= 1.2 x ZeroMQ's forwarding"),
-               {{"zeromq", us[1]}, {"redis", redis_us}, brokers[0].peer(us[3]), brokers[1].peer(us[4])}});
+  std::vector<Peer> peers = {{"zeromq", us[1]}, {"redis", redis_us}};
+  add_peers(peers, brokers, std::span(us).subspan(3));
+  const Goal goal = at_most(1.2 * us[1], "<= 1.2 x ZeroMQ's forwarding");
+  figures.say({"tell to watcher, p50, 10,000 other watches", us[0], "us", goal, peers});
 }
 
 }  // namespace pizarra::bench
