@@ -51,12 +51,16 @@ Result<std::unique_ptr<RemoteBoard>> RemoteBoard::connect(Executor& executor, co
   std::unique_ptr<RemoteBoard> board(new RemoteBoard(executor, address, std::move(teller), timeout));
   // Whoever reaches the file of an ipc address is this machine's: no keys there.
   const ClientKeys* shown = keys && !is_ipc(address) ? &*keys : nullptr;
-  const auto refused = [board = board.get()](const Failure& failure) {
+  HandshakeWatch::Listener listener;
+  listener.let_in = [board = board.get()] {
+    if (!board->joined_) board->greet();
+  };
+  listener.refused = [board = board.get()](const Failure& failure) {
     board->connect_again_ = board->executor_.now() + connect_again_after;
     board->lose_session();
     board->refused(failure);
   };
-  const Result<void> connected = board->socket_.connect(address, shown, refused);
+  const Result<void> connected = board->socket_.connect(address, shown, std::move(listener));
   if (!connected) return fail(connected);
   return board;
 }

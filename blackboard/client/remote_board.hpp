@@ -90,6 +90,7 @@ class RemoteBoard : public Board {
   bool send(const Datum& message);
 
   void receive(std::string_view frame);
+  void greet();
   void welcomed(wire::SessionId session, wire::SessionId life);
   void lose_session();
   // Fails the requests under way of which the condition holds.

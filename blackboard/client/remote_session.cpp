@@ -11,7 +11,6 @@ namespace {
 
 constexpr Duration tick_length = 50ms;
 constexpr Duration tick_while_idle = 250ms;
-constexpr Duration tick_while_connecting = 10ms;
 constexpr Duration greet_again_after = 500ms;
 constexpr Duration ping_length = 500ms;
 constexpr Duration silence_means_lost = 2s;
@@ -54,6 +53,11 @@ void RemoteBoard::receive(std::string_view frame) {
   if (message.is_form("watch-failed") && message.size() == 3 && stream != streams_.end()) {
     stream->second->end(failure_from_datum(message[2]));
   }
+}
+
+// Goes nowhere before the connection is let in, or after it broke.
+void RemoteBoard::greet() {
+  if (send(list("hello"_sym, teller_, session_))) greeted_ = executor_.now();
 }
 
 void RemoteBoard::welcomed(wire::SessionId session, wire::SessionId life) {
@@ -142,9 +146,7 @@ void RemoteBoard::replied(const Datum& message) {
 
 void RemoteBoard::tick() {
   const Time now = executor_.now();
-  const bool connecting = !joined_ && session_ == 0;
-  const Duration length = connecting ? tick_while_connecting : pending_.empty() ? tick_while_idle : tick_length;
-  tick_timer_ = executor_.call_at(now + length, [this] { tick(); });
+  tick_timer_ = executor_.call_at(now + (pending_.empty() ? tick_while_idle : tick_length), [this] { tick(); });
   give_up_overdue(now);
   if (connect_again_ && *connect_again_ <= now) {
     connect_again_.reset();
@@ -152,8 +154,7 @@ void RemoteBoard::tick() {
   }
   if (joined_ && heard_ + silence_means_lost <= now) lose_session();
   if (!joined_) {
-    const bool due = greeted_ + greet_again_after <= now;
-    if (due && send(list("hello"_sym, teller_, session_))) greeted_ = now;
+    if (greeted_ + greet_again_after <= now) greet();
     return;
   }
   if (pinged_ + ping_length <= now && send(list("ping"_sym, session_))) {

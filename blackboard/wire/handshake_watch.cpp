@@ -15,11 +15,11 @@ constexpr int most_broken_off = 3;
 }  // namespace
 
 HandshakeWatch::HandshakeWatch(Executor& executor, zmq::context_t& context, zmq::socket_t& socket, bool with_key,
-                               Refused refused)
+                               Listener listener)
     : executor_(executor),
       watched_(socket),
       with_key_(with_key),
-      refused_(std::move(refused)),
+      listener_(std::move(listener)),
       events_(context, zmq::socket_type::pair) {
   events_.set(zmq::sockopt::linger, 0);
   zmq_socket_monitor(watched_.handle(), events_at, refusals | ZMQ_EVENT_HANDSHAKE_SUCCEEDED);
@@ -54,9 +54,10 @@ void HandshakeWatch::pump() {
 }
 
 void HandshakeWatch::note(std::uint16_t event, std::uint32_t value) {
+  if (event == ZMQ_EVENT_HANDSHAKE_SUCCEEDED) listener_.let_in();
   broken_off_ = event == broken_off ? broken_off_ + 1 : 0;
   const bool certain = event != broken_off || broken_off_ >= most_broken_off;
-  if (certain && (event & refusals) != 0) refused_(failure_of(event, value));
+  if (certain && (event & refusals) != 0) listener_.refused(failure_of(event, value));
 }
 
 Failure HandshakeWatch::failure_of(std::uint16_t event, std::uint32_t value) const {

@@ -1,8 +1,9 @@
 #pragma once
 
-// Tells a client why its connection is not let in: ZeroMQ itself says nothing and gives up.
+// Tells a client when its connection is let in, and why it is not: ZeroMQ itself says nothing and gives up.
 //
-//   HandshakeWatch watch(executor, context, socket, [&](const Failure& failure) { ... });
+//   HandshakeWatch watch(executor, context, socket, with_key,
+//                        {.let_in = [&] { ... }, .refused = [&](const Failure& failure) { ... }});
 //
 // Failures: not-permitted (the board refuses this key, wants a key, or wants none), unreachable (the handshake broke
 // off again and again, as it does when the board's key is not the one that the client knows).
@@ -17,10 +18,13 @@ namespace pizarra {
 
 class HandshakeWatch {
  public:
-  using Refused = std::function<void(const Failure&)>;
+  struct Listener {
+    std::function<void()> let_in;
+    std::function<void(const Failure&)> refused;
+  };
 
   // Before the socket connects; the socket outlives it.
-  HandshakeWatch(Executor& executor, zmq::context_t& context, zmq::socket_t& socket, bool with_key, Refused refused);
+  HandshakeWatch(Executor& executor, zmq::context_t& context, zmq::socket_t& socket, bool with_key, Listener listener);
   HandshakeWatch(const HandshakeWatch&) = delete;
   HandshakeWatch& operator=(const HandshakeWatch&) = delete;
   ~HandshakeWatch();
@@ -33,7 +37,7 @@ class HandshakeWatch {
   Executor& executor_;
   zmq::socket_t& watched_;
   const bool with_key_;
-  Refused refused_;
+  const Listener listener_;
   zmq::socket_t events_;
   int file_;
   int broken_off_ = 0;  // so many times one after another

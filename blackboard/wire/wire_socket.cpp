@@ -74,14 +74,15 @@ Result<std::string> WireSocket::bind(const std::string& address, const KeyPair* 
   }
 }
 
-Result<void> WireSocket::connect(const std::string& address, const ClientKeys* keys, HandshakeWatch::Refused refused) {
+Result<void> WireSocket::connect(const std::string& address, const ClientKeys* keys,
+                                 std::optional<HandshakeWatch::Listener> listener) {
   try {
     if (keys != nullptr) {
       socket_.set(zmq::sockopt::curve_serverkey, keys->board_key);
       socket_.set(zmq::sockopt::curve_publickey, keys->own.public_key);
       socket_.set(zmq::sockopt::curve_secretkey, keys->own.secret_key);
     }
-    if (refused) handshakes_.emplace(executor_, context_, socket_, keys != nullptr, std::move(refused));
+    if (listener) handshakes_.emplace(executor_, context_, socket_, keys != nullptr, std::move(*listener));
     connected_to_ = address;
     socket_.connect(address);
     schedule_pump();

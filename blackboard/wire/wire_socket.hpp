@@ -50,7 +50,7 @@ class WireSocket {
   // context() lets in.
   Result<std::string> bind(const std::string& address, const KeyPair* own = nullptr);
   Result<void> connect(const std::string& address, const ClientKeys* keys = nullptr,
-                       HandshakeWatch::Refused refused = {});
+                       std::optional<HandshakeWatch::Listener> listener = {});
   // After it was refused: ZeroMQ does not try again by itself.
   void connect_again();
   // False, and nothing sent, when more than the bound would be under way to the peer, or it is gone.
