@@ -1,5 +1,7 @@
 #include "blackboard/memory/memory_board.hpp"
 
+#include <algorithm>
+
 #include "blackboard/boards_own.hpp"
 #include "blackboard/journal/journal.hpp"
 #include "blackboard/store/store.hpp"
@@ -9,6 +11,8 @@
 namespace pizarra {
 
 namespace {
+
+constexpr Duration look_again_after = 5ms;
 
 class MemoryWatch : public Watch {
  public:
@@ -68,6 +72,13 @@ MemoryBoard::MemoryBoard(Executor& executor, std::unique_ptr<Store> store)
 MemoryBoard::~MemoryBoard() {
   if (timer_ != 0) executor_.cancel(timer_);
 }
+
+MemoryBoard::Hearing::Hearing(MemoryBoard& board, std::function<Time()> until)
+    : board_(board), until_(std::move(until)) {
+  board_.hearings_.push_back(this);
+}
+
+MemoryBoard::Hearing::~Hearing() { std::erase(board_.hearings_, this); }
 
 std::unique_ptr<Board> MemoryBoard::view(std::string teller) {
   return std::make_unique<View>(*this, std::move(teller));
@@ -150,8 +161,15 @@ Result<std::unique_ptr<WatchQueue>> MemoryBoard::watch(const std::string& watche
 
 Time MemoryBoard::begin() {
   const Time now = executor_.now();
-  store_->expire(now);
+  const std::optional<Time> due = store_->next_expiry();
+  if (due && *due <= now) store_->expire(heard_until(now), now);
   return now;
+}
+
+Time MemoryBoard::heard_until(Time now) const {
+  Time until = now;
+  for (const Hearing* hearing : hearings_) until = std::min(until, hearing->until_());
+  return until;
 }
 
 void MemoryBoard::schedule() {
@@ -161,7 +179,9 @@ void MemoryBoard::schedule() {
   timer_ = 0;
   timer_due_ = due;
   if (!due) return;
-  timer_ = executor_.call_at(*due, [this] {
+  // What is due already waits to be heard.
+  const Time now = executor_.now();
+  timer_ = executor_.call_at(*due > now ? *due : now + look_again_after, [this] {
     timer_ = 0;
     timer_due_.reset();
     begin();

@@ -13,6 +13,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "blackboard/board.hpp"
 #include "blackboard/memory/statistics.hpp"
@@ -34,6 +35,21 @@ class MemoryBoard {
   MemoryBoard(const MemoryBoard&) = delete;
   MemoryBoard& operator=(const MemoryBoard&) = delete;
   ~MemoryBoard();
+
+  // Who brings the board what others say: while it lives, nothing lapses before all that had come when it was due has
+  // been heard. `until` answers up to when it has, a later time each time as long as it hears.
+  class Hearing {
+   public:
+    Hearing(MemoryBoard& board, std::function<Time()> until);
+    Hearing(const Hearing&) = delete;
+    Hearing& operator=(const Hearing&) = delete;
+    ~Hearing();
+
+   private:
+    friend class MemoryBoard;
+    MemoryBoard& board_;
+    const std::function<Time()> until_;
+  };
 
   std::unique_ptr<Board> view(std::string teller);
 
@@ -64,12 +80,14 @@ class MemoryBoard {
   // Lapses what is due, before an operation; and has the timer wait for what is next, after it.
   Time begin();
   void schedule();
+  Time heard_until(Time now) const;
   void committed(const Commit& commit);
 
   Executor& executor_;
   std::unique_ptr<Store> store_;
   std::unique_ptr<WatchTable> watches_;
   Statistics statistics_;
+  std::vector<const Hearing*> hearings_;
   JournalSink journal_;
   Executor::TimerId timer_ = 0;
   std::optional<Time> timer_due_;

@@ -42,7 +42,8 @@ BoardServer::BoardServer(Executor& executor, MemoryBoard& board, const BoardServ
                 receive(peer, frame);
                 flush_all();
                 receiving_ = false;
-              }) {
+              }),
+      hearing_(board, [this] { return socket_.heard_until(); }) {
   board_.statistics().requests().set_limit(options.requests);
   if (options.journal != nullptr) past_.emplace(executor, *options.journal);
   restore(options.remembered);

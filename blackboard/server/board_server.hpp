@@ -159,6 +159,7 @@ class BoardServer {
   Executor::TimerId flush_timer_ = 0;
   Executor::TimerId sweep_timer_ = 0;
   WireSocket socket_;
+  MemoryBoard::Hearing hearing_;
   std::optional<Doorkeeper> doorkeeper_;
 };
 

@@ -150,9 +150,10 @@ void BoardServer::follow_keys() {
 
 void BoardServer::forget_the_gone() {
   const Time now = executor_.now();
+  const Time heard_until = socket_.heard_until();
   std::vector<wire::SessionId> gone;
   for (const auto& [id, session] : sessions_) {
-    if (session.heard + session_length_ <= now) gone.push_back(id);
+    if (session.heard + session_length_ <= heard_until) gone.push_back(id);
   }
   for (const wire::SessionId id : gone) end_session(id);
   gate_.sweep();

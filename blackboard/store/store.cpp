@@ -263,8 +263,8 @@ std::optional<Time> Store::next_expiry() const {
   return next;
 }
 
-void Store::expire(Time now) {
-  for (std::optional<Time> next = next_expiry(); next && *next <= now; next = next_expiry()) {
+void Store::expire(Time due, Time now) {
+  for (std::optional<Time> next = next_expiry(); next && *next <= due; next = next_expiry()) {
     const auto lease = leases_.first();
     if (lease && lease->first == *next) {
       lapse(lease->second, now);

@@ -2,8 +2,8 @@
 
 // The facts themselves: one thread, no clock of its own, the same calls give the same contents and the same commits.
 //
-// Every call that may change something is given the time. expire() must be called before any other call with a time at
-// or after next_expiry(): it lapses leases and leased facts, each lapse one transaction told by "board".
+// Every call that may change something is given the time. Leases and leased facts lapse when expire() is called, each
+// lapse one transaction told by "board": those that were due at next_expiry() or later stand until then.
 //
 //   Store store;
 //   store.on_commit = [&](const Commit& commit) { ... };
@@ -43,7 +43,8 @@ class Store {
   Result<void> renew(LeaseId lease, Time now);
   Result<void> release(LeaseId lease, Time now);
   std::optional<Time> next_expiry() const;
-  void expire(Time now);
+  // Lapses what was due by `due`.
+  void expire(Time due, Time now);
 
   const Tables& tables() const { return tables_; }
   Revision revision() const { return revision_; }

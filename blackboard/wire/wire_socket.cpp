@@ -10,6 +10,10 @@ namespace {
 
 // Then others have their turn: a group of the journal is on its way to the disk while the next one comes.
 constexpr int messages_at_once = 16;
+// ZeroMQ takes a message of each connection in turn, and a board has no more sessions.
+constexpr int a_turn_of_each = 1024;
+// What has come to this machine is in the socket by then.
+constexpr Duration under_way_at_most = 10ms;
 constexpr int linger_ms = 50;
 constexpr int reconnect_ms = 50;
 constexpr int reconnect_most_ms = 1000;
@@ -117,11 +121,26 @@ bool WireSocket::send(const std::string& peer, std::string_view frame) {
 }
 
 void WireSocket::pump() {
+  const Time begun = executor_.now();
   pumping_ = true;
   int received = 0;
   while (received < messages_at_once && receive_one()) ++received;
   pumping_ = false;
+  note_look(begun, received);
   if (received == messages_at_once) schedule_pump();
+}
+
+Time WireSocket::heard_until() {
+  schedule_pump();
+  return heard_until_;
+}
+
+void WireSocket::note_look(Time begun, int received) {
+  received_in_round_ += received;
+  const bool found_all = received < messages_at_once && begun >= round_begun_ + under_way_at_most;
+  if (!found_all && received_in_round_ < a_turn_of_each) return;
+  heard_until_ = std::exchange(round_begun_, begun);
+  received_in_round_ = 0;
 }
 
 bool WireSocket::receive_one() {

@@ -59,10 +59,14 @@ class WireSocket {
   bool has_room(const std::string& peer) const { return under_way_.bytes_to(peer) <= most_under_way / 2; }
   // The public key of who sent what is being received; empty for one without.
   const std::string& sender_key() const { return sender_key_; }
+  // All that had come by then has been received, or, where more comes than is received, what each connection had to
+  // give in its turn. Goes on looking, so that a later call answers a later time.
+  Time heard_until();
   zmq::context_t& context() { return context_; }
 
  private:
   void pump();
+  void note_look(Time begun, int received);
   bool receive_one();
   void schedule_pump();
 
@@ -74,6 +78,9 @@ class WireSocket {
   int file_ = -1;
   Executor::TimerId pump_timer_ = 0;
   bool pumping_ = false;
+  Time heard_until_{};
+  Time round_begun_{};  // in which all is received that has come before
+  int received_in_round_ = 0;
   std::vector<std::string> bound_files_;
   UnderWay under_way_;
   bool keyed_ = false;

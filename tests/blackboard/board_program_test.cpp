@@ -65,6 +65,28 @@ TEST_F(BoardProgram, RunsWithoutOpenCvAndGuile) {
   EXPECT_EQ(program.stop(SIGTERM), 0);
 }
 
+// All of it was stopped, those of its threads too that hear what comes.
+TEST_F(BoardProgram, ALeaseStandsThatWasRenewedWhileItWasStopped) {
+  Program program({"--listen", address_});
+  program.line();
+  const auto alice = view("alice");
+  ASSERT_EQ(symbol_of(run(alice->declare(relations_))), "ok");
+  for (int round = 0; round < 8; ++round) {
+    const LeaseId lease = run(alice->lease(200ms)).value();
+    ASSERT_EQ(symbol_of(run(alice->transact(Transaction().tell(list("seen"_sym, round), {}, lease)))), "ok");
+    program.send(SIGSTOP);
+    bool goes_on = false;
+    executor_.call_at(executor_.now() + 300ms, [&] {
+      program.send(SIGCONT);
+      goes_on = true;
+    });
+    EXPECT_EQ(symbol_of(run(alice->renew(lease))), "ok") << "round " << round;
+    EXPECT_TRUE(goes_on);
+    EXPECT_EQ(run(alice->ask(query_for(list("seen"_sym, round))))->answers.size(), 1U);
+  }
+  EXPECT_EQ(program.stop(SIGTERM), 0);
+}
+
 TEST_F(BoardProgram, DurableFactsOutliveItsSuddenDeath) {
   const std::string journal = path_ + ".journal";
   {

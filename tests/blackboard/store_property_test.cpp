@@ -40,7 +40,7 @@ class Pair {
 
   void step() {
     now_ += Duration(random_.below(20));
-    store_.expire(now_);
+    store_.expire(now_, now_);
     model_.pass_to(now_);
     switch (random_.below(8)) {
       case 0:

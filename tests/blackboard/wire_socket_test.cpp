@@ -53,5 +53,23 @@ TEST(WireSocket, APeerThatGoesWhileItsFramesAreHeldBackEndsItsOwnConnectionAlone
   EXPECT_GT(held_back, 0);
 }
 
+TEST(WireSocket, HasHeardUntilLaterTimesHoweverMuchComes) {
+  RealExecutor executor;
+  int heard = 0;
+  WireSocket router(executor, WireSocket::Kind::router, [&](const std::string&, std::optional<std::string_view>) {
+    // More has come when this is done.
+    std::this_thread::sleep_for(100us);
+    ++heard;
+  });
+  Peer flooder(router.bind("ipc://" + scratch_folder() + "flooded").value());
+  constexpr int flood = 4000;
+  for (int i = 0; i < flood; ++i) flooder.send("x");
+  executor.run_until([&] { return heard > 0; });
+  const Time begun = executor.now();
+  executor.run_until([&] { return router.heard_until() > begun || heard == flood; });
+  EXPECT_GT(router.heard_until(), begun);
+  EXPECT_LT(heard, flood);
+}
+
 }  // namespace
 }  // namespace pizarra
