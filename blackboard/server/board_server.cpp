@@ -101,7 +101,7 @@ void BoardServer::receive(const std::string& peer, std::optional<std::string_vie
     return send(peer, list("unknown-session"_sym, *id));
   }
   session->second.heard = executor_.now();
-  if (std::exchange(session->second.blocked, false)) schedule_flush(*id);
+  if (session->second.watches.unblock()) schedule_flush(*id);
   handle(*id, session->second, *message);
 }
 
@@ -113,20 +113,14 @@ void BoardServer::handle(wire::SessionId id, Session& session, const Datum& mess
   const bool known = message.is_form("unwatch") || message.is_form("ack");
   if (!number || !known) return refuse(session.peer, {"bad-frame", "a client does not say this", {}, {}});
   // A watch may have ended while its client said something about it.
-  const auto watch = session.watches.find(*number);
-  if (watch == session.watches.end()) return;
-  if (message.is_form("unwatch")) {
-    session.watches.erase(watch);
-    return;
+  if (session.watches.asked(*number) == nullptr) return;
+  if (message.is_form("unwatch")) return session.watches.end(*number);
+  const Result<void> sent = session.watches.acknowledge(*number, wire::count_at(message, 3).value_or(0));
+  if (!sent) {
+    refusals_.note(client_of(session), sent.error());
+    session.watches.end(*number);
+    return send(session.peer, list("watch-failed"_sym, *number, failure_to_datum(sent.error())));
   }
-  const std::uint64_t sequence = wire::count_at(message, 3).value_or(0);
-  if (sequence > watch->second.sent) {
-    const Failure failure{"bad-frame", "what was never sent is acknowledged", {}, {}};
-    refusals_.note(client_of(session), failure);
-    session.watches.erase(watch);
-    return send(session.peer, list("watch-failed"_sym, *number, failure_to_datum(failure)));
-  }
-  watch->second.acknowledged = std::max(watch->second.acknowledged, sequence);
   const bool timed = message.size() == 6 && message[4].is_symbol() && message[5].is_integer();
   if (timed) board_.statistics().delivered(message[4].text(), Duration(message[5].integer()), executor_.now());
   schedule_flush(id);
@@ -147,38 +141,7 @@ void BoardServer::schedule_flush(wire::SessionId id) {
 void BoardServer::flush_all() {
   for (const wire::SessionId waiting : std::exchange(to_flush_, {})) {
     const auto session = sessions_.find(waiting);
-    if (session != sessions_.end()) flush(session->second);
-  }
-}
-
-void BoardServer::flush(Session& session) {
-  for (auto& [id, watch] : session.watches) {
-    if (session.blocked) break;
-    flush_watch(session, id, watch);
-  }
-  std::erase_if(session.watches, [](const auto& watch) { return watch.second.queue == nullptr; });
-}
-
-void BoardServer::flush_watch(Session& session, wire::WatchId id, ServedWatch& watch) {
-  const std::size_t width = width_of(watch.queue->query());
-  std::string text;
-  while (watch.queue->ready() && watch.sent - watch.acknowledged < max_under_way) {
-    session.blocked = !socket_.has_room(session.peer);
-    if (session.blocked) return;
-    const Result<Delta> delta = watch.queue->pop_delta();
-    if (!delta) {
-      const Datum message = list("watch-failed"_sym, id, failure_to_datum(delta.error()));
-      session.blocked = !socket_.send(session.peer, write(message));
-      if (!session.blocked) watch.queue.reset();
-      return;
-    }
-    text.clear();
-    wire::write_change(text, id, ++watch.sent, width, watch.kept, *delta);
-    if (!socket_.send(session.peer, text)) {
-      session.blocked = true;
-      watch.queue->resynchronise();
-      return;
-    }
+    if (session != sessions_.end()) session->second.watches.send(socket_, session->second.peer);
   }
 }
 

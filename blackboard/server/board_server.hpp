@@ -14,9 +14,9 @@
 // changes or goes ends its sessions within session_length / 8. What is refused is told (refusals.hpp). What
 // changes the board is done once however often it is sent, and what was refused undone stays so: the last replies of a
 // session are remembered (answered.hpp), and with a journal those about durable facts also in its next life, where the
-// session goes on when its client greets. A watch has at most 16 changes under way, a client 4 MB, half of which is for
-// replies alone. What a slow client has not read waits in its watches' queues, in 4 MB that these share; a watch whose
-// change has no room there, or could not be sent, is resynchronised.
+// session goes on when its client greets. A client has 4 MB under way, half of which is for replies alone. What a slow
+// client has not read waits in its watches' queues (served_watches.hpp), in 4 MB that these share; a watch whose change
+// has no room there is resynchronised.
 
 #include <map>
 #include <memory>
@@ -32,7 +32,7 @@
 #include "blackboard/server/key_folder.hpp"
 #include "blackboard/server/lease_quota.hpp"
 #include "blackboard/server/refusals.hpp"
-#include "blackboard/watch/watches.hpp"
+#include "blackboard/server/served_watches.hpp"
 #include "blackboard/wire/doorkeeper.hpp"
 #include "blackboard/wire/wire.hpp"
 #include "blackboard/wire/wire_socket.hpp"
@@ -57,8 +57,6 @@ class BoardServer {
   static constexpr std::size_t max_sessions = 1024;
   static constexpr std::size_t max_sessions_of_a_key = 64;
   static constexpr std::size_t max_sessions_of_a_name = 256;  // of those without a key
-  static constexpr std::size_t max_watches = 256;             // of a session
-  static constexpr std::size_t max_under_way = 16;            // changes of a watch
 
   // Failures bad-address, not-loopback, address-in-use, and those of KeyFolder::open.
   static Result<std::unique_ptr<BoardServer>> open(Executor& executor, MemoryBoard& board,
@@ -75,21 +73,12 @@ class BoardServer {
   static constexpr Duration goodbye_length = 50ms;
 
  private:
-  struct ServedWatch {
-    Datum query;
-    std::unique_ptr<WatchQueue> queue;
-    bool kept = false;  // by the client, which is told the ids of what goes
-    std::uint64_t sent = 0;
-    std::uint64_t acknowledged = 0;
-  };
   struct Session {
     std::string teller;
     std::string peer;
     std::optional<PublicKey> key;
     Time heard{};
-    bool blocked = false;  // its connection takes no more; until it is heard from
-    std::shared_ptr<Backlog> backlog = std::make_shared<Backlog>();
-    std::map<wire::WatchId, ServedWatch> watches;
+    ServedWatches watches;
     bool holds = false;  // what it watches, and answers questions from it
     Answered done;
     Answered refused;  // and not done
@@ -135,8 +124,6 @@ class BoardServer {
   void send(const std::string& peer, const Datum& message);
   void schedule_flush(wire::SessionId id);
   void flush_all();
-  void flush(Session& session);
-  void flush_watch(Session& session, wire::WatchId id, ServedWatch& watch);
   void forget_the_gone();
 
   Executor& executor_;

@@ -137,10 +137,9 @@ void BoardServer::answer(wire::SessionId id, Session& session, wire::RequestId n
 
 // What is remembered, or held back, does not say it: it may be given when changes are under way anew.
 std::string BoardServer::with_progress(const Session& session, std::string reply) const {
-  const bool behind = std::ranges::any_of(session.watches, [](const auto& w) { return w.second.queue->ready(); });
   reply.back() = ' ';
   reply += std::to_string(board_.store().revision());
-  reply += behind ? " no)" : " yes)";
+  reply += session.watches.are_behind() ? " no)" : " yes)";
   return reply;
 }
 
@@ -223,20 +222,19 @@ Result<Datum> BoardServer::watch(wire::SessionId id, Session& session, const Dat
   if (!number || (body.size() != 3 && !kept)) {
     return bad_frame("watching is (watch WATCH QUERY), or has kept or held after it");
   }
-  const auto standing = session.watches.find(*number);
-  if (standing != session.watches.end()) {
-    if (standing->second.query == body[2]) return Datum();
+  if (const Datum* standing = session.watches.asked(*number)) {
+    if (*standing == body[2]) return Datum();
     return bad_frame("the watch is of another query");
   }
-  if (session.watches.size() >= max_watches) return fail("too-large", "a client has at most 256 watches");
+  if (session.watches.size() >= ServedWatches::most) return fail("too-large", "a client has at most 256 watches");
   const Result<Query> query = query_from_datum(body[2]);
   if (!query) return fail(query);
   const Result<void> permitted = gate_.ask(key_of(session), *query);
   if (!permitted) return fail(permitted);
   Result<std::unique_ptr<WatchQueue>> queue = board_.watch(
-      session.teller, *query, [this, id] { schedule_flush(id); }, session.backlog);
+      session.teller, *query, [this, id] { schedule_flush(id); }, session.watches.backlog());
   if (!queue) return fail(queue);
-  session.watches[*number] = {body[2], std::move(*queue), kept};
+  session.watches.add(*number, body[2], kept, std::move(*queue));
   session.holds = session.holds || held;
   schedule_flush(id);
   return Datum();

@@ -115,11 +115,7 @@ void BoardServer::move_session(wire::SessionId id, Session& session, const std::
   session_of_peer_.erase(session.peer);
   session_of_peer_[peer] = id;
   session.peer = peer;
-  session.blocked = false;
-  for (auto& [number, watch] : session.watches) {
-    watch.acknowledged = watch.sent;
-    watch.queue->resynchronise();
-  }
+  session.watches.begin_again();
   schedule_flush(id);
 }
 

@@ -1,0 +1,67 @@
+#include "blackboard/server/served_watches.hpp"
+
+#include <algorithm>
+
+#include "lisp/writer.hpp"
+
+namespace pizarra {
+
+const Datum* ServedWatches::asked(wire::WatchId number) const {
+  const auto standing = watches_.find(number);
+  return standing == watches_.end() ? nullptr : &standing->second.asked;
+}
+
+void ServedWatches::add(wire::WatchId number, Datum asked, bool kept, std::unique_ptr<WatchQueue> queue) {
+  watches_[number] = {std::move(asked), kept, std::move(queue)};
+}
+
+Result<void> ServedWatches::acknowledge(wire::WatchId number, std::uint64_t sequence) {
+  Served& watch = watches_.at(number);
+  if (sequence > watch.sent) return fail("bad-frame", "what was never sent is acknowledged");
+  watch.acknowledged = std::max(watch.acknowledged, sequence);
+  return {};
+}
+
+bool ServedWatches::are_behind() const {
+  return std::ranges::any_of(watches_, [](const auto& watch) { return watch.second.queue->ready(); });
+}
+
+void ServedWatches::send(WireSocket& socket, const std::string& peer) {
+  for (auto& [number, watch] : watches_) {
+    if (blocked_) break;
+    send(socket, peer, number, watch);
+  }
+  std::erase_if(watches_, [](const auto& watch) { return watch.second.queue == nullptr; });
+}
+
+void ServedWatches::send(WireSocket& socket, const std::string& peer, wire::WatchId number, Served& watch) {
+  const std::size_t width = width_of(watch.queue->query());
+  std::string text;
+  while (watch.queue->ready() && watch.sent - watch.acknowledged < most_under_way) {
+    blocked_ = !socket.has_room(peer);
+    if (blocked_) return;
+    const Result<Delta> delta = watch.queue->pop_delta();
+    if (!delta) {
+      blocked_ = !socket.send(peer, write(list("watch-failed"_sym, number, failure_to_datum(delta.error()))));
+      if (!blocked_) watch.queue.reset();
+      return;
+    }
+    text.clear();
+    wire::write_change(text, number, ++watch.sent, width, watch.kept, *delta);
+    if (!socket.send(peer, text)) {
+      blocked_ = true;
+      watch.queue->resynchronise();
+      return;
+    }
+  }
+}
+
+void ServedWatches::begin_again() {
+  blocked_ = false;
+  for (auto& [number, watch] : watches_) {
+    watch.acknowledged = watch.sent;
+    watch.queue->resynchronise();
+  }
+}
+
+}  // namespace pizarra

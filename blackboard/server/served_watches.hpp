@@ -1,0 +1,62 @@
+#pragma once
+
+// The watches of one client: what was sent of each and acknowledged, and what waits until there is room for it.
+//
+//   ServedWatches watches;
+//   watches.add(number, asked, kept, std::move(queue));      // made with watches.backlog()
+//   watches.send(socket, peer);                              // what waits, as far as its connection takes it
+//   watches.acknowledge(number, sequence);
+//   watches.begin_again();                                   // on a new connection
+//
+// A watch has at most 16 changes under way. One whose change could not be sent is resynchronised.
+
+#include <map>
+#include <memory>
+#include <string>
+
+#include "blackboard/watch/watch_queue.hpp"
+#include "blackboard/wire/wire.hpp"
+#include "blackboard/wire/wire_socket.hpp"
+
+namespace pizarra {
+
+class ServedWatches {
+ public:
+  static constexpr std::size_t most = 256;
+  static constexpr std::size_t most_under_way = 16;  // changes of a watch
+
+  // What was asked for by the number; null where no such watch stands.
+  const Datum* asked(wire::WatchId number) const;
+  std::size_t size() const { return watches_.size(); }
+  // `kept` by the client, which is told the ids of what goes.
+  void add(wire::WatchId number, Datum asked, bool kept, std::unique_ptr<WatchQueue> queue);
+  void end(wire::WatchId number) { watches_.erase(number); }
+  // Of a watch that stands. Failure bad-frame: that was never sent.
+  Result<void> acknowledge(wire::WatchId number, std::uint64_t sequence);
+  // Its queues share it.
+  const std::shared_ptr<Backlog>& backlog() const { return backlog_; }
+  // Whether anything waits.
+  bool are_behind() const;
+
+  void send(WireSocket& socket, const std::string& peer);
+  // The client was heard from: answers whether its connection took no more before.
+  bool unblock() { return std::exchange(blocked_, false); }
+  // What was under way may be lost.
+  void begin_again();
+
+ private:
+  struct Served {
+    Datum asked;
+    bool kept;
+    std::unique_ptr<WatchQueue> queue;
+    std::uint64_t sent = 0;
+    std::uint64_t acknowledged = 0;
+  };
+  void send(WireSocket& socket, const std::string& peer, wire::WatchId number, Served& watch);
+
+  std::shared_ptr<Backlog> backlog_ = std::make_shared<Backlog>();
+  std::map<wire::WatchId, Served> watches_;
+  bool blocked_ = false;
+};
+
+}  // namespace pizarra
