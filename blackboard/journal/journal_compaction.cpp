@@ -12,9 +12,6 @@ namespace {
 
 using Kind = Commit::Entry::Kind;
 
-// What a board's next acknowledgement may have to wait for.
-constexpr std::size_t slice_bytes = 256 << 10;
-
 std::unexpected<Failure> missing(FactId id) { return fail("damaged", "fact " + std::to_string(id) + " is missing"); }
 
 // The horizon while it moves: what comes and goes within one slice never reaches the table.
@@ -170,7 +167,8 @@ Result<void> Horizon::write() {
 
 }  // namespace
 
-Result<bool> advance_horizon(sqlite::Database& database, Revision before_revision, Time before_time) {
+Result<std::size_t> advance_horizon(sqlite::Database& database, Revision before_revision, Time before_time,
+                                    std::size_t slice_bytes) {
   sqlite::Transaction transaction(database);
   const Result<void> begun = transaction.begin();
   if (!begun) return fail(begun);
@@ -192,19 +190,19 @@ Result<bool> advance_horizon(sqlite::Database& database, Revision before_revisio
       if (sum_of_group(last, groups.text(3), groups.text(4)) != groups.integer(5)) {
         return fail("damaged", "entry " + std::to_string(last) + " is damaged: its checksum does not fit");
       }
-      bytes += groups.text(3).size();
+      bytes += groups.text(3).size() + groups.text(4).size();
       const Result<void> applied = horizon.apply(groups.text(3));
       if (!applied) return fail(applied);
     }
   }
-  if (last == 0) return false;
+  if (last == 0) return std::size_t{0};
   sqlite::Statement forget(database, "DELETE FROM log WHERE number <= ?");
   Result<void> done = forget.bind(1, last).run();
   if (done) done = set_about(database, "forgotten", last);
   if (done) done = horizon.write();
   if (done) done = transaction.commit();
   if (!done) return fail(done);
-  return bytes >= slice_bytes;
+  return bytes;
 }
 
 }  // namespace pizarra::journal_tables

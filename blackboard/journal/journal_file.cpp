@@ -1,5 +1,6 @@
 #include "blackboard/journal/journal_file.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
@@ -77,10 +78,17 @@ Result<PlayedBack> check_reached(Result<PlayedBack> played, const Moment& until)
               to_datum(until.revision));
 }
 
+// The number of the last group, which compaction may have let go.
+Result<std::int64_t> last_group(sqlite::Database& database) {
+  return database.ask(
+      "SELECT max((SELECT coalesce(max(number), 0) FROM log), "
+      "coalesce((SELECT value FROM about WHERE name = 'forgotten'), 0))");
+}
+
 // Whether all that the mark knows of is there.
 Result<void> check_end(sqlite::Database& database, const KeptMark& mark) {
   const std::optional<std::int64_t> kept = mark.get();
-  const Result<std::int64_t> last = database.ask("SELECT coalesce(max(number), 0) FROM log");
+  const Result<std::int64_t> last = last_group(database);
   if (!last) return fail(last);
   if (!kept || *last >= *kept) return {};
   const Result<LineStart> end = end_of(database);
@@ -126,6 +134,8 @@ Result<std::shared_ptr<JournalFile>> JournalFile::open(const std::string& path, 
     close(lock);
     return taken;
   }
+  // What a board that was killed had set aside may be needed to begin.
+  unlink((path + "-reserve").c_str());
   Result<sqlite::Database> database = journal_tables::open(path, sqlite::Access::write);
   if (!database) {
     close(lock);
@@ -135,7 +145,7 @@ Result<std::shared_ptr<JournalFile>> JournalFile::open(const std::string& path, 
   std::shared_ptr<JournalFile> file(new JournalFile(path, history, lock, std::move(*database)));
   const Result<void> whole = check_end(file->database_, file->mark_);
   if (!whole) return fail(journal_tables::failure_of(whole.error(), path));
-  const Result<std::int64_t> last = file->database_.ask("SELECT coalesce(max(number), 0) FROM log");
+  const Result<std::int64_t> last = last_group(file->database_);
   if (!last) return fail(journal_tables::failure_of(last.error(), path));
   file->next_group_ = *last + 1;
   return file;
@@ -161,20 +171,22 @@ Result<std::vector<RememberedReply>> JournalFile::recover(Store& store) {
   return replies;
 }
 
-Result<void> JournalFile::append(const JournalGroup& group) {
+Result<void> JournalFile::append(const JournalGroup& group, bool may_spend) {
   const std::scoped_lock lock(mutex_);
+  if (!may_spend && group.bytes() > room_.for_passing) return fail("journal-full", path_ + ": the disk is full");
   Result<void> written = write(group);
-  const bool full = !written && written.error().symbol == "disk-full";
-  if (written) let_log_be_copied(true);
-  if (full && reserve_.spend()) {
-    // What is set free is for the groups under way, this one and the next.
-    let_log_be_copied(false);
-    written = write(group);
-  }
+  if (!written && may_spend && spend_if_full(written.error())) written = write(group);
   if (!written) return fail(journal_tables::failure_of(written.error(), path_));
   if (group.durable) mark_.set(next_group_);
   ++next_group_;
   return {};
+}
+
+// Whether what failed may be tried once more.
+bool JournalFile::spend_if_full(const Failure& failure) {
+  if (failure.symbol != "disk-full" || !reserve_.spend()) return false;
+  spent_ = true;
+  return true;
 }
 
 Result<void> JournalFile::write(const JournalGroup& group) {
@@ -189,35 +201,59 @@ Result<void> JournalFile::write(const JournalGroup& group) {
   return insert_.bind(6, journal_tables::sum_of_group(next_group_, group.lines, group.replies)).run();
 }
 
-// SQLite copies its log to where it belongs every now and then, for which the file grows.
-void JournalFile::let_log_be_copied(bool allowed) {
-  if (log_is_copied_ == allowed) return;
-  const Result<void> set =
-      database_.run(allowed ? "PRAGMA wal_autocheckpoint = 1000" : "PRAGMA wal_autocheckpoint = 0");
-  if (set) log_is_copied_ = allowed;
+// SQLite copies its log to where it belongs when that has so many bytes: the file grows then, by as much at most.
+void JournalFile::copy_log_at(std::int64_t bytes) {
+  constexpr std::int64_t page = 4096;
+  constexpr std::int64_t most_pages = 1000;
+  const std::int64_t pages = std::clamp<std::int64_t>(bytes / page, 1, most_pages);
+  if (pages == log_pages_) return;
+  const Result<void> set = database_.run(("PRAGMA wal_autocheckpoint = " + std::to_string(pages)).c_str());
+  if (set) log_pages_ = pages;
 }
 
-std::size_t JournalFile::room() {
-  const std::scoped_lock lock(mutex_);
-  // Pages have heads, and some others are written with a group's own.
-  constexpr std::int64_t others = 192 << 10;
-  const std::int64_t bytes = reserve_.fill();
-  return bytes == 0 ? 0 : static_cast<std::size_t>(bytes - bytes / 32 - others);
+// Copies SQLite's log at once, so that the disk has its space again; while somebody reads it, that must wait.
+void JournalFile::give_log_back() {
+  constexpr const char* copy = "PRAGMA wal_checkpoint(TRUNCATE)";
+  [[maybe_unused]] Result<void> set = database_.run("PRAGMA busy_timeout = 0");
+  Result<std::int64_t> copied = database_.ask(copy);
+  if (!copied && spend_if_full(copied.error())) copied = database_.ask(copy);
+  set = database_.run(journal_tables::wait_for_others);
 }
 
-Result<bool> JournalFile::compact(Time now) {
+JournalRoom JournalFile::room() {
   const std::scoped_lock lock(mutex_);
-  const Result<std::int64_t> newest =
-      database_.ask("SELECT coalesce((SELECT revision FROM log ORDER BY number DESC LIMIT 1), 0)");
-  if (!newest) return fail(journal_tables::failure_of(newest.error(), path_));
-  const auto revision = static_cast<Revision>(*newest);
-  // The newest group stays, and says where the numbers go on.
+  if (spent_ || room_.is_scarce) give_log_back();
+  spent_ = false;
+  const std::int64_t set_aside = reserve_.fill();
+  copy_log_at(set_aside / 8);
+  const Result<std::int64_t> free_pages =
+      is_ample(set_aside) ? Result<std::int64_t>(0) : database_.ask("PRAGMA freelist_count");
+  constexpr std::int64_t page = 4096;
+  room_ = room_with(set_aside, page * free_pages.value_or(0));
+  return room_;
+}
+
+Result<std::size_t> JournalFile::compact(Time now) {
+  const std::scoped_lock lock(mutex_);
+  Result<std::size_t> gone = compact_slice(now);
+  if (!gone && spend_if_full(gone.error())) gone = compact_slice(now);
+  // What there is no space to do at once is done in smaller slices.
+  const bool full = !gone && gone.error().symbol == "disk-full";
+  slice_bytes_ = full ? std::max<std::size_t>(slice_bytes_ / 4, 1) : std::min(2 * slice_bytes_, largest_slice);
+  if (!gone) return fail(journal_tables::failure_of(gone.error(), path_));
+  return gone;
+}
+
+Result<std::size_t> JournalFile::compact_slice(Time now) {
+  const Result<LineStart> end = end_of(database_);
+  if (!end) return fail(end);
+  if (room_.is_scarce) {
+    return journal_tables::advance_horizon(database_, end->revision + 1, now - replies_kept, slice_bytes_);
+  }
   const Revision kept = history_.time ? 0 : history_.revisions;
-  const Time oldest_time = now - std::max(replies_kept, history_.time.value_or(replies_kept));
-  if (revision < kept) return false;
-  Result<bool> more = journal_tables::advance_horizon(database_, revision - kept, oldest_time);
-  if (!more) return fail(journal_tables::failure_of(more.error(), path_));
-  return more;
+  if (end->revision < kept) return std::size_t{0};
+  const Time oldest = now - std::max(replies_kept, history_.time.value_or(replies_kept));
+  return journal_tables::advance_horizon(database_, end->revision - kept, oldest, slice_bytes_);
 }
 
 void remove_journal(const std::string& path) {

@@ -8,8 +8,9 @@
 //   Result<std::shared_ptr<JournalFile>> file = JournalFile::open("cell.journal", {});
 //   Result<std::vector<RememberedReply>> replies = (*file)->recover(store);     // before anything is appended
 //   (*file)->append({lines, replies, true});           // it survives kill -9 and a power cut when this returns
-//   while (*(*file)->compact(now)) {}                  // moves the horizon on, a slice at a time
+//   while (*(*file)->compact(now) > 0) {}              // moves the horizon on, a slice at a time
 //
+// The past is kept as history says while there is space for it; where space is scarce, compaction lets it go.
 // One board at a time has the file; others may read it meanwhile, with read_journal(). Calls may come from any thread,
 // one after another. Failures: journal-full (no space, or the disk cannot be written), bad-journal (damaged, or no
 // journal at all), journal-file (everything else that the operating system or SQLite refuses).
@@ -21,6 +22,7 @@
 #include <vector>
 
 #include "blackboard/journal/journal.hpp"
+#include "blackboard/journal/journal_room.hpp"
 #include "blackboard/journal/kept_mark.hpp"
 #include "blackboard/journal/space_reserve.hpp"
 #include "blackboard/journal/sqlite.hpp"
@@ -66,11 +68,12 @@ class JournalFile {
 
   // All of it, into an empty store.
   Result<std::vector<RememberedReply>> recover(Store& store);
-  Result<void> append(const JournalGroup& group);
-  // How many bytes of groups there is space for in any case: tries to set it aside again when it was used up.
-  std::size_t room();
-  // Whether there may be more to do.
-  Result<bool> compact(Time now);
+  // On a full disk the last of the space is used where `may_spend`.
+  Result<void> append(const JournalGroup& group, bool may_spend = true);
+  // What there is space for in any case: tries to set it aside again when it was used up.
+  JournalRoom room();
+  // How many bytes of groups went from the log; 0 when there are none to go.
+  Result<std::size_t> compact(Time now);
 
  private:
   class Lock {
@@ -84,9 +87,15 @@ class JournalFile {
     const int file_;
   };
 
+  // What a board's next acknowledgement may have to wait for.
+  static constexpr std::size_t largest_slice = 256 << 10;
+
   JournalFile(std::string path, History history, int lock, sqlite::Database database);
   Result<void> write(const JournalGroup& group);
-  void let_log_be_copied(bool allowed);
+  Result<std::size_t> compact_slice(Time now);
+  bool spend_if_full(const Failure& failure);
+  void copy_log_at(std::int64_t bytes);
+  void give_log_back();
 
   const std::string path_;
   const History history_;
@@ -98,7 +107,10 @@ class JournalFile {
   sqlite::Statement insert_;
   std::int64_t next_group_ = 1;
   bool waits_for_disk_ = true;
-  bool log_is_copied_ = true;
+  bool spent_ = false;  // what was set aside, since room() was called
+  std::int64_t log_pages_ = 0;
+  JournalRoom room_;
+  std::size_t slice_bytes_ = largest_slice;
 };
 
 // With what SQLite and the board leave beside it when they are killed.

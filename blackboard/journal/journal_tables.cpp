@@ -156,8 +156,8 @@ std::optional<RememberedReply> reply_from_line(std::string_view line) {
 Result<sqlite::Database> open(const std::string& path, sqlite::Access access) {
   Result<sqlite::Database> database = sqlite::Database::open(path, access);
   if (!database) return database;
-  Result<void> set =
-      database->run("PRAGMA busy_timeout = 2000; PRAGMA cell_size_check = ON; PRAGMA cache_size = -8000");
+  Result<void> set = database->run(wait_for_others);
+  if (set) set = database->run("PRAGMA cell_size_check = ON; PRAGMA cache_size = -8000");
   if (!set) return fail(set);
   // A board that was killed while it began leaves a file with nothing in it.
   const Result<std::int64_t> tables = database->ask("SELECT count(*) FROM sqlite_master");

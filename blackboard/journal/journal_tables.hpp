@@ -20,6 +20,8 @@
 
 namespace pizarra::journal_tables {
 
+// Another program that reads the file, as long as that takes at most.
+constexpr const char* wait_for_others = "PRAGMA busy_timeout = 2000";
 // Makes them where there are none. Failure bad-journal when it is some other file.
 Result<sqlite::Database> open(const std::string& path, sqlite::Access access);
 

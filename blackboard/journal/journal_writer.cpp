@@ -1,5 +1,7 @@
 #include "blackboard/journal/journal_writer.hpp"
 
+#include <algorithm>
+#include <array>
 #include <utility>
 
 namespace pizarra {
@@ -8,6 +10,7 @@ namespace {
 
 constexpr Duration not_waited_for = 100ms;
 constexpr Duration try_again_after = 250ms;
+constexpr Duration let_go_again_after = 1s;
 constexpr Duration longest_disk = 20ms;  // that company is waited for in proportion to
 constexpr std::size_t compaction_bytes = 256 << 10;
 constexpr std::size_t written_at_once_bytes = 1 << 20;
@@ -28,17 +31,28 @@ JournalWriter::~JournalWriter() {
   if (work_ != nullptr) {
     work_->ended.wait(false);
     // Nobody waits any more for what cannot be written now.
-    if (!work_->written) work_->written = file_->append(work_->group);
+    work_->may_spend = true;
+    if (!work_->written) work_->write();
     if (!work_->written) return;
   }
-  if (!pending_.lines.empty()) work_ = nullptr, take_pending(), work_->written = file_->append(work_->group);
+  while (!pending_.empty()) {
+    take_pending();
+    work_->write();
+    if (!work_->written) return;
+  }
+}
+
+void JournalWriter::Work::write() {
+  if (!what.group.lines.empty()) written = file->append(what.group, may_spend);
 }
 
 void JournalWriter::append(std::string_view line) {
-  pending_.lines += line;
-  pending_.lines += '\n';
-  ++position_;
-  if (!failure_ && pending_.bytes() >= written_at_once_bytes) due_.set();
+  if (pending_.empty() || pending_.back().group.bytes() >= written_at_once_bytes) pending_.emplace_back();
+  Pending& last = pending_.back();
+  last.group.lines += line;
+  last.group.lines += '\n';
+  last.last = ++position_;
+  if (!failure_ && last.group.bytes() >= written_at_once_bytes) due_.set();
   if (timer_ != 0) return;
   timer_ = executor_.call_at(executor_.now() + not_waited_for, [this] {
     timer_ = 0;
@@ -46,10 +60,13 @@ void JournalWriter::append(std::string_view line) {
   });
 }
 
-void JournalWriter::remember(const RememberedReply& reply) { pending_.replies += reply_line(reply); }
+void JournalWriter::remember(const RememberedReply& reply) {
+  if (!pending_.empty()) pending_.back().group.replies += reply_line(reply);
+}
 
 void JournalWriter::keep() {
-  if (std::exchange(pending_.durable, true)) return;
+  if (pending_.empty()) pending_.push_back({.group = {}, .last = position_});
+  if (std::exchange(pending_.back().group.durable, true)) return;
   if (timer_ != 0) executor_.cancel(timer_);
   timer_ = executor_.call_at(executor_.now() + disk_takes_ / 8, [this] {
     timer_ = 0;
@@ -58,21 +75,39 @@ void JournalWriter::keep() {
 }
 
 std::optional<Failure> JournalWriter::lack_of_room() const {
-  if (room_ > 0) return std::nullopt;
+  if (room_.for_all > 0) return std::nullopt;
   return Failure{"journal-full", file_->path() + ": the disk is full", {}, {}};
 }
 
-Result<void> JournalWriter::check_room(bool durable, std::size_t bytes) const {
-  if (durable && failure_) return fail(*failure_);
-  const std::size_t under_way = work_ == nullptr ? 0 : work_->group.bytes();
-  if (under_way + pending_.bytes() + bytes <= (failure_ ? max_waiting_bytes : room_)) return {};
+Result<void> JournalWriter::check_room(Change change, std::size_t bytes) const {
+  const bool refused = change == Change::lasting ? failure_.has_value() : change == Change::removing && stuck_;
+  if (refused) return fail(*failure_);
+  const std::array most = {most_passing(), room_.for_all, room_.for_removals};
+  if (waiting_bytes() + bytes <= most[static_cast<std::size_t>(change)]) return {};
+  if (failure_) return fail(*failure_);
+  if (room_.is_scarce) return fail("journal-full", file_->path() + ": the disk has too little space left for this");
   return fail("journal-full", "more waits to be written to " + file_->path() + " than is allowed to wait");
+}
+
+// On a full disk it must leave room for the removals that come after it.
+std::size_t JournalWriter::most_passing() const {
+  const bool in_the_way = failure_ && !stuck_ && room_.for_removals > 0;
+  return in_the_way ? room_.for_removals / 2 : max_waiting_bytes;
+}
+
+std::size_t JournalWriter::waiting_bytes() const {
+  std::size_t bytes = work_ == nullptr ? 0 : work_->what.group.bytes();
+  for (const Pending& pending : pending_) bytes += pending.group.bytes();
+  return bytes;
+}
+
+bool JournalWriter::durable_waits() const {
+  return std::ranges::any_of(pending_, [](const Pending& pending) { return pending.group.durable; });
 }
 
 Task<void> JournalWriter::write_groups() {
   while (true) {
-    std::optional<Time> again;
-    if (failure_) again = executor_.now() + try_again_after;
+    const std::optional<Time> again = look_again();
     co_await due_.wait(again);
     due_.reset();
     if (work_ == nullptr) take_pending();
@@ -81,26 +116,39 @@ Task<void> JournalWriter::write_groups() {
   }
 }
 
+// The past that could not be let go yet can be later.
+std::optional<Time> JournalWriter::look_again() const {
+  if (failure_) return executor_.now() + try_again_after;
+  if (room_.is_scarce) return executor_.now() + let_go_again_after;
+  return std::nullopt;
+}
+
 void JournalWriter::take_pending() {
   work_ = std::make_shared<Work>();
   work_->file = file_;
-  work_->group = std::exchange(pending_, {});
-  work_->last = position_;
+  work_->what.last = kept_;
+  if (pending_.empty()) return;
+  work_->what = std::move(pending_.front());
+  pending_.pop_front();
+  // All of it was due.
+  if (!pending_.empty()) due_.set();
 }
 
 Task<void> JournalWriter::write_group() {
   const std::shared_ptr<Work> work = work_;
   work->ended = false;
+  // On a full disk, what need not last leaves what is set aside alone, unless what must last comes after it.
+  work->may_spend = room_.for_all > 0 || work->what.group.durable || durable_waits();
   const Time begun = executor_.now();
   std::function<void(const std::function<bool()>&)> job = [work](const std::function<bool()>&) {
-    if (!work->group.lines.empty()) work->written = work->file->append(work->group);
+    work->write();
     work->room = work->file->room();
     work->ended = true;
     work->ended.notify_all();
   };
   co_await executor_.offload(std::move(job), Duration::zero());
   const Duration took = executor_.now() - begun;
-  if (work->group.durable) disk_takes_ = std::min((3 * disk_takes_ + took) / 4, longest_disk);
+  if (work->what.group.durable) disk_takes_ = std::min((3 * disk_takes_ + took) / 4, longest_disk);
   finish();
 }
 
@@ -109,28 +157,34 @@ void JournalWriter::finish() {
   const bool failed_before = failure_.has_value();
   room_ = work->room;
   failure_ = lack_of_room();
-  stuck_ = !work->written;
+  stuck_ = !work->written && work->may_spend;
   if (work->written) {
-    kept_ = work->last;
-    bytes_until_compaction_ -= std::min(bytes_until_compaction_, work->group.lines.size());
+    kept_ = work->what.last;
+    written_bytes_ += work->what.group.bytes();
     work_ = nullptr;
   } else {
     failure_ = work->written.error();
+    // Something that must last has come meanwhile.
+    if (!work->may_spend && durable_waits()) due_.set();
   }
   if (on_progress) on_progress();
   if (failed_before != failure_.has_value() && on_failure) on_failure(failure_);
 }
 
+// A slice at a time, so that what is to be written need not wait long.
 Task<void> JournalWriter::compact() {
-  if (bytes_until_compaction_ > 0 || failure_) co_return;
-  bytes_until_compaction_ = compaction_bytes;
+  if (!room_.is_scarce && (failure_ || written_bytes_ < compaction_bytes)) co_return;
   const std::shared_ptr<JournalFile> file = file_;
   const Time now = executor_.now();
-  std::function<void(const std::function<bool()>&)> job = [file, now](const std::function<bool()>&) {
+  const auto gone = std::make_shared<std::size_t>(0);
+  std::function<void(const std::function<bool()>&)> job = [file, now, gone](const std::function<bool()>&) {
     // What could not be done now is tried again with the next.
-    [[maybe_unused]] const Result<bool> more = file->compact(now);
+    *gone = file->compact(now).value_or(0);
   };
   co_await executor_.offload(std::move(job), Duration::zero());
+  written_bytes_ -= std::min(*gone == 0 ? written_bytes_ : *gone, written_bytes_);
+  const bool more = *gone > 0 && (room_.is_scarce || written_bytes_ >= compaction_bytes);
+  if (more) due_.set();
 }
 
 }  // namespace pizarra

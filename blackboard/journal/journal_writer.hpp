@@ -11,10 +11,12 @@
 // A group waits a little for company, an eighth of what the disk took lately: those who are acknowledged together come
 // again together. No more should wait to be written than the file has set space aside for, which check_room() says.
 // When the disk is full, the space is used for what waits, and writer.failure() says so until there is space again:
-// what touches durable relations should be refused meanwhile. What cannot be written even so is tried again four times
-// a second. Destroying it writes what is left.
+// what adds to durable relations should be refused meanwhile, and what only takes from them while check_room() says so.
+// The past is let go then. What cannot be written even so is tried again four times a second. Destroying it writes what
+// is left.
 
 #include <atomic>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -30,7 +32,9 @@ namespace pizarra {
 class JournalWriter {
  public:
   using Position = std::uint64_t;  // how many lines came before, and this one
-  // Of what need not last, while nothing can be written.
+  // What need not last; what must; and of that, what takes facts away and adds none.
+  enum class Change : std::uint8_t { passing, lasting, removing };
+  // Of what need not last.
   static constexpr std::size_t max_waiting_bytes = 16 << 20;
 
   JournalWriter(Executor& executor, std::shared_ptr<JournalFile> file);
@@ -49,40 +53,50 @@ class JournalWriter {
   void keep();
   Position position() const { return position_; }
   Position kept() const { return kept_; }
-  // Why nothing more can be written, since when durable changes should be refused.
+  // Why nothing more can be added, since when durable changes should be refused.
   const std::optional<Failure>& failure() const { return failure_; }
   // Whether what was appended already cannot be written either.
   bool stuck() const { return stuck_; }
   // Whether so much more may be appended: a failure, or so much that waits for a slow disk.
-  Result<void> check_room(bool durable, std::size_t bytes) const;
+  Result<void> check_room(Change change, std::size_t bytes) const;
   const JournalFile& file() const { return *file_; }
 
  private:
+  struct Pending {
+    JournalGroup group;
+    Position last = 0;
+  };
   // What a worker does away from the board's thread; it outlives the writer if need be.
   struct Work {
     std::shared_ptr<JournalFile> file;
-    JournalGroup group;
-    Position last = 0;
+    Pending what;
+    bool may_spend = true;
     Result<void> written = {};
-    std::size_t room = 0;
+    JournalRoom room;
     std::atomic<bool> ended = false;
+
+    void write();
   };
   Task<void> write_groups();
   Task<void> write_group();
   Task<void> compact();
+  std::optional<Time> look_again() const;
   void take_pending();
+  bool durable_waits() const;
+  std::size_t waiting_bytes() const;
+  std::size_t most_passing() const;
   void finish();
   std::optional<Failure> lack_of_room() const;
 
   Executor& executor_;
   const std::shared_ptr<JournalFile> file_;
-  JournalGroup pending_;
+  std::deque<Pending> pending_;  // each written at once
   Position position_ = 0;
   Position kept_ = 0;
   std::shared_ptr<Work> work_;  // under way, or to be tried again
-  std::size_t room_;
-  std::size_t bytes_until_compaction_ = 0;
-  Duration disk_takes_{};  // to make a group durable, lately
+  JournalRoom room_;
+  std::size_t written_bytes_ = 0;  // that compaction has to make up for
+  Duration disk_takes_{};          // to make a group durable, lately
   std::optional<Failure> failure_;
   bool stuck_ = false;
   Event due_;

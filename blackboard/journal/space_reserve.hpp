@@ -15,7 +15,7 @@ namespace pizarra {
 
 class SpaceReserve {
  public:
-  static constexpr std::int64_t least = 2 << 20;
+  static constexpr std::int64_t least = 256 << 10;
   static constexpr std::int64_t most = 16 << 20;
 
   explicit SpaceReserve(std::string path) : path_(std::move(path)) {}

@@ -25,6 +25,26 @@ bool declares_durable(const Datum& relation) {
   return std::ranges::any_of(relation.items(), [](const Datum& part) { return part.is_form("durable"); });
 }
 
+// Whether nothing stands after it that did not stand before.
+bool only_removes(const Datum& body) {
+  const auto removes = [](const Datum& step) { return step.is_form("retract") || step.is_form("settle"); };
+  return body.is_form("transact") && body.size() > 2 && std::ranges::all_of(body[2].items(), removes);
+}
+
+// What the journal says beside the request: when and who, and its reply.
+constexpr std::size_t said_beside = 512;
+// " (retract 18446744073709551615)"
+constexpr std::size_t bytes_of_a_removal = 31;
+
+// Of the line, and of the reply that is remembered with it: that to a `take` has the fact.
+std::size_t bytes_at_most(const Datum& body) {
+  if (body.is_form("take")) return limits::frame_bytes + said_beside;
+  // Of each fact that is told its id, and the one that it replaces.
+  constexpr std::size_t bytes_of_a_step = 3 * bytes_of_a_removal;
+  const std::size_t steps = body.is_form("transact") && body.size() > 2 ? body[2].size() : 0;
+  return weigh(body).bytes + steps * bytes_of_a_step + said_beside;
+}
+
 }  // namespace
 
 Durability::Durability(JournalWriter* journal, Send send) : journal_(journal), send_(std::move(send)) {
@@ -43,12 +63,23 @@ bool Durability::concerns_durable(const Store& store, const Datum& body) const {
   return std::ranges::any_of(body[2].items(), [&](const Datum& step) { return step_is_durable(store, step); });
 }
 
-Result<void> Durability::check_room(const Datum& body, bool durable) const {
+Result<void> Durability::check_room(const Store& store, const Datum& body) const {
   const bool changes = body.is_form("take") || body.is_form("transact") || body.is_form("declare");
-  if (journal_ == nullptr || !changes) return {};
-  // The journal's line says what the request says, or the reply beside it what was taken.
-  constexpr std::size_t said_beside = 512;
-  return journal_->check_room(durable, limits::frame_bytes + said_beside);
+  return changes ? check_room(store, body, 0) : Result<void>();
+}
+
+Result<void> Durability::check_room(const Store& store, const Datum& body, std::size_t removals) const {
+  if (journal_ == nullptr) return {};
+  const Change change = change_of(store, body);
+  // Weighing takes its time, and there is room as a rule.
+  const std::size_t named = removals * bytes_of_a_removal;
+  const Result<void> room = journal_->check_room(change, limits::frame_bytes + said_beside + named);
+  return room ? room : journal_->check_room(change, bytes_at_most(body) + named);
+}
+
+Durability::Change Durability::change_of(const Store& store, const Datum& body) const {
+  if (!concerns_durable(store, body)) return Change::passing;
+  return only_removes(body) ? Change::removing : Change::lasting;
 }
 
 void Durability::hold(wire::SessionId session, wire::RequestId request, Reply reply) {

@@ -35,8 +35,11 @@ class Durability {
 
   // Whether the request tells, retracts, takes, settles or declares what is durable.
   bool concerns_durable(const Store& store, const Datum& body) const;
-  // Before a change, which then does not come to stand: failure journal-full.
-  Result<void> check_room(const Datum& body, bool durable) const;
+  // Before a change, which then does not come to stand: failure journal-full. Where the disk is full, what takes
+  // durable facts away and adds none goes on.
+  Result<void> check_room(const Store& store, const Datum& body) const;
+  // The same of one that takes up to so many facts away, each of which the journal names.
+  Result<void> check_room(const Store& store, const Datum& body, std::size_t removals) const;
   JournalWriter::Position position() const { return journal_ == nullptr ? 0 : journal_->position(); }
   void hold(wire::SessionId session, wire::RequestId request, Reply reply);
   // One that was held before, if it is to be had.
@@ -49,6 +52,8 @@ class Durability {
     wire::RequestId request;
     Reply reply;
   };
+  using Change = JournalWriter::Change;
+  Change change_of(const Store& store, const Datum& body) const;
   void progress();
   std::string in_doubt(wire::RequestId request, const Reply& reply) const;
 

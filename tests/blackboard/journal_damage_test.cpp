@@ -159,7 +159,7 @@ TEST_F(JournalDamageTest, WhenTheHorizonMovesAFactThatIsMissingIsNotForgotten) {
   keep_a_past();
   change("DELETE FROM facts");
   const std::shared_ptr<JournalFile> file = JournalFile::open(path_, {.revisions = 1}).value();
-  const Result<bool> compacted = file->compact(Time(86400s));
+  const Result<std::size_t> compacted = file->compact(Time(86400s));
   ASSERT_FALSE(compacted.has_value());
   EXPECT_EQ(compacted.error().symbol, "bad-journal");
   EXPECT_NE(compacted.error().sentence.find("is missing"), std::string::npos) << compacted.error().sentence;

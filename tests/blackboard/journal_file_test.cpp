@@ -226,8 +226,8 @@ TEST_F(JournalFileTest, WhenTheFileMayNotGrowWhatIsDurableIsRefusedAndLaterWritt
   life.tell("(goal 2 x)");
   life.keep();
   EXPECT_TRUE(life.writer->stuck());
-  EXPECT_EQ(life.writer->check_room(true, 100).error().symbol, "journal-full");
-  EXPECT_TRUE(life.writer->check_room(false, 100).has_value());
+  EXPECT_EQ(life.writer->check_room(JournalWriter::Change::lasting, 100).error().symbol, "journal-full");
+  EXPECT_TRUE(life.writer->check_room(JournalWriter::Change::passing, 100).has_value());
   EXPECT_EQ(life.facts("(goal ? ?)").size(), 2U) << "reading goes on";
   life.executor.run_for(2s);
   EXPECT_TRUE(life.writer->stuck());
@@ -235,7 +235,7 @@ TEST_F(JournalFileTest, WhenTheFileMayNotGrowWhatIsDurableIsRefusedAndLaterWritt
   std::signal(SIGXFSZ, former);
   life.executor.run_for(300ms);
   EXPECT_FALSE(life.writer->stuck());
-  EXPECT_TRUE(life.writer->check_room(true, 100).has_value());
+  EXPECT_TRUE(life.writer->check_room(JournalWriter::Change::lasting, 100).has_value());
   EXPECT_EQ(life.writer->kept(), life.writer->position());
   EXPECT_EQ(news, (std::vector<std::string>{"journal-full", "well"}));
   EXPECT_EQ(facts_at({}, "(goal ? ?)"), read("((goal 1 x) (goal 2 x))"));

@@ -43,8 +43,8 @@ class JournalFileTest : public testing::Test {
     }
     std::vector<Datum> facts(const std::string& pattern) {
       std::vector<Datum> facts;
-      const Result<Answers> answers = board->ask(query(pattern));
-      for (const Answer& answer : answers->answers) facts.push_back(answer.facts.front().datum);
+      const Answers answers = board->ask(query(pattern)).value();
+      for (const Answer& answer : answers.answers) facts.push_back(answer.facts.front().datum);
       return facts;
     }
     void tell(const std::string& fact) {

@@ -95,8 +95,9 @@ class KeptBoard {
   }
 
   static void say_how_it_goes(const std::optional<Failure>& failure) {
-    const std::string news = failure ? describe(*failure) + "; what is durable is refused until there is space"
-                                     : std::string("the journal can be written again");
+    const std::string news = failure
+                                 ? describe(*failure) + "; what adds to durable facts is refused until there is space"
+                                 : std::string("the journal can be written again");
     fmt::print(stderr, "pizarra-board: {}\n", news);
   }
 
