@@ -26,7 +26,7 @@ Task<void> VisionAgent::State::on_frame(StereoFrame frame) {
   if (activity == Activity::tracking) {
     const GreyPair grey = grey_pair(frame);
     StereoSight sight(grey.left, grey.right, *feed.model());
-    sightings = tracker.update(sight);
+    sightings = tracker.update(sight, frame.captured);
     tracked_image = frame.left;
   }
   publish(frame, sightings);

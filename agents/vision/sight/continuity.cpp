@@ -4,6 +4,10 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
+
+#include "agents/vision/marks/mark_outline.hpp"
+#include "agents/vision/sight/frame_time.hpp"
 
 namespace pizarra {
 namespace {
@@ -11,23 +15,24 @@ namespace {
 // Of a centre at rest, by noise and the pixels' phase; and what is none of that.
 constexpr double rest_px = 0.25;
 constexpr double clear_px = 3 * rest_px;
-// Slower than that a frame, what looks like motion may be covering.
-constexpr double least_speed_px = 0.5;
-constexpr double speed_gain = 0.3;
-constexpr double place_gain = 0.15;
-constexpr double spread_gain = 0.1;
-constexpr double unrest_kept = 0.8;
+// Slower than that a second, what looks like motion may be covering.
+constexpr double least_speed_px = 5;
+// How much of what is new the memory takes over a second, at that rate.
+constexpr double speed_rate = 3;
+constexpr double place_rate = 1.5;
+constexpr double spread_rate = 1;
+constexpr double unrest_rate = 2;
 // How many times better one explanation must be than the other: where it is told, and where it is remembered.
 constexpr double sure = 2.7;
 constexpr double suspicious = 1.35;
 // Less change of size than noise makes, in px of the centre.
 constexpr double least_off_px = 0.2;
-// Frames.
-constexpr int most_remembered = 100;
 // The largest ratio of the changes of size on all axes, of a mark that is nearer or farther away.
 constexpr double similar_scales = 1.03;
-// From the centre of a triangle to its corners, in standard deviations.
+// From the centre of a triangle to its corners, in standard deviations; and what the three waves of its outline have at
+// least, in those squared.
 const double corner_reach = std::sqrt(8.0);
+constexpr double least_triangle_power = 0.02;
 // Of the motion that covering makes, how much is left unexplained where much is covered: by how the shape is.
 constexpr double most_missed = 0.5;
 
@@ -40,6 +45,18 @@ double motion_of_covering(double reach, double spread) {
 
 // The axis at a right angle.
 std::size_t across(std::size_t axis) { return axis ^ 1; }
+
+bool is_triangle(const SeenMark& mark) {
+  const MarkOutline outline = outline_of(mark.signature);
+  const auto power = [&](std::size_t waves) {
+    const std::size_t i = waves - MarkOutline::first;
+    return outline.cosines[i] * outline.cosines[i] + outline.sines[i] * outline.sines[i];
+  };
+  return power(3) > std::max<double>(least_triangle_power, power(4));
+}
+
+// What of the new is taken over in so many seconds.
+double gain(double rate, double seconds) { return std::min(1.0, rate * seconds); }
 
 }  // namespace
 
@@ -59,27 +76,26 @@ WholeMark::Axes WholeMark::axes_of(const SeenMark& mark) {
           diagonal((x - y) / std::numbers::sqrt2, mean - mark.slant_px2)};
 }
 
-WholeMark::WholeMark(const SeenMark& mark) : axes_(axes_of(mark)) {}
+WholeMark::WholeMark(const SeenMark& mark, Time captured)
+    : axes_(axes_of(mark)), followed_(captured), looked_at_(captured) {}
 
 bool WholeMark::moves() const {
   return std::ranges::any_of(axes_, [](const Axis& axis) { return axis.moves(); });
 }
 
-void WholeMark::wait() {
-  ++frames_;
+void WholeMark::wait(Time captured) {
+  looked_at_ = captured;
   hidden_ = true;
 }
 
-bool WholeMark::forgotten() const { return hidden_ && frames_ > most_remembered; }
-
 // It is foreseen where it was, or going on as it went: a hand may stop it.
-WholeMark::Evidence WholeMark::evidence(const Axis& axis, const Axis& now) const {
+WholeMark::Evidence WholeMark::evidence(const Axis& axis, const Axis& now, double seconds) {
   const double change = axis.spread - now.spread;
   const double by_low = motion_of_covering(axis.low, axis.spread) * change;
   const double by_high = -motion_of_covering(axis.high, axis.spread) * change;
   constexpr double endless = std::numeric_limits<double>::infinity();
   Evidence out{.off = std::max(std::abs(by_low), std::abs(by_high)), .moved = endless, .missed = endless};
-  for (const double foreseen : {axis.place, axis.foreseen(frames_)}) {
+  for (const double foreseen : {axis.place, axis.foreseen(seconds)}) {
     const double motion = now.place - foreseen;
     out.moved = std::min(out.moved, std::abs(motion));
     out.missed = std::min({out.missed, std::abs(motion - by_low), std::abs(motion - by_high)});
@@ -97,42 +113,61 @@ double WholeMark::covering(const Evidence& covered, const Evidence& other) const
 }
 
 // What covers a triangle along one side leaves a triangle of the same form with the corner opposite.
-WholeMark::Evidence WholeMark::evidence_of_a_side(const Axes& now) const {
+WholeMark::Evidence WholeMark::evidence_of_a_side(const Axes& now, double seconds) const {
   const double spread = (axes_[0].spread + axes_[1].spread) / 2;
   const double change = spread - (now[0].spread + now[1].spread) / 2;
   constexpr double endless = std::numeric_limits<double>::infinity();
   Evidence out{.off = corner_reach * change, .moved = endless, .missed = endless};
-  for (const int frames : {0, frames_}) {
-    const double motion =
-        std::hypot(now[0].place - axes_[0].foreseen(frames), now[1].place - axes_[1].foreseen(frames));
+  for (const double after : {0.0, seconds}) {
+    const double motion = std::hypot(now[0].place - axes_[0].foreseen(after), now[1].place - axes_[1].foreseen(after));
     out.moved = std::min(out.moved, motion);
     out.missed = std::min(out.missed, std::abs(motion - out.off));
   }
   return out;
 }
 
-std::array<WholeMark::Evidence, 4> WholeMark::evidence(const Axes& now) const {
+std::array<WholeMark::Evidence, 4> WholeMark::evidence(const Axes& now, double seconds) const {
   std::array<Evidence, 4> out;
-  for (std::size_t i = 0; i < out.size(); ++i) out[i] = evidence(axes_[i], now[i]);
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = evidence(axes_[i], now[i], seconds);
   return out;
 }
 
-WholeMark::Look WholeMark::look_at(const SeenMark& mark, double most_off_px) const {
-  const Axes now = axes_of(mark);
-  const std::array<Evidence, 4> seen = evidence(now);
-  const double off = std::max(std::hypot(seen[0].off, seen[1].off), std::hypot(seen[2].off, seen[3].off));
-  if (off <= most_off_px || forgotten()) return Look::whole;
+bool WholeMark::is_elsewhere(const std::array<Evidence, 4>& seen) const {
   const auto beyond = [&](std::size_t i) { return seen[i].moved > std::max(axes_[i].low, axes_[i].high); };
+  return beyond(0) || beyond(1);
+}
+
+WholeMark::Scales WholeMark::scales(const Axes& now) const {
+  std::array<double, 4> all;
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = now[i].spread / axes_[i].spread;
+  const auto [least, most] = std::ranges::minmax(all);
+  return {least, most};
+}
+
+bool WholeMark::Scales::similar() const { return most < similar_scales * least; }
+
+bool WholeMark::Scales::resized() const {
+  const double change = std::max(least - 1, 1 - most);
+  return change > most - least && change > similar_scales - 1;
+}
+
+// Of those that are smaller and of the same form.
+bool WholeMark::may_be_a_side_less(const SeenMark& mark, const Scales& scale) {
+  return scale.least < 1 && is_triangle(mark);
+}
+
+WholeMark::Look WholeMark::look_at(const SeenMark& mark, Time captured, double most_off_px) const {
+  const Axes now = axes_of(mark);
+  const double seconds = seconds_between(followed_, captured);
+  const std::array<Evidence, 4> seen = evidence(now, seconds);
+  const double off = std::max(std::hypot(seen[0].off, seen[1].off), std::hypot(seen[2].off, seen[3].off));
+  if (off <= most_off_px) return Look::whole;
   // Who moves so far may well turn by 30 degrees.
-  if (beyond(0) || beyond(1)) return off <= 2 * most_off_px ? Look::whole : Look::unlike;
-  std::array<double, 4> scales;
-  for (std::size_t i = 0; i < scales.size(); ++i) scales[i] = now[i].spread / axes_[i].spread;
-  const auto [least, most] = std::ranges::minmax(scales);
-  // Nearer or farther away, or a triangle that is covered along one side.
-  const bool similar = most < similar_scales * least;
-  if (similar && least > 1) return Look::turned;
-  if (similar) {
-    const Evidence side = evidence_of_a_side(now);
+  if (is_elsewhere(seen)) return off <= 2 * most_off_px ? Look::whole : Look::unlike;
+  const Scales scale = scales(now);
+  if (scale.similar() && !may_be_a_side_less(mark, scale)) return Look::turned;
+  if (scale.similar()) {
+    const Evidence side = evidence_of_a_side(now, seconds);
     return side.missed < clear_px && covering(side, {}) > sure ? Look::covered : Look::turned;
   }
   for (std::size_t i = 0; i < seen.size(); ++i) {
@@ -149,37 +184,43 @@ WholeMark::Look WholeMark::look_at(const SeenMark& mark, double most_off_px) con
   return Look::turned;
 }
 
-void WholeMark::follow(Axis& axis, const Axis& now, const Evidence& seen, double covering) const {
-  const double foreseen = axis.foreseen(frames_);
-  const double gain = seen.missed > clear_px ? 1 : place_gain;
-  axis.speed += speed_gain * ((now.place - axis.place) / frames_ - axis.speed);
-  axis.place = foreseen + gain * (now.place - foreseen);
-  axis.spread += (covering < 1 / suspicious ? 1 : spread_gain) * (now.spread - axis.spread);
+void WholeMark::follow(Axis& axis, const Axis& now, const Evidence& seen, double covering, double seconds,
+                       double frame) {
+  const double foreseen = axis.foreseen(seconds);
+  const double place_gain = seen.missed > clear_px ? 1 : gain(place_rate, frame);
+  axis.speed += gain(speed_rate, frame) * ((now.place - axis.place) / seconds - axis.speed);
+  axis.place = foreseen + place_gain * (now.place - foreseen);
+  axis.spread += (covering < 1 / suspicious ? 1 : gain(spread_rate, frame)) * (now.spread - axis.spread);
   axis.low = now.low;
   axis.high = now.high;
 }
 
-void WholeMark::follow(const SeenMark& mark) {
-  if (forgotten()) {
-    *this = WholeMark(mark);
+void WholeMark::follow(const SeenMark& mark, Time captured) {
+  const Axes now = axes_of(mark);
+  const double seconds = seconds_between(followed_, captured);
+  const double frame = seconds_between(looked_at_, captured);
+  const std::array<Evidence, 4> seen = evidence(now, seconds);
+  // Put down elsewhere, nearer or farther away, while it was hidden: what it was like before says nothing.
+  const Scales scale = scales(now);
+  const bool resized = scale.resized() && !may_be_a_side_less(mark, scale);
+  if (hidden_ && (is_elsewhere(seen) || resized)) {
+    *this = WholeMark(mark, captured);
     return;
   }
-  const Axes now = axes_of(mark);
-  const std::array<Evidence, 4> seen = evidence(now);
   std::array<double, 4> by_covering;
   bool held = false;
   for (std::size_t i = 0; i < seen.size(); ++i) {
     by_covering[i] = covering(seen[i], seen[across(i)]);
     held = held || (seen[i].off > least_off_px && seen[i].missed < clear_px && by_covering[i] > suspicious);
   }
-  hidden_ = false;
-  if (held) {
-    ++frames_;
-    return;
-  }
-  for (std::size_t i = 0; i < seen.size(); ++i) follow(axes_[i], now[i], seen[i], by_covering[i]);
-  unrest_ = std::max(unrest_kept * unrest_, std::hypot(seen[0].moved, seen[1].moved));
-  frames_ = 1;
+  const bool was_hidden = std::exchange(hidden_, false);
+  looked_at_ = captured;
+  if (held) return;
+  for (std::size_t i = 0; i < seen.size(); ++i) follow(axes_[i], now[i], seen[i], by_covering[i], seconds, frame);
+  // Where it went unseen is no unrest.
+  const double moved = was_hidden ? 0 : std::hypot(seen[0].moved, seen[1].moved);
+  unrest_ = std::max((1 - gain(unrest_rate, frame)) * unrest_, moved);
+  followed_ = captured;
 }
 
 }  // namespace pizarra

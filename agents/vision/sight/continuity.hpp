@@ -5,33 +5,35 @@
 // turning and going away shrink a mark about its centre; covering takes one side away and leaves the opposite one where
 // it was, so that the centre moves as far as the loss says.
 //
-//   WholeMark whole(first);
-//   switch (whole.look_at(now, 1)) ...
-//   whole.follow(now);                  // once it is taken for the mark
-//   whole.wait();                       // a frame without it
+//   WholeMark whole(first, captured);
+//   switch (whole.look_at(now, captured, 1)) ...
+//   whole.follow(now, captured);        // once it is taken for the mark
+//   whole.wait(captured);               // a frame without it
 //
 // Slow covering shows over many frames only, so the memory is moved by what is seen little by little, and not at all
-// while covering explains the look better.
+// while covering explains the look better. It lasts as long as the covering does: a hand may rest. What it remembers in
+// vain, of a mark that was put down anew and looks covered there, ends when that is seen whole or elsewhere.
 
 #include "agents/vision/marks/mark_measure.hpp"
+#include "blackboard/time/clock.hpp"
 
 namespace pizarra {
 
 class WholeMark {
  public:
   enum class Look : std::uint8_t {
-    whole,    // as large as remembered, wherever it is; or nothing is remembered any more
+    whole,    // as large as remembered, wherever it is
     turned,   // of another size, about where it was foreseen
     covered,  // a part of it, or it and something else
     unlike,   // of another size, elsewhere
   };
 
-  explicit WholeMark(const SeenMark& mark);
+  WholeMark(const SeenMark& mark, Time captured);
 
   // `most_off_px`: how far off a centre may be that is told.
-  Look look_at(const SeenMark& now, double most_off_px) const;
-  void follow(const SeenMark& now);
-  void wait();
+  Look look_at(const SeenMark& now, Time captured, double most_off_px) const;
+  void follow(const SeenMark& now, Time captured);
+  void wait(Time captured);
   bool moves() const;
 
  private:
@@ -41,10 +43,10 @@ class WholeMark {
     double spread;
     double low;  // from the centre to either end
     double high;
-    double speed = 0;  // a frame
+    double speed = 0;  // a second
 
     bool moves() const;
-    double foreseen(int frames) const { return place + (moves() ? frames * speed : 0); }
+    double foreseen(double seconds) const { return place + (moves() ? seconds * speed : 0); }
   };
   // What the change of size and the motion of the centre say of each other on one axis, px.
   struct Evidence {
@@ -52,23 +54,36 @@ class WholeMark {
     double moved = 0;   // what the centre moved unforeseen if it is not
     double missed = 0;  // and if it is
   };
-  Evidence evidence(const Axis& axis, const Axis& now) const;
+  // `seconds`: since it was followed.
+  static Evidence evidence(const Axis& axis, const Axis& now, double seconds);
   // How many times better covering along the first explains both than turning does.
   double covering(const Evidence& covered, const Evidence& other) const;
-  void follow(Axis& axis, const Axis& now, const Evidence& seen, double covering) const;
-
-  // It was not seen for so long that it may have been put down anew.
-  bool forgotten() const;
+  // After `seconds`, the last `frame` of them since it was looked at.
+  static void follow(Axis& axis, const Axis& now, const Evidence& seen, double covering, double seconds, double frame);
 
   using Axes = std::array<Axis, 4>;
   static Axes axes_of(const SeenMark& mark);
-  std::array<Evidence, 4> evidence(const Axes& now) const;
+  std::array<Evidence, 4> evidence(const Axes& now, double seconds) const;
+  // Farther from where it was foreseen than half its size.
+  bool is_elsewhere(const std::array<Evidence, 4>& seen) const;
+  // The largest and the least ratio of its sizes now and then.
+  struct Scales {
+    double least;
+    double most;
+    // Nearer or farther away, or a triangle that is covered along one side.
+    bool similar() const;
+    // Nearer or farther away, clearly.
+    bool resized() const;
+  };
+  Scales scales(const Axes& now) const;
+  static bool may_be_a_side_less(const SeenMark& mark, const Scales& scale);
   // Of a mark that is of the same form still.
-  Evidence evidence_of_a_side(const Axes& now) const;
+  Evidence evidence_of_a_side(const Axes& now, double seconds) const;
 
   Axes axes_;
   double unrest_ = 0;  // how far it was lately from where it was foreseen
-  int frames_ = 1;     // since it was followed
+  Time followed_;
+  Time looked_at_;
   bool hidden_ = false;
 };
 

@@ -18,8 +18,9 @@ constexpr int small_gate_px = 5;
 constexpr double local_reach_px = 48;
 // How far off the centre of a mark may be, by what covers a part of it, that is told.
 constexpr double most_off_px = 1;
-// How much of the confidence is left after each frame in which a mark was not seen.
+// How much of the confidence is left after every tenth of a second in which a mark was not seen.
 constexpr double trust_in_a_bridge = 0.7;
+constexpr double trust_lasts_s = 0.1;
 
 // What so many px in an image 320 px wide are in this one.
 double px_in(const cv::Mat& image, double px) { return px * std::max(1.0, image.cols / 320.0); }
@@ -66,13 +67,15 @@ void follow_others(std::vector<cv::Point2d>& others, const std::vector<SeenMark>
   }
 }
 
-void remember(std::optional<WholeMark>& whole, const SeenMark& now) {
+void remember(std::optional<WholeMark>& whole, const SeenMark& now, Time captured) {
   if (whole) {
-    whole->follow(now);
+    whole->follow(now, captured);
   } else {
-    whole.emplace(now);
+    whole.emplace(now, captured);
   }
 }
+
+double disparity_px(const SeenMark& left, const SeenMark& right) { return left.centre.x - right.centre.x; }
 
 }  // namespace
 
@@ -102,7 +105,8 @@ void MarkTracker::rename(const Renames& renames) {
   for (Track& track : tracks_) track.name = name_now(renames, track.name);
 }
 
-std::vector<TrackSighting> MarkTracker::update(StereoSight& sight) {
+std::vector<TrackSighting> MarkTracker::update(StereoSight& sight, Time captured) {
+  frame_s_ = seconds_between(std::exchange(captured_, captured), captured);
   // Places and sizes in images of another size say nothing.
   const bool anew = std::exchange(image_size_, sight.left().size()) != sight.left().size();
   std::vector<TrackSighting> out;
@@ -119,14 +123,15 @@ std::optional<SeenPair> MarkTracker::follow(StereoSight& sight, const Track& tra
   if (!track.left) return std::nullopt;
   std::optional<double> disparity;
   if (track.right) {
-    disparity = track.left->centre.x - track.right->centre.x + (track.missing + 1) * track.disparity_change_px;
+    disparity =
+        disparity_px(*track.left, *track.right) + seconds_between(track.seen_at, captured_) * track.disparity_change_px;
   }
   if (object.tag() != nullptr) {
-    const cv::Point motion = track.expected() - track.left->centre;
+    const cv::Point motion = track.expected(captured_) - track.left->centre;
     return sight.find(*object.tag(), area_around_tag(track.left->box + motion), disparity);
   }
   SeenPair out;
-  std::optional<SeenMark> left = follow_mark(sight.left(), sight.noise(), *track.left, track.expected());
+  std::optional<SeenMark> left = follow_mark(sight.left(), sight.noise(), *track.left, track.expected(captured_));
   if (!left) return std::nullopt;
   const std::optional<Likeness> likely = recognise(*left, objects_, object);
   if (!likely) return std::nullopt;
@@ -156,31 +161,32 @@ std::optional<SeenPair> MarkTracker::search(StereoSight& sight, Track& track, co
   if (!track.others.empty()) follow_others(track.others, sight.left_segmentation().marks(), objects_, object);
   std::optional<SeenPair> now;
   if (track.left) {
-    now = sight.find(objects_, object, track.expected(), px_in(sight.left(), local_reach_px), track.others);
+    now = sight.find(objects_, object, track.expected(captured_), px_in(sight.left(), local_reach_px), track.others);
   }
   if (!now) now = sight.find(objects_, object, {}, 0, track.others);
   return now;
 }
 
-bool MarkTracker::is_whole_still(const StereoSight& sight, const Track& track, const SeenPair& now) {
+bool MarkTracker::is_whole_still(const StereoSight& sight, const Track& track, const SeenPair& now) const {
   const double off_px = px_in(sight.left(), most_off_px);
   const bool lost = !track.left;
   const auto is_it = [&](const std::optional<WholeMark>& whole, const SeenMark& mark) {
     if (!whole) return true;
-    const WholeMark::Look look = whole->look_at(mark, off_px);
+    const WholeMark::Look look = whole->look_at(mark, captured_, off_px);
     return look != WholeMark::Look::covered && (look != WholeMark::Look::unlike || lost);
   };
   return is_it(track.whole_left, now.left) && (!now.right || is_it(track.whole_right, *now.right));
 }
 
 // What is said of a frame in which it was not found.
-TrackSighting MarkTracker::miss(const StereoSight& sight, Track& track) {
+TrackSighting MarkTracker::miss(const StereoSight& sight, Track& track) const {
   for (std::optional<WholeMark>* whole : {&track.whole_left, &track.whole_right}) {
-    if (*whole) (*whole)->wait();
+    if (*whole) (*whole)->wait(captured_);
   }
   TrackSighting out{.name = track.name, .centre = {}, .yaw_deg = {}, .contour = {}};
   const cv::Rect2d image(0, 0, sight.left().cols, sight.left().rows);
-  const bool near = track.left && track.missing < most_bridged && image.contains(track.expected());
+  const bool near =
+      track.left && captured_ - track.seen_at <= longest_bridge && image.contains(track.expected(captured_));
   if (!near) {
     // What rested is behind what hides it; where what moved may be by now, nobody knows.
     const bool rests = track.whole_left && !track.whole_left->moves();
@@ -190,12 +196,35 @@ TrackSighting MarkTracker::miss(const StereoSight& sight, Track& track) {
     track = std::move(lost);
     return out;
   }
+  track.missed = true;
   out.bridged = true;
-  out.centre = track.expected();
+  out.centre = track.expected(captured_);
   out.range_mm = track.range_mm;
-  ++track.missing;
-  out.confidence = track.confidence * std::pow(trust_in_a_bridge, track.missing);
+  out.confidence =
+      track.confidence * std::pow(trust_in_a_bridge, seconds_between(track.seen_at, captured_) / trust_lasts_s);
   return out;
+}
+
+void MarkTracker::take(const StereoSight& sight, Track& track, SeenPair now, bool whole) const {
+  const double seconds = seconds_between(track.seen_at, captured_);
+  const cv::Point2d velocity = track.left ? (now.left.centre - track.left->centre) / seconds : cv::Point2d();
+  const bool steady = cv::norm(velocity) * frame_s_ < px_in(sight.left(), local_reach_px);
+  track.velocity_px = steady ? velocity : cv::Point2d();
+  track.disparity_change_px = 0;
+  if (now.right && track.left && track.right && steady) {
+    const double change = disparity_px(now.left, *now.right) - disparity_px(*track.left, *track.right);
+    track.disparity_change_px = change / seconds;
+  }
+  // A tag that is read is whole.
+  if (whole && !now.left.tag) {
+    remember(track.whole_left, now.left, captured_);
+    if (now.right) remember(track.whole_right, *now.right, captured_);
+    if (!now.right && track.whole_right) track.whole_right->wait(captured_);
+  }
+  track.left = std::move(now.left);
+  track.right = std::move(now.right);
+  track.seen_at = captured_;
+  track.missed = false;
 }
 
 TrackSighting MarkTracker::update(StereoSight& sight, Track& track) {
@@ -203,16 +232,11 @@ TrackSighting MarkTracker::update(StereoSight& sight, Track& track) {
   if (object == nullptr) return miss(sight, track);
   std::optional<SeenPair> now = follow(sight, track, *object);
   const bool followed = now && is_whole_still(sight, track, *now);
-  if (!followed && track.left && track.missing == 0) note_others(track, *object);
+  if (!followed && track.left && !track.missed) note_others(track, *object);
   if (!now) now = search(sight, track, *object);
   if (!now || !is_whole_still(sight, track, *now)) return miss(sight, track);
 
   TrackSighting out{.name = track.name, .centre = {}, .yaw_deg = {}, .contour = {}};
-  const int frames = track.missing + 1;
-  const cv::Point2d motion = track.left ? (now->left.centre - track.left->centre) / frames : cv::Point2d();
-  const bool steady = cv::norm(motion) < px_in(sight.left(), local_reach_px);
-  track.velocity_px = steady ? motion : cv::Point2d();
-  track.disparity_change_px = 0;
   out.centre = now->left.centre;
   out.contour = now->left.contour;
   out.confidence = now->likeness.confidence();
@@ -226,24 +250,12 @@ TrackSighting MarkTracker::update(StereoSight& sight, Track& track) {
     out.range_spread_mm = range->spread_mm;
   }
   if (now->right) {
-    const double disparity = now->left.centre.x - now->right->centre.x;
-    if (track.left && track.right && steady) {
-      track.disparity_change_px = (disparity - (track.left->centre.x - track.right->centre.x)) / frames;
-    }
     out.right_centre = now->right->centre;
     out.yaw_deg = face_yaw_deg(sight.model(), now->left, *now->right);
   }
-  // A tag that is read is whole.
-  if (out.seen && !now->left.tag) {
-    remember(track.whole_left, now->left);
-    if (now->right) remember(track.whole_right, *now->right);
-    if (!now->right && track.whole_right) track.whole_right->wait();
-  }
-  track.left = std::move(now->left);
-  track.right = std::move(now->right);
+  take(sight, track, std::move(*now), out.seen);
   if (out.seen) track.range_mm = out.range_mm;
   track.confidence = out.confidence;
-  track.missing = 0;
   return out;
 }
 

@@ -4,19 +4,20 @@
 // followed from where its motion predicts its centre. Where that fails, it is looked for nearby and then everywhere,
 // in this same frame and in every later one, while the others go on. What is followed is recognised anew in every
 // frame, so that a hand, the gripper or another cube in its place is a loss, never a position; and so is one that hides
-// a part of it (continuity.hpp). A loss of a few frames is bridged: the object is expected where its motion would have
+// a part of it (continuity.hpp). A loss of half a second is bridged: the object is expected where its motion would have
 // brought it, and is said not to be seen. So long, nothing elsewhere is taken for it that is of another size; and never
 // what looked like it elsewhere in the image in which it was seen last.
 //
 //   MarkTracker tracker(objects);
 //   tracker.add(*objects.find("circle"));
 //   StereoSight sight(left, right, model);
-//   for (const TrackSighting& sighting : tracker.update(sight)) ...
+//   for (const TrackSighting& sighting : tracker.update(sight, frame.captured)) ...
 
 #include <set>
 
 #include "agents/vision/objects/renames.hpp"
 #include "agents/vision/sight/continuity.hpp"
+#include "agents/vision/sight/frame_time.hpp"
 #include "agents/vision/sight/stereo_sight.hpp"
 
 namespace pizarra {
@@ -30,7 +31,7 @@ struct TrackSighting {
   std::optional<cv::Point2d> right_centre = {};  // the same in the right one, where that shows it
   double range_mm = 0;                           // by the pair, or by its size where the right image ends before it
   double range_spread_mm = 0;                    // a standard deviation; 0 where it is not seen
-  double confidence = 0;                         // Likeness::confidence(); of a bridged one less with every frame
+  double confidence = 0;                         // Likeness::confidence(); of a bridged one less and less
   std::string second = {};        // the learned object that it is most like otherwise, where one comes near
   double margin = 0;              // Likeness::margin()
   std::optional<double> yaw_deg;  // of its face (face_yaw_deg), where both images show it
@@ -38,7 +39,7 @@ struct TrackSighting {
 };
 
 inline constexpr std::size_t most_tracked = 16;
-inline constexpr int most_bridged = 5;  // frames
+inline constexpr Duration longest_bridge = 500ms;
 
 class MarkTracker {
  public:
@@ -57,38 +58,44 @@ class MarkTracker {
 
   // One sighting an object, the end-effector first, then in the order added. The pixels of the left image must stay
   // until the next one has been seen.
-  std::vector<TrackSighting> update(StereoSight& sight);
+  std::vector<TrackSighting> update(StereoSight& sight, Time captured);
 
  private:
   struct Track {
     std::string name;
-    // As seen last, if it was within most_bridged frames.
+    // As seen last, if that was no longer ago than longest_bridge.
     std::optional<SeenMark> left = {};
     std::optional<SeenMark> right = {};
+    Time seen_at = {};
+    bool missed = false;  // in the frame before this one
     // As they were while nothing covered them.
     std::optional<WholeMark> whole_left = {};
     std::optional<WholeMark> whole_right = {};
-    cv::Point2d velocity_px = {};  // a frame, in the left image
+    cv::Point2d velocity_px = {};  // a second, in the left image
     double disparity_change_px = 0;
     double range_mm = 0;
     double confidence = 0;
-    int missing = 0;  // frames since
     // Where its like is that stood elsewhere when it was seen last, so that it is another.
     std::vector<cv::Point2d> others = {};
-    // Where it should be in the frame to come.
-    cv::Point2d expected() const { return left->centre + (missing + 1) * velocity_px; }
+    // Where it should be by then.
+    cv::Point2d expected(Time then) const { return left->centre + seconds_between(seen_at, then) * velocity_px; }
   };
   std::optional<SeenPair> follow(StereoSight& sight, const Track& track, const LearnedObject& object) const;
   // Looks for it where it is not followed.
   std::optional<SeenPair> search(StereoSight& sight, Track& track, const LearnedObject& object);
   void note_others(Track& track, const LearnedObject& object);
   // Whether what was found is the whole mark, going by what is remembered of it.
-  static bool is_whole_still(const StereoSight& sight, const Track& track, const SeenPair& now);
+  bool is_whole_still(const StereoSight& sight, const Track& track, const SeenPair& now) const;
   TrackSighting update(StereoSight& sight, Track& track);
-  static TrackSighting miss(const StereoSight& sight, Track& track);
+  TrackSighting miss(const StereoSight& sight, Track& track) const;
+  // What was seen becomes what is followed.
+  void take(const StereoSight& sight, Track& track, SeenPair now, bool whole) const;
 
   const LearnedObjects& objects_;
   std::vector<Track> tracks_;
+  // Of the frame in hand, and since the one before it.
+  Time captured_ = {};
+  double frame_s_ = 0;
   // The left image before, looked at only where something was lost since.
   cv::Mat last_left_;
   std::optional<ImageSegmentation> last_segmentation_;

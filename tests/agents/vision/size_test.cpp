@@ -98,6 +98,7 @@ void expect_seen(const Case& one) {
   objects.add("thing", *sample);
   MarkTracker tracker(objects);
   ASSERT_TRUE(tracker.add(objects.all().front()));
+  Time now = {};
   for (const double step : {0.0, 1.0, 2.5, 4.5}) {
     const cv::Point2d place = middle(one) + step * unit * cv::Point2d(2, -1);
     const cv::Mat1b seen = picture(one, place, random, 0.97);
@@ -105,7 +106,7 @@ void expect_seen(const Case& one) {
     const std::optional<SeenPair> found = sight.find(objects, objects.all().front());
     ASSERT_TRUE(found) << "not found after " << step;
     EXPECT_LT(cv::norm(found->left.centre - place), std::max(0.3, 0.006 * one.across_px));
-    const TrackSighting sighting = tracker.update(sight).front();
+    const TrackSighting sighting = tracker.update(sight, now += 100ms).front();
     ASSERT_TRUE(sighting.seen) << "lost after " << step;
     EXPECT_LT(cv::norm(sighting.centre - place), std::max(0.3, 0.006 * one.across_px));
     EXPECT_NEAR(sighting.range_mm / 500, 1 / 0.97, 0.04);
@@ -157,7 +158,7 @@ TEST_P(Sizes, ALargeShapeOfAPairHasItsRange) {
     StereoSight sight(left, right, model);
     MarkTracker tracker(objects);
     ASSERT_TRUE(tracker.add(objects.all().front()));
-    const TrackSighting seen = tracker.update(sight).front();
+    const TrackSighting seen = tracker.update(sight, Time()).front();
     ASSERT_TRUE(seen.seen);
     EXPECT_NEAR(seen.range_mm, range_mm(model, place, disparity.x), 0.01 * depth_mm);
     EXPECT_GT(seen.range_spread_mm, 0);

@@ -56,6 +56,7 @@ class Tags : public testing::Test {
   Random random{9};
   StereoModel model = bench::scene_camera();
   LearnedObjects objects;
+  Time now = {};
 };
 
 TEST_F(Tags, AreCalledByTheirFamilyAndNumber) {
@@ -90,7 +91,7 @@ TEST_F(Tags, AreLearnedFoundAndTrackedLikeOtherMarks) {
   for (const bench::SceneMark& mark : scene.marks) ASSERT_TRUE(tracker.add(*objects.find(mark.name)));
   for (int frame = 0; frame < 3; ++frame) {
     StereoSight sight = look();
-    const std::vector<TrackSighting> seen = tracker.update(sight);
+    const std::vector<TrackSighting> seen = tracker.update(sight, now += 100ms);
     for (std::size_t i = 0; i < scene.marks.size(); ++i) {
       ASSERT_TRUE(seen[i].seen) << seen[i].name;
       EXPECT_LT(cv::norm(seen[i].centre - scene.marks[i].centre), 0.5) << seen[i].name;
@@ -105,13 +106,13 @@ TEST_F(Tags, WhileItIsTrackedOneIsLookedForWhereItWasSoThatAnotherOfItsNumberDoe
   MarkTracker tracker(objects);
   ASSERT_TRUE(tracker.add(*objects.find("a")));
   StereoSight alone = look();
-  ASSERT_TRUE(tracker.update(alone).front().seen);
+  ASSERT_TRUE(tracker.update(alone, now).front().seen);
   scene.marks.push_back(scene.marks[0]);
   for (const cv::Point2d& other : {cv::Point2d(250, 190), cv::Point2d(255, 30)}) {
     scene.marks.back().centre = other;
     scene.marks[0].centre += cv::Point2d(3, 2);
     StereoSight sight = look();
-    const TrackSighting seen = tracker.update(sight).front();
+    const TrackSighting seen = tracker.update(sight, now += 100ms).front();
     EXPECT_LT(cv::norm(seen.centre - scene.marks[0].centre), 0.5);
   }
 }

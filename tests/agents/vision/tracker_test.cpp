@@ -8,6 +8,8 @@
 namespace pizarra {
 namespace {
 
+constexpr int bridged_frames = 5;  // ten a second
+
 class Tracker : public testing::Test {
  protected:
   // The five in a row, in the order of cell_marks().
@@ -23,7 +25,8 @@ class Tracker : public testing::Test {
   void track(const std::string& name) { ASSERT_TRUE(tracker.add(*learned_cell().find(name))); }
   std::vector<TrackSighting> see() {
     DrawnSight drawn(scene, random);
-    return tracker.update(drawn.sight);
+    now += between;
+    return tracker.update(drawn.sight, now);
   }
   void expect_at(const TrackSighting& sighting, const cv::Point3d& place) {
     ASSERT_TRUE(sighting.seen) << sighting.name;
@@ -33,6 +36,8 @@ class Tracker : public testing::Test {
 
   Scene scene;
   Random random{5};
+  Duration between = 100ms;  // frames
+  Time now = {};
   MarkTracker tracker{learned_cell()};
 };
 
@@ -98,7 +103,7 @@ TEST_F(Tracker, TakesNoTwinForWhatIsHidden) {
       for (int frame = 0; frame < 3; ++frame) expect_at(see()[0], tracked.place);
       const cv::Point2d centre = project(DrawnSight::model(), tracked.place, false);
       scene.blots = {{.box = {centre.x - 25, centre.y - 25, 50, 50}, .level = 150, .disparity_px = 46}};
-      for (int frame = 0; frame < 2 * most_bridged; ++frame) {
+      for (int frame = 0; frame < 2 * bridged_frames; ++frame) {
         scene.faces[1].place.y -= 4;
         EXPECT_FALSE(see()[0].seen);
       }
@@ -178,7 +183,7 @@ TEST_F(Tracker, ASlidingOccluderNeverMakesAConfidentWrongPosition) {
         // In the right image the same edge lies elsewhere on the mark, as a nearer thing's would.
         scene.blots = {{.box = {centre.x + edge - 60, centre.y - 30, 60, 60}, .level = level}};
         DrawnSight drawn(scene, random);
-        const std::vector<TrackSighting> sightings = one.update(drawn.sight);
+        const std::vector<TrackSighting> sightings = one.update(drawn.sight, now += between);
         if (!sightings[0].seen) continue;
         EXPECT_LT(cv::norm(sightings[0].centre - centre), 1.5) << "edge at " << edge;
         EXPECT_NEAR(sightings[0].range_mm, cv::norm(scene.faces[0].place), 15) << "edge at " << edge;
@@ -212,7 +217,7 @@ TEST_F(Tracker, BridgesALossOfAFewFramesAndSaysThatItDoes) {
     expect_at(see()[0], scene.faces[0].place);
   }
   double confidence = 1;
-  for (int frame = 4; frame < 4 + most_bridged; ++frame) {
+  for (int frame = 4; frame < 4 + bridged_frames; ++frame) {
     scene.faces = {{.mark = "none", .place = {-60.0 + 8 * frame, 0, 850}}};
     const TrackSighting sighting = see()[0];
     EXPECT_FALSE(sighting.seen);
@@ -238,7 +243,7 @@ TEST_F(Tracker, APairGoesByNoGuessOfASize) {
   MarkTracker one(objects);
   ASSERT_TRUE(one.add(*objects.find("circle")));
   DrawnSight drawn(scene, random);
-  expect_at(one.update(drawn.sight)[0], face("circle").place);
+  expect_at(one.update(drawn.sight, now)[0], face("circle").place);
 }
 
 TEST_F(Tracker, SaysHowSureItIsAndHowFarTheRangeMayBeOff) {

@@ -77,12 +77,14 @@ void slide(const VisionBench& bench, Random& random, Told& by_one, Told& by_pair
   for (MarkTracker* tracker : {&one, &pair}) {
     if (!tracker->add(*bench.marks.find(mark.name))) throw std::runtime_error("too many objects");
   }
+  Time time = {};
   const auto look = [&](const Scene& now) {
     const cv::Mat1b left = draw(now, Side::left, random);
     StereoSight alone(left, cv::Mat1b::zeros(left.size()), one_camera());
     StereoSight both(left, draw(now, Side::right, random), scene_camera());
-    by_one.count(one.update(alone), mark.centre);
-    by_pair.count(pair.update(both), mark.centre);
+    time += 100ms;
+    by_one.count(one.update(alone, time), mark.centre);
+    by_pair.count(pair.update(both, time), mark.centre);
   };
   for (int frame = 0; frame < frames_before; ++frame) look(scene);
   const int steps = static_cast<int>(2 * reach_mm / hand.speed_mm);

@@ -90,7 +90,7 @@ Verdict follow(const VisionBench& bench, const Sequence& sequence, Random& rando
     const Scene scene = sequence.at(frame);
     StereoSight sight(draw(scene, Side::left, random), draw(scene, Side::right, random), scene_camera());
     visible_for = sequence.hidden(frame) ? 0 : visible_for + 1;
-    for (const TrackSighting& sighting : tracker.update(sight)) {
+    for (const TrackSighting& sighting : tracker.update(sight, Time(frame * 100ms))) {
       const auto truth = std::ranges::find(scene.marks, sighting.name, &SceneMark::name);
       const bool is_hero = truth - scene.marks.begin() == static_cast<std::ptrdiff_t>(sequence.hero);
       if (sighting.seen && cv::norm(sighting.centre - truth->centre) > same_place_px) verdict.wrong = true;

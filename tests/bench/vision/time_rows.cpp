@@ -100,6 +100,7 @@ struct Followed {
   std::vector<Pair> frames;
   MarkTracker tracker;
   std::size_t next = 0;
+  Time now = {};
 };
 
 std::vector<Followed> followed(const std::vector<Scene>& scenes, const LearnedObjects& objects, Random& random) {
@@ -131,7 +132,7 @@ Seen track_all(std::vector<Followed>& all) {
     for (int i = 0; i < repeats; ++i) {
       const Pair& pair = one.frames[one.next++ % one.frames.size()];
       StereoSight sight(pair.left, pair.right, scene_camera());
-      for (const TrackSighting& sighting : one.tracker.update(sight)) {
+      for (const TrackSighting& sighting : one.tracker.update(sight, one.now += 100ms)) {
         ++out.shown;
         out.seen += sighting.seen ? 1 : 0;
       }

@@ -1,0 +1,100 @@
+#pragma once
+
+// A mark, a hand that slides over it, and two trackers that look on: one before a pair, one before its left camera
+// alone. What either tells to be seen must be where the mark is.
+//
+//   CoveredMark mark("square", seed);
+//   mark.put_hand(hand, 5);                     // its edge 5 px from the mark's centre
+//   mark.look();                                // a frame later
+//   mark.scene.blots.clear();                   // it has left
+
+#include <gtest/gtest.h>
+
+#include "agents/vision/sight/mark_tracker.hpp"
+#include "tests/agents/vision/eyes.hpp"
+
+namespace pizarra {
+
+struct Hand {
+  double from_deg;  // where it comes from
+  double speed_px;  // a frame
+  int level;
+  double disparity_px;
+};
+
+class CoveredMark {
+ public:
+  static constexpr double reach_px = 18;  // from its centre
+
+  CoveredMark(const std::string& name, std::uint64_t seed) : random(Random(seed).split(name)) {
+    scene.noise = random.uniform(1, 6);
+    scene.blur_px = random.uniform(0.5, 1);
+    scene.faces = {{.mark = drawn_as(name),
+                    .place = {random.uniform(-30, 40), random.uniform(-40, 40), random.uniform(800, 950)},
+                    .yaw_deg = random.uniform(-20, 20),
+                    .roll_deg = random.uniform(-10, 10)}};
+    for (MarkTracker* each : {&pair, &single}) EXPECT_TRUE(each->add(*learned_cell().find(name)));
+  }
+
+  cv::Point2d centre() const { return project(model, scene.faces[0].place, false); }
+  double disparity() const { return model.focal_px * model.base_line_mm / scene.faces[0].place.z; }
+  // Its edge is so far from where the mark's centre was when `at` was asked for.
+  void put_hand(const Hand& hand, double edge_px) { put_hand(hand, edge_px, centre()); }
+  void put_hand(const Hand& hand, double edge_px, cv::Point2d at) {
+    constexpr double wide = 90;
+    const double from = hand.from_deg * CV_PI / 180;
+    const cv::Point2d middle = at + (edge_px + wide / 2) * cv::Point2d(std::cos(from), std::sin(from));
+    scene.blots = {{.box = {middle.x - wide / 2, middle.y - wide / 2, wide, wide},
+                    .level = hand.level,
+                    .disparity_px = hand.disparity_px,
+                    .turn_deg = hand.from_deg}};
+  }
+
+  StereoFrame draw() { return draw_scene(scene, model, 1, random); }
+  void look() { look(draw()); }
+  void look(const StereoFrame& frame) {
+    const cv::Mat nothing = cv::Mat::zeros(frame.left->height, frame.left->width, CV_8UC1);
+    StereoSight both(as_mat(*frame.left), as_mat(*frame.right), model);
+    StereoSight left_only(as_mat(*frame.left), nothing, alone);
+    now += 1'000'000us / rate;
+    seen_by_pair = is_seen(pair.update(both, now)[0]);
+    seen_by_one = is_seen(single.update(left_only, now)[0]);
+  }
+
+  Random random;
+  const StereoModel model = two_cameras();
+  const StereoModel alone = one_camera();
+  Scene scene;
+  double most_off_px = 1.5;
+  int rate = 10;  // frames a second
+  bool seen_by_pair = false;
+  bool seen_by_one = false;
+
+ private:
+  // A part of the cell's images.
+  static StereoModel two_cameras() {
+    StereoModel out;
+    out.width = 160;
+    out.height = 120;
+    out.centre_x_px = 79.5;
+    out.centre_y_px = 59.5;
+    return out;
+  }
+  static StereoModel one_camera() {
+    StereoModel out = two_cameras();
+    out.base_line_mm = 0;
+    out.learned_at_mm = 850;
+    return out;
+  }
+  bool is_seen(const TrackSighting& sighting) const {
+    if (!sighting.seen) return false;
+    EXPECT_LT(cv::norm(sighting.centre - centre()), most_off_px);
+    return true;
+  }
+
+  Time now = {};
+  MarkTracker pair{learned_cell()};
+  MarkTracker single{learned_cell()};
+};
+
+}  // namespace pizarra
