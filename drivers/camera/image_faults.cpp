@@ -54,9 +54,18 @@ std::string_view fault_of_png(Bytes bytes) {
 
 std::string_view fault_of_data(Bytes bytes, bool is_jpeg) {
   if (bytes[0] == 0x89) return fault_of_png(bytes);
-  const JpegFault fault = is_jpeg ? fault_of_jpeg(bytes) : JpegFault::none;
-  if (fault == JpegFault::cut_short) return cut_short;
-  return fault == JpegFault::damaged ? "is damaged: libjpeg finds faults in it" : std::string_view();
+  if (!is_jpeg) return {};
+  switch (fault_of_jpeg(bytes)) {
+    case JpegFault::cut_short:
+      return cut_short;
+    case JpegFault::damaged:
+      return "is damaged: libjpeg finds faults in it";
+    case JpegFault::too_many_scans:
+      return "has more than 32 scans";
+    case JpegFault::none:
+      break;
+  }
+  return {};
 }
 
 }  // namespace

@@ -19,6 +19,16 @@ struct Judge {
 
 [[noreturn]] void end_reading(j_common_ptr jpeg) { std::longjmp(reinterpret_cast<Judge*>(jpeg->err)->found, 1); }
 
+// Beyond libjpeg's own codes.
+constexpr int too_many_scans = JMSG_LASTMSGCODE;
+
+// Called between rows of blocks.
+void count_scans(j_common_ptr jpeg) {
+  if (reinterpret_cast<j_decompress_ptr>(jpeg)->input_scan_number <= most_scans) return;
+  jpeg->err->msg_code = too_many_scans;
+  end_reading(jpeg);
+}
+
 // Warnings are below 0, traces above.
 void take_message(j_common_ptr jpeg, int level) {
   if (level < 0) end_reading(jpeg);
@@ -37,6 +47,9 @@ int first_fault(Bytes bytes, auto work) {
     return judge.manager.msg_code;
   }
   jpeg_create_decompress(&jpeg);
+  jpeg_progress_mgr progress{};
+  progress.progress_monitor = count_scans;
+  jpeg.progress = &progress;
   jpeg_mem_src(&jpeg, bytes.data(), bytes.size());
   jpeg_read_header(&jpeg, TRUE);
   work(jpeg);
@@ -60,6 +73,7 @@ void decode(jpeg_decompress_struct& jpeg) {
 JpegFault fault_of_jpeg(Bytes bytes) {
   const int fault = first_fault(bytes, decode);
   if (fault == 0) return JpegFault::none;
+  if (fault == too_many_scans) return JpegFault::too_many_scans;
   return fault == JWRN_JPEG_EOF ? JpegFault::cut_short : JpegFault::damaged;
 }
 

@@ -14,7 +14,11 @@
 
 namespace pizarra {
 
-enum class JpegFault : std::uint8_t { none, cut_short, damaged };
+enum class JpegFault : std::uint8_t { none, cut_short, damaged, too_many_scans };
+
+// Each goes over the whole image, and of a progressive JPEG's thousands a few hundred bytes each may tell nothing. What
+// encoders make has about ten.
+inline constexpr int most_scans = 32;
 
 // All of its data is gone through, up to its first fault. What damage leaves valid codes is none.
 JpegFault fault_of_jpeg(std::span<const unsigned char> bytes);

@@ -3,11 +3,15 @@
 #include <algorithm>
 
 namespace pizarra {
+namespace {
+
+bool is_anyones(const std::string& holder) { return holder == ModeHolders::anybody || holder == ModeHolders::absent; }
+
+}  // namespace
 
 void ModeHolders::disconnect(const std::string& client) {
-  for (const std::string& whose : {client, std::string(anybody)}) {
-    const auto held = clients_.find(whose);
-    if (held != clients_.end()) held->second.connected = false;
+  for (auto& [holder, held] : clients_) {
+    if (holder == client || is_anyones(holder)) held.connected = false;
   }
   tidy();
 }
@@ -19,16 +23,15 @@ bool ModeHolders::connected() const {
 void ModeHolders::track(const std::string& client, const std::string& name) { clients_[client].tracked.insert(name); }
 
 void ModeHolders::end_track(const std::string& client) {
-  for (const std::string& whose : {client, std::string(anybody)}) {
-    const auto held = clients_.find(whose);
-    if (held != clients_.end()) held->second.tracked.clear();
+  for (auto& [holder, held] : clients_) {
+    if (holder == client || is_anyones(holder)) held.tracked.clear();
   }
   tidy();
 }
 
 bool ModeHolders::tracks(const std::string& client) const {
   return std::ranges::any_of(clients_, [&](const auto& entry) {
-    return (entry.first == client || entry.first == anybody) && !entry.second.tracked.empty();
+    return (entry.first == client || is_anyones(entry.first)) && !entry.second.tracked.empty();
   });
 }
 
@@ -63,7 +66,7 @@ bool ModeHolders::keep(const std::string& client) {
 std::vector<std::string> ModeHolders::clients() const {
   std::vector<std::string> out;
   for (const auto& [client, held] : clients_) {
-    if (client != anybody) out.push_back(client);
+    if (!is_anyones(client)) out.push_back(client);
   }
   return out;
 }

@@ -1,7 +1,8 @@
 #pragma once
 
 // Which clients hold which modes of the eyes. Each connects, and tracks objects, for itself: what one ends goes on for
-// the others, and whoever dies lets go of what it held.
+// the others, and whoever dies lets go of what it held. Of whoever is not present on the board nobody knows when it
+// dies: what such clients hold, they hold as one, and only for a time.
 //
 //   ModeHolders holders;
 //   holders.track("coordinator", {"circle"});
@@ -20,8 +21,9 @@ namespace pizarra {
 
 class ModeHolders {
  public:
-  // Whoever is not present on the board, or has gone on: what is held so anyone may end.
+  // What is held by these, anyone may end: what was kept, and what those hold who are not present on the board.
   static constexpr std::string_view anybody = "anybody";
+  static constexpr std::string_view absent = "absent";
 
   void connect(const std::string& client) { clients_[client].connected = true; }
   void disconnect(const std::string& client);
@@ -40,9 +42,10 @@ class ModeHolders {
   // What this client holds goes on without it, as anybody's; false where it holds nothing.
   bool keep(const std::string& client);
 
-  // Those who hold anything, without anybody.
+  // Those who hold anything and can die.
   std::vector<std::string> clients() const;
-  void let_go(const std::string& client) { clients_.erase(client); }
+  // False where it held nothing.
+  bool let_go(const std::string& client) { return clients_.erase(client) > 0; }
 
   // (vision-held CLIENT connected) and (vision-held CLIENT tracking).
   std::vector<Datum> facts() const;

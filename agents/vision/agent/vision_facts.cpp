@@ -91,14 +91,19 @@ Task<void> VisionFacts::follow_found(Renames renames, const LearnedObjects& obje
   std::vector<Datum> renamed;
   for (const Fact& fact : *standing) {
     const Datum found = as_said(fact.datum);
-    const std::string name(found[1].text());
-    const LearnedObject* object = objects.find(name_now(renames, name));
-    if (object != nullptr && object->name == name) continue;
-    transaction.retract(fact.datum);
-    if (object == nullptr) continue;
     std::vector<Datum> items(found.items().begin(), found.items().end());
-    items[1] = to_datum(object->name);
-    renamed.push_back(Datum::list(std::move(items)));
+    bool gone = false;
+    for (Datum* name : {&items[1], &items[4]}) {
+      // Where nothing came near there is no second.
+      if (name->text().empty()) continue;
+      const LearnedObject* object = objects.find(name_now(renames, std::string(name->text())));
+      gone = gone || object == nullptr;
+      if (object != nullptr) *name = to_datum(object->name);
+    }
+    Datum now = Datum::list(std::move(items));
+    if (!gone && now == found) continue;
+    transaction.retract(fact.datum);
+    if (!gone) renamed.push_back(std::move(now));
   }
   add(transaction, renamed);
   co_await transact(std::move(transaction));

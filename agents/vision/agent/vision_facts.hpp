@@ -35,7 +35,7 @@ class VisionFacts {
   Task<void> tell_objects(std::vector<Datum> facts);
   // What tracking has seen in a frame; of each mark, since when it is seen or lost.
   Task<void> tell_look(std::uint64_t frame, const std::vector<TrackSighting>& sightings);
-  // What was found goes by its object's new name, and goes with it.
+  // What was found, and what that is most like otherwise, go by their objects' new names; the fact goes with either.
   Task<void> follow_found(Renames renames, const LearnedObjects& objects);
   // What was told of earlier frames holds no longer.
   Task<void> unsay();

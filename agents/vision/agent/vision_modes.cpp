@@ -11,6 +11,8 @@ namespace {
 // A learning takes two seconds, a finding a few frames.
 constexpr Duration longest_wait_for_turn = 6s;
 constexpr std::size_t most_waiting = 16;
+// Of who is not present.
+constexpr Duration lease = 60s;
 
 Datum presence_of(Datum who) { return list("agent"_sym, std::move(who), "?"_sym, "?"_sym); }
 
@@ -20,7 +22,9 @@ Task<std::string> VisionAgent::State::holder_for(std::string client) {
   const Datum pattern = presence_of(Datum::symbol(client));
   const Result<std::vector<Fact>> present = co_await context.board.facts(pattern);
   const bool here = present && !present->empty();
-  co_return here ? client : std::string(ModeHolders::anybody);
+  if (here) co_return client;
+  absent_until = context.executor.now() + lease;
+  co_return std::string(ModeHolders::absent);
 }
 
 Result<void> VisionAgent::State::check_free(Activity allowed) const {
@@ -87,6 +91,8 @@ Task<void> VisionAgent::State::follow_holders() {
 }
 
 Task<void> VisionAgent::State::let_dead_go() {
+  const bool lapsed = context.executor.now() >= absent_until && holders.let_go(std::string(ModeHolders::absent));
+  if (lapsed) co_await follow_holders();
   const std::vector<std::string> clients = holders.clients();
   if (clients.empty()) co_return;
   const Datum anyone = presence_of("?"_sym);

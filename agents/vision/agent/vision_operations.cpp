@@ -201,7 +201,8 @@ Task<Result<Datum>> VisionAgent::State::disconnect(std::string client) {
 }
 
 Task<Result<Datum>> VisionAgent::State::keep_modes(std::string client) {
-  if (!holders.keep(client)) co_return fail("nothing-held", "who asks is neither connected nor tracks", "keep"_sym);
+  const std::string holder = co_await holder_for(std::move(client));
+  if (!holders.keep(holder)) co_return fail("nothing-held", "who asks is neither connected nor tracks", "keep"_sym);
   co_await tell_holders();
   co_return Datum();
 }

@@ -84,7 +84,8 @@ struct VisionAgent::State {
   std::string_view mode() const;
 
   // Modes.
-  // The client as one who can hold a mode: itself while it is present, ModeHolders::anybody otherwise.
+  // The client as one who can hold a mode: itself while it is present, ModeHolders::absent otherwise, from now on for
+  // as long as these hold what they began.
   Task<std::string> holder_for(std::string client);
   // A failure `busy`, its subject who holds the mode, unless nothing goes on, or only what `allowed` says.
   Result<void> check_free(Activity allowed) const;
@@ -93,7 +94,8 @@ struct VisionAgent::State {
   Task<void> begin(Activity wanted, std::string client);
   // Ends an activity and goes on with what it interrupted.
   Task<void> finish_activity();
-  // Of those who hold modes and are not present any more, a second long, all is ended.
+  // Of those who hold modes and are not present any more, a second long, all is ended; and of those who never were,
+  // a while after they asked for it last.
   Task<void> let_dead_go();
   // The tracker, and who is told, become what the holders say.
   Task<void> follow_holders();
@@ -122,6 +124,7 @@ struct VisionAgent::State {
   std::deque<int> turns;  // of those who wait, and of the one who is next
   int last_turn = 0;
   std::set<std::string> missing;  // holders who were not present at the last look
+  Time absent_until = {};         // how long ModeHolders::absent holds what it does
   CameraDrops told_drops;
   VisionFacts facts{context, service};
   CameraFeed feed;

@@ -66,8 +66,8 @@ Task<void> VisionAgent::State::tell_holders() {
 Task<void> VisionAgent::State::tell_objects() {
   std::vector<Datum> known = look_alikes(objects);
   if (to_accept) known.push_back(list("to-accept"_sym, to_accept->name, to_accept->number));
-  for (const Failure& trouble : memory.troubles()) {
-    known.push_back(list("objects-damaged"_sym, trouble.subject, Datum::symbol(trouble.symbol), trouble.sentence));
+  for (const auto& [object, why] : memory.troubles()) {
+    known.push_back(list("objects-damaged"_sym, why.subject, Datum::symbol(why.symbol), why.sentence));
   }
   co_await facts.tell_objects(std::move(known));
 }

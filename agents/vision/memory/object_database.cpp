@@ -153,7 +153,7 @@ Result<KeptObjects> ObjectDatabase::read() {
     } else {
       Failure why = room.error();
       why.subject = to_datum(bitmap({name, rows.integer(1)}).filename().string());
-      out.damaged.push_back(std::move(why));
+      out.damaged.push_back({name, std::move(why)});
     }
   }
   return out;

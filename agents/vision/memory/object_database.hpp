@@ -27,11 +27,16 @@
 
 namespace pizarra {
 
-// What was read. A sample whose row or bitmap is damaged is left out, and a failure says why; its subject is the
-// bitmap's name.
+// What keeps something learned from being used; its subject is where the damage is.
+struct MemoryTrouble {
+  std::string object;  // its name; empty: any
+  Failure why;
+};
+
+// What was read. A sample whose row or bitmap is damaged is left out, with why; its subject is the bitmap's name.
 struct KeptObjects {
   LearnedObjects objects;
-  std::vector<Failure> damaged;
+  std::vector<MemoryTrouble> damaged;
 };
 
 class ObjectDatabase {

@@ -81,7 +81,7 @@ Task<Result<void>> ObjectMemory::recall() {
   // Whatever is wrong with the file, it is looked at anew the next time.
   database_.reset();
   const Result<void> recalled = co_await recall_facts();
-  troubles_.push_back(std::move(why));
+  troubles_.push_back({std::string(), std::move(why)});
   co_return recalled;
 }
 
@@ -118,13 +118,10 @@ Task<Result<std::int64_t>> ObjectMemory::change(ObjectChange change) {
   co_return std::int64_t{0};
 }
 
-// A bitmap's name is the object's and the sample's number.
-const Failure* ObjectMemory::trouble_with(std::string_view name) const {
-  const auto found = std::ranges::find_if(troubles_, [&](const Failure& trouble) {
-    const std::string_view subject = trouble.subject.text();
-    return same_name(subject.ends_with(".pgm") ? subject.substr(0, subject.rfind('-')) : subject, name);
-  });
-  return found == troubles_.end() ? nullptr : &*found;
+const Failure* ObjectMemory::trouble_with(std::string_view object) const {
+  const auto found =
+      std::ranges::find_if(troubles_, [&](const MemoryTrouble& trouble) { return same_name(trouble.object, object); });
+  return found == troubles_.end() ? nullptr : &found->why;
 }
 
 // What an earlier life of the agent left on the board.
@@ -147,7 +144,7 @@ Task<Result<void>> ObjectMemory::recall_facts() {
     } else {
       Failure why = sample ? slot.error() : sample.error();
       why.subject = fact.datum[2];
-      troubles_.push_back(std::move(why));
+      troubles_.push_back({std::string(fact.datum[2].text()), std::move(why)});
     }
   }
   co_return Result<void>();

@@ -23,8 +23,8 @@ class ObjectMemory {
 
   // The object stays in its place, what is in it is replaced by whatever changes it.
   const LearnedObjects& objects() const { return objects_; }
-  // What is damaged and where; the subject is a file's name.
-  const std::vector<Failure>& troubles() const { return troubles_; }
+  // What is damaged, and where: the subject is a file's name.
+  const std::vector<MemoryTrouble>& troubles() const { return troubles_; }
 
   // Reads everything anew. Failures: the board's.
   Task<Result<void>> recall();
@@ -35,7 +35,7 @@ class ObjectMemory {
   // The id of the sample that was kept; 0 where none was to be, or in no database.
   Task<Result<std::int64_t>> change(ObjectChange change);
   // What keeps a sample of that name from being used; null: nothing does.
-  const Failure* trouble_with(std::string_view name) const;
+  const Failure* trouble_with(std::string_view object) const;
 
  private:
   Result<void> open();
@@ -52,7 +52,7 @@ class ObjectMemory {
   bool was_open_ = false;
   std::int64_t version_ = 0;  // of the database as it was read last
   LearnedObjects objects_;
-  std::vector<Failure> troubles_;
+  std::vector<MemoryTrouble> troubles_;
 };
 
 }  // namespace pizarra

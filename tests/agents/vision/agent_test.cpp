@@ -93,6 +93,20 @@ TEST_F(Vision, WhatWasFoundGoesByItsNewNameAndNotBeyondWhatIsKnown) {
   EXPECT_EQ(facts("(found vision ? ? ? ? ? ? ?)"), "");
 }
 
+TEST_F(Vision, WhatWasFoundNamesNoSecondThatIsNotKnownAnyMore) {
+  for (const auto& [face, name] : {std::pair(0, "circle"), std::pair(1, "square")}) {
+    EXPECT_NE(call(learn_request(static_cast<std::size_t>(face), name)).find("OK"), std::string::npos);
+  }
+  const std::string seconds_square = "(found vision \"circle\" ? ? \"square\" ? ? ?)";
+  EXPECT_TRUE(call("(find \"circle\")").starts_with(R"x((FIND "circle" OK ()x"));
+  EXPECT_NE(facts(seconds_square), "");
+  EXPECT_EQ(call("(rename \"square\" \"box\")"), "()");
+  EXPECT_EQ(facts(seconds_square), "");
+  EXPECT_NE(facts("(found vision \"circle\" ? ? \"box\" ? ? ?)"), "");
+  EXPECT_EQ(call("(forget \"box\")"), "()");
+  EXPECT_EQ(facts("(found vision ? ? ? ? ? ? ?)"), "");
+}
+
 TEST_F(Vision, WhatIsRenamedTakesTheTrackOfOneThatWasForgotten) {
   learn_all();
   EXPECT_EQ(call("(track \"circle\")"), "()");

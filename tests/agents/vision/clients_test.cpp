@@ -111,16 +111,49 @@ TEST_F(Vision, WhatAClientAskedToKeepGoesOnWithoutItUntilAnyoneEndsIt) {
   EXPECT_EQ(facts("(vision-mode vision ? ?)"), "(vision-mode vision idle no)");
 }
 
-// A script that only tells requests has no presence: what it began lasts until someone ends it.
-TEST_F(Vision, WhatAClientWithoutPresenceBeganAnyoneMayEnd) {
-  EXPECT_EQ(call(learn_request(0, "circle")), R"x((LEARN "circle" OK))x");
+// A script that only tells requests has no presence: nobody can see it die.
+class AbsentClient : public Vision {
+ protected:
+  AbsentClient() { EXPECT_EQ(call(learn_request(0, "circle")), R"x((LEARN "circle" OK))x"); }
+  void request(const std::string& operation) {
+    const std::string name = "r" + std::to_string(++requests);
+    const Job telling = executor.spawn(tell(*script, form("(request " + name + " vision " + operation + ")")));
+    run_for(1s);
+  }
+  std::string held() { return facts("(vision-held vision ? ?)"); }
+
   const std::unique_ptr<Board> script = board.view("script");
-  const Job telling = executor.spawn(tell(*script, form("(request r1 vision (track \"circle\"))")));
+  int requests = 0;
+};
+
+TEST_F(AbsentClient, HoldsWhatItBeganSoThatAnyoneMayEndIt) {
+  request("(track \"circle\")");
   run_for(6s);
-  EXPECT_EQ(facts("(vision-held vision ? ?)"),
-            "(vision-held vision anybody connected)\n(vision-held vision anybody tracking)");
+  EXPECT_EQ(held(), "(vision-held vision absent connected)\n(vision-held vision absent tracking)");
   EXPECT_EQ(call("(end-track)"), "()");
   EXPECT_EQ(facts("(vision-mode vision ? ?)"), "(vision-mode vision capturing yes)");
+}
+
+TEST_F(AbsentClient, HoldsItForAMinuteAfterItAskedLast) {
+  request("(track \"circle\")");
+  // No images need be drawn for it.
+  camera.plugged = false;
+  for (int n = 0; n < 3; ++n) {
+    run_for(50s);
+    EXPECT_NE(held(), "") << n;
+    request("(track \"circle\")");
+  }
+  run_for(62s);
+  EXPECT_EQ(held(), "");
+  EXPECT_EQ(facts("(vision-mode vision ? ?)"), "(vision-mode vision idle no)");
+}
+
+TEST_F(AbsentClient, MayHaveItKept) {
+  request("(track \"circle\")");
+  request("(keep)");
+  camera.plugged = false;
+  run_for(100s);
+  EXPECT_EQ(held(), "(vision-held vision anybody connected)\n(vision-held vision anybody tracking)");
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ class Database : public testing::Test {
     for (const LearnedObject& object : kept.objects.all()) {
       out += object.name + "*" + std::to_string(object.samples.size()) + " ";
     }
-    for (const Failure& failure : kept.damaged) out += "!" + std::string(failure.subject.text()) + " ";
+    for (const auto& [object, why] : kept.damaged) out += "!" + std::string(why.subject.text()) + " ";
     return out;
   }
   std::vector<std::string> files() {

@@ -1,9 +1,14 @@
 #include "drivers/camera/image_faults.hpp"
 
+#include <cstdio>
+#include <cstdlib>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
+
+// It needs <cstdio> before it.
+#include <jpeglib.h>
 
 #include "drivers/camera/image_size.hpp"
 #include "drivers/camera/jpeg_faults.hpp"
@@ -74,6 +79,50 @@ TEST(ImageFaults, SoundJpegsOfAllKindsHaveNone) {
     EXPECT_EQ(fault_of_image(encoded(colour, ".jpg", kind)), "") << kind[0];
     EXPECT_EQ(fault_of_image(encoded(grey, ".jpg", kind)), "") << kind[0];
   }
+}
+
+// Every coefficient of every block in a scan of its own, bit by bit.
+File jpeg_of_many_scans(int side, int coefficients) {
+  jpeg_error_mgr errors;
+  jpeg_compress_struct jpeg{};
+  jpeg.err = jpeg_std_error(&errors);
+  jpeg_create_compress(&jpeg);
+  unsigned char* bytes = nullptr;
+  unsigned long size = 0;
+  jpeg_mem_dest(&jpeg, &bytes, &size);
+  jpeg.image_width = jpeg.image_height = static_cast<JDIMENSION>(side);
+  jpeg.input_components = 1;
+  jpeg.in_color_space = JCS_GRAYSCALE;
+  jpeg_set_defaults(&jpeg);
+  std::vector<jpeg_scan_info> scans{{.comps_in_scan = 1, .component_index = {0}, .Ss = 0, .Se = 0, .Ah = 0, .Al = 0}};
+  for (int coefficient = 1; coefficient <= coefficients; ++coefficient) {
+    for (int bit = 10; bit >= 0; --bit) {
+      scans.push_back({.comps_in_scan = 1,
+                       .component_index = {0},
+                       .Ss = coefficient,
+                       .Se = coefficient,
+                       .Ah = bit == 10 ? 0 : bit + 1,
+                       .Al = bit});
+    }
+  }
+  jpeg.scan_info = scans.data();
+  jpeg.num_scans = static_cast<int>(scans.size());
+  jpeg_start_compress(&jpeg, TRUE);
+  std::vector<unsigned char> grey(static_cast<std::size_t>(side), 128);
+  unsigned char* row = grey.data();
+  for (int y = 0; y < side; ++y) jpeg_write_scanlines(&jpeg, &row, 1);
+  jpeg_finish_compress(&jpeg);
+  File out(bytes, bytes + size);
+  jpeg_destroy_compress(&jpeg);
+  std::free(bytes);
+  return out;
+}
+
+TEST(ImageFaults, AJpegOfMoreScansThanAnyEncoderMakesIsRefusedBeforeTheyAreAllGoneThrough) {
+  EXPECT_EQ(fault_of_image(jpeg_of_many_scans(256, 2)), "");
+  const File many = jpeg_of_many_scans(2048, 63);
+  EXPECT_LT(many.size(), 100'000U);
+  EXPECT_EQ(fault_of_image(many), "has more than 32 scans");
 }
 
 // A decoder that is led astray ends before its data or after it, unless it finds back in time.
