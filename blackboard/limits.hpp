@@ -43,6 +43,8 @@ constexpr std::size_t watches = 100'000;  // on a board
 // Facts looked at to answer one question or to check and do one transaction: some 25 ms, in which nobody else is
 // served.
 constexpr std::size_t examined = 250'000;
+// Facts looked at to tell readers what holds, before others are served.
+constexpr std::size_t examined_a_turn = 4000;
 // What waits for a reader of a watch; one that lags further behind is resynchronised.
 constexpr std::size_t pending_changes = 1024;
 constexpr std::size_t pending_bytes = 4 << 20;

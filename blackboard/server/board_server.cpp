@@ -1,5 +1,6 @@
 #include "blackboard/server/board_server.hpp"
 
+#include "blackboard/limits.hpp"
 #include "blackboard/wire/wire_address.hpp"
 #include "lisp/writer.hpp"
 
@@ -75,6 +76,7 @@ Result<void> BoardServer::listen(const std::vector<std::string>& addresses, bool
 
 BoardServer::~BoardServer() {
   if (flush_timer_ != 0) executor_.cancel(flush_timer_);
+  if (look_timer_ != 0) executor_.cancel(look_timer_);
   executor_.cancel(sweep_timer_);
 }
 
@@ -139,10 +141,36 @@ void BoardServer::schedule_flush(wire::SessionId id) {
 }
 
 void BoardServer::flush_all() {
-  for (const wire::SessionId waiting : std::exchange(to_flush_, {})) {
-    const auto session = sessions_.find(waiting);
-    if (session != sessions_.end()) session->second.watches.send(socket_, session->second.peer);
+  for (const wire::SessionId waiting : std::exchange(to_flush_, {})) flush(waiting);
+}
+
+void BoardServer::flush(wire::SessionId id) {
+  const auto session = sessions_.find(id);
+  if (session == sessions_.end() || !session->second.watches.send(socket_, session->second.peer, examined_)) return;
+  to_look_.insert(id);
+  schedule_look();
+}
+
+void BoardServer::schedule_look() {
+  if (look_timer_ != 0) return;
+  // Not at once: what is due at once is done several times before anybody is heard.
+  look_timer_ = executor_.call_at(executor_.now() + 1us, [this] {
+    look_timer_ = 0;
+    look_on();
+  });
+}
+
+// Each in its turn.
+void BoardServer::look_on() {
+  examined_ = 0;
+  while (!to_look_.empty() && examined_ < limits::examined_a_turn) {
+    auto next = to_look_.upper_bound(looked_last_);
+    if (next == to_look_.end()) next = to_look_.begin();
+    looked_last_ = *next;
+    to_look_.erase(next);
+    flush(looked_last_);
   }
+  if (!to_look_.empty()) schedule_look();
 }
 
 }  // namespace pizarra

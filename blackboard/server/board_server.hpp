@@ -124,6 +124,9 @@ class BoardServer {
   void send(const std::string& peer, const Datum& message);
   void schedule_flush(wire::SessionId id);
   void flush_all();
+  void flush(wire::SessionId id);
+  void schedule_look();
+  void look_on();
   void forget_the_gone();
 
   Executor& executor_;
@@ -141,9 +144,13 @@ class BoardServer {
   std::optional<Past> past_;
   std::set<std::pair<wire::SessionId, wire::RequestId>> past_asked_;
   std::set<wire::SessionId> to_flush_;
+  std::set<wire::SessionId> to_look_;  // for what holds of their watches, when others were served
+  wire::SessionId looked_last_ = 0;
+  std::size_t examined_ = 0;  // since then
   bool leaving_ = false;
   bool receiving_ = false;  // what is to be flushed is, when this is done
   Executor::TimerId flush_timer_ = 0;
+  Executor::TimerId look_timer_ = 0;
   Executor::TimerId sweep_timer_ = 0;
   WireSocket socket_;
   MemoryBoard::Hearing hearing_;

@@ -26,34 +26,40 @@ bool ServedWatches::are_behind() const {
   return std::ranges::any_of(watches_, [](const auto& watch) { return watch.second.queue->ready(); });
 }
 
-void ServedWatches::send(WireSocket& socket, const std::string& peer) {
+bool ServedWatches::send(WireSocket& socket, const std::string& peer, std::size_t& examined) {
+  bool more = false;
   for (auto& [number, watch] : watches_) {
     if (blocked_) break;
-    send(socket, peer, number, watch);
+    more = send(socket, peer, number, watch, examined) || more;
   }
   std::erase_if(watches_, [](const auto& watch) { return watch.second.queue == nullptr; });
+  return more && !blocked_;
 }
 
-void ServedWatches::send(WireSocket& socket, const std::string& peer, wire::WatchId number, Served& watch) {
+bool ServedWatches::send(WireSocket& socket, const std::string& peer, wire::WatchId number, Served& watch,
+                         std::size_t& examined) {
   const std::size_t width = width_of(watch.queue->query());
   std::string text;
   while (watch.queue->ready() && watch.sent - watch.acknowledged < most_under_way) {
+    if (watch.queue->must_look() && examined >= limits::examined_a_turn) return true;
     blocked_ = !socket.has_room(peer);
-    if (blocked_) return;
-    const Result<Delta> delta = watch.queue->pop_delta();
+    if (blocked_) return false;
+    const Result<std::optional<Delta>> delta = watch.queue->pop_delta(examined);
     if (!delta) {
       blocked_ = !socket.send(peer, write(list("watch-failed"_sym, number, failure_to_datum(delta.error()))));
       if (!blocked_) watch.queue.reset();
-      return;
+      return false;
     }
+    if (!*delta) continue;
     text.clear();
-    wire::write_change(text, number, ++watch.sent, width, watch.kept, *delta);
+    wire::write_change(text, number, ++watch.sent, width, watch.kept, **delta);
     if (!socket.send(peer, text)) {
       blocked_ = true;
       watch.queue->resynchronise();
-      return;
+      return false;
     }
   }
+  return false;
 }
 
 void ServedWatches::begin_again() {

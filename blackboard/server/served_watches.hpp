@@ -4,7 +4,7 @@
 //
 //   ServedWatches watches;
 //   watches.add(number, asked, kept, std::move(queue));      // made with watches.backlog()
-//   watches.send(socket, peer);                              // what waits, as far as its connection takes it
+//   watches.send(socket, peer, examined);                    // what waits, as far as its connection takes it
 //   watches.acknowledge(number, sequence);
 //   watches.begin_again();                                   // on a new connection
 //
@@ -38,7 +38,9 @@ class ServedWatches {
   // Whether anything waits.
   bool are_behind() const;
 
-  void send(WireSocket& socket, const std::string& peer);
+  // Looks for what holds until `examined` is limits::examined_a_turn, and answers whether there is more to be looked
+  // for.
+  bool send(WireSocket& socket, const std::string& peer, std::size_t& examined);
   // The client was heard from: answers whether its connection took no more before.
   bool unblock() { return std::exchange(blocked_, false); }
   // What was under way may be lost.
@@ -52,7 +54,7 @@ class ServedWatches {
     std::uint64_t sent = 0;
     std::uint64_t acknowledged = 0;
   };
-  void send(WireSocket& socket, const std::string& peer, wire::WatchId number, Served& watch);
+  bool send(WireSocket& socket, const std::string& peer, wire::WatchId number, Served& watch, std::size_t& examined);
 
   std::shared_ptr<Backlog> backlog_ = std::make_shared<Backlog>();
   std::map<wire::WatchId, Served> watches_;

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a search has looked at, against limits::examined: a fact counts for one, and all of them for as many as a
+// What a search has looked at, against a bound, limits::examined where none is named: a fact counts for one, and all of them for as many as a
 // sixteenth of the elements that looking at them has compared, where that is more.
 //
 //   Looking looking(examined);                   // goes on from what others have looked at
@@ -15,7 +15,7 @@ namespace pizarra {
 
 class Looking {
  public:
-  explicit Looking(std::size_t& examined) : examined_(examined) {}
+  explicit Looking(std::size_t& examined, std::size_t most = limits::examined) : examined_(examined), most_(most) {}
   Looking(const Looking&) = delete;
   Looking& operator=(const Looking&) = delete;
   ~Looking() { examined_ = examined(); }
@@ -25,7 +25,7 @@ class Looking {
     ++facts_;
     return is_allowed();
   }
-  bool is_allowed() const { return examined() <= limits::examined; }
+  bool is_allowed() const { return examined() <= most_; }
   std::size_t examined() const {
     constexpr std::size_t elements_a_fact = 16;
     return examined_ + std::max(facts_, (elements_looked_at - before_) / elements_a_fact);
@@ -33,6 +33,7 @@ class Looking {
 
  private:
   std::size_t& examined_;
+  const std::size_t most_;
   std::size_t facts_ = 0;
   const std::size_t before_ = elements_looked_at;
 };

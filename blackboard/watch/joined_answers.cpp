@@ -40,8 +40,8 @@ JoinedAnswers::JoinedAnswers(const Query& query, const Tables& tables)
   }
 }
 
-Result<Delta::Side> JoinedAnswers::all() {
-  Result<std::vector<Answer>> answers = evaluate(query_, tables_);
+Result<Delta::Side> JoinedAnswers::all(std::size_t& examined) {
+  Result<std::vector<Answer>> answers = evaluate(query_, tables_, examined);
   if (!answers) return fail(answers);
   standing_with_.clear();
   standing_.clear();

@@ -7,7 +7,7 @@
 // may stand outside: nobody knows which of those comes in.
 //
 //   JoinedAnswers answers(query, tables);
-//   Result<Delta::Side> all = answers.all();
+//   Result<Delta::Side> all = answers.all(examined);
 //   Result<void> followed = answers.follow(commit, delta);          // what is added and removed
 //
 // After a failure, too-large, what is kept is worth nothing, until all() is asked for again.
@@ -28,7 +28,8 @@ class JoinedAnswers {
   // The query has been checked on the tables, which outlive this.
   JoinedAnswers(const Query& query, const Tables& tables);
 
-  Result<Delta::Side> all();
+  // Adds to `examined` how many facts were looked at.
+  Result<Delta::Side> all(std::size_t& examined);
   Result<void> follow(const Commit& commit, Delta& delta);
   // How many facts following has looked at.
   std::uint64_t examined() const { return examined_; }

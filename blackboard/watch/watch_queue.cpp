@@ -5,6 +5,7 @@
 
 #include "blackboard/limits.hpp"
 #include "blackboard/store/evaluate.hpp"
+#include "blackboard/store/looking.hpp"
 #include "blackboard/watch/watches.hpp"
 #include "lisp/pattern.hpp"
 
@@ -67,42 +68,47 @@ WatchQueue::~WatchQueue() {
   if (number_ != 0) table_.forget(*this);
 }
 
-// What holds now is the first change, if it fits one message; more than that waits until it is read.
+// What holds now is the first change, if it fits one message and is found at once; more than that waits until it is
+// read.
 Result<void> WatchQueue::begin() {
+  std::size_t examined = 0;
   if (only_pattern_ != nullptr) {
-    Delta first = next_part();
-    if (first.kind == Delta::Kind::all) {
-      push(std::move(first));
+    std::optional<Delta> first = next_part(examined);
+    if (first && first->kind == Delta::Kind::all) {
+      push(std::move(*first));
     } else {
       state_ = State::lagging;
     }
     return {};
   }
-  Result<Delta> all = all_answers();
+  Result<Delta> all = all_answers(examined);
   if (!all) return fail(all);
   push(std::move(*all));
   return {};
 }
 
-Result<Delta> WatchQueue::pop_delta() {
+Result<std::optional<Delta>> WatchQueue::pop_delta(std::size_t& examined) {
   assert(ready());
-  if (state_ != State::following) return only_pattern_ != nullptr ? next_part() : all_answers();
+  if (state_ == State::following) return pop_queued();
+  if (only_pattern_ != nullptr) return next_part(examined);
+  return all_answers(examined);
+}
+
+Result<Change> WatchQueue::pop() {
+  assert(ready());
+  if (state_ == State::following) return change_of(query_, pop_queued());
+  if (only_pattern_ != nullptr) return change_of(query_, all_parts());
+  std::size_t examined = 0;
+  Result<Delta> all = all_answers(examined);
+  if (!all) return fail(all);
+  return change_of(query_, std::move(*all));
+}
+
+Delta WatchQueue::pop_queued() {
   Queued first = std::move(deltas_.front());
   deltas_.pop_front();
   waiting_.remove(first.bytes);
   return std::move(first.delta);
-}
-
-Result<Change> WatchQueue::pop() {
-  Result<Delta> delta = pop_delta();
-  if (!delta) return fail(delta);
-  // Nothing can be committed between the parts.
-  while (state_ == State::sending) {
-    Delta part = next_part();
-    delta->added.answers += part.added.answers;
-    std::ranges::move(part.added.facts, std::back_inserter(delta->added.facts));
-  }
-  return change_of(query_, std::move(*delta));
 }
 
 void WatchQueue::resynchronise() {
@@ -141,10 +147,11 @@ void WatchQueue::committed_by_facts(const Commit& commit) {
   push(std::move(delta));
 }
 
-// What comes has a higher id than all that was sent, and is part of what is sent next.
+// What comes has a higher id than all that was looked at, and is part of what is sent next.
 void WatchQueue::committed_while_sending(const Commit& commit) {
+  if (nothing_sent_) return;
   for (const Commit::Entry& entry : commit.entries) {
-    if (!removes(entry) || entry.fact.id > sent_up_to_ || !fits(entry.fact)) continue;
+    if (!removes(entry) || entry.fact.id > looked_up_to_ || !fits(entry.fact)) continue;
     const std::size_t bytes = pizarra::weigh(entry.fact).bytes;
     if (!waiting_.add(bytes)) return resynchronise();
     add(gone_, entry.fact);
@@ -163,38 +170,61 @@ bool WatchQueue::fits(const Fact& fact) const {
   });
 }
 
-Delta WatchQueue::next_part() {
-  const bool first = state_ != State::sending;
-  if (first) {
-    sent_up_to_ = 0;
-    empty();
-  }
+std::optional<Delta> WatchQueue::next_part(std::size_t& examined) {
+  if (state_ == State::lagging) begin_sending();
   Delta part;
   part.revision = store_.revision();
   part.removed = std::exchange(gone_, {});
   std::size_t bytes = std::exchange(gone_bytes_, 0);
   waiting_.remove(bytes);
+  Looking looking(examined, limits::examined_a_turn);
   bool last = true;
   const auto consider = [&](const Fact& fact) {
-    if (fits(fact)) {
+    last = looking.at_one_more();
+    if (last && fits(fact)) {
       const std::size_t more = pizarra::weigh(fact).bytes;
       last = bytes == 0 || bytes + more <= limits::part_bytes;
-      if (!last) return false;
       bytes += more;
-      add(part.added, fact);
+      if (last) add(part.added, fact);
     }
-    sent_up_to_ = fact.id;
-    return true;
+    if (last) looked_up_to_ = fact.id;
+    return last;
   };
-  store_.tables().find(only_pattern_->head())->second.visit(*only_pattern_, consider, sent_up_to_ + 1);
-  state_ = last ? State::following : State::sending;
+  store_.tables().find(only_pattern_->head())->second.visit(*only_pattern_, consider, looked_up_to_ + 1);
+  if (!last && part.added.facts.empty() && part.removed.facts.empty()) return std::nullopt;
+  if (last) state_ = State::following;
+  const bool first = std::exchange(nothing_sent_, false);
   if (first) part.kind = last ? Delta::Kind::all : Delta::Kind::first_part;
   if (!first) part.kind = last ? Delta::Kind::last_part : Delta::Kind::part;
   return part;
 }
 
-Result<Delta> WatchQueue::all_answers() {
-  Result<Delta::Side> answers = joined_->all();
+void WatchQueue::begin_sending() {
+  empty();
+  state_ = State::sending;
+  looked_up_to_ = 0;
+  nothing_sent_ = true;
+}
+
+// Nothing can be committed between the parts.
+Delta WatchQueue::all_parts() {
+  Delta all;
+  while (state_ != State::following) {
+    std::size_t examined = 0;
+    std::optional<Delta> part = next_part(examined);
+    if (!part) continue;
+    all.added.answers += part->added.answers;
+    std::ranges::move(part->added.facts, std::back_inserter(all.added.facts));
+  }
+  all.revision = store_.revision();
+  all.kind = Delta::Kind::all;
+  return all;
+}
+
+Result<Delta> WatchQueue::all_answers(std::size_t& examined) {
+  std::size_t own = 0;
+  Result<Delta::Side> answers = joined_->all(own);
+  examined += own;
   if (!answers) return fail(answers);
   state_ = State::following;
   Delta all;

@@ -9,7 +9,14 @@
 // queued). A queue holds at most 1024 changes, and 4 MB with those that share its backlog; when it overflows it is
 // emptied, and the watch lags again.
 //
-//   while (queue.ready()) Result<Change> change = queue.pop();          // or pop_delta(), to send it on
+//   while (queue.ready()) Result<Change> change = queue.pop();
+//
+// Who sends them on has others to serve: it looks for what holds among so many facts at a time.
+//
+//   std::size_t examined = 0;
+//   while (queue.ready() && !(queue.must_look() && examined >= limits::examined_a_turn)) {
+//     Result<std::optional<Delta>> delta = queue.pop_delta(examined);
+//   }
 
 #include <deque>
 #include <functional>
@@ -38,8 +45,12 @@ class WatchQueue {
   // It must be ready. A failure, too-large, means that all that holds fits no message; it stays ready. What holds comes
   // whole.
   Result<Change> pop();
-  // The same, and what holds comes in parts that fit a message each.
-  Result<Delta> pop_delta();
+  // The same, and what holds comes in parts that fit a message each. It is looked for until `examined`, to which is
+  // added how many facts were looked at, is limits::examined_a_turn (a join is answered whole); nothing, where no part
+  // has come of it so far.
+  Result<std::optional<Delta>> pop_delta(std::size_t& examined);
+  // Whether that looks for what holds: no change is queued.
+  bool must_look() const { return state_ != State::following; }
   // Forgets what is queued; the next change is a resynchronised one.
   void resynchronise();
   const Query& query() const { return query_; }
@@ -55,8 +66,11 @@ class WatchQueue {
   void committed_by_facts(const Commit& commit);
   void committed_while_sending(const Commit& commit);
   bool fits(const Fact& fact) const;
-  Delta next_part();
-  Result<Delta> all_answers();
+  Delta pop_queued();
+  void begin_sending();
+  std::optional<Delta> next_part(std::size_t& examined);
+  Delta all_parts();
+  Result<Delta> all_answers(std::size_t& examined);
   void push(Delta delta);
   void empty();
 
@@ -72,8 +86,10 @@ class WatchQueue {
   std::vector<WatchedPattern> patterns_;
 
   State state_ = State::lagging;
-  FactId sent_up_to_ = 0;  // while sending
-  Delta::Side gone_;       // while sending: what was sent and went since
+  // While sending:
+  FactId looked_up_to_ = 0;
+  bool nothing_sent_ = true;
+  Delta::Side gone_;  // what was sent and went since
   std::size_t gone_bytes_ = 0;
   std::optional<JoinedAnswers> joined_;  // unless there is only_pattern_
   struct Queued {

@@ -38,6 +38,53 @@ TEST_F(ServerLoad, WhatTakesLookingAtTooManyFactsIsRefusedToWhoAsksItAlone) {
   EXPECT_TRUE(refusals("polite").empty());
 }
 
+// What it is sent comes when all is looked through, or joined; what another says meanwhile is answered before.
+TEST_F(ServerLoad, WhoBeginsWatchesAmongManyFactsLetsOthersBeServedBetween) {
+  constexpr int facts = 150'000;
+  constexpr int a_transaction = 5000;
+  for (int n = 0; n < facts; n += a_transaction) {
+    Transaction some;
+    for (int i = n; i < n + a_transaction; ++i) some.tell(list("note"_sym, i, i % 7));
+    ASSERT_TRUE(board.transact("test", some).has_value());
+  }
+  Client greedy = client();
+  Client polite = client();
+  const std::string watching = greedy.join("greedy");
+  const std::string own = polite.join("polite");
+  constexpr int watches = 8;
+  int asked = 0;
+  // Begins them, or has them begin again on another connection, and a moment later another asks.
+  const auto changes_before_a_pong = [&](Client& watcher, const std::vector<std::string>& frames) {
+    for (const std::string& frame : frames) watcher.send(frame);
+    pass(executor, 1ms);
+    EXPECT_EQ(polite.ask("(ping " + own + ")").head(), "pong");
+    int changes = 0;
+    for (Datum message = watcher.receive(1ms); message != Datum(); message = watcher.receive(1ms)) {
+      if (message.is_form("change")) ++changes;
+    }
+    return changes;
+  };
+  const auto wait_for_changes = [&](Client& watcher, int some) {
+    for (int changes = 0; changes < some;) {
+      const Datum message = watcher.receive();
+      ASSERT_NE(message, Datum());
+      if (message.is_form("change")) ++changes;
+    }
+  };
+  std::vector<std::string> begins;
+  for (int i = 1; i <= watches; ++i) {
+    begins.push_back("(request " + watching + " " + std::to_string(++asked) + " (watch " + std::to_string(i) +
+                     " (and (note ?n ?what) (< ?what 0))))");
+  }
+  const int before = changes_before_a_pong(greedy, begins);
+  EXPECT_LT(before, watches / 2);
+  wait_for_changes(greedy, watches - before);
+  Client again = client();
+  const int before_again = changes_before_a_pong(again, {"(hello \"greedy\" " + watching + ")"});
+  EXPECT_LT(before_again, watches / 2);
+  wait_for_changes(again, watches - before_again);
+}
+
 TEST_F(ServerLoad, AClientThatDoesNotAcknowledgeGetsSixteenChangesAndLaterOneThatSaysAll) {
   Client slow = client();
   const std::string session = slow.join("slow");
