@@ -24,6 +24,7 @@ class Backlog {
     ~Share() { clear(); }
 
     std::size_t bytes() const { return bytes_; }
+    const Backlog* backlog() const { return backlog_.get(); }
     bool add(std::size_t bytes) {
       if (backlog_->bytes_ + bytes > limits::pending_bytes) return false;
       backlog_->bytes_ += bytes;

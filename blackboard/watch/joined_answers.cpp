@@ -55,16 +55,15 @@ Result<Delta::Side> JoinedAnswers::all(std::size_t& examined) {
   return side;
 }
 
-Result<void> JoinedAnswers::follow(const Commit& commit, Delta& delta) {
+Result<void> JoinedAnswers::follow(const Commit& commit, Delta& delta, std::size_t& examined) {
   Changes changes{Answers(standing_.key_comp()), Answers(standing_.key_comp())};
   const bool was_full = query_.limit && standing_.size() >= *query_.limit;
-  std::size_t examined = 0;
   for (const Commit::Entry& entry : commit.entries) {
     if (removes(entry)) remove_with(entry.fact.id, changes);
   }
   Result<void> done = find_blocked(commit, changes, examined);
-  if (done) done = was_full && !changes.removed.empty() ? answer_anew(changes) : find_new(commit, changes, examined);
-  examined_ += examined;
+  const bool anew = was_full && !changes.removed.empty();
+  if (done) done = anew ? answer_anew(changes, examined) : find_new(commit, changes, examined);
   if (!done) return done;
   cut(changes);
   const auto move_to = [](Delta::Side& side, Answers& answers) {
@@ -158,8 +157,8 @@ Result<void> JoinedAnswers::find_new(const Commit& commit, Changes& changes, std
   return {};
 }
 
-Result<void> JoinedAnswers::answer_anew(Changes& changes) {
-  Result<std::vector<Answer>> answers = evaluate(query_, tables_);
+Result<void> JoinedAnswers::answer_anew(Changes& changes, std::size_t& examined) {
+  Result<std::vector<Answer>> answers = evaluate(query_, tables_, examined);
   if (!answers) return fail(answers);
   std::set<Ids> now;
   for (Answer& answer : *answers) {

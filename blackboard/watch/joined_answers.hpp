@@ -8,9 +8,9 @@
 //
 //   JoinedAnswers answers(query, tables);
 //   Result<Delta::Side> all = answers.all(examined);
-//   Result<void> followed = answers.follow(commit, delta);          // what is added and removed
+//   Result<void> followed = answers.follow(commit, delta, examined);          // what is added and removed
 //
-// After a failure, too-large, what is kept is worth nothing, until all() is asked for again.
+// After a failure, too-large or too-costly, what is kept is worth nothing, until all() is asked for again.
 
 #include <map>
 #include <optional>
@@ -30,9 +30,8 @@ class JoinedAnswers {
 
   // Adds to `examined` how many facts were looked at.
   Result<Delta::Side> all(std::size_t& examined);
-  Result<void> follow(const Commit& commit, Delta& delta);
-  // How many facts following has looked at.
-  std::uint64_t examined() const { return examined_; }
+  // The same, and goes on from so many.
+  Result<void> follow(const Commit& commit, Delta& delta, std::size_t& examined);
 
  private:
   using Ids = std::vector<FactId>;
@@ -62,7 +61,7 @@ class JoinedAnswers {
   std::optional<SearchStart> start_from(const Fact& fact, std::size_t clause) const;
   Result<void> find_blocked(const Commit& commit, Changes& changes, std::size_t& examined);
   Result<void> find_new(const Commit& commit, Changes& changes, std::size_t& examined);
-  Result<void> answer_anew(Changes& changes);
+  Result<void> answer_anew(Changes& changes, std::size_t& examined);
 
   const Query query_;
   const Tables& tables_;
@@ -73,7 +72,6 @@ class JoinedAnswers {
   std::map<std::pair<FactId, std::uint64_t>, Answers::iterator> standing_with_;  // a fact, by the answers' serials
   std::uint64_t next_serial_ = 1;
   Weight weight_;
-  std::uint64_t examined_ = 0;
 };
 
 }  // namespace pizarra

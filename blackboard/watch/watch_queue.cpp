@@ -125,13 +125,23 @@ void WatchQueue::empty() {
   waiting_.clear();
 }
 
-void WatchQueue::committed(const Commit& commit) {
+void WatchQueue::committed(const Commit& commit, CommitLooks& looks) {
   if (state_ == State::lagging) return;
   if (state_ == State::sending) return committed_while_sending(commit);
   if (only_pattern_ != nullptr) return committed_by_facts(commit);
+  committed_by_joins(commit, looks);
+}
+
+// One that may not look at enough begins anew, in a turn of its own.
+void WatchQueue::committed_by_joins(const Commit& commit, CommitLooks& looks) {
   Delta delta;
   delta.revision = commit.revision;
-  if (!joined_->follow(commit, delta)) return resynchronise();
+  const std::size_t before = looks.before(waiting_.backlog());
+  std::size_t examined = before;
+  const Result<void> followed = joined_->follow(commit, delta, examined);
+  looks.add(waiting_.backlog(), examined - before);
+  examined_ += examined - before;
+  if (!followed) return resynchronise();
   push(std::move(delta));
 }
 

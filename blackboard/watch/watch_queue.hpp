@@ -26,6 +26,7 @@
 #include "blackboard/store/commit.hpp"
 #include "blackboard/store/store.hpp"
 #include "blackboard/watch/backlog.hpp"
+#include "blackboard/watch/commit_looks.hpp"
 #include "blackboard/watch/joined_answers.hpp"
 #include "blackboard/watch/pattern_index.hpp"
 
@@ -55,14 +56,15 @@ class WatchQueue {
   void resynchronise();
   const Query& query() const { return query_; }
   // How many facts of the board were looked at to follow the commits.
-  std::uint64_t examined() const { return joined_ ? joined_->examined() : 0; }
+  std::uint64_t examined() const { return examined_; }
 
  private:
   friend class WatchTable;
   enum class State : std::uint8_t { lagging, sending, following };
 
   Result<void> begin();
-  void committed(const Commit& commit);
+  void committed(const Commit& commit, CommitLooks& looks);
+  void committed_by_joins(const Commit& commit, CommitLooks& looks);
   void committed_by_facts(const Commit& commit);
   void committed_while_sending(const Commit& commit);
   bool fits(const Fact& fact) const;
@@ -92,6 +94,7 @@ class WatchQueue {
   Delta::Side gone_;  // what was sent and went since
   std::size_t gone_bytes_ = 0;
   std::optional<JoinedAnswers> joined_;  // unless there is only_pattern_
+  std::uint64_t examined_ = 0;
   struct Queued {
     Delta delta;
     std::size_t bytes;

@@ -51,7 +51,8 @@ void WatchTable::committed(const Commit& commit) {
     if (concerned != patterns_.end()) find_touched(concerned->second, entry.fact, commit.revision, touched);
   }
   std::ranges::sort(touched, {}, &WatchQueue::number_);
-  for (WatchQueue* watch : touched) watch->committed(commit);
+  CommitLooks looks;
+  for (WatchQueue* watch : touched) watch->committed(commit, looks);
 }
 
 void WatchTable::find_touched(const PatternIndex& patterns, const Fact& fact, Revision revision,

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "blackboard/limits.hpp"
 #include "blackboard/store/evaluate.hpp"
 #include "blackboard/store/store.hpp"
 #include "blackboard/time/random.hpp"
@@ -183,6 +184,47 @@ TEST(JoinedWatch, CostsWhatAChangeConcernsHoweverMuchIsOnTheBoard) {
     EXPECT_LT(among_few, 2000U);
     EXPECT_EQ(facts_looked_at(watched, 4000), among_few) << watched;
   }
+}
+
+// However many watches a commit concerns, it has so many facts looked at; who is left out begins anew in its own turn.
+TEST(JoinedWatch, AllTogetherLookAtABoundedNumberOfFactsToFollowACommit) {
+  Store store;
+  WatchTable watches(store);
+  store.on_commit = [&](const Commit& commit) { watches.committed(commit); };
+  ASSERT_TRUE(store.declare(relations).has_value());
+  constexpr int facts = 60'000;
+  for (int n = 0; n < facts; n += 5000) {
+    Transaction some;
+    for (int i = n; i < n + 5000; ++i) some.tell(list("on"_sym, i, -i));
+    ASSERT_TRUE(store.transact("teller", some, {}).has_value());
+  }
+  const Query all_over = query("(and (mode ?m) (on ?x ?y) (big ?y))");
+  const Query cheap = query("(and (mode ?m) (at 1 ?z))");
+  std::vector<std::unique_ptr<WatchQueue>> queues;
+  constexpr std::size_t readers = 5;
+  for (std::size_t reader = 0; reader < readers; ++reader) {
+    const auto backlog = std::make_shared<Backlog>();
+    for (int i = 0; i < 4; ++i) queues.push_back(watches.add(all_over, nullptr, "greedy", backlog).value());
+  }
+  const auto modest = watches.add(cheap, nullptr).value();
+  for (const auto& queue : queues) queue->pop().value();
+  modest->pop().value();
+  ASSERT_TRUE(store.transact("teller", Transaction().tell(read("(at 1 here)")), {}).has_value());
+  ASSERT_TRUE(store.transact("teller", Transaction().tell(read("(big -7)")).tell(read("(mode 1)")), {}).has_value());
+  std::uint64_t examined = 0;
+  std::size_t followed = 0;
+  for (const auto& queue : queues) {
+    examined += queue->examined();
+    const Change change = queue->pop().value();
+    followed += change.resynchronised ? 0 : 1;
+    EXPECT_EQ(change.added.size(), 1U);
+  }
+  EXPECT_LE(examined, limits::examined + readers * (limits::examined_a_turn + 4));
+  EXPECT_GE(followed, limits::examined / facts / 3);
+  EXPECT_LT(followed, queues.size());
+  const Change change = modest->pop().value();
+  EXPECT_FALSE(change.resynchronised);
+  EXPECT_EQ(change.added.size(), 1U);
 }
 
 }  // namespace
