@@ -42,18 +42,30 @@ void be_a_universal_robot(const std::string& address) {
   be_a_robot(executor, address, {.name = "robot", .told_per_s = wanted_hz}, arm, model);
 }
 
-// When each pose came, until `deadline`.
-Task<Result<std::vector<double>>> poses_until(Client& client, Time deadline) {
+// Notes when each pose comes.
+Task<void> note_poses(Client& client, std::vector<double>& ms, std::optional<Failure>& failure) {
   const Query poses = query_from_datum(form("(arm-pose robot ?x ?y ?z ?rx ?ry ?rz)")).value();
   const Result<std::unique_ptr<Watch>> watch = co_await client.board().watch(poses);
-  if (!watch) co_return fail(watch);
-  std::vector<double> ms;
-  while (client.executor().now() < deadline) {
+  if (!watch) failure = watch.error();
+  while (!failure) {
     const Result<Change> change = co_await (*watch)->next();
-    if (!change) co_return fail(change);
-    if (!change->resynchronised) ms.push_back(now_us() / 1000);
+    if (!change) failure = change.error();
+    if (change && !change->resynchronised && !change->added.empty()) ms.push_back(now_us() / 1000);
   }
-  co_return ms;
+}
+
+// When each came, in milliseconds.
+std::vector<double> poses_within(Client& client, Duration length) {
+  std::vector<double> ms;
+  std::optional<Failure> failure;
+  const Job job = client.executor().spawn(note_poses(client, ms, failure));
+  bool over = false;
+  client.executor().call_at(client.executor().now() + length, [&over] { over = true; });
+  client.executor().run_until([&] { return over || failure; });
+  if (failure) throw std::runtime_error(describe(*failure));
+  if (ms.size() < 2)
+    throw std::runtime_error(fmt::format("the arm in motion told {} poses in {} s", ms.size(), length / 1s));
+  return ms;
 }
 
 void tell_rate(ArmsBench& bench, const std::string& what, const std::string& address) {
@@ -63,10 +75,10 @@ void tell_rate(ArmsBench& bench, const std::string& what, const std::string& add
   client.run(await_fact(client, "(reply slow ?answer)", 5s));
   client.run(client.board().tell(form("(request turn robot (turn right 120))")));
   client.run(await_fact(client, "(arm robot moving ?action)", 5s));
-  const std::vector<double> ms = client.run(poses_until(client, client.executor().now() + watched));
+  const std::vector<double> ms = poses_within(client, watched);
   std::vector<double> gaps_ms;
   for (std::size_t i = 1; i < ms.size(); ++i) gaps_ms.push_back(ms[i] - ms[i - 1]);
-  const double hz = ms.size() < 2 ? 0 : 1000 * static_cast<double>(gaps_ms.size()) / (ms.back() - ms.front());
+  const double hz = static_cast<double>(ms.size()) / std::chrono::duration<double>(watched).count();
   bench.figures.say({what + " in motion: poses told",
                      hz,
                      "Hz",
