@@ -15,10 +15,12 @@ namespace {
 
 constexpr std::size_t longest_number = 32;
 
-// At least what the datum takes, in bytes.
+// At least what it takes, in bytes.
+std::size_t room_for_text(std::string_view text) { return 2 * text.size() + 2; }
+
 std::size_t room_for(const Datum& datum) {
   if (datum.is_number()) return longest_number;
-  if (!datum.is_list()) return 2 * datum.text().size() + 2;
+  if (!datum.is_list()) return room_for_text(datum.text());
   std::size_t room = 2;
   for (const Datum& item : datum.items()) room += room_for(item) + 1;
   return room;
@@ -89,6 +91,13 @@ void write_to(std::string& out, const Datum& datum) {
   const std::size_t before = out.size();
   out.resize_and_overwrite(before + room_for(datum), [&](char* text, std::size_t) {
     return static_cast<std::size_t>(write_datum(text + before, datum) - text);
+  });
+}
+
+void write_string_to(std::string& out, std::string_view text) {
+  const std::size_t before = out.size();
+  out.resize_and_overwrite(before + room_for_text(text), [&](char* begin, std::size_t) {
+    return static_cast<std::size_t>(write_string(begin + before, text) - begin);
   });
 }
 

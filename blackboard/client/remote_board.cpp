@@ -12,6 +12,7 @@ namespace pizarra {
 namespace {
 
 constexpr Duration connect_again_after = 1s;
+constexpr std::size_t envelope_bytes = 64;  // that a request has around its body
 
 std::unexpected<Failure> nonsense(const Datum& value) {
   return fail("unreachable", "the board answered what cannot be understood", value);
@@ -19,7 +20,6 @@ std::unexpected<Failure> nonsense(const Datum& value) {
 
 // Whether the request fits a frame, whatever the numbers of its session and its own.
 bool fits_frame(const Weight& weight, const std::string& text) {
-  constexpr std::size_t envelope_bytes = 64;
   constexpr std::size_t envelope_depth = 4;
   return weight.depth + envelope_depth <= limits::frame_depth &&
          weight.elements + envelope_bytes <= limits::frame_elements &&
@@ -227,10 +227,15 @@ void RemoteBoard::transmit_waiting() {
 }
 
 void RemoteBoard::transmit(wire::RequestId request, Pending& pending) {
-  std::string frame = "(request " + std::to_string(session_) + ' ' + std::to_string(request) + ' ';
+  std::string frame;
+  frame.reserve(pending.body.size() + envelope_bytes);
+  write_number_to(frame += "(request ", session_);
+  write_number_to(frame += ' ', request);
+  frame += ' ';
   frame += pending.body;
-  if (const std::optional<Time> now = time_to_say(pending))
-    frame += ' ' + std::to_string(now->time_since_epoch().count());
+  if (const std::optional<Time> now = time_to_say(pending)) {
+    write_number_to(frame += ' ', now->time_since_epoch().count());
+  }
   frame += ')';
   if (socket_.send({}, frame)) pending.sent = executor_.now();
 }

@@ -24,16 +24,18 @@ constexpr ReadLimits line_limits = {.bytes = limits::facts * most_bytes_of_a_for
 // By the kind of the entry.
 constexpr std::array<std::string_view, 7> words = {"tell", "retract", "take", "settle", "return", "leased", "kept"};
 
+constexpr std::size_t most_lines_fit = 256;
+
 std::string line_start(Revision revision, Time when, const std::string& teller) {
-  std::string line = '(' + std::to_string(revision) + ' ' + std::to_string(when.time_since_epoch().count()) + ' ';
-  write_to(line, to_datum(teller));
+  std::string line;
+  line.reserve(most_lines_fit);
+  write_number_to(line += '(', revision);
+  write_number_to(line += ' ', when.time_since_epoch().count());
+  write_string_to(line += ' ', teller);
   return line;
 }
 
-void write_id(std::string& out, FactId id) {
-  out += ' ';
-  out += std::to_string(id);
-}
+void write_id(std::string& out, FactId id) { write_number_to(out += ' ', id); }
 
 void write_entry(std::string& out, const Commit::Entry& entry) {
   const Fact& fact = entry.fact;
@@ -42,8 +44,7 @@ void write_entry(std::string& out, const Commit::Entry& entry) {
   if (entry.kind == Kind::returned) write_id(out, entry.former);
   write_id(out, fact.id);
   if (entry.kind == Kind::told) {
-    out += ' ';
-    write_to(out, fact.datum);
+    write_to(out += ' ', fact.datum);
     if (!fact.because.empty()) out += " (because";
     for (const FactId id : fact.because) write_id(out, id);
     if (!fact.because.empty()) out += ')';

@@ -112,14 +112,13 @@ Result<void> check_together(const std::string& path) {
 
 }  // namespace
 
-std::string reply_line(const RememberedReply& reply) {
-  std::string line = '(' + std::to_string(reply.session) + ' ';
-  write_to(line, to_datum(reply.teller));
-  line += ' ' + std::to_string(reply.request) + ' ';
-  write_to(line, reply.result);
-  if (!reply.key.empty()) line += ' ' + pizarra::write(to_datum(reply.key));
-  line += ")\n";
-  return line;
+void write_reply_line_to(std::string& out, const RememberedReply& reply) {
+  write_number_to(out += '(', reply.session);
+  write_string_to(out += ' ', reply.teller);
+  write_number_to(out += ' ', reply.request);
+  write_to(out += ' ', reply.result);
+  if (!reply.key.empty()) write_string_to(out += ' ', reply.key);
+  out += ")\n";
 }
 
 JournalFile::Lock::~Lock() { close(file_); }

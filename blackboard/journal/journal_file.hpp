@@ -37,7 +37,7 @@ struct RememberedReply {
   Datum result;
   std::string key = {};  // the public key whose session it is, if any
 };
-std::string reply_line(const RememberedReply& reply);
+void write_reply_line_to(std::string& out, const RememberedReply& reply);
 
 // Lines that are written together, each with its newline: all of them survive, or none.
 struct JournalGroup {

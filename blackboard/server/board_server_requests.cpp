@@ -22,8 +22,8 @@ bool must_be_done_once(const Datum& body) {
   return body.is_form("transact") || body.is_form("take") || body.is_form("lease") || body.is_form("release");
 }
 
-Datum reply_to_datum(wire::RequestId id, const Result<Datum>& result) {
-  if (result) return list("reply"_sym, id, list("ok"_sym, *result));
+Datum result_to_datum(const Result<Datum>& result) {
+  if (result) return list("ok"_sym, *result);
   Failure failure = result.error();
   constexpr std::size_t longest_sentence = 1 << 10;
   constexpr std::size_t heaviest_subject = 1 << 12;
@@ -31,7 +31,15 @@ Datum reply_to_datum(wire::RequestId id, const Result<Datum>& result) {
   const bool heavy = weigh(failure.subject).bytes > heaviest_subject;
   if (heavy) failure.subject = failure.subject.items().empty() ? Datum() : failure.subject[0];
   if (weigh(failure.subject).bytes > heaviest_subject) failure.subject = {};
-  return list("reply"_sym, id, failure_to_datum(failure));
+  return failure_to_datum(failure);
+}
+
+std::string reply_text(wire::RequestId id, const Datum& result) {
+  std::string text = "(reply ";
+  write_number_to(text, id);
+  write_to(text += ' ', result);
+  text += ')';
+  return text;
 }
 
 Result<Datum> nothing_or(const Result<void>& result) {
@@ -81,12 +89,12 @@ void BoardServer::request(wire::SessionId id, Session& session, const Datum& mes
 
 void BoardServer::refuse_request(const Session& session, wire::RequestId number, const Failure& failure) {
   refusals_.note(client_of(session), failure);
-  send(session.peer, reply_to_datum(number, fail(failure)));
+  socket_.send(session.peer, reply_text(number, result_to_datum(fail(failure))));
 }
 
 // One that is on its way a second time is refused as well, though it could be done by then.
 void BoardServer::refuse_undone(Session& session, wire::RequestId number, const Datum& body, const Failure& failure) {
-  const std::string refusal = write(reply_to_datum(number, fail(failure)));
+  const std::string refusal = reply_text(number, result_to_datum(fail(failure)));
   if (must_be_done_once(body)) session.refused.add(number, {refusal});
   socket_.send(session.peer, refusal);
 }
@@ -119,14 +127,14 @@ void BoardServer::answer(wire::SessionId id, Session& session, wire::RequestId n
   const JournalWriter::Position before = durability_.position();
   const Result<Datum> result = perform(id, session, body);
   if (!result && is_refusal(result.error())) refusals_.note(client_of(session), result.error());
-  const Datum reply = reply_to_datum(number, result);
-  const std::string text = write(reply);
+  const Datum said = result_to_datum(result);
+  const std::string text = reply_text(number, said);
   const bool stands = result && durable && durability_.position() > before;
   if (must_be_done_once(body)) {
     session.done.add(number, {text, durable ? durability_.position() : 0, stands});
     if (durable && durability_.position() > before) {
       const std::string key = session.key ? session.key->key : "";
-      durability_.remember({id, session.teller, number, reply[2], key});
+      durability_.remember({id, session.teller, number, said, key});
     }
   }
   // Changes go before the reply to the request that made them, and after the one to the request for them.
@@ -138,7 +146,7 @@ void BoardServer::answer(wire::SessionId id, Session& session, wire::RequestId n
 // What is remembered, or held back, does not say it: it may be given when changes are under way anew.
 std::string BoardServer::with_progress(const Session& session, std::string reply) const {
   reply.back() = ' ';
-  reply += std::to_string(board_.store().revision());
+  write_number_to(reply, board_.store().revision());
   reply += session.watches.are_behind() ? " no)" : " yes)";
   return reply;
 }
@@ -195,7 +203,7 @@ void BoardServer::ask_past(wire::SessionId id, const Session& session, wire::Req
     const auto asking = sessions_.find(id);
     if (asking == sessions_.end()) return;
     if (!answers) return refuse_request(asking->second, number, answers.error());
-    send(asking->second.peer, reply_to_datum(number, answers_to_datum(answers)));
+    socket_.send(asking->second.peer, reply_text(number, result_to_datum(answers_to_datum(answers))));
   };
   // One that is asked again while it is worked on is answered once.
   if (!past_asked_.emplace(id, number).second) return;

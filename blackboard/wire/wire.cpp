@@ -72,11 +72,6 @@ Result<Delta::Side> side_from_datum(std::size_t width, bool by_id, const Datum& 
 
 constexpr std::array<std::string_view, 5> kind_names = {"no", "yes", "first", "more", "last"};
 
-void write_number(std::string& out, std::integral auto value) {
-  std::array<char, 24> digits;
-  out.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr);
-}
-
 // Each precondition and step as a form, one after another.
 struct TransactionWriter {
   explicit TransactionWriter(std::string& text) : out(text) {}
@@ -112,7 +107,7 @@ struct TransactionWriter {
   // Into the form that was written last.
   void add_number(std::uint64_t number) {
     out.back() = ' ';
-    write_number(out, number);
+    write_number_to(out, number);
     out += ')';
     ++weight.elements;
   }
@@ -125,14 +120,14 @@ class FactWriter {
 
   void write(const Fact& fact) {
     out_ += '(';
-    write_number(out_, fact.id);
+    write_number_to(out_, fact.id);
     if (before_ == nullptr || !told_alike(*before_, fact)) told_ = told_by(fact);
     before_ = &fact;
     out_ += told_;
     write_to(out_, fact.datum);
     for (const FactId cause : fact.because) {
       out_ += ' ';
-      write_number(out_, cause);
+      write_number_to(out_, cause);
     }
     out_ += ')';
   }
@@ -143,11 +138,11 @@ class FactWriter {
   }
   static std::string told_by(const Fact& fact) {
     std::string text = " ";
-    write_number(text, fact.revision);
+    write_number_to(text, fact.revision);
     text += ' ';
-    write_number(text, fact.when.time_since_epoch().count());
+    write_number_to(text, fact.when.time_since_epoch().count());
     text += ' ';
-    write_to(text, to_datum(fact.teller));
+    write_string_to(text, fact.teller);
     text += ' ';
     return text;
   }
@@ -160,7 +155,7 @@ class FactWriter {
 void write_ids(std::string& out, const Delta::Side& side) {
   out += " (";
   for (const Fact& fact : side.facts) {
-    write_number(out, fact.id);
+    write_number_to(out, fact.id);
     out += ' ';
   }
   out += ')';
@@ -296,11 +291,11 @@ Result<std::vector<Answer>> answers_from_datum(const Query& query, std::span<con
 void write_change(std::string& out, WatchId watch, std::uint64_t sequence, std::size_t width, bool kept,
                   const Delta& delta) {
   out += "(change ";
-  write_number(out, watch);
+  write_number_to(out, watch);
   out += ' ';
-  write_number(out, sequence);
+  write_number_to(out, sequence);
   out += ' ';
-  write_number(out, delta.revision);
+  write_number_to(out, delta.revision);
   out += ' ';
   out += kind_names[static_cast<std::size_t>(delta.kind)];
   write_answers(out, width, delta.added);

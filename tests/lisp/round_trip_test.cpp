@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "lisp/reader.hpp"
 #include "lisp/writer.hpp"
 #include "tests/lisp/random_datum.hpp"
@@ -19,6 +21,23 @@ TEST(RoundTrip, WhatIsWrittenReadsBackEqual) {
     EXPECT_EQ(*back <=> datum, std::strong_ordering::equal);
     EXPECT_EQ(write(*back), text);
   }
+}
+
+TEST(RoundTrip, WhatIsNoDatumIsWrittenLikeOne) {
+  for (std::uint64_t seed = 1; seed <= 3000; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    const Datum datum = RandomDatum(seed).any(0);
+    std::string text = "(";
+    if (datum.is_string()) write_string_to(text, datum.text());
+    if (datum.is_integer()) write_number_to(text, datum.integer());
+    if (datum.is_string() || datum.is_integer()) {
+      EXPECT_EQ(text, "(" + write(datum));
+    }
+  }
+  std::string text;
+  write_number_to(text, std::numeric_limits<std::uint64_t>::max());
+  write_number_to(text, std::numeric_limits<std::int64_t>::min());
+  EXPECT_EQ(text, "18446744073709551615-9223372036854775808");
 }
 
 TEST(RoundTrip, DamagedTextIsReadOrFailsOnceWithAPlace) {
