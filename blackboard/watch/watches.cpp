@@ -5,8 +5,17 @@
 
 #include "blackboard/limits.hpp"
 #include "blackboard/store/evaluate.hpp"
+#include "blackboard/watch/join_guards.hpp"
 
 namespace pizarra {
+
+namespace {
+
+std::size_t guards_among(const std::vector<WatchedPattern>& patterns) {
+  return static_cast<std::size_t>(std::ranges::count_if(patterns, &WatchedPattern::is_guard));
+}
+
+}  // namespace
 
 WatchTable::~WatchTable() { assert(size_ == 0); }
 
@@ -29,16 +38,55 @@ void WatchTable::enter(WatchQueue& watch) {
   watch.number_ = next_number_++;
   ++size_;
   watch.patterns_ = patterns_of(watch.query_, &watch);
-  for (WatchedPattern& pattern : watch.patterns_) patterns_[std::string(pattern.pattern.head())].add(pattern);
+  guard_by_joins(watch.query_, watch.patterns_);
+  guards_ += guards_among(watch.patterns_);
+  for (WatchedPattern& pattern : watch.patterns_) {
+    allow_what_stands(pattern, store_.tables());
+    patterns_[std::string(pattern.pattern.head())].add(pattern);
+  }
 }
 
 void WatchTable::forget(const WatchQueue& watch) {
   --size_;
+  guards_ -= guards_among(watch.patterns_);
   for (const WatchedPattern& pattern : watch.patterns_) patterns_.find(pattern.pattern.head())->second.remove(pattern);
 }
 
-// Most changes are of the relation of the change before them.
 void WatchTable::committed(const Commit& commit) {
+  if (guards_ != 0) tell_guarded(commit);
+  std::vector<WatchQueue*> touched = touched_by(commit);
+  std::ranges::sort(touched, {}, &WatchQueue::number_);
+  CommitLooks looks;
+  for (WatchQueue* watch : touched) watch->committed(commit, looks);
+}
+
+// An answer that ends with a guard's fact ends with that one: who guards has no guard.
+void WatchTable::tell_guarded(const Commit& commit) {
+  struct News {
+    WatchedPattern* guarded;
+    const Commit::Entry* entry;
+  };
+  std::vector<News> all;
+  for (const Commit::Entry& entry : commit.entries) {
+    if (!adds(entry) && !removes(entry)) continue;
+    const auto patterns = patterns_.find(entry.fact.datum.head());
+    if (patterns == patterns_.end() || !patterns->second.has_guards()) continue;
+    patterns->second.visit(entry.fact.datum, [&](const WatchedPattern& pattern) {
+      if (!pattern.is_guard || !pattern.may_fit(entry.fact.datum)) return;
+      for (WatchedPattern& other : pattern.watch->patterns_) {
+        if (other.guard && other.guard->by == &pattern) all.push_back({&other, &entry});
+      }
+    });
+  }
+  for (const auto& [guarded, entry] : all) {
+    PatternIndex& index = patterns_.find(guarded->pattern.head())->second;
+    if (adds(*entry)) index.allow(*guarded, entry->fact.datum);
+    if (removes(*entry)) index.disallow(*guarded, entry->fact.datum);
+  }
+}
+
+// Most changes are of the relation of the change before them.
+std::vector<WatchQueue*> WatchTable::touched_by(const Commit& commit) const {
   std::vector<WatchQueue*> touched;
   const Datum* relation = nullptr;
   auto concerned = patterns_.end();
@@ -50,9 +98,7 @@ void WatchTable::committed(const Commit& commit) {
     }
     if (concerned != patterns_.end()) find_touched(concerned->second, entry.fact, commit.revision, touched);
   }
-  std::ranges::sort(touched, {}, &WatchQueue::number_);
-  CommitLooks looks;
-  for (WatchQueue* watch : touched) watch->committed(commit, looks);
+  return touched;
 }
 
 void WatchTable::find_touched(const PatternIndex& patterns, const Fact& fact, Revision revision,

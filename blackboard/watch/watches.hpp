@@ -2,8 +2,8 @@
 
 // Watched queries, found by what a commit changes: a commit costs what it concerns, not the number of watches.
 //
-// A changed fact leads to patterns, also those under `not`, that it may fit (pattern_index.hpp), and touches the
-// watches that have one that it resembles and is not compared away from.
+// A changed fact leads to patterns, also those under `not`, that it may fit (pattern_index.hpp) and no join excludes
+// (join_guards.hpp), and touches the watches that have one that it resembles and is not compared away from.
 //
 //   Result<std::unique_ptr<WatchQueue>> queue = watches.add(query, [&] { wake_reader(); });
 //   watches.committed(commit);
@@ -45,12 +45,15 @@ class WatchTable {
   friend class WatchQueue;
   void enter(WatchQueue& watch);
   void forget(const WatchQueue& watch);
+  void tell_guarded(const Commit& commit);
+  std::vector<WatchQueue*> touched_by(const Commit& commit) const;
   static void find_touched(const PatternIndex& patterns, const Fact& fact, Revision revision,
                            std::vector<WatchQueue*>& touched);
 
   const Store& store_;
   std::uint64_t next_number_ = 1;
   std::size_t size_ = 0;
+  std::size_t guards_ = 0;  // patterns
   std::map<std::string, PatternIndex, std::less<>> patterns_;  // by relation
 };
 

@@ -7,6 +7,7 @@
 #include "blackboard/store/store.hpp"
 #include "blackboard/time/random.hpp"
 #include "blackboard/watch/watches.hpp"
+#include "lisp/effort.hpp"
 #include "lisp/writer.hpp"
 #include "tests/blackboard/wall.hpp"
 
@@ -225,6 +226,73 @@ TEST(JoinedWatch, AllTogetherLookAtABoundedNumberOfFactsToFollowACommit) {
   const Change change = modest->pop().value();
   EXPECT_FALSE(change.resynchronised);
   EXPECT_EQ(change.added.size(), 1U);
+}
+
+// Joined watches of ten thousand things, of which every other one is there.
+TEST(JoinedWatch, AFactConcernsTheWatchesThatItIsJoinedInAlone) {
+  Store store;
+  WatchTable watches(store);
+  store.on_commit = [&](const Commit& commit) { watches.committed(commit); };
+  ASSERT_TRUE(store.declare(relations).has_value());
+  const auto tell = [&](const std::string& fact) {
+    ASSERT_TRUE(store.transact("teller", Transaction().tell(read(fact)), {}).has_value());
+  };
+  std::vector<std::unique_ptr<WatchQueue>> queues;
+  for (int n = 0; n < 10'000; ++n) {
+    const std::string number = std::to_string(n);
+    if (n % 2 == 0) tell("(at " + number + " thing-" + number + ")");
+    queues.push_back(watches.add(query("(and (at " + number + " ?s) (on ?s ?v))"), nullptr).value());
+    queues.back()->pop().value();
+  }
+  tell("(on thing-5000 first)");
+  tell("(at 7 thing-5000)");
+  queues[5000]->pop().value();
+  queues[7]->pop().value();
+  const std::size_t before = elements_looked_at;
+  tell("(on thing-5000 second)");
+  tell("(on thing-5001 none)");
+  EXPECT_LT(elements_looked_at - before, 1000U);
+  EXPECT_EQ(queues[5000]->pop()->added.size(), 1U);
+  EXPECT_EQ(queues[7]->pop()->added.size(), 1U);
+  for (const auto& queue : queues) EXPECT_FALSE(queue->ready());
+}
+
+TEST(JoinedWatch, MissesNothingWhereWhatItIsJoinedWithHasManyValuesOrFewAgain) {
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    Store store;
+    WatchTable watches(store);
+    store.on_commit = [&](const Commit& commit) { watches.committed(commit); };
+    ASSERT_TRUE(store.declare(relations).has_value());
+    std::vector<Watched> watched;
+    const auto begin_watches = [&] {
+      for (const char* text : {"(and (seen 7 ?s ?) (on ?s ?v))", "(and (seen 7 ?s ?) (not (on ?s 1)))",
+                               "(query (and (on ?s ?v) (seen 7 ?s ?)) (limit 3))", "(and (on 1 ?s) (seen 7 ?s ?))"}) {
+        watched.push_back({query(text), watches.add(query(text), nullptr).value(), {}});
+        watched.back().follow(true);
+      }
+    };
+    begin_watches();
+    for (int step = 0; step < 300 && !testing::Test::HasFailure(); ++step) {
+      // First more and more of them come, then go.
+      const bool comes = step < 150;
+      const std::string thing = std::to_string(random.below(40)) + (random.below(4) == 0 ? ".0" : "");
+      const std::string key = "(seen " + one_of(random, {"7", "8"}) + " " + thing;
+      Transaction change;
+      if (random.below(3) == 0 || comes) change.tell(read(key + " " + std::to_string(step) + ")"));
+      if (random.below(3) == 0 || !comes) change.retract(read(key + " ?)"));
+      if (random.below(2) == 0) change.tell(read("(on " + thing + " " + std::to_string(random.below(3)) + ")"));
+      if (random.below(2) == 0) change.retract(read("(on " + thing + " ?)"));
+      ASSERT_TRUE(store.transact("teller", change, {}).has_value());
+      if (step == 100 || step == 280) begin_watches();
+      for (Watched& watch : watched) {
+        watch.follow(false);
+        watch.compare(store);
+      }
+    }
+    if (testing::Test::HasFailure()) return;
+  }
 }
 
 }  // namespace
