@@ -30,7 +30,6 @@ Datum pattern_of_key(const Relation& relation, const Datum& fact) {
 Result<void> Gate::declare(Key key, const std::vector<Relation>& relations) const {
   if (key == nullptr) return {};
   for (const Relation& relation : relations) {
-    if (board_.store().tables().contains(relation.name)) continue;
     const bool concerned = permits(key->may.tell, relation.name) || permits(key->may.take, relation.name) ||
                            permits(key->may.read, relation.name);
     if (!concerned) return may_not(*key, "declare " + relation.name, relation_to_datum(relation));

@@ -206,6 +206,15 @@ TEST_F(SecurityTest, NobodyTellsReadsOrTakesWhatItsKeyDoesNotAllow) {
   EXPECT_EQ(symbol_of(run(robot->transact(curious))), "not-permitted");
   const std::vector<Relation> own_idea = {relation("(relation plan ((n integer)))")};
   EXPECT_EQ(symbol_of(run(robot->declare(own_idea))), "not-permitted");
+  // What is declared of a relation that is none of its business it does not learn.
+  const std::string guesses[] = {"(relation goal ((n integer)) (key n))", "(relation goal ((n symbol)))"};
+  for (const std::string& guess : guesses) {
+    const Result<void> learned = run(robot->declare({relation(guess)}));
+    ASSERT_EQ(symbol_of(learned), "not-permitted") << guess;
+    EXPECT_EQ(learned.error().sentence, "the key robot may not declare goal");
+    EXPECT_EQ(learned.error().subject, relation_to_datum(relation(guess))) << "no more than what it said";
+  }
+  EXPECT_EQ(symbol_of(run(robot->declare({relation("(relation job ((n integer)) (key n))")}))), "ok");
 
   EXPECT_EQ(tell(*robot, "(arm moving)"), "ok");
   EXPECT_EQ(ask(*robot, "(arm ?s)"), "ok");
@@ -213,10 +222,10 @@ TEST_F(SecurityTest, NobodyTellsReadsOrTakesWhatItsKeyDoesNotAllow) {
   EXPECT_EQ(symbol_of(run(robot->take(read("(job ?)"), 0))), "ok");
   const std::vector<Fact> told = refusals("robot");
   ASSERT_EQ(told.size(), 1U);
-  EXPECT_EQ(told.front().datum[3].integer(), 8);
+  EXPECT_EQ(told.front().datum[3].integer(), 10);
   const auto hand = view("robot", "prompt-17");
   EXPECT_EQ(ask(*hand, "(goal ?n)"), "not-permitted");
-  EXPECT_EQ(refusals("robot").front().datum[3].integer(), 9) << "it is the key that was refused";
+  EXPECT_EQ(refusals("robot").front().datum[3].integer(), 11) << "it is the key that was refused";
   EXPECT_TRUE(refusals("robot/prompt-17").empty());
 }
 
