@@ -69,6 +69,12 @@ Weight weigh(const Fact& fact) {
   return weight;
 }
 
+std::size_t footprint(const Fact& fact, const Weight& of_its_datum) {
+  constexpr std::size_t of_any_fact = 128;
+  return of_any_fact + of_its_datum.bytes + sizeof(Datum) * of_its_datum.elements + fact.teller.size() +
+         sizeof(FactId) * fact.because.size();
+}
+
 Result<void> check_examined(std::size_t examined, const Datum& subject) {
   if (examined <= limits::examined) return {};
   return fail("too-costly",

@@ -36,6 +36,8 @@ constexpr std::size_t depth = frame_depth - 8;
 
 constexpr std::size_t steps = 10'000;     // in a transaction
 constexpr std::size_t facts = 1'000'000;  // on a board
+// Of all facts of a board, as footprint() counts them.
+constexpr std::size_t board_bytes = 1 << 30;
 constexpr std::size_t relations = 2048;   // on a board
 constexpr std::size_t name_bytes = 128;   // of a relation, of an argument, of a teller
 constexpr std::size_t leases = 100'000;   // on a board
@@ -52,6 +54,10 @@ constexpr std::size_t pending_bytes = 4 << 20;
 constexpr std::size_t part_bytes = 1 << 18;
 
 }  // namespace limits
+
+// The memory that a fact takes, roughly and without what finds it.
+std::size_t footprint(const Fact& fact, const Weight& of_its_datum);
+inline std::size_t footprint(const Fact& fact) { return footprint(fact, weigh(fact.datum)); }
 
 // Failure too-costly.
 Result<void> check_examined(std::size_t examined, const Datum& subject);

@@ -25,13 +25,15 @@ const StandingFact* FactTable::find_key_of(const Datum& fact) const {
 StandingFact& FactTable::insert(StandingFact standing) {
   standing.table = this;
   StandingFact& inserted = facts_.insert(std::move(standing));
+  bytes_ += footprint(inserted.fact);
   by_key_.insert(key_hash(inserted.fact.datum), &inserted);
   enter_indexes(inserted);
   return inserted;
 }
 
 Fact FactTable::replace(StandingFact& standing, Fact fact) {
-  remember_removal(fact.revision, standing.fact.datum);
+  went(fact.revision, standing.fact);
+  bytes_ += footprint(fact);
   leave_indexes(standing);
   Fact former = facts_.replace(standing, std::move(fact));
   enter_indexes(standing);
@@ -41,7 +43,7 @@ Fact FactTable::replace(StandingFact& standing, Fact fact) {
 StandingFact FactTable::remove(StandingFact& standing, Revision revision) {
   by_key_.erase(key_hash(standing.fact.datum), &standing);
   leave_indexes(standing);
-  remember_removal(revision, standing.fact.datum);
+  went(revision, standing.fact);
   return facts_.remove(standing);
 }
 
@@ -61,8 +63,10 @@ void FactTable::leave_indexes(const StandingFact& standing) {
   }
 }
 
-void FactTable::remember_removal(Revision revision, const Datum& datum) {
-  removals_.push_back({revision, datum, weigh(datum).bytes});
+void FactTable::went(Revision revision, const Fact& fact) {
+  const Weight weight = weigh(fact.datum);
+  bytes_ -= footprint(fact, weight);
+  removals_.push_back({revision, fact.datum, weight.bytes});
   removed_bytes_ += removals_.back().bytes;
   while (removals_.size() > max_removals || removed_bytes_ > max_removed_bytes) {
     removals_forgotten_ = removals_.front().revision;

@@ -40,6 +40,8 @@ class FactTable {
 
   const Relation& relation() const { return relation_; }
   std::size_t size() const { return facts_.size(); }
+  // Their footprints.
+  std::size_t bytes() const { return bytes_; }
   auto facts() const { return facts_.from(0); }
 
   StandingFact* find(FactId id) { return facts_.find(id); }
@@ -162,10 +164,11 @@ class FactTable {
   static std::optional<std::size_t> step(std::vector<OrderedFacts>& all);
   // Those with an id from `first` on.
   static std::vector<const StandingFact*> by_id(const OrderedFacts& facts, FactId first);
-  void remember_removal(Revision revision, const Datum& datum);
+  void went(Revision revision, const Fact& fact);
 
   Relation relation_;
   FactList facts_;
+  std::size_t bytes_ = 0;
   HashIndex<StandingFact> by_key_;
   mutable std::map<Mask, Index> indexes_;
   mutable std::map<std::size_t, OrderedIndex> ordered_;  // by argument

@@ -6,6 +6,7 @@
 #include "blackboard/limits.hpp"
 #include "blackboard/store/evaluate.hpp"
 #include "blackboard/store/looking.hpp"
+#include "blackboard/store/room.hpp"
 #include "blackboard/store/store_change.hpp"
 #include "lisp/pattern.hpp"
 
@@ -38,38 +39,6 @@ const Fact* first_fit(const FactTable& table, const Datum& pattern, std::size_t&
 Result<void> check_teller(const std::string& teller, const Relation& relation) {
   if (!is_told_by_the_board(relation.name) || teller == board_teller) return {};
   return fail(left_to_the_board(relation.name));
-}
-
-Weight weigh(const Transaction& transaction) {
-  constexpr std::size_t envelope = 64;
-  constexpr std::size_t id_bytes = 21;
-  Weight whole;
-  const auto add = [&](const Datum& datum, std::size_t ids) {
-    whole += pizarra::weigh(datum);
-    whole.bytes += envelope + ids * id_bytes;
-    whole.elements += 6 + ids;
-  };
-  for (const auto& precondition : transaction.preconditions) {
-    std::visit([&](const auto& p) { add(p.pattern, 1); }, precondition);
-  }
-  for (const Transaction::Step& step : transaction.steps) {
-    if (const auto* tell = std::get_if<Transaction::Tell>(&step)) add(tell->fact, tell->because.size() + 1);
-    if (const auto* retract = std::get_if<Transaction::Retract>(&step)) add(retract->pattern, 0);
-    if (std::holds_alternative<Transaction::Settle>(step)) add({}, 1);
-  }
-  return whole;
-}
-
-// For what it adds to so many others: in whatever order it goes about it, facts with keys that none had before.
-Result<void> check_room(const Transaction& transaction, const Tables& tables, std::size_t others) {
-  if (others + transaction.steps.size() <= limits::facts) return {};
-  const auto adds = [&](const Transaction::Step& step) {
-    const auto* tell = std::get_if<Transaction::Tell>(&step);
-    return tell != nullptr && tables.find(tell->fact.head())->second.find_key_of(tell->fact) == nullptr;
-  };
-  const auto added = static_cast<std::size_t>(std::ranges::count_if(transaction.steps, adds));
-  if (added == 0 || others + added <= limits::facts) return {};
-  return fail("too-large", "the board is full");
 }
 
 }  // namespace
@@ -142,7 +111,8 @@ Result<void> Store::check(const std::string& teller, const Transaction& transact
   if (transaction.steps.size() + transaction.preconditions.size() > limits::steps) {
     return fail("too-large", "a transaction has at most 10000 steps and preconditions");
   }
-  Result<void> checked = check_weight(weigh(transaction), "the transaction");
+  const Weight weight = weigh(transaction);
+  Result<void> checked = check_weight(weight, "the transaction");
   if (!checked) return checked;
   for (const auto& precondition : transaction.preconditions) {
     checked = check_precondition(precondition, examined);
@@ -155,7 +125,9 @@ Result<void> Store::check(const std::string& teller, const Transaction& transact
     if (!checked) return checked;
   }
   // What is taken may come back.
-  return check_room(transaction, tables_, size() + held_.size() - settled.size());
+  Room room{.facts = size() + held_.size() - settled.size(), .bytes = bytes_};
+  for (const FactId id : settled) room.bytes -= footprint(held_.at(id).fact);
+  return check_room(transaction, weight, teller, tables_, room);
 }
 
 Result<Revision> Store::transact(const std::string& teller, const Transaction& transaction, Time now,
@@ -235,7 +207,9 @@ StandingFact* Store::find(FactId standing) const {
 }
 
 StandingFact& Store::put(FactTable& table, Fact fact) {
+  const std::size_t before = table.bytes();
   StandingFact& standing = table.insert({std::move(fact)});
+  bytes_ += table.bytes() - before;
   standing_.insert(standing.fact.id, &standing);
   return standing;
 }
@@ -243,12 +217,31 @@ StandingFact& Store::put(FactTable& table, Fact fact) {
 Fact Store::replace(StandingFact& standing, Fact fact) {
   standing_.erase(standing.fact.id, &standing);
   standing_.insert(fact.id, &standing);
-  return standing.table->replace(standing, std::move(fact));
+  const std::size_t before = standing.table->bytes();
+  Fact former = standing.table->replace(standing, std::move(fact));
+  bytes_ += standing.table->bytes() - before;
+  return former;
 }
 
 StandingFact Store::remove(StandingFact& standing, Revision revision) {
   standing_.erase(standing.fact.id, &standing);
-  return standing.table->remove(standing, revision);
+  FactTable& table = *standing.table;
+  const std::size_t before = table.bytes();
+  StandingFact gone = table.remove(standing, revision);
+  bytes_ -= before - table.bytes();
+  return gone;
+}
+
+void Store::hold(Held held) {
+  bytes_ += footprint(held.fact);
+  const FactId id = held.fact.id;
+  held_[id] = std::move(held);
+}
+
+Store::Held Store::let_go(FactId taken) {
+  Held held = std::move(held_.extract(taken).mapped());
+  bytes_ -= footprint(held.fact);
+  return held;
 }
 
 LeaseId Store::holder_of(FactId taken) const {

@@ -81,6 +81,8 @@ class Store {
   StandingFact& put(FactTable& table, Fact fact);
   Fact replace(StandingFact& standing, Fact fact);
   StandingFact remove(StandingFact& standing, Revision revision);
+  void hold(Held held);
+  Held let_go(FactId taken);
   Result<void> check(const std::string& teller, const Transaction& transaction, std::size_t examined);
   Result<void> check_precondition(const Transaction::Precondition& precondition, std::size_t& examined) const;
   Result<void> check_step(const std::string& teller, const Transaction::Step& step, std::set<FactId>& settled,
@@ -92,6 +94,7 @@ class Store {
   Tables tables_;
   HashIndex<StandingFact> standing_;  // by their ids
   std::map<FactId, Held> held_;
+  std::size_t bytes_ = 0;  // of what stands or is held
   Leases leases_;
   std::set<std::pair<Time, FactId>> fact_expiries_;
   Revision revision_ = 0;

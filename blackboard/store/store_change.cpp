@@ -84,17 +84,16 @@ Fact Store::Change::take(FactId id, LeaseId holder) {
   Fact fact = remove(standing);
   commit_.entries.push_back({holder == 0 ? Kind::retracted : Kind::taken, fact});
   if (holder != 0) {
-    store_.held_[id] = {fact, holder, told_under};
+    store_.hold({fact, holder, told_under});
     store_.leases_.find(holder)->held.insert(id);
   }
   return fact;
 }
 
 void Store::Change::settle(FactId taken) {
-  const auto held = store_.held_.find(taken);
-  if (Leases::Lease* lease = store_.leases_.find(held->second.holder)) lease->held.erase(taken);
-  commit_.entries.push_back({Kind::settled, std::move(held->second.fact)});
-  store_.held_.erase(held);
+  Held held = store_.let_go(taken);
+  if (Leases::Lease* lease = store_.leases_.find(held.holder)) lease->held.erase(taken);
+  commit_.entries.push_back({Kind::settled, std::move(held.fact)});
 }
 
 void Store::Change::put_back(FactId taken) {
@@ -103,8 +102,7 @@ void Store::Change::put_back(FactId taken) {
   const LeaseId lease = held->second.told_under;
   const bool lapsed = lease != 0 && !store_.leases_.contains(lease);
   if (lapsed || table.find_key_of(held->second.fact.datum) != nullptr) return settle(taken);
-  Fact fact = std::move(held->second.fact);
-  store_.held_.erase(held);
+  Fact fact = store_.let_go(taken).fact;
   fact.id = store_.next_fact_++;
   fact.revision = commit_.revision;
   note_own({Kind::returned, fact, taken, lease != 0 && table.relation().durable});

@@ -37,8 +37,7 @@ Result<void> Store::apply_entry(const Commit& commit, Commit::Entry& entry) {
     const auto held = held_.find(entry.kind == Kind::settled ? fact.id : entry.former);
     if (held == held_.end()) return impossible(commit, "this fact was not taken", to_datum(fact.id));
     const FactId id = fact.id;
-    fact = std::move(held->second.fact);
-    held_.erase(held);
+    fact = let_go(held->first).fact;
     if (entry.kind == Kind::settled) return {};
     fact.id = id;
     fact.revision = commit.revision;
@@ -55,7 +54,7 @@ Result<void> Store::apply_entry(const Commit& commit, Commit::Entry& entry) {
     if (standing == nullptr) return impossible(commit, "there is no such fact", to_datum(fact.id));
     const LeaseId told_under = standing->lease;
     fact = remove(*standing, commit.revision).fact;
-    if (entry.kind == Kind::taken) held_[fact.id] = {fact, 0, told_under};
+    if (entry.kind == Kind::taken) hold({fact, 0, told_under});
     return {};
   }
   const Result<void> restored = restore(fact, entry.under_lease ? Restored::leased : Restored::standing);
@@ -76,7 +75,7 @@ Result<void> Store::restore(Fact fact, Restored as) {
   if (!free) return fail("bad-journal", "a fact with this id or key stands already", fact.datum);
   next_fact_ = fact.id + 1;
   if (taken) {
-    held_[fact.id] = {std::move(fact), 0, told_under};
+    hold({std::move(fact), 0, told_under});
     return {};
   }
   put(table, std::move(fact)).lease = told_under;

@@ -9,6 +9,31 @@
 namespace pizarra {
 namespace {
 
+// One text in all of them, so that the test itself takes little memory.
+TEST(HeavyBoard, TakesFactsUpToAGigabyteOfThem) {
+  Store store;
+  ASSERT_TRUE(store.declare({relation("(relation note ((n integer) (text datum)) (key n))")}).has_value());
+  const Datum text = to_datum(std::string(1'000'000, 'x'));
+  const auto transact = [&](const Transaction& transaction) {
+    const Result<Revision> done = store.transact("alice", transaction, Time());
+    return done ? "ok" : done.error().sentence;
+  };
+  const auto tell = [&](int n, const Datum& what) { return transact(Transaction().tell(list("note"_sym, n, what))); };
+  const std::string full = "the board is full: its facts take a gigabyte";
+  int told = 0;
+  while (told < 1100 && tell(told, text) == "ok") ++told;
+  EXPECT_EQ(told, 1073);
+  EXPECT_EQ(tell(told, text), full);
+  EXPECT_EQ(tell(0, to_datum(std::string(1'000'000, 'y'))), "ok") << "in place of another";
+  EXPECT_EQ(transact(Transaction().retract(read("(note 1 ?)"))), "ok");
+  const LeaseId lease = store.lease(10s, Time()).value();
+  const FactId taken = store.take("alice", read("(note 2 ?)"), lease, Time()).value()->id;
+  EXPECT_EQ(tell(1, text), "ok");
+  EXPECT_EQ(tell(2, text), full) << "what is taken may come back";
+  EXPECT_EQ(transact(Transaction().settle(taken).tell(list("note"_sym, 2, text))), "ok");
+  EXPECT_EQ(tell(told, text), full);
+}
+
 class FullBoard : public testing::Test {
  protected:
   FullBoard() {
