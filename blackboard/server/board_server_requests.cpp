@@ -12,8 +12,11 @@ namespace pizarra {
 
 namespace {
 
-// Whatever a request fails with is a refusal, but that its own precondition does not hold: that is an answer.
-bool is_refusal(const Failure& failure) { return failure.symbol != "precondition-failed"; }
+// Whatever a request fails with is a refusal, but that its own precondition does not hold, which is an answer, and a
+// full disk, which is not its doing.
+bool is_refusal(const Failure& failure) {
+  return failure.symbol != "precondition-failed" && failure.symbol != "journal-full";
+}
 
 std::unexpected<Failure> bad_frame(const char* sentence) { return fail("bad-frame", sentence); }
 
@@ -177,6 +180,8 @@ Result<Datum> BoardServer::transact(const Session& session, const Datum& body) {
   if (!transaction) return fail(transaction);
   const Result<std::size_t> examined = gate_.transact(key_of(session), *transaction);
   if (!examined) return fail(examined);
+  const Result<void> room = durability_.check_room(board_.store(), body, *transaction);
+  if (!room) return fail(room);
   const Result<Revision> revision = board_.transact(session.teller, *transaction, *examined);
   if (!revision) return fail(revision);
   return to_datum(*revision);

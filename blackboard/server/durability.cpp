@@ -45,6 +45,18 @@ std::size_t bytes_at_most(const Datum& body) {
   return weigh(body).bytes + steps * bytes_of_a_step + said_beside;
 }
 
+std::size_t removed_at_most(const Store& store, const Transaction& transaction) {
+  std::size_t removed = 0;
+  for (const Transaction::Step& step : transaction.steps) {
+    const auto* retract = std::get_if<Transaction::Retract>(&step);
+    if (retract == nullptr) continue;
+    const auto table = store.tables().find(retract->pattern.head());
+    const bool known = table != store.tables().end() && check_pattern_shape(table->second.relation(), retract->pattern);
+    if (known) removed += std::min(table->second.candidates(retract->pattern), table->second.size());
+  }
+  return removed;
+}
+
 }  // namespace
 
 Durability::Durability(JournalWriter* journal, Send send) : journal_(journal), send_(std::move(send)) {
@@ -66,6 +78,12 @@ bool Durability::concerns_durable(const Store& store, const Datum& body) const {
 Result<void> Durability::check_room(const Store& store, const Datum& body) const {
   const bool changes = body.is_form("take") || body.is_form("transact") || body.is_form("declare");
   return changes ? check_room(store, body, 0) : Result<void>();
+}
+
+Result<void> Durability::check_room(const Store& store, const Datum& body, const Transaction& transaction) const {
+  const std::size_t removals = journal_ == nullptr ? 0 : removed_at_most(store, transaction);
+  // More than may be looked at is the board's to refuse.
+  return removals == 0 || removals > limits::examined ? Result<void>() : check_room(store, body, removals);
 }
 
 Result<void> Durability::check_room(const Store& store, const Datum& body, std::size_t removals) const {

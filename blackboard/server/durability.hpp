@@ -38,8 +38,8 @@ class Durability {
   // Before a change, which then does not come to stand: failure journal-full. Where the disk is full, what takes
   // durable facts away and adds none goes on.
   Result<void> check_room(const Store& store, const Datum& body) const;
-  // The same of one that takes up to so many facts away, each of which the journal names.
-  Result<void> check_room(const Store& store, const Datum& body, std::size_t removals) const;
+  // The same with what its retractions take away, each fact of which the journal names.
+  Result<void> check_room(const Store& store, const Datum& body, const Transaction& transaction) const;
   JournalWriter::Position position() const { return journal_ == nullptr ? 0 : journal_->position(); }
   void hold(wire::SessionId session, wire::RequestId request, Reply reply);
   // One that was held before, if it is to be had.
@@ -54,6 +54,7 @@ class Durability {
   };
   using Change = JournalWriter::Change;
   Change change_of(const Store& store, const Datum& body) const;
+  Result<void> check_room(const Store& store, const Datum& body, std::size_t removals) const;
   void progress();
   std::string in_doubt(wire::RequestId request, const Reply& reply) const;
 

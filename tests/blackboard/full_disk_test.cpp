@@ -186,6 +186,28 @@ TEST_F(FullDiskTest, WhatTakesDurableFactsAwayAndAddsNoneGoesOn) {
   for (const int gone : {0, 1}) EXPECT_FALSE(kept.contains(gone)) << gone;
 }
 
+// The journal names every fact that goes: of many that is more than a frame holds.
+TEST_F(FullDiskTest, NoMoreIsRetractedAtOnceThanThereIsRoomToSay) {
+  start();
+  declare();
+  constexpr int many = 120'000;
+  Transaction some;
+  for (int n = 0; n < many; ++n) {
+    some.tell(list("goal"_sym, n, std::to_string(n % 8)));
+    if (some.steps.size() < 8000) continue;
+    ASSERT_EQ(symbol_of(run(alice_->transact(std::exchange(some, {})))), "ok");
+  }
+  const Result<Revision> all = run(alice_->transact(Transaction().retract(read("(goal ? ?)"))));
+  ASSERT_EQ(symbol_of(all), "journal-full");
+  EXPECT_EQ(run(alice_->facts(read("(goal 7 ?)")))->size(), 1U) << "nothing went";
+  for (int part = 0; part < 8; ++part) {
+    Transaction portion;
+    portion.retract(list("goal"_sym, "?"_sym, std::to_string(part)));
+    EXPECT_EQ(symbol_of(run(alice_->transact(portion))), "ok") << part;
+  }
+  EXPECT_TRUE(run(alice_->facts(read("(goal ? ?)")))->empty());
+}
+
 // Where there is space for more than one file may hold.
 class FullFileTest : public FullDiskTest {
  protected:
