@@ -20,6 +20,8 @@ namespace pizarra {
 namespace {
 
 constexpr std::uintmax_t longest_line = 64 << 20;
+constexpr const char* bytes_of_log =
+    "SELECT coalesce(sum(length(CAST(lines AS BLOB)) + length(CAST(replies AS BLOB))), 0) FROM log";
 constexpr std::string_view sqlite_files_begin_with = "SQLite format 3";
 
 std::unexpected<Failure> refused(const std::string& what, const std::string& path) {
@@ -147,6 +149,9 @@ Result<std::shared_ptr<JournalFile>> JournalFile::open(const std::string& path, 
   const Result<std::int64_t> last = last_group(file->database_);
   if (!last) return fail(journal_tables::failure_of(last.error(), path));
   file->next_group_ = *last + 1;
+  const Result<std::int64_t> past = file->database_.ask(bytes_of_log);
+  if (!past) return fail(journal_tables::failure_of(past.error(), path));
+  file->past_bytes_ = static_cast<std::size_t>(*past);
   return file;
 }
 
@@ -177,6 +182,7 @@ Result<void> JournalFile::append(const JournalGroup& group, bool may_spend) {
   if (!written && may_spend && spend_if_full(written.error())) written = write(group);
   if (!written) return fail(journal_tables::failure_of(written.error(), path_));
   if (group.durable) mark_.set(next_group_);
+  past_bytes_ += group.bytes();
   ++next_group_;
   return {};
 }
@@ -229,6 +235,7 @@ JournalRoom JournalFile::room() {
       is_ample(set_aside) ? Result<std::int64_t>(0) : database_.ask("PRAGMA freelist_count");
   constexpr std::int64_t page = 4096;
   room_ = room_with(set_aside, page * free_pages.value_or(0));
+  room_.past_goes = room_.is_scarce || past_bytes_ > history_.bytes;
   return room_;
 }
 
@@ -240,13 +247,14 @@ Result<std::size_t> JournalFile::compact(Time now) {
   const bool full = !gone && gone.error().symbol == "disk-full";
   slice_bytes_ = full ? std::max<std::size_t>(slice_bytes_ / 4, 1) : std::min(2 * slice_bytes_, largest_slice);
   if (!gone) return fail(journal_tables::failure_of(gone.error(), path_));
+  past_bytes_ -= std::min(*gone, past_bytes_);
   return gone;
 }
 
 Result<std::size_t> JournalFile::compact_slice(Time now) {
   const Result<LineStart> end = end_of(database_);
   if (!end) return fail(end);
-  if (room_.is_scarce) {
+  if (room_.past_goes) {
     return journal_tables::advance_horizon(database_, end->revision + 1, now - replies_kept, slice_bytes_);
   }
   const Revision kept = history_.time ? 0 : history_.revisions;

@@ -48,10 +48,12 @@ struct JournalGroup {
   std::size_t bytes() const { return lines.size() + replies.size(); }
 };
 
-// How much of the past the horizon leaves to be asked about: at least that much.
+// How much of the past the horizon leaves to be asked about: at least that much, but no more bytes, once they are older
+// than the replies that are remembered.
 struct History {
   std::uint64_t revisions = 200'000;
   std::optional<Duration> time = {};  // in place of the revisions
+  std::size_t bytes = std::size_t{1} << 30;
 };
 
 class JournalFile {
@@ -109,6 +111,7 @@ class JournalFile {
   bool waits_for_disk_ = true;
   bool spent_ = false;  // what was set aside, since room() was called
   std::int64_t log_pages_ = 0;
+  std::size_t past_bytes_ = 0;  // of the groups in the log
   JournalRoom room_;
   std::size_t slice_bytes_ = largest_slice;
 };

@@ -24,7 +24,7 @@ bool is_ample(std::int64_t set_aside) { return 2 * set_aside > SpaceReserve::mos
 JournalRoom room_with(std::int64_t set_aside, std::int64_t free_in_file) {
   if (is_ample(set_aside)) {
     const auto all = static_cast<std::size_t>(set_aside - set_aside / 32 - other_pages);
-    return {.for_all = all, .for_removals = all, .for_passing = all, .is_scarce = false};
+    return {.for_all = all, .for_removals = all, .for_passing = all};
   }
   // An eighth of it may be in the log already, waiting to be copied.
   const std::int64_t log = set_aside - set_aside / 8 - other_pages;

@@ -18,7 +18,8 @@ struct JournalRoom {
   std::size_t for_all = 0;  // bytes of groups
   std::size_t for_removals = 0;
   std::size_t for_passing = 0;  // on a full disk: what the last of the space is not needed for
-  bool is_scarce = false;       // the past should make room
+  bool is_scarce = false;
+  bool past_goes = false;  // it should make room, or there is too much of it
 };
 
 JournalRoom room_with(std::int64_t set_aside, std::int64_t free_in_file);

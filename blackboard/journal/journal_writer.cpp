@@ -119,7 +119,7 @@ Task<void> JournalWriter::write_groups() {
 // The past that could not be let go yet can be later.
 std::optional<Time> JournalWriter::look_again() const {
   if (failure_) return executor_.now() + try_again_after;
-  if (room_.is_scarce) return executor_.now() + let_go_again_after;
+  if (room_.past_goes) return executor_.now() + let_go_again_after;
   return std::nullopt;
 }
 
@@ -173,7 +173,7 @@ void JournalWriter::finish() {
 
 // A slice at a time, so that what is to be written need not wait long.
 Task<void> JournalWriter::compact() {
-  if (!room_.is_scarce && (failure_ || written_bytes_ < compaction_bytes)) co_return;
+  if (!room_.past_goes && (failure_ || written_bytes_ < compaction_bytes)) co_return;
   const std::shared_ptr<JournalFile> file = file_;
   const Time now = executor_.now();
   const auto gone = std::make_shared<std::size_t>(0);
@@ -183,7 +183,7 @@ Task<void> JournalWriter::compact() {
   };
   co_await executor_.offload(std::move(job), Duration::zero());
   written_bytes_ -= std::min(*gone == 0 ? written_bytes_ : *gone, written_bytes_);
-  const bool more = *gone > 0 && (room_.is_scarce || written_bytes_ >= compaction_bytes);
+  const bool more = *gone > 0 && (room_.past_goes || written_bytes_ >= compaction_bytes);
   if (more) due_.set();
 }
 

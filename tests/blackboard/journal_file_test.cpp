@@ -186,6 +186,26 @@ TEST_F(JournalFileTest, ThePastIsAsItWasAndWhatTheHorizonPassedIsForgotten) {
   EXPECT_EQ(Life(path_).facts("(goal ? ?)"), before);
 }
 
+TEST_F(JournalFileTest, OfALongPastNoMoreBytesAreKeptThanItMayHave) {
+  {
+    Life life(path_, {.bytes = 4 << 20});
+    ASSERT_TRUE(life.board->declare("alice", relations_).has_value());
+    for (int n = 1; n <= 400; ++n) {
+      life.tell(write(list("goal"_sym, n % 7, list(n, std::string(100'000, 'x')))));
+      life.keep();
+      life.executor.run_for(5s);
+    }
+  }
+  EXPECT_EQ(facts_at({.revision = 300}, "(goal ?n ?)"), "forgotten"_sym);
+  EXPECT_EQ(facts_at({.revision = 380}, "(goal ?n ?)").size(), 7U);
+  EXPECT_LT(std::filesystem::file_size(path_), 8'000'000U) << "40 MB were told";
+  Life less(path_, {.bytes = 1 << 20});
+  less.executor.run_for(3000s);
+  less.tell("(goal 1 x)");
+  less.executor.run_for(60s);
+  EXPECT_EQ(facts_at({.revision = 380}, "(goal ?n ?)"), "forgotten"_sym) << "with less space than before";
+}
+
 TEST_F(JournalFileTest, RepliesAreRememberedInTheNextLife) {
   {
     Life life(path_);

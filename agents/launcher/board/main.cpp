@@ -36,6 +36,7 @@ struct Options {
   BoardServerOptions server;
   std::string journal;
   std::string history = "200000";
+  std::uint64_t history_bytes = History().bytes;
 };
 
 constexpr std::uint64_t most_history = 1'000'000'000;  // revisions
@@ -83,7 +84,9 @@ class KeptBoard {
 
  private:
   Result<void> recover(const Options& options, Store& store) {
-    const auto file = JournalFile::open(options.journal, *history_from(options.history));
+    History history = *history_from(options.history);
+    history.bytes = options.history_bytes;
+    const auto file = JournalFile::open(options.journal, history);
     if (!file) return fail(file);
     Result<std::vector<RememberedReply>> remembered = (*file)->recover(store);
     if (!remembered) return fail(remembered);
@@ -164,6 +167,11 @@ int main(int argc, char** argv) {
                                              "36500d at most";
       })
       ->capture_default_str();
+  app.add_option("--history-size", options.history_bytes,
+                 "how much space the past may take at most, such as 64MB or 2GB; less is kept then")
+      ->transform(CLI::AsSizeValue(false))
+      ->type_name("SIZE")
+      ->default_str("1GB");
   app.add_option("--keys", options.server.keys,
                  "ask who comes over tcp for a key of this folder, made by `pizarra keys new`")
       ->type_name("DIR");
