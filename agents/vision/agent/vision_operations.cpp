@@ -129,7 +129,7 @@ Failure VisionAgent::State::not_found(ImageSegmentation& segmentation, const Lea
     const Likeness likely = likeness(mark, objects, object);
     if (likely.error > recognition_threshold) continue;
     if (likely.doubt > 1) why = "a mark is like it, but has another outline";
-    if (likely.doubt > 1 || likely.margin() >= least_margin) continue;
+    if (likely.doubt > 1 || !likely.is_ambiguous()) continue;
     return {"ambiguous",
             fmt::format("a mark looks like it, and as much like {}", likely.second->name),
             to_datum(object.name),

@@ -185,8 +185,16 @@ std::array<float, MarkSignature::turns> reach_of(const MarkSignature& signature)
 }
 
 double signature_error(const MarkSignature& a, const MarkSignature& b) {
+  constexpr int turns = MarkSignature::turns;
   std::int32_t best = std::numeric_limits<std::int32_t>::min();
-  for (int turn = 0; turn < MarkSignature::turns; ++turn) best = std::max(best, correlation(a, b, turn));
+  int best_turn = 0;
+  for (int turn = 0; turn < turns; turn += 2) {
+    const std::int32_t here = correlation(a, b, turn);
+    if (here <= best) continue;
+    best = here;
+    best_turn = turn;
+  }
+  best = std::max({best, correlation(a, b, best_turn + 1), correlation(a, b, (best_turn + turns - 1) % turns)});
   return error_of(a, b, best);
 }
 

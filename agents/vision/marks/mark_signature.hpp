@@ -50,7 +50,7 @@ MarkSignature signature_of(const MarkTemplate& picture, double blur = 0);
 // takes away within the edge it adds beyond.
 std::array<float, MarkSignature::turns> reach_of(const MarkSignature& signature);
 
-// Two minus twice the correlation at the best turn.
+// Two minus twice the correlation at the best turn: the best of every other one, or beside it.
 double signature_error(const MarkSignature& a, const MarkSignature& b);
 // The same, over turns of at most `most_turns` steps of 9 degrees either way.
 double signature_error(const MarkSignature& a, const MarkSignature& b, int most_turns);

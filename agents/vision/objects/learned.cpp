@@ -23,6 +23,23 @@ double spread_of_roundness(const std::vector<LearnedSample>& samples) {
   return std::sqrt(variance);
 }
 
+void note_rival(std::vector<LearnedObject::Rival>& rivals, std::size_t index, double error) {
+  auto rival = std::ranges::find(rivals, index, &LearnedObject::Rival::index);
+  if (rival == rivals.end()) rival = rivals.insert(rival, {index, error});
+  rival->error = std::min(rival->error, error);
+  std::ranges::sort(rivals, {}, &LearnedObject::Rival::error);
+}
+
+void note_rival(LearnedObject& object, const LearnedSample& sample, std::size_t index, const LearnedSample& other) {
+  for (std::size_t i = 0; i < sample.signatures.size(); ++i) {
+    double least = 2;
+    for (const MarkSignature& rival : other.signatures) {
+      least = std::min(least, signature_error(sample.signatures[i], rival));
+    }
+    note_rival(object.rivals[i], index, least);
+  }
+}
+
 bool is_letter(char c) { return lower(c) >= 'a' && lower(c) <= 'z'; }
 
 }  // namespace
@@ -81,13 +98,13 @@ Result<LearnedObjects::Slot> LearnedObjects::slot_for(std::string_view name) con
 void LearnedObjects::add(const std::string& name, LearnedSample sample) {
   auto found = std::ranges::find(objects_, name, &LearnedObject::name);
   if (found == objects_.end()) found = objects_.insert(objects_.end(), LearnedObject{.name = name, .samples = {}});
-  for (LearnedObject& rival : objects_) {
-    if (&rival == &*found) continue;
-    for (const LearnedSample& other : rival.samples) {
+  const auto index = static_cast<std::size_t>(found - objects_.begin());
+  for (std::size_t i = 0; i < objects_.size(); ++i) {
+    if (i == index) continue;
+    for (const LearnedSample& other : objects_[i].samples) {
       if (other.tone != sample.tone || other.tag || sample.tag) continue;
-      const double error = signature_error(sample.signatures.front(), other.signatures.front());
-      found->rival_error = std::min(found->rival_error, error);
-      rival.rival_error = std::min(rival.rival_error, error);
+      note_rival(*found, sample, i, other);
+      note_rival(objects_[i], other, index, sample);
     }
   }
   found->samples.push_back(std::move(sample));

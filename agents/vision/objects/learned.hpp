@@ -57,8 +57,13 @@ struct LearnedObject {
   std::vector<LearnedSample> samples;
   // Of their roundness, between the samples and within each: a standard deviation.
   double roundness_spread = 0;
-  // The least signature_error() between its samples and those of the same tone of any other object.
-  double rival_error = 2;
+  // The others, by the least signature_error() between samples of one tone, the likest first: to this one as each of
+  // LearnedSample::blurs shows it, however much the other is blurred.
+  struct Rival {
+    std::size_t index;  // in LearnedObjects::all()
+    double error;
+  };
+  std::array<std::vector<Rival>, LearnedSample::blurs.size()> rivals = {};
 
   // What it is found by, where one of its samples is a tag.
   const Tag* tag() const;

@@ -30,30 +30,70 @@ double weight_of_roundness(const LearnedObject& object) {
   return roundness_weight * ordinary_spread / std::max(ordinary_spread, object.roundness_spread);
 }
 
-double sample_error(const SeenMark& mark, const LearnedSample& sample, double weight) {
-  if (mark.tag || sample.tag) return mark.tag == sample.tag ? 0 : impossible;
-  if (mark.tone != sample.tone || mark.slimness < least_slimness * sample.slimness) return impossible;
+double roundness_error(const SeenMark& mark, const LearnedSample& sample, double weight) {
+  return weight * std::abs(mark.roundness / sample.roundness - 1);
+}
+
+double roundness_error(const SeenMark& mark, const LearnedObject& object) {
+  const double weight = weight_of_roundness(object);
+  double least = impossible;
+  for (const LearnedSample& sample : object.samples) least = std::min(least, roundness_error(mark, sample, weight));
+  return least;
+}
+
+// How near a mark comes to what was learned: all told, by its shape alone, and as which of the blurs.
+struct Match {
+  double error = impossible;
+  double shape_error = impossible;
+  std::size_t blur = 0;
+};
+
+Match match_of(const SeenMark& mark, const LearnedSample& sample, double weight) {
+  if (mark.tag || sample.tag) return mark.tag == sample.tag ? Match{.error = 0, .shape_error = 0} : Match();
+  if (mark.tone != sample.tone || mark.slimness < least_slimness * sample.slimness) return {};
   const double scale = mark.height_px / sample.height_px;
-  if (scale < 0.5 || scale > 1.8) return impossible;
+  if (scale < 0.5 || scale > 1.8) return {};
   // The parameters first: where they differ too much the shapes need not be compared.
-  const double roundness = weight * std::abs(mark.roundness / sample.roundness - 1);
-  if (roundness > recognition_threshold) return impossible;
-  double best = impossible;
-  for (std::size_t i = 0; i < sample.blurs.size() && best > clear_error; ++i) {
+  const double roundness = roundness_error(mark, sample, weight);
+  if (roundness > recognition_threshold) return {};
+  Match best;
+  for (std::size_t i = 0; i < sample.blurs.size() && best.shape_error > clear_error; ++i) {
     if (sample.blurs[i] * mark.height_px > widest_blur_px) break;
-    best = std::min(best, signature_error(mark.signature, sample.signatures[i]));
+    const double error = signature_error(mark.signature, sample.signatures[i]);
+    if (error < best.shape_error) best = {error + roundness, error, i};
   }
-  return best + roundness;
+  return best;
+}
+
+Match match_of(const SeenMark& mark, const LearnedObject& object) {
+  const double weight = weight_of_roundness(object);
+  Match best;
+  for (const LearnedSample& sample : object.samples) {
+    const Match match = match_of(mark, sample, weight);
+    if (match.error < best.error) best = match;
+  }
+  return best;
+}
+
+// The square root of an error is a distance: who is as far from the object as the second and the mark together, and
+// whoever comes after it, is no nearer to the mark than the second.
+void find_second(const SeenMark& mark, const Match& match, const LearnedObjects& objects, const LearnedObject& object,
+                 Likeness& out) {
+  for (const LearnedObject::Rival& rival : object.rivals[match.blur]) {
+    const double distance = std::max(0.0, std::sqrt(rival.error) - std::sqrt(match.shape_error));
+    if (distance * distance >= out.second_error) return;
+    const LearnedObject& other = objects.all()[rival.index];
+    if (distance * distance + roundness_error(mark, other) >= out.second_error) continue;
+    const double error = recognition_error(mark, other);
+    if (error >= out.second_error) continue;
+    out.second = &other;
+    out.second_error = error;
+  }
 }
 
 }  // namespace
 
-double recognition_error(const SeenMark& mark, const LearnedObject& object) {
-  const double weight = weight_of_roundness(object);
-  double best = impossible;
-  for (const LearnedSample& sample : object.samples) best = std::min(best, sample_error(mark, sample, weight));
-  return best;
-}
+double recognition_error(const SeenMark& mark, const LearnedObject& object) { return match_of(mark, object).error; }
 
 double outline_doubt(const SeenMark& mark, const LearnedObject& object) {
   if (mark.tag) return 0;
@@ -81,37 +121,30 @@ double likeness_error(const LearnedObject& a, const LearnedObject& b) {
   return best;
 }
 
+bool Likeness::is_ambiguous() const { return second != nullptr && margin() < least_margin; }
+
 double Likeness::confidence() const {
-  const double ahead_of_second = std::exp(-(second_error - error) / error_scale);
+  const double ahead_of_second = second == nullptr ? 0 : std::exp(-margin() / error_scale);
   const double ahead_of_unlike = std::exp(-(recognition_threshold - error) / error_scale);
   const double ahead_of_unlearned = std::exp(-(1 - doubt) / doubt_scale);
   return 1 / (1 + ahead_of_second + ahead_of_unlike + ahead_of_unlearned);
 }
 
 Likeness likeness(const SeenMark& mark, const LearnedObjects& objects, const LearnedObject& object) {
-  Likeness out{.error = recognition_error(mark, object), .doubt = outline_doubt(mark, object)};
-  for (const LearnedObject& rival : objects.all()) {
-    if (&rival == &object) continue;
-    const double error = recognition_error(mark, rival);
-    if (error >= out.second_error) continue;
-    out.second = &rival;
-    out.second_error = error;
-  }
+  const Match match = match_of(mark, object);
+  Likeness out{.error = match.error, .doubt = outline_doubt(mark, object)};
+  find_second(mark, match, objects, object, out);
   return out;
 }
 
 std::optional<Likeness> recognise(const SeenMark& mark, const LearnedObjects& objects, const LearnedObject& object) {
-  const double error = recognition_error(mark, object);
-  if (error > recognition_threshold) return std::nullopt;
-  const double doubt = outline_doubt(mark, object);
-  if (doubt > 1) return std::nullopt;
-  // The square root of the error is a distance: within half of that to the nearest rival nothing else can be nearer.
-  if (4 * error < object.rival_error) {
-    const double least_distance = std::sqrt(object.rival_error) - std::sqrt(error);
-    return Likeness{.error = error, .doubt = doubt, .second_error = least_distance * least_distance};
-  }
-  const Likeness out = likeness(mark, objects, object);
-  if (out.margin() < least_margin) return std::nullopt;
+  const Match match = match_of(mark, object);
+  Likeness out{.error = match.error};
+  if (out.error > recognition_threshold) return std::nullopt;
+  out.doubt = outline_doubt(mark, object);
+  if (out.doubt > 1) return std::nullopt;
+  find_second(mark, match, objects, object, out);
+  if (out.is_ambiguous()) return std::nullopt;
   return out;
 }
 

@@ -30,11 +30,13 @@ inline constexpr double alike_below = 0.075;
 // How much a mark is like an object, and the learned object that it is most like otherwise.
 struct Likeness {
   double error = 0;
-  double doubt = 0;                       // outline_doubt()
-  const LearnedObject* second = nullptr;  // null: none comes near
-  double second_error = 2;                // of that one, or less than it can be
-  // By how much the object is ahead; below `least_margin` it is neither for certain.
+  double doubt = 0;                             // outline_doubt()
+  const LearnedObject* second = nullptr;        // null: the mark could be no other
+  double second_error = recognition_threshold;  // of that one
+  // By how much the object is ahead, of the second or of what is none.
   double margin() const { return second_error - error; }
+  // Whether it is neither for certain.
+  bool is_ambiguous() const;
   // From 0 to 1: the object's share against the second, against what is unlike everything learned, and against what is
   // like it but unlearned. The first two count e times less for every hundredth of error that they are farther away,
   // the third for every sixth of the doubt that is missing. One half: it might as well be another thing.
@@ -44,8 +46,7 @@ inline constexpr double least_margin = 0.005;
 
 Likeness likeness(const SeenMark& mark, const LearnedObjects& objects, const LearnedObject& object);
 
-// The likeness of a mark that is this object rather than nothing or any other learned one. The second is looked for
-// only where it may come near.
+// The likeness of a mark that is this object rather than nothing or any other learned one.
 std::optional<Likeness> recognise(const SeenMark& mark, const LearnedObjects& objects, const LearnedObject& object);
 bool is_recognised(const SeenMark& mark, const LearnedObjects& objects, const LearnedObject& object);
 
