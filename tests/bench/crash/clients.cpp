@@ -14,11 +14,16 @@ namespace {
 constexpr int at_once = 4;
 constexpr Duration taker_lease = 1s;
 constexpr Duration look_again_after = 100ms;
+constexpr int more_than_is_remembered = 600;  // of a session's replies, 256
+constexpr Duration longest_flood = 2s;
+constexpr Duration between_floods = 1s;
 
 void report(int reports, const Report& what) {
   // The one who listens has gone: so do we.
   if (write(reports, &what, sizeof what) != sizeof what) _exit(0);
 }
+
+Task<void> pause(Executor& executor, Duration length) { co_await sleep(executor, length); }
 
 Task<void> declare(Board& board) {
   while (true) {
@@ -37,6 +42,13 @@ Task<void> tell_on(Board& board, int writer, std::int64_t& next, int reports) {
     const Result<Revision> told = co_await board.transact(std::move(transaction));
     if (told) report(reports, {Report::Kind::told, writer, n});
   }
+}
+
+Task<void> tell_item(Board& board, int writer, std::int64_t n, int reports, std::size_t& answered) {
+  Datum item = list("item"_sym, writer, n);
+  const Result<Revision> told = co_await board.tell(std::move(item));
+  ++answered;
+  if (told) report(reports, {Report::Kind::told, writer, n});
 }
 
 class Taker {
@@ -174,6 +186,27 @@ void write_items(const std::string& address, int who, int reports) {
   std::vector<Job> jobs;
   for (int i = 0; i < at_once; ++i) jobs.push_back(executor.spawn(tell_on(*board, who, next, reports)));
   executor.run_until([] { return false; });
+}
+
+void flood_items(const std::string& address, int who, int reports) {
+  RealExecutor executor;
+  std::int64_t next = 0;
+  while (true) {
+    // Another client each time: what it leaves behind is done once or not at all.
+    const auto board = connect(executor, address, "flood", who);
+    const Job declared = executor.spawn(declare(*board));
+    executor.run_until([&] { return declared.done(); });
+    std::size_t answered = 0;
+    std::vector<Job> jobs;
+    for (int i = 0; i < more_than_is_remembered; ++i) {
+      jobs.push_back(executor.spawn(tell_item(*board, who, ++next, reports, answered)));
+    }
+    const Job waited = executor.spawn(pause(executor, longest_flood));
+    executor.run_until([&] { return answered >= more_than_is_remembered / 2 || waited.done(); });
+    jobs.clear();
+    const Job rest = executor.spawn(pause(executor, between_floods));
+    executor.run_until([&] { return rest.done(); });
+  }
 }
 
 void take_items(const std::string& address, int who, int reports) {

@@ -1,7 +1,8 @@
 #pragma once
 
-// Who uses the board while it is killed: writers tell items, takers turn each into one effect, watchers follow the
-// writers' counters and look for a gap. Each is a process, and reports what it knows for sure.
+// Who uses the board while it is killed: writers tell items, one of them more at once than a board remembers, who
+// leaves before all of it is answered; takers turn each into one effect, watchers follow the writers' counters and look
+// for a gap. Each is a process, and reports what it knows for sure.
 //
 //   (item WRITER N)            durable, to be taken
 //   (counter WRITER N)         durable, replaced with every item
@@ -25,6 +26,7 @@ std::vector<Relation> crash_relations();
 
 // They go on until they are killed. `who` is a number that no other client has.
 void write_items(const std::string& address, int who, int reports);
+void flood_items(const std::string& address, int who, int reports);
 void take_items(const std::string& address, int who, int reports);
 void watch_counters(const std::string& address, int who, int reports);
 

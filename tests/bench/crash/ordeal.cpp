@@ -16,6 +16,8 @@ using namespace std::chrono_literals;
 
 constexpr int links = 4;
 constexpr auto settle_patience = 90s;
+// A session is forgotten after 10 s, and what it held and told under its leases long before.
+constexpr auto longest_absence = 13s;
 // Longer than anybody holds what it took; who was killed before it said what it had made never says so.
 constexpr auto last_word_patience = 10s;
 
@@ -46,7 +48,7 @@ void Ordeal::start_board() {
 
 void Ordeal::start_client(int number) {
   static constexpr void (*roles[clients])(const std::string&, int, int) = {
-      write_items, write_items, take_items, take_items, take_items, watch_counters, watch_counters};
+      write_items, write_items, flood_items, take_items, take_items, take_items, watch_counters, watch_counters};
   clients_.erase(number);
   const int who = next_who_++;
   const std::string address = "ipc://" + link_path(folder_, number % links);
@@ -54,7 +56,7 @@ void Ordeal::start_client(int number) {
 }
 
 void Ordeal::round() {
-  harm(random_.below(6));
+  harm(random_.below(7));
   pass(between(200, 600));
 }
 
@@ -79,6 +81,10 @@ void Ordeal::harm(std::uint64_t kind) {
     case 4:
       change_link(kind == 3 ? LinkProxy::State::cut : LinkProxy::State::silent);
       return later(between(50, kind == 3 ? 800 : 4000), [change_link] { change_link(LinkProxy::State::whole); });
+    case 5:
+      if (Clock::now() < absent_until_) return;
+      absent_until_ = Clock::now() + longest_absence;
+      return stop_for([this, number] { return &clients_.at(number); }, between(11'000, 13'000));
     default:
       if (random_.below(2) == 0) return stop_for([this] { return board_ ? &*board_ : nullptr; }, between(50, 1500));
       return stop_for([this, number] { return &clients_.at(number); }, between(50, 2500));
@@ -119,7 +125,7 @@ void Ordeal::hear(Child& client) {
 void Ordeal::settle() {
   while (!due_.empty()) pass(50ms);
   // The writers' last words are heard: what they were still told counts.
-  for (const int writer : {0, 1}) {
+  for (int writer = 0; writer < writers; ++writer) {
     clients_.at(writer).signal(SIGSTOP);
     hear(clients_.at(writer));
     clients_.erase(writer);

@@ -28,7 +28,8 @@ class Ordeal {
   Result<Verdict> judge();
 
  private:
-  static constexpr int clients = 7;
+  static constexpr int clients = 8;
+  static constexpr int writers = 3;  // the first of them
   struct Role {
     void (*run)(const std::string& address, int who, int reports);
     int link;
@@ -53,6 +54,7 @@ class Ordeal {
   std::map<int, Child> clients_;
   std::multimap<Clock::time_point, std::function<void()>> due_;
   int next_who_ = 1;
+  Clock::time_point absent_until_{};  // one client, longer than its session lasts
 };
 
 }  // namespace pizarra::bench
