@@ -226,7 +226,7 @@ Result<std::vector<std::string>> public_key_files(const std::string& folder) {
     if (entry->path().extension() == ".key") files.push_back(entry->path());
     if (files.size() > most_key_files) return fail("too-many", "a folder of keys holds at most 1024", to_datum(folder));
   }
-  if (refused) return fail("unreadable-file", "the folder of keys cannot be read: " + refused.message());
+  if (refused) return fail("unreadable-file", "the folder of keys " + folder + " cannot be read: " + refused.message());
   std::ranges::sort(files);
   return files;
 }

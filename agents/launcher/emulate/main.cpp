@@ -28,6 +28,12 @@ int emulate(const EmulateChoices& choices) {
   return unit ? emulate_pan_tilt(choices) : emulate_arm(choices);
 }
 
+constexpr const char* udp_device = "up6";
+
+CLI::Option* add_port(CLI::App* word, const char* name, int& port, const char* help) {
+  return word->add_option(name, port, help)->check(CLI::Range(0, 65535));
+}
+
 std::vector<std::string> device_names() {
   std::vector<std::string> names = pan_tilt_names();
   std::ranges::copy(arm_device_names(), std::back_inserter(names));
@@ -52,15 +58,14 @@ void add_emulate_word(CLI::App& app, int& status) {
   CLI::Option* pty =
       emulating->add_flag("--pty", choices->pty,
                           "At a pseudo-terminal, opened like a serial line; f3 at two, motion and state, as a C500C's");
-  CLI::Option* port =
-      emulating
-          ->add_option(
-              "--port,--tcp,--udp", choices->port,
-              "At this TCP port, UDP of up6, and those after it where it has several; 0 takes any that are free; "
-              "otherwise the device's own: 4000 of pan-tilt units, 10040 of up6, 80 of up6-nx100, 30004, "
-              "30002 and 29999 of ur5e, 11000 and 11002 of f3 and f3-track, 502 of gripper")
-          ->check(CLI::Range(0, 65535));
-  port->excludes(pty);
+  CLI::Option* tcp =
+      add_port(emulating, "--tcp", choices->port,
+               "At this TCP port, and those after it where it has several; 0 takes any that are free; otherwise the "
+               "device's own: 4000 of pan-tilt units, 80 of up6-nx100, 30004, 30002 and 29999 of ur5e, 11000 and "
+               "11002 of f3 and f3-track, 502 of gripper");
+  CLI::Option* udp = add_port(emulating, "--udp", choices->port, "The same of up6, which is at a UDP port: 10040");
+  tcp->excludes(pty)->excludes(udp);
+  udp->excludes(pty);
   emulating->add_option("--address", choices->address, "Where its port listens; only this machine otherwise")
       ->capture_default_str()
       ->excludes(pty);
@@ -78,7 +83,17 @@ void add_emulate_word(CLI::App& app, int& status) {
       "an arm also `estop`, `pendant`, `hold` and `servo` with `on` or `off`, `alarm CODE`, `override PERCENT`;\n"
       "of a gripper also `fault CODE` and `refuse CODE`.\n"
       "Exit status: 0 interrupted; 2 a wrong word or option; 4 no terminal or port to be had."));
-  emulating->callback([choices, &status] { status = emulate(*choices); });
+  emulating->callback([choices, tcp, udp, &status] {
+    const bool by_udp = choices->device == udp_device;
+    const CLI::Option* other = by_udp ? tcp : udp;
+    if (other->count() == 0) {
+      status = emulate(*choices);
+      return;
+    }
+    const std::string sentence = fmt::format("{} is at a {} port, which {} says", choices->device,
+                                             by_udp ? "UDP" : "TCP", by_udp ? "--udp" : "--tcp");
+    status = complain(Failure{"bad-option", other->get_name() + ": " + sentence, {}, {}}, exit_usage);
+  });
 }
 
 }  // namespace

@@ -22,9 +22,16 @@ constexpr Duration longest_silence = 10s;
 // One that ends in order may be started again in its place.
 constexpr Duration longest_goodbye = 1s;
 constexpr Duration look_pause = 200ms;
+constexpr Duration quick_answer = 2s;
 constexpr Duration goodbye_timeout = 500ms;
 
 Task<void> pause(Executor& executor, Duration duration) { co_await sleep(executor, duration); }
+
+// Where nothing comes for long, who waits is told what for.
+Task<void> say_what_is_waited_for(Executor& executor, const RemoteBoard& board, std::string address) {
+  co_await sleep(executor, quick_answer);
+  if (board.silence() >= quick_answer) fmt::print(stderr, "pizarra: waiting for a board at {}\n", address);
+}
 
 int status_of(Evaluation evaluation) {
   switch (evaluation) {
@@ -206,6 +213,7 @@ int talk_to(const Destination& to, const std::vector<std::string>& forms, Manner
   if (!keys) return complain_as(manner.style, keys.error(), exit_usage);
   const auto board = RemoteBoard::connect(executor, to.address, prompt_name(), answer_timeout, *keys);
   if (!board) return complain_as(manner.style, board.error(), exit_usage);
+  const Job waiting = executor.spawn(say_what_is_waited_for(executor, **board, to.address));
   return BoardSession(executor, **board, manner, loss_of(**board, to)).run(forms);
 }
 

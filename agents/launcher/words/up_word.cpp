@@ -1,6 +1,7 @@
 // `up`: a cell as processes around a board.
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
@@ -48,6 +49,22 @@ Result<CellHost> choose_host(const CellDescription& cell, const std::string& ask
   std::string known;
   for (const CellHost& host : cell.hosts) known += (known.empty() ? "" : ", ") + host.name;
   return fail("unknown-host", fmt::format("say which host this is with --host: the cell has {}", known));
+}
+
+// What would have no effect is refused; a key of the environment is there for other words, too.
+Result<void> check_keys(const UpChoices& choices, const CellDescription& cell, const CellHost& host) {
+  const bool owns_board = host.name == cell.board_host && choices.board.empty();
+  const char* environment = std::getenv("PIZARRA_KEY");
+  const bool key_typed = !choices.key.empty() && (environment == nullptr || choices.key != environment);
+  if (owns_board && key_typed) {
+    return fail("bad-option", fmt::format("--key is for a host that comes to the board of another, and {} has the "
+                                          "cell's board itself: leave it out",
+                                          host.name));
+  }
+  if (choices.keys.empty() || (owns_board && !cell.board_address.empty())) return {};
+  return fail("bad-option", owns_board ? "--keys says who may come to the cell's board from other machines, and the "
+                                         "cell file gives it no address that they reach"
+                                       : "--keys says who may come to the cell's board, and this host does not run it");
 }
 
 // With these a board ends that will not do better next time: wrong arguments, address or journal; and an agent: a cell
@@ -227,6 +244,8 @@ int run_up(const UpChoices& choices) {
   }
   Result<CellHost> host = choose_host(*cell, choices.host);
   if (!host) return complain(host.error(), exit_usage);
+  const Result<void> effective = check_keys(choices, *cell, *host);
+  if (!effective) return complain(effective.error(), exit_usage);
   Result<RunDirectory> directory = RunDirectory::make(cell->name, host->name);
   if (!directory) return complain(directory.error(), exit_unavailable);
   return Up(choices, std::move(*cell), std::move(*host), std::move(*directory)).run();

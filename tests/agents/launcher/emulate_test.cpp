@@ -107,6 +107,18 @@ TEST(Emulate, AGripperSaysWhatSomebodyBesideItMadeOfIt) {
   EXPECT_NE(said.text.find("nobody here understands 'open'"), std::string::npos) << said.text;
 }
 
+TEST(Emulate, NamesThePortsOptionAsItWasTyped) {
+  const Said udp = shell(fmt::format("timeout 5 {} emulate up6 --tcp 45672 2>&1", PIZARRA_EMULATE));
+  EXPECT_EQ(udp.status, 2);
+  EXPECT_TRUE(contains(udp, "--tcp: up6 is at a UDP port, which --udp says")) << udp.text;
+  const Said tcp = shell(fmt::format("timeout 5 {} emulate f3 --udp 45672 2>&1", PIZARRA_EMULATE));
+  EXPECT_EQ(tcp.status, 2);
+  EXPECT_TRUE(contains(tcp, "--udp: f3 is at a TCP port, which --tcp says")) << tcp.text;
+  const Said word = shell(fmt::format("{} emulate gripper --tcp x 2>&1", PIZARRA_EMULATE));
+  EXPECT_TRUE(contains(word, "--tcp")) << word.text;
+  EXPECT_FALSE(contains(word, "--port")) << word.text;
+}
+
 TEST(Emulate, RefusesOptionsThatTheDeviceHasNoUseFor) {
   EXPECT_EQ(shell(fmt::format("{} emulate up6 --pty 2>&1", PIZARRA_EMULATE)).status, 2);
   EXPECT_EQ(shell(fmt::format("{} emulate ptu46-70 --world ipc:///tmp/w 2>&1", PIZARRA_EMULATE)).status, 2);

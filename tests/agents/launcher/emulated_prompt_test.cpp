@@ -23,7 +23,8 @@ Said prompt(const std::string& name, const std::string& sections, const std::str
 class Emulated {
  public:
   explicit Emulated(const std::string& device)
-      : device_({PIZARRA_EMULATE, "emulate", device, "--port", "0"}, scratch_folder() + device + ".log") {
+      : device_({PIZARRA_EMULATE, "emulate", device, device == "up6" ? "--udp" : "--tcp", "0"},
+                scratch_folder() + device + ".log") {
     EXPECT_TRUE(wait_until([this] { return device_.said().find('\n') != std::string::npos; }, patience));
     const std::string line = device_.said().substr(0, device_.said().find('\n'));
     port_ = line.substr(line.rfind(':') + 1);

@@ -65,6 +65,12 @@ TEST_F(WordsWithKeys, DoWhatTheirKeyPermitsAndAreRefusedTheRestWithStatus1) {
       << run("desk", "ask", refusals).text;
 }
 
+TEST(KeysWord, NamesTheFolderThatIsNotThere) {
+  const Said said = shell(std::string(PIZARRA_KEYS) + " keys list --dir /tmp/no-such-keys 2>&1");
+  EXPECT_EQ(said.status, 4);
+  EXPECT_TRUE(said.text.contains("the folder of keys /tmp/no-such-keys cannot be read")) << said.text;
+}
+
 TEST(KeysWord, NamesTheNearestOfItsOwnWords) {
   const Said said = shell(std::string(PIZARRA_KEYS) + " keys nwe camera 2>&1");
   EXPECT_EQ(said.status, 2);

@@ -274,6 +274,28 @@ TEST(Words, CheckFindsTheShippedFilesInOrder) {
   EXPECT_EQ(said.status, 0) << said.text;
 }
 
+TEST(Words, WhoWaitsForABoardIsToldSoAndThenThatThereIsNone) {
+  const std::string nobody = "ipc://" + scratch_folder() + "nobody.ipc";
+  const Said early = shell(std::string("timeout 4 ") + PIZARRA_CELL + " ask --board " + nobody + " '(on ?x ?y)' 2>&1");
+  EXPECT_TRUE(contains(early, "waiting for a board at " + nobody)) << early.text;
+  const Said late = run("ask --board " + nobody + " '(on ?x ?y)'");
+  EXPECT_EQ(late.status, 4) << late.text;
+  EXPECT_TRUE(contains(late, "the board does not answer: \"" + nobody)) << late.text;
+}
+
+TEST(Words, UpRefusesKeysThatNobodyWouldComeWith) {
+  const std::string alone = source_dir() + "/examples/01-blocks/cell.scm";
+  const Said key = run("up " + alone + " --key desk.secret");
+  EXPECT_EQ(key.status, 2);
+  EXPECT_TRUE(contains(key, "--key is for a host that comes to the board of another")) << key.text;
+  const Said keys = run("up " + alone + " --keys keys");
+  EXPECT_EQ(keys.status, 2);
+  EXPECT_TRUE(contains(keys, "the cell file gives it no address")) << keys.text;
+  const Said elsewhere = run("up " + alone + " --board ipc:///tmp/other.ipc --keys keys");
+  EXPECT_EQ(elsewhere.status, 2);
+  EXPECT_TRUE(contains(elsewhere, "this host does not run it")) << elsewhere.text;
+}
+
 TEST(Words, WithoutARunningCellTheBoardWordsSaySo) {
   for (const char* words : {"ask '(on ?x ?y)'", "why", "goal '(on a b)'"}) {
     const Said answer = run(std::string(words) + " --cell no-such-cell");
