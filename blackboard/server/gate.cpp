@@ -1,6 +1,7 @@
 #include "blackboard/server/gate.hpp"
 
 #include "blackboard/limits.hpp"
+#include "blackboard/store/looking.hpp"
 #include "blackboard/store/store.hpp"
 
 namespace pizarra {
@@ -83,16 +84,19 @@ Result<void> Gate::leave_to_others(const PublicKey& key, const Datum& told, cons
                                    std::size_t& examined) const {
   const FactTable& table = board_.store().tables().find(pattern.head())->second;
   if (!check_pattern_shape(table.relation(), pattern)) return {};
-  examined += table.candidates(pattern);
+  std::string other;
+  {
+    Looking looking(examined);
+    table.visit(pattern, [&](const Fact& fact) {
+      Bindings bindings;
+      const bool leased = board_.store().lease_of(fact.id) != 0;
+      const bool of_other = leased && !may_call_itself(key.name, fact.teller);
+      if (of_other && match(pattern, fact.datum, bindings)) other = fact.teller;
+      return other.empty() && looking.at_one_more();
+    });
+  }
   const Result<void> cheap = check_examined(examined, told);
   if (!cheap) return cheap;
-  std::string other;
-  table.visit(pattern, [&](const Fact& fact) {
-    Bindings bindings;
-    const bool leased = board_.store().lease_of(fact.id) != 0;
-    if (leased && !may_call_itself(key.name, fact.teller) && match(pattern, fact.datum, bindings)) other = fact.teller;
-    return other.empty();
-  });
   if (other.empty()) return {};
   return may_not(key, "replace or retract what " + other + " told under its lease", told);
 }

@@ -75,18 +75,18 @@ void FactTable::went(Revision revision, const Fact& fact) {
   }
 }
 
-bool FactTable::unchanged_since(const Datum& pattern, Revision revision) const {
+bool FactTable::unchanged_since(const Datum& pattern, Revision revision, Looking& looking) const {
   if (revision < removals_forgotten_) return false;
   const auto fits = [&](const Datum& datum) {
     Bindings bindings;
     return match(pattern, datum, bindings);
   };
   for (auto removal = removals_.rbegin(); removal != removals_.rend() && removal->revision > revision; ++removal) {
-    if (fits(removal->datum)) return false;
+    if (!looking.at_one_more() || fits(removal->datum)) return false;
   }
   bool unchanged = true;
   visit(pattern, [&](const Fact& fact) {
-    unchanged = fact.revision <= revision || !fits(fact.datum);
+    unchanged = looking.at_one_more() && (fact.revision <= revision || !fits(fact.datum));
     return unchanged;
   });
   return unchanged;

@@ -23,6 +23,7 @@
 #include "blackboard/relation.hpp"
 #include "blackboard/store/fact_list.hpp"
 #include "blackboard/store/hash_index.hpp"
+#include "blackboard/store/looking.hpp"
 #include "blackboard/store/ordered_index.hpp"
 
 namespace pizarra {
@@ -140,7 +141,8 @@ class FactTable {
   static bool is_few(std::size_t facts);
   // Whether no fact that fits came or went after `revision`. False, too, when the removals since then are forgotten:
   // the last 4096 are remembered, up to a megabyte.
-  bool unchanged_since(const Datum& pattern, Revision revision) const;
+  // False, too, where that takes looking at more than is allowed.
+  bool unchanged_since(const Datum& pattern, Revision revision, Looking& looking) const;
   // What went until then was never known here.
   void forget_removals(Revision until) { removals_forgotten_ = until; }
 

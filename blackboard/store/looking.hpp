@@ -15,6 +15,8 @@ namespace pizarra {
 
 class Looking {
  public:
+  static constexpr std::size_t elements_a_fact = 16;
+
   explicit Looking(std::size_t& examined, std::size_t most = limits::examined) : examined_(examined), most_(most) {}
   Looking(const Looking&) = delete;
   Looking& operator=(const Looking&) = delete;
@@ -27,7 +29,6 @@ class Looking {
   }
   bool is_allowed() const { return examined() <= most_; }
   std::size_t examined() const {
-    constexpr std::size_t elements_a_fact = 16;
     return examined_ + std::max(facts_, (elements_looked_at - before_) / elements_a_fact);
   }
 

@@ -1,5 +1,10 @@
 #include "blackboard/store/own_tells.hpp"
 
+#include <algorithm>
+
+#include "blackboard/limits.hpp"
+#include "blackboard/store/looking.hpp"
+
 namespace pizarra {
 
 std::size_t OwnTells::candidates(const FactTable& table, const Datum& pattern) {
@@ -14,6 +19,13 @@ std::size_t OwnTells::candidates(const FactTable& table, const Datum& pattern) {
   for (; counted < facts.size(); ++counted) ++alike[FactTable::arguments_in(mask, *facts[counted])];
   const auto found = alike.find(FactTable::arguments_in(mask, pattern));
   return found == alike.end() ? 0 : found->second;
+}
+
+std::size_t OwnTells::heaviest() {
+  for (; weighed_ < told_.size(); ++weighed_) {
+    heaviest_ = std::max(heaviest_, weigh(*told_[weighed_]).elements / Looking::elements_a_fact);
+  }
+  return heaviest_;
 }
 
 }  // namespace pizarra

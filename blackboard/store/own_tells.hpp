@@ -21,6 +21,8 @@ class OwnTells {
  public:
   // Of its relation's shape, and so are patterns.
   void add(const Datum& fact) { told_.push_back(&fact); }
+  // As how many facts looking at one of them may count (looking.hpp).
+  std::size_t heaviest();
   std::size_t candidates(const FactTable& table, const Datum& pattern);
 
  private:
@@ -34,6 +36,8 @@ class OwnTells {
   };
 
   std::vector<const Datum*> told_;
+  std::size_t weighed_ = 0;  // of these
+  std::size_t heaviest_ = 1;
   std::size_t sorted_ = 0;  // of these, by relation
   std::unordered_map<std::string_view, OfRelation> relations_;
 };

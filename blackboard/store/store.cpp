@@ -6,6 +6,7 @@
 #include "blackboard/limits.hpp"
 #include "blackboard/store/evaluate.hpp"
 #include "blackboard/store/looking.hpp"
+#include "blackboard/store/narrowing.hpp"
 #include "blackboard/store/room.hpp"
 #include "blackboard/store/store_change.hpp"
 #include "lisp/pattern.hpp"
@@ -34,6 +35,35 @@ const Fact* first_fit(const FactTable& table, const Datum& pattern, std::size_t&
     return first == nullptr && looking.at_one_more();
   });
   return first;
+}
+
+bool is_unchanged(const FactTable& table, const Datum& pattern, Revision since, std::size_t& examined) {
+  Looking looking(examined);
+  return table.unchanged_since(pattern, since, looking);
+}
+
+// Whether matching takes more than a glance at each argument.
+bool compares_much(const Datum& pattern) {
+  const auto arguments = pattern.items().subspan(1);
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const bool is_named = is_variable(arguments[i]) && !arguments[i].is_symbol("?");
+    if (arguments[i].is_list() || (is_named && argument_of(arguments[i], pattern) != i)) return true;
+  }
+  return false;
+}
+
+// What it will take to find what a transaction retracts, of what stands before it.
+void look_for_all(const FactTable& table, const Datum& pattern, std::size_t& examined) {
+  if (!compares_much(pattern)) {
+    examined += table.candidates(pattern);
+    return;
+  }
+  Looking looking(examined);
+  table.visit(pattern, [&](const Fact& fact) {
+    Bindings bindings;
+    match(pattern, fact.datum, bindings);
+    return looking.at_one_more();
+  });
 }
 
 Result<void> check_teller(const std::string& teller, const Relation& relation) {
@@ -69,10 +99,9 @@ Result<void> Store::check_precondition(const Transaction::Precondition& precondi
   const Result<const FactTable*> table = table_for(pattern, tables_);
   if (!table) return fail(table);
   if (const auto* unchanged = std::get_if<Transaction::Unchanged>(&precondition)) {
-    examined += (*table)->candidates(pattern);
+    const bool stands = is_unchanged(**table, pattern, unchanged->revision, examined);
     const Result<void> cheap = check_examined(examined, pattern);
-    if (!cheap) return cheap;
-    if ((*table)->unchanged_since(pattern, unchanged->revision)) return {};
+    if (!cheap || stands) return cheap;
     return not_met("changed since revision " + std::to_string(unchanged->revision), pattern);
   }
   const bool wanted = std::holds_alternative<Transaction::Present>(precondition);
@@ -99,7 +128,8 @@ Result<void> Store::check_step(const std::string& teller, const Transaction::Ste
   Result<void> shaped = tell != nullptr ? check_shape(relation, datum) : check_pattern_shape(relation, datum);
   if (!shaped) return shaped;
   if (tell == nullptr) {
-    examined += (*table)->candidates(datum) + own.candidates(**table, datum);
+    look_for_all(**table, datum, examined);
+    examined += own.candidates(**table, datum) * (compares_much(datum) ? own.heaviest() : 1);
     return check_examined(examined, datum);
   }
   own.add(datum);

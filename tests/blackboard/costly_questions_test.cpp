@@ -80,6 +80,41 @@ TEST_F(CostlyQuestions, WhatATransactionRequiresCountsAlike) {
   EXPECT_EQ(require(400), "too-costly");
 }
 
+TEST_F(CostlyQuestions, WhatATransactionRetractsCountsAlike) {
+  std::vector<Datum> other(20'000, "a"_sym);
+  const Datum one = Datum::list(other);
+  other.back() = "b"_sym;
+  const Datum fact = list("big"_sym, 1, list(one, Datum::list(std::move(other))));
+  tell(1, fact[2]);
+  const auto retract = [&](std::size_t times, bool its_own) {
+    Transaction transaction;
+    if (its_own) transaction.tell(fact);
+    for (std::size_t i = 0; i < times; ++i) transaction.retract(read("(big ? (?l ?l))"));
+    const Result<Revision> done = store_.transact("alice", transaction, Time());
+    return done ? "ok" : done.error().symbol;
+  };
+  EXPECT_EQ(retract(100, false), "ok");
+  EXPECT_EQ(retract(400, false), "too-costly");
+  ASSERT_TRUE(store_.transact("alice", Transaction().retract(read("(big ? ?)")), Time()).has_value());
+  EXPECT_EQ(retract(40, true), "ok");
+  ASSERT_TRUE(store_.transact("alice", Transaction().retract(read("(big ? ?)")), Time()).has_value());
+  EXPECT_EQ(retract(400, true), "too-costly");
+}
+
+TEST_F(CostlyQuestions, WhatWentSinceARevisionCountsWhereNothingMayHaveChanged) {
+  for (std::size_t n = 0; n < FactTable::max_removals; ++n) tell(n, "a"_sym);
+  const Revision before = store_.revision();
+  ASSERT_TRUE(store_.transact("alice", Transaction().retract(read("(big ? ?)")), Time()).has_value());
+  const auto require = [&](std::size_t times) {
+    Transaction transaction;
+    transaction.preconditions.assign(times, Transaction::Unchanged{read("(big ? b)"), before});
+    const Result<Revision> done = store_.transact("alice", transaction, Time());
+    return done ? "ok" : done.error().symbol;
+  };
+  EXPECT_EQ(require(10), "ok");
+  EXPECT_EQ(require(100), "too-costly");
+}
+
 TEST_F(CostlyQuestions, AnIndexThatAQuestionMakesIsForAllToCome) {
   for (std::size_t n = 0; n < 300; ++n) tell(n, list("a"_sym, n % 3, std::string(6400, 'x')));
   const std::string asked = "(big ?n (a 1 \"" + std::string(6400, 'x') + "\"))";
