@@ -4,6 +4,7 @@
 
 #include "agents/vision/agent/vision_replies.hpp"
 #include "agents/vision/agent/vision_state.hpp"
+#include "agents/vision/marks/tags.hpp"
 
 namespace pizarra {
 namespace {
@@ -104,7 +105,7 @@ Task<Result<SeenMark>> VisionAgent::State::find_mark(std::string name) {
     const GreyPair grey = grey_pair(*frame);
     StereoSight sight(grey.left, grey.right, *feed.model());
     const std::optional<SeenPair> found = sight.find(objects, *object);
-    if (!found) why = not_found(sight.left_segmentation(), *object);
+    if (!found) why = not_found(sight, *object);
     if (!found) continue;
     std::vector<Datum> told{found_fact(frame->number, sight, *object, *found)};
     co_await facts.tell(std::move(told));
@@ -123,9 +124,12 @@ Failure VisionAgent::State::not_known(const std::string& name) const {
       {}};
 }
 
-Failure VisionAgent::State::not_found(ImageSegmentation& segmentation, const LearnedObject& object) const {
+Failure VisionAgent::State::not_found(StereoSight& sight, const LearnedObject& object) const {
+  if (object.tag() != nullptr && find_tags(sight.left(), *object.tag()).size() > 1) {
+    return {"ambiguous", "its tag is there more than once", to_datum(object.name), {}};
+  }
   std::string_view why = "no mark in the image is like it";
-  for (const SeenMark& mark : segmentation.marks()) {
+  for (const SeenMark& mark : sight.left_segmentation().marks()) {
     const Likeness likely = likeness(mark, objects, object);
     if (likely.error > recognition_threshold) continue;
     if (likely.doubt > 1) why = "a mark is like it, but has another outline";

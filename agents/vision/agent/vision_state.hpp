@@ -49,7 +49,7 @@ struct VisionAgent::State {
   // Why there is no object of this name: it was never learned, or is damaged.
   Failure not_known(const std::string& name) const;
   // Why none of the marks is the object: like another one as much, or like none.
-  Failure not_found(ImageSegmentation& segmentation, const LearnedObject& object) const;
+  Failure not_found(StereoSight& sight, const LearnedObject& object) const;
   Task<Result<Datum>> answer_failed(std::string text, Failure why);
   // Changes what is known, and has everything that goes by it follow: the id of the sample that was kept, or 0.
   Task<Result<std::int64_t>> change_objects(ObjectChange change);

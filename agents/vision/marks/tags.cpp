@@ -181,19 +181,20 @@ std::optional<SeenMark> tag_at(const cv::Mat& grey, cv::Point2d point) {
   return std::nullopt;
 }
 
-std::optional<SeenMark> find_tag(const cv::Mat& grey, const Tag& tag, cv::Rect area) {
+std::vector<SeenMark> find_tags(const cv::Mat& grey, const Tag& tag, cv::Rect area) {
   const Family* family = family_called(tag.family);
-  if (family == nullptr) return std::nullopt;
+  if (family == nullptr) return {};
   const cv::Rect whole({0, 0}, grey.size());
   const cv::Rect looked_at = area.empty() ? whole : area & whole;
-  if (looked_at.empty()) return std::nullopt;
+  if (looked_at.empty()) return {};
+  std::vector<SeenMark> out;
   Detection detection = detect(grey(looked_at), *family, false);
   for (std::size_t i = 0; i < detection.found.size(); ++i) {
     if (detection.numbers[i] != tag.number) continue;
     move_by(detection.found[i], looked_at.tl());
-    return mark_of(grey, detection.found[i], tag);
+    out.push_back(mark_of(grey, detection.found[i], tag));
   }
-  return std::nullopt;
+  return out;
 }
 
 cv::Rect area_around_tag(cv::Rect box) {

@@ -4,7 +4,7 @@
 // marks: what bears one is learned, found and tracked by it. OpenCV's detector finds them.
 //
 //   std::optional<SeenMark> clicked = tag_at(grey, {160, 120});      // of whatever family
-//   std::optional<SeenMark> seen = find_tag(grey, *clicked->tag);    // and nothing else
+//   std::vector<SeenMark> seen = find_tags(grey, *clicked->tag);     // and nothing else
 
 #include <optional>
 
@@ -17,8 +17,8 @@ namespace pizarra {
 // The tag around the point, read without a fault.
 std::optional<SeenMark> tag_at(const cv::Mat& grey, cv::Point2d point);
 
-// This tag, within `area` where that is given.
-std::optional<SeenMark> find_tag(const cv::Mat& grey, const Tag& tag, cv::Rect area = {});
+// This tag, within `area` where that is given, as often as it is there: a lab may have printed it twice.
+std::vector<SeenMark> find_tags(const cv::Mat& grey, const Tag& tag, cv::Rect area = {});
 
 // How much of an image must be looked at for a tag to be found that is about where `box` is: half its side to each
 // side, for the light around it and for its motion.

@@ -25,6 +25,10 @@ constexpr double outline_slack = 0.0003;
 constexpr double outline_share = 0.04;
 constexpr double outline_noise = 25;
 constexpr double least_noise = 0.01;  // of the contrast
+// A mark slimmer than this by itself does not say from where it is seen.
+constexpr double least_round = 0.9;
+// Of the squared cosines of two faces of one cube, with what their measuring adds.
+constexpr double most_facing = 1.2;
 
 double weight_of_roundness(const LearnedObject& object) {
   return roundness_weight * ordinary_spread / std::max(ordinary_spread, object.roundness_spread);
@@ -150,6 +154,21 @@ std::optional<Likeness> recognise(const SeenMark& mark, const LearnedObjects& ob
 
 bool is_recognised(const SeenMark& mark, const LearnedObjects& objects, const LearnedObject& object) {
   return recognise(mark, objects, object).has_value();
+}
+
+bool may_be_one_cube(const SeenMark& a, const SeenMark& b, double front_slimness) {
+  if (cv::norm(a.centre - b.centre) >= neighbour_heights * std::max(a.height_px, b.height_px)) return false;
+  if (front_slimness < least_round) return true;
+  const auto facing = [&](const SeenMark& mark) { return std::min(1.0, mark.slimness / front_slimness); };
+  return facing(a) * facing(a) + facing(b) * facing(b) < most_facing;
+}
+
+double front_slimness(const LearnedObject& object) {
+  double least = 1;
+  for (const LearnedSample& sample : object.samples) {
+    if (!sample.tag) least = std::min(least, sample.slimness);
+  }
+  return least;
 }
 
 const SeenMark* find_object(const std::vector<SeenMark>& marks, const LearnedObjects& objects,

@@ -53,6 +53,13 @@ bool is_recognised(const SeenMark& mark, const LearnedObjects& objects, const Le
 // Two faces of one yawed cube are seen about this many mark heights (standard deviations) apart at most.
 inline constexpr double neighbour_heights = 8;
 
+// Whether the two may be on two faces of one cube, which are near each other and both seen aslant: by the cosines of
+// the angles from which they are seen, whose squares no cube's two faces bring above 1. Where the slimness that
+// they have from the front hides from where they are seen, nearness alone counts.
+bool may_be_one_cube(const SeenMark& a, const SeenMark& b, double front_slimness);
+// The least of its samples; 1 of a tag.
+double front_slimness(const LearnedObject& object);
+
 // The mark that is the object: the least error, but of several within one cube's width that are as like it, which may
 // be two faces of the cube, the largest. Null: none.
 const SeenMark* find_object(const std::vector<SeenMark>& marks, const LearnedObjects& objects,

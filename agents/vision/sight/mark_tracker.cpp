@@ -61,8 +61,9 @@ std::optional<SeenMark> follow_mark(const cv::Mat& grey, double noise, const See
 void follow_others(std::vector<cv::Point2d>& others, const std::vector<SeenMark>& marks, const LearnedObjects& objects,
                    const LearnedObject& object) {
   for (cv::Point2d& place : others) {
-    const auto found = std::ranges::find_if(
-        marks, [&](const SeenMark& mark) { return mark.box.contains(place) && is_recognised(mark, objects, object); });
+    const auto found = std::ranges::find_if(marks, [&](const SeenMark& mark) {
+      return mark.box.contains(place) && (mark.tag || is_recognised(mark, objects, object));
+    });
     if (found != marks.end()) place = found->centre;
   }
 }
@@ -150,15 +151,31 @@ std::optional<SeenPair> MarkTracker::follow(StereoSight& sight, const Track& tra
   return out;
 }
 
-void MarkTracker::note_others(Track& track, const LearnedObject& object) {
+void MarkTracker::note_others(Track& track, const LearnedObject& object, const std::vector<SeenMark>& marks) const {
+  const SeenMark& own = *track.left;
+  std::erase_if(track.others, [&](const cv::Point2d& place) { return own.box.contains(place); });
+  for (const SeenMark& mark : marks) {
+    if (own.box.contains(mark.centre) || !(mark.tag || is_recognised(mark, objects_, object))) continue;
+    if (may_be_one_cube(own, mark, front_slimness(object))) continue;
+    std::erase_if(track.others, [&](const cv::Point2d& place) { return mark.box.contains(place); });
+    track.others.push_back(mark.centre);
+  }
+  // Those that were noted longest ago are the least sure.
+  if (track.others.size() > most_twins) track.others.erase(track.others.begin(), track.others.end() - most_twins);
+}
+
+void MarkTracker::note_others_before(Track& track, const LearnedObject& object) {
+  if (object.tag() != nullptr) return note_others(track, object, find_tags(last_left_, *object.tag()));
   if (!last_segmentation_) last_segmentation_.emplace(last_left_);
-  track.others = others_like(last_segmentation_->marks(), objects_, object, *track.left);
-  const double reach_px = neighbour_heights * track.left->height_px;
-  std::erase_if(track.others, [&](const cv::Point2d& at) { return cv::norm(at - track.left->centre) < reach_px; });
+  note_others(track, object, last_segmentation_->marks());
 }
 
 std::optional<SeenPair> MarkTracker::search(StereoSight& sight, Track& track, const LearnedObject& object) {
-  if (!track.others.empty()) follow_others(track.others, sight.left_segmentation().marks(), objects_, object);
+  const bool tagged = object.tag() != nullptr;
+  if (!track.others.empty() && tagged)
+    follow_others(track.others, find_tags(sight.left(), *object.tag()), objects_, object);
+  if (!track.others.empty() && !tagged)
+    follow_others(track.others, sight.left_segmentation().marks(), objects_, object);
   std::optional<SeenPair> now;
   if (track.left) {
     now = sight.find(objects_, object, track.expected(captured_), px_in(sight.left(), local_reach_px), track.others);
@@ -232,7 +249,8 @@ TrackSighting MarkTracker::update(StereoSight& sight, Track& track) {
   if (object == nullptr) return miss(sight, track);
   std::optional<SeenPair> now = follow(sight, track, *object);
   const bool followed = now && is_whole_still(sight, track, *now);
-  if (!followed && track.left && !track.missed) note_others(track, *object);
+  if (!followed && track.left && !track.missed) note_others_before(track, *object);
+  const bool begins = !track.left;
   if (!now) now = search(sight, track, *object);
   if (!now || !is_whole_still(sight, track, *now)) return miss(sight, track);
 
@@ -254,6 +272,8 @@ TrackSighting MarkTracker::update(StereoSight& sight, Track& track) {
     out.yaw_deg = face_yaw_deg(sight.model(), now->left, *now->right);
   }
   take(sight, track, std::move(*now), out.seen);
+  // Of a tag there is no other then.
+  if (begins && object->tag() == nullptr) note_others(track, *object, sight.left_segmentation().marks());
   if (out.seen) track.range_mm = out.range_mm;
   track.confidence = out.confidence;
   return out;

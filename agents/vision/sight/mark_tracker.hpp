@@ -6,7 +6,8 @@
 // frame, so that a hand, the gripper or another cube in its place is a loss, never a position; and so is one that hides
 // a part of it (continuity.hpp). A loss of half a second is bridged: the object is expected where its motion would have
 // brought it, and is said not to be seen. So long, nothing elsewhere is taken for it that is of another size; and never
-// what looked like it elsewhere in the image in which it was seen last.
+// what looked like it elsewhere in the image in which it was found or in that in which it was seen last. One that was
+// in neither is not known for another.
 //
 //   MarkTracker tracker(objects);
 //   tracker.add(*objects.find("circle"));
@@ -39,6 +40,7 @@ struct TrackSighting {
 };
 
 inline constexpr std::size_t most_tracked = 16;
+inline constexpr std::size_t most_twins = 16;  // of one object's like
 inline constexpr Duration longest_bridge = 500ms;
 
 class MarkTracker {
@@ -75,7 +77,7 @@ class MarkTracker {
     double disparity_change_px = 0;
     double range_mm = 0;
     double confidence = 0;
-    // Where its like is that stood elsewhere when it was seen last, so that it is another.
+    // Where its like is that stood elsewhere when it was found or seen last, so that it is another.
     std::vector<cv::Point2d> others = {};
     // Where it should be by then.
     cv::Point2d expected(Time then) const { return left->centre + seconds_between(seen_at, then) * velocity_px; }
@@ -83,7 +85,10 @@ class MarkTracker {
   std::optional<SeenPair> follow(StereoSight& sight, const Track& track, const LearnedObject& object) const;
   // Looks for it where it is not followed.
   std::optional<SeenPair> search(StereoSight& sight, Track& track, const LearnedObject& object);
-  void note_others(Track& track, const LearnedObject& object);
+  // Which of the marks are like what was just seen, and another.
+  void note_others(Track& track, const LearnedObject& object, const std::vector<SeenMark>& marks) const;
+  // Of those in the image in which it was seen last.
+  void note_others_before(Track& track, const LearnedObject& object);
   // Whether what was found is the whole mark, going by what is remembered of it.
   bool is_whole_still(const StereoSight& sight, const Track& track, const SeenPair& now) const;
   TrackSighting update(StereoSight& sight, Track& track);

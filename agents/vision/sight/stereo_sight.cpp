@@ -92,9 +92,10 @@ std::optional<SeenPair> StereoSight::find(const LearnedObjects& objects, const L
                                           std::optional<cv::Point2d> near, double reach_px,
                                           std::span<const cv::Point2d> others) {
   if (object.tag() != nullptr) {
-    if (!near) return find(*object.tag());
+    if (!near) return find(*object.tag(), {}, {}, others);
     const int reach = cvCeil(reach_px + tag_reach * left_.rows);
-    return find(*object.tag(), cv::Rect(cvRound(near->x) - reach, cvRound(near->y) - reach, 2 * reach, 2 * reach));
+    const cv::Rect area(cvRound(near->x) - reach, cvRound(near->y) - reach, 2 * reach, 2 * reach);
+    return find(*object.tag(), area, {}, others);
   }
   std::vector<SeenMark> candidates;
   for (const SeenMark& mark : left_segmentation().marks()) {
@@ -116,14 +117,23 @@ std::optional<SeenPair> StereoSight::find(const LearnedObjects& objects, const L
 }
 
 std::optional<SeenPair> StereoSight::find(const Tag& tag, std::optional<cv::Rect> area,
-                                          std::optional<double> disparity_px) {
-  std::optional<SeenMark> left = find_tag(left_, tag, area.value_or(cv::Rect()));
-  if (!left) return std::nullopt;
+                                          std::optional<double> disparity_px, std::span<const cv::Point2d> others) {
+  constexpr double square = 1;
+  std::vector<SeenMark> seen = find_tags(left_, tag, area.value_or(cv::Rect()));
+  std::erase_if(seen, [&](const SeenMark& mark) {
+    return std::ranges::any_of(others, [&](const cv::Point2d& place) { return mark.box.contains(place); });
+  });
+  if (seen.empty()) return std::nullopt;
+  const auto left = std::ranges::max_element(seen, {}, &SeenMark::area_px);
+  for (const SeenMark& other : seen) {
+    if (&other != &*left && !may_be_one_cube(*left, other, square)) return std::nullopt;
+  }
   SeenPair out{std::move(*left), std::nullopt, Likeness{.error = 0}};
   if (model_.is_single()) return out;
   const auto right_within = [&](const cv::Rect& looked_at) {
-    std::optional<SeenMark> right = find_tag(right_, tag, looked_at);
-    if (right && are_tag_partners(out.left, *right)) out.right = std::move(*right);
+    std::vector<SeenMark> right = find_tags(right_, tag, looked_at);
+    std::erase_if(right, [&](const SeenMark& mark) { return !are_tag_partners(out.left, mark); });
+    if (right.size() == 1) out.right = std::move(right.front());
   };
   if (disparity_px) right_within(area_around_tag(out.left.box - cv::Point(cvRound(*disparity_px), 0)));
   if (out.right) return out;

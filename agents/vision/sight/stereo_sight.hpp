@@ -38,10 +38,11 @@ class StereoSight {
   std::optional<SeenPair> find(const LearnedObjects& objects, const LearnedObject& object,
                                std::optional<cv::Point2d> near = {}, double reach_px = 0,
                                std::span<const cv::Point2d> others = {});
-  // A tag in both images, within `area` of the left one where that is given, and in the right one first where the
-  // disparity that is expected puts it; nowhere in the right one where that does not show it.
+  // A tag in both images: within `area` of the left one where that is given, but at none of `others`, and in the right
+  // one first where the disparity that is expected puts it; nowhere in the right one where that does not show it. Where
+  // several cubes bear it, none of them.
   std::optional<SeenPair> find(const Tag& tag, std::optional<cv::Rect> area = {},
-                               std::optional<double> disparity_px = {});
+                               std::optional<double> disparity_px = {}, std::span<const cv::Point2d> others = {});
   // Whether the right image ends before it could show the whole of the object's mark, going by its learned size, and
   // shows no part of it farther away: then it is a larger thing.
   bool is_cut_off(const LearnedObject& object, const SeenMark& left);

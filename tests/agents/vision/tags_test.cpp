@@ -117,6 +117,44 @@ TEST_F(Tags, WhileItIsTrackedOneIsLookedForWhereItWasSoThatAnotherOfItsNumberDoe
   }
 }
 
+TEST_F(Tags, OneThatIsThereTwiceIsNeither) {
+  learn_all();
+  scene.marks.push_back(scene.marks[0]);
+  scene.marks.back().centre = {250, 190};
+  StereoSight sight = look();
+  EXPECT_FALSE(sight.find(objects, *objects.find("a")));
+  EXPECT_TRUE(sight.find(objects, *objects.find("b")));
+  MarkTracker tracker(objects);
+  ASSERT_TRUE(tracker.add(*objects.find("a")));
+  EXPECT_FALSE(tracker.update(sight, now).front().seen);
+  scene.marks.pop_back();
+  StereoSight alone = look();
+  EXPECT_TRUE(tracker.update(alone, now += 100ms).front().seen);
+}
+
+TEST_F(Tags, AnotherOfItsNumberIsNotTakenForOneThatIsHidden) {
+  learn_all();
+  MarkTracker tracker(objects);
+  ASSERT_TRUE(tracker.add(*objects.find("a")));
+  StereoSight alone = look();
+  ASSERT_TRUE(tracker.update(alone, now).front().seen);
+  const bench::SceneMark tracked = scene.marks[0];
+  scene.marks.push_back(tracked);
+  scene.marks.back().centre = {250, 190};
+  StereoSight both = look();
+  EXPECT_TRUE(tracker.update(both, now += 100ms).front().seen);
+  scene.marks.erase(scene.marks.begin());
+  for (int frame = 0; frame < 10; ++frame) {
+    StereoSight other = look();
+    EXPECT_FALSE(tracker.update(other, now += 100ms).front().seen) << frame;
+  }
+  scene.marks.push_back(tracked);
+  StereoSight back = look();
+  const TrackSighting again = tracker.update(back, now += 100ms).front();
+  ASSERT_TRUE(again.seen);
+  EXPECT_LT(cv::norm(again.centre - tracked.centre), 0.5);
+}
+
 TEST_F(Tags, ATagThatIsNotThereIsNotFoundInAnother) {
   learn_all();
   scene.marks.erase(scene.marks.begin());

@@ -113,6 +113,49 @@ TEST_F(Tracker, TakesNoTwinForWhatIsHidden) {
   }
 }
 
+// Nearer than two faces of one cube are, but both seen from the front.
+TEST_F(Tracker, TakesNoTwinBesideIt) {
+  for (const std::string name : {"circle", "square", "cross", "triangle"}) {
+    SCOPED_TRACE(name);
+    tracker.clear();
+    track(name);
+    const SceneFace tracked{.mark = name, .place = {-30, 0, 850}};
+    scene.faces = {tracked, {.mark = name, .place = {45, 0, 850}}};
+    scene.blots = {};
+    const TrackSighting first = see()[0];
+    ASSERT_TRUE(first.seen);
+    const SceneFace& hidden = scene.faces[first.centre.x < 170 ? 0 : 1];
+    const cv::Point2d centre = project(DrawnSight::model(), hidden.place, false);
+    scene.blots = {{.box = {centre.x - 15, centre.y - 15, 30, 30}, .level = 150, .disparity_px = 46}};
+    for (int frame = 0; frame < 2 * bridged_frames; ++frame) EXPECT_FALSE(see()[0].seen) << frame;
+    scene.blots.clear();
+    expect_at(see()[0], hidden.place);
+  }
+}
+
+// It was in sight when tracking began, and is behind something when what is tracked is hidden too.
+TEST_F(Tracker, TakesNoTwinThatWasHiddenMeanwhile) {
+  track("cross");
+  const SceneFace one{.mark = "cross", .place = {-90, -50, 850}};
+  const SceneFace other{.mark = "cross", .place = {110, 50, 850}};
+  scene.faces = {one, other};
+  const TrackSighting first = see()[0];
+  ASSERT_TRUE(first.seen);
+  const bool is_one = first.centre.x < 160;
+  const auto cover = [&](const SceneFace& face) {
+    const cv::Point2d centre = project(DrawnSight::model(), face.place, false);
+    scene.blots.push_back({.box = {centre.x - 25, centre.y - 25, 50, 50}, .level = 150, .disparity_px = 46});
+  };
+  scene.blots = {};
+  cover(is_one ? other : one);
+  for (int frame = 0; frame < 3; ++frame) EXPECT_TRUE(see()[0].seen);
+  scene.blots = {};
+  cover(is_one ? one : other);
+  for (int frame = 0; frame < 2 * bridged_frames; ++frame) EXPECT_FALSE(see()[0].seen) << frame;
+  scene.blots.clear();
+  expect_at(see()[0], (is_one ? one : other).place);
+}
+
 TEST_F(Tracker, IsNotTakenInByAnotherCubeInTheSamePlace) {
   track("circle");
   see();
