@@ -5,8 +5,7 @@
 #include "blackboard/boards_own.hpp"
 #include "blackboard/limits.hpp"
 #include "blackboard/store/evaluate.hpp"
-#include "blackboard/store/looking.hpp"
-#include "blackboard/store/narrowing.hpp"
+#include "blackboard/store/fitting.hpp"
 #include "blackboard/store/room.hpp"
 #include "blackboard/store/store_change.hpp"
 #include "lisp/pattern.hpp"
@@ -23,47 +22,6 @@ std::unexpected<Failure> unknown_lease(LeaseId lease) {
 
 std::unexpected<Failure> not_met(std::string sentence, Datum subject) {
   return fail("precondition-failed", std::move(sentence), std::move(subject));
-}
-
-// Adds to `examined` how many facts it looked at, and gives up beyond the bound.
-const Fact* first_fit(const FactTable& table, const Datum& pattern, std::size_t& examined) {
-  const Fact* first = nullptr;
-  Looking looking(examined);
-  table.visit(pattern, [&](const Fact& fact) {
-    Bindings bindings;
-    if (match(pattern, fact.datum, bindings)) first = &fact;
-    return first == nullptr && looking.at_one_more();
-  });
-  return first;
-}
-
-bool is_unchanged(const FactTable& table, const Datum& pattern, Revision since, std::size_t& examined) {
-  Looking looking(examined);
-  return table.unchanged_since(pattern, since, looking);
-}
-
-// Whether matching takes more than a glance at each argument.
-bool compares_much(const Datum& pattern) {
-  const auto arguments = pattern.items().subspan(1);
-  for (std::size_t i = 0; i < arguments.size(); ++i) {
-    const bool is_named = is_variable(arguments[i]) && !arguments[i].is_symbol("?");
-    if (arguments[i].is_list() || (is_named && argument_of(arguments[i], pattern) != i)) return true;
-  }
-  return false;
-}
-
-// What it will take to find what a transaction retracts, of what stands before it.
-void look_for_all(const FactTable& table, const Datum& pattern, std::size_t& examined) {
-  if (!compares_much(pattern)) {
-    examined += table.candidates(pattern);
-    return;
-  }
-  Looking looking(examined);
-  table.visit(pattern, [&](const Fact& fact) {
-    Bindings bindings;
-    match(pattern, fact.datum, bindings);
-    return looking.at_one_more();
-  });
 }
 
 Result<void> check_teller(const std::string& teller, const Relation& relation) {
