@@ -29,7 +29,7 @@ inline constexpr std::size_t max_packet_files = 4;
 bool send_packet(const File& socket, std::string_view text, std::span<const int> files = {});
 std::expected<Packet, NoPacket> receive_packet(const File& socket);
 
-// Whether the process at the other end has this process's user, or one of them is root.
+// Whether the process at the other end has this process's user, or is root's.
 bool peer_is_trusted(const File& socket);
 
 }  // namespace pizarra

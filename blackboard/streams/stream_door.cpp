@@ -25,6 +25,14 @@ std::string unguessable_name() {
   return fmt::format("pizarra-stream-{:016x}{:016x}", random[0], random[1]);
 }
 
+// The counter does not fill in the life of a machine, unless a guest fills it.
+void ring(const File& bell) {
+  if (eventfd_write(bell.number(), 1) == 0) return;
+  eventfd_t rung = 0;
+  [[maybe_unused]] const int emptied = eventfd_read(bell.number(), &rung);
+  [[maybe_unused]] const int again = eventfd_write(bell.number(), 1);
+}
+
 }  // namespace
 
 Result<std::unique_ptr<StreamDoor>> StreamDoor::open(Executor& executor) {
@@ -97,8 +105,7 @@ void StreamDoor::publish(const std::string& stream, const StreamFrame& frame) {
     if (!send_packet(guest.socket, "ring", files)) gone.push_back(number);
   }
   offer.ring->write(frame);
-  // Its counter does not fill in the life of a machine.
-  [[maybe_unused]] const int rung = eventfd_write(offer.bell.number(), 1);
+  ring(offer.bell);
   for (const int number : gone) dismiss(number);
 }
 

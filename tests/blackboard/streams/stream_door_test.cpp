@@ -4,10 +4,13 @@
 
 #include <csignal>
 #include <gtest/gtest.h>
+#include <sys/eventfd.h>
 #include <sys/socket.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 
 #include "blackboard/streams/abstract_address.hpp"
+#include "blackboard/streams/file_passing.hpp"
 #include "blackboard/streams/stream_guest.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "tests/blackboard/streams/frames.hpp"
@@ -123,6 +126,58 @@ TEST_F(StreamDoorTest, AGuestThatTalksOnIsShownOut) {
   EXPECT_TRUE(send_packet(socket, "ears"));
   EXPECT_TRUE(wait_until([&] { return !door->watched("eyes"); }));
   EXPECT_FALSE(door->watched("ears"));
+}
+
+TEST_F(StreamDoorTest, AnotherUsersProcessIsNotLetInNotEvenByRoot) {
+  if (geteuid() != 0) GTEST_SKIP() << "only root can be another user";
+  const auto door = StreamDoor::open(executor).value();
+  const pid_t child = fork();
+  if (child == 0) {
+    constexpr uid_t nobody = 65534;
+    const File socket(::socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0));
+    const AbstractAddress address(door->name());
+    char said = 0;
+    const bool went = setuid(nobody) == 0 && connect(socket.number(), address.get(), address.size()) == 0;
+    send_packet(socket, "eyes");
+    // Nothing comes but the end.
+    _exit(went && recv(socket.number(), &said, 1, 0) <= 0 ? 0 : 1);
+  }
+  const File ended(static_cast<int>(syscall(SYS_pidfd_open, child, 0)));
+  bool gone = false;
+  executor.watch_readable(ended.number(), [&] { gone = true; });
+  EXPECT_TRUE(wait_until([&] { return gone || door->watched("eyes"); }));
+  executor.unwatch_readable(ended.number());
+  EXPECT_FALSE(door->watched("eyes"));
+  if (!gone) kill(child, SIGKILL);
+  int status = -1;
+  waitpid(child, &status, 0);
+  EXPECT_EQ(status, 0);
+}
+
+TEST_F(StreamDoorTest, ABellThatSomebodyHasRungFullRingsOnForTheOthers) {
+  const auto door = StreamDoor::open(executor).value();
+  const File spoiler(::socket(AF_UNIX, SOCK_SEQPACKET | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
+  const AbstractAddress address(door->name());
+  ASSERT_EQ(connect(spoiler.number(), address.get(), address.size()), 0);
+  ASSERT_TRUE(send_packet(spoiler, "eyes"));
+  std::uint64_t seen = 0;
+  const auto guest = StreamGuest::come(
+      executor, door->name(), "eyes", [&](const StreamFrame& frame) { seen = frame.number; }, [] {});
+  ASSERT_TRUE(guest.has_value());
+  std::expected<Packet, NoPacket> ring = std::unexpected(NoPacket::yet);
+  ASSERT_TRUE(wait_until([&] {
+    door->publish("eyes", numbered_frame(1, 4, 4));
+    if (!ring) ring = receive_packet(spoiler);
+    return seen == 1 && ring;
+  }));
+  ASSERT_EQ(ring->files.size(), 2U);
+  eventfd_t rung = 0;
+  ASSERT_EQ(eventfd_read(ring->files[1].number(), &rung), 0);
+  ASSERT_EQ(eventfd_write(ring->files[1].number(), ~eventfd_t{1}), 0);
+  door->publish("eyes", numbered_frame(2, 4, 4));
+  EXPECT_TRUE(wait_until([&] { return seen == 2; }));
+  door->publish("eyes", numbered_frame(3, 4, 4));
+  EXPECT_TRUE(wait_until([&] { return seen == 3; }));
 }
 
 TEST_F(StreamDoorTest, MoreGuestsThanThereIsRoomForAreSentAway) {
