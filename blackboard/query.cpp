@@ -54,6 +54,9 @@ Result<void> read_moment(const Datum& form, Query& query) {
 }
 
 Result<void> read_option(const Datum& form, Query& query) {
+  const bool given = (form.is_form("order") && !query.order.empty()) || (form.is_form("limit") && query.limit) ||
+                     (form.is_form("at") && query.at);
+  if (given) return bad_query("an option is given once", form);
   if (form.is_form("order") && form.size() == 2) {
     query.descending = form[1].is_form("down") && form[1].size() == 2;
     const Datum& variable = query.descending ? form[1][1] : form[1];

@@ -57,6 +57,11 @@ Result<void> Store::check_precondition(const Transaction::Precondition& precondi
   const Result<const FactTable*> table = table_for(pattern, tables_);
   if (!table) return fail(table);
   if (const auto* unchanged = std::get_if<Transaction::Unchanged>(&precondition)) {
+    if (unchanged->revision > revision_) {
+      return not_met("revision " + std::to_string(unchanged->revision) + " has not been; the board is at " +
+                         std::to_string(revision_),
+                     pattern);
+    }
     const bool stands = is_unchanged(**table, pattern, unchanged->revision, examined);
     const Result<void> cheap = check_examined(examined, pattern);
     if (!cheap || stands) return cheap;

@@ -56,6 +56,12 @@ Result<void> check_address(const std::string& address) {
   return bad_address("a tcp address is tcp://HOST:PORT with a port from 0 to 65535, or * for any", address);
 }
 
+std::string address_to_bind(const std::string& address) {
+  constexpr std::string_view named = "tcp://localhost:";
+  if (!address.starts_with(named)) return address;
+  return "tcp://127.0.0.1:" + address.substr(named.size());
+}
+
 bool is_ipc(const std::string& address) { return address.starts_with(ipc); }
 
 Result<void> check_listening_address(const std::string& address, bool open_to_others) {
@@ -66,6 +72,10 @@ Result<void> check_listening_address(const std::string& address, bool open_to_ot
                 "other machines reach this address: name the folder of the keys that may come with --keys DIR, or give "
                 "--insecure to let anybody come unencrypted",
                 to_datum(address));
+  }
+  if (address.starts_with(ipc) && address[ipc.size()] == '@') {
+    return bad_address("a socket in no folder is open to everybody on this machine: ipc://PATH has a file, and who may "
+                       "open that may come", address);
   }
   if (address.starts_with(ipc) && somebody_answers(address.substr(ipc.size()))) {
     return fail("address-in-use", "another board answers there", to_datum(address));

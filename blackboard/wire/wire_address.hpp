@@ -13,6 +13,9 @@ Result<void> check_address(const std::string& address);
 
 bool is_ipc(const std::string& address);
 
+// As ZeroMQ takes it, which binds to numbers.
+std::string address_to_bind(const std::string& address);
+
 // Whether a server may bind there: failures bad-address, not-loopback (unless `open_to_others`: there are keys, or
 // insecurity was asked for), and address-in-use when another server answers at the ipc path.
 Result<void> check_listening_address(const std::string& address, bool open_to_others);

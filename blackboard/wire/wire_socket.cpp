@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include "blackboard/wire/half_open.hpp"
+#include "blackboard/wire/wire_address.hpp"
 
 namespace pizarra {
 
@@ -67,7 +68,7 @@ Result<std::string> WireSocket::bind(const std::string& address, const KeyPair* 
     socket_.set(zmq::sockopt::curve_server, own != nullptr);
     if (own != nullptr) socket_.set(zmq::sockopt::curve_secretkey, own->secret_key);
     keyed_ = keyed_ || own != nullptr;
-    socket_.bind(address);
+    socket_.bind(address_to_bind(address));
     schedule_pump();
     std::string bound = socket_.get(zmq::sockopt::last_endpoint);
     constexpr std::string_view ipc = "ipc://";

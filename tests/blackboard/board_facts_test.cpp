@@ -135,6 +135,8 @@ TEST_P(BoardFacts, PreconditionsDecideWhetherATransactionHappens) {
   EXPECT_EQ(attempt(Transaction::Unchanged{read("(on a ?)"), before}), "ok") << "another fact is no matter";
   ASSERT_TRUE(wall->run(alice->retract(read("(on a b)"))).has_value());
   EXPECT_EQ(attempt(Transaction::Unchanged{read("(on a ?)"), before}), "precondition-failed") << "retracted since";
+  EXPECT_EQ(attempt(Transaction::Unchanged{read("(on a ?)"), 1'000'000}), "precondition-failed")
+      << "seen at a revision that has not been: on another board, or before this one began anew";
 }
 
 TEST_P(BoardFacts, WhatIsTooLargeIsRefusedAndTheBoardGoesOn) {

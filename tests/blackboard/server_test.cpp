@@ -344,6 +344,22 @@ TEST(ServerAddress, OnlyThisMachineIsServedUnlessInsecure) {
   EXPECT_EQ(symbol("ipc:///no/such/folder/board", false), "bad-address");
 }
 
+TEST(ServerAddress, ASocketWithoutAFileThatGuardsItIsNotServed) {
+  RealExecutor executor;
+  MemoryBoard board(executor);
+  const auto server = BoardServer::open(executor, board, {.addresses = {"ipc://@pizarra-test"}});
+  ASSERT_FALSE(server.has_value());
+  EXPECT_EQ(server.error().symbol, "bad-address");
+}
+
+TEST(ServerAddress, LocalhostIsThisMachine) {
+  RealExecutor executor;
+  MemoryBoard board(executor);
+  const auto server = BoardServer::open(executor, board, {.addresses = {"tcp://localhost:*"}});
+  ASSERT_TRUE(server.has_value()) << describe(server.error());
+  EXPECT_TRUE((*server)->addresses().front().starts_with("tcp://127.0.0.1:"));
+}
+
 TEST(ServerAddress, AnAddressInUseIsNotTakenAway) {
   RealExecutor executor;
   MemoryBoard board(executor);
