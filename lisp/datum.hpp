@@ -91,14 +91,18 @@ class Datum {
     const std::span<const Datum> elements = items();
     return elements.empty() || !elements.front().is_symbol() ? std::string_view() : elements.front().text();
   }
-  // Whether this is a list that begins with the symbol `name`.
-  bool is_form(std::string_view name) const { return is_list() && !name.empty() && head() == name; }
+  // Whether this is a list that begins with the symbol `name`. In line, where `name` is a literal of known length.
+  [[gnu::always_inline]] bool is_form(std::string_view name) const {
+    return is_list() && !name.empty() && head() == name;
+  }
 
   std::size_t hash() const;
 
   // Integer 1 and real 1.0 are different; kinds order as they are declared.
   friend bool operator==(const Datum& a, const Datum& b) {
-    return a.words_ == b.words_ || (a.tag() == b.tag() && a.shares() && a.same_shared(b));
+    // Two comparisons, where that of the arrays is a call.
+    const bool same_words = a.words_[0] == b.words_[0] && a.words_[1] == b.words_[1];
+    return same_words || (a.tag() == b.tag() && a.shares() && a.same_shared(b));
   }
   friend std::strong_ordering operator<=>(const Datum& a, const Datum& b);
 

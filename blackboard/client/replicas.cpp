@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "blackboard/store/evaluate.hpp"
+#include "blackboard/store/query_tables.hpp"
 
 namespace pizarra {
 

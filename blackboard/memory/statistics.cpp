@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "blackboard/store/evaluate.hpp"
+#include "blackboard/store/query_tables.hpp"
 #include "blackboard/store/store.hpp"
 #include "blackboard/watch/watches.hpp"
 

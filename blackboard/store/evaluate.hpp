@@ -6,7 +6,7 @@
 // that order as far as the limit asks. At most limits::examined facts are looked at (failure too-costly), and the
 // answers must fit a frame (too-large).
 //
-//   Result<void> checked = check_query_on(query, tables);         // bad-query, undeclared-relation, wrong-shape
+//   Result<void> checked = check_query_on(query, tables);         // query_tables.hpp
 //   Result<std::vector<Answer>> answers = evaluate(query, tables);
 //
 // What one fact has to do with the answers is found from that fact on, the other clauses in an order of their own
@@ -23,14 +23,6 @@
 #include "blackboard/store/fact_table.hpp"
 
 namespace pizarra {
-
-// The table of the relation that the pattern is about, whatever its shape.
-Result<const FactTable*> table_named_by(const Datum& pattern, const Tables& tables);
-// The same, and the pattern has the relation's shape.
-Result<const FactTable*> table_for(const Datum& pattern, const Tables& tables);
-
-// Whether the query is well made and its patterns fit declared relations.
-Result<void> check_query_on(const Query& query, const Tables& tables);
 
 // The query must have been checked.
 Result<std::vector<Answer>> evaluate(const Query& query, const Tables& tables);

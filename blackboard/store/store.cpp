@@ -6,6 +6,8 @@
 #include "blackboard/limits.hpp"
 #include "blackboard/store/evaluate.hpp"
 #include "blackboard/store/fitting.hpp"
+#include "blackboard/store/own_tells.hpp"
+#include "blackboard/store/query_tables.hpp"
 #include "blackboard/store/room.hpp"
 #include "blackboard/store/store_change.hpp"
 #include "lisp/pattern.hpp"
@@ -75,27 +77,38 @@ Result<void> Store::check_precondition(const Transaction::Precondition& precondi
   return not_met(wanted ? "no fact is like this" : "there is a fact like this", pattern);
 }
 
-Result<void> Store::check_step(const std::string& teller, const Transaction::Step& step, std::set<FactId>& settled,
-                               OwnTells& own, std::size_t& examined) {
+// What was seen of a transaction before its next step.
+struct Store::Checked {
+  const std::string& teller;
+  std::size_t examined;
+  const FactTable* table = nullptr;  // that the last step was about, as most of those after it are
+  std::set<FactId> settled = {};
+  OwnTells own = {};
+};
+
+Result<void> Store::check_step(const Transaction::Step& step, Checked& before) {
   if (const auto* settle = std::get_if<Transaction::Settle>(&step)) {
-    if (held_.contains(settle->taken) && settled.insert(settle->taken).second) return {};
+    if (held_.contains(settle->taken) && before.settled.insert(settle->taken).second) return {};
     return not_met("fact " + std::to_string(settle->taken) + " is not taken, or was put back", to_datum(settle->taken));
   }
   const auto* tell = std::get_if<Transaction::Tell>(&step);
   const Datum& datum = tell != nullptr ? tell->fact : std::get<Transaction::Retract>(step).pattern;
-  const Result<const FactTable*> table = table_named_by(datum, tables_);
-  if (!table) return fail(table);
-  const Relation& relation = (*table)->relation();
-  const Result<void> allowed = check_teller(teller, relation);
-  if (!allowed) return allowed;
+  if (before.table == nullptr || datum.head() != before.table->relation().name) {
+    const Result<const FactTable*> table = table_named_by(datum, tables_);
+    if (!table) return fail(table);
+    const Result<void> allowed = check_teller(before.teller, (*table)->relation());
+    if (!allowed) return allowed;
+    before.table = *table;
+  }
+  const Relation& relation = before.table->relation();
   Result<void> shaped = tell != nullptr ? check_shape(relation, datum) : check_pattern_shape(relation, datum);
   if (!shaped) return shaped;
   if (tell == nullptr) {
-    look_for_all(**table, datum, examined);
-    examined += own.candidates(**table, datum) * (compares_much(datum) ? own.heaviest() : 1);
-    return check_examined(examined, datum);
+    look_for_all(*before.table, datum, before.examined);
+    before.examined += before.own.candidates(*before.table, datum) * (compares_much(datum) ? before.own.heaviest() : 1);
+    return check_examined(before.examined, datum);
   }
-  own.add(datum);
+  before.own.add(datum);
   if (tell->lease != 0 && leases_.find(tell->lease) == nullptr) return unknown_lease(tell->lease);
   return {};
 }
@@ -111,15 +124,14 @@ Result<void> Store::check(const std::string& teller, const Transaction& transact
     checked = check_precondition(precondition, examined);
     if (!checked) return checked;
   }
-  std::set<FactId> settled;
-  OwnTells own;
+  Checked before{.teller = teller, .examined = examined};
   for (const Transaction::Step& step : transaction.steps) {
-    checked = check_step(teller, step, settled, own, examined);
+    checked = check_step(step, before);
     if (!checked) return checked;
   }
   // What is taken may come back.
-  Room room{.facts = size() + held_.size() - settled.size(), .bytes = bytes_};
-  for (const FactId id : settled) room.bytes -= footprint(held_.at(id).fact);
+  Room room{.facts = size() + held_.size() - before.settled.size(), .bytes = bytes_};
+  for (const FactId id : before.settled) room.bytes -= footprint(held_.at(id).fact);
   return check_room(transaction, weight, teller, tables_, room);
 }
 

@@ -17,7 +17,6 @@
 #include "blackboard/store/commit.hpp"
 #include "blackboard/store/fact_table.hpp"
 #include "blackboard/store/leases.hpp"
-#include "blackboard/store/own_tells.hpp"
 
 namespace pizarra {
 
@@ -76,6 +75,7 @@ class Store {
     LeaseId told_under;  // 0 for none
   };
   class Change;
+  struct Checked;
 
   StandingFact* find(FactId standing) const;
   StandingFact& put(FactTable& table, Fact fact);
@@ -85,8 +85,7 @@ class Store {
   Held let_go(FactId taken);
   Result<void> check(const std::string& teller, const Transaction& transaction, std::size_t examined);
   Result<void> check_precondition(const Transaction::Precondition& precondition, std::size_t& examined) const;
-  Result<void> check_step(const std::string& teller, const Transaction::Step& step, std::set<FactId>& settled,
-                          OwnTells& own, std::size_t& examined);
+  Result<void> check_step(const Transaction::Step& step, Checked& before);
   void lapse(LeaseId lease, Time now);
   void lapse_facts(Time expiry, Time now);
   Result<void> apply_entry(const Commit& commit, Commit::Entry& entry);

@@ -1,6 +1,6 @@
 // How a store repeats what a journal tells it, and comes back to life from it.
 
-#include "blackboard/store/evaluate.hpp"
+#include "blackboard/store/query_tables.hpp"
 #include "blackboard/store/store.hpp"
 #include "blackboard/store/store_change.hpp"
 

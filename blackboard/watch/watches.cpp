@@ -4,7 +4,7 @@
 #include <cassert>
 
 #include "blackboard/limits.hpp"
-#include "blackboard/store/evaluate.hpp"
+#include "blackboard/store/query_tables.hpp"
 #include "blackboard/watch/join_guards.hpp"
 
 namespace pizarra {

@@ -1,0 +1,63 @@
+#include "blackboard/store/query_tables.hpp"
+
+#include "blackboard/boards_own.hpp"
+#include "blackboard/limits.hpp"
+#include "lisp/nearest.hpp"
+#include "lisp/shortened.hpp"
+
+namespace pizarra {
+
+namespace {
+
+Weight weigh(const Query& query) {
+  constexpr std::size_t envelope = 64;
+  Weight whole;
+  for (const Query::Clause& clause : query.clauses) {
+    whole += pizarra::weigh(clause.form);
+    whole.bytes += envelope;
+    whole.elements += 4;
+  }
+  return whole;
+}
+
+}  // namespace
+
+Result<const FactTable*> table_named_by(const Datum& pattern, const Tables& tables) {
+  const auto found = tables.find(pattern.head());
+  if (found != tables.end()) return &found->second;
+  if (pattern.head().empty()) return fail("wrong-shape", "a fact is a list that begins with a symbol", pattern);
+  if (is_statistics(pattern.head())) {
+    return fail("not-permitted",
+                std::string(pattern.head()) + " says what is now: it can be asked for, alone, and nothing else",
+                Datum::symbol(pattern.head()));
+  }
+  std::vector<std::string> names;
+  for (const auto& [name, table] : tables) names.push_back(name);
+  const std::string nearest = nearest_name(pattern.head(), names);
+  const std::string hint = nearest.empty() ? "" : "; did you mean " + nearest + "?";
+  return fail("undeclared-relation", "no relation is called " + shortened(pattern.head(), limits::name_bytes) + hint,
+              Datum::symbol(pattern.head()));
+}
+
+Result<const FactTable*> table_for(const Datum& pattern, const Tables& tables) {
+  Result<const FactTable*> table = table_named_by(pattern, tables);
+  if (!table) return table;
+  const Result<void> fits = check_pattern_shape((*table)->relation(), pattern);
+  if (!fits) return fail(fits);
+  return table;
+}
+
+Result<void> check_query_on(const Query& query, const Tables& tables) {
+  Result<void> checked = check_query(query);
+  if (!checked) return checked;
+  checked = check_weight(weigh(query), "a query");
+  if (!checked) return checked;
+  for (const Query::Clause& clause : query.clauses) {
+    if (clause.kind == Query::Clause::Kind::compare) continue;
+    const Result<const FactTable*> table = table_for(clause.form, tables);
+    if (!table) return fail(table);
+  }
+  return {};
+}
+
+}  // namespace pizarra

@@ -1,0 +1,22 @@
+#pragma once
+
+// Which tables a pattern or a query is about, and whether it fits them. Failures undeclared-relation, which names the
+// nearest relation there is, wrong-shape, bad-query and too-large; not-permitted for what only the board says.
+//
+//   Result<const FactTable*> table = table_for(pattern, tables);
+//   Result<void> checked = check_query_on(query, tables);
+
+#include "blackboard/query.hpp"
+#include "blackboard/store/fact_table.hpp"
+
+namespace pizarra {
+
+// The table of the relation that the pattern is about, whatever its shape.
+Result<const FactTable*> table_named_by(const Datum& pattern, const Tables& tables);
+// The same, and the pattern has the relation's shape.
+Result<const FactTable*> table_for(const Datum& pattern, const Tables& tables);
+
+// Whether the query is well made and its patterns fit declared relations.
+Result<void> check_query_on(const Query& query, const Tables& tables);
+
+}  // namespace pizarra
