@@ -1,5 +1,8 @@
 #include "blackboard/server/gate.hpp"
 
+#include <algorithm>
+#include <set>
+
 #include "blackboard/limits.hpp"
 #include "blackboard/store/looking.hpp"
 #include "blackboard/store/store.hpp"
@@ -26,14 +29,34 @@ Datum pattern_of_key(const Relation& relation, const Datum& fact) {
   return Datum::list(std::move(pattern));
 }
 
+// Of those that are called alike, so that one key does not take the board's room for relations.
+Result<void> check_room(const PublicKey& key, const Relation& relation, const std::set<std::string>& declared) {
+  constexpr std::int64_t most = 256;
+  if (declared.contains(relation.name)) return {};
+  for (const auto* listed : {&key.may.tell, &key.may.take, &key.may.read}) {
+    for (const std::string& pattern : *listed) {
+      if (!pattern.ends_with('*') || pattern == "*" || !permits({pattern}, relation.name)) continue;
+      const auto alike = [&](const std::string& name) { return permits({pattern}, name); };
+      if (std::ranges::count_if(declared, alike) < most) continue;
+      return fail("too-large", "there are 256 relations called " + pattern + " already", relation_to_datum(relation));
+    }
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<void> Gate::declare(Key key, const std::vector<Relation>& relations) const {
   if (key == nullptr) return {};
+  std::set<std::string> declared;
+  for (const auto& [name, table] : board_.store().tables()) declared.insert(name);
   for (const Relation& relation : relations) {
     const bool concerned = permits(key->may.tell, relation.name) || permits(key->may.take, relation.name) ||
                            permits(key->may.read, relation.name);
     if (!concerned) return may_not(*key, "declare " + relation.name, relation_to_datum(relation));
+    const Result<void> room = check_room(*key, relation, declared);
+    if (!room) return room;
+    declared.insert(relation.name);
   }
   return {};
 }

@@ -23,7 +23,8 @@ class Gate {
 
   explicit Gate(const MemoryBoard& board) : board_(board) {}
 
-  // It may tell, take or read its facts: who may not is told nothing of how a relation is declared.
+  // It may tell, take or read its facts: who may not is told nothing of how a relation is declared. Failure too-large
+  // where too many are called alike.
   Result<void> declare(Key key, const std::vector<Relation>& relations) const;
   // Answers how many facts it looked at, for whose they are: they count as the transaction's own. Failure too-costly.
   Result<std::size_t> transact(Key key, const Transaction& transaction) const;

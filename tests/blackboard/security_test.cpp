@@ -1,6 +1,7 @@
 // A board that asks for keys: who is let in, as whom, and what each may do.
 
 #include <filesystem>
+#include <fmt/format.h>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <netinet/in.h>
@@ -185,6 +186,24 @@ TEST_F(SecurityTest, OnTheFileOfThisMachineNoKeyIsAskedFor) {
   const auto keyed =
       RemoteBoard::connect(executor_, ipc_, "robot", 5s, read_client_keys(secret_of("robot")).value()).value();
   EXPECT_EQ(tell(*keyed, "(goal 2)"), "ok");
+}
+
+TEST_F(SecurityTest, WhoMayDeclareWhatBeginsWithANameLeavesTheBoardRoomForOthers) {
+  serve();
+  const auto robot = view("robot");
+  const auto declare = [&](Board& board, int number) {
+    return symbol_of(run(board.declare({relation(fmt::format("(relation arm-{} ((n integer)))", number))})));
+  };
+  std::string said = "ok";
+  int declared = 0;
+  for (; said == "ok" && declared < 1000; ++declared) said = declare(*robot, declared);
+  EXPECT_EQ(said, "too-large");
+  EXPECT_LE(declared, 260);
+  std::vector<Relation> at_once;
+  for (int i = 0; i < 300; ++i) at_once.push_back(relation(fmt::format("(relation arm-at-once-{} ((n integer)))", i)));
+  EXPECT_EQ(symbol_of(run(robot->declare(at_once))), "too-large");
+  EXPECT_EQ(declare(*robot, 0), "ok") << "it is there";
+  EXPECT_EQ(declare(*view("boss"), declared), "ok");
 }
 
 TEST_F(SecurityTest, NobodyTellsReadsOrTakesWhatItsKeyDoesNotAllow) {
