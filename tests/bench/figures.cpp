@@ -24,13 +24,19 @@ std::string verdict_of(const Figure& figure) {
   return figure.value && reaches(figure.goal, *figure.value) ? "met" : "SHORT";
 }
 
+std::string remark_on(const Figure& figure) {
+  if (figure.limit.empty() || verdict_of(figure) != "SHORT") return figure.note;
+  return figure.note + (figure.note.empty() ? "" : "; ") + "limited by " + figure.limit;
+}
+
 std::string plain_line(const Figure& figure) {
   std::string line = fmt::format("{:<44} {:>10} {:<6}", figure.name, shown(figure.value), figure.unit);
   line += fmt::format("  goal {:<28}", figure.goal.kind == Goal::Kind::none ? "-" : figure.goal.text);
   for (const Peer& peer : figure.peers) line += fmt::format("  {} {}", peer.name, shown(peer.value));
   const std::string verdict = verdict_of(figure);
   if (!verdict.empty()) line += "  " + verdict;
-  if (!figure.note.empty()) line += "  (" + figure.note + ")";
+  const std::string remark = remark_on(figure);
+  if (!remark.empty()) line += "  (" + remark + ")";
   return line;
 }
 
@@ -42,7 +48,7 @@ std::string json_line(const std::string& bench, const Figure& figure) {
   return fmt::format(
       R"({{"bench":{},"figure":{},"value":{},"unit":{},"goal":{},"verdict":{},"peers":{{{}}},"note":{}}})",
       json_string(bench), json_string(figure.name), json_number(figure.value), json_string(figure.unit),
-      json_string(figure.goal.text), json_string(verdict_of(figure)), peers, json_string(figure.note));
+      json_string(figure.goal.text), json_string(verdict_of(figure)), peers, json_string(remark_on(figure)));
 }
 
 }  // namespace

@@ -38,7 +38,8 @@ struct Figure {
   std::string unit;
   Goal goal;
   std::vector<Peer> peers = {};
-  std::string note = "";  // what limits it, what it means
+  std::string note = "";   // what it means
+  std::string limit = "";  // said where the goal is not reached: what keeps it from it
 };
 
 class Figures {

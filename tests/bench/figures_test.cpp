@@ -36,6 +36,15 @@ TEST_F(BenchFigures, AreCountedAsMetOrShortAndThoseWithoutTheirPeerNotAtAll) {
   EXPECT_TRUE(text.ends_with("goals met 1 of 2\n")) << text;
 }
 
+TEST_F(BenchFigures, SayWhatLimitsThemWhereTheyAreShort) {
+  Figures figures("blackboard", Figures::Style::plain, out_);
+  figures.say({.name = "met", .value = 1, .unit = "us", .goal = at_most(1), .limit = "nothing"});
+  figures.say({.name = "tells", .value = 2, .unit = "us", .goal = at_most(1), .note = "quiet", .limit = "the cores"});
+  const std::string text = printed();
+  EXPECT_EQ(text.find("nothing"), std::string::npos) << text;
+  EXPECT_NE(text.find("SHORT  (quiet; limited by the cores)\n"), std::string::npos) << text;
+}
+
 TEST_F(BenchFigures, ThatCouldNotBeMeasuredFailTheBench) {
   Figures figures("blackboard", Figures::Style::plain, out_);
   figures.say({"ask", {}, "us", at_most(1)});

@@ -104,7 +104,9 @@ void durable_tells(Figures& figures) {
                rates[0],
                "1/s",
                goal,
-               {{"redis", redis_rate}, {"fdatasync", rates[2]}}});
+               {{"redis", redis_rate}, {"fdatasync", rates[2]}},
+               "",
+               "what client, board and journal compute for a fact, each of which has its message and its answer"});
 }
 
 }  // namespace pizarra::bench
