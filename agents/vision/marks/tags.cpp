@@ -7,6 +7,8 @@
 #include <opencv2/aruco.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "agents/vision/marks/tag_fit.hpp"
+
 namespace pizarra {
 namespace {
 
@@ -33,6 +35,10 @@ constexpr double margin_of_side = 0.35;
 constexpr double beside_border = 0.05;
 constexpr double least_contrast = 20;
 constexpr double least_border_share = 0.75;
+
+// How far off the middle of a tag may be, by what covers a part of its border, that is found: px, or a part of its side.
+constexpr double most_off_px = 1;
+constexpr double most_off_share = 0.015;
 
 using Corners = std::vector<cv::Point2f>;
 
@@ -138,6 +144,12 @@ bool has_a_border(const cv::Mat1b& grey, const Corners& corners) {
   return agreeing >= least_border_share * places * static_cast<double>(corners.size());
 }
 
+// Whether its corners are its own, and not where something lies over its border.
+bool is_whole(const cv::Mat1b& grey, const Corners& corners, const Family& family, int number) {
+  const cv::Ptr<cv::aruco::Dictionary> dictionary = cv::aruco::getPredefinedDictionary(family.dictionary);
+  return middle_off_px(grey, corners, *dictionary, number) <= std::max(most_off_px, most_off_share * side_px(corners));
+}
+
 // The smallest square around the point, whether a tag of that family or not.
 std::optional<Corners> square_around(const Detection& detection, cv::Point2d point) {
   std::optional<Corners> best;
@@ -175,6 +187,7 @@ std::optional<SeenMark> tag_at(const cv::Mat& grey, cv::Point2d point) {
       Corners& corners = detection.found[i];
       move_by(corners, area.tl());
       if (!is_around(corners, point) || !has_a_border(grey, corners)) continue;
+      if (!is_whole(grey, corners, family, detection.numbers[i])) continue;
       return mark_of(grey, corners, {std::string(family.name), detection.numbers[i]});
     }
   }
@@ -192,6 +205,7 @@ std::vector<SeenMark> find_tags(const cv::Mat& grey, const Tag& tag, cv::Rect ar
   for (std::size_t i = 0; i < detection.found.size(); ++i) {
     if (detection.numbers[i] != tag.number) continue;
     move_by(detection.found[i], looked_at.tl());
+    if (!is_whole(grey, detection.found[i], *family, tag.number)) continue;
     out.push_back(mark_of(grey, detection.found[i], tag));
   }
   return out;

@@ -12,7 +12,8 @@
 
 namespace pizarra {
 
-// Of a seen tag the mark is the outer square, and the centre where its diagonals meet.
+// Of a seen tag the mark is the outer square, and the centre where its diagonals meet. One of which something hides so
+// much that the centre would be more than a pixel off, or 1.5 % of its side, is not seen.
 
 // The tag around the point, read without a fault.
 std::optional<SeenMark> tag_at(const cv::Mat& grey, cv::Point2d point);

@@ -232,7 +232,7 @@ void MarkTracker::take(const StereoSight& sight, Track& track, SeenPair now, boo
     const double change = disparity_px(now.left, *now.right) - disparity_px(*track.left, *track.right);
     track.disparity_change_px = change / seconds;
   }
-  // A tag that is read is whole.
+  // A tag that is seen is whole.
   if (whole && !now.left.tag) {
     remember(track.whole_left, now.left, captured_);
     if (now.right) remember(track.whole_right, *now.right, captured_);

@@ -1,0 +1,101 @@
+#include "agents/vision/marks/tag_fit.hpp"
+
+#include <array>
+#include <opencv2/imgproc.hpp>
+
+namespace pizarra {
+namespace {
+
+constexpr int cell_px = 6;
+// So that edges that are some of a cell off are told by their slopes.
+constexpr double blur_px = 0.3 * cell_px;
+// Of the outermost cells this much is not looked at: what is beyond it is none of the tag's.
+constexpr int margin_px = cell_px / 2;
+// How much the corners are held where they are, where few edges tell: a part of what edges weigh.
+constexpr double hold = 2e-5;
+
+// Two levels, and how far each corner is off along x and along y.
+constexpr int unknowns = 10;
+using Unknowns = cv::Vec<double, unknowns>;
+using Corners = std::array<cv::Point2f, 4>;
+
+cv::Mat1f blurred(const cv::Mat& image) {
+  cv::Mat1f out;
+  image.convertTo(out, CV_32F, 1.0 / 255);
+  cv::GaussianBlur(out, out, {}, blur_px, blur_px, cv::BORDER_REPLICATE);
+  return out;
+}
+
+// A tag as it is printed, and its slopes.
+struct Print {
+  explicit Print(const cv::Mat& drawn) : light(blurred(drawn)), side(drawn.cols) {
+    cv::Sobel(light, along_x, CV_32F, 1, 0, 3, 1.0 / 8);
+    cv::Sobel(light, along_y, CV_32F, 0, 1, 3, 1.0 / 8);
+  }
+  Corners corners() const {
+    const float end = static_cast<float>(side) - 0.5F;
+    return {cv::Point2f(-0.5F, -0.5F), {end, -0.5F}, {end, end}, {-0.5F, end}};
+  }
+  // What each unknown adds to the level there; a corner the more the nearer it is.
+  Unknowns row(int x, int y) const {
+    const double u = (x + 0.5) / side;
+    const double v = (y + 0.5) / side;
+    const std::array<double, 4> near = {(1 - u) * (1 - v), u * (1 - v), u * v, (1 - u) * v};
+    Unknowns out;
+    out[0] = 1;
+    out[1] = light(y, x);
+    for (int i = 0; i < 4; ++i) {
+      out[2 + 2 * i] = along_x(y, x) * near[static_cast<std::size_t>(i)];
+      out[3 + 2 * i] = along_y(y, x) * near[static_cast<std::size_t>(i)];
+    }
+    return out;
+  }
+
+  cv::Mat1f light;
+  cv::Mat1f along_x;
+  cv::Mat1f along_y;
+  int side;
+};
+
+// What is seen at a place is the print a little beside it, as far as the corners are off: linear least squares
+// (B. Lucas, T. Kanade, An iterative image registration technique, IJCAI 1981).
+Unknowns fit(const Print& print, const cv::Mat1f& seen) {
+  cv::Matx<double, unknowns, unknowns> normal = cv::Matx<double, unknowns, unknowns>::zeros();
+  Unknowns right = Unknowns::all(0);
+  for (int y = margin_px; y < print.side - margin_px; ++y) {
+    for (int x = margin_px; x < print.side - margin_px; ++x) {
+      const Unknowns row = print.row(x, y);
+      for (int i = 0; i < unknowns; ++i) {
+        for (int j = 0; j < unknowns; ++j) normal(i, j) += row[i] * row[j];
+      }
+      right += row * static_cast<double>(seen(y, x));
+    }
+  }
+  for (int i = 2; i < unknowns; ++i) normal(i, i) += hold * print.side * print.side;
+  return normal.solve(right, cv::DECOMP_CHOLESKY);
+}
+
+cv::Point2d mapped(const cv::Matx33d& by, cv::Point2d p) {
+  const cv::Vec3d to = by * cv::Vec3d(p.x, p.y, 1);
+  return {to[0] / to[2], to[1] / to[2]};
+}
+
+}  // namespace
+
+double middle_off_px(const cv::Mat1b& grey, const std::vector<cv::Point2f>& corners,
+                     const cv::aruco::Dictionary& dictionary, int number) {
+  cv::Mat drawn;
+  dictionary.drawMarker(number, (dictionary.markerSize + 2) * cell_px, drawn);
+  const Print print(drawn);
+  const cv::Matx33d to_image = cv::getPerspectiveTransform(print.corners().data(), corners.data());
+  cv::Mat seen;
+  cv::warpPerspective(grey, seen, to_image, drawn.size(), cv::INTER_LINEAR | cv::WARP_INVERSE_MAP,
+                      cv::BORDER_REPLICATE);
+  const Unknowns found = fit(print, blurred(seen));
+  cv::Point2d moved;
+  for (int i = 2; i < unknowns; i += 2) moved += cv::Point2d(found[i], found[i + 1]) / (4 * found[1]);
+  const cv::Point2d middle(print.side / 2.0 - 0.5, print.side / 2.0 - 0.5);
+  return cv::norm(mapped(to_image, middle) - mapped(to_image, middle - moved));
+}
+
+}  // namespace pizarra

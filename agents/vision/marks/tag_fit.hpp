@@ -1,0 +1,18 @@
+#pragma once
+
+// Whether a tag's corners are where its cells say. What lies along a part of its border leaves a smaller square, in
+// which the cells can still be read; but then they are not where the corners put them.
+//
+//   const double off = middle_off_px(grey, corners, *dictionary, 17);
+
+#include <opencv2/aruco.hpp>
+#include <opencv2/core.hpp>
+
+namespace pizarra {
+
+// How far the middle of the tag's corners would move if they went where the edges of its cells put them, to first
+// order: as it is to some 15 %, up to half a cell. The corners begin with the tag's own upper left one, clockwise.
+double middle_off_px(const cv::Mat1b& grey, const std::vector<cv::Point2f>& corners,
+                     const cv::aruco::Dictionary& dictionary, int number);
+
+}  // namespace pizarra
