@@ -108,24 +108,26 @@ Result<void> MemoryBoard::declare(const std::string& teller, const std::vector<R
 }
 
 Result<Revision> MemoryBoard::transact(const std::string& teller, const Transaction& transaction,
-                                       std::size_t examined) {
+                                       std::size_t& examined) {
   const Time now = begin();
   const Result<Revision> revision = store_->transact(teller, transaction, now, examined);
   schedule();
   return revision;
 }
 
-Result<Answers> MemoryBoard::ask(const Query& query) {
+Result<Answers> MemoryBoard::ask(const Query& query, std::size_t& examined) {
   const Time now = begin();
   const bool about_the_board = Statistics::is_about(query);
-  Result<Answers> answers = about_the_board ? statistics_.ask(query, *store_, *watches_, now) : store_->ask(query);
+  Result<Answers> answers = about_the_board ? statistics_.ask(query, *store_, *watches_, now, examined)
+                                            : store_->ask(query, examined);
   schedule();
   return answers;
 }
 
-Result<std::optional<Fact>> MemoryBoard::take(const std::string& teller, const Datum& pattern, LeaseId holder) {
+Result<std::optional<Fact>> MemoryBoard::take(const std::string& teller, const Datum& pattern, LeaseId holder,
+                                              std::size_t& examined) {
   const Time now = begin();
-  Result<std::optional<Fact>> taken = store_->take(teller, pattern, holder, now);
+  Result<std::optional<Fact>> taken = store_->take(teller, pattern, holder, now, examined);
   schedule();
   return taken;
 }
@@ -152,11 +154,33 @@ Result<void> MemoryBoard::release(LeaseId lease) {
 }
 
 Result<std::unique_ptr<WatchQueue>> MemoryBoard::watch(const std::string& watcher, const Query& query,
-                                                       std::function<void()> ready, std::shared_ptr<Backlog> backlog) {
+                                                       std::function<void()> ready, std::shared_ptr<Backlog> backlog,
+                                                       std::size_t& examined) {
   begin();
-  Result<std::unique_ptr<WatchQueue>> queue = watches_->add(query, std::move(ready), watcher, std::move(backlog));
+  Result<std::unique_ptr<WatchQueue>> queue = watches_->add(query, std::move(ready), watcher, std::move(backlog), examined);
   schedule();
   return queue;
+}
+
+Result<Revision> MemoryBoard::transact(const std::string& teller, const Transaction& transaction) {
+  std::size_t examined = 0;
+  return transact(teller, transaction, examined);
+}
+
+Result<Answers> MemoryBoard::ask(const Query& query) {
+  std::size_t examined = 0;
+  return ask(query, examined);
+}
+
+Result<std::optional<Fact>> MemoryBoard::take(const std::string& teller, const Datum& pattern, LeaseId holder) {
+  std::size_t examined = 0;
+  return take(teller, pattern, holder, examined);
+}
+
+Result<std::unique_ptr<WatchQueue>> MemoryBoard::watch(const std::string& watcher, const Query& query,
+                                                       std::function<void()> ready) {
+  std::size_t examined = 0;
+  return watch(watcher, query, std::move(ready), std::make_shared<Backlog>(), examined);
 }
 
 Time MemoryBoard::begin() {

@@ -64,17 +64,25 @@ class MemoryBoard {
   Statistics& statistics() { return statistics_; }
 
   Result<void> declare(const std::string& teller, const std::vector<Relation>& relations);
-  // `examined` facts were looked at already, and count as the transaction's.
-  Result<Revision> transact(const std::string& teller, const Transaction& transaction, std::size_t examined = 0);
-  Result<Answers> ask(const Query& query);
-  Result<std::optional<Fact>> take(const std::string& teller, const Datum& pattern, LeaseId holder);
+  // These add to `examined` how many facts they looked at, and fail beyond limits::examined.
+  Result<Revision> transact(const std::string& teller, const Transaction& transaction, std::size_t& examined);
+  Result<Answers> ask(const Query& query, std::size_t& examined);
+  Result<std::optional<Fact>> take(const std::string& teller, const Datum& pattern, LeaseId holder,
+                                   std::size_t& examined);
   Result<LeaseId> lease(Duration length);
   Result<void> renew(LeaseId lease);
   Result<void> release(LeaseId lease);
-  // The queue's first change is there already; `ready` is called whenever one comes to an empty queue.
-  // `watcher` is who will be named in what relation-stats says (statistics.hpp); its queues may share a backlog.
+  // The queue's first change is there already, unless it takes long or `examined` is limits::examined_a_turn before;
+  // `ready` is called whenever one comes to an empty queue. `watcher` is who will be named in what relation-stats says
+  // (statistics.hpp); its queues may share a backlog.
   Result<std::unique_ptr<WatchQueue>> watch(const std::string& watcher, const Query& query, std::function<void()> ready,
-                                            std::shared_ptr<Backlog> backlog = std::make_shared<Backlog>());
+                                            std::shared_ptr<Backlog> backlog, std::size_t& examined);
+  // The same for who does not want to know, in this process.
+  Result<Revision> transact(const std::string& teller, const Transaction& transaction);
+  Result<Answers> ask(const Query& query);
+  Result<std::optional<Fact>> take(const std::string& teller, const Datum& pattern, LeaseId holder);
+  Result<std::unique_ptr<WatchQueue>> watch(const std::string& watcher, const Query& query,
+                                            std::function<void()> ready);
 
  private:
   // Lapses what is due, before an operation; and has the timer wait for what is next, after it.

@@ -182,7 +182,8 @@ void Statistics::delivered(std::string_view relation, Duration took, Time now) {
 
 bool Statistics::is_about(const Query& query) { return relation_asked_for(query).has_value(); }
 
-Result<Answers> Statistics::ask(const Query& query, const Store& store, const WatchTable& watches, Time now) {
+Result<Answers> Statistics::ask(const Query& query, const Store& store, const WatchTable& watches, Time now,
+                                std::size_t& examined) {
   const Relation about = *relation_asked_for(query);
   Tables tables;
   FactTable& table = tables.try_emplace(about.name, about).first->second;
@@ -201,7 +202,7 @@ Result<Answers> Statistics::ask(const Query& query, const Store& store, const Wa
     return fail("bad-query", about.name + " is asked for alone", query_to_datum(query));
   }
   if (!checked) return fail(checked);
-  Result<std::vector<Answer>> answers = evaluate(query, tables);
+  Result<std::vector<Answer>> answers = evaluate(query, tables, examined);
   if (!answers) return fail(answers);
   return Answers{store.revision(), std::move(*answers)};
 }

@@ -18,7 +18,7 @@
 // of them that were too many, PER-SECOND how many came in the last whole second (client_requests.hpp).
 //
 //   statistics.committed(commit);
-//   if (Statistics::is_about(query)) answers = statistics.ask(query, store, watches, now);
+//   if (Statistics::is_about(query)) answers = statistics.ask(query, store, watches, now, examined);
 
 #include <map>
 #include <memory>
@@ -50,8 +50,9 @@ class Statistics {
   ClientRequests& requests() { return requests_; }
   // Whether one of its patterns is.
   static bool is_about(const Query& query);
-  // Failure bad-query where other relations are asked for too.
-  Result<Answers> ask(const Query& query, const Store& store, const WatchTable& watches, Time now);
+  // Adds to `examined` how many of these facts it looked at. Failure bad-query where other relations are asked for too.
+  Result<Answers> ask(const Query& query, const Store& store, const WatchTable& watches, Time now,
+                      std::size_t& examined);
 
  private:
   struct Journeys {

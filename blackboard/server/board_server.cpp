@@ -1,10 +1,19 @@
 #include "blackboard/server/board_server.hpp"
 
+#include <algorithm>
+
 #include "blackboard/limits.hpp"
+#include "blackboard/store/indexing.hpp"
 #include "blackboard/wire/wire_address.hpp"
 #include "lisp/writer.hpp"
 
 namespace pizarra {
+
+namespace {
+
+constexpr Duration until_paid = 1ms;
+
+}  // namespace
 
 Result<std::unique_ptr<BoardServer>> BoardServer::open(Executor& executor, MemoryBoard& board,
                                                        const BoardServerOptions& options) {
@@ -145,31 +154,44 @@ void BoardServer::flush_all() {
 }
 
 void BoardServer::flush(wire::SessionId id) {
-  const auto session = sessions_.find(id);
-  if (session == sessions_.end() || !session->second.watches.send(socket_, session->second.peer, examined_)) return;
+  const auto found = sessions_.find(id);
+  if (found == sessions_.end() || !send_changes(found->second)) return;
   to_look_.insert(id);
   schedule_look();
+}
+
+// Whether there is more to be looked for, now or when what the client owes is paid.
+bool BoardServer::send_changes(Session& session) {
+  const std::string& client = client_of(session);
+  const std::size_t before =
+      looks_.is_spent(client, executor_.now()) ? std::max(examined_, limits::examined_a_turn) : examined_;
+  const Indexing indexing(Indexing::May::make);
+  std::size_t examined = before;
+  const bool more = session.watches.send(socket_, session.peer, examined);
+  examined_ += examined - before;
+  const std::size_t looked_at = examined - before + indexing.examined();
+  if (looked_at > 0) looks_.looked(client, looked_at, executor_.now());
+  return more;
 }
 
 void BoardServer::schedule_look() {
   if (look_timer_ != 0) return;
   // Not at once: what is due at once is done several times before anybody is heard.
-  look_timer_ = executor_.call_at(executor_.now() + 1us, [this] {
-    look_timer_ = 0;
-    look_on();
-  });
+  const Duration pause = examined_ > 0 ? 1us : until_paid;
+  look_timer_ = executor_.call_at(executor_.now() + pause, [this] { look_on(); });
 }
 
 // Each in its turn.
 void BoardServer::look_on() {
   examined_ = 0;
-  while (!to_look_.empty() && examined_ < limits::examined_a_turn) {
+  for (std::size_t left = to_look_.size(); left > 0 && examined_ < limits::examined_a_turn; --left) {
     auto next = to_look_.upper_bound(looked_last_);
     if (next == to_look_.end()) next = to_look_.begin();
     looked_last_ = *next;
     to_look_.erase(next);
     flush(looked_last_);
   }
+  look_timer_ = 0;
   if (!to_look_.empty()) schedule_look();
 }
 

@@ -31,6 +31,7 @@
 #include "blackboard/server/gate.hpp"
 #include "blackboard/server/key_folder.hpp"
 #include "blackboard/server/lease_quota.hpp"
+#include "blackboard/server/look_quota.hpp"
 #include "blackboard/server/refusals.hpp"
 #include "blackboard/server/served_watches.hpp"
 #include "blackboard/wire/doorkeeper.hpp"
@@ -109,14 +110,15 @@ class BoardServer {
   void follow_keys();
   void handle(wire::SessionId id, Session& session, const Datum& message);
   void request(wire::SessionId id, Session& session, const Datum& message);
-  Result<Datum> perform(wire::SessionId id, Session& session, const Datum& body);
+  Result<Datum> perform_within_quota(wire::SessionId id, Session& session, const Datum& body);
+  Result<Datum> perform(wire::SessionId id, Session& session, const Datum& body, std::size_t& examined);
   Result<Datum> declare(const Session& session, const Datum& body);
-  Result<Datum> transact(const Session& session, const Datum& body);
+  Result<Datum> transact(const Session& session, const Datum& body, std::size_t& examined);
   Result<Query> permitted_query(const Session& session, const Datum& body);
-  Result<Datum> ask(const Session& session, const Datum& body);
+  Result<Datum> ask(const Session& session, const Datum& body, std::size_t& examined);
   void ask_past(wire::SessionId id, const Session& session, wire::RequestId number, const Datum& body);
-  Result<Datum> take(const Session& session, const Datum& body);
-  Result<Datum> watch(wire::SessionId id, Session& session, const Datum& body);
+  Result<Datum> take(const Session& session, const Datum& body, std::size_t& examined);
+  Result<Datum> watch(wire::SessionId id, Session& session, const Datum& body, std::size_t& examined);
   void note_journey(const Datum& body, Time sent);
   Result<Datum> lease(const Session& session, const Datum& body);
   void answer(wire::SessionId id, Session& session, wire::RequestId number, const Datum& body);
@@ -125,6 +127,7 @@ class BoardServer {
   void schedule_flush(wire::SessionId id);
   void flush_all();
   void flush(wire::SessionId id);
+  bool send_changes(Session& session);
   void schedule_look();
   void look_on();
   void forget_the_gone();
@@ -136,6 +139,7 @@ class BoardServer {
   std::optional<KeyFolder> keys_;
   Gate gate_;
   LeaseQuota leases_;
+  LookQuota looks_;
   Refusals refusals_;
   std::map<wire::SessionId, Session> sessions_;
   std::map<std::string, wire::SessionId> session_of_peer_;

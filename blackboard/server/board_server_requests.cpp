@@ -4,6 +4,7 @@
 
 #include "blackboard/limits.hpp"
 #include "blackboard/server/board_server.hpp"
+#include "blackboard/store/indexing.hpp"
 #include "blackboard/store/store.hpp"
 #include "lisp/shortened.hpp"
 #include "lisp/writer.hpp"
@@ -128,7 +129,7 @@ void BoardServer::answer(wire::SessionId id, Session& session, wire::RequestId n
   const Result<void> room = durability_.check_room(board_.store(), body);
   if (!room) return refuse_undone(session, number, body, room.error());
   const JournalWriter::Position before = durability_.position();
-  const Result<Datum> result = perform(id, session, body);
+  const Result<Datum> result = perform_within_quota(id, session, body);
   if (!result && is_refusal(result.error())) refusals_.note(client_of(session), result.error());
   const Datum said = result_to_datum(result);
   const std::string text = reply_text(number, said);
@@ -154,12 +155,26 @@ std::string BoardServer::with_progress(const Session& session, std::string reply
   return reply;
 }
 
-Result<Datum> BoardServer::perform(wire::SessionId id, Session& session, const Datum& body) {
-  if (body.is_form("transact")) return transact(session, body);
-  if (body.is_form("ask")) return ask(session, body);
-  if (body.is_form("take")) return take(session, body);
+// Whose quota is spent is refused what looks at more than a few facts.
+Result<Datum> BoardServer::perform_within_quota(wire::SessionId id, Session& session, const Datum& body) {
+  const std::string& client = client_of(session);
+  const std::size_t before = looks_.before(client, executor_.now());
+  const Indexing indexing(before == 0 ? Indexing::May::make : Indexing::May::not_make);
+  std::size_t examined = before;
+  Result<Datum> result = perform(id, session, body, examined);
+  looks_.looked(client, examined - before + indexing.examined(), executor_.now());
+  const bool is_spent = before > 0 && !result && result.error().symbol == "too-costly";
+  if (!is_spent) return result;
+  board_.statistics().requests().refuse(client, executor_.now());
+  return LookQuota::refusal(client);
+}
+
+Result<Datum> BoardServer::perform(wire::SessionId id, Session& session, const Datum& body, std::size_t& examined) {
+  if (body.is_form("transact")) return transact(session, body, examined);
+  if (body.is_form("ask")) return ask(session, body, examined);
+  if (body.is_form("take")) return take(session, body, examined);
   if (body.is_form("declare")) return declare(session, body);
-  if (body.is_form("watch")) return watch(id, session, body);
+  if (body.is_form("watch")) return watch(id, session, body, examined);
   return lease(session, body);
 }
 
@@ -175,14 +190,14 @@ Result<Datum> BoardServer::declare(const Session& session, const Datum& body) {
   return nothing_or(board_.declare(session.teller, relations));
 }
 
-Result<Datum> BoardServer::transact(const Session& session, const Datum& body) {
+Result<Datum> BoardServer::transact(const Session& session, const Datum& body, std::size_t& examined) {
   const Result<Transaction> transaction = wire::transaction_from_datum(body);
   if (!transaction) return fail(transaction);
-  const Result<std::size_t> examined = gate_.transact(key_of(session), *transaction);
-  if (!examined) return fail(examined);
+  const Result<void> permitted = gate_.transact(key_of(session), *transaction, examined);
+  if (!permitted) return fail(permitted);
   const Result<void> room = durability_.check_room(board_.store(), body, *transaction);
   if (!room) return fail(room);
-  const Result<Revision> revision = board_.transact(session.teller, *transaction, *examined);
+  const Result<Revision> revision = board_.transact(session.teller, *transaction, examined);
   if (!revision) return fail(revision);
   return to_datum(*revision);
 }
@@ -196,10 +211,14 @@ Result<Query> BoardServer::permitted_query(const Session& session, const Datum& 
   return query;
 }
 
-Result<Datum> BoardServer::ask(const Session& session, const Datum& body) {
+Result<Datum> BoardServer::ask(const Session& session, const Datum& body, std::size_t& examined) {
   const Result<Query> query = permitted_query(session, body);
   if (!query) return fail(query);
-  return answers_to_datum(board_.ask(*query));
+  const Result<Answers> answers = board_.ask(*query, examined);
+  // To say them takes as long as to look at some more facts that are none.
+  constexpr std::size_t looks_an_answer = 8;
+  if (answers) examined += looks_an_answer * answers->answers.size();
+  return answers_to_datum(answers);
 }
 
 void BoardServer::ask_past(wire::SessionId id, const Session& session, wire::RequestId number, const Datum& body) {
@@ -217,18 +236,18 @@ void BoardServer::ask_past(wire::SessionId id, const Session& session, wire::Req
   past_->ask(client_of(session), std::move(*query), reply);
 }
 
-Result<Datum> BoardServer::take(const Session& session, const Datum& body) {
+Result<Datum> BoardServer::take(const Session& session, const Datum& body, std::size_t& examined) {
   const std::optional<std::uint64_t> holder = wire::count_at(body, 2);
   if (!holder || body.size() != 3) return bad_frame("taking is (take PATTERN LEASE)");
   const Result<void> permitted = gate_.take(key_of(session), body[1], *holder);
   if (!permitted) return fail(permitted);
-  const Result<std::optional<Fact>> taken = board_.take(session.teller, body[1], *holder);
+  const Result<std::optional<Fact>> taken = board_.take(session.teller, body[1], *holder, examined);
   if (!taken) return fail(taken);
   if (!*taken) return Datum();
   return list(wire::fact_to_datum(**taken));
 }
 
-Result<Datum> BoardServer::watch(wire::SessionId id, Session& session, const Datum& body) {
+Result<Datum> BoardServer::watch(wire::SessionId id, Session& session, const Datum& body, std::size_t& examined) {
   const std::optional<std::uint64_t> number = wire::count_at(body, 1);
   const bool held = body.size() == 4 && body[3].is_symbol("held");
   const bool kept = held || (body.size() == 4 && body[3].is_symbol("kept"));
@@ -245,7 +264,7 @@ Result<Datum> BoardServer::watch(wire::SessionId id, Session& session, const Dat
   const Result<void> permitted = gate_.ask(key_of(session), *query);
   if (!permitted) return fail(permitted);
   Result<std::unique_ptr<WatchQueue>> queue = board_.watch(
-      session.teller, *query, [this, id] { schedule_flush(id); }, session.watches.backlog());
+      session.teller, *query, [this, id] { schedule_flush(id); }, session.watches.backlog(), examined);
   if (!queue) return fail(queue);
   session.watches.add(*number, body[2], kept, std::move(*queue));
   session.holds = session.holds || held;

@@ -61,18 +61,17 @@ Result<void> Gate::declare(Key key, const std::vector<Relation>& relations) cons
   return {};
 }
 
-Result<std::size_t> Gate::transact(Key key, const Transaction& transaction) const {
-  std::size_t examined = 0;
-  if (key == nullptr) return examined;
+Result<void> Gate::transact(Key key, const Transaction& transaction, std::size_t& examined) const {
+  if (key == nullptr) return {};
   for (const Transaction::Precondition& precondition : transaction.preconditions) {
     const Result<void> checked = check(*key, precondition);
-    if (!checked) return fail(checked);
+    if (!checked) return checked;
   }
   for (const Transaction::Step& step : transaction.steps) {
     const Result<void> checked = check(*key, step, examined);
-    if (!checked) return fail(checked);
+    if (!checked) return checked;
   }
-  return examined;
+  return {};
 }
 
 // Whether a transaction happened says something of what its preconditions name.

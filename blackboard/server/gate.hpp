@@ -26,8 +26,9 @@ class Gate {
   // It may tell, take or read its facts: who may not is told nothing of how a relation is declared. Failure too-large
   // where too many are called alike.
   Result<void> declare(Key key, const std::vector<Relation>& relations) const;
-  // Answers how many facts it looked at, for whose they are: they count as the transaction's own. Failure too-costly.
-  Result<std::size_t> transact(Key key, const Transaction& transaction) const;
+  // Adds to `examined` how many facts it looked at, for whose they are: they count as the transaction's own. Failure
+  // too-costly.
+  Result<void> transact(Key key, const Transaction& transaction, std::size_t& examined) const;
   Result<void> ask(Key key, const Query& query) const;
   Result<void> take(Key key, const Datum& pattern, LeaseId holder) const;
   Result<void> use_lease(Key key, LeaseId lease) const;

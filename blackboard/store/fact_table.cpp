@@ -5,6 +5,7 @@
 
 #include "blackboard/limits.hpp"
 #include "blackboard/store/compare_values.hpp"
+#include "blackboard/store/indexing.hpp"
 #include "lisp/effort.hpp"
 #include "lisp/keyed_hash.hpp"
 #include "lisp/pattern.hpp"
@@ -152,8 +153,9 @@ const FactTable::Bucket* FactTable::bucket_for(const Datum& pattern) const {
 const FactTable::Index* FactTable::index_for(Mask bound, Mask& used) const {
   used = bound;
   if (const auto exact = indexes_.find(bound); exact != indexes_.end()) return &exact->second;
-  if (indexes_.size() < max_indexes) {
+  if (indexes_.size() < max_indexes && Indexing::may_make()) {
     const UncountedEffort for_all_to_come;
+    Indexing::made(size());
     Index& index = indexes_[bound];
     for (const StandingFact& standing : facts()) {
       Bucket& bucket = index[arguments_in(bound, standing.fact.datum)];
@@ -176,8 +178,9 @@ const OrderedIndex* FactTable::ordered_index_for(std::size_t argument) const {
   if (facts_.size() <= small_enough_to_look_through) return nullptr;
   const auto made = ordered_.find(argument);
   if (made != ordered_.end()) return &made->second;
-  if (ordered_.size() >= max_ordered_indexes) return nullptr;
+  if (ordered_.size() >= max_ordered_indexes || !Indexing::may_make()) return nullptr;
   const UncountedEffort for_all_to_come;
+  Indexing::made(size());
   const ByArgument before{argument};
   // Their values beside them, for each is compared often and lies elsewhere; those with the same stay in their order.
   std::vector<std::pair<Datum, const StandingFact*>> sorted;

@@ -80,7 +80,7 @@ Result<void> Store::check_precondition(const Transaction::Precondition& precondi
 // What was seen of a transaction before its next step.
 struct Store::Checked {
   const std::string& teller;
-  std::size_t examined;
+  std::size_t& examined;
   const FactTable* table = nullptr;  // that the last step was about, as most of those after it are
   std::set<FactId> settled = {};
   OwnTells own = {};
@@ -113,7 +113,7 @@ Result<void> Store::check_step(const Transaction::Step& step, Checked& before) {
   return {};
 }
 
-Result<void> Store::check(const std::string& teller, const Transaction& transaction, std::size_t examined) {
+Result<void> Store::check(const std::string& teller, const Transaction& transaction, std::size_t& examined) {
   if (transaction.steps.size() + transaction.preconditions.size() > limits::steps) {
     return fail("too-large", "a transaction has at most 10000 steps and preconditions");
   }
@@ -136,7 +136,7 @@ Result<void> Store::check(const std::string& teller, const Transaction& transact
 }
 
 Result<Revision> Store::transact(const std::string& teller, const Transaction& transaction, Time now,
-                                 std::size_t examined) {
+                                 std::size_t& examined) {
   const Result<void> checked = check(teller, transaction, examined);
   if (!checked) return fail(checked);
   Change change(*this, teller, now);
@@ -149,16 +149,17 @@ Result<Revision> Store::transact(const std::string& teller, const Transaction& t
   return change.finish();
 }
 
-Result<Answers> Store::ask(const Query& query) const {
+Result<Answers> Store::ask(const Query& query, std::size_t& examined) const {
   if (query.at) return fail("no-history", "this board keeps no journal that could say what was");
   const Result<void> checked = check_query_on(query, tables_);
   if (!checked) return fail(checked);
-  Result<std::vector<Answer>> answers = evaluate(query, tables_);
+  Result<std::vector<Answer>> answers = evaluate(query, tables_, examined);
   if (!answers) return fail(answers);
   return Answers{revision_, std::move(*answers)};
 }
 
-Result<std::optional<Fact>> Store::take(const std::string& teller, const Datum& pattern, LeaseId holder, Time now) {
+Result<std::optional<Fact>> Store::take(const std::string& teller, const Datum& pattern, LeaseId holder, Time now,
+                                        std::size_t& examined) {
   const Result<void> light = check_weight(pizarra::weigh(pattern), "the pattern");
   if (!light) return fail(light);
   const Result<const FactTable*> table = table_for(pattern, tables_);
@@ -166,7 +167,6 @@ Result<std::optional<Fact>> Store::take(const std::string& teller, const Datum& 
   const Result<void> allowed = check_teller(teller, (*table)->relation());
   if (!allowed) return fail(allowed);
   if (holder != 0 && leases_.find(holder) == nullptr) return unknown_lease(holder);
-  std::size_t examined = 0;
   const Fact* fact = first_fit(**table, pattern, examined);
   const Result<void> cheap = check_examined(examined, pattern);
   if (!cheap) return fail(cheap);

@@ -31,12 +31,25 @@ class Store {
 
   // Answers those that are new.
   Result<std::vector<Relation>> declare(const std::vector<Relation>& relations);
-  // `examined` facts were looked at for it already.
-  Result<Revision> transact(const std::string& teller, const Transaction& transaction, Time now,
-                            std::size_t examined = 0);
-  Result<Answers> ask(const Query& query) const;
+  // These add to `examined` how many facts they looked at, and fail beyond limits::examined.
+  Result<Revision> transact(const std::string& teller, const Transaction& transaction, Time now, std::size_t& examined);
+  Result<Answers> ask(const Query& query, std::size_t& examined) const;
   // With holder 0 the fact is removed for good.
-  Result<std::optional<Fact>> take(const std::string& teller, const Datum& pattern, LeaseId holder, Time now);
+  Result<std::optional<Fact>> take(const std::string& teller, const Datum& pattern, LeaseId holder, Time now,
+                                   std::size_t& examined);
+  // The same for who does not want to know.
+  Result<Revision> transact(const std::string& teller, const Transaction& transaction, Time now) {
+    std::size_t examined = 0;
+    return transact(teller, transaction, now, examined);
+  }
+  Result<Answers> ask(const Query& query) const {
+    std::size_t examined = 0;
+    return ask(query, examined);
+  }
+  Result<std::optional<Fact>> take(const std::string& teller, const Datum& pattern, LeaseId holder, Time now) {
+    std::size_t examined = 0;
+    return take(teller, pattern, holder, now, examined);
+  }
 
   Result<LeaseId> lease(Duration length, Time now);
   Result<void> renew(LeaseId lease, Time now);
@@ -83,7 +96,7 @@ class Store {
   StandingFact remove(StandingFact& standing, Revision revision);
   void hold(Held held);
   Held let_go(FactId taken);
-  Result<void> check(const std::string& teller, const Transaction& transaction, std::size_t examined);
+  Result<void> check(const std::string& teller, const Transaction& transaction, std::size_t& examined);
   Result<void> check_precondition(const Transaction::Precondition& precondition, std::size_t& examined) const;
   Result<void> check_step(const Transaction::Step& step, Checked& before);
   void lapse(LeaseId lease, Time now);

@@ -70,8 +70,8 @@ WatchQueue::~WatchQueue() {
 
 // What holds now is the first change, if it fits one message and is found at once; more than that waits until it is
 // read.
-Result<void> WatchQueue::begin() {
-  std::size_t examined = 0;
+Result<void> WatchQueue::begin(std::size_t& examined) {
+  if (examined >= limits::examined_a_turn) return {};
   if (only_pattern_ != nullptr) {
     std::optional<Delta> first = next_part(examined);
     if (first && first->kind == Delta::Kind::all) {

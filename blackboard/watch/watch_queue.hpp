@@ -62,7 +62,7 @@ class WatchQueue {
   friend class WatchTable;
   enum class State : std::uint8_t { lagging, sending, following };
 
-  Result<void> begin();
+  Result<void> begin(std::size_t& examined);
   void committed(const Commit& commit, CommitLooks& looks);
   void committed_by_joins(const Commit& commit, CommitLooks& looks);
   void committed_by_facts(const Commit& commit);

@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "blackboard/limits.hpp"
+#include "blackboard/store/indexing.hpp"
 #include "blackboard/store/query_tables.hpp"
 #include "blackboard/watch/join_guards.hpp"
 
@@ -20,13 +21,14 @@ std::size_t guards_among(const std::vector<WatchedPattern>& patterns) {
 WatchTable::~WatchTable() { assert(size_ == 0); }
 
 Result<std::unique_ptr<WatchQueue>> WatchTable::add(const Query& query, std::function<void()> on_ready,
-                                                    std::string watcher, std::shared_ptr<Backlog> backlog) {
+                                                    std::string watcher, std::shared_ptr<Backlog> backlog,
+                                                    std::size_t& examined) {
   if (query.at) return fail("bad-query", "what was cannot be watched, only asked", query_to_datum(query));
   if (size_ >= limits::watches) return fail("too-large", "the board has too many watches");
   const Result<void> checked = check_query_on(query, store_.tables());
   if (!checked) return fail(checked);
   auto queue = std::make_unique<WatchQueue>(*this, store_, query, std::move(backlog));
-  const Result<void> begun = queue->begin();
+  const Result<void> begun = queue->begin(examined);
   if (!begun) return fail(begun);
   queue->on_ready_ = std::move(on_ready);
   queue->watcher_ = std::move(watcher);
@@ -52,7 +54,9 @@ void WatchTable::forget(const WatchQueue& watch) {
   for (const WatchedPattern& pattern : watch.patterns_) patterns_.find(pattern.pattern.head())->second.remove(pattern);
 }
 
+// What watches need is not of the doing of who commits.
 void WatchTable::committed(const Commit& commit) {
+  const Indexing for_watchers(Indexing::May::make);
   if (guards_ != 0) tell_guarded(commit);
   std::vector<WatchQueue*> touched = touched_by(commit);
   std::ranges::sort(touched, {}, &WatchQueue::number_);

@@ -26,9 +26,15 @@ class WatchTable {
   WatchTable& operator=(const WatchTable&) = delete;
   ~WatchTable();
 
-  // The first change is queued; `on_ready` is called whenever the queue becomes ready after having been empty.
+  // The first change is queued, unless it takes long or `examined` is limits::examined_a_turn before; to that is added
+  // how many facts were looked at. `on_ready` is called whenever the queue becomes ready after having been empty.
+  Result<std::unique_ptr<WatchQueue>> add(const Query& query, std::function<void()> on_ready, std::string watcher,
+                                          std::shared_ptr<Backlog> backlog, std::size_t& examined);
   Result<std::unique_ptr<WatchQueue>> add(const Query& query, std::function<void()> on_ready, std::string watcher = "",
-                                          std::shared_ptr<Backlog> backlog = std::make_shared<Backlog>());
+                                          std::shared_ptr<Backlog> backlog = std::make_shared<Backlog>()) {
+    std::size_t examined = 0;
+    return add(query, std::move(on_ready), std::move(watcher), std::move(backlog), examined);
+  }
   void committed(const Commit& commit);
   std::size_t size() const { return size_; }
   // How many patterns of whose watches are about a relation.

@@ -1,0 +1,161 @@
+// What a client that has the board look at much gets, and that nobody else waits for it.
+
+#include <algorithm>
+
+#include "blackboard/limits.hpp"
+#include "tests/blackboard/server_fixture.hpp"
+
+namespace pizarra {
+namespace {
+
+class ServerEffort : public ServerTest {
+ protected:
+  static constexpr int facts = 120'000;
+
+  ServerEffort() {
+    constexpr int a_transaction = 5000;
+    for (int n = 0; n < facts; n += a_transaction) {
+      Transaction some;
+      for (int i = n; i < n + a_transaction; ++i) some.tell(list("note"_sym, i, i % 7));
+      EXPECT_TRUE(board.transact("test", some).has_value());
+    }
+  }
+  static std::string request(const std::string& session, int number, const std::string& body) {
+    return "(request " + session + " " + std::to_string(number) + " " + body + ")";
+  }
+  // Makes an index, which takes a third of a second to pay for.
+  static constexpr const char* owing = "(ask (note ?n (f 1)))";
+  // Every fact is looked at, and none fits.
+  static constexpr const char* costly = "(ask (and (note ?n ?what) (/= ?what ?what)))";
+  static std::string symbol_of(const Datum& reply) {
+    if (!reply.is_form("reply")) return write(reply);
+    return reply[2].is_form("ok") ? "ok" : std::string(reply[2][1].text());
+  }
+};
+
+TEST_F(ServerEffort, ManyConnectionsOfOneClientThatAskCostlyQuestionsDelayNobody) {
+  constexpr int connections = 24;
+  constexpr int questions = 2;  // of each
+  std::vector<std::unique_ptr<Client>> greedy;
+  std::vector<std::string> sessions;
+  for (int i = 0; i < connections; ++i) {
+    greedy.push_back(std::make_unique<Client>(executor, server->addresses().front()));
+    sessions.push_back(greedy.back()->join("greedy"));
+  }
+  Client polite = client();
+  const std::string own = polite.join("polite");
+  const Datum lease = polite.ask(request(own, 1, "(lease 2000000)"))[2][1];
+  for (int n = 1; n <= questions; ++n) {
+    for (std::size_t i = 0; i < greedy.size(); ++i) greedy[i]->send(request(sessions[i], n, costly));
+  }
+  pass(executor, 1ms);
+  EXPECT_EQ(symbol_of(polite.ask(request(own, 2, "(renew " + write(lease) + ")"))), "ok");
+  std::map<std::string, int> before;
+  const auto hear = [&](Duration patience) {
+    for (const auto& each : greedy) {
+      for (Datum reply = each->receive(patience); reply != Datum(); reply = each->receive(patience)) {
+        ++before[symbol_of(reply)];
+      }
+    }
+  };
+  hear(50ms);
+  EXPECT_GE(before["ok"], 1);
+  EXPECT_LE(before["ok"], connections * questions / 2);
+  EXPECT_EQ(before["ok"] + before["too-many"], connections * questions);
+  EXPECT_EQ(refusals("greedy"), std::vector<Datum>{list("too-many"_sym, before["too-many"])});
+  EXPECT_TRUE(refusals("polite").empty());
+  EXPECT_EQ(symbol_of(polite.ask(request(own, 3, costly))), "ok") << "what others owe is not its own";
+}
+
+TEST_F(ServerEffort, WhoAsksACostlyQuestionNowAndThenIsServed) {
+  Client lone = client();
+  const std::string own = lone.join("lone");
+  for (int n = 1; n <= 6; ++n) {
+    EXPECT_EQ(symbol_of(lone.ask(request(own, n, costly))), "ok");
+    pass(executor, 150ms);
+  }
+  EXPECT_TRUE(refusals("lone").empty());
+}
+
+// Costly retractions, conditions and takings are no other.
+TEST_F(ServerEffort, WhoOwesIsRefusedWhatIsCostlyAloneAndServedWhatIsNot) {
+  Client greedy = client();
+  const std::string own = greedy.join("greedy");
+  int number = 0;
+  const auto ask = [&](const std::string& body) { return symbol_of(greedy.ask(request(own, ++number, body))); };
+  EXPECT_EQ(ask(owing), "ok");
+  for (const std::string body : {"(transact () ((retract (note ? (f ?x)))))", "(transact ((absent (note ? (f ?x)))) ())",
+                                 "(take (note ? (f ?x)) 0)", "(ask (note ?n 3))"}) {
+    EXPECT_EQ(ask(body), "too-many") << body;
+  }
+  EXPECT_EQ(ask("(lease 2000000)"), "ok");
+  EXPECT_EQ(ask("(ask (note 17 ?what))"), "ok");
+  EXPECT_EQ(ask("(transact ((present (note 17 ?))) ((tell (note 17 x) 0) (retract (note 18 ?))))"), "ok");
+  EXPECT_EQ(ask("(take (note 19 ?) 0)"), "ok");
+  const Result<Answers> clients = board.ask(query("(client-stats \"greedy\" ? ?refused ?)"));
+  EXPECT_GE(clients->answers.front().bindings.find("?refused")->integer(), 4);
+  pass(executor, 600ms);
+  EXPECT_EQ(ask(costly), "ok") << "it is paid by time";
+}
+
+// It begins, and what holds comes when that is paid for.
+TEST_F(ServerEffort, AWatchOfWhoOwesWaits) {
+  Client greedy = client();
+  const std::string own = greedy.join("greedy");
+  EXPECT_EQ(symbol_of(greedy.ask(request(own, 1, owing))), "ok");
+  const std::string nothing = "(and (note ?n ?what) (note ?n ?other) (/= ?what ?other) (< ?n 100))";
+  EXPECT_EQ(symbol_of(greedy.ask(request(own, 2, "(watch 1 " + nothing + ")"))), "ok");
+  EXPECT_EQ(greedy.receive(5ms), Datum());
+  EXPECT_TRUE(greedy.receive().is_form("change"));
+}
+
+TEST_F(ServerEffort, AnIndexIsChargedToWhoHadItMade) {
+  Client greedy = client();
+  const std::string own = greedy.join("greedy");
+  EXPECT_EQ(symbol_of(greedy.ask(request(own, 1, owing))), "ok");
+  EXPECT_EQ(symbol_of(greedy.ask(request(own, 2, costly))), "too-many");
+  EXPECT_EQ(symbol_of(greedy.ask(request(own, 3, owing))), "ok") << "what is made finds it";
+  Client other = client();
+  EXPECT_EQ(symbol_of(other.ask(request(other.join("other"), 1, costly))), "ok");
+}
+
+TEST(LookQuota, WhoOwesIsSpentUntilItIsPaidAndSharesTheTimeWithOthersThatOwe) {
+  LookQuota quota;
+  const Time begun(3600s);
+  constexpr std::size_t a_second = 1000 * LookQuota::paid_a_millisecond;
+  quota.looked("much", 2 * a_second, begun);
+  quota.looked("less", a_second, begun);
+  EXPECT_TRUE(quota.is_spent("much", begun));
+  EXPECT_TRUE(quota.is_spent("less", begun));
+  EXPECT_FALSE(quota.is_spent("other", begun));
+  EXPECT_EQ(quota.before("other", begun), 0U);
+  EXPECT_EQ(quota.before("less", begun), limits::examined - LookQuota::uncounted);
+  EXPECT_TRUE(quota.is_spent("less", begun + 1800ms));
+  EXPECT_FALSE(quota.is_spent("less", begun + 2s));
+  EXPECT_TRUE(quota.is_spent("much", begun + 2900ms));
+  EXPECT_FALSE(quota.is_spent("much", begun + 3s));
+  quota.looked("much", LookQuota::most_owed, begun + 3s);
+  EXPECT_FALSE(quota.is_spent("much", begun + 4s));
+}
+
+TEST(LookQuota, TheTimeThatCostlyLookingTakesPaysForNothing) {
+  LookQuota quota;
+  const Time begun(3600s);
+  quota.looked("slow", LookQuota::most_owed, begun);
+  EXPECT_TRUE(quota.is_spent("slow", begun));
+  quota.looked("other", LookQuota::most_owed, begun + 10s);
+  EXPECT_TRUE(quota.is_spent("slow", begun + 10s));
+}
+
+TEST(LookQuota, ManyWhoOweLeaveNothingToOneMore) {
+  LookQuota quota;
+  const Time begun(3600s);
+  for (int i = 0; i < 3; ++i) quota.looked(std::to_string(i), 40 * LookQuota::most_owed, begun);
+  EXPECT_FALSE(quota.is_spent("one more", begun));
+  quota.looked("3", LookQuota::most_owed, begun);
+  EXPECT_TRUE(quota.is_spent("one more", begun));
+  EXPECT_FALSE(quota.is_spent("one more", begun + 100ms));
+}
+
+}  // namespace
+}  // namespace pizarra
