@@ -129,7 +129,8 @@ Failure VisionAgent::State::not_found(StereoSight& sight, const LearnedObject& o
     return {"ambiguous", "its tag is there more than once", to_datum(object.name), {}};
   }
   std::string_view why = "no mark in the image is like it";
-  for (const SeenMark& mark : sight.left_segmentation().marks()) {
+  ImageSegmentation& segmentation = sight.left_segmentation();
+  for (const SeenMark& mark : segmentation.marks()) {
     const Likeness likely = likeness(mark, objects, object);
     if (likely.error > recognition_threshold) continue;
     if (likely.doubt > 1) why = "a mark is like it, but has another outline";
@@ -139,7 +140,13 @@ Failure VisionAgent::State::not_found(StereoSight& sight, const LearnedObject& o
             to_datum(object.name),
             {}};
   }
-  return {"not-seen", std::string(why), to_datum(object.name), {}};
+  const bool all_seen = object.tag() != nullptr || segmentation.left_out() == 0;
+  if (all_seen) return {"not-seen", std::string(why), to_datum(object.name), {}};
+  return {"crowded",
+          fmt::format("{}; only the {} largest were looked at, and {} smaller regions were not", why,
+                      segmentation.marks().size(), segmentation.left_out()),
+          to_datum(object.name),
+          {}};
 }
 
 // (found NAME FRAME CONFIDENCE SECOND MARGIN ((X Y) ...) PLACES)

@@ -1,6 +1,7 @@
 #include "agents/vision/marks/segmentation.hpp"
 
-#include <cassert>
+#include <algorithm>
+#include <functional>
 
 #include "agents/vision/image/regions.hpp"
 
@@ -33,25 +34,39 @@ cv::Mat1b ImageSegmentation::mask(MarkTone tone) const {
   return out;
 }
 
-const std::vector<SeenMark>& ImageSegmentation::marks() {
-  if (!collected_) {
-    collected_ = true;
-    collect(MarkTone::dark);
-    collect(MarkTone::light);
+struct ImageSegmentation::Candidate {
+  Region region;
+  MarkTone tone;
+};
+
+// Of more than can be marks the largest come first: specks are small.
+std::vector<ImageSegmentation::Candidate> ImageSegmentation::candidates() const {
+  std::vector<Candidate> out;
+  for (const MarkTone tone : {MarkTone::dark, MarkTone::light}) {
+    for (const Region& region : regions_of(bits(tone))) {
+      if (has_the_size_of_a_mark(region, image().size())) out.push_back({region, tone});
+    }
   }
-  return marks_;
+  const auto area = [](const Candidate& candidate) { return candidate.region.area_px; };
+  if (out.size() > most_marks) std::ranges::stable_sort(out, std::ranges::greater(), area);
+  return out;
 }
 
-void ImageSegmentation::collect(MarkTone tone) {
+const std::vector<SeenMark>& ImageSegmentation::marks() {
+  if (collected_) return marks_;
+  collected_ = true;
   const std::size_t longest = longest_contour_px(image().size());
-  for (const Region& region : regions_of(bits(tone))) {
-    if (marks_.size() >= most_marks) return;
-    if (!has_the_size_of_a_mark(region, image().size())) continue;
+  const std::vector<Candidate> all = candidates();
+  std::size_t looked_at = 0;
+  for (; looked_at < all.size() && marks_.size() < most_marks; ++looked_at) {
+    const auto& [region, tone] = all[looked_at];
     std::optional<MarkContour> contour = follow_contour(bits(tone), region.start, longest);
     if (!contour || contour->size() < 4) continue;
     std::optional<SeenMark> mark = measure_mark(cut_, std::move(*contour), tone);
     if (mark) marks_.push_back(std::move(*mark));
   }
+  left_out_ = all.size() - looked_at;
+  return marks_;
 }
 
 }  // namespace pizarra

@@ -32,15 +32,20 @@ class ImageSegmentation {
   const BitImage& bits(MarkTone tone) const { return tone == MarkTone::dark ? split_.dark : split_.light; }
   // 255 where the image has that tone.
   cv::Mat1b mask(MarkTone tone) const;
-  // Every closed region that measures as a mark, dark ones first; at most most_marks. Computed once.
+  // Every closed region that measures as a mark, dark ones first; where there may be more than most_marks the largest,
+  // these first, of either tone. Computed once.
   const std::vector<SeenMark>& marks();
+  // How many smaller regions were not looked at, as there were most_marks already; after marks().
+  std::size_t left_out() const { return left_out_; }
 
  private:
-  void collect(MarkTone tone);
+  struct Candidate;
+  std::vector<Candidate> candidates() const;
   ImageCut cut_;
   ToneSplit split_;
   bool collected_ = false;
   std::vector<SeenMark> marks_;
+  std::size_t left_out_ = 0;
 };
 
 }  // namespace pizarra

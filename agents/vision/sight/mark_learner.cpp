@@ -198,17 +198,20 @@ Result<void> MarkLearner::measure(StereoSight& sight) {
     return done() ? check_measured() : Result<void>{};
   }
   const SeenMark* seen = nullptr;
-  for (const SeenMark& mark : sight.left_segmentation().marks()) {
+  ImageSegmentation& segmentation = sight.left_segmentation();
+  for (const SeenMark& mark : segmentation.marks()) {
     if (mark.tone == first_->tone && cv::norm(mark.centre - first_->centre) < most_motion_px) seen = &mark;
   }
   if (seen != nullptr) {
     contour_ = seen->contour;
     const std::optional<MarkPortrait> portrait =
-        portray_mark(sight.left_segmentation().image(), seen->contour, seen->tone);
+        portray_mark(segmentation.image(), seen->contour, seen->tone);
     measured_.push_back(*seen);
     portraits_.push_back(portrait.value());
     const std::optional<double> size = size_mm(sight, *seen);
     if (size) sizes_mm_.push_back(*size);
+  } else if (segmentation.left_out() > 0) {
+    crowded_ = true;
   }
   return done() ? check_measured() : Result<void>{};
 }
@@ -228,6 +231,12 @@ void MarkLearner::measure_tag(StereoSight& sight) {
 
 Result<void> MarkLearner::check_measured() const {
   const Datum where = list(click_.x, click_.y);
+  if (measured_.size() < least_measured && crowded_) {
+    return fail("crowded",
+                fmt::format("the mark is none of the {} largest in the image, and smaller ones are not looked at",
+                            most_marks),
+                where);
+  }
   if (measured_.size() < least_measured) {
     return fail("moved", "the mark moved, or its contour did not stay closed, while it was learned", where);
   }

@@ -22,7 +22,7 @@ class MarkLearner {
   MarkLearner(std::string name, cv::Point2d click, const LearnedObjects& objects)
       : name_(std::move(name)), click_(click), objects_(objects) {}
 
-  // Failures: outside, background, open-contour, border, too-small, moved, ambiguous, other-kind, wrong-size.
+  // Failures: outside, background, open-contour, border, too-small, moved, crowded, ambiguous, other-kind, wrong-size.
   Result<void> feed(StereoSight& sight);
   bool done() const { return filled_frames_ == frames_per_step && contour_frames_ == frames_per_step; }
   // After done().
@@ -57,6 +57,7 @@ class MarkLearner {
   std::vector<MarkPortrait> portraits_;  // of the same
   std::vector<double> sizes_mm_;
   bool size_guessed_ = false;
+  bool crowded_ = false;  // in a frame in which it was not measured, more regions were there than are looked at
 };
 
 }  // namespace pizarra

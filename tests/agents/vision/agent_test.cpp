@@ -43,6 +43,18 @@ TEST_F(Vision, TellsTheReasonOfAFailureAsASymbolAndASentence) {
       0U);
 }
 
+TEST_F(Vision, SaysThatMoreIsInTheImageThanIsLookedAt) {
+  EXPECT_EQ(call(learn_request(0, "circle")), R"x((LEARN "circle" OK))x");
+  camera.scene.faces.clear();
+  for (int i = 0; i < 140; ++i) {
+    camera.scene.blots.push_back({.box = {20.0 + i % 14 * 20, 20.0 + i / 14 * 20, 10, 10}, .level = 20});
+  }
+  EXPECT_EQ(call("(find \"circle\")"), R"x((FIND "circle" FAIL))x");
+  EXPECT_NE(facts("(vision-failed vision ? ? crowded ?)").find("only the 128 largest were looked at, and 12 smaller"),
+            std::string::npos)
+      << facts("(vision-failed vision ? ? ? ?)");
+}
+
 TEST_F(Vision, ALearnedSampleMayBeRejectedUntilItIsAccepted) {
   EXPECT_EQ(call(learn_request(0, "circle")), R"x((LEARN "circle" OK))x");
   EXPECT_EQ(facts("(to-accept vision ? ?)"), "(to-accept vision \"circle\" 1)");
