@@ -13,6 +13,8 @@ namespace {
 
 // Few boards near the corners say little about what k3 does there.
 constexpr int lens_flags = cv::CALIB_FIX_K3;
+// Of the image's width: no blur leaves corners so far off, but images that do not belong together do.
+constexpr double most_error = 0.005;
 
 std::vector<cv::Point2f> find_corners(const cv::Mat& image, const CalibrationBoard& board) {
   cv::Mat grey = image;
@@ -49,6 +51,8 @@ std::vector<cv::Point3f> corners_of(const CalibrationBoard& board) {
 struct Lens {
   cv::Matx33d camera = cv::Matx33d::eye();
   cv::Mat distortion;
+  double error_px = 0;  // RMS
+  std::vector<double> view_errors_px;
 };
 
 LensModel model_of(const Lens& lens) {
@@ -57,31 +61,82 @@ LensModel model_of(const Lens& lens) {
   return out;
 }
 
-Result<CalibratedPair> calibrate_single(const std::vector<BoardView>& views, cv::Size image,
-                                        const CalibrationBoard& board) {
-  const std::vector<std::vector<cv::Point3f>> boards(views.size(), corners_of(board));
-  std::vector<std::vector<cv::Point2f>> corners;
-  for (const BoardView& view : views) corners.push_back(view.left);
-  Lens lens;
+using Corners = std::vector<std::vector<cv::Point2f>>;  // of each view
+using Boards = std::vector<std::vector<cv::Point3f>>;
+
+// Whether what was found for `what` can be right.
+Result<void> check_errors(std::string_view what, double error_px, const std::vector<double>& view_errors_px,
+                          cv::Size image, std::string_view cause) {
+  if (!std::isfinite(error_px)) return fail("no-solution", fmt::format("no {} sees the boards like that", what));
+  const double most_px = most_error * image.width;
+  if (error_px <= most_px) return {};
+  const auto worst = std::ranges::max_element(view_errors_px);
+  return fail("misfit",
+              fmt::format("no {} sees the boards like that: the nearest leaves a reprojection error of {:.1f} px, where "
+                          "{:.1f} is too much already; of the boards found, number {} is farthest off, {:.1f} px. {}",
+                          what, error_px, most_px, worst - view_errors_px.begin() + 1, *worst, cause));
+}
+
+Result<Lens> calibrate_lens(std::string_view what, const Boards& boards, const Corners& corners, cv::Size image) {
+  Lens out;
   std::vector<cv::Mat> unused;
-  std::vector<double> view_errors;
-  double error = 0;
   try {
-    error = cv::calibrateCamera(boards, corners, image, lens.camera, lens.distortion, unused, unused, cv::noArray(),
-                                cv::noArray(), view_errors, lens_flags);
+    out.error_px = cv::calibrateCamera(boards, corners, image, out.camera, out.distortion, unused, unused,
+                                       cv::noArray(), cv::noArray(), out.view_errors_px, lens_flags);
   } catch (const cv::Exception&) {
-    error = NAN;
+    out.error_px = NAN;
   }
-  if (!std::isfinite(error)) return fail("no-solution", "no camera sees the boards like that");
+  const Result<void> checked =
+      check_errors(what, out.error_px, out.view_errors_px, image,
+                   "Are all images of one camera at one zoom, and is the board flat and whole in each?");
+  if (!checked) return fail(checked);
+  return out;
+}
+
+Result<CalibratedPair> calibrate_single(const Boards& boards, const Corners& corners, cv::Size image,
+                                        const CalibrationBoard& board) {
+  Result<Lens> lens = calibrate_lens("camera", boards, corners, image);
+  if (!lens) return fail(lens);
   CalibratedPair out;
   out.calibration = {.width = image.width,
                      .height = image.height,
-                     .left = model_of(lens),
+                     .left = model_of(*lens),
                      .right = {},
                      .board = board,
-                     .pairs = static_cast<int>(views.size()),
-                     .reprojection_px = error};
-  out.view_errors_px = std::move(view_errors);
+                     .pairs = static_cast<int>(boards.size()),
+                     .reprojection_px = lens->error_px};
+  out.view_errors_px = std::move(lens->view_errors_px);
+  return out;
+}
+
+// Where the right camera is, seen from the left one; the lenses become what suits both.
+struct Arrangement {
+  cv::Mat rotation;
+  cv::Mat translation;
+  double error_px = 0;  // RMS
+  std::vector<double> view_errors_px;
+};
+
+Result<Arrangement> arrange(const Boards& boards, const Corners& left, const Corners& right, cv::Size image,
+                            Lens& left_lens, Lens& right_lens) {
+  Arrangement out;
+  cv::Mat unused;
+  cv::Mat errors;
+  try {
+    out.error_px = cv::stereoCalibrate(boards, left, right, left_lens.camera, left_lens.distortion, right_lens.camera,
+                                       right_lens.distortion, image, out.rotation, out.translation, unused, unused,
+                                       errors, lens_flags | cv::CALIB_USE_INTRINSIC_GUESS);
+  } catch (const cv::Exception&) {
+    out.error_px = NAN;
+  }
+  for (int i = 0; i < errors.rows; ++i) {
+    out.view_errors_px.push_back(std::hypot(errors.at<double>(i, 0), errors.at<double>(i, 1)) / std::sqrt(2));
+  }
+  const Result<void> checked =
+      check_errors("pair of cameras", out.error_px, out.view_errors_px, image,
+                   "Do the images of each pair belong together? They are paired in the order of their names, and must be "
+                   "of one moment");
+  if (!checked) return fail(checked);
   return out;
 }
 
@@ -114,49 +169,35 @@ Result<CalibratedPair> calibrate_pair(const std::vector<BoardView>& views, cv::S
                                        "different sides; there are {}",
                                        least_views, single ? "images" : "pairs", views.size()));
   }
-  if (single) return calibrate_single(views, image, board);
-  const std::vector<std::vector<cv::Point3f>> boards(views.size(), corners_of(board));
-  std::vector<std::vector<cv::Point2f>> left;
-  std::vector<std::vector<cv::Point2f>> right;
+  const Boards boards(views.size(), corners_of(board));
+  Corners left;
+  Corners right;
   for (const BoardView& view : views) {
     left.push_back(view.left);
     right.push_back(view.right);
   }
-  Lens lenses[2];
-  cv::Mat rotation;
-  cv::Mat translation;
-  cv::Mat unused;
-  cv::Mat view_errors;
-  double error = 0;
-  try {
-    cv::calibrateCamera(boards, left, image, lenses[0].camera, lenses[0].distortion, cv::noArray(), cv::noArray(),
-                        lens_flags);
-    cv::calibrateCamera(boards, right, image, lenses[1].camera, lenses[1].distortion, cv::noArray(), cv::noArray(),
-                        lens_flags);
-    error = cv::stereoCalibrate(boards, left, right, lenses[0].camera, lenses[0].distortion, lenses[1].camera,
-                                lenses[1].distortion, image, rotation, translation, unused, unused, view_errors,
-                                lens_flags | cv::CALIB_USE_INTRINSIC_GUESS);
-  } catch (const cv::Exception&) {
-    error = NAN;
-  }
-  if (!std::isfinite(error)) return fail("no-solution", "no pair of cameras sees the boards like that");
+  if (single) return calibrate_single(boards, left, image, board);
+  Result<Lens> left_lens = calibrate_lens("left camera", boards, left, image);
+  if (!left_lens) return fail(left_lens);
+  Result<Lens> right_lens = calibrate_lens("right camera", boards, right, image);
+  if (!right_lens) return fail(right_lens);
+  Result<Arrangement> found = arrange(boards, left, right, image, *left_lens, *right_lens);
+  if (!found) return fail(found);
   CalibratedPair out;
   StereoCalibration& calibration = out.calibration;
   calibration = {.width = image.width,
                  .height = image.height,
-                 .left = model_of(lenses[0]),
-                 .right = model_of(lenses[1]),
+                 .left = model_of(*left_lens),
+                 .right = model_of(*right_lens),
                  .board = board,
                  .pairs = static_cast<int>(views.size()),
-                 .reprojection_px = error};
-  std::copy_n(rotation.ptr<double>(), 9, calibration.rotation.begin());
-  std::copy_n(translation.ptr<double>(), 3, calibration.translation_mm.begin());
+                 .reprojection_px = found->error_px};
+  std::copy_n(found->rotation.ptr<double>(), 9, calibration.rotation.begin());
+  std::copy_n(found->translation.ptr<double>(), 3, calibration.translation_mm.begin());
   if (calibration.translation_mm[0] > -1) {
     return fail("swapped", "the right camera stands to the left of the left one: give the images the other way round");
   }
-  for (int i = 0; i < view_errors.rows; ++i) {
-    out.view_errors_px.push_back(std::hypot(view_errors.at<double>(i, 0), view_errors.at<double>(i, 1)) / std::sqrt(2));
-  }
+  out.view_errors_px = std::move(found->view_errors_px);
   calibration.epipolar_px = epipolar_error_px(calibration, views);
   return out;
 }

@@ -8,7 +8,7 @@
 //   Result<CalibratedPair> pair = calibrate_pair(views, left.size(), board);
 //
 // Failures: no-board, saying in which image; too-few; swapped, where the right camera stands left of the left
-// one; no-solution.
+// one; no-solution; misfit, where what was found cannot be right, as the images do not belong together.
 
 #include <opencv2/core.hpp>
 #include <vector>

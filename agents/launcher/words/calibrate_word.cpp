@@ -191,7 +191,7 @@ void add_calibrate_word(CLI::App& app, int& status) {
       ->check(CLI::Range(5, 200))
       ->capture_default_str();
   word->add_flag("--json", choices->json, "One JSON object a line");
-  word->footer(help_footer("calibrate 'left*.jpg' 'right*.jpg' --square 25 --out pair.calibration"));
+  word->footer(help_footer("calibrate 'left[01]*.jpg' 'right[01]*.jpg' --square 25 --out pair.calibration"));
   word->callback([choices, &status] { status = run_calibrate(*choices); });
 }
 

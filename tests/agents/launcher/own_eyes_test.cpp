@@ -183,6 +183,13 @@ TEST_F(OwnPair, IsCalibratedThroughItsOwnCameras) {
   EXPECT_TRUE(contains(said, "\"pairs\":14")) << said.text;
 }
 
+TEST_F(OwnPair, WhoseImagesDoNotBelongTogetherGetsNoFile) {
+  const Said said = run("calibrate 'left1[0-8].png' 'right1[1-9].png' --out shifted.calibration");
+  EXPECT_EQ(said.status, 1);
+  EXPECT_TRUE(contains(said, "Do the images of each pair belong together?")) << said.text;
+  EXPECT_FALSE(std::filesystem::exists(scratch_folder() + "shifted.calibration"));
+}
+
 TEST_F(OwnPair, ThatCannotBeCalibratedIsToldWhy) {
   const Said uneven = run("calibrate 'left*.png' 'right1?.png'");
   EXPECT_EQ(uneven.status, 2);

@@ -175,7 +175,8 @@ TEST(Calibration, TooFewPairsAreRefused) {
   EXPECT_EQ(calibrate_pair(views, scene().size, scene().board).error().symbol, "too-few");
 }
 
-TEST(Calibration, SwappedCamerasAreToldSo) {
+// What each camera sees of the board at all its places, without noise.
+std::vector<BoardView> exact_views() {
   std::vector<cv::Point3d> corners;
   for (int i = 0; i < scene().board.columns * scene().board.rows; ++i) {
     corners.emplace_back(scene().corner(static_cast<std::size_t>(i)));
@@ -187,9 +188,37 @@ TEST(Calibration, SwappedCamerasAreToldSo) {
       cv::projectPoints(corners, from.rvec(), from.translation(), camera, scene().distortion, points);
       return std::vector<cv::Point2f>(points.begin(), points.end());
     };
-    views.push_back({seen(scene().between * pose, scene().right), seen(pose, scene().left)});
+    views.push_back({seen(pose, scene().left), seen(scene().between * pose, scene().right)});
   }
+  return views;
+}
+
+TEST(Calibration, SwappedCamerasAreToldSo) {
+  std::vector<BoardView> views = exact_views();
+  for (BoardView& view : views) std::swap(view.left, view.right);
   EXPECT_EQ(calibrate_pair(views, scene().size, scene().board).error().symbol, "swapped");
+}
+
+TEST(Calibration, ImagesThatDoNotBelongTogetherAreRefused) {
+  const std::vector<BoardView> views = exact_views();
+  std::vector<BoardView> shifted = views;
+  for (std::size_t i = 0; i < views.size(); ++i) shifted[i].right = views[(i + 1) % views.size()].right;
+  const Result<CalibratedPair> off_by_one = calibrate_pair(shifted, scene().size, scene().board);
+  ASSERT_FALSE(off_by_one);
+  EXPECT_EQ(off_by_one.error().symbol, "misfit");
+  EXPECT_NE(off_by_one.error().sentence.find("of each pair belong together"), std::string::npos);
+
+  std::vector<BoardView> one_wrong = views;
+  one_wrong[4].right = views[9].right;
+  const Result<CalibratedPair> wrong = calibrate_pair(one_wrong, scene().size, scene().board);
+  ASSERT_FALSE(wrong);
+  EXPECT_NE(wrong.error().sentence.find("number 5 is farthest off"), std::string::npos) << wrong.error().sentence;
+
+  // A board that was bent, or another one: the left camera alone cannot have seen it.
+  std::vector<BoardView> bent = views;
+  for (BoardView& view : bent) std::swap(view.left[0], view.left[30]);
+  EXPECT_NE(calibrate_pair(bent, scene().size, scene().board).error().sentence.find("no left camera"),
+            std::string::npos);
 }
 
 TEST(Calibration, ImagesOfAnotherSizeCannotBeRectified) {
