@@ -66,7 +66,7 @@ class BoardOfACellGone : public testing::Test {
 };
 
 TEST_F(BoardOfACellGone, DownEndsWhoWaitsAtOnceWithOneLineAndStatus4) {
-  EXPECT_EQ(run("down").status, 0);
+  EXPECT_EQ(run("down " + file("cell.scm")).status, 0);
   // Less than what a silent board is given.
   EXPECT_EQ(watch_->end(seconds(5)), 4) << watch_->said();
   EXPECT_TRUE(watch_->said().ends_with("\npizarra: the cell lone has ended\n")) << watch_->said();
