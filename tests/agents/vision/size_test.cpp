@@ -174,6 +174,12 @@ TEST_P(Sizes, ALargeShapeThatTheBorderCutsIsRefusedAndSoIsTheGroundAroundIt) {
   EXPECT_EQ(learn(one, middle(one), beside, random).error().symbol, "background");
 }
 
+TEST_P(Sizes, AShapeThatIsTooLargeIsToldSo) {
+  const Case one{GetParam(), "circle", 0.85 * GetParam().height, true, Light::even};
+  cv::RNG random(5);
+  EXPECT_EQ(learn(one, middle(one), middle(one), random).error().symbol, "too-large");
+}
+
 INSTANTIATE_TEST_SUITE_P(Resolutions, Sizes,
                          testing::Values(cv::Size(320, 240), cv::Size(640, 480), cv::Size(1280, 960)),
                          [](const auto& size) { return fmt::format("Width{}", size.param.width); });
