@@ -55,11 +55,9 @@ void add_scale(Sheet& sheet, double top) {
 Sheet shapes_sheet() {
   constexpr Mark marks[] = {Mark::circle, Mark::triangle, Mark::square, Mark::cross};
   Sheet sheet;
-  sheet.texts.push_back({{20, 14}, text_mm, "Pizarra: four shapes to learn, and four faces for cubes of 60 mm"});
+  sheet.texts.push_back({{20, 14}, text_mm, "Pizarra: four shapes to learn, each a face for a cube of 60 mm"});
   for (int i = 0; i < 4; ++i) {
-    const double x = 60 + 90 * (i % 2);
-    add_mark(sheet, marks[i], {x, 47.0 + 55 * (i / 2)});
-    const Vector2d face(x, 168.0 + 73 * (i / 2));
+    const Vector2d face(60 + 90 * (i % 2), 85 + 110 * (i / 2));
     add_mark(sheet, marks[i], face);
     add_cut_marks(sheet, face);
   }

@@ -32,7 +32,7 @@ void add_shapes_word(CLI::App& app, int& status) {
   auto choices = std::make_shared<ShapesChoices>();
   CLI::App* shapes = app.add_subcommand(
       "shapes",
-      "Make a sheet to print, for trying the eyes on a camera of your own: the four shapes, and faces for cubes.");
+      "Make a sheet to print, for trying the eyes on a camera of your own: the four shapes, as faces for cubes.");
   shapes->add_option("--print", choices->file, "Write the page here")->required()->type_name("FILE.pdf|FILE.png");
   shapes->add_flag("--board", choices->board, "Instead: the chessboard that `calibrate` looks for");
   shapes->footer(help_footer("shapes --print shapes.pdf"));
