@@ -203,7 +203,13 @@ TEST_F(FullDiskTest, NoMoreIsRetractedAtOnceThanThereIsRoomToSay) {
   for (int part = 0; part < 8; ++part) {
     Transaction portion;
     portion.retract(list("goal"_sym, "?"_sym, std::to_string(part)));
-    EXPECT_EQ(symbol_of(run(alice_->transact(portion))), "ok") << part;
+    std::string said = symbol_of(run(alice_->transact(portion)));
+    // What was looked at for her until here is paid by waiting.
+    for (int waited = 0; said == "too-many" && waited < 50; ++waited) {
+      pass(100ms);
+      said = symbol_of(run(alice_->transact(portion)));
+    }
+    EXPECT_EQ(said, "ok") << part;
   }
   EXPECT_TRUE(run(alice_->facts(read("(goal ? ?)")))->empty());
 }
