@@ -126,7 +126,7 @@ void BoardServer::answer(wire::SessionId id, Session& session, wire::RequestId n
   if (past_ && body.is_form("ask") && body.size() == 2 && asks_past(body[1]))
     return ask_past(id, session, number, body);
   const bool durable = durability_.concerns_durable(board_.store(), body);
-  const Result<void> room = durability_.check_room(board_.store(), body);
+  const Result<void> room = durability_.check_room(body, durable);
   if (!room) return refuse_undone(session, number, body, room.error());
   const JournalWriter::Position before = durability_.position();
   const Result<Datum> result = perform_within_quota(id, session, body);

@@ -75,28 +75,29 @@ bool Durability::concerns_durable(const Store& store, const Datum& body) const {
   return std::ranges::any_of(body[2].items(), [&](const Datum& step) { return step_is_durable(store, step); });
 }
 
-Result<void> Durability::check_room(const Store& store, const Datum& body) const {
+Result<void> Durability::check_room(const Datum& body, bool durable) const {
   const bool changes = body.is_form("take") || body.is_form("transact") || body.is_form("declare");
-  return changes ? check_room(store, body, 0) : Result<void>();
+  return changes ? check_room(body, durable, 0) : Result<void>();
 }
 
 Result<void> Durability::check_room(const Store& store, const Datum& body, const Transaction& transaction) const {
   const std::size_t removals = journal_ == nullptr ? 0 : removed_at_most(store, transaction);
   // More than may be looked at is the board's to refuse.
-  return removals == 0 || removals > limits::examined ? Result<void>() : check_room(store, body, removals);
+  if (removals == 0 || removals > limits::examined) return {};
+  return check_room(body, concerns_durable(store, body), removals);
 }
 
-Result<void> Durability::check_room(const Store& store, const Datum& body, std::size_t removals) const {
+Result<void> Durability::check_room(const Datum& body, bool durable, std::size_t removals) const {
   if (journal_ == nullptr) return {};
-  const Change change = change_of(store, body);
+  const Change change = change_of(body, durable);
   // Weighing takes its time, and there is room as a rule.
   const std::size_t named = removals * bytes_of_a_removal;
   const Result<void> room = journal_->check_room(change, limits::frame_bytes + said_beside + named);
   return room ? room : journal_->check_room(change, bytes_at_most(body) + named);
 }
 
-Durability::Change Durability::change_of(const Store& store, const Datum& body) const {
-  if (!concerns_durable(store, body)) return Change::passing;
+Durability::Change Durability::change_of(const Datum& body, bool durable) {
+  if (!durable) return Change::passing;
   return only_removes(body) ? Change::removing : Change::lasting;
 }
 

@@ -37,7 +37,8 @@ class Durability {
   bool concerns_durable(const Store& store, const Datum& body) const;
   // Before a change, which then does not come to stand: failure journal-full. Where the disk is full, what takes
   // durable facts away and adds none goes on.
-  Result<void> check_room(const Store& store, const Datum& body) const;
+  // `durable`: what concerns_durable() says of it.
+  Result<void> check_room(const Datum& body, bool durable) const;
   // The same with what its retractions take away, each fact of which the journal names.
   Result<void> check_room(const Store& store, const Datum& body, const Transaction& transaction) const;
   JournalWriter::Position position() const { return journal_ == nullptr ? 0 : journal_->position(); }
@@ -53,8 +54,8 @@ class Durability {
     Reply reply;
   };
   using Change = JournalWriter::Change;
-  Change change_of(const Store& store, const Datum& body) const;
-  Result<void> check_room(const Store& store, const Datum& body, std::size_t removals) const;
+  static Change change_of(const Datum& body, bool durable);
+  Result<void> check_room(const Datum& body, bool durable, std::size_t removals) const;
   void progress();
   std::string in_doubt(wire::RequestId request, const Reply& reply) const;
 
