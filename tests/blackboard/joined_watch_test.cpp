@@ -19,6 +19,16 @@ const std::vector<Relation> relations = {
     relation("(relation big ((a datum)))"), relation("(relation mode ((a datum)) (key))"),
     relation("(relation seen ((a datum) (b datum) (c datum)) (key a b))")};
 
+struct WatchedStore {
+  WatchedStore() {
+    store.on_commit = [this](const Commit& commit) { watches.committed(commit); };
+    EXPECT_TRUE(store.declare(relations).has_value());
+  }
+
+  Store store;
+  WatchTable watches{store};
+};
+
 std::string one_of(Random& random, const std::vector<std::string>& choices) {
   return choices[random.below(choices.size())];
 }
@@ -108,10 +118,8 @@ TEST(JoinedWatch, FollowsWhateverChangesAsAnsweringAnewWould) {
   for (std::uint64_t seed = 1; seed <= 150; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
-    Store store;
-    WatchTable watches(store);
-    store.on_commit = [&](const Commit& commit) { watches.committed(commit); };
-    ASSERT_TRUE(store.declare(relations).has_value());
+    WatchedStore both;
+    auto& [store, watches] = both;
     std::vector<LeaseId> leases = {store.lease(1s, {}).value()};
     std::vector<Watched> watched;
     for (int i = 0; i < 8; ++i) {
@@ -132,10 +140,8 @@ TEST(JoinedWatch, FollowsWhateverChangesAsAnsweringAnewWould) {
 
 // What the order says about the answers that came at once.
 TEST(JoinedWatch, SaysWhatComesInTheOrderOfTheQuery) {
-  Store store;
-  WatchTable watches(store);
-  store.on_commit = [&](const Commit& commit) { watches.committed(commit); };
-  ASSERT_TRUE(store.declare(relations).has_value());
+  WatchedStore both;
+  auto& [store, watches] = both;
   const auto queue = watches.add(query("(query (and (big ?x) (mode ?m)) (order (down ?x)))"), nullptr).value();
   queue->pop().value();
   Transaction transaction;
@@ -150,10 +156,8 @@ TEST(JoinedWatch, SaysWhatComesInTheOrderOfTheQuery) {
 // How many facts are looked at to follow a hundred changes of a hundred chains of facts, among `size` others that are
 // no part of any.
 std::uint64_t facts_looked_at(const std::string& watched, int size) {
-  Store store;
-  WatchTable watches(store);
-  store.on_commit = [&](const Commit& commit) { watches.committed(commit); };
-  EXPECT_TRUE(store.declare(relations).has_value());
+  WatchedStore both;
+  auto& [store, watches] = both;
   for (int i = 0; i < size; ++i) {
     const std::string n = std::to_string(i);
     Transaction chain;
@@ -189,10 +193,8 @@ TEST(JoinedWatch, CostsWhatAChangeConcernsHoweverMuchIsOnTheBoard) {
 
 // However many watches a commit concerns, it has so many facts looked at; who is left out begins anew in its own turn.
 TEST(JoinedWatch, AllTogetherLookAtABoundedNumberOfFactsToFollowACommit) {
-  Store store;
-  WatchTable watches(store);
-  store.on_commit = [&](const Commit& commit) { watches.committed(commit); };
-  ASSERT_TRUE(store.declare(relations).has_value());
+  WatchedStore both;
+  auto& [store, watches] = both;
   constexpr int facts = 60'000;
   for (int n = 0; n < facts; n += 5000) {
     Transaction some;
@@ -230,10 +232,8 @@ TEST(JoinedWatch, AllTogetherLookAtABoundedNumberOfFactsToFollowACommit) {
 
 // Joined watches of ten thousand things, of which every other one is there.
 TEST(JoinedWatch, AFactConcernsTheWatchesThatItIsJoinedInAlone) {
-  Store store;
-  WatchTable watches(store);
-  store.on_commit = [&](const Commit& commit) { watches.committed(commit); };
-  ASSERT_TRUE(store.declare(relations).has_value());
+  WatchedStore both;
+  auto& [store, watches] = both;
   const auto tell = [&](const std::string& fact) {
     ASSERT_TRUE(store.transact("teller", Transaction().tell(read(fact)), {}).has_value());
   };
@@ -261,10 +261,8 @@ TEST(JoinedWatch, MissesNothingWhereWhatItIsJoinedWithHasManyValuesOrFewAgain) {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
-    Store store;
-    WatchTable watches(store);
-    store.on_commit = [&](const Commit& commit) { watches.committed(commit); };
-    ASSERT_TRUE(store.declare(relations).has_value());
+    WatchedStore both;
+    auto& [store, watches] = both;
     std::vector<Watched> watched;
     const auto begin_watches = [&] {
       for (const char* text : {"(and (seen 7 ?s ?) (on ?s ?v))", "(and (seen 7 ?s ?) (not (on ?s 1)))",
