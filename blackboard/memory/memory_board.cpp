@@ -118,8 +118,8 @@ Result<Revision> MemoryBoard::transact(const std::string& teller, const Transact
 Result<Answers> MemoryBoard::ask(const Query& query, std::size_t& examined) {
   const Time now = begin();
   const bool about_the_board = Statistics::is_about(query);
-  Result<Answers> answers = about_the_board ? statistics_.ask(query, *store_, *watches_, now, examined)
-                                            : store_->ask(query, examined);
+  Result<Answers> answers =
+      about_the_board ? statistics_.ask(query, *store_, *watches_, now, examined) : store_->ask(query, examined);
   schedule();
   return answers;
 }
@@ -157,7 +157,8 @@ Result<std::unique_ptr<WatchQueue>> MemoryBoard::watch(const std::string& watche
                                                        std::function<void()> ready, std::shared_ptr<Backlog> backlog,
                                                        std::size_t& examined) {
   begin();
-  Result<std::unique_ptr<WatchQueue>> queue = watches_->add(query, std::move(ready), watcher, std::move(backlog), examined);
+  Result<std::unique_ptr<WatchQueue>> queue =
+      watches_->add(query, std::move(ready), watcher, std::move(backlog), examined);
   schedule();
   return queue;
 }

@@ -71,10 +71,11 @@ Result<void> check_errors(std::string_view what, double error_px, const std::vec
   const double most_px = most_error * image.width;
   if (error_px <= most_px) return {};
   const auto worst = std::ranges::max_element(view_errors_px);
-  return fail("misfit",
-              fmt::format("no {} sees the boards like that: the nearest leaves a reprojection error of {:.1f} px, where "
-                          "{:.1f} is too much already; of the boards found, number {} is farthest off, {:.1f} px. {}",
-                          what, error_px, most_px, worst - view_errors_px.begin() + 1, *worst, cause));
+  return fail(
+      "misfit",
+      fmt::format("no {} sees the boards like that: the nearest leaves a reprojection error of {:.1f} px, where "
+                  "{:.1f} is too much already; of the boards found, number {} is farthest off, {:.1f} px. {}",
+                  what, error_px, most_px, worst - view_errors_px.begin() + 1, *worst, cause));
 }
 
 Result<Lens> calibrate_lens(std::string_view what, const Boards& boards, const Corners& corners, cv::Size image) {
@@ -132,10 +133,10 @@ Result<Arrangement> arrange(const Boards& boards, const Corners& left, const Cor
   for (int i = 0; i < errors.rows; ++i) {
     out.view_errors_px.push_back(std::hypot(errors.at<double>(i, 0), errors.at<double>(i, 1)) / std::sqrt(2));
   }
-  const Result<void> checked =
-      check_errors("pair of cameras", out.error_px, out.view_errors_px, image,
-                   "Do the images of each pair belong together? They are paired in the order of their names, and must be "
-                   "of one moment");
+  const Result<void> checked = check_errors(
+      "pair of cameras", out.error_px, out.view_errors_px, image,
+      "Do the images of each pair belong together? They are paired in the order of their names, and must be "
+      "of one moment");
   if (!checked) return fail(checked);
   return out;
 }

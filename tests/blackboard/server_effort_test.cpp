@@ -84,8 +84,9 @@ TEST_F(ServerEffort, WhoOwesIsRefusedWhatIsCostlyAloneAndServedWhatIsNot) {
   int number = 0;
   const auto ask = [&](const std::string& body) { return symbol_of(greedy.ask(request(own, ++number, body))); };
   EXPECT_EQ(ask(owing), "ok");
-  for (const std::string body : {"(transact () ((retract (note ? (f ?x)))))", "(transact ((absent (note ? (f ?x)))) ())",
-                                 "(take (note ? (f ?x)) 0)", "(ask (note ?n 3))"}) {
+  for (const std::string body :
+       {"(transact () ((retract (note ? (f ?x)))))", "(transact ((absent (note ? (f ?x)))) ())",
+        "(take (note ? (f ?x)) 0)", "(ask (note ?n 3))"}) {
     EXPECT_EQ(ask(body), "too-many") << body;
   }
   EXPECT_EQ(ask("(lease 2000000)"), "ok");

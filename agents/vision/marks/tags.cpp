@@ -36,7 +36,8 @@ constexpr double beside_border = 0.05;
 constexpr double least_contrast = 20;
 constexpr double least_border_share = 0.75;
 
-// How far off the middle of a tag may be, by what covers a part of its border, that is found: px, or a part of its side.
+// How far off the middle of a tag may be, by what covers a part of its border, that is found: px, or a part of its
+// side.
 constexpr double most_off_px = 1;
 constexpr double most_off_share = 0.015;
 

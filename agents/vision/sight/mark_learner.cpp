@@ -177,8 +177,8 @@ Result<void> MarkLearner::check_region(const ImageSegmentation& mean) {
     return fail("background", "the point is on the ground around marks, which is no mark itself", where);
   }
   if (too_large) {
-    return fail("too-large", "the shape around the point is larger than a third of the image: show it from farther away",
-                where);
+    return fail("too-large",
+                "the shape around the point is larger than a third of the image: show it from farther away", where);
   }
   if (cut) return fail("border", "the shape around the point is cut by the border of the image", where);
   if (area < least_mark_area_px) return fail("too-small", "the region around the point is too small", where);
@@ -209,8 +209,7 @@ Result<void> MarkLearner::measure(StereoSight& sight) {
   }
   if (seen != nullptr) {
     contour_ = seen->contour;
-    const std::optional<MarkPortrait> portrait =
-        portray_mark(segmentation.image(), seen->contour, seen->tone);
+    const std::optional<MarkPortrait> portrait = portray_mark(segmentation.image(), seen->contour, seen->tone);
     measured_.push_back(*seen);
     portraits_.push_back(portrait.value());
     const std::optional<double> size = size_mm(sight, *seen);
@@ -237,10 +236,10 @@ void MarkLearner::measure_tag(StereoSight& sight) {
 Result<void> MarkLearner::check_measured() const {
   const Datum where = list(click_.x, click_.y);
   if (measured_.size() < least_measured && crowded_) {
-    return fail("crowded",
-                fmt::format("the mark is none of the {} largest in the image, and smaller ones are not looked at",
-                            most_marks),
-                where);
+    return fail(
+        "crowded",
+        fmt::format("the mark is none of the {} largest in the image, and smaller ones are not looked at", most_marks),
+        where);
   }
   if (measured_.size() < least_measured) {
     return fail("moved", "the mark moved, or its contour did not stay closed, while it was learned", where);

@@ -22,7 +22,8 @@ class MarkLearner {
   MarkLearner(std::string name, cv::Point2d click, const LearnedObjects& objects)
       : name_(std::move(name)), click_(click), objects_(objects) {}
 
-  // Failures: outside, background, open-contour, border, too-small, too-large, moved, crowded, ambiguous, other-kind, wrong-size.
+  // Failures: outside, background, open-contour, border, too-small, too-large, moved, crowded, ambiguous, other-kind,
+  // wrong-size.
   Result<void> feed(StereoSight& sight);
   bool done() const { return filled_frames_ == frames_per_step && contour_frames_ == frames_per_step; }
   // After done().

@@ -1,5 +1,5 @@
-// A hand, light or dark, slides over a tag, rests and leaves: along a side and from anywhere, slowly and fast, before one
-// camera and before a pair. Where a tag is told or found, there it is.
+// A hand, light or dark, slides over a tag, rests and leaves: along a side and from anywhere, slowly and fast, before
+// one camera and before a pair. Where a tag is told or found, there it is.
 
 #include <gtest/gtest.h>
 #include <opencv2/aruco.hpp>
@@ -147,8 +147,7 @@ std::string instance_name(const testing::TestParamInfo<CoveredTag::ParamType>& o
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, CoveredTag,
-                         testing::Combine(testing::Values<int>(cv::aruco::DICT_4X4_50,
-                                                               cv::aruco::DICT_APRILTAG_36h11),
+                         testing::Combine(testing::Values<int>(cv::aruco::DICT_4X4_50, cv::aruco::DICT_APRILTAG_36h11),
                                           testing::Range(1, 5)),
                          instance_name);
 

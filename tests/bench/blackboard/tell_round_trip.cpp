@@ -74,8 +74,8 @@ void tell_round_trip(Figures& figures) {
   const std::optional<double> redis_us = redis ? std::optional(us[2]) : std::nullopt;
   std::vector<Peer> peers = {{"zeromq", us[1]}, {"redis", redis_us}};
   add_peers(peers, brokers, std::span(us).subspan(3));
-  figures.say({"tell, acknowledged, p50", us[0], "us", at_most(1.15 * us[1], "<= 1.15 x ZeroMQ's round trip"), peers, "",
-               "polling sockets and timers at both ends, where the peer waits in one call"});
+  figures.say({"tell, acknowledged, p50", us[0], "us", at_most(1.15 * us[1], "<= 1.15 x ZeroMQ's round trip"), peers,
+               "", "polling sockets and timers at both ends, where the peer waits in one call"});
 }
 
 }  // namespace pizarra::bench

@@ -198,7 +198,8 @@ void throughput(Figures& figures) {
   std::vector<Peer> peers = {{"zeromq", rates[1]}, {"redis", set_rate}};
   add_peers(peers, brokers, std::span(rates).subspan(3));
   const char* name = "facts stored, matched, forwarded";
-  const char* limit = "what the board, the teller and the watcher compute for a fact: their sum over the cores there are";
+  const char* limit =
+      "what the board, the teller and the watcher compute for a fact: their sum over the cores there are";
   figures.say({name, rates[0], "1/s", at_least(1e6), peers, "", limit});
   const Goal goal =
       redis ? at_least(1.5 * rates[2], ">= 1.5 x Redis SET by 64") : not_comparable("redis is not installed");
