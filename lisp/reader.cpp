@@ -296,12 +296,18 @@ Failure failure_of(const Trouble& trouble, std::string_view file, std::string_vi
 
 }  // namespace
 
-Result<Datum> read_one(std::string_view text, const ReadLimits& limits, std::string_view file) {
+Result<std::vector<Datum>> read_all(std::string_view text, const ReadLimits& limits, std::string_view file) {
   Reader reader(text, limits, nullptr);
   auto data = reader.read_all();
   if (!data) return fail(failure_of(reader.trouble(), file, text));
-  if (data->size() == 1) return std::move(data->front());
   if (data->empty()) return fail(failure_of({text.size(), "nothing-to-read", "nothing is written here"}, file, text));
+  return std::move(*data);
+}
+
+Result<Datum> read_one(std::string_view text, const ReadLimits& limits, std::string_view file) {
+  Result<std::vector<Datum>> data = read_all(text, limits, file);
+  if (!data) return fail(data);
+  if (data->size() == 1) return std::move(data->front());
   std::vector<Spot> spots;
   Reader(text, limits, &spots).read_all();
   return fail(failure_of({spots[1].offset, "more-than-one", "only one datum may stand here"}, file, text));

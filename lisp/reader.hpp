@@ -35,6 +35,9 @@ struct ReadLimits {
 
 // Exactly one datum with nothing but blanks and comments around it.
 Result<Datum> read_one(std::string_view text, const ReadLimits& limits = {}, std::string_view file = "input");
+// The same, of one datum or more.
+Result<std::vector<Datum>> read_all(std::string_view text, const ReadLimits& limits = {},
+                                    std::string_view file = "input");
 
 // Where an element began and its last byte, from the beginning of the text, and its elements.
 struct Spot {

@@ -80,6 +80,7 @@ RemoteBoard::RemoteBoard(Executor& executor, std::string address, std::string te
 RemoteBoard::~RemoteBoard() {
   replicas_.reset();
   executor_.cancel(tick_timer_);
+  if (transmit_timer_ != 0) executor_.cancel(transmit_timer_);
   if (joined_) send(list("bye"_sym, session_));
 }
 
@@ -202,7 +203,7 @@ Task<Result<Datum>> RemoteBoard::call_text(std::string body, bool repeatable) {
     reply = std::move(result);
     answered.wake_all();
   };
-  transmit_waiting();
+  transmit_soon();
   while (!reply) {
     co_await answered.wait();
   }
@@ -217,18 +218,44 @@ wire::RequestId RemoteBoard::begin(std::string body, bool repeatable, Done done)
   return request;
 }
 
+void RemoteBoard::transmit_soon() {
+  if (transmit_timer_ != 0) return;
+  transmit_timer_ = executor_.call_at(executor_.now(), [this] {
+    transmit_timer_ = 0;
+    transmit_waiting();
+  });
+}
+
 void RemoteBoard::transmit_waiting() {
   if (!joined_) return;
+  std::string frame;
+  std::vector<Pending*> in_frame;
+  const auto send_frame = [&] {
+    const bool sent = !in_frame.empty() && socket_.send({}, frame);
+    for (Pending* pending : in_frame) pending->sent = sent ? std::optional(executor_.now()) : std::nullopt;
+    in_frame.clear();
+    frame.clear();
+  };
   for (auto next = pending_.lower_bound(first_waiting_); next != pending_.end(); ++next) {
-    if (next->first >= pending_.begin()->first + most_ahead) return;
-    first_waiting_ = next->first + 1;
-    if (!next->second.sent) transmit(next->first, next->second);
+    auto& [request, pending] = *next;
+    if (request >= pending_.begin()->first + most_ahead) break;
+    first_waiting_ = request + 1;
+    if (pending.sent) continue;
+    const bool fits = frame.size() + pending.body.size() <= wire::bytes_together;
+    if (!fits || in_frame.size() == wire::most_messages) send_frame();
+    write_request(frame, request, pending);
+    in_frame.push_back(&pending);
   }
+  send_frame();
 }
 
 void RemoteBoard::transmit(wire::RequestId request, Pending& pending) {
   std::string frame;
-  frame.reserve(pending.body.size() + envelope_bytes);
+  write_request(frame, request, pending);
+  if (socket_.send({}, frame)) pending.sent = executor_.now();
+}
+
+void RemoteBoard::write_request(std::string& frame, wire::RequestId request, const Pending& pending) {
   write_number_to(frame += "(request ", session_);
   write_number_to(frame += ' ', request);
   frame += ' ';
@@ -237,7 +264,6 @@ void RemoteBoard::transmit(wire::RequestId request, Pending& pending) {
     write_number_to(frame += ' ', now->time_since_epoch().count());
   }
   frame += ')';
-  if (socket_.send({}, frame)) pending.sent = executor_.now();
 }
 
 // A hundred times a second at most, of a change that is sent for the first time.

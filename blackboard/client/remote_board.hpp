@@ -83,13 +83,16 @@ class RemoteBoard : public Board {
   Task<Result<Datum>> call_text(std::string body, bool repeatable);
   wire::RequestId begin(std::string body, bool repeatable, Done done);
   void forget(wire::RequestId request) { pending_.erase(request); }
-  // Those that may go and have not.
+  // Those that may go and have not: together, once all have spoken whose turn it is.
+  void transmit_soon();
   void transmit_waiting();
   void transmit(wire::RequestId request, Pending& pending);
+  void write_request(std::string& frame, wire::RequestId request, const Pending& pending);
   std::optional<Time> time_to_say(const Pending& pending);
   bool send(const Datum& message);
 
   void receive(std::string_view frame);
+  void hear(const Datum& message);
   void greet();
   void welcomed(wire::SessionId session, wire::SessionId life);
   void lose_session();
@@ -129,6 +132,7 @@ class RemoteBoard : public Board {
   std::map<wire::WatchId, class RemoteStream*> streams_;
   std::unique_ptr<class Replicas> replicas_;
   Executor::TimerId tick_timer_ = 0;
+  Executor::TimerId transmit_timer_ = 0;
   WireSocket socket_;
 };
 

@@ -19,11 +19,14 @@ constexpr Duration resend_after = 1s;
 }  // namespace
 
 void RemoteBoard::receive(std::string_view frame) {
-  const Result<Datum> read = wire::read_frame(frame);
+  const Result<std::vector<Datum>> messages = wire::read_messages(frame);
   // What the server says wrongly is as good as not said, and asked for again.
-  if (!read) return;
-  const Datum& message = *read;
+  if (!messages) return;
   heard_ = executor_.now();
+  for (const Datum& message : *messages) hear(message);
+}
+
+void RemoteBoard::hear(const Datum& message) {
   if (message.is_form("reply")) return replied(message);
   if (message.is_form("goodbye")) {
     goodbye_ = heard_;
@@ -135,7 +138,7 @@ void RemoteBoard::replied(const Datum& message) {
   }
   const Done done = std::move(found->second.done);
   pending_.erase(found);
-  transmit_waiting();
+  transmit_soon();
   const Datum& result = message[2];
   if (result.is_form("ok") && result.size() == 2) {
     done(result[1]);

@@ -110,6 +110,13 @@ def _string(text):
 
 def read(text):
     """The one datum that the text holds."""
+    data = read_all(text)
+    if len(data) != 1:
+        raise Failure("more-than-one" if data else "nothing-to-read", "a text holds one datum")
+    return data[0]
+
+
+def read_all(text):
     if _NO_TEXT.search(text):
         raise Failure("bad-text", "no text holds a NUL or half a character")
     stack, at = [[]], 0
@@ -132,9 +139,7 @@ def read(text):
             stack[-1].append(_atom(token[3]))
     if len(stack) > 1:
         raise Failure("unclosed-list", "a list is not closed")
-    if len(stack[0]) != 1:
-        raise Failure("more-than-one" if stack[0] else "nothing-to-read", "a text holds one datum")
-    return stack[0][0]
+    return stack[0]
 
 
 def write(datum, deepest=FRAME_DEPTH):
@@ -524,7 +529,8 @@ class Board:
         self._tick()
         if self._socket.poll(int(seconds * 1000)):
             while self._socket.poll(0):
-                self._receive(read(self._socket.recv().decode()))
+                for message in read_all(self._socket.recv().decode()):
+                    self._receive(message)
         self._tick()
 
     def sockets(self):

@@ -97,10 +97,14 @@ void BoardServer::say_goodbye() {
 void BoardServer::receive(const std::string& peer, std::optional<std::string_view> frame) {
   if (leaving_) return;
   if (!frame) return refuse(peer, {"bad-frame", "a message is one frame", {}, {}});
-  const Result<Datum> message = wire::read_frame(*frame);
-  if (!message) return refuse_unreadable(peer, *frame, {"bad-frame", message.error().sentence, {}, {}});
-  if (message->is_form("hello")) return greet(peer, *message);
-  const std::optional<std::uint64_t> id = wire::count_at(*message, 1);
+  const Result<std::vector<Datum>> messages = wire::read_messages(*frame);
+  if (!messages) return refuse_unreadable(peer, *frame, {"bad-frame", messages.error().sentence, {}, {}});
+  for (const Datum& message : *messages) hear(peer, message);
+}
+
+void BoardServer::hear(const std::string& peer, const Datum& message) {
+  if (message.is_form("hello")) return greet(peer, message);
+  const std::optional<std::uint64_t> id = wire::count_at(message, 1);
   if (!id) return refuse(peer, {"bad-frame", "a message is (KIND SESSION ...)", {}, {}});
   const auto session = sessions_.find(*id);
   // One that was restored has no peer before it greets: its client must learn that this is another life.
@@ -113,7 +117,7 @@ void BoardServer::receive(const std::string& peer, std::optional<std::string_vie
   }
   session->second.heard = executor_.now();
   if (session->second.watches.unblock()) schedule_flush(*id);
-  handle(*id, session->second, *message);
+  handle(*id, session->second, message);
 }
 
 void BoardServer::handle(wire::SessionId id, Session& session, const Datum& message) {

@@ -91,6 +91,7 @@ class BoardServer {
   Result<void> listen(const std::vector<std::string>& addresses, bool insecure);
   void restore(const std::vector<RememberedReply>& remembered);
   void receive(const std::string& peer, std::optional<std::string_view> frame);
+  void hear(const std::string& peer, const Datum& message);
   void refuse(const std::string& peer, const Failure& failure);
   void refuse_unreadable(const std::string& peer, std::string_view frame, const Failure& failure);
   void refuse_request(const Session& session, wire::RequestId number, const Failure& failure);

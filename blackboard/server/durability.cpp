@@ -112,9 +112,19 @@ void Durability::answer_again(wire::SessionId session, wire::RequestId request, 
 }
 
 void Durability::progress() {
+  std::string frame;
+  std::size_t in_frame = 0;
   while (!held_.empty() && held_.front().reply.after <= journal_->kept()) {
-    send_(held_.front().session, held_.front().reply.text);
+    const Held held = std::move(held_.front());
     held_.pop_front();
+    frame += held.reply.text;
+    const Held* next = held_.empty() ? nullptr : &held_.front();
+    const bool goes_on = next != nullptr && next->session == held.session && next->reply.after <= journal_->kept() &&
+                         frame.size() + next->reply.text.size() <= wire::bytes_together;
+    if (goes_on && ++in_frame < wire::most_messages) continue;
+    send_(held.session, frame);
+    frame.clear();
+    in_frame = 0;
   }
   if (!journal_->stuck()) return;
   for (const Held& held : std::exchange(held_, {})) send_(held.session, in_doubt(held.request, held.reply));

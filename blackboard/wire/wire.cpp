@@ -12,6 +12,9 @@ namespace pizarra::wire {
 
 namespace {
 
+constexpr ReadLimits frame_limits = {
+    .bytes = limits::frame_bytes, .depth = limits::frame_depth, .elements = limits::frame_elements};
+
 std::unexpected<Failure> bad_frame(const char* sentence, const Datum& form) {
   return fail("bad-frame", sentence, form);
 }
@@ -189,12 +192,12 @@ Result<Answer> answer_from_datum(const Query& query, const Datum& form) {
 
 }  // namespace
 
-Result<Datum> read_frame(std::string_view text) {
-  ReadLimits allowed;
-  allowed.bytes = limits::frame_bytes;
-  allowed.depth = limits::frame_depth;
-  allowed.elements = limits::frame_elements;
-  return read_one(text, allowed, "frame");
+Result<Datum> read_frame(std::string_view text) { return read_one(text, frame_limits, "frame"); }
+
+Result<std::vector<Datum>> read_messages(std::string_view frame) {
+  Result<std::vector<Datum>> messages = read_all(frame, frame_limits, "frame");
+  if (!messages || messages->size() <= most_messages) return messages;
+  return fail("too-many", "a frame holds at most " + std::to_string(most_messages) + " messages");
 }
 
 std::optional<RequestId> request_begun(std::string_view frame, SessionId session) {

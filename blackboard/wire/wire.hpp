@@ -1,6 +1,7 @@
 #pragma once
 
-// What clients and the board server say to each other: one s-expression a frame, in text.
+// What clients and the board server say to each other: each message an s-expression, in text. A frame holds one, or
+// some that go together, one after another: 64 at most.
 //
 // Client to server                              Server to client
 //   (hello TELLER SESSION)  SESSION 0: a new one   (welcome SESSION LIFE)
@@ -31,7 +32,8 @@
 //
 // What is wrong with a request is its reply's to say, also where no more than `(request SESSION ID` can be read of it.
 // `refused` is of what is no request: of a hello, or of what cannot be read that far. Which that was, it does not say:
-// a client that has joined takes whatever it has sent and waits for as refused.
+// a client that has joined takes whatever it has sent and waits for as refused. A frame that cannot be read is refused
+// whole, to the request that it begins as.
 //
 // A server that is ended in order says goodbye to every client. A session lives while its client is heard from. Changes
 // of one watch are numbered from 1; only so many are under way before they are acknowledged.
@@ -50,8 +52,14 @@ using SessionId = std::uint64_t;
 using RequestId = std::uint64_t;
 using WatchId = std::uint64_t;
 
+// What goes together in a frame: so many messages, and no more once it has so many bytes.
+constexpr std::size_t most_messages = 64;
+constexpr std::size_t bytes_together = 64 << 10;
+
 // The strict reader with the limits of a frame.
 Result<Datum> read_frame(std::string_view text);
+// The same, of all that it holds.
+Result<std::vector<Datum>> read_messages(std::string_view frame);
 
 // The request that a frame begins as, `(request SESSION ID`, whatever comes then.
 std::optional<RequestId> request_begun(std::string_view frame, SessionId session);

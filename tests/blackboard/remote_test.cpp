@@ -195,9 +195,11 @@ TEST_F(RemoteTest, NoRequestGoesFarAheadOfTheOldestThatWaits) {
   std::string client;
   WireSocket router(executor_, WireSocket::Kind::router,
                     [&](const std::string& peer, std::optional<std::string_view> frame) {
-                      const Datum message = read(std::string(frame.value()));
                       client = peer;
-                      if (message.is_form("request")) heard.push_back(write(message[2]));
+                      const std::vector<Datum> messages = wire::read_messages(frame.value()).value();
+                      for (const Datum& message : messages) {
+                        if (message.is_form("request")) heard.push_back(write(message[2]));
+                      }
                     });
   ASSERT_TRUE(router.bind(address_).has_value());
   const std::unique_ptr<Board> board = view("alice");
@@ -231,15 +233,18 @@ TEST_F(RemoteTest, WhetherATransactionHappenedOnALostBoardIsUnknownButAQuestionI
   std::vector<std::string> heard;
   WireSocket* answer_with = nullptr;
   int life = 100;
+  const auto answer = [&](const std::string& peer, const Datum& message) {
+    const auto send = [&](const Datum& d) { answer_with->send(peer, write(d)); };
+    if (message.is_form("hello")) return send(list("welcome"_sym, life));
+    if (message[1] != to_datum(life)) return send(list("unknown-session"_sym, message[1]));
+    if (!message.is_form("request")) return;
+    heard.emplace_back(message[3].head());
+    if (life == 101) send(list("reply"_sym, message[2], list("ok"_sym, list(5))));
+  };
   WireSocket router(executor_, WireSocket::Kind::router,
                     [&](const std::string& peer, std::optional<std::string_view> frame) {
-                      const Datum message = read(std::string(frame.value()));
-                      const auto send = [&](const Datum& d) { answer_with->send(peer, write(d)); };
-                      if (message.is_form("hello")) return send(list("welcome"_sym, life));
-                      if (message[1] != to_datum(life)) return send(list("unknown-session"_sym, message[1]));
-                      if (!message.is_form("request")) return;
-                      heard.emplace_back(message[3].head());
-                      if (life == 101) send(list("reply"_sym, message[2], list("ok"_sym, list(5))));
+                      const std::vector<Datum> messages = wire::read_messages(frame.value()).value();
+                      for (const Datum& message : messages) answer(peer, message);
                     });
   answer_with = &router;
   ASSERT_TRUE(router.bind(address_).has_value());

@@ -6,6 +6,7 @@
 //   const std::string session = client.join("alice");
 //   const Datum reply = client.ask("(request " + session + " 1 (ask (note ?n ?)))");
 
+#include <deque>
 #include <gtest/gtest.h>
 #include <zmq.hpp>
 
@@ -33,15 +34,23 @@ class ServerTest : public testing::Test {
         ASSERT_TRUE(socket_.send(zmq::buffer(parts[i]), flags).has_value());
       }
     }
-    // The next message, or an empty list when patience ends.
-    Datum receive(Duration patience = 5s) {
-      zmq::message_t message;
+    // The messages of the next frame; none when patience ends.
+    std::vector<Datum> receive_frame(Duration patience = 5s) {
+      zmq::message_t frame;
       const Time deadline = executor_.now() + patience;
       while (executor_.now() < deadline) {
-        if (socket_.recv(message, zmq::recv_flags::dontwait)) return read_one(message.to_string_view()).value();
+        if (socket_.recv(frame, zmq::recv_flags::dontwait)) return wire::read_messages(frame.to_string_view()).value();
         pass(executor_, 1ms);
       }
       return {};
+    }
+    // The next message, or an empty list when patience ends.
+    Datum receive(Duration patience = 5s) {
+      if (heard_.empty()) std::ranges::copy(receive_frame(patience), std::back_inserter(heard_));
+      if (heard_.empty()) return {};
+      Datum message = std::move(heard_.front());
+      heard_.pop_front();
+      return message;
     }
     Datum ask(const std::string& text) {
       send(text);
@@ -57,6 +66,7 @@ class ServerTest : public testing::Test {
     Executor& executor_;
     zmq::context_t context_{1};
     zmq::socket_t socket_;
+    std::deque<Datum> heard_;
   };
 
   ServerTest() {

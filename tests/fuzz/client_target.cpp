@@ -69,7 +69,10 @@ class ClientUnderTest {
   // A server that welcomes, lets watch, and leaves questions open.
   void receive(const std::string& client, std::string_view frame) {
     client_ = client;
-    const Datum message = wire::read_frame(frame).value();
+    const std::vector<Datum> messages = wire::read_messages(frame).value();
+    for (const Datum& message : messages) answer(client, message);
+  }
+  void answer(const std::string& client, const Datum& message) {
     if (message.is_form("hello")) server_.send(client, "(welcome 7 1)");
     if (message.is_form("ping")) server_.send(client, "(pong)");
     if (!message.is_form("request")) return;

@@ -48,11 +48,13 @@ class ServerUnderTest {
     }
   }
   void receive(std::string_view frame) {
-    const Result<Datum> message = wire::read_frame(frame);
-    if (!message) std::abort();
-    const std::string_view kind = message->head();
-    if (kind == "welcome") session_ = std::to_string((*message)[1].integer());
-    if (kind == "welcome" || kind == "pong" || kind == "unknown-session") heard_ = kind;
+    const Result<std::vector<Datum>> messages = wire::read_messages(frame);
+    if (!messages) std::abort();
+    for (const Datum& message : *messages) {
+      const std::string_view kind = message.head();
+      if (kind == "welcome") session_ = std::to_string(message[1].integer());
+      if (kind == "welcome" || kind == "pong" || kind == "unknown-session") heard_ = kind;
+    }
   }
 
   RealExecutor executor_;

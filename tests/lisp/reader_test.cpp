@@ -26,6 +26,13 @@ TEST(ReaderTest, ReadsEveryKind) {
   EXPECT_EQ(read_one("\"señal\"").value(), to_datum("señal"));
 }
 
+TEST(ReaderTest, ReadsSeveralDataOneAfterAnother) {
+  EXPECT_EQ(read_all("(on a b)(on b c) ; and\n7").value(),
+            (std::vector<Datum>{list("on"_sym, "a"_sym, "b"_sym), list("on"_sym, "b"_sym, "c"_sym), to_datum(7)}));
+  EXPECT_EQ(read_all(" ; only").error().symbol, "nothing-to-read");
+  EXPECT_EQ(read_all("(on a b) (on").error().symbol, "unclosed-list");
+}
+
 TEST(ReaderTest, RefusesWhatItDoesNotKnowExactly) {
   EXPECT_EQ(refusal("(a"), "unclosed-list");
   EXPECT_EQ(refusal("\"a"), "unclosed-string");

@@ -106,7 +106,7 @@ void durable_tells(Figures& figures) {
                goal,
                {{"redis", redis_rate}, {"fdatasync", rates[2]}},
                "",
-               "what client, board and journal compute for a fact, each of which has its message and its answer"});
+               "what client, board and journal compute for a fact"});
 }
 
 }  // namespace pizarra::bench
