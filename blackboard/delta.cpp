@@ -2,23 +2,26 @@
 
 #include <algorithm>
 
-#include "lisp/pattern.hpp"
-
 namespace pizarra {
 
 std::size_t width_of(const Query& query) {
   return static_cast<std::size_t>(std::ranges::count(query.clauses, Query::Clause::Kind::fact, &Query::Clause::kind));
 }
 
-Result<std::vector<Answer>> answers_of(const Query& query, Delta::Side side) {
+Answering::Answering(const Query& query) {
+  for (const Query::Clause& clause : query.clauses) {
+    if (clause.kind == Query::Clause::Kind::fact) patterns_.push_back(clause.form);
+  }
+  if (patterns_.size() == 1) only_ = FlatPattern::of(patterns_.front());
+}
+
+Result<std::vector<Answer>> Answering::answers(Delta::Side side) const {
   std::vector<Answer> answers(side.answers);
   auto next = side.facts.begin();
-  const std::size_t width = width_of(query);
   for (Answer& answer : answers) {
-    answer.facts.reserve(width);
-    for (const Query::Clause& clause : query.clauses) {
-      if (clause.kind != Query::Clause::Kind::fact) continue;
-      if (!match(clause.form, next->datum, answer.bindings)) {
+    answer.facts.reserve(patterns_.size());
+    for (std::size_t pattern = 0; pattern < patterns_.size(); ++pattern) {
+      if (!match_next(pattern, next->datum, answer.bindings)) {
         return fail("bad-frame", "a fact does not fit the query", next->datum);
       }
       answer.facts.push_back(std::move(*next++));
@@ -27,10 +30,18 @@ Result<std::vector<Answer>> answers_of(const Query& query, Delta::Side side) {
   return answers;
 }
 
-Result<Change> change_of(const Query& query, Delta delta) {
-  Result<std::vector<Answer>> added = answers_of(query, std::move(delta.added));
+bool Answering::match_next(std::size_t pattern, const Datum& datum, Bindings& bindings) const {
+  if (!only_) return match(patterns_[pattern], datum, bindings);
+  std::optional<Bindings> found = only_->match(datum);
+  if (!found) return false;
+  bindings = std::move(*found);
+  return true;
+}
+
+Result<Change> Answering::change(Delta delta) const {
+  Result<std::vector<Answer>> added = answers(std::move(delta.added));
   if (!added) return fail(added);
-  Result<std::vector<Answer>> removed = answers_of(query, std::move(delta.removed));
+  Result<std::vector<Answer>> removed = answers(std::move(delta.removed));
   if (!removed) return fail(removed);
   return Change{delta.revision, delta.kind != Delta::Kind::change, std::move(*added), std::move(*removed)};
 }

@@ -6,10 +6,12 @@
 // All that holds may come in parts, facts with higher ids in each. What was sent and went since is `removed` in a later
 // part. After the last one the reader knows what holds at that part's revision.
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "blackboard/board.hpp"
+#include "lisp/pattern.hpp"
 
 namespace pizarra {
 
@@ -29,10 +31,23 @@ struct Delta {
 // How many facts an answer of the query has.
 std::size_t width_of(const Query& query);
 
-// The answers that these facts are, of which there are as many as the query's answers have. Failure bad-frame where one
-// does not fit.
-Result<std::vector<Answer>> answers_of(const Query& query, Delta::Side side);
-// The same of the whole: one that is not Kind::change resynchronises.
-Result<Change> change_of(const Query& query, Delta delta);
+// Says as answers what a delta says as facts.
+//
+//   const Answering answering(query);
+//   Result<Change> change = answering.change(std::move(delta));
+class Answering {
+ public:
+  explicit Answering(const Query& query);
+  // Of facts that are as many for each answer as the query's answers have. Failure bad-frame where one does not fit.
+  Result<std::vector<Answer>> answers(Delta::Side side) const;
+  // The same of the whole: one that is not Kind::change resynchronises.
+  Result<Change> change(Delta delta) const;
+
+ private:
+  bool match_next(std::size_t pattern, const Datum& datum, Bindings& bindings) const;
+
+  std::vector<Datum> patterns_;
+  std::optional<FlatPattern> only_;  // where there is one pattern, and it is flat
+};
 
 }  // namespace pizarra

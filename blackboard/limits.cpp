@@ -1,63 +1,8 @@
 #include "blackboard/limits.hpp"
 
-#include <algorithm>
 #include <string>
 
-#include "lisp/escapes.hpp"
-
 namespace pizarra {
-
-Weight& Weight::operator+=(const Weight& other) {
-  bytes += other.bytes;
-  elements += other.elements;
-  depth = std::max(depth, other.depth);
-  return *this;
-}
-
-namespace {
-
-std::size_t escapes_in(std::string_view text) {
-  std::size_t count = 0;
-  for (const char c : text) count += static_cast<std::size_t>(needs_escape(c));
-  return count;
-}
-
-// Of a datum that is no list.
-std::size_t bytes_of(const Datum& datum) {
-  constexpr std::size_t longest_number = 26;
-  const Datum::Kind kind = datum.kind();
-  if (kind == Datum::Kind::integer || kind == Datum::Kind::real) return longest_number;
-  const std::string_view text = datum.text();
-  return kind == Datum::Kind::symbol ? text.size() + 1 : text.size() + escapes_in(text) + 3;
-}
-
-// Adds what the list weighs, inside `depth` others.
-void add_list(const Datum& list, std::size_t depth, Weight& whole) {
-  const std::span<const Datum> items = list.items();
-  std::size_t bytes = 3;
-  for (const Datum& item : items) {
-    if (item.is_list()) {
-      add_list(item, depth + 1, whole);
-    } else {
-      bytes += bytes_of(item);
-    }
-  }
-  whole.bytes += bytes;
-  whole.elements += items.size();
-  whole.depth = std::max(whole.depth, depth + 1);
-}
-
-}  // namespace
-
-Weight weigh(const Datum& datum) {
-  Weight whole{.bytes = 0, .elements = 1, .depth = 0};
-  if (datum.is_list()) {
-    add_list(datum, 0, whole);
-  } else {
-    whole.bytes = bytes_of(datum);
-  }
-  return whole;
-}
 
 Weight weigh(const Fact& fact) {
   constexpr std::size_t envelope_bytes = 120;

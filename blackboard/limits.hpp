@@ -8,19 +8,10 @@
 #include "blackboard/fact.hpp"
 #include "lisp/datum.hpp"
 #include "lisp/result.hpp"
+#include "lisp/weight.hpp"
 
 namespace pizarra {
 
-// Never less than the text takes.
-struct Weight {
-  std::size_t bytes = 0;
-  std::size_t elements = 0;
-  std::size_t depth = 0;
-
-  Weight& operator+=(const Weight& other);
-};
-
-Weight weigh(const Datum& datum);
 // With its provenance.
 Weight weigh(const Fact& fact);
 

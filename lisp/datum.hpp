@@ -28,6 +28,8 @@
 
 namespace pizarra {
 
+struct Weight;
+
 class Datum {
  public:
   enum class Kind : std::uint8_t { symbol, string, integer, real, list };
@@ -105,6 +107,7 @@ class Datum {
     return same_words || (a.tag() == b.tag() && a.shares() && a.same_shared(b));
   }
   friend std::strong_ordering operator<=>(const Datum& a, const Datum& b);
+  friend Weight weigh(const Datum& datum);
 
  private:
   // How it is kept. The first three share what a pointer leads to.
@@ -151,6 +154,7 @@ static_assert(sizeof(Datum) == 16 && sizeof(void*) == 8 && std::endian::native =
 struct Datum::Items : Datum::Shared {
   explicit Items(std::uint32_t count) : size(count) {}
   std::uint32_t size;
+  mutable std::atomic<std::uint64_t> weight{0};  // once weigh() has found it
   Datum* data() { return reinterpret_cast<Datum*>(this + 1); }
   const Datum* data() const { return reinterpret_cast<const Datum*>(this + 1); }
 };

@@ -70,6 +70,34 @@ bool match(const Datum& pattern, const Datum& datum, Bindings& bindings) {
   return true;
 }
 
+std::optional<FlatPattern> FlatPattern::of(const Datum& pattern) {
+  if (!pattern.is_list()) return std::nullopt;
+  FlatPattern flat;
+  flat.size_ = pattern.size();
+  for (std::size_t place = 0; place < pattern.size(); ++place) {
+    const Datum& element = pattern[place];
+    if (!is_variable(element) && !is_ground(element)) return std::nullopt;
+    if (is_variable(element) && element.text().size() == 1) continue;
+    (is_variable(element) ? flat.variables_ : flat.ground_).push_back({element, place});
+  }
+  std::ranges::sort(flat.variables_, {}, &Element::datum);
+  const bool twice = std::ranges::adjacent_find(flat.variables_, {}, &Element::datum) != flat.variables_.end();
+  return twice ? std::nullopt : std::optional(std::move(flat));
+}
+
+std::optional<Bindings> FlatPattern::match(const Datum& datum) const {
+  const std::span<const Datum> items = datum.items();
+  if (!datum.is_list() || items.size() != size_) return std::nullopt;
+  elements_looked_at += size_;
+  for (const Element& element : ground_) {
+    if (element.datum != items[element.place]) return std::nullopt;
+  }
+  std::optional<Bindings> bindings(std::in_place);
+  bindings->values_.reserve(variables_.size());
+  for (const Element& element : variables_) bindings->values_.push_back({element.datum, items[element.place]});
+  return bindings;
+}
+
 bool resembles(const Datum& pattern, const Datum& datum) {
   if (is_variable(pattern)) return true;
   if (!pattern.is_list()) return pattern == datum;

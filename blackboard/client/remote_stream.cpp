@@ -43,7 +43,7 @@ void RemoteStream::begin_again() {
 }
 
 void RemoteStream::receive(std::uint64_t sequence, const Datum& message) {
-  Result<Delta> delta = wire::delta_from_datum(query_, message);
+  Result<Delta> delta = wire::delta_from_datum(query_, held_ || width_of(query_) == 1, message);
   if (!delta) return end(delta.error());
   if (sequence < expected_) return;
   const bool from_the_start = delta->kind == Delta::Kind::all || delta->kind == Delta::Kind::first_part;

@@ -10,7 +10,7 @@ Task<Result<Change>> RemoteWatch::next() {
   Received first = std::move(unread_.front());
   unread_.pop_front();
   read_up_to(first.sequence, false);
-  co_return change_of(query(), std::move(first.delta));
+  co_return answering_.change(std::move(first.delta));
 }
 
 void RemoteWatch::come(std::uint64_t sequence, Delta delta) {

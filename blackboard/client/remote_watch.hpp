@@ -14,7 +14,7 @@ namespace pizarra {
 class RemoteWatch : public Watch, public RemoteStream {
  public:
   RemoteWatch(RemoteBoard& board, Executor& executor, Query query)
-      : RemoteStream(board, std::move(query), false), waiters_(executor) {}
+      : RemoteStream(board, std::move(query), false), answering_(this->query()), waiters_(executor) {}
 
   Task<Result<Change>> next() override;
   void end(Failure failure) override;
@@ -33,6 +33,7 @@ class RemoteWatch : public Watch, public RemoteStream {
     std::uint64_t sequence;
     Delta delta;
   };
+  const Answering answering_;
   std::deque<Received> unread_;
   std::optional<FactList> kept_;
   std::optional<Failure> ended_;

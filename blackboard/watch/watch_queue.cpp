@@ -96,12 +96,13 @@ Result<std::optional<Delta>> WatchQueue::pop_delta(std::size_t& examined) {
 
 Result<Change> WatchQueue::pop() {
   assert(ready());
-  if (state_ == State::following) return change_of(query_, pop_queued());
-  if (only_pattern_ != nullptr) return change_of(query_, all_parts());
+  if (!answering_) answering_ = std::make_unique<const Answering>(query_);
+  if (state_ == State::following) return answering_->change(pop_queued());
+  if (only_pattern_ != nullptr) return answering_->change(all_parts());
   std::size_t examined = 0;
   Result<Delta> all = all_answers(examined);
   if (!all) return fail(all);
-  return change_of(query_, std::move(*all));
+  return answering_->change(std::move(*all));
 }
 
 Delta WatchQueue::pop_queued() {

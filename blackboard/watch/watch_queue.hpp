@@ -20,6 +20,7 @@
 
 #include <deque>
 #include <functional>
+#include <memory>
 #include <optional>
 
 #include "blackboard/delta.hpp"
@@ -101,6 +102,7 @@ class WatchQueue {
   };
   std::deque<Queued> deltas_;
   Backlog::Share waiting_;  // what is queued, or gone
+  std::unique_ptr<const Answering> answering_;  // once a change was popped as answers
 };
 
 }  // namespace pizarra

@@ -52,17 +52,42 @@ Result<Transaction::Step> step_from_datum(const Datum& form) {
   return bad_frame("not a step of a transaction", form);
 }
 
-// `by_id`: the id of a fact may stand for it.
-Result<Delta::Side> side_from_datum(std::size_t width, bool by_id, const Datum& form) {
-  if (!form.is_list()) return bad_frame("not a list of answers", form);
+// What `(ID DATUM CAUSE ...)` says after `before`, which was told at the same time by the same.
+Result<Fact> fact_like(const Fact& before, const Datum& form) {
+  const std::optional<FactId> id = count_from(form[0]);
+  Result<std::vector<FactId>> because = ids_from(form.items().subspan(2));
+  if (!id || *id == 0 || !because) return bad_frame("not a fact like the one before it", form);
+  return Fact{.datum = form[1],
+              .id = *id,
+              .teller = before.teller,
+              .when = before.when,
+              .revision = before.revision,
+              .because = std::move(*because)};
+}
+
+// To a client that keeps what it was sent, of a query whose answers are one fact.
+Result<Delta::Side> kept_side_from_datum(const Datum& form) {
+  Delta::Side side;
+  side.answers = form.size();
+  side.facts.reserve(form.size());
+  for (const Datum& item : form.items()) {
+    if (const auto id = count_from(item)) {
+      side.facts.push_back({.datum = {}, .id = *id, .teller = {}, .because = {}});
+      continue;
+    }
+    const bool alike = item.size() > 1 && item[1].is_list() && !side.facts.empty();
+    Result<Fact> fact = alike ? fact_like(side.facts.back(), item) : fact_from_datum(item);
+    if (!fact) return fail(fact);
+    side.facts.push_back(std::move(*fact));
+  }
+  return side;
+}
+
+Result<Delta::Side> side_from_datum(std::size_t width, const Datum& form) {
   Delta::Side side;
   side.answers = form.size();
   side.facts.reserve(side.answers * width);
   for (const Datum& answer : form.items()) {
-    if (const auto id = by_id ? count_from(answer) : std::nullopt) {
-      side.facts.push_back({.datum = {}, .id = *id, .teller = {}, .because = {}});
-      continue;
-    }
     if (!answer.is_list() || answer.size() != width) return bad_frame("an answer has another number of facts", answer);
     for (const Datum& item : answer.items()) {
       Result<Fact> fact = fact_from_datum(item);
@@ -116,44 +141,37 @@ struct TransactionWriter {
   }
 };
 
-// Facts one after another, of which many say the same of when and by whom they were told.
-class FactWriter {
- public:
-  explicit FactWriter(std::string& out) : out_(out) {}
+bool told_alike(const Fact& a, const Fact& b) {
+  return a.revision == b.revision && a.when == b.when && a.teller == b.teller;
+}
 
-  void write(const Fact& fact) {
-    out_ += '(';
-    write_number_to(out_, fact.id);
-    if (before_ == nullptr || !told_alike(*before_, fact)) told_ = told_by(fact);
-    before_ = &fact;
-    out_ += told_;
-    write_to(out_, fact.datum);
-    for (const FactId cause : fact.because) {
-      out_ += ' ';
-      write_number_to(out_, cause);
-    }
-    out_ += ')';
+// `before` is the one that was written before it, where a fact told like that need not say so again.
+void write_fact(std::string& out, const Fact& fact, const Fact* before = nullptr) {
+  out += '(';
+  write_number_to(out, fact.id);
+  out += ' ';
+  if (before == nullptr || !told_alike(*before, fact)) {
+    write_number_to(out, fact.revision);
+    out += ' ';
+    write_number_to(out, fact.when.time_since_epoch().count());
+    out += ' ';
+    write_string_to(out, fact.teller);
+    out += ' ';
   }
+  write_to(out, fact.datum);
+  for (const FactId cause : fact.because) {
+    out += ' ';
+    write_number_to(out, cause);
+  }
+  out += ')';
+}
 
- private:
-  static bool told_alike(const Fact& a, const Fact& b) {
-    return a.revision == b.revision && a.when == b.when && a.teller == b.teller;
-  }
-  static std::string told_by(const Fact& fact) {
-    std::string text = " ";
-    write_number_to(text, fact.revision);
-    text += ' ';
-    write_number_to(text, fact.when.time_since_epoch().count());
-    text += ' ';
-    write_string_to(text, fact.teller);
-    text += ' ';
-    return text;
-  }
-
-  std::string& out_;
-  const Fact* before_ = nullptr;
-  std::string told_;
-};
+void write_facts(std::string& out, const Delta::Side& side) {
+  out += " (";
+  const Fact* before = nullptr;
+  for (const Fact& fact : side.facts) write_fact(out, fact, std::exchange(before, &fact));
+  out += ')';
+}
 
 void write_ids(std::string& out, const Delta::Side& side) {
   out += " (";
@@ -166,11 +184,10 @@ void write_ids(std::string& out, const Delta::Side& side) {
 
 void write_answers(std::string& out, std::size_t width, const Delta::Side& side) {
   out += " (";
-  FactWriter writer(out);
   auto next = side.facts.begin();
   for (std::size_t answer = 0; answer < side.answers; ++answer) {
     out += '(';
-    for (std::size_t i = 0; i < width; ++i) writer.write(*next++);
+    for (std::size_t i = 0; i < width; ++i) write_fact(out, *next++);
     out += ')';
   }
   out += ')';
@@ -301,23 +318,28 @@ void write_change(std::string& out, WatchId watch, std::uint64_t sequence, std::
   write_number_to(out, delta.revision);
   out += ' ';
   out += kind_names[static_cast<std::size_t>(delta.kind)];
-  write_answers(out, width, delta.added);
   if (kept && width == 1) {
+    write_facts(out, delta.added);
     write_ids(out, delta.removed);
   } else {
+    write_answers(out, width, delta.added);
     write_answers(out, width, delta.removed);
   }
   out += ')';
 }
 
-Result<Delta> delta_from_datum(const Query& query, const Datum& form) {
+Result<Delta> delta_from_datum(const Query& query, bool kept, const Datum& form) {
   const auto name = std::ranges::find(kind_names, form.size() == 7 ? form[4].text() : std::string_view());
   const std::optional<std::uint64_t> revision = count_at(form, 3);
   if (name == kind_names.end() || !revision || !form[4].is_symbol()) return bad_frame("not a change", form);
+  if (!form[5].is_list() || !form[6].is_list()) return bad_frame("not two lists of answers", form);
   const std::size_t width = width_of(query);
-  Result<Delta::Side> added = side_from_datum(width, false, form[5]);
+  const auto read_side = [&](const Datum& side) {
+    return kept && width == 1 ? kept_side_from_datum(side) : side_from_datum(width, side);
+  };
+  Result<Delta::Side> added = read_side(form[5]);
   if (!added) return fail(added);
-  Result<Delta::Side> removed = side_from_datum(width, width == 1, form[6]);
+  Result<Delta::Side> removed = read_side(form[6]);
   if (!removed) return fail(removed);
   Delta delta;
   delta.revision = *revision;

@@ -47,18 +47,49 @@ Fact fact_told(FactId id, Revision revision, std::string teller, Duration when, 
           .because = std::move(because)};
 }
 
-TEST(ChangeForm, SurvivesTheWayToTextAndBackWhoeverToldItsFacts) {
+Delta change_by_several() {
   Delta change;
   change.revision = 9;
   change.added.facts = {fact_told(1, 7, "alice", 5ms),      fact_told(2, 7, "alice", 5ms, {1}),
                         fact_told(3, 8, "alice", 5ms),      fact_told(4, 8, "bob \"the builder\"", 5ms),
                         fact_told(5, 8, "alice", 5ms, {2}), fact_told(6, 8, "alice", 6ms)};
   change.added.answers = change.added.facts.size();
+  return change;
+}
+
+TEST(ChangeForm, SaysOnceWhenAndByWhomFactsWereToldToWhoKeepsThem) {
+  Delta change = change_by_several();
+  change.removed.facts = {fact_told(7, 8, "alice", 6ms)};
+  change.removed.answers = 1;
+  std::string text;
+  wire::write_change(text, 3, 4, 1, true, change);
+  EXPECT_EQ(text,
+            "(change 3 4 9 no ((1 7 5000 \"alice\" (n 1))(2 (n 2) 1)(3 8 5000 \"alice\" (n 3))"
+            "(4 8 5000 \"bob \\\"the builder\\\"\" (n 4))(5 8 5000 \"alice\" (n 5) 2)(6 8 6000 \"alice\" (n 6))) (7 ))");
+  const Result<Delta> read_back = wire::delta_from_datum(query("(n ?id)"), true, read(text));
+  ASSERT_TRUE(read_back.has_value()) << text;
+  EXPECT_EQ(read_back->added.facts, change.added.facts);
+  ASSERT_EQ(read_back->removed.facts.size(), 1U);
+  EXPECT_EQ(read_back->removed.facts[0].id, 7U);
+}
+
+TEST(ChangeForm, WithAFactThatIsNoneIsRefused) {
+  for (const char* added : {"((n 1))", "((2 (n 2)))", "((1 7 5 \"a\" (n 1)) (2 (n 2) x))", "((1 7 5 \"a\" (n 1)) (0 (n 2)))",
+                            "((1 7 5 \"a\" (n 1)) (2))", "(x)", "x"}) {
+    const std::string text = std::string("(change 3 4 9 no ") + added + " ())";
+    const Result<Delta> refused = wire::delta_from_datum(query("(n ?id)"), true, read(text));
+    ASSERT_FALSE(refused.has_value()) << text;
+    EXPECT_EQ(refused.error().symbol, "bad-frame") << text;
+  }
+}
+
+TEST(ChangeForm, SurvivesTheWayToTextAndBackWhoeverToldItsFacts) {
+  Delta change = change_by_several();
   change.removed.facts = {fact_told(7, 8, "alice", 6ms)};
   change.removed.answers = 1;
   std::string text;
   wire::write_change(text, 3, 4, 1, false, change);
-  const Result<Delta> read_back = wire::delta_from_datum(query("(n ?id)"), read(text));
+  const Result<Delta> read_back = wire::delta_from_datum(query("(n ?id)"), false, read(text));
   ASSERT_TRUE(read_back.has_value()) << text;
   EXPECT_EQ(read_back->revision, 9U);
   EXPECT_EQ(read_back->added.facts, change.added.facts) << text;

@@ -64,5 +64,37 @@ TEST(PatternTest, AMatchedPatternSubstitutesToTheDatum) {
   }
 }
 
+TEST(FlatPatternTest, MatchesWhatThePatternMatchesAndBindsTheSame) {
+  RandomDatum random(6);
+  constexpr const char* elements[] = {"a", "b", "1", "(a b)", "?", "?x", "?y", "?a", "()"};
+  const auto some = [&](std::size_t kinds) {
+    std::vector<Datum> items(random.below(4));
+    for (Datum& item : items) item = parse(elements[random.below(kinds)]);
+    return Datum::list(std::move(items));
+  };
+  int flat_and_fitting = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    const Datum pattern = some(std::size(elements));
+    const Datum datum = random.below(20) == 0 ? parse("a") : some(4);
+    const std::optional<FlatPattern> flat = FlatPattern::of(pattern);
+    if (!flat) continue;
+    Bindings expected;
+    const bool fits = match(pattern, datum, expected);
+    const std::optional<Bindings> found = flat->match(datum);
+    ASSERT_EQ(found.has_value(), fits);
+    if (!fits) continue;
+    ASSERT_EQ(*found, expected);
+    ++flat_and_fitting;
+  }
+  EXPECT_GT(flat_and_fitting, 500);
+}
+
+TEST(FlatPatternTest, IsNoneWithAVariableTwiceOrInsideAList) {
+  EXPECT_FALSE(FlatPattern::of(parse("(on ?x ?x)")));
+  EXPECT_FALSE(FlatPattern::of(parse("(on (f ?x))")));
+  EXPECT_FALSE(FlatPattern::of(parse("?x")));
+  EXPECT_TRUE(FlatPattern::of(parse("(on ? ?)")));
+}
+
 }  // namespace
 }  // namespace pizarra
