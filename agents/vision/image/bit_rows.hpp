@@ -44,8 +44,8 @@ template <int words>
 struct BitRow {
   std::array<std::uint64_t, words> bits;  // not set at first: these are made by the hundred
 
-  void set(int x) { bits[static_cast<std::size_t>(x / 64)] |= std::uint64_t{1} << (x % 64); }
-  void flip(int x) { bits[static_cast<std::size_t>(x / 64)] ^= std::uint64_t{1} << (x % 64); }
+  void set(int x) { word_of(x) |= std::uint64_t{1} << (x & 63); }
+  void flip(int x) { word_of(x) ^= std::uint64_t{1} << (x & 63); }
 
   // Every bit becomes the parity of the set ones up to it.
   void fill_between_flips() {
@@ -81,8 +81,6 @@ struct BitRow {
     for (int i = 0; i < words; ++i) out.bits[i] = bits[i] & ~other.bits[i];
     return out;
   }
-  // The eight bits from x on, x being a multiple of 8.
-  std::size_t byte(int x) const { return bits[static_cast<std::size_t>(x / 64)] >> (x % 64) & 255; }
   template <typename Run>
   void for_each_run(Run&& run) const {
     for_each_run_of_bits(bits.data(), words, run);
@@ -94,6 +92,10 @@ struct BitRow {
       for (std::uint64_t word = bits[i]; word != 0; word &= word - 1) bit(64 * i + std::countr_zero(word));
     }
   }
+
+ private:
+  // Of pixels there are only those from 0 on: no sign need be looked at, and of one word no number.
+  std::uint64_t& word_of(int x) { return bits[words == 1 ? 0 : static_cast<unsigned>(x) / 64]; }
 };
 
 class BitImage {

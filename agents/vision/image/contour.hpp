@@ -6,7 +6,9 @@
 //   std::optional<MarkContour> contour = follow_contour(MaskField(mask), start, 400);
 //   std::optional<MarkContour> tracked = contour_from_centre(ToneField(grey, 90, true), last_centre, 12, 400);
 
+#include <algorithm>
 #include <array>
+#include <cstdint>
 #include <cstdlib>
 #include <opencv2/core.hpp>
 #include <optional>
@@ -39,8 +41,8 @@ class ToneField {
       : pixels_(grey.data),
         stride_(grey.step),
         size_(grey.size()),
-        inverted_(dark ? 0 : 255),
-        threshold_(dark ? threshold : 255 - threshold) {}
+        inverted_(static_cast<std::int16_t>(dark ? 0 : 255)),
+        threshold_(static_cast<std::int16_t>(dark ? threshold : 255 - threshold)) {}
   int cols() const { return size_.width; }
   int rows() const { return size_.height; }
   std::ptrdiff_t stride() const { return stride_; }
@@ -50,8 +52,9 @@ class ToneField {
   const std::uint8_t* pixels_;
   std::ptrdiff_t stride_;
   cv::Size size_;
-  int inverted_;  // each bit of a level, where what is lighter is inside
-  int threshold_;
+  // No integers, which would be read anew after every point of a contour that is stored.
+  std::int16_t inverted_;  // each bit of a level, where what is lighter is inside
+  std::int16_t threshold_;
 };
 
 // The eight neighbours in clockwise order (y down), from the left.
@@ -70,27 +73,37 @@ std::optional<MarkContour> follow_contour(const Field& field, cv::Point start, s
   for (std::size_t i = 0; i < offsets.size(); ++i) {
     offsets[i] = neighbours[i % count][1] * field.stride() + neighbours[i % count][0];
   }
+  // Negative numbers are large ones without a sign.
+  const auto width = static_cast<unsigned>(std::max(0, field.cols() - 2));
+  const auto height = static_cast<unsigned>(std::max(0, field.rows() - 2));
+  const auto is_within = [&](int x, int y) {
+    return static_cast<unsigned>(x - 1) < width && static_cast<unsigned>(y - 1) < height;
+  };
+  if (!is_within(start.x, start.y)) return std::nullopt;
+  const std::ptrdiff_t start_index = start.y * field.stride() + start.x;
+  std::size_t first_step = 1;
+  while (first_step < count && !field.inside(start_index + offsets[first_step])) ++first_step;
+  if (first_step == count) return MarkContour{start};
   MarkContour contour;
   contour.reserve(128);
-  cv::Point at = start;
-  std::ptrdiff_t index = start.y * field.stride() + start.x;
-  std::size_t outside_direction = 0;  // where, seen from `at`, the last outside pixel lies
-  std::size_t first_step = count;
-  while (true) {
-    if (at.x <= 0 || at.y <= 0 || at.x >= field.cols() - 1 || at.y >= field.rows() - 1) return std::nullopt;
-    if (contour.size() >= max_points) return std::nullopt;
-    std::size_t turn = 1;
-    while (turn < count && !field.inside(index + offsets[outside_direction + turn])) ++turn;
-    if (turn == count) return MarkContour{at};
-    const std::size_t step = (outside_direction + turn) % count;
-    if (at == start && step == first_step) return contour;
-    if (contour.empty()) first_step = step;
-    contour.push_back(at);
-    at += cv::Point(neighbours[step][0], neighbours[step][1]);
+  int x = start.x;
+  int y = start.y;
+  std::ptrdiff_t index = start_index;
+  std::size_t step = first_step;
+  for (std::size_t left = max_points; left > 0; --left) {
+    contour.emplace_back(x, y);
+    x += neighbours[step][0];
+    y += neighbours[step][1];
+    if (!is_within(x, y)) return std::nullopt;
     index += offsets[step];
     // The neighbour looked at before the step was outside; from the new place it lies one or two turns further back.
-    outside_direction = (step + (step % 2 == 0 ? 6 : 5)) % count;
+    // The place before is inside, so some neighbour is.
+    std::size_t turned = (step + (step % 2 == 0 ? 6 : 5)) % count + 1;
+    while (!field.inside(index + offsets[turned])) ++turned;
+    step = turned % count;
+    if (index == start_index && step == first_step) return contour;
   }
+  return std::nullopt;
 }
 
 // The interline method: looks for an inside pixel within `reach_px` of `centre`, goes left along its line to the border

@@ -28,9 +28,10 @@ class GreyLevels {
     int level = 0;
     int seen = 0;
     // Whole blocks first: their sums are quick.
-    while (level + block < 256 && 2 * (seen + sum_of_block(level)) < total_) {
-      seen += sum_of_block(level);
-      level += block;
+    for (; level + block < 256; level += block) {
+      const int sum = sum_of_block(level);
+      if (2 * (seen + sum) >= total_) break;
+      seen += sum;
     }
     while (level < 255 && 2 * (seen += counts_[static_cast<std::size_t>(level)]) < total_) ++level;
     return level;

@@ -17,17 +17,30 @@ struct ColumnSums {
   std::array<std::int32_t, 8> s, y, yy;
 };
 
+// Two numbers of 16 bits each, of every second row and the one after it: the rows themselves, and their squares.
+struct RowPairs {
+  std::array<std::int32_t, MarkPatch::most_side_px> rows, squares;
+};
+
+constexpr RowPairs row_pairs = [] {
+  RowPairs out{};
+  for (int row = 0; row < MarkPatch::most_side_px; ++row) {
+    const int next = row + 1;
+    out.rows[static_cast<std::size_t>(row)] = next << 16 | row;
+    out.squares[static_cast<std::size_t>(row)] = next * next << 16 | row * row;
+  }
+  return out;
+}();
+
 ColumnSums column_sums(const MarkPatch& patch, int column) {
   cv::v_int32x4 s[2], y[2], yy[2];
   for (cv::v_int32x4* sum : {s, y, yy}) sum[0] = sum[1] = cv::v_setzero_s32();
-  const auto both = [](int upper, int lower) {
-    return cv::v_reinterpret_as_s16(cv::v_setall_s32((lower << 16) | upper));
-  };
-  const cv::v_int16x8 ones = both(1, 1);
+  const auto in_all = [](std::int32_t pair) { return cv::v_reinterpret_as_s16(cv::v_setall_s32(pair)); };
+  const cv::v_int16x8 ones = cv::v_setall_s16(1);
   // The first row is 0, and so is the last, with which those of an odd height end.
   for (int row = 1; row < patch.size.height - 1; row += 2) {
-    const cv::v_int16x8 rows = both(row, row + 1);
-    const cv::v_int16x8 squares = both(row * row, (row + 1) * (row + 1));
+    const cv::v_int16x8 rows = in_all(row_pairs.rows[static_cast<std::size_t>(row)]);
+    const cv::v_int16x8 squares = in_all(row_pairs.squares[static_cast<std::size_t>(row)]);
     cv::v_int16x8 pairs[2];
     cv::v_zip(cv::v_load(patch.row(row) + column), cv::v_load(patch.row(row + 1) + column), pairs[0], pairs[1]);
     for (int half = 0; half < 2; ++half) {
@@ -45,22 +58,33 @@ ColumnSums column_sums(const MarkPatch& patch, int column) {
   return out;
 }
 
+// Exact: what a double cannot hold no patch adds up to.
 Sums sums_of(const MarkPatch& patch) {
-  Sums out{};
-  for (int column = 0; column < patch.stride; column += 8) {
-    const ColumnSums sums = column_sums(patch, column);
-    for (int i = 0; i < 8; ++i) {
-      const double x = column + i;
-      const double s = sums.s[i];
-      out.s += s;
-      out.x += x * s;
-      out.y += sums.y[i];
-      out.xx += x * x * s;
-      out.xy += x * sums.y[i];
-      out.yy += sums.yy[i];
+  cv::v_float64x2 s = cv::v_setzero_f64();
+  cv::v_float64x2 x = s, y = s, xx = s, xy = s, yy = s;
+  const cv::v_float64x2 two = cv::v_setall_f64(2);
+  cv::v_float64x2 column(0, 1);
+  for (int first = 0; first < patch.stride; first += 8) {
+    const ColumnSums sums = column_sums(patch, first);
+    for (std::size_t i = 0; i < 8; i += 4) {
+      const cv::v_int32x4 four_s = cv::v_load(sums.s.data() + i);
+      const cv::v_int32x4 four_y = cv::v_load(sums.y.data() + i);
+      const cv::v_int32x4 four_yy = cv::v_load(sums.yy.data() + i);
+      const auto add = [&](cv::v_float64x2 of_s, cv::v_float64x2 of_y, cv::v_float64x2 of_yy) {
+        s += of_s;
+        x += column * of_s;
+        xx += column * (column * of_s);
+        y += of_y;
+        xy += column * of_y;
+        yy += of_yy;
+        column += two;
+      };
+      add(cv::v_cvt_f64(four_s), cv::v_cvt_f64(four_y), cv::v_cvt_f64(four_yy));
+      add(cv::v_cvt_f64_high(four_s), cv::v_cvt_f64_high(four_y), cv::v_cvt_f64_high(four_yy));
     }
   }
-  return out;
+  const auto sum = [](cv::v_float64x2 parts) { return cv::v_reduce_sum(parts); };
+  return {sum(s), sum(x), sum(y), sum(xx), sum(xy), sum(yy)};
 }
 
 struct Ellipse {

@@ -19,16 +19,13 @@ constexpr double most_stray = 0.3;           // of the contrast: beyond it a gro
 // Of eight pixels: -1 for those whose bits are set.
 using Mask = std::array<std::int16_t, 8>;
 
-const std::array<Mask, 256>& masks() {
-  static constexpr auto table = [] {
-    std::array<Mask, 256> out{};
-    for (std::size_t bits = 0; bits < 256; ++bits) {
-      for (std::size_t i = 0; i < 8; ++i) out[bits][i] = (bits >> i & 1) != 0 ? -1 : 0;
-    }
-    return out;
-  }();
-  return table;
-}
+constexpr std::array<Mask, 256> masks = [] {
+  std::array<Mask, 256> out{};
+  for (std::size_t bits = 0; bits < 256; ++bits) {
+    for (std::size_t i = 0; i < 8; ++i) out[bits][i] = (bits >> i & 1) != 0 ? -1 : 0;
+  }
+  return out;
+}();
 
 template <int words>
 using Rows = std::array<BitRow<words>, MarkPatch::most_side_px>;
@@ -123,15 +120,22 @@ bool MarkPatch::cut_rows(cv::Mat1b& pixels, const MarkContour& contour, cv::Poin
   std::int16_t* last = values.data() + (size.height - 1) * stride;
   std::fill_n(values.data(), stride, std::int16_t{0});
   std::fill_n(last, stride, std::int16_t{0});
+  const int row_length = stride;
   for (int y = 1; y < size.height - 1; ++y) {
     const std::uint8_t* levels = pixels.ptr<std::uint8_t>(y);  // beyond its end is the next row
-    for (int x = 0; x < stride; x += 8) {
-      const cv::v_int16x8 level = cv::v_reinterpret_as_s16(cv::v_load_expand(levels + x));
-      const cv::v_int16x8 value = cv::v_mul_wrap(level - ground_all, sign_all);
-      const cv::v_int16x8 clean = cv::v_max(cv::v_min(value, stray), minus_stray) == value;
-      const cv::v_int16x8 within = cv::v_load(masks()[grown[y].byte(x)].data());
-      const cv::v_int16x8 near = cv::v_load(masks()[around[y].byte(x)].data());
-      cv::v_store(values.data() + y * stride + x, value & (within | (near & clean)));
+    std::int16_t* out = values.data() + y * stride;
+    for (int word = 0; word < words; ++word) {
+      std::uint64_t within_bits = grown[y].bits[word];
+      std::uint64_t near_bits = around[y].bits[word];
+      const int end = std::min(64 * (word + 1), row_length);
+      for (int x = 64 * word; x < end; x += 8, within_bits >>= 8, near_bits >>= 8) {
+        const cv::v_int16x8 level = cv::v_reinterpret_as_s16(cv::v_load_expand(levels + x));
+        const cv::v_int16x8 value = cv::v_mul_wrap(level - ground_all, sign_all);
+        const cv::v_int16x8 clean = cv::v_max(cv::v_min(value, stray), minus_stray) == value;
+        const cv::v_int16x8 within = cv::v_load(masks[within_bits & 255].data());
+        const cv::v_int16x8 near = cv::v_load(masks[near_bits & 255].data());
+        cv::v_store(out + x, value & (within | (near & clean)));
+      }
     }
   }
   for (int y = 1; is_large() && y < size.height - 1; ++y) {

@@ -38,6 +38,7 @@ float sample(const WeightedShape& shape, float x, float y) {
 
 // sample() of four places at once, given in px.
 cv::v_float32x4 sample(const WeightedShape& shape, cv::v_float32x4 x, cv::v_float32x4 y) {
+  constexpr int unit = 1 << 14;
   const cv::v_float32x4 zero = cv::v_setzero_f32();
   x = cv::v_max(zero, cv::v_min(x, cv::v_setall_f32(static_cast<float>(shape.size.width) - 1.001F)));
   y = cv::v_max(zero, cv::v_min(y, cv::v_setall_f32(static_cast<float>(shape.size.height) - 1.001F)));
@@ -52,14 +53,15 @@ cv::v_float32x4 sample(const WeightedShape& shape, cv::v_float32x4 x, cv::v_floa
     std::memcpy(&upper[i], at, sizeof upper[i]);
     std::memcpy(&lower[i], at + shape.stride, sizeof lower[i]);
   }
-  const auto neighbour_of = [](cv::v_int32x4 pairs) { return cv::v_cvt_f32(pairs >> 16); };
-  const auto pixel_of = [](cv::v_int32x4 pairs) { return cv::v_cvt_f32((pairs << 16) >> 16); };
-  const auto between = [](cv::v_float32x4 a, cv::v_float32x4 b, cv::v_float32x4 part) { return a + part * (b - a); };
-  const cv::v_int32x4 above(upper[0], upper[1], upper[2], upper[3]);
-  const cv::v_int32x4 below(lower[0], lower[1], lower[2], lower[3]);
-  const cv::v_float32x4 part = x - left;
-  return between(between(pixel_of(above), neighbour_of(above), part),
-                 between(pixel_of(below), neighbour_of(below), part), y - top);
+  // What either of them counts.
+  const cv::v_int32x4 part = cv::v_round((x - left) * cv::v_setall_f32(unit));
+  const cv::v_int16x8 parts = cv::v_reinterpret_as_s16((part << 16) + (cv::v_setall_s32(unit) - part));
+  const auto along = [&](const std::array<std::int32_t, 4>& pairs) {
+    const cv::v_int32x4 four(pairs[0], pairs[1], pairs[2], pairs[3]);
+    return cv::v_cvt_f32(cv::v_dotprod(cv::v_reinterpret_as_s16(four), parts));
+  };
+  const cv::v_float32x4 above = along(upper);
+  return (above + (y - top) * (along(lower) - above)) * cv::v_setall_f32(1.0F / unit);
 }
 
 // What is averaged over squares of pixels, with zeros around.
@@ -124,16 +126,7 @@ std::int32_t correlation(const MarkSignature& a, const MarkSignature& b, int tur
   return sum;
 }
 
-double error_of(const MarkSignature& a, const MarkSignature& b, std::int32_t best) {
-  const double energy = std::sqrt(static_cast<double>(a.energy) * static_cast<double>(b.energy));
-  return energy > 0 ? 2 - 2 * best / energy : 2;
-}
-
-}  // namespace
-
-MarkSignature signature_of(const WeightedShape& shape) {
-  const int side = pixels_a_template_pixel(shape);
-  if (side > 1) return signature_of(CoarseShape(shape, side).shape);
+MarkSignature sampled(const WeightedShape& shape) {
   MarkSignature out;
   const auto all = [](double value) { return cv::v_setall_f32(static_cast<float>(value)); };
   const cv::v_float32x4 xx = all(shape.spread(0, 0)), xy = all(shape.spread(0, 1)), yy = all(shape.spread(1, 1));
@@ -157,6 +150,18 @@ MarkSignature signature_of(const WeightedShape& shape) {
   }
   out.energy = cv::v_reduce_sum(energy);
   return out;
+}
+
+double error_of(const MarkSignature& a, const MarkSignature& b, std::int32_t best) {
+  const double energy = std::sqrt(static_cast<double>(a.energy) * static_cast<double>(b.energy));
+  return energy > 0 ? 2 - 2 * best / energy : 2;
+}
+
+}  // namespace
+
+MarkSignature signature_of(const WeightedShape& shape) {
+  const int side = pixels_a_template_pixel(shape);
+  return side > 1 ? sampled(CoarseShape(shape, side).shape) : sampled(shape);
 }
 
 MarkSignature signature_of(const MarkTemplate& picture, double blur) {
@@ -184,24 +189,30 @@ std::array<float, MarkSignature::turns> reach_of(const MarkSignature& signature)
   return out;
 }
 
-double signature_error(const MarkSignature& a, const MarkSignature& b) {
+SignatureFit fit_signature(const MarkSignature& a, const MarkSignature& b) {
   constexpr int turns = MarkSignature::turns;
   std::int32_t best = std::numeric_limits<std::int32_t>::min();
   int best_turn = 0;
-  for (int turn = 0; turn < turns; turn += 2) {
+  const auto look_at = [&](int turn) {
     const std::int32_t here = correlation(a, b, turn);
-    if (here <= best) continue;
+    if (here <= best) return;
     best = here;
     best_turn = turn;
-  }
-  best = std::max({best, correlation(a, b, best_turn + 1), correlation(a, b, (best_turn + turns - 1) % turns)});
-  return error_of(a, b, best);
+  };
+  for (int turn = 0; turn < turns; turn += 3) look_at(turn);
+  const int beside[] = {(best_turn + 1) % turns, (best_turn + turns - 1) % turns};
+  for (const int turn : beside) look_at(turn);
+  return {error_of(a, b, best), best_turn};
 }
 
-double signature_error(const MarkSignature& a, const MarkSignature& b, int most_turns) {
-  std::int32_t best = correlation(a, b, 0);
+double signature_error(const MarkSignature& a, const MarkSignature& b) { return fit_signature(a, b).error; }
+
+double signature_error(const MarkSignature& a, const MarkSignature& b, int most_turns, int about) {
+  constexpr int turns = MarkSignature::turns;
+  std::int32_t best = correlation(a, b, about);
   for (int turn = 1; turn <= most_turns; ++turn) {
-    best = std::max({best, correlation(a, b, turn), correlation(a, b, MarkSignature::turns - turn)});
+    const std::int32_t further = correlation(a, b, (about + turn) % turns);
+    best = std::max({best, further, correlation(a, b, (about + turns - turn) % turns)});
   }
   return error_of(a, b, best);
 }

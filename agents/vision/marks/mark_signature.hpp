@@ -50,10 +50,15 @@ MarkSignature signature_of(const MarkTemplate& picture, double blur = 0);
 // takes away within the edge it adds beyond.
 std::array<float, MarkSignature::turns> reach_of(const MarkSignature& signature);
 
-// Two minus twice the correlation at the best turn: the best of every other one, or beside it.
+// Two minus twice the correlation at the best turn: the best of every third one, or beside it.
+struct SignatureFit {
+  double error;
+  int turn;  // so many steps of 9 degrees
+};
+SignatureFit fit_signature(const MarkSignature& a, const MarkSignature& b);
 double signature_error(const MarkSignature& a, const MarkSignature& b);
-// The same, over turns of at most `most_turns` steps of 9 degrees either way.
-double signature_error(const MarkSignature& a, const MarkSignature& b, int most_turns);
+// The same, over turns of at most `most_turns` steps either way from `about`.
+double signature_error(const MarkSignature& a, const MarkSignature& b, int most_turns, int about = 0);
 
 // The normalised shape as a picture with weights 0..1.
 cv::Mat1f template_picture(const WeightedShape& shape);

@@ -60,10 +60,12 @@ Match match_of(const SeenMark& mark, const LearnedSample& sample, double weight)
   // The parameters first: where they differ too much the shapes need not be compared.
   const double roundness = roundness_error(mark, sample, weight);
   if (roundness > recognition_threshold) return {};
-  Match best;
-  for (std::size_t i = 0; i < sample.blurs.size() && best.shape_error > clear_error; ++i) {
+  const SignatureFit sharp = fit_signature(mark.signature, sample.signatures.front());
+  Match best{sharp.error + roundness, sharp.error, 0};
+  for (std::size_t i = 1; i < sample.blurs.size() && best.shape_error > clear_error; ++i) {
     if (sample.blurs[i] * mark.height_px > widest_blur_px) break;
-    const double error = signature_error(mark.signature, sample.signatures[i]);
+    // Blur turns nothing.
+    const double error = signature_error(mark.signature, sample.signatures[i], 1, sharp.turn);
     if (error < best.shape_error) best = {error + roundness, error, i};
   }
   return best;

@@ -54,7 +54,8 @@ std::optional<SeenMark> follow_mark(const cv::Mat& grey, double noise, const See
 // Most marks are where they are expected; then little need be looked at.
 std::optional<SeenMark> follow_mark(const cv::Mat& grey, double noise, const SeenMark& last, cv::Point2d centre) {
   std::optional<SeenMark> near = follow_mark(grey, noise, last, centre, cvRound(px_in(grey, small_gate_px)));
-  return near ? near : follow_mark(grey, noise, last, centre, cvRound(px_in(grey, gate_px)));
+  if (!near) near = follow_mark(grey, noise, last, centre, cvRound(px_in(grey, gate_px)));
+  return near;
 }
 
 // They may move meanwhile; where one is hidden, it is thought to rest.
