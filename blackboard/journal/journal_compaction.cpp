@@ -187,7 +187,7 @@ Result<std::size_t> advance_horizon(sqlite::Database& database, Revision before_
       if (!*group || static_cast<Revision>(groups.integer(1)) >= before_revision) break;
       if (Time(Duration(groups.integer(2))) >= before_time) break;
       last = groups.integer(0);
-      if (sum_of_group(last, groups.text(3), groups.text(4)) != groups.integer(5)) {
+      if (!is_sum_of_group(groups.integer(5), last, groups.text(3), groups.text(4))) {
         return fail("damaged", "entry " + std::to_string(last) + " is damaged: its checksum does not fit");
       }
       bytes += groups.text(3).size() + groups.text(4).size();

@@ -13,7 +13,6 @@
 #include "blackboard/journal/journal_compaction.hpp"
 #include "blackboard/journal/journal_tables.hpp"
 #include "blackboard/journal/log_space.hpp"
-#include "lisp/writer.hpp"
 
 namespace pizarra {
 
@@ -113,15 +112,6 @@ Result<void> check_together(const std::string& path) {
 }
 
 }  // namespace
-
-void write_reply_line_to(std::string& out, const RememberedReply& reply) {
-  write_number_to(out += '(', reply.session);
-  write_string_to(out += ' ', reply.teller);
-  write_number_to(out += ' ', reply.request);
-  write_to(out += ' ', reply.result);
-  if (!reply.key.empty()) write_string_to(out += ' ', reply.key);
-  out += ")\n";
-}
 
 JournalFile::Lock::~Lock() { close(file_); }
 

@@ -24,20 +24,11 @@
 #include "blackboard/journal/journal.hpp"
 #include "blackboard/journal/journal_room.hpp"
 #include "blackboard/journal/kept_mark.hpp"
+#include "blackboard/journal/remembered_replies.hpp"
 #include "blackboard/journal/space_reserve.hpp"
 #include "blackboard/journal/sqlite.hpp"
 
 namespace pizarra {
-
-// What a client was answered: sent again, its request is not done again, in no later life of the board either.
-struct RememberedReply {
-  std::uint64_t session = 0;
-  std::string teller;
-  std::uint64_t request = 0;
-  Datum result;
-  std::string key = {};  // the public key whose session it is, if any
-};
-void write_reply_line_to(std::string& out, const RememberedReply& reply);
 
 // Lines that are written together, each with its newline: all of them survive, or none.
 struct JournalGroup {

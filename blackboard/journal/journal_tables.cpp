@@ -12,8 +12,9 @@ namespace pizarra::journal_tables {
 namespace {
 
 constexpr std::int64_t application = 0x50697a61;  // "Piza"
-constexpr std::int64_t format = 3;
+constexpr std::int64_t format = 4;
 constexpr std::int64_t format_without_head_sum = 1;
+constexpr std::int64_t format_that_misses_nothing = 3;  // since which the head tells of all facts and groups
 constexpr std::size_t replies_of_session = 256;
 constexpr std::size_t most_replies = 1 << 18;
 constexpr ReadLimits fact_limits = {.bytes = 4 << 20, .depth = 70, .elements = 400'000};
@@ -25,14 +26,15 @@ constexpr const char* schema = R"(
   CREATE TABLE log (number INTEGER PRIMARY KEY, revision INTEGER, time INTEGER, lines TEXT, replies TEXT, sum INTEGER);
   INSERT INTO about VALUES ('horizon', 0), ('horizon-time', 0), ('next-fact', 1), ('facts', 0), ('forgotten', 0);
   PRAGMA application_id = 1349089889;
-  PRAGMA user_version = 3;
+  PRAGMA user_version = 4;
 )";
 
+constexpr const char* to_this_format = "PRAGMA user_version = 4";
 // What is there of a former format is believed.
-constexpr const char* to_this_format = R"(
+constexpr const char* to_this_format_from_the_first = R"(
   INSERT OR REPLACE INTO about SELECT 'facts', coalesce(sum(sum & 0xffffffff), 0) FROM facts;
   INSERT OR REPLACE INTO about SELECT 'forgotten', coalesce(min(number) - 1, 0) FROM log;
-  PRAGMA user_version = 3;
+  PRAGMA user_version = 4;
 )";
 
 std::unexpected<Failure> damaged(std::string sentence) { return fail("bad-journal", std::move(sentence)); }
@@ -65,11 +67,11 @@ Result<void> run_and_seal(sqlite::Database& database, const char* sql) {
   return done;
 }
 
-// Of a file of a former format, nothing.
+// Of a file whose format does not say it, nothing.
 Result<std::optional<std::int64_t>> about_if_said(sqlite::Database& database, std::string_view name) {
   const Result<std::int64_t> version = database.ask("PRAGMA user_version");
   if (!version) return fail(version);
-  if (*version != format) return std::nullopt;
+  if (*version < format_that_misses_nothing) return std::nullopt;
   const Result<std::int64_t> said = about(database, name);
   if (!said) return fail(said);
   return *said;
@@ -124,7 +126,7 @@ Result<PlayedBack> restore_log(sqlite::Database& database, Store& store, const M
     const auto bad = [number](const std::string& why) {
       return damaged("entry " + std::to_string(number) + " is damaged: " + why);
     };
-    if (sum_of_group(number, rows.text(1), rows.text(2)) != rows.integer(3)) return bad("its checksum does not fit");
+    if (!is_sum_of_group(rows.integer(3), number, rows.text(1), rows.text(2))) return bad("its checksum does not fit");
     const LineStart last = start_of_last_line(rows.text(1));
     const LineStart said{static_cast<Revision>(rows.integer(4)), Time(Duration(rows.integer(5)))};
     if (last.revision != said.revision || last.when != said.when) return bad("it ends at another moment than it says");
@@ -139,16 +141,6 @@ Result<PlayedBack> restore_log(sqlite::Database& database, Store& store, const M
     if (!played.empty()) to = start_of_last_line(played);
   }
   return PlayedBack{to, std::move(later)};
-}
-
-std::optional<RememberedReply> reply_from_line(std::string_view line) {
-  const Result<Datum> form = wire::read_frame(line);
-  if (!form || form->size() < 4 || form->size() > 5 || !(*form)[1].is_string()) return std::nullopt;
-  const std::optional<std::uint64_t> session = wire::count_at(*form, 0);
-  const std::optional<std::uint64_t> request = wire::count_at(*form, 2);
-  if (!session || !request) return std::nullopt;
-  const std::string key(form->size() == 5 ? (*form)[4].text() : std::string_view());
-  return RememberedReply{*session, std::string((*form)[1].text()), *request, (*form)[3], key};
 }
 
 }  // namespace
@@ -179,7 +171,8 @@ Result<sqlite::Database> open(const std::string& path, sqlite::Access access) {
   if (access == sqlite::Access::write) {
     // What is damaged must not be summed up anew.
     set = check_head(*database);
-    if (set) set = run_and_seal(*database, to_this_format);
+    const bool believed = *version < format_that_misses_nothing;
+    if (set) set = run_and_seal(*database, believed ? to_this_format_from_the_first : to_this_format);
   }
   if (!set) return fail(set);
   return database;
@@ -218,7 +211,15 @@ Result<Fact> fact_from_row(FactId id, Store::Restored state, std::string_view fo
 }
 
 std::int64_t sum_of_group(std::int64_t number, std::string_view lines, std::string_view replies) {
+  return Checksum().add(static_cast<std::uint64_t>(number)).add_words(lines).add_words(replies).value();
+}
+
+std::int64_t former_sum_of_group(std::int64_t number, std::string_view lines, std::string_view replies) {
   return Checksum().add(static_cast<std::uint64_t>(number)).add(lines.size()).add(lines).add(replies).value();
+}
+
+bool is_sum_of_group(std::int64_t sum, std::int64_t number, std::string_view lines, std::string_view replies) {
+  return sum == sum_of_group(number, lines, replies) || sum == former_sum_of_group(number, lines, replies);
 }
 
 Result<std::int64_t> about(sqlite::Database& database, std::string_view name) {
@@ -267,15 +268,9 @@ Result<std::vector<RememberedReply>> remembered(sqlite::Database& database, Dura
     if (!row) return fail(row);
     if (!newest) newest = rows.integer(0);
     if (rows.integer(0) < *newest - length.count() || replies.size() > most_replies) break;
-    std::string_view text = rows.text(1);
-    std::vector<RememberedReply> group;
-    for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n')) {
-      std::optional<RememberedReply> reply = reply_from_line(text.substr(0, end));
-      if (!reply) return damaged("a remembered reply is damaged");
-      text.remove_prefix(end + 1);
-      group.push_back(std::move(*reply));
-    }
-    for (auto reply = group.rbegin(); reply != group.rend(); ++reply) {
+    std::optional<std::vector<RememberedReply>> group = replies_from(rows.text(1));
+    if (!group) return damaged("a remembered reply is damaged");
+    for (auto reply = group->rbegin(); reply != group->rend(); ++reply) {
       if (++of_session[reply->session] <= replies_of_session) replies.push_back(std::move(*reply));
     }
   }

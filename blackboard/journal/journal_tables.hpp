@@ -12,7 +12,7 @@
 //
 // Elsewhere `sum` is a checksum of its row: SQLite has none of its own. A file of format 1 has none over its head, one
 // of format 2 no `facts` and `forgotten`: it is believed when it is opened, and has them from its next opening to write
-// on (format 3).
+// on. Up to format 3 the sum of a group was another one, which its former groups keep.
 
 #include <vector>
 
@@ -31,6 +31,9 @@ std::int64_t sum_of_fact(FactId id, Store::Restored state, std::string_view form
 // Failure bad-journal.
 Result<Fact> fact_from_row(FactId id, Store::Restored state, std::string_view form, std::int64_t sum);
 std::int64_t sum_of_group(std::int64_t number, std::string_view lines, std::string_view replies);
+std::int64_t former_sum_of_group(std::int64_t number, std::string_view lines, std::string_view replies);
+// One or the other.
+bool is_sum_of_group(std::int64_t sum, std::int64_t number, std::string_view lines, std::string_view replies);
 
 // Whether the head is as it was written.
 Result<void> check_head(sqlite::Database& database);

@@ -61,7 +61,7 @@ void JournalWriter::append(std::string_view line) {
 }
 
 void JournalWriter::remember(const RememberedReply& reply) {
-  if (!pending_.empty()) write_reply_line_to(pending_.back().group.replies, reply);
+  if (!pending_.empty()) pending_.back().replies.add(pending_.back().group.replies, reply);
 }
 
 void JournalWriter::keep() {

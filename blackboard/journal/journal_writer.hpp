@@ -65,6 +65,7 @@ class JournalWriter {
   struct Pending {
     JournalGroup group;
     Position last = 0;
+    ReplyLines replies = {};
   };
   // What a worker does away from the board's thread; it outlives the writer if need be.
   struct Work {

@@ -71,7 +71,7 @@ void BoardServer::request(wire::SessionId id, Session& session, const Datum& mes
   const Failure malformed{"bad-frame", "a request is (request SESSION ID BODY) or has its time after it", {}, {}};
   if (!number) return refuse(session.peer, malformed);
   if (message.size() != 4 && !timed) return refuse_request(session, *number, malformed);
-  const Result<void> served = board_.statistics().requests().ask(client_of(session), executor_.now());
+  const Result<void> served = board_.statistics().requests().ask(client_of(session), session.heard);
   for (const Answered* answered : {&session.done, &session.refused}) {
     // One that is held comes when it may.
     const Durability::Reply* again = answered->find(*number);

@@ -44,13 +44,27 @@ class JournalDamageTest : public JournalFileTest {
     sqlite::Database database = sqlite::Database::open(path_, sqlite::Access::write).value();
     ASSERT_TRUE(database.run(sql.c_str()).has_value()) << database.failure().sentence;
   }
-  // As it was before heads had a sum, or before they told of all facts and of what is forgotten.
+  // As it was before heads had a sum, before they told of all facts and of what is forgotten, or before groups had
+  // the sum they have.
   void make_format(int format) const {
+    give_groups_their_former_sum();
+    if (format == 3) return change("PRAGMA user_version = 3");
     change("DELETE FROM about WHERE name IN ('sum', 'facts', 'forgotten'); PRAGMA user_version = " +
            std::to_string(format));
     if (format == 1) return;
     sqlite::Database database = sqlite::Database::open(path_, sqlite::Access::write).value();
     ASSERT_TRUE(journal_tables::seal_head(database).has_value());
+  }
+  void give_groups_their_former_sum() const {
+    sqlite::Database database = sqlite::Database::open(path_, sqlite::Access::write).value();
+    std::vector<std::pair<std::int64_t, std::int64_t>> sums;
+    sqlite::Statement groups(database, "SELECT number, lines, replies FROM log");
+    while (groups.step().value()) {
+      const std::int64_t number = groups.integer(0);
+      sums.emplace_back(number, journal_tables::former_sum_of_group(number, groups.text(1), groups.text(2)));
+    }
+    sqlite::Statement update(database, "UPDATE log SET sum = ? WHERE number = ?");
+    for (const auto& [number, sum] : sums) ASSERT_TRUE(update.bind(1, sum).bind(2, number).run().has_value());
   }
   static std::vector<Datum> facts_of(const Store& store) {
     std::vector<Datum> facts;
@@ -114,7 +128,7 @@ TEST_F(JournalDamageTest, AMomentThatAnEntryDoesNotEndAtIsNoticed) {
 TEST_F(JournalDamageTest, AJournalOfAFormerFormatIsTakenAsItIsAndHasItsSumsFromThenOn) {
   const std::vector<Datum> expected = keep_a_past();
   const std::string whole = contents();
-  for (const int format : {1, 2}) {
+  for (const int format : {1, 2, 3}) {
     SCOPED_TRACE("format " + std::to_string(format));
     std::filesystem::remove(path_ + "-kept");
     std::ofstream(path_, std::ios::binary) << whole;
@@ -135,11 +149,11 @@ TEST_F(JournalDamageTest, AJournalOfAFormerFormatIsTakenAsItIsAndHasItsSumsFromT
 
 TEST_F(JournalDamageTest, AJournalOfALaterFormatIsRefused) {
   keep_a_past();
-  change("PRAGMA user_version = 4");
+  change("PRAGMA user_version = 5");
   const auto opened = JournalFile::open(path_, {});
   ASSERT_FALSE(opened.has_value());
   EXPECT_EQ(opened.error().symbol, "bad-journal");
-  EXPECT_NE(opened.error().sentence.find("another format, 4"), std::string::npos) << opened.error().sentence;
+  EXPECT_NE(opened.error().sentence.find("another format, 5"), std::string::npos) << opened.error().sentence;
 }
 
 TEST_F(JournalDamageTest, ARowThatIsMissingIsNoticed) {

@@ -224,6 +224,42 @@ TEST_F(JournalFileTest, RepliesAreRememberedInTheNextLife) {
   EXPECT_EQ(life.remembered.back().request, 45U);
 }
 
+TEST(RememberedReplies, ThoseOfASessionShareALineThatHasABound) {
+  std::string text;
+  ReplyLines lines;
+  std::vector<RememberedReply> all;
+  for (std::uint64_t n = 1; n <= 12; ++n) {
+    const std::uint64_t session = n < 10 ? 7 : 8;
+    all.push_back({session, "ali\"ce", n, list("ok"_sym, std::string(n < 4 ? 30'000 : 3, 'x')), n < 10 ? "" : "key"});
+    lines.add(text, all.back());
+  }
+  EXPECT_EQ(std::ranges::count(text, '\n'), 3);
+  const std::vector<RememberedReply> read = replies_from(text).value();
+  ASSERT_EQ(read.size(), all.size());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    EXPECT_EQ(read[i].session, all[i].session);
+    EXPECT_EQ(read[i].teller, all[i].teller);
+    EXPECT_EQ(read[i].request, all[i].request);
+    EXPECT_EQ(read[i].result, all[i].result);
+    EXPECT_EQ(read[i].key, all[i].key);
+  }
+}
+
+TEST(RememberedReplies, ThoseOfFormerFilesAreReadAndDamagedOnesAreNot) {
+  const std::vector<RememberedReply> read =
+      replies_from("(7 \"alice\" 1 (ok 5))\n(8 \"bob\" 2 (ok 6) \"key\")\n").value();
+  ASSERT_EQ(read.size(), 2U);
+  EXPECT_EQ(read[0].request, 1U);
+  EXPECT_EQ(read[0].key, "");
+  EXPECT_EQ(read[1].result, pizarra::read("(ok 6)"));
+  EXPECT_EQ(read[1].key, "key");
+  for (const char* damaged :
+       {"(7 \"alice\")\n", "(7 alice 1 (ok 5))\n", "(-7 \"alice\" 1 (ok 5))\n", "(7 \"alice\" \"\" 1)\n",
+        "(7 \"alice\" \"\" 1 (ok 5) 2)\n", "(7 \"alice\" \"\" -1 (ok 5))\n", "(7 \"alice\"\n", "7\n"}) {
+    EXPECT_FALSE(replies_from(damaged).has_value()) << damaged;
+  }
+}
+
 TEST_F(JournalFileTest, AFolderIsNoJournal) {
   EXPECT_EQ(end_of_journal(folder_.string()).error().symbol, "journal-file");
   Store store;
