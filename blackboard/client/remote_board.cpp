@@ -228,11 +228,12 @@ void RemoteBoard::transmit_soon() {
 
 void RemoteBoard::transmit_waiting() {
   if (!joined_) return;
+  const Time now = executor_.now();
   std::string frame;
   std::vector<Pending*> in_frame;
   const auto send_frame = [&] {
     const bool sent = !in_frame.empty() && socket_.send({}, frame);
-    for (Pending* pending : in_frame) pending->sent = sent ? std::optional(executor_.now()) : std::nullopt;
+    for (Pending* pending : in_frame) pending->sent = sent ? std::optional(now) : std::nullopt;
     in_frame.clear();
     frame.clear();
   };
@@ -243,32 +244,32 @@ void RemoteBoard::transmit_waiting() {
     if (pending.sent) continue;
     const bool fits = frame.size() + pending.body.size() <= wire::bytes_together;
     if (!fits || in_frame.size() == wire::most_messages) send_frame();
-    write_request(frame, request, pending);
+    write_request(frame, request, pending, now);
     in_frame.push_back(&pending);
   }
   send_frame();
 }
 
 void RemoteBoard::transmit(wire::RequestId request, Pending& pending) {
+  const Time now = executor_.now();
   std::string frame;
-  write_request(frame, request, pending);
-  if (socket_.send({}, frame)) pending.sent = executor_.now();
+  write_request(frame, request, pending, now);
+  if (socket_.send({}, frame)) pending.sent = now;
 }
 
-void RemoteBoard::write_request(std::string& frame, wire::RequestId request, const Pending& pending) {
+void RemoteBoard::write_request(std::string& frame, wire::RequestId request, const Pending& pending, Time now) {
   write_number_to(frame += "(request ", session_);
   write_number_to(frame += ' ', request);
   frame += ' ';
   frame += pending.body;
-  if (const std::optional<Time> now = time_to_say(pending)) {
-    write_number_to(frame += ' ', now->time_since_epoch().count());
+  if (const std::optional<Time> said = time_to_say(pending, now)) {
+    write_number_to(frame += ' ', said->time_since_epoch().count());
   }
   frame += ')';
 }
 
 // A hundred times a second at most, of a change that is sent for the first time.
-std::optional<Time> RemoteBoard::time_to_say(const Pending& pending) {
-  const Time now = executor_.now();
+std::optional<Time> RemoteBoard::time_to_say(const Pending& pending, Time now) {
   if (pending.sent || pending.repeatable || now - timed_ < between_timed) return std::nullopt;
   timed_ = now;
   return board_clock_.there(now);

@@ -87,8 +87,8 @@ class RemoteBoard : public Board {
   void transmit_soon();
   void transmit_waiting();
   void transmit(wire::RequestId request, Pending& pending);
-  void write_request(std::string& frame, wire::RequestId request, const Pending& pending);
-  std::optional<Time> time_to_say(const Pending& pending);
+  void write_request(std::string& frame, wire::RequestId request, const Pending& pending, Time now);
+  std::optional<Time> time_to_say(const Pending& pending, Time now);
   bool send(const Datum& message);
 
   void receive(std::string_view frame);

@@ -132,7 +132,7 @@ void BoardServer::answer(wire::SessionId id, Session& session, wire::RequestId n
   const Result<Datum> result = perform_within_quota(id, session, body);
   if (!result && is_refusal(result.error())) refusals_.note(client_of(session), result.error());
   const Datum said = result_to_datum(result);
-  const std::string text = reply_text(number, said);
+  std::string text = reply_text(number, said);
   const bool stands = result && durable && durability_.position() > before;
   if (must_be_done_once(body)) {
     session.done.add(number, {text, durable ? durability_.position() : 0, stands});
@@ -143,7 +143,7 @@ void BoardServer::answer(wire::SessionId id, Session& session, wire::RequestId n
   }
   // Changes go before the reply to the request that made them, and after the one to the request for them.
   if (!body.is_form("watch")) flush_all();
-  if (durable) return durability_.hold(id, number, {text, durability_.position(), stands});
+  if (durable) return durability_.hold(id, number, {std::move(text), durability_.position(), stands});
   socket_.send(session.peer, session.holds ? with_progress(session, text) : text);
 }
 
