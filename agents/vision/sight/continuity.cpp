@@ -158,14 +158,24 @@ bool WholeMark::may_be_a_side_less(const SeenMark& mark, const Scales& scale) {
   return scale.least < 1 && is_triangle(mark);
 }
 
-WholeMark::Look WholeMark::look_at(const SeenMark& mark, Time captured, double most_off_px) const {
+// On no axis along which it lost much is its motion that of what is covered.
+bool WholeMark::speaks_against_covering(const std::array<Evidence, 4>& seen) const {
+  const double most = std::ranges::max(seen, {}, &Evidence::off).off;
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    if (seen[i].off >= most / 2 && covering(seen[i], seen[across(i)]) > 1 / sure) return false;
+  }
+  return true;
+}
+
+WholeMark::Look WholeMark::look_at(const SeenMark& mark, Time captured, double most_off_px, bool smaller) const {
   const Axes now = axes_of(mark);
   const double seconds = seconds_between(followed_, captured);
   const std::array<Evidence, 4> seen = evidence(now, seconds);
   const double off = std::max(length(seen[0].off, seen[1].off), length(seen[2].off, seen[3].off));
-  if (off <= most_off_px) return Look::whole;
+  if (off <= most_off_px && !smaller) return Look::whole;
   // Who moves so far may well turn by 30 degrees.
   if (is_elsewhere(seen)) return off <= 2 * most_off_px ? Look::whole : Look::unlike;
+  if (smaller) return speaks_against_covering(seen) ? Look::turned : Look::covered;
   const Scales scale = scales(now);
   if (scale.similar() && !may_be_a_side_less(mark, scale)) return Look::turned;
   if (scale.similar()) {

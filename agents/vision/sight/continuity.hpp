@@ -30,8 +30,9 @@ class WholeMark {
 
   WholeMark(const SeenMark& mark, Time captured);
 
-  // `most_off_px`: how far off a centre may be that is told.
-  Look look_at(const SeenMark& now, Time captured, double most_off_px) const;
+  // `most_off_px`: how far off a centre may be that is told. `smaller`: a pair sees that less of it is to be seen, so
+  // that it is covered unless its motion speaks against that.
+  Look look_at(const SeenMark& now, Time captured, double most_off_px, bool smaller = false) const;
   void follow(const SeenMark& now, Time captured);
   void wait(Time captured);
   bool moves() const;
@@ -64,6 +65,7 @@ class WholeMark {
   using Axes = std::array<Axis, 4>;
   static Axes axes_of(const SeenMark& mark);
   std::array<Evidence, 4> evidence(const Axes& now, double seconds) const;
+  bool speaks_against_covering(const std::array<Evidence, 4>& seen) const;
   // Farther from where it was foreseen than half its size.
   bool is_elsewhere(const std::array<Evidence, 4>& seen) const;
   // The largest and the least ratio of its sizes now and then.

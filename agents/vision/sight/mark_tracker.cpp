@@ -185,12 +185,16 @@ std::optional<SeenPair> MarkTracker::search(StereoSight& sight, Track& track, co
   return now;
 }
 
-bool MarkTracker::is_whole_still(const StereoSight& sight, const Track& track, const SeenPair& now) const {
+bool MarkTracker::is_whole_still(const StereoSight& sight, const Track& track, const LearnedObject& object,
+                                 const SeenPair& now) const {
   const double off_px = px_in(sight.left(), most_off_px);
   const bool lost = !track.left;
+  const bool smaller =
+      now.right && track.whole_face &&
+      track.whole_face->is_more_than(face_size(sight.model(), now.left, *now.right, front_slimness(object)), now.left);
   const auto is_it = [&](const std::optional<WholeMark>& whole, const SeenMark& mark) {
-    if (!whole) return true;
-    const WholeMark::Look look = whole->look_at(mark, captured_, off_px);
+    if (!whole) return !smaller;
+    const WholeMark::Look look = whole->look_at(mark, captured_, off_px, smaller);
     return look != WholeMark::Look::covered && (look != WholeMark::Look::unlike || lost);
   };
   return is_it(track.whole_left, now.left) && (!now.right || is_it(track.whole_right, *now.right));
@@ -208,7 +212,7 @@ TrackSighting MarkTracker::miss(const StereoSight& sight, Track& track) const {
   if (!near) {
     // What rested is behind what hides it; where what moved may be by now, nobody knows.
     const bool rests = track.whole_left && !track.whole_left->moves();
-    Track lost{.name = track.name, .others = std::move(track.others)};
+    Track lost{.name = track.name, .whole_face = track.whole_face, .others = std::move(track.others)};
     if (rests) lost.whole_left = track.whole_left;
     if (rests) lost.whole_right = track.whole_right;
     track = std::move(lost);
@@ -223,7 +227,8 @@ TrackSighting MarkTracker::miss(const StereoSight& sight, Track& track) const {
   return out;
 }
 
-void MarkTracker::take(const StereoSight& sight, Track& track, SeenPair now, bool whole) const {
+void MarkTracker::take(const StereoSight& sight, Track& track, const LearnedObject& object, SeenPair now,
+                       bool whole) const {
   const double seconds = seconds_between(track.seen_at, captured_);
   const cv::Point2d velocity = track.left ? (now.left.centre - track.left->centre) / seconds : cv::Point2d();
   const bool steady = cv::norm(velocity) * frame_s_ < px_in(sight.left(), local_reach_px);
@@ -238,6 +243,11 @@ void MarkTracker::take(const StereoSight& sight, Track& track, SeenPair now, boo
     remember(track.whole_left, now.left, captured_);
     if (now.right) remember(track.whole_right, *now.right, captured_);
     if (!now.right && track.whole_right) track.whole_right->wait(captured_);
+    if (now.right) {
+      const FaceSize size = face_size(sight.model(), now.left, *now.right, front_slimness(object));
+      if (track.whole_face) track.whole_face->follow(size, now.left);
+      if (!track.whole_face) track.whole_face.emplace(size, now.left);
+    }
   }
   track.left = std::move(now.left);
   track.right = std::move(now.right);
@@ -249,11 +259,14 @@ TrackSighting MarkTracker::update(StereoSight& sight, Track& track) {
   const LearnedObject* object = objects_.find(track.name);
   if (object == nullptr) return miss(sight, track);
   std::optional<SeenPair> now = follow(sight, track, *object);
-  const bool followed = now && is_whole_still(sight, track, *now);
-  if (!followed && track.left && !track.missed) note_others_before(track, *object);
+  bool whole = now && is_whole_still(sight, track, *object, *now);
+  if (!whole && track.left && !track.missed) note_others_before(track, *object);
   const bool begins = !track.left;
-  if (!now) now = search(sight, track, *object);
-  if (!now || !is_whole_still(sight, track, *now)) return miss(sight, track);
+  if (!now) {
+    now = search(sight, track, *object);
+    whole = now && is_whole_still(sight, track, *object, *now);
+  }
+  if (!whole) return miss(sight, track);
 
   TrackSighting out{.name = track.name, .centre = {}, .yaw_deg = {}, .contour = {}};
   out.centre = now->left.centre;
@@ -272,7 +285,7 @@ TrackSighting MarkTracker::update(StereoSight& sight, Track& track) {
     out.right_centre = now->right->centre;
     out.yaw_deg = face_yaw_deg(sight.model(), now->left, *now->right);
   }
-  take(sight, track, std::move(*now), out.seen);
+  take(sight, track, *object, std::move(*now), out.seen);
   // Of a tag there is no other then.
   if (begins && object->tag() == nullptr) note_others(track, *object, sight.left_segmentation().marks());
   if (out.seen) track.range_mm = out.range_mm;

@@ -4,7 +4,7 @@
 // followed from where its motion predicts its centre. Where that fails, it is looked for nearby and then everywhere,
 // in this same frame and in every later one, while the others go on. What is followed is recognised anew in every
 // frame, so that a hand, the gripper or another cube in its place is a loss, never a position; and so is one that hides
-// a part of it (continuity.hpp). A loss of half a second is bridged: the object is expected where its motion would have
+// a part of it (continuity.hpp, whole_face.hpp). A loss of half a second is bridged: the object is expected where its motion would have
 // brought it, and is said not to be seen. So long, nothing elsewhere is taken for it that is of another size; and never
 // what looked like it elsewhere in the image in which it was found or in that in which it was seen last. One that was
 // in neither is not known for another.
@@ -20,6 +20,7 @@
 #include "agents/vision/sight/continuity.hpp"
 #include "agents/vision/sight/frame_time.hpp"
 #include "agents/vision/sight/stereo_sight.hpp"
+#include "agents/vision/sight/whole_face.hpp"
 
 namespace pizarra {
 
@@ -73,6 +74,7 @@ class MarkTracker {
     // As they were while nothing covered them.
     std::optional<WholeMark> whole_left = {};
     std::optional<WholeMark> whole_right = {};
+    std::optional<WholeFace> whole_face = {};
     cv::Point2d velocity_px = {};  // a second, in the left image
     double disparity_change_px = 0;
     double range_mm = 0;
@@ -90,11 +92,12 @@ class MarkTracker {
   // Of those in the image in which it was seen last.
   void note_others_before(Track& track, const LearnedObject& object);
   // Whether what was found is the whole mark, going by what is remembered of it.
-  bool is_whole_still(const StereoSight& sight, const Track& track, const SeenPair& now) const;
+  bool is_whole_still(const StereoSight& sight, const Track& track, const LearnedObject& object,
+                      const SeenPair& now) const;
   TrackSighting update(StereoSight& sight, Track& track);
   TrackSighting miss(const StereoSight& sight, Track& track) const;
   // What was seen becomes what is followed.
-  void take(const StereoSight& sight, Track& track, SeenPair now, bool whole) const;
+  void take(const StereoSight& sight, Track& track, const LearnedObject& object, SeenPair now, bool whole) const;
 
   const LearnedObjects& objects_;
   std::vector<Track> tracks_;
