@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "blackboard/store/evaluate.hpp"
+#include "blackboard/store/looking.hpp"
 #include "blackboard/store/query_tables.hpp"
 #include "blackboard/store/store.hpp"
 #include "blackboard/watch/watches.hpp"
@@ -202,7 +203,10 @@ Result<Answers> Statistics::ask(const Query& query, const Store& store, const Wa
     return fail("bad-query", about.name + " is asked for alone", query_to_datum(query));
   }
   if (!checked) return fail(checked);
+  // These tables are gone when others have been served.
+  const Indexing indexing(Indexing::May::make_at_once);
   Result<std::vector<Answer>> answers = evaluate(query, tables, examined);
+  examined += indexing.examined();
   if (!answers) return fail(answers);
   return Answers{store.revision(), std::move(*answers)};
 }

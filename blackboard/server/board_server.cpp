@@ -2,18 +2,10 @@
 
 #include <algorithm>
 
-#include "blackboard/limits.hpp"
-#include "blackboard/store/indexing.hpp"
 #include "blackboard/wire/wire_address.hpp"
 #include "lisp/writer.hpp"
 
 namespace pizarra {
-
-namespace {
-
-constexpr Duration until_paid = 1ms;
-
-}  // namespace
 
 Result<std::unique_ptr<BoardServer>> BoardServer::open(Executor& executor, MemoryBoard& board,
                                                        const BoardServerOptions& options) {
@@ -53,12 +45,15 @@ BoardServer::BoardServer(Executor& executor, MemoryBoard& board, const BoardServ
                 flush_all();
                 receiving_ = false;
               }),
-      hearing_(board, [this] { return socket_.heard_until(); }) {
+      hearing_(board, [this] { return heard_until(); }) {
   board_.statistics().requests().set_limit(options.requests);
+  board_.store().index_maker().on_wanted = [this] { schedule_look(); };
   if (options.journal != nullptr) past_.emplace(executor, *options.journal);
   restore(options.remembered);
   if (keys_) ask_for_keys();
   forget_the_gone();
+  // What a server before this one left.
+  if (!board_.store().index_maker().is_idle()) schedule_look();
 }
 
 void BoardServer::restore(const std::vector<RememberedReply>& remembered) {
@@ -84,6 +79,7 @@ Result<void> BoardServer::listen(const std::vector<std::string>& addresses, bool
 }
 
 BoardServer::~BoardServer() {
+  board_.store().index_maker().on_wanted = nullptr;
   if (flush_timer_ != 0) executor_.cancel(flush_timer_);
   if (look_timer_ != 0) executor_.cancel(look_timer_);
   executor_.cancel(sweep_timer_);
@@ -121,9 +117,15 @@ void BoardServer::hear(const std::string& peer, const Datum& message) {
 }
 
 void BoardServer::handle(wire::SessionId id, Session& session, const Datum& message) {
-  if (message.is_form("request")) return request(id, session, message);
-  if (message.is_form("bye")) return end_session(id);
   if (message.is_form("ping")) return send(session.peer, list("pong"_sym, executor_.now().time_since_epoch().count()));
+  if (must_wait(session, message)) return postpone(session, session.postponed, message);
+  hear(id, session, {message, executor_.now()});
+}
+
+void BoardServer::hear(wire::SessionId id, Session& session, const Postponed::Message& waiting) {
+  const Datum& message = waiting.datum;
+  if (message.is_form("request")) return request(id, session, waiting);
+  if (message.is_form("bye")) return end_session(id);
   const std::optional<std::uint64_t> number = wire::count_at(message, 2);
   const bool known = message.is_form("unwatch") || message.is_form("ack");
   if (!number || !known) return refuse(session.peer, {"bad-frame", "a client does not say this", {}, {}});
@@ -143,60 +145,5 @@ void BoardServer::handle(wire::SessionId id, Session& session, const Datum& mess
 
 // A reply that a peer does not take is lost to it; its client asks again.
 void BoardServer::send(const std::string& peer, const Datum& message) { socket_.send(peer, write(message)); }
-
-void BoardServer::schedule_flush(wire::SessionId id) {
-  to_flush_.insert(id);
-  if (receiving_ || flush_timer_ != 0) return;
-  flush_timer_ = executor_.call_at(executor_.now(), [this] {
-    flush_timer_ = 0;
-    flush_all();
-  });
-}
-
-void BoardServer::flush_all() {
-  for (const wire::SessionId waiting : std::exchange(to_flush_, {})) flush(waiting);
-}
-
-void BoardServer::flush(wire::SessionId id) {
-  const auto found = sessions_.find(id);
-  if (found == sessions_.end() || !send_changes(found->second)) return;
-  to_look_.insert(id);
-  schedule_look();
-}
-
-// Whether there is more to be looked for, now or when what the client owes is paid.
-bool BoardServer::send_changes(Session& session) {
-  const std::string& client = client_of(session);
-  const std::size_t before =
-      looks_.is_spent(client, executor_.now()) ? std::max(examined_, limits::examined_a_turn) : examined_;
-  const Indexing indexing(Indexing::May::make);
-  std::size_t examined = before;
-  const bool more = session.watches.send(socket_, session.peer, examined);
-  examined_ += examined - before;
-  const std::size_t looked_at = examined - before + indexing.examined();
-  if (looked_at > 0) looks_.looked(client, looked_at, executor_.now());
-  return more;
-}
-
-void BoardServer::schedule_look() {
-  if (look_timer_ != 0) return;
-  // Not at once: what is due at once is done several times before anybody is heard.
-  const Duration pause = examined_ > 0 ? 1us : until_paid;
-  look_timer_ = executor_.call_at(executor_.now() + pause, [this] { look_on(); });
-}
-
-// Each in its turn.
-void BoardServer::look_on() {
-  examined_ = 0;
-  for (std::size_t left = to_look_.size(); left > 0 && examined_ < limits::examined_a_turn; --left) {
-    auto next = to_look_.upper_bound(looked_last_);
-    if (next == to_look_.end()) next = to_look_.begin();
-    looked_last_ = *next;
-    to_look_.erase(next);
-    flush(looked_last_);
-  }
-  look_timer_ = 0;
-  if (!to_look_.empty()) schedule_look();
-}
 
 }  // namespace pizarra

@@ -32,6 +32,7 @@
 #include "blackboard/server/key_folder.hpp"
 #include "blackboard/server/lease_quota.hpp"
 #include "blackboard/server/look_quota.hpp"
+#include "blackboard/server/postponed.hpp"
 #include "blackboard/server/refusals.hpp"
 #include "blackboard/server/served_watches.hpp"
 #include "blackboard/wire/doorkeeper.hpp"
@@ -83,6 +84,8 @@ class BoardServer {
     bool holds = false;  // what it watches, and answers questions from it
     Answered done;
     Answered refused;  // and not done
+    IndexTicket awaited = 0;  // by its watches, or the first of what is postponed
+    Postponed postponed;
   };
 
   BoardServer(Executor& executor, MemoryBoard& board, const BoardServerOptions& options, std::optional<KeyFolder> keys);
@@ -110,8 +113,13 @@ class BoardServer {
   void end_session(wire::SessionId id);
   void follow_keys();
   void handle(wire::SessionId id, Session& session, const Datum& message);
-  void request(wire::SessionId id, Session& session, const Datum& message);
-  Result<Datum> perform_within_quota(wire::SessionId id, Session& session, const Datum& body);
+  static bool must_wait(const Session& session, const Datum& message);
+  void postpone(const Session& session, Postponed& postponed, const Datum& message);
+  void hear(wire::SessionId id, Session& session, const Postponed::Message& waiting);
+  void request(wire::SessionId id, Session& session, const Postponed::Message& waiting);
+  void serve(wire::SessionId id, Session& session, wire::RequestId number, const Postponed::Message& waiting);
+  std::optional<Result<Datum>> perform_within_quota(wire::SessionId id, Session& session, const Datum& body,
+                                                    std::size_t waits);
   Result<Datum> perform(wire::SessionId id, Session& session, const Datum& body, std::size_t& examined);
   Result<Datum> declare(const Session& session, const Datum& body);
   Result<Datum> transact(const Session& session, const Datum& body, std::size_t& examined);
@@ -122,7 +130,7 @@ class BoardServer {
   Result<Datum> watch(wire::SessionId id, Session& session, const Datum& body, std::size_t& examined);
   void note_journey(const Datum& body, Time sent);
   Result<Datum> lease(const Session& session, const Datum& body);
-  void answer(wire::SessionId id, Session& session, wire::RequestId number, const Datum& body);
+  bool answer(wire::SessionId id, Session& session, wire::RequestId number, const Datum& body, std::size_t waits);
   std::string with_progress(const Session& session, std::string reply) const;
   void send(const std::string& peer, const Datum& message);
   void schedule_flush(wire::SessionId id);
@@ -131,6 +139,10 @@ class BoardServer {
   bool send_changes(Session& session);
   void schedule_look();
   void look_on();
+  bool awaits_index(const Session& session) const;
+  void make_on();
+  void go_on(wire::SessionId id);
+  Time heard_until();
   void forget_the_gone();
 
   Executor& executor_;

@@ -65,12 +65,14 @@ bool asks_past(const Datum& query) {
 
 }  // namespace
 
-void BoardServer::request(wire::SessionId id, Session& session, const Datum& message) {
+void BoardServer::request(wire::SessionId id, Session& session, const Postponed::Message& waiting) {
+  const Datum& message = waiting.datum;
   const std::optional<std::uint64_t> number = wire::count_at(message, 2);
   const bool timed = message.size() == 5 && message[4].is_integer();
   const Failure malformed{"bad-frame", "a request is (request SESSION ID BODY) or has its time after it", {}, {}};
   if (!number) return refuse(session.peer, malformed);
   if (message.size() != 4 && !timed) return refuse_request(session, *number, malformed);
+  if (waiting.waits > 0) return serve(id, session, *number, waiting);
   const Result<void> served = board_.statistics().requests().ask(client_of(session), session.heard);
   for (const Answered* answered : {&session.done, &session.refused}) {
     // One that is held comes when it may.
@@ -86,8 +88,16 @@ void BoardServer::request(wire::SessionId id, Session& session, const Datum& mes
     refusals_.note(client_of(session), served.error());
     return refuse_undone(session, *number, message[3], served.error());
   }
+  serve(id, session, *number, waiting);
+}
+
+// Now, or when an index is made that it needs.
+void BoardServer::serve(wire::SessionId id, Session& session, wire::RequestId number,
+                        const Postponed::Message& waiting) {
+  const Datum& message = waiting.datum;
   const Revision before = board_.store().revision();
-  answer(id, session, *number, message[3]);
+  if (!answer(id, session, number, message[3], waiting.waits)) return session.postponed.wait(waiting);
+  const bool timed = message.size() == 5;
   if (timed && board_.store().revision() > before) note_journey(message[3], Time(Duration(message[4].integer())));
 }
 
@@ -122,14 +132,24 @@ void BoardServer::note_journey(const Datum& body, Time sent) {
   }
 }
 
-void BoardServer::answer(wire::SessionId id, Session& session, wire::RequestId number, const Datum& body) {
-  if (past_ && body.is_form("ask") && body.size() == 2 && asks_past(body[1]))
-    return ask_past(id, session, number, body);
+// False where it must wait for an index.
+bool BoardServer::answer(wire::SessionId id, Session& session, wire::RequestId number, const Datum& body,
+                         std::size_t waits) {
+  const bool of_past = past_ && body.is_form("ask") && body.size() == 2 && asks_past(body[1]);
+  if (of_past) {
+    ask_past(id, session, number, body);
+    return true;
+  }
   const bool durable = durability_.concerns_durable(board_.store(), body);
   const Result<void> room = durability_.check_room(body, durable);
-  if (!room) return refuse_undone(session, number, body, room.error());
+  if (!room) {
+    refuse_undone(session, number, body, room.error());
+    return true;
+  }
   const JournalWriter::Position before = durability_.position();
-  const Result<Datum> result = perform_within_quota(id, session, body);
+  const std::optional<Result<Datum>> performed = perform_within_quota(id, session, body, waits);
+  if (!performed) return false;
+  const Result<Datum>& result = *performed;
   if (!result && is_refusal(result.error())) refusals_.note(client_of(session), result.error());
   const Datum said = result_to_datum(result);
   std::string text = reply_text(number, said);
@@ -143,8 +163,12 @@ void BoardServer::answer(wire::SessionId id, Session& session, wire::RequestId n
   }
   // Changes go before the reply to the request that made them, and after the one to the request for them.
   if (!body.is_form("watch")) flush_all();
-  if (durable) return durability_.hold(id, number, {std::move(text), durability_.position(), stands});
-  socket_.send(session.peer, session.holds ? with_progress(session, text) : text);
+  if (durable) {
+    durability_.hold(id, number, {std::move(text), durability_.position(), stands});
+  } else {
+    socket_.send(session.peer, session.holds ? with_progress(session, text) : text);
+  }
+  return true;
 }
 
 // What is remembered, or held back, does not say it: it may be given when changes are under way anew.
@@ -155,14 +179,25 @@ std::string BoardServer::with_progress(const Session& session, std::string reply
   return reply;
 }
 
-// Whose quota is spent is refused what looks at more than a few facts.
-Result<Datum> BoardServer::perform_within_quota(wire::SessionId id, Session& session, const Datum& body) {
+// Whose quota is spent is refused what looks at more than a few facts; what has waited for an index was let in before.
+// Nothing where it must wait for one.
+std::optional<Result<Datum>> BoardServer::perform_within_quota(wire::SessionId id, Session& session, const Datum& body,
+                                                               std::size_t waits) {
+  constexpr std::size_t most_waits = 64;
   const std::string& client = client_of(session);
-  const std::size_t before = looks_.before(client, executor_.now());
-  const Indexing indexing(before == 0 ? Indexing::May::make : Indexing::May::not_make);
+  const std::size_t before = waits > 0 ? 0 : looks_.before(client, executor_.now());
+  const bool may_wait = before == 0 && waits < most_waits;
+  const Indexing indexing(may_wait ? Indexing::May::make_in_parts : Indexing::May::not_make, client,
+                          &board_.store().index_maker());
   std::size_t examined = before;
   Result<Datum> result = perform(id, session, body, examined);
-  looks_.looked(client, examined - before + indexing.examined(), executor_.now());
+  const std::size_t looked_at = examined - before + indexing.examined();
+  looks_.looked(client, looked_at, executor_.now());
+  if (waits > 0) examined_ += looked_at;
+  if (indexing.awaited() != 0) {
+    session.awaited = indexing.awaited();
+    return std::nullopt;
+  }
   const bool is_spent = before > 0 && !result && result.error().symbol == "too-costly";
   if (!is_spent) return result;
   board_.statistics().requests().refuse(client, executor_.now());

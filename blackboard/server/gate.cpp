@@ -117,7 +117,7 @@ Result<void> Gate::leave_to_others(const PublicKey& key, const Datum& told, cons
       return other.empty() && looking.at_one_more();
     });
   }
-  const Result<void> cheap = check_examined(examined, told);
+  const Result<void> cheap = check_looking(examined, told);
   if (!cheap) return cheap;
   if (other.empty()) return {};
   return may_not(key, "replace or retract what " + other + " told under its lease", told);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "blackboard/store/indexing.hpp"
 #include "lisp/writer.hpp"
 
 namespace pizarra {
@@ -41,7 +42,8 @@ bool ServedWatches::send(WireSocket& socket, const std::string& peer, wire::Watc
   const std::size_t width = width_of(watch.queue->query());
   std::string text;
   while (watch.queue->ready() && watch.sent - watch.acknowledged < most_under_way) {
-    if (watch.queue->must_look() && examined >= limits::examined_a_turn) return true;
+    const bool may_look = examined < limits::examined_a_turn && !Indexing::is_awaiting();
+    if (watch.queue->must_look() && !may_look) return true;
     blocked_ = !socket.has_room(peer);
     if (blocked_) return false;
     const Result<std::optional<Delta>> delta = watch.queue->pop_delta(examined);

@@ -38,8 +38,8 @@ class ServedWatches {
   // Whether anything waits.
   bool are_behind() const;
 
-  // Looks for what holds until `examined` is limits::examined_a_turn, and answers whether there is more to be looked
-  // for.
+  // Looks for what holds until `examined` is limits::examined_a_turn, or an index is to be awaited (indexing.hpp), and
+  // answers whether there is more to be looked for.
   bool send(WireSocket& socket, const std::string& peer, std::size_t& examined);
   // The client was heard from: answers whether its connection took no more before.
   bool unblock() { return std::exchange(blocked_, false); }

@@ -1,6 +1,7 @@
 #include "blackboard/store/evaluate.hpp"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "blackboard/store/looking.hpp"
@@ -54,22 +55,28 @@ std::vector<std::size_t> course_of(const Query& query) {
   return course;
 }
 
+struct ByValue {
+  bool descending;
+  bool operator()(const Datum& a, const Datum& b) const {
+    return descending ? compare_values(b, a) < 0 : compare_values(a, b) < 0;
+  }
+};
+
 class Search {
  public:
   Search(const Query& query, const Tables& tables, std::span<const std::size_t> course, std::size_t& examined)
-      : query_(query), tables_(tables), course_(course), chosen_(query.clauses.size()), looking_(examined) {}
+      : query_(query), tables_(tables), course_(course), chosen_(query.clauses.size()), sorted_(ByValue{query.descending}), looking_(examined) {}
 
   // The query's answers, in its order and up to its limit.
   Result<std::vector<Answer>> whole() {
-    if (query_.order.empty()) enough_ = query_.limit;
-    sorts_ = !query_.order.empty() && query_.limit;
-    if (sorts_) weight_bound_ *= frames_to_sort;
-    if (sorts_) order_first_pattern();
+    sorts_ = !query_.order.empty();
+    if (!sorts_) enough_ = query_.limit;
+    if (sorts_ && query_.limit) weight_bound_ *= frames_to_sort;
+    if (sorts_ && query_.limit) order_first_pattern();
     if (query_.limit != 0U) extend(0, {});
     const Result<void> done = check_bounds();
     if (!done) return fail(done);
-    if (!query_.order.empty()) sort();
-    if (query_.limit && answers_.size() > *query_.limit) cut();
+    for (auto& [value, answer] : sorted_) answers_.push_back(std::move(answer));
     if (!check_weight(weight_, "the answer")) return too_many(query_);
     return std::move(answers_);
   }
@@ -92,10 +99,11 @@ class Search {
     ordered_step_ = static_cast<std::size_t>(first - course_.begin());
     order_ = {*argument, query_.descending};
     enough_ = query_.limit;
+    sorts_ = false;
   }
 
   Result<void> check_bounds() const {
-    if (!looking_.is_allowed()) return check_examined(looking_.examined(), query_to_datum(query_));
+    if (!looking_.is_allowed()) return check_looking(looking_.examined(), query_to_datum(query_));
     if (weight_.bytes > weight_bound_) return too_many(query_);
     return {};
   }
@@ -150,6 +158,7 @@ class Search {
   void collect_all() {
     ordered_step_.reset();
     enough_.reset();
+    sorts_ = true;
     answers_.clear();
     weight_ = {};
   }
@@ -166,42 +175,50 @@ class Search {
   }
 
   bool finish(Bindings bindings) {
-    Answer& answer = answers_.emplace_back();
-    answer.bindings = std::move(bindings);
-    for (const Fact* fact : chosen_) {
-      if (fact != nullptr) answer.facts.push_back(*fact);
-    }
-    weight_ += weigh(answer);
-    constexpr std::size_t few = 64;
-    const bool sorts = sorts_ && !enough_ && answers_.size() / 2 >= *query_.limit + few;
-    if (sorts) sort();
-    if (sorts) cut();
+    if (sorts_) return sort_in(std::move(bindings));
+    answers_.push_back(answer_of(std::move(bindings)));
+    weight_ += weigh(answers_.back());
     const bool enough = enough_ && answers_.size() >= *enough_;
     return !enough && weight_.bytes <= weight_bound_;
   }
 
-  void cut() {
-    answers_.resize(*query_.limit);
-    weight_ = {};
-    for (const Answer& answer : answers_) weight_ += weigh(answer);
+  // Among those before it, so that what is compared counts before the next one is looked for.
+  bool sort_in(Bindings bindings) {
+    const Datum value = *bindings.find(query_.order);
+    const bool full = query_.limit && sorted_.size() >= *query_.limit;
+    if (full && !sorted_.key_comp()(value, std::prev(sorted_.end())->first)) return true;
+    const auto place = sorted_.emplace(value, answer_of(std::move(bindings)));
+    weight_ += weigh(place->second);
+    if (full) drop_last();
+    return weight_.bytes <= weight_bound_;
   }
 
-  void sort() {
-    const auto value = [&](const Answer& answer) -> const Datum& { return *answer.bindings.find(query_.order); };
-    std::stable_sort(answers_.begin(), answers_.end(), [&](const Answer& a, const Answer& b) {
-      return query_.descending ? compare_values(value(b), value(a)) < 0 : compare_values(value(a), value(b)) < 0;
-    });
+  void drop_last() {
+    const auto last = std::prev(sorted_.end());
+    const Weight less = weigh(last->second);
+    weight_.bytes -= less.bytes;
+    weight_.elements -= less.elements;
+    sorted_.erase(last);
+  }
+
+  Answer answer_of(Bindings bindings) const {
+    Answer answer{.bindings = std::move(bindings), .facts = {}};
+    for (const Fact* fact : chosen_) {
+      if (fact != nullptr) answer.facts.push_back(*fact);
+    }
+    return answer;
   }
 
   const Query& query_;
   const Tables& tables_;
   const std::span<const std::size_t> course_;  // the clauses, in the order they are satisfied in
-  bool sorts_ = false;                         // and keeps no more than the limit
+  bool sorts_ = false;                         // by values, and keeps no more than the limit
   std::optional<std::size_t> enough_;
   std::optional<std::size_t> ordered_step_;  // that finds the answers in their order
   FactTable::Order order_{};
   std::vector<const Fact*> chosen_;  // by each clause
   std::vector<Answer> answers_;
+  std::multimap<Datum, Answer, ByValue> sorted_;
   Looking looking_;
   Weight weight_;
   std::size_t weight_bound_ = limits::bytes;

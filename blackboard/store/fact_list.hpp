@@ -53,6 +53,8 @@ class FactList {
 
   std::size_t size() const { return order_.size() - gone_; }
   StandingFact* find(FactId id);
+  // None that stands has a higher id.
+  FactId newest() const { return order_.empty() ? 0 : order_.back().id; }
   // None with its id may stand. Quick where its id is the highest so far.
   StandingFact& insert(StandingFact standing);
   // By a fact whose id is the highest so far; answers the former.

@@ -3,9 +3,8 @@
 // The facts of one relation: by id, by key, and by whatever arguments queries have bound so far.
 //
 // An index over a set of argument positions is made when a pattern first binds just those and the table has grown
-// beyond what is quicker to look through; at most eight a table, after which patterns use the best there is. In the
-// same way one that is ordered by an argument is made when that is first compared or ordered by; at most four a table,
-// after which other arguments are looked through.
+// beyond what is quicker to look through; patterns without one of their own use the best there is. In the same way one
+// that is ordered by an argument is made when that is first compared or ordered by (table_indexes.hpp).
 //
 //   table.insert({fact, lease, expiry});
 //   table.visit(pattern, [&](const Fact& fact) { return true; });    // candidates by ascending id; false stops
@@ -18,20 +17,18 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <unordered_map>
 
 #include "blackboard/relation.hpp"
 #include "blackboard/store/fact_list.hpp"
 #include "blackboard/store/hash_index.hpp"
 #include "blackboard/store/looking.hpp"
 #include "blackboard/store/ordered_index.hpp"
+#include "blackboard/store/table_indexes.hpp"
 
 namespace pizarra {
 
 class FactTable {
  public:
-  static constexpr std::size_t max_indexes = 8;
-  static constexpr std::size_t max_ordered_indexes = 4;
   static constexpr std::size_t max_removals = 4096;
   static constexpr std::size_t max_removed_bytes = 1 << 20;
 
@@ -68,31 +65,41 @@ class FactTable {
     if (key_is_ground(pattern)) {
       const StandingFact* only = find_key_of(pattern);
       if (only != nullptr && only->fact.id >= first) visitor(only->fact);
-    } else if (const Bucket* bucket = bucket_for(pattern)) {
-      for (auto i = bucket->lower_bound(first); i != bucket->end(); ++i) {
-        if (!visitor(i->second->fact)) return;
+      return;
+    }
+    const Way way = way_to(pattern);
+    std::size_t looked_at = 0;
+    if (way.bucket != nullptr) {
+      for (auto i = way.bucket->lower_bound(first); i != way.bucket->end(); ++i) {
+        ++looked_at;
+        if (!visitor(i->second->fact)) break;
       }
     } else {
       for (const StandingFact& standing : facts_.from(first)) {
-        if (!visitor(standing.fact)) return;
+        ++looked_at;
+        if (!visitor(standing.fact)) break;
       }
     }
+    if (way.lacking) indexes_.missed(*way.lacking, looked_at);
   }
   // Facts outside of the ranges may be among those that it calls for, but no more than there are in the smallest of
   // them: it goes through the facts by id and through the ranges side by side, until one ends.
   template <class Visitor>
   void visit_within(const Datum& pattern, std::span<const ValueRange> ranges, Visitor&& visitor) const {
-    const std::vector<OrderedFacts> within = ordered_within(pattern, ranges);
-    std::vector<OrderedFacts> left = within;
+    std::size_t looked_at = 0;
+    const Within within = ordered_within(pattern, ranges);
+    std::vector<OrderedFacts> left = within.facts;
     std::optional<std::size_t> ended;
     FactId next = 0;
     visit(pattern, [&](const Fact& fact) {
       next = fact.id;
+      ++looked_at;
       ended = step(left);
       return !ended && visitor(fact);
     });
+    for (const FactIndex::Kind& kind : within.lacking) indexes_.missed(kind, looked_at);
     if (!ended) return;
-    for (const StandingFact* standing : by_id(within[*ended], next)) {
+    for (const StandingFact* standing : by_id(within.facts[*ended], next)) {
       if (!visitor(standing->fact)) return;
     }
   }
@@ -105,26 +112,31 @@ class FactTable {
   template <class Visitor>
   bool visit_ordered(const Datum& pattern, Order order, std::span<const ValueRange> ranges, Visitor&& visitor) const {
     std::size_t left_of_pattern = candidates(pattern);
-    const OrderedIndex* index = is_few(left_of_pattern) ? nullptr : ordered_index_for(order.argument);
-    if (index == nullptr) return false;
+    if (is_few(left_of_pattern)) return false;
+    const FactIndex* by_order = ordered_index_for(order.argument);
+    if (by_order == nullptr) {
+      indexes_.missed(FactIndex::by_order(order.argument), left_of_pattern);
+      return false;
+    }
+    const OrderedIndex& index = by_order->in_order();
     ValueRange own{.argument = order.argument};
     std::vector<ValueRange> others;
     for (const ValueRange& range : ranges) {
       if (range.argument == order.argument) own = range;
       if (range.argument != order.argument) others.push_back(range);
     }
-    std::vector<OrderedFacts> left = ordered_within(pattern, others);
+    std::vector<OrderedFacts> left = ordered_within(pattern, others).facts;
     bool is_shorter = true;
     const auto consider = [&](const StandingFact* standing) {
       is_shorter = left_of_pattern-- > 0 && !step(left);
       return is_shorter && visitor(standing->fact);
     };
-    const OrderedFacts all = facts_within(*index, own);
+    const OrderedFacts all = facts_within(index, own);
     auto begin = order.descending ? all.end() : all.begin();
     auto end = all.end();
     do {
       // Those with the highest value that is left.
-      if (begin == end && begin != all.begin()) begin = first_with_value_of(*index, *std::prev(end));
+      if (begin == end && begin != all.begin()) begin = first_with_value_of(index, *std::prev(end));
       if (std::find_if_not(begin, end, consider) != end) return is_shorter;
       end = begin;
     } while (end != all.begin());
@@ -132,11 +144,9 @@ class FactTable {
   }
   // How many facts visit() considers at most.
   std::size_t candidates(const Datum& pattern) const;
-  // A set of arguments, by their positions.
-  using Mask = std::uint32_t;
+  using Mask = FactIndex::Mask;
   // What visit() finds the pattern's facts by in a table that has grown; none where it looks through all.
   Mask found_by(const Datum& pattern) const;
-  static Datum arguments_in(Mask mask, const Datum& datum);
   // Whether looking through so many is quicker than an index.
   static bool is_few(std::size_t facts);
   // Whether no fact that fits came or went after `revision`. False, too, when the removals since then are forgotten:
@@ -147,18 +157,22 @@ class FactTable {
   void forget_removals(Revision until) { removals_forgotten_ = until; }
 
  private:
-  using Bucket = std::map<FactId, const StandingFact*>;
-  using Index = std::unordered_map<Datum, Bucket>;
+  using Bucket = FactIndex::Bucket;
+  struct Way {
+    const Bucket* bucket = nullptr;  // null: through all facts
+    std::optional<FactIndex::Kind> lacking = {};
+  };
+  struct Within {
+    std::vector<OrderedFacts> facts = {};  // of each range that an index finds
+    std::vector<FactIndex::Kind> lacking = {};
+  };
 
   bool same_key(const Datum& a, const Datum& b) const;
   Mask ground_arguments(const Datum& pattern) const;
-  void enter_indexes(const StandingFact& standing);
-  void leave_indexes(const StandingFact& standing);
-  const Bucket* bucket_for(const Datum& pattern) const;
-  const Index* index_for(Mask bound, Mask& used) const;
-  // Null where looking through all is quicker, or there are too many.
-  const OrderedIndex* ordered_index_for(std::size_t argument) const;
-  std::vector<OrderedFacts> ordered_within(const Datum& pattern, std::span<const ValueRange> ranges) const;
+  Way way_to(const Datum& pattern) const;
+  // Null where looking through all is quicker, or it is not to be had.
+  const FactIndex* ordered_index_for(std::size_t argument) const;
+  Within ordered_within(const Datum& pattern, std::span<const ValueRange> ranges) const;
   static OrderedIndex::const_iterator first_with_value_of(const OrderedIndex& index, const StandingFact* standing) {
     return index.lower_bound(ByArgument::Edge{index.key_comp().value(standing), false});
   }
@@ -172,8 +186,7 @@ class FactTable {
   FactList facts_;
   std::size_t bytes_ = 0;
   HashIndex<StandingFact> by_key_;
-  mutable std::map<Mask, Index> indexes_;
-  mutable std::map<std::size_t, OrderedIndex> ordered_;  // by argument
+  mutable TableIndexes indexes_{facts_};
   struct Removal {
     Revision revision;
     Datum datum;

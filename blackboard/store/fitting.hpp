@@ -1,11 +1,11 @@
 #pragma once
 
 // What a transaction asks of a table before it is done. All add to `examined` what they looked at (looking.hpp), and
-// give up beyond its bound, for check_examined() to refuse.
+// give up beyond its bound, for check_looking() to refuse.
 //
 //   std::size_t examined = 0;
 //   const Fact* fact = first_fit(table, pattern, examined);
-//   const Result<void> cheap = check_examined(examined, pattern);
+//   const Result<void> cheap = check_looking(examined, pattern);
 
 #include "blackboard/store/fact_table.hpp"
 

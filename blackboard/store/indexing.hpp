@@ -1,41 +1,66 @@
 #pragma once
 
-// The making of indexes: what it takes of whoever's request it is made for, and whether any may be made. What an index
-// serves comes later, so that it counts for no search's bound.
+// Whether indexes may be made for what is done meanwhile on this thread, how, and what that takes of whoever it is done
+// for. What an index serves comes later, so that it counts for no search's bound.
 //
-//   Indexing indexing(Indexing::May::make);
-//   store.ask(query, examined);
-//   examined + indexing.examined();          // as many facts could have been looked at meanwhile
+//   Indexing indexing(Indexing::May::make_in_parts, client, &maker);
+//   store.ask(query, examined);                    // what must await an index ends at once, and fails
+//   if (indexing.awaited() != 0) ...               // it is to be done again when the maker has made it
+//   examined + indexing.examined();                // as many facts could have been looked at meanwhile
 //
-// The innermost on this thread counts. Where there is none, every index may be made.
+// The innermost on this thread counts. Where there is none, every index is made at once.
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
+
+#include "blackboard/store/fact_index.hpp"
 
 namespace pizarra {
 
+class IndexMaker;
+class TableIndexes;
+
+// What the maker of indexes calls one that it makes; 0 is none.
+using IndexTicket = std::uint64_t;
+
 class Indexing {
  public:
-  enum class May : std::uint8_t { not_make, make };
+  // In parts: but for small ones.
+  enum class May : std::uint8_t { not_make, make_in_parts, make_at_once };
+  static constexpr std::size_t looks_a_fact = 16;
 
-  explicit Indexing(May may) : may_(may) { innermost = this; }
+  explicit Indexing(May may, std::string client = {}, IndexMaker* maker = nullptr)
+      : may_(may), client_(std::move(client)), maker_(maker) {
+    innermost = this;
+  }
   Indexing(const Indexing&) = delete;
   Indexing& operator=(const Indexing&) = delete;
   ~Indexing() { innermost = outer_; }
 
-  std::size_t examined() const { return examined_; }
+  std::size_t examined() const { return looks_a_fact * facts_; }
+  IndexTicket awaited() const { return awaited_; }
 
   static bool may_make() { return innermost == nullptr || innermost->may_ != May::not_make; }
-  static void made(std::size_t facts) {
-    constexpr std::size_t looks_a_fact = 16;
-    if (innermost != nullptr) innermost->examined_ += looks_a_fact * facts;
+  // Where it may be made. Over so many facts.
+  static bool makes_at_once(std::size_t facts);
+  static void made_at_once(std::size_t facts) {
+    if (innermost != nullptr) innermost->facts_ += facts;
   }
+  static void await(TableIndexes& table, const FactIndex::Kind& kind);
+  static void await(IndexTicket ticket) {
+    if (innermost != nullptr) innermost->awaited_ = ticket;
+  }
+  static bool is_awaiting() { return innermost != nullptr && innermost->awaited_ != 0; }
 
  private:
   static inline thread_local Indexing* innermost = nullptr;
   Indexing* const outer_ = innermost;
   const May may_;
-  std::size_t examined_ = 0;
+  const std::string client_;
+  IndexMaker* const maker_;
+  std::size_t facts_ = 0;  // that indexes were made of at once
+  IndexTicket awaited_ = 0;
 };
 
 }  // namespace pizarra

@@ -5,10 +5,14 @@
 //
 //   Looking looking(examined);                   // goes on from what others have looked at
 //   while (looking.at_one_more()) ...            // in the end, `examined` says what all have
+//   const Result<void> done = check_looking(examined, query);
+//
+// One that needs an index that is being made ends at once (indexing.hpp).
 
 #include <algorithm>
 
 #include "blackboard/limits.hpp"
+#include "blackboard/store/indexing.hpp"
 #include "lisp/effort.hpp"
 
 namespace pizarra {
@@ -27,7 +31,7 @@ class Looking {
     ++facts_;
     return is_allowed();
   }
-  bool is_allowed() const { return examined() <= most_; }
+  bool is_allowed() const { return examined() <= most_ && !Indexing::is_awaiting(); }
   std::size_t examined() const {
     return examined_ + std::max(facts_, (elements_looked_at - before_) / elements_a_fact);
   }
@@ -38,5 +42,9 @@ class Looking {
   std::size_t facts_ = 0;
   const std::size_t before_ = elements_looked_at;
 };
+
+// Failure too-costly; awaits-index where it is to be done again.
+Result<void> check_looking(std::size_t examined, const Datum& subject);
+std::unexpected<Failure> awaits_index(const Datum& subject);
 
 }  // namespace pizarra

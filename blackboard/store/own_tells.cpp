@@ -16,8 +16,8 @@ std::size_t OwnTells::candidates(const FactTable& table, const Datum& pattern) {
   if (FactTable::is_few(facts.size())) return facts.size();
   const FactTable::Mask mask = table.found_by(pattern);
   auto& [counted, alike] = by_arguments[mask];
-  for (; counted < facts.size(); ++counted) ++alike[FactTable::arguments_in(mask, *facts[counted])];
-  const auto found = alike.find(FactTable::arguments_in(mask, pattern));
+  for (; counted < facts.size(); ++counted) ++alike[FactIndex::arguments_in(mask, *facts[counted])];
+  const auto found = alike.find(FactIndex::arguments_in(mask, pattern));
   return found == alike.end() ? 0 : found->second;
 }
 

@@ -6,6 +6,7 @@
 #include "blackboard/limits.hpp"
 #include "blackboard/store/evaluate.hpp"
 #include "blackboard/store/fitting.hpp"
+#include "blackboard/store/looking.hpp"
 #include "blackboard/store/own_tells.hpp"
 #include "blackboard/store/query_tables.hpp"
 #include "blackboard/store/room.hpp"
@@ -65,13 +66,13 @@ Result<void> Store::check_precondition(const Transaction::Precondition& precondi
                      pattern);
     }
     const bool stands = is_unchanged(**table, pattern, unchanged->revision, examined);
-    const Result<void> cheap = check_examined(examined, pattern);
+    const Result<void> cheap = check_looking(examined, pattern);
     if (!cheap || stands) return cheap;
     return not_met("changed since revision " + std::to_string(unchanged->revision), pattern);
   }
   const bool wanted = std::holds_alternative<Transaction::Present>(precondition);
   const bool there = first_fit(**table, pattern, examined) != nullptr;
-  const Result<void> cheap = check_examined(examined, pattern);
+  const Result<void> cheap = check_looking(examined, pattern);
   if (!cheap) return cheap;
   if (there == wanted) return {};
   return not_met(wanted ? "no fact is like this" : "there is a fact like this", pattern);
@@ -106,7 +107,7 @@ Result<void> Store::check_step(const Transaction::Step& step, Checked& before) {
   if (tell == nullptr) {
     look_for_all(*before.table, datum, before.examined);
     before.examined += before.own.candidates(*before.table, datum) * (compares_much(datum) ? before.own.heaviest() : 1);
-    return check_examined(before.examined, datum);
+    return check_looking(before.examined, datum);
   }
   before.own.add(datum);
   if (tell->lease != 0 && leases_.find(tell->lease) == nullptr) return unknown_lease(tell->lease);
@@ -139,6 +140,8 @@ Result<Revision> Store::transact(const std::string& teller, const Transaction& t
                                  std::size_t& examined) {
   const Result<void> checked = check(teller, transaction, examined);
   if (!checked) return fail(checked);
+  // As it was looked at, it is done.
+  const Indexing no_more(Indexing::May::not_make);
   Change change(*this, teller, now);
   change.expect(transaction.steps.size());
   for (const Transaction::Step& step : transaction.steps) {
@@ -168,7 +171,7 @@ Result<std::optional<Fact>> Store::take(const std::string& teller, const Datum& 
   if (!allowed) return fail(allowed);
   if (holder != 0 && leases_.find(holder) == nullptr) return unknown_lease(holder);
   const Fact* fact = first_fit(**table, pattern, examined);
-  const Result<void> cheap = check_examined(examined, pattern);
+  const Result<void> cheap = check_looking(examined, pattern);
   if (!cheap) return fail(cheap);
   if (fact == nullptr) return std::nullopt;
   Change change(*this, teller, now);

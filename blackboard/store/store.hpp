@@ -16,6 +16,7 @@
 #include "blackboard/board.hpp"
 #include "blackboard/store/commit.hpp"
 #include "blackboard/store/fact_table.hpp"
+#include "blackboard/store/index_maker.hpp"
 #include "blackboard/store/leases.hpp"
 
 namespace pizarra {
@@ -31,7 +32,8 @@ class Store {
 
   // Answers those that are new.
   Result<std::vector<Relation>> declare(const std::vector<Relation>& relations);
-  // These add to `examined` how many facts they looked at, and fail beyond limits::examined.
+  // These add to `examined` how many facts they looked at, and fail beyond limits::examined; with awaits-index where an
+  // index is made in parts for them (indexing.hpp), and nothing is changed.
   Result<Revision> transact(const std::string& teller, const Transaction& transaction, Time now, std::size_t& examined);
   Result<Answers> ask(const Query& query, std::size_t& examined) const;
   // With holder 0 the fact is removed for good.
@@ -59,6 +61,8 @@ class Store {
   void expire(Time due, Time now);
 
   const Tables& tables() const { return tables_; }
+  // What is found how quickly is no part of what there is.
+  IndexMaker& index_maker() const { return index_maker_; }
   Revision revision() const { return revision_; }
   std::size_t size() const { return standing_.size(); }
   // A taken fact that is neither settled nor put back.
@@ -104,6 +108,7 @@ class Store {
   Result<void> apply_entry(const Commit& commit, Commit::Entry& entry);
 
   Tables tables_;
+  mutable IndexMaker index_maker_;
   HashIndex<StandingFact> standing_;  // by their ids
   std::map<FactId, Held> held_;
   std::size_t bytes_ = 0;  // of what stands or is held

@@ -90,8 +90,12 @@ Result<void> WatchQueue::begin(std::size_t& examined) {
 Result<std::optional<Delta>> WatchQueue::pop_delta(std::size_t& examined) {
   assert(ready());
   if (state_ == State::following) return pop_queued();
+  if (store_.index_maker().is_under_way(awaited_)) Indexing::await(awaited_);
+  if (Indexing::is_awaiting()) return std::nullopt;
   if (only_pattern_ != nullptr) return next_part(examined);
-  return all_answers(examined);
+  Result<Delta> all = all_answers(examined);
+  if (Indexing::is_awaiting()) return std::nullopt;
+  return all;
 }
 
 Result<Change> WatchQueue::pop() {
@@ -133,15 +137,18 @@ void WatchQueue::committed(const Commit& commit, CommitLooks& looks) {
   committed_by_joins(commit, looks);
 }
 
-// One that may not look at enough begins anew, in a turn of its own.
+// One that may not look at enough, or needs an index first, begins anew in a turn of its own.
 void WatchQueue::committed_by_joins(const Commit& commit, CommitLooks& looks) {
   Delta delta;
   delta.revision = commit.revision;
+  // What watches need is not of the doing of who commits.
+  const Indexing indexing(store_.index_maker().may(), {}, &store_.index_maker());
   const std::size_t before = looks.before(waiting_.backlog());
   std::size_t examined = before;
   const Result<void> followed = joined_->follow(commit, delta, examined);
   looks.add(waiting_.backlog(), examined - before);
   examined_ += examined - before;
+  awaited_ = indexing.awaited();
   if (!followed) return resynchronise();
   push(std::move(delta));
 }
@@ -202,6 +209,7 @@ std::optional<Delta> WatchQueue::next_part(std::size_t& examined) {
     return last;
   };
   store_.tables().find(only_pattern_->head())->second.visit(*only_pattern_, consider, looked_up_to_ + 1);
+  last = last && !Indexing::is_awaiting();
   if (!last && part.added.facts.empty() && part.removed.facts.empty()) return std::nullopt;
   if (last) state_ = State::following;
   const bool first = std::exchange(nothing_sent_, false);

@@ -49,7 +49,7 @@ class WatchQueue {
   Result<Change> pop();
   // The same, and what holds comes in parts that fit a message each. It is looked for until `examined`, to which is
   // added how many facts were looked at, is limits::examined_a_turn (a join is answered whole); nothing, where no part
-  // has come of it so far.
+  // has come of it so far, or where an index is to be awaited (indexing.hpp).
   Result<std::optional<Delta>> pop_delta(std::size_t& examined);
   // Whether that looks for what holds: no change is queued.
   bool must_look() const { return state_ != State::following; }
@@ -96,6 +96,7 @@ class WatchQueue {
   std::size_t gone_bytes_ = 0;
   std::optional<JoinedAnswers> joined_;  // unless there is only_pattern_
   std::uint64_t examined_ = 0;
+  IndexTicket awaited_ = 0;
   struct Queued {
     Delta delta;
     std::size_t bytes;

@@ -4,7 +4,7 @@
 #include <cassert>
 
 #include "blackboard/limits.hpp"
-#include "blackboard/store/indexing.hpp"
+#include "blackboard/store/looking.hpp"
 #include "blackboard/store/query_tables.hpp"
 #include "blackboard/watch/join_guards.hpp"
 
@@ -33,6 +33,7 @@ Result<std::unique_ptr<WatchQueue>> WatchTable::add(const Query& query, std::fun
   queue->on_ready_ = std::move(on_ready);
   queue->watcher_ = std::move(watcher);
   enter(*queue);
+  if (Indexing::is_awaiting()) return awaits_index(query_to_datum(query));
   return queue;
 }
 
@@ -54,9 +55,7 @@ void WatchTable::forget(const WatchQueue& watch) {
   for (const WatchedPattern& pattern : watch.patterns_) patterns_.find(pattern.pattern.head())->second.remove(pattern);
 }
 
-// What watches need is not of the doing of who commits.
 void WatchTable::committed(const Commit& commit) {
-  const Indexing for_watchers(Indexing::May::make);
   if (guards_ != 0) tell_guarded(commit);
   std::vector<WatchQueue*> touched = touched_by(commit);
   std::ranges::sort(touched, {}, &WatchQueue::number_);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "blackboard/store/evaluate.hpp"
+#include "blackboard/store/indexing.hpp"
 #include "blackboard/store/store.hpp"
 #include "tests/blackboard/wall.hpp"
 
@@ -63,6 +64,16 @@ TEST_F(CostlyQuestions, WhatComparesTooMuchIsRefused) {
   EXPECT_EQ(ask("(query (big ?n ?l) (limit 5))"), "ok");
   EXPECT_EQ(ask("(and (big ?n ?l) (big ?m ?k) (= ?l ?k) (/= ?n ?m))"), "too-costly");
   EXPECT_EQ(ask("(and (big ?n ?l) (big ?m ?l) (/= ?n ?m))"), "too-costly");
+}
+
+TEST_F(CostlyQuestions, WhatSortingComparesCountsAlike) {
+  tell_lists(700, 2400);
+  const Indexing no_index(Indexing::May::not_make);
+  const std::string all = "(query (big ?n ?l) (order ";
+  EXPECT_EQ(ask(all + "?l) (limit 3))"), "ok");
+  EXPECT_EQ(ask(all + "?n) (limit 80))"), "ok");
+  EXPECT_EQ(ask(all + "?l) (limit 300))"), "too-costly");
+  EXPECT_EQ(ask(all + "(down ?l)) (limit 300))"), "too-costly");
 }
 
 TEST_F(CostlyQuestions, WhatATransactionRequiresCountsAlike) {

@@ -1,0 +1,41 @@
+#pragma once
+
+// The messages of a client that wait: for an index that one of its requests needs, which is then done anew, and behind
+// that one, so that each is done when those before it are.
+//
+//   postponed.wait(std::move(message));        // whatever there is stays behind it
+//   postponed.add({message, now});             // false where there is no room
+//   Postponed::Message next = postponed.next();
+
+#include <deque>
+
+#include "blackboard/time/clock.hpp"
+#include "blackboard/wire/wire.hpp"
+#include "lisp/datum.hpp"
+
+namespace pizarra {
+
+class Postponed {
+ public:
+  static constexpr std::size_t most = 256;
+  static constexpr std::size_t most_bytes = 4 << 20;
+
+  struct Message {
+    Datum datum;
+    Time came;
+    std::size_t waits = 0;  // for indexes
+  };
+
+  bool empty() const { return messages_.empty(); }
+  const Message& first() const { return messages_.front(); }
+  bool has_request(wire::RequestId number) const;
+  bool add(Message message);
+  void wait(Message message);
+  Message next();
+
+ private:
+  std::deque<Message> messages_;
+  std::size_t bytes_ = 0;
+};
+
+}  // namespace pizarra

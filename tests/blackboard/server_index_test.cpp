@@ -1,0 +1,179 @@
+// An index that a request needs is made in parts, between which others are served; the request waits for it.
+
+#include <algorithm>
+
+#include "tests/blackboard/server_fixture.hpp"
+
+namespace pizarra {
+namespace {
+
+class ServerIndex : public ServerTest {
+ protected:
+  static constexpr int facts = 120'000;
+  static constexpr int alike = facts / 6;
+
+  ServerIndex() {
+    constexpr int a_transaction = 5000;
+    for (int n = 0; n < facts; n += a_transaction) {
+      Transaction some;
+      for (int i = n; i < n + a_transaction; ++i) some.tell(list("note"_sym, i, i % alike));
+      EXPECT_TRUE(board.transact("test", some).has_value());
+    }
+  }
+  static std::string request(const std::string& session, int number, const std::string& body) {
+    return "(request " + session + " " + std::to_string(number) + " " + body + ")";
+  }
+  std::string ask_other(int number, const std::string& body) {
+    const Datum reply = other.ask(request(others, number, body));
+    return reply.is_form("reply") ? std::string(reply[2].head()) : write(reply);
+  }
+  // Asks what needs an index, and lets the making begin.
+  void ask_oddly(int number = 1) {
+    odd.send(request(odds, number, asked));
+    for (int patience = 5000; patience > 0 && !is_making(); --patience) pass(executor, 1ms);
+    ASSERT_TRUE(is_making());
+  }
+  bool is_making() { return !board.store().index_maker().is_idle(); }
+  // Of the notes that are answered.
+  static std::vector<std::int64_t> numbers(const Datum& reply) {
+    std::vector<std::int64_t> found;
+    if (!reply.is_form("reply") || !reply[2].is_form("ok")) return found;
+    for (const Datum& answer : reply[2][1].items().subspan(1)) {
+      const std::string text = write(answer);
+      const std::size_t at = text.find("(note ");
+      found.push_back(std::stoll(text.substr(at + 6)));
+    }
+    return found;
+  }
+  static constexpr const char* asked = "(ask (note ?n 7))";
+
+  Client odd = client();
+  Client other = client();
+  const std::string odds = odd.join("odd");
+  const std::string others = other.join("other");
+};
+
+TEST_F(ServerIndex, OthersAreServedBetweenItsParts) {
+  ask_oddly();
+  for (int n = 1; n <= 3; ++n) {
+    EXPECT_TRUE(other.ask("(ping " + others + ")").is_form("pong"));
+    EXPECT_EQ(ask_other(n, "(transact () ((tell (note -1 x) 0)))"), "ok");
+    EXPECT_TRUE(is_making()) << n;
+  }
+  EXPECT_EQ(numbers(odd.receive()).size(), 6U);
+  EXPECT_FALSE(is_making());
+  EXPECT_TRUE(refusals("odd").empty());
+}
+
+TEST_F(ServerIndex, WhatChangesMeanwhileIsInTheAnswer) {
+  ask_oddly();
+  int number = 0;
+  const auto change = [&](const std::string& steps) {
+    EXPECT_EQ(ask_other(++number, "(transact () (" + steps + "))"), "ok");
+  };
+  change("(tell (note 900000 7) 0) (retract (note 7 ?))");
+  change("(tell (note 8 7) 0) (tell (note 119998 7) 0)");
+  change("(tell (note 20007 8) 0) (retract (note 100007 ?))");
+  std::vector<std::int64_t> found = numbers(odd.receive());
+  std::ranges::sort(found);
+  EXPECT_EQ(found, (std::vector<std::int64_t>{8, 40007, 60007, 80007, 119998, 900000}));
+}
+
+TEST_F(ServerIndex, TheRequestsOfAClientStayInTheirOrder) {
+  ask_oddly();
+  odd.send(request(odds, 2, "(transact () ((tell (note 900000 7) 0)))"));
+  odd.send(request(odds, 2, "(transact () ((tell (note 900000 7) 0)))"));
+  odd.send(request(odds, 3, "(take (note ? 7) 0)"));
+  odd.send(request(odds, 3, "(take (note ? 7) 0)"));
+  odd.send(request(odds, 4, asked));
+  std::vector<Datum> replies;
+  for (Datum reply = odd.receive(); reply != Datum(); reply = odd.receive(300ms)) replies.push_back(reply);
+  ASSERT_EQ(replies.size(), 4U) << "what comes again while it waits is done once";
+  for (std::size_t i = 0; i < replies.size(); ++i) EXPECT_EQ(replies[i][1], to_datum(i + 1));
+  EXPECT_EQ(numbers(replies[0]), (std::vector<std::int64_t>{7, 20007, 40007, 60007, 80007, 100007}));
+  EXPECT_EQ(numbers(replies[3]), (std::vector<std::int64_t>{20007, 40007, 60007, 80007, 100007, 900000}));
+}
+
+TEST_F(ServerIndex, ALeaseIsRenewedMeanwhile) {
+  const Datum lease = odd.ask(request(odds, 1, "(lease 2000000)"))[2][1];
+  ask_oddly(2);
+  EXPECT_EQ(odd.ask(request(odds, 3, "(renew " + write(lease) + ")"))[1], to_datum(3));
+  EXPECT_EQ(odd.receive()[1], to_datum(2));
+}
+
+TEST_F(ServerIndex, WhoLeavesMeanwhileLeavesNothingButTheIndex) {
+  ask_oddly();
+  odd.send(request(odds, 2, "(watch 1 (note ?n 7))"));
+  odd.send("(hello \"odd\" " + odds + ")");
+  odd.send("(bye " + odds + ")");
+  EXPECT_EQ(numbers(other.ask(request(others, 1, asked))).size(), 6U);
+  pass(executor, 50ms);
+  EXPECT_EQ(server->sessions(), 1U);
+  server.reset();
+  serve(10s);
+  Client next = client();
+  EXPECT_EQ(numbers(next.ask(request(next.join("next"), 1, asked))).size(), 6U);
+}
+
+TEST_F(ServerIndex, AServerThatEndsMeanwhileLeavesTheRestToTheNext) {
+  ask_oddly();
+  server.reset();
+  EXPECT_EQ(board.ask(query("(note ?n 7)")).value().answers.size(), 6U);
+  serve(10s);
+  Client next = client();
+  EXPECT_EQ(numbers(next.ask(request(next.join("next"), 1, "(ask (note ?n 8))"))).size(), 6U);
+  pass(executor, 5ms);
+  EXPECT_FALSE(is_making());
+}
+
+TEST_F(ServerIndex, AWatchBeginsWithAllThatHoldsWhenItIsMade) {
+  for (const std::string query : {"(note ?n 7)", "(and (note ?n 7) (note ?m ?n))"}) {
+    const std::string watch = "(watch " + std::to_string(query.size()) + " " + query + ")";
+    odd.send(request(odds, static_cast<int>(query.size()), watch));
+    EXPECT_EQ(ask_other(static_cast<int>(query.size()), "(transact () ((tell (note 31 7) 0)))"), "ok");
+    EXPECT_TRUE(odd.receive().is_form("reply"));
+    EXPECT_TRUE(odd.receive().is_form("change"));
+  }
+  EXPECT_EQ(ask_other(900, "(transact () ((tell (note 7 x) 0)))"), "ok");
+  EXPECT_TRUE(odd.receive().is_form("change"));
+  EXPECT_EQ(ask_other(901, "(transact () ((tell (note 32 7) 0) (tell (note 500000 32) 0)))"), "ok");
+  EXPECT_TRUE(odd.receive().is_form("change"));
+  EXPECT_TRUE(odd.receive().is_form("change"));
+}
+
+// It follows by other ways than it began.
+TEST_F(ServerIndex, AWatchThatNeedsOneToFollowBeginsAnewWhenItIsMade) {
+  const std::string query = "(and (note 5 ?x) (note ?n ?x))";
+  EXPECT_TRUE(board.transact("test", Transaction().tell(read("(note 5 x)"))).has_value());
+  odd.send(request(odds, 1, "(watch 1 " + query + ")"));
+  EXPECT_TRUE(odd.receive().is_form("reply"));
+  EXPECT_TRUE(odd.receive().is_form("change"));
+  for (int n = 1; n <= 5; ++n) {
+    const std::string told = std::to_string(n);
+    EXPECT_EQ(ask_other(n, "(transact () ((tell (note 5 " + told + ") 0)))"), "ok");
+  }
+  std::size_t heard = 0;
+  for (Datum change = odd.receive(); change != Datum(); change = odd.receive(300ms)) ++heard;
+  EXPECT_GE(heard, 1U);
+  EXPECT_EQ(ask_other(6, "(transact () ((tell (note 5 y) 0) (tell (note 600000 y) 0)))"), "ok");
+  EXPECT_TRUE(odd.receive().is_form("change"));
+}
+
+TEST(Postponed, HasRoomForSoManyMessagesAndSoMuchOfThem) {
+  Postponed few;
+  const std::string megabyte(1 << 20, 'x');
+  few.wait({list("request"_sym, 1, 1, megabyte), Time()});
+  for (int n = 2; n <= 3; ++n) EXPECT_TRUE(few.add({list("request"_sym, 1, n, megabyte), Time()}));
+  EXPECT_TRUE(few.has_request(1));
+  EXPECT_TRUE(few.has_request(3));
+  EXPECT_FALSE(few.add({list("request"_sym, 1, 4, megabyte), Time()}));
+  EXPECT_FALSE(few.has_request(4));
+  EXPECT_EQ(few.next().waits, 1U);
+  EXPECT_TRUE(few.add({list("request"_sym, 1, 4, megabyte), Time()}));
+  Postponed many;
+  for (std::size_t n = 0; n < Postponed::most; ++n) EXPECT_TRUE(many.add({list("bye"_sym, 1), Time()}));
+  EXPECT_FALSE(many.add({list("bye"_sym, 1), Time()}));
+}
+
+}  // namespace
+}  // namespace pizarra
