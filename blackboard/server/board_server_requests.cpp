@@ -4,7 +4,6 @@
 
 #include "blackboard/limits.hpp"
 #include "blackboard/server/board_server.hpp"
-#include "blackboard/store/indexing.hpp"
 #include "blackboard/store/store.hpp"
 #include "lisp/shortened.hpp"
 #include "lisp/writer.hpp"
@@ -91,16 +90,6 @@ void BoardServer::request(wire::SessionId id, Session& session, const Postponed:
   serve(id, session, *number, waiting);
 }
 
-// Now, or when an index is made that it needs.
-void BoardServer::serve(wire::SessionId id, Session& session, wire::RequestId number,
-                        const Postponed::Message& waiting) {
-  const Datum& message = waiting.datum;
-  const Revision before = board_.store().revision();
-  if (!answer(id, session, number, message[3], waiting.waits)) return session.postponed.wait(waiting);
-  const bool timed = message.size() == 5;
-  if (timed && board_.store().revision() > before) note_journey(message[3], Time(Duration(message[4].integer())));
-}
-
 void BoardServer::refuse_request(const Session& session, wire::RequestId number, const Failure& failure) {
   refusals_.note(client_of(session), failure);
   socket_.send(session.peer, reply_text(number, result_to_datum(fail(failure))));
@@ -177,31 +166,6 @@ std::string BoardServer::with_progress(const Session& session, std::string reply
   write_number_to(reply, board_.store().revision());
   reply += session.watches.are_behind() ? " no)" : " yes)";
   return reply;
-}
-
-// Whose quota is spent is refused what looks at more than a few facts; what has waited for an index was let in before.
-// Nothing where it must wait for one.
-std::optional<Result<Datum>> BoardServer::perform_within_quota(wire::SessionId id, Session& session, const Datum& body,
-                                                               std::size_t waits) {
-  constexpr std::size_t most_waits = 64;
-  const std::string& client = client_of(session);
-  const std::size_t before = waits > 0 ? 0 : looks_.before(client, executor_.now());
-  const bool may_wait = before == 0 && waits < most_waits;
-  const Indexing indexing(may_wait ? Indexing::May::make_in_parts : Indexing::May::not_make, client,
-                          &board_.store().index_maker());
-  std::size_t examined = before;
-  Result<Datum> result = perform(id, session, body, examined);
-  const std::size_t looked_at = examined - before + indexing.examined();
-  looks_.looked(client, looked_at, executor_.now());
-  if (waits > 0) examined_ += looked_at;
-  if (indexing.awaited() != 0) {
-    session.awaited = indexing.awaited();
-    return std::nullopt;
-  }
-  const bool is_spent = before > 0 && !result && result.error().symbol == "too-costly";
-  if (!is_spent) return result;
-  board_.statistics().requests().refuse(client, executor_.now());
-  return LookQuota::refusal(client);
 }
 
 Result<Datum> BoardServer::perform(wire::SessionId id, Session& session, const Datum& body, std::size_t& examined) {

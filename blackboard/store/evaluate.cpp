@@ -65,7 +65,12 @@ struct ByValue {
 class Search {
  public:
   Search(const Query& query, const Tables& tables, std::span<const std::size_t> course, std::size_t& examined)
-      : query_(query), tables_(tables), course_(course), chosen_(query.clauses.size()), sorted_(ByValue{query.descending}), looking_(examined) {}
+      : query_(query),
+        tables_(tables),
+        course_(course),
+        chosen_(query.clauses.size()),
+        sorted_(ByValue{query.descending}),
+        looking_(examined) {}
 
   // The query's answers, in its order and up to its limit.
   Result<std::vector<Answer>> whole() {

@@ -107,7 +107,10 @@ Result<void> Store::check_step(const Transaction::Step& step, Checked& before) {
   if (tell == nullptr) {
     look_for_all(*before.table, datum, before.examined);
     before.examined += before.own.candidates(*before.table, datum) * (compares_much(datum) ? before.own.heaviest() : 1);
-    return check_looking(before.examined, datum);
+    const Result<void> cheap = check_looking(before.examined, datum);
+    if (cheap || cheap.error().symbol != "too-costly") return cheap;
+    return fail("too-costly", cheap.error().sentence + "; ask for some with (limit COUNT) and retract these by their keys",
+                datum);
   }
   before.own.add(datum);
   if (tell->lease != 0 && leases_.find(tell->lease) == nullptr) return unknown_lease(tell->lease);

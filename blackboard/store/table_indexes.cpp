@@ -21,8 +21,8 @@ constexpr std::size_t taken_apart_at_once = 64;
 const FactIndex* TableIndexes::find(const Kind& kind) {
   auto found = entries_.find(kind);
   if (found == entries_.end() || !found->second.index.is_made()) {
-    const bool may = Indexing::may_make() && !Indexing::is_awaiting() && (found != entries_.end() || has_place_for(kind));
-    if (!may) return nullptr;
+    const bool has_place = found != entries_.end() || has_place_for(kind);
+    if (!has_place || !Indexing::may_make() || Indexing::is_awaiting()) return nullptr;
     if (!Indexing::makes_at_once(facts_.size())) {
       Indexing::await(*this, kind);
       return nullptr;

@@ -112,6 +112,16 @@ TEST_F(CostlyQuestions, WhatATransactionRetractsCountsAlike) {
   EXPECT_EQ(retract(400, true), "too-costly");
 }
 
+TEST_F(CostlyQuestions, WhatIsTooMuchToRetractAtOnceIsRefusedWithAWayOut) {
+  for (std::size_t n = 0; n < 1000; ++n) tell(n, "a"_sym);
+  Transaction transaction;
+  for (std::size_t i = 0; i < 300; ++i) transaction.retract(read("(big ? ?)"));
+  const Result<Revision> done = store_.transact("alice", transaction, Time());
+  ASSERT_FALSE(done.has_value());
+  EXPECT_EQ(done.error().symbol, "too-costly");
+  EXPECT_NE(done.error().sentence.find("(limit COUNT) and retract these by their keys"), std::string::npos);
+}
+
 TEST_F(CostlyQuestions, WhatWentSinceARevisionCountsWhereNothingMayHaveChanged) {
   for (std::size_t n = 0; n < FactTable::max_removals; ++n) tell(n, "a"_sym);
   const Revision before = store_.revision();
