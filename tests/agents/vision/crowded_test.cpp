@@ -57,9 +57,10 @@ StereoModel one_camera() {
 
 std::string failure_of_learning(const cv::Mat1b& image, cv::Point2d click) {
   const LearnedObjects none;
+  const StereoModel model = one_camera();
   MarkLearner learner("thing", click, none);
   while (!learner.done()) {
-    StereoSight sight(image, image, one_camera());
+    StereoSight sight(image, image, model);
     const Result<void> fed = learner.feed(sight);
     if (!fed) return fed.error().symbol;
   }

@@ -31,6 +31,7 @@ StereoModel one_camera() {
 // In the light and the sharpness of a lab; what noise and blur may do to it bench/vision's row `unlearned` counts.
 TEST(Unlearned, AloneIsNothing) {
   const cv::Mat nothing = cv::Mat::zeros(240, 320, CV_8UC1);
+  const StereoModel model = one_camera();
   for (const bench::UnlearnedShape& shape : bench::unlearned_shapes()) {
     if (!shape.no_view_of_a_mark) continue;
     for (std::uint64_t seed = 1; seed <= 10; ++seed) {
@@ -41,7 +42,7 @@ TEST(Unlearned, AloneIsNothing) {
       const double scale = random.uniform(1, 1.5) * bench::scale_at(bench::learning_depth_mm);
       scene.things = {
           {.shape = bench::placed(shape.shape, place, scale, random.uniform(0, 360)), .level = scene.mark_level}};
-      StereoSight sight(draw(scene, bench::Side::left, random), nothing, one_camera());
+      StereoSight sight(draw(scene, bench::Side::left, random), nothing, model);
       for (const LearnedObject& object : learned_cell().all()) {
         EXPECT_FALSE(sight.find(learned_cell(), object)) << "taken for the " << object.name;
       }
