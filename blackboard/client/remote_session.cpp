@@ -138,7 +138,7 @@ void RemoteBoard::replied(const Datum& message) {
   }
   const Done done = std::move(found->second.done);
   pending_.erase(found);
-  transmit_soon();
+  if (first_waiting_ < next_request_) transmit_soon();
   const Datum& result = message[2];
   if (result.is_form("ok") && result.size() == 2) {
     done(result[1]);
