@@ -9,7 +9,7 @@ namespace {
 constexpr int least_local_contrast = 30;
 // Of the noise: the lightest and the darkest pixels nearby differ by less where there is nothing else.
 constexpr double noise_contrast = 8;
-// Nine tiles reach past the edge of the largest mark from anywhere in it.
+// Nine tiles reach past the edge of an ordinary mark from anywhere in it; the inside of a larger one has no tone.
 constexpr int tiles_a_row = 20;
 constexpr int least_tile_px = 16;
 constexpr int rows_a_threshold = 4;

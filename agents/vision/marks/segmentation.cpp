@@ -10,14 +10,16 @@ namespace {
 
 bool has_the_size_of_a_mark(const Region& region, cv::Size image) {
   const cv::Rect& box = region.box;
-  return region.area_px >= least_mark_area_px && region.area_px <= largest_mark_area_px(image) &&
+  return region.area_px >= least_mark_area_px && !is_too_large_for_a_mark(box.size(), image) &&
          5 * region.area_px >= box.area() && box.width <= 4 * box.height && box.height <= 4 * box.width && box.x > 0 &&
          box.y > 0 && box.br().x < image.width && box.br().y < image.height;
 }
 
 }  // namespace
 
-int largest_mark_area_px(cv::Size image) { return image.area() / 3; }
+bool is_too_large_for_a_mark(cv::Size box, cv::Size image) {
+  return 10 * box.width > 9 * image.width || 10 * box.height > 9 * image.height;
+}
 
 std::size_t longest_contour_px(cv::Size image) { return static_cast<std::size_t>(2 * (image.width + image.height)); }
 

@@ -16,8 +16,8 @@ namespace pizarra {
 
 inline constexpr int least_mark_area_px = 60;
 inline constexpr std::size_t most_marks = 128;
-// A square two thirds as high as the image has so much.
-int largest_mark_area_px(cv::Size image);
+// What is wider or higher than nine tenths of the image is no mark: ground must be seen around it.
+bool is_too_large_for_a_mark(cv::Size box, cv::Size image);
 std::size_t longest_contour_px(cv::Size image);
 
 class ImageSegmentation {

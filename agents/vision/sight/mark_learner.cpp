@@ -172,13 +172,14 @@ Result<void> MarkLearner::check_region(const ImageSegmentation& mean) {
     return fail("open-contour", "the contour of the mark is open: what is filled leaks out of it", where);
   }
   // Ground that has a mark in it has a hole; so has a ring, which is no solid mark either.
-  const bool too_large = area > largest_mark_area_px(filled_.size());
+  const bool too_large = is_too_large_for_a_mark(box.size(), filled_.size());
   if ((too_large && cut) || other_px_ >= least_mark_area_px) {
     return fail("background", "the point is on the ground around marks, which is no mark itself", where);
   }
   if (too_large) {
     return fail("too-large",
-                "the shape around the point is larger than a third of the image: show it from farther away", where);
+                "the shape around the point is wider or higher than nine tenths of the image: show it from farther away",
+                where);
   }
   if (cut) return fail("border", "the shape around the point is cut by the border of the image", where);
   if (area < least_mark_area_px) return fail("too-small", "the region around the point is too small", where);
