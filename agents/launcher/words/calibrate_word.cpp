@@ -37,7 +37,9 @@ class Calibration {
       const std::optional<Result<ImagePair>> pair = pairs_.next();
       if (!pair) break;
       const Result<void> taken = *pair ? take(**pair) : Result<void>(fail(pair->error()));
-      if (!taken && taken.error().symbol == "wrong-size") return complain_as(style(), taken.error(), exit_usage);
+      // A live camera would go on giving what cannot be used.
+      const bool wrong_size = !taken && taken.error().symbol == "wrong-size";
+      if (wrong_size && pairs_.endless()) return complain_as(style(), taken.error(), exit_usage);
       tell_pair(taken);
     }
     const Result<CalibratedPair> found = calibrate_pair(views_, size_, choices_.board);
@@ -58,16 +60,19 @@ class Calibration {
   bool enough() const { return pairs_.endless() && views_.size() >= choices_.pairs; }
 
   Result<void> take(const ImagePair& pair) {
-    for (const cv::Mat* image : {&pair.left, &pair.right}) {
-      if (image->empty()) continue;
-      if (size_.empty()) size_ = image->size();
-      if (image->size() == size_) continue;
-      return fail("wrong-size", fmt::format("{}: an image of {}x{}, and those before are {}x{}", pairs_.name(),
-                                            image->cols, image->rows, size_.width, size_.height));
+    const cv::Size size = pair.left.size();
+    if (!pair.right.empty() && pair.right.size() != size) {
+      return fail("wrong-size", fmt::format("images of {}x{} and {}x{}", size.width, size.height, pair.right.cols,
+                                            pair.right.rows));
+    }
+    if (!views_.empty() && size != size_) {
+      return fail("wrong-size", fmt::format("an image of {}x{}, and those before are {}x{}", size.width, size.height,
+                                            size_.width, size_.height));
     }
     Result<BoardView> view = find_board(pair.left, pair.right, choices_.board);
     if (!view) return fail(view);
     if (pairs_.endless() && !views_.empty() && !has_moved(*view)) return fail("still", "the board stands still");
+    size_ = size;
     views_.push_back(std::move(*view));
     names_.push_back(pairs_.name());
     return {};
@@ -134,7 +139,7 @@ class Calibration {
 
   const CalibrateChoices& choices_;
   BoardPairs& pairs_;
-  cv::Size size_;
+  cv::Size size_;  // of the images with a board
   std::vector<BoardView> views_;
   std::vector<std::string> names_;
 };
