@@ -1,21 +1,18 @@
-// The vision agent as a whole: what it computes from a frame's arrival to the fact that says what was seen in it, on a
-// board in its own process, and its memory.
+// What a whole vision agent computes from a frame's arrival to the fact that says what was seen in it, on a board in its
+// own process.
 
 #include <ctime>
 #include <fmt/format.h>
-#include <fstream>
-#include <zmq.hpp>
 
 #include "agents/runtime/service.hpp"
 #include "agents/vision/agent/vision_agent.hpp"
 #include "agents/vision/memory/object_database.hpp"
-#include "blackboard/client/remote_board.hpp"
 #include "blackboard/memory/memory_board.hpp"
 #include "blackboard/time/real_executor.hpp"
-#include "drivers/simulation/socket_link.hpp"
 #include "tests/bench/child.hpp"
 #include "tests/bench/measure.hpp"
 #include "tests/bench/vision/rows.hpp"
+#include "tests/run_task.hpp"
 
 namespace pizarra::bench {
 namespace {
@@ -125,44 +122,6 @@ Task<void> live(Agent& agent) {
   [[maybe_unused]] const Result<void> ended = co_await agent.run();
 }
 
-// A cell's client that has the eyes learn and track the four cubes.
-Task<Result<void>> learn_and_track(AgentContext& context, SocketLink& world) {
-  Service service(context, contract_from_text("(contract bench)").value());
-  const Result<void> started = co_await service.start();
-  if (!started) co_return fail(started);
-  Caller caller(context, service);
-  const std::vector<std::string> names{"circle", "triangle", "cross", "square"};
-  for (const std::string& name : names) {
-    const Datum question = list("where-seen"_sym, name);
-    const Result<Message> place = co_await world.call(question, patience);
-    if (!place) co_return fail(place);
-    const Datum learn = list("learn"_sym, place->head[0], place->head[1], name);
-    const Result<Datum> learned = co_await caller.call("vision", learn, patience);
-    if (!learned) co_return fail(learned);
-    if ((*learned)[0].text().find("OK") == std::string_view::npos)
-      co_return fail("not-learned", name + " was not learned");
-  }
-  for (const std::string& name : names) {
-    const Datum track = list("track"_sym, name);
-    const Result<Datum> tracked = co_await caller.call("vision", track, patience);
-    if (!tracked) co_return fail(tracked);
-  }
-  co_await sleep(context.executor, 2s);
-  co_return Result<void>();
-}
-
-// Runs it to its end; what fails ends the row.
-void run(Executor& executor, Task<Result<void>> task) {
-  std::optional<Result<void>> result;
-  const auto keep = [](Task<Result<void>> work, std::optional<Result<void>>& kept) -> Task<void> {
-    Result<void> value = co_await work;
-    kept = std::move(value);
-  };
-  const Job job = executor.spawn(keep(std::move(task), result));
-  executor.run_until([&] { return result.has_value(); });
-  if (!*result) throw std::runtime_error(describe(result->error()));
-}
-
 }  // namespace
 
 void arrival(VisionBench& bench) {
@@ -180,7 +139,8 @@ void arrival(VisionBench& bench) {
   Latencies latencies;
   {
     const Job running = executor.spawn(live(vision));
-    run(executor, measure(context, names, camera, latencies));
+    const Result<void> measured = run(executor, measure(context, names, camera, latencies));
+    if (!measured) throw std::runtime_error(describe(measured.error()));
   }
   const auto counted = [](const std::vector<double>& all) {
     return std::span(all).subspan(std::min<std::size_t>(first_counted, all.size()));
@@ -194,35 +154,6 @@ void arrival(VisionBench& bench) {
                      fmt::format("five objects, {} frames, what one thread computes: no capture thread, no "
                                  "socket and no waiting; median {:.3f}",
                                  frames, 1e-3 * percentile(counted(latencies.track_us), 0.5))});
-}
-
-void agent_memory(VisionBench& bench) {
-  const TemporaryFolder folder;
-  const std::string cell = folder.path() + "/cell.scm";
-  std::ofstream(cell) << "(cell bench (world (cube circle (at 450 -150)) (cube triangle (at 450 -50)) "
-                         "(cube cross (at 450 50)) (cube square (at 450 150))))";
-  const std::string board_at = "ipc://" + folder.path() + "/board";
-  const std::string world_at = "ipc://" + folder.path() + "/world";
-  const std::string program = program_beside("pizarra-agent");
-  const Child board = Child::program({program_beside("pizarra-board"), "--listen", board_at});
-  const Child world = Child::program({program, "world", cell, "--listen", world_at});
-  const Child vision = Child::program({program, "agent", "vision", cell, "--board", board_at, "--world", world_at});
-  RealExecutor executor;
-  zmq::context_t sockets(1);
-  {
-    const std::unique_ptr<RemoteBoard> view = RemoteBoard::connect(executor, board_at, "bench").value();
-    SocketLink link(executor, sockets, world_at);
-    AgentContext context{"bench", "here", executor, *view, Random(1)};
-    run(executor, learn_and_track(context, link));
-  }
-  bench.figures.say({"memory of the agent, peak",
-                     vision.memory_mb("VmHWM"),
-                     "MB",
-                     at_most(80),
-                     {},
-                     fmt::format("{:.0f} of it its own, the rest pages of shared libraries; a process of its own, the "
-                                 "simulated camera, four objects learned and tracked",
-                                 vision.memory_mb("RssAnon"))});
 }
 
 }  // namespace pizarra::bench

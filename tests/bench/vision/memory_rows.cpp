@@ -1,0 +1,150 @@
+// The memory of a vision agent's process that has learned four objects and tracks them: with the simulated camera, and
+// with one of its own, which brings OpenCV's readers of films and pictures along.
+
+#include <filesystem>
+#include <fmt/format.h>
+#include <fstream>
+#include <opencv2/imgcodecs.hpp>
+#include <zmq.hpp>
+
+#include "agents/runtime/service.hpp"
+#include "blackboard/client/remote_board.hpp"
+#include "blackboard/time/real_executor.hpp"
+#include "drivers/simulation/socket_link.hpp"
+#include "tests/bench/child.hpp"
+#include "tests/bench/vision/rows.hpp"
+#include "tests/run_task.hpp"
+
+namespace pizarra::bench {
+namespace {
+
+constexpr Duration patience = 60s;
+constexpr double goal_mb = 80;
+
+// Where an object is to be clicked on, px.
+struct Place {
+  std::string name;
+  Datum x;
+  Datum y;
+};
+
+Task<Result<void>> learn_and_track(AgentContext& context, std::vector<Place> places) {
+  Service service(context, contract_from_text("(contract bench)").value());
+  const Result<void> started = co_await service.start();
+  if (!started) co_return fail(started);
+  Caller caller(context, service);
+  for (const Place& place : places) {
+    const Datum learn = list("learn"_sym, place.x, place.y, place.name);
+    const Result<Datum> learned = co_await caller.call("vision", learn, patience);
+    if (!learned) co_return fail(learned);
+    if ((*learned)[0].text().find("OK") == std::string_view::npos) {
+      co_return fail("not-learned", place.name + " was not learned");
+    }
+  }
+  for (const Place& place : places) {
+    const Datum track = list("track"_sym, place.name);
+    const Result<Datum> tracked = co_await caller.call("vision", track, patience);
+    if (!tracked) co_return fail(tracked);
+  }
+  co_await sleep(context.executor, 2s);
+  co_return Result<void>();
+}
+
+Task<Result<std::vector<Place>>> places_of_cubes(SocketLink& world) {
+  std::vector<Place> out;
+  const std::vector<std::string> names{"circle", "triangle", "cross", "square"};
+  for (const std::string& name : names) {
+    const Datum question = list("where-seen"_sym, name);
+    const Result<Message> place = co_await world.call(question, patience);
+    if (!place) co_return fail(place);
+    out.push_back({name, place->head[0], place->head[1]});
+  }
+  co_return out;
+}
+
+std::vector<Place> places_of_marks(const Scene& scene) {
+  std::vector<Place> out;
+  for (const SceneMark& mark : scene.marks) {
+    if (mark.name == "end-effector") continue;
+    out.push_back({mark.name, to_datum(static_cast<int>(mark.centre.x)), to_datum(static_cast<int>(mark.centre.y))});
+  }
+  return out;
+}
+
+template <class T>
+T value_of(Result<T> result) {
+  if (!result) throw std::runtime_error(describe(result.error()));
+  if constexpr (!std::is_void_v<T>) return std::move(*result);
+}
+
+void say_memory(VisionBench& bench, const std::string& camera, const Child& vision) {
+  bench.figures.say({"memory of the agent, peak, " + camera,
+                     vision.memory_mb("VmHWM"),
+                     "MB",
+                     at_most(goal_mb),
+                     {},
+                     fmt::format("{:.0f} of it its own, the rest pages of shared libraries; a process of its own, four "
+                                 "objects learned and tracked",
+                                 vision.memory_mb("RssAnon")),
+                     "the pages of the libraries that OpenCV reads films and pictures with"});
+}
+
+// A cell's file, a board, and where they are.
+struct CellOnDisk {
+  TemporaryFolder folder;
+  std::string cell = folder.path() + "/cell.scm";
+  std::string board_at = "ipc://" + folder.path() + "/board";
+  Child board = Child::program({program_beside("pizarra-board"), "--listen", board_at});
+
+  explicit CellOnDisk(const std::string& text) { std::ofstream(cell) << text; }
+};
+
+void simulated(VisionBench& bench) {
+  const CellOnDisk there("(cell bench (world (cube circle (at 450 -150)) (cube triangle (at 450 -50)) "
+                         "(cube cross (at 450 50)) (cube square (at 450 150))))");
+  const std::string world_at = "ipc://" + there.folder.path() + "/world";
+  const std::string program = program_beside("pizarra-agent");
+  const Child world = Child::program({program, "world", there.cell, "--listen", world_at});
+  const Child vision =
+      Child::program({program, "agent", "vision", there.cell, "--board", there.board_at, "--world", world_at});
+  RealExecutor executor;
+  zmq::context_t sockets(1);
+  {
+    const std::unique_ptr<RemoteBoard> view = RemoteBoard::connect(executor, there.board_at, "bench").value();
+    SocketLink link(executor, sockets, world_at);
+    AgentContext context{"bench", "here", executor, *view, Random(1)};
+    const std::vector<Place> places = value_of(run(executor, places_of_cubes(link)));
+    value_of(run(executor, learn_and_track(context, places)));
+  }
+  say_memory(bench, "simulated camera", vision);
+}
+
+void pictures(VisionBench& bench) {
+  const CellOnDisk there(
+      "(cell bench (camera (single (images \"shots\")) (rate 30)) (host \"localhost\" (agents vision)))");
+  const std::string shots = there.folder.path() + "/shots";
+  std::filesystem::create_directory(shots);
+  Random random(bench.seed);
+  const Scene scene = learning_scene();
+  for (int i = 0; i < 5; ++i) {
+    cv::imwrite(fmt::format("{}/{}.png", shots, i), draw(scene, Side::left, random));
+  }
+  const Child vision =
+      Child::program({program_beside("pizarra-agent"), "agent", "vision", there.cell, "--board", there.board_at});
+  RealExecutor executor;
+  {
+    const std::unique_ptr<RemoteBoard> view = RemoteBoard::connect(executor, there.board_at, "bench").value();
+    AgentContext context{"bench", "here", executor, *view, Random(1)};
+    value_of(run(executor, learn_and_track(context, places_of_marks(scene))));
+  }
+  say_memory(bench, "camera of its own", vision);
+}
+
+}  // namespace
+
+void agent_memory(VisionBench& bench) {
+  simulated(bench);
+  pictures(bench);
+}
+
+}  // namespace pizarra::bench
