@@ -12,9 +12,9 @@ Scene learning_scene() {
   return scene;
 }
 
-LearnedObjects learn_marks() {
+LearnedObjects learn_marks(std::uint64_t seed) {
   LearnedObjects out;
-  Random random(11);
+  Random random = Random(seed).split("learning");
   const Scene scene = learning_scene();
   for (const SceneMark& mark : scene.marks) {
     MarkLearner learner(mark.name, mark.centre, out);

@@ -39,7 +39,7 @@ int main(int argc, char** argv) {
   app.add_option("--runs", runs, "sequences of either kind to track them through")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
-  app.add_option("--seed", seed, "what the scenes are drawn from")->capture_default_str();
+  app.add_option("--seed", seed, "what the scenes, the camera, its noise and what is learned are drawn from")->capture_default_str();
   app.footer("Status 0 when every figure was measured, short or not; 1 when one was not; 2 for wrong arguments.");
   try {
     app.parse(argc, argv);
@@ -48,7 +48,8 @@ int main(int argc, char** argv) {
   }
   cv::setNumThreads(1);
   pizarra::Figures figures("vision", json ? pizarra::Figures::Style::json : pizarra::Figures::Style::plain);
-  VisionBench bench{figures, tag_detectors(), learn_marks(), seed, scenes, runs};
+  set_scene_seed(seed);
+  VisionBench bench{figures, tag_detectors(), learn_marks(seed), seed, scenes, runs};
   for (const Row& row : table) {
     if (!only.empty() && std::ranges::find(only, row.name) == only.end()) continue;
     try {

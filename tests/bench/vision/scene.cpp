@@ -39,19 +39,32 @@ void paint_things(cv::Mat1f& image, const Scene& scene, bool in_front, Side side
   }
 }
 
-// Normal numbers drawn once; each image reads them from places of its own.
-const std::vector<float>& normal_numbers() {
-  static const std::vector<float> numbers = [] {
-    Random random(20240101);
-    std::vector<float> out(1 << 17);
-    for (float& number : out) number = static_cast<float>(random.normal());
-    return out;
-  }();
-  return numbers;
+StereoModel random_camera(Random random) {
+  StereoModel out{.width = 320, .height = 240};
+  out.focal_px = random.uniform(400, 460);
+  out.base_line_mm = random.uniform(60, 95);
+  out.centre_x_px = 159.5 + random.uniform(-4, 4);
+  out.centre_y_px = 119.5 + random.uniform(-4, 4);
+  return out;
+}
+
+struct Sensor {
+  StereoModel camera;
+  std::vector<float> normal;  // numbers drawn once; each image reads them from places of its own
+
+  explicit Sensor(std::uint64_t seed) : camera(random_camera(Random(seed).split("camera"))), normal(1 << 17) {
+    Random random = Random(seed).split("noise");
+    for (float& number : normal) number = static_cast<float>(random.normal());
+  }
+};
+
+Sensor& sensor() {
+  static Sensor used(1);
+  return used;
 }
 
 cv::Mat1b exposed(const cv::Mat1f& image, const Scene& scene, Random& random) {
-  const std::vector<float>& normal = normal_numbers();
+  const std::vector<float>& normal = sensor().normal;
   cv::Mat1b out(image.size());
   for (int y = 0; y < image.rows; ++y) {
     const float* noise = normal.data() + random.below(normal.size() - static_cast<std::size_t>(image.cols));
@@ -101,10 +114,9 @@ const std::vector<std::string>& scene_marks() {
   return names;
 }
 
-const StereoModel& scene_camera() {
-  static const StereoModel camera;
-  return camera;
-}
+void set_scene_seed(std::uint64_t seed) { sensor() = Sensor(seed); }
+
+const StereoModel& scene_camera() { return sensor().camera; }
 
 double disparity_px(double depth_mm) { return scene_camera().focal_px * scene_camera().base_line_mm / depth_mm; }
 

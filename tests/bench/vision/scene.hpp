@@ -1,7 +1,7 @@
 #pragma once
 
-// Scenes for the eyes, drawn from a seed: marks and tags on light ground, clutter, light, blur and noise. Only the
-// marks' outlines are common with the cell; its renderer has no part in this.
+// Scenes for the eyes, drawn from a seed: marks and tags on light ground, clutter, light, blur and noise, and the camera
+// that sees them. Only the marks' outlines are common with the cell; its renderer and its camera have no part in this.
 //
 //   Random random(7);
 //   Scene scene = random_scene(hard_conditions, random);
@@ -81,6 +81,9 @@ inline constexpr SceneRanges hard_ranges = {
 // circle, square, cross, triangle, end-effector.
 const std::vector<std::string>& scene_marks();
 
+// What scenes are drawn with: a camera, its focal length from 400 to 460 px, its base line from 60 to 95 mm, its centre
+// up to 4 px beside the image's; and the sensor's noise. Both are drawn from a seed: 1, until another is set.
+void set_scene_seed(std::uint64_t seed);
 const StereoModel& scene_camera();
 
 // The marks that are present do not touch one another, the clutter or the border of either image.

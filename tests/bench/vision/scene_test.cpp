@@ -73,6 +73,25 @@ TEST(VisionScene, TheSameSeedDrawsTheSameImageAndAnotherAnother) {
   EXPECT_GT(cv::norm(drawn(3), drawn(4), cv::NORM_L1), 0);
 }
 
+TEST(VisionScene, EverySeedHasACameraAndANoiseOfItsOwnAndNoneTheCells) {
+  Scene scene;
+  scene.marks = {{.name = "circle", .centre = {160, 120}, .depth_mm = 600}};
+  std::vector<cv::Mat1b> images;
+  std::vector<double> focals;
+  for (const std::uint64_t seed : {5, 6, 5}) {
+    set_scene_seed(seed);
+    Random random(1);
+    images.push_back(draw(scene, Side::left, random));
+    focals.push_back(scene_camera().focal_px);
+    EXPECT_NE(focals.back(), StereoModel().focal_px);
+    EXPECT_NE(scene_camera().base_line_mm, StereoModel().base_line_mm);
+  }
+  set_scene_seed(1);
+  EXPECT_EQ(cv::norm(images[0], images[2], cv::NORM_L1), 0);
+  EXPECT_GT(cv::norm(images[0], images[1], cv::NORM_L1), 0);
+  EXPECT_NE(focals[0], focals[1]);
+}
+
 TEST(VisionScene, TheRightImageShowsAMarkByItsDisparityFurtherLeft) {
   Scene scene;
   scene.marks = {{.name = "circle", .centre = {200.3, 100.7}, .depth_mm = 600}};
@@ -81,7 +100,8 @@ TEST(VisionScene, TheRightImageShowsAMarkByItsDisparityFurtherLeft) {
   const double ground = scene.ground_level;
   const cv::Point2d left = darkness_of(draw(scene, Side::left, random), ground).centre;
   const cv::Point2d right = darkness_of(draw(scene, Side::right, random), ground).centre;
-  EXPECT_NEAR(left.x - right.x, 431 * 90 / 600.0, 0.03);
+  const StereoModel& camera = scene_camera();
+  EXPECT_NEAR(left.x - right.x, camera.focal_px * camera.base_line_mm / 600, 0.03);
   EXPECT_NEAR(left.y, right.y, 0.03);
   EXPECT_NEAR(left.x, 200.3, 0.03);
 }

@@ -10,8 +10,15 @@
 namespace pizarra::bench {
 namespace {
 
-// The learned object that the shape is taken for, if any.
-std::string taken_for(const VisionBench& bench, const UnlearnedShape& shape, Random& random) {
+constexpr double sure_from = 0.95;
+
+// The learned object that the shape is taken for, and how sure that is.
+struct Taken {
+  std::string name;
+  double confidence;
+};
+
+std::optional<Taken> taken_for(const VisionBench& bench, const UnlearnedShape& shape, Random& random) {
   SceneRanges ranges = hard_ranges;
   ranges.presence = 0;
   ranges.most_clutter = 0;
@@ -22,9 +29,10 @@ std::string taken_for(const VisionBench& bench, const UnlearnedShape& shape, Ran
   scene.things = {{.shape = placed(shape.shape, at, scale, turn), .level = scene.mark_level}};
   ImageSegmentation segmentation(draw(scene, Side::left, random));
   for (const LearnedObject& object : bench.marks.all()) {
-    if (find_object(segmentation.marks(), bench.marks, object) != nullptr) return object.name;
+    const SeenMark* seen = find_object(segmentation.marks(), bench.marks, object);
+    if (seen != nullptr) return Taken{object.name, likeness(*seen, bench.marks, object).confidence()};
   }
-  return "";
+  return std::nullopt;
 }
 
 }  // namespace
@@ -34,15 +42,18 @@ void unlearned(VisionBench& bench) {
   for (const UnlearnedShape& shape : unlearned_shapes()) {
     std::map<std::string, int> taken;
     int wrong = 0;
+    int sure = 0;
     for (int i = 0; i < scenes; ++i) {
       Random random = Random(bench.seed).split(fmt::format("{} {}", shape.name, i));
-      const std::string name = taken_for(bench, shape, random);
-      if (name.empty()) continue;
-      ++taken[name];
+      const std::optional<Taken> one = taken_for(bench, shape, random);
+      if (!one) continue;
+      ++taken[one->name];
       ++wrong;
+      sure += one->confidence >= sure_from ? 1 : 0;
     }
     std::string note = fmt::format("in {} scenes", scenes);
     for (const auto& [name, count] : taken) note += fmt::format(", {} times for the {}", count, name);
+    note += fmt::format("; {} of them with a confidence of {} or more", sure, sure_from);
     bench.figures.say(
         {fmt::format("unlearned taken for learned: {}", shape.name), 100.0 * wrong / scenes, "%", {}, {}, note});
   }
