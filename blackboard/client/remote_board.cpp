@@ -4,6 +4,7 @@
 #include "blackboard/client/replicas.hpp"
 #include "blackboard/limits.hpp"
 #include "blackboard/time/event.hpp"
+#include "blackboard/wire/answer_form.hpp"
 #include "blackboard/wire/wire_address.hpp"
 #include "lisp/writer.hpp"
 

@@ -1,5 +1,6 @@
 #include "blackboard/client/remote_stream.hpp"
 
+#include "blackboard/wire/answer_form.hpp"
 #include "lisp/writer.hpp"
 
 namespace pizarra {

@@ -4,6 +4,7 @@
 // under a new number, when one is missing or the server was lost.
 
 #include "blackboard/client/remote_board.hpp"
+#include "blackboard/delta.hpp"
 
 namespace pizarra {
 

@@ -3,7 +3,7 @@
 #include <map>
 
 #include "blackboard/journal/journal_tables.hpp"
-#include "blackboard/wire/wire.hpp"
+#include "blackboard/wire/answer_form.hpp"
 #include "lisp/writer.hpp"
 
 namespace pizarra::journal_tables {

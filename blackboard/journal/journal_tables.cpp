@@ -4,7 +4,7 @@
 #include <map>
 
 #include "blackboard/journal/checksum.hpp"
-#include "blackboard/wire/wire.hpp"
+#include "blackboard/wire/answer_form.hpp"
 #include "lisp/reader.hpp"
 
 namespace pizarra::journal_tables {

@@ -5,6 +5,7 @@
 #include "blackboard/limits.hpp"
 #include "blackboard/server/board_server.hpp"
 #include "blackboard/store/store.hpp"
+#include "blackboard/wire/answer_form.hpp"
 #include "lisp/shortened.hpp"
 #include "lisp/writer.hpp"
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "blackboard/store/indexing.hpp"
+#include "blackboard/wire/answer_form.hpp"
 #include "lisp/writer.hpp"
 
 namespace pizarra {

@@ -40,10 +40,11 @@
 // of one watch are numbered from 1; only so many are under way before they are acknowledged.
 
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "blackboard/board.hpp"
-#include "blackboard/delta.hpp"
 #include "blackboard/limits.hpp"
 #include "lisp/reader.hpp"
 
@@ -70,23 +71,11 @@ std::optional<std::uint64_t> count_from(const Datum& datum);
 // The same for an element of a list, which need not be there.
 std::optional<std::uint64_t> count_at(const Datum& form, std::size_t index);
 
+// Failure bad-frame, here and below.
+// The causes of a fact.
+Result<std::vector<FactId>> ids_from(std::span<const Datum> forms);
 // Adds `(transact ...)`, and answers what it weighs.
 Weight write_transaction(std::string& out, const Transaction& transaction);
-// Failure bad-frame, here and below.
 Result<Transaction> transaction_from_datum(const Datum& body);
-
-Datum fact_to_datum(const Fact& fact);
-Result<Fact> fact_from_datum(const Datum& form);
-
-Datum answer_to_datum(const Answer& answer);
-Result<std::vector<Answer>> answers_from_datum(const Query& query, std::span<const Datum> forms);
-
-// Adds `(change ...)`, of a query whose answers have `width` facts each, to a client that keeps what it was sent or
-// not.
-void write_change(std::string& out, WatchId watch, std::uint64_t sequence, std::size_t width, bool kept,
-                  const Delta& delta);
-// What a `(change ...)` says that has at least its watch and sequence. To a client that keeps what it was sent, only the
-// id is known of a fact that went.
-Result<Delta> delta_from_datum(const Query& query, bool kept, const Datum& form);
 
 }  // namespace pizarra::wire

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "blackboard/stream.hpp"
-#include "blackboard/wire/wire.hpp"
+#include "blackboard/wire/answer_form.hpp"
 #include "tests/blackboard/wall.hpp"
 
 namespace pizarra {

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "blackboard/time/event.hpp"
+#include "blackboard/wire/answer_form.hpp"
 #include "blackboard/wire/wire.hpp"
 #include "lisp/writer.hpp"
 #include "tests/source_dir.hpp"
