@@ -29,8 +29,6 @@ BoardServer::BoardServer(Executor& executor, MemoryBoard& board, const BoardServ
       board_(board),
       session_length_(options.session_length),
       keys_(std::move(keys)),
-      gate_(board),
-      leases_(board),
       refusals_(board),
       life_(random_number()),
       durability_(options.journal,
@@ -38,6 +36,7 @@ BoardServer::BoardServer(Executor& executor, MemoryBoard& board, const BoardServ
                     const auto session = sessions_.find(id);
                     if (session != sessions_.end()) socket_.send(session->second.peer, reply);
                   }),
+      permitted_(board, durability_),
       socket_(executor, WireSocket::Kind::router,
               [this](const std::string& peer, std::optional<std::string_view> frame) {
                 receiving_ = true;

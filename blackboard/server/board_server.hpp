@@ -28,10 +28,9 @@
 #include "blackboard/memory/memory_board.hpp"
 #include "blackboard/server/answered.hpp"
 #include "blackboard/server/durability.hpp"
-#include "blackboard/server/gate.hpp"
 #include "blackboard/server/key_folder.hpp"
-#include "blackboard/server/lease_quota.hpp"
 #include "blackboard/server/look_quota.hpp"
+#include "blackboard/server/permitted_board.hpp"
 #include "blackboard/server/postponed.hpp"
 #include "blackboard/server/refusals.hpp"
 #include "blackboard/server/served_watches.hpp"
@@ -101,10 +100,12 @@ class BoardServer {
   void refuse_undone(Session& session, wire::RequestId number, const Datum& body, const Failure& failure);
   std::string who_is(const std::string& peer) const;
   void greet(const std::string& peer, const Datum& hello);
-  static Gate::Key key_of(const Session& session) { return session.key ? &*session.key : nullptr; }
   // Whose what it asks for and is refused is: its key's, whatever its teller is called beyond that.
   static const std::string& client_of(const Session& session) {
     return session.key ? session.key->name : session.teller;
+  }
+  static PermittedBoard::Client who_asks(const Session& session) {
+    return {session.teller, client_of(session), session.key ? &*session.key : nullptr};
   }
   Result<void> check_hello(const std::string& peer, const std::string& teller, const PublicKey* key) const;
   Result<wire::SessionId> session_for(const std::string& peer, const std::string& teller, wire::SessionId asked,
@@ -121,15 +122,9 @@ class BoardServer {
   std::optional<Result<Datum>> perform_within_quota(wire::SessionId id, Session& session, const Datum& body,
                                                     std::size_t waits);
   Result<Datum> perform(wire::SessionId id, Session& session, const Datum& body, std::size_t& examined);
-  Result<Datum> declare(const Session& session, const Datum& body);
-  Result<Datum> transact(const Session& session, const Datum& body, std::size_t& examined);
-  Result<Query> permitted_query(const Session& session, const Datum& body);
-  Result<Datum> ask(const Session& session, const Datum& body, std::size_t& examined);
   void ask_past(wire::SessionId id, const Session& session, wire::RequestId number, const Datum& body);
-  Result<Datum> take(const Session& session, const Datum& body, std::size_t& examined);
   Result<Datum> watch(wire::SessionId id, Session& session, const Datum& body, std::size_t& examined);
   void note_journey(const Datum& body, Time sent);
-  Result<Datum> lease(const Session& session, const Datum& body);
   bool answer(wire::SessionId id, Session& session, wire::RequestId number, const Datum& body, std::size_t waits);
   std::string with_progress(const Session& session, std::string reply) const;
   void send(const std::string& peer, const Datum& message);
@@ -150,14 +145,13 @@ class BoardServer {
   const Duration session_length_;
   std::vector<std::string> addresses_;
   std::optional<KeyFolder> keys_;
-  Gate gate_;
-  LeaseQuota leases_;
   LookQuota looks_;
   Refusals refusals_;
   std::map<wire::SessionId, Session> sessions_;
   std::map<std::string, wire::SessionId> session_of_peer_;
   const wire::SessionId life_;  // another one in every life of the server
   Durability durability_;
+  PermittedBoard permitted_;
   std::optional<Past> past_;
   std::set<std::pair<wire::SessionId, wire::RequestId>> past_asked_;
   std::set<wire::SessionId> to_flush_;

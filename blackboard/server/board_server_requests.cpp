@@ -46,19 +46,6 @@ std::string reply_text(wire::RequestId id, const Datum& result) {
   return text;
 }
 
-Result<Datum> nothing_or(const Result<void>& result) {
-  if (!result) return fail(result);
-  return Datum();
-}
-
-Result<Datum> answers_to_datum(const Result<Answers>& answers) {
-  if (!answers) return fail(answers);
-  std::vector<Datum> value = {to_datum(answers->revision)};
-  value.reserve(answers->answers.size() + 1);
-  for (const Answer& answer : answers->answers) value.push_back(wire::answer_to_datum(answer));
-  return Datum::list(std::move(value));
-}
-
 bool asks_past(const Datum& query) {
   return query.is_form("query") && std::ranges::any_of(query.items(), [](const Datum& o) { return o.is_form("at"); });
 }
@@ -170,55 +157,8 @@ std::string BoardServer::with_progress(const Session& session, std::string reply
 }
 
 Result<Datum> BoardServer::perform(wire::SessionId id, Session& session, const Datum& body, std::size_t& examined) {
-  if (body.is_form("transact")) return transact(session, body, examined);
-  if (body.is_form("ask")) return ask(session, body, examined);
-  if (body.is_form("take")) return take(session, body, examined);
-  if (body.is_form("declare")) return declare(session, body);
   if (body.is_form("watch")) return watch(id, session, body, examined);
-  return lease(session, body);
-}
-
-Result<Datum> BoardServer::declare(const Session& session, const Datum& body) {
-  std::vector<Relation> relations;
-  for (const Datum& form : body.items().subspan(1)) {
-    Result<Relation> relation = relation_from_datum(form);
-    if (!relation) return fail(relation);
-    relations.push_back(std::move(*relation));
-  }
-  const Result<void> permitted = gate_.declare(key_of(session), relations);
-  if (!permitted) return fail(permitted);
-  return nothing_or(board_.declare(session.teller, relations));
-}
-
-Result<Datum> BoardServer::transact(const Session& session, const Datum& body, std::size_t& examined) {
-  const Result<Transaction> transaction = wire::transaction_from_datum(body);
-  if (!transaction) return fail(transaction);
-  const Result<void> permitted = gate_.transact(key_of(session), *transaction, examined);
-  if (!permitted) return fail(permitted);
-  const Result<void> room = durability_.check_room(board_.store(), body, *transaction);
-  if (!room) return fail(room);
-  const Result<Revision> revision = board_.transact(session.teller, *transaction, examined);
-  if (!revision) return fail(revision);
-  return to_datum(*revision);
-}
-
-Result<Query> BoardServer::permitted_query(const Session& session, const Datum& body) {
-  if (body.size() != 2) return bad_frame("a question is (ask QUERY)");
-  Result<Query> query = query_from_datum(body[1]);
-  if (!query) return query;
-  const Result<void> permitted = gate_.ask(key_of(session), *query);
-  if (!permitted) return fail(permitted);
-  return query;
-}
-
-Result<Datum> BoardServer::ask(const Session& session, const Datum& body, std::size_t& examined) {
-  const Result<Query> query = permitted_query(session, body);
-  if (!query) return fail(query);
-  const Result<Answers> answers = board_.ask(*query, examined);
-  // To say them takes as long as to look at some more facts that are none.
-  constexpr std::size_t looks_an_answer = 8;
-  if (answers) examined += looks_an_answer * answers->answers.size();
-  return answers_to_datum(answers);
+  return permitted_.perform(who_asks(session), body, examined);
 }
 
 void BoardServer::ask_past(wire::SessionId id, const Session& session, wire::RequestId number, const Datum& body) {
@@ -227,24 +167,13 @@ void BoardServer::ask_past(wire::SessionId id, const Session& session, wire::Req
     const auto asking = sessions_.find(id);
     if (asking == sessions_.end()) return;
     if (!answers) return refuse_request(asking->second, number, answers.error());
-    socket_.send(asking->second.peer, reply_text(number, result_to_datum(answers_to_datum(answers))));
+    socket_.send(asking->second.peer, reply_text(number, result_to_datum(wire::answers_to_datum(*answers))));
   };
   // One that is asked again while it is worked on is answered once.
   if (!past_asked_.emplace(id, number).second) return;
-  Result<Query> query = permitted_query(session, body);
+  Result<Query> query = permitted_.query_of(who_asks(session), body);
   if (!query) return reply(fail(query));
   past_->ask(client_of(session), std::move(*query), reply);
-}
-
-Result<Datum> BoardServer::take(const Session& session, const Datum& body, std::size_t& examined) {
-  const std::optional<std::uint64_t> holder = wire::count_at(body, 2);
-  if (!holder || body.size() != 3) return bad_frame("taking is (take PATTERN LEASE)");
-  const Result<void> permitted = gate_.take(key_of(session), body[1], *holder);
-  if (!permitted) return fail(permitted);
-  const Result<std::optional<Fact>> taken = board_.take(session.teller, body[1], *holder, examined);
-  if (!taken) return fail(taken);
-  if (!*taken) return Datum();
-  return list(wire::fact_to_datum(**taken));
 }
 
 Result<Datum> BoardServer::watch(wire::SessionId id, Session& session, const Datum& body, std::size_t& examined) {
@@ -259,37 +188,13 @@ Result<Datum> BoardServer::watch(wire::SessionId id, Session& session, const Dat
     return bad_frame("the watch is of another query");
   }
   if (session.watches.size() >= ServedWatches::most) return fail("too-large", "a client has at most 256 watches");
-  const Result<Query> query = query_from_datum(body[2]);
-  if (!query) return fail(query);
-  const Result<void> permitted = gate_.ask(key_of(session), *query);
-  if (!permitted) return fail(permitted);
-  Result<std::unique_ptr<WatchQueue>> queue = board_.watch(
-      session.teller, *query, [this, id] { schedule_flush(id); }, session.watches.backlog(), examined);
+  Result<std::unique_ptr<WatchQueue>> queue = permitted_.watch(
+      who_asks(session), body[2], [this, id] { schedule_flush(id); }, session.watches.backlog(), examined);
   if (!queue) return fail(queue);
   session.watches.add(*number, body[2], kept, std::move(*queue));
   session.holds = session.holds || held;
   schedule_flush(id);
   return Datum();
-}
-
-Result<Datum> BoardServer::lease(const Session& session, const Datum& body) {
-  const bool whole = body.size() == 2 && body[1].is_integer();
-  if (!whole) return bad_frame("not a request");
-  if (body.is_form("lease")) {
-    const Result<void> within = leases_.check(client_of(session));
-    if (!within) return fail(within);
-    const Result<LeaseId> lease = board_.lease(Duration(body[1].integer()));
-    if (!lease) return fail(lease);
-    gate_.granted(key_of(session), *lease);
-    leases_.granted(client_of(session), *lease);
-    return to_datum(*lease);
-  }
-  const std::optional<std::uint64_t> lease = wire::count_from(body[1]);
-  const Result<void> permitted = gate_.use_lease(key_of(session), lease.value_or(0));
-  if (!permitted) return fail(permitted);
-  if (lease && body.is_form("renew")) return nothing_or(board_.renew(*lease));
-  if (lease && body.is_form("release")) return nothing_or(board_.release(*lease));
-  return bad_frame("not a request");
 }
 
 }  // namespace pizarra

@@ -152,8 +152,7 @@ void BoardServer::forget_the_gone() {
     if (session.heard + session_length_ <= heard_until) gone.push_back(id);
   }
   for (const wire::SessionId id : gone) end_session(id);
-  gate_.sweep();
-  leases_.sweep();
+  permitted_.sweep();
   if (keys_) follow_keys();
   sweep_timer_ = executor_.call_at(now + session_length_ / 8, [this] { forget_the_gone(); });
 }

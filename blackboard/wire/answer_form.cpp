@@ -163,6 +163,13 @@ Datum answer_to_datum(const Answer& answer) {
   return Datum::list(std::move(facts));
 }
 
+Datum answers_to_datum(const Answers& answers) {
+  std::vector<Datum> value = {to_datum(answers.revision)};
+  value.reserve(answers.answers.size() + 1);
+  for (const Answer& answer : answers.answers) value.push_back(answer_to_datum(answer));
+  return Datum::list(std::move(value));
+}
+
 Result<std::vector<Answer>> answers_from_datum(const Query& query, std::span<const Datum> forms) {
   std::vector<Answer> answers;
   answers.reserve(forms.size());

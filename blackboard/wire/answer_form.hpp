@@ -15,6 +15,8 @@ namespace pizarra::wire {
 Result<Fact> fact_from_datum(const Datum& form);
 Datum fact_to_datum(const Fact& fact);
 
+// The value of the reply to a question.
+Datum answers_to_datum(const Answers& answers);
 Datum answer_to_datum(const Answer& answer);
 Result<std::vector<Answer>> answers_from_datum(const Query& query, std::span<const Datum> forms);
 

@@ -1,0 +1,118 @@
+#include "blackboard/server/permitted_board.hpp"
+
+#include "blackboard/store/store.hpp"
+#include "blackboard/watch/watch_queue.hpp"
+#include "blackboard/wire/answer_form.hpp"
+
+namespace pizarra {
+
+namespace {
+
+std::unexpected<Failure> bad_frame(const char* sentence) { return fail("bad-frame", sentence); }
+
+Result<Datum> nothing_or(const Result<void>& result) {
+  if (!result) return fail(result);
+  return Datum();
+}
+
+}  // namespace
+
+Result<Datum> PermittedBoard::perform(const Client& client, const Datum& body, std::size_t& examined) {
+  if (body.is_form("transact")) return transact(client, body, examined);
+  if (body.is_form("ask")) return ask(client, body, examined);
+  if (body.is_form("take")) return take(client, body, examined);
+  if (body.is_form("declare")) return declare(client, body);
+  return lease(client, body);
+}
+
+Result<std::unique_ptr<WatchQueue>> PermittedBoard::watch(const Client& client, const Datum& query,
+                                                          std::function<void()> ready,
+                                                          std::shared_ptr<Backlog> backlog, std::size_t& examined) {
+  const Result<Query> watched = query_from_datum(query);
+  if (!watched) return fail(watched);
+  const Result<void> permitted = gate_.ask(client.key, *watched);
+  if (!permitted) return fail(permitted);
+  return board_.watch(client.teller, *watched, std::move(ready), std::move(backlog), examined);
+}
+
+void PermittedBoard::sweep() {
+  gate_.sweep();
+  leases_.sweep();
+}
+
+Result<Datum> PermittedBoard::declare(const Client& client, const Datum& body) {
+  std::vector<Relation> relations;
+  for (const Datum& form : body.items().subspan(1)) {
+    Result<Relation> relation = relation_from_datum(form);
+    if (!relation) return fail(relation);
+    relations.push_back(std::move(*relation));
+  }
+  const Result<void> permitted = gate_.declare(client.key, relations);
+  if (!permitted) return fail(permitted);
+  return nothing_or(board_.declare(client.teller, relations));
+}
+
+Result<Datum> PermittedBoard::transact(const Client& client, const Datum& body, std::size_t& examined) {
+  const Result<Transaction> transaction = wire::transaction_from_datum(body);
+  if (!transaction) return fail(transaction);
+  const Result<void> permitted = gate_.transact(client.key, *transaction, examined);
+  if (!permitted) return fail(permitted);
+  const Result<void> room = durability_.check_room(board_.store(), body, *transaction);
+  if (!room) return fail(room);
+  const Result<Revision> revision = board_.transact(client.teller, *transaction, examined);
+  if (!revision) return fail(revision);
+  return to_datum(*revision);
+}
+
+Result<Query> PermittedBoard::query_of(const Client& client, const Datum& body) const {
+  if (body.size() != 2) return bad_frame("a question is (ask QUERY)");
+  Result<Query> query = query_from_datum(body[1]);
+  if (!query) return query;
+  const Result<void> permitted = gate_.ask(client.key, *query);
+  if (!permitted) return fail(permitted);
+  return query;
+}
+
+Result<Datum> PermittedBoard::ask(const Client& client, const Datum& body, std::size_t& examined) {
+  const Result<Query> query = query_of(client, body);
+  if (!query) return fail(query);
+  const Result<Answers> answers = board_.ask(*query, examined);
+  // To say them takes as long as to look at some more facts that are none.
+  constexpr std::size_t looks_an_answer = 8;
+  if (!answers) return fail(answers);
+  examined += looks_an_answer * answers->answers.size();
+  return wire::answers_to_datum(*answers);
+}
+
+Result<Datum> PermittedBoard::take(const Client& client, const Datum& body, std::size_t& examined) {
+  const std::optional<std::uint64_t> holder = wire::count_at(body, 2);
+  if (!holder || body.size() != 3) return bad_frame("taking is (take PATTERN LEASE)");
+  const Result<void> permitted = gate_.take(client.key, body[1], *holder);
+  if (!permitted) return fail(permitted);
+  const Result<std::optional<Fact>> taken = board_.take(client.teller, body[1], *holder, examined);
+  if (!taken) return fail(taken);
+  if (!*taken) return Datum();
+  return list(wire::fact_to_datum(**taken));
+}
+
+Result<Datum> PermittedBoard::lease(const Client& client, const Datum& body) {
+  const bool whole = body.size() == 2 && body[1].is_integer();
+  if (!whole) return bad_frame("not a request");
+  if (body.is_form("lease")) {
+    const Result<void> within = leases_.check(client.name);
+    if (!within) return fail(within);
+    const Result<LeaseId> lease = board_.lease(Duration(body[1].integer()));
+    if (!lease) return fail(lease);
+    gate_.granted(client.key, *lease);
+    leases_.granted(client.name, *lease);
+    return to_datum(*lease);
+  }
+  const std::optional<std::uint64_t> lease = wire::count_from(body[1]);
+  const Result<void> permitted = gate_.use_lease(client.key, lease.value_or(0));
+  if (!permitted) return fail(permitted);
+  if (lease && body.is_form("renew")) return nothing_or(board_.renew(*lease));
+  if (lease && body.is_form("release")) return nothing_or(board_.release(*lease));
+  return bad_frame("not a request");
+}
+
+}  // namespace pizarra

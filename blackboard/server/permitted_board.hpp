@@ -1,0 +1,54 @@
+#pragma once
+
+// The board as its clients may use it: what they ask for in the forms of the wire (wire.hpp), within what their keys
+// permit and the leases that they may have.
+//
+//   PermittedBoard permitted(board, durability);
+//   Result<Datum> value = permitted.perform({.teller = "eyes", .name = "eyes"}, body, examined);    // of its reply
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "blackboard/memory/memory_board.hpp"
+#include "blackboard/server/durability.hpp"
+#include "blackboard/server/gate.hpp"
+#include "blackboard/server/lease_quota.hpp"
+
+namespace pizarra {
+
+class PermittedBoard {
+ public:
+  struct Client {
+    const std::string& teller;
+    const std::string& name;  // whose what it asks for is: its key's, whatever its teller is called beyond that
+    Gate::Key key = nullptr;
+  };
+
+  // Both outlive it.
+  PermittedBoard(MemoryBoard& board, const Durability& durability)
+      : board_(board), durability_(durability), gate_(board), leases_(board) {}
+
+  // The value of the reply to any request but a watch. Adds to `examined` how many facts were looked at.
+  Result<Datum> perform(const Client& client, const Datum& body, std::size_t& examined);
+  Result<std::unique_ptr<WatchQueue>> watch(const Client& client, const Datum& query, std::function<void()> ready,
+                                            std::shared_ptr<Backlog> backlog, std::size_t& examined);
+  // What `(ask QUERY)` asks.
+  Result<Query> query_of(const Client& client, const Datum& body) const;
+  // Forgets what was known of leases that have lapsed.
+  void sweep();
+
+ private:
+  Result<Datum> declare(const Client& client, const Datum& body);
+  Result<Datum> transact(const Client& client, const Datum& body, std::size_t& examined);
+  Result<Datum> ask(const Client& client, const Datum& body, std::size_t& examined);
+  Result<Datum> take(const Client& client, const Datum& body, std::size_t& examined);
+  Result<Datum> lease(const Client& client, const Datum& body);
+
+  MemoryBoard& board_;
+  const Durability& durability_;
+  Gate gate_;
+  LeaseQuota leases_;
+};
+
+}  // namespace pizarra
