@@ -104,9 +104,12 @@ Task<Result<SeenMark>> VisionAgent::State::find_mark(std::string name) {
     if (object == nullptr) co_return fail(not_known(name));
     const GreyPair grey = grey_pair(*frame);
     StereoSight sight(grey.left, grey.right, *feed.model());
-    const std::optional<SeenPair> found = sight.find(objects, *object);
+    const auto before = found_at.find(object->name);
+    const auto seen_last = before == found_at.end() ? std::nullopt : std::optional(before->second);
+    const std::optional<SeenPair> found = sight.find(objects, *object, {}, 0, {}, seen_last);
     if (!found) why = not_found(sight, *object);
     if (!found) continue;
+    found_at.insert_or_assign(object->name, found->left.centre);
     std::vector<Datum> told{found_fact(frame->number, sight, *object, *found)};
     co_await facts.tell(std::move(told));
     co_return found->left;

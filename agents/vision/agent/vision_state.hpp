@@ -77,6 +77,7 @@ struct VisionAgent::State {
   // What is tracked, and what is to be accepted, as it is called now.
   Task<void> follow_renames(Renames renames);
   void follow_to_accept(const Renames& renames);
+  void follow_found_at(const Renames& renames);
   Task<void> tell_holders();
   Task<void> tell_state_again();
   Task<void> camera_changed();
@@ -118,6 +119,7 @@ struct VisionAgent::State {
   std::shared_ptr<const Image> tracked_image;  // the left one, at which the tracker may look back
   std::optional<MarkLearner> learner;
   std::optional<ToAccept> to_accept;
+  std::map<std::string, cv::Point2d> found_at;  // where FIND found each object last, px
   Activity activity = Activity::none;
   ModeHolders holders;
   std::string busy_for;   // whose learning or finding goes on

@@ -116,8 +116,18 @@ Task<void> VisionAgent::State::follow_renames(Renames renames) {
   tracker.rename(renames);
   holders.rename(renames);
   follow_to_accept(renames);
+  follow_found_at(renames);
   co_await facts.follow_found(std::move(renames), objects);
   co_await tell_objects();
+}
+
+void VisionAgent::State::follow_found_at(const Renames& renames) {
+  std::map<std::string, cv::Point2d> now;
+  for (const auto& [was, place] : found_at) {
+    const LearnedObject* object = objects.find(name_now(renames, was));
+    if (object != nullptr) now.insert_or_assign(object->name, place);
+  }
+  found_at = std::move(now);
 }
 
 // By its id; one that is in no database, which has none, by its name and number.

@@ -174,7 +174,7 @@ double front_slimness(const LearnedObject& object) {
 }
 
 const SeenMark* find_object(const std::vector<SeenMark>& marks, const LearnedObjects& objects,
-                            const LearnedObject& object) {
+                            const LearnedObject& object, std::optional<cv::Point2d> seen_last) {
   struct Candidate {
     const SeenMark* mark;
     double error;
@@ -186,12 +186,16 @@ const SeenMark* find_object(const std::vector<SeenMark>& marks, const LearnedObj
   }
   if (recognised.empty()) return nullptr;
   const Candidate likest = *std::ranges::min_element(recognised, {}, &Candidate::error);
+  std::erase_if(recognised, [&](const Candidate& other) { return other.error - likest.error >= least_margin; });
+  if (seen_last) {
+    const auto away = [&](const Candidate& candidate) { return cv::norm(candidate.mark->centre - *seen_last); };
+    return std::ranges::min_element(recognised, {}, away)->mark;
+  }
   const double reach_px = neighbour_heights * likest.mark->height_px;
   const SeenMark* best = likest.mark;
   for (const Candidate& other : recognised) {
     const bool near = cv::norm(other.mark->centre - likest.mark->centre) < reach_px;
-    const bool as_like = other.error - likest.error < least_margin;
-    if (near && as_like && other.mark->area_px > best->area_px) best = other.mark;
+    if (near && other.mark->area_px > best->area_px) best = other.mark;
   }
   return best;
 }

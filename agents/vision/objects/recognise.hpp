@@ -60,10 +60,11 @@ bool may_be_one_cube(const SeenMark& a, const SeenMark& b, double front_slimness
 // The least of its samples; 1 of a tag.
 double front_slimness(const LearnedObject& object);
 
-// The mark that is the object: the least error, but of several within one cube's width that are as like it, which may
-// be two faces of the cube, the largest. Null: none.
+// The mark that is the object: of those that are as like it as the likest the one nearest to where it was seen last.
+// Where that is not given, the likest; but of those within one cube's width, which may be two faces of the cube, the
+// largest. Null: none.
 const SeenMark* find_object(const std::vector<SeenMark>& marks, const LearnedObjects& objects,
-                            const LearnedObject& object);
+                            const LearnedObject& object, std::optional<cv::Point2d> seen_last = {});
 
 // Where else marks are recognised as the object: another one, another face of its cube, or something like it.
 std::vector<cv::Point2d> others_like(const std::vector<SeenMark>& marks, const LearnedObjects& objects,

@@ -90,7 +90,8 @@ ImageSegmentation& StereoSight::right_segmentation() {
 
 std::optional<SeenPair> StereoSight::find(const LearnedObjects& objects, const LearnedObject& object,
                                           std::optional<cv::Point2d> near, double reach_px,
-                                          std::span<const cv::Point2d> others) {
+                                          std::span<const cv::Point2d> others,
+                                          std::optional<cv::Point2d> seen_last) {
   if (object.tag() != nullptr) {
     if (!near) return find(*object.tag(), {}, {}, others);
     const int reach = cvCeil(reach_px + tag_reach * left_.rows);
@@ -105,7 +106,7 @@ std::optional<SeenPair> StereoSight::find(const LearnedObjects& objects, const L
     if (is_recognised(mark, objects, object)) candidates.push_back(mark);
   }
   while (!candidates.empty()) {
-    const SeenMark* best = find_object(candidates, objects, object);
+    const SeenMark* best = find_object(candidates, objects, object, seen_last);
     if (best == nullptr) return std::nullopt;
     const SeenMark* partner = find_partner(*best, right_segmentation().marks(), std::nullopt);
     const Likeness likely = *recognise(*best, objects, object);

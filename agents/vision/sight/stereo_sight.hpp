@@ -35,10 +35,11 @@ class StereoSight {
   ImageSegmentation& right_segmentation();
 
   // The object anywhere in the left image, or within `reach_px` of `near` where that is given, but at none of `others`;
-  // with its partner, and whole. A partner may be missing only where the right image's edge cuts it off.
+  // with its partner, and whole. A partner may be missing only where the right image's edge cuts it off. Of several
+  // that are as like it the one nearest to `seen_last`.
   std::optional<SeenPair> find(const LearnedObjects& objects, const LearnedObject& object,
                                std::optional<cv::Point2d> near = {}, double reach_px = 0,
-                               std::span<const cv::Point2d> others = {});
+                               std::span<const cv::Point2d> others = {}, std::optional<cv::Point2d> seen_last = {});
   // A tag in both images: within `area` of the left one where that is given, but at none of `others`, and in the right
   // one first where the disparity that is expected puts it; nowhere in the right one where that does not show it. Where
   // several cubes bear it, none of them.

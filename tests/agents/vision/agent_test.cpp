@@ -196,6 +196,41 @@ TEST_F(Vision, SaysHowSureAFindIsAndWhereElseOneLikeItIs) {
   EXPECT_EQ(facts("(found vision \"circle\" ? ? ? ? () ?)"), "");
 }
 
+TEST_F(Vision, OfTwoThatAreEqualFindsTheOneWhereItWasFoundLast) {
+  learn_all();
+  const cv::Point2d left = project(camera.model(), camera.scene.faces[0].place, false);
+  EXPECT_TRUE(call("(find \"circle\")").starts_with(R"x((FIND "circle" OK ()x"));
+  camera.scene.faces[1] = camera.scene.faces[0];
+  camera.scene.faces[1].place.x = 20;
+  for (int i = 0; i < 12; ++i) {
+    double x = 0;
+    double y = 0;
+    const std::string found = call("(find \"circle\")");
+    ASSERT_EQ(std::sscanf(found.c_str(), R"x((FIND "circle" OK (%lf, %lf)))x", &x, &y), 2) << found;
+    EXPECT_NEAR(x, left.x, 1);
+    // That there is another is said.
+    EXPECT_EQ(facts("(found vision \"circle\" ? ? ? ? () ?)"), "");
+  }
+}
+
+TEST_F(Vision, SaysOfWhatAMarkIsAsMuchLike) {
+  learn_all();
+  const Datum learned = form(facts("(learned vision \"circle\" ? ? ? ? ? ? ?)"));
+  const Datum picture = form(facts("(learned-template vision \"circle\" ? ? ? ? ? ? ? ? ?)"));
+  life.reset();
+  // A cell's facts may have been put together by hand.
+  for (const Datum& fact : {learned, picture}) {
+    std::vector<Datum> items(fact.items().begin(), fact.items().end());
+    items[2] = to_datum("ball");
+    tell(Datum::list(std::move(items)));
+  }
+  live();
+  EXPECT_EQ(call("(find \"circle\")"), R"x((FIND "circle" FAIL))x");
+  EXPECT_NE(facts("(vision-failed vision ? ? ambiguous ?)").find("a mark looks like it, and as much like ball"),
+            std::string::npos)
+      << facts("(vision-failed vision ? ? ? ?)");
+}
+
 TEST_F(Vision, TellsWhenAnObjectIsLostAndSeenAgain) {
   learn_all();
   EXPECT_EQ(call("(track \"circle\")"), "()");

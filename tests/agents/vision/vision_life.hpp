@@ -84,6 +84,14 @@ class Vision : public testing::Test {
     }
     return out;
   }
+  void tell(const Datum& fact) {
+    const Job job = executor.spawn(tell_task(fact));
+    executor.run_until([&] { return job.done(); });
+  }
+  Task<void> tell_task(Datum fact) {
+    const Result<Revision> told = co_await view->tell(fact);
+    EXPECT_TRUE(told.has_value());
+  }
   void retract(std::string_view pattern) {
     const Job job = executor.spawn(retract_task(form(pattern)));
     executor.run_until([&] { return job.done(); });
