@@ -65,7 +65,8 @@ TEST(ChangeForm, SaysOnceWhenAndByWhomFactsWereToldToWhoKeepsThem) {
   wire::write_change(text, 3, 4, 1, true, change);
   EXPECT_EQ(text,
             "(change 3 4 9 no ((1 7 5000 \"alice\" (n 1))(2 (n 2) 1)(3 8 5000 \"alice\" (n 3))"
-            "(4 8 5000 \"bob \\\"the builder\\\"\" (n 4))(5 8 5000 \"alice\" (n 5) 2)(6 8 6000 \"alice\" (n 6))) (7 ))");
+            "(4 8 5000 \"bob \\\"the builder\\\"\" (n 4))(5 8 5000 \"alice\" (n 5) 2)"
+            "(6 8 6000 \"alice\" (n 6))) (7 ))");
   const Result<Delta> read_back = wire::delta_from_datum(query("(n ?id)"), true, read(text));
   ASSERT_TRUE(read_back.has_value()) << text;
   EXPECT_EQ(read_back->added.facts, change.added.facts);
@@ -74,8 +75,9 @@ TEST(ChangeForm, SaysOnceWhenAndByWhomFactsWereToldToWhoKeepsThem) {
 }
 
 TEST(ChangeForm, WithAFactThatIsNoneIsRefused) {
-  for (const char* added : {"((n 1))", "((2 (n 2)))", "((1 7 5 \"a\" (n 1)) (2 (n 2) x))", "((1 7 5 \"a\" (n 1)) (0 (n 2)))",
-                            "((1 7 5 \"a\" (n 1)) (2))", "(x)", "x"}) {
+  for (const char* added :
+       {"((n 1))", "((2 (n 2)))", "((1 7 5 \"a\" (n 1)) (2 (n 2) x))", "((1 7 5 \"a\" (n 1)) (0 (n 2)))",
+        "((1 7 5 \"a\" (n 1)) (2))", "(x)", "x"}) {
     const std::string text = std::string("(change 3 4 9 no ") + added + " ())";
     const Result<Delta> refused = wire::delta_from_datum(query("(n ?id)"), true, read(text));
     ASSERT_FALSE(refused.has_value()) << text;
