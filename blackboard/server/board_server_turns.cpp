@@ -50,6 +50,7 @@ Time BoardServer::heard_until() {
 void BoardServer::serve(wire::SessionId id, Session& session, wire::RequestId number,
                         const Postponed::Message& waiting) {
   const Datum& message = waiting.datum;
+  if (waiting.waits == 0) looks_.asked(id, client_of(session), executor_.now());
   const Revision before = board_.store().revision();
   if (!answer(id, session, number, message[3], waiting.waits)) return session.postponed.wait(waiting);
   const bool timed = message.size() == 5;
@@ -62,8 +63,9 @@ std::optional<Result<Datum>> BoardServer::perform_within_quota(wire::SessionId i
                                                                std::size_t waits) {
   constexpr std::size_t most_waits = 64;
   const std::string& client = client_of(session);
-  const std::size_t before = waits > 0 ? 0 : looks_.before(client, executor_.now());
-  const bool may_wait = before == 0 && waits < most_waits;
+  const bool is_spent = waits == 0 && looks_.is_spent(client, executor_.now());
+  const std::size_t before = is_spent ? LookQuota::all_but_few : 0;
+  const bool may_wait = !is_spent && waits < most_waits;
   const Indexing indexing(may_wait ? Indexing::May::make_in_parts : Indexing::May::not_make, client,
                           &board_.store().index_maker());
   std::size_t examined = before;
@@ -75,8 +77,8 @@ std::optional<Result<Datum>> BoardServer::perform_within_quota(wire::SessionId i
     session.awaited = indexing.awaited();
     return std::nullopt;
   }
-  const bool is_spent = before > 0 && !result && result.error().symbol == "too-costly";
-  if (!is_spent) return result;
+  const bool is_refused = is_spent && !result && result.error().symbol == "too-costly";
+  if (!is_refused) return result;
   board_.statistics().requests().refuse(client, executor_.now());
   return LookQuota::refusal(client);
 }

@@ -4,9 +4,32 @@
 
 namespace pizarra {
 
+namespace {
+
+// Who asked then is company.
+constexpr Duration lately = 100ms;
+
+}  // namespace
+
+void LookQuota::asked(wire::SessionId session, const std::string& client, Time now) {
+  if (newest_.session != session) {
+    other_asked_ = newest_.when;
+    newest_.session = session;
+    newest_.client = client;
+  }
+  newest_.when = now;
+}
+
+// Not who asks on several connections: whoever comes then would wait for a question of each.
+bool LookQuota::is_alone(const std::string& client, Time now) const {
+  const auto is_company = [now](std::optional<Time> asked) { return asked && now - *asked < lately; };
+  return !is_company(other_asked_) && (newest_.client == client || !is_company(newest_.when));
+}
+
 bool LookQuota::is_spent(const std::string& client, Time now) {
   if (debts_.empty()) return false;
   pay(now);
+  if (is_alone(client, now)) return false;
   if (owed_by_all_ >= most_owed_by_all) return true;
   const auto own = debts_.find(client);
   return own != debts_.end() && own->second >= most_owed;
@@ -17,6 +40,7 @@ void LookQuota::looked(const std::string& client, std::size_t examined, Time now
   std::size_t& own = debts_[client];
   owed_by_all_ -= std::min(own, most_owed);
   own += examined;
+  if (is_alone(client, now)) own = std::min(own, most_kept);
   owed_by_all_ += std::min(own, most_owed);
   paid_until_ = now;
 }

@@ -31,6 +31,32 @@ class ServerEffort : public ServerTest {
     if (!reply.is_form("reply")) return write(reply);
     return reply[2].is_form("ok") ? "ok" : std::string(reply[2][1].text());
   }
+  // Somebody else asks, now and again and again.
+  class Company {
+   public:
+    Company(Executor& executor, const std::string& address)
+        : executor_(executor), client_(executor, address), session_(client_.join("company")) {
+      go_on();
+    }
+    Company(const Company&) = delete;
+    Company& operator=(const Company&) = delete;
+    ~Company() { executor_.cancel(timer_); }
+
+   private:
+    void go_on() {
+      client_.send(request(session_, ++asked_, "(ask (note 17 ?))"));
+      timer_ = executor_.call_at(executor_.now() + 20ms, [this] { go_on(); });
+    }
+
+    Executor& executor_;
+    Client client_;
+    std::string session_;
+    int asked_ = 0;
+    Executor::TimerId timer_ = 0;
+  };
+  void keep_company() { company.emplace(executor, server->addresses().front()); }
+
+  std::optional<Company> company;
 };
 
 TEST_F(ServerEffort, ManyConnectionsOfOneClientThatAskCostlyQuestionsDelayNobody) {
@@ -77,10 +103,44 @@ TEST_F(ServerEffort, WhoAsksACostlyQuestionNowAndThenIsServed) {
   EXPECT_TRUE(refusals("lone").empty());
 }
 
+TEST_F(ServerEffort, WhoIsAloneIsServedWhateverItOwesUntilAnotherAsks) {
+  Client lone = client();
+  const std::string own = lone.join("lone");
+  EXPECT_EQ(symbol_of(lone.ask(request(own, 1, owing))), "ok");
+  int number = 1;
+  for (int i = 0; i < 5; ++i) EXPECT_EQ(symbol_of(lone.ask(request(own, ++number, costly))), "ok");
+  keep_company();
+  for (int i = 0; i < 5; ++i) lone.send(request(own, ++number, costly));
+  std::map<std::string, int> symbols;
+  for (int i = 0; i < 5; ++i) ++symbols[symbol_of(lone.receive())];
+  EXPECT_GE(symbols["too-many"], 3);
+  EXPECT_EQ(symbols["ok"] + symbols["too-many"], 5);
+  pass(executor, 400ms);
+  EXPECT_EQ(symbol_of(lone.ask(request(own, ++number, costly))), "ok") << "of what it owed alone, little was left";
+}
+
+// Of all that wait for the board each has its turn.
+TEST_F(ServerEffort, WhoAsksOnSeveralConnectionsIsNotAlone) {
+  constexpr int connections = 12;
+  std::vector<std::unique_ptr<Client>> greedy;
+  for (int i = 0; i < connections; ++i) {
+    greedy.push_back(std::make_unique<Client>(executor, server->addresses().front()));
+  }
+  std::vector<std::string> sessions;
+  for (const auto& each : greedy) sessions.push_back(each->join("greedy"));
+  EXPECT_EQ(symbol_of(greedy[0]->ask(request(sessions[0], 1, owing))), "ok");
+  for (std::size_t i = 0; i < greedy.size(); ++i) greedy[i]->send(request(sessions[i], 2, costly));
+  std::map<std::string, int> symbols;
+  for (const auto& each : greedy) ++symbols[symbol_of(each->receive())];
+  EXPECT_GE(symbols["too-many"], connections / 2);
+  EXPECT_EQ(symbols["ok"] + symbols["too-many"], connections);
+}
+
 // Costly retractions, conditions and takings are no other.
 TEST_F(ServerEffort, WhoOwesIsRefusedWhatIsCostlyAloneAndServedWhatIsNot) {
   Client greedy = client();
   const std::string own = greedy.join("greedy");
+  keep_company();
   int number = 0;
   const auto ask = [&](const std::string& body) { return symbol_of(greedy.ask(request(own, ++number, body))); };
   EXPECT_EQ(ask(owing), "ok");
@@ -103,6 +163,7 @@ TEST_F(ServerEffort, WhoOwesIsRefusedWhatIsCostlyAloneAndServedWhatIsNot) {
 TEST_F(ServerEffort, AWatchOfWhoOwesWaits) {
   Client greedy = client();
   const std::string own = greedy.join("greedy");
+  keep_company();
   EXPECT_EQ(symbol_of(greedy.ask(request(own, 1, owing))), "ok");
   const std::string nothing = "(and (note ?n ?what) (note ?n ?other) (/= ?what ?other) (< ?n 100))";
   EXPECT_EQ(symbol_of(greedy.ask(request(own, 2, "(watch 1 " + nothing + ")"))), "ok");
@@ -113,6 +174,7 @@ TEST_F(ServerEffort, AWatchOfWhoOwesWaits) {
 TEST_F(ServerEffort, AnIndexIsChargedToWhoHadItMade) {
   Client greedy = client();
   const std::string own = greedy.join("greedy");
+  keep_company();
   EXPECT_EQ(symbol_of(greedy.ask(request(own, 1, owing))), "ok");
   EXPECT_EQ(symbol_of(greedy.ask(request(own, 2, costly))), "too-many");
   EXPECT_EQ(symbol_of(greedy.ask(request(own, 3, owing))), "ok") << "what is made finds it";
@@ -120,8 +182,29 @@ TEST_F(ServerEffort, AnIndexIsChargedToWhoHadItMade) {
   EXPECT_EQ(symbol_of(other.ask(request(other.join("other"), 1, costly))), "ok");
 }
 
+// Of a board that many ask at any time.
+class CrowdedQuota {
+ public:
+  bool is_spent(const std::string& client, Time now) {
+    be_asked(now);
+    return quota_.is_spent(client, now);
+  }
+  void looked(const std::string& client, std::size_t examined, Time now) {
+    be_asked(now);
+    quota_.looked(client, examined, now);
+  }
+
+ private:
+  void be_asked(Time now) {
+    quota_.asked(1, "this one", now);
+    quota_.asked(2, "that one", now);
+  }
+
+  LookQuota quota_;
+};
+
 TEST(LookQuota, WhoOwesIsSpentUntilItIsPaidAndSharesTheTimeWithOthersThatOwe) {
-  LookQuota quota;
+  CrowdedQuota quota;
   const Time begun(3600s);
   constexpr std::size_t a_second = 1000 * LookQuota::paid_a_millisecond;
   quota.looked("much", 2 * a_second, begun);
@@ -129,8 +212,6 @@ TEST(LookQuota, WhoOwesIsSpentUntilItIsPaidAndSharesTheTimeWithOthersThatOwe) {
   EXPECT_TRUE(quota.is_spent("much", begun));
   EXPECT_TRUE(quota.is_spent("less", begun));
   EXPECT_FALSE(quota.is_spent("other", begun));
-  EXPECT_EQ(quota.before("other", begun), 0U);
-  EXPECT_EQ(quota.before("less", begun), limits::examined - LookQuota::uncounted);
   EXPECT_TRUE(quota.is_spent("less", begun + 1800ms));
   EXPECT_FALSE(quota.is_spent("less", begun + 2s));
   EXPECT_TRUE(quota.is_spent("much", begun + 2900ms));
@@ -139,8 +220,55 @@ TEST(LookQuota, WhoOwesIsSpentUntilItIsPaidAndSharesTheTimeWithOthersThatOwe) {
   EXPECT_FALSE(quota.is_spent("much", begun + 4s));
 }
 
-TEST(LookQuota, TheTimeThatCostlyLookingTakesPaysForNothing) {
+TEST(LookQuota, WhoIsAloneIsNotSpentUntilAnotherAsksAndOwesLittleThen) {
   LookQuota quota;
+  const Time begun(3600s);
+  quota.asked(1, "lone", begun);
+  quota.looked("lone", 40 * LookQuota::most_owed, begun);
+  EXPECT_FALSE(quota.is_spent("lone", begun));
+  quota.asked(2, "other", begun + 10ms);
+  EXPECT_TRUE(quota.is_spent("lone", begun + 10ms));
+  EXPECT_FALSE(quota.is_spent("other", begun + 10ms));
+  quota.asked(1, "lone", begun + 90ms);
+  EXPECT_TRUE(quota.is_spent("lone", begun + 90ms));
+  EXPECT_FALSE(quota.is_spent("lone", begun + 110ms));
+}
+
+TEST(LookQuota, WhoAsksOnAnotherConnectionTooIsNotAlone) {
+  LookQuota quota;
+  const Time begun(3600s);
+  quota.asked(1, "lone", begun);
+  quota.asked(2, "lone", begun + 10ms);
+  quota.looked("lone", LookQuota::most_owed, begun + 20ms);
+  EXPECT_TRUE(quota.is_spent("lone", begun + 20ms));
+}
+
+// What is made for one that waits for it is looked at while others ask.
+TEST(LookQuota, WhoWaitsWhileAnotherAsksIsNotAlone) {
+  LookQuota quota;
+  const Time begun(3600s);
+  quota.asked(1, "waits", begun);
+  quota.asked(2, "other", begun + 1s);
+  quota.looked("waits", 40 * LookQuota::most_owed, begun + 1s);
+  EXPECT_TRUE(quota.is_spent("waits", begun + 1s));
+  EXPECT_FALSE(quota.is_spent("waits", begun + 2s)) << "for nobody else asks";
+  quota.asked(2, "other", begun + 2s);
+  EXPECT_TRUE(quota.is_spent("waits", begun + 2s));
+}
+
+TEST(LookQuota, WhoIsAlonePaysByTimeToo) {
+  LookQuota quota;
+  const Time begun(3600s);
+  quota.asked(1, "lone", begun);
+  quota.looked("lone", LookQuota::most_owed, begun);
+  EXPECT_FALSE(quota.is_spent("lone", begun + 1s));
+  quota.looked("lone", LookQuota::uncounted + 1, begun + 1s);
+  quota.asked(2, "other", begun + 1s);
+  EXPECT_FALSE(quota.is_spent("lone", begun + 1s));
+}
+
+TEST(LookQuota, TheTimeThatCostlyLookingTakesPaysForNothing) {
+  CrowdedQuota quota;
   const Time begun(3600s);
   quota.looked("slow", LookQuota::most_owed, begun);
   EXPECT_TRUE(quota.is_spent("slow", begun));
@@ -149,7 +277,7 @@ TEST(LookQuota, TheTimeThatCostlyLookingTakesPaysForNothing) {
 }
 
 TEST(LookQuota, ManyWhoOweLeaveNothingToOneMore) {
-  LookQuota quota;
+  CrowdedQuota quota;
   const Time begun(3600s);
   for (int i = 0; i < 3; ++i) quota.looked(std::to_string(i), 40 * LookQuota::most_owed, begun);
   EXPECT_FALSE(quota.is_spent("one more", begun));
