@@ -113,6 +113,17 @@ double Child::memory_mb(const std::string& name) const {
   return 0;
 }
 
+double Child::waited_for_core_ms() const {
+  double waited_ns = 0;
+  for (const auto& thread : std::filesystem::directory_iterator("/proc/" + std::to_string(process_) + "/task")) {
+    double ran_ns = 0;
+    double ready_ns = 0;
+    std::ifstream(thread.path() / "schedstat") >> ran_ns >> ready_ns;
+    waited_ns += ready_ns;
+  }
+  return 1e-6 * waited_ns;
+}
+
 TemporaryFolder::TemporaryFolder() : path_(std::filesystem::temp_directory_path() / "pizarra-bench-XXXXXX") {
   if (mkdtemp(path_.data()) == nullptr) throw std::system_error(errno, std::generic_category(), "mkdtemp");
 }

@@ -47,6 +47,8 @@ class Child {
   void signal(int number) const;
   // A line of its /proc/PID/status, as VmRSS or VmHWM.
   double memory_mb(const std::string& name) const;
+  // How long its threads that still are have waited for a core, though they had something to do.
+  double waited_for_core_ms() const;
 
  private:
   Child(pid_t process, int file) : process_(process), pipe_(file) {}

@@ -17,7 +17,7 @@ using namespace pizarra::bench;
 constexpr std::array table = {Row{"find", find_time},      Row{"track", track_time},    Row{"tags", tag_time},
                               Row{"scenes", recall},       Row{"unlearned", unlearned}, Row{"depth", depth},
                               Row{"sequences", sequences}, Row{"covering", coverings},  Row{"arrival", arrival},
-                              Row{"memory", agent_memory}};
+                              Row{"computing", computing}, Row{"memory", agent_memory}};
 
 }  // namespace
 

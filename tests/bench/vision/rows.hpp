@@ -25,7 +25,8 @@ void unlearned(VisionBench& bench);     // shapes that are like the learned ones
 void depth(VisionBench& bench);         // at 0.6 m
 void sequences(VisionBench& bench);     // hidden for half a second, and moving fast
 void coverings(VisionBench& bench);     // partly covered by a hand
-void arrival(VisionBench& bench);       // from a frame to the fact that says what was seen
+void arrival(VisionBench& bench);       // from a frame to the fact that says what was seen, in another process
+void computing(VisionBench& bench);     // what one thread does for it
 void agent_memory(VisionBench& bench);  // of an agent's process
 
 }  // namespace pizarra::bench
