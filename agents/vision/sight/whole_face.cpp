@@ -13,11 +13,19 @@ constexpr double ordinary_spread = 0.003;
 constexpr double turning_share = 0.1;
 // How far a length drifts, as a part of it, where the mark moves by its own width; farther by the root.
 constexpr double drift = 0.0075;
+// Where edges run along the pixels and fall between two, blur reaches into what is taken for ground: the contrast is
+// less, and every length by so much of the part that is lost. What loses more is in another light.
+constexpr double narrowing = 0.25;
+constexpr double most_lost_contrast = 0.1;
+// How much of a new contrast the memory takes over.
+constexpr double contrast_gain = 0.1;
 // In standard deviations: what noise makes, and what it hardly makes.
 constexpr double likely = 2;
 constexpr double clear = 3;
 
 double squared(double x) { return x * x; }
+
+double contrast_of(const SeenMark& mark) { return std::abs(mark.mark_level - mark.ground_level); }
 
 double deviations(const FaceSize::Reading& whole, const FaceSize::Reading& now) {
   return (now.value / whole.value - 1) / std::sqrt(squared(whole.spread) + squared(now.spread));
@@ -53,7 +61,8 @@ FaceSize face_size(const StereoModel& model, const SeenMark& left, const SeenMar
   const double ordinary = squared(ordinary_spread) + squared(spread);
   return {.area_mm2 = {area_px2 / shown * squared(mm_per_px), std::sqrt(2 * ordinary + squared(by_yaw))},
           .height_mm = {(left.height_px + right.height_px) / 2 * mm_per_px,
-                        std::sqrt(ordinary + squared(by_turning))}};
+                        std::sqrt(ordinary + squared(by_turning))},
+          .contrast = (contrast_of(left) + contrast_of(right)) / 2};
 }
 
 WholeFace::WholeFace(const FaceSize& size, const SeenMark& left) : size_(size), place_(left.centre) {}
@@ -66,17 +75,28 @@ FaceSize WholeFace::foreseen(const SeenMark& left) const {
   return out;
 }
 
+FaceSize WholeFace::compared(FaceSize now) const {
+  const double lost = std::clamp(1 - now.contrast / size_.contrast, 0.0, most_lost_contrast);
+  now.area_mm2.spread = std::hypot(now.area_mm2.spread, 2 * narrowing * lost);
+  now.height_mm.spread = std::hypot(now.height_mm.spread, narrowing * lost);
+  return now;
+}
+
 // What covers a part makes neither larger.
-bool WholeFace::is_more_than(const FaceSize& now, const SeenMark& left) const {
+bool WholeFace::is_more_than(const FaceSize& seen, const SeenMark& left) const {
   const FaceSize whole = foreseen(left);
+  const FaceSize now = compared(seen);
   const auto [less, more] =
       std::minmax({deviations(whole.area_mm2, now.area_mm2), deviations(whole.height_mm, now.height_mm)});
   return less < -clear && more < likely;
 }
 
-void WholeFace::follow(const FaceSize& now, const SeenMark& left) {
+void WholeFace::follow(const FaceSize& seen, const SeenMark& left) {
   const FaceSize whole = foreseen(left);
-  size_ = {.area_mm2 = followed(whole.area_mm2, now.area_mm2), .height_mm = followed(whole.height_mm, now.height_mm)};
+  const FaceSize now = compared(seen);
+  size_ = {.area_mm2 = followed(whole.area_mm2, now.area_mm2),
+           .height_mm = followed(whole.height_mm, now.height_mm),
+           .contrast = whole.contrast + contrast_gain * (now.contrast - whole.contrast)};
   place_ = left.centre;
 }
 

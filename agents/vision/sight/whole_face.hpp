@@ -25,6 +25,7 @@ struct FaceSize {
   };
   Reading area_mm2;   // the product of both principal ones
   Reading height_mm;  // along y: a turn about the vertical does not change it
+  double contrast;    // grey levels, of both images
 };
 
 // `front_slimness`: of the mark from the front; what is slim gets higher or lower as it turns in the image.
@@ -40,6 +41,8 @@ class WholeFace {
 
  private:
   FaceSize foreseen(const SeenMark& left) const;
+  // How far it may be off beside the one remembered, which was seen in its own way.
+  FaceSize compared(FaceSize now) const;
 
   FaceSize size_;
   cv::Point2d place_;
