@@ -1,81 +1,128 @@
-// Each line of the input is a frame that one client says to a board server, SESSION standing for its session; then the
-// server must still answer it.
+// What two clients say to a board server that keeps a journal: each line of the input is a frame, of the one of this
+// machine or, where it begins with `!`, of one that comes over the network with a key that permits little. SESSION
+// stands for the session of the first, KEYED for that of the second. Then the server must still answer who said
+// something, and the next board must find in the journal what this one had to keep.
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 #include <memory>
+#include <set>
 #include <string>
 #include <string_view>
 #include <unistd.h>
 
 #include "blackboard/server/board_server.hpp"
+#include "blackboard/store/store.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "tests/fuzz/frames.hpp"
+#include "tests/fuzz/fuzzed_client.hpp"
 #include "tests/scratch.hpp"
 
 using namespace pizarra;
 
 namespace {
 
+// In memory, and gone when the process ends.
+struct Journal {
+  ~Journal() { remove_journal(path); }
+
+  const std::string path = "/dev/shm/pizarra-fuzz-server-" + std::to_string(getpid());
+};
+const Journal journal;
+
+// The board's and the second client's.
+const std::string& key_folder() {
+  static const std::string folder = [] {
+    std::string made = scratch_folder() + "keys";
+    const Permissions little{{"note", "own-*"}, {"note"}, {"note", "goal"}, {}};
+    if (!make_keys(made, "board", {}) || !make_keys(made, "robot", little)) std::abort();
+    return made;
+  }();
+  return folder;
+}
+
+// The ids of what the next board must have, for it goes with no lease.
+std::set<FactId> kept_by(const Store& store) {
+  std::set<FactId> kept;
+  for (const auto& [name, table] : store.tables()) {
+    if (!table.relation().durable) continue;
+    std::vector<Datum> pattern(table.relation().arguments.size() + 1, "?"_sym);
+    pattern[0] = Datum::symbol(name);
+    table.visit(Datum::list(pattern), [&](const Fact& fact) {
+      if (store.lease_of(fact.id) == 0) kept.insert(fact.id);
+      return true;
+    });
+  }
+  return kept;
+}
+
 class ServerUnderTest {
  public:
-  ServerUnderTest() {
-    if (!client_.connect(server_->addresses().front())) std::abort();
-    expect("(hello \"fuzz\" 0)");
-    if (heard_ != "welcome") std::abort();
+  // Goes on from what the one before it left in the journal.
+  explicit ServerUnderTest(const std::set<FactId>& kept) {
+    board_.set_journal([this](std::string_view line) { writer_.append(line); });
+    board_.resume();
+    if (!std::ranges::includes(kept_by(board_.store()), kept)) std::abort();
+    BoardServerOptions options;
+    options.addresses = {"ipc://" + scratch_folder() + "server", "tcp://127.0.0.1:*"};
+    options.keys = key_folder();
+    options.journal = &writer_;
+    options.remembered = remembered_;
+    server_ = BoardServer::open(executor_, board_, options).value();
+    near_ = std::make_unique<FuzzedClient>(executor_, "fuzz", server_->addresses()[0]);
+    keyed_ = std::make_unique<FuzzedClient>(executor_, "robot", server_->addresses()[1], &keys_);
   }
 
-  // False where what was said ended the session.
-  bool hear(std::string_view text) {
-    for (const std::string& frame : frames_of(text, "SESSION", session_)) client_.send({}, frame);
-    expect("(ping " + session_ + ")");
-    return heard_ == "pong";
+  void hear(std::string_view text) {
+    bool by_near = false;
+    bool by_keyed = false;
+    for (const std::string& line : frames_of(text, "SESSION", near_->session())) {
+      for (const std::string& frame : frames_of(line, "KEYED", keyed_->session())) {
+        const bool by_second = frame.starts_with('!');
+        (by_second ? by_keyed : by_near) = true;
+        (by_second ? keyed_ : near_)->say(by_second ? frame.substr(1) : frame);
+      }
+    }
+    if (by_near) near_->go_on();
+    if (by_keyed) keyed_->go_on();
   }
+  std::set<FactId> kept() const { return kept_by(board_.store()); }
 
  private:
-  // Says it until a pong, a welcome or an unknown session is heard.
-  void expect(const std::string& frame) {
-    heard_.clear();
-    const Time patience = executor_.now() + 10s;
-    Time say_at{};
-    while (heard_.empty()) {
-      if (executor_.now() > patience) std::abort();
-      if (executor_.now() >= say_at && client_.send({}, frame)) say_at = executor_.now() + 500ms;
-      bool waited = false;
-      const auto timer = executor_.call_at(executor_.now() + 5ms, [&] { waited = true; });
-      executor_.run_until([&] { return waited || !heard_.empty(); });
-      executor_.cancel(timer);
-    }
-  }
-  void receive(std::string_view frame) {
-    const Result<std::vector<Datum>> messages = wire::read_messages(frame);
-    if (!messages) std::abort();
-    for (const Datum& message : *messages) {
-      const std::string_view kind = message.head();
-      if (kind == "welcome") session_ = std::to_string(message[1].integer());
-      if (kind == "welcome" || kind == "pong" || kind == "unknown-session") heard_ = kind;
-    }
+  std::unique_ptr<Store> recovered() {
+    auto store = std::make_unique<Store>();
+    remembered_ = file_->recover(*store).value();
+    return store;
   }
 
   RealExecutor executor_;
-  MemoryBoard board_{executor_};
-  std::unique_ptr<BoardServer> server_ =
-      BoardServer::open(executor_, board_, {.addresses = {"ipc://" + scratch_folder() + "server"}}).value();
-  WireSocket client_{executor_, WireSocket::Kind::dealer,
-                     [this](const std::string&, std::optional<std::string_view> frame) { receive(frame.value()); }};
-  std::string session_ = "0";
-  std::string heard_;
+  const ClientKeys keys_ = read_client_keys(key_folder() + "/robot.secret").value();
+  const std::shared_ptr<JournalFile> file_ = JournalFile::open(journal.path, {}).value();
+  std::vector<RememberedReply> remembered_;
+  MemoryBoard board_{executor_, recovered()};
+  JournalWriter writer_{executor_, file_};
+  std::unique_ptr<BoardServer> server_;
+  std::unique_ptr<FuzzedClient> near_;
+  std::unique_ptr<FuzzedClient> keyed_;
 };
 
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   constexpr int inputs_of_a_board = 500;
+  constexpr int inputs_of_a_journal = 10 * inputs_of_a_board;
   static int inputs = 0;
   static std::unique_ptr<ServerUnderTest> tested;
-  // The former one gives its address back first.
-  if (inputs++ % inputs_of_a_board == 0) tested.reset();
-  if (tested == nullptr) tested = std::make_unique<ServerUnderTest>();
-  if (!tested->hear({reinterpret_cast<const char*>(data), size})) tested.reset();
+  if (inputs % inputs_of_a_board == 0) {
+    const bool anew = inputs % inputs_of_a_journal == 0;
+    const std::set<FactId> kept = tested == nullptr || anew ? std::set<FactId>() : tested->kept();
+    // The former one gives its address back first.
+    tested.reset();
+    if (anew) remove_journal(journal.path);
+    tested = std::make_unique<ServerUnderTest>(kept);
+  }
+  ++inputs;
+  tested->hear({reinterpret_cast<const char*>(data), size});
   return 0;
 }
