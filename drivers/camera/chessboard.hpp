@@ -7,10 +7,14 @@
 //   Result<BoardView> view = find_board(left, right, board);         // for each pair of images
 //   Result<CalibratedPair> pair = calibrate_pair(views, left.size(), board);
 //
+// A few views whose images do not belong together are left out, and named in what is found.
+//
 // Failures: no-board, saying in which image; too-few; swapped, where the right camera stands left of the left
-// one; no-solution; misfit, where what was found cannot be right, as the images do not belong together.
+// one; one-camera, where it stands at the same place; no-solution; misfit, where what was found cannot be right, as the
+// images do not belong together, and those that are farthest off are not to blame alone.
 
 #include <opencv2/core.hpp>
+#include <string>
 #include <vector>
 
 #include "drivers/camera/calibration.hpp"
@@ -19,8 +23,15 @@ namespace pizarra {
 
 // The board's inner corners in both images, in the same order, px.
 struct BoardView {
-  std::vector<cv::Point2f> left;
-  std::vector<cv::Point2f> right;
+  std::vector<cv::Point2f> left = {};
+  std::vector<cv::Point2f> right = {};
+  std::string name = {};  // as a person knows it
+};
+
+// RMS of a view's corners in both images, px.
+struct ViewError {
+  std::string name;
+  double px = 0;
 };
 
 // 8 bit images, grey or BGR, of one size; the right one is empty where one camera is alone.
@@ -30,8 +41,8 @@ inline constexpr std::size_t least_views = 5;
 
 struct CalibratedPair {
   StereoCalibration calibration;
-  // RMS of each view's corners in both images, px: a view far above the others spoils all.
-  std::vector<double> view_errors_px;
+  ViewError worst;                  // of the views that it was made of
+  std::vector<ViewError> left_out;  // would have spoilt all
 };
 
 // Of views with corners in the left image alone, one camera's lens.

@@ -73,8 +73,8 @@ class Calibration {
     if (!view) return fail(view);
     if (pairs_.endless() && !views_.empty() && !has_moved(*view)) return fail("still", "the board stands still");
     size_ = size;
+    view->name = pairs_.name();
     views_.push_back(std::move(*view));
-    names_.push_back(pairs_.name());
     return {};
   }
 
@@ -100,37 +100,47 @@ class Calibration {
   void tell_result(const CalibratedPair& found) const {
     const StereoCalibration& c = found.calibration;
     const StereoModel model = StereoGeometry(c).model();
-    const auto worst = std::ranges::max_element(found.view_errors_px);
-    const std::string& worst_name = names_[static_cast<std::size_t>(worst - found.view_errors_px.begin())];
+    tell_left_out(found);
     if (c.is_single()) {
-      tell_lens(c, *worst, worst_name);
+      tell_lens(c, found.worst);
       return;
     }
     if (choices_.json) {
       fmt::print(
           "{{\"file\":{},\"pairs\":{},\"reprojection_px\":{:.4f},\"worst_px\":{:.4f},\"worst\":{},"
           "\"epipolar_px\":{:.4f},\"focal_px\":{:.3f},\"base_line_mm\":{:.3f}}}\n",
-          json_string(out()), c.pairs, c.reprojection_px, *worst, json_string(worst_name), c.epipolar_px,
+          json_string(out()), c.pairs, c.reprojection_px, found.worst.px, json_string(found.worst.name), c.epipolar_px,
           model.focal_px, model.base_line_mm);
       return;
     }
     fmt::print("{} pairs of {} x {}\n", c.pairs, c.width, c.height);
-    fmt::print("reprojection error {:.3f} px RMS, at most {:.3f} in {}\n", c.reprojection_px, *worst, worst_name);
+    fmt::print("reprojection error {:.3f} px RMS, at most {:.3f} in {}\n", c.reprojection_px, found.worst.px,
+               found.worst.name);
     fmt::print("rectified, a corner's rows differ by {:.3f} px\n", c.epipolar_px);
     fmt::print("focal length {:.1f} px, base line {:.2f} mm\n", model.focal_px, model.base_line_mm);
     fmt::print("{} written; in the cell file: (camera ... (calibration \"{}\"))\n", out(), out());
   }
 
-  void tell_lens(const StereoCalibration& c, double worst_px, const std::string& worst_name) const {
+  void tell_left_out(const CalibratedPair& found) const {
+    for (const ViewError& odd : found.left_out) {
+      if (choices_.json) {
+        fmt::print("{{\"left_out\":{},\"error_px\":{:.4f}}}\n", json_string(odd.name), odd.px);
+      } else {
+        fmt::print("{}: left out, {:.1f} px off: it does not belong to the others\n", odd.name, odd.px);
+      }
+    }
+  }
+
+  void tell_lens(const StereoCalibration& c, const ViewError& worst) const {
     if (choices_.json) {
       fmt::print(
           "{{\"file\":{},\"images\":{},\"reprojection_px\":{:.4f},\"worst_px\":{:.4f},\"worst\":{},"
           "\"focal_px\":{:.3f}}}\n",
-          json_string(out()), c.pairs, c.reprojection_px, worst_px, json_string(worst_name), c.left.focal_x_px);
+          json_string(out()), c.pairs, c.reprojection_px, worst.px, json_string(worst.name), c.left.focal_x_px);
       return;
     }
     fmt::print("{} images of {} x {}\n", c.pairs, c.width, c.height);
-    fmt::print("reprojection error {:.3f} px RMS, at most {:.3f} in {}\n", c.reprojection_px, worst_px, worst_name);
+    fmt::print("reprojection error {:.3f} px RMS, at most {:.3f} in {}\n", c.reprojection_px, worst.px, worst.name);
     fmt::print("focal length {:.1f} px across, {:.1f} down; centre {:.1f} {:.1f}; distortion k1 {:.3f}, k2 {:.3f}\n",
                c.left.focal_x_px, c.left.focal_y_px, c.left.centre_x_px, c.left.centre_y_px, c.left.distortion[0],
                c.left.distortion[1]);
@@ -141,7 +151,6 @@ class Calibration {
   BoardPairs& pairs_;
   cv::Size size_;  // of the images with a board
   std::vector<BoardView> views_;
-  std::vector<std::string> names_;
 };
 
 Result<std::unique_ptr<BoardPairs>> pairs_of(const CalibrateChoices& choices) {

@@ -211,6 +211,26 @@ TEST_F(OwnPair, IsCalibratedWithoutThePicturesThatAreOfAnotherSize) {
   EXPECT_TRUE(contains(few, "there are 3")) << few.text;
 }
 
+TEST_F(OwnPair, IsCalibratedWithoutThePairThatDoesNotBelong) {
+  const std::string folder = scratch_folder() + "one-moved/";
+  std::filesystem::create_directory(folder);
+  for (int number = 10; number < 24; ++number) {
+    const std::string name = fmt::format("right{}.png", number);
+    std::filesystem::copy_file(scratch_folder() + name, folder + name);
+  }
+  cv::Mat moved;
+  const cv::Mat by = (cv::Mat1d(2, 3) << 1, 0, 9, 0, 1, 6);
+  cv::warpAffine(cv::imread(folder + "right13.png"), moved, by, {}, cv::INTER_LINEAR, cv::BORDER_REPLICATE);
+  cv::imwrite(folder + "right13.png", moved);
+  const Said said = run("calibrate 'left*.png' one-moved --out without.calibration");
+  EXPECT_EQ(said.status, 0) << said.text;
+  EXPECT_TRUE(contains(said, "left13.png right13.png: left out, ")) << said.text;
+  EXPECT_TRUE(contains(said, "13 pairs of 480 x 360")) << said.text;
+  const Said twice = run("calibrate 'left*.png' 'left*.png' --out twice.calibration");
+  EXPECT_EQ(twice.status, 1);
+  EXPECT_TRUE(contains(twice, "both are the same camera's images")) << twice.text;
+}
+
 TEST_F(OwnPair, ThatCannotBeCalibratedIsToldWhy) {
   const Said uneven = run("calibrate 'left*.png' 'right1?.png'");
   EXPECT_EQ(uneven.status, 2);
