@@ -12,6 +12,8 @@ constexpr int waves = MarkOutline::count;
 // So much of the learned waves a blur leaves at least; noise may add to them.
 constexpr double least_part = 0.5;
 constexpr double most_part = 1.1;
+// What the three waves of a triangle have at least, in its squared standard deviations.
+constexpr double least_triangle_power = 0.02;
 
 using Round = std::array<float, turns>;  // a value for each turn
 
@@ -105,6 +107,14 @@ MarkOutline outline_of(const MarkSignature& signature) {
     out.sines[i] = 2 * product(reach, unit.sines[i]) / turns;
   }
   return out;
+}
+
+bool is_triangle(const MarkOutline& outline) {
+  const auto power = [&](std::size_t waves_around) {
+    const std::size_t i = waves_around - MarkOutline::first;
+    return outline.cosines[i] * outline.cosines[i] + outline.sines[i] * outline.sines[i];
+  };
+  return power(3) > std::max<double>(least_triangle_power, power(4));
 }
 
 double outline_error(const MarkOutline& seen, const MarkOutline& learned) {

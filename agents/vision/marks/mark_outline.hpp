@@ -26,6 +26,9 @@ struct MarkOutline {
 
 MarkOutline outline_of(const MarkSignature& signature);
 
+// Three corners are what is most of it.
+bool is_triangle(const MarkOutline& outline);
+
 // The mean square of what is left of the seen one's waves, turned and all lessened as the learned one's would be by
 // some blur, in standard deviations squared.
 double outline_error(const MarkOutline& seen, const MarkOutline& learned);

@@ -29,10 +29,8 @@ constexpr double suspicious = 1.35;
 constexpr double least_off_px = 0.2;
 // The largest ratio of the changes of size on all axes, of a mark that is nearer or farther away.
 constexpr double similar_scales = 1.03;
-// From the centre of a triangle to its corners, in standard deviations; and what the three waves of its outline have at
-// least, in those squared.
+// From the centre of a triangle to its corners, in standard deviations.
 const double corner_reach = std::sqrt(8.0);
-constexpr double least_triangle_power = 0.02;
 // Of the motion that covering makes, how much is left unexplained where much is covered: by how the shape is.
 constexpr double most_missed = 0.5;
 
@@ -47,15 +45,6 @@ double length(double x, double y) { return std::sqrt(x * x + y * y); }
 
 // The axis at a right angle.
 std::size_t across(std::size_t axis) { return axis ^ 1; }
-
-bool is_triangle(const SeenMark& mark) {
-  const MarkOutline outline = outline_of(mark.signature);
-  const auto power = [&](std::size_t waves) {
-    const std::size_t i = waves - MarkOutline::first;
-    return outline.cosines[i] * outline.cosines[i] + outline.sines[i] * outline.sines[i];
-  };
-  return power(3) > std::max<double>(least_triangle_power, power(4));
-}
 
 // What of the new is taken over in so many seconds.
 double gain(double rate, double seconds) { return std::min(1.0, rate * seconds); }
@@ -155,7 +144,7 @@ bool WholeMark::Scales::resized() const {
 
 // Of those that are smaller and of the same form.
 bool WholeMark::may_be_a_side_less(const SeenMark& mark, const Scales& scale) {
-  return scale.least < 1 && is_triangle(mark);
+  return scale.least < 1 && is_triangle(outline_of(mark.signature));
 }
 
 // On no axis along which it lost much is its motion that of what is covered.

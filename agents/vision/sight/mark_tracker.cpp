@@ -212,7 +212,7 @@ TrackSighting MarkTracker::miss(const StereoSight& sight, Track& track) const {
   if (!near) {
     // What rested is behind what hides it; where what moved may be by now, nobody knows.
     const bool rests = track.whole_left && !track.whole_left->moves();
-    Track lost{.name = track.name, .whole_face = track.whole_face, .others = std::move(track.others)};
+    Track lost{.name = track.name, .whole_face = track.whole_face, .widest = track.widest, .others = track.others};
     if (rests) lost.whole_left = track.whole_left;
     if (rests) lost.whole_right = track.whole_right;
     track = std::move(lost);
@@ -243,6 +243,8 @@ void MarkTracker::take(const StereoSight& sight, Track& track, const LearnedObje
     remember(track.whole_left, now.left, captured_);
     if (now.right) remember(track.whole_right, *now.right, captured_);
     if (!now.right && track.whole_right) track.whole_right->wait(captured_);
+    if (now.right) track.widest = {};
+    if (!now.right) track.widest.follow(now.left);
     if (now.right) {
       const FaceSize size = face_size(sight.model(), now.left, *now.right, front_slimness(object));
       if (track.whole_face) track.whole_face->follow(size, now.left);
@@ -272,6 +274,8 @@ TrackSighting MarkTracker::update(StereoSight& sight, Track& track) {
   out.centre = now->left.centre;
   out.contour = now->left.contour;
   out.confidence = now->likeness.confidence();
+  if (!now->right)
+    out.confidence = track.widest.confidence(out.confidence, now->left, px_in(sight.left(), most_off_px));
   if (now->likeness.second != nullptr) out.second = now->likeness.second->name;
   out.margin = now->likeness.margin();
   const bool measurable = now->right || sight.is_cut_off(*object, now->left);

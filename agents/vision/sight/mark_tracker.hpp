@@ -4,10 +4,11 @@
 // followed from where its motion predicts its centre. Where that fails, it is looked for nearby and then everywhere,
 // in this same frame and in every later one, while the others go on. What is followed is recognised anew in every
 // frame, so that a hand, the gripper or another cube in its place is a loss, never a position; and so is one that hides
-// a part of it (continuity.hpp, whole_face.hpp). A loss of half a second is bridged: the object is expected where its motion would have
-// brought it, and is said not to be seen. So long, nothing elsewhere is taken for it that is of another size; and never
-// what looked like it elsewhere in the image in which it was found or in that in which it was seen last. One that was
-// in neither is not known for another.
+// a part of it (continuity.hpp, whole_face.hpp), or is told with less confidence where one camera cannot know
+// (widest_look.hpp). A loss of half a second is bridged: the object is expected where its motion would have brought it,
+// and is said not to be seen. So long, nothing elsewhere is taken for it that is of another size; and never what looked
+// like it elsewhere in the image in which it was found or in that in which it was seen last. One that was in neither is
+// not known for another.
 //
 //   MarkTracker tracker(objects);
 //   tracker.add(*objects.find("circle"));
@@ -21,6 +22,7 @@
 #include "agents/vision/sight/frame_time.hpp"
 #include "agents/vision/sight/stereo_sight.hpp"
 #include "agents/vision/sight/whole_face.hpp"
+#include "agents/vision/sight/widest_look.hpp"
 
 namespace pizarra {
 
@@ -33,7 +35,7 @@ struct TrackSighting {
   std::optional<cv::Point2d> right_centre = {};  // the same in the right one, where that shows it
   double range_mm = 0;                           // by the pair, or by its size where the right image ends before it
   double range_spread_mm = 0;                    // a standard deviation; 0 where it is not seen
-  double confidence = 0;                         // Likeness::confidence(); of a bridged one less and less
+  double confidence = 0;                         // that it is the object, and whole; of a bridged one less and less
   std::string second = {};        // the learned object that it is most like otherwise, where one comes near
   double margin = 0;              // Likeness::margin()
   std::optional<double> yaw_deg;  // of its face (face_yaw_deg), where both images show it
@@ -75,6 +77,7 @@ class MarkTracker {
     std::optional<WholeMark> whole_left = {};
     std::optional<WholeMark> whole_right = {};
     std::optional<WholeFace> whole_face = {};
+    WidestLook widest = {};  // while the left image alone shows it
     cv::Point2d velocity_px = {};  // a second, in the left image
     double disparity_change_px = 0;
     double range_mm = 0;
