@@ -5,6 +5,7 @@
 #include <csignal>
 #include <fmt/format.h>
 
+#include "agents/launcher/command_line/word_tools.hpp"
 #include "tests/bench/child.hpp"
 #include "tests/bench/crash/ordeal.hpp"
 
@@ -42,7 +43,9 @@ int main(int argc, char** argv) {
   app.add_option("--rounds", rounds, "how many faults, about 0.4 s each")
       ->check(CLI::Range(1, 100'000))
       ->capture_default_str();
-  app.add_option("--seed", seed, "what chance begins from; the machine's timing has its share")->capture_default_str();
+  app.add_option("--seed", seed, "what chance begins from; the machine's timing has its share")
+      ->check(pizarra::seed_check())
+      ->capture_default_str();
   app.footer("Status 0 when nothing was lost, done twice or missed unnoticed; 1 otherwise; 2 for wrong arguments.");
   try {
     app.parse(argc, argv);

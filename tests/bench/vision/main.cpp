@@ -4,6 +4,7 @@
 #include <array>
 #include <fmt/format.h>
 
+#include "agents/launcher/command_line/word_tools.hpp"
 #include "tests/bench/vision/rows.hpp"
 
 namespace {
@@ -39,7 +40,9 @@ int main(int argc, char** argv) {
   app.add_option("--runs", runs, "sequences of either kind to track them through")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
-  app.add_option("--seed", seed, "what the scenes, the camera, its noise and what is learned are drawn from")->capture_default_str();
+  app.add_option("--seed", seed, "what the scenes, the camera, its noise and what is learned are drawn from")
+      ->check(pizarra::seed_check())
+      ->capture_default_str();
   app.footer("Status 0 when every figure was measured, short or not; 1 when one was not; 2 for wrong arguments.");
   try {
     app.parse(argc, argv);
