@@ -12,6 +12,20 @@ namespace {
 constexpr Duration longest_frame_wait = 3s;
 constexpr int frames_to_find = 3;
 
+std::optional<Failure> of_another_size(const std::vector<SeenMark>& marks, const LearnedObject& object) {
+  for (const SeenMark& mark : marks) {
+    const std::optional<double> scale = scale_of_another_size(mark, object);
+    if (!scale) continue;
+    return Failure{*scale > 1 ? "too-large" : "too-small",
+                   fmt::format("a mark is like it, but {:.1f} times as high as it was learned, and it is looked for from "
+                               "{} to {} times: learn it at this size too, under the same name",
+                               *scale, least_scale, most_scale),
+                   to_datum(object.name),
+                   {}};
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 Task<Result<Datum>> VisionAgent::State::answer_failed(std::string text, Failure why) {
@@ -132,10 +146,12 @@ Failure VisionAgent::State::not_found(StereoSight& sight, const LearnedObject& o
     return {"ambiguous", "its tag is there more than once", to_datum(object.name), {}};
   }
   std::string_view why = "no mark in the image is like it";
+  bool is_like = false;
   ImageSegmentation& segmentation = sight.left_segmentation();
   for (const SeenMark& mark : segmentation.marks()) {
     const Likeness likely = likeness(mark, objects, object);
     if (likely.error > recognition_threshold) continue;
+    is_like = true;
     if (likely.doubt > 1) why = "a mark is like it, but has another outline";
     if (likely.doubt > 1 || !likely.is_ambiguous()) continue;
     return {"ambiguous",
@@ -143,6 +159,8 @@ Failure VisionAgent::State::not_found(StereoSight& sight, const LearnedObject& o
             to_datum(object.name),
             {}};
   }
+  std::optional<Failure> sized = is_like ? std::nullopt : of_another_size(segmentation.marks(), object);
+  if (sized) return std::move(*sized);
   const bool all_seen = object.tag() != nullptr || segmentation.left_out() == 0;
   if (all_seen) return {"not-seen", std::string(why), to_datum(object.name), {}};
   return {"crowded",

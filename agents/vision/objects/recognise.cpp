@@ -52,11 +52,14 @@ struct Match {
   std::size_t blur = 0;
 };
 
-Match match_of(const SeenMark& mark, const LearnedSample& sample, double weight) {
-  if (mark.tag || sample.tag) return mark.tag == sample.tag ? Match{.error = 0, .shape_error = 0} : Match();
-  if (mark.tone != sample.tone || mark.slimness < least_slimness * sample.slimness) return {};
+bool has_size(const SeenMark& mark, const LearnedSample& sample) {
   const double scale = mark.height_px / sample.height_px;
-  if (scale < 0.5 || scale > 1.8) return {};
+  return scale >= least_scale && scale <= most_scale;
+}
+
+// Of shapes, whatever their size.
+Match shape_match(const SeenMark& mark, const LearnedSample& sample, double weight) {
+  if (mark.tone != sample.tone || mark.slimness < least_slimness * sample.slimness) return {};
   // The parameters first: where they differ too much the shapes need not be compared.
   const double roundness = roundness_error(mark, sample, weight);
   if (roundness > recognition_threshold) return {};
@@ -69,6 +72,11 @@ Match match_of(const SeenMark& mark, const LearnedSample& sample, double weight)
     if (error < best.shape_error) best = {error + roundness, error, i};
   }
   return best;
+}
+
+Match match_of(const SeenMark& mark, const LearnedSample& sample, double weight) {
+  if (mark.tag || sample.tag) return mark.tag == sample.tag ? Match{.error = 0, .shape_error = 0} : Match();
+  return has_size(mark, sample) ? shape_match(mark, sample, weight) : Match();
 }
 
 Match match_of(const SeenMark& mark, const LearnedObject& object) {
@@ -113,6 +121,20 @@ double outline_doubt(const SeenMark& mark, const LearnedObject& object) {
     least = std::min(least, outline_error(seen, sample.outline) / allowed);
   }
   return least;
+}
+
+std::optional<double> scale_of_another_size(const SeenMark& mark, const LearnedObject& object) {
+  const double weight = weight_of_roundness(object);
+  double least = recognition_threshold;
+  std::optional<double> scale;
+  for (const LearnedSample& sample : object.samples) {
+    if (mark.tag || sample.tag || has_size(mark, sample)) continue;
+    const double error = shape_match(mark, sample, weight).error;
+    if (error > least) continue;
+    least = error;
+    scale = mark.height_px / sample.height_px;
+  }
+  return scale && outline_doubt(mark, object) <= 1 ? scale : std::nullopt;
 }
 
 double likeness_error(const LearnedObject& a, const LearnedObject& b) {

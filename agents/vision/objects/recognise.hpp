@@ -14,13 +14,19 @@ namespace pizarra {
 // Above this error a mark is not the object.
 inline constexpr double recognition_threshold = 0.085;
 
-// The weighted difference of the parameters to the nearest sample. Infinite where tone, size (0.5 to 1.8 times as
-// learned) or slimness (a face yawed by more than 45 degrees) cannot be the object's.
+// How many times as high as it was learned, in px, an object is looked for.
+inline constexpr double least_scale = 0.5;
+inline constexpr double most_scale = 1.8;
+
+// The weighted difference of the parameters to the nearest sample. Infinite where tone, size or slimness (a face yawed by more than 45 degrees) cannot be the object's.
 double recognition_error(const SeenMark& mark, const LearnedObject& object);
 
 // By how much the mark's outline differs from that of the nearest sample, as a part of what the image's noise, blur and
 // a turned face may make of it. Above 1 it is something that nobody learned.
 double outline_doubt(const SeenMark& mark, const LearnedObject& object);
+
+// Of a mark that would be the object but for its size: how many times as high it is as the sample it is most like.
+std::optional<double> scale_of_another_size(const SeenMark& mark, const LearnedObject& object);
 
 // How much two learned objects differ: the least over pairs of their samples, as a mark of one would differ from the
 // other. Below `alike_below` noise, blur or a turned face may make one pass for the other.

@@ -231,6 +231,23 @@ TEST_F(Vision, SaysOfWhatAMarkIsAsMuchLike) {
       << facts("(vision-failed vision ? ? ? ?)");
 }
 
+TEST_F(Vision, SaysThatWhatIsLikeItIsOfAnotherSizeThanIsLookedFor) {
+  learn_all();
+  const auto find_at = [&](double scale) {
+    camera.scene.faces[0].place = {-140 / scale, 0, 850 / scale};
+    EXPECT_EQ(call("(find \"circle\")"), R"x((FIND "circle" FAIL))x");
+    return facts("(vision-failed vision ? ? ? ?)");
+  };
+  const std::string large = find_at(2.2);
+  EXPECT_NE(large.find("too-large"), std::string::npos) << large;
+  EXPECT_NE(large.find("2.2 times as high as it was learned"), std::string::npos) << large;
+  const std::string small = find_at(0.46);
+  EXPECT_NE(small.find("too-small"), std::string::npos) << small;
+  camera.scene.faces.clear();
+  EXPECT_EQ(call("(find \"circle\")"), R"x((FIND "circle" FAIL))x");
+  EXPECT_NE(facts("(vision-failed vision ? ? not-seen ?)").find("no mark in the image is like it"), std::string::npos);
+}
+
 TEST_F(Vision, TellsWhenAnObjectIsLostAndSeenAgain) {
   learn_all();
   EXPECT_EQ(call("(track \"circle\")"), "()");
