@@ -10,6 +10,7 @@
 #include "agents/launcher/words/goal_text.hpp"
 #include "agents/launcher/words/words.hpp"
 #include "drivers/arm/arm_file.hpp"
+#include "drivers/camera/stereo_geometry.hpp"
 
 namespace pizarra {
 
@@ -46,9 +47,21 @@ Result<std::string> check_cell_whole(const CellDescription& cell) {
                      counted(cell.hosts.size(), "host"), *domain);
 }
 
+// As the cell's eyes read it.
+Result<void> check_calibration(const CameraSetup& eyes) {
+  if (eyes.calibration_file.empty()) return {};
+  const Result<StereoCalibration> read = read_calibration_file(eyes.calibration_file);
+  if (!read) return fail(read);
+  const Result<StereoGeometry> suits = StereoGeometry::make(eyes, *read, {read->width, read->height});
+  if (!suits) return fail(suits);
+  return {};
+}
+
 Result<std::string> check_cell(const std::string& file) {
   const Result<CellDescription> cell = read_cell_file(file);
   if (!cell) return fail(cell);
+  const Result<void> calibrated = check_calibration(cell->eyes);
+  if (!calibrated) return fail(calibrated);
   return check_cell_whole(*cell);
 }
 

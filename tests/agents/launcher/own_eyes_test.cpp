@@ -156,6 +156,29 @@ TEST_F(OwnPair, IsCalibratedFromFilesAndTheFileIsTheCells) {
   EXPECT_TRUE(contains(seen, "?w = 480")) << seen.text;
 }
 
+TEST(OwnEyes, ACellsCalibrationIsCheckedWithIt) {
+  const std::string cell = cell_with("calibrated", "(single (device 0)) (calibration \"given.calibration\")");
+  const auto check_with = [&](const std::string& text) {
+    std::ofstream(scratch_folder() + "given.calibration") << text;
+    return run("check " + cell);
+  };
+  const std::string lens = "(focal 400 400) (centre 240 180) (distortion 0 0 0 0 0)";
+  const std::string board = " (board 9 6 25)";
+  const std::string one = "(calibration (size 480 360) (lens " + lens + ")" + board + " (errors 14 0.2))";
+  EXPECT_EQ(check_with(one).status, 0);
+  const Said garbage = check_with("never was a calibration\n");
+  EXPECT_EQ(garbage.status, 2) << garbage.text;
+  EXPECT_TRUE(contains(garbage, "given.calibration:1:")) << garbage.text;
+  const Said pair = check_with("(calibration (size 480 360) (left " + lens + ") (right " + lens +
+                               ") (rotation 1 0 0 0 1 0 0 0 1) (translation -80 0 0)" + board + " (errors 14 0.2 0.1))");
+  EXPECT_EQ(pair.status, 2) << pair.text;
+  EXPECT_TRUE(contains(pair, "is of a pair of cameras, and the cell has one")) << pair.text;
+  std::filesystem::remove(scratch_folder() + "given.calibration");
+  const Said none = run("check " + cell);
+  EXPECT_EQ(none.status, 2) << none.text;
+  EXPECT_TRUE(contains(none, "given.calibration")) << none.text;
+}
+
 TEST_F(OwnPair, OneCameraAloneIsCalibratedToo) {
   const Said said = run("calibrate 'left*.png'");
   ASSERT_EQ(said.status, 0) << said.text;
