@@ -44,7 +44,7 @@ BoardServer::BoardServer(Executor& executor, MemoryBoard& board, const BoardServ
                 flush_all();
                 receiving_ = false;
               }),
-      hearing_(board, [this] { return heard_until(); }) {
+      hearing_(board, [this] { return socket_.heard_until(); }) {
   board_.statistics().requests().set_limit(options.requests);
   board_.store().index_maker().on_wanted = [this] { schedule_look(); };
   if (options.journal != nullptr) past_.emplace(executor, *options.journal);
@@ -118,7 +118,7 @@ void BoardServer::hear(const std::string& peer, const Datum& message) {
 void BoardServer::handle(wire::SessionId id, Session& session, const Datum& message) {
   if (message.is_form("ping")) return send(session.peer, list("pong"_sym, executor_.now().time_since_epoch().count()));
   if (must_wait(session, message)) return postpone(session, session.postponed, message);
-  hear(id, session, {message, executor_.now()});
+  hear(id, session, {message});
 }
 
 void BoardServer::hear(wire::SessionId id, Session& session, const Postponed::Message& waiting) {

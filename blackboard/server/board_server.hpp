@@ -137,7 +137,6 @@ class BoardServer {
   bool awaits_index(const Session& session) const;
   void make_on();
   void go_on(wire::SessionId id);
-  Time heard_until();
   void forget_the_gone();
 
   Executor& executor_;

@@ -31,19 +31,10 @@ void BoardServer::postpone(const Session& session, Postponed& postponed, const D
   const std::optional<std::uint64_t> number = is_request ? wire::count_at(message, 2) : std::nullopt;
   // It is being answered.
   if (number && postponed.has_request(*number)) return;
-  if (postponed.add({message, executor_.now()})) return;
+  if (postponed.add({message})) return;
   const Failure full{"too-many", "too much waits behind a request for which an index is made", {}, {}};
   if (number) return refuse_request(session, *number, full);
   refuse(session.peer, full);
-}
-
-// Nothing lapses before what came in time to keep it was heard.
-Time BoardServer::heard_until() {
-  Time until = socket_.heard_until();
-  for (const auto& [id, session] : sessions_) {
-    if (!session.postponed.empty()) until = std::min(until, session.postponed.first().came);
-  }
-  return until;
 }
 
 // Now, or when an index is made that it needs.

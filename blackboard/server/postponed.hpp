@@ -4,12 +4,11 @@
 // that one, so that each is done when those before it are.
 //
 //   postponed.wait(std::move(message));        // whatever there is stays behind it
-//   postponed.add({message, now});             // false where there is no room
+//   postponed.add({message});             // false where there is no room
 //   Postponed::Message next = postponed.next();
 
 #include <deque>
 
-#include "blackboard/time/clock.hpp"
 #include "blackboard/wire/wire.hpp"
 #include "lisp/datum.hpp"
 
@@ -22,12 +21,10 @@ class Postponed {
 
   struct Message {
     Datum datum;
-    Time came;
     std::size_t waits = 0;  // for indexes
   };
 
   bool empty() const { return messages_.empty(); }
-  const Message& first() const { return messages_.front(); }
   bool has_request(wire::RequestId number) const;
   bool add(Message message);
   void wait(Message message);

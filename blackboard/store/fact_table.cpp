@@ -109,6 +109,12 @@ FactTable::Mask FactTable::found_by(const Datum& pattern) const {
   return index == nullptr ? 0 : index->kind().which;
 }
 
+std::size_t FactTable::looks_to_remove() const {
+  constexpr std::size_t of_the_table = 8;
+  constexpr std::size_t of_an_index = 4;
+  return of_the_table + of_an_index * indexes_.size();
+}
+
 FactTable::Way FactTable::way_to(const Datum& pattern) const {
   static const Bucket none;
   if (is_few(size())) return {};
@@ -123,8 +129,11 @@ FactTable::Way FactTable::way_to(const Datum& pattern) const {
   return way;
 }
 
+// An index by lists would compare them with every fact that comes or goes, however long they are.
 const FactIndex* FactTable::ordered_index_for(std::size_t argument) const {
-  return is_few(size()) ? nullptr : indexes_.find(FactIndex::by_order(argument));
+  const ArgumentType type = relation_.arguments[argument].type;
+  const bool may_be_list = type == ArgumentType::list || type == ArgumentType::datum;
+  return may_be_list || is_few(size()) ? nullptr : indexes_.find(FactIndex::by_order(argument));
 }
 
 FactTable::Within FactTable::ordered_within(const Datum& pattern, std::span<const ValueRange> ranges) const {

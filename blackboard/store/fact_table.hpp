@@ -144,6 +144,8 @@ class FactTable {
   }
   // How many facts visit() considers at most.
   std::size_t candidates(const Datum& pattern) const;
+  // As many facts could be looked at while one goes.
+  std::size_t looks_to_remove() const;
   using Mask = FactIndex::Mask;
   // What visit() finds the pattern's facts by in a table that has grown; none where it looks through all.
   Mask found_by(const Datum& pattern) const;

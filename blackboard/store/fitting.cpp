@@ -31,17 +31,19 @@ bool compares_much(const Datum& pattern) {
   return false;
 }
 
-void look_for_all(const FactTable& table, const Datum& pattern, std::size_t& examined) {
+std::size_t look_for_all(const FactTable& table, const Datum& pattern, std::size_t& examined) {
   if (!compares_much(pattern)) {
     examined += table.candidates(pattern);
-    return;
+    return table.candidates(pattern);
   }
+  std::size_t fitting = 0;
   Looking looking(examined);
   table.visit(pattern, [&](const Fact& fact) {
     Bindings bindings;
-    match(pattern, fact.datum, bindings);
+    if (match(pattern, fact.datum, bindings)) ++fitting;
     return looking.at_one_more();
   });
+  return fitting;
 }
 
 }  // namespace pizarra

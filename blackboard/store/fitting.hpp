@@ -15,8 +15,8 @@ namespace pizarra {
 const Fact* first_fit(const FactTable& table, const Datum& pattern, std::size_t& examined);
 // Whether none that fits came or went after the revision.
 bool is_unchanged(const FactTable& table, const Datum& pattern, Revision since, std::size_t& examined);
-// As finding all that fit will.
-void look_for_all(const FactTable& table, const Datum& pattern, std::size_t& examined);
+// As finding all that fit will; answers how many these are, at most.
+std::size_t look_for_all(const FactTable& table, const Datum& pattern, std::size_t& examined);
 // Whether matching takes more than a glance at each argument.
 bool compares_much(const Datum& pattern);
 

@@ -45,7 +45,7 @@ class Leases {
     lease.expiry = now + lease.length;
     expiries_.emplace(lease.expiry, id);
   }
-  // It must be there.
+  // From now on there is none of this id, of which there must be one; what goes with it, the caller lets go.
   Lease remove(LeaseId id) {
     const auto found = leases_.find(id);
     Lease lease = std::move(found->second);

@@ -10,6 +10,7 @@
 //   store.declare({relation});
 //   store.transact("vision", transaction, now);
 
+#include <deque>
 #include <functional>
 #include <memory>
 
@@ -57,7 +58,7 @@ class Store {
   Result<void> renew(LeaseId lease, Time now);
   Result<void> release(LeaseId lease, Time now);
   std::optional<Time> next_expiry() const;
-  // Lapses what was due by `due`.
+  // Lapses what was due by `due`: a thousand facts at most, what is left is due at once.
   void expire(Time due, Time now);
 
   const Tables& tables() const { return tables_; }
@@ -103,8 +104,8 @@ class Store {
   Result<void> check(const std::string& teller, const Transaction& transaction, std::size_t& examined);
   Result<void> check_precondition(const Transaction::Precondition& precondition, std::size_t& examined) const;
   Result<void> check_step(const Transaction::Step& step, Checked& before);
-  void lapse(LeaseId lease, Time now);
-  void lapse_facts(Time expiry, Time now);
+  void lapse_some(std::size_t& facts, Time now);
+  void lapse_facts(Time expiry, std::size_t& facts, Time now);
   Result<void> apply_entry(const Commit& commit, Commit::Entry& entry);
 
   Tables tables_;
@@ -113,6 +114,7 @@ class Store {
   std::map<FactId, Held> held_;
   std::size_t bytes_ = 0;  // of what stands or is held
   Leases leases_;
+  std::deque<std::pair<LeaseId, Leases::Lease>> lapsing_;  // with what is still to go with them
   std::set<std::pair<Time, FactId>> fact_expiries_;
   Revision revision_ = 0;
   Revision horizon_ = 0;  // what went before is not known

@@ -27,6 +27,7 @@ class TableIndexes {
   TableIndexes(const TableIndexes&) = delete;
   TableIndexes& operator=(const TableIndexes&) = delete;
 
+  std::size_t size() const { return entries_.size(); }
   const FactIndex* find(const Kind& kind);
   // By the most of these arguments; null where there is none.
   const FactIndex* best_by_values(FactIndex::Mask bound);

@@ -76,6 +76,29 @@ TEST_F(CostlyQuestions, WhatSortingComparesCountsAlike) {
   EXPECT_EQ(ask(all + "(down ?l)) (limit 300))"), "too-costly");
 }
 
+TEST_F(CostlyQuestions, AnOrderByListsIsKeptByNoIndexAndCounts) {
+  tell_lists(1000, 1600);
+  EXPECT_EQ(ask("(query (big ?n ?l) (order ?l) (limit 300))"), "too-costly");
+  EXPECT_EQ(ask("(query (big ?n ?l) (order ?n) (limit 30))"), "ok");
+}
+
+TEST_F(CostlyQuestions, WhatGoesByAPatternCountsForMoreThanALookAndForEachIndex) {
+  for (std::size_t n = 0; n < 20'000; ++n) tell(n, "a"_sym);
+  const Transaction all = Transaction().retract(read("(big ? ?)"));
+  for (const std::string asked : {"(big ?n b)", "(query (big ?n ?l) (order ?n) (limit 1))"}) {
+    ASSERT_EQ(ask(asked), "ok");
+  }
+  const Result<Revision> refused = store_.transact("alice", all, Time());
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(refused.error().symbol, "too-costly");
+  EXPECT_EQ(store_.size(), 20'000U);
+  for (std::size_t n = 0; n < 10'000; ++n) {
+    ASSERT_TRUE(store_.transact("alice", Transaction().retract(list("big"_sym, n, "?"_sym)), Time()).has_value());
+  }
+  EXPECT_TRUE(store_.transact("alice", all, Time()).has_value());
+  EXPECT_EQ(store_.size(), 0U);
+}
+
 TEST_F(CostlyQuestions, WhatATransactionRequiresCountsAlike) {
   const Datum one = Datum::list(std::vector<Datum>(20'000, "a"_sym));
   std::vector<Datum> other(20'000, "a"_sym);

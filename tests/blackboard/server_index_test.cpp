@@ -163,16 +163,16 @@ TEST(Postponed, HasRoomForSoManyMessagesAndSoMuchOfThem) {
   Postponed few;
   const std::string megabyte(1 << 20, 'x');
   few.wait({list("request"_sym, 1, 1, megabyte), Time()});
-  for (int n = 2; n <= 3; ++n) EXPECT_TRUE(few.add({list("request"_sym, 1, n, megabyte), Time()}));
+  for (int n = 2; n <= 3; ++n) EXPECT_TRUE(few.add({list("request"_sym, 1, n, megabyte)}));
   EXPECT_TRUE(few.has_request(1));
   EXPECT_TRUE(few.has_request(3));
-  EXPECT_FALSE(few.add({list("request"_sym, 1, 4, megabyte), Time()}));
+  EXPECT_FALSE(few.add({list("request"_sym, 1, 4, megabyte)}));
   EXPECT_FALSE(few.has_request(4));
   EXPECT_EQ(few.next().waits, 1U);
-  EXPECT_TRUE(few.add({list("request"_sym, 1, 4, megabyte), Time()}));
+  EXPECT_TRUE(few.add({list("request"_sym, 1, 4, megabyte)}));
   Postponed many;
-  for (std::size_t n = 0; n < Postponed::most; ++n) EXPECT_TRUE(many.add({list("bye"_sym, 1), Time()}));
-  EXPECT_FALSE(many.add({list("bye"_sym, 1), Time()}));
+  for (std::size_t n = 0; n < Postponed::most; ++n) EXPECT_TRUE(many.add({list("bye"_sym, 1)}));
+  EXPECT_FALSE(many.add({list("bye"_sym, 1)}));
 }
 
 }  // namespace
