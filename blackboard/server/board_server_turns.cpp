@@ -71,7 +71,7 @@ std::optional<Result<Datum>> BoardServer::perform_within_quota(wire::SessionId i
   const bool is_refused = is_spent && !result && result.error().symbol == "too-costly";
   if (!is_refused) return result;
   board_.statistics().requests().refuse(client, executor_.now());
-  return LookQuota::refusal(client);
+  return looks_.refusal(client);
 }
 
 void BoardServer::schedule_flush(wire::SessionId id) {
@@ -138,6 +138,7 @@ bool BoardServer::awaits_index(const Session& session) const {
 }
 
 void BoardServer::make_on() {
+  looks_.pay(executor_.now());
   const IndexMaker::Part part = board_.store().index_maker().make_some();
   looks_.looked(part.client, part.examined, executor_.now());
   if (part.made == 0) return;

@@ -64,9 +64,12 @@ void LookQuota::pay(Time now) {
   for (const auto& [client, debt] : debts_) owed_by_all_ += std::min(debt, most_owed);
 }
 
-std::unexpected<Failure> LookQuota::refusal(const std::string& client) {
-  return fail("too-many", "the clients called " + client + " have more looked at than their share of the board's time",
-              to_datum(client));
+std::unexpected<Failure> LookQuota::refusal(const std::string& client) const {
+  const auto own = debts_.find(client);
+  const bool own_doing = own != debts_.end() && own->second >= most_owed;
+  const std::string who = own_doing ? "the clients called " + client + " have" : std::string("several clients have");
+  const std::string share = own_doing ? "their share of the board's time" : "the board has time for at present";
+  return fail("too-many", who + " more looked at than " + share, to_datum(client));
 }
 
 }  // namespace pizarra

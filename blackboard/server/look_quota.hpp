@@ -42,8 +42,10 @@ class LookQuota {
   bool is_spent(const std::string& client, Time now);
   // Until now.
   void looked(const std::string& client, std::size_t examined, Time now);
+  // The time until now was for others than those who owe, or for nobody: before something is looked at.
+  void pay(Time now);
   // Failure too-many.
-  static std::unexpected<Failure> refusal(const std::string& client);
+  std::unexpected<Failure> refusal(const std::string& client) const;
 
  private:
   struct Asked {
@@ -52,7 +54,6 @@ class LookQuota {
     std::optional<Time> when;
   };
   bool is_alone(const std::string& client, Time now) const;
-  void pay(Time now);
 
   std::map<std::string, std::size_t> debts_;  // none is nothing
   std::size_t owed_by_all_ = 0;               // of each up to most_owed

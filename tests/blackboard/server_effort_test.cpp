@@ -193,6 +193,7 @@ class CrowdedQuota {
     be_asked(now);
     quota_.looked(client, examined, now);
   }
+  std::string refused(const std::string& client) const { return quota_.refusal(client).error().sentence; }
 
  private:
   void be_asked(Time now) {
@@ -218,6 +219,15 @@ TEST(LookQuota, WhoOwesIsSpentUntilItIsPaidAndSharesTheTimeWithOthersThatOwe) {
   EXPECT_FALSE(quota.is_spent("much", begun + 3s));
   quota.looked("much", LookQuota::most_owed, begun + 3s);
   EXPECT_FALSE(quota.is_spent("much", begun + 4s));
+}
+
+TEST(LookQuota, WhoOwesNothingIsNotToldThatItIsItsOwnDoing) {
+  CrowdedQuota quota;
+  const Time begun(3600s);
+  for (const std::string client : {"a", "b", "c", "d"}) quota.looked(client, LookQuota::most_owed, begun);
+  ASSERT_TRUE(quota.is_spent("honest", begun));
+  EXPECT_TRUE(quota.refused("a").starts_with("the clients called a have"));
+  EXPECT_TRUE(quota.refused("honest").starts_with("several clients have"));
 }
 
 TEST(LookQuota, WhoIsAloneIsNotSpentUntilAnotherAsksAndOwesLittleThen) {
