@@ -27,7 +27,8 @@ class WatchTable {
   ~WatchTable();
 
   // The first change is queued, unless it takes long or `examined` is limits::examined_a_turn before; to that is added
-  // how many facts were looked at. Failure awaits-index as of Store::ask(). `on_ready` is called whenever the queue becomes ready after having been empty.
+  // how many facts were looked at. Failure awaits-index as of Store::ask(). `on_ready` is called whenever the queue
+  // becomes ready after having been empty.
   Result<std::unique_ptr<WatchQueue>> add(const Query& query, std::function<void()> on_ready, std::string watcher,
                                           std::shared_ptr<Backlog> backlog, std::size_t& examined);
   Result<std::unique_ptr<WatchQueue>> add(const Query& query, std::function<void()> on_ready, std::string watcher = "",

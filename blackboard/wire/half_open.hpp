@@ -1,6 +1,7 @@
 #pragma once
 
-// Lets go of a TCP connection whose other end went without a word, so that ZeroMQ connects again and its queue is freed.
+// Lets go of a TCP connection whose other end went without a word, so that ZeroMQ connects again and its queue is
+// freed.
 //
 //   let_go_when_half_open(socket);   // before it is bound or connected; ipc has no such ends
 //

@@ -27,9 +27,9 @@
 //   (watch WATCH QUERY), (watch WATCH QUERY kept), (watch WATCH QUERY held) -> ()
 // PRECONDITION is (present P), (absent P), (unchanged P REVISION); STEP is (tell FACT LEASE CAUSE ...), (retract P),
 // (settle ID); FACT is (ID REVISION MICROSECONDS TELLER DATUM CAUSE ...). An ANSWER is the list of its facts: the
-// bindings follow from the query. To a client that keeps what it was sent, as one that holds it does too, an ANSWER that is
-// one fact is no list of it: what came is a FACT, or (ID DATUM CAUSE ...) where it was told when and by whom the one
-// before it was; what went is its ID.
+// bindings follow from the query. To a client that keeps what it was sent, as one that holds it does too, an ANSWER
+// that is one fact is no list of it: what came is a FACT, or (ID DATUM CAUSE ...) where it was told when and by whom
+// the one before it was; what went is its ID.
 //
 // What is wrong with a request is its reply's to say, also where no more than `(request SESSION ID` can be read of it.
 // `refused` is of what is no request: of a hello, or of what cannot be read that far. Which that was, it does not say:

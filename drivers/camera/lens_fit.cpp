@@ -18,8 +18,8 @@ constexpr double most_error = 0.0025;
 // is exact in all other views leaves a little anywhere.
 constexpr double most_times_middle = 4;
 constexpr double least_odd_error = 0.002;
-// A mark's rows may differ by 1 px in both images to be taken for the same one. The mean leaves room for the marks where
-// the lenses fit less well, and for those that are blurred.
+// A mark's rows may differ by 1 px in both images to be taken for the same one. The mean leaves room for the marks
+// where the lenses fit less well, and for those that are blurred.
 constexpr double most_row_error_px = 0.5;
 
 using Corners = std::vector<std::vector<cv::Point2f>>;  // of each view

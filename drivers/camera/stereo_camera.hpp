@@ -1,8 +1,7 @@
 #pragma once
 
 // A pair of cameras that look the same way, a base line apart. One implementation a device; the simulated one is in
-// drivers/simulation/,
-// video_camera.hpp has the others.
+// drivers/simulation/, video_camera.hpp has the others.
 
 #include <cstdint>
 #include <memory>

@@ -17,8 +17,8 @@ std::optional<Failure> of_another_size(const std::vector<SeenMark>& marks, const
     const std::optional<double> scale = scale_of_another_size(mark, object);
     if (!scale) continue;
     return Failure{*scale > 1 ? "too-large" : "too-small",
-                   fmt::format("a mark is like it, but {:.1f} times as high as it was learned, and it is looked for from "
-                               "{} to {} times: learn it at this size too, under the same name",
+                   fmt::format("a mark is like it, but {:.1f} times as high as it was learned, and it is looked for "
+                               "from {} to {} times: learn it at this size too, under the same name",
                                *scale, least_scale, most_scale),
                    to_datum(object.name),
                    {}};

@@ -18,7 +18,8 @@ inline constexpr double recognition_threshold = 0.085;
 inline constexpr double least_scale = 0.5;
 inline constexpr double most_scale = 1.8;
 
-// The weighted difference of the parameters to the nearest sample. Infinite where tone, size or slimness (a face yawed by more than 45 degrees) cannot be the object's.
+// The weighted difference of the parameters to the nearest sample. Infinite where tone, size or slimness (a face yawed
+// by more than 45 degrees) cannot be the object's.
 double recognition_error(const SeenMark& mark, const LearnedObject& object);
 
 // By how much the mark's outline differs from that of the nearest sample, as a part of what the image's noise, blur and

@@ -178,7 +178,8 @@ Result<void> MarkLearner::check_region(const ImageSegmentation& mean) {
   }
   if (too_large) {
     return fail("too-large",
-                "the shape around the point is wider or higher than nine tenths of the image: show it from farther away",
+                "the shape around the point is wider or higher than nine tenths of the image: show it from "
+                "farther away",
                 where);
   }
   if (cut) return fail("border", "the shape around the point is cut by the border of the image", where);

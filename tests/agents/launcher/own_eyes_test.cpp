@@ -170,7 +170,8 @@ TEST(OwnEyes, ACellsCalibrationIsCheckedWithIt) {
   EXPECT_EQ(garbage.status, 2) << garbage.text;
   EXPECT_TRUE(contains(garbage, "given.calibration:1:")) << garbage.text;
   const Said pair = check_with("(calibration (size 480 360) (left " + lens + ") (right " + lens +
-                               ") (rotation 1 0 0 0 1 0 0 0 1) (translation -80 0 0)" + board + " (errors 14 0.2 0.1))");
+                               ") (rotation 1 0 0 0 1 0 0 0 1) (translation -80 0 0)" + board +
+                               " (errors 14 0.2 0.1))");
   EXPECT_EQ(pair.status, 2) << pair.text;
   EXPECT_TRUE(contains(pair, "is of a pair of cameras, and the cell has one")) << pair.text;
   std::filesystem::remove(scratch_folder() + "given.calibration");

@@ -1,5 +1,5 @@
-// A mark in full view whose edges run along the pixels: where they fall between two, its blur reaches into what is taken
-// for ground. It is seen all the same, wherever it goes.
+// A mark in full view whose edges run along the pixels: where they fall between two, its blur reaches into what is
+// taken for ground. It is seen all the same, wherever it goes.
 
 #include <gtest/gtest.h>
 

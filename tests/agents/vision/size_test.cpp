@@ -181,7 +181,8 @@ TEST_P(Sizes, AShapeThatIsTooLargeIsToldSo) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Resolutions, Sizes,
-                         testing::Values(cv::Size(200, 200), cv::Size(320, 240), cv::Size(640, 480), cv::Size(1280, 960)),
+                         testing::Values(cv::Size(200, 200), cv::Size(320, 240), cv::Size(640, 480),
+                                         cv::Size(1280, 960)),
                          [](const auto& size) { return fmt::format("Width{}", size.param.width); });
 
 }  // namespace

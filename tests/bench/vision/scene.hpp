@@ -1,7 +1,8 @@
 #pragma once
 
-// Scenes for the eyes, drawn from a seed: marks and tags on light ground, clutter, light, blur and noise, and the camera
-// that sees them. Only the marks' outlines are common with the cell; its renderer and its camera have no part in this.
+// Scenes for the eyes, drawn from a seed: marks and tags on light ground, clutter, light, blur and noise, and the
+// camera that sees them. Only the marks' outlines are common with the cell; its renderer and its camera have no part in
+// this.
 //
 //   Random random(7);
 //   Scene scene = random_scene(hard_conditions, random);
