@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <limits>
 #include <opencv2/core/hal/intrin.hpp>
 #include <opencv2/imgproc.hpp>
 #include <vector>
@@ -98,40 +97,36 @@ int pixels_a_template_pixel(const WeightedShape& shape) {
 struct SamplePlaces {
   std::array<float, MarkSignature::rings * MarkSignature::turns> u;
   std::array<float, MarkSignature::rings * MarkSignature::turns> v;
-};
 
-const SamplePlaces& sample_places() {
-  static const SamplePlaces places = [] {
-    SamplePlaces out{};
+  explicit SamplePlaces(double turned_steps) {
     for (std::size_t ring = 0; ring < MarkSignature::rings; ++ring) {
       for (std::size_t i = 0; i < MarkSignature::turns; ++i) {
-        const double angle = 2 * CV_PI * static_cast<double>(i) / MarkSignature::turns;
-        out.u[ring * MarkSignature::turns + i] = static_cast<float>(ring_radii[ring] * std::cos(angle));
-        out.v[ring * MarkSignature::turns + i] = static_cast<float>(ring_radii[ring] * std::sin(angle));
+        const double angle = 2 * CV_PI * (static_cast<double>(i) + turned_steps) / MarkSignature::turns;
+        u[ring * MarkSignature::turns + i] = static_cast<float>(ring_radii[ring] * std::cos(angle));
+        v[ring * MarkSignature::turns + i] = static_cast<float>(ring_radii[ring] * std::sin(angle));
       }
     }
-    return out;
-  }();
-  return places;
-}
+  }
+};
 
+// Of every ring, or of every second one, by which the turn is found faster.
+template <int ring_step = 1>
 std::int32_t correlation(const MarkSignature& a, const MarkSignature& b, int turn) {
   constexpr int turns = MarkSignature::turns;
-  std::int32_t sum = 0;
-  for (int ring = 0; ring < MarkSignature::rings; ++ring) {
+  cv::v_int32x4 sum = cv::v_setzero_s32();
+  for (int ring = ring_step - 1; ring < MarkSignature::rings; ring += ring_step) {
     const std::int16_t* p = a.samples.data() + ring * 2 * turns;
     const std::int16_t* q = b.samples.data() + ring * 2 * turns + turn;
-    for (int i = 0; i < turns; ++i) sum += static_cast<std::int32_t>(p[i]) * q[i];
+    for (int i = 0; i < turns; i += 8) sum = cv::v_dotprod(cv::v_load(p + i), cv::v_load(q + i), sum);
   }
-  return sum;
+  return cv::v_reduce_sum(sum);
 }
 
-MarkSignature sampled(const WeightedShape& shape) {
+MarkSignature sampled(const WeightedShape& shape, const SamplePlaces& places) {
   MarkSignature out;
   const auto all = [](double value) { return cv::v_setall_f32(static_cast<float>(value)); };
   const cv::v_float32x4 xx = all(shape.spread(0, 0)), xy = all(shape.spread(0, 1)), yy = all(shape.spread(1, 1));
   const cv::v_float32x4 centre_x = all(shape.centre.x), centre_y = all(shape.centre.y);
-  const SamplePlaces& places = sample_places();
   cv::v_int32x4 energy = cv::v_setzero_s32();
   for (std::size_t ring = 0; ring < MarkSignature::rings; ++ring) {
     const cv::v_float32x4 scale = all(weight_of(ring) / shape.full);
@@ -148,35 +143,63 @@ MarkSignature sampled(const WeightedShape& shape) {
       cv::v_store(ring_samples + i + MarkSignature::turns, eight);
     }
   }
-  out.energy = cv::v_reduce_sum(energy);
+  out.length = std::sqrt(cv::v_reduce_sum(energy));
   return out;
 }
 
-double error_of(const MarkSignature& a, const MarkSignature& b, std::int32_t best) {
-  const double energy = std::sqrt(static_cast<double>(a.energy) * static_cast<double>(b.energy));
-  return energy > 0 ? 2 - 2 * best / energy : 2;
+double error_at(const MarkSignature& a, const MarkSignature& b, int turn) {
+  const double lengths = a.length * b.length;
+  return lengths > 0 ? 2 - 2 * correlation(a, b, turn) / lengths : 2;
+}
+
+// At any turn, also one below 0 or beyond the last.
+SignatureFit fit_at(const MarkSignature& seen, const TurnedSignatures& learned, int turn) {
+  constexpr int parts = TurnedSignatures::parts;
+  const int at = (turn + TurnedSignatures::turns) % TurnedSignatures::turns;
+  return {error_at(seen, learned.by_part[static_cast<std::size_t>(at % parts)], at / parts), at};
+}
+
+SignatureFit better_beside(const MarkSignature& seen, const TurnedSignatures& learned, SignatureFit fit, int away) {
+  const SignatureFit beside[] = {fit, fit_at(seen, learned, fit.turn - away), fit_at(seen, learned, fit.turn + away)};
+  return *std::ranges::min_element(beside, {}, &SignatureFit::error);
+}
+
+// From a turn on to better ones, in ever smaller steps.
+SignatureFit refined(const MarkSignature& seen, const TurnedSignatures& learned, int turn, int away) {
+  SignatureFit fit = fit_at(seen, learned, turn);
+  for (; away > 0; away /= 2) fit = better_beside(seen, learned, fit, away);
+  return fit;
+}
+
+WeightedShape as_shape(const cv::Mat1s& weights, double spread, double full) {
+  return {.weights = weights.ptr<std::int16_t>(0),
+          .stride = template_size,
+          .size = {template_size, template_size},
+          .centre = {template_size / 2.0, template_size / 2.0},
+          .spread = {spread, 0, 0, spread},
+          .full = full};
 }
 
 }  // namespace
 
 MarkSignature signature_of(const WeightedShape& shape) {
+  static const SamplePlaces places(0);
   const int side = pixels_a_template_pixel(shape);
-  return side > 1 ? sampled(CoarseShape(shape, side).shape) : sampled(shape);
+  return side > 1 ? sampled(CoarseShape(shape, side).shape, places) : sampled(shape, places);
 }
 
-MarkSignature signature_of(const MarkTemplate& picture, double blur) {
+TurnedSignatures turned_signatures_of(const MarkTemplate& picture, double blur) {
   constexpr double finer = 16;  // than the picture's levels
   cv::Mat1s weights(template_size, template_size);
   std::ranges::transform(picture, weights.begin(), [](std::uint8_t level) { return finer * level; });
   const double sigma = template_scale * blur;
   if (blur > 0) cv::GaussianBlur(weights, weights, {}, sigma, sigma, cv::BORDER_CONSTANT);
-  const double spread = template_scale * std::sqrt(1 + blur * blur);
-  return signature_of({.weights = weights.ptr<std::int16_t>(0),
-                       .stride = template_size,
-                       .size = {template_size, template_size},
-                       .centre = {template_size / 2.0, template_size / 2.0},
-                       .spread = {spread, 0, 0, spread},
-                       .full = 15 * finer});
+  const WeightedShape shape = as_shape(weights, template_scale * std::sqrt(1 + blur * blur), 15 * finer);
+  TurnedSignatures out;
+  for (std::size_t part = 0; part < out.by_part.size(); ++part) {
+    out.by_part[part] = sampled(shape, SamplePlaces(static_cast<double>(part) / TurnedSignatures::parts));
+  }
+  return out;
 }
 
 std::array<float, MarkSignature::turns> reach_of(const MarkSignature& signature) {
@@ -189,32 +212,26 @@ std::array<float, MarkSignature::turns> reach_of(const MarkSignature& signature)
   return out;
 }
 
-SignatureFit fit_signature(const MarkSignature& a, const MarkSignature& b) {
-  constexpr int turns = MarkSignature::turns;
-  std::int32_t best = std::numeric_limits<std::int32_t>::min();
-  int best_turn = 0;
-  const auto look_at = [&](int turn) {
-    const std::int32_t here = correlation(a, b, turn);
-    if (here <= best) return;
-    best = here;
-    best_turn = turn;
-  };
-  for (int turn = 0; turn < turns; turn += 3) look_at(turn);
-  const int beside[] = {(best_turn + 1) % turns, (best_turn + turns - 1) % turns};
-  for (const int turn : beside) look_at(turn);
-  return {error_of(a, b, best), best_turn};
+// Of the whole steps the best by some rings, then by all between it and those beside it.
+SignatureFit fit_signature(const MarkSignature& seen, const TurnedSignatures& learned) {
+  std::array<std::int32_t, MarkSignature::turns> common;
+  for (int turn = 0; turn < MarkSignature::turns; ++turn) {
+    common[static_cast<std::size_t>(turn)] = correlation<2>(seen, learned.unturned(), turn);
+  }
+  const auto best = static_cast<int>(std::ranges::max_element(common) - common.begin());
+  return refined(seen, learned, TurnedSignatures::parts * best, TurnedSignatures::parts / 2);
 }
 
-double signature_error(const MarkSignature& a, const MarkSignature& b) { return fit_signature(a, b).error; }
+SignatureFit fit_signature(const MarkSignature& seen, const TurnedSignatures& learned, int about) {
+  return refined(seen, learned, about, TurnedSignatures::parts / 2);
+}
 
-double signature_error(const MarkSignature& a, const MarkSignature& b, int most_turns, int about) {
-  constexpr int turns = MarkSignature::turns;
-  std::int32_t best = correlation(a, b, about);
-  for (int turn = 1; turn <= most_turns; ++turn) {
-    const std::int32_t further = correlation(a, b, (about + turn) % turns);
-    best = std::max({best, further, correlation(a, b, (about + turns - turn) % turns)});
-  }
-  return error_of(a, b, best);
+double signature_error(const MarkSignature& seen, const TurnedSignatures& learned, int about) {
+  return better_beside(seen, learned, fit_at(seen, learned, about), 1).error;
+}
+
+double signature_error(const MarkSignature& a, const MarkSignature& b) {
+  return std::min({error_at(a, b, 0), error_at(a, b, 1), error_at(a, b, MarkSignature::turns - 1)});
 }
 
 cv::Mat1f template_picture(const WeightedShape& shape) {

@@ -1,13 +1,14 @@
 #pragma once
 
 // What shape a mark has, whatever its place, size, turn and view: its weights sampled on rings after the mark's second
-// moments have been made those of a circle (which undoes size and the foreshortening of a yawed face). Two signatures
-// are compared over all turns, or, where it is known how the mark is turned, over a few.
+// moments have been made those of a circle (which undoes size and the foreshortening of a yawed face).
 //
-// The square template of a learned object is the same normalised shape as a small picture; a signature can be taken
-// from it again, so that the template is all that need be kept.
+// The square template of a learned object is the same normalised shape as a small picture; signatures can be taken
+// from it again, so that the template is all that need be kept. A seen mark has few samples; a learned shape is sampled
+// at finer turns, for a point of a star or the bar of a T is narrower than from one sample to the next.
 //
-//   double error = signature_error(seen.signature, signature_of(learned.picture));  // 0 alike, 2 nothing in common
+//   SignatureFit fit = fit_signature(seen.signature, turned_signatures_of(learned.picture));
+//   fit.error;                                          // 0 alike, 2 nothing in common
 
 #include <array>
 #include <cstdint>
@@ -39,26 +40,38 @@ struct MarkSignature {
   static constexpr int turns = 40;
   // Every ring twice over, so that a turned one is a run of neighbours.
   std::array<std::int16_t, rings * 2 * turns> samples{};
-  std::int64_t energy = 0;
+  double length = 0;  // the root of their squares' sum
+};
+
+// A shape turned by parts of the step between two samples, too.
+struct TurnedSignatures {
+  static constexpr int parts = 4;
+  static constexpr int turns = parts * MarkSignature::turns;
+  std::array<MarkSignature, parts> by_part;
+
+  const MarkSignature& unturned() const { return by_part.front(); }
 };
 
 MarkSignature signature_of(const WeightedShape& shape);
 // `blur`: how much more blurred than the picture the mark is to be seen, in its standard deviations.
-MarkSignature signature_of(const MarkTemplate& picture, double blur = 0);
+TurnedSignatures turned_signatures_of(const MarkTemplate& picture, double blur = 0);
 
 // How far the shape reaches, turn by turn, in standard deviations from half of one on. Blur hardly changes it: what it
 // takes away within the edge it adds beyond.
 std::array<float, MarkSignature::turns> reach_of(const MarkSignature& signature);
 
-// Two minus twice the correlation at the best turn: the best of every third one, or beside it.
+// Two minus twice the correlation at the best turn.
 struct SignatureFit {
   double error;
-  int turn;  // so many steps of 9 degrees
+  int turn;  // of TurnedSignatures::turns
 };
-SignatureFit fit_signature(const MarkSignature& a, const MarkSignature& b);
+SignatureFit fit_signature(const MarkSignature& seen, const TurnedSignatures& learned);
+// The same, less than a step between samples from `about`.
+SignatureFit fit_signature(const MarkSignature& seen, const TurnedSignatures& learned, int about);
+// At `about` or the turns beside it.
+double signature_error(const MarkSignature& seen, const TurnedSignatures& learned, int about);
+// Of two that are seen turned alike, to a step between two samples.
 double signature_error(const MarkSignature& a, const MarkSignature& b);
-// The same, over turns of at most `most_turns` steps either way from `about`.
-double signature_error(const MarkSignature& a, const MarkSignature& b, int most_turns, int about = 0);
 
 // The normalised shape as a picture with weights 0..1.
 cv::Mat1f template_picture(const WeightedShape& shape);

@@ -33,8 +33,8 @@ void note_rival(std::vector<LearnedObject::Rival>& rivals, std::size_t index, do
 void note_rival(LearnedObject& object, const LearnedSample& sample, std::size_t index, const LearnedSample& other) {
   for (std::size_t i = 0; i < sample.signatures.size(); ++i) {
     double least = 2;
-    for (const MarkSignature& rival : other.signatures) {
-      least = std::min(least, signature_error(sample.signatures[i], rival));
+    for (const TurnedSignatures& rival : other.signatures) {
+      least = std::min(least, fit_signature(sample.signatures[i].unturned(), rival).error);
     }
     note_rival(object.rivals[i], index, least);
   }
@@ -73,8 +73,8 @@ Result<void> check_object_name(std::string_view name) {
 
 void LearnedSample::set_picture(const MarkTemplate& new_picture) {
   picture = new_picture;
-  for (std::size_t i = 0; i < blurs.size(); ++i) signatures[i] = signature_of(picture, blurs[i]);
-  outline = outline_of(signatures.front());
+  for (std::size_t i = 0; i < blurs.size(); ++i) signatures[i] = turned_signatures_of(picture, blurs[i]);
+  std::ranges::transform(signatures.front().by_part, outlines.begin(), outline_of);
 }
 
 const LearnedObject* LearnedObjects::find(std::string_view name) const {

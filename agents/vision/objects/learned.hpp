@@ -40,8 +40,9 @@ struct LearnedSample {
   // Of `picture`, and as a blur of so many standard deviations would show it: far away a mark is small, and blur is
   // wide beside it.
   static constexpr std::array<double, 3> blurs = {0, 0.3, 0.5};
-  std::array<MarkSignature, blurs.size()> signatures;
-  MarkOutline outline;  // of `picture`
+  std::array<TurnedSignatures, blurs.size()> signatures;
+  // Of `picture`, by the part of a step that it is turned: between samples a corner's point may hide.
+  std::array<MarkOutline, TurnedSignatures::parts> outlines;
 
   // For a pair of cameras, which a guess is nothing to.
   double measured_size_mm() const { return size_guessed ? 0 : size_mm; }
@@ -57,7 +58,7 @@ struct LearnedObject {
   std::vector<LearnedSample> samples;
   // Of their roundness, between the samples and within each: a standard deviation.
   double roundness_spread = 0;
-  // The others, by the least signature_error() between samples of one tone, the likest first: to this one as each of
+  // The others, by the least error of a fit between samples of one tone, the likest first: to this one as each of
   // LearnedSample::blurs shows it, however much the other is blurred.
   struct Rival {
     std::size_t index;  // in LearnedObjects::all()

@@ -45,12 +45,24 @@ double roundness_error(const SeenMark& mark, const LearnedObject& object) {
   return least;
 }
 
-// How near a mark comes to what was learned: all told, by its shape alone, and as which of the blurs.
+// How near a mark comes to what was learned: all told, by its shape alone, as which of the blurs, and how turned.
 struct Match {
   double error = impossible;
   double shape_error = impossible;
   std::size_t blur = 0;
+  int turn = 0;
+  const LearnedSample* sample = nullptr;
 };
+
+// Near the last turn first: where that hardly fits, the mark turned faster or is another.
+SignatureFit sharp_fit(const SeenMark& mark, const LearnedSample& sample, std::optional<int> last_turn) {
+  const TurnedSignatures& learned = sample.signatures.front();
+  if (last_turn) {
+    const SignatureFit near = fit_signature(mark.signature, learned, *last_turn);
+    if (near.error < recognition_threshold / 2) return near;
+  }
+  return fit_signature(mark.signature, learned);
+}
 
 bool has_size(const SeenMark& mark, const LearnedSample& sample) {
   const double scale = mark.height_px / sample.height_px;
@@ -58,35 +70,47 @@ bool has_size(const SeenMark& mark, const LearnedSample& sample) {
 }
 
 // Of shapes, whatever their size.
-Match shape_match(const SeenMark& mark, const LearnedSample& sample, double weight) {
+Match shape_match(const SeenMark& mark, const LearnedSample& sample, double weight,
+                  std::optional<int> last_turn = {}) {
   if (mark.tone != sample.tone || mark.slimness < least_slimness * sample.slimness) return {};
   // The parameters first: where they differ too much the shapes need not be compared.
   const double roundness = roundness_error(mark, sample, weight);
   if (roundness > recognition_threshold) return {};
-  const SignatureFit sharp = fit_signature(mark.signature, sample.signatures.front());
-  Match best{sharp.error + roundness, sharp.error, 0};
+  const SignatureFit sharp = sharp_fit(mark, sample, last_turn);
+  Match best{sharp.error + roundness, sharp.error, 0, sharp.turn, &sample};
   for (std::size_t i = 1; i < sample.blurs.size() && best.shape_error > clear_error; ++i) {
     if (sample.blurs[i] * mark.height_px > widest_blur_px) break;
     // Blur turns nothing.
-    const double error = signature_error(mark.signature, sample.signatures[i], 1, sharp.turn);
-    if (error < best.shape_error) best = {error + roundness, error, i};
+    const double error = signature_error(mark.signature, sample.signatures[i], sharp.turn);
+    if (error < best.shape_error) best = {error + roundness, error, i, sharp.turn, &sample};
   }
   return best;
 }
 
-Match match_of(const SeenMark& mark, const LearnedSample& sample, double weight) {
+Match match_of(const SeenMark& mark, const LearnedSample& sample, double weight, std::optional<int> last_turn) {
   if (mark.tag || sample.tag) return mark.tag == sample.tag ? Match{.error = 0, .shape_error = 0} : Match();
-  return has_size(mark, sample) ? shape_match(mark, sample, weight) : Match();
+  return has_size(mark, sample) ? shape_match(mark, sample, weight, last_turn) : Match();
 }
 
-Match match_of(const SeenMark& mark, const LearnedObject& object) {
+Match match_of(const SeenMark& mark, const LearnedObject& object, std::optional<int> last_turn = {}) {
   const double weight = weight_of_roundness(object);
   Match best;
   for (const LearnedSample& sample : object.samples) {
-    const Match match = match_of(mark, sample, weight);
+    const Match match = match_of(mark, sample, weight, last_turn);
     if (match.error < best.error) best = match;
   }
   return best;
+}
+
+double outline_doubt(const SeenMark& mark, const Match& match) {
+  if (mark.tag) return 0;
+  if (match.sample == nullptr) return impossible;
+  const double contrast = std::max(1.0, std::abs(mark.mark_level - mark.ground_level));
+  const double noise = std::max(least_noise, mark.noise / contrast) / mark.height_px;
+  const auto part = static_cast<std::size_t>(match.turn % TurnedSignatures::parts);
+  const MarkOutline& learned = match.sample->outlines[part];
+  const double allowed = outline_slack + outline_share * learned.power() + outline_noise * noise * noise;
+  return outline_error(outline_of(mark.signature), learned) / allowed;
 }
 
 // The square root of an error is a distance: who is as far from the object as the second and the mark together, and
@@ -109,32 +133,16 @@ void find_second(const SeenMark& mark, const Match& match, const LearnedObjects&
 
 double recognition_error(const SeenMark& mark, const LearnedObject& object) { return match_of(mark, object).error; }
 
-double outline_doubt(const SeenMark& mark, const LearnedObject& object) {
-  if (mark.tag) return 0;
-  const MarkOutline seen = outline_of(mark.signature);
-  const double contrast = std::max(1.0, std::abs(mark.mark_level - mark.ground_level));
-  const double noise = std::max(least_noise, mark.noise / contrast) / mark.height_px;
-  double least = impossible;
-  for (const LearnedSample& sample : object.samples) {
-    if (sample.tag || sample.tone != mark.tone) continue;
-    const double allowed = outline_slack + outline_share * sample.outline.power() + outline_noise * noise * noise;
-    least = std::min(least, outline_error(seen, sample.outline) / allowed);
-  }
-  return least;
-}
-
 std::optional<double> scale_of_another_size(const SeenMark& mark, const LearnedObject& object) {
   const double weight = weight_of_roundness(object);
-  double least = recognition_threshold;
-  std::optional<double> scale;
+  Match best{.error = recognition_threshold};
   for (const LearnedSample& sample : object.samples) {
     if (mark.tag || sample.tag || has_size(mark, sample)) continue;
-    const double error = shape_match(mark, sample, weight).error;
-    if (error > least) continue;
-    least = error;
-    scale = mark.height_px / sample.height_px;
+    const Match match = shape_match(mark, sample, weight);
+    if (match.error <= best.error) best = match;
   }
-  return scale && outline_doubt(mark, object) <= 1 ? scale : std::nullopt;
+  if (best.sample == nullptr || outline_doubt(mark, best) > 1) return std::nullopt;
+  return mark.height_px / best.sample->height_px;
 }
 
 double likeness_error(const LearnedObject& a, const LearnedObject& b) {
@@ -143,7 +151,8 @@ double likeness_error(const LearnedObject& a, const LearnedObject& b) {
     for (const LearnedSample& other : b.samples) {
       if (one.tone != other.tone || one.tag || other.tag) continue;
       const double roundness = roundness_weight * std::abs(one.roundness / other.roundness - 1);
-      best = std::min(best, signature_error(one.signatures.front(), other.signatures.front()) + roundness);
+      const SignatureFit fit = fit_signature(one.signatures.front().unturned(), other.signatures.front());
+      best = std::min(best, fit.error + roundness);
     }
   }
   return best;
@@ -160,16 +169,17 @@ double Likeness::confidence() const {
 
 Likeness likeness(const SeenMark& mark, const LearnedObjects& objects, const LearnedObject& object) {
   const Match match = match_of(mark, object);
-  Likeness out{.error = match.error, .doubt = outline_doubt(mark, object)};
+  Likeness out{.error = match.error, .doubt = outline_doubt(mark, match), .turn = match.turn};
   find_second(mark, match, objects, object, out);
   return out;
 }
 
-std::optional<Likeness> recognise(const SeenMark& mark, const LearnedObjects& objects, const LearnedObject& object) {
-  const Match match = match_of(mark, object);
-  Likeness out{.error = match.error};
+std::optional<Likeness> recognise(const SeenMark& mark, const LearnedObjects& objects, const LearnedObject& object,
+                                  std::optional<int> last_turn) {
+  const Match match = match_of(mark, object, last_turn);
+  Likeness out{.error = match.error, .turn = match.turn};
   if (out.error > recognition_threshold) return std::nullopt;
-  out.doubt = outline_doubt(mark, object);
+  out.doubt = outline_doubt(mark, match);
   if (out.doubt > 1) return std::nullopt;
   find_second(mark, match, objects, object, out);
   if (out.is_ambiguous()) return std::nullopt;
@@ -236,7 +246,7 @@ bool are_partners(const SeenMark& left, const SeenMark& right) {
   const double area = right.area_px / left.area_px;
   return left.tone == right.tone && std::abs(left.centre.y - right.centre.y) < 1.0 &&
          left.centre.x > right.centre.x + 1 && scale > 0.9 && scale < 1.1 && area > 0.75 && area < 1.33 &&
-         signature_error(left.signature, right.signature, 1) < recognition_threshold;
+         signature_error(left.signature, right.signature) < recognition_threshold;
 }
 
 const SeenMark* find_partner(const SeenMark& left, const std::vector<SeenMark>& right,

@@ -22,10 +22,6 @@ inline constexpr double most_scale = 1.8;
 // by more than 45 degrees) cannot be the object's.
 double recognition_error(const SeenMark& mark, const LearnedObject& object);
 
-// By how much the mark's outline differs from that of the nearest sample, as a part of what the image's noise, blur and
-// a turned face may make of it. Above 1 it is something that nobody learned.
-double outline_doubt(const SeenMark& mark, const LearnedObject& object);
-
 // Of a mark that would be the object but for its size: how many times as high it is as the sample it is most like.
 std::optional<double> scale_of_another_size(const SeenMark& mark, const LearnedObject& object);
 
@@ -37,7 +33,10 @@ inline constexpr double alike_below = 0.075;
 // How much a mark is like an object, and the learned object that it is most like otherwise.
 struct Likeness {
   double error = 0;
-  double doubt = 0;                             // outline_doubt()
+  // By how much the mark's outline differs from that of the likest sample, as a part of what the image's noise, blur and
+  // a turned face may make of it. Above 1 it is something that nobody learned.
+  double doubt = 0;
+  int turn = 0;                                 // of that sample, of TurnedSignatures::turns
   const LearnedObject* second = nullptr;        // null: the mark could be no other
   double second_error = recognition_threshold;  // of that one
   // By how much the object is ahead, of the second or of what is none.
@@ -54,7 +53,9 @@ inline constexpr double least_margin = 0.005;
 Likeness likeness(const SeenMark& mark, const LearnedObjects& objects, const LearnedObject& object);
 
 // The likeness of a mark that is this object rather than nothing or any other learned one.
-std::optional<Likeness> recognise(const SeenMark& mark, const LearnedObjects& objects, const LearnedObject& object);
+// Sooner where `last_turn` tells about how it is turned.
+std::optional<Likeness> recognise(const SeenMark& mark, const LearnedObjects& objects, const LearnedObject& object,
+                                  std::optional<int> last_turn = {});
 bool is_recognised(const SeenMark& mark, const LearnedObjects& objects, const LearnedObject& object);
 
 // Two faces of one yawed cube are seen about this many mark heights (standard deviations) apart at most.

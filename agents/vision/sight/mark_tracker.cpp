@@ -112,9 +112,8 @@ std::vector<TrackSighting> MarkTracker::update(StereoSight& sight, Time captured
   // Places and sizes in images of another size say nothing.
   const bool anew = std::exchange(image_size_, sight.left().size()) != sight.left().size();
   std::vector<TrackSighting> out;
-  for (Track& track : tracks_) {
-    if (anew) track = Track{.name = track.name};
-  }
+  const auto begin_anew = [](Track& track) { track = Track{.name = track.name}; };
+  if (anew) std::ranges::for_each(tracks_, begin_anew);
   for (Track& track : tracks_) out.push_back(update(sight, track));
   last_left_ = sight.left();
   last_segmentation_.reset();
@@ -135,7 +134,7 @@ std::optional<SeenPair> MarkTracker::follow(StereoSight& sight, const Track& tra
   SeenPair out;
   std::optional<SeenMark> left = follow_mark(sight.left(), sight.noise(), *track.left, track.expected(captured_));
   if (!left) return std::nullopt;
-  const std::optional<Likeness> likely = recognise(*left, objects_, object);
+  const std::optional<Likeness> likely = recognise(*left, objects_, object, track.turn);
   if (!likely) return std::nullopt;
   out.left = std::move(*left);
   out.likeness = *likely;
@@ -273,6 +272,7 @@ TrackSighting MarkTracker::update(StereoSight& sight, Track& track) {
   TrackSighting out{.name = track.name, .centre = {}, .yaw_deg = {}, .contour = {}};
   out.centre = now->left.centre;
   out.contour = now->left.contour;
+  track.turn = now->likeness.turn;
   out.confidence = now->likeness.confidence();
   if (!now->right)
     out.confidence = track.widest.confidence(out.confidence, now->left, px_in(sight.left(), most_off_px));

@@ -71,6 +71,7 @@ class MarkTracker {
     // As seen last, if that was no longer ago than longest_bridge.
     std::optional<SeenMark> left = {};
     std::optional<SeenMark> right = {};
+    std::optional<int> turn = {};  // Likeness::turn
     Time seen_at = {};
     bool missed = false;  // in the frame before this one
     // As they were while nothing covered them.

@@ -133,7 +133,7 @@ TEST(LearnedFacts, SayTheWholeSample) {
     EXPECT_EQ(back->number, 1);
     EXPECT_EQ(back->tone, sample.tone);
     EXPECT_EQ(back->size_mm, sample.size_mm);
-    EXPECT_EQ(back->signatures.back().samples, sample.signatures.back().samples);
+    EXPECT_EQ(back->signatures.back().unturned().samples, sample.signatures.back().unturned().samples);
     EXPECT_NEAR(back->area_px, sample.area_px, 0.001);
   }
 }
