@@ -28,12 +28,8 @@ const Datum* only_pattern_of(const Query& query) {
 // Whether its arguments are variables, none twice, and nothing is compared.
 bool is_fitted_by_all(const Query& query) {
   if (query.clauses.size() != 1) return false;
-  std::vector<Datum> variables;
-  for (const Datum& argument : query.clauses.front().form.items().subspan(1)) {
-    if (!is_variable(argument) || std::ranges::find(variables, argument) != variables.end()) return false;
-    if (argument.text() != "?") variables.push_back(argument);
-  }
-  return true;
+  const Datum& pattern = query.clauses.front().form;
+  return FlatPattern::of(pattern) && std::ranges::all_of(pattern.items().subspan(1), is_variable);
 }
 
 void add(Delta::Side& side, const Fact& fact) {
