@@ -213,13 +213,19 @@ TEST_F(OwnPair, WhoseImagesDoNotBelongTogetherGetsNoFile) {
   EXPECT_FALSE(std::filesystem::exists(scratch_folder() + "shifted.calibration"));
 }
 
-TEST_F(OwnPair, IsCalibratedWithoutThePicturesThatAreOfAnotherSize) {
-  const std::string folder = scratch_folder() + "mixed/";
+// Of one side's pictures, in a folder of their own.
+std::string copies_of(const std::string& side, const std::string& folder_name) {
+  const std::string folder = scratch_folder() + folder_name + "/";
   std::filesystem::create_directory(folder);
   for (int number = 10; number < 24; ++number) {
-    const std::string name = fmt::format("left{}.png", number);
+    const std::string name = fmt::format("{}{}.png", side, number);
     std::filesystem::copy_file(scratch_folder() + name, folder + name);
   }
+  return folder;
+}
+
+TEST_F(OwnPair, IsCalibratedWithoutThePicturesThatAreOfAnotherSize) {
+  const std::string folder = copies_of("left", "mixed");
   // One that comes first and shows no board, and one that shows it.
   cv::imwrite(folder + "left00.png", cv::Mat1b(240, 320, 100));
   cv::Mat small;
@@ -236,12 +242,7 @@ TEST_F(OwnPair, IsCalibratedWithoutThePicturesThatAreOfAnotherSize) {
 }
 
 TEST_F(OwnPair, IsCalibratedWithoutThePairThatDoesNotBelong) {
-  const std::string folder = scratch_folder() + "one-moved/";
-  std::filesystem::create_directory(folder);
-  for (int number = 10; number < 24; ++number) {
-    const std::string name = fmt::format("right{}.png", number);
-    std::filesystem::copy_file(scratch_folder() + name, folder + name);
-  }
+  const std::string folder = copies_of("right", "one-moved");
   cv::Mat moved;
   const cv::Mat by = (cv::Mat1d(2, 3) << 1, 0, 9, 0, 1, 6);
   cv::warpAffine(cv::imread(folder + "right13.png"), moved, by, {}, cv::INTER_LINEAR, cv::BORDER_REPLICATE);
