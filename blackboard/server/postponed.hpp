@@ -4,7 +4,7 @@
 // that one, so that each is done when those before it are.
 //
 //   postponed.wait(std::move(message));        // whatever there is stays behind it
-//   postponed.add({message});             // false where there is no room
+//   postponed.add({message});                  // false where there is no room
 //   Postponed::Message next = postponed.next();
 
 #include <deque>
