@@ -119,13 +119,13 @@ class BoardServer {
   void hear(wire::SessionId id, Session& session, const Postponed::Message& waiting);
   void request(wire::SessionId id, Session& session, const Postponed::Message& waiting);
   void serve(wire::SessionId id, Session& session, wire::RequestId number, const Postponed::Message& waiting);
-  std::optional<Result<Datum>> perform_within_quota(wire::SessionId id, Session& session, const Datum& body,
-                                                    std::size_t waits);
+  std::optional<Result<Datum>> perform_within_quota(wire::SessionId id, Session& session,
+                                                    const Postponed::Message& waiting);
   Result<Datum> perform(wire::SessionId id, Session& session, const Datum& body, std::size_t& examined);
   void ask_past(wire::SessionId id, const Session& session, wire::RequestId number, const Datum& body);
   Result<Datum> watch(wire::SessionId id, Session& session, const Datum& body, std::size_t& examined);
   void note_journey(const Datum& body, Time sent);
-  bool answer(wire::SessionId id, Session& session, wire::RequestId number, const Datum& body, std::size_t waits);
+  bool answer(wire::SessionId id, Session& session, wire::RequestId number, const Postponed::Message& waiting);
   std::string with_progress(const Session& session, std::string reply) const;
   void send(const std::string& peer, const Datum& message);
   void schedule_flush(wire::SessionId id);

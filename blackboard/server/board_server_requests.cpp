@@ -59,7 +59,7 @@ void BoardServer::request(wire::SessionId id, Session& session, const Postponed:
   const Failure malformed{"bad-frame", "a request is (request SESSION ID BODY) or has its time after it", {}, {}};
   if (!number) return refuse(session.peer, malformed);
   if (message.size() != 4 && !timed) return refuse_request(session, *number, malformed);
-  if (waiting.waits > 0) return serve(id, session, *number, waiting);
+  if (waiting.was_let_in()) return serve(id, session, *number, waiting);
   const Result<void> served = board_.statistics().requests().ask(client_of(session), session.heard);
   for (const Answered* answered : {&session.done, &session.refused}) {
     // One that is held comes when it may.
@@ -110,8 +110,9 @@ void BoardServer::note_journey(const Datum& body, Time sent) {
 }
 
 // False where it must wait for an index.
-bool BoardServer::answer(wire::SessionId id, Session& session, wire::RequestId number, const Datum& body,
-                         std::size_t waits) {
+bool BoardServer::answer(wire::SessionId id, Session& session, wire::RequestId number,
+                         const Postponed::Message& waiting) {
+  const Datum& body = waiting.datum[3];
   const bool of_past = past_ && body.is_form("ask") && body.size() == 2 && asks_past(body[1]);
   if (of_past) {
     ask_past(id, session, number, body);
@@ -124,7 +125,7 @@ bool BoardServer::answer(wire::SessionId id, Session& session, wire::RequestId n
     return true;
   }
   const JournalWriter::Position before = durability_.position();
-  const std::optional<Result<Datum>> performed = perform_within_quota(id, session, body, waits);
+  const std::optional<Result<Datum>> performed = perform_within_quota(id, session, waiting);
   if (!performed) return false;
   const Result<Datum>& result = *performed;
   if (!result && is_refusal(result.error())) refusals_.note(client_of(session), result.error());

@@ -18,10 +18,15 @@ class Postponed {
  public:
   static constexpr std::size_t most = 256;
   static constexpr std::size_t most_bytes = 4 << 20;
+  static constexpr std::size_t most_waits = 64;  // of a message
 
   struct Message {
     Datum datum;
-    std::size_t waits = 0;  // for indexes
+    std::size_t waits = 0;  // for an index
+
+    // To the board, which then needed the index.
+    bool was_let_in() const { return waits > 0; }
+    bool may_wait() const { return waits < most_waits; }
   };
 
   bool empty() const { return messages_.empty(); }

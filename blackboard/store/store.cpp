@@ -18,7 +18,7 @@ namespace pizarra {
 namespace {
 
 constexpr Duration longest_lease = std::chrono::hours(24 * 365);
-// Facts, before others are served: some 10 ms where their relation has all the indexes that it may have.
+// Facts and leases, before others are served: some 10 ms where their relation has all the indexes that it may have.
 constexpr std::size_t lapsing_at_once = 1000;
 
 std::unexpected<Failure> unknown_lease(LeaseId lease) {
@@ -208,8 +208,8 @@ Result<void> Store::renew(LeaseId lease, Time now) {
 Result<void> Store::release(LeaseId lease, Time now) {
   if (leases_.find(lease) == nullptr) return unknown_lease(lease);
   lapsing_.emplace_back(lease, leases_.remove(lease));
-  std::size_t facts = lapsing_at_once;
-  lapse_some(facts, now);
+  std::size_t left = lapsing_at_once;
+  lapse_some(left, now);
   return {};
 }
 
@@ -274,40 +274,43 @@ std::optional<Time> Store::next_expiry() const {
 }
 
 void Store::expire(Time due, Time now) {
-  std::size_t facts = lapsing_at_once;
-  lapse_some(facts, now);
-  for (std::optional<Time> next = next_expiry(); facts > 0 && next && *next <= due; next = next_expiry()) {
+  std::size_t left = lapsing_at_once;
+  lapse_some(left, now);
+  for (std::optional<Time> next = next_expiry(); left > 0 && next && *next <= due; next = next_expiry()) {
     const auto lease = leases_.first();
     if (lease && lease->first == *next) {
       lapsing_.emplace_back(lease->second, leases_.remove(lease->second));
-      lapse_some(facts, now);
+      lapse_some(left, now);
     } else {
-      lapse_facts(*next, facts, now);
+      lapse_facts(*next, left, now);
     }
   }
 }
 
 // What came under another lease since, or under none, stays; and so does what was settled.
-void Store::lapse_some(std::size_t& facts, Time now) {
-  while (facts > 0 && !lapsing_.empty()) {
-    auto& [lease, left] = lapsing_.front();
+void Store::lapse_some(std::size_t& left, Time now) {
+  while (left > 0 && !lapsing_.empty()) {
+    auto& [lease, under_it] = lapsing_.front();
     Change change(*this, "board", now);
-    for (; facts > 0 && !left.facts.empty(); --facts) {
-      const FactId fact = left.facts.extract(left.facts.begin()).value();
+    for (; left > 0 && !under_it.facts.empty(); --left) {
+      const FactId fact = under_it.facts.extract(under_it.facts.begin()).value();
       if (lease_of(fact) == lease) change.retract(fact);
     }
-    for (; facts > 0 && !left.held.empty(); --facts) {
-      const FactId taken = left.held.extract(left.held.begin()).value();
+    for (; left > 0 && !under_it.held.empty(); --left) {
+      const FactId taken = under_it.held.extract(under_it.held.begin()).value();
       if (holder_of(taken) == lease) change.put_back(taken);
     }
-    if (left.facts.empty() && left.held.empty()) lapsing_.pop_front();
+    if (left > 0) {
+      lapsing_.pop_front();
+      --left;
+    }
     change.finish();
   }
 }
 
-void Store::lapse_facts(Time expiry, std::size_t& facts, Time now) {
+void Store::lapse_facts(Time expiry, std::size_t& left, Time now) {
   Change change(*this, "board", now);
-  for (; facts > 0 && !fact_expiries_.empty() && fact_expiries_.begin()->first <= expiry; --facts) {
+  for (; left > 0 && !fact_expiries_.empty() && fact_expiries_.begin()->first <= expiry; --left) {
     change.retract(fact_expiries_.begin()->second);
   }
   change.finish();

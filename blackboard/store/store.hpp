@@ -58,7 +58,7 @@ class Store {
   Result<void> renew(LeaseId lease, Time now);
   Result<void> release(LeaseId lease, Time now);
   std::optional<Time> next_expiry() const;
-  // Lapses what was due by `due`: a thousand facts at most, what is left is due at once.
+  // Lapses what was due by `due`: a thousand facts and leases at most, what is left is due at once.
   void expire(Time due, Time now);
 
   const Tables& tables() const { return tables_; }
@@ -104,8 +104,8 @@ class Store {
   Result<void> check(const std::string& teller, const Transaction& transaction, std::size_t& examined);
   Result<void> check_precondition(const Transaction::Precondition& precondition, std::size_t& examined) const;
   Result<void> check_step(const Transaction::Step& step, Checked& before);
-  void lapse_some(std::size_t& facts, Time now);
-  void lapse_facts(Time expiry, std::size_t& facts, Time now);
+  void lapse_some(std::size_t& left, Time now);
+  void lapse_facts(Time expiry, std::size_t& left, Time now);
   Result<void> apply_entry(const Commit& commit, Commit::Entry& entry);
 
   Tables tables_;

@@ -1,5 +1,7 @@
 // How much goes with a lease before others are served.
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "blackboard/store/store.hpp"
@@ -77,6 +79,7 @@ TEST_F(Lapsing, WhatIsTakenComesBackInPartsButNotWhatWasSettledMeanwhile) {
 }
 
 TEST_F(Lapsing, FactsOfALeasedRelationGoInParts) {
+  ASSERT_TRUE(store_.release(lease_, now_).has_value());
   tell_all("brief", 0);
   now_ += 2s;
   expire();
@@ -84,6 +87,20 @@ TEST_F(Lapsing, FactsOfALeasedRelationGoInParts) {
   expire();
   expire();
   EXPECT_EQ(store_.size(), 0U);
+}
+
+TEST_F(Lapsing, LeasesUnderWhichNothingStandsGoInParts) {
+  std::vector<LeaseId> leases{lease_};
+  while (leases.size() < facts) leases.push_back(store_.lease(1s, now_).value());
+  const auto standing = [&] { return std::ranges::count_if(leases, [&](LeaseId id) { return store_.stands(id); }); };
+  now_ += 2s;
+  expire();
+  EXPECT_EQ(standing(), std::ptrdiff_t{facts - at_once});
+  EXPECT_LE(*store_.next_expiry(), now_);
+  expire();
+  expire();
+  EXPECT_EQ(standing(), 0);
+  EXPECT_EQ(store_.next_expiry(), std::nullopt);
 }
 
 }  // namespace
