@@ -154,7 +154,7 @@ std::array<double, 3> hu_moments(const MarkPatch& patch, const Ellipse& e) {
 
 std::optional<SeenMark> measure_mark(const ImageCut& cut, MarkContour contour, MarkTone tone) {
   MarkPatch patch;
-  if (!patch.cut(cut.pixels, contour, tone)) return std::nullopt;
+  if (!patch.cut(cut, contour, tone)) return std::nullopt;
   const std::optional<Ellipse> ellipse = ellipse_of(patch);
   if (!ellipse) return std::nullopt;
   std::optional<SeenMark> out(std::in_place);
@@ -195,9 +195,9 @@ void move_by(SeenMark& mark, cv::Point origin) {
   for (cv::Point& p : mark.contour) p += origin;
 }
 
-std::optional<MarkPortrait> portray_mark(const cv::Mat1b& image, const MarkContour& contour, MarkTone tone) {
+std::optional<MarkPortrait> portray_mark(const ImageCut& cut, const MarkContour& contour, MarkTone tone) {
   MarkPatch patch;
-  if (!patch.cut(image, contour, tone)) return std::nullopt;
+  if (!patch.cut(cut, contour, tone)) return std::nullopt;
   const std::optional<Ellipse> ellipse = ellipse_of(patch);
   if (!ellipse) return std::nullopt;
   return MarkPortrait{.corners = count_corners(contour),

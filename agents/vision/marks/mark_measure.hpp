@@ -4,7 +4,7 @@
 // learning, the rest of the thesis' Table C.1 and its picture.
 //
 //   std::optional<SeenMark> mark = measure_mark(cut, contour, MarkTone::dark);
-//   std::optional<MarkPortrait> portrait = portray_mark(image, mark->contour, mark->tone);
+//   std::optional<MarkPortrait> portrait = portray_mark(cut, mark->contour, mark->tone);
 
 #include <optional>
 
@@ -53,7 +53,7 @@ struct MarkPortrait {
   cv::Mat1f picture;  // template_picture()
 };
 
-std::optional<MarkPortrait> portray_mark(const cv::Mat1b& image, const MarkContour& contour, MarkTone tone);
+std::optional<MarkPortrait> portray_mark(const ImageCut& cut, const MarkContour& contour, MarkTone tone);
 
 // The number of places where the contour turns by more than 50 degrees within a few pixels.
 int count_corners(const MarkContour& contour);

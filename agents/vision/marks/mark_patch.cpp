@@ -13,7 +13,8 @@ namespace {
 constexpr int least_contrast = 20;
 constexpr int large_px = 30;                 // wider or higher than that, light changes across a mark
 constexpr double least_core_share = 0.85;    // of the mark's pixels, within a third of the contrast
-constexpr double least_ground_share = 0.75;  // of the ground's around it, within a fifth
+constexpr double least_ground_share = 0.75;  // of the ground's around it, within a fifth, or within noise
+constexpr double ground_noise = 2;           // so many of its standard deviations, up to a third of the contrast
 constexpr double most_stray = 0.3;           // of the contrast: beyond it a ground pixel belongs to something else
 
 // Of eight pixels: -1 for those whose bits are set.
@@ -80,7 +81,8 @@ MarkContour reduced_contour(const MarkContour& contour, cv::Point origin, int re
 bool MarkPatch::is_large() const { return std::max(mark_box.width, mark_box.height) > large_px; }
 
 template <int words>
-bool MarkPatch::cut_rows(cv::Mat1b& pixels, const MarkContour& contour, cv::Point corner, MarkTone tone) {
+bool MarkPatch::cut_rows(cv::Mat1b& pixels, const MarkContour& contour, cv::Point corner, MarkTone tone,
+                         double noise) {
   Rows<words> inside;
   Rows<words> grown;
   Rows<words> around;  // within two pixels, as far as blur spreads the mark; the second is even ground on a clean mark
@@ -110,7 +112,8 @@ bool MarkPatch::cut_rows(cv::Mat1b& pixels, const MarkContour& contour, cv::Poin
   contrast = sign * (mark_level - ground_level);
   if (core.total() == 0 || contrast < least_contrast) return false;
   if (!core.are_near(mark_level, contrast / 3, least_core_share)) return false;
-  if (!ground.are_near(ground_level, contrast / 5, least_ground_share)) return false;
+  const int ground_tolerance = std::max(contrast / 5, std::min(contrast / 3, cvRound(ground_noise * noise)));
+  if (!ground.are_near(ground_level, ground_tolerance, least_ground_share)) return false;
 
   const auto all = [](int value) { return cv::v_setall_s16(static_cast<short>(value)); };
   const cv::v_int16x8 ground_all = all(ground_level);
@@ -146,7 +149,8 @@ bool MarkPatch::cut_rows(cv::Mat1b& pixels, const MarkContour& contour, cv::Poin
   return true;
 }
 
-bool MarkPatch::cut(const cv::Mat1b& image, const MarkContour& contour, MarkTone tone) {
+bool MarkPatch::cut(const ImageCut& from, const MarkContour& contour, MarkTone tone) {
+  const cv::Mat1b& image = from.pixels;
   cv::Point low = contour.front();
   cv::Point high = contour.front();
   for (const cv::Point& p : contour) {
@@ -165,13 +169,16 @@ bool MarkPatch::cut(const cv::Mat1b& image, const MarkContour& contour, MarkTone
   const cv::Rect area(origin, size * reduction);
   if ((area & cv::Rect({0, 0}, image.size())) != area) return false;
   cv::Mat1b pixels = image(area);
+  const auto cut_from = [&](const MarkContour& outline, cv::Point corner) {
+    return size.width <= 64 ? cut_rows<1>(pixels, outline, corner, tone, from.noise)
+                            : cut_rows<2>(pixels, outline, corner, tone, from.noise);
+  };
   if (reduction > 1) {
     cv::resize(image(area), pixels, size, 0, 0, cv::INTER_AREA);
-    const MarkContour reduced = reduced_contour(contour, origin, reduction);
-    return size.width <= 64 ? cut_rows<1>(pixels, reduced, {}, tone) : cut_rows<2>(pixels, reduced, {}, tone);
+    return cut_from(reduced_contour(contour, origin, reduction), {});
   }
   if (is_large()) pixels = pixels.clone();
-  return size.width <= 64 ? cut_rows<1>(pixels, contour, origin, tone) : cut_rows<2>(pixels, contour, origin, tone);
+  return cut_from(contour, origin);
 }
 
 }  // namespace pizarra

@@ -4,9 +4,10 @@
 // measured of a mark is measured here.
 //
 //   MarkPatch patch;
-//   if (patch.cut(image, contour, MarkTone::dark)) centre_of(patch) ...
+//   if (patch.cut(cut, contour, MarkTone::dark)) centre_of(patch) ...
 
 #include "agents/vision/image/contour.hpp"
+#include "agents/vision/image/look.hpp"
 
 namespace pizarra {
 
@@ -18,7 +19,8 @@ struct MarkPatch {
 
   // False where the region is no solid mark on even ground: cut by the image's edge, full of holes or of other tones,
   // touched by something, or of too little contrast. What is larger than a patch is cut from a reduced image.
-  bool cut(const cv::Mat1b& image, const MarkContour& contour, MarkTone tone);
+  // `contour` is of the pixels of `from`.
+  bool cut(const ImageCut& from, const MarkContour& contour, MarkTone tone);
 
   const std::int16_t* row(int y) const { return values.data() + y * stride; }
 
@@ -48,7 +50,7 @@ struct MarkPatch {
   bool is_large() const;
   // `pixels` are those of the patch; it begins at `corner` of what `contour` is in.
   template <int words>
-  bool cut_rows(cv::Mat1b& pixels, const MarkContour& contour, cv::Point corner, MarkTone tone);
+  bool cut_rows(cv::Mat1b& pixels, const MarkContour& contour, cv::Point corner, MarkTone tone, double noise);
 };
 
 }  // namespace pizarra

@@ -10,7 +10,7 @@ namespace {
 
 bool has_the_size_of_a_mark(const Region& region, cv::Size image) {
   const cv::Rect& box = region.box;
-  return region.area_px >= least_mark_area_px && !is_too_large_for_a_mark(box.size(), image) &&
+  return region.area_px >= least_seen_area_px && !is_too_large_for_a_mark(box.size(), image) &&
          5 * region.area_px >= box.area() && box.width <= 4 * box.height && box.height <= 4 * box.width && box.x > 0 &&
          box.y > 0 && box.br().x < image.width && box.br().y < image.height;
 }

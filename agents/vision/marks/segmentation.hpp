@@ -14,7 +14,8 @@
 
 namespace pizarra {
 
-inline constexpr int least_mark_area_px = 60;
+inline constexpr int least_mark_area_px = 60;  // to be learned
+inline constexpr int least_seen_area_px = 50;  // to be found, farther away
 inline constexpr std::size_t most_marks = 128;
 // What is wider or higher than nine tenths of the image is no mark: ground must be seen around it.
 bool is_too_large_for_a_mark(cv::Size box, cv::Size image);

@@ -211,7 +211,7 @@ Result<void> MarkLearner::measure(StereoSight& sight) {
   }
   if (seen != nullptr) {
     contour_ = seen->contour;
-    const std::optional<MarkPortrait> portrait = portray_mark(segmentation.image(), seen->contour, seen->tone);
+    const std::optional<MarkPortrait> portrait = portray_mark(segmentation.cut(), seen->contour, seen->tone);
     measured_.push_back(*seen);
     portraits_.push_back(portrait.value());
     const std::optional<double> size = size_mm(sight, *seen);

@@ -17,7 +17,7 @@ const SeenMark* only_mark(DrawnSight& drawn, MarkTone tone) {
 }
 
 MarkPortrait portrait_of(DrawnSight& drawn, const SeenMark& mark) {
-  return portray_mark(drawn.sight.left_segmentation().image(), mark.contour, mark.tone).value();
+  return portray_mark(drawn.sight.left_segmentation().cut(), mark.contour, mark.tone).value();
 }
 
 Scene one_face(const std::string& mark, cv::Point3d place) {
