@@ -1,12 +1,9 @@
 #include "blackboard/wire/handshake_watch.hpp"
 
-#include <cstring>
-
 namespace pizarra {
 
 namespace {
 
-constexpr const char* events_at = "inproc://handshakes";
 constexpr int broken_off = ZMQ_EVENT_HANDSHAKE_FAILED_NO_DETAIL;
 constexpr int refusals = ZMQ_EVENT_HANDSHAKE_FAILED_AUTH | ZMQ_EVENT_HANDSHAKE_FAILED_PROTOCOL | broken_off;
 // Once, it is a board that ended just now, or one whose end of the line came before its reason.
@@ -16,42 +13,10 @@ constexpr int most_broken_off = 3;
 
 HandshakeWatch::HandshakeWatch(Executor& executor, zmq::context_t& context, zmq::socket_t& socket, bool with_key,
                                Listener listener)
-    : executor_(executor),
-      watched_(socket),
-      with_key_(with_key),
+    : with_key_(with_key),
       listener_(std::move(listener)),
-      events_(context, zmq::socket_type::pair) {
-  events_.set(zmq::sockopt::linger, 0);
-  zmq_socket_monitor(watched_.handle(), events_at, refusals | ZMQ_EVENT_HANDSHAKE_SUCCEEDED);
-  events_.connect(events_at);
-  file_ = events_.get(zmq::sockopt::fd);
-  executor_.watch_readable(file_, [this] { pump(); });
-  // ZeroMQ tells the file of what comes after something was looked for in vain.
-  pump();
-}
-
-HandshakeWatch::~HandshakeWatch() {
-  executor_.unwatch_readable(file_);
-  zmq_socket_monitor(watched_.handle(), nullptr, 0);
-}
-
-void HandshakeWatch::pump() {
-  try {
-    zmq::message_t event;
-    while (events_.recv(event, zmq::recv_flags::dontwait)) {
-      std::uint16_t kind = 0;
-      std::uint32_t value = 0;
-      const bool formed = event.size() == sizeof kind + sizeof value;
-      if (formed) std::memcpy(&kind, event.data(), sizeof kind);
-      if (formed) std::memcpy(&value, static_cast<const char*>(event.data()) + sizeof kind, sizeof value);
-      while (event.more() && events_.recv(event)) {
-      }
-      note(kind, value);
-    }
-  } catch (const zmq::error_t&) {
-    // Interrupted by a signal: the next event brings this one along.
-  }
-}
+      events_(executor, context, socket, refusals | ZMQ_EVENT_HANDSHAKE_SUCCEEDED,
+              [this](std::uint16_t event, std::uint32_t value) { note(event, value); }) {}
 
 void HandshakeWatch::note(std::uint16_t event, std::uint32_t value) {
   if (event == ZMQ_EVENT_HANDSHAKE_SUCCEEDED) listener_.let_in();

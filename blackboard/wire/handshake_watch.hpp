@@ -9,9 +9,8 @@
 // off again and again, as it does when the board's key is not the one that the client knows).
 
 #include <functional>
-#include <zmq.hpp>
 
-#include "blackboard/time/executor.hpp"
+#include "blackboard/wire/socket_events.hpp"
 #include "lisp/result.hpp"
 
 namespace pizarra {
@@ -27,20 +26,15 @@ class HandshakeWatch {
   HandshakeWatch(Executor& executor, zmq::context_t& context, zmq::socket_t& socket, bool with_key, Listener listener);
   HandshakeWatch(const HandshakeWatch&) = delete;
   HandshakeWatch& operator=(const HandshakeWatch&) = delete;
-  ~HandshakeWatch();
 
  private:
-  void pump();
   void note(std::uint16_t event, std::uint32_t value);
   Failure failure_of(std::uint16_t event, std::uint32_t value) const;
 
-  Executor& executor_;
-  zmq::socket_t& watched_;
   const bool with_key_;
   const Listener listener_;
-  zmq::socket_t events_;
-  int file_;
   int broken_off_ = 0;  // so many times one after another
+  SocketEvents events_;
 };
 
 }  // namespace pizarra

@@ -45,6 +45,7 @@ WireSocket::WireSocket(Executor& executor, Kind kind, Receiver receiver)
   if (kind == Kind::router) {
     // Otherwise what cannot be delivered would be lost without a word.
     socket_.set(zmq::sockopt::router_mandatory, true);
+    end_the_endless();
   } else {
     // What is said to a server that is away would reach the next one, which knows nothing of it.
     socket_.set(zmq::sockopt::immediate, true);
@@ -60,6 +61,15 @@ WireSocket::~WireSocket() {
   if (pump_timer_ != 0) executor_.cancel(pump_timer_);
   // ZeroMQ leaves them behind. One that is gone already is fine.
   for (const std::string& file : bound_files_) unlink(file.c_str());
+}
+
+void WireSocket::end_the_endless() {
+  const auto ended = [this] {
+    sender_key_.clear();
+    receiver_("", std::nullopt);
+  };
+  endless_.emplace(executor_, context_, socket_, longest_message,
+                   EndlessWatch::Listener{.heard_until = [this] { return heard_until(); }, .ended = ended});
 }
 
 Result<std::string> WireSocket::bind(const std::string& address, const KeyPair* own) {
@@ -154,6 +164,7 @@ bool WireSocket::receive_one() {
       if (!part.more() || !socket_.recv(part)) return true;
     }
     if (keyed_) sender_key_ = user_of(part);
+    if (endless_ && endless_->suspects_any()) endless_->heard(part);
     const bool whole = !part.more();
     if (whole) {
       receiver_(peer, part.to_string_view());

@@ -8,7 +8,8 @@
 //   if (!router.send(peer, text)) ...                            // it reads too slowly, or is gone
 //
 // Destroying it removes the files of the ipc addresses that it was bound to.
-// A message of more than one frame is no frame at all; one of more than 2 MiB ends its sender's connection.
+// A message of more than one frame is no frame at all; one of more than 2 MiB ends its sender's connection, and so does
+// one of frames without end (endless_watch.hpp), which a router is told of as of one from nobody.
 //
 // With keys it is encrypted: a router's addresses bound with encrypt() in force, and all that a dealer connects to.
 
@@ -20,6 +21,7 @@
 #include <zmq.hpp>
 
 #include "blackboard/time/executor.hpp"
+#include "blackboard/wire/endless_watch.hpp"
 #include "blackboard/wire/handshake_watch.hpp"
 #include "blackboard/wire/keys.hpp"
 #include "blackboard/wire/under_way.hpp"
@@ -65,6 +67,7 @@ class WireSocket {
   zmq::context_t& context() { return context_; }
 
  private:
+  void end_the_endless();
   void pump();
   void note_look(Time begun, int received);
   bool receive_one();
@@ -87,6 +90,7 @@ class WireSocket {
   std::string sender_key_;
   std::string connected_to_;
   std::optional<HandshakeWatch> handshakes_;
+  std::optional<EndlessWatch> endless_;  // of a router
 };
 
 }  // namespace pizarra

@@ -1,0 +1,38 @@
+#pragma once
+
+// What befalls the connections of a ZeroMQ socket, as its monitor tells it.
+//
+//   SocketEvents events(executor, context, socket, ZMQ_EVENT_ACCEPTED,
+//                       [&](std::uint16_t event, std::uint32_t value) { ... });
+//
+// Made before the socket binds or connects; the socket outlives it, and has one.
+
+#include <cstdint>
+#include <functional>
+#include <zmq.hpp>
+
+#include "blackboard/time/executor.hpp"
+
+namespace pizarra {
+
+class SocketEvents {
+ public:
+  // What the value is, zmq_socket_monitor(3) says of each event.
+  using Listener = std::function<void(std::uint16_t event, std::uint32_t value)>;
+
+  SocketEvents(Executor& executor, zmq::context_t& context, zmq::socket_t& socket, int which, Listener listener);
+  SocketEvents(const SocketEvents&) = delete;
+  SocketEvents& operator=(const SocketEvents&) = delete;
+  ~SocketEvents();
+
+ private:
+  void pump();
+
+  Executor& executor_;
+  zmq::socket_t& watched_;
+  const Listener listener_;
+  zmq::socket_t events_;
+  int file_;
+};
+
+}  // namespace pizarra
