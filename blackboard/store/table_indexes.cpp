@@ -20,10 +20,11 @@ constexpr std::size_t taken_apart_at_once = 64;
 
 const FactIndex* TableIndexes::find(const Kind& kind) {
   auto found = entries_.find(kind);
-  if (found == entries_.end() || !found->second.index.is_made()) {
-    const bool has_place = found != entries_.end() || has_place_for(kind);
-    if (!has_place || !Indexing::may_make() || Indexing::is_awaiting()) return nullptr;
-    if (!Indexing::makes_at_once(facts_.size())) {
+  const bool is_begun = found != entries_.end();
+  if (!is_begun || !found->second.index.is_made()) {
+    if ((!is_begun && !has_place_for(kind)) || !Indexing::may_make() || Indexing::is_awaiting()) return nullptr;
+    // Who began it makes it, however few facts are left.
+    if (is_begun || !Indexing::makes_at_once(facts_.size())) {
       Indexing::await(*this, kind);
       return nullptr;
     }

@@ -142,6 +142,58 @@ TEST_F(Indexes, OfEachClientOneIsMadeAtATimeAndEachHasItsTurn) {
   EXPECT_FALSE(ask("(r ?k ? 3 ? ?)", "alice"));
 }
 
+TEST_F(Indexes, OneThatIsBegunIsMadeByTheMakerAloneHoweverFewFactsAreLeft) {
+  make_in_parts();
+  const std::string begun = "(r ?k 3 ? ? ?)";
+  EXPECT_FALSE(ask(begun, "alice"));
+  for (std::uint64_t key = 300; key < facts; ++key) retract(key);
+  EXPECT_FALSE(ask(begun, "bob"));
+  const std::vector<std::string> others = {"(r ?k ? 1 ? ?)", "(r ?k ? ? 1 ?)", "(r ?k ? ? ? 1)", "(r ?k 1 1 ? ?)",
+                                           "(r ?k 1 ? 1 ?)", "(r ?k 1 ? ? 1)", "(r ?k ? 1 1 ?)"};
+  for (const std::string& other : others) EXPECT_TRUE(ask(other, "bob"));
+  for (int times = 0; times < 40; ++times) EXPECT_EQ(ask("(r ?k ? ? 1 1)", "bob"), found_anew(query("(r ?k ? ? 1 1)")));
+  EXPECT_FALSE(store_.index_maker().is_idle());
+  make_all();
+  EXPECT_EQ(ask(begun, "alice"), found_anew(query(begun)));
+}
+
+TEST_F(Indexes, WhoeverAsksAndWhateverComesAndGoesMeanwhileTheAnswersAreRight) {
+  make_in_parts();
+  std::vector<Query> all;
+  for (int bound = 1; bound < 16; ++bound) {
+    const auto value = [&](int which) { return (bound >> which & 1) != 0 ? "1" : "?"; };
+    std::string pattern = "(r ?k";
+    for (int which = 0; which < 4; ++which) pattern += std::string(" ") + value(which);
+    all.push_back(query(pattern + ")"));
+  }
+  for (const std::string asked : {"(< ?a 1)", "(< ?b 3)", "(< ?c 9)", "(< ?d 9)", "(< ?k 9)"}) {
+    all.push_back(query("(and (r ?k ?a ?b ?c ?d) " + asked + ")"));
+  }
+  int answered = 0;
+  int awaited = 0;
+  bool filling = false;
+  for (int step = 0; step < 4000; ++step) {
+    // From few to many and back: what is made at once and what is made in parts take turns.
+    if (random_.below(200) == 0) filling = !filling;
+    for (int change = 0; change < 40; ++change) {
+      const std::uint64_t key = random_.below(facts);
+      if (filling == (random_.below(6) > 0)) {
+        tell(key);
+      } else {
+        retract(key);
+      }
+    }
+    if (!store_.index_maker().is_idle() && random_.below(50) == 0) store_.index_maker().make_some();
+    const Query& asked = all[random_.below(all.size())];
+    const auto answers = ask(asked, random_.below(2) == 0 ? "alice" : "bob");
+    ++(answers ? answered : awaited);
+    if (!answers || random_.below(10) != 0) continue;
+    ASSERT_EQ(*answers, found_anew(asked)) << pizarra::write(query_to_datum(asked));
+  }
+  EXPECT_GT(answered, 1000);
+  EXPECT_GT(awaited, 100);
+}
+
 // Nine kinds of questions, and eight indexes.
 TEST_F(Indexes, TheLeastLatelyUsedGoesWhenWhatWasLookedThroughHasCostAsMuchAsAnother) {
   const std::vector<std::string> kinds = {"(r ?k 1 ? ? ?)", "(r ?k ? 1 ? ?)", "(r ?k ? ? 1 ?)", "(r ?k ? ? ? 1)",
