@@ -83,7 +83,8 @@ class BoardServer {
     bool holds = false;  // what it watches, and answers questions from it
     Answered done;
     Answered refused;  // and not done
-    IndexTicket awaited = 0;  // by its watches, or the first of what is postponed
+    IndexTicket awaited = 0;   // by its watches, or the first of what is postponed
+    bool awaits_turn = false;  // the first of what is postponed
     Postponed postponed;
   };
 
@@ -121,6 +122,7 @@ class BoardServer {
   void serve(wire::SessionId id, Session& session, wire::RequestId number, const Postponed::Message& waiting);
   std::optional<Result<Datum>> perform_within_quota(wire::SessionId id, Session& session,
                                                     const Postponed::Message& waiting);
+  void wait_for_turn(wire::SessionId id, Session& session);
   Result<Datum> perform(wire::SessionId id, Session& session, const Datum& body, std::size_t& examined);
   void ask_past(wire::SessionId id, const Session& session, wire::RequestId number, const Datum& body);
   Result<Datum> watch(wire::SessionId id, Session& session, const Datum& body, std::size_t& examined);
@@ -137,6 +139,7 @@ class BoardServer {
   bool awaits_index(const Session& session) const;
   void make_on();
   void go_on(wire::SessionId id);
+  bool has_turn(const Session& session);
   void forget_the_gone();
 
   Executor& executor_;

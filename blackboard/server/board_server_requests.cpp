@@ -59,7 +59,7 @@ void BoardServer::request(wire::SessionId id, Session& session, const Postponed:
   const Failure malformed{"bad-frame", "a request is (request SESSION ID BODY) or has its time after it", {}, {}};
   if (!number) return refuse(session.peer, malformed);
   if (message.size() != 4 && !timed) return refuse_request(session, *number, malformed);
-  if (waiting.was_let_in()) return serve(id, session, *number, waiting);
+  if (waiting.has_waited()) return serve(id, session, *number, waiting);
   const Result<void> served = board_.statistics().requests().ask(client_of(session), session.heard);
   for (const Answered* answered : {&session.done, &session.refused}) {
     // One that is held comes when it may.

@@ -39,7 +39,7 @@ void BoardServer::flush(wire::SessionId id) {
 // Whether there is more to be looked for, now or when what the client owes is paid.
 bool BoardServer::send_changes(Session& session) {
   const std::string& client = client_of(session);
-  const bool rests = looks_.is_spent(client, executor_.now()) || awaits_index(session);
+  const bool rests = !has_turn(session) || awaits_index(session);
   const std::size_t before = rests ? std::max(examined_, limits::examined_a_turn) : examined_;
   const Indexing indexing(Indexing::May::make_in_parts, client, &board_.store().index_maker());
   std::size_t examined = before;
@@ -93,11 +93,21 @@ void BoardServer::make_on() {
 void BoardServer::go_on(wire::SessionId id) {
   const auto found = sessions_.find(id);
   if (found == sessions_.end() || found->second.postponed.empty() || awaits_index(found->second)) return;
+  Session& session = found->second;
+  session.awaits_turn = session.awaits_turn && !has_turn(session);
+  if (session.awaits_turn) {
+    to_look_.insert(id);
+    return;
+  }
   // As much as nobody counts.
   examined_ += LookQuota::uncounted;
-  hear(id, found->second, found->second.postponed.next());
+  hear(id, session, session.postponed.next());
   const auto still = sessions_.find(id);
   if (still != sessions_.end() && !still->second.postponed.empty()) to_look_.insert(id);
+}
+
+bool BoardServer::has_turn(const Session& session) {
+  return looks_.standing(client_of(session), executor_.now()) == LookQuota::Standing::free;
 }
 
 }  // namespace pizarra

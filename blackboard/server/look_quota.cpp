@@ -26,18 +26,20 @@ bool LookQuota::is_alone(const std::string& client, Time now) const {
   return !is_company(other_asked_) && (newest_.client == client || !is_company(newest_.when));
 }
 
-bool LookQuota::is_spent(const std::string& client, Time now) {
-  if (debts_.empty()) return false;
+LookQuota::Standing LookQuota::standing(const std::string& client, Time now) {
+  if (debts_.empty()) return Standing::free;
   pay(now);
-  if (is_alone(client, now)) return false;
-  if (owed_by_all_ >= most_owed_by_all) return true;
+  if (is_alone(client, now)) return Standing::free;
   const auto own = debts_.find(client);
-  return own != debts_.end() && own->second >= most_owed;
+  if (own != debts_.end() && own->second >= most_owed) return Standing::spent;
+  return owed_by_all_ >= most_owed_by_all && now < next_turn_ ? Standing::waits : Standing::free;
 }
 
 void LookQuota::looked(const std::string& client, std::size_t examined, Time now) {
   if (examined <= uncounted) return;
   std::size_t& own = debts_[client];
+  const bool had_a_turn = owed_by_all_ >= most_owed_by_all && own < most_owed;
+  if (had_a_turn) next_turn_ = std::max(next_turn_, now) + std::chrono::milliseconds(examined / paid_a_millisecond);
   owed_by_all_ -= std::min(own, most_owed);
   own += examined;
   if (is_alone(client, now)) own = std::min(own, most_kept);
@@ -64,12 +66,9 @@ void LookQuota::pay(Time now) {
   for (const auto& [client, debt] : debts_) owed_by_all_ += std::min(debt, most_owed);
 }
 
-std::unexpected<Failure> LookQuota::refusal(const std::string& client) const {
-  const auto own = debts_.find(client);
-  const bool own_doing = own != debts_.end() && own->second >= most_owed;
-  const std::string who = own_doing ? "the clients called " + client + " have" : std::string("several clients have");
-  const std::string share = own_doing ? "their share of the board's time" : "the board has time for at present";
-  return fail("too-many", who + " more looked at than " + share, to_datum(client));
+std::unexpected<Failure> LookQuota::refusal(const std::string& client) {
+  return fail("too-many", "the clients called " + client + " have more looked at than their share of the board's time",
+              to_datum(client));
 }
 
 }  // namespace pizarra

@@ -2,12 +2,14 @@
 
 // How much each client may have the board look at. What it looks at for a client is that one's debt, which is paid by
 // the time in which the board looks at nothing costly: all who owe share that time evenly. Who owes what two of the
-// costliest questions take, or anybody while four owe so much, may look at few facts in a request until some is paid.
+// costliest questions take may look at few facts in a request until some is paid. While four owe so much, who owes less
+// waits for a turn: one has what it asks looked at, then the next when that would be paid.
 // Who is alone may go on: nobody waits. Of what it owes little is left when another asks.
 //
 //   LookQuota quota;
 //   quota.asked(session, "alice", now);
-//   const std::size_t before = quota.is_spent("alice", now) ? LookQuota::all_but_few : 0;
+//   const bool is_free = quota.standing("alice", now) == LookQuota::Standing::free;
+//   const std::size_t before = is_free ? 0 : LookQuota::all_but_few;
 //   std::size_t examined = before;                          // a search that goes on from there ends in time
 //   ...
 //   quota.looked("alice", examined - before, now);
@@ -39,13 +41,14 @@ class LookQuota {
 
   // Whatever it is, before it is served.
   void asked(wire::SessionId session, const std::string& client, Time now);
-  bool is_spent(const std::string& client, Time now);
+  enum class Standing : std::uint8_t { free, waits, spent };
+  Standing standing(const std::string& client, Time now);
   // Until now.
   void looked(const std::string& client, std::size_t examined, Time now);
   // The time until now was for others than those who owe, or for nobody: before something is looked at.
   void pay(Time now);
-  // Failure too-many.
-  std::unexpected<Failure> refusal(const std::string& client) const;
+  // Failure too-many, of who is spent.
+  static std::unexpected<Failure> refusal(const std::string& client);
 
  private:
   struct Asked {
@@ -58,6 +61,7 @@ class LookQuota {
   std::map<std::string, std::size_t> debts_;  // none is nothing
   std::size_t owed_by_all_ = 0;               // of each up to most_owed
   Time paid_until_{};
+  Time next_turn_{};  // of who waits
   Asked newest_;
   std::optional<Time> other_asked_;  // when another session did
 };

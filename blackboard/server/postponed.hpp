@@ -1,7 +1,7 @@
 #pragma once
 
-// The messages of a client that wait: for an index that one of its requests needs, which is then done anew, and behind
-// that one, so that each is done when those before it are.
+// The messages of a client that wait: for an index that one of its requests needs, which is then done anew, or for its
+// turn while others owe too much (look_quota.hpp), and behind that one, so that each is done when those before it are.
 //
 //   postponed.wait(std::move(message));        // whatever there is stays behind it
 //   postponed.add({message});                  // false where there is no room
@@ -22,10 +22,10 @@ class Postponed {
 
   struct Message {
     Datum datum;
-    std::size_t waits = 0;  // for an index
+    std::size_t waits = 0;  // for an index, or its turn
 
-    // To the board, which then needed the index.
-    bool was_let_in() const { return waits > 0; }
+    // So it was counted and let in, and its turn has come.
+    bool has_waited() const { return waits > 0; }
     bool may_wait() const { return waits < most_waits; }
   };
 

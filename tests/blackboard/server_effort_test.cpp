@@ -182,18 +182,56 @@ TEST_F(ServerEffort, AnIndexIsChargedToWhoHadItMade) {
   EXPECT_EQ(symbol_of(other.ask(request(other.join("other"), 1, costly))), "ok");
 }
 
+// Each has its turn, and its other questions, pings and tells do not wait with them.
+TEST_F(ServerEffort, WhoOwesNothingIsServedInItsTurnWhateverManyOthersOwe) {
+  std::vector<std::unique_ptr<Client>> greedy;
+  std::vector<std::string> sessions;
+  for (int i = 0; i < 4; ++i) {
+    greedy.push_back(std::make_unique<Client>(executor, server->addresses().front()));
+    sessions.push_back(greedy.back()->join("greedy-" + std::to_string(i)));
+    EXPECT_EQ(symbol_of(greedy.back()->ask(request(sessions.back(), 1, "(declare)"))), "ok");
+  }
+  const auto owe = [&](int number) {
+    for (std::size_t i = 0; i < greedy.size(); ++i) greedy[i]->send(request(sessions[i], number, costly));
+    for (const auto& each : greedy) EXPECT_TRUE(each->receive().is_form("reply"));
+  };
+  constexpr int questions = 8;
+  for (int n = 2; n < 2 + questions; ++n) owe(n);
+  std::vector<std::unique_ptr<Client>> modest;
+  std::vector<std::string> own;
+  for (int i = 0; i < 3; ++i) {
+    modest.push_back(std::make_unique<Client>(executor, server->addresses().front()));
+    own.push_back(modest.back()->join("modest-" + std::to_string(i)));
+  }
+  owe(2 + questions);
+  for (std::size_t i = 0; i < modest.size(); ++i) {
+    modest[i]->send(request(own[i], 1, costly));
+    modest[i]->send(request(own[i], 2, "(ask (note 17 ?))"));
+    modest[i]->send("(ping " + own[i] + ")");
+  }
+  for (const auto& each : modest) {
+    std::vector<std::string> heard;
+    for (int i = 0; i < 3; ++i) {
+      const Datum said = each->receive();
+      if (said.is_form("reply")) heard.push_back(write(said[1]) + " " + symbol_of(said));
+    }
+    EXPECT_EQ(heard, (std::vector<std::string>{"1 ok", "2 ok"}));
+  }
+  for (std::size_t i = 0; i < modest.size(); ++i) EXPECT_TRUE(refusals("modest-" + std::to_string(i)).empty());
+}
+
 // Of a board that many ask at any time.
 class CrowdedQuota {
  public:
-  bool is_spent(const std::string& client, Time now) {
+  LookQuota::Standing standing(const std::string& client, Time now) {
     be_asked(now);
-    return quota_.is_spent(client, now);
+    return quota_.standing(client, now);
   }
+  bool is_spent(const std::string& client, Time now) { return standing(client, now) == LookQuota::Standing::spent; }
   void looked(const std::string& client, std::size_t examined, Time now) {
     be_asked(now);
     quota_.looked(client, examined, now);
   }
-  std::string refused(const std::string& client) const { return quota_.refusal(client).error().sentence; }
 
  private:
   void be_asked(Time now) {
@@ -221,13 +259,8 @@ TEST(LookQuota, WhoOwesIsSpentUntilItIsPaidAndSharesTheTimeWithOthersThatOwe) {
   EXPECT_FALSE(quota.is_spent("much", begun + 4s));
 }
 
-TEST(LookQuota, WhoOwesNothingIsNotToldThatItIsItsOwnDoing) {
-  CrowdedQuota quota;
-  const Time begun(3600s);
-  for (const std::string client : {"a", "b", "c", "d"}) quota.looked(client, LookQuota::most_owed, begun);
-  ASSERT_TRUE(quota.is_spent("honest", begun));
-  EXPECT_TRUE(quota.refused("a").starts_with("the clients called a have"));
-  EXPECT_TRUE(quota.refused("honest").starts_with("several clients have"));
+bool is_spent(LookQuota& quota, const std::string& client, Time now) {
+  return quota.standing(client, now) == LookQuota::Standing::spent;
 }
 
 TEST(LookQuota, WhoIsAloneIsNotSpentUntilAnotherAsksAndOwesLittleThen) {
@@ -235,13 +268,13 @@ TEST(LookQuota, WhoIsAloneIsNotSpentUntilAnotherAsksAndOwesLittleThen) {
   const Time begun(3600s);
   quota.asked(1, "lone", begun);
   quota.looked("lone", 40 * LookQuota::most_owed, begun);
-  EXPECT_FALSE(quota.is_spent("lone", begun));
+  EXPECT_FALSE(is_spent(quota, "lone", begun));
   quota.asked(2, "other", begun + 10ms);
-  EXPECT_TRUE(quota.is_spent("lone", begun + 10ms));
-  EXPECT_FALSE(quota.is_spent("other", begun + 10ms));
+  EXPECT_TRUE(is_spent(quota, "lone", begun + 10ms));
+  EXPECT_FALSE(is_spent(quota, "other", begun + 10ms));
   quota.asked(1, "lone", begun + 90ms);
-  EXPECT_TRUE(quota.is_spent("lone", begun + 90ms));
-  EXPECT_FALSE(quota.is_spent("lone", begun + 110ms));
+  EXPECT_TRUE(is_spent(quota, "lone", begun + 90ms));
+  EXPECT_FALSE(is_spent(quota, "lone", begun + 110ms));
 }
 
 TEST(LookQuota, WhoAsksOnAnotherConnectionTooIsNotAlone) {
@@ -250,7 +283,7 @@ TEST(LookQuota, WhoAsksOnAnotherConnectionTooIsNotAlone) {
   quota.asked(1, "lone", begun);
   quota.asked(2, "lone", begun + 10ms);
   quota.looked("lone", LookQuota::most_owed, begun + 20ms);
-  EXPECT_TRUE(quota.is_spent("lone", begun + 20ms));
+  EXPECT_TRUE(is_spent(quota, "lone", begun + 20ms));
 }
 
 // What is made for one that waits for it is looked at while others ask.
@@ -260,10 +293,10 @@ TEST(LookQuota, WhoWaitsWhileAnotherAsksIsNotAlone) {
   quota.asked(1, "waits", begun);
   quota.asked(2, "other", begun + 1s);
   quota.looked("waits", 40 * LookQuota::most_owed, begun + 1s);
-  EXPECT_TRUE(quota.is_spent("waits", begun + 1s));
-  EXPECT_FALSE(quota.is_spent("waits", begun + 2s)) << "for nobody else asks";
+  EXPECT_TRUE(is_spent(quota, "waits", begun + 1s));
+  EXPECT_FALSE(is_spent(quota, "waits", begun + 2s)) << "for nobody else asks";
   quota.asked(2, "other", begun + 2s);
-  EXPECT_TRUE(quota.is_spent("waits", begun + 2s));
+  EXPECT_TRUE(is_spent(quota, "waits", begun + 2s));
 }
 
 TEST(LookQuota, WhoIsAlonePaysByTimeToo) {
@@ -271,10 +304,10 @@ TEST(LookQuota, WhoIsAlonePaysByTimeToo) {
   const Time begun(3600s);
   quota.asked(1, "lone", begun);
   quota.looked("lone", LookQuota::most_owed, begun);
-  EXPECT_FALSE(quota.is_spent("lone", begun + 1s));
+  EXPECT_FALSE(is_spent(quota, "lone", begun + 1s));
   quota.looked("lone", LookQuota::uncounted + 1, begun + 1s);
   quota.asked(2, "other", begun + 1s);
-  EXPECT_FALSE(quota.is_spent("lone", begun + 1s));
+  EXPECT_FALSE(is_spent(quota, "lone", begun + 1s));
 }
 
 TEST(LookQuota, TheTimeThatCostlyLookingTakesPaysForNothing) {
@@ -286,14 +319,20 @@ TEST(LookQuota, TheTimeThatCostlyLookingTakesPaysForNothing) {
   EXPECT_TRUE(quota.is_spent("slow", begun + 10s));
 }
 
-TEST(LookQuota, ManyWhoOweLeaveNothingToOneMore) {
+TEST(LookQuota, WhileManyOweWhoOwesNothingHasATurnAfterAnother) {
+  using Standing = LookQuota::Standing;
   CrowdedQuota quota;
   const Time begun(3600s);
-  for (int i = 0; i < 3; ++i) quota.looked(std::to_string(i), 40 * LookQuota::most_owed, begun);
-  EXPECT_FALSE(quota.is_spent("one more", begun));
-  quota.looked("3", LookQuota::most_owed, begun);
-  EXPECT_TRUE(quota.is_spent("one more", begun));
-  EXPECT_FALSE(quota.is_spent("one more", begun + 100ms));
+  for (int i = 0; i < 4; ++i) quota.looked(std::to_string(i), 40 * LookQuota::most_owed, begun);
+  EXPECT_EQ(quota.standing("0", begun), Standing::spent);
+  EXPECT_EQ(quota.standing("one more", begun), Standing::free);
+  quota.looked("one more", limits::examined, begun);
+  const Duration paid = std::chrono::milliseconds(limits::examined / LookQuota::paid_a_millisecond);
+  for (const std::string client : {"one more", "another"}) {
+    EXPECT_EQ(quota.standing(client, begun + paid - 1ms), Standing::waits);
+    EXPECT_EQ(quota.standing(client, begun + paid), Standing::free);
+  }
+  EXPECT_EQ(quota.standing("0", begun + paid), Standing::spent);
 }
 
 }  // namespace

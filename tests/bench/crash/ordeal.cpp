@@ -25,8 +25,8 @@ std::string link_path(const std::string& folder, int link) { return folder + "/l
 
 }  // namespace
 
-Ordeal::Ordeal(std::string folder, std::uint64_t seed)
-    : folder_(std::move(folder)), random_(seed), links_(start_links(folder_)) {
+Ordeal::Ordeal(std::string folder, std::uint64_t seed, std::function<bool()> is_stopped)
+    : folder_(std::move(folder)), is_stopped_(std::move(is_stopped)), random_(seed), links_(start_links(folder_)) {
   start_board();
   for (int number = 0; number < clients; ++number) start_client(number);
 }
@@ -106,6 +106,7 @@ void Ordeal::later(Clock::duration time, std::function<void()> what) {
 void Ordeal::pass(Clock::duration time) {
   const Clock::time_point end = Clock::now() + time;
   for (auto now = Clock::now(); now < end; now = Clock::now()) {
+    if (is_stopped_()) throw Stopped();
     while (!due_.empty() && due_.begin()->first <= now) {
       const auto what = due_.extract(due_.begin());
       what.mapped()();

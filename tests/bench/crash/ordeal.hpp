@@ -2,7 +2,7 @@
 
 // A board and its clients, and what is done to them: killed, stopped, cut off, a fault a round.
 //
-//   Ordeal ordeal(folder, seed);
+//   Ordeal ordeal(folder, seed, is_stopped);  // throws Stopped wherever that becomes true
 //   for (int round = 0; round < rounds; ++round) ordeal.round();
 //   ordeal.settle();                          // nobody is harmed any more, and every item becomes an effect
 //   Result<Verdict> verdict = ordeal.judge();
@@ -11,6 +11,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <stdexcept>
 
 #include "blackboard/time/random.hpp"
 #include "tests/bench/child.hpp"
@@ -18,10 +19,14 @@
 
 namespace pizarra::bench {
 
+struct Stopped : std::runtime_error {
+  Stopped() : std::runtime_error("stopped") {}
+};
+
 class Ordeal {
  public:
   using Clock = std::chrono::steady_clock;
-  Ordeal(std::string folder, std::uint64_t seed);
+  Ordeal(std::string folder, std::uint64_t seed, std::function<bool()> is_stopped);
 
   void round();
   void settle();
@@ -47,6 +52,7 @@ class Ordeal {
   Clock::duration between(int least_ms, int most_ms);
 
   const std::string folder_;
+  const std::function<bool()> is_stopped_;
   Random random_;
   Judge judge_;
   Child links_;
