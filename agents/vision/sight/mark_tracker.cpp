@@ -6,14 +6,12 @@
 #include <utility>
 
 #include "agents/vision/marks/tags.hpp"
+#include "agents/vision/sight/covered_part.hpp"
+#include "agents/vision/sight/follow_mark.hpp"
 
 namespace pizarra {
 namespace {
 
-// How far from its predicted place a mark is followed, in an image 320 px wide: more than a frame's motion (12 mm are
-// 6 px).
-constexpr int gate_px = 12;
-constexpr int small_gate_px = 5;
 // How far a lost mark is looked for before the whole image is.
 constexpr double local_reach_px = 48;
 // How far off the centre of a mark may be, by what covers a part of it, that is told.
@@ -21,42 +19,6 @@ constexpr double most_off_px = 1;
 // How much of the confidence is left after every tenth of a second in which a mark was not seen.
 constexpr double trust_in_a_bridge = 0.7;
 constexpr double trust_lasts_s = 0.1;
-
-// What so many px in an image 320 px wide are in this one.
-double px_in(const cv::Mat& image, double px) { return px * std::max(1.0, image.cols / 320.0); }
-
-// How far around the predicted place of its middle an image must be looked at for a mark to be followed there.
-cv::Rect area_around(const SeenMark& last, cv::Point middle, int gate, cv::Size image) {
-  const int reach_y = last.box.height / 2 + gate + 2 * MarkPatch::margin_px;
-  // As many columns as fill whole vectors.
-  const int reach_x = (last.box.width / 2 + gate + 2 * MarkPatch::margin_px + 7) / 8 * 8;
-  return cv::Rect(middle.x - reach_x, middle.y - reach_y, 2 * reach_x, 2 * reach_y) & cv::Rect({0, 0}, image);
-}
-
-// Follows the contour of the mark that was `last` from about `centre`, no further than `gate_px` away.
-std::optional<SeenMark> follow_mark(const cv::Mat& grey, double noise, const SeenMark& last, cv::Point2d centre,
-                                    int gate) {
-  const cv::Point middle(cvRound(centre.x), cvRound(centre.y));
-  const cv::Rect area = area_around(last, middle, gate, grey.size());
-  if (!area.contains(middle)) return std::nullopt;
-  const ImageCut cut = look_at(grey, area, noise);
-  const int threshold = cvRound((last.mark_level + last.ground_level) / 2);
-  const ToneField field(cut.pixels, threshold, last.tone == MarkTone::dark);
-  std::optional<MarkContour> contour =
-      contour_from_centre(field, middle - area.tl(), gate, longest_contour_px(grey.size()));
-  if (!contour || contour->size() < 4) return std::nullopt;
-  std::optional<SeenMark> mark = measure_mark(cut, std::move(*contour), last.tone);
-  if (mark) move_by(*mark, cut.origin);
-  if (!mark || cv::norm(mark->centre - centre) > gate) return std::nullopt;
-  return mark;
-}
-
-// Most marks are where they are expected; then little need be looked at.
-std::optional<SeenMark> follow_mark(const cv::Mat& grey, double noise, const SeenMark& last, cv::Point2d centre) {
-  std::optional<SeenMark> near = follow_mark(grey, noise, last, centre, cvRound(px_in(grey, small_gate_px)));
-  if (!near) near = follow_mark(grey, noise, last, centre, cvRound(px_in(grey, gate_px)));
-  return near;
-}
 
 // They may move meanwhile; where one is hidden, it is thought to rest.
 void follow_others(std::vector<cv::Point2d>& others, const std::vector<SeenMark>& marks, const LearnedObjects& objects,
@@ -66,14 +28,6 @@ void follow_others(std::vector<cv::Point2d>& others, const std::vector<SeenMark>
       return mark.box.contains(place) && (mark.tag || is_recognised(mark, objects, object));
     });
     if (found != marks.end()) place = found->centre;
-  }
-}
-
-void remember(std::optional<WholeMark>& whole, const SeenMark& now, Time captured) {
-  if (whole) {
-    whole->follow(now, captured);
-  } else {
-    whole.emplace(now, captured);
   }
 }
 
@@ -184,37 +138,16 @@ std::optional<SeenPair> MarkTracker::search(StereoSight& sight, Track& track, co
   return now;
 }
 
-bool MarkTracker::is_whole_still(const StereoSight& sight, const Track& track, const LearnedObject& object,
-                                 const SeenPair& now) const {
-  const double off_px = px_in(sight.left(), most_off_px);
-  const bool lost = !track.left;
-  const bool smaller =
-      now.right && track.whole_face &&
-      track.whole_face->is_more_than(face_size(sight.model(), now.left, *now.right, front_slimness(object)), now.left);
-  const auto is_it = [&](const std::optional<WholeMark>& whole, const SeenMark& mark) {
-    if (!whole) return !smaller;
-    const WholeMark::Look look = whole->look_at(mark, captured_, off_px, smaller);
-    return look != WholeMark::Look::covered && (look != WholeMark::Look::unlike || lost);
-  };
-  return is_it(track.whole_left, now.left) && (!now.right || is_it(track.whole_right, *now.right));
-}
-
 // What is said of a frame in which it was not found.
 TrackSighting MarkTracker::miss(const StereoSight& sight, Track& track) const {
-  for (std::optional<WholeMark>* whole : {&track.whole_left, &track.whole_right}) {
-    if (*whole) (*whole)->wait(captured_);
-  }
+  track.whole.wait(captured_);
   TrackSighting out{.name = track.name, .centre = {}, .yaw_deg = {}, .contour = {}};
   const cv::Rect2d image(0, 0, sight.left().cols, sight.left().rows);
   const bool near =
       track.left && captured_ - track.seen_at <= longest_bridge && image.contains(track.expected(captured_));
   if (!near) {
-    // What rested is behind what hides it; where what moved may be by now, nobody knows.
-    const bool rests = track.whole_left && !track.whole_left->moves();
-    Track lost{.name = track.name, .whole_face = track.whole_face, .widest = track.widest, .others = track.others};
-    if (rests) lost.whole_left = track.whole_left;
-    if (rests) lost.whole_right = track.whole_right;
-    track = std::move(lost);
+    track.whole.lose();
+    track = Track{.name = track.name, .whole = track.whole, .others = track.others};
     return out;
   }
   track.missed = true;
@@ -226,8 +159,7 @@ TrackSighting MarkTracker::miss(const StereoSight& sight, Track& track) const {
   return out;
 }
 
-void MarkTracker::take(const StereoSight& sight, Track& track, const LearnedObject& object, SeenPair now,
-                       bool whole) const {
+void MarkTracker::take(const StereoSight& sight, Track& track, SeenPair now) const {
   const double seconds = seconds_between(track.seen_at, captured_);
   const cv::Point2d velocity = track.left ? (now.left.centre - track.left->centre) / seconds : cv::Point2d();
   const bool steady = cv::norm(velocity) * frame_s_ < px_in(sight.left(), local_reach_px);
@@ -236,19 +168,6 @@ void MarkTracker::take(const StereoSight& sight, Track& track, const LearnedObje
   if (now.right && track.left && track.right && steady) {
     const double change = disparity_px(now.left, *now.right) - disparity_px(*track.left, *track.right);
     track.disparity_change_px = change / seconds;
-  }
-  // A tag that is seen is whole.
-  if (whole && !now.left.tag) {
-    remember(track.whole_left, now.left, captured_);
-    if (now.right) remember(track.whole_right, *now.right, captured_);
-    if (!now.right && track.whole_right) track.whole_right->wait(captured_);
-    if (now.right) track.widest = {};
-    if (!now.right) track.widest.follow(now.left);
-    if (now.right) {
-      const FaceSize size = face_size(sight.model(), now.left, *now.right, front_slimness(object));
-      if (track.whole_face) track.whole_face->follow(size, now.left);
-      if (!track.whole_face) track.whole_face.emplace(size, now.left);
-    }
   }
   track.left = std::move(now.left);
   track.right = std::move(now.right);
@@ -259,23 +178,27 @@ void MarkTracker::take(const StereoSight& sight, Track& track, const LearnedObje
 TrackSighting MarkTracker::update(StereoSight& sight, Track& track) {
   const LearnedObject* object = objects_.find(track.name);
   if (object == nullptr) return miss(sight, track);
+  const double off_px = px_in(sight.left(), most_off_px);
+  const auto look_at = [&](const SeenPair& pair) {
+    return track.whole.look_at(sight.model(), *object, pair, captured_, off_px, !track.left);
+  };
   std::optional<SeenPair> now = follow(sight, track, *object);
-  bool whole = now && is_whole_still(sight, track, *object, *now);
-  if (!whole && track.left && !track.missed) note_others_before(track, *object);
+  Wholeness::Look look{.whole = false};
+  if (now) look = look_at(*now);
+  if (!look.whole && track.left && !track.missed) note_others_before(track, *object);
   const bool begins = !track.left;
   if (!now) {
     now = search(sight, track, *object);
-    whole = now && is_whole_still(sight, track, *object, *now);
+    if (now) look = look_at(*now);
   }
-  if (!whole) return miss(sight, track);
+  if (!look.whole) return miss(sight, track);
 
   TrackSighting out{.name = track.name, .centre = {}, .yaw_deg = {}, .contour = {}};
   out.centre = now->left.centre;
   out.contour = now->left.contour;
   track.turn = now->likeness.turn;
   out.confidence = now->likeness.confidence();
-  if (!now->right)
-    out.confidence = track.widest.confidence(out.confidence, now->left, px_in(sight.left(), most_off_px));
+  if (!now->left.tag) out.confidence = confidence_if_off(out.confidence, look.may_be_off_px, off_px);
   if (now->likeness.second != nullptr) out.second = now->likeness.second->name;
   out.margin = now->likeness.margin();
   const bool measurable = now->right || sight.is_cut_off(*object, now->left);
@@ -284,15 +207,16 @@ TrackSighting MarkTracker::update(StereoSight& sight, Track& track) {
     out.seen = true;
     out.range_mm = range->mm;
     out.range_spread_mm = range->spread_mm;
+    track.range_mm = range->mm;
+    track.whole.follow(*now, look, captured_);
   }
   if (now->right) {
     out.right_centre = now->right->centre;
     out.yaw_deg = face_yaw_deg(sight.model(), now->left, *now->right);
   }
-  take(sight, track, *object, std::move(*now), out.seen);
+  take(sight, track, std::move(*now));
   // Of a tag there is no other then.
   if (begins && object->tag() == nullptr) note_others(track, *object, sight.left_segmentation().marks());
-  if (out.seen) track.range_mm = out.range_mm;
   track.confidence = out.confidence;
   return out;
 }

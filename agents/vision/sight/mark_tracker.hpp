@@ -4,8 +4,7 @@
 // followed from where its motion predicts its centre. Where that fails, it is looked for nearby and then everywhere,
 // in this same frame and in every later one, while the others go on. What is followed is recognised anew in every
 // frame, so that a hand, the gripper or another cube in its place is a loss, never a position; and so is one that hides
-// a part of it (continuity.hpp, whole_face.hpp), or is told with less confidence where one camera cannot know
-// (widest_look.hpp). A loss of half a second is bridged: the object is expected where its motion would have brought it,
+// a part of it, or is told with less confidence where that cannot be known (wholeness.hpp). A loss of half a second is bridged: the object is expected where its motion would have brought it,
 // and is said not to be seen. So long, nothing elsewhere is taken for it that is of another size; and never what looked
 // like it elsewhere in the image in which it was found or in that in which it was seen last. One that was in neither is
 // not known for another.
@@ -18,11 +17,8 @@
 #include <set>
 
 #include "agents/vision/objects/renames.hpp"
-#include "agents/vision/sight/continuity.hpp"
 #include "agents/vision/sight/frame_time.hpp"
-#include "agents/vision/sight/stereo_sight.hpp"
-#include "agents/vision/sight/whole_face.hpp"
-#include "agents/vision/sight/widest_look.hpp"
+#include "agents/vision/sight/wholeness.hpp"
 
 namespace pizarra {
 
@@ -74,11 +70,7 @@ class MarkTracker {
     std::optional<int> turn = {};  // Likeness::turn
     Time seen_at = {};
     bool missed = false;  // in the frame before this one
-    // As they were while nothing covered them.
-    std::optional<WholeMark> whole_left = {};
-    std::optional<WholeMark> whole_right = {};
-    std::optional<WholeFace> whole_face = {};
-    WidestLook widest = {};  // while the left image alone shows it
+    Wholeness whole = {};
     cv::Point2d velocity_px = {};  // a second, in the left image
     double disparity_change_px = 0;
     double range_mm = 0;
@@ -95,13 +87,10 @@ class MarkTracker {
   void note_others(Track& track, const LearnedObject& object, const std::vector<SeenMark>& marks) const;
   // Of those in the image in which it was seen last.
   void note_others_before(Track& track, const LearnedObject& object);
-  // Whether what was found is the whole mark, going by what is remembered of it.
-  bool is_whole_still(const StereoSight& sight, const Track& track, const LearnedObject& object,
-                      const SeenPair& now) const;
   TrackSighting update(StereoSight& sight, Track& track);
   TrackSighting miss(const StereoSight& sight, Track& track) const;
   // What was seen becomes what is followed.
-  void take(const StereoSight& sight, Track& track, const LearnedObject& object, SeenPair now, bool whole) const;
+  void take(const StereoSight& sight, Track& track, SeenPair now) const;
 
   const LearnedObjects& objects_;
   std::vector<Track> tracks_;

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "agents/vision/objects/recognise.hpp"
+#include "agents/vision/sight/covered_part.hpp"
+
 namespace pizarra {
 namespace {
 
@@ -13,12 +16,17 @@ constexpr double ordinary_spread = 0.003;
 constexpr double turning_share = 0.1;
 // How far a length drifts, as a part of it, where the mark moves by its own width; farther by the root.
 constexpr double drift = 0.0075;
+// But no more anywhere; and how far what was learned elsewhere is off.
+constexpr double most_drift = 0.02;
+constexpr double learned_spread = 0.01;
 // Where edges run along the pixels and fall between two, blur reaches into what is taken for ground: the contrast is
 // less, and every length by so much of the part that is lost. What loses more is in another light.
 constexpr double narrowing = 0.25;
 constexpr double most_lost_contrast = 0.1;
 // How much of a new contrast the memory takes over.
 constexpr double contrast_gain = 0.1;
+// And of a new aspect.
+constexpr double aspect_gain = 0.3;
 // In standard deviations: what noise makes, and what it hardly makes.
 constexpr double likely = 2;
 constexpr double clear = 3;
@@ -42,6 +50,11 @@ FaceSize::Reading followed(const FaceSize::Reading& whole, const FaceSize::Readi
   return {whole.value + part * gain * (now.value - whole.value), std::sqrt(1 - gain) * whole.spread};
 }
 
+// How much of `whole` is missing, where it may be off by `slack` besides.
+double missing(double whole, const FaceSize::Reading& now, double slack) {
+  return 1 - now.value / whole - now.spread - slack;
+}
+
 }  // namespace
 
 // Of a face of yaw p an image shows cos(p) - t sin(p), at slope t off the axis; face_yaw_deg() says p.
@@ -62,21 +75,57 @@ FaceSize face_size(const StereoModel& model, const SeenMark& left, const SeenMar
   return {.area_mm2 = {area_px2 / shown * squared(mm_per_px), std::sqrt(2 * ordinary + squared(by_yaw))},
           .height_mm = {(left.height_px + right.height_px) / 2 * mm_per_px,
                         std::sqrt(ordinary + squared(by_turning))},
-          .contrast = (contrast_of(left) + contrast_of(right)) / 2};
+          .contrast = (contrast_of(left) + contrast_of(right)) / 2,
+          .left_aspect = left.width_px / std::max(left.height_px, right.height_px),
+          .right_aspect = right.width_px / std::max(left.height_px, right.height_px),
+          .disparity_px = left.centre.x - right.centre.x};
 }
 
-WholeFace::WholeFace(const FaceSize& size, const SeenMark& left) : size_(size), place_(left.centre) {}
+// What lies nearer than the mark and over one side of it hides more from one camera than from the other. So the mark
+// looks turned; but both centres come apart as well, by half as much, so that it looks too near, and too small.
+struct Narrowed {
+  double off_px;     // how far the centre is off if it is covered
+  double too_small;  // how much of its height is missing then
+};
+
+Narrowed narrowed(double left_aspect, double right_aspect, const FaceSize& now, const SeenMark& left) {
+  const double by_left = left_aspect - now.left_aspect;
+  const double by_right = right_aspect - now.right_aspect;
+  const double apart = motion_by_strip * std::abs(by_left - by_right) * left.height_px;
+  return {motion_by_strip * std::max(0.0, by_left) * left.height_px, apart / now.disparity_px};
+}
+
+double may_be_off_px(const LearnedObject& object, const FaceSize& now, const SeenMark& left) {
+  double least_mm2 = 0;
+  for (const LearnedSample& sample : object.samples) {
+    if (sample.measured_size_mm() <= 0) return 0;
+    // One that is slim may have been learned on its side, or turned away.
+    const double area_mm2 = squared(sample.measured_size_mm()) * sample.slimness;
+    least_mm2 = least_mm2 == 0 ? area_mm2 : std::min(least_mm2, area_mm2);
+  }
+  if (least_mm2 == 0) return 0;
+  const double by_area = may_be_off_px(left, missing(least_mm2, now.area_mm2, 2 * learned_spread));
+  const double front = front_slimness(object);
+  const Narrowed as_covered = narrowed(front, front, now, left);
+  const double too_small = 1 - now.height_mm.value / std::sqrt(least_mm2);
+  const double spread = std::hypot(now.height_mm.spread, learned_spread);
+  const double ahead = (squared(too_small) - squared(too_small - as_covered.too_small)) / (2 * squared(spread));
+  return std::max(by_area, std::clamp(ahead, 0.0, 1.0) * as_covered.off_px);
+}
+
+WholeFace::WholeFace(const FaceSize& size, const SeenMark& left)
+    : recent_(size), largest_(size), largest_at_(left.centre), recent_at_(left.centre) {}
 
 FaceSize WholeFace::foreseen(const SeenMark& left) const {
-  const double drifted = squared(drift) * cv::norm(left.centre - place_) / left.box.width;
-  FaceSize out = size_;
+  const double drifted = squared(drift) * cv::norm(left.centre - recent_at_) / left.box.width;
+  FaceSize out = recent_;
   out.area_mm2.spread = std::sqrt(squared(out.area_mm2.spread) + 4 * drifted);
   out.height_mm.spread = std::sqrt(squared(out.height_mm.spread) + drifted);
   return out;
 }
 
 FaceSize WholeFace::compared(FaceSize now) const {
-  const double lost = std::clamp(1 - now.contrast / size_.contrast, 0.0, most_lost_contrast);
+  const double lost = std::clamp(1 - now.contrast / recent_.contrast, 0.0, most_lost_contrast);
   now.area_mm2.spread = std::hypot(now.area_mm2.spread, 2 * narrowing * lost);
   now.height_mm.spread = std::hypot(now.height_mm.spread, narrowing * lost);
   return now;
@@ -91,13 +140,37 @@ bool WholeFace::is_more_than(const FaceSize& seen, const SeenMark& left) const {
   return less < -clear && more < likely;
 }
 
+double WholeFace::may_be_off_px(const FaceSize& now, const SeenMark& left) const {
+  const double widths = cv::norm(left.centre - largest_at_) / left.box.width;
+  const double drifted = std::min(most_drift, drift * std::sqrt(widths));
+  const double by_area = missing(largest_.area_mm2.value, now.area_mm2, 2 * drifted);
+  const double by_height = missing(largest_.height_mm.value, now.height_mm, drifted);
+  const Narrowed as_covered = narrowed(largest_.left_aspect, largest_.right_aspect, now, left);
+  const FaceSize::Reading& height = recent_.height_mm.spread < now.height_mm.spread ? recent_.height_mm : now.height_mm;
+  const double too_small = 1 - std::min(now.height_mm.value, height.value) / largest_.height_mm.value;
+  const double beyond = (as_covered.too_small - too_small) / std::hypot(height.spread, drifted);
+  const double plausible = std::clamp(clear - beyond, 0.0, 1.0);
+  return std::max(pizarra::may_be_off_px(left, std::max(by_area, by_height)), plausible * as_covered.off_px);
+}
+
 void WholeFace::follow(const FaceSize& seen, const SeenMark& left) {
-  const FaceSize whole = foreseen(left);
+  const FaceSize before = foreseen(left);
   const FaceSize now = compared(seen);
-  size_ = {.area_mm2 = followed(whole.area_mm2, now.area_mm2),
-           .height_mm = followed(whole.height_mm, now.height_mm),
-           .contrast = whole.contrast + contrast_gain * (now.contrast - whole.contrast)};
-  place_ = left.centre;
+  recent_at_ = left.centre;
+  recent_ = {.area_mm2 = followed(before.area_mm2, now.area_mm2),
+             .height_mm = followed(before.height_mm, now.height_mm),
+             .contrast = recent_.contrast + contrast_gain * (now.contrast - recent_.contrast),
+             .left_aspect = recent_.left_aspect + aspect_gain * (now.left_aspect - recent_.left_aspect),
+             .right_aspect = recent_.right_aspect + aspect_gain * (now.right_aspect - recent_.right_aspect),
+             .disparity_px = now.disparity_px};
+  if (recent_.left_aspect > largest_.left_aspect) {
+    largest_.left_aspect = recent_.left_aspect;
+    largest_.right_aspect = recent_.right_aspect;
+  }
+  largest_.height_mm = std::ranges::max(largest_.height_mm, recent_.height_mm, {}, &FaceSize::Reading::value);
+  if (recent_.area_mm2.value < largest_.area_mm2.value) return;
+  largest_.area_mm2 = recent_.area_mm2;
+  largest_at_ = left.centre;
 }
 
 }  // namespace pizarra

@@ -6,13 +6,16 @@
 // moves (continuity.hpp).
 //
 //   WholeFace whole(face_size(model, left, right, front_slimness(object)), left);
-//   if (whole.is_more_than(face_size(model, now_left, now_right, front_slimness(object)), now_left)) ...
+//   const FaceSize now = face_size(model, now_left, now_right, front_slimness(object));
+//   if (whole.is_more_than(now, now_left)) ...
+//   const double off = whole.may_be_off_px(now, now_left);
 //   whole.follow(now, now_left);        // once it is taken for the mark
 //
-// What is remembered is the less sure the farther the mark has gone since: no calibration is the same everywhere. A
-// mark that is smaller, and taken for whole all the same, is remembered anew; one that is larger, little by little.
+// What is remembered is the largest look, however long ago, for what covers a mark may come slowly and rest. It is the
+// less sure the farther the mark has gone since: no calibration is the same everywhere. One look alone is not
+// remembered, but what many have in common.
 
-#include "agents/vision/marks/mark_measure.hpp"
+#include "agents/vision/objects/learned.hpp"
 #include "agents/vision/sight/stereo.hpp"
 
 namespace pizarra {
@@ -26,10 +29,18 @@ struct FaceSize {
   Reading area_mm2;   // the product of both principal ones
   Reading height_mm;  // along y: a turn about the vertical does not change it
   double contrast;    // grey levels, of both images
+  // How wide it looks in either image, as a part of how high; turns about the vertical change that, and both apart.
+  double left_aspect;
+  double right_aspect;
+  double disparity_px;
 };
 
 // `front_slimness`: of the mark from the front; what is slim gets higher or lower as it turns in the image.
 FaceSize face_size(const StereoModel& model, const SeenMark& left, const SeenMark& right, double front_slimness);
+
+// The same of a mark that was not seen before, by the sizes with which the object was learned; 0 where one of them is
+// not known.
+double may_be_off_px(const LearnedObject& object, const FaceSize& now, const SeenMark& left);
 
 class WholeFace {
  public:
@@ -37,6 +48,9 @@ class WholeFace {
 
   // Clearly, by what noise makes.
   bool is_more_than(const FaceSize& now, const SeenMark& left) const;
+  // How far the centre may be off in the left image if all that is missing were covered, but for what noise makes; and
+  // all by which it looks narrower, unless it looks turned and as near as it should.
+  double may_be_off_px(const FaceSize& now, const SeenMark& left) const;
   void follow(const FaceSize& now, const SeenMark& left);
 
  private:
@@ -44,8 +58,10 @@ class WholeFace {
   // How far it may be off beside the one remembered, which was seen in its own way.
   FaceSize compared(FaceSize now) const;
 
-  FaceSize size_;
-  cv::Point2d place_;
+  FaceSize recent_;
+  FaceSize largest_;
+  cv::Point2d largest_at_;
+  cv::Point2d recent_at_;
 };
 
 }  // namespace pizarra

@@ -4,20 +4,18 @@
 #include <cmath>
 
 #include "agents/vision/marks/mark_outline.hpp"
+#include "agents/vision/sight/covered_part.hpp"
 
 namespace pizarra {
 namespace {
 
-// How far the centre moves for every px that the standard deviation shrinks: where a strip of a square is covered, for
-// a disc it is less; and where one along a side of a triangle is.
-const double motion_by_strip = std::sqrt(3.0);
+// How far the centre moves for every px that the standard deviation shrinks, where one along a side of a triangle is
+// covered.
 const double motion_by_side = std::sqrt(8.0);
 // What noise takes off an axis that is as wide as it was, as a part of it.
 constexpr double slack = 0.01;
 // How much of what is wider is taken over in a frame: noise alone widens nothing for long.
 constexpr double gain = 0.3;
-// So much of what may be told makes it e times less likely to be whole.
-constexpr double doubt_scale = 1.0 / 6;
 
 }  // namespace
 
@@ -28,18 +26,13 @@ WidestLook::Spreads WidestLook::spreads_of(const SeenMark& mark) {
 }
 
 double WidestLook::may_be_off_px(const SeenMark& now) const {
+  if (!widest_) return 0;
   const Spreads spreads = spreads_of(now);
   double scale = triangle_ ? 1 : 0;
   for (std::size_t i = 0; i < spreads.size(); ++i) scale = std::max(scale, spreads[i] / (*widest_)[i]);
   double missing = 0;
   for (std::size_t i = 0; i < spreads.size(); ++i) missing = std::max(missing, scale * (*widest_)[i] - spreads[i]);
   return (triangle_ ? motion_by_side : motion_by_strip) * missing;
-}
-
-double WidestLook::confidence(double of_whole, const SeenMark& now, double most_off_px) const {
-  if (!widest_) return of_whole;
-  const double ahead_of_covered = std::exp(-(1 - may_be_off_px(now) / most_off_px) / doubt_scale);
-  return 1 / (1 / of_whole + ahead_of_covered);
 }
 
 // What is wider here and narrower there may be nearer and covered.

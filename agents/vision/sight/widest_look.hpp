@@ -6,7 +6,7 @@
 //
 //   WidestLook widest;
 //   widest.follow(first);               // what is taken for the mark
-//   const double confidence = widest.confidence(0.99, now, 1);
+//   const double off = widest.may_be_off_px(now);
 //
 // What is smaller to all sides is farther away, but of a triangle: what lies along one of its sides leaves a triangle.
 // The memory only grows: a hand may rest.
@@ -20,16 +20,14 @@ namespace pizarra {
 
 class WidestLook {
  public:
-  // What is left of the confidence in a whole mark, where a centre that is told may be so far off: one half where it
-  // may be just that.
-  double confidence(double of_whole, const SeenMark& now, double most_off_px) const;
+  // How far the centre may be off if all that is missing were covered.
+  double may_be_off_px(const SeenMark& now) const;
   void follow(const SeenMark& now);
 
  private:
   // Standard deviations along x, y and both diagonals, px.
   using Spreads = std::array<double, 4>;
   static Spreads spreads_of(const SeenMark& mark);
-  double may_be_off_px(const SeenMark& now) const;
 
   std::optional<Spreads> widest_;  // none before the first look
   bool triangle_ = false;

@@ -1,0 +1,31 @@
+#include "agents/vision/sight/covered_part.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pizarra {
+namespace {
+
+// So much of what may be told makes it e times less likely to be whole.
+constexpr double doubt_scale = 1.0 / 6;
+
+}  // namespace
+
+const double motion_by_strip = std::sqrt(3.0);
+
+double may_be_off_px(const SeenMark& now, double missing) {
+  return motion_by_strip * std::max(now.width_px, now.height_px) * std::max(0.0, missing);
+}
+
+// The product of both principal spreads is the root of the determinant.
+double may_be_off_by_shape_px(const SeenMark& now, double front_slimness) {
+  const double product = std::sqrt(std::pow(now.width_px * now.height_px, 2) - now.slant_px2 * now.slant_px2);
+  const double longer = std::sqrt(product / now.slimness);
+  return motion_by_strip * std::max(0.0, front_slimness - now.slimness) * longer;
+}
+
+double confidence_if_off(double of_whole, double off_px, double most_off_px) {
+  return 1 / (1 / of_whole + std::exp(-(1 - off_px / most_off_px) / doubt_scale));
+}
+
+}  // namespace pizarra

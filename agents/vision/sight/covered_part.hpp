@@ -1,0 +1,28 @@
+#pragma once
+
+// How far off a centre may be because something covers a part of the mark, and how sure one can be of it then. Cameras
+// measure what is missing of a mark; a straight edge that hid it moved the centre by half of what it hid.
+//
+//   const double off = may_be_off_px(now, 1 - now_area / whole_area);
+//   const double confidence = confidence_if_off(0.99, off, 1);
+
+#include "agents/vision/marks/mark_measure.hpp"
+
+namespace pizarra {
+
+// How far the centre moves for every px that the standard deviation shrinks, where a strip of a square is covered. For
+// a disc and a cross it is less.
+extern const double motion_by_strip;
+
+// Where so much of the mark, 0 to 1, may be covered from one side.
+double may_be_off_px(const SeenMark& now, double missing);
+
+// Of what was learned `front_slimness` slim, by this look alone: a face that is turned may as well be one that is
+// covered.
+double may_be_off_by_shape_px(const SeenMark& now, double front_slimness);
+
+// What is left of the confidence in a whole mark where a centre that is told may be `most_off_px` off: one half where
+// it may be just that.
+double confidence_if_off(double of_whole, double off_px, double most_off_px);
+
+}  // namespace pizarra

@@ -1,0 +1,79 @@
+#include "agents/vision/sight/wholeness.hpp"
+
+#include <algorithm>
+
+#include "agents/vision/sight/covered_part.hpp"
+
+namespace pizarra {
+namespace {
+
+void remember(std::optional<WholeMark>& whole, const SeenMark& now, Time captured) {
+  if (whole) {
+    whole->follow(now, captured);
+  } else {
+    whole.emplace(now, captured);
+  }
+}
+
+FaceSize face_size(const StereoModel& model, const LearnedObject& object, const SeenPair& pair) {
+  return face_size(model, pair.left, *pair.right, front_slimness(object));
+}
+
+}  // namespace
+
+double may_be_off_px(const StereoModel& model, const LearnedObject& object, const SeenPair& pair) {
+  if (pair.left.tag) return 0;
+  if (!pair.right) return may_be_off_by_shape_px(pair.left, front_slimness(object));
+  return may_be_off_px(object, face_size(model, object, pair), pair.left);
+}
+
+Wholeness::Look Wholeness::look_at(const StereoModel& model, const LearnedObject& object, const SeenPair& now,
+                                   Time captured, double most_off_px, bool lost) const {
+  // A tag that is seen is whole.
+  if (now.left.tag) return {};
+  Look out;
+  if (now.right) out.face = face_size(model, object, now);
+  if (now.right) out.may_be_off_px = pizarra::may_be_off_px(object, *out.face, now.left);
+  if (!now.right) {
+    out.may_be_off_px =
+        std::max(widest_.may_be_off_px(now.left), may_be_off_by_shape_px(now.left, front_slimness(object)));
+  }
+  if (out.face && face_) out.may_be_off_px = std::max(out.may_be_off_px, face_->may_be_off_px(*out.face, now.left));
+  const bool smaller = out.face && face_ && face_->is_more_than(*out.face, now.left);
+  const auto is_it = [&](const std::optional<WholeMark>& whole, const SeenMark& mark) {
+    if (!whole) return !smaller;
+    const WholeMark::Look look = whole->look_at(mark, captured, most_off_px, smaller);
+    return look != WholeMark::Look::covered && (look != WholeMark::Look::unlike || lost);
+  };
+  out.whole = is_it(left_, now.left) && (!now.right || is_it(right_, *now.right));
+  return out;
+}
+
+void Wholeness::follow(const SeenPair& now, const Look& look, Time captured) {
+  if (now.left.tag) return;
+  remember(left_, now.left, captured);
+  if (now.right) {
+    remember(right_, *now.right, captured);
+    widest_ = {};
+    if (face_) face_->follow(*look.face, now.left);
+    if (!face_) face_.emplace(*look.face, now.left);
+    return;
+  }
+  if (right_) right_->wait(captured);
+  widest_.follow(now.left);
+}
+
+void Wholeness::wait(Time captured) {
+  for (std::optional<WholeMark>* whole : {&left_, &right_}) {
+    if (*whole) (*whole)->wait(captured);
+  }
+}
+
+void Wholeness::lose() {
+  const bool rests = left_ && !left_->moves();
+  if (rests) return;
+  left_.reset();
+  right_.reset();
+}
+
+}  // namespace pizarra

@@ -1,0 +1,46 @@
+#pragma once
+
+// What is remembered of a tracked mark as it looked while nothing covered it, in either image and to the pair, and what
+// that says of how it looks now: whether a part of it is certainly covered, and how far its centre may be off where that
+// cannot be known.
+//
+//   Wholeness whole;
+//   const Wholeness::Look look = whole.look_at(model, object, pair, captured, 1, false);
+//   if (look.whole) ... confidence_if_off(confidence, look.may_be_off_px, 1) ...
+//   whole.follow(pair, look, captured);        // once it is taken for the mark
+//   whole.wait(captured);                      // a frame without it
+//   whole.lose();                              // so many that where it moved nobody knows
+
+#include "agents/vision/sight/continuity.hpp"
+#include "agents/vision/sight/stereo_sight.hpp"
+#include "agents/vision/sight/whole_face.hpp"
+#include "agents/vision/sight/widest_look.hpp"
+
+namespace pizarra {
+
+class Wholeness {
+ public:
+  struct Look {
+    bool whole = true;
+    double may_be_off_px = 0;
+    std::optional<FaceSize> face = {};  // where both images show it
+  };
+  // `lost`: it may be anywhere.
+  Look look_at(const StereoModel& model, const LearnedObject& object, const SeenPair& now, Time captured,
+               double most_off_px, bool lost) const;
+  void follow(const SeenPair& now, const Look& look, Time captured);
+  void wait(Time captured);
+  // What rested is behind what hides it.
+  void lose();
+
+ private:
+  std::optional<WholeMark> left_;
+  std::optional<WholeMark> right_;
+  std::optional<WholeFace> face_;
+  WidestLook widest_;  // while the left image alone shows it
+};
+
+// How far the centre of a mark may be off that was not seen before, by what was learned of it.
+double may_be_off_px(const StereoModel& model, const LearnedObject& object, const SeenPair& pair);
+
+}  // namespace pizarra
