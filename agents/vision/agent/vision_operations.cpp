@@ -175,14 +175,14 @@ Datum VisionAgent::State::found_fact(std::uint64_t frame, StereoSight& sight, co
                                      const SeenPair& pair) const {
   constexpr std::size_t most_others = 8;
   const auto rounded = [](double value, double parts) { return std::round(value * parts) / parts; };
-  const Likeness likely = object.tag() != nullptr ? pair.likeness : likeness(pair.left, objects, object);
+  const Likeness& likely = pair.likeness;
   std::vector<Datum> elsewhere;
   for (const cv::Point2d& place : others_like(sight.left_segmentation().marks(), objects, object, pair.left)) {
     if (elsewhere.size() < most_others) elsewhere.push_back(list(rounded(place.x, 100), rounded(place.y, 100)));
   }
   const SeenRange range = range_of(sight, object, pair).value_or(SeenRange());
   const std::optional<cv::Point2d> right = pair.right ? std::optional(pair.right->centre) : std::nullopt;
-  return list("found"_sym, object.name, frame, rounded(likely.confidence(), 1000),
+  return list("found"_sym, object.name, frame, rounded(confidence_at_first(sight, object, pair), 1000),
               likely.second == nullptr ? "" : likely.second->name, rounded(likely.margin(), 1000),
               Datum::list(std::move(elsewhere)), places_datum({pair.left.centre, right, range.mm, range.spread_mm}));
 }

@@ -14,8 +14,6 @@ namespace {
 
 // How far a lost mark is looked for before the whole image is.
 constexpr double local_reach_px = 48;
-// How far off the centre of a mark may be, by what covers a part of it, that is told.
-constexpr double most_off_px = 1;
 // How much of the confidence is left after every tenth of a second in which a mark was not seen.
 constexpr double trust_in_a_bridge = 0.7;
 constexpr double trust_lasts_s = 0.1;
@@ -178,7 +176,7 @@ void MarkTracker::take(const StereoSight& sight, Track& track, SeenPair now) con
 TrackSighting MarkTracker::update(StereoSight& sight, Track& track) {
   const LearnedObject* object = objects_.find(track.name);
   if (object == nullptr) return miss(sight, track);
-  const double off_px = px_in(sight.left(), most_off_px);
+  const double off_px = most_off_px(sight);
   const auto look_at = [&](const SeenPair& pair) {
     return track.whole.look_at(sight.model(), *object, pair, captured_, off_px, !track.left);
   };

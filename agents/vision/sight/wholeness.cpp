@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "agents/vision/sight/covered_part.hpp"
+#include "agents/vision/sight/follow_mark.hpp"
 
 namespace pizarra {
 namespace {
@@ -21,10 +22,14 @@ FaceSize face_size(const StereoModel& model, const LearnedObject& object, const 
 
 }  // namespace
 
-double may_be_off_px(const StereoModel& model, const LearnedObject& object, const SeenPair& pair) {
-  if (pair.left.tag) return 0;
-  if (!pair.right) return may_be_off_by_shape_px(pair.left, front_slimness(object));
-  return may_be_off_px(object, face_size(model, object, pair), pair.left);
+double most_off_px(const StereoSight& sight) { return px_in(sight.left(), 1); }
+
+double confidence_at_first(const StereoSight& sight, const LearnedObject& object, const SeenPair& pair) {
+  const double of_whole = pair.likeness.confidence();
+  if (pair.left.tag) return of_whole;
+  const double off_px = pair.right ? may_be_off_px(object, face_size(sight.model(), object, pair), pair.left)
+                                   : may_be_off_by_shape_px(pair.left, front_slimness(object));
+  return confidence_if_off(of_whole, off_px, most_off_px(sight));
 }
 
 Wholeness::Look Wholeness::look_at(const StereoModel& model, const LearnedObject& object, const SeenPair& now,

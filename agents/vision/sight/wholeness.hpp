@@ -40,7 +40,10 @@ class Wholeness {
   WidestLook widest_;  // while the left image alone shows it
 };
 
-// How far the centre of a mark may be off that was not seen before, by what was learned of it.
-double may_be_off_px(const StereoModel& model, const LearnedObject& object, const SeenPair& pair);
+// How far off a centre may be, by what covers a part of the mark, that is told.
+double most_off_px(const StereoSight& sight);
+
+// How sure one can be of a mark that was not seen before, by what was learned of it.
+double confidence_at_first(const StereoSight& sight, const LearnedObject& object, const SeenPair& pair);
 
 }  // namespace pizarra
