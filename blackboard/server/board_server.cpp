@@ -41,7 +41,7 @@ BoardServer::BoardServer(Executor& executor, MemoryBoard& board, const BoardServ
               [this](const std::string& peer, std::optional<std::string_view> frame) {
                 receiving_ = true;
                 receive(peer, frame);
-                flush_all();
+                deliver();
                 receiving_ = false;
               }),
       hearing_(board, [this] { return socket_.heard_until(); }) {
@@ -98,6 +98,9 @@ void BoardServer::receive(const std::string& peer, std::optional<std::string_vie
 }
 
 void BoardServer::hear(const std::string& peer, const Datum& message) {
+  // Whatever else is said finds the transactions before it answered.
+  const bool transacts = message.is_form("request") && message.size() > 3 && message[3].is_form("transact");
+  if (!transacts) deliver();
   if (message.is_form("hello")) return greet(peer, message);
   const std::optional<std::uint64_t> id = wire::count_at(message, 1);
   if (!id) return refuse(peer, {"bad-frame", "a message is (KIND SESSION ...)", {}, {}});

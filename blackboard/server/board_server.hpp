@@ -128,6 +128,8 @@ class BoardServer {
   Result<Datum> watch(wire::SessionId id, Session& session, const Datum& body, std::size_t& examined);
   void note_journey(const Datum& body, Time sent);
   bool answer(wire::SessionId id, Session& session, wire::RequestId number, const Postponed::Message& waiting);
+  void owe(const std::string& peer, const std::string& reply);
+  void deliver();
   std::string with_progress(const Session& session, std::string reply) const;
   void send(const std::string& peer, const Datum& message);
   void schedule_flush(wire::SessionId id);
@@ -162,6 +164,10 @@ class BoardServer {
   std::size_t examined_ = 0;  // since then
   bool leaving_ = false;
   bool receiving_ = false;  // what is to be flushed is, when this is done
+  // Replies to transactions of the frame that is being received: they go together, after what these changed.
+  std::string owed_;
+  std::string owed_to_;
+  int owed_replies_ = 0;
   Executor::TimerId flush_timer_ = 0;
   Executor::TimerId look_timer_ = 0;
   Executor::TimerId sweep_timer_ = 0;

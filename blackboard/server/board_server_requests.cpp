@@ -64,7 +64,9 @@ void BoardServer::request(wire::SessionId id, Session& session, const Postponed:
   for (const Answered* answered : {&session.done, &session.refused}) {
     // One that is held comes when it may.
     const Durability::Reply* again = answered->find(*number);
-    if (again != nullptr) return durability_.answer_again(id, *number, *again);
+    if (again == nullptr) continue;
+    flush_all();
+    return durability_.answer_again(id, *number, *again);
   }
   const bool long_ago = *number <= std::max(session.done.forgotten(), session.refused.forgotten());
   if (must_be_done_once(message[3]) && long_ago) {
@@ -139,6 +141,11 @@ bool BoardServer::answer(wire::SessionId id, Session& session, wire::RequestId n
       durability_.remember({id, session.teller, number, said, key});
     }
   }
+  const bool goes_with_others = receiving_ && body.is_form("transact") && !durable && !session.holds;
+  if (goes_with_others) {
+    owe(session.peer, text);
+    return true;
+  }
   // Changes go before the reply to the request that made them, and after the one to the request for them.
   if (!body.is_form("watch")) flush_all();
   if (durable) {
@@ -147,6 +154,22 @@ bool BoardServer::answer(wire::SessionId id, Session& session, wire::RequestId n
     socket_.send(session.peer, session.holds ? with_progress(session, text) : text);
   }
   return true;
+}
+
+// To a transaction of the frame that is being received. So few wait for each other that none waits long.
+void BoardServer::owe(const std::string& peer, const std::string& reply) {
+  constexpr int most_together = 4;
+  owed_to_ = peer;
+  owed_ += reply;
+  if (++owed_replies_ == most_together) deliver();
+}
+
+void BoardServer::deliver() {
+  flush_all();
+  if (owed_replies_ == 0) return;
+  socket_.send(owed_to_, owed_);
+  owed_.clear();
+  owed_replies_ = 0;
 }
 
 // What is remembered, or held back, does not say it: it may be given when changes are under way anew.

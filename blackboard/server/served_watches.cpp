@@ -1,6 +1,7 @@
 #include "blackboard/server/served_watches.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "blackboard/store/indexing.hpp"
 #include "blackboard/wire/answer_form.hpp"
@@ -41,8 +42,15 @@ bool ServedWatches::send(WireSocket& socket, const std::string& peer, std::size_
 bool ServedWatches::send(WireSocket& socket, const std::string& peer, wire::WatchId number, Served& watch,
                          std::size_t& examined) {
   const std::size_t width = width_of(watch.queue->query());
-  std::string text;
-  while (watch.queue->ready() && watch.sent - watch.acknowledged < most_under_way) {
+  const auto may_send = [&] { return watch.queue->ready() && watch.sent - watch.acknowledged < most_under_way; };
+  std::string frame;
+  std::string change;
+  const auto send_frame = [&] {
+    blocked_ = !socket.send(peer, std::exchange(frame, {}));
+    if (blocked_) watch.queue->resynchronise();
+    return !blocked_;
+  };
+  while (may_send()) {
     const bool may_look = examined < limits::examined_a_turn && !Indexing::is_awaiting();
     if (watch.queue->must_look() && !may_look) return true;
     blocked_ = !socket.has_room(peer);
@@ -54,13 +62,14 @@ bool ServedWatches::send(WireSocket& socket, const std::string& peer, wire::Watc
       return false;
     }
     if (!*delta) continue;
-    text.clear();
-    wire::write_change(text, number, ++watch.sent, width, watch.kept, **delta);
-    if (!socket.send(peer, text)) {
-      blocked_ = true;
-      watch.queue->resynchronise();
-      return false;
-    }
+    change.clear();
+    wire::write_change(change, number, ++watch.sent, width, watch.kept, **delta);
+    const bool fits = frame.size() + change.size() <= wire::bytes_together;
+    if (!frame.empty() && !fits && !send_frame()) return false;
+    frame += change;
+    // Fewer are under way than a frame may hold.
+    const bool is_last = !may_send() || watch.queue->must_look() || !socket.has_room(peer);
+    if (is_last && !send_frame()) return false;
   }
   return false;
 }

@@ -78,6 +78,66 @@ TEST_F(ServerTogether, WhatIsDurableAtOnceIsAnsweredInOneFrame) {
   board.set_journal(nullptr);
 }
 
+TEST_F(ServerTogether, TransactionsOfAFrameAreAnsweredInOneAfterTheirChangesInAnother) {
+  Client client = this->client();
+  const std::string session = client.join("alice");
+  client.send(request(session, 1, "(watch 1 (query (note ?n ?)) kept)"));
+  EXPECT_EQ(client.receive(), read("(reply 1 (ok ()))"));
+  EXPECT_EQ(client.receive().head(), "change");
+  client.send(telling(session, 2) + telling(session, 3) + telling(session, 4));
+  const std::vector<Datum> changes = client.receive_frame();
+  ASSERT_EQ(changes.size(), 3U);
+  for (int i = 0; i < 3; ++i) {
+    const Datum& change = changes[static_cast<std::size_t>(i)];
+    EXPECT_EQ(change.head(), "change");
+    EXPECT_EQ(change[2], to_datum(i + 2)) << "numbered on";
+    EXPECT_EQ(change[3], to_datum(i + 1)) << "each at its revision";
+  }
+  const std::vector<Datum> replies = client.receive_frame();
+  EXPECT_EQ(replies, (std::vector<Datum>{read("(reply 2 (ok 1))"), read("(reply 3 (ok 2))"), read("(reply 4 (ok 3))")}));
+}
+
+TEST_F(ServerTogether, ChangesThatAreLongGoInFramesOfTheirOwn) {
+  Client client = this->client();
+  const std::string session = client.join("alice");
+  client.send(request(session, 1, "(watch 1 (query (note ?n ?)) kept)"));
+  EXPECT_EQ(client.receive(), read("(reply 1 (ok ()))"));
+  EXPECT_EQ(client.receive().head(), "change");
+  const std::string long_text(wire::bytes_together - 1000, 'x');
+  std::string frame = telling(session, 2);
+  for (int number = 3; number <= 4; ++number) {
+    frame += request(session, number, "(transact () ((tell (note " + std::to_string(number) + " " + long_text + ") 0)))");
+  }
+  client.send(frame);
+  std::vector<std::size_t> changes;
+  for (int i = 0; i < 2; ++i) changes.push_back(client.receive_frame().size());
+  EXPECT_EQ(changes, (std::vector<std::size_t>{2, 1}));
+}
+
+TEST_F(ServerTogether, ManyTransactionsOfAFrameAreAnsweredSomeAtATime) {
+  Client client = this->client();
+  const std::string session = client.join("alice");
+  std::string frame;
+  for (int number = 1; number <= 10; ++number) frame += telling(session, number);
+  client.send(frame);
+  std::vector<std::size_t> replies;
+  for (int i = 0; i < 3; ++i) replies.push_back(client.receive_frame().size());
+  EXPECT_EQ(replies, (std::vector<std::size_t>{4, 4, 2}));
+}
+
+TEST_F(ServerTogether, ATransactionThatComesAgainInItsFrameIsAnsweredAfterItsChange) {
+  Client client = this->client();
+  const std::string session = client.join("alice");
+  client.send(request(session, 1, "(watch 1 (query (note ?n ?)) kept)"));
+  EXPECT_EQ(client.receive(), read("(reply 1 (ok ()))"));
+  EXPECT_EQ(client.receive().head(), "change");
+  client.send(telling(session, 2) + telling(session, 2));
+  EXPECT_EQ(client.receive().head(), "change");
+  EXPECT_EQ(client.receive(), read("(reply 2 (ok 1))"));
+  EXPECT_EQ(client.receive(), read("(reply 2 (ok 1))"));
+  EXPECT_EQ(board.store().size(), 1U);
+}
+
 // A server that answers all that came in a frame in one, which begins with something else.
 class ClientTogether : public testing::TestWithParam<const char*>, public Wall {
  protected:

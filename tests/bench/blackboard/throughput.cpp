@@ -18,8 +18,8 @@ namespace {
 
 constexpr int batch = 64;
 constexpr int batches = 3000;  // in a round
-constexpr int in_flight = 8;   // batches told and not yet acknowledged
-constexpr int section = 10;    // batches; at most two are told and have not reached the watcher
+constexpr int in_flight = 32;  // batches told and not yet acknowledged
+constexpr int section = 40;    // batches; at most two are told and have not reached the watcher
 constexpr int objects = 4'000;
 
 // Says so whenever a section's worth of facts has come.
