@@ -18,6 +18,7 @@ namespace pizarra {
 struct SeenMark {
   MarkTone tone = MarkTone::dark;
   std::optional<Tag> tag = {};  // where it is one; its shape then says nothing
+  double tag_doubt = 0;         // how far its corners are off by its cells, as a part of what is let pass
   cv::Point2d centre;           // grey-weighted, px
   cv::Rect box;                 // around its contour
   double area_px = 0;           // filled pixels

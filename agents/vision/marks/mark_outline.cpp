@@ -53,23 +53,29 @@ struct Agreement {
       common.sines[i] = seen.sines[i] * learned.cosines[i] - seen.cosines[i] * learned.sines[i];
     }
   }
-  // Of all, and its first two derivatives.
-  std::array<double, 3> at(double angle) const {
+  // Calls use(i, cosine, sine) with those of every wave's angle.
+  static void for_each_wave(double angle, auto use) {
     const double step_cosine = std::cos(angle);
     const double step_sine = std::sin(angle);
     double cosine = std::cos(MarkOutline::first * angle);
     double sine = std::sin(MarkOutline::first * angle);
-    std::array<double, 3> out{};
     for (std::size_t i = 0; i < waves; ++i) {
+      use(i, cosine, sine);
+      const double next = cosine * step_cosine - sine * step_sine;
+      sine = sine * step_cosine + cosine * step_sine;
+      cosine = next;
+    }
+  }
+  // Of all, and its first two derivatives.
+  std::array<double, 3> at(double angle) const {
+    std::array<double, 3> out{};
+    for_each_wave(angle, [&](std::size_t i, double cosine, double sine) {
       const auto wave = static_cast<double>(MarkOutline::first + i);
       const double value = common.cosines[i] * cosine + common.sines[i] * sine;
       out[0] += value;
       out[1] += wave * (common.sines[i] * cosine - common.cosines[i] * sine);
       out[2] -= wave * wave * value;
-      const double next = cosine * step_cosine - sine * step_sine;
-      sine = sine * step_cosine + cosine * step_sine;
-      cosine = next;
-    }
+    });
     return out;
   }
   int best_turn() const {
@@ -82,11 +88,17 @@ struct Agreement {
     }
     return static_cast<int>(std::ranges::max_element(sums) - sums.begin());
   }
-  // At the best angle: one step of Newton's method from the best turn.
-  double best() const {
+  // One step of Newton's method from the best turn; and how much they agree there.
+  struct Best {
+    double angle, value;
+  };
+  Best best() const {
     const double angle = 2 * CV_PI * best_turn() / turns;
     const auto [value, slope, curvature] = at(angle);
-    return curvature < 0 ? std::max(value, at(angle - slope / curvature)[0]) : value;
+    if (curvature >= 0) return {angle, value};
+    const double better = angle - slope / curvature;
+    const double then = at(better)[0];
+    return then > value ? Best{better, then} : Best{angle, value};
   }
 };
 
@@ -117,12 +129,22 @@ bool is_triangle(const MarkOutline& outline) {
   return power(3) > std::max<double>(least_triangle_power, power(4));
 }
 
-double outline_error(const MarkOutline& seen, const MarkOutline& learned) {
+OutlineDifference outline_difference(const MarkOutline& seen, const MarkOutline& learned) {
+  const Agreement agreement(seen, learned);
+  const Agreement::Best best = agreement.best();
   const double power = learned.power();
   // The mean square of a wave is half of its amplitude's.
-  const double common = Agreement(seen, learned).best() / 2;
-  const double part = power > 0 ? std::clamp(common / power, least_part, most_part) : 1;
-  return std::max(0.0, seen.power() - 2 * part * common + part * part * power);
+  const double part = power > 0 ? std::clamp(best.value / 2 / power, least_part, most_part) : 1;
+  OutlineDifference out;
+  Agreement::for_each_wave(best.angle, [&](std::size_t i, double cosine, double sine) {
+    const double common = agreement.common.cosines[i] * cosine + agreement.common.sines[i] * sine;
+    const double of_seen = seen.cosines[i] * seen.cosines[i] + seen.sines[i] * seen.sines[i];
+    const double of_learned = learned.cosines[i] * learned.cosines[i] + learned.sines[i] * learned.sines[i];
+    const double left = std::max(0.0, of_seen - 2 * part * common + part * part * of_learned) / 2;
+    out.in_all += left;
+    out.in_one = std::max(out.in_one, left);
+  });
+  return out;
 }
 
 }  // namespace pizarra

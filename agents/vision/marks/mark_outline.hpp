@@ -4,7 +4,7 @@
 // slant are undone (mark_signature.hpp). Noise puts a little into every wave, another shape much into a few: so a
 // hexagon and a circle differ, whose pictures differ by hardly more than noise makes.
 //
-//   outline_error(outline_of(seen.signature), outline_of(learned.signature));      // 0 alike
+//   outline_difference(outline_of(seen.signature), outline_of(learned.signature)).in_all;      // 0 alike
 
 #include <array>
 
@@ -29,8 +29,12 @@ MarkOutline outline_of(const MarkSignature& signature);
 // Three corners are what is most of it.
 bool is_triangle(const MarkOutline& outline);
 
-// The mean square of what is left of the seen one's waves, turned and all lessened as the learned one's would be by
-// some blur, in standard deviations squared.
-double outline_error(const MarkOutline& seen, const MarkOutline& learned);
+// What is left of the seen one's waves, turned and all lessened as the learned one's would be by some blur: mean squares,
+// in standard deviations squared. Noise is in all waves; what nobody learned may differ by one of them alone.
+struct OutlineDifference {
+  double in_all = 0;
+  double in_one = 0;  // the greatest
+};
+OutlineDifference outline_difference(const MarkOutline& seen, const MarkOutline& learned);
 
 }  // namespace pizarra

@@ -145,10 +145,15 @@ bool has_a_border(const cv::Mat1b& grey, const Corners& corners) {
   return agreeing >= least_border_share * places * static_cast<double>(corners.size());
 }
 
-// Whether its corners are its own, and not where something lies over its border.
-bool is_whole(const cv::Mat1b& grey, const Corners& corners, const Family& family, int number) {
+// The tag, unless its corners are not its own but where something lies over its border.
+std::optional<SeenMark> whole_mark(const cv::Mat1b& grey, const Corners& corners, const Family& family, int number) {
   const cv::Ptr<cv::aruco::Dictionary> dictionary = cv::aruco::getPredefinedDictionary(family.dictionary);
-  return middle_off_px(grey, corners, *dictionary, number) <= std::max(most_off_px, most_off_share * side_px(corners));
+  const double allowed = std::max(most_off_px, most_off_share * side_px(corners));
+  const double doubt = middle_off_px(grey, corners, *dictionary, number) / allowed;
+  if (doubt > 1) return std::nullopt;
+  SeenMark out = mark_of(grey, corners, {std::string(family.name), number});
+  out.tag_doubt = doubt;
+  return out;
 }
 
 // The smallest square around the point, whether a tag of that family or not.
@@ -188,8 +193,8 @@ std::optional<SeenMark> tag_at(const cv::Mat& grey, cv::Point2d point) {
       Corners& corners = detection.found[i];
       move_by(corners, area.tl());
       if (!is_around(corners, point) || !has_a_border(grey, corners)) continue;
-      if (!is_whole(grey, corners, family, detection.numbers[i])) continue;
-      return mark_of(grey, corners, {std::string(family.name), detection.numbers[i]});
+      std::optional<SeenMark> mark = whole_mark(grey, corners, family, detection.numbers[i]);
+      if (mark) return mark;
     }
   }
   return std::nullopt;
@@ -206,8 +211,8 @@ std::vector<SeenMark> find_tags(const cv::Mat& grey, const Tag& tag, cv::Rect ar
   for (std::size_t i = 0; i < detection.found.size(); ++i) {
     if (detection.numbers[i] != tag.number) continue;
     move_by(detection.found[i], looked_at.tl());
-    if (!is_whole(grey, detection.found[i], *family, tag.number)) continue;
-    out.push_back(mark_of(grey, detection.found[i], tag));
+    std::optional<SeenMark> mark = whole_mark(grey, detection.found[i], *family, tag.number);
+    if (mark) out.push_back(std::move(*mark));
   }
   return out;
 }

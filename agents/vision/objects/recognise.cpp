@@ -25,6 +25,10 @@ constexpr double outline_slack = 0.0003;
 constexpr double outline_share = 0.04;
 constexpr double outline_noise = 25;
 constexpr double least_noise = 0.01;  // of the contrast
+// By less than this, blurred, an outline may differ that nobody learned: an octagon's from a circle. However much noise
+// may make, what differs by more is not known for certain; and by one wave alone less of it counts as much as by all.
+constexpr double least_other = 0.0015;
+constexpr double wave_share = 0.5;
 // A mark slimmer than this by itself does not say from where it is seen.
 constexpr double least_round = 0.9;
 // Of the squared cosines of two faces of one cube, with what their measuring adds.
@@ -102,15 +106,24 @@ Match match_of(const SeenMark& mark, const LearnedObject& object, std::optional<
   return best;
 }
 
-double outline_doubt(const SeenMark& mark, const Match& match) {
-  if (mark.tag) return 0;
-  if (match.sample == nullptr) return impossible;
+// As Likeness has them.
+struct OutlineDoubt {
+  double doubt = impossible;
+  double unlearned = impossible;
+};
+
+OutlineDoubt outline_doubt(const SeenMark& mark, const Match& match) {
+  if (mark.tag) return {mark.tag_doubt, mark.tag_doubt};
+  if (match.sample == nullptr) return {};
   const double contrast = std::max(1.0, std::abs(mark.mark_level - mark.ground_level));
   const double noise = std::max(least_noise, mark.noise / contrast) / mark.height_px;
   const auto part = static_cast<std::size_t>(match.turn % TurnedSignatures::parts);
   const MarkOutline& learned = match.sample->outlines[part];
-  const double allowed = outline_slack + outline_share * learned.power() + outline_noise * noise * noise;
-  return outline_error(outline_of(mark.signature), learned) / allowed;
+  const double ever = outline_share * learned.power();
+  const double by_noise = outline_slack + outline_noise * noise * noise;
+  const OutlineDifference difference = outline_difference(outline_of(mark.signature), learned);
+  const double doubt = difference.in_all / (ever + by_noise);
+  return {doubt, std::max(doubt, difference.in_one / (ever + wave_share * std::min(by_noise, least_other)))};
 }
 
 // The square root of an error is a distance: who is as far from the object as the second and the mark together, and
@@ -141,7 +154,7 @@ std::optional<double> scale_of_another_size(const SeenMark& mark, const LearnedO
     const Match match = shape_match(mark, sample, weight);
     if (match.error <= best.error) best = match;
   }
-  if (best.sample == nullptr || outline_doubt(mark, best) > 1) return std::nullopt;
+  if (best.sample == nullptr || outline_doubt(mark, best).doubt > 1) return std::nullopt;
   return mark.height_px / best.sample->height_px;
 }
 
@@ -163,13 +176,14 @@ bool Likeness::is_ambiguous() const { return second != nullptr && margin() < lea
 double Likeness::confidence() const {
   const double ahead_of_second = second == nullptr ? 0 : std::exp(-margin() / error_scale);
   const double ahead_of_unlike = std::exp(-(recognition_threshold - error) / error_scale);
-  const double ahead_of_unlearned = std::exp(-(1 - doubt) / doubt_scale);
-  return 1 / (1 + ahead_of_second + ahead_of_unlike + ahead_of_unlearned);
+  const double ahead_of_unlearned = std::exp(-(1 - unlearned) / doubt_scale);
+  return 1 / (1 + ahead_of_second + ahead_of_unlike + ahead_of_unlearned + twins);
 }
 
 Likeness likeness(const SeenMark& mark, const LearnedObjects& objects, const LearnedObject& object) {
   const Match match = match_of(mark, object);
-  Likeness out{.error = match.error, .doubt = outline_doubt(mark, match), .turn = match.turn};
+  const OutlineDoubt outline = outline_doubt(mark, match);
+  Likeness out{.error = match.error, .doubt = outline.doubt, .unlearned = outline.unlearned, .turn = match.turn};
   find_second(mark, match, objects, object, out);
   return out;
 }
@@ -179,7 +193,9 @@ std::optional<Likeness> recognise(const SeenMark& mark, const LearnedObjects& ob
   const Match match = match_of(mark, object, last_turn);
   Likeness out{.error = match.error, .turn = match.turn};
   if (out.error > recognition_threshold) return std::nullopt;
-  out.doubt = outline_doubt(mark, match);
+  const OutlineDoubt outline = outline_doubt(mark, match);
+  out.doubt = outline.doubt;
+  out.unlearned = outline.unlearned;
   if (out.doubt > 1) return std::nullopt;
   find_second(mark, match, objects, object, out);
   if (out.is_ambiguous()) return std::nullopt;
@@ -237,6 +253,19 @@ std::vector<cv::Point2d> others_like(const std::vector<SeenMark>& marks, const L
   std::vector<cv::Point2d> out;
   for (const SeenMark& mark : marks) {
     if (!found.box.contains(mark.centre) && is_recognised(mark, objects, object)) out.push_back(mark.centre);
+  }
+  return out;
+}
+
+double twins_of(const std::vector<SeenMark>& marks, const LearnedObjects& objects, const LearnedObject& object,
+                const SeenMark& found) {
+  const double error = recognition_error(found, object);
+  const double front = front_slimness(object);
+  double out = 0;
+  for (const SeenMark& mark : marks) {
+    if (found.box.contains(mark.centre) || may_be_one_cube(found, mark, front)) continue;
+    const std::optional<Likeness> likely = recognise(mark, objects, object);
+    if (likely) out += std::exp(-std::max(0.0, likely->error - error) / error_scale);
   }
   return out;
 }

@@ -36,16 +36,20 @@ struct Likeness {
   // By how much the mark's outline differs from that of the likest sample, as a part of what the image's noise, blur and
   // a turned face may make of it. Above 1 it is something that nobody learned.
   double doubt = 0;
+  // The same as a part of what it may be without being as much as other shapes differ by: no less than the doubt, and
+  // more in noise that would hide these.
+  double unlearned = 0;
   int turn = 0;                                 // of that sample, of TurnedSignatures::turns
   const LearnedObject* second = nullptr;        // null: the mark could be no other
   double second_error = recognition_threshold;  // of that one
+  double twins = 0;                             // others in view that might as well be the object: twins_of()
   // By how much the object is ahead, of the second or of what is none.
   double margin() const { return second_error - error; }
   // Whether it is neither for certain.
   bool is_ambiguous() const;
-  // From 0 to 1: the object's share against the second, against what is unlike everything learned, and against what is
-  // like it but unlearned. The first two count e times less for every hundredth of error that they are farther away,
-  // the third for every sixth of the doubt that is missing. One half: it might as well be another thing.
+  // From 0 to 1: the object's share against the second, against what is unlike everything learned, against what is
+  // like it but unlearned, and against its twins. The first two count e times less for every hundredth of error that they are farther away,
+  // the third for every sixth that `unlearned` is below 1. One half: it might as well be another thing.
   double confidence() const;
 };
 inline constexpr double least_margin = 0.005;
@@ -77,6 +81,11 @@ const SeenMark* find_object(const std::vector<SeenMark>& marks, const LearnedObj
 // Where else marks are recognised as the object: another one, another face of its cube, or something like it.
 std::vector<cv::Point2d> others_like(const std::vector<SeenMark>& marks, const LearnedObjects& objects,
                                      const LearnedObject& object, const SeenMark& found);
+
+// How many of these there are, each counted e times less for every hundredth of error that it is less like the object;
+// what may be another face of the same cube is none.
+double twins_of(const std::vector<SeenMark>& marks, const LearnedObjects& objects, const LearnedObject& object,
+                const SeenMark& found);
 
 // The partner of a left mark in the right image: same tone, line, size and shape, to the left of it and nearest to the
 // expected disparity where one is given. Null: none.

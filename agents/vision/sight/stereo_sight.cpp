@@ -129,7 +129,8 @@ std::optional<SeenPair> StereoSight::find(const Tag& tag, std::optional<cv::Rect
   for (const SeenMark& other : seen) {
     if (&other != &*left && !may_be_one_cube(*left, other, square)) return std::nullopt;
   }
-  SeenPair out{std::move(*left), std::nullopt, Likeness{.error = 0}};
+  const Likeness likely{.error = 0, .doubt = left->tag_doubt, .unlearned = left->tag_doubt};
+  SeenPair out{std::move(*left), std::nullopt, likely};
   if (model_.is_single()) return out;
   const auto right_within = [&](const cv::Rect& looked_at) {
     std::vector<SeenMark> right = find_tags(right_, tag, looked_at);

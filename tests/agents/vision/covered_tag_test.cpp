@@ -23,6 +23,8 @@ struct TagHand {
 class CoveredTag : public testing::TestWithParam<std::tuple<int, int>> {
  protected:
   static constexpr double most_off_px = 2;
+  static constexpr double sure_from = 0.9;
+  static constexpr double most_off_sure_px = 1;
   static constexpr int frames_at_rest = 10;
 
   CoveredTag() : random(Random(std::get<1>(GetParam())).split("covered tag")) {
@@ -67,13 +69,18 @@ class CoveredTag : public testing::TestWithParam<std::tuple<int, int>> {
     seen_by_pair = is_seen(pair.update(both, now).front());
     seen_by_one = is_seen(single.update(left_only, now).front());
     const std::optional<SeenPair> found = both.find(objects, *objects.find("tag"));
-    const double off_px = found ? cv::norm(found->left.centre - mark().centre) : 0;
-    EXPECT_LT(off_px, most_off_px) << "found";
+    if (found) check(found->left.centre, found->likeness.confidence());
   }
   bool is_seen(const TrackSighting& sighting) const {
     if (!sighting.seen) return false;
-    EXPECT_LT(cv::norm(sighting.centre - mark().centre), most_off_px) << "told at " << sighting.confidence;
+    check(sighting.centre, sighting.confidence);
     return true;
+  }
+  void check(cv::Point2d told, double confidence) const {
+    EXPECT_LT(cv::norm(told - mark().centre), confidence < sure_from ? most_off_px : most_off_sure_px) << confidence;
+    if (scene.things.empty()) {
+      EXPECT_GT(confidence, sure_from) << "of a whole one";
+    }
   }
   void look_on(int frames) {
     for (int n = 0; n < frames; ++n) look();

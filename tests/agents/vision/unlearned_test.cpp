@@ -50,6 +50,31 @@ TEST(Unlearned, AloneIsNothing) {
   }
 }
 
+// In any light, noise, blur and size of the bench's scenes, where it may pass for a learned one.
+TEST(Unlearned, ThatPassesForACircleIsHardlyEverSureToBeOne) {
+  constexpr int scenes = 400;
+  constexpr double sure_from = 0.9;
+  const LearnedObject& circle = *learned_cell().find("circle");
+  for (const bench::UnlearnedShape& shape : bench::unlearned_shapes()) {
+    if (shape.name != std::string("hexagon") && shape.name != std::string("heptagon")) continue;
+    int sure = 0;
+    for (int i = 0; i < scenes; ++i) {
+      Random random(static_cast<std::uint64_t>(i));
+      bench::SceneRanges ranges = bench::hard_ranges;
+      ranges.presence = ranges.most_clutter = 0;
+      bench::Scene scene = random_scene(ranges, random);
+      const cv::Point2d place(random.uniform(60, 260), random.uniform(60, 180));
+      const double scale = random.uniform(0.6, 1.6) * bench::scale_at(bench::learning_depth_mm);
+      const double turn = random.uniform(0, 360);
+      scene.things = {{.shape = bench::placed(shape.shape, place, scale, turn), .level = scene.mark_level}};
+      ImageSegmentation segmentation(draw(scene, bench::Side::left, random));
+      const SeenMark* seen = find_object(segmentation.marks(), learned_cell(), circle);
+      sure += seen != nullptr && likeness(*seen, learned_cell(), circle).confidence() >= sure_from ? 1 : 0;
+    }
+    EXPECT_LE(sure, scenes / 100) << shape.name;
+  }
+}
+
 TEST(Unlearned, BesideALearnedMarkIsNotTakenForItAndNotKeptQuietAboutEither) {
   const StereoModel pair = bench::scene_camera();
   for (const bench::UnlearnedShape& other : bench::unlearned_shapes()) {

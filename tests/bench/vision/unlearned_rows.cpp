@@ -10,7 +10,7 @@
 namespace pizarra::bench {
 namespace {
 
-constexpr double sure_from = 0.95;
+constexpr double sure_from = 0.9;
 
 // The learned object that the shape is taken for, and how sure that is.
 struct Taken {
