@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "agents/vision/objects/learned.hpp"
+
 namespace pizarra {
 namespace {
 
@@ -33,6 +35,14 @@ bool ModeHolders::tracks(const std::string& client) const {
   return std::ranges::any_of(clients_, [&](const auto& entry) {
     return (entry.first == client || is_anyones(entry.first)) && !entry.second.tracked.empty();
   });
+}
+
+std::string ModeHolders::other_tracker(const std::string& client, const std::string& name) const {
+  const auto held = std::ranges::find_if(clients_, [&](const auto& entry) {
+    if (entry.first == client || is_anyones(entry.first)) return false;
+    return std::ranges::any_of(entry.second.tracked, [&](const std::string& each) { return same_name(each, name); });
+  });
+  return held == clients_.end() ? "" : held->first;
 }
 
 std::string ModeHolders::tracker() const {

@@ -32,6 +32,8 @@ class ModeHolders {
   void track(const std::string& client, const std::string& name);
   void end_track(const std::string& client);
   bool tracks(const std::string& client) const;
+  // Another one who tracks this object, and ends that himself; empty: nobody.
+  std::string other_tracker(const std::string& client, const std::string& name) const;
   // One who tracks; empty: nobody.
   std::string tracker() const;
   // Everything that is tracked, each once.

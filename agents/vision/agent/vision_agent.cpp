@@ -68,9 +68,9 @@ Task<Result<Datum>> VisionAgent::State::handle(Fact request) {
   if (asked == "disconnect") return disconnect(request.teller);
   if (asked == "keep") return keep_modes(request.teller);
   if (asked == "accept") return accept(name);
-  if (asked == "reject") return reject(name);
-  if (asked == "forget") return forget(name);
-  if (asked == "rename") return rename(std::string(operation[1].text()), name);
+  if (asked == "reject") return reject(request.teller, name);
+  if (asked == "forget") return forget(request.teller, name);
+  if (asked == "rename") return rename(request.teller, std::string(operation[1].text()), name);
   return get_objects();
 }
 

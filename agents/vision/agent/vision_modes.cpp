@@ -10,7 +10,8 @@ namespace {
 
 // A learning takes two seconds, a finding a few frames.
 constexpr Duration longest_wait_for_turn = 6s;
-constexpr std::size_t most_waiting = 16;
+constexpr std::size_t most_waiting = 64;
+constexpr std::size_t most_waiting_of_one = 8;
 // Of who is not present.
 constexpr Duration lease = 60s;
 
@@ -33,16 +34,32 @@ Result<void> VisionAgent::State::check_free(Activity allowed) const {
   return fail("busy", fmt::format("vision is {} for {}", mode(), holder), Datum::symbol(holder));
 }
 
-Task<Result<void>> VisionAgent::State::take_turn(Activity allowed) {
-  if (turns.size() >= most_waiting) co_return check_free(Activity::none);
+Result<void> VisionAgent::State::check_untracked(const std::string& client, const std::string& name) const {
+  const std::string holder = holders.other_tracker(client, name);
+  if (holder.empty()) return {};
+  return fail("busy", fmt::format("{} tracks it, which is then not changed by others", holder), Datum::symbol(holder));
+}
+
+Result<void> VisionAgent::State::check_room_to_wait(const std::string& client) const {
+  const auto own = std::ranges::count(turns, client, &Turn::client);
+  if (own >= static_cast<std::ptrdiff_t>(most_waiting_of_one)) {
+    return fail("busy", fmt::format("{} requests of {} wait already", own, client), Datum::symbol(client));
+  }
+  if (turns.size() < most_waiting) return {};
+  return fail("busy", "vision is asked for too much at once", Datum::symbol(busy_for));
+}
+
+Task<Result<void>> VisionAgent::State::take_turn(std::string client, Activity allowed) {
+  const Result<void> room = check_room_to_wait(client);
+  if (!room) co_return room;
   const int mine = ++last_turn;
-  turns.push_back(mine);
+  turns.push_back({mine, std::move(client)});
   // However the waiting ends, the next one's turn comes.
   struct Leaving {
     State& state;
     int turn;
     ~Leaving() {
-      std::erase(state.turns, turn);
+      std::erase_if(state.turns, [this](const Turn& each) { return each.number == turn; });
       state.turn_ended.wake_all();
     }
   };
@@ -52,7 +69,7 @@ Task<Result<void>> VisionAgent::State::take_turn(Activity allowed) {
   bool in_time = true;
   while (in_time) {
     free = check_free(allowed);
-    const bool next = turns.front() == mine;
+    const bool next = turns.front().number == mine;
     // Others' tracking may last for ever.
     const bool hopeless = !free && activity == Activity::tracking;
     const bool over = (free && next) || hopeless;

@@ -1,7 +1,7 @@
 #pragma once
 
-// What the vision agent knows and is doing. vision_agent.cpp runs it, vision_operations.cpp has its operations,
-// vision_modes.cpp who may use it when, vision_frames.cpp what becomes of a frame, vision_telling.cpp what is told.
+// What the vision agent knows and is doing. vision_agent.cpp runs it, vision_operations.cpp has its operations
+// and vision_finding.cpp FIND among them, vision_modes.cpp who may use it when, vision_frames.cpp what becomes of a frame, vision_telling.cpp what is told.
 
 #include <deque>
 #include <map>
@@ -38,14 +38,23 @@ struct VisionAgent::State {
   Task<Result<Datum>> disconnect(std::string client);
   Task<Result<Datum>> keep_modes(std::string client);
   Task<Result<Datum>> accept(std::string name);
-  Task<Result<Datum>> reject(std::string name);
-  Task<Result<Datum>> forget(std::string name);
-  Task<Result<Datum>> rename(std::string name, std::string new_name);
+  Task<Result<Datum>> reject(std::string client, std::string name);
+  Task<Result<Datum>> forget(std::string client, std::string name);
+  Task<Result<Datum>> rename(std::string client, std::string name, std::string new_name);
 
   Task<Result<LearnedSample>> learn_sample(std::string name, double x, double y);
   Task<Result<SeenMark>> find_mark(std::string name);
-  // (found ...): how sure it is, what it might be otherwise, where else one like it is.
-  Datum found_fact(std::uint64_t frame, StereoSight& sight, const LearnedObject& object, const SeenPair& pair) const;
+  // Where it is seen, how sure that is, and where others are that it may be as well.
+  struct Found {
+    SeenPair pair;
+    std::vector<cv::Point2d> elsewhere;
+  };
+  std::optional<Found> find_in(StereoSight& sight, const LearnedObject& object) const;
+  std::optional<Found> find_shape(StereoSight& sight, const LearnedObject& object) const;
+  std::optional<Found> find_tag(StereoSight& sight, const LearnedObject& object) const;
+  // (found NAME FRAME CONFIDENCE SECOND MARGIN ((X Y) ...) PLACES)
+  static Datum found_fact(std::uint64_t frame, const StereoSight& sight, const LearnedObject& object,
+                          const Found& found);
   // Why there is no object of this name: it was never learned, or is damaged.
   Failure not_known(const std::string& name) const;
   // Why none of the marks is the object: like another one as much, or like none.
@@ -90,8 +99,12 @@ struct VisionAgent::State {
   Task<std::string> holder_for(std::string client);
   // A failure `busy`, its subject who holds the mode, unless nothing goes on, or only what `allowed` says.
   Result<void> check_free(Activity allowed) const;
+  // A failure `busy` where another client tracks the object, so that it is to stay as it is.
+  Result<void> check_untracked(const std::string& client, const std::string& name) const;
   // Waits in turn until no other learning or finding goes on; `allowed` as above. Who has had its turn begins at once.
-  Task<Result<void>> take_turn(Activity allowed);
+  // Of each client only some wait, so that no other's are refused for them.
+  Task<Result<void>> take_turn(std::string client, Activity allowed);
+  Result<void> check_room_to_wait(const std::string& client) const;
   Task<void> begin(Activity wanted, std::string client);
   // Ends an activity and goes on with what it interrupted.
   Task<void> finish_activity();
@@ -123,7 +136,11 @@ struct VisionAgent::State {
   Activity activity = Activity::none;
   ModeHolders holders;
   std::string busy_for;   // whose learning or finding goes on
-  std::deque<int> turns;  // of those who wait, and of the one who is next
+  struct Turn {
+    int number;
+    std::string client;
+  };
+  std::deque<Turn> turns;  // of those who wait, and of the one who is next
   int last_turn = 0;
   std::set<std::string> missing;  // holders who were not present at the last look
   Time absent_until = {};         // how long ModeHolders::absent holds what it does

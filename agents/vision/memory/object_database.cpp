@@ -140,19 +140,22 @@ std::filesystem::path ObjectDatabase::bitmap(const Row& row) const {
 
 Result<KeptObjects> ObjectDatabase::read() {
   KeptObjects out;
+  bitmaps_.clear();
   sqlite::Statement rows(database_,
                          "SELECT name, num, tone, area, perimeter, nf, m0, m1, m2, height, slimness, roundness, "
                          "roundness_spread, size, sum, id, guessed FROM samples ORDER BY id");
   for (Result<bool> row = rows.step(); !row || *row; row = rows.step()) {
     if (!row) return fail(row);
     const std::string name(rows.text(0));
+    const std::filesystem::path file = bitmap({name, rows.integer(1)});
+    bitmaps_.note(file);
     Result<LearnedSample> sample = sample_of(rows, name);
     const Result<LearnedObjects::Slot> room = sample ? out.objects.slot_for(name) : fail(sample);
     if (room) {
       out.objects.add(room->name, std::move(*sample));
     } else {
       Failure why = room.error();
-      why.subject = to_datum(bitmap({name, rows.integer(1)}).filename().string());
+      why.subject = to_datum(file.filename().string());
       out.damaged.push_back({name, std::move(why)});
     }
   }

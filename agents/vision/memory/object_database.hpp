@@ -22,6 +22,7 @@
 #include <utility>
 #include <vector>
 
+#include "agents/vision/memory/file_states.hpp"
 #include "agents/vision/memory/object_change.hpp"
 #include "blackboard/journal/sqlite.hpp"
 
@@ -50,6 +51,8 @@ class ObjectDatabase {
   Result<std::int64_t> apply(const ObjectChange& change);
   // Whether the file at its path is the one that was opened.
   bool in_place() const { return file_now() == file_; }
+  // Whether the bitmaps are as they were when they were read: a damaged one is so soon known.
+  bool bitmaps_in_place() const { return bitmaps_.unchanged(); }
   // Another number once another agent has changed it.
   Result<std::int64_t> version() { return database_.ask("PRAGMA data_version"); }
 
@@ -91,6 +94,7 @@ class ObjectDatabase {
   std::filesystem::path directory_;
   sqlite::Database database_;
   FileId file_;
+  FileStates bitmaps_;  // of those that were read last
 };
 
 }  // namespace pizarra

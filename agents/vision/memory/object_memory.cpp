@@ -89,7 +89,7 @@ Task<Result<bool>> ObjectMemory::recall_changed() {
   if (directory_.empty()) co_return false;
   const bool in_place = database_ && database_->in_place();
   const Result<std::int64_t> version = in_place ? database_->version() : Result<std::int64_t>(version_ - 1);
-  if (version && *version == version_) co_return false;
+  if (version && *version == version_ && database_->bitmaps_in_place()) co_return false;
   const Result<void> recalled = co_await recall();
   if (!recalled) co_return fail(recalled);
   co_return true;

@@ -28,8 +28,8 @@ class ObjectMemory {
 
   // Reads everything anew. Failures: the board's.
   Task<Result<void>> recall();
-  // The same where another agent has changed the database, or what kept it from being read is gone; whether it was
-  // read.
+  // The same where another agent has changed the database, a bitmap is another file than was read, or what kept the
+  // database from being read is gone; whether it was read.
   Task<Result<bool>> recall_changed();
   // Failures: full, not-learned, name-taken, those of the database and of the board.
   // The id of the sample that was kept; 0 where none was to be, or in no database.

@@ -59,6 +59,35 @@ TEST_F(Vision, WhatATrackingExcludesIsRefusedWithWhoTracks) {
   EXPECT_EQ(other.call(learn_request(1, "square")), R"x((LEARN "square" OK))x");
 }
 
+TEST_F(Vision, WhatAnotherTracksIsNeitherForgottenNorRenamedNorTakenBack) {
+  EXPECT_EQ(call(learn_request(0, "circle")), R"x((LEARN "circle" OK))x");
+  EXPECT_EQ(call("(track \"circle\")"), "()");
+  Client other(*this, "other");
+  EXPECT_EQ(other.call("(forget \"Circle\")"), "busy tester");
+  EXPECT_EQ(other.call("(rename \"circle\" \"disc\")"), "busy tester");
+  EXPECT_EQ(other.call("(reject \"circle\")"), "busy tester");
+  EXPECT_EQ(call("(get-objects)"), R"x((GET 1 ("circle")))x");
+  EXPECT_EQ(call("(rename \"circle\" \"disc\")"), "()");
+  EXPECT_EQ(call("(end-track)"), "()");
+  EXPECT_EQ(other.call("(forget \"disc\")"), "()");
+}
+
+TEST_F(Vision, HoweverMuchOneClientAsksForAnothersTurnComes) {
+  EXPECT_EQ(call(learn_request(0, "circle")), R"x((LEARN "circle" OK))x");
+  Client greedy(*this, "greedy");
+  Client other(*this, "other");
+  std::vector<std::string> answers(30);
+  std::vector<Job> jobs;
+  for (std::string& answer : answers) jobs.push_back(executor.spawn(greedy.ask(form("(find \"circle\")"), answer)));
+  run_for(10ms);
+  EXPECT_TRUE(other.call("(find \"circle\")").starts_with(R"x((FIND "circle" OK ()x"));
+  executor.run_until([&] { return std::ranges::all_of(jobs, &Job::done); });
+  const auto refused = std::ranges::count(answers, "busy greedy");
+  EXPECT_GT(refused, 0);
+  EXPECT_EQ(std::ranges::count_if(answers, [](const std::string& a) { return a.starts_with("(FIND \"circle\" OK"); }),
+            static_cast<std::ptrdiff_t>(answers.size()) - refused);
+}
+
 TEST_F(Vision, EachClientTracksAndConnectsForItself) {
   EXPECT_EQ(call(learn_request(0, "circle")), R"x((LEARN "circle" OK))x");
   EXPECT_EQ(call(learn_request(1, "square")), R"x((LEARN "square" OK))x");

@@ -14,6 +14,13 @@ class FakeCamera : public StereoCamera {
   FakeCamera(Executor& executor, std::uint64_t seed) : executor_(executor), random_(seed) {}
 
   Scene scene;
+  // Drawn over what the pair shows, so many px further left by the right image.
+  struct Picture {
+    cv::Mat1b grey;
+    cv::Point at;
+    int disparity_px = 60;
+  };
+  std::vector<Picture> pictures = {};
   bool plugged = true;
   int opened = 0;
   int colour_asked = 0;
@@ -31,6 +38,10 @@ class FakeCamera : public StereoCamera {
     }
     if (!plugged) co_return fail("disconnected", "the camera is unplugged");
     StereoFrame frame = draw_scene(scene, model_, number_, random_);
+    for (const Picture& picture : pictures) {
+      frame.left = pasted(*frame.left, picture.grey, picture.at);
+      frame.right = pasted(*frame.right, picture.grey, picture.at - cv::Point(picture.disparity_px, 0));
+    }
     frame.captured = executor_.now();
     colour_asked += colour ? 1 : 0;
     if (colour) frame.left = in_colour(*frame.left);
@@ -51,6 +62,13 @@ class FakeCamera : public StereoCamera {
   }
 
  private:
+  static std::shared_ptr<const Image> pasted(Image image, const cv::Mat1b& picture, cv::Point at) {
+    for (int y = 0; y < picture.rows; ++y) {
+      std::uint8_t* row = image.pixels.data() + (at.y + y) * image.width + at.x;
+      std::copy_n(picture.ptr<std::uint8_t>(y), picture.cols, row);
+    }
+    return std::make_shared<Image>(std::move(image));
+  }
   static std::shared_ptr<const Image> in_colour(const Image& grey) {
     auto image = std::make_shared<Image>(Image{grey.width, grey.height, 3, {}});
     for (const std::uint8_t pixel : grey.pixels) image->pixels.insert(image->pixels.end(), 3, pixel);

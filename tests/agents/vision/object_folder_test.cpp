@@ -104,6 +104,21 @@ TEST_F(KeptVision, ADamagedSampleIsSaidOnceAndTheOthersGoOn) {
   EXPECT_EQ(call("(get-objects)"), R"x((GET 2 ("end-effector", "circle")))x");
 }
 
+TEST_F(KeptVision, ABitmapThatIsDamagedWhileTheAgentRunsIsSaidAndKnownAgainWhenItIsMended) {
+  learn_all();
+  const std::string bitmap = folder + "/circle-1.pgm";
+  std::filesystem::copy_file(bitmap, bitmap + ".sound");
+  std::filesystem::resize_file(bitmap, 100);
+  run_for(2s);
+  EXPECT_EQ(facts("(objects-damaged vision ? ? ?)"),
+            "(objects-damaged vision \"circle-1.pgm\" damaged \"the template bitmap is damaged\")");
+  EXPECT_TRUE(call("(find \"end-effector\")").starts_with(R"x((FIND "end-effector" OK ()x"));
+  std::filesystem::rename(bitmap + ".sound", bitmap);
+  run_for(2s);
+  EXPECT_EQ(facts("(objects-damaged vision ? ? ?)"), "");
+  EXPECT_TRUE(call("(find \"circle\")").starts_with(R"x((FIND "circle" OK ()x"));
+}
+
 TEST_F(KeptVision, ADatabaseThatIsNoneLeavesWhatTheBoardRemembersAndRefusesToLearn) {
   learn_all();
   life.reset();
