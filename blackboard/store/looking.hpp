@@ -27,8 +27,10 @@ class Looking {
   ~Looking() { examined_ = examined(); }
 
   // Whether the bound allows of another fact, and what was compared so far.
-  bool at_one_more() {
-    ++facts_;
+  bool at_one_more() { return at_more(1); }
+  // What takes as long as so many facts.
+  bool at_more(std::size_t facts) {
+    facts_ += facts;
     return is_allowed();
   }
   bool is_allowed() const { return examined() <= most_ && !Indexing::is_awaiting(); }

@@ -2,7 +2,8 @@
 
 // How many facts watches look at to follow one commit: limits::examined for all of them together, however many there
 // are, and beyond that limits::examined_a_turn for each reader, so that who watches little follows whatever others
-// watch.
+// watch. What else is done for a watch counts as the facts that could have been looked at meanwhile, whatever comes of
+// it: a watch that is asked to follow, a fact that is tried, a search that is begun, an answer that comes or goes.
 //
 //   CommitLooks looks;                                      // of one commit
 //   std::size_t examined = looks.before(reader);            // a search that goes on from there ends in time
@@ -21,6 +22,14 @@ class CommitLooks {
  public:
   // One for all that share a backlog.
   using Reader = const Backlog*;
+  static constexpr std::size_t looks_a_watch = 8;
+  static constexpr std::size_t looks_a_comparison = 2;
+  static constexpr std::size_t looks_a_search = 4;
+  static constexpr std::size_t looks_an_answer = 8;
+  // To weigh, keep and write what comes of it.
+  static constexpr std::size_t bytes_a_look = 64;
+  // Patterns that the facts of a commit lead to, one by one: each takes a quarter of a look or less.
+  static constexpr std::size_t most_led_to = 2 * limits::examined;
 
   std::size_t before(Reader reader) const {
     const auto own = own_.find(reader);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "blackboard/watch/commit_looks.hpp"
 #include "blackboard/watch/join_course.hpp"
 #include "lisp/pattern.hpp"
 
@@ -59,9 +60,10 @@ Result<void> JoinedAnswers::follow(const Commit& commit, Delta& delta, std::size
   Changes changes{Answers(standing_.key_comp()), Answers(standing_.key_comp())};
   const bool was_full = query_.limit && standing_.size() >= *query_.limit;
   for (const Commit::Entry& entry : commit.entries) {
-    if (removes(entry)) remove_with(entry.fact.id, changes);
+    if (removes(entry)) remove_with(entry.fact.id, changes, examined);
   }
-  Result<void> done = find_blocked(commit, changes, examined);
+  Result<void> done = check_allowed(examined);
+  if (done) done = find_blocked(commit, changes, examined);
   const bool anew = was_full && !changes.removed.empty();
   if (done) done = anew ? answer_anew(changes, examined) : find_new(commit, changes, examined);
   if (!done) return done;
@@ -102,9 +104,12 @@ void JoinedAnswers::remove(Answers::iterator answer, Changes& changes) {
   if (changes.added.erase(node.key()) == 0) changes.removed.insert(std::move(node));
 }
 
-void JoinedAnswers::remove_with(FactId fact, Changes& changes) {
+void JoinedAnswers::remove_with(FactId fact, Changes& changes, std::size_t& examined) {
+  ++examined;
   for (auto next = standing_with_.lower_bound({fact, 0}); next != standing_with_.end() && next->first.first == fact;
        next = standing_with_.lower_bound({fact, 0})) {
+    if (examined > limits::examined) return;
+    examined += CommitLooks::looks_an_answer;
     remove(next->second, changes);
   }
 }
@@ -122,15 +127,30 @@ std::optional<SearchStart> JoinedAnswers::start_from(const Fact& fact, std::size
   return SearchStart{shared_bindings(query_, bindings), clause, nullptr};
 }
 
+Result<void> JoinedAnswers::check_allowed(std::size_t examined) const {
+  if (examined <= limits::examined) return {};
+  return check_examined(examined, query_to_datum(query_));
+}
+
+Result<std::vector<Answer>> JoinedAnswers::search_from(SearchStart start, const std::vector<std::size_t>& course,
+                                                       std::size_t& examined) const {
+  examined += CommitLooks::looks_a_search;
+  Result<std::vector<Answer>> found = evaluate_from(std::move(start), course, query_, tables_, examined);
+  if (found) examined += CommitLooks::looks_an_answer * found->size();
+  return found;
+}
+
 Result<void> JoinedAnswers::find_blocked(const Commit& commit, Changes& changes, std::size_t& examined) {
   for (std::size_t clause = 0; clause < query_.clauses.size(); ++clause) {
     if (query_.clauses[clause].kind != Kind::absent) continue;
     for (const Commit::Entry& entry : commit.entries) {
       if (!adds(entry) || standing_.empty()) continue;
+      const Result<void> allowed = check_allowed(++examined);
+      if (!allowed) return allowed;
       std::optional<SearchStart> start = start_from(entry.fact, clause);
       if (!start) continue;
       const Result<std::vector<Answer>> blocked =
-          evaluate_from(std::move(*start), positive_courses_[clause], query_, tables_, examined);
+          search_from(std::move(*start), positive_courses_[clause], examined);
       if (!blocked) return fail(blocked);
       for (const Answer& answer : *blocked) {
         const auto found = standing_.find(rank_of(answer));
@@ -147,9 +167,11 @@ Result<void> JoinedAnswers::find_new(const Commit& commit, Changes& changes, std
     if (kind == Kind::compare) continue;
     for (const Commit::Entry& entry : commit.entries) {
       if (kind == Kind::fact ? !adds(entry) : !removes(entry)) continue;
+      const Result<void> allowed = check_allowed(++examined);
+      if (!allowed) return allowed;
       std::optional<SearchStart> start = start_from(entry.fact, clause);
       if (!start) continue;
-      Result<std::vector<Answer>> found = evaluate_from(std::move(*start), courses_[clause], query_, tables_, examined);
+      Result<std::vector<Answer>> found = search_from(std::move(*start), courses_[clause], examined);
       if (!found) return fail(found);
       for (Answer& answer : *found) add(std::move(answer), &changes);
     }

@@ -30,7 +30,7 @@ class JoinedAnswers {
 
   // Adds to `examined` how many facts were looked at.
   Result<Delta::Side> all(std::size_t& examined);
-  // The same, and goes on from so many.
+  // The same, and goes on from so many; what else it does counts, too (commit_looks.hpp).
   Result<void> follow(const Commit& commit, Delta& delta, std::size_t& examined);
 
  private:
@@ -56,9 +56,12 @@ class JoinedAnswers {
   Rank rank_of(const Answer& answer) const;
   void add(Answer answer, Changes* changes);
   void remove(Answers::iterator answer, Changes& changes);
-  void remove_with(FactId fact, Changes& changes);
+  void remove_with(FactId fact, Changes& changes, std::size_t& examined);
   void cut(Changes& changes);
+  Result<void> check_allowed(std::size_t examined) const;
   std::optional<SearchStart> start_from(const Fact& fact, std::size_t clause) const;
+  Result<std::vector<Answer>> search_from(SearchStart start, const std::vector<std::size_t>& course,
+                                          std::size_t& examined) const;
   Result<void> find_blocked(const Commit& commit, Changes& changes, std::size_t& examined);
   Result<void> find_new(const Commit& commit, Changes& changes, std::size_t& examined);
   Result<void> answer_anew(Changes& changes, std::size_t& examined);

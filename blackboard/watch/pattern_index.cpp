@@ -98,6 +98,10 @@ void PatternIndex::allow(WatchedPattern& pattern, const Datum& guards_fact) {
   if (++allowed[value] > 1) return;
   if (allowed.size() <= WatchedPattern::most_allowed) return by_allowed_[pattern.place][value].add(pattern);
   allowed.erase(value);
+  unguard(pattern);
+}
+
+void PatternIndex::unguard(WatchedPattern& pattern) {
   take_from_allowed(pattern);
   pattern.guard.reset();
   file(pattern);

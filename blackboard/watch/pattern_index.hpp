@@ -62,6 +62,8 @@ class PatternIndex {
   // A fact of the pattern's guard came, or went. One whose guard allows too many values loses it.
   void allow(WatchedPattern& pattern, const Datum& guards_fact);
   void disallow(WatchedPattern& pattern, const Datum& guards_fact);
+  // The same as if its guard allowed too many.
+  void unguard(WatchedPattern& pattern);
   bool has_guards() const { return guards_ != 0; }
   // Calls for every pattern that may be fitted by the fact, and few others.
   template <class Visitor>

@@ -32,13 +32,27 @@ bool is_fitted_by_all(const Query& query) {
   return FlatPattern::of(pattern) && std::ranges::all_of(pattern.items().subspan(1), is_variable);
 }
 
+std::size_t looks_to_fit(const Query& query) {
+  const auto is_comparison = [](const Query::Clause& clause) { return clause.kind == Kind::compare; };
+  const auto comparisons = static_cast<std::size_t>(std::ranges::count_if(query.clauses, is_comparison));
+  return 1 + comparisons * CommitLooks::looks_a_comparison;
+}
+
 void add(Delta::Side& side, const Fact& fact) {
   side.facts.push_back(fact);
   ++side.answers;
 }
 
+constexpr std::size_t answer_bytes = 3;
+
+Weight weigh_as_answer(const Fact& fact) {
+  Weight weight = pizarra::weigh(fact);
+  weight.bytes += answer_bytes;
+  ++weight.elements;
+  return weight;
+}
+
 Weight weigh(const Delta& delta) {
-  constexpr std::size_t answer_bytes = 3;
   Weight weight;
   for (const Delta::Side* side : {&delta.added, &delta.removed}) {
     for (const Fact& fact : side->facts) weight += pizarra::weigh(fact);
@@ -56,6 +70,7 @@ WatchQueue::WatchQueue(WatchTable& table, const Store& store, Query query, std::
       query_(std::move(query)),
       only_pattern_(only_pattern_of(query_)),
       fits_all_(only_pattern_ != nullptr && is_fitted_by_all(query_)),
+      looks_to_fit_(looks_to_fit(query_)),
       waiting_(std::move(backlog)) {
   if (only_pattern_ == nullptr) joined_.emplace(query_, store_.tables());
 }
@@ -126,52 +141,67 @@ void WatchQueue::empty() {
   waiting_.clear();
 }
 
+// One that may not look at enough, or needs an index first, begins anew in a turn of its own.
 void WatchQueue::committed(const Commit& commit, CommitLooks& looks) {
   if (state_ == State::lagging) return;
-  if (state_ == State::sending) return committed_while_sending(commit);
-  if (only_pattern_ != nullptr) return committed_by_facts(commit);
-  committed_by_joins(commit, looks);
+  const std::size_t before = looks.before(waiting_.backlog());
+  std::size_t examined = before + CommitLooks::looks_a_watch;
+  const bool goes_on = examined <= limits::examined && follow(commit, examined);
+  looks.add(waiting_.backlog(), examined - before);
+  examined_ += examined - before;
+  if (!goes_on) resynchronise();
 }
 
-// One that may not look at enough, or needs an index first, begins anew in a turn of its own.
-void WatchQueue::committed_by_joins(const Commit& commit, CommitLooks& looks) {
+bool WatchQueue::follow(const Commit& commit, std::size_t& examined) {
+  if (state_ == State::sending) return follow_while_sending(commit, examined);
+  return only_pattern_ != nullptr ? follow_facts(commit, examined) : follow_joins(commit, examined);
+}
+
+bool WatchQueue::follow_joins(const Commit& commit, std::size_t& examined) {
   Delta delta;
   delta.revision = commit.revision;
   // What watches need is not of the doing of who commits.
   const Indexing indexing(store_.index_maker().may(), {}, &store_.index_maker());
-  const std::size_t before = looks.before(waiting_.backlog());
-  std::size_t examined = before;
   const Result<void> followed = joined_->follow(commit, delta, examined);
-  looks.add(waiting_.backlog(), examined - before);
-  examined_ += examined - before;
   awaited_ = indexing.awaited();
-  if (!followed) return resynchronise();
-  push(std::move(delta));
+  if (!followed) return false;
+  const Weight weight = weigh(delta);
+  examined += weight.bytes / CommitLooks::bytes_a_look;
+  return push(std::move(delta), weight);
 }
 
-void WatchQueue::committed_by_facts(const Commit& commit) {
+bool WatchQueue::follow_facts(const Commit& commit, std::size_t& examined) {
+  Looking looking(examined);
+  if (!looking.at_more(commit.entries.size() * looks_to_fit_)) return false;
   Delta delta;
   delta.revision = commit.revision;
   if (fits_all_) delta.added.facts.reserve(commit.entries.size() / 2);
   if (fits_all_) delta.removed.facts.reserve(commit.entries.size() / 2);
+  Weight weight;
   for (const Commit::Entry& entry : commit.entries) {
     const bool comes = adds(entry);
-    if ((comes || removes(entry)) && fits(entry.fact)) add(comes ? delta.added : delta.removed, entry.fact);
+    if (!(comes || removes(entry)) || !fits(entry.fact)) continue;
+    const Weight more = weigh_as_answer(entry.fact);
+    if (!looking.at_more(1 + more.bytes / CommitLooks::bytes_a_look)) return false;
+    weight += more;
+    add(comes ? delta.added : delta.removed, entry.fact);
   }
-  push(std::move(delta));
+  return push(std::move(delta), weight);
 }
 
 // What comes has a higher id than all that was looked at, and is part of what is sent next.
-void WatchQueue::committed_while_sending(const Commit& commit) {
-  if (nothing_sent_) return;
+bool WatchQueue::follow_while_sending(const Commit& commit, std::size_t& examined) {
+  if (nothing_sent_) return true;
+  Looking looking(examined);
+  if (!looking.at_more(commit.entries.size() * looks_to_fit_)) return false;
   for (const Commit::Entry& entry : commit.entries) {
     if (!removes(entry) || entry.fact.id > looked_up_to_ || !fits(entry.fact)) continue;
     const std::size_t bytes = pizarra::weigh(entry.fact).bytes;
-    if (!waiting_.add(bytes)) return resynchronise();
+    if (!looking.at_more(1 + bytes / CommitLooks::bytes_a_look) || !waiting_.add(bytes)) return false;
     add(gone_, entry.fact);
     gone_bytes_ += bytes;
   }
-  if (gone_bytes_ > limits::part_bytes) resynchronise();
+  return gone_bytes_ <= limits::part_bytes;
 }
 
 bool WatchQueue::fits(const Fact& fact) const {
@@ -250,15 +280,20 @@ Result<Delta> WatchQueue::all_answers(std::size_t& examined) {
 }
 
 void WatchQueue::push(Delta delta) {
-  if (delta.kind == Delta::Kind::change && delta.added.answers + delta.removed.answers == 0) return;
   const Weight weight = weigh(delta);
+  if (!push(std::move(delta), weight)) resynchronise();
+}
+
+bool WatchQueue::push(Delta delta, const Weight& weight) {
+  if (delta.kind == Delta::Kind::change && delta.added.answers + delta.removed.answers == 0) return true;
   // A change that takes more elements than a frame has is as good as one that takes more bytes.
   const bool fitting = deltas_.size() < limits::pending_changes && check_weight(weight, "a change");
-  if (!fitting || !waiting_.add(weight.bytes)) return resynchronise();
+  if (!fitting || !waiting_.add(weight.bytes)) return false;
   const bool was_ready = ready();
   state_ = State::following;
   deltas_.push_back({std::move(delta), weight.bytes});
   if (!was_ready && on_ready_) on_ready_();
+  return true;
 }
 
 }  // namespace pizarra

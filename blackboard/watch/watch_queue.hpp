@@ -56,7 +56,7 @@ class WatchQueue {
   // Forgets what is queued; the next change is a resynchronised one.
   void resynchronise();
   const Query& query() const { return query_; }
-  // How many facts of the board were looked at to follow the commits.
+  // How many facts could have been looked at while it followed the commits (commit_looks.hpp).
   std::uint64_t examined() const { return examined_; }
 
  private:
@@ -65,9 +65,11 @@ class WatchQueue {
 
   Result<void> begin(std::size_t& examined);
   void committed(const Commit& commit, CommitLooks& looks);
-  void committed_by_joins(const Commit& commit, CommitLooks& looks);
-  void committed_by_facts(const Commit& commit);
-  void committed_while_sending(const Commit& commit);
+  // These answer whether the watch goes on from what it is told so.
+  bool follow(const Commit& commit, std::size_t& examined);
+  bool follow_joins(const Commit& commit, std::size_t& examined);
+  bool follow_facts(const Commit& commit, std::size_t& examined);
+  bool follow_while_sending(const Commit& commit, std::size_t& examined);
   bool fits(const Fact& fact) const;
   Delta pop_queued();
   void begin_sending();
@@ -75,6 +77,8 @@ class WatchQueue {
   Delta all_parts();
   Result<Delta> all_answers(std::size_t& examined);
   void push(Delta delta);
+  // False where there is no room for it.
+  bool push(Delta delta, const Weight& weight);
   void empty();
 
   WatchTable& table_;
@@ -82,6 +86,7 @@ class WatchQueue {
   const Query query_;
   const Datum* const only_pattern_;  // what an answer's one fact fits; null for other queries
   const bool fits_all_;              // that pattern is fitted by every fact of the relation
+  const std::size_t looks_to_fit_;   // as many facts could be looked at while one is tried
   std::function<void()> on_ready_;
   std::string watcher_;
   std::uint64_t number_ = 0;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <set>
+#include <utility>
 
 #include "blackboard/limits.hpp"
 #include "blackboard/store/looking.hpp"
@@ -15,6 +17,9 @@ namespace {
 std::size_t guards_among(const std::vector<WatchedPattern>& patterns) {
   return static_cast<std::size_t>(std::ranges::count_if(patterns, &WatchedPattern::is_guard));
 }
+
+// To tell a pattern that its guard's facts changed.
+constexpr std::size_t looks_a_news = 8;
 
 }  // namespace
 
@@ -65,52 +70,81 @@ void WatchTable::committed(const Commit& commit) {
 
 // An answer that ends with a guard's fact ends with that one: who guards has no guard.
 void WatchTable::tell_guarded(const Commit& commit) {
-  struct News {
-    WatchedPattern* guarded;
-    const Commit::Entry* entry;
-  };
+  for (const auto& [guarded, entry] : news_for_guarded(commit)) {
+    if (!guarded->guard) continue;
+    PatternIndex& index = patterns_.find(guarded->pattern.head())->second;
+    if (entry == nullptr) {
+      index.unguard(*guarded);
+    } else if (adds(*entry)) {
+      index.allow(*guarded, entry->fact.datum);
+    } else {
+      index.disallow(*guarded, entry->fact.datum);
+    }
+  }
+}
+
+std::vector<WatchTable::News> WatchTable::news_for_guarded(const Commit& commit) const {
   std::vector<News> all;
+  std::size_t led_to = 0;
+  const auto tell = [&](const WatchedPattern& guard, const Commit::Entry* entry) {
+    ++led_to;
+    if (!guard.is_guard || (entry != nullptr && !guard.may_fit(entry->fact.datum))) return;
+    for (WatchedPattern& other : guard.watch->patterns_) {
+      if (other.guard && other.guard->by == &guard) all.push_back({&other, entry});
+    }
+  };
+  std::set<const PatternIndex*> told_of_all;
   for (const Commit::Entry& entry : commit.entries) {
     if (!adds(entry) && !removes(entry)) continue;
     const auto patterns = patterns_.find(entry.fact.datum.head());
     if (patterns == patterns_.end() || !patterns->second.has_guards()) continue;
-    patterns->second.visit(entry.fact.datum, [&](const WatchedPattern& pattern) {
-      if (!pattern.is_guard || !pattern.may_fit(entry.fact.datum)) return;
-      for (WatchedPattern& other : pattern.watch->patterns_) {
-        if (other.guard && other.guard->by == &pattern) all.push_back({&other, &entry});
-      }
-    });
+    const PatternIndex& index = patterns->second;
+    if (led_to + all.size() * looks_a_news <= CommitLooks::most_led_to) {
+      index.visit(entry.fact.datum, [&](const WatchedPattern& pattern) { tell(pattern, &entry); });
+    } else if (told_of_all.insert(&index).second) {
+      index.visit_all([&](const WatchedPattern& pattern) { tell(pattern, nullptr); });
+    }
   }
-  for (const auto& [guarded, entry] : all) {
-    PatternIndex& index = patterns_.find(guarded->pattern.head())->second;
-    if (adds(*entry)) index.allow(*guarded, entry->fact.datum);
-    if (removes(*entry)) index.disallow(*guarded, entry->fact.datum);
-  }
+  return all;
 }
 
-// Most changes are of the relation of the change before them.
+// Most changes are of the relation of the change before them. Beyond what may be led to, a change touches all that watch
+// its relation.
 std::vector<WatchQueue*> WatchTable::touched_by(const Commit& commit) const {
   std::vector<WatchQueue*> touched;
   const Datum* relation = nullptr;
   auto concerned = patterns_.end();
+  std::size_t led_to = 0;
+  std::set<const PatternIndex*> touched_whole;
   for (const Commit::Entry& entry : commit.entries) {
     if (!adds(entry) && !removes(entry)) continue;
     if (relation == nullptr || *relation != entry.fact.datum[0]) {
       relation = &entry.fact.datum[0];
       concerned = patterns_.find(relation->text());
     }
-    if (concerned != patterns_.end()) find_touched(concerned->second, entry.fact, commit.revision, touched);
+    if (concerned == patterns_.end()) continue;
+    const PatternIndex& patterns = concerned->second;
+    if (led_to <= CommitLooks::most_led_to) {
+      led_to += find_touched(patterns, entry.fact, commit.revision, touched);
+    } else if (touched_whole.insert(&patterns).second) {
+      patterns.visit_all([&](const WatchedPattern& pattern) { touch(*pattern.watch, commit.revision, touched); });
+    }
   }
   return touched;
 }
 
-void WatchTable::find_touched(const PatternIndex& patterns, const Fact& fact, Revision revision,
-                              std::vector<WatchQueue*>& touched) {
+std::size_t WatchTable::find_touched(const PatternIndex& patterns, const Fact& fact, Revision revision,
+                                     std::vector<WatchQueue*>& touched) {
+  std::size_t led_to = 0;
   patterns.visit(fact.datum, [&](const WatchedPattern& pattern) {
-    if (pattern.watch->touched_ == revision || !pattern.may_fit(fact.datum)) return;
-    pattern.watch->touched_ = revision;
-    touched.push_back(pattern.watch);
+    ++led_to;
+    if (pattern.watch->touched_ != revision && pattern.may_fit(fact.datum)) touch(*pattern.watch, revision, touched);
   });
+  return led_to;
+}
+
+void WatchTable::touch(WatchQueue& watch, Revision revision, std::vector<WatchQueue*>& touched) {
+  if (std::exchange(watch.touched_, revision) != revision) touched.push_back(&watch);
 }
 
 std::map<std::string, std::size_t> WatchTable::watchers_of(std::string_view relation) const {

@@ -3,7 +3,8 @@
 // Watched queries, found by what a commit changes: a commit costs what it concerns, not the number of watches.
 //
 // A changed fact leads to patterns, also those under `not`, that it may fit (pattern_index.hpp) and no join excludes
-// (join_guards.hpp), and touches the watches that have one that it resembles and is not compared away from.
+// (join_guards.hpp), and touches the watches that have one that it resembles and is not compared away from. A commit
+// whose facts lead to very many touches all that watch their relations.
 //
 //   Result<std::unique_ptr<WatchQueue>> queue = watches.add(query, [&] { wake_reader(); });
 //   watches.committed(commit);
@@ -52,10 +53,17 @@ class WatchTable {
   friend class WatchQueue;
   void enter(WatchQueue& watch);
   void forget(const WatchQueue& watch);
+  struct News {
+    WatchedPattern* guarded;
+    const Commit::Entry* entry;  // null: whatever came
+  };
   void tell_guarded(const Commit& commit);
+  std::vector<News> news_for_guarded(const Commit& commit) const;
   std::vector<WatchQueue*> touched_by(const Commit& commit) const;
-  static void find_touched(const PatternIndex& patterns, const Fact& fact, Revision revision,
-                           std::vector<WatchQueue*>& touched);
+  // Answers how many patterns the fact led to.
+  static std::size_t find_touched(const PatternIndex& patterns, const Fact& fact, Revision revision,
+                                  std::vector<WatchQueue*>& touched);
+  static void touch(WatchQueue& watch, Revision revision, std::vector<WatchQueue*>& touched);
 
   const Store& store_;
   std::uint64_t next_number_ = 1;
