@@ -119,6 +119,7 @@ class Search {
     const Query::Clause& next = query_.clauses[course_[step]];
     switch (next.kind) {
       case Query::Clause::Kind::compare:
+        if (!look_at_comparison()) return false;
         return !holds(next.form, bindings) || extend(step + 1, std::move(bindings));
       case Query::Clause::Kind::absent:
         return exists(substitute(next.form, bindings)) || extend(step + 1, std::move(bindings));
@@ -128,12 +129,20 @@ class Search {
     return false;
   }
 
+  bool look() {
+    ++looks_;
+    return looking_.at_one_more();
+  }
+  // One for each fact takes no longer than the fact.
+  bool look_at_comparison() { return ++comparisons_ <= looks_ || look(); }
+
   bool extend_by_fact(std::size_t step, const Bindings& bindings) {
     const std::size_t clause = course_[step];
     const Datum& form = query_.clauses[clause].form;
     bool go_on = true;
+    const std::size_t before = looks_;
     const auto consider = [&](const Fact& fact) {
-      if (!looking_.at_one_more()) return go_on = false;
+      if (!look()) return go_on = false;
       Bindings both = bindings;
       if (!match(form, fact.datum, both)) return true;
       chosen_[clause] = &fact;
@@ -147,7 +156,7 @@ class Search {
     if (ordered_step_ == step && !ordered) collect_all();
     if (!ordered) table.visit_within(pattern, ranges, consider);
     chosen_[clause] = nullptr;
-    return go_on;
+    return go_on && (looks_ > before || look());
   }
 
   std::vector<ValueRange> ranges_for(const Datum& pattern, std::size_t step, const Bindings& bindings) const {
@@ -170,12 +179,15 @@ class Search {
 
   bool exists(const Datum& pattern) {
     bool found = false;
+    const std::size_t before = looks_;
     tables_.find(pattern.head())->second.visit(pattern, [&](const Fact& fact) {
-      const bool is_allowed = looking_.at_one_more();
+      const bool is_allowed = look();
       Bindings bindings;
       found = match(pattern, fact.datum, bindings);
       return !found && is_allowed;
     });
+    // To look for what is not there takes as long.
+    if (looks_ == before) look();
     return found;
   }
 
@@ -225,6 +237,8 @@ class Search {
   std::vector<Answer> answers_;
   std::multimap<Datum, Answer, ByValue> sorted_;
   Looking looking_;
+  std::size_t looks_ = 0;
+  std::size_t comparisons_ = 0;
   Weight weight_;
   std::size_t weight_bound_ = limits::bytes;
 };

@@ -48,6 +48,15 @@ TEST_F(CostlyQuestions, FactsOfOrdinarySizeCountForOneEach) {
   EXPECT_EQ(examined("(and (big ?n ?l) (big ?m ?k) (/= ?l ?k))"), few + few * few);
 }
 
+// The first comparison of a fact takes no longer than the fact.
+TEST_F(CostlyQuestions, WhatLooksAtNoFactCountsToo) {
+  for (std::size_t n = 0; n < few; ++n) tell(n, to_datum(100'000 + n));
+  EXPECT_EQ(examined("(and (big ?n ?l) (/= ?l a))"), few);
+  EXPECT_EQ(examined("(and (big ?n ?l) (/= ?l a) (/= ?l b) (/= ?l c))"), 3 * few);
+  EXPECT_EQ(examined("(and (big ?n ?l) (big ?l ?k))"), 2 * few);
+  EXPECT_EQ(examined("(and (big ?n ?l) (not (big ?l ?)) (not (big ?l 1)))"), 3 * few);
+}
+
 // So few are looked through, whatever is asked.
 TEST_F(CostlyQuestions, FactsCountForMoreWhereMoreOfThemIsCompared) {
   tell_lists(few, 1600);
