@@ -42,6 +42,7 @@ class ClientRequests {
   // What the client asked last was too much after all.
   void refuse(const std::string& client, Time now) { ++entry_of(client, now).second.refused; }
   const std::map<std::string, Asked>& clients(Time now);
+  std::size_t size() const { return clients_.size(); }
 
  private:
   using Entry = std::pair<const std::string, Asked>;

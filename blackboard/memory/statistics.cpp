@@ -10,6 +10,7 @@
 #include "blackboard/store/query_tables.hpp"
 #include "blackboard/store/store.hpp"
 #include "blackboard/watch/watches.hpp"
+#include "lisp/pattern.hpp"
 
 namespace pizarra {
 
@@ -73,6 +74,32 @@ std::optional<Relation> relation_asked_for(const Query& query) {
     }
   }
   return std::nullopt;
+}
+
+// To say what is known of one.
+constexpr std::size_t looks_a_relation = 16;
+
+// What the query's one pattern has as the name that it is about.
+std::optional<Datum> only_one_named(const Query& query) {
+  const Datum* only = nullptr;
+  for (const Query::Clause& clause : query.clauses) {
+    if (clause.kind == Query::Clause::Kind::compare) continue;
+    if (only != nullptr || clause.kind == Query::Clause::Kind::absent) return std::nullopt;
+    only = &clause.form;
+  }
+  const bool named = only != nullptr && only->size() > 1 && is_ground((*only)[1]);
+  if (!named || !((*only)[1].is_symbol() || (*only)[1].is_string())) return std::nullopt;
+  return (*only)[1];
+}
+
+template <class Map, class Visitor>
+void visit_named(Map& map, const std::optional<Datum>& named, Visitor visitor) {
+  if (!named) {
+    for (auto& each : map) visitor(each);
+    return;
+  }
+  const auto found = map.find(std::string(named->text()));
+  if (found != map.end()) visitor(*found);
 }
 
 Datum summary_form(const Latencies::Summary& summary) {
@@ -186,10 +213,14 @@ bool Statistics::is_about(const Query& query) { return relation_asked_for(query)
 Result<Answers> Statistics::ask(const Query& query, const Store& store, const WatchTable& watches, Time now,
                                 std::size_t& examined) {
   const Relation about = *relation_asked_for(query);
+  const Asked asked{about.name, only_one_named(query), store, watches, now};
+  examined += looks_for(asked);
+  const Result<void> cheap = check_examined(examined, query_to_datum(query));
+  if (!cheap) return fail(cheap);
   Tables tables;
   FactTable& table = tables.try_emplace(about.name, about).first->second;
   FactId id = 0;
-  for (Datum& form : facts_of(about.name, store, watches, now)) {
+  for (Datum& form : facts_of(asked)) {
     Fact fact;
     fact.datum = std::move(form);
     fact.id = ++id;
@@ -211,39 +242,49 @@ Result<Answers> Statistics::ask(const Query& query, const Store& store, const Wa
   return Answers{store.revision(), std::move(*answers)};
 }
 
-std::vector<Datum> Statistics::facts_of(std::string_view about, const Store& store, const WatchTable& watches,
-                                        Time now) {
+std::size_t Statistics::looks_for(const Asked& asked) const {
+  const auto& [about, named, store, watches, now] = asked;
+  if (about == "client-stats") return requests_.size();
+  if (about == "watcher-stats") return named ? watches.watches_of(named->text()) : watches.size();
+  if (named) return looks_a_relation;
+  return looks_a_relation * (about == "relation-stats" ? store.tables().size() : relations_.size());
+}
+
+std::vector<Datum> Statistics::facts_of(const Asked& asked) {
+  const auto& [about, named, store, watches, now] = asked;
   std::vector<Datum> facts;
   if (about == "relation-stats") {
-    for (const auto& [relation, table] : store.tables()) {
-      facts.push_back(relation_fact(table, store.tables().size(), watches, now));
-    }
+    visit_named(store.tables(), named,
+                [&](const auto& table) { facts.push_back(relation_fact(table.second, asked)); });
   } else if (about == "journey-stats") {
-    for (auto& [relation, counts] : relations_) {
-      if (counts.journeys == nullptr) continue;
-      const Datum told = summary_form(counts.journeys->to_board.summary(now));
-      const Datum delivered = summary_form(counts.journeys->to_watchers.summary(now));
-      facts.push_back(list("journey-stats"_sym, Datum::symbol(relation), told, delivered));
-    }
+    visit_named(relations_, named, [&](auto& relation) {
+      if (relation.second.journeys == nullptr) return;
+      const Datum told = summary_form(relation.second.journeys->to_board.summary(asked.now));
+      const Datum delivered = summary_form(relation.second.journeys->to_watchers.summary(asked.now));
+      facts.push_back(list("journey-stats"_sym, Datum::symbol(relation.first), told, delivered));
+    });
   } else if (about == "client-stats") {
-    for (const auto& [client, asked] : requests_.clients(now)) {
-      facts.push_back(list("client-stats"_sym, client, asked.requests, asked.refused, asked.rate.last_second()));
-    }
+    visit_named(requests_.clients(now), named, [&](const auto& client) {
+      const ClientRequests::Asked& did = client.second;
+      facts.push_back(list("client-stats"_sym, client.first, did.requests, did.refused, did.rate.last_second()));
+    });
   } else {
-    for (const auto& [watcher, load] : watches.loads()) {
-      facts.push_back(list("watcher-stats"_sym, watcher, load.watches, load.changes, load.bytes));
-    }
+    visit_named(watches.watchers(), named, [&](const auto& watcher) {
+      const WatchTable::Load load = WatchTable::load_of(watcher.second);
+      facts.push_back(list("watcher-stats"_sym, watcher.first, load.watches, load.changes, load.bytes));
+    });
   }
   return facts;
 }
 
-Datum Statistics::relation_fact(const FactTable& table, std::size_t relations, const WatchTable& watches, Time now) {
+Datum Statistics::relation_fact(const FactTable& table, const Asked& asked) {
   const std::string& relation = table.relation().name;
   Counts& counts = counts_of(relation);
-  counts.rate.pass_to(now);
-  const std::size_t room = names_bytes / relations / 2;
+  counts.rate.pass_to(asked.now);
+  const std::size_t room = names_bytes / asked.store.tables().size() / 2;
+  const Datum watchers = counted(asked.watches.watchers_of(relation), room);
   return list("relation-stats"_sym, Datum::symbol(relation), table.size(), counts.told, counts.gone,
-              counts.rate.last_second(), named(counts.tellers, room), counted(watches.watchers_of(relation), room));
+              counts.rate.last_second(), named(counts.tellers, room), watchers);
 }
 
 }  // namespace pizarra

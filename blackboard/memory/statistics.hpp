@@ -22,6 +22,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "blackboard/memory/client_requests.hpp"
@@ -50,7 +51,9 @@ class Statistics {
   ClientRequests& requests() { return requests_; }
   // Whether one of its patterns is.
   static bool is_about(const Query& query);
-  // Adds to `examined` how many of these facts it looked at. Failure bad-query where other relations are asked for too.
+  // Where the query names one, by its first argument, that one is made up alone. Adds to `examined` how many of these
+  // facts it looked at, and as many as could have been looked at while they were made up. Failures too-costly, and
+  // bad-query where other relations are asked for too.
   Result<Answers> ask(const Query& query, const Store& store, const WatchTable& watches, Time now,
                       std::size_t& examined);
 
@@ -77,8 +80,17 @@ class Statistics {
   static Datum named(const Tellers& tellers, std::size_t room);
   Counts& counts_of(std::string_view relation);
   Journeys* journeys_of(std::string_view relation);
-  std::vector<Datum> facts_of(std::string_view about, const Store& store, const WatchTable& watches, Time now);
-  Datum relation_fact(const FactTable& table, std::size_t relations, const WatchTable& watches, Time now);
+  // What can be asked of the board at present.
+  struct Asked {
+    std::string about;
+    std::optional<Datum> named;  // all, where there is none
+    const Store& store;
+    const WatchTable& watches;
+    Time now;
+  };
+  std::size_t looks_for(const Asked& asked) const;
+  std::vector<Datum> facts_of(const Asked& asked);
+  Datum relation_fact(const FactTable& table, const Asked& asked);
 
   ClientRequests requests_;
   std::map<std::string, Counts, std::less<>> relations_;

@@ -50,14 +50,25 @@ void WatchTable::enter(WatchQueue& watch) {
   guards_ += guards_among(watch.patterns_);
   for (WatchedPattern& pattern : watch.patterns_) {
     allow_what_stands(pattern, store_.tables());
-    patterns_[std::string(pattern.pattern.head())].add(pattern);
+    const std::string relation(pattern.pattern.head());
+    patterns_[relation].add(pattern);
+    ++watchers_[relation][watch.watcher_];
   }
+  queues_[watch.watcher_].insert(&watch);
 }
 
 void WatchTable::forget(const WatchQueue& watch) {
   --size_;
   guards_ -= guards_among(watch.patterns_);
-  for (const WatchedPattern& pattern : watch.patterns_) patterns_.find(pattern.pattern.head())->second.remove(pattern);
+  for (const WatchedPattern& pattern : watch.patterns_) {
+    patterns_.find(pattern.pattern.head())->second.remove(pattern);
+    Watchers& watchers = watchers_.find(pattern.pattern.head())->second;
+    const auto watcher = watchers.find(watch.watcher_);
+    if (--watcher->second == 0) watchers.erase(watcher);
+  }
+  const auto queues = queues_.find(watch.watcher_);
+  queues->second.erase(&watch);
+  if (queues->second.empty()) queues_.erase(queues);
 }
 
 void WatchTable::committed(const Commit& commit) {
@@ -108,8 +119,8 @@ std::vector<WatchTable::News> WatchTable::news_for_guarded(const Commit& commit)
   return all;
 }
 
-// Most changes are of the relation of the change before them. Beyond what may be led to, a change touches all that watch
-// its relation.
+// Most changes are of the relation of the change before them. Beyond what may be led to, a change touches all that
+// watch its relation.
 std::vector<WatchQueue*> WatchTable::touched_by(const Commit& commit) const {
   std::vector<WatchQueue*> touched;
   const Datum* relation = nullptr;
@@ -147,28 +158,25 @@ void WatchTable::touch(WatchQueue& watch, Revision revision, std::vector<WatchQu
   if (std::exchange(watch.touched_, revision) != revision) touched.push_back(&watch);
 }
 
-std::map<std::string, std::size_t> WatchTable::watchers_of(std::string_view relation) const {
-  std::map<std::string, std::size_t> watchers;
-  const auto found = patterns_.find(relation);
-  if (found == patterns_.end()) return watchers;
-  found->second.visit_all([&](const WatchedPattern& pattern) { ++watchers[pattern.watch->watcher_]; });
-  return watchers;
+const WatchTable::Watchers& WatchTable::watchers_of(std::string_view relation) const {
+  static const Watchers none;
+  const auto found = watchers_.find(relation);
+  return found == watchers_.end() ? none : found->second;
 }
 
-std::map<std::string, WatchTable::Load> WatchTable::loads() const {
-  // One watch may be filed under several patterns.
-  std::map<std::uint64_t, const WatchQueue*> watches;
-  for (const auto& [name, patterns] : patterns_) {
-    patterns.visit_all([&](const WatchedPattern& pattern) { watches.emplace(pattern.watch->number_, pattern.watch); });
-  }
-  std::map<std::string, Load> loads;
-  for (const auto& [number, watch] : watches) {
-    Load& load = loads[watch->watcher_];
+std::size_t WatchTable::watches_of(std::string_view watcher) const {
+  const auto queues = queues_.find(watcher);
+  return queues == queues_.end() ? 0 : queues->second.size();
+}
+
+WatchTable::Load WatchTable::load_of(const Queues& queues) {
+  Load load;
+  for (const WatchQueue* watch : queues) {
     ++load.watches;
     load.changes += watch->deltas_.size();
     load.bytes += watch->waiting_.bytes();
   }
-  return loads;
+  return load;
 }
 
 }  // namespace pizarra

@@ -12,6 +12,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -40,14 +41,19 @@ class WatchTable {
   void committed(const Commit& commit);
   std::size_t size() const { return size_; }
   // How many patterns of whose watches are about a relation.
-  std::map<std::string, std::size_t> watchers_of(std::string_view relation) const;
+  using Watchers = std::map<std::string, std::size_t, std::less<>>;
+  const Watchers& watchers_of(std::string_view relation) const;
   // What waits for each watcher.
   struct Load {
     std::size_t watches = 0;
     std::size_t changes = 0;
     std::size_t bytes = 0;
   };
-  std::map<std::string, Load> loads() const;
+  using Queues = std::set<const WatchQueue*>;
+  static Load load_of(const Queues& queues);
+  using ByWatcher = std::map<std::string, Queues, std::less<>>;
+  const ByWatcher& watchers() const { return queues_; }
+  std::size_t watches_of(std::string_view watcher) const;
 
  private:
   friend class WatchQueue;
@@ -70,6 +76,8 @@ class WatchTable {
   std::size_t size_ = 0;
   std::size_t guards_ = 0;  // patterns
   std::map<std::string, PatternIndex, std::less<>> patterns_;  // by relation
+  std::map<std::string, Watchers, std::less<>> watchers_;      // by relation
+  ByWatcher queues_;
 };
 
 }  // namespace pizarra

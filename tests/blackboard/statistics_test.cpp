@@ -287,5 +287,34 @@ TEST(ClientRequests, OfMoreNamesThanAreKeptAreCountedTogether) {
   EXPECT_LE(requests.clients(now).size(), 3U) << "who asked nothing for a minute is forgotten";
 }
 
+TEST(Statistics, CountWhatTheyAreMadeUpOfAndMakeUpWhatIsNamedAlone) {
+  VirtualExecutor executor;
+  MemoryBoard board(executor);
+  std::vector<Relation> relations;
+  for (int i = 0; i < 200; ++i) relations.push_back(named("relation-" + std::to_string(i)));
+  ASSERT_TRUE(board.declare("test", relations).has_value());
+  std::vector<std::unique_ptr<WatchQueue>> queues;
+  for (int i = 0; i < 1000; ++i) queues.push_back(board.watch("many", query("(relation-0 ?n)"), [] {}).value());
+  queues.push_back(board.watch("few", query("(relation-1 ?n)"), [] {}).value());
+  const auto looks_for = [&](const std::string& asked) {
+    std::size_t examined = 0;
+    EXPECT_TRUE(board.ask(query(asked), examined).has_value()) << asked;
+    return examined;
+  };
+  EXPECT_GE(looks_for("(watcher-stats ?w ?a ?b ?c)"), queues.size());
+  EXPECT_GE(looks_for("(watcher-stats \"many\" ?a ?b ?c)"), queues.size() - 1);
+  EXPECT_LE(looks_for("(watcher-stats \"few\" ?a ?b ?c)"), 4U);
+  EXPECT_LE(looks_for("(watcher-stats \"nobody\" ?a ?b ?c)"), 4U);
+  EXPECT_GE(looks_for("(relation-stats ?r ?a ?b ?c ?d ?e ?f)"), 2 * relations.size());
+  for (const std::string name : {"relation-0", "nothing"}) {
+    EXPECT_LE(looks_for("(relation-stats " + name + " ?a ?b ?c ?d ?e ?f)"), 20U);
+    EXPECT_LE(looks_for("(journey-stats " + name + " ?a ?b)"), 20U);
+  }
+  std::size_t spent = limits::examined;
+  EXPECT_EQ(board.ask(query("(watcher-stats ?w ?a ?b ?c)"), spent).error().symbol, "too-costly");
+  queues.resize(queues.size() - 2);
+  EXPECT_EQ(board.ask(query("(watcher-stats ?w ?a ?b ?c)"))->answers.size(), 1U);
+}
+
 }  // namespace
 }  // namespace pizarra
