@@ -13,6 +13,7 @@ namespace pizarra {
 namespace {
 
 constexpr Duration look_again_after = 5ms;
+constexpr Duration between_parts = 1ms;
 
 class MemoryWatch : public Watch {
  public:
@@ -64,7 +65,10 @@ class View : public Board {
 MemoryBoard::MemoryBoard(Executor& executor) : MemoryBoard(executor, std::make_unique<Store>()) {}
 
 MemoryBoard::MemoryBoard(Executor& executor, std::unique_ptr<Store> store)
-    : executor_(executor), store_(std::move(store)), watches_(std::make_unique<WatchTable>(*store_)) {
+    : executor_(executor),
+      store_(std::move(store)),
+      watches_(std::make_unique<WatchTable>(*store_)),
+      may_lapse_(Store::lapsing_at_once) {
   store_->on_commit = [this](const Commit& commit) { committed(commit); };
   schedule();
 }
@@ -148,7 +152,8 @@ Result<void> MemoryBoard::renew(LeaseId lease) {
 
 Result<void> MemoryBoard::release(LeaseId lease) {
   const Time now = begin();
-  const Result<void> released = store_->release(lease, now);
+  Result<void> released;
+  lapse(now, [&](std::size_t& left) { released = store_->release(lease, now, left); });
   schedule();
   return released;
 }
@@ -187,8 +192,17 @@ Result<std::unique_ptr<WatchQueue>> MemoryBoard::watch(const std::string& watche
 Time MemoryBoard::begin() {
   const Time now = executor_.now();
   const std::optional<Time> due = store_->next_expiry();
-  if (due && *due <= now) store_->expire(heard_until(now), now);
+  if (due && *due <= now) lapse(now, [&](std::size_t& left) { store_->expire(heard_until(now), now, left); });
   return now;
+}
+
+// Others are served in the pause, and those whose requests come meanwhile have no part of it to wait for.
+template <class Lapse>
+void MemoryBoard::lapse(Time now, Lapse&& some) {
+  if (now >= lapses_again_) may_lapse_ = Store::lapsing_at_once;
+  const std::size_t before = may_lapse_;
+  some(may_lapse_);
+  if (may_lapse_ < before) lapses_again_ = executor_.now() + between_parts;
 }
 
 Time MemoryBoard::heard_until(Time now) const {
@@ -204,9 +218,10 @@ void MemoryBoard::schedule() {
   timer_ = 0;
   timer_due_ = due;
   if (!due) return;
-  // What is due already waits to be heard.
+  // What is due already waits to be heard, or for its part.
   const Time now = executor_.now();
-  timer_ = executor_.call_at(*due > now ? *due : now + look_again_after, [this] {
+  const Time again = may_lapse_ == 0 ? std::max(lapses_again_, now) : now + look_again_after;
+  timer_ = executor_.call_at(*due > now ? *due : again, [this] {
     timer_ = 0;
     timer_due_.reset();
     begin();

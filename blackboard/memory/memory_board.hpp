@@ -85,9 +85,12 @@ class MemoryBoard {
                                             std::function<void()> ready);
 
  private:
-  // Lapses what is due, before an operation; and has the timer wait for what is next, after it.
+  // Lapses what is due, before an operation; and has the timer wait for what is next, after it. Of what lapses together
+  // only a part goes, however many operations there are, then the next one after a pause.
   Time begin();
   void schedule();
+  template <class Lapse>
+  void lapse(Time now, Lapse&& some);
   Time heard_until(Time now) const;
   void committed(const Commit& commit);
 
@@ -99,6 +102,8 @@ class MemoryBoard {
   JournalSink journal_;
   Executor::TimerId timer_ = 0;
   std::optional<Time> timer_due_;
+  std::size_t may_lapse_;    // of what Store::expire counts, before
+  Time lapses_again_{};  // then there is to be as much as ever
 };
 
 }  // namespace pizarra

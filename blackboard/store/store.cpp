@@ -18,8 +18,10 @@ namespace pizarra {
 namespace {
 
 constexpr Duration longest_lease = std::chrono::hours(24 * 365);
-// Facts and leases, before others are served: some 10 ms where their relation has all the indexes that it may have.
-constexpr std::size_t lapsing_at_once = 1000;
+// As one lapses under which nothing stands, or forgets what came under another since.
+constexpr std::size_t looks_a_lapse = 8;
+
+void spend(std::size_t& left, std::size_t looks) { left -= std::min(left, looks); }
 
 std::unexpected<Failure> unknown_lease(LeaseId lease) {
   return fail("unknown-lease", "lease " + std::to_string(lease) + " has lapsed, or never was", to_datum(lease));
@@ -205,10 +207,9 @@ Result<void> Store::renew(LeaseId lease, Time now) {
   return {};
 }
 
-Result<void> Store::release(LeaseId lease, Time now) {
+Result<void> Store::release(LeaseId lease, Time now, std::size_t& left) {
   if (leases_.find(lease) == nullptr) return unknown_lease(lease);
   lapsing_.emplace_back(lease, leases_.remove(lease));
-  std::size_t left = lapsing_at_once;
   lapse_some(left, now);
   return {};
 }
@@ -273,8 +274,7 @@ std::optional<Time> Store::next_expiry() const {
   return next;
 }
 
-void Store::expire(Time due, Time now) {
-  std::size_t left = lapsing_at_once;
+void Store::expire(Time due, Time now, std::size_t& left) {
   lapse_some(left, now);
   for (std::optional<Time> next = next_expiry(); left > 0 && next && *next <= due; next = next_expiry()) {
     const auto lease = leases_.first();
@@ -292,17 +292,22 @@ void Store::lapse_some(std::size_t& left, Time now) {
   while (left > 0 && !lapsing_.empty()) {
     auto& [lease, under_it] = lapsing_.front();
     Change change(*this, "board", now);
-    for (; left > 0 && !under_it.facts.empty(); --left) {
+    while (left > 0 && !under_it.facts.empty()) {
       const FactId fact = under_it.facts.extract(under_it.facts.begin()).value();
-      if (lease_of(fact) == lease) change.retract(fact);
+      const bool goes = lease_of(fact) == lease;
+      spend(left, goes ? find(fact)->table->looks_to_remove() : looks_a_lapse);
+      if (goes) change.retract(fact);
     }
-    for (; left > 0 && !under_it.held.empty(); --left) {
+    while (left > 0 && !under_it.held.empty()) {
       const FactId taken = under_it.held.extract(under_it.held.begin()).value();
-      if (holder_of(taken) == lease) change.put_back(taken);
+      const bool comes_back = holder_of(taken) == lease;
+      const auto back_to = tables_.find(comes_back ? held_.at(taken).fact.datum.head() : std::string_view());
+      spend(left, comes_back ? back_to->second.looks_to_remove() : looks_a_lapse);
+      if (comes_back) change.put_back(taken);
     }
     if (left > 0) {
       lapsing_.pop_front();
-      --left;
+      spend(left, looks_a_lapse);
     }
     change.finish();
   }
@@ -310,8 +315,10 @@ void Store::lapse_some(std::size_t& left, Time now) {
 
 void Store::lapse_facts(Time expiry, std::size_t& left, Time now) {
   Change change(*this, "board", now);
-  for (; left > 0 && !fact_expiries_.empty() && fact_expiries_.begin()->first <= expiry; --left) {
-    change.retract(fact_expiries_.begin()->second);
+  while (left > 0 && !fact_expiries_.empty() && fact_expiries_.begin()->first <= expiry) {
+    const FactId fact = fact_expiries_.begin()->second;
+    spend(left, find(fact)->table->looks_to_remove());
+    change.retract(fact);
   }
   change.finish();
 }

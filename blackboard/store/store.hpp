@@ -56,10 +56,22 @@ class Store {
 
   Result<LeaseId> lease(Duration length, Time now);
   Result<void> renew(LeaseId lease, Time now);
-  Result<void> release(LeaseId lease, Time now);
+  // What lapses takes as long as looking at so many facts: more, where a relation has indexes. `left` is less by it
+  // then; once that is nothing, what lapses is due at once.
+  static constexpr std::size_t lapsing_at_once = 8000;
+  Result<void> release(LeaseId lease, Time now, std::size_t& left);
   std::optional<Time> next_expiry() const;
-  // Lapses what was due by `due`: a thousand facts and leases at most, what is left is due at once.
-  void expire(Time due, Time now);
+  // Lapses what was due by `due`.
+  void expire(Time due, Time now, std::size_t& left);
+  // The same for who does not go on meanwhile.
+  Result<void> release(LeaseId lease, Time now) {
+    std::size_t left = lapsing_at_once;
+    return release(lease, now, left);
+  }
+  void expire(Time due, Time now) {
+    std::size_t left = lapsing_at_once;
+    expire(due, now, left);
+  }
 
   const Tables& tables() const { return tables_; }
   // What is found how quickly is no part of what there is.

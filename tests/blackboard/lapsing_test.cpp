@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include "blackboard/memory/memory_board.hpp"
 #include "blackboard/store/store.hpp"
+#include "blackboard/time/virtual_executor.hpp"
 #include "tests/blackboard/wall.hpp"
 
 namespace pizarra {
@@ -101,6 +103,77 @@ TEST_F(Lapsing, LeasesUnderWhichNothingStandsGoInParts) {
   expire();
   EXPECT_EQ(standing(), 0);
   EXPECT_EQ(store_.next_expiry(), std::nullopt);
+}
+
+// The costlier they are, the fewer go at once.
+TEST_F(Lapsing, OfARelationWithIndexesGoesInSmallerParts) {
+  tell_all("note", lease_);
+  EXPECT_TRUE(store_.ask(query("(and (note ?n) (> ?n 1000000))")).has_value());
+  const std::size_t looks = store_.tables().find("note")->second.looks_to_remove();
+  ASSERT_GT(looks, Store::lapsing_at_once / at_once);
+  now_ += 2s;
+  expire();
+  const std::size_t gone = facts - store_.size();
+  EXPECT_LE(gone, Store::lapsing_at_once / looks + 1);
+  EXPECT_GE(gone, Store::lapsing_at_once / looks);
+}
+
+class LapsingBoard : public testing::Test {
+ protected:
+  static constexpr int facts = 5000;
+
+  LapsingBoard() {
+    EXPECT_TRUE(board_.declare("alice", {relation("(relation note ((n integer)) (key n))")}).has_value());
+  }
+  LeaseId lease_of_many() {
+    const LeaseId lease = board_.lease(3600s).value();
+    Transaction many;
+    for (int n = 0; n < facts; ++n) many.tell(list("note"_sym, n), {}, lease);
+    EXPECT_TRUE(board_.transact("alice", many).has_value());
+    return lease;
+  }
+  std::size_t gone() const { return facts - board_.store().size(); }
+
+  VirtualExecutor executor_;
+  MemoryBoard board_{executor_};
+};
+
+TEST_F(LapsingBoard, LapsesOnePartHoweverMuchIsAskedMeanwhileAndTheRestSoon) {
+  ASSERT_TRUE(board_.release(lease_of_many()).has_value());
+  const std::size_t part = gone();
+  EXPECT_GT(part, 0U);
+  for (int i = 0; i < 64; ++i) EXPECT_TRUE(board_.ask(query("(note 1)")).has_value());
+  EXPECT_EQ(gone(), part);
+  const Time begun = executor_.now();
+  executor_.run_until([&] { return board_.store().size() == 0; });
+  EXPECT_EQ(board_.store().size(), 0U);
+  EXPECT_LE(executor_.now() - begun, 2ms * (facts / part));
+}
+
+TEST_F(LapsingBoard, ReleasesOnePartHoweverManyLeasesAreReleasedTogether) {
+  std::vector<LeaseId> leases;
+  for (int i = 0; i < 100; ++i) {
+    leases.push_back(board_.lease(3600s).value());
+    Transaction some;
+    for (int n = 0; n < facts / 100; ++n) some.tell(list("note"_sym, i * facts / 100 + n), {}, leases.back());
+    ASSERT_TRUE(board_.transact("alice", some).has_value());
+  }
+  for (const LeaseId lease : leases) EXPECT_TRUE(board_.release(lease).has_value());
+  EXPECT_LE(gone(), Store::lapsing_at_once / 8 + 1);
+  for (const LeaseId lease : leases) EXPECT_FALSE(board_.renew(lease).has_value());
+}
+
+TEST_F(LapsingBoard, WhatLapsedIsNotSeenByTheNextRequest) {
+  for (int i = 0; i < 50; ++i) {
+    const LeaseId brief = board_.lease(1s).value();
+    Transaction one;
+    one.tell(list("note"_sym, i), {}, brief);
+    ASSERT_TRUE(board_.transact("alice", one).has_value());
+    bool passed = false;
+    executor_.call_at(executor_.now() + 999ms, [&] { passed = true; });
+    executor_.run_until([&] { return passed; });
+  }
+  EXPECT_LE(board_.ask(query("(note ?n)"))->answers.size(), 2U);
 }
 
 }  // namespace
