@@ -94,6 +94,7 @@ void BoardServer::receive(const std::string& peer, std::optional<std::string_vie
   if (!frame) return refuse(peer, {"bad-frame", "a message is one frame", {}, {}});
   const Result<std::vector<Datum>> messages = wire::read_messages(*frame);
   if (!messages) return refuse_unreadable(peer, *frame, {"bad-frame", messages.error().sentence, {}, {}});
+  before_frame_ = for_requests_;
   for (const Datum& message : *messages) hear(peer, message);
 }
 
@@ -120,7 +121,7 @@ void BoardServer::hear(const std::string& peer, const Datum& message) {
 
 void BoardServer::handle(wire::SessionId id, Session& session, const Datum& message) {
   if (message.is_form("ping")) return send(session.peer, list("pong"_sym, executor_.now().time_since_epoch().count()));
-  if (must_wait(session, message)) return postpone(session, session.postponed, message);
+  if (must_wait(session, message)) return postpone(id, session, message);
   hear(id, session, {message});
 }
 

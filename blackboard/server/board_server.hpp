@@ -115,8 +115,8 @@ class BoardServer {
   void end_session(wire::SessionId id);
   void follow_keys();
   void handle(wire::SessionId id, Session& session, const Datum& message);
-  static bool must_wait(const Session& session, const Datum& message);
-  void postpone(const Session& session, Postponed& postponed, const Datum& message);
+  bool must_wait(const Session& session, const Datum& message) const;
+  void postpone(wire::SessionId id, Session& session, const Datum& message);
   void hear(wire::SessionId id, Session& session, const Postponed::Message& waiting);
   void request(wire::SessionId id, Session& session, const Postponed::Message& waiting);
   void serve(wire::SessionId id, Session& session, wire::RequestId number, const Postponed::Message& waiting);
@@ -162,6 +162,8 @@ class BoardServer {
   std::set<wire::SessionId> to_look_;  // for what holds of their watches, when others were served
   wire::SessionId looked_last_ = 0;
   std::size_t examined_ = 0;  // since then
+  std::size_t for_requests_ = 0;  // facts looked at, in all
+  std::size_t before_frame_ = 0;  // of these, before the frame that is being heard
   bool leaving_ = false;
   bool receiving_ = false;  // what is to be flushed is, when this is done
   // Replies to transactions of the frame that is being received: they go together, after what these changed.

@@ -1,6 +1,8 @@
-// When a request that came to a BoardServer is let in to the board: behind those of its client that wait, when the
-// index is made that it needs, and when its client's quota allows. What each client has looked at is its debt.
+// When a request that came to a BoardServer is let in to the board: behind those of its client that wait, after others
+// where its frame had much looked at, when the index is made that it needs, and when its client's quota allows. What
+// each client has looked at is its debt.
 
+#include "blackboard/limits.hpp"
 #include "blackboard/server/board_server.hpp"
 #include "blackboard/store/indexing.hpp"
 #include "blackboard/store/store.hpp"
@@ -17,16 +19,22 @@ bool overtakes(const Datum& message) {
 
 }  // namespace
 
-bool BoardServer::must_wait(const Session& session, const Datum& message) {
-  return !session.postponed.empty() && !overtakes(message);
+// Behind what waits; or when its frame had so much looked at that others are served before the rest of it.
+bool BoardServer::must_wait(const Session& session, const Datum& message) const {
+  const bool frame_had_its_turn = for_requests_ - before_frame_ >= limits::examined_a_turn;
+  return (frame_had_its_turn || !session.postponed.empty()) && !overtakes(message);
 }
 
-void BoardServer::postpone(const Session& session, Postponed& postponed, const Datum& message) {
+void BoardServer::postpone(wire::SessionId id, Session& session, const Datum& message) {
   const bool is_request = message.is_form("request");
   const std::optional<std::uint64_t> number = is_request ? wire::count_at(message, 2) : std::nullopt;
   // It is being answered.
-  if (number && postponed.has_request(*number)) return;
-  if (postponed.add({message})) return;
+  if (number && session.postponed.has_request(*number)) return;
+  if (session.postponed.empty()) {
+    to_look_.insert(id);
+    schedule_look();
+  }
+  if (session.postponed.add({message})) return;
   const Failure full{"too-many", "too much waits behind a request that waits for an index, or its turn", {}, {}};
   if (number) return refuse_request(session, *number, full);
   refuse(session.peer, full);
@@ -59,7 +67,7 @@ std::optional<Result<Datum>> BoardServer::perform_within_quota(wire::SessionId i
   Result<Datum> result = perform(id, session, waiting.datum[3], examined);
   const std::size_t looked_at = examined - before + indexing.examined();
   looks_.looked(client, looked_at, executor_.now());
-  if (waiting.has_waited()) examined_ += looked_at;
+  for_requests_ += looked_at;
   if (indexing.awaited() != 0) {
     session.awaited = indexing.awaited();
     return std::nullopt;

@@ -13,6 +13,8 @@ namespace pizarra {
 namespace {
 
 constexpr Duration until_paid = 1ms;
+// Of a request, to do what it says.
+constexpr std::size_t bytes_a_look = 64;
 
 }  // namespace
 
@@ -54,7 +56,7 @@ bool BoardServer::send_changes(Session& session) {
 void BoardServer::schedule_look() {
   if (look_timer_ != 0) return;
   // Not at once: what is due at once is done several times before anybody is heard.
-  const bool busy = examined_ > 0 || !board_.store().index_maker().is_idle();
+  const bool busy = examined_ > 0 || for_requests_ > before_frame_ || !board_.store().index_maker().is_idle();
   const Duration pause = busy ? 1us : until_paid;
   look_timer_ = executor_.call_at(executor_.now() + pause, [this] { look_on(); });
 }
@@ -62,6 +64,7 @@ void BoardServer::schedule_look() {
 // Each in its turn.
 void BoardServer::look_on() {
   examined_ = 0;
+  before_frame_ = for_requests_;
   if (!board_.store().index_maker().is_idle()) make_on();
   for (std::size_t left = to_look_.size(); left > 0 && examined_ < limits::examined_a_turn; --left) {
     auto next = to_look_.upper_bound(looked_last_);
@@ -89,21 +92,22 @@ void BoardServer::make_on() {
   }
 }
 
-// With one of the messages that were postponed.
+// With the messages that were postponed, as many as the turn has room for.
 void BoardServer::go_on(wire::SessionId id) {
-  const auto found = sessions_.find(id);
-  if (found == sessions_.end() || found->second.postponed.empty() || awaits_index(found->second)) return;
-  Session& session = found->second;
-  session.awaits_turn = session.awaits_turn && !has_turn(session);
-  if (session.awaits_turn) {
-    to_look_.insert(id);
-    return;
+  while (true) {
+    const auto found = sessions_.find(id);
+    if (found == sessions_.end() || found->second.postponed.empty() || awaits_index(found->second)) return;
+    Session& session = found->second;
+    session.awaits_turn = session.awaits_turn && !has_turn(session);
+    if (session.awaits_turn || examined_ >= limits::examined_a_turn) break;
+    const Postponed::Message next = session.postponed.next();
+    const std::size_t before = for_requests_;
+    // As much as nobody counts of a request.
+    examined_ += LookQuota::uncounted + weigh(next.datum).bytes / bytes_a_look;
+    hear(id, session, next);
+    examined_ += for_requests_ - before;
   }
-  // As much as nobody counts.
-  examined_ += LookQuota::uncounted;
-  hear(id, session, session.postponed.next());
-  const auto still = sessions_.find(id);
-  if (still != sessions_.end() && !still->second.postponed.empty()) to_look_.insert(id);
+  to_look_.insert(id);
 }
 
 bool BoardServer::has_turn(const Session& session) {

@@ -1,21 +1,24 @@
 #include "blackboard/server/postponed.hpp"
 
-#include <algorithm>
+#include <optional>
 
 #include "blackboard/limits.hpp"
 
 namespace pizarra {
 
-bool Postponed::has_request(wire::RequestId number) const {
-  return std::ranges::any_of(messages_, [&](const Message& message) {
-    return message.datum.is_form("request") && wire::count_at(message.datum, 2) == number;
-  });
+namespace {
+
+std::optional<wire::RequestId> request_of(const Datum& message) {
+  return message.is_form("request") ? wire::count_at(message, 2) : std::nullopt;
 }
+
+}  // namespace
 
 bool Postponed::add(Message message) {
   const std::size_t bytes = weigh(message.datum).bytes;
   if (messages_.size() >= most || bytes_ + bytes > most_bytes) return false;
   bytes_ += bytes;
+  if (const auto number = request_of(message.datum)) requests_.insert(*number);
   messages_.push_back(std::move(message));
   return true;
 }
@@ -23,6 +26,7 @@ bool Postponed::add(Message message) {
 void Postponed::wait(Message message) {
   ++message.waits;
   bytes_ += weigh(message.datum).bytes;
+  if (const auto number = request_of(message.datum)) requests_.insert(*number);
   messages_.push_front(std::move(message));
 }
 
@@ -30,6 +34,7 @@ Postponed::Message Postponed::next() {
   Message next = std::move(messages_.front());
   messages_.pop_front();
   bytes_ -= weigh(next.datum).bytes;
+  if (const auto number = request_of(next.datum)) requests_.erase(*number);
   return next;
 }
 

@@ -1,13 +1,15 @@
 #pragma once
 
 // The messages of a client that wait: for an index that one of its requests needs, which is then done anew, or for its
-// turn while others owe too much (look_quota.hpp), and behind that one, so that each is done when those before it are.
+// turn while others owe too much (look_quota.hpp), or since much was done of the frame that it came with; and behind
+// that one, so that each is done when those before it are.
 //
 //   postponed.wait(std::move(message));        // whatever there is stays behind it
 //   postponed.add({message});                  // false where there is no room
 //   Postponed::Message next = postponed.next();
 
 #include <deque>
+#include <set>
 
 #include "blackboard/wire/wire.hpp"
 #include "lisp/datum.hpp"
@@ -16,7 +18,7 @@ namespace pizarra {
 
 class Postponed {
  public:
-  static constexpr std::size_t most = 256;
+  static constexpr std::size_t most = 2048;
   static constexpr std::size_t most_bytes = 4 << 20;
   static constexpr std::size_t most_waits = 64;  // of a message
 
@@ -30,13 +32,14 @@ class Postponed {
   };
 
   bool empty() const { return messages_.empty(); }
-  bool has_request(wire::RequestId number) const;
+  bool has_request(wire::RequestId number) const { return requests_.contains(number); }
   bool add(Message message);
   void wait(Message message);
   Message next();
 
  private:
   std::deque<Message> messages_;
+  std::set<wire::RequestId> requests_;
   std::size_t bytes_ = 0;
 };
 

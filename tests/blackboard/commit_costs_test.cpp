@@ -56,7 +56,8 @@ class CommitCosts : public testing::Test {
     return examined;
   }
   std::size_t left_out() const {
-    return static_cast<std::size_t>(std::ranges::count_if(queues_, [](const auto& queue) { return queue->must_look(); }));
+    const auto is_left_out = [](const auto& queue) { return queue->must_look(); };
+    return static_cast<std::size_t>(std::ranges::count_if(queues_, is_left_out));
   }
   void all_know(std::size_t answers) {
     for (const auto& queue : queues_) {

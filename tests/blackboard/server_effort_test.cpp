@@ -182,6 +182,57 @@ TEST_F(ServerEffort, AnIndexIsChargedToWhoHadItMade) {
   EXPECT_EQ(symbol_of(other.ask(request(other.join("other"), 1, costly))), "ok");
 }
 
+// Whoever else asks is answered before the rest of them.
+TEST_F(ServerEffort, TheMessagesOfAFrameTakeTurnsWithOthers) {
+  constexpr int questions = 40;
+  Client greedy = client();
+  const std::string session = greedy.join("greedy");
+  Client polite = client();
+  const std::string own = polite.join("polite");
+  const Datum lease = polite.ask(request(own, 1, "(lease 2000000)"))[2][1];
+  pass(executor, 200ms);
+  std::string frame;
+  for (int n = 1; n <= questions; ++n) frame += request(session, n, costly);
+  greedy.send(frame);
+  pass(executor, 1ms);
+  EXPECT_EQ(symbol_of(polite.ask(request(own, 2, "(renew " + write(lease) + ")"))), "ok");
+  int answered = 0;
+  const auto hear = [&](Duration patience) {
+    for (Datum reply = greedy.receive(patience); reply != Datum(); reply = greedy.receive(patience)) {
+      ASSERT_EQ(reply[1], to_datum(++answered)) << "in order";
+    }
+  };
+  hear(1us);
+  EXPECT_LE(answered, questions / 2);
+  hear(1s);
+  EXPECT_EQ(answered, questions);
+}
+
+TEST_F(ServerEffort, ALoneClientHasAllMessagesOfItsFramesDoneInOrder) {
+  Client lone = client();
+  const std::string own = lone.join("lone");
+  // As many replies as may be under way to who does not read them.
+  constexpr int frames = 3;
+  constexpr int of_a_frame = 64;
+  for (int f = 0; f < frames; ++f) {
+    std::string frame;
+    for (int i = 0; i < of_a_frame; ++i) {
+      const int number = f * of_a_frame + i + 1;
+      const std::string told = std::to_string(1'000'000 + number);
+      frame += request(own, number,
+                       i % 4 == 0 ? "(ask (query (note ?n ?) (limit 200)))"
+                                  : "(transact () ((tell (note " + told + " x) 0)))");
+    }
+    lone.send(frame);
+  }
+  for (int n = 1; n <= frames * of_a_frame; ++n) {
+    const Datum reply = lone.receive();
+    ASSERT_TRUE(reply.is_form("reply"));
+    ASSERT_EQ(reply[1], to_datum(n));
+    ASSERT_EQ(symbol_of(reply), "ok");
+  }
+}
+
 // Each has its turn, and its other questions, pings and tells do not wait with them.
 TEST_F(ServerEffort, WhoOwesNothingIsServedInItsTurnWhateverManyOthersOwe) {
   std::vector<std::unique_ptr<Client>> greedy;
