@@ -152,7 +152,9 @@ JournalFile::JournalFile(std::string path, History history, int lock, sqlite::Da
       reserve_(path_ + "-reserve"),
       mark_(mark_beside(path_)),
       database_(std::move(database)),
-      insert_(database_, "INSERT INTO log VALUES (?, ?, ?, ?, ?, ?)") {}
+      insert_(database_, "INSERT INTO log VALUES (?, ?, ?, ?, ?, ?)"),
+      place_(path_),
+      log_place_(path_ + "-wal") {}
 
 JournalFile::~JournalFile() = default;
 
@@ -167,6 +169,8 @@ Result<std::vector<RememberedReply>> JournalFile::recover(Store& store) {
 
 Result<void> JournalFile::append(const JournalGroup& group, bool may_spend) {
   const std::scoped_lock lock(mutex_);
+  const Result<void> in_place = check_place();
+  if (!in_place) return in_place;
   if (!may_spend && group.bytes() > room_.for_passing) return fail("journal-full", path_ + ": the disk is full");
   Result<void> written = write(group);
   if (!written && may_spend && spend_if_full(written.error())) written = write(group);
@@ -175,6 +179,13 @@ Result<void> JournalFile::append(const JournalGroup& group, bool may_spend) {
   past_bytes_ += group.bytes();
   ++next_group_;
   return {};
+}
+
+// What is written to a file that was removed is lost, and what is written to one that was moved is not found again.
+Result<void> JournalFile::check_place() const {
+  if (place_.is_there() && log_place_.is_there()) return {};
+  return fail("journal-full", path_ + ": it was moved or removed, or its " + path_ +
+                                  "-wal was, since the board opened it; bring it back, or end the board");
 }
 
 // Whether what failed may be tried once more.
@@ -217,6 +228,9 @@ void JournalFile::give_log_back() {
 
 JournalRoom JournalFile::room() {
   const std::scoped_lock lock(mutex_);
+  const Result<void> in_place = check_place();
+  // Whatever stands there now is nobody's to fill.
+  if (!in_place) return {.lacking = in_place.error().sentence};
   if (spent_ || room_.is_scarce) give_log_back();
   spent_ = false;
   const std::int64_t set_aside = reserve_.fill();

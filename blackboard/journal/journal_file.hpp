@@ -12,7 +12,8 @@
 //
 // The past is kept as history says while there is space for it; where space is scarce, compaction lets it go.
 // One board at a time has the file; others may read it meanwhile, with read_journal(). Calls may come from any thread,
-// one after another. Failures: journal-full (no space, or the disk cannot be written), bad-journal (damaged, or no
+// one after another. Failures: journal-full (no space, or the disk cannot be written, or the file was moved or removed
+// since it was opened, which is looked at before each group), bad-journal (damaged, or no
 // journal at all), journal-file (everything else that the operating system or SQLite refuses).
 
 #include <memory>
@@ -24,6 +25,7 @@
 #include "blackboard/journal/journal.hpp"
 #include "blackboard/journal/journal_room.hpp"
 #include "blackboard/journal/kept_mark.hpp"
+#include "blackboard/journal/open_file.hpp"
 #include "blackboard/journal/remembered_replies.hpp"
 #include "blackboard/journal/space_reserve.hpp"
 #include "blackboard/journal/sqlite.hpp"
@@ -84,6 +86,7 @@ class JournalFile {
   static constexpr std::size_t largest_slice = 256 << 10;
 
   JournalFile(std::string path, History history, int lock, sqlite::Database database);
+  Result<void> check_place() const;
   Result<void> write(const JournalGroup& group);
   Result<std::size_t> compact_slice(Time now);
   bool spend_if_full(const Failure& failure);
@@ -98,6 +101,8 @@ class JournalFile {
   KeptMark mark_;
   sqlite::Database database_;
   sqlite::Statement insert_;
+  const OpenFile place_;
+  const OpenFile log_place_;
   std::int64_t next_group_ = 1;
   bool waits_for_disk_ = true;
   bool spent_ = false;  // what was set aside, since room() was called

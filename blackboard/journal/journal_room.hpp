@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 
 namespace pizarra {
 
@@ -19,7 +20,8 @@ struct JournalRoom {
   std::size_t for_removals = 0;
   std::size_t for_passing = 0;  // on a full disk: what the last of the space is not needed for
   bool is_scarce = false;
-  bool past_goes = false;  // it should make room, or there is too much of it
+  bool past_goes = false;    // it should make room, or there is too much of it
+  std::string lacking = {};  // why there is none; otherwise the disk is full
 };
 
 JournalRoom room_with(std::int64_t set_aside, std::int64_t free_in_file);

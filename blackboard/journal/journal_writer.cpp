@@ -76,7 +76,7 @@ void JournalWriter::keep() {
 
 std::optional<Failure> JournalWriter::lack_of_room() const {
   if (room_.for_all > 0) return std::nullopt;
-  return Failure{"journal-full", file_->path() + ": the disk is full", {}, {}};
+  return Failure{"journal-full", room_.lacking.empty() ? file_->path() + ": the disk is full" : room_.lacking, {}, {}};
 }
 
 Result<void> JournalWriter::check_room(Change change, std::size_t bytes) const {

@@ -59,7 +59,7 @@ Task<void> Past::answer_all() {
 }
 
 Task<Result<Answers>> Past::answer(Query query) {
-  const bool timed = query.at->time != Moment().time;
+  const bool timed = query.at->revision == Moment().revision;
   if (timed && query.at->time > executor_.now() + longest_second) {
     co_return fail("not-yet", "this is later than the board's clock",
                    to_datum(query.at->time.time_since_epoch().count()));

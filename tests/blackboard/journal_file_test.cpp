@@ -2,6 +2,8 @@
 
 #include <csignal>
 #include <filesystem>
+#include <fstream>
+#include <functional>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -295,6 +297,54 @@ TEST_F(JournalFileTest, WhenTheFileMayNotGrowWhatIsDurableIsRefusedAndLaterWritt
   EXPECT_EQ(life.writer->kept(), life.writer->position());
   EXPECT_EQ(news, (std::vector<std::string>{"journal-full", "well"}));
   EXPECT_EQ(facts_at({}, "(goal ? ?)"), read("((goal 1 x) (goal 2 x))"));
+}
+
+TEST_F(JournalFileTest, WhileItIsNotWhereItWasWhatIsDurableIsRefusedAndNothingIsTakenForWritten) {
+  const std::filesystem::path aside = folder_.string() + "-aside";
+  const auto away = [&] { std::filesystem::rename(folder_, aside); };
+  const auto back = [&] { std::filesystem::rename(aside, folder_); };
+  const auto away_and_another = [&] {
+    away();
+    std::filesystem::create_directory(folder_);
+    std::ofstream(path_) << "another";
+  };
+  const auto back_for_another = [&] {
+    std::filesystem::remove_all(folder_);
+    back();
+  };
+  const std::string log = path_ + "-wal";
+  const auto log_away = [&] { std::filesystem::rename(log, log + "-aside"); };
+  const auto log_back = [&] { std::filesystem::rename(log + "-aside", log); };
+  using Act = std::function<void()>;
+  const std::vector<std::pair<Act, Act>> ways = {
+      {away, back}, {away_and_another, back_for_another}, {log_away, log_back}};
+  Life life(path_);
+  ASSERT_TRUE(life.board->declare("alice", relations_).has_value());
+  std::vector<std::string> news;
+  life.writer->on_failure = [&](const std::optional<Failure>& f) { news.push_back(f ? f->symbol : "well"); };
+  std::size_t told = 0;
+  for (const auto& [go, come] : ways) {
+    life.tell("(goal " + std::to_string(++told) + " x)");
+    life.keep();
+    ASSERT_EQ(life.writer->kept(), life.writer->position());
+    go();
+    life.tell("(goal " + std::to_string(++told) + " x)");
+    life.keep();
+    EXPECT_LT(life.writer->kept(), life.writer->position());
+    EXPECT_TRUE(life.writer->stuck());
+    life.executor.run_for(2s);
+    const Result<void> room = life.writer->check_room(JournalWriter::Change::lasting, 100);
+    ASSERT_FALSE(room.has_value());
+    EXPECT_EQ(room.error().symbol, "journal-full");
+    EXPECT_NE(room.error().sentence.find("moved or removed"), std::string::npos) << room.error().sentence;
+    EXPECT_EQ(life.facts("(goal ? ?)").size(), told) << "reading goes on";
+    come();
+    life.executor.run_for(300ms);
+    EXPECT_EQ(life.writer->kept(), life.writer->position());
+    EXPECT_TRUE(life.writer->check_room(JournalWriter::Change::lasting, 100).has_value());
+  }
+  EXPECT_EQ(news, (std::vector<std::string>{"journal-full", "well", "journal-full", "well", "journal-full", "well"}));
+  EXPECT_EQ(facts_at({}, "(goal ? ?)").size(), told);
 }
 
 }  // namespace

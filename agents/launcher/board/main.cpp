@@ -6,6 +6,7 @@
 #include <csignal>
 #include <filesystem>
 #include <fmt/format.h>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -66,11 +67,12 @@ class KeptBoard {
  public:
   explicit KeptBoard(Executor& executor) : executor_(executor) {}
 
-  Result<void> begin(const Options& options) {
+  // Null where it keeps none.
+  Result<void> begin(const std::shared_ptr<JournalFile>& file) {
     // Leases are numbered from the time, so that one of an earlier life is not taken for one of this.
     auto store = std::make_unique<Store>(static_cast<LeaseId>(executor_.now().time_since_epoch().count()));
-    if (!options.journal.empty()) {
-      const Result<void> recovered = recover(options, *store);
+    if (file != nullptr) {
+      const Result<void> recovered = recover(file, *store);
       if (!recovered) return recovered;
     }
     board_ = std::make_unique<MemoryBoard>(executor_, std::move(store));
@@ -80,18 +82,19 @@ class KeptBoard {
   }
   MemoryBoard& board() { return *board_; }
   JournalWriter* journal() { return journal_.get(); }
+  // When the board ends.
+  void say_what_is_lacking() const {
+    if (journal_ == nullptr || !journal_->failure()) return;
+    fmt::print(stderr, "pizarra-board: ends while its journal lacks what came last: {}\n", describe(*journal_->failure()));
+  }
   std::vector<RememberedReply> take_remembered() { return std::exchange(remembered_, {}); }
 
  private:
-  Result<void> recover(const Options& options, Store& store) {
-    History history = *history_from(options.history);
-    history.bytes = options.history_bytes;
-    const auto file = JournalFile::open(options.journal, history);
-    if (!file) return fail(file);
-    Result<std::vector<RememberedReply>> remembered = (*file)->recover(store);
+  Result<void> recover(const std::shared_ptr<JournalFile>& file, Store& store) {
+    Result<std::vector<RememberedReply>> remembered = file->recover(store);
     if (!remembered) return fail(remembered);
     remembered_ = std::move(*remembered);
-    journal_ = std::make_unique<JournalWriter>(executor_, *file);
+    journal_ = std::make_unique<JournalWriter>(executor_, file);
     journal_->on_failure = say_how_it_goes;
     if (journal_->failure()) say_how_it_goes(journal_->failure());
     return {};
@@ -99,7 +102,7 @@ class KeptBoard {
 
   static void say_how_it_goes(const std::optional<Failure>& failure) {
     const std::string news = failure
-                                 ? describe(*failure) + "; what adds to durable facts is refused until there is space"
+                                 ? describe(*failure) + "; what adds to durable facts is refused until it can be written"
                                  : std::string("the journal can be written again");
     fmt::print(stderr, "pizarra-board: {}\n", news);
   }
@@ -124,13 +127,24 @@ Time first_moment(const std::string& journal) {
   return std::max(RealExecutor::wall_clock(), end);
 }
 
+// Null where none is kept.
+Result<std::shared_ptr<JournalFile>> journal_of(const Options& options) {
+  if (options.journal.empty()) return nullptr;
+  History history = *history_from(options.history);
+  history.bytes = options.history_bytes;
+  return JournalFile::open(options.journal, history);
+}
+
 int serve(Options options) {
+  // First of all: one that another board has is left alone.
+  const Result<std::shared_ptr<JournalFile>> file = journal_of(options);
+  if (!file) return complain(file.error(), bad_journal);
   RealExecutor executor(first_moment(options.journal));
   const StopSignals signals(executor);
   // A file that may not grow is a failure of its journal, not the board's end.
   std::signal(SIGXFSZ, SIG_IGN);
   KeptBoard kept(executor);
-  const Result<void> begun = kept.begin(options);
+  const Result<void> begun = kept.begin(*file);
   if (!begun) return complain(begun.error(), bad_journal);
   options.server.journal = kept.journal();
   options.server.remembered = kept.take_remembered();
@@ -139,6 +153,7 @@ int serve(Options options) {
   fmt::print("pizarra-board: ready on {}\n", fmt::join((*server)->addresses(), " "));
   std::fflush(stdout);
   executor.run_until([] { return false; });
+  kept.say_what_is_lacking();
   if ((*server)->sessions() == 0) return stopped;
   (*server)->say_goodbye();
   executor.call_at(executor.now() + BoardServer::goodbye_length, [&executor] { executor.stop(); });
