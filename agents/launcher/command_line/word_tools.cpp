@@ -28,6 +28,17 @@ CLI::Validator seed_check() {
   return {check, "SEED"};
 }
 
+CLI::Validator number_check(double least, double most) {
+  const auto check = [least, most](const std::string& text) {
+    double number = 0;
+    const char* end = text.data() + text.size();
+    const auto [read_to, error] = std::from_chars(text.data(), end, number);
+    if (error == std::errc() && read_to == end && number >= least && number <= most) return std::string();
+    return fmt::format("a number from {:g} to {:g} is wanted, not {}", least, most, text);
+  };
+  return {check, fmt::format("[{:g} - {:g}]", least, most)};
+}
+
 std::string counted(std::size_t number, std::string_view thing) {
   return fmt::format("{} {}{}", number, thing, number == 1 ? "" : "s");
 }

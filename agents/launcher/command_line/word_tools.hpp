@@ -22,6 +22,8 @@ std::string version();
 
 // For options that take a seed: digits alone, from 0 to 2^64-1.
 CLI::Validator seed_check();
+// A number within these bounds: CLI::Range lets `nan` through, which compares with nothing.
+CLI::Validator number_check(double least, double most);
 
 // "1 cube", "4 cubes".
 std::string counted(std::size_t number, std::string_view thing);

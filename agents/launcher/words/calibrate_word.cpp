@@ -199,7 +199,7 @@ void add_calibrate_word(CLI::App& app, int& status) {
       ->capture_default_str();
   word->add_option("--rows", choices->board.rows, "And the other way")->check(CLI::Range(3, 50))->capture_default_str();
   word->add_option("--square", choices->board.square_mm, "The edge of a square, mm")
-      ->check(CLI::Range(0.1, 1000.0))
+      ->check(number_check(0.1, 1000))
       ->capture_default_str();
   word->add_option("--pairs", choices->pairs, "With --cell, of a live camera: how many pairs or images to take")
       ->check(CLI::Range(5, 200))

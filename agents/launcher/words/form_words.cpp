@@ -106,7 +106,9 @@ void add_form_word(CLI::App& app, int& status, const FormWord& word) {
                      "What held then: a revision, 90s, 5min, 2h, 1d ago, 2026-11-21T12:30:00; of a "
                      "board that keeps a journal")
         ->check(moment_check());
-    added->add_option("--journal", choices->journal, "Ask this journal in place of a board")->check(CLI::ExistingFile);
+    added->add_option("--journal", choices->journal, "Ask this journal in place of a board")
+        ->check(CLI::ExistingFile)
+        ->excludes("--board");
   }
   added->callback([&word, choices, &status] { status = run_form(word, *choices); });
 }

@@ -180,7 +180,7 @@ void add_look_word(CLI::App& app, int& status) {
       ->check(CLI::Range(1, 1'000'000))
       ->capture_default_str();
   look->add_option("--timeout", choices->timeout_s, "How long to wait for each, in seconds")
-      ->check(CLI::Range(0.0, 3600.0))
+      ->check(number_check(0, 3600))
       ->capture_default_str();
   look->add_flag("--json", choices->json, "One JSON object a line");
   add_board_options(look, choices->board);

@@ -171,7 +171,7 @@ void add_top_word(CLI::App& app, int& status) {
       "Show who is on a board, what they tell and wait for, and how long a fact is under way, until interrupted.");
   top->add_flag("--once", choices->once, "Look once and end");
   top->add_option("--interval", choices->interval_s, "How long between two looks, in seconds")
-      ->check(CLI::Range(0.1, 3600.0))
+      ->check(number_check(0.1, 3600))
       ->capture_default_str();
   top->add_flag("--json", choices->json, "One JSON object a look");
   add_board_options(top, choices->board);

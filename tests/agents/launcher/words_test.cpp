@@ -58,7 +58,8 @@ TEST(Words, AnUnknownOptionIsNamedWithTheNearest) {
 TEST(Words, AWrongCommandLineIsToldInOneLineWithTheNearestWord) {
   const Said word = run("dmeo");
   EXPECT_EQ(word.text, "pizarra: there is no word dmeo; did you mean demo?\n");
-  for (const char* words : {"", "demo one two", "demo --goal", "agent rob x", "--jsn", "demo --seeds 0 --random"}) {
+  for (const char* words : {"", "demo one two", "demo --goal", "agent rob x", "--jsn", "demo --seeds 0 --random",
+                            "top --interval nan", "look x --timeout nan", "top --interval inf"}) {
     const Said said = run(words);
     EXPECT_EQ(said.status, 2) << words;
     EXPECT_TRUE(said.text.starts_with("pizarra: ")) << said.text;
