@@ -7,6 +7,8 @@
 //   nearest_name("x", {"circle"})                 // "": nothing is near enough to be a help
 
 #include <algorithm>
+#include <array>
+#include <cstdlib>
 #include <ranges>
 #include <string>
 #include <string_view>
@@ -32,15 +34,31 @@ inline std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
+// No fewer edits lead from one to the other: as many letters as one has and the other has not.
+inline std::size_t least_edits(std::string_view a, std::string_view b) {
+  std::array<int, 256> more{};
+  for (const char letter : a) ++more[static_cast<unsigned char>(letter)];
+  for (const char letter : b) --more[static_cast<unsigned char>(letter)];
+  std::size_t apart = 0;
+  for (const int letters : more) apart += static_cast<std::size_t>(std::abs(letters));
+  const std::size_t longer = std::max(a.size(), b.size()) - std::min(a.size(), b.size());
+  return (apart + longer) / 2;
+}
+
 // The first of the nearest, if it is within a third of the name's length; else the shortest that begins with the name,
-// which has two letters at least. Never more than 64 letters are compared.
+// which has two letters at least. Never more than 64 letters are compared,
+// and no more than 64 names that have much the same letters: it takes no longer than to go through the names.
 template <std::ranges::range Names>
 std::string nearest_name(std::string_view name, const Names& known) {
   const std::string_view wanted = name.substr(0, 64);
   std::size_t best = std::max<std::size_t>(1, wanted.size() / 3) + 1;
   std::string nearest;
+  std::size_t left_to_compare = 64;
   for (const auto& candidate : known) {
-    const std::size_t distance = edit_distance(wanted, std::string_view(candidate).substr(0, 64));
+    const std::string_view name_known = std::string_view(candidate).substr(0, 64);
+    if (least_edits(wanted, name_known) >= best) continue;
+    if (left_to_compare-- == 0) break;
+    const std::size_t distance = edit_distance(wanted, name_known);
     if (distance < best) {
       best = distance;
       nearest = candidate;

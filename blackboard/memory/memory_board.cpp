@@ -4,6 +4,7 @@
 
 #include "blackboard/boards_own.hpp"
 #include "blackboard/journal/journal.hpp"
+#include "blackboard/store/query_tables.hpp"
 #include "blackboard/store/store.hpp"
 #include "blackboard/time/event.hpp"
 #include "blackboard/watch/watches.hpp"
@@ -14,6 +15,15 @@ namespace {
 
 constexpr Duration look_again_after = 5ms;
 constexpr Duration between_parts = 1ms;
+
+// As it is told in this process, where everything may be known.
+template <class T>
+Result<T> told(Result<T> result, const Store& store) {
+  std::size_t examined = 0;
+  const auto may_know = [](std::string_view) { return true; };
+  if (!result) result.error() = with_nearest(std::move(result.error()), store.tables(), may_know, examined);
+  return result;
+}
 
 class MemoryWatch : public Watch {
  public:
@@ -170,23 +180,23 @@ Result<std::unique_ptr<WatchQueue>> MemoryBoard::watch(const std::string& watche
 
 Result<Revision> MemoryBoard::transact(const std::string& teller, const Transaction& transaction) {
   std::size_t examined = 0;
-  return transact(teller, transaction, examined);
+  return told(transact(teller, transaction, examined), *store_);
 }
 
 Result<Answers> MemoryBoard::ask(const Query& query) {
   std::size_t examined = 0;
-  return ask(query, examined);
+  return told(ask(query, examined), *store_);
 }
 
 Result<std::optional<Fact>> MemoryBoard::take(const std::string& teller, const Datum& pattern, LeaseId holder) {
   std::size_t examined = 0;
-  return take(teller, pattern, holder, examined);
+  return told(take(teller, pattern, holder, examined), *store_);
 }
 
 Result<std::unique_ptr<WatchQueue>> MemoryBoard::watch(const std::string& watcher, const Query& query,
                                                        std::function<void()> ready) {
   std::size_t examined = 0;
-  return watch(watcher, query, std::move(ready), std::make_shared<Backlog>(), examined);
+  return told(watch(watcher, query, std::move(ready), std::make_shared<Backlog>(), examined), *store_);
 }
 
 Time MemoryBoard::begin() {

@@ -200,11 +200,13 @@ Statistics::Journeys* Statistics::journeys_of(std::string_view relation) {
   return journeys.get();
 }
 
-void Statistics::came(std::string_view relation, Duration took, Time now) {
-  if (Journeys* journeys = journeys_of(relation)) journeys->to_board.add(took, now);
+void Statistics::came(std::string_view relation, Time sent, Time now) {
+  if (sent < now - longest_journey || sent > now + longest_journey) return;
+  if (Journeys* journeys = journeys_of(relation)) journeys->to_board.add(now - sent, now);
 }
 
 void Statistics::delivered(std::string_view relation, Duration took, Time now) {
+  if (took < -longest_journey || took > longest_journey) return;
   if (Journeys* journeys = journeys_of(relation)) journeys->to_watchers.add(took, now);
 }
 

@@ -44,9 +44,10 @@ class Statistics {
   void committed(const Commit& commit);
   // The client so called is gone.
   void left(std::string_view teller);
-  // How long a fact of the relation was under way to the board, or from there to a watcher. Of one that the board has
-  // not, it is nobody's.
-  void came(std::string_view relation, Duration took, Time now);
+  // When a fact of the relation was sent that came to the board, and how long one was under way from there to a watcher.
+  // Of a relation that the board has not, it is nobody's; and what is longer than any journey is a clock's fault.
+  static constexpr Duration longest_journey = 60s;
+  void came(std::string_view relation, Time sent, Time now);
   void delivered(std::string_view relation, Duration took, Time now);
   ClientRequests& requests() { return requests_; }
   // Whether one of its patterns is.

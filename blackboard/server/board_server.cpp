@@ -121,13 +121,14 @@ void BoardServer::hear(const std::string& peer, const Datum& message) {
 
 void BoardServer::handle(wire::SessionId id, Session& session, const Datum& message) {
   if (message.is_form("ping")) return send(session.peer, list("pong"_sym, executor_.now().time_since_epoch().count()));
+  if (message.is_form("request") && !is_to_be_done(id, session, message)) return;
   if (must_wait(session, message)) return postpone(id, session, message);
   hear(id, session, {message});
 }
 
 void BoardServer::hear(wire::SessionId id, Session& session, const Postponed::Message& waiting) {
   const Datum& message = waiting.datum;
-  if (message.is_form("request")) return request(id, session, waiting);
+  if (message.is_form("request")) return serve(id, session, *wire::count_at(message, 2), waiting);
   if (message.is_form("bye")) return end_session(id);
   const std::optional<std::uint64_t> number = wire::count_at(message, 2);
   const bool known = message.is_form("unwatch") || message.is_form("ack");
@@ -135,13 +136,14 @@ void BoardServer::hear(wire::SessionId id, Session& session, const Postponed::Me
   // A watch may have ended while its client said something about it.
   if (session.watches.asked(*number) == nullptr) return;
   if (message.is_form("unwatch")) return session.watches.end(*number);
-  const Result<void> sent = session.watches.acknowledge(*number, wire::count_at(message, 3).value_or(0));
+  const Result<bool> sent = session.watches.acknowledge(*number, wire::count_at(message, 3).value_or(0));
   if (!sent) {
     refusals_.note(client_of(session), sent.error());
     session.watches.end(*number);
     return send(session.peer, list("watch-failed"_sym, *number, failure_to_datum(sent.error())));
   }
-  const bool timed = message.size() == 6 && message[4].is_symbol() && message[5].is_integer();
+  const bool timed = *sent && message.size() == 6 && message[4].is_symbol() && message[5].is_integer() &&
+                     session.watches.is_about(*number, message[4].text());
   if (timed) board_.statistics().delivered(message[4].text(), Duration(message[5].integer()), executor_.now());
   schedule_flush(id);
 }

@@ -113,12 +113,13 @@ class BoardServer {
                                       const PublicKey* key);
   void move_session(wire::SessionId id, Session& session, const std::string& peer);
   void end_session(wire::SessionId id);
-  void follow_keys();
+  void end_sessions_of_changed_keys();
   void handle(wire::SessionId id, Session& session, const Datum& message);
   bool must_wait(const Session& session, const Datum& message) const;
   void postpone(wire::SessionId id, Session& session, const Datum& message);
   void hear(wire::SessionId id, Session& session, const Postponed::Message& waiting);
-  void request(wire::SessionId id, Session& session, const Postponed::Message& waiting);
+  bool is_to_be_done(wire::SessionId id, Session& session, const Datum& message);
+  bool was_answered(wire::SessionId id, const Session& session, wire::RequestId number, const Datum& body);
   void serve(wire::SessionId id, Session& session, wire::RequestId number, const Postponed::Message& waiting);
   std::optional<Result<Datum>> perform_within_quota(wire::SessionId id, Session& session,
                                                     const Postponed::Message& waiting);

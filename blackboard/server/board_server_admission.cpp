@@ -26,17 +26,13 @@ bool BoardServer::must_wait(const Session& session, const Datum& message) const 
 }
 
 void BoardServer::postpone(wire::SessionId id, Session& session, const Datum& message) {
-  const bool is_request = message.is_form("request");
-  const std::optional<std::uint64_t> number = is_request ? wire::count_at(message, 2) : std::nullopt;
-  // It is being answered.
-  if (number && session.postponed.has_request(*number)) return;
   if (session.postponed.empty()) {
     to_look_.insert(id);
     schedule_look();
   }
   if (session.postponed.add({message})) return;
   const Failure full{"too-many", "too much waits behind a request that waits for an index, or its turn", {}, {}};
-  if (number) return refuse_request(session, *number, full);
+  if (message.is_form("request")) return refuse_undone(session, *wire::count_at(message, 2), message[3], full);
   refuse(session.peer, full);
 }
 

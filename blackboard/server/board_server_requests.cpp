@@ -52,32 +52,40 @@ bool asks_past(const Datum& query) {
 
 }  // namespace
 
-void BoardServer::request(wire::SessionId id, Session& session, const Postponed::Message& waiting) {
-  const Datum& message = waiting.datum;
+// Whether a request that came is to be done, now or in its turn; otherwise it is answered, or being answered.
+bool BoardServer::is_to_be_done(wire::SessionId id, Session& session, const Datum& message) {
   const std::optional<std::uint64_t> number = wire::count_at(message, 2);
   const bool timed = message.size() == 5 && message[4].is_integer();
   const Failure malformed{"bad-frame", "a request is (request SESSION ID BODY) or has its time after it", {}, {}};
-  if (!number) return refuse(session.peer, malformed);
-  if (message.size() != 4 && !timed) return refuse_request(session, *number, malformed);
-  if (waiting.has_waited()) return serve(id, session, *number, waiting);
+  if (!number) {
+    refuse(session.peer, malformed);
+    return false;
+  }
+  if (message.size() != 4 && !timed) {
+    refuse_request(session, *number, malformed);
+    return false;
+  }
+  if (session.postponed.has_request(*number)) return false;
   const Result<void> served = board_.statistics().requests().ask(client_of(session), session.heard);
+  if (was_answered(id, session, *number, message[3])) return false;
+  if (!served) refuse_undone(session, *number, message[3], served.error());
+  return served.has_value();
+}
+
+// And is answered again.
+bool BoardServer::was_answered(wire::SessionId id, const Session& session, wire::RequestId number, const Datum& body) {
   for (const Answered* answered : {&session.done, &session.refused}) {
-    // One that is held comes when it may.
-    const Durability::Reply* again = answered->find(*number);
+    const Durability::Reply* again = answered->find(number);
     if (again == nullptr) continue;
+    // One that is held comes when it may.
     flush_all();
-    return durability_.answer_again(id, *number, *again);
+    durability_.answer_again(id, number, *again);
+    return true;
   }
-  const bool long_ago = *number <= std::max(session.done.forgotten(), session.refused.forgotten());
-  if (must_be_done_once(message[3]) && long_ago) {
-    return refuse_request(session, *number,
-                          {"bad-frame", "this request, or one far after it, was answered long ago", {}, {}});
-  }
-  if (!served) {
-    refusals_.note(client_of(session), served.error());
-    return refuse_undone(session, *number, message[3], served.error());
-  }
-  serve(id, session, *number, waiting);
+  const bool long_ago = number <= std::max(session.done.forgotten(), session.refused.forgotten());
+  if (!must_be_done_once(body) || !long_ago) return false;
+  refuse_request(session, number, {"bad-frame", "this request, or one far after it, was answered long ago", {}, {}});
+  return true;
 }
 
 void BoardServer::refuse_request(const Session& session, wire::RequestId number, const Failure& failure) {
@@ -87,6 +95,7 @@ void BoardServer::refuse_request(const Session& session, wire::RequestId number,
 
 // One that is on its way a second time is refused as well, though it could be done by then.
 void BoardServer::refuse_undone(Session& session, wire::RequestId number, const Datum& body, const Failure& failure) {
+  if (is_refusal(failure)) refusals_.note(client_of(session), failure);
   const std::string refusal = reply_text(number, result_to_datum(fail(failure)));
   if (must_be_done_once(body)) session.refused.add(number, {refusal});
   socket_.send(session.peer, refusal);
@@ -106,8 +115,7 @@ void BoardServer::note_journey(const Datum& body, Time sent) {
   if (!body.is_form("transact") || body.size() < 3) return;
   for (const Datum& step : body[2].items()) {
     if (!step.is_form("tell") || step.size() < 2) continue;
-    const Time now = executor_.now();
-    return board_.statistics().came(step[1].head(), now - sent, now);
+    return board_.statistics().came(step[1].head(), sent, executor_.now());
   }
 }
 
@@ -190,7 +198,12 @@ void BoardServer::ask_past(wire::SessionId id, const Session& session, wire::Req
     past_asked_.erase({id, number});
     const auto asking = sessions_.find(id);
     if (asking == sessions_.end()) return;
-    if (!answers) return refuse_request(asking->second, number, answers.error());
+    if (!answers) {
+      std::size_t examined = 0;
+      const Failure failure = permitted_.told(who_asks(asking->second), answers.error(), examined);
+      looks_.looked(client_of(asking->second), examined, executor_.now());
+      return refuse_request(asking->second, number, failure);
+    }
     socket_.send(asking->second.peer, reply_text(number, result_to_datum(wire::answers_to_datum(*answers))));
   };
   // One that is asked again while it is worked on is answered once.

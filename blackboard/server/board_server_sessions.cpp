@@ -18,7 +18,7 @@ std::uint64_t BoardServer::random_number() {
 
 void BoardServer::ask_for_keys() {
   doorkeeper_.emplace(executor_, socket_.context(), [this](const std::string& public_key) {
-    follow_keys();
+    if (keys_->follow()) end_sessions_of_changed_keys();
     const bool known = keys_->find(public_key) != nullptr;
     if (!known) refusals_.note(public_key, {"not-permitted", "this key is not authorised", {}, {}});
     return known;
@@ -48,7 +48,7 @@ void BoardServer::greet(const std::string& peer, const Datum& hello) {
     const std::string most = std::to_string(limits::name_bytes);
     return refuse(peer, {"too-large", "the name of a teller has at most " + most + " bytes", {}, {}});
   }
-  if (keys_) follow_keys();
+  if (keys_ && keys_->follow()) end_sessions_of_changed_keys();
   const PublicKey* key = nullptr;
   if (!socket_.sender_key().empty()) {
     key = keys_->find(socket_.sender_key());
@@ -129,8 +129,7 @@ void BoardServer::end_session(wire::SessionId id) {
 }
 
 // Ends the sessions of keys that are gone or have other permissions now; who still has a key says hello again.
-void BoardServer::follow_keys() {
-  if (!keys_->refresh()) return;
+void BoardServer::end_sessions_of_changed_keys() {
   for (const Failure& fault : keys_->faults()) refusals_.note("", fault);
   std::vector<wire::SessionId> ended;
   for (const auto& [id, session] : sessions_) {
@@ -153,7 +152,7 @@ void BoardServer::forget_the_gone() {
   }
   for (const wire::SessionId id : gone) end_session(id);
   permitted_.sweep();
-  if (keys_) follow_keys();
+  if (keys_ && keys_->refresh()) end_sessions_of_changed_keys();
   sweep_timer_ = executor_.call_at(now + session_length_ / 8, [this] { forget_the_gone(); });
 }
 

@@ -46,14 +46,17 @@ Result<void> check_room(const PublicKey& key, const Relation& relation, const st
 
 }  // namespace
 
+bool Gate::may_know(Key key, std::string_view relation) {
+  return key == nullptr || permits(key->may.tell, relation) || permits(key->may.take, relation) ||
+         permits(key->may.read, relation);
+}
+
 Result<void> Gate::declare(Key key, const std::vector<Relation>& relations) const {
   if (key == nullptr) return {};
   std::set<std::string> declared;
   for (const auto& [name, table] : board_.store().tables()) declared.insert(name);
   for (const Relation& relation : relations) {
-    const bool concerned = permits(key->may.tell, relation.name) || permits(key->may.take, relation.name) ||
-                           permits(key->may.read, relation.name);
-    if (!concerned) return may_not(*key, "declare " + relation.name, relation_to_datum(relation));
+    if (!may_know(key, relation.name)) return may_not(*key, "declare " + relation.name, relation_to_datum(relation));
     const Result<void> room = check_room(*key, relation, declared);
     if (!room) return room;
     declared.insert(relation.name);

@@ -23,6 +23,8 @@ class Gate {
 
   explicit Gate(const MemoryBoard& board) : board_(board) {}
 
+  // Whether it may tell, take or read some of its facts, or no key is asked for.
+  static bool may_know(Key key, std::string_view relation);
   // It may tell, take or read its facts: who may not is told nothing of how a relation is declared. Failure too-large
   // where too many are called alike.
   Result<void> declare(Key key, const std::vector<Relation>& relations) const;

@@ -23,14 +23,23 @@ Result<KeyFolder> KeyFolder::open(const std::string& folder) {
   return keys;
 }
 
+// Of nothing, where it cannot be looked at.
+KeyFolder::Stamp KeyFolder::stamp_of(const std::string& path) {
+  struct stat status {};
+  if (stat(path.c_str(), &status) != 0) return {};
+  constexpr std::int64_t ns_per_s = 1'000'000'000;
+  return {status.st_ino, status.st_mtim.tv_sec * ns_per_s + status.st_mtim.tv_nsec, status.st_size};
+}
+
+bool KeyFolder::follow() { return stamp_of(folder_) != folder_stamp_ && refresh(); }
+
 bool KeyFolder::refresh() {
+  folder_stamp_ = stamp_of(folder_);
   const Result<std::vector<std::string>> files = public_key_files(folder_);
   std::map<std::string, Stamp> stamps;
   for (const std::string& path : files ? *files : std::vector<std::string>()) {
-    struct stat status {};
-    if (stat(path.c_str(), &status) != 0) continue;
-    constexpr std::int64_t ns_per_s = 1'000'000'000;
-    stamps[path] = {status.st_ino, status.st_mtim.tv_sec * ns_per_s + status.st_mtim.tv_nsec, status.st_size};
+    const Stamp stamp = stamp_of(path);
+    if (stamp != Stamp()) stamps[path] = stamp;
   }
   if (stamps == stamps_) return false;
   stamps_ = std::move(stamps);

@@ -3,7 +3,8 @@
 // The keys that a board accepts: the `.key` files of one folder, followed as they come, change and go.
 //
 //   Result<KeyFolder> keys = KeyFolder::open("keys");       // board.secret must be there
-//   if (keys->refresh()) ...                                // somebody changed a file
+//   if (keys->refresh()) ...                                // somebody changed a file: each is looked at
+//   if (keys->follow()) ...                                 // the same, where files came or went since: for each hello
 //   if (const PublicKey* key = keys->find(public_key)) key->may.tell;
 //
 // A file that cannot be read authorises nobody, nor does one whose name is not its key's; they are told by faults().
@@ -25,8 +26,9 @@ class KeyFolder {
   static Result<KeyFolder> open(const std::string& folder);
 
   const KeyPair& own() const { return own_; }
-  // Reads what changed since; whether anything did.
+  // Reads what changed since; whether anything did. What is written into a file that stays follow() does not notice.
   bool refresh();
+  bool follow();
   // The client whose public key this is, or nullptr; until the next refresh.
   const PublicKey* find(std::string_view public_key) const;
   const std::vector<Failure>& faults() const { return faults_; }
@@ -39,10 +41,12 @@ class KeyFolder {
     bool operator==(const Stamp&) const = default;
   };
   KeyFolder(std::string folder, KeyPair own) : folder_(std::move(folder)), own_(std::move(own)) {}
+  static Stamp stamp_of(const std::string& path);
   void read(const std::string& path);
 
   std::string folder_;
   KeyPair own_;
+  Stamp folder_stamp_;
   std::map<std::string, Stamp> stamps_;
   std::map<std::string, PublicKey, std::less<>> keys_;  // by public key
   std::vector<Failure> faults_;

@@ -1,5 +1,6 @@
 #include "blackboard/server/permitted_board.hpp"
 
+#include "blackboard/store/query_tables.hpp"
 #include "blackboard/store/store.hpp"
 #include "blackboard/watch/watch_queue.hpp"
 #include "blackboard/wire/answer_form.hpp"
@@ -18,6 +19,17 @@ Result<Datum> nothing_or(const Result<void>& result) {
 }  // namespace
 
 Result<Datum> PermittedBoard::perform(const Client& client, const Datum& body, std::size_t& examined) {
+  Result<Datum> result = act(client, body, examined);
+  if (!result) result.error() = told(client, std::move(result.error()), examined);
+  return result;
+}
+
+Failure PermittedBoard::told(const Client& client, Failure failure, std::size_t& examined) const {
+  const auto may_know = [&](std::string_view relation) { return Gate::may_know(client.key, relation); };
+  return with_nearest(std::move(failure), board_.store().tables(), may_know, examined);
+}
+
+Result<Datum> PermittedBoard::act(const Client& client, const Datum& body, std::size_t& examined) {
   if (body.is_form("transact")) return transact(client, body, examined);
   if (body.is_form("ask")) return ask(client, body, examined);
   if (body.is_form("take")) return take(client, body, examined);
@@ -32,7 +44,10 @@ Result<std::unique_ptr<WatchQueue>> PermittedBoard::watch(const Client& client, 
   if (!watched) return fail(watched);
   const Result<void> permitted = gate_.ask(client.key, *watched);
   if (!permitted) return fail(permitted);
-  return board_.watch(client.teller, *watched, std::move(ready), std::move(backlog), examined);
+  Result<std::unique_ptr<WatchQueue>> queue =
+      board_.watch(client.teller, *watched, std::move(ready), std::move(backlog), examined);
+  if (!queue) queue.error() = told(client, std::move(queue.error()), examined);
+  return queue;
 }
 
 void PermittedBoard::sweep() {

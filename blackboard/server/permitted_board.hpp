@@ -35,10 +35,13 @@ class PermittedBoard {
                                             std::shared_ptr<Backlog> backlog, std::size_t& examined);
   // What `(ask QUERY)` asks.
   Result<Query> query_of(const Client& client, const Datum& body) const;
+  // A failure as this client is told it: it hears of no relation that is none of its business.
+  Failure told(const Client& client, Failure failure, std::size_t& examined) const;
   // Forgets what was known of leases that have lapsed.
   void sweep();
 
  private:
+  Result<Datum> act(const Client& client, const Datum& body, std::size_t& examined);
   Result<Datum> declare(const Client& client, const Datum& body);
   Result<Datum> transact(const Client& client, const Datum& body, std::size_t& examined);
   Result<Datum> ask(const Client& client, const Datum& body, std::size_t& examined);

@@ -18,11 +18,18 @@ void ServedWatches::add(wire::WatchId number, Datum asked, bool kept, std::uniqu
   watches_[number] = {std::move(asked), kept, std::move(queue)};
 }
 
-Result<void> ServedWatches::acknowledge(wire::WatchId number, std::uint64_t sequence) {
+Result<bool> ServedWatches::acknowledge(wire::WatchId number, std::uint64_t sequence) {
   Served& watch = watches_.at(number);
   if (sequence > watch.sent) return fail("bad-frame", "what was never sent is acknowledged");
-  watch.acknowledged = std::max(watch.acknowledged, sequence);
-  return {};
+  const bool is_news = sequence > watch.acknowledged;
+  if (is_news) watch.acknowledged = sequence;
+  return is_news;
+}
+
+bool ServedWatches::is_about(wire::WatchId number, std::string_view relation) const {
+  return std::ranges::any_of(watches_.at(number).queue->query().clauses, [&](const Query::Clause& clause) {
+    return clause.kind == Query::Clause::Kind::fact && clause.form.head() == relation;
+  });
 }
 
 bool ServedWatches::are_behind() const {

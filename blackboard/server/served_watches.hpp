@@ -31,8 +31,10 @@ class ServedWatches {
   // `kept` by the client, which is told the ids of what goes.
   void add(wire::WatchId number, Datum asked, bool kept, std::unique_ptr<WatchQueue> queue);
   void end(wire::WatchId number) { watches_.erase(number); }
-  // Of a watch that stands. Failure bad-frame: that was never sent.
-  Result<void> acknowledge(wire::WatchId number, std::uint64_t sequence);
+  // Of a watch that stands; whether it was not acknowledged before. Failure bad-frame: that was never sent.
+  Result<bool> acknowledge(wire::WatchId number, std::uint64_t sequence);
+  // Whether facts of the relation are in its answers.
+  bool is_about(wire::WatchId number, std::string_view relation) const;
   // Its queues share it.
   const std::shared_ptr<Backlog>& backlog() const { return backlog_; }
   // Whether anything waits.

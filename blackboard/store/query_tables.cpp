@@ -31,11 +31,7 @@ Result<const FactTable*> table_named_by(const Datum& pattern, const Tables& tabl
                 std::string(pattern.head()) + " says what is now: it can be asked for, alone, and nothing else",
                 Datum::symbol(pattern.head()));
   }
-  std::vector<std::string> names;
-  for (const auto& [name, table] : tables) names.push_back(name);
-  const std::string nearest = nearest_name(pattern.head(), names);
-  const std::string hint = nearest.empty() ? "" : "; did you mean " + nearest + "?";
-  return fail("undeclared-relation", "no relation is called " + shortened(pattern.head(), limits::name_bytes) + hint,
+  return fail("undeclared-relation", "no relation is called " + shortened(pattern.head(), limits::name_bytes),
               Datum::symbol(pattern.head()));
 }
 
@@ -58,6 +54,20 @@ Result<void> check_query_on(const Query& query, const Tables& tables) {
     if (!table) return fail(table);
   }
   return {};
+}
+
+Failure with_nearest(Failure failure, const Tables& tables, const std::function<bool(std::string_view)>& may_know,
+                     std::size_t& examined) {
+  constexpr std::size_t looks_a_name = 4;
+  if (failure.symbol != "undeclared-relation" || !failure.subject.is_symbol()) return failure;
+  examined += looks_a_name * tables.size();
+  std::vector<std::string_view> names;
+  for (const auto& [name, table] : tables) {
+    if (may_know(name)) names.push_back(name);
+  }
+  const std::string nearest = nearest_name(failure.subject.text(), names);
+  if (!nearest.empty()) failure.sentence += "; did you mean " + nearest + "?";
+  return failure;
 }
 
 }  // namespace pizarra

@@ -1,10 +1,14 @@
 #pragma once
 
-// Which tables a pattern or a query is about, and whether it fits them. Failures undeclared-relation, which names the
-// nearest relation there is, wrong-shape, bad-query and too-large; not-permitted for what only the board says.
+// Which tables a pattern or a query is about, and whether it fits them. Failures undeclared-relation, wrong-shape,
+// bad-query and too-large; not-permitted for what only the board says.
 //
 //   Result<const FactTable*> table = table_for(pattern, tables);
 //   Result<void> checked = check_query_on(query, tables);
+//   if (!checked) return fail(with_nearest(checked.error(), tables, may_know, examined));     // to whoever asked
+
+#include <functional>
+#include <string_view>
 
 #include "blackboard/query.hpp"
 #include "blackboard/store/fact_table.hpp"
@@ -18,5 +22,10 @@ Result<const FactTable*> table_for(const Datum& pattern, const Tables& tables);
 
 // Whether the query is well made and its patterns fit declared relations.
 Result<void> check_query_on(const Query& query, const Tables& tables);
+
+// The failure as it is told: where no relation is called so, with the nearest of those that whoever asked may know of.
+// Adds to `examined` as many facts as could have been looked at meanwhile.
+Failure with_nearest(Failure failure, const Tables& tables, const std::function<bool(std::string_view)>& may_know,
+                     std::size_t& examined);
 
 }  // namespace pizarra

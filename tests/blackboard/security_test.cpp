@@ -347,9 +347,43 @@ TEST_F(SecurityTest, ChangedPermissionsHoldForSessionsThatStandAndTheirWatches) 
   EXPECT_EQ(tell(*robot, "(arm idle)"), "not-permitted");
 }
 
+TEST_F(SecurityTest, NobodyHearsOfARelationThatIsNoneOfItsBusiness) {
+  serve();
+  const auto boss = view("boss");
+  const auto robot = view("robot");
+  ASSERT_EQ(symbol_of(run(boss->declare({relation("(relation xarm-plans ((n integer)) (key n))")}))), "ok");
+  const auto told = [&](const auto& result) { return result.error().symbol + ": " + result.error().sentence; };
+  const std::string without = "undeclared-relation: no relation is called arm-plans";
+  EXPECT_EQ(told(run(robot->ask(query("(arm-plans ?n)")))), without);
+  EXPECT_EQ(told(run(robot->watch(query("(arm-plans ?n)")))), without);
+  const Transaction::Absent none{read("(arm-plans ?)")};
+  EXPECT_EQ(told(run(robot->transact(Transaction().tell(read("(arm idle)")).require(none)))), without);
+  EXPECT_EQ(told(run(boss->ask(query("(arm-plans ?n)")))), without + "; did you mean xarm-plans?");
+  EXPECT_EQ(told(run(robot->ask(query("(arm-pos ?n)")))),
+            "undeclared-relation: no relation is called arm-pos; did you mean arm-pose?");
+}
+
+TEST_F(SecurityTest, OfAFolderOfKeysIsLookedAtForEachHelloOnlyWhetherFilesCameOrWent) {
+  KeyFolder keys = KeyFolder::open(folder_).value();
+  const auto robot = [&] { return read_public_key(folder_ + "/robot.key").value(); };
+  EXPECT_FALSE(keys.follow());
+  const std::string former = robot().key;
+  std::ofstream(folder_ + "/robot.key", std::ios::app) << "\n";
+  EXPECT_FALSE(keys.follow()) << "what is written into one is found in its time";
+  EXPECT_TRUE(keys.refresh());
+  EXPECT_FALSE(keys.refresh());
+  EXPECT_NE(keys.find(former), nullptr);
+  // The clock of a file system has steps.
+  pass(20ms);
+  std::filesystem::remove(folder_ + "/robot.key");
+  EXPECT_TRUE(keys.follow());
+  EXPECT_EQ(keys.find(former), nullptr);
+}
+
 TEST_F(SecurityTest, ABrokenKeyFileLetsNobodyInAndIsTold) {
   serve();
   std::ofstream(folder_ + "/robot.key") << "(key robot";
+  pass(200ms);
   const auto robot = view("robot");
   EXPECT_EQ(tell(*robot, "(arm idle)"), "not-permitted");
   EXPECT_EQ(refusals("").size(), 1U);

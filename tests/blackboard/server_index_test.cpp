@@ -1,6 +1,7 @@
 // An index that a request needs is made in parts, between which others are served; the request waits for it.
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "blackboard/wire/answer_form.hpp"
@@ -117,6 +118,32 @@ TEST_F(ServerIndex, TheRequestsOfAClientStayInTheirOrder) {
   for (std::size_t i = 0; i < replies.size(); ++i) EXPECT_EQ(replies[i][1], to_datum(i + 1));
   EXPECT_EQ(numbers(replies[0]), (std::vector<std::int64_t>{7, 20007, 40007, 60007, 80007, 100007}));
   EXPECT_EQ(numbers(replies[3]), (std::vector<std::int64_t>{20007, 40007, 60007, 80007, 100007, 900000}));
+}
+
+TEST_F(ServerIndex, WhatIsRefusedForWantOfRoomStaysRefusedWhenItComesAgain) {
+  constexpr int asking = static_cast<int>(Postponed::most) + 60;
+  ask_oddly();
+  const auto tell = [&](std::int64_t n) {
+    return request(odds, static_cast<int>(n), "(transact () ((tell (note " + std::to_string(900'000 + n) + " x) 0)))");
+  };
+  for (int first = 2; first <= asking; first += 60) {
+    std::string frame;
+    for (int n = first; n <= std::min(first + 59, asking); ++n) frame += tell(n) + " ";
+    odd.send(frame);
+  }
+  std::map<std::int64_t, Datum> refused;
+  for (Datum reply = odd.receive(); reply != Datum(); reply = odd.receive(500ms)) {
+    ASSERT_TRUE(reply.is_form("reply"));
+    if (reply[2].is_form("fail")) refused[reply[1].integer()] = reply[2];
+  }
+  ASSERT_FALSE(refused.empty());
+  const auto& [last, refusal] = *refused.rbegin();
+  EXPECT_EQ(refusal[1], "too-many"_sym);
+  EXPECT_EQ(odd.ask(tell(last))[2], refusal);
+  for (const auto& [n, said] : refused) {
+    EXPECT_EQ(said, refusal) << n;
+    EXPECT_TRUE(board.ask(query("(note " + std::to_string(900'000 + n) + " ?)"))->answers.empty()) << n;
+  }
 }
 
 TEST_F(ServerIndex, ALeaseIsRenewedMeanwhile) {

@@ -352,6 +352,45 @@ TEST(ServerAddress, ASocketWithoutAFileThatGuardsItIsNotServed) {
   EXPECT_EQ(server.error().symbol, "bad-address");
 }
 
+TEST_F(ServerTest, WhatAClientSaysOfItsClockIsBelievedWithinReason) {
+  ASSERT_TRUE(board.declare("test", {relation("(relation other ((n integer)) (key n))")}).has_value());
+  Client alice = client();
+  const std::string session = alice.join("alice");
+  const auto count = [&](const char* relation, const char* of) {
+    const Query asked = query(std::string("(journey-stats ") + relation + " (?told ? ? ?) (?delivered ? ? ?))");
+    const Result<Answers> answers = board.ask(asked);
+    return answers->answers.empty() ? 0 : answers->answers.front().bindings.find(of)->integer();
+  };
+  int number = 0;
+  const auto ask = [&](const std::string& body, const std::string& sent = "") {
+    return alice.ask("(request " + session + " " + std::to_string(++number) + " " + body + sent + ")");
+  };
+  for (const char* sent : {" -9223372036854775808", " 9223372036854775807", " 0", " -1"}) {
+    const std::string text = std::to_string(number);
+    EXPECT_TRUE(ask("(transact () ((tell (note 1 " + text + ") 0) (tell (other 1) 0)))", sent)[2].is_form("ok"));
+  }
+  EXPECT_EQ(count("note", "?told"), 0);
+  ask("(transact () ((tell (note 1 now) 0)))", " " + std::to_string(executor.now().time_since_epoch().count()));
+  EXPECT_EQ(count("note", "?told"), 1);
+  ask("(watch 1 (and (note ?n ?) (= ?n ?n)))");
+  EXPECT_TRUE(alice.receive().is_form("change"));
+  for (int n = 2; n <= 4; ++n) {
+    ASSERT_TRUE(board.transact("test", Transaction().tell(list("note"_sym, n, "x"_sym))).has_value());
+    EXPECT_TRUE(alice.receive().is_form("change"));
+  }
+  const auto acknowledge = [&](const std::string& said) {
+    alice.send("(ack " + session + " 1 " + said + ")");
+    EXPECT_TRUE(alice.ask("(ping " + session + ")").is_form("pong"));
+  };
+  acknowledge("1 other 5000");
+  acknowledge("2 note 113000000");
+  acknowledge("3 note -9223372036854775808");
+  EXPECT_EQ(count("other", "?delivered"), 0);
+  EXPECT_EQ(count("note", "?delivered"), 0);
+  for (int times = 0; times < 3; ++times) acknowledge("4 note 5000");
+  EXPECT_EQ(count("note", "?delivered"), 1) << "of each change once";
+}
+
 TEST(ServerAddress, LocalhostIsThisMachine) {
   RealExecutor executor;
   MemoryBoard board(executor);

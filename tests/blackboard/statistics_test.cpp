@@ -138,7 +138,7 @@ TEST(Statistics, FitAnAnswerWhateverClientsDo) {
     }
   }
   for (const Relation& relation : relations) {
-    board.statistics().came(relation.name, 5ms, executor.now());
+    board.statistics().came(relation.name, executor.now() - 5ms, executor.now());
     board.statistics().delivered(relation.name, 5ms, executor.now());
   }
   for (std::size_t n = 0; n < 2 * ClientRequests::most_clients; ++n) {
