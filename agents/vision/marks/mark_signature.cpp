@@ -93,6 +93,21 @@ int pixels_a_template_pixel(const WeightedShape& shape) {
   return static_cast<int>(std::min(shape.spread(0, 0), shape.spread(1, 1)) / template_scale);
 }
 
+// In these directions, so many standard deviations from its centre, a mark's middle is looked at.
+constexpr double middle_radius = 0.4;
+constexpr int middle_places = 4;
+
+// The mean there, as a part of what is full.
+float middle_of(const WeightedShape& shape) {
+  float sum = 0;
+  for (int i = 0; i < middle_places; ++i) {
+    const double angle = 2 * CV_PI * i / middle_places;
+    const cv::Vec2d away = shape.spread * cv::Vec2d(middle_radius * std::cos(angle), middle_radius * std::sin(angle));
+    sum += sample(shape, static_cast<float>(shape.centre.x + away[0]), static_cast<float>(shape.centre.y + away[1]));
+  }
+  return sum / middle_places / static_cast<float>(shape.full);
+}
+
 // Where the samples are taken, in standard deviations, ring by ring.
 struct SamplePlaces {
   std::array<float, MarkSignature::rings * MarkSignature::turns> u;
@@ -144,6 +159,7 @@ MarkSignature sampled(const WeightedShape& shape, const SamplePlaces& places) {
     }
   }
   out.length = std::sqrt(cv::v_reduce_sum(energy));
+  out.middle = middle_of(shape);
   return out;
 }
 

@@ -41,6 +41,7 @@ struct MarkSignature {
   // Every ring twice over, so that a turned one is a run of neighbours.
   std::array<std::int16_t, rings * 2 * turns> samples{};
   double length = 0;  // the root of their squares' sum
+  float middle = 0;   // within the rings, 1 where it is full
 };
 
 // A shape turned by parts of the step between two samples, too.

@@ -29,6 +29,11 @@ constexpr double least_noise = 0.01;  // of the contrast
 // may make, what differs by more is not known for certain; and by one wave alone less of it counts as much as by all.
 constexpr double least_other = 0.0015;
 constexpr double wave_share = 0.5;
+// A learned mark of which blur leaves so much in the middle is solid there. A ring whose hole blur fills is a disc but for
+// this: its middle is lighter than its rim by more than uneven print, and noise, make of a solid one.
+constexpr double solid_middle = 0.9;
+constexpr double middle_slack = 0.1;
+constexpr double middle_noise = 0.6;
 // A mark slimmer than this by itself does not say from where it is seen.
 constexpr double least_round = 0.9;
 // Of the squared cosines of two faces of one cube, with what their measuring adds.
@@ -107,22 +112,31 @@ Match match_of(const SeenMark& mark, const LearnedObject& object, std::optional<
 }
 
 // As Likeness has them.
-struct OutlineDoubt {
+struct ShapeDoubt {
   double doubt = impossible;
   double unlearned = impossible;
 };
 
-OutlineDoubt outline_doubt(const SeenMark& mark, const Match& match) {
+// By how much the mark's middle is lighter than that of the sample, as a part of what a solid one's may be.
+double middle_doubt(const SeenMark& mark, const LearnedSample& sample, double noise) {
+  const float learned = sample.signatures.back().unturned().middle;
+  if (learned < solid_middle) return 0;
+  return std::max(0.0, (learned - mark.signature.middle) / (middle_slack + middle_noise * noise));
+}
+
+ShapeDoubt shape_doubt(const SeenMark& mark, const Match& match) {
   if (mark.tag) return {mark.tag_doubt, mark.tag_doubt};
   if (match.sample == nullptr) return {};
   const double contrast = std::max(1.0, std::abs(mark.mark_level - mark.ground_level));
-  const double noise = std::max(least_noise, mark.noise / contrast) / mark.height_px;
+  const double level_noise = std::max(least_noise, mark.noise / contrast);
+  const double noise = level_noise / mark.height_px;
   const auto part = static_cast<std::size_t>(match.turn % TurnedSignatures::parts);
   const MarkOutline& learned = match.sample->outlines[part];
   const double ever = outline_share * learned.power();
   const double by_noise = outline_slack + outline_noise * noise * noise;
   const OutlineDifference difference = outline_difference(outline_of(mark.signature), learned);
-  const double doubt = difference.in_all / (ever + by_noise);
+  const double doubt =
+      std::max(difference.in_all / (ever + by_noise), middle_doubt(mark, *match.sample, level_noise));
   return {doubt, std::max(doubt, difference.in_one / (ever + wave_share * std::min(by_noise, least_other)))};
 }
 
@@ -154,7 +168,7 @@ std::optional<double> scale_of_another_size(const SeenMark& mark, const LearnedO
     const Match match = shape_match(mark, sample, weight);
     if (match.error <= best.error) best = match;
   }
-  if (best.sample == nullptr || outline_doubt(mark, best).doubt > 1) return std::nullopt;
+  if (best.sample == nullptr || shape_doubt(mark, best).doubt > 1) return std::nullopt;
   return mark.height_px / best.sample->height_px;
 }
 
@@ -182,8 +196,8 @@ double Likeness::confidence() const {
 
 Likeness likeness(const SeenMark& mark, const LearnedObjects& objects, const LearnedObject& object) {
   const Match match = match_of(mark, object);
-  const OutlineDoubt outline = outline_doubt(mark, match);
-  Likeness out{.error = match.error, .doubt = outline.doubt, .unlearned = outline.unlearned, .turn = match.turn};
+  const ShapeDoubt shape = shape_doubt(mark, match);
+  Likeness out{.error = match.error, .doubt = shape.doubt, .unlearned = shape.unlearned, .turn = match.turn};
   find_second(mark, match, objects, object, out);
   return out;
 }
@@ -193,9 +207,9 @@ std::optional<Likeness> recognise(const SeenMark& mark, const LearnedObjects& ob
   const Match match = match_of(mark, object, last_turn);
   Likeness out{.error = match.error, .turn = match.turn};
   if (out.error > recognition_threshold) return std::nullopt;
-  const OutlineDoubt outline = outline_doubt(mark, match);
-  out.doubt = outline.doubt;
-  out.unlearned = outline.unlearned;
+  const ShapeDoubt shape = shape_doubt(mark, match);
+  out.doubt = shape.doubt;
+  out.unlearned = shape.unlearned;
   if (out.doubt > 1) return std::nullopt;
   find_second(mark, match, objects, object, out);
   if (out.is_ambiguous()) return std::nullopt;

@@ -2,7 +2,8 @@
 
 // Which learned object a seen mark is, and where in an image an object is: the second and third stage of the thesis'
 // find (the first, candidates over the image, is ImageSegmentation). A parameter counts the less the more the samples
-// of an object differ in it. What is like an object is it where its outline differs by no more than noise makes.
+// of an object differ in it. What is like an object is it where its outline differs by no more than noise makes, and
+// it is solid.
 //
 //   double error = recognition_error(mark, *objects.find("circle"));     // infinite where it cannot be
 //   const SeenMark* found = find_object(segmentation.marks(), objects, "circle");
@@ -33,8 +34,8 @@ inline constexpr double alike_below = 0.075;
 // How much a mark is like an object, and the learned object that it is most like otherwise.
 struct Likeness {
   double error = 0;
-  // By how much the mark's outline differs from that of the likest sample, as a part of what the image's noise, blur and
-  // a turned face may make of it. Above 1 it is something that nobody learned.
+  // By how much the mark's outline, and the grey of its middle, differ from those of the likest sample, as a part of
+  // what the image's noise, blur and a turned face may make of them. Above 1 it is something that nobody learned.
   double doubt = 0;
   // The same as a part of what it may be without being as much as other shapes differ by: no less than the doubt, and
   // more in noise that would hide these.

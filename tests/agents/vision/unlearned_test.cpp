@@ -75,6 +75,29 @@ TEST(Unlearned, ThatPassesForACircleIsHardlyEverSureToBeOne) {
   }
 }
 
+// What is smaller than most learned marks, in any light and noise, and as blurred as the bench's scenes at their worst.
+TEST(Unlearned, RingWhoseHoleIsBlurredIsNoDisc) {
+  constexpr int scenes = 1000;
+  int taken = 0;
+  for (int i = 0; i < scenes; ++i) {
+    Random random(static_cast<std::uint64_t>(i));
+    bench::SceneRanges ranges = bench::hard_ranges;
+    ranges.presence = ranges.most_clutter = 0;
+    ranges.least_blur_px = 1;
+    bench::Scene scene = random_scene(ranges, random);
+    bench::Shape ring = bench::disc(0.5);
+    ring.push_back(bench::disc(0.5 * random.uniform(0.5, 0.8)).front());
+    std::ranges::reverse(ring.back());
+    const cv::Point2d place(random.uniform(60, 260), random.uniform(60, 180));
+    scene.things = {{.shape = bench::placed(ring, place, random.uniform(9, 16), 0), .level = random.uniform(10, 120)}};
+    ImageSegmentation segmentation(draw(scene, bench::Side::left, random));
+    for (const LearnedObject& object : learned_cell().all()) {
+      taken += find_object(segmentation.marks(), learned_cell(), object) != nullptr ? 1 : 0;
+    }
+  }
+  EXPECT_EQ(taken, 0);
+}
+
 TEST(Unlearned, BesideALearnedMarkIsNotTakenForItAndNotKeptQuietAboutEither) {
   const StereoModel pair = bench::scene_camera();
   for (const bench::UnlearnedShape& other : bench::unlearned_shapes()) {
