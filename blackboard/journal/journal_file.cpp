@@ -176,16 +176,19 @@ Result<void> JournalFile::append(const JournalGroup& group, bool may_spend) {
   if (!written && may_spend && spend_if_full(written.error())) written = write(group);
   if (!written) return fail(journal_tables::failure_of(written.error(), path_));
   if (group.durable) mark_.set(next_group_);
+  log_bytes_ = log_place_.bytes();
   past_bytes_ += group.bytes();
   ++next_group_;
   return {};
 }
 
-// What is written to a file that was removed is lost, and what is written to one that was moved is not found again.
+// What is written to a file that was removed is lost, and what is written to one that was moved is not found again, nor
+// what is behind the end of a log that was cut short.
 Result<void> JournalFile::check_place() const {
-  if (place_.is_there() && log_place_.is_there()) return {};
+  if (place_.is_there() && log_place_.is_there(log_bytes_)) return {};
   return fail("journal-full", path_ + ": it was moved or removed, or its " + path_ +
-                                  "-wal was, since the board opened it; bring it back, or end the board");
+                                  "-wal was, or was cut short, since the board opened it; bring it back, or end the "
+                                  "board in order (SIGTERM, Ctrl-C), which writes back a log that was removed");
 }
 
 // Whether what failed may be tried once more.
@@ -223,6 +226,7 @@ void JournalFile::give_log_back() {
   [[maybe_unused]] Result<void> set = database_.run("PRAGMA busy_timeout = 0");
   Result<std::int64_t> copied = database_.ask(copy);
   if (!copied && spend_if_full(copied.error())) copied = database_.ask(copy);
+  log_bytes_ = log_place_.bytes();
   set = database_.run(journal_tables::wait_for_others);
 }
 

@@ -13,8 +13,8 @@
 // The past is kept as history says while there is space for it; where space is scarce, compaction lets it go.
 // One board at a time has the file; others may read it meanwhile, with read_journal(). Calls may come from any thread,
 // one after another. Failures: journal-full (no space, or the disk cannot be written, or the file was moved or removed
-// since it was opened, which is looked at before each group), bad-journal (damaged, or no
-// journal at all), journal-file (everything else that the operating system or SQLite refuses).
+// since it was opened, or SQLite's log was or was cut short, which is looked at before each group), bad-journal
+// (damaged, or no journal at all), journal-file (everything else that the operating system or SQLite refuses).
 
 #include <memory>
 #include <mutex>
@@ -103,6 +103,7 @@ class JournalFile {
   sqlite::Statement insert_;
   const OpenFile place_;
   const OpenFile log_place_;
+  std::int64_t log_bytes_ = 0;  // when it was last written
   std::int64_t next_group_ = 1;
   bool waits_for_disk_ = true;
   bool spent_ = false;  // what was set aside, since room() was called

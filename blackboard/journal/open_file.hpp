@@ -5,9 +5,11 @@
 //
 //   const OpenFile journal("cell.journal");       // once it is open: what is there now is it
 //   if (!journal.is_there()) ...
+//   if (!journal.is_there(bytes)) ...              // or has fewer bytes than were written to it
 //
 // Where nothing is at first, nothing is missed.
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <sys/types.h>
@@ -18,14 +20,15 @@ namespace pizarra {
 class OpenFile {
  public:
   explicit OpenFile(std::string path);
-  bool is_there() const { return !file_ || at(path_) == file_; }
+  bool is_there(std::int64_t least_bytes = 0) const;
+  // That it has now.
+  std::int64_t bytes() const;
 
  private:
   using Identity = std::pair<dev_t, ino_t>;
-  static std::optional<Identity> at(const std::string& path);
 
   const std::string path_;
-  const std::optional<Identity> file_;
+  std::optional<Identity> file_;
 };
 
 }  // namespace pizarra

@@ -390,6 +390,8 @@ class Stream:
 
 class Board:
     PING, RESEND, GREET, SILENCE = 0.5, 1.0, 0.5, 2.0
+    # No request goes before the board has answered those so far behind it: it remembers the answers of the last 256.
+    MOST_AHEAD = 128
 
     def __init__(self, address, teller, key=None, timeout=5.0):
         if not isinstance(address, str) or not isinstance(teller, str):
@@ -520,7 +522,7 @@ class Board:
         number, self._next_request = self._next_request, self._next_request + 1
         request = self._pending[number] = Request(body, repeatable)
         if self._joined:
-            self._transmit(number, request)
+            self._transmit_due(lambda other: other is request)
         return request
 
     def turn(self, seconds=0.0):
@@ -574,6 +576,14 @@ class Board:
         if self._send([Symbol("request"), self._session, number, request.body]):
             request.sent = time.monotonic()
 
+    def _transmit_due(self, is_due):
+        first = next(iter(self._pending), 0)
+        for number, request in self._pending.items():
+            if number >= first + self.MOST_AHEAD:
+                break
+            if is_due(request):
+                self._transmit(number, request)
+
     def _tick(self):
         now = time.monotonic()
         if self._monitor.poll(0):
@@ -587,9 +597,7 @@ class Board:
             return
         if self._pinged + self.PING <= now and self._send([Symbol("ping"), self._session]):
             self._pinged = now
-        for number, request in self._pending.items():
-            if request.sent is None or request.sent + self.RESEND <= now:
-                self._transmit(number, request)
+        self._transmit_due(lambda request: request.sent is None or request.sent + self.RESEND <= now)
 
     def _receive(self, message):
         self._heard = time.monotonic()
@@ -627,8 +635,7 @@ class Board:
             for watch in list(self._watches.values()):
                 if watch.request.result is not None:
                     watch.begin_again()
-        for number, request in list(self._pending.items()):
-            self._transmit(number, request)
+        self._transmit_due(lambda request: True)
 
     def _refused(self):
         while self._monitor.poll(0):

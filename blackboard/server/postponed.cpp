@@ -17,8 +17,10 @@ std::optional<wire::RequestId> request_of(const Datum& message) {
 bool Postponed::add(Message message) {
   const std::size_t bytes = weigh(message.datum).bytes;
   if (messages_.size() >= most || bytes_ + bytes > most_bytes) return false;
+  const auto number = request_of(message.datum);
+  if (number && requests_.size() >= most_requests) return false;
   bytes_ += bytes;
-  if (const auto number = request_of(message.datum)) requests_.insert(*number);
+  if (number) requests_.insert(*number);
   messages_.push_back(std::move(message));
   return true;
 }

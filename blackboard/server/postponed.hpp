@@ -11,6 +11,7 @@
 #include <deque>
 #include <set>
 
+#include "blackboard/server/answered.hpp"
 #include "blackboard/wire/wire.hpp"
 #include "lisp/datum.hpp"
 
@@ -19,6 +20,8 @@ namespace pizarra {
 class Postponed {
  public:
   static constexpr std::size_t most = 2048;
+  // Of these. So a client that is cut off and asks each again learns what came of it.
+  static constexpr std::size_t most_requests = Answered::most;
   static constexpr std::size_t most_bytes = 4 << 20;
   static constexpr std::size_t most_waits = 64;  // of a message
 

@@ -49,12 +49,15 @@ bool ServedWatches::send(WireSocket& socket, const std::string& peer, std::size_
 bool ServedWatches::send(WireSocket& socket, const std::string& peer, wire::WatchId number, Served& watch,
                          std::size_t& examined) {
   const std::size_t width = width_of(watch.queue->query());
-  const auto may_send = [&] { return watch.queue->ready() && watch.sent - watch.acknowledged < most_under_way; };
+  std::uint64_t newest = watch.sent;
+  const auto may_send = [&] { return watch.queue->ready() && newest - watch.acknowledged < most_under_way; };
   std::string frame;
   std::string change;
   const auto send_frame = [&] {
     blocked_ = !socket.send(peer, std::exchange(frame, {}));
+    // What did not go is not under way: the next change has its number.
     if (blocked_) watch.queue->resynchronise();
+    if (!blocked_) watch.sent = newest;
     return !blocked_;
   };
   while (may_send()) {
@@ -70,7 +73,7 @@ bool ServedWatches::send(WireSocket& socket, const std::string& peer, wire::Watc
     }
     if (!*delta) continue;
     change.clear();
-    wire::write_change(change, number, ++watch.sent, width, watch.kept, **delta);
+    wire::write_change(change, number, ++newest, width, watch.kept, **delta);
     const bool fits = frame.size() + change.size() <= wire::bytes_together;
     if (!frame.empty() && !fits && !send_frame()) return false;
     frame += change;

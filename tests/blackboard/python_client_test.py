@@ -13,7 +13,7 @@ import unittest
 
 import zmq
 
-from pizarra import Board, Failure, Symbol, read, write
+from pizarra import Board, Failure, Symbol, read, tell, write
 
 NOTE = "(relation note ((n integer) (text datum)) (key n))"
 
@@ -109,6 +109,14 @@ class OnABoard(unittest.TestCase):
         self.refused("bad-frame", self.board.tell, "(note 1 2)")
         self.assertIsNone(other.result)
 
+    def test_no_request_goes_far_ahead_of_one_that_is_not_answered(self):
+        begun = [self.board.begin([Symbol("transact"), [], [tell(f"(note {n} 1)")]], False) for n in range(300)]
+        self.assertEqual(sum(request.sent is not None for request in begun), Board.MOST_AHEAD)
+        deadline = time.monotonic() + 8
+        while time.monotonic() < deadline and any(request.result is None for request in begun):
+            self.board.turn(0.05)
+        self.assertTrue(all(isinstance(request.result, list) for request in begun))
+        self.assertEqual(len(self.board.ask("(note ?n 1)")), 300)
 
     def test_a_closed_board_says_so(self):
         watch = self.board.watch("(note ?n ?)")

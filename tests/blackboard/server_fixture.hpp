@@ -21,10 +21,12 @@ class ServerTest : public testing::Test {
  protected:
   class Client {
    public:
-    Client(Executor& executor, const std::string& address, int room = 1000)
+    // It reads `room` messages ahead, and its network `bytes`; as many as usual where nothing is said.
+    Client(Executor& executor, const std::string& address, int room = 1000, int bytes = -1)
         : executor_(executor), socket_(context_, zmq::socket_type::dealer) {
       socket_.set(zmq::sockopt::linger, 0);
       socket_.set(zmq::sockopt::rcvhwm, room);
+      socket_.set(zmq::sockopt::rcvbuf, bytes);
       socket_.connect(address);
     }
     void send(const std::string& text) { ASSERT_TRUE(socket_.send(zmq::buffer(text)).has_value()); }

@@ -121,7 +121,7 @@ TEST_F(ServerIndex, TheRequestsOfAClientStayInTheirOrder) {
 }
 
 TEST_F(ServerIndex, WhatIsRefusedForWantOfRoomStaysRefusedWhenItComesAgain) {
-  constexpr int asking = static_cast<int>(Postponed::most) + 60;
+  constexpr int asking = static_cast<int>(Postponed::most_requests) + 60;
   ask_oddly();
   const auto tell = [&](std::int64_t n) {
     return request(odds, static_cast<int>(n), "(transact () ((tell (note " + std::to_string(900'000 + n) + " x) 0)))");
@@ -144,6 +144,30 @@ TEST_F(ServerIndex, WhatIsRefusedForWantOfRoomStaysRefusedWhenItComesAgain) {
     EXPECT_EQ(said, refusal) << n;
     EXPECT_TRUE(board.ask(query("(note " + std::to_string(900'000 + n) + " ?)"))->answers.empty()) << n;
   }
+}
+
+// Whoever was cut off and asks again learns of each request what came of it.
+TEST_F(ServerIndex, OfAllThatMayWaitIsKnownLaterWhatCameOfIt) {
+  constexpr int asking = 720;
+  ask_oddly();
+  const auto tell = [&](int n) {
+    return request(odds, n, "(transact () ((tell (note " + std::to_string(900'000 + n) + " x) 0)))");
+  };
+  for (int n = 2; n <= asking; n += 60) {
+    std::string frame;
+    for (int i = n; i < std::min(n + 60, asking + 1); ++i) frame += tell(i);
+    odd.send(frame);
+  }
+  while (odd.receive(500ms) != Datum()) {
+  }
+  std::size_t done = 0;
+  for (int n = 2; n <= asking; ++n) {
+    const Datum again = odd.ask(tell(n))[2];
+    const bool stands = !board.ask(query("(note " + std::to_string(900'000 + n) + " ?)"))->answers.empty();
+    EXPECT_EQ(again.is_form("ok"), stands) << n << ": " << write(again);
+    if (stands) ++done;
+  }
+  EXPECT_EQ(done, Postponed::most_requests - 1) << "the first that waits is a question";
 }
 
 TEST_F(ServerIndex, ALeaseIsRenewedMeanwhile) {
@@ -232,6 +256,10 @@ TEST(Postponed, HasRoomForSoManyMessagesAndSoMuchOfThem) {
   Postponed many;
   for (std::size_t n = 0; n < Postponed::most; ++n) EXPECT_TRUE(many.add({list("bye"_sym, 1)}));
   EXPECT_FALSE(many.add({list("bye"_sym, 1)}));
+  Postponed asking;
+  for (std::size_t n = 1; n <= Postponed::most_requests; ++n) EXPECT_TRUE(asking.add({list("request"_sym, 1, n)}));
+  EXPECT_FALSE(asking.add({list("request"_sym, 1, Postponed::most_requests + 1)}));
+  EXPECT_TRUE(asking.add({list("unwatch"_sym, 1, 1)}));
 }
 
 }  // namespace
