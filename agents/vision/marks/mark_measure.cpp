@@ -167,7 +167,8 @@ std::optional<SeenMark> measure_mark(const ImageCut& cut, MarkContour contour, M
   out->height_px = patch.reduction * std::sqrt(ellipse->yy);
   out->slant_px2 = patch.reduction * patch.reduction * ellipse->xy;
   const double mean = (ellipse->xx + ellipse->yy) / 2;
-  const double half = std::hypot((ellipse->xx - ellipse->yy) / 2, ellipse->xy);
+  const double difference = (ellipse->xx - ellipse->yy) / 2;
+  const double half = std::sqrt(difference * difference + ellipse->xy * ellipse->xy);
   out->slimness = std::sqrt(std::max(0.0, mean - half) / (mean + half));
   out->roundness = 4 * CV_PI * std::sqrt(ellipse->xx * ellipse->yy - ellipse->xy * ellipse->xy) / ellipse->area_px;
   out->mark_level = patch.mark_level;
@@ -186,7 +187,7 @@ double centre_spread_px(const SeenMark& mark, double noise) {
   const double counted = mark.area_px + 2 * mark.perimeter_px;
   const double reach = mark.width_px * std::sqrt(counted / mark.area_px);
   const double random = std::max(noise, least_noise) * std::sqrt(counted) * reach / (contrast * mark.area_px);
-  return std::hypot(random, systematic_px);
+  return std::sqrt(random * random + systematic_px * systematic_px);
 }
 
 void move_by(SeenMark& mark, cv::Point origin) {

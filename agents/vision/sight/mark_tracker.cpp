@@ -17,6 +17,8 @@ constexpr double local_reach_px = 48;
 // How much of the confidence is left after every tenth of a second in which a mark was not seen.
 constexpr double trust_in_a_bridge = 0.7;
 constexpr double trust_lasts_s = 0.1;
+// In what may as well be another.
+constexpr double trust_in_another = 0.5;
 
 // They may move meanwhile; where one is hidden, it is thought to rest.
 void follow_others(std::vector<cv::Point2d>& others, const std::vector<SeenMark>& marks, const LearnedObjects& objects,
@@ -145,7 +147,11 @@ TrackSighting MarkTracker::miss(const StereoSight& sight, Track& track) const {
       track.left && captured_ - track.seen_at <= longest_bridge && image.contains(track.expected(captured_));
   if (!near) {
     track.whole.lose();
-    track = Track{.name = track.name, .whole = track.whole, .others = track.others};
+    track = Track{.name = track.name,
+                  .whole = track.whole,
+                  .others = track.others,
+                  .before = track.before,
+                  .doubted_for = track.doubted_for};
     return out;
   }
   track.missed = true;
@@ -155,6 +161,41 @@ TrackSighting MarkTracker::miss(const StereoSight& sight, Track& track) const {
   out.confidence =
       track.confidence * std::pow(trust_in_a_bridge, seconds_between(track.seen_at, captured_) / trust_lasts_s);
   return out;
+}
+
+void MarkTracker::come_back(StereoSight& sight, Track& track, const LearnedObject& object, SeenPair& now) const {
+  Track before = *track.before;
+  before.velocity_px = {};
+  before.disparity_change_px = 0;
+  before.whole.wait(captured_);
+  std::optional<SeenPair> there = follow(sight, before, object);
+  if (!there || now.left.box.contains(there->left.centre)) return;
+  if (!before.whole.look_at(sight.model(), object, *there, captured_, most_off_px(sight), false).whole) return;
+  before.name = track.name;
+  before.missed = true;
+  before.others = track.others;
+  if (before.others.size() < most_twins) before.others.push_back(now.left.centre);
+  track = std::move(before);
+  now = std::move(*there);
+}
+
+// What hides it for a while may go on hiding it for as long.
+bool MarkTracker::is_doubted(Track& track, const SeenPair& now) const {
+  if (!track.before) return false;
+  const Track& before = *track.before;
+  const Time foreseen_until = std::min(captured_, before.seen_at + longest_bridge);
+  const cv::Point2d motion = before.expected(foreseen_until) - before.left->centre;
+  const bool is_there =
+      before.left->box.contains(now.left.centre) || before.left->box.contains(now.left.centre - motion);
+  const bool begins = track.doubted_for <= Duration();
+  if (begins && !is_there) {
+    track.doubted_for = std::clamp(captured_ - before.seen_at, longest_bridge, longest_doubt);
+  }
+  if (!begins && !track.missed && track.left) track.doubted_for -= captured_ - track.seen_at;
+  if (!is_there && track.doubted_for > Duration()) return true;
+  track.before.reset();
+  track.doubted_for = {};
+  return false;
 }
 
 void MarkTracker::take(const StereoSight& sight, Track& track, SeenPair now) const {
@@ -181,9 +222,13 @@ TrackSighting MarkTracker::update(StereoSight& sight, Track& track) {
     return track.whole.look_at(sight.model(), *object, pair, captured_, off_px, !track.left);
   };
   std::optional<SeenPair> now = follow(sight, track, *object);
+  if (now && track.doubted_for > Duration()) come_back(sight, track, *object, *now);
   Wholeness::Look look{.whole = false};
   if (now) look = look_at(*now);
-  if (!look.whole && track.left && !track.missed) note_others_before(track, *object);
+  if (!look.whole && track.left && !track.missed) {
+    note_others_before(track, *object);
+    if (!track.before) track.before = std::make_shared<const Track>(track);
+  }
   const bool begins = !track.left;
   if (!now) {
     now = search(sight, track, *object);
@@ -197,6 +242,7 @@ TrackSighting MarkTracker::update(StereoSight& sight, Track& track) {
   track.turn = now->likeness.turn;
   out.confidence = now->likeness.confidence();
   if (!now->left.tag) out.confidence = confidence_if_off(out.confidence, look.may_be_off_px, off_px);
+  if (is_doubted(track, *now)) out.confidence = std::min(out.confidence, trust_in_another);
   if (now->likeness.second != nullptr) out.second = now->likeness.second->name;
   out.margin = now->likeness.margin();
   const bool measurable = now->right || sight.is_cut_off(*object, now->left);

@@ -1,19 +1,22 @@
 #pragma once
 
 // Follows several objects from frame to frame in both images. Each object is found once; then its closed contour is
-// followed from where its motion predicts its centre. Where that fails, it is looked for nearby and then everywhere,
-// in this same frame and in every later one, while the others go on. What is followed is recognised anew in every
-// frame, so that a hand, the gripper or another cube in its place is a loss, never a position; and so is one that hides
-// a part of it, or is told with less confidence where that cannot be known (wholeness.hpp). A loss of half a second is bridged: the object is expected where its motion would have brought it,
-// and is said not to be seen. So long, nothing elsewhere is taken for it that is of another size; and never what looked
-// like it elsewhere in the image in which it was found or in that in which it was seen last. One that was in neither is
-// not known for another.
+// followed from where its motion predicts its centre. Where that fails, it is looked for nearby and then everywhere, in
+// this same frame and in every later one, while the others go on. What is followed is recognised anew in every frame,
+// so that a hand, the gripper or another cube in its place is a loss, never a position; and so is one that hides a part
+// of it, or is told with less confidence where that cannot be known (wholeness.hpp). A loss of half a second is
+// bridged: the object is expected where its motion would have brought it, and is said not to be seen. So long, nothing
+// elsewhere is taken for it that is of another size; and never what looked like it elsewhere in the image in which it
+// was found or in that in which it was seen last. One that was in neither may be another, so that what is found
+// elsewhere than where it was lost is not sure until it has been followed for as long as it had been lost, from half a
+// second to five; and where the one that was lost is seen again meanwhile, it is there.
 //
 //   MarkTracker tracker(objects);
 //   tracker.add(*objects.find("circle"));
 //   StereoSight sight(left, right, model);
 //   for (const TrackSighting& sighting : tracker.update(sight, frame.captured)) ...
 
+#include <memory>
 #include <set>
 
 #include "agents/vision/objects/renames.hpp"
@@ -41,6 +44,7 @@ struct TrackSighting {
 inline constexpr std::size_t most_tracked = 16;
 inline constexpr std::size_t most_twins = 16;  // of one object's like
 inline constexpr Duration longest_bridge = 500ms;
+inline constexpr Duration longest_doubt = 5s;  // whether what is found elsewhere is it
 
 class MarkTracker {
  public:
@@ -77,6 +81,9 @@ class MarkTracker {
     double confidence = 0;
     // Where its like is that stood elsewhere when it was found or seen last, so that it is another.
     std::vector<cv::Point2d> others = {};
+    // As it was when it was lost; and for how long yet it must be followed elsewhere, where it was found since.
+    std::shared_ptr<const Track> before = {};
+    Duration doubted_for = {};
     // Where it should be by then.
     cv::Point2d expected(Time then) const { return left->centre + seconds_between(seen_at, then) * velocity_px; }
   };
@@ -89,6 +96,10 @@ class MarkTracker {
   void note_others_before(Track& track, const LearnedObject& object);
   TrackSighting update(StereoSight& sight, Track& track);
   TrackSighting miss(const StereoSight& sight, Track& track) const;
+  // Where what is followed elsewhere was not it, but is hidden no more where it was lost.
+  void come_back(StereoSight& sight, Track& track, const LearnedObject& object, SeenPair& now) const;
+  // Whether what is seen may be another, by where it is.
+  bool is_doubted(Track& track, const SeenPair& now) const;
   // What was seen becomes what is followed.
   void take(const StereoSight& sight, Track& track, SeenPair now) const;
 

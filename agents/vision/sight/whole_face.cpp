@@ -33,6 +33,8 @@ constexpr double clear = 3;
 
 double squared(double x) { return x * x; }
 
+double hypotenuse(double a, double b) { return std::sqrt(a * a + b * b); }
+
 double contrast_of(const SeenMark& mark) { return std::abs(mark.mark_level - mark.ground_level); }
 
 double deviations(const FaceSize::Reading& whole, const FaceSize::Reading& now) {
@@ -108,7 +110,7 @@ double may_be_off_px(const LearnedObject& object, const FaceSize& now, const See
   const double front = front_slimness(object);
   const Narrowed as_covered = narrowed(front, front, now, left);
   const double too_small = 1 - now.height_mm.value / std::sqrt(least_mm2);
-  const double spread = std::hypot(now.height_mm.spread, learned_spread);
+  const double spread = hypotenuse(now.height_mm.spread, learned_spread);
   const double ahead = (squared(too_small) - squared(too_small - as_covered.too_small)) / (2 * squared(spread));
   return std::max(by_area, std::clamp(ahead, 0.0, 1.0) * as_covered.off_px);
 }
@@ -126,8 +128,8 @@ FaceSize WholeFace::foreseen(const SeenMark& left) const {
 
 FaceSize WholeFace::compared(FaceSize now) const {
   const double lost = std::clamp(1 - now.contrast / recent_.contrast, 0.0, most_lost_contrast);
-  now.area_mm2.spread = std::hypot(now.area_mm2.spread, 2 * narrowing * lost);
-  now.height_mm.spread = std::hypot(now.height_mm.spread, narrowing * lost);
+  now.area_mm2.spread = hypotenuse(now.area_mm2.spread, 2 * narrowing * lost);
+  now.height_mm.spread = hypotenuse(now.height_mm.spread, narrowing * lost);
   return now;
 }
 
@@ -148,7 +150,7 @@ double WholeFace::may_be_off_px(const FaceSize& now, const SeenMark& left) const
   const Narrowed as_covered = narrowed(largest_.left_aspect, largest_.right_aspect, now, left);
   const FaceSize::Reading& height = recent_.height_mm.spread < now.height_mm.spread ? recent_.height_mm : now.height_mm;
   const double too_small = 1 - std::min(now.height_mm.value, height.value) / largest_.height_mm.value;
-  const double beyond = (as_covered.too_small - too_small) / std::hypot(height.spread, drifted);
+  const double beyond = (as_covered.too_small - too_small) / hypotenuse(height.spread, drifted);
   const double plausible = std::clamp(clear - beyond, 0.0, 1.0);
   return std::max(pizarra::may_be_off_px(left, std::max(by_area, by_height)), plausible * as_covered.off_px);
 }

@@ -44,10 +44,10 @@ Wholeness::Look Wholeness::look_at(const StereoModel& model, const LearnedObject
         std::max(widest_.may_be_off_px(now.left), may_be_off_by_shape_px(now.left, front_slimness(object)));
   }
   if (out.face && face_) out.may_be_off_px = std::max(out.may_be_off_px, face_->may_be_off_px(*out.face, now.left));
-  const bool smaller = out.face && face_ && face_->is_more_than(*out.face, now.left);
+  out.smaller = out.face && face_ && face_->is_more_than(*out.face, now.left);
   const auto is_it = [&](const std::optional<WholeMark>& whole, const SeenMark& mark) {
-    if (!whole) return !smaller;
-    const WholeMark::Look look = whole->look_at(mark, captured, most_off_px, smaller);
+    if (!whole) return true;
+    const WholeMark::Look look = whole->look_at(mark, captured, most_off_px, out.smaller);
     return look != WholeMark::Look::covered && (look != WholeMark::Look::unlike || lost);
   };
   out.whole = is_it(left_, now.left) && (!now.right || is_it(right_, *now.right));
@@ -55,7 +55,8 @@ Wholeness::Look Wholeness::look_at(const StereoModel& model, const LearnedObject
 }
 
 void Wholeness::follow(const SeenPair& now, const Look& look, Time captured) {
-  if (now.left.tag) return;
+  // A part of what was lost, or a copy of another size: neither is what it looks like while it is whole.
+  if (now.left.tag || (!left_ && look.smaller)) return;
   remember(left_, now.left, captured);
   if (now.right) {
     remember(right_, *now.right, captured);

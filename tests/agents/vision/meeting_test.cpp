@@ -38,6 +38,44 @@ TEST_P(Meetings, AreToldForSureOnlyWhereTheMarkIs) {
   EXPECT_GT(by_one.sure, 3 * meetings);
 }
 
+// What is left of a square looks like one that is turned.
+TEST(Finding, OfAHalfCoveredSquareIsNotSure) {
+  StereoModel alone = DrawnSight::model();
+  alone.base_line_mm = 0;
+  alone.learned_at_mm = 850;
+  const LearnedObject& square = *learned_cell().find("square");
+  int found_by_one = 0;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random = Random(seed).split("half covered");
+    Scene scene;
+    scene.noise = random.uniform(1, 6);
+    scene.blur_px = random.uniform(0.5, 1);
+    scene.faces = {{.mark = "square",
+                    .place = {random.uniform(-60, 80), random.uniform(-60, 60), random.uniform(560, 1000)}}};
+    const double size_px = 44 * DrawnSight::model().focal_px / scene.faces[0].place.z;
+    const double disparity = DrawnSight::model().focal_px * DrawnSight::model().base_line_mm / scene.faces[0].place.z;
+    const double from = CV_PI / 2 * static_cast<double>(random.below(4));
+    const double hidden = random.uniform(0.12, 0.5) * size_px;
+    const cv::Point2d centre = project(DrawnSight::model(), scene.faces[0].place, false);
+    const cv::Point2d cover = centre + (50 + size_px / 2 - hidden) * cv::Point2d(std::cos(from), std::sin(from));
+    const int levels[] = {95, 150, 190, 225};
+    scene.blots = {{.box = {cover.x - 50, cover.y - 50, 100, 100},
+                    .level = levels[random.below(4)],
+                    .disparity_px = disparity + (random.below(2) == 0 ? 1 : random.uniform(0.02, 0.3) * disparity)}};
+    DrawnSight drawn(scene, random);
+    StereoSight by_one(drawn.sight.left(), cv::Mat::zeros(alone.height, alone.width, CV_8UC1), alone);
+    for (StereoSight* sight : {&drawn.sight, &by_one}) {
+      const std::optional<SeenPair> found = sight->find(learned_cell(), square);
+      if (!found) continue;
+      EXPECT_LT(confidence_at_first(*sight, square, *found), ToldOfMeeting::surely)
+          << (sight == &by_one ? "one camera" : "a pair") << ", " << hidden << " of " << size_px << " px hidden";
+      found_by_one += sight == &by_one ? 1 : 0;
+    }
+  }
+  EXPECT_GT(found_by_one, 10);
+}
+
 std::string instance_name(const testing::TestParamInfo<Meetings::ParamType>& one) {
   const char* const ways[] = {"GoesBehindSlowly", "GoesBehindQuickly", "UnderAHand", "BothMove", "HiddenFromTheFirst"};
   std::string name = std::get<0>(one.param);
