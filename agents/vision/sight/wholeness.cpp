@@ -45,8 +45,9 @@ Wholeness::Look Wholeness::look_at(const StereoModel& model, const LearnedObject
   }
   if (out.face && face_) out.may_be_off_px = std::max(out.may_be_off_px, face_->may_be_off_px(*out.face, now.left));
   out.smaller = out.face && face_ && face_->is_more_than(*out.face, now.left);
+  const bool as_large = out.face && face_ && !out.smaller && face_->is_as_large(*out.face, now.left, most_off_px);
   const auto is_it = [&](const std::optional<WholeMark>& whole, const SeenMark& mark) {
-    if (!whole) return true;
+    if (!whole || as_large) return true;
     const WholeMark::Look look = whole->look_at(mark, captured, most_off_px, out.smaller);
     return look != WholeMark::Look::covered && (look != WholeMark::Look::unlike || lost);
   };

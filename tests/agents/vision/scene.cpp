@@ -34,10 +34,13 @@ class Painter {
 
   void fill(const SceneFace& face, const Outline& outline, int turns, int level) {
     const double yaw = face.yaw_deg * CV_PI / 180;
+    const double pitch = face.pitch_deg * CV_PI / 180;
     Outline seen;
     for (const cv::Point2d& at : turned(outline, face.roll_deg + 90 * turns)) {
       const cv::Point2d p = face.scale * at;
-      const cv::Point3d point = face.place + cv::Point3d(p.x * std::cos(yaw), p.y, p.x * std::sin(yaw));
+      const cv::Point3d tilted(p.x * std::cos(yaw), p.y * std::cos(pitch) + p.x * std::sin(yaw) * std::sin(pitch),
+                               p.x * std::sin(yaw) * std::cos(pitch) - p.y * std::sin(pitch));
+      const cv::Point3d point = face.place + tilted;
       // Pixel (0, 0) covers -0.5 to 0.5.
       seen.push_back(project(model_, point, right_) + cv::Point2d(0.5, 0.5));
     }

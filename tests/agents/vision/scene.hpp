@@ -19,6 +19,7 @@ struct SceneFace {
   double yaw_deg = 0;     // about the vertical
   int quarter_turns = 0;  // about the line of sight
   double roll_deg = 0;    // the same, small
+  double pitch_deg = 0;   // then about the horizontal, the upper edge away
   double scale = 1;       // of the mark
 };
 
