@@ -161,9 +161,19 @@ Result<void> MemoryBoard::renew(LeaseId lease) {
 }
 
 Result<void> MemoryBoard::release(LeaseId lease) {
+  std::size_t examined = 0;
+  return release(lease, examined);
+}
+
+Result<void> MemoryBoard::release(LeaseId lease, std::size_t& examined) {
   const Time now = begin();
   Result<void> released;
-  lapse(now, [&](std::size_t& left) { released = store_->release(lease, now, left); });
+  lapse(now, [&](std::size_t& left) {
+    std::size_t took = 0;
+    released = store_->release(lease, now, took);
+    examined += took;
+    left -= std::min(left, took);
+  });
   schedule();
   return released;
 }

@@ -72,6 +72,8 @@ class MemoryBoard {
   Result<LeaseId> lease(Duration length);
   Result<void> renew(LeaseId lease);
   Result<void> release(LeaseId lease);
+  // Adds to `examined` as many facts as could have been looked at meanwhile.
+  Result<void> release(LeaseId lease, std::size_t& examined);
   // The queue's first change is there already, unless it takes long or `examined` is limits::examined_a_turn before;
   // `ready` is called whenever one comes to an empty queue. `watcher` is who will be named in what relation-stats says
   // (statistics.hpp); its queues may share a backlog.

@@ -34,7 +34,7 @@ Result<Datum> PermittedBoard::act(const Client& client, const Datum& body, std::
   if (body.is_form("ask")) return ask(client, body, examined);
   if (body.is_form("take")) return take(client, body, examined);
   if (body.is_form("declare")) return declare(client, body);
-  return lease(client, body);
+  return lease(client, body, examined);
 }
 
 Result<std::unique_ptr<WatchQueue>> PermittedBoard::watch(const Client& client, const Datum& query,
@@ -110,7 +110,7 @@ Result<Datum> PermittedBoard::take(const Client& client, const Datum& body, std:
   return list(wire::fact_to_datum(**taken));
 }
 
-Result<Datum> PermittedBoard::lease(const Client& client, const Datum& body) {
+Result<Datum> PermittedBoard::lease(const Client& client, const Datum& body, std::size_t& examined) {
   const bool whole = body.size() == 2 && body[1].is_integer();
   if (!whole) return bad_frame("not a request");
   if (body.is_form("lease")) {
@@ -126,7 +126,7 @@ Result<Datum> PermittedBoard::lease(const Client& client, const Datum& body) {
   const Result<void> permitted = gate_.use_lease(client.key, lease.value_or(0));
   if (!permitted) return fail(permitted);
   if (lease && body.is_form("renew")) return nothing_or(board_.renew(*lease));
-  if (lease && body.is_form("release")) return nothing_or(board_.release(*lease));
+  if (lease && body.is_form("release")) return nothing_or(board_.release(*lease, examined));
   return bad_frame("not a request");
 }
 

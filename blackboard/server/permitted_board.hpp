@@ -46,7 +46,7 @@ class PermittedBoard {
   Result<Datum> transact(const Client& client, const Datum& body, std::size_t& examined);
   Result<Datum> ask(const Client& client, const Datum& body, std::size_t& examined);
   Result<Datum> take(const Client& client, const Datum& body, std::size_t& examined);
-  Result<Datum> lease(const Client& client, const Datum& body);
+  Result<Datum> lease(const Client& client, const Datum& body, std::size_t& examined);
 
   MemoryBoard& board_;
   const Durability& durability_;

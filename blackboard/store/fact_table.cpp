@@ -111,8 +111,12 @@ FactTable::Mask FactTable::found_by(const Datum& pattern) const {
 
 std::size_t FactTable::looks_to_remove() const {
   constexpr std::size_t of_the_table = 8;
+  return of_the_table + looks_of_indexes();
+}
+
+std::size_t FactTable::looks_of_indexes() const {
   constexpr std::size_t of_an_index = 4;
-  return of_the_table + of_an_index * indexes_.size();
+  return of_an_index * indexes_.size();
 }
 
 FactTable::Way FactTable::way_to(const Datum& pattern) const {

@@ -146,6 +146,8 @@ class FactTable {
   std::size_t candidates(const Datum& pattern) const;
   // As many facts could be looked at while one goes.
   std::size_t looks_to_remove() const;
+  // And while its indexes learn that one comes or goes.
+  std::size_t looks_of_indexes() const;
   using Mask = FactIndex::Mask;
   // What visit() finds the pattern's facts by in a table that has grown; none where it looks through all.
   Mask found_by(const Datum& pattern) const;

@@ -6,15 +6,29 @@
 
 namespace pizarra {
 
-const Fact* first_fit(const FactTable& table, const Datum& pattern, std::size_t& examined) {
+namespace {
+
+template <class Counts>
+const Fact* first_of(const FactTable& table, const Datum& pattern, std::size_t& examined, const Counts& counts) {
   const Fact* first = nullptr;
   Looking looking(examined);
   table.visit(pattern, [&](const Fact& fact) {
     Bindings bindings;
-    if (match(pattern, fact.datum, bindings)) first = &fact;
+    if (match(pattern, fact.datum, bindings) && counts(fact)) first = &fact;
     return first == nullptr && looking.at_one_more();
   });
   return first;
+}
+
+}  // namespace
+
+const Fact* first_fit(const FactTable& table, const Datum& pattern, std::size_t& examined) {
+  return first_of(table, pattern, examined, [](const Fact&) { return true; });
+}
+
+const Fact* first_fit(const FactTable& table, const Datum& pattern, std::size_t& examined,
+                      const std::function<bool(const Fact&)>& counts) {
+  return first_of(table, pattern, examined, counts);
 }
 
 bool is_unchanged(const FactTable& table, const Datum& pattern, Revision since, std::size_t& examined) {

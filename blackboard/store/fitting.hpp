@@ -7,12 +7,17 @@
 //   const Fact* fact = first_fit(table, pattern, examined);
 //   const Result<void> cheap = check_looking(examined, pattern);
 
+#include <functional>
+
 #include "blackboard/store/fact_table.hpp"
 
 namespace pizarra {
 
 // The one with the lowest id; null where none fits.
 const Fact* first_fit(const FactTable& table, const Datum& pattern, std::size_t& examined);
+// The first of those that count.
+const Fact* first_fit(const FactTable& table, const Datum& pattern, std::size_t& examined,
+                      const std::function<bool(const Fact&)>& counts);
 // Whether none that fits came or went after the revision.
 bool is_unchanged(const FactTable& table, const Datum& pattern, Revision since, std::size_t& examined);
 // As finding all that fit will; answers how many these are, at most.

@@ -18,17 +18,12 @@ namespace pizarra {
 namespace {
 
 constexpr Duration longest_lease = std::chrono::hours(24 * 365);
-// As one lapses under which nothing stands, or forgets what came under another since.
-constexpr std::size_t looks_a_lapse = 8;
-
-void spend(std::size_t& left, std::size_t looks) { left -= std::min(left, looks); }
-
-std::unexpected<Failure> unknown_lease(LeaseId lease) {
-  return fail("unknown-lease", "lease " + std::to_string(lease) + " has lapsed, or never was", to_datum(lease));
-}
-
 std::unexpected<Failure> not_met(std::string sentence, Datum subject) {
   return fail("precondition-failed", std::move(sentence), std::move(subject));
+}
+
+std::unexpected<Failure> costly_tells(const Datum& subject) {
+  return fail("too-costly", "the relations told of have many indexes; tell fewer facts at once", subject);
 }
 
 Result<void> check_teller(const std::string& teller, const Relation& relation) {
@@ -37,6 +32,10 @@ Result<void> check_teller(const std::string& teller, const Relation& relation) {
 }
 
 }  // namespace
+
+std::unexpected<Failure> Store::unknown_lease(LeaseId lease) {
+  return fail("unknown-lease", "lease " + std::to_string(lease) + " has lapsed, or never was", to_datum(lease));
+}
 
 Result<std::vector<Relation>> Store::declare(const std::vector<Relation>& relations) {
   std::vector<Relation> fresh;
@@ -75,7 +74,7 @@ Result<void> Store::check_precondition(const Transaction::Precondition& precondi
     return not_met("changed since revision " + std::to_string(unchanged->revision), pattern);
   }
   const bool wanted = std::holds_alternative<Transaction::Present>(precondition);
-  const bool there = first_fit(**table, pattern, examined) != nullptr;
+  const bool there = first_standing(**table, pattern, examined) != nullptr;
   const Result<void> cheap = check_looking(examined, pattern);
   if (!cheap) return cheap;
   if (there == wanted) return {};
@@ -110,7 +109,8 @@ Result<void> Store::check_step(const Transaction::Step& step, Checked& before) {
   if (!shaped) return shaped;
   if (tell == nullptr) {
     const std::size_t going = look_for_all(*before.table, datum, before.examined);
-    if (!before.table->key_is_ground(datum)) before.examined += going * before.table->looks_to_remove();
+    const bool is_few = before.table->key_is_ground(datum);
+    before.examined += going * (is_few ? before.table->looks_of_indexes() : before.table->looks_to_remove());
     before.examined += before.own.candidates(*before.table, datum) * (compares_much(datum) ? before.own.heaviest() : 1);
     const Result<void> cheap = check_looking(before.examined, datum);
     if (cheap || cheap.error().symbol != "too-costly") return cheap;
@@ -118,6 +118,9 @@ Result<void> Store::check_step(const Transaction::Step& step, Checked& before) {
                 datum);
   }
   before.own.add(datum);
+  // One that it replaces leaves them.
+  before.examined += 2 * before.table->looks_of_indexes();
+  if (before.examined > limits::examined) return costly_tells(datum);
   if (tell->lease != 0 && leases_.find(tell->lease) == nullptr) return unknown_lease(tell->lease);
   return {};
 }
@@ -178,7 +181,7 @@ Result<std::optional<Fact>> Store::take(const std::string& teller, const Datum& 
   const Result<void> allowed = check_teller(teller, (*table)->relation());
   if (!allowed) return fail(allowed);
   if (holder != 0 && leases_.find(holder) == nullptr) return unknown_lease(holder);
-  const Fact* fact = first_fit(**table, pattern, examined);
+  const Fact* fact = first_standing(**table, pattern, examined);
   const Result<void> cheap = check_looking(examined, pattern);
   if (!cheap) return fail(cheap);
   if (fact == nullptr) return std::nullopt;
@@ -186,6 +189,17 @@ Result<std::optional<Fact>> Store::take(const std::string& teller, const Datum& 
   Fact taken = change.take(fact->id, holder);
   change.finish();
   return taken;
+}
+
+// While nothing lapses, all that is there stands.
+const Fact* Store::first_standing(const FactTable& table, const Datum& pattern, std::size_t& examined) const {
+  if (lapsing_.empty()) return first_fit(table, pattern, examined);
+  return first_fit(table, pattern, examined, [this](const Fact& fact) { return !is_to_go(fact.id); });
+}
+
+bool Store::is_to_go(FactId standing) const {
+  const LeaseId lease = lease_of(standing);
+  return lease != 0 && !leases_.contains(lease);
 }
 
 const Fact* Store::held(FactId id) const {
@@ -204,13 +218,6 @@ Result<LeaseId> Store::lease(Duration length, Time now) {
 Result<void> Store::renew(LeaseId lease, Time now) {
   if (leases_.find(lease) == nullptr) return unknown_lease(lease);
   leases_.renew(lease, now);
-  return {};
-}
-
-Result<void> Store::release(LeaseId lease, Time now, std::size_t& left) {
-  if (leases_.find(lease) == nullptr) return unknown_lease(lease);
-  lapsing_.emplace_back(lease, leases_.remove(lease));
-  lapse_some(left, now);
   return {};
 }
 
@@ -264,63 +271,6 @@ Store::Held Store::let_go(FactId taken) {
 LeaseId Store::holder_of(FactId taken) const {
   const auto held = held_.find(taken);
   return held == held_.end() ? 0 : held->second.holder;
-}
-
-std::optional<Time> Store::next_expiry() const {
-  std::optional<Time> next;
-  if (!lapsing_.empty()) return Time::min();
-  if (const auto lease = leases_.first()) next = lease->first;
-  if (!fact_expiries_.empty() && (!next || fact_expiries_.begin()->first < *next)) next = fact_expiries_.begin()->first;
-  return next;
-}
-
-void Store::expire(Time due, Time now, std::size_t& left) {
-  lapse_some(left, now);
-  for (std::optional<Time> next = next_expiry(); left > 0 && next && *next <= due; next = next_expiry()) {
-    const auto lease = leases_.first();
-    if (lease && lease->first == *next) {
-      lapsing_.emplace_back(lease->second, leases_.remove(lease->second));
-      lapse_some(left, now);
-    } else {
-      lapse_facts(*next, left, now);
-    }
-  }
-}
-
-// What came under another lease since, or under none, stays; and so does what was settled.
-void Store::lapse_some(std::size_t& left, Time now) {
-  while (left > 0 && !lapsing_.empty()) {
-    auto& [lease, under_it] = lapsing_.front();
-    Change change(*this, "board", now);
-    while (left > 0 && !under_it.facts.empty()) {
-      const FactId fact = under_it.facts.extract(under_it.facts.begin()).value();
-      const bool goes = lease_of(fact) == lease;
-      spend(left, goes ? find(fact)->table->looks_to_remove() : looks_a_lapse);
-      if (goes) change.retract(fact);
-    }
-    while (left > 0 && !under_it.held.empty()) {
-      const FactId taken = under_it.held.extract(under_it.held.begin()).value();
-      const bool comes_back = holder_of(taken) == lease;
-      const auto back_to = tables_.find(comes_back ? held_.at(taken).fact.datum.head() : std::string_view());
-      spend(left, comes_back ? back_to->second.looks_to_remove() : looks_a_lapse);
-      if (comes_back) change.put_back(taken);
-    }
-    if (left > 0) {
-      lapsing_.pop_front();
-      spend(left, looks_a_lapse);
-    }
-    change.finish();
-  }
-}
-
-void Store::lapse_facts(Time expiry, std::size_t& left, Time now) {
-  Change change(*this, "board", now);
-  while (left > 0 && !fact_expiries_.empty() && fact_expiries_.begin()->first <= expiry) {
-    const FactId fact = fact_expiries_.begin()->second;
-    spend(left, find(fact)->table->looks_to_remove());
-    change.retract(fact);
-  }
-  change.finish();
 }
 
 }  // namespace pizarra

@@ -10,7 +10,6 @@
 //   store.declare({relation});
 //   store.transact("vision", transaction, now);
 
-#include <deque>
 #include <functional>
 #include <memory>
 
@@ -56,17 +55,18 @@ class Store {
 
   Result<LeaseId> lease(Duration length, Time now);
   Result<void> renew(LeaseId lease, Time now);
-  // What lapses takes as long as looking at so many facts: more, where a relation has indexes. `left` is less by it
-  // then; once that is nothing, what lapses is due at once.
+  // What lapses takes as long as looking at so many facts: more, where a relation has indexes. What is more than that
+  // is due at once, and until it goes, questions find it; it is not taken, and no precondition finds it.
   static constexpr std::size_t lapsing_at_once = 8000;
-  Result<void> release(LeaseId lease, Time now, std::size_t& left);
+  // Adds to `examined` what that took.
+  Result<void> release(LeaseId lease, Time now, std::size_t& examined);
   std::optional<Time> next_expiry() const;
-  // Lapses what was due by `due`.
+  // Lapses what was due by `due`, the least first, until nothing is left of `left`.
   void expire(Time due, Time now, std::size_t& left);
   // The same for who does not go on meanwhile.
   Result<void> release(LeaseId lease, Time now) {
-    std::size_t left = lapsing_at_once;
-    return release(lease, now, left);
+    std::size_t examined = 0;
+    return release(lease, now, examined);
   }
   void expire(Time due, Time now) {
     std::size_t left = lapsing_at_once;
@@ -116,8 +116,13 @@ class Store {
   Result<void> check(const std::string& teller, const Transaction& transaction, std::size_t& examined);
   Result<void> check_precondition(const Transaction::Precondition& precondition, std::size_t& examined) const;
   Result<void> check_step(const Transaction::Step& step, Checked& before);
-  void lapse_some(std::size_t& left, Time now);
-  void lapse_facts(Time expiry, std::size_t& left, Time now);
+  static std::unexpected<Failure> unknown_lease(LeaseId lease);
+  const Fact* first_standing(const FactTable& table, const Datum& pattern, std::size_t& examined) const;
+  // Its lease has ended.
+  bool is_to_go(FactId standing) const;
+  void keep_lapsing(LeaseId lease, Leases::Lease under_it);
+  void lapse_some(LeaseId lease, Leases::Lease& under_it, std::size_t& left, Time now);
+  void lapse_facts(Time due, std::size_t& left, Time now);
   Result<void> apply_entry(const Commit& commit, Commit::Entry& entry);
 
   Tables tables_;
@@ -126,7 +131,7 @@ class Store {
   std::map<FactId, Held> held_;
   std::size_t bytes_ = 0;  // of what stands or is held
   Leases leases_;
-  std::deque<std::pair<LeaseId, Leases::Lease>> lapsing_;  // with what is still to go with them
+  std::multimap<std::size_t, std::pair<LeaseId, Leases::Lease>> lapsing_;  // by how much is still to go with them
   std::set<std::pair<Time, FactId>> fact_expiries_;
   Revision revision_ = 0;
   Revision horizon_ = 0;  // what went before is not known

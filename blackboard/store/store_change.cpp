@@ -101,7 +101,10 @@ void Store::Change::put_back(FactId taken) {
   FactTable& table = table_of(held->second.fact.datum);
   const LeaseId lease = held->second.told_under;
   const bool lapsed = lease != 0 && !store_.leases_.contains(lease);
-  if (lapsed || table.find_key_of(held->second.fact.datum) != nullptr) return settle(taken);
+  const StandingFact* in_its_place = table.find_key_of(held->second.fact.datum);
+  const bool is_free = in_its_place == nullptr || store_.is_to_go(in_its_place->fact.id);
+  if (lapsed || !is_free) return settle(taken);
+  if (in_its_place != nullptr) retract(in_its_place->fact.id);
   Fact fact = store_.let_go(taken).fact;
   fact.id = store_.next_fact_++;
   fact.revision = commit_.revision;

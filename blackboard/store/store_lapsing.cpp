@@ -1,0 +1,90 @@
+// What goes with a lease, or comes back, when it ends; and leased facts in their time. A part at a time: of the leases
+// that have ended, the one with the least to go is next, so that nobody's many facts hold back another's few.
+
+#include <algorithm>
+
+#include "blackboard/store/store_change.hpp"
+
+namespace pizarra {
+
+namespace {
+
+// As one lapses under which nothing stands, or forgets what came under another since.
+constexpr std::size_t looks_a_lapse = 8;
+
+void spend(std::size_t& left, std::size_t looks) { left -= std::min(left, looks); }
+
+}  // namespace
+
+Result<void> Store::release(LeaseId lease, Time now, std::size_t& examined) {
+  if (leases_.find(lease) == nullptr) return unknown_lease(lease);
+  Leases::Lease under_it = leases_.remove(lease);
+  std::size_t left = lapsing_at_once;
+  lapse_some(lease, under_it, left, now);
+  examined += lapsing_at_once - left;
+  keep_lapsing(lease, std::move(under_it));
+  return {};
+}
+
+std::optional<Time> Store::next_expiry() const {
+  std::optional<Time> next;
+  if (!lapsing_.empty()) return Time::min();
+  if (const auto lease = leases_.first()) next = lease->first;
+  if (!fact_expiries_.empty() && (!next || fact_expiries_.begin()->first < *next)) next = fact_expiries_.begin()->first;
+  return next;
+}
+
+// All that are due end before any has its part; leases and leased facts have half of it each, and what others leave.
+void Store::expire(Time due, Time now, std::size_t& left) {
+  for (auto lease = leases_.first(); left > 0 && lease && lease->first <= due; lease = leases_.first()) {
+    keep_lapsing(lease->second, leases_.remove(lease->second));
+    spend(left, looks_a_lapse);
+  }
+  std::size_t of_facts = left / 2;
+  left -= of_facts;
+  lapse_facts(due, of_facts, now);
+  left += of_facts;
+  while (left > 0 && !lapsing_.empty()) {
+    auto least = lapsing_.extract(lapsing_.begin());
+    auto& [lease, under_it] = least.mapped();
+    lapse_some(lease, under_it, left, now);
+    keep_lapsing(lease, std::move(under_it));
+  }
+  lapse_facts(due, left, now);
+}
+
+void Store::keep_lapsing(LeaseId lease, Leases::Lease under_it) {
+  const std::size_t to_go = under_it.facts.size() + under_it.held.size();
+  if (to_go > 0) lapsing_.emplace(to_go, std::pair(lease, std::move(under_it)));
+}
+
+// What came under another lease since, or under none, stays; and so does what was settled.
+void Store::lapse_some(LeaseId lease, Leases::Lease& under_it, std::size_t& left, Time now) {
+  Change change(*this, "board", now);
+  while (left > 0 && !under_it.facts.empty()) {
+    const FactId fact = under_it.facts.extract(under_it.facts.begin()).value();
+    const bool goes = lease_of(fact) == lease;
+    spend(left, goes ? find(fact)->table->looks_to_remove() : looks_a_lapse);
+    if (goes) change.retract(fact);
+  }
+  while (left > 0 && !under_it.held.empty()) {
+    const FactId taken = under_it.held.extract(under_it.held.begin()).value();
+    const bool comes_back = holder_of(taken) == lease;
+    const auto back_to = tables_.find(comes_back ? held_.at(taken).fact.datum.head() : std::string_view());
+    spend(left, comes_back ? back_to->second.looks_to_remove() : looks_a_lapse);
+    if (comes_back) change.put_back(taken);
+  }
+  change.finish();
+}
+
+void Store::lapse_facts(Time due, std::size_t& left, Time now) {
+  Change change(*this, "board", now);
+  while (left > 0 && !fact_expiries_.empty() && fact_expiries_.begin()->first <= due) {
+    const FactId fact = fact_expiries_.begin()->second;
+    spend(left, find(fact)->table->looks_to_remove());
+    change.retract(fact);
+  }
+  change.finish();
+}
+
+}  // namespace pizarra
