@@ -31,19 +31,28 @@ Result<Fact> fact_like(const Fact& before, const Datum& form) {
 }
 
 // To a client that keeps what it was sent, of a query whose answers are one fact.
-Result<Delta::Side> kept_side_from_datum(const Datum& form) {
+Result<Delta::Side> kept_added_from_datum(const Datum& form) {
   Delta::Side side;
   side.answers = form.size();
   side.facts.reserve(form.size());
   for (const Datum& item : form.items()) {
-    if (const auto id = count_from(item)) {
-      side.facts.push_back({.datum = {}, .id = *id, .teller = {}, .because = {}});
-      continue;
-    }
     const bool alike = item.size() > 1 && item[1].is_list() && !side.facts.empty();
     Result<Fact> fact = alike ? fact_like(side.facts.back(), item) : fact_from_datum(item);
     if (!fact) return fail(fact);
     side.facts.push_back(std::move(*fact));
+  }
+  return side;
+}
+
+// And of what it keeps.
+Result<Delta::Side> kept_removed_from_datum(const Datum& form) {
+  Delta::Side side;
+  side.answers = form.size();
+  side.facts.reserve(form.size());
+  for (const Datum& item : form.items()) {
+    const std::optional<FactId> id = count_from(item);
+    if (!id) return bad_frame("not the number of a fact that was sent", item);
+    side.facts.push_back({.datum = {}, .id = *id, .teller = {}, .because = {}});
   }
   return side;
 }
@@ -207,12 +216,10 @@ Result<Delta> delta_from_datum(const Query& query, bool kept, const Datum& form)
   if (name == kind_names.end() || !revision || !form[4].is_symbol()) return bad_frame("not a change", form);
   if (!form[5].is_list() || !form[6].is_list()) return bad_frame("not two lists of answers", form);
   const std::size_t width = width_of(query);
-  const auto read_side = [&](const Datum& side) {
-    return kept && width == 1 ? kept_side_from_datum(side) : side_from_datum(width, side);
-  };
-  Result<Delta::Side> added = read_side(form[5]);
+  const bool short_form = kept && width == 1;
+  Result<Delta::Side> added = short_form ? kept_added_from_datum(form[5]) : side_from_datum(width, form[5]);
   if (!added) return fail(added);
-  Result<Delta::Side> removed = read_side(form[6]);
+  Result<Delta::Side> removed = short_form ? kept_removed_from_datum(form[6]) : side_from_datum(width, form[6]);
   if (!removed) return fail(removed);
   Delta delta;
   delta.revision = *revision;

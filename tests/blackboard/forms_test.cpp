@@ -77,8 +77,17 @@ TEST(ChangeForm, SaysOnceWhenAndByWhomFactsWereToldToWhoKeepsThem) {
 TEST(ChangeForm, WithAFactThatIsNoneIsRefused) {
   for (const char* added :
        {"((n 1))", "((2 (n 2)))", "((1 7 5 \"a\" (n 1)) (2 (n 2) x))", "((1 7 5 \"a\" (n 1)) (0 (n 2)))",
-        "((1 7 5 \"a\" (n 1)) (2))", "(x)", "x"}) {
+        "((1 7 5 \"a\" (n 1)) (2))", "(x)", "x", "(0)", "(1)", "((1 7 5 \"a\" (n 1)) 2)"}) {
     const std::string text = std::string("(change 3 4 9 no ") + added + " ())";
+    const Result<Delta> refused = wire::delta_from_datum(query("(n ?id)"), true, read(text));
+    ASSERT_FALSE(refused.has_value()) << text;
+    EXPECT_EQ(refused.error().symbol, "bad-frame") << text;
+  }
+}
+
+TEST(ChangeForm, WithAFactGoneThatIsNoNumberIsRefused) {
+  for (const char* removed : {"(x)", "(-1)", "((1 7 5 \"a\" (n 1)))", "x"}) {
+    const std::string text = std::string("(change 3 4 9 no () ") + removed + ")";
     const Result<Delta> refused = wire::delta_from_datum(query("(n ?id)"), true, read(text));
     ASSERT_FALSE(refused.has_value()) << text;
     EXPECT_EQ(refused.error().symbol, "bad-frame") << text;
