@@ -73,10 +73,11 @@ bool ServedWatches::send(WireSocket& socket, const std::string& peer, wire::Watc
     }
     if (!*delta) continue;
     change.clear();
-    wire::write_change(change, number, ++newest, width, watch.kept, **delta);
+    wire::write_change(change, number, newest + 1, width, watch.kept, **delta);
     const bool fits = frame.size() + change.size() <= wire::bytes_together;
     if (!frame.empty() && !fits && !send_frame()) return false;
     frame += change;
+    ++newest;
     // Fewer are under way than a frame may hold.
     const bool is_last = !may_send() || watch.queue->must_look() || !socket.has_room(peer);
     if (is_last && !send_frame()) return false;
