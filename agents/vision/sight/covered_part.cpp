@@ -13,14 +13,17 @@ constexpr double doubt_scale = 1.0 / 6;
 
 const double motion_by_strip = std::sqrt(3.0);
 
+// The root of the covariance's determinant.
+double spread_product_px2(const SeenMark& mark) {
+  return std::sqrt(std::pow(mark.width_px * mark.height_px, 2) - mark.slant_px2 * mark.slant_px2);
+}
+
 double may_be_off_px(const SeenMark& now, double missing) {
   return motion_by_strip * std::max(now.width_px, now.height_px) * std::max(0.0, missing);
 }
 
-// The product of both principal spreads is the root of the determinant.
 double may_be_off_by_shape_px(const SeenMark& now, double front_slimness) {
-  const double product = std::sqrt(std::pow(now.width_px * now.height_px, 2) - now.slant_px2 * now.slant_px2);
-  const double longer = std::sqrt(product / now.slimness);
+  const double longer = std::sqrt(spread_product_px2(now) / now.slimness);
   return motion_by_strip * std::max(0.0, front_slimness - now.slimness) * longer;
 }
 

@@ -14,6 +14,9 @@ namespace pizarra {
 // a disc and a cross it is less.
 extern const double motion_by_strip;
 
+// The product of the mark's principal standard deviations, as large as its image whichever way that is turned.
+double spread_product_px2(const SeenMark& mark);
+
 // Where so much of the mark, 0 to 1, may be covered from one side.
 double may_be_off_px(const SeenMark& now, double missing);
 

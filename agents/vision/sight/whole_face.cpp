@@ -52,11 +52,6 @@ FaceSize::Reading followed(const FaceSize::Reading& whole, const FaceSize::Readi
   return {whole.value + part * gain * (now.value - whole.value), std::sqrt(1 - gain) * whole.spread};
 }
 
-// The product of both principal spreads is the root of the determinant.
-double area_px2(const SeenMark& mark) {
-  return std::sqrt(squared(mark.width_px * mark.height_px) - squared(mark.slant_px2));
-}
-
 // What is left of a value that noise of this spread makes about 0.
 double beyond_noise(double value, double spread) {
   return value == 0 ? 0 : value * std::max(0.0, 1 - squared(spread / value));
@@ -88,7 +83,8 @@ FaceSize face_size(const StereoModel& model, const SeenMark& left, const SeenMar
   const double along_sight = disparity_px / model.focal_px;
   const double spread = centre_spread_px(left, left.noise) / left.width_px;
   const double spread_of_both = std::numbers::sqrt2 * spread;
-  const double squeezed = area_px2(right) / right.height_px / (area_px2(left) / left.height_px);
+  const double area_px2 = spread_product_px2(left);
+  const double squeezed = spread_product_px2(right) / right.height_px / (area_px2 / left.height_px);
   const double across = 1 - squeezed;
   const double sheared = (squeezed * left.slant_px2 - right.slant_px2) / (left.height_px * right.height_px);
   const double shear_spread = spread_of_both * left.width_px / left.height_px;
@@ -104,7 +100,7 @@ FaceSize face_size(const StereoModel& model, const SeenMark& left, const SeenMar
   const double by_turning = turning_share * (1 - front_slimness);
   const double ordinary = squared(ordinary_spread) + squared(spread);
   const double height_px = std::max(left.height_px, right.height_px) / shown_height;
-  return {.area_mm2 = {area_px2(left) * std::sqrt(normal2) / along_sight * squared(mm_per_px),
+  return {.area_mm2 = {area_px2 * std::sqrt(normal2) / along_sight * squared(mm_per_px),
                        std::sqrt(2 * ordinary + squared(by_across) + squared(by_down))},
           .height_mm = {(left.height_px + right.height_px) / 2 / shown_height * mm_per_px,
                         std::sqrt(ordinary + squared(by_turning) + squared(by_tilt))},

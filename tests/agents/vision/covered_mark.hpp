@@ -62,8 +62,8 @@ class CoveredMark {
   }
 
   Random random;
-  const StereoModel model = two_cameras();
-  const StereoModel alone = one_camera();
+  const StereoModel model = two_cameras(160, 120);
+  const StereoModel alone = one_camera_of(model);
   Scene scene;
   double most_off_px = 1.5;
   int rate = 10;  // frames a second
@@ -71,21 +71,6 @@ class CoveredMark {
   bool seen_by_one = false;
 
  private:
-  // A part of the cell's images.
-  static StereoModel two_cameras() {
-    StereoModel out;
-    out.width = 160;
-    out.height = 120;
-    out.centre_x_px = 79.5;
-    out.centre_y_px = 59.5;
-    return out;
-  }
-  static StereoModel one_camera() {
-    StereoModel out = two_cameras();
-    out.base_line_mm = 0;
-    out.learned_at_mm = 850;
-    return out;
-  }
   bool is_seen(const TrackSighting& sighting) const {
     if (!sighting.seen) return false;
     EXPECT_LT(cv::norm(sighting.centre - centre()), most_off_px);

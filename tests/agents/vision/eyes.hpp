@@ -15,6 +15,21 @@ inline const std::vector<std::string>& cell_marks() {
 // How the scene calls the mark of a learned object.
 inline std::string drawn_as(const std::string& name) { return name == "end-effector" ? "plate" : name; }
 
+// Two cameras that show a part of the cell's images around their middle; and the left one of a pair alone.
+inline StereoModel two_cameras(int width, int height) {
+  StereoModel out;
+  out.width = width;
+  out.height = height;
+  out.centre_x_px = (width - 1) / 2.0;
+  out.centre_y_px = (height - 1) / 2.0;
+  return out;
+}
+inline StereoModel one_camera_of(StereoModel pair) {
+  pair.base_line_mm = 0;
+  pair.learned_at_mm = 850;
+  return pair;
+}
+
 // A drawn frame and its sight.
 struct DrawnSight {
   DrawnSight(const Scene& scene, Random& random)

@@ -86,20 +86,6 @@ class Meeting {
   static constexpr double mark_mm = 44;
   static constexpr double cover_px = 90;
 
-  static StereoModel two_cameras() {
-    StereoModel out;
-    out.width = 200;
-    out.height = 144;
-    out.centre_x_px = 99.5;
-    out.centre_y_px = 71.5;
-    return out;
-  }
-  static StereoModel one_camera() {
-    StereoModel out = two_cameras();
-    out.base_line_mm = 0;
-    out.learned_at_mm = 850;
-    return out;
-  }
 
   double depth_mm() const { return mark_mm * model.focal_px / size_px; }
   double disparity_px() const { return model.focal_px * model.base_line_mm / depth_mm(); }
@@ -138,8 +124,8 @@ class Meeting {
 
   Random random;
   const Way way;
-  const StereoModel model = two_cameras();
-  const StereoModel alone = one_camera();
+  const StereoModel model = two_cameras(200, 144);
+  const StereoModel alone = one_camera_of(model);
   Scene scene;
   double size_px = 0;
   double rate = 0;

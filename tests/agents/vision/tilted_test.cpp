@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <gtest/gtest.h>
+#include <ostream>
 
 #include "agents/vision/sight/mark_tracker.hpp"
 #include "tests/agents/vision/eyes.hpp"
@@ -16,6 +17,8 @@ struct Motion {
   double pitch_deg;
   double roll_deg;
   double away_mm;
+
+  friend void PrintTo(const Motion& motion, std::ostream* out) { *out << motion.name; }
 };
 
 constexpr Motion motions[] = {{"TiltsBack", 0, 18, 0, 0},      {"TiltsForward", 0, -18, 0, 0},
