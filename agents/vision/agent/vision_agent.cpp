@@ -24,7 +24,7 @@ VisionAgent::State::State(AgentContext agent_context, StereoCamera& stereo_camer
       feed(
           context.executor, stereo_camera, [this](StereoFrame frame) { return on_frame(std::move(frame)); },
           [this] { return camera_changed(); }),
-      turn_ended(context.executor) {}
+      turns_changed(context.executor) {}
 
 Task<Result<void>> VisionAgent::State::run() {
   // However the run ends, nothing of it goes on.
@@ -67,7 +67,7 @@ Task<Result<Datum>> VisionAgent::State::handle(Fact request) {
   if (asked == "connect") return connect(request.teller);
   if (asked == "disconnect") return disconnect(request.teller);
   if (asked == "keep") return keep_modes(request.teller);
-  if (asked == "accept") return accept(name);
+  if (asked == "accept") return accept(request.teller, name);
   if (asked == "reject") return reject(request.teller, name);
   if (asked == "forget") return forget(request.teller, name);
   if (asked == "rename") return rename(request.teller, std::string(operation[1].text()), name);

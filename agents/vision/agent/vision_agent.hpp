@@ -8,9 +8,10 @@
 // (object_memory.hpp), so that a restarted agent knows it; what was tracked is not resumed. A camera that fails is
 // tried again with back-off and the fact `(camera-state ...)` says so.
 //
-// Modes: idle, capturing, learning, finding, tracking. Learning, finding and tracking exclude each other, but a find
-// suspends a tracking and resumes it. Each client connects and tracks for itself (mode_holders.hpp), waits its turn to
-// learn and to find, is told who holds what it cannot have (`busy`), and lets go of everything when it dies.
+// Modes: idle, capturing, learning, finding, tracking. Learning and tracking exclude each other; a find suspends a
+// tracking and resumes it, and disturbs no learning. Each client connects and tracks for itself (mode_holders.hpp), has
+// its turn among the others (turn_queue.hpp), is told who holds what it cannot have (`busy`), and lets go of everything
+// when it dies.
 //
 //   VisionAgent vision(context, camera, &streams);
 //   Job job = executor.spawn(...vision.run()...);

@@ -33,11 +33,12 @@ std::optional<Failure> of_another_size(const std::vector<SeenMark>& marks, const
 }  // namespace
 
 Task<Result<Datum>> VisionAgent::State::find(std::string client, std::string name) {
-  const Result<void> free = co_await take_turn(client, Activity::tracking);
-  if (!free) co_return fail(free);
-  co_await begin(Activity::finding, std::move(client));
+  const Result<std::unique_ptr<Turn>> turn = co_await take_turn(client, TurnQueue::Kind::beside);
+  if (!turn) co_return fail(turn);
+  co_await let_tracking_look();
+  co_await begin_finding(client);
   const Result<SeenMark> found = co_await find_mark(name);
-  co_await finish_activity();
+  co_await end_finding(client);
   if (found) co_return list(find_reply(name, found->centre));
   const std::string text = find_reply(name, std::nullopt);
   const Result<Datum> answer = co_await answer_failed(text, found.error());
@@ -50,6 +51,7 @@ Task<Result<SeenMark>> VisionAgent::State::find_mark(std::string name) {
   for (int i = 0; i < frames_to_find; ++i) {
     const Result<StereoFrame> frame = co_await feed.next(longest_frame_wait);
     if (!frame) co_return fail(frame);
+    tracking_is_next = true;
     // It may have been forgotten meanwhile.
     const LearnedObject* object = objects.find(name);
     if (object == nullptr) co_return fail(not_known(name));

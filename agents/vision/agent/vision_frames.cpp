@@ -23,14 +23,17 @@ cv::Mat grey(const Image& image) {
 
 Task<void> VisionAgent::State::on_frame(StereoFrame frame) {
   std::vector<TrackSighting> sightings;
-  if (activity == Activity::tracking) {
+  const bool tracks = !tracker.empty() && finding_for.empty();
+  if (tracks) {
     const GreyPair grey = grey_pair(frame);
     StereoSight sight(grey.left, grey.right, *feed.model());
     sightings = tracker.update(sight, frame.captured);
     tracked_image = frame.left;
+    tracking_is_next = false;
+    turns_changed.wake_all();
   }
   publish(frame, sightings);
-  if (activity != Activity::tracking || !holders.connected()) co_return;
+  if (!tracks || !holders.connected()) co_return;
   co_await facts.tell_look(frame.number, sightings);
 }
 

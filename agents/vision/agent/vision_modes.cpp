@@ -8,10 +8,8 @@
 namespace pizarra {
 namespace {
 
-// A learning takes two seconds, a finding a few frames.
+// For others; a learning takes two seconds.
 constexpr Duration longest_wait_for_turn = 6s;
-constexpr std::size_t most_waiting = 64;
-constexpr std::size_t most_waiting_of_one = 8;
 // Of who is not present.
 constexpr Duration lease = 60s;
 
@@ -19,19 +17,18 @@ Datum presence_of(Datum who) { return list("agent"_sym, std::move(who), "?"_sym,
 
 }  // namespace
 
-Task<std::string> VisionAgent::State::holder_for(std::string client) {
+Task<Result<bool>> VisionAgent::State::is_present(std::string client) {
   const Datum pattern = presence_of(Datum::symbol(client));
   const Result<std::vector<Fact>> present = co_await context.board.facts(pattern);
-  const bool here = present && !present->empty();
-  if (here) co_return client;
-  absent_until = context.executor.now() + lease;
-  co_return std::string(ModeHolders::absent);
+  if (!present) co_return fail(present);
+  co_return !present->empty();
 }
 
-Result<void> VisionAgent::State::check_free(Activity allowed) const {
-  if (activity == Activity::none || activity == allowed) return {};
-  const std::string holder = activity == Activity::tracking ? holders.tracker() : busy_for;
-  return fail("busy", fmt::format("vision is {} for {}", mode(), holder), Datum::symbol(holder));
+Task<std::string> VisionAgent::State::holder_for(std::string client) {
+  const Result<bool> present = co_await is_present(client);
+  if (present.value_or(false)) co_return client;
+  absent_until = context.executor.now() + lease;
+  co_return std::string(ModeHolders::absent);
 }
 
 Result<void> VisionAgent::State::check_untracked(const std::string& client, const std::string& name) const {
@@ -40,69 +37,104 @@ Result<void> VisionAgent::State::check_untracked(const std::string& client, cons
   return fail("busy", fmt::format("{} tracks it, which is then not changed by others", holder), Datum::symbol(holder));
 }
 
-Result<void> VisionAgent::State::check_room_to_wait(const std::string& client) const {
-  const auto own = std::ranges::count(turns, client, &Turn::client);
-  if (own >= static_cast<std::ptrdiff_t>(most_waiting_of_one)) {
-    return fail("busy", fmt::format("{} requests of {} wait already", own, client), Datum::symbol(client));
-  }
-  if (turns.size() < most_waiting) return {};
-  return fail("busy", "vision is asked for too much at once", Datum::symbol(busy_for));
+VisionAgent::State::Turn::~Turn() {
+  state.turns.leave(number, state.context.executor.now());
+  state.turns_changed.wake_all();
 }
 
-Task<Result<void>> VisionAgent::State::take_turn(std::string client, Activity allowed) {
-  const Result<void> room = check_room_to_wait(client);
-  if (!room) co_return room;
-  const int mine = ++last_turn;
-  turns.push_back({mine, std::move(client)});
-  // However the waiting ends, the next one's turn comes.
-  struct Leaving {
-    State& state;
-    int turn;
-    ~Leaving() {
-      std::erase_if(state.turns, [this](const Turn& each) { return each.number == turn; });
-      state.turn_ended.wake_all();
-    }
-  };
-  const Leaving leaving{*this, mine};
-  const Time deadline = context.executor.now() + longest_wait_for_turn;
-  Result<void> free = check_free(allowed);
+Task<Result<std::unique_ptr<VisionAgent::State::Turn>>> VisionAgent::State::take_turn(std::string client,
+                                                                                      TurnQueue::Kind kind) {
+  const Result<int> number = turns.enter(client, kind, context.executor.now());
+  if (!number) co_return fail(number);
+  auto turn = std::make_unique<Turn>(*this, *number, kind, client);
+  const Result<bool> begun = begin_turn(*turn);
+  if (!begun) co_return fail(begun);
+  if (*begun) co_return turn;
+  // Others may have had to make room.
+  turns_changed.wake_all();
+  const Result<bool> present_before = co_await is_present(client);
+  const Result<void> came = co_await wait_for_turn(*turn);
+  if (!came) co_return fail(came);
+  const Result<bool> present = co_await is_present(client);
+  const bool died = present_before.value_or(false) && !present.value_or(true);
+  if (died) co_return fail("absent", "who asked is gone", Datum::symbol(client));
+  co_return turn;
+}
+
+Result<bool> VisionAgent::State::begin_turn(const Turn& turn) {
+  if (!turns.waits(turn.number)) {
+    return fail("busy", fmt::format("{} asks for so much that this made room for others", turn.client),
+                Datum::symbol(turn.client));
+  }
+  const std::string tracking_for = holders.tracker();
+  const bool excluded = turn.kind == TurnQueue::Kind::learning && !tracking_for.empty();
+  if (excluded && turns.is_first_of_its_client(turn.number)) {
+    return fail("busy", fmt::format("vision is tracking for {}", tracking_for), Datum::symbol(tracking_for));
+  }
+  if (!turns.is_next(turn.number)) return false;
+  turns.begin(turn.number);
+  return true;
+}
+
+Task<Result<void>> VisionAgent::State::wait_for_turn(const Turn& turn) {
   bool in_time = true;
   while (in_time) {
-    free = check_free(allowed);
-    const bool next = turns.front().number == mine;
-    // Others' tracking may last for ever.
-    const bool hopeless = !free && activity == Activity::tracking;
-    const bool over = (free && next) || hopeless;
-    if (over) co_return free;
-    in_time = co_await turn_ended.wait(deadline);
+    const Result<bool> begun = begin_turn(turn);
+    if (!begun) co_return fail(begun);
+    if (*begun) co_return {};
+    std::optional<Time> deadline;
+    const bool first = turns.is_first_of_its_client(turn.number);
+    if (first) deadline = turns.first_since(turn.number) + longest_wait_for_turn;
+    in_time = co_await turns_changed.wait(deadline);
   }
-  if (!free) co_return free;
-  co_return fail("busy", "vision is asked for too much at once", Datum::symbol(busy_for));
+  const std::string served = turns.served();
+  co_return fail("busy", fmt::format("vision is {} for {}, and others wait before this", mode(), served),
+                 Datum::symbol(served));
 }
 
-Task<void> VisionAgent::State::begin(Activity wanted, std::string client) {
-  activity = wanted;
-  busy_for = std::move(client);
+Task<void> VisionAgent::State::let_tracking_look() {
+  const Time deadline = context.executor.now() + longest_wait_for_turn;
+  bool in_time = true;
+  while (in_time) {
+    if (tracker.empty() || !tracking_is_next) co_return;
+    in_time = co_await turns_changed.wait(deadline);
+  }
+}
+
+Task<void> VisionAgent::State::begin_finding(std::string client) {
+  finding_for.push_back(std::move(client));
   feed.start();
   co_await tell_state();
 }
 
-Task<void> VisionAgent::State::finish_activity() {
-  activity = tracker.empty() ? Activity::none : Activity::tracking;
+Task<void> VisionAgent::State::end_finding(std::string client) {
+  std::erase(finding_for, client);
+  co_await rest_or_go_on();
+}
+
+Task<void> VisionAgent::State::begin_learning(std::string client) {
+  learning_for = std::move(client);
+  feed.start();
+  co_await tell_state();
+}
+
+Task<void> VisionAgent::State::end_learning() {
+  learning_for.clear();
   learner.reset();
-  turn_ended.wake_all();
-  if (activity == Activity::none && !holders.connected()) feed.stop();
+  co_await rest_or_go_on();
+}
+
+Task<void> VisionAgent::State::rest_or_go_on() {
+  const bool busy = !learning_for.empty() || !finding_for.empty() || !tracker.empty();
+  if (!busy && !holders.connected()) feed.stop();
   co_await tell_state();
 }
 
 Task<void> VisionAgent::State::follow_holders() {
   const std::set<std::string> tracked = holders.tracked();
   tracker.keep_only(tracked);
-  const bool ended = activity == Activity::tracking && tracker.empty();
-  if (ended) activity = Activity::none;
-  if (ended) turn_ended.wake_all();
-  if (activity == Activity::none && !holders.connected()) feed.stop();
-  co_await tell_state();
+  turns_changed.wake_all();
+  co_await rest_or_go_on();
   if (!tracker.empty() && holders.connected()) co_return;
   co_await facts.unsay();
 }

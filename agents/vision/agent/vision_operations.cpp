@@ -21,9 +21,9 @@ Task<Result<Datum>> VisionAgent::State::answer_failed(std::string text, Failure 
 Task<Result<Datum>> VisionAgent::State::learn(std::string client, double x, double y, std::string name) {
   const Result<void> good_name = check_object_name(name);
   if (!good_name) co_return fail(good_name);
-  const Result<void> free = co_await take_turn(client, Activity::none);
-  if (!free) co_return fail(free);
-  co_await begin(Activity::learning, std::move(client));
+  const Result<std::unique_ptr<Turn>> turn = co_await take_turn(client, TurnQueue::Kind::learning);
+  if (!turn) co_return fail(turn);
+  co_await begin_learning(std::move(client));
   Result<LearnedSample> sample = co_await learn_sample(name, x, y);
   Result<std::int64_t> kept = sample ? Result<std::int64_t>(0) : fail(sample);
   if (sample) {
@@ -34,7 +34,7 @@ Task<Result<Datum>> VisionAgent::State::learn(std::string client, double x, doub
     to_accept = kept_as(name, *kept);
     co_await tell_objects();
   }
-  co_await finish_activity();
+  co_await end_learning();
   if (kept) co_return list(learn_reply(name, true));
   const std::string text = learn_reply(name, false);
   const Result<Datum> answer = co_await answer_failed(text, kept.error());
@@ -79,9 +79,9 @@ Task<Result<std::int64_t>> VisionAgent::State::change_objects(ObjectChange chang
 }
 
 Task<Result<Datum>> VisionAgent::State::track(std::string client, std::string name) {
+  const Result<std::unique_ptr<Turn>> turn = co_await take_turn(client, TurnQueue::Kind::brief);
+  if (!turn) co_return fail(turn);
   const std::string holder = co_await holder_for(std::move(client));
-  const Result<void> free = co_await take_turn(client, Activity::tracking);
-  if (!free) co_return fail(free);
   const LearnedObject* object = objects.find(name);
   if (object == nullptr) co_return fail(not_known(name));
   const LearnedObject* end_effector = objects.find(end_effector_name);
@@ -91,7 +91,6 @@ Task<Result<Datum>> VisionAgent::State::track(std::string client, std::string na
     if (!added) co_return fail(added);
     holders.track(holder, each->name);
   }
-  activity = Activity::tracking;
   holders.connect(holder);
   feed.start();
   co_await tell_state();
@@ -99,6 +98,8 @@ Task<Result<Datum>> VisionAgent::State::track(std::string client, std::string na
 }
 
 Task<Result<Datum>> VisionAgent::State::end_track(std::string client) {
+  const Result<std::unique_ptr<Turn>> turn = co_await take_turn(client, TurnQueue::Kind::beside);
+  if (!turn) co_return fail(turn);
   if (holders.tracker().empty()) co_return Datum();
   if (!holders.tracks(client)) {
     const std::string holder = holders.tracker();
@@ -110,6 +111,8 @@ Task<Result<Datum>> VisionAgent::State::end_track(std::string client) {
 }
 
 Task<Result<Datum>> VisionAgent::State::connect(std::string client) {
+  const Result<std::unique_ptr<Turn>> turn = co_await take_turn(client, TurnQueue::Kind::beside);
+  if (!turn) co_return fail(turn);
   const std::string holder = co_await holder_for(std::move(client));
   holders.connect(holder);
   feed.start();
@@ -118,12 +121,16 @@ Task<Result<Datum>> VisionAgent::State::connect(std::string client) {
 }
 
 Task<Result<Datum>> VisionAgent::State::disconnect(std::string client) {
+  const Result<std::unique_ptr<Turn>> turn = co_await take_turn(client, TurnQueue::Kind::beside);
+  if (!turn) co_return fail(turn);
   holders.disconnect(client);
   co_await follow_holders();
   co_return Datum();
 }
 
 Task<Result<Datum>> VisionAgent::State::keep_modes(std::string client) {
+  const Result<std::unique_ptr<Turn>> turn = co_await take_turn(client, TurnQueue::Kind::beside);
+  if (!turn) co_return fail(turn);
   const std::string holder = co_await holder_for(std::move(client));
   if (!holders.keep(holder)) co_return fail("nothing-held", "who asks is neither connected nor tracks", "keep"_sym);
   co_await tell_holders();
@@ -141,7 +148,9 @@ Result<void> VisionAgent::State::check_to_accept(const std::string& name) const 
               to_datum(name));
 }
 
-Task<Result<Datum>> VisionAgent::State::accept(std::string name) {
+Task<Result<Datum>> VisionAgent::State::accept(std::string client, std::string name) {
+  const Result<std::unique_ptr<Turn>> turn = co_await take_turn(client, TurnQueue::Kind::beside);
+  if (!turn) co_return fail(turn);
   co_await follow_memory();
   const Result<void> waiting = check_to_accept(name);
   if (!waiting) co_return fail(waiting);
@@ -151,6 +160,8 @@ Task<Result<Datum>> VisionAgent::State::accept(std::string name) {
 }
 
 Task<Result<Datum>> VisionAgent::State::reject(std::string client, std::string name) {
+  const Result<std::unique_ptr<Turn>> turn = co_await take_turn(client, TurnQueue::Kind::beside);
+  if (!turn) co_return fail(turn);
   co_await follow_memory();
   const Result<void> waiting = check_to_accept(name);
   if (!waiting) co_return fail(waiting);
@@ -163,8 +174,8 @@ Task<Result<Datum>> VisionAgent::State::reject(std::string client, std::string n
 }
 
 Task<Result<Datum>> VisionAgent::State::forget(std::string client, std::string name) {
-  const Result<void> free = co_await take_turn(client, Activity::tracking);
-  if (!free) co_return fail(free);
+  const Result<std::unique_ptr<Turn>> turn = co_await take_turn(client, TurnQueue::Kind::brief);
+  if (!turn) co_return fail(turn);
   const Result<void> untracked = check_untracked(client, name);
   if (!untracked) co_return fail(untracked);
   ObjectChange forget = ForgetObject{name};
@@ -176,8 +187,8 @@ Task<Result<Datum>> VisionAgent::State::forget(std::string client, std::string n
 Task<Result<Datum>> VisionAgent::State::rename(std::string client, std::string name, std::string new_name) {
   const Result<void> good_name = check_object_name(new_name);
   if (!good_name) co_return fail(good_name);
-  const Result<void> free = co_await take_turn(client, Activity::tracking);
-  if (!free) co_return fail(free);
+  const Result<std::unique_ptr<Turn>> turn = co_await take_turn(client, TurnQueue::Kind::brief);
+  if (!turn) co_return fail(turn);
   const Result<void> untracked = check_untracked(client, name);
   if (!untracked) co_return fail(untracked);
   const LearnedObject* object = objects.find(name);

@@ -1,15 +1,16 @@
 #pragma once
 
-// What the vision agent knows and is doing. vision_agent.cpp runs it, vision_operations.cpp has its operations
-// and vision_finding.cpp FIND among them, vision_modes.cpp who may use it when, vision_frames.cpp what becomes of a frame, vision_telling.cpp what is told.
+// What the vision agent knows and is doing. vision_agent.cpp runs it, vision_operations.cpp has its operations and
+// vision_finding.cpp FIND among them, vision_modes.cpp who may use it when, vision_frames.cpp what becomes of a frame,
+// vision_telling.cpp what is told.
 
-#include <deque>
 #include <map>
 #include <optional>
 #include <set>
 
 #include "agents/vision/agent/camera_feed.hpp"
 #include "agents/vision/agent/mode_holders.hpp"
+#include "agents/vision/agent/turn_queue.hpp"
 #include "agents/vision/agent/vision_agent.hpp"
 #include "agents/vision/agent/vision_facts.hpp"
 #include "agents/vision/memory/object_memory.hpp"
@@ -20,9 +21,6 @@
 namespace pizarra {
 
 struct VisionAgent::State {
-  // Learning, finding and tracking exclude each other; none: idle or capturing.
-  enum class Activity : std::uint8_t { none, learning, finding, tracking };
-
   State(AgentContext agent_context, StereoCamera& stereo_camera, Streams* image_streams, VisionOptions vision_options);
 
   Task<Result<void>> run();
@@ -37,7 +35,7 @@ struct VisionAgent::State {
   Task<Result<Datum>> connect(std::string client);
   Task<Result<Datum>> disconnect(std::string client);
   Task<Result<Datum>> keep_modes(std::string client);
-  Task<Result<Datum>> accept(std::string name);
+  Task<Result<Datum>> accept(std::string client, std::string name);
   Task<Result<Datum>> reject(std::string client, std::string name);
   Task<Result<Datum>> forget(std::string client, std::string name);
   Task<Result<Datum>> rename(std::string client, std::string name, std::string new_name);
@@ -94,20 +92,39 @@ struct VisionAgent::State {
   std::string_view mode() const;
 
   // Modes.
+  Task<Result<bool>> is_present(std::string client);
   // The client as one who can hold a mode: itself while it is present, ModeHolders::absent otherwise, from now on for
   // as long as these hold what they began.
   Task<std::string> holder_for(std::string client);
-  // A failure `busy`, its subject who holds the mode, unless nothing goes on, or only what `allowed` says.
-  Result<void> check_free(Activity allowed) const;
   // A failure `busy` where another client tracks the object, so that it is to stay as it is.
   Result<void> check_untracked(const std::string& client, const std::string& name) const;
-  // Waits in turn until no other learning or finding goes on; `allowed` as above. Who has had its turn begins at once.
-  // Of each client only some wait, so that no other's are refused for them.
-  Task<Result<void>> take_turn(std::string client, Activity allowed);
-  Result<void> check_room_to_wait(const std::string& client) const;
-  Task<void> begin(Activity wanted, std::string client);
-  // Ends an activity and goes on with what it interrupted.
-  Task<void> finish_activity();
+  // A client's turn, until it is destroyed.
+  struct Turn {
+    Turn(VisionAgent::State& of, int its_number, TurnQueue::Kind its_kind, std::string whose)
+        : state(of), number(its_number), kind(its_kind), client(std::move(whose)) {}
+    Turn(const Turn&) = delete;
+    Turn& operator=(const Turn&) = delete;
+    ~Turn();
+    State& state;
+    int number;
+    TurnQueue::Kind kind;
+    std::string client;
+  };
+  // Waits until it comes. Failures: `busy`, its subject who holds what this excludes, or who asks for too much; and
+  // `absent` for one that died meanwhile.
+  Task<Result<std::unique_ptr<Turn>>> take_turn(std::string client, TurnQueue::Kind kind);
+  Task<Result<void>> wait_for_turn(const Turn& turn);
+  // False where it has to wait.
+  Result<bool> begin_turn(const Turn& turn);
+  // However much is found, every second look is the tracking's that it suspends.
+  Task<void> let_tracking_look();
+  // Finding suspends tracking; learning excludes it.
+  Task<void> begin_finding(std::string client);
+  Task<void> end_finding(std::string client);
+  Task<void> begin_learning(std::string client);
+  Task<void> end_learning();
+  // The camera rests where nothing goes on.
+  Task<void> rest_or_go_on();
   // Of those who hold modes and are not present any more, a second long, all is ended; and of those who never were,
   // a while after they asked for it last.
   Task<void> let_dead_go();
@@ -133,21 +150,17 @@ struct VisionAgent::State {
   std::optional<MarkLearner> learner;
   std::optional<ToAccept> to_accept;
   std::map<std::string, cv::Point2d> found_at;  // where FIND found each object last, px
-  Activity activity = Activity::none;
   ModeHolders holders;
-  std::string busy_for;   // whose learning or finding goes on
-  struct Turn {
-    int number;
-    std::string client;
-  };
-  std::deque<Turn> turns;  // of those who wait, and of the one who is next
-  int last_turn = 0;
+  TurnQueue turns;
+  std::string learning_for;              // empty: nobody learns
+  std::vector<std::string> finding_for;  // several, where they look at the same frame
+  bool tracking_is_next = false;         // since a finding has looked at a frame that tracking did not
   std::set<std::string> missing;  // holders who were not present at the last look
   Time absent_until = {};         // how long ModeHolders::absent holds what it does
   CameraDrops told_drops;
   VisionFacts facts{context, service};
   CameraFeed feed;
-  WaitList turn_ended;
+  WaitList turns_changed;
   std::optional<Service> service;  // it ends first: its handlers wait for the feed
   Job again;
   Job showing;

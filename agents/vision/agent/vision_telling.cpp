@@ -25,16 +25,9 @@ constexpr Duration state_check = 1s;
 }  // namespace
 
 std::string_view VisionAgent::State::mode() const {
-  switch (activity) {
-    case Activity::learning:
-      return "learning";
-    case Activity::finding:
-      return "finding";
-    case Activity::tracking:
-      return "tracking";
-    case Activity::none:
-      break;
-  }
+  if (!finding_for.empty()) return "finding";
+  if (!learning_for.empty()) return "learning";
+  if (!tracker.empty()) return "tracking";
   return feed.wanted() ? "capturing" : "idle";
 }
 
@@ -58,8 +51,11 @@ Task<void> VisionAgent::State::tell_state() {
 
 Task<void> VisionAgent::State::tell_holders() {
   std::vector<Datum> held = holders.facts();
-  const bool busy = activity == Activity::learning || activity == Activity::finding;
-  if (busy) held.push_back(list("vision-held"_sym, Datum::symbol(busy_for), Datum::symbol(mode())));
+  const auto hold = [&](const std::string& client, Datum mode) {
+    held.push_back(list("vision-held"_sym, Datum::symbol(client), std::move(mode)));
+  };
+  if (!learning_for.empty()) hold(learning_for, "learning"_sym);
+  for (const std::string& client : finding_for) hold(client, "finding"_sym);
   co_await facts.tell_held(std::move(held));
 }
 
@@ -148,6 +144,8 @@ void VisionAgent::State::follow_to_accept(const Renames& renames) {
 Task<void> VisionAgent::State::camera_changed() {
   co_await tell_state();
   if (feed.state() == CameraFeed::State::open) co_return;
+  tracking_is_next = false;
+  turns_changed.wake_all();
   co_await facts.unsay();
 }
 

@@ -33,17 +33,17 @@ TEST_F(Vision, LearningAndFindingAreServedInTurn) {
   std::vector<std::string> later(4);
   std::vector<Job> jobs;
   jobs.push_back(executor.spawn(other.ask(form(learn_request(1, "square")), later[0])));
-  jobs.push_back(executor.spawn(other.ask(form("(find \"circle\")"), later[1])));
-  jobs.push_back(executor.spawn(ask("vision", form("(find \"square\")"), 20s, later[2])));
+  jobs.push_back(executor.spawn(other.ask(form("(find \"disc\")"), later[1])));
+  jobs.push_back(executor.spawn(ask("vision", form("(rename \"circle\" \"disc\")"), 20s, later[2])));
   jobs.push_back(executor.spawn(other.ask(form("(rename \"square\" \"box\")"), later[3])));
   EXPECT_EQ(call("(get-objects)"), R"x((GET 0 ()))x");
   executor.run_until([&] { return std::ranges::all_of(jobs, &Job::done); });
   EXPECT_EQ(learned, R"x((LEARN "circle" OK))x");
   EXPECT_EQ(later[0], R"x((LEARN "square" OK))x");
-  EXPECT_TRUE(later[1].starts_with(R"x((FIND "circle" OK ()x")) << later[1];
-  EXPECT_TRUE(later[2].starts_with(R"x((FIND "square" OK ()x")) << later[2];
+  EXPECT_TRUE(later[1].starts_with(R"x((FIND "disc" OK ()x")) << later[1];
+  EXPECT_EQ(later[2], "()");
   EXPECT_EQ(later[3], "()");
-  EXPECT_EQ(call("(get-objects)"), R"x((GET 2 ("circle", "box")))x");
+  EXPECT_EQ(call("(get-objects)"), R"x((GET 2 ("disc", "box")))x");
 }
 
 TEST_F(Vision, WhatATrackingExcludesIsRefusedWithWhoTracks) {
