@@ -38,7 +38,7 @@ inline constexpr std::string_view vision_contract = R"scheme(
     (relation learned-template ((eyes symbol) (name string) (num integer) (tone symbol) (height number)
                                 (slimness number) (roundness number) (roundness-spread number) (size number)
                                 (by symbol) (picture string)) (key eyes name num) (durable))
-    (relation to-accept ((eyes symbol) (name string) (num integer)) (key eyes))
+    (relation to-accept ((eyes symbol) (name string) (num integer)) (key eyes name num))
     (relation look-alike ((eyes symbol) (name string) (other string) (error number) (sentence string))
                          (key eyes name other))
     (relation objects-damaged ((eyes symbol) (file string) (symbol symbol) (sentence string)) (key eyes file))

@@ -31,10 +31,28 @@ Task<std::string> VisionAgent::State::holder_for(std::string client) {
   co_return std::string(ModeHolders::absent);
 }
 
+Task<Result<void>> VisionAgent::State::check_judged(std::string client, std::string name) {
+  const std::vector<std::string> judges = to_accept.other_judges(client, name, context.executor.now());
+  for (const std::string& judge : judges) {
+    const Result<bool> present = co_await is_present(judge);
+    if (!present.value_or(true)) continue;
+    co_return fail("busy", fmt::format("{} has learned a sample of it, and is still to accept or to reject that", judge),
+                   Datum::symbol(judge));
+  }
+  co_return {};
+}
+
 Result<void> VisionAgent::State::check_untracked(const std::string& client, const std::string& name) const {
   const std::string holder = holders.other_tracker(client, name);
   if (holder.empty()) return {};
   return fail("busy", fmt::format("{} tracks it, which is then not changed by others", holder), Datum::symbol(holder));
+}
+
+Task<Result<void>> VisionAgent::State::check_unheld(std::string client, std::string name) {
+  const Result<void> untracked = check_untracked(client, name);
+  if (!untracked) co_return untracked;
+  const Result<void> judged = co_await check_judged(std::move(client), std::move(name));
+  co_return judged;
 }
 
 VisionAgent::State::Turn::~Turn() {

@@ -23,15 +23,16 @@ Task<Result<Datum>> VisionAgent::State::learn(std::string client, double x, doub
   if (!good_name) co_return fail(good_name);
   const Result<std::unique_ptr<Turn>> turn = co_await take_turn(client, TurnQueue::Kind::learning);
   if (!turn) co_return fail(turn);
-  co_await begin_learning(std::move(client));
+  co_await begin_learning(client);
   Result<LearnedSample> sample = co_await learn_sample(name, x, y);
   Result<std::int64_t> kept = sample ? Result<std::int64_t>(0) : fail(sample);
   if (sample) {
     ObjectChange keep = KeepSample{name, std::move(*sample)};
     kept = co_await change_objects(std::move(keep));
   }
-  if (kept) {
-    to_accept = kept_as(name, *kept);
+  const std::optional<int> number = kept ? number_of(name, *kept) : std::nullopt;
+  if (number) {
+    to_accept.add({client, name, *number, *kept, context.executor.now() + SamplesToAccept::lease});
     co_await tell_objects();
   }
   co_await end_learning();
@@ -55,12 +56,11 @@ Task<Result<LearnedSample>> VisionAgent::State::learn_sample(std::string name, d
 }
 
 // In no database all ids are 0, and the newest is the agent's own.
-std::optional<VisionAgent::State::ToAccept> VisionAgent::State::kept_as(const std::string& name,
-                                                                        std::int64_t id) const {
+std::optional<int> VisionAgent::State::number_of(const std::string& name, std::int64_t id) const {
   const LearnedObject* object = objects.find(name);
   if (object == nullptr) return std::nullopt;
   for (const LearnedSample& sample : object->samples | std::views::reverse) {
-    if (sample.id == id) return ToAccept{object->name, sample.number, id};
+    if (sample.id == id) return sample.number;
   }
   return std::nullopt;
 }
@@ -142,19 +142,24 @@ Task<Result<Datum>> VisionAgent::State::get_objects() {
   co_return list(get_reply(objects));
 }
 
-Result<void> VisionAgent::State::check_to_accept(const std::string& name) const {
-  if (to_accept && same_name(to_accept->name, name)) return {};
-  return fail("nothing-to-accept", "the sample that was learned last is not of this name, or has been judged already",
-              to_datum(name));
+Task<Result<SampleToAccept>> VisionAgent::State::judged_by(std::string client, std::string name) {
+  co_await follow_memory();
+  const SampleToAccept* sample = to_accept.find(client, name);
+  if (sample != nullptr && sample->client == client) co_return *sample;
+  const Result<void> judged = co_await check_judged(client, name);
+  if (!judged) co_return fail(judged);
+  sample = to_accept.find(client, name);
+  if (sample != nullptr) co_return *sample;
+  co_return fail("nothing-to-accept", "no sample of this name was learned last, or it has been judged already",
+                 to_datum(name));
 }
 
 Task<Result<Datum>> VisionAgent::State::accept(std::string client, std::string name) {
   const Result<std::unique_ptr<Turn>> turn = co_await take_turn(client, TurnQueue::Kind::beside);
   if (!turn) co_return fail(turn);
-  co_await follow_memory();
-  const Result<void> waiting = check_to_accept(name);
-  if (!waiting) co_return fail(waiting);
-  to_accept.reset();
+  const Result<SampleToAccept> sample = co_await judged_by(std::move(client), std::move(name));
+  if (!sample) co_return fail(sample);
+  to_accept.remove(*sample);
   co_await tell_objects();
   co_return Datum();
 }
@@ -162,12 +167,11 @@ Task<Result<Datum>> VisionAgent::State::accept(std::string client, std::string n
 Task<Result<Datum>> VisionAgent::State::reject(std::string client, std::string name) {
   const Result<std::unique_ptr<Turn>> turn = co_await take_turn(client, TurnQueue::Kind::beside);
   if (!turn) co_return fail(turn);
-  co_await follow_memory();
-  const Result<void> waiting = check_to_accept(name);
-  if (!waiting) co_return fail(waiting);
+  const Result<SampleToAccept> sample = co_await judged_by(client, name);
+  if (!sample) co_return fail(sample);
   const Result<void> untracked = check_untracked(client, name);
   if (!untracked) co_return fail(untracked);
-  ObjectChange withdraw = WithdrawSample{to_accept->name, to_accept->number, to_accept->id};
+  ObjectChange withdraw = WithdrawSample{sample->name, sample->number, sample->id};
   const Result<std::int64_t> done = co_await change_objects(std::move(withdraw));
   if (!done) co_return fail(done);
   co_return Datum();
@@ -176,8 +180,8 @@ Task<Result<Datum>> VisionAgent::State::reject(std::string client, std::string n
 Task<Result<Datum>> VisionAgent::State::forget(std::string client, std::string name) {
   const Result<std::unique_ptr<Turn>> turn = co_await take_turn(client, TurnQueue::Kind::brief);
   if (!turn) co_return fail(turn);
-  const Result<void> untracked = check_untracked(client, name);
-  if (!untracked) co_return fail(untracked);
+  const Result<void> unheld = co_await check_unheld(client, name);
+  if (!unheld) co_return fail(unheld);
   ObjectChange forget = ForgetObject{name};
   const Result<std::int64_t> done = co_await change_objects(std::move(forget));
   if (!done) co_return fail(done);
@@ -189,8 +193,8 @@ Task<Result<Datum>> VisionAgent::State::rename(std::string client, std::string n
   if (!good_name) co_return fail(good_name);
   const Result<std::unique_ptr<Turn>> turn = co_await take_turn(client, TurnQueue::Kind::brief);
   if (!turn) co_return fail(turn);
-  const Result<void> untracked = check_untracked(client, name);
-  if (!untracked) co_return fail(untracked);
+  const Result<void> unheld = co_await check_unheld(client, name);
+  if (!unheld) co_return fail(unheld);
   const LearnedObject* object = objects.find(name);
   if (object != nullptr) name = object->name;
   ObjectChange rename = RenameObject{name, new_name};

@@ -10,6 +10,7 @@
 
 #include "agents/vision/agent/camera_feed.hpp"
 #include "agents/vision/agent/mode_holders.hpp"
+#include "agents/vision/agent/samples_to_accept.hpp"
 #include "agents/vision/agent/turn_queue.hpp"
 #include "agents/vision/agent/vision_agent.hpp"
 #include "agents/vision/agent/vision_facts.hpp"
@@ -60,16 +61,10 @@ struct VisionAgent::State {
   Task<Result<Datum>> answer_failed(std::string text, Failure why);
   // Changes what is known, and has everything that goes by it follow: the id of the sample that was kept, or 0.
   Task<Result<std::int64_t>> change_objects(ObjectChange change);
-  Result<void> check_to_accept(const std::string& name) const;
-
-  // The sample that was learned last, until it is accepted, rejected or followed by another.
-  struct ToAccept {
-    std::string name;
-    int number;
-    std::int64_t id;
-  };
-  // The sample of that id.
-  std::optional<ToAccept> kept_as(const std::string& name, std::int64_t id) const;
+  // The number of the sample of that id.
+  std::optional<int> number_of(const std::string& name, std::int64_t id) const;
+  // The sample of that name that the client may accept or reject.
+  Task<Result<SampleToAccept>> judged_by(std::string client, std::string name);
 
   // Facts.
   Task<void> tell_state();
@@ -83,7 +78,6 @@ struct VisionAgent::State {
   Renames renamed_since(const SampleNames& before) const;
   // What is tracked, and what is to be accepted, as it is called now.
   Task<void> follow_renames(Renames renames);
-  void follow_to_accept(const Renames& renames);
   void follow_found_at(const Renames& renames);
   Task<void> tell_holders();
   Task<void> tell_state_again();
@@ -96,8 +90,10 @@ struct VisionAgent::State {
   // The client as one who can hold a mode: itself while it is present, ModeHolders::absent otherwise, from now on for
   // as long as these hold what they began.
   Task<std::string> holder_for(std::string client);
-  // A failure `busy` where another client tracks the object, so that it is to stay as it is.
+  // Failures `busy`: where another client tracks the object, has a sample of it to accept, or either.
   Result<void> check_untracked(const std::string& client, const std::string& name) const;
+  Task<Result<void>> check_judged(std::string client, std::string name);
+  Task<Result<void>> check_unheld(std::string client, std::string name);
   // A client's turn, until it is destroyed.
   struct Turn {
     Turn(VisionAgent::State& of, int its_number, TurnQueue::Kind its_kind, std::string whose)
@@ -148,7 +144,7 @@ struct VisionAgent::State {
   MarkTracker tracker{objects};
   std::shared_ptr<const Image> tracked_image;  // the left one, at which the tracker may look back
   std::optional<MarkLearner> learner;
-  std::optional<ToAccept> to_accept;
+  SamplesToAccept to_accept;
   std::map<std::string, cv::Point2d> found_at;  // where FIND found each object last, px
   ModeHolders holders;
   TurnQueue turns;

@@ -61,7 +61,7 @@ Task<void> VisionAgent::State::tell_holders() {
 
 Task<void> VisionAgent::State::tell_objects() {
   std::vector<Datum> known = look_alikes(objects);
-  if (to_accept) known.push_back(list("to-accept"_sym, to_accept->name, to_accept->number));
+  for (Datum& fact : to_accept.facts()) known.push_back(std::move(fact));
   for (const auto& [object, why] : memory.troubles()) {
     known.push_back(list("objects-damaged"_sym, why.subject, Datum::symbol(why.symbol), why.sentence));
   }
@@ -111,7 +111,7 @@ Renames VisionAgent::State::renamed_since(const SampleNames& before) const {
 Task<void> VisionAgent::State::follow_renames(Renames renames) {
   tracker.rename(renames);
   holders.rename(renames);
-  follow_to_accept(renames);
+  to_accept.follow(renames, objects);
   follow_found_at(renames);
   co_await facts.follow_found(std::move(renames), objects);
   co_await tell_objects();
@@ -124,21 +124,6 @@ void VisionAgent::State::follow_found_at(const Renames& renames) {
     if (object != nullptr) now.insert_or_assign(object->name, place);
   }
   found_at = std::move(now);
-}
-
-// By its id; one that is in no database, which has none, by its name and number.
-void VisionAgent::State::follow_to_accept(const Renames& renames) {
-  if (!to_accept) return;
-  const ToAccept was = *to_accept;
-  const std::string now = name_now(renames, was.name);
-  to_accept.reset();
-  for (const LearnedObject& object : objects.all()) {
-    for (const LearnedSample& sample : object.samples) {
-      const bool same_place = same_name(object.name, now) && sample.number == was.number;
-      const bool same = sample.id == was.id && (was.id != 0 || same_place);
-      if (same) to_accept.emplace(object.name, sample.number, sample.id);
-    }
-  }
 }
 
 Task<void> VisionAgent::State::camera_changed() {

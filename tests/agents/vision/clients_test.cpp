@@ -69,6 +69,7 @@ TEST_F(Vision, WhatAnotherTracksIsNeitherForgottenNorRenamedNorTakenBack) {
   EXPECT_EQ(call("(get-objects)"), R"x((GET 1 ("circle")))x");
   EXPECT_EQ(call("(rename \"circle\" \"disc\")"), "()");
   EXPECT_EQ(call("(end-track)"), "()");
+  EXPECT_EQ(call("(accept \"disc\")"), "()");
   EXPECT_EQ(other.call("(forget \"disc\")"), "()");
 }
 
