@@ -19,6 +19,8 @@ constexpr double trust_in_a_bridge = 0.7;
 constexpr double trust_lasts_s = 0.1;
 // In what may as well be another.
 constexpr double trust_in_another = 0.5;
+// With fewer what is otherwise certain is still sure.
+constexpr double least_twins = 0.1;
 
 // They may move meanwhile; where one is hidden, it is thought to rest.
 void follow_others(std::vector<cv::Point2d>& others, const std::vector<SeenMark>& marks, const LearnedObjects& objects,
@@ -35,7 +37,7 @@ double disparity_px(const SeenMark& left, const SeenMark& right) { return left.c
 
 }  // namespace
 
-Result<void> MarkTracker::add(const LearnedObject& object) {
+Result<void> MarkTracker::add(const LearnedObject& object, std::optional<cv::Point2d> seen_last) {
   for (const Track& track : tracks_) {
     if (same_name(track.name, object.name)) return {};
   }
@@ -43,7 +45,7 @@ Result<void> MarkTracker::add(const LearnedObject& object) {
     return fail("full", "no more than 16 objects can be tracked", to_datum(object.name));
   }
   const auto place = same_name(object.name, end_effector_name) ? tracks_.begin() : tracks_.end();
-  tracks_.insert(place, Track{.name = object.name});
+  tracks_.insert(place, Track{.name = object.name, .seen_before = seen_last});
   return {};
 }
 
@@ -64,7 +66,8 @@ void MarkTracker::rename(const Renames& renames) {
 std::vector<TrackSighting> MarkTracker::update(StereoSight& sight, Time captured) {
   frame_s_ = seconds_between(std::exchange(captured_, captured), captured);
   // Places and sizes in images of another size say nothing.
-  const bool anew = std::exchange(image_size_, sight.left().size()) != sight.left().size();
+  const cv::Size size_before = std::exchange(image_size_, sight.left().size());
+  const bool anew = !size_before.empty() && size_before != image_size_;
   std::vector<TrackSighting> out;
   const auto begin_anew = [](Track& track) { track = Track{.name = track.name}; };
   if (anew) std::ranges::for_each(tracks_, begin_anew);
@@ -134,7 +137,8 @@ std::optional<SeenPair> MarkTracker::search(StereoSight& sight, Track& track, co
   if (track.left) {
     now = sight.find(objects_, object, track.expected(captured_), px_in(sight.left(), local_reach_px), track.others);
   }
-  if (!now) now = sight.find(objects_, object, {}, 0, track.others);
+  const auto before = track.began_among_alike ? std::nullopt : track.seen_before;
+  if (!now) now = sight.find(objects_, object, {}, 0, track.others, before);
   return now;
 }
 
@@ -148,6 +152,8 @@ TrackSighting MarkTracker::miss(const StereoSight& sight, Track& track) const {
   if (!near) {
     track.whole.lose();
     track = Track{.name = track.name,
+                  .seen_before = track.seen_before,
+                  .began_among_alike = track.began_among_alike,
                   .whole = track.whole,
                   .others = track.others,
                   .before = track.before,
@@ -177,6 +183,14 @@ void MarkTracker::come_back(StereoSight& sight, Track& track, const LearnedObjec
   if (before.others.size() < most_twins) before.others.push_back(now.left.centre);
   track = std::move(before);
   now = std::move(*there);
+}
+
+// Of tags none is followed where there are several.
+void MarkTracker::count_twins(StereoSight& sight, Track& track, const LearnedObject& object, SeenPair& now) const {
+  const bool may_be_another = track.began_among_alike.value_or(true) && object.tag() == nullptr;
+  if (!may_be_another) return;
+  now.likeness.twins = twins_of(sight.left_segmentation().marks(), objects_, object, now.left);
+  if (!track.began_among_alike) track.began_among_alike = now.likeness.twins > least_twins;
 }
 
 // What hides it for a while may go on hiding it for as long.
@@ -240,6 +254,7 @@ TrackSighting MarkTracker::update(StereoSight& sight, Track& track) {
   out.centre = now->left.centre;
   out.contour = now->left.contour;
   track.turn = now->likeness.turn;
+  count_twins(sight, track, *object, *now);
   out.confidence = now->likeness.confidence();
   if (!now->left.tag) out.confidence = confidence_if_off(out.confidence, look.may_be_off_px, off_px);
   if (is_doubted(track, *now)) out.confidence = std::min(out.confidence, trust_in_another);

@@ -9,7 +9,8 @@
 // elsewhere is taken for it that is of another size; and never what looked like it elsewhere in the image in which it
 // was found or in that in which it was seen last. One that was in neither may be another, so that what is found
 // elsewhere than where it was lost is not sure until it has been followed for as long as it had been lost, from half a
-// second to five; and where the one that was lost is seen again meanwhile, it is there.
+// second to five; and where the one that was lost is seen again meanwhile, it is there. Where others like it were there
+// from the first, it may be one of those, and is not sure while they are in view.
 //
 //   MarkTracker tracker(objects);
 //   tracker.add(*objects.find("circle"));
@@ -51,8 +52,8 @@ class MarkTracker {
   // `objects` outlives it. An object that is not among them any more is not seen.
   explicit MarkTracker(const LearnedObjects& objects) : objects_(objects) {}
 
-  // Once more is harmless. Failure `full`.
-  Result<void> add(const LearnedObject& object);
+  // Once more is harmless. Of several that are alike it begins with the one nearest to `seen_last`. Failure `full`.
+  Result<void> add(const LearnedObject& object, std::optional<cv::Point2d> seen_last = {});
   // What is tracked is tracked on under its new name, and only once: what bore that name before has been forgotten.
   void rename(const Renames& renames);
   void keep_only(const std::set<std::string>& names) {
@@ -68,6 +69,9 @@ class MarkTracker {
  private:
   struct Track {
     std::string name;
+    std::optional<cv::Point2d> seen_before = {};  // tracking began
+    // Known once it has been seen; then it may be another as long as one of these is in view.
+    std::optional<bool> began_among_alike = {};
     // As seen last, if that was no longer ago than longest_bridge.
     std::optional<SeenMark> left = {};
     std::optional<SeenMark> right = {};
@@ -98,6 +102,8 @@ class MarkTracker {
   TrackSighting miss(const StereoSight& sight, Track& track) const;
   // Where what is followed elsewhere was not it, but is hidden no more where it was lost.
   void come_back(StereoSight& sight, Track& track, const LearnedObject& object, SeenPair& now) const;
+  // What others like it are in view, where it may have been one of them from the first.
+  void count_twins(StereoSight& sight, Track& track, const LearnedObject& object, SeenPair& now) const;
   // Whether what is seen may be another, by where it is.
   bool is_doubted(Track& track, const SeenPair& now) const;
   // What was seen becomes what is followed.

@@ -29,6 +29,68 @@ class Alike : public Vision {
   }
 };
 
+class TrackedAlike : public Alike {
+ protected:
+  TrackedAlike() {
+    EXPECT_EQ(call(learn_request(0, "circle")), R"x((LEARN "circle" OK))x");
+    camera.scene.faces.erase(camera.scene.faces.begin() + 1, camera.scene.faces.end());
+  }
+  // Another circle, to the right of the first.
+  void add_twin() {
+    camera.scene.faces.push_back(camera.scene.faces[0]);
+    camera.scene.faces.back().place.x += 120;
+  }
+  void remove_twin() { camera.scene.faces.pop_back(); }
+  void begin_tracking() {
+    EXPECT_EQ(call("(track \"circle\")"), "()");
+    run_for(1s);
+  }
+  Datum sighting() { return form(facts("(sightings vision ? ?)"))[3][0]; }
+  double confidence_now() {
+    const Datum now = sighting();
+    EXPECT_EQ(now[1].text(), "seen") << write(now);
+    return now[2].number();
+  }
+  cv::Point2d place_now() {
+    const Datum left = sighting()[6][0];
+    return {left[1].number(), left[2].number()};
+  }
+};
+
+TEST_F(TrackedAlike, WhatWasTakenForItAmongOthersLikeItIsNotSureWhileTheyAreInView) {
+  find("circle");
+  add_twin();
+  begin_tracking();
+  EXPECT_LE(confidence_now(), 0.6);
+  run_for(20s);
+  EXPECT_LE(confidence_now(), 0.6);
+  remove_twin();
+  run_for(300ms);
+  EXPECT_GT(confidence_now(), 0.9);
+}
+
+TEST_F(TrackedAlike, WhatComesLaterTakesNothingFromIt) {
+  begin_tracking();
+  EXPECT_GT(confidence_now(), 0.9);
+  const cv::Point2d before = place_now();
+  add_twin();
+  run_for(1s);
+  EXPECT_GT(confidence_now(), 0.9);
+  EXPECT_LT(cv::norm(place_now() - before), 1);
+}
+
+TEST_F(TrackedAlike, TrackingBeginsWithTheOneThatWasFoundLast) {
+  const cv::Point2d first = find("circle");
+  for (const double side : {-1, 1}) {
+    camera.scene.faces.push_back(camera.scene.faces[0]);
+    camera.scene.faces.back().place.y += side * 120;
+  }
+  std::ranges::reverse(camera.scene.faces);
+  begin_tracking();
+  EXPECT_LT(cv::norm(place_now() - first), 1);
+  EXPECT_LE(confidence_now(), 0.6);
+}
+
 TEST_F(Alike, OfTwoShapesOneIsToldThatMayBeTheOther) {
   learn_all();
   const cv::Point2d first = find("circle");
