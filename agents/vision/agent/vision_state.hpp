@@ -1,8 +1,8 @@
 #pragma once
 
-// What the vision agent knows and is doing. vision_agent.cpp runs it, vision_operations.cpp has its operations and
-// vision_finding.cpp FIND among them, vision_modes.cpp who may use it when, vision_frames.cpp what becomes of a frame,
-// vision_telling.cpp what is told.
+// What the vision agent knows and is doing. vision_agent.cpp runs it; vision_operations.cpp has its operations,
+// vision_finding.cpp FIND among them and vision_objects.cpp what is learned; vision_turns.cpp says who may use it when,
+// vision_modes.cpp what goes on for whom; vision_frames.cpp what becomes of a frame, vision_telling.cpp what is told.
 
 #include <map>
 #include <optional>

@@ -80,52 +80,6 @@ Task<void> VisionAgent::State::tell_state_again() {
   }
 }
 
-Task<void> VisionAgent::State::follow_memory() {
-  const SampleNames before = names_of_samples();
-  const Result<bool> changed = co_await memory.recall_changed();
-  const bool anew = changed && *changed;
-  if (!anew) co_return;
-  Renames renames = renamed_since(before);
-  co_await follow_renames(std::move(renames));
-}
-
-VisionAgent::State::SampleNames VisionAgent::State::names_of_samples() const {
-  SampleNames out;
-  for (const LearnedObject& object : objects.all()) {
-    for (const LearnedSample& sample : object.samples) {
-      if (sample.id != 0) out.emplace(sample.id, object.name);
-    }
-  }
-  return out;
-}
-
-Renames VisionAgent::State::renamed_since(const SampleNames& before) const {
-  Renames out;
-  for (const auto& [id, name] : names_of_samples()) {
-    const auto was = before.find(id);
-    if (was != before.end() && was->second != name) out.emplace(was->second, name);
-  }
-  return out;
-}
-
-Task<void> VisionAgent::State::follow_renames(Renames renames) {
-  tracker.rename(renames);
-  holders.rename(renames);
-  to_accept.follow(renames, objects);
-  follow_found_at(renames);
-  co_await facts.follow_found(std::move(renames), objects);
-  co_await tell_objects();
-}
-
-void VisionAgent::State::follow_found_at(const Renames& renames) {
-  std::map<std::string, cv::Point2d> now;
-  for (const auto& [was, place] : found_at) {
-    const LearnedObject* object = objects.find(name_now(renames, was));
-    if (object != nullptr) now.insert_or_assign(object->name, place);
-  }
-  found_at = std::move(now);
-}
-
 Task<void> VisionAgent::State::camera_changed() {
   co_await tell_state();
   if (feed.state() == CameraFeed::State::open) co_return;

@@ -202,6 +202,37 @@ TEST_F(Turns, ATrackingGoesOnBesideClientsThatFindWithoutAPause) {
   EXPECT_GE(finds, 60);
 }
 
+TEST_F(Turns, ACameraThatVanishesDuringALearningHoldsUpNobody) {
+  EXPECT_EQ(call("(connect)"), "()");
+  Asking& first = add("first");
+  Asking& second = add("second");
+  Client other(*this, "other");
+  first.ask(learn_request(0, "circle"));
+  second.ask(learn_request(0, "circle"));
+  run_for(500ms);
+  camera.plugged = false;
+  std::string answer;
+  EXPECT_LE(time_for(other, "(find \"circle\")", answer), 3100ms);
+  EXPECT_EQ(answer, R"x((FIND "circle" FAIL))x");
+  run_for(200ms);
+  EXPECT_EQ(*first.answers[0], R"x((LEARN "circle" FAIL))x");
+  camera.plugged = true;
+  executor.run_until([&] { return all_done(); });
+  EXPECT_EQ(facts("(vision-held vision ? learning)"), "");
+  EXPECT_TRUE(other.call("(find \"circle\")").starts_with(found));
+}
+
+TEST_F(Turns, AFindThatSuspendsATrackingFailsInTimeWhereTheCameraVanishes) {
+  EXPECT_EQ(call("(track \"circle\")"), "()");
+  run_for(300ms);
+  Client other(*this, "other");
+  EXPECT_TRUE(other.call("(find \"circle\")").starts_with(found));
+  camera.plugged = false;
+  std::string answer;
+  EXPECT_LE(time_for(other, "(find \"circle\")", answer), 3500ms);
+  EXPECT_EQ(answer, R"x((FIND "circle" FAIL))x");
+}
+
 TEST_F(Turns, WhatAClientThatDiedWaitedForIsNotDone) {
   for (const char* name : {"one", "two"}) add(name).ask(learn_request(0, "circle"));
   run_for(100ms);

@@ -1,0 +1,139 @@
+// What is learned: who changes it, and what follows where it has changed.
+
+#include <ranges>
+
+#include "agents/vision/agent/vision_state.hpp"
+
+namespace pizarra {
+
+// In no database all ids are 0, and the newest is the agent's own.
+std::optional<int> VisionAgent::State::number_of(const std::string& name, std::int64_t id) const {
+  const LearnedObject* object = objects.find(name);
+  if (object == nullptr) return std::nullopt;
+  for (const LearnedSample& sample : object->samples | std::views::reverse) {
+    if (sample.id == id) return sample.number;
+  }
+  return std::nullopt;
+}
+
+Task<Result<std::int64_t>> VisionAgent::State::change_objects(ObjectChange change) {
+  const SampleNames before = names_of_samples();
+  const RenameObject* const renaming = std::get_if<RenameObject>(&change);
+  Renames own;
+  if (renaming != nullptr) own.emplace(renaming->name, renaming->new_name);
+  const Result<std::int64_t> changed = co_await memory.change(std::move(change));
+  if (!changed) co_return changed;
+  Renames renames = renamed_since(before);
+  renames.merge(own);
+  co_await follow_renames(std::move(renames));
+  co_return changed;
+}
+
+Task<Result<SampleToAccept>> VisionAgent::State::judged_by(std::string client, std::string name) {
+  co_await follow_memory();
+  const SampleToAccept* sample = to_accept.find(client, name);
+  if (sample != nullptr && sample->client == client) co_return *sample;
+  const Result<void> judged = co_await check_judged(client, name);
+  if (!judged) co_return fail(judged);
+  sample = to_accept.find(client, name);
+  if (sample != nullptr) co_return *sample;
+  co_return fail("nothing-to-accept", "no sample of this name was learned last, or it has been judged already",
+                 to_datum(name));
+}
+
+Task<Result<Datum>> VisionAgent::State::accept(std::string client, std::string name) {
+  const Result<std::unique_ptr<Turn>> turn = co_await take_turn(client, TurnQueue::Kind::beside);
+  if (!turn) co_return fail(turn);
+  const Result<SampleToAccept> sample = co_await judged_by(std::move(client), std::move(name));
+  if (!sample) co_return fail(sample);
+  to_accept.remove(*sample);
+  co_await tell_objects();
+  co_return Datum();
+}
+
+Task<Result<Datum>> VisionAgent::State::reject(std::string client, std::string name) {
+  const Result<std::unique_ptr<Turn>> turn = co_await take_turn(client, TurnQueue::Kind::beside);
+  if (!turn) co_return fail(turn);
+  const Result<SampleToAccept> sample = co_await judged_by(client, name);
+  if (!sample) co_return fail(sample);
+  const Result<void> untracked = check_untracked(client, name);
+  if (!untracked) co_return fail(untracked);
+  ObjectChange withdraw = WithdrawSample{sample->name, sample->number, sample->id};
+  const Result<std::int64_t> done = co_await change_objects(std::move(withdraw));
+  if (!done) co_return fail(done);
+  co_return Datum();
+}
+
+Task<Result<Datum>> VisionAgent::State::forget(std::string client, std::string name) {
+  const Result<std::unique_ptr<Turn>> turn = co_await take_turn(client, TurnQueue::Kind::brief);
+  if (!turn) co_return fail(turn);
+  const Result<void> unheld = co_await check_unheld(client, name);
+  if (!unheld) co_return fail(unheld);
+  ObjectChange forget = ForgetObject{name};
+  const Result<std::int64_t> done = co_await change_objects(std::move(forget));
+  if (!done) co_return fail(done);
+  co_return Datum();
+}
+
+Task<Result<Datum>> VisionAgent::State::rename(std::string client, std::string name, std::string new_name) {
+  const Result<void> good_name = check_object_name(new_name);
+  if (!good_name) co_return fail(good_name);
+  const Result<std::unique_ptr<Turn>> turn = co_await take_turn(client, TurnQueue::Kind::brief);
+  if (!turn) co_return fail(turn);
+  const Result<void> unheld = co_await check_unheld(client, name);
+  if (!unheld) co_return fail(unheld);
+  const LearnedObject* object = objects.find(name);
+  if (object != nullptr) name = object->name;
+  ObjectChange rename = RenameObject{name, new_name};
+  const Result<std::int64_t> done = co_await change_objects(std::move(rename));
+  if (!done) co_return fail(done);
+  co_return Datum();
+}
+
+Task<void> VisionAgent::State::follow_memory() {
+  const SampleNames before = names_of_samples();
+  const Result<bool> changed = co_await memory.recall_changed();
+  const bool anew = changed && *changed;
+  if (!anew) co_return;
+  Renames renames = renamed_since(before);
+  co_await follow_renames(std::move(renames));
+}
+
+VisionAgent::State::SampleNames VisionAgent::State::names_of_samples() const {
+  SampleNames out;
+  for (const LearnedObject& object : objects.all()) {
+    for (const LearnedSample& sample : object.samples) {
+      if (sample.id != 0) out.emplace(sample.id, object.name);
+    }
+  }
+  return out;
+}
+
+Renames VisionAgent::State::renamed_since(const SampleNames& before) const {
+  Renames out;
+  for (const auto& [id, name] : names_of_samples()) {
+    const auto was = before.find(id);
+    if (was != before.end() && was->second != name) out.emplace(was->second, name);
+  }
+  return out;
+}
+
+Task<void> VisionAgent::State::follow_renames(Renames renames) {
+  tracker.rename(renames);
+  holders.rename(renames);
+  to_accept.follow(renames, objects);
+  follow_found_at(renames);
+  co_await facts.follow_found(std::move(renames), objects);
+  co_await tell_objects();
+}
+
+void VisionAgent::State::follow_found_at(const Renames& renames) {
+  std::map<std::string, cv::Point2d> now;
+  for (const auto& [was, place] : found_at) {
+    const LearnedObject* object = objects.find(name_now(renames, was));
+    if (object != nullptr) now.insert_or_assign(object->name, place);
+  }
+  found_at = std::move(now);
+}
+
+}  // namespace pizarra
