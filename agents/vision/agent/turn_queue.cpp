@@ -58,9 +58,13 @@ bool TurnQueue::is_next(int number) const {
 }
 
 std::string TurnQueue::served() const {
-  const auto found =
-      std::ranges::find_if(turns_, [](const Turn& turn) { return turn.begun && turn.kind != Kind::beside; });
-  return found == turns_.end() ? "" : found->client;
+  const Turn* served = nullptr;
+  for (const Turn& turn : turns_) {
+    if (turn.kind == Kind::beside || turn.place == 0) continue;
+    if (turn.begun) return turn.client;
+    if (served == nullptr || turn.rank() < served->rank()) served = &turn;
+  }
+  return served == nullptr ? "" : served->client;
 }
 
 void TurnQueue::leave(int number, Time now) {

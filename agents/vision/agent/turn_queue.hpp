@@ -47,7 +47,7 @@ class TurnQueue {
   bool is_next(int number) const;
   void begin(int number) { turns_[*position(number)].begun = true; }
   void leave(int number, Time now);
-  // Whose request is being done that excludes others; empty: nobody's.
+  // Whose request that excludes others is being done, or is the next; empty: nobody's.
   std::string served() const;
 
  private:

@@ -63,7 +63,7 @@ Task<Result<void>> VisionAgent::State::wait_for_turn(const Turn& turn) {
     in_time = co_await turns_changed.wait(deadline);
   }
   const std::string served = turns.served();
-  co_return fail("busy", fmt::format("vision is {} for {}, and others wait before this", mode(), served),
+  co_return fail("busy", fmt::format("vision is there for {} first, and no turn came in 6 s", served),
                  Datum::symbol(served));
 }
 
