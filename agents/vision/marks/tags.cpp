@@ -29,6 +29,9 @@ constexpr Family families[] = {
 };
 
 constexpr double most_row_difference_px = 2;
+// With less in common with its print a square is none: of a tag whose cells are two pixels wide another family may read
+// a tag of its own, 0.5 to 0.74 like that; a blurred one that can be found is 0.74 to 0.8 like its print.
+constexpr double least_likeness = 0.74;
 // Around a tag there must be light for its border to be seen.
 constexpr double margin_of_side = 0.35;
 // Half a cell beside a tag's border, as a part of its side; and by how much, in how many places, it is lighter outside.
@@ -54,10 +57,9 @@ const Family* family_called(std::string_view name) {
   return found == std::end(families) ? nullptr : &*found;
 }
 
-Detection detect(const cv::Mat& grey, const Family& family, bool faultless) {
+Detection detect(const cv::Mat& grey, const Family& family) {
   const auto parameters = cv::aruco::DetectorParameters::create();
   parameters->cornerRefinementMethod = cv::aruco::CORNER_REFINE_SUBPIX;
-  if (faultless) parameters->errorCorrectionRate = 0;
   Detection out;
   cv::aruco::detectMarkers(grey, cv::aruco::getPredefinedDictionary(family.dictionary), out.found, out.numbers,
                            parameters, out.others);
@@ -156,13 +158,54 @@ std::optional<SeenMark> whole_mark(const cv::Mat1b& grey, const Corners& corners
   return out;
 }
 
-// The smallest square around the point, whether a tag of that family or not.
+// The largest square around the point, whether a tag of that family or not: light cells may be squares too.
 std::optional<Corners> square_around(const Detection& detection, cv::Point2d point) {
   std::optional<Corners> best;
   for (const auto* squares : {&detection.found, &detection.others}) {
     for (const Corners& corners : *squares) {
       if (!is_around(corners, point)) continue;
-      if (!best || cv::contourArea(corners) < cv::contourArea(*best)) best = corners;
+      if (!best || cv::contourArea(corners) > cv::contourArea(*best)) best = corners;
+    }
+  }
+  return best;
+}
+
+// How like the tag's print that is what the corners enclose, 1 at most.
+double likeness(const cv::Mat1b& grey, const Corners& corners, const cv::aruco::Dictionary& dictionary, int number) {
+  constexpr int cell_px = 4;
+  cv::Mat print;
+  dictionary.drawMarker(number, (dictionary.markerSize + 2) * cell_px, print);
+  const float end = static_cast<float>(print.cols) - 0.5F;
+  const Corners of_print = {{-0.5F, -0.5F}, {end, -0.5F}, {end, end}, {-0.5F, end}};
+  cv::Mat seen;
+  cv::warpPerspective(grey, seen, cv::getPerspectiveTransform(of_print, corners), print.size(),
+                      cv::INTER_LINEAR | cv::WARP_INVERSE_MAP, cv::BORDER_REPLICATE);
+  cv::Mat1f like;
+  cv::matchTemplate(seen, print, like, cv::TM_CCOEFF_NORMED);
+  return like(0, 0);
+}
+
+struct Reading {
+  const Family* family;
+  int number;
+  Corners corners;
+  double likeness;
+};
+
+// The tag around the point, of whatever family. What one family reads another may too, with cells that it mends: the
+// likest is meant, of those that are equal the first.
+std::optional<Reading> read_tag(const cv::Mat& grey, cv::Rect area, cv::Point2d point) {
+  std::optional<Reading> best;
+  for (const Family& family : families) {
+    const cv::Ptr<cv::aruco::Dictionary> dictionary = cv::aruco::getPredefinedDictionary(family.dictionary);
+    Detection detection = detect(grey(area), family);
+    for (std::size_t i = 0; i < detection.found.size(); ++i) {
+      Corners& corners = detection.found[i];
+      move_by(corners, area.tl());
+      if (!is_around(corners, point) || !has_a_border(grey, corners)) continue;
+      const double like = likeness(grey, corners, *dictionary, detection.numbers[i]);
+      if (like <= (best ? best->likeness : least_likeness)) continue;
+      best = Reading{&family, detection.numbers[i], std::move(corners), like};
     }
   }
   return best;
@@ -182,22 +225,17 @@ std::optional<Tag> tag_called(std::string_view name) {
   return out;
 }
 
-// The whole image is looked at once; then the square around the point alone.
-std::optional<SeenMark> tag_at(const cv::Mat& grey, cv::Point2d point) {
-  const std::optional<Corners> square = square_around(detect(grey, families[0], true), point);
+// The whole image is looked at once; then what is around the square alone.
+Result<std::optional<SeenMark>> tag_at(const cv::Mat& grey, cv::Point2d point) {
+  const std::optional<Corners> square = square_around(detect(grey, families[0]), point);
   if (!square) return std::nullopt;
-  const cv::Rect area = around(*square, grey.size());
-  for (const Family& family : families) {
-    Detection detection = detect(grey(area), family, true);
-    for (std::size_t i = 0; i < detection.found.size(); ++i) {
-      Corners& corners = detection.found[i];
-      move_by(corners, area.tl());
-      if (!is_around(corners, point) || !has_a_border(grey, corners)) continue;
-      std::optional<SeenMark> mark = whole_mark(grey, corners, family, detection.numbers[i]);
-      if (mark) return mark;
-    }
-  }
-  return std::nullopt;
+  const std::optional<Reading> read = read_tag(grey, around(*square, grey.size()), point);
+  if (!read) return std::nullopt;
+  std::optional<SeenMark> mark = whole_mark(grey, read->corners, *read->family, read->number);
+  if (mark) return mark;
+  return fail("unclear-tag",
+              "the point is within a tag of which a part of the border is hidden or blurred: show the whole of it",
+              list(point.x, point.y));
 }
 
 std::vector<SeenMark> find_tags(const cv::Mat& grey, const Tag& tag, cv::Rect area) {
@@ -207,7 +245,7 @@ std::vector<SeenMark> find_tags(const cv::Mat& grey, const Tag& tag, cv::Rect ar
   const cv::Rect looked_at = area.empty() ? whole : area & whole;
   if (looked_at.empty()) return {};
   std::vector<SeenMark> out;
-  Detection detection = detect(grey(looked_at), *family, false);
+  Detection detection = detect(grey(looked_at), *family);
   for (std::size_t i = 0; i < detection.found.size(); ++i) {
     if (detection.numbers[i] != tag.number) continue;
     move_by(detection.found[i], looked_at.tl());

@@ -3,8 +3,8 @@
 // Tags: dark squares whose cells spell a number, of ArUco's and AprilTag's families. A lab that has them needs no other
 // marks: what bears one is learned, found and tracked by it. OpenCV's detector finds them.
 //
-//   std::optional<SeenMark> clicked = tag_at(grey, {160, 120});      // of whatever family
-//   std::vector<SeenMark> seen = find_tags(grey, *clicked->tag);     // and nothing else
+//   Result<std::optional<SeenMark>> clicked = tag_at(grey, {160, 120});   // of whatever family
+//   std::vector<SeenMark> seen = find_tags(grey, *(*clicked)->tag);       // and nothing else
 
 #include <optional>
 
@@ -15,8 +15,9 @@ namespace pizarra {
 // Of a seen tag the mark is the outer square, and the centre where its diagonals meet. One of which something hides so
 // much that the centre would be more than a pixel off, or 1.5 % of its side, is not seen.
 
-// The tag around the point, read without a fault.
-std::optional<SeenMark> tag_at(const cv::Mat& grey, cv::Point2d point);
+// The tag around the point, wherever in it that is; nothing where none is. Failure `unclear-tag`: one is, but such a one
+// as find_tags() does not see.
+Result<std::optional<SeenMark>> tag_at(const cv::Mat& grey, cv::Point2d point);
 
 // This tag, within `area` where that is given, as often as it is there: a lab may have printed it twice.
 std::vector<SeenMark> find_tags(const cv::Mat& grey, const Tag& tag, cv::Rect area = {});

@@ -104,7 +104,9 @@ Result<void> MarkLearner::fill(const cv::Mat& left) {
   ImageSegmentation segmentation(mean);
   fill(segmentation, seed);
   if (filled_frames_ < frames_per_step) return {};
-  first_ = tag_at(mean, click_);
+  Result<std::optional<SeenMark>> tag = tag_at(mean, click_);
+  if (!tag) return fail(tag);
+  first_ = std::move(*tag);
   if (first_) {
     contour_ = first_->contour;
     return check_kind();

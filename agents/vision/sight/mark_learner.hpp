@@ -23,7 +23,7 @@ class MarkLearner {
       : name_(std::move(name)), click_(click), objects_(objects) {}
 
   // Failures: outside, background, open-contour, border, too-small, too-large, moved, crowded, ambiguous, other-kind,
-  // wrong-size.
+  // unclear-tag, wrong-size.
   Result<void> feed(StereoSight& sight);
   bool done() const { return filled_frames_ == frames_per_step && contour_frames_ == frames_per_step; }
   // After done().

@@ -1,6 +1,7 @@
 #include "agents/vision/marks/tags.hpp"
 
 #include <gtest/gtest.h>
+#include <numeric>
 #include <opencv2/aruco.hpp>
 
 #include "agents/vision/sight/mark_learner.hpp"
@@ -17,6 +18,13 @@ cv::Mat1b cells_of(cv::aruco::PREDEFINED_DICTIONARY_NAME family, int number) {
   cv::Mat drawn;
   dictionary->drawMarker(number, dictionary->markerSize + 2, drawn);
   return drawn == 0;
+}
+
+// The tag that is read there, or why none is.
+std::string read_at(const cv::Mat1b& image, cv::Point2d click) {
+  const Result<std::optional<SeenMark>> seen = tag_at(image, click);
+  if (!seen) return seen.error().symbol;
+  return *seen ? tag_name(*(*seen)->tag) : "none";
 }
 
 // Two tags and a plain square on light ground, half a metre away.
@@ -52,6 +60,7 @@ class Tags : public testing::Test {
   }
 
   static constexpr double depth_mm = 500;
+  static constexpr double tag_side_mm = 44;
   bench::Scene scene;
   Random random{9};
   StereoModel model = bench::scene_camera();
@@ -70,15 +79,75 @@ TEST_F(Tags, AreCalledByTheirFamilyAndNumber) {
 
 TEST_F(Tags, AClickInsideOneTellsWhichItIs) {
   const cv::Mat1b left = bench::draw(scene, Side::left, random);
-  const std::optional<SeenMark> a = tag_at(left, {115, 75});
+  const std::optional<SeenMark> a = tag_at(left, {115, 75}).value();
   ASSERT_TRUE(a);
   EXPECT_EQ(tag_name(*a->tag), "apriltag-36h11-17");
   EXPECT_LT(cv::norm(a->centre - scene.marks[0].centre), 0.5);
-  const std::optional<SeenMark> b = tag_at(left, {205, 85});
+  const std::optional<SeenMark> b = tag_at(left, {205, 85}).value();
   ASSERT_TRUE(b);
   EXPECT_EQ(tag_name(*b->tag), "aruco-4x4-50-3");
-  EXPECT_FALSE(tag_at(left, {170, 180})) << "a plain square is none";
-  EXPECT_FALSE(tag_at(left, {20, 20})) << "nor is the ground";
+  EXPECT_EQ(read_at(left, {170, 180}), "none") << "a plain square";
+  EXPECT_EQ(read_at(left, {20, 20}), "none") << "the ground";
+}
+
+TEST_F(Tags, AreReadWhereverOneClicksInThem) {
+  struct Family {
+    std::string name;
+    cv::aruco::PREDEFINED_DICTIONARY_NAME dictionary;
+    std::vector<int> numbers;
+  };
+  std::vector<Family> families = {
+      {"apriltag-36h11", cv::aruco::DICT_APRILTAG_36h11, std::vector<int>(100)},
+      {"apriltag-36h10", cv::aruco::DICT_APRILTAG_36h10, {0, 99, 1000, 2319}},
+      {"apriltag-25h9", cv::aruco::DICT_APRILTAG_25h9, {0, 9, 20, 34}},
+      {"apriltag-16h5", cv::aruco::DICT_APRILTAG_16h5, {0, 1, 15, 29}},
+      {"aruco-4x4-50", cv::aruco::DICT_4X4_50, {0, 3, 17, 49}},
+      {"aruco-5x5-50", cv::aruco::DICT_5X5_50, {0, 3, 17, 49}},
+      {"aruco-6x6-50", cv::aruco::DICT_6X6_50, {0, 3, 17, 49}},
+      {"aruco-7x7-50", cv::aruco::DICT_7X7_50, {0, 3, 17, 49}},
+      {"aruco-4x4-1000", cv::aruco::DICT_4X4_1000, {50, 99, 500, 999}},
+      {"aruco-5x5-1000", cv::aruco::DICT_5X5_1000, {50, 99, 500, 999}},
+      {"aruco-6x6-1000", cv::aruco::DICT_6X6_1000, {50, 99, 500, 999}},
+      {"aruco-7x7-1000", cv::aruco::DICT_7X7_1000, {50, 99, 500, 999}},
+      {"aruco-original", cv::aruco::DICT_ARUCO_ORIGINAL, {0, 1, 7, 100, 500, 1022, 1023}},
+  };
+  std::iota(families[0].numbers.begin(), families[0].numbers.end(), 0);
+  constexpr double sides_px[] = {32, 56, 110};
+  constexpr double inside = 0.47;  // of a side, from the middle
+  std::size_t drawn = 0;
+  for (const Family& family : families) {
+    for (const int number : family.numbers) {
+      const double side_px = sides_px[drawn++ % std::size(sides_px)];
+      scene.marks = {{.name = "tag",
+                      .centre = {165, 115},
+                      .depth_mm = tag_side_mm * model.focal_px / side_px,
+                      .turn_deg = random.uniform(-180, 180),
+                      .tag = cells_of(family.dictionary, number)}};
+      const cv::Mat1b image = bench::draw(scene, Side::left, random);
+      std::vector<cv::Point2d> clicks = {{0, 0}};
+      while (clicks.size() < 6) clicks.emplace_back(random.uniform(-inside, inside), random.uniform(-inside, inside));
+      const double turn = scene.marks[0].turn_deg * CV_PI / 180;
+      const cv::Matx22d turned(std::cos(turn), -std::sin(turn), std::sin(turn), std::cos(turn));
+      for (const cv::Point2d& click : clicks) {
+        const cv::Point2d at = scene.marks[0].centre + turned * click * side_px;
+        EXPECT_EQ(read_at(image, at), tag_name({family.name, number}))
+            << side_px << " px wide, clicked " << click << " of it off its middle";
+      }
+    }
+  }
+}
+
+TEST_F(Tags, OneThatIsTooSmallToBeReadIsNotReadAsAnother) {
+  for (int number = 0; number < 100; ++number) {
+    const double side_px = random.uniform(12, 22);
+    scene.marks = {{.name = "tag",
+                    .centre = {165, 115},
+                    .depth_mm = tag_side_mm * model.focal_px / side_px,
+                    .turn_deg = random.uniform(-180, 180),
+                    .tag = cells_of(cv::aruco::DICT_6X6_1000, 500 + number)}};
+    const std::string read = read_at(bench::draw(scene, Side::left, random), scene.marks[0].centre);
+    EXPECT_TRUE(read == "none" || read == tag_name({"aruco-6x6-1000", 500 + number})) << read << ", " << side_px;
+  }
 }
 
 TEST_F(Tags, AreLearnedFoundAndTrackedLikeOtherMarks) {
@@ -161,6 +230,21 @@ TEST_F(Tags, ATagThatIsNotThereIsNotFoundInAnother) {
   StereoSight sight = look();
   EXPECT_FALSE(sight.find(objects, *objects.find("a")));
   EXPECT_TRUE(sight.find(objects, *objects.find("b")));
+}
+
+// A strip along its border leaves a smaller square in which the cells can still be read; inside are light shapes too.
+TEST_F(Tags, AClickIntoOneThatIsPartlyHiddenTeachesNothingElse) {
+  scene.marks = {{.name = "tag",
+                  .centre = {165, 115},
+                  .depth_mm = tag_side_mm * model.focal_px / 110,
+                  .tag = cells_of(cv::aruco::DICT_ARUCO_ORIGINAL, 1023)}};
+  scene.things = {{.shape = bench::placed(bench::box(7, 140), {165 - 53, 115}, 1, 0),
+                   .level = 160,
+                   .depth_mm = scene.marks[0].depth_mm,
+                   .in_front = true}};
+  const Result<LearnedSample> sample = learn("tag", scene.marks[0].centre);
+  ASSERT_FALSE(sample) << tone_of(*sample);
+  EXPECT_EQ(sample.error().symbol, "unclear-tag") << sample.error().sentence;
 }
 
 TEST_F(Tags, ATagOfAnotherNameIsNotLearnedTwice) {
