@@ -37,6 +37,8 @@ Task<Result<Datum>> VisionAgent::State::find(std::string client, std::string nam
   if (!turn) co_return fail(turn);
   co_await let_tracking_look();
   co_await begin_finding(client);
+  // Another agent may just have forgotten or renamed it.
+  co_await follow_memory();
   const Result<SeenMark> found = co_await find_mark(name);
   co_await end_finding(client);
   if (found) co_return list(find_reply(name, found->centre));
@@ -58,14 +60,20 @@ Task<Result<SeenMark>> VisionAgent::State::find_mark(std::string name) {
     const GreyPair grey = grey_pair(*frame);
     StereoSight sight(grey.left, grey.right, *feed.model());
     const std::optional<Found> found = find_in(sight, *object);
+    if (found) found_at.insert_or_assign(object->name, FoundAt{found->pair.left.centre, context.executor.now()});
+    begin_showing(*frame, {});
     if (!found) why = not_found(sight, *object);
     if (!found) continue;
-    found_at.insert_or_assign(object->name, found->pair.left.centre);
     std::vector<Datum> told{found_fact(frame->number, sight, *object, *found)};
     co_await facts.tell(std::move(told));
     co_return found->pair.left;
   }
   co_return fail(why);
+}
+
+std::optional<cv::Point2d> VisionAgent::State::place_found_last(const std::string& name) const {
+  const auto found = found_at.find(name);
+  return found == found_at.end() ? std::nullopt : std::optional(found->second.place);
 }
 
 Failure VisionAgent::State::not_known(const std::string& name) const {
@@ -111,9 +119,7 @@ std::optional<VisionAgent::State::Found> VisionAgent::State::find_in(StereoSight
 
 std::optional<VisionAgent::State::Found> VisionAgent::State::find_shape(StereoSight& sight,
                                                                         const LearnedObject& object) const {
-  const auto before = found_at.find(object.name);
-  const auto seen_last = before == found_at.end() ? std::nullopt : std::optional(before->second);
-  std::optional<SeenPair> pair = sight.find(objects, object, {}, 0, {}, seen_last);
+  std::optional<SeenPair> pair = sight.find(objects, object, {}, 0, {}, place_found_last(object.name));
   if (!pair) return std::nullopt;
   const std::vector<SeenMark>& marks = sight.left_segmentation().marks();
   pair->likeness.twins = twins_of(marks, objects, object, pair->left);
@@ -128,10 +134,8 @@ std::optional<VisionAgent::State::Found> VisionAgent::State::find_tag(StereoSigh
   if (only) return Found{*only, {}};
   std::vector<SeenMark> tags = find_tags(sight.left(), *object.tag());
   if (tags.empty()) return std::nullopt;
-  const auto before = found_at.find(object.name);
-  const auto rank = [&](const SeenMark& tag) {
-    return before == found_at.end() ? -tag.area_px : cv::norm(tag.centre - before->second);
-  };
+  const std::optional<cv::Point2d> before = place_found_last(object.name);
+  const auto rank = [&](const SeenMark& tag) { return before ? cv::norm(tag.centre - *before) : -tag.area_px; };
   std::ranges::sort(tags, {}, rank);
   std::vector<cv::Point2d> elsewhere;
   for (const SeenMark& tag : tags | std::views::drop(1)) elsewhere.push_back(tag.centre);

@@ -1,5 +1,6 @@
 // What becomes of each frame: it is looked at, told of, and shown to whoever watches.
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <opencv2/imgproc.hpp>
 
@@ -11,6 +12,8 @@ namespace {
 // What can be watched: the pair as the camera gives it, the eyes' grey, the same in colour, and what a person likes to
 // see.
 constexpr std::string_view stream_kinds[] = {"left", "right", "grey", "colour", "annotated"};
+
+constexpr Duration found_shown_for = 3s;
 
 // Shares the pixels of what is grey already.
 cv::Mat grey(const Image& image) {
@@ -32,7 +35,9 @@ Task<void> VisionAgent::State::on_frame(StereoFrame frame) {
     tracking_is_next = false;
     turns_changed.wake_all();
   }
-  publish(frame, sightings);
+  publish(frame);
+  // Of what is looked at for finds it is shown what was found.
+  if (finding_for.empty()) begin_showing(frame, sightings);
   if (!tracks || !holders.connected()) co_return;
   co_await facts.tell_look(frame.number, sightings);
 }
@@ -51,7 +56,7 @@ Task<void> VisionAgent::State::tell_streams() {
 
 bool VisionAgent::State::watched(std::string_view kind) const { return streams->watched(stream(kind)); }
 
-void VisionAgent::State::publish(const StereoFrame& frame, const std::vector<TrackSighting>& sightings) {
+void VisionAgent::State::publish(const StereoFrame& frame) {
   if (streams == nullptr) return;
   const auto send = [&](std::string_view kind, std::shared_ptr<const Image> image) {
     streams->publish(stream(kind), {frame.number, frame.captured, std::move(image)});
@@ -59,15 +64,26 @@ void VisionAgent::State::publish(const StereoFrame& frame, const std::vector<Tra
   if (watched("left")) send("left", frame.left);
   if (watched("right")) send("right", frame.right);
   if (watched("grey")) send("grey", grey_image(frame.left));
-  if (!(watched("colour") || watched("annotated")) || !showing.done()) return;
-  Annotation annotation{.sightings = sightings, .filled = {}, .learned_contour = {}, .status = {}};
-  if (learner) {
-    annotation.learned_contour = learner->contour();
-    if (learner->contour().empty()) annotation.filled = learner->filled().clone();
+}
+
+void VisionAgent::State::begin_showing(const StereoFrame& frame, std::vector<TrackSighting> sightings) {
+  if (streams == nullptr || !(watched("colour") || watched("annotated")) || !showing.done()) return;
+  showing = context.executor.spawn(show(frame, annotation_for(frame.number, std::move(sightings))));
+}
+
+Annotation VisionAgent::State::annotation_for(std::uint64_t frame, std::vector<TrackSighting> sightings) const {
+  Annotation out{.sightings = std::move(sightings), .found = {}, .filled = {}, .learned_contour = {}, .status = {}};
+  for (const auto& [name, found] : found_at) {
+    const bool is_new = context.executor.now() - found.when <= found_shown_for;
+    const bool is_tracked = std::ranges::find(out.sightings, name, &TrackSighting::name) != out.sightings.end();
+    if (is_new && !is_tracked) out.found.push_back({name, found.place});
   }
-  annotation.status =
-      fmt::format("frame {}   {}{}", frame.number, mode(), holders.connected() ? "" : " (not connected)");
-  showing = context.executor.spawn(show(frame, std::move(annotation)));
+  if (learner) {
+    out.learned_contour = learner->contour();
+    if (learner->contour().empty()) out.filled = learner->filled().clone();
+  }
+  out.status = fmt::format("frame {}   {}{}", frame, mode(), holders.connected() ? "" : " (not connected)");
+  return out;
 }
 
 // The eyes' own images are always grey, so that nothing they tell depends on who watches: the same frame, or the next

@@ -128,10 +128,10 @@ Task<void> VisionAgent::State::follow_renames(Renames renames) {
 }
 
 void VisionAgent::State::follow_found_at(const Renames& renames) {
-  std::map<std::string, cv::Point2d> now;
-  for (const auto& [was, place] : found_at) {
+  std::map<std::string, FoundAt> now;
+  for (const auto& [was, found] : found_at) {
     const LearnedObject* object = objects.find(name_now(renames, was));
-    if (object != nullptr) now.insert_or_assign(object->name, place);
+    if (object != nullptr) now.insert_or_assign(object->name, found);
   }
   found_at = std::move(now);
 }

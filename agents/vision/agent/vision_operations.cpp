@@ -65,9 +65,7 @@ Task<Result<Datum>> VisionAgent::State::track(std::string client, std::string na
   const LearnedObject* end_effector = objects.find(end_effector_name);
   for (const LearnedObject* each : {end_effector, object}) {
     if (each == nullptr) continue;
-    const auto found = found_at.find(each->name);
-    const auto seen_last = found == found_at.end() ? std::nullopt : std::optional(found->second);
-    const Result<void> added = tracker.add(*each, seen_last);
+    const Result<void> added = tracker.add(*each, place_found_last(each->name));
     if (!added) co_return fail(added);
     holders.track(holder, each->name);
   }

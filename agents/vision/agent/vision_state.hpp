@@ -79,6 +79,7 @@ struct VisionAgent::State {
   // What is tracked, and what is to be accepted, as it is called now.
   Task<void> follow_renames(Renames renames);
   void follow_found_at(const Renames& renames);
+  std::optional<cv::Point2d> place_found_last(const std::string& name) const;
   Task<void> tell_holders();
   Task<void> tell_state_again();
   Task<void> camera_changed();
@@ -132,7 +133,10 @@ struct VisionAgent::State {
   // The name of the stream of this kind, and whether anybody watches it.
   std::string stream(std::string_view kind) const;
   bool watched(std::string_view kind) const;
-  void publish(const StereoFrame& frame, const std::vector<TrackSighting>& sightings);
+  void publish(const StereoFrame& frame);
+  // To those who watch what a person likes to see, unless they are still being shown the frame before.
+  void begin_showing(const StereoFrame& frame, std::vector<TrackSighting> sightings);
+  Annotation annotation_for(std::uint64_t frame, std::vector<TrackSighting> sightings) const;
   Task<void> show(StereoFrame frame, Annotation annotation);
 
   AgentContext context;
@@ -145,14 +149,19 @@ struct VisionAgent::State {
   std::shared_ptr<const Image> tracked_image;  // the left one, at which the tracker may look back
   std::optional<MarkLearner> learner;
   SamplesToAccept to_accept;
-  std::map<std::string, cv::Point2d> found_at;  // where FIND found each object last, px
+  // Where FIND found each object last, px, and when.
+  struct FoundAt {
+    cv::Point2d place;
+    Time when;
+  };
+  std::map<std::string, FoundAt> found_at;
   ModeHolders holders;
   TurnQueue turns;
   std::string learning_for;              // empty: nobody learns
   std::vector<std::string> finding_for;  // several, where they look at the same frame
   bool tracking_is_next = false;         // since a finding has looked at a frame that tracking did not
-  std::set<std::string> missing;  // holders who were not present at the last look
-  Time absent_until = {};         // how long ModeHolders::absent holds what it does
+  std::set<std::string> missing;         // holders who were not present at the last look
+  Time absent_until = {};                // how long ModeHolders::absent holds what it does
   CameraDrops told_drops;
   VisionFacts facts{context, service};
   CameraFeed feed;

@@ -77,22 +77,59 @@ cv::Rect place_label(cv::Size picture, cv::Rect around, cv::Size size, const std
   return best;
 }
 
-// The name and the numbers on a darkened plate.
-void draw_label(cv::Mat& picture, const TrackSighting& sighting, int scale, const cv::Scalar& colour,
+struct Label {
+  std::string name;
+  std::vector<std::string> numbers;  // a line each
+};
+
+std::string place_text(cv::Point2d centre) { return fmt::format("{:.1f} {:.1f}", centre.x, centre.y); }
+
+// On a darkened plate beside what it is of.
+void draw_label(cv::Mat& picture, const Label& label, cv::Rect of, const cv::Scalar& colour,
                 std::vector<cv::Rect>& taken) {
-  const std::string place = fmt::format("{:.1f} {:.1f}", sighting.centre.x, sighting.centre.y);
-  const std::string range = fmt::format("{:.1f} mm", sighting.range_mm);
+  constexpr int line_px = 12;
   int baseline = 0;
-  const int name_width = cv::getTextSize(sighting.name, cv::FONT_HERSHEY_SIMPLEX, 0.4, 1, &baseline).width;
-  const int place_width = cv::getTextSize(place, cv::FONT_HERSHEY_SIMPLEX, 0.34, 1, &baseline).width;
-  const cv::Rect box = cv::boundingRect(sighting.contour);
-  const cv::Rect around(box.tl() * scale, box.br() * scale);
-  const cv::Rect plate = place_label(picture.size(), around, {std::max(name_width, place_width) + 8, 40}, taken);
+  int width = cv::getTextSize(label.name, cv::FONT_HERSHEY_SIMPLEX, 0.4, 1, &baseline).width;
+  for (const std::string& line : label.numbers) {
+    width = std::max(width, cv::getTextSize(line, cv::FONT_HERSHEY_SIMPLEX, 0.34, 1, &baseline).width);
+  }
+  const int height = line_px * static_cast<int>(label.numbers.size() + 1) + 4;
+  const cv::Rect plate = place_label(picture.size(), of, {width + 8, height}, taken);
   taken.push_back(plate);
   darken(picture, plate);
-  write_text(picture, sighting.name, plate.tl() + cv::Point(4, 12), 0.4, colour);
-  write_text(picture, place, plate.tl() + cv::Point(4, 24), 0.34, white);
-  write_text(picture, range, plate.tl() + cv::Point(4, 36), 0.34, white);
+  cv::Point at = plate.tl() + cv::Point(4, line_px);
+  write_text(picture, label.name, at, 0.4, colour);
+  for (const std::string& line : label.numbers) write_text(picture, line, at += cv::Point(0, line_px), 0.34, white);
+}
+
+void draw_sightings(cv::Mat& picture, const std::vector<TrackSighting>& sightings, int scale,
+                    std::vector<cv::Rect>& taken) {
+  const auto box_of = [&](const TrackSighting& sighting) {
+    const cv::Rect box = cv::boundingRect(sighting.contour);
+    return cv::Rect(box.tl() * scale, box.br() * scale);
+  };
+  for (const TrackSighting& sighting : sightings) {
+    if (!sighting.contour.empty()) taken.push_back(box_of(sighting));
+  }
+  std::size_t index = 0;
+  for (const TrackSighting& sighting : sightings) {
+    const cv::Scalar& ink = palette[index++ % palette.size()];
+    draw_contour(picture, sighting.contour, scale, ink);
+    if (!sighting.seen) continue;
+    draw_cross(picture, in_picture(sighting.centre, scale), ink);
+    const Label label{sighting.name, {place_text(sighting.centre), fmt::format("{:.1f} mm", sighting.range_mm)}};
+    draw_label(picture, label, box_of(sighting), ink, taken);
+  }
+}
+
+void draw_found(cv::Mat& picture, const std::vector<FoundPlace>& found, int scale, std::vector<cv::Rect>& taken) {
+  constexpr int reach_px = 12;
+  for (const FoundPlace& each : found) {
+    draw_cross(picture, in_picture(each.centre, scale), white);
+    const cv::Point middle(each.centre * scale);
+    const cv::Point reach(reach_px, reach_px);
+    draw_label(picture, {each.name, {place_text(each.centre)}}, {middle - reach, middle + reach}, white, taken);
+  }
 }
 
 }  // namespace
@@ -117,19 +154,8 @@ std::shared_ptr<const Image> annotate(const Image& base, const Annotation& annot
   cv::resize(colour, picture, picture.size(), 0, 0, cv::INTER_CUBIC);
   draw_contour(picture, annotation.learned_contour, scale, palette[1]);
   std::vector<cv::Rect> taken;
-  for (const TrackSighting& sighting : annotation.sightings) {
-    if (sighting.contour.empty()) continue;
-    const cv::Rect box = cv::boundingRect(sighting.contour);
-    taken.emplace_back(box.tl() * scale, box.br() * scale);
-  }
-  std::size_t index = 0;
-  for (const TrackSighting& sighting : annotation.sightings) {
-    const cv::Scalar& ink = palette[index++ % palette.size()];
-    draw_contour(picture, sighting.contour, scale, ink);
-    if (!sighting.seen) continue;
-    draw_cross(picture, in_picture(sighting.centre, scale), ink);
-    draw_label(picture, sighting, scale, ink, taken);
-  }
+  draw_sightings(picture, annotation.sightings, scale, taken);
+  draw_found(picture, annotation.found, scale, taken);
   darken(picture, {0, picture.rows - 20, picture.cols, 20});
   write_text(picture, annotation.status, {8, picture.rows - 6}, 0.42, white);
   return out;

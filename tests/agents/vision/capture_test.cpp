@@ -1,5 +1,8 @@
 // The camera behind the agent: when it is open, what of it is sent, and what is said when it is lost.
 
+#include <algorithm>
+#include <span>
+
 #include "tests/agents/vision/vision_life.hpp"
 
 namespace pizarra {
@@ -118,6 +121,35 @@ TEST_F(Vision, PublishesImagesWhileTheyAreWatched) {
   EXPECT_EQ(annotated->width, 640);
   run_for(300ms);
   EXPECT_EQ(grey, 3);
+}
+
+// The middle of a dark mark is dark but for the cross.
+TEST_F(Vision, ShowsForAWhileWhatWasFound) {
+  learn_all();
+  const cv::Point2d circle = project(camera.model(), camera.scene.faces[0].place, false);
+  std::shared_ptr<const Image> annotated;
+  const auto watching = streams.subscribe("vision-annotated", [&](const StreamFrame& f) { annotated = f.image; });
+  const auto is_crossed = [&] {
+    const int x = cvRound(2 * circle.x + 0.5) + 5;
+    const int y = cvRound(2 * circle.y + 0.5);
+    const auto at = static_cast<std::size_t>(3 * (y * annotated->width + x));
+    return std::ranges::all_of(std::span(annotated->pixels).subspan(at, 3), [](int level) { return level > 150; });
+  };
+  EXPECT_NE(call("(find \"circle\")").find("OK"), std::string::npos);
+  run_for(300ms);
+  ASSERT_NE(annotated, nullptr);
+  EXPECT_TRUE(is_crossed()) << "also by eyes that rest again";
+  EXPECT_EQ(call("(connect)"), "()");
+  run_for(1s);
+  EXPECT_TRUE(is_crossed());
+  run_for(3s);
+  EXPECT_FALSE(is_crossed());
+  EXPECT_NE(call("(find \"circle\")").find("OK"), std::string::npos);
+  run_for(300ms);
+  EXPECT_TRUE(is_crossed());
+  EXPECT_EQ(call("(forget \"circle\")"), "()");
+  run_for(300ms);
+  EXPECT_FALSE(is_crossed());
 }
 
 // Colour is asked of the camera, and pictures are drawn, only for those who look.

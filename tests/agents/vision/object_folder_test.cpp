@@ -166,6 +166,17 @@ TEST_F(TwoVisions, WhatOneLearnsTheOtherFindsByItsOwnCamera) {
   EXPECT_EQ(facts("(found vision \"circle\" ? ? ? ? ? ?)"), "");
 }
 
+TEST_F(TwoVisions, WhatOneForgetsTheOtherFindsNoMore) {
+  EXPECT_EQ(call(learn_request(0, "circle")), R"x((LEARN "circle" OK))x");
+  run_for(2s);
+  EXPECT_NE(call_other("(find \"circle\")").find("OK"), std::string::npos);
+  EXPECT_EQ(call("(rename \"circle\" \"disc\")"), "()");
+  EXPECT_NE(call_other("(find \"disc\")").find("OK"), std::string::npos);
+  EXPECT_EQ(call("(forget \"disc\")"), "()");
+  EXPECT_EQ(call_other("(find \"disc\")"), R"x((FIND "disc" FAIL))x");
+  EXPECT_NE(facts("(vision-failed side ? ? not-learned ?)"), "");
+}
+
 TEST_F(TwoVisions, EachTellsOfItselfAndEndsForItself) {
   EXPECT_EQ(call(learn_request(0, "circle")), R"x((LEARN "circle" OK))x");
   EXPECT_EQ(facts("(to-accept ? ? ?)"), R"((to-accept vision "circle" 1))");
