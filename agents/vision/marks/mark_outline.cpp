@@ -9,7 +9,9 @@ namespace {
 
 constexpr int turns = MarkSignature::turns;
 constexpr int waves = MarkOutline::count;
-// So much of the learned waves a blur leaves at least; noise may add to them.
+// So much of the learned waves a blur of b standard deviations leaves at least: 1 - 3 b^2, of the finest ones, those of
+// a cross, down to a half. Noise may add to them.
+constexpr double lost_by_blur = 3;
 constexpr double least_part = 0.5;
 constexpr double most_part = 1.1;
 // What the three waves of a triangle have at least, in its squared standard deviations.
@@ -129,12 +131,13 @@ bool is_triangle(const MarkOutline& outline) {
   return power(3) > std::max<double>(least_triangle_power, power(4));
 }
 
-OutlineDifference outline_difference(const MarkOutline& seen, const MarkOutline& learned) {
+OutlineDifference outline_difference(const MarkOutline& seen, const MarkOutline& learned, double most_blur) {
   const Agreement agreement(seen, learned);
   const Agreement::Best best = agreement.best();
   const double power = learned.power();
+  const double least = std::max(least_part, 1 - lost_by_blur * most_blur * most_blur);
   // The mean square of a wave is half of its amplitude's.
-  const double part = power > 0 ? std::clamp(best.value / 2 / power, least_part, most_part) : 1;
+  const double part = power > 0 ? std::clamp(best.value / 2 / power, least, most_part) : 1;
   OutlineDifference out;
   Agreement::for_each_wave(best.angle, [&](std::size_t i, double cosine, double sine) {
     const double common = agreement.common.cosines[i] * cosine + agreement.common.sines[i] * sine;

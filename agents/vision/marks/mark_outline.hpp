@@ -4,7 +4,7 @@
 // slant are undone (mark_signature.hpp). Noise puts a little into every wave, another shape much into a few: so a
 // hexagon and a circle differ, whose pictures differ by hardly more than noise makes.
 //
-//   outline_difference(outline_of(seen.signature), outline_of(learned.signature)).in_all;      // 0 alike
+//   outline_difference(outline_of(seen.signature), outline_of(learned.signature), 0.5).in_all;      // 0 alike
 
 #include <array>
 
@@ -29,12 +29,13 @@ MarkOutline outline_of(const MarkSignature& signature);
 // Three corners are what is most of it.
 bool is_triangle(const MarkOutline& outline);
 
-// What is left of the seen one's waves, turned and all lessened as the learned one's would be by some blur: mean squares,
-// in standard deviations squared. Noise is in all waves; what nobody learned may differ by one of them alone.
+// What is left of the seen one's waves, turned and all lessened as the learned one's would be by some blur of at most
+// `most_blur` standard deviations: mean squares, in standard deviations squared. Noise is in all waves; what nobody
+// learned may differ by one of them alone.
 struct OutlineDifference {
   double in_all = 0;
   double in_one = 0;  // the greatest
 };
-OutlineDifference outline_difference(const MarkOutline& seen, const MarkOutline& learned);
+OutlineDifference outline_difference(const MarkOutline& seen, const MarkOutline& learned, double most_blur);
 
 }  // namespace pizarra

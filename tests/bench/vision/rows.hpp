@@ -21,6 +21,7 @@ void find_time(VisionBench& bench);     // five objects in one image
 void track_time(VisionBench& bench);    // five objects in both, with depth
 void tag_time(VisionBench& bench);      // five tags in both, with depth
 void recall(VisionBench& bench);        // over random scenes
+void solids(VisionBench& bench);        // the same with solid convex things among the clutter
 void unlearned(VisionBench& bench);     // shapes that are like the learned ones
 void depth(VisionBench& bench);         // at 0.6 m
 void sequences(VisionBench& bench);     // hidden for half a second, and moving fast

@@ -135,7 +135,7 @@ Scene random_scene(const SceneRanges& ranges, Random& random) {
     const std::optional<SceneMark> placed_mark = free_place(scene.marks, mark, random);
     if (placed_mark) scene.marks.push_back(*placed_mark);
   }
-  add_clutter(scene, ranges.most_clutter, random);
+  add_clutter(scene, ranges.most_clutter, ranges.solids, random);
   return scene;
 }
 

@@ -63,6 +63,7 @@ struct SceneRanges {
   double most_noise = 3;
   double least_blur_px = 0.5, most_blur_px = 0.7;
   int most_clutter = 0;
+  bool solids = false;  // solid convex things among the clutter
   double presence = 1;  // the chance that a mark is in the scene
 };
 

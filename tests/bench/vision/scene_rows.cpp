@@ -30,6 +30,7 @@ struct Tally {
     squared_px += off.dot(off);
   }
   double recall_percent() const { return 100.0 * found / std::max(1, shown); }
+  double wrong_in_10000() const { return 1e4 * wrong / std::max(1, sought); }
   double rms_px() const { return std::sqrt(squared_px / std::max(1, found)); }
 };
 
@@ -56,6 +57,16 @@ void find_tags(const TagDetector& peer, const Scene& scene, const cv::Mat1b& ima
   }
 }
 
+void say_recall(VisionBench& bench, const std::string& where, const Tally& ours, std::vector<Peer> peers) {
+  bench.figures.say({"recall" + where, ours.recall_percent(), "%", at_least(99.5), std::move(peers),
+                     fmt::format("{} marks in {} scenes, seed {}", ours.shown, bench.scenes, bench.seed)});
+}
+
+void say_wrong(VisionBench& bench, const std::string& where, const Tally& ours, std::vector<Peer> peers) {
+  bench.figures.say({"wrong identities" + where, ours.wrong_in_10000(), "in 10000", at_most(1), std::move(peers),
+                     fmt::format("{} of {} answers", ours.wrong, ours.sought)});
+}
+
 }  // namespace
 
 void recall(VisionBench& bench) {
@@ -79,14 +90,23 @@ void recall(VisionBench& bench) {
     }
     return out;
   };
-  bench.figures.say({"recall", ours.recall_percent(), "%", at_least(99.5),
-                     of_peers([](const Tally& t) { return t.recall_percent(); }),
-                     fmt::format("{} marks in {} scenes, seed {}", ours.shown, bench.scenes, bench.seed)});
-  bench.figures.say({"wrong identities", 1e4 * ours.wrong / ours.sought, "in 10000", at_most(1),
-                     of_peers([](const Tally& t) { return 1e4 * t.wrong / t.sought; }),
-                     fmt::format("{} of {} answers", ours.wrong, ours.sought)});
+  say_recall(bench, "", ours, of_peers([](const Tally& t) { return t.recall_percent(); }));
+  say_wrong(bench, "", ours, of_peers([](const Tally& t) { return t.wrong_in_10000(); }));
   bench.figures.say(
       {"centre error, RMS", ours.rms_px(), "px", at_most(0.3), of_peers([](const Tally& t) { return t.rms_px(); })});
+}
+
+void solids(VisionBench& bench) {
+  SceneRanges ranges = hard_ranges;
+  ranges.solids = true;
+  Tally ours;
+  for (int i = 0; i < bench.scenes; ++i) {
+    Random random = Random(bench.seed).split(fmt::format("solids {}", i));
+    const Scene scene = random_scene(ranges, random);
+    find_marks(bench, scene, draw(scene, Side::left, random), ours);
+  }
+  say_recall(bench, " among solid things", ours, {});
+  say_wrong(bench, " among solid things", ours, {});
 }
 
 void depth(VisionBench& bench) {

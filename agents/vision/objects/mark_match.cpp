@@ -1,0 +1,111 @@
+#include "agents/vision/objects/mark_match.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pizarra {
+namespace {
+
+constexpr double impossible = std::numeric_limits<double>::infinity();
+const MarkMatch same_tag{.error = 0, .shape_error = 0};
+constexpr double least_slimness = 0.55;
+// Of roundness, while samples spread as little as the frames of one do in good light; less where they spread more.
+constexpr double roundness_weight = 0.25;
+constexpr double ordinary_spread = 0.01;
+// With less error than this a mark need not be compared with what blur would make of the object.
+constexpr double clear_error = 0.01;
+
+double weight_of_roundness(const LearnedObject& object) {
+  return roundness_weight * ordinary_spread / std::max(ordinary_spread, object.roundness_spread);
+}
+
+double roundness_error(const SeenMark& mark, const LearnedSample& sample, double weight) {
+  return weight * std::abs(mark.roundness / sample.roundness - 1);
+}
+
+// Near the last turn first: where that hardly fits, the mark turned faster or is another.
+SignatureFit sharp_fit(const SeenMark& mark, const LearnedSample& sample, std::optional<int> last_turn) {
+  const TurnedSignatures& learned = sample.signatures.front();
+  if (last_turn) {
+    const SignatureFit near = fit_signature(mark.signature, learned, *last_turn);
+    if (near.error < recognition_threshold / 2) return near;
+  }
+  return fit_signature(mark.signature, learned);
+}
+
+bool has_size(const SeenMark& mark, const LearnedSample& sample) {
+  const double scale = scale_of(mark, sample);
+  return scale >= least_scale && scale <= most_scale;
+}
+
+// Of shapes, whatever their size.
+MarkMatch shape_match(const SeenMark& mark, const LearnedSample& sample, double weight,
+                      std::optional<int> last_turn = {}) {
+  if (mark.tone != sample.tone || mark.slimness < least_slimness * sample.slimness) return {};
+  // The parameters first: where they differ too much the shapes need not be compared.
+  const double roundness = roundness_error(mark, sample, weight);
+  if (roundness > recognition_threshold) return {};
+  const SignatureFit sharp = sharp_fit(mark, sample, last_turn);
+  MarkMatch best{sharp.error + roundness, sharp.error, 0, sharp.turn, &sample};
+  for (std::size_t i = 1; i < sample.blurs.size() && best.shape_error > clear_error; ++i) {
+    if (sample.blurs[i] * mark.height_px > widest_blur_px) break;
+    // Blur turns nothing.
+    const double error = signature_error(mark.signature, sample.signatures[i], sharp.turn);
+    if (error < best.shape_error) best = {error + roundness, error, i, sharp.turn, &sample};
+  }
+  return best;
+}
+
+bool are_shapes(const SeenMark& mark, const LearnedSample& sample) { return !mark.tag && !sample.tag; }
+
+// Of match(sample) the nearest.
+MarkMatch nearest(const LearnedObject& object, auto match) {
+  MarkMatch best;
+  for (const LearnedSample& sample : object.samples) {
+    const MarkMatch one = match(sample);
+    if (one.error < best.error) best = one;
+  }
+  return best;
+}
+
+}  // namespace
+
+double scale_of(const SeenMark& mark, const LearnedSample& sample) { return mark.height_px / sample.height_px; }
+
+double roundness_error(const SeenMark& mark, const LearnedObject& object) {
+  const double weight = weight_of_roundness(object);
+  double least = impossible;
+  for (const LearnedSample& sample : object.samples) least = std::min(least, roundness_error(mark, sample, weight));
+  return least;
+}
+
+MarkMatch match_of(const SeenMark& mark, const LearnedObject& object, std::optional<int> last_turn) {
+  const double weight = weight_of_roundness(object);
+  return nearest(object, [&](const LearnedSample& sample) -> MarkMatch {
+    if (!are_shapes(mark, sample)) return mark.tag == sample.tag ? same_tag : MarkMatch();
+    return has_size(mark, sample) ? shape_match(mark, sample, weight, last_turn) : MarkMatch();
+  });
+}
+
+MarkMatch match_of_another_size(const SeenMark& mark, const LearnedObject& object) {
+  const double weight = weight_of_roundness(object);
+  return nearest(object, [&](const LearnedSample& sample) -> MarkMatch {
+    if (!are_shapes(mark, sample) || has_size(mark, sample)) return {};
+    return shape_match(mark, sample, weight);
+  });
+}
+
+double likeness_error(const LearnedObject& a, const LearnedObject& b) {
+  double best = impossible;
+  for (const LearnedSample& one : a.samples) {
+    for (const LearnedSample& other : b.samples) {
+      if (one.tone != other.tone || one.tag || other.tag) continue;
+      const double roundness = roundness_weight * std::abs(one.roundness / other.roundness - 1);
+      const SignatureFit fit = fit_signature(one.signatures.front().unturned(), other.signatures.front());
+      best = std::min(best, fit.error + roundness);
+    }
+  }
+  return best;
+}
+
+}  // namespace pizarra

@@ -1,0 +1,21 @@
+#pragma once
+
+// Whether a mark that matches a learned object may be something that nobody learned: by how much its picture, its
+// outline and the grey of its middle differ from the sample's, as a part of what the image's noise, blur and a turned
+// face may make of a mark of its size.
+//
+//   if (shape_doubt(mark, match_of(mark, object)).doubt > 1) ...       // it is something else
+
+#include "agents/vision/objects/mark_match.hpp"
+
+namespace pizarra {
+
+// As Likeness has them; infinite of what matches nothing.
+struct ShapeDoubt {
+  double doubt = std::numeric_limits<double>::infinity();
+  double unlearned = std::numeric_limits<double>::infinity();
+};
+
+ShapeDoubt shape_doubt(const SeenMark& mark, const MarkMatch& match);
+
+}  // namespace pizarra
