@@ -31,6 +31,7 @@ Result<StereoCalibration> interpret_source(const Result<Source>& source) {
   out.pairs = static_cast<int>(file[6][0].number());
   out.reprojection_px = file[6][1].number();
   out.epipolar_px = file[6][2].number();
+  out.deviations = {file[7][0].number(), file[7][1].number(), file[7][2].number()};
   return out;
 }
 
@@ -57,9 +58,10 @@ std::string write_calibration(const StereoCalibration& c) {
         "  (size {} {})\n"
         "  (lens {})\n"
         "  (board {} {} {})      ; inner corners a row, rows, the edge of a square\n"
-        "  (errors {} {:.4f}))  ; images used, RMS of their corners\n",
+        "  (errors {} {:.4f})  ; images used, RMS of their corners\n"
+        "  (deviations {:.4f} {:.4f}))  ; standard, of focal length and centre\n",
         c.width, c.height, lens_text(c.left), c.board.columns, c.board.rows, c.board.square_mm, c.pairs,
-        c.reprojection_px);
+        c.reprojection_px, c.deviations.focal_px, c.deviations.centre_px);
   }
   return fmt::format(
       "; A pair of cameras as `./pizarra calibrate` found it. Pixels and mm; right = rotation left + translation.\n"
@@ -70,10 +72,11 @@ std::string write_calibration(const StereoCalibration& c) {
       "  (rotation {:.10f})\n"
       "  (translation {:.4f})\n"
       "  (board {} {} {})            ; inner corners a row, rows, the edge of a square\n"
-      "  (errors {} {:.4f} {:.4f}))  ; pairs used, RMS of their corners, mean distance from the rectified rows\n",
+      "  (errors {} {:.4f} {:.4f})  ; pairs used, RMS of their corners, mean distance from the rectified rows\n"
+      "  (deviations {:.4f} {:.4f} {:.4f}))  ; standard, of focal length, centre and base line\n",
       c.width, c.height, lens_text(c.left), lens_text(c.right), fmt::join(c.rotation, " "),
       fmt::join(c.translation_mm, " "), c.board.columns, c.board.rows, c.board.square_mm, c.pairs, c.reprojection_px,
-      c.epipolar_px);
+      c.epipolar_px, c.deviations.focal_px, c.deviations.centre_px, c.deviations.base_line_mm);
 }
 
 }  // namespace pizarra

@@ -9,10 +9,12 @@
 //     (rotation 0.99 0 0.01 0 1 0 -0.01 0 0.99)         ; row by row, and in mm:
 //     (translation -83.2 1.1 0.1)                       ; right = rotation left + translation
 //     (board 9 6 25)                                    ; that it was made with: inner corners, mm
-//     (errors 13 0.31 0.17))                            ; pairs; px: RMS of the corners, mean across the rectified rows
+//     (errors 13 0.31 0.17)                             ; pairs; px: RMS of the corners, mean across the rectified rows
+//     (deviations 0.5 0.8 0.07))                        ; standard, of focal length and centre, px, and base line, mm
 //
-// Of one camera alone there are (size ...), (lens (focal ...) (centre ...) (distortion ...)), (board ...), and
-// (errors 13 0.31), images and px.
+// Of one camera alone there are (size ...), (lens (focal ...) (centre ...) (distortion ...)), (board ...),
+// (errors 13 0.31), images and px, and (deviations 0.5 0.8). The deviations may be left out. What no lens is like, as a
+// focal length of a pixel, is refused.
 //
 //   Result<StereoCalibration> calibration = read_calibration_file("pair.calibration");
 
@@ -38,6 +40,13 @@ struct CalibrationBoard {
   double square_mm = 25;
 };
 
+// How far what was fitted may be off, as standard deviations; of both cameras the larger one. 0: not said.
+struct CalibrationDeviations {
+  double focal_px = 0;
+  double centre_px = 0;
+  double base_line_mm = 0;
+};
+
 // Of one camera alone, `left` is its lens and the translation is none.
 struct StereoCalibration {
   int width = 0;
@@ -50,6 +59,7 @@ struct StereoCalibration {
   int pairs = 0;
   double reprojection_px = 0;
   double epipolar_px = 0;
+  CalibrationDeviations deviations = {};
 
   bool is_single() const { return translation_mm == std::array<double, 3>{}; }
 };

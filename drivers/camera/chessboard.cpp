@@ -38,7 +38,50 @@ void order_alike(const std::vector<cv::Point2f>& left, std::vector<cv::Point2f>&
   if ((left.back() - left.front()).dot(right.back() - right.front()) < 0) std::reverse(right.begin(), right.end());
 }
 
+using FitViews = Fit<CalibratedPair>(const std::vector<BoardView>&, cv::Size, const CalibrationBoard&, const TellStep&);
+
+// Views that spoil the others are left out one by one.
+Result<CalibratedPair> calibrate(const std::vector<BoardView>& views, cv::Size image, const CalibrationBoard& board,
+                                 const TellStep& tell, FitViews& fit) {
+  const std::size_t most_odd =
+      std::min({most_left_out, views.size() / pairs_to_one_left_out, views.size() - least_views});
+  const Fit<CalibratedPair> of_all = fit(views, image, board, tell);
+  Fit<CalibratedPair> found = of_all;
+  std::vector<BoardView> kept = views;
+  std::vector<ViewError> left_out;
+  while (!found && found.error().worst && left_out.size() < most_odd) {
+    const OddView odd = *found.error().worst;
+    kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(odd.index));
+    left_out.push_back(odd.error);
+    tell(fmt::format("once more without {}", odd.error.name));
+    found = fit(kept, image, board, tell);
+  }
+  if (found) {
+    found->left_out = std::move(left_out);
+    return std::move(*found);
+  }
+  // What is no better without some is told of all.
+  return fail(found.error().worst ? of_all.error().why : found.error().why);
+}
+
+Result<void> check_count(std::size_t count, std::string_view of_what) {
+  if (count >= least_views) return {};
+  return fail("too-few", fmt::format("a calibration takes at least {} {} in which the board is found, each at another "
+                                     "place and angle; there are {}",
+                                     least_views, of_what, count));
+}
+
 }  // namespace
+
+std::vector<cv::Point3f> corners_of(const CalibrationBoard& board) {
+  std::vector<cv::Point3f> out;
+  for (int y = 0; y < board.rows; ++y) {
+    for (int x = 0; x < board.columns; ++x) {
+      out.emplace_back(static_cast<float>(x * board.square_mm), static_cast<float>(y * board.square_mm), 0.F);
+    }
+  }
+  return out;
+}
 
 Result<BoardView> find_board(const cv::Mat& left, const cv::Mat& right, const CalibrationBoard& board) {
   BoardView view{.left = find_corners(left, board)};
@@ -60,32 +103,15 @@ Result<BoardView> find_board(const cv::Mat& left, const cv::Mat& right, const Ca
 }
 
 Result<CalibratedPair> calibrate_pair(const std::vector<BoardView>& views, cv::Size image,
-                                      const CalibrationBoard& board) {
-  const bool single = !views.empty() && views.front().right.empty();
-  if (views.size() < least_views) {
-    return fail("too-few", fmt::format("a calibration takes at least {} {} in which the board is found, from "
-                                       "different sides; there are {}",
-                                       least_views, single ? "images" : "pairs", views.size()));
-  }
-  const auto fit = single ? fit_single : fit_pair;
-  const std::size_t most_odd = std::min({most_left_out, views.size() / pairs_to_one_left_out,
-                                         views.size() - least_views});
-  const Fit<CalibratedPair> of_all = fit(views, image, board);
-  Fit<CalibratedPair> found = of_all;
-  std::vector<BoardView> kept = views;
-  std::vector<ViewError> left_out;
-  while (!found && found.error().worst && left_out.size() < most_odd) {
-    const OddView odd = *found.error().worst;
-    kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(odd.index));
-    left_out.push_back(odd.error);
-    found = fit(kept, image, board);
-  }
-  if (found) {
-    found->left_out = std::move(left_out);
-    return std::move(*found);
-  }
-  // What is no better without some is told of all.
-  return fail(found.error().worst ? of_all.error().why : found.error().why);
+                                      const CalibrationBoard& board, const TellStep& tell) {
+  const Result<void> counted = check_count(views.size(), "pairs");
+  return counted ? calibrate(views, image, board, tell, fit_pair) : fail(counted);
+}
+
+Result<CalibratedPair> calibrate_single(const std::vector<BoardView>& views, cv::Size image,
+                                        const CalibrationBoard& board, const TellStep& tell) {
+  const Result<void> counted = check_count(views.size(), "images");
+  return counted ? calibrate(views, image, board, tell, fit_single) : fail(counted);
 }
 
 double epipolar_error_px(const StereoCalibration& calibration, const std::vector<BoardView>& views) {

@@ -9,10 +9,12 @@
 //
 // A few views whose images do not belong together are left out, and named in what is found.
 //
-// Failures: no-board, saying in which image; too-few; swapped, where the right camera stands left of the left
-// one; one-camera, where it stands at the same place; no-solution; misfit, where what was found cannot be right, as the
-// images do not belong together, and those that are farthest off are not to blame alone.
+// Failures: no-board, saying in which image; too-few; swapped, where the right camera stands left of the left one;
+// turned, where it stands above or below it; one-camera, where it stands at the same place; no-solution; misfit, where
+// what was found cannot be right, as the images do not belong together, and those that are farthest off are not to
+// blame alone; uncertain, where other cameras would see the boards nearly the same.
 
+#include <functional>
 #include <opencv2/core.hpp>
 #include <string>
 #include <vector>
@@ -34,6 +36,9 @@ struct ViewError {
   double px = 0;
 };
 
+// Where they are on the board, row by row, mm.
+std::vector<cv::Point3f> corners_of(const CalibrationBoard& board);
+
 // 8 bit images, grey or BGR, of one size; the right one is empty where one camera is alone.
 Result<BoardView> find_board(const cv::Mat& left, const cv::Mat& right, const CalibrationBoard& board);
 
@@ -45,9 +50,17 @@ struct CalibratedPair {
   std::vector<ViewError> left_out;  // would have spoilt all
 };
 
+// Hears what is done next, for each may take seconds.
+using TellStep = std::function<void(const std::string&)>;
+
+// Views of the same place are taken for as many.
+Result<CalibratedPair> calibrate_pair(
+    const std::vector<BoardView>& views, cv::Size image, const CalibrationBoard& board,
+    const TellStep& tell = [](const std::string&) {});
 // Of views with corners in the left image alone, one camera's lens.
-Result<CalibratedPair> calibrate_pair(const std::vector<BoardView>& views, cv::Size image,
-                                      const CalibrationBoard& board);
+Result<CalibratedPair> calibrate_single(
+    const std::vector<BoardView>& views, cv::Size image, const CalibrationBoard& board,
+    const TellStep& tell = [](const std::string&) {});
 
 // How far apart in height the same corner lies in both images once rectified: mean of the views, px.
 double epipolar_error_px(const StereoCalibration& calibration, const std::vector<BoardView>& views);

@@ -1,8 +1,8 @@
 #include "drivers/camera/image_faults.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
+#include <zlib.h>
 
 #include "drivers/camera/jpeg_faults.hpp"
 
@@ -22,21 +22,6 @@ std::uint32_t big_endian(Bytes bytes) {
          static_cast<std::uint32_t>(bytes[2]) << 8 | bytes[3];
 }
 
-// ISO 3309, as the PNG specification has it.
-std::uint32_t check_sum(Bytes bytes) {
-  static constexpr auto table = [] {
-    std::array<std::uint32_t, 256> out{};
-    for (std::uint32_t byte = 0; byte < out.size(); ++byte) {
-      out[byte] = byte;
-      for (int bit = 0; bit < 8; ++bit) out[byte] = out[byte] >> 1 ^ (0xedb88320 & -(out[byte] & 1));
-    }
-    return out;
-  }();
-  std::uint32_t sum = 0xffffffff;
-  for (const unsigned char byte : bytes) sum = sum >> 8 ^ table[(sum ^ byte) & 255];
-  return ~sum;
-}
-
 // Chunk by chunk: four bytes its length, four its type, the data, and four the sum of both.
 std::string_view fault_of_png(Bytes bytes) {
   constexpr std::size_t around = 12;
@@ -45,7 +30,8 @@ std::string_view fault_of_png(Bytes bytes) {
     const std::size_t length = big_endian(rest);
     if (length > rest.size() - around) return cut_short;
     const Bytes summed = rest.subspan(4, 4 + length);
-    if (check_sum(summed) != big_endian(rest.subspan(8 + length))) return "is damaged: its check sums are not right";
+    if (crc32_z(0, summed.data(), summed.size()) != big_endian(rest.subspan(8 + length)))
+      return "is damaged: its check sums are not right";
     if (std::ranges::equal(summed.first(4), std::string_view("IEND"))) return {};
     at += around + length;
   }

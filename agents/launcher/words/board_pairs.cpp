@@ -16,8 +16,8 @@ class FilePairs : public BoardPairs {
   FilePairs(std::vector<std::string> left, std::vector<std::string> right)
       : left_(std::move(left)), right_(std::move(right)) {}
 
-  std::optional<Result<ImagePair>> next() override {
-    if (taken_ == left_.size()) return std::nullopt;
+  Result<ImagePair> next() override {
+    if (taken_ == left_.size()) return fail("ended", "there are no more images");
     const std::size_t pair = taken_++;
     Result<cv::Mat> left = read_image_file(left_[pair], true);
     if (!left) return fail(left);
@@ -30,7 +30,7 @@ class FilePairs : public BoardPairs {
     const auto name_of = [](const std::string& file) { return std::filesystem::path(file).filename().string(); };
     return name_of(left_[taken_ - 1]) + (single() ? "" : " " + name_of(right_[taken_ - 1]));
   }
-  bool endless() const override { return false; }
+  bool chosen() const override { return true; }
   bool single() const override { return right_.empty(); }
 
  private:
@@ -47,9 +47,8 @@ class CameraPairs : public BoardPairs {
   }
 
   Result<void> open() { return reader_.open(); }
-  std::optional<Result<ImagePair>> next() override {
+  Result<ImagePair> next() override {
     const Result<void> grabbed = reader_.grab();
-    if (!grabbed && grabbed.error().symbol != "corrupt-frame") return std::nullopt;
     ++taken_;
     if (!grabbed) return fail(grabbed);
     Result<StereoImages> images = reader_.retrieve();
@@ -58,7 +57,7 @@ class CameraPairs : public BoardPairs {
   }
   std::string name() const override { return fmt::format("{} {}", single_ ? "image" : "pair", taken_); }
   bool single() const override { return single_; }
-  bool endless() const override { return reader_.recorded_hz() == 0; }
+  bool chosen() const override { return false; }
 
  private:
   static StereoReader::Sources sources_of(const CameraSetup& eyes) {
@@ -87,6 +86,11 @@ Result<std::unique_ptr<BoardPairs>> BoardPairs::of_files(const std::string& left
   if (!single && left_files.size() != right_files.size()) {
     return fail("uneven", fmt::format("there are {} images at {} and {} at {}; pairs are made in the order of names",
                                       left_files.size(), left, right_files.size(), right));
+  }
+  if (left_files.size() > most) {
+    return fail("too-many", fmt::format("there are {} images at {}, and at most {} make a calibration: choose those "
+                                        "that show the board at different places and angles",
+                                        left_files.size(), left, most));
   }
   return std::make_unique<FilePairs>(std::move(left_files), std::move(right_files));
 }

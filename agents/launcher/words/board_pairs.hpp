@@ -4,11 +4,10 @@
 // Of one camera alone the right images are empty.
 //
 //   std::unique_ptr<BoardPairs> pairs = BoardPairs::of_files("left*.jpg", "right*.jpg").value();
-//   while (std::optional<Result<ImagePair>> pair = pairs->next()) ...
+//   for (Result<ImagePair> pair = pairs->next(); !is_end(pair); pair = pairs->next()) ...
 
 #include <memory>
 #include <opencv2/core.hpp>
-#include <optional>
 #include <string>
 
 #include "lisp/forms/camera_setup.hpp"
@@ -23,18 +22,21 @@ struct ImagePair {
 
 class BoardPairs {
  public:
-  // Folders or patterns; `right` is empty of one camera alone. Failures: no-images, uneven.
+  // Their fit takes ten seconds, and that of twice as many a minute.
+  static constexpr std::size_t most = 50;
+
+  // Folders or patterns; `right` is empty of one camera alone. Failures: no-images, uneven, too-many.
   static Result<std::unique_ptr<BoardPairs>> of_files(const std::string& left, const std::string& right);
   // Failures: those of the cameras, and no-camera where there is none of its own.
   static Result<std::unique_ptr<BoardPairs>> of_cameras(const CameraSetup& eyes);
 
   virtual ~BoardPairs() = default;
-  // The next pair, nothing when there is none; a failure is about this one alone.
-  virtual std::optional<Result<ImagePair>> next() = 0;
+  // Failures: corrupt-frame, which is about this pair alone; ended, when there is no more; any other: none can come.
+  virtual Result<ImagePair> next() = 0;
   // Of the pair that came last, as a person knows it.
   virtual std::string name() const = 0;
-  // Whether there are as many as one likes: they are then taken while the board moves.
-  virtual bool endless() const = 0;
+  // Whether a person chose each. Where none did, most show no board, or the same as the one before.
+  virtual bool chosen() const = 0;
   virtual bool single() const = 0;
 };
 

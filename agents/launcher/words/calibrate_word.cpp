@@ -1,23 +1,28 @@
 // `calibrate`: what a pair of cameras is, or one, from images of a chessboard.
 
 #include <algorithm>
+#include <chrono>
+#include <csignal>
 #include <fmt/format.h>
 
 #include "agents/launcher/command_line/word_tools.hpp"
 #include "agents/launcher/story/output_file.hpp"
 #include "agents/launcher/words/board_pairs.hpp"
 #include "agents/launcher/words/board_session.hpp"
+#include "agents/launcher/words/board_views.hpp"
+#include "agents/launcher/words/calibrate_report.hpp"
 #include "agents/launcher/words/words.hpp"
 #include "drivers/camera/chessboard.hpp"
-#include "drivers/camera/stereo_geometry.hpp"
 #include "lisp/forms/cell.hpp"
-#include "lisp/json.hpp"
 
 namespace pizarra {
 namespace {
 
-// Live, the board must have moved by this part of the image's width before it is taken again.
-constexpr double least_motion = 0.04;
+// How far a corner must have moved to be looked at again, of the image's width: by a person's choice, two pictures of
+// the same place count once; of what a camera sees, much is alike.
+constexpr double least_motion_chosen = 0.01;
+constexpr double least_motion_seen = 0.04;
+constexpr std::chrono::seconds longest_silence{2};
 
 struct CalibrateChoices {
   std::vector<std::string> images;
@@ -28,26 +33,47 @@ struct CalibrateChoices {
   bool json = false;
 };
 
+volatile std::sig_atomic_t interrupted = 0;
+void on_interrupt(int) { interrupted = 1; }
+
+// While it lives the first Ctrl-C is noted. A second one ends the program: a camera may never answer.
+class NotedInterrupt {
+ public:
+  NotedInterrupt() {
+    struct sigaction action {};
+    action.sa_handler = on_interrupt;
+    action.sa_flags = SA_RESETHAND;
+    sigaction(SIGINT, &action, &before_);
+  }
+  NotedInterrupt(const NotedInterrupt&) = delete;
+  NotedInterrupt& operator=(const NotedInterrupt&) = delete;
+  ~NotedInterrupt() { sigaction(SIGINT, &before_, nullptr); }
+
+ private:
+  struct sigaction before_ {};
+};
+
 class Calibration {
  public:
-  Calibration(const CalibrateChoices& choices, BoardPairs& pairs) : choices_(choices), pairs_(pairs) {}
+  Calibration(const CalibrateChoices& choices, BoardPairs& pairs)
+      : choices_(choices),
+        pairs_(pairs),
+        views_(choices.board, pairs.chosen() ? least_motion_chosen : least_motion_seen),
+        report_(choices.json, pairs.single()) {}
 
   int run() {
-    while (!enough()) {
-      const std::optional<Result<ImagePair>> pair = pairs_.next();
-      if (!pair) break;
-      const Result<void> taken = *pair ? take(**pair) : Result<void>(fail(pair->error()));
-      // A live camera would go on giving what cannot be used.
-      const bool wrong_size = !taken && taken.error().symbol == "wrong-size";
-      if (wrong_size && pairs_.endless()) return complain_as(style(), taken.error(), exit_usage);
-      tell_pair(taken);
-    }
-    const Result<CalibratedPair> found = calibrate_pair(views_, size_, choices_.board);
-    if (!found) return complain_as(style(), found.error(), exit_failed);
+    const Result<void> gathered = gather();
+    if (!gathered) return complain_as(style(), gathered.error(), exit_unavailable);
+    tell_other_sizes();
+    const BoardViews::OneSize& seen = views_.of_most();
+    const auto calibrate = pairs_.single() ? calibrate_single : calibrate_pair;
+    const Result<CalibratedPair> found =
+        calibrate(seen.views, seen.size, choices_.board, [this](const std::string& step) { report_.step(step); });
+    if (!found) return complain_as(style(), found.error(), interrupted != 0 ? exit_interrupted : exit_failed);
     const std::string text = write_calibration(found->calibration);
     const Result<void> written = write_file(out(), {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
     if (!written) return complain_as(style(), written.error(), exit_unavailable);
-    tell_result(*found);
+    report_.result(out(), *found);
     return exit_reached;
   }
 
@@ -57,100 +83,62 @@ class Calibration {
     if (!choices_.out.empty()) return choices_.out;
     return pairs_.single() ? "camera.calibration" : "pair.calibration";
   }
-  bool enough() const { return pairs_.endless() && views_.size() >= choices_.pairs; }
 
-  Result<void> take(const ImagePair& pair) {
-    const cv::Size size = pair.left.size();
-    if (!pair.right.empty() && pair.right.size() != size) {
-      return fail("wrong-size", fmt::format("images of {}x{} and {}x{}", size.width, size.height, pair.right.cols,
-                                            pair.right.rows));
+  // All that a person chose; of what cameras see as much as was asked for, or as came until Ctrl-C.
+  Result<void> gather() {
+    if (pairs_.chosen()) return gather_until([] { return false; });
+    const NotedInterrupt noted;
+    const Result<void> gathered = gather_until([this] { return count() >= choices_.pairs || interrupted != 0; });
+    if (untold_) report_.pair(untold_->name, untold_->taken, {});
+    return gathered;
+  }
+
+  Result<void> gather_until(const auto& enough) {
+    while (!enough()) {
+      const Result<ImagePair> pair = pairs_.next();
+      const std::string symbol = pair ? "" : pair.error().symbol;
+      if (symbol == "ended") break;
+      if (!pair && symbol != "corrupt-frame") return fail(pair);
+      tell(pair ? views_.take(*pair, pairs_.name()) : Result<void>(fail(pair)));
     }
-    if (!views_.empty() && size != size_) {
-      return fail("wrong-size", fmt::format("an image of {}x{}, and those before are {}x{}", size.width, size.height,
-                                            size_.width, size_.height));
-    }
-    Result<BoardView> view = find_board(pair.left, pair.right, choices_.board);
-    if (!view) return fail(view);
-    if (pairs_.endless() && !views_.empty() && !has_moved(*view)) return fail("still", "the board stands still");
-    size_ = size;
-    view->name = pairs_.name();
-    views_.push_back(std::move(*view));
     return {};
   }
 
-  bool has_moved(const BoardView& view) const {
-    const auto far = [&](const cv::Point2f& a, const cv::Point2f& b) {
-      return cv::norm(a - b) > least_motion * size_.width;
-    };
-    return far(view.left.front(), views_.back().left.front()) || far(view.left.back(), views_.back().left.back());
-  }
+  std::size_t count() const { return views_.of_most().views.size(); }
 
-  // A camera shows no board, or the same one, most of the time.
-  void tell_pair(const Result<void>& taken) const {
-    if (!taken && pairs_.endless()) return;
-    if (choices_.json) {
-      fmt::print("{{\"pair\":{},\"found\":{},\"reason\":{}}}\n", json_string(pairs_.name()), taken.has_value(),
-                 taken ? "null" : json_string(taken.error().sentence));
-    } else {
-      fmt::print("{}: {}\n", pairs_.name(), taken ? "board found" : taken.error().sentence);
-    }
-    std::fflush(stdout);
-  }
-
-  void tell_result(const CalibratedPair& found) const {
-    const StereoCalibration& c = found.calibration;
-    const StereoModel model = StereoGeometry(c).model();
-    tell_left_out(found);
-    if (c.is_single()) {
-      tell_lens(c, found.worst);
+  // A camera shows no board, or the same one, most of the time: that is told now and then.
+  void tell(const Result<void>& taken) {
+    const auto now = std::chrono::steady_clock::now();
+    const bool is_due = pairs_.chosen() || taken || !told_ || now - *told_ >= longest_silence;
+    untold_.reset();
+    if (!is_due) {
+      untold_ = Untold{pairs_.name(), taken};
       return;
     }
-    if (choices_.json) {
-      fmt::print(
-          "{{\"file\":{},\"pairs\":{},\"reprojection_px\":{:.4f},\"worst_px\":{:.4f},\"worst\":{},"
-          "\"epipolar_px\":{:.4f},\"focal_px\":{:.3f},\"base_line_mm\":{:.3f}}}\n",
-          json_string(out()), c.pairs, c.reprojection_px, found.worst.px, json_string(found.worst.name), c.epipolar_px,
-          model.focal_px, model.base_line_mm);
-      return;
-    }
-    fmt::print("{} pairs of {} x {}\n", c.pairs, c.width, c.height);
-    fmt::print("reprojection error {:.3f} px RMS, at most {:.3f} in {}\n", c.reprojection_px, found.worst.px,
-               found.worst.name);
-    fmt::print("rectified, a corner's rows differ by {:.3f} px\n", c.epipolar_px);
-    fmt::print("focal length {:.1f} px, base line {:.2f} mm\n", model.focal_px, model.base_line_mm);
-    fmt::print("{} written; in the cell file: (camera ... (calibration \"{}\"))\n", out(), out());
+    told_ = now;
+    report_.pair(pairs_.name(), taken, pairs_.chosen() ? "" : fmt::format(", {} of {}", count(), choices_.pairs));
   }
 
-  void tell_left_out(const CalibratedPair& found) const {
-    for (const ViewError& odd : found.left_out) {
-      if (choices_.json) {
-        fmt::print("{{\"left_out\":{},\"error_px\":{:.4f}}}\n", json_string(odd.name), odd.px);
-      } else {
-        fmt::print("{}: left out, {:.1f} px off: it does not belong to the others\n", odd.name, odd.px);
-      }
+  void tell_other_sizes() const {
+    const cv::Size most = views_.of_most().size;
+    for (const BoardViews::OneSize* const other : views_.others()) {
+      const std::string why = fmt::format("{}x{}, where most with a board are {}x{}", other->size.width,
+                                          other->size.height, most.width, most.height);
+      for (const BoardView& view : other->views) report_.left_out(view.name, 0, why);
     }
   }
 
-  void tell_lens(const StereoCalibration& c, const ViewError& worst) const {
-    if (choices_.json) {
-      fmt::print(
-          "{{\"file\":{},\"images\":{},\"reprojection_px\":{:.4f},\"worst_px\":{:.4f},\"worst\":{},"
-          "\"focal_px\":{:.3f}}}\n",
-          json_string(out()), c.pairs, c.reprojection_px, worst.px, json_string(worst.name), c.left.focal_x_px);
-      return;
-    }
-    fmt::print("{} images of {} x {}\n", c.pairs, c.width, c.height);
-    fmt::print("reprojection error {:.3f} px RMS, at most {:.3f} in {}\n", c.reprojection_px, worst.px, worst.name);
-    fmt::print("focal length {:.1f} px across, {:.1f} down; centre {:.1f} {:.1f}; distortion k1 {:.3f}, k2 {:.3f}\n",
-               c.left.focal_x_px, c.left.focal_y_px, c.left.centre_x_px, c.left.centre_y_px, c.left.distortion[0],
-               c.left.distortion[1]);
-    fmt::print("{} written; in the cell file: (camera (single ...) (calibration \"{}\"))\n", out(), out());
-  }
+  struct Untold {
+    std::string name;
+    Result<void> taken;
+  };
 
   const CalibrateChoices& choices_;
   BoardPairs& pairs_;
-  cv::Size size_;  // of the images with a board
-  std::vector<BoardView> views_;
+  BoardViews views_;
+  CalibrateReport report_;
+  std::optional<std::chrono::steady_clock::time_point> told_;
+  std::optional<Untold> untold_;  // the newest, where it waits
 };
 
 Result<std::unique_ptr<BoardPairs>> pairs_of(const CalibrateChoices& choices) {
@@ -201,8 +189,10 @@ void add_calibrate_word(CLI::App& app, int& status) {
   word->add_option("--square", choices->board.square_mm, "The edge of a square, mm")
       ->check(number_check(0.1, 1000))
       ->capture_default_str();
-  word->add_option("--pairs", choices->pairs, "With --cell, of a live camera: how many pairs or images to take")
-      ->check(CLI::Range(5, 200))
+  word->add_option("--pairs", choices->pairs,
+                   "With --cell: how many pairs or images to take, each when the board has "
+                   "moved; Ctrl-C takes those there are")
+      ->check(CLI::Range(least_views, BoardPairs::most))
       ->capture_default_str();
   word->add_flag("--json", choices->json, "One JSON object a line");
   word->footer(help_footer("calibrate 'left[01]*.jpg' 'right[01]*.jpg' --square 25 --out pair.calibration"));

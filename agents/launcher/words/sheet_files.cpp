@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
+#include <zlib.h>
 
 #include "agents/launcher/story/output_file.hpp"
 #include "agents/launcher/words/print_sheet.hpp"
@@ -45,16 +46,6 @@ void put_number(Bytes& bytes, std::uint32_t number) {
   for (const int shift : {24, 16, 8, 0}) bytes.push_back(static_cast<std::uint8_t>(number >> shift));
 }
 
-// Of PNG's chunks (its specification's appendix D).
-std::uint32_t checksum(const Bytes& bytes) {
-  std::uint32_t sum = 0xffffffff;
-  for (const std::uint8_t byte : bytes) {
-    sum ^= byte;
-    for (int i = 0; i < 8; ++i) sum = (sum & 1) != 0 ? 0xedb88320 ^ (sum >> 1) : sum >> 1;
-  }
-  return ~sum;
-}
-
 // Says how many dots a metre has, behind the header, which is always 33 bytes with what comes before.
 void say_real_size(Bytes& png) {
   const auto dots_a_metre = static_cast<std::uint32_t>(cvRound(1000 * dots_an_inch / mm_an_inch));
@@ -65,7 +56,7 @@ void say_real_size(Bytes& png) {
   Bytes chunk;
   put_number(chunk, static_cast<std::uint32_t>(named.size() - 4));
   chunk.insert(chunk.end(), named.begin(), named.end());
-  put_number(chunk, checksum(named));
+  put_number(chunk, static_cast<std::uint32_t>(crc32_z(0, named.data(), named.size())));
   png.insert(png.begin() + 33, chunk.begin(), chunk.end());
 }
 

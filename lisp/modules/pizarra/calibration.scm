@@ -1,9 +1,11 @@
 ;; Calibration files: see drivers/camera/calibration.hpp for the language.
 ;;
 ;; (interpret DATA), the data of a file, answers (errors ...) or
-;;   (ok ((WIDTH HEIGHT) LENS LENS (R11 R12 ... R33) (TX TY TZ) (COLUMNS ROWS SQUARE) (PAIRS REPROJECTION EPIPOLAR)))
-;; with LENS = (FOCAL-X FOCAL-Y CENTRE-X CENTRE-Y K1 K2 P1 P2 K3), the left one first. Of one camera alone the second
-;; LENS, the rotation and the translation are (), and EPIPOLAR is 0.
+;;   (ok ((WIDTH HEIGHT) LENS LENS (R11 R12 ... R33) (TX TY TZ) (COLUMNS ROWS SQUARE) (PAIRS REPROJECTION EPIPOLAR)
+;;        (FOCAL CENTRE BASE-LINE)))
+;; with LENS = (FOCAL-X FOCAL-Y CENTRE-X CENTRE-Y K1 K2 P1 P2 K3), the left one first, and standard deviations at the
+;; end, 0 where they are not told. Of one camera alone the second LENS, the rotation and the translation are (), and
+;; EPIPOLAR and BASE-LINE are 0.
 
 (define-module (pizarra calibration)
   #:use-module (srfi srfi-1)
@@ -14,6 +16,7 @@
 (define any-number '(-1e6 1e6))
 (define sizes '((64 8192) (64 8192)))
 (define boards '((2 100) (2 100) (0.1 1000)))
+(define error '(0 10000))
 (define (many count range) (make-list count range))
 
 ;; The numbers of a section that must be there, or #f.
@@ -22,6 +25,44 @@
     (if node
         (numbers-of node ranges)
         (complain-missing! parent (list name) "~a is missing" name))))
+
+;; A lens that sees more than 150 degrees is no pinhole's, and one that sees less than 3 no camera's.
+(define least-focal-of-width 1/8)
+(define most-focal-of-width 20)
+;; By how much a lens may draw in or push out a corner of the image.
+(define corner-factors '(1/4 4))
+
+;; How much farther from the centre a lens shows what a pinhole shows in the image's corner.
+(define (corner-factor lens size)
+  (apply
+   (lambda (fx fy cx cy k1 k2 p1 p2 k3)
+     (let* ((x (/ (max cx (- (first size) cx)) fx))
+            (y (/ (max cy (- (second size) cy)) fy))
+            (r2 (+ (* x x) (* y y))))
+       (+ 1 (* r2 (+ k1 (* r2 (+ k2 (* r2 k3))))))))
+   lens))
+
+;; What no lens is like would be believed and seen through.
+(define (check-lens found name lens size)
+  (let ((wrong! (lambda (what) (complain! (section-in found name) 'out-of-range what))))
+    (apply
+     (lambda (fx fy cx cy . distortion)
+       (cond ((not (every (lambda (focal) (<= least-focal-of-width (/ focal (first size)) most-focal-of-width))
+                          (list fx fy)))
+              (wrong! (simple-format #f "the focal lengths are between ~a and ~a px, an eighth and 20 times the width"
+                                     (exact->inexact (* least-focal-of-width (first size)))
+                                     (* most-focal-of-width (first size)))))
+             ((not (<= 1/2 (/ fx fy) 2))
+              (wrong! "one focal length is more than twice the other: no camera's pixels are like that"))
+             ((not (and (<= 0 cx (first size)) (<= 0 cy (second size))))
+              (wrong! "the centre lies outside the image"))
+             ((not (<= (first corner-factors) (corner-factor lens size) (second corner-factors)))
+              (wrong! "the distortion moves the image's corners more than four times nearer or farther"))))
+     lens)))
+
+(define (deviations-of found count)
+  (let ((node (section-in found 'deviations)))
+    (if node (numbers-of node (many count error)) (many count 0))))
 
 (define (lens-of parent found name)
   (let ((node (section-in found name)))
@@ -43,28 +84,40 @@
                  (near? (dot 0 1) 0) (near? (dot 0 2) 0) (near? (dot 1 2) 0))
       (complain! (section-in found 'rotation) 'out-of-range "these nine numbers are no rotation"))))
 
+(define (check-translation found translation)
+  (let ((wrong! (lambda (what) (complain! (section-in found 'translation) 'out-of-range what)))
+        (aside (abs (first translation))))
+    (cond ((> (first translation) -1)
+           (wrong! "the right camera must stand to the right of the left one: its first number is below -1"))
+          ((or (< aside (abs (second translation))) (< aside (abs (third translation))))
+           (wrong! "the right camera must stand beside the left one: its first number is the farthest from 0")))))
+
 (define (single-of file)
-  (let* ((found (sections (node-rest file) '(size lens board errors)))
+  (let* ((found (sections (node-rest file) '(size lens board errors deviations)))
          (size (must-have file found 'size sizes))
          (lens (lens-of file found 'lens))
          (board (must-have file found 'board boards))
-         (errors (must-have file found 'errors (list '(1 10000) any-number))))
-    (list size lens '() '() '() board (and errors (append errors '(0))))))
+         (errors (must-have file found 'errors (list '(1 10000) error)))
+         (deviations (deviations-of found 2)))
+    (when (and size lens) (check-lens found 'lens lens size))
+    (list size lens '() '() '() board (and errors (append errors '(0)))
+          (and deviations (append deviations '(0))))))
 
 (define (pair-of file)
-  (let* ((found (sections (node-rest file) '(size left right rotation translation board errors)))
+  (let* ((found (sections (node-rest file) '(size left right rotation translation board errors deviations)))
          (size (must-have file found 'size sizes))
          (left (lens-of file found 'left))
          (right (lens-of file found 'right))
          (rotation (must-have file found 'rotation (many 9 '(-1 1))))
          (translation (must-have file found 'translation (many 3 any-number)))
          (board (must-have file found 'board boards))
-         (errors (must-have file found 'errors (list '(1 10000) any-number any-number))))
+         (errors (must-have file found 'errors (list '(1 10000) error error)))
+         (deviations (deviations-of found 3)))
+    (when (and size left) (check-lens found 'left left size))
+    (when (and size right) (check-lens found 'right right size))
     (when rotation (check-rotation found rotation))
-    (when (and translation (> (first translation) -1))
-      (complain! (section-in found 'translation) 'out-of-range
-                 "the right camera must stand to the right of the left one: its first number is below -1"))
-    (list size left right rotation translation board errors)))
+    (when translation (check-translation found translation))
+    (list size left right rotation translation board errors deviations)))
 
 ;; One camera has a lens, a pair a left one and a right one.
 (define (single? file)

@@ -1,11 +1,13 @@
 // A camera of one's own, from the shell: the sheet to print, the cell file, the prompt, the calibration.
 
+#include <csignal>
 #include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
+#include <opencv2/videoio.hpp>
 
 #include "tests/agents/launcher/running.hpp"
 #include "tests/agents/launcher/shell.hpp"
@@ -169,9 +171,9 @@ TEST(OwnEyes, ACellsCalibrationIsCheckedWithIt) {
   const Said garbage = check_with("never was a calibration\n");
   EXPECT_EQ(garbage.status, 2) << garbage.text;
   EXPECT_TRUE(contains(garbage, "given.calibration:1:")) << garbage.text;
-  const Said pair = check_with("(calibration (size 480 360) (left " + lens + ") (right " + lens +
-                               ") (rotation 1 0 0 0 1 0 0 0 1) (translation -80 0 0)" + board +
-                               " (errors 14 0.2 0.1))");
+  const Said pair =
+      check_with("(calibration (size 480 360) (left " + lens + ") (right " + lens +
+                 ") (rotation 1 0 0 0 1 0 0 0 1) (translation -80 0 0)" + board + " (errors 14 0.2 0.1))");
   EXPECT_EQ(pair.status, 2) << pair.text;
   EXPECT_TRUE(contains(pair, "is of a pair of cameras, and the cell has one")) << pair.text;
   std::filesystem::remove(scratch_folder() + "given.calibration");
@@ -226,15 +228,20 @@ std::string copies_of(const std::string& side, const std::string& folder_name) {
 
 TEST_F(OwnPair, IsCalibratedWithoutThePicturesThatAreOfAnotherSize) {
   const std::string folder = copies_of("left", "mixed");
-  // One that comes first and shows no board, and one that shows it.
+  // Two that come first, one without a board, and one later.
   cv::imwrite(folder + "left00.png", cv::Mat1b(240, 320, 100));
-  cv::Mat small;
-  cv::resize(cv::imread(folder + "left12.png"), small, {}, 0.75, 0.75);
-  cv::imwrite(folder + "left12.png", small);
+  const auto make_small = [&](const std::string& from, const std::string& to) {
+    cv::Mat small;
+    cv::resize(cv::imread(folder + from), small, {}, 0.75, 0.75);
+    cv::imwrite(folder + to, small);
+  };
+  make_small("left11.png", "left01.png");
+  make_small("left12.png", "left12.png");
   const Said said = run("calibrate mixed --out mixed.calibration");
   EXPECT_EQ(said.status, 0) << said.text;
-  EXPECT_TRUE(contains(said, "left12.png: an image of 360x270, and those before are 480x360")) << said.text;
+  EXPECT_TRUE(contains(said, "left12.png: left out, 360x270, where most with a board are 480x360")) << said.text;
   EXPECT_TRUE(contains(said, "13 images of 480 x 360")) << said.text;
+  EXPECT_TRUE(contains(said, "left01.png: left out, 360x270")) << said.text;
   const Said few = run("calibrate 'left1[0-3].png' 'mixed/left1[2-5].png'");
   EXPECT_EQ(few.status, 1);
   EXPECT_TRUE(contains(few, "left10.png left12.png: images of 480x360 and 360x270")) << few.text;
@@ -254,6 +261,92 @@ TEST_F(OwnPair, IsCalibratedWithoutThePairThatDoesNotBelong) {
   const Said twice = run("calibrate 'left*.png' 'left*.png' --out twice.calibration");
   EXPECT_EQ(twice.status, 1);
   EXPECT_TRUE(contains(twice, "both are the same camera's images")) << twice.text;
+}
+
+// Copies of one pair, and of one camera's image.
+std::string repeated(const std::string& name, int times) {
+  const std::string folder = scratch_folder() + name + "-repeated/";
+  std::filesystem::create_directory(folder);
+  for (int i = 0; i < times; ++i) {
+    std::filesystem::copy_file(scratch_folder() + name, fmt::format("{}{:02}.png", folder, i));
+  }
+  return folder;
+}
+
+TEST_F(OwnPair, CountsThePicturesOfOnePlaceOnce) {
+  const Said said =
+      run("calibrate " + repeated("left13.png", 8) + " " + repeated("right13.png", 8) + " --out repeated.calibration");
+  EXPECT_EQ(said.status, 1) << said.text;
+  EXPECT_TRUE(contains(said, "05.png 05.png: the board stands as in 00.png 00.png")) << said.text;
+  EXPECT_TRUE(contains(said, "at least 5 pairs")) << said.text;
+  EXPECT_TRUE(contains(said, "there are 1")) << said.text;
+  EXPECT_FALSE(std::filesystem::exists(scratch_folder() + "repeated.calibration"));
+}
+
+TEST_F(OwnPair, ThatOneCameraSeesIsTakenAsTheBoardMovesUntilThereIsEnough) {
+  const Said said =
+      run("calibrate --pairs 9 --out nine.calibration --cell " + cell_with("nine", "(single (images \"left*.png\"))"));
+  EXPECT_EQ(said.status, 0) << said.text;
+  EXPECT_TRUE(contains(said, "image 9: board found, 9 of 9")) << said.text;
+  EXPECT_TRUE(contains(said, "fitting the camera to 9 boards ...")) << said.text;
+  EXPECT_TRUE(contains(said, "9 images of 480 x 360")) << said.text;
+  const Said still =
+      run("calibrate --cell " + cell_with("still", "(single (images \"" + repeated("left12.png", 4) + "\"))"));
+  EXPECT_EQ(still.status, 1) << still.text;
+  EXPECT_TRUE(contains(still, "image 4: the board stands as in image 1")) << still.text;
+  EXPECT_TRUE(contains(still, "at least 5 images")) << still.text;
+}
+
+TEST_F(OwnPair, WhoseBoardIsNowhereIsToldSoAtOnce) {
+  const std::string folder = scratch_folder() + "blank/";
+  std::filesystem::create_directory(folder);
+  for (int i = 0; i < 3; ++i) cv::imwrite(fmt::format("{}{}.png", folder, i), cv::Mat1b(360, 480, 100));
+  const Said said = run("calibrate --cell " + cell_with("blank", "(single (images \"" + folder + "\"))"));
+  EXPECT_EQ(said.status, 1) << said.text;
+  EXPECT_TRUE(contains(said, "image 1: no board of 9 x 6 inner corners")) << said.text;
+  EXPECT_TRUE(contains(said, "image 3: no board of 9 x 6 inner corners")) << said.text;
+}
+
+// The board at all its places, and then at rest for minutes.
+std::string resting_folder() {
+  const std::string folder = copies_of("left", "resting");
+  for (int i = 0; i < 3000; ++i) {
+    std::filesystem::create_hard_link(folder + "left10.png", fmt::format("{}rest{:04}.png", folder, i));
+  }
+  return folder;
+}
+
+TEST_F(OwnPair, IsCalibratedByWhatCameUntilCtrlC) {
+  const std::string folder = resting_folder();
+  const std::string all = cell_with("resting", "(single (images \"" + folder + "\"))");
+  Running enough({PIZARRA_CELL, "calibrate", "--cell", all, "--out", scratch_folder() + "stopped.calibration"},
+                 scratch_folder() + "enough.log");
+  ASSERT_TRUE(wait_until([&] { return enough.said().contains("board found, 14 of 20"); }, std::chrono::seconds(60)));
+  enough.signal(SIGINT);
+  EXPECT_EQ(enough.end(std::chrono::seconds(60)), 0) << enough.said();
+  EXPECT_TRUE(enough.said().contains("14 images of 480 x 360")) << enough.said();
+
+  const std::string rest = cell_with("rest", "(single (images \"" + folder + "rest*.png\"))");
+  Running few({PIZARRA_CELL, "calibrate", "--cell", rest, "--out", scratch_folder() + "few.calibration"},
+              scratch_folder() + "few.log");
+  ASSERT_TRUE(
+      wait_until([&] { return few.said().contains("the board stands as in image 1"); }, std::chrono::seconds(60)));
+  few.signal(SIGINT);
+  EXPECT_EQ(few.end(std::chrono::seconds(60)), 130) << few.said();
+  EXPECT_TRUE(few.said().contains("at least 5 images")) << few.said();
+  EXPECT_FALSE(std::filesystem::exists(scratch_folder() + "few.calibration"));
+}
+
+TEST_F(OwnPair, WhoseCameraGoesAwayIsToldSo) {
+  const std::string film = scratch_folder() + "gone.avi";
+  cv::VideoWriter writer(film, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 25, {480, 360});
+  for (int i = 0; i < 6; ++i) writer.write(cv::Mat3b(360, 480, cv::Vec3b(90, 90, 90)));
+  writer.release();
+  const std::string cell = cell_with("gone", "(single (stream \"file://" + film + "\"))");
+  const Said said = run("calibrate --cell " + cell);
+  EXPECT_EQ(said.status, 4) << said.text;
+  EXPECT_TRUE(contains(said, "the camera: file://" + film + " gives no images")) << said.text;
+  EXPECT_FALSE(contains(said, "pairs")) << said.text;
 }
 
 TEST_F(OwnPair, ThatCannotBeCalibratedIsToldWhy) {

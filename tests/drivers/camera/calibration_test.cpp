@@ -27,7 +27,8 @@ StereoCalibration truth(const BoardScene& scene) {
                         .board = scene.board,
                         .pairs = 14,
                         .reprojection_px = 0.1,
-                        .epipolar_px = 0.05};
+                        .epipolar_px = 0.05,
+                        .deviations = {0.5, 0.8, 0.07}};
   std::copy_n(scene.between.rotation().val, 9, out.rotation.begin());
   std::copy_n(scene.between.translation().val, 3, out.translation_mm.begin());
   return out;
@@ -88,7 +89,7 @@ TEST(Calibration, OneCameraIsFoundByWhatItAloneSees) {
     ASSERT_TRUE(view) << view.error().sentence;
     views.push_back(*view);
   }
-  const Result<CalibratedPair> found = calibrate_pair(views, scene().size, scene().board);
+  const Result<CalibratedPair> found = calibrate_single(views, scene().size, scene().board);
   ASSERT_TRUE(found) << found.error().sentence;
   const StereoCalibration& c = found->calibration;
   EXPECT_NEAR(c.left.focal_x_px, scene().left(0, 0), 2);
@@ -144,6 +145,8 @@ TEST(Calibration, AFileOfItReadsBackAsItWas) {
   EXPECT_NEAR(read->rotation[2], truth(scene()).rotation[2], 1e-8);
   EXPECT_NEAR(read->translation_mm[0], truth(scene()).translation_mm[0], 1e-3);
   EXPECT_EQ(read->pairs, truth(scene()).pairs);
+  EXPECT_EQ(read->deviations.focal_px, 0.5);
+  EXPECT_EQ(read->deviations.base_line_mm, 0.07);
   const StereoModel as_found = StereoGeometry(truth(scene())).model();
   const StereoModel as_read = StereoGeometry(*read).model();
   EXPECT_NEAR(as_found.focal_px, as_read.focal_px, 0.01);
@@ -159,6 +162,16 @@ TEST(Calibration, AFaultInAFileIsShownWhereItStands) {
   EXPECT_NE(read.error().place.find("pair.calibration:4:"), std::string::npos) << read.error().place;
 }
 
+TEST(Calibration, ALensThatIsNoneIsShownWhereItStands) {
+  std::string text = write_calibration(truth(scene()));
+  text.replace(text.find("(focal 400.0000 401.0000)"), 25, "(focal 1 1)");
+  const Result<StereoCalibration> read = read_calibration(text, "pair.calibration");
+  ASSERT_FALSE(read);
+  EXPECT_NE(read.error().sentence.find("the focal lengths are between 60.0 and 9600 px"), std::string::npos)
+      << read.error().sentence;
+  EXPECT_NE(read.error().place.find("pair.calibration:4:"), std::string::npos) << read.error().place;
+}
+
 TEST(Calibration, ImagesWithoutABoardAreNamed) {
   const cv::Mat board = scene().draw(board_poses().front(), false);
   const cv::Mat1b nothing(scene().size, 128);
@@ -170,28 +183,131 @@ TEST(Calibration, ImagesWithoutABoardAreNamed) {
             "no board of 9 x 6 inner corners in either image");
 }
 
-TEST(Calibration, TooFewPairsAreRefused) {
+TEST(Calibration, TooFewViewsAreRefused) {
   const std::vector<BoardView> views(least_views - 1);
-  EXPECT_EQ(calibrate_pair(views, scene().size, scene().board).error().symbol, "too-few");
+  const Failure pairs = calibrate_pair(views, scene().size, scene().board).error();
+  EXPECT_EQ(pairs.symbol, "too-few");
+  EXPECT_NE(pairs.sentence.find("at least 5 pairs"), std::string::npos) << pairs.sentence;
+  const Failure images = calibrate_single({}, {}, scene().board).error();
+  EXPECT_NE(images.sentence.find("at least 5 images"), std::string::npos) << images.sentence;
 }
 
-// What each camera sees of the board at all its places, without noise.
-std::vector<BoardView> exact_views() {
+// What each camera sees of the board at these places; corners are found to `noise_px`.
+std::vector<BoardView> views_of(const std::vector<cv::Affine3d>& poses, double noise_px) {
   std::vector<cv::Point3d> corners;
   for (int i = 0; i < scene().board.columns * scene().board.rows; ++i) {
     corners.emplace_back(scene().corner(static_cast<std::size_t>(i)));
   }
   std::vector<BoardView> views;
-  for (const cv::Affine3d& pose : board_poses()) {
+  cv::RNG random(5);
+  for (const cv::Affine3d& pose : poses) {
     const auto seen = [&](const cv::Affine3d& from, const cv::Matx33d& camera) {
       std::vector<cv::Point2d> points;
       cv::projectPoints(corners, from.rvec(), from.translation(), camera, scene().distortion, points);
+      for (cv::Point2d& p : points) p += cv::Point2d(random.gaussian(noise_px), random.gaussian(noise_px));
       return std::vector<cv::Point2f>(points.begin(), points.end());
     };
     views.push_back({seen(pose, scene().left), seen(scene().between * pose, scene().right),
                      "pair " + std::to_string(views.size() + 1)});
   }
   return views;
+}
+
+std::vector<BoardView> exact_views() { return views_of(board_poses(), 0); }
+
+// Places as people choose them who do not tilt the board.
+std::vector<cv::Affine3d> poses_tilted_by(double most_deg) {
+  cv::RNG random(1);
+  const double most = most_deg * CV_PI / 180;
+  std::vector<cv::Affine3d> out;
+  for (int i = 0; i < 12; ++i) {
+    const cv::Vec3d turn(random.uniform(-most, most), random.uniform(-most, most), random.uniform(-0.1, 0.1));
+    out.emplace_back(turn, cv::Vec3d(random.uniform(-160., -40.), random.uniform(-120., 0.), 450 + 150 * (i % 3)));
+  }
+  return out;
+}
+
+// As one camera's images too.
+void expect_uncertain(std::vector<BoardView> views, const std::string& why) {
+  const Result<CalibratedPair> pair = calibrate_pair(views, scene().size, scene().board);
+  ASSERT_FALSE(pair) << "focal length " << pair->calibration.left.focal_x_px;
+  EXPECT_EQ(pair.error().symbol, "uncertain") << pair.error().sentence;
+  EXPECT_NE(pair.error().sentence.find(why), std::string::npos) << pair.error().sentence;
+  for (BoardView& view : views) view.right.clear();
+  const Result<CalibratedPair> lens = calibrate_single(views, scene().size, scene().board);
+  ASSERT_FALSE(lens) << "focal length " << lens->calibration.left.focal_x_px;
+  EXPECT_EQ(lens.error().symbol, "uncertain") << lens.error().sentence;
+}
+
+TEST(Calibration, BoardsThatAreNotTiltedLeaveItOpenAndAreRefused) {
+  expect_uncertain(views_of(poses_tilted_by(2), 0.1), "at more angles");
+  expect_uncertain(views_of(poses_tilted_by(4), 0.1), "at more angles");
+}
+
+TEST(Calibration, TheSamePlaceOverAndOverTellsNoMore) {
+  for (const std::size_t place : {0, 3, 7}) {
+    SCOPED_TRACE(place);
+    expect_uncertain(views_of(std::vector(8, board_poses()[place]), 0.1), "tilted by 0 degrees to one another");
+  }
+}
+
+TEST(Calibration, CornersThatAreNotWellFoundLeaveTheFocalLengthOpen) {
+  std::vector<cv::Affine3d> poses = poses_tilted_by(11);
+  poses.resize(6);
+  expect_uncertain(views_of(poses, 0.35), "leave the focal length open");
+}
+
+TEST(Calibration, WhatItFindsIsAsFarOffAsItSays) {
+  int beyond = 0;
+  const std::vector<cv::Affine3d> poses = board_poses();
+  for (std::size_t first = 0; first < 7; ++first) {
+    const std::vector<cv::Affine3d> some(poses.begin() + static_cast<std::ptrdiff_t>(first),
+                                         poses.begin() + static_cast<std::ptrdiff_t>(first) + 8);
+    const StereoCalibration c = calibrate_pair(views_of(some, 0.3), scene().size, scene().board).value().calibration;
+    EXPECT_GT(c.deviations.focal_px, 0.1);
+    EXPECT_LT(c.deviations.focal_px, 4);
+    EXPECT_LT(c.deviations.base_line_mm, 1);
+    const double base_line_mm = cv::norm(cv::Vec3d(c.translation_mm.data()));
+    const double true_mm = cv::norm(scene().between.translation());
+    beyond += std::abs(c.left.focal_x_px - scene().left(0, 0)) > 2 * c.deviations.focal_px;
+    beyond += std::abs(c.left.centre_x_px - scene().left(0, 2)) > 2 * c.deviations.centre_px;
+    beyond += std::abs(base_line_mm - true_mm) > 2 * c.deviations.base_line_mm;
+  }
+  EXPECT_LE(beyond, 4) << "of 21: one of twenty is more than two deviations off, and these have boards in common";
+}
+
+// As if both cameras had been turned by a quarter.
+std::vector<cv::Point2f> turned(const std::vector<cv::Point2f>& corners) {
+  std::vector<cv::Point2f> out;
+  for (const cv::Point2f& corner : corners)
+    out.emplace_back(static_cast<float>(scene().size.height) - corner.y, corner.x);
+  return out;
+}
+
+TEST(Calibration, CamerasOneAboveTheOtherAreToldSoEitherWayRound) {
+  std::vector<BoardView> views = exact_views();
+  for (BoardView& view : views) view = {turned(view.left), turned(view.right), view.name};
+  const cv::Size size(scene().size.height, scene().size.width);
+  const Failure below = calibrate_pair(views, size, scene().board).error();
+  EXPECT_EQ(below.symbol, "turned");
+  EXPECT_NE(below.sentence.find("turn the images of both by a quarter, counterclockwise"), std::string::npos)
+      << below.sentence;
+  for (BoardView& view : views) std::swap(view.left, view.right);
+  const Failure above = calibrate_pair(views, size, scene().board).error();
+  EXPECT_EQ(above.symbol, "turned");
+  EXPECT_NE(
+      above.sentence.find("stands above the left one, not beside it: turn the images of both by a quarter, clock"),
+      std::string::npos)
+      << above.sentence;
+}
+
+TEST(Calibration, WhatItDoesIsToldStepByStep) {
+  std::vector<std::string> steps;
+  const auto tell = [&](const std::string& step) { steps.push_back(step); };
+  ASSERT_TRUE(calibrate_pair(exact_views(), scene().size, scene().board, tell));
+  EXPECT_EQ(steps,
+            (std::vector<std::string>{"fitting the left camera to 14 boards", "fitting the right camera to 14 boards",
+                                      "fitting both cameras to 14 boards"}));
 }
 
 TEST(Calibration, SwappedCamerasAreToldSo) {
@@ -309,6 +425,8 @@ TEST(DebiansPairs, AreRectifiedToAFractionOfAPixel) {
   EXPECT_TRUE(pair->left_out.empty());
   EXPECT_LT(c.reprojection_px, 0.6);
   EXPECT_LT(c.epipolar_px, 0.4);
+  EXPECT_LT(c.deviations.focal_px, 2);
+  EXPECT_LT(c.deviations.base_line_mm, 0.3);
 }
 
 }  // namespace
