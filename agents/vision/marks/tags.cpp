@@ -8,6 +8,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "agents/vision/marks/tag_fit.hpp"
+#include "agents/vision/marks/tag_square.hpp"
 
 namespace pizarra {
 namespace {
@@ -175,13 +176,8 @@ double likeness(const cv::Mat1b& grey, const Corners& corners, const cv::aruco::
   constexpr int cell_px = 4;
   cv::Mat print;
   dictionary.drawMarker(number, (dictionary.markerSize + 2) * cell_px, print);
-  const float end = static_cast<float>(print.cols) - 0.5F;
-  const Corners of_print = {{-0.5F, -0.5F}, {end, -0.5F}, {end, end}, {-0.5F, end}};
-  cv::Mat seen;
-  cv::warpPerspective(grey, seen, cv::getPerspectiveTransform(of_print, corners), print.size(),
-                      cv::INTER_LINEAR | cv::WARP_INVERSE_MAP, cv::BORDER_REPLICATE);
   cv::Mat1f like;
-  cv::matchTemplate(seen, print, like, cv::TM_CCOEFF_NORMED);
+  cv::matchTemplate(squared(grey, corners, print.cols), print, like, cv::TM_CCOEFF_NORMED);
   return like(0, 0);
 }
 
@@ -253,6 +249,20 @@ std::vector<SeenMark> find_tags(const cv::Mat& grey, const Tag& tag, cv::Rect ar
     if (mark) out.push_back(std::move(*mark));
   }
   return out;
+}
+
+std::vector<SeenMark> follow_tag(const cv::Mat& grey, const Tag& tag, cv::Rect area) {
+  const Family* family = family_called(tag.family);
+  const cv::Rect looked_at = area & cv::Rect({0, 0}, grey.size());
+  if (family == nullptr || looked_at.empty()) return {};
+  std::vector<SeenMark> out;
+  const cv::Ptr<cv::aruco::Dictionary> dictionary = cv::aruco::getPredefinedDictionary(family->dictionary);
+  for (const TagSquare& square : tags_at_a_glance(grey, looked_at, *dictionary)) {
+    if (square.number != tag.number) continue;
+    std::optional<SeenMark> mark = whole_mark(grey, square.corners, *family, tag.number);
+    if (mark) out.push_back(std::move(*mark));
+  }
+  return out.empty() ? find_tags(grey, tag, looked_at) : out;
 }
 
 cv::Rect area_around_tag(cv::Rect box) {

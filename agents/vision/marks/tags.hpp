@@ -15,12 +15,16 @@ namespace pizarra {
 // Of a seen tag the mark is the outer square, and the centre where its diagonals meet. One of which something hides so
 // much that the centre would be more than a pixel off, or 1.5 % of its side, is not seen.
 
-// The tag around the point, wherever in it that is; nothing where none is. Failure `unclear-tag`: one is, but such a one
-// as find_tags() does not see.
+// The tag around the point, wherever in it that is; nothing where none is. Failure `unclear-tag`: one is, but such a
+// one as find_tags() does not see.
 Result<std::optional<SeenMark>> tag_at(const cv::Mat& grey, cv::Point2d point);
 
 // This tag, within `area` where that is given, as often as it is there: a lab may have printed it twice.
 std::vector<SeenMark> find_tags(const cv::Mat& grey, const Tag& tag, cv::Rect area = {});
+
+// The same, sooner, within a small area where the tag was seen in the frame before. Of several there not all may be
+// told.
+std::vector<SeenMark> follow_tag(const cv::Mat& grey, const Tag& tag, cv::Rect area);
 
 // How much of an image must be looked at for a tag to be found that is about where `box` is: half its side to each
 // side, for the light around it and for its motion.

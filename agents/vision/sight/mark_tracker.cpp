@@ -86,7 +86,7 @@ std::optional<SeenPair> MarkTracker::follow(StereoSight& sight, const Track& tra
   }
   if (object.tag() != nullptr) {
     const cv::Point motion = track.expected(captured_) - track.left->centre;
-    return sight.find(*object.tag(), area_around_tag(track.left->box + motion), disparity);
+    return sight.follow(*object.tag(), area_around_tag(track.left->box + motion), disparity);
   }
   SeenPair out;
   std::optional<SeenMark> left = follow_mark(sight.left(), sight.noise(), *track.left, track.expected(captured_));

@@ -93,10 +93,10 @@ std::optional<SeenPair> StereoSight::find(const LearnedObjects& objects, const L
                                           std::span<const cv::Point2d> others,
                                           std::optional<cv::Point2d> seen_last) {
   if (object.tag() != nullptr) {
-    if (!near) return find(*object.tag(), {}, {}, others);
+    if (!near) return find(*object.tag(), {}, others);
     const int reach = cvCeil(reach_px + tag_reach * left_.rows);
     const cv::Rect area(cvRound(near->x) - reach, cvRound(near->y) - reach, 2 * reach, 2 * reach);
-    return find(*object.tag(), area, {}, others);
+    return find(*object.tag(), area, others);
   }
   std::vector<SeenMark> candidates;
   for (const SeenMark& mark : left_segmentation().marks()) {
@@ -118,12 +118,21 @@ std::optional<SeenPair> StereoSight::find(const LearnedObjects& objects, const L
 }
 
 std::optional<SeenPair> StereoSight::find(const Tag& tag, std::optional<cv::Rect> area,
-                                          std::optional<double> disparity_px, std::span<const cv::Point2d> others) {
-  constexpr double square = 1;
+                                          std::span<const cv::Point2d> others) {
   std::vector<SeenMark> seen = find_tags(left_, tag, area.value_or(cv::Rect()));
   std::erase_if(seen, [&](const SeenMark& mark) {
     return std::ranges::any_of(others, [&](const cv::Point2d& place) { return mark.box.contains(place); });
   });
+  return pair_of(tag, std::move(seen), {});
+}
+
+std::optional<SeenPair> StereoSight::follow(const Tag& tag, const cv::Rect& area, std::optional<double> disparity_px) {
+  return pair_of(tag, follow_tag(left_, tag, area), disparity_px);
+}
+
+std::optional<SeenPair> StereoSight::pair_of(const Tag& tag, std::vector<SeenMark> seen,
+                                             std::optional<double> disparity_px) const {
+  constexpr double square = 1;
   if (seen.empty()) return std::nullopt;
   const auto left = std::ranges::max_element(seen, {}, &SeenMark::area_px);
   for (const SeenMark& other : seen) {
@@ -132,16 +141,15 @@ std::optional<SeenPair> StereoSight::find(const Tag& tag, std::optional<cv::Rect
   const Likeness likely{.error = 0, .doubt = left->tag_doubt, .unlearned = left->tag_doubt};
   SeenPair out{std::move(*left), std::nullopt, likely};
   if (model_.is_single()) return out;
-  const auto right_within = [&](const cv::Rect& looked_at) {
-    std::vector<SeenMark> right = find_tags(right_, tag, looked_at);
+  const auto take_partner = [&](std::vector<SeenMark> right) {
     std::erase_if(right, [&](const SeenMark& mark) { return !are_tag_partners(out.left, mark); });
     if (right.size() == 1) out.right = std::move(right.front());
   };
-  if (disparity_px) right_within(area_around_tag(out.left.box - cv::Point(cvRound(*disparity_px), 0)));
+  const cv::Rect box = out.left.box;
+  if (disparity_px) take_partner(follow_tag(right_, tag, area_around_tag(box - cv::Point(cvRound(*disparity_px), 0))));
   if (out.right) return out;
   // In the same rows, as far left as it may be.
-  const int margin = out.left.box.height;
-  right_within({0, out.left.box.y - margin, out.left.box.br().x, out.left.box.height + 2 * margin});
+  take_partner(find_tags(right_, tag, {0, box.y - box.height, box.br().x, 3 * box.height}));
   return out;
 }
 

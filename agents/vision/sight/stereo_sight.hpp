@@ -40,16 +40,20 @@ class StereoSight {
   std::optional<SeenPair> find(const LearnedObjects& objects, const LearnedObject& object,
                                std::optional<cv::Point2d> near = {}, double reach_px = 0,
                                std::span<const cv::Point2d> others = {}, std::optional<cv::Point2d> seen_last = {});
-  // A tag in both images: within `area` of the left one where that is given, but at none of `others`, and in the right
-  // one first where the disparity that is expected puts it; nowhere in the right one where that does not show it. Where
-  // several cubes bear it, none of them.
+  // A tag in both images: within `area` of the left one where that is given, but at none of `others`; nowhere in the
+  // right one where that does not show it. Where several cubes bear it, none of them.
   std::optional<SeenPair> find(const Tag& tag, std::optional<cv::Rect> area = {},
-                               std::optional<double> disparity_px = {}, std::span<const cv::Point2d> others = {});
+                               std::span<const cv::Point2d> others = {});
+  // The same, sooner, where it is expected, and in the right image first where the disparity puts it.
+  std::optional<SeenPair> follow(const Tag& tag, const cv::Rect& area, std::optional<double> disparity_px = {});
   // Whether the right image ends before it could show the whole of the object's mark, going by its learned size, and
   // shows no part of it farther away: then it is a larger thing.
   bool is_cut_off(const LearnedObject& object, const SeenMark& left);
 
  private:
+  // Of those that are seen in the left image the one that is meant, with its partner.
+  std::optional<SeenPair> pair_of(const Tag& tag, std::vector<SeenMark> seen, std::optional<double> disparity_px) const;
+
   cv::Mat left_;
   cv::Mat right_;
   const StereoModel& model_;

@@ -150,6 +150,29 @@ TEST_F(Tags, OneThatIsTooSmallToBeReadIsNotReadAsAnother) {
   }
 }
 
+TEST_F(Tags, AreFollowedToWhereTheyWouldBeFoundAlsoInSlantedLight) {
+  int found = 0;
+  for (int number = 0; number < 60; ++number) {
+    const Tag tag{"apriltag-36h11", number};
+    scene.light.slope_per_px = {random.uniform(-0.004, 0.004), random.uniform(-0.004, 0.004)};
+    scene.marks = {{.name = "tag",
+                    .centre = {165, 115},
+                    .depth_mm = tag_side_mm * model.focal_px / random.uniform(24, 90),
+                    .turn_deg = random.uniform(-180, 180),
+                    .tag = cells_of(cv::aruco::DICT_APRILTAG_36h11, number)}};
+    const cv::Mat1b image = bench::draw(scene, Side::left, random);
+    const std::vector<SeenMark> there = find_tags(image, tag);
+    if (there.empty()) continue;
+    ++found;
+    const cv::Point moved(cvRound(random.uniform(-8, 8)), cvRound(random.uniform(-8, 8)));
+    const std::vector<SeenMark> followed = follow_tag(image, tag, area_around_tag(there.front().box + moved));
+    ASSERT_EQ(followed.size(), 1U) << number;
+    EXPECT_LT(cv::norm(followed.front().centre - scene.marks[0].centre), 0.3) << number;
+    EXPECT_NEAR(followed.front().height_px, there.front().height_px, 0.02 * there.front().height_px) << number;
+  }
+  EXPECT_GT(found, 50);
+}
+
 TEST_F(Tags, AreLearnedFoundAndTrackedLikeOtherMarks) {
   learn_all();
   ASSERT_TRUE(objects.find("a")->tag());

@@ -1,0 +1,77 @@
+#include "agents/vision/marks/tag_square.hpp"
+
+#include <algorithm>
+#include <opencv2/imgproc.hpp>
+
+namespace pizarra {
+namespace {
+
+using Corners = std::vector<cv::Point2f>;
+
+// Smaller ones can hardly be read.
+constexpr double least_side_px = 8;
+// How far a side may be off a straight line, as a part of the circumference; as much as for OpenCV's detector, and so
+// are how the corners are refined and how many cells may be mended.
+constexpr double straightness = 0.03;
+const cv::Size refined_within(5, 5);
+const cv::TermCriteria refined_until(cv::TermCriteria::MAX_ITER | cv::TermCriteria::EPS, 30, 0.1);
+constexpr double mended_share = 0.6;
+
+std::vector<Corners> dark_squares(const cv::Mat1b& grey) {
+  cv::Mat1b dark;
+  cv::threshold(grey, dark, 0, 255, cv::THRESH_BINARY_INV | cv::THRESH_OTSU);
+  std::vector<std::vector<cv::Point>> contours;
+  cv::findContours(dark, contours, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE);
+  std::vector<Corners> out;
+  for (const std::vector<cv::Point>& contour : contours) {
+    const auto around = static_cast<double>(contour.size());
+    if (around < 4 * least_side_px) continue;
+    std::vector<cv::Point> corners;
+    cv::approxPolyDP(contour, corners, straightness * around, true);
+    if (corners.size() != 4 || !cv::isContourConvex(corners)) continue;
+    out.emplace_back(corners.begin(), corners.end());
+    if (cv::contourArea(out.back(), true) < 0) std::ranges::reverse(out.back());
+  }
+  return out;
+}
+
+// One where a cell is light.
+cv::Mat1b cells_of(const cv::Mat1b& grey, const Corners& corners, int cells) {
+  constexpr int cell_px = 4;
+  cv::Mat1b out;
+  cv::resize(squared(grey, corners, cells * cell_px), out, {cells, cells}, 0, 0, cv::INTER_AREA);
+  cv::threshold(out, out, 0, 1, cv::THRESH_BINARY | cv::THRESH_OTSU);
+  return out;
+}
+
+}  // namespace
+
+std::vector<TagSquare> tags_at_a_glance(const cv::Mat1b& grey, const cv::Rect& area,
+                                        const cv::aruco::Dictionary& dictionary) {
+  const int across = dictionary.markerSize;
+  std::vector<TagSquare> out;
+  for (Corners& corners : dark_squares(grey(area))) {
+    for (cv::Point2f& corner : corners) corner += cv::Point2f(area.tl());
+    cv::cornerSubPix(grey, corners, refined_within, {-1, -1}, refined_until);
+    const cv::Mat1b cells = cells_of(grey, corners, across + 2);
+    const cv::Mat1b inner = cells(cv::Rect(1, 1, across, across)).clone();
+    const bool dark_border = cv::countNonZero(cells) == cv::countNonZero(inner);
+    int number = 0;
+    int quarter_turns = 0;
+    if (!dark_border || !dictionary.identify(inner, number, quarter_turns, mended_share)) continue;
+    std::ranges::rotate(corners, corners.begin() + (4 - quarter_turns) % 4);
+    out.push_back({number, std::move(corners)});
+  }
+  return out;
+}
+
+cv::Mat1b squared(const cv::Mat1b& grey, const std::vector<cv::Point2f>& corners, int side_px) {
+  const float end = static_cast<float>(side_px) - 0.5F;
+  const Corners square = {{-0.5F, -0.5F}, {end, -0.5F}, {end, end}, {-0.5F, end}};
+  cv::Mat1b out;
+  cv::warpPerspective(grey, out, cv::getPerspectiveTransform(square, corners), {side_px, side_px},
+                      cv::INTER_LINEAR | cv::WARP_INVERSE_MAP, cv::BORDER_REPLICATE);
+  return out;
+}
+
+}  // namespace pizarra
