@@ -71,6 +71,8 @@ class Calibration {
         calibrate(seen.views, seen.size, choices_.board, [this](const std::string& step) { report_.step(step); });
     if (!found) return complain_as(style(), found.error(), interrupted != 0 ? exit_interrupted : exit_failed);
     const std::string text = write_calibration(found->calibration);
+    const Result<StereoCalibration> usable = read_calibration(text, out());
+    if (!usable) return complain_as(style(), unusable(usable.error()), exit_failed);
     const Result<void> written = write_file(out(), {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
     if (!written) return complain_as(style(), written.error(), exit_unavailable);
     report_.result(out(), *found);
@@ -102,6 +104,14 @@ class Calibration {
       tell(pair ? views_.take(*pair, pairs_.name()) : Result<void>(fail(pair)));
     }
     return {};
+  }
+
+  // Boards in the middle alone leave open what the lens does to the corners.
+  static Failure unusable(const Failure& why) {
+    return {"uncertain",
+            why.sentence + ". Bring the board near the image's corners too, and take those images as well",
+            {},
+            {}};
   }
 
   std::size_t count() const { return views_.of_most().views.size(); }

@@ -54,8 +54,9 @@
                                      (* most-focal-of-width (first size)))))
              ((not (<= 1/2 (/ fx fy) 2))
               (wrong! "one focal length is more than twice the other: no camera's pixels are like that"))
-             ((not (and (<= 0 cx (first size)) (<= 0 cy (second size))))
-              (wrong! "the centre lies outside the image"))
+             ((not (every (lambda (centre extent) (<= (- extent) centre (* 2 extent))) (list cx cy) size))
+              ;; A part of a camera's image may be all that it gives.
+              (wrong! "the centre lies farther from the image than the image is large"))
              ((not (<= (first corner-factors) (corner-factor lens size) (second corner-factors)))
               (wrong! "the distortion moves the image's corners more than four times nearer or farther"))))
      lens)))

@@ -263,6 +263,21 @@ TEST_F(OwnPair, IsCalibratedWithoutThePairThatDoesNotBelong) {
   EXPECT_TRUE(contains(twice, "both are the same camera's images")) << twice.text;
 }
 
+TEST_F(OwnPair, WhoseCornersNobodyCanTellGetsNoFile) {
+  const std::string folder = scratch_folder() + "middle/";
+  std::filesystem::create_directory(folder);
+  const BoardScene scene;
+  int number = 10;
+  for (const cv::Vec3d& turn : {cv::Vec3d(0.6, 0, 0), cv::Vec3d(-0.6, 0.1, 0), cv::Vec3d(0, 0.6, 0.1),
+                                cv::Vec3d(0.1, -0.6, 0), cv::Vec3d(0.4, 0.4, 0), cv::Vec3d(-0.4, -0.4, 0)}) {
+    cv::imwrite(fmt::format("{}{}.png", folder, number++), scene.draw({turn, cv::Vec3d(-90, -50, 900)}, false));
+  }
+  const Said said = run("calibrate middle --out middle.calibration");
+  EXPECT_EQ(said.status, 1) << said.text;
+  EXPECT_TRUE(contains(said, "near the image's corners too")) << said.text;
+  EXPECT_FALSE(std::filesystem::exists(scratch_folder() + "middle.calibration"));
+}
+
 // Copies of one pair, and of one camera's image.
 std::string repeated(const std::string& name, int times) {
   const std::string folder = scratch_folder() + name + "-repeated/";
