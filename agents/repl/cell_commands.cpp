@@ -1,7 +1,6 @@
-// The commands that know what a cell of agents is about: goals, plans, objects.
+// The commands that know what a cell of agents is about: goals, plans, who is there.
 
 #include <fmt/format.h>
-#include <set>
 
 #include "agents/repl/commands.hpp"
 #include "agents/repl/json_answers.hpp"
@@ -126,87 +125,27 @@ Task<Evaluation> Interpreter::plan(Datum) {
   co_return Evaluation::done;
 }
 
-Task<Evaluation> Interpreter::objects(Datum) {
-  const Result<std::vector<Fact>> learned =
-      co_await facts_if_declared(context_.board, pattern("(learned ? ? ? ? ? ? ? ? ?)"));
-  if (!learned) co_return show(learned.error());
-  const Result<std::vector<Fact>> places = co_await facts_if_declared(context_.board, pattern("(place ? ? ? ? ?)"));
-  const Result<std::vector<Fact>> tracking =
-      co_await facts_if_declared(context_.board, pattern("(vision-mode ? tracking ?)"));
-  const bool followed = tracking && !tracking->empty();
-  if (learned->empty()) output_("nothing has been learned");
-  std::set<std::string> said;
-  for (const Fact& object : *learned) {
-    const std::string name(object.datum[2].text());
-    if (!said.insert(name).second) continue;
-    std::string where = followed ? "not seen" : "learned; it is followed from the first goal on";
-    // Without a coordinator nobody says where things are.
-    for (const Fact& place : places.value_or(std::vector<Fact>())) {
-      if (place.datum[1].text() != name) continue;
-      where = fmt::format("x {:.0f}  y {:.0f}  z {:.0f} mm, frame {}", place.datum[2].number(), place.datum[3].number(),
-                          place.datum[4].number(), place.datum[5].integer());
-    }
-    output_(fmt::format("  {:14} {}", name, where));
-  }
-  const Result<std::vector<Fact>> alike = co_await facts_if_declared(context_.board, pattern("(look-alike ? ? ? ? ?)"));
-  for (const Fact& fact : alike.value_or(std::vector<Fact>())) output_(std::string(fact.datum[5].text()));
-  const Result<std::vector<Fact>> damaged =
-      co_await facts_if_declared(context_.board, pattern("(objects-damaged ? ? ? ?)"));
-  for (const Fact& fact : damaged.value_or(std::vector<Fact>())) {
-    output_(fmt::format("{}: {}", fact.datum[2].text(), fact.datum[4].text()));
-  }
-  co_return Evaluation::done;
-}
-
-Task<std::vector<Datum>> Interpreter::remarks_on(std::string agent, Datum operation, Datum answer) {
-  const bool learns = operation.is_form("learn");
-  const bool looks = learns || operation.is_form("find");
-  const bool lasts = operation.is_form("track") || operation.is_form("connect");
-  const Datum eyes = Datum::symbol(agent);
-  std::vector<Datum> out;
-  if (lasts) out = co_await remarks_on_mode(eyes);
-  if (!looks || answer.size() != 1) co_return out;
-  const Datum failed = list("vision-failed"_sym, eyes, "?"_sym, answer[0], "?"_sym, "?"_sym);
-  const Result<std::vector<Fact>> failures = co_await facts_if_declared(context_.board, failed);
-  for (const Fact& fact : failures.value_or(std::vector<Fact>())) out.push_back(fact.datum[5]);
-  if (!learns || !out.empty()) co_return out;
-  const Datum& name = operation.items().back();
-  const Datum any_alike = list("look-alike"_sym, eyes, "?"_sym, "?"_sym, "?"_sym, "?"_sym);
-  const Result<std::vector<Fact>> alike = co_await facts_if_declared(context_.board, any_alike);
-  for (const Fact& fact : alike.value_or(std::vector<Fact>())) {
-    if (fact.datum[2] == name || fact.datum[3] == name) out.push_back(fact.datum[5]);
-  }
-  co_return out;
-}
-
-// A mode belongs to who asked for it, which here is the prompt.
-Task<std::vector<Datum>> Interpreter::remarks_on_mode(Datum eyes) {
-  const Datum held = list("vision-held"_sym, eyes, Datum::symbol(context_.name), "?"_sym);
-  const Result<std::vector<Fact>> ours = co_await facts_if_declared(context_.board, held);
-  std::vector<Datum> out;
-  if (!ours || ours->empty()) co_return out;
-  const std::string sentence =
-      fmt::format("until this prompt ends; ({} (keep)) lets it go on until somebody ends it", eyes.text());
-  out.push_back(Datum::string(sentence));
-  co_return out;
-}
-
 Task<Evaluation> Interpreter::agents(Datum) {
   const Result<std::vector<Fact>> present = co_await context_.board.facts(pattern("(agent ? ? ?)"));
   if (!present) co_return show(present.error());
-  const Result<std::vector<Fact>> contracts = co_await context_.board.facts(pattern("(contract ? ?)"));
-  if (!contracts) co_return show(contracts.error());
   for (const Fact& agent : *present) {
     output_(fmt::format("  {} ({}) on {}", agent.datum[1].text(), agent.datum[2].text(), agent.datum[3].text()));
-    for (const Fact& contract : *contracts) {
-      if (contract.datum[1] != agent.datum[1]) continue;
-      for (const Datum& part : contract.datum[2].items()) {
-        if (!part.is_form("offers")) continue;
-        for (const Datum& operation : part.items().subspan(1)) output_("      " + write(operation));
-      }
-    }
+    const std::vector<Datum> offers = co_await offers_of(agent.datum[1]);
+    for (const Datum& operation : offers) output_("      " + write(operation));
   }
   co_return Evaluation::done;
+}
+
+Task<std::vector<Datum>> Interpreter::offers_of(Datum agent) {
+  const Result<std::vector<Fact>> contracts = co_await context_.board.facts(list("contract"_sym, agent, "?"_sym));
+  std::vector<Datum> out;
+  for (const Fact& contract : contracts.value_or(std::vector<Fact>())) {
+    for (const Datum& part : contract.datum[2].items()) {
+      if (!part.is_form("offers")) continue;
+      out.insert(out.end(), part.items().begin() + 1, part.items().end());
+    }
+  }
+  co_return out;
 }
 
 // Names for completion: what cannot be learned now keeps its old names.

@@ -66,7 +66,7 @@ Task<Evaluation> Interpreter::evaluate(std::string text) {
     const Datum form = as_form(source->data()[i]);
     const bool known = co_await is_agent(std::string(form.head()));
     if (find_command(form.head()) == nullptr && !known) {
-      Failure unknown = unknown_command(form);
+      Failure unknown = co_await unknown_command(form);
       unknown.place = source->failure_at({i}, {}, {}).place;
       co_return show(unknown, Evaluation::malformed);
     }
@@ -76,14 +76,20 @@ Task<Evaluation> Interpreter::evaluate(std::string text) {
   co_return Evaluation::done;
 }
 
-Failure Interpreter::unknown_command(const Datum& form) const {
+Task<Failure> Interpreter::unknown_command(Datum form) {
   constexpr std::size_t shown = 40;
+  std::vector<std::string> known;
+  for (const Command& command : Command::all()) known.emplace_back(command.name);
+  const Result<std::vector<Fact>> present =
+      co_await context_.board.facts(list("agent"_sym, "?"_sym, "?"_sym, "?"_sym));
+  for (const Fact& agent : present.value_or(std::vector<Fact>())) known.emplace_back(agent.datum[1].text());
   std::string name(form.head().substr(0, shown));
   if (form.head().size() > shown) name += "...";
-  const std::string near = nearest_name(form.head(), words_);
-  std::string sentence = name.empty() ? "a command is a form that begins with its name" : "there is no command " + name;
+  const std::string near = nearest_name(form.head(), known);
+  std::string sentence =
+      name.empty() ? "a command is a form that begins with its name" : "there is no command or agent " + name;
   sentence += near.empty() ? "; (help) lists them" : fmt::format("; did you mean {}?", near);
-  return {"unknown-command", sentence, name.empty() ? Datum() : Datum::symbol(name), {}};
+  co_return Failure{"unknown-command", sentence, name.empty() ? Datum() : Datum::symbol(name), {}};
 }
 
 Task<Evaluation> Interpreter::evaluate_form(Datum form) {
@@ -124,14 +130,27 @@ Task<Evaluation> Interpreter::request(std::string agent, Datum operation) {
 }
 
 Task<Evaluation> Interpreter::help(Datum form) {
-  for (const Command& command : Command::all()) {
-    if (form.size() > 1 && form[1].text() != command.name) continue;
-    output_(fmt::format("  {:22} {}", command.usage, command.help));
+  if (form.size() > 2) co_return usage("help");
+  if (form.size() == 2) co_return co_await help_with(form[1]);
+  for (const Command& command : Command::all()) output_(fmt::format("  {:22} {}", command.usage, command.help));
+  output_("  (AGENT (OPERATION ...)) ask one agent: (robot (monitor)), (vision (get-objects));");
+  output_("                         (robot (get-control)) resets an arm's alarm and switches its servos on");
+  co_return Evaluation::done;
+}
+
+Task<Evaluation> Interpreter::help_with(Datum word) {
+  const std::string name(word.is_symbol() ? word.text() : "");
+  if (const Command* command = find_command(name)) {
+    output_(fmt::format("  {:22} {}", command->usage, command->help));
+    co_return Evaluation::done;
   }
-  if (form.size() == 1) {
-    output_("  (AGENT (OPERATION ...)) ask one agent: (robot (monitor)), (vision (get-objects));");
-    output_("                         (robot (get-control)) resets an arm's alarm and switches its servos on");
+  const bool present = co_await is_agent(name);
+  if (!present) {
+    const Failure unknown = co_await unknown_command(as_form(word));
+    co_return show(unknown, Evaluation::malformed);
   }
+  const std::vector<Datum> offers = co_await offers_of(word);
+  for (const Datum& operation : offers) output_(fmt::format("  ({} {})", name, write(operation)));
   co_return Evaluation::done;
 }
 

@@ -54,6 +54,7 @@ class Interpreter {
 
   Task<Evaluation> evaluate_form(Datum form);
   Task<Evaluation> help(Datum form);
+  Task<Evaluation> help_with(Datum word);
   Task<Evaluation> goal(Datum form);
   Task<Evaluation> ask(Datum form);
   Task<Evaluation> declare(Datum form);
@@ -71,12 +72,17 @@ class Interpreter {
   // Sentences that an answer of the eyes has no room for: why it is FAIL, and what the learned object looks like.
   Task<std::vector<Datum>> remarks_on(std::string agent, Datum operation, Datum answer);
   Task<std::vector<Datum>> remarks_on_mode(Datum eyes);
+  // Why these eyes have no images though somebody wants them, once that is known; empty: they have, or have no camera.
+  Task<std::string> why_blind(Datum eyes);
   Task<Evaluation> wait_for_end(Datum number, std::string typed);
   Task<bool> being_taught();
   Task<bool> is_agent(std::string name);
+  // `(OPERATION (PARAMETER KIND) ...)` of each.
+  Task<std::vector<Datum>> offers_of(Datum agent);
   Task<void> follow(int number, std::unique_ptr<Watch> watch);
 
-  Failure unknown_command(const Datum& form) const;
+  // Neither a command nor who is present.
+  Task<Failure> unknown_command(Datum form);
   void say_end(const Datum& state, const std::string& typed);
   void say_change(int number, const Change& change, bool first);
   void say(const std::string& text, const std::string& json);

@@ -161,6 +161,88 @@ TEST_F(Repl, AGoalIsRefusedWhileObjectsAreBeingTaught) {
   EXPECT_EQ(type("(goal (on circle triangle))"), Evaluation::refused);
 }
 
+// Eyes that answer every request with `ok`, and tell what they are told to.
+class ReplOfEyes : public Repl {
+ protected:
+  void SetUp() override {
+    Repl::SetUp();
+    answering = executor.spawn(answer());
+    executor.run_for(1s);
+  }
+  Task<void> answer() {
+    const Result<void> started = co_await eyes_service.start();
+    EXPECT_TRUE(started.has_value());
+    RequestHandler handler = [this](Fact) { return say_ok(); };
+    const Result<void> served = co_await eyes_service.serve_requests(std::move(handler));
+  }
+  Task<Result<Datum>> say_ok() { co_return Datum(); }
+  void eyes_tell(std::string_view fact) {
+    ASSERT_TRUE(board.transact("vision", Transaction().tell(read_one(fact).value())).has_value());
+  }
+  Task<void> lose_the_camera_later() {
+    co_await sleep(executor, 1s);
+    eyes_tell("(camera-state vision lost \"the camera: /dev/video0 cannot be opened\")");
+  }
+  void learn(std::string_view name) {
+    eyes_tell("(learned vision \"" + std::string(name) + "\" 1 900 110 0 1 1 1)");
+  }
+
+  std::unique_ptr<Board> eyes_view = board.view("vision");
+  AgentContext eyes_context{"vision", "localhost", executor, *eyes_view, Random(1)};
+  Service eyes_service{eyes_context, contract_from_text(R"((contract vision
+    (offers (connect) (find (name string)))
+    (posts
+      (relation camera-state ((eyes symbol) (state symbol) (trouble string)) (key eyes))
+      (relation sightings ((eyes symbol) (frame integer) (of list)) (key eyes))
+      (relation learned ((eyes symbol) (name string) (num integer) (area number) (perimeter number) (features integer)
+                         (m0 number) (m1 number) (m2 number)) (key eyes name num)))))")
+                                         .value()};
+  Job answering;
+};
+
+TEST_F(ReplOfEyes, WhoConnectsIsToldWhyTheCameraGivesNoImages) {
+  eyes_tell("(camera-state vision opening \"\")");
+  const Job later = executor.spawn(lose_the_camera_later());
+  EXPECT_EQ(type("(vision (connect))"), Evaluation::done);
+  EXPECT_EQ(shown, "ok\n  vision has no images: the camera: /dev/video0 cannot be opened\n");
+  eyes_tell("(camera-state vision open \"\")");
+  type("(vision (connect))");
+  EXPECT_EQ(shown, "ok\n");
+}
+
+TEST_F(ReplOfEyes, WhoConnectsToACameraThatIsSlowIsToldSo) {
+  eyes_tell("(camera-state vision opening \"\")");
+  type("(vision (connect))");
+  EXPECT_EQ(shown, "ok\n  vision has no images yet: its camera is being opened\n");
+}
+
+TEST_F(ReplOfEyes, ObjectsAreWhereTheEyesSeeThem) {
+  for (const char* name : {"circle", "cross", "square", "triangle"}) learn(name);
+  eyes_tell("(sightings vision 41 ((\"circle\" seen 0.98 1.5 \"\" 0.1 ((left 227.99 127.58) (range 516.46 2.1)))"
+            " (\"cross\" lost) (\"square\" bridged 0.9 10.5 20.5 300.25)))");
+  EXPECT_EQ(type("(objects)"), Evaluation::done);
+  EXPECT_EQ(shown,
+            "  circle         seen at (227.99, 127.58) px, 516 mm away, frame 41\n"
+            "  cross          not seen\n"
+            "  square         hidden just now, last near (10.50, 20.50) px, frame 41\n"
+            "  triangle       learned; (vision (track \"triangle\")) follows it\n");
+  type("(tell (agent coordinator coordinator \"here\"))");
+  type("(objects)");
+  EXPECT_TRUE(shown.contains("  triangle       learned; it is followed from the first goal on\n")) << shown;
+}
+
+TEST_F(ReplOfEyes, AMistypedAgentIsNamedRight) {
+  EXPECT_EQ(type("(vison (find \"circle\"))"), Evaluation::malformed);
+  EXPECT_TRUE(shown.contains("there is no command or agent vison; did you mean vision?")) << shown;
+}
+
+TEST_F(ReplOfEyes, HelpKnowsWhatAnAgentOffers) {
+  EXPECT_EQ(type("(help vision)"), Evaluation::done);
+  EXPECT_EQ(shown, "  (vision (connect))\n  (vision (find (name string)))\n");
+  EXPECT_EQ(type("(help visoin)"), Evaluation::malformed);
+  EXPECT_TRUE(shown.contains("did you mean vision?")) << shown;
+}
+
 TEST_F(Repl, NobodyKnowsWhyWithoutACoordinator) {
   EXPECT_EQ(type("(why)"), Evaluation::failed);
   EXPECT_EQ(shown, "no coordinator is present, so nobody knows why; (agents) shows who is\n");

@@ -1,0 +1,145 @@
+// What the prompt says of the eyes: where they see the objects, and what their answers have no room for.
+
+#include <fmt/format.h>
+#include <set>
+
+#include "agents/repl/interpreter.hpp"
+#include "agents/runtime/declared.hpp"
+#include "lisp/reader.hpp"
+
+namespace pizarra {
+
+namespace {
+
+// A camera that is not there is known sooner; one that is slow to open need not be waited for.
+constexpr Duration longest_opening = 3s;
+
+Datum pattern(std::string_view text) { return read_one(text).value(); }
+
+// Of the facts that fit, and none where the board does not answer.
+Task<std::vector<Fact>> facts_of(Board& board, Datum fitting) {
+  const Result<std::vector<Fact>> facts = co_await facts_if_declared(board, std::move(fitting));
+  co_return facts.value_or(std::vector<Fact>());
+}
+
+// Where the coordinator says that it stands; empty: nowhere.
+std::string place_of(std::string_view name, const std::vector<Fact>& places) {
+  for (const Fact& place : places) {
+    const Datum& at = place.datum;
+    if (at[1].text() != name) continue;
+    return fmt::format("x {:.0f}  y {:.0f}  z {:.0f} mm, frame {}", at[2].number(), at[3].number(), at[4].number(),
+                       at[5].integer());
+  }
+  return "";
+}
+
+// `("name" seen CONFIDENCE SPREAD SECOND MARGIN ((left X Y) ... (range D SPREAD)))`, `("name" bridged CONFIDENCE X Y
+// D)` or `("name" lost)`
+std::string sighting_text(const Datum& sighting, std::int64_t frame) {
+  if (sighting[1].is_symbol("bridged") && sighting.size() == 6) {
+    return fmt::format("hidden just now, last near ({:.2f}, {:.2f}) px, frame {}", sighting[3].number(),
+                       sighting[4].number(), frame);
+  }
+  if (!sighting[1].is_symbol("seen") || sighting.size() != 7) return "not seen";
+  std::string text = "seen";
+  for (const Datum& place : sighting[6].items()) {
+    if (place.size() != 3) continue;
+    if (place.is_form("left")) text = fmt::format("seen at ({:.2f}, {:.2f}) px", place[1].number(), place[2].number());
+    if (place.is_form("range")) text += fmt::format(", {:.0f} mm away", place[1].number());
+  }
+  return fmt::format("{}, frame {}", text, frame);
+}
+
+// What eyes that track it say of it; empty: none track it. Where one sees it the others need not.
+std::string seen_by_eyes(std::string_view name, const std::vector<Fact>& looks) {
+  std::string text;
+  for (const Fact& look : looks) {
+    for (const Datum& sighting : look.datum[3].items()) {
+      const bool of_it = sighting.size() > 1 && sighting[0].text() == name;
+      if (!of_it) continue;
+      if (text.empty() || sighting[1].is_symbol("seen")) text = sighting_text(sighting, look.datum[2].integer());
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+Task<Evaluation> Interpreter::objects(Datum) {
+  const Result<std::vector<Fact>> learned =
+      co_await facts_if_declared(context_.board, pattern("(learned ? ? ? ? ? ? ? ? ?)"));
+  if (!learned) co_return show(learned.error());
+  const std::vector<Fact> places = co_await facts_of(context_.board, pattern("(place ? ? ? ? ?)"));
+  const std::vector<Fact> looks = co_await facts_of(context_.board, pattern("(sightings ? ? ?)"));
+  const bool pursued = co_await is_agent("coordinator");
+  if (learned->empty()) output_("nothing has been learned");
+  std::set<std::string> said;
+  for (const Fact& object : *learned) {
+    const std::string name(object.datum[2].text());
+    if (!said.insert(name).second) continue;
+    std::string where = place_of(name, places);
+    if (where.empty()) where = seen_by_eyes(name, looks);
+    const std::string to_follow = pursued ? "it is followed from the first goal on"
+                                          : fmt::format("({} (track \"{}\")) follows it", object.datum[1].text(), name);
+    output_(fmt::format("  {:14} {}", name, where.empty() ? "learned; " + to_follow : where));
+  }
+  const std::vector<Fact> alike = co_await facts_of(context_.board, pattern("(look-alike ? ? ? ? ?)"));
+  for (const Fact& fact : alike) output_(std::string(fact.datum[5].text()));
+  const std::vector<Fact> damaged = co_await facts_of(context_.board, pattern("(objects-damaged ? ? ? ?)"));
+  for (const Fact& fact : damaged) output_(fmt::format("{}: {}", fact.datum[2].text(), fact.datum[4].text()));
+  co_return Evaluation::done;
+}
+
+Task<std::vector<Datum>> Interpreter::remarks_on(std::string agent, Datum operation, Datum answer) {
+  const bool learns = operation.is_form("learn");
+  const bool looks = learns || operation.is_form("find");
+  const bool lasts = operation.is_form("track") || operation.is_form("connect");
+  const Datum eyes = Datum::symbol(agent);
+  std::vector<Datum> out;
+  if (lasts) out = co_await remarks_on_mode(eyes);
+  if (lasts) {
+    const std::string blind = co_await why_blind(eyes);
+    if (!blind.empty()) out.push_back(Datum::string(blind));
+  }
+  if (!looks || answer.size() != 1) co_return out;
+  const Datum failed = list("vision-failed"_sym, eyes, "?"_sym, answer[0], "?"_sym, "?"_sym);
+  const std::vector<Fact> failures = co_await facts_of(context_.board, failed);
+  for (const Fact& fact : failures) out.push_back(fact.datum[5]);
+  if (!learns || !out.empty()) co_return out;
+  const Datum& name = operation.items().back();
+  const Datum any_alike = list("look-alike"_sym, eyes, "?"_sym, "?"_sym, "?"_sym, "?"_sym);
+  const std::vector<Fact> alike = co_await facts_of(context_.board, any_alike);
+  for (const Fact& fact : alike) {
+    if (fact.datum[2] == name || fact.datum[3] == name) out.push_back(fact.datum[5]);
+  }
+  co_return out;
+}
+
+// A mode belongs to who asked for it, which here is the prompt.
+Task<std::vector<Datum>> Interpreter::remarks_on_mode(Datum eyes) {
+  const Datum held = list("vision-held"_sym, eyes, Datum::symbol(context_.name), "?"_sym);
+  const std::vector<Fact> ours = co_await facts_of(context_.board, held);
+  std::vector<Datum> out;
+  if (ours.empty()) co_return out;
+  const std::string sentence =
+      fmt::format("until this prompt ends; ({} (keep)) lets it go on until somebody ends it", eyes.text());
+  out.push_back(Datum::string(sentence));
+  co_return out;
+}
+
+Task<std::string> Interpreter::why_blind(Datum eyes) {
+  const Datum state = list("camera-state"_sym, eyes, "?state"_sym, "?trouble"_sym);
+  const std::vector<Fact> cameras = co_await facts_of(context_.board, state);
+  if (cameras.empty()) co_return "";
+  const Datum settled = list("and"_sym, state, list("/="_sym, "?state"_sym, "closed"_sym),
+                             list("/="_sym, "?state"_sym, "opening"_sym));
+  const Time deadline = context_.executor.now() + longest_opening;
+  Query query = query_from_datum(settled).value();
+  const Result<Answer> camera = co_await await_answer(context_.board, std::move(query), deadline, context_.executor);
+  if (!camera) co_return fmt::format("{} has no images yet: its camera is being opened", eyes.text());
+  const bool lost = camera->bindings.find("?state")->is_symbol("lost");
+  if (!lost) co_return "";
+  co_return fmt::format("{} has no images: {}", eyes.text(), camera->bindings.find("?trouble")->text());
+}
+
+}  // namespace pizarra
