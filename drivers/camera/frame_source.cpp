@@ -8,7 +8,13 @@
 namespace pizarra {
 
 std::unique_ptr<FrameSource> make_frame_source(const CameraSource& source, const CameraSetup& setup) {
-  if (source.kind == CameraSource::Kind::images) {
+  const bool images = source.kind == CameraSource::Kind::images;
+  if (images && setup.sources.size() == 2) {
+    const std::size_t side = source == setup.sources[0] ? 0 : 1;
+    const std::array<std::string, 2> wheres{setup.sources[0].where, setup.sources[1].where};
+    return std::make_unique<ImageFiles>(wheres, side, setup.rate_hz, setup.grey);
+  }
+  if (images) {
     return std::make_unique<ImageFiles>(source.where, setup.rate_hz, setup.grey);
   }
   return std::make_unique<CaptureSource>(source, setup);

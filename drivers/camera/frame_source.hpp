@@ -32,6 +32,8 @@ class FrameSource {
   virtual Result<cv::Mat> retrieve() = 0;
   // A recording's own rate, 0: it comes as it comes. Known once open.
   virtual double recorded_hz() const = 0;
+  // Images of a recording that have no partner on the other side, and are never given. Known once open.
+  virtual std::size_t left_out() const { return 0; }
 };
 
 std::unique_ptr<FrameSource> make_frame_source(const CameraSource& source, const CameraSetup& setup);

@@ -10,6 +10,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "drivers/camera/image_faults.hpp"
+#include "drivers/camera/image_pairs.hpp"
 
 namespace pizarra {
 namespace {
@@ -83,6 +84,17 @@ Result<void> ImageFiles::open() {
   files_ = image_files_at(where_);
   taken_ = 0;
   if (files_.empty()) return fail("disconnected", fmt::format("there are no images at {}", where_));
+  return partner_.empty() ? Result<void>() : keep_paired();
+}
+
+Result<void> ImageFiles::keep_paired() {
+  std::vector<std::string> others = image_files_at(partner_);
+  // Its own side tells that.
+  if (others.empty()) return {};
+  Result<ImagePairs> pairs = side_ == 0 ? pair_files(files_, std::move(others)) : pair_files(std::move(others), files_);
+  if (!pairs) return fail(pairs);
+  files_ = std::move(pairs->sides[side_]);
+  left_out_ = pairs->alone[side_];
   return {};
 }
 

@@ -33,6 +33,7 @@ Result<void> StereoReader::open() {
     const Result<void> opened = sources_[i]->open();
     if (!opened) return fail(named(i, opened.error()));
   }
+  for (const auto& source : sources_) skewed_ += source->left_out();
   return {};
 }
 

@@ -10,6 +10,7 @@
 
 #include "blackboard/time/real_executor.hpp"
 #include "drivers/camera/image_files.hpp"
+#include "drivers/camera/image_pairs.hpp"
 #include "drivers/camera/video_camera.hpp"
 #include "tests/run_task.hpp"
 #include "tests/scratch.hpp"
@@ -178,6 +179,55 @@ TEST_F(Recordings, APairOfImageSequencesIsSeenInStep) {
     EXPECT_EQ(frame->left->pixels[0] + 100, frame->right->pixels[0]);
     last = frame->number;
   }
+}
+
+TEST_F(Recordings, APairGoesByTheNumbersInItsNamesAndCountsWhatHasNoPartner) {
+  for (int i = 0; i < 12; ++i) {
+    write_image("left" + std::to_string(i) + ".png", 10 * i);
+    if (i != 3 && i != 11) write_image("right" + std::to_string(i) + ".png", 10 * i + 100);
+  }
+  CameraSetup eyes = setup(Arrangement::pair, CameraSource::Kind::images, {"left*.png", "right*.png"});
+  eyes.rate_hz = 100;
+  VideoCamera camera(executor, eyes);
+  ASSERT_TRUE(run(executor, camera.open()));
+  std::uint64_t last = 0;
+  while (last < 10) {
+    const Result<StereoFrame> frame = next(camera, last);
+    ASSERT_TRUE(frame);
+    EXPECT_EQ(frame->left->pixels[0] + 100, frame->right->pixels[0]);
+    last = frame->number;
+  }
+  EXPECT_GE(camera.drops().skewed, 2u);
+}
+
+TEST_F(Recordings, APairWhoseNamesDoNotSayWhatBelongsTogetherHasAsManyOnEitherSide) {
+  for (const char* name : {"left-a.png", "left-b.png", "left-c.png", "right-a.png", "right-b.png"}) {
+    write_image(name, 50);
+  }
+  const CameraSetup eyes = setup(Arrangement::pair, CameraSource::Kind::images, {"left*.png", "right*.png"});
+  {
+    VideoCamera camera(executor, eyes);
+    const Result<StereoModel> model = run(executor, camera.open());
+    ASSERT_FALSE(model);
+    EXPECT_EQ(model.error().sentence,
+              "the left camera: 3 images are of the left camera and 2 of the right one, and no numbers in their names say "
+              "which belong together");
+  }
+  write_image("right-c.png", 50);
+  VideoCamera camera(executor, eyes);
+  EXPECT_TRUE(run(executor, camera.open()));
+}
+
+TEST(ImagePairs, NumbersThatAreNotOnBothSidesSayNothing) {
+  const ImagePairs apart = pair_files({"l/1.png", "l/2.png"}, {"r/101.png", "r/102.png"}).value();
+  EXPECT_EQ(apart.sides[1], (std::vector<std::string>{"r/101.png", "r/102.png"}));
+  const ImagePairs cameras = pair_files({"a-1.png", "b-1.png"}, {"a-2.png", "b-2.png"}).value();
+  EXPECT_EQ(cameras.sides[1], (std::vector<std::string>{"a-2.png", "b-2.png"}));
+  const ImagePairs stray = pair_files({"l/1.png", "l/02.png", "l/3.png"}, {"r/2.png", "r/3.png", "r/4.png"}).value();
+  EXPECT_EQ(stray.sides[0], (std::vector<std::string>{"l/02.png", "l/3.png"}));
+  EXPECT_EQ(stray.sides[1], (std::vector<std::string>{"r/2.png", "r/3.png"}));
+  EXPECT_EQ(stray.alone[0] + stray.alone[1], 2u);
+  EXPECT_EQ(pair_files({"l/1.png", "l/2.png", "l/3.png"}, {"r/8.png", "r/9.png"}).error().symbol, "unpaired");
 }
 
 TEST_F(Recordings, AVideoIsShownAtItsOwnRateAndBeginsAnew) {
