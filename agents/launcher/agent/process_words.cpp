@@ -10,6 +10,7 @@
 #include "agents/launcher/command_line/command_line.hpp"
 #include "agents/launcher/command_line/key_option.hpp"
 #include "agents/launcher/command_line/word_tools.hpp"
+#include "agents/launcher/supervision/camera_news.hpp"
 #include "blackboard/client/remote_board.hpp"
 #include "blackboard/streams/remote_streams.hpp"
 #include "blackboard/time/real_executor.hpp"
@@ -77,6 +78,8 @@ int run_agent(const ProcessChoices& choices, std::span<char*> arguments, const C
   const auto agent = build_agent(choices.kind, std::move(agent_context), *cell, *link, streams->get(), own_cameras);
   if (!agent) return complain(agent.error(), exit_usage);
   const Job waiting = executor.spawn(say_what_is_awaited(executor, **board, choices.board));
+  Job camera;
+  if (choices.kind == "vision") camera = executor.spawn(log_camera_news(**board, name, stderr));
   const Job job = executor.spawn((*agent)->run());
   executor.run_until([&job] { return job.done(); });
   if (signals.received()) return exit_reached;

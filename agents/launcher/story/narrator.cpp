@@ -93,6 +93,11 @@ void Narrator::tell_added(const Fact& fact) {
     if (datum[1].is_symbol("failed")) say(fact.when, "failure", describe(failure_from_datum(datum[2])), datum);
     return;
   }
+  if (datum.is_form("camera-state")) {
+    const std::string sentence = camera_news_.sentence_of(datum);
+    if (!sentence.empty()) say(fact.when, datum[2].is_symbol("lost") ? "failure" : "agent", sentence, datum);
+    return;
+  }
   if (is_visitor(datum)) return;
   missing_.erase(datum);
   if (present_.insert(datum).second) say(fact.when, "agent", fmt::format("{} is there", datum[1].text()), datum);
@@ -141,6 +146,8 @@ Task<void> Narrator::follow_pattern(Board& board, Executor& executor, Datum patt
 Task<void> Narrator::follow(Board& board, Executor& executor) {
   const Job agents = executor.spawn(follow_pattern(board, executor, list("agent"_sym, "?"_sym, "?"_sym, "?"_sym)));
   const Job person = executor.spawn(follow_pattern(board, executor, list("person"_sym, "?"_sym, "?"_sym)));
+  const Datum camera_states = list("camera-state"_sym, "?"_sym, "?"_sym, "?"_sym);
+  const Job cameras = executor.spawn(follow_pattern(board, executor, camera_states));
   const Datum servo_states = list("servo"_sym, "?"_sym, "?"_sym, "?"_sym, "?"_sym, "?"_sym);
   const Job servo = executor.spawn(follow_pattern(board, executor, servo_states));
   const Datum events = list("event"_sym, "?"_sym, "?"_sym, "?"_sym, "?"_sym);

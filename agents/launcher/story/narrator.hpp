@@ -11,6 +11,7 @@
 #include <set>
 #include <string>
 
+#include "agents/launcher/supervision/camera_news.hpp"
 #include "blackboard/board.hpp"
 #include "blackboard/time/executor.hpp"
 
@@ -27,8 +28,8 @@ class Narrator {
   // Time zero of the lines.
   void begin(Time start) { start_ = start; }
   void say(Time when, std::string_view kind, std::string_view sentence, const Datum& detail = {});
-  // Tells every (event ...) fact, each state the servo enters, and the coming and going of agents, and when all is
-  // taught, until destroyed. Both outlive it. A board that dies and lives again tells nothing twice: its agents have a
+  // Tells every (event ...) fact, each state the servo enters, the coming and going of agents, why one has no images,
+  // and when all is taught, until destroyed. Both outlive it. A board that dies and lives again tells nothing twice: its agents have a
   // while to be present again before they are said to be gone.
   Task<void> follow(Board& board, Executor& executor);
   // The newest line without its colours, for the film's caption.
@@ -47,6 +48,7 @@ class Narrator {
   std::int64_t last_event_ = 0;
   Datum last_servo_;
   Datum last_person_;
+  CameraNews camera_news_;
   std::set<Datum> present_;  // agents that were told to be there
   std::set<Datum> missing_;  // those of them that a board which lives again has yet to hear of
   Job waiting_;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
 #include <iterator>
@@ -8,8 +9,10 @@
 #include "agents/launcher/story/story_run.hpp"
 #include "agents/launcher/words/check_planning.hpp"
 #include "agents/launcher/words/goal_text.hpp"
+#include "agents/launcher/words/this_host.hpp"
 #include "agents/launcher/words/words.hpp"
 #include "drivers/arm/arm_file.hpp"
+#include "drivers/camera/image_files.hpp"
 #include "drivers/camera/stereo_geometry.hpp"
 
 namespace pizarra {
@@ -57,11 +60,31 @@ Result<void> check_calibration(const CameraSetup& eyes) {
   return {};
 }
 
+// Another host may have what is not here.
+bool sees_from_here(const CellDescription& cell) {
+  const Result<CellHost> host = choose_host(cell, "");
+  return host && std::ranges::find(host->agents, "vision") != host->agents.end();
+}
+
+// What is not there yet may come before the cell is run.
+void warn_of_missing_recordings(const std::string& file, const CellDescription& cell) {
+  if (!sees_from_here(cell)) return;
+  for (const CameraSource& source : cell.eyes.sources) {
+    std::error_code unreadable;
+    const bool film_missing = source.kind == CameraSource::Kind::video &&
+                              !std::filesystem::is_regular_file(source.where, unreadable);
+    const bool images_missing = source.kind == CameraSource::Kind::images && image_files_at(source.where).empty();
+    if (film_missing) fmt::print(stderr, "{}: warning: there is no film {}\n", file, source.where);
+    if (images_missing) fmt::print(stderr, "{}: warning: there are no images at {}\n", file, source.where);
+  }
+}
+
 Result<std::string> check_cell(const std::string& file) {
   const Result<CellDescription> cell = read_cell_file(file);
   if (!cell) return fail(cell);
   const Result<void> calibrated = check_calibration(cell->eyes);
   if (!calibrated) return fail(calibrated);
+  warn_of_missing_recordings(file, *cell);
   return check_cell_whole(*cell);
 }
 

@@ -8,6 +8,7 @@
 #include "agents/launcher/command_line/word_tools.hpp"
 #include "agents/launcher/words/board_session.hpp"
 #include "agents/launcher/words/words.hpp"
+#include "agents/runtime/declared.hpp"
 #include "blackboard/client/remote_board.hpp"
 #include "blackboard/streams/remote_streams.hpp"
 #include "blackboard/time/event.hpp"
@@ -113,8 +114,9 @@ class Look {
       const Time deadline = executor_.now() + Duration(static_cast<std::int64_t>(choices_.timeout_s * 1e6));
       const std::optional<StreamFrame> frame = co_await frames_.pop(deadline);
       if (!frame) {
+        const std::string why = co_await why_no_image(stream);
         const Failure none{"no-image",
-                           fmt::format("no image came in {:g} s: is vision connected?", choices_.timeout_s),
+                           fmt::format("no image came in {:g} s: {}", choices_.timeout_s, why),
                            Datum::symbol(stream.name),
                            {}};
         status_ = complain_as(style(), none, exit_failed);
@@ -126,6 +128,20 @@ class Look {
       if (!written) status_ = complain_as(style(), written.error(), exit_unavailable);
       if (!written) co_return;
     }
+  }
+
+  // As the eyes whose stream it is tell it.
+  Task<std::string> why_no_image(Announced stream) {
+    const std::string& eyes = stream.teller;
+    const Datum state = list("camera-state"_sym, Datum::symbol(eyes), "?"_sym, "?"_sym);
+    const Result<std::vector<Fact>> told = co_await facts_if_declared(board_, state);
+    const bool known = told && !told->empty();
+    if (!known) co_return eyes + " does not tell what its camera does";
+    const Datum& camera = told->front().datum;
+    if (camera[2].is_symbol("lost")) co_return std::string(camera[3].text());
+    if (camera[2].is_symbol("opening")) co_return eyes + "'s camera is being opened, and has given none yet";
+    if (camera[2].is_symbol("open")) co_return eyes + "'s camera is open, and none of its images came here";
+    co_return fmt::format("{0}'s camera rests, for nobody is connected: ({0} (connect)) at the prompt", eyes);
   }
 
   void print(const Announced& stream, const StreamFrame& frame) const {

@@ -14,6 +14,7 @@
 #include "agents/launcher/supervision/agent_factory.hpp"
 #include "agents/launcher/supervision/run_directory.hpp"
 #include "agents/launcher/supervision/supervisor.hpp"
+#include "agents/launcher/words/this_host.hpp"
 #include "agents/launcher/words/words.hpp"
 #include "blackboard/client/remote_board.hpp"
 #include "blackboard/journal/journal_file.hpp"
@@ -34,22 +35,6 @@ struct UpChoices {
   std::uint64_t seed = 1;
   bool json = false;
 };
-
-// The host asked for, this machine if the file names it, "localhost", or the only one.
-Result<CellHost> choose_host(const CellDescription& cell, const std::string& asked) {
-  char machine[256] = {};
-  gethostname(machine, sizeof machine - 1);
-  const std::vector<std::string> wanted =
-      asked.empty() ? std::vector<std::string>{machine, "localhost"} : std::vector<std::string>{asked};
-  for (const std::string& name : wanted) {
-    const auto found = std::ranges::find(cell.hosts, name, &CellHost::name);
-    if (found != cell.hosts.end()) return *found;
-  }
-  if (asked.empty() && cell.hosts.size() == 1) return cell.hosts.front();
-  std::string known;
-  for (const CellHost& host : cell.hosts) known += (known.empty() ? "" : ", ") + host.name;
-  return fail("unknown-host", fmt::format("say which host this is with --host: the cell has {}", known));
-}
 
 // What would have no effect is refused; a key of the environment is there for other words, too.
 Result<void> check_keys(const UpChoices& choices, const CellDescription& cell, const CellHost& host) {

@@ -12,9 +12,9 @@
 (check "one camera leaves the rest to its device" (camera '(single (device 0)))
        '(single ((device "/dev/video0")) (0 0) 0 0 colour 0 "" 0 0 0))
 (check "all can be said"
-       (camera '(pair (stream "rtsp://left") (stream "rtsp://right")) '(size 1280 960) '(rate 120) '(exposure 2.5)
+       (camera '(pair (device "/dev/left") (device "/dev/right")) '(size 1280 960) '(rate 120) '(exposure 2.5)
                '(tones grey) '(skew 4) '(calibration "pair.calibration"))
-       '(pair ((stream "rtsp://left") (stream "rtsp://right")) (1280 960) 120 2.5 grey 4 "pair.calibration" 0 0 0))
+       '(pair ((device "/dev/left") (device "/dev/right")) (1280 960) 120 2.5 grey 4 "pair.calibration" 0 0 0))
 (check "a rectified pair needs no calibration"
        (camera '(side-by-side (video "film.avi")) '(focal 500) '(base-line 60))
        '(side-by-side ((video "film.avi")) (0 0) 0 0 colour 0 "" 500 60 0))
@@ -43,6 +43,8 @@
        '(1 repeated (0 2 3)))
 (check "what is too large is refused" (camera '(single (device 0)) '(size 9000 100) '(rate 500))
        '(2 out-of-range (0 2 2 1)))
+(check "only a device takes an exposure" (camera '(single (images "shots")) '(exposure 8)) '(1 malformed (0 2 2)))
+(check "only a pair has a skew" (camera '(single (device 0)) '(skew 10)) '(1 malformed (0 2 2)))
 (check "a word that is not known is refused" (camera '(single (device 0)) '(exposur 3)) '(1 unknown-section (0 2 2)))
 
 (finish-checks)

@@ -75,6 +75,15 @@
   (let ((node (section-in found 'tones)))
     (or (and node (choice-at node 1 "what is taken" '(colour grey))) 'colour)))
 
+;; What has an effect only on some cameras is refused for the others.
+(define (check-settings arrangement sources found)
+  (let ((exposure (section-in found 'exposure))
+        (skew (section-in found 'skew)))
+    (when (and exposure (not (eq? (first (first sources)) 'device)))
+      (complain! exposure 'malformed "only a (device ...) can be told how long to expose"))
+    (when (and skew (not (eq? arrangement 'pair)))
+      (complain! skew 'malformed "only the images of a (pair ...) come at two moments"))))
+
 ;; What an image's pixels mean in mm must be known, by a calibration or by the numbers of a rectified pair.
 (define (check-geometry node arrangement found)
   (let ((calibration (section-in found 'calibration))
@@ -99,7 +108,9 @@
                           (complain! node 'malformed
                                      "the cameras are (single SOURCE), (side-by-side SOURCE) or (pair LEFT RIGHT)")))
          (found (if (pair? (node-rest node)) (sections (cdr (node-rest node)) options) '())))
-    (when arrangement (check-geometry node (first arrangement) found))
+    (when arrangement
+      (check-settings (first arrangement) (second arrangement) found)
+      (check-geometry node (first arrangement) found))
     (append (or arrangement '(single ()))
             (list (or (size-of found) '(0 0))
                   (one-in found 'rate 1 240)

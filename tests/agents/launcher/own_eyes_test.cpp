@@ -101,6 +101,35 @@ TEST(OwnEyes, ACameraThatIsNotThereIsNamedAndThePromptGoesOn) {
   EXPECT_TRUE(contains(said, "the camera: /dev/no-such-camera cannot be opened")) << said.text;
 }
 
+// The last word of the line that tells where the logs are.
+std::string log_folder_of(const std::string& said) {
+  const std::size_t at = said.find("/", said.find("logs"));
+  return said.substr(at, said.find('\n', at) - at);
+}
+
+TEST(OwnEyes, ACameraThatIsNotThereIsNamedByLookByUpAndInTheLog) {
+  const std::string cell = cell_with("no-eyes", "(single (device \"/dev/no-such-camera\"))");
+  Running up({PIZARRA_CELL, "up", cell}, scratch_folder() + "no-eyes.log");
+  const std::string patient = " --cell no-eyes --timeout 1";
+  ASSERT_TRUE(wait_until([&] { return contains(run("look" + patient), "vision-colour"); }, std::chrono::seconds(60))) << up.said();
+  const Said resting = run("look colour" + patient);
+  EXPECT_EQ(resting.status, 1);
+  EXPECT_TRUE(contains(resting, "(vision (connect))")) << resting.text;
+  const Said connected = run("repl --cell no-eyes --eval '(vision (connect))' --eval '(vision (keep))'");
+  const std::string why = "the camera: /dev/no-such-camera cannot be opened";
+  EXPECT_TRUE(contains(connected, "ok\n  until this prompt ends")) << connected.text;
+  EXPECT_TRUE(contains(connected, "\n  vision has no images: " + why + "\n")) << connected.text;
+  const Said looked = run("look colour" + patient);
+  EXPECT_EQ(looked.status, 1);
+  EXPECT_TRUE(contains(looked, "no image came in 1 s: " + why)) << looked.text;
+  const std::string told = "vision has no images: " + why + "\n";
+  EXPECT_TRUE(wait_until([&] { return up.said().contains(told); }, std::chrono::seconds(10))) << up.said();
+  const std::string log = log_folder_of(up.said()) + "/vision.log";
+  EXPECT_TRUE(wait_until([&] { return text_of(log).contains(told); }, std::chrono::seconds(10))) << log << text_of(log);
+  up.signal(SIGINT);
+  EXPECT_EQ(up.end(std::chrono::seconds(20)), 0) << up.said();
+}
+
 TEST(OwnEyes, ACellOfEyesAloneNeedsNoDomainAndOneWithACoordinatorDoes) {
   const Said eyes = run("check " + cell_with("alone", "(single (device 0))"));
   EXPECT_EQ(eyes.status, 0) << eyes.text;
@@ -112,6 +141,29 @@ TEST(OwnEyes, ACellOfEyesAloneNeedsNoDomainAndOneWithACoordinatorDoes) {
     EXPECT_EQ(whole.status, 2) << whole.text;
     EXPECT_TRUE(contains(whole, "the cell names no file with (domain \"FILE\")")) << whole.text;
   }
+}
+
+TEST(OwnEyes, ACheckSaysWhichRecordingsAreNotHere) {
+  const Said images = run("check " + cell_with("no-images", "(single (images \"nowhere/*.png\"))"));
+  EXPECT_EQ(images.status, 0) << images.text;
+  EXPECT_TRUE(contains(images, "no-images.scm: warning: there are no images at ")) << images.text;
+  const Said film = run("check " + cell_with("no-film", "(single (video \"nowhere.avi\"))"));
+  EXPECT_EQ(film.status, 0) << film.text;
+  EXPECT_TRUE(contains(film, "warning: there is no film ")) << film.text;
+  const std::string elsewhere = scratch_folder() + "elsewhere.scm";
+  std::ofstream(elsewhere) << "(cell elsewhere (camera (single (video \"nowhere.avi\")))"
+                           << " (host \"localhost\" (agents planner)) (host \"far\" (agents vision)))";
+  EXPECT_FALSE(contains(run("check " + elsewhere), "warning")) << "it may be there on the other host";
+  const Said there = run("check " + cell_with("there", "(single (images \"" + folder_of_photographs() + "\"))"));
+  EXPECT_FALSE(contains(there, "warning")) << there.text;
+}
+
+TEST(OwnEyes, ACheckRefusesWhatWouldHaveNoEffectOnTheCamera) {
+  const Said exposed = run("check " + cell_with("exposed", "(single (images \"shots\")) (exposure 8)"));
+  EXPECT_EQ(exposed.status, 2) << exposed.text;
+  EXPECT_TRUE(contains(exposed, "only a (device ...) can be told how long to expose")) << exposed.text;
+  const Said skewed = run("check " + cell_with("skewed", "(single (device 0)) (skew 8)"));
+  EXPECT_EQ(skewed.status, 2) << skewed.text;
 }
 
 TEST(OwnEyes, ThePromptSaysThatAModeEndsWithItAndKeepsIt) {

@@ -1,0 +1,29 @@
+#pragma once
+
+// What becomes of a cell's cameras, in sentences: when one is lost and why, and when it gives images again.
+//
+//   CameraNews news;
+//   news.sentence_of(camera_state);                // "vision has no images: the camera: /dev/video0 cannot be opened"
+//   Job told = executor.spawn(log_camera_news(board, "vision", stderr));     // a line each, until destroyed
+
+#include <cstdio>
+#include <map>
+#include <string>
+
+#include "blackboard/board.hpp"
+
+namespace pizarra {
+
+class CameraNews {
+ public:
+  // Of a (camera-state EYES STATE TROUBLE); empty: it is no news.
+  std::string sentence_of(const Datum& camera_state);
+
+ private:
+  std::map<std::string, std::string> troubles_;  // of the eyes whose camera is lost
+};
+
+// Of these eyes alone. The board outlives it.
+Task<void> log_camera_news(Board& board, std::string eyes, std::FILE* out);
+
+}  // namespace pizarra
