@@ -79,6 +79,13 @@ std::optional<cv::Point2d> VisionAgent::State::place_found_last(const std::strin
 Failure VisionAgent::State::not_known(const std::string& name) const {
   const Failure* trouble = memory.trouble_with(name);
   if (trouble == nullptr) return {"not-learned", "nothing is learned under this name", to_datum(name), {}};
+  if (trouble->symbol == "full") {
+    return {"full",
+            fmt::format("it is kept, but {} objects are known already: forget another, and this one is known",
+                        most_objects),
+            to_datum(name),
+            {}};
+  }
   return {
       "damaged",
       fmt::format("what was learned under this name is damaged, {}: {}", trouble->subject.text(), trouble->sentence),

@@ -104,6 +104,27 @@ TEST_F(KeptVision, ADamagedSampleIsSaidOnceAndTheOthersGoOn) {
   EXPECT_EQ(call("(get-objects)"), R"x((GET 2 ("end-effector", "circle")))x");
 }
 
+// A damaged object takes no place, so that another comes in its own; mended, one is too many.
+TEST_F(KeptVision, WhatIsBeyondTheBoundIsSaidToBeSoAndKnownWhenAnotherIsForgotten) {
+  learn_all();
+  ObjectDatabase other = ObjectDatabase::open(folder).value();
+  const LearnedSample sample = other.read()->objects.find("circle")->samples.front();
+  for (std::size_t i = 2; i < most_objects; ++i) {
+    ASSERT_TRUE(other.apply(KeepSample{"further-" + std::to_string(i), sample}));
+  }
+  const std::string bitmap = folder + "/circle-1.pgm";
+  std::filesystem::copy_file(bitmap, bitmap + ".sound");
+  std::filesystem::resize_file(bitmap, 100);
+  ASSERT_TRUE(other.apply(KeepSample{"last", sample}));
+  std::filesystem::rename(bitmap + ".sound", bitmap);
+  run_for(2s);
+  EXPECT_NE(facts("(objects-damaged vision \"last-1.pgm\" full ?)"), "");
+  EXPECT_EQ(call("(track \"last\")"), "full \"last\"");
+  EXPECT_EQ(call("(forget \"further-2\")"), "()");
+  EXPECT_EQ(facts("(objects-damaged vision ? ? ?)"), "");
+  EXPECT_EQ(call("(track \"last\")"), "()");
+}
+
 TEST_F(KeptVision, ABitmapThatIsDamagedWhileTheAgentRunsIsSaidAndKnownAgainWhenItIsMended) {
   learn_all();
   const std::string bitmap = folder + "/circle-1.pgm";
