@@ -21,7 +21,8 @@ class FileStates {
  private:
   struct State {
     std::uint64_t inode;
-    std::int64_t size, seconds, nanoseconds;  // and when it was written
+    std::int64_t size;
+    std::int64_t seconds, nanoseconds;  // of its last change, which nothing sets back as it does the time of writing
     bool operator==(const State&) const = default;
   };
   // Nothing where there is no file.

@@ -11,21 +11,10 @@
 namespace pizarra {
 namespace {
 
-// A closed contour must have been followed in this many of the ten frames.
-constexpr std::size_t least_measured = 7;
-constexpr double most_motion_px = 1.5;
-// Within one mark, in grey levels; or, where that is more, as a part of the lighter level, as light and shadow are.
-constexpr double most_grey_change = 40;
-constexpr double most_light_change = 0.4;
-
-// In the world, by the partner; or, before one camera alone, by where objects are said to be while they are learned.
-std::optional<double> size_mm(StereoSight& sight, const SeenMark& seen) {
-  const StereoModel& model = sight.model();
-  if (model.is_single()) return seen.height_px * model.learned_at_mm / model.focal_px;
-  const SeenMark* partner = find_partner(seen, sight.right_segmentation().marks(), std::nullopt);
-  if (partner == nullptr) return std::nullopt;
-  return size_mm(model, seen, *partner);
-}
+// In so many of the ten frames the mark must have been seen, and its contour closed.
+constexpr std::size_t least_seen = 7;
+// Where it moved no farther, frames can be averaged.
+constexpr double rest_px = 1.5;
 
 // What the thesis' Table C.1 and the template picture say of a square; a tag is found by neither.
 MarkPortrait portrait_of_tag(const cv::Mat& grey, const SeenMark& seen) {
@@ -46,32 +35,21 @@ double mean_of(const std::vector<Measured>& measured, auto value) {
   return sum / static_cast<double>(measured.size());
 }
 
-// What is of another level than the place where the filling began.
-cv::Mat1b unlike(const cv::Mat1b& image, cv::Point seed) {
-  const double begun_at = cv::mean(image(cv::Rect(seed.x - 1, seed.y - 1, 3, 3) & cv::Rect({}, image.size())))[0];
-  cv::Mat1b levels(1, 256);
-  for (int level = 0; level < 256; ++level) {
-    const double most = std::max(most_grey_change, most_light_change * std::max<double>(level, begun_at));
-    levels(level) = std::abs(level - begun_at) > most ? 255 : 0;
-  }
-  cv::Mat1b out;
-  cv::LUT(image, levels, out);
+// Whether the image shows that mark where it is now: nothing may come to lie under a click.
+bool shows(const cv::Mat1b& grey, const SeenMark& mark) {
+  cv::Mat1b inside = cv::Mat1b::zeros(grey.size());
+  cv::fillPoly(inside, std::vector<MarkContour>{mark.contour}, 255);
+  const double level = cv::mean(grey, inside)[0];
+  return std::abs(level - mark.mark_level) < std::abs(level - mark.ground_level);
+}
+
+// As it would be seen if it were turned as the one whose signatures these are.
+cv::Mat1f turned_back(const cv::Mat1f& picture, const MarkSignature& seen, const TurnedSignatures& upright) {
+  const double turn_deg = 360.0 * fit_signature(seen, upright).turn / TurnedSignatures::turns;
+  constexpr float middle = template_size / 2;
+  cv::Mat1f out;
+  cv::warpAffine(picture, out, cv::getRotationMatrix2D({middle, middle}, -turn_deg, 1), picture.size(), cv::INTER_CUBIC);
   return out;
-}
-
-// The pixels of `bits` that are connected with `seed`: 255.
-cv::Mat1b connected(cv::Mat1b bits, cv::Point seed) {
-  cv::Mat1b padded = cv::Mat1b::zeros(bits.rows + 2, bits.cols + 2);
-  if (bits(seed) != 0) cv::floodFill(bits, padded, seed, 0, nullptr, 0, 0, 8 | cv::FLOODFILL_MASK_ONLY | (255 << 8));
-  return padded(cv::Rect(1, 1, bits.cols, bits.rows)).clone();
-}
-
-// What a region encloses without being of it: 255.
-cv::Mat1b enclosed(const cv::Mat1b& region) {
-  cv::Mat1b around;
-  cv::copyMakeBorder(region, around, 1, 1, 1, 1, cv::BORDER_CONSTANT, 0);
-  cv::floodFill(around, cv::Point(0, 0), 255, nullptr, 0, 0, 4);
-  return around(cv::Rect(1, 1, region.cols, region.rows)) == 0;
 }
 
 }  // namespace
@@ -82,38 +60,86 @@ Result<void> MarkLearner::feed(StereoSight& sight) {
     return fail("wrong-size", "the camera came back with images of another size while the mark was learned",
                 list(click_.x, click_.y));
   }
-  if (filled_frames_ < frames_per_step) return fill(sight.left());
-  return measure(sight);
+  return filled_frames_ < frames_per_step ? fill(sight) : measure(sight);
 }
 
-Result<void> MarkLearner::fill(const cv::Mat& left) {
-  const cv::Point seed(cvRound(click_.x), cvRound(click_.y));
-  if (!cv::Rect(0, 0, left.cols, left.rows).contains(seed)) {
+Result<void> MarkLearner::fill(StereoSight& sight) {
+  const cv::Mat& left = sight.left();
+  const bool first = filled_frames_ == 0;
+  const bool last = ++filled_frames_ == frames_per_step;
+  if (first && !cv::Rect({}, left.size()).contains({cvRound(click_.x), cvRound(click_.y)})) {
     return fail("outside", "the point is outside the image", list(click_.x, click_.y));
   }
+  if (first) first_frame_ = left.clone();
+  if (mark_ && !follow(sight)) return last ? end_filling() : Result<void>();
+  ClickedPlace place(averaged(left), click_);
+  filled_ = place.filled();
+  if (!first && !last) return {};
+  const Result<SeenMark> mark = place.mark();
+  if (mark && (first || (!mark_ && shows(first_frame_, *mark)))) begin_following(sight, *mark);
+  return last ? end_filling(sight, mark) : Result<void>();
+}
+
+// Noise may have kept one image from showing what their mean shows: a tag.
+Result<void> MarkLearner::end_filling(StereoSight& sight, const Result<SeenMark>& mark) {
+  const bool unclear = !mark && (!mark_ || mark.error().symbol == "unclear-tag");
+  if (unclear) return fail(mark);
+  if (mark && mark_ && mark->tag && mark->tag != mark_->tag) begin_following(sight, *mark);
+  if (mark) contour_ = mark->contour;
+  return end_filling();
+}
+
+// Of the frames in which the mark was where it is now.
+cv::Mat MarkLearner::averaged(const cv::Mat& left) {
+  if (mark_ && cv::norm(mark_->centre - summed_at_) > rest_px) summed_ = 0;
   cv::Mat1f grey;
   left.convertTo(grey, CV_32F);
-  if (sum_.empty()) {
-    sum_ = grey;
-  } else {
-    sum_ += grey;
-  }
-  ++filled_frames_;
+  sum_ = summed_ == 0 ? grey : cv::Mat1f(sum_ + grey);
+  if (summed_++ == 0 && mark_) summed_at_ = mark_->centre;
   cv::Mat mean;
-  sum_.convertTo(mean, CV_8U, 1.0 / filled_frames_);
-  ImageSegmentation segmentation(mean);
-  fill(segmentation, seed);
-  if (filled_frames_ < frames_per_step) return {};
-  Result<std::optional<SeenMark>> tag = tag_at(mean, click_);
-  if (!tag) return fail(tag);
-  first_ = std::move(*tag);
-  if (first_) {
-    contour_ = first_->contour;
-    return check_kind();
+  sum_.convertTo(mean, CV_8U, 1.0 / summed_);
+  return mean;
+}
+
+void MarkLearner::begin_following(StereoSight& sight, const SeenMark& mark) {
+  mark_ = mark;
+  seen_ = static_cast<std::size_t>(filled_frames_);
+  summed_at_ = mark.centre;
+  before_ = marked_image(sight.left(), marks_in(sight));
+}
+
+std::vector<SeenMark> MarkLearner::marks_in(StereoSight& sight) const {
+  std::vector<SeenMark> out = sight.left_segmentation().marks();
+  if (mark_->tag) {
+    for (SeenMark& tag : find_tags(sight.left(), *mark_->tag)) out.push_back(std::move(tag));
   }
-  const Result<void> checked = check_region(segmentation);
-  // A shadow's edge within a large light mark is filled up to that edge; it is within the mark's contour all the same.
-  return checked || is_within_a_mark(segmentation) ? check_kind() : checked;
+  return out;
+}
+
+bool MarkLearner::follow(StereoSight& sight) {
+  MarkedImage now = marked_image(sight.left(), marks_in(sight));
+  const Refound found = refind(*mark_, before_, now);
+  ambiguous_ = ambiguous_ || found.ambiguous;
+  if (found.mark == nullptr) {
+    crowded_ = crowded_ || sight.left_segmentation().left_out() > 0;
+    return false;
+  }
+  moved_ = moved_ || cv::norm(found.mark->centre - mark_->centre) > rest_px;
+  click_ += found.mark->centre - mark_->centre;
+  mark_ = *found.mark;
+  before_ = std::move(now);
+  ++seen_;
+  return true;
+}
+
+Result<void> MarkLearner::end_filling() {
+  if (!mark_) {
+    return fail("moved", "what is around the point came there while it was filled", list(click_.x, click_.y));
+  }
+  const Result<void> followed = check_seen(seen_);
+  if (!followed) return followed;
+  if (contour_.empty()) contour_ = mark_->contour;
+  return check_kind();
 }
 
 // An object is found by its shape or by its tag, and by one tag alone.
@@ -121,133 +147,63 @@ Result<void> MarkLearner::check_kind() const {
   const LearnedObject* object = objects_.find(name_);
   if (object == nullptr) return {};
   const Tag* known = object->tag();
-  if (known != nullptr && first_->tag == *known) return {};
-  if (known == nullptr && !first_->tag) return {};
+  if (known != nullptr && mark_->tag == *known) return {};
+  if (known == nullptr && !mark_->tag) return {};
   const std::string sentence = known == nullptr ? "a shape is learned under this name, and this is a tag"
-                               : first_->tag
+                               : mark_->tag
                                    ? fmt::format("another tag is learned under this name, {}", tag_name(*known))
                                    : "a tag is learned under this name, and this is a shape";
   return fail("other-kind", sentence, to_datum(object->name));
 }
 
-bool MarkLearner::is_within_a_mark(ImageSegmentation& mean) {
-  const cv::Mat1b other = unlike(mean.image(), {cvRound(click_.x), cvRound(click_.y)});
-  for (const SeenMark& mark : mean.marks()) {
-    if (cv::pointPolygonTest(mark.contour, cv::Point2f(click_), false) < 0) continue;
-    cv::Mat1b inside = cv::Mat1b::zeros(other.size());
-    cv::fillPoly(inside, std::vector<MarkContour>{mark.contour}, 255);
-    const bool solid = cv::countNonZero(inside & other) < least_mark_area_px;
-    if (solid && (!first_ || mark.area_px < first_->area_px)) first_ = mark;
-  }
-  if (first_) contour_ = first_->contour;
-  return first_.has_value();
-}
-
-// The inside of a large mark has no tone: there the border is the first that has, to the left.
-void MarkLearner::fill(const ImageSegmentation& mean, cv::Point seed) {
-  const auto toned = [&](MarkTone tone, int x) { return mean.bits(tone).inside(x, seed.y); };
-  int x = seed.x;
-  while (x > 0 && !toned(MarkTone::dark, x) && !toned(MarkTone::light, x)) --x;
-  tone_ = toned(MarkTone::dark, x) ? MarkTone::dark : MarkTone::light;
-  filled_ = connected(mean.mask(tone_), {x, seed.y});
-  const cv::Mat1b hole = enclosed(filled_);
-  other_px_ = cv::countNonZero(hole & unlike(mean.image(), seed));
-  if (filled_(seed) == 0 && hole(seed) == 0) {
-    filled_.setTo(0);
-  } else if (other_px_ < least_mark_area_px) {
-    filled_ |= hole;
-  }
-}
-
-Result<void> MarkLearner::check_region(const ImageSegmentation& mean) {
-  const Datum where = list(click_.x, click_.y);
-  const int area = cv::countNonZero(filled_);
-  if (area == 0)
-    return fail(
-        "background",
-        "there is nothing but even ground around the point, or the inside of a shape that the image's border cuts",
-        where);
-  const cv::Rect box = cv::boundingRect(filled_);
-  const bool cut = box.x <= 1 || box.y <= 1 || box.br().x >= filled_.cols - 1 || box.br().y >= filled_.rows - 1;
-  const cv::Point seed(cvRound(click_.x), cvRound(click_.y));
-  if (2 * cv::countNonZero(filled_ & unlike(mean.image(), seed)) > area) {
-    return fail("open-contour", "the contour of the mark is open: what is filled leaks out of it", where);
-  }
-  // Ground that has a mark in it has a hole; so has a ring, which is no solid mark either.
-  const bool too_large = is_too_large_for_a_mark(box.size(), filled_.size());
-  if ((too_large && cut) || other_px_ >= least_mark_area_px) {
-    return fail("background", "the point is on the ground around marks, which is no mark itself", where);
-  }
-  if (too_large) {
-    return fail("too-large",
-                "the shape around the point is wider or higher than nine tenths of the image: show it from "
-                "farther away",
-                where);
-  }
-  if (cut) return fail("border", "the shape around the point is cut by the border of the image", where);
-  if (area < least_mark_area_px) return fail("too-small", "the region around the point is too small", where);
-  int x = box.x;
-  while (filled_(box.y, x) == 0) ++x;
-  const std::optional<MarkContour> contour =
-      follow_contour(MaskField(filled_), {x, box.y}, longest_contour_px(filled_.size()));
-  if (contour) first_ = measure_mark(mean.cut(), *contour, tone_);
-  if (!first_) {
-    return fail("open-contour", "the region around the point is no solid mark with a closed contour on even ground",
-                where);
-  }
-  contour_ = *contour;
-  return {};
-}
-
 Result<void> MarkLearner::measure(StereoSight& sight) {
   ++contour_frames_;
   size_guessed_ = sight.model().is_single();
-  if (first_->tag) {
-    measure_tag(sight);
-    return done() ? check_measured() : Result<void>{};
-  }
-  const SeenMark* seen = nullptr;
-  ImageSegmentation& segmentation = sight.left_segmentation();
-  for (const SeenMark& mark : segmentation.marks()) {
-    if (mark.tone == first_->tone && cv::norm(mark.centre - first_->centre) < most_motion_px) seen = &mark;
-  }
-  if (seen != nullptr) {
-    contour_ = seen->contour;
-    const std::optional<MarkPortrait> portrait = portray_mark(segmentation.cut(), seen->contour, seen->tone);
-    measured_.push_back(*seen);
-    portraits_.push_back(portrait.value());
-    const std::optional<double> size = size_mm(sight, *seen);
+  if (follow(sight)) {
+    contour_ = mark_->contour;
+    measured_.push_back(*mark_);
+    portraits_.push_back(mark_->tag ? portrait_of_tag(sight.left(), *mark_)
+                                    : portray_mark(sight.left_segmentation().cut(), contour_, mark_->tone).value());
+    const std::optional<double> size = size_mm(sight, *mark_);
     if (size) sizes_mm_.push_back(*size);
-  } else if (segmentation.left_out() > 0) {
-    crowded_ = true;
   }
   return done() ? check_measured() : Result<void>{};
 }
 
-void MarkLearner::measure_tag(StereoSight& sight) {
-  const std::optional<SeenPair> seen = sight.find(*first_->tag, area_around_tag(first_->box));
-  if (!seen || cv::norm(seen->left.centre - first_->centre) > most_motion_px) return;
-  measured_.push_back(seen->left);
-  portraits_.push_back(portrait_of_tag(sight.left(), seen->left));
+// In the world, by the partner; or, before one camera alone, by where objects are said to be while they are learned.
+std::optional<double> MarkLearner::size_mm(StereoSight& sight, const SeenMark& seen) {
   const StereoModel& model = sight.model();
-  if (model.is_single()) {
-    sizes_mm_.push_back(seen->left.height_px * model.learned_at_mm / model.focal_px);
-  } else if (seen->right) {
-    sizes_mm_.push_back(size_mm(model, seen->left, *seen->right));
+  if (model.is_single()) return seen.height_px * model.learned_at_mm / model.focal_px;
+  if (seen.tag) {
+    const std::optional<SeenPair> pair = sight.find(*seen.tag, area_around_tag(seen.box));
+    if (!pair || !pair->right) return std::nullopt;
+    return pizarra::size_mm(model, pair->left, *pair->right);
   }
+  const SeenMark* partner = find_partner(seen, sight.right_segmentation().marks(), std::nullopt);
+  if (partner == nullptr) return std::nullopt;
+  return pizarra::size_mm(model, seen, *partner);
 }
 
-Result<void> MarkLearner::check_measured() const {
+Result<void> MarkLearner::check_seen(std::size_t frames) const {
+  if (frames >= least_seen) return {};
   const Datum where = list(click_.x, click_.y);
-  if (measured_.size() < least_measured && crowded_) {
+  if (crowded_) {
     return fail(
         "crowded",
         fmt::format("the mark is none of the {} largest in the image, and smaller ones are not looked at", most_marks),
         where);
   }
-  if (measured_.size() < least_measured) {
-    return fail("moved", "the mark moved, or its contour did not stay closed, while it was learned", where);
+  if (ambiguous_) {
+    return fail("ambiguous",
+                "shapes like it are near, and the images moved so that nobody can tell which of them was clicked on",
+                where);
   }
+  return fail("moved", "the mark moved too far, or its contour did not stay closed, while it was learned", where);
+}
+
+Result<void> MarkLearner::check_measured() const {
+  const Result<void> seen = check_seen(measured_.size());
+  if (!seen) return seen;
   for (const LearnedObject& other : objects_.all()) {
     if (same_name(other.name, name_)) continue;
     if (recognition_error(measured_.back(), other) < recognition_threshold / 2) {
@@ -257,11 +213,23 @@ Result<void> MarkLearner::check_measured() const {
   return {};
 }
 
+// Of portraits that are turned alike.
+cv::Mat1f MarkLearner::mean_picture() const {
+  const bool turns = moved_ && !mark_->tag;
+  const TurnedSignatures upright = turned_signatures_of(template_from_picture(portraits_.front().picture));
+  cv::Mat1f out = cv::Mat1f::zeros(template_size, template_size);
+  for (std::size_t i = 0; i < portraits_.size(); ++i) {
+    const cv::Mat1f& picture = portraits_[i].picture;
+    out += turns && i > 0 ? turned_back(picture, measured_[i].signature, upright) : picture;
+  }
+  return out / static_cast<double>(portraits_.size());
+}
+
 LearnedSample MarkLearner::sample() const {
   assert(done() && !measured_.empty());
   LearnedSample out;
-  out.tone = first_->tone;
-  out.tag = first_->tag;
+  out.tone = measured_.front().tone;
+  out.tag = measured_.front().tag;
   out.area_px = mean_of(measured_, [](const SeenMark& m) { return m.area_px; });
   out.perimeter_px =
       static_cast<int>(std::lround(mean_of(measured_, [](const SeenMark& m) { return m.perimeter_px; })));
@@ -280,10 +248,7 @@ LearnedSample MarkLearner::sample() const {
     out.size_mm = std::accumulate(sizes_mm_.begin(), sizes_mm_.end(), 0.0) / static_cast<double>(sizes_mm_.size());
     out.size_guessed = size_guessed_;
   }
-  cv::Mat1f picture = cv::Mat1f::zeros(template_size, template_size);
-  for (const MarkPortrait& portrait : portraits_) picture += portrait.picture;
-  picture /= static_cast<double>(portraits_.size());
-  out.set_picture(template_from_picture(picture));
+  out.set_picture(template_from_picture(mean_picture()));
   return out;
 }
 

@@ -1,7 +1,8 @@
 #pragma once
 
-// Learns a mark from a click: ten frames are averaged while the region around the clicked point is filled, then its
-// contour is followed and measured in ten more. Where the point lies in a tag, it is the tag that is learned.
+// Learns a mark from a click: it is filled in ten frames, averaged while it rests, then its contour is measured in ten
+// more. Where the point lies in a tag, it is the tag that is learned. The camera may be in a hand: the mark is followed
+// from frame to frame, and what is learned is what the frames agree on.
 //
 //   MarkLearner learner("circle", {160, 120}, objects);
 //   while (!learner.done()) {
@@ -10,6 +11,8 @@
 //   }
 //   LearnedSample sample = learner.sample();
 
+#include "agents/vision/sight/clicked_place.hpp"
+#include "agents/vision/sight/refind.hpp"
 #include "agents/vision/sight/stereo_sight.hpp"
 
 namespace pizarra {
@@ -22,8 +25,7 @@ class MarkLearner {
   MarkLearner(std::string name, cv::Point2d click, const LearnedObjects& objects)
       : name_(std::move(name)), click_(click), objects_(objects) {}
 
-  // Failures: outside, background, open-contour, border, too-small, too-large, moved, crowded, ambiguous, other-kind,
-  // unclear-tag, wrong-size.
+  // Failures: outside, those of a ClickedPlace, moved, crowded, ambiguous, other-kind, wrong-size.
   Result<void> feed(StereoSight& sight);
   bool done() const { return filled_frames_ == frames_per_step && contour_frames_ == frames_per_step; }
   // After done().
@@ -34,31 +36,43 @@ class MarkLearner {
   const MarkContour& contour() const { return contour_; }
 
  private:
-  Result<void> fill(const cv::Mat& left);
-  void fill(const ImageSegmentation& mean, cv::Point seed);
-  Result<void> check_region(const ImageSegmentation& mean);
-  bool is_within_a_mark(ImageSegmentation& mean);
+  Result<void> fill(StereoSight& sight);
+  cv::Mat averaged(const cv::Mat& left);
+  void begin_following(StereoSight& sight, const SeenMark& mark);
+  std::vector<SeenMark> marks_in(StereoSight& sight) const;
+  // Whether the mark is seen in this frame, and could be no other.
+  bool follow(StereoSight& sight);
+  // What their mean shows, where the last frame is one of those that are averaged.
+  Result<void> end_filling(StereoSight& sight, const Result<SeenMark>& mark);
+  Result<void> end_filling();
   Result<void> check_kind() const;
   Result<void> measure(StereoSight& sight);
-  void measure_tag(StereoSight& sight);
+  static std::optional<double> size_mm(StereoSight& sight, const SeenMark& seen);
+  Result<void> check_seen(std::size_t frames) const;
   Result<void> check_measured() const;
+  cv::Mat1f mean_picture() const;
 
   std::string name_;
-  cv::Point2d click_;
+  cv::Point2d click_;  // where it would be in the frame in which the mark was seen last
   const LearnedObjects& objects_;
   int filled_frames_ = 0;
   int contour_frames_ = 0;
+  cv::Mat1b first_frame_;
   cv::Mat1f sum_;
+  int summed_ = 0;
+  cv::Point2d summed_at_;  // where the mark was then
   cv::Mat1b filled_;
-  MarkTone tone_ = MarkTone::dark;  // of what is filled
-  int other_px_ = 0;                // what it encloses that is unlike it
   MarkContour contour_;
-  std::optional<SeenMark> first_;  // on the averaged image
+  std::optional<SeenMark> mark_;  // as it was seen last
+  MarkedImage before_;            // that frame
+  std::size_t seen_ = 0;          // in so many frames
+  bool moved_ = false;
+  bool ambiguous_ = false;  // in a frame it might have been another
+  bool crowded_ = false;    // in one in which it was not seen, more regions were there than are looked at
   std::vector<SeenMark> measured_;
   std::vector<MarkPortrait> portraits_;  // of the same
   std::vector<double> sizes_mm_;
   bool size_guessed_ = false;
-  bool crowded_ = false;  // in a frame in which it was not measured, more regions were there than are looked at
 };
 
 }  // namespace pizarra

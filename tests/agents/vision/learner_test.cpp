@@ -1,3 +1,4 @@
+#include <functional>
 #include <gtest/gtest.h>
 
 #include "tests/agents/vision/eyes.hpp"
@@ -82,19 +83,29 @@ TEST(Learner, RefusesAContourThatIsNotClosed) {
   EXPECT_EQ(failure_of(scene, centre), "open-contour");
 }
 
-TEST(Learner, RefusesAMarkThatMovesMeanwhile) {
+// What `change` does to the scene before each frame after the tenth.
+Result<void> learn_while(const std::function<void(Scene&)>& change) {
   Random random(3);
   Scene scene = circle_scene();
   const LearnedObjects none;
   MarkLearner learner("circle", project(DrawnSight::model(), in_front, false), none);
   Result<void> fed;
   for (int frame = 0; frame < 20 && fed; ++frame) {
-    if (frame >= 10) scene.faces[0].place.x += 4;
+    if (frame >= 10) change(scene);
     DrawnSight drawn(scene, random);
     fed = learner.feed(drawn.sight);
   }
-  ASSERT_FALSE(fed);
-  EXPECT_EQ(fed.error().symbol, "moved");
+  return fed;
+}
+
+TEST(Learner, FollowsAMarkThatMovesAndRefusesOneThatIsGone) {
+  EXPECT_TRUE(learn_while([](Scene& scene) { scene.faces[0].place.x += 4; }));
+  const Result<void> gone = learn_while([](Scene& scene) { scene.faces.clear(); });
+  ASSERT_FALSE(gone);
+  EXPECT_EQ(gone.error().symbol, "moved");
+  const Result<void> other = learn_while([](Scene& scene) { scene.faces[0].mark = "cross"; });
+  ASSERT_FALSE(other);
+  EXPECT_EQ(other.error().symbol, "moved");
 }
 
 TEST(Learner, RefusesASecondNameForAKnownMarkButNotASecondSample) {

@@ -125,6 +125,19 @@ TEST_F(KeptVision, WhatIsBeyondTheBoundIsSaidToBeSoAndKnownWhenAnotherIsForgotte
   EXPECT_EQ(call("(track \"last\")"), "()");
 }
 
+// As a failing disk does, or who restores a copy with its times.
+TEST(FileStates, TellOfAFileThatChangedAndKeptItsSizeAndItsTimeOfWriting) {
+  const std::filesystem::path file = scratch_folder() + "kept-time.pgm";
+  std::ofstream(file) << "sound";
+  FileStates states;
+  states.note(file);
+  EXPECT_TRUE(states.unchanged());
+  const auto written = std::filesystem::last_write_time(file);
+  std::fstream(file, std::ios::in | std::ios::out) << "s0und";
+  std::filesystem::last_write_time(file, written);
+  EXPECT_FALSE(states.unchanged());
+}
+
 TEST_F(KeptVision, ABitmapThatIsDamagedWhileTheAgentRunsIsSaidAndKnownAgainWhenItIsMended) {
   learn_all();
   const std::string bitmap = folder + "/circle-1.pgm";

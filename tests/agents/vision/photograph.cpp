@@ -28,7 +28,8 @@ cv::Point3d in_camera(const Photograph& photograph, cv::Point2d p) {
   const double tilt = radians(photograph.tilt_deg);
   const double x = rolled.x * std::cos(pan);
   const double z = rolled.x * std::sin(pan);
-  return {x, rolled.y * std::cos(tilt), z - rolled.y * std::sin(tilt) + photograph.distance_mm};
+  return {x + photograph.aside_mm.x, rolled.y * std::cos(tilt) + photograph.aside_mm.y,
+          z - rolled.y * std::sin(tilt) + photograph.distance_mm};
 }
 
 bench::Shape projected(const Photograph& photograph, const bench::Shape& shape, cv::Point2d at_mm) {
@@ -96,7 +97,7 @@ cv::Point2d Photograph::project(cv::Point2d sheet_mm) const {
 double Photograph::range_mm(cv::Point2d sheet_mm) const { return cv::norm(in_camera(*this, sheet_mm)); }
 
 cv::Point2d Photograph::seen_at(const std::string& shape) const {
-  const auto found = std::ranges::find(printed_shapes(), shape, &PrintedShape::name);
+  const auto found = std::ranges::find(shapes, shape, &PrintedShape::name);
   return project(found->at_mm);
 }
 
@@ -104,8 +105,9 @@ cv::Mat3b Photograph::take(Random& random) const {
   cv::Mat1f picture(size, static_cast<float>(desk_level));
   bench::paint(picture, projected(*this, bench::box(paper_width_mm, paper_height_mm), {0, 0}),
                static_cast<float>(light_on_dark ? dark_level : light_level));
-  for (const PrintedShape& shape : printed_shapes()) {
-    bench::paint(picture, projected(*this, bench::mark_shape(shape.name), shape.at_mm),
+  for (const PrintedShape& shape : shapes) {
+    const bench::Shape outline = bench::placed(bench::mark_shape(shape.name), {0, 0}, shape.scale, shape.turn_deg);
+    bench::paint(picture, projected(*this, outline, shape.at_mm),
                  static_cast<float>(light_on_dark ? light_level : dark_level));
   }
   if (cluttered) paint_clutter(picture, *this);

@@ -15,6 +15,16 @@
 
 namespace pizarra {
 
+struct PrintedShape {
+  std::string name;
+  cv::Point2d at_mm;
+  double scale = 1;
+  double turn_deg = 0;
+};
+
+// circle, triangle, square and cross of 44 mm, 90 by 60 mm apart.
+const std::vector<PrintedShape>& printed_shapes();
+
 struct Photograph {
   cv::Size size{640, 480};
   double tilt_deg = 0;  // of the sheet, its upper edge away
@@ -29,6 +39,8 @@ struct Photograph {
   double blur_px = 1;
   double noise = 4;  // grey levels
   int jpeg_quality = 80;
+  cv::Point2d aside_mm{};  // of the sheet, in the picture
+  std::vector<PrintedShape> shapes = printed_shapes();
 
   double focal_px() const { return 0.87 * size.width; }
   // Where a point of the sheet is seen, mm from its middle, x right, y down; and how far away it is.
@@ -38,13 +50,5 @@ struct Photograph {
 
   cv::Mat3b take(Random& random) const;
 };
-
-struct PrintedShape {
-  std::string name;
-  cv::Point2d at_mm;
-};
-
-// circle, triangle, square and cross of 44 mm, 90 by 60 mm apart.
-const std::vector<PrintedShape>& printed_shapes();
 
 }  // namespace pizarra
