@@ -14,27 +14,31 @@ namespace {
 
 constexpr const char* file_name = "objects.sqlite";
 constexpr std::int64_t application = 0x506f626a;  // "Pobj"
-constexpr std::int64_t format = 3;
+constexpr std::int64_t format = 4;
 
 // A row's id is never given again; the number of a sample is, once its object is forgotten.
 constexpr const char* schema = R"(
   CREATE TABLE samples (id INTEGER PRIMARY KEY AUTOINCREMENT, name TEXT COLLATE NOCASE, num INTEGER, tone TEXT,
                         area REAL, perimeter INTEGER, nf INTEGER, m0 REAL, m1 REAL, m2 REAL, height REAL, slimness REAL,
-                        roundness REAL, roundness_spread REAL, size REAL, sum INTEGER, guessed INTEGER,
+                        roundness REAL, roundness_spread REAL, size REAL, sum INTEGER, size_by INTEGER,
                         UNIQUE (name, num));
   PRAGMA application_id = 1349476970;
-  PRAGMA user_version = 3;
+  PRAGMA user_version = 4;
 )";
 
-// The first format had no ids, the second did not say which sizes were guesses.
+// The first format had no ids, the second did not say which sizes were guesses, the third knew none but along y.
 constexpr const char* put_away_first_format = "ALTER TABLE samples RENAME TO samples_1";
 constexpr const char* take_first_format = R"(
   INSERT INTO samples SELECT NULL, *, 0 FROM samples_1 ORDER BY rowid;
   DROP TABLE samples_1;
 )";
 constexpr const char* take_second_format = R"(
-  ALTER TABLE samples ADD COLUMN guessed INTEGER DEFAULT 0;
-  PRAGMA user_version = 3;
+  ALTER TABLE samples ADD COLUMN size_by INTEGER DEFAULT 0;
+  PRAGMA user_version = 4;
+)";
+constexpr const char* take_third_format = R"(
+  ALTER TABLE samples RENAME COLUMN guessed TO size_by;
+  PRAGMA user_version = 4;
 )";
 
 // Of all that is kept of a sample, its bitmap included. What every format keeps is in the same words in all.
@@ -42,7 +46,7 @@ std::int64_t sum_of(const LearnedSample& sample) {
   const std::string nameless;
   const Datum facts = learned_template_fact(nameless, sample);
   std::vector<Datum> kept(facts.items().begin(), facts.items().end());
-  if (!sample.size_guessed) kept.erase(kept.end() - 2);
+  if (sample.size_by == LearnedSample::SizeBy::measured) kept.erase(kept.end() - 2);
   return Checksum().add(write(learned_fact(nameless, sample))).add(write(Datum::list(std::move(kept)))).value();
 }
 
@@ -124,6 +128,7 @@ Result<void> ObjectDatabase::make_tables() {
   if (*whose == application && *version == format) return {};
   if (*tables == 0) return database_.run(schema);
   if (*whose == application && *version == 2) return database_.run(take_second_format);
+  if (*whose == application && *version == 3) return database_.run(take_third_format);
   if (*whose != application || *version != 1) {
     return fail("unusable", "the file is no database of objects that this version knows");
   }
@@ -143,7 +148,7 @@ Result<KeptObjects> ObjectDatabase::read() {
   bitmaps_.clear();
   sqlite::Statement rows(database_,
                          "SELECT name, num, tone, area, perimeter, nf, m0, m1, m2, height, slimness, roundness, "
-                         "roundness_spread, size, sum, id, guessed FROM samples ORDER BY id");
+                         "roundness_spread, size, sum, id, size_by FROM samples ORDER BY id");
   for (Result<bool> row = rows.step(); !row || *row; row = rows.step()) {
     if (!row) return fail(row);
     const std::string name(rows.text(0));
@@ -178,7 +183,7 @@ Result<LearnedSample> ObjectDatabase::sample_of(sqlite::Statement& row, const st
   out.roundness_spread = row.real(12);
   out.size_mm = row.real(13);
   out.id = row.integer(15);
-  out.size_guessed = row.integer(16) != 0;
+  out.size_by = static_cast<LearnedSample::SizeBy>(std::clamp<std::int64_t>(row.integer(16), 0, 3));
   const Result<MarkTemplate> picture = read_bitmap(bitmap({name, out.number}), out.tone);
   if (!picture) return fail(picture);
   out.set_picture(*picture);
@@ -257,7 +262,7 @@ Result<void> ObjectDatabase::change(const KeepSample& keep, Outcome& outcome) {
   for (int i = 0; i < 3; ++i) row.bind_real(7 + i, sample.moments[static_cast<std::size_t>(i)]);
   row.bind_real(10, sample.height_px).bind_real(11, sample.slimness).bind_real(12, sample.roundness);
   row.bind_real(13, sample.roundness_spread).bind_real(14, sample.size_mm).bind(15, sum_of(sample));
-  row.bind(16, std::int64_t{sample.size_guessed ? 1 : 0});
+  row.bind(16, static_cast<std::int64_t>(sample.size_by));
   const Result<void> inserted = row.run();
   if (!inserted) return inserted;
   const Result<std::int64_t> id = database_.ask("SELECT last_insert_rowid()");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <numbers>
 
 namespace pizarra {
 namespace {
@@ -42,7 +43,32 @@ void note_rival(LearnedObject& object, const LearnedSample& sample, std::size_t 
 
 bool is_letter(char c) { return lower(c) >= 'a' && lower(c) <= 'z'; }
 
+// In the order of SizeBy.
+constexpr std::array<std::string_view, 4> ways_to_size = {"measured", "guessed", "measured-face", "guessed-face"};
+
 }  // namespace
+
+std::string_view size_by_of(const LearnedSample& sample) {
+  return ways_to_size[static_cast<std::size_t>(sample.size_by)];
+}
+
+void set_size_by(LearnedSample& sample, std::string_view text) {
+  const auto found = std::ranges::find(ways_to_size, text);
+  sample.size_by =
+      found == ways_to_size.end() ? LearnedSample::SizeBy::measured : static_cast<LearnedSample::SizeBy>(found - ways_to_size.begin());
+}
+
+// How large it looked says how it lay: its roundness is the same whichever way it does.
+double LearnedSample::face_mm() const {
+  const bool along_y = size_by == SizeBy::measured || size_by == SizeBy::guessed;
+  if (!along_y || tag || area_px <= 0 || height_px <= 0) return size_mm;
+  return size_mm * std::sqrt(roundness * area_px / (4 * std::numbers::pi)) / height_px;
+}
+
+double LearnedSample::most_face_mm() const {
+  const bool may_be_turned = size_by == SizeBy::measured && !tag && slimness > 0;
+  return may_be_turned ? measured_face_mm() / std::sqrt(slimness) : measured_face_mm();
+}
 
 std::string tone_of(const LearnedSample& sample) {
   if (sample.tag) return tag_name(*sample.tag);
@@ -119,7 +145,7 @@ Datum learned_fact(const std::string& name, const LearnedSample& sample) {
 Datum learned_template_fact(const std::string& name, const LearnedSample& sample) {
   return list("learned-template"_sym, name, sample.number, Datum::symbol(tone_of(sample)), sample.height_px,
               sample.slimness, sample.roundness, sample.roundness_spread, sample.size_mm,
-              sample.size_guessed ? "guessed"_sym : "measured"_sym, template_to_text(sample.picture));
+              Datum::symbol(std::string(size_by_of(sample))), template_to_text(sample.picture));
 }
 
 Result<LearnedSample> sample_from_facts(const Datum& learned, const Datum& learned_template) {
@@ -141,7 +167,7 @@ Result<LearnedSample> sample_from_facts(const Datum& learned, const Datum& learn
   out.roundness = learned_template[6].number();
   out.roundness_spread = learned_template[7].number();
   out.size_mm = learned_template[8].number();
-  out.size_guessed = learned_template[9].text() == "guessed";
+  set_size_by(out, learned_template[9].text());
   out.set_picture(*picture);
   return out;
 }

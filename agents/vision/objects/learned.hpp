@@ -3,7 +3,7 @@
 // What vision has learned: objects by name, each with one or more samples of its mark. Kept as the durable facts
 //   (learned NAME NUM AREA PERIMETER FEATURES M0 M1 M2)                            the thesis' Table C.1
 //   (learned-template NAME NUM TONE HEIGHT SLIMNESS ROUNDNESS SPREAD SIZE BY TEMPLATE) what recognition needs besides
-// TONE being dark, light, or the tag that it is, and BY how its SIZE is known, `measured` or `guessed`; so that a
+// TONE being dark, light, or the tag that it is, and BY how its SIZE is known (LearnedSample::SizeBy); so that a
 // restarted agent reads them back; and, where a cell says so, as files too (object_database.hpp).
 //
 //   LearnedObjects objects;
@@ -31,11 +31,16 @@ struct LearnedSample {
   int corners = 0;
   std::array<double, 3> moments{};
   double height_px = 0;
-  double slimness = 0;
+  double slimness = 0;  // from the front where a pair learned it, else as it was seen
   double roundness = 0;
   double roundness_spread = 0;  // a standard deviation, over the frames it was learned from
-  double size_mm = 0;  // the standard deviation along y in the world; 0 when the right image did not show the mark
-  bool size_guessed = false;  // by where objects are said to be while one camera alone learns them
+  // How its size is known: measured by a pair, or guessed by where objects are said to be while one camera alone learns
+  // them; of the face, which no turn changes, or, in what was learned long ago, along y alone.
+  enum class SizeBy : std::uint8_t { measured, guessed, measured_face, guessed_face };
+  SizeBy size_by = SizeBy::measured;
+  // The root of the product of both principal standard deviations in the world, as from the front; or, by `size_by`,
+  // the standard deviation along y. 0 when the right image did not show the mark.
+  double size_mm = 0;
   MarkTemplate picture{};
   // Of `picture`, and as a blur of so many standard deviations would show it: far away a mark is small, and blur is
   // wide beside it.
@@ -44,10 +49,18 @@ struct LearnedSample {
   // Of `picture`, by the part of a step that it is turned: between samples a corner's point may hide.
   std::array<MarkOutline, TurnedSignatures::parts> outlines;
 
-  // For a pair of cameras, which a guess is nothing to.
-  double measured_size_mm() const { return size_guessed ? 0 : size_mm; }
+  bool size_guessed() const { return size_by == SizeBy::guessed || size_by == SizeBy::guessed_face; }
+  // The size of its face as it was seen, where that is known: to a pair of cameras a guess is nothing.
+  double face_mm() const;
+  double measured_face_mm() const { return size_guessed() ? 0 : face_mm(); }
+  // The most that it may be: what is known along y alone may have been turned away when it was learned.
+  double most_face_mm() const;
   void set_picture(const MarkTemplate& new_picture);
 };
+
+// `measured`, `guessed`, `measured-face`, `guessed-face`; and what such a text says, the first where it is none.
+std::string_view size_by_of(const LearnedSample& sample);
+void set_size_by(LearnedSample& sample, std::string_view text);
 
 // "dark", "light", or its tag's name; and what such a text says.
 std::string tone_of(const LearnedSample& sample);

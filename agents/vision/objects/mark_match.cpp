@@ -70,7 +70,11 @@ MarkMatch nearest(const LearnedObject& object, auto match) {
 
 }  // namespace
 
-double scale_of(const SeenMark& mark, const LearnedSample& sample) { return mark.height_px / sample.height_px; }
+double scale_of(const SeenMark& mark, const LearnedSample& sample) {
+  const double by_height = mark.height_px / sample.height_px;
+  const double by_area = std::sqrt(mark.area_px / sample.area_px);
+  return std::abs(std::log(by_height)) < std::abs(std::log(by_area)) ? by_height : by_area;
+}
 
 double roundness_error(const SeenMark& mark, const LearnedObject& object) {
   const double weight = weight_of_roundness(object);

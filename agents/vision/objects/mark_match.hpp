@@ -15,12 +15,14 @@ namespace pizarra {
 // Above this error a mark is not the object.
 inline constexpr double recognition_threshold = 0.085;
 
-// How many times as high as it was learned, in px, an object is looked for.
+// How many times as large as it was learned, in px, an object is looked for.
 inline constexpr double least_scale = 0.5;
 inline constexpr double most_scale = 1.8;
 // More than this no lens that is nearly focused blurs.
 inline constexpr double widest_blur_px = 2.2;
 
+// How many times as large it is as it was learned: by its height, which a yaw does not change, or by its area, which no
+// turn in the image does.
 double scale_of(const SeenMark& mark, const LearnedSample& sample);
 
 // To the nearest sample: all told, by its shape alone, as which of its blurs, and how turned.

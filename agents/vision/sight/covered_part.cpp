@@ -22,9 +22,11 @@ double may_be_off_px(const SeenMark& now, double missing) {
   return motion_by_strip * std::max(now.width_px, now.height_px) * std::max(0.0, missing);
 }
 
+// Its shorter side by so much as it is too slim; its longer one by so much as it is not slim enough.
 double may_be_off_by_shape_px(const SeenMark& now, double front_slimness) {
   const double longer = std::sqrt(spread_product_px2(now) / now.slimness);
-  return motion_by_strip * std::max(0.0, front_slimness - now.slimness) * longer;
+  const double missing = std::max(front_slimness - now.slimness, now.slimness / front_slimness - 1);
+  return motion_by_strip * std::max(0.0, missing) * longer;
 }
 
 double confidence_if_off(double of_whole, double off_px, double most_off_px) {

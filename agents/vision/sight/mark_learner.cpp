@@ -7,6 +7,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "agents/vision/marks/tags.hpp"
+#include "agents/vision/sight/covered_part.hpp"
 
 namespace pizarra {
 namespace {
@@ -15,6 +16,15 @@ namespace {
 constexpr std::size_t least_seen = 7;
 // Where it moved no farther, frames can be averaged.
 constexpr double rest_px = 1.5;
+
+// From the front, by the partner; before one camera alone as it looks, by where objects are said to be while they are
+// learned.
+std::optional<FrontView> view_from_front(const StereoModel& model, const SeenMark& seen, const SeenMark* partner) {
+  if (partner != nullptr) return view_from_front(model, face_plane(model, seen, *partner), seen);
+  if (!model.is_single()) return std::nullopt;
+  const double mm_per_px = model.learned_at_mm / model.focal_px;
+  return FrontView{spread_product_px2(seen) * mm_per_px * mm_per_px, seen.slimness};
+}
 
 // What the thesis' Table C.1 and the template picture say of a square; a tag is found by neither.
 MarkPortrait portrait_of_tag(const cv::Mat& grey, const SeenMark& seen) {
@@ -164,24 +174,22 @@ Result<void> MarkLearner::measure(StereoSight& sight) {
     measured_.push_back(*mark_);
     portraits_.push_back(mark_->tag ? portrait_of_tag(sight.left(), *mark_)
                                     : portray_mark(sight.left_segmentation().cut(), contour_, mark_->tone).value());
-    const std::optional<double> size = size_mm(sight, *mark_);
-    if (size) sizes_mm_.push_back(*size);
+    const std::optional<FrontView> front = front_of(sight, *mark_);
+    if (front) fronts_.push_back(*front);
   }
   return done() ? check_measured() : Result<void>{};
 }
 
-// In the world, by the partner; or, before one camera alone, by where objects are said to be while they are learned.
-std::optional<double> MarkLearner::size_mm(StereoSight& sight, const SeenMark& seen) {
+// Nothing where the right image does not show it.
+std::optional<FrontView> MarkLearner::front_of(StereoSight& sight, const SeenMark& seen) {
   const StereoModel& model = sight.model();
-  if (model.is_single()) return seen.height_px * model.learned_at_mm / model.focal_px;
+  if (model.is_single()) return view_from_front(model, seen, nullptr);
   if (seen.tag) {
     const std::optional<SeenPair> pair = sight.find(*seen.tag, area_around_tag(seen.box));
     if (!pair || !pair->right) return std::nullopt;
-    return pizarra::size_mm(model, pair->left, *pair->right);
+    return view_from_front(model, pair->left, &*pair->right);
   }
-  const SeenMark* partner = find_partner(seen, sight.right_segmentation().marks(), std::nullopt);
-  if (partner == nullptr) return std::nullopt;
-  return pizarra::size_mm(model, seen, *partner);
+  return view_from_front(model, seen, find_partner(seen, sight.right_segmentation().marks(), std::nullopt));
 }
 
 Result<void> MarkLearner::check_seen(std::size_t frames) const {
@@ -244,9 +252,10 @@ LearnedSample MarkLearner::sample() const {
     const double off = m.roundness - out.roundness;
     return off * off;
   }));
-  if (2 * sizes_mm_.size() > measured_.size()) {
-    out.size_mm = std::accumulate(sizes_mm_.begin(), sizes_mm_.end(), 0.0) / static_cast<double>(sizes_mm_.size());
-    out.size_guessed = size_guessed_;
+  if (2 * fronts_.size() > measured_.size()) {
+    out.size_mm = std::sqrt(mean_of(fronts_, [](const FrontView& front) { return front.area_mm2; }));
+    out.size_by = size_guessed_ ? LearnedSample::SizeBy::guessed_face : LearnedSample::SizeBy::measured_face;
+    out.slimness = mean_of(fronts_, [](const FrontView& front) { return front.slimness; });
   }
   out.set_picture(template_from_picture(mean_picture()));
   return out;

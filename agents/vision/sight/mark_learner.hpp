@@ -12,6 +12,7 @@
 //   LearnedSample sample = learner.sample();
 
 #include "agents/vision/sight/clicked_place.hpp"
+#include "agents/vision/sight/face_plane.hpp"
 #include "agents/vision/sight/refind.hpp"
 #include "agents/vision/sight/stereo_sight.hpp"
 
@@ -47,7 +48,7 @@ class MarkLearner {
   Result<void> end_filling();
   Result<void> check_kind() const;
   Result<void> measure(StereoSight& sight);
-  static std::optional<double> size_mm(StereoSight& sight, const SeenMark& seen);
+  static std::optional<FrontView> front_of(StereoSight& sight, const SeenMark& seen);
   Result<void> check_seen(std::size_t frames) const;
   Result<void> check_measured() const;
   cv::Mat1f mean_picture() const;
@@ -71,7 +72,7 @@ class MarkLearner {
   bool crowded_ = false;    // in one in which it was not seen, more regions were there than are looked at
   std::vector<SeenMark> measured_;
   std::vector<MarkPortrait> portraits_;  // of the same
-  std::vector<double> sizes_mm_;
+  std::vector<FrontView> fronts_;  // of those that the right image showed too
   bool size_guessed_ = false;
 };
 

@@ -7,6 +7,7 @@
 
 #include "agents/vision/marks/tags.hpp"
 #include "agents/vision/sight/covered_part.hpp"
+#include "agents/vision/sight/face_plane.hpp"
 #include "agents/vision/sight/follow_mark.hpp"
 
 namespace pizarra {
@@ -271,7 +272,7 @@ TrackSighting MarkTracker::update(StereoSight& sight, Track& track) {
   }
   if (now->right) {
     out.right_centre = now->right->centre;
-    out.yaw_deg = face_yaw_deg(sight.model(), now->left, *now->right);
+    out.yaw_deg = yaw_deg(face_plane(sight.model(), now->left, *now->right));
   }
   take(sight, track, std::move(*now));
   // Of a tag there is no other then.

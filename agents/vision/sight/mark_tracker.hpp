@@ -38,7 +38,7 @@ struct TrackSighting {
   double confidence = 0;                         // that it is the object, and whole; of a bridged one less and less
   std::string second = {};        // the learned object that it is most like otherwise, where one comes near
   double margin = 0;              // Likeness::margin()
-  std::optional<double> yaw_deg;  // of its face (face_yaw_deg), where both images show it
+  std::optional<double> yaw_deg;  // of its face (face_plane.hpp), where both images show it
   MarkContour contour;            // in the left image
 };
 

@@ -2,16 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "agents/vision/marks/tags.hpp"
+#include "agents/vision/sight/unyawed.hpp"
 
 namespace pizarra {
 namespace {
 
-constexpr double height_tolerance = 0.1;
-// Of a mark slimmer than this it is not known how wide it should look, for it may have been turned.
-constexpr double least_round = 0.9;
+constexpr double size_tolerance = 0.1;
+// How far a range by size may be off, as a part of it: a standard deviation.
+constexpr double spread_by_size = 0.01;
 constexpr double width_tolerance = 0.05;
 constexpr double widest = 1.1;
 // Nearer than this to the image's edge a mark cannot be measured, nor where its own half is not within.
@@ -29,10 +29,10 @@ constexpr double least_disparity_share = 0.87;
 std::optional<double> least_disparity(const StereoModel& model, const LearnedObject& object, const SeenMark& left) {
   double largest_mm = 0;
   for (const LearnedSample& sample : object.samples) {
-    if (sample.measured_size_mm() <= 0) return std::nullopt;
-    largest_mm = std::max(largest_mm, sample.measured_size_mm());
+    if (sample.most_face_mm() <= 0) return std::nullopt;
+    largest_mm = std::max(largest_mm, sample.most_face_mm());
   }
-  return model.base_line_mm * left.height_px / largest_mm;
+  return model.base_line_mm * unyawed(left, front_slimness(object)).size_px / largest_mm;
 }
 
 // Columns of the mark's right-hand border, a row each, from the top of its box.
@@ -165,31 +165,16 @@ bool StereoSight::is_cut_off(const LearnedObject& object, const SeenMark& left) 
   return true;
 }
 
-double size_mm(const StereoModel& model, const SeenMark& left, const SeenMark& right) {
-  return left.height_px * depth_mm(model, left.centre.x - right.centre.x) / model.focal_px;
-}
-
-double face_yaw_deg(const StereoModel& model, const SeenMark& left, const SeenMark& right) {
-  const double left_slope = (left.centre.x - model.centre_x_px) / model.focal_px;
-  const double right_slope = (right.centre.x - model.centre_x_px) / model.focal_px;
-  const double sine = right.width_px - left.width_px;
-  const double cosine = left_slope * right.width_px - right_slope * left.width_px;
-  return cosine <= 0 ? 0 : std::atan(sine / cosine) * 180 / std::numbers::pi;
-}
-
-// On its side a mark is as high as it was wide. Which it is, its own proportions tell best.
-std::optional<double> range_by_size_mm(const StereoModel& model, const LearnedObject& object, const SeenMark& left) {
+std::optional<SeenRange> range_by_size(const StereoModel& model, const LearnedObject& object, const SeenMark& left) {
   for (const LearnedSample& sample : object.samples) {
-    const double size_mm = model.is_single() ? sample.size_mm : sample.measured_size_mm();
-    if (size_mm <= 0 || left.height_px <= 0) continue;
-    const bool on_its_side = sample.slimness < least_round && left.height_px > left.width_px;
-    const double height_mm = on_its_side ? size_mm / sample.slimness : size_mm;
-    return range_at_depth_mm(model, left.centre, model.focal_px * height_mm / left.height_px);
+    const double face_mm = model.is_single() ? sample.face_mm() : sample.measured_face_mm();
+    const Unyawed look = unyawed(left, front_slimness(object));
+    if (face_mm <= 0 || look.size_px <= 0) continue;
+    const double mm = range_at_depth_mm(model, left.centre, model.focal_px * face_mm / look.size_px);
+    return SeenRange{mm, std::hypot(spread_by_size, look.spread) * mm};
   }
   return std::nullopt;
 }
-
-double spread_by_size_mm(double range_mm) { return 0.01 * range_mm; }
 
 double range_spread_mm(const StereoModel& model, const SeenMark& left, const SeenMark& right, double noise) {
   const double disparity_spread = std::hypot(centre_spread_px(left, noise), centre_spread_px(right, noise));
@@ -203,27 +188,24 @@ std::optional<SeenRange> range_of(const StereoSight& sight, const LearnedObject&
     return SeenRange{range_mm(model, pair.left.centre, disparity),
                      range_spread_mm(model, pair.left, *pair.right, sight.noise())};
   }
-  const std::optional<double> by_size = range_by_size_mm(model, object, pair.left);
-  if (!by_size) return std::nullopt;
-  return SeenRange{*by_size, spread_by_size_mm(*by_size)};
+  return range_by_size(model, object, pair.left);
 }
 
 bool is_whole(const StereoModel& model, const LearnedObject& object, const SeenMark& left, const SeenMark& right) {
-  const double depth = depth_mm(model, left.centre.x - right.centre.x);
-  const double height = left.height_px * depth / model.focal_px;
-  const double left_width = left.width_px * depth / model.focal_px;
-  const double right_width = right.width_px * depth / model.focal_px;
-  return std::any_of(object.samples.begin(), object.samples.end(), [&](const LearnedSample& sample) {
-    if (sample.measured_size_mm() <= 0) return true;
-    // On its side a mark is as high as it was wide.
-    const double low = sample.size_mm * sample.slimness * (1 - height_tolerance);
-    const double high = sample.size_mm / sample.slimness * (1 + height_tolerance);
-    if (height < low || height > high) return false;
-    if (sample.slimness < least_round) return true;
-    // Turned about the line of sight it is a little wider or narrower than it was high.
-    const double tolerance = width_tolerance + 1 / sample.slimness - 1;
-    return yaw_explains(left_width / sample.size_mm, (left.centre.x - model.centre_x_px) / model.focal_px,
-                        right_width / sample.size_mm, (right.centre.x - model.centre_x_px) / model.focal_px, tolerance);
+  const double mm_per_px = depth_mm(model, left.centre.x - right.centre.x) / model.focal_px;
+  const double front = front_slimness(object);
+  const Unyawed in_left = unyawed(left, front);
+  const Unyawed in_right = unyawed(right, front);
+  const double now_mm = in_left.size_px * mm_per_px;
+  const double tolerance = size_tolerance + 2 * in_left.spread;
+  return std::ranges::any_of(object.samples, [&](const LearnedSample& sample) {
+    if (sample.most_face_mm() <= 0) return true;
+    const double scale = now_mm / sample.face_mm();
+    const double most = sample.most_face_mm() / sample.face_mm() * (1 + tolerance);
+    if (scale < 1 - tolerance || scale > most) return false;
+    return yaw_explains(scale * in_left.shown, (left.centre.x - model.centre_x_px) / model.focal_px,
+                        scale * in_right.shown, (right.centre.x - model.centre_x_px) / model.focal_px,
+                        width_tolerance + 1 / std::max(front, least_round) - 1 + 4 * in_left.spread);
   });
 }
 

@@ -62,34 +62,25 @@ class StereoSight {
   std::optional<ImageSegmentation> right_segmentation_;
 };
 
-// The mark's standard deviation along y in the world, mm.
-double size_mm(const StereoModel& model, const SeenMark& left, const SeenMark& right);
-
-// How far the face that bears the mark is turned from facing along the optical axis, degrees, positive where it looks
-// to the right, by how much wider one image shows it than the other; good to a few degrees, so worth averaging. A face
-// of yaw p that is seen at slope t off the axis is cos(p) - t sin(p) times as wide as one that faces the camera.
-double face_yaw_deg(const StereoModel& model, const SeenMark& left, const SeenMark& right);
-
-// The range of a mark that the left image alone shows (StereoSight::is_cut_off), by how high it looks and how high it
-// was learned: good to about a percent, some ten times worse than the pair. Nothing where no sample was learned with
-// its size.
-std::optional<double> range_by_size_mm(const StereoModel& model, const LearnedObject& object, const SeenMark& left);
-
-// How far range_by_size_mm() may be off, as a standard deviation.
-double spread_by_size_mm(double range_mm);
-// The same of the pair's range, by the spread of both centres.
-double range_spread_mm(const StereoModel& model, const SeenMark& left, const SeenMark& right, double noise);
-
-// The range of what was seen, by the pair, or by its size where the right image does not show it.
 struct SeenRange {
   double mm = 0;
   double spread_mm = 0;  // a standard deviation
 };
+
+// The range of a mark that the left image alone shows (StereoSight::is_cut_off), by how large it looks and how large it
+// was learned: good to about a percent, some ten times worse than the pair. Nothing where no sample was learned with
+// its size.
+std::optional<SeenRange> range_by_size(const StereoModel& model, const LearnedObject& object, const SeenMark& left);
+
+// How far the pair's range may be off, as a standard deviation, by the spread of both centres.
+double range_spread_mm(const StereoModel& model, const SeenMark& left, const SeenMark& right, double noise);
+
+// The range of what was seen, by the pair, or by its size where the right image does not show it.
 std::optional<SeenRange> range_of(const StereoSight& sight, const LearnedObject& object, const SeenPair& pair);
 
-// Whether the pair can be the whole of the object's mark: as high in the world as one of its samples, and, but for what
-// yaw does, as wide in one image as in the other. Something in front of a part of it makes it too low, or hides more of
-// it from one camera than from the other.
+// Whether the pair can be the whole of the object's mark: as large in the world as one of its samples, and, but for what
+// yaw does, as wide in one image as in the other. Something in front of a part of it makes it too small, or hides more
+// of it from one camera than from the other.
 bool is_whole(const StereoModel& model, const LearnedObject& object, const SeenMark& left, const SeenMark& right);
 
 }  // namespace pizarra

@@ -26,25 +26,35 @@ struct FaceSize {
     double value;
     double spread;  // how far it may be off, as a part of it: a standard deviation
   };
-  Reading area_mm2;   // the product of both principal ones
-  Reading height_mm;  // along y: a turn about the vertical does not change it, and one about the horizontal is known
+  Reading area_mm2;  // the product of both principal ones, by the plane of the face
+  Reading size_mm;   // the root of the same, by how each image alone shows it (unyawed.hpp)
   // By how much a tilt about the horizontal makes both more than they look: what covers a part along a slanted edge
   // hides more from one camera than from the other, as a tilt does.
   double area_by_tilt;
-  double height_by_tilt;
+  double size_by_tilt;
   double contrast;  // grey levels, of both images
-  // How wide it looks in either image, as a part of how high; turns about the vertical change that, and both apart.
-  double left_aspect;
-  double right_aspect;
+  // How much of its width is to be seen in either image; turns about the vertical change that, and both apart.
+  double left_shown;
+  double right_shown;
   double disparity_px;
 };
 
-// `front_slimness`: of the mark from the front; what is slim gets higher or lower as it turns in the image.
+// `front_slimness`: of the mark from the front.
 FaceSize face_size(const StereoModel& model, const SeenMark& left, const SeenMark& right, double front_slimness);
 
-// The same of a mark that was not seen before, by the sizes with which the object was learned, or by its
-// form where one of them is not known.
-double may_be_off_px(const LearnedObject& object, const FaceSize& now, const SeenMark& left);
+// Where it is covered rather than tilted.
+FaceSize if_not_tilted(FaceSize size);
+
+// How much of `whole` is missing, where it may be off by `slack` besides.
+double missing(double whole, const FaceSize::Reading& now, double slack);
+
+// What lies nearer than the mark and over one side of it hides more from one camera than from the other. So the mark
+// looks turned; but both centres come apart as well, by half as much, so that it looks too near, and too small.
+struct Narrowed {
+  double off_px;     // how far the centre is off if it is covered
+  double too_small;  // how much of its size is missing then
+};
+Narrowed narrowed(double left_shown, double right_shown, const FaceSize& now, const SeenMark& left);
 
 class WholeFace {
  public:

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "agents/vision/sight/covered_part.hpp"
+#include "agents/vision/sight/first_look.hpp"
 #include "agents/vision/sight/follow_mark.hpp"
 
 namespace pizarra {

@@ -21,6 +21,15 @@ class Database : public testing::Test {
     ObjectDatabase database = open();
     for (const std::string& name : names) ASSERT_TRUE(database.apply(keep(name)));
   }
+  // As older versions did.
+  void learn_along_y(const std::vector<std::string>& names) {
+    ObjectDatabase database = open();
+    for (const std::string& name : names) {
+      KeepSample old = keep(name);
+      old.sample.size_by = LearnedSample::SizeBy::measured;
+      ASSERT_TRUE(database.apply(old));
+    }
+  }
   // What is there, `name*samples`, and what is damaged, `!file`.
   std::string content() {
     const KeptObjects kept = open().read().value();
@@ -125,26 +134,35 @@ TEST_F(Database, WhatIsDamagedStaysSoUnderANewName) {
 
 TEST_F(Database, RemembersThatASizeIsAGuess) {
   KeepSample guessed = keep("circle");
-  guessed.sample.size_guessed = true;
+  guessed.sample.size_by = LearnedSample::SizeBy::guessed_face;
   ASSERT_TRUE(open().apply(guessed));
   learn({"square"});
   const KeptObjects kept = open().read().value();
   ASSERT_TRUE(kept.damaged.empty());
-  EXPECT_TRUE(kept.objects.find("circle")->samples.front().size_guessed);
-  EXPECT_FALSE(kept.objects.find("square")->samples.front().size_guessed);
+  EXPECT_TRUE(kept.objects.find("circle")->samples.front().size_guessed());
+  EXPECT_FALSE(kept.objects.find("square")->samples.front().size_guessed());
+}
+
+TEST_F(Database, ReadsWhatTheThirdFormatKept) {
+  learn_along_y({"circle", "square"});
+  sqlite::Database raw = sqlite::Database::open(folder() + "/objects.sqlite", sqlite::Access::write).value();
+  ASSERT_TRUE(raw.run("ALTER TABLE samples RENAME COLUMN size_by TO guessed; PRAGMA user_version = 3"));
+  EXPECT_EQ(content(), "circle*1 square*1 ");
+  learn({"cross"});
+  EXPECT_EQ(content(), "circle*1 square*1 cross*1 ");
 }
 
 TEST_F(Database, ReadsWhatTheSecondFormatKept) {
-  learn({"circle", "square"});
+  learn_along_y({"circle", "square"});
   sqlite::Database raw = sqlite::Database::open(folder() + "/objects.sqlite", sqlite::Access::write).value();
-  ASSERT_TRUE(raw.run("ALTER TABLE samples DROP COLUMN guessed; PRAGMA user_version = 2"));
+  ASSERT_TRUE(raw.run("ALTER TABLE samples DROP COLUMN size_by; PRAGMA user_version = 2"));
   EXPECT_EQ(content(), "circle*1 square*1 ");
   learn({"cross"});
   EXPECT_EQ(content(), "circle*1 square*1 cross*1 ");
 }
 
 TEST_F(Database, ReadsWhatTheFirstFormatKept) {
-  learn({"circle", "square"});
+  learn_along_y({"circle", "square"});
   sqlite::Database raw = sqlite::Database::open(folder() + "/objects.sqlite", sqlite::Access::write).value();
   ASSERT_TRUE(
       raw.run("CREATE TABLE old (name TEXT COLLATE NOCASE, num INTEGER, tone TEXT, area REAL, "

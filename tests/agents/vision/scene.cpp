@@ -16,6 +16,8 @@ Outline box(double left, double top, double right, double bottom) {
 
 Outline outline_of(const std::string& mark) {
   if (mark == "square") return box(-22, -22, 22, 22);
+  if (mark == "bar") return box(-22, -11, 22, 11);
+  if (mark == "thin-bar") return box(-24, -8, 24, 8);
   if (mark == "triangle" || mark == "plate") return {{0, -37 * 2 / 3.0}, {22, 37 / 3.0}, {-22, 37 / 3.0}};
   if (mark == "cross") {
     const double a = 22;

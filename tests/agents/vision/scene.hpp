@@ -14,7 +14,9 @@
 namespace pizarra {
 
 struct SceneFace {
-  std::string mark;       // circle, square, cross, triangle, none, or plate: a white triangle on a dark plate
+  // circle, square, cross, triangle, bar (twice as wide as high), thin-bar (three times), none, or plate: a white
+  // triangle on a dark plate
+  std::string mark;
   cv::Point3d place;      // of the mark's centroid
   double yaw_deg = 0;     // about the vertical
   int quarter_turns = 0;  // about the line of sight

@@ -280,7 +280,7 @@ TEST_F(Tracker, BridgesALossOfAFewFramesAndSaysThatItDoes) {
 TEST_F(Tracker, APairGoesByNoGuessOfASize) {
   LearnedSample guessed = learned_cell().find("circle")->samples.front();
   guessed.size_mm *= 2;
-  guessed.size_guessed = true;
+  guessed.size_by = LearnedSample::SizeBy::guessed_face;
   LearnedObjects objects;
   objects.add("circle", guessed);
   MarkTracker one(objects);

@@ -1,0 +1,47 @@
+#pragma once
+
+// The plane of a face that a pair of cameras sees, by how its mark is squeezed and sheared from one image to the other,
+// and what the mark looks like from the front.
+//
+//   const FacePlane plane = face_plane(model, left, right);
+//   const FrontView front = view_from_front(model, plane, left);
+//   const double yaw = yaw_deg(plane);
+
+#include "agents/vision/sight/stereo.hpp"
+#include "agents/vision/marks/mark_measure.hpp"
+
+namespace pizarra {
+
+// Of a plane 1 / Z is linear in the image, so the disparity is: d = d0 + a x + b y, and the plane's normal is
+// (a, b, (d - a x - b y) / f), x and y from the principal point. The right image of a mark is the left one squeezed by
+// 1 - a along x and sheared by -b; second moments say both.
+struct FacePlane {
+  double across;  // the normal
+  double down;
+  double ahead;
+  double across_spread;  // a standard deviation
+  double down_spread;
+  // Where in the left image, as slopes off the axis.
+  double x;
+  double y;
+  double along_sight;  // d / f: so much of the normal is along the line of sight
+
+  double normal2() const { return across * across + down * down + ahead * ahead; }
+  // What the tilt about the horizontal makes of a length along y.
+  double tilt() const { return down / along_sight; }
+  double shown_height() const;
+};
+FacePlane face_plane(const StereoModel& model, const SeenMark& left, const SeenMark& right);
+
+// How far the face is turned from facing along the optical axis, degrees, positive where it looks to the right; good to
+// a few degrees, so worth averaging.
+double yaw_deg(const FacePlane& plane);
+
+// What a mark would be from the front.
+struct FrontView {
+  double area_mm2;  // the product of both principal standard deviations
+  double slimness;
+};
+FrontView view_from_front(const StereoModel& model, const FacePlane& plane, const SeenMark& left);
+
+}  // namespace pizarra

@@ -1,0 +1,18 @@
+#pragma once
+
+// How far the centre of a mark may be off that a pair of cameras sees for the first time, by the sizes with which the
+// object was learned: whether it is whole, and turned, or covered in part. What is whole is as large from the front as
+// it was learned, both by the plane of its face and by how slim it looks; what is covered looks turned where its plane
+// is not, or has a plane that does not go with how narrow it looks, or is too near for its size.
+//
+//   const double off_px = may_be_off_px(object, face_size(model, left, right, front_slimness(object)), left);
+
+#include "agents/vision/objects/learned.hpp"
+#include "agents/vision/sight/whole_face.hpp"
+
+namespace pizarra {
+
+// By its form alone where one of the sizes is not known.
+double may_be_off_px(const LearnedObject& object, const FaceSize& now, const SeenMark& left);
+
+}  // namespace pizarra

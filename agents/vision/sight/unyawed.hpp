@@ -1,0 +1,25 @@
+#pragma once
+
+// What one image says of how large a mark would look if its face were not yawed, by how slim it looks beside how slim
+// it is from the front, whichever way it is turned in the image. A yaw squeezes a mark along x.
+//
+//   const Unyawed look = unyawed(mark, front_slimness(object));
+//   const double depth_mm = focal_px * size_mm / look.size_px;
+
+#include "agents/vision/marks/mark_measure.hpp"
+
+namespace pizarra {
+
+struct Unyawed {
+  double size_px;  // the root of the product of both principal standard deviations
+  double shown;    // how much of the width that it would have is to be seen
+  double spread;   // how far the size may be off besides, as a part of it: a standard deviation
+};
+
+// Less slim than this a mark counts as round: as high as it is wide from the front.
+inline constexpr double least_round = 0.9;
+
+// `shown_height`: what a tilt about the horizontal makes of a length along y.
+Unyawed unyawed(const SeenMark& mark, double front_slimness, double shown_height = 1);
+
+}  // namespace pizarra
