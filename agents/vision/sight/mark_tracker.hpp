@@ -79,6 +79,7 @@ class MarkTracker {
     Time seen_at = {};
     bool missed = false;  // in the frame before this one
     Wholeness whole = {};
+    double ground_doubt = 0;  // as it was found, or since
     cv::Point2d velocity_px = {};  // a second, in the left image
     double disparity_change_px = 0;
     double range_mm = 0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "agents/vision/marks/mark_ground.hpp"
 #include "agents/vision/sight/covered_part.hpp"
 #include "agents/vision/sight/first_look.hpp"
 #include "agents/vision/sight/follow_mark.hpp"
@@ -25,12 +26,21 @@ FaceSize face_size(const StereoModel& model, const LearnedObject& object, const 
 
 double most_off_px(const StereoSight& sight) { return px_in(sight.left(), 1); }
 
-double confidence_at_first(const StereoSight& sight, const LearnedObject& object, const SeenPair& pair) {
+double ground_doubt(const StereoSight& sight, const SeenPair& pair) {
+  const double left = ground_doubt(sight.left(), sight.noise(), pair.left);
+  return pair.right ? std::max(left, ground_doubt(sight.right(), sight.noise(), *pair.right)) : left;
+}
+
+double confidence_by_form(const StereoSight& sight, const LearnedObject& object, const SeenPair& pair) {
   const double of_whole = pair.likeness.confidence();
   if (pair.left.tag) return of_whole;
   const double off_px = pair.right ? may_be_off_px(object, face_size(sight.model(), object, pair), pair.left)
                                    : may_be_off_by_shape_px(pair.left, front_slimness(object));
   return confidence_if_off(of_whole, off_px, most_off_px(sight));
+}
+
+double confidence_at_first(const StereoSight& sight, const LearnedObject& object, const SeenPair& pair) {
+  return confidence_if_off(confidence_by_form(sight, object, pair), ground_doubt(sight, pair), 1);
 }
 
 Wholeness::Look Wholeness::look_at(const StereoModel& model, const LearnedObject& object, const SeenPair& now,

@@ -44,7 +44,11 @@ class Wholeness {
 // How far off a centre may be, by what covers a part of the mark, that is told.
 double most_off_px(const StereoSight& sight);
 
-// How sure one can be of a mark that was not seen before, by what was learned of it.
+// The greater one of both images (mark_ground.hpp).
+double ground_doubt(const StereoSight& sight, const SeenPair& pair);
+
+// How sure one can be of a mark that was not seen before, by what was learned of it; and by the ground around it too.
+double confidence_by_form(const StereoSight& sight, const LearnedObject& object, const SeenPair& pair);
 double confidence_at_first(const StereoSight& sight, const LearnedObject& object, const SeenPair& pair);
 
 }  // namespace pizarra

@@ -93,16 +93,6 @@ struct Told {
   double percent_of_sure() const { return 100.0 * surely_wrong / std::max(1, sure); }
 };
 
-const StereoModel& one_camera() {
-  static const StereoModel model = [] {
-    StereoModel out = scene_camera();
-    out.base_line_mm = 0;
-    out.learned_at_mm = learning_depth_mm;
-    return out;
-  }();
-  return model;
-}
-
 struct ToldToBoth {
   Told by_pair;
   Told by_one;
@@ -111,6 +101,7 @@ struct ToldToBoth {
 // There and back.
 void cover(const LearnedObjects& objects, const Scene& scene, const Covering& covering, Random& random,
            ToldToBoth& told) {
+  const StereoModel left_camera = scene_camera_alone();
   MarkTracker one(objects);
   MarkTracker pair(objects);
   for (MarkTracker* tracker : {&one, &pair}) {
@@ -119,7 +110,7 @@ void cover(const LearnedObjects& objects, const Scene& scene, const Covering& co
   Time time = {};
   const auto look = [&](const Scene& now) {
     const cv::Mat1b left = draw(now, Side::left, random);
-    StereoSight alone(left, cv::Mat1b::zeros(left.size()), one_camera());
+    StereoSight alone(left, cv::Mat1b::zeros(left.size()), left_camera);
     StereoSight both(left, draw(now, Side::right, random), scene_camera());
     time += 100ms;
     told.by_one.count(one.update(alone, time), now.marks.front().centre);

@@ -118,6 +118,13 @@ void set_scene_seed(std::uint64_t seed) { sensor() = Sensor(seed); }
 
 const StereoModel& scene_camera() { return sensor().camera; }
 
+StereoModel scene_camera_alone() {
+  StereoModel out = scene_camera();
+  out.base_line_mm = 0;
+  out.learned_at_mm = learning_depth_mm;
+  return out;
+}
+
 double disparity_px(double depth_mm) { return scene_camera().focal_px * scene_camera().base_line_mm / depth_mm; }
 
 double scale_at(double depth_mm) { return scene_camera().focal_px / depth_mm; }

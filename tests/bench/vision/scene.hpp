@@ -87,6 +87,8 @@ const std::vector<std::string>& scene_marks();
 // up to 4 px beside the image's; and the sensor's noise. Both are drawn from a seed: 1, until another is set.
 void set_scene_seed(std::uint64_t seed);
 const StereoModel& scene_camera();
+// Its left one, where objects are learned at learning_depth_mm.
+StereoModel scene_camera_alone();
 
 // The marks that are present do not touch one another, the clutter or the border of either image.
 Scene random_scene(const SceneRanges& ranges, Random& random);

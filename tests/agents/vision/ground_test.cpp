@@ -1,0 +1,114 @@
+// What is hidden in part from the very first is not told as sure where it is not, as long as what hides it is no such
+// grey as the ground; and whole marks stay sure, at the edge of their card too.
+
+#include <gtest/gtest.h>
+
+#include "tests/agents/vision/ground_scenes.hpp"
+
+namespace pizarra {
+namespace {
+
+constexpr int looks_of_a_kind = 60;
+
+class GroundBeside : public testing::TestWithParam<std::string> {
+ protected:
+  GroundBeside() : looks(GetParam(), 1), random(looks.random) {}
+
+  // Mostly along a side.
+  double random_direction() {
+    if (random.below(3) == 0) return random.uniform(0, 360);
+    const bool triangle = GetParam().ends_with("triangle");
+    const double side = triangle ? 120.7 : 90;
+    return looks.turn_deg + 90 + side * static_cast<double>(random.below(triangle ? 3 : 4));
+  }
+  void cover(double level) {
+    const double edge_px = random.uniform(-0.15, 0.45) * looks.size_px;
+    const bool round = random.below(3) == 0;
+    looks.put_cover(random_direction(), edge_px, level,
+                    round ? std::optional(random.uniform(0.4, 2) * looks.size_px) : std::nullopt);
+  }
+  void expect_sure(double least_share) const {
+    for (const ToldAtFirst& told : {looks.by_one, looks.by_pair}) {
+      EXPECT_GE(told.told, 3 * looks_of_a_kind);
+      EXPECT_GE(told.sure, least_share * told.told) << "of " << told.told;
+      EXPECT_EQ(told.wrong, 0);
+    }
+  }
+  void expect_none_wrong() const {
+    for (const ToldAtFirst& told : {looks.by_one, looks.by_pair}) {
+      EXPECT_EQ(told.wrong, 0) << "of " << told.sure << " that are sure, up to " << told.most_off_px << " px off";
+    }
+  }
+
+  FirstLooks looks;
+  Random& random;
+};
+
+TEST_P(GroundBeside, AtWhatAnotherGreyHidesAPartOfIsNotSurelyWrong) {
+  constexpr double another_grey = 20;
+  for (int i = 0; i < looks_of_a_kind; ++i) {
+    looks.vary();
+    double level = looks.own_ground();
+    while (std::abs(level - looks.own_ground()) < another_grey) level = random.uniform(20, 235);
+    cover(level);
+    looks.look();
+  }
+  expect_none_wrong();
+}
+
+// One grey in ten is that of the ground.
+TEST_P(GroundBeside, AtWhatAnyGreyHidesAPartOfIsSeldomSurelyWrong) {
+  for (int i = 0; i < looks_of_a_kind; ++i) {
+    looks.vary();
+    cover(random.uniform(20, 235));
+    looks.look();
+  }
+  for (const auto& [who, told] : {std::pair("by_one", looks.by_one), std::pair("by_pair", looks.by_pair)}) {
+    RecordProperty(std::string(who) + "_told", told.told);
+    RecordProperty(std::string(who) + "_sure", told.sure);
+    RecordProperty(std::string(who) + "_wrong", told.wrong);
+    EXPECT_LE(told.wrong, 4 * looks_of_a_kind / 15) << who;
+  }
+}
+
+TEST_P(GroundBeside, AtAWholeMarkIsSure) {
+  for (int i = 0; i < looks_of_a_kind; ++i) {
+    looks.vary();
+    looks.look();
+  }
+  expect_sure(0.97);
+}
+
+TEST_P(GroundBeside, AtAWholeMarkInStrongNoiseBlurAndSlopesIsSure) {
+  for (int i = 0; i < looks_of_a_kind; ++i) {
+    looks.vary();
+    looks.noise = random.uniform(0, 15);
+    looks.blur_px = random.uniform(0.3, 1.5);
+    looks.light_slope = random.uniform(-0.5, 0.5);
+    looks.look();
+  }
+  expect_sure(0.8);
+}
+
+TEST_P(GroundBeside, AtAWholeMarkNearTheEdgesOfItsCardIsSure) {
+  // A tag wants more light around it to be told.
+  const double least = GetParam() == "tag" ? 8 : 4;
+  for (int i = 0; i < looks_of_a_kind; ++i) {
+    looks.vary();
+    const auto margin = [&] { return random.uniform(least, 12); };
+    looks.put_card({margin(), margin(), margin(), margin()}, random.uniform(20, 235));
+    looks.look();
+  }
+  expect_sure(0.95);
+}
+
+INSTANTIATE_TEST_SUITE_P(Marks, GroundBeside,
+                         testing::Values("circle", "square", "cross", "triangle", "light triangle", "rectangle", "tag"),
+                         [](const auto& one) {
+                           std::string name = one.param;
+                           std::erase(name, ' ');
+                           return name;
+                         });
+
+}  // namespace
+}  // namespace pizarra
