@@ -17,8 +17,9 @@ constexpr std::size_t most_places = 96;
 constexpr std::size_t least_places = 12;
 // Where the contour turns by more than that it has a corner, beyond which blur leaves less of the mark.
 const double cosine_of_corner = std::cos(40 * CV_PI / 180);
-// How far outside its edge the ground is looked at: beyond most of the blur, and not as far as a narrow margin ends.
-constexpr std::array beyond_edge_px = {1.5, 2.0};
+// How far outside its edge the ground is looked at. Nearer there is most of the mark's own blur, farther that of where a
+// narrow margin ends; what hides a part is there at both.
+constexpr std::array beyond_edge_px = {1.25, 2.0};
 constexpr double well_outside_px = 2.5;
 // By how much ground differs that is one: grey levels, a part of the contrast, and standard deviations of noise, of
 // which the most unlike of so many sides has some four.
@@ -95,7 +96,7 @@ struct Samples {
 };
 
 struct Ground {
-  std::array<Samples, parts> beyond{};
+  std::array<std::array<Samples, parts>, beyond_edge_px.size()> beyond{};
   double contrast = 0;
 };
 
@@ -111,9 +112,9 @@ Ground ground_of(const cv::Mat1b& grey, const std::vector<Place>& places, cv::Po
   out.contrast = std::abs(outside - inside) / count;
   for (const Place& place : places) {
     const double edge = edge_px(grey, place, (inside + outside) / 2 / count);
-    for (const double px : beyond_edge_px) {
-      const cv::Point2d at = place.beyond(edge + px);
-      out.beyond[place.part] += {1, at - centre, level_at(grey, at)};
+    for (std::size_t i = 0; i < beyond_edge_px.size(); ++i) {
+      const cv::Point2d at = place.beyond(edge + beyond_edge_px[i]);
+      out.beyond[i][place.part] += {1, at - centre, level_at(grey, at)};
     }
   }
   return out;
@@ -177,18 +178,27 @@ double variance_of(const std::array<Samples, parts>& flat, const Step& step, dou
   return std::max(squares / std::max(1, known), left_between_pixels * noise * noise);
 }
 
+// At one distance.
+double doubt_of(std::array<Samples, parts>& beyond, double contrast, double noise) {
+  const cv::Matx33d inverse = flatten(beyond);
+  const Step step = most_unlike_side(beyond, inverse);
+  if (step.weight == 0) return 0;
+  const double spread = std::sqrt(variance_of(beyond, step, noise) / step.weight);
+  const double uneven = std::hypot(uneven_levels, uneven_share * contrast) / std::sqrt(step.apart);
+  return std::abs(step.height) / std::hypot(uneven, most_deviations * spread);
+}
+
 }  // namespace
 
 double ground_doubt(const cv::Mat1b& grey, double noise, const SeenMark& mark) {
   const std::vector<Place> places = places_along(mark.contour);
   if (places.size() < least_places) return 0;
   Ground ground = ground_of(grey, places, mark.centre);
-  const cv::Matx33d inverse = flatten(ground.beyond);
-  const Step step = most_unlike_side(ground.beyond, inverse);
-  if (step.weight == 0) return 0;
-  const double spread = std::sqrt(variance_of(ground.beyond, step, noise) / step.weight);
-  const double uneven = std::hypot(uneven_levels, uneven_share * ground.contrast) / std::sqrt(step.apart);
-  return std::abs(step.height) / std::hypot(uneven, most_deviations * spread);
+  double least = doubt_of(ground.beyond.front(), ground.contrast, noise);
+  for (std::size_t i = 1; i < beyond_edge_px.size() && least > 0; ++i) {
+    least = std::min(least, doubt_of(ground.beyond[i], ground.contrast, noise));
+  }
+  return least;
 }
 
 }  // namespace pizarra

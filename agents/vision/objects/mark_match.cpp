@@ -72,6 +72,7 @@ MarkMatch nearest(const LearnedObject& object, auto match) {
 
 double scale_of(const SeenMark& mark, const LearnedSample& sample) {
   const double by_height = mark.height_px / sample.height_px;
+  if (sample.slimness >= least_round) return by_height;
   const double by_area = std::sqrt(mark.area_px / sample.area_px);
   return std::abs(std::log(by_height)) < std::abs(std::log(by_area)) ? by_height : by_area;
 }

@@ -7,8 +7,6 @@
 namespace pizarra {
 namespace {
 
-// A mark slimmer than this by itself does not say from where it is seen.
-constexpr double least_round = 0.9;
 // Of the squared cosines of two faces of one cube, with what their measuring adds.
 constexpr double most_facing = 1.2;
 

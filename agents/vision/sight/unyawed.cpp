@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "agents/vision/objects/mark_match.hpp"
+
 namespace pizarra {
 namespace {
 

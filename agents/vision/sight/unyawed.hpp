@@ -16,9 +16,6 @@ struct Unyawed {
   double spread;   // how far the size may be off besides, as a part of it: a standard deviation
 };
 
-// Less slim than this a mark counts as round: as high as it is wide from the front.
-inline constexpr double least_round = 0.9;
-
 // `shown_height`: what a tilt about the horizontal makes of a length along y.
 Unyawed unyawed(const SeenMark& mark, double front_slimness, double shown_height = 1);
 

@@ -23,8 +23,9 @@ constexpr Learned all_learned[] = {{"BarLying", "bar", {}},
                                    {"BarUpright", "bar", {.roll_deg = 90}},
                                    {"BarRolled", "bar", {.roll_deg = 40}},
                                    {"BarYawed", "bar", {.yaw_deg = 25}},
-                                   {"ThinBarLying", "thin-bar", {}},
-                                   {"ThinBarUpright", "thin-bar", {.roll_deg = 90}},
+                                   // Its face is hardly longer.
+                                   {"ThinBarLying", "thin-bar", {}, 0.9},
+                                   {"ThinBarUpright", "thin-bar", {.roll_deg = 90}, 0.9},
                                    // How far what is so narrow is turned away a pair knows badly.
                                    {"ThinBarYawedUpright", "thin-bar", {.roll_deg = 90, .yaw_deg = -25}, 0.4},
                                    {"Square", "square", {}},
