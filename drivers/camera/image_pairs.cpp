@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <map>
 #include <optional>
+#include <set>
 
 namespace pizarra {
 namespace {
@@ -32,6 +33,13 @@ std::map<std::uint64_t, std::string> by_number(const std::vector<std::string>& f
   return out;
 }
 
+// No number in any name, or the same in all, as a camera's own.
+bool are_unnumbered(const std::vector<std::string>& files) {
+  std::set<std::optional<std::uint64_t>> numbers;
+  for (const std::string& file : files) numbers.insert(number_in(file));
+  return numbers.size() <= 1;
+}
+
 }  // namespace
 
 Result<ImagePairs> pair_files(std::vector<std::string> left, std::vector<std::string> right) {
@@ -50,9 +58,12 @@ Result<ImagePairs> pair_files(std::vector<std::string> left, std::vector<std::st
     pairs.alone = {left.size() - count, right.size() - count};
     return pairs;
   }
-  if (left.size() == right.size()) return ImagePairs{{std::move(left), std::move(right)}, {}};
-  return fail("unpaired", fmt::format("{} images are of the left camera and {} of the right one, and no numbers in their "
-                                      "names say which belong together",
+  // Numbers of which some are on the other side too contradict any other order.
+  const bool counted_apart = count == 0 && !numbered_left.empty() && !numbered_right.empty();
+  const bool by_order = counted_apart || (are_unnumbered(left) && are_unnumbered(right));
+  if (by_order && left.size() == right.size()) return ImagePairs{{std::move(left), std::move(right)}, {}};
+  return fail("unpaired", fmt::format("{} images are of the left camera and {} of the right one, and the numbers in "
+                                      "their names do not say which belong together",
                                       left.size(), right.size()));
 }
 

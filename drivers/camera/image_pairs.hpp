@@ -2,8 +2,8 @@
 
 // Which files of two image sequences belong together. Where all names on either side carry a number (the last one in
 // each, once), and most of those of the shorter side are on the other too, equal numbers do, in the order of the left
-// side's names; what has no partner is left out. Else they belong together in the order of their names, and then there
-// are as many on either side.
+// side's names; what has no partner is left out. Where no name has a number, all have the same, or no number is on both
+// sides, they belong together in the order of their names, as many on either side. Else nobody knows.
 //
 //   Result<ImagePairs> pairs = pair_files({"l/a1.png", "l/a2.png"}, {"r/b2.png"});   // a2 with b2, a1 is alone
 

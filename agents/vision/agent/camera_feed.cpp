@@ -95,8 +95,11 @@ Task<void> CameraFeed::capture() {
       corrupt = 0;
       latest_ = *frame;
       waiting_.wake_all();
+      const Time begun = executor_.now();
       StereoFrame copy = *frame;
       co_await on_frame_(std::move(copy));
+      // However much a frame costs, as long again is for requests and to be present.
+      co_await sleep(executor_, executor_.now() - begun);
       continue;
     }
     const bool broken = frame || frame.error().symbol == "corrupt-frame";

@@ -3,10 +3,41 @@
 #include <algorithm>
 #include <span>
 
+#include "agents/vision/agent/camera_feed.hpp"
 #include "tests/agents/vision/vision_life.hpp"
 
 namespace pizarra {
 namespace {
+
+// Has a newer frame whenever it is asked, so many of them.
+class CameraThatIsAhead : public StereoCamera {
+ public:
+  static constexpr std::uint64_t frames = 50;
+
+  Task<Result<StereoModel>> open() override { co_return model_; }
+  Task<Result<StereoFrame>> next(std::uint64_t after, bool) override {
+    if (after >= frames) co_return fail("disconnected", "that was all");
+    co_return draw_scene({}, model_, after + 1, random_);
+  }
+
+ private:
+  StereoModel model_;
+  Random random_{1};
+};
+
+TEST(CameraFeed, LeavesTimeForOthersWhereFramesComeFasterThanTheyAreLookedAt) {
+  VirtualExecutor executor;
+  CameraThatIsAhead camera;
+  CameraFeed feed(
+      executor, camera, [](StereoFrame) -> Task<void> { co_return; }, []() -> Task<void> { co_return; });
+  feed.start();
+  std::uint64_t seen_by_others = CameraThatIsAhead::frames;
+  executor.post([&] { seen_by_others = feed.frame_number(); });
+  executor.run_for(100ms);
+  EXPECT_LT(seen_by_others, 3U);
+  EXPECT_EQ(feed.frame_number(), CameraThatIsAhead::frames);
+  feed.abandon();
+}
 
 TEST_F(Vision, DisconnectedItCapturesOnlyWhileItMust) {
   EXPECT_EQ(call(learn_request(0, "circle")), R"x((LEARN "circle" OK))x");

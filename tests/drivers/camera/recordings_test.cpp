@@ -218,6 +218,13 @@ TEST_F(Recordings, APairWhoseNamesDoNotSayWhatBelongsTogetherHasAsManyOnEitherSi
   EXPECT_TRUE(run(executor, camera.open()));
 }
 
+TEST(ImagePairs, NumbersThatContradictTheOrderAreNotOverridden) {
+  const std::vector<std::string> right = {"r/3.png", "r/4.png", "r/5.png", "r/6.png"};
+  EXPECT_EQ(pair_files({"l/1.png", "l/2.png", "l/3.png", "l/4.png"}, right).error().symbol, "unpaired");
+  EXPECT_EQ(pair_files({"l/3 (3).png", "l/3.png", "l/4.png", "l/5.png"}, right).error().symbol, "unpaired");
+  EXPECT_EQ(pair_files({"l/3.png", "l/4.png", "l/5.png", "l/x.png"}, right).error().symbol, "unpaired");
+}
+
 TEST(ImagePairs, NumbersThatAreNotOnBothSidesSayNothing) {
   const ImagePairs apart = pair_files({"l/1.png", "l/2.png"}, {"r/101.png", "r/102.png"}).value();
   EXPECT_EQ(apart.sides[1], (std::vector<std::string>{"r/101.png", "r/102.png"}));
