@@ -38,6 +38,7 @@ inline constexpr std::string_view vision_contract = R"scheme(
     (relation learned-template ((eyes symbol) (name string) (num integer) (tone symbol) (height number)
                                 (slimness number) (roundness number) (roundness-spread number) (size number)
                                 (by symbol) (picture string)) (key eyes name num) (durable))
+    (relation learned-focal ((eyes symbol) (name string) (num integer) (focal number)) (key eyes name num) (durable))
     (relation to-accept ((eyes symbol) (name string) (num integer)) (key eyes name num))
     (relation look-alike ((eyes symbol) (name string) (other string) (error number) (sentence string))
                          (key eyes name other))

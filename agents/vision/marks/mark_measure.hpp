@@ -30,7 +30,8 @@ struct SeenMark {
   double roundness = 0;         // 1 for a disc, more for any other shape; no view changes it
   double mark_level = 0;        // grey levels of the mark and of the ground around it
   double ground_level = 0;
-  double noise = 0;  // of the levels it was measured from, a standard deviation
+  double noise = 0;     // of the levels it was measured from, a standard deviation
+  double focal_px = 0;  // of the camera that shows it, where that is known
   MarkSignature signature;
   MarkContour contour;
 };

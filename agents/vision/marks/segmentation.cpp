@@ -23,8 +23,10 @@ bool is_too_large_for_a_mark(cv::Size box, cv::Size image) {
 
 std::size_t longest_contour_px(cv::Size image) { return static_cast<std::size_t>(2 * (image.width + image.height)); }
 
-ImageSegmentation::ImageSegmentation(const cv::Mat& grey, double noise)
-    : cut_(look_at(grey, {0, 0, grey.cols, grey.rows}, noise)), split_(split_tones(cut_.pixels, cut_.noise)) {}
+ImageSegmentation::ImageSegmentation(const cv::Mat& grey, double noise, double focal_px)
+    : focal_px_(focal_px),
+      cut_(look_at(grey, {0, 0, grey.cols, grey.rows}, noise)),
+      split_(split_tones(cut_.pixels, cut_.noise)) {}
 
 cv::Mat1b ImageSegmentation::mask(MarkTone tone) const {
   cv::Mat1b out = cv::Mat1b::zeros(image().size());
@@ -65,7 +67,9 @@ const std::vector<SeenMark>& ImageSegmentation::marks() {
     std::optional<MarkContour> contour = follow_contour(bits(tone), region.start, longest);
     if (!contour || contour->size() < 4) continue;
     std::optional<SeenMark> mark = measure_mark(cut_, std::move(*contour), tone);
-    if (mark) marks_.push_back(std::move(*mark));
+    if (!mark) continue;
+    mark->focal_px = focal_px_;
+    marks_.push_back(std::move(*mark));
   }
   left_out_ = all.size() - looked_at;
   return marks_;

@@ -23,8 +23,8 @@ std::size_t longest_contour_px(cv::Size image);
 
 class ImageSegmentation {
  public:
-  // `grey`: 8 bit, one channel; it may be shared, not copied.
-  ImageSegmentation(const cv::Mat& grey, double noise);
+  // `grey`: 8 bit, one channel; it may be shared, not copied. `focal_px`: of its camera, where that is known.
+  ImageSegmentation(const cv::Mat& grey, double noise, double focal_px = 0);
   explicit ImageSegmentation(const cv::Mat& grey) : ImageSegmentation(grey, noise_of(grey)) {}
 
   // As the eyes look at it.
@@ -42,6 +42,7 @@ class ImageSegmentation {
  private:
   struct Candidate;
   std::vector<Candidate> candidates() const;
+  double focal_px_;
   ImageCut cut_;
   ToneSplit split_;
   bool collected_ = false;

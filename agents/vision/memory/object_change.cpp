@@ -12,8 +12,14 @@ Result<const LearnedObject*> known(const LearnedObjects& objects, const std::str
   return object;
 }
 
+std::vector<Datum> facts_of(const std::string& name, const LearnedSample& sample) {
+  std::vector<Datum> out = {learned_fact(name, sample), learned_template_fact(name, sample)};
+  if (sample.focal_px > 0) out.push_back(learned_focal_fact(name, sample));
+  return out;
+}
+
 void tell_sample(Transaction& transaction, const std::string& name, const LearnedSample& sample) {
-  transaction.tell(learned_fact(name, sample)).tell(learned_template_fact(name, sample));
+  for (Datum& fact : facts_of(name, sample)) transaction.tell(std::move(fact));
 }
 
 void retract_samples(Transaction& transaction, const std::string& name, std::optional<int> number = {}) {
@@ -72,8 +78,7 @@ std::vector<Datum> facts_of(const LearnedObjects& objects) {
   std::vector<Datum> out;
   for (const LearnedObject& object : objects.all()) {
     for (const LearnedSample& sample : object.samples) {
-      out.push_back(learned_fact(object.name, sample));
-      out.push_back(learned_template_fact(object.name, sample));
+      for (Datum& fact : facts_of(object.name, sample)) out.push_back(std::move(fact));
     }
   }
   return out;
@@ -88,7 +93,8 @@ std::vector<Datum> patterns_of(const std::string& name, std::optional<int> numbe
     return Datum::list(std::move(items));
   };
   const LearnedSample any;
-  return {pattern(learned_fact(name, any)), pattern(learned_template_fact(name, any))};
+  return {pattern(learned_fact(name, any)), pattern(learned_template_fact(name, any)),
+          pattern(learned_focal_fact(name, any))};
 }
 
 }  // namespace pizarra

@@ -20,24 +20,27 @@ constexpr std::int64_t format = 4;
 constexpr const char* schema = R"(
   CREATE TABLE samples (id INTEGER PRIMARY KEY AUTOINCREMENT, name TEXT COLLATE NOCASE, num INTEGER, tone TEXT,
                         area REAL, perimeter INTEGER, nf INTEGER, m0 REAL, m1 REAL, m2 REAL, height REAL, slimness REAL,
-                        roundness REAL, roundness_spread REAL, size REAL, sum INTEGER, size_by INTEGER,
+                        roundness REAL, roundness_spread REAL, size REAL, sum INTEGER, size_by INTEGER, focal REAL,
                         UNIQUE (name, num));
   PRAGMA application_id = 1349476970;
   PRAGMA user_version = 4;
 )";
 
-// The first format had no ids, the second did not say which sizes were guesses, the third knew none but along y.
+// The first format had no ids, the second did not say which sizes were guesses, the third knew none but along y; none
+// of them said by which focal length a sample was learned.
 constexpr const char* put_away_first_format = "ALTER TABLE samples RENAME TO samples_1";
 constexpr const char* take_first_format = R"(
-  INSERT INTO samples SELECT NULL, *, 0 FROM samples_1 ORDER BY rowid;
+  INSERT INTO samples SELECT NULL, *, 0, 0 FROM samples_1 ORDER BY rowid;
   DROP TABLE samples_1;
 )";
 constexpr const char* take_second_format = R"(
   ALTER TABLE samples ADD COLUMN size_by INTEGER DEFAULT 0;
+  ALTER TABLE samples ADD COLUMN focal REAL DEFAULT 0;
   PRAGMA user_version = 4;
 )";
 constexpr const char* take_third_format = R"(
   ALTER TABLE samples RENAME COLUMN guessed TO size_by;
+  ALTER TABLE samples ADD COLUMN focal REAL DEFAULT 0;
   PRAGMA user_version = 4;
 )";
 
@@ -47,13 +50,16 @@ std::int64_t sum_of(const LearnedSample& sample) {
   const Datum facts = learned_template_fact(nameless, sample);
   std::vector<Datum> kept(facts.items().begin(), facts.items().end());
   if (sample.size_by == LearnedSample::SizeBy::measured) kept.erase(kept.end() - 2);
-  return Checksum().add(write(learned_fact(nameless, sample))).add(write(Datum::list(std::move(kept)))).value();
+  Checksum sum;
+  sum.add(write(learned_fact(nameless, sample))).add(write(Datum::list(std::move(kept))));
+  if (sample.focal_px > 0) sum.add(write(learned_focal_fact(nameless, sample)));
+  return sum.value();
 }
 
 bool makes_sense(const LearnedSample& s) {
-  const std::array<double, 9> values = {s.area_px,  s.moments[0], s.moments[1],       s.moments[2], s.height_px,
-                                        s.slimness, s.roundness,  s.roundness_spread, s.size_mm};
-  return s.number > 0 && s.height_px > 0 && s.slimness > 0 && s.roundness > 0 && s.size_mm >= 0 &&
+  const std::array<double, 10> values = {s.area_px,  s.moments[0], s.moments[1],       s.moments[2], s.height_px,
+                                         s.slimness, s.roundness,  s.roundness_spread, s.size_mm,    s.focal_px};
+  return s.number > 0 && s.height_px > 0 && s.slimness > 0 && s.roundness > 0 && s.size_mm >= 0 && s.focal_px >= 0 &&
          std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
 }
 
@@ -148,7 +154,7 @@ Result<KeptObjects> ObjectDatabase::read() {
   bitmaps_.clear();
   sqlite::Statement rows(database_,
                          "SELECT name, num, tone, area, perimeter, nf, m0, m1, m2, height, slimness, roundness, "
-                         "roundness_spread, size, sum, id, size_by FROM samples ORDER BY id");
+                         "roundness_spread, size, sum, id, size_by, focal FROM samples ORDER BY id");
   for (Result<bool> row = rows.step(); !row || *row; row = rows.step()) {
     if (!row) return fail(row);
     const std::string name(rows.text(0));
@@ -184,6 +190,7 @@ Result<LearnedSample> ObjectDatabase::sample_of(sqlite::Statement& row, const st
   out.size_mm = row.real(13);
   out.id = row.integer(15);
   out.size_by = static_cast<LearnedSample::SizeBy>(std::clamp<std::int64_t>(row.integer(16), 0, 3));
+  out.focal_px = row.real(17);
   const Result<MarkTemplate> picture = read_bitmap(bitmap({name, out.number}), out.tone);
   if (!picture) return fail(picture);
   out.set_picture(*picture);
@@ -255,14 +262,15 @@ Result<void> ObjectDatabase::change(const KeepSample& keep, Outcome& outcome) {
   // A damaged sample keeps its number.
   sample.number = known->empty() ? 1 : static_cast<int>(known->back().number) + 1;
   const std::string tone = tone_of(sample);
-  sqlite::Statement row(database_, "INSERT INTO samples VALUES (NULL, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  sqlite::Statement row(database_,
+                        "INSERT INTO samples VALUES (NULL, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   row.bind(1, name).bind(2, std::int64_t{sample.number});
   row.bind(3, tone).bind_real(4, sample.area_px);
   row.bind(5, std::int64_t{sample.perimeter_px}).bind(6, std::int64_t{sample.corners});
   for (int i = 0; i < 3; ++i) row.bind_real(7 + i, sample.moments[static_cast<std::size_t>(i)]);
   row.bind_real(10, sample.height_px).bind_real(11, sample.slimness).bind_real(12, sample.roundness);
   row.bind_real(13, sample.roundness_spread).bind_real(14, sample.size_mm).bind(15, sum_of(sample));
-  row.bind(16, static_cast<std::int64_t>(sample.size_by));
+  row.bind(16, static_cast<std::int64_t>(sample.size_by)).bind_real(17, sample.focal_px);
   const Result<void> inserted = row.run();
   if (!inserted) return inserted;
   const Result<std::int64_t> id = database_.ask("SELECT last_insert_rowid()");

@@ -28,13 +28,30 @@ Transaction told_by(std::string_view agent, Transaction transaction) {
   return transaction;
 }
 
+// Of those the one about the same sample as this fact; nothing where there is none.
+std::optional<Datum> beside(const Fact& sample, const std::vector<Fact>& facts) {
+  const auto found = std::ranges::find_if(facts, [&](const Fact& candidate) {
+    return candidate.datum[2] == sample.datum[2] && candidate.datum[3] == sample.datum[3];
+  });
+  return found == facts.end() ? std::nullopt : std::optional(as_said(found->datum));
+}
+
+Result<LearnedSample> sample_of(const Fact& learned, const std::vector<Fact>& templates,
+                                const std::vector<Fact>& focals) {
+  const std::optional<Datum> picture = beside(learned, templates);
+  if (!picture) return fail("damaged", "its template is missing");
+  const std::optional<Datum> focal = beside(learned, focals);
+  return sample_from_facts(as_said(learned.datum), *picture, focal ? &*focal : nullptr);
+}
+
 }  // namespace
 
 ObjectMemory::ObjectMemory(AgentContext& context, std::string directory)
     : context_(context),
       directory_(std::move(directory)),
       samples_(any_of(context.name, "learned"_sym, 8)),
-      templates_(any_of(context.name, "learned-template"_sym, 10)) {}
+      templates_(any_of(context.name, "learned-template"_sym, 10)),
+      focals_(any_of(context.name, "learned-focal"_sym, 3)) {}
 
 Result<void> ObjectMemory::open() {
   if (database_ && database_->in_place()) return {};
@@ -130,14 +147,12 @@ Task<Result<void>> ObjectMemory::recall_facts() {
   if (!samples) co_return fail(samples);
   const Result<std::vector<Fact>> templates = co_await context_.board.facts(templates_);
   if (!templates) co_return fail(templates);
+  const Result<std::vector<Fact>> focals = co_await context_.board.facts(focals_);
+  if (!focals) co_return fail(focals);
   objects_ = LearnedObjects();
   troubles_.clear();
   for (const Fact& fact : *samples) {
-    const auto picture = std::ranges::find_if(*templates, [&](const Fact& candidate) {
-      return candidate.datum[2] == fact.datum[2] && candidate.datum[3] == fact.datum[3];
-    });
-    Result<LearnedSample> sample = fail("damaged", "its template is missing");
-    if (picture != templates->end()) sample = sample_from_facts(as_said(fact.datum), as_said(picture->datum));
+    Result<LearnedSample> sample = sample_of(fact, *templates, *focals);
     const Result<LearnedObjects::Slot> slot = objects_.slot_for(fact.datum[2].text());
     if (sample && slot) {
       objects_.add(slot->name, std::move(*sample));
@@ -155,7 +170,7 @@ Task<Result<void>> ObjectMemory::tell_objects() {
   std::vector<Datum> wanted = facts_of(objects_);
   for (Datum& fact : wanted) fact = told_by(context_.name, fact);
   Transaction transaction;
-  const std::vector<Datum> patterns{samples_, templates_};
+  const std::vector<Datum> patterns{samples_, templates_, focals_};
   for (const Datum& pattern : patterns) {
     const Result<std::vector<Fact>> standing = co_await context_.board.facts(pattern);
     if (!standing) co_return fail(standing);

@@ -1,7 +1,8 @@
 #pragma once
 
-// What the vision agent knows of objects, and where that is kept: in its durable facts `learned` and `learned-template`
-// alone, or, where a folder is given, in an object database, of which the facts are then the picture that others read.
+// What the vision agent knows of objects, and where that is kept: in its durable facts `learned`, `learned-template` and
+// `learned-focal` alone, or, where a folder is given, in an object database, of which the facts are then the picture
+// that others read.
 //
 //   ObjectMemory memory(context, "objects");            // or "": the board alone
 //   Result<void> recalled = co_await memory.recall();
@@ -48,6 +49,7 @@ class ObjectMemory {
   std::string directory_;
   const Datum samples_;    // the pattern of the agent's facts `learned`
   const Datum templates_;  // and `learned-template`
+  const Datum focals_;     // and `learned-focal`
   std::optional<ObjectDatabase> database_;
   bool was_open_ = false;
   std::int64_t version_ = 0;  // of the database as it was read last

@@ -148,7 +148,12 @@ Datum learned_template_fact(const std::string& name, const LearnedSample& sample
               Datum::symbol(std::string(size_by_of(sample))), template_to_text(sample.picture));
 }
 
-Result<LearnedSample> sample_from_facts(const Datum& learned, const Datum& learned_template) {
+Datum learned_focal_fact(const std::string& name, const LearnedSample& sample) {
+  return list("learned-focal"_sym, name, sample.number, sample.focal_px);
+}
+
+Result<LearnedSample> sample_from_facts(const Datum& learned, const Datum& learned_template,
+                                        const Datum* learned_focal) {
   if (!learned.is_form("learned") || learned.size() != 9 || !learned_template.is_form("learned-template") ||
       learned_template.size() != 11) {
     return fail("bad-template", "a learned object is one learned and one learned-template fact", learned);
@@ -168,6 +173,7 @@ Result<LearnedSample> sample_from_facts(const Datum& learned, const Datum& learn
   out.roundness_spread = learned_template[7].number();
   out.size_mm = learned_template[8].number();
   set_size_by(out, learned_template[9].text());
+  if (learned_focal != nullptr) out.focal_px = (*learned_focal)[3].number();
   out.set_picture(*picture);
   return out;
 }

@@ -3,6 +3,7 @@
 // What vision has learned: objects by name, each with one or more samples of its mark. Kept as the durable facts
 //   (learned NAME NUM AREA PERIMETER FEATURES M0 M1 M2)                            the thesis' Table C.1
 //   (learned-template NAME NUM TONE HEIGHT SLIMNESS ROUNDNESS SPREAD SIZE BY TEMPLATE) what recognition needs besides
+//   (learned-focal NAME NUM FOCAL)                                                     where it is known
 // TONE being dark, light, or the tag that it is, and BY how its SIZE is known (LearnedSample::SizeBy); so that a
 // restarted agent reads them back; and, where a cell says so, as files too (object_database.hpp).
 //
@@ -31,6 +32,7 @@ struct LearnedSample {
   int corners = 0;
   std::array<double, 3> moments{};
   double height_px = 0;
+  double focal_px = 0;  // of the camera it was learned with: what is in px grows with it; 0: not known
   double slimness = 0;  // from the front where a pair learned it, else as it was seen
   double roundness = 0;
   double roundness_spread = 0;  // a standard deviation, over the frames it was learned from
@@ -110,7 +112,9 @@ Result<void> check_object_name(std::string_view name);
 
 Datum learned_fact(const std::string& name, const LearnedSample& sample);
 Datum learned_template_fact(const std::string& name, const LearnedSample& sample);
-// What both facts of one sample say. Failure `bad-template`.
-Result<LearnedSample> sample_from_facts(const Datum& learned, const Datum& learned_template);
+Datum learned_focal_fact(const std::string& name, const LearnedSample& sample);
+// What the facts of one sample say; null: what older versions learned has no `learned-focal`. Failure `bad-template`.
+Result<LearnedSample> sample_from_facts(const Datum& learned, const Datum& learned_template,
+                                        const Datum* learned_focal = nullptr);
 
 }  // namespace pizarra

@@ -33,6 +33,11 @@ SignatureFit sharp_fit(const SeenMark& mark, const LearnedSample& sample, std::o
   return fit_signature(mark.signature, learned);
 }
 
+// How many times as large as the camera it was learned with the one that shows it shows everything.
+double enlarged(const SeenMark& mark, const LearnedSample& sample) {
+  return mark.focal_px > 0 && sample.focal_px > 0 ? mark.focal_px / sample.focal_px : 1;
+}
+
 bool has_size(const SeenMark& mark, const LearnedSample& sample) {
   const double scale = scale_of(mark, sample);
   return scale >= least_scale && scale <= most_scale;
@@ -71,9 +76,10 @@ MarkMatch nearest(const LearnedObject& object, auto match) {
 }  // namespace
 
 double scale_of(const SeenMark& mark, const LearnedSample& sample) {
-  const double by_height = mark.height_px / sample.height_px;
+  const double as_learned = 1 / enlarged(mark, sample);
+  const double by_height = as_learned * mark.height_px / sample.height_px;
   if (sample.slimness >= least_round) return by_height;
-  const double by_area = std::sqrt(mark.area_px / sample.area_px);
+  const double by_area = as_learned * std::sqrt(mark.area_px / sample.area_px);
   return std::abs(std::log(by_height)) < std::abs(std::log(by_area)) ? by_height : by_area;
 }
 

@@ -18,14 +18,15 @@ inline constexpr double recognition_threshold = 0.085;
 // itself from where it is seen.
 inline constexpr double least_round = 0.9;
 
-// How many times as large as it was learned, in px, an object is looked for.
+// How many times as large as it was learned an object is looked for.
 inline constexpr double least_scale = 0.5;
 inline constexpr double most_scale = 1.8;
 // More than this no lens that is nearly focused blurs.
 inline constexpr double widest_blur_px = 2.2;
 
-// How many times as large it is as it was learned: by its height, which a yaw does not change; or, of what is slim, by
-// its area, which no turn in the image does.
+// How many times as large it is as the camera that shows it would have shown it when it was learned: by its height,
+// which a yaw does not change; or, of what is slim, by its area, which no turn in the image does. Where a focal length
+// is not known, as the camera it was learned with showed it.
 double scale_of(const SeenMark& mark, const LearnedSample& sample);
 
 // To the nearest sample: all told, by its shape alone, as which of its blurs, and how turned.

@@ -34,8 +34,10 @@ std::optional<SeenMark> follow_mark(const cv::Mat& grey, double noise, const See
       contour_from_centre(field, middle - area.tl(), gate, longest_contour_px(grey.size()));
   if (!contour || contour->size() < 4) return std::nullopt;
   std::optional<SeenMark> mark = measure_mark(cut, std::move(*contour), last.tone);
-  if (mark) move_by(*mark, cut.origin);
-  if (!mark || cv::norm(mark->centre - centre) > gate) return std::nullopt;
+  if (!mark) return std::nullopt;
+  move_by(*mark, cut.origin);
+  mark->focal_px = last.focal_px;
+  if (cv::norm(mark->centre - centre) > gate) return std::nullopt;
   return mark;
 }
 

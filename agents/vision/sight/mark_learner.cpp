@@ -169,6 +169,7 @@ Result<void> MarkLearner::check_kind() const {
 Result<void> MarkLearner::measure(StereoSight& sight) {
   ++contour_frames_;
   size_guessed_ = sight.model().is_single();
+  focal_px_ = sight.model().focal_px;
   if (follow(sight)) {
     contour_ = mark_->contour;
     measured_.push_back(*mark_);
@@ -246,6 +247,7 @@ LearnedSample MarkLearner::sample() const {
     out.moments[i] = mean_of(portraits_, [i](const MarkPortrait& p) { return p.moments[i]; });
   }
   out.height_px = mean_of(measured_, [](const SeenMark& m) { return m.height_px; });
+  out.focal_px = focal_px_;
   out.slimness = mean_of(measured_, [](const SeenMark& m) { return m.slimness; });
   out.roundness = mean_of(measured_, [](const SeenMark& m) { return m.roundness; });
   out.roundness_spread = std::sqrt(mean_of(measured_, [&](const SeenMark& m) {

@@ -74,6 +74,7 @@ class MarkLearner {
   std::vector<MarkPortrait> portraits_;  // of the same
   std::vector<FrontView> fronts_;  // of those that the right image showed too
   bool size_guessed_ = false;
+  double focal_px_ = 0;
 };
 
 }  // namespace pizarra

@@ -128,7 +128,7 @@ void MarkTracker::note_others(Track& track, const LearnedObject& object, const s
 
 void MarkTracker::note_others_before(Track& track, const LearnedObject& object) {
   if (object.tag() != nullptr) return note_others(track, object, find_tags(last_left_, *object.tag()));
-  if (!last_segmentation_) last_segmentation_.emplace(last_left_);
+  if (!last_segmentation_) last_segmentation_.emplace(last_left_, noise_of(last_left_), track.left->focal_px);
   note_others(track, object, last_segmentation_->marks());
 }
 

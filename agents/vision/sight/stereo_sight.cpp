@@ -79,12 +79,12 @@ StereoSight::StereoSight(cv::Mat left, cv::Mat right, const StereoModel& model)
     : left_(std::move(left)), right_(std::move(right)), model_(model), noise_(noise_of(left_)) {}
 
 ImageSegmentation& StereoSight::left_segmentation() {
-  if (!left_segmentation_) left_segmentation_.emplace(left_, noise_);
+  if (!left_segmentation_) left_segmentation_.emplace(left_, noise_, model_.focal_px);
   return *left_segmentation_;
 }
 
 ImageSegmentation& StereoSight::right_segmentation() {
-  if (!right_segmentation_) right_segmentation_.emplace(right_, noise_);
+  if (!right_segmentation_) right_segmentation_.emplace(right_, noise_, model_.focal_px);
   return *right_segmentation_;
 }
 

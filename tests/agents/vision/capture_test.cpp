@@ -128,6 +128,36 @@ TEST_F(Vision, WhatIsTrackedIsSeenAtOnceInImagesOfAnotherSize) {
   }
 }
 
+TEST_F(Vision, WhatTheBoardRemembersIsFoundByACameraOfAnotherResolution) {
+  EXPECT_EQ(call(learn_request(0, "circle")), R"x((LEARN "circle" OK))x");
+  EXPECT_EQ(facts("(learned-focal vision ? ? ?)"), "(learned-focal vision \"circle\" 1 431.0)");
+  const auto find_with = [&](double scale) {
+    life.reset();
+    run_for(3s);
+    camera.magnify(scale);
+    live();
+    return call("(find \"circle\")");
+  };
+  EXPECT_TRUE(find_with(3).starts_with(R"x((FIND "circle" OK ()x"));
+  EXPECT_TRUE(find_with(1 / 3.0).starts_with(R"x((FIND "circle" OK ()x"));
+  // Nobody knows by which camera an older version learned it.
+  retract("(learned-focal vision ? ? ?)");
+  EXPECT_EQ(find_with(3), R"x((FIND "circle" FAIL))x");
+  EXPECT_NE(facts("(vision-failed vision ? ? too-large ?)"), "");
+}
+
+TEST_F(Vision, WhatIsForgottenAndLearnedAnewHasOneFocalLength) {
+  for (const double scale : {1.0, 1.5}) {
+    camera.magnify(scale);
+    EXPECT_EQ(call(learn_request(0, "circle")), R"x((LEARN "circle" OK))x");
+    EXPECT_EQ(facts("(learned-focal vision ? ? ?)").find('\n'), std::string::npos);
+    EXPECT_EQ(call("(rename \"circle\" \"disc\")"), "()");
+    EXPECT_NE(facts("(learned-focal vision \"disc\" 1 ?)"), "");
+    EXPECT_EQ(call("(forget \"disc\")"), "()");
+    EXPECT_EQ(facts("(learned-focal vision ? ? ?)"), "");
+  }
+}
+
 TEST_F(Vision, PublishesImagesWhileTheyAreWatched) {
   learn_all();
   EXPECT_EQ(call("(track \"circle\")"), "()");

@@ -127,9 +127,11 @@ TEST(Template, SurvivesItsText) {
 TEST(LearnedFacts, SayTheWholeSample) {
   for (const LearnedObject& object : learned_cell().all()) {
     const LearnedSample& sample = object.samples.front();
+    const Datum focal = learned_focal_fact(object.name, sample);
     const Result<LearnedSample> back =
-        sample_from_facts(learned_fact(object.name, sample), learned_template_fact(object.name, sample));
+        sample_from_facts(learned_fact(object.name, sample), learned_template_fact(object.name, sample), &focal);
     ASSERT_TRUE(back);
+    EXPECT_EQ(back->focal_px, DrawnSight::model().focal_px);
     EXPECT_EQ(back->number, 1);
     EXPECT_EQ(back->tone, sample.tone);
     EXPECT_EQ(back->size_mm, sample.size_mm);

@@ -27,6 +27,7 @@ class Database : public testing::Test {
     for (const std::string& name : names) {
       KeepSample old = keep(name);
       old.sample.size_by = LearnedSample::SizeBy::measured;
+      old.sample.focal_px = 0;
       ASSERT_TRUE(database.apply(old));
     }
   }
@@ -143,10 +144,23 @@ TEST_F(Database, RemembersThatASizeIsAGuess) {
   EXPECT_FALSE(kept.objects.find("square")->samples.front().size_guessed());
 }
 
+TEST_F(Database, RemembersByWhichFocalLengthASampleWasLearnedAndThatOlderFormatsDidNotSay) {
+  learn_along_y({"circle"});
+  sqlite::Database raw = sqlite::Database::open(folder() + "/objects.sqlite", sqlite::Access::write).value();
+  ASSERT_TRUE(raw.run("ALTER TABLE samples DROP COLUMN focal; ALTER TABLE samples RENAME COLUMN size_by TO guessed;"
+                      "PRAGMA user_version = 3"));
+  learn({"square"});
+  const KeptObjects kept = open().read().value();
+  ASSERT_TRUE(kept.damaged.empty());
+  EXPECT_EQ(kept.objects.find("circle")->samples.front().focal_px, 0);
+  EXPECT_EQ(kept.objects.find("square")->samples.front().focal_px, DrawnSight::model().focal_px);
+}
+
 TEST_F(Database, ReadsWhatTheThirdFormatKept) {
   learn_along_y({"circle", "square"});
   sqlite::Database raw = sqlite::Database::open(folder() + "/objects.sqlite", sqlite::Access::write).value();
-  ASSERT_TRUE(raw.run("ALTER TABLE samples RENAME COLUMN size_by TO guessed; PRAGMA user_version = 3"));
+  ASSERT_TRUE(raw.run("ALTER TABLE samples DROP COLUMN focal; ALTER TABLE samples RENAME COLUMN size_by TO guessed;"
+                      "PRAGMA user_version = 3"));
   EXPECT_EQ(content(), "circle*1 square*1 ");
   learn({"cross"});
   EXPECT_EQ(content(), "circle*1 square*1 cross*1 ");
@@ -155,7 +169,8 @@ TEST_F(Database, ReadsWhatTheThirdFormatKept) {
 TEST_F(Database, ReadsWhatTheSecondFormatKept) {
   learn_along_y({"circle", "square"});
   sqlite::Database raw = sqlite::Database::open(folder() + "/objects.sqlite", sqlite::Access::write).value();
-  ASSERT_TRUE(raw.run("ALTER TABLE samples DROP COLUMN size_by; PRAGMA user_version = 2"));
+  ASSERT_TRUE(raw.run("ALTER TABLE samples DROP COLUMN focal; ALTER TABLE samples DROP COLUMN size_by;"
+                      "PRAGMA user_version = 2"));
   EXPECT_EQ(content(), "circle*1 square*1 ");
   learn({"cross"});
   EXPECT_EQ(content(), "circle*1 square*1 cross*1 ");
@@ -246,7 +261,8 @@ TEST_F(Database, ADamagedRowCostsOneSample) {
   learn({"circle", "square", "cross"});
   sqlite::Database raw = sqlite::Database::open(folder() + "/objects.sqlite", sqlite::Access::write).value();
   const std::vector<std::string> values = {"height = 0",     "slimness = -1", "size = 9e999", "roundness = 1.3",
-                                           "tone = 'light'", "num = 0",       "name = '../x'"};
+                                           "tone = 'light'", "num = 0",       "name = '../x'", "focal = 430",
+                                           "focal = -1",     "focal = 9e999"};
   for (const std::string& value : values) {
     const std::string where = " WHERE rowid = 2";
     ASSERT_TRUE(raw.run(("CREATE TABLE kept AS SELECT * FROM samples; UPDATE samples SET " + value + where).c_str()));
