@@ -63,6 +63,8 @@ inline constexpr std::array<std::array<int, 2>, 8> neighbours = {
 
 // Twice the enclosed area, positive when the contour runs clockwise in the image.
 long signed_area(const MarkContour& contour);
+// Of one that has points.
+cv::Rect box_of(const MarkContour& contour);
 
 // Follows the outer border of the region that `start` belongs to; the pixel left of `start` is outside. Nothing when it
 // is longer than `max_points`, or runs along the field's edge (it is open there).

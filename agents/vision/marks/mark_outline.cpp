@@ -59,10 +59,10 @@ struct Agreement {
   static void for_each_wave(double angle, auto use) {
     const double step_cosine = std::cos(angle);
     const double step_sine = std::sin(angle);
-    double cosine = std::cos(MarkOutline::first * angle);
-    double sine = std::sin(MarkOutline::first * angle);
-    for (std::size_t i = 0; i < waves; ++i) {
-      use(i, cosine, sine);
+    double cosine = 1;
+    double sine = 0;
+    for (std::size_t wave = 0; wave < MarkOutline::first + waves; ++wave) {
+      if (wave >= MarkOutline::first) use(wave - MarkOutline::first, cosine, sine);
       const double next = cosine * step_cosine - sine * step_sine;
       sine = sine * step_cosine + cosine * step_sine;
       cosine = next;

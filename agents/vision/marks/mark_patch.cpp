@@ -151,19 +151,13 @@ bool MarkPatch::cut_rows(cv::Mat1b& pixels, const MarkContour& contour, cv::Poin
 
 bool MarkPatch::cut(const ImageCut& from, const MarkContour& contour, MarkTone tone) {
   const cv::Mat1b& image = from.pixels;
-  cv::Point low = contour.front();
-  cv::Point high = contour.front();
-  for (const cv::Point& p : contour) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
-  mark_box = {low, high + cv::Point(1, 1)};
+  mark_box = box_of(contour);
   // G. Pick's theorem: lattice points within and on a polygon.
   const auto border = static_cast<int>(contour.size());
   area_px = static_cast<int>(std::abs(signed_area(contour)) / 2) + border / 2 + 1;
   const auto parts = [](int whole, int part) { return (whole + part - 1) / part; };
   reduction = parts(std::max(mark_box.width, mark_box.height), most_side_px - 2 * margin_px);
-  origin = low - reduction * cv::Point(margin_px, margin_px);
+  origin = mark_box.tl() - reduction * cv::Point(margin_px, margin_px);
   size = {parts(mark_box.width, reduction) + 2 * margin_px, parts(mark_box.height, reduction) + 2 * margin_px};
   stride = (size.width + 7) / 8 * 8;
   const cv::Rect area(origin, size * reduction);

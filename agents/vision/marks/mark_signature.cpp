@@ -35,33 +35,51 @@ float sample(const WeightedShape& shape, float x, float y) {
   return above + fy * (below - above);
 }
 
-// sample() of four places at once, given in px.
-cv::v_float32x4 sample(const WeightedShape& shape, cv::v_float32x4 x, cv::v_float32x4 y) {
-  constexpr int unit = 1 << 14;
-  const cv::v_float32x4 zero = cv::v_setzero_f32();
-  x = cv::v_max(zero, cv::v_min(x, cv::v_setall_f32(static_cast<float>(shape.size.width) - 1.001F)));
-  y = cv::v_max(zero, cv::v_min(y, cv::v_setall_f32(static_cast<float>(shape.size.height) - 1.001F)));
-  const cv::v_float32x4 left = cv::v_cvt_f32(cv::v_trunc(x));
-  const cv::v_float32x4 top = cv::v_cvt_f32(cv::v_trunc(y));
-  std::array<std::int32_t, 4> place;
-  cv::v_store(place.data(), cv::v_trunc(top * cv::v_setall_f32(static_cast<float>(shape.stride)) + left));
-  std::array<std::int32_t, 4> upper;  // each a pixel and its right neighbour
-  std::array<std::int32_t, 4> lower;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const std::int16_t* at = shape.weights + place[i];
-    std::memcpy(&upper[i], at, sizeof upper[i]);
-    std::memcpy(&lower[i], at + shape.stride, sizeof lower[i]);
+// sample() of four places at once, given in px; times `scale`, rounded. What it needs of the shape is got ready once.
+class FourSampler {
+ public:
+  explicit FourSampler(const WeightedShape& shape)
+      : weights_(shape.weights),
+        stride_(shape.stride),
+        stride_of_all_(cv::v_setall_f32(static_cast<float>(shape.stride))),
+        last_x_(cv::v_setall_f32(static_cast<float>(shape.size.width) - 1.001F)),
+        last_y_(cv::v_setall_f32(static_cast<float>(shape.size.height) - 1.001F)) {}
+
+  cv::v_int32x4 at(cv::v_float32x4 x, cv::v_float32x4 y, double scale) const {
+    const cv::v_float32x4 zero = cv::v_setzero_f32();
+    x = cv::v_max(zero, cv::v_min(x, last_x_));
+    y = cv::v_max(zero, cv::v_min(y, last_y_));
+    const cv::v_float32x4 left = cv::v_cvt_f32(cv::v_trunc(x));
+    const cv::v_float32x4 top = cv::v_cvt_f32(cv::v_trunc(y));
+    std::array<std::int32_t, 4> place;
+    cv::v_store(place.data(), cv::v_trunc(top * stride_of_all_ + left));
+    std::array<std::int32_t, 4> upper;  // each a pixel and its right neighbour
+    std::array<std::int32_t, 4> lower;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const std::int16_t* at = weights_ + place[i];
+      std::memcpy(&upper[i], at, sizeof upper[i]);
+      std::memcpy(&lower[i], at + stride_, sizeof lower[i]);
+    }
+    // What either of them counts.
+    const cv::v_int32x4 part = cv::v_round((x - left) * cv::v_setall_f32(unit));
+    const cv::v_int16x8 parts = cv::v_reinterpret_as_s16((part << 16) + (cv::v_setall_s32(unit) - part));
+    const auto along = [&](const std::array<std::int32_t, 4>& pairs) {
+      const cv::v_int32x4 four(pairs[0], pairs[1], pairs[2], pairs[3]);
+      return cv::v_cvt_f32(cv::v_dotprod(cv::v_reinterpret_as_s16(four), parts));
+    };
+    const cv::v_float32x4 above = along(upper);
+    const cv::v_float32x4 value = above + (y - top) * (along(lower) - above);
+    return cv::v_round(value * cv::v_setall_f32(static_cast<float>(scale) / unit));
   }
-  // What either of them counts.
-  const cv::v_int32x4 part = cv::v_round((x - left) * cv::v_setall_f32(unit));
-  const cv::v_int16x8 parts = cv::v_reinterpret_as_s16((part << 16) + (cv::v_setall_s32(unit) - part));
-  const auto along = [&](const std::array<std::int32_t, 4>& pairs) {
-    const cv::v_int32x4 four(pairs[0], pairs[1], pairs[2], pairs[3]);
-    return cv::v_cvt_f32(cv::v_dotprod(cv::v_reinterpret_as_s16(four), parts));
-  };
-  const cv::v_float32x4 above = along(upper);
-  return (above + (y - top) * (along(lower) - above)) * cv::v_setall_f32(1.0F / unit);
-}
+
+ private:
+  static constexpr int unit = 1 << 14;
+  const std::int16_t* weights_;
+  int stride_;
+  cv::v_float32x4 stride_of_all_;
+  cv::v_float32x4 last_x_;
+  cv::v_float32x4 last_y_;
+};
 
 // What is averaged over squares of pixels, with zeros around.
 struct CoarseShape {
@@ -139,20 +157,23 @@ std::int32_t correlation(const MarkSignature& a, const MarkSignature& b, int tur
 
 MarkSignature sampled(const WeightedShape& shape, const SamplePlaces& places) {
   MarkSignature out;
+  const FourSampler sampler(shape);
   const auto all = [](double value) { return cv::v_setall_f32(static_cast<float>(value)); };
   const cv::v_float32x4 xx = all(shape.spread(0, 0)), xy = all(shape.spread(0, 1)), yy = all(shape.spread(1, 1));
   const cv::v_float32x4 centre_x = all(shape.centre.x), centre_y = all(shape.centre.y);
   cv::v_int32x4 energy = cv::v_setzero_s32();
   for (std::size_t ring = 0; ring < MarkSignature::rings; ++ring) {
-    const cv::v_float32x4 scale = all(weight_of(ring) / shape.full);
+    const double scale = weight_of(ring) / shape.full;
     std::int16_t* ring_samples = out.samples.data() + ring * 2 * MarkSignature::turns;
     const auto four = [&](std::size_t i) {
       const cv::v_float32x4 u = cv::v_load(places.u.data() + ring * MarkSignature::turns + i);
       const cv::v_float32x4 v = cv::v_load(places.v.data() + ring * MarkSignature::turns + i);
-      return cv::v_round(sample(shape, centre_x + xx * u + xy * v, centre_y + xy * u + yy * v) * scale);
+      return sampler.at(centre_x + xx * u + xy * v, centre_y + xy * u + yy * v, scale);
     };
     for (std::size_t i = 0; i < MarkSignature::turns; i += 8) {
-      const cv::v_int16x8 eight = cv::v_pack(four(i), four(i + 4));
+      cv::v_int32x4 halves[2];
+      for (std::size_t half = 0; half < 2; ++half) halves[half] = four(i + 4 * half);
+      const cv::v_int16x8 eight = cv::v_pack(halves[0], halves[1]);
       energy += cv::v_dotprod(eight, eight);
       cv::v_store(ring_samples + i, eight);
       cv::v_store(ring_samples + i + MarkSignature::turns, eight);

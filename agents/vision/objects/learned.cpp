@@ -86,7 +86,8 @@ const Tag* LearnedObject::tag() const {
 }
 
 bool same_name(std::string_view a, std::string_view b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) { return lower(x) == lower(y); });
+  const bool as_long = a.size() == b.size();
+  return as_long && std::equal(a.begin(), a.end(), b.begin(), [](char x, char y) { return lower(x) == lower(y); });
 }
 
 Result<void> check_object_name(std::string_view name) {

@@ -74,6 +74,7 @@ std::vector<TrackSighting> MarkTracker::update(StereoSight& sight, Time captured
   const cv::Size size_before = std::exchange(image_size_, sight.left().size());
   const bool anew = !size_before.empty() && size_before != image_size_;
   std::vector<TrackSighting> out;
+  out.reserve(tracks_.size());
   const auto begin_anew = [](Track& track) { track = Track{.name = track.name}; };
   if (anew) std::ranges::for_each(tracks_, begin_anew);
   for (Track& track : tracks_) out.push_back(update(sight, track));
@@ -217,7 +218,7 @@ bool MarkTracker::is_doubted(Track& track, const SeenPair& now) const {
   return false;
 }
 
-void MarkTracker::take(const StereoSight& sight, Track& track, SeenPair now) const {
+void MarkTracker::take(const StereoSight& sight, Track& track, SeenPair&& now) const {
   const double seconds = seconds_between(track.seen_at, captured_);
   const cv::Point2d velocity = track.left ? (now.left.centre - track.left->centre) / seconds : cv::Point2d();
   const bool steady = cv::norm(velocity) * frame_s_ < px_in(sight.left(), local_reach_px);

@@ -108,7 +108,7 @@ class MarkTracker {
   // Whether what is seen may be another, by where it is.
   bool is_doubted(Track& track, const SeenPair& now) const;
   // What was seen becomes what is followed.
-  void take(const StereoSight& sight, Track& track, SeenPair now) const;
+  void take(const StereoSight& sight, Track& track, SeenPair&& now) const;
 
   const LearnedObjects& objects_;
   std::vector<Track> tracks_;
