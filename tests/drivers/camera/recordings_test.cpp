@@ -210,8 +210,8 @@ TEST_F(Recordings, APairWhoseNamesDoNotSayWhatBelongsTogetherHasAsManyOnEitherSi
     const Result<StereoModel> model = run(executor, camera.open());
     ASSERT_FALSE(model);
     EXPECT_EQ(model.error().sentence,
-              "the left camera: 3 images are of the left camera and 2 of the right one, and no numbers in their names say "
-              "which belong together");
+              "the left camera: 3 images are of the left camera and 2 of the right one, and the numbers in their names do "
+              "not say which belong together");
   }
   write_image("right-c.png", 50);
   VideoCamera camera(executor, eyes);
