@@ -87,7 +87,11 @@ Task<void> CameraFeed::run() {
 
 Task<void> CameraFeed::capture() {
   int corrupt = 0;
+  Duration rest = {};
   while (wanted_) {
+    // However much a frame costs, as long again is for requests and to be present. Who is stopped meanwhile and started
+    // again waits for a newer frame still.
+    co_await sleep(executor_, rest);
     const std::uint64_t after = latest_.number;
     const Result<StereoFrame> frame = co_await camera_.next(after, false);
     const bool good = frame && fits(*model_, frame->left) && fits(*model_, frame->right) && frame->number > after;
@@ -98,8 +102,7 @@ Task<void> CameraFeed::capture() {
       const Time begun = executor_.now();
       StereoFrame copy = *frame;
       co_await on_frame_(std::move(copy));
-      // However much a frame costs, as long again is for requests and to be present.
-      co_await sleep(executor_, executor_.now() - begun);
+      rest = executor_.now() - begun;
       continue;
     }
     const bool broken = frame || frame.error().symbol == "corrupt-frame";
