@@ -18,7 +18,7 @@ double spread_product_px2(const SeenMark& mark) {
   return std::sqrt(std::pow(mark.width_px * mark.height_px, 2) - mark.slant_px2 * mark.slant_px2);
 }
 
-double may_be_off_px(const SeenMark& now, double missing) {
+double off_if_missing_px(const SeenMark& now, double missing) {
   return motion_by_strip * std::max(now.width_px, now.height_px) * std::max(0.0, missing);
 }
 

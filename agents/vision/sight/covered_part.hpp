@@ -3,7 +3,7 @@
 // How far off a centre may be because something covers a part of the mark, and how sure one can be of it then. Cameras
 // measure what is missing of a mark; a straight edge that hid it moved the centre by half of what it hid.
 //
-//   const double off = may_be_off_px(now, 1 - now_area / whole_area);
+//   const double off = off_if_missing_px(now, 1 - now_area / whole_area);
 //   const double confidence = confidence_if_off(0.99, off, 1);
 
 #include "agents/vision/marks/mark_measure.hpp"
@@ -18,7 +18,7 @@ extern const double motion_by_strip;
 double spread_product_px2(const SeenMark& mark);
 
 // Where so much of the mark, 0 to 1, may be covered from one side.
-double may_be_off_px(const SeenMark& now, double missing);
+double off_if_missing_px(const SeenMark& now, double missing);
 
 // Of what was learned `front_slimness` slim, by this look alone: a face that is turned may as well be one that is
 // covered.

@@ -15,8 +15,8 @@ namespace {
 constexpr double learned_spread = 0.01;
 // So many standard deviations noise hardly makes.
 constexpr double clear = 3;
-// What is nearer may be so by any distance, and explains any plane: by so much, a logarithm, a turned face that has just
-// the plane that it should have is likelier.
+// What is nearer may be so by any distance, and explains any plane: by so much, a logarithm, a turned face that has
+// just the plane that it should have is likelier.
 constexpr double by_chance = 2;
 
 double squared(double x) { return x * x; }
@@ -39,7 +39,8 @@ double by_loss_px(const FaceSize& now, const SeenMark& left, double whole_mm) {
   const double slack = 2 * learned_spread;
   const FaceSize::Reading by_shape{squared(now.size_mm.value) * std::max(1.0, now.left_shown), 2 * now.size_mm.spread};
   const double whole_mm2 = squared(whole_mm);
-  return may_be_off_px(left, std::max(missing(whole_mm2, now.area_mm2, slack), missing(whole_mm2, by_shape, slack)));
+  return off_if_missing_px(left,
+                           std::max(missing(whole_mm2, now.area_mm2, slack), missing(whole_mm2, by_shape, slack)));
 }
 
 // Half the squared deviations.
@@ -67,7 +68,7 @@ double by_narrowing_px(const FaceSize& seen, const SeenMark& left, double whole_
 
 }  // namespace
 
-double may_be_off_px(const LearnedObject& object, const FaceSize& seen, const SeenMark& left) {
+double may_be_off_by_learned_px(const LearnedObject& object, const FaceSize& seen, const SeenMark& left) {
   const double front = front_slimness(object);
   const auto unknown = [](const LearnedSample& sample) { return sample.most_face_mm() <= 0; };
   if (std::ranges::any_of(object.samples, unknown)) return may_be_off_by_shape_px(left, front);

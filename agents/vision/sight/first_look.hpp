@@ -5,7 +5,8 @@
 // it was learned, both by the plane of its face and by how slim it looks; what is covered looks turned where its plane
 // is not, or has a plane that does not go with how narrow it looks, or is too near for its size.
 //
-//   const double off_px = may_be_off_px(object, face_size(model, left, right, front_slimness(object)), left);
+//   const FaceSize now = face_size(model, left, right, front_slimness(object));
+//   const double off_px = may_be_off_by_learned_px(object, now, left);
 
 #include "agents/vision/objects/learned.hpp"
 #include "agents/vision/sight/whole_face.hpp"
@@ -13,6 +14,6 @@
 namespace pizarra {
 
 // By its form alone where one of the sizes is not known.
-double may_be_off_px(const LearnedObject& object, const FaceSize& now, const SeenMark& left);
+double may_be_off_by_learned_px(const LearnedObject& object, const FaceSize& now, const SeenMark& left);
 
 }  // namespace pizarra

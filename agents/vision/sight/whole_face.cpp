@@ -129,12 +129,12 @@ double WholeFace::drifted(const SeenMark& left) const {
 }
 
 bool WholeFace::is_as_large(const FaceSize& now, const SeenMark& left, double most_off_px) const {
-  const double missing_at_most = missing(largest_.area_mm2.value, now.area_mm2, -2 * drifted(left)) +
-                                 2 * now.area_mm2.spread;
-  return pizarra::may_be_off_px(left, missing_at_most) <= most_off_px;
+  const double missing_at_most =
+      missing(largest_.area_mm2.value, now.area_mm2, -2 * drifted(left)) + 2 * now.area_mm2.spread;
+  return off_if_missing_px(left, missing_at_most) <= most_off_px;
 }
 
-double WholeFace::may_be_off_px(const FaceSize& seen, const SeenMark& left) const {
+double WholeFace::off_if_covered_px(const FaceSize& seen, const SeenMark& left) const {
   const FaceSize now = if_not_tilted(seen);
   const double drifted = this->drifted(left);
   const double by_area = missing(largest_.area_mm2.value, now.area_mm2, 2 * drifted);
@@ -144,7 +144,7 @@ double WholeFace::may_be_off_px(const FaceSize& seen, const SeenMark& left) cons
   const double too_small = 1 - std::min(now.size_mm.value, height.value) / largest_.size_mm.value;
   const double beyond = (as_covered.too_small - too_small) / length(height.spread, drifted);
   const double plausible = std::clamp(clear - beyond, 0.0, 1.0);
-  return std::max(pizarra::may_be_off_px(left, std::max(by_area, by_height)), plausible * as_covered.off_px);
+  return std::max(off_if_missing_px(left, std::max(by_area, by_height)), plausible * as_covered.off_px);
 }
 
 void WholeFace::follow(const FaceSize& seen, const SeenMark& left) {

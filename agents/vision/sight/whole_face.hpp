@@ -8,7 +8,7 @@
 //   WholeFace whole(face_size(model, left, right, front_slimness(object)), left);
 //   const FaceSize now = face_size(model, now_left, now_right, front_slimness(object));
 //   if (whole.is_more_than(now, now_left)) ...
-//   const double off = whole.may_be_off_px(now, now_left);
+//   const double off = whole.off_if_covered_px(now, now_left);
 //   whole.follow(now, now_left);        // once it is taken for the mark
 //
 // What is remembered is the largest look, however long ago, for what covers a mark may come slowly and rest. It is the
@@ -66,7 +66,7 @@ class WholeFace {
   bool is_as_large(const FaceSize& now, const SeenMark& left, double most_off_px) const;
   // How far the centre may be off in the left image if all that is missing were covered, but for what noise makes; and
   // all by which it looks narrower, unless it looks turned and as near as it should.
-  double may_be_off_px(const FaceSize& now, const SeenMark& left) const;
+  double off_if_covered_px(const FaceSize& now, const SeenMark& left) const;
   void follow(const FaceSize& now, const SeenMark& left);
 
  private:

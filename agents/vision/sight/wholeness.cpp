@@ -34,7 +34,7 @@ double ground_doubt(const StereoSight& sight, const SeenPair& pair) {
 double confidence_by_form(const StereoSight& sight, const LearnedObject& object, const SeenPair& pair) {
   const double of_whole = pair.likeness.confidence();
   if (pair.left.tag) return of_whole;
-  const double off_px = pair.right ? may_be_off_px(object, face_size(sight.model(), object, pair), pair.left)
+  const double off_px = pair.right ? may_be_off_by_learned_px(object, face_size(sight.model(), object, pair), pair.left)
                                    : may_be_off_by_shape_px(pair.left, front_slimness(object));
   return confidence_if_off(of_whole, off_px, most_off_px(sight));
 }
@@ -49,12 +49,12 @@ Wholeness::Look Wholeness::look_at(const StereoModel& model, const LearnedObject
   if (now.left.tag) return {};
   Look out;
   if (now.right) out.face = face_size(model, object, now);
-  if (now.right) out.may_be_off_px = pizarra::may_be_off_px(object, *out.face, now.left);
+  if (now.right) out.may_be_off_px = may_be_off_by_learned_px(object, *out.face, now.left);
   if (!now.right) {
     out.may_be_off_px =
-        std::max(widest_.may_be_off_px(now.left), may_be_off_by_shape_px(now.left, front_slimness(object)));
+        std::max(widest_.off_if_covered_px(now.left), may_be_off_by_shape_px(now.left, front_slimness(object)));
   }
-  if (out.face && face_) out.may_be_off_px = std::max(out.may_be_off_px, face_->may_be_off_px(*out.face, now.left));
+  if (out.face && face_) out.may_be_off_px = std::max(out.may_be_off_px, face_->off_if_covered_px(*out.face, now.left));
   out.smaller = out.face && face_ && face_->is_more_than(*out.face, now.left);
   const bool as_large = out.face && face_ && !out.smaller && face_->is_as_large(*out.face, now.left, most_off_px);
   const auto is_it = [&](const std::optional<WholeMark>& whole, const SeenMark& mark) {

@@ -25,7 +25,7 @@ WidestLook::Spreads WidestLook::spreads_of(const SeenMark& mark) {
   return {mark.width_px, mark.height_px, root(mean + mark.slant_px2), root(mean - mark.slant_px2)};
 }
 
-double WidestLook::may_be_off_px(const SeenMark& now) const {
+double WidestLook::off_if_covered_px(const SeenMark& now) const {
   if (!widest_) return 0;
   const Spreads spreads = spreads_of(now);
   double scale = triangle_ ? 1 : 0;

@@ -6,7 +6,7 @@
 //
 //   WidestLook widest;
 //   widest.follow(first);               // what is taken for the mark
-//   const double off = widest.may_be_off_px(now);
+//   const double off = widest.off_if_covered_px(now);
 //
 // What is smaller to all sides is farther away, but of a triangle: what lies along one of its sides leaves a triangle.
 // The memory only grows: a hand may rest.
@@ -21,7 +21,7 @@ namespace pizarra {
 class WidestLook {
  public:
   // How far the centre may be off if all that is missing were covered.
-  double may_be_off_px(const SeenMark& now) const;
+  double off_if_covered_px(const SeenMark& now) const;
   void follow(const SeenMark& now);
 
  private:
