@@ -1,7 +1,5 @@
 #include "blackboard/store/store.hpp"
 
-#include <algorithm>
-
 #include "blackboard/boards_own.hpp"
 #include "blackboard/limits.hpp"
 #include "blackboard/store/evaluate.hpp"

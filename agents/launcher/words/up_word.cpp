@@ -1,6 +1,5 @@
 // `up`: a cell as processes around a board.
 
-#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fmt/format.h>

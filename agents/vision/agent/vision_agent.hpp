@@ -16,7 +16,6 @@
 //   VisionAgent vision(context, camera, &streams);
 //   Job job = executor.spawn(...vision.run()...);
 
-#include <map>
 #include <memory>
 
 #include "agents/runtime/agent.hpp"

@@ -1,7 +1,6 @@
 #include "agents/vision/marks/tags.hpp"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <opencv2/aruco.hpp>

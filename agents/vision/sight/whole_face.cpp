@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "agents/vision/sight/covered_part.hpp"
 #include "agents/vision/sight/face_plane.hpp"

@@ -1,7 +1,7 @@
 // Whole marks that a pair of cameras follows while they turn about any axis, come nearer or go away, and then rest.
 // Nothing covers them, so none is lost.
 
-#include <cmath>
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <ostream>
 

@@ -1,7 +1,6 @@
 #include "tests/bench/vision/scene.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
