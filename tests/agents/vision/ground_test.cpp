@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/agents/vision/ground_scenes.hpp"
+#include "tests/agents/vision/ground_looks.hpp"
 
 namespace pizarra {
 namespace {
@@ -40,7 +40,7 @@ class GroundBeside : public testing::TestWithParam<std::string> {
     }
   }
 
-  FirstLooks looks;
+  GroundLooks looks;
   Random& random;
 };
 

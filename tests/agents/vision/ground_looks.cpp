@@ -1,4 +1,4 @@
-#include "tests/agents/vision/ground_scenes.hpp"
+#include "tests/agents/vision/ground_looks.hpp"
 
 #include <opencv2/aruco.hpp>
 #include <opencv2/imgproc.hpp>
@@ -33,7 +33,7 @@ void ToldAtFirst::count(double confidence, double off) {
   most_off_px = std::max(most_off_px, off);
 }
 
-FirstLooks::FirstLooks(std::string of, std::uint64_t seed)
+GroundLooks::GroundLooks(std::string of, std::uint64_t seed)
     : random(Random(seed).split("first look " + of)),
       name(std::move(of)),
       shape_(drawn_shape()),
@@ -41,7 +41,7 @@ FirstLooks::FirstLooks(std::string of, std::uint64_t seed)
       to_pair_(learned(model_)),
       to_one_(learned(alone_)) {}
 
-bench::Shape FirstLooks::drawn_shape() {
+bench::Shape GroundLooks::drawn_shape() {
   if (name == "rectangle") return bench::box(mark_mm, mark_mm / 2);
   if (name == "light triangle") return bench::mark_shape("triangle");
   if (name != "tag") return bench::mark_shape(name);
@@ -52,7 +52,7 @@ bench::Shape FirstLooks::drawn_shape() {
   return bench::tag_shape(drawn == 0, mark_mm);
 }
 
-LearnedObjects FirstLooks::learned(const StereoModel& by) {
+LearnedObjects GroundLooks::learned(const StereoModel& by) {
   LearnedObjects out;
   MarkLearner learner("thing", centre_ + cv::Point2d(1, 1), out);
   while (!learner.done()) {
@@ -65,7 +65,7 @@ LearnedObjects FirstLooks::learned(const StereoModel& by) {
   return out;
 }
 
-void FirstLooks::vary() {
+void GroundLooks::vary() {
   size_px = random.uniform(name == "tag" ? 24 : 18.5, 60);
   turn_deg = random.uniform(-30, 30);
   centre_ = {random.uniform(99, 120), random.uniform(58, 74)};
@@ -77,9 +77,9 @@ void FirstLooks::vary() {
   cover_ = {};
 }
 
-double FirstLooks::disparity_px() const { return model_.base_line_mm * size_px / mark_mm; }
+double GroundLooks::disparity_px() const { return model_.base_line_mm * size_px / mark_mm; }
 
-void FirstLooks::put_cover(double from_deg, double edge_px, double level, std::optional<double> radius_px) {
+void GroundLooks::put_cover(double from_deg, double edge_px, double level, std::optional<double> radius_px) {
   constexpr double straight_reach_px = 60;
   const double from = from_deg * CV_PI / 180;
   const double reach = radius_px.value_or(straight_reach_px);
@@ -89,7 +89,7 @@ void FirstLooks::put_cover(double from_deg, double edge_px, double level, std::o
   cover_nearer_px_ = random.uniform(0.01, 0.3) * disparity_px();
 }
 
-void FirstLooks::put_card(const Margins& margins, double level) {
+void GroundLooks::put_card(const Margins& margins, double level) {
   const double high_px = name == "rectangle" ? size_px / 2 : size_px;
   card_ = bench::box(size_px + margins.left + margins.right, high_px + margins.up + margins.down);
   for (cv::Point2d& p : card_.front()) p += cv::Point2d(margins.right - margins.left, margins.down - margins.up) / 2;
@@ -97,7 +97,7 @@ void FirstLooks::put_card(const Margins& margins, double level) {
   around_card_ = level;
 }
 
-cv::Mat1b FirstLooks::draw(bool to_the_right) {
+cv::Mat1b GroundLooks::draw(bool to_the_right) {
   cv::Mat1f image(model_.height, model_.width, static_cast<float>(card_.empty() ? ground : around_card_));
   const double shift_px = to_the_right ? disparity_px() : 0;
   const auto put = [&](const bench::Shape& shape, double nearer_px, double level) {
@@ -124,17 +124,17 @@ cv::Mat1b FirstLooks::draw(bool to_the_right) {
   return out;
 }
 
-void FirstLooks::find(StereoSight& sight, const LearnedObjects& objects, ToldAtFirst& told) const {
+void GroundLooks::find(StereoSight& sight, const LearnedObjects& objects, ToldAtFirst& told) const {
   const LearnedObject& object = objects.all().front();
   const std::optional<SeenPair> found = sight.find(objects, object);
   if (found) told.count(confidence_at_first(sight, object, *found), cv::norm(found->left.centre - centre_));
 }
 
-void FirstLooks::count(const TrackSighting& sighting, ToldAtFirst& told) const {
+void GroundLooks::count(const TrackSighting& sighting, ToldAtFirst& told) const {
   if (sighting.seen) told.count(sighting.confidence, cv::norm(sighting.centre - centre_));
 }
 
-void FirstLooks::look() {
+void GroundLooks::look() {
   MarkTracker of_pair(to_pair_);
   MarkTracker of_one(to_one_);
   of_pair.add(to_pair_.all().front()).value();

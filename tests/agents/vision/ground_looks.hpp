@@ -4,7 +4,7 @@
 // cameras and before the left one alone. How sure FIND and the first frames of TRACK are of it, and how far off, is
 // counted.
 //
-//   FirstLooks looks("triangle", seed);
+//   GroundLooks looks("triangle", seed);
 //   looks.vary();
 //   looks.put_cover(90, 5, 60, {});             // straight, from below, its edge 5 px from the mark's centre
 //   looks.look();
@@ -27,10 +27,10 @@ struct ToldAtFirst {
   void count(double confidence, double off);
 };
 
-class FirstLooks {
+class GroundLooks {
  public:
   // Of mark_shape(), "rectangle", "light triangle" or "tag". It is learned from the front.
-  FirstLooks(std::string of, std::uint64_t seed);
+  GroundLooks(std::string of, std::uint64_t seed);
 
   // Another place, size, turn, light and noise as a lab may have, on plain ground.
   void vary();
