@@ -39,6 +39,16 @@ class Swapped : public testing::TestWithParam<std::tuple<std::string, Eyes>> {
   static bool is_at(const TrackSighting& sighting, const SceneFace& face) {
     return sighting.seen && cv::norm(sighting.centre - centre_of(face)) < 1;
   }
+  // From anew, and hidden for so many frames.
+  void follow_and_hide(const SceneFace& tracked, int hidden_frames) {
+    tracker.clear();
+    EXPECT_TRUE(tracker.add(*learned_cell().find(name())));
+    scene.faces = {tracked};
+    scene.blots.clear();
+    for (int frame = 0; frame < 4; ++frame) EXPECT_TRUE(is_at(see(), tracked));
+    hide(tracked);
+    for (int frame = 0; frame < hidden_frames; ++frame) EXPECT_FALSE(see().seen);
+  }
 
   StereoModel eyes = DrawnSight::model();
   Scene scene;
@@ -52,13 +62,7 @@ TEST_P(Swapped, ATwinIsNotSureWhileTheTrackedOneMayBeHidden) {
   const SceneFace twin = face_at(90, 40);
   for (const int hidden_frames : {3, 10, 30}) {
     SCOPED_TRACE(testing::Message() << hidden_frames << " frames before the twin appears");
-    tracker.clear();
-    ASSERT_TRUE(tracker.add(*learned_cell().find(name())));
-    scene.faces = {tracked};
-    scene.blots.clear();
-    for (int frame = 0; frame < 4; ++frame) EXPECT_TRUE(is_at(see(), tracked));
-    hide(tracked);
-    for (int frame = 0; frame < hidden_frames; ++frame) EXPECT_FALSE(see().seen);
+    follow_and_hide(tracked, hidden_frames);
     scene.faces = {tracked, twin};
     const int doubted_frames = std::max(hidden_frames, 5);
     for (int frame = 0; frame < doubted_frames; ++frame) {
@@ -78,13 +82,7 @@ TEST_P(Swapped, WhatWasPutElsewhereIsSureAgainWhenItHasBeenFollowedForAWhile) {
   const SceneFace tracked = face_at(-70, -40);
   for (const int hidden_frames : {1, 10, 100}) {
     SCOPED_TRACE(testing::Message() << hidden_frames << " frames hidden");
-    tracker.clear();
-    ASSERT_TRUE(tracker.add(*learned_cell().find(name())));
-    scene.faces = {tracked};
-    scene.blots.clear();
-    for (int frame = 0; frame < 4; ++frame) EXPECT_TRUE(is_at(see(), tracked));
-    hide(tracked);
-    for (int frame = 0; frame < hidden_frames; ++frame) EXPECT_FALSE(see().seen);
+    follow_and_hide(tracked, hidden_frames);
     scene.faces = {face_at(80, 40)};
     scene.blots.clear();
     const int doubted_frames = std::clamp(hidden_frames, 5, 50);

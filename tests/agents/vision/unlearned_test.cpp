@@ -76,32 +76,27 @@ TEST(Unlearned, ThatPassesForACircleIsHardlyEverSureToBeOne) {
   }
 }
 
-// What is smaller than most learned marks, in any light and noise, and as blurred as the bench's scenes at their worst.
-TEST(Unlearned, RingWhoseHoleIsBlurredIsNoDisc) {
-  constexpr int scenes = 1000;
-  int taken = 0;
-  for (int i = 0; i < scenes; ++i) {
-    Random random(static_cast<std::uint64_t>(i));
-    bench::SceneRanges ranges = bench::hard_ranges;
-    ranges.presence = ranges.most_clutter = 0;
-    ranges.least_blur_px = 1;
-    bench::Scene scene = random_scene(ranges, random);
-    bench::Shape ring = bench::disc(0.5);
-    ring.push_back(bench::disc(0.5 * random.uniform(0.5, 0.8)).front());
-    std::ranges::reverse(ring.back());
-    const cv::Point2d place(random.uniform(60, 260), random.uniform(60, 180));
-    scene.things = {{.shape = bench::placed(ring, place, random.uniform(9, 16), 0), .level = random.uniform(10, 120)}};
-    ImageSegmentation segmentation(draw(scene, bench::Side::left, random));
-    for (const LearnedObject& object : learned_cell().all()) {
-      taken += find_object(segmentation.marks(), learned_cell(), object) != nullptr ? 1 : 0;
-    }
-  }
-  EXPECT_EQ(taken, 0);
+cv::Point2d place_in_view(Random& random) { return cv::Point2d(random.uniform(60, 260), random.uniform(60, 180)); }
+
+bench::Shape small_ring(Random& random) {
+  bench::Shape ring = bench::disc(0.5);
+  ring.push_back(bench::disc(0.5 * random.uniform(0.5, 0.8)).front());
+  std::ranges::reverse(ring.back());
+  const cv::Point2d place = place_in_view(random);
+  return bench::placed(ring, place, random.uniform(9, 16), 0);
 }
 
-// Six corners, of which blur leaves three: in any light and noise, as small as a learned triangle is sought.
-TEST(Unlearned, SmallAngleIsHardlyEverATriangle) {
-  constexpr int scenes = 4000;
+// Six corners, of which blur leaves three.
+bench::Shape small_angle(Random& random) {
+  const double t = random.uniform(0.25, 0.35) - 0.4;
+  const bench::Shape angle = {{{-0.4, -0.4}, {0.4, -0.4}, {0.4, t}, {t, t}, {t, 0.4}, {-0.4, 0.4}}};
+  const cv::Point2d place = place_in_view(random);
+  return bench::placed(angle, place, random.uniform(10, 16), random.uniform(0, 360));
+}
+
+// How often a shape that is alone is taken for a learned one: in any light and noise, and as blurred as the bench's
+// scenes at their worst.
+int times_taken(bench::Shape (*shape)(Random&), int scenes) {
   int taken = 0;
   for (int i = 0; i < scenes; ++i) {
     Random random(static_cast<std::uint64_t>(i));
@@ -109,17 +104,22 @@ TEST(Unlearned, SmallAngleIsHardlyEverATriangle) {
     ranges.presence = ranges.most_clutter = 0;
     ranges.least_blur_px = 1;
     bench::Scene scene = random_scene(ranges, random);
-    const double t = random.uniform(0.25, 0.35) - 0.4;
-    const bench::Shape angle = {{{-0.4, -0.4}, {0.4, -0.4}, {0.4, t}, {t, t}, {t, 0.4}, {-0.4, 0.4}}};
-    const cv::Point2d place(random.uniform(60, 260), random.uniform(60, 180));
-    scene.things = {{.shape = bench::placed(angle, place, random.uniform(10, 16), random.uniform(0, 360)),
-                     .level = random.uniform(10, 120)}};
+    scene.things = {{.shape = shape(random), .level = random.uniform(10, 120)}};
     ImageSegmentation segmentation(draw(scene, bench::Side::left, random));
     for (const LearnedObject& object : learned_cell().all()) {
       taken += find_object(segmentation.marks(), learned_cell(), object) != nullptr ? 1 : 0;
     }
   }
-  EXPECT_LE(taken, scenes / 50);
+  return taken;
+}
+
+// What is smaller than most learned marks.
+TEST(Unlearned, RingWhoseHoleIsBlurredIsNoDisc) { EXPECT_EQ(times_taken(small_ring, 1000), 0); }
+
+// As small as a learned triangle is sought.
+TEST(Unlearned, SmallAngleIsHardlyEverATriangle) {
+  constexpr int scenes = 4000;
+  EXPECT_LE(times_taken(small_angle, scenes), scenes / 50);
 }
 
 // What FIND tells of one shape in a lab's light, before one camera or a pair: nothing where it finds nothing.
