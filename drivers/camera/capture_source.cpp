@@ -14,6 +14,14 @@ constexpr double manual_exposure = 1;
 constexpr double automatic_exposure = 3;
 constexpr double exposure_units_a_ms = 10;
 
+Result<cv::Mat> checked_image(cv::Mat image, const std::string& where) {
+  if (image.empty()) return fail("corrupt-frame", fmt::format("{} is no image that can be read", where));
+  if (image.depth() != CV_8U || (image.channels() != 1 && image.channels() != 3)) {
+    return fail("corrupt-frame", fmt::format("{} is neither a grey nor a colour image of 8 bits", where));
+  }
+  return image;
+}
+
 }  // namespace
 
 bool CaptureSource::open_capture() {

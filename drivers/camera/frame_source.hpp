@@ -3,7 +3,7 @@
 // One camera, or what stands for one, as its reader sees it: images one after another, each with its moment. Every call
 // may block, and all come from one thread.
 //
-//   std::unique_ptr<FrameSource> source = make_frame_source(setup.sources[0], setup);
+//   std::unique_ptr<FrameSource> source = make_any_source(setup.sources[0], setup);
 //   Result<void> opened = source->open();
 //   Result<std::optional<double>> moment_ms = source->grab();
 //   Result<cv::Mat> image = source->retrieve();
@@ -11,6 +11,7 @@
 // Failures: disconnected (not there, or gone), refused-setting, corrupt-frame (this image, not the next), and ended for
 // a recording that is over; open() then begins anew.
 
+#include <functional>
 #include <memory>
 #include <opencv2/core.hpp>
 #include <optional>
@@ -36,9 +37,6 @@ class FrameSource {
   virtual std::size_t left_out() const { return 0; }
 };
 
-std::unique_ptr<FrameSource> make_frame_source(const CameraSource& source, const CameraSetup& setup);
-
-// What both kinds of source hold an image to. Failure corrupt-frame.
-Result<cv::Mat> checked_image(cv::Mat image, const std::string& where);
+using FrameSourceMaker = std::function<std::unique_ptr<FrameSource>(const CameraSource&, const CameraSetup&)>;
 
 }  // namespace pizarra

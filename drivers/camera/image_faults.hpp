@@ -1,17 +1,33 @@
 #pragma once
 
-// What is wrong with an image file's bytes, told before they are decoded: what is damaged is decoded all the same, what
-// is missing grey, and the library says so where nobody looks for it.
+// What is wrong with an image file, in the words that follow its name, and how large an image may be.
 //
-//   if (const std::string_view fault = fault_of_image(bytes); !fault.empty()) ... file + " " + fault
+//   if (is_too_large(size)) return image_fault(too_large);            // "corrupt-frame", "is larger than ..."
 
-#include <span>
+#include <cstdint>
+#include <string>
 #include <string_view>
+
+#include "lisp/result.hpp"
 
 namespace pizarra {
 
-// Empty where nothing is known to be wrong: all are held to a size that works, a PNG to its check sums and its end, a
-// JPEG to its codes and its end.
-std::string_view fault_of_image(std::span<const unsigned char> bytes);
+struct ImageSize {
+  std::uint32_t width = 0;
+  std::uint32_t height = 0;
+
+  bool operator==(const ImageSize&) const = default;
+};
+
+inline constexpr std::string_view too_large = "is larger than 16384x8192 px";
+inline constexpr std::string_view cut_short = "is cut short: its end is missing";
+inline constexpr std::string_view no_image = "is no image that can be read";
+
+// A few hundred kilobytes may hold gigabytes. Two of the largest images that work, side by side, are none.
+inline bool is_too_large(ImageSize size) { return size.width > 16384 || size.height > 8192; }
+
+inline std::unexpected<Failure> image_fault(std::string_view sentence) {
+  return fail("corrupt-frame", std::string(sentence));
+}
 
 }  // namespace pizarra

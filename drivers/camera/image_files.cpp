@@ -4,19 +4,14 @@
 #include <cctype>
 #include <filesystem>
 #include <fmt/format.h>
-#include <fstream>
 #include <glob.h>
-#include <opencv2/core/utils/logger.hpp>
-#include <opencv2/imgcodecs.hpp>
 
-#include "drivers/camera/image_faults.hpp"
 #include "drivers/camera/image_pairs.hpp"
 
 namespace pizarra {
 namespace {
 
 constexpr std::size_t most_files = 100'000;
-constexpr std::uintmax_t most_bytes = 256 << 20;
 
 bool has_image_name(const std::string& file) {
   std::string ending = std::filesystem::path(file).extension().string();
@@ -36,21 +31,6 @@ std::vector<std::string> files_like(const std::string& pattern) {
   return out;
 }
 
-// Bounded; a file that is none, as a pipe, might never answer.
-Result<std::vector<unsigned char>> bytes_of(const std::string& file) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error)) {
-    return fail("corrupt-frame", fmt::format("{} is no regular file", file));
-  }
-  const std::uintmax_t size = std::filesystem::file_size(file, error);
-  if (error || size > most_bytes) return fail("corrupt-frame", fmt::format("{} is too large for an image", file));
-  std::vector<unsigned char> out(size);
-  std::ifstream stream(file, std::ios::binary);
-  stream.read(reinterpret_cast<char*>(out.data()), static_cast<std::streamsize>(size));
-  out.resize(static_cast<std::size_t>(stream.gcount()));
-  return out;
-}
-
 }  // namespace
 
 std::vector<std::string> image_files_at(const std::string& where) {
@@ -64,23 +44,23 @@ std::vector<std::string> image_files_at(const std::string& where) {
   return out;
 }
 
-Result<cv::Mat> read_image_file(const std::string& file, bool grey) {
-  const Result<std::vector<unsigned char>> bytes = bytes_of(file);
-  if (!bytes) return fail(bytes);
-  const std::string_view fault = fault_of_image(*bytes);
-  if (!fault.empty()) return fail("corrupt-frame", fmt::format("{} {}", file, fault));
-  cv::Mat image;
-  try {
-    if (!bytes->empty()) image = cv::imdecode(*bytes, grey ? cv::IMREAD_GRAYSCALE : cv::IMREAD_COLOR);
-  } catch (const cv::Exception&) {
-    image.release();
-  }
-  return checked_image(std::move(image), file);
+std::unique_ptr<FrameSource> make_image_source(const CameraSource& source, const CameraSetup& setup,
+                                               OtherImages others) {
+  const ImageFiles::Reading reading{setup.rate_hz, setup.grey, others};
+  if (setup.sources.size() < 2) return std::make_unique<ImageFiles>(source.where, reading);
+  const std::array<std::string, 2> wheres{setup.sources[0].where, setup.sources[1].where};
+  return std::make_unique<ImageFiles>(wheres, source == setup.sources[0] ? 0 : 1, reading);
+}
+
+bool shows_jpegs_and_pngs_alone(const CameraSetup& setup) {
+  return std::ranges::all_of(setup.sources, [](const CameraSource& source) {
+    if (source.kind != CameraSource::Kind::images) return false;
+    const std::vector<std::string> files = image_files_at(source.where);
+    return !files.empty() && std::ranges::all_of(files, is_jpeg_or_png_file);
+  });
 }
 
 Result<void> ImageFiles::open() {
-  // What goes wrong is told by our failures.
-  cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
   files_ = image_files_at(where_);
   taken_ = 0;
   if (files_.empty()) return fail("disconnected", fmt::format("there are no images at {}", where_));
@@ -100,9 +80,9 @@ Result<void> ImageFiles::keep_paired() {
 
 Result<std::optional<double>> ImageFiles::grab() {
   if (taken_ == files_.size()) return fail("ended", fmt::format("there are no more images at {}", where_));
-  return 1000 * static_cast<double>(taken_++) / rate_hz_;
+  return 1000 * static_cast<double>(taken_++) / recorded_hz();
 }
 
-Result<cv::Mat> ImageFiles::retrieve() { return read_image_file(files_[taken_ - 1], grey_); }
+Result<cv::Mat> ImageFiles::retrieve() { return read_image_file(files_[taken_ - 1], reading_.grey, reading_.others); }
 
 }  // namespace pizarra

@@ -12,9 +12,9 @@ constexpr Duration longest_ending = 5s;
 constexpr Duration longest_farewell = 1s;
 constexpr Duration least_silence = 3s;
 
-StereoReader::Sources sources_of(const CameraSetup& setup) {
+StereoReader::Sources sources_of(const CameraSetup& setup, const FrameSourceMaker& make_source) {
   StereoReader::Sources out;
-  for (const CameraSource& source : setup.sources) out.push_back(make_frame_source(source, setup));
+  for (const CameraSource& source : setup.sources) out.push_back(make_source(source, setup));
   return out;
 }
 
@@ -39,8 +39,8 @@ struct VideoCamera::Bell : std::enable_shared_from_this<Bell> {
   WaitList waiting;  // on the executor's thread
 };
 
-VideoCamera::VideoCamera(Executor& executor, CameraSetup setup)
-    : VideoCamera(executor, setup, [setup] { return sources_of(setup); }) {}
+VideoCamera::VideoCamera(Executor& executor, CameraSetup setup, const FrameSourceMaker& make_source)
+    : VideoCamera(executor, setup, [setup, make_source] { return sources_of(setup, make_source); }) {}
 
 VideoCamera::VideoCamera(Executor& executor, CameraSetup setup, MakeSources make_sources)
     : executor_(executor),

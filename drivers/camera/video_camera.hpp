@@ -10,7 +10,7 @@
 // A device may never answer again. So the thread is of its own, none of the executor's, which waits for its own in the
 // end: whoever lets the camera go waits a second for it, and leaves it behind.
 //
-//   VideoCamera eyes(executor, description.eyes);
+//   VideoCamera eyes(executor, description.eyes, make_any_source);
 //   Result<StereoModel> model = co_await eyes.open();
 //   Result<StereoFrame> frame = co_await eyes.next(0, false);
 //
@@ -26,7 +26,7 @@ class VideoCamera : public StereoCamera {
  public:
   using MakeSources = std::function<StereoReader::Sources()>;
 
-  VideoCamera(Executor& executor, CameraSetup setup);
+  VideoCamera(Executor& executor, CameraSetup setup, const FrameSourceMaker& make_source);
   // Sources of a test's own.
   VideoCamera(Executor& executor, CameraSetup setup, MakeSources make_sources);
   VideoCamera(const VideoCamera&) = delete;

@@ -34,7 +34,7 @@ struct ProcessChoices {
   std::uint64_t seed = 1;
 };
 
-// Becomes the program that opens cameras of one's own.
+// Becomes the program that opens every camera.
 int become_eyes(std::span<char*> arguments) {
   const std::string program = beside_this_program("pizarra-eyes");
   std::vector<char*> same(arguments.begin(), arguments.end());
@@ -52,10 +52,11 @@ Task<void> say_what_is_awaited(Executor& executor, const RemoteBoard& board, con
   if (!board.connected()) fmt::print(stderr, "pizarra: no board answers at {} yet: waiting for it\n", address);
 }
 
-int run_agent(const ProcessChoices& choices, std::span<char*> arguments, const CameraMaker& own_cameras) {
+int run_agent(const ProcessChoices& choices, std::span<char*> arguments, const OwnCameras& own_cameras) {
   const Result<CellDescription> cell = read_cell_file(choices.cell);
   if (!cell) return complain(cell.error(), exit_usage);
-  if (choices.kind == "vision" && !cell->eyes.is_simulated() && !own_cameras) return become_eyes(arguments);
+  const bool own_eyes = choices.kind == "vision" && !cell->eyes.is_simulated();
+  if (own_eyes && !own_cameras.opens(cell->eyes)) return become_eyes(arguments);
   if (choices.world.empty() && needs_world(choices.kind, *cell)) {
     const Failure none{
         "no-world", fmt::format("{}'s device is simulated in this cell: --world says where", choices.kind), {}, {}};
@@ -75,7 +76,8 @@ int run_agent(const ProcessChoices& choices, std::span<char*> arguments, const C
   const auto streams = RemoteStreams::open(executor, **board, choices.streams);
   if (!streams) return complain(streams.error(), exit_unavailable);
   AgentContext agent_context{name, choices.host, executor, **board, Random(choices.seed).split(name)};
-  const auto agent = build_agent(choices.kind, std::move(agent_context), *cell, *link, streams->get(), own_cameras);
+  const auto agent =
+      build_agent(choices.kind, std::move(agent_context), *cell, *link, streams->get(), own_cameras.make);
   if (!agent) return complain(agent.error(), exit_usage);
   const Job waiting = executor.spawn(say_what_is_awaited(executor, **board, choices.board));
   Job camera;
@@ -111,7 +113,7 @@ int run_world(const ProcessChoices& choices) {
   return exit_reached;
 }
 
-void add_agent_word(CLI::App& app, int& status, std::span<char*> arguments, const CameraMaker& own_cameras) {
+void add_agent_word(CLI::App& app, int& status, std::span<char*> arguments, const OwnCameras& own_cameras) {
   auto choices = std::make_shared<ProcessChoices>();
   CLI::App* agent = app.add_subcommand("agent", "Run one agent in this process, on a board of another.");
   agent
@@ -145,7 +147,7 @@ void add_world_word(CLI::App& app, int& status) {
 
 }  // namespace
 
-int run_process_program(std::span<char*> arguments, CameraMaker own_cameras) {
+int run_process_program(std::span<char*> arguments, const OwnCameras& own_cameras) {
   // One thread: two runs of the same seed must not differ.
   cv::setNumThreads(1);
   CLI::App app("One agent of a cell, or its simulated world.", "pizarra");

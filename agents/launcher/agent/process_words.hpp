@@ -1,7 +1,7 @@
 #pragma once
 
 // The words that `up` starts processes with, `agent` and `world`, and the programs that know them: pizarra-agent, and
-// pizarra-eyes, which opens cameras of one's own too. Who is asked for such eyes and has no `own_cameras` becomes
+// pizarra-eyes, which opens every camera of one's own. Who is asked for eyes whose cameras it does not open becomes
 // pizarra-eyes.
 
 #include <span>
@@ -10,7 +10,13 @@
 
 namespace pizarra {
 
+// Which cameras of one's own a program opens, and how.
+struct OwnCameras {
+  std::function<bool(const CameraSetup&)> opens;
+  CameraMaker make;
+};
+
 // The exit code.
-int run_process_program(std::span<char*> arguments, CameraMaker own_cameras);
+int run_process_program(std::span<char*> arguments, const OwnCameras& own_cameras);
 
 }  // namespace pizarra

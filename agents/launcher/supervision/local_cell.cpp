@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "drivers/camera/any_source.hpp"
 #include "drivers/camera/video_camera.hpp"
 
 namespace pizarra {
@@ -28,7 +29,7 @@ Result<void> LocalCell::start(const std::string& kind) {
   running->view = board_.view(kind);
   AgentContext context{kind, "localhost", executor_, *running->view, random_.split(kind)};
   const auto own_cameras = [](Executor& executor, const CameraSetup& setup) {
-    return std::make_unique<VideoCamera>(executor, setup);
+    return std::make_unique<VideoCamera>(executor, setup, make_any_source);
   };
   Result<std::unique_ptr<BuiltAgent>> built =
       build_agent(kind, std::move(context), description_, link_, &streams_, own_cameras);

@@ -3,9 +3,10 @@
 #include <chrono>
 #include <filesystem>
 #include <fmt/format.h>
-#include <opencv2/imgcodecs.hpp>
 
+#include "drivers/camera/any_source.hpp"
 #include "drivers/camera/image_files.hpp"
+#include "drivers/camera/other_images.hpp"
 #include "drivers/camera/stereo_reader.hpp"
 
 namespace pizarra {
@@ -19,10 +20,10 @@ class FilePairs : public BoardPairs {
   Result<ImagePair> next() override {
     if (taken_ == left_.size()) return fail("ended", "there are no more images");
     const std::size_t pair = taken_++;
-    Result<cv::Mat> left = read_image_file(left_[pair], true);
+    Result<cv::Mat> left = read_image_file(left_[pair], true, read_other_image);
     if (!left) return fail(left);
     if (single()) return ImagePair{std::move(*left), {}};
-    Result<cv::Mat> right = read_image_file(right_[pair], true);
+    Result<cv::Mat> right = read_image_file(right_[pair], true, read_other_image);
     if (!right) return fail(right);
     return ImagePair{std::move(*left), std::move(*right)};
   }
@@ -62,7 +63,7 @@ class CameraPairs : public BoardPairs {
  private:
   static StereoReader::Sources sources_of(const CameraSetup& eyes) {
     StereoReader::Sources out;
-    for (const CameraSource& source : eyes.sources) out.push_back(make_frame_source(source, eyes));
+    for (const CameraSource& source : eyes.sources) out.push_back(make_any_source(source, eyes));
     return out;
   }
   static Time real_time() {

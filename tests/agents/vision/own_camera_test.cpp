@@ -10,6 +10,7 @@
 #include "agents/vision/agent/vision_agent.hpp"
 #include "blackboard/memory/memory_board.hpp"
 #include "blackboard/time/real_executor.hpp"
+#include "drivers/camera/any_source.hpp"
 #include "drivers/camera/video_camera.hpp"
 #include "lisp/reader.hpp"
 #include "lisp/writer.hpp"
@@ -31,7 +32,7 @@ class OwnCamera : public testing::TestWithParam<cv::Size> {
     learning.tilt_deg = 8;
     show(learning);
     setup.sources = {{CameraSource::Kind::images, folder}};
-    camera.emplace(executor, setup);
+    camera.emplace(executor, setup, make_any_source);
     agent.emplace(AgentContext{"vision", "here", executor, *agent_view, Random(1)}, *camera, nullptr);
     life = executor.spawn(live(*agent));
     Job started = executor.spawn(begin());

@@ -1,10 +1,13 @@
-// The memory of a vision agent's process that has learned four objects and tracks them: with the simulated camera, and
-// with one of its own, which brings OpenCV's readers of films and pictures along.
+// The memory of a vision agent's process that has learned four objects and tracks them: with the simulated camera, with
+// image files, and with a film, which brings all along that OpenCV reads films and pictures with.
 
 #include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
+#include <functional>
 #include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+#include <opencv2/videoio.hpp>
 #include <zmq.hpp>
 
 #include "agents/runtime/service.hpp"
@@ -78,15 +81,19 @@ T value_of(Result<T> result) {
 }
 
 void say_memory(VisionBench& bench, const std::string& camera, const Child& vision) {
+  const double all_mb = vision.memory_mb("VmHWM");
+  const double own_mb = vision.memory_mb("RssAnon");
   bench.figures.say({"memory of the agent, peak, " + camera,
-                     vision.memory_mb("VmHWM"),
+                     all_mb,
                      "MB",
                      at_most(goal_mb),
                      {},
                      fmt::format("{:.0f} of it its own, the rest pages of shared libraries; a process of its own, four "
                                  "objects learned and tracked",
-                                 vision.memory_mb("RssAnon")),
-                     "the pages of the libraries that OpenCV reads films and pictures with"});
+                                 own_mb),
+                     fmt::format("{:.0f} MB of pages of the libraries that OpenCV's reader of films loads, FFmpeg, "
+                                 "GStreamer and GDAL among them",
+                                 all_mb - own_mb)});
 }
 
 // A cell's file, a board, and where they are.
@@ -100,8 +107,9 @@ struct CellOnDisk {
 };
 
 void simulated(VisionBench& bench) {
-  const CellOnDisk there("(cell bench (world (cube circle (at 450 -150)) (cube triangle (at 450 -50)) "
-                         "(cube cross (at 450 50)) (cube square (at 450 150))))");
+  const CellOnDisk there(
+      "(cell bench (world (cube circle (at 450 -150)) (cube triangle (at 450 -50)) "
+      "(cube cross (at 450 50)) (cube square (at 450 150))))");
   const std::string world_at = "ipc://" + there.folder.path() + "/world";
   const std::string program = program_beside("pizarra-agent");
   const Child world = Child::program({program, "world", there.cell, "--listen", world_at});
@@ -119,16 +127,12 @@ void simulated(VisionBench& bench) {
   say_memory(bench, "simulated camera", vision);
 }
 
-void pictures(VisionBench& bench) {
-  const CellOnDisk there(
-      "(cell bench (camera (single (images \"shots\")) (rate 30)) (host \"localhost\" (agents vision)))");
-  const std::string shots = there.folder.path() + "/shots";
-  std::filesystem::create_directory(shots);
-  Random random(bench.seed);
+void own(VisionBench& bench, const std::string& camera, const std::string& source,
+         const std::function<void(const std::string& folder, const Scene& scene)>& write) {
+  const CellOnDisk there("(cell bench (camera (single " + source +
+                         ") (rate 30)) (host \"localhost\" (agents vision)))");
   const Scene scene = learning_scene();
-  for (int i = 0; i < 5; ++i) {
-    cv::imwrite(fmt::format("{}/{}.png", shots, i), draw(scene, Side::left, random));
-  }
+  write(there.folder.path(), scene);
   const Child vision =
       Child::program({program_beside("pizarra-agent"), "agent", "vision", there.cell, "--board", there.board_at});
   RealExecutor executor;
@@ -137,7 +141,31 @@ void pictures(VisionBench& bench) {
     AgentContext context{"bench", "here", executor, *view, Random(1)};
     value_of(run(executor, learn_and_track(context, places_of_marks(scene))));
   }
-  say_memory(bench, "camera of its own", vision);
+  say_memory(bench, camera, vision);
+}
+
+void pictures(VisionBench& bench) {
+  own(bench, "image files", "(images \"shots\")", [&](const std::string& folder, const Scene& scene) {
+    std::filesystem::create_directory(folder + "/shots");
+    Random random(bench.seed);
+    for (const char* file : {"1.png", "2.jpg", "3.png", "4.jpg", "5.png"}) {
+      cv::imwrite(folder + "/shots/" + file, draw(scene, Side::left, random));
+    }
+  });
+}
+
+void film(VisionBench& bench) {
+  own(bench, "a film", "(video \"film.avi\")", [&](const std::string& folder, const Scene& scene) {
+    constexpr int frames = 30;
+    Random random(bench.seed);
+    cv::VideoWriter writer;
+    for (int i = 0; i < frames; ++i) {
+      cv::Mat image;
+      cv::cvtColor(draw(scene, Side::left, random), image, cv::COLOR_GRAY2BGR);
+      if (i == 0) writer.open(folder + "/film.avi", cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 30, image.size());
+      writer.write(image);
+    }
+  });
 }
 
 }  // namespace
@@ -145,6 +173,7 @@ void pictures(VisionBench& bench) {
 void agent_memory(VisionBench& bench) {
   simulated(bench);
   pictures(bench);
+  film(bench);
 }
 
 }  // namespace pizarra::bench

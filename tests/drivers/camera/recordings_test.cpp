@@ -9,6 +9,7 @@
 #include <sys/stat.h>
 
 #include "blackboard/time/real_executor.hpp"
+#include "drivers/camera/any_source.hpp"
 #include "drivers/camera/image_files.hpp"
 #include "drivers/camera/image_pairs.hpp"
 #include "drivers/camera/video_camera.hpp"
@@ -58,21 +59,21 @@ TEST_F(Recordings, AFolderAndAPatternGiveTheirImagesInTheOrderOfTheirNames) {
   write_image("a.jpg", 10);
   write_image("c.PNG", 30);
   std::ofstream(folder + "notes.txt") << "no image";
-  ImageFiles all(folder, 10, true);
+  ImageFiles all(folder, {.grey = true});
   ASSERT_TRUE(all.open());
   for (const int level : {10, 20, 30}) {
     ASSERT_TRUE(all.grab());
     EXPECT_EQ(all.retrieve()->data[0], level);
   }
   EXPECT_EQ(all.grab().error().symbol, "ended");
-  ImageFiles some(folder + "[ab].*", 10, true);
+  ImageFiles some(folder + "[ab].*", {.grey = true});
   ASSERT_TRUE(some.open());
   EXPECT_EQ(image_files_at(folder + "[ab].*").size(), 2u);
 }
 
 TEST_F(Recordings, NoImagesAtAllIsNoCamera) {
-  EXPECT_EQ(ImageFiles(folder, 10, true).open().error().sentence, "there are no images at " + folder);
-  EXPECT_EQ(ImageFiles("/nowhere/*.png", 10, true).open().error().symbol, "disconnected");
+  EXPECT_EQ(ImageFiles(folder, {}).open().error().sentence, "there are no images at " + folder);
+  EXPECT_EQ(ImageFiles("/nowhere/*.png", {}).open().error().symbol, "disconnected");
 }
 
 TEST_F(Recordings, AnImageThatIsNoneIsToldByItsNameAndTheOthersAreSeen) {
@@ -82,7 +83,7 @@ TEST_F(Recordings, AnImageThatIsNoneIsToldByItsNameAndTheOthersAreSeen) {
   write_image("4.png", 60);
   CameraSetup eyes = setup(Arrangement::single, CameraSource::Kind::images, {"*.png"});
   eyes.rate_hz = 100;
-  VideoCamera camera(executor, eyes);
+  VideoCamera camera(executor, eyes, make_any_source);
   ASSERT_TRUE(run(executor, camera.open()));
   std::set<std::string> said;
   std::set<int> seen;
@@ -111,7 +112,7 @@ TEST_F(Recordings, AnImageThatIsCutShortIsNone) {
     const std::uintmax_t whole = std::filesystem::file_size(folder + name);
     for (const std::uintmax_t size : {whole - 1, 2 * whole / 3, std::uintmax_t{3000}, std::uintmax_t{300}}) {
       SCOPED_TRACE(name + " of " + std::to_string(size));
-      ImageFiles images(folder + name, 10, false);
+      ImageFiles images(folder + name, {});
       ASSERT_TRUE(images.open());
       ASSERT_TRUE(images.grab());
       EXPECT_TRUE(images.retrieve());
@@ -131,7 +132,7 @@ TEST_F(Recordings, APngThatIsDamagedIsNoneAndToldOnce) {
   cv::randu(noise, 0, 255);
   ASSERT_TRUE(cv::imwrite(folder + "a.png", noise));
   const auto size = static_cast<std::streamoff>(std::filesystem::file_size(folder + "a.png"));
-  ImageFiles images(folder + "a.png", 10, false);
+  ImageFiles images(folder + "a.png", {});
   ASSERT_TRUE(images.open());
   ASSERT_TRUE(images.grab());
   ASSERT_TRUE(images.retrieve());
@@ -155,7 +156,7 @@ TEST_F(Recordings, APngThatIsDamagedIsNoneAndToldOnce) {
 
 TEST_F(Recordings, APipeAmongTheImagesIsToldAndNotWaitedFor) {
   ASSERT_EQ(mkfifo((folder + "a.png").c_str(), 0600), 0);
-  ImageFiles images(folder, 10, false);
+  ImageFiles images(folder, {});
   ASSERT_TRUE(images.open());
   ASSERT_TRUE(images.grab());
   EXPECT_EQ(images.retrieve().error().sentence, folder + "a.png is no regular file");
@@ -168,7 +169,7 @@ TEST_F(Recordings, APairOfImageSequencesIsSeenInStep) {
   }
   CameraSetup eyes = setup(Arrangement::pair, CameraSource::Kind::images, {"left*.png", "right*.png"});
   eyes.rate_hz = 100;
-  VideoCamera camera(executor, eyes);
+  VideoCamera camera(executor, eyes, make_any_source);
   const Result<StereoModel> model = run(executor, camera.open());
   ASSERT_TRUE(model);
   EXPECT_EQ(model->base_line_mm, 60);
@@ -188,7 +189,7 @@ TEST_F(Recordings, APairGoesByTheNumbersInItsNamesAndCountsWhatHasNoPartner) {
   }
   CameraSetup eyes = setup(Arrangement::pair, CameraSource::Kind::images, {"left*.png", "right*.png"});
   eyes.rate_hz = 100;
-  VideoCamera camera(executor, eyes);
+  VideoCamera camera(executor, eyes, make_any_source);
   ASSERT_TRUE(run(executor, camera.open()));
   std::uint64_t last = 0;
   while (last < 10) {
@@ -206,7 +207,7 @@ TEST_F(Recordings, APairWhoseNamesDoNotSayWhatBelongsTogetherHasAsManyOnEitherSi
   }
   const CameraSetup eyes = setup(Arrangement::pair, CameraSource::Kind::images, {"left*.png", "right*.png"});
   {
-    VideoCamera camera(executor, eyes);
+    VideoCamera camera(executor, eyes, make_any_source);
     const Result<StereoModel> model = run(executor, camera.open());
     ASSERT_FALSE(model);
     EXPECT_EQ(model.error().sentence,
@@ -214,7 +215,7 @@ TEST_F(Recordings, APairWhoseNamesDoNotSayWhatBelongsTogetherHasAsManyOnEitherSi
               "not say which belong together");
   }
   write_image("right-c.png", 50);
-  VideoCamera camera(executor, eyes);
+  VideoCamera camera(executor, eyes, make_any_source);
   EXPECT_TRUE(run(executor, camera.open()));
 }
 
@@ -239,7 +240,7 @@ TEST(ImagePairs, NumbersThatAreNotOnBothSidesSayNothing) {
 
 TEST_F(Recordings, AVideoIsShownAtItsOwnRateAndBeginsAnew) {
   write_video("film.avi", {320, 240}, 50, 10);
-  VideoCamera camera(executor, setup(Arrangement::single, CameraSource::Kind::video, {"film.avi"}));
+  VideoCamera camera(executor, setup(Arrangement::single, CameraSource::Kind::video, {"film.avi"}), make_any_source);
   ASSERT_TRUE(run(executor, camera.open()));
   const Time first = next(camera, 0)->captured;
   std::uint64_t last = 1;
@@ -250,7 +251,7 @@ TEST_F(Recordings, AVideoIsShownAtItsOwnRateAndBeginsAnew) {
 
 TEST_F(Recordings, WhatIsNoVideoIsNoCamera) {
   std::ofstream(folder + "film.avi") << "this is no film";
-  VideoCamera camera(executor, setup(Arrangement::single, CameraSource::Kind::video, {"film.avi"}));
+  VideoCamera camera(executor, setup(Arrangement::single, CameraSource::Kind::video, {"film.avi"}), make_any_source);
   const Result<StereoModel> model = run(executor, camera.open());
   ASSERT_FALSE(model);
   EXPECT_EQ(model.error().sentence, "the camera: " + folder + "film.avi cannot be opened");
@@ -261,7 +262,7 @@ TEST_F(Recordings, APairSideBySideOf1280x960At120AsecondKeepsUp) {
   CameraSetup eyes = setup(Arrangement::side_by_side, CameraSource::Kind::video, {"film.avi"});
   eyes.width = 1280;
   eyes.height = 960;
-  VideoCamera camera(executor, eyes);
+  VideoCamera camera(executor, eyes, make_any_source);
   ASSERT_TRUE(run(executor, camera.open()));
   const std::clock_t cpu_before = std::clock();
   const std::uint64_t first = next(camera, 0)->number;
@@ -293,7 +294,8 @@ TEST_F(Recordings, APipelineIsACameraWhateverItsColoursAre) {
     const std::string pipeline =
         "videotestsrc is-live=true ! video/x-raw," + format + "width=640,height=480,framerate=30/1 ! appsink";
     VideoCamera camera(executor,
-                       {.arrangement = Arrangement::single, .sources = {{CameraSource::Kind::pipeline, pipeline}}});
+                       {.arrangement = Arrangement::single, .sources = {{CameraSource::Kind::pipeline, pipeline}}},
+                       make_any_source);
     const Result<StereoModel> model = run(executor, camera.open());
     ASSERT_TRUE(model.has_value()) << format << describe(model.error());
     EXPECT_EQ(model->width, 640) << format;

@@ -1,29 +1,16 @@
-#include "drivers/camera/image_size.hpp"
+#include "drivers/camera/other_images.hpp"
 
 #include <algorithm>
-#include <bit>
-#include <cstdlib>
-#include <string_view>
+#include <opencv2/core/utils/logger.hpp>
+#include <opencv2/imgcodecs.hpp>
+
+#include "drivers/camera/header_numbers.hpp"
 
 namespace pizarra {
 namespace {
 
 using Bytes = std::span<const unsigned char>;
 using Order = std::endian;
-
-// 0 where the bytes end before.
-std::uint32_t number(Bytes bytes, std::size_t at, std::size_t count, Order order) {
-  if (at > bytes.size() || count > bytes.size() - at) return 0;
-  std::uint32_t out = 0;
-  for (std::size_t i = 0; i < count; ++i) out = out << 8 | bytes[at + (order == Order::big ? i : count - 1 - i)];
-  return out;
-}
-
-bool says(Bytes bytes, std::size_t at, std::string_view text) {
-  return bytes.size() >= at + text.size() && std::ranges::equal(bytes.subspan(at, text.size()), text);
-}
-
-ImageSize size_of_png(Bytes bytes) { return {number(bytes, 16, 4, Order::big), number(bytes, 20, 4, Order::big)}; }
 
 // What is told from the top down has a height below 0.
 ImageSize size_of_bmp(Bytes bytes) {
@@ -50,23 +37,10 @@ ImageSize size_of_pnm(Bytes bytes) {
   return {width, next()};
 }
 
-// Twelve bytes an entry of the first directory: its tag, its type, how many, and the value.
 ImageSize size_of_tiff(Bytes bytes) {
   constexpr std::uint32_t width_tag = 256;
   constexpr std::uint32_t height_tag = 257;
-  constexpr std::uint32_t of_two_bytes = 3;
-  const Order order = says(bytes, 0, "II") ? Order::little : Order::big;
-  const std::size_t directory = number(bytes, 4, 4, order);
-  const std::size_t entries = number(bytes, directory, 2, order);
-  ImageSize out;
-  for (std::size_t i = 0; i < entries; ++i) {
-    const std::size_t at = directory + 2 + 12 * i;
-    const std::uint32_t tag = number(bytes, at, 2, order);
-    const std::size_t count = number(bytes, at + 2, 2, order) == of_two_bytes ? 2 : 4;
-    if (tag == width_tag) out.width = number(bytes, at + 8, count, order);
-    if (tag == height_tag) out.height = number(bytes, at + 8, count, order);
-  }
-  return out;
+  return {tiff_number(bytes, width_tag), tiff_number(bytes, height_tag)};
 }
 
 // With loss, without, or with more than an image.
@@ -80,16 +54,30 @@ ImageSize size_of_webp(Bytes bytes) {
 
 }  // namespace
 
-std::optional<ImageSize> size_of_image(Bytes bytes) {
+std::optional<ImageSize> size_of_other_image(Bytes bytes) {
   ImageSize out;
-  if (says(bytes, 1, "PNG\r\n")) out = size_of_png(bytes);
   if (says(bytes, 0, "BM")) out = size_of_bmp(bytes);
   if (says(bytes, 0, "P") && bytes.size() > 2 && bytes[1] >= '1' && bytes[1] <= '6') out = size_of_pnm(bytes);
-  if (says(bytes, 0, std::string_view("II*\0", 4)) || says(bytes, 0, std::string_view("MM\0*", 4))) {
-    out = size_of_tiff(bytes);
-  }
+  if (is_tiff(bytes)) out = size_of_tiff(bytes);
   if (says(bytes, 0, "RIFF") && says(bytes, 8, "WEBP")) out = size_of_webp(bytes);
   return out.width > 0 && out.height > 0 ? std::optional(out) : std::nullopt;
+}
+
+Result<cv::Mat> read_other_image(Bytes bytes, bool grey) {
+  const std::optional<ImageSize> size = size_of_other_image(bytes);
+  if (!size) return image_fault(no_image);
+  if (is_too_large(*size)) return image_fault(too_large);
+  // What goes wrong is told by our failures.
+  cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
+  cv::Mat image;
+  try {
+    const cv::_InputArray file(bytes.data(), static_cast<int>(bytes.size()));
+    image = cv::imdecode(file, grey ? cv::IMREAD_GRAYSCALE : cv::IMREAD_COLOR);
+  } catch (const cv::Exception&) {
+    image.release();
+  }
+  if (image.empty()) return image_fault(no_image);
+  return image;
 }
 
 }  // namespace pizarra

@@ -1,0 +1,63 @@
+#include "drivers/camera/image_file.hpp"
+
+#include <array>
+#include <filesystem>
+#include <fmt/format.h>
+#include <fstream>
+#include <vector>
+
+#include "drivers/camera/image_faults.hpp"
+#include "drivers/camera/jpeg_image.hpp"
+#include "drivers/camera/png_image.hpp"
+
+namespace pizarra {
+namespace {
+
+using Bytes = std::span<const unsigned char>;
+
+constexpr std::uintmax_t most_bytes = 256 << 20;
+
+// As many as there are room for, or fewer.
+Bytes fill_from(const std::string& file, std::span<unsigned char> room) {
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(reinterpret_cast<char*>(room.data()), static_cast<std::streamsize>(room.size()));
+  return room.first(static_cast<std::size_t>(stream.gcount()));
+}
+
+// Bounded; a file that is none, as a pipe, might never answer.
+Result<std::vector<unsigned char>> bytes_of(const std::string& file) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) return image_fault("is no regular file");
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  if (error || size > most_bytes) return image_fault("is too large for an image");
+  std::vector<unsigned char> out(size);
+  out.resize(fill_from(file, out).size());
+  return out;
+}
+
+Result<cv::Mat> read_image(const std::string& file, bool grey, OtherImages others) {
+  const Result<std::vector<unsigned char>> bytes = bytes_of(file);
+  if (!bytes) return fail(bytes);
+  if (is_jpeg(*bytes)) return read_jpeg(*bytes, grey);
+  if (is_png(*bytes)) return read_png(*bytes, grey);
+  if (others != nullptr) return others(*bytes, grey);
+  return image_fault("is no JPEG or PNG, and there were only such when the eyes began: start them again");
+}
+
+}  // namespace
+
+Result<cv::Mat> read_image_file(const std::string& file, bool grey, OtherImages others) {
+  Result<cv::Mat> image = read_image(file, grey, others);
+  if (!image) return fail(image.error().symbol, fmt::format("{} {}", file, image.error().sentence));
+  return image;
+}
+
+bool is_jpeg_or_png_file(const std::string& file) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) return false;
+  std::array<unsigned char, 8> room;
+  const Bytes first = fill_from(file, room);
+  return is_jpeg(first) || is_png(first);
+}
+
+}  // namespace pizarra
