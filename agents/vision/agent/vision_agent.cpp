@@ -1,5 +1,7 @@
 #include "agents/vision/agent/vision_agent.hpp"
 
+#include <algorithm>
+#include <cassert>
 #include <opencv2/core/utility.hpp>
 
 #include "agents/vision/agent/vision_contract.hpp"
@@ -55,23 +57,39 @@ Task<Result<void>> VisionAgent::State::run() {
   co_return served;
 }
 
+const VisionAgent::State::Operation& VisionAgent::State::operation_called(std::string_view word) {
+  using enum TurnQueue::Kind;
+  static constexpr Operation operations[] = {
+      {.word = "learn", .turn = learning, .run = &State::learn, .gives_name = true},
+      {.word = "find", .turn = beside, .run = &State::find},
+      {.word = "track", .turn = brief, .run = &State::track},
+      {.word = "end-track", .turn = beside, .run = &State::end_track},
+      {.word = "get-objects", .turn = {}, .run = &State::get_objects},
+      {.word = "connect", .turn = beside, .run = &State::connect},
+      {.word = "disconnect", .turn = beside, .run = &State::disconnect},
+      {.word = "keep", .turn = beside, .run = &State::keep_modes},
+      {.word = "accept", .turn = beside, .run = &State::accept},
+      {.word = "reject", .turn = beside, .run = &State::reject},
+      {.word = "forget", .turn = brief, .run = &State::forget},
+      {.word = "rename", .turn = brief, .run = &State::rename, .gives_name = true},
+  };
+  const auto found = std::ranges::find(operations, word, &Operation::word);
+  assert(found != std::end(operations) && "the contract offers no others");
+  return *found;
+}
+
 Task<Result<Datum>> VisionAgent::State::handle(Fact request) {
-  const Datum& operation = request.datum[3];
-  const std::string_view asked = operation.head();
-  // Of operations that take one.
-  const std::string name = operation.size() > 1 ? std::string(operation.items().back().text()) : "";
-  if (asked == "learn") return learn(request.teller, operation[1].number(), operation[2].number(), name);
-  if (asked == "find") return find(request.teller, name);
-  if (asked == "track") return track(request.teller, name);
-  if (asked == "end-track") return end_track(request.teller);
-  if (asked == "connect") return connect(request.teller);
-  if (asked == "disconnect") return disconnect(request.teller);
-  if (asked == "keep") return keep_modes(request.teller);
-  if (asked == "accept") return accept(request.teller, name);
-  if (asked == "reject") return reject(request.teller, name);
-  if (asked == "forget") return forget(request.teller, name);
-  if (asked == "rename") return rename(request.teller, std::string(operation[1].text()), name);
-  return get_objects();
+  const Datum& asked_for = request.datum[3];
+  const Operation& operation = operation_called(asked_for.head());
+  const std::string name = asked_for.size() > 1 ? std::string(asked_for.items().back().text()) : "";
+  const Result<void> good_name = operation.gives_name ? check_object_name(name) : Result<void>();
+  if (!good_name) co_return fail(good_name);
+  Result<std::unique_ptr<Turn>> turn;
+  if (operation.turn) turn = co_await take_turn(request.teller, *operation.turn);
+  if (!turn) co_return fail(turn);
+  Asked asked{request.teller, asked_for, name};
+  const Result<Datum> answer = co_await (this->*operation.run)(std::move(asked));
+  co_return answer;
 }
 
 }  // namespace pizarra

@@ -32,9 +32,8 @@ std::optional<Failure> of_another_size(const std::vector<SeenMark>& marks, const
 
 }  // namespace
 
-Task<Result<Datum>> VisionAgent::State::find(std::string client, std::string name) {
-  const Result<std::unique_ptr<Turn>> turn = co_await take_turn(client, TurnQueue::Kind::beside);
-  if (!turn) co_return fail(turn);
+Task<Result<Datum>> VisionAgent::State::find(Asked asked) {
+  const auto& [client, operation, name] = asked;
   co_await let_tracking_look();
   co_await begin_finding(client);
   // Another agent may just have forgotten or renamed it.

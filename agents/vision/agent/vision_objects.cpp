@@ -41,22 +41,18 @@ Task<Result<SampleToAccept>> VisionAgent::State::judged_by(std::string client, s
                  to_datum(name));
 }
 
-Task<Result<Datum>> VisionAgent::State::accept(std::string client, std::string name) {
-  const Result<std::unique_ptr<Turn>> turn = co_await take_turn(client, TurnQueue::Kind::beside);
-  if (!turn) co_return fail(turn);
-  const Result<SampleToAccept> sample = co_await judged_by(std::move(client), std::move(name));
+Task<Result<Datum>> VisionAgent::State::accept(Asked asked) {
+  const Result<SampleToAccept> sample = co_await judged_by(asked.client, asked.name);
   if (!sample) co_return fail(sample);
   to_accept.remove(*sample);
   co_await tell_objects();
   co_return Datum();
 }
 
-Task<Result<Datum>> VisionAgent::State::reject(std::string client, std::string name) {
-  const Result<std::unique_ptr<Turn>> turn = co_await take_turn(client, TurnQueue::Kind::beside);
-  if (!turn) co_return fail(turn);
-  const Result<SampleToAccept> sample = co_await judged_by(client, name);
+Task<Result<Datum>> VisionAgent::State::reject(Asked asked) {
+  const Result<SampleToAccept> sample = co_await judged_by(asked.client, asked.name);
   if (!sample) co_return fail(sample);
-  const Result<void> untracked = check_untracked(client, name);
+  const Result<void> untracked = check_untracked(asked.client, asked.name);
   if (!untracked) co_return fail(untracked);
   ObjectChange withdraw = WithdrawSample{sample->name, sample->number, sample->id};
   const Result<std::int64_t> done = co_await change_objects(std::move(withdraw));
@@ -64,22 +60,18 @@ Task<Result<Datum>> VisionAgent::State::reject(std::string client, std::string n
   co_return Datum();
 }
 
-Task<Result<Datum>> VisionAgent::State::forget(std::string client, std::string name) {
-  const Result<std::unique_ptr<Turn>> turn = co_await take_turn(client, TurnQueue::Kind::brief);
-  if (!turn) co_return fail(turn);
-  const Result<void> unheld = co_await check_unheld(client, name);
+Task<Result<Datum>> VisionAgent::State::forget(Asked asked) {
+  const Result<void> unheld = co_await check_unheld(asked.client, asked.name);
   if (!unheld) co_return fail(unheld);
-  ObjectChange forget = ForgetObject{name};
+  ObjectChange forget = ForgetObject{asked.name};
   const Result<std::int64_t> done = co_await change_objects(std::move(forget));
   if (!done) co_return fail(done);
   co_return Datum();
 }
 
-Task<Result<Datum>> VisionAgent::State::rename(std::string client, std::string name, std::string new_name) {
-  const Result<void> good_name = check_object_name(new_name);
-  if (!good_name) co_return fail(good_name);
-  const Result<std::unique_ptr<Turn>> turn = co_await take_turn(client, TurnQueue::Kind::brief);
-  if (!turn) co_return fail(turn);
+Task<Result<Datum>> VisionAgent::State::rename(Asked asked) {
+  const auto& [client, operation, new_name] = asked;
+  std::string name(operation[1].text());
   const Result<void> unheld = co_await check_unheld(client, name);
   if (!unheld) co_return fail(unheld);
   const LearnedObject* object = objects.find(name);

@@ -19,13 +19,10 @@ Task<Result<Datum>> VisionAgent::State::answer_failed(std::string text, Failure 
   co_return list(text);
 }
 
-Task<Result<Datum>> VisionAgent::State::learn(std::string client, double x, double y, std::string name) {
-  const Result<void> good_name = check_object_name(name);
-  if (!good_name) co_return fail(good_name);
-  const Result<std::unique_ptr<Turn>> turn = co_await take_turn(client, TurnQueue::Kind::learning);
-  if (!turn) co_return fail(turn);
+Task<Result<Datum>> VisionAgent::State::learn(Asked asked) {
+  const auto& [client, operation, name] = asked;
   co_await begin_learning(client);
-  Result<LearnedSample> sample = co_await learn_sample(name, x, y);
+  Result<LearnedSample> sample = co_await learn_sample(name, operation[1].number(), operation[2].number());
   Result<std::int64_t> kept = sample ? Result<std::int64_t>(0) : fail(sample);
   if (sample) {
     ObjectChange keep = KeepSample{name, std::move(*sample)};
@@ -56,12 +53,10 @@ Task<Result<LearnedSample>> VisionAgent::State::learn_sample(std::string name, d
   co_return learner->sample();
 }
 
-Task<Result<Datum>> VisionAgent::State::track(std::string client, std::string name) {
-  const Result<std::unique_ptr<Turn>> turn = co_await take_turn(client, TurnQueue::Kind::brief);
-  if (!turn) co_return fail(turn);
-  const std::string holder = co_await holder_for(std::move(client));
-  const LearnedObject* object = objects.find(name);
-  if (object == nullptr) co_return fail(not_known(name));
+Task<Result<Datum>> VisionAgent::State::track(Asked asked) {
+  const std::string holder = co_await holder_for(asked.client);
+  const LearnedObject* object = objects.find(asked.name);
+  if (object == nullptr) co_return fail(not_known(asked.name));
   const LearnedObject* end_effector = objects.find(end_effector_name);
   for (const LearnedObject* each : {end_effector, object}) {
     if (each == nullptr) continue;
@@ -75,47 +70,39 @@ Task<Result<Datum>> VisionAgent::State::track(std::string client, std::string na
   co_return Datum();
 }
 
-Task<Result<Datum>> VisionAgent::State::end_track(std::string client) {
-  const Result<std::unique_ptr<Turn>> turn = co_await take_turn(client, TurnQueue::Kind::beside);
-  if (!turn) co_return fail(turn);
+Task<Result<Datum>> VisionAgent::State::end_track(Asked asked) {
   if (holders.tracker().empty()) co_return Datum();
-  if (!holders.tracks(client)) {
+  if (!holders.tracks(asked.client)) {
     const std::string holder = holders.tracker();
     co_return fail("busy", fmt::format("{} tracks, and ends it itself", holder), Datum::symbol(holder));
   }
-  holders.end_track(client);
+  holders.end_track(asked.client);
   co_await follow_holders();
   co_return Datum();
 }
 
-Task<Result<Datum>> VisionAgent::State::connect(std::string client) {
-  const Result<std::unique_ptr<Turn>> turn = co_await take_turn(client, TurnQueue::Kind::beside);
-  if (!turn) co_return fail(turn);
-  const std::string holder = co_await holder_for(std::move(client));
+Task<Result<Datum>> VisionAgent::State::connect(Asked asked) {
+  const std::string holder = co_await holder_for(asked.client);
   holders.connect(holder);
   feed.start();
   co_await tell_state();
   co_return Datum();
 }
 
-Task<Result<Datum>> VisionAgent::State::disconnect(std::string client) {
-  const Result<std::unique_ptr<Turn>> turn = co_await take_turn(client, TurnQueue::Kind::beside);
-  if (!turn) co_return fail(turn);
-  holders.disconnect(client);
+Task<Result<Datum>> VisionAgent::State::disconnect(Asked asked) {
+  holders.disconnect(asked.client);
   co_await follow_holders();
   co_return Datum();
 }
 
-Task<Result<Datum>> VisionAgent::State::keep_modes(std::string client) {
-  const Result<std::unique_ptr<Turn>> turn = co_await take_turn(client, TurnQueue::Kind::beside);
-  if (!turn) co_return fail(turn);
-  const std::string holder = co_await holder_for(std::move(client));
+Task<Result<Datum>> VisionAgent::State::keep_modes(Asked asked) {
+  const std::string holder = co_await holder_for(asked.client);
   if (!holders.keep(holder)) co_return fail("nothing-held", "who asks is neither connected nor tracks", "keep"_sym);
   co_await tell_holders();
   co_return Datum();
 }
 
-Task<Result<Datum>> VisionAgent::State::get_objects() {
+Task<Result<Datum>> VisionAgent::State::get_objects(Asked) {
   co_await follow_memory();
   co_return list(get_reply(objects));
 }

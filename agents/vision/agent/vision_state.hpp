@@ -27,19 +27,32 @@ struct VisionAgent::State {
   Task<Result<void>> run();
   Task<Result<Datum>> handle(Fact request);
 
-  // The operations, for a client where it matters whose they are. What they answer stands after `ok`.
-  Task<Result<Datum>> learn(std::string client, double x, double y, std::string name);
-  Task<Result<Datum>> find(std::string client, std::string name);
-  Task<Result<Datum>> track(std::string client, std::string name);
-  Task<Result<Datum>> end_track(std::string client);
-  Task<Result<Datum>> get_objects();
-  Task<Result<Datum>> connect(std::string client);
-  Task<Result<Datum>> disconnect(std::string client);
-  Task<Result<Datum>> keep_modes(std::string client);
-  Task<Result<Datum>> accept(std::string client, std::string name);
-  Task<Result<Datum>> reject(std::string client, std::string name);
-  Task<Result<Datum>> forget(std::string client, std::string name);
-  Task<Result<Datum>> rename(std::string client, std::string name, std::string new_name);
+  // What a client asks for.
+  struct Asked {
+    std::string client;
+    Datum operation;   // (WORD ARGUMENT ...)
+    std::string name;  // its last argument, of those that take one
+  };
+  struct Operation {
+    std::string_view word;
+    std::optional<TurnQueue::Kind> turn;  // which it waits for; nothing: it is done at once
+    Task<Result<Datum>> (State::*run)(Asked);
+    bool gives_name = false;  // one that is none is told at once
+  };
+  static const Operation& operation_called(std::string_view word);
+  // What they answer stands after `ok`.
+  Task<Result<Datum>> learn(Asked asked);
+  Task<Result<Datum>> find(Asked asked);
+  Task<Result<Datum>> track(Asked asked);
+  Task<Result<Datum>> end_track(Asked asked);
+  Task<Result<Datum>> get_objects(Asked);
+  Task<Result<Datum>> connect(Asked asked);
+  Task<Result<Datum>> disconnect(Asked asked);
+  Task<Result<Datum>> keep_modes(Asked asked);
+  Task<Result<Datum>> accept(Asked asked);
+  Task<Result<Datum>> reject(Asked asked);
+  Task<Result<Datum>> forget(Asked asked);
+  Task<Result<Datum>> rename(Asked asked);
 
   Task<Result<LearnedSample>> learn_sample(std::string name, double x, double y);
   Task<Result<SeenMark>> find_mark(std::string name);
