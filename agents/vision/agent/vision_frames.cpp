@@ -72,12 +72,14 @@ void VisionAgent::State::begin_showing(const StereoFrame& frame, std::vector<Tra
 }
 
 Annotation VisionAgent::State::annotation_for(std::uint64_t frame, std::vector<TrackSighting> sightings) const {
-  Annotation out{.sightings = std::move(sightings), .found = {}, .filled = {}, .learned_contour = {}, .status = {}};
-  for (const auto& [name, found] : found_at) {
-    const bool is_new = context.executor.now() - found.when <= found_shown_for;
-    const bool is_tracked = std::ranges::find(out.sightings, name, &TrackSighting::name) != out.sightings.end();
-    if (is_new && !is_tracked) out.found.push_back({name, found.place});
-  }
+  Annotation out{.sightings = std::move(sightings),
+                 .found = finder.found_since(context.executor.now() - found_shown_for),
+                 .filled = {},
+                 .learned_contour = {},
+                 .status = {}};
+  std::erase_if(out.found, [&](const FoundPlace& found) {
+    return std::ranges::find(out.sightings, found.name, &TrackSighting::name) != out.sightings.end();
+  });
   if (learner) {
     out.learned_contour = learner->contour();
     if (learner->contour().empty()) out.filled = learner->filled().clone();

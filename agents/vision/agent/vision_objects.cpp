@@ -1,10 +1,28 @@
 // What is learned: who changes it, and what follows where it has changed.
 
+#include <fmt/format.h>
 #include <ranges>
 
 #include "agents/vision/agent/vision_state.hpp"
 
 namespace pizarra {
+
+Failure VisionAgent::State::not_known(const std::string& name) const {
+  const Failure* trouble = memory.trouble_with(name);
+  if (trouble == nullptr) return {"not-learned", "nothing is learned under this name", to_datum(name), {}};
+  if (trouble->symbol == "full") {
+    return {"full",
+            fmt::format("it is kept, but {} objects are known already: forget another, and this one is known",
+                        most_objects),
+            to_datum(name),
+            {}};
+  }
+  return {
+      "damaged",
+      fmt::format("what was learned under this name is damaged, {}: {}", trouble->subject.text(), trouble->sentence),
+      to_datum(name),
+      {}};
+}
 
 // In no database all ids are 0, and the newest is the agent's own.
 std::optional<int> VisionAgent::State::number_of(const std::string& name, std::int64_t id) const {
@@ -111,21 +129,12 @@ Renames VisionAgent::State::renamed_since(const SampleNames& before) const {
 }
 
 Task<void> VisionAgent::State::follow_renames(Renames renames) {
+  finder.rename(renames);
   tracker.rename(renames);
   holders.rename(renames);
   to_accept.follow(renames, objects);
-  follow_found_at(renames);
   co_await facts.follow_found(std::move(renames), objects);
   co_await tell_objects();
-}
-
-void VisionAgent::State::follow_found_at(const Renames& renames) {
-  std::map<std::string, FoundAt> now;
-  for (const auto& [was, found] : found_at) {
-    const LearnedObject* object = objects.find(name_now(renames, was));
-    if (object != nullptr) now.insert_or_assign(object->name, found);
-  }
-  found_at = std::move(now);
 }
 
 }  // namespace pizarra

@@ -9,6 +9,7 @@ namespace pizarra {
 namespace {
 
 constexpr Duration longest_frame_wait = 3s;
+constexpr int frames_to_find = 3;
 
 }  // namespace
 
@@ -53,6 +54,43 @@ Task<Result<LearnedSample>> VisionAgent::State::learn_sample(std::string name, d
   co_return learner->sample();
 }
 
+Task<Result<Datum>> VisionAgent::State::find(Asked asked) {
+  const auto& [client, operation, name] = asked;
+  co_await let_tracking_look();
+  co_await begin_finding(client);
+  // Another agent may just have forgotten or renamed it.
+  co_await follow_memory();
+  const Result<SeenMark> found = co_await find_mark(name);
+  co_await end_finding(client);
+  if (found) co_return list(find_reply(name, found->centre));
+  const std::string text = find_reply(name, std::nullopt);
+  const Result<Datum> answer = co_await answer_failed(text, found.error());
+  co_return answer;
+}
+
+Task<Result<SeenMark>> VisionAgent::State::find_mark(std::string name) {
+  if (objects.find(name) == nullptr) co_return fail(not_known(name));
+  Failure why;
+  for (int i = 0; i < frames_to_find; ++i) {
+    const Result<StereoFrame> frame = co_await feed.next(longest_frame_wait);
+    if (!frame) co_return fail(frame);
+    tracking_is_next = true;
+    // It may have been forgotten meanwhile.
+    const LearnedObject* object = objects.find(name);
+    if (object == nullptr) co_return fail(not_known(name));
+    const GreyPair grey = grey_pair(*frame);
+    StereoSight sight(grey.left, grey.right, *feed.model());
+    const Result<FoundMark> found = finder.find(sight, *object, context.executor.now());
+    begin_showing(*frame, {});
+    if (!found) why = found.error();
+    if (!found) continue;
+    std::vector<Datum> told{found_fact(frame->number, *found)};
+    co_await facts.tell(std::move(told));
+    co_return found->pair.left;
+  }
+  co_return fail(why);
+}
+
 Task<Result<Datum>> VisionAgent::State::track(Asked asked) {
   const std::string holder = co_await holder_for(asked.client);
   const LearnedObject* object = objects.find(asked.name);
@@ -60,7 +98,7 @@ Task<Result<Datum>> VisionAgent::State::track(Asked asked) {
   const LearnedObject* end_effector = objects.find(end_effector_name);
   for (const LearnedObject* each : {end_effector, object}) {
     if (each == nullptr) continue;
-    const Result<void> added = tracker.add(*each, place_found_last(each->name));
+    const Result<void> added = tracker.add(*each, finder.place_of(each->name));
     if (!added) co_return fail(added);
     holders.track(holder, each->name);
   }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <fmt/format.h>
+#include <ranges>
 
 namespace pizarra {
 namespace {
@@ -50,6 +51,21 @@ Datum places_datum(const SeenPlaces& places) {
     out.push_back(list("range"_sym, rounded(places.range_mm, 100), rounded(places.range_spread_mm, 100)));
   }
   return Datum::list(std::move(out));
+}
+
+Datum found_fact(std::uint64_t frame, const FoundMark& found) {
+  constexpr std::size_t most_others = 8;
+  const SeenPair& pair = found.pair;
+  const Likeness& likely = pair.likeness;
+  std::vector<Datum> elsewhere;
+  for (const cv::Point2d& place : found.elsewhere | std::views::take(most_others)) {
+    elsewhere.push_back(list(rounded(place.x, 100), rounded(place.y, 100)));
+  }
+  const std::optional<cv::Point2d> right = pair.right ? std::optional(pair.right->centre) : std::nullopt;
+  const SeenRange range = found.range.value_or(SeenRange());
+  return list("found"_sym, found.name, frame, rounded(found.confidence, 1000),
+              likely.second == nullptr ? "" : likely.second->name, rounded(likely.margin(), 1000),
+              Datum::list(std::move(elsewhere)), places_datum({pair.left.centre, right, range.mm, range.spread_mm}));
 }
 
 Datum sightings_fact(std::uint64_t frame, std::span<const TrackSighting> sightings) {

@@ -6,6 +6,7 @@
 
 #include <span>
 
+#include "agents/vision/sight/mark_finder.hpp"
 #include "agents/vision/sight/mark_tracker.hpp"
 
 namespace pizarra {
@@ -29,6 +30,9 @@ struct SeenPlaces {
   double range_spread_mm = 0;  // a standard deviation
 };
 Datum places_datum(const SeenPlaces& places);
+
+// (found NAME FRAME CONFIDENCE SECOND MARGIN ((X Y) ...) PLACES): of other places where it may be, eight at most.
+Datum found_fact(std::uint64_t frame, const FoundMark& found);
 
 // (sightings FRAME (("a" seen CONFIDENCE SPREAD SECOND MARGIN PLACES) ("b" bridged CONFIDENCE X Y D) ("c" lost) ...)):
 // how sure each is, how far its d may be off, mm, what it is most like otherwise and by how much less, and

@@ -1,8 +1,8 @@
 #pragma once
 
 // What the vision agent knows and is doing. vision_agent.cpp runs it; vision_operations.cpp has its operations,
-// vision_finding.cpp FIND among them and vision_objects.cpp what is learned; vision_turns.cpp says who may use it when,
-// vision_modes.cpp what goes on for whom; vision_frames.cpp what becomes of a frame, vision_telling.cpp what is told.
+// vision_objects.cpp what is learned; vision_turns.cpp says who may use it when, vision_modes.cpp what goes on for
+// whom; vision_frames.cpp what becomes of a frame, vision_telling.cpp what is told.
 
 #include <map>
 #include <optional>
@@ -56,21 +56,8 @@ struct VisionAgent::State {
 
   Task<Result<LearnedSample>> learn_sample(std::string name, double x, double y);
   Task<Result<SeenMark>> find_mark(std::string name);
-  // Where it is seen, how sure that is, and where others are that it may be as well.
-  struct Found {
-    SeenPair pair;
-    std::vector<cv::Point2d> elsewhere;
-  };
-  std::optional<Found> find_in(StereoSight& sight, const LearnedObject& object) const;
-  std::optional<Found> find_shape(StereoSight& sight, const LearnedObject& object) const;
-  std::optional<Found> find_tag(StereoSight& sight, const LearnedObject& object) const;
-  // (found NAME FRAME CONFIDENCE SECOND MARGIN ((X Y) ...) PLACES)
-  static Datum found_fact(std::uint64_t frame, const StereoSight& sight, const LearnedObject& object,
-                          const Found& found);
   // Why there is no object of this name: it was never learned, or is damaged.
   Failure not_known(const std::string& name) const;
-  // Why none of the marks is the object: like another one as much, or like none.
-  Failure not_found(StereoSight& sight, const LearnedObject& object) const;
   Task<Result<Datum>> answer_failed(std::string text, Failure why);
   // Changes what is known, and has everything that goes by it follow: the id of the sample that was kept, or 0.
   Task<Result<std::int64_t>> change_objects(ObjectChange change);
@@ -91,8 +78,6 @@ struct VisionAgent::State {
   Renames renamed_since(const SampleNames& before) const;
   // What is tracked, and what is to be accepted, as it is called now.
   Task<void> follow_renames(Renames renames);
-  void follow_found_at(const Renames& renames);
-  std::optional<cv::Point2d> place_found_last(const std::string& name) const;
   Task<void> tell_holders();
   Task<void> tell_state_again();
   Task<void> camera_changed();
@@ -158,16 +143,11 @@ struct VisionAgent::State {
   Streams* streams;
   ObjectMemory memory;
   const LearnedObjects& objects = memory.objects();
+  MarkFinder finder{objects};
   MarkTracker tracker{objects};
   std::shared_ptr<const Image> tracked_image;  // the left one, at which the tracker may look back
   std::optional<MarkLearner> learner;
   SamplesToAccept to_accept;
-  // Where FIND found each object last, px, and when.
-  struct FoundAt {
-    cv::Point2d place;
-    Time when;
-  };
-  std::map<std::string, FoundAt> found_at;
   ModeHolders holders;
   TurnQueue turns;
   std::string learning_for;              // empty: nobody learns

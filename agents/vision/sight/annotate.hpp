@@ -4,14 +4,10 @@
 // name and x, y, d of each tracked object; a white cross, the name and x, y of what was found just now; red what is
 // being filled while learning; a line that says what the eyes are doing.
 
+#include "agents/vision/sight/mark_finder.hpp"
 #include "agents/vision/sight/mark_tracker.hpp"
 
 namespace pizarra {
-
-struct FoundPlace {
-  std::string name;
-  cv::Point2d centre;  // in the left image, px
-};
 
 struct Annotation {
   std::vector<TrackSighting> sightings;

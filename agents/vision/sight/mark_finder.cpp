@@ -1,0 +1,112 @@
+#include "agents/vision/sight/mark_finder.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <ranges>
+
+#include "agents/vision/marks/tags.hpp"
+#include "agents/vision/sight/wholeness.hpp"
+
+namespace pizarra {
+namespace {
+
+std::optional<Failure> of_another_size(const std::vector<SeenMark>& marks, const LearnedObject& object) {
+  for (const SeenMark& mark : marks) {
+    const std::optional<double> scale = scale_of_another_size(mark, object);
+    if (!scale) continue;
+    return Failure{*scale > 1 ? "too-large" : "too-small",
+                   fmt::format("a mark is like it, but {:.1f} times as high as it was learned, and it is looked for "
+                               "from {} to {} times: learn it at this size too, under the same name",
+                               *scale, least_scale, most_scale),
+                   to_datum(object.name),
+                   {}};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Result<FoundMark> MarkFinder::find(StereoSight& sight, const LearnedObject& object, Time now) {
+  std::optional<FoundMark> found = object.tag() == nullptr ? find_shape(sight, object) : find_tag(sight, object);
+  if (!found) return fail(not_found(sight, object));
+  found->confidence = confidence_at_first(sight, object, found->pair);
+  found->range = range_of(sight, object, found->pair);
+  found_at_.insert_or_assign(object.name, FoundAt{found->pair.left.centre, now});
+  return std::move(*found);
+}
+
+std::optional<cv::Point2d> MarkFinder::place_of(const std::string& name) const {
+  const auto found = found_at_.find(name);
+  return found == found_at_.end() ? std::nullopt : std::optional(found->second.place);
+}
+
+std::vector<FoundPlace> MarkFinder::found_since(Time then) const {
+  std::vector<FoundPlace> out;
+  for (const auto& [name, found] : found_at_) {
+    if (found.when >= then) out.push_back({name, found.place});
+  }
+  return out;
+}
+
+void MarkFinder::rename(const Renames& renames) {
+  std::map<std::string, FoundAt> now;
+  for (const auto& [was, found] : found_at_) {
+    const LearnedObject* object = objects_.find(name_now(renames, was));
+    if (object != nullptr) now.insert_or_assign(object->name, found);
+  }
+  found_at_ = std::move(now);
+}
+
+std::optional<FoundMark> MarkFinder::find_shape(StereoSight& sight, const LearnedObject& object) const {
+  std::optional<SeenPair> pair = sight.find(objects_, object, {}, 0, {}, place_of(object.name));
+  if (!pair) return std::nullopt;
+  const std::vector<SeenMark>& marks = sight.left_segmentation().marks();
+  pair->likeness.twins = twins_of(marks, objects_, object, pair->left);
+  return FoundMark{object.name, *pair, others_like(marks, objects_, object, pair->left)};
+}
+
+// Of several tags of one number one is told, as of shapes that are alike: the one nearest to where it was found last,
+// or the largest.
+std::optional<FoundMark> MarkFinder::find_tag(StereoSight& sight, const LearnedObject& object) const {
+  std::optional<SeenPair> only = sight.find(objects_, object);
+  if (only) return FoundMark{object.name, *only, {}};
+  std::vector<SeenMark> tags = find_tags(sight.left(), *object.tag());
+  if (tags.empty()) return std::nullopt;
+  const std::optional<cv::Point2d> before = place_of(object.name);
+  const auto rank = [&](const SeenMark& tag) { return before ? cv::norm(tag.centre - *before) : -tag.area_px; };
+  std::ranges::sort(tags, {}, rank);
+  std::vector<cv::Point2d> elsewhere;
+  for (const SeenMark& tag : tags | std::views::drop(1)) elsewhere.push_back(tag.centre);
+  std::optional<SeenPair> pair = sight.find(objects_, object, {}, 0, elsewhere);
+  if (!pair) return std::nullopt;
+  pair->likeness.twins = static_cast<double>(elsewhere.size());
+  return FoundMark{object.name, *pair, std::move(elsewhere)};
+}
+
+Failure MarkFinder::not_found(StereoSight& sight, const LearnedObject& object) const {
+  std::string_view why = "no mark in the image is like it";
+  bool is_like = false;
+  ImageSegmentation& segmentation = sight.left_segmentation();
+  for (const SeenMark& mark : segmentation.marks()) {
+    const Likeness likely = likeness(mark, objects_, object);
+    if (likely.error > recognition_threshold) continue;
+    is_like = true;
+    if (likely.doubt > 1) why = "a mark is like it, but has another outline";
+    if (likely.doubt > 1 || !likely.is_ambiguous()) continue;
+    return {"ambiguous",
+            fmt::format("a mark looks like it, and as much like {}", likely.second->name),
+            to_datum(object.name),
+            {}};
+  }
+  std::optional<Failure> sized = is_like ? std::nullopt : of_another_size(segmentation.marks(), object);
+  if (sized) return std::move(*sized);
+  const bool all_seen = object.tag() != nullptr || segmentation.left_out() == 0;
+  if (all_seen) return {"not-seen", std::string(why), to_datum(object.name), {}};
+  return {"crowded",
+          fmt::format("{}; only the {} largest were looked at, and {} smaller regions were not", why,
+                      segmentation.marks().size(), segmentation.left_out()),
+          to_datum(object.name),
+          {}};
+}
+
+}  // namespace pizarra
