@@ -1,10 +1,12 @@
 #include "agents/vision/memory/object_database.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <sys/stat.h>
 
+#include "agents/vision/memory/object_schema.hpp"
 #include "agents/vision/memory/template_bitmap.hpp"
 #include "blackboard/journal/checksum.hpp"
 #include "lisp/writer.hpp"
@@ -13,36 +15,6 @@ namespace pizarra {
 namespace {
 
 constexpr const char* file_name = "objects.sqlite";
-constexpr std::int64_t application = 0x506f626a;  // "Pobj"
-constexpr std::int64_t format = 4;
-
-// A row's id is never given again; the number of a sample is, once its object is forgotten.
-constexpr const char* schema = R"(
-  CREATE TABLE samples (id INTEGER PRIMARY KEY AUTOINCREMENT, name TEXT COLLATE NOCASE, num INTEGER, tone TEXT,
-                        area REAL, perimeter INTEGER, nf INTEGER, m0 REAL, m1 REAL, m2 REAL, height REAL, slimness REAL,
-                        roundness REAL, roundness_spread REAL, size REAL, sum INTEGER, size_by INTEGER, focal REAL,
-                        UNIQUE (name, num));
-  PRAGMA application_id = 1349476970;
-  PRAGMA user_version = 4;
-)";
-
-// The first format had no ids, the second did not say which sizes were guesses, the third knew none but along y; none
-// of them said by which focal length a sample was learned.
-constexpr const char* put_away_first_format = "ALTER TABLE samples RENAME TO samples_1";
-constexpr const char* take_first_format = R"(
-  INSERT INTO samples SELECT NULL, *, 0, 0 FROM samples_1 ORDER BY rowid;
-  DROP TABLE samples_1;
-)";
-constexpr const char* take_second_format = R"(
-  ALTER TABLE samples ADD COLUMN size_by INTEGER DEFAULT 0;
-  ALTER TABLE samples ADD COLUMN focal REAL DEFAULT 0;
-  PRAGMA user_version = 4;
-)";
-constexpr const char* take_third_format = R"(
-  ALTER TABLE samples RENAME COLUMN guessed TO size_by;
-  ALTER TABLE samples ADD COLUMN focal REAL DEFAULT 0;
-  PRAGMA user_version = 4;
-)";
 
 // Of all that is kept of a sample, its bitmap included. What every format keeps is in the same words in all.
 std::int64_t sum_of(const LearnedSample& sample) {
@@ -72,7 +44,7 @@ Result<ObjectDatabase> ObjectDatabase::open(const std::string& directory) {
     return fail("unusable", fmt::format("the folder of the objects cannot be made: {}", error.message()),
                 to_datum(directory));
   }
-  return open_prepared(directory, &ObjectDatabase::prepare);
+  return open_prepared(directory, prepare_objects);
 }
 
 Result<ObjectDatabase> ObjectDatabase::open_again(const std::string& directory) {
@@ -80,17 +52,17 @@ Result<ObjectDatabase> ObjectDatabase::open_again(const std::string& directory) 
   if (!std::filesystem::is_regular_file(std::filesystem::path(directory) / file_name, error)) {
     return fail("missing", "the database of the objects is not in its place any more", to_datum(directory));
   }
-  return open_prepared(directory, &ObjectDatabase::check_prepared);
+  return open_prepared(directory, prepare_objects_again);
 }
 
 Result<ObjectDatabase> ObjectDatabase::open_prepared(const std::string& directory,
-                                                     Result<void> (ObjectDatabase::*prepare)()) {
+                                                     Result<void> (*prepare)(sqlite::Database&)) {
   const std::filesystem::path file = std::filesystem::path(directory) / file_name;
   Result<sqlite::Database> database = sqlite::Database::open(file.string(), sqlite::Access::write);
   if (!database) return fail(database);
-  ObjectDatabase out(directory, std::move(*database));
-  const Result<void> prepared = (out.*prepare)();
+  const Result<void> prepared = prepare(*database);
   if (!prepared) return fail(prepared);
+  ObjectDatabase out(directory, std::move(*database));
   out.file_ = out.file_now();
   return out;
 }
@@ -99,50 +71,6 @@ ObjectDatabase::FileId ObjectDatabase::file_now() const {
   struct stat found {};
   if (::stat((directory_ / file_name).c_str(), &found) != 0) return std::nullopt;
   return std::pair<std::uint64_t, std::uint64_t>(found.st_dev, found.st_ino);
-}
-
-// A copy that is still being made is none yet.
-Result<void> ObjectDatabase::check_prepared() {
-  const Result<std::int64_t> whose = database_.ask("PRAGMA application_id");
-  if (!whose) return fail(whose);
-  if (*whose == application) return prepare();
-  return fail("damaged", "the file in the place of the database of the objects is no such database");
-}
-
-Result<void> ObjectDatabase::prepare() {
-  const Result<std::int64_t> whose = database_.ask("PRAGMA application_id");
-  if (!whose) return fail(whose);
-  const Result<std::int64_t> version = database_.ask("PRAGMA user_version");
-  if (!version) return fail(version);
-  if (*whose == application && *version == format) return {};
-  sqlite::Transaction making(database_);
-  const Result<void> begun = making.begin();
-  if (!begun) return begun;
-  const Result<void> made = make_tables();
-  if (!made) return made;
-  return making.commit();
-}
-
-Result<void> ObjectDatabase::make_tables() {
-  const Result<std::int64_t> tables = database_.ask("SELECT count(*) FROM sqlite_schema");
-  if (!tables) return fail(tables);
-  // Another agent may just have made them.
-  const Result<std::int64_t> whose = database_.ask("PRAGMA application_id");
-  if (!whose) return fail(whose);
-  const Result<std::int64_t> version = database_.ask("PRAGMA user_version");
-  if (!version) return fail(version);
-  if (*whose == application && *version == format) return {};
-  if (*tables == 0) return database_.run(schema);
-  if (*whose == application && *version == 2) return database_.run(take_second_format);
-  if (*whose == application && *version == 3) return database_.run(take_third_format);
-  if (*whose != application || *version != 1) {
-    return fail("unusable", "the file is no database of objects that this version knows");
-  }
-  const Result<void> put_away = database_.run(put_away_first_format);
-  if (!put_away) return put_away;
-  const Result<void> made = database_.run(schema);
-  if (!made) return made;
-  return database_.run(take_first_format);
 }
 
 std::filesystem::path ObjectDatabase::bitmap(const Row& row) const {

@@ -60,14 +60,10 @@ class ObjectDatabase {
   ObjectDatabase(std::filesystem::path directory, sqlite::Database database)
       : directory_(std::move(directory)), database_(std::move(database)) {}
 
-  static Result<ObjectDatabase> open_prepared(const std::string& directory, Result<void> (ObjectDatabase::*prepare)());
+  static Result<ObjectDatabase> open_prepared(const std::string& directory, Result<void> (*prepare)(sqlite::Database&));
   // Device and inode; nothing where there is no file.
   using FileId = std::optional<std::pair<std::uint64_t, std::uint64_t>>;
   FileId file_now() const;
-  Result<void> prepare();
-  // Failure `damaged` unless it has been prepared already.
-  Result<void> check_prepared();
-  Result<void> make_tables();
   Result<LearnedSample> sample_of(sqlite::Statement& row, const std::string& name) const;
   struct Row {
     std::string name;  // as it was spelt first
