@@ -17,7 +17,7 @@ struct VisionBench {
   int runs = 1000;
 };
 
-void find_time(VisionBench& bench);     // five objects in one image
+void find_time(VisionBench& bench);     // five objects in one image; and all that one FIND is
 void track_time(VisionBench& bench);    // five objects in both, with depth
 void tag_time(VisionBench& bench);      // five tags in both, with depth
 void recall(VisionBench& bench);        // over random scenes
