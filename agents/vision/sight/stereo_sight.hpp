@@ -24,7 +24,7 @@ class StereoSight {
  public:
   // Both 8 bit, one channel, of the model's size; shared, not copied. The model outlives it.
   StereoSight(cv::Mat left, cv::Mat right, const StereoModel& model);
-  StereoSight(cv::Mat left, cv::Mat right, StereoModel&& model) = delete;
+  StereoSight(cv::Mat left, cv::Mat right, const StereoModel&& model) = delete;
 
   const cv::Mat& left() const { return left_; }
   const cv::Mat& right() const { return right_; }

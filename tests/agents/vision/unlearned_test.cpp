@@ -132,8 +132,8 @@ double confidence_of(const bench::Shape& shape, const std::string& name, bool pa
                    .level = scene.mark_level,
                    .depth_mm = depth_mm}};
   const cv::Mat left = draw(scene, bench::Side::left, random);
-  StereoSight sight(left, pair ? draw(scene, bench::Side::right, random) : left,
-                    pair ? bench::scene_camera() : one_camera());
+  const StereoModel model = pair ? bench::scene_camera() : one_camera();
+  StereoSight sight(left, pair ? draw(scene, bench::Side::right, random) : left, model);
   const LearnedObject& object = *learned_cell().find(name);
   const std::optional<SeenPair> found = sight.find(learned_cell(), object);
   return found ? confidence_at_first(sight, object, *found) : 0;
