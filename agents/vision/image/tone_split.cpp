@@ -21,11 +21,14 @@ struct Extremes {
 
 class Tiles {
  public:
-  Tiles(const cv::Mat1b& image, int side)
+  // Those from which the thresholds of these rows of the image come.
+  Tiles(const cv::Mat1b& image, int side, cv::Range rows)
       : side_(side), columns_((image.cols + side - 1) / side), rows_((image.rows + side - 1) / side) {
+    first_row_ = std::max(0, rows.start / side - 2);
+    end_row_ = std::min(rows_, rows.end / side + 3);
     std::vector<std::uint8_t> lowest(static_cast<std::size_t>(image.cols));
     std::vector<std::uint8_t> highest(lowest.size());
-    for (int row = 0; row < rows_; ++row) {
+    for (int row = first_row_; row < end_row_; ++row) {
       std::ranges::fill(lowest, 255);
       std::ranges::fill(highest, 0);
       for (int y = row * side; y < std::min((row + 1) * side, image.rows); ++y) {
@@ -42,12 +45,14 @@ class Tiles {
 
   int columns() const { return columns_; }
   int rows() const { return rows_; }
+  int first_row() const { return first_row_; }
+  int end_row() const { return end_row_; }
   // Of the tile and its eight neighbours.
   Extremes nearby(int column, int row) const {
     Extremes out;
-    for (int y = std::max(0, row - 1); y <= std::min(rows_ - 1, row + 1); ++y) {
+    for (int y = std::max(first_row_, row - 1); y <= std::min(end_row_ - 1, row + 1); ++y) {
       for (int x = std::max(0, column - 1); x <= std::min(columns_ - 1, column + 1); ++x) {
-        const Extremes& tile = extremes_[static_cast<std::size_t>(y * columns_ + x)];
+        const Extremes& tile = extremes_[static_cast<std::size_t>((y - first_row_) * columns_ + x)];
         out.lowest = std::min(out.lowest, tile.lowest);
         out.highest = std::max(out.highest, tile.highest);
       }
@@ -67,7 +72,9 @@ class Tiles {
   int side_;
   int columns_;
   int rows_;
-  std::vector<Extremes> extremes_;
+  int first_row_;
+  int end_row_;
+  std::vector<Extremes> extremes_;  // from the first row
 };
 
 // The threshold of one row of tiles, for every column of the image.
@@ -124,15 +131,17 @@ void compare(const std::uint8_t* row, const std::uint8_t* threshold, int width, 
 
 }  // namespace
 
-ToneSplit split_tones(const cv::Mat1b& image, double noise) {
+ToneSplit split_tones(const cv::Mat1b& image, double noise, cv::Range wanted) {
   const int width = image.cols;
   const int height = image.rows;
+  cv::Range rows = wanted & cv::Range(0, height);
+  rows.start -= rows.start % rows_a_threshold;
   const int side = std::max(least_tile_px, width / tiles_a_row);
   const double least_contrast = std::max<double>(least_local_contrast, noise_contrast * noise);
-  const Tiles tiles(image, side);
-  std::vector<ThresholdRow> thresholds;
+  const Tiles tiles(image, side, rows);
+  std::vector<ThresholdRow> thresholds;  // from the tiles' first row
   BitImage structured(width, tiles.rows());
-  for (int row = 0; row < tiles.rows(); ++row) {
+  for (int row = tiles.first_row(); row < tiles.end_row(); ++row) {
     std::vector<int> middles;
     for (int column = 0; column < tiles.columns(); ++column) {
       const Extremes nearby = tiles.nearby(column, row);
@@ -148,14 +157,16 @@ ToneSplit split_tones(const cv::Mat1b& image, double noise) {
   ToneSplit out{BitImage(width, height), BitImage(width, height)};
   std::vector<std::uint8_t> threshold(static_cast<std::size_t>(width));
   const int words = out.dark.words_a_row();
-  for (int y = 0; y < height; ++y) {
+  const auto threshold_of = [&](int row) {
+    return thresholds[static_cast<std::size_t>(row - tiles.first_row())].levels();
+  };
+  for (int y = rows.start; y < rows.end; ++y) {
     if (y % rows_a_threshold == 0) {
       const int from_first = std::max(0, 2 * y + rows_a_threshold - side);  // from the first tiles' middle, half px
       const int upper = std::min(from_first / (2 * side), tiles.rows() - 1);
       const int lower = std::min(upper + 1, tiles.rows() - 1);
       const int part = 256 * (from_first - 2 * side * upper) / (2 * side);
-      mix(thresholds[static_cast<std::size_t>(upper)].levels(), thresholds[static_cast<std::size_t>(lower)].levels(),
-          std::clamp(part, 0, 256), width, threshold.data());
+      mix(threshold_of(upper), threshold_of(lower), std::clamp(part, 0, 256), width, threshold.data());
     }
     compare(image.ptr<std::uint8_t>(y), threshold.data(), width, out.dark.row(y));
     const std::uint64_t* there = structured.row(std::min(y / side, tiles.rows() - 1));

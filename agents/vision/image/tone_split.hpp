@@ -18,7 +18,8 @@ struct ToneSplit {
   BitImage light;
 };
 
-// `noise`: what there is in the image, as a standard deviation.
-ToneSplit split_tones(const cv::Mat1b& image, double noise);
+// `noise`: what there is in the image, as a standard deviation. In `rows`, or a little around them, alone; elsewhere
+// everything is neither.
+ToneSplit split_tones(const cv::Mat1b& image, double noise, cv::Range rows = cv::Range::all());
 
 }  // namespace pizarra

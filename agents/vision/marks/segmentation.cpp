@@ -8,11 +8,11 @@
 namespace pizarra {
 namespace {
 
-bool has_the_size_of_a_mark(const Region& region, cv::Size image) {
+bool has_the_size_of_a_mark(const Region& region, cv::Size image, cv::Range rows) {
   const cv::Rect& box = region.box;
   return region.area_px >= least_seen_area_px && !is_too_large_for_a_mark(box.size(), image) &&
          5 * region.area_px >= box.area() && box.width <= 4 * box.height && box.height <= 4 * box.width && box.x > 0 &&
-         box.y > 0 && box.br().x < image.width && box.br().y < image.height;
+         box.y > rows.start && box.br().x < image.width && box.br().y < rows.end;
 }
 
 }  // namespace
@@ -23,10 +23,11 @@ bool is_too_large_for_a_mark(cv::Size box, cv::Size image) {
 
 std::size_t longest_contour_px(cv::Size image) { return static_cast<std::size_t>(2 * (image.width + image.height)); }
 
-ImageSegmentation::ImageSegmentation(const cv::Mat& grey, double noise, double focal_px)
+ImageSegmentation::ImageSegmentation(const cv::Mat& grey, double noise, double focal_px, cv::Range rows)
     : focal_px_(focal_px),
+      rows_(rows & cv::Range(0, grey.rows)),
       cut_(look_at(grey, {0, 0, grey.cols, grey.rows}, noise)),
-      split_(split_tones(cut_.pixels, cut_.noise)) {}
+      split_(split_tones(cut_.pixels, cut_.noise, rows_)) {}
 
 cv::Mat1b ImageSegmentation::mask(MarkTone tone) const {
   cv::Mat1b out = cv::Mat1b::zeros(image().size());
@@ -48,7 +49,7 @@ std::vector<ImageSegmentation::Candidate> ImageSegmentation::candidates() const 
   std::vector<Candidate> out;
   for (const MarkTone tone : {MarkTone::dark, MarkTone::light}) {
     for (const Region& region : regions_of(bits(tone))) {
-      if (has_the_size_of_a_mark(region, image().size())) out.push_back({region, tone});
+      if (has_the_size_of_a_mark(region, image().size(), rows_)) out.push_back({region, tone});
     }
   }
   const auto area = [](const Candidate& candidate) { return candidate.region.area_px; };

@@ -23,8 +23,9 @@ std::size_t longest_contour_px(cv::Size image);
 
 class ImageSegmentation {
  public:
-  // `grey`: 8 bit, one channel; it may be shared, not copied. `focal_px`: of its camera, where that is known.
-  ImageSegmentation(const cv::Mat& grey, double noise, double focal_px = 0);
+  // `grey`: 8 bit, one channel; it may be shared, not copied. `focal_px`: of its camera, where that is known. Of what
+  // lies within `rows` and does not reach their first or last one; that is the same as of the whole image.
+  ImageSegmentation(const cv::Mat& grey, double noise, double focal_px = 0, cv::Range rows = cv::Range::all());
   explicit ImageSegmentation(const cv::Mat& grey) : ImageSegmentation(grey, noise_of(grey)) {}
 
   // As the eyes look at it.
@@ -43,6 +44,7 @@ class ImageSegmentation {
   struct Candidate;
   std::vector<Candidate> candidates() const;
   double focal_px_;
+  cv::Range rows_;
   ImageCut cut_;
   ToneSplit split_;
   bool collected_ = false;

@@ -17,6 +17,8 @@ constexpr double widest = 1.1;
 // Nearer than this to the image's edge a mark cannot be measured, nor where its own half is not within.
 constexpr double edge_px = 24;
 constexpr double margin_px = 8;
+// How far above and below a mark its partner reaches at most, besides a quarter of its height.
+constexpr int partner_reach_px = 4;
 // How much further than its centre a tag reaches that is looked for nearby, as a part of the image's height.
 constexpr double tag_reach = 0.4;
 // How far beside the border of a mark its tone and the ground's are looked for, and in which share of its rows.
@@ -88,6 +90,17 @@ ImageSegmentation& StereoSight::right_segmentation() {
   return *right_segmentation_;
 }
 
+// Of the first one only the rows are looked at; the whole image then serves all others.
+const SeenMark* StereoSight::partner_of(const SeenMark& left) {
+  if (!right_segmentation_ && !right_rows_) {
+    const int reach = left.box.height / 4 + partner_reach_px;
+    const cv::Range rows(left.box.y - reach, left.box.br().y + reach);
+    right_rows_.emplace(right_, noise_, model_.focal_px, rows);
+    if (const SeenMark* partner = find_partner(left, right_rows_->marks(), std::nullopt)) return partner;
+  }
+  return find_partner(left, right_segmentation().marks(), std::nullopt);
+}
+
 std::optional<SeenPair> StereoSight::find(const LearnedObjects& objects, const LearnedObject& object,
                                           std::optional<cv::Point2d> near, double reach_px,
                                           std::span<const cv::Point2d> others,
@@ -108,7 +121,7 @@ std::optional<SeenPair> StereoSight::find(const LearnedObjects& objects, const L
   while (!candidates.empty()) {
     const SeenMark* best = find_object(candidates, objects, object, seen_last);
     if (best == nullptr) return std::nullopt;
-    const SeenMark* partner = find_partner(*best, right_segmentation().marks(), std::nullopt);
+    const SeenMark* partner = partner_of(*best);
     const Likeness likely = *recognise(*best, objects, object);
     if (partner == nullptr && is_cut_off(object, *best)) return SeenPair{*best, std::nullopt, likely};
     if (partner != nullptr && is_whole(model_, object, *best, *partner)) return SeenPair{*best, *partner, likely};

@@ -1,6 +1,6 @@
 #pragma once
 
-// One pair of images as the eyes see it: both segmented, at most once and only when needed, and objects found in it.
+// One pair of images as the eyes see it: both segmented, as much and when it is needed, and objects found in it.
 //
 //   StereoSight sight(left, right, model);
 //   std::optional<SeenPair> circle = sight.find(objects, *objects.find("circle"));
@@ -51,6 +51,8 @@ class StereoSight {
   bool is_cut_off(const LearnedObject& object, const SeenMark& left);
 
  private:
+  // In the right image; null: none.
+  const SeenMark* partner_of(const SeenMark& left);
   // Of those that are seen in the left image the one that is meant, with its partner.
   std::optional<SeenPair> pair_of(const Tag& tag, std::vector<SeenMark> seen, std::optional<double> disparity_px) const;
 
@@ -60,6 +62,7 @@ class StereoSight {
   double noise_;
   std::optional<ImageSegmentation> left_segmentation_;
   std::optional<ImageSegmentation> right_segmentation_;
+  std::optional<ImageSegmentation> right_rows_;  // beside the first mark whose partner was looked for
 };
 
 struct SeenRange {

@@ -106,6 +106,49 @@ TEST(Mark, DistanceIsTheRangeFromTheMiddleOfTheBaseLine) {
   }
 }
 
+// Discs of many sizes, dark and light, in uneven light.
+cv::Mat1b scattered_discs(cv::Size size, Random& random) {
+  cv::Mat1f image(size, 130.0F);
+  for (int i = 0; i < 60; ++i) {
+    const cv::Point middle(static_cast<int>(random.uniform(0, size.width)),
+                           static_cast<int>(random.uniform(0, size.height)));
+    const int radius = static_cast<int>(random.uniform(4, 0.06 * size.height));
+    cv::circle(image, middle, radius, random.below(2) == 0 ? 30 : 230, cv::FILLED, cv::LINE_AA);
+  }
+  cv::Mat1b out(size);
+  for (int y = 0; y < size.height; ++y) {
+    for (int x = 0; x < size.width; ++x) {
+      const double light = 0.6 + 0.4 * x / size.width + 0.2 * y / size.height;
+      out(y, x) = cv::saturate_cast<std::uint8_t>(image(y, x) * light + 2 * random.normal());
+    }
+  }
+  return out;
+}
+
+TEST(Mark, IsTheSameWhereOnlyItsRowsAreLookedAt) {
+  Random random(6);
+  for (const cv::Size size : {cv::Size(320, 240), cv::Size(333, 251), cv::Size(752, 480), cv::Size(1000, 701)}) {
+    const cv::Mat1b image = scattered_discs(size, random);
+    const double noise = noise_of(image);
+    ImageSegmentation whole(image, noise);
+    ASSERT_GT(whole.marks().size(), 10U);
+    for (int i = 0; i < 40; ++i) {
+      const int first = static_cast<int>(random.uniform(-20, size.height - 10));
+      const cv::Range rows(first, first + static_cast<int>(random.uniform(10, size.height)));
+      SCOPED_TRACE(testing::Message() << size << ", rows " << rows.start << " to " << rows.end);
+      std::vector<SeenMark> expected = whole.marks();
+      std::erase_if(expected,
+                    [&](const SeenMark& mark) { return mark.box.y <= rows.start || mark.box.br().y >= rows.end; });
+      ImageSegmentation part(image, noise, 0, rows);
+      ASSERT_EQ(part.marks().size(), expected.size());
+      for (std::size_t k = 0; k < expected.size(); ++k) {
+        EXPECT_EQ(part.marks()[k].centre, expected[k].centre);
+        EXPECT_EQ(part.marks()[k].contour, expected[k].contour);
+      }
+    }
+  }
+}
+
 TEST(Mark, IsSegmentedInHalfTheLight) {
   Random random(5);
   Scene scene = one_face("cross", {0, 0, 850});

@@ -63,6 +63,35 @@ TEST(Recognise, TellsFiveMarksApartInOneImage) {
   }
 }
 
+// Two of a kind, one beside the other, so that either may be the other's partner.
+TEST(Recognise, TheRowsOfAMarkShowItThePartnerThatTheWholeRightImageDoes) {
+  Random random(7);
+  int pairs = 0;
+  for (int i = 0; i < 60; ++i) {
+    const std::string& name = cell_marks()[static_cast<std::size_t>(i) % cell_marks().size()];
+    SceneFace face;
+    Scene scene = random_view(name, random, face);
+    SceneFace twin = face;
+    twin.place.x += random.uniform(50, 90);
+    twin.scale = random.uniform(0.95, 1.05);
+    scene.faces.push_back(twin);
+    DrawnSight drawn(scene, random);
+    StereoSight whole(drawn.sight.left(), drawn.sight.right(), DrawnSight::model());
+    whole.right_segmentation();
+    const LearnedObject& object = *learned_cell().find(name);
+    const std::optional<SeenPair> by_rows = drawn.sight.find(learned_cell(), object);
+    const std::optional<SeenPair> by_all = whole.find(learned_cell(), object);
+    ASSERT_EQ(by_rows.has_value(), by_all.has_value()) << i;
+    if (!by_rows) continue;
+    EXPECT_EQ(by_rows->left.centre, by_all->left.centre) << i;
+    ASSERT_EQ(by_rows->right.has_value(), by_all->right.has_value()) << i;
+    if (!by_rows->right) continue;
+    EXPECT_EQ(by_rows->right->centre, by_all->right->centre) << i;
+    ++pairs;
+  }
+  EXPECT_GE(pairs, 40);
+}
+
 TEST(Recognise, OfTwoFacesOfOneYawedCubeTakesTheLarger) {
   Random random(4);
   // Faces of a 60 mm cube yawed by 35 degrees about its vertical axis.
