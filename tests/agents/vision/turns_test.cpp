@@ -67,6 +67,16 @@ TEST_F(Turns, AFindWaitsForNoLearningOfOthers) {
   }
 }
 
+TEST_F(Turns, ANameThatIsNoneIsToldAtOnce) {
+  add_learners(10);
+  Client other(*this, "other");
+  for (const std::string operation : {"(learn 20 200 \"a b\")", "(rename \"circle\" \"a b\")"}) {
+    std::string answer;
+    EXPECT_LE(time_for(other, operation, answer), 100ms) << operation;
+    EXPECT_EQ(answer, "bad-name \"a b\"") << operation;
+  }
+}
+
 TEST_F(Turns, WhatIsSoonDoneWaitsForOneLearningAtMost) {
   add_learners(10);
   Client other(*this, "other");
