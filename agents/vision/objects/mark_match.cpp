@@ -83,6 +83,11 @@ double scale_of(const SeenMark& mark, const LearnedSample& sample) {
   return std::abs(std::log(by_height)) < std::abs(std::log(by_area)) ? by_height : by_area;
 }
 
+double spread_scale_of(const SeenMark& mark, const LearnedSample& sample) {
+  const double larger = mark.roundness * mark.area_px / (sample.roundness * sample.area_px);
+  return std::sqrt(larger) / enlarged(mark, sample);
+}
+
 double roundness_error(const SeenMark& mark, const LearnedObject& object) {
   const double weight = weight_of_roundness(object);
   double least = impossible;

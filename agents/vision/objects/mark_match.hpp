@@ -28,6 +28,8 @@ inline constexpr double widest_blur_px = 2.2;
 // which a yaw does not change; or, of what is slim, by its area, which no turn in the image does. Where a focal length
 // is not known, as the camera it was learned with showed it.
 double scale_of(const SeenMark& mark, const LearnedSample& sample);
+// The same by both principal standard deviations: what a turn makes it smaller by, and whatever covers a side of it.
+double spread_scale_of(const SeenMark& mark, const LearnedSample& sample);
 
 // To the nearest sample: all told, by its shape alone, as which of its blurs, and how turned.
 struct MarkMatch {

@@ -19,6 +19,10 @@ constexpr double clear = 3;
 // just the plane that it should have is likelier.
 constexpr double by_chance = 2;
 
+// How far the centre of a triangle moves for every px that the root of the product of its standard deviations shrinks,
+// where a corner is cut off along one side: two thirds of the root of 24. Along a whole side it is less.
+const double motion_by_corner = std::sqrt(32.0 / 3);
+
 double squared(double x) { return x * x; }
 
 // Of the sizes that it was learned with the least that it is not clearly more than: what is larger than that one is a
@@ -66,12 +70,29 @@ double by_narrowing_px(const FaceSize& seen, const SeenMark& left, double whole_
   return std::clamp(covered, 0.0, 1.0) * if_covered.off_px;
 }
 
+// How much larger it should look, as a part of how it does; nothing where it looks as large as it was learned. Not of
+// the likest sample: as near as it was in any it may be now.
+double larger_when_learned(const LearnedObject& object, const SeenMark& mark) {
+  double least_scale = 1;
+  for (const LearnedSample& sample : object.samples) {
+    if (is_triangle(sample.outlines.front())) least_scale = std::min(least_scale, spread_scale_of(mark, sample));
+  }
+  return 1 / least_scale - 1;
+}
+
 }  // namespace
 
+double may_be_off_by_learned_px(const LearnedObject& object, const SeenMark& mark) {
+  const double slimness = front_slimness(object);
+  const double longer_px = std::sqrt(spread_product_px2(mark) / mark.slimness);
+  return std::max(may_be_off_by_shape_px(mark, slimness),
+                  motion_by_corner * larger_when_learned(object, mark) * longer_px);
+}
+
 double may_be_off_by_learned_px(const LearnedObject& object, const FaceSize& seen, const SeenMark& left) {
-  const double front = front_slimness(object);
   const auto unknown = [](const LearnedSample& sample) { return sample.most_face_mm() <= 0; };
-  if (std::ranges::any_of(object.samples, unknown)) return may_be_off_by_shape_px(left, front);
+  if (std::ranges::any_of(object.samples, unknown)) return may_be_off_by_learned_px(object, left);
+  const double front = front_slimness(object);
   const FaceSize now = if_not_tilted(seen);
   const double spread = std::hypot(now.size_mm.spread, learned_spread);
   const double whole = whole_mm(object, std::sqrt(now.area_mm2.value), spread);

@@ -13,7 +13,13 @@
 
 namespace pizarra {
 
-// By its form alone where one of the sizes is not known.
+// As one camera alone where one of the sizes is not known.
 double may_be_off_by_learned_px(const LearnedObject& object, const FaceSize& now, const SeenMark& left);
+
+// The same by one camera alone, which does not know how far away the mark is: by how slim it looks and, of a triangle,
+// by how large. What is cut off along a straight edge leaves a triangle of one, as slim as it was where the edge lies
+// along a side; no other shape is left as slim as it was and its own. So a triangle that looks smaller than it ever
+// looked when it was learned is whole and farther away, or it is not; and nobody knows.
+double may_be_off_by_learned_px(const LearnedObject& object, const SeenMark& left);
 
 }  // namespace pizarra

@@ -35,7 +35,7 @@ double confidence_by_form(const StereoSight& sight, const LearnedObject& object,
   const double of_whole = pair.likeness.confidence();
   if (pair.left.tag) return of_whole;
   const double off_px = pair.right ? may_be_off_by_learned_px(object, face_size(sight.model(), object, pair), pair.left)
-                                   : may_be_off_by_shape_px(pair.left, front_slimness(object));
+                                   : may_be_off_by_learned_px(object, pair.left);
   return confidence_if_off(of_whole, off_px, most_off_px(sight));
 }
 
@@ -51,8 +51,11 @@ Wholeness::Look Wholeness::look_at(const StereoModel& model, const LearnedObject
   if (now.right) out.face = face_size(model, object, now);
   if (now.right) out.may_be_off_px = may_be_off_by_learned_px(object, *out.face, now.left);
   if (!now.right) {
-    out.may_be_off_px =
-        std::max(widest_.off_if_covered_px(now.left), may_be_off_by_shape_px(now.left, front_slimness(object)));
+    // What the pair has just seen is no farther away than it was.
+    const bool size_known = left_ && face_;
+    const double by_learned = size_known ? may_be_off_by_shape_px(now.left, front_slimness(object))
+                                         : may_be_off_by_learned_px(object, now.left);
+    out.may_be_off_px = std::max(widest_.off_if_covered_px(now.left), by_learned);
   }
   if (out.face && face_) out.may_be_off_px = std::max(out.may_be_off_px, face_->off_if_covered_px(*out.face, now.left));
   out.smaller = out.face && face_ && face_->is_more_than(*out.face, now.left);

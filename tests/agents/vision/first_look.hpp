@@ -21,11 +21,13 @@ struct Pose {
   double pitch_deg = 0;
 };
 
+inline constexpr double learned_mm = 800;  // away
+
 inline LearnedObjects learned_as(const std::string& mark, const Pose& pose) {
   Random random(17);
   Scene scene;
   scene.faces = {{.mark = drawn_as(mark),
-                  .place = {10, 0, 800},
+                  .place = {10, 0, learned_mm},
                   .yaw_deg = pose.yaw_deg,
                   .roll_deg = pose.roll_deg,
                   .pitch_deg = pose.pitch_deg}};
@@ -48,9 +50,9 @@ class FirstLooks {
     Scene scene;
     scene.noise = random.uniform(1, 6);
     scene.blur_px = random.uniform(0.5, 1);
-    const bool straight = random.below(2) == 0;
+    const bool straight = faces || random.below(2) == 0;
     scene.faces = {{.mark = drawn_as(mark),
-                    .place = {random.uniform(-60, 80), random.uniform(-60, 60), random.uniform(560, 1000)},
+                    .place = {random.uniform(-60, 80), random.uniform(-60, 60), random.uniform(nearest_mm, farthest_mm)},
                     .yaw_deg = straight ? 0 : random.uniform(-30, 30),
                     .roll_deg = straight ? 90.0 * static_cast<double>(random.below(2)) : random.uniform(0, 180)}};
     if (drawn_as(mark) == "plate") scene.faces[0].roll_deg = random.uniform(-10, 10);
@@ -66,6 +68,9 @@ class FirstLooks {
   }
 
   LearnedObjects objects;
+  double nearest_mm = 560;
+  double farthest_mm = 1000;
+  bool faces = false;  // the cameras, always
   ToldOfMeeting by_pair;
   ToldOfMeeting by_one;
 

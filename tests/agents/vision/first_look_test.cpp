@@ -71,6 +71,41 @@ TEST_P(FirstLook, AtAWholeMarkIsSure) {
   EXPECT_EQ(looks.by_pair.wrong + looks.by_one.wrong, 0);
 }
 
+// One camera does not know of a triangle that looks smaller than it was learned whether it is whole and farther away,
+// or nearer and covered along a side. Of others their form says it.
+class FirstLookAtATriangle : public testing::TestWithParam<const char*> {
+ protected:
+  void look(FirstLooks::Cover cover) {
+    for (std::uint64_t seed = 101; seed <= 160; ++seed) looks.look(GetParam(), cover, seed);
+  }
+  FirstLooks looks{learned_as(GetParam(), {})};
+};
+
+TEST_P(FirstLookAtATriangle, ByOneCameraThatIsFartherAwayThanItWasLearnedIsTrueAndNotSure) {
+  looks.nearest_mm = 1.05 * learned_mm;
+  look(FirstLooks::Cover::none);
+  EXPECT_EQ(looks.by_one.positions, 60);
+  EXPECT_LT(looks.by_one.most_told_off_px, 0.5);
+  EXPECT_EQ(looks.by_one.sure, 0);
+  EXPECT_GE(looks.by_pair.sure, 57);
+  looks.nearest_mm = learned_mm;
+  look(FirstLooks::Cover::as_far);
+  look(FirstLooks::Cover::nearer);
+  EXPECT_EQ(looks.by_one.wrong, 0) << "of " << looks.by_one.sure;
+}
+
+TEST_P(FirstLookAtATriangle, ByOneCameraThatFacesItAsNearAsItWasLearnedIsSure) {
+  looks.farthest_mm = 0.98 * learned_mm;
+  looks.faces = true;
+  look(FirstLooks::Cover::none);
+  EXPECT_EQ(looks.by_one.positions, 60);
+  EXPECT_GE(looks.by_one.sure, 57);
+  EXPECT_EQ(looks.by_one.wrong, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Marks, FirstLookAtATriangle, testing::Values("triangle", "end-effector"),
+                         [](const auto& one) { return one.param[0] == 't' ? "Triangle" : "EndEffector"; });
+
 INSTANTIATE_TEST_SUITE_P(Marks, FirstLook, testing::ValuesIn(all_learned),
                          [](const auto& one) { return std::string(one.param.name); });
 

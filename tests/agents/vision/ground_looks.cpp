@@ -135,6 +135,7 @@ void GroundLooks::count(const TrackSighting& sighting, ToldAtFirst& told) const 
 }
 
 void GroundLooks::look() {
+  ToldAtFirst& of_one_told = size_px < learned_px ? by_one_farther : by_one;
   MarkTracker of_pair(to_pair_);
   MarkTracker of_one(to_one_);
   of_pair.add(to_pair_.all().front()).value();
@@ -144,9 +145,9 @@ void GroundLooks::look() {
     StereoSight both(left, draw(true), model_);
     StereoSight left_only(left, cv::Mat1b::zeros(left.size()), alone_);
     if (frame == 0) find(both, to_pair_, by_pair);
-    if (frame == 0) find(left_only, to_one_, by_one);
+    if (frame == 0) find(left_only, to_one_, of_one_told);
     count(of_pair.update(both, Time() + frame * 100ms).front(), by_pair);
-    count(of_one.update(left_only, Time() + frame * 100ms).front(), by_one);
+    count(of_one.update(left_only, Time() + frame * 100ms).front(), of_one_told);
   }
 }
 

@@ -46,16 +46,20 @@ class GroundLooks {
   // Of the ground that the mark's own edges are beside.
   double own_ground() const { return name == "light triangle" ? plate_level : ground; }
 
+  // As large it is learned.
+  static constexpr double learned_px = 36;
+
   Random random;
   const std::string name;
-  double size_px = 36;
+  double size_px = learned_px;
   double turn_deg = 0;
   double ground = 170;
   double light_slope = 0;  // the share of light lost over the image's width
   double noise = 2;
   double blur_px = 0.7;
   ToldAtFirst by_pair;
-  ToldAtFirst by_one;
+  ToldAtFirst by_one;          // of marks as large as they were learned, and larger ones
+  ToldAtFirst by_one_farther;  // of smaller ones
 
  private:
   static constexpr double plate_level = 40;

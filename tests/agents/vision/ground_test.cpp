@@ -1,5 +1,6 @@
-// What is hidden in part from the very first is not told as sure where it is not, as long as what hides it is no such
-// grey as the ground; and whole marks stay sure, at the edge of their card too.
+// What is hidden in part from the very first is not told as sure where it is not; but by one camera alone of a triangle
+// that is nearer than it was learned, where what hides it is as grey as its ground. And whole marks stay sure, at the
+// edge of their card too.
 
 #include <gtest/gtest.h>
 
@@ -17,9 +18,8 @@ class GroundBeside : public testing::TestWithParam<std::string> {
   // Mostly along a side.
   double random_direction() {
     if (random.below(3) == 0) return random.uniform(0, 360);
-    const bool triangle = GetParam().ends_with("triangle");
-    const double side = triangle ? 120.7 : 90;
-    return looks.turn_deg + 90 + side * static_cast<double>(random.below(triangle ? 3 : 4));
+    const double side = is_triangle() ? 120.7 : 90;
+    return looks.turn_deg + 90 + side * static_cast<double>(random.below(is_triangle() ? 3 : 4));
   }
   void cover(double level) {
     const double edge_px = random.uniform(-0.15, 0.45) * looks.size_px;
@@ -27,15 +27,19 @@ class GroundBeside : public testing::TestWithParam<std::string> {
     looks.put_cover(random_direction(), edge_px, level,
                     round ? std::optional(random.uniform(0.4, 2) * looks.size_px) : std::nullopt);
   }
+  bool is_triangle() const { return GetParam().ends_with("triangle"); }
+  // But one camera of a triangle that looks smaller than it was learned: that may be the part that is left of one.
   void expect_sure(double least_share) const {
-    for (const ToldAtFirst& told : {looks.by_one, looks.by_pair}) {
-      EXPECT_GE(told.told, 3 * looks_of_a_kind);
-      EXPECT_GE(told.sure, least_share * told.told) << "of " << told.told;
-      EXPECT_EQ(told.wrong, 0);
+    EXPECT_GE(looks.by_pair.told, 3 * looks_of_a_kind);
+    EXPECT_GE(looks.by_one.told + looks.by_one_farther.told, 3 * looks_of_a_kind);
+    for (const ToldAtFirst* told : {&looks.by_one, &looks.by_one_farther, &looks.by_pair}) {
+      EXPECT_EQ(told->wrong, 0);
+      if (is_triangle() && told == &looks.by_one_farther) continue;
+      EXPECT_GE(told->sure, least_share * told->told) << "of " << told->told;
     }
   }
   void expect_none_wrong() const {
-    for (const ToldAtFirst& told : {looks.by_one, looks.by_pair}) {
+    for (const ToldAtFirst& told : {looks.by_one, looks.by_one_farther, looks.by_pair}) {
       EXPECT_EQ(told.wrong, 0) << "of " << told.sure << " that are sure, up to " << told.most_off_px << " px off";
     }
   }
@@ -56,19 +60,22 @@ TEST_P(GroundBeside, AtWhatAnotherGreyHidesAPartOfIsNotSurelyWrong) {
   expect_none_wrong();
 }
 
-// One grey in ten is that of the ground.
-TEST_P(GroundBeside, AtWhatAnyGreyHidesAPartOfIsSeldomSurelyWrong) {
+// One grey in ten is that of the ground. What is left of a triangle is one, and where that looks as large as the whole
+// was learned, one camera alone takes it for the whole.
+TEST_P(GroundBeside, AtWhatAnyGreyHidesAPartOfIsSurelyWrongByOneCameraOfANearerTriangleAlone) {
   for (int i = 0; i < looks_of_a_kind; ++i) {
     looks.vary();
     cover(random.uniform(20, 235));
     looks.look();
   }
-  for (const auto& [who, told] : {std::pair("by_one", looks.by_one), std::pair("by_pair", looks.by_pair)}) {
+  for (const auto& [who, told] : {std::pair("by_one", looks.by_one), std::pair("by_one_farther", looks.by_one_farther),
+                                  std::pair("by_pair", looks.by_pair)}) {
     RecordProperty(std::string(who) + "_told", told.told);
     RecordProperty(std::string(who) + "_sure", told.sure);
     RecordProperty(std::string(who) + "_wrong", told.wrong);
-    EXPECT_LE(told.wrong, 4 * looks_of_a_kind / 15) << who;
   }
+  if (is_triangle()) looks.by_one = {};
+  expect_none_wrong();
 }
 
 TEST_P(GroundBeside, AtAWholeMarkIsSure) {

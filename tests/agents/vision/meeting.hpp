@@ -22,12 +22,14 @@ struct ToldOfMeeting {
   int sure = 0;
   int wrong = 0;  // of those that are sure, more than off_px off
   double most_off_px = 0;
+  double most_told_off_px = 0;  // of all
 
   void count(const TrackSighting& sighting, cv::Point2d truth) {
     if (!sighting.seen) return;
     ++positions;
-    if (sighting.confidence < surely) return;
     const double off = cv::norm(sighting.centre - truth);
+    most_told_off_px = std::max(most_told_off_px, off);
+    if (sighting.confidence < surely) return;
     ++sure;
     wrong += off > off_px ? 1 : 0;
     most_off_px = std::max(most_off_px, off);
@@ -37,6 +39,7 @@ struct ToldOfMeeting {
     sure += other.sure;
     wrong += other.wrong;
     most_off_px = std::max(most_off_px, other.most_off_px);
+    most_told_off_px = std::max(most_told_off_px, other.most_told_off_px);
     return *this;
   }
 };

@@ -18,6 +18,9 @@ struct Tally {
   int sought = 0;
   int wrong = 0;  // a place that is not the object's
   int sure = 0;   // of those found
+  // Triangles that one camera sees smaller than they were learned: it cannot know whether they are whole.
+  int smaller = 0;
+  int smaller_sure = 0;
   double squared_px = 0;
 
   void count(const SceneMark* truth, const cv::Point2d* seen) {
@@ -33,10 +36,15 @@ struct Tally {
     squared_px += off.dot(off);
   }
   double sure_percent() const { return 100.0 * sure / std::max(1, found); }
+  double others_sure_percent() const { return 100.0 * (sure - smaller_sure) / std::max(1, found - smaller); }
   double recall_percent() const { return 100.0 * found / std::max(1, shown); }
   double wrong_in_10000() const { return 1e4 * wrong / std::max(1, sought); }
   double rms_px() const { return std::sqrt(squared_px / std::max(1, found)); }
 };
+
+bool is_smaller_triangle(const SceneMark& mark) {
+  return (mark.name == "triangle" || mark.name == "end-effector") && mark.depth_mm > learning_depth_mm;
+}
 
 const SceneMark* mark_in(const Scene& scene, const std::string& name) {
   const auto found = std::ranges::find(scene.marks, name, &SceneMark::name);
@@ -49,9 +57,14 @@ void find_marks(const VisionBench& bench, const Scene& scene, const cv::Mat1b& i
   for (const LearnedObject& object : bench.marks.all()) {
     const std::optional<SeenPair> seen = sight.find(bench.marks, object);
     const int found_before = tally.found;
-    tally.count(mark_in(scene, object.name), seen ? &seen->left.centre : nullptr);
+    const SceneMark* truth = mark_in(scene, object.name);
+    tally.count(truth, seen ? &seen->left.centre : nullptr);
     if (tally.found == found_before) continue;
-    tally.sure += confidence_at_first(sight, object, *seen) >= surely ? 1 : 0;
+    const int sure = confidence_at_first(sight, object, *seen) >= surely ? 1 : 0;
+    tally.sure += sure;
+    if (!is_smaller_triangle(*truth)) continue;
+    ++tally.smaller;
+    tally.smaller_sure += sure;
   }
 }
 
@@ -106,6 +119,13 @@ void recall(VisionBench& bench) {
                      {},
                      {},
                      fmt::format("{} of {} found", ours.sure, ours.found)});
+  bench.figures.say({"found surely, but triangles smaller than learned",
+                     ours.others_sure_percent(),
+                     "%",
+                     {},
+                     {},
+                     fmt::format("{} of {} found, and {} of {} such triangles", ours.sure - ours.smaller_sure,
+                                 ours.found - ours.smaller, ours.smaller_sure, ours.smaller)});
   bench.figures.say(
       {"centre error, RMS", ours.rms_px(), "px", at_most(0.3), of_peers([](const Tally& t) { return t.rms_px(); })});
 }
