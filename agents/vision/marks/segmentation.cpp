@@ -34,7 +34,7 @@ cv::Mat1b ImageSegmentation::mask(MarkTone tone) const {
   const BitImage& there = bits(tone);
   for (int y = 0; y < out.rows; ++y) {
     for_each_run_of_bits(there.row(y), there.words_a_row(),
-                         [&](int first, int end) { out.row(y).colRange(first, end).setTo(255); });
+                         [&](int first, int end) { std::fill(out[y] + first, out[y] + end, std::uint8_t{255}); });
   }
   return out;
 }

@@ -3,30 +3,14 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <opencv2/aruco.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "agents/vision/marks/tag_detection.hpp"
 #include "agents/vision/marks/tag_fit.hpp"
 #include "agents/vision/marks/tag_square.hpp"
 
 namespace pizarra {
 namespace {
-
-struct Family {
-  std::string_view name;
-  cv::aruco::PREDEFINED_DICTIONARY_NAME dictionary;
-};
-
-// Those with fewer tags and more cells first: what they say is surer. ArUco's larger families begin with the smaller.
-constexpr Family families[] = {
-    {"apriltag-36h11", cv::aruco::DICT_APRILTAG_36h11}, {"apriltag-36h10", cv::aruco::DICT_APRILTAG_36h10},
-    {"apriltag-25h9", cv::aruco::DICT_APRILTAG_25h9},   {"aruco-7x7-50", cv::aruco::DICT_7X7_50},
-    {"aruco-6x6-50", cv::aruco::DICT_6X6_50},           {"aruco-5x5-50", cv::aruco::DICT_5X5_50},
-    {"aruco-4x4-50", cv::aruco::DICT_4X4_50},           {"apriltag-16h5", cv::aruco::DICT_APRILTAG_16h5},
-    {"aruco-7x7-1000", cv::aruco::DICT_7X7_1000},       {"aruco-6x6-1000", cv::aruco::DICT_6X6_1000},
-    {"aruco-5x5-1000", cv::aruco::DICT_5X5_1000},       {"aruco-original", cv::aruco::DICT_ARUCO_ORIGINAL},
-    {"aruco-4x4-1000", cv::aruco::DICT_4X4_1000},
-};
 
 constexpr double most_row_difference_px = 2;
 // With less in common with its print a square is none: of a tag whose cells are two pixels wide another family may read
@@ -44,27 +28,7 @@ constexpr double least_border_share = 0.75;
 constexpr double most_off_px = 1;
 constexpr double most_off_share = 0.015;
 
-using Corners = std::vector<cv::Point2f>;
-
-struct Detection {
-  std::vector<Corners> found;
-  std::vector<int> numbers;
-  std::vector<Corners> others;  // squares that no tag of the family fits
-};
-
-const Family* family_called(std::string_view name) {
-  const auto found = std::ranges::find(families, name, &Family::name);
-  return found == std::end(families) ? nullptr : &*found;
-}
-
-Detection detect(const cv::Mat& grey, const Family& family) {
-  const auto parameters = cv::aruco::DetectorParameters::create();
-  parameters->cornerRefinementMethod = cv::aruco::CORNER_REFINE_SUBPIX;
-  Detection out;
-  cv::aruco::detectMarkers(grey, cv::aruco::getPredefinedDictionary(family.dictionary), out.found, out.numbers,
-                           parameters, out.others);
-  return out;
-}
+using Corners = TagCorners;
 
 void move_by(Corners& corners, cv::Point origin) {
   for (cv::Point2f& p : corners) p += cv::Point2f(origin);
@@ -148,7 +112,7 @@ bool has_a_border(const cv::Mat1b& grey, const Corners& corners) {
 }
 
 // The tag, unless its corners are not its own but where something lies over its border.
-std::optional<SeenMark> whole_mark(const cv::Mat1b& grey, const Corners& corners, const Family& family, int number) {
+std::optional<SeenMark> whole_mark(const cv::Mat1b& grey, const Corners& corners, const TagFamily& family, int number) {
   const cv::Ptr<cv::aruco::Dictionary> dictionary = cv::aruco::getPredefinedDictionary(family.dictionary);
   const double allowed = std::max(most_off_px, most_off_share * side_px(corners));
   const double doubt = middle_off_px(grey, corners, *dictionary, number) / allowed;
@@ -159,7 +123,7 @@ std::optional<SeenMark> whole_mark(const cv::Mat1b& grey, const Corners& corners
 }
 
 // The largest square around the point, whether a tag of that family or not: light cells may be squares too.
-std::optional<Corners> square_around(const Detection& detection, cv::Point2d point) {
+std::optional<Corners> square_around(const TagDetection& detection, cv::Point2d point) {
   std::optional<Corners> best;
   for (const auto* squares : {&detection.found, &detection.others}) {
     for (const Corners& corners : *squares) {
@@ -168,6 +132,26 @@ std::optional<Corners> square_around(const Detection& detection, cv::Point2d poi
     }
   }
   return best;
+}
+
+// In an image as large as a photograph what is large is seen in a smaller image as well, and what is small around a
+// point is near it.
+std::optional<Corners> square_around(const cv::Mat& grey, cv::Point2d point) {
+  constexpr int plenty_px = 1280;
+  constexpr int reach_px = 128;  // of the smaller image
+  const int parts = (std::max(grey.cols, grey.rows) + plenty_px - 1) / plenty_px;
+  if (parts == 1) return square_around(detect_tags(grey, tag_families().front()), point);
+  cv::Mat smaller;
+  cv::resize(grey, smaller, {}, 1.0 / parts, 1.0 / parts, cv::INTER_AREA);
+  std::optional<Corners> large = square_around(detect_tags(smaller, tag_families().front(), 0.2), point / parts);
+  if (large) std::ranges::for_each(*large, [&](cv::Point2f& p) { p *= parts; });
+  const int reach = reach_px * parts;
+  const cv::Rect near =
+      cv::Rect(cvRound(point.x) - reach, cvRound(point.y) - reach, 2 * reach, 2 * reach) & cv::Rect({}, grey.size());
+  std::optional<Corners> small =
+      square_around(detect_tags(grey(near), tag_families().front(), 0.12), point - cv::Point2d(near.tl()));
+  if (small) move_by(*small, near.tl());
+  return !small || (large && cv::contourArea(*large) > cv::contourArea(*small)) ? large : small;
 }
 
 // How like the tag's print that is what the corners enclose, 1 at most.
@@ -181,7 +165,7 @@ double likeness(const cv::Mat1b& grey, const Corners& corners, const cv::aruco::
 }
 
 struct Reading {
-  const Family* family;
+  const TagFamily* family;
   int number;
   Corners corners;
   double likeness;
@@ -189,11 +173,12 @@ struct Reading {
 
 // The tag around the point, of whatever family. What one family reads another may too, with cells that it mends: the
 // likest is meant, of those that are equal the first.
-std::optional<Reading> read_tag(const cv::Mat& grey, cv::Rect area, cv::Point2d point) {
+std::optional<Reading> read_tag(const cv::Mat& grey, cv::Rect area, cv::Point2d point,
+                                std::span<const TagFamily> families = tag_families()) {
   std::optional<Reading> best;
-  for (const Family& family : families) {
+  for (const TagFamily& family : families) {
     const cv::Ptr<cv::aruco::Dictionary> dictionary = cv::aruco::getPredefinedDictionary(family.dictionary);
-    Detection detection = detect(grey(area), family);
+    TagDetection detection = detect_tags(grey(area), family);
     for (std::size_t i = 0; i < detection.found.size(); ++i) {
       Corners& corners = detection.found[i];
       move_by(corners, area.tl());
@@ -204,6 +189,18 @@ std::optional<Reading> read_tag(const cv::Mat& grey, cv::Rect area, cv::Point2d 
     }
   }
   return best;
+}
+
+// Each family is tried in no larger an image than it takes; the one that it is looks at the pixels.
+std::optional<Reading> read_large_tag(const cv::Mat& grey, cv::Rect area, cv::Point2d point) {
+  constexpr int plenty_px = 640;
+  const int parts = (std::max(area.width, area.height) + plenty_px - 1) / plenty_px;
+  if (parts == 1) return read_tag(grey, area, point);
+  cv::Mat smaller;
+  cv::resize(grey(area), smaller, {}, 1.0 / parts, 1.0 / parts, cv::INTER_AREA);
+  const cv::Point2d within = point - cv::Point2d(area.tl());
+  const std::optional<Reading> what = read_tag(smaller, {{}, smaller.size()}, within / parts);
+  return what ? read_tag(grey, area, point, {what->family, 1}) : std::nullopt;
 }
 
 }  // namespace
@@ -222,9 +219,9 @@ std::optional<Tag> tag_called(std::string_view name) {
 
 // The whole image is looked at once; then what is around the square alone.
 Result<std::optional<SeenMark>> tag_at(const cv::Mat& grey, cv::Point2d point) {
-  const std::optional<Corners> square = square_around(detect(grey, families[0]), point);
+  const std::optional<Corners> square = square_around(grey, point);
   if (!square) return std::nullopt;
-  const std::optional<Reading> read = read_tag(grey, around(*square, grey.size()), point);
+  const std::optional<Reading> read = read_large_tag(grey, around(*square, grey.size()), point);
   if (!read) return std::nullopt;
   std::optional<SeenMark> mark = whole_mark(grey, read->corners, *read->family, read->number);
   if (mark) return mark;
@@ -234,13 +231,13 @@ Result<std::optional<SeenMark>> tag_at(const cv::Mat& grey, cv::Point2d point) {
 }
 
 std::vector<SeenMark> find_tags(const cv::Mat& grey, const Tag& tag, cv::Rect area) {
-  const Family* family = family_called(tag.family);
+  const TagFamily* family = family_called(tag.family);
   if (family == nullptr) return {};
   const cv::Rect whole({0, 0}, grey.size());
   const cv::Rect looked_at = area.empty() ? whole : area & whole;
   if (looked_at.empty()) return {};
   std::vector<SeenMark> out;
-  Detection detection = detect(grey(looked_at), *family);
+  TagDetection detection = detect_tags(grey(looked_at), *family);
   for (std::size_t i = 0; i < detection.found.size(); ++i) {
     if (detection.numbers[i] != tag.number) continue;
     move_by(detection.found[i], looked_at.tl());
@@ -251,7 +248,7 @@ std::vector<SeenMark> find_tags(const cv::Mat& grey, const Tag& tag, cv::Rect ar
 }
 
 std::vector<SeenMark> follow_tag(const cv::Mat& grey, const Tag& tag, cv::Rect area) {
-  const Family* family = family_called(tag.family);
+  const TagFamily* family = family_called(tag.family);
   const cv::Rect looked_at = area & cv::Rect({0, 0}, grey.size());
   if (family == nullptr || looked_at.empty()) return {};
   std::vector<SeenMark> out;

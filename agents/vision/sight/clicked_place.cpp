@@ -28,10 +28,14 @@ cv::Mat1b connected(cv::Mat1b bits, cv::Point seed) {
 
 // What a region encloses without being of it: 255.
 cv::Mat1b enclosed(const cv::Mat1b& region) {
+  cv::Mat1b out = cv::Mat1b::zeros(region.size());
+  const cv::Rect box = cv::boundingRect(region);
+  if (box.empty()) return out;
   cv::Mat1b around;
-  cv::copyMakeBorder(region, around, 1, 1, 1, 1, cv::BORDER_CONSTANT, 0);
+  cv::copyMakeBorder(region(box), around, 1, 1, 1, 1, cv::BORDER_CONSTANT | cv::BORDER_ISOLATED, 0);
   cv::floodFill(around, cv::Point(0, 0), 255, nullptr, 0, 0, 4);
-  return around(cv::Rect(1, 1, region.cols, region.rows)) == 0;
+  out(box) = around(cv::Rect(1, 1, box.width, box.height)) == 0;
+  return out;
 }
 
 bool reaches_border(const cv::Rect& box, cv::Size image) {

@@ -45,11 +45,16 @@ double mean_of(const std::vector<Measured>& measured, auto value) {
   return sum / static_cast<double>(measured.size());
 }
 
+// 255 within the contour.
+cv::Mat1b inside(const MarkContour& contour, cv::Size image) {
+  cv::Mat1b out = cv::Mat1b::zeros(image);
+  cv::fillPoly(out, std::vector<MarkContour>{contour}, 255);
+  return out;
+}
+
 // Whether the image shows that mark where it is now: nothing may come to lie under a click.
 bool shows(const cv::Mat1b& grey, const SeenMark& mark) {
-  cv::Mat1b inside = cv::Mat1b::zeros(grey.size());
-  cv::fillPoly(inside, std::vector<MarkContour>{mark.contour}, 255);
-  const double level = cv::mean(grey, inside)[0];
+  const double level = cv::mean(grey, inside(mark.contour, grey.size()))[0];
   return std::abs(level - mark.mark_level) < std::abs(level - mark.ground_level);
 }
 
@@ -58,7 +63,8 @@ cv::Mat1f turned_back(const cv::Mat1f& picture, const MarkSignature& seen, const
   const double turn_deg = 360.0 * fit_signature(seen, upright).turn / TurnedSignatures::turns;
   constexpr float middle = template_size / 2;
   cv::Mat1f out;
-  cv::warpAffine(picture, out, cv::getRotationMatrix2D({middle, middle}, -turn_deg, 1), picture.size(), cv::INTER_CUBIC);
+  cv::warpAffine(picture, out, cv::getRotationMatrix2D({middle, middle}, -turn_deg, 1), picture.size(),
+                 cv::INTER_CUBIC);
   return out;
 }
 
@@ -82,7 +88,14 @@ Result<void> MarkLearner::fill(StereoSight& sight) {
   }
   if (first) first_frame_ = left.clone();
   if (mark_ && !follow(sight)) return last ? end_filling() : Result<void>();
-  ClickedPlace place(averaged(left), click_);
+  add_up(left);
+  if (mark_ && !last) {
+    filled_ = inside(mark_->contour, left.size());
+    return {};
+  }
+  cv::Mat mean;
+  sum_.convertTo(mean, CV_8U, 1.0 / summed_);
+  ClickedPlace place(mean, click_);
   filled_ = place.filled();
   if (!first && !last) return {};
   const Result<SeenMark> mark = place.mark();
@@ -100,15 +113,14 @@ Result<void> MarkLearner::end_filling(StereoSight& sight, const Result<SeenMark>
 }
 
 // Of the frames in which the mark was where it is now.
-cv::Mat MarkLearner::averaged(const cv::Mat& left) {
+void MarkLearner::add_up(const cv::Mat& left) {
   if (mark_ && cv::norm(mark_->centre - summed_at_) > rest_px) summed_ = 0;
-  cv::Mat1f grey;
-  left.convertTo(grey, CV_32F);
-  sum_ = summed_ == 0 ? grey : cv::Mat1f(sum_ + grey);
+  if (summed_ == 0) {
+    left.convertTo(sum_, CV_16U);
+  } else {
+    cv::add(sum_, left, sum_, cv::noArray(), CV_16U);
+  }
   if (summed_++ == 0 && mark_) summed_at_ = mark_->centre;
-  cv::Mat mean;
-  sum_.convertTo(mean, CV_8U, 1.0 / summed_);
-  return mean;
 }
 
 void MarkLearner::begin_following(StereoSight& sight, const SeenMark& mark) {

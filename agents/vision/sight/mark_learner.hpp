@@ -38,7 +38,7 @@ class MarkLearner {
 
  private:
   Result<void> fill(StereoSight& sight);
-  cv::Mat averaged(const cv::Mat& left);
+  void add_up(const cv::Mat& left);
   void begin_following(StereoSight& sight, const SeenMark& mark);
   std::vector<SeenMark> marks_in(StereoSight& sight) const;
   // Whether the mark is seen in this frame, and could be no other.
@@ -59,7 +59,7 @@ class MarkLearner {
   int filled_frames_ = 0;
   int contour_frames_ = 0;
   cv::Mat1b first_frame_;
-  cv::Mat1f sum_;
+  cv::Mat1w sum_;
   int summed_ = 0;
   cv::Point2d summed_at_;  // where the mark was then
   cv::Mat1b filled_;
@@ -72,7 +72,7 @@ class MarkLearner {
   bool crowded_ = false;    // in one in which it was not seen, more regions were there than are looked at
   std::vector<SeenMark> measured_;
   std::vector<MarkPortrait> portraits_;  // of the same
-  std::vector<FrontView> fronts_;  // of those that the right image showed too
+  std::vector<FrontView> fronts_;        // of those that the right image showed too
   bool size_guessed_ = false;
   double focal_px_ = 0;
 };

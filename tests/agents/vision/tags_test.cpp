@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <numeric>
 #include <opencv2/aruco.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include "agents/vision/sight/mark_learner.hpp"
 #include "agents/vision/sight/mark_tracker.hpp"
@@ -67,6 +68,25 @@ class Tags : public testing::Test {
   LearnedObjects objects;
   Time now = {};
 };
+
+// A telephone's: of 12 million pixels.
+TEST(TagsInAPhotograph, AreReadWhereTheyAreClickedOnHoweverLargeTheyAre) {
+  const cv::Mat1b cells = cells_of(cv::aruco::DICT_APRILTAG_36h11, 17);
+  for (const int side_px : {40, 120, 240, 360, 600, 1200, 2200}) {
+    cv::Mat1b dark;
+    cv::resize(cells, dark, {side_px, side_px}, 0, 0, cv::INTER_NEAREST);
+    for (const cv::Point middle : {cv::Point(2003, 1501), cv::Point(1301, 1402)}) {
+      cv::Mat1b image(3000, 4000, std::uint8_t{170});
+      const cv::Rect place(middle - cv::Point(side_px / 2, side_px / 2), dark.size());
+      image(place).setTo(30, dark);
+      cv::GaussianBlur(image, image, {}, 1);
+      for (const double beside : {0.0, 0.45}) {
+        const cv::Point2d click = cv::Point2d(middle) + cv::Point2d(beside, -beside) * side_px;
+        EXPECT_EQ(read_at(image, click), "apriltag-36h11-17") << side_px << " px, clicked at " << click;
+      }
+    }
+  }
+}
 
 TEST_F(Tags, AreCalledByTheirFamilyAndNumber) {
   const Tag tag{"apriltag-36h11", 17};

@@ -1,0 +1,38 @@
+#include "agents/vision/marks/tag_detection.hpp"
+
+#include <algorithm>
+
+namespace pizarra {
+namespace {
+
+// ArUco's larger families begin with the smaller.
+constexpr TagFamily families[] = {
+    {"apriltag-36h11", cv::aruco::DICT_APRILTAG_36h11}, {"apriltag-36h10", cv::aruco::DICT_APRILTAG_36h10},
+    {"apriltag-25h9", cv::aruco::DICT_APRILTAG_25h9},   {"aruco-7x7-50", cv::aruco::DICT_7X7_50},
+    {"aruco-6x6-50", cv::aruco::DICT_6X6_50},           {"aruco-5x5-50", cv::aruco::DICT_5X5_50},
+    {"aruco-4x4-50", cv::aruco::DICT_4X4_50},           {"apriltag-16h5", cv::aruco::DICT_APRILTAG_16h5},
+    {"aruco-7x7-1000", cv::aruco::DICT_7X7_1000},       {"aruco-6x6-1000", cv::aruco::DICT_6X6_1000},
+    {"aruco-5x5-1000", cv::aruco::DICT_5X5_1000},       {"aruco-original", cv::aruco::DICT_ARUCO_ORIGINAL},
+    {"aruco-4x4-1000", cv::aruco::DICT_4X4_1000},
+};
+
+}  // namespace
+
+std::span<const TagFamily> tag_families() { return families; }
+
+const TagFamily* family_called(std::string_view name) {
+  const auto found = std::ranges::find(families, name, &TagFamily::name);
+  return found == std::end(families) ? nullptr : &*found;
+}
+
+TagDetection detect_tags(const cv::Mat& grey, const TagFamily& family, double least_around) {
+  const auto parameters = cv::aruco::DetectorParameters::create();
+  parameters->minMarkerPerimeterRate = least_around;
+  parameters->cornerRefinementMethod = cv::aruco::CORNER_REFINE_SUBPIX;
+  TagDetection out;
+  cv::aruco::detectMarkers(grey, cv::aruco::getPredefinedDictionary(family.dictionary), out.found, out.numbers,
+                           parameters, out.others);
+  return out;
+}
+
+}  // namespace pizarra
