@@ -76,13 +76,16 @@ class Reading {
  private:
   Result<void> take_frame() {
     ++number_;
-    const Result<StereoImages> images = reader_.retrieve();
+    Result<StereoImages> images = reader_.retrieve(true);
     if (!images) return fail(images);
     const Result<void> known = know(images->left.size());
     if (!known) return known;
     DeskFrame frame;
     frame.grey = {number_, images->captured, seen(images->left, Side::left, 1), seen(images->right, Side::right, 1)};
     if (desk_.colour_wanted()) {
+      const bool has_colour = setup_.grey || images->left.channels() == 3;
+      if (!has_colour) images = reader_.retrieve(false);
+      if (!images) return fail(images);
       frame.colour_left = seen(images->left, Side::left, 3);
       frame.colour_right = seen(images->right, Side::right, 3);
     }
@@ -113,7 +116,10 @@ class Reading {
   std::shared_ptr<const Image> nothing_seen(int channels) {
     std::shared_ptr<const Image>& image = channels == 1 ? nothing_grey_ : nothing_coloured_;
     const StereoModel& model = geometry_->model();
-    if (!image) image = shared_image(cv::Mat::zeros(model.height, model.width, CV_8UC(channels)));
+    const auto bytes = static_cast<std::size_t>(model.width) * static_cast<std::size_t>(model.height * channels);
+    if (!image) {
+      image = std::make_shared<Image>(Image{model.width, model.height, channels, std::vector<std::uint8_t>(bytes)});
+    }
     return image;
   }
 

@@ -101,7 +101,7 @@ Result<std::optional<double>> CaptureSource::grab() {
   return std::nullopt;
 }
 
-Result<cv::Mat> CaptureSource::retrieve() {
+Result<cv::Mat> CaptureSource::retrieve(bool /*grey*/) {
   cv::Mat image;
   try {
     if (!capture_.retrieve(image)) image.release();

@@ -15,7 +15,7 @@ class CaptureSource : public FrameSource {
   Result<void> open() override;
   void close() override { capture_.release(); }
   Result<std::optional<double>> grab() override;
-  Result<cv::Mat> retrieve() override;
+  Result<cv::Mat> retrieve(bool grey) override;
   double recorded_hz() const override { return recorded_hz_; }
 
  private:

@@ -6,7 +6,7 @@
 //   std::unique_ptr<FrameSource> source = make_any_source(setup.sources[0], setup);
 //   Result<void> opened = source->open();
 //   Result<std::optional<double>> moment_ms = source->grab();
-//   Result<cv::Mat> image = source->retrieve();
+//   Result<cv::Mat> image = source->retrieve(grey);
 //
 // Failures: disconnected (not there, or gone), refused-setting, corrupt-frame (this image, not the next), and ended for
 // a recording that is over; open() then begins anew.
@@ -29,8 +29,8 @@ class FrameSource {
   // The next image is held, yet not decoded. Its moment by the source's own clock, where it has one that tells two of
   // its kind apart.
   virtual Result<std::optional<double>> grab() = 0;
-  // What was grabbed: 8 bit, grey or BGR, not empty.
-  virtual Result<cv::Mat> retrieve() = 0;
+  // What was grabbed, as often as it is asked for: 8 bit, not empty; as it comes, or `grey` where that saves work.
+  virtual Result<cv::Mat> retrieve(bool grey) = 0;
   // A recording's own rate, 0: it comes as it comes. Known once open.
   virtual double recorded_hz() const = 0;
   // Images of a recording that have no partner on the other side, and are never given. Known once open.

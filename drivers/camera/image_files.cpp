@@ -83,6 +83,8 @@ Result<std::optional<double>> ImageFiles::grab() {
   return 1000 * static_cast<double>(taken_++) / recorded_hz();
 }
 
-Result<cv::Mat> ImageFiles::retrieve() { return read_image_file(files_[taken_ - 1], reading_.grey, reading_.others); }
+Result<cv::Mat> ImageFiles::retrieve(bool grey) {
+  return read_image_file(files_[taken_ - 1], grey || reading_.grey, reading_.others);
+}
 
 }  // namespace pizarra

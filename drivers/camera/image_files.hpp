@@ -30,7 +30,7 @@ class ImageFiles : public FrameSource {
   Result<void> open() override;
   void close() override { files_.clear(); }
   Result<std::optional<double>> grab() override;
-  Result<cv::Mat> retrieve() override;
+  Result<cv::Mat> retrieve(bool grey) override;
   double recorded_hz() const override { return reading_.rate_hz > 0 ? reading_.rate_hz : usual_rate_hz; }
   std::size_t left_out() const override { return left_out_; }
 

@@ -87,11 +87,11 @@ Result<void> StereoReader::grab() {
   return {};
 }
 
-Result<StereoImages> StereoReader::retrieve() {
+Result<StereoImages> StereoReader::retrieve(bool grey) {
   StereoImages out;
   out.captured = captured_;
   for (std::size_t i = 0; i < sources_.size(); ++i) {
-    Result<cv::Mat> image = sources_[i]->retrieve();
+    Result<cv::Mat> image = sources_[i]->retrieve(grey);
     if (!image) return fail(named(i, image.error()));
     (i == 0 ? out.left : out.right) = std::move(*image);
   }

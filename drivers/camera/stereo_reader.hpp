@@ -6,7 +6,7 @@
 //   StereoReader reader(setup, std::move(sources), now);
 //   Result<void> opened = reader.open();
 //   Result<void> grabbed = reader.grab();
-//   Result<StereoImages> pair = reader.retrieve();     // or grab() again, where this moment is not wanted
+//   Result<StereoImages> pair = reader.retrieve(grey);     // or grab() again, where this moment is not wanted
 //
 // Failures name the camera: those of the sources, and corrupt-frame where a pair does not fit together.
 
@@ -38,7 +38,8 @@ class StereoReader {
   Result<void> open();
   void close();
   Result<void> grab();
-  Result<StereoImages> retrieve();
+  // As FrameSource::retrieve().
+  Result<StereoImages> retrieve(bool grey);
   double recorded_hz() const { return sources_.front()->recorded_hz(); }
   // Images let go because no partner of their moment came.
   std::uint64_t skewed() const { return skewed_; }

@@ -52,7 +52,7 @@ class CameraPairs : public BoardPairs {
     const Result<void> grabbed = reader_.grab();
     ++taken_;
     if (!grabbed) return fail(grabbed);
-    Result<StereoImages> images = reader_.retrieve();
+    Result<StereoImages> images = reader_.retrieve(true);
     if (!images) return fail(images);
     return ImagePair{std::move(images->left), std::move(images->right)};
   }

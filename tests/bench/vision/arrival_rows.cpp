@@ -39,7 +39,7 @@ class MovingMarks : public FrameSource {
     return std::nullopt;
   }
   // Those that are retrieved are numbered, from 1.
-  Result<cv::Mat> retrieve() override {
+  Result<cv::Mat> retrieve(bool /*grey*/) override {
     arrivals_.say(arrived_us_);
     return shots_[++retrieved_ % shots_.size()];
   }

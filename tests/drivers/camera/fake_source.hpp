@@ -51,7 +51,7 @@ class FakeSource : public FrameSource {
     if (image >= device_.moments_ms.size()) return fail("ended", "fake is over");
     return device_.moments_ms[image];
   }
-  Result<cv::Mat> retrieve() override {
+  Result<cv::Mat> retrieve(bool /*grey*/) override {
     ++device_.retrieved;
     if (device_.garbage) return fail("corrupt-frame", "what fake gives is no image that can be read");
     return cv::Mat(device_.height, device_.width, CV_8UC3, cv::Scalar::all(static_cast<double>(taken_)));

@@ -63,7 +63,7 @@ TEST_F(Recordings, AFolderAndAPatternGiveTheirImagesInTheOrderOfTheirNames) {
   ASSERT_TRUE(all.open());
   for (const int level : {10, 20, 30}) {
     ASSERT_TRUE(all.grab());
-    EXPECT_EQ(all.retrieve()->data[0], level);
+    EXPECT_EQ(all.retrieve(false)->data[0], level);
   }
   EXPECT_EQ(all.grab().error().symbol, "ended");
   ImageFiles some(folder + "[ab].*", {.grey = true});
@@ -115,10 +115,10 @@ TEST_F(Recordings, AnImageThatIsCutShortIsNone) {
       ImageFiles images(folder + name, {});
       ASSERT_TRUE(images.open());
       ASSERT_TRUE(images.grab());
-      EXPECT_TRUE(images.retrieve());
+      EXPECT_TRUE(images.retrieve(false));
       std::filesystem::copy_file(folder + name, folder + "kept");
       std::filesystem::resize_file(folder + name, size);
-      const Result<cv::Mat> cut = images.retrieve();
+      const Result<cv::Mat> cut = images.retrieve(false);
       std::filesystem::rename(folder + "kept", folder + name);
       ASSERT_FALSE(cut);
       EXPECT_EQ(cut.error().sentence, folder + name + " is cut short: its end is missing");
@@ -135,7 +135,7 @@ TEST_F(Recordings, APngThatIsDamagedIsNoneAndToldOnce) {
   ImageFiles images(folder + "a.png", {});
   ASSERT_TRUE(images.open());
   ASSERT_TRUE(images.grab());
-  ASSERT_TRUE(images.retrieve());
+  ASSERT_TRUE(images.retrieve(false));
   testing::internal::CaptureStderr();
   for (std::streamoff at = 0; at < size; ++at) {
     std::fstream file(folder + "a.png", std::ios::in | std::ios::out | std::ios::binary);
@@ -146,12 +146,12 @@ TEST_F(Recordings, APngThatIsDamagedIsNoneAndToldOnce) {
       file.put(static_cast<char>(byte ^ 0x10)).flush();
     };
     flip();
-    const Result<cv::Mat> damaged = images.retrieve();
+    const Result<cv::Mat> damaged = images.retrieve(false);
     EXPECT_FALSE(damaged) << "byte " << at;
     flip();
   }
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
-  EXPECT_TRUE(images.retrieve());
+  EXPECT_TRUE(images.retrieve(false));
 }
 
 TEST_F(Recordings, APipeAmongTheImagesIsToldAndNotWaitedFor) {
@@ -159,7 +159,7 @@ TEST_F(Recordings, APipeAmongTheImagesIsToldAndNotWaitedFor) {
   ImageFiles images(folder, {});
   ASSERT_TRUE(images.open());
   ASSERT_TRUE(images.grab());
-  EXPECT_EQ(images.retrieve().error().sentence, folder + "a.png is no regular file");
+  EXPECT_EQ(images.retrieve(false).error().sentence, folder + "a.png is no regular file");
 }
 
 TEST_F(Recordings, APairOfImageSequencesIsSeenInStep) {

@@ -19,7 +19,7 @@ class StereoReaderTest : public testing::Test {
   static std::pair<int, int> levels(StereoReader& eyes) {
     const Result<void> grabbed = eyes.grab();
     if (!grabbed) return {-1, -1};
-    const Result<StereoImages> images = eyes.retrieve();
+    const Result<StereoImages> images = eyes.retrieve(false);
     if (!images) return {-2, -2};
     return {images->left.data[0], images->right.data[0]};
   }
@@ -92,7 +92,7 @@ TEST_F(StereoReaderTest, OneCameraGivesBothHalvesOfItsImage) {
   StereoReader eyes = reader();
   ASSERT_TRUE(eyes.open());
   ASSERT_TRUE(eyes.grab());
-  const StereoImages images = eyes.retrieve().value();
+  const StereoImages images = eyes.retrieve(false).value();
   EXPECT_EQ(images.left.size(), cv::Size(320, 240));
   EXPECT_EQ(images.right.size(), cv::Size(320, 240));
 }
@@ -114,14 +114,14 @@ TEST_F(StereoReaderTest, ImagesOfOtherSizesAreRefused) {
   StereoReader uneven = reader();
   ASSERT_TRUE(uneven.open());
   ASSERT_TRUE(uneven.grab());
-  EXPECT_EQ(sentence(uneven.retrieve()), "the left camera's image is 320x240, the right one's 640x240");
+  EXPECT_EQ(sentence(uneven.retrieve(false)), "the left camera's image is 320x240, the right one's 640x240");
   right.width = 320;
   setup.width = 640;
   setup.height = 480;
   StereoReader small = reader();
   ASSERT_TRUE(small.open());
   ASSERT_TRUE(small.grab());
-  EXPECT_EQ(sentence(small.retrieve()), "the camera's image is 320x240, and 640x480 was asked for");
+  EXPECT_EQ(sentence(small.retrieve(false)), "the camera's image is 320x240, and 640x480 was asked for");
 }
 
 }  // namespace
