@@ -86,7 +86,6 @@ Result<void> MarkLearner::fill(StereoSight& sight) {
   if (first && !cv::Rect({}, left.size()).contains({cvRound(click_.x), cvRound(click_.y)})) {
     return fail("outside", "the point is outside the image", list(click_.x, click_.y));
   }
-  if (first) first_frame_ = left.clone();
   if (mark_ && !follow(sight)) return last ? end_filling() : Result<void>();
   add_up(left);
   if (mark_ && !last) {
@@ -99,6 +98,7 @@ Result<void> MarkLearner::fill(StereoSight& sight) {
   filled_ = place.filled();
   if (!first && !last) return {};
   const Result<SeenMark> mark = place.mark();
+  if (first && !mark) first_frame_ = left.clone();
   if (mark && (first || (!mark_ && shows(first_frame_, *mark)))) begin_following(sight, *mark);
   return last ? end_filling(sight, mark) : Result<void>();
 }

@@ -58,7 +58,7 @@ class MarkLearner {
   const LearnedObjects& objects_;
   int filled_frames_ = 0;
   int contour_frames_ = 0;
-  cv::Mat1b first_frame_;
+  cv::Mat1b first_frame_;  // where it showed no mark
   cv::Mat1w sum_;
   int summed_ = 0;
   cv::Point2d summed_at_;  // where the mark was then
