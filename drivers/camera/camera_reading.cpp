@@ -10,6 +10,8 @@ namespace {
 
 using Side = StereoGeometry::Side;
 
+constexpr int most_corrupt_in_a_row = 20;
+
 std::shared_ptr<const Image> shared_image(const cv::Mat& image) {
   auto out = std::make_shared<Image>(Image{image.cols, image.rows, image.channels(), {}});
   const std::size_t row_bytes = image.cols * image.elemSize();
@@ -50,8 +52,7 @@ class Reading {
         calibration_(reading.calibration),
         now_(reading.now),
         desk_(desk),
-        reader_(setup_, reading.sources(), now_),
-        number_(reading.first_number - 1) {}
+        reader_(setup_, reading.sources(), now_) {}
 
   Failure run() {
     Result<void> going = reader_.open();
@@ -63,10 +64,7 @@ class Reading {
       if (going && !pace.is_due(now_())) continue;
       pace.taken(now_());
       if (going) going = take_frame();
-      if (!going && going.error().symbol == "corrupt-frame") {
-        desk_.put_trouble(going.error());
-        going = {};
-      }
+      if (!going && going.error().symbol == "corrupt-frame") going = leave_out(going.error().sentence);
     }
     reader_.close();
     return going ? Failure{"disconnected", "the camera was let go, for nobody asked for its images", {}, {}}
@@ -75,13 +73,12 @@ class Reading {
 
  private:
   Result<void> take_frame() {
-    ++number_;
     Result<StereoImages> images = reader_.retrieve(true);
     if (!images) return fail(images);
     const Result<void> known = know(images->left.size());
     if (!known) return known;
     DeskFrame frame;
-    frame.grey = {number_, images->captured, seen(images->left, Side::left, 1), seen(images->right, Side::right, 1)};
+    frame.grey = {0, images->captured, seen(images->left, Side::left, 1), seen(images->right, Side::right, 1)};
     if (desk_.colour_wanted()) {
       const bool has_colour = setup_.grey || images->left.channels() == 3;
       if (!has_colour) images = reader_.retrieve(false);
@@ -90,7 +87,14 @@ class Reading {
       frame.colour_right = seen(images->right, Side::right, 3);
     }
     desk_.put(std::move(frame), geometry_->model());
+    corrupt_in_a_row_ = 0;
     return {};
+  }
+
+  Result<void> leave_out(const std::string& why) {
+    desk_.leave_out(now_(), why);
+    if (++corrupt_in_a_row_ < most_corrupt_in_a_row) return {};
+    return fail("disconnected", why);
   }
 
   // The first image says how large all are.
@@ -128,7 +132,7 @@ class Reading {
   const std::function<Time()>& now_;
   FrameDesk& desk_;
   StereoReader reader_;
-  std::uint64_t number_;
+  int corrupt_in_a_row_ = 0;
   std::optional<StereoGeometry> geometry_;
   std::shared_ptr<const Image> nothing_grey_;
   std::shared_ptr<const Image> nothing_coloured_;

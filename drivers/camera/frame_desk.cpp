@@ -15,18 +15,21 @@ void FrameDesk::put(DeskFrame frame, const StereoModel& model) {
   std::unique_lock lock(mutex_);
   // Nobody misses what comes while nobody asks.
   if (!taken_ && frame.grey.captured - asked_ < soon) ++drops_.late;
+  frame.grey.number = ++number_;
+  given_ = frame.grey.captured;
   newest_ = std::move(frame);
   model_ = model;
-  trouble_.reset();
   taken_ = false;
   if (colour_left_ > 0) --colour_left_;
   ring_once(std::move(lock));
 }
 
-void FrameDesk::put_trouble(Failure failure) {
+void FrameDesk::leave_out(Time captured, std::string why) {
   std::unique_lock lock(mutex_);
-  trouble_ = std::move(failure);
+  ++number_;
+  given_ = captured;
   ++drops_.corrupt;
+  drops_.why_corrupt = std::move(why);
   ring_once(std::move(lock));
 }
 
@@ -57,21 +60,16 @@ void FrameDesk::count_skewed(std::uint64_t skewed) {
   drops_.skewed = skewed;
 }
 
-std::optional<Result<DeskFrame>> FrameDesk::take(std::uint64_t after, bool colour, Time now) {
+std::optional<Result<DeskFrame>> FrameDesk::take(Time after, bool colour, Time now) {
   const std::scoped_lock lock(mutex_);
   asked_ = now;
   rung_ = false;
   if (colour) colour_left_ = frames_in_colour;
-  if (trouble_) {
-    Failure trouble = std::move(*trouble_);
-    trouble_.reset();
-    return fail(std::move(trouble));
-  }
-  const bool has = newest_ && newest_->grey.number > after && (!colour || newest_->colour_left != nullptr);
-  if (has) {
-    taken_ = true;
-    return *newest_;
-  }
+  const bool fresh = newest_ && newest_->grey.captured > after;
+  const bool has = fresh && (!colour || newest_->colour_left != nullptr);
+  // Nor does anybody miss what is too old.
+  if (has || !fresh) taken_ = true;
+  if (has) return *newest_;
   if (ended_) return fail(*ended_);
   return std::nullopt;
 }
@@ -82,14 +80,17 @@ std::optional<Result<StereoModel>> FrameDesk::model(Time now) {
   rung_ = false;
   if (model_) return *model_;
   if (ended_) return fail(*ended_);
-  if (trouble_ && drops_.corrupt >= most_corrupt_at_first) return fail(*trouble_);
   return std::nullopt;
 }
 
 bool FrameDesk::healthy(Time now, Duration longest_silence) const {
   const std::scoped_lock lock(mutex_);
-  const bool silent = newest_ && now - newest_->grey.captured > longest_silence;
-  return newest_ && !silent && !trouble_ && !ended_ && !closed_;
+  return newest_ && now - given_ <= longest_silence && !ended_ && !closed_;
+}
+
+std::uint64_t FrameDesk::number() const {
+  const std::scoped_lock lock(mutex_);
+  return number_;
 }
 
 bool FrameDesk::ended() {

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 
 #include "blackboard/stream.hpp"
 #include "blackboard/time/task.hpp"
@@ -14,7 +15,7 @@ namespace pizarra {
 
 struct StereoFrame {
   std::uint64_t number = 0;  // counts up from 1, gaps are dropped frames
-  Time captured{};
+  Time captured{};           // when it had been taken, before it was decoded; later of each frame than of those before
   std::shared_ptr<const Image> left;  // the reference
   std::shared_ptr<const Image> right;
 };
@@ -38,6 +39,7 @@ struct CameraDrops {
   std::uint64_t late = 0;     // a newer one came before it was taken
   std::uint64_t skewed = 0;   // its partner was of another moment
   std::uint64_t corrupt = 0;  // it could not be read
+  std::string why_corrupt = {};  // of the newest of those
   bool operator==(const CameraDrops&) const = default;
 };
 
@@ -45,9 +47,9 @@ class StereoCamera {
  public:
   virtual ~StereoCamera() = default;
   virtual Task<Result<StereoModel>> open() = 0;
-  // The first frame with a number above `after`, waiting for it. Colour where asked for, else grey.
+  // The newest frame, waiting for one that was captured later than `after`. Colour where asked for, else grey.
   // Failures: disconnected, corrupt-frame.
-  virtual Task<Result<StereoFrame>> next(std::uint64_t after, bool colour) = 0;
+  virtual Task<Result<StereoFrame>> next(Time after, bool colour) = 0;
   // Since it was made.
   virtual CameraDrops drops() const { return {}; }
 };

@@ -70,8 +70,8 @@ Task<Result<StereoModel>> VideoCamera::open() {
     const bool woken = co_await bell_->waiting.wait(deadline);
     if (!woken) break;
   }
-  std::optional<Result<DeskFrame>> trouble = desk_->take(last_number_, false, executor_.now());
-  if (trouble && !*trouble) co_return fail(trouble->error());
+  const std::string why_corrupt = desk_->drops().why_corrupt;
+  if (!why_corrupt.empty()) co_return fail("disconnected", why_corrupt);
   co_return fail("disconnected", fmt::format("no image came within {} s", longest_opening / 1s));
 }
 
@@ -95,10 +95,11 @@ Result<void> VideoCamera::begin_reading() {
     calibration = std::move(*read);
   }
   dropped_before_ = drops();
-  desk_ = std::make_shared<FrameDesk>([bell = bell_] { bell->ring(); }, executor_.now());
+  const std::uint64_t number_before = desk_ ? desk_->number() : 0;
+  desk_ = std::make_shared<FrameDesk>([bell = bell_] { bell->ring(); }, executor_.now(), number_before);
   start_detached(executor_.now(), [desk = desk_, setup = setup_, calibration = std::move(calibration),
-                                   make = make_sources_, first = last_number_ + 1](const std::function<Time()>& now) {
-    read_camera({setup, calibration, make, now, first}, *desk);
+                                   make = make_sources_](const std::function<Time()>& now) {
+    read_camera({setup, calibration, make, now}, *desk);
   });
   return {};
 }
@@ -108,9 +109,8 @@ Duration VideoCamera::longest_silence() const {
   return std::max(least_silence, Duration(static_cast<std::int64_t>(3 * period_us)));
 }
 
-Task<Result<StereoFrame>> VideoCamera::next(std::uint64_t after, bool colour) {
+Task<Result<StereoFrame>> VideoCamera::next(Time after, bool colour) {
   if (desk_ == nullptr) co_return fail("disconnected", "the camera is not open");
-  const Time deadline = executor_.now() + longest_silence();
   // Kept alive: open() may put another in its place meanwhile.
   const std::shared_ptr<FrameDesk> desk = desk_;
   while (true) {
@@ -118,13 +118,14 @@ Task<Result<StereoFrame>> VideoCamera::next(std::uint64_t after, bool colour) {
     if (taken) {
       if (!*taken) co_return fail(taken->error());
       StereoFrame frame = (*taken)->grey;
-      last_number_ = std::max(last_number_, frame.number);
       if (colour) {
         frame.left = (*taken)->colour_left;
         frame.right = (*taken)->colour_right;
       }
       co_return frame;
     }
+    // Also what cannot be read says that the camera is there.
+    const Time deadline = executor_.now() + longest_silence();
     const bool woken = co_await bell_->waiting.wait(deadline);
     if (!woken) break;
   }
@@ -138,6 +139,7 @@ CameraDrops VideoCamera::drops() const {
   out.late += now.late;
   out.skewed += now.skewed;
   out.corrupt += now.corrupt;
+  if (!now.why_corrupt.empty()) out.why_corrupt = now.why_corrupt;
   return out;
 }
 

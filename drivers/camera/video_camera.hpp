@@ -12,10 +12,12 @@
 //
 //   VideoCamera eyes(executor, description.eyes, make_any_source);
 //   Result<StereoModel> model = co_await eyes.open();
-//   Result<StereoFrame> frame = co_await eyes.next(0, false);
+//   Result<StereoFrame> frame = co_await eyes.next(executor.now(), false);
+//
+// What cannot be read is left out, and drops() says why; of 20 in a row that is the end.
 //
 // Failures, each naming the camera: disconnected, refused-setting, wrong-size and those of the calibration file from
-// open(); disconnected and corrupt-frame from next().
+// open(); disconnected from next().
 
 #include "blackboard/time/event.hpp"
 #include "drivers/camera/camera_reading.hpp"
@@ -34,7 +36,7 @@ class VideoCamera : public StereoCamera {
   ~VideoCamera() override;
 
   Task<Result<StereoModel>> open() override;
-  Task<Result<StereoFrame>> next(std::uint64_t after, bool colour) override;
+  Task<Result<StereoFrame>> next(Time after, bool colour) override;
   CameraDrops drops() const override;
 
  private:
@@ -50,7 +52,6 @@ class VideoCamera : public StereoCamera {
   MakeSources make_sources_;
   std::shared_ptr<Bell> bell_;
   std::shared_ptr<FrameDesk> desk_;
-  std::uint64_t last_number_ = 0;
   CameraDrops dropped_before_;
 };
 

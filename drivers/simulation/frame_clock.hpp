@@ -22,11 +22,11 @@ class FrameClock {
   std::int64_t steps_until(Time now) const { return (now - start_).count() * steps_per_second / 1'000'000; }
   Time frame_time(std::uint64_t frame) const { return start_ + frame_period * static_cast<std::int64_t>(frame); }
   std::int64_t frame_step(std::uint64_t frame) const { return static_cast<std::int64_t>(frame) * steps_per_frame; }
-  // The first frame above `after` that is not yet past. A number from another world's life counts as none.
-  std::uint64_t next_frame(Time now, std::uint64_t after) const {
+  // The first frame later than `after` that is not yet past. A time of another clock's counts as none.
+  std::uint64_t next_frame(Time now, Time after) const {
     const auto passed = static_cast<std::uint64_t>((now - start_ + frame_period - Duration(1)) / frame_period);
     const std::uint64_t next = passed > 0 ? passed : 1;
-    return after == next ? next + 1 : next;
+    return frame_time(next) == after ? next + 1 : next;
   }
 
  private:

@@ -1,5 +1,7 @@
 #include "drivers/simulation/simulated_camera.hpp"
 
+#include <algorithm>
+
 namespace pizarra {
 
 namespace {
@@ -28,9 +30,10 @@ Task<Result<StereoModel>> SimulatedCamera::open() {
                         head[5].number()};
 }
 
-Task<Result<StereoFrame>> SimulatedCamera::next(std::uint64_t after, bool colour) {
+Task<Result<StereoFrame>> SimulatedCamera::next(Time after, bool colour) {
   const Datum kind = colour ? "colour"_sym : "grey"_sym;
-  const Datum request = list("camera"_sym, "next"_sym, after, kind);
+  const Datum request = list("camera"_sym, "next"_sym, after.time_since_epoch().count(), kind);
+  const Time asked = executor_.now();
   const Result<Message> answer = co_await link_.call(request, answer_time);
   if (!answer) co_return fail(answer);
   const bool whole = answer->head.size() == 2 && answer->images.size() == 2 && fits(answer->images[0], colour) &&
@@ -38,7 +41,8 @@ Task<Result<StereoFrame>> SimulatedCamera::next(std::uint64_t after, bool colour
   if (!whole) co_return fail("corrupt-frame", "the frame's images are not what they should be", answer->head);
   StereoFrame frame;
   frame.number = static_cast<std::uint64_t>(answer->head[0].integer());
-  frame.captured = Time(Duration(answer->head[1].integer()));
+  // No frame is from before it was asked for, whatever the world's clock says.
+  frame.captured = std::clamp(Time(Duration(answer->head[1].integer())), asked, executor_.now());
   frame.left = answer->images[0];
   frame.right = answer->images[1];
   co_return frame;

@@ -2,10 +2,11 @@
 
 // The simulated cell's stereo pair as a StereoCamera: 10 frames a second, taken only when asked for.
 //
-//   SimulatedCamera eyes(link);
+//   SimulatedCamera eyes(executor, link);
 //   Result<StereoModel> model = co_await eyes.open();
-//   Result<StereoFrame> frame = co_await eyes.next(0, false);
+//   Result<StereoFrame> frame = co_await eyes.next(executor.now(), false);
 
+#include "blackboard/time/executor.hpp"
 #include "drivers/camera/stereo_camera.hpp"
 #include "drivers/simulation/link.hpp"
 
@@ -13,12 +14,13 @@ namespace pizarra {
 
 class SimulatedCamera : public StereoCamera {
  public:
-  // The link outlives it.
-  explicit SimulatedCamera(Link& link) : link_(link) {}
+  // Both outlive it.
+  SimulatedCamera(Executor& executor, Link& link) : executor_(executor), link_(link) {}
   Task<Result<StereoModel>> open() override;
-  Task<Result<StereoFrame>> next(std::uint64_t after, bool colour) override;
+  Task<Result<StereoFrame>> next(Time after, bool colour) override;
 
  private:
+  Executor& executor_;
   Link& link_;
 };
 

@@ -171,7 +171,7 @@ Task<Result<Message>> World::Inside::camera(Datum request) {
                      request[2].integer() >= 0 && (colour || word(request, 3) == "grey");
   if (!sound) co_return bad_request(request);
   if (wanted.size() >= most_waiting) co_return fail("busy", "too many wait for frames");
-  const std::uint64_t frame = clock.next_frame(executor.now(), static_cast<std::uint64_t>(request[2].integer()));
+  const std::uint64_t frame = clock.next_frame(executor.now(), Time(Duration(request[2].integer())));
   const Wait wait(*this, frame, colour);
   const Duration left_over = std::max(Duration::zero(), clock.frame_time(frame) - executor.now());
   co_await sleep(executor, left_over);

@@ -10,7 +10,7 @@
 //   World world(executor, config);                // config passed check()
 //   LocalLink link(world);
 //   SimulatedArm arm(link);                       // ArmDriver
-//   SimulatedCamera eyes(link);                   // StereoCamera
+//   SimulatedCamera eyes(executor, link);         // StereoCamera
 //
 // Requests and the values they answer; lengths mm, angles degrees, YES is `yes` or `no`:
 //   (arm identify) -> ("type")        (arm take-control)     (arm move SPEED (J1 ... JN) ...)     (arm stop)

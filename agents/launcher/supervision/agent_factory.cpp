@@ -229,7 +229,7 @@ Result<std::unique_ptr<BuiltAgent>> build_agent(const std::string& kind, AgentCo
   if (kind == "vision") {
     std::unique_ptr<StereoCamera> camera;
     if (description.eyes.is_simulated()) {
-      camera = std::make_unique<SimulatedCamera>(link);
+      camera = std::make_unique<SimulatedCamera>(context.executor, link);
     } else if (own_cameras) {
       camera = own_cameras(context.executor, description.eyes);
     }

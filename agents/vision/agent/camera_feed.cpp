@@ -51,10 +51,13 @@ void CameraFeed::abandon() {
   state_ = State::closed;
 }
 
-Task<Result<StereoFrame>> CameraFeed::next(Duration timeout) {
+Task<Result<StereoFrame>> CameraFeed::next(Time after, Duration timeout) {
   const Time deadline = executor_.now() + timeout;
-  const bool woken = co_await waiting_.wait(deadline);
-  if (woken && latest_.left != nullptr) co_return latest_;
+  bool in_time = true;
+  while (in_time) {
+    if (latest_.left != nullptr && latest_.captured > after) co_return latest_;
+    in_time = co_await waiting_.wait(deadline);
+  }
   const std::string sentence = trouble_.empty() ? "the camera gives no images" : trouble_;
   co_return fail("no-image", sentence);
 }
@@ -67,6 +70,8 @@ Task<void> CameraFeed::run() {
       co_await change_to(State::closed, no_trouble);
       if (!wanted_) co_return;
     }
+    // A camera that was not let go meanwhile may still hold a frame of long ago.
+    const Time wanted_since = executor_.now();
     if (state_ == State::closed) co_await change_to(State::opening, no_trouble);
     const Result<StereoModel> model = co_await camera_.open();
     std::string trouble = model ? trouble_with(*model) : describe(model.error());
@@ -74,7 +79,7 @@ Task<void> CameraFeed::run() {
       model_ = *model;
       latest_ = {};
       co_await change_to(State::open, no_trouble);
-      co_await capture();
+      co_await capture(wanted_since);
       if (!wanted_) continue;
       if (latest_.number != 0) pause = first_pause;
       trouble = trouble_;
@@ -85,19 +90,19 @@ Task<void> CameraFeed::run() {
   }
 }
 
-Task<void> CameraFeed::capture() {
+Task<void> CameraFeed::capture(Time after) {
   int corrupt = 0;
   Duration rest = {};
   while (wanted_) {
     // However much a frame costs, as long again is for requests and to be present. Who is stopped meanwhile and started
     // again waits for a newer frame still.
     co_await sleep(executor_, rest);
-    const std::uint64_t after = latest_.number;
     const Result<StereoFrame> frame = co_await camera_.next(after, false);
-    const bool good = frame && fits(*model_, frame->left) && fits(*model_, frame->right) && frame->number > after;
+    const bool good = frame && fits(*model_, frame->left) && fits(*model_, frame->right) && frame->captured > after;
     if (good) {
       corrupt = 0;
       latest_ = *frame;
+      after = frame->captured;
       waiting_.wake_all();
       const Time begun = executor_.now();
       StereoFrame copy = *frame;

@@ -5,7 +5,7 @@
 //
 //   CameraFeed feed(executor, camera, on_frame, on_change);
 //   feed.start();
-//   Result<StereoFrame> frame = co_await feed.next(3s);
+//   Result<StereoFrame> frame = co_await feed.next(executor.now(), 3s);      // never one from before
 //   feed.stop();                                   // ends after the frame in hand
 //   feed.abandon();                                // at once; not from inside a handler
 
@@ -38,12 +38,14 @@ class CameraFeed {
   // 0 before the first frame.
   std::uint64_t frame_number() const { return latest_.number; }
 
-  // The next frame that comes. Failure `no-image` when none does in time.
-  Task<Result<StereoFrame>> next(Duration timeout);
+  // The newest frame, where it was captured later than `after`, else the next that was. Failure `no-image` when none
+  // comes in time.
+  Task<Result<StereoFrame>> next(Time after, Duration timeout);
 
  private:
   Task<void> run();
-  Task<void> capture();
+  // What the camera captures later than `after`.
+  Task<void> capture(Time after);
   Task<void> change_to(State state, std::string trouble);
 
   Executor& executor_;
@@ -54,7 +56,7 @@ class CameraFeed {
   State state_ = State::closed;
   std::string trouble_;
   std::optional<StereoModel> model_;
-  StereoFrame latest_;
+  StereoFrame latest_;  // since the camera was opened
   WaitList waiting_;
   Job job_;
 };

@@ -79,6 +79,7 @@ const VisionAgent::State::Operation& VisionAgent::State::operation_called(std::s
 }
 
 Task<Result<Datum>> VisionAgent::State::handle(Fact request) {
+  const Time came = context.executor.now();
   const Datum& asked_for = request.datum[3];
   const Operation& operation = operation_called(asked_for.head());
   const std::string name = asked_for.size() > 1 ? std::string(asked_for.items().back().text()) : "";
@@ -87,7 +88,7 @@ Task<Result<Datum>> VisionAgent::State::handle(Fact request) {
   Result<std::unique_ptr<Turn>> turn;
   if (operation.turn) turn = co_await take_turn(request.teller, *operation.turn);
   if (!turn) co_return fail(turn);
-  Asked asked{request.teller, asked_for, name};
+  Asked asked{request.teller, asked_for, name, came};
   const Result<Datum> answer = co_await (this->*operation.run)(std::move(asked));
   co_return answer;
 }

@@ -26,7 +26,7 @@ cv::Mat grey(const Image& image) {
 
 Task<void> VisionAgent::State::on_frame(StereoFrame frame) {
   std::vector<TrackSighting> sightings;
-  const bool tracks = !tracker.empty() && finding_for.empty();
+  const bool tracks = !tracker.empty() && finding_for.empty() && frame.captured > tracking_asked;
   if (tracks) {
     const GreyPair grey = grey_pair(frame);
     StereoSight sight(grey.left, grey.right, *feed.model());
@@ -91,7 +91,7 @@ Annotation VisionAgent::State::annotation_for(std::uint64_t frame, std::vector<T
 // The eyes' own images are always grey, so that nothing they tell depends on who watches: the same frame, or the next
 // where the camera has moved on, is asked for once more in colour.
 Task<void> VisionAgent::State::show(StereoFrame frame, Annotation annotation) {
-  const std::uint64_t before = frame.number - 1;
+  const Time before = frame.captured - Duration(1);
   const Result<StereoFrame> coloured = co_await camera.next(before, true);
   const bool usable = coloured && coloured->left != nullptr && coloured->left->width == frame.left->width &&
                       coloured->left->height == frame.left->height;

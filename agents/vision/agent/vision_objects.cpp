@@ -88,7 +88,7 @@ Task<Result<Datum>> VisionAgent::State::forget(Asked asked) {
 }
 
 Task<Result<Datum>> VisionAgent::State::rename(Asked asked) {
-  const auto& [client, operation, new_name] = asked;
+  const auto& [client, operation, new_name, came] = asked;
   std::string name(operation[1].text());
   const Result<void> unheld = co_await check_unheld(client, name);
   if (!unheld) co_return fail(unheld);

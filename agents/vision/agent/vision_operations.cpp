@@ -21,9 +21,10 @@ Task<Result<Datum>> VisionAgent::State::answer_failed(std::string text, Failure 
 }
 
 Task<Result<Datum>> VisionAgent::State::learn(Asked asked) {
-  const auto& [client, operation, name] = asked;
+  const auto& [client, operation, name, came] = asked;
   co_await begin_learning(client);
-  Result<LearnedSample> sample = co_await learn_sample(name, operation[1].number(), operation[2].number());
+  const cv::Point2d click(operation[1].number(), operation[2].number());
+  Result<LearnedSample> sample = co_await learn_sample(name, click, came);
   Result<std::int64_t> kept = sample ? Result<std::int64_t>(0) : fail(sample);
   if (sample) {
     ObjectChange keep = KeepSample{name, std::move(*sample)};
@@ -41,11 +42,13 @@ Task<Result<Datum>> VisionAgent::State::learn(Asked asked) {
   co_return answer;
 }
 
-Task<Result<LearnedSample>> VisionAgent::State::learn_sample(std::string name, double x, double y) {
-  learner.emplace(name, cv::Point2d(x, y), objects);
+Task<Result<LearnedSample>> VisionAgent::State::learn_sample(std::string name, cv::Point2d click, Time asked) {
+  learner.emplace(name, click, objects);
+  Time after = asked;
   while (!learner->done()) {
-    const Result<StereoFrame> frame = co_await feed.next(longest_frame_wait);
+    const Result<StereoFrame> frame = co_await feed.next(after, longest_frame_wait);
     if (!frame) co_return fail(frame);
+    after = frame->captured;
     const GreyPair grey = grey_pair(*frame);
     StereoSight sight(grey.left, grey.right, *feed.model());
     const Result<void> fed = learner->feed(sight);
@@ -55,12 +58,12 @@ Task<Result<LearnedSample>> VisionAgent::State::learn_sample(std::string name, d
 }
 
 Task<Result<Datum>> VisionAgent::State::find(Asked asked) {
-  const auto& [client, operation, name] = asked;
+  const auto& [client, operation, name, came] = asked;
   co_await let_tracking_look();
   co_await begin_finding(client);
   // Another agent may just have forgotten or renamed it.
   co_await follow_memory();
-  const Result<SeenMark> found = co_await find_mark(name);
+  const Result<SeenMark> found = co_await find_mark(name, came);
   co_await end_finding(client);
   if (found) co_return list(find_reply(name, found->centre));
   const std::string text = find_reply(name, std::nullopt);
@@ -68,13 +71,15 @@ Task<Result<Datum>> VisionAgent::State::find(Asked asked) {
   co_return answer;
 }
 
-Task<Result<SeenMark>> VisionAgent::State::find_mark(std::string name) {
+Task<Result<SeenMark>> VisionAgent::State::find_mark(std::string name, Time asked) {
   if (objects.find(name) == nullptr) co_return fail(not_known(name));
   Failure why;
+  Time after = asked;
   for (int i = 0; i < frames_to_find; ++i) {
-    const Result<StereoFrame> frame = co_await feed.next(longest_frame_wait);
+    const Result<StereoFrame> frame = co_await feed.next(after, longest_frame_wait);
     if (!frame) co_return fail(frame);
-    tracking_is_next = true;
+    after = frame->captured;
+    tracking_is_next = tracking_is_next || frame->left != tracked_image;
     // It may have been forgotten meanwhile.
     const LearnedObject* object = objects.find(name);
     if (object == nullptr) co_return fail(not_known(name));
@@ -95,6 +100,7 @@ Task<Result<Datum>> VisionAgent::State::track(Asked asked) {
   const std::string holder = co_await holder_for(asked.client);
   const LearnedObject* object = objects.find(asked.name);
   if (object == nullptr) co_return fail(not_known(asked.name));
+  if (!holders.tracked().contains(object->name)) tracking_asked = asked.came;
   const LearnedObject* end_effector = objects.find(end_effector_name);
   for (const LearnedObject* each : {end_effector, object}) {
     if (each == nullptr) continue;

@@ -32,6 +32,7 @@ struct VisionAgent::State {
     std::string client;
     Datum operation;   // (WORD ARGUMENT ...)
     std::string name;  // its last argument, of those that take one
+    Time came;         // what is looked at for it was captured later
   };
   struct Operation {
     std::string_view word;
@@ -54,8 +55,8 @@ struct VisionAgent::State {
   Task<Result<Datum>> forget(Asked asked);
   Task<Result<Datum>> rename(Asked asked);
 
-  Task<Result<LearnedSample>> learn_sample(std::string name, double x, double y);
-  Task<Result<SeenMark>> find_mark(std::string name);
+  Task<Result<LearnedSample>> learn_sample(std::string name, cv::Point2d click, Time asked);
+  Task<Result<SeenMark>> find_mark(std::string name, Time asked);
   // Why there is no object of this name: it was never learned, or is damaged.
   Failure not_known(const std::string& name) const;
   Task<Result<Datum>> answer_failed(std::string text, Failure why);
@@ -145,6 +146,7 @@ struct VisionAgent::State {
   const LearnedObjects& objects = memory.objects();
   MarkFinder finder{objects};
   MarkTracker tracker{objects};
+  Time tracking_asked = {};                      // for the object that was added last
   std::shared_ptr<const Image> tracked_image;  // the left one, at which the tracker may look back
   std::optional<MarkLearner> learner;
   SamplesToAccept to_accept;

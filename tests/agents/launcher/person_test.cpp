@@ -34,7 +34,7 @@ struct Room {
   World world{executor, four_cubes()};
   LocalLink link{world};
   SimulatedArm arm{link};
-  SimulatedCamera eyes{link};
+  SimulatedCamera eyes{executor, link};
   std::unique_ptr<Board> robot_view = board.view("robot");
   std::unique_ptr<Board> vision_view = board.view("vision");
   std::unique_ptr<Board> person_view = board.view("person");

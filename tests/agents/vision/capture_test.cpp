@@ -15,14 +15,17 @@ class CameraThatIsAhead : public StereoCamera {
   static constexpr std::uint64_t frames = 50;
 
   Task<Result<StereoModel>> open() override { co_return model_; }
-  Task<Result<StereoFrame>> next(std::uint64_t after, bool) override {
-    if (after >= frames) co_return fail("disconnected", "that was all");
-    co_return draw_scene({}, model_, after + 1, random_);
+  Task<Result<StereoFrame>> next(Time after, bool) override {
+    if (number_ >= frames) co_return fail("disconnected", "that was all");
+    StereoFrame frame = draw_scene({}, model_, ++number_, random_);
+    frame.captured = after + Duration(1);
+    co_return frame;
   }
 
  private:
   StereoModel model_;
   Random random_{1};
+  std::uint64_t number_ = 0;
 };
 
 TEST(CameraFeed, LeavesTimeForOthersWhereFramesComeFasterThanTheyAreLookedAt) {

@@ -31,10 +31,11 @@ class FakeCamera : public StereoCamera {
     co_return model_;
   }
 
-  Task<Result<StereoFrame>> next(std::uint64_t after, bool colour) override {
-    if (number_ <= after) {
+  Task<Result<StereoFrame>> next(Time after, bool colour) override {
+    if (taken_ <= after) {
       co_await sleep(executor_, 100ms);
       ++number_;
+      taken_ = executor_.now();
     }
     if (!plugged) co_return fail("disconnected", "the camera is unplugged");
     StereoFrame frame = draw_scene(scene, model_, number_, random_);
@@ -42,7 +43,7 @@ class FakeCamera : public StereoCamera {
       frame.left = pasted(*frame.left, picture.grey, picture.at);
       frame.right = pasted(*frame.right, picture.grey, picture.at - cv::Point(picture.disparity_px, 0));
     }
-    frame.captured = executor_.now();
+    frame.captured = taken_;
     colour_asked += colour ? 1 : 0;
     if (colour) frame.left = in_colour(*frame.left);
     co_return frame;
@@ -79,6 +80,7 @@ class FakeCamera : public StereoCamera {
   Random random_;
   StereoModel model_;
   std::uint64_t number_ = 0;
+  Time taken_{};
 };
 
 }  // namespace pizarra

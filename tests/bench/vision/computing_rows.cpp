@@ -36,10 +36,10 @@ class MovingMarks : public StereoCamera {
     }
   }
   Task<Result<StereoModel>> open() override { co_return scene_camera(); }
-  Task<Result<StereoFrame>> next(std::uint64_t after, bool) override {
+  Task<Result<StereoFrame>> next(Time, bool) override {
     co_await sleep(executor_, between_frames);
     StereoFrame frame;
-    frame.number = after + 1;
+    frame.number = ++number_;
     frame.captured = executor_.now();
     frame.left = lefts_[frame.number % lefts_.size()];
     frame.right = rights_[frame.number % rights_.size()];
@@ -50,6 +50,7 @@ class MovingMarks : public StereoCamera {
 
  private:
   Executor& executor_;
+  std::uint64_t number_ = 0;
   std::vector<std::shared_ptr<const Image>> lefts_;
   std::vector<std::shared_ptr<const Image>> rights_;
 };

@@ -14,6 +14,7 @@ namespace pizarra {
 struct FakeDevice {
   std::atomic<bool> plugged = true;
   std::atomic<bool> garbage = false;
+  std::atomic<int> garbage_left = 0;  // of the next images so many are garbage
   std::atomic<bool> hangs = false;
   std::atomic<int> width = 320;
   std::atomic<int> height = 240;
@@ -53,7 +54,9 @@ class FakeSource : public FrameSource {
   }
   Result<cv::Mat> retrieve(bool /*grey*/) override {
     ++device_.retrieved;
-    if (device_.garbage) return fail("corrupt-frame", "what fake gives is no image that can be read");
+    const bool garbled = device_.garbage || device_.garbage_left > 0;
+    if (device_.garbage_left > 0) --device_.garbage_left;
+    if (garbled) return fail("corrupt-frame", "what fake gives is no image that can be read");
     return cv::Mat(device_.height, device_.width, CV_8UC3, cv::Scalar::all(static_cast<double>(taken_)));
   }
   double recorded_hz() const override { return device_.hz; }

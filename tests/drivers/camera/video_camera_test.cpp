@@ -22,8 +22,19 @@ class VideoCameraTest : public testing::Test {
     return out;
   }
   Result<StereoModel> open() { return run(executor, camera.open()); }
-  Result<StereoFrame> next(std::uint64_t after, bool colour = false) {
+  Result<StereoFrame> next(Time after, bool colour = false) {
     return run(executor, camera.next(after, colour));
+  }
+  void run_for(Duration duration) {
+    const Time end = executor.now() + duration;
+    executor.call_at(end, [] {});
+    executor.run_until([&] { return executor.now() >= end; });
+  }
+  // Five seconds at most.
+  void wait_until(const std::function<bool()>& done) {
+    const Time deadline = executor.now() + 5s;
+    while (!done() && executor.now() < deadline) run_for(1ms);
+    EXPECT_TRUE(done());
   }
 
   FakeDevice device;
@@ -38,7 +49,7 @@ TEST_F(VideoCameraTest, OneCameraAloneIsAPairWithoutABaseLine) {
   ASSERT_TRUE(model) << model.error().sentence;
   EXPECT_TRUE(model->is_single());
   EXPECT_EQ(model->width, 320);
-  const Result<StereoFrame> frame = next(0);
+  const Result<StereoFrame> frame = next({});
   ASSERT_TRUE(frame);
   EXPECT_EQ(frame->left->channels, 1);
   EXPECT_EQ(frame->right->pixels, std::vector<std::uint8_t>(320 * 240, 0));
@@ -46,37 +57,33 @@ TEST_F(VideoCameraTest, OneCameraAloneIsAPairWithoutABaseLine) {
 
 TEST_F(VideoCameraTest, FramesAreNumberedUpwardsAndMadeOfTheirMoment) {
   ASSERT_TRUE(open());
-  std::uint64_t last = 0;
-  Time captured{};
+  StereoFrame last;
   for (int i = 0; i < 20; ++i) {
-    const Result<StereoFrame> frame = next(last);
+    const Result<StereoFrame> frame = next(last.captured);
     ASSERT_TRUE(frame);
-    EXPECT_GT(frame->number, last);
-    EXPECT_GT(frame->captured, captured);
+    EXPECT_GT(frame->number, last.number);
+    EXPECT_GT(frame->captured, last.captured);
     EXPECT_LE(frame->captured, executor.now());
-    last = frame->number;
-    captured = frame->captured;
+    last = *frame;
   }
 }
 
 TEST_F(VideoCameraTest, ColourIsMadeWhenAskedForAndGreyGoesOn) {
   ASSERT_TRUE(open());
-  const Result<StereoFrame> coloured = next(0, true);
+  const Result<StereoFrame> coloured = next({}, true);
   ASSERT_TRUE(coloured);
   EXPECT_EQ(coloured->left->channels, 3);
   EXPECT_EQ(coloured->left->pixels.size(), 3u * 320 * 240);
-  EXPECT_EQ(next(coloured->number)->left->channels, 1);
+  EXPECT_EQ(next(coloured->captured)->left->channels, 1);
 }
 
 TEST_F(VideoCameraTest, WhoIsSlowSeesTheNewestAndWhatWasMissedIsCounted) {
   ASSERT_TRUE(open());
-  const std::uint64_t first = next(0)->number;
-  const Time later = executor.now() + 100ms;
-  executor.call_at(later, [] {});
-  executor.run_until([&] { return executor.now() > later; });
-  const Result<StereoFrame> frame = next(first);
+  const StereoFrame first = *next({});
+  run_for(100ms);
+  const Result<StereoFrame> frame = next(first.captured);
   ASSERT_TRUE(frame);
-  EXPECT_GT(frame->number, first + 5);
+  EXPECT_GT(frame->number, first.number + 5);
   EXPECT_LT(executor.now() - frame->captured, 100ms);
   EXPECT_GT(camera.drops().late, 5u);
 }
@@ -93,43 +100,78 @@ TEST_F(VideoCameraTest, ACameraThatIsNotThereIsSaidSoAndFoundWhenItComes) {
 
 TEST_F(VideoCameraTest, ACameraThatDisappearsIsToldAndGoesOnAboveItsLastNumberWhenItReturns) {
   ASSERT_TRUE(open());
-  std::uint64_t last = next(0)->number;
+  StereoFrame last = *next({});
   device.plugged = false;
-  Result<StereoFrame> frame = next(last);
+  Result<StereoFrame> frame = next(last.captured);
   while (frame) {
-    last = frame->number;
-    frame = next(last);
+    last = *frame;
+    frame = next(last.captured);
   }
   EXPECT_EQ(frame.error().sentence, "the camera: fake gives no images");
   EXPECT_EQ(device.open_now, 0) << "it is let go";
   device.plugged = true;
   ASSERT_TRUE(open());
-  EXPECT_GT(next(last)->number, last);
+  EXPECT_GT(next(last.captured)->number, last.number);
   EXPECT_EQ(device.open_now, 1);
 }
 
-TEST_F(VideoCameraTest, GarbageIsACorruptFrameEachAndTheNextGoodOneComes) {
+TEST_F(VideoCameraTest, GarbageIsLeftOutAndSaidAndTheNextGoodImageComes) {
   ASSERT_TRUE(open());
-  const std::uint64_t last = next(0)->number;
-  device.garbage = true;
-  Result<StereoFrame> frame = next(last);
-  while (frame) frame = next(frame->number);
-  EXPECT_EQ(frame.error().symbol, "corrupt-frame");
-  EXPECT_EQ(frame.error().sentence, "the camera: what fake gives is no image that can be read");
-  device.garbage = false;
-  frame = next(last);
-  while (!frame) frame = next(last);
-  EXPECT_GT(frame->number, last);
-  EXPECT_GE(camera.drops().corrupt, 1u);
+  const StereoFrame last = *next({});
+  device.garbage_left = 5;
+  wait_until([&] { return device.garbage_left == 0; });
+  const Result<StereoFrame> frame = next(executor.now());
+  ASSERT_TRUE(frame);
+  EXPECT_GT(frame->number, last.number + 5);
+  EXPECT_EQ(camera.drops().corrupt, 5u);
+  EXPECT_EQ(camera.drops().why_corrupt, "the camera: what fake gives is no image that can be read");
   EXPECT_EQ(device.opened, 1);
+}
+
+// However many look at its images meanwhile.
+TEST_F(VideoCameraTest, TwentyGarbledImagesInARowAreTheEnd) {
+  ASSERT_TRUE(open());
+  const auto watch = [&](bool colour) -> Task<void> {
+    Time after = {};
+    Result<StereoFrame> frame = co_await camera.next(after, colour);
+    while (frame) {
+      after = frame->captured;
+      frame = co_await camera.next(after, colour);
+    }
+    EXPECT_EQ(frame.error().symbol, "disconnected");
+    EXPECT_EQ(frame.error().sentence, "the camera: what fake gives is no image that can be read");
+  };
+  const Job grey = executor.spawn(watch(false));
+  const Job colour = executor.spawn(watch(true));
+  wait_until([&] { return device.retrieved > 10; });
+  device.garbage = true;
+  executor.run_until([&] { return grey.done() && colour.done(); });
+  EXPECT_EQ(camera.drops().corrupt, 20u);
+  EXPECT_EQ(device.open_now, 0) << "it is let go";
+}
+
+TEST_F(VideoCameraTest, WhatIsAskedAfterARestIsAnsweredByAFrameOfAfterwards) {
+  ASSERT_TRUE(open());
+  ASSERT_TRUE(next({}));
+  device.hangs = true;
+  run_for(300ms);
+  const Time asked = executor.now();
+  executor.call_at(asked + 200ms, [this] {
+    device.hangs = false;
+    device.hangs.notify_all();
+  });
+  ASSERT_TRUE(open());
+  const Result<StereoFrame> frame = next(asked);
+  ASSERT_TRUE(frame);
+  EXPECT_GE(frame->captured, asked + 200ms);
 }
 
 TEST_F(VideoCameraTest, ACameraThatHangsIsNotOpenUntilItAnswersAgain) {
   ASSERT_TRUE(open());
-  std::uint64_t last = next(0)->number;
+  StereoFrame last = *next({});
   device.hangs = true;
-  Result<StereoFrame> frame = next(last);
-  for (; frame; frame = next(last)) last = frame->number;
+  Result<StereoFrame> frame = next(last.captured);
+  for (; frame; frame = next(last.captured)) last = *frame;
   EXPECT_EQ(frame.error().sentence, "no image came within 3 s");
   const Result<StereoModel> hung = open();
   device.hangs = false;
@@ -137,7 +179,7 @@ TEST_F(VideoCameraTest, ACameraThatHangsIsNotOpenUntilItAnswersAgain) {
   ASSERT_FALSE(hung);
   EXPECT_EQ(hung.error().sentence, "the camera hangs: what was asked of it before is not answered");
   ASSERT_TRUE(open());
-  EXPECT_GT(next(last)->number, last);
+  EXPECT_GT(next(last.captured)->number, last.number);
 }
 
 TEST_F(VideoCameraTest, ADeviceThatNeverAnswersHoldsUpNobodysEnd) {
@@ -171,12 +213,9 @@ TEST_F(VideoCameraTest, WhereAllIsGarbageOpeningSaysSoAfterTwentyImages) {
 TEST_F(VideoCameraTest, ImagesThatChangeTheirSizeAreRefusedUntilTheCameraIsOpenedAnew) {
   ASSERT_TRUE(open());
   device.width = 640;
-  Result<StereoFrame> frame = next(0);
-  while (frame) frame = next(frame->number);
+  Result<StereoFrame> frame = next({});
+  while (frame) frame = next(frame->captured);
   EXPECT_EQ(frame.error().sentence, "the camera's image is 640x240, and those before were 320x240");
-  // The next trouble lies there: the camera is not healthy.
-  while (next(1'000'000)) {
-  }
   const Result<StereoModel> again = open();
   ASSERT_TRUE(again);
 }
@@ -195,11 +234,7 @@ TEST_F(VideoCameraTest, ItIsLetGoWithItsUser) {
     ASSERT_TRUE(run(executor, own.open()));
     EXPECT_EQ(device.open_now, 1);
   }
-  const Time deadline = executor.now() + 5s;
-  executor.run_until([&] {
-    executor.call_at(executor.now() + 1ms, [] {});
-    return device.open_now == 0 || executor.now() > deadline;
-  });
+  wait_until([&] { return device.open_now == 0; });
   EXPECT_EQ(device.open_now, 0);
 }
 

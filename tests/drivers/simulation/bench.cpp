@@ -17,7 +17,7 @@ Bench::Bench(WorldConfig the_config)
       world(executor, config),
       link(world),
       arm(link),
-      eyes(link),
+      eyes(executor, link),
       at_(config.start_joints.value_or(config.arm.ready)) {
   EXPECT_TRUE(check(config));
   EXPECT_TRUE(run(executor, arm.take_control()));
@@ -53,7 +53,7 @@ std::string Bench::facts() {
 StereoFrame Bench::frame(bool colour) {
   const Result<StereoFrame> frame = run(executor, eyes.next(last_frame_, colour));
   EXPECT_TRUE(frame);
-  if (frame) last_frame_ = frame->number;
+  if (frame) last_frame_ = frame->captured;
   return frame.value_or(StereoFrame());
 }
 

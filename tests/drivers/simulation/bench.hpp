@@ -61,7 +61,7 @@ class Bench {
 
  private:
   Joints at_;
-  std::uint64_t last_frame_ = 0;
+  Time last_frame_ = {};
 };
 
 // Four cubes in a row, as a newcomer sees them.

@@ -46,12 +46,12 @@ TEST_F(DeviceLink, CarriesCallsFailuresAndImages) {
   ASSERT_TRUE(reading);
   EXPECT_EQ(reading->joints, config_.arm.ready);
 
-  SimulatedCamera eyes(link);
+  SimulatedCamera eyes(executor_, link);
   ASSERT_TRUE(run(executor_, eyes.open()));
-  const Result<StereoFrame> first = run(executor_, eyes.next(0, true));
+  const Result<StereoFrame> first = run(executor_, eyes.next({}, true));
   ASSERT_TRUE(first);
   EXPECT_EQ(first->right->pixels.size(), 320U * 240 * 3);
-  const Result<StereoFrame> second = run(executor_, eyes.next(first->number, false));
+  const Result<StereoFrame> second = run(executor_, eyes.next(first->captured, false));
   ASSERT_TRUE(second);
   EXPECT_EQ(second->captured - first->captured, 100ms * (second->number - first->number));
 }
