@@ -26,10 +26,13 @@ Failure of_another_version(Failure failure) {
   return failure;
 }
 
+// What the board refuses now and need not refuse later.
+bool may_pass(const Failure& failure) { return failure.symbol == "unreachable" || failure.symbol == "too-many"; }
+
 }  // namespace
 
 struct Service::Running {
-  explicit Running(Executor& executor) : slot_freed(executor) {}
+  explicit Running(Executor& executor) : slot_freed(executor), announced(executor) {}
 
   static constexpr std::size_t remembered_replies = 256;
   void remember(const Datum& id, Datum reply) {
@@ -41,6 +44,7 @@ struct Service::Running {
   }
 
   WaitList slot_freed;
+  WaitList announced;  // under another lease than before
   bool leaving = false;
   std::map<Datum, Datum> replies;
   std::deque<Datum> replied;
@@ -86,6 +90,7 @@ Task<Result<void>> Service::announce() {
   const Result<Revision> told = co_await context_.board.transact(std::move(presence));
   if (told) {
     presence_ = *lease;
+    running_->announced.wake_all();
     co_return {};
   }
   const Result<void> released = co_await context_.board.release(*lease);
@@ -138,10 +143,10 @@ Task<Result<void>> Service::serve_requests(RequestHandler handler) {
   const Query requests = query_for(list("request"_sym, "?id"_sym, Datum::symbol(context_.name), "?operation"_sym));
   while (true) {
     const Result<std::unique_ptr<Watch>> watch = co_await context_.board.watch(requests);
-    if (!watch && watch.error().symbol != "unreachable") co_return fail(watch);
+    if (!watch && !may_pass(watch.error())) co_return fail(watch);
     if (watch) {
       const Result<void> ended = co_await follow(**watch);
-      if (!ended && ended.error().symbol != "unreachable") co_return ended;
+      if (!ended && !may_pass(ended.error())) co_return ended;
     }
     co_await sleep(context_.executor, retry_pause);
   }
@@ -160,9 +165,21 @@ Task<Result<void>> Service::follow(Watch& watch) {
       }
       if (running_->leaving) continue;
       const Datum request = answer.facts.front().datum;
-      const Result<std::optional<Fact>> taken = co_await context_.board.take(request, presence_);
-      if (taken && *taken) running_->jobs.push_back(context_.executor.spawn(answer_request(**taken)));
+      const Result<std::optional<Fact>> taken = co_await take(request);
+      if (!taken) co_return fail(taken);
+      if (*taken) running_->jobs.push_back(context_.executor.spawn(answer_request(**taken)));
     }
+  }
+}
+
+// Who is not present takes nothing: where the lease has lapsed, the request waits for the next one.
+Task<Result<std::optional<Fact>>> Service::take(Datum request) {
+  while (true) {
+    const LeaseId presence = presence_;
+    Result<std::optional<Fact>> taken = co_await context_.board.take(request, presence);
+    const bool lapsed = !taken && taken.error().symbol == "unknown-lease";
+    if (!lapsed) co_return taken;
+    while (presence_ == presence) co_await running_->announced.wait();
   }
 }
 

@@ -61,6 +61,7 @@ class Service {
   Task<Result<void>> announce();
   Task<void> keep_presence();
   Task<Result<void>> follow(Watch& watch);
+  Task<Result<std::optional<Fact>>> take(Datum request);
   Task<void> answer_request(Fact request);
   Task<Datum> work_out(Fact request);
   Task<Result<Revision>> deliver(Datum reply);

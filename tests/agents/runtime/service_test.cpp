@@ -16,17 +16,45 @@ constexpr std::string_view adder_contract =
 
 Datum form(std::string_view written) { return read_one(written).value(); }
 
+// The board of an agent whose leases may lapse: no renewal comes through while it is held up.
+class LaggingBoard : public Board {
+ public:
+  LaggingBoard(Executor& executor, std::unique_ptr<Board> board) : executor_(executor), board_(std::move(board)) {}
+
+  Task<Result<void>> renew(LeaseId lease) override {
+    while (held_up) co_await sleep(executor_, 10ms);
+    co_return co_await board_->renew(lease);
+  }
+  Task<Result<void>> declare(std::vector<Relation> relations) override { return board_->declare(std::move(relations)); }
+  Task<Result<Revision>> transact(Transaction steps) override { return board_->transact(std::move(steps)); }
+  Task<Result<Answers>> ask(Query query) override { return board_->ask(std::move(query)); }
+  Task<Result<std::unique_ptr<Watch>>> watch(Query query) override { return board_->watch(std::move(query)); }
+  Task<Result<std::optional<Fact>>> take(Datum pattern, LeaseId holder) override {
+    return board_->take(std::move(pattern), holder);
+  }
+  Task<Result<LeaseId>> lease(Duration length) override { return board_->lease(length); }
+  Task<Result<void>> release(LeaseId lease) override { return board_->release(lease); }
+
+  bool held_up = false;
+
+ private:
+  Executor& executor_;
+  std::unique_ptr<Board> board_;
+};
+
 // One agent's life: destroying it is the agent's death.
 class Life {
  public:
   Life(Executor& executor, MemoryBoard& board, std::string name, std::string_view contract)
-      : board_(board.view(name)),
-        context_{name, "localhost", executor, *board_, Random(1)},
+      : board_(executor, board.view(name)),
+        context_{name, "localhost", executor, board_, Random(1)},
         service(context_, contract_from_text(contract).value()),
         caller(context_, service) {}
 
   void serve(Executor& executor) { job_ = executor.spawn(run(executor)); }
   void be_present(Executor& executor) { job_ = executor.spawn(start()); }
+
+  void hold_up(bool held_up) { board_.held_up = held_up; }
 
   int handled = 0;
 
@@ -51,7 +79,7 @@ class Life {
     co_return list(operation[1].number() + operation[2].number());
   }
 
-  std::unique_ptr<Board> board_;
+  LaggingBoard board_;
   AgentContext context_;
 
  public:
@@ -166,6 +194,37 @@ TEST_F(Runtime, AnAgentThatDiesInTheMiddleLeavesItsRequestToItsSuccessor) {
   EXPECT_EQ(adder->handled, 1) << "the successor takes the request once the dead one's lease lapsed";
   executor.run_for(10s);
   ASSERT_TRUE(answer && answer->has_value());
+}
+
+TEST_F(Runtime, ARequestThatComesWhileTheAgentsLeaseHasLapsedIsAnsweredOnceItIsBack) {
+  adder->hold_up(true);
+  executor.run_for(4s);
+  ASSERT_EQ(count("(agent adder ? ?)"), 0u);
+  std::optional<Result<Datum>> answer;
+  const Job job = executor.spawn(ask(user, form("(add 2 2)"), 60s, answer));
+  executor.run_for(1s);
+  EXPECT_FALSE(answer.has_value());
+  adder->hold_up(false);
+  executor.run_for(2s);
+  ASSERT_TRUE(answer && answer->has_value());
+  EXPECT_EQ(**answer, list(4.0));
+}
+
+TEST_F(Runtime, AReplyThatWasReadyWhileTheAgentsLeaseHadLapsedIsToldOnceItIsBack) {
+  for (const Duration back_after : {6s, 15s}) {
+    const int handled = adder->handled;
+    std::optional<Result<Datum>> answer;
+    const Job job = executor.spawn(ask(user, form("(slow)"), 60s, answer));
+    executor.run_for(1s);
+    adder->hold_up(true);
+    executor.run_for(back_after);
+    EXPECT_EQ(count("(agent adder ? ?)"), 0u);
+    EXPECT_FALSE(answer.has_value());
+    adder->hold_up(false);
+    executor.run_for(10s);
+    ASSERT_TRUE(answer && answer->has_value()) << back_after.count();
+    EXPECT_EQ(adder->handled, handled + 1) << "it is done once";
+  }
 }
 
 TEST_F(Runtime, PresenceGoesWithinTheLeaseOfADeathAndFreesTheName) {
