@@ -4,6 +4,7 @@
 #include <deque>
 #include <fmt/format.h>
 
+#include "blackboard/teller.hpp"
 #include "blackboard/time/event.hpp"
 
 namespace pizarra {
@@ -226,6 +227,9 @@ Task<void> Service::answer_request(Fact request) {
 
 Task<Datum> Service::work_out(Fact request) {
   const Datum id = request.datum[1];
+  // No board lets such a client in, but a journal of an earlier version may hold what one asked.
+  const Result<void> named = check_teller_name(request.teller);
+  if (!named) co_return reply_datum(id, fail(named));
   const Result<void> offered = check_operation(contract_, request.datum[3]);
   if (!offered) co_return reply_datum(id, fail(offered));
   const Result<Datum> result = co_await running_->handler(std::move(request));

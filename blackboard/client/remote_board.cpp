@@ -3,6 +3,7 @@
 #include "blackboard/client/remote_watch.hpp"
 #include "blackboard/client/replicas.hpp"
 #include "blackboard/limits.hpp"
+#include "blackboard/teller.hpp"
 #include "blackboard/time/event.hpp"
 #include "blackboard/wire/answer_form.hpp"
 #include "blackboard/wire/wire_address.hpp"
@@ -48,6 +49,8 @@ Result<std::unique_ptr<RemoteBoard>> RemoteBoard::connect(Executor& executor, co
                                                           const std::optional<ClientKeys>& keys) {
   const Result<void> formed = check_address(address);
   if (!formed) return fail(formed);
+  const Result<void> named = check_teller_name(teller);
+  if (!named) return fail(named);
   if (keys && !may_call_itself(keys->own.name, teller)) teller = keys->own.name + "/" + teller;
   std::unique_ptr<RemoteBoard> board(new RemoteBoard(executor, address, std::move(teller), timeout));
   // Whoever reaches the file of an ipc address is this machine's: no keys there.

@@ -35,8 +35,8 @@ class RemoteBoard : public Board {
   // 256, for those that are asked again, and half as many wait for a client without being lost.
   static constexpr wire::RequestId most_ahead = 128;
 
-  // With keys the teller is called by its key's name: KEY where that is its own, KEY/TELLER otherwise. Failure
-  // bad-address.
+  // With keys the teller is called by its key's name: KEY where that is its own, KEY/TELLER otherwise. Failures
+  // bad-address and, as of check_teller_name(), bad-name.
   static Result<std::unique_ptr<RemoteBoard>> connect(Executor& executor, const std::string& address,
                                                       std::string teller, Duration timeout = default_timeout,
                                                       const std::optional<ClientKeys>& keys = std::nullopt);

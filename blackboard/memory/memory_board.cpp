@@ -1,11 +1,13 @@
 #include "blackboard/memory/memory_board.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 #include "blackboard/boards_own.hpp"
 #include "blackboard/journal/journal.hpp"
 #include "blackboard/store/query_tables.hpp"
 #include "blackboard/store/store.hpp"
+#include "blackboard/teller.hpp"
 #include "blackboard/time/event.hpp"
 #include "blackboard/watch/watches.hpp"
 
@@ -45,7 +47,9 @@ class MemoryWatch : public Watch {
 
 class View : public Board {
  public:
-  View(MemoryBoard& board, std::string teller) : board_(board), teller_(std::move(teller)) {}
+  View(MemoryBoard& board, std::string teller) : board_(board), teller_(std::move(teller)) {
+    assert(check_teller_name(teller_));
+  }
 
   Task<Result<void>> declare(std::vector<Relation> relations) override { co_return board_.declare(teller_, relations); }
   Task<Result<Revision>> transact(Transaction transaction) override { co_return board_.transact(teller_, transaction); }

@@ -18,7 +18,7 @@
 A symbol is a Symbol, a string a str, a list a list; integers and reals are int and float. What fails raises Failure, with
 its symbol, sentence and subject: undeclared-relation, wrong-shape, precondition-failed, unknown-lease, not-permitted,
 too-large, unreachable, timeout; bad-datum for what cannot be said to a board, as None, nan or bytes; bad-address,
-unreadable-file and bad-key for what it cannot begin with; closed for what is asked of it after close(). With
+bad-name, unreadable-file and bad-key for what it cannot begin with; closed for what is asked of it after close(). With
 key="NAME.secret" (board.key stands beside it) the board may be on another machine.
 
 There are no replicas here: every ask goes to the server and back. A script that asks often watches instead, and keeps
@@ -44,6 +44,7 @@ FRAME_DEPTH = 64
 FRAME_ELEMENTS = 200_000
 ENVELOPE_BYTES = 64
 ENVELOPE_ELEMENTS = 4
+TELLER_BYTES = 128
 
 
 class Failure(Exception):
@@ -162,6 +163,15 @@ def write(datum, deepest=FRAME_DEPTH):
     kind = "out of range" if isinstance(datum, (int, float)) and not isinstance(datum, bool) else "no datum"
     raise Failure("bad-datum", f"a value of the type {type(datum).__name__} is {kind}: "
                                "data are lists, Symbols, strings, integers of 64 bits and finite reals")
+
+
+def _check_teller(name):
+    """Agents speak of who asked them by that name, as a symbol, which must not be a variable."""
+    if not _SYMBOL.match(name) or name.startswith("?"):
+        raise Failure("bad-name", f"no teller is called {str.__repr__(name)[:60]}: the name is a symbol's, of letters, "
+                                  "digits, dashes and the like, without blanks, no digit and no question mark first", name)
+    if len(name) > TELLER_BYTES:
+        raise Failure("too-large", f"the name of a teller has at most {TELLER_BYTES} bytes")
 
 
 def _elements(datum):
@@ -396,7 +406,7 @@ class Board:
     def __init__(self, address, teller, key=None, timeout=5.0):
         if not isinstance(address, str) or not isinstance(teller, str):
             raise Failure("wrong-shape", "a board's address and the name of a teller are strings")
-        write(teller)
+        _check_teller(teller)
         self.address, self.teller, self.timeout = address, teller, timeout
         self._keys = None
         if key and not address.startswith("ipc://"):

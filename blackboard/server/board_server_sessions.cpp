@@ -4,8 +4,8 @@
 #include <stdexcept>
 #include <sys/random.h>
 
-#include "blackboard/limits.hpp"
 #include "blackboard/server/board_server.hpp"
+#include "blackboard/teller.hpp"
 
 namespace pizarra {
 
@@ -41,13 +41,9 @@ std::string BoardServer::who_is(const std::string& peer) const {
 
 void BoardServer::greet(const std::string& peer, const Datum& hello) {
   const bool formed = hello.size() == 3 && hello[1].is_string() && wire::count_at(hello, 2);
-  if (!formed || hello[1].text().empty()) {
-    return refuse(peer, {"bad-frame", "a hello is (hello TELLER SESSION)", {}, {}});
-  }
-  if (hello[1].text().size() > limits::name_bytes) {
-    const std::string most = std::to_string(limits::name_bytes);
-    return refuse(peer, {"too-large", "the name of a teller has at most " + most + " bytes", {}, {}});
-  }
+  if (!formed) return refuse(peer, {"bad-frame", "a hello is (hello TELLER SESSION)", {}, {}});
+  const Result<void> named = check_teller_name(hello[1].text());
+  if (!named) return refuse(peer, named.error());
   if (keys_ && keys_->follow()) end_sessions_of_changed_keys();
   const PublicKey* key = nullptr;
   if (!socket_.sender_key().empty()) {

@@ -141,6 +141,12 @@ class WhatABoardCannotBeginWith(unittest.TestCase):
         self.refused("wrong-shape", None, "script")
         self.refused("wrong-shape", "ipc:///tmp/none", 1)
 
+    def test_a_name_that_is_none(self):
+        for name in ("my script", "", "9th", "?x", "a(b", "a\nb", "caf\u00e9", ".", "\ud800"):
+            self.refused("bad-name", "ipc:///tmp/none", name)
+        self.refused("too-large", "ipc:///tmp/none", "x" * 129)
+        Board("ipc:///tmp/none", "x" * 128).close()
+
     def test_keys_that_are_none(self):
         with tempfile.TemporaryDirectory() as folder:
             secret, board = os.path.join(folder, "me.secret"), os.path.join(folder, "board.key")

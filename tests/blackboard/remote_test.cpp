@@ -266,7 +266,9 @@ TEST_F(RemoteTest, WhetherATransactionHappenedOnALostBoardIsUnknownButAQuestionI
   EXPECT_EQ(std::ranges::count(heard, "ask"), 2);
 }
 
-TEST_F(RemoteTest, AnAddressThatIsNoneIsRefused) {
+TEST_F(RemoteTest, AnAddressOrANameThatIsNoneIsRefused) {
+  EXPECT_EQ(symbol_of(RemoteBoard::connect(executor_, address_, "my script")), "bad-name");
+  EXPECT_EQ(symbol_of(RemoteBoard::connect(executor_, address_, "\xff")), "bad-name");
   EXPECT_EQ(symbol_of(RemoteBoard::connect(executor_, "nowhere", "alice")), "bad-address");
   EXPECT_EQ(symbol_of(RemoteBoard::connect(executor_, "tcp://\xff:1", "alice")), "bad-address");
 }

@@ -256,6 +256,18 @@ TEST_F(ServerTest, ATellersNameHasABound) {
   EXPECT_TRUE(client().ask("(hello \"" + longest + "\" 0)").is_form("welcome"));
 }
 
+// Agents speak of their clients as symbols.
+TEST_F(ServerTest, ATellersNameIsThatOfASymbolAndOfNoVariable) {
+  for (const char* name : {"my script", "", "9th", "-1", "?x", "a(b", "a\\nb", "a\\\"b", "caf\u00e9", "."}) {
+    const Datum refused = client().ask("(hello \"" + std::string(name) + "\" 0)");
+    ASSERT_TRUE(refused.is_form("refused")) << name << ": " << write(refused);
+    EXPECT_EQ(refused[1][1], "bad-name"_sym) << write(refused);
+  }
+  for (const char* name : {"script", "desk/script", "a?", "-", "prompt-17"}) {
+    EXPECT_TRUE(client().ask("(hello \"" + std::string(name) + "\" 0)").is_form("welcome")) << name;
+  }
+}
+
 TEST_F(ServerTest, WhatIsNoMessageIsRefusedAndTheServerGoesOn) {
   Client client = this->client();
   const std::string session = client.join("alice");

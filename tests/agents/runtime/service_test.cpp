@@ -144,6 +144,14 @@ TEST_F(Runtime, RefusesWhatTheContractDoesNotOfferBeforeTheAgentSeesIt) {
   EXPECT_EQ(adder->handled, 0);
 }
 
+// A journal of an earlier version may hold such a client's.
+TEST_F(Runtime, ARequestOfWhomNoAgentCanSpeakByNameIsAnsweredBeforeTheAgentSeesIt) {
+  board.transact("my script", Transaction().tell(form("(request r1 adder (add 1 2))"))).value();
+  executor.run_for(1s);
+  EXPECT_EQ(count("(reply r1 (fail bad-name ? ?))"), 1u);
+  EXPECT_EQ(adder->handled, 0);
+}
+
 TEST_F(Runtime, AnAnswerThatTheBoardRefusesBecomesAFailureAtOnce) {
   const Time asked = executor.now();
   const auto answer = call(user, "(babble)");
