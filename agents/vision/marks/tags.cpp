@@ -27,6 +27,8 @@ constexpr double least_border_share = 0.75;
 // side.
 constexpr double most_off_px = 1;
 constexpr double most_off_share = 0.015;
+// By so much, as a part of it, what the cells say of that may be too little (tag_fit.hpp).
+constexpr double fit_slack = 0.15;
 
 using Corners = TagCorners;
 
@@ -115,7 +117,7 @@ bool has_a_border(const cv::Mat1b& grey, const Corners& corners) {
 std::optional<SeenMark> whole_mark(const cv::Mat1b& grey, const Corners& corners, const TagFamily& family, int number) {
   const cv::Ptr<cv::aruco::Dictionary> dictionary = cv::aruco::getPredefinedDictionary(family.dictionary);
   const double allowed = std::max(most_off_px, most_off_share * side_px(corners));
-  const double doubt = middle_off_px(grey, corners, *dictionary, number) / allowed;
+  const double doubt = (1 + fit_slack) * middle_off_px(grey, corners, *dictionary, number) / allowed;
   if (doubt > 1) return std::nullopt;
   SeenMark out = mark_of(grey, corners, {std::string(family.name), number});
   out.tag_doubt = doubt;

@@ -24,7 +24,7 @@ constexpr double trust_in_another = 0.5;
 constexpr double least_twins = 0.1;
 
 // With less doubt about the ground around a mark nothing hid a part of it; whether something comes to hide one, its
-// size and its motion tell. A tag's do not.
+// size and its motion tell.
 constexpr double little_doubt = 0.5;
 
 // They may move meanwhile; where one is hidden, it is thought to rest.
@@ -263,7 +263,7 @@ TrackSighting MarkTracker::update(StereoSight& sight, Track& track) {
   count_twins(sight, track, *object, *now);
   out.confidence = now->likeness.confidence();
   if (!now->left.tag) out.confidence = confidence_if_off(out.confidence, look.may_be_off_px, off_px);
-  const bool known = track.left && !track.missed && !now->left.tag && track.ground_doubt < little_doubt;
+  const bool known = track.left && !track.missed && track.ground_doubt < little_doubt;
   if (!known) track.ground_doubt = ground_doubt(sight, *now);
   out.confidence = confidence_if_off(out.confidence, track.ground_doubt, 1);
   if (is_doubted(track, *now)) out.confidence = std::min(out.confidence, trust_in_another);

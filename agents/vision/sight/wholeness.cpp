@@ -27,6 +27,8 @@ FaceSize face_size(const StereoModel& model, const LearnedObject& object, const 
 double most_off_px(const StereoSight& sight) { return px_in(sight.left(), 1); }
 
 double ground_doubt(const StereoSight& sight, const SeenPair& pair) {
+  // Its cells say it, in a shadow too.
+  if (pair.left.tag) return 0;
   const double left = ground_doubt(sight.left(), sight.noise(), pair.left);
   return pair.right ? std::max(left, ground_doubt(sight.right(), sight.noise(), *pair.right)) : left;
 }

@@ -44,7 +44,7 @@ class Wholeness {
 // How far off a centre may be, by what covers a part of the mark, that is told.
 double most_off_px(const StereoSight& sight);
 
-// The greater one of both images (mark_ground.hpp).
+// The greater one of both images (mark_ground.hpp); none of a tag.
 double ground_doubt(const StereoSight& sight, const SeenPair& pair);
 
 // How sure one can be of a mark that was not seen before, by what was learned of it; and by the ground around it too.

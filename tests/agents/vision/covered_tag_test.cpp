@@ -20,6 +20,26 @@ struct TagHand {
   double depth_share;  // of the tag's depth
 };
 
+// As its edge falls over what is as far away as the tag: beyond it there is less light.
+struct Shadow {
+  double from_deg;
+  double edge_px;  // from the tag's centre
+  double light;    // the share that is left
+
+  void fall(cv::Mat1b image, cv::Point2d centre) const {
+    constexpr double soft_px = 3;
+    const double from = from_deg * CV_PI / 180;
+    for (int y = 0; y < image.rows; ++y) {
+      for (int x = 0; x < image.cols; ++x) {
+        const cv::Point2d off = cv::Point2d(x, y) - centre;
+        const double beyond = off.x * std::cos(from) + off.y * std::sin(from) - edge_px;
+        const double shaded = std::clamp(beyond / soft_px + 0.5, 0.0, 1.0);
+        image(y, x) = cv::saturate_cast<std::uint8_t>(image(y, x) * (1 - (1 - light) * shaded));
+      }
+    }
+  }
+};
+
 class CoveredTag : public testing::TestWithParam<std::tuple<int, int>> {
  protected:
   static constexpr double most_off_px = 2;
@@ -60,7 +80,11 @@ class CoveredTag : public testing::TestWithParam<std::tuple<int, int>> {
   const bench::SceneMark& mark() const { return scene.marks.front(); }
   double side_px() const { return 44 * bench::scale_at(mark().depth_mm); }
   StereoSight look_with_both() {
-    return {bench::draw(scene, Side::left, random), bench::draw(scene, Side::right, random), model};
+    const cv::Mat1b left = bench::draw(scene, Side::left, random);
+    const cv::Mat1b right = bench::draw(scene, Side::right, random);
+    if (shadow) shadow->fall(left, mark().centre);
+    if (shadow) shadow->fall(right, mark().centre - cv::Point2d(bench::disparity_px(mark().depth_mm), 0));
+    return {left, right, model};
   }
   void look() {
     StereoSight both = look_with_both();
@@ -71,14 +95,16 @@ class CoveredTag : public testing::TestWithParam<std::tuple<int, int>> {
     const std::optional<SeenPair> found = both.find(objects, *objects.find("tag"));
     if (found) check(found->left.centre, found->likeness.confidence());
   }
-  bool is_seen(const TrackSighting& sighting) const {
+  bool is_seen(const TrackSighting& sighting) {
     if (!sighting.seen) return false;
     check(sighting.centre, sighting.confidence);
     return true;
   }
-  void check(cv::Point2d told, double confidence) const {
+  void check(cv::Point2d told, double confidence) {
+    ++positions;
+    sure += confidence < sure_from ? 0 : 1;
     EXPECT_LT(cv::norm(told - mark().centre), confidence < sure_from ? most_off_px : most_off_sure_px) << confidence;
-    if (scene.things.empty()) {
+    if (scene.things.empty() && !shadow) {
       EXPECT_GT(confidence, sure_from) << "of a whole one";
     }
   }
@@ -121,10 +147,13 @@ class CoveredTag : public testing::TestWithParam<std::tuple<int, int>> {
     return out;
   }();
   bench::Scene scene;
+  std::optional<Shadow> shadow = {};
   LearnedObjects objects;
   Time now = {};
   MarkTracker pair{objects};
   MarkTracker single{objects};
+  int positions = 0;
+  int sure = 0;
   bool seen_by_pair = false;
   bool seen_by_one = false;
 };
@@ -146,6 +175,19 @@ TEST_P(CoveredTag, IsToldWhereItIsOrNotAtAll) {
     scene.things.clear();
     look_on(2);
   }
+}
+
+// That hides nothing of it.
+TEST_P(CoveredTag, AcrossWhichAShadowFallsIsSure) {
+  look_on(2);
+  positions = sure = 0;
+  constexpr int shadows = 12;
+  for (int n = 0; n < shadows; ++n) {
+    shadow = {random.uniform(0, 360), random.uniform(-0.7, 0.7) * side_px(), random.uniform(0.5, 0.8)};
+    look();
+  }
+  EXPECT_GE(positions, 2 * shadows);
+  EXPECT_GE(sure, 0.8 * positions) << "of " << positions;
 }
 
 std::string instance_name(const testing::TestParamInfo<CoveredTag::ParamType>& one) {
