@@ -1,5 +1,6 @@
 #include "drivers/camera/image_pairs.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <filesystem>
 #include <fmt/format.h>
@@ -11,60 +12,173 @@ namespace pizarra {
 namespace {
 
 constexpr const char* digits = "0123456789";
+constexpr std::string_view advice = "give what belongs together the same number, or take out the numbers";
 
-std::optional<std::uint64_t> number_in(const std::string& file) {
+// Without the zeros before them, so that 02 is 2.
+using Numbers = std::vector<std::string>;
+
+std::string name_of(const std::string& file) { return std::filesystem::path(file).filename().string(); }
+
+Numbers numbers_in(const std::string& file) {
   const std::string name = std::filesystem::path(file).stem().string();
-  const std::size_t last = name.find_last_of(digits);
-  if (last == std::string::npos) return std::nullopt;
-  const std::size_t before = name.find_last_not_of(digits, last);
-  const std::size_t first = before == std::string::npos ? 0 : before + 1;
-  std::uint64_t number = 0;
-  const auto [end, error] = std::from_chars(name.data() + first, name.data() + last + 1, number);
-  return error == std::errc() ? std::optional(number) : std::nullopt;
-}
-
-// Empty where a name has none, or one that another has too.
-std::map<std::uint64_t, std::string> by_number(const std::vector<std::string>& files) {
-  std::map<std::uint64_t, std::string> out;
-  for (const std::string& file : files) {
-    const std::optional<std::uint64_t> number = number_in(file);
-    if (!number || !out.emplace(*number, file).second) return {};
+  Numbers out;
+  std::size_t first = name.find_first_of(digits);
+  while (first != std::string::npos) {
+    const std::size_t end = std::min(name.find_first_not_of(digits, first), name.size());
+    const std::size_t sense = std::min(name.find_first_not_of('0', first), end - 1);
+    out.push_back(name.substr(sense, end - sense));
+    first = name.find_first_of(digits, end);
   }
   return out;
 }
 
-// No number in any name, or the same in all, as a camera's own.
-bool are_unnumbered(const std::vector<std::string>& files) {
-  std::set<std::optional<std::uint64_t>> numbers;
-  for (const std::string& file : files) numbers.insert(number_in(file));
-  return numbers.size() <= 1;
+// One side's, file by file.
+Result<std::vector<Numbers>> numbers_of(const std::vector<std::string>& files) {
+  std::vector<Numbers> out;
+  for (const std::string& file : files) {
+    out.push_back(numbers_in(file));
+    if (out.back().size() == out.front().size()) continue;
+    return fail("unpaired", fmt::format("{} has {} numbers in its name and {} has {}: {}", name_of(files.front()),
+                                        out.front().size(), name_of(file), out.back().size(), advice));
+  }
+  return out;
+}
+
+// Which of the numbers in its names tell one side's images apart.
+std::set<std::size_t> varying(const std::vector<Numbers>& names) {
+  std::set<std::size_t> out;
+  for (const Numbers& name : names) {
+    for (std::size_t i = 0; i < name.size(); ++i) {
+      if (name[i] != names.front()[i]) out.insert(i);
+    }
+  }
+  return out;
+}
+
+using ByNumbers = std::map<Numbers, std::string>;
+
+Result<ByNumbers> by_numbers(const std::vector<std::string>& files, const std::vector<Numbers>& numbers) {
+  ByNumbers out;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    const auto [there, added] = out.emplace(numbers[i], files[i]);
+    if (added) continue;
+    return fail("unpaired", fmt::format("{} and {} have the same number: {}", name_of(there->second), name_of(files[i]),
+                                        advice));
+  }
+  return out;
+}
+
+std::optional<std::int64_t> as_integer(const Numbers& numbers) {
+  if (numbers.size() != 1) return std::nullopt;
+  const std::string& text = numbers.front();
+  std::int64_t out = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), out);
+  return error == std::errc() ? std::optional(out) : std::nullopt;
+}
+
+// Of the images of one side, in the order of their names.
+struct Side {
+  std::vector<std::string> files;
+  std::vector<Numbers> numbers;  // of those that tell images apart
+};
+
+// By equal numbers.
+ImagePairs matched(const Side& left, const ByNumbers& right) {
+  ImagePairs out;
+  for (std::size_t i = 0; i < left.files.size(); ++i) {
+    const auto partner = right.find(left.numbers[i]);
+    if (partner == right.end()) continue;
+    out.sides[0].push_back(left.files[i]);
+    out.sides[1].push_back(partner->second);
+  }
+  const std::size_t count = out.sides[0].size();
+  out.alone = {left.files.size() - count, right.size() - count};
+  return out;
+}
+
+// Counted alike on both sides, but from another number on.
+std::optional<ImagePairs> counted_apart(const Side& left, const Side& right) {
+  const auto integers_of = [](const Side& side) -> std::optional<std::map<std::int64_t, std::string>> {
+    std::map<std::int64_t, std::string> out;
+    for (std::size_t i = 0; i < side.files.size(); ++i) {
+      const std::optional<std::int64_t> number = as_integer(side.numbers[i]);
+      if (!number) return std::nullopt;
+      out.emplace(*number, side.files[i]);
+    }
+    return out;
+  };
+  const auto lefts = integers_of(left);
+  const auto rights = integers_of(right);
+  if (!lefts || !rights || lefts->size() != rights->size()) return std::nullopt;
+  const std::int64_t apart = rights->begin()->first - lefts->begin()->first;
+  ImagePairs out;
+  for (std::size_t i = 0; i < left.files.size(); ++i) {
+    const auto partner = rights->find(*as_integer(left.numbers[i]) + apart);
+    if (partner == rights->end()) return std::nullopt;
+    out.sides[0].push_back(left.files[i]);
+    out.sides[1].push_back(partner->second);
+  }
+  return out;
+}
+
+Failure unpaired(const Side& left, const ByNumbers& right) {
+  std::string example;
+  for (std::size_t i = left.files.size(); i-- > 0;) {
+    if (!right.contains(left.numbers[i])) example = name_of(left.files[i]);
+  }
+  return {"unpaired",
+          fmt::format("{} images are of the left camera and {} of the right one, and the numbers in their names do not "
+                      "say which belong together, as of {}: {}",
+                      left.files.size(), right.size(), example, advice),
+          {},
+          {}};
+}
+
+std::vector<Numbers> at_places(const std::vector<Numbers>& names, const std::set<std::size_t>& places) {
+  std::vector<Numbers> out;
+  for (const Numbers& name : names) {
+    Numbers& numbers = out.emplace_back();
+    for (const std::size_t place : places) numbers.push_back(name[place]);
+  }
+  return out;
+}
+
+Result<ImagePairs> in_order(std::vector<std::string> left, std::vector<std::string> right) {
+  if (left.size() == right.size()) return ImagePairs{{std::move(left), std::move(right)}, {}};
+  return fail("unpaired", fmt::format("{} images are of the left camera and {} of the right one, and no numbers in "
+                                      "their names say which belong together: give what belongs together the same number",
+                                      left.size(), right.size()));
 }
 
 }  // namespace
 
 Result<ImagePairs> pair_files(std::vector<std::string> left, std::vector<std::string> right) {
-  const std::map<std::uint64_t, std::string> numbered_left = by_number(left);
-  const std::map<std::uint64_t, std::string> numbered_right = by_number(right);
-  ImagePairs pairs;
-  for (const std::string& file : left) {
-    if (numbered_left.empty()) break;
-    const auto partner = numbered_right.find(*number_in(file));
-    if (partner == numbered_right.end()) continue;
-    pairs.sides[0].push_back(file);
-    pairs.sides[1].push_back(partner->second);
+  const Result<std::vector<Numbers>> left_names = numbers_of(left);
+  const Result<std::vector<Numbers>> right_names = numbers_of(right);
+  if (!left_names) return fail(left_names);
+  if (!right_names) return fail(right_names);
+  std::set<std::size_t> left_places = varying(*left_names);
+  std::set<std::size_t> right_places = varying(*right_names);
+  const bool none_vary = left_places.empty() && right_places.empty();
+  if (none_vary || left.empty() || right.empty()) return in_order(std::move(left), std::move(right));
+  // Of names that are built alike: what is the same all over one side may yet say which one of the other's it is.
+  if (left_names->front().size() == right_names->front().size()) {
+    left_places.insert(right_places.begin(), right_places.end());
+    right_places = left_places;
   }
+  const Side left_side{std::move(left), at_places(*left_names, left_places)};
+  const Side right_side{std::move(right), at_places(*right_names, right_places)};
+  const Result<ByNumbers> numbered_left = by_numbers(left_side.files, left_side.numbers);
+  const Result<ByNumbers> numbered_right = by_numbers(right_side.files, right_side.numbers);
+  if (!numbered_left) return fail(numbered_left);
+  if (!numbered_right) return fail(numbered_right);
+  ImagePairs pairs = matched(left_side, *numbered_right);
   const std::size_t count = pairs.sides[0].size();
-  if (2 * count > std::min(left.size(), right.size())) {
-    pairs.alone = {left.size() - count, right.size() - count};
-    return pairs;
-  }
+  if (2 * count > std::min(left_side.files.size(), right_side.files.size())) return pairs;
   // Numbers of which some are on the other side too contradict any other order.
-  const bool counted_apart = count == 0 && !numbered_left.empty() && !numbered_right.empty();
-  const bool by_order = counted_apart || (are_unnumbered(left) && are_unnumbered(right));
-  if (by_order && left.size() == right.size()) return ImagePairs{{std::move(left), std::move(right)}, {}};
-  return fail("unpaired", fmt::format("{} images are of the left camera and {} of the right one, and the numbers in "
-                                      "their names do not say which belong together",
-                                      left.size(), right.size()));
+  std::optional<ImagePairs> apart = count == 0 ? counted_apart(left_side, right_side) : std::nullopt;
+  if (apart) return std::move(*apart);
+  return std::unexpected(unpaired(left_side, *numbered_right));
 }
 
 }  // namespace pizarra

@@ -1,6 +1,7 @@
 // Image files and videos, as a person has them, read as a camera.
 
 #include <filesystem>
+#include <fmt/format.h>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <opencv2/imgcodecs.hpp>
@@ -209,8 +210,8 @@ TEST_F(Recordings, APairWhoseNamesDoNotSayWhatBelongsTogetherHasAsManyOnEitherSi
     const Result<StereoModel> model = run(executor, camera.open());
     ASSERT_FALSE(model);
     EXPECT_EQ(model.error().sentence,
-              "the left camera: 3 images are of the left camera and 2 of the right one, and the numbers in their names do "
-              "not say which belong together");
+              "the left camera: 3 images are of the left camera and 2 of the right one, and no numbers in their names say "
+              "which belong together: give what belongs together the same number");
   }
   write_image("right-c.png", 50);
   VideoCamera camera(executor, eyes, make_any_source);
@@ -224,9 +225,50 @@ TEST(ImagePairs, NumbersThatContradictTheOrderAreNotOverridden) {
   EXPECT_EQ(pair_files({"l/3.png", "l/4.png", "l/5.png", "l/x.png"}, right).error().symbol, "unpaired");
 }
 
+TEST(ImagePairs, ACamerasOwnNumberSaysNothing) {
+  std::vector<std::string> left;
+  std::vector<std::string> right;
+  for (int i = 0; i < 20; ++i) {
+    if (i != 3) left.push_back(fmt::format("l/frame{:02}_cam0.png", i));
+    if (i != 16) right.push_back(fmt::format("r/frame{:02}_cam1.png", i));
+  }
+  const ImagePairs pairs = pair_files(left, right).value();
+  ASSERT_EQ(pairs.sides[0].size(), 18u);
+  EXPECT_EQ(pairs.alone, (std::array<std::size_t, 2>{1, 1}));
+  for (std::size_t i = 0; i < 18; ++i) EXPECT_EQ(pairs.sides[0][i].substr(2, 7), pairs.sides[1][i].substr(2, 7));
+  const ImagePairs one = pair_files({"l/frame07_cam0.png"}, right).value();
+  EXPECT_EQ(one.sides[1], (std::vector<std::string>{"r/frame07_cam1.png"}));
+}
+
+TEST(ImagePairs, DatesAndTimesAreComparedWhole) {
+  const ImagePairs times =
+      pair_files({"l_10.0.png", "l_10.5.png", "l_11.0.png"}, {"r_10.5.png", "r_11.0.png", "r_11.5.png"}).value();
+  EXPECT_EQ(times.sides[0], (std::vector<std::string>{"l_10.5.png", "l_11.0.png"}));
+  EXPECT_EQ(times.sides[1], (std::vector<std::string>{"r_10.5.png", "r_11.0.png"}));
+  const ImagePairs dates = pair_files({"0522_235959.png", "0523_000000.png"}, {"0523_000000.png"}).value();
+  EXPECT_EQ(dates.sides[0], (std::vector<std::string>{"0523_000000.png"}));
+}
+
+TEST(ImagePairs, WhatIsRefusedNamesAnImageAndSaysWhatToRename) {
+  const auto why = [](std::vector<std::string> left, std::vector<std::string> right) {
+    return pair_files(std::move(left), std::move(right)).error().sentence;
+  };
+  EXPECT_EQ(why({"l/100.png", "l/200.png", "l/300.png"}, {"r/102.png", "r/201.png", "r/303.png"}),
+            "3 images are of the left camera and 3 of the right one, and the numbers in their names do not say which "
+            "belong together, as of 100.png: give what belongs together the same number, or take out the numbers");
+  EXPECT_EQ(why({"l/3 (3).png", "l/4.png"}, {"r/3.png", "r/4.png"}),
+            "3 (3).png has 2 numbers in its name and 4.png has 1: give what belongs together the same number, or take "
+            "out the numbers");
+  EXPECT_EQ(why({"l/a3.png", "l/b3.png", "l/c4.png"}, {"r/3.png", "r/4.png", "r/5.png"}),
+            "a3.png and b3.png have the same number: give what belongs together the same number, or take out the "
+            "numbers");
+}
+
 TEST(ImagePairs, NumbersThatAreNotOnBothSidesSayNothing) {
   const ImagePairs apart = pair_files({"l/1.png", "l/2.png"}, {"r/101.png", "r/102.png"}).value();
   EXPECT_EQ(apart.sides[1], (std::vector<std::string>{"r/101.png", "r/102.png"}));
+  const ImagePairs unpadded = pair_files({"10.png", "8.png", "9.png"}, {"100.png", "101.png", "99.png"}).value();
+  EXPECT_EQ(unpadded.sides[1], (std::vector<std::string>{"101.png", "99.png", "100.png"}));
   const ImagePairs cameras = pair_files({"a-1.png", "b-1.png"}, {"a-2.png", "b-2.png"}).value();
   EXPECT_EQ(cameras.sides[1], (std::vector<std::string>{"a-2.png", "b-2.png"}));
   const ImagePairs stray = pair_files({"l/1.png", "l/02.png", "l/3.png"}, {"r/2.png", "r/3.png", "r/4.png"}).value();
