@@ -11,6 +11,12 @@ bool is_anyones(const std::string& holder) { return holder == ModeHolders::anybo
 
 }  // namespace
 
+Result<void> ModeHolders::check_client(const std::string& client) {
+  if (!is_anyones(client)) return {};
+  return fail("bad-name", client + " is what the eyes call clients of whom they do not know: have another name",
+              Datum::symbol(client));
+}
+
 void ModeHolders::disconnect(const std::string& client) {
   for (auto& [holder, held] : clients_) {
     if (holder == client || is_anyones(holder)) held.connected = false;

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "agents/vision/objects/renames.hpp"
-#include "lisp/datum.hpp"
+#include "lisp/result.hpp"
 
 namespace pizarra {
 
@@ -24,6 +24,8 @@ class ModeHolders {
   // What is held by these, anyone may end: what was kept, and what those hold who are not present on the board.
   static constexpr std::string_view anybody = "anybody";
   static constexpr std::string_view absent = "absent";
+  // No client is called so; failure `bad-name`.
+  static Result<void> check_client(const std::string& client);
 
   void connect(const std::string& client) { clients_[client].connected = true; }
   void disconnect(const std::string& client);

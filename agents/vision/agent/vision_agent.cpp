@@ -8,6 +8,18 @@
 #include "agents/vision/agent/vision_state.hpp"
 
 namespace pizarra {
+namespace {
+
+// Of who asks, and of what is asked about: all strings are names of objects.
+Result<void> check_names(const Fact& request) {
+  Result<void> good = ModeHolders::check_client(request.teller);
+  for (const Datum& argument : request.datum[3].items()) {
+    if (good && argument.is_string()) good = check_object_name(argument.text());
+  }
+  return good;
+}
+
+}  // namespace
 
 VisionAgent::VisionAgent(AgentContext context, StereoCamera& camera, Streams* streams, VisionOptions options)
     : state_(std::make_unique<State>(std::move(context), camera, streams, std::move(options))) {}
@@ -60,7 +72,7 @@ Task<Result<void>> VisionAgent::State::run() {
 const VisionAgent::State::Operation& VisionAgent::State::operation_called(std::string_view word) {
   using enum TurnQueue::Kind;
   static constexpr Operation operations[] = {
-      {.word = "learn", .turn = learning, .run = &State::learn, .gives_name = true},
+      {.word = "learn", .turn = learning, .run = &State::learn},
       {.word = "find", .turn = beside, .run = &State::find},
       {.word = "track", .turn = brief, .run = &State::track},
       {.word = "end-track", .turn = beside, .run = &State::end_track},
@@ -71,7 +83,7 @@ const VisionAgent::State::Operation& VisionAgent::State::operation_called(std::s
       {.word = "accept", .turn = beside, .run = &State::accept},
       {.word = "reject", .turn = beside, .run = &State::reject},
       {.word = "forget", .turn = brief, .run = &State::forget},
-      {.word = "rename", .turn = brief, .run = &State::rename, .gives_name = true},
+      {.word = "rename", .turn = brief, .run = &State::rename},
   };
   const auto found = std::ranges::find(operations, word, &Operation::word);
   assert(found != std::end(operations) && "the contract offers no others");
@@ -82,12 +94,12 @@ Task<Result<Datum>> VisionAgent::State::handle(Fact request) {
   const Time came = context.executor.now();
   const Datum& asked_for = request.datum[3];
   const Operation& operation = operation_called(asked_for.head());
-  const std::string name = asked_for.size() > 1 ? std::string(asked_for.items().back().text()) : "";
-  const Result<void> good_name = operation.gives_name ? check_object_name(name) : Result<void>();
-  if (!good_name) co_return fail(good_name);
+  const Result<void> named = check_names(request);
+  if (!named) co_return fail(named);
   Result<std::unique_ptr<Turn>> turn;
   if (operation.turn) turn = co_await take_turn(request.teller, *operation.turn);
   if (!turn) co_return fail(turn);
+  const std::string name = asked_for.size() > 1 ? std::string(asked_for.items().back().text()) : "";
   Asked asked{request.teller, asked_for, name, came};
   const Result<Datum> answer = co_await (this->*operation.run)(std::move(asked));
   co_return answer;

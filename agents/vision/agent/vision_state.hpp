@@ -38,7 +38,6 @@ struct VisionAgent::State {
     std::string_view word;
     std::optional<TurnQueue::Kind> turn;  // which it waits for; nothing: it is done at once
     Task<Result<Datum>> (State::*run)(Asked);
-    bool gives_name = false;  // one that is none is told at once
   };
   static const Operation& operation_called(std::string_view word);
   // What they answer stands after `ok`.

@@ -86,6 +86,12 @@ Result<KeptObjects> ObjectDatabase::read() {
   for (Result<bool> row = rows.step(); !row || *row; row = rows.step()) {
     if (!row) return fail(row);
     const std::string name(rows.text(0));
+    // It might lead to a file anywhere.
+    if (!check_object_name(name)) {
+      const std::string place = fmt::format("{}, row {}", file_name, rows.integer(15));
+      out.damaged.push_back({name, {"damaged", "the name in this row is none of an object", to_datum(place), {}}});
+      continue;
+    }
     const std::filesystem::path file = bitmap({name, rows.integer(1)});
     bitmaps_.note(file);
     Result<LearnedSample> sample = sample_of(rows, name);
@@ -102,8 +108,6 @@ Result<KeptObjects> ObjectDatabase::read() {
 }
 
 Result<LearnedSample> ObjectDatabase::sample_of(sqlite::Statement& row, const std::string& name) const {
-  const Result<void> good_name = check_object_name(name);
-  if (!good_name) return fail("damaged", "the row of the sample is damaged: its name is none");
   LearnedSample out;
   out.number = static_cast<int>(row.integer(1));
   set_tone(out, row.text(2));
@@ -162,6 +166,8 @@ void ObjectDatabase::remove(const Rows& bitmaps) {
 }
 
 Result<ObjectDatabase::Rows> ObjectDatabase::rows_of(const std::string& name) {
+  const Result<void> named = check_object_name(name);
+  if (!named) return fail(named);
   Rows out;
   sqlite::Statement rows(database_, "SELECT name, num FROM samples WHERE name = ? ORDER BY num");
   rows.bind(1, name);
@@ -214,7 +220,7 @@ Result<void> ObjectDatabase::change(const WithdrawSample& withdraw, Outcome& out
   const Result<bool> there = row.bind(1, withdraw.id).step();
   if (!there) return fail(there);
   if (!*there) return fail("not-learned", "this sample is not there any more", to_datum(withdraw.name));
-  outcome.left_over.push_back({std::string(row.text(0)), row.integer(1)});
+  if (check_object_name(row.text(0))) outcome.left_over.push_back({std::string(row.text(0)), row.integer(1)});
   return row.run();
 }
 

@@ -15,7 +15,7 @@
 //
 // Failures: `missing` (of open_again()), `damaged` (not a database, or not one of ours any more), `disk-full`,
 // `cannot-write` (a bitmap), `busy` (another agent is writing: try again), `unusable`; of a change also `full`,
-// `not-learned` and `name-taken`.
+// `not-learned`, `name-taken` and `bad-name`.
 
 #include <filesystem>
 #include <optional>
@@ -34,7 +34,8 @@ struct MemoryTrouble {
   Failure why;
 };
 
-// What was read. A sample whose row or bitmap is damaged is left out, with why; its subject is the bitmap's name.
+// What was read. A sample whose row or bitmap is damaged is left out, with why; its subject is the bitmap's name, or,
+// where the row has no object's name, the row.
 struct KeptObjects {
   LearnedObjects objects;
   std::vector<MemoryTrouble> damaged;
@@ -71,6 +72,7 @@ class ObjectDatabase {
   };
   using Rows = std::vector<Row>;
   std::filesystem::path bitmap(const Row& row) const;
+  // Failure `bad-name`.
   Result<Rows> rows_of(const std::string& name);
   // Failure `not-learned` where there are none.
   Result<Rows> known_rows(const std::string& name);

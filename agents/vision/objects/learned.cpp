@@ -95,7 +95,8 @@ Result<void> check_object_name(std::string_view name) {
       !name.empty() && name.size() <= 64 && is_letter(name[0]) &&
       std::all_of(name.begin(), name.end(), [](char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '-'; });
   if (good) return {};
-  return fail("bad-name", "a name is a letter and at most 63 letters, digits and hyphens", to_datum(name));
+  return fail("bad-name", "a name is a letter and at most 63 letters, digits and hyphens",
+              is_string_text(name) ? to_datum(name) : Datum());
 }
 
 void LearnedSample::set_picture(const MarkTemplate& new_picture) {
@@ -111,6 +112,8 @@ const LearnedObject* LearnedObjects::find(std::string_view name) const {
 }
 
 Result<LearnedObjects::Slot> LearnedObjects::slot_for(std::string_view name) const {
+  const Result<void> named = check_object_name(name);
+  if (!named) return fail(named);
   const LearnedObject* known = find(name);
   if (known == nullptr && objects_.size() >= most_objects) {
     return fail("full", "no more than 32 objects can be learned", to_datum(name));

@@ -93,7 +93,8 @@ class LearnedObjects {
   // In the order in which they were learned; addresses stay.
   const std::deque<LearnedObject>& all() const { return objects_; }
   const LearnedObject* find(std::string_view name) const;
-  // The name an object was first learned under, or `name`, and the number its next sample gets. Failure `full`.
+  // The name an object was first learned under, or `name`, and the number its next sample gets. Failures `full`
+  // and `bad-name`.
   struct Slot {
     std::string name;
     int number;

@@ -36,6 +36,37 @@ TEST_F(Vision, SaysWhyItCouldNotLearn) {
   EXPECT_EQ(call("(track \"star\")"), "not-learned \"star\"");
 }
 
+// Else a reply could be made to say what was never seen.
+TEST_F(Vision, NamesAreCheckedAtTheDoorWhateverIsAsked) {
+  learn_all();
+  const std::string forged = R"x("a\" OK (1, 2)) (FIND \"b")x";
+  const std::vector<std::string> none = {forged, R"("../evil")", R"("line\nbreak")", R"("")"};
+  for (const std::string& name : none) {
+    for (const char* word : {"find", "track", "accept", "reject", "forget"}) {
+      EXPECT_EQ(call("(" + std::string(word) + " " + name + ")"), "bad-name " + name) << word;
+    }
+    EXPECT_EQ(call("(learn 20 200 " + name + ")"), "bad-name " + name);
+    EXPECT_EQ(call("(rename " + name + " \"disc\")"), "bad-name " + name);
+    EXPECT_EQ(call("(rename \"circle\" " + name + ")"), "bad-name " + name);
+  }
+  EXPECT_EQ(call("(get-objects)"), R"x((GET 2 ("circle", "end-effector")))x");
+}
+
+// Anyone may tell the facts in which the board remembers what was learned.
+TEST_F(Vision, AFactOfANameThatIsNoneIsNotRecalled) {
+  learn_all();
+  for (const char* pattern : {"(learned vision \"circle\" ? ? ? ? ? ? ?)", "(learned-focal vision \"circle\" ? ?)",
+                              "(learned-template vision \"circle\" ? ? ? ? ? ? ? ? ?)"}) {
+    std::string fact = facts(pattern);
+    tell(form(fact.replace(fact.find("circle"), 6, R"(a\" OK)")));
+  }
+  life.reset();
+  run_for(3s);
+  live();
+  EXPECT_EQ(call("(get-objects)"), R"x((GET 2 ("circle", "end-effector")))x");
+  EXPECT_NE(facts("(objects-damaged vision \"a\\\" OK\" ? ?)"), "");
+}
+
 TEST_F(Vision, TellsTheReasonOfAFailureAsASymbolAndASentence) {
   EXPECT_EQ(call("(learn 20 200 \"circle\")"), R"x((LEARN "circle" FAIL))x");
   EXPECT_EQ(

@@ -141,6 +141,17 @@ TEST_F(Vision, WhatAClientAskedToKeepGoesOnWithoutItUntilAnyoneEndsIt) {
   EXPECT_EQ(facts("(vision-mode vision ? ?)"), "(vision-mode vision idle no)");
 }
 
+// What they held would be anyone's to end.
+TEST_F(Vision, NoClientIsCalledAsThoseAreWhoseModesAreAnyones) {
+  EXPECT_EQ(call(learn_request(0, "circle")), R"x((LEARN "circle" OK))x");
+  for (const char* name : {"anybody", "absent"}) {
+    Client client(*this, name);
+    EXPECT_EQ(client.call("(track \"circle\")"), "bad-name " + std::string(name));
+    EXPECT_EQ(client.call("(get-objects)"), "bad-name " + std::string(name));
+  }
+  EXPECT_EQ(facts("(vision-held vision ? ?)"), "");
+}
+
 // A script that only tells requests has no presence: nobody can see it die.
 class AbsentClient : public Vision {
  protected:

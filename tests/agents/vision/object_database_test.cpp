@@ -274,6 +274,27 @@ TEST_F(Database, ADamagedRowCostsOneSample) {
   EXPECT_EQ(content(), "circle*1 square*1 cross*1 ");
 }
 
+// A copied database may hold any.
+TEST_F(Database, ANameThatIsNoneIsDamageAndNoFileElsewhereIsTouched) {
+  learn({"circle", "square", "cross"});
+  sqlite::Database raw = sqlite::Database::open(folder() + "/objects.sqlite", sqlite::Access::write).value();
+  ASSERT_TRUE(raw.run("UPDATE samples SET name = '../evil' WHERE name = 'circle';"
+                      "UPDATE samples SET name = CAST(x'ff00' AS TEXT) WHERE name = 'square'"));
+  fs::rename(fs::path(folder()) / "circle-1.pgm", room / "evil-1.pgm");
+  EXPECT_EQ(content(), "cross*1 !objects.sqlite, row 1 !objects.sqlite, row 2 ");
+  ObjectDatabase database = open();
+  const std::vector<std::string> none = {"../evil", "\xff", "", "a\" OK"};
+  for (const std::string& name : none) {
+    EXPECT_EQ(database.apply(ForgetObject{name}).error().symbol, "bad-name") << name;
+    EXPECT_EQ(database.apply(RenameObject{name, "disc"}).error().symbol, "bad-name") << name;
+    EXPECT_EQ(database.apply(RenameObject{"cross", name}).error().symbol, "bad-name") << name;
+    EXPECT_EQ(database.apply(KeepSample{name, keep("cross").sample}).error().symbol, "bad-name") << name;
+  }
+  ASSERT_TRUE(database.apply(WithdrawSample{"circle", 1, 1}));
+  EXPECT_TRUE(fs::exists(room / "evil-1.pgm"));
+  EXPECT_EQ(content(), "cross*1 !objects.sqlite, row 2 ");
+}
+
 TEST_F(Database, AFileThatIsNoDatabaseOrAnothersIsRefused) {
   fs::create_directories(folder());
   const std::string file = folder() + "/objects.sqlite";

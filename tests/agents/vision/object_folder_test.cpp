@@ -105,6 +105,19 @@ TEST_F(KeptVision, ADamagedSampleIsSaidOnceAndTheOthersGoOn) {
   EXPECT_EQ(call("(get-objects)"), R"x((GET 2 ("end-effector", "circle")))x");
 }
 
+TEST_F(KeptVision, NamesThatAreNoneInACopiedDatabaseAreSaidToBeDamageAndLeadNowhere) {
+  learn_all();
+  sqlite::Database raw = sqlite::Database::open(folder + "/objects.sqlite", sqlite::Access::write).value();
+  ASSERT_TRUE(raw.run("UPDATE samples SET name = '../evil' WHERE name = 'circle'"));
+  const std::string outside = scratch_folder() + "evil-1.pgm";
+  std::filesystem::copy_file(folder + "/circle-1.pgm", outside, std::filesystem::copy_options::overwrite_existing);
+  run_for(2s);
+  EXPECT_EQ(call("(get-objects)"), R"x((GET 1 ("end-effector")))x");
+  EXPECT_NE(facts("(objects-damaged vision \"objects.sqlite, row 1\" damaged ?)"), "");
+  EXPECT_EQ(call("(forget \"../evil\")"), "bad-name \"../evil\"");
+  EXPECT_TRUE(std::filesystem::exists(outside));
+}
+
 // A damaged object takes no place, so that another comes in its own; mended, one is too many.
 TEST_F(KeptVision, WhatIsBeyondTheBoundIsSaidToBeSoAndKnownWhenAnotherIsForgotten) {
   learn_all();
