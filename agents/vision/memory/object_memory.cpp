@@ -87,6 +87,11 @@ Task<Result<void>> ObjectMemory::recall() {
     co_await sleep(context_.executor, busy_pause);
     kept = read();
   }
+  const Result<void> recalled = co_await take_up(std::move(kept));
+  co_return recalled;
+}
+
+Task<Result<void>> ObjectMemory::take_up(Result<KeptObjects> kept) {
   if (kept) {
     objects_ = std::move(kept->objects);
     troubles_ = std::move(kept->damaged);
@@ -107,7 +112,10 @@ Task<Result<bool>> ObjectMemory::recall_changed() {
   const bool in_place = database_ && database_->in_place();
   const Result<std::int64_t> version = in_place ? database_->version() : Result<std::int64_t>(version_ - 1);
   if (version && *version == version_ && database_->bitmaps_in_place()) co_return false;
-  const Result<void> recalled = co_await recall();
+  Result<KeptObjects> kept = read();
+  // Whatever another agent is writing has not happened yet.
+  if (!kept && is_busy(kept.error())) co_return false;
+  const Result<void> recalled = co_await take_up(std::move(kept));
   if (!recalled) co_return fail(recalled);
   co_return true;
 }

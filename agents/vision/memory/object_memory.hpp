@@ -30,7 +30,8 @@ class ObjectMemory {
   // Reads everything anew. Failures: the board's.
   Task<Result<void>> recall();
   // The same where another agent has changed the database, a bitmap is another file than was read, or what kept the
-  // database from being read is gone; whether it was read.
+  // database from being read is gone; whether it was read. While another agent is writing, nothing is
+  // new: that is not waited for.
   Task<Result<bool>> recall_changed();
   // Failures: full, not-learned, name-taken, those of the database and of the board.
   // The id of the sample that was kept; 0 where none was to be, or in no database.
@@ -42,6 +43,8 @@ class ObjectMemory {
   Result<void> open();
   Result<KeptObjects> read();
   Result<std::int64_t> apply(const ObjectChange& change);
+  // What was read, or, where that failed, what the board remembers.
+  Task<Result<void>> take_up(Result<KeptObjects> kept);
   Task<Result<void>> recall_facts();
   Task<Result<void>> tell_objects();
 

@@ -139,6 +139,21 @@ TEST_F(KeptVision, WhatIsBeyondTheBoundIsSaidToBeSoAndKnownWhenAnotherIsForgotte
   EXPECT_EQ(call("(track \"last\")"), "()");
 }
 
+TEST_F(KeptVision, WhileAnotherHasTheDatabaseWhatIsKnownIsAnsweredAtOnce) {
+  learn_all();
+  sqlite::Database raw = sqlite::Database::open(folder + "/objects.sqlite", sqlite::Access::write).value();
+  ASSERT_TRUE(raw.run("BEGIN EXCLUSIVE; DELETE FROM samples WHERE name = 'circle'"));
+  run_for(3s);
+  const Time asked = executor.now();
+  EXPECT_EQ(call("(get-objects)"), R"x((GET 2 ("circle", "end-effector")))x");
+  EXPECT_LT(executor.now() - asked, 50ms);
+  EXPECT_TRUE(call("(find \"circle\")").starts_with(R"x((FIND "circle" OK ()x"));
+  EXPECT_LT(executor.now() - asked, 700ms);
+  EXPECT_EQ(facts("(objects-damaged vision ? ? ?)"), "");
+  ASSERT_TRUE(raw.run("COMMIT"));
+  EXPECT_EQ(call("(get-objects)"), R"x((GET 1 ("end-effector")))x");
+}
+
 // As a failing disk does, or who restores a copy with its times.
 TEST(FileStates, TellOfAFileThatChangedAndKeptItsSizeAndItsTimeOfWriting) {
   const std::filesystem::path file = scratch_folder() + "kept-time.pgm";
