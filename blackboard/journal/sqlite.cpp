@@ -27,6 +27,8 @@ const char* symbol_of(int code) {
 
 Failure failure_of(sqlite3* handle) {
   std::string sentence = sqlite3_errmsg(handle);
+  // It may quote what a damaged file holds.
+  if (!is_string_text(sentence)) sentence = sqlite3_errstr(sqlite3_errcode(handle));
   const int cause = sqlite3_system_errno(handle);
   if (cause != 0) sentence += std::string(" (") + std::strerror(cause) + ")";
   return {symbol_of(sqlite3_errcode(handle) & 0xff), std::move(sentence), {}, {}};

@@ -307,6 +307,16 @@ TEST_F(Database, AFileThatIsNoDatabaseOrAnothersIsRefused) {
   EXPECT_EQ(ObjectDatabase::open((room / "plain").string()).error().symbol, "unusable");
 }
 
+TEST_F(Database, WhatIsSaidOfDamageIsText) {
+  learn({"circle"});
+  sqlite::Database raw = sqlite::Database::open(folder() + "/objects.sqlite", sqlite::Access::write).value();
+  ASSERT_TRUE(raw.run("PRAGMA writable_schema = ON;"
+                      "UPDATE sqlite_schema SET sql = CAST(x'435245415445205441424cff2073' AS TEXT)"));
+  const Result<KeptObjects> kept = open().read();
+  ASSERT_FALSE(kept.has_value());
+  EXPECT_TRUE(is_string_text(kept.error().sentence));
+}
+
 // Bytes of the file changed anywhere: an answer or a failure, never a crash, and no other object in an object's place.
 TEST_F(Database, SurvivesAnyDamageToItsFile) {
   learn(cell_marks());
