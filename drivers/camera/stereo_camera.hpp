@@ -20,6 +20,14 @@ struct StereoFrame {
   std::shared_ptr<const Image> right;
 };
 
+// How far what is told of a pair may be off, as standard deviations: what its calibration left open. 0 where nothing is
+// off, as in a simulation, and where nobody knows.
+struct StereoDeviations {
+  double focal_px = 0;
+  double base_line_mm = 0;
+  double disparity_px = 0;  // of a point, by how far the images are from being rectified
+};
+
 // A rectified pair: both images share the focal length and the centre row; base line along the rows. One camera alone
 // is a pair with no base line, whose right images show nothing.
 struct StereoModel {
@@ -30,6 +38,7 @@ struct StereoModel {
   double centre_y_px = 119.5;
   double base_line_mm = 90;
   double learned_at_mm = 0;  // of one camera alone: how far away objects are while they are learned
+  StereoDeviations deviations = {};
 
   bool is_single() const { return base_line_mm == 0; }
 };

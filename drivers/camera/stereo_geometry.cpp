@@ -1,6 +1,7 @@
 #include "drivers/camera/stereo_geometry.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
@@ -31,6 +32,20 @@ StereoModel plain_model(const CameraSetup& setup, cv::Size image) {
     model.learned_at_mm = learned_at_mm(setup);
   }
   return model;
+}
+
+// Corners are found with an error of their own in either image, which makes rows differ by as much as it leaves of the
+// reprojection. What they differ by beyond that, as a standard deviation, the lenses leave, and along the rows no less.
+double unrectified_px(const StereoCalibration& calibration) {
+  const double rows_px = calibration.epipolar_px * std::sqrt(CV_PI / 2);
+  const double corners_px = calibration.reprojection_px;
+  return std::sqrt(std::max(0.0, rows_px * rows_px - corners_px * corners_px));
+}
+
+StereoDeviations deviations_of(const StereoCalibration& calibration, double focal_px) {
+  const double larger = focal_px / calibration.left.focal_x_px;
+  return {calibration.deviations.focal_px * larger, calibration.deviations.base_line_mm,
+          unrectified_px(calibration) * larger};
 }
 
 }  // namespace
@@ -113,7 +128,8 @@ void StereoGeometry::see_with_two(const StereoCalibration& calibration) {
             .focal_px = projection(0, 0),
             .centre_x_px = projection(0, 2),
             .centre_y_px = projection(1, 2),
-            .base_line_mm = -projection(0, 3) / projection(0, 0)};
+            .base_line_mm = -projection(0, 3) / projection(0, 0),
+            .deviations = deviations_of(calibration, projection(0, 0))};
 }
 
 cv::Mat StereoGeometry::rectified(const cv::Mat& image, Side side) const {

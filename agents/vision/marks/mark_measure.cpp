@@ -179,15 +179,23 @@ std::optional<SeenMark> measure_mark(const ImageCut& cut, MarkContour contour, M
   return out;
 }
 
-double centre_spread_px(const SeenMark& mark, double noise) {
+double centre_noise_px(const SeenMark& mark, double noise) {
   constexpr double least_noise = 0.3;  // that of rounding to grey levels
-  constexpr double systematic_px = 0.02;
+  constexpr double edge_px = 8;        // across, by which noise moves an edge, smoothed and blurred: measured
+  constexpr double corners_px = 1.5;   // how far noise as large as the contrast would move the middle of a tag's corners
   const double contrast = std::max(1.0, std::abs(mark.mark_level - mark.ground_level));
-  // Those counted are the mark's pixels and the two around it.
-  const double counted = mark.area_px + 2 * mark.perimeter_px;
-  const double reach = mark.width_px * std::sqrt(counted / mark.area_px);
-  const double random = std::max(noise, least_noise) * std::sqrt(counted) * reach / (contrast * mark.area_px);
-  return std::sqrt(random * random + systematic_px * systematic_px);
+  if (mark.tag) return corners_px * std::max(noise, least_noise) / contrast;
+  // Those counted are the mark's pixels and the two around it. A disc's edge, and a square's, reaches sqrt(2) times as
+  // far as its area.
+  const bool by_edge = is_large_mark(mark.box);
+  const double counted = by_edge ? edge_px * mark.perimeter_px : mark.area_px + 2 * mark.perimeter_px;
+  const double reach2 = mark.width_px * mark.width_px * (by_edge ? 2 : counted / mark.area_px);
+  return std::max(noise, least_noise) * std::sqrt(counted * reach2) / (contrast * mark.area_px);
+}
+
+double centre_spread_px(const SeenMark& mark, double noise) {
+  constexpr double systematic_px = 0.02;
+  return std::hypot(centre_noise_px(mark, noise), systematic_px);
 }
 
 void move_by(SeenMark& mark, cv::Point origin) {

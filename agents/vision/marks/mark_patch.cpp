@@ -11,7 +11,7 @@ namespace pizarra {
 namespace {
 
 constexpr int least_contrast = 20;
-constexpr int large_px = 30;                 // wider or higher than that, light changes across a mark
+constexpr int large_px = 30;
 constexpr double least_core_share = 0.85;    // of the mark's pixels, within a third of the contrast
 constexpr double least_ground_share = 0.75;  // of the ground's around it, within a fifth, or within noise
 constexpr double ground_noise = 2;           // so many of its standard deviations, up to a third of the contrast
@@ -78,7 +78,7 @@ MarkContour reduced_contour(const MarkContour& contour, cv::Point origin, int re
 
 }  // namespace
 
-bool MarkPatch::is_large() const { return std::max(mark_box.width, mark_box.height) > large_px; }
+bool is_large_mark(cv::Rect box) { return std::max(box.width, box.height) > large_px; }
 
 template <int words>
 bool MarkPatch::cut_rows(cv::Mat1b& pixels, const MarkContour& contour, cv::Point corner, MarkTone tone,
@@ -90,7 +90,7 @@ bool MarkPatch::cut_rows(cv::Mat1b& pixels, const MarkContour& contour, cv::Poin
   grow<words>(inside, size.height, grown);
   grow<words>(grown, size.height, around);
 
-  if (is_large()) {
+  if (is_large_mark(mark_box)) {
     LightMap light(size);
     for (int y = 1; y < size.height - 1; ++y) {
       const BitRow<words> lighter = tone == MarkTone::light ? shrunk<words>(inside, y) : around[y].without(grown[y]);
@@ -141,7 +141,7 @@ bool MarkPatch::cut_rows(cv::Mat1b& pixels, const MarkContour& contour, cv::Poin
       }
     }
   }
-  for (int y = 1; is_large() && y < size.height - 1; ++y) {
+  for (int y = 1; is_large_mark(mark_box) && y < size.height - 1; ++y) {
     std::int16_t* row = values.data() + y * stride;
     shrunk<words>(inside, y).for_each_run(
         [&](int first, int end) { std::fill(row + first, row + end, static_cast<std::int16_t>(contrast)); });
@@ -171,7 +171,7 @@ bool MarkPatch::cut(const ImageCut& from, const MarkContour& contour, MarkTone t
     cv::resize(image(area), pixels, size, 0, 0, cv::INTER_AREA);
     return cut_from(reduced_contour(contour, origin, reduction), {});
   }
-  if (is_large()) pixels = pixels.clone();
+  if (is_large_mark(mark_box)) pixels = pixels.clone();
   return cut_from(contour, origin);
 }
 

@@ -13,6 +13,9 @@ namespace pizarra {
 
 enum class MarkTone : std::uint8_t { dark, light };  // the mark's, on the opposite ground
 
+// Wider or higher than 30 px: light changes across it.
+bool is_large_mark(cv::Rect box);
+
 struct MarkPatch {
   static constexpr int most_side_px = 128;  // margins included
   static constexpr int margin_px = 3;
@@ -47,7 +50,6 @@ struct MarkPatch {
   std::array<std::int16_t, most_side_px * most_side_px> values;
 
  private:
-  bool is_large() const;
   // `pixels` are those of the patch; it begins at `corner` of what `contour` is in.
   template <int words>
   bool cut_rows(cv::Mat1b& pixels, const MarkContour& contour, cv::Point corner, MarkTone tone, double noise);

@@ -20,6 +20,7 @@ constexpr double least_likeness = 0.74;
 constexpr double margin_of_side = 0.35;
 // Half a cell beside a tag's border, as a part of its side; and by how much, in how many places, it is lighter outside.
 constexpr double beside_border = 0.05;
+constexpr int border_places = 8;  // a side
 constexpr double least_contrast = 20;
 constexpr double least_border_share = 0.75;
 
@@ -65,6 +66,41 @@ MarkContour outline_of(const cv::Mat& grey, const Corners& corners) {
   return out;
 }
 
+// Along each side, half a cell within the border and as far outside; not beyond the image.
+template <class Visit>
+void visit_border(const cv::Mat1b& grey, const Corners& corners, const Visit& visit) {
+  const cv::Point2d middle = diagonals_meet(corners);
+  const cv::Rect image({0, 0}, grey.size());
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const cv::Point2d from(corners[i]);
+    const cv::Point2d along = cv::Point2d(corners[(i + 1) % corners.size()]) - from;
+    for (int j = 0; j < border_places; ++j) {
+      const cv::Point2d on = from + along * ((j + 0.5) / border_places);
+      const cv::Point2d outwards = (on - middle) * (2 * beside_border);
+      const cv::Point outside(on + outwards);
+      const cv::Point inside(on - outwards);
+      if (image.contains(outside) && image.contains(inside)) visit(grey(inside), grey(outside));
+    }
+  }
+}
+
+struct BorderLevels {
+  double inside = 0;
+  double outside = 0;
+};
+
+BorderLevels levels_along_border(const cv::Mat1b& grey, const Corners& corners) {
+  BorderLevels sum;
+  int places = 0;
+  visit_border(grey, corners, [&](int inside, int outside) {
+    sum.inside += inside;
+    sum.outside += outside;
+    ++places;
+  });
+  const double each = 1.0 / std::max(1, places);
+  return {sum.inside * each, sum.outside * each};
+}
+
 SeenMark mark_of(const cv::Mat& grey, const Corners& corners, Tag tag) {
   const cv::Moments moments = cv::moments(corners);
   const double xx = moments.mu20 / moments.m00;
@@ -73,8 +109,9 @@ SeenMark mark_of(const cv::Mat& grey, const Corners& corners, Tag tag) {
   const double spread = std::hypot((xx - yy) / 2, xy);
   SeenMark out;
   out.tag = std::move(tag);
-  out.mark_level = 0;
-  out.ground_level = 255;
+  const BorderLevels levels = levels_along_border(grey, corners);
+  out.mark_level = levels.inside;
+  out.ground_level = levels.outside;
   out.centre = diagonals_meet(corners);
   out.contour = outline_of(grey, corners);
   out.box = cv::boundingRect(corners);
@@ -94,23 +131,10 @@ bool is_around(const Corners& corners, cv::Point2d point) {
 // Whether it is dark within the border and light around it. Cells alone are no proof: of the larger families' codes a
 // light triangle may spell one.
 bool has_a_border(const cv::Mat1b& grey, const Corners& corners) {
-  constexpr int places = 8;  // a side
-  const cv::Point2d middle = diagonals_meet(corners);
-  const cv::Rect image({0, 0}, grey.size());
   int agreeing = 0;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const cv::Point2d from(corners[i]);
-    const cv::Point2d along = cv::Point2d(corners[(i + 1) % corners.size()]) - from;
-    for (int j = 0; j < places; ++j) {
-      const cv::Point2d on = from + along * ((j + 0.5) / places);
-      const cv::Point2d outwards = (on - middle) * (2 * beside_border);
-      const cv::Point outside(on + outwards);
-      const cv::Point inside(on - outwards);
-      if (!image.contains(outside) || !image.contains(inside)) continue;
-      agreeing += grey(outside) - grey(inside) > least_contrast ? 1 : 0;
-    }
-  }
-  return agreeing >= least_border_share * places * static_cast<double>(corners.size());
+  visit_border(grey, corners,
+               [&](int inside, int outside) { agreeing += outside - inside > least_contrast ? 1 : 0; });
+  return agreeing >= least_border_share * border_places * static_cast<double>(corners.size());
 }
 
 // The tag, unless its corners are not its own but where something lies over its border.

@@ -27,5 +27,7 @@ double may_be_off_by_shape_px(const SeenMark& now, double front_slimness);
 // What is left of the confidence in a whole mark where a centre that is told may be `most_off_px` off: one half where
 // it may be just that.
 double confidence_if_off(double of_whole, double off_px, double most_off_px);
+// That nothing covers it, where that is what is left.
+double confidence_in_whole(double confidence, double of_whole);
 
 }  // namespace pizarra

@@ -30,7 +30,7 @@ Result<FoundMark> MarkFinder::find(StereoSight& sight, const LearnedObject& obje
   std::optional<FoundMark> found = object.tag() == nullptr ? find_shape(sight, object) : find_tag(sight, object);
   if (!found) return fail(not_found(sight, object));
   found->confidence = confidence_at_first(sight, object, found->pair);
-  found->range = range_of(sight, object, found->pair);
+  found->range = range_of(sight, object, found->pair, found->confidence);
   found_at_.insert_or_assign(object.name, FoundAt{found->pair.left.centre, now});
   return std::move(*found);
 }

@@ -10,7 +10,7 @@
 #include <map>
 
 #include "agents/vision/objects/renames.hpp"
-#include "agents/vision/sight/stereo_sight.hpp"
+#include "agents/vision/sight/seen_range.hpp"
 #include "blackboard/time/clock.hpp"
 
 namespace pizarra {

@@ -9,6 +9,7 @@
 #include "agents/vision/sight/covered_part.hpp"
 #include "agents/vision/sight/face_plane.hpp"
 #include "agents/vision/sight/follow_mark.hpp"
+#include "agents/vision/sight/seen_range.hpp"
 
 namespace pizarra {
 namespace {
@@ -261,26 +262,31 @@ TrackSighting MarkTracker::update(StereoSight& sight, Track& track) {
   out.contour = now->left.contour;
   track.turn = now->likeness.turn;
   count_twins(sight, track, *object, *now);
-  out.confidence = now->likeness.confidence();
+  const double of_whole = now->likeness.confidence();
+  out.confidence = of_whole;
   if (!now->left.tag) out.confidence = confidence_if_off(out.confidence, look.may_be_off_px, off_px);
   const bool known = track.left && !track.missed && track.ground_doubt < little_doubt;
   if (!known) track.ground_doubt = ground_doubt(sight, *now);
   out.confidence = confidence_if_off(out.confidence, track.ground_doubt, 1);
+  const double in_whole = confidence_in_whole(out.confidence, now->left.tag ? 1 : of_whole);
   if (is_doubted(track, *now)) out.confidence = std::min(out.confidence, trust_in_another);
   if (now->likeness.second != nullptr) out.second = now->likeness.second->name;
   out.margin = now->likeness.margin();
-  const bool measurable = now->right || sight.is_cut_off(*object, now->left);
-  const std::optional<SeenRange> range = measurable ? range_of(sight, *object, *now) : std::nullopt;
+  std::optional<SeenRange> range;
+  if (now->right) {
+    const FacePlane plane = face_plane(sight.model(), now->left, *now->right);
+    range = range_by_pair(sight, now->left, *now->right, plane, in_whole);
+    out.right_centre = now->right->centre;
+    out.yaw_deg = yaw_deg(plane);
+  } else if (sight.is_cut_off(*object, now->left)) {
+    range = range_by_size(sight.model(), *object, now->left);
+  }
   if (range) {
     out.seen = true;
     out.range_mm = range->mm;
     out.range_spread_mm = range->spread_mm;
     track.range_mm = range->mm;
     track.whole.follow(*now, look, captured_);
-  }
-  if (now->right) {
-    out.right_centre = now->right->centre;
-    out.yaw_deg = yaw_deg(face_plane(sight.model(), now->left, *now->right));
   }
   take(sight, track, std::move(*now));
   // Of a tag there is no other then.

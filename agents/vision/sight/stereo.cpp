@@ -20,10 +20,4 @@ double range_at_depth_mm(const StereoModel& model, cv::Point2d left, double dept
   return std::sqrt(x * x + y * y + depth * depth);
 }
 
-double range_spread_mm(const StereoModel& model, cv::Point2d left, double disparity_px, double disparity_spread_px) {
-  const double depth = depth_mm(model, disparity_px);
-  const double depth_spread = depth * depth / (model.focal_px * model.base_line_mm) * disparity_spread_px;
-  return depth_spread * range_mm(model, left, disparity_px) / depth;
-}
-
 }  // namespace pizarra

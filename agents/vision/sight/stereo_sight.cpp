@@ -10,8 +10,6 @@ namespace pizarra {
 namespace {
 
 constexpr double size_tolerance = 0.1;
-// How far a range by size may be off, as a part of it: a standard deviation.
-constexpr double spread_by_size = 0.01;
 constexpr double width_tolerance = 0.05;
 constexpr double widest = 1.1;
 // Nearer than this to the image's edge a mark cannot be measured, nor where its own half is not within.
@@ -176,32 +174,6 @@ bool StereoSight::is_cut_off(const LearnedObject& object, const SeenMark& left) 
     if (shows_border(right_segmentation().image(), left, border, disparity)) return false;
   }
   return true;
-}
-
-std::optional<SeenRange> range_by_size(const StereoModel& model, const LearnedObject& object, const SeenMark& left) {
-  for (const LearnedSample& sample : object.samples) {
-    const double face_mm = model.is_single() ? sample.face_mm() : sample.measured_face_mm();
-    const Unyawed look = unyawed(left, front_slimness(object));
-    if (face_mm <= 0 || look.size_px <= 0) continue;
-    const double mm = range_at_depth_mm(model, left.centre, model.focal_px * face_mm / look.size_px);
-    return SeenRange{mm, std::hypot(spread_by_size, look.spread) * mm};
-  }
-  return std::nullopt;
-}
-
-double range_spread_mm(const StereoModel& model, const SeenMark& left, const SeenMark& right, double noise) {
-  const double disparity_spread = std::hypot(centre_spread_px(left, noise), centre_spread_px(right, noise));
-  return range_spread_mm(model, left.centre, left.centre.x - right.centre.x, disparity_spread);
-}
-
-std::optional<SeenRange> range_of(const StereoSight& sight, const LearnedObject& object, const SeenPair& pair) {
-  const StereoModel& model = sight.model();
-  if (pair.right) {
-    const double disparity = pair.left.centre.x - pair.right->centre.x;
-    return SeenRange{range_mm(model, pair.left.centre, disparity),
-                     range_spread_mm(model, pair.left, *pair.right, sight.noise())};
-  }
-  return range_by_size(model, object, pair.left);
 }
 
 bool is_whole(const StereoModel& model, const LearnedObject& object, const SeenMark& left, const SeenMark& right) {

@@ -65,22 +65,6 @@ class StereoSight {
   std::optional<ImageSegmentation> right_rows_;  // beside the first mark whose partner was looked for
 };
 
-struct SeenRange {
-  double mm = 0;
-  double spread_mm = 0;  // a standard deviation
-};
-
-// The range of a mark that the left image alone shows (StereoSight::is_cut_off), by how large it looks and how large it
-// was learned: good to about a percent, some ten times worse than the pair. Nothing where no sample was learned with
-// its size.
-std::optional<SeenRange> range_by_size(const StereoModel& model, const LearnedObject& object, const SeenMark& left);
-
-// How far the pair's range may be off, as a standard deviation, by the spread of both centres.
-double range_spread_mm(const StereoModel& model, const SeenMark& left, const SeenMark& right, double noise);
-
-// The range of what was seen, by the pair, or by its size where the right image does not show it.
-std::optional<SeenRange> range_of(const StereoSight& sight, const LearnedObject& object, const SeenPair& pair);
-
 // Whether the pair can be the whole of the object's mark: as large in the world as one of its samples, and, but for what
 // yaw does, as wide in one image as in the other. Something in front of a part of it makes it too small, or hides more
 // of it from one camera than from the other.

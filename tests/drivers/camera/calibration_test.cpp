@@ -5,6 +5,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "blackboard/time/random.hpp"
 #include "drivers/camera/chessboard.hpp"
 #include "drivers/camera/stereo_geometry.hpp"
 #include "tests/drivers/camera/board_scene.hpp"
@@ -151,6 +152,8 @@ TEST(Calibration, AFileOfItReadsBackAsItWas) {
   const StereoModel as_read = StereoGeometry(*read).model();
   EXPECT_NEAR(as_found.focal_px, as_read.focal_px, 0.01);
   EXPECT_NEAR(as_found.base_line_mm, as_read.base_line_mm, 0.01);
+  EXPECT_NEAR(as_read.deviations.focal_px / as_read.focal_px, 0.5 / 400, 1e-5);
+  EXPECT_EQ(as_read.deviations.base_line_mm, 0.07);
 }
 
 TEST(Calibration, AFaultInAFileIsShownWhereItStands) {
@@ -274,6 +277,62 @@ TEST(Calibration, WhatItFindsIsAsFarOffAsItSays) {
     beyond += std::abs(base_line_mm - true_mm) > 2 * c.deviations.base_line_mm;
   }
   EXPECT_LE(beyond, 4) << "of 21: one of twenty is more than two deviations off, and these have boards in common";
+}
+
+// How far off the range of a point is that the calibrated pair sees, as a part of it; nothing where it does not.
+std::optional<double> range_error(const StereoGeometry& geometry, const cv::Vec3d& point) {
+  const auto seen = [&](const cv::Affine3d& from, const cv::Matx33d& camera) {
+    std::vector<cv::Point2d> out;
+    cv::projectPoints(std::vector{cv::Point3d(point)}, from.rvec(), from.translation(), camera, scene().distortion, out);
+    return out.front();
+  };
+  const cv::Point2d left = seen(cv::Affine3d(), scene().left);
+  const cv::Point2d right = seen(scene().between, scene().right);
+  const cv::Rect2d image({0, 0}, cv::Size2d(scene().size));
+  if (!image.contains(left) || !image.contains(right)) return std::nullopt;
+  const cv::Point2d at = geometry.rectified(left, StereoGeometry::Side::left);
+  const StereoModel& model = geometry.model();
+  const double disparity = at.x - geometry.rectified(right, StereoGeometry::Side::right).x;
+  const double mm_per_px = model.base_line_mm / disparity;
+  const cv::Vec3d told((at.x - model.centre_x_px) * mm_per_px, (at.y - model.centre_y_px) * mm_per_px,
+                       model.focal_px * mm_per_px);
+  return cv::norm(told) / cv::norm(point) - 1;
+}
+
+// Other boards each time, and points as near and as far as cubes are.
+TEST(Calibration, WhatItLeavesOpenIsHowFarRangesAreOff) {
+  int within_two = 0;
+  int seen = 0;
+  double squares = 0;
+  for (std::uint64_t seed = 1; seed <= 16; ++seed) {
+    Random random(seed);
+    std::vector<cv::Affine3d> poses;
+    for (int i = 0; i < 12; ++i) {
+      const auto turn = [&] { return random.uniform(-0.4, 0.4); };
+      poses.emplace_back(cv::Vec3d(turn(), turn(), turn() / 2),
+                         cv::Vec3d(random.uniform(-190, 0), random.uniform(-110, -20), random.uniform(480, 760)));
+    }
+    const Result<CalibratedPair> pair = calibrate_pair(views_of(poses, 0.25), scene().size, scene().board);
+    if (!pair) continue;
+    const StereoGeometry geometry(pair->calibration);
+    const StereoModel& model = geometry.model();
+    for (int i = 0; i < 40; ++i) {
+      const double depth = random.uniform(350, 1200);
+      const cv::Vec3d point(random.uniform(-0.3, 0.4) * depth, random.uniform(-0.3, 0.3) * depth, depth);
+      const std::optional<double> error = range_error(geometry, point);
+      if (!error) continue;
+      const double disparity = model.focal_px * model.base_line_mm / depth;
+      const double off = *error / cv::norm(cv::Vec3d(model.deviations.focal_px / model.focal_px,
+                                                     model.deviations.base_line_mm / model.base_line_mm,
+                                                     model.deviations.disparity_px / disparity));
+      within_two += std::abs(off) < 2 ? 1 : 0;
+      squares += off * off;
+      ++seen;
+    }
+  }
+  ASSERT_GT(seen, 300);
+  EXPECT_GE(within_two, 0.9 * seen);
+  EXPECT_GT(std::sqrt(squares / seen), 0.4) << "told to be worse than it is";
 }
 
 // As if both cameras had been turned by a quarter.

@@ -1,0 +1,121 @@
+#include "agents/vision/sight/seen_range.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "agents/vision/sight/covered_part.hpp"
+#include "agents/vision/sight/face_plane.hpp"
+#include "agents/vision/sight/unyawed.hpp"
+
+namespace pizarra {
+namespace {
+
+// How far a range by size may be off, as a part of it: a standard deviation.
+constexpr double spread_by_size = 0.01;
+// Of the disparity, px, by the pixels' phase: of any mark, of a tag, and of a large mark with its edges along the pixels.
+constexpr double ordinary_phase_px = 0.018;
+constexpr double tag_phase_px = 0.04;
+constexpr double edge_phase_px = 0.28;
+// Few whole marks that face the cameras are taken for whole with less confidence; then the disparity is off at least by
+// that, px.
+constexpr double clearly_whole = 0.97;
+constexpr double least_covered_px = 0.2;
+
+double squared(double x) { return x * x; }
+
+// Of the motion of the mark's centre along x, for each px that all its edges along y would move: those of which each
+// lies between the same two columns of pixels, for only their phases do not cancel.
+double moved_by_upright_edges(const SeenMark& mark) {
+  const MarkContour& contour = mark.contour;
+  double squares = 0;
+  int begun_at = contour.back().x;
+  int length = 0;
+  const auto end_edge = [&] { squares += squared(length * (begun_at - mark.centre.x)); };
+  for (const cv::Point& p : contour) {
+    if (p.x != begun_at) {
+      end_edge();
+      begun_at = p.x;
+      length = 0;
+    }
+    ++length;
+  }
+  end_edge();
+  return std::sqrt(squares) / mark.area_px;
+}
+
+// Measured over circles, squares, crosses and triangles, 12 to 190 px wide, blurred by up to 1.5 px. Light is divided
+// out of large marks edge by edge, and where an edge falls between pixels says how dark the ground beside it looks;
+// along an edge that is turned by a few degrees phases cancel.
+double disparity_by_phase_px(const SeenMark& left) {
+  if (left.tag) return tag_phase_px;
+  if (!is_large_mark(left.box)) return ordinary_phase_px;
+  return std::hypot(ordinary_phase_px, edge_phase_px * squared(moved_by_upright_edges(left)));
+}
+
+double disparity_if_covered_px(const SeenMark& left, const SeenMark& right) {
+  return std::hypot(least_covered_px, motion_by_strip * (left.width_px - right.width_px));
+}
+
+// A tilted face, its centroid at P, and Z along the optical axis. What is nearer by a part e is larger by 3 e in either
+// image, and a centroid's disparity is 1 + e times as large there: to second order both centroids are those of a point
+// off by -4 Cov(P, Z) / Z, over the mark. The disparity's slopes along the mark, which the plane says, say Cov(P, Z).
+struct TiltError {
+  double mm;
+  double part_spread;  // of the range
+};
+
+TiltError error_by_tilt(const StereoModel& model, const SeenMark& left, const FacePlane& plane, double range) {
+  const double depth = model.base_line_mm / plane.along_sight;
+  const double disparity = plane.along_sight * model.focal_px;
+  const double xx = squared(left.width_px);
+  const double with_x = plane.across * xx + plane.down * left.slant_px2;
+  const double with_y = plane.across * left.slant_px2 + plane.down * squared(left.height_px);
+  const double by_noise = squared(plane.across_spread) * xx;
+  const double of_depth = std::max(0.0, plane.across * with_x + plane.down * with_y - by_noise) / squared(disparity);
+  const double sight_x = (plane.x * depth - model.base_line_mm / 2) / range;
+  const double sight_y = plane.y * depth / range;
+  const double sight_z = depth / range;
+  const double along = of_depth * (plane.x * sight_x + plane.y * sight_y + sight_z);
+  const double beside = (sight_x * with_x + sight_y * with_y) / (model.focal_px * disparity);
+  const double noise = by_noise / squared(disparity);
+  return {-4 * depth * (along - beside), 4 * (2 * std::sqrt(of_depth * noise) + noise)};
+}
+
+}  // namespace
+
+SeenRange range_by_pair(const StereoSight& sight, const SeenMark& left, const SeenMark& right, const FacePlane& plane,
+                        double confidence_in_whole) {
+  const StereoModel& model = sight.model();
+  const StereoDeviations& known = model.deviations;
+  const double disparity = left.centre.x - right.centre.x;
+  const double range = range_mm(model, left.centre, disparity);
+  double variance_px2 = squared(centre_noise_px(left, sight.noise())) + squared(centre_noise_px(right, sight.noise())) +
+                        squared(disparity_by_phase_px(left)) + squared(known.disparity_px);
+  if (confidence_in_whole < clearly_whole) variance_px2 += squared(disparity_if_covered_px(left, right));
+  const TiltError tilt = error_by_tilt(model, left, plane, range);
+  const double part = std::sqrt(variance_px2 / squared(disparity) + squared(known.focal_px / model.focal_px) +
+                                squared(known.base_line_mm / model.base_line_mm) + squared(tilt.part_spread));
+  return {range - tilt.mm, part * range};
+}
+
+std::optional<SeenRange> range_by_size(const StereoModel& model, const LearnedObject& object, const SeenMark& left) {
+  for (const LearnedSample& sample : object.samples) {
+    const double face_mm = model.is_single() ? sample.face_mm() : sample.measured_face_mm();
+    const Unyawed look = unyawed(left, front_slimness(object));
+    if (face_mm <= 0 || look.size_px <= 0) continue;
+    const double mm = range_at_depth_mm(model, left.centre, model.focal_px * face_mm / look.size_px);
+    return SeenRange{mm, std::hypot(spread_by_size, look.spread) * mm};
+  }
+  return std::nullopt;
+}
+
+std::optional<SeenRange> range_of(const StereoSight& sight, const LearnedObject& object, const SeenPair& pair,
+                                  double confidence) {
+  if (!pair.right) return range_by_size(sight.model(), object, pair.left);
+  const FacePlane plane = face_plane(sight.model(), pair.left, *pair.right);
+  const double in_whole = confidence_in_whole(confidence, pair.left.tag ? 1 : pair.likeness.confidence());
+  return range_by_pair(sight, pair.left, *pair.right, plane, in_whole);
+}
+
+}  // namespace pizarra
