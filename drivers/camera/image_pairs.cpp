@@ -146,7 +146,8 @@ std::vector<Numbers> at_places(const std::vector<Numbers>& names, const std::set
 Result<ImagePairs> in_order(std::vector<std::string> left, std::vector<std::string> right) {
   if (left.size() == right.size()) return ImagePairs{{std::move(left), std::move(right)}, {}};
   return fail("unpaired", fmt::format("{} images are of the left camera and {} of the right one, and no numbers in "
-                                      "their names say which belong together: give what belongs together the same number",
+                                      "their names say which belong together: give what belongs together the same "
+                                      "number",
                                       left.size(), right.size()));
 }
 

@@ -37,6 +37,7 @@ class CameraFeed {
   const std::optional<StereoModel>& model() const { return model_; }
   // 0 before the first frame.
   std::uint64_t frame_number() const { return latest_.number; }
+  Time latest() const { return latest_.captured; }
 
   // The newest frame, where it was captured later than `after`, else the next that was. Failure `no-image` when none
   // comes in time.

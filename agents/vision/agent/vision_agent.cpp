@@ -46,6 +46,7 @@ Task<Result<void>> VisionAgent::State::run() {
     State& state;
     ~Ending() {
       state.again = Job();
+      state.silence = Job();
       state.showing = Job();
       state.service.reset();
       state.feed.abandon();
@@ -64,6 +65,7 @@ Task<Result<void>> VisionAgent::State::run() {
   co_await tell_state();
   co_await tell_objects();
   again = context.executor.spawn(tell_state_again());
+  silence = context.executor.spawn(tell_silence());
   RequestHandler handler = [this](Fact request) { return handle(std::move(request)); };
   const Result<void> served = co_await service->serve_requests(std::move(handler));
   co_return served;

@@ -14,6 +14,9 @@ namespace {
 constexpr std::string_view stream_kinds[] = {"left", "right", "grey", "colour", "annotated"};
 
 constexpr Duration found_shown_for = 3s;
+constexpr Duration rest_check = 1s;
+// Of an agent that was busy itself the frame that came meanwhile is looked at first.
+constexpr Duration grace = 20ms;
 
 // Shares the pixels of what is grey already.
 cv::Mat grey(const Image& image) {
@@ -40,6 +43,31 @@ Task<void> VisionAgent::State::on_frame(StereoFrame frame) {
   if (finding_for.empty()) begin_showing(frame, sightings);
   if (!tracks || !holders.connected()) co_return;
   co_await facts.tell_look(frame.number, sightings);
+}
+
+Task<void> VisionAgent::State::tell_silence() {
+  FramePace pace;
+  Time last = context.executor.now();
+  while (true) {
+    const Duration patience = tracker.empty() ? rest_check : pace.patience();
+    const Result<StereoFrame> frame = co_await feed.next(last, patience);
+    if (frame) {
+      last = frame->captured;
+      pace.came(last);
+      continue;
+    }
+    if (feed.state() != CameraFeed::State::open) pace.rest();
+    co_await sleep(context.executor, grace);
+    const bool silent = feed.state() == CameraFeed::State::open && feed.latest() <= last;
+    if (silent) co_await tell_missed();
+  }
+}
+
+Task<void> VisionAgent::State::tell_missed() {
+  if (!finding_for.empty()) co_return;
+  const std::vector<TrackSighting> sightings = tracker.miss_all(context.executor.now());
+  if (sightings.empty() || !holders.connected()) co_return;
+  co_await facts.tell_look(feed.frame_number(), sightings);
 }
 
 std::string VisionAgent::State::stream(std::string_view kind) const { return fmt::format("{}-{}", context.name, kind); }

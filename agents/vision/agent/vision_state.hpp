@@ -9,6 +9,7 @@
 #include <set>
 
 #include "agents/vision/agent/camera_feed.hpp"
+#include "agents/vision/agent/frame_pace.hpp"
 #include "agents/vision/agent/mode_holders.hpp"
 #include "agents/vision/agent/samples_to_accept.hpp"
 #include "agents/vision/agent/turn_queue.hpp"
@@ -128,6 +129,9 @@ struct VisionAgent::State {
 
   // Frames.
   Task<void> on_frame(StereoFrame frame);
+  // While something is tracked and no frame comes, that nothing is seen.
+  Task<void> tell_silence();
+  Task<void> tell_missed();
   // The name of the stream of this kind, and whether anybody watches it.
   std::string stream(std::string_view kind) const;
   bool watched(std::string_view kind) const;
@@ -162,6 +166,7 @@ struct VisionAgent::State {
   WaitList turns_changed;
   std::optional<Service> service;  // it ends first: its handlers wait for the feed
   Job again;
+  Job silence;
   Job showing;
 };
 

@@ -150,10 +150,10 @@ std::optional<SeenPair> MarkTracker::search(StereoSight& sight, Track& track, co
 }
 
 // What is said of a frame in which it was not found.
-TrackSighting MarkTracker::miss(const StereoSight& sight, Track& track) const {
+TrackSighting MarkTracker::miss(Track& track) const {
   track.whole.wait(captured_);
   TrackSighting out{.name = track.name, .centre = {}, .yaw_deg = {}, .contour = {}};
-  const cv::Rect2d image(0, 0, sight.left().cols, sight.left().rows);
+  const cv::Rect2d image(0, 0, image_size_.width, image_size_.height);
   const bool near =
       track.left && captured_ - track.seen_at <= longest_bridge && image.contains(track.expected(captured_));
   if (!near) {
@@ -235,9 +235,28 @@ void MarkTracker::take(const StereoSight& sight, Track& track, SeenPair&& now) c
   track.missed = false;
 }
 
+void MarkTracker::note_loss(Track& track, const LearnedObject& object) {
+  if (!track.left || track.missed) return;
+  note_others_before(track, object);
+  if (!track.before) track.before = std::make_shared<const Track>(track);
+}
+
+std::vector<TrackSighting> MarkTracker::miss_all(Time now) {
+  std::vector<TrackSighting> out;
+  if (last_left_.empty()) return out;
+  const Time last_image = std::exchange(captured_, now);
+  for (Track& track : tracks_) {
+    const LearnedObject* object = objects_.find(track.name);
+    if (object != nullptr) note_loss(track, *object);
+    out.push_back(miss(track));
+  }
+  captured_ = last_image;
+  return out;
+}
+
 TrackSighting MarkTracker::update(StereoSight& sight, Track& track) {
   const LearnedObject* object = objects_.find(track.name);
-  if (object == nullptr) return miss(sight, track);
+  if (object == nullptr) return miss(track);
   const double off_px = most_off_px(sight);
   const auto look_at = [&](const SeenPair& pair) {
     return track.whole.look_at(sight.model(), *object, pair, captured_, off_px, !track.left);
@@ -246,16 +265,13 @@ TrackSighting MarkTracker::update(StereoSight& sight, Track& track) {
   if (now && track.doubted_for > Duration()) come_back(sight, track, *object, *now);
   Wholeness::Look look{.whole = false};
   if (now) look = look_at(*now);
-  if (!look.whole && track.left && !track.missed) {
-    note_others_before(track, *object);
-    if (!track.before) track.before = std::make_shared<const Track>(track);
-  }
+  if (!look.whole) note_loss(track, *object);
   const bool begins = !track.left;
   if (!now) {
     now = search(sight, track, *object);
     if (now) look = look_at(*now);
   }
-  if (!look.whole) return miss(sight, track);
+  if (!look.whole) return miss(track);
 
   TrackSighting out{.name = track.name, .centre = {}, .yaw_deg = {}, .contour = {}};
   out.centre = now->left.centre;

@@ -65,6 +65,8 @@ class MarkTracker {
   // One sighting an object, the end-effector first, then in the order added. The pixels of the left image must stay
   // until the next one has been seen.
   std::vector<TrackSighting> update(StereoSight& sight, Time captured);
+  // Where no image came until now: nothing is seen, and what was is bridged for as long as ever. None before the first.
+  std::vector<TrackSighting> miss_all(Time now);
 
  private:
   struct Track {
@@ -100,7 +102,9 @@ class MarkTracker {
   // Of those in the image in which it was seen last.
   void note_others_before(Track& track, const LearnedObject& object);
   TrackSighting update(StereoSight& sight, Track& track);
-  TrackSighting miss(const StereoSight& sight, Track& track) const;
+  TrackSighting miss(Track& track) const;
+  // It was seen before, and is not now.
+  void note_loss(Track& track, const LearnedObject& object);
   // Where what is followed elsewhere was not it, but is hidden no more where it was lost.
   void come_back(StereoSight& sight, Track& track, const LearnedObject& object, SeenPair& now) const;
   // What others like it are in view, where it may have been one of them from the first.

@@ -97,6 +97,26 @@ TEST_P(Freshness, TrackingBeginsWithAFrameTakenAfterItWasAsked) {
   expect_tracked_there();
 }
 
+TEST_P(Freshness, NothingIsToldAsSeenWhileNoFrameComes) {
+  EXPECT_EQ(call("(track \"circle\")"), "()");
+  const auto is_seen = [&] { return facts("(sightings vision ? ?)").find("\"circle\" seen") != std::string::npos; };
+  while (!is_seen()) run_for(5ms);
+  for (int i = 0; i < 20; ++i) {
+    run_for(period());
+    EXPECT_TRUE(is_seen());
+  }
+  const Time begun = executor.now();
+  eyes.hangs = true;
+  while (is_seen() && executor.now() < begun + 10s) run_for(1ms);
+  EXPECT_LE(executor.now() - begun, 50ms + std::max<Duration>(100ms, 3 * period()));
+  run_for(1s);
+  EXPECT_FALSE(is_seen());
+  eyes.hangs = false;
+  const Time back = executor.now();
+  while (!is_seen() && executor.now() < back + 10s) run_for(1ms);
+  EXPECT_TRUE(is_seen());
+}
+
 INSTANTIATE_TEST_SUITE_P(AtRates, Freshness, testing::Values(1, 5, 30, 120));
 
 }  // namespace
