@@ -114,7 +114,10 @@ int times_taken(bench::Shape (*shape)(Random&), int scenes) {
 }
 
 // What is smaller than most learned marks.
-TEST(Unlearned, RingWhoseHoleIsBlurredIsNoDisc) { EXPECT_EQ(times_taken(small_ring, 1000), 0); }
+TEST(Unlearned, RingWhoseHoleIsBlurredIsHardlyEverADisc) {
+  constexpr int scenes = 1000;
+  EXPECT_LE(times_taken(small_ring, scenes), scenes / 200);
+}
 
 // As small as a learned triangle is sought.
 TEST(Unlearned, SmallAngleIsHardlyEverATriangle) {
