@@ -17,7 +17,10 @@ std::string CameraNews::sentence_of(const Datum& camera_state) {
   }
   if (camera_state[2].is_symbol("opening")) return "";
   const bool was_lost = troubles_.erase(eyes) > 0;
-  return was_lost && camera_state[2].is_symbol("open") ? eyes + " has images again" : "";
+  if (!camera_state[2].is_symbol("open")) return "";
+  if (was_lost) return eyes + " has images again";
+  const bool first = !trouble.empty() && leaving_out_.insert(eyes).second;
+  return first ? fmt::format("{} leaves out images that cannot be read: {}", eyes, trouble) : "";
 }
 
 Task<void> log_camera_news(Board& board, std::string eyes, std::FILE* out) {

@@ -1,6 +1,7 @@
 #pragma once
 
-// What becomes of a cell's cameras, in sentences: when one is lost and why, and when it gives images again.
+// What becomes of a cell's cameras, in sentences: when one is lost and why, when it gives images again, and the
+// first time that images of it are left out and why.
 //
 //   CameraNews news;
 //   news.sentence_of(camera_state);                // "vision has no images: the camera: /dev/video0 cannot be opened"
@@ -8,6 +9,7 @@
 
 #include <cstdio>
 #include <map>
+#include <set>
 #include <string>
 
 #include "blackboard/board.hpp"
@@ -21,6 +23,7 @@ class CameraNews {
 
  private:
   std::map<std::string, std::string> troubles_;  // of the eyes whose camera is lost
+  std::set<std::string> leaving_out_;            // eyes of which that was said
 };
 
 // Of these eyes alone. The board outlives it.

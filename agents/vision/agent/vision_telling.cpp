@@ -35,12 +35,14 @@ Task<void> VisionAgent::State::tell_state() {
   facts.begin_anew();
   std::vector<Datum> state;
   state.push_back(list("vision-mode"_sym, Datum::symbol(mode()), Datum::symbol(holders.connected() ? "yes" : "no")));
-  state.push_back(list("camera-state"_sym, Datum::symbol(state_name(feed.state())), feed.trouble()));
+  told_drops = camera.drops();
+  const bool open = feed.state() == CameraFeed::State::open;
+  const std::string& trouble = open ? told_drops.why_corrupt : feed.trouble();
+  state.push_back(list("camera-state"_sym, Datum::symbol(state_name(feed.state())), trouble));
   if (const std::optional<StereoModel>& model = feed.model()) {
     state.push_back(list("camera-model"_sym, model->width, model->height, model->focal_px, model->centre_x_px,
                          model->centre_y_px, model->base_line_mm));
   }
-  told_drops = camera.drops();
   if (told_drops != CameraDrops()) {
     state.push_back(list("camera-drops"_sym, told_drops.late, told_drops.skewed, told_drops.corrupt));
   }

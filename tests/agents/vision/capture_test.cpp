@@ -66,6 +66,15 @@ TEST_F(Vision, ImagesOfASizeThatDoesNotWorkAreRefusedWithTheSizesThatDo) {
             "(camera-state vision lost \"the camera's images are 60x60, and what works is 64x64 to 8192x8192\")");
 }
 
+TEST_F(Vision, WhatIsLeftOutOfAnOpenCamerasImagesIsCountedAndWhyIsSaid) {
+  EXPECT_EQ(call("(connect)"), "()");
+  run_for(300ms);
+  camera.dropped = {.corrupt = 3, .why_corrupt = "shots/7.png: it ends too early"};
+  run_for(3s);
+  EXPECT_EQ(facts("(camera-state vision ? ?)"), "(camera-state vision open \"shots/7.png: it ends too early\")");
+  EXPECT_EQ(facts("(camera-drops vision ? ? ?)"), "(camera-drops vision 0 0 3)");
+}
+
 TEST_F(Vision, ALostCameraIsSaidAndTriedAgain) {
   EXPECT_EQ(call("(connect)"), "()");
   run_for(300ms);

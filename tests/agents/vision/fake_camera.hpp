@@ -24,6 +24,7 @@ class FakeCamera : public StereoCamera {
   bool plugged = true;
   int opened = 0;
   int colour_asked = 0;
+  CameraDrops dropped = {};
 
   Task<Result<StereoModel>> open() override {
     ++opened;
@@ -48,6 +49,8 @@ class FakeCamera : public StereoCamera {
     if (colour) frame.left = in_colour(*frame.left);
     co_return frame;
   }
+
+  CameraDrops drops() const override { return dropped; }
 
   const StereoModel& model() const { return model_; }
   void resize(int width, int height) {
