@@ -71,6 +71,8 @@ Result<ByNumbers> by_numbers(const std::vector<std::string>& files, const std::v
 std::optional<std::int64_t> as_integer(const Numbers& numbers) {
   if (numbers.size() != 1) return std::nullopt;
   const std::string& text = numbers.front();
+  constexpr std::size_t most_digits = 18;  // sums of two are within 64 bits
+  if (text.size() > most_digits) return std::nullopt;
   std::int64_t out = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), out);
   return error == std::errc() ? std::optional(out) : std::nullopt;
@@ -82,7 +84,12 @@ struct Side {
   std::vector<Numbers> numbers;  // of those that tell images apart
 };
 
-// By equal numbers.
+// Whether more than half of the shorter side's have partners.
+bool are_most(const ImagePairs& pairs, std::size_t left, std::size_t right) {
+  return 2 * pairs.sides[0].size() > std::min(left, right);
+}
+
+// By what is equal of them.
 ImagePairs matched(const Side& left, const ByNumbers& right) {
   ImagePairs out;
   for (std::size_t i = 0; i < left.files.size(); ++i) {
@@ -121,6 +128,13 @@ std::optional<ImagePairs> counted_apart(const Side& left, const Side& right) {
   return out;
 }
 
+// Names without their extension stand for numbers here.
+std::vector<Numbers> stems_of(const std::vector<std::string>& files) {
+  std::vector<Numbers> out;
+  for (const std::string& file : files) out.push_back({std::filesystem::path(file).stem().string()});
+  return out;
+}
+
 Failure unpaired(const Side& left, const ByNumbers& right) {
   std::string example;
   for (std::size_t i = left.files.size(); i-- > 0;) {
@@ -154,6 +168,11 @@ Result<ImagePairs> in_order(std::vector<std::string> left, std::vector<std::stri
 }  // namespace
 
 Result<ImagePairs> pair_files(std::vector<std::string> left, std::vector<std::string> right) {
+  const Result<ByNumbers> right_stems = by_numbers(right, stems_of(right));
+  if (right_stems) {
+    ImagePairs same = matched({left, stems_of(left)}, *right_stems);
+    if (are_most(same, left.size(), right.size())) return same;
+  }
   const Result<std::vector<Numbers>> left_names = numbers_of(left);
   const Result<std::vector<Numbers>> right_names = numbers_of(right);
   if (!left_names) return fail(left_names);
@@ -174,10 +193,9 @@ Result<ImagePairs> pair_files(std::vector<std::string> left, std::vector<std::st
   if (!numbered_left) return fail(numbered_left);
   if (!numbered_right) return fail(numbered_right);
   ImagePairs pairs = matched(left_side, *numbered_right);
-  const std::size_t count = pairs.sides[0].size();
-  if (2 * count > std::min(left_side.files.size(), right_side.files.size())) return pairs;
+  if (are_most(pairs, left_side.files.size(), right_side.files.size())) return pairs;
   // Numbers of which some are on the other side too contradict any other order.
-  std::optional<ImagePairs> apart = count == 0 ? counted_apart(left_side, right_side) : std::nullopt;
+  std::optional<ImagePairs> apart = pairs.sides[0].empty() ? counted_apart(left_side, right_side) : std::nullopt;
   if (apart) return std::move(*apart);
   return std::unexpected(unpaired(left_side, *numbered_right));
 }

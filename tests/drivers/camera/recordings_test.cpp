@@ -209,9 +209,10 @@ TEST_F(Recordings, APairWhoseNamesDoNotSayWhatBelongsTogetherHasAsManyOnEitherSi
     VideoCamera camera(executor, eyes, make_any_source);
     const Result<StereoModel> model = run(executor, camera.open());
     ASSERT_FALSE(model);
-    EXPECT_EQ(model.error().sentence,
-              "the left camera: 3 images are of the left camera and 2 of the right one, and no numbers in their names say "
-              "which belong together: give what belongs together the same number");
+    EXPECT_EQ(
+        model.error().sentence,
+        "the left camera: 3 images are of the left camera and 2 of the right one, and no numbers in their names say "
+        "which belong together: give what belongs together the same number");
   }
   write_image("right-c.png", 50);
   VideoCamera camera(executor, eyes, make_any_source);
@@ -221,8 +222,25 @@ TEST_F(Recordings, APairWhoseNamesDoNotSayWhatBelongsTogetherHasAsManyOnEitherSi
 TEST(ImagePairs, NumbersThatContradictTheOrderAreNotOverridden) {
   const std::vector<std::string> right = {"r/3.png", "r/4.png", "r/5.png", "r/6.png"};
   EXPECT_EQ(pair_files({"l/1.png", "l/2.png", "l/3.png", "l/4.png"}, right).error().symbol, "unpaired");
-  EXPECT_EQ(pair_files({"l/3 (3).png", "l/3.png", "l/4.png", "l/5.png"}, right).error().symbol, "unpaired");
-  EXPECT_EQ(pair_files({"l/3.png", "l/4.png", "l/5.png", "l/x.png"}, right).error().symbol, "unpaired");
+  EXPECT_EQ(pair_files({"l/a3 (3).png", "l/a3.png", "l/a4.png", "l/a5.png"}, right).error().symbol, "unpaired");
+  EXPECT_EQ(pair_files({"l/a3.png", "l/a4.png", "l/a5.png", "l/x.png"}, right).error().symbol, "unpaired");
+}
+
+TEST(ImagePairs, WhatHasTheSameNameBelongsTogetherWhateverItsNumbers) {
+  const std::vector<std::string> burst = {"IMG_20240101_120000", "IMG_20240101_120000_1"};
+  EXPECT_EQ(pair_files({"l/" + burst[0] + ".jpg", "l/" + burst[1] + ".jpg"},
+                       {"r/" + burst[0] + ".jpg", "r/" + burst[1] + ".jpg"})
+                .value()
+                .sides[1],
+            (std::vector<std::string>{"r/" + burst[0] + ".jpg", "r/" + burst[1] + ".jpg"}));
+  const ImagePairs letters = pair_files({"l/a.png", "l/b.png", "l/c.png"}, {"r/b.png", "r/c.png"}).value();
+  EXPECT_EQ(letters.sides[0], (std::vector<std::string>{"l/b.png", "l/c.png"}));
+  EXPECT_EQ(letters.alone, (std::array<std::size_t, 2>{1, 0}));
+}
+
+TEST(ImagePairs, NumbersTooLargeToCountWithSayNothing) {
+  const std::vector<std::string> left = {"l/1.png", "l/9223372036854775807.png"};
+  EXPECT_EQ(pair_files(left, {"r/3.png", "r/5000000000000000000.png"}).error().symbol, "unpaired");
 }
 
 TEST(ImagePairs, ACamerasOwnNumberSaysNothing) {
