@@ -53,13 +53,16 @@ void CameraFeed::abandon() {
 
 Task<Result<StereoFrame>> CameraFeed::next(Time after, Duration timeout) {
   const Time deadline = executor_.now() + timeout;
+  const std::uint64_t unreadable = camera_.drops().corrupt;
   bool in_time = true;
   while (in_time) {
     if (latest_.left != nullptr && latest_.captured > after) co_return latest_;
     in_time = co_await waiting_.wait(deadline);
   }
-  const std::string sentence = trouble_.empty() ? "the camera gives no images" : trouble_;
-  co_return fail("no-image", sentence);
+  if (!trouble_.empty()) co_return fail("no-image", trouble_);
+  const CameraDrops drops = camera_.drops();
+  if (drops.corrupt == unreadable) co_return fail("no-image", "the camera gives no images");
+  co_return fail("no-image", "the camera's images cannot be read: " + drops.why_corrupt);
 }
 
 Task<void> CameraFeed::run() {

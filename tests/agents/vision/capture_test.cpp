@@ -1,10 +1,12 @@
 // The camera behind the agent: when it is open, what of it is sent, and what is said when it is lost.
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <span>
 
 #include "agents/vision/agent/camera_feed.hpp"
 #include "tests/agents/vision/vision_life.hpp"
+#include "tests/run_task.hpp"
 
 namespace pizarra {
 namespace {
@@ -39,6 +41,37 @@ TEST(CameraFeed, LeavesTimeForOthersWhereFramesComeFasterThanTheyAreLookedAt) {
   executor.run_for(100ms);
   EXPECT_LT(seen_by_others, 3U);
   EXPECT_EQ(feed.frame_number(), CameraThatIsAhead::frames);
+  feed.abandon();
+}
+
+// Is there, and none of its images can be read.
+class CameraOfDamage : public StereoCamera {
+ public:
+  explicit CameraOfDamage(Executor& executor) : executor_(executor) {}
+
+  Task<Result<StereoModel>> open() override { co_return StereoModel(); }
+  Task<Result<StereoFrame>> next(Time, bool) override {
+    while (true) {
+      co_await sleep(executor_, 500ms);
+      drops_.why_corrupt = fmt::format("shots/{}.png ends too early", ++drops_.corrupt);
+    }
+  }
+  CameraDrops drops() const override { return drops_; }
+
+ private:
+  Executor& executor_;
+  CameraDrops drops_;
+};
+
+TEST(CameraFeed, WhoWaitsForAnImageIsToldWhyThoseThatCameCannotBeRead) {
+  VirtualExecutor executor;
+  CameraOfDamage camera(executor);
+  CameraFeed feed(
+      executor, camera, [](StereoFrame) -> Task<void> { co_return; }, []() -> Task<void> { co_return; });
+  feed.start();
+  const Result<StereoFrame> frame = run(executor, feed.next(executor.now(), 3200ms));
+  ASSERT_FALSE(frame);
+  EXPECT_EQ(frame.error().sentence, "the camera's images cannot be read: shots/6.png ends too early");
   feed.abandon();
 }
 
