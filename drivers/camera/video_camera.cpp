@@ -10,7 +10,7 @@ namespace {
 constexpr Duration longest_opening = 10s;
 constexpr Duration longest_ending = 5s;
 constexpr Duration longest_farewell = 1s;
-constexpr Duration least_silence = 3s;
+constexpr Duration longest_silence = 3s;  // three images of the slowest rate that may be asked for
 
 StereoReader::Sources sources_of(const CameraSetup& setup, const FrameSourceMaker& make_source) {
   StereoReader::Sources out;
@@ -56,7 +56,7 @@ VideoCamera::~VideoCamera() {
 }
 
 Task<Result<StereoModel>> VideoCamera::open() {
-  const bool goes_on = desk_ != nullptr && desk_->healthy(executor_.now(), longest_silence());
+  const bool goes_on = desk_ != nullptr && desk_->healthy(executor_.now(), longest_silence);
   if (!goes_on) {
     const Result<void> ended = co_await end_reading();
     if (!ended) co_return fail(ended);
@@ -104,11 +104,6 @@ Result<void> VideoCamera::begin_reading() {
   return {};
 }
 
-Duration VideoCamera::longest_silence() const {
-  const double period_us = setup_.rate_hz > 0 ? 1e6 / setup_.rate_hz : 0;
-  return std::max(least_silence, Duration(static_cast<std::int64_t>(3 * period_us)));
-}
-
 Task<Result<StereoFrame>> VideoCamera::next(Time after, bool colour) {
   if (desk_ == nullptr) co_return fail("disconnected", "the camera is not open");
   // Kept alive: open() may put another in its place meanwhile.
@@ -125,11 +120,11 @@ Task<Result<StereoFrame>> VideoCamera::next(Time after, bool colour) {
       co_return frame;
     }
     // Also what cannot be read says that the camera is there.
-    const Time deadline = executor_.now() + longest_silence();
+    const Time deadline = executor_.now() + longest_silence;
     const bool woken = co_await bell_->waiting.wait(deadline);
     if (!woken) break;
   }
-  co_return fail("disconnected", fmt::format("no image came within {} s", longest_silence() / 1s));
+  co_return fail("disconnected", fmt::format("no image came within {} s", longest_silence / 1s));
 }
 
 CameraDrops VideoCamera::drops() const {

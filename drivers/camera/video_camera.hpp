@@ -45,7 +45,6 @@ class VideoCamera : public StereoCamera {
 
   Task<Result<void>> end_reading();
   Result<void> begin_reading();
-  Duration longest_silence() const;
 
   Executor& executor_;
   CameraSetup setup_;
