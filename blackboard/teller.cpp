@@ -10,7 +10,7 @@ Result<void> check_teller_name(std::string_view name) {
   }
   if (is_symbol_name(name) && name.front() != '?') return {};
   return fail("bad-name",
-              "a teller is called as a symbol is: letters, digits, dashes and the like, without blanks, no digit and no "
+              "a teller is called as a symbol is: letters a to z, digits, dashes and the like, without blanks, no digit and no "
               "question mark first",
               is_string_text(name) ? to_datum(name) : Datum());
 }

@@ -15,7 +15,7 @@ namespace pizarra {
 
 struct StereoFrame {
   std::uint64_t number = 0;  // counts up from 1, gaps are dropped frames
-  Time captured{};           // when it had been taken, before it was decoded; later of each frame than of those before
+  Time captured{};           // when it came from the device, not yet decoded; later of each frame than of those before
   std::shared_ptr<const Image> left;  // the reference
   std::shared_ptr<const Image> right;
 };
