@@ -19,7 +19,8 @@ std::span<const Command> Command::all() {
        &Interpreter::declare},
       {"tell", "(tell FACT)", "put a fact on the board", &Interpreter::tell},
       {"retract", "(retract PATTERN)", "take every fact that fits off the board", &Interpreter::retract},
-      {"help", "(help) (help COMMAND)", "this list, or one line of it; (help AGENT): what that agent offers", &Interpreter::help},
+      {"help", "(help) (help COMMAND)", "this list, or one line of it; (help AGENT): what that agent offers",
+       &Interpreter::help},
       {"quit", "(quit)", "leave; Ctrl-D or Ctrl-C on an empty line do the same, Ctrl-C after text drops it",
        &Interpreter::quit},
   };

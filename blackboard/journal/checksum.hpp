@@ -3,7 +3,8 @@
 // What a row of a file is known again by, for SQLite has no sums of its own: FNV-1a, 64 bits.
 //
 //   std::int64_t sum = Checksum().add("(on a b)").add(7).value();
-//   std::int64_t sum_of_long_text = Checksum().add_words(lines).value();      // eight bytes at a time, and their number
+//   std::int64_t sum_of_long_text = Checksum().add_words(lines).value();      // eight bytes at a time, and their
+//   number
 
 #include <cstdint>
 #include <cstring>

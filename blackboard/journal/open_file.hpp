@@ -1,7 +1,7 @@
 #pragma once
 
-// A file that is open and is to be found again by its path: whether it is there still, or was moved or removed since, or
-// another stands in its place.
+// A file that is open and is to be found again by its path: whether it is there still, or was moved or removed since,
+// or another stands in its place.
 //
 //   const OpenFile journal("cell.journal");       // once it is open: what is there now is it
 //   if (!journal.is_there()) ...

@@ -44,8 +44,9 @@ class Statistics {
   void committed(const Commit& commit);
   // The client so called is gone.
   void left(std::string_view teller);
-  // When a fact of the relation was sent that came to the board, and how long one was under way from there to a watcher.
-  // Of a relation that the board has not, it is nobody's; and what is longer than any journey is a clock's fault.
+  // When a fact of the relation was sent that came to the board, and how long one was under way from there to a
+  // watcher. Of a relation that the board has not, it is nobody's; and what is longer than any journey is a clock's
+  // fault.
   static constexpr Duration longest_journey = 60s;
   void came(std::string_view relation, Time sent, Time now);
   void delivered(std::string_view relation, Duration took, Time now);

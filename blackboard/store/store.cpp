@@ -112,8 +112,8 @@ Result<void> Store::check_step(const Transaction::Step& step, Checked& before) {
     before.examined += before.own.candidates(*before.table, datum) * (compares_much(datum) ? before.own.heaviest() : 1);
     const Result<void> cheap = check_looking(before.examined, datum);
     if (cheap || cheap.error().symbol != "too-costly") return cheap;
-    return fail("too-costly", cheap.error().sentence + "; ask for some with (limit COUNT) and retract these by their keys",
-                datum);
+    return fail("too-costly",
+                cheap.error().sentence + "; ask for some with (limit COUNT) and retract these by their keys", datum);
   }
   before.own.add(datum);
   // One that it replaces leaves them.

@@ -7,9 +7,9 @@
 //   const FactIndex* index = indexes.find(kind);       // null where it is not to be had, or must be awaited
 //   if (index == nullptr) ... indexes.missed(kind, looked_through);
 //
-// How they are made, the Indexing says (indexing.hpp). One that is not made yet is the maker's (index_maker.hpp): nobody
-// else makes it, and it does not go. One that goes stays until facts change or others are made, since somebody may be
-// going through it, and is taken apart a few facts at a time.
+// How they are made, the Indexing says (indexing.hpp). One that is not made yet is the maker's (index_maker.hpp):
+// nobody else makes it, and it does not go. One that goes stays until facts change or others are made, since somebody
+// may be going through it, and is taken apart a few facts at a time.
 
 #include <map>
 #include <memory>

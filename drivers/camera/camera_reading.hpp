@@ -18,7 +18,8 @@ struct CameraReading {
   std::function<Time()> now;
 };
 
-// Blocks. A frame that cannot be read is left out, 20 in a row are the end. Afterwards the sources are closed, and the desk says why no frame will come any more.
+// Blocks. A frame that cannot be read is left out, 20 in a row are the end. Afterwards the sources are closed, and the
+// desk says why no frame will come any more.
 void read_camera(const CameraReading& reading, FrameDesk& desk);
 
 }  // namespace pizarra

@@ -85,7 +85,8 @@ class KeptBoard {
   // When the board ends.
   void say_what_is_lacking() const {
     if (journal_ == nullptr || !journal_->failure()) return;
-    fmt::print(stderr, "pizarra-board: ends while its journal lacks what came last: {}\n", describe(*journal_->failure()));
+    fmt::print(stderr, "pizarra-board: ends while its journal lacks what came last: {}\n",
+               describe(*journal_->failure()));
   }
   std::vector<RememberedReply> take_remembered() { return std::exchange(remembered_, {}); }
 
@@ -101,9 +102,9 @@ class KeptBoard {
   }
 
   static void say_how_it_goes(const std::optional<Failure>& failure) {
-    const std::string news = failure
-                                 ? describe(*failure) + "; what adds to durable facts is refused until it can be written"
-                                 : std::string("the journal can be written again");
+    const std::string news =
+        failure ? describe(*failure) + "; what adds to durable facts is refused until it can be written"
+                : std::string("the journal can be written again");
     fmt::print(stderr, "pizarra-board: {}\n", news);
   }
 

@@ -29,8 +29,8 @@ class Narrator {
   void begin(Time start) { start_ = start; }
   void say(Time when, std::string_view kind, std::string_view sentence, const Datum& detail = {});
   // Tells every (event ...) fact, each state the servo enters, the coming and going of agents, why one has no images,
-  // and when all is taught, until destroyed. Both outlive it. A board that dies and lives again tells nothing twice: its agents have a
-  // while to be present again before they are said to be gone.
+  // and when all is taught, until destroyed. Both outlive it. A board that dies and lives again tells nothing twice:
+  // its agents have a while to be present again before they are said to be gone.
   Task<void> follow(Board& board, Executor& executor);
   // The newest line without its colours, for the film's caption.
   const std::string& newest() const { return newest_; }

@@ -34,7 +34,8 @@ Task<Result<void>> VisionAgent::State::check_judged(std::string client, std::str
   for (const std::string& judge : judges) {
     const Result<bool> present = co_await is_present(judge);
     if (!present.value_or(true)) continue;
-    co_return fail("busy", fmt::format("{} has learned a sample of it, and is still to accept or to reject that", judge),
+    co_return fail("busy",
+                   fmt::format("{} has learned a sample of it, and is still to accept or to reject that", judge),
                    Datum::symbol(judge));
   }
   co_return {};

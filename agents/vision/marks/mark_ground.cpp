@@ -17,8 +17,8 @@ constexpr std::size_t most_places = 96;
 constexpr std::size_t least_places = 12;
 // Where the contour turns by more than that it has a corner, beyond which blur leaves less of the mark.
 const double cosine_of_corner = std::cos(40 * CV_PI / 180);
-// How far outside its edge the ground is looked at. Nearer there is most of the mark's own blur, farther that of where a
-// narrow margin ends; what hides a part is there at both.
+// How far outside its edge the ground is looked at. Nearer there is most of the mark's own blur, farther that of where
+// a narrow margin ends; what hides a part is there at both.
 constexpr std::array beyond_edge_px = {1.25, 2.0};
 constexpr double well_outside_px = 2.5;
 // By how much ground differs that is one: grey levels, a part of the contrast, and standard deviations of noise, of

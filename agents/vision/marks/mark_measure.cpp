@@ -182,7 +182,7 @@ std::optional<SeenMark> measure_mark(const ImageCut& cut, MarkContour contour, M
 double centre_noise_px(const SeenMark& mark, double noise) {
   constexpr double least_noise = 0.3;  // that of rounding to grey levels
   constexpr double edge_px = 8;        // across, by which noise moves an edge, smoothed and blurred: measured
-  constexpr double corners_px = 1.5;   // how far noise as large as the contrast would move the middle of a tag's corners
+  constexpr double corners_px = 1.5;  // how far noise as large as the contrast would move the middle of a tag's corners
   const double contrast = std::max(1.0, std::abs(mark.mark_level - mark.ground_level));
   if (mark.tag) return corners_px * std::max(noise, least_noise) / contrast;
   // Those counted are the mark's pixels and the two around it. A disc's edge, and a square's, reaches sqrt(2) times as

@@ -1,8 +1,8 @@
 #pragma once
 
-// What the vision agent knows of objects, and where that is kept: in its durable facts `learned`, `learned-template` and
-// `learned-focal` alone, or, where a folder is given, in an object database, of which the facts are then the picture
-// that others read.
+// What the vision agent knows of objects, and where that is kept: in its durable facts `learned`, `learned-template`
+// and `learned-focal` alone, or, where a folder is given, in an object database, of which the facts are then the
+// picture that others read.
 //
 //   ObjectMemory memory(context, "objects");            // or "": the board alone
 //   Result<void> recalled = co_await memory.recall();

@@ -54,8 +54,8 @@ std::string_view size_by_of(const LearnedSample& sample) {
 
 void set_size_by(LearnedSample& sample, std::string_view text) {
   const auto found = std::ranges::find(ways_to_size, text);
-  sample.size_by =
-      found == ways_to_size.end() ? LearnedSample::SizeBy::measured : static_cast<LearnedSample::SizeBy>(found - ways_to_size.begin());
+  sample.size_by = found == ways_to_size.end() ? LearnedSample::SizeBy::measured
+                                               : static_cast<LearnedSample::SizeBy>(found - ways_to_size.begin());
 }
 
 // How large it looked says how it lay: its roundness is the same whichever way it does.

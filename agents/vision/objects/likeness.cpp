@@ -13,8 +13,8 @@ constexpr double doubt_scale = 1.0 / 6;
 
 // The square root of an error is a distance: who is as far from the object as the second and the mark together, and
 // whoever comes after it, is no nearer to the mark than the second.
-void find_second(const SeenMark& mark, const MarkMatch& match, const LearnedObjects& objects, const LearnedObject& object,
-                 Likeness& out) {
+void find_second(const SeenMark& mark, const MarkMatch& match, const LearnedObjects& objects,
+                 const LearnedObject& object, Likeness& out) {
   for (const LearnedObject::Rival& rival : object.rivals[match.blur]) {
     const double distance = std::max(0.0, std::sqrt(rival.error) - std::sqrt(match.shape_error));
     if (distance * distance >= out.second_error) return;

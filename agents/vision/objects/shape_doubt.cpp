@@ -12,7 +12,8 @@ namespace {
 // A picture may be off by so much, and an outline by a share of what is not round about it: by blur, by a sharper image
 // than it was learned from, and by perspective. What is light lies on something dark that ends near it: the blurred
 // border of that makes both more. Noise adds to the picture's error too, but no more of it is let pass: one mark in a
-// thousand differs by more, and what is as small, blurred and noisy, and differs by as much, is another thing as a rule.
+// thousand differs by more, and what is as small, blurred and noisy, and differs by as much, is another thing as a
+// rule.
 struct Allowance {
   double picture;
   double outline_share;
@@ -30,8 +31,8 @@ constexpr double least_noise = 0.01;  // of the contrast
 // may make, what differs by more is not known for certain; and by one wave alone less of it counts as much as by all.
 constexpr double least_other = 0.0015;
 constexpr double wave_share = 0.5;
-// A learned mark of which blur leaves so much in the middle is solid there. A ring whose hole blur fills is a disc but for
-// this: its middle is lighter than its rim by more than uneven print, and noise, make of a solid one.
+// A learned mark of which blur leaves so much in the middle is solid there. A ring whose hole blur fills is a disc but
+// for this: its middle is lighter than its rim by more than uneven print, and noise, make of a solid one.
 constexpr double solid_middle = 0.9;
 constexpr double middle_slack = 0.1;
 constexpr double middle_noise = 0.6;

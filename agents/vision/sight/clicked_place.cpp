@@ -185,7 +185,8 @@ std::unexpected<Failure> ClickedPlace::why_none() const {
     return refuse("open-contour", "the contour around the point is open: what is filled leaks out of it");
   }
   if (around && cut) return refuse("border", "the shape around the point is cut by the border of the image");
-  return refuse("background", "the point is on the ground, or on a ring: a mark is solid, and unlike the ground around it");
+  return refuse("background",
+                "the point is on the ground, or on a ring: a mark is solid, and unlike the ground around it");
 }
 
 std::unexpected<Failure> ClickedPlace::refuse(const char* symbol, const char* sentence) const {

@@ -13,7 +13,8 @@ namespace {
 
 // How far a range by size may be off, as a part of it: a standard deviation.
 constexpr double spread_by_size = 0.01;
-// Of the disparity, px, by the pixels' phase: of any mark, of a tag, and of a large mark with its edges along the pixels.
+// Of the disparity, px, by the pixels' phase: of any mark, of a tag, and of a large mark with its edges along the
+// pixels.
 constexpr double ordinary_phase_px = 0.018;
 constexpr double tag_phase_px = 0.04;
 constexpr double edge_phase_px = 0.28;

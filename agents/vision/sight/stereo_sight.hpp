@@ -65,9 +65,9 @@ class StereoSight {
   std::optional<ImageSegmentation> right_rows_;  // beside the first mark whose partner was looked for
 };
 
-// Whether the pair can be the whole of the object's mark: as large in the world as one of its samples, and, but for what
-// yaw does, as wide in one image as in the other. Something in front of a part of it makes it too small, or hides more
-// of it from one camera than from the other.
+// Whether the pair can be the whole of the object's mark: as large in the world as one of its samples, and, but for
+// what yaw does, as wide in one image as in the other. Something in front of a part of it makes it too small, or hides
+// more of it from one camera than from the other.
 bool is_whole(const StereoModel& model, const LearnedObject& object, const SeenMark& left, const SeenMark& right);
 
 }  // namespace pizarra

@@ -51,10 +51,11 @@ class FirstLooks {
     scene.noise = random.uniform(1, 6);
     scene.blur_px = random.uniform(0.5, 1);
     const bool straight = faces || random.below(2) == 0;
-    scene.faces = {{.mark = drawn_as(mark),
-                    .place = {random.uniform(-60, 80), random.uniform(-60, 60), random.uniform(nearest_mm, farthest_mm)},
-                    .yaw_deg = straight ? 0 : random.uniform(-30, 30),
-                    .roll_deg = straight ? 90.0 * static_cast<double>(random.below(2)) : random.uniform(0, 180)}};
+    scene.faces = {
+        {.mark = drawn_as(mark),
+         .place = {random.uniform(-60, 80), random.uniform(-60, 60), random.uniform(nearest_mm, farthest_mm)},
+         .yaw_deg = straight ? 0 : random.uniform(-30, 30),
+         .roll_deg = straight ? 90.0 * static_cast<double>(random.below(2)) : random.uniform(0, 180)}};
     if (drawn_as(mark) == "plate") scene.faces[0].roll_deg = random.uniform(-10, 10);
     if (cover != Cover::none) hide_part(scene, cover, straight, random);
     DrawnSight drawn(scene, random);

@@ -1,5 +1,5 @@
-// A mark goes behind something, a hand comes over it, or both move, slowly and quickly, at 10 to 120 frames a second; or
-// a part of it is hidden from the first. What is told for sure is where the mark is.
+// A mark goes behind something, a hand comes over it, or both move, slowly and quickly, at 10 to 120 frames a second;
+// or a part of it is hidden from the first. What is told for sure is where the mark is.
 
 #include <gtest/gtest.h>
 

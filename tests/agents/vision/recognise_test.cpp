@@ -194,8 +194,8 @@ SeenPair as_followed(const StereoSight& sight, const LearnedObject& object, cons
   return out;
 }
 
-// But for what may be covered: whether a face seen aslant is, may depend on a thousandth of its height, and the two ways
-// of measuring it then differ.
+// But for what may be covered: whether a face seen aslant is, may depend on a thousandth of its height, and the two
+// ways of measuring it then differ.
 TEST(Likeness, OfTrackingIsThatOfFindingAndNoOtherObjectIsNearerThanTheSecond) {
   int compared = 0;
   for (std::uint64_t seed = 1; seed <= 150; ++seed) {

@@ -94,8 +94,8 @@ TEST_P(Swapped, WhatWasPutElsewhereIsSureAgainWhenItHasBeenFollowedForAWhile) {
   }
 }
 
-// As far from the learned size as it may be and be the object for a pair, which knows its size; and for one camera. What
-// is smaller and lies where the tracked one rested may be that, covered.
+// As far from the learned size as it may be and be the object for a pair, which knows its size; and for one camera.
+// What is smaller and lies where the tracked one rested may be that, covered.
 TEST_P(Swapped, ACopyOfAnotherSizeIsFoundAgain) {
   const bool is_pair = std::get<1>(GetParam()) == Eyes::pair;
   for (const double scale : {0.94, 1.03, 0.75, 1.3}) {

@@ -1,6 +1,6 @@
 // Something that comes to lie over a mark or a tag that is tracked, from any side, and leaves it again: a hand slides
-// over it, or it goes behind what stands, slowly or fast, or both move. How much of what is told meanwhile to be seen is
-// off: by 2 px where a hand slides over, and by 1 px of all that is told for sure.
+// over it, or it goes behind what stands, slowly or fast, or both move. How much of what is told meanwhile to be seen
+// is off: by 2 px where a hand slides over, and by 1 px of all that is told for sure.
 
 #include <cmath>
 #include <fmt/format.h>

@@ -283,7 +283,8 @@ TEST(Calibration, WhatItFindsIsAsFarOffAsItSays) {
 std::optional<double> range_error(const StereoGeometry& geometry, const cv::Vec3d& point) {
   const auto seen = [&](const cv::Affine3d& from, const cv::Matx33d& camera) {
     std::vector<cv::Point2d> out;
-    cv::projectPoints(std::vector{cv::Point3d(point)}, from.rvec(), from.translation(), camera, scene().distortion, out);
+    cv::projectPoints(std::vector{cv::Point3d(point)}, from.rvec(), from.translation(), camera, scene().distortion,
+                      out);
     return out.front();
   };
   const cv::Point2d left = seen(cv::Affine3d(), scene().left);
