@@ -7,6 +7,7 @@
 #include "blackboard/memory/memory_board.hpp"
 #include "blackboard/time/virtual_executor.hpp"
 #include "lisp/reader.hpp"
+#include "tests/blackboard/passing_board.hpp"
 
 namespace pizarra {
 namespace {
@@ -17,29 +18,20 @@ constexpr std::string_view adder_contract =
 Datum form(std::string_view written) { return read_one(written).value(); }
 
 // The board of an agent whose leases may lapse: no renewal comes through while it is held up.
-class LaggingBoard : public Board {
+class LaggingBoard : public PassingBoard {
  public:
-  LaggingBoard(Executor& executor, std::unique_ptr<Board> board) : executor_(executor), board_(std::move(board)) {}
+  LaggingBoard(Executor& executor, std::unique_ptr<Board> board)
+      : PassingBoard(std::move(board)), executor_(executor) {}
 
   Task<Result<void>> renew(LeaseId lease) override {
     while (held_up) co_await sleep(executor_, 10ms);
-    co_return co_await board_->renew(lease);
+    co_return co_await PassingBoard::renew(lease);
   }
-  Task<Result<void>> declare(std::vector<Relation> relations) override { return board_->declare(std::move(relations)); }
-  Task<Result<Revision>> transact(Transaction steps) override { return board_->transact(std::move(steps)); }
-  Task<Result<Answers>> ask(Query query) override { return board_->ask(std::move(query)); }
-  Task<Result<std::unique_ptr<Watch>>> watch(Query query) override { return board_->watch(std::move(query)); }
-  Task<Result<std::optional<Fact>>> take(Datum pattern, LeaseId holder) override {
-    return board_->take(std::move(pattern), holder);
-  }
-  Task<Result<LeaseId>> lease(Duration length) override { return board_->lease(length); }
-  Task<Result<void>> release(LeaseId lease) override { return board_->release(lease); }
 
   bool held_up = false;
 
  private:
   Executor& executor_;
-  std::unique_ptr<Board> board_;
 };
 
 // One agent's life: destroying it is the agent's death.
