@@ -150,12 +150,11 @@ std::optional<SeenPair> MarkTracker::search(StereoSight& sight, Track& track, co
 }
 
 // What is said of a frame in which it was not found.
-TrackSighting MarkTracker::miss(Track& track) const {
-  track.whole.wait(captured_);
+TrackSighting MarkTracker::miss(Track& track, Time now) const {
+  track.whole.wait(now);
   TrackSighting out{.name = track.name, .centre = {}, .yaw_deg = {}, .contour = {}};
   const cv::Rect2d image(0, 0, image_size_.width, image_size_.height);
-  const bool near =
-      track.left && captured_ - track.seen_at <= longest_bridge && image.contains(track.expected(captured_));
+  const bool near = track.left && now - track.seen_at <= longest_bridge && image.contains(track.expected(now));
   if (!near) {
     track.whole.lose();
     track = Track{.name = track.name,
@@ -169,10 +168,9 @@ TrackSighting MarkTracker::miss(Track& track) const {
   }
   track.missed = true;
   out.bridged = true;
-  out.centre = track.expected(captured_);
+  out.centre = track.expected(now);
   out.range_mm = track.range_mm;
-  out.confidence =
-      track.confidence * std::pow(trust_in_a_bridge, seconds_between(track.seen_at, captured_) / trust_lasts_s);
+  out.confidence = track.confidence * std::pow(trust_in_a_bridge, seconds_between(track.seen_at, now) / trust_lasts_s);
   return out;
 }
 
@@ -244,19 +242,17 @@ void MarkTracker::note_loss(Track& track, const LearnedObject& object) {
 std::vector<TrackSighting> MarkTracker::miss_all(Time now) {
   std::vector<TrackSighting> out;
   if (last_left_.empty()) return out;
-  const Time last_image = std::exchange(captured_, now);
   for (Track& track : tracks_) {
     const LearnedObject* object = objects_.find(track.name);
     if (object != nullptr) note_loss(track, *object);
-    out.push_back(miss(track));
+    out.push_back(miss(track, now));
   }
-  captured_ = last_image;
   return out;
 }
 
 TrackSighting MarkTracker::update(StereoSight& sight, Track& track) {
   const LearnedObject* object = objects_.find(track.name);
-  if (object == nullptr) return miss(track);
+  if (object == nullptr) return miss(track, captured_);
   const double off_px = most_off_px(sight);
   const auto look_at = [&](const SeenPair& pair) {
     return track.whole.look_at(sight.model(), *object, pair, captured_, off_px, !track.left);
@@ -271,7 +267,7 @@ TrackSighting MarkTracker::update(StereoSight& sight, Track& track) {
     now = search(sight, track, *object);
     if (now) look = look_at(*now);
   }
-  if (!look.whole) return miss(track);
+  if (!look.whole) return miss(track, captured_);
 
   TrackSighting out{.name = track.name, .centre = {}, .yaw_deg = {}, .contour = {}};
   out.centre = now->left.centre;

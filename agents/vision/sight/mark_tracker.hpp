@@ -102,7 +102,7 @@ class MarkTracker {
   // Of those in the image in which it was seen last.
   void note_others_before(Track& track, const LearnedObject& object);
   TrackSighting update(StereoSight& sight, Track& track);
-  TrackSighting miss(Track& track) const;
+  TrackSighting miss(Track& track, Time now) const;
   // It was seen before, and is not now.
   void note_loss(Track& track, const LearnedObject& object);
   // Where what is followed elsewhere was not it, but is hidden no more where it was lost.
