@@ -1,6 +1,6 @@
 #include "blackboard/board.hpp"
 
-#include "blackboard/time/event.hpp"
+#include "blackboard/time/latch.hpp"
 
 namespace pizarra {
 

@@ -8,7 +8,7 @@
 #include <memory>
 #include <new>
 
-#include "lisp/effort.hpp"
+#include "lisp/elements_looked_at.hpp"
 #include "lisp/keyed_hash.hpp"
 
 namespace pizarra {

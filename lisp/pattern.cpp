@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "lisp/effort.hpp"
+#include "lisp/elements_looked_at.hpp"
 
 namespace pizarra {
 

@@ -9,7 +9,7 @@
 #include "agents/coordinator/geometry/occlusion.hpp"
 #include "agents/coordinator/geometry/servo.hpp"
 #include "blackboard/time/clock.hpp"
-#include "lisp/forms/cell.hpp"
+#include "lisp/forms/cell_file.hpp"
 
 namespace pizarra {
 

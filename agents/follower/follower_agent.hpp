@@ -20,7 +20,7 @@
 #include <optional>
 
 #include "agents/runtime/service.hpp"
-#include "blackboard/time/event.hpp"
+#include "blackboard/time/latch.hpp"
 
 namespace pizarra {
 

@@ -16,7 +16,7 @@
 #include <optional>
 
 #include "agents/pan_tilt/head_facts.hpp"
-#include "blackboard/time/event.hpp"
+#include "blackboard/time/latch.hpp"
 
 namespace pizarra {
 

@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "agents/runtime/service.hpp"
-#include "drivers/pan_tilt/pan_tilt_driver.hpp"
+#include "drivers/ptu/pan_tilt_driver.hpp"
 
 namespace pizarra {
 

@@ -13,7 +13,7 @@
 // Failures: closed, disconnected, out-of-range, unknown-place, and the driver's.
 
 #include "agents/runtime/agent.hpp"
-#include "drivers/pan_tilt/pan_tilt_driver.hpp"
+#include "drivers/ptu/pan_tilt_driver.hpp"
 #include "lisp/forms/camera_pose.hpp"
 
 namespace pizarra {

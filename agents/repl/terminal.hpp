@@ -16,7 +16,7 @@
 #include <string>
 
 #include "agents/repl/signal_pipe.hpp"
-#include "blackboard/time/event.hpp"
+#include "blackboard/time/latch.hpp"
 
 namespace pizarra {
 

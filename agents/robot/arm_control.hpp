@@ -23,7 +23,7 @@
 
 #include "agents/robot/arm_facts.hpp"
 #include "agents/robot/guard.hpp"
-#include "blackboard/time/event.hpp"
+#include "blackboard/time/latch.hpp"
 
 namespace pizarra {
 

@@ -8,7 +8,7 @@
 
 #include <optional>
 
-#include "agents/robot/room.hpp"
+#include "agents/robot/work_volume.hpp"
 #include "blackboard/time/clock.hpp"
 #include "drivers/arm/arm_driver.hpp"
 

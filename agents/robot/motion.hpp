@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-#include "agents/robot/room.hpp"
+#include "agents/robot/work_volume.hpp"
 #include "drivers/arm/kinematics.hpp"
 
 namespace pizarra {

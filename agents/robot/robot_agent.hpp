@@ -21,7 +21,7 @@
 #include <memory>
 #include <optional>
 
-#include "agents/robot/room.hpp"
+#include "agents/robot/work_volume.hpp"
 #include "agents/runtime/agent.hpp"
 #include "drivers/arm/arm_driver.hpp"
 

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "blackboard/teller.hpp"
-#include "blackboard/time/event.hpp"
+#include "blackboard/time/latch.hpp"
 
 namespace pizarra {
 

@@ -4,7 +4,7 @@
 #include "blackboard/client/replicas.hpp"
 #include "blackboard/limits.hpp"
 #include "blackboard/teller.hpp"
-#include "blackboard/time/event.hpp"
+#include "blackboard/time/latch.hpp"
 #include "blackboard/wire/answer_form.hpp"
 #include "blackboard/wire/wire_address.hpp"
 #include "lisp/writer.hpp"

@@ -7,7 +7,7 @@
 
 #include "blackboard/client/remote_stream.hpp"
 #include "blackboard/store/fact_list.hpp"
-#include "blackboard/time/event.hpp"
+#include "blackboard/time/latch.hpp"
 
 namespace pizarra {
 

@@ -24,7 +24,7 @@
 #include <string_view>
 
 #include "blackboard/journal/journal_file.hpp"
-#include "blackboard/time/event.hpp"
+#include "blackboard/time/latch.hpp"
 #include "blackboard/time/executor.hpp"
 
 namespace pizarra {

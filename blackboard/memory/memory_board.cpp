@@ -8,7 +8,7 @@
 #include "blackboard/store/query_tables.hpp"
 #include "blackboard/store/store.hpp"
 #include "blackboard/teller.hpp"
-#include "blackboard/time/event.hpp"
+#include "blackboard/time/latch.hpp"
 #include "blackboard/watch/watches.hpp"
 
 namespace pizarra {

@@ -13,7 +13,7 @@
 
 #include "blackboard/limits.hpp"
 #include "blackboard/store/indexing.hpp"
-#include "lisp/effort.hpp"
+#include "lisp/elements_looked_at.hpp"
 
 namespace pizarra {
 

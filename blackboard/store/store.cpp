@@ -7,7 +7,7 @@
 #include "blackboard/store/looking.hpp"
 #include "blackboard/store/own_tells.hpp"
 #include "blackboard/store/query_tables.hpp"
-#include "blackboard/store/room.hpp"
+#include "blackboard/store/capacity.hpp"
 #include "blackboard/store/store_change.hpp"
 #include "lisp/pattern.hpp"
 

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "blackboard/store/looking.hpp"
-#include "lisp/effort.hpp"
+#include "lisp/elements_looked_at.hpp"
 
 namespace pizarra {
 

@@ -6,7 +6,7 @@
 #include <system_error>
 #include <unistd.h>
 
-#include "blackboard/time/event.hpp"
+#include "blackboard/time/latch.hpp"
 
 namespace pizarra {
 

@@ -19,7 +19,7 @@
 // Failures, each naming the camera: disconnected, refused-setting, wrong-size and those of the calibration file from
 // open(); disconnected from next().
 
-#include "blackboard/time/event.hpp"
+#include "blackboard/time/latch.hpp"
 #include "drivers/camera/camera_reading.hpp"
 
 namespace pizarra {

@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "blackboard/time/executor.hpp"
-#include "drivers/wire/turns.hpp"
+#include "blackboard/time/turns.hpp"
 #include "lisp/result.hpp"
 
 namespace pizarra {

@@ -6,7 +6,7 @@
 
 #include "drivers/arm/arm_driver.hpp"
 #include "drivers/simulation/link.hpp"
-#include "drivers/simulation/physics/cell.hpp"
+#include "drivers/simulation/physics/physical_cell.hpp"
 
 namespace pizarra {
 

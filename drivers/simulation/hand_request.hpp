@@ -2,7 +2,7 @@
 
 // Requests to the hand, `(hand push NAME DX DY)` and so on as in world.hpp, understood and begun.
 
-#include "drivers/simulation/physics/cell.hpp"
+#include "drivers/simulation/physics/physical_cell.hpp"
 
 namespace pizarra {
 

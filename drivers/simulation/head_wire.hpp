@@ -8,7 +8,7 @@
 
 #include "blackboard/time/executor.hpp"
 #include "drivers/simulation/link.hpp"
-#include "drivers/wire/byte_wire.hpp"
+#include "drivers/line/byte_wire.hpp"
 
 namespace pizarra {
 

@@ -11,7 +11,7 @@
 #include <map>
 #include <zmq.hpp>
 
-#include "blackboard/time/event.hpp"
+#include "blackboard/time/latch.hpp"
 #include "drivers/simulation/link.hpp"
 
 namespace pizarra {

@@ -7,7 +7,7 @@
 #include "blackboard/store/store.hpp"
 #include "blackboard/time/random.hpp"
 #include "blackboard/watch/watches.hpp"
-#include "lisp/effort.hpp"
+#include "lisp/elements_looked_at.hpp"
 #include "lisp/writer.hpp"
 #include "tests/blackboard/wall.hpp"
 

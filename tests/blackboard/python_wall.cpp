@@ -7,7 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "blackboard/time/event.hpp"
+#include "blackboard/time/latch.hpp"
 #include "blackboard/wire/answer_form.hpp"
 #include "blackboard/wire/wire.hpp"
 #include "lisp/writer.hpp"

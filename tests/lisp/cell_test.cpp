@@ -1,4 +1,4 @@
-#include "lisp/forms/cell.hpp"
+#include "lisp/forms/cell_file.hpp"
 
 #include <gtest/gtest.h>
 

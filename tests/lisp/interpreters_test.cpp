@@ -4,12 +4,12 @@
 #include <functional>
 #include <gtest/gtest.h>
 
-#include "lisp/forms/cell.hpp"
+#include "lisp/forms/cell_file.hpp"
 #include "lisp/forms/domain.hpp"
 #include "lisp/forms/goal.hpp"
 #include "lisp/forms/micro_tasks.hpp"
 #include "lisp/forms/perception.hpp"
-#include "lisp/forms/scenario.hpp"
+#include "lisp/forms/scenario_file.hpp"
 #include "lisp/forms/vision_reply.hpp"
 #include "lisp/writer.hpp"
 #include "tests/lisp/random_datum.hpp"

@@ -1,4 +1,4 @@
-#include "lisp/forms/scenario.hpp"
+#include "lisp/forms/scenario_file.hpp"
 
 #include <gtest/gtest.h>
 

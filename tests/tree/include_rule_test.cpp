@@ -10,7 +10,7 @@
 namespace pizarra {
 namespace {
 
-const std::vector<std::string> layers = {"lisp", "blackboard", "drivers", "agents"};
+const std::vector<std::string> layers = {"lisp", "blackboard", "drivers", "agents", "programs"};
 
 std::string part(std::string_view path, int index) {
   std::size_t begin = 0;
@@ -129,9 +129,9 @@ TEST(IncludeRule, EachRoomOfTheEyesIncludesOnlyTheRoomsItStandsOn) {
   const Rooms may = {{"image", {}},
                      {"marks", {"image"}},
                      {"objects", {"marks"}},
-                     {"memory", {"marks", "objects"}},
+                     {"database", {"marks", "objects"}},
                      {"sight", {"image", "marks", "objects"}},
-                     {"agent", {"marks", "objects", "memory", "sight"}}};
+                     {"agent", {"marks", "objects", "database", "sight"}}};
   expect_rooms("agents/vision/", may);
 }
 
@@ -139,7 +139,7 @@ TEST(IncludeRule, TheSimulatedWorldIsReachedByDriversThePersonAndTheLauncherAlon
   for (const auto& [from, to] : own_includes()) {
     if (!to.starts_with("drivers/simulation/")) continue;
     const bool may = from.starts_with("drivers/simulation/") || from.starts_with("agents/person/") ||
-                     from.starts_with("agents/launcher/");
+                     from.starts_with("agents/launcher/") || from.starts_with("programs/");
     EXPECT_TRUE(may) << from << " includes " << to;
   }
 }

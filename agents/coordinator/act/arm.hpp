@@ -9,7 +9,7 @@
 #include <Eigen/Core>
 
 #include "agents/coordinator/perceive/surroundings.hpp"
-#include "agents/coordinator/story.hpp"
+#include "agents/coordinator/event_log.hpp"
 
 namespace pizarra {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
-#include "agents/coordinator/telling.hpp"
+#include "agents/coordinator/retried_commit.hpp"
 #include "lisp/writer.hpp"
 
 namespace pizarra {

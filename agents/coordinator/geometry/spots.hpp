@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "lisp/forms/cell.hpp"
+#include "lisp/forms/cell_file.hpp"
 
 namespace pizarra {
 

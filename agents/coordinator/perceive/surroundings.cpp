@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "agents/coordinator/telling.hpp"
+#include "agents/coordinator/retried_commit.hpp"
 #include "agents/runtime/declared.hpp"
 #include "lisp/forms/vision_reply.hpp"
 

@@ -18,9 +18,9 @@
 #include "agents/coordinator/options.hpp"
 #include "agents/coordinator/perceive/beliefs.hpp"
 #include "agents/coordinator/plan/task_domain.hpp"
-#include "agents/coordinator/story.hpp"
+#include "agents/coordinator/event_log.hpp"
 #include "agents/runtime/service.hpp"
-#include "blackboard/time/event.hpp"
+#include "blackboard/time/latch.hpp"
 
 namespace pizarra {
 

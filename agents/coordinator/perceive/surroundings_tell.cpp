@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "agents/coordinator/perceive/surroundings.hpp"
-#include "agents/coordinator/telling.hpp"
+#include "agents/coordinator/retried_commit.hpp"
 #include "agents/runtime/declared.hpp"
 
 namespace pizarra {

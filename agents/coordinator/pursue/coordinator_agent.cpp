@@ -2,7 +2,7 @@
 
 #include "agents/coordinator/pursue/contract.hpp"
 #include "agents/coordinator/pursue/pursuit.hpp"
-#include "agents/coordinator/telling.hpp"
+#include "agents/coordinator/retried_commit.hpp"
 #include "lisp/forms/goal.hpp"
 #include "lisp/writer.hpp"
 

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "agents/coordinator/pursue/pursuit.hpp"
-#include "agents/coordinator/telling.hpp"
+#include "agents/coordinator/retried_commit.hpp"
 #include "lisp/writer.hpp"
 
 namespace pizarra {

@@ -3,7 +3,7 @@
 // The dialogue with the planning server (steps d to f): operators, facts and goals go there, a plan comes back.
 
 #include "agents/coordinator/perceive/surroundings.hpp"
-#include "agents/coordinator/story.hpp"
+#include "agents/coordinator/event_log.hpp"
 
 namespace pizarra {
 

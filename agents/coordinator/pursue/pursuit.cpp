@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <iterator>
 
-#include "agents/coordinator/telling.hpp"
+#include "agents/coordinator/retried_commit.hpp"
 #include "lisp/writer.hpp"
 
 namespace pizarra {
@@ -186,7 +186,7 @@ Task<bool> Pursuit::settles(Goal goal) {
 }
 
 Task<Result<std::int64_t>> Pursuit::submit(std::vector<Datum> facts) {
-  const Turns::Turn turn = co_await turns_.next();
+  const Turns::Turn turn = co_await turns_.take();
   const Goal goal{last_number_ + 1, std::move(facts)};
   const Datum told_goal = list("goal"_sym, goal.number, Datum::list(goal.facts));
   Transaction transaction;
@@ -204,7 +204,7 @@ Task<Result<std::int64_t>> Pursuit::submit(std::vector<Datum> facts) {
 }
 
 Task<Result<void>> Pursuit::cancel() {
-  const Turns::Turn turn = co_await turns_.next();
+  const Turns::Turn turn = co_await turns_.take();
   if (!current_) co_return fail("no-goal", "there is no goal in hand");
   const Result<Revision> told = co_await tell_outcome(current_->number, "cancelled", Datum());
   if (!told) co_return fail(told);
@@ -223,7 +223,7 @@ Task<void> Pursuit::finish(Goal goal, Result<void> outcome) {
 }
 
 Task<bool> Pursuit::end(Goal goal, Result<void> outcome) {
-  const Turns::Turn turn = co_await turns_.next();
+  const Turns::Turn turn = co_await turns_.take();
   const bool still_wanted = current_ && current_->number == goal.number;
   if (!still_wanted) co_return true;
   const std::string_view state = outcome ? "reached" : "refused";

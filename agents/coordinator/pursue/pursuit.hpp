@@ -16,7 +16,7 @@
 #include "agents/coordinator/act/rescues.hpp"
 #include "agents/coordinator/act/task_runner.hpp"
 #include "agents/coordinator/pursue/planning.hpp"
-#include "agents/coordinator/pursue/turns.hpp"
+#include "blackboard/time/turns.hpp"
 
 namespace pizarra {
 

@@ -1,12 +1,12 @@
 #pragma once
 
-// A plan from a foreign planner (drivers/planner/), in the task's own names, and true: it has passed the validator.
+// A plan from a foreign planner (drivers/pddl_planner/), in the task's own names, and true: it has passed the validator.
 //
 //   const ExternalPlanner planner("ff -o {domain} -f {problem}");
 //   const Result<PlanSteps> steps = plan_externally(planner, task, [] { return false; });
 
-#include "agents/planner/task/task.hpp"
-#include "drivers/planner/external_planner.hpp"
+#include "agents/planner/task/planning_task.hpp"
+#include "drivers/pddl_planner/external_planner.hpp"
 
 namespace pizarra {
 

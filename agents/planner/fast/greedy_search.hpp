@@ -15,7 +15,7 @@
 #include <unordered_set>
 
 #include "agents/planner/distance/landmark_estimate.hpp"
-#include "agents/planner/fast/effort.hpp"
+#include "agents/planner/fast/search_budget.hpp"
 
 namespace pizarra {
 

@@ -12,7 +12,7 @@
 #include <unordered_set>
 
 #include "agents/planner/distance/relaxed_plan.hpp"
-#include "agents/planner/fast/effort.hpp"
+#include "agents/planner/fast/search_budget.hpp"
 
 namespace pizarra {
 

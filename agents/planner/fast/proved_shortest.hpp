@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "agents/planner/distance/nearness.hpp"
-#include "agents/planner/fast/effort.hpp"
+#include "agents/planner/fast/search_budget.hpp"
 
 namespace pizarra {
 

@@ -9,7 +9,7 @@
 // PDDL knows no case, no strings and no numbers for names, and its type `object` is every object's: names are changed
 // where they must be, and the maps lead back.
 
-#include "agents/planner/task/task.hpp"
+#include "agents/planner/task/planning_task.hpp"
 
 namespace pizarra {
 

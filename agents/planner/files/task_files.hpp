@@ -5,7 +5,7 @@
 //   const Result<PlanningTask> task = read_task_files("domain.pddl", "problem.pddl");
 //   const Result<Problem> problem = ground(*task);
 
-#include "agents/planner/task/task.hpp"
+#include "agents/planner/task/planning_task.hpp"
 #include "lisp/forms/planning_files.hpp"
 
 namespace pizarra {

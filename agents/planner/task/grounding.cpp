@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-#include "agents/planner/task/fact_table.hpp"
+#include "agents/planner/task/ground_facts.hpp"
 #include "agents/planner/task/reachable.hpp"
 
 namespace pizarra {

@@ -5,7 +5,7 @@
 //
 //   written(task, read_one("(holding ?x)").value());      // (holding <x>), where the task is the thesis'
 
-#include "agents/planner/task/task.hpp"
+#include "agents/planner/task/planning_task.hpp"
 
 namespace pizarra {
 

@@ -12,7 +12,7 @@
 #include <functional>
 
 #include "agents/planner/task/bits.hpp"
-#include "agents/planner/task/task.hpp"
+#include "agents/planner/task/planning_task.hpp"
 
 namespace pizarra {
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <set>
 
-#include "agents/planner/task/task.hpp"
+#include "agents/planner/task/planning_task.hpp"
 #include "lisp/pattern.hpp"
 #include "lisp/writer.hpp"
 

@@ -18,7 +18,7 @@
 
 #include "agents/runtime/service.hpp"
 #include "blackboard/stream.hpp"
-#include "blackboard/time/event.hpp"
+#include "blackboard/time/latch.hpp"
 
 namespace pizarra {
 

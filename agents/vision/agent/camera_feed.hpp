@@ -11,7 +11,7 @@
 
 #include <functional>
 
-#include "blackboard/time/event.hpp"
+#include "blackboard/time/latch.hpp"
 #include "drivers/camera/stereo_camera.hpp"
 
 namespace pizarra {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "agents/vision/agent/vision_replies.hpp"
+#include "agents/vision/agent/reply_text.hpp"
 #include "agents/vision/agent/vision_state.hpp"
 
 namespace pizarra {

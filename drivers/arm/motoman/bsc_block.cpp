@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
-#include "drivers/wire/octets.hpp"
-#include "drivers/wire/printable.hpp"
+#include "drivers/line/octets.hpp"
+#include "drivers/line/printable.hpp"
 
 namespace pizarra {
 

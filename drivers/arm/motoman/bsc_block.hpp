@@ -15,7 +15,7 @@
 #include <string_view>
 #include <vector>
 
-#include "drivers/wire/frames.hpp"
+#include "drivers/line/frames.hpp"
 
 namespace pizarra {
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "drivers/wire/printable.hpp"
+#include "drivers/line/printable.hpp"
 
 namespace pizarra {
 

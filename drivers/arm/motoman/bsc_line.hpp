@@ -15,8 +15,8 @@
 
 #include "drivers/arm/motoman/bsc_station.hpp"
 #include "drivers/arm/motoman/host_command.hpp"
-#include "drivers/wire/device_at.hpp"
-#include "drivers/wire/turns.hpp"
+#include "drivers/line/device_at.hpp"
+#include "blackboard/time/turns.hpp"
 
 namespace pizarra {
 

@@ -15,9 +15,9 @@
 // How far it is proven: with the emulated controller of drivers/simulation/controllers/arms/ alone.
 
 #include "drivers/arm/motoman/host_command.hpp"
-#include "drivers/wire/device_at.hpp"
-#include "drivers/wire/frames.hpp"
-#include "drivers/wire/turns.hpp"
+#include "drivers/line/device_at.hpp"
+#include "drivers/line/frames.hpp"
+#include "blackboard/time/turns.hpp"
 
 namespace pizarra {
 

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <limits>
 
-#include "drivers/wire/printable.hpp"
+#include "drivers/line/printable.hpp"
 
 namespace pizarra {
 

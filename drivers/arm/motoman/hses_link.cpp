@@ -4,7 +4,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
-#include "drivers/wire/octets.hpp"
+#include "drivers/line/octets.hpp"
 
 namespace pizarra {
 

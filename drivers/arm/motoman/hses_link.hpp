@@ -14,7 +14,7 @@
 
 #include "drivers/arm/motoman/hses_packet.hpp"
 #include "drivers/arm/motoman/motoman_link.hpp"
-#include "drivers/wire/exchanges.hpp"
+#include "drivers/line/exchanges.hpp"
 
 namespace pizarra {
 

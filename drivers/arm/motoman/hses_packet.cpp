@@ -1,6 +1,6 @@
 #include "drivers/arm/motoman/hses_packet.hpp"
 
-#include "drivers/wire/octets.hpp"
+#include "drivers/line/octets.hpp"
 
 namespace pizarra {
 

@@ -26,7 +26,7 @@
 #include "drivers/arm/arm_driver.hpp"
 #include "drivers/arm/route.hpp"
 #include "drivers/arm/simple_message/simple_message.hpp"
-#include "drivers/wire/told_state.hpp"
+#include "drivers/line/told_state.hpp"
 
 namespace pizarra {
 

@@ -13,8 +13,8 @@
 #include <array>
 
 #include "drivers/arm/arm_model.hpp"
-#include "drivers/wire/frames.hpp"
-#include "drivers/wire/octets.hpp"
+#include "drivers/line/frames.hpp"
+#include "drivers/line/octets.hpp"
 
 namespace pizarra {
 

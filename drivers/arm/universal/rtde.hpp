@@ -9,8 +9,8 @@
 
 #include <array>
 
-#include "drivers/wire/frames.hpp"
-#include "drivers/wire/octets.hpp"
+#include "drivers/line/frames.hpp"
+#include "drivers/line/octets.hpp"
 
 namespace pizarra::rtde {
 

@@ -8,7 +8,7 @@
 #include "drivers/arm/angles.hpp"
 #include "drivers/arm/move_check.hpp"
 #include "drivers/arm/universal/move_script.hpp"
-#include "drivers/wire/printable.hpp"
+#include "drivers/line/printable.hpp"
 
 namespace pizarra {
 

@@ -21,7 +21,7 @@
 
 #include "drivers/arm/arm_driver.hpp"
 #include "drivers/arm/universal/rtde.hpp"
-#include "drivers/wire/told_state.hpp"
+#include "drivers/line/told_state.hpp"
 
 namespace pizarra {
 

@@ -12,11 +12,11 @@
 //   unit.power(false);                   // mid-move: it stands, says nothing, and forgets where it is
 //
 // How far it is proven: MRPT's driver for these units (CPtuDPerception) works with it where Debian's libmrpt-hwdrivers
-// is installed (tests/drivers/pan_tilt/mrpt_test.cpp); never compared with hardware.
+// is installed (tests/drivers/ptu/mrpt_test.cpp); never compared with hardware.
 
 #include <functional>
 
-#include "blackboard/time/event.hpp"
+#include "blackboard/time/latch.hpp"
 #include "drivers/simulation/controllers/ptu_commands.hpp"
 
 namespace pizarra {

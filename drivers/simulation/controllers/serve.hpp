@@ -5,7 +5,7 @@
 //   const Job serving = executor.spawn(serve(executor, unit, *port));
 
 #include "drivers/simulation/controllers/ptu_emulator.hpp"
-#include "drivers/wire/byte_wire.hpp"
+#include "drivers/line/byte_wire.hpp"
 
 namespace pizarra {
 

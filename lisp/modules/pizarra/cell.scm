@@ -1,4 +1,4 @@
-;; Cell files: see lisp/forms/cell.hpp for the language and for what is taken where something is left out.
+;; Cell files: see lisp/forms/cell_file.hpp for the language and for what is taken where something is left out.
 ;;
 ;; (interpret DATA), the data of a file, answers (errors ...) or
 ;;   (ok (NAME (X Y Z PAN TILT HEAD) (SENSOR BLUR GRADIENT) (CUBE ...) ARM DOMAIN BOARD-HOST BOARD-ADDRESS

@@ -1,4 +1,4 @@
-;; Scenario files: see lisp/forms/scenario.hpp for the language.
+;; Scenario files: see lisp/forms/scenario_file.hpp for the language.
 ;;
 ;; (interpret DATA CUBE-SIZE), the data of a file and the edge of its cell's cubes, answers (errors ...) or
 ;;   (ok (NAME CELL DOMAIN (cubes CUBE ...)|() (GOAL-FACT ...) (ACTION ...) ((CONDITION ACTION ...) ...)

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "agents/launcher/supervision/local_cell.hpp"
+#include "agents/launcher/local_cell.hpp"
 #include "blackboard/time/virtual_executor.hpp"
 #include "lisp/reader.hpp"
 #include "lisp/writer.hpp"

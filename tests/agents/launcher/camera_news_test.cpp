@@ -1,4 +1,4 @@
-#include "agents/launcher/supervision/camera_news.hpp"
+#include "agents/launcher/camera_news.hpp"
 
 #include <gtest/gtest.h>
 

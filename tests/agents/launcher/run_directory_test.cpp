@@ -1,4 +1,4 @@
-#include "agents/launcher/supervision/run_directory.hpp"
+#include "agents/launcher/run_directory.hpp"
 
 #include <cstdlib>
 #include <filesystem>

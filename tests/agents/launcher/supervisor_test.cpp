@@ -1,4 +1,4 @@
-#include "agents/launcher/supervision/supervisor.hpp"
+#include "agents/launcher/supervisor.hpp"
 
 #include <csignal>
 #include <filesystem>

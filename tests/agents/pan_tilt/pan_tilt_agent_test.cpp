@@ -5,10 +5,10 @@
 
 #include "blackboard/memory/memory_board.hpp"
 #include "blackboard/time/virtual_executor.hpp"
-#include "drivers/pan_tilt/ptu_driver.hpp"
+#include "drivers/ptu/ptu_driver.hpp"
 #include "lisp/reader.hpp"
 #include "lisp/writer.hpp"
-#include "tests/drivers/pan_tilt/wire_to_unit.hpp"
+#include "tests/drivers/ptu/wire_to_unit.hpp"
 
 namespace pizarra {
 namespace {

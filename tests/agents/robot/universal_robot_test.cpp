@@ -4,7 +4,7 @@
 #include "drivers/simulation/controllers/arms/moving_arm.hpp"
 #include "drivers/simulation/controllers/arms/ur_emulator.hpp"
 #include "tests/agents/robot/robot_fixture.hpp"
-#include "tests/drivers/wire/wire_pair.hpp"
+#include "tests/drivers/line/wire_pair.hpp"
 
 namespace pizarra {
 namespace {

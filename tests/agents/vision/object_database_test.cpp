@@ -1,4 +1,4 @@
-#include "agents/vision/memory/object_database.hpp"
+#include "agents/vision/database/object_database.hpp"
 
 #include <filesystem>
 #include <fstream>

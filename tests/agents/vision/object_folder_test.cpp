@@ -4,7 +4,7 @@
 #include <fstream>
 #include <sys/stat.h>
 
-#include "agents/vision/memory/object_database.hpp"
+#include "agents/vision/database/object_database.hpp"
 #include "tests/agents/vision/vision_life.hpp"
 #include "tests/scratch.hpp"
 

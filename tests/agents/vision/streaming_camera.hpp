@@ -7,7 +7,7 @@
 //   camera.scene.faces = {{.mark = "circle", .place = {0, 0, 850}}};
 //   camera.hangs = true;                              // the newest frame lies there, and no other comes
 
-#include "blackboard/time/event.hpp"
+#include "blackboard/time/latch.hpp"
 #include "tests/agents/vision/scene.hpp"
 
 namespace pizarra {

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "agents/vision/agent/vision_replies.hpp"
+#include "agents/vision/agent/reply_text.hpp"
 #include "lisp/writer.hpp"
 #include "tests/agents/vision/eyes.hpp"
 

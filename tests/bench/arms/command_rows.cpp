@@ -10,7 +10,7 @@
 #include "drivers/arm/motoman/motoman_arm.hpp"
 #include "drivers/simulation/controllers/arms/hses_emulator.hpp"
 #include "drivers/simulation/controllers/arms/moving_arm.hpp"
-#include "drivers/wire/udp_wire.hpp"
+#include "drivers/line/udp_wire.hpp"
 #include "tests/bench/arms/robot_process.hpp"
 #include "tests/bench/arms/rows.hpp"
 #include "tests/bench/measure.hpp"

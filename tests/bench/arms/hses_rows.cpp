@@ -14,7 +14,7 @@
 #include "drivers/simulation/controllers/arms/moving_arm.hpp"
 #include "tests/bench/arms/robot_process.hpp"
 #include "tests/bench/arms/rows.hpp"
-#include "tests/drivers/wire/lossy_line.hpp"
+#include "tests/drivers/line/lossy_line.hpp"
 #include "tests/run_task.hpp"
 
 namespace pizarra::bench {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "blackboard/time/event.hpp"
+#include "blackboard/time/latch.hpp"
 #include "lisp/reader.hpp"
 #include "tests/bench/blackboard/board_process.hpp"
 #include "tests/bench/blackboard/brokers.hpp"

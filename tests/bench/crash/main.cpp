@@ -5,7 +5,7 @@
 #include <csignal>
 #include <fmt/format.h>
 
-#include "agents/launcher/command_line/word_tools.hpp"
+#include "programs/command_line/command_tools.hpp"
 #include "tests/bench/child.hpp"
 #include "tests/bench/crash/ordeal.hpp"
 

@@ -6,7 +6,7 @@
 //
 //   const std::size_t actions = blocks_greedy_actions(blocks_problem(50, 1));
 
-#include "agents/planner/task/task.hpp"
+#include "agents/planner/task/planning_task.hpp"
 
 namespace pizarra::bench {
 

@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "agents/planner/task/task.hpp"
+#include "agents/planner/task/planning_task.hpp"
 
 namespace pizarra::bench {
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "agents/planner/task/task.hpp"
+#include "agents/planner/task/planning_task.hpp"
 #include "tests/bench/figures.hpp"
 
 namespace pizarra::bench {

@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-#include "agents/planner/task/task.hpp"
+#include "agents/planner/task/planning_task.hpp"
 
 namespace pizarra::bench {
 

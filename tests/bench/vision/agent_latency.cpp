@@ -3,7 +3,7 @@
 #include <stdexcept>
 
 #include "agents/runtime/service.hpp"
-#include "agents/vision/memory/object_database.hpp"
+#include "agents/vision/database/object_database.hpp"
 #include "tests/bench/measure.hpp"
 #include "tests/bench/vision/learned_marks.hpp"
 #include "tests/run_task.hpp"

@@ -4,7 +4,7 @@
 #include <array>
 #include <fmt/format.h>
 
-#include "agents/launcher/command_line/word_tools.hpp"
+#include "programs/command_line/command_tools.hpp"
 #include "tests/bench/vision/rows.hpp"
 
 namespace {

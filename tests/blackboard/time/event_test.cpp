@@ -1,4 +1,4 @@
-#include "blackboard/time/event.hpp"
+#include "blackboard/time/latch.hpp"
 
 #include <gtest/gtest.h>
 #include <string>

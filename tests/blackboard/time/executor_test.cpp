@@ -10,7 +10,7 @@
 #include <thread>
 #include <unistd.h>
 
-#include "blackboard/time/event.hpp"
+#include "blackboard/time/latch.hpp"
 #include "blackboard/time/random.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "blackboard/time/virtual_executor.hpp"

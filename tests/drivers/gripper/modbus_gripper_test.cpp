@@ -8,7 +8,7 @@
 #include "drivers/arm/arm_file.hpp"
 #include "drivers/simulation/controllers/arms/moving_arm.hpp"
 #include "drivers/simulation/controllers/gripper/modbus_server.hpp"
-#include "drivers/wire/tcp_port.hpp"
+#include "drivers/line/tcp_port.hpp"
 #include "tests/run_task.hpp"
 
 namespace pizarra {

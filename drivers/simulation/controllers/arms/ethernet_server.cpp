@@ -4,7 +4,7 @@
 #include "drivers/arm/motoman/motoman_codes.hpp"
 #include "drivers/simulation/controllers/arms/host_control.hpp"
 #include "drivers/simulation/controllers/arms/switched_wire.hpp"
-#include "drivers/wire/frames.hpp"
+#include "drivers/line/frames.hpp"
 
 namespace pizarra {
 

@@ -15,7 +15,7 @@
 // How far it is proven: with the driver of drivers/arm/motoman/ alone.
 
 #include "drivers/simulation/controllers/arms/motoman_controller.hpp"
-#include "drivers/wire/byte_wire.hpp"
+#include "drivers/line/byte_wire.hpp"
 
 namespace pizarra {
 

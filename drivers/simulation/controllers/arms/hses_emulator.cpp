@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "drivers/arm/motoman/motoman_codes.hpp"
-#include "drivers/wire/octets.hpp"
+#include "drivers/line/octets.hpp"
 
 namespace pizarra {
 

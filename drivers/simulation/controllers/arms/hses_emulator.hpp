@@ -14,7 +14,7 @@
 
 #include "drivers/arm/motoman/hses_packet.hpp"
 #include "drivers/simulation/controllers/arms/motoman_controller.hpp"
-#include "drivers/wire/datagram_wire.hpp"
+#include "drivers/line/datagram_wire.hpp"
 
 namespace pizarra {
 

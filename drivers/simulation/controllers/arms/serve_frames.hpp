@@ -8,7 +8,7 @@
 #include <functional>
 
 #include "blackboard/time/executor.hpp"
-#include "drivers/wire/frames.hpp"
+#include "drivers/line/frames.hpp"
 
 namespace pizarra {
 

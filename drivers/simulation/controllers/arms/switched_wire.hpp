@@ -6,7 +6,7 @@
 
 #include <functional>
 
-#include "drivers/wire/byte_wire.hpp"
+#include "drivers/line/byte_wire.hpp"
 
 namespace pizarra {
 

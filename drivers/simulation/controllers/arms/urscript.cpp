@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "drivers/wire/printable.hpp"
+#include "drivers/line/printable.hpp"
 
 namespace pizarra {
 

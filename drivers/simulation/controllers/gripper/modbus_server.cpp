@@ -4,7 +4,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-#include "drivers/wire/tcp_port.hpp"
+#include "drivers/line/tcp_port.hpp"
 
 namespace pizarra {
 

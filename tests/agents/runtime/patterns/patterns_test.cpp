@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "agents/runtime/patterns/event.hpp"
+#include "agents/runtime/patterns/event_pattern.hpp"
 #include "agents/runtime/patterns/heavy_light.hpp"
 #include "agents/runtime/patterns/push.hpp"
-#include "agents/runtime/patterns/query.hpp"
+#include "agents/runtime/patterns/query_pattern.hpp"
 #include "agents/runtime/patterns/send.hpp"
 #include "agents/runtime/patterns/wiring.hpp"
 #include "blackboard/streams/remote_streams.hpp"

@@ -13,7 +13,7 @@
 #include "drivers/simulation/controllers/arms/moving_arm.hpp"
 #include "tests/drivers/arm/driven_arm.hpp"
 #include "tests/drivers/arm/motoman/hses_cell.hpp"
-#include "tests/drivers/wire/wire_pair.hpp"
+#include "tests/drivers/line/wire_pair.hpp"
 
 namespace pizarra {
 

@@ -8,7 +8,7 @@
 #include "drivers/simulation/controllers/arms/hses_emulator.hpp"
 #include "drivers/simulation/controllers/arms/moving_arm.hpp"
 #include "tests/drivers/arm/driven_arm.hpp"
-#include "tests/drivers/wire/lossy_line.hpp"
+#include "tests/drivers/line/lossy_line.hpp"
 
 namespace pizarra {
 

@@ -12,7 +12,7 @@
 #include "drivers/simulation/controllers/arms/moving_arm.hpp"
 #include "drivers/simulation/controllers/arms/ur_emulator.hpp"
 #include "tests/drivers/arm/driven_cells.hpp"
-#include "tests/drivers/wire/wire_pair.hpp"
+#include "tests/drivers/line/wire_pair.hpp"
 
 namespace pizarra {
 namespace {

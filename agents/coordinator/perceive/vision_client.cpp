@@ -1,0 +1,93 @@
+#include "agents/coordinator/perceive/vision_client.hpp"
+
+#include "lisp/forms/vision_reply.hpp"
+
+namespace pizarra {
+
+namespace {
+
+constexpr Duration reply_timeout = 10s;
+constexpr Duration look_patience = 2s;
+constexpr Duration busy_pause = 300ms;
+
+}  // namespace
+
+Task<Result<Datum>> Eyes::ask(Datum operation) {
+  const Time deadline = context_.executor.now() + options_.absence_patience;
+  while (true) {
+    const bool here = co_await surroundings_.wait_present(options_.vision, deadline);
+    if (!here) {
+      co_return fail("absent", "the vision agent stays away", Datum::symbol(options_.vision));
+    }
+    const Result<Datum> reply = co_await caller_.call(options_.vision, operation, reply_timeout);
+    if (reply) co_return reply;
+    const std::string& why = reply.error().symbol;
+    const bool again = why == "busy" || why == "timeout";
+    if (!again || context_.executor.now() > deadline) co_return reply;
+    co_await sleep(context_.executor, busy_pause);
+  }
+}
+
+Task<Result<std::vector<std::string>>> Eyes::objects() {
+  const Datum operation = list("get-objects"_sym);
+  const Result<Datum> reply = co_await ask(operation);
+  if (!reply) co_return fail(reply);
+  if (reply->size() < 1) co_return fail("bad-reply", "vision answered without a text", *reply);
+  const std::string text((*reply)[0].text());
+  const Result<Datum> known = interpret_vision_reply(text);
+  if (!known) co_return fail(known);
+  std::vector<std::string> names;
+  for (const Datum& name : known->items().subspan(1)) {
+    if (name.text() != options_.gripper.mark) names.emplace_back(name.text());
+  }
+  co_return names;
+}
+
+Task<Result<bool>> Eyes::find(std::string name) {
+  const Datum operation = list("find"_sym, name);
+  const Result<Datum> reply = co_await ask(operation);
+  if (!reply) co_return fail(reply);
+  if (reply->size() < 1) co_return fail("bad-reply", "vision answered without a text", *reply);
+  const std::string text((*reply)[0].text());
+  const Result<Datum> found = interpret_vision_reply(text);
+  if (!found) co_return fail(found);
+  co_return found->size() > 2 && (*found)[2].is_symbol("ok");
+}
+
+Task<Result<void>> Eyes::track() {
+  const std::uint64_t before = surroundings_.looks();
+  const Time soon = context_.executor.now() + 500ms;
+  const bool looking = co_await surroundings_.look_after(before, soon);
+  if (looking) co_return Result<void>();
+  const Datum connect = list("connect"_sym);
+  const Result<Datum> connected = co_await ask(connect);
+  if (!connected) co_return fail(connected);
+  Result<std::vector<std::string>> names = co_await objects();
+  if (!names) co_return fail(names);
+  names->insert(names->begin(), options_.gripper.mark);
+  for (const std::string& name : *names) {
+    const Datum operation = list("track"_sym, name);
+    const Result<Datum> tracked = co_await ask(operation);
+    if (!tracked) co_return fail(tracked);
+  }
+  co_return Result<void>();
+}
+
+Task<Result<void>> Eyes::fresh_look() {
+  const Time deadline = context_.executor.now() + options_.absence_patience;
+  const std::uint64_t under_way = surroundings_.looks() + 1;
+  while (true) {
+    const Time soon = context_.executor.now() + look_patience;
+    const bool looked = co_await surroundings_.look_after(under_way, soon);
+    if (looked) co_return Result<void>();
+    if (context_.executor.now() > deadline) {
+      co_return fail("absent", "vision shows nothing any more", Datum::symbol(options_.vision));
+    }
+    const Datum vision = Datum::symbol(options_.vision);
+    co_await story_.tell("agent", "no looks come from vision: asking it to track again", vision);
+    const Result<void> tracking = co_await track();
+    if (!tracking) co_return tracking;
+  }
+}
+
+}  // namespace pizarra

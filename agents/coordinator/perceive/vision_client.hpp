@@ -1,0 +1,36 @@
+#pragma once
+
+// The vision agent as the coordinator uses it: which objects there are, where, and that they are tracked.
+
+#include "agents/coordinator/perceive/surroundings.hpp"
+#include "agents/coordinator/event_log.hpp"
+
+namespace pizarra {
+
+class Eyes {
+ public:
+  Eyes(AgentContext& context, const CoordinatorOptions& options, Surroundings& surroundings, Story& story,
+       Caller& caller)
+      : context_(context), options_(options), surroundings_(surroundings), story_(story), caller_(caller) {}
+
+  // Step a: the objects that vision has learned, without the end effector, as they are spelled there.
+  Task<Result<std::vector<std::string>>> objects();
+  // Step b: whether the object is found in the image now.
+  Task<Result<bool>> find(std::string name);
+  // Step g: the end effector and every learned object are tracked, and looks come in. Does nothing where they do.
+  Task<Result<void>> track();
+  // Looks that began after this call: the next one may have been under way. Tracks again where no looks come, as after
+  // a restart of vision. Failure `absent` when that does not help for long.
+  Task<Result<void>> fresh_look();
+
+ private:
+  Task<Result<Datum>> ask(Datum operation);
+
+  AgentContext& context_;
+  const CoordinatorOptions& options_;
+  Surroundings& surroundings_;
+  Story& story_;
+  Caller& caller_;
+};
+
+}  // namespace pizarra

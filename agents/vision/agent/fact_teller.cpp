@@ -1,0 +1,122 @@
+#include "agents/vision/agent/fact_teller.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "agents/vision/agent/reply_text.hpp"
+#include "agents/vision/database/told_by.hpp"
+
+namespace pizarra {
+
+void VisionFacts::begin_anew() {
+  // What was told under another presence went with it.
+  if (lost()) told_tracks_.clear();
+  told_under_ = service_->presence();
+}
+
+Task<void> VisionFacts::transact(Transaction transaction) {
+  if (transaction.steps.empty()) co_return;
+  const Result<Revision> told = co_await context_.board.transact(std::move(transaction));
+  if (!told) told_under_ = 0;
+}
+
+void VisionFacts::add(Transaction& transaction, const std::vector<Datum>& facts) const {
+  for (const Datum& fact : facts) transaction.tell(told_by(context_.name, fact), {}, service_->presence());
+}
+
+void VisionFacts::retract_all(Transaction& transaction, Datum relation, std::size_t arguments) const {
+  std::vector<Datum> pattern(arguments + 1, "?"_sym);
+  pattern.front() = std::move(relation);
+  transaction.retract(told_by(context_.name, Datum::list(std::move(pattern))));
+}
+
+Task<void> VisionFacts::tell(std::vector<Datum> facts) {
+  Transaction transaction;
+  add(transaction, facts);
+  co_await transact(std::move(transaction));
+}
+
+Task<void> VisionFacts::tell_held(std::vector<Datum> facts) {
+  Transaction transaction;
+  for (const Datum& fact : told_held_) {
+    const bool stays = std::ranges::find(facts, fact) != facts.end();
+    if (!stays) transaction.retract(told_by(context_.name, fact));
+  }
+  add(transaction, facts);
+  told_held_ = std::move(facts);
+  co_await transact(std::move(transaction));
+}
+
+Task<void> VisionFacts::tell_objects(std::vector<Datum> facts) {
+  Transaction transaction;
+  retract_all(transaction, "to-accept"_sym, 2);
+  retract_all(transaction, "look-alike"_sym, 4);
+  retract_all(transaction, "objects-damaged"_sym, 3);
+  add(transaction, facts);
+  co_await transact(std::move(transaction));
+}
+
+Task<void> VisionFacts::tell_look(std::uint64_t frame, const std::vector<TrackSighting>& sightings) {
+  Transaction transaction;
+  // What is followed no more is not seen either.
+  std::erase_if(told_tracks_, [&](const auto& told) {
+    const bool followed = std::ranges::find(sightings, told.first, &TrackSighting::name) != sightings.end();
+    if (!followed)
+      transaction.retract(told_by(context_.name, list("tracked"_sym, told.first, "?"_sym, "?"_sym, "?"_sym)));
+    return !followed;
+  });
+  std::vector<Datum> facts;
+  // What is concluded from the reply finds the faces of its frame there already.
+  facts.push_back(faces_fact(frame, sightings));
+  facts.push_back(sightings_fact(frame, sightings));
+  for (const TrackSighting& sighting : sightings) {
+    const std::string_view state = track_state(sighting);
+    std::string& told = told_tracks_[sighting.name];
+    if (told == state) continue;
+    told = state;
+    const double confidence = std::round(sighting.confidence * 1000) / 1000;
+    facts.push_back(list("tracked"_sym, sighting.name, Datum::symbol(state), frame, confidence));
+  }
+  facts.push_back(list("vision-says"_sym, frame, track_reply(sightings)));
+  add(transaction, facts);
+  co_await transact(std::move(transaction));
+}
+
+Task<void> VisionFacts::follow_found(Renames renames, const LearnedObjects& objects) {
+  const Datum any =
+      told_by(context_.name, list("found"_sym, "?"_sym, "?"_sym, "?"_sym, "?"_sym, "?"_sym, "?"_sym, "?"_sym));
+  const Result<std::vector<Fact>> standing = co_await context_.board.facts(any);
+  if (!standing) co_return;
+  Transaction transaction;
+  std::vector<Datum> renamed;
+  for (const Fact& fact : *standing) {
+    const Datum found = as_said(fact.datum);
+    std::vector<Datum> items(found.items().begin(), found.items().end());
+    bool gone = false;
+    for (Datum* name : {&items[1], &items[4]}) {
+      // Where nothing came near there is no second.
+      if (name->text().empty()) continue;
+      const LearnedObject* object = objects.find(name_now(renames, std::string(name->text())));
+      gone = gone || object == nullptr;
+      if (object != nullptr) *name = to_datum(object->name);
+    }
+    Datum now = Datum::list(std::move(items));
+    if (!gone && now == found) continue;
+    transaction.retract(fact.datum);
+    if (!gone) renamed.push_back(std::move(now));
+  }
+  add(transaction, renamed);
+  co_await transact(std::move(transaction));
+}
+
+Task<void> VisionFacts::unsay() {
+  told_tracks_.clear();
+  Transaction transaction;
+  retract_all(transaction, "vision-says"_sym, 2);
+  retract_all(transaction, "faces"_sym, 2);
+  retract_all(transaction, "sightings"_sym, 2);
+  retract_all(transaction, "tracked"_sym, 4);
+  co_await transact(std::move(transaction));
+}
+
+}  // namespace pizarra

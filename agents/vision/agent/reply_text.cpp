@@ -1,0 +1,98 @@
+#include "agents/vision/agent/reply_text.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <ranges>
+
+namespace pizarra {
+namespace {
+
+double rounded(double value, double parts) { return std::round(value * parts) / parts; }
+
+}  // namespace
+
+std::string learn_reply(const std::string& name, bool ok) {
+  return fmt::format("(LEARN \"{}\" {})", name, ok ? "OK" : "FAIL");
+}
+
+std::string find_reply(const std::string& name, const std::optional<cv::Point2d>& place) {
+  if (!place) return fmt::format("(FIND \"{}\" FAIL)", name);
+  return fmt::format("(FIND \"{}\" OK ({:.2f}, {:.2f}))", name, place->x, place->y);
+}
+
+std::string track_reply(std::span<const TrackSighting> sightings) {
+  std::string text = fmt::format("(TRACK {}", sightings.size());
+  for (const TrackSighting& s : sightings) {
+    text += s.seen ? fmt::format(" (\"{}\" OK ({:.2f}, {:.2f}, {:.2f}))", s.name, s.centre.x, s.centre.y, s.range_mm)
+                   : fmt::format(" (\"{}\" FAIL)", s.name);
+  }
+  return text + ")";
+}
+
+Datum faces_fact(std::uint64_t frame, std::span<const TrackSighting> sightings) {
+  std::vector<Datum> faces;
+  for (const TrackSighting& s : sightings) {
+    if (s.yaw_deg) faces.push_back(list(s.name, std::round(*s.yaw_deg * 10) / 10));
+  }
+  return list("faces"_sym, frame, Datum::list(std::move(faces)));
+}
+
+std::string_view track_state(const TrackSighting& sighting) {
+  return sighting.seen ? "seen" : sighting.bridged ? "bridged" : "lost";
+}
+
+Datum places_datum(const SeenPlaces& places) {
+  const auto place = [](const char* where, cv::Point2d at) {
+    return list(Datum::symbol(where), rounded(at.x, 100), rounded(at.y, 100));
+  };
+  std::vector<Datum> out{place("left", places.left)};
+  if (places.right) out.push_back(place("right", *places.right));
+  if (places.range_mm > 0) {
+    out.push_back(list("range"_sym, rounded(places.range_mm, 100), rounded(places.range_spread_mm, 100)));
+  }
+  return Datum::list(std::move(out));
+}
+
+Datum found_fact(std::uint64_t frame, const FoundMark& found) {
+  constexpr std::size_t most_others = 8;
+  const SeenPair& pair = found.pair;
+  const Likeness& likely = pair.likeness;
+  std::vector<Datum> elsewhere;
+  for (const cv::Point2d& place : found.elsewhere | std::views::take(most_others)) {
+    elsewhere.push_back(list(rounded(place.x, 100), rounded(place.y, 100)));
+  }
+  const std::optional<cv::Point2d> right = pair.right ? std::optional(pair.right->centre) : std::nullopt;
+  const SeenRange range = found.range.value_or(SeenRange());
+  return list("found"_sym, found.name, frame, rounded(found.confidence, 1000),
+              likely.second == nullptr ? "" : likely.second->name, rounded(likely.margin(), 1000),
+              Datum::list(std::move(elsewhere)), places_datum({pair.left.centre, right, range.mm, range.spread_mm}));
+}
+
+Datum sightings_fact(std::uint64_t frame, std::span<const TrackSighting> sightings) {
+  std::vector<Datum> out;
+  for (const TrackSighting& s : sightings) {
+    std::vector<Datum> one{to_datum(s.name), Datum::symbol(track_state(s))};
+    if (s.seen || s.bridged) one.push_back(to_datum(rounded(s.confidence, 1000)));
+    if (s.seen) {
+      one.push_back(to_datum(rounded(s.range_spread_mm, 100)));
+      one.push_back(to_datum(s.second));
+      one.push_back(to_datum(rounded(s.margin, 1000)));
+      one.push_back(places_datum({s.centre, s.right_centre, s.range_mm, s.range_spread_mm}));
+    }
+    if (s.bridged) {
+      for (const double value : {s.centre.x, s.centre.y, s.range_mm}) one.push_back(to_datum(rounded(value, 100)));
+    }
+    out.push_back(Datum::list(std::move(one)));
+  }
+  return list("sightings"_sym, frame, Datum::list(std::move(out)));
+}
+
+std::string get_reply(const LearnedObjects& objects) {
+  std::string names;
+  for (const LearnedObject& object : objects.all()) {
+    names += fmt::format("{}\"{}\"", names.empty() ? "" : ", ", object.name);
+  }
+  return fmt::format("(GET {} ({}))", objects.all().size(), names);
+}
+
+}  // namespace pizarra

@@ -1,0 +1,195 @@
+#include "agents/vision/database/object_memory.hpp"
+
+#include <algorithm>
+
+#include "agents/vision/database/told_by.hpp"
+
+namespace pizarra {
+namespace {
+
+// How often, and after which pauses, a database that another agent is writing is tried.
+constexpr int tries = 20;
+constexpr Duration busy_pause = 50ms;
+
+bool is_busy(const Failure& failure) { return failure.symbol == "busy"; }
+
+// Any fact of a relation that has so many arguments besides the agent's name.
+Datum any_of(std::string_view agent, Datum relation, std::size_t arguments) {
+  std::vector<Datum> items(arguments + 1, "?"_sym);
+  items.front() = std::move(relation);
+  return told_by(agent, Datum::list(std::move(items)));
+}
+
+Transaction told_by(std::string_view agent, Transaction transaction) {
+  for (Transaction::Step& step : transaction.steps) {
+    if (auto* tell = std::get_if<Transaction::Tell>(&step)) tell->fact = told_by(agent, tell->fact);
+    if (auto* retract = std::get_if<Transaction::Retract>(&step)) retract->pattern = told_by(agent, retract->pattern);
+  }
+  return transaction;
+}
+
+// Of those the one about the same sample as this fact; nothing where there is none.
+std::optional<Datum> beside(const Fact& sample, const std::vector<Fact>& facts) {
+  const auto found = std::ranges::find_if(facts, [&](const Fact& candidate) {
+    return candidate.datum[2] == sample.datum[2] && candidate.datum[3] == sample.datum[3];
+  });
+  return found == facts.end() ? std::nullopt : std::optional(as_said(found->datum));
+}
+
+Result<LearnedSample> sample_of(const Fact& learned, const std::vector<Fact>& templates,
+                                const std::vector<Fact>& focals) {
+  const std::optional<Datum> picture = beside(learned, templates);
+  if (!picture) return fail("damaged", "its template is missing");
+  const std::optional<Datum> focal = beside(learned, focals);
+  return sample_from_facts(as_said(learned.datum), *picture, focal ? &*focal : nullptr);
+}
+
+}  // namespace
+
+ObjectMemory::ObjectMemory(AgentContext& context, std::string directory)
+    : context_(context),
+      directory_(std::move(directory)),
+      samples_(any_of(context.name, "learned"_sym, 8)),
+      templates_(any_of(context.name, "learned-template"_sym, 10)),
+      focals_(any_of(context.name, "learned-focal"_sym, 3)) {}
+
+Result<void> ObjectMemory::open() {
+  if (database_ && database_->in_place()) return {};
+  database_.reset();
+  Result<ObjectDatabase> opened = was_open_ ? ObjectDatabase::open_again(directory_) : ObjectDatabase::open(directory_);
+  if (!opened) return fail(opened);
+  database_.emplace(std::move(*opened));
+  was_open_ = true;
+  return {};
+}
+
+Result<KeptObjects> ObjectMemory::read() {
+  const Result<void> opened = open();
+  if (!opened) return fail(opened);
+  const Result<std::int64_t> version = database_->version();
+  if (!version) return fail(version);
+  Result<KeptObjects> kept = database_->read();
+  if (kept) version_ = *version;
+  return kept;
+}
+
+Result<std::int64_t> ObjectMemory::apply(const ObjectChange& change) {
+  const Result<void> opened = open();
+  if (!opened) return fail(opened);
+  return database_->apply(change);
+}
+
+Task<Result<void>> ObjectMemory::recall() {
+  if (directory_.empty()) co_return co_await recall_facts();
+  Result<KeptObjects> kept = read();
+  for (int n = 1; n < tries; ++n) {
+    if (kept || !is_busy(kept.error())) break;
+    co_await sleep(context_.executor, busy_pause);
+    kept = read();
+  }
+  const Result<void> recalled = co_await take_up(std::move(kept));
+  co_return recalled;
+}
+
+Task<Result<void>> ObjectMemory::take_up(Result<KeptObjects> kept) {
+  if (kept) {
+    objects_ = std::move(kept->objects);
+    troubles_ = std::move(kept->damaged);
+    const Result<void> told = co_await tell_objects();
+    co_return told;
+  }
+  Failure why = kept.error();
+  why.subject = to_datum("objects.sqlite");
+  // Whatever is wrong with the file, it is looked at anew the next time.
+  database_.reset();
+  const Result<void> recalled = co_await recall_facts();
+  troubles_.push_back({std::string(), std::move(why)});
+  co_return recalled;
+}
+
+Task<Result<bool>> ObjectMemory::recall_changed() {
+  if (directory_.empty()) co_return false;
+  const bool in_place = database_ && database_->in_place();
+  const Result<std::int64_t> version = in_place ? database_->version() : Result<std::int64_t>(version_ - 1);
+  if (version && *version == version_ && database_->bitmaps_in_place()) co_return false;
+  Result<KeptObjects> kept = read();
+  // Whatever another agent is writing has not happened yet.
+  if (!kept && is_busy(kept.error())) co_return false;
+  const Result<void> recalled = co_await take_up(std::move(kept));
+  if (!recalled) co_return fail(recalled);
+  co_return true;
+}
+
+Task<Result<std::int64_t>> ObjectMemory::change(ObjectChange change) {
+  if (!directory_.empty()) {
+    Result<std::int64_t> applied = apply(change);
+    for (int n = 1; n < tries; ++n) {
+      if (applied || !is_busy(applied.error())) break;
+      co_await sleep(context_.executor, busy_pause);
+      applied = apply(change);
+    }
+    if (!applied) co_return applied;
+    const Result<void> recalled = co_await recall();
+    if (!recalled) co_return fail(recalled);
+    co_return applied;
+  }
+  Result<Transaction> facts = facts_of(change, objects_);
+  if (!facts) co_return fail(facts);
+  Transaction ours = told_by(context_.name, std::move(*facts));
+  const Result<Revision> told = if_it_stands(co_await context_.board.transact(std::move(ours)));
+  if (!told) co_return fail(told);
+  const Result<void> recalled = co_await recall_facts();
+  if (!recalled) co_return fail(recalled);
+  co_return std::int64_t{0};
+}
+
+const Failure* ObjectMemory::trouble_with(std::string_view object) const {
+  const auto found =
+      std::ranges::find_if(troubles_, [&](const MemoryTrouble& trouble) { return same_name(trouble.object, object); });
+  return found == troubles_.end() ? nullptr : &found->why;
+}
+
+// What an earlier life of the agent left on the board.
+Task<Result<void>> ObjectMemory::recall_facts() {
+  const Result<std::vector<Fact>> samples = co_await context_.board.facts(samples_);
+  if (!samples) co_return fail(samples);
+  const Result<std::vector<Fact>> templates = co_await context_.board.facts(templates_);
+  if (!templates) co_return fail(templates);
+  const Result<std::vector<Fact>> focals = co_await context_.board.facts(focals_);
+  if (!focals) co_return fail(focals);
+  objects_ = LearnedObjects();
+  troubles_.clear();
+  for (const Fact& fact : *samples) {
+    Result<LearnedSample> sample = sample_of(fact, *templates, *focals);
+    const Result<LearnedObjects::Slot> slot = objects_.slot_for(fact.datum[2].text());
+    if (sample && slot) {
+      objects_.add(slot->name, std::move(*sample));
+    } else {
+      Failure why = sample ? slot.error() : sample.error();
+      why.subject = fact.datum[2];
+      troubles_.push_back({std::string(fact.datum[2].text()), std::move(why)});
+    }
+  }
+  co_return Result<void>();
+}
+
+// The facts become what the database says.
+Task<Result<void>> ObjectMemory::tell_objects() {
+  std::vector<Datum> wanted = facts_of(objects_);
+  for (Datum& fact : wanted) fact = told_by(context_.name, fact);
+  Transaction transaction;
+  const std::vector<Datum> patterns{samples_, templates_, focals_};
+  for (const Datum& pattern : patterns) {
+    const Result<std::vector<Fact>> standing = co_await context_.board.facts(pattern);
+    if (!standing) co_return fail(standing);
+    for (const Fact& fact : *standing) {
+      if (std::ranges::find(wanted, fact.datum) == wanted.end()) transaction.retract(fact.datum);
+    }
+  }
+  for (const Datum& fact : wanted) transaction.tell(fact);
+  const Result<Revision> told = if_it_stands(co_await context_.board.transact(std::move(transaction)));
+  if (!told) co_return fail(told);
+  co_return Result<void>();
+}
+
+}  // namespace pizarra

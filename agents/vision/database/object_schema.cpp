@@ -1,0 +1,93 @@
+#include "agents/vision/database/object_schema.hpp"
+
+namespace pizarra {
+namespace {
+
+constexpr std::int64_t application = 0x506f626a;  // "Pobj"
+constexpr std::int64_t format = 4;
+
+// A row's id is never given again; the number of a sample is, once its object is forgotten.
+constexpr const char* schema = R"(
+  CREATE TABLE samples (id INTEGER PRIMARY KEY AUTOINCREMENT, name TEXT COLLATE NOCASE, num INTEGER, tone TEXT,
+                        area REAL, perimeter INTEGER, nf INTEGER, m0 REAL, m1 REAL, m2 REAL, height REAL, slimness REAL,
+                        roundness REAL, roundness_spread REAL, size REAL, sum INTEGER, size_by INTEGER, focal REAL,
+                        UNIQUE (name, num));
+  PRAGMA application_id = 1349476970;
+  PRAGMA user_version = 4;
+)";
+
+// The first format had no ids, the second did not say which sizes were guesses, the third knew none but along y; none
+// of them said by which focal length a sample was learned.
+constexpr const char* put_away_first_format = "ALTER TABLE samples RENAME TO samples_1";
+constexpr const char* take_first_format = R"(
+  INSERT INTO samples SELECT NULL, *, 0, 0 FROM samples_1 ORDER BY rowid;
+  DROP TABLE samples_1;
+)";
+constexpr const char* take_second_format = R"(
+  ALTER TABLE samples ADD COLUMN size_by INTEGER DEFAULT 0;
+  ALTER TABLE samples ADD COLUMN focal REAL DEFAULT 0;
+  PRAGMA user_version = 4;
+)";
+constexpr const char* take_third_format = R"(
+  ALTER TABLE samples RENAME COLUMN guessed TO size_by;
+  ALTER TABLE samples ADD COLUMN focal REAL DEFAULT 0;
+  PRAGMA user_version = 4;
+)";
+
+Result<bool> is_ours(sqlite::Database& database) {
+  const Result<std::int64_t> whose = database.ask("PRAGMA application_id");
+  if (!whose) return fail(whose);
+  return *whose == application;
+}
+
+// The format of ours that it has; 0: none.
+Result<std::int64_t> format_of(sqlite::Database& database) {
+  const Result<bool> ours = is_ours(database);
+  if (!ours) return fail(ours);
+  return *ours ? database.ask("PRAGMA user_version") : 0;
+}
+
+Result<void> take_from_first_format(sqlite::Database& database) {
+  const Result<void> put_away = database.run(put_away_first_format);
+  if (!put_away) return put_away;
+  const Result<void> made = database.run(schema);
+  if (!made) return made;
+  return database.run(take_first_format);
+}
+
+Result<void> make_table(sqlite::Database& database) {
+  const Result<std::int64_t> tables = database.ask("SELECT count(*) FROM sqlite_schema");
+  if (!tables) return fail(tables);
+  // Another agent may just have made it.
+  const Result<std::int64_t> is = format_of(database);
+  if (!is) return fail(is);
+  if (*is == format) return {};
+  if (*tables == 0) return database.run(schema);
+  if (*is == 1) return take_from_first_format(database);
+  if (*is == 2) return database.run(take_second_format);
+  if (*is == 3) return database.run(take_third_format);
+  return fail("unusable", "the file is no database of objects that this version knows");
+}
+
+}  // namespace
+
+Result<void> prepare_objects(sqlite::Database& database) {
+  const Result<std::int64_t> is = format_of(database);
+  if (!is) return fail(is);
+  if (*is == format) return {};
+  sqlite::Transaction making(database);
+  const Result<void> begun = making.begin();
+  if (!begun) return begun;
+  const Result<void> made = make_table(database);
+  if (!made) return made;
+  return making.commit();
+}
+
+Result<void> prepare_objects_again(sqlite::Database& database) {
+  const Result<bool> ours = is_ours(database);
+  if (!ours) return fail(ours);
+  if (*ours) return prepare_objects(database);
+  return fail("damaged", "the file in the place of the database of the objects is no such database");
+}
+
+}  // namespace pizarra

@@ -1,0 +1,40 @@
+#pragma once
+
+// What all wires over a file descriptor have in common. At most 64 KiB that nobody reads are kept; more breaks the
+// connection.
+
+#include "blackboard/time/latch.hpp"
+#include "drivers/line/byte_wire.hpp"
+
+namespace pizarra {
+
+class FileWire : public ByteWire {
+ public:
+  ~FileWire() override { close(); }
+  FileWire(const FileWire&) = delete;
+  FileWire& operator=(const FileWire&) = delete;
+  void close() override;
+  Result<void> write(std::string_view bytes) override;
+  Task<Result<std::string>> read(Time deadline) override;
+
+ protected:
+  explicit FileWire(Executor& executor) : executor_(executor), arrived_(executor) {}
+  // Takes the file, which does not block, over.
+  void adopt(int file);
+  Executor& executor_;
+
+ private:
+  static constexpr std::size_t most_unread = 64 << 10;
+  void receive();
+  void lose(std::string why);
+
+  int file_ = -1;
+  std::string unread_;
+  std::string why_closed_ = "the line is closed";
+  WaitList arrived_;
+};
+
+// What errno says.
+std::string system_error();
+
+}  // namespace pizarra

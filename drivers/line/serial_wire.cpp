@@ -1,0 +1,64 @@
+#include "drivers/line/serial_wire.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <termios.h>
+#include <unistd.h>
+
+namespace pizarra {
+
+namespace {
+
+std::optional<speed_t> speed_of(int baud) {
+  switch (baud) {
+    case 9600:
+      return B9600;
+    case 19200:
+      return B19200;
+    case 38400:
+      return B38400;
+    case 57600:
+      return B57600;
+    case 115200:
+      return B115200;
+    default:
+      return std::nullopt;
+  }
+}
+
+bool set_up(int file, speed_t speed, Parity parity) {
+  termios settings{};
+  if (::tcgetattr(file, &settings) != 0) return false;
+  ::cfmakeraw(&settings);
+  settings.c_cflag |= CLOCAL | CREAD;
+  settings.c_cflag &= ~static_cast<tcflag_t>(CSTOPB | CRTSCTS);
+  if (parity == Parity::even) {
+    settings.c_cflag |= PARENB;
+    settings.c_iflag |= INPCK;
+  }
+  ::cfsetspeed(&settings, speed);
+  if (::tcsetattr(file, TCSANOW, &settings) != 0) return false;
+  return ::tcflush(file, TCIOFLUSH) == 0;
+}
+
+}  // namespace
+
+Result<int> SerialWire::open_line() const {
+  const std::optional<speed_t> speed = speed_of(baud_);
+  if (!speed) return fail("bad-baud", fmt::format("serial lines do not run at {} baud", baud_), to_datum(baud_));
+  const int file = ::open(path_.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+  if (file >= 0 && set_up(file, *speed, parity_)) return file;
+  const std::string why = system_error();
+  if (file >= 0) ::close(file);
+  return fail("disconnected", fmt::format("{} cannot be used as a serial line: {}", path_, why), to_datum(path_));
+}
+
+Task<Result<void>> SerialWire::open(Time) {
+  close();
+  const Result<int> file = open_line();
+  if (!file) co_return fail(file);
+  adopt(*file);
+  co_return Result<void>();
+}
+
+}  // namespace pizarra

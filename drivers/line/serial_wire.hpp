@@ -1,0 +1,30 @@
+#pragma once
+
+// A serial line: 8 data bits, no parity or an even one, one stop bit, no flow control. A character whose parity is
+// wrong comes as 0.
+//
+//   SerialWire wire(executor, "/dev/ttyUSB0", 9600);
+
+#include "drivers/line/file_wire.hpp"
+
+namespace pizarra {
+
+enum class Parity : std::uint8_t { none, even };
+
+class SerialWire : public FileWire {
+ public:
+  // Baud rates: 9600, 19200, 38400, 57600, 115200.
+  SerialWire(Executor& executor, std::string path, int baud, Parity parity = Parity::none)
+      : FileWire(executor), path_(std::move(path)), baud_(baud), parity_(parity) {}
+  // Failures: disconnected; bad-baud.
+  Task<Result<void>> open(Time deadline) override;
+  std::string place() const override { return path_; }
+
+ private:
+  Result<int> open_line() const;
+  std::string path_;
+  int baud_;
+  Parity parity_;
+};
+
+}  // namespace pizarra

@@ -1,0 +1,191 @@
+#include "lisp/forms/cell_file.hpp"
+
+#include <filesystem>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "lisp/forms/arm_names.hpp"
+#include "lisp/forms/file_paths.hpp"
+#include "lisp/guile/interpret.hpp"
+#include "lisp/nearest.hpp"
+
+namespace pizarra {
+
+namespace {
+
+std::vector<CellHost> hosts_from_datum(const Datum& hosts, const std::string& file) {
+  std::vector<CellHost> out;
+  for (const Datum& host : hosts.items()) {
+    CellHost& added = out.emplace_back();
+    added.name = host[0].text();
+    added.key = beside(file, std::string(host[1].text()));
+    for (const Datum& kind : host.items().subspan(2)) added.agents.emplace_back(kind.text());
+  }
+  return out;
+}
+
+PanTiltLine pan_tilt_from_datum(const Datum& datum) {
+  PanTiltLine line{std::string(datum[0].text()), std::string(datum[1].text()), static_cast<int>(datum[2].integer())};
+  for (const Datum& axis : datum[3].items()) {
+    (axis.is_symbol("pan") ? line.pan_reversed : line.tilt_reversed) = true;
+  }
+  return line;
+}
+
+ArmLine arm_line_from_datum(const Datum& datum) {
+  ArmLine line;
+  if (datum.size() == 0) return line;
+  line.protocol = datum[0].text();
+  for (const Datum& place : datum[1].items()) line.places.emplace_back(place.text());
+  for (const Datum& port : datum[2].items()) line.ports.push_back(static_cast<int>(port.integer()));
+  return line;
+}
+
+GripperSetup gripper_from_datum(const Datum& datum) {
+  GripperSetup gripper;
+  if (datum.size() == 0) return gripper;
+  gripper.protocol = datum[0].text();
+  gripper.place = datum[1].text();
+  gripper.port = static_cast<int>(datum[2].integer());
+  gripper.unit = static_cast<int>(datum[3].integer());
+  gripper.closed_mm = datum[4][0].number();
+  gripper.open_mm = datum[4][1].number();
+  gripper.closed_count = static_cast<int>(datum[5][0].integer());
+  gripper.open_count = static_cast<int>(datum[5][1].integer());
+  gripper.speed = datum[6].number() / 100;
+  gripper.force = datum[7].number() / 100;
+  RegisterField* const fields[] = {&gripper.activate,    &gripper.go,          &gripper.target,
+                                   &gripper.speed_field, &gripper.force_field, &gripper.active,
+                                   &gripper.object,      &gripper.fault,       &gripper.opening};
+  for (std::size_t i = 0; i < std::size(fields); ++i) {
+    const auto number = [&](std::size_t part) { return static_cast<int>(datum[8][i][part].integer()); };
+    *fields[i] = {number(0), number(1), number(2)};
+  }
+  return gripper;
+}
+
+CameraSource camera_source_from_datum(const Datum& datum, const std::string& file) {
+  using enum CameraSource::Kind;
+  const std::string where(datum[1].text());
+  if (datum[0].is_symbol("video")) return {video, beside(file, where)};
+  if (datum[0].is_symbol("images")) return {images, beside(file, where)};
+  if (datum[0].is_symbol("stream")) return {stream, where};
+  if (datum[0].is_symbol("pipeline")) return {pipeline, where};
+  return {device, where};
+}
+
+CameraSetup eyes_from_datum(const Datum& datum, const std::string& file) {
+  using enum CameraSetup::Arrangement;
+  if (datum.size() == 0) return {};
+  CameraSetup eyes;
+  eyes.arrangement = datum[0].is_symbol("pair") ? pair : datum[0].is_symbol("single") ? single : side_by_side;
+  for (const Datum& source : datum[1].items()) eyes.sources.push_back(camera_source_from_datum(source, file));
+  eyes.width = static_cast<int>(datum[2][0].integer());
+  eyes.height = static_cast<int>(datum[2][1].integer());
+  eyes.rate_hz = datum[3].number();
+  eyes.exposure_ms = datum[4].number();
+  eyes.grey = datum[5].is_symbol("grey");
+  eyes.skew_ms = datum[6].number();
+  eyes.calibration_file = beside(file, std::string(datum[7].text()));
+  eyes.focal_px = datum[8].number();
+  eyes.base_line_mm = datum[9].number();
+  eyes.learned_at_mm = datum[10].number();
+  return eyes;
+}
+
+std::optional<CellRoom> room_from_datum(const Datum& room) {
+  if (room.size() != 3) return std::nullopt;
+  return CellRoom{{room[0][0].number(), room[1][0].number(), room[2][0].number()},
+                  {room[0][1].number(), room[1][1].number(), room[2][1].number()}};
+}
+
+std::string arm_file_from_datum(const Datum& arm, const std::string& file) {
+  return arm.is_string() ? beside(file, std::string(arm.text())) : shipped_arm_file(arm.text());
+}
+
+std::optional<CellSlave> slave_from_datum(const Datum& slave, const std::string& file) {
+  if (slave.size() == 0) return std::nullopt;
+  const Datum& offset = slave[3];
+  ArmLine line = arm_line_from_datum(slave[2]);
+  line.gripper = gripper_from_datum(slave[5]);
+  return CellSlave{.arm_file = arm_file_from_datum(slave[0], file),
+                   .room = room_from_datum(slave[1]),
+                   .line = std::move(line),
+                   .offset_mm = {offset[0].number(), offset[1].number(), offset[2].number()},
+                   .mirrored = slave[4].is_symbol("mirror"),
+                   .rate_hz = slave[6].number()};
+}
+
+CellDescription cell_from_datum(const Datum& datum, const std::string& file) {
+  CellDescription cell;
+  cell.name = datum[0].text();
+  const Datum& camera = datum[1];
+  cell.camera = {{camera[0].number(), camera[1].number(), camera[2].number()}, camera[3].number(), camera[4].number()};
+  cell.head = camera[5].text();
+  cell.noise = {datum[2][0].number(), datum[2][1].number(), datum[2][2].number()};
+  for (const Datum& cube : datum[3].items()) cell.cubes.push_back(cube_from_datum(cube));
+  cell.arm_file = arm_file_from_datum(datum[4], file);
+  cell.arm = datum[4].is_string() ? std::filesystem::path(cell.arm_file).stem().string() : datum[4].text();
+  cell.domain_file = beside(file, std::string(datum[5].text()));
+  cell.board_host = datum[6].text();
+  cell.board_address = datum[7].text();
+  cell.hosts = hosts_from_datum(datum[8], file);
+  cell.cube_mm = datum[9].number();
+  cell.openings = {datum[10][0].number(), datum[10][1].number(), datum[10][2].number()};
+  cell.row = {datum[11][0].number(), datum[11][1].number(), datum[11][2].number()};
+  cell.board_keys = beside(file, std::string(datum[12].text()));
+  cell.pan_tilt = pan_tilt_from_datum(datum[13]);
+  cell.arm_room = room_from_datum(datum[14]);
+  cell.arm_line = arm_line_from_datum(datum[15]);
+  cell.arm_line.gripper = gripper_from_datum(datum[19]);
+  cell.objects_directory = beside(file, std::string(datum[16].text()));
+  cell.eyes = eyes_from_datum(datum[17], file);
+  cell.slave = slave_from_datum(datum[18], file);
+  cell.arm_rate_hz = datum[20].number();
+  return cell;
+}
+
+Result<CellDescription> interpret_source(const Result<Source>& source) {
+  if (!source) return fail(source);
+  std::vector<Datum> arms;
+  for (const std::string& name : arm_names()) arms.push_back(Datum::symbol(name));
+  const Result<Datum> cell = interpret(*source, "cell", {Datum::list(std::move(arms))});
+  if (!cell) return fail(cell);
+  return cell_from_datum(*cell, source->file());
+}
+
+}  // namespace
+
+CubePlacement cube_from_datum(const Datum& normalised) {
+  return {std::string(normalised[0].text()),
+          std::string(normalised[1].text()),
+          normalised[2].number(),
+          normalised[3].number(),
+          normalised[4].number(),
+          std::string(normalised[5].text())};
+}
+
+Result<CellDescription> read_cell(std::string_view text, const std::string& file) {
+  return interpret_source(read_source(text, file));
+}
+
+Result<CellDescription> read_cell_file(const std::string& path) { return interpret_source(read_source_file(path)); }
+
+Result<void> put_arm(CellDescription& cell, const std::string& arm) {
+  const std::string shipped = arm_called(arm);
+  if (shipped.empty() && !std::filesystem::is_regular_file(arm)) {
+    const std::string nearest = nearest_name(arm, arm_names());
+    return fail(
+        "unknown-arm",
+        fmt::format("there is no arm \"{}\" and no such arm file; there are {}{}", arm, fmt::join(arm_names(), ", "),
+                    nearest.empty() ? "" : fmt::format(": did you mean {}?", nearest)),
+        Datum::string(arm));
+  }
+  cell.arm_file = shipped.empty() ? arm : shipped_arm_file(shipped);
+  cell.arm = shipped.empty() ? std::filesystem::path(arm).stem().string() : shipped;
+  // The other arm's controller is not its own.
+  cell.arm_line = {};
+  return {};
+}
+
+}  // namespace pizarra

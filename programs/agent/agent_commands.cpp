@@ -1,0 +1,163 @@
+#include "programs/agent/agent_commands.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <fmt/format.h>
+#include <opencv2/core/utility.hpp>
+#include <unistd.h>
+#include <zmq.hpp>
+
+#include "programs/command_line/command_line.hpp"
+#include "programs/command_line/key_option.hpp"
+#include "programs/command_line/command_tools.hpp"
+#include "agents/launcher/camera_news.hpp"
+#include "blackboard/client/remote_board.hpp"
+#include "blackboard/streams/remote_streams.hpp"
+#include "blackboard/time/real_executor.hpp"
+#include "blackboard/time/stop_signals.hpp"
+#include "drivers/simulation/link_server.hpp"
+#include "drivers/simulation/socket_link.hpp"
+
+namespace pizarra {
+
+namespace {
+
+struct ProcessChoices {
+  std::string kind;
+  std::string cell;
+  std::string name;
+  std::string host = "localhost";
+  std::string board;
+  std::string world;
+  std::string key;
+  std::string streams;
+  std::uint64_t seed = 1;
+};
+
+// Becomes the program that opens every camera.
+int become_eyes(std::span<char*> arguments) {
+  const std::string program = beside_this_program("pizarra-eyes");
+  std::vector<char*> same(arguments.begin(), arguments.end());
+  same.push_back(nullptr);
+  ::execv(program.c_str(), same.data());
+  const Failure why{"no-program", fmt::format("{} cannot be started: {}", program, std::strerror(errno)), {}, {}};
+  return complain(why, exit_unavailable);
+}
+
+// A board that is there answers sooner.
+constexpr Duration unremarkable = 1s;
+
+Task<void> say_what_is_awaited(Executor& executor, const RemoteBoard& board, const std::string& address) {
+  co_await sleep(executor, unremarkable);
+  if (!board.connected()) fmt::print(stderr, "pizarra: no board answers at {} yet: waiting for it\n", address);
+}
+
+int run_agent(const ProcessChoices& choices, std::span<char*> arguments, const OwnCameras& own_cameras) {
+  const Result<CellDescription> cell = read_cell_file(choices.cell);
+  if (!cell) return complain(cell.error(), exit_usage);
+  const bool own_eyes = choices.kind == "vision" && !cell->eyes.is_simulated();
+  if (own_eyes && !own_cameras.opens(cell->eyes)) return become_eyes(arguments);
+  if (choices.world.empty() && needs_world(choices.kind, *cell)) {
+    const Failure none{
+        "no-world", fmt::format("{}'s device is simulated in this cell: --world says where", choices.kind), {}, {}};
+    return complain(none, exit_usage);
+  }
+  RealExecutor executor;
+  const StopSignals signals(executor);
+  const std::string name = choices.name.empty() ? choices.kind : choices.name;
+  const Result<std::optional<ClientKeys>> keys = keys_from(choices.key);
+  if (!keys) return complain(keys.error(), exit_usage);
+  const Result<std::unique_ptr<RemoteBoard>> board =
+      RemoteBoard::connect(executor, choices.board, name, RemoteBoard::default_timeout, *keys);
+  if (!board) return complain(board.error(), exit_usage);
+  zmq::context_t context(1);
+  std::unique_ptr<Link> link = std::make_unique<NoLink>();
+  if (!choices.world.empty()) link = std::make_unique<SocketLink>(executor, context, choices.world);
+  const auto streams = RemoteStreams::open(executor, **board, choices.streams);
+  if (!streams) return complain(streams.error(), exit_unavailable);
+  AgentContext agent_context{name, choices.host, executor, **board, Random(choices.seed).split(name)};
+  const auto agent =
+      build_agent(choices.kind, std::move(agent_context), *cell, *link, streams->get(), own_cameras.make);
+  if (!agent) return complain(agent.error(), exit_usage);
+  const Job waiting = executor.spawn(say_what_is_awaited(executor, **board, choices.board));
+  Job camera;
+  if (choices.kind == "vision") camera = executor.spawn(log_camera_news(**board, name, stderr));
+  const Job job = executor.spawn((*agent)->run());
+  executor.run_until([&job] { return job.done(); });
+  if (signals.received()) return exit_reached;
+  const Result<void>* ended = (*agent)->ended();
+  if (ended == nullptr || *ended) return exit_failed;
+  // Started again on that board it would be refused again.
+  const bool hopeless = ended->error().symbol == "wrong-shape";
+  return complain(ended->error(), hopeless ? exit_usage : exit_failed);
+}
+
+int run_world(const ProcessChoices& choices) {
+  const Result<CellDescription> cell = read_cell_file(choices.cell);
+  if (!cell) return complain(cell.error(), exit_usage);
+  if (!choices.world.starts_with("ipc://")) {
+    const Failure open{"bad-address", "the world listens at ipc://PATH alone, not at " + choices.world, {}, {}};
+    return complain(open, exit_usage);
+  }
+  const Result<WorldConfig> config = world_config(*cell, choices.seed);
+  if (!config) return complain(config.error(), exit_usage);
+  RealExecutor executor;
+  const StopSignals signals(executor);
+  zmq::context_t context(1);
+  World world(executor, *config);
+  const auto server = LinkServer::listen(executor, context, choices.world, world);
+  if (!server) return complain(server.error(), exit_unavailable);
+  fmt::print("the world of {} is reached at {}\n", cell->name, choices.world);
+  std::fflush(stdout);
+  executor.run_until([] { return false; });
+  return exit_reached;
+}
+
+void add_agent_command(CLI::App& app, int& status, std::span<char*> arguments, const OwnCameras& own_cameras) {
+  auto choices = std::make_shared<ProcessChoices>();
+  CLI::App* agent = app.add_subcommand("agent", "Run one agent in this process, on a board of another.");
+  agent
+      ->add_option("KIND", choices->kind,
+                   "robot, vision, pan-tilt, planner, coordinator or person; speech, slave, follower")
+      ->required()
+      ->check(kind_fault);
+  agent->add_option("CELL", choices->cell, "The cell file")->required()->check(CLI::ExistingFile);
+  agent->add_option("--board", choices->board, "Where the board listens: ipc:// or tcp://")->required();
+  agent->add_option("--world", choices->world, "Where the simulated world listens, if its device is there: ipc://");
+  add_key_option(agent, choices->key);
+  agent->add_option("--streams", choices->streams,
+                    "Where other machines take its image streams: tcp://HOST:PORT, or * for any port; this machine's "
+                    "own take them in any case");
+  agent->add_option("--name", choices->name, "Its name on the board; its kind otherwise");
+  agent->add_option("--host", choices->host, "Which host it says it is on")->capture_default_str();
+  agent->add_option("--seed", choices->seed, "What its chance begins from")->check(seed_check())->capture_default_str();
+  agent->footer(help_footer("agent planner examples/01-blocks/cell.scm --board ipc:///tmp/b --world ipc:///tmp/w"));
+  agent->callback([choices, &status, arguments, own_cameras] { status = run_agent(*choices, arguments, own_cameras); });
+}
+
+void add_world_command(CLI::App& app, int& status) {
+  auto choices = std::make_shared<ProcessChoices>();
+  CLI::App* world = app.add_subcommand("world", "Run a cell's simulated world in this process.");
+  world->add_option("CELL", choices->cell, "The cell file")->required()->check(CLI::ExistingFile);
+  world->add_option("--listen", choices->world, "Where it is reached: ipc://PATH")->required();
+  world->add_option("--seed", choices->seed, "What its chance begins from")->check(seed_check())->capture_default_str();
+  world->footer(help_footer("world examples/01-blocks/cell.scm --listen ipc:///tmp/w"));
+  world->callback([choices, &status] { status = run_world(*choices); });
+}
+
+}  // namespace
+
+int run_process_program(std::span<char*> arguments, const OwnCameras& own_cameras) {
+  // One thread: two runs of the same seed must not differ.
+  cv::setNumThreads(1);
+  CLI::App app("One agent of a cell, or its simulated world.", "pizarra");
+  app.require_subcommand(1);
+  app.set_version_flag("--version", version());
+  app.footer(exit_code_help);
+  int status = exit_reached;
+  add_agent_command(app, status, arguments, own_cameras);
+  add_world_command(app, status);
+  return run_program(app, static_cast<int>(arguments.size()), arguments.data(), status);
+}
+
+}  // namespace pizarra

@@ -1,0 +1,22 @@
+#pragma once
+
+// The words that `up` starts processes with, `agent` and `world`, and the programs that know them: pizarra-agent, and
+// pizarra-eyes, which opens every camera of one's own. Who is asked for eyes whose cameras it does not open becomes
+// pizarra-eyes.
+
+#include <span>
+
+#include "agents/launcher/agent_factory.hpp"
+
+namespace pizarra {
+
+// Which cameras of one's own a program opens, and how.
+struct OwnCameras {
+  std::function<bool(const CameraSetup&)> opens;
+  CameraMaker make;
+};
+
+// The exit code.
+int run_process_program(std::span<char*> arguments, const OwnCameras& own_cameras);
+
+}  // namespace pizarra

@@ -1,0 +1,37 @@
+#pragma once
+
+// What every word of every program needs: how it complains, counts, checks a seed and finds a file of ours.
+//
+//   if (!journal) return complain(journal.failure(), exit_unavailable);
+
+#include <CLI/CLI.hpp>
+
+#include "programs/command_line/exit_codes.hpp"
+#include "lisp/result.hpp"
+
+namespace pizarra {
+
+// Prints the failure to standard error and answers `code`.
+int complain(const Failure& failure, ExitCode code);
+
+// What ends a word's help: how it is typed, after `./pizarra`, and how it ends.
+std::string help_footer(std::string_view example, std::string_view exit_codes = exit_code_help);
+
+// As `--version` tells it.
+std::string version();
+
+// For options that take a seed: digits alone, from 0 to 2^64-1.
+CLI::Validator seed_check();
+// A number within these bounds: CLI::Range lets `nan` through, which compares with nothing.
+CLI::Validator number_check(double least, double most);
+
+// "1 cube", "4 cubes".
+std::string counted(std::size_t number, std::string_view thing);
+
+// A file that comes with the program: from the tree it was built from.
+std::string shipped_file(const std::string& path);
+
+// Another of our programs, where this one is.
+std::string beside_this_program(const std::string& name);
+
+}  // namespace pizarra

@@ -1,0 +1,109 @@
+#include "programs/commands/board_pairs.hpp"
+
+#include <chrono>
+#include <filesystem>
+#include <fmt/format.h>
+
+#include "drivers/camera/any_source.hpp"
+#include "drivers/camera/image_files.hpp"
+#include "drivers/camera/other_images.hpp"
+#include "drivers/camera/stereo_reader.hpp"
+
+namespace pizarra {
+namespace {
+
+class FilePairs : public BoardPairs {
+ public:
+  FilePairs(std::vector<std::string> left, std::vector<std::string> right)
+      : left_(std::move(left)), right_(std::move(right)) {}
+
+  Result<ImagePair> next() override {
+    if (taken_ == left_.size()) return fail("ended", "there are no more images");
+    const std::size_t pair = taken_++;
+    Result<cv::Mat> left = read_image_file(left_[pair], true, read_other_image);
+    if (!left) return fail(left);
+    if (single()) return ImagePair{std::move(*left), {}};
+    Result<cv::Mat> right = read_image_file(right_[pair], true, read_other_image);
+    if (!right) return fail(right);
+    return ImagePair{std::move(*left), std::move(*right)};
+  }
+  std::string name() const override {
+    const auto name_of = [](const std::string& file) { return std::filesystem::path(file).filename().string(); };
+    return name_of(left_[taken_ - 1]) + (single() ? "" : " " + name_of(right_[taken_ - 1]));
+  }
+  bool chosen() const override { return true; }
+  bool single() const override { return right_.empty(); }
+
+ private:
+  std::vector<std::string> left_;
+  std::vector<std::string> right_;
+  std::size_t taken_ = 0;
+};
+
+class CameraPairs : public BoardPairs {
+ public:
+  explicit CameraPairs(const CameraSetup& eyes)
+      : reader_(eyes, sources_of(eyes), real_time), single_(eyes.arrangement == CameraSetup::Arrangement::single) {
+    reader_.read_once();
+  }
+
+  Result<void> open() { return reader_.open(); }
+  Result<ImagePair> next() override {
+    const Result<void> grabbed = reader_.grab();
+    ++taken_;
+    if (!grabbed) return fail(grabbed);
+    Result<StereoImages> images = reader_.retrieve(true);
+    if (!images) return fail(images);
+    return ImagePair{std::move(images->left), std::move(images->right)};
+  }
+  std::string name() const override { return fmt::format("{} {}", single_ ? "image" : "pair", taken_); }
+  bool single() const override { return single_; }
+  bool chosen() const override { return false; }
+
+ private:
+  static StereoReader::Sources sources_of(const CameraSetup& eyes) {
+    StereoReader::Sources out;
+    for (const CameraSource& source : eyes.sources) out.push_back(make_any_source(source, eyes));
+    return out;
+  }
+  static Time real_time() {
+    return Time(std::chrono::duration_cast<Duration>(std::chrono::steady_clock::now().time_since_epoch()));
+  }
+
+  StereoReader reader_;
+  const bool single_;
+  int taken_ = 0;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<BoardPairs>> BoardPairs::of_files(const std::string& left, const std::string& right) {
+  std::vector<std::string> left_files = image_files_at(left);
+  const bool single = right.empty();
+  std::vector<std::string> right_files = single ? std::vector<std::string>() : image_files_at(right);
+  for (const auto& [files, where] : {std::pair(&left_files, &left), std::pair(&right_files, &right)}) {
+    if (files->empty() && !where->empty()) return fail("no-images", fmt::format("there are no images at {}", *where));
+  }
+  if (!single && left_files.size() != right_files.size()) {
+    return fail("uneven", fmt::format("there are {} images at {} and {} at {}; pairs are made in the order of names",
+                                      left_files.size(), left, right_files.size(), right));
+  }
+  if (left_files.size() > most) {
+    return fail("too-many", fmt::format("there are {} images at {}, and at most {} make a calibration: choose those "
+                                        "that show the board at different places and angles",
+                                        left_files.size(), left, most));
+  }
+  return std::make_unique<FilePairs>(std::move(left_files), std::move(right_files));
+}
+
+Result<std::unique_ptr<BoardPairs>> BoardPairs::of_cameras(const CameraSetup& eyes) {
+  if (eyes.is_simulated()) {
+    return fail("no-camera", "the cell has no cameras of its own: (camera (single ...)) or (camera (pair ...))");
+  }
+  auto pairs = std::make_unique<CameraPairs>(eyes);
+  const Result<void> opened = pairs->open();
+  if (!opened) return fail(opened);
+  return pairs;
+}
+
+}  // namespace pizarra

@@ -1,0 +1,127 @@
+#pragma once
+
+// What goes on on a board between two looks at it, for `top`: who is there, what is told and how fast, what waits for
+// whom, and how long a fact is under way.
+//
+//   BoardSampler sampler(executor, board, "top-17");
+//   co_await sampler.begin();
+//   co_await sleep(executor, 1s);
+//   Result<BoardSample> sample = co_await sampler.next();       // since begin(), or since the last
+//
+// How long the facts of a relation are under way their tellers and watchers say themselves (statistics.hpp). Where
+// nobody tells anything, a fact's journey is timed on one of the sampler's own at each look, (board-probe WHO N
+// SENT-US), gone with it: from telling to the board's committing it, to the board's answer, and to its arrival at a
+// watcher. One, because whatever is told pushes the board's past out of its journal. The board says by its own clock
+// when it commits. That is taken for ours, moved by as little as puts the commit between telling and answer: on one
+// machine the two differ by next to nothing. Who may not tell it has no journey to show.
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "blackboard/board.hpp"
+#include "blackboard/time/latch.hpp"
+
+namespace pizarra {
+
+// In microseconds.
+struct Spread {
+  std::int64_t count = 0;
+  std::int64_t p50_us = 0;
+  std::int64_t p90_us = 0;
+  std::int64_t p99_us = 0;
+};
+
+struct RelationSample {
+  std::string name;
+  std::int64_t facts = 0;
+  double told_per_second = 0;
+  std::int64_t watches = 0;
+  std::vector<std::string> tellers;
+  // How long its facts were under way lately, to the board and from there to watchers; count 0 where nobody said so.
+  Spread told = {};
+  Spread delivered = {};
+};
+
+// One probe: `committed` by the board's clock, the others by ours.
+struct Probe {
+  Time sent{};
+  Time committed{};
+  Time acknowledged{};
+};
+// How long after its telling it was committed.
+Duration commit_time(const Probe& probe);
+
+struct AgentSample {
+  std::string name;
+  std::string kind;
+  std::string host;
+  double told_per_second = 0;
+  std::int64_t waiting = 0;  // requests that it has not taken
+  std::int64_t queued = 0;   // changes of what it watches that it has not read
+};
+
+// Of all clients of one name in other processes; "" are those that said no hello.
+struct ClientSample {
+  std::string name;
+  std::int64_t requests_per_second = 0;
+  std::int64_t refused = 0;  // since the board began
+  std::string newest_refusal = {};
+};
+
+// In microseconds.
+struct Journey {
+  double committed_us = 0;
+  double acknowledged_us = 0;
+  double delivered_us = 0;
+};
+
+struct BoardSample {
+  Revision revision = 0;
+  double transactions_per_second = 0;
+  std::int64_t facts = 0;
+  std::vector<AgentSample> agents;        // by name
+  std::optional<Failure> agents_unknown;  // where clients declared them otherwise, or told too many for an answer
+  std::vector<RelationSample> relations;  // the busiest first
+  std::vector<ClientSample> clients;      // the busiest first
+  std::optional<Journey> journey;
+};
+
+class BoardSampler {
+ public:
+  BoardSampler(Executor& executor, Board& board, std::string who)
+      : executor_(executor), board_(board), who_(std::move(who)) {}
+  Task<Result<void>> begin();
+  Task<Result<BoardSample>> next();
+
+ private:
+  struct Counts {
+    Time when{};
+    Revision revision = 0;
+    std::map<std::string, std::int64_t> told;                           // by relation
+    std::map<std::pair<std::string, std::string>, std::int64_t> tells;  // by relation and teller
+  };
+
+  Task<Result<std::vector<Fact>>> ask_about(Datum pattern);
+  Task<Result<std::vector<Fact>>> statistics();
+  Task<void> add_journeys(BoardSample& sample);
+  Task<void> add_queues(BoardSample& sample);
+  Task<void> add_clients(BoardSample& sample);
+  static Result<void> go_without(BoardSample& sample, const Failure& failure);
+  Task<Result<void>> add_agents(BoardSample& sample, const Counts& now);
+  Task<Result<Journey>> travel();
+  Counts count(const std::vector<Fact>& statistics, Revision revision) const;
+  double rate(std::int64_t more, const Counts& now) const;
+  std::int64_t told_since(const std::string& relation, const Counts& now) const;
+  double rate_of(const std::string& teller, const Counts& now) const;
+
+  Executor& executor_;
+  Board& board_;
+  const std::string who_;
+  Revision revision_ = 0;
+  int looks_ = 0;
+  Counts before_;
+};
+
+}  // namespace pizarra

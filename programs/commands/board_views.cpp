@@ -1,0 +1,63 @@
+#include "programs/commands/board_views.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace pizarra {
+namespace {
+
+constexpr std::size_t most_sizes = 8;
+
+bool is_same(const std::vector<cv::Point2f>& a, const std::vector<cv::Point2f>& b, double reach_px) {
+  return std::ranges::equal(a, b,
+                            [&](const cv::Point2f& p, const cv::Point2f& q) { return cv::norm(p - q) <= reach_px; });
+}
+
+}  // namespace
+
+Result<void> BoardViews::take(const ImagePair& pair, const std::string& name) {
+  const cv::Size size = pair.left.size();
+  if (!pair.right.empty() && pair.right.size() != size) {
+    return fail("wrong-size",
+                fmt::format("images of {}x{} and {}x{}", size.width, size.height, pair.right.cols, pair.right.rows));
+  }
+  Result<BoardView> view = find_board(pair.left, pair.right, board_);
+  if (!view) return fail(view);
+  const Result<OneSize*> alike = with_size(size);
+  if (!alike) return fail(alike);
+  const double reach_px = least_motion_ * size.width;
+  for (const BoardView& before : (*alike)->views) {
+    if (!is_same(before.left, view->left, reach_px) || !is_same(before.right, view->right, reach_px)) continue;
+    return fail("still", fmt::format("the board stands as in {}", before.name));
+  }
+  view->name = name;
+  (*alike)->views.push_back(std::move(*view));
+  return {};
+}
+
+Result<BoardViews::OneSize*> BoardViews::with_size(cv::Size size) {
+  const auto found = std::ranges::find(sizes_, size, &OneSize::size);
+  if (found != sizes_.end()) return &*found;
+  if (sizes_.size() == most_sizes) {
+    return fail("wrong-size", fmt::format("an image of {}x{}, and there are {} other sizes already", size.width,
+                                          size.height, most_sizes));
+  }
+  sizes_.push_back({size, {}});
+  return &sizes_.back();
+}
+
+const BoardViews::OneSize& BoardViews::of_most() const {
+  static const OneSize none;
+  const auto most = std::ranges::max_element(sizes_, {}, [](const OneSize& one) { return one.views.size(); });
+  return most == sizes_.end() ? none : *most;
+}
+
+std::vector<const BoardViews::OneSize*> BoardViews::others() const {
+  std::vector<const OneSize*> out;
+  for (const OneSize& one : sizes_) {
+    if (&one != &of_most()) out.push_back(&one);
+  }
+  return out;
+}
+
+}  // namespace pizarra

@@ -1,0 +1,212 @@
+// `calibrate`: what a pair of cameras is, or one, from images of a chessboard.
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <fmt/format.h>
+
+#include "programs/command_line/command_tools.hpp"
+#include "programs/story/output_file.hpp"
+#include "programs/commands/board_pairs.hpp"
+#include "programs/commands/board_session.hpp"
+#include "programs/commands/board_views.hpp"
+#include "programs/commands/calibrate_report.hpp"
+#include "programs/commands/commands.hpp"
+#include "drivers/camera/chessboard.hpp"
+#include "lisp/forms/cell_file.hpp"
+
+namespace pizarra {
+namespace {
+
+// How far a corner must have moved to be looked at again, of the image's width: by a person's choice, two pictures of
+// the same place count once; of what a camera sees, much is alike.
+constexpr double least_motion_chosen = 0.01;
+constexpr double least_motion_seen = 0.04;
+constexpr std::chrono::seconds longest_silence{2};
+
+struct CalibrateChoices {
+  std::vector<std::string> images;
+  std::string cell;
+  std::string out;  // empty: pair.calibration, of one camera camera.calibration
+  CalibrationBoard board;
+  std::size_t pairs = 20;
+  bool json = false;
+};
+
+volatile std::sig_atomic_t interrupted = 0;
+void on_interrupt(int) { interrupted = 1; }
+
+// While it lives the first Ctrl-C is noted. A second one ends the program: a camera may never answer.
+class NotedInterrupt {
+ public:
+  NotedInterrupt() {
+    struct sigaction action {};
+    action.sa_handler = on_interrupt;
+    action.sa_flags = SA_RESETHAND;
+    sigaction(SIGINT, &action, &before_);
+  }
+  NotedInterrupt(const NotedInterrupt&) = delete;
+  NotedInterrupt& operator=(const NotedInterrupt&) = delete;
+  ~NotedInterrupt() { sigaction(SIGINT, &before_, nullptr); }
+
+ private:
+  struct sigaction before_ {};
+};
+
+class Calibration {
+ public:
+  Calibration(const CalibrateChoices& choices, BoardPairs& pairs)
+      : choices_(choices),
+        pairs_(pairs),
+        views_(choices.board, pairs.chosen() ? least_motion_chosen : least_motion_seen),
+        report_(choices.json, pairs.single()) {}
+
+  int run() {
+    const Result<void> gathered = gather();
+    if (!gathered) return complain_as(style(), gathered.error(), exit_unavailable);
+    tell_other_sizes();
+    const BoardViews::OneSize& seen = views_.of_most();
+    const auto calibrate = pairs_.single() ? calibrate_single : calibrate_pair;
+    const Result<CalibratedPair> found =
+        calibrate(seen.views, seen.size, choices_.board, [this](const std::string& step) { report_.step(step); });
+    if (!found) return complain_as(style(), found.error(), interrupted != 0 ? exit_interrupted : exit_failed);
+    const std::string text = write_calibration(found->calibration);
+    const Result<StereoCalibration> usable = read_calibration(text, out());
+    if (!usable) return complain_as(style(), unusable(usable.error()), exit_failed);
+    const Result<void> written = write_file(out(), {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+    if (!written) return complain_as(style(), written.error(), exit_unavailable);
+    report_.result(out(), *found);
+    return exit_reached;
+  }
+
+ private:
+  Style style() const { return choices_.json ? Style::json : Style::text; }
+  std::string out() const {
+    if (!choices_.out.empty()) return choices_.out;
+    return pairs_.single() ? "camera.calibration" : "pair.calibration";
+  }
+
+  // All that a person chose; of what cameras see as much as was asked for, or as came until Ctrl-C.
+  Result<void> gather() {
+    if (pairs_.chosen()) return gather_until([] { return false; });
+    const NotedInterrupt noted;
+    const Result<void> gathered = gather_until([this] { return count() >= choices_.pairs || interrupted != 0; });
+    if (untold_) report_.pair(untold_->name, untold_->taken, {});
+    return gathered;
+  }
+
+  Result<void> gather_until(const auto& enough) {
+    while (!enough()) {
+      const Result<ImagePair> pair = pairs_.next();
+      const std::string symbol = pair ? "" : pair.error().symbol;
+      if (symbol == "ended") break;
+      if (!pair && symbol != "corrupt-frame") return fail(pair);
+      tell(pair ? views_.take(*pair, pairs_.name()) : Result<void>(fail(pair)));
+    }
+    return {};
+  }
+
+  // Boards in the middle alone leave open what the lens does to the corners.
+  static Failure unusable(const Failure& why) {
+    return {"uncertain",
+            why.sentence + ". Bring the board near the image's corners too, and take those images as well",
+            {},
+            {}};
+  }
+
+  std::size_t count() const { return views_.of_most().views.size(); }
+
+  // A camera shows no board, or the same one, most of the time: that is told now and then.
+  void tell(const Result<void>& taken) {
+    const auto now = std::chrono::steady_clock::now();
+    const bool is_due = pairs_.chosen() || taken || !told_ || now - *told_ >= longest_silence;
+    untold_.reset();
+    if (!is_due) {
+      untold_ = Untold{pairs_.name(), taken};
+      return;
+    }
+    told_ = now;
+    report_.pair(pairs_.name(), taken, pairs_.chosen() ? "" : fmt::format(", {} of {}", count(), choices_.pairs));
+  }
+
+  void tell_other_sizes() const {
+    const cv::Size most = views_.of_most().size;
+    for (const BoardViews::OneSize* const other : views_.others()) {
+      const std::string why = fmt::format("{}x{}, where most with a board are {}x{}", other->size.width,
+                                          other->size.height, most.width, most.height);
+      for (const BoardView& view : other->views) report_.left_out(view.name, 0, why);
+    }
+  }
+
+  struct Untold {
+    std::string name;
+    Result<void> taken;
+  };
+
+  const CalibrateChoices& choices_;
+  BoardPairs& pairs_;
+  BoardViews views_;
+  CalibrateReport report_;
+  std::optional<std::chrono::steady_clock::time_point> told_;
+  std::optional<Untold> untold_;  // the newest, where it waits
+};
+
+Result<std::unique_ptr<BoardPairs>> pairs_of(const CalibrateChoices& choices) {
+  if (choices.cell.empty()) {
+    const std::string right = choices.images.size() == 2 ? choices.images[1] : "";
+    return BoardPairs::of_files(choices.images[0], right);
+  }
+  const Result<CellDescription> cell = read_cell_file(choices.cell);
+  if (!cell) return fail(cell);
+  return BoardPairs::of_cameras(cell->eyes);
+}
+
+int run_calibrate(const CalibrateChoices& choices) {
+  const Style style = choices.json ? Style::json : Style::text;
+  if (choices.cell.empty() == choices.images.empty()) {
+    const Failure which{"no-images",
+                        "say LEFT and RIGHT, where the images are (of one camera alone the one place), or --cell, "
+                        "whose cameras see them",
+                        {},
+                        {}};
+    return complain_as(style, which, exit_usage);
+  }
+  const Result<std::unique_ptr<BoardPairs>> pairs = pairs_of(choices);
+  if (!pairs) return complain_as(style, pairs.error(), exit_usage);
+  return Calibration(choices, **pairs).run();
+}
+
+}  // namespace
+
+void add_calibrate_command(CLI::App& app, int& status) {
+  auto choices = std::make_shared<CalibrateChoices>();
+  CLI::App* word = app.add_subcommand("calibrate",
+                                      "Find out what a pair of cameras is, or one alone, from images of a chessboard "
+                                      "(`shapes --board` prints one),\n"
+                                      "and keep it in a file for a cell's (camera ...).");
+  word->add_option("IMAGES", choices->images,
+                   "LEFT and RIGHT: folders of images, or quoted patterns; in one order. Of one camera "
+                   "alone the one place")
+      ->expected(1, 2)
+      ->type_name("LEFT [RIGHT]");
+  word->add_option("--cell", choices->cell, "Instead: what the cameras of this cell see, while the board is moved")
+      ->check(CLI::ExistingFile);
+  word->add_option("--out", choices->out, "The file to write; else pair.calibration, or camera.calibration");
+  word->add_option("--columns", choices->board.columns, "Inner corners of the board, one way")
+      ->check(CLI::Range(3, 50))
+      ->capture_default_str();
+  word->add_option("--rows", choices->board.rows, "And the other way")->check(CLI::Range(3, 50))->capture_default_str();
+  word->add_option("--square", choices->board.square_mm, "The edge of a square, mm")
+      ->check(number_check(0.1, 1000))
+      ->capture_default_str();
+  word->add_option("--pairs", choices->pairs,
+                   "With --cell: how many pairs or images to take, each when the board has "
+                   "moved; Ctrl-C takes those there are")
+      ->check(CLI::Range(least_views, BoardPairs::most))
+      ->capture_default_str();
+  word->add_flag("--json", choices->json, "One JSON object a line");
+  word->footer(help_footer("calibrate 'left[01]*.jpg' 'right[01]*.jpg' --square 25 --out pair.calibration"));
+  word->callback([choices, &status] { status = run_calibrate(*choices); });
+}
+
+}  // namespace pizarra

@@ -1,0 +1,185 @@
+#include <filesystem>
+#include <fmt/format.h>
+
+#include "programs/command_line/command_tools.hpp"
+#include "programs/story/output_file.hpp"
+#include "programs/story/random_story.hpp"
+#include "programs/story/scenario_run.hpp"
+#include "agents/launcher/agent_factory.hpp"
+#include "programs/commands/demo_choices.hpp"
+#include "programs/commands/goal_text.hpp"
+#include "programs/commands/random_runs.hpp"
+#include "programs/commands/commands.hpp"
+#include "lisp/writer.hpp"
+
+namespace pizarra {
+
+namespace {
+
+constexpr double goal_alone_within_s = 300;
+
+// The story beside the cell file; where there is none, or another goal is asked for, no hand interferes.
+Result<Scenario> story_of(const DemoChoices& choices) {
+  const std::filesystem::path cell(choices.cell);
+  const std::string story = (cell.parent_path() / "story.scm").string();
+  Scenario scenario;
+  if (!choices.has("--goal") && !choices.random) {
+    if (!std::filesystem::exists(story)) {
+      const Result<CellDescription> cell_alone = read_cell_file(choices.cell);
+      if (!cell_alone) return fail(cell_alone);
+      return fail("no-story", fmt::format("there is no {}, so say what is wanted: --goal '(on A B)'", story));
+    }
+    Result<Scenario> told = read_scenario_file(story);
+    if (!told) return told;
+    scenario = std::move(*told);
+  } else {
+    scenario.name = "a goal from the command line";
+    scenario.within_s = goal_alone_within_s;
+  }
+  scenario.cell_file = choices.cell;
+  if (!choices.domain.empty()) scenario.domain_file = choices.domain;
+  return scenario;
+}
+
+std::string goal_words(const std::vector<Datum>& goal) {
+  std::string out;
+  for (const Datum& fact : goal) out += (out.empty() ? "" : " ") + write(fact);
+  return out;
+}
+
+void tell_end(Narrator& narrator, const StoryReport& report, const DemoChoices& choices) {
+  const Time end = Time{} + report.simulated;
+  const DirectorReport& director = report.director;
+  narrator.begin(Time{});
+  if (director.reached()) {
+    narrator.say(end, "judge", "the world shows " + goal_words(director.goal));
+  } else if (director.outcome == "reached") {
+    narrator.say(end, "judge", "the world does not show " + goal_words(director.goal));
+  }
+  const double cell_s = static_cast<double>(report.simulated.count()) / 1e6;
+  narrator.say(end, "time",
+               fmt::format("{:.1f} s of the cell's time in {:.1f} s: {:.1f} times faster than real time", cell_s,
+                           report.wall_s, report.speed()));
+  if (!choices.picture.empty()) narrator.say(end, "picture", choices.picture);
+  if (!choices.film.empty()) narrator.say(end, "film", choices.film);
+}
+
+int status_of(const DirectorReport& report, const std::string& typed_goal) {
+  if (report.reached()) return exit_reached;
+  if (report.outcome == "refused" && report.refusal) {
+    const std::string goal = typed_goal.empty() ? goal_words(report.goal) : typed_goal;
+    const Failure refusal = at_its_goal(*report.refusal, goal);
+    if (!report.refusal_told) return complain(refusal, exit_refused);
+    // One that the coordinator came to has been part of the story already, but for its place.
+    if (!refusal.place.empty()) fmt::print(stderr, "{}\n", refusal.place);
+    return exit_refused;
+  }
+  for (const std::string& sentence : report.unmet) fmt::print(stderr, "pizarra: {}\n", sentence);
+  return exit_failed;
+}
+
+int run_demo(const DemoChoices& choices) {
+  if (choices.has("--goal")) {
+    const Result<void> typed = check_typed_goal(choices.goal);
+    if (!typed) return complain(typed.error(), exit_usage);
+  }
+  Result<Scenario> scenario = story_of(choices);
+  if (!scenario) return complain(scenario.error(), exit_usage);
+  Result<CellDescription> cell = cell_of(*scenario);
+  if (!cell) return complain(cell.error(), exit_usage);
+  if (!choices.arm.empty()) {
+    const Result<void> put = put_arm(*cell, choices.arm);
+    if (!put) return complain(put.error(), exit_usage);
+  }
+  const Result<WorldConfig> sound = world_config(*cell, choices.seed);
+  if (!sound) return complain(sound.error(), exit_usage);
+  const Result<Domain> domain = domain_of(*cell);
+  if (!domain) return complain(domain.error(), exit_usage);
+  if (choices.has("--goal")) {
+    Result<std::vector<Datum>> goal = read_goal_for(*domain, choices.goal, *cell);
+    if (!goal) return complain(goal.error(), exit_usage);
+    scenario->goal = std::move(*goal);
+  }
+
+  for (const std::string& file : {choices.journal, choices.film, choices.picture}) {
+    if (file.empty()) continue;
+    const Result<void> writable = check_writable(file);
+    if (!writable) return complain(writable.error(), exit_unavailable);
+  }
+
+  const StopSignals signals;
+  StoryOptions options{choices.seed, choices.realtime, choices.journal, choices.film, choices.picture, &signals};
+  if (choices.random) {
+    const Result<void> drawable = check_random_cell(*cell, *domain);
+    if (!drawable) return complain(drawable.error(), exit_usage);
+    RandomStory story = random_story_of_seed(std::move(*cell), choices.seed);
+    cell = std::move(story.cell);
+    scenario = std::move(story.scenario);
+    options.director.events_may_fail = true;
+  }
+  Narrator narrator(stdout, Narrator::style_for(stdout, choices.json));
+  narrator.say(Time{}, "cell",
+               fmt::format("{}: {}, arm {}, domain {}, seed {}", cell->name, counted(cell->cubes.size(), "cube"),
+                           cell->arm, domain->name, choices.seed));
+  const Result<StoryReport> report = run_story(*scenario, *cell, options, narrator);
+  if (!report) return complain(report.error(), exit_unavailable);
+  if (report->interrupted) {
+    narrator.begin(Time{});
+    narrator.say(Time{} + report->simulated, "result", "interrupted");
+    return exit_interrupted;
+  }
+  tell_end(narrator, *report, choices);
+  return status_of(report->director, choices.goal);
+}
+
+}  // namespace
+
+void add_demo_command(CLI::App& app, int& status) {
+  auto choices = std::make_shared<DemoChoices>();
+  choices->cell = shipped_file("examples/01-blocks/cell.scm");
+  CLI::App* demo =
+      app.add_subcommand("demo",
+                         "Run the simulated cell in this process: learn the objects, take a goal, plan, build it.\n"
+                         "Without --goal the story beside the cell file is played, in which a hand interferes.");
+  demo->add_option("CELL", choices->cell, "The cell file")->check(CLI::ExistingFile)->capture_default_str();
+  demo->add_option("--goal", choices->goal, "FACT, (and FACT ...) or several FACTs; no hand interferes then");
+  demo->add_option("--domain", choices->domain, "The domain file, in place of the cell's")->check(CLI::ExistingFile);
+  demo->add_option("--arm", choices->arm,
+                   "The arm, in place of the cell's: f3, t265, up6, another of arms/, or an arm file");
+  demo->add_option("--seed", choices->seed, "What chance begins from; the same seed gives the same run")
+      ->check(seed_check())
+      ->capture_default_str();
+  demo->add_option("--journal", choices->journal, "Write every committed transaction to this file, a line each");
+  demo->add_option("--video", choices->film, "Keep the run as a film: FILE.avi or FILE.mp4");
+  demo->add_option("--png", choices->picture, "The camera's view at the end; '' for none")->capture_default_str();
+  demo->add_flag("--realtime", choices->realtime, "As fast as this machine's clock, not faster");
+  demo->add_flag("--json", choices->json, "One JSON object a line");
+  demo->add_flag("--random", choices->random, "Random start piles, a random goal and one random disturbance");
+  demo->add_option("--seeds", choices->seeds,
+                   "With --random: this many seeds, a line each and a summary; status 0 when no seed failed")
+      ->check(CLI::Range(1, 100000));
+  demo->add_option("--first-seed", choices->first_seed, "With --seeds: the first")
+      ->check(seed_check())
+      ->capture_default_str();
+  demo->add_option("--jobs", choices->jobs, "With --seeds: how many at once; 0: one a core")
+      ->check(CLI::Range(0, 256))
+      ->capture_default_str();
+  demo->footer(help_footer("demo --goal '(on circle triangle)' --seed 7"));
+  demo->callback([choices, demo, &status] {
+    for (const CLI::Option* option : demo->get_options()) {
+      if (option->count() > 0) choices->given.insert(option->get_name());
+    }
+    const Result<void> sound = check_choices(*choices);
+    if (!sound) {
+      status = complain(sound.error(), exit_usage);
+    } else if (choices->many()) {
+      const RandomRuns runs{choices->cell,  choices->arm,  choices->first_seed,
+                            choices->seeds, choices->jobs, choices->json};
+      status = run_random(runs);
+    } else {
+      status = run_demo(*choices);
+    }
+  });
+}
+
+}  // namespace pizarra

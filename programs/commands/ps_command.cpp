@@ -1,0 +1,106 @@
+// `ps`: the processes and agents of the cells that run here.
+
+#include <algorithm>
+#include <fmt/format.h>
+
+#include "programs/command_line/key_option.hpp"
+#include "programs/command_line/command_tools.hpp"
+#include "agents/launcher/run_directory.hpp"
+#include "programs/commands/commands.hpp"
+#include "agents/runtime/declared.hpp"
+#include "blackboard/client/remote_board.hpp"
+#include "blackboard/time/real_executor.hpp"
+#include "lisp/json.hpp"
+
+namespace pizarra {
+
+namespace {
+
+struct OnBoard {
+  std::vector<Fact> agents;
+  std::vector<Fact> refusals;  // board-refusal
+};
+
+// What the board says, or nothing of what it does not answer in time.
+Task<void> list_facts(RemoteBoard& board, OnBoard* out) {
+  Datum agent = list("agent"_sym, "?"_sym, "?"_sym, "?"_sym);
+  Result<std::vector<Fact>> agents = co_await facts_if_declared(board, std::move(agent));
+  if (agents) out->agents = std::move(*agents);
+  if (!board.connected()) co_return;
+  Datum refusal = list("board-refusal"_sym, "?"_sym, "?"_sym, "?"_sym, "?"_sym);
+  Result<std::vector<Fact>> refusals = co_await board.facts(std::move(refusal));
+  if (refusals) out->refusals = std::move(*refusals);
+}
+
+OnBoard facts_on(const RunState& run) {
+  RealExecutor executor;
+  OnBoard facts;
+  const Result<std::optional<ClientKeys>> keys = keys_from(run.key);
+  if (!keys) return facts;
+  const auto board = RemoteBoard::connect(executor, run.board_address, "ps", 2s, *keys);
+  if (!board) return facts;
+  const Job job = executor.spawn(list_facts(**board, &facts));
+  executor.run_until([&job] { return job.done(); });
+  return facts;
+}
+
+// Of (board-refusal CLIENT SYMBOL COUNT SENTENCE).
+void print_refusal(const RunState& run, const Datum& refusal, bool json) {
+  const std::string_view client = refusal[1].text();
+  const std::int64_t count = refusal[3].integer();
+  if (json) {
+    fmt::print("{{\"cell\":{},\"refused\":{},\"symbol\":{},\"count\":{},\"newest\":{}}}\n", json_string(run.cell),
+               json_string(client), json_string(refusal[2].text()), count, json_string(refusal[4].text()));
+    return;
+  }
+  fmt::print("  refused {} {}, {}: {}\n", client.empty() ? "who said no hello" : client,
+             counted(static_cast<std::size_t>(count), "time"), refusal[2].text(), refusal[4].text());
+}
+
+void print_run(const RunState& run, bool json) {
+  OnBoard on_board = facts_on(run);
+  std::vector<Fact>& agents = on_board.agents;
+  if (!json)
+    fmt::print("cell {} on {}, process {}, board {}\n", run.cell, run.host, run.supervisor_pid, run.board_address);
+  const auto print = [&](std::string_view name, std::string_view kind, std::string_view host,
+                         const RunProcess* process) {
+    if (json) {
+      fmt::print("{{\"cell\":{},\"name\":{},\"kind\":{},\"host\":{},\"pid\":{},\"restarts\":{}}}\n",
+                 json_string(run.cell), json_string(name), json_string(kind), json_string(host),
+                 process ? process->pid : 0, process ? process->restarts : 0);
+      return;
+    }
+    const std::string pid = process && process->pid != 0 ? std::to_string(process->pid) : "-";
+    const auto restarts = static_cast<std::size_t>(process ? process->restarts : 0);
+    fmt::print("  {:<14} {:<12} {:<12} {:>8}  {}\n", name, kind, host, pid, counted(restarts, "restart"));
+  };
+  for (const RunProcess& process : run.processes) {
+    const auto fact =
+        std::ranges::find_if(agents, [&](const Fact& agent) { return agent.datum[1].text() == process.name; });
+    const bool infrastructure = process.name == "board" || process.name == "world";
+    const std::string_view absent = infrastructure ? "" : "(absent)";
+    print(process.name, fact == agents.end() ? absent : fact->datum[2].text(), run.host, &process);
+    if (fact != agents.end()) agents.erase(fact);
+  }
+  for (const Fact& agent : agents) print(agent.datum[1].text(), agent.datum[2].text(), agent.datum[3].text(), nullptr);
+  for (const Fact& refusal : on_board.refusals) print_refusal(run, refusal.datum, json);
+}
+
+int run_ps(bool json) {
+  const std::vector<RunState> runs = running_cells();
+  if (runs.empty() && !json) fmt::print("no cell runs here\n");
+  for (const RunState& run : runs) print_run(run, json);
+  return exit_reached;
+}
+
+}  // namespace
+
+void add_ps_command(CLI::App& app, int& status) {
+  auto json = std::make_shared<bool>(false);
+  CLI::App* ps = app.add_subcommand("ps", "Show the processes and agents of the cells that run here.");
+  ps->add_flag("--json", *json, "One JSON object a line");
+  ps->footer(help_footer("ps --json"));
+  ps->callback([json, &status] { status = run_ps(*json); });
+}
+
+}  // namespace pizarra

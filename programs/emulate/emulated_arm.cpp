@@ -1,0 +1,274 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "programs/command_line/command_tools.hpp"
+#include "programs/emulate/body.hpp"
+#include "programs/emulate/bystander.hpp"
+#include "programs/emulate/devices.hpp"
+#include "blackboard/time/real_executor.hpp"
+#include "blackboard/time/stop_signals.hpp"
+#include "drivers/arm/arm_file.hpp"
+#include "drivers/arm/motoman/ethernet_line.hpp"
+#include "drivers/simulation/controllers/arms/host_control.hpp"
+#include "drivers/simulation/controllers/arms/hses_emulator.hpp"
+#include "drivers/simulation/controllers/arms/simple_emulator.hpp"
+#include "drivers/simulation/controllers/arms/ur_emulator.hpp"
+#include "drivers/line/pty_wire.hpp"
+#include "drivers/line/tcp_port.hpp"
+#include "drivers/line/udp_wire.hpp"
+
+namespace pizarra {
+
+namespace {
+
+// Its line and who answers there; destroying it ends both.
+class Serving {
+ public:
+  virtual ~Serving() = default;
+  virtual std::string where() const = 0;
+};
+
+class HsesServing : public Serving {
+ public:
+  HsesServing(Executor& executor, ArmCabinet& cabinet, std::unique_ptr<UdpPort> port, std::string address)
+      : port_(std::move(port)),
+        address_(std::move(address)),
+        emulator_(cabinet),
+        job_(executor.spawn(serve(executor, emulator_, *port_))) {}
+  std::string where() const override { return fmt::format("udp://{}:{}", address_, port_->port()); }
+
+ private:
+  std::unique_ptr<UdpPort> port_;
+  std::string address_;
+  HsesEmulator emulator_;
+  Job job_;
+};
+
+Result<std::unique_ptr<Serving>> serve_hses(Executor& executor, ArmCabinet& cabinet, const EmulateChoices& choices) {
+  const std::uint16_t wanted = choices.port < 0 ? hses::port : static_cast<std::uint16_t>(choices.port);
+  Result<std::unique_ptr<UdpPort>> port = UdpPort::listen(executor, choices.address, wanted);
+  if (!port) return fail(port);
+  return std::make_unique<HsesServing>(executor, cabinet, std::move(*port), choices.address);
+}
+
+// Ports of one device: its own, any that are free (0), or those from the one asked for on.
+std::vector<std::uint16_t> ports_of(const EmulateChoices& choices, std::initializer_list<std::uint16_t> own) {
+  std::vector<std::uint16_t> ports(own);
+  if (choices.port < 0) return ports;
+  for (std::size_t i = 0; i < ports.size(); ++i) {
+    ports[i] = static_cast<std::uint16_t>(choices.port == 0 ? 0 : choices.port + static_cast<int>(i));
+  }
+  return ports;
+}
+
+Result<std::vector<std::unique_ptr<TcpPort>>> listen_at(Executor& executor, const std::string& address,
+                                                        const std::vector<std::uint16_t>& ports) {
+  std::vector<std::unique_ptr<TcpPort>> listening;
+  for (const std::uint16_t wanted : ports) {
+    Result<std::unique_ptr<TcpPort>> port = TcpPort::listen(executor, address, wanted);
+    if (!port) return fail(port);
+    listening.push_back(std::move(*port));
+  }
+  return listening;
+}
+
+std::string where_tcp(const std::string& address, const std::vector<std::unique_ptr<TcpPort>>& ports) {
+  std::string where = fmt::format("tcp://{}:", address);
+  for (std::size_t i = 0; i < ports.size(); ++i) where += fmt::format("{}{}", i == 0 ? "" : ",", ports[i]->port());
+  return where;
+}
+
+class HostServing : public Serving {
+ public:
+  using Serve = Task<void> (*)(Executor&, HostControl&, ByteWire&);
+  HostServing(Executor& executor, ArmCabinet& cabinet, Serve serve, std::unique_ptr<ByteWire> line, std::string where)
+      : line_(std::move(line)),
+        where_(std::move(where)),
+        control_(cabinet),
+        job_(executor.spawn(serve(executor, control_, *line_))) {}
+  std::string where() const override { return where_; }
+
+ private:
+  std::unique_ptr<ByteWire> line_;
+  std::string where_;
+  HostControl control_;
+  Job job_;
+};
+
+// The Ethernet Server, or the serial line.
+Result<std::unique_ptr<Serving>> serve_host(Executor& executor, ArmCabinet& cabinet, const EmulateChoices& choices) {
+  if (choices.pty) {
+    Result<std::unique_ptr<PtyWire>> line = PtyWire::make(executor);
+    if (!line) return fail(line);
+    std::string where = (*line)->path();
+    return std::make_unique<HostServing>(executor, cabinet, serve_bsc, std::move(*line), std::move(where));
+  }
+  Result<std::vector<std::unique_ptr<TcpPort>>> ports =
+      listen_at(executor, choices.address, ports_of(choices, {ethernet_server_port}));
+  if (!ports) return fail(ports);
+  std::string where = where_tcp(choices.address, *ports);
+  return std::make_unique<HostServing>(executor, cabinet, serve_ethernet_server, std::move(ports->front()),
+                                       std::move(where));
+}
+
+class UrServing : public Serving {
+ public:
+  UrServing(Executor& executor, ArmCabinet& cabinet, std::vector<std::unique_ptr<TcpPort>> ports, std::string address)
+      : ports_(std::move(ports)),
+        address_(std::move(address)),
+        emulator_(cabinet),
+        telling_(executor.spawn(serve_rtde(executor, emulator_, *ports_[0]))),
+        running_(executor.spawn(serve_script(executor, emulator_, *ports_[1]))),
+        answering_(executor.spawn(serve_dashboard(executor, emulator_, *ports_[2]))) {}
+  std::string where() const override { return where_tcp(address_, ports_); }
+
+ private:
+  std::vector<std::unique_ptr<TcpPort>> ports_;
+  std::string address_;
+  UrEmulator emulator_;
+  Job telling_;
+  Job running_;
+  Job answering_;
+};
+
+Result<std::unique_ptr<Serving>> serve_ur(Executor& executor, ArmCabinet& cabinet, const EmulateChoices& choices) {
+  const std::vector<std::uint16_t> wanted = ports_of(choices, {rtde::port, rtde::script_port, rtde::dashboard_port});
+  Result<std::vector<std::unique_ptr<TcpPort>>> ports = listen_at(executor, choices.address, wanted);
+  if (!ports) return fail(ports);
+  return std::make_unique<UrServing>(executor, cabinet, std::move(*ports), choices.address);
+}
+
+class SimpleServing : public Serving {
+ public:
+  SimpleServing(Executor& executor, ArmCabinet& cabinet, SimpleKind kind, std::vector<std::unique_ptr<ByteWire>> lines,
+                std::string where)
+      : lines_(std::move(lines)),
+        where_(std::move(where)),
+        emulator_(cabinet, kind),
+        moving_(executor.spawn(serve_motion(executor, emulator_, *lines_[0]))),
+        telling_(executor.spawn(serve_state(executor, emulator_, *lines_[1]))) {}
+  std::string where() const override { return where_; }
+
+ private:
+  std::vector<std::unique_ptr<ByteWire>> lines_;
+  std::string where_;
+  SimpleEmulator emulator_;
+  Job moving_;
+  Job telling_;
+};
+
+// The C500C's servers count angles the other way round.
+Result<std::unique_ptr<Serving>> serve_c500c(Executor& executor, ArmCabinet& cabinet) {
+  Result<std::unique_ptr<PtyWire>> motion = PtyWire::make(executor);
+  if (!motion) return fail(motion);
+  Result<std::unique_ptr<PtyWire>> state = PtyWire::make(executor);
+  if (!state) return fail(state);
+  const std::string where = (*motion)->path() + "," + (*state)->path();
+  std::vector<std::unique_ptr<ByteWire>> lines;
+  lines.push_back(std::move(*motion));
+  lines.push_back(std::move(*state));
+  const SimpleKind kind{.serial = true, .sign = -1};
+  return std::make_unique<SimpleServing>(executor, cabinet, kind, std::move(lines), where);
+}
+
+Result<std::unique_ptr<Serving>> serve_simple_tcp(Executor& executor, ArmCabinet& cabinet,
+                                                  const EmulateChoices& choices, SimpleKind kind) {
+  const std::vector<std::uint16_t> wanted = ports_of(choices, {simple::motion_port, simple::state_port});
+  Result<std::vector<std::unique_ptr<TcpPort>>> ports = listen_at(executor, choices.address, wanted);
+  if (!ports) return fail(ports);
+  const std::string where = where_tcp(choices.address, *ports);
+  std::vector<std::unique_ptr<ByteWire>> lines;
+  for (std::unique_ptr<TcpPort>& port : *ports) lines.push_back(std::move(port));
+  return std::make_unique<SimpleServing>(executor, cabinet, kind, std::move(lines), where);
+}
+
+Result<std::unique_ptr<Serving>> serve_simple(Executor& executor, ArmCabinet& cabinet, const EmulateChoices& choices) {
+  return choices.pty ? serve_c500c(executor, cabinet) : serve_simple_tcp(executor, cabinet, choices, {});
+}
+
+Result<std::unique_ptr<Serving>> serve_with_track(Executor& executor, ArmCabinet& cabinet,
+                                                  const EmulateChoices& choices) {
+  return serve_simple_tcp(executor, cabinet, choices, {.track = true});
+}
+
+// An arm that can be emulated: its name here, its file among arms/, and who answers for it.
+struct ArmKind {
+  std::string_view name;
+  std::string_view arm;
+  Result<std::unique_ptr<Serving>> (*serve)(Executor&, ArmCabinet&, const EmulateChoices&);
+  int ports = 1;        // one after another, where the first is asked for
+  bool serial = false;  // whether it has serial lines, too
+};
+
+constexpr ArmKind kinds[] = {{"up6", "motoman-up6", serve_hses},
+                             {"up6-nx100", "motoman-up6", serve_host, 1, true},
+                             {"ur5e", "ur5e", serve_ur, 3},
+                             {"f3", "crs-f3", serve_simple, 2, true},
+                             {"f3-track", "crs-f3", serve_with_track, 2}};
+
+std::string in_json(const ArmCabinet& cabinet, const ArmReading& reading) {
+  return fmt::format(
+      "{{\"power\":{},\"servo\":{},\"pendant\":{},\"estop\":{},\"hold\":{},\"alarm\":{},\"override\":{:.0f},"
+      "\"state\":\"{}\",\"joints\":[{:.4f}],\"opening\":{:.2f},\"moves\":{}}}",
+      cabinet.powered(), cabinet.servo(), cabinet.pendant(), cabinet.emergency(),
+      cabinet.pendant_hold() || cabinet.command_hold(), cabinet.alarm(), cabinet.speed_override() * 100,
+      reading.moving ? "moving" : "still", fmt::join(reading.joints, ","), reading.opening_mm, cabinet.moves());
+}
+
+std::string in_words(const ArmCabinet& cabinet, const ArmReading& reading) {
+  std::string line =
+      fmt::format("power {}, servo {}", cabinet.powered() ? "on" : "off", cabinet.servo() ? "on" : "off");
+  if (cabinet.pendant()) line += ", the pendant has control";
+  if (cabinet.emergency()) line += ", emergency stop";
+  if (cabinet.pendant_hold() || cabinet.command_hold()) line += ", held";
+  if (cabinet.alarm() != 0) line += fmt::format(", alarm {}", cabinet.alarm());
+  if (cabinet.speed_override() < 1) line += fmt::format(", override {:.0f} %", cabinet.speed_override() * 100);
+  return fmt::format("{}, {} at {:.2f}, gripper {:.1f} mm, {} moves", line, reading.moving ? "moving" : "still",
+                     fmt::join(reading.joints, " "), reading.opening_mm, cabinet.moves());
+}
+
+Task<std::string> status(ArmCabinet& cabinet, bool json) {
+  const ArmReading reading = co_await cabinet.read();
+  co_return json ? in_json(cabinet, reading) : in_words(cabinet, reading);
+}
+
+}  // namespace
+
+std::vector<std::string> arm_device_names() {
+  std::vector<std::string> names;
+  for (const ArmKind& kind : kinds) names.emplace_back(kind.name);
+  return names;
+}
+
+int emulate_arm(const EmulateChoices& choices) {
+  const ArmKind& kind = *std::ranges::find(kinds, choices.device, &ArmKind::name);
+  if (choices.pty && !kind.serial) {
+    const Failure useless{"bad-option", choices.device + " is on a network, not at a serial line", {}, {}};
+    return complain(useless, exit_usage);
+  }
+  const Result<ArmModel> model = shipped_arm(kind.arm);
+  if (!model) return complain(model.error(), exit_usage);
+  RealExecutor executor;
+  const StopSignals signals(executor);
+  Body body(executor, *model, choices.world);
+  ArmCabinet cabinet(executor, body.arm(), *model);
+  const int last = choices.port + kind.ports - 1;
+  constexpr int highest = 65535;
+  if (last > highest) {
+    const Failure beyond{
+        "bad-option",
+        fmt::format("{} has {} ports, and from {} on there are not so many", choices.device, kind.ports, choices.port),
+        {},
+        {}};
+    return complain(beyond, exit_usage);
+  }
+  const Result<std::unique_ptr<Serving>> serving = kind.serve(executor, cabinet, choices);
+  if (!serving) return complain(serving.error(), exit_unavailable);
+  say_where(choices, (*serving)->where());
+  const Bystander bystander(executor, {.obey = [&](std::string_view words) { return cabinet.obey(words); },
+                                       .status = [&] { return status(cabinet, choices.json); }});
+  executor.run_until([] { return false; });
+  return exit_reached;
+}
+
+}  // namespace pizarra

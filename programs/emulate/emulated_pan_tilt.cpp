@@ -1,0 +1,83 @@
+#include <fmt/format.h>
+
+#include "programs/command_line/command_tools.hpp"
+#include "programs/emulate/bystander.hpp"
+#include "programs/emulate/devices.hpp"
+#include "blackboard/time/real_executor.hpp"
+#include "blackboard/time/stop_signals.hpp"
+#include "drivers/simulation/controllers/serve.hpp"
+#include "drivers/line/pty_wire.hpp"
+#include "drivers/line/tcp_port.hpp"
+
+namespace pizarra {
+
+namespace {
+
+constexpr std::uint16_t own_port = 4000;
+
+struct Line {
+  std::unique_ptr<ByteWire> wire;
+  std::string where;  // what a driver opens
+};
+
+Result<Line> make_line(Executor& executor, const EmulateChoices& choices) {
+  if (choices.pty) {
+    Result<std::unique_ptr<PtyWire>> line = PtyWire::make(executor);
+    if (!line) return fail(line);
+    std::string path = (*line)->path();
+    return Line{std::move(*line), std::move(path)};
+  }
+  const std::uint16_t wanted = choices.port < 0 ? own_port : static_cast<std::uint16_t>(choices.port);
+  Result<std::unique_ptr<TcpPort>> port = TcpPort::listen(executor, choices.address, wanted);
+  if (!port) return fail(port);
+  std::string where = fmt::format("tcp://{}:{}", choices.address, (*port)->port());
+  return Line{std::move(*port), std::move(where)};
+}
+
+Result<void> obey(PtuEmulator& unit, std::string_view words) {
+  if (words != "power on" && words != "power off") {
+    return fail("unknown-command", fmt::format("nobody here understands '{}': power on, power off, status", words));
+  }
+  unit.power(words == "power on");
+  return {};
+}
+
+std::string status(PtuEmulator& unit, bool json) {
+  const char* moves = unit.moving() ? "moving" : "still";
+  if (json) {
+    return fmt::format("{{\"power\":{},\"pan\":{:.4f},\"tilt\":{:.4f},\"state\":\"{}\"}}", unit.powered(),
+                       unit.pan_deg(), unit.tilt_deg(), moves);
+  }
+  return fmt::format("power {}, pan {:.2f} tilt {:.2f} degrees, {}", unit.powered() ? "on" : "off", unit.pan_deg(),
+                     unit.tilt_deg(), moves);
+}
+
+Task<std::string> say_status(PtuEmulator& unit, bool json) { co_return status(unit, json); }
+
+}  // namespace
+
+std::vector<std::string> pan_tilt_names() {
+  std::vector<std::string> names;
+  for (const PtuModel& model : ptu_models()) names.emplace_back(model.name);
+  return names;
+}
+
+int emulate_pan_tilt(const EmulateChoices& choices) {
+  if (!choices.world.empty()) {
+    const Failure useless{"bad-option", "a pan-tilt unit of `emulate` moves nothing of a simulated world", {}, {}};
+    return complain(useless, exit_usage);
+  }
+  RealExecutor executor;
+  const StopSignals signals(executor);
+  PtuEmulator unit(executor, *find_ptu_model(choices.device));
+  const Result<Line> line = make_line(executor, choices);
+  if (!line) return complain(line.error(), exit_unavailable);
+  const Job serving = executor.spawn(serve(executor, unit, *line->wire));
+  say_where(choices, line->where);
+  const Bystander bystander(executor, {.obey = [&](std::string_view words) { return obey(unit, words); },
+                                       .status = [&] { return say_status(unit, choices.json); }});
+  executor.run_until([] { return false; });
+  return exit_reached;
+}
+
+}  // namespace pizarra

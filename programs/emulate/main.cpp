@@ -1,0 +1,108 @@
+// pizarra-emulate: a device's controller as a program, at the end of a line that drivers open like the real one's.
+
+#include <algorithm>
+#include <fmt/format.h>
+
+#include "programs/command_line/command_line.hpp"
+#include "programs/command_line/command_tools.hpp"
+#include "programs/emulate/devices.hpp"
+#include "lisp/json.hpp"
+
+namespace pizarra {
+
+void say_where(const EmulateChoices& choices, const std::string& where) {
+  if (choices.json) {
+    fmt::print("{{\"emulates\":{},\"at\":{}}}\n", json_string(choices.device), json_string(where));
+  } else {
+    fmt::print("{} at {}\n", choices.device, where);
+  }
+  std::fflush(stdout);
+}
+
+namespace {
+
+int emulate(const EmulateChoices& choices) {
+  const std::vector<std::string> units = pan_tilt_names();
+  const bool unit = std::ranges::find(units, choices.device) != units.end();
+  if (choices.device == gripper_name) return emulate_gripper(choices);
+  return unit ? emulate_pan_tilt(choices) : emulate_arm(choices);
+}
+
+constexpr const char* udp_device = "up6";
+
+CLI::Option* add_port(CLI::App* word, const char* name, int& port, const char* help) {
+  return word->add_option(name, port, help)->check(CLI::Range(0, 65535));
+}
+
+std::vector<std::string> device_names() {
+  std::vector<std::string> names = pan_tilt_names();
+  std::ranges::copy(arm_device_names(), std::back_inserter(names));
+  names.emplace_back(gripper_name);
+  return names;
+}
+
+void add_emulate_command(CLI::App& app, int& status) {
+  auto choices = std::make_shared<EmulateChoices>();
+  CLI::App* emulating = app.add_subcommand(
+      "emulate",
+      "A device's controller without the device, for drivers to be tried on: it speaks the device's own protocol,\n"
+      "keeps state, moves in time, and refuses what the device refuses. Until Ctrl-C.");
+  emulating
+      ->add_option(
+          "device", choices->device,
+          "Which: a pan-tilt unit, ptu46-17.5 or ptu46-70; an arm, up6 (High Speed Ethernet Server), up6-nx100 "
+          "(Ethernet Server, or a serial line), ur5e (RTDE, URScript, dashboard), f3 (ROS-Industrial "
+          "simple_message) or f3-track (with its track); or gripper (Modbus TCP)")
+      ->required()
+      ->check(CLI::IsMember(device_names()));
+  CLI::Option* pty =
+      emulating->add_flag("--pty", choices->pty,
+                          "At a pseudo-terminal, opened like a serial line; f3 at two, motion and state, as a C500C's");
+  CLI::Option* tcp =
+      add_port(emulating, "--tcp", choices->port,
+               "At this TCP port, and those after it where it has several; 0 takes any that are free; otherwise the "
+               "device's own: 4000 of pan-tilt units, 80 of up6-nx100, 30004, 30002 and 29999 of ur5e, 11000 and "
+               "11002 of f3 and f3-track, 502 of gripper");
+  CLI::Option* udp = add_port(emulating, "--udp", choices->port, "The same of up6, which is at a UDP port: 10040");
+  tcp->excludes(pty)->excludes(udp);
+  udp->excludes(pty);
+  emulating->add_option("--address", choices->address, "Where its port listens; only this machine otherwise")
+      ->capture_default_str()
+      ->excludes(pty);
+  emulating
+      ->add_option("--world", choices->world,
+                   "The arm moved is the simulated world's that listens there, ipc://PATH, as `world` and `up` "
+                   "have one")
+      ->check([](const std::string& text) {
+        return text.starts_with("ipc://") ? std::string() : "a simulated world is at ipc://PATH";
+      });
+  emulating->add_flag("--json", choices->json, "One JSON object a line");
+  emulating->footer(help_footer(
+      "emulate ptu46-17.5 --tcp 4000",
+      "What somebody beside the device does is typed, a line each: `power off`, `power on`, `status`; of\n"
+      "an arm also `estop`, `pendant`, `hold` and `servo` with `on` or `off`, `alarm CODE`, `override PERCENT`;\n"
+      "of a gripper also `fault CODE` and `refuse CODE`.\n"
+      "Exit status: 0 interrupted; 2 a wrong word or option; 4 no terminal or port to be had."));
+  emulating->callback([choices, tcp, udp, &status] {
+    const bool by_udp = choices->device == udp_device;
+    const CLI::Option* other = by_udp ? tcp : udp;
+    if (other->count() == 0) {
+      status = emulate(*choices);
+      return;
+    }
+    const std::string sentence = fmt::format("{} is at a {} port, which {} says", choices->device,
+                                             by_udp ? "UDP" : "TCP", by_udp ? "--udp" : "--tcp");
+    status = complain(Failure{"bad-option", other->get_name() + ": " + sentence, {}, {}}, exit_usage);
+  });
+}
+
+}  // namespace
+}  // namespace pizarra
+
+int main(int argc, char** argv) {
+  CLI::App app("Pizarra, a blackboard for robot cells.", "pizarra");
+  app.require_subcommand(1);
+  int status = pizarra::exit_reached;
+  pizarra::add_emulate_command(app, status);
+  return pizarra::run_program(app, argc, argv, status);
+}

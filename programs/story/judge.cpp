@@ -1,0 +1,154 @@
+#include "programs/story/judge.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "agents/planner/judge/breadth_first.hpp"
+
+namespace pizarra {
+
+namespace {
+
+// Wider than any cube.
+constexpr double open_gripper_mm = 100;
+constexpr double below_table_mm = 0;
+// In cubes. The middle is half a cube above what it stands on, and 0.87 when it stands on a corner.
+constexpr double on_table = 0.92;
+constexpr double higher_than_support = 0.5;
+constexpr double touching = 1.5;
+
+bool is_lost(const Truth::Cube& cube) { return cube.gone || cube.z_mm < below_table_mm; }
+
+// Neither it nor what it stands on leans, falls or is carried.
+bool is_firm(const Truth& truth, const Truth::Cube& cube) {
+  const auto below = truth.cubes.find(cube.on);
+  return !cube.loose && (below == truth.cubes.end() || is_firm(truth, below->second));
+}
+
+double distance_mm(const Truth::Cube& a, const Truth::Cube& b) {
+  return std::hypot(a.x_mm - b.x_mm, a.y_mm - b.y_mm, a.z_mm - b.z_mm);
+}
+
+std::vector<Datum> folded(const std::vector<Datum>& facts) {
+  std::vector<Datum> out;
+  for (const Datum& fact : facts) out.push_back(in_small_letters(fact));
+  return out;
+}
+
+PlanningOperator planning_operator(const Operator& from) {
+  PlanningOperator to{from.name, {}, folded(from.preconds), folded(from.adds), folded(from.deletes)};
+  for (const TypedName& param : from.params) {
+    to.parameters.push_back({std::string(in_small_letters(Datum::symbol(param.name)).text()), param.type});
+  }
+  return to;
+}
+
+}  // namespace
+
+Result<Judge> Judge::make(const Domain& domain, double cube_mm) {
+  Arities arities;
+  for (const Predicate& predicate : domain.predicates) {
+    arities.emplace_back(predicate.name, predicate.arguments.size());
+  }
+  Result<Perception> perception = Perception::read(domain.source, arities);
+  if (!perception) return fail(perception);
+  perception->set_constant("cube", cube_mm);
+  return Judge(domain, std::move(*perception), cube_mm);
+}
+
+// As the eyes and the gripper would measure it without any error: a mark is on the cube's front face.
+std::vector<Datum> Judge::measured(const Truth& truth) const {
+  std::vector<Datum> out;
+  bool held = false;
+  for (const auto& [name, cube] : truth.cubes) {
+    if (cube.gone || !is_firm(truth, cube)) continue;
+    const double mark_x_mm = cube.x_mm + cube_mm_ / 2;
+    out.push_back(list("seen"_sym, Datum::symbol(name), mark_x_mm, cube.y_mm, cube.z_mm));
+    if (!cube.held) continue;
+    held = true;
+    out.push_back(list("grip"_sym, mark_x_mm, cube.y_mm, cube.z_mm));
+  }
+  out.push_back(list("gripper"_sym, held ? cube_mm_ : open_gripper_mm));
+  return out;
+}
+
+Result<std::vector<Datum>> Judge::facts(const Truth& truth) const {
+  const Result<std::vector<Datum>> perceived = perception_.perceive(measured(truth), {});
+  if (!perceived) return perceived;
+  std::vector<Datum> out;
+  for (const Datum& fact : *perceived) {
+    if (domain_.find_predicate(fact.head())) out.push_back(in_small_letters(fact));
+  }
+  std::ranges::sort(out);
+  return out;
+}
+
+bool Judge::holds(const std::vector<Datum>& goal, const std::vector<Datum>& facts) {
+  return std::ranges::all_of(
+      goal, [&](const Datum& fact) { return std::ranges::binary_search(facts, in_small_letters(fact)); });
+}
+
+// The nearest cube that a loose one can lie on; empty: the table.
+std::string Judge::support_of(const Truth& truth, const Truth::Cube& loose) const {
+  std::string support;
+  double nearest_mm = touching * cube_mm_;
+  if (loose.z_mm < on_table * cube_mm_) return support;
+  for (const auto& [name, cube] : truth.cubes) {
+    const bool under = !is_lost(cube) && loose.z_mm - cube.z_mm > higher_than_support * cube_mm_ && !cube.held;
+    if (!under || distance_mm(loose, cube) >= nearest_mm) continue;
+    nearest_mm = distance_mm(loose, cube);
+    support = name;
+  }
+  return support;
+}
+
+// Every cube that is loose put squarely where it lies, the lowest first: others may lie on it.
+Truth Judge::squared(Truth truth) const {
+  std::vector<std::pair<double, std::string>> by_height;
+  for (const auto& [name, cube] : truth.cubes) {
+    if (!is_lost(cube)) by_height.emplace_back(cube.z_mm, name);
+  }
+  std::ranges::sort(by_height);
+  const Truth as_it_lies = truth;
+  for (const auto& [height, name] : by_height) {
+    Truth::Cube& cube = truth.cubes.at(name);
+    const std::string support = cube.loose ? support_of(as_it_lies, cube) : cube.on;
+    if (support.empty() && !cube.loose) continue;
+    if (support.empty()) {
+      cube.z_mm = cube_mm_ / 2;
+    } else {
+      const Truth::Cube& below = truth.cubes.at(support);
+      if (cube.loose) cube.x_mm = below.x_mm;
+      if (cube.loose) cube.y_mm = below.y_mm;
+      cube.z_mm = below.z_mm + cube_mm_;
+    }
+    cube.on = support;
+    cube.loose = false;
+  }
+  return truth;
+}
+
+Result<std::vector<Datum>> Judge::as_a_person_would_say(const Truth& truth) const { return facts(squared(truth)); }
+
+Result<bool> Judge::plan_exists(const std::vector<Datum>& goal, const Truth& truth) const {
+  const Result<std::vector<Datum>> said = as_a_person_would_say(truth);
+  if (!said) return fail(said);
+  PlanningTask task;
+  for (const Operator& from : domain_.operators) task.operators.push_back(planning_operator(from));
+  for (const auto& [name, cube] : truth.cubes) {
+    if (!is_lost(cube)) task.objects.push_back({Datum::symbol(name), perception_.sees()});
+  }
+  for (const TypedName& object : domain_.objects) {
+    task.objects.push_back({in_small_letters(Datum::symbol(object.name)), object.type});
+  }
+  task.initials = *said;
+  for (const Datum& fact : folded(domain_.facts)) {
+    if (!std::ranges::binary_search(*said, fact)) task.initials.push_back(fact);
+  }
+  task.goals = folded(goal);
+  const Result<bool> possible = any_plan(task);
+  if (!possible && possible.error().symbol == "unknown-object") return false;
+  return possible;
+}
+
+}  // namespace pizarra

@@ -1,0 +1,48 @@
+#pragma once
+
+// The judge: what a domain's predicates truly are in the simulated world, and whether a goal could be had from there.
+//
+//   Result<Judge> judge = Judge::make(domain, 60);
+//   Result<std::vector<Datum>> facts = judge->facts(truth);
+//   Judge::holds(goal, *facts);
+//   Result<bool> possible = judge->plan_exists(goal, truth);
+//
+// Names are compared without case: facts come out in small letters.
+
+#include <string>
+#include <vector>
+
+#include "programs/story/world_state.hpp"
+#include "lisp/forms/domain.hpp"
+#include "lisp/forms/perception.hpp"
+
+namespace pizarra {
+
+class Judge {
+ public:
+  // Of a cell with cubes of that size. Failures: those of the domain's perception section.
+  static Result<Judge> make(const Domain& domain, double cube_mm);
+
+  // What the domain's own perception rules find where everything that stands firmly or is held is seen truly. A cube
+  // that leans, falls or is carried by a hand is in no state that a predicate names, nor is what stands on it. Sorted.
+  Result<std::vector<Datum>> facts(const Truth& truth) const;
+  static bool holds(const std::vector<Datum>& goal, const std::vector<Datum>& facts);
+  // As facts(), each cube that leans or lies askew taken to stand squarely on what it lies on, or on the table: what a
+  // person would say of it. Sorted.
+  Result<std::vector<Datum>> as_a_person_would_say(const Truth& truth) const;
+  // By breadth-first search over whole states, from what a person would say. A goal with an object that is gone, or
+  // below the table, has no plan. Failure: gave-up.
+  Result<bool> plan_exists(const std::vector<Datum>& goal, const Truth& truth) const;
+
+ private:
+  Judge(Domain domain, Perception perception, double cube_mm)
+      : domain_(std::move(domain)), perception_(std::move(perception)), cube_mm_(cube_mm) {}
+  std::vector<Datum> measured(const Truth& truth) const;
+  std::string support_of(const Truth& truth, const Truth::Cube& loose) const;
+  Truth squared(Truth truth) const;
+  Domain domain_;
+  Perception perception_;
+  double cube_mm_;
+};
+
+}  // namespace pizarra

@@ -1,0 +1,170 @@
+#include "programs/story/random_story.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <string_view>
+#include <utility>
+
+namespace pizarra {
+
+namespace {
+
+// Every cube has its share of the row, and a pile stands in the middle of one, a little off.
+constexpr double off_x_mm = 25;
+constexpr double off_y_mm = 6;
+constexpr double off_yaw_deg = 10;
+constexpr double latest_disturbance_s = 20;
+constexpr double within_s = 400;
+constexpr double agent_away_s = 3;
+
+using Piles = std::vector<std::vector<std::string>>;  // each from the bottom up
+
+template <class T>
+void shuffle(std::vector<T>& items, Random& random) {
+  for (std::size_t i = items.size(); i > 1; --i) std::swap(items[i - 1], items[random.below(i)]);
+}
+
+Piles random_piles(std::vector<std::string> names, Random& random) {
+  shuffle(names, random);
+  Piles piles;
+  for (const std::string& name : names) {
+    const std::uint64_t pile = random.below(piles.size() + 1);
+    if (pile == piles.size()) piles.emplace_back();
+    piles[pile].push_back(name);
+  }
+  return piles;
+}
+
+double share_mm(const CellDescription& cell) {
+  return (cell.row.y_high_mm - cell.row.y_low_mm) / static_cast<double>(cell.cubes.size());
+}
+
+std::vector<CubePlacement> place_piles(const Piles& piles, const CellDescription& cell, Random& random) {
+  std::vector<double> middles_mm;
+  for (std::size_t i = 0; i < cell.cubes.size(); ++i) {
+    middles_mm.push_back(cell.row.y_low_mm + (static_cast<double>(i) + 0.5) * share_mm(cell));
+  }
+  shuffle(middles_mm, random);
+  std::vector<CubePlacement> out;
+  for (std::size_t i = 0; i < piles.size(); ++i) {
+    const double x_mm = cell.row.x_mm + random.uniform(-off_x_mm, off_x_mm);
+    const double y_mm = middles_mm[i] + random.uniform(-off_y_mm, off_y_mm);
+    std::string below;
+    for (const std::string& name : piles[i]) {
+      CubePlacement cube = *std::ranges::find(cell.cubes, name, &CubePlacement::name);
+      cube.x_mm = x_mm;
+      cube.y_mm = y_mm;
+      cube.yaw_deg = random.uniform(-off_yaw_deg, off_yaw_deg);
+      cube.on = below;
+      below = name;
+      out.push_back(std::move(cube));
+    }
+  }
+  return out;
+}
+
+Datum on(const std::string& upper, const std::string& lower) {
+  return list("on"_sym, Datum::symbol(upper), Datum::symbol(lower));
+}
+
+// Whether a pile has this cube right above the other.
+bool stands_on(const Piles& piles, std::string_view upper, std::string_view lower) {
+  return std::ranges::any_of(piles, [&](const std::vector<std::string>& pile) {
+    const auto below = std::ranges::find(pile, lower);
+    return below != pile.end() && below + 1 != pile.end() && *(below + 1) == upper;
+  });
+}
+
+// What an arrangement of all cubes says of which stands on which, and at times of what stands on the table. It differs
+// from the start, so that there is something to do.
+std::vector<Datum> random_goal(const std::vector<std::string>& names, const Piles& start, Random& random) {
+  std::vector<Datum> goal;
+  bool differs = false;
+  while (!differs) {
+    goal.clear();
+    for (const auto& pile : random_piles(names, random)) {
+      for (std::size_t i = 1; i < pile.size(); ++i) {
+        goal.push_back(on(pile[i], pile[i - 1]));
+        differs = differs || !stands_on(start, pile[i], pile[i - 1]);
+      }
+      if (random.below(4) == 0) goal.push_back(list("on-table"_sym, Datum::symbol(pile.front())));
+    }
+  }
+  return goal;
+}
+
+Datum hand(std::string_view operation, const std::string& name, std::vector<Datum> more) {
+  std::vector<Datum> items{"hand"_sym, Datum::symbol(operation), Datum::symbol(name)};
+  items.insert(items.end(), more.begin(), more.end());
+  return Datum::list(std::move(items));
+}
+
+Datum whole_mm(double value) { return Datum::integer(static_cast<std::int64_t>(value)); }
+
+std::vector<Datum> random_disturbance(std::vector<std::string> names, const CubeRow& row, Random& random) {
+  shuffle(names, random);
+  const std::string& target = names[0];
+  switch (random.below(8)) {
+    case 0:
+      return {hand("push", target, {whole_mm(random.uniform(-20, 20)), whole_mm(random.uniform(-60, 60))})};
+    case 1:
+      return {hand("place", target,
+                   {whole_mm(row.x_mm + random.uniform(-off_x_mm, off_x_mm)),
+                    whole_mm(random.uniform(row.y_low_mm, row.y_high_mm))})};
+    case 2:
+      return {hand("stack", target, {Datum::symbol(names[1])})};
+    case 3:
+      return {hand("steal", target, {})};
+    case 4:
+      return {hand("remove", target, {})};
+    case 5:
+      return {hand("knock", target, {})};
+    default:
+      break;
+  }
+  const std::vector<Datum> agents{"robot"_sym, "vision"_sym, "planner"_sym, "coordinator"_sym};
+  const Datum& agent = agents[random.below(agents.size())];
+  return {list("kill"_sym, agent), list("wait"_sym, agent_away_s), list("restart"_sym, agent)};
+}
+
+}  // namespace
+
+Result<void> check_random_cell(const CellDescription& cell, const Domain& domain) {
+  if (cell.cubes.size() < 2 || share_mm(cell) < cell.openings.wide_mm) {
+    return fail("bad-cell",
+                fmt::format("random stories are about 2 cubes or more with {} mm of the row each, and this "
+                            "cell has {} and a row of {} mm",
+                            cell.openings.wide_mm, cell.cubes.size(), cell.row.y_high_mm - cell.row.y_low_mm));
+  }
+  for (const auto& [name, arguments] : {std::pair("on", 2U), std::pair("on-table", 1U)}) {
+    const auto found = std::ranges::find(domain.predicates, name, &Predicate::name);
+    if (found != domain.predicates.end() && found->arguments.size() == arguments) continue;
+    return fail("bad-cell",
+                fmt::format("random goals are about on and on-table, and the domain {} has no {}", domain.name, name));
+  }
+  return {};
+}
+
+RandomStory random_story(CellDescription cell, Random random) {
+  std::vector<std::string> names;
+  for (const CubePlacement& cube : cell.cubes) names.push_back(cube.name);
+  Random start = random.split("start");
+  Random wish = random.split("goal");
+  Random trouble = random.split("disturbance");
+
+  RandomStory story;
+  story.cell = std::move(cell);
+  const Piles piles = random_piles(names, start);
+  story.cell.cubes = place_piles(piles, story.cell, start);
+  story.scenario.name = "random";
+  story.scenario.goal = random_goal(names, piles, wish);
+  story.scenario.within_s = within_s;
+  const double at_s = trouble.uniform(0, latest_disturbance_s);
+  std::vector<Datum> actions{list("wait"_sym, at_s)};
+  const std::vector<Datum> disturbance = random_disturbance(names, story.cell.row, trouble);
+  actions.insert(actions.end(), disturbance.begin(), disturbance.end());
+  story.scenario.events.push_back({list("goal-state"_sym, "?"_sym, "running"_sym, "?"_sym), std::move(actions)});
+  return story;
+}
+
+}  // namespace pizarra

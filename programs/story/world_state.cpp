@@ -1,0 +1,60 @@
+#include "programs/story/world_state.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+namespace pizarra {
+
+namespace {
+
+constexpr Duration link_timeout = 5s;
+
+std::string small(std::string_view text) {
+  std::string out(text);
+  std::ranges::transform(out, out.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return out;
+}
+
+// (cube NAME X Y Z YAW TILT STATE VISIBLE)
+Truth::Cube cube_from_datum(const Datum& item) {
+  const Datum& state = item[7];
+  return {.x_mm = item[2].number(),
+          .y_mm = item[3].number(),
+          .z_mm = item[4].number(),
+          .gone = state.is_symbol("gone"),
+          .held = state.is_symbol("held"),
+          .on = state.is_form("on") ? small(state[1].text()) : "",
+          .loose = state.is_symbol("loose") || state.is_symbol("carried"),
+          .visible = item[8].number()};
+}
+
+}  // namespace
+
+Datum in_small_letters(const Datum& fact) {
+  if (fact.is_symbol() || fact.is_string()) return Datum::symbol(small(fact.text()));
+  if (!fact.is_list()) return fact;
+  std::vector<Datum> items;
+  for (const Datum& item : fact.items()) items.push_back(in_small_letters(item));
+  return Datum::list(std::move(items));
+}
+
+Result<Truth> truth_from_datum(const Datum& head) {
+  Truth truth;
+  for (const Datum& item : head.items()) {
+    if (item.is_form("cube") && item.size() == 9) {
+      truth.cubes.emplace(small(item[1].text()), cube_from_datum(item));
+    } else if (!item.is_form("facts")) {
+      return fail("malformed", "the world's truth has an unknown part", item);
+    }
+  }
+  return truth;
+}
+
+Task<Result<Truth>> read_truth(Link& link) {
+  Datum request = list("truth"_sym);
+  const Result<Message> answer = co_await link.call(std::move(request), link_timeout);
+  if (!answer) co_return fail(answer);
+  co_return truth_from_datum(answer->head);
+}
+
+}  // namespace pizarra

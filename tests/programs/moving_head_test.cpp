@@ -1,0 +1,121 @@
+// A cell whose cameras stand on a pan-tilt unit: what they saw is placed rightly however the unit has turned them.
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "agents/launcher/local_cell.hpp"
+#include "blackboard/time/virtual_executor.hpp"
+#include "lisp/reader.hpp"
+#include "lisp/writer.hpp"
+#include "tests/programs/tapped_cell.hpp"
+#include "tests/source_dir.hpp"
+
+namespace pizarra {
+namespace {
+
+Datum form(std::string_view text) { return read_one(text).value(); }
+
+Task<void> call(Link& link, Datum request, std::optional<Result<Message>>& out) {
+  out = co_await link.call(std::move(request), 20s);
+}
+
+class MovingHead : public testing::Test {
+ protected:
+  void SetUp() override {
+    for (const std::string& kind : agent_kinds(cell.description())) ASSERT_TRUE(cell.start(kind)) << kind;
+    const Result<void> built = teach_and_build(executor, cell.board(), {form("(on circle triangle)")});
+    ASSERT_TRUE(built) << describe(built.error());
+  }
+
+  void ask_head(std::string_view operation) {
+    Transaction request;
+    request.tell(list("request"_sym, Datum::symbol("r" + std::to_string(++asked)), "pan-tilt"_sym, form(operation)));
+    ASSERT_TRUE(cell.board().transact("user", request));
+  }
+  std::optional<Datum> fact_like(std::string_view pattern) {
+    const Result<Answers> answers = cell.board().ask(query_from_datum(form(pattern)).value());
+    if (!answers || answers->answers.empty()) return std::nullopt;
+    return answers->answers.front().facts.front().datum;
+  }
+  Datum ask_world(std::string_view request) {
+    std::optional<Result<Message>> answer;
+    const Job job = executor.spawn(call(cell.link(), form(request), answer));
+    executor.run_until([&] { return answer.has_value(); });
+    EXPECT_TRUE(*answer) << request;
+    return *answer ? (*answer)->head : Datum();
+  }
+  // How far from its mark's true place an object is told to be, mm; 1000 where nothing is told.
+  double error_of(const std::string& name) {
+    const std::optional<Datum> place = fact_like("(place " + name + " ?x ?y ?z ?frame)");
+    if (!place) return 1000;
+    const Datum truth = ask_world("(truth)");
+    for (const Datum& cube : truth.items()) {
+      if (!cube.is_form("cube") || !cube[1].is_symbol(name)) continue;
+      const double yaw = cube[5].number() * M_PI / 180;
+      const double x = cube[2].number() + 30 * std::cos(yaw);
+      const double y = cube[3].number() + 30 * std::sin(yaw);
+      return std::hypot((*place)[2].number() - x, (*place)[3].number() - y, (*place)[4].number() - cube[4].number());
+    }
+    return 1000;
+  }
+  double pan() {
+    const std::optional<Datum> head = fact_like("(head ?p ?t still)");
+    return head ? (*head)[1].number() : 1000;
+  }
+
+  VirtualExecutor executor;
+  LocalCell cell{executor, read_cell_file(source_dir() + "/examples/03-moving-head/cell.scm").value(), 5};
+  int asked = 0;
+};
+
+TEST_F(MovingHead, TheGoalIsReachedAndPlacesStayTrueWhereverTheHeadLooks) {
+  const double before_mm = error_of("square");
+  EXPECT_LT(before_mm, 8);
+  for (const char* turn : {"(set-pan-pos 4)", "(set-tilt-pos -5)", "(set-pan-pos -4)", "(look-ahead)"}) {
+    ask_head(turn);
+    executor.run_for(4s);
+    for (const char* name : {"circle", "triangle", "square", "cross"})
+      EXPECT_LT(error_of(name), 8) << turn << ", " << name;
+  }
+}
+
+TEST_F(MovingHead, WhileItTurnsNothingIsToldToBeElsewhere) {
+  ask_head("(set-pan-speed 2)");
+  ask_head("(set-pan-pos 8)");
+  const Time end = executor.now() + 4s;
+  while (executor.now() < end) {
+    executor.run_for(50ms);
+    ASSERT_LT(error_of("square"), 8);
+  }
+  EXPECT_NEAR(pan(), 8, 0.06);
+}
+
+TEST_F(MovingHead, LooksAtAnObjectAndKeepsItInTheMiddleWhenAHandMovesIt) {
+  ask_head("(look-at cross)");
+  executor.run_for(3s);
+  const double before_deg = pan();
+  ask_world("(hand place cross 560 -60)");
+  executor.run_for(8s);
+  EXPECT_LT(error_of("cross"), 10);
+  EXPECT_LT(pan(), before_deg - 10);
+  const Datum seen = ask_world("(where-seen cross)");
+  ASSERT_EQ(seen.size(), 2U);
+  EXPECT_NEAR(seen[0].number(), 160, 60);
+  EXPECT_NEAR(seen[1].number(), 120, 60);
+}
+
+TEST_F(MovingHead, AHeadThatLosesItsPowerIsWaitedForAndTheCellGoesOn) {
+  ask_head("(set-pan-pos 7)");
+  executor.run_for(300ms);
+  ask_world("(head power off)");
+  executor.run_for(3s);
+  EXPECT_FALSE(fact_like("(head ?p ?t ?s)"));
+  EXPECT_LT(error_of("square"), 8);
+  ask_world("(head power on)");
+  executor.run_for(40s);
+  EXPECT_EQ(pan(), 0);
+  EXPECT_LT(error_of("square"), 8);
+}
+
+}  // namespace
+}  // namespace pizarra
