@@ -119,6 +119,9 @@ class Board {
 
 class Executor;
 
+// How long a caller waits before it asks a board again that was away.
+inline constexpr Duration retry_pause = 200ms;
+
 // Of a transaction that must stand and need not last: what is `not-durable` stands too, since the revision it says.
 Result<Revision> if_it_stands(Result<Revision> told);
 

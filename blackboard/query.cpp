@@ -69,7 +69,8 @@ Result<void> read_option(const Datum& form, Query& query) {
     return {};
   }
   if (form.is_form("at") && form.size() == 2) return read_moment(form[1], query);
-  return bad_query("a query's options are (order ?VARIABLE) or (order (down ?VARIABLE)), (limit COUNT) and (at MOMENT)", form);
+  return bad_query("a query's options are (order ?VARIABLE) or (order (down ?VARIABLE)), (limit COUNT) and (at MOMENT)",
+                   form);
 }
 
 using Variables = std::vector<Datum>;

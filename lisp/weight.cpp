@@ -34,7 +34,8 @@ std::size_t bytes_of(const Datum& datum) {
   if (kind == Datum::Kind::integer || kind == Datum::Kind::real) return longest_number;
   const std::string_view text = datum.text();
   if (kind == Datum::Kind::symbol) return text.size() + 1;
-  return text.size() + static_cast<std::size_t>(std::ranges::count_if(text, [](char c) { return needs_escape(c); })) + 3;
+  return text.size() + static_cast<std::size_t>(std::ranges::count_if(text, [](char c) { return needs_escape(c); })) +
+         3;
 }
 
 Weight weigh_items(std::span<const Datum> items) {

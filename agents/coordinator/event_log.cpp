@@ -7,7 +7,7 @@
 #include "agents/coordinator/retried_commit.hpp"
 #include "lisp/writer.hpp"
 
-namespace pizarra {
+namespace pizarra::coordinator {
 
 namespace {
 
@@ -103,4 +103,4 @@ Task<std::vector<std::string>> Story::why() const {
   co_return sentences;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::coordinator

@@ -12,7 +12,7 @@
 #include "blackboard/board.hpp"
 #include "blackboard/time/executor.hpp"
 
-namespace pizarra {
+namespace pizarra::coordinator {
 
 // How (goal N (FACT ...)) is told, and how the (goal-state N STATE DETAIL) of a goal that has ended.
 std::string goal_sentence(const Datum& goal);
@@ -41,4 +41,4 @@ class Story {
   std::int64_t oldest_ = 1;  // of those that may stand on the board
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::coordinator

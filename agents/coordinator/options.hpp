@@ -11,7 +11,7 @@
 #include "blackboard/time/clock.hpp"
 #include "lisp/forms/cell_file.hpp"
 
-namespace pizarra {
+namespace pizarra::coordinator {
 
 // The gripper and its mark, as they are built.
 struct GripperGeometry {
@@ -19,17 +19,17 @@ struct GripperGeometry {
   double mark_above_grip_mm = 66;
   double mark_before_grip_mm = 30;  // towards the camera
   double finger_mm = 8;
-  GripperOpenings openings;
+  forms::GripperOpenings openings;
   GripperOutline outline;
 };
 
 struct CoordinatorOptions {
   std::string domain_file;
-  CameraPose camera;
+  forms::CameraPose camera;
   bool head = false;  // whether the camera stands on a pan-tilt unit, whose (head ...) fact says how it is turned
   GripperGeometry gripper;
   ServoLimits servo;
-  CubeRow row;                    // where cubes are put down
+  forms::CubeRow row;             // where cubes are put down
   std::optional<double> cube_mm;  // none: those that the domain was written for
   double travel_height_mm = 300;  // of the grip: clears a tower of four
   double release_mm = 1.5;        // above the support, where a held cube is let go
@@ -44,4 +44,4 @@ struct CoordinatorOptions {
   Duration absence_patience = 20s;  // how long an agent that died is waited for
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::coordinator

@@ -1,10 +1,6 @@
 #include "agents/coordinator/retried_commit.hpp"
 
-namespace pizarra {
-
-namespace {
-constexpr Duration retry_pause = 200ms;
-}
+namespace pizarra::coordinator {
 
 Task<Result<Revision>> commit(Board& board, Executor& executor, Transaction transaction) {
   while (true) {
@@ -23,4 +19,4 @@ Task<std::vector<Fact>> facts_now(Board& board, Executor& executor, Datum patter
   }
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::coordinator

@@ -5,7 +5,7 @@
 #include "blackboard/board.hpp"
 #include "blackboard/time/executor.hpp"
 
-namespace pizarra {
+namespace pizarra::coordinator {
 
 // Commits the transaction, however long the board is away, whether it can be made to last or not. Any other failure is
 // ours and is answered.
@@ -14,4 +14,4 @@ Task<Result<Revision>> commit(Board& board, Executor& executor, Transaction tran
 // Every fact that fits, however long the board is away; none where the question itself is wrong.
 Task<std::vector<Fact>> facts_now(Board& board, Executor& executor, Datum pattern);
 
-}  // namespace pizarra
+}  // namespace pizarra::coordinator

@@ -6,7 +6,7 @@
 
 #include "agents/runtime/declared.hpp"
 
-namespace pizarra {
+namespace pizarra::follower {
 
 namespace {
 
@@ -23,7 +23,6 @@ constexpr double nearest_mm = 0.5;      // a leg that is shorter is not begun
 constexpr Duration longest_leg = 60s;   // more than any move within an arm's reach takes
 constexpr Duration stopping_time = 6s;  // more than a robot agent waits for its arm to stand
 constexpr Duration busy_pause = 100ms;  // before the slave is asked again
-constexpr Duration retry_pause = 200ms;
 
 // What the slave answers where it cannot be, rather than cannot go on.
 bool is_limit(const Failure& failure) {
@@ -33,11 +32,11 @@ bool is_limit(const Failure& failure) {
 
 }  // namespace
 
-FollowerAgent::FollowerAgent(AgentContext context, FollowerOptions options)
+FollowerAgent::FollowerAgent(runtime::AgentContext context, FollowerOptions options)
     : context_(std::move(context)),
       options_(std::move(options)),
       changed_(context_.executor),
-      service_(context_, contract_from_text(contract_text).value()),
+      service_(context_, runtime::contract_from_text(contract_text).value()),
       caller_(context_, service_) {}
 
 Task<Result<void>> FollowerAgent::run() {
@@ -52,7 +51,7 @@ Task<Result<void>> FollowerAgent::run() {
   watching_.push_back(executor.spawn(watch(std::move(pose), &FollowerAgent::see_pose)));
   const Result<void> rests = co_await enter(State::resting, std::nullopt, false);
   if (!rests) co_return rests;
-  Handler handler = [this](Datum operation) { return handle(std::move(operation)); };
+  runtime::Handler handler = [this](Datum operation) { return handle(std::move(operation)); };
   co_return co_await service_.serve(std::move(handler));
 }
 
@@ -60,7 +59,7 @@ Task<Result<void>> FollowerAgent::run() {
 Task<void> FollowerAgent::watch(Datum pattern, See see) {
   const Query query = query_for(pattern);
   while (true) {
-    Result<std::unique_ptr<Watch>> watch = co_await watch_when_declared(context_.board, query);
+    Result<std::unique_ptr<Watch>> watch = co_await runtime::watch_when_declared(context_.board, query);
     while (watch) {
       const Result<Change> change = co_await (*watch)->next();
       if (!change) break;
@@ -197,4 +196,4 @@ Task<Result<void>> FollowerAgent::enter(State state, std::optional<Failure> why,
   co_return Result<void>();
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::follower

@@ -22,7 +22,7 @@
 #include "agents/runtime/service.hpp"
 #include "blackboard/time/latch.hpp"
 
-namespace pizarra {
+namespace pizarra::follower {
 
 struct FollowerOptions {
   Eigen::Vector3d offset_mm{0, 0, 0};  // in the slave's base frame, after the mirror
@@ -31,9 +31,9 @@ struct FollowerOptions {
   std::string slave = "slave";
 };
 
-class FollowerAgent : public Agent {
+class FollowerAgent : public runtime::Agent {
  public:
-  FollowerAgent(AgentContext context, FollowerOptions options);
+  FollowerAgent(runtime::AgentContext context, FollowerOptions options);
   Task<Result<void>> run() override;
 
  private:
@@ -56,7 +56,7 @@ class FollowerAgent : public Agent {
   Eigen::Vector3d wanted_mm() const;
   bool at_work() const { return state_ == State::following || state_ == State::limited; }
 
-  AgentContext context_;
+  runtime::AgentContext context_;
   const FollowerOptions options_;
   State state_ = State::resting;
   std::optional<Eigen::Vector3d> master_mm_;
@@ -66,9 +66,9 @@ class FollowerAgent : public Agent {
   WaitList changed_;
   std::vector<Job> watching_;
   Job stopping_;
-  Service service_;
-  Caller caller_;
+  runtime::Service service_;
+  runtime::Caller caller_;
   Job going_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::follower

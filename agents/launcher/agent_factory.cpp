@@ -15,81 +15,83 @@
 #include "agents/speech/speech_agent.hpp"
 #include "agents/vision/agent/vision_agent.hpp"
 #include "drivers/arm/arm_file.hpp"
+#include "drivers/line/serial_wire.hpp"
+#include "drivers/line/tcp_wire.hpp"
 #include "drivers/ptu/ptu_driver.hpp"
 #include "drivers/simulation/head_wire.hpp"
 #include "drivers/simulation/simulated_camera.hpp"
-#include "drivers/line/serial_wire.hpp"
-#include "drivers/line/tcp_wire.hpp"
 #include "lisp/nearest.hpp"
 
-namespace pizarra {
+namespace pizarra::launcher {
 
 namespace {
 
 class WithoutDevice : public BuiltAgent {
  public:
-  explicit WithoutDevice(std::unique_ptr<Agent> agent) : agent_(std::move(agent)) {}
+  explicit WithoutDevice(std::unique_ptr<runtime::Agent> agent) : agent_(std::move(agent)) {}
 
  private:
-  Agent& agent() override { return *agent_; }
-  std::unique_ptr<Agent> agent_;
+  runtime::Agent& agent() override { return *agent_; }
+  std::unique_ptr<runtime::Agent> agent_;
 };
 
 class BuiltRobot : public BuiltAgent {
  public:
-  BuiltRobot(AgentContext context, const ArmLine& line, const ArmModel& model, RobotOptions options, Link& link,
-             std::string_view simulated)
+  BuiltRobot(runtime::AgentContext context, const forms::ArmLine& line, const arm::ArmModel& model,
+             robot::RobotOptions options, simulation::Link& link, std::string_view simulated)
       : device_(make_cell_arm(context.executor, line, model, link, simulated)),
         agent_(std::move(context), device_->driver(), model, options) {}
 
  private:
-  Agent& agent() override { return agent_; }
+  runtime::Agent& agent() override { return agent_; }
   std::unique_ptr<CellArm> device_;
-  RobotAgent agent_;
+  robot::RobotAgent agent_;
 };
 
 // The agent, its driver, and the line to its unit: the simulated one's where the cell names no other.
 class BuiltPanTilt : public BuiltAgent {
  public:
-  BuiltPanTilt(AgentContext context, const CellDescription& description, Link& link)
+  BuiltPanTilt(runtime::AgentContext context, const forms::CellDescription& description, simulation::Link& link)
       : wire_(make_wire(context.executor, description.pan_tilt, link)),
         driver_(context.executor, *wire_, {description.pan_tilt.pan_reversed, description.pan_tilt.tilt_reversed}),
         agent_(std::move(context), driver_, description.camera) {}
 
  private:
-  static std::unique_ptr<ByteWire> make_wire(Executor& executor, const PanTiltLine& line, Link& link) {
-    if (line.kind == "serial") return std::make_unique<SerialWire>(executor, line.where, line.number);
+  static std::unique_ptr<line::ByteWire> make_wire(Executor& executor, const forms::PanTiltLine& line,
+                                                   simulation::Link& link) {
+    if (line.kind == "serial") return std::make_unique<line::SerialWire>(executor, line.where, line.number);
     if (line.kind == "tcp") {
-      return std::make_unique<TcpWire>(executor, line.where, static_cast<std::uint16_t>(line.number));
+      return std::make_unique<line::TcpWire>(executor, line.where, static_cast<std::uint16_t>(line.number));
     }
-    return std::make_unique<HeadWire>(executor, link);
+    return std::make_unique<simulation::HeadWire>(executor, link);
   }
-  Agent& agent() override { return agent_; }
+  runtime::Agent& agent() override { return agent_; }
 
-  std::unique_ptr<ByteWire> wire_;
-  PtuDriver driver_;
-  PanTiltAgent agent_;
+  std::unique_ptr<line::ByteWire> wire_;
+  ptu::PtuDriver driver_;
+  pan_tilt::PanTiltAgent agent_;
 };
 
 // The agent, and the eyes that it looks through.
 class BuiltVision : public BuiltAgent {
  public:
-  BuiltVision(AgentContext context, std::unique_ptr<StereoCamera> camera, Streams* streams, VisionOptions options)
+  BuiltVision(runtime::AgentContext context, std::unique_ptr<camera::StereoCamera> camera, Streams* streams,
+              vision::VisionOptions options)
       : camera_(std::move(camera)), agent_(std::move(context), *camera_, streams, std::move(options)) {}
 
  private:
-  Agent& agent() override { return agent_; }
+  runtime::Agent& agent() override { return agent_; }
 
-  std::unique_ptr<StereoCamera> camera_;
-  VisionAgent agent_;
+  std::unique_ptr<camera::StereoCamera> camera_;
+  vision::VisionAgent agent_;
 };
 
-bool has_pan_tilt(const CellDescription& description) {
+bool has_pan_tilt(const forms::CellDescription& description) {
   return !description.head.empty() || !description.pan_tilt.kind.empty();
 }
 
-CoordinatorOptions coordinator_options(const CellDescription& description) {
-  CoordinatorOptions options;
+coordinator::CoordinatorOptions coordinator_options(const forms::CellDescription& description) {
+  coordinator::CoordinatorOptions options;
   options.domain_file = description.domain_file;
   options.camera = description.camera;
   options.head = has_pan_tilt(description);
@@ -99,40 +101,42 @@ CoordinatorOptions coordinator_options(const CellDescription& description) {
   return options;
 }
 
-std::optional<Room> room_from(const std::optional<CellRoom>& given) {
+std::optional<robot::Room> room_from(const std::optional<forms::CellRoom>& given) {
   if (!given) return {};
   const auto& [low, high] = *given;
-  return Room{{low[0], low[1], low[2]}, {high[0], high[1], high[2]}};
+  return robot::Room{{low[0], low[1], low[2]}, {high[0], high[1], high[2]}};
 }
 
 // The second arm's robot agent, or the one that has it follow the first.
-Result<std::unique_ptr<BuiltAgent>> build_second(const std::string& kind, AgentContext context, const CellSlave& slave,
-                                                 Link& link) {
+Result<std::unique_ptr<BuiltAgent>> build_second(const std::string& kind, runtime::AgentContext context,
+                                                 const forms::CellSlave& slave, simulation::Link& link) {
   if (kind == "follower") {
     const auto& [x_mm, y_mm, z_mm] = slave.offset_mm;
-    const FollowerOptions options{.offset_mm = {x_mm, y_mm, z_mm}, .mirrored = slave.mirrored};
-    return std::make_unique<WithoutDevice>(std::make_unique<FollowerAgent>(std::move(context), options));
+    const follower::FollowerOptions options{.offset_mm = {x_mm, y_mm, z_mm}, .mirrored = slave.mirrored};
+    return std::make_unique<WithoutDevice>(std::make_unique<follower::FollowerAgent>(std::move(context), options));
   }
-  const Result<ArmModel> model = read_arm_file(slave.arm_file);
+  const Result<arm::ArmModel> model = arm::read_arm_file(slave.arm_file);
   if (!model) return fail(model);
   return std::make_unique<BuiltRobot>(std::move(context), slave.line, *model,
-                                      RobotOptions{room_from(slave.room), slave.rate_hz}, link, "second-arm");
+                                      robot::RobotOptions{room_from(slave.room), slave.rate_hz}, link, "second-arm");
 }
 
-std::unique_ptr<BuiltAgent> build_person(AgentContext context, const CellDescription& description, Link& link) {
+std::unique_ptr<BuiltAgent> build_person(runtime::AgentContext context, const forms::CellDescription& description,
+                                         simulation::Link& link) {
   std::vector<std::string> names;
-  for (const CubePlacement& cube : description.cubes) names.push_back(cube.name);
-  return std::make_unique<WithoutDevice>(std::make_unique<PersonAgent>(std::move(context), link, std::move(names)));
+  for (const forms::CubePlacement& cube : description.cubes) names.push_back(cube.name);
+  return std::make_unique<WithoutDevice>(
+      std::make_unique<person::PersonAgent>(std::move(context), link, std::move(names)));
 }
 
-bool has_agent(const CellDescription& description, const std::string& kind) {
+bool has_agent(const forms::CellDescription& description, const std::string& kind) {
   const std::vector<std::string> named = named_agents(description);
   return std::ranges::find(named, kind) != named.end();
 }
 
 // The coordinator brings the gripper over an object by turning axis 1.
-Result<void> check_suits(const CellDescription& description, const ArmModel& arm) {
-  if (arm.axis_of(Role::turn) || !has_agent(description, "coordinator")) return {};
+Result<void> check_suits(const forms::CellDescription& description, const arm::ArmModel& arm) {
+  if (arm.axis_of(arm::Role::turn) || !has_agent(description, "coordinator")) return {};
   return fail("bad-cell",
               fmt::format("the coordinator needs an arm that turns, and the arm {} has no such axis", arm.type),
               Datum::symbol(arm.type));
@@ -154,7 +158,7 @@ std::string kind_fault(const std::string& typed) {
                       : fmt::format("there is no agent {}; did you mean {}?", typed, near);
 }
 
-std::vector<std::string> agent_kinds(const CellDescription& description) {
+std::vector<std::string> agent_kinds(const forms::CellDescription& description) {
   std::vector<std::string> kinds(std::begin(usual_kinds), std::end(usual_kinds));
   if (!has_pan_tilt(description)) std::erase(kinds, "pan-tilt");
   if (!description.eyes.is_simulated()) std::erase(kinds, "person");
@@ -164,13 +168,14 @@ std::vector<std::string> agent_kinds(const CellDescription& description) {
   return kinds;
 }
 
-std::vector<std::string> named_agents(const CellDescription& description) {
+std::vector<std::string> named_agents(const forms::CellDescription& description) {
   std::vector<std::string> kinds;
-  for (const CellHost& host : description.hosts) kinds.insert(kinds.end(), host.agents.begin(), host.agents.end());
+  for (const forms::CellHost& host : description.hosts)
+    kinds.insert(kinds.end(), host.agents.begin(), host.agents.end());
   return kinds;
 }
 
-bool needs_world(const std::string& kind, const CellDescription& description) {
+bool needs_world(const std::string& kind, const forms::CellDescription& description) {
   if (kind == "robot") return description.arm_line.protocol.empty();
   if (kind == "slave") return description.slave && description.slave->line.protocol.empty();
   if (kind == "pan-tilt") return description.pan_tilt.kind.empty();
@@ -178,31 +183,31 @@ bool needs_world(const std::string& kind, const CellDescription& description) {
   return kind == "person";
 }
 
-Result<WorldConfig> world_config(const CellDescription& description, std::uint64_t seed) {
-  WorldConfig config;
-  Result<ArmModel> arm = read_arm_file(description.arm_file);
+Result<simulation::WorldConfig> world_config(const forms::CellDescription& description, std::uint64_t seed) {
+  simulation::WorldConfig config;
+  Result<arm::ArmModel> arm = arm::read_arm_file(description.arm_file);
   if (!arm) return fail(arm);
   const Result<void> suits = check_suits(description, *arm);
   if (!suits) return fail(suits);
   config.arm = std::move(*arm);
   if (description.slave) {
-    Result<ArmModel> second = read_arm_file(description.slave->arm_file);
+    Result<arm::ArmModel> second = arm::read_arm_file(description.slave->arm_file);
     if (!second) return fail(second);
     config.second_arm = std::move(*second);
   }
   config.seed = seed;
   config.cube_mm = description.cube_mm;
-  CameraConfig& camera = config.camera;
+  simulation::CameraConfig& camera = config.camera;
   camera.pose = description.camera;
   camera.head = description.head;
   camera.noise_sigma = description.noise.sensor_grey;
   camera.blur_sigma_px = description.noise.blur_px;
   camera.light_gradient = description.noise.gradient;
-  for (const CubePlacement& cube : description.cubes) {
-    const Mark mark = mark_from_name(cube.mark).value_or(Mark::circle);
+  for (const forms::CubePlacement& cube : description.cubes) {
+    const simulation::Mark mark = simulation::mark_from_name(cube.mark).value_or(simulation::Mark::circle);
     config.cubes.push_back({cube.name, mark, cube.x_mm, cube.y_mm, cube.yaw_deg, cube.on});
   }
-  const Result<void> sound = check(config);
+  const Result<void> sound = simulation::check(config);
   if (!sound) return fail(sound);
   return config;
 }
@@ -212,29 +217,29 @@ Task<void> BuiltAgent::run() {
   ended_ = std::move(ended);
 }
 
-Result<std::unique_ptr<BuiltAgent>> build_agent(const std::string& kind, AgentContext context,
-                                                const CellDescription& description, Link& link, Streams* streams,
-                                                const CameraMaker& own_cameras) {
+Result<std::unique_ptr<BuiltAgent>> build_agent(const std::string& kind, runtime::AgentContext context,
+                                                const forms::CellDescription& description, simulation::Link& link,
+                                                Streams* streams, const CameraMaker& own_cameras) {
   if (kind == "robot") {
-    Result<ArmModel> model = read_arm_file(description.arm_file);
+    Result<arm::ArmModel> model = arm::read_arm_file(description.arm_file);
     if (!model) return fail(model);
     return std::make_unique<BuiltRobot>(std::move(context), description.arm_line, *model,
-                                        RobotOptions{room_from(description.arm_room), description.arm_rate_hz}, link,
-                                        "arm");
+                                        robot::RobotOptions{room_from(description.arm_room), description.arm_rate_hz},
+                                        link, "arm");
   }
   if (kind == "slave" || kind == "follower") {
     if (!description.slave) return fail("unknown-agent", "the cell has no second arm", Datum::symbol(kind));
     return build_second(kind, std::move(context), *description.slave, link);
   }
   if (kind == "vision") {
-    std::unique_ptr<StereoCamera> camera;
+    std::unique_ptr<camera::StereoCamera> camera;
     if (description.eyes.is_simulated()) {
-      camera = std::make_unique<SimulatedCamera>(context.executor, link);
+      camera = std::make_unique<simulation::SimulatedCamera>(context.executor, link);
     } else if (own_cameras) {
       camera = own_cameras(context.executor, description.eyes);
     }
     if (!camera) return fail("no-camera", "this program opens no cameras of one's own", Datum::symbol(kind));
-    VisionOptions options{.objects_directory = description.objects_directory};
+    vision::VisionOptions options{.objects_directory = description.objects_directory};
     return std::make_unique<BuiltVision>(std::move(context), std::move(camera), streams, std::move(options));
   }
   if (kind == "pan-tilt") {
@@ -242,17 +247,17 @@ Result<std::unique_ptr<BuiltAgent>> build_agent(const std::string& kind, AgentCo
     return std::make_unique<BuiltPanTilt>(std::move(context), description, link);
   }
   if (kind == "planner") {
-    return std::make_unique<WithoutDevice>(std::make_unique<PlannerAgent>(std::move(context)));
+    return std::make_unique<WithoutDevice>(std::make_unique<planner::PlannerAgent>(std::move(context)));
   }
   if (kind == "coordinator") {
     return std::make_unique<WithoutDevice>(
-        std::make_unique<CoordinatorAgent>(std::move(context), coordinator_options(description)));
+        std::make_unique<coordinator::CoordinatorAgent>(std::move(context), coordinator_options(description)));
   }
   if (kind == "speech") {
-    return std::make_unique<WithoutDevice>(std::make_unique<SpeechAgent>(std::move(context)));
+    return std::make_unique<WithoutDevice>(std::make_unique<speech::SpeechAgent>(std::move(context)));
   }
   if (kind == "person") return build_person(std::move(context), description, link);
   return fail("unknown-agent", fmt::format("there is no agent {}", kind), Datum::symbol(kind));
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::launcher

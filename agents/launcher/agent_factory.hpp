@@ -17,20 +17,20 @@
 #include "drivers/simulation/world_config.hpp"
 #include "lisp/forms/cell_file.hpp"
 
-namespace pizarra {
+namespace pizarra::launcher {
 
 // What is wrong with what somebody typed for a kind of agent: empty where there is such a kind.
 std::string kind_fault(const std::string& typed);
 // Those that the cell has devices for, and the further ones that it names: who plays a story in the simulated world.
-std::vector<std::string> agent_kinds(const CellDescription& description);
+std::vector<std::string> agent_kinds(const forms::CellDescription& description);
 // Those that the cell's hosts run.
-std::vector<std::string> named_agents(const CellDescription& description);
+std::vector<std::string> named_agents(const forms::CellDescription& description);
 
 // Whether the agent has a device in the simulated world, which is reached over its socket, on this machine alone.
-bool needs_world(const std::string& kind, const CellDescription& description);
+bool needs_world(const std::string& kind, const forms::CellDescription& description);
 
 // The simulated world of the cell, checked. Failures: bad-cell, and those of the arm file.
-Result<WorldConfig> world_config(const CellDescription& description, std::uint64_t seed);
+Result<simulation::WorldConfig> world_config(const forms::CellDescription& description, std::uint64_t seed);
 
 // An agent with the devices it owns.
 class BuiltAgent {
@@ -41,19 +41,19 @@ class BuiltAgent {
   const Result<void>* ended() const { return ended_ ? &*ended_ : nullptr; }
 
  protected:
-  virtual Agent& agent() = 0;
+  virtual runtime::Agent& agent() = 0;
 
  private:
   std::optional<Result<void>> ended_;
 };
 
 // Opens real cameras and recordings. Only a program that gives it links the libraries that do.
-using CameraMaker = std::function<std::unique_ptr<StereoCamera>(Executor&, const CameraSetup&)>;
+using CameraMaker = std::function<std::unique_ptr<camera::StereoCamera>(Executor&, const forms::CameraSetup&)>;
 
 // Link and streams outlive the agent. `own_cameras` may be none where the cell's eyes are simulated. Failures:
 // unknown-agent, no-camera, and those of the arm file.
-Result<std::unique_ptr<BuiltAgent>> build_agent(const std::string& kind, AgentContext context,
-                                                const CellDescription& description, Link& link, Streams* streams,
-                                                const CameraMaker& own_cameras = {});
+Result<std::unique_ptr<BuiltAgent>> build_agent(const std::string& kind, runtime::AgentContext context,
+                                                const forms::CellDescription& description, simulation::Link& link,
+                                                Streams* streams, const CameraMaker& own_cameras = {});
 
-}  // namespace pizarra
+}  // namespace pizarra::launcher

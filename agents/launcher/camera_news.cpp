@@ -4,7 +4,7 @@
 
 #include "agents/runtime/declared.hpp"
 
-namespace pizarra {
+namespace pizarra::launcher {
 
 std::string CameraNews::sentence_of(const Datum& camera_state) {
   const std::string eyes(camera_state[1].text());
@@ -25,7 +25,7 @@ std::string CameraNews::sentence_of(const Datum& camera_state) {
 
 Task<void> log_camera_news(Board& board, std::string eyes, std::FILE* out) {
   const Datum states = list("camera-state"_sym, Datum::symbol(eyes), "?"_sym, "?"_sym);
-  const Result<std::unique_ptr<Watch>> watch = co_await watch_when_declared(board, query_for(states));
+  const Result<std::unique_ptr<Watch>> watch = co_await runtime::watch_when_declared(board, query_for(states));
   if (!watch) co_return;
   CameraNews news;
   while (true) {
@@ -40,4 +40,4 @@ Task<void> log_camera_news(Board& board, std::string eyes, std::FILE* out) {
   }
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::launcher

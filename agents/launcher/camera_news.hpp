@@ -14,7 +14,7 @@
 
 #include "blackboard/board.hpp"
 
-namespace pizarra {
+namespace pizarra::launcher {
 
 class CameraNews {
  public:
@@ -29,4 +29,4 @@ class CameraNews {
 // Of these eyes alone. The board outlives it.
 Task<void> log_camera_news(Board& board, std::string eyes, std::FILE* out);
 
-}  // namespace pizarra
+}  // namespace pizarra::launcher

@@ -9,135 +9,137 @@
 #include "drivers/arm/universal/universal_arm.hpp"
 #include "drivers/gripper/gripping_arm.hpp"
 #include "drivers/gripper/modbus_gripper.hpp"
-#include "drivers/simulation/simulated_arm.hpp"
 #include "drivers/line/serial_wire.hpp"
 #include "drivers/line/tcp_wire.hpp"
 #include "drivers/line/udp_wire.hpp"
+#include "drivers/simulation/simulated_arm.hpp"
 
-namespace pizarra {
+namespace pizarra::launcher {
 
 namespace {
 
-std::uint16_t port_of(const ArmLine& line, std::size_t index) { return static_cast<std::uint16_t>(line.ports[index]); }
+std::uint16_t port_of(const forms::ArmLine& line, std::size_t index) {
+  return static_cast<std::uint16_t>(line.ports[index]);
+}
 
 class SimulatedDevice : public CellArm {
  public:
-  SimulatedDevice(Link& link, std::string_view device) : arm_(link, device) {}
-  ArmDriver& driver() override { return arm_; }
+  SimulatedDevice(simulation::Link& link, std::string_view device) : arm_(link, device) {}
+  arm::ArmDriver& driver() override { return arm_; }
 
  private:
-  SimulatedArm arm_;
+  simulation::SimulatedArm arm_;
 };
 
 class HsesDevice : public CellArm {
  public:
-  HsesDevice(Executor& executor, const ArmLine& line, const ArmModel& model)
+  HsesDevice(Executor& executor, const forms::ArmLine& line, const arm::ArmModel& model)
       : wire_(executor, line.places[0], port_of(line, 0)), link_(executor, wire_), arm_(executor, link_, model) {}
-  ArmDriver& driver() override { return arm_; }
+  arm::ArmDriver& driver() override { return arm_; }
 
  private:
-  UdpWire wire_;
-  HsesLink link_;
-  MotomanArm arm_;
+  line::UdpWire wire_;
+  arm::HsesLink link_;
+  arm::MotomanArm arm_;
 };
 
 class EthernetServerDevice : public CellArm {
  public:
-  EthernetServerDevice(Executor& executor, const ArmLine& line, const ArmModel& model)
+  EthernetServerDevice(Executor& executor, const forms::ArmLine& line, const arm::ArmModel& model)
       : wire_(executor, line.places[0], port_of(line, 0)),
         line_(executor, wire_),
         link_(line_),
         arm_(executor, link_, model) {}
-  ArmDriver& driver() override { return arm_; }
+  arm::ArmDriver& driver() override { return arm_; }
 
  private:
-  TcpWire wire_;
-  EthernetLine line_;
-  HostLink link_;
-  MotomanArm arm_;
+  line::TcpWire wire_;
+  arm::EthernetLine line_;
+  arm::HostLink link_;
+  arm::MotomanArm arm_;
 };
 
 class BscDevice : public CellArm {
  public:
-  BscDevice(Executor& executor, const ArmLine& line, const ArmModel& model)
-      : wire_(executor, line.places[0], BscLine::baud, Parity::even),
+  BscDevice(Executor& executor, const forms::ArmLine& line, const arm::ArmModel& model)
+      : wire_(executor, line.places[0], arm::BscLine::baud, line::Parity::even),
         line_(executor, wire_),
         link_(line_),
         arm_(executor, link_, model) {}
-  ArmDriver& driver() override { return arm_; }
+  arm::ArmDriver& driver() override { return arm_; }
 
  private:
-  SerialWire wire_;
-  BscLine line_;
-  HostLink link_;
-  MotomanArm arm_;
+  line::SerialWire wire_;
+  arm::BscLine line_;
+  arm::HostLink link_;
+  arm::MotomanArm arm_;
 };
 
 class UniversalDevice : public CellArm {
  public:
-  UniversalDevice(Executor& executor, const ArmLine& line, const ArmModel& model)
+  UniversalDevice(Executor& executor, const forms::ArmLine& line, const arm::ArmModel& model)
       : rtde_(executor, line.places[0], port_of(line, 0)),
         script_(executor, line.places[0], port_of(line, 1)),
         dashboard_(executor, line.places[0], port_of(line, 2)),
         arm_(executor, {rtde_, script_, dashboard_}, model) {}
-  ArmDriver& driver() override { return arm_; }
+  arm::ArmDriver& driver() override { return arm_; }
 
  private:
-  TcpWire rtde_;
-  TcpWire script_;
-  TcpWire dashboard_;
-  UniversalArm arm_;
+  line::TcpWire rtde_;
+  line::TcpWire script_;
+  line::TcpWire dashboard_;
+  arm::UniversalArm arm_;
 };
 
 class SimpleDevice : public CellArm {
  public:
-  SimpleDevice(Executor& executor, const ArmLine& line, const ArmModel& model)
+  SimpleDevice(Executor& executor, const forms::ArmLine& line, const arm::ArmModel& model)
       : motion_(executor, line.places[0], port_of(line, 0)),
         state_(executor, line.places[0], port_of(line, 1)),
         arm_(executor, {.motion = motion_, .state = state_, .track = line.protocol == "simple-message-track"}, model) {}
-  ArmDriver& driver() override { return arm_; }
+  arm::ArmDriver& driver() override { return arm_; }
 
  private:
-  TcpWire motion_;
-  TcpWire state_;
-  SimpleArm arm_;
+  line::TcpWire motion_;
+  line::TcpWire state_;
+  arm::SimpleArm arm_;
 };
 
 class C500cDevice : public CellArm {
  public:
-  C500cDevice(Executor& executor, const ArmLine& line, const ArmModel& model)
+  C500cDevice(Executor& executor, const forms::ArmLine& line, const arm::ArmModel& model)
       : motion_(executor, line.places[0], baud),
         state_(executor, line.places[1], baud),
-        arm_(executor, {motion_, state_, true, ByteOrder::little, sign}, model) {}
-  ArmDriver& driver() override { return arm_; }
+        arm_(executor, {motion_, state_, true, line::ByteOrder::little, sign}, model) {}
+  arm::ArmDriver& driver() override { return arm_; }
 
  private:
   static constexpr int baud = 115200;
   static constexpr double sign = -1;  // its servers count angles as the KUKA KR3 does
-  SerialWire motion_;
-  SerialWire state_;
-  SimpleArm arm_;
+  line::SerialWire motion_;
+  line::SerialWire state_;
+  arm::SimpleArm arm_;
 };
 
 // An arm, and a gripper with a controller of its own.
 class GrippingDevice : public CellArm {
  public:
-  GrippingDevice(Executor& executor, std::unique_ptr<CellArm> arm, const GripperSetup& setup)
+  GrippingDevice(Executor& executor, std::unique_ptr<CellArm> arm, const forms::GripperSetup& setup)
       : arm_(std::move(arm)),
         client_(executor, setup.place, setup.port, setup.unit),
         gripper_(executor, client_, setup),
         both_(arm_->driver(), gripper_) {}
-  ArmDriver& driver() override { return both_; }
+  arm::ArmDriver& driver() override { return both_; }
 
  private:
   std::unique_ptr<CellArm> arm_;
-  ModbusClient client_;
-  ModbusGripper gripper_;
-  GrippingArm both_;
+  gripper::ModbusClient client_;
+  gripper::ModbusGripper gripper_;
+  gripper::GrippingArm both_;
 };
 
-std::unique_ptr<CellArm> make_arm_alone(Executor& executor, const ArmLine& line, const ArmModel& model, Link& link,
-                                          std::string_view simulated) {
+std::unique_ptr<CellArm> make_arm_alone(Executor& executor, const forms::ArmLine& line, const arm::ArmModel& model,
+                                        simulation::Link& link, std::string_view simulated) {
   if (line.protocol == "hses") return std::make_unique<HsesDevice>(executor, line, model);
   if (line.protocol == "ethernet-server") return std::make_unique<EthernetServerDevice>(executor, line, model);
   if (line.protocol == "bsc") return std::make_unique<BscDevice>(executor, line, model);
@@ -149,11 +151,11 @@ std::unique_ptr<CellArm> make_arm_alone(Executor& executor, const ArmLine& line,
 
 }  // namespace
 
-std::unique_ptr<CellArm> make_cell_arm(Executor& executor, const ArmLine& line, const ArmModel& model, Link& link,
-                                           std::string_view simulated) {
+std::unique_ptr<CellArm> make_cell_arm(Executor& executor, const forms::ArmLine& line, const arm::ArmModel& model,
+                                       simulation::Link& link, std::string_view simulated) {
   std::unique_ptr<CellArm> arm = make_arm_alone(executor, line, model, link, simulated);
   if (line.gripper.protocol != "modbus") return arm;
   return std::make_unique<GrippingDevice>(executor, std::move(arm), line.gripper);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::launcher

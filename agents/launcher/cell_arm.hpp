@@ -13,17 +13,19 @@
 #include "lisp/forms/cell_file.hpp"
 
 namespace pizarra {
-
 class Executor;
+}
+
+namespace pizarra::launcher {
 
 class CellArm {
  public:
   virtual ~CellArm() = default;
-  virtual ArmDriver& driver() = 0;
+  virtual arm::ArmDriver& driver() = 0;
 };
 
 // Executor and link outlive it. `simulated` is the device of the world that a line without a protocol leads to.
-std::unique_ptr<CellArm> make_cell_arm(Executor& executor, const ArmLine& line, const ArmModel& model, Link& link,
-                                           std::string_view simulated = "arm");
+std::unique_ptr<CellArm> make_cell_arm(Executor& executor, const forms::ArmLine& line, const arm::ArmModel& model,
+                                       simulation::Link& link, std::string_view simulated = "arm");
 
-}  // namespace pizarra
+}  // namespace pizarra::launcher

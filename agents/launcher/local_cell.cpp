@@ -5,7 +5,7 @@
 #include "drivers/camera/any_source.hpp"
 #include "drivers/camera/video_camera.hpp"
 
-namespace pizarra {
+namespace pizarra::launcher {
 
 struct LocalCell::Running {
   std::unique_ptr<Board> view;
@@ -13,7 +13,7 @@ struct LocalCell::Running {
   Job job;
 };
 
-LocalCell::LocalCell(Executor& executor, CellDescription description, std::uint64_t seed)
+LocalCell::LocalCell(Executor& executor, forms::CellDescription description, std::uint64_t seed)
     : executor_(executor),
       description_(std::move(description)),
       random_(seed),
@@ -27,9 +27,9 @@ Result<void> LocalCell::start(const std::string& kind) {
   if (agents_.contains(kind)) return fail("already-running", fmt::format("the {} agent runs already", kind));
   auto running = std::make_unique<Running>();
   running->view = board_.view(kind);
-  AgentContext context{kind, "localhost", executor_, *running->view, random_.split(kind)};
-  const auto own_cameras = [](Executor& executor, const CameraSetup& setup) {
-    return std::make_unique<VideoCamera>(executor, setup, make_any_source);
+  runtime::AgentContext context{kind, "localhost", executor_, *running->view, random_.split(kind)};
+  const auto own_cameras = [](Executor& executor, const forms::CameraSetup& setup) {
+    return std::make_unique<camera::VideoCamera>(executor, setup, camera::make_any_source);
   };
   Result<std::unique_ptr<BuiltAgent>> built =
       build_agent(kind, std::move(context), description_, link_, &streams_, own_cameras);
@@ -52,4 +52,4 @@ std::optional<Failure> LocalCell::ended(const std::string& kind) const {
   return *ended ? Failure{"ended", fmt::format("the {} agent has ended", kind), {}, {}} : ended->error();
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::launcher

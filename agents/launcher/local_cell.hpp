@@ -19,21 +19,21 @@
 #include "blackboard/stream.hpp"
 #include "drivers/simulation/world.hpp"
 
-namespace pizarra {
+namespace pizarra::launcher {
 
 class LocalCell {
  public:
   // world_config(description, seed) has succeeded.
-  LocalCell(Executor& executor, CellDescription description, std::uint64_t seed);
+  LocalCell(Executor& executor, forms::CellDescription description, std::uint64_t seed);
   ~LocalCell();
   LocalCell(const LocalCell&) = delete;
   LocalCell& operator=(const LocalCell&) = delete;
 
   Executor& executor() { return executor_; }
-  MemoryBoard& board() { return board_; }
-  Link& link() { return link_; }
+  memory::MemoryBoard& board() { return board_; }
+  simulation::Link& link() { return link_; }
   Streams& streams() { return streams_; }
-  const CellDescription& description() const { return description_; }
+  const forms::CellDescription& description() const { return description_; }
   Random random(std::string_view purpose) const { return random_.split(purpose); }
 
   // Failures: unknown-agent, already-running, and what keeps the agent from being made.
@@ -47,13 +47,13 @@ class LocalCell {
   struct Running;
 
   Executor& executor_;
-  CellDescription description_;
+  forms::CellDescription description_;
   Random random_;
-  MemoryBoard board_;
+  memory::MemoryBoard board_;
   LocalStreams streams_;
-  World world_;
-  LocalLink link_;
+  simulation::World world_;
+  simulation::LocalLink link_;
   std::map<std::string, std::unique_ptr<Running>> agents_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::launcher

@@ -6,7 +6,7 @@
 #include "agents/runtime/declared.hpp"
 #include "lisp/reader.hpp"
 
-namespace pizarra {
+namespace pizarra::launcher {
 
 namespace {
 
@@ -33,7 +33,7 @@ std::string reason_of(const std::optional<Failure>& ended) { return ended ? ": "
 
 // Of an agent that lives: what it says of its device.
 Task<std::string> trouble_of(Device device, Board& board) {
-  const Result<std::vector<Fact>> told = co_await facts_if_declared(board, read_one(device.trouble).value());
+  const Result<std::vector<Fact>> told = co_await runtime::facts_if_declared(board, read_one(device.trouble).value());
   const bool silent = !told || told->empty() || told->front().datum.items().back().text().empty();
   co_return silent ? std::string() : fmt::format(": {}", told->front().datum.items().back().text());
 }
@@ -91,4 +91,4 @@ Task<Result<void>> await_teaching(Board& board, Executor& executor) {
   co_return fail("not-taught", why.sentence, why.subject);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::launcher

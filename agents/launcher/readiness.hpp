@@ -7,7 +7,7 @@
 
 #include "agents/launcher/local_cell.hpp"
 
-namespace pizarra {
+namespace pizarra::launcher {
 
 // As await_answer(), also when the relations are yet to be declared.
 Task<Result<Answer>> await_when_declared(Board& board, Executor& executor, Query query, Time deadline);
@@ -19,4 +19,4 @@ Task<Result<void>> await_devices(LocalCell& cell, Board& board, std::vector<std:
 // The person has shown every object to the eyes. Failure: not-taught.
 Task<Result<void>> await_teaching(Board& board, Executor& executor);
 
-}  // namespace pizarra
+}  // namespace pizarra::launcher

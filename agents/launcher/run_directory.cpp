@@ -17,7 +17,7 @@
 #include "lisp/reader.hpp"
 #include "lisp/writer.hpp"
 
-namespace pizarra {
+namespace pizarra::launcher {
 
 namespace {
 
@@ -215,4 +215,4 @@ Result<RunState> find_run(const std::string& cell) {
   return runs.front();
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::launcher

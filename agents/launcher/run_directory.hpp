@@ -16,7 +16,7 @@
 
 #include "lisp/result.hpp"
 
-namespace pizarra {
+namespace pizarra::launcher {
 
 struct RunProcess {
   std::string name;
@@ -62,4 +62,4 @@ std::vector<RunState> running_cells();
 // The one of that cell's name, or the only one. Failures: nothing-runs, which-cell.
 Result<RunState> find_run(const std::string& cell);
 
-}  // namespace pizarra
+}  // namespace pizarra::launcher

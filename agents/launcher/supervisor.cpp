@@ -12,7 +12,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace pizarra {
+namespace pizarra::launcher {
 
 namespace {
 
@@ -189,4 +189,4 @@ std::vector<Supervisor::Process> Supervisor::processes() const {
   return out;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::launcher

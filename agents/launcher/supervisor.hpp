@@ -18,7 +18,7 @@
 #include "blackboard/time/executor.hpp"
 #include "lisp/result.hpp"
 
-namespace pizarra {
+namespace pizarra::launcher {
 
 struct Program {
   std::string name;
@@ -86,4 +86,4 @@ class Supervisor {
   Executor::TimerId kill_timer_ = 0;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::launcher

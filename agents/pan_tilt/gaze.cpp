@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace pizarra {
+namespace pizarra::pan_tilt {
 
 namespace {
 
@@ -11,7 +11,7 @@ constexpr double degrees = 180 / std::numbers::pi;
 
 }  // namespace
 
-Gaze gaze_at(const CameraPose& mount, const std::array<double, 3>& point_mm) {
+Gaze gaze_at(const forms::CameraPose& mount, const std::array<double, 3>& point_mm) {
   const double x = point_mm[0] - mount.at_mm[0];
   const double y = point_mm[1] - mount.at_mm[1];
   const double z = point_mm[2] - mount.at_mm[2];
@@ -19,4 +19,4 @@ Gaze gaze_at(const CameraPose& mount, const std::array<double, 3>& point_mm) {
   return {std::remainder(pan, 360), std::atan2(z, std::hypot(x, y)) * degrees - mount.tilt_deg};
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::pan_tilt

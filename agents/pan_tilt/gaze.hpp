@@ -11,7 +11,7 @@
 
 #include "lisp/forms/camera_pose.hpp"
 
-namespace pizarra {
+namespace pizarra::pan_tilt {
 
 struct Gaze {
   double pan_deg;
@@ -19,6 +19,6 @@ struct Gaze {
 };
 
 // `point_mm` in the base frame.
-Gaze gaze_at(const CameraPose& mount, const std::array<double, 3>& point_mm);
+Gaze gaze_at(const forms::CameraPose& mount, const std::array<double, 3>& point_mm);
 
-}  // namespace pizarra
+}  // namespace pizarra::pan_tilt

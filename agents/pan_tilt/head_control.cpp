@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-namespace pizarra {
+namespace pizarra::pan_tilt {
 
 namespace {
 
-Result<void> check_axis(std::string_view name, const PanTiltAxisRange& range, std::optional<double> deg) {
+Result<void> check_axis(std::string_view name, const ptu::PanTiltAxisRange& range, std::optional<double> deg) {
   if (!deg || (*deg >= range.low_deg && *deg <= range.high_deg)) return {};
   return fail("out-of-range",
               fmt::format("the head's {} goes from {:.2f} to {:.2f} degrees, not to {:.2f}", name, range.low_deg,
@@ -16,7 +16,7 @@ Result<void> check_axis(std::string_view name, const PanTiltAxisRange& range, st
 }
 
 // A count inside the limit, so that rounding does not lead out of them.
-std::optional<double> clamped(std::optional<double> deg, const PanTiltAxisRange& range) {
+std::optional<double> clamped(std::optional<double> deg, const ptu::PanTiltAxisRange& range) {
   if (!deg) return deg;
   return std::clamp(*deg, range.low_deg + range.resolution_deg, range.high_deg - range.resolution_deg);
 }
@@ -57,12 +57,12 @@ Task<void> HeadControl::run() {
 
 Task<Result<void>> HeadControl::connect() {
   state_ = State::connecting;
-  const Result<PanTiltRange> range = co_await driver_.connect();
+  const Result<ptu::PanTiltRange> range = co_await driver_.connect();
   if (!range) co_return fail(range);
   range_ = *range;
   const Result<void> sped = co_await apply_speeds();
   if (!sped) co_return sped;
-  const Result<PanTiltReading> reading = co_await driver_.read();
+  const Result<ptu::PanTiltReading> reading = co_await driver_.read();
   if (!reading) co_return fail(reading);
   if (!wanted_) co_return fail("closed", "the pan-tilt unit was closed");
   reading_ = *reading;
@@ -82,7 +82,7 @@ Task<void> HeadControl::watch() {
     const Time next = context_.executor.now() + (moving_ ? poll_moving : poll_still);
     co_await changed_.wait(next);
     if (state_ != State::ready) co_return;
-    const Result<PanTiltReading> reading = co_await driver_.read();
+    const Result<ptu::PanTiltReading> reading = co_await driver_.read();
     if (!reading) {
       if (state_ == State::ready) co_await lose(reading.error());
       co_return;
@@ -158,12 +158,12 @@ Task<Result<void>> HeadControl::move(HeadMove move) {
   if (!told) co_return told;
   if (move.pan_deg) {
     const double deg = *move.pan_deg;
-    const Result<void> panning = co_await driver_.move_to(PanTiltAxis::pan, deg);
+    const Result<void> panning = co_await driver_.move_to(ptu::PanTiltAxis::pan, deg);
     if (!panning) co_return panning;
   }
   if (move.tilt_deg) {
     const double deg = *move.tilt_deg;
-    const Result<void> tilting = co_await driver_.move_to(PanTiltAxis::tilt, deg);
+    const Result<void> tilting = co_await driver_.move_to(ptu::PanTiltAxis::tilt, deg);
     if (!tilting) co_return tilting;
   }
   co_return Result<void>();
@@ -172,9 +172,9 @@ Task<Result<void>> HeadControl::move(HeadMove move) {
 Task<Result<void>> HeadControl::apply_speeds() {
   const double pan = speeds_.pan_percent / 100;
   const double tilt = speeds_.tilt_percent / 100;
-  const Result<void> panning = co_await driver_.set_speed(PanTiltAxis::pan, pan);
+  const Result<void> panning = co_await driver_.set_speed(ptu::PanTiltAxis::pan, pan);
   if (!panning) co_return panning;
-  const Result<void> tilting = co_await driver_.set_speed(PanTiltAxis::tilt, tilt);
+  const Result<void> tilting = co_await driver_.set_speed(ptu::PanTiltAxis::tilt, tilt);
   co_return tilting;
 }
 
@@ -186,7 +186,7 @@ Task<Result<void>> HeadControl::set_speeds(HeadSpeeds speeds) {
   co_return applied;
 }
 
-Task<Result<void>> HeadControl::reset(std::optional<PanTiltAxis> axis) {
+Task<Result<void>> HeadControl::reset(std::optional<ptu::PanTiltAxis> axis) {
   const Result<void> ready = usable();
   if (!ready) co_return ready;
   const Moving moving(*this);
@@ -197,7 +197,7 @@ Task<Result<void>> HeadControl::reset(std::optional<PanTiltAxis> axis) {
   if (!told) co_return told;
   Result<void> done;
   if (axis) {
-    const PanTiltAxis which = *axis;
+    const ptu::PanTiltAxis which = *axis;
     done = co_await driver_.reset(which);
   } else {
     done = co_await driver_.reset_all();
@@ -206,10 +206,10 @@ Task<Result<void>> HeadControl::reset(std::optional<PanTiltAxis> axis) {
   co_return done;
 }
 
-Task<Result<PanTiltReading>> HeadControl::read() {
+Task<Result<ptu::PanTiltReading>> HeadControl::read() {
   const Result<void> ready = usable();
   if (!ready) co_return fail(ready);
-  const Result<PanTiltReading> reading = co_await driver_.read();
+  const Result<ptu::PanTiltReading> reading = co_await driver_.read();
   co_return reading;
 }
 
@@ -221,4 +221,4 @@ Task<bool> HeadControl::until_still(Time deadline) {
   co_return true;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::pan_tilt

@@ -18,7 +18,7 @@
 #include "agents/pan_tilt/head_facts.hpp"
 #include "blackboard/time/latch.hpp"
 
-namespace pizarra {
+namespace pizarra::pan_tilt {
 
 struct HeadMove {
   std::optional<double> pan_deg;
@@ -36,7 +36,7 @@ class HeadControl {
   static constexpr Duration poll_still = 200ms;
   static constexpr Duration reconnect_pause = 1s;
 
-  HeadControl(AgentContext& context, PanTiltDriver& driver, HeadFacts& facts)
+  HeadControl(runtime::AgentContext& context, ptu::PanTiltDriver& driver, HeadFacts& facts)
       : context_(context), driver_(driver), facts_(facts), changed_(context.executor) {}
 
   Task<void> run();
@@ -49,9 +49,9 @@ class HeadControl {
   HeadMove within_range(HeadMove move) const;
   Task<Result<void>> set_speeds(HeadSpeeds speeds);
   // One axis, or both where none is given.
-  Task<Result<void>> reset(std::optional<PanTiltAxis> axis);
+  Task<Result<void>> reset(std::optional<ptu::PanTiltAxis> axis);
   // As the unit says now.
-  Task<Result<PanTiltReading>> read();
+  Task<Result<ptu::PanTiltReading>> read();
   // True once it stands, or is lost; false at the deadline.
   Task<bool> until_still(Time deadline);
 
@@ -70,18 +70,18 @@ class HeadControl {
   Result<void> usable() const;
   Result<void> check(const HeadMove& move) const;
 
-  AgentContext& context_;
-  PanTiltDriver& driver_;
+  runtime::AgentContext& context_;
+  ptu::PanTiltDriver& driver_;
   HeadFacts& facts_;
   State state_ = State::connecting;
   bool wanted_ = true;
   int under_way_ = 0;  // commands that have not been answered, and may make it move
   bool moving_ = true;
   std::string trouble_ = "not connected yet";
-  PanTiltRange range_{};
-  PanTiltReading reading_{};
+  ptu::PanTiltRange range_{};
+  ptu::PanTiltReading reading_{};
   HeadSpeeds speeds_;
   WaitList changed_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::pan_tilt

@@ -2,14 +2,14 @@
 
 #include <cmath>
 
-namespace pizarra {
+namespace pizarra::pan_tilt {
 
 namespace {
 
 // A thousandth of a degree is less than any unit's step.
 double rounded(double deg) { return std::round(deg * 1000) / 1000 + 0.0; }
 
-Datum range_to_datum(const PanTiltAxisRange& axis) {
+Datum range_to_datum(const ptu::PanTiltAxisRange& axis) {
   return list(rounded(axis.low_deg), rounded(axis.high_deg), axis.resolution_deg, rounded(axis.top_speed_deg_s));
 }
 
@@ -26,11 +26,11 @@ void HeadFacts::set_state(std::string_view name, const std::string& trouble) {
   facts_[state].now = list("pan-tilt"_sym, Datum::symbol(name), trouble);
 }
 
-void HeadFacts::set_unit(const PanTiltRange& range) {
+void HeadFacts::set_unit(const ptu::PanTiltRange& range) {
   facts_[unit].now = list("pan-tilt-unit"_sym, range_to_datum(range.pan), range_to_datum(range.tilt));
 }
 
-void HeadFacts::set_pose(const PanTiltReading& reading, bool moving) {
+void HeadFacts::set_pose(const ptu::PanTiltReading& reading, bool moving) {
   const Datum moves = moving ? "moving"_sym : "still"_sym;
   facts_[pose].now = list("head"_sym, rounded(reading.pan_deg), rounded(reading.tilt_deg), moves);
 }
@@ -61,4 +61,4 @@ Task<Result<void>> HeadFacts::tell() {
   co_return Result<void>();
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::pan_tilt

@@ -12,16 +12,16 @@
 #include "agents/runtime/service.hpp"
 #include "drivers/ptu/pan_tilt_driver.hpp"
 
-namespace pizarra {
+namespace pizarra::pan_tilt {
 
 class HeadFacts {
  public:
-  HeadFacts(AgentContext& context, const Service& service) : context_(context), service_(service) {}
+  HeadFacts(runtime::AgentContext& context, const runtime::Service& service) : context_(context), service_(service) {}
 
   // STATE closed, connecting, ready, resetting or lost.
   void set_state(std::string_view state, const std::string& trouble);
-  void set_unit(const PanTiltRange& range);
-  void set_pose(const PanTiltReading& reading, bool moving);
+  void set_unit(const ptu::PanTiltRange& range);
+  void set_pose(const ptu::PanTiltReading& reading, bool moving);
   // Nobody knows where it looks.
   void set_no_pose() { facts_[pose].now.reset(); }
   void set_target(const std::optional<std::string>& name);
@@ -35,10 +35,10 @@ class HeadFacts {
   };
   enum : std::size_t { state, unit, pose, target, kinds };
 
-  AgentContext& context_;
-  const Service& service_;
+  runtime::AgentContext& context_;
+  const runtime::Service& service_;
   std::array<Told, kinds> facts_;
   LeaseId told_under_ = 0;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::pan_tilt

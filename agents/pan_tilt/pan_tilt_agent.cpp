@@ -9,13 +9,12 @@
 #include "agents/runtime/declared.hpp"
 #include "agents/runtime/service.hpp"
 
-namespace pizarra {
+namespace pizarra::pan_tilt {
 
 namespace {
 
 constexpr Duration opening_time = 10s;
 constexpr Duration settling_time = 30s;
-constexpr Duration retry_pause = 200ms;
 // An object this near the middle of the image is in view; the head rests meanwhile, so that what is seen can be placed.
 constexpr double in_view_deg = 5;
 
@@ -30,16 +29,16 @@ std::array<double, 3> point_of(const Datum& place) { return {place[2].number(), 
 }  // namespace
 
 struct PanTiltAgent::State {
-  State(AgentContext given, PanTiltDriver& driver, CameraPose the_mount)
+  State(runtime::AgentContext given, ptu::PanTiltDriver& driver, forms::CameraPose the_mount)
       : context(std::move(given)),
         mount(the_mount),
-        service(context, contract_from_text(pan_tilt_contract).value()),
+        service(context, runtime::contract_from_text(pan_tilt_contract).value()),
         facts(context, service),
         head(context, driver, facts) {}
 
-  AgentContext context;
-  CameraPose mount;
-  Service service;
+  runtime::AgentContext context;
+  forms::CameraPose mount;
+  runtime::Service service;
   HeadFacts facts;
   HeadControl head;
   Job following;
@@ -59,7 +58,7 @@ struct PanTiltAgent::State {
   Task<void> stop_following();
 };
 
-PanTiltAgent::PanTiltAgent(AgentContext context, PanTiltDriver& driver, CameraPose mount)
+PanTiltAgent::PanTiltAgent(runtime::AgentContext context, ptu::PanTiltDriver& driver, forms::CameraPose mount)
     : state_(std::make_unique<State>(std::move(context), driver, mount)) {}
 
 PanTiltAgent::~PanTiltAgent() = default;
@@ -73,7 +72,7 @@ Task<Result<void>> PanTiltAgent::State::run() {
   if (!recalled) co_return recalled;
   facts.set_state("connecting", "");
   watching = context.executor.spawn(head.run());
-  Handler handler = [this](Datum operation) { return handle(std::move(operation)); };
+  runtime::Handler handler = [this](Datum operation) { return handle(std::move(operation)); };
   co_return co_await service.serve(std::move(handler));
 }
 
@@ -123,7 +122,7 @@ Task<Result<Datum>> PanTiltAgent::State::turn(Datum operation) {
   double deg = operation[1].number();
   const bool pan = name.starts_with("set-pan");
   if (name.find("-rel-") != std::string_view::npos) {
-    const Result<PanTiltReading> reading = co_await head.read();
+    const Result<ptu::PanTiltReading> reading = co_await head.read();
     if (!reading) co_return fail(reading);
     deg += pan ? reading->pan_deg : reading->tilt_deg;
   }
@@ -149,9 +148,9 @@ Task<Result<Datum>> PanTiltAgent::State::set_speed(bool pan, Datum percent) {
 }
 
 Task<Result<Datum>> PanTiltAgent::State::reset(std::string_view which) {
-  std::optional<PanTiltAxis> axis;
-  if (which == "pan") axis = PanTiltAxis::pan;
-  if (which == "tilt") axis = PanTiltAxis::tilt;
+  std::optional<ptu::PanTiltAxis> axis;
+  if (which == "pan") axis = ptu::PanTiltAxis::pan;
+  if (which == "tilt") axis = ptu::PanTiltAxis::tilt;
   co_await stop_following();
   const Result<void> reset = co_await head.reset(axis);
   if (!reset) co_return fail(reset);
@@ -160,7 +159,7 @@ Task<Result<Datum>> PanTiltAgent::State::reset(std::string_view which) {
 
 Task<Result<Datum>> PanTiltAgent::State::look_at(std::string name) {
   // The relation is the coordinator's; before it has come, nothing is seen anywhere.
-  const Result<std::vector<Fact>> places = co_await facts_if_declared(context.board, places_of(name));
+  const Result<std::vector<Fact>> places = co_await runtime::facts_if_declared(context.board, places_of(name));
   const bool known = places && !places->empty();
   if (!known) {
     co_return fail("unknown-place", fmt::format("nobody tells where {} is", name), Datum::symbol(name));
@@ -185,14 +184,14 @@ Task<Result<Datum>> PanTiltAgent::State::look_ahead() {
 }
 
 Task<Result<Datum>> PanTiltAgent::State::monitor() {
-  const Result<PanTiltReading> reading = co_await head.read();
+  const Result<ptu::PanTiltReading> reading = co_await head.read();
   if (!reading) co_return fail(reading);
   co_return list(reading->pan_deg, reading->tilt_deg, reading->moving ? "moving"_sym : "still"_sym);
 }
 
 // Turns towards the point, as far as the unit can, where it is further from the middle of the image than that.
 Task<Result<void>> PanTiltAgent::State::aim(std::array<double, 3> point_mm, double tolerance_deg) {
-  const Result<PanTiltReading> reading = co_await head.read();
+  const Result<ptu::PanTiltReading> reading = co_await head.read();
   if (!reading) co_return fail(reading);
   const Gaze gaze = gaze_at(mount, point_mm);
   const double off_deg =
@@ -208,7 +207,7 @@ Task<Result<void>> PanTiltAgent::State::aim(std::array<double, 3> point_mm, doub
 Task<void> PanTiltAgent::State::follow(std::string name) {
   const Query query = query_for(places_of(name));
   while (true) {
-    Result<std::unique_ptr<Watch>> watch = co_await watch_when_declared(context.board, query);
+    Result<std::unique_ptr<Watch>> watch = co_await runtime::watch_when_declared(context.board, query);
     while (watch) {
       const Result<Change> change = co_await (*watch)->next();
       if (!change) break;
@@ -230,4 +229,4 @@ Task<void> PanTiltAgent::State::stop_following() {
   static_cast<void>(told);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::pan_tilt

@@ -16,12 +16,12 @@
 #include "drivers/ptu/pan_tilt_driver.hpp"
 #include "lisp/forms/camera_pose.hpp"
 
-namespace pizarra {
+namespace pizarra::pan_tilt {
 
-class PanTiltAgent : public Agent {
+class PanTiltAgent : public runtime::Agent {
  public:
   // The driver outlives it. `mount`: how the camera looks while the head is in its middle.
-  PanTiltAgent(AgentContext context, PanTiltDriver& driver, CameraPose mount);
+  PanTiltAgent(runtime::AgentContext context, ptu::PanTiltDriver& driver, forms::CameraPose mount);
   ~PanTiltAgent() override;
   Task<Result<void>> run() override;
 
@@ -30,4 +30,4 @@ class PanTiltAgent : public Agent {
   std::unique_ptr<State> state_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::pan_tilt

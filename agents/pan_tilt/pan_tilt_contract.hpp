@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-namespace pizarra {
+namespace pizarra::pan_tilt {
 
 inline constexpr std::string_view pan_tilt_contract = R"scheme(
 (contract pan-tilt
@@ -24,4 +24,4 @@ inline constexpr std::string_view pan_tilt_contract = R"scheme(
   (monitors monitor))
 )scheme";
 
-}  // namespace pizarra
+}  // namespace pizarra::pan_tilt

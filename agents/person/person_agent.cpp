@@ -5,7 +5,7 @@
 
 #include "agents/runtime/declared.hpp"
 
-namespace pizarra {
+namespace pizarra::person {
 
 namespace {
 
@@ -34,11 +34,11 @@ Datum learned_pattern(const Datum& name) {
 
 }  // namespace
 
-PersonAgent::PersonAgent(AgentContext context, Link& link, std::vector<std::string> names)
+PersonAgent::PersonAgent(runtime::AgentContext context, simulation::Link& link, std::vector<std::string> names)
     : context_(std::move(context)),
       link_(link),
       names_(std::move(names)),
-      service_(context_, contract_from_text(contract_text).value()),
+      service_(context_, runtime::contract_from_text(contract_text).value()),
       caller_(context_, service_) {}
 
 Task<void> PersonAgent::say(Datum state, Datum detail) {
@@ -50,7 +50,7 @@ Task<void> PersonAgent::say(Datum state, Datum detail) {
 Task<Result<bool>> PersonAgent::known(std::string name) {
   Datum pattern = learned_pattern(Datum::string(name));
   // Vision may have yet to come and declare what it tells.
-  const Result<std::vector<Fact>> samples = co_await facts_if_declared(context_.board, std::move(pattern));
+  const Result<std::vector<Fact>> samples = co_await runtime::facts_if_declared(context_.board, std::move(pattern));
   if (!samples) co_return fail(samples);
   co_return !samples->empty();
 }
@@ -68,13 +68,13 @@ Task<Result<void>> PersonAgent::move_arm(Datum operation) {
 
 Task<Result<void>> PersonAgent::show_end_effector() {
   Datum question = list("where-seen"_sym, end_effector);
-  const Result<Message> at_once = co_await link_.call(question, look_timeout);
+  const Result<simulation::Message> at_once = co_await link_.call(question, look_timeout);
   if (at_once) co_return {};
   Datum ready = list("ready"_sym);
   const Result<void> stood = co_await move_arm(ready);
   if (!stood) co_return stood;
   for (int step = 0; step < most_steps_down; ++step) {
-    const Result<Message> seen = co_await link_.call(question, look_timeout);
+    const Result<simulation::Message> seen = co_await link_.call(question, look_timeout);
     if (seen) co_return {};
     if (seen.error().symbol != "not-seen") co_return fail(seen);
     Datum down = list("move-v"_sym, "down"_sym, step_down_mm);
@@ -86,7 +86,7 @@ Task<Result<void>> PersonAgent::show_end_effector() {
 
 Task<Result<void>> PersonAgent::teach_once(std::string name) {
   Datum question = list("where-seen"_sym, name);
-  const Result<Message> seen = co_await link_.call(question, look_timeout);
+  const Result<simulation::Message> seen = co_await link_.call(question, look_timeout);
   if (!seen) co_return fail(seen);
   const Datum& at = seen->head;
   Datum learn = list("learn"_sym, at[0], at[1], name);
@@ -168,8 +168,8 @@ Task<Result<void>> PersonAgent::run() {
   const Result<void> started = co_await service_.start();
   if (!started) co_return started;
   const Job teaching = context_.executor.spawn(teach_all());
-  Handler handler = [this](Datum operation) { return serve(std::move(operation)); };
+  runtime::Handler handler = [this](Datum operation) { return serve(std::move(operation)); };
   co_return co_await service_.serve(std::move(handler));
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::person

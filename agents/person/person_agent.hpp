@@ -18,12 +18,12 @@
 #include "agents/runtime/service.hpp"
 #include "drivers/simulation/link.hpp"
 
-namespace pizarra {
+namespace pizarra::person {
 
-class PersonAgent : public Agent {
+class PersonAgent : public runtime::Agent {
  public:
   // The link outlives it.
-  PersonAgent(AgentContext context, Link& link, std::vector<std::string> names);
+  PersonAgent(runtime::AgentContext context, simulation::Link& link, std::vector<std::string> names);
   Task<Result<void>> run() override;
 
  private:
@@ -38,11 +38,11 @@ class PersonAgent : public Agent {
   Task<Result<Datum>> serve(Datum operation);
   Task<void> say(Datum state, Datum detail);
 
-  AgentContext context_;
-  Link& link_;
+  runtime::AgentContext context_;
+  simulation::Link& link_;
   std::vector<std::string> names_;
-  Service service_;
-  Caller caller_;
+  runtime::Service service_;
+  runtime::Caller caller_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::person

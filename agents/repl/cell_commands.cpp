@@ -9,13 +9,11 @@
 #include "lisp/reader.hpp"
 #include "lisp/writer.hpp"
 
-namespace pizarra {
+namespace pizarra::repl {
 
 namespace {
 
 constexpr Duration accept_timeout = 120s;
-
-Datum pattern(std::string_view text) { return read_one(text).value(); }
 
 }  // namespace
 
@@ -68,7 +66,7 @@ Task<Evaluation> Interpreter::wait_for_end(Datum number, std::string typed) {
 // `(goal-state N STATE DETAIL)`
 void Interpreter::say_end(const Datum& state, const std::string& typed) {
   const bool failed = state[3].is_form("fail");
-  const Failure failure = failed ? at_its_goal(failure_from_datum(state[3]), typed) : Failure();
+  const Failure failure = failed ? forms::at_its_goal(failure_from_datum(state[3]), typed) : Failure();
   say(fmt::format("goal {} {}{}", write(state[1]), state[2].text(), failed ? ": " + describe(failure) : ""),
       fmt::format("{{\"goal\":{},\"state\":\"{}\"{}}}", write(state[1]), state[2].text(),
                   failed ? ",\"error\":" + json_failure(failure) : ""));
@@ -76,9 +74,10 @@ void Interpreter::say_end(const Datum& state, const std::string& typed) {
 
 // While the person of the cell teaches its objects few are known yet.
 Task<bool> Interpreter::being_taught() {
-  const Result<std::vector<Fact>> person = co_await context_.board.facts(pattern("(agent ? person ?)"));
+  const Result<std::vector<Fact>> person = co_await context_.board.facts(read_pattern("(agent ? person ?)"));
   if (!person || person->empty()) co_return false;
-  const Result<std::vector<Fact>> says = co_await facts_if_declared(context_.board, pattern("(person ? ?)"));
+  const Result<std::vector<Fact>> says =
+      co_await runtime::facts_if_declared(context_.board, read_pattern("(person ? ?)"));
   if (!says || says->empty()) co_return true;
   co_return says->front().datum[1].is_symbol("teaching");
 }
@@ -99,10 +98,11 @@ Task<Evaluation> Interpreter::why(Datum form) {
 }
 
 Task<Evaluation> Interpreter::plan(Datum) {
-  const Result<std::vector<Fact>> plans = co_await facts_if_declared(context_.board, pattern("(plan ?n ?operations)"));
+  const Result<std::vector<Fact>> plans =
+      co_await runtime::facts_if_declared(context_.board, read_pattern("(plan ?n ?operations)"));
   if (!plans) co_return show(plans.error());
   const Result<std::vector<Fact>> in_hand =
-      co_await facts_if_declared(context_.board, pattern("(operation ?i ?operation ?state)"));
+      co_await runtime::facts_if_declared(context_.board, read_pattern("(operation ?i ?operation ?state)"));
   if (!in_hand) co_return show(in_hand.error());
   if (plans->empty()) output_("no plan");
   for (const Fact& plan : *plans) {
@@ -126,7 +126,7 @@ Task<Evaluation> Interpreter::plan(Datum) {
 }
 
 Task<Evaluation> Interpreter::agents(Datum) {
-  const Result<std::vector<Fact>> present = co_await context_.board.facts(pattern("(agent ? ? ?)"));
+  const Result<std::vector<Fact>> present = co_await context_.board.facts(read_pattern("(agent ? ? ?)"));
   if (!present) co_return show(present.error());
   for (const Fact& agent : *present) {
     output_(fmt::format("  {} ({}) on {}", agent.datum[1].text(), agent.datum[2].text(), agent.datum[3].text()));
@@ -150,7 +150,7 @@ Task<std::vector<Datum>> Interpreter::offers_of(Datum agent) {
 
 // Names for completion: what cannot be learned now keeps its old names.
 Task<void> Interpreter::learn_words() {
-  const Result<std::vector<Fact>> contracts = co_await context_.board.facts(pattern("(contract ?name ?form)"));
+  const Result<std::vector<Fact>> contracts = co_await context_.board.facts(read_pattern("(contract ?name ?form)"));
   for (const Fact& fact : contracts.value_or(std::vector<Fact>())) {
     words_.emplace(fact.datum[1].text());
     for (const Datum& part : fact.datum[2].items()) {
@@ -162,8 +162,8 @@ Task<void> Interpreter::learn_words() {
     }
   }
   const Result<std::vector<Fact>> learned =
-      co_await facts_if_declared(context_.board, pattern("(learned ? ? ? ? ? ? ? ? ?)"));
+      co_await runtime::facts_if_declared(context_.board, read_pattern("(learned ? ? ? ? ? ? ? ? ?)"));
   for (const Fact& fact : learned.value_or(std::vector<Fact>())) words_.emplace(fact.datum[2].text());
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::repl

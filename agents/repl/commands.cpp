@@ -1,6 +1,6 @@
 #include "agents/repl/commands.hpp"
 
-namespace pizarra {
+namespace pizarra::repl {
 
 std::span<const Command> Command::all() {
   static constexpr Command commands[] = {
@@ -27,4 +27,4 @@ std::span<const Command> Command::all() {
   return commands;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::repl

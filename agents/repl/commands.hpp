@@ -6,8 +6,9 @@
 #include <string_view>
 
 #include "agents/repl/interpreter.hpp"
+#include "lisp/reader.hpp"
 
-namespace pizarra {
+namespace pizarra::repl {
 
 struct Command {
   std::string_view name;
@@ -17,4 +18,7 @@ struct Command {
   static std::span<const Command> all();
 };
 
-}  // namespace pizarra
+// A pattern of ours, which can be read.
+inline Datum read_pattern(std::string_view text) { return read_one(text).value(); }
+
+}  // namespace pizarra::repl

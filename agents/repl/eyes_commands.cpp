@@ -7,18 +7,16 @@
 #include "agents/runtime/declared.hpp"
 #include "lisp/reader.hpp"
 
-namespace pizarra {
+namespace pizarra::repl {
 
 namespace {
 
 // A camera that is not there is known sooner; one that is slow to open need not be waited for.
 constexpr Duration longest_opening = 3s;
 
-Datum pattern(std::string_view text) { return read_one(text).value(); }
-
 // Of the facts that fit, and none where the board does not answer.
 Task<std::vector<Fact>> facts_of(Board& board, Datum fitting) {
-  const Result<std::vector<Fact>> facts = co_await facts_if_declared(board, std::move(fitting));
+  const Result<std::vector<Fact>> facts = co_await runtime::facts_if_declared(board, std::move(fitting));
   co_return facts.value_or(std::vector<Fact>());
 }
 
@@ -67,10 +65,10 @@ std::string seen_by_eyes(std::string_view name, const std::vector<Fact>& looks) 
 
 Task<Evaluation> Interpreter::objects(Datum) {
   const Result<std::vector<Fact>> learned =
-      co_await facts_if_declared(context_.board, pattern("(learned ? ? ? ? ? ? ? ? ?)"));
+      co_await runtime::facts_if_declared(context_.board, read_pattern("(learned ? ? ? ? ? ? ? ? ?)"));
   if (!learned) co_return show(learned.error());
-  const std::vector<Fact> places = co_await facts_of(context_.board, pattern("(place ? ? ? ? ?)"));
-  const std::vector<Fact> looks = co_await facts_of(context_.board, pattern("(sightings ? ? ?)"));
+  const std::vector<Fact> places = co_await facts_of(context_.board, read_pattern("(place ? ? ? ? ?)"));
+  const std::vector<Fact> looks = co_await facts_of(context_.board, read_pattern("(sightings ? ? ?)"));
   const bool pursued = co_await is_agent("coordinator");
   if (learned->empty()) output_("nothing has been learned");
   std::set<std::string> said;
@@ -83,9 +81,9 @@ Task<Evaluation> Interpreter::objects(Datum) {
                                           : fmt::format("({} (track \"{}\")) follows it", object.datum[1].text(), name);
     output_(fmt::format("  {:14} {}", name, where.empty() ? "learned; " + to_follow : where));
   }
-  const std::vector<Fact> alike = co_await facts_of(context_.board, pattern("(look-alike ? ? ? ? ?)"));
+  const std::vector<Fact> alike = co_await facts_of(context_.board, read_pattern("(look-alike ? ? ? ? ?)"));
   for (const Fact& fact : alike) output_(std::string(fact.datum[5].text()));
-  const std::vector<Fact> damaged = co_await facts_of(context_.board, pattern("(objects-damaged ? ? ? ?)"));
+  const std::vector<Fact> damaged = co_await facts_of(context_.board, read_pattern("(objects-damaged ? ? ? ?)"));
   for (const Fact& fact : damaged) output_(fmt::format("{}: {}", fact.datum[2].text(), fact.datum[4].text()));
   co_return Evaluation::done;
 }
@@ -131,8 +129,8 @@ Task<std::string> Interpreter::why_blind(Datum eyes) {
   const Datum state = list("camera-state"_sym, eyes, "?state"_sym, "?trouble"_sym);
   const std::vector<Fact> cameras = co_await facts_of(context_.board, state);
   if (cameras.empty()) co_return "";
-  const Datum settled = list("and"_sym, state, list("/="_sym, "?state"_sym, "closed"_sym),
-                             list("/="_sym, "?state"_sym, "opening"_sym));
+  const Datum settled =
+      list("and"_sym, state, list("/="_sym, "?state"_sym, "closed"_sym), list("/="_sym, "?state"_sym, "opening"_sym));
   const Time deadline = context_.executor.now() + longest_opening;
   Query query = query_from_datum(settled).value();
   const Result<Answer> camera = co_await await_answer(context_.board, std::move(query), deadline, context_.executor);
@@ -142,4 +140,4 @@ Task<std::string> Interpreter::why_blind(Datum eyes) {
   co_return fmt::format("{} has no images: {}", eyes.text(), camera->bindings.find("?trouble")->text());
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::repl

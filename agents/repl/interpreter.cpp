@@ -9,7 +9,7 @@
 #include "lisp/reader.hpp"
 #include "lisp/writer.hpp"
 
-namespace pizarra {
+namespace pizarra::repl {
 
 namespace {
 
@@ -35,7 +35,8 @@ std::string bindings_text(const Answer& answer) {
 
 }  // namespace
 
-Interpreter::Interpreter(AgentContext& context, const Service& service, Output output, Patience patience, Style style)
+Interpreter::Interpreter(runtime::AgentContext& context, const runtime::Service& service, Output output,
+                         Patience patience, Style style)
     : context_(context), caller_(context, service), output_(std::move(output)), patience_(patience), style_(style) {
   for (const Command& command : Command::all()) words_.emplace(command.name);
 }
@@ -80,8 +81,7 @@ Task<Failure> Interpreter::unknown_command(Datum form) {
   constexpr std::size_t shown = 40;
   std::vector<std::string> known;
   for (const Command& command : Command::all()) known.emplace_back(command.name);
-  const Result<std::vector<Fact>> present =
-      co_await context_.board.facts(list("agent"_sym, "?"_sym, "?"_sym, "?"_sym));
+  const Result<std::vector<Fact>> present = co_await context_.board.facts(list("agent"_sym, "?"_sym, "?"_sym, "?"_sym));
   for (const Fact& agent : present.value_or(std::vector<Fact>())) known.emplace_back(agent.datum[1].text());
   std::string name(form.head().substr(0, shown));
   if (form.head().size() > shown) name += "...";
@@ -253,4 +253,4 @@ Task<Evaluation> Interpreter::unwatch(Datum form) {
   co_return Evaluation::done;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::repl

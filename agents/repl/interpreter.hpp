@@ -18,7 +18,7 @@
 
 #include "agents/runtime/service.hpp"
 
-namespace pizarra {
+namespace pizarra::repl {
 
 enum class Evaluation : std::uint8_t {
   done,
@@ -39,7 +39,7 @@ class Interpreter {
   // Whether `(goal ...)` answers when the goal was accepted or when it has ended.
   enum class Patience : std::uint8_t { accepted, ended };
 
-  Interpreter(AgentContext& context, const Service& service, Output output, Patience patience,
+  Interpreter(runtime::AgentContext& context, const runtime::Service& service, Output output, Patience patience,
               Style style = Style::text);
 
   // All the forms of `text`, one after another, up to the first that fails.
@@ -91,8 +91,8 @@ class Interpreter {
   Evaluation show(const Failure& failure);
   Evaluation usage(std::string_view command);
 
-  AgentContext& context_;
-  Caller caller_;
+  runtime::AgentContext& context_;
+  runtime::Caller caller_;
   Output output_;
   Patience patience_;
   Style style_;
@@ -101,4 +101,4 @@ class Interpreter {
   std::map<int, Job> watches_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::repl

@@ -4,7 +4,7 @@
 
 #include "lisp/writer.hpp"
 
-namespace pizarra {
+namespace pizarra::repl {
 
 namespace {
 
@@ -34,4 +34,4 @@ std::string json_values(std::span<const Datum> values) {
   return fmt::format("[{}]", joined(values, text));
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::repl

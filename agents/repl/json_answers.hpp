@@ -10,11 +10,11 @@
 #include "blackboard/query.hpp"
 #include "lisp/json.hpp"
 
-namespace pizarra {
+namespace pizarra::repl {
 
 std::string json_answer(const Answer& answer);
 std::string json_answers(std::span<const Answer> answers);
 // Strings as they are, everything else as its text.
 std::string json_values(std::span<const Datum> values);
 
-}  // namespace pizarra
+}  // namespace pizarra::repl

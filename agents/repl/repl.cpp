@@ -5,18 +5,17 @@
 #include "agents/runtime/declared.hpp"
 #include "lisp/reader.hpp"
 
-namespace pizarra {
+namespace pizarra::repl {
 
 namespace {
 
-constexpr Duration retry_pause = 200ms;
-
 // Shows what comes to hold of a query; what held before the prompt opened is history, not news.
-Task<void> show_news(AgentContext& context, Terminal& terminal, Query query, std::string (*line)(const Datum&)) {
-  Result<std::unique_ptr<Watch>> watch = co_await watch_when_declared(context.board, query);
+Task<void> show_news(runtime::AgentContext& context, Terminal& terminal, Query query,
+                     std::string (*line)(const Datum&)) {
+  Result<std::unique_ptr<Watch>> watch = co_await runtime::watch_when_declared(context.board, query);
   while (!watch) {
     co_await sleep(context.executor, retry_pause);
-    watch = co_await watch_when_declared(context.board, query);
+    watch = co_await runtime::watch_when_declared(context.board, query);
   }
   while (true) {
     const Result<Change> change = co_await (*watch)->next();
@@ -44,7 +43,7 @@ Task<void> evaluate_into(Interpreter& interpreter, std::string typed, Evaluation
 
 }  // namespace
 
-Task<Evaluation> run_prompt(AgentContext& context, Interpreter& interpreter, Terminal& terminal) {
+Task<Evaluation> run_prompt(runtime::AgentContext& context, Interpreter& interpreter, Terminal& terminal) {
   terminal.words = [&interpreter]() -> const std::set<std::string>& { return interpreter.words(); };
   co_await interpreter.learn_words();
   const auto news_of = [&](const char* pattern, std::string (*line)(const Datum&)) {
@@ -78,4 +77,4 @@ Task<Evaluation> run_forms(Interpreter& interpreter, std::vector<std::string> fo
   co_return Evaluation::done;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::repl

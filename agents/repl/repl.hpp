@@ -8,13 +8,13 @@
 #include "agents/repl/interpreter.hpp"
 #include "agents/repl/terminal.hpp"
 
-namespace pizarra {
+namespace pizarra::repl {
 
 // Reads and evaluates until the end; meanwhile what is taught and the coordinator's story are shown as they happen.
 // What fails is shown and the prompt goes on; answers the first form's outcome that was not done, else `done`.
-Task<Evaluation> run_prompt(AgentContext& context, Interpreter& interpreter, Terminal& terminal);
+Task<Evaluation> run_prompt(runtime::AgentContext& context, Interpreter& interpreter, Terminal& terminal);
 
 // Evaluates the forms in order, for scripts. Stops at the first that does not succeed and answers what became of it.
 Task<Evaluation> run_forms(Interpreter& interpreter, std::vector<std::string> forms);
 
-}  // namespace pizarra
+}  // namespace pizarra::repl

@@ -5,7 +5,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-namespace pizarra {
+namespace pizarra::repl {
 
 namespace {
 
@@ -16,7 +16,7 @@ void note(int signal) {
   const int before = errno;
   const auto byte = static_cast<unsigned char>(signal);
   // A full pipe holds signals enough.
-  [[maybe_unused]] const ssize_t written = write(write_end, &byte, 1);
+  [[maybe_unused]] const ssize_t written = ::write(write_end, &byte, 1);
   errno = before;
 }
 
@@ -49,4 +49,4 @@ std::vector<int> SignalPipe::take() {
   return out;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::repl

@@ -10,7 +10,7 @@
 #include <map>
 #include <vector>
 
-namespace pizarra {
+namespace pizarra::repl {
 
 class SignalPipe {
  public:
@@ -28,4 +28,4 @@ class SignalPipe {
   std::map<int, struct sigaction> before_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::repl

@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-namespace pizarra {
+namespace pizarra::repl {
 
 namespace fs = std::filesystem;
 
@@ -248,4 +248,4 @@ void Terminal::print(const std::string& line) {
   if (prompting_) rl_forced_update_display();
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::repl

@@ -18,7 +18,7 @@
 #include "agents/repl/signal_pipe.hpp"
 #include "blackboard/time/latch.hpp"
 
-namespace pizarra {
+namespace pizarra::repl {
 
 // Whether every list and string that was opened is closed; what stands behind a superfluous `)` does not count.
 bool is_complete(std::string_view text);
@@ -71,4 +71,4 @@ class Terminal {
   Queue<std::optional<std::string>> lines_;  // at most the piece that was asked for
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::repl

@@ -8,7 +8,7 @@
 #include "drivers/arm/meeting.hpp"
 #include "lisp/writer.hpp"
 
-namespace pizarra {
+namespace pizarra::robot {
 
 namespace {
 
@@ -45,8 +45,8 @@ void ArmControl::let_go() {
   ended_.wake_all();
 }
 
-Task<Result<ArmReading>> ArmControl::find() {
-  const Result<ArmMeeting> met = co_await meet_arm(context_.executor, driver_, model_);
+Task<Result<arm::ArmReading>> ArmControl::find() {
+  const Result<arm::ArmMeeting> met = co_await arm::meet_arm(context_.executor, driver_, model_);
   if (!met) co_return fail(met);
   if (met->was_stopped) found_moving_ = true;
   facts_.set_reading(model_, met->reading);
@@ -54,9 +54,9 @@ Task<Result<ArmReading>> ArmControl::find() {
 }
 
 Task<Result<void>> ArmControl::connect() {
-  const Result<ArmReading> found = co_await find();
+  const Result<arm::ArmReading> found = co_await find();
   if (!found) co_return fail(found);
-  const bool in_trouble = found->trouble && found->trouble->kind != ArmTrouble::Kind::off;
+  const bool in_trouble = found->trouble && found->trouble->kind != arm::ArmTrouble::Kind::off;
   if (!known_ && !in_trouble) {
     const Result<void> on = co_await switch_on();
     if (!on) co_return on;
@@ -76,7 +76,7 @@ Task<Result<void>> ArmControl::connect() {
 Task<Result<void>> ArmControl::switch_on() {
   const Result<void> control = co_await driver_.take_control();
   if (!control && control.error().symbol != "not-in-control") co_return control;
-  const Result<ArmReading> reading = co_await driver_.read();
+  const Result<arm::ArmReading> reading = co_await driver_.read();
   if (!reading) co_return fail(reading);
   facts_.set_reading(model_, *reading);
   co_return Result<void>();
@@ -85,7 +85,7 @@ Task<Result<void>> ArmControl::switch_on() {
 Task<Result<void>> ArmControl::get_control() {
   const Result<void> control = co_await driver_.take_control();
   if (!control) co_return control;
-  const Result<ArmReading> reading = co_await read();
+  const Result<arm::ArmReading> reading = co_await read();
   if (!reading) co_return fail(reading);
   facts_.set_arm("idle");
   co_return Result<void>();
@@ -95,7 +95,7 @@ void ArmControl::lose(const Failure& why) {
   connected_ = false;
   why_lost_ = fmt::format("the arm cannot be commanded: {}", why.sentence);
   facts_.forget_reading();
-  facts_.set_trouble(ArmTrouble{ArmTrouble::Kind::fault, {why.symbol, why_lost_, why.subject, {}}});
+  facts_.set_trouble(arm::ArmTrouble{arm::ArmTrouble::Kind::fault, {why.symbol, why_lost_, why.subject, {}}});
   facts_.set_arm("fault");
 }
 
@@ -114,7 +114,7 @@ Task<void> ArmControl::look() {
 
 Task<void> ArmControl::look_at_rest() {
   const std::uint64_t motion = motions_;
-  const Result<ArmReading> reading = co_await driver_.read();
+  const Result<arm::ArmReading> reading = co_await driver_.read();
   // Of a motion that began meanwhile it says nothing that is wrong.
   if (motions_ != motion) co_return;
   if (!reading) {
@@ -124,7 +124,7 @@ Task<void> ArmControl::look_at_rest() {
   facts_.set_reading(model_, *reading);
   // Some controllers move, or say so, while they brake.
   const bool braking = braked_at_ && context_.executor.now() - *braked_at_ < braking_time;
-  const bool stray = moves_for_nobody(*reading) && !braking;
+  const bool stray = arm::moves_for_nobody(*reading) && !braking;
   if (!stray) co_return;
   facts_.set_arm("stopped", "MOVED_BY_ITSELF");
   const Result<void> braked = co_await brake();
@@ -156,9 +156,9 @@ Task<void> ArmControl::keep_watch() {
   }
 }
 
-Task<Result<ArmReading>> ArmControl::read() {
+Task<Result<arm::ArmReading>> ArmControl::read() {
   if (!known_) co_return fail("disconnected", why_lost_);
-  const Result<ArmReading> reading = co_await driver_.read();
+  const Result<arm::ArmReading> reading = co_await driver_.read();
   if (reading) facts_.set_reading(model_, *reading);
   if (reading && running_) {
     std::optional<Failure> wrong = guard_.look(context_.executor.now(), *reading);
@@ -168,7 +168,7 @@ Task<Result<ArmReading>> ArmControl::read() {
 }
 
 // Polls until the arm (or the gripper) stands, telling on the way.
-Task<Result<ArmReading>> ArmControl::until_ended(bool gripper, Duration longest) {
+Task<Result<arm::ArmReading>> ArmControl::until_ended(bool gripper, Duration longest) {
   const Time begun = context_.executor.now();
   Time heard = begun;
   Pace pace(context_.executor, std::min(poll_period, tell_period_ / 2));
@@ -176,7 +176,7 @@ Task<Result<ArmReading>> ArmControl::until_ended(bool gripper, Duration longest)
   while (true) {
     const Duration pause = pace.pause();
     co_await sleep(context_.executor, pause);
-    const Result<ArmReading> reading = co_await read();
+    const Result<arm::ArmReading> reading = co_await read();
     const Time now = context_.executor.now();
     if (!reading) {
       if (now - heard < patience) continue;
@@ -207,8 +207,8 @@ Task<void> ArmControl::tell_on_the_way() {
   telling_ = false;
 }
 
-Task<Result<void>> ArmControl::follow(Joints from, std::vector<Joints> waypoints, double speed) {
-  const Joints target = waypoints.back();
+Task<Result<void>> ArmControl::follow(arm::Joints from, std::vector<arm::Joints> waypoints, double speed) {
+  const arm::Joints target = waypoints.back();
   const Duration longest = longest_time(from, waypoints, speed);
   if (stop_requested_) co_return stopped();
   const Result<void> started = co_await driver_.start_move(std::move(waypoints), speed);
@@ -218,7 +218,7 @@ Task<Result<void>> ArmControl::follow(Joints from, std::vector<Joints> waypoints
     const Result<void> halting = co_await brake();
     if (!halting) co_return halting;
   }
-  const Result<ArmReading> ended = co_await until_ended(false, longest);
+  const Result<arm::ArmReading> ended = co_await until_ended(false, longest);
   if (!ended) co_return fail(ended);
   if (stop_requested_) co_return stopped();
   if (ended->stopped) {
@@ -239,7 +239,7 @@ Task<Result<void>> ArmControl::grip(double opening_mm) {
   if (stop_requested_) co_return stopped();
   const Result<void> started = co_await driver_.start_gripper(opening_mm);
   if (!started) co_return refused(started.error());
-  const Result<ArmReading> ended = co_await until_ended(true, gripping_time);
+  const Result<arm::ArmReading> ended = co_await until_ended(true, gripping_time);
   if (!ended) co_return fail(ended);
   if (stop_requested_) co_return stopped();
   co_return {};
@@ -273,7 +273,7 @@ Task<Result<void>> ArmControl::stop() {
   if (!stopping) co_return stopping;
   if (gripping_) {
     // Fingers stop by being sent to where they are.
-    const Result<ArmReading> reading = co_await read();
+    const Result<arm::ArmReading> reading = co_await read();
     if (!reading) co_return fail(reading);
     const double opening_mm = reading->opening_mm;
     const Result<void> held = co_await driver_.start_gripper(opening_mm);
@@ -288,10 +288,11 @@ Task<Result<void>> ArmControl::stop() {
 }
 
 // Three times what the axes need, for their acceleration, and some seconds for the controller.
-Duration ArmControl::longest_time(const Joints& from, const std::vector<Joints>& waypoints, double speed) const {
+Duration ArmControl::longest_time(const arm::Joints& from, const std::vector<arm::Joints>& waypoints,
+                                  double speed) const {
   double seconds = 0;
-  Joints at = from;
-  for (const Joints& to : waypoints) {
+  arm::Joints at = from;
+  for (const arm::Joints& to : waypoints) {
     double slowest = 0;
     for (std::size_t axis = 0; axis < to.size(); ++axis) {
       slowest = std::max(slowest, std::abs(to[axis] - at[axis]) / (model_.axes[axis].speed * speed));
@@ -304,4 +305,4 @@ Duration ArmControl::longest_time(const Joints& from, const std::vector<Joints>&
   return std::chrono::duration_cast<Duration>(std::chrono::duration<double>(seconds));
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::robot

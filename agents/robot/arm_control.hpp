@@ -25,7 +25,7 @@
 #include "agents/robot/guard.hpp"
 #include "blackboard/time/latch.hpp"
 
-namespace pizarra {
+namespace pizarra::robot {
 
 class ArmControl;
 
@@ -49,8 +49,8 @@ class ArmControl {
   static constexpr Duration stopping_time = 5s;  // at most, until a stopped arm stands
   static constexpr Duration braking_time = 1s;   // what still moves after it is told to stop once more
 
-  ArmControl(AgentContext& context, ArmDriver& driver, const ArmModel& model, const std::optional<Room>& room,
-             double told_per_s, ArmFacts& facts)
+  ArmControl(runtime::AgentContext& context, arm::ArmDriver& driver, const arm::ArmModel& model,
+             const std::optional<Room>& room, double told_per_s, ArmFacts& facts)
       : context_(context),
         driver_(driver),
         model_(model),
@@ -61,7 +61,7 @@ class ArmControl {
         ended_(context.executor) {}
 
   // Asks which arm it is, and stops what moves: nobody is left who could answer for that move.
-  Task<Result<ArmReading>> find();
+  Task<Result<arm::ArmReading>> find();
   // The same, and switches its servos on where the controller was not met before.
   Task<Result<void>> connect();
   // Resets alarms, switches servos on, releases brakes: what somebody asked for who knows why they were as they were.
@@ -71,14 +71,14 @@ class ArmControl {
   void lose(const Failure& why);
 
   bool connected() const { return connected_; }
-  const ArmModel& model() const { return model_; }
+  const arm::ArmModel& model() const { return model_; }
   const std::optional<Datum>& running() const { return running_; }
 
   Result<InHand> take_in_hand(Datum operation);
-  Task<Result<ArmReading>> read();
+  Task<Result<arm::ArmReading>> read();
   // From where it was just read to stand through the waypoints (one at least) at `speed` 0..1; answers when the arm
   // stands again.
-  Task<Result<void>> follow(Joints from, std::vector<Joints> waypoints, double speed);
+  Task<Result<void>> follow(arm::Joints from, std::vector<arm::Joints> waypoints, double speed);
   // Answers when the fingers stand, at the opening or on something between them.
   Task<Result<void>> grip(double opening_mm);
   // Answers when the arm stands and the motion it was in has failed with `stopped`; at rest it does nothing.
@@ -91,7 +91,7 @@ class ArmControl {
  private:
   friend class InHand;
   Task<Result<void>> switch_on();
-  Task<Result<ArmReading>> until_ended(bool gripper, Duration longest);
+  Task<Result<arm::ArmReading>> until_ended(bool gripper, Duration longest);
   Task<Result<void>> brake();
   Task<void> look();
   Task<void> look_at_rest();
@@ -99,11 +99,11 @@ class ArmControl {
   Task<void> obey();
   std::unexpected<Failure> stopped() const;
   void let_go();
-  Duration longest_time(const Joints& from, const std::vector<Joints>& waypoints, double speed) const;
+  Duration longest_time(const arm::Joints& from, const std::vector<arm::Joints>& waypoints, double speed) const;
 
-  AgentContext& context_;
-  ArmDriver& driver_;
-  const ArmModel& model_;
+  runtime::AgentContext& context_;
+  arm::ArmDriver& driver_;
+  const arm::ArmModel& model_;
   Guard guard_;
   ArmFacts& facts_;
   const Duration tell_period_;  // while something changes
@@ -124,4 +124,4 @@ class ArmControl {
   Job on_the_way_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::robot

@@ -5,14 +5,13 @@
 
 #include "drivers/arm/kinematics.hpp"
 
-namespace pizarra {
+namespace pizarra::robot {
 
 namespace {
 
 constexpr double millimetre_step = 0.01;
 constexpr double degree_step = 0.001;
 constexpr double opening_step_mm = 0.1;
-constexpr Duration retry_pause = 200ms;
 
 // To the nearest multiple; adding zero makes a negative zero positive.
 double rounded(double value, double step) {
@@ -22,33 +21,33 @@ double rounded(double value, double step) {
 
 }  // namespace
 
-std::vector<Datum> pose_numbers(const ArmModel& model, const Joints& joints) {
-  const ToolPose at = forward(model, joints);
+std::vector<Datum> pose_numbers(const arm::ArmModel& model, const arm::Joints& joints) {
+  const arm::ToolPose at = arm::forward(model, joints);
   std::vector<Datum> numbers;
   for (const double mm : at.translation()) numbers.push_back(to_datum(rounded(mm, millimetre_step)));
-  for (const double deg : fixed_angles(at.linear())) {
+  for (const double deg : arm::fixed_angles(at.linear())) {
     const double angle = rounded(deg, degree_step);
     numbers.push_back(to_datum(angle <= -180 ? 180.0 : angle));
   }
   return numbers;
 }
 
-std::vector<Datum> joint_numbers(const Joints& joints) {
+std::vector<Datum> joint_numbers(const arm::Joints& joints) {
   std::vector<Datum> numbers;
   for (const double reading : joints) numbers.push_back(to_datum(rounded(reading, degree_step)));
   return numbers;
 }
 
-Datum joints_to_datum(const Joints& joints) {
+Datum joints_to_datum(const arm::Joints& joints) {
   std::vector<Datum> numbers;
   for (const double deg : joints) numbers.push_back(to_datum(deg));
   return Datum::list(std::move(numbers));
 }
 
-std::optional<Joints> joints_from_datum(const Datum& datum) {
-  const bool some = datum.size() > 0 && datum.size() <= most_axes;
+std::optional<arm::Joints> joints_from_datum(const Datum& datum) {
+  const bool some = datum.size() > 0 && datum.size() <= arm::most_axes;
   if (!some || !std::ranges::all_of(datum.items(), &Datum::is_number)) return std::nullopt;
-  Joints joints(datum.size());
+  arm::Joints joints(datum.size());
   std::ranges::transform(datum.items(), joints.begin(), &Datum::number);
   return joints;
 }
@@ -59,7 +58,7 @@ void ArmFacts::set_arm(std::string_view state, std::string action) {
   set_state_fact();
 }
 
-void ArmFacts::set_trouble(std::optional<ArmTrouble> trouble) {
+void ArmFacts::set_trouble(std::optional<arm::ArmTrouble> trouble) {
   trouble_ = std::move(trouble);
   if (!state_.empty()) set_state_fact();
 }
@@ -67,11 +66,11 @@ void ArmFacts::set_trouble(std::optional<ArmTrouble> trouble) {
 void ArmFacts::set_state_fact() {
   facts_[arm].now = list("arm"_sym, robot_, Datum::symbol(state_), action_);
   if (!trouble_ || state_ == "moving") return;
-  const Datum state = trouble_->kind == ArmTrouble::Kind::fault ? "fault"_sym : "stopped"_sym;
+  const Datum state = trouble_->kind == arm::ArmTrouble::Kind::fault ? "fault"_sym : "stopped"_sym;
   facts_[arm].now = list("arm"_sym, robot_, state, trouble_->why.sentence);
 }
 
-void ArmFacts::set_reading(const ArmModel& model, const ArmReading& reading) {
+void ArmFacts::set_reading(const arm::ArmModel& model, const arm::ArmReading& reading) {
   set_trouble(reading.trouble);
   std::vector<Datum> at = pose_numbers(model, reading.joints);
   at.insert(at.begin(), {"arm-pose"_sym, robot_});
@@ -137,4 +136,4 @@ void ArmFacts::forget_told() {
   }
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::robot

@@ -12,18 +12,18 @@
 #include "agents/runtime/service.hpp"
 #include "drivers/arm/arm_driver.hpp"
 
-namespace pizarra {
+namespace pizarra::robot {
 
 class ArmFacts {
  public:
-  ArmFacts(AgentContext& context, const Service& service)
+  ArmFacts(runtime::AgentContext& context, const runtime::Service& service)
       : context_(context), service_(service), robot_(Datum::symbol(context.name)) {}
 
   // STATE idle, moving, stopped or fault; the action stays where none is given.
   void set_arm(std::string_view state, std::string action);
   void set_arm(std::string_view state) { set_arm(state, action_); }
-  void set_reading(const ArmModel& model, const ArmReading& reading);
-  void set_trouble(std::optional<ArmTrouble> trouble);
+  void set_reading(const arm::ArmModel& model, const arm::ArmReading& reading);
+  void set_trouble(std::optional<arm::ArmTrouble> trouble);
   // Where the arm is and what it holds is not known any more.
   void forget_reading();
   // The last commanded action, NO_ACTION before the first.
@@ -48,23 +48,23 @@ class ArmFacts {
   void set_state_fact();
   Datum pattern(std::size_t kind) const;
 
-  AgentContext& context_;
-  const Service& service_;
+  runtime::AgentContext& context_;
+  const runtime::Service& service_;
   LeaseId told_under_ = 0;
   const Datum robot_;  // the key of all of them
   std::string state_;
   std::string action_ = "NO_ACTION";
-  std::optional<ArmTrouble> trouble_;
+  std::optional<arm::ArmTrouble> trouble_;
   std::array<Told, kinds> facts_;
 };
 
 // x, y, z (0.01 mm) and rx, ry, rz (0.001 degree, each in (-180, 180]) of the grip centre.
-std::vector<Datum> pose_numbers(const ArmModel& model, const Joints& joints);
+std::vector<Datum> pose_numbers(const arm::ArmModel& model, const arm::Joints& joints);
 // What each axis reads, axis 1 first: 0.001 degree or mm.
-std::vector<Datum> joint_numbers(const Joints& joints);
+std::vector<Datum> joint_numbers(const arm::Joints& joints);
 
 // What the axes read as a list, exactly, and back; nothing where it is no such list.
-Datum joints_to_datum(const Joints& joints);
-std::optional<Joints> joints_from_datum(const Datum& datum);
+Datum joints_to_datum(const arm::Joints& joints);
+std::optional<arm::Joints> joints_from_datum(const Datum& datum);
 
-}  // namespace pizarra
+}  // namespace pizarra::robot

@@ -11,7 +11,7 @@
 #include "lisp/nearest.hpp"
 #include "lisp/reader.hpp"
 
-namespace pizarra {
+namespace pizarra::robot {
 
 namespace {
 
@@ -46,11 +46,11 @@ std::string lower(std::string_view text) {
 
 class Script {
  public:
-  Script(const ArmModel& model, const Joints& from, const ArmVariables& variables)
+  Script(const arm::ArmModel& model, const arm::Joints& from, const ArmVariables& variables)
       : model_(model), variables_(variables), path_(model, from) {}
 
   Result<void> run(const Datum& form);
-  const std::vector<Joints>& waypoints() const { return path_.waypoints(); }
+  const std::vector<arm::Joints>& waypoints() const { return path_.waypoints(); }
 
  private:
   Result<Vector3d> point(const Datum& given) const;
@@ -60,7 +60,7 @@ class Script {
   Result<void> track(std::span<const Datum> arguments);
   Result<void> around(std::span<const Datum> arguments, bool whole);
 
-  const ArmModel& model_;
+  const arm::ArmModel& model_;
   const ArmVariables& variables_;
   ToolPath path_;
 };
@@ -85,9 +85,9 @@ Result<void> Script::run(const Datum& form) {
 
 Result<Vector3d> Script::point(const Datum& given) const {
   if (given.is_symbol()) {
-    const Result<Joints> joints = find_variable(variables_, given.text());
+    const Result<arm::Joints> joints = find_variable(variables_, given.text());
     if (!joints) return fail(joints);
-    return Vector3d(forward(model_, *joints).translation());
+    return Vector3d(arm::forward(model_, *joints).translation());
   }
   const bool numbers = given.size() == 3 && std::ranges::all_of(given.items(), &Datum::is_number);
   if (!numbers) return fail("bad-action", "a point is a learned variable or (X Y Z)", given);
@@ -118,7 +118,7 @@ Result<void> Script::path(std::span<const Datum> arguments) {
   if (arguments.empty()) return fail("bad-action", "it is (path VARIABLE ...)");
   for (const Datum& name : arguments) {
     if (!name.is_symbol()) return fail("bad-action", "a path leads through learned variables", name);
-    const Result<Joints> joints = find_variable(variables_, name.text());
+    const Result<arm::Joints> joints = find_variable(variables_, name.text());
     if (!joints) return fail(joints);
     const Result<void> moved = path_.joints_to(*joints);
     if (!moved) return moved;
@@ -128,9 +128,9 @@ Result<void> Script::path(std::span<const Datum> arguments) {
 
 Result<void> Script::track(std::span<const Datum> arguments) {
   if (arguments.size() != 1 || !arguments[0].is_number()) return fail("bad-action", "it is (track MM)");
-  const std::optional<std::size_t> axis = model_.axis_of(Role::track);
+  const std::optional<std::size_t> axis = model_.axis_of(arm::Role::track);
   if (!axis) return fail("no-such-axis", fmt::format("the arm {} has no track", model_.type));
-  Joints joints = path_.joints();
+  arm::Joints joints = path_.joints();
   joints[*axis] = arguments[0].number();
   return path_.joints_to(joints);
 }
@@ -181,8 +181,8 @@ Result<void> Script::around(std::span<const Datum> arguments, bool whole) {
 
 }  // namespace
 
-Result<std::vector<Joints>> script_waypoints(const ArmModel& model, std::string_view text, const Joints& from,
-                                             const ArmVariables& variables) {
+Result<std::vector<arm::Joints>> script_waypoints(const arm::ArmModel& model, std::string_view text,
+                                                  const arm::Joints& from, const ArmVariables& variables) {
   const Result<Source> source = read_source(as_forms(text), "do-action", limits);
   if (!source) return fail(source);
   const std::size_t forms = source->data().size();
@@ -199,4 +199,4 @@ Result<std::vector<Joints>> script_waypoints(const ArmModel& model, std::string_
   return script.waypoints();
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::robot

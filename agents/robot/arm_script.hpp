@@ -17,9 +17,9 @@
 
 #include "agents/robot/motion.hpp"
 
-namespace pizarra {
+namespace pizarra::robot {
 
-Result<std::vector<Joints>> script_waypoints(const ArmModel& model, std::string_view text, const Joints& from,
-                                             const ArmVariables& variables);
+Result<std::vector<arm::Joints>> script_waypoints(const arm::ArmModel& model, std::string_view text,
+                                                  const arm::Joints& from, const ArmVariables& variables);
 
-}  // namespace pizarra
+}  // namespace pizarra::robot

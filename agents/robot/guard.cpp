@@ -6,7 +6,7 @@
 #include "drivers/arm/kinematics.hpp"
 #include "drivers/arm/move_check.hpp"
 
-namespace pizarra {
+namespace pizarra::robot {
 
 namespace {
 
@@ -16,12 +16,12 @@ std::optional<Failure> failure(std::string symbol, std::string sentence, Datum s
 
 }  // namespace
 
-std::optional<Failure> Guard::look(Time now, const ArmReading& reading) {
-  const Result<void> within = check_reading(model_, reading.joints);
+std::optional<Failure> Guard::look(Time now, const arm::ArmReading& reading) {
+  const Result<void> within = arm::check_reading(model_, reading.joints);
   if (!within) return within.error();
   if (const std::optional<Failure> fast = look_at_speed(now, reading.joints)) return fast;
   if (!room_) return {};
-  const Eigen::Vector3d point = forward(model_, reading.joints).translation();
+  const Eigen::Vector3d point = arm::forward(model_, reading.joints).translation();
   const bool inside = room_->holds(point);
   was_in_room_ = was_in_room_ || inside;
   if (inside || !was_in_room_) return {};
@@ -31,10 +31,10 @@ std::optional<Failure> Guard::look(Time now, const ArmReading& reading) {
                  list("point"_sym, point.x(), point.y(), point.z()));
 }
 
-std::optional<Failure> Guard::look_at_speed(Time now, const Joints& joints) {
+std::optional<Failure> Guard::look_at_speed(Time now, const arm::Joints& joints) {
   const Duration between = now - measured_at_;
   if (measured_.size() == joints.size() && between < speed_window) return {};
-  const Joints before = measured_;
+  const arm::Joints before = measured_;
   measured_ = joints;
   measured_at_ = now;
   // After a pause there is nothing to compare with.
@@ -51,4 +51,4 @@ std::optional<Failure> Guard::look_at_speed(Time now, const Joints& joints) {
   return {};
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::robot

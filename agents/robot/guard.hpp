@@ -12,7 +12,7 @@
 #include "blackboard/time/clock.hpp"
 #include "drivers/arm/arm_driver.hpp"
 
-namespace pizarra {
+namespace pizarra::robot {
 
 class Guard {
  public:
@@ -20,21 +20,21 @@ class Guard {
   static constexpr double speed_slack = 1.5;
   static constexpr Duration speed_window = 100ms;
 
-  explicit Guard(const ArmModel& model, const std::optional<Room>& room = {}) : model_(model), room_(room) {}
+  explicit Guard(const arm::ArmModel& model, const std::optional<Room>& room = {}) : model_(model), room_(room) {}
 
   // A motion begins: an arm that stands out of its room may come back.
   void begin() { was_in_room_ = false; }
   // Failures `joint-limit`, `too-fast` (the subject is the axis, from 1) and `out-of-room`.
-  std::optional<Failure> look(Time now, const ArmReading& reading);
+  std::optional<Failure> look(Time now, const arm::ArmReading& reading);
 
  private:
-  std::optional<Failure> look_at_speed(Time now, const Joints& joints);
+  std::optional<Failure> look_at_speed(Time now, const arm::Joints& joints);
 
-  const ArmModel& model_;
+  const arm::ArmModel& model_;
   const std::optional<Room> room_;
   Time measured_at_{};
-  Joints measured_;
+  arm::Joints measured_;
   bool was_in_room_ = false;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::robot

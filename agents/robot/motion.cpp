@@ -11,7 +11,7 @@
 #include "lisp/nearest.hpp"
 #include "lisp/writer.hpp"
 
-namespace pizarra {
+namespace pizarra::robot {
 
 namespace {
 
@@ -28,8 +28,8 @@ Result<double> sign_of(const Datum& direction, std::string_view positive, std::s
 }
 
 // The direction in which an arm extends, in the base frame, for one of the three options.
-Result<Eigen::Vector3d> extension(const ArmModel& model, const Joints& from, const Datum& keep) {
-  const Stretch stretch = stretch_of(model, from);
+Result<Eigen::Vector3d> extension(const arm::ArmModel& model, const arm::Joints& from, const Datum& keep) {
+  const arm::Stretch stretch = arm::stretch_of(model, from);
   if (keep.is_symbol("keep-height")) return stretch.ahead;
   if (keep.is_symbol("keep-distance")) return Eigen::Vector3d(0, 0, 1);
   if (!keep.is_symbol("keep-angle")) {
@@ -40,7 +40,7 @@ Result<Eigen::Vector3d> extension(const ArmModel& model, const Joints& from, con
 }
 
 // As far as the links can, and a track that runs the way they stretch.
-Result<Motion> clamped_line(const ArmModel& model, const Joints& from, const Eigen::Vector3d& along,
+Result<Motion> clamped_line(const arm::ArmModel& model, const arm::Joints& from, const Eigen::Vector3d& along,
                             const Datum& distance) {
   const Result<double> mm = amount_in(distance, 0, max_distance_mm, "mm");
   if (!mm) return fail(mm);
@@ -52,7 +52,7 @@ Result<Motion> clamped_line(const ArmModel& model, const Joints& from, const Eig
 }
 
 // All the way or not at all.
-Result<Motion> whole_line(const ArmModel& model, const Joints& from, const Eigen::Vector3d& along,
+Result<Motion> whole_line(const arm::ArmModel& model, const arm::Joints& from, const Eigen::Vector3d& along,
                           const Datum& distance) {
   const Result<double> mm = amount_in(distance, 0, max_distance_mm, "mm");
   if (!mm) return fail(mm);
@@ -63,28 +63,30 @@ Result<Motion> whole_line(const ArmModel& model, const Joints& from, const Eigen
 }
 
 // `sign` counts as the role's value does, whatever the axis' own sense.
-Result<Motion> turned(const ArmModel& model, const Joints& from, Role role, double sign, const Datum& angle) {
+Result<Motion> turned(const arm::ArmModel& model, const arm::Joints& from, arm::Role role, double sign,
+                      const Datum& angle) {
   const std::optional<std::size_t> known = model.axis_of(role);
   if (!known) {
-    return fail("no-such-axis", fmt::format("the arm {} has no axis that does this ({})", model.type, role_name(role)),
-                Datum::symbol(role_name(role)));
+    return fail("no-such-axis",
+                fmt::format("the arm {} has no axis that does this ({})", model.type, arm::role_name(role)),
+                Datum::symbol(arm::role_name(role)));
   }
   const std::size_t axis = *known;
-  const Range limits = range_of(model, from, axis);
-  const double widest = std::max(max_turn_deg, limits.high - limits.low);
+  const arm::Range range = arm::range_of(model, from, axis);
+  const double widest = std::max(max_turn_deg, range.high - range.low);
   const Result<double> degrees = amount_in(angle, 0, widest, "degrees");
   if (!degrees) return fail(degrees);
   const double by = std::round(*degrees / turn_resolution_deg) * turn_resolution_deg;
   if (by == 0) return Motion{};
-  Joints to = from;
-  to[axis] = std::clamp(from[axis] + sign * model.axes[axis].sense * by, std::min(limits.low, from[axis]),
-                        std::max(limits.high, from[axis]));
+  arm::Joints to = from;
+  to[axis] = std::clamp(from[axis] + sign * model.axes[axis].sense * by, std::min(range.low, from[axis]),
+                        std::max(range.high, from[axis]));
   if (std::abs(to[axis] - from[axis]) < turn_resolution_deg / 2) return Motion{{}, true};
   return Motion{{to}};
 }
 
-Result<Motion> joint_move(const ArmModel& model, const Joints& from, const Joints& to) {
-  const Result<void> within = check_limits(model, to);
+Result<Motion> joint_move(const arm::ArmModel& model, const arm::Joints& from, const arm::Joints& to) {
+  const Result<void> within = arm::check_limits(model, to);
   if (!within) return fail(within);
   const bool there = std::ranges::equal(from, to, [](double a, double b) { return std::abs(a - b) < same_place_deg; });
   if (there) return Motion{};
@@ -102,13 +104,13 @@ constexpr Direction directions[] = {{"turn", "right", "left"},
                                     {"move-h", "right", "left"},
                                     {"move-v", "up", "down"}};
 
-Result<Motion> directed(const ArmModel& model, const Datum& operation, const Joints& from) {
+Result<Motion> directed(const arm::ArmModel& model, const Datum& operation, const arm::Joints& from) {
   const auto known = std::ranges::find(directions, operation.head(), &Direction::operation);
   const Result<double> sign = sign_of(operation[1], known->positive, known->negative);
   if (!sign) return fail(sign);
-  if (operation.is_form("turn")) return turned(model, from, Role::turn, *sign, operation[2]);
-  if (operation.is_form("turn-ef")) return turned(model, from, Role::pitch, *sign, operation[2]);
-  if (operation.is_form("turn-wrist")) return turned(model, from, Role::spin, *sign, operation[2]);
+  if (operation.is_form("turn")) return turned(model, from, arm::Role::turn, *sign, operation[2]);
+  if (operation.is_form("turn-ef")) return turned(model, from, arm::Role::pitch, *sign, operation[2]);
+  if (operation.is_form("turn-wrist")) return turned(model, from, arm::Role::spin, *sign, operation[2]);
   if (operation.is_form("move-h")) return whole_line(model, from, {0, *sign, 0}, operation[2]);
   return whole_line(model, from, {0, 0, *sign}, operation[2]);
 }
@@ -121,12 +123,12 @@ bool is_motion(const Datum& operation) {
          std::ranges::find(directions, operation.head(), &Direction::operation) != std::end(directions);
 }
 
-Result<Motion> plan_motion(const ArmModel& model, const Datum& operation, const Joints& from,
+Result<Motion> plan_motion(const arm::ArmModel& model, const Datum& operation, const arm::Joints& from,
                            const ArmVariables& variables) {
   if (operation.is_form("home")) return joint_move(model, from, model.home);
   if (operation.is_form("ready")) return joint_move(model, from, model.ready);
   if (operation.is_form("goto")) {
-    const Result<Joints> to = find_variable(variables, operation[1].text());
+    const Result<arm::Joints> to = find_variable(variables, operation[1].text());
     if (!to) return fail(to);
     return joint_move(model, from, *to);
   }
@@ -140,19 +142,19 @@ Result<Motion> plan_motion(const ArmModel& model, const Datum& operation, const 
     return clamped_line(model, from, *out, operation[2]);
   }
   if (operation.is_form("do-action")) {
-    Result<std::vector<Joints>> waypoints = script_waypoints(model, operation[1].text(), from, variables);
+    Result<std::vector<arm::Joints>> waypoints = script_waypoints(model, operation[1].text(), from, variables);
     if (!waypoints) return fail(waypoints);
     return Motion{std::move(*waypoints)};
   }
   return directed(model, operation, from);
 }
 
-Result<void> check_room(const ArmModel& model, const std::optional<Room>& room, const Joints& from,
-                        const std::vector<Joints>& waypoints) {
+Result<void> check_room(const arm::ArmModel& model, const std::optional<Room>& room, const arm::Joints& from,
+                        const std::vector<arm::Joints>& waypoints) {
   if (!room) return {};
-  bool inside = room->holds(forward(model, from).translation());
-  for (const Joints& waypoint : waypoints) {
-    const Eigen::Vector3d point = forward(model, waypoint).translation();
+  bool inside = room->holds(arm::forward(model, from).translation());
+  for (const arm::Joints& waypoint : waypoints) {
+    const Eigen::Vector3d point = arm::forward(model, waypoint).translation();
     const bool now = room->holds(point);
     const bool last = &waypoint == &waypoints.back();
     if ((inside || last) && !now) {
@@ -165,7 +167,7 @@ Result<void> check_room(const ArmModel& model, const std::optional<Room>& room, 
   return {};
 }
 
-Result<Joints> find_variable(const ArmVariables& variables, std::string_view name) {
+Result<arm::Joints> find_variable(const ArmVariables& variables, std::string_view name) {
   const auto known = variables.find(name);
   if (known != variables.end()) return known->second;
   const std::string nearest = nearest_name(name, std::views::keys(variables));
@@ -181,4 +183,4 @@ Result<double> amount_in(const Datum& given, double low, double high, std::strin
   return fail("out-of-range", fmt::format("{} is not within {:g} to {:g} {}", write(given), low, high, unit), given);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::robot

@@ -20,30 +20,30 @@
 #include "agents/robot/work_volume.hpp"
 #include "drivers/arm/kinematics.hpp"
 
-namespace pizarra {
+namespace pizarra::robot {
 
-using ArmVariables = std::map<std::string, Joints, std::less<>>;
+using ArmVariables = std::map<std::string, arm::Joints, std::less<>>;
 
 struct Motion {
-  std::vector<Joints> waypoints;  // none: there is nothing to move
-  bool at_limit = false;          // because the arm is fully extended, contracted or turned already
+  std::vector<arm::Joints> waypoints;  // none: there is nothing to move
+  bool at_limit = false;               // because the arm is fully extended, contracted or turned already
 };
 
 // Whether the operation moves the arm: what plan_motion takes.
 bool is_motion(const Datum& operation);
 
 // `operation` has been checked against the contract.
-Result<Motion> plan_motion(const ArmModel& model, const Datum& operation, const Joints& from,
+Result<Motion> plan_motion(const arm::ArmModel& model, const Datum& operation, const arm::Joints& from,
                            const ArmVariables& variables);
 
 // Whether the waypoints stay in the arm's room once they are in it. Failure `out-of-room`: the subject is where not.
-Result<void> check_room(const ArmModel& model, const std::optional<Room>& room, const Joints& from,
-                        const std::vector<Joints>& waypoints);
+Result<void> check_room(const arm::ArmModel& model, const std::optional<Room>& room, const arm::Joints& from,
+                        const std::vector<arm::Joints>& waypoints);
 
 // The joints of a learned variable; the failure names the nearest.
-Result<Joints> find_variable(const ArmVariables& variables, std::string_view name);
+Result<arm::Joints> find_variable(const ArmVariables& variables, std::string_view name);
 
 // A number given by a caller: at least `low`, at most `high`.
 Result<double> amount_in(const Datum& given, double low, double high, std::string_view unit);
 
-}  // namespace pizarra
+}  // namespace pizarra::robot

@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-namespace pizarra {
+namespace pizarra::robot {
 
 namespace {
-
-constexpr Duration retry_pause = 200ms;
 
 Failure stopped(std::string sentence, Datum subject) {
   return {"stopped", std::move(sentence), std::move(subject), {}};
@@ -165,4 +163,4 @@ Task<void> Reflex::ask_board(LeaseId lease) {
   }
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::robot

@@ -24,14 +24,14 @@
 
 #include "agents/robot/arm_control.hpp"
 
-namespace pizarra {
+namespace pizarra::robot {
 
 class Reflex {
  public:
   static constexpr Duration beat = 20ms;
   static constexpr int silent_beats = 4;
 
-  Reflex(AgentContext& context, ArmControl& control)
+  Reflex(runtime::AgentContext& context, ArmControl& control)
       : context_(context), control_(control), more_heard_(context.executor) {}
 
   // Follows stops, commanders and presences on the board from now on.
@@ -68,7 +68,7 @@ class Reflex {
   Task<void> beat_on(LeaseId lease);
   Task<void> ask_board(LeaseId lease);
 
-  AgentContext& context_;
+  runtime::AgentContext& context_;
   ArmControl& control_;
   std::map<FactId, Datum> stops_;
   std::map<FactId, std::string> commanders_;  // the first commands
@@ -81,4 +81,4 @@ class Reflex {
   int silence_ = 0;  // beats since the board answered
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::robot

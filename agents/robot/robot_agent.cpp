@@ -9,7 +9,7 @@
 #include "agents/runtime/service.hpp"
 #include "lisp/writer.hpp"
 
-namespace pizarra {
+namespace pizarra::robot {
 
 namespace {
 
@@ -17,7 +17,6 @@ constexpr double max_opening_mm = 100;
 constexpr std::size_t max_variables = 256;
 constexpr Duration connecting_time = 5s;  // after it, requests are answered `disconnected`
 constexpr Duration connecting_pause = 250ms;
-constexpr Duration retry_pause = 200ms;
 
 // Open to all; whatever else is asked for changes something, and is its commander's to ask for.
 bool only_monitors(const Datum& operation) {
@@ -41,7 +40,7 @@ struct EarlierMotion {
 }  // namespace
 
 struct RobotAgent::State {
-  State(AgentContext given, ArmDriver& driver, ArmModel described, const RobotOptions& options)
+  State(runtime::AgentContext given, arm::ArmDriver& driver, arm::ArmModel described, const RobotOptions& options)
       : context(std::move(given)),
         name(Datum::symbol(context.name)),
         model(std::move(described)),
@@ -49,11 +48,11 @@ struct RobotAgent::State {
         facts(context, service),
         control(context, driver, model, room, options.told_per_s, facts),
         reflex(context, control),
-        service(context, contract_from_text(robot_contract).value()) {}
+        service(context, runtime::contract_from_text(robot_contract).value()) {}
 
-  AgentContext context;
+  runtime::AgentContext context;
   const Datum name;  // the first argument of all that it tells
-  const ArmModel model;
+  const arm::ArmModel model;
   const std::optional<Room> room;
   ArmFacts facts;
   ArmControl control;
@@ -62,7 +61,7 @@ struct RobotAgent::State {
   double speed_percent = 100;
   std::optional<EarlierMotion> earlier;
   Job watch;
-  Service service;  // last, because its jobs use all the others
+  runtime::Service service;  // last, because its jobs use all the others
 
   Task<Result<void>> run();
   Task<Result<std::vector<Fact>>> known(Datum pattern);
@@ -87,7 +86,7 @@ struct RobotAgent::State {
   }
 };
 
-RobotAgent::RobotAgent(AgentContext context, ArmDriver& driver, ArmModel model, RobotOptions options)
+RobotAgent::RobotAgent(runtime::AgentContext context, arm::ArmDriver& driver, arm::ArmModel model, RobotOptions options)
     : state_(std::make_unique<State>(std::move(context), driver, std::move(model), options)) {}
 
 RobotAgent::~RobotAgent() = default;
@@ -97,7 +96,7 @@ Task<Result<void>> RobotAgent::run() { return state_->run(); }
 Task<Result<void>> RobotAgent::State::run() {
   // At once: what an earlier life of this agent began may go on, and its name is taken for as long as its lease. One
   // that is not there yet is waited for below.
-  [[maybe_unused]] const Result<ArmReading> found = co_await control.find();
+  [[maybe_unused]] const Result<arm::ArmReading> found = co_await control.find();
   const Result<void> started = co_await service.start();
   if (!started) co_return started;
   const Result<void> restored = co_await restore();
@@ -108,7 +107,7 @@ Task<Result<void>> RobotAgent::State::run() {
   reflex.begin();
   // Who stops it and who commands it is known before anybody is obeyed.
   co_await reflex.known();
-  RequestHandler handler = [this](Fact request) { return handle(std::move(request)); };
+  runtime::RequestHandler handler = [this](Fact request) { return handle(std::move(request)); };
   co_return co_await service.serve_requests(std::move(handler));
 }
 
@@ -127,7 +126,7 @@ Task<Result<void>> RobotAgent::State::restore() {
   const Result<std::vector<Fact>> learned = co_await known(variable);
   if (!learned) co_return fail(learned);
   for (const Fact& fact : *learned) {
-    const std::optional<Joints> joints = joints_from_datum(fact.datum[3]);
+    const std::optional<arm::Joints> joints = joints_from_datum(fact.datum[3]);
     const bool fits = joints && joints->size() == model.axes.size();
     if (fits) variables.insert_or_assign(std::string(fact.datum[2].text()), *joints);
   }
@@ -189,9 +188,9 @@ Task<Result<Datum>> RobotAgent::State::move(Fact request) {
   const Datum operation = request.datum[3];
   const Result<InHand> in_hand = control.take_in_hand(operation);
   if (!in_hand) co_return fail(in_hand);
-  const Result<ArmReading> reading = co_await control.read();
+  const Result<arm::ArmReading> reading = co_await control.read();
   if (!reading) co_return fail(reading);
-  const Joints at = reading->joints;
+  const arm::Joints at = reading->joints;
   Result<Motion> motion = plan_motion(model, operation, at, variables);
   if (!motion) co_return fail(motion);
   const Result<void> inside = check_room(model, room, at, motion->waypoints);
@@ -261,7 +260,7 @@ Task<Result<Datum>> RobotAgent::State::learn(Datum operation) {
   if (!variables.contains(variable) && variables.size() >= max_variables) {
     co_return fail("out-of-range", fmt::format("{} variables are learned already", max_variables), operation[1]);
   }
-  const Result<ArmReading> reading = co_await control.read();
+  const Result<arm::ArmReading> reading = co_await control.read();
   if (!reading) co_return fail(reading);
   const Datum fact = list("robot-variable"_sym, name, operation[1], joints_to_datum(reading->joints));
   const Result<Revision> told = if_it_stands(co_await context.board.tell(fact));
@@ -271,7 +270,7 @@ Task<Result<Datum>> RobotAgent::State::learn(Datum operation) {
 }
 
 Task<Result<Datum>> RobotAgent::State::monitor() {
-  const Result<ArmReading> reading = co_await control.read();
+  const Result<arm::ArmReading> reading = co_await control.read();
   if (!reading) co_return fail(reading);
   std::vector<Datum> numbers = pose_numbers(model, reading->joints);
   const std::vector<Datum> joints = joint_numbers(reading->joints);
@@ -299,4 +298,4 @@ Task<Result<Datum>> RobotAgent::State::get_control(Datum operation) {
   co_return answer(true);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::robot

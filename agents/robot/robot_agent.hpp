@@ -25,17 +25,17 @@
 #include "agents/runtime/agent.hpp"
 #include "drivers/arm/arm_driver.hpp"
 
-namespace pizarra {
+namespace pizarra::robot {
 
 struct RobotOptions {
   std::optional<Room> room = {};  // where its grip centre stays
   double told_per_s = 10;         // how often pose and joints are told while they change
 };
 
-class RobotAgent : public Agent {
+class RobotAgent : public runtime::Agent {
  public:
   // The driver outlives the agent; the model is that of the arm that its controller will say it is of.
-  RobotAgent(AgentContext context, ArmDriver& driver, ArmModel model, RobotOptions options = {});
+  RobotAgent(runtime::AgentContext context, arm::ArmDriver& driver, arm::ArmModel model, RobotOptions options = {});
   ~RobotAgent() override;
   Task<Result<void>> run() override;
 
@@ -44,4 +44,4 @@ class RobotAgent : public Agent {
   std::unique_ptr<State> state_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::robot

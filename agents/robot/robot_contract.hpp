@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-namespace pizarra {
+namespace pizarra::robot {
 
 inline constexpr std::string_view robot_contract = R"scheme(
 (contract robot
@@ -32,4 +32,4 @@ inline constexpr std::string_view robot_contract = R"scheme(
   (monitors get-status monitor finish))
 )scheme";
 
-}  // namespace pizarra
+}  // namespace pizarra::robot

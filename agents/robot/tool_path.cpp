@@ -4,23 +4,23 @@
 #include <fmt/format.h>
 #include <numeric>
 
-namespace pizarra {
+namespace pizarra::robot {
 
-ToolPath::ToolPath(const ArmModel& model, const Joints& from, Track track)
-    : model_(model), track_(track), joints_(from), pose_(forward(model, from)) {}
+ToolPath::ToolPath(const arm::ArmModel& model, const arm::Joints& from, Track track)
+    : model_(model), track_(track), joints_(from), pose_(arm::forward(model, from)) {}
 
-Result<Joints> ToolPath::reach(const Eigen::Vector3d& point_mm) const {
+Result<arm::Joints> ToolPath::reach(const Eigen::Vector3d& point_mm) const {
   if (waypoints_.size() >= max_waypoints) {
     return fail("too-long", fmt::format("a motion has at most {} waypoints", max_waypoints));
   }
-  ToolPose pose = pose_;
+  arm::ToolPose pose = pose_;
   pose.translation() = point_mm;
-  pose = nearest_attainable(model_, pose, joints_);
-  const Result<Joints> joints =
-      track_ == Track::stays ? inverse_in_place(model_, pose, joints_) : inverse(model_, pose, joints_);
+  pose = arm::nearest_attainable(model_, pose, joints_);
+  const Result<arm::Joints> joints =
+      track_ == Track::stays ? arm::inverse_in_place(model_, pose, joints_) : arm::inverse(model_, pose, joints_);
   if (!joints) return joints;
   for (std::size_t axis = 0; axis < joints->size(); ++axis) {
-    const double widest = slides(model_.axes[axis].role) ? posture_change_mm : posture_change_deg;
+    const double widest = arm::slides(model_.axes[axis].role) ? posture_change_mm : posture_change_deg;
     if (std::abs((*joints)[axis] - joints_[axis]) <= widest) continue;
     return fail("joint-limit",
                 fmt::format("axis {} would have to change its posture on the way to ({:.1f} {:.1f} {:.1f})", axis + 1,
@@ -30,19 +30,19 @@ Result<Joints> ToolPath::reach(const Eigen::Vector3d& point_mm) const {
   return joints;
 }
 
-void ToolPath::append(const Joints& joints, const Eigen::Vector3d& point_mm) {
+void ToolPath::append(const arm::Joints& joints, const Eigen::Vector3d& point_mm) {
   waypoints_.push_back(joints);
   joints_ = joints;
   pose_.translation() = point_mm;
 }
 
-bool ToolPath::is_straight(const Line& line, const Joints& to) const {
-  const Eigen::Matrix3d before = forward(model_, joints_).linear();
-  const double turned = (forward(model_, to).linear() - before).norm();
-  Joints between = to;
+bool ToolPath::is_straight(const Line& line, const arm::Joints& to) const {
+  const Eigen::Matrix3d before = arm::forward(model_, joints_).linear();
+  const double turned = (arm::forward(model_, to).linear() - before).norm();
+  arm::Joints between = to;
   for (const double part : {0.25, 0.5, 0.75}) {
     for (std::size_t axis = 0; axis < to.size(); ++axis) between[axis] = std::lerp(joints_[axis], to[axis], part);
-    const ToolPose pose = forward(model_, between);
+    const arm::ToolPose pose = arm::forward(model_, between);
     const Eigen::Vector3d off = pose.translation() - line.start_mm;
     if ((off - off.dot(line.along) * line.along).norm() > deviation_mm) return false;
     if ((pose.linear() - before).norm() > turned + tilt_rad) return false;
@@ -51,7 +51,7 @@ bool ToolPath::is_straight(const Line& line, const Joints& to) const {
 }
 
 LineEnd ToolPath::advance(const Line& line, double from_mm, double to_mm) {
-  const Result<Joints> joints = reach(line.at(to_mm));
+  const Result<arm::Joints> joints = reach(line.at(to_mm));
   if (!joints) return {from_mm, joints.error()};
   if (is_straight(line, *joints)) {
     append(*joints, line.at(to_mm));
@@ -63,7 +63,7 @@ LineEnd ToolPath::advance(const Line& line, double from_mm, double to_mm) {
   return half.ended_by ? half : advance(line, half_mm, to_mm);
 }
 
-Failure ToolPath::singular(const Joints& to, double way_mm) const {
+Failure ToolPath::singular(const arm::Joints& to, double way_mm) const {
   std::size_t fastest = 0;
   for (std::size_t axis = 0; axis < to.size(); ++axis) {
     if (std::abs(to[axis] - joints_[axis]) > std::abs(to[fastest] - joints_[fastest])) fastest = axis;
@@ -79,8 +79,8 @@ Failure ToolPath::singular(const Joints& to, double way_mm) const {
 
 double ToolPath::advance_as_far_as_it_can(const Line& line, double from_mm, double to_mm) {
   const std::size_t waypoints = waypoints_.size();
-  const Joints joints = joints_;
-  const ToolPose pose = pose_;
+  const arm::Joints joints = joints_;
+  const arm::ToolPose pose = pose_;
   double near_mm = from_mm;
   while (to_mm - near_mm > resolution_mm / 2) {
     const double middle_mm = std::midpoint(near_mm, to_mm);
@@ -109,16 +109,16 @@ LineEnd ToolPath::line_by(const Eigen::Vector3d& offset_mm) {
   return {length_mm, {}};
 }
 
-Result<void> ToolPath::joints_to(const Joints& joints) {
-  const Result<void> within = check_limits(model_, joints);
+Result<void> ToolPath::joints_to(const arm::Joints& joints) {
+  const Result<void> within = arm::check_limits(model_, joints);
   if (!within) return within;
   if (waypoints_.size() >= max_waypoints) {
     return fail("too-long", fmt::format("a motion has at most {} waypoints", max_waypoints));
   }
   waypoints_.push_back(joints);
   joints_ = joints;
-  pose_ = forward(model_, joints);
+  pose_ = arm::forward(model_, joints);
   return {};
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::robot

@@ -15,7 +15,7 @@
 
 #include "drivers/arm/kinematics.hpp"
 
-namespace pizarra {
+namespace pizarra::robot {
 
 struct LineEnd {
   double length_mm;                 // how far the path got along this piece
@@ -39,40 +39,40 @@ class ToolPath {
   // Whether a track may carry the arm on where its links do not reach.
   enum class Track { helps, stays };
 
-  ToolPath(const ArmModel& model, const Joints& from, Track track = Track::helps);
+  ToolPath(const arm::ArmModel& model, const arm::Joints& from, Track track = Track::helps);
 
   // Goes on along a straight line, as far as the arm can.
   LineEnd line_by(const Eigen::Vector3d& offset_mm);
   LineEnd line_to(const Eigen::Vector3d& point_mm) { return line_by(point_mm - point()); }
   // Goes on with a joint move.
-  Result<void> joints_to(const Joints& joints);
+  Result<void> joints_to(const arm::Joints& joints);
 
   // Where it ends so far.
   Eigen::Vector3d point() const { return pose_.translation(); }
-  const Joints& joints() const { return joints_; }
+  const arm::Joints& joints() const { return joints_; }
   // Without the joints it started from.
-  const std::vector<Joints>& waypoints() const { return waypoints_; }
+  const std::vector<arm::Joints>& waypoints() const { return waypoints_; }
 
  private:
-  Result<Joints> reach(const Eigen::Vector3d& point_mm) const;
-  void append(const Joints& joints, const Eigen::Vector3d& point_mm);
+  Result<arm::Joints> reach(const Eigen::Vector3d& point_mm) const;
+  void append(const arm::Joints& joints, const Eigen::Vector3d& point_mm);
   struct Line {
     Eigen::Vector3d start_mm;
     Eigen::Vector3d along;
     Eigen::Vector3d at(double way_mm) const { return start_mm + along * way_mm; }
   };
-  bool is_straight(const Line& line, const Joints& to) const;
+  bool is_straight(const Line& line, const arm::Joints& to) const;
   // Goes on from one place of the line, where it ends, to another; how far it got, from the line's start.
   LineEnd advance(const Line& line, double from_mm, double to_mm);
   // The last piece of a line that cannot be followed to `to_mm`.
   double advance_as_far_as_it_can(const Line& line, double from_mm, double to_mm);
-  Failure singular(const Joints& to, double way_mm) const;
+  Failure singular(const arm::Joints& to, double way_mm) const;
 
-  const ArmModel& model_;
+  const arm::ArmModel& model_;
   const Track track_;
-  Joints joints_;
-  ToolPose pose_;
-  std::vector<Joints> waypoints_;
+  arm::Joints joints_;
+  arm::ToolPose pose_;
+  std::vector<arm::Joints> waypoints_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::robot

@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-namespace pizarra {
+namespace pizarra::robot {
 
 struct Room {
   Eigen::Vector3d low_mm;
@@ -14,4 +14,4 @@ struct Room {
   }
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::robot

@@ -13,7 +13,7 @@
 #include "blackboard/time/executor.hpp"
 #include "blackboard/time/random.hpp"
 
-namespace pizarra {
+namespace pizarra::runtime {
 
 struct AgentContext {
   std::string name;  // as in (agent NAME KIND HOST)
@@ -30,4 +30,4 @@ class Agent {
   virtual Task<Result<void>> run() = 0;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::runtime

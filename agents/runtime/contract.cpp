@@ -7,7 +7,7 @@
 #include "lisp/reader.hpp"
 #include "lisp/writer.hpp"
 
-namespace pizarra {
+namespace pizarra::runtime {
 
 namespace {
 
@@ -91,4 +91,4 @@ std::vector<Relation> runtime_relations() {
   return relations;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::runtime

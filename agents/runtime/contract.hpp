@@ -14,7 +14,7 @@
 
 #include "blackboard/relation.hpp"
 
-namespace pizarra {
+namespace pizarra::runtime {
 
 struct Operation {
   std::string name;
@@ -38,4 +38,4 @@ Result<void> check_operation(const Contract& contract, const Datum& operation);
 // The relations all agents share: agent, contract, request, reply.
 std::vector<Relation> runtime_relations();
 
-}  // namespace pizarra
+}  // namespace pizarra::runtime

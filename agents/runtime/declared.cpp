@@ -2,7 +2,7 @@
 
 #include "agents/runtime/contract.hpp"
 
-namespace pizarra {
+namespace pizarra::runtime {
 
 namespace {
 
@@ -52,4 +52,4 @@ Task<Result<std::unique_ptr<Watch>>> watch_when_declared(Board& board, Query que
   co_return co_await board.watch(std::move(query));
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::runtime

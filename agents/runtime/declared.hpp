@@ -8,7 +8,7 @@
 
 #include "blackboard/board.hpp"
 
-namespace pizarra {
+namespace pizarra::runtime {
 
 // Who may not ask about relations takes them for declared.
 Task<Result<bool>> is_declared(Board& board, std::string relation);
@@ -18,4 +18,4 @@ Task<Result<std::vector<Fact>>> facts_if_declared(Board& board, Datum pattern);
 // has then declared what it posts.
 Task<Result<std::unique_ptr<Watch>>> watch_when_declared(Board& board, Query query);
 
-}  // namespace pizarra
+}  // namespace pizarra::runtime

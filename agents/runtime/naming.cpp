@@ -7,7 +7,7 @@
 #include "lisp/nearest.hpp"
 #include "lisp/reader.hpp"
 
-namespace pizarra {
+namespace pizarra::runtime {
 
 namespace {
 
@@ -270,4 +270,4 @@ Task<void> Naming::keep_bindings() {
   }
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::runtime

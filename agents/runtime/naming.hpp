@@ -24,7 +24,7 @@
 
 #include "agents/runtime/service.hpp"
 
-namespace pizarra {
+namespace pizarra::runtime {
 
 using Path = std::vector<std::string>;
 
@@ -97,4 +97,4 @@ class Naming {
   Job keeping_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::runtime

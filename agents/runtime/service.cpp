@@ -7,11 +7,10 @@
 #include "blackboard/teller.hpp"
 #include "blackboard/time/latch.hpp"
 
-namespace pizarra {
+namespace pizarra::runtime {
 
 namespace {
 
-constexpr Duration retry_pause = 200ms;
 constexpr Duration presence_look = 1s;
 
 Datum reply_datum(const Datum& id, const Result<Datum>& result) {
@@ -298,4 +297,4 @@ Task<Result<Datum>> Caller::call(std::string agent, Datum operation, Duration ti
   co_return Datum::list({result.items().begin() + 1, result.items().end()});
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::runtime

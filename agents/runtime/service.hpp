@@ -22,7 +22,7 @@
 #include "agents/runtime/agent.hpp"
 #include "agents/runtime/contract.hpp"
 
-namespace pizarra {
+namespace pizarra::runtime {
 
 // What the handler answers: the elements after `ok`, a list.
 using Handler = std::function<Task<Result<Datum>>(Datum operation)>;
@@ -84,4 +84,4 @@ class Caller {
   std::uint64_t count_ = 0;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::runtime

@@ -3,7 +3,7 @@
 #include "lisp/forms/sentence.hpp"
 #include "lisp/writer.hpp"
 
-namespace pizarra {
+namespace pizarra::speech {
 
 namespace {
 
@@ -16,20 +16,20 @@ constexpr Duration longest_motion = 60s;
 
 }  // namespace
 
-SpeechAgent::SpeechAgent(AgentContext context)
+SpeechAgent::SpeechAgent(runtime::AgentContext context)
     : context_(std::move(context)),
-      service_(context_, contract_from_text(contract_text).value()),
+      service_(context_, runtime::contract_from_text(contract_text).value()),
       caller_(context_, service_) {}
 
 Task<Result<void>> SpeechAgent::run() {
   const Result<void> started = co_await service_.start();
   if (!started) co_return started;
-  Handler handler = [this](Datum operation) { return say(std::move(operation)); };
+  runtime::Handler handler = [this](Datum operation) { return say(std::move(operation)); };
   co_return co_await service_.serve(std::move(handler));
 }
 
 Task<Result<Datum>> SpeechAgent::say(Datum operation) {
-  const Result<Sentence> meant = read_sentence(operation[1].text());
+  const Result<forms::Sentence> meant = forms::read_sentence(operation[1].text());
   if (!meant) co_return fail(meant);
   const Result<Datum> done = co_await caller_.call(meant->agent, meant->operation, longest_motion);
   if (!done) co_return fail(done);
@@ -38,4 +38,4 @@ Task<Result<Datum>> SpeechAgent::say(Datum operation) {
   co_return Datum::list(std::move(answer));
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::speech

@@ -10,19 +10,19 @@
 
 #include "agents/runtime/service.hpp"
 
-namespace pizarra {
+namespace pizarra::speech {
 
-class SpeechAgent : public Agent {
+class SpeechAgent : public runtime::Agent {
  public:
-  explicit SpeechAgent(AgentContext context);
+  explicit SpeechAgent(runtime::AgentContext context);
   Task<Result<void>> run() override;
 
  private:
   Task<Result<Datum>> say(Datum operation);
 
-  AgentContext context_;
-  Service service_;
-  Caller caller_;
+  runtime::AgentContext context_;
+  runtime::Service service_;
+  runtime::Caller caller_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::speech

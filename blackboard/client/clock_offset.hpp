@@ -11,7 +11,7 @@
 
 #include "blackboard/time/clock.hpp"
 
-namespace pizarra {
+namespace pizarra::client {
 
 class ClockOffset {
  public:
@@ -35,4 +35,4 @@ class ClockOffset {
   Time measured_{};
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::client

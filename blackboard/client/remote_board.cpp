@@ -9,7 +9,7 @@
 #include "blackboard/wire/wire_address.hpp"
 #include "lisp/writer.hpp"
 
-namespace pizarra {
+namespace pizarra::client {
 
 namespace {
 
@@ -46,16 +46,16 @@ Result<std::uint64_t> count_from(const Result<Datum>& reply) {
 
 Result<std::unique_ptr<RemoteBoard>> RemoteBoard::connect(Executor& executor, const std::string& address,
                                                           std::string teller, Duration timeout,
-                                                          const std::optional<ClientKeys>& keys) {
-  const Result<void> formed = check_address(address);
+                                                          const std::optional<wire::ClientKeys>& keys) {
+  const Result<void> formed = wire::check_address(address);
   if (!formed) return fail(formed);
   const Result<void> named = check_teller_name(teller);
   if (!named) return fail(named);
-  if (keys && !may_call_itself(keys->own.name, teller)) teller = keys->own.name + "/" + teller;
+  if (keys && !wire::may_call_itself(keys->own.name, teller)) teller = keys->own.name + "/" + teller;
   std::unique_ptr<RemoteBoard> board(new RemoteBoard(executor, address, std::move(teller), timeout));
   // Whoever reaches the file of an ipc address is this machine's: no keys there.
-  const ClientKeys* shown = keys && !is_ipc(address) ? &*keys : nullptr;
-  HandshakeWatch::Listener listener;
+  const wire::ClientKeys* shown = keys && !wire::is_ipc(address) ? &*keys : nullptr;
+  wire::HandshakeWatch::Listener listener;
   listener.let_in = [board = board.get()] {
     if (!board->joined_) board->greet();
   };
@@ -74,9 +74,10 @@ RemoteBoard::RemoteBoard(Executor& executor, std::string address, std::string te
       address_(std::move(address)),
       teller_(std::move(teller)),
       timeout_(timeout),
-      socket_(executor, WireSocket::Kind::dealer, [this](const std::string&, std::optional<std::string_view> frame) {
-        if (frame) receive(*frame);
-      }) {
+      socket_(executor, wire::WireSocket::Kind::dealer,
+              [this](const std::string&, std::optional<std::string_view> frame) {
+                if (frame) receive(*frame);
+              }) {
   replicas_ = std::make_unique<Replicas>(*this, executor_);
   tick_timer_ = executor_.call_at(executor_.now(), [this] { tick(); });
 }
@@ -281,4 +282,4 @@ std::optional<Time> RemoteBoard::time_to_say(const Pending& pending, Time now) {
 
 bool RemoteBoard::send(const Datum& message) { return socket_.send({}, write(message)); }
 
-}  // namespace pizarra
+}  // namespace pizarra::client

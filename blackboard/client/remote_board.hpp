@@ -25,7 +25,7 @@
 #include "blackboard/wire/wire.hpp"
 #include "blackboard/wire/wire_socket.hpp"
 
-namespace pizarra {
+namespace pizarra::client {
 
 class RemoteBoard : public Board {
  public:
@@ -39,7 +39,7 @@ class RemoteBoard : public Board {
   // bad-address and, as of check_teller_name(), bad-name.
   static Result<std::unique_ptr<RemoteBoard>> connect(Executor& executor, const std::string& address,
                                                       std::string teller, Duration timeout = default_timeout,
-                                                      const std::optional<ClientKeys>& keys = std::nullopt);
+                                                      const std::optional<wire::ClientKeys>& keys = std::nullopt);
   RemoteBoard(const RemoteBoard&) = delete;
   RemoteBoard& operator=(const RemoteBoard&) = delete;
   ~RemoteBoard() override;
@@ -133,7 +133,7 @@ class RemoteBoard : public Board {
   std::unique_ptr<class Replicas> replicas_;
   Executor::TimerId tick_timer_ = 0;
   Executor::TimerId transmit_timer_ = 0;
-  WireSocket socket_;
+  wire::WireSocket socket_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::client

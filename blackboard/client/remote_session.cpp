@@ -5,7 +5,7 @@
 #include "blackboard/client/replicas.hpp"
 #include "lisp/writer.hpp"
 
-namespace pizarra {
+namespace pizarra::client {
 
 namespace {
 
@@ -182,4 +182,4 @@ void RemoteBoard::give_up_overdue(Time now) {
   fail_where(late, {"unreachable", "the board does not answer", to_datum(address_), {}});
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::client

@@ -3,7 +3,7 @@
 #include "blackboard/wire/answer_form.hpp"
 #include "lisp/writer.hpp"
 
-namespace pizarra {
+namespace pizarra::client {
 
 RemoteStream::RemoteStream(RemoteBoard& board, Query query, bool held)
     : board_(board), query_(std::move(query)), held_(held) {
@@ -83,4 +83,4 @@ void RemoteStream::acknowledge() {
   arrival_.reset();
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::client

@@ -6,7 +6,7 @@
 #include "blackboard/client/remote_board.hpp"
 #include "blackboard/delta.hpp"
 
-namespace pizarra {
+namespace pizarra::client {
 
 class RemoteStream {
  public:
@@ -59,4 +59,4 @@ class RemoteStream {
   std::optional<Arrival> arrival_;  // of a fact, not told to the server yet
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::client

@@ -1,6 +1,6 @@
 #include "blackboard/client/remote_watch.hpp"
 
-namespace pizarra {
+namespace pizarra::client {
 
 Task<Result<Change>> RemoteWatch::next() {
   while (unread_.empty() && !ended_) {
@@ -26,7 +26,7 @@ bool RemoteWatch::keep(Delta& delta) {
   if (delta.kind == Delta::Kind::all || delta.kind == Delta::Kind::first_part) kept_.emplace();
   if (!kept_) return false;
   for (Fact& fact : delta.removed.facts) {
-    StandingFact* gone = kept_->find(fact.id);
+    store::StandingFact* gone = kept_->find(fact.id);
     if (gone == nullptr) return false;
     fact = kept_->remove(*gone).fact;
   }
@@ -38,7 +38,7 @@ bool RemoteWatch::keep(Delta& delta) {
   if (delta.kind != Delta::Kind::last_part) return true;
   delta.added = {kept_->size(), {}};
   delta.removed = {};
-  for (const StandingFact& standing : kept_->from(0)) delta.added.facts.push_back(standing.fact);
+  for (const store::StandingFact& standing : kept_->from(0)) delta.added.facts.push_back(standing.fact);
   return true;
 }
 
@@ -52,4 +52,4 @@ void RemoteWatch::end(Failure failure) {
   waiters_.wake_all();
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::client

@@ -9,7 +9,7 @@
 #include "blackboard/store/fact_list.hpp"
 #include "blackboard/time/latch.hpp"
 
-namespace pizarra {
+namespace pizarra::client {
 
 class RemoteWatch : public Watch, public RemoteStream {
  public:
@@ -35,9 +35,9 @@ class RemoteWatch : public Watch, public RemoteStream {
   };
   const Answering answering_;
   std::deque<Received> unread_;
-  std::optional<FactList> kept_;
+  std::optional<store::FactList> kept_;
   std::optional<Failure> ended_;
   WaitList waiters_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::client

@@ -5,7 +5,7 @@
 #include "blackboard/store/evaluate.hpp"
 #include "blackboard/store/query_tables.hpp"
 
-namespace pizarra {
+namespace pizarra::client {
 
 namespace {
 
@@ -54,9 +54,9 @@ std::optional<Result<Answers>> Replicas::ask(const Query& query) const {
   if (replica == nullptr || !replica->whole() || unsure_) return std::nullopt;
   const Revision revision = std::max(replica->revision(), caught_up_);
   if (revision < done_) return std::nullopt;
-  const Result<void> checked = check_query_on(query, tables_);
+  const Result<void> checked = store::check_query_on(query, tables_);
   if (!checked) return fail(checked);
-  Result<std::vector<Answer>> answers = evaluate(query, tables_);
+  Result<std::vector<Answer>> answers = store::evaluate(query, tables_);
   if (!answers) return fail(answers);
   return Answers{revision, std::move(*answers)};
 }
@@ -98,9 +98,9 @@ Result<void> Replica::take_in(Delta delta) {
     replicas_.tables_.erase(relation_.name);
     replicas_.tables_.try_emplace(relation_.name, relation_);
   }
-  FactTable& table = replicas_.tables_.find(relation_.name)->second;
+  store::FactTable& table = replicas_.tables_.find(relation_.name)->second;
   for (const Fact& fact : delta.removed.facts) {
-    if (StandingFact* gone = table.find(fact.id)) table.remove(*gone, delta.revision);
+    if (store::StandingFact* gone = table.find(fact.id)) table.remove(*gone, delta.revision);
   }
   for (Fact& fact : delta.added.facts) {
     const Result<void> shaped = check_shape(relation_, fact.datum);
@@ -116,4 +116,4 @@ Result<void> Replica::take_in(Delta delta) {
   return {};
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::client

@@ -20,7 +20,7 @@
 #include "blackboard/store/fact_table.hpp"
 #include "blackboard/time/latch.hpp"
 
-namespace pizarra {
+namespace pizarra::client {
 
 class Replica;
 
@@ -49,7 +49,7 @@ class Replicas {
 
   RemoteBoard& board_;
   Executor& executor_;
-  Tables tables_;
+  store::Tables tables_;
   std::map<std::string, std::unique_ptr<Replica>, std::less<>> replicas_;
   Revision done_ = 0;       // what this client was told is done, is done then
   Revision caught_up_ = 0;  // everything up to here has come
@@ -83,4 +83,4 @@ class Replica : public RemoteStream {
   Event known_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::client

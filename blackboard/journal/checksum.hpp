@@ -10,7 +10,7 @@
 #include <cstring>
 #include <string_view>
 
-namespace pizarra {
+namespace pizarra::journal {
 
 class Checksum {
  public:
@@ -46,4 +46,4 @@ class Checksum {
   std::uint64_t sum_ = 14695981039346656037U;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::journal

@@ -8,9 +8,9 @@
 #include "lisp/reader.hpp"
 #include "lisp/writer.hpp"
 
-namespace pizarra {
+namespace pizarra::journal {
 
-using Kind = Commit::Entry::Kind;
+using Kind = store::Commit::Entry::Kind;
 
 namespace {
 
@@ -37,7 +37,7 @@ std::string line_start(Revision revision, Time when, const std::string& teller) 
 
 void write_id(std::string& out, FactId id) { write_number_to(out += ' ', id); }
 
-void write_entry(std::string& out, const Commit::Entry& entry) {
+void write_entry(std::string& out, const store::Commit::Entry& entry) {
   const Fact& fact = entry.fact;
   out += " (";
   out += words[static_cast<std::size_t>(entry.kind)];
@@ -54,7 +54,7 @@ void write_entry(std::string& out, const Commit::Entry& entry) {
 
 bool is_id(const Datum& datum) { return datum.is_integer() && datum.integer() > 0; }
 
-bool read_told(const Datum& form, const Commit& commit, Commit::Entry& entry) {
+bool read_told(const Datum& form, const store::Commit& commit, store::Commit::Entry& entry) {
   Fact& fact = entry.fact;
   entry.under_lease = form.size() > 3 && form[form.size() - 1].is_symbol("leased");
   const std::size_t size = form.size() - (entry.under_lease ? 1 : 0);
@@ -72,7 +72,7 @@ bool read_told(const Datum& form, const Commit& commit, Commit::Entry& entry) {
   return true;
 }
 
-bool read_entry(const Datum& form, const Commit& commit, Commit::Entry& entry) {
+bool read_entry(const Datum& form, const store::Commit& commit, store::Commit::Entry& entry) {
   if (form.size() < 2 || !is_id(form[1])) return false;
   const auto word = std::ranges::find(words, form.head());
   if (word == words.end()) return false;
@@ -103,9 +103,9 @@ std::unexpected<Failure> bad_line(const Datum& line) { return fail("bad-journal"
 
 }  // namespace
 
-std::string journal_line(const Commit& commit) {
+std::string journal_line(const store::Commit& commit) {
   std::string line = line_start(commit.revision, commit.when, commit.teller);
-  for (const Commit::Entry& entry : commit.entries) write_entry(line, entry);
+  for (const store::Commit::Entry& entry : commit.entries) write_entry(line, entry);
   line += ')';
   return line;
 }
@@ -132,7 +132,7 @@ LineStart start_of_last_line(std::string_view lines) {
   return start_of_line(lines.substr(lines.rfind('\n') + 1));
 }
 
-Result<std::variant<Declaration, Commit>> read_journal_line(std::string_view line) {
+Result<std::variant<Declaration, store::Commit>> read_journal_line(std::string_view line) {
   const Result<Datum> read = read_one(line, line_limits, "journal");
   if (!read) return fail(read);
   const Datum& form = *read;
@@ -146,28 +146,28 @@ Result<std::variant<Declaration, Commit>> read_journal_line(std::string_view lin
     if (!relations) return fail(relations);
     return Declaration{std::move(*relations)};
   }
-  Commit commit;
+  store::Commit commit;
   commit.revision = static_cast<Revision>(form[0].integer());
   commit.when = Time(Duration(form[1].integer()));
   commit.teller = form[2].text();
   for (const Datum& item : form.items().subspan(3)) {
-    Commit::Entry entry{};
+    store::Commit::Entry entry{};
     if (!read_entry(item, commit, entry)) return bad_line(item);
     commit.entries.push_back(std::move(entry));
   }
   return commit;
 }
 
-Result<void> replay_line(std::string_view line, Store& store) {
+Result<void> replay_line(std::string_view line, store::Store& store) {
   const auto read = read_journal_line(line);
   if (!read) return fail(read);
-  if (const auto* commit = std::get_if<Commit>(&*read)) return store.apply(*commit);
+  if (const auto* commit = std::get_if<store::Commit>(&*read)) return store.apply(*commit);
   const Result<std::vector<Relation>> declared = store.declare(std::get<Declaration>(*read).relations);
   if (!declared) return fail(declared);
   return {};
 }
 
-Result<std::string_view> replay(std::string_view text, Store& store, const Moment& until) {
+Result<std::string_view> replay(std::string_view text, store::Store& store, const Moment& until) {
   std::size_t number = 0;
   for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n')) {
     const std::string_view line = text.substr(0, end);
@@ -190,4 +190,4 @@ Failure failure_at(Revision revision, Failure failure) {
   return failure;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::journal

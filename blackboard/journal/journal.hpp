@@ -20,9 +20,9 @@
 
 #include "blackboard/store/store.hpp"
 
-namespace pizarra {
+namespace pizarra::journal {
 
-std::string journal_line(const Commit& commit);
+std::string journal_line(const store::Commit& commit);
 std::string journal_line(Revision revision, Time when, const std::string& teller,
                          const std::vector<Relation>& declared);
 
@@ -30,7 +30,7 @@ struct Declaration {
   std::vector<Relation> relations;
 };
 // Of the facts that a line removes or takes, only the ids are known. Failure bad-journal.
-Result<std::variant<Declaration, Commit>> read_journal_line(std::string_view line);
+Result<std::variant<Declaration, store::Commit>> read_journal_line(std::string_view line);
 
 // What a line begins with, without reading the rest.
 struct LineStart {
@@ -45,13 +45,13 @@ inline bool is_beyond(const LineStart& start, const Moment& until) {
 }
 
 // Repeats one line in `store`: failure bad-journal.
-Result<void> replay_line(std::string_view line, Store& store);
+Result<void> replay_line(std::string_view line, store::Store& store);
 
 // Repeats the lines in order up to a moment, and answers those that are left. A last line without its newline was torn
 // by a crash, and is left out.
-Result<std::string_view> replay(std::string_view text, Store& store, const Moment& until = {});
+Result<std::string_view> replay(std::string_view text, store::Store& store, const Moment& until = {});
 
 // What a question about a revision failed with: that a relation is not declared is true of that revision.
 Failure failure_at(Revision revision, Failure failure);
 
-}  // namespace pizarra
+}  // namespace pizarra::journal

@@ -6,11 +6,11 @@
 #include "blackboard/wire/answer_form.hpp"
 #include "lisp/writer.hpp"
 
-namespace pizarra::journal_tables {
+namespace pizarra::journal::journal_tables {
 
 namespace {
 
-using Kind = Commit::Entry::Kind;
+using Kind = store::Commit::Entry::Kind;
 
 std::unexpected<Failure> missing(FactId id) { return fail("damaged", "fact " + std::to_string(id) + " is missing"); }
 
@@ -26,12 +26,12 @@ class Horizon {
  private:
   struct Standing {
     Fact fact;
-    Store::Restored state = Store::Restored::standing;
+    store::Store::Restored state = store::Store::Restored::standing;
   };
 
   Result<void> apply_line(std::string_view line);
   Result<void> declare(const std::vector<Relation>& relations);
-  Result<void> apply_entry(const Commit& commit, const Commit::Entry& entry);
+  Result<void> apply_entry(const store::Commit& commit, const store::Commit::Entry& entry);
   void remove(FactId id);
   // Brings the fact into memory.
   Result<Standing*> standing(FactId id);
@@ -68,8 +68,8 @@ Result<void> Horizon::apply_line(std::string_view line) {
   const auto read = read_journal_line(line);
   if (!read) return fail(read);
   if (const auto* declaration = std::get_if<Declaration>(&*read)) return declare(declaration->relations);
-  const auto& commit = std::get<Commit>(*read);
-  for (const Commit::Entry& entry : commit.entries) {
+  const auto& commit = std::get<store::Commit>(*read);
+  for (const store::Commit::Entry& entry : commit.entries) {
     const Result<void> applied = apply_entry(commit, entry);
     if (!applied) return applied;
   }
@@ -86,10 +86,10 @@ Result<void> Horizon::declare(const std::vector<Relation>& relations) {
   return {};
 }
 
-Result<void> Horizon::apply_entry(const Commit& commit, const Commit::Entry& entry) {
+Result<void> Horizon::apply_entry(const store::Commit& commit, const store::Commit::Entry& entry) {
   const FactId id = entry.kind == Kind::returned ? entry.former : entry.fact.id;
   if (entry.kind == Kind::told) {
-    standing_[id] = {entry.fact, entry.under_lease ? Store::Restored::leased : Store::Restored::standing};
+    standing_[id] = {entry.fact, entry.under_lease ? store::Store::Restored::leased : store::Store::Restored::standing};
     next_fact_ = id + 1;
     return {};
   }
@@ -100,12 +100,12 @@ Result<void> Horizon::apply_entry(const Commit& commit, const Commit::Entry& ent
   const Result<Standing*> found = standing(id);
   if (!found) return fail(found);
   if (entry.kind == Kind::taken) {
-    const bool leased = (*found)->state == Store::Restored::leased;
-    (*found)->state = leased ? Store::Restored::taken_leased : Store::Restored::taken;
+    const bool leased = (*found)->state == store::Store::Restored::leased;
+    (*found)->state = leased ? store::Store::Restored::taken_leased : store::Store::Restored::taken;
     return {};
   }
   if (entry.kind != Kind::returned) {
-    (*found)->state = entry.kind == Kind::leased ? Store::Restored::leased : Store::Restored::standing;
+    (*found)->state = entry.kind == Kind::leased ? store::Store::Restored::leased : store::Store::Restored::standing;
     return {};
   }
   Fact fact = (*found)->fact;
@@ -114,7 +114,8 @@ Result<void> Horizon::apply_entry(const Commit& commit, const Commit::Entry& ent
   fact.revision = commit.revision;
   next_fact_ = fact.id + 1;
   const FactId returned = fact.id;
-  standing_[returned] = {std::move(fact), entry.under_lease ? Store::Restored::leased : Store::Restored::standing};
+  standing_[returned] = {std::move(fact),
+                         entry.under_lease ? store::Store::Restored::leased : store::Store::Restored::standing};
   return {};
 }
 
@@ -129,7 +130,7 @@ Result<Horizon::Standing*> Horizon::standing(FactId id) {
   const Result<bool> found = row.bind(1, static_cast<std::int64_t>(id)).step();
   if (!found) return fail(found);
   if (!*found) return missing(id);
-  const auto state = static_cast<Store::Restored>(row.integer(1));
+  const auto state = static_cast<store::Store::Restored>(row.integer(1));
   Result<Fact> fact = fact_from_row(id, state, row.text(0), row.integer(2));
   if (!fact) return fail(fact);
   removed_.push_back(id);
@@ -205,4 +206,4 @@ Result<std::size_t> advance_horizon(sqlite::Database& database, Revision before_
   return bytes;
 }
 
-}  // namespace pizarra::journal_tables
+}  // namespace pizarra::journal::journal_tables

@@ -4,11 +4,11 @@
 
 #include "blackboard/journal/journal_file.hpp"
 
-namespace pizarra::journal_tables {
+namespace pizarra::journal::journal_tables {
 
 // One slice of the groups that ended before both, of about so many bytes: how many bytes of them are gone from the log,
 // 0 when there are none.
 Result<std::size_t> advance_horizon(sqlite::Database& database, Revision before_revision, Time before_time,
                                     std::size_t slice_bytes);
 
-}  // namespace pizarra::journal_tables
+}  // namespace pizarra::journal::journal_tables

@@ -14,7 +14,7 @@
 #include "blackboard/journal/journal_tables.hpp"
 #include "blackboard/journal/log_space.hpp"
 
-namespace pizarra {
+namespace pizarra::journal {
 
 namespace {
 
@@ -49,7 +49,7 @@ PlayedBack played_back(std::string_view text, std::string_view rest) {
   return {start_of_last_line(text.substr(0, text.size() - rest.size())), std::string(rest)};
 }
 
-Result<PlayedBack> read_text(const std::string& path, Store& store, const Moment& until) {
+Result<PlayedBack> read_text(const std::string& path, store::Store& store, const Moment& until) {
   const Result<std::string> text = text_of(path);
   if (!text) return fail(text);
   const Result<std::string_view> rest = replay(*text, store, until);
@@ -158,7 +158,7 @@ JournalFile::JournalFile(std::string path, History history, int lock, sqlite::Da
 
 JournalFile::~JournalFile() = default;
 
-Result<std::vector<RememberedReply>> JournalFile::recover(Store& store) {
+Result<std::vector<RememberedReply>> JournalFile::recover(store::Store& store) {
   const std::scoped_lock lock(mutex_);
   const Result<PlayedBack> restored = journal_tables::restore(database_, store, {});
   if (!restored) return fail(journal_tables::failure_of(restored.error(), path_));
@@ -288,7 +288,7 @@ Result<LineStart> end_of_journal(const std::string& path) {
   return end;
 }
 
-Result<PlayedBack> read_journal(const std::string& path, Store& store, const Moment& until) {
+Result<PlayedBack> read_journal(const std::string& path, store::Store& store, const Moment& until) {
   if (!is_sqlite(path)) return check_reached(read_text(path, store, until), until);
   Result<sqlite::Database> database = journal_tables::open(path, sqlite::Access::read);
   if (!database) return fail(journal_tables::failure_of(database.error(), path));
@@ -300,4 +300,4 @@ Result<PlayedBack> read_journal(const std::string& path, Store& store, const Mom
   return check_reached(std::move(rest), until);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::journal

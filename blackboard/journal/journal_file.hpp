@@ -30,7 +30,7 @@
 #include "blackboard/journal/space_reserve.hpp"
 #include "blackboard/journal/sqlite.hpp"
 
-namespace pizarra {
+namespace pizarra::journal {
 
 // Lines that are written together, each with its newline: all of them survive, or none.
 struct JournalGroup {
@@ -62,7 +62,7 @@ class JournalFile {
   const std::string& path() const { return path_; }
 
   // All of it, into an empty store.
-  Result<std::vector<RememberedReply>> recover(Store& store);
+  Result<std::vector<RememberedReply>> recover(store::Store& store);
   // On a full disk the last of the space is used where `may_spend`.
   Result<void> append(const JournalGroup& group, bool may_spend = true);
   // What there is space for in any case: tries to set it aside again when it was used up.
@@ -125,6 +125,6 @@ struct PlayedBack {
   LineStart to;
   std::string later;  // the lines that came after
 };
-Result<PlayedBack> read_journal(const std::string& path, Store& store, const Moment& until = {});
+Result<PlayedBack> read_journal(const std::string& path, store::Store& store, const Moment& until = {});
 
-}  // namespace pizarra
+}  // namespace pizarra::journal

@@ -4,7 +4,7 @@
 
 #include "blackboard/journal/space_reserve.hpp"
 
-namespace pizarra {
+namespace pizarra::journal {
 
 namespace {
 
@@ -38,4 +38,4 @@ JournalRoom room_with(std::int64_t set_aside, std::int64_t free_in_file) {
   return room;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::journal

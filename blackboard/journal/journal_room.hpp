@@ -13,7 +13,7 @@
 #include <cstdint>
 #include <string>
 
-namespace pizarra {
+namespace pizarra::journal {
 
 struct JournalRoom {
   std::size_t for_all = 0;  // bytes of groups
@@ -28,4 +28,4 @@ JournalRoom room_with(std::int64_t set_aside, std::int64_t free_in_file);
 // Whether so much is set aside that it does not matter what is free in the file.
 bool is_ample(std::int64_t set_aside);
 
-}  // namespace pizarra
+}  // namespace pizarra::journal

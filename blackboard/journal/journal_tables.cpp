@@ -7,7 +7,7 @@
 #include "blackboard/wire/answer_form.hpp"
 #include "lisp/reader.hpp"
 
-namespace pizarra::journal_tables {
+namespace pizarra::journal::journal_tables {
 
 namespace {
 
@@ -77,7 +77,7 @@ Result<std::optional<std::int64_t>> about_if_said(sqlite::Database& database, st
   return *said;
 }
 
-Result<void> restore_relations(sqlite::Database& database, Store& store) {
+Result<void> restore_relations(sqlite::Database& database, store::Store& store) {
   sqlite::Statement rows(database, "SELECT form FROM relations ORDER BY name");
   std::vector<Relation> relations;
   for (Result<bool> row = rows.step(); !row || *row; row = rows.step()) {
@@ -93,13 +93,13 @@ Result<void> restore_relations(sqlite::Database& database, Store& store) {
   return {};
 }
 
-Result<void> restore_facts(sqlite::Database& database, Store& store) {
+Result<void> restore_facts(sqlite::Database& database, store::Store& store) {
   sqlite::Statement rows(database, "SELECT id, taken, form, sum FROM facts ORDER BY id");
   std::int64_t all = 0;
   for (Result<bool> row = rows.step(); !row || *row; row = rows.step()) {
     if (!row) return fail(row);
     const auto id = static_cast<FactId>(rows.integer(0));
-    const auto state = static_cast<Store::Restored>(rows.integer(1));
+    const auto state = static_cast<store::Store::Restored>(rows.integer(1));
     Result<Fact> fact = fact_from_row(id, state, rows.text(2), rows.integer(3));
     if (!fact) return fail(fact);
     const Result<void> restored = store.restore(std::move(*fact), state);
@@ -112,7 +112,7 @@ Result<void> restore_facts(sqlite::Database& database, Store& store) {
   return {};
 }
 
-Result<PlayedBack> restore_log(sqlite::Database& database, Store& store, const Moment& until, LineStart to) {
+Result<PlayedBack> restore_log(sqlite::Database& database, store::Store& store, const Moment& until, LineStart to) {
   sqlite::Statement rows(database, "SELECT number, lines, replies, sum, revision, time FROM log ORDER BY number");
   const Result<std::optional<std::int64_t>> forgotten = about_if_said(database, "forgotten");
   if (!forgotten) return fail(forgotten);
@@ -197,11 +197,11 @@ Result<void> seal_head(sqlite::Database& database) {
   return row.bind(1, *sum).run();
 }
 
-std::int64_t sum_of_fact(FactId id, Store::Restored state, std::string_view form) {
+std::int64_t sum_of_fact(FactId id, store::Store::Restored state, std::string_view form) {
   return Checksum().add(id).add(static_cast<std::uint64_t>(state)).add(form).value();
 }
 
-Result<Fact> fact_from_row(FactId id, Store::Restored state, std::string_view form, std::int64_t sum) {
+Result<Fact> fact_from_row(FactId id, store::Store::Restored state, std::string_view form, std::int64_t sum) {
   if (sum_of_fact(id, state, form) != sum) return damaged_fact(id, "its checksum does not fit");
   const Result<Datum> read = read_one(form, fact_limits, "journal");
   if (!read) return damaged_fact(id, read.error().sentence);
@@ -235,7 +235,7 @@ Result<void> set_about(sqlite::Database& database, std::string_view name, std::i
   return row.bind(1, value).bind(2, name).run();
 }
 
-Result<PlayedBack> restore(sqlite::Database& database, Store& store, const Moment& until) {
+Result<PlayedBack> restore(sqlite::Database& database, store::Store& store, const Moment& until) {
   // One view of the file, whatever is written meanwhile.
   sqlite::Transaction reading(database);
   const Result<void> begun = reading.begin_reading();
@@ -286,4 +286,4 @@ Failure failure_of(const Failure& failure, const std::string& path) {
   return told;
 }
 
-}  // namespace pizarra::journal_tables
+}  // namespace pizarra::journal::journal_tables

@@ -18,7 +18,7 @@
 
 #include "blackboard/journal/journal_file.hpp"
 
-namespace pizarra::journal_tables {
+namespace pizarra::journal::journal_tables {
 
 // Another program that reads the file, as long as that takes at most.
 constexpr const char* wait_for_others = "PRAGMA busy_timeout = 2000";
@@ -27,9 +27,9 @@ Result<sqlite::Database> open(const std::string& path, sqlite::Access access);
 
 // What a row adds to what `about` says of all `facts`, so that none can be lost.
 constexpr std::int64_t added_to_facts(std::int64_t sum_of_fact) { return sum_of_fact & 0xffffffff; }
-std::int64_t sum_of_fact(FactId id, Store::Restored state, std::string_view form);
+std::int64_t sum_of_fact(FactId id, store::Store::Restored state, std::string_view form);
 // Failure bad-journal.
-Result<Fact> fact_from_row(FactId id, Store::Restored state, std::string_view form, std::int64_t sum);
+Result<Fact> fact_from_row(FactId id, store::Store::Restored state, std::string_view form, std::int64_t sum);
 std::int64_t sum_of_group(std::int64_t number, std::string_view lines, std::string_view replies);
 std::int64_t former_sum_of_group(std::int64_t number, std::string_view lines, std::string_view replies);
 // One or the other.
@@ -44,11 +44,11 @@ Result<std::int64_t> about(sqlite::Database& database, std::string_view name);
 Result<void> set_about(sqlite::Database& database, std::string_view name, std::int64_t value);
 
 // Up to a moment, into an empty store. Failures bad-journal and forgotten.
-Result<PlayedBack> restore(sqlite::Database& database, Store& store, const Moment& until);
+Result<PlayedBack> restore(sqlite::Database& database, store::Store& store, const Moment& until);
 // Of the last `length` before the last group, newest 256 of a session.
 Result<std::vector<RememberedReply>> remembered(sqlite::Database& database, Duration length);
 
 // What SQLite says, in a journal's words.
 Failure failure_of(const Failure& failure, const std::string& path);
 
-}  // namespace pizarra::journal_tables
+}  // namespace pizarra::journal::journal_tables

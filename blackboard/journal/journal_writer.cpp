@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-namespace pizarra {
+namespace pizarra::journal {
 
 namespace {
 
@@ -187,4 +187,4 @@ Task<void> JournalWriter::compact() {
   if (more) due_.set();
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::journal

@@ -24,10 +24,10 @@
 #include <string_view>
 
 #include "blackboard/journal/journal_file.hpp"
-#include "blackboard/time/latch.hpp"
 #include "blackboard/time/executor.hpp"
+#include "blackboard/time/latch.hpp"
 
-namespace pizarra {
+namespace pizarra::journal {
 
 class JournalWriter {
  public:
@@ -105,4 +105,4 @@ class JournalWriter {
   Job job_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::journal

@@ -5,7 +5,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-namespace pizarra {
+namespace pizarra::journal {
 
 namespace {
 
@@ -39,4 +39,4 @@ void KeptMark::set(std::int64_t entry) {
   [[maybe_unused]] const ssize_t written = pwrite(file_, text.data(), text.size(), 0);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::journal

@@ -11,7 +11,7 @@
 #include <optional>
 #include <string>
 
-namespace pizarra {
+namespace pizarra::journal {
 
 class KeptMark {
  public:
@@ -30,4 +30,4 @@ class KeptMark {
   int file_ = -1;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::journal

@@ -5,7 +5,7 @@
 #include <sys/statvfs.h>
 #include <unistd.h>
 
-namespace pizarra {
+namespace pizarra::journal {
 
 namespace {
 
@@ -32,4 +32,4 @@ void write_log_ahead(const std::string& path) {
   close(file);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::journal

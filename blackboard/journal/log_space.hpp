@@ -9,9 +9,9 @@
 
 #include <string>
 
-namespace pizarra {
+namespace pizarra::journal {
 
 // Where the disk is small nothing is done.
 void write_log_ahead(const std::string& path);
 
-}  // namespace pizarra
+}  // namespace pizarra::journal

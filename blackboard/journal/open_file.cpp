@@ -2,7 +2,7 @@
 
 #include <sys/stat.h>
 
-namespace pizarra {
+namespace pizarra::journal {
 
 namespace {
 
@@ -29,4 +29,4 @@ std::int64_t OpenFile::bytes() const {
   return status ? status->st_size : 0;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::journal

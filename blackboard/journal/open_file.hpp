@@ -15,7 +15,7 @@
 #include <sys/types.h>
 #include <utility>
 
-namespace pizarra {
+namespace pizarra::journal {
 
 class OpenFile {
  public:
@@ -31,4 +31,4 @@ class OpenFile {
   std::optional<Identity> file_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::journal

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace pizarra {
+namespace pizarra::journal {
 
 namespace {
 
@@ -11,7 +11,7 @@ constexpr Duration look_again_after = 5ms;
 constexpr Duration longest_second = 1s;
 
 Result<Answers> answer_from(const std::string& path, Query query) {
-  Store store;
+  store::Store store;
   const Result<PlayedBack> read = read_journal(path, store, *query.at);
   if (!read) return fail(read);
   query.at.reset();
@@ -79,4 +79,4 @@ Task<Result<Answers>> Past::answer(Query query) {
   co_return *answers;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::journal

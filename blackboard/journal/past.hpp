@@ -14,7 +14,7 @@
 
 #include "blackboard/journal/journal_writer.hpp"
 
-namespace pizarra {
+namespace pizarra::journal {
 
 class Past {
  public:
@@ -46,4 +46,4 @@ class Past {
   Job job_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::journal

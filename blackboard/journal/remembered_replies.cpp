@@ -4,15 +4,14 @@
 #include "blackboard/wire/wire.hpp"
 #include "lisp/writer.hpp"
 
-namespace pizarra {
+namespace pizarra::journal {
 
 namespace {
 
 // A line takes one more reply as long as it has no more.
 constexpr std::size_t bytes_of_a_line = 64 << 10;
-constexpr ReadLimits line_limits = {.bytes = 2 * limits::frame_bytes,
-                                    .depth = limits::frame_depth,
-                                    .elements = 2 * limits::frame_elements};
+constexpr ReadLimits line_limits = {
+    .bytes = 2 * limits::frame_bytes, .depth = limits::frame_depth, .elements = 2 * limits::frame_elements};
 constexpr std::string_view line_ends = ")\n";
 
 bool is_of_a_former_file(const Datum& line) { return line.size() >= 4 && line.size() <= 5 && !line[2].is_string(); }
@@ -71,4 +70,4 @@ std::optional<std::vector<RememberedReply>> replies_from(std::string_view text) 
   return replies;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::journal

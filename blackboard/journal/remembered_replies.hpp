@@ -18,7 +18,7 @@
 
 #include "lisp/datum.hpp"
 
-namespace pizarra {
+namespace pizarra::journal {
 
 struct RememberedReply {
   std::uint64_t session = 0;
@@ -41,4 +41,4 @@ class ReplyLines {
 // In the order in which they were given.
 std::optional<std::vector<RememberedReply>> replies_from(std::string_view text);
 
-}  // namespace pizarra
+}  // namespace pizarra::journal

@@ -6,7 +6,7 @@
 #include <unistd.h>
 #include <utility>
 
-namespace pizarra {
+namespace pizarra::journal {
 
 namespace {
 
@@ -43,4 +43,4 @@ bool SpaceReserve::spend() {
   return unlink(path_.c_str()) == 0;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::journal

@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <string>
 
-namespace pizarra {
+namespace pizarra::journal {
 
 class SpaceReserve {
  public:
@@ -31,4 +31,4 @@ class SpaceReserve {
   std::int64_t bytes_ = 0;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::journal

@@ -4,7 +4,7 @@
 #include <sqlite3.h>
 #include <utility>
 
-namespace pizarra::sqlite {
+namespace pizarra::journal::sqlite {
 
 namespace {
 
@@ -140,4 +140,4 @@ Result<void> Transaction::commit() {
   return committed;
 }
 
-}  // namespace pizarra::sqlite
+}  // namespace pizarra::journal::sqlite

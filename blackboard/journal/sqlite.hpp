@@ -20,7 +20,7 @@
 struct sqlite3;
 struct sqlite3_stmt;
 
-namespace pizarra::sqlite {
+namespace pizarra::journal::sqlite {
 
 enum class Access : std::uint8_t { read, write };
 
@@ -87,4 +87,4 @@ class Transaction {
   bool open_ = false;
 };
 
-}  // namespace pizarra::sqlite
+}  // namespace pizarra::journal::sqlite

@@ -1,6 +1,6 @@
 #include "blackboard/memory/client_requests.hpp"
 
-namespace pizarra {
+namespace pizarra::memory {
 
 namespace {
 
@@ -53,4 +53,4 @@ const std::map<std::string, ClientRequests::Asked>& ClientRequests::clients(Time
   return clients_;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::memory

@@ -19,7 +19,7 @@
 #include "blackboard/time/rate.hpp"
 #include "lisp/result.hpp"
 
-namespace pizarra {
+namespace pizarra::memory {
 
 class ClientRequests {
  public:
@@ -55,4 +55,4 @@ class ClientRequests {
   std::optional<Time> other_asked_;  // when somebody other than that one did
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::memory

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace pizarra {
+namespace pizarra::memory {
 
 namespace {
 
@@ -56,4 +56,4 @@ Latencies::Summary Latencies::summary(Time now) {
   return summary;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::memory

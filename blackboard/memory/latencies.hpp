@@ -13,7 +13,7 @@
 
 #include "blackboard/time/clock.hpp"
 
-namespace pizarra {
+namespace pizarra::memory {
 
 class Latencies {
  public:
@@ -42,4 +42,4 @@ class Latencies {
   Counts before_{};
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::memory

@@ -11,7 +11,7 @@
 #include "blackboard/time/latch.hpp"
 #include "blackboard/watch/watches.hpp"
 
-namespace pizarra {
+namespace pizarra::memory {
 
 namespace {
 
@@ -20,17 +20,17 @@ constexpr Duration between_parts = 1ms;
 
 // As it is told in this process, where everything may be known.
 template <class T>
-Result<T> told(Result<T> result, const Store& store) {
+Result<T> told(Result<T> result, const store::Store& store) {
   std::size_t examined = 0;
   const auto may_know = [](std::string_view) { return true; };
-  if (!result) result.error() = with_nearest(std::move(result.error()), store.tables(), may_know, examined);
+  if (!result) result.error() = store::with_nearest(std::move(result.error()), store.tables(), may_know, examined);
   return result;
 }
 
 class MemoryWatch : public Watch {
  public:
   explicit MemoryWatch(Executor& executor) : waiters_(executor) {}
-  void attach(std::unique_ptr<WatchQueue> queue) { queue_ = std::move(queue); }
+  void attach(std::unique_ptr<watch::WatchQueue> queue) { queue_ = std::move(queue); }
   void wake() { waiters_.wake_all(); }
 
   Task<Result<Change>> next() override {
@@ -42,7 +42,7 @@ class MemoryWatch : public Watch {
 
  private:
   WaitList waiters_;
-  std::unique_ptr<WatchQueue> queue_;
+  std::unique_ptr<watch::WatchQueue> queue_;
 };
 
 class View : public Board {
@@ -63,7 +63,8 @@ class View : public Board {
 
   Task<Result<std::unique_ptr<Watch>>> watch(Query query) override {
     auto watch = std::make_unique<MemoryWatch>(board_.executor());
-    Result<std::unique_ptr<WatchQueue>> queue = board_.watch(teller_, query, [watch = watch.get()] { watch->wake(); });
+    Result<std::unique_ptr<watch::WatchQueue>> queue =
+        board_.watch(teller_, query, [watch = watch.get()] { watch->wake(); });
     if (!queue) co_return fail(queue);
     watch->attach(std::move(*queue));
     co_return watch;
@@ -76,14 +77,14 @@ class View : public Board {
 
 }  // namespace
 
-MemoryBoard::MemoryBoard(Executor& executor) : MemoryBoard(executor, std::make_unique<Store>()) {}
+MemoryBoard::MemoryBoard(Executor& executor) : MemoryBoard(executor, std::make_unique<store::Store>()) {}
 
-MemoryBoard::MemoryBoard(Executor& executor, std::unique_ptr<Store> store)
+MemoryBoard::MemoryBoard(Executor& executor, std::unique_ptr<store::Store> store)
     : executor_(executor),
       store_(std::move(store)),
-      watches_(std::make_unique<WatchTable>(*store_)),
-      may_lapse_(Store::lapsing_at_once) {
-  store_->on_commit = [this](const Commit& commit) { committed(commit); };
+      watches_(std::make_unique<watch::WatchTable>(*store_)),
+      may_lapse_(store::Store::lapsing_at_once) {
+  store_->on_commit = [this](const store::Commit& commit) { committed(commit); };
   schedule();
 }
 
@@ -102,11 +103,12 @@ std::unique_ptr<Board> MemoryBoard::view(std::string teller) {
   return std::make_unique<View>(*this, std::move(teller));
 }
 
-void MemoryBoard::set_journal(JournalSink sink) {
+void MemoryBoard::set_journal(store::JournalSink sink) {
   journal_ = std::move(sink);
   std::vector<Relation> declared;
   for (const auto& [name, table] : store_->tables()) declared.push_back(table.relation());
-  if (journal_ && !declared.empty()) journal_(journal_line(store_->revision(), executor_.now(), "board", declared));
+  if (journal_ && !declared.empty())
+    journal_(journal::journal_line(store_->revision(), executor_.now(), "board", declared));
 }
 
 void MemoryBoard::resume() {
@@ -121,7 +123,7 @@ Result<void> MemoryBoard::declare(const std::string& teller, const std::vector<R
   }
   const Result<std::vector<Relation>> fresh = store_->declare(relations);
   if (!fresh) return fail(fresh);
-  if (journal_ && !fresh->empty()) journal_(journal_line(store_->revision(), executor_.now(), teller, *fresh));
+  if (journal_ && !fresh->empty()) journal_(journal::journal_line(store_->revision(), executor_.now(), teller, *fresh));
   return {};
 }
 
@@ -182,11 +184,12 @@ Result<void> MemoryBoard::release(LeaseId lease, std::size_t& examined) {
   return released;
 }
 
-Result<std::unique_ptr<WatchQueue>> MemoryBoard::watch(const std::string& watcher, const Query& query,
-                                                       std::function<void()> ready, std::shared_ptr<Backlog> backlog,
-                                                       std::size_t& examined) {
+Result<std::unique_ptr<watch::WatchQueue>> MemoryBoard::watch(const std::string& watcher, const Query& query,
+                                                              std::function<void()> ready,
+                                                              std::shared_ptr<watch::Backlog> backlog,
+                                                              std::size_t& examined) {
   begin();
-  Result<std::unique_ptr<WatchQueue>> queue =
+  Result<std::unique_ptr<watch::WatchQueue>> queue =
       watches_->add(query, std::move(ready), watcher, std::move(backlog), examined);
   schedule();
   return queue;
@@ -207,10 +210,10 @@ Result<std::optional<Fact>> MemoryBoard::take(const std::string& teller, const D
   return told(take(teller, pattern, holder, examined), *store_);
 }
 
-Result<std::unique_ptr<WatchQueue>> MemoryBoard::watch(const std::string& watcher, const Query& query,
-                                                       std::function<void()> ready) {
+Result<std::unique_ptr<watch::WatchQueue>> MemoryBoard::watch(const std::string& watcher, const Query& query,
+                                                              std::function<void()> ready) {
   std::size_t examined = 0;
-  return told(watch(watcher, query, std::move(ready), std::make_shared<Backlog>(), examined), *store_);
+  return told(watch(watcher, query, std::move(ready), std::make_shared<watch::Backlog>(), examined), *store_);
 }
 
 Time MemoryBoard::begin() {
@@ -223,7 +226,7 @@ Time MemoryBoard::begin() {
 // Others are served in the pause, and those whose requests come meanwhile have no part of it to wait for.
 template <class Lapse>
 void MemoryBoard::lapse(Time now, Lapse&& some) {
-  if (now >= lapses_again_) may_lapse_ = Store::lapsing_at_once;
+  if (now >= lapses_again_) may_lapse_ = store::Store::lapsing_at_once;
   const std::size_t before = may_lapse_;
   some(may_lapse_);
   if (may_lapse_ < before) lapses_again_ = executor_.now() + between_parts;
@@ -253,10 +256,10 @@ void MemoryBoard::schedule() {
   });
 }
 
-void MemoryBoard::committed(const Commit& commit) {
-  if (journal_) journal_(journal_line(commit));
+void MemoryBoard::committed(const store::Commit& commit) {
+  if (journal_) journal_(journal::journal_line(commit));
   statistics_.committed(commit);
   watches_->committed(commit);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::memory

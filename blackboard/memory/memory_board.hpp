@@ -21,17 +21,23 @@
 #include "blackboard/time/executor.hpp"
 #include "blackboard/watch/backlog.hpp"
 
-namespace pizarra {
-
+namespace pizarra::store {
+class FactTable;
 class Store;
-class WatchTable;
+}  // namespace pizarra::store
+
+namespace pizarra::watch {
 class WatchQueue;
+class WatchTable;
+}  // namespace pizarra::watch
+
+namespace pizarra::memory {
 
 class MemoryBoard {
  public:
   explicit MemoryBoard(Executor& executor);
   // Goes on from what a journal restored, with resume() before anybody comes.
-  MemoryBoard(Executor& executor, std::unique_ptr<Store> store);
+  MemoryBoard(Executor& executor, std::unique_ptr<store::Store> store);
   MemoryBoard(const MemoryBoard&) = delete;
   MemoryBoard& operator=(const MemoryBoard&) = delete;
   ~MemoryBoard();
@@ -55,12 +61,12 @@ class MemoryBoard {
 
   // Calls `sink` with every declaration and committed transaction from now on; beforehand with what was declared so
   // far.
-  void set_journal(JournalSink sink);
+  void set_journal(store::JournalSink sink);
   // Lets go what is not durable and puts back what was taken, which the journal should hear.
   void resume();
 
   Executor& executor() { return executor_; }
-  const Store& store() const { return *store_; }
+  const store::Store& store() const { return *store_; }
   Statistics& statistics() { return statistics_; }
 
   Result<void> declare(const std::string& teller, const std::vector<Relation>& relations);
@@ -77,14 +83,15 @@ class MemoryBoard {
   // The queue's first change is there already, unless it takes long or `examined` is limits::examined_a_turn before;
   // `ready` is called whenever one comes to an empty queue. `watcher` is who will be named in what relation-stats says
   // (statistics.hpp); its queues may share a backlog.
-  Result<std::unique_ptr<WatchQueue>> watch(const std::string& watcher, const Query& query, std::function<void()> ready,
-                                            std::shared_ptr<Backlog> backlog, std::size_t& examined);
+  Result<std::unique_ptr<watch::WatchQueue>> watch(const std::string& watcher, const Query& query,
+                                                   std::function<void()> ready, std::shared_ptr<watch::Backlog> backlog,
+                                                   std::size_t& examined);
   // The same for who does not want to know, in this process.
   Result<Revision> transact(const std::string& teller, const Transaction& transaction);
   Result<Answers> ask(const Query& query);
   Result<std::optional<Fact>> take(const std::string& teller, const Datum& pattern, LeaseId holder);
-  Result<std::unique_ptr<WatchQueue>> watch(const std::string& watcher, const Query& query,
-                                            std::function<void()> ready);
+  Result<std::unique_ptr<watch::WatchQueue>> watch(const std::string& watcher, const Query& query,
+                                                   std::function<void()> ready);
 
  private:
   // Lapses what is due, before an operation; and has the timer wait for what is next, after it. Of what lapses together
@@ -94,18 +101,18 @@ class MemoryBoard {
   template <class Lapse>
   void lapse(Time now, Lapse&& some);
   Time heard_until(Time now) const;
-  void committed(const Commit& commit);
+  void committed(const store::Commit& commit);
 
   Executor& executor_;
-  std::unique_ptr<Store> store_;
-  std::unique_ptr<WatchTable> watches_;
+  std::unique_ptr<store::Store> store_;
+  std::unique_ptr<watch::WatchTable> watches_;
   Statistics statistics_;
   std::vector<const Hearing*> hearings_;
-  JournalSink journal_;
+  store::JournalSink journal_;
   Executor::TimerId timer_ = 0;
   std::optional<Time> timer_due_;
-  std::size_t may_lapse_;    // of what Store::expire counts, before
-  Time lapses_again_{};  // then there is to be as much as ever
+  std::size_t may_lapse_;  // of what store::Store::expire counts, before
+  Time lapses_again_{};    // then there is to be as much as ever
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::memory

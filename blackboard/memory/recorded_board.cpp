@@ -3,7 +3,7 @@
 #include "blackboard/journal/journal_file.hpp"
 #include "blackboard/store/store.hpp"
 
-namespace pizarra {
+namespace pizarra::memory {
 
 namespace {
 
@@ -11,7 +11,7 @@ std::unexpected<Failure> read_only() { return fail("read-only", "a recorded boar
 
 }  // namespace
 
-RecordedBoard::RecordedBoard(Executor& executor, std::unique_ptr<Store> store, PlayedBack played)
+RecordedBoard::RecordedBoard(Executor& executor, std::unique_ptr<store::Store> store, journal::PlayedBack played)
     : store_(*store),
       board_(executor, std::move(store)),
       view_(board_.view("recorded")),
@@ -22,8 +22,8 @@ RecordedBoard::~RecordedBoard() = default;
 
 Result<std::unique_ptr<RecordedBoard>> RecordedBoard::open(Executor& executor, const std::string& path,
                                                            const Moment& until) {
-  auto store = std::make_unique<Store>();
-  Result<PlayedBack> played = read_journal(path, *store, until);
+  auto store = std::make_unique<store::Store>();
+  Result<journal::PlayedBack> played = journal::read_journal(path, *store, until);
   if (!played) return fail(played);
   return std::unique_ptr<RecordedBoard>(new RecordedBoard(executor, std::move(store), std::move(*played)));
 }
@@ -40,7 +40,7 @@ std::optional<std::string_view> RecordedBoard::next_line() const {
 std::optional<Time> RecordedBoard::next() const {
   const std::optional<std::string_view> line = next_line();
   if (!line) return std::nullopt;
-  return start_of_line(*line).when;
+  return journal::start_of_line(*line).when;
 }
 
 Result<bool> RecordedBoard::step() {
@@ -49,15 +49,15 @@ Result<bool> RecordedBoard::step() {
     const std::optional<std::string_view> line = next_line();
     if (!line) return false;
     at_ += line->size() + 1;
-    when_ = start_of_line(*line).when;
-    const Result<void> replayed = replay_line(*line, store_);
+    when_ = journal::start_of_line(*line).when;
+    const Result<void> replayed = journal::replay_line(*line, store_);
     if (!replayed) return fail(replayed);
   }
   return true;
 }
 
 Result<void> RecordedBoard::play_to(const Moment& until) {
-  for (auto line = next_line(); line && !is_beyond(start_of_line(*line), until); line = next_line()) {
+  for (auto line = next_line(); line && !journal::is_beyond(journal::start_of_line(*line), until); line = next_line()) {
     const Result<bool> stepped = step();
     if (!stepped) return fail(stepped);
   }
@@ -74,13 +74,13 @@ Task<Result<void>> RecordedBoard::declare(std::vector<Relation> relations) {
 
 Task<Result<Answers>> RecordedBoard::ask(Query query) {
   Result<Answers> answers = co_await view_->ask(std::move(query));
-  if (!answers) co_return fail(failure_at(revision(), std::move(answers.error())));
+  if (!answers) co_return fail(journal::failure_at(revision(), std::move(answers.error())));
   co_return answers;
 }
 
 Task<Result<std::unique_ptr<Watch>>> RecordedBoard::watch(Query query) {
   Result<std::unique_ptr<Watch>> watch = co_await view_->watch(std::move(query));
-  if (!watch) co_return fail(failure_at(revision(), std::move(watch.error())));
+  if (!watch) co_return fail(journal::failure_at(revision(), std::move(watch.error())));
   co_return watch;
 }
 
@@ -90,4 +90,4 @@ Task<Result<LeaseId>> RecordedBoard::lease(Duration) { co_return read_only(); }
 Task<Result<void>> RecordedBoard::renew(LeaseId) { co_return read_only(); }
 Task<Result<void>> RecordedBoard::release(LeaseId) { co_return read_only(); }
 
-}  // namespace pizarra
+}  // namespace pizarra::memory

@@ -17,7 +17,7 @@
 #include "blackboard/journal/journal_file.hpp"
 #include "blackboard/memory/memory_board.hpp"
 
-namespace pizarra {
+namespace pizarra::memory {
 
 class RecordedBoard : public Board {
  public:
@@ -28,7 +28,7 @@ class RecordedBoard : public Board {
 
   Revision revision() const;
   // With the time of the last revision that was stepped to, or opened at.
-  LineStart moment() const { return {revision(), when_}; }
+  journal::LineStart moment() const { return {revision(), when_}; }
   // When the next revision was committed: nothing at the end.
   std::optional<Time> next() const;
   // Plays the next revision back: false at the end.
@@ -46,10 +46,10 @@ class RecordedBoard : public Board {
   Task<Result<void>> release(LeaseId lease) override;
 
  private:
-  RecordedBoard(Executor& executor, std::unique_ptr<Store> store, PlayedBack played);
+  RecordedBoard(Executor& executor, std::unique_ptr<store::Store> store, journal::PlayedBack played);
   std::optional<std::string_view> next_line() const;
 
-  Store& store_;
+  store::Store& store_;
   MemoryBoard board_;
   const std::unique_ptr<Board> view_;
   const std::string lines_;  // what is not played back yet, from at_ on
@@ -57,4 +57,4 @@ class RecordedBoard : public Board {
   Time when_{};
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::memory

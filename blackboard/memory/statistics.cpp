@@ -12,7 +12,7 @@
 #include "blackboard/watch/watches.hpp"
 #include "lisp/pattern.hpp"
 
-namespace pizarra {
+namespace pizarra::memory {
 
 namespace {
 
@@ -133,18 +133,18 @@ Statistics::Counts& Statistics::counts_of(std::string_view relation) {
 }
 
 // Most changes are of the relation of the change before them, and all of one teller's.
-void Statistics::committed(const Commit& commit) {
+void Statistics::committed(const store::Commit& commit) {
   const Datum* relation = nullptr;
   Counts* counts = nullptr;
   Told* told = nullptr;
-  for (const Commit::Entry& entry : commit.entries) {
-    if (!adds(entry) && !removes(entry)) continue;
+  for (const store::Commit::Entry& entry : commit.entries) {
+    if (!store::adds(entry) && !store::removes(entry)) continue;
     if (relation == nullptr || *relation != entry.fact.datum[0]) {
       relation = &entry.fact.datum[0];
       counts = &counts_of(relation->text());
       told = nullptr;
     }
-    if (removes(entry)) {
+    if (store::removes(entry)) {
       ++counts->gone;
       continue;
     }
@@ -212,15 +212,15 @@ void Statistics::delivered(std::string_view relation, Duration took, Time now) {
 
 bool Statistics::is_about(const Query& query) { return relation_asked_for(query).has_value(); }
 
-Result<Answers> Statistics::ask(const Query& query, const Store& store, const WatchTable& watches, Time now,
-                                std::size_t& examined) {
+Result<Answers> Statistics::ask(const Query& query, const store::Store& store, const watch::WatchTable& watches,
+                                Time now, std::size_t& examined) {
   const Relation about = *relation_asked_for(query);
   const Asked asked{about.name, only_one_named(query), store, watches, now};
   examined += looks_for(asked);
   const Result<void> cheap = check_examined(examined, query_to_datum(query));
   if (!cheap) return fail(cheap);
-  Tables tables;
-  FactTable& table = tables.try_emplace(about.name, about).first->second;
+  store::Tables tables;
+  store::FactTable& table = tables.try_emplace(about.name, about).first->second;
   FactId id = 0;
   for (Datum& form : facts_of(asked)) {
     Fact fact;
@@ -231,14 +231,14 @@ Result<Answers> Statistics::ask(const Query& query, const Store& store, const Wa
     fact.revision = store.revision();
     table.insert({std::move(fact)});
   }
-  const Result<void> checked = check_query_on(query, tables);
+  const Result<void> checked = store::check_query_on(query, tables);
   if (!checked && checked.error().symbol == "undeclared-relation") {
     return fail("bad-query", about.name + " is asked for alone", query_to_datum(query));
   }
   if (!checked) return fail(checked);
   // These tables are gone when others have been served.
-  const Indexing indexing(Indexing::May::make_at_once);
-  Result<std::vector<Answer>> answers = evaluate(query, tables, examined);
+  const store::Indexing indexing(store::Indexing::May::make_at_once);
+  Result<std::vector<Answer>> answers = store::evaluate(query, tables, examined);
   examined += indexing.examined();
   if (!answers) return fail(answers);
   return Answers{store.revision(), std::move(*answers)};
@@ -256,8 +256,7 @@ std::vector<Datum> Statistics::facts_of(const Asked& asked) {
   const auto& [about, named, store, watches, now] = asked;
   std::vector<Datum> facts;
   if (about == "relation-stats") {
-    visit_named(store.tables(), named,
-                [&](const auto& table) { facts.push_back(relation_fact(table.second, asked)); });
+    visit_named(store.tables(), named, [&](const auto& table) { facts.push_back(relation_fact(table.second, asked)); });
   } else if (about == "journey-stats") {
     visit_named(relations_, named, [&](auto& relation) {
       if (relation.second.journeys == nullptr) return;
@@ -272,14 +271,14 @@ std::vector<Datum> Statistics::facts_of(const Asked& asked) {
     });
   } else {
     visit_named(watches.watchers(), named, [&](const auto& watcher) {
-      const WatchTable::Load load = WatchTable::load_of(watcher.second);
+      const watch::WatchTable::Load load = watch::WatchTable::load_of(watcher.second);
       facts.push_back(list("watcher-stats"_sym, watcher.first, load.watches, load.changes, load.bytes));
     });
   }
   return facts;
 }
 
-Datum Statistics::relation_fact(const FactTable& table, const Asked& asked) {
+Datum Statistics::relation_fact(const store::FactTable& table, const Asked& asked) {
   const std::string& relation = table.relation().name;
   Counts& counts = counts_of(relation);
   counts.rate.pass_to(asked.now);
@@ -289,4 +288,4 @@ Datum Statistics::relation_fact(const FactTable& table, const Asked& asked) {
               counts.rate.last_second(), named(counts.tellers, room), watchers);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::memory

@@ -30,18 +30,24 @@
 #include "blackboard/query.hpp"
 #include "blackboard/store/commit.hpp"
 
-namespace pizarra {
-
+namespace pizarra::store {
 class FactTable;
 class Store;
+}  // namespace pizarra::store
+
+namespace pizarra::watch {
+class WatchQueue;
 class WatchTable;
+}  // namespace pizarra::watch
+
+namespace pizarra::memory {
 
 class Statistics {
  public:
   static constexpr std::size_t max_names = 64;           // of one relation
   static constexpr std::size_t names_bytes = 128 << 10;  // of all
 
-  void committed(const Commit& commit);
+  void committed(const store::Commit& commit);
   // The client so called is gone.
   void left(std::string_view teller);
   // When a fact of the relation was sent that came to the board, and how long one was under way from there to a
@@ -56,7 +62,7 @@ class Statistics {
   // Where the query names one, by its first argument, that one is made up alone. Adds to `examined` how many of these
   // facts it looked at, and as many as could have been looked at while they were made up. Failures too-costly, and
   // bad-query where other relations are asked for too.
-  Result<Answers> ask(const Query& query, const Store& store, const WatchTable& watches, Time now,
+  Result<Answers> ask(const Query& query, const store::Store& store, const watch::WatchTable& watches, Time now,
                       std::size_t& examined);
 
  private:
@@ -86,17 +92,17 @@ class Statistics {
   struct Asked {
     std::string about;
     std::optional<Datum> named;  // all, where there is none
-    const Store& store;
-    const WatchTable& watches;
+    const store::Store& store;
+    const watch::WatchTable& watches;
     Time now;
   };
   std::size_t looks_for(const Asked& asked) const;
   std::vector<Datum> facts_of(const Asked& asked);
-  Datum relation_fact(const FactTable& table, const Asked& asked);
+  Datum relation_fact(const store::FactTable& table, const Asked& asked);
 
   ClientRequests requests_;
   std::map<std::string, Counts, std::less<>> relations_;
   std::pair<const std::string, Counts>* last_ = nullptr;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::memory

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace pizarra {
+namespace pizarra::server {
 
 void Answered::add(wire::RequestId number, Durability::Reply reply) {
   const auto [place, fresh] = replies_.emplace(number, std::move(reply));
@@ -20,4 +20,4 @@ const Durability::Reply* Answered::find(wire::RequestId number) const {
   return found == replies_.end() ? nullptr : &found->second;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::server

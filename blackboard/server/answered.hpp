@@ -11,7 +11,7 @@
 
 #include "blackboard/server/durability.hpp"
 
-namespace pizarra {
+namespace pizarra::server {
 
 class Answered {
  public:
@@ -28,4 +28,4 @@ class Answered {
   wire::RequestId forgotten_ = 0;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::server

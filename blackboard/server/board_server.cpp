@@ -5,9 +5,9 @@
 #include "blackboard/wire/wire_address.hpp"
 #include "lisp/writer.hpp"
 
-namespace pizarra {
+namespace pizarra::server {
 
-Result<std::unique_ptr<BoardServer>> BoardServer::open(Executor& executor, MemoryBoard& board,
+Result<std::unique_ptr<BoardServer>> BoardServer::open(Executor& executor, memory::MemoryBoard& board,
                                                        const BoardServerOptions& options) {
   std::optional<KeyFolder> keys;
   if (!options.keys.empty()) {
@@ -23,7 +23,7 @@ Result<std::unique_ptr<BoardServer>> BoardServer::open(Executor& executor, Memor
   return server;
 }
 
-BoardServer::BoardServer(Executor& executor, MemoryBoard& board, const BoardServerOptions& options,
+BoardServer::BoardServer(Executor& executor, memory::MemoryBoard& board, const BoardServerOptions& options,
                          std::optional<KeyFolder> keys)
     : executor_(executor),
       board_(board),
@@ -37,7 +37,7 @@ BoardServer::BoardServer(Executor& executor, MemoryBoard& board, const BoardServ
                     if (session != sessions_.end()) socket_.send(session->second.peer, reply);
                   }),
       permitted_(board, durability_),
-      socket_(executor, WireSocket::Kind::router,
+      socket_(executor, wire::WireSocket::Kind::router,
               [this](const std::string& peer, std::optional<std::string_view> frame) {
                 receiving_ = true;
                 receive(peer, frame);
@@ -55,11 +55,11 @@ BoardServer::BoardServer(Executor& executor, MemoryBoard& board, const BoardServ
   if (!board_.store().index_maker().is_idle()) schedule_look();
 }
 
-void BoardServer::restore(const std::vector<RememberedReply>& remembered) {
-  for (const RememberedReply& reply : remembered) {
+void BoardServer::restore(const std::vector<journal::RememberedReply>& remembered) {
+  for (const journal::RememberedReply& reply : remembered) {
     Session& session = sessions_[reply.session];
     session.teller = reply.teller;
-    if (!reply.key.empty()) session.key = PublicKey{.name = {}, .key = reply.key, .may = {}};
+    if (!reply.key.empty()) session.key = wire::PublicKey{.name = {}, .key = reply.key, .may = {}};
     session.heard = executor_.now();
     session.done.add(reply.request, {write(list("reply"_sym, reply.request, reply.result))});
   }
@@ -67,9 +67,9 @@ void BoardServer::restore(const std::vector<RememberedReply>& remembered) {
 
 Result<void> BoardServer::listen(const std::vector<std::string>& addresses, bool insecure) {
   for (const std::string& address : addresses) {
-    const Result<void> allowed = check_listening_address(address, keys_ || insecure);
+    const Result<void> allowed = wire::check_listening_address(address, keys_ || insecure);
     if (!allowed) return allowed;
-    const bool with_keys = keys_ && !is_ipc(address);
+    const bool with_keys = keys_ && !wire::is_ipc(address);
     const Result<std::string> bound = socket_.bind(address, with_keys ? &keys_->own() : nullptr);
     if (!bound) return fail(bound);
     addresses_.push_back(*bound);
@@ -151,4 +151,4 @@ void BoardServer::hear(wire::SessionId id, Session& session, const Postponed::Me
 // A reply that a peer does not take is lost to it; its client asks again.
 void BoardServer::send(const std::string& peer, const Datum& message) { socket_.send(peer, write(message)); }
 
-}  // namespace pizarra
+}  // namespace pizarra::server

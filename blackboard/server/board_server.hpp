@@ -38,7 +38,7 @@
 #include "blackboard/wire/wire.hpp"
 #include "blackboard/wire/wire_socket.hpp"
 
-namespace pizarra {
+namespace pizarra::server {
 
 struct BoardServerOptions {
   std::vector<std::string> addresses;
@@ -47,10 +47,10 @@ struct BoardServerOptions {
   // Without keys, allows addresses that other machines reach.
   bool insecure = false;
   Duration session_length = 10s;
-  ClientRequests::Limit requests = {};  // of a client, while others ask
+  memory::ClientRequests::Limit requests = {};  // of a client, while others ask
   // The board's: what concerns durable facts is answered when it is written there.
-  JournalWriter* journal = nullptr;
-  std::vector<RememberedReply> remembered = {};
+  journal::JournalWriter* journal = nullptr;
+  std::vector<journal::RememberedReply> remembered = {};
 };
 
 class BoardServer {
@@ -60,7 +60,7 @@ class BoardServer {
   static constexpr std::size_t max_sessions_of_a_name = 256;  // of those without a key
 
   // Failures bad-address, not-loopback, address-in-use, and those of KeyFolder::open.
-  static Result<std::unique_ptr<BoardServer>> open(Executor& executor, MemoryBoard& board,
+  static Result<std::unique_ptr<BoardServer>> open(Executor& executor, memory::MemoryBoard& board,
                                                    const BoardServerOptions& options);
   BoardServer(const BoardServer&) = delete;
   BoardServer& operator=(const BoardServer&) = delete;
@@ -77,22 +77,23 @@ class BoardServer {
   struct Session {
     std::string teller;
     std::string peer;
-    std::optional<PublicKey> key;
+    std::optional<wire::PublicKey> key;
     Time heard{};
     ServedWatches watches;
     bool holds = false;  // what it watches, and answers questions from it
     Answered done;
-    Answered refused;  // and not done
-    IndexTicket awaited = 0;   // by its watches, or the first of what is postponed
-    bool awaits_turn = false;  // the first of what is postponed
+    Answered refused;                // and not done
+    store::IndexTicket awaited = 0;  // by its watches, or the first of what is postponed
+    bool awaits_turn = false;        // the first of what is postponed
     Postponed postponed;
   };
 
-  BoardServer(Executor& executor, MemoryBoard& board, const BoardServerOptions& options, std::optional<KeyFolder> keys);
+  BoardServer(Executor& executor, memory::MemoryBoard& board, const BoardServerOptions& options,
+              std::optional<KeyFolder> keys);
   static std::uint64_t random_number();
   void ask_for_keys();
   Result<void> listen(const std::vector<std::string>& addresses, bool insecure);
-  void restore(const std::vector<RememberedReply>& remembered);
+  void restore(const std::vector<journal::RememberedReply>& remembered);
   void receive(const std::string& peer, std::optional<std::string_view> frame);
   void hear(const std::string& peer, const Datum& message);
   void refuse(const std::string& peer, const Failure& failure);
@@ -108,9 +109,9 @@ class BoardServer {
   static PermittedBoard::Client who_asks(const Session& session) {
     return {session.teller, client_of(session), session.key ? &*session.key : nullptr};
   }
-  Result<void> check_hello(const std::string& peer, const std::string& teller, const PublicKey* key) const;
+  Result<void> check_hello(const std::string& peer, const std::string& teller, const wire::PublicKey* key) const;
   Result<wire::SessionId> session_for(const std::string& peer, const std::string& teller, wire::SessionId asked,
-                                      const PublicKey* key);
+                                      const wire::PublicKey* key);
   void move_session(wire::SessionId id, Session& session, const std::string& peer);
   void end_session(wire::SessionId id);
   void end_sessions_of_changed_keys();
@@ -146,7 +147,7 @@ class BoardServer {
   void forget_the_gone();
 
   Executor& executor_;
-  MemoryBoard& board_;
+  memory::MemoryBoard& board_;
   const Duration session_length_;
   std::vector<std::string> addresses_;
   std::optional<KeyFolder> keys_;
@@ -157,12 +158,12 @@ class BoardServer {
   const wire::SessionId life_;  // another one in every life of the server
   Durability durability_;
   PermittedBoard permitted_;
-  std::optional<Past> past_;
+  std::optional<journal::Past> past_;
   std::set<std::pair<wire::SessionId, wire::RequestId>> past_asked_;
   std::set<wire::SessionId> to_flush_;
   std::set<wire::SessionId> to_look_;  // for what holds of their watches, when others were served
   wire::SessionId looked_last_ = 0;
-  std::size_t examined_ = 0;  // since then
+  std::size_t examined_ = 0;      // since then
   std::size_t for_requests_ = 0;  // facts looked at, in all
   std::size_t before_frame_ = 0;  // of these, before the frame that is being heard
   bool leaving_ = false;
@@ -174,9 +175,9 @@ class BoardServer {
   Executor::TimerId flush_timer_ = 0;
   Executor::TimerId look_timer_ = 0;
   Executor::TimerId sweep_timer_ = 0;
-  WireSocket socket_;
-  MemoryBoard::Hearing hearing_;
-  std::optional<Doorkeeper> doorkeeper_;
+  wire::WireSocket socket_;
+  memory::MemoryBoard::Hearing hearing_;
+  std::optional<wire::Doorkeeper> doorkeeper_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::server

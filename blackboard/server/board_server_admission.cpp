@@ -7,7 +7,7 @@
 #include "blackboard/store/indexing.hpp"
 #include "blackboard/store/store.hpp"
 
-namespace pizarra {
+namespace pizarra::server {
 
 namespace {
 
@@ -57,8 +57,8 @@ std::optional<Result<Datum>> BoardServer::perform_within_quota(wire::SessionId i
   const bool is_free = standing == Standing::free;
   const std::size_t before = is_free ? 0 : LookQuota::all_but_few;
   const bool may_wait = is_free && waiting.may_wait();
-  const Indexing indexing(may_wait ? Indexing::May::make_in_parts : Indexing::May::not_make, client,
-                          &board_.store().index_maker());
+  const store::Indexing indexing(may_wait ? store::Indexing::May::make_in_parts : store::Indexing::May::not_make,
+                                 client, &board_.store().index_maker());
   std::size_t examined = before;
   Result<Datum> result = perform(id, session, waiting.datum[3], examined);
   const std::size_t looked_at = examined - before + indexing.examined();
@@ -83,4 +83,4 @@ void BoardServer::wait_for_turn(wire::SessionId id, Session& session) {
   schedule_look();
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::server

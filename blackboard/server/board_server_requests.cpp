@@ -9,7 +9,7 @@
 #include "lisp/shortened.hpp"
 #include "lisp/writer.hpp"
 
-namespace pizarra {
+namespace pizarra::server {
 
 namespace {
 
@@ -134,7 +134,7 @@ bool BoardServer::answer(wire::SessionId id, Session& session, wire::RequestId n
     refuse_undone(session, number, body, room.error());
     return true;
   }
-  const JournalWriter::Position before = durability_.position();
+  const journal::JournalWriter::Position before = durability_.position();
   const std::optional<Result<Datum>> performed = perform_within_quota(id, session, waiting);
   if (!performed) return false;
   const Result<Datum>& result = *performed;
@@ -225,7 +225,7 @@ Result<Datum> BoardServer::watch(wire::SessionId id, Session& session, const Dat
     return bad_frame("the watch is of another query");
   }
   if (session.watches.size() >= ServedWatches::most) return fail("too-large", "a client has at most 256 watches");
-  Result<std::unique_ptr<WatchQueue>> queue = permitted_.watch(
+  Result<std::unique_ptr<watch::WatchQueue>> queue = permitted_.watch(
       who_asks(session), body[2], [this, id] { schedule_flush(id); }, session.watches.backlog(), examined);
   if (!queue) return fail(queue);
   session.watches.add(*number, body[2], kept, std::move(*queue));
@@ -234,4 +234,4 @@ Result<Datum> BoardServer::watch(wire::SessionId id, Session& session, const Dat
   return Datum();
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::server

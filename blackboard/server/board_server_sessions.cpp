@@ -7,7 +7,7 @@
 #include "blackboard/server/board_server.hpp"
 #include "blackboard/teller.hpp"
 
-namespace pizarra {
+namespace pizarra::server {
 
 // Fits a datum, and nobody guesses it.
 std::uint64_t BoardServer::random_number() {
@@ -35,7 +35,7 @@ std::string BoardServer::who_is(const std::string& peer) const {
   if (const auto found = session_of_peer_.find(peer); found != session_of_peer_.end()) {
     return client_of(sessions_.at(found->second));
   }
-  const PublicKey* key = keys_ ? keys_->find(socket_.sender_key()) : nullptr;
+  const wire::PublicKey* key = keys_ ? keys_->find(socket_.sender_key()) : nullptr;
   return key == nullptr ? socket_.sender_key() : key->name;
 }
 
@@ -45,7 +45,7 @@ void BoardServer::greet(const std::string& peer, const Datum& hello) {
   const Result<void> named = check_teller_name(hello[1].text());
   if (!named) return refuse(peer, named.error());
   if (keys_ && keys_->follow()) end_sessions_of_changed_keys();
-  const PublicKey* key = nullptr;
+  const wire::PublicKey* key = nullptr;
   if (!socket_.sender_key().empty()) {
     key = keys_->find(socket_.sender_key());
     if (key == nullptr) return refuse(peer, {"not-permitted", "this key is not authorised any more", {}, {}});
@@ -59,9 +59,10 @@ void BoardServer::greet(const std::string& peer, const Datum& hello) {
   send(peer, list("welcome"_sym, *id, life_));
 }
 
-Result<void> BoardServer::check_hello(const std::string& peer, const std::string& teller, const PublicKey* key) const {
-  if (teller == board_key_name) return fail("not-permitted", "nobody else is called board", to_datum(teller));
-  if (key != nullptr && !may_call_itself(key->name, teller)) {
+Result<void> BoardServer::check_hello(const std::string& peer, const std::string& teller,
+                                      const wire::PublicKey* key) const {
+  if (teller == wire::board_key_name) return fail("not-permitted", "nobody else is called board", to_datum(teller));
+  if (key != nullptr && !wire::may_call_itself(key->name, teller)) {
     return fail("not-permitted",
                 "the teller of the key " + key->name + " is called " + key->name + ", or " + key->name + "/ANYTHING",
                 to_datum(teller));
@@ -73,7 +74,7 @@ Result<void> BoardServer::check_hello(const std::string& peer, const std::string
 
 // The one that the connection has, the one asked for where it is the teller's, or a new one.
 Result<wire::SessionId> BoardServer::session_for(const std::string& peer, const std::string& teller,
-                                                 wire::SessionId asked, const PublicKey* key) {
+                                                 wire::SessionId asked, const wire::PublicKey* key) {
   if (const auto standing = session_of_peer_.find(peer); standing != session_of_peer_.end()) return standing->second;
   const auto is_of_key = [&](const Session& session) {
     return key == nullptr ? !session.key : session.key && session.key->key == key->key;
@@ -130,7 +131,7 @@ void BoardServer::end_sessions_of_changed_keys() {
   std::vector<wire::SessionId> ended;
   for (const auto& [id, session] : sessions_) {
     if (!session.key || session.peer.empty()) continue;
-    const PublicKey* now = keys_->find(session.key->key);
+    const wire::PublicKey* now = keys_->find(session.key->key);
     if (now == nullptr || *now != *session.key) ended.push_back(id);
   }
   for (const wire::SessionId id : ended) {
@@ -152,4 +153,4 @@ void BoardServer::forget_the_gone() {
   sweep_timer_ = executor_.call_at(now + session_length_ / 8, [this] { forget_the_gone(); });
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::server

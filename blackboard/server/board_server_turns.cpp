@@ -8,7 +8,7 @@
 #include "blackboard/store/indexing.hpp"
 #include "blackboard/store/store.hpp"
 
-namespace pizarra {
+namespace pizarra::server {
 
 namespace {
 
@@ -43,7 +43,7 @@ bool BoardServer::send_changes(Session& session) {
   const std::string& client = client_of(session);
   const bool rests = !has_turn(session) || awaits_index(session);
   const std::size_t before = rests ? std::max(examined_, limits::examined_a_turn) : examined_;
-  const Indexing indexing(Indexing::May::make_in_parts, client, &board_.store().index_maker());
+  const store::Indexing indexing(store::Indexing::May::make_in_parts, client, &board_.store().index_maker());
   std::size_t examined = before;
   const bool more = session.watches.send(socket_, session.peer, examined);
   examined_ += examined - before;
@@ -84,7 +84,7 @@ bool BoardServer::awaits_index(const Session& session) const {
 
 void BoardServer::make_on() {
   looks_.pay(executor_.now());
-  const IndexMaker::Part part = board_.store().index_maker().make_some();
+  const store::IndexMaker::Part part = board_.store().index_maker().make_some();
   looks_.looked(part.client, part.examined, executor_.now());
   if (part.made == 0) return;
   for (const auto& [id, session] : sessions_) {
@@ -114,4 +114,4 @@ bool BoardServer::has_turn(const Session& session) {
   return looks_.standing(client_of(session), executor_.now()) == LookQuota::Standing::free;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::server

@@ -5,16 +5,16 @@
 #include "blackboard/limits.hpp"
 #include "lisp/writer.hpp"
 
-namespace pizarra {
+namespace pizarra::server {
 
 namespace {
 
-bool is_durable(const Store& store, const Datum& pattern) {
+bool is_durable(const store::Store& store, const Datum& pattern) {
   const auto table = store.tables().find(pattern.head());
   return table != store.tables().end() && table->second.relation().durable;
 }
 
-bool step_is_durable(const Store& store, const Datum& step) {
+bool step_is_durable(const store::Store& store, const Datum& step) {
   if (step.size() < 2) return false;
   if (!step.is_form("settle")) return is_durable(store, step[1]);
   const Fact* held = store.held(wire::count_from(step[1]).value_or(0));
@@ -45,7 +45,7 @@ std::size_t bytes_at_most(const Datum& body) {
   return weigh(body).bytes + steps * bytes_of_a_step + said_beside;
 }
 
-std::size_t removed_at_most(const Store& store, const Transaction& transaction) {
+std::size_t removed_at_most(const store::Store& store, const Transaction& transaction) {
   std::size_t removed = 0;
   for (const Transaction::Step& step : transaction.steps) {
     const auto* retract = std::get_if<Transaction::Retract>(&step);
@@ -59,7 +59,7 @@ std::size_t removed_at_most(const Store& store, const Transaction& transaction) 
 
 }  // namespace
 
-Durability::Durability(JournalWriter* journal, Send send) : journal_(journal), send_(std::move(send)) {
+Durability::Durability(journal::JournalWriter* journal, Send send) : journal_(journal), send_(std::move(send)) {
   if (journal_ != nullptr) journal_->on_progress = [this] { progress(); };
 }
 
@@ -67,7 +67,7 @@ Durability::~Durability() {
   if (journal_ != nullptr) journal_->on_progress = nullptr;
 }
 
-bool Durability::concerns_durable(const Store& store, const Datum& body) const {
+bool Durability::concerns_durable(const store::Store& store, const Datum& body) const {
   if (journal_ == nullptr || body.size() < 2) return false;
   if (body.is_form("take")) return is_durable(store, body[1]);
   if (body.is_form("declare")) return std::ranges::any_of(body.items(), declares_durable);
@@ -80,7 +80,8 @@ Result<void> Durability::check_room(const Datum& body, bool durable) const {
   return changes ? check_room(body, durable, 0) : Result<void>();
 }
 
-Result<void> Durability::check_room(const Store& store, const Datum& body, const Transaction& transaction) const {
+Result<void> Durability::check_room(const store::Store& store, const Datum& body,
+                                    const Transaction& transaction) const {
   const std::size_t removals = journal_ == nullptr ? 0 : removed_at_most(store, transaction);
   // More than may be looked at is the board's to refuse.
   if (removals == 0 || removals > limits::examined) return {};
@@ -143,4 +144,4 @@ std::string Durability::in_doubt(wire::RequestId request, const Reply& reply) co
   return write(list("reply"_sym, request, failure_to_datum(failure)));
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::server

@@ -15,7 +15,7 @@
 #include "blackboard/journal/journal_writer.hpp"
 #include "blackboard/wire/wire.hpp"
 
-namespace pizarra {
+namespace pizarra::server {
 
 class Durability {
  public:
@@ -23,29 +23,29 @@ class Durability {
 
   struct Reply {
     std::string text;
-    JournalWriter::Position after = 0;  // not to be given before this is in the journal
-    bool stands = false;                // whether it tells of a change, which is on the board already
+    journal::JournalWriter::Position after = 0;  // not to be given before this is in the journal
+    bool stands = false;                         // whether it tells of a change, which is on the board already
   };
 
   // Without a journal nothing is durable.
-  Durability(JournalWriter* journal, Send send);
+  Durability(journal::JournalWriter* journal, Send send);
   Durability(const Durability&) = delete;
   Durability& operator=(const Durability&) = delete;
   ~Durability();
 
   // Whether the request tells, retracts, takes, settles or declares what is durable.
-  bool concerns_durable(const Store& store, const Datum& body) const;
+  bool concerns_durable(const store::Store& store, const Datum& body) const;
   // Before a change, which then does not come to stand: failure journal-full. Where the disk is full, what takes
   // durable facts away and adds none goes on.
   // `durable`: what concerns_durable() says of it.
   Result<void> check_room(const Datum& body, bool durable) const;
   // The same with what its retractions take away, each fact of which the journal names.
-  Result<void> check_room(const Store& store, const Datum& body, const Transaction& transaction) const;
-  JournalWriter::Position position() const { return journal_ == nullptr ? 0 : journal_->position(); }
+  Result<void> check_room(const store::Store& store, const Datum& body, const Transaction& transaction) const;
+  journal::JournalWriter::Position position() const { return journal_ == nullptr ? 0 : journal_->position(); }
   void hold(wire::SessionId session, wire::RequestId request, Reply reply);
   // One that was held before, if it is to be had.
   void answer_again(wire::SessionId session, wire::RequestId request, const Reply& reply) const;
-  void remember(const RememberedReply& reply) { journal_->remember(reply); }
+  void remember(const journal::RememberedReply& reply) { journal_->remember(reply); }
 
  private:
   struct Held {
@@ -53,15 +53,15 @@ class Durability {
     wire::RequestId request;
     Reply reply;
   };
-  using Change = JournalWriter::Change;
+  using Change = journal::JournalWriter::Change;
   static Change change_of(const Datum& body, bool durable);
   Result<void> check_room(const Datum& body, bool durable, std::size_t removals) const;
   void progress();
   std::string in_doubt(wire::RequestId request, const Reply& reply) const;
 
-  JournalWriter* const journal_;
+  journal::JournalWriter* const journal_;
   const Send send_;
   std::deque<Held> held_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::server

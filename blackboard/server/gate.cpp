@@ -7,16 +7,16 @@
 #include "blackboard/store/looking.hpp"
 #include "blackboard/store/store.hpp"
 
-namespace pizarra {
+namespace pizarra::server {
 
 namespace {
 
-std::unexpected<Failure> may_not(const PublicKey& key, const std::string& what, const Datum& subject) {
+std::unexpected<Failure> may_not(const wire::PublicKey& key, const std::string& what, const Datum& subject) {
   return fail("not-permitted", "the key " + key.name + " may not " + what, subject);
 }
 
 // Tell, retract, take or read what the pattern is about.
-std::unexpected<Failure> may_not_with_facts(const PublicKey& key, const std::string& verb, const Datum& pattern) {
+std::unexpected<Failure> may_not_with_facts(const wire::PublicKey& key, const std::string& verb, const Datum& pattern) {
   const std::string relation(pattern.head());
   return may_not(key, verb + (relation.empty() ? " this" : " facts of " + relation), pattern);
 }
@@ -30,13 +30,13 @@ Datum pattern_of_key(const Relation& relation, const Datum& fact) {
 }
 
 // Of those that are called alike, so that one key does not take the board's room for relations.
-Result<void> check_room(const PublicKey& key, const Relation& relation, const std::set<std::string>& declared) {
+Result<void> check_room(const wire::PublicKey& key, const Relation& relation, const std::set<std::string>& declared) {
   constexpr std::int64_t most = 256;
   if (declared.contains(relation.name)) return {};
   for (const auto* listed : {&key.may.tell, &key.may.take, &key.may.read}) {
     for (const std::string& pattern : *listed) {
-      if (!pattern.ends_with('*') || pattern == "*" || !permits({pattern}, relation.name)) continue;
-      const auto alike = [&](const std::string& name) { return permits({pattern}, name); };
+      if (!pattern.ends_with('*') || pattern == "*" || !wire::permits({pattern}, relation.name)) continue;
+      const auto alike = [&](const std::string& name) { return wire::permits({pattern}, name); };
       if (std::ranges::count_if(declared, alike) < most) continue;
       return fail("too-large", "there are 256 relations called " + pattern + " already", relation_to_datum(relation));
     }
@@ -47,8 +47,8 @@ Result<void> check_room(const PublicKey& key, const Relation& relation, const st
 }  // namespace
 
 bool Gate::may_know(Key key, std::string_view relation) {
-  return key == nullptr || permits(key->may.tell, relation) || permits(key->may.take, relation) ||
-         permits(key->may.read, relation);
+  return key == nullptr || wire::permits(key->may.tell, relation) || wire::permits(key->may.take, relation) ||
+         wire::permits(key->may.read, relation);
 }
 
 Result<void> Gate::declare(Key key, const std::vector<Relation>& relations) const {
@@ -78,25 +78,26 @@ Result<void> Gate::transact(Key key, const Transaction& transaction, std::size_t
 }
 
 // Whether a transaction happened says something of what its preconditions name.
-Result<void> Gate::check(const PublicKey& key, const Transaction::Precondition& precondition) const {
+Result<void> Gate::check(const wire::PublicKey& key, const Transaction::Precondition& precondition) const {
   const Datum& pattern = std::visit([](const auto& p) -> const Datum& { return p.pattern; }, precondition);
-  if (permits(key.may.read, pattern.head()) || permits(key.may.tell, pattern.head())) return {};
+  if (wire::permits(key.may.read, pattern.head()) || wire::permits(key.may.tell, pattern.head())) return {};
   return may_not_with_facts(key, "read", pattern);
 }
 
-Result<void> Gate::check(const PublicKey& key, const Transaction::Step& step, std::size_t& examined) const {
+Result<void> Gate::check(const wire::PublicKey& key, const Transaction::Step& step, std::size_t& examined) const {
   if (const auto* settle = std::get_if<Transaction::Settle>(&step)) {
     const LeaseId holder = board_.store().holder_of(settle->taken);
     return holder == 0 ? Result<void>() : use_lease(&key, holder);
   }
   const auto* tell = std::get_if<Transaction::Tell>(&step);
   const Datum& datum = tell != nullptr ? tell->fact : std::get<Transaction::Retract>(step).pattern;
-  if (!permits(key.may.tell, datum.head())) return may_not_with_facts(key, tell != nullptr ? "tell" : "retract", datum);
+  if (!wire::permits(key.may.tell, datum.head()))
+    return may_not_with_facts(key, tell != nullptr ? "tell" : "retract", datum);
   if (tell != nullptr && tell->lease != 0) {
     const Result<void> own = use_lease(&key, tell->lease);
     if (!own) return own;
   }
-  if (permits(key.may.override_leases, datum.head())) return {};
+  if (wire::permits(key.may.override_leases, datum.head())) return {};
   const auto table = board_.store().tables().find(datum.head());
   // The board refuses what has no relation or not its shape.
   if (table == board_.store().tables().end()) return {};
@@ -105,22 +106,22 @@ Result<void> Gate::check(const PublicKey& key, const Transaction::Step& step, st
   return leave_to_others(key, datum, pattern_of_key(table->second.relation(), datum), examined);
 }
 
-Result<void> Gate::leave_to_others(const PublicKey& key, const Datum& told, const Datum& pattern,
+Result<void> Gate::leave_to_others(const wire::PublicKey& key, const Datum& told, const Datum& pattern,
                                    std::size_t& examined) const {
-  const FactTable& table = board_.store().tables().find(pattern.head())->second;
+  const store::FactTable& table = board_.store().tables().find(pattern.head())->second;
   if (!check_pattern_shape(table.relation(), pattern)) return {};
   std::string other;
   {
-    Looking looking(examined);
+    store::Looking looking(examined);
     table.visit(pattern, [&](const Fact& fact) {
       Bindings bindings;
       const bool leased = board_.store().lease_of(fact.id) != 0;
-      const bool of_other = leased && !may_call_itself(key.name, fact.teller);
+      const bool of_other = leased && !wire::may_call_itself(key.name, fact.teller);
       if (of_other && match(pattern, fact.datum, bindings)) other = fact.teller;
       return other.empty() && looking.at_one_more();
     });
   }
-  const Result<void> cheap = check_looking(examined, told);
+  const Result<void> cheap = store::check_looking(examined, told);
   if (!cheap) return cheap;
   if (other.empty()) return {};
   return may_not(key, "replace or retract what " + other + " told under its lease", told);
@@ -129,7 +130,7 @@ Result<void> Gate::leave_to_others(const PublicKey& key, const Datum& told, cons
 Result<void> Gate::ask(Key key, const Query& query) const {
   if (key == nullptr) return {};
   for (const Query::Clause& clause : query.clauses) {
-    if (clause.kind == Query::Clause::Kind::compare || permits(key->may.read, clause.form.head())) continue;
+    if (clause.kind == Query::Clause::Kind::compare || wire::permits(key->may.read, clause.form.head())) continue;
     return may_not_with_facts(*key, "read", clause.form);
   }
   return {};
@@ -137,7 +138,7 @@ Result<void> Gate::ask(Key key, const Query& query) const {
 
 Result<void> Gate::take(Key key, const Datum& pattern, LeaseId holder) const {
   if (key == nullptr) return {};
-  if (!permits(key->may.take, pattern.head())) return may_not_with_facts(*key, "take", pattern);
+  if (!wire::permits(key->may.take, pattern.head())) return may_not_with_facts(*key, "take", pattern);
   return holder == 0 ? Result<void>() : use_lease(key, holder);
 }
 
@@ -157,4 +158,4 @@ void Gate::sweep() {
   std::erase_if(owners_, [this](const auto& owned) { return !board_.store().stands(owned.first); });
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::server

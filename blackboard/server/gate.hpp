@@ -14,14 +14,14 @@
 #include "blackboard/memory/memory_board.hpp"
 #include "blackboard/wire/keys.hpp"
 
-namespace pizarra {
+namespace pizarra::server {
 
 class Gate {
  public:
   // Several clients may come with one key.
-  using Key = const PublicKey*;
+  using Key = const wire::PublicKey*;
 
-  explicit Gate(const MemoryBoard& board) : board_(board) {}
+  explicit Gate(const memory::MemoryBoard& board) : board_(board) {}
 
   // Whether it may tell, take or read some of its facts, or no key is asked for.
   static bool may_know(Key key, std::string_view relation);
@@ -39,13 +39,13 @@ class Gate {
   void sweep();
 
  private:
-  Result<void> check(const PublicKey& key, const Transaction::Precondition& precondition) const;
-  Result<void> check(const PublicKey& key, const Transaction::Step& step, std::size_t& examined) const;
-  Result<void> leave_to_others(const PublicKey& key, const Datum& told, const Datum& pattern,
+  Result<void> check(const wire::PublicKey& key, const Transaction::Precondition& precondition) const;
+  Result<void> check(const wire::PublicKey& key, const Transaction::Step& step, std::size_t& examined) const;
+  Result<void> leave_to_others(const wire::PublicKey& key, const Datum& told, const Datum& pattern,
                                std::size_t& examined) const;
 
-  const MemoryBoard& board_;
+  const memory::MemoryBoard& board_;
   std::map<LeaseId, std::string> owners_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::server

@@ -3,11 +3,11 @@
 #include <filesystem>
 #include <sys/stat.h>
 
-namespace pizarra {
+namespace pizarra::server {
 
 Result<KeyFolder> KeyFolder::open(const std::string& folder) {
-  const std::string secret = folder + "/" + std::string(board_key_name) + ".secret";
-  Result<KeyPair> own = read_secret_key(secret);
+  const std::string secret = folder + "/" + std::string(wire::board_key_name) + ".secret";
+  Result<wire::KeyPair> own = wire::read_secret_key(secret);
   if (!own) {
     Failure failure = own.error();
     if (failure.symbol == "unreadable-file") {
@@ -16,7 +16,7 @@ Result<KeyFolder> KeyFolder::open(const std::string& folder) {
     }
     return fail(std::move(failure));
   }
-  const Result<std::vector<std::string>> files = public_key_files(folder);
+  const Result<std::vector<std::string>> files = wire::public_key_files(folder);
   if (!files) return fail(files);
   KeyFolder keys(folder, std::move(*own));
   keys.refresh();
@@ -35,7 +35,7 @@ bool KeyFolder::follow() { return stamp_of(folder_) != folder_stamp_ && refresh(
 
 bool KeyFolder::refresh() {
   folder_stamp_ = stamp_of(folder_);
-  const Result<std::vector<std::string>> files = public_key_files(folder_);
+  const Result<std::vector<std::string>> files = wire::public_key_files(folder_);
   std::map<std::string, Stamp> stamps;
   for (const std::string& path : files ? *files : std::vector<std::string>()) {
     const Stamp stamp = stamp_of(path);
@@ -52,9 +52,9 @@ bool KeyFolder::refresh() {
 
 void KeyFolder::read(const std::string& path) {
   const std::string stem = std::filesystem::path(path).stem();
-  if (stem == board_key_name) return;
-  if (!is_key_name(stem)) return faults_.push_back({"bad-name", "a file of keys is called NAME.key", {}, {}});
-  Result<PublicKey> key = read_public_key(path);
+  if (stem == wire::board_key_name) return;
+  if (!wire::is_key_name(stem)) return faults_.push_back({"bad-name", "a file of keys is called NAME.key", {}, {}});
+  Result<wire::PublicKey> key = wire::read_public_key(path);
   if (!key) return faults_.push_back(key.error());
   const auto fault = [&](std::string sentence) {
     faults_.push_back({"bad-key", stem + ".key " + std::move(sentence), Datum::symbol(key->name), {}});
@@ -65,9 +65,9 @@ void KeyFolder::read(const std::string& path) {
   if (!fresh) fault("holds the key of " + standing->second.name);
 }
 
-const PublicKey* KeyFolder::find(std::string_view public_key) const {
+const wire::PublicKey* KeyFolder::find(std::string_view public_key) const {
   const auto found = keys_.find(public_key);
   return found == keys_.end() ? nullptr : &found->second;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::server

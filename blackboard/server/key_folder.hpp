@@ -18,19 +18,19 @@
 
 #include "blackboard/wire/keys.hpp"
 
-namespace pizarra {
+namespace pizarra::server {
 
 class KeyFolder {
  public:
   // Failures as of read_secret_key and public_key_files.
   static Result<KeyFolder> open(const std::string& folder);
 
-  const KeyPair& own() const { return own_; }
+  const wire::KeyPair& own() const { return own_; }
   // Reads what changed since; whether anything did. What is written into a file that stays follow() does not notice.
   bool refresh();
   bool follow();
   // The client whose public key this is, or nullptr; until the next refresh.
-  const PublicKey* find(std::string_view public_key) const;
+  const wire::PublicKey* find(std::string_view public_key) const;
   const std::vector<Failure>& faults() const { return faults_; }
 
  private:
@@ -40,16 +40,16 @@ class KeyFolder {
     std::int64_t size = 0;
     bool operator==(const Stamp&) const = default;
   };
-  KeyFolder(std::string folder, KeyPair own) : folder_(std::move(folder)), own_(std::move(own)) {}
+  KeyFolder(std::string folder, wire::KeyPair own) : folder_(std::move(folder)), own_(std::move(own)) {}
   static Stamp stamp_of(const std::string& path);
   void read(const std::string& path);
 
   std::string folder_;
-  KeyPair own_;
+  wire::KeyPair own_;
   Stamp folder_stamp_;
   std::map<std::string, Stamp> stamps_;
-  std::map<std::string, PublicKey, std::less<>> keys_;  // by public key
+  std::map<std::string, wire::PublicKey, std::less<>> keys_;  // by public key
   std::vector<Failure> faults_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::server

@@ -2,7 +2,7 @@
 
 #include "blackboard/store/store.hpp"
 
-namespace pizarra {
+namespace pizarra::server {
 
 Result<void> LeaseQuota::check(const std::string& teller) {
   const auto found = leases_.find(teller);
@@ -23,4 +23,4 @@ void LeaseQuota::sweep() {
   std::erase_if(leases_, [](const auto& entry) { return entry.second.empty(); });
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::server

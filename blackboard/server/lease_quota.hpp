@@ -12,13 +12,13 @@
 
 #include "blackboard/memory/memory_board.hpp"
 
-namespace pizarra {
+namespace pizarra::server {
 
 class LeaseQuota {
  public:
   static constexpr std::size_t most = 4096;  // of all clients of one name
 
-  explicit LeaseQuota(const MemoryBoard& board) : board_(board) {}
+  explicit LeaseQuota(const memory::MemoryBoard& board) : board_(board) {}
 
   Result<void> check(const std::string& teller);
   void granted(const std::string& teller, LeaseId lease) { leases_[teller].insert(lease); }
@@ -28,8 +28,8 @@ class LeaseQuota {
  private:
   void forget_lapsed(std::set<LeaseId>& leases) const;
 
-  const MemoryBoard& board_;
+  const memory::MemoryBoard& board_;
   std::map<std::string, std::set<LeaseId>> leases_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::server

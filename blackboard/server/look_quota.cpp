@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace pizarra {
+namespace pizarra::server {
 
 namespace {
 
@@ -71,4 +71,4 @@ std::unexpected<Failure> LookQuota::refusal(const std::string& client) {
               to_datum(client));
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::server

@@ -25,7 +25,7 @@
 #include "blackboard/wire/wire.hpp"
 #include "lisp/result.hpp"
 
-namespace pizarra {
+namespace pizarra::server {
 
 class LookQuota {
  public:
@@ -66,4 +66,4 @@ class LookQuota {
   std::optional<Time> other_asked_;  // when another session did
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::server

@@ -5,7 +5,7 @@
 #include "blackboard/watch/watch_queue.hpp"
 #include "blackboard/wire/answer_form.hpp"
 
-namespace pizarra {
+namespace pizarra::server {
 
 namespace {
 
@@ -26,7 +26,7 @@ Result<Datum> PermittedBoard::perform(const Client& client, const Datum& body, s
 
 Failure PermittedBoard::told(const Client& client, Failure failure, std::size_t& examined) const {
   const auto may_know = [&](std::string_view relation) { return Gate::may_know(client.key, relation); };
-  return with_nearest(std::move(failure), board_.store().tables(), may_know, examined);
+  return store::with_nearest(std::move(failure), board_.store().tables(), may_know, examined);
 }
 
 Result<Datum> PermittedBoard::act(const Client& client, const Datum& body, std::size_t& examined) {
@@ -37,14 +37,15 @@ Result<Datum> PermittedBoard::act(const Client& client, const Datum& body, std::
   return lease(client, body, examined);
 }
 
-Result<std::unique_ptr<WatchQueue>> PermittedBoard::watch(const Client& client, const Datum& query,
-                                                          std::function<void()> ready,
-                                                          std::shared_ptr<Backlog> backlog, std::size_t& examined) {
+Result<std::unique_ptr<watch::WatchQueue>> PermittedBoard::watch(const Client& client, const Datum& query,
+                                                                 std::function<void()> ready,
+                                                                 std::shared_ptr<watch::Backlog> backlog,
+                                                                 std::size_t& examined) {
   const Result<Query> watched = query_from_datum(query);
   if (!watched) return fail(watched);
   const Result<void> permitted = gate_.ask(client.key, *watched);
   if (!permitted) return fail(permitted);
-  Result<std::unique_ptr<WatchQueue>> queue =
+  Result<std::unique_ptr<watch::WatchQueue>> queue =
       board_.watch(client.teller, *watched, std::move(ready), std::move(backlog), examined);
   if (!queue) queue.error() = told(client, std::move(queue.error()), examined);
   return queue;
@@ -130,4 +131,4 @@ Result<Datum> PermittedBoard::lease(const Client& client, const Datum& body, std
   return bad_frame("not a request");
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::server

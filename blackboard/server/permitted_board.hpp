@@ -15,7 +15,7 @@
 #include "blackboard/server/gate.hpp"
 #include "blackboard/server/lease_quota.hpp"
 
-namespace pizarra {
+namespace pizarra::server {
 
 class PermittedBoard {
  public:
@@ -26,13 +26,14 @@ class PermittedBoard {
   };
 
   // Both outlive it.
-  PermittedBoard(MemoryBoard& board, const Durability& durability)
+  PermittedBoard(memory::MemoryBoard& board, const Durability& durability)
       : board_(board), durability_(durability), gate_(board), leases_(board) {}
 
   // The value of the reply to any request but a watch. Adds to `examined` how many facts were looked at.
   Result<Datum> perform(const Client& client, const Datum& body, std::size_t& examined);
-  Result<std::unique_ptr<WatchQueue>> watch(const Client& client, const Datum& query, std::function<void()> ready,
-                                            std::shared_ptr<Backlog> backlog, std::size_t& examined);
+  Result<std::unique_ptr<watch::WatchQueue>> watch(const Client& client, const Datum& query,
+                                                   std::function<void()> ready, std::shared_ptr<watch::Backlog> backlog,
+                                                   std::size_t& examined);
   // What `(ask QUERY)` asks.
   Result<Query> query_of(const Client& client, const Datum& body) const;
   // A failure as this client is told it: it hears of no relation that is none of its business.
@@ -48,10 +49,10 @@ class PermittedBoard {
   Result<Datum> take(const Client& client, const Datum& body, std::size_t& examined);
   Result<Datum> lease(const Client& client, const Datum& body, std::size_t& examined);
 
-  MemoryBoard& board_;
+  memory::MemoryBoard& board_;
   const Durability& durability_;
   Gate gate_;
   LeaseQuota leases_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::server

@@ -4,7 +4,7 @@
 
 #include "blackboard/limits.hpp"
 
-namespace pizarra {
+namespace pizarra::server {
 
 namespace {
 
@@ -40,4 +40,4 @@ Postponed::Message Postponed::next() {
   return next;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::server

@@ -15,7 +15,7 @@
 #include "blackboard/wire/wire.hpp"
 #include "lisp/datum.hpp"
 
-namespace pizarra {
+namespace pizarra::server {
 
 class Postponed {
  public:
@@ -46,4 +46,4 @@ class Postponed {
   std::size_t bytes_ = 0;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::server

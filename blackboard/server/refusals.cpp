@@ -6,9 +6,9 @@
 #include "blackboard/relation.hpp"
 #include "lisp/shortened.hpp"
 
-namespace pizarra {
+namespace pizarra::server {
 
-Result<void> Refusals::declare(MemoryBoard& board) {
+Result<void> Refusals::declare(memory::MemoryBoard& board) {
   const Relation relation{.name = "board-refusal",
                           .arguments = {{"client", ArgumentType::string},
                                         {"symbol", ArgumentType::symbol},
@@ -65,4 +65,4 @@ void Refusals::tell() {
   [[maybe_unused]] const Result<Revision> told = board_.transact("board", transaction);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::server

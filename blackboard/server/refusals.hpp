@@ -21,7 +21,7 @@
 
 #include "blackboard/memory/memory_board.hpp"
 
-namespace pizarra {
+namespace pizarra::server {
 
 class Refusals {
  public:
@@ -30,9 +30,9 @@ class Refusals {
   static constexpr Duration pause = 100ms;
 
   // Failure wrong-shape: the relation is declared differently.
-  static Result<void> declare(MemoryBoard& board);
+  static Result<void> declare(memory::MemoryBoard& board);
 
-  explicit Refusals(MemoryBoard& board) : board_(board) {}
+  explicit Refusals(memory::MemoryBoard& board) : board_(board) {}
   Refusals(const Refusals&) = delete;
   Refusals& operator=(const Refusals&) = delete;
   ~Refusals();
@@ -49,7 +49,7 @@ class Refusals {
   void forget_the_oldest();
   void tell();
 
-  MemoryBoard& board_;
+  memory::MemoryBoard& board_;
   std::uint64_t noted_ = 0;
   std::map<Kind, Count> counts_;
   Count others_;           // of the forgotten
@@ -58,4 +58,4 @@ class Refusals {
   Executor::TimerId timer_ = 0;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::server

@@ -7,14 +7,14 @@
 #include "blackboard/wire/answer_form.hpp"
 #include "lisp/writer.hpp"
 
-namespace pizarra {
+namespace pizarra::server {
 
 const Datum* ServedWatches::asked(wire::WatchId number) const {
   const auto standing = watches_.find(number);
   return standing == watches_.end() ? nullptr : &standing->second.asked;
 }
 
-void ServedWatches::add(wire::WatchId number, Datum asked, bool kept, std::unique_ptr<WatchQueue> queue) {
+void ServedWatches::add(wire::WatchId number, Datum asked, bool kept, std::unique_ptr<watch::WatchQueue> queue) {
   watches_[number] = {std::move(asked), kept, std::move(queue)};
 }
 
@@ -36,7 +36,7 @@ bool ServedWatches::are_behind() const {
   return std::ranges::any_of(watches_, [](const auto& watch) { return watch.second.queue->ready(); });
 }
 
-bool ServedWatches::send(WireSocket& socket, const std::string& peer, std::size_t& examined) {
+bool ServedWatches::send(wire::WireSocket& socket, const std::string& peer, std::size_t& examined) {
   bool more = false;
   for (auto& [number, watch] : watches_) {
     if (blocked_) break;
@@ -46,7 +46,7 @@ bool ServedWatches::send(WireSocket& socket, const std::string& peer, std::size_
   return more && !blocked_;
 }
 
-bool ServedWatches::send(WireSocket& socket, const std::string& peer, wire::WatchId number, Served& watch,
+bool ServedWatches::send(wire::WireSocket& socket, const std::string& peer, wire::WatchId number, Served& watch,
                          std::size_t& examined) {
   const std::size_t width = width_of(watch.queue->query());
   std::uint64_t newest = watch.sent;
@@ -61,7 +61,7 @@ bool ServedWatches::send(WireSocket& socket, const std::string& peer, wire::Watc
     return !blocked_;
   };
   while (may_send()) {
-    const bool may_look = examined < limits::examined_a_turn && !Indexing::is_awaiting();
+    const bool may_look = examined < limits::examined_a_turn && !store::Indexing::is_awaiting();
     if (watch.queue->must_look() && !may_look) return true;
     blocked_ = !socket.has_room(peer);
     if (blocked_) return false;
@@ -93,4 +93,4 @@ void ServedWatches::begin_again() {
   }
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::server

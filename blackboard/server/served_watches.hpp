@@ -18,7 +18,7 @@
 #include "blackboard/wire/wire.hpp"
 #include "blackboard/wire/wire_socket.hpp"
 
-namespace pizarra {
+namespace pizarra::server {
 
 class ServedWatches {
  public:
@@ -29,20 +29,20 @@ class ServedWatches {
   const Datum* asked(wire::WatchId number) const;
   std::size_t size() const { return watches_.size(); }
   // `kept` by the client, which is told the ids of what goes.
-  void add(wire::WatchId number, Datum asked, bool kept, std::unique_ptr<WatchQueue> queue);
+  void add(wire::WatchId number, Datum asked, bool kept, std::unique_ptr<watch::WatchQueue> queue);
   void end(wire::WatchId number) { watches_.erase(number); }
   // Of a watch that stands; whether it was not acknowledged before. Failure bad-frame: that was never sent.
   Result<bool> acknowledge(wire::WatchId number, std::uint64_t sequence);
   // Whether facts of the relation are in its answers.
   bool is_about(wire::WatchId number, std::string_view relation) const;
   // Its queues share it.
-  const std::shared_ptr<Backlog>& backlog() const { return backlog_; }
+  const std::shared_ptr<watch::Backlog>& backlog() const { return backlog_; }
   // Whether anything waits.
   bool are_behind() const;
 
   // Looks for what holds until `examined` is limits::examined_a_turn, or an index is to be awaited (indexing.hpp), and
   // answers whether there is more to be looked for.
-  bool send(WireSocket& socket, const std::string& peer, std::size_t& examined);
+  bool send(wire::WireSocket& socket, const std::string& peer, std::size_t& examined);
   // The client was heard from: answers whether its connection took no more before.
   bool unblock() { return std::exchange(blocked_, false); }
   // What was under way may be lost.
@@ -52,15 +52,16 @@ class ServedWatches {
   struct Served {
     Datum asked;
     bool kept;
-    std::unique_ptr<WatchQueue> queue;
+    std::unique_ptr<watch::WatchQueue> queue;
     std::uint64_t sent = 0;
     std::uint64_t acknowledged = 0;
   };
-  bool send(WireSocket& socket, const std::string& peer, wire::WatchId number, Served& watch, std::size_t& examined);
+  bool send(wire::WireSocket& socket, const std::string& peer, wire::WatchId number, Served& watch,
+            std::size_t& examined);
 
-  std::shared_ptr<Backlog> backlog_ = std::make_shared<Backlog>();
+  std::shared_ptr<watch::Backlog> backlog_ = std::make_shared<watch::Backlog>();
   std::map<wire::WatchId, Served> watches_;
   bool blocked_ = false;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::server

@@ -1,6 +1,6 @@
 #include "blackboard/store/capacity.hpp"
 
-namespace pizarra {
+namespace pizarra::store {
 
 namespace {
 
@@ -56,4 +56,4 @@ Result<void> check_room(const Transaction& transaction, const Weight& weight, co
   return {};
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::store

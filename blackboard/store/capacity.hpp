@@ -8,7 +8,7 @@
 #include "blackboard/limits.hpp"
 #include "blackboard/store/fact_table.hpp"
 
-namespace pizarra {
+namespace pizarra::store {
 
 // What there is on the board already, and stays.
 struct Room {
@@ -21,4 +21,4 @@ Weight weigh(const Transaction& transaction);
 Result<void> check_room(const Transaction& transaction, const Weight& weight, const std::string& teller,
                         const Tables& tables, const Room& taken);
 
-}  // namespace pizarra
+}  // namespace pizarra::store

@@ -10,7 +10,7 @@
 
 #include "blackboard/fact.hpp"
 
-namespace pizarra {
+namespace pizarra::store {
 
 struct Commit {
   struct Entry {
@@ -47,4 +47,4 @@ inline bool removes(const Commit::Entry& entry) {
 // Receives a line of the journal, without its newline.
 using JournalSink = std::function<void(std::string_view line)>;
 
-}  // namespace pizarra
+}  // namespace pizarra::store

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace pizarra {
+namespace pizarra::store {
 
 namespace {
 
@@ -27,4 +27,4 @@ std::strong_ordering compare_values(const Datum& a, const Datum& b) {
   return a <=> b;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::store

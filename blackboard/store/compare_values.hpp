@@ -8,8 +8,8 @@
 
 #include "lisp/datum.hpp"
 
-namespace pizarra {
+namespace pizarra::store {
 
 std::strong_ordering compare_values(const Datum& a, const Datum& b);
 
-}  // namespace pizarra
+}  // namespace pizarra::store

@@ -8,7 +8,7 @@
 #include "blackboard/store/narrowing.hpp"
 #include "lisp/pattern.hpp"
 
-namespace pizarra {
+namespace pizarra::store {
 
 namespace {
 
@@ -301,4 +301,4 @@ Weight weigh(const Answer& answer) {
   return weight;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::store

@@ -22,7 +22,7 @@
 #include "blackboard/store/compare_values.hpp"
 #include "blackboard/store/fact_table.hpp"
 
-namespace pizarra {
+namespace pizarra::store {
 
 // The query must have been checked.
 Result<std::vector<Answer>> evaluate(const Query& query, const Tables& tables);
@@ -45,4 +45,4 @@ bool holds(const Datum& comparison, const Bindings& bindings);
 
 Weight weigh(const Answer& answer);
 
-}  // namespace pizarra
+}  // namespace pizarra::store

@@ -4,7 +4,7 @@
 
 #include "blackboard/store/looking.hpp"
 
-namespace pizarra {
+namespace pizarra::store {
 
 // Growing on the way, it would stand still for as long as a part takes several times over.
 FactIndex::FactIndex(const Kind& kind, const FactList& facts)
@@ -71,4 +71,4 @@ Datum FactIndex::arguments_in(Mask mask, const Datum& datum) {
   return Datum::list(std::move(arguments));
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::store

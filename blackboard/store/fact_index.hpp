@@ -17,7 +17,7 @@
 #include "blackboard/store/fact_list.hpp"
 #include "blackboard/store/ordered_index.hpp"
 
-namespace pizarra {
+namespace pizarra::store {
 
 class Looking;
 
@@ -67,4 +67,4 @@ class FactIndex {
   OrderedIndex in_order_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::store

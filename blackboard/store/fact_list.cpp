@@ -3,7 +3,7 @@
 #include <cassert>
 #include <utility>
 
-namespace pizarra {
+namespace pizarra::store {
 
 StandingFact* FactList::find(FactId id) {
   if (order_.empty() || order_.back().id < id) return nullptr;
@@ -70,4 +70,4 @@ void FactList::sweep() {
   memory_.clear();
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::store

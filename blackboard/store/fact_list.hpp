@@ -21,7 +21,7 @@
 
 #include "blackboard/fact.hpp"
 
-namespace pizarra {
+namespace pizarra::store {
 
 class FactTable;
 
@@ -79,4 +79,4 @@ class FactList {
   std::vector<StandingFact*> free_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::store

@@ -6,7 +6,7 @@
 #include "lisp/keyed_hash.hpp"
 #include "lisp/pattern.hpp"
 
-namespace pizarra {
+namespace pizarra::store {
 
 namespace {
 
@@ -169,4 +169,4 @@ std::vector<const StandingFact*> FactTable::by_id(const OrderedFacts& facts, Fac
   return sorted;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::store

@@ -25,7 +25,7 @@
 #include "blackboard/store/ordered_index.hpp"
 #include "blackboard/store/table_indexes.hpp"
 
-namespace pizarra {
+namespace pizarra::store {
 
 class FactTable {
  public:
@@ -204,4 +204,4 @@ class FactTable {
 // The relations of a board by name.
 using Tables = std::map<std::string, FactTable, std::less<>>;
 
-}  // namespace pizarra
+}  // namespace pizarra::store

@@ -4,7 +4,7 @@
 #include "blackboard/store/narrowing.hpp"
 #include "lisp/pattern.hpp"
 
-namespace pizarra {
+namespace pizarra::store {
 
 namespace {
 
@@ -60,4 +60,4 @@ std::size_t look_for_all(const FactTable& table, const Datum& pattern, std::size
   return fitting;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::store

@@ -11,7 +11,7 @@
 
 #include "blackboard/store/fact_table.hpp"
 
-namespace pizarra {
+namespace pizarra::store {
 
 // The one with the lowest id; null where none fits.
 const Fact* first_fit(const FactTable& table, const Datum& pattern, std::size_t& examined);
@@ -25,4 +25,4 @@ std::size_t look_for_all(const FactTable& table, const Datum& pattern, std::size
 // Whether matching takes more than a glance at each argument.
 bool compares_much(const Datum& pattern);
 
-}  // namespace pizarra
+}  // namespace pizarra::store

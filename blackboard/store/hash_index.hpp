@@ -13,7 +13,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace pizarra {
+namespace pizarra::store {
 
 template <class Entry>
 class HashIndex {
@@ -83,4 +83,4 @@ class HashIndex {
   std::size_t size_ = 0;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::store

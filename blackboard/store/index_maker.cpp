@@ -6,7 +6,7 @@
 #include "blackboard/store/looking.hpp"
 #include "blackboard/store/table_indexes.hpp"
 
-namespace pizarra {
+namespace pizarra::store {
 
 IndexTicket IndexMaker::want(TableIndexes& table, const FactIndex::Kind& kind, const std::string& client) {
   const auto is_it = [&](const Making& making) { return making.table == &table && making.kind == kind; };
@@ -42,4 +42,4 @@ IndexMaker::Part IndexMaker::make_some() {
   return part;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::store

@@ -17,7 +17,7 @@
 
 #include "blackboard/store/indexing.hpp"
 
-namespace pizarra {
+namespace pizarra::store {
 
 class IndexMaker {
  public:
@@ -51,4 +51,4 @@ class IndexMaker {
   IndexTicket next_ticket_ = 1;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::store

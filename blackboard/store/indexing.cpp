@@ -2,7 +2,7 @@
 
 #include "blackboard/store/index_maker.hpp"
 
-namespace pizarra {
+namespace pizarra::store {
 
 bool Indexing::makes_at_once(std::size_t facts) {
   // Of all indexes that one request has made: some 3 ms.
@@ -16,4 +16,4 @@ void Indexing::await(TableIndexes& table, const FactIndex::Kind& kind) {
   if (may_await) await(innermost->maker_->want(table, kind, innermost->client_));
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::store

@@ -16,7 +16,7 @@
 
 #include "blackboard/store/fact_index.hpp"
 
-namespace pizarra {
+namespace pizarra::store {
 
 class IndexMaker;
 class TableIndexes;
@@ -63,4 +63,4 @@ class Indexing {
   IndexTicket awaited_ = 0;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::store

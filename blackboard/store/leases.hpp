@@ -14,7 +14,7 @@
 
 #include "blackboard/fact.hpp"
 
-namespace pizarra {
+namespace pizarra::store {
 
 class Leases {
  public:
@@ -66,4 +66,4 @@ class Leases {
   std::set<std::pair<Time, LeaseId>> expiries_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::store

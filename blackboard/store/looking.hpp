@@ -15,7 +15,7 @@
 #include "blackboard/store/indexing.hpp"
 #include "lisp/elements_looked_at.hpp"
 
-namespace pizarra {
+namespace pizarra::store {
 
 class Looking {
  public:
@@ -49,4 +49,4 @@ class Looking {
 Result<void> check_looking(std::size_t examined, const Datum& subject);
 std::unexpected<Failure> awaits_index(const Datum& subject);
 
-}  // namespace pizarra
+}  // namespace pizarra::store

@@ -4,7 +4,7 @@
 
 #include "lisp/pattern.hpp"
 
-namespace pizarra {
+namespace pizarra::store {
 
 namespace {
 
@@ -44,4 +44,4 @@ void narrow(std::vector<ValueRange>& ranges, const Datum& pattern, const Datum& 
   }
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::store

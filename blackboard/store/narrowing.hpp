@@ -11,7 +11,7 @@
 
 #include "blackboard/store/ordered_index.hpp"
 
-namespace pizarra {
+namespace pizarra::store {
 
 // Which argument of the pattern the variable is, if any.
 std::optional<std::size_t> argument_of(const Datum& variable, const Datum& pattern);
@@ -19,4 +19,4 @@ std::optional<std::size_t> argument_of(const Datum& variable, const Datum& patte
 // By a comparison in which what is bound stands already. One that says nothing of an argument narrows nothing.
 void narrow(std::vector<ValueRange>& ranges, const Datum& pattern, const Datum& comparison);
 
-}  // namespace pizarra
+}  // namespace pizarra::store

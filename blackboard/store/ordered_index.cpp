@@ -2,7 +2,7 @@
 
 #include "blackboard/store/compare_values.hpp"
 
-namespace pizarra {
+namespace pizarra::store {
 
 void ValueRange::begin_at(const Datum& value, bool itself) {
   const std::strong_ordering order = from ? compare_values(value, *from) : std::strong_ordering::greater;
@@ -53,4 +53,4 @@ OrderedFacts facts_within(const OrderedIndex& index, const ValueRange& range) {
   return {first, last};
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::store

@@ -13,7 +13,7 @@
 
 #include "blackboard/store/fact_list.hpp"
 
-namespace pizarra {
+namespace pizarra::store {
 
 // What an argument may be; without an end, anything on that side.
 struct ValueRange {
@@ -50,4 +50,4 @@ using OrderedFacts = std::ranges::subrange<OrderedIndex::const_iterator>;
 
 OrderedFacts facts_within(const OrderedIndex& index, const ValueRange& range);
 
-}  // namespace pizarra
+}  // namespace pizarra::store

@@ -5,7 +5,7 @@
 #include "blackboard/limits.hpp"
 #include "blackboard/store/looking.hpp"
 
-namespace pizarra {
+namespace pizarra::store {
 
 std::size_t OwnTells::candidates(const FactTable& table, const Datum& pattern) {
   if (table.key_is_ground(pattern)) return 0;
@@ -28,4 +28,4 @@ std::size_t OwnTells::heaviest() {
   return heaviest_;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::store

@@ -15,7 +15,7 @@
 
 #include "blackboard/store/fact_table.hpp"
 
-namespace pizarra {
+namespace pizarra::store {
 
 class OwnTells {
  public:
@@ -42,4 +42,4 @@ class OwnTells {
   std::unordered_map<std::string_view, OfRelation> relations_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::store

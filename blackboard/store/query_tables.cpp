@@ -5,7 +5,7 @@
 #include "lisp/nearest.hpp"
 #include "lisp/shortened.hpp"
 
-namespace pizarra {
+namespace pizarra::store {
 
 namespace {
 
@@ -70,4 +70,4 @@ Failure with_nearest(Failure failure, const Tables& tables, const std::function<
   return failure;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::store

@@ -13,7 +13,7 @@
 #include "blackboard/query.hpp"
 #include "blackboard/store/fact_table.hpp"
 
-namespace pizarra {
+namespace pizarra::store {
 
 // The table of the relation that the pattern is about, whatever its shape.
 Result<const FactTable*> table_named_by(const Datum& pattern, const Tables& tables);
@@ -28,4 +28,4 @@ Result<void> check_query_on(const Query& query, const Tables& tables);
 Failure with_nearest(Failure failure, const Tables& tables, const std::function<bool(std::string_view)>& may_know,
                      std::size_t& examined);
 
-}  // namespace pizarra
+}  // namespace pizarra::store

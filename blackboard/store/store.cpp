@@ -2,16 +2,16 @@
 
 #include "blackboard/boards_own.hpp"
 #include "blackboard/limits.hpp"
+#include "blackboard/store/capacity.hpp"
 #include "blackboard/store/evaluate.hpp"
 #include "blackboard/store/fitting.hpp"
 #include "blackboard/store/looking.hpp"
 #include "blackboard/store/own_tells.hpp"
 #include "blackboard/store/query_tables.hpp"
-#include "blackboard/store/capacity.hpp"
 #include "blackboard/store/store_change.hpp"
 #include "lisp/pattern.hpp"
 
-namespace pizarra {
+namespace pizarra::store {
 
 namespace {
 
@@ -271,4 +271,4 @@ LeaseId Store::holder_of(FactId taken) const {
   return held == held_.end() ? 0 : held->second.holder;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::store

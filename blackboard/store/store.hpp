@@ -19,7 +19,7 @@
 #include "blackboard/store/index_maker.hpp"
 #include "blackboard/store/leases.hpp"
 
-namespace pizarra {
+namespace pizarra::store {
 
 class Store {
  public:
@@ -138,4 +138,4 @@ class Store {
   FactId next_fact_ = 1;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::store

@@ -4,7 +4,7 @@
 
 #include "lisp/pattern.hpp"
 
-namespace pizarra {
+namespace pizarra::store {
 
 using Kind = Commit::Entry::Kind;
 
@@ -166,4 +166,4 @@ void Store::Change::set_lease(FactTable& table, StandingFact& standing, LeaseId 
   store_.fact_expiries_.emplace(*standing.expiry, id);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::store

@@ -5,7 +5,7 @@
 
 #include "blackboard/store/store.hpp"
 
-namespace pizarra {
+namespace pizarra::store {
 
 class Store::Change {
  public:
@@ -44,4 +44,4 @@ class Store::Change {
   std::vector<std::size_t> entries_of_own_;  // by their ids; an entry whose fact has none is of one that went again
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::store

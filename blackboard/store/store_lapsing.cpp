@@ -5,7 +5,7 @@
 
 #include "blackboard/store/store_change.hpp"
 
-namespace pizarra {
+namespace pizarra::store {
 
 namespace {
 
@@ -87,4 +87,4 @@ void Store::lapse_facts(Time due, std::size_t& left, Time now) {
   change.finish();
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::store

@@ -4,7 +4,7 @@
 #include "blackboard/store/store.hpp"
 #include "blackboard/store/store_change.hpp"
 
-namespace pizarra {
+namespace pizarra::store {
 
 using Kind = Commit::Entry::Kind;
 
@@ -115,4 +115,4 @@ void Store::resume(Time now) {
   change.finish();
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::store

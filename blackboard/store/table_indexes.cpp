@@ -7,7 +7,7 @@
 #include "blackboard/store/looking.hpp"
 #include "lisp/elements_looked_at.hpp"
 
-namespace pizarra {
+namespace pizarra::store {
 
 namespace {
 
@@ -117,4 +117,4 @@ TableIndexes::Entries::iterator TableIndexes::least_lately_used(Kind::By by) {
   return least;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::store

@@ -16,7 +16,7 @@
 
 #include "blackboard/store/fact_index.hpp"
 
-namespace pizarra {
+namespace pizarra::store {
 
 class TableIndexes {
  public:
@@ -64,4 +64,4 @@ class TableIndexes {
   std::map<Kind, std::size_t> missed_;  // facts looked through
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::store

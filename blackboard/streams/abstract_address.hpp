@@ -10,7 +10,7 @@
 #include <sys/socket.h>
 #include <sys/un.h>
 
-namespace pizarra {
+namespace pizarra::streams {
 
 class AbstractAddress {
  public:
@@ -30,4 +30,4 @@ class AbstractAddress {
   std::size_t length_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::streams

@@ -9,7 +9,7 @@
 #include <unistd.h>
 #include <utility>
 
-namespace pizarra {
+namespace pizarra::streams {
 
 class File {
  public:
@@ -30,4 +30,4 @@ class File {
   int number_ = -1;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::streams

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <sys/socket.h>
 
-namespace pizarra {
+namespace pizarra::streams {
 
 namespace {
 
@@ -70,4 +70,4 @@ bool peer_is_trusted(const File& socket) {
   return peer.uid == geteuid() || peer.uid == 0;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::streams

@@ -13,7 +13,7 @@
 
 #include "blackboard/streams/file.hpp"
 
-namespace pizarra {
+namespace pizarra::streams {
 
 struct Packet {
   std::string text;
@@ -32,4 +32,4 @@ std::expected<Packet, NoPacket> receive_packet(const File& socket);
 // Whether the process at the other end has this process's user, or is root's.
 bool peer_is_trusted(const File& socket);
 
-}  // namespace pizarra
+}  // namespace pizarra::streams

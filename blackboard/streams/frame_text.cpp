@@ -5,12 +5,14 @@
 
 #include "blackboard/streams/shared_ring.hpp"
 
-namespace pizarra {
+namespace pizarra::streams {
 
 namespace {
 
-enum Word : std::size_t { number, captured_us, width, height, channels, words };
-using Header = std::array<std::uint64_t, words>;
+struct HeaderWord {
+  enum : std::size_t { number, captured_us, width, height, channels, count };
+};
+using Header = std::array<std::uint64_t, HeaderWord::count>;
 
 }  // namespace
 
@@ -32,13 +34,14 @@ std::optional<StreamFrame> frame_from_text(const std::string& stream, std::strin
   if (!text.starts_with(topic) || text.size() < topic.size() + sizeof header) return std::nullopt;
   std::memcpy(header.data(), text.data() + topic.size(), sizeof header);
   const std::string_view pixels = text.substr(topic.size() + sizeof header);
-  if (!is_image(header[width], header[height], header[channels], pixels.size())) return std::nullopt;
+  if (!is_image(header[HeaderWord::width], header[HeaderWord::height], header[HeaderWord::channels], pixels.size()))
+    return std::nullopt;
   auto image = std::make_shared<Image>();
-  image->width = static_cast<int>(header[width]);
-  image->height = static_cast<int>(header[height]);
-  image->channels = static_cast<int>(header[channels]);
+  image->width = static_cast<int>(header[HeaderWord::width]);
+  image->height = static_cast<int>(header[HeaderWord::height]);
+  image->channels = static_cast<int>(header[HeaderWord::channels]);
   image->pixels.assign(pixels.begin(), pixels.end());
-  return StreamFrame{header[number], Time(Duration(header[captured_us])), std::move(image)};
+  return StreamFrame{header[HeaderWord::number], Time(Duration(header[HeaderWord::captured_us])), std::move(image)};
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::streams

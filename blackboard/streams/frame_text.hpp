@@ -9,7 +9,7 @@
 
 #include "blackboard/stream.hpp"
 
-namespace pizarra {
+namespace pizarra::streams {
 
 // What messages of the stream begin with.
 inline std::string frame_topic(const std::string& stream) { return stream + ' '; }
@@ -18,4 +18,4 @@ std::string frame_to_text(const std::string& stream, const StreamFrame& frame);
 // Nothing where the text is not a frame of this stream.
 std::optional<StreamFrame> frame_from_text(const std::string& stream, std::string_view text);
 
-}  // namespace pizarra
+}  // namespace pizarra::streams

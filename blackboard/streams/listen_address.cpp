@@ -9,7 +9,7 @@
 #include "blackboard/streams/file.hpp"
 #include "blackboard/wire/wire_address.hpp"
 
-namespace pizarra {
+namespace pizarra::streams {
 
 namespace {
 
@@ -35,7 +35,7 @@ sockaddr_in own_end(const addrinfo& there) {
 }  // namespace
 
 std::string stream_listen_address(const std::string& board_address) {
-  if (!check_address(board_address) || is_ipc(board_address)) return {};
+  if (!wire::check_address(board_address) || wire::is_ipc(board_address)) return {};
   addrinfo hints{};
   hints.ai_family = AF_INET;
   hints.ai_socktype = SOCK_DGRAM;
@@ -52,4 +52,4 @@ std::string stream_listen_address(const std::string& board_address) {
   return std::string(tcp) + text.data() + ":*";
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::streams

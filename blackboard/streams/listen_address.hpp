@@ -4,11 +4,11 @@
 
 #include <string>
 
-namespace pizarra {
+namespace pizarra::streams {
 
 // The address of this machine on the way to the board's, any port: "tcp://10.0.0.7:*". Of a board that listens
 // everywhere, `tcp://*:7800`, the one on the way out. Empty where no other machine comes to the board: at ipc and
 // loopback addresses, or without a network.
 std::string stream_listen_address(const std::string& board_address);
 
-}  // namespace pizarra
+}  // namespace pizarra::streams

@@ -2,11 +2,10 @@
 
 #include "blackboard/streams/stream_guest.hpp"
 
-namespace pizarra {
+namespace pizarra::streams {
 
 namespace {
 
-constexpr Duration retry_pause = 200ms;
 // What a board refuses it refuses again, and counts.
 constexpr Duration longest_pause = 30s;
 
@@ -149,4 +148,4 @@ std::unique_ptr<Streams::Subscription> RemoteStreams::subscribe(const std::strin
   return std::make_unique<Following>(*this, stream, std::move(receiver));
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::streams

@@ -21,7 +21,7 @@
 #include "blackboard/streams/stream_broadcast.hpp"
 #include "blackboard/streams/stream_door.hpp"
 
-namespace pizarra {
+namespace pizarra::streams {
 
 class RemoteStreams : public Streams {
  public:
@@ -46,4 +46,4 @@ class RemoteStreams : public Streams {
   std::unique_ptr<StreamBroadcast> broadcast_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::streams

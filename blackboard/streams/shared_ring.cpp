@@ -8,7 +8,7 @@
 #include <sys/mman.h>
 #include <sys/stat.h>
 
-namespace pizarra {
+namespace pizarra::streams {
 
 namespace {
 
@@ -163,4 +163,4 @@ std::optional<StreamFrame> SharedRingView::copy(std::uint64_t count) {
   return frame;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::streams

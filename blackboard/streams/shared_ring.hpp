@@ -22,7 +22,7 @@
 #include "blackboard/streams/file.hpp"
 #include "lisp/result.hpp"
 
-namespace pizarra {
+namespace pizarra::streams {
 
 // Of one image.
 inline constexpr std::size_t max_image_bytes = 64 << 20;
@@ -89,4 +89,4 @@ class SharedRingView {
   std::shared_ptr<Image> image_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::streams

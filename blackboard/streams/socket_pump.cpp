@@ -1,6 +1,6 @@
 #include "blackboard/streams/socket_pump.hpp"
 
-namespace pizarra {
+namespace pizarra::streams {
 
 SocketPump::SocketPump(Executor& executor, zmq::socket_t& socket, Receiver receiver)
     : executor_(executor), socket_(socket), receiver_(std::move(receiver)), file_(socket.get(zmq::sockopt::fd)) {
@@ -34,4 +34,4 @@ void SocketPump::pump() {
   receiver_(part);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::streams

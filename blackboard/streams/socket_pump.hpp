@@ -14,7 +14,7 @@
 
 #include "blackboard/time/executor.hpp"
 
-namespace pizarra {
+namespace pizarra::streams {
 
 class SocketPump {
  public:
@@ -37,4 +37,4 @@ class SocketPump {
   Executor::TimerId timer_ = 0;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::streams

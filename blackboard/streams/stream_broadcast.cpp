@@ -8,7 +8,7 @@
 #include "blackboard/wire/half_open.hpp"
 #include "blackboard/wire/wire_address.hpp"
 
-namespace pizarra {
+namespace pizarra::streams {
 
 namespace {
 
@@ -35,7 +35,7 @@ Keys fresh_keys() {
 void set_common(zmq::socket_t& socket) {
   socket.set(zmq::sockopt::linger, 0);
   socket.set(zmq::sockopt::maxmsgsize, longest_message);
-  let_go_when_half_open(socket);
+  wire::let_go_when_half_open(socket);
 }
 
 enum TicketPart : std::size_t { transport, at, server_key, public_key, secret_key, ticket_parts };
@@ -46,15 +46,15 @@ bool is_ticket(const Datum& ticket) {
   const auto is_key = [](const Datum& part) { return part.text().size() == key_length; };
   return std::ranges::all_of(ticket.items().subspan(at), is_text) &&
          std::ranges::all_of(ticket.items().subspan(server_key), is_key) &&
-         check_address(std::string(ticket[at].text())).has_value();
+         wire::check_address(std::string(ticket[at].text())).has_value();
 }
 
 }  // namespace
 
 Result<std::unique_ptr<StreamBroadcast>> StreamBroadcast::open(Executor& executor, const std::string& address) {
-  const Result<void> formed = check_address(address);
+  const Result<void> formed = wire::check_address(address);
   if (!formed) return fail(formed);
-  if (is_ipc(address)) return fail("bad-address", "streams for other hosts go over tcp", to_datum(address));
+  if (wire::is_ipc(address)) return fail("bad-address", "streams for other hosts go over tcp", to_datum(address));
   const bool anywhere = address.starts_with("tcp://*:") || address.starts_with("tcp://0.0.0.0:");
   if (anywhere) return fail("bad-address", "name the host by which others reach this one", to_datum(address));
   std::unique_ptr<StreamBroadcast> broadcast(new StreamBroadcast(executor));
@@ -143,4 +143,4 @@ void StreamListener::heard(std::string_view text) {
   receive(*frame);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::streams

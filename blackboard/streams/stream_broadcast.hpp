@@ -21,7 +21,7 @@
 #include "blackboard/wire/doorkeeper.hpp"
 #include "lisp/result.hpp"
 
-namespace pizarra {
+namespace pizarra::streams {
 
 class StreamBroadcast {
  public:
@@ -40,7 +40,7 @@ class StreamBroadcast {
   Executor& executor_;
   zmq::context_t context_{1};
   std::string admitted_;  // the public key that the ticket's secret belongs to
-  Doorkeeper doorkeeper_;
+  wire::Doorkeeper doorkeeper_;
   zmq::socket_t socket_;
   std::set<std::string, std::less<>> topics_;
   Datum ticket_;
@@ -63,4 +63,4 @@ class StreamListener : public Streams::Subscription {
   std::unique_ptr<SocketPump> pump_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::streams

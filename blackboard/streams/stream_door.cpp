@@ -12,17 +12,17 @@
 #include "blackboard/streams/abstract_address.hpp"
 #include "blackboard/streams/file_passing.hpp"
 
-namespace pizarra {
+namespace pizarra::streams {
 
 namespace {
 
 constexpr int backlog = 64;
 
 std::string unguessable_name() {
-  std::array<std::uint64_t, 2> random{};
+  std::array<std::uint64_t, 2> drawn{};
   // Bytes as few as these come whole, once the machine has begun.
-  [[maybe_unused]] const ssize_t got = getrandom(random.data(), sizeof random, 0);
-  return fmt::format("pizarra-stream-{:016x}{:016x}", random[0], random[1]);
+  [[maybe_unused]] const ssize_t got = ::getrandom(drawn.data(), sizeof drawn, 0);
+  return fmt::format("pizarra-stream-{:016x}{:016x}", drawn[0], drawn[1]);
 }
 
 // The counter does not fill in the life of a machine, unless a guest fills it.
@@ -109,4 +109,4 @@ void StreamDoor::publish(const std::string& stream, const StreamFrame& frame) {
   for (const int number : gone) dismiss(number);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::streams

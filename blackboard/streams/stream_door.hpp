@@ -19,7 +19,7 @@
 #include "blackboard/streams/shared_ring.hpp"
 #include "blackboard/time/executor.hpp"
 
-namespace pizarra {
+namespace pizarra::streams {
 
 class StreamDoor {
  public:
@@ -62,4 +62,4 @@ class StreamDoor {
   std::uint64_t rings_made_ = 0;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::streams

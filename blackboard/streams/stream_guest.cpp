@@ -6,7 +6,7 @@
 
 #include "blackboard/streams/abstract_address.hpp"
 
-namespace pizarra {
+namespace pizarra::streams {
 
 Result<std::unique_ptr<StreamGuest>> StreamGuest::come(Executor& executor, const std::string& door,
                                                        const std::string& stream, Streams::Receiver receiver,
@@ -72,4 +72,4 @@ void StreamGuest::look() {
   receive(*frame);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::streams

@@ -16,7 +16,7 @@
 #include "blackboard/streams/shared_ring.hpp"
 #include "blackboard/time/executor.hpp"
 
-namespace pizarra {
+namespace pizarra::streams {
 
 class StreamGuest : public Streams::Subscription {
  public:
@@ -44,4 +44,4 @@ class StreamGuest : public Streams::Subscription {
   Lost lost_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::streams

@@ -12,7 +12,7 @@
 
 #include "blackboard/limits.hpp"
 
-namespace pizarra {
+namespace pizarra::watch {
 
 class Backlog {
  public:
@@ -46,4 +46,4 @@ class Backlog {
   std::size_t bytes_ = 0;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::watch

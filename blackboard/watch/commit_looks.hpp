@@ -16,7 +16,7 @@
 #include "blackboard/limits.hpp"
 #include "blackboard/watch/backlog.hpp"
 
-namespace pizarra {
+namespace pizarra::watch {
 
 class CommitLooks {
  public:
@@ -48,4 +48,4 @@ class CommitLooks {
   std::map<Reader, std::size_t> own_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::watch

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace pizarra {
+namespace pizarra::watch {
 
 namespace {
 
@@ -41,7 +41,7 @@ bool is_known(const Datum& form, const Variables& known, const Variables& bound)
 }
 
 // The more is known of a pattern, the fewer facts it is looked for among.
-std::size_t knowledge_of(const Datum& pattern, const Variables& known, const FactTable& table) {
+std::size_t knowledge_of(const Datum& pattern, const Variables& known, const store::FactTable& table) {
   const auto is_fixed = [&](std::size_t position) {
     const Datum& argument = pattern[position + 1];
     return !argument.is_symbol("?") && std::ranges::all_of(variables_of(argument), [&](const Datum& variable) {
@@ -77,7 +77,7 @@ Query with_own_variables(Query query) {
   return query;
 }
 
-std::vector<std::size_t> course_from(const Query& query, std::size_t clause, const Tables& tables) {
+std::vector<std::size_t> course_from(const Query& query, std::size_t clause, const store::Tables& tables) {
   const Variables bound = bound_by_patterns(query);
   Variables known = variables_of(query.clauses[clause].form);
   std::vector<std::size_t> left;
@@ -108,4 +108,4 @@ Bindings shared_bindings(const Query& query, const Bindings& bindings) {
   return shared;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::watch

@@ -11,16 +11,16 @@
 #include "blackboard/query.hpp"
 #include "blackboard/store/fact_table.hpp"
 
-namespace pizarra {
+namespace pizarra::watch {
 
 // The same query whose clauses may be satisfied in any order: the variables that stand for "any" in a `not`, because no
 // earlier pattern binds them, are called like none of another clause.
 Query with_own_variables(Query query);
 
 // Of a query with own variables, which has been checked on the tables.
-std::vector<std::size_t> course_from(const Query& query, std::size_t clause, const Tables& tables);
+std::vector<std::size_t> course_from(const Query& query, std::size_t clause, const store::Tables& tables);
 
 // Those of a `not`'s bindings that other clauses know, too.
 Bindings shared_bindings(const Query& query, const Bindings& bindings);
 
-}  // namespace pizarra
+}  // namespace pizarra::watch

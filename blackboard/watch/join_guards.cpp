@@ -5,7 +5,7 @@
 #include "blackboard/store/narrowing.hpp"
 #include "lisp/pattern.hpp"
 
-namespace pizarra {
+namespace pizarra::watch {
 
 namespace {
 
@@ -21,7 +21,7 @@ bool guard(WatchedPattern& pattern, WatchedPattern& guard) {
   const auto arguments = pattern.pattern.items().subspan(1);
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     if (!is_variable(arguments[i]) || arguments[i].is_symbol("?")) continue;
-    const std::optional<std::size_t> said = argument_of(arguments[i], guard.pattern);
+    const std::optional<std::size_t> said = store::argument_of(arguments[i], guard.pattern);
     if (!said) continue;
     guard.is_guard = true;
     pattern.guard = WatchedPattern::Guard{&guard, *said, i, {}};
@@ -42,8 +42,8 @@ void guard_by_joins(const Query& query, std::vector<WatchedPattern>& patterns) {
   // A variable of a `not` that nothing before it binds stands for anything.
   const auto find_guard = [&](std::size_t i) {
     const bool found = guarded < most_guarded && std::ranges::any_of(guards, [&](std::size_t other) {
-      return (kinds[i] == Kind::fact || other < i) && guard(patterns[i], patterns[other]);
-    });
+                         return (kinds[i] == Kind::fact || other < i) && guard(patterns[i], patterns[other]);
+                       });
     guarded += found ? 1 : 0;
     return found;
   };
@@ -56,7 +56,7 @@ void guard_by_joins(const Query& query, std::vector<WatchedPattern>& patterns) {
   }
 }
 
-void allow_what_stands(WatchedPattern& pattern, const Tables& tables) {
+void allow_what_stands(WatchedPattern& pattern, const store::Tables& tables) {
   if (!pattern.guard) return;
   const Datum& guarding = pattern.guard->by->pattern;
   // Others may have to be looked at for them.
@@ -68,4 +68,4 @@ void allow_what_stands(WatchedPattern& pattern, const Tables& tables) {
   });
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::watch

@@ -16,12 +16,12 @@
 #include "blackboard/store/fact_table.hpp"
 #include "blackboard/watch/pattern_index.hpp"
 
-namespace pizarra {
+namespace pizarra::watch {
 
 // The patterns are the query's, and stay where they are.
 void guard_by_joins(const Query& query, std::vector<WatchedPattern>& patterns);
 
 // Leaves a pattern unguarded whose guard's facts have too many values.
-void allow_what_stands(WatchedPattern& pattern, const Tables& tables);
+void allow_what_stands(WatchedPattern& pattern, const store::Tables& tables);
 
-}  // namespace pizarra
+}  // namespace pizarra::watch

@@ -7,7 +7,7 @@
 #include "blackboard/watch/join_course.hpp"
 #include "lisp/pattern.hpp"
 
-namespace pizarra {
+namespace pizarra::watch {
 
 namespace {
 
@@ -23,12 +23,12 @@ Weight weigh_answer(const std::vector<Fact>& facts) {
 }  // namespace
 
 bool JoinedAnswers::Before::operator()(const Rank& a, const Rank& b) const {
-  const std::strong_ordering order = compare_values(a.value, b.value);
+  const std::strong_ordering order = store::compare_values(a.value, b.value);
   if (order != 0) return descending ? order > 0 : order < 0;
   return a.ids < b.ids;
 }
 
-JoinedAnswers::JoinedAnswers(const Query& query, const Tables& tables)
+JoinedAnswers::JoinedAnswers(const Query& query, const store::Tables& tables)
     : query_(with_own_variables(query)), tables_(tables), standing_(Before{query.descending}) {
   const auto is_absent = [&](std::size_t i) { return query_.clauses[i].kind == Kind::absent; };
   for (std::size_t i = 0; i < query_.clauses.size(); ++i) {
@@ -42,7 +42,7 @@ JoinedAnswers::JoinedAnswers(const Query& query, const Tables& tables)
 }
 
 Result<Delta::Side> JoinedAnswers::all(std::size_t& examined) {
-  Result<std::vector<Answer>> answers = evaluate(query_, tables_, examined);
+  Result<std::vector<Answer>> answers = store::evaluate(query_, tables_, examined);
   if (!answers) return fail(answers);
   standing_with_.clear();
   standing_.clear();
@@ -56,11 +56,11 @@ Result<Delta::Side> JoinedAnswers::all(std::size_t& examined) {
   return side;
 }
 
-Result<void> JoinedAnswers::follow(const Commit& commit, Delta& delta, std::size_t& examined) {
+Result<void> JoinedAnswers::follow(const store::Commit& commit, Delta& delta, std::size_t& examined) {
   Changes changes{Answers(standing_.key_comp()), Answers(standing_.key_comp())};
   const bool was_full = query_.limit && standing_.size() >= *query_.limit;
-  for (const Commit::Entry& entry : commit.entries) {
-    if (removes(entry)) remove_with(entry.fact.id, changes, examined);
+  for (const store::Commit::Entry& entry : commit.entries) {
+    if (store::removes(entry)) remove_with(entry.fact.id, changes, examined);
   }
   Result<void> done = check_allowed(examined);
   if (done) done = find_blocked(commit, changes, examined);
@@ -119,12 +119,12 @@ void JoinedAnswers::cut(Changes& changes) {
 }
 
 // Nothing where the clause is not about the fact.
-std::optional<SearchStart> JoinedAnswers::start_from(const Fact& fact, std::size_t clause) const {
+std::optional<store::SearchStart> JoinedAnswers::start_from(const Fact& fact, std::size_t clause) const {
   const auto& [kind, form] = query_.clauses[clause];
   Bindings bindings;
   if (!resembles(form, fact.datum) || !match(form, fact.datum, bindings)) return std::nullopt;
-  if (kind == Kind::fact) return SearchStart{std::move(bindings), clause, &fact};
-  return SearchStart{shared_bindings(query_, bindings), clause, nullptr};
+  if (kind == Kind::fact) return store::SearchStart{std::move(bindings), clause, &fact};
+  return store::SearchStart{shared_bindings(query_, bindings), clause, nullptr};
 }
 
 Result<void> JoinedAnswers::check_allowed(std::size_t examined) const {
@@ -132,25 +132,24 @@ Result<void> JoinedAnswers::check_allowed(std::size_t examined) const {
   return check_examined(examined, query_to_datum(query_));
 }
 
-Result<std::vector<Answer>> JoinedAnswers::search_from(SearchStart start, const std::vector<std::size_t>& course,
+Result<std::vector<Answer>> JoinedAnswers::search_from(store::SearchStart start, const std::vector<std::size_t>& course,
                                                        std::size_t& examined) const {
   examined += CommitLooks::looks_a_search;
-  Result<std::vector<Answer>> found = evaluate_from(std::move(start), course, query_, tables_, examined);
+  Result<std::vector<Answer>> found = store::evaluate_from(std::move(start), course, query_, tables_, examined);
   if (found) examined += CommitLooks::looks_an_answer * found->size();
   return found;
 }
 
-Result<void> JoinedAnswers::find_blocked(const Commit& commit, Changes& changes, std::size_t& examined) {
+Result<void> JoinedAnswers::find_blocked(const store::Commit& commit, Changes& changes, std::size_t& examined) {
   for (std::size_t clause = 0; clause < query_.clauses.size(); ++clause) {
     if (query_.clauses[clause].kind != Kind::absent) continue;
-    for (const Commit::Entry& entry : commit.entries) {
-      if (!adds(entry) || standing_.empty()) continue;
+    for (const store::Commit::Entry& entry : commit.entries) {
+      if (!store::adds(entry) || standing_.empty()) continue;
       const Result<void> allowed = check_allowed(++examined);
       if (!allowed) return allowed;
-      std::optional<SearchStart> start = start_from(entry.fact, clause);
+      std::optional<store::SearchStart> start = start_from(entry.fact, clause);
       if (!start) continue;
-      const Result<std::vector<Answer>> blocked =
-          search_from(std::move(*start), positive_courses_[clause], examined);
+      const Result<std::vector<Answer>> blocked = search_from(std::move(*start), positive_courses_[clause], examined);
       if (!blocked) return fail(blocked);
       for (const Answer& answer : *blocked) {
         const auto found = standing_.find(rank_of(answer));
@@ -161,15 +160,15 @@ Result<void> JoinedAnswers::find_blocked(const Commit& commit, Changes& changes,
   return {};
 }
 
-Result<void> JoinedAnswers::find_new(const Commit& commit, Changes& changes, std::size_t& examined) {
+Result<void> JoinedAnswers::find_new(const store::Commit& commit, Changes& changes, std::size_t& examined) {
   for (std::size_t clause = 0; clause < query_.clauses.size(); ++clause) {
     const Kind kind = query_.clauses[clause].kind;
     if (kind == Kind::compare) continue;
-    for (const Commit::Entry& entry : commit.entries) {
-      if (kind == Kind::fact ? !adds(entry) : !removes(entry)) continue;
+    for (const store::Commit::Entry& entry : commit.entries) {
+      if (kind == Kind::fact ? !store::adds(entry) : !store::removes(entry)) continue;
       const Result<void> allowed = check_allowed(++examined);
       if (!allowed) return allowed;
-      std::optional<SearchStart> start = start_from(entry.fact, clause);
+      std::optional<store::SearchStart> start = start_from(entry.fact, clause);
       if (!start) continue;
       Result<std::vector<Answer>> found = search_from(std::move(*start), courses_[clause], examined);
       if (!found) return fail(found);
@@ -180,7 +179,7 @@ Result<void> JoinedAnswers::find_new(const Commit& commit, Changes& changes, std
 }
 
 Result<void> JoinedAnswers::answer_anew(Changes& changes, std::size_t& examined) {
-  Result<std::vector<Answer>> answers = evaluate(query_, tables_, examined);
+  Result<std::vector<Answer>> answers = store::evaluate(query_, tables_, examined);
   if (!answers) return fail(answers);
   std::set<Ids> now;
   for (Answer& answer : *answers) {
@@ -195,4 +194,4 @@ Result<void> JoinedAnswers::answer_anew(Changes& changes, std::size_t& examined)
   return {};
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::watch

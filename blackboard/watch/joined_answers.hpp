@@ -21,17 +21,17 @@
 #include "blackboard/store/commit.hpp"
 #include "blackboard/store/evaluate.hpp"
 
-namespace pizarra {
+namespace pizarra::watch {
 
 class JoinedAnswers {
  public:
   // The query has been checked on the tables, which outlive this.
-  JoinedAnswers(const Query& query, const Tables& tables);
+  JoinedAnswers(const Query& query, const store::Tables& tables);
 
   // Adds to `examined` how many facts were looked at.
   Result<Delta::Side> all(std::size_t& examined);
   // The same, and goes on from so many; what else it does counts, too (commit_looks.hpp).
-  Result<void> follow(const Commit& commit, Delta& delta, std::size_t& examined);
+  Result<void> follow(const store::Commit& commit, Delta& delta, std::size_t& examined);
 
  private:
   using Ids = std::vector<FactId>;
@@ -59,15 +59,15 @@ class JoinedAnswers {
   void remove_with(FactId fact, Changes& changes, std::size_t& examined);
   void cut(Changes& changes);
   Result<void> check_allowed(std::size_t examined) const;
-  std::optional<SearchStart> start_from(const Fact& fact, std::size_t clause) const;
-  Result<std::vector<Answer>> search_from(SearchStart start, const std::vector<std::size_t>& course,
+  std::optional<store::SearchStart> start_from(const Fact& fact, std::size_t clause) const;
+  Result<std::vector<Answer>> search_from(store::SearchStart start, const std::vector<std::size_t>& course,
                                           std::size_t& examined) const;
-  Result<void> find_blocked(const Commit& commit, Changes& changes, std::size_t& examined);
-  Result<void> find_new(const Commit& commit, Changes& changes, std::size_t& examined);
+  Result<void> find_blocked(const store::Commit& commit, Changes& changes, std::size_t& examined);
+  Result<void> find_new(const store::Commit& commit, Changes& changes, std::size_t& examined);
   Result<void> answer_anew(Changes& changes, std::size_t& examined);
 
   const Query query_;
-  const Tables& tables_;
+  const store::Tables& tables_;
   // From each clause: to the answers that a fact brings or frees, and, through no other `not`, to those it may block.
   std::vector<std::vector<std::size_t>> courses_;
   std::vector<std::vector<std::size_t>> positive_courses_;
@@ -77,4 +77,4 @@ class JoinedAnswers {
   Weight weight_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::watch

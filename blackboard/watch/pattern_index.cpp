@@ -6,28 +6,29 @@
 #include "blackboard/store/narrowing.hpp"
 #include "lisp/pattern.hpp"
 
-namespace pizarra {
+namespace pizarra::watch {
 
 namespace {
 
 using Kind = Query::Clause::Kind;
 
-bool has_one_value(const ValueRange& range) {
-  return range.from && range.to && !range.is_empty() && compare_values(*range.from, *range.to) == 0;
+bool has_one_value(const store::ValueRange& range) {
+  return range.from && range.to && !range.is_empty() && store::compare_values(*range.from, *range.to) == 0;
 }
 
 // The range that orders what is filed together, if any.
-const ValueRange* ordering(const WatchedPattern& pattern) {
-  const auto found = std::ranges::find_if(pattern.ranges,
-                                          [&](const ValueRange& range) { return range.argument + 1 != pattern.place; });
+const store::ValueRange* ordering(const WatchedPattern& pattern) {
+  const auto found = std::ranges::find_if(
+      pattern.ranges, [&](const store::ValueRange& range) { return range.argument + 1 != pattern.place; });
   return found == pattern.ranges.end() ? nullptr : &*found;
 }
 
 }  // namespace
 
 bool WatchedPattern::may_fit(const Datum& fact) const {
-  return resembles(pattern, fact) &&
-         std::ranges::all_of(ranges, [&](const ValueRange& range) { return range.has(fact[range.argument + 1]); });
+  return resembles(pattern, fact) && std::ranges::all_of(ranges, [&](const store::ValueRange& range) {
+           return range.has(fact[range.argument + 1]);
+         });
 }
 
 // A variable under `not` may be another than the one that is compared.
@@ -35,9 +36,9 @@ std::vector<WatchedPattern> patterns_of(const Query& query, WatchQueue* watch) {
   std::vector<WatchedPattern> patterns;
   for (const auto& [kind, form] : query.clauses) {
     if (kind == Kind::compare) continue;
-    std::vector<ValueRange> ranges;
+    std::vector<store::ValueRange> ranges;
     for (const Query::Clause& other : query.clauses) {
-      if (kind == Kind::fact && other.kind == Kind::compare) narrow(ranges, form, other.form);
+      if (kind == Kind::fact && other.kind == Kind::compare) store::narrow(ranges, form, other.form);
     }
     patterns.push_back({watch, form, std::move(ranges)});
   }
@@ -54,7 +55,7 @@ Datum PatternIndex::by_value(const Datum& value) {
 
 std::optional<Datum> PatternIndex::value_at(std::size_t place, const WatchedPattern& pattern) {
   if (is_ground(pattern.pattern[place])) return by_value(pattern.pattern[place]);
-  const auto range = std::ranges::find(pattern.ranges, place - 1, &ValueRange::argument);
+  const auto range = std::ranges::find(pattern.ranges, place - 1, &store::ValueRange::argument);
   if (range == pattern.ranges.end() || !has_one_value(*range)) return std::nullopt;
   return by_value(*range->from);
 }
@@ -144,7 +145,7 @@ void PatternIndex::remove(ByArgument& filed, const WatchedPattern& pattern, cons
 
 void PatternIndex::File::add(const WatchedPattern& pattern) {
   ++size_;
-  const ValueRange* range = ordering(pattern);
+  const store::ValueRange* range = ordering(pattern);
   if (range == nullptr) return unordered_.push_back(&pattern);
   Ends& ends = by_range_[range->argument];
   Patterns& patterns = range->from ? ends.from[*range->from] : ends.to[*range->to];
@@ -153,7 +154,7 @@ void PatternIndex::File::add(const WatchedPattern& pattern) {
 
 void PatternIndex::File::remove(const WatchedPattern& pattern) {
   --size_;
-  const ValueRange* range = ordering(pattern);
+  const store::ValueRange* range = ordering(pattern);
   if (range == nullptr) {
     std::erase(unordered_, &pattern);
     return;
@@ -166,4 +167,4 @@ void PatternIndex::File::remove(const WatchedPattern& pattern) {
   if (ends->second.from.empty() && ends->second.to.empty()) by_range_.erase(ends);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::watch

@@ -23,15 +23,15 @@
 #include "blackboard/store/compare_values.hpp"
 #include "blackboard/store/ordered_index.hpp"
 
-namespace pizarra {
+namespace pizarra::watch {
 
 class WatchQueue;
 
 struct WatchedPattern {
   WatchQueue* watch;
   Datum pattern;
-  std::vector<ValueRange> ranges;  // where the query's comparisons leave its arguments
-  std::size_t place = 0;           // of the argument that it is filed under
+  std::vector<store::ValueRange> ranges;  // where the query's comparisons leave its arguments
+  std::size_t place = 0;                  // of the argument that it is filed under
 
   static constexpr std::size_t most_allowed = 16;
   // What another pattern of the watch says of its argument.
@@ -88,7 +88,7 @@ class PatternIndex {
  private:
   using Patterns = std::vector<const WatchedPattern*>;
   struct Before {
-    bool operator()(const Datum& a, const Datum& b) const { return compare_values(a, b) < 0; }
+    bool operator()(const Datum& a, const Datum& b) const { return store::compare_values(a, b) < 0; }
   };
   using ByEnd = std::map<Datum, Patterns, Before>;
   struct Ends {
@@ -149,4 +149,4 @@ class PatternIndex {
   std::size_t guards_ = 0;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::watch

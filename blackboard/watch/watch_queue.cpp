@@ -9,7 +9,7 @@
 #include "blackboard/watch/watches.hpp"
 #include "lisp/pattern.hpp"
 
-namespace pizarra {
+namespace pizarra::watch {
 
 namespace {
 
@@ -64,7 +64,7 @@ Weight weigh(const Delta& delta) {
 
 }  // namespace
 
-WatchQueue::WatchQueue(WatchTable& table, const Store& store, Query query, std::shared_ptr<Backlog> backlog)
+WatchQueue::WatchQueue(WatchTable& table, const store::Store& store, Query query, std::shared_ptr<Backlog> backlog)
     : table_(table),
       store_(store),
       query_(std::move(query)),
@@ -101,11 +101,11 @@ Result<void> WatchQueue::begin(std::size_t& examined) {
 Result<std::optional<Delta>> WatchQueue::pop_delta(std::size_t& examined) {
   assert(ready());
   if (state_ == State::following) return pop_queued();
-  if (store_.index_maker().is_under_way(awaited_)) Indexing::await(awaited_);
-  if (Indexing::is_awaiting()) return std::nullopt;
+  if (store_.index_maker().is_under_way(awaited_)) store::Indexing::await(awaited_);
+  if (store::Indexing::is_awaiting()) return std::nullopt;
   if (only_pattern_ != nullptr) return next_part(examined);
   Result<Delta> all = all_answers(examined);
-  if (Indexing::is_awaiting()) return std::nullopt;
+  if (store::Indexing::is_awaiting()) return std::nullopt;
   return all;
 }
 
@@ -142,7 +142,7 @@ void WatchQueue::empty() {
 }
 
 // One that may not look at enough, or needs an index first, begins anew in a turn of its own.
-void WatchQueue::committed(const Commit& commit, CommitLooks& looks) {
+void WatchQueue::committed(const store::Commit& commit, CommitLooks& looks) {
   if (state_ == State::lagging) return;
   const std::size_t before = looks.before(waiting_.backlog());
   std::size_t examined = before + CommitLooks::looks_a_watch;
@@ -152,16 +152,16 @@ void WatchQueue::committed(const Commit& commit, CommitLooks& looks) {
   if (!goes_on) resynchronise();
 }
 
-bool WatchQueue::follow(const Commit& commit, std::size_t& examined) {
+bool WatchQueue::follow(const store::Commit& commit, std::size_t& examined) {
   if (state_ == State::sending) return follow_while_sending(commit, examined);
   return only_pattern_ != nullptr ? follow_facts(commit, examined) : follow_joins(commit, examined);
 }
 
-bool WatchQueue::follow_joins(const Commit& commit, std::size_t& examined) {
+bool WatchQueue::follow_joins(const store::Commit& commit, std::size_t& examined) {
   Delta delta;
   delta.revision = commit.revision;
   // What watches need is not of the doing of who commits.
-  const Indexing indexing(store_.index_maker().may(), {}, &store_.index_maker());
+  const store::Indexing indexing(store_.index_maker().may(), {}, &store_.index_maker());
   const Result<void> followed = joined_->follow(commit, delta, examined);
   awaited_ = indexing.awaited();
   if (!followed) return false;
@@ -170,17 +170,17 @@ bool WatchQueue::follow_joins(const Commit& commit, std::size_t& examined) {
   return push(std::move(delta), weight);
 }
 
-bool WatchQueue::follow_facts(const Commit& commit, std::size_t& examined) {
-  Looking looking(examined);
+bool WatchQueue::follow_facts(const store::Commit& commit, std::size_t& examined) {
+  store::Looking looking(examined);
   if (!looking.at_more(commit.entries.size() * looks_to_fit_)) return false;
   Delta delta;
   delta.revision = commit.revision;
   if (fits_all_) delta.added.facts.reserve(commit.entries.size() / 2);
   if (fits_all_) delta.removed.facts.reserve(commit.entries.size() / 2);
   Weight weight;
-  for (const Commit::Entry& entry : commit.entries) {
-    const bool comes = adds(entry);
-    if (!(comes || removes(entry)) || !fits(entry.fact)) continue;
+  for (const store::Commit::Entry& entry : commit.entries) {
+    const bool comes = store::adds(entry);
+    if (!(comes || store::removes(entry)) || !fits(entry.fact)) continue;
     const Weight more = weigh_as_answer(entry.fact);
     if (!looking.at_more(1 + more.bytes / CommitLooks::bytes_a_look)) return false;
     weight += more;
@@ -190,12 +190,12 @@ bool WatchQueue::follow_facts(const Commit& commit, std::size_t& examined) {
 }
 
 // What comes has a higher id than all that was looked at, and is part of what is sent next.
-bool WatchQueue::follow_while_sending(const Commit& commit, std::size_t& examined) {
+bool WatchQueue::follow_while_sending(const store::Commit& commit, std::size_t& examined) {
   if (nothing_sent_) return true;
-  Looking looking(examined);
+  store::Looking looking(examined);
   if (!looking.at_more(commit.entries.size() * looks_to_fit_)) return false;
-  for (const Commit::Entry& entry : commit.entries) {
-    if (!removes(entry) || entry.fact.id > looked_up_to_ || !fits(entry.fact)) continue;
+  for (const store::Commit::Entry& entry : commit.entries) {
+    if (!store::removes(entry) || entry.fact.id > looked_up_to_ || !fits(entry.fact)) continue;
     const std::size_t bytes = pizarra::weigh(entry.fact).bytes;
     if (!looking.at_more(1 + bytes / CommitLooks::bytes_a_look) || !waiting_.add(bytes)) return false;
     add(gone_, entry.fact);
@@ -210,7 +210,7 @@ bool WatchQueue::fits(const Fact& fact) const {
   Bindings bindings;
   if (!resembles(*only_pattern_, fact.datum) || !match(*only_pattern_, fact.datum, bindings)) return false;
   return std::ranges::all_of(query_.clauses, [&](const Query::Clause& clause) {
-    return clause.kind != Kind::compare || holds(clause.form, bindings);
+    return clause.kind != Kind::compare || store::holds(clause.form, bindings);
   });
 }
 
@@ -221,7 +221,7 @@ std::optional<Delta> WatchQueue::next_part(std::size_t& examined) {
   part.removed = std::exchange(gone_, {});
   std::size_t bytes = std::exchange(gone_bytes_, 0);
   waiting_.remove(bytes);
-  Looking looking(examined, limits::examined_a_turn);
+  store::Looking looking(examined, limits::examined_a_turn);
   bool last = true;
   const auto consider = [&](const Fact& fact) {
     last = looking.at_one_more();
@@ -235,7 +235,7 @@ std::optional<Delta> WatchQueue::next_part(std::size_t& examined) {
     return last;
   };
   store_.tables().find(only_pattern_->head())->second.visit(*only_pattern_, consider, looked_up_to_ + 1);
-  last = last && !Indexing::is_awaiting();
+  last = last && !store::Indexing::is_awaiting();
   if (!last && part.added.facts.empty() && part.removed.facts.empty()) return std::nullopt;
   if (last) state_ = State::following;
   const bool first = std::exchange(nothing_sent_, false);
@@ -296,4 +296,4 @@ bool WatchQueue::push(Delta delta, const Weight& weight) {
   return true;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::watch

@@ -31,14 +31,14 @@
 #include "blackboard/watch/joined_answers.hpp"
 #include "blackboard/watch/pattern_index.hpp"
 
-namespace pizarra {
+namespace pizarra::watch {
 
 class WatchTable;
 
 // Destroying it ends the watch.
 class WatchQueue {
  public:
-  WatchQueue(WatchTable& table, const Store& store, Query query, std::shared_ptr<Backlog> backlog);
+  WatchQueue(WatchTable& table, const store::Store& store, Query query, std::shared_ptr<Backlog> backlog);
   WatchQueue(const WatchQueue&) = delete;
   WatchQueue& operator=(const WatchQueue&) = delete;
   ~WatchQueue();
@@ -64,12 +64,12 @@ class WatchQueue {
   enum class State : std::uint8_t { lagging, sending, following };
 
   Result<void> begin(std::size_t& examined);
-  void committed(const Commit& commit, CommitLooks& looks);
+  void committed(const store::Commit& commit, CommitLooks& looks);
   // These answer whether the watch goes on from what it is told so.
-  bool follow(const Commit& commit, std::size_t& examined);
-  bool follow_joins(const Commit& commit, std::size_t& examined);
-  bool follow_facts(const Commit& commit, std::size_t& examined);
-  bool follow_while_sending(const Commit& commit, std::size_t& examined);
+  bool follow(const store::Commit& commit, std::size_t& examined);
+  bool follow_joins(const store::Commit& commit, std::size_t& examined);
+  bool follow_facts(const store::Commit& commit, std::size_t& examined);
+  bool follow_while_sending(const store::Commit& commit, std::size_t& examined);
   bool fits(const Fact& fact) const;
   Delta pop_queued();
   void begin_sending();
@@ -82,7 +82,7 @@ class WatchQueue {
   void empty();
 
   WatchTable& table_;
-  const Store& store_;
+  const store::Store& store_;
   const Query query_;
   const Datum* const only_pattern_;  // what an answer's one fact fits; null for other queries
   const bool fits_all_;              // that pattern is fitted by every fact of the relation
@@ -101,14 +101,14 @@ class WatchQueue {
   std::size_t gone_bytes_ = 0;
   std::optional<JoinedAnswers> joined_;  // unless there is only_pattern_
   std::uint64_t examined_ = 0;
-  IndexTicket awaited_ = 0;
+  store::IndexTicket awaited_ = 0;
   struct Queued {
     Delta delta;
     std::size_t bytes;
   };
   std::deque<Queued> deltas_;
-  Backlog::Share waiting_;  // what is queued, or gone
+  Backlog::Share waiting_;                      // what is queued, or gone
   std::unique_ptr<const Answering> answering_;  // once a change was popped as answers
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::watch

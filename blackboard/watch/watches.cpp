@@ -10,7 +10,7 @@
 #include "blackboard/store/query_tables.hpp"
 #include "blackboard/watch/join_guards.hpp"
 
-namespace pizarra {
+namespace pizarra::watch {
 
 namespace {
 
@@ -30,7 +30,7 @@ Result<std::unique_ptr<WatchQueue>> WatchTable::add(const Query& query, std::fun
                                                     std::size_t& examined) {
   if (query.at) return fail("bad-query", "what was cannot be watched, only asked", query_to_datum(query));
   if (size_ >= limits::watches) return fail("too-large", "the board has too many watches");
-  const Result<void> checked = check_query_on(query, store_.tables());
+  const Result<void> checked = store::check_query_on(query, store_.tables());
   if (!checked) return fail(checked);
   auto queue = std::make_unique<WatchQueue>(*this, store_, query, std::move(backlog));
   const Result<void> begun = queue->begin(examined);
@@ -38,7 +38,7 @@ Result<std::unique_ptr<WatchQueue>> WatchTable::add(const Query& query, std::fun
   queue->on_ready_ = std::move(on_ready);
   queue->watcher_ = std::move(watcher);
   enter(*queue);
-  if (Indexing::is_awaiting()) return awaits_index(query_to_datum(query));
+  if (store::Indexing::is_awaiting()) return store::awaits_index(query_to_datum(query));
   return queue;
 }
 
@@ -71,7 +71,7 @@ void WatchTable::forget(const WatchQueue& watch) {
   if (queues->second.empty()) queues_.erase(queues);
 }
 
-void WatchTable::committed(const Commit& commit) {
+void WatchTable::committed(const store::Commit& commit) {
   if (guards_ != 0) tell_guarded(commit);
   std::vector<WatchQueue*> touched = touched_by(commit);
   std::ranges::sort(touched, {}, &WatchQueue::number_);
@@ -80,13 +80,13 @@ void WatchTable::committed(const Commit& commit) {
 }
 
 // An answer that ends with a guard's fact ends with that one: who guards has no guard.
-void WatchTable::tell_guarded(const Commit& commit) {
+void WatchTable::tell_guarded(const store::Commit& commit) {
   for (const auto& [guarded, entry] : news_for_guarded(commit)) {
     if (!guarded->guard) continue;
     PatternIndex& index = patterns_.find(guarded->pattern.head())->second;
     if (entry == nullptr) {
       index.unguard(*guarded);
-    } else if (adds(*entry)) {
+    } else if (store::adds(*entry)) {
       index.allow(*guarded, entry->fact.datum);
     } else {
       index.disallow(*guarded, entry->fact.datum);
@@ -94,10 +94,10 @@ void WatchTable::tell_guarded(const Commit& commit) {
   }
 }
 
-std::vector<WatchTable::News> WatchTable::news_for_guarded(const Commit& commit) const {
+std::vector<WatchTable::News> WatchTable::news_for_guarded(const store::Commit& commit) const {
   std::vector<News> all;
   std::size_t led_to = 0;
-  const auto tell = [&](const WatchedPattern& guard, const Commit::Entry* entry) {
+  const auto tell = [&](const WatchedPattern& guard, const store::Commit::Entry* entry) {
     ++led_to;
     if (!guard.is_guard || (entry != nullptr && !guard.may_fit(entry->fact.datum))) return;
     for (WatchedPattern& other : guard.watch->patterns_) {
@@ -105,8 +105,8 @@ std::vector<WatchTable::News> WatchTable::news_for_guarded(const Commit& commit)
     }
   };
   std::set<const PatternIndex*> told_of_all;
-  for (const Commit::Entry& entry : commit.entries) {
-    if (!adds(entry) && !removes(entry)) continue;
+  for (const store::Commit::Entry& entry : commit.entries) {
+    if (!store::adds(entry) && !store::removes(entry)) continue;
     const auto patterns = patterns_.find(entry.fact.datum.head());
     if (patterns == patterns_.end() || !patterns->second.has_guards()) continue;
     const PatternIndex& index = patterns->second;
@@ -121,14 +121,14 @@ std::vector<WatchTable::News> WatchTable::news_for_guarded(const Commit& commit)
 
 // Most changes are of the relation of the change before them. Beyond what may be led to, a change touches all that
 // watch its relation.
-std::vector<WatchQueue*> WatchTable::touched_by(const Commit& commit) const {
+std::vector<WatchQueue*> WatchTable::touched_by(const store::Commit& commit) const {
   std::vector<WatchQueue*> touched;
   const Datum* relation = nullptr;
   auto concerned = patterns_.end();
   std::size_t led_to = 0;
   std::set<const PatternIndex*> touched_whole;
-  for (const Commit::Entry& entry : commit.entries) {
-    if (!adds(entry) && !removes(entry)) continue;
+  for (const store::Commit::Entry& entry : commit.entries) {
+    if (!store::adds(entry) && !store::removes(entry)) continue;
     if (relation == nullptr || *relation != entry.fact.datum[0]) {
       relation = &entry.fact.datum[0];
       concerned = patterns_.find(relation->text());
@@ -179,4 +179,4 @@ WatchTable::Load WatchTable::load_of(const Queues& queues) {
   return load;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::watch

@@ -18,12 +18,12 @@
 
 #include "blackboard/watch/watch_queue.hpp"
 
-namespace pizarra {
+namespace pizarra::watch {
 
 // It outlives its queues.
 class WatchTable {
  public:
-  explicit WatchTable(const Store& store) : store_(store) {}
+  explicit WatchTable(const store::Store& store) : store_(store) {}
   WatchTable(const WatchTable&) = delete;
   WatchTable& operator=(const WatchTable&) = delete;
   ~WatchTable();
@@ -38,7 +38,7 @@ class WatchTable {
     std::size_t examined = 0;
     return add(query, std::move(on_ready), std::move(watcher), std::move(backlog), examined);
   }
-  void committed(const Commit& commit);
+  void committed(const store::Commit& commit);
   std::size_t size() const { return size_; }
   // How many patterns of whose watches are about a relation.
   using Watchers = std::map<std::string, std::size_t, std::less<>>;
@@ -61,23 +61,23 @@ class WatchTable {
   void forget(const WatchQueue& watch);
   struct News {
     WatchedPattern* guarded;
-    const Commit::Entry* entry;  // null: whatever came
+    const store::Commit::Entry* entry;  // null: whatever came
   };
-  void tell_guarded(const Commit& commit);
-  std::vector<News> news_for_guarded(const Commit& commit) const;
-  std::vector<WatchQueue*> touched_by(const Commit& commit) const;
+  void tell_guarded(const store::Commit& commit);
+  std::vector<News> news_for_guarded(const store::Commit& commit) const;
+  std::vector<WatchQueue*> touched_by(const store::Commit& commit) const;
   // Answers how many patterns the fact led to.
   static std::size_t find_touched(const PatternIndex& patterns, const Fact& fact, Revision revision,
                                   std::vector<WatchQueue*>& touched);
   static void touch(WatchQueue& watch, Revision revision, std::vector<WatchQueue*>& touched);
 
-  const Store& store_;
+  const store::Store& store_;
   std::uint64_t next_number_ = 1;
   std::size_t size_ = 0;
-  std::size_t guards_ = 0;  // patterns
+  std::size_t guards_ = 0;                                     // patterns
   std::map<std::string, PatternIndex, std::less<>> patterns_;  // by relation
   std::map<std::string, Watchers, std::less<>> watchers_;      // by relation
   ByWatcher queues_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::watch

@@ -11,7 +11,7 @@ namespace pizarra::wire {
 
 namespace {
 
-std::unexpected<Failure> bad_frame(const char* sentence, const Datum& form) {
+std::unexpected<Failure> bad_answer(const char* sentence, const Datum& form) {
   return fail("bad-frame", sentence, form);
 }
 
@@ -21,7 +21,7 @@ constexpr std::array<std::string_view, 5> kind_names = {"no", "yes", "first", "m
 Result<Fact> fact_like(const Fact& before, const Datum& form) {
   const std::optional<FactId> id = count_from(form[0]);
   Result<std::vector<FactId>> because = ids_from(form.items().subspan(2));
-  if (!id || *id == 0 || !because) return bad_frame("not a fact like the one before it", form);
+  if (!id || *id == 0 || !because) return bad_answer("not a fact like the one before it", form);
   return Fact{.datum = form[1],
               .id = *id,
               .teller = before.teller,
@@ -51,7 +51,7 @@ Result<Delta::Side> kept_removed_from_datum(const Datum& form) {
   side.facts.reserve(form.size());
   for (const Datum& item : form.items()) {
     const std::optional<FactId> id = count_from(item);
-    if (!id) return bad_frame("not the number of a fact that was sent", item);
+    if (!id) return bad_answer("not the number of a fact that was sent", item);
     side.facts.push_back({.datum = {}, .id = *id, .teller = {}, .because = {}});
   }
   return side;
@@ -62,7 +62,7 @@ Result<Delta::Side> side_from_datum(std::size_t width, const Datum& form) {
   side.answers = form.size();
   side.facts.reserve(side.answers * width);
   for (const Datum& answer : form.items()) {
-    if (!answer.is_list() || answer.size() != width) return bad_frame("an answer has another number of facts", answer);
+    if (!answer.is_list() || answer.size() != width) return bad_answer("an answer has another number of facts", answer);
     for (const Datum& item : answer.items()) {
       Result<Fact> fact = fact_from_datum(item);
       if (!fact) return fail(fact);
@@ -128,13 +128,13 @@ Result<Answer> answer_from_datum(const Query& query, const Datum& form) {
   Answer answer;
   for (const Query::Clause& clause : query.clauses) {
     if (clause.kind != Query::Clause::Kind::fact) continue;
-    if (answer.facts.size() >= form.size()) return bad_frame("an answer lacks a fact", form);
+    if (answer.facts.size() >= form.size()) return bad_answer("an answer lacks a fact", form);
     Result<Fact> fact = fact_from_datum(form[answer.facts.size()]);
     if (!fact) return fail(fact);
-    if (!match(clause.form, fact->datum, answer.bindings)) return bad_frame("a fact does not fit the query", form);
+    if (!match(clause.form, fact->datum, answer.bindings)) return bad_answer("a fact does not fit the query", form);
     answer.facts.push_back(std::move(*fact));
   }
-  if (!form.is_list() || answer.facts.size() != form.size()) return bad_frame("an answer has a fact too many", form);
+  if (!form.is_list() || answer.facts.size() != form.size()) return bad_answer("an answer has a fact too many", form);
   return answer;
 }
 
@@ -149,12 +149,12 @@ Datum fact_to_datum(const Fact& fact) {
 
 Result<Fact> fact_from_datum(const Datum& form) {
   if (form.size() < 5 || !form[2].is_integer() || !form[3].is_string() || !form[4].is_list()) {
-    return bad_frame("not a fact with its provenance", form);
+    return bad_answer("not a fact with its provenance", form);
   }
   const std::optional<std::uint64_t> id = count_from(form[0]);
   const std::optional<std::uint64_t> revision = count_from(form[1]);
   Result<std::vector<FactId>> because = ids_from(form.items().subspan(5));
-  if (!id || *id == 0 || !revision || !because) return bad_frame("not a fact with its provenance", form);
+  if (!id || *id == 0 || !revision || !because) return bad_answer("not a fact with its provenance", form);
   Fact fact;
   fact.id = *id;
   fact.revision = *revision;
@@ -213,8 +213,8 @@ void write_change(std::string& out, WatchId watch, std::uint64_t sequence, std::
 Result<Delta> delta_from_datum(const Query& query, bool kept, const Datum& form) {
   const auto name = std::ranges::find(kind_names, form.size() == 7 ? form[4].text() : std::string_view());
   const std::optional<std::uint64_t> revision = count_at(form, 3);
-  if (name == kind_names.end() || !revision || !form[4].is_symbol()) return bad_frame("not a change", form);
-  if (!form[5].is_list() || !form[6].is_list()) return bad_frame("not two lists of answers", form);
+  if (name == kind_names.end() || !revision || !form[4].is_symbol()) return bad_answer("not a change", form);
+  if (!form[5].is_list() || !form[6].is_list()) return bad_answer("not two lists of answers", form);
   const std::size_t width = width_of(query);
   const bool short_form = kept && width == 1;
   Result<Delta::Side> added = short_form ? kept_added_from_datum(form[5]) : side_from_datum(width, form[5]);

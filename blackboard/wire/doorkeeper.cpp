@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-namespace pizarra {
+namespace pizarra::wire {
 
 namespace {
 
@@ -80,4 +80,4 @@ void Doorkeeper::schedule_pump() {
   });
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::wire

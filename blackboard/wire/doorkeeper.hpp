@@ -14,7 +14,7 @@
 
 #include "blackboard/time/executor.hpp"
 
-namespace pizarra {
+namespace pizarra::wire {
 
 class Doorkeeper {
  public:
@@ -37,4 +37,4 @@ class Doorkeeper {
   Executor::TimerId pump_timer_ = 0;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::wire

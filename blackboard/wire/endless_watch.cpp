@@ -4,7 +4,7 @@
 #include <netinet/in.h>
 #include <sys/socket.h>
 
-namespace pizarra {
+namespace pizarra::wire {
 
 namespace {
 
@@ -82,4 +82,4 @@ void EndlessWatch::clear(Connection& connection) {
   connection.over.reset();
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::wire

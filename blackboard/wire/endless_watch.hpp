@@ -17,7 +17,7 @@
 
 #include "blackboard/wire/socket_events.hpp"
 
-namespace pizarra {
+namespace pizarra::wire {
 
 class EndlessWatch {
  public:
@@ -58,4 +58,4 @@ class EndlessWatch {
   SocketEvents events_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::wire

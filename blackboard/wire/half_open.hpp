@@ -11,7 +11,7 @@
 
 #include <zmq.hpp>
 
-namespace pizarra {
+namespace pizarra::wire {
 
 inline void let_go_when_half_open(zmq::socket_t& socket) {
   constexpr int idle_s = 2;
@@ -24,4 +24,4 @@ inline void let_go_when_half_open(zmq::socket_t& socket) {
   socket.set(zmq::sockopt::tcp_maxrt, silent_ms);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::wire

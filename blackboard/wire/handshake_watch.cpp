@@ -1,6 +1,6 @@
 #include "blackboard/wire/handshake_watch.hpp"
 
-namespace pizarra {
+namespace pizarra::wire {
 
 namespace {
 
@@ -38,4 +38,4 @@ Failure HandshakeWatch::failure_of(std::uint16_t event, std::uint32_t value) con
   return {"not-permitted", "the board breaks off, as one does that asks for a key: name one with --key FILE", {}, {}};
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::wire

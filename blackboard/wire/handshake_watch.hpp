@@ -13,7 +13,7 @@
 #include "blackboard/wire/socket_events.hpp"
 #include "lisp/result.hpp"
 
-namespace pizarra {
+namespace pizarra::wire {
 
 class HandshakeWatch {
  public:
@@ -37,4 +37,4 @@ class HandshakeWatch {
   SocketEvents events_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::wire

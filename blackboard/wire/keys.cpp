@@ -16,7 +16,7 @@
 #include "lisp/reader.hpp"
 #include "lisp/writer.hpp"
 
-namespace pizarra {
+namespace pizarra::wire {
 
 namespace {
 
@@ -231,4 +231,4 @@ Result<std::vector<std::string>> public_key_files(const std::string& folder) {
   return files;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::wire

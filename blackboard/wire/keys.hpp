@@ -23,7 +23,7 @@
 
 #include "lisp/result.hpp"
 
-namespace pizarra {
+namespace pizarra::wire {
 
 // The name under which a board has its own keys; no client has it.
 inline constexpr std::string_view board_key_name = "board";
@@ -78,4 +78,4 @@ Result<ClientKeys> read_client_keys(const std::string& path);
 // too-many.
 Result<std::vector<std::string>> public_key_files(const std::string& folder);
 
-}  // namespace pizarra
+}  // namespace pizarra::wire

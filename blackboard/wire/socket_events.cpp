@@ -2,7 +2,7 @@
 
 #include <cstring>
 
-namespace pizarra {
+namespace pizarra::wire {
 
 namespace {
 
@@ -12,10 +12,7 @@ constexpr const char* events_at = "inproc://events";
 
 SocketEvents::SocketEvents(Executor& executor, zmq::context_t& context, zmq::socket_t& socket, int which,
                            Listener listener)
-    : executor_(executor),
-      watched_(socket),
-      listener_(std::move(listener)),
-      events_(context, zmq::socket_type::pair) {
+    : executor_(executor), watched_(socket), listener_(std::move(listener)), events_(context, zmq::socket_type::pair) {
   events_.set(zmq::sockopt::linger, 0);
   zmq_socket_monitor(watched_.handle(), events_at, which);
   events_.connect(events_at);
@@ -48,4 +45,4 @@ void SocketEvents::pump() {
   }
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::wire

@@ -13,7 +13,7 @@
 
 #include "blackboard/time/executor.hpp"
 
-namespace pizarra {
+namespace pizarra::wire {
 
 class SocketEvents {
  public:
@@ -35,4 +35,4 @@ class SocketEvents {
   int file_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::wire

@@ -1,6 +1,6 @@
 #include "blackboard/wire/under_way.hpp"
 
-namespace pizarra {
+namespace pizarra::wire {
 
 struct UnderWay::Counted {
   std::shared_ptr<Count> count;
@@ -33,4 +33,4 @@ std::shared_ptr<UnderWay::Count>& UnderWay::count_of(const std::string& peer) {
   return counts_.emplace(peer, std::make_shared<Count>(0)).first->second;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::wire

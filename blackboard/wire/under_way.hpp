@@ -16,7 +16,7 @@
 #include <string_view>
 #include <zmq.hpp>
 
-namespace pizarra {
+namespace pizarra::wire {
 
 class UnderWay {
  public:
@@ -35,4 +35,4 @@ class UnderWay {
   std::map<std::string, std::shared_ptr<Count>> counts_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::wire

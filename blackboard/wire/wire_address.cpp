@@ -7,7 +7,7 @@
 #include <sys/un.h>
 #include <unistd.h>
 
-namespace pizarra {
+namespace pizarra::wire {
 
 namespace {
 
@@ -74,8 +74,10 @@ Result<void> check_listening_address(const std::string& address, bool open_to_ot
                 to_datum(address));
   }
   if (address.starts_with(ipc) && address[ipc.size()] == '@') {
-    return bad_address("a socket in no folder is open to everybody on this machine: ipc://PATH has a file, and who may "
-                       "open that may come", address);
+    return bad_address(
+        "a socket in no folder is open to everybody on this machine: ipc://PATH has a file, and who may "
+        "open that may come",
+        address);
   }
   if (address.starts_with(ipc) && somebody_answers(address.substr(ipc.size()))) {
     return fail("address-in-use", "another board answers there", to_datum(address));
@@ -83,4 +85,4 @@ Result<void> check_listening_address(const std::string& address, bool open_to_ot
   return {};
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::wire

@@ -6,7 +6,7 @@
 
 #include "lisp/result.hpp"
 
-namespace pizarra {
+namespace pizarra::wire {
 
 // Failure bad-address.
 Result<void> check_address(const std::string& address);
@@ -20,4 +20,4 @@ std::string address_to_bind(const std::string& address);
 // insecurity was asked for), and address-in-use when another server answers at the ipc path.
 Result<void> check_listening_address(const std::string& address, bool open_to_others);
 
-}  // namespace pizarra
+}  // namespace pizarra::wire

@@ -5,7 +5,7 @@
 #include "blackboard/wire/half_open.hpp"
 #include "blackboard/wire/wire_address.hpp"
 
-namespace pizarra {
+namespace pizarra::wire {
 
 namespace {
 
@@ -189,4 +189,4 @@ void WireSocket::schedule_pump() {
   });
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::wire

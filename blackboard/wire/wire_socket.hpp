@@ -27,7 +27,7 @@
 #include "blackboard/wire/under_way.hpp"
 #include "lisp/result.hpp"
 
-namespace pizarra {
+namespace pizarra::wire {
 
 class WireSocket {
  public:
@@ -93,4 +93,4 @@ class WireSocket {
   std::optional<EndlessWatch> endless_;  // of a router
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::wire

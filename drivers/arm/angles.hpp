@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 #include <numbers>
 
-namespace pizarra {
+namespace pizarra::arm {
 
 inline double radians(double deg) { return deg * std::numbers::pi / 180; }
 inline double degrees(double rad) { return rad * 180 / std::numbers::pi; }
@@ -17,4 +17,4 @@ inline Eigen::Matrix3d about_z(double deg) {
   return Eigen::AngleAxisd(radians(deg), Eigen::Vector3d::UnitZ()).toRotationMatrix();
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::arm

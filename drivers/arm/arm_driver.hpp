@@ -17,7 +17,7 @@
 #include "drivers/arm/arm_model.hpp"
 #include "lisp/result.hpp"
 
-namespace pizarra {
+namespace pizarra::arm {
 
 // Why a controller would not move its arm now.
 struct ArmTrouble {
@@ -56,4 +56,4 @@ class ArmDriver {
   virtual Task<Result<ArmReading>> read() = 0;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::arm

@@ -10,7 +10,7 @@
 #include "lisp/guile/interpret.hpp"
 #include "lisp/nearest.hpp"
 
-namespace pizarra {
+namespace pizarra::arm {
 
 namespace {
 
@@ -92,7 +92,7 @@ Result<void> check_pose(const Source& source, const ArmModel& model, std::string
 Result<ArmModel> read_arm_file(const std::string& path) {
   const Result<Source> source = read_source_file(path);
   if (!source) return fail(source);
-  const Result<Datum> arm = interpret(*source, "arm");
+  const Result<Datum> arm = guile::interpret(*source, "arm");
   if (!arm) return fail(arm);
   ArmModel model = model_from(*arm);
   for (const auto& [name, pose] : {std::pair("home", &model.home), std::pair("ready", &model.ready)}) {
@@ -103,8 +103,8 @@ Result<ArmModel> read_arm_file(const std::string& path) {
 }
 
 Result<ArmModel> shipped_arm(std::string_view name) {
-  const std::vector<std::string> names = arm_names();
-  if (std::ranges::find(names, name) != names.end()) return read_arm_file(shipped_arm_file(name));
+  const std::vector<std::string> names = forms::arm_names();
+  if (std::ranges::find(names, name) != names.end()) return read_arm_file(forms::shipped_arm_file(name));
   const std::string nearest = nearest_name(name, names);
   return fail(
       "unknown-arm",
@@ -117,4 +117,4 @@ const ArmModel& crs_f3() {
   return model;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::arm

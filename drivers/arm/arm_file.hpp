@@ -22,7 +22,7 @@
 #include "drivers/arm/arm_model.hpp"
 #include "lisp/reader.hpp"
 
-namespace pizarra {
+namespace pizarra::arm {
 
 // A failure reports every error of the file, each with a caret.
 Result<ArmModel> read_arm_file(const std::string& path);
@@ -33,4 +33,4 @@ Result<ArmModel> shipped_arm(std::string_view name);
 // As every robot agent of a cell may be asked to drive.
 const ArmModel& crs_f3();
 
-}  // namespace pizarra
+}  // namespace pizarra::arm

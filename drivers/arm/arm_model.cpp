@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace pizarra {
+namespace pizarra::arm {
 
 std::string_view role_name(Role role) {
   constexpr std::array<std::string_view, 11> names{"turn", "shoulder", "elbow", "reach", "ahead", "across",
@@ -27,4 +27,4 @@ double ArmModel::elbow_to_wrist_mm() const { return std::hypot(forearm_mm, forea
 
 double ArmModel::forearm_bend_deg() const { return std::atan2(forearm_raise_mm, forearm_mm) * 180 / std::numbers::pi; }
 
-}  // namespace pizarra
+}  // namespace pizarra::arm

@@ -14,7 +14,7 @@
 #include <string_view>
 #include <vector>
 
-namespace pizarra {
+namespace pizarra::arm {
 
 inline constexpr std::size_t most_axes = 8;
 
@@ -103,4 +103,4 @@ struct ArmModel {
   double forearm_bend_deg() const;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::arm

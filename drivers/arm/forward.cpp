@@ -5,7 +5,7 @@
 #include "drivers/arm/placement.hpp"
 #include "drivers/arm/solution.hpp"
 
-namespace pizarra {
+namespace pizarra::arm {
 
 namespace {
 
@@ -86,4 +86,4 @@ std::vector<Vector3d> skeleton(const ArmModel& model, const Joints& joints) {
   return {carried, shoulder, elbow, wrist, flange};
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::arm

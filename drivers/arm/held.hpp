@@ -4,7 +4,7 @@
 //
 //   const Held ordering(ordering_);
 
-namespace pizarra {
+namespace pizarra::arm {
 
 class Held {
  public:
@@ -17,4 +17,4 @@ class Held {
   bool& flag_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::arm

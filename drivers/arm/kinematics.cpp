@@ -7,7 +7,7 @@
 #include "drivers/arm/placement.hpp"
 #include "drivers/arm/solution.hpp"
 
-namespace pizarra {
+namespace pizarra::arm {
 
 namespace {
 
@@ -159,4 +159,4 @@ std::array<double, 3> fixed_angles(const Matrix3d& rotation) {
   return {upper_half(rx), degrees(ry), upper_half(rz)};
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::arm

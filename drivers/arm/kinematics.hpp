@@ -24,7 +24,7 @@
 #include "drivers/arm/arm_model.hpp"
 #include "lisp/result.hpp"
 
-namespace pizarra {
+namespace pizarra::arm {
 
 using ToolPose = Eigen::Isometry3d;  // mm, grip centre in the base frame
 
@@ -63,4 +63,4 @@ std::vector<Eigen::Vector3d> skeleton(const ArmModel& model, const Joints& joint
 // A rotation as rx, ry, rz degrees, turned about the fixed x, then y, then z axis; each in (-180, 180].
 std::array<double, 3> fixed_angles(const Eigen::Matrix3d& rotation);
 
-}  // namespace pizarra
+}  // namespace pizarra::arm

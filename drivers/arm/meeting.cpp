@@ -4,7 +4,7 @@
 
 #include "drivers/arm/move_check.hpp"
 
-namespace pizarra {
+namespace pizarra::arm {
 
 namespace {
 
@@ -56,4 +56,4 @@ Task<Result<ArmMeeting>> meet_arm(Executor& executor, ArmDriver& driver, const A
   co_return meeting;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::arm

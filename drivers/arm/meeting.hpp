@@ -15,7 +15,7 @@
 #include "blackboard/time/executor.hpp"
 #include "drivers/arm/arm_driver.hpp"
 
-namespace pizarra {
+namespace pizarra::arm {
 
 // It moves, and nobody at the pendant moves it.
 bool moves_for_nobody(const ArmReading& reading);
@@ -28,4 +28,4 @@ struct ArmMeeting {
 // The executor and the driver outlive it.
 Task<Result<ArmMeeting>> meet_arm(Executor& executor, ArmDriver& driver, const ArmModel& model);
 
-}  // namespace pizarra
+}  // namespace pizarra::arm

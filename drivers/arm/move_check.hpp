@@ -8,7 +8,7 @@
 
 #include "drivers/arm/kinematics.hpp"
 
-namespace pizarra {
+namespace pizarra::arm {
 
 // Failures: not-finite, bad-request, bad-joints, joint-limit (with the axis).
 inline Result<void> check_move(const ArmModel& model, const std::vector<Joints>& waypoints, double speed) {
@@ -45,4 +45,4 @@ inline Result<void> check_opening(double opening_mm) {
   return {};
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::arm

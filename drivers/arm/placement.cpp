@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pizarra {
+namespace pizarra::arm {
 
 namespace {
 
@@ -119,4 +119,4 @@ double longest_reach_mm(const ArmModel& model) {
   return furthest + slide + std::abs(model.height_mm);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::arm

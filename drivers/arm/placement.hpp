@@ -8,7 +8,7 @@
 #include "drivers/arm/angles.hpp"
 #include "drivers/arm/posture.hpp"
 
-namespace pizarra {
+namespace pizarra::arm {
 
 struct Placement {
   Eigen::Vector3d wrist_mm;  // the wrist centre
@@ -45,4 +45,4 @@ inline constexpr double on_axis_1_mm = 1e-6;  // nearer to it the wrist centre c
 // The furthest that the wrist centre comes from the foot of axis 1.
 double longest_reach_mm(const ArmModel& model);
 
-}  // namespace pizarra
+}  // namespace pizarra::arm

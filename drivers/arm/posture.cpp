@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pizarra {
+namespace pizarra::arm {
 
 namespace {
 
@@ -90,4 +90,4 @@ Range range_of(const ArmModel& model, const Joints& joints, std::size_t index) {
   return {std::max(axis.limits.low, std::min(a, b)), std::min(axis.limits.high, std::max(a, b))};
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::arm

@@ -9,7 +9,7 @@
 
 #include "drivers/arm/arm_model.hpp"
 
-namespace pizarra {
+namespace pizarra::arm {
 
 // Elevations are above the horizontal.
 struct Posture {
@@ -35,4 +35,4 @@ double forearm_elevation_deg(const ArmModel& model, const Posture& posture);
 // its stops leave of them.
 Range range_of(const ArmModel& model, const Joints& joints, std::size_t axis);
 
-}  // namespace pizarra
+}  // namespace pizarra::arm

@@ -5,7 +5,7 @@
 
 #include "drivers/arm/angles.hpp"
 
-namespace pizarra {
+namespace pizarra::arm {
 
 namespace {
 
@@ -133,4 +133,4 @@ std::vector<Leg> legs_of(const ArmModel& model, const Joints& from, const std::v
   return legs;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::arm

@@ -10,7 +10,7 @@
 
 #include "drivers/arm/kinematics.hpp"
 
-namespace pizarra {
+namespace pizarra::arm {
 
 struct Leg {
   Joints to;
@@ -27,4 +27,4 @@ double seconds_between(const ArmModel& model, const Joints& from, const Joints& 
 inline constexpr double same_place = 0.01;
 bool are_same_place(const Joints& one, const Joints& other, double within = same_place);
 
-}  // namespace pizarra
+}  // namespace pizarra::arm

@@ -6,7 +6,7 @@
 
 #include "drivers/arm/placement.hpp"
 
-namespace pizarra {
+namespace pizarra::arm {
 
 namespace {
 
@@ -177,4 +177,4 @@ Solution best_solution(const ArmModel& model, const ToolPose& pose, const Joints
   return chooser.best();
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::arm

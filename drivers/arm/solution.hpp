@@ -7,7 +7,7 @@
 
 #include "drivers/arm/kinematics.hpp"
 
-namespace pizarra {
+namespace pizarra::arm {
 
 struct Solution {
   bool found = false;  // whether there is a way at all, whatever the limits
@@ -27,4 +27,4 @@ double excess_of(const Range& range, double reading);
 // The least that an axis which folds or pitches has left to its limits or stops, degrees.
 double margin_of(const ArmModel& model, const Joints& joints);
 
-}  // namespace pizarra
+}  // namespace pizarra::arm

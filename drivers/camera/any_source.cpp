@@ -4,11 +4,11 @@
 #include "drivers/camera/image_files.hpp"
 #include "drivers/camera/other_images.hpp"
 
-namespace pizarra {
+namespace pizarra::camera {
 
-std::unique_ptr<FrameSource> make_any_source(const CameraSource& source, const CameraSetup& setup) {
-  if (source.kind == CameraSource::Kind::images) return make_image_source(source, setup, read_other_image);
+std::unique_ptr<FrameSource> make_any_source(const forms::CameraSource& source, const forms::CameraSetup& setup) {
+  if (source.kind == forms::CameraSource::Kind::images) return make_image_source(source, setup, read_other_image);
   return std::make_unique<CaptureSource>(source, setup);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::camera

@@ -7,8 +7,8 @@
 
 #include "drivers/camera/frame_source.hpp"
 
-namespace pizarra {
+namespace pizarra::camera {
 
-std::unique_ptr<FrameSource> make_any_source(const CameraSource& source, const CameraSetup& setup);
+std::unique_ptr<FrameSource> make_any_source(const forms::CameraSource& source, const forms::CameraSetup& setup);
 
-}  // namespace pizarra
+}  // namespace pizarra::camera

@@ -5,7 +5,7 @@
 
 #include "lisp/guile/interpret.hpp"
 
-namespace pizarra {
+namespace pizarra::camera {
 namespace {
 
 LensModel lens_from(const Datum& given) {
@@ -16,7 +16,7 @@ LensModel lens_from(const Datum& given) {
 
 Result<StereoCalibration> interpret_source(const Result<Source>& source) {
   if (!source) return fail(source);
-  const Result<Datum> given = interpret(*source, "calibration");
+  const Result<Datum> given = guile::interpret(*source, "calibration");
   if (!given) return fail(given);
   const Datum& file = *given;
   StereoCalibration out;
@@ -79,4 +79,4 @@ std::string write_calibration(const StereoCalibration& c) {
       c.epipolar_px, c.deviations.focal_px, c.deviations.centre_px, c.deviations.base_line_mm);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::camera

@@ -24,7 +24,7 @@
 
 #include "lisp/result.hpp"
 
-namespace pizarra {
+namespace pizarra::camera {
 
 struct LensModel {
   double focal_x_px = 0;
@@ -70,4 +70,4 @@ Result<StereoCalibration> read_calibration_file(const std::string& path);
 // What read_calibration() reads.
 std::string write_calibration(const StereoCalibration& calibration);
 
-}  // namespace pizarra
+}  // namespace pizarra::camera

@@ -5,7 +5,7 @@
 
 #include "drivers/camera/stereo_geometry.hpp"
 
-namespace pizarra {
+namespace pizarra::camera {
 namespace {
 
 using Side = StereoGeometry::Side;
@@ -127,7 +127,7 @@ class Reading {
     return image;
   }
 
-  const CameraSetup& setup_;
+  const forms::CameraSetup& setup_;
   const std::optional<StereoCalibration>& calibration_;
   const std::function<Time()>& now_;
   FrameDesk& desk_;
@@ -145,4 +145,4 @@ void read_camera(const CameraReading& reading, FrameDesk& desk) {
   desk.end(std::move(why));
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::camera

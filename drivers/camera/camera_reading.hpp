@@ -9,10 +9,10 @@
 #include "drivers/camera/frame_desk.hpp"
 #include "drivers/camera/stereo_reader.hpp"
 
-namespace pizarra {
+namespace pizarra::camera {
 
 struct CameraReading {
-  CameraSetup setup;
+  forms::CameraSetup setup;
   std::optional<StereoCalibration> calibration;  // what the setup's file says: files are interpreted on one thread
   std::function<StereoReader::Sources()> sources;
   std::function<Time()> now;
@@ -22,4 +22,4 @@ struct CameraReading {
 // desk says why no frame will come any more.
 void read_camera(const CameraReading& reading, FrameDesk& desk);
 
-}  // namespace pizarra
+}  // namespace pizarra::camera

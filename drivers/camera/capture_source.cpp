@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <opencv2/core/utils/logger.hpp>
 
-namespace pizarra {
+namespace pizarra::camera {
 namespace {
 
 constexpr int open_timeout_ms = 5000;
@@ -26,16 +26,16 @@ Result<cv::Mat> checked_image(cv::Mat image, const std::string& where) {
 
 bool CaptureSource::open_capture() {
   switch (source_.kind) {
-    case CameraSource::Kind::device:
+    case forms::CameraSource::Kind::device:
       return capture_.open(source_.where, cv::CAP_V4L2);
-    case CameraSource::Kind::pipeline:
+    case forms::CameraSource::Kind::pipeline:
       return capture_.open(source_.where, cv::CAP_GSTREAMER);
-    case CameraSource::Kind::stream:
+    case forms::CameraSource::Kind::stream:
       return capture_.open(
           source_.where, cv::CAP_FFMPEG,
           {cv::CAP_PROP_OPEN_TIMEOUT_MSEC, open_timeout_ms, cv::CAP_PROP_READ_TIMEOUT_MSEC, read_timeout_ms});
-    case CameraSource::Kind::video:
-    case CameraSource::Kind::images:
+    case forms::CameraSource::Kind::video:
+    case forms::CameraSource::Kind::images:
       break;
   }
   return capture_.open(source_.where);
@@ -53,17 +53,17 @@ Result<void> CaptureSource::open() {
     opened = false;
   }
   if (!opened) return fail("disconnected", fmt::format("{} cannot be opened", source_.where));
-  if (source_.kind == CameraSource::Kind::video) {
+  if (source_.kind == forms::CameraSource::Kind::video) {
     const double own_hz = capture_.get(cv::CAP_PROP_FPS);
     const double sane_hz = own_hz >= 1 && own_hz <= 1000 ? own_hz : usual_video_hz;
     recorded_hz_ = setup_.rate_hz > 0 ? setup_.rate_hz : sane_hz;
   }
-  return source_.kind == CameraSource::Kind::device ? apply_settings() : Result<void>();
+  return source_.kind == forms::CameraSource::Kind::device ? apply_settings() : Result<void>();
 }
 
 // Size and rate are a wish that the images themselves are held to; an exposure nobody can see in them.
 Result<void> CaptureSource::apply_settings() {
-  const int halves = setup_.arrangement == CameraSetup::Arrangement::side_by_side ? 2 : 1;
+  const int halves = setup_.arrangement == forms::CameraSetup::Arrangement::side_by_side ? 2 : 1;
   if (setup_.width > 0 || setup_.rate_hz > 0) {
     // Uncompressed, most cameras have no bandwidth for large or many images.
     capture_.set(cv::CAP_PROP_FOURCC, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'));
@@ -90,12 +90,12 @@ Result<std::optional<double>> CaptureSource::grab() {
   } catch (const cv::Exception&) {
     grabbed = false;
   }
-  const bool recorded = source_.kind == CameraSource::Kind::video;
+  const bool recorded = source_.kind == forms::CameraSource::Kind::video;
   if (!grabbed && recorded && taken_any_) return fail("ended", fmt::format("{} is over", source_.where));
   if (!grabbed) return fail("disconnected", fmt::format("{} gives no images", source_.where));
   taken_any_ = true;
   // Devices of one machine share a clock, videos begin at 0; streams and pipelines begin when they like.
-  if (!recorded && source_.kind != CameraSource::Kind::device) return std::nullopt;
+  if (!recorded && source_.kind != forms::CameraSource::Kind::device) return std::nullopt;
   const double moment_ms = capture_.get(cv::CAP_PROP_POS_MSEC);
   if (recorded || moment_ms > 0) return moment_ms;
   return std::nullopt;
@@ -111,4 +111,4 @@ Result<cv::Mat> CaptureSource::retrieve(bool /*grey*/) {
   return checked_image(std::move(image), "what " + source_.where + " gives");
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::camera

@@ -6,11 +6,12 @@
 
 #include "drivers/camera/frame_source.hpp"
 
-namespace pizarra {
+namespace pizarra::camera {
 
 class CaptureSource : public FrameSource {
  public:
-  CaptureSource(CameraSource source, const CameraSetup& setup) : source_(std::move(source)), setup_(setup) {}
+  CaptureSource(forms::CameraSource source, const forms::CameraSetup& setup)
+      : source_(std::move(source)), setup_(setup) {}
 
   Result<void> open() override;
   void close() override { capture_.release(); }
@@ -22,11 +23,11 @@ class CaptureSource : public FrameSource {
   bool open_capture();
   Result<void> apply_settings();
 
-  CameraSource source_;
-  CameraSetup setup_;
+  forms::CameraSource source_;
+  forms::CameraSetup setup_;
   cv::VideoCapture capture_;
   double recorded_hz_ = 0;
   bool taken_any_ = false;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::camera

@@ -9,7 +9,7 @@
 #include "drivers/camera/lens_fit.hpp"
 #include "drivers/camera/stereo_geometry.hpp"
 
-namespace pizarra {
+namespace pizarra::camera {
 namespace {
 
 // More pairs than a quarter that do not belong are no slip, and each that is left out takes a calibration more.
@@ -129,4 +129,4 @@ double epipolar_error_px(const StereoCalibration& calibration, const std::vector
   return count == 0 ? 0 : sum / static_cast<double>(count);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::camera

@@ -21,7 +21,7 @@
 
 #include "drivers/camera/calibration.hpp"
 
-namespace pizarra {
+namespace pizarra::camera {
 
 // The board's inner corners in both images, in the same order, px.
 struct BoardView {
@@ -65,4 +65,4 @@ Result<CalibratedPair> calibrate_single(
 // How far apart in height the same corner lies in both images once rectified: mean of the views, px.
 double epipolar_error_px(const StereoCalibration& calibration, const std::vector<BoardView>& views);
 
-}  // namespace pizarra
+}  // namespace pizarra::camera

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <opencv2/calib3d.hpp>
 
-namespace pizarra {
+namespace pizarra::camera {
 namespace {
 
 // Of the image's width: no blur leaves corners so far off, but images that do not belong together do.
@@ -145,4 +145,4 @@ Fit<void> check_depths(const cv::Vec3d& at, const OddView& worst) {
       pair_cause);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::camera

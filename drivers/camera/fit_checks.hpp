@@ -9,7 +9,7 @@
 
 #include "drivers/camera/lens_fit.hpp"
 
-namespace pizarra {
+namespace pizarra::camera {
 
 // What a fit of `what` left, RMS.
 struct FitErrors {
@@ -43,4 +43,4 @@ Fit<void> check_rows(double rows_px, const OddView& worst);
 // That neither stands before the other. Failure: misfit.
 Fit<void> check_depths(const cv::Vec3d& at, const OddView& worst);
 
-}  // namespace pizarra
+}  // namespace pizarra::camera

@@ -5,7 +5,7 @@
 #include <limits>
 #include <opencv2/calib3d.hpp>
 
-namespace pizarra {
+namespace pizarra::camera {
 namespace {
 
 // The order of what is fitted: of each camera fx fy cx cy k1 k2 p1 p2, then how the right one is turned and where it
@@ -177,4 +177,4 @@ CalibrationDeviations deviations_of(const StereoCalibration& calibration, const 
   return Fitted(calibration).deviations(views);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::camera

@@ -10,10 +10,10 @@
 
 #include "drivers/camera/chessboard.hpp"
 
-namespace pizarra {
+namespace pizarra::camera {
 
 // Standard deviations, given the calibration's reprojection error; infinite where the views leave all open. Who takes
 // the same view several times believes to know more than is known.
 CalibrationDeviations deviations_of(const StereoCalibration& calibration, const std::vector<BoardView>& views);
 
-}  // namespace pizarra
+}  // namespace pizarra::camera

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace pizarra {
+namespace pizarra::camera {
 
 // Outside of the lock, for it may wake who takes it.
 void FrameDesk::ring_once(std::unique_lock<std::mutex> lock) {
@@ -115,4 +115,4 @@ CameraDrops FrameDesk::drops() const {
   return drops_;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::camera

@@ -16,7 +16,7 @@
 
 #include "drivers/camera/stereo_camera.hpp"
 
-namespace pizarra {
+namespace pizarra::camera {
 
 struct DeskFrame {
   StereoFrame grey;
@@ -83,4 +83,4 @@ class FrameDesk {
   CameraDrops drops_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::camera

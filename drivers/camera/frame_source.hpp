@@ -19,7 +19,7 @@
 #include "lisp/forms/camera_setup.hpp"
 #include "lisp/result.hpp"
 
-namespace pizarra {
+namespace pizarra::camera {
 
 class FrameSource {
  public:
@@ -37,6 +37,7 @@ class FrameSource {
   virtual std::size_t left_out() const { return 0; }
 };
 
-using FrameSourceMaker = std::function<std::unique_ptr<FrameSource>(const CameraSource&, const CameraSetup&)>;
+using FrameSourceMaker =
+    std::function<std::unique_ptr<FrameSource>(const forms::CameraSource&, const forms::CameraSetup&)>;
 
-}  // namespace pizarra
+}  // namespace pizarra::camera

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace pizarra {
+namespace pizarra::camera {
 
 using Bytes = std::span<const unsigned char>;
 
@@ -36,4 +36,4 @@ std::uint32_t tiff_number(Bytes tiff, std::uint32_t tag) {
   return 0;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::camera

@@ -10,7 +10,7 @@
 #include <span>
 #include <string_view>
 
-namespace pizarra {
+namespace pizarra::camera {
 
 // Of `count` bytes, 4 at most; 0 where the bytes end before.
 std::uint32_t number(std::span<const unsigned char> bytes, std::size_t at, std::size_t count, std::endian order);
@@ -21,4 +21,4 @@ bool is_tiff(std::span<const unsigned char> bytes);
 // Under this tag of a TIFF's first directory; 0: there is none.
 std::uint32_t tiff_number(std::span<const unsigned char> tiff, std::uint32_t tag);
 
-}  // namespace pizarra
+}  // namespace pizarra::camera

@@ -10,7 +10,7 @@
 
 #include "lisp/result.hpp"
 
-namespace pizarra {
+namespace pizarra::camera {
 
 struct ImageSize {
   std::uint32_t width = 0;
@@ -30,4 +30,4 @@ inline std::unexpected<Failure> image_fault(std::string_view sentence) {
   return fail("corrupt-frame", std::string(sentence));
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::camera

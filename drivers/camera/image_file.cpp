@@ -10,7 +10,7 @@
 #include "drivers/camera/jpeg_image.hpp"
 #include "drivers/camera/png_image.hpp"
 
-namespace pizarra {
+namespace pizarra::camera {
 namespace {
 
 using Bytes = std::span<const unsigned char>;
@@ -60,4 +60,4 @@ bool is_jpeg_or_png_file(const std::string& file) {
   return is_jpeg(first) || is_png(first);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::camera

@@ -10,7 +10,7 @@
 
 #include "lisp/result.hpp"
 
-namespace pizarra {
+namespace pizarra::camera {
 
 // Reads what is neither JPEG nor PNG; null: nobody does.
 using OtherImages = Result<cv::Mat> (*)(std::span<const unsigned char> bytes, bool grey);
@@ -21,4 +21,4 @@ Result<cv::Mat> read_image_file(const std::string& file, bool grey, OtherImages 
 // By its first bytes, whatever it is called.
 bool is_jpeg_or_png_file(const std::string& file);
 
-}  // namespace pizarra
+}  // namespace pizarra::camera

@@ -8,7 +8,7 @@
 
 #include "drivers/camera/image_pairs.hpp"
 
-namespace pizarra {
+namespace pizarra::camera {
 namespace {
 
 constexpr std::size_t most_files = 100'000;
@@ -44,7 +44,7 @@ std::vector<std::string> image_files_at(const std::string& where) {
   return out;
 }
 
-std::unique_ptr<FrameSource> make_image_source(const CameraSource& source, const CameraSetup& setup,
+std::unique_ptr<FrameSource> make_image_source(const forms::CameraSource& source, const forms::CameraSetup& setup,
                                                OtherImages others) {
   const ImageFiles::Reading reading{setup.rate_hz, setup.grey, others};
   if (setup.sources.size() < 2) return std::make_unique<ImageFiles>(source.where, reading);
@@ -52,9 +52,9 @@ std::unique_ptr<FrameSource> make_image_source(const CameraSource& source, const
   return std::make_unique<ImageFiles>(wheres, source == setup.sources[0] ? 0 : 1, reading);
 }
 
-bool shows_jpegs_and_pngs_alone(const CameraSetup& setup) {
-  return std::ranges::all_of(setup.sources, [](const CameraSource& source) {
-    if (source.kind != CameraSource::Kind::images) return false;
+bool shows_jpegs_and_pngs_alone(const forms::CameraSetup& setup) {
+  return std::ranges::all_of(setup.sources, [](const forms::CameraSource& source) {
+    if (source.kind != forms::CameraSource::Kind::images) return false;
     const std::vector<std::string> files = image_files_at(source.where);
     return !files.empty() && std::ranges::all_of(files, is_jpeg_or_png_file);
   });
@@ -87,4 +87,4 @@ Result<cv::Mat> ImageFiles::retrieve(bool grey) {
   return read_image_file(files_[taken_ - 1], grey || reading_.grey, reading_.others);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::camera

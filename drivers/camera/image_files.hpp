@@ -12,7 +12,7 @@
 #include "drivers/camera/frame_source.hpp"
 #include "drivers/camera/image_file.hpp"
 
-namespace pizarra {
+namespace pizarra::camera {
 
 class ImageFiles : public FrameSource {
  public:
@@ -50,13 +50,13 @@ class ImageFiles : public FrameSource {
 };
 
 // Of a source that is of images.
-std::unique_ptr<FrameSource> make_image_source(const CameraSource& source, const CameraSetup& setup,
+std::unique_ptr<FrameSource> make_image_source(const forms::CameraSource& source, const forms::CameraSetup& setup,
                                                OtherImages others);
 
 // Whether all that these cameras would show now are JPEGs and PNGs, and there are some.
-bool shows_jpegs_and_pngs_alone(const CameraSetup& setup);
+bool shows_jpegs_and_pngs_alone(const forms::CameraSetup& setup);
 
 // The files that ImageFiles reads, sorted; bounded.
 std::vector<std::string> image_files_at(const std::string& where);
 
-}  // namespace pizarra
+}  // namespace pizarra::camera

@@ -8,7 +8,7 @@
 #include <optional>
 #include <set>
 
-namespace pizarra {
+namespace pizarra::camera {
 namespace {
 
 constexpr const char* digits = "0123456789";
@@ -62,8 +62,8 @@ Result<ByNumbers> by_numbers(const std::vector<std::string>& files, const std::v
   for (std::size_t i = 0; i < files.size(); ++i) {
     const auto [there, added] = out.emplace(numbers[i], files[i]);
     if (added) continue;
-    return fail("unpaired", fmt::format("{} and {} have the same number: {}", name_of(there->second), name_of(files[i]),
-                                        advice));
+    return fail("unpaired",
+                fmt::format("{} and {} have the same number: {}", name_of(there->second), name_of(files[i]), advice));
   }
   return out;
 }
@@ -200,4 +200,4 @@ Result<ImagePairs> pair_files(std::vector<std::string> left, std::vector<std::st
   return std::unexpected(unpaired(left_side, *numbered_right));
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::camera

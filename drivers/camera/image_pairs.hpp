@@ -16,7 +16,7 @@
 
 #include "lisp/result.hpp"
 
-namespace pizarra {
+namespace pizarra::camera {
 
 struct ImagePairs {
   std::array<std::vector<std::string>, 2> sides;  // as many on either
@@ -26,4 +26,4 @@ struct ImagePairs {
 // Failure: unpaired.
 Result<ImagePairs> pair_files(std::vector<std::string> left, std::vector<std::string> right);
 
-}  // namespace pizarra
+}  // namespace pizarra::camera

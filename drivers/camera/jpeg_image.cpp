@@ -12,7 +12,7 @@
 #include "drivers/camera/image_faults.hpp"
 #include "drivers/camera/orientation.hpp"
 
-namespace pizarra {
+namespace pizarra::camera {
 namespace {
 
 using Bytes = std::span<const unsigned char>;
@@ -113,4 +113,4 @@ Result<cv::Mat> read_jpeg(Bytes bytes, bool grey) {
   return std::move(photograph.pixels);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::camera

@@ -10,7 +10,7 @@
 
 #include "lisp/result.hpp"
 
-namespace pizarra {
+namespace pizarra::camera {
 
 bool is_jpeg(std::span<const unsigned char> bytes);
 
@@ -21,4 +21,4 @@ inline constexpr int most_scans = 32;
 // Upright; grey, for which no colour is decoded, or BGR. Failure corrupt-frame, in the words that follow a file's name.
 Result<cv::Mat> read_jpeg(std::span<const unsigned char> bytes, bool grey);
 
-}  // namespace pizarra
+}  // namespace pizarra::camera

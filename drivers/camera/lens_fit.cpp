@@ -8,7 +8,7 @@
 #include "drivers/camera/fit_checks.hpp"
 #include "drivers/camera/fit_deviations.hpp"
 
-namespace pizarra {
+namespace pizarra::camera {
 namespace {
 
 // Few boards near the corners say little about what k3 does there.
@@ -153,4 +153,4 @@ Fit<CalibratedPair> fit_pair(const std::vector<BoardView>& views, cv::Size image
   return out;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::camera

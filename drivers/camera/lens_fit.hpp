@@ -11,7 +11,7 @@
 
 #include "drivers/camera/chessboard.hpp"
 
-namespace pizarra {
+namespace pizarra::camera {
 
 struct OddView {
   std::size_t index = 0;  // among the views
@@ -32,4 +32,4 @@ Fit<CalibratedPair> fit_pair(const std::vector<BoardView>& views, cv::Size image
 Fit<CalibratedPair> fit_single(const std::vector<BoardView>& views, cv::Size image, const CalibrationBoard& board,
                                const TellStep& tell);
 
-}  // namespace pizarra
+}  // namespace pizarra::camera

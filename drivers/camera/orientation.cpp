@@ -2,7 +2,7 @@
 
 #include "drivers/camera/header_numbers.hpp"
 
-namespace pizarra {
+namespace pizarra::camera {
 
 int orientation_in(std::span<const unsigned char> exif) {
   constexpr std::uint32_t tag = 0x112;
@@ -32,4 +32,4 @@ void turn_upright(cv::Mat& image, int orientation) {
   }
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::camera

@@ -8,11 +8,11 @@
 #include <opencv2/core.hpp>
 #include <span>
 
-namespace pizarra {
+namespace pizarra::camera {
 
 // `exif` begins as a TIFF. 1 where it says nothing.
 int orientation_in(std::span<const unsigned char> exif);
 
 void turn_upright(cv::Mat& image, int orientation);
 
-}  // namespace pizarra
+}  // namespace pizarra::camera

@@ -6,7 +6,7 @@
 
 #include "drivers/camera/header_numbers.hpp"
 
-namespace pizarra {
+namespace pizarra::camera {
 namespace {
 
 using Bytes = std::span<const unsigned char>;
@@ -80,4 +80,4 @@ Result<cv::Mat> read_other_image(Bytes bytes, bool grey) {
   return image;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::camera

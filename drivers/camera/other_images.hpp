@@ -12,7 +12,7 @@
 
 #include "drivers/camera/image_faults.hpp"
 
-namespace pizarra {
+namespace pizarra::camera {
 
 // 8 bit; grey or BGR. Failure corrupt-frame, in the words that follow a file's name.
 Result<cv::Mat> read_other_image(std::span<const unsigned char> bytes, bool grey);
@@ -20,4 +20,4 @@ Result<cv::Mat> read_other_image(std::span<const unsigned char> bytes, bool grey
 // Nothing where the bytes are none of those, or end before they say.
 std::optional<ImageSize> size_of_other_image(std::span<const unsigned char> bytes);
 
-}  // namespace pizarra
+}  // namespace pizarra::camera

@@ -9,7 +9,7 @@
 #include "drivers/camera/image_faults.hpp"
 #include "drivers/camera/orientation.hpp"
 
-namespace pizarra {
+namespace pizarra::camera {
 namespace {
 
 using Bytes = std::span<const unsigned char>;
@@ -103,4 +103,4 @@ Result<cv::Mat> read_png(Bytes bytes, bool grey) {
   return std::move(reading.pixels);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::camera

@@ -10,11 +10,11 @@
 
 #include "lisp/result.hpp"
 
-namespace pizarra {
+namespace pizarra::camera {
 
 bool is_png(std::span<const unsigned char> bytes);
 
 // Upright, 8 bit; grey or BGR. Failure corrupt-frame, in the words that follow a file's name.
 Result<cv::Mat> read_png(std::span<const unsigned char> bytes, bool grey);
 
-}  // namespace pizarra
+}  // namespace pizarra::camera

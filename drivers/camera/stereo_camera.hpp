@@ -11,7 +11,7 @@
 #include "blackboard/time/task.hpp"
 #include "lisp/result.hpp"
 
-namespace pizarra {
+namespace pizarra::camera {
 
 struct StereoFrame {
   std::uint64_t number = 0;  // counts up from 1, gaps are dropped frames
@@ -45,9 +45,9 @@ struct StereoModel {
 
 // What never reached who asked for frames.
 struct CameraDrops {
-  std::uint64_t late = 0;     // a newer one came before it was taken
-  std::uint64_t skewed = 0;   // its partner was of another moment
-  std::uint64_t corrupt = 0;  // it could not be read
+  std::uint64_t late = 0;        // a newer one came before it was taken
+  std::uint64_t skewed = 0;      // its partner was of another moment
+  std::uint64_t corrupt = 0;     // it could not be read
   std::string why_corrupt = {};  // of the newest of those
   bool operator==(const CameraDrops&) const = default;
 };
@@ -63,4 +63,4 @@ class StereoCamera {
   virtual CameraDrops drops() const { return {}; }
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::camera

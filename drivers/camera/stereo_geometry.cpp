@@ -6,20 +6,20 @@
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
 
-namespace pizarra {
+namespace pizarra::camera {
 namespace {
 
 // An ordinary webcam sees about 60 degrees.
 constexpr double usual_focal_of_width = 0.87;
 constexpr double usual_learned_at_mm = 500;
 
-bool is_single(const CameraSetup& setup) { return setup.arrangement == CameraSetup::Arrangement::single; }
+bool is_single(const forms::CameraSetup& setup) { return setup.arrangement == forms::CameraSetup::Arrangement::single; }
 
-double learned_at_mm(const CameraSetup& setup) {
+double learned_at_mm(const forms::CameraSetup& setup) {
   return setup.learned_at_mm > 0 ? setup.learned_at_mm : usual_learned_at_mm;
 }
 
-StereoModel plain_model(const CameraSetup& setup, cv::Size image) {
+StereoModel plain_model(const forms::CameraSetup& setup, cv::Size image) {
   StereoModel model;
   model.width = image.width;
   model.height = image.height;
@@ -50,7 +50,7 @@ StereoDeviations deviations_of(const StereoCalibration& calibration, double foca
 
 }  // namespace
 
-Result<StereoGeometry> StereoGeometry::make(const CameraSetup& setup,
+Result<StereoGeometry> StereoGeometry::make(const forms::CameraSetup& setup,
                                             const std::optional<StereoCalibration>& calibration, cv::Size image) {
   if (!calibration) {
     StereoGeometry plain;
@@ -148,4 +148,4 @@ cv::Point2d StereoGeometry::rectified(cv::Point2d point, Side side) const {
   return out.front();
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::camera

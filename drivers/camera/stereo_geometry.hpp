@@ -14,7 +14,7 @@
 #include "drivers/camera/stereo_camera.hpp"
 #include "lisp/forms/camera_setup.hpp"
 
-namespace pizarra {
+namespace pizarra::camera {
 
 class StereoGeometry {
  public:
@@ -22,8 +22,8 @@ class StereoGeometry {
 
   // `calibration`: what the setup's file says, where it names one. Failures: wrong-size where that is of other images,
   // wrong-calibration where it is of a pair and the setup of one camera, or the other way round.
-  static Result<StereoGeometry> make(const CameraSetup& setup, const std::optional<StereoCalibration>& calibration,
-                                     cv::Size image);
+  static Result<StereoGeometry> make(const forms::CameraSetup& setup,
+                                     const std::optional<StereoCalibration>& calibration, cv::Size image);
   explicit StereoGeometry(const StereoCalibration& calibration);
 
   const StereoModel& model() const { return model_; }
@@ -51,4 +51,4 @@ class StereoGeometry {
   Lens lenses_[2];
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::camera

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
-namespace pizarra {
+namespace pizarra::camera {
 namespace {
 
 constexpr double usual_live_hz = 30;
@@ -13,7 +13,7 @@ constexpr int most_catching_up = 16;
 
 }  // namespace
 
-StereoReader::StereoReader(const CameraSetup& setup, Sources sources, std::function<Time()> now)
+StereoReader::StereoReader(const forms::CameraSetup& setup, Sources sources, std::function<Time()> now)
     : setup_(setup), sources_(std::move(sources)), now_(std::move(now)), moments_ms_(sources_.size()) {
   assert(!sources_.empty());
 }
@@ -95,7 +95,7 @@ Result<StereoImages> StereoReader::retrieve(bool grey) {
     if (!image) return fail(named(i, image.error()));
     (i == 0 ? out.left : out.right) = std::move(*image);
   }
-  if (setup_.arrangement == CameraSetup::Arrangement::side_by_side) {
+  if (setup_.arrangement == forms::CameraSetup::Arrangement::side_by_side) {
     const int half = out.left.cols / 2;
     out.right = out.left.colRange(half, 2 * half);
     out.left = out.left.colRange(0, half);
@@ -119,4 +119,4 @@ Result<void> StereoReader::check_size(const StereoImages& images) const {
   return {};
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::camera

@@ -17,7 +17,7 @@
 #include "drivers/camera/frame_source.hpp"
 #include "drivers/camera/stereo_camera.hpp"
 
-namespace pizarra {
+namespace pizarra::camera {
 
 // As they come: grey or BGR; of one camera alone the left one only.
 struct StereoImages {
@@ -31,7 +31,7 @@ class StereoReader {
   using Sources = std::vector<std::unique_ptr<FrameSource>>;
 
   // `sources` as many as `setup.sources`; `now` is called on the reader's thread.
-  StereoReader(const CameraSetup& setup, Sources sources, std::function<Time()> now);
+  StereoReader(const forms::CameraSetup& setup, Sources sources, std::function<Time()> now);
 
   // A recording that is over shall not begin anew: grab() then fails with `ended`.
   void read_once() { once_ = true; }
@@ -52,7 +52,7 @@ class StereoReader {
   Result<void> fit_moments();
   Result<void> check_size(const StereoImages& images) const;
 
-  CameraSetup setup_;
+  forms::CameraSetup setup_;
   Sources sources_;
   std::function<Time()> now_;
   std::vector<double> moments_ms_;
@@ -62,4 +62,4 @@ class StereoReader {
   std::uint64_t skewed_ = 0;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::camera

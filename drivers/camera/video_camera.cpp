@@ -4,7 +4,7 @@
 
 #include "blackboard/time/detached_work.hpp"
 
-namespace pizarra {
+namespace pizarra::camera {
 namespace {
 
 constexpr Duration longest_opening = 10s;
@@ -12,9 +12,9 @@ constexpr Duration longest_ending = 5s;
 constexpr Duration longest_farewell = 1s;
 constexpr Duration longest_silence = 3s;  // three images of the slowest rate that may be asked for
 
-StereoReader::Sources sources_of(const CameraSetup& setup, const FrameSourceMaker& make_source) {
+StereoReader::Sources sources_of(const forms::CameraSetup& setup, const FrameSourceMaker& make_source) {
   StereoReader::Sources out;
-  for (const CameraSource& source : setup.sources) out.push_back(make_source(source, setup));
+  for (const forms::CameraSource& source : setup.sources) out.push_back(make_source(source, setup));
   return out;
 }
 
@@ -39,10 +39,10 @@ struct VideoCamera::Bell : std::enable_shared_from_this<Bell> {
   WaitList waiting;  // on the executor's thread
 };
 
-VideoCamera::VideoCamera(Executor& executor, CameraSetup setup, const FrameSourceMaker& make_source)
+VideoCamera::VideoCamera(Executor& executor, forms::CameraSetup setup, const FrameSourceMaker& make_source)
     : VideoCamera(executor, setup, [setup, make_source] { return sources_of(setup, make_source); }) {}
 
-VideoCamera::VideoCamera(Executor& executor, CameraSetup setup, MakeSources make_sources)
+VideoCamera::VideoCamera(Executor& executor, forms::CameraSetup setup, MakeSources make_sources)
     : executor_(executor),
       setup_(std::move(setup)),
       make_sources_(std::move(make_sources)),
@@ -138,4 +138,4 @@ CameraDrops VideoCamera::drops() const {
   return out;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::camera

@@ -22,15 +22,15 @@
 #include "blackboard/time/latch.hpp"
 #include "drivers/camera/camera_reading.hpp"
 
-namespace pizarra {
+namespace pizarra::camera {
 
 class VideoCamera : public StereoCamera {
  public:
   using MakeSources = std::function<StereoReader::Sources()>;
 
-  VideoCamera(Executor& executor, CameraSetup setup, const FrameSourceMaker& make_source);
+  VideoCamera(Executor& executor, forms::CameraSetup setup, const FrameSourceMaker& make_source);
   // Sources of a test's own.
-  VideoCamera(Executor& executor, CameraSetup setup, MakeSources make_sources);
+  VideoCamera(Executor& executor, forms::CameraSetup setup, MakeSources make_sources);
   VideoCamera(const VideoCamera&) = delete;
   VideoCamera& operator=(const VideoCamera&) = delete;
   ~VideoCamera() override;
@@ -47,11 +47,11 @@ class VideoCamera : public StereoCamera {
   Result<void> begin_reading();
 
   Executor& executor_;
-  CameraSetup setup_;
+  forms::CameraSetup setup_;
   MakeSources make_sources_;
   std::shared_ptr<Bell> bell_;
   std::shared_ptr<FrameDesk> desk_;
   CameraDrops dropped_before_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::camera

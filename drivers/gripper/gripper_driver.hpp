@@ -10,7 +10,7 @@
 #include "blackboard/time/task.hpp"
 #include "lisp/result.hpp"
 
-namespace pizarra {
+namespace pizarra::gripper {
 
 struct GripperReading {
   double opening_mm;  // measured, between the fingers
@@ -28,4 +28,4 @@ class GripperDriver {
   virtual Task<Result<GripperReading>> read() = 0;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::gripper

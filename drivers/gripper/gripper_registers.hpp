@@ -19,7 +19,7 @@
 
 #include "lisp/forms/gripper_setup.hpp"
 
-namespace pizarra {
+namespace pizarra::gripper {
 
 namespace gripper {
 
@@ -32,10 +32,10 @@ inline constexpr std::uint16_t arrived = 3;
 }  // namespace gripper
 
 // What a gripper is told, and what it tells.
-inline std::array<RegisterField, 5> orders_of(const GripperSetup& setup) {
+inline std::array<forms::RegisterField, 5> orders_of(const forms::GripperSetup& setup) {
   return {setup.activate, setup.go, setup.target, setup.speed_field, setup.force_field};
 }
-inline std::array<RegisterField, 4> states_of(const GripperSetup& setup) {
+inline std::array<forms::RegisterField, 4> states_of(const forms::GripperSetup& setup) {
   return {setup.active, setup.object, setup.fault, setup.opening};
 }
 
@@ -44,29 +44,30 @@ class RegisterImage {
  public:
   RegisterImage(int first, std::vector<std::uint16_t> values) : first_(first), values_(std::move(values)) {}
   // Those from the first to the last of the fields, all 0.
-  explicit RegisterImage(std::span<const RegisterField> fields)
-      : first_(std::ranges::min(fields, {}, &RegisterField::number).number),
-        values_(static_cast<std::size_t>(std::ranges::max(fields, {}, &RegisterField::number).number - first_ + 1)) {}
+  explicit RegisterImage(std::span<const forms::RegisterField> fields)
+      : first_(std::ranges::min(fields, {}, &forms::RegisterField::number).number),
+        values_(static_cast<std::size_t>(std::ranges::max(fields, {}, &forms::RegisterField::number).number - first_ +
+                                         1)) {}
 
   int first() const { return first_; }
   const std::vector<std::uint16_t>& values() const { return values_; }
-  std::uint16_t get(const RegisterField& field) const {
+  std::uint16_t get(const forms::RegisterField& field) const {
     return static_cast<std::uint16_t>(at(field) >> field.low_bit & mask(field));
   }
-  void put(const RegisterField& field, std::uint16_t value) {
+  void put(const forms::RegisterField& field, std::uint16_t value) {
     std::uint16_t& whole = values_[static_cast<std::size_t>(field.number - first_)];
     whole =
         static_cast<std::uint16_t>((whole & ~(mask(field) << field.low_bit)) | (value & mask(field)) << field.low_bit);
   }
 
  private:
-  std::uint16_t at(const RegisterField& field) const {
+  std::uint16_t at(const forms::RegisterField& field) const {
     return values_[static_cast<std::size_t>(field.number - first_)];
   }
-  static unsigned mask(const RegisterField& field) { return (1u << field.bits) - 1; }
+  static unsigned mask(const forms::RegisterField& field) { return (1u << field.bits) - 1; }
 
   int first_;
   std::vector<std::uint16_t> values_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::gripper

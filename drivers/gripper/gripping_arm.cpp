@@ -1,6 +1,6 @@
 #include "drivers/gripper/gripping_arm.hpp"
 
-namespace pizarra {
+namespace pizarra::gripper {
 
 Task<Result<void>> GrippingArm::take_control() {
   const Result<void> control = co_await arm_.take_control();
@@ -18,8 +18,8 @@ Task<Result<void>> GrippingArm::start_gripper(double opening_mm) {
   co_return Result<void>();
 }
 
-Task<Result<ArmReading>> GrippingArm::read() {
-  Result<ArmReading> reading = co_await arm_.read();
+Task<Result<arm::ArmReading>> GrippingArm::read() {
+  Result<arm::ArmReading> reading = co_await arm_.read();
   if (!reading) co_return reading;
   if (last_.moving || reads_left_-- <= 0) {
     const Result<GripperReading> gripper = co_await gripper_.read();
@@ -36,4 +36,4 @@ Task<Result<ArmReading>> GrippingArm::read() {
   co_return reading;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::gripper

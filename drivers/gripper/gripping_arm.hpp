@@ -10,28 +10,28 @@
 #include "drivers/arm/arm_driver.hpp"
 #include "drivers/gripper/gripper_driver.hpp"
 
-namespace pizarra {
+namespace pizarra::gripper {
 
-class GrippingArm : public ArmDriver {
+class GrippingArm : public arm::ArmDriver {
  public:
   // Both outlive it.
-  GrippingArm(ArmDriver& arm, GripperDriver& gripper) : arm_(arm), gripper_(gripper) {}
+  GrippingArm(arm::ArmDriver& arm, GripperDriver& gripper) : arm_(arm), gripper_(gripper) {}
   Task<Result<std::string>> identify() override { return arm_.identify(); }
   Task<Result<void>> take_control() override;
-  Task<Result<void>> start_move(std::vector<Joints> waypoints, double speed) override {
+  Task<Result<void>> start_move(std::vector<arm::Joints> waypoints, double speed) override {
     return arm_.start_move(std::move(waypoints), speed);
   }
   Task<Result<void>> stop() override { return arm_.stop(); }
   Task<Result<void>> start_gripper(double opening_mm) override;
-  Task<Result<ArmReading>> read() override;
+  Task<Result<arm::ArmReading>> read() override;
 
  private:
   static constexpr int reads_of_an_opening = 10;
 
-  ArmDriver& arm_;
+  arm::ArmDriver& arm_;
   GripperDriver& gripper_;
   GripperReading last_{};
   int reads_left_ = 0;  // until the gripper is asked again
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::gripper

@@ -6,7 +6,7 @@
 #include <modbus/modbus.h>
 #include <mutex>
 
-namespace pizarra {
+namespace pizarra::gripper {
 
 namespace {
 
@@ -121,4 +121,4 @@ Task<Result<void>> ModbusClient::write(int first, std::vector<std::uint16_t> val
   co_return Result<void>();
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::gripper

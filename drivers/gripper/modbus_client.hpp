@@ -22,7 +22,7 @@
 #include "blackboard/time/turns.hpp"
 #include "lisp/result.hpp"
 
-namespace pizarra {
+namespace pizarra::gripper {
 
 class ModbusClient {
  public:
@@ -44,4 +44,4 @@ class ModbusClient {
   Turns turns_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::gripper

@@ -3,11 +3,11 @@
 #include <cmath>
 #include <fmt/format.h>
 
-namespace pizarra {
+namespace pizarra::gripper {
 
 namespace {
 
-std::uint16_t part_of(double part, const RegisterField& field) {
+std::uint16_t part_of(double part, const forms::RegisterField& field) {
   return static_cast<std::uint16_t>(std::lround(part * ((1 << field.bits) - 1)));
 }
 
@@ -87,4 +87,4 @@ Task<Result<GripperReading>> ModbusGripper::read() {
   co_return reading;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::gripper

@@ -16,12 +16,12 @@
 #include "drivers/gripper/gripper_registers.hpp"
 #include "drivers/gripper/modbus_client.hpp"
 
-namespace pizarra {
+namespace pizarra::gripper {
 
 class ModbusGripper : public GripperDriver {
  public:
   // The client outlives it.
-  ModbusGripper(Executor& executor, ModbusClient& client, GripperSetup setup)
+  ModbusGripper(Executor& executor, ModbusClient& client, forms::GripperSetup setup)
       : executor_(executor), client_(client), setup_(std::move(setup)) {}
   Task<Result<void>> connect() override;
   Task<Result<void>> start(double opening_mm) override;
@@ -38,8 +38,8 @@ class ModbusGripper : public GripperDriver {
 
   Executor& executor_;
   ModbusClient& client_;
-  GripperSetup setup_;
+  forms::GripperSetup setup_;
   Time started_at_{};
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::gripper

@@ -18,7 +18,7 @@
 #include "blackboard/time/task.hpp"
 #include "lisp/result.hpp"
 
-namespace pizarra {
+namespace pizarra::line {
 
 class ByteWire {
  public:
@@ -33,4 +33,4 @@ class ByteWire {
   virtual std::string place() const { return {}; }
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::line

@@ -19,7 +19,7 @@
 #include "blackboard/time/task.hpp"
 #include "lisp/result.hpp"
 
-namespace pizarra {
+namespace pizarra::line {
 
 class DatagramWire {
  public:
@@ -33,4 +33,4 @@ class DatagramWire {
   virtual std::string place() const { return {}; }
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::line

@@ -6,10 +6,10 @@
 
 #include <string>
 
-namespace pizarra {
+namespace pizarra::line {
 
 inline std::string device_at(std::string device, const std::string& place) {
   return place.empty() ? device : device + " at " + place;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::line

@@ -1,6 +1,6 @@
 #include "drivers/line/dialogue.hpp"
 
-namespace pizarra {
+namespace pizarra::line {
 
 Task<Result<void>> Dialogue::open(Time deadline) {
   Result<void> open = co_await wire_.open(deadline);
@@ -20,4 +20,4 @@ Task<Result<std::string>> Dialogue::ask(std::string question, Fits fits) {
   }
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::line

@@ -11,11 +11,11 @@
 
 #include <functional>
 
+#include "blackboard/time/turns.hpp"
 #include "drivers/line/device_at.hpp"
 #include "drivers/line/frames.hpp"
-#include "blackboard/time/turns.hpp"
 
-namespace pizarra {
+namespace pizarra::line {
 
 class Dialogue {
  public:
@@ -50,4 +50,4 @@ class Dialogue {
   Turns turns_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::line

@@ -4,7 +4,7 @@
 
 #include "drivers/line/device_at.hpp"
 
-namespace pizarra {
+namespace pizarra::line {
 
 struct Exchanges::Waiting {
   Waiting(Exchanges& the_exchanges, std::uint32_t the_id)
@@ -60,4 +60,4 @@ Task<Result<std::string>> Exchanges::ask(std::uint32_t id, std::string request, 
   co_return fail("no-answer", device_at("the device", wire_.place()) + " did not answer");
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::line

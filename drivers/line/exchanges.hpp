@@ -16,7 +16,7 @@
 #include "blackboard/time/latch.hpp"
 #include "drivers/line/datagram_wire.hpp"
 
-namespace pizarra {
+namespace pizarra::line {
 
 struct Retries {
   int tries = 25;
@@ -50,4 +50,4 @@ class Exchanges {
   Job receiving_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::line

@@ -5,7 +5,7 @@
 #include <system_error>
 #include <unistd.h>
 
-namespace pizarra {
+namespace pizarra::line {
 
 std::string system_error() { return std::generic_category().message(errno); }
 
@@ -59,4 +59,4 @@ Task<Result<std::string>> FileWire::read(Time deadline) {
   co_return std::exchange(unread_, {});
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::line

@@ -6,7 +6,7 @@
 #include "blackboard/time/latch.hpp"
 #include "drivers/line/byte_wire.hpp"
 
-namespace pizarra {
+namespace pizarra::line {
 
 class FileWire : public ByteWire {
  public:
@@ -37,4 +37,4 @@ class FileWire : public ByteWire {
 // What errno says.
 std::string system_error();
 
-}  // namespace pizarra
+}  // namespace pizarra::line

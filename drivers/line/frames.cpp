@@ -1,6 +1,6 @@
 #include "drivers/line/frames.hpp"
 
-namespace pizarra {
+namespace pizarra::line {
 
 Task<Result<std::string>> Frames::next(Time deadline) {
   while (true) {
@@ -26,4 +26,4 @@ Result<std::optional<Frame>> frame_of_line(std::string_view octets) {
   return Frame{end + 1, octets.substr(begin, end - begin)};
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::line

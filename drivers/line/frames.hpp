@@ -11,7 +11,7 @@
 
 #include "drivers/line/byte_wire.hpp"
 
-namespace pizarra {
+namespace pizarra::line {
 
 // The first message of what has come: all of its octets, and the part of them that says something.
 struct Frame {
@@ -40,4 +40,4 @@ class Frames {
 // A line of text that ends with LF, CR or both; empty ones are passed over.
 Result<std::optional<Frame>> frame_of_line(std::string_view octets);
 
-}  // namespace pizarra
+}  // namespace pizarra::line

@@ -16,7 +16,7 @@
 #include <string>
 #include <string_view>
 
-namespace pizarra {
+namespace pizarra::line {
 
 enum class ByteOrder : std::uint8_t { little, big };
 
@@ -92,4 +92,4 @@ class OctetReader {
   bool sound_ = true;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::line

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-namespace pizarra {
+namespace pizarra::line {
 
 inline bool is_printable(char c) { return c >= 0x20 && c < 0x7f; }
 
@@ -25,4 +25,4 @@ inline std::string printable(std::string_view text) {
   return out;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::line

@@ -5,7 +5,7 @@
 #include <termios.h>
 #include <unistd.h>
 
-namespace pizarra {
+namespace pizarra::line {
 
 Result<std::unique_ptr<PtyWire>> PtyWire::make(Executor& executor) {
   const int master = ::posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
@@ -43,4 +43,4 @@ Task<Result<void>> PtyWire::open(Time) {
   co_return Result<void>();
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::line

@@ -10,7 +10,7 @@
 
 #include "drivers/line/file_wire.hpp"
 
-namespace pizarra {
+namespace pizarra::line {
 
 class PtyWire : public FileWire {
  public:
@@ -28,4 +28,4 @@ class PtyWire : public FileWire {
   std::string path_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::line

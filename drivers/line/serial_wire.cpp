@@ -5,7 +5,7 @@
 #include <termios.h>
 #include <unistd.h>
 
-namespace pizarra {
+namespace pizarra::line {
 
 namespace {
 
@@ -61,4 +61,4 @@ Task<Result<void>> SerialWire::open(Time) {
   co_return Result<void>();
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::line

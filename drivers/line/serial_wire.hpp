@@ -7,7 +7,7 @@
 
 #include "drivers/line/file_wire.hpp"
 
-namespace pizarra {
+namespace pizarra::line {
 
 enum class Parity : std::uint8_t { none, even };
 
@@ -27,4 +27,4 @@ class SerialWire : public FileWire {
   Parity parity_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::line

@@ -7,7 +7,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-namespace pizarra {
+namespace pizarra::line {
 
 namespace {
 
@@ -79,4 +79,4 @@ Task<Result<void>> TcpPort::open(Time deadline) {
   co_return Result<void>();
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::line

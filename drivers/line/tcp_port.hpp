@@ -9,7 +9,7 @@
 
 #include "drivers/line/file_wire.hpp"
 
-namespace pizarra {
+namespace pizarra::line {
 
 // A socket that listens, and where.
 struct Listening {
@@ -33,4 +33,4 @@ class TcpPort : public FileWire {
   std::uint16_t port_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::line

@@ -9,7 +9,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-namespace pizarra {
+namespace pizarra::line {
 
 namespace {
 
@@ -84,4 +84,4 @@ Task<Result<void>> TcpWire::open(Time deadline) {
   co_return Result<void>();
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::line

@@ -6,7 +6,7 @@
 
 #include "drivers/line/file_wire.hpp"
 
-namespace pizarra {
+namespace pizarra::line {
 
 class TcpWire : public FileWire {
  public:
@@ -20,4 +20,4 @@ class TcpWire : public FileWire {
   std::uint16_t port_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::line

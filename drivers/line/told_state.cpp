@@ -1,6 +1,6 @@
 #include "drivers/line/told_state.hpp"
 
-namespace pizarra {
+namespace pizarra::line {
 
 void ToldState::forget() {
   listening_ = Job();
@@ -48,4 +48,4 @@ Task<bool> ToldState::until(std::function<bool()> what, Duration patience) {
   co_return true;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::line

@@ -15,7 +15,7 @@
 
 #include "drivers/line/dialogue.hpp"
 
-namespace pizarra {
+namespace pizarra::line {
 
 class ToldState {
  public:
@@ -47,4 +47,4 @@ class ToldState {
   Job listening_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::line

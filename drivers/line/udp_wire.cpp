@@ -9,7 +9,7 @@
 
 #include "drivers/line/file_wire.hpp"
 
-namespace pizarra {
+namespace pizarra::line {
 
 namespace {
 
@@ -130,4 +130,4 @@ Result<std::unique_ptr<UdpPort>> UdpPort::listen(Executor& executor, const std::
 
 Task<Result<void>> UdpPort::open(Time) { co_return Result<void>(); }
 
-}  // namespace pizarra
+}  // namespace pizarra::line

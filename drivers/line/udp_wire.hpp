@@ -13,7 +13,7 @@
 #include "blackboard/time/latch.hpp"
 #include "drivers/line/datagram_wire.hpp"
 
-namespace pizarra {
+namespace pizarra::line {
 
 // What both have in common.
 class UdpSocket : public DatagramWire {
@@ -72,4 +72,4 @@ class UdpPort : public UdpSocket {
   std::uint16_t port_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::line

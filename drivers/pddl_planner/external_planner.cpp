@@ -12,7 +12,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-namespace pizarra {
+namespace pizarra::pddl_planner {
 
 namespace {
 
@@ -192,4 +192,4 @@ Result<PlanClaim> ExternalPlanner::plan(const std::string& domain, const std::st
   return fail("garbage", "there is no plan in what the planner wrote" + last_words(end.output));
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::pddl_planner

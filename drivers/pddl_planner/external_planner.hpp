@@ -15,7 +15,7 @@
 #include "drivers/pddl_planner/plan_output.hpp"
 #include "drivers/pddl_planner/planner_process.hpp"
 
-namespace pizarra {
+namespace pizarra::pddl_planner {
 
 struct PlanClaim {
   PlanActions actions;
@@ -40,4 +40,4 @@ class ExternalPlanner {
   ProcessLimits limits_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::pddl_planner

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <optional>
 
-namespace pizarra {
+namespace pizarra::pddl_planner {
 
 namespace {
 
@@ -128,4 +128,4 @@ Result<PlanActions> read_actions(std::string_view text, const PlanOperators& ope
   return found;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::pddl_planner

@@ -17,7 +17,7 @@
 
 #include "lisp/result.hpp"
 
-namespace pizarra {
+namespace pizarra::pddl_planner {
 
 // An operator's name and its objects'.
 using PlanActions = std::vector<std::vector<std::string>>;
@@ -31,4 +31,4 @@ PlanActions find_actions(std::string_view text, const PlanOperators& operators);
 // Where nothing but a plan should be. Fails with `garbage` at a line that is no action.
 Result<PlanActions> read_actions(std::string_view text, const PlanOperators& operators);
 
-}  // namespace pizarra
+}  // namespace pizarra::pddl_planner

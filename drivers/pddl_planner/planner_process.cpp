@@ -12,7 +12,7 @@
 
 #include "drivers/pddl_planner/process_keeper.hpp"
 
-namespace pizarra {
+namespace pizarra::pddl_planner {
 
 namespace {
 
@@ -156,4 +156,4 @@ ProcessEnd run_process(const std::string& command, const std::string& folder, co
   return watch(process, limits, cancelled);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::pddl_planner

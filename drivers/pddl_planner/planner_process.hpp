@@ -10,7 +10,7 @@
 #include <functional>
 #include <string>
 
-namespace pizarra {
+namespace pizarra::pddl_planner {
 
 struct ProcessLimits {
   double seconds = 300;                   // of wall time; of processor time a little more
@@ -30,4 +30,4 @@ struct ProcessEnd {
 ProcessEnd run_process(const std::string& command, const std::string& folder, const ProcessLimits& limits,
                        const std::function<bool()>& cancelled);
 
-}  // namespace pizarra
+}  // namespace pizarra::pddl_planner

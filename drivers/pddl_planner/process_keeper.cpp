@@ -17,7 +17,7 @@
 #include <unistd.h>
 #include <vector>
 
-namespace pizarra {
+namespace pizarra::pddl_planner {
 
 namespace {
 
@@ -110,4 +110,4 @@ void keep(int life, const std::function<void()>& become) {
   end_like(status);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::pddl_planner

@@ -9,9 +9,9 @@
 
 #include <functional>
 
-namespace pizarra {
+namespace pizarra::pddl_planner {
 
 // In the child after fork(). `become` turns the program's own process into it.
 [[noreturn]] void keep(int life, const std::function<void()>& become);
 
-}  // namespace pizarra
+}  // namespace pizarra::pddl_planner

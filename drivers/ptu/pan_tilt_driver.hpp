@@ -12,7 +12,7 @@
 #include "blackboard/time/task.hpp"
 #include "lisp/result.hpp"
 
-namespace pizarra {
+namespace pizarra::ptu {
 
 enum class PanTiltAxis : std::uint8_t { pan, tilt };
 
@@ -50,4 +50,4 @@ class PanTiltDriver {
   virtual Task<Result<PanTiltReading>> read() = 0;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::ptu

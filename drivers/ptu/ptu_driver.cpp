@@ -7,13 +7,13 @@
 #include "drivers/line/device_at.hpp"
 #include "drivers/line/printable.hpp"
 
-namespace pizarra {
+namespace pizarra::ptu {
 
-PtuDriver::PtuDriver(Executor& executor, ByteWire& wire, PtuDirections directions)
+PtuDriver::PtuDriver(Executor& executor, line::ByteWire& wire, PtuDirections directions)
     : executor_(executor),
       wire_(wire),
-      device_(device_at("the pan-tilt unit", wire.place())),
-      lines_(wire, frame_of_line),
+      device_(line::device_at("the pan-tilt unit", wire.place())),
+      lines_(wire, line::frame_of_line),
       pan_{.letter = 'P', .name = "pan", .way = directions.pan_reversed ? -1.0 : 1.0},
       tilt_{.letter = 'T', .name = "tilt", .way = directions.tilt_reversed ? -1.0 : 1.0},
       why_lost_(device_ + " is not connected"),
@@ -31,7 +31,7 @@ std::unexpected<Failure> PtuDriver::lose(Failure why) {
 }
 
 std::unexpected<Failure> PtuDriver::not_understood(std::string_view command, std::string_view said) const {
-  return fail("bad-reply", fmt::format("{} answered {} with \"{}\"", device_, command, printable(said)));
+  return fail("bad-reply", fmt::format("{} answered {} with \"{}\"", device_, command, line::printable(said)));
 }
 
 // Sends a command and answers what the unit says to it, without its star.
@@ -46,7 +46,7 @@ Task<Result<std::string>> PtuDriver::exchange(std::string command, Duration pati
       co_return lose({"no-answer", sentence, {}, {}});
     }
     if (!line) co_return lose(line.error());
-    if (!is_printable(*line)) co_return lose(not_understood(command, *line).error());
+    if (!line::is_printable(*line)) co_return lose(not_understood(command, *line).error());
     const PtuLine said = read_ptu_line(*line);
     const bool its_own = said.echo == command;
     if (said.result == PtuLine::Result::none) {
@@ -60,7 +60,7 @@ Task<Result<std::string>> PtuDriver::exchange(std::string command, Duration pati
     if (echoes_ && !its_own) continue;
     if (!said.echo.empty() && !its_own) co_return lose(not_understood(command, *line).error());
     if (said.result == PtuLine::Result::ok) co_return said.text;
-    co_return fail("refused", fmt::format("{} refused {}: {}", device_, command, printable(said.text)));
+    co_return fail("refused", fmt::format("{} refused {}: {}", device_, command, line::printable(said.text)));
   }
 }
 
@@ -234,4 +234,4 @@ Task<Result<PanTiltReading>> PtuDriver::read() {
   co_return reading;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::ptu

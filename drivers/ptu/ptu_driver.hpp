@@ -16,12 +16,12 @@
 // lose and garble; never with hardware. Which way a unit counts is not in the sources: where pan counts to the left or
 // tilt counts downwards, say so in PtuDirections.
 
+#include "blackboard/time/turns.hpp"
+#include "drivers/line/frames.hpp"
 #include "drivers/ptu/pan_tilt_driver.hpp"
 #include "drivers/ptu/ptu_reply.hpp"
-#include "drivers/line/frames.hpp"
-#include "blackboard/time/turns.hpp"
 
-namespace pizarra {
+namespace pizarra::ptu {
 
 struct PtuDirections {
   bool pan_reversed = false;
@@ -31,7 +31,7 @@ struct PtuDirections {
 class PtuDriver : public PanTiltDriver {
  public:
   // The wire outlives it.
-  PtuDriver(Executor& executor, ByteWire& wire, PtuDirections directions = {});
+  PtuDriver(Executor& executor, line::ByteWire& wire, PtuDirections directions = {});
 
   Task<Result<PanTiltRange>> connect() override;
   void close() override;
@@ -76,9 +76,9 @@ class PtuDriver : public PanTiltDriver {
   std::unexpected<Failure> not_understood(std::string_view command, std::string_view said) const;
 
   Executor& executor_;
-  ByteWire& wire_;
+  line::ByteWire& wire_;
   const std::string device_;
-  Frames lines_;
+  line::Frames lines_;
   Axis pan_;
   Axis tilt_;
   bool connected_ = false;
@@ -87,4 +87,4 @@ class PtuDriver : public PanTiltDriver {
   Turns turns_;  // commands are carried out one after another
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::ptu

@@ -2,7 +2,7 @@
 
 #include <charconv>
 
-namespace pizarra {
+namespace pizarra::ptu {
 
 namespace {
 
@@ -48,4 +48,4 @@ std::optional<double> first_number(std::string_view text) {
   return std::nullopt;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::ptu

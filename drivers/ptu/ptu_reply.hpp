@@ -11,7 +11,7 @@
 #include <string>
 #include <string_view>
 
-namespace pizarra {
+namespace pizarra::ptu {
 
 struct PtuLine {
   enum class Result : std::uint8_t { none, ok, error };
@@ -27,4 +27,4 @@ PtuLine read_ptu_line(std::string_view line);
 // The first number of a text, such as 185.1428 of "185.1428 seconds arc per position".
 std::optional<double> first_number(std::string_view text);
 
-}  // namespace pizarra
+}  // namespace pizarra::ptu

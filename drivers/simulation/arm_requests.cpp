@@ -2,21 +2,21 @@
 
 #include "drivers/simulation/hand_request.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 namespace {
 
 Datum yes_no(bool value) { return value ? "yes"_sym : "no"_sym; }
 
-Datum joints_to_datum(const Joints& joints) {
+Datum joints_to_datum(const arm::Joints& joints) {
   std::vector<Datum> out;
   for (const double angle : joints) out.push_back(Datum::real(angle));
   return Datum::list(std::move(out));
 }
 
-Result<Joints> joints_from_datum(const Datum& datum) {
-  if (datum.size() < 1 || datum.size() > most_axes) return bad_request(datum);
-  Joints joints(datum.size());
+Result<arm::Joints> joints_from_datum(const Datum& datum) {
+  if (datum.size() < 1 || datum.size() > arm::most_axes) return bad_request(datum);
+  arm::Joints joints(datum.size());
   for (std::size_t axis = 0; axis < joints.size(); ++axis) {
     if (!datum[axis].is_number()) return bad_request(datum);
     joints[axis] = datum[axis].number();
@@ -25,11 +25,11 @@ Result<Joints> joints_from_datum(const Datum& datum) {
 }
 
 // Of (ARM move SPEED (J1 ... JN) ...).
-Result<std::vector<Joints>> waypoints_of(const Datum& request) {
+Result<std::vector<arm::Joints>> waypoints_of(const Datum& request) {
   if (request.size() < 4 || !request[2].is_number()) return bad_request(request);
-  std::vector<Joints> waypoints;
+  std::vector<arm::Joints> waypoints;
   for (const Datum& item : request.items().subspan(3)) {
-    const Result<Joints> joints = joints_from_datum(item);
+    const Result<arm::Joints> joints = joints_from_datum(item);
     if (!joints) return fail(joints);
     waypoints.push_back(*joints);
   }
@@ -55,7 +55,7 @@ Result<void> CellArm::controlled() const {
   return {};
 }
 
-Task<Result<void>> CellArm::start_move(std::vector<Joints> waypoints, double speed) {
+Task<Result<void>> CellArm::start_move(std::vector<arm::Joints> waypoints, double speed) {
   const Result<void> allowed = controlled();
   if (!allowed) co_return allowed;
   co_return cell_.arm().start(std::move(waypoints), speed);
@@ -73,16 +73,16 @@ Task<Result<void>> CellArm::start_gripper(double opening_mm) {
   co_return Result<void>();
 }
 
-Task<Result<ArmReading>> CellArm::read() {
-  ArmReading reading{.joints = cell_.arm().joints(),
-                     .moving = cell_.arm().moving(),
-                     .stopped = cell_.arm().stopped(),
-                     .opening_mm = cell_.gripper().opening_mm(),
-                     .gripper_moving = cell_.gripper().moving()};
+Task<Result<arm::ArmReading>> CellArm::read() {
+  arm::ArmReading reading{.joints = cell_.arm().joints(),
+                          .moving = cell_.arm().moving(),
+                          .stopped = cell_.arm().stopped(),
+                          .opening_mm = cell_.gripper().opening_mm(),
+                          .gripper_moving = cell_.gripper().moving()};
   co_return reading;
 }
 
-Task<Result<Message>> answer_arm(ArmDriver& arm, Datum request) {
+Task<Result<Message>> answer_arm(arm::ArmDriver& arm, Datum request) {
   const std::string_view what = word(request, 1);
   if (what == "identify") {
     const Result<std::string> type = co_await arm.identify();
@@ -90,13 +90,13 @@ Task<Result<Message>> answer_arm(ArmDriver& arm, Datum request) {
     co_return Message{list(*type)};
   }
   if (what == "read") {
-    const Result<ArmReading> reading = co_await arm.read();
+    const Result<arm::ArmReading> reading = co_await arm.read();
     if (!reading) co_return fail(reading);
     co_return Message{list(joints_to_datum(reading->joints), yes_no(reading->moving), yes_no(reading->stopped),
                            reading->opening_mm, yes_no(reading->gripper_moving))};
   }
   if (what == "move") {
-    Result<std::vector<Joints>> waypoints = waypoints_of(request);
+    Result<std::vector<arm::Joints>> waypoints = waypoints_of(request);
     if (!waypoints) co_return fail(waypoints);
     const double speed = request[2].number();
     const Result<void> started = co_await arm.start_move(std::move(*waypoints), speed);
@@ -119,4 +119,4 @@ Task<Result<Message>> answer_arm(ArmDriver& arm, Datum request) {
   co_return bad_request(request);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

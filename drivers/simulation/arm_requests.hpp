@@ -8,18 +8,18 @@
 #include "drivers/simulation/link.hpp"
 #include "drivers/simulation/physics/physical_cell.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 // The arm among the world's cubes.
-class CellArm : public ArmDriver {
+class CellArm : public arm::ArmDriver {
  public:
   CellArm(Cell& cell, std::string type) : cell_(cell), type_(std::move(type)) {}
   Task<Result<std::string>> identify() override;
   Task<Result<void>> take_control() override;
-  Task<Result<void>> start_move(std::vector<Joints> waypoints, double speed) override;
+  Task<Result<void>> start_move(std::vector<arm::Joints> waypoints, double speed) override;
   Task<Result<void>> stop() override;
   Task<Result<void>> start_gripper(double opening_mm) override;
-  Task<Result<ArmReading>> read() override;
+  Task<Result<arm::ArmReading>> read() override;
 
  private:
   Result<void> controlled() const;
@@ -30,6 +30,6 @@ class CellArm : public ArmDriver {
 };
 
 // Failures: bad-request, and the arm's.
-Task<Result<Message>> answer_arm(ArmDriver& arm, Datum request);
+Task<Result<Message>> answer_arm(arm::ArmDriver& arm, Datum request);
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

@@ -11,7 +11,7 @@
 #include "blackboard/time/clock.hpp"
 #include "drivers/simulation/physics/physics.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 class FrameClock {
  public:
@@ -33,4 +33,4 @@ class FrameClock {
   Time start_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

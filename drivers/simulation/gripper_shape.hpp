@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 struct Box {
   Eigen::Vector3d centre_mm;
@@ -23,4 +23,4 @@ inline const Box plate{{28, 0, -68}, {2, 29, 28}};
 inline const Eigen::Vector3d mark{30, 0, -66};
 }  // namespace gripper_shape
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 namespace {
 
@@ -69,4 +69,4 @@ Result<void> begin_hand(Cell& cell, const Datum& request) {
   return bad_request(request);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

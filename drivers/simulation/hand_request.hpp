@@ -4,7 +4,7 @@
 
 #include "drivers/simulation/physics/physical_cell.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 // The text of a request's symbol or string at `index`; empty where there is none.
 std::string_view word(const Datum& request, std::size_t index);
@@ -13,4 +13,4 @@ std::unexpected<Failure> bad_request(const Datum& request);
 // Failures: unknown-object, busy, bad-request.
 Result<void> begin_hand(Cell& cell, const Datum& request);
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

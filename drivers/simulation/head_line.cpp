@@ -2,7 +2,7 @@
 
 #include "drivers/simulation/hand_request.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 HeadLine::HeadLine(Executor& executor, const PtuModel& model)
     : executor_(executor), unit_(executor, model), said_(executor) {
@@ -41,4 +41,4 @@ Task<Result<Message>> HeadLine::hear() {
   co_return message;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

@@ -6,7 +6,7 @@
 #include "drivers/simulation/controllers/ptu_emulator.hpp"
 #include "drivers/simulation/link.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 class HeadLine {
  public:
@@ -25,4 +25,4 @@ class HeadLine {
   WaitList said_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

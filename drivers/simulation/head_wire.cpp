@@ -1,10 +1,10 @@
 #include "drivers/simulation/head_wire.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 namespace {
 
-constexpr Duration answer_time = 2s;
+constexpr Duration head_time = 2s;
 
 }  // namespace
 
@@ -28,11 +28,11 @@ Result<void> HeadWire::write(std::string_view bytes) {
 Task<Result<std::string>> HeadWire::exchange() {
   if (!unsent_.empty()) {
     const Datum said = list("head"_sym, "send"_sym, std::exchange(unsent_, {}));
-    const Result<Message> sent = co_await link_.call(said, answer_time);
+    const Result<Message> sent = co_await link_.call(said, head_time);
     if (!sent) co_return fail("disconnected", sent.error().sentence);
   }
   const Datum listen = list("head"_sym, "hear"_sym);
-  const Result<Message> heard = co_await link_.call(listen, answer_time);
+  const Result<Message> heard = co_await link_.call(listen, head_time);
   if (!heard) co_return fail("disconnected", heard.error().sentence);
   if (heard->head.size() != 1) co_return fail("disconnected", "the world answered nonsense", heard->head);
   co_return std::string(heard->head[0].text());
@@ -48,4 +48,4 @@ Task<Result<std::string>> HeadWire::read(Time deadline) {
   co_return fail("disconnected", "the line is closed");
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

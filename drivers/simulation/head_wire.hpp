@@ -7,12 +7,12 @@
 //   PtuDriver unit(executor, wire);
 
 #include "blackboard/time/executor.hpp"
-#include "drivers/simulation/link.hpp"
 #include "drivers/line/byte_wire.hpp"
+#include "drivers/simulation/link.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
-class HeadWire : public ByteWire {
+class HeadWire : public line::ByteWire {
  public:
   // The link outlives it.
   HeadWire(Executor& executor, Link& link) : executor_(executor), link_(link) {}
@@ -31,4 +31,4 @@ class HeadWire : public ByteWire {
   std::string unsent_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

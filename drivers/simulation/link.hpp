@@ -15,7 +15,7 @@
 #include "blackboard/time/task.hpp"
 #include "lisp/result.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 struct Message {
   Datum head;  // a list of values
@@ -46,4 +46,4 @@ class LocalLink : public Link {
   World& world_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

@@ -4,7 +4,7 @@
 
 #include "drivers/simulation/link_wire.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 Result<std::unique_ptr<LinkServer>> LinkServer::listen(Executor& executor, zmq::context_t& context,
                                                        const std::string& address, World& world) {
@@ -68,4 +68,4 @@ void LinkServer::reply(const std::string& peer, std::uint64_t id, const Result<M
   });
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

@@ -15,7 +15,7 @@
 #include "blackboard/time/executor.hpp"
 #include "drivers/simulation/world.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 class LinkServer {
  public:
@@ -40,4 +40,4 @@ class LinkServer {
   std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

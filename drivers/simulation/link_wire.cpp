@@ -6,7 +6,7 @@
 #include "lisp/reader.hpp"
 #include "lisp/writer.hpp"
 
-namespace pizarra::link_wire {
+namespace pizarra::simulation::link_wire {
 
 namespace {
 
@@ -110,4 +110,4 @@ void limit(zmq::socket_t& socket) {
   socket.set(zmq::sockopt::maxmsgsize, longest_message);
 }
 
-}  // namespace pizarra::link_wire
+}  // namespace pizarra::simulation::link_wire

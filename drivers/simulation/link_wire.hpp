@@ -8,7 +8,7 @@
 
 #include "drivers/simulation/link.hpp"
 
-namespace pizarra::link_wire {
+namespace pizarra::simulation::link_wire {
 
 inline constexpr std::size_t most_calls = 64;
 inline constexpr std::size_t most_images = 2;
@@ -37,4 +37,4 @@ Result<WireAnswer> read_answer(const Parts& parts);
 std::optional<Parts> receive_parts(zmq::socket_t& socket);
 void limit(zmq::socket_t& socket);
 
-}  // namespace pizarra::link_wire
+}  // namespace pizarra::simulation::link_wire

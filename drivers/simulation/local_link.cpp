@@ -1,7 +1,7 @@
 #include "drivers/simulation/link.hpp"
 #include "drivers/simulation/world.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 Task<Result<Message>> LocalLink::call(Datum request, Duration) { return world_.handle(std::move(request)); }
 
@@ -9,4 +9,4 @@ Task<Result<Message>> NoLink::call(Datum, Duration) {
   co_return fail("disconnected", "there is no simulated world here");
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 namespace {
 
@@ -12,14 +12,14 @@ std::unexpected<Failure> odd_answer(const Datum& answer) {
   return fail("disconnected", "the arm's controller answered nonsense", answer);
 }
 
-Datum joints_to_datum(const Joints& joints) {
+Datum joints_to_datum(const arm::Joints& joints) {
   std::vector<Datum> out;
   for (const double angle : joints) out.push_back(Datum::real(angle));
   return Datum::list(std::move(out));
 }
 
-bool finite(const std::vector<Joints>& waypoints) {
-  for (const Joints& joints : waypoints) {
+bool finite(const std::vector<arm::Joints>& waypoints) {
+  for (const arm::Joints& joints : waypoints) {
     for (const double angle : joints) {
       if (!std::isfinite(angle)) return false;
     }
@@ -58,11 +58,11 @@ Task<Result<void>> SimulatedArm::take_control() {
   co_return taken;
 }
 
-Task<Result<void>> SimulatedArm::start_move(std::vector<Joints> waypoints, double speed) {
+Task<Result<void>> SimulatedArm::start_move(std::vector<arm::Joints> waypoints, double speed) {
   const bool sound = std::isfinite(speed) && finite(waypoints);
   if (!sound) co_return fail("not-finite", "a joint angle or the speed is not a number");
   std::vector<Datum> request{device_, "move"_sym, Datum::real(speed)};
-  for (const Joints& joints : waypoints) request.push_back(joints_to_datum(joints));
+  for (const arm::Joints& joints : waypoints) request.push_back(joints_to_datum(joints));
   Datum form = Datum::list(std::move(request));
   Result<void> started = co_await command(std::move(form));
   co_return started;
@@ -77,15 +77,15 @@ Task<Result<void>> SimulatedArm::start_gripper(double opening_mm) {
   co_return started;
 }
 
-Task<Result<ArmReading>> SimulatedArm::read() {
+Task<Result<arm::ArmReading>> SimulatedArm::read() {
   const Datum request = list(device_, "read"_sym);
   const Result<Message> answer = co_await link_.call(request, answer_time);
   if (!answer) co_return fail(answer);
   const Datum& head = answer->head;
-  const bool shaped = head.size() == 5 && head[0].size() >= 1 && head[0].size() <= most_axes;
+  const bool shaped = head.size() == 5 && head[0].size() >= 1 && head[0].size() <= arm::most_axes;
   if (!shaped) co_return odd_answer(head);
-  ArmReading reading{};
-  reading.joints = Joints(head[0].size());
+  arm::ArmReading reading{};
+  reading.joints = arm::Joints(head[0].size());
   for (std::size_t axis = 0; axis < reading.joints.size(); ++axis) reading.joints[axis] = head[0][axis].number();
   reading.moving = head[1].is_symbol("yes");
   reading.stopped = head[2].is_symbol("yes");
@@ -94,4 +94,4 @@ Task<Result<ArmReading>> SimulatedArm::read() {
   co_return reading;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

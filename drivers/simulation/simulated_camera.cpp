@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 namespace {
 
-constexpr Duration answer_time = 2s;
+constexpr Duration image_time = 2s;
 
 bool fits(const std::shared_ptr<const Image>& image, bool colour) {
   if (!image || image->channels != (colour ? 3 : 1)) return false;
@@ -16,30 +16,30 @@ bool fits(const std::shared_ptr<const Image>& image, bool colour) {
 
 }  // namespace
 
-Task<Result<StereoModel>> SimulatedCamera::open() {
+Task<Result<camera::StereoModel>> SimulatedCamera::open() {
   const Datum request = list("camera"_sym, "open"_sym);
-  const Result<Message> answer = co_await link_.call(request, answer_time);
+  const Result<Message> answer = co_await link_.call(request, image_time);
   if (!answer) co_return fail(answer);
   const Datum& head = answer->head;
   if (head.size() != 6) co_return fail("disconnected", "the camera answered nonsense", head);
-  co_return StereoModel{static_cast<int>(head[0].integer()),
-                        static_cast<int>(head[1].integer()),
-                        head[2].number(),
-                        head[3].number(),
-                        head[4].number(),
-                        head[5].number()};
+  co_return camera::StereoModel{static_cast<int>(head[0].integer()),
+                                static_cast<int>(head[1].integer()),
+                                head[2].number(),
+                                head[3].number(),
+                                head[4].number(),
+                                head[5].number()};
 }
 
-Task<Result<StereoFrame>> SimulatedCamera::next(Time after, bool colour) {
+Task<Result<camera::StereoFrame>> SimulatedCamera::next(Time after, bool colour) {
   const Datum kind = colour ? "colour"_sym : "grey"_sym;
   const Datum request = list("camera"_sym, "next"_sym, after.time_since_epoch().count(), kind);
   const Time asked = executor_.now();
-  const Result<Message> answer = co_await link_.call(request, answer_time);
+  const Result<Message> answer = co_await link_.call(request, image_time);
   if (!answer) co_return fail(answer);
   const bool whole = answer->head.size() == 2 && answer->images.size() == 2 && fits(answer->images[0], colour) &&
                      fits(answer->images[1], colour);
   if (!whole) co_return fail("corrupt-frame", "the frame's images are not what they should be", answer->head);
-  StereoFrame frame;
+  camera::StereoFrame frame;
   frame.number = static_cast<std::uint64_t>(answer->head[0].integer());
   // No frame is from before it was asked for, whatever the world's clock says.
   frame.captured = std::clamp(Time(Duration(answer->head[1].integer())), asked, executor_.now());
@@ -48,4 +48,4 @@ Task<Result<StereoFrame>> SimulatedCamera::next(Time after, bool colour) {
   co_return frame;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

@@ -10,18 +10,18 @@
 #include "drivers/camera/stereo_camera.hpp"
 #include "drivers/simulation/link.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
-class SimulatedCamera : public StereoCamera {
+class SimulatedCamera : public camera::StereoCamera {
  public:
   // Both outlive it.
   SimulatedCamera(Executor& executor, Link& link) : executor_(executor), link_(link) {}
-  Task<Result<StereoModel>> open() override;
-  Task<Result<StereoFrame>> next(Time after, bool colour) override;
+  Task<Result<camera::StereoModel>> open() override;
+  Task<Result<camera::StereoFrame>> next(Time after, bool colour) override;
 
  private:
   Executor& executor_;
   Link& link_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

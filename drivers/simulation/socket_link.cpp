@@ -4,7 +4,7 @@
 
 #include "drivers/simulation/link_wire.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 struct SocketLink::Waiting {
   Waiting(SocketLink& the_link, std::uint64_t the_id) : link(the_link), id(the_id), answered(the_link.executor_) {
@@ -75,4 +75,4 @@ void SocketLink::receive() {
   }
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

@@ -14,7 +14,7 @@
 #include "blackboard/time/latch.hpp"
 #include "drivers/simulation/link.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 class SocketLink : public Link {
  public:
@@ -35,4 +35,4 @@ class SocketLink : public Link {
   std::map<std::uint64_t, Waiting*> waiting_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

@@ -7,7 +7,7 @@
 
 #include "drivers/simulation/render/visibility.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 namespace {
 
@@ -161,7 +161,7 @@ Result<Datum> where_seen(const Cell& cell, const Eye& left, std::string_view nam
 
 Datum describe_scene(const Cell& cell, const WorldConfig& config) {
   const TableConfig& table = config.table;
-  const CameraPose& camera = config.camera.pose;
+  const forms::CameraPose& camera = config.camera.pose;
   std::vector<Datum> out;
   out.push_back(list("table"_sym, table.x_low_mm, table.x_high_mm, table.y_low_mm, table.y_high_mm));
   out.push_back(list("camera"_sym, camera.at_mm[0], camera.at_mm[1], camera.at_mm[2], camera.pan_deg, camera.tilt_deg));
@@ -171,4 +171,4 @@ Datum describe_scene(const Cell& cell, const WorldConfig& config) {
   return Datum::list(std::move(out));
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

@@ -6,7 +6,7 @@
 #include "drivers/simulation/physics/physical_cell.hpp"
 #include "drivers/simulation/render/eye.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 // Visible is what both eyes see: an object in one image alone has no depth.
 Datum truth_of(const Cell& cell, const Eye& left, const Eye& right);
@@ -14,4 +14,4 @@ Datum truth_of(const Cell& cell, const Eye& left, const Eye& right);
 Result<Datum> where_seen(const Cell& cell, const Eye& left, std::string_view name);
 Datum describe_scene(const Cell& cell, const WorldConfig& config);
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

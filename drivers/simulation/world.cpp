@@ -11,7 +11,7 @@
 #include "drivers/simulation/render/stereo_renderer.hpp"
 #include "drivers/simulation/truth.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 namespace {
 
@@ -180,7 +180,7 @@ Task<Result<Message>> World::Inside::camera(Datum request) {
 }
 
 Message World::Inside::camera_model() const {
-  const StereoModel& model = config.camera.model;
+  const camera::StereoModel& model = config.camera.model;
   return {list(model.width, model.height, model.focal_px, model.centre_x_px, model.centre_y_px, model.base_line_mm)};
 }
 
@@ -208,4 +208,4 @@ World::~World() = default;
 
 Task<Result<Message>> World::handle(Datum request) { return inside_->handle(std::move(request)); }
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

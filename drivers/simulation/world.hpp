@@ -43,7 +43,7 @@
 #include "drivers/simulation/link.hpp"
 #include "drivers/simulation/world_config.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 class World {
  public:
@@ -60,4 +60,4 @@ class World {
   std::unique_ptr<Inside> inside_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

@@ -8,7 +8,7 @@
 #include "drivers/arm/kinematics.hpp"
 #include "drivers/simulation/controllers/ptu_model.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 namespace {
 
@@ -30,7 +30,7 @@ std::unexpected<Failure> bad(std::string sentence, std::string_view name) {
 bool within(double value, double low, double high) { return value >= low && value <= high; }
 
 Result<void> check_camera(const CameraConfig& camera) {
-  const StereoModel& model = camera.model;
+  const camera::StereoModel& model = camera.model;
   const bool size =
       within(model.width, narrowest_view_px, widest_view_px) && within(model.height, narrowest_view_px, widest_view_px);
   const bool lens = within(model.focal_px, 10, 1e5) && within(model.base_line_mm, 1, 1000);
@@ -111,8 +111,8 @@ Result<void> check(const WorldConfig& config) {
     const Result<void> sound = check_cube(config, index);
     if (!sound) return sound;
   }
-  if (config.start_joints) return check_limits(config.arm, *config.start_joints);
+  if (config.start_joints) return arm::check_limits(config.arm, *config.start_joints);
   return {};
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

@@ -18,7 +18,7 @@
 #include "lisp/forms/camera_pose.hpp"
 #include "lisp/result.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 enum class Mark : std::uint8_t { circle, square, cross, triangle };
 
@@ -53,8 +53,8 @@ struct TableConfig {
 };
 
 struct CameraConfig {
-  StereoModel model;
-  CameraPose pose;
+  camera::StereoModel model;
+  forms::CameraPose pose;
   std::string head = "";   // the pan-tilt unit that it stands on, as find_ptu_model() knows it; empty: it stands still
   double noise_sigma = 3;  // grey levels, each pixel and frame on its own
   double blur_sigma_px = 0.7;    // the lens
@@ -67,13 +67,13 @@ struct WorldConfig {
   CameraConfig camera;
   double cube_mm = 60;  // the edge of every cube; its marks grow with it
   std::vector<CubeConfig> cubes;
-  ArmModel arm = crs_f3();
-  std::optional<ArmModel> second_arm;
-  std::optional<Joints> start_joints;  // the arm's ready pose where not given
+  arm::ArmModel arm = arm::crs_f3();
+  std::optional<arm::ArmModel> second_arm;
+  std::optional<arm::Joints> start_joints;  // the arm's ready pose where not given
 };
 
 // Failures, symbol bad-cell: bad or repeated names, unknown `on`, two cubes in one place, a cube off the table, camera
 // or cube figures out of range, too many cubes.
 Result<void> check(const WorldConfig& config);
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
-namespace pizarra {
+namespace pizarra::forms {
 
 std::vector<std::string> arm_names() {
   std::vector<std::string> names;
@@ -26,4 +26,4 @@ std::string arm_called(std::string_view name) {
   return "";
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::forms

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace pizarra {
+namespace pizarra::forms {
 
 // Sorted.
 std::vector<std::string> arm_names();
@@ -15,4 +15,4 @@ std::string shipped_arm_file(std::string_view name);
 // The arm that a person means: a name or the last part of one ("up6" for motoman-up6); empty where there is none.
 std::string arm_called(std::string_view name);
 
-}  // namespace pizarra
+}  // namespace pizarra::forms

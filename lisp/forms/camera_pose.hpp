@@ -7,7 +7,7 @@
 
 #include <array>
 
-namespace pizarra {
+namespace pizarra::forms {
 
 // The base line's centre in the base frame. The pair looks along the base's -x, turned by pan (positive: towards +y,
 // image right) and then by tilt (positive: up).
@@ -18,4 +18,4 @@ struct CameraPose {
   bool operator==(const CameraPose&) const = default;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::forms

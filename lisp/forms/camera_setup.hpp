@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace pizarra {
+namespace pizarra::forms {
 
 struct CameraSource {
   enum class Kind : std::uint8_t { device, video, images, stream, pipeline };
@@ -44,4 +44,4 @@ struct CameraSetup {
   bool is_simulated() const { return arrangement == Arrangement::simulated; }
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::forms

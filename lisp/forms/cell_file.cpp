@@ -9,7 +9,7 @@
 #include "lisp/guile/interpret.hpp"
 #include "lisp/nearest.hpp"
 
-namespace pizarra {
+namespace pizarra::forms {
 
 namespace {
 
@@ -145,11 +145,11 @@ CellDescription cell_from_datum(const Datum& datum, const std::string& file) {
   return cell;
 }
 
-Result<CellDescription> interpret_source(const Result<Source>& source) {
+Result<CellDescription> interpret_cell(const Result<Source>& source) {
   if (!source) return fail(source);
   std::vector<Datum> arms;
   for (const std::string& name : arm_names()) arms.push_back(Datum::symbol(name));
-  const Result<Datum> cell = interpret(*source, "cell", {Datum::list(std::move(arms))});
+  const Result<Datum> cell = guile::interpret(*source, "cell", {Datum::list(std::move(arms))});
   if (!cell) return fail(cell);
   return cell_from_datum(*cell, source->file());
 }
@@ -166,10 +166,10 @@ CubePlacement cube_from_datum(const Datum& normalised) {
 }
 
 Result<CellDescription> read_cell(std::string_view text, const std::string& file) {
-  return interpret_source(read_source(text, file));
+  return interpret_cell(read_source(text, file));
 }
 
-Result<CellDescription> read_cell_file(const std::string& path) { return interpret_source(read_source_file(path)); }
+Result<CellDescription> read_cell_file(const std::string& path) { return interpret_cell(read_source_file(path)); }
 
 Result<void> put_arm(CellDescription& cell, const std::string& arm) {
   const std::string shipped = arm_called(arm);
@@ -188,4 +188,4 @@ Result<void> put_arm(CellDescription& cell, const std::string& arm) {
   return {};
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::forms

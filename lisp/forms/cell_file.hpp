@@ -47,7 +47,7 @@
 #include "lisp/forms/gripper_setup.hpp"
 #include "lisp/reader.hpp"
 
-namespace pizarra {
+namespace pizarra::forms {
 
 struct CubePlacement {
   std::string name;
@@ -153,4 +153,4 @@ Result<void> put_arm(CellDescription& cell, const std::string& arm);
 // One `(cube NAME ...)` as the Scheme modules normalise it; shared with the scenario language.
 CubePlacement cube_from_datum(const Datum& normalised);
 
-}  // namespace pizarra
+}  // namespace pizarra::forms

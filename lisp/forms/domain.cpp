@@ -5,7 +5,7 @@
 
 #include "lisp/guile/interpret.hpp"
 
-namespace pizarra {
+namespace pizarra::forms {
 
 namespace {
 
@@ -70,7 +70,7 @@ const Operator* Domain::find_operator(std::string_view operator_name) const {
 }
 
 Result<Domain> domain_from_source(Source source) {
-  const Result<Datum> form = interpret(source, "strips");
+  const Result<Datum> form = guile::interpret(source, "strips");
   if (!form) return fail(form);
   return from_form(*form, std::move(source));
 }
@@ -101,4 +101,4 @@ Datum operator_form(const Operator& from) {
               Datum::list(std::move(preconds)), Datum::list(std::move(effects)));
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::forms

@@ -26,7 +26,7 @@
 
 #include "lisp/reader.hpp"
 
-namespace pizarra {
+namespace pizarra::forms {
 
 // A name and its type: an argument of a predicate, a parameter `?ob1` of an operator, an object.
 struct TypedName {
@@ -79,4 +79,4 @@ Result<Domain> domain_from_source(Source source);
 // ...))).
 Datum operator_form(const Operator& from);
 
-}  // namespace pizarra
+}  // namespace pizarra::forms

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-namespace pizarra {
+namespace pizarra::forms {
 
 // `name` as seen from the folder of `file`: "a/cell.scm" and "../b.scm" give "b.scm". An absolute or empty name stays.
 inline std::string beside(const std::string& file, const std::string& name) {
@@ -13,4 +13,4 @@ inline std::string beside(const std::string& file, const std::string& name) {
   return (std::filesystem::path(file).parent_path() / name).lexically_normal().string();
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::forms

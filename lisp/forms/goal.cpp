@@ -5,7 +5,7 @@
 
 #include "lisp/guile/interpret.hpp"
 
-namespace pizarra {
+namespace pizarra::forms {
 
 namespace {
 
@@ -49,7 +49,7 @@ Result<std::vector<Datum>> read(const Domain& domain, std::string_view text, std
   if (!source) return fail(source);
   for (const TypedName& object : domain.objects) objects.push_back(typed(object.name, object.type));
   const Result<Datum> facts =
-      interpret(*source, "goals", {predicates_form(domain), Datum::list(std::move(objects)), openness});
+      guile::interpret(*source, "goals", {predicates_form(domain), Datum::list(std::move(objects)), openness});
   if (!facts) return fail(facts);
   return std::vector<Datum>(facts->items().begin(), facts->items().end());
 }
@@ -76,4 +76,4 @@ Failure at_its_goal(Failure refusal, std::string_view text) {
   return refusal;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::forms

@@ -15,7 +15,7 @@
 
 #include "lisp/forms/domain.hpp"
 
-namespace pizarra {
+namespace pizarra::forms {
 
 // `objects_with_types` are what was seen; the domain's own objects are known besides. Failures, all in one report with
 // carets: the reader's, malformed, unknown-predicate, unknown-object, wrong-arity, wrong-type, not-ground, negated,
@@ -30,4 +30,4 @@ Result<std::vector<Datum>> check_goal(const Domain& domain, std::string_view tex
 // names none of them. That there is no plan is about the whole goal, when it names none.
 Failure at_its_goal(Failure refusal, std::string_view text);
 
-}  // namespace pizarra
+}  // namespace pizarra::forms

@@ -14,7 +14,7 @@
 
 #include <string>
 
-namespace pizarra {
+namespace pizarra::forms {
 
 // Some bits of a register.
 struct RegisterField {
@@ -49,4 +49,4 @@ struct GripperSetup {
   RegisterField opening{2002, 8, 8};
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::forms

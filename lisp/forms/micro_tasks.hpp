@@ -9,7 +9,7 @@
 
 #include "lisp/forms/perception.hpp"
 
-namespace pizarra {
+namespace pizarra::forms {
 
 // What an executor can do: its primitives, those of them that take a target where others take an object, and the forms
 // of target that it knows.
@@ -33,4 +33,4 @@ class MicroTasks {
   Datum section_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::forms

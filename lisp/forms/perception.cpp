@@ -3,7 +3,7 @@
 #include "lisp/guile/interpret.hpp"
 #include "lisp/guile/scheme.hpp"
 
-namespace pizarra {
+namespace pizarra::forms {
 
 Datum arities_to_datum(const Arities& arities) {
   std::vector<Datum> items;
@@ -12,7 +12,7 @@ Datum arities_to_datum(const Arities& arities) {
 }
 
 Result<Perception> Perception::read(const Source& domain, const Arities& predicates) {
-  const Result<Datum> read = interpret(domain, "perception", {arities_to_datum(predicates)});
+  const Result<Datum> read = guile::interpret(domain, "perception", {arities_to_datum(predicates)});
   if (!read) return fail(read);
   Perception perception;
   for (const Datum& part : read->items()) {
@@ -31,7 +31,7 @@ Result<Perception> Perception::read(const Source& domain, const Arities& predica
 Result<std::vector<Datum>> Perception::perceive(const std::vector<Datum>& measured,
                                                 const std::vector<Datum>& believed) const {
   const std::vector<Datum> arguments{section_, Datum::list(measured), Datum::list(believed)};
-  const Result<Datum> outcome = call_scheme("perceive", "perceive", arguments);
+  const Result<Datum> outcome = guile::call_scheme("perceive", "perceive", arguments);
   if (!outcome) return fail(outcome);
   if (outcome->is_form("fail")) return fail(failure_from_datum(*outcome));
   const Datum& facts = (*outcome)[1];
@@ -56,4 +56,4 @@ std::optional<double> Perception::constant(std::string_view name) const {
   return it->second;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::forms

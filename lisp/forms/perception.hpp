@@ -14,7 +14,7 @@
 
 #include "lisp/reader.hpp"
 
-namespace pizarra {
+namespace pizarra::forms {
 
 // Names with their number of arguments.
 using Arities = std::vector<std::pair<std::string, std::size_t>>;
@@ -47,4 +47,4 @@ class Perception {
   std::vector<Datum> facts_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::forms

@@ -5,11 +5,11 @@
 #include "lisp/forms/domain.hpp"
 #include "lisp/guile/interpret.hpp"
 
-namespace pizarra {
+namespace pizarra::forms {
 
 namespace {
 
-constexpr ReadLimits limits{.bytes = 4 << 20, .depth = 64, .elements = 500'000};
+constexpr ReadLimits file_limits{.bytes = 4 << 20, .depth = 64, .elements = 500'000};
 
 bool is_pddl(const Source& source) {
   if (source.data().empty()) return false;
@@ -38,7 +38,7 @@ std::optional<std::size_t> depth_of_form(std::string_view name) {
 // One of our own domain files has sections (types ...) inside.
 std::optional<std::size_t> any_depth(std::string_view) { return std::nullopt; }
 
-Datum typed(const TypedName& name) { return list(Datum::symbol(name.name), Datum::symbol(name.type)); }
+Datum typed_form(const TypedName& name) { return list(Datum::symbol(name.name), Datum::symbol(name.type)); }
 
 template <class Items, class Make>
 Datum list_of(const Items& items, const Make& make) {
@@ -52,7 +52,7 @@ Datum form_of(const Domain& domain) {
   const Datum none;
   return list("domain"_sym, Datum::symbol(domain.name),
               list_of(domain.types, [](const std::string& type) { return list(Datum::symbol(type), "object"_sym); }),
-              list_of(domain.objects, typed),
+              list_of(domain.objects, typed_form),
               list_of(domain.predicates,
                       [](const Predicate& predicate) {
                         std::vector<Datum> items{Datum::symbol(predicate.name)};
@@ -64,8 +64,9 @@ Datum form_of(const Domain& domain) {
               none,
               list_of(domain.operators,
                       [&](const Operator& from) {
-                        return list(Datum::symbol(from.name), list_of(from.params, typed), Datum::list(from.preconds),
-                                    none, none, Datum::list(from.adds), Datum::list(from.deletes), none);
+                        return list(Datum::symbol(from.name), list_of(from.params, typed_form),
+                                    Datum::list(from.preconds), none, none, Datum::list(from.adds),
+                                    Datum::list(from.deletes), none);
                       }),
               Datum::list(domain.facts));
 }
@@ -80,7 +81,7 @@ std::vector<Failure> joined(std::vector<Failure> failures, const std::vector<Fai
 }
 
 std::unexpected<std::vector<Failure>> wrong_file(const Source& source, std::string sentence) {
-  if (!source.errors().empty()) return std::unexpected(failures_of(source));
+  if (!source.errors().empty()) return std::unexpected(guile::failures_of(source));
   if (source.data().empty()) sentence = "nothing is written here; " + sentence;
   return std::unexpected(std::vector{source.failure_at({0}, "wrong-file", std::move(sentence))});
 }
@@ -106,7 +107,7 @@ bool tells_objects(const Source& facts) {
 Read<PlanningDomain> read_operators(const Source& source, const Source* facts) {
   std::vector<Datum> fitting;
   if (facts != nullptr && tells_objects(*facts)) fitting = {Datum::list(facts->data())};
-  Read<Datum> form = interpret_apart(source, "planning-operators", fitting);
+  Read<Datum> form = guile::interpret_apart(source, "planning-operators", fitting);
   if (!form) return std::unexpected(form.error());
   return PlanningDomain{PlanningLanguage::operators, std::move(*form), source};
 }
@@ -116,7 +117,7 @@ Read<PlanningDomain> read_domain(const Source& source, const Source* problem) {
     return wrong_file(source, "this is a problem; the domain must be named first, and it second");
   }
   if (is_pddl(source)) {
-    Read<Datum> form = interpret_apart(source, "pddl-domain");
+    Read<Datum> form = guile::interpret_apart(source, "pddl-domain");
     if (!form) return std::unexpected(form.error());
     return PlanningDomain{PlanningLanguage::pddl, std::move(*form), {}};
   }
@@ -143,9 +144,9 @@ Read<Datum> read_problem(const Source& source, const PlanningDomain& domain) {
   const bool pddl = domain.language == PlanningLanguage::pddl;
   std::vector<Failure> unfit = misfit(source, pddl);
   if (!unfit.empty()) return std::unexpected(std::move(unfit));
-  if (pddl) return interpret_apart(source, "pddl-problem", {domain.form});
+  if (pddl) return guile::interpret_apart(source, "pddl-problem", {domain.form});
   const bool open = domain.language == PlanningLanguage::operators;
-  Read<Datum> facts = interpret_apart(source, "planning-facts", {domain.form, open ? "open"_sym : "closed"_sym});
+  Read<Datum> facts = guile::interpret_apart(source, "planning-facts", {domain.form, open ? "open"_sym : "closed"_sym});
   if (!domain.operators) return facts;
   const Read<PlanningDomain> operators = read_operators(*domain.operators, &source);
   if (operators) return facts;
@@ -157,9 +158,9 @@ std::vector<Failure> wrong_beside(const Source& source, const Source& domain) {
   if (kind_of(domain) != FileKind::domain) return {};
   std::vector<Failure> unfit = misfit(source, is_pddl(domain));
   if (!unfit.empty()) return unfit;
-  if (first_head(domain) == "domain") return failures_of(source);
+  if (first_head(domain) == "domain") return guile::failures_of(source);
   const std::string module = is_pddl(domain) ? "pddl-problem" : "planning-operators";
-  const Read<Datum> read = interpret_apart(source, module, {Datum::list(domain.data())}, "interpret-beside");
+  const Read<Datum> read = guile::interpret_apart(source, module, {Datum::list(domain.data())}, "interpret-beside");
   return read ? std::vector<Failure>() : read.error();
 }
 
@@ -173,15 +174,15 @@ Result<T> reported(Read<T> read) {
 
 Result<Source> read_planning_source(std::string_view text, std::string file) {
   const bool domain_file = text.find("(domain") < text.find("(define");
-  Result<Source> source = read_source_to_the_end(text, file, limits, domain_file ? any_depth : depth_of_form);
+  Result<Source> source = read_source_to_the_end(text, file, file_limits, domain_file ? any_depth : depth_of_form);
   if (!source || !is_pddl(*source)) return source;
-  ReadLimits pddl = limits;
+  ReadLimits pddl = file_limits;
   pddl.lower_case = true;
   return read_source_to_the_end(text, std::move(file), pddl, depth_of_form);
 }
 
 Result<Source> read_planning_source_file(const std::string& path) {
-  const Result<std::string> text = read_text_file(path, limits);
+  const Result<std::string> text = read_text_file(path, file_limits);
   if (!text) return fail(text);
   return read_planning_source(*text, path);
 }
@@ -209,4 +210,4 @@ Result<PlanningFiles> read_planning_files(const Source& domain, const Source& pr
   return PlanningFiles{std::move(*read), std::move(*form)};
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::forms

@@ -20,7 +20,7 @@
 
 #include "lisp/reader.hpp"
 
-namespace pizarra {
+namespace pizarra::forms {
 
 enum class PlanningLanguage : std::uint8_t { pddl, operators, domain_file };
 
@@ -52,4 +52,4 @@ Result<Datum> read_planning_problem(const Source& source, const PlanningDomain& 
 // What is wrong with a problem as far as its domain, which is wrong, can be understood.
 Result<void> check_planning_problem(const Source& source, const Source& domain);
 
-}  // namespace pizarra
+}  // namespace pizarra::forms

@@ -3,7 +3,7 @@
 #include "lisp/forms/file_paths.hpp"
 #include "lisp/guile/interpret.hpp"
 
-namespace pizarra {
+namespace pizarra::forms {
 
 namespace {
 
@@ -47,9 +47,9 @@ double cube_mm_of(const Source& source) {
   return 0;
 }
 
-Result<Scenario> interpret_source(const Result<Source>& source) {
+Result<Scenario> interpret_scenario(const Result<Source>& source) {
   if (!source) return fail(source);
-  const Result<Datum> scenario = interpret(*source, "scenario", {to_datum(cube_mm_of(*source))});
+  const Result<Datum> scenario = guile::interpret(*source, "scenario", {to_datum(cube_mm_of(*source))});
   if (!scenario) return fail(scenario);
   return scenario_from_datum(*scenario, source->file());
 }
@@ -57,9 +57,9 @@ Result<Scenario> interpret_source(const Result<Source>& source) {
 }  // namespace
 
 Result<Scenario> read_scenario(std::string_view text, const std::string& file) {
-  return interpret_source(read_source(text, file));
+  return interpret_scenario(read_source(text, file));
 }
 
-Result<Scenario> read_scenario_file(const std::string& path) { return interpret_source(read_source_file(path)); }
+Result<Scenario> read_scenario_file(const std::string& path) { return interpret_scenario(read_source_file(path)); }
 
-}  // namespace pizarra
+}  // namespace pizarra::forms

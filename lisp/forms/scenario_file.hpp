@@ -25,7 +25,7 @@
 
 #include "lisp/forms/cell_file.hpp"
 
-namespace pizarra {
+namespace pizarra::forms {
 
 struct ScenarioEvent {
   Datum condition;
@@ -52,4 +52,4 @@ struct Scenario {
 Result<Scenario> read_scenario(std::string_view text, const std::string& file);
 Result<Scenario> read_scenario_file(const std::string& path);
 
-}  // namespace pizarra
+}  // namespace pizarra::forms

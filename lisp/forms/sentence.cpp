@@ -5,11 +5,11 @@
 
 #include "lisp/guile/interpret.hpp"
 
-namespace pizarra {
+namespace pizarra::forms {
 
 namespace {
 
-constexpr ReadLimits limits{.bytes = 500, .depth = 1, .elements = 50};
+constexpr ReadLimits sentence_limits{.bytes = 500, .depth = 1, .elements = 50};
 
 // Words alone: small letters, and no stops but those within numbers.
 std::string plain(std::string_view text) {
@@ -26,11 +26,12 @@ std::string plain(std::string_view text) {
 }  // namespace
 
 Result<Sentence> read_sentence(std::string_view text) {
-  const Result<Source> source = read_source(plain(text.substr(0, limits.bytes + 1)), "sentence", limits);
+  const Result<Source> source =
+      read_source(plain(text.substr(0, sentence_limits.bytes + 1)), "sentence", sentence_limits);
   if (!source) return fail(source);
-  const Result<Datum> meant = interpret(*source, "sentences");
+  const Result<Datum> meant = guile::interpret(*source, "sentences");
   if (!meant) return fail(meant);
   return Sentence{std::string((*meant)[0].text()), (*meant)[1]};
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::forms

@@ -12,7 +12,7 @@
 
 #include "lisp/result.hpp"
 
-namespace pizarra {
+namespace pizarra::forms {
 
 struct Sentence {
   std::string agent;
@@ -21,4 +21,4 @@ struct Sentence {
 
 Result<Sentence> read_sentence(std::string_view text);
 
-}  // namespace pizarra
+}  // namespace pizarra::forms

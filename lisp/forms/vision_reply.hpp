@@ -14,9 +14,9 @@
 
 #include "lisp/result.hpp"
 
-namespace pizarra {
+namespace pizarra::forms {
 
 // Failures: the reader's, malformed, wrong-count (the announced number of objects is not the list's), repeated.
 Result<Datum> interpret_vision_reply(std::string_view text);
 
-}  // namespace pizarra
+}  // namespace pizarra::forms

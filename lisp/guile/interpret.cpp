@@ -5,7 +5,7 @@
 
 #include "lisp/guile/scheme.hpp"
 
-namespace pizarra {
+namespace pizarra::guile {
 
 namespace {
 
@@ -77,4 +77,4 @@ Result<Datum> interpret(const Source& source, const std::string& module, const s
   return std::move(*read);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::guile

@@ -21,7 +21,7 @@
 
 #include "lisp/reader.hpp"
 
-namespace pizarra {
+namespace pizarra::guile {
 
 // A failure has the first error's symbol, sentence and subject; its place holds every error in the order of the text,
 // and the sentence then ends with "(and N more)".
@@ -36,4 +36,4 @@ std::expected<Datum, std::vector<Failure>> interpret_apart(const Source& source,
 // Each of the errors `(symbol "sentence" (path ...) ("context" ...))`, and of what the source could not read.
 std::vector<Failure> failures_of(const Source& source, std::span<const Datum> errors = {});
 
-}  // namespace pizarra
+}  // namespace pizarra::guile

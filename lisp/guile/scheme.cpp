@@ -17,7 +17,7 @@ extern "C" const char* __lsan_default_suppressions();
 extern "C" const char* __lsan_default_suppressions() { return "leak:libguile-3.0\n"; }
 #endif
 
-namespace pizarra {
+namespace pizarra::guile {
 
 namespace {
 
@@ -147,4 +147,4 @@ Result<Datum> call_scheme(const std::string& module, const std::string& procedur
   return Interpreter::instance().call(call);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::guile

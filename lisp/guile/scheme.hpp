@@ -17,8 +17,8 @@
 
 #include "lisp/result.hpp"
 
-namespace pizarra {
+namespace pizarra::guile {
 
 Result<Datum> call_scheme(const std::string& module, const std::string& procedure, const std::vector<Datum>& arguments);
 
-}  // namespace pizarra
+}  // namespace pizarra::guile

@@ -7,9 +7,6 @@
 #include <unistd.h>
 #include <zmq.hpp>
 
-#include "programs/command_line/command_line.hpp"
-#include "programs/command_line/key_option.hpp"
-#include "programs/command_line/command_tools.hpp"
 #include "agents/launcher/camera_news.hpp"
 #include "blackboard/client/remote_board.hpp"
 #include "blackboard/streams/remote_streams.hpp"
@@ -17,8 +14,11 @@
 #include "blackboard/time/stop_signals.hpp"
 #include "drivers/simulation/link_server.hpp"
 #include "drivers/simulation/socket_link.hpp"
+#include "programs/command_line/command_line.hpp"
+#include "programs/command_line/command_tools.hpp"
+#include "programs/command_line/key_option.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 
 namespace {
 
@@ -47,17 +47,17 @@ int become_eyes(std::span<char*> arguments) {
 // A board that is there answers sooner.
 constexpr Duration unremarkable = 1s;
 
-Task<void> say_what_is_awaited(Executor& executor, const RemoteBoard& board, const std::string& address) {
+Task<void> say_what_is_awaited(Executor& executor, const client::RemoteBoard& board, const std::string& address) {
   co_await sleep(executor, unremarkable);
   if (!board.connected()) fmt::print(stderr, "pizarra: no board answers at {} yet: waiting for it\n", address);
 }
 
 int run_agent(const ProcessChoices& choices, std::span<char*> arguments, const OwnCameras& own_cameras) {
-  const Result<CellDescription> cell = read_cell_file(choices.cell);
+  const Result<forms::CellDescription> cell = forms::read_cell_file(choices.cell);
   if (!cell) return complain(cell.error(), exit_usage);
   const bool own_eyes = choices.kind == "vision" && !cell->eyes.is_simulated();
   if (own_eyes && !own_cameras.opens(cell->eyes)) return become_eyes(arguments);
-  if (choices.world.empty() && needs_world(choices.kind, *cell)) {
+  if (choices.world.empty() && launcher::needs_world(choices.kind, *cell)) {
     const Failure none{
         "no-world", fmt::format("{}'s device is simulated in this cell: --world says where", choices.kind), {}, {}};
     return complain(none, exit_usage);
@@ -65,23 +65,23 @@ int run_agent(const ProcessChoices& choices, std::span<char*> arguments, const O
   RealExecutor executor;
   const StopSignals signals(executor);
   const std::string name = choices.name.empty() ? choices.kind : choices.name;
-  const Result<std::optional<ClientKeys>> keys = keys_from(choices.key);
+  const Result<std::optional<wire::ClientKeys>> keys = keys_from(choices.key);
   if (!keys) return complain(keys.error(), exit_usage);
-  const Result<std::unique_ptr<RemoteBoard>> board =
-      RemoteBoard::connect(executor, choices.board, name, RemoteBoard::default_timeout, *keys);
+  const Result<std::unique_ptr<client::RemoteBoard>> board =
+      client::RemoteBoard::connect(executor, choices.board, name, client::RemoteBoard::default_timeout, *keys);
   if (!board) return complain(board.error(), exit_usage);
   zmq::context_t context(1);
-  std::unique_ptr<Link> link = std::make_unique<NoLink>();
-  if (!choices.world.empty()) link = std::make_unique<SocketLink>(executor, context, choices.world);
-  const auto streams = RemoteStreams::open(executor, **board, choices.streams);
+  std::unique_ptr<simulation::Link> link = std::make_unique<simulation::NoLink>();
+  if (!choices.world.empty()) link = std::make_unique<simulation::SocketLink>(executor, context, choices.world);
+  const auto streams = streams::RemoteStreams::open(executor, **board, choices.streams);
   if (!streams) return complain(streams.error(), exit_unavailable);
-  AgentContext agent_context{name, choices.host, executor, **board, Random(choices.seed).split(name)};
+  runtime::AgentContext agent_context{name, choices.host, executor, **board, Random(choices.seed).split(name)};
   const auto agent =
-      build_agent(choices.kind, std::move(agent_context), *cell, *link, streams->get(), own_cameras.make);
+      launcher::build_agent(choices.kind, std::move(agent_context), *cell, *link, streams->get(), own_cameras.make);
   if (!agent) return complain(agent.error(), exit_usage);
   const Job waiting = executor.spawn(say_what_is_awaited(executor, **board, choices.board));
   Job camera;
-  if (choices.kind == "vision") camera = executor.spawn(log_camera_news(**board, name, stderr));
+  if (choices.kind == "vision") camera = executor.spawn(launcher::log_camera_news(**board, name, stderr));
   const Job job = executor.spawn((*agent)->run());
   executor.run_until([&job] { return job.done(); });
   if (signals.received()) return exit_reached;
@@ -93,19 +93,19 @@ int run_agent(const ProcessChoices& choices, std::span<char*> arguments, const O
 }
 
 int run_world(const ProcessChoices& choices) {
-  const Result<CellDescription> cell = read_cell_file(choices.cell);
+  const Result<forms::CellDescription> cell = forms::read_cell_file(choices.cell);
   if (!cell) return complain(cell.error(), exit_usage);
   if (!choices.world.starts_with("ipc://")) {
     const Failure open{"bad-address", "the world listens at ipc://PATH alone, not at " + choices.world, {}, {}};
     return complain(open, exit_usage);
   }
-  const Result<WorldConfig> config = world_config(*cell, choices.seed);
+  const Result<simulation::WorldConfig> config = launcher::world_config(*cell, choices.seed);
   if (!config) return complain(config.error(), exit_usage);
   RealExecutor executor;
   const StopSignals signals(executor);
   zmq::context_t context(1);
-  World world(executor, *config);
-  const auto server = LinkServer::listen(executor, context, choices.world, world);
+  simulation::World world(executor, *config);
+  const auto server = simulation::LinkServer::listen(executor, context, choices.world, world);
   if (!server) return complain(server.error(), exit_unavailable);
   fmt::print("the world of {} is reached at {}\n", cell->name, choices.world);
   std::fflush(stdout);
@@ -120,7 +120,7 @@ void add_agent_command(CLI::App& app, int& status, std::span<char*> arguments, c
       ->add_option("KIND", choices->kind,
                    "robot, vision, pan-tilt, planner, coordinator or person; speech, slave, follower")
       ->required()
-      ->check(kind_fault);
+      ->check(launcher::kind_fault);
   agent->add_option("CELL", choices->cell, "The cell file")->required()->check(CLI::ExistingFile);
   agent->add_option("--board", choices->board, "Where the board listens: ipc:// or tcp://")->required();
   agent->add_option("--world", choices->world, "Where the simulated world listens, if its device is there: ipc://");
@@ -160,4 +160,4 @@ int run_process_program(std::span<char*> arguments, const OwnCameras& own_camera
   return run_program(app, static_cast<int>(arguments.size()), arguments.data(), status);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

@@ -8,15 +8,15 @@
 
 #include "agents/launcher/agent_factory.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 
 // Which cameras of one's own a program opens, and how.
 struct OwnCameras {
-  std::function<bool(const CameraSetup&)> opens;
-  CameraMaker make;
+  std::function<bool(const forms::CameraSetup&)> opens;
+  launcher::CameraMaker make;
 };
 
 // The exit code.
 int run_process_program(std::span<char*> arguments, const OwnCameras& own_cameras);
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

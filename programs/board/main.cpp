@@ -10,16 +10,16 @@
 #include <string>
 #include <vector>
 
-#include "programs/command_line/command_line.hpp"
-#include "programs/command_line/command_tools.hpp"
 #include "blackboard/journal/journal_writer.hpp"
 #include "blackboard/memory/memory_board.hpp"
 #include "blackboard/server/board_server.hpp"
 #include "blackboard/store/store.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "blackboard/time/stop_signals.hpp"
+#include "programs/command_line/command_line.hpp"
+#include "programs/command_line/command_tools.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 namespace {
 
 enum Exit : int { stopped = 0, bad_usage = 2, bad_address = 3, bad_journal = 4 };
@@ -34,26 +34,26 @@ int complain(const Failure& failure, Exit code) {
 }
 
 struct Options {
-  BoardServerOptions server;
+  server::BoardServerOptions server;
   std::string journal;
   std::string history = "200000";
-  std::uint64_t history_bytes = History().bytes;
+  std::uint64_t history_bytes = journal::History().bytes;
 };
 
 constexpr std::uint64_t most_history = 1'000'000'000;  // revisions
 constexpr Duration longest_history = std::chrono::hours(24 * 36'500);
 
 // `200000` revisions, or `90s`, `30min`, `12h`, `7d`.
-std::optional<History> history_from(const std::string& text) {
+std::optional<journal::History> history_from(const std::string& text) {
   std::uint64_t count = 0;
   const char* const end = text.data() + text.size();
   const auto read = std::from_chars(text.data(), end, count);
   const std::string_view unit(read.ptr, end);
   if (read.ec != std::errc() || count > most_history) return std::nullopt;
-  if (unit.empty()) return History{.revisions = count};
-  const auto lasting = [&](std::chrono::seconds unit_length) -> std::optional<History> {
+  if (unit.empty()) return journal::History{.revisions = count};
+  const auto lasting = [&](std::chrono::seconds unit_length) -> std::optional<journal::History> {
     if (count > static_cast<std::uint64_t>(longest_history / unit_length)) return std::nullopt;
-    return History{.time = unit_length * count};
+    return journal::History{.time = unit_length * count};
   };
   if (unit == "s") return lasting(1s);
   if (unit == "min") return lasting(std::chrono::minutes(1));
@@ -68,34 +68,34 @@ class KeptBoard {
   explicit KeptBoard(Executor& executor) : executor_(executor) {}
 
   // Null where it keeps none.
-  Result<void> begin(const std::shared_ptr<JournalFile>& file) {
+  Result<void> begin(const std::shared_ptr<journal::JournalFile>& file) {
     // Leases are numbered from the time, so that one of an earlier life is not taken for one of this.
-    auto store = std::make_unique<Store>(static_cast<LeaseId>(executor_.now().time_since_epoch().count()));
+    auto store = std::make_unique<store::Store>(static_cast<LeaseId>(executor_.now().time_since_epoch().count()));
     if (file != nullptr) {
       const Result<void> recovered = recover(file, *store);
       if (!recovered) return recovered;
     }
-    board_ = std::make_unique<MemoryBoard>(executor_, std::move(store));
+    board_ = std::make_unique<memory::MemoryBoard>(executor_, std::move(store));
     if (journal_ != nullptr) board_->set_journal([this](std::string_view line) { journal_->append(line); });
     board_->resume();
     return {};
   }
-  MemoryBoard& board() { return *board_; }
-  JournalWriter* journal() { return journal_.get(); }
+  memory::MemoryBoard& board() { return *board_; }
+  journal::JournalWriter* journal() { return journal_.get(); }
   // When the board ends.
   void say_what_is_lacking() const {
     if (journal_ == nullptr || !journal_->failure()) return;
     fmt::print(stderr, "pizarra-board: ends while its journal lacks what came last: {}\n",
                describe(*journal_->failure()));
   }
-  std::vector<RememberedReply> take_remembered() { return std::exchange(remembered_, {}); }
+  std::vector<journal::RememberedReply> take_remembered() { return std::exchange(remembered_, {}); }
 
  private:
-  Result<void> recover(const std::shared_ptr<JournalFile>& file, Store& store) {
-    Result<std::vector<RememberedReply>> remembered = file->recover(store);
+  Result<void> recover(const std::shared_ptr<journal::JournalFile>& file, store::Store& store) {
+    Result<std::vector<journal::RememberedReply>> remembered = file->recover(store);
     if (!remembered) return fail(remembered);
     remembered_ = std::move(*remembered);
-    journal_ = std::make_unique<JournalWriter>(executor_, file);
+    journal_ = std::make_unique<journal::JournalWriter>(executor_, file);
     journal_->on_failure = say_how_it_goes;
     if (journal_->failure()) say_how_it_goes(journal_->failure());
     return {};
@@ -109,9 +109,9 @@ class KeptBoard {
   }
 
   Executor& executor_;
-  std::vector<RememberedReply> remembered_;
-  std::unique_ptr<JournalWriter> journal_;
-  std::unique_ptr<MemoryBoard> board_;
+  std::vector<journal::RememberedReply> remembered_;
+  std::unique_ptr<journal::JournalWriter> journal_;
+  std::unique_ptr<memory::MemoryBoard> board_;
 };
 
 // The wall clock's, unless that was set back since the journal's end: a board's times only grow, from life to life, and
@@ -121,7 +121,7 @@ Time first_moment(const std::string& journal) {
   std::error_code unseen;
   if (std::filesystem::is_regular_file(journal, unseen)) {
     // One that cannot be read is reported by whoever goes on from it.
-    const Result<LineStart> last = end_of_journal(journal);
+    const Result<journal::LineStart> last = journal::end_of_journal(journal);
     if (last) end = last->when;
   }
   // Read last: the executor's clock goes on from here.
@@ -129,16 +129,16 @@ Time first_moment(const std::string& journal) {
 }
 
 // Null where none is kept.
-Result<std::shared_ptr<JournalFile>> journal_of(const Options& options) {
+Result<std::shared_ptr<journal::JournalFile>> journal_of(const Options& options) {
   if (options.journal.empty()) return nullptr;
-  History history = *history_from(options.history);
+  journal::History history = *history_from(options.history);
   history.bytes = options.history_bytes;
-  return JournalFile::open(options.journal, history);
+  return journal::JournalFile::open(options.journal, history);
 }
 
 int serve(Options options) {
   // First of all: one that another board has is left alone.
-  const Result<std::shared_ptr<JournalFile>> file = journal_of(options);
+  const Result<std::shared_ptr<journal::JournalFile>> file = journal_of(options);
   if (!file) return complain(file.error(), bad_journal);
   RealExecutor executor(first_moment(options.journal));
   const StopSignals signals(executor);
@@ -149,7 +149,8 @@ int serve(Options options) {
   if (!begun) return complain(begun.error(), bad_journal);
   options.server.journal = kept.journal();
   options.server.remembered = kept.take_remembered();
-  const Result<std::unique_ptr<BoardServer>> server = BoardServer::open(executor, kept.board(), options.server);
+  const Result<std::unique_ptr<server::BoardServer>> server =
+      server::BoardServer::open(executor, kept.board(), options.server);
   if (!server) return complain(server.error(), bad_address);
   fmt::print("pizarra-board: ready on {}\n", fmt::join((*server)->addresses(), " "));
   std::fflush(stdout);
@@ -157,17 +158,17 @@ int serve(Options options) {
   kept.say_what_is_lacking();
   if ((*server)->sessions() == 0) return stopped;
   (*server)->say_goodbye();
-  executor.call_at(executor.now() + BoardServer::goodbye_length, [&executor] { executor.stop(); });
+  executor.call_at(executor.now() + server::BoardServer::goodbye_length, [&executor] { executor.stop(); });
   executor.run_until([] { return false; });
   return stopped;
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::programs
 
 int main(int argc, char** argv) {
   CLI::App app("The blackboard that agents of other processes meet at.", "pizarra-board");
-  pizarra::Options options;
+  pizarra::programs::Options options;
   app.add_option("--listen", options.server.addresses,
                  "ipc://PATH or tcp://HOST:PORT (port * for any); may be repeated")
       ->required()
@@ -178,9 +179,10 @@ int main(int argc, char** argv) {
   app.add_option("--history", options.history,
                  "how much of the past the journal keeps at least: revisions, or a time such as 90s, 30min, 12h, 7d")
       ->check([](const std::string& text) {
-        return pizarra::history_from(text) ? std::string()
-                                           : "not a number of revisions, 1000000000 at most, nor a time such as 30min, "
-                                             "36500d at most";
+        return pizarra::programs::history_from(text)
+                   ? std::string()
+                   : "not a number of revisions, 1000000000 at most, nor a time such as 30min, "
+                     "36500d at most";
       })
       ->capture_default_str();
   app.add_option("--history-size", options.history_bytes,
@@ -194,11 +196,12 @@ int main(int argc, char** argv) {
   app.add_flag("--insecure", options.server.insecure,
                "listen, unencrypted and to anybody, at addresses that other machines reach")
       ->excludes("--keys");
-  app.footer(pizarra::help_footer("board --listen ipc:///tmp/board.ipc --journal facts.journal", pizarra::exit_codes));
+  app.footer(pizarra::programs::help_footer("board --listen ipc:///tmp/board.ipc --journal facts.journal",
+                                            pizarra::programs::exit_codes));
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return pizarra::end_of_parsing(app, error);
+    return pizarra::programs::end_of_parsing(app, error);
   }
-  return pizarra::serve(std::move(options));
+  return pizarra::programs::serve(std::move(options));
 }

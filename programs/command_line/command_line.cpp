@@ -10,10 +10,10 @@
 #include <system_error>
 #include <unistd.h>
 
-#include "programs/command_line/exit_codes.hpp"
 #include "lisp/nearest.hpp"
+#include "programs/command_line/exit_codes.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 
 namespace {
 
@@ -104,4 +104,4 @@ int end_of_parsing(const CLI::App& app, const CLI::ParseError& error) {
   return exit_usage;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

@@ -12,7 +12,7 @@
 
 #include <CLI/CLI.hpp>
 
-namespace pizarra {
+namespace pizarra::programs {
 
 // Prints why a command line was not taken, naming what is not known, or the help that was asked for; answers the exit
 // status.
@@ -21,4 +21,4 @@ int end_of_parsing(const CLI::App& app, const CLI::ParseError& error);
 // Runs the word that was typed and answers its status, exit_unavailable where standard output could not be written.
 int run_program(CLI::App& app, int argc, char** argv, const int& status);
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

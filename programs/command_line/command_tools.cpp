@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <fmt/format.h>
 
-namespace pizarra {
+namespace pizarra::programs {
 
 int complain(const Failure& failure, ExitCode code) {
   fmt::print(stderr, "pizarra: {}\n", describe(failure));
@@ -49,4 +49,4 @@ std::string beside_this_program(const std::string& name) {
   return (std::filesystem::read_symlink("/proc/self/exe").parent_path() / name).string();
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

@@ -6,10 +6,10 @@
 
 #include <CLI/CLI.hpp>
 
-#include "programs/command_line/exit_codes.hpp"
 #include "lisp/result.hpp"
+#include "programs/command_line/exit_codes.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 
 // Prints the failure to standard error and answers `code`.
 int complain(const Failure& failure, ExitCode code);
@@ -34,4 +34,4 @@ std::string shipped_file(const std::string& path);
 // Another of our programs, where this one is.
 std::string beside_this_program(const std::string& name);
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

@@ -2,7 +2,7 @@
 
 // How the program ends, the same for every word; docs and --help list them from here.
 
-namespace pizarra {
+namespace pizarra::programs {
 
 enum ExitCode : int {
   exit_reached = 0,       // done: the goal is reached, the answer given, the file in order
@@ -18,4 +18,4 @@ inline constexpr const char* exit_code_help =
     "3 the goal was refused (unreachable, missing, contradictory); 4 no board, or a file or process not to be had;\n"
     "130 interrupted.";
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

@@ -11,7 +11,7 @@
 
 #include "blackboard/wire/keys.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 
 inline void add_key_option(CLI::App* word, std::string& file) {
   word->add_option("--key", file, "The secret key to come with, NAME.secret; the board's board.key stands beside it")
@@ -20,11 +20,11 @@ inline void add_key_option(CLI::App* word, std::string& file) {
 }
 
 // No keys where no file is named. Failures as of read_client_keys.
-inline Result<std::optional<ClientKeys>> keys_from(const std::string& file) {
+inline Result<std::optional<wire::ClientKeys>> keys_from(const std::string& file) {
   if (file.empty()) return std::nullopt;
-  Result<ClientKeys> keys = read_client_keys(file);
+  Result<wire::ClientKeys> keys = wire::read_client_keys(file);
   if (!keys) return fail(keys);
   return std::move(*keys);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

@@ -10,7 +10,7 @@
 #include <limits>
 #include <optional>
 
-namespace pizarra {
+namespace pizarra::programs {
 
 namespace {
 
@@ -106,4 +106,4 @@ Result<Moment> moment_from_text(const std::string& text, Time end) {
   return Moment{.time = *time + lasting};
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

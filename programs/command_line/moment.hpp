@@ -10,7 +10,7 @@
 #include "blackboard/fact.hpp"
 #include "lisp/result.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 
 // `end`: what "before" counts from, and nothing is later than. Failures bad-moment and not-yet.
 Result<Moment> moment_from_text(const std::string& text, Time end);
@@ -21,4 +21,4 @@ std::string time_text(Time when);
 // What an option `--at` is given; an empty one names no moment.
 CLI::Validator moment_check();
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

@@ -9,7 +9,7 @@
 #include "drivers/camera/other_images.hpp"
 #include "drivers/camera/stereo_reader.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 namespace {
 
 class FilePairs : public BoardPairs {
@@ -20,10 +20,10 @@ class FilePairs : public BoardPairs {
   Result<ImagePair> next() override {
     if (taken_ == left_.size()) return fail("ended", "there are no more images");
     const std::size_t pair = taken_++;
-    Result<cv::Mat> left = read_image_file(left_[pair], true, read_other_image);
+    Result<cv::Mat> left = camera::read_image_file(left_[pair], true, camera::read_other_image);
     if (!left) return fail(left);
     if (single()) return ImagePair{std::move(*left), {}};
-    Result<cv::Mat> right = read_image_file(right_[pair], true, read_other_image);
+    Result<cv::Mat> right = camera::read_image_file(right_[pair], true, camera::read_other_image);
     if (!right) return fail(right);
     return ImagePair{std::move(*left), std::move(*right)};
   }
@@ -42,8 +42,9 @@ class FilePairs : public BoardPairs {
 
 class CameraPairs : public BoardPairs {
  public:
-  explicit CameraPairs(const CameraSetup& eyes)
-      : reader_(eyes, sources_of(eyes), real_time), single_(eyes.arrangement == CameraSetup::Arrangement::single) {
+  explicit CameraPairs(const forms::CameraSetup& eyes)
+      : reader_(eyes, sources_of(eyes), real_time),
+        single_(eyes.arrangement == forms::CameraSetup::Arrangement::single) {
     reader_.read_once();
   }
 
@@ -52,7 +53,7 @@ class CameraPairs : public BoardPairs {
     const Result<void> grabbed = reader_.grab();
     ++taken_;
     if (!grabbed) return fail(grabbed);
-    Result<StereoImages> images = reader_.retrieve(true);
+    Result<camera::StereoImages> images = reader_.retrieve(true);
     if (!images) return fail(images);
     return ImagePair{std::move(images->left), std::move(images->right)};
   }
@@ -61,16 +62,16 @@ class CameraPairs : public BoardPairs {
   bool chosen() const override { return false; }
 
  private:
-  static StereoReader::Sources sources_of(const CameraSetup& eyes) {
-    StereoReader::Sources out;
-    for (const CameraSource& source : eyes.sources) out.push_back(make_any_source(source, eyes));
+  static camera::StereoReader::Sources sources_of(const forms::CameraSetup& eyes) {
+    camera::StereoReader::Sources out;
+    for (const forms::CameraSource& source : eyes.sources) out.push_back(camera::make_any_source(source, eyes));
     return out;
   }
   static Time real_time() {
     return Time(std::chrono::duration_cast<Duration>(std::chrono::steady_clock::now().time_since_epoch()));
   }
 
-  StereoReader reader_;
+  camera::StereoReader reader_;
   const bool single_;
   int taken_ = 0;
 };
@@ -78,9 +79,9 @@ class CameraPairs : public BoardPairs {
 }  // namespace
 
 Result<std::unique_ptr<BoardPairs>> BoardPairs::of_files(const std::string& left, const std::string& right) {
-  std::vector<std::string> left_files = image_files_at(left);
+  std::vector<std::string> left_files = camera::image_files_at(left);
   const bool single = right.empty();
-  std::vector<std::string> right_files = single ? std::vector<std::string>() : image_files_at(right);
+  std::vector<std::string> right_files = single ? std::vector<std::string>() : camera::image_files_at(right);
   for (const auto& [files, where] : {std::pair(&left_files, &left), std::pair(&right_files, &right)}) {
     if (files->empty() && !where->empty()) return fail("no-images", fmt::format("there are no images at {}", *where));
   }
@@ -96,7 +97,7 @@ Result<std::unique_ptr<BoardPairs>> BoardPairs::of_files(const std::string& left
   return std::make_unique<FilePairs>(std::move(left_files), std::move(right_files));
 }
 
-Result<std::unique_ptr<BoardPairs>> BoardPairs::of_cameras(const CameraSetup& eyes) {
+Result<std::unique_ptr<BoardPairs>> BoardPairs::of_cameras(const forms::CameraSetup& eyes) {
   if (eyes.is_simulated()) {
     return fail("no-camera", "the cell has no cameras of its own: (camera (single ...)) or (camera (pair ...))");
   }
@@ -106,4 +107,4 @@ Result<std::unique_ptr<BoardPairs>> BoardPairs::of_cameras(const CameraSetup& ey
   return pairs;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

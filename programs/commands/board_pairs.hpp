@@ -13,7 +13,7 @@
 #include "lisp/forms/camera_setup.hpp"
 #include "lisp/result.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 
 struct ImagePair {
   cv::Mat left;
@@ -28,7 +28,7 @@ class BoardPairs {
   // Folders or patterns; `right` is empty of one camera alone. Failures: no-images, uneven, too-many.
   static Result<std::unique_ptr<BoardPairs>> of_files(const std::string& left, const std::string& right);
   // Failures: those of the cameras, and no-camera where there is none of its own.
-  static Result<std::unique_ptr<BoardPairs>> of_cameras(const CameraSetup& eyes);
+  static Result<std::unique_ptr<BoardPairs>> of_cameras(const forms::CameraSetup& eyes);
 
   virtual ~BoardPairs() = default;
   // Failures: corrupt-frame, which is about this pair alone; ended, when there is no more; any other: none can come.
@@ -40,4 +40,4 @@ class BoardPairs {
   virtual bool single() const = 0;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

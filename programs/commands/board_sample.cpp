@@ -5,7 +5,7 @@
 #include "agents/runtime/declared.hpp"
 #include "lisp/reader.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 
 namespace {
 
@@ -197,9 +197,9 @@ Task<Result<void>> BoardSampler::add_agents(BoardSample& sample, const Counts& n
   const Datum any = "?"_sym;
   const Datum present = list("agent"_sym, any, any, any);
   const Datum waiting = list("request"_sym, any, any, any);
-  const Result<std::vector<Fact>> agents = co_await facts_if_declared(board_, present);
+  const Result<std::vector<Fact>> agents = co_await runtime::facts_if_declared(board_, present);
   if (!agents) co_return go_without(sample, agents.error());
-  const Result<std::vector<Fact>> requests = co_await facts_if_declared(board_, waiting);
+  const Result<std::vector<Fact>> requests = co_await runtime::facts_if_declared(board_, waiting);
   if (!requests) co_return go_without(sample, requests.error());
   for (const Fact& fact : *agents) {
     AgentSample agent{.name = std::string(fact.datum[1].text()),
@@ -241,4 +241,4 @@ Task<Result<Journey>> BoardSampler::travel() {
   co_return Journey{us_since(sent, committed), us_since(sent, acknowledged), us_since(sent, delivered)};
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

@@ -23,7 +23,7 @@
 #include "blackboard/board.hpp"
 #include "blackboard/time/latch.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 
 // In microseconds.
 struct Spread {
@@ -124,4 +124,4 @@ class BoardSampler {
   Counts before_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

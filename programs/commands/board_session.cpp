@@ -4,15 +4,15 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "programs/command_line/key_option.hpp"
-#include "programs/command_line/command_tools.hpp"
 #include "agents/repl/json_answers.hpp"
 #include "agents/repl/repl.hpp"
 #include "blackboard/client/remote_board.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "blackboard/time/stop_signals.hpp"
+#include "programs/command_line/command_tools.hpp"
+#include "programs/command_line/key_option.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 
 namespace {
 
@@ -28,39 +28,39 @@ constexpr Duration goodbye_timeout = 500ms;
 Task<void> pause(Executor& executor, Duration duration) { co_await sleep(executor, duration); }
 
 // Where nothing comes for long, who waits is told what for.
-Task<void> say_what_is_waited_for(Executor& executor, const RemoteBoard& board, std::string address) {
+Task<void> say_what_is_waited_for(Executor& executor, const client::RemoteBoard& board, std::string address) {
   co_await sleep(executor, quick_answer);
   if (board.silence() >= quick_answer) fmt::print(stderr, "pizarra: waiting for a board at {}\n", address);
 }
 
-int status_of(Evaluation evaluation) {
+int status_of(repl::Evaluation evaluation) {
   switch (evaluation) {
-    case Evaluation::done:
-    case Evaluation::quit:
+    case repl::Evaluation::done:
+    case repl::Evaluation::quit:
       return exit_reached;
-    case Evaluation::malformed:
+    case repl::Evaluation::malformed:
       return exit_usage;
-    case Evaluation::refused:
+    case repl::Evaluation::refused:
       return exit_refused;
-    case Evaluation::unavailable:
+    case repl::Evaluation::unavailable:
       return exit_unavailable;
-    case Evaluation::failed:
+    case repl::Evaluation::failed:
       break;
   }
   return exit_failed;
 }
 
-std::optional<RunState> run_with_board(const std::string& address) {
-  const std::vector<RunState> runs = running_cells();
-  const auto found = std::ranges::find(runs, address, &RunState::board_address);
+std::optional<launcher::RunState> run_with_board(const std::string& address) {
+  const std::vector<launcher::RunState> runs = launcher::running_cells();
+  const auto found = std::ranges::find(runs, address, &launcher::RunState::board_address);
   return found == runs.end() ? std::nullopt : std::optional(*found);
 }
 
 // A cell that was started anew in its place is as good.
-Loss loss_of(const RemoteBoard& board, const Destination& to) {
+Loss loss_of(const client::RemoteBoard& board, const Destination& to) {
   return [&board, &to, run = to.run]() mutable -> std::optional<Failure> {
-    if (run && !still_runs(*run)) {
-      const std::optional<RunState> anew = run_with_board(to.address);
+    if (run && !launcher::still_runs(*run)) {
+      const std::optional<launcher::RunState> anew = run_with_board(to.address);
       if (!anew) return Failure{"unreachable", fmt::format("the cell {} has ended", run->cell), {}, {}};
       run = anew;
     }
@@ -75,13 +75,13 @@ Loss loss_of(const RemoteBoard& board, const Destination& to) {
 
 }  // namespace
 
-int complain_as(Style style, const Failure& failure, ExitCode code) {
-  if (style == Style::text) return complain(failure, code);
+int complain_as(repl::Style style, const Failure& failure, ExitCode code) {
+  if (style == repl::Style::text) return complain(failure, code);
   fmt::print("{}\n", json_error(failure));
   return code;
 }
 
-int complain_of_board(Style style, const Failure& failure) {
+int complain_of_board(repl::Style style, const Failure& failure) {
   return complain_as(style, failure, failure.symbol == "unreachable" ? exit_unavailable : exit_failed);
 }
 
@@ -93,7 +93,7 @@ void add_board_options(CLI::App* word, BoardChoices& choices) {
 
 Result<Destination> destination(const BoardChoices& choices) {
   if (!choices.board.empty()) return Destination{choices.board, choices.key, run_with_board(choices.board)};
-  Result<RunState> run = find_run(choices.cell);
+  Result<launcher::RunState> run = launcher::find_run(choices.cell);
   if (!run) return fail(run);
   const std::string key = choices.key.empty() ? run->key : choices.key;
   return Destination{run->board_address, key, std::move(*run)};
@@ -105,7 +105,7 @@ BoardSession::BoardSession(Executor& executor, Board& board, Manner manner, Loss
     : manner_(manner),
       loss_(std::move(loss)),
       context_{prompt_name(), "localhost", executor, board, Random(1)},
-      service_(context_, contract_from_text("(contract prompt)").value()),
+      service_(context_, runtime::contract_from_text("(contract prompt)").value()),
       interpreter_(
           context_, service_, [this](const std::string& line) { print(line); }, manner.patience, manner.style) {}
 
@@ -167,16 +167,16 @@ Task<void> BoardSession::talk(std::vector<std::string> forms) {
 }
 
 Task<void> BoardSession::evaluate(std::vector<std::string> forms) {
-  const Evaluation end = co_await run_forms(interpreter_, std::move(forms));
+  const repl::Evaluation end = co_await repl::run_forms(interpreter_, std::move(forms));
   status_ = status_of(end);
   const bool watching = manner_.stay && status_ == exit_reached;
   while (watching) co_await sleep(context_.executor, 1s);
 }
 
 Task<void> BoardSession::prompt() {
-  Terminal terminal(context_.executor, "pizarra> ");
+  repl::Terminal terminal(context_.executor, "pizarra> ");
   terminal_ = &terminal;
-  const Evaluation first_failure = co_await run_prompt(context_, interpreter_, terminal);
+  const repl::Evaluation first_failure = co_await repl::run_prompt(context_, interpreter_, terminal);
   terminal_ = nullptr;
   // A person has seen what failed.
   if (!terminal.interactive()) status_ = status_of(first_failure);
@@ -209,12 +209,12 @@ int talk_to(const Destination& to, const std::vector<std::string>& forms, Manner
   // A prompt has its own way with them.
   std::optional<StopSignals> signals;
   if (!forms.empty()) signals.emplace(executor);
-  const Result<std::optional<ClientKeys>> keys = keys_from(to.key);
+  const Result<std::optional<wire::ClientKeys>> keys = keys_from(to.key);
   if (!keys) return complain_as(manner.style, keys.error(), exit_usage);
-  const auto board = RemoteBoard::connect(executor, to.address, prompt_name(), answer_timeout, *keys);
+  const auto board = client::RemoteBoard::connect(executor, to.address, prompt_name(), answer_timeout, *keys);
   if (!board) return complain_as(manner.style, board.error(), exit_usage);
   const Job waiting = executor.spawn(say_what_is_waited_for(executor, **board, to.address));
   return BoardSession(executor, **board, manner, loss_of(**board, to)).run(forms);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

@@ -17,12 +17,12 @@
 #include <string>
 #include <vector>
 
-#include "programs/command_line/exit_codes.hpp"
 #include "agents/launcher/run_directory.hpp"
 #include "agents/repl/interpreter.hpp"
 #include "agents/repl/terminal.hpp"
+#include "programs/command_line/exit_codes.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 
 struct BoardChoices {
   std::string board;  // an address
@@ -36,7 +36,7 @@ void add_board_options(CLI::App* word, BoardChoices& choices);
 struct Destination {
   std::string address;
   std::string key;
-  std::optional<RunState> run;
+  std::optional<launcher::RunState> run;
 };
 
 Result<Destination> destination(const BoardChoices& choices);
@@ -46,8 +46,8 @@ using Preparation = std::function<Task<Result<void>>(Board&)>;
 
 // How a word is to talk.
 struct Manner {
-  Interpreter::Patience patience = Interpreter::Patience::ended;
-  Style style = Style::text;
+  repl::Interpreter::Patience patience = repl::Interpreter::Patience::ended;
+  repl::Style style = repl::Style::text;
   bool stay = false;    // until interrupted, also when the forms are done
   bool present = true;  // as an agent, which one must be to ask others
   Preparation prepared = nullptr;
@@ -77,10 +77,10 @@ class BoardSession {
 
   Manner manner_;
   Loss loss_;
-  AgentContext context_;
-  Service service_;
-  Terminal* terminal_ = nullptr;
-  Interpreter interpreter_;
+  runtime::AgentContext context_;
+  runtime::Service service_;
+  repl::Terminal* terminal_ = nullptr;
+  repl::Interpreter interpreter_;
   int status_ = exit_reached;
   bool gone_ = false;
   Job looking_;
@@ -89,8 +89,8 @@ class BoardSession {
 int talk_to(const Destination& to, const std::vector<std::string>& forms, Manner manner);
 
 // Prints the failure, in the style for people to standard error.
-int complain_as(Style style, const Failure& failure, ExitCode code);
+int complain_as(repl::Style style, const Failure& failure, ExitCode code);
 // With the status of what failed there: exit_unavailable when no board answered, exit_failed when it answered no.
-int complain_of_board(Style style, const Failure& failure);
+int complain_of_board(repl::Style style, const Failure& failure);
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-namespace pizarra {
+namespace pizarra::programs {
 namespace {
 
 constexpr std::size_t most_sizes = 8;
@@ -21,12 +21,12 @@ Result<void> BoardViews::take(const ImagePair& pair, const std::string& name) {
     return fail("wrong-size",
                 fmt::format("images of {}x{} and {}x{}", size.width, size.height, pair.right.cols, pair.right.rows));
   }
-  Result<BoardView> view = find_board(pair.left, pair.right, board_);
+  Result<camera::BoardView> view = camera::find_board(pair.left, pair.right, board_);
   if (!view) return fail(view);
   const Result<OneSize*> alike = with_size(size);
   if (!alike) return fail(alike);
   const double reach_px = least_motion_ * size.width;
-  for (const BoardView& before : (*alike)->views) {
+  for (const camera::BoardView& before : (*alike)->views) {
     if (!is_same(before.left, view->left, reach_px) || !is_same(before.right, view->right, reach_px)) continue;
     return fail("still", fmt::format("the board stands as in {}", before.name));
   }
@@ -60,4 +60,4 @@ std::vector<const BoardViews::OneSize*> BoardViews::others() const {
   return out;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

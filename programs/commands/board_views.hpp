@@ -7,20 +7,20 @@
 //   Result<void> taken = views.take(pair, "left01.jpg right01.jpg");
 //   calibrate_pair(views.of_most().views, views.of_most().size, board);
 
-#include "programs/commands/board_pairs.hpp"
 #include "drivers/camera/chessboard.hpp"
+#include "programs/commands/board_pairs.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 
 class BoardViews {
  public:
   struct OneSize {
     cv::Size size;
-    std::vector<BoardView> views;
+    std::vector<camera::BoardView> views;
   };
 
   // `least_motion`: how far a corner must be from where any view before had it, of the image's width.
-  BoardViews(const CalibrationBoard& board, double least_motion) : board_(board), least_motion_(least_motion) {}
+  BoardViews(const camera::CalibrationBoard& board, double least_motion) : board_(board), least_motion_(least_motion) {}
 
   // Failures: no-board; still, where a view before shows the same; wrong-size, where a pair's images differ, or where
   // there are more sizes than cameras have.
@@ -33,9 +33,9 @@ class BoardViews {
  private:
   Result<OneSize*> with_size(cv::Size size);
 
-  CalibrationBoard board_;
+  camera::CalibrationBoard board_;
   double least_motion_;
   std::vector<OneSize> sizes_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

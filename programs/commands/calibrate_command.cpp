@@ -5,30 +5,30 @@
 #include <csignal>
 #include <fmt/format.h>
 
+#include "drivers/camera/chessboard.hpp"
+#include "lisp/forms/cell_file.hpp"
 #include "programs/command_line/command_tools.hpp"
-#include "programs/story/output_file.hpp"
 #include "programs/commands/board_pairs.hpp"
 #include "programs/commands/board_session.hpp"
 #include "programs/commands/board_views.hpp"
 #include "programs/commands/calibrate_report.hpp"
 #include "programs/commands/commands.hpp"
-#include "drivers/camera/chessboard.hpp"
-#include "lisp/forms/cell_file.hpp"
+#include "programs/story/output_file.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 namespace {
 
 // How far a corner must have moved to be looked at again, of the image's width: by a person's choice, two pictures of
 // the same place count once; of what a camera sees, much is alike.
 constexpr double least_motion_chosen = 0.01;
 constexpr double least_motion_seen = 0.04;
-constexpr std::chrono::seconds longest_silence{2};
+constexpr std::chrono::seconds longest_untold{2};
 
 struct CalibrateChoices {
   std::vector<std::string> images;
   std::string cell;
   std::string out;  // empty: pair.calibration, of one camera camera.calibration
-  CalibrationBoard board;
+  camera::CalibrationBoard board;
   std::size_t pairs = 20;
   bool json = false;
 };
@@ -66,21 +66,22 @@ class Calibration {
     if (!gathered) return complain_as(style(), gathered.error(), exit_unavailable);
     tell_other_sizes();
     const BoardViews::OneSize& seen = views_.of_most();
-    const auto calibrate = pairs_.single() ? calibrate_single : calibrate_pair;
-    const Result<CalibratedPair> found =
+    const auto calibrate = pairs_.single() ? camera::calibrate_single : camera::calibrate_pair;
+    const Result<camera::CalibratedPair> found =
         calibrate(seen.views, seen.size, choices_.board, [this](const std::string& step) { report_.step(step); });
     if (!found) return complain_as(style(), found.error(), interrupted != 0 ? exit_interrupted : exit_failed);
-    const std::string text = write_calibration(found->calibration);
-    const Result<StereoCalibration> usable = read_calibration(text, out());
+    const std::string text = camera::write_calibration(found->calibration);
+    const Result<camera::StereoCalibration> usable = camera::read_calibration(text, out());
     if (!usable) return complain_as(style(), unusable(usable.error()), exit_failed);
-    const Result<void> written = write_file(out(), {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+    const Result<void> written =
+        story::write_file(out(), {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
     if (!written) return complain_as(style(), written.error(), exit_unavailable);
     report_.result(out(), *found);
     return exit_reached;
   }
 
  private:
-  Style style() const { return choices_.json ? Style::json : Style::text; }
+  repl::Style style() const { return choices_.json ? repl::Style::json : repl::Style::text; }
   std::string out() const {
     if (!choices_.out.empty()) return choices_.out;
     return pairs_.single() ? "camera.calibration" : "pair.calibration";
@@ -119,7 +120,7 @@ class Calibration {
   // A camera shows no board, or the same one, most of the time: that is told now and then.
   void tell(const Result<void>& taken) {
     const auto now = std::chrono::steady_clock::now();
-    const bool is_due = pairs_.chosen() || taken || !told_ || now - *told_ >= longest_silence;
+    const bool is_due = pairs_.chosen() || taken || !told_ || now - *told_ >= longest_untold;
     untold_.reset();
     if (!is_due) {
       untold_ = Untold{pairs_.name(), taken};
@@ -134,7 +135,7 @@ class Calibration {
     for (const BoardViews::OneSize* const other : views_.others()) {
       const std::string why = fmt::format("{}x{}, where most with a board are {}x{}", other->size.width,
                                           other->size.height, most.width, most.height);
-      for (const BoardView& view : other->views) report_.left_out(view.name, 0, why);
+      for (const camera::BoardView& view : other->views) report_.left_out(view.name, 0, why);
     }
   }
 
@@ -156,13 +157,13 @@ Result<std::unique_ptr<BoardPairs>> pairs_of(const CalibrateChoices& choices) {
     const std::string right = choices.images.size() == 2 ? choices.images[1] : "";
     return BoardPairs::of_files(choices.images[0], right);
   }
-  const Result<CellDescription> cell = read_cell_file(choices.cell);
+  const Result<forms::CellDescription> cell = forms::read_cell_file(choices.cell);
   if (!cell) return fail(cell);
   return BoardPairs::of_cameras(cell->eyes);
 }
 
 int run_calibrate(const CalibrateChoices& choices) {
-  const Style style = choices.json ? Style::json : Style::text;
+  const repl::Style style = choices.json ? repl::Style::json : repl::Style::text;
   if (choices.cell.empty() == choices.images.empty()) {
     const Failure which{"no-images",
                         "say LEFT and RIGHT, where the images are (of one camera alone the one place), or --cell, "
@@ -202,11 +203,11 @@ void add_calibrate_command(CLI::App& app, int& status) {
   word->add_option("--pairs", choices->pairs,
                    "With --cell: how many pairs or images to take, each when the board has "
                    "moved; Ctrl-C takes those there are")
-      ->check(CLI::Range(least_views, BoardPairs::most))
+      ->check(CLI::Range(camera::least_views, BoardPairs::most))
       ->capture_default_str();
   word->add_flag("--json", choices->json, "One JSON object a line");
   word->footer(help_footer("calibrate 'left[01]*.jpg' 'right[01]*.jpg' --square 25 --out pair.calibration"));
   word->callback([choices, &status] { status = run_calibrate(*choices); });
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

@@ -6,7 +6,7 @@
 #include "drivers/camera/stereo_geometry.hpp"
 #include "lisp/json.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 
 void CalibrateReport::pair(const std::string& name, const Result<void>& taken, const std::string& so_far) const {
   if (json_) {
@@ -32,11 +32,11 @@ void CalibrateReport::left_out(const std::string& name, double px, const std::st
   }
 }
 
-void CalibrateReport::result(const std::string& file, const CalibratedPair& found) const {
-  for (const ViewError& odd : found.left_out) {
+void CalibrateReport::result(const std::string& file, const camera::CalibratedPair& found) const {
+  for (const camera::ViewError& odd : found.left_out) {
     left_out(odd.name, odd.px, fmt::format("{:.1f} px off: it does not belong to the others", odd.px));
   }
-  const StereoCalibration& c = found.calibration;
+  const camera::StereoCalibration& c = found.calibration;
   if (!json_) {
     fmt::print("{} {} of {} x {}\n", c.pairs, single_ ? "images" : "pairs", c.width, c.height);
     fmt::print("reprojection error {:.3f} px RMS, at most {:.3f} in {}\n", c.reprojection_px, found.worst.px,
@@ -45,9 +45,9 @@ void CalibrateReport::result(const std::string& file, const CalibratedPair& foun
   single_ ? lens_result(file, found) : pair_result(file, found);
 }
 
-void CalibrateReport::pair_result(const std::string& file, const CalibratedPair& found) const {
-  const StereoCalibration& c = found.calibration;
-  const StereoModel model = StereoGeometry(c).model();
+void CalibrateReport::pair_result(const std::string& file, const camera::CalibratedPair& found) const {
+  const camera::StereoCalibration& c = found.calibration;
+  const camera::StereoModel model = camera::StereoGeometry(c).model();
   if (json_) {
     fmt::print(
         "{{\"file\":{},\"pairs\":{},\"reprojection_px\":{:.4f},\"worst_px\":{:.4f},\"worst\":{},"
@@ -64,8 +64,8 @@ void CalibrateReport::pair_result(const std::string& file, const CalibratedPair&
   fmt::print("{} written; in the cell file: (camera ... (calibration \"{}\"))\n", file, file);
 }
 
-void CalibrateReport::lens_result(const std::string& file, const CalibratedPair& found) const {
-  const StereoCalibration& c = found.calibration;
+void CalibrateReport::lens_result(const std::string& file, const camera::CalibratedPair& found) const {
+  const camera::StereoCalibration& c = found.calibration;
   if (json_) {
     fmt::print(
         "{{\"file\":{},\"images\":{},\"reprojection_px\":{:.4f},\"worst_px\":{:.4f},\"worst\":{},"
@@ -82,4 +82,4 @@ void CalibrateReport::lens_result(const std::string& file, const CalibratedPair&
   fmt::print("{} written; in the cell file: (camera (single ...) (calibration \"{}\"))\n", file, file);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

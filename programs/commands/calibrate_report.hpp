@@ -10,7 +10,7 @@
 
 #include "drivers/camera/chessboard.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 
 class CalibrateReport {
  public:
@@ -21,14 +21,14 @@ class CalibrateReport {
   void step(const std::string& what) const;
   // `px`: its error, 0 where that is not why.
   void left_out(const std::string& name, double px, const std::string& why) const;
-  void result(const std::string& file, const CalibratedPair& found) const;
+  void result(const std::string& file, const camera::CalibratedPair& found) const;
 
  private:
-  void pair_result(const std::string& file, const CalibratedPair& found) const;
-  void lens_result(const std::string& file, const CalibratedPair& found) const;
+  void pair_result(const std::string& file, const camera::CalibratedPair& found) const;
+  void lens_result(const std::string& file, const camera::CalibratedPair& found) const;
 
   bool json_;
   bool single_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

@@ -5,17 +5,17 @@
 #include <iterator>
 
 #include "agents/coordinator/plan/task_domain.hpp"
-#include "programs/command_line/command_tools.hpp"
-#include "programs/story/scenario_run.hpp"
-#include "programs/commands/check_planning.hpp"
-#include "programs/commands/goal_text.hpp"
-#include "programs/commands/this_host.hpp"
-#include "programs/commands/commands.hpp"
 #include "drivers/arm/arm_file.hpp"
 #include "drivers/camera/image_files.hpp"
 #include "drivers/camera/stereo_geometry.hpp"
+#include "programs/command_line/command_tools.hpp"
+#include "programs/commands/check_planning.hpp"
+#include "programs/commands/commands.hpp"
+#include "programs/commands/goal_text.hpp"
+#include "programs/commands/this_host.hpp"
+#include "programs/story/scenario_run.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 
 namespace {
 
@@ -26,24 +26,24 @@ struct CheckChoices {
 
 // As the coordinator reads it, which therefore refuses no domain that was checked.
 Result<std::string> check_domain(const std::string& file) {
-  const Result<TaskDomain> task = TaskDomain::read(file);
+  const Result<coordinator::TaskDomain> task = coordinator::TaskDomain::read(file);
   if (!task) return fail(task);
-  const Domain& domain = task->domain();
+  const forms::Domain& domain = task->domain();
   return fmt::format("domain {}: {}, {}", domain.name, counted(domain.predicates.size(), "predicate"),
                      counted(domain.operators.size(), "operator"));
 }
 
-Result<std::string> check_domain(const CellDescription& cell) {
-  const Result<Domain> domain = domain_of(cell);
+Result<std::string> check_domain(const forms::CellDescription& cell) {
+  const Result<forms::Domain> domain = story::domain_of(cell);
   if (!domain) return fail(domain);
   return check_domain(cell.domain_file);
 }
 
 // A cell with the domain that it names.
-Result<std::string> check_cell_whole(const CellDescription& cell) {
-  const Result<WorldConfig> sound = world_config(cell, 1);
+Result<std::string> check_cell_whole(const forms::CellDescription& cell) {
+  const Result<simulation::WorldConfig> sound = launcher::world_config(cell, 1);
   if (!sound) return fail(sound);
-  const bool has_domain = !cell.domain_file.empty() || needs_domain(cell);
+  const bool has_domain = !cell.domain_file.empty() || story::needs_domain(cell);
   const Result<std::string> domain = has_domain ? check_domain(cell) : "no domain";
   if (!domain) return fail(domain);
   return fmt::format("cell {}: {}, {}; {}", cell.name, counted(cell.cubes.size(), "cube"),
@@ -51,36 +51,37 @@ Result<std::string> check_cell_whole(const CellDescription& cell) {
 }
 
 // As the cell's eyes read it.
-Result<void> check_calibration(const CameraSetup& eyes) {
+Result<void> check_calibration(const forms::CameraSetup& eyes) {
   if (eyes.calibration_file.empty()) return {};
-  const Result<StereoCalibration> read = read_calibration_file(eyes.calibration_file);
+  const Result<camera::StereoCalibration> read = camera::read_calibration_file(eyes.calibration_file);
   if (!read) return fail(read);
-  const Result<StereoGeometry> suits = StereoGeometry::make(eyes, *read, {read->width, read->height});
+  const Result<camera::StereoGeometry> suits = camera::StereoGeometry::make(eyes, *read, {read->width, read->height});
   if (!suits) return fail(suits);
   return {};
 }
 
 // Another host may have what is not here.
-bool sees_from_here(const CellDescription& cell) {
-  const Result<CellHost> host = choose_host(cell, "");
+bool sees_from_here(const forms::CellDescription& cell) {
+  const Result<forms::CellHost> host = choose_host(cell, "");
   return host && std::ranges::find(host->agents, "vision") != host->agents.end();
 }
 
 // What is not there yet may come before the cell is run.
-void warn_of_missing_recordings(const std::string& file, const CellDescription& cell) {
+void warn_of_missing_recordings(const std::string& file, const forms::CellDescription& cell) {
   if (!sees_from_here(cell)) return;
-  for (const CameraSource& source : cell.eyes.sources) {
+  for (const forms::CameraSource& source : cell.eyes.sources) {
     std::error_code unreadable;
-    const bool film_missing = source.kind == CameraSource::Kind::video &&
-                              !std::filesystem::is_regular_file(source.where, unreadable);
-    const bool images_missing = source.kind == CameraSource::Kind::images && image_files_at(source.where).empty();
+    const bool film_missing =
+        source.kind == forms::CameraSource::Kind::video && !std::filesystem::is_regular_file(source.where, unreadable);
+    const bool images_missing =
+        source.kind == forms::CameraSource::Kind::images && camera::image_files_at(source.where).empty();
     if (film_missing) fmt::print(stderr, "{}: warning: there is no film {}\n", file, source.where);
     if (images_missing) fmt::print(stderr, "{}: warning: there are no images at {}\n", file, source.where);
   }
 }
 
 Result<std::string> check_cell(const std::string& file) {
-  const Result<CellDescription> cell = read_cell_file(file);
+  const Result<forms::CellDescription> cell = forms::read_cell_file(file);
   if (!cell) return fail(cell);
   const Result<void> calibrated = check_calibration(cell->eyes);
   if (!calibrated) return fail(calibrated);
@@ -89,17 +90,17 @@ Result<std::string> check_cell(const std::string& file) {
 }
 
 Result<std::string> check_arm(const std::string& file) {
-  const Result<ArmModel> arm = read_arm_file(file);
+  const Result<arm::ArmModel> arm = arm::read_arm_file(file);
   if (!arm) return fail(arm);
   return fmt::format("arm {}: {} axes", arm->type, arm->axes.size());
 }
 
 Result<std::string> check_scenario_file(const std::string& file) {
-  const Result<Scenario> scenario = read_scenario_file(file);
+  const Result<forms::Scenario> scenario = forms::read_scenario_file(file);
   if (!scenario) return fail(scenario);
-  const Result<void> playable = check_scenario(*scenario);
+  const Result<void> playable = story::check_scenario(*scenario);
   if (!playable) return fail(playable);
-  const Result<CellDescription> cell = cell_of(*scenario);
+  const Result<forms::CellDescription> cell = story::cell_of(*scenario);
   if (!cell) return fail(cell);
   const Result<std::string> whole = check_cell_whole(*cell);
   if (!whole) return fail(whole);
@@ -109,11 +110,11 @@ Result<std::string> check_scenario_file(const std::string& file) {
 // What is none of these is a goal.
 Result<std::string> check_goal_file(const std::string& file, const CheckChoices& choices) {
   const std::string domain_file = choices.domain.empty() ? shipped_file("domains/blocks.scm") : choices.domain;
-  const Result<Domain> domain = read_domain_file(domain_file);
+  const Result<forms::Domain> domain = forms::read_domain_file(domain_file);
   if (!domain) return fail(domain);
   std::ifstream in(file);
   const std::string text(std::istreambuf_iterator<char>(in), {});
-  const Result<std::vector<Datum>> goal = check_goal(*domain, text);
+  const Result<std::vector<Datum>> goal = forms::check_goal(*domain, text);
   if (!goal) return fail(goal);
   return fmt::format("goal of {}", counted(goal->size(), "fact"));
 }
@@ -121,13 +122,13 @@ Result<std::string> check_goal_file(const std::string& file, const CheckChoices&
 // `next` is the file behind it, or empty.
 Result<std::string> check_planning(const Source& source, const std::string& next, PlanningCheck& planning) {
   if (next.empty()) return planning.check(source, nullptr);
-  const Result<Source> behind = read_planning_source_file(next);
+  const Result<Source> behind = forms::read_planning_source_file(next);
   return planning.check(source, behind ? &*behind : nullptr);
 }
 
 Result<std::string> check_file(const std::string& file, const std::string& next, const CheckChoices& choices,
                                PlanningCheck& planning) {
-  const Result<Source> source = read_planning_source_file(file);
+  const Result<Source> source = forms::read_planning_source_file(file);
   if (!source) return fail(source);
   if (PlanningCheck::knows(*source)) return check_planning(*source, next, planning);
   if (source->data().empty()) return fail("nothing-to-read", file + ": nothing is written here");
@@ -178,4 +179,4 @@ void add_check_command(CLI::App& app, int& status) {
   word->callback([choices, &status] { status = check_files(*choices); });
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

@@ -6,7 +6,7 @@
 
 #include "programs/command_line/command_tools.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 
 namespace {
 
@@ -31,12 +31,12 @@ bool PlanningCheck::knows(const Source& source) {
 Result<std::string> PlanningCheck::check_domain(const Source& source, const Source* next) {
   domain_.reset();
   wrong_domain_ = source;
-  Result<PlanningDomain> domain = read_planning_domain(source, next);
+  Result<forms::PlanningDomain> domain = forms::read_planning_domain(source, next);
   if (!domain) return fail(domain);
   wrong_domain_.reset();
   domain_ = std::move(*domain);
   const Datum& form = domain_->form;
-  if (domain_->language == PlanningLanguage::operators) return counted(form[6].size(), "operator");
+  if (domain_->language == forms::PlanningLanguage::operators) return counted(form[6].size(), "operator");
   return fmt::format("domain {}: {}, {}", form[1].text(), counted(form[4].size(), "predicate"),
                      counted(form[6].size(), "action"));
 }
@@ -44,7 +44,7 @@ Result<std::string> PlanningCheck::check_domain(const Source& source, const Sour
 Result<std::string> PlanningCheck::check(const Source& source, const Source* next) {
   if (is_domain(source)) return check_domain(source, next);
   if (wrong_domain_) {
-    const Result<void> checked = check_planning_problem(source, *wrong_domain_);
+    const Result<void> checked = forms::check_planning_problem(source, *wrong_domain_);
     if (!checked) return fail(checked);
     return std::string("nothing wrong is found, as far as its domain can be understood");
   }
@@ -52,7 +52,7 @@ Result<std::string> PlanningCheck::check(const Source& source, const Source* nex
     return fail("no-domain",
                 source.file() + " belongs to a domain: name the domain's file before it, or with --domain");
   }
-  const Result<Datum> problem = read_planning_problem(source, *domain_);
+  const Result<Datum> problem = forms::read_planning_problem(source, *domain_);
   if (!problem) return fail(problem);
   const Datum& form = *problem;
   return fmt::format("problem: {}, {}, {}", counted(form[1].size(), "object"), counted(form[2].size(), "fact"),
@@ -60,12 +60,12 @@ Result<std::string> PlanningCheck::check(const Source& source, const Source* nex
 }
 
 Result<void> PlanningCheck::use_domain(const std::string& path) {
-  const Result<Source> source = read_planning_source_file(path);
+  const Result<Source> source = forms::read_planning_source_file(path);
   if (!source) return fail(source);
-  Result<PlanningDomain> domain = read_planning_domain(*source);
+  Result<forms::PlanningDomain> domain = forms::read_planning_domain(*source);
   if (!domain) return fail(domain);
   domain_ = std::move(*domain);
   return {};
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

@@ -10,7 +10,7 @@
 
 #include "lisp/forms/planning_files.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 
 class PlanningCheck {
  public:
@@ -26,8 +26,8 @@ class PlanningCheck {
  private:
   Result<std::string> check_domain(const Source& source, const Source* next);
 
-  std::optional<PlanningDomain> domain_;
+  std::optional<forms::PlanningDomain> domain_;
   std::optional<Source> wrong_domain_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

@@ -10,7 +10,7 @@
 
 #include <CLI/CLI.hpp>
 
-namespace pizarra {
+namespace pizarra::programs {
 
 void add_demo_command(CLI::App& app, int& status);
 void add_scenario_command(CLI::App& app, int& status);
@@ -26,4 +26,4 @@ void add_replay_command(CLI::App& app, int& status);
 void add_repl_command(CLI::App& app, int& status);
 void add_form_commands(CLI::App& app, int& status);  // declare, tell, retract, ask, watch, goal, why
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

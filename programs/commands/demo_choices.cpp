@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <limits>
 
-namespace pizarra {
+namespace pizarra::programs {
 
 namespace {
 
@@ -49,4 +49,4 @@ Result<void> check_choices(const DemoChoices& choices) {
   return check_random(choices);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

@@ -12,7 +12,7 @@
 
 #include "lisp/result.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 
 struct DemoChoices {
   std::string cell;
@@ -39,4 +39,4 @@ struct DemoChoices {
 // Failure bad-option, which names the option.
 Result<void> check_choices(const DemoChoices& choices);
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

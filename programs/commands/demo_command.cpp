@@ -1,35 +1,35 @@
 #include <filesystem>
 #include <fmt/format.h>
 
-#include "programs/command_line/command_tools.hpp"
-#include "programs/story/output_file.hpp"
-#include "programs/story/random_story.hpp"
-#include "programs/story/scenario_run.hpp"
 #include "agents/launcher/agent_factory.hpp"
+#include "lisp/writer.hpp"
+#include "programs/command_line/command_tools.hpp"
+#include "programs/commands/commands.hpp"
 #include "programs/commands/demo_choices.hpp"
 #include "programs/commands/goal_text.hpp"
 #include "programs/commands/random_runs.hpp"
-#include "programs/commands/commands.hpp"
-#include "lisp/writer.hpp"
+#include "programs/story/output_file.hpp"
+#include "programs/story/random_story.hpp"
+#include "programs/story/scenario_run.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 
 namespace {
 
 constexpr double goal_alone_within_s = 300;
 
 // The story beside the cell file; where there is none, or another goal is asked for, no hand interferes.
-Result<Scenario> story_of(const DemoChoices& choices) {
+Result<forms::Scenario> story_of(const DemoChoices& choices) {
   const std::filesystem::path cell(choices.cell);
   const std::string story = (cell.parent_path() / "story.scm").string();
-  Scenario scenario;
+  forms::Scenario scenario;
   if (!choices.has("--goal") && !choices.random) {
     if (!std::filesystem::exists(story)) {
-      const Result<CellDescription> cell_alone = read_cell_file(choices.cell);
+      const Result<forms::CellDescription> cell_alone = forms::read_cell_file(choices.cell);
       if (!cell_alone) return fail(cell_alone);
       return fail("no-story", fmt::format("there is no {}, so say what is wanted: --goal '(on A B)'", story));
     }
-    Result<Scenario> told = read_scenario_file(story);
+    Result<forms::Scenario> told = forms::read_scenario_file(story);
     if (!told) return told;
     scenario = std::move(*told);
   } else {
@@ -47,9 +47,9 @@ std::string goal_words(const std::vector<Datum>& goal) {
   return out;
 }
 
-void tell_end(Narrator& narrator, const StoryReport& report, const DemoChoices& choices) {
+void tell_end(story::Narrator& narrator, const story::StoryReport& report, const DemoChoices& choices) {
   const Time end = Time{} + report.simulated;
-  const DirectorReport& director = report.director;
+  const story::DirectorReport& director = report.director;
   narrator.begin(Time{});
   if (director.reached()) {
     narrator.say(end, "judge", "the world shows " + goal_words(director.goal));
@@ -64,11 +64,11 @@ void tell_end(Narrator& narrator, const StoryReport& report, const DemoChoices& 
   if (!choices.film.empty()) narrator.say(end, "film", choices.film);
 }
 
-int status_of(const DirectorReport& report, const std::string& typed_goal) {
+int status_of(const story::DirectorReport& report, const std::string& typed_goal) {
   if (report.reached()) return exit_reached;
   if (report.outcome == "refused" && report.refusal) {
     const std::string goal = typed_goal.empty() ? goal_words(report.goal) : typed_goal;
-    const Failure refusal = at_its_goal(*report.refusal, goal);
+    const Failure refusal = forms::at_its_goal(*report.refusal, goal);
     if (!report.refusal_told) return complain(refusal, exit_refused);
     // One that the coordinator came to has been part of the story already, but for its place.
     if (!refusal.place.empty()) fmt::print(stderr, "{}\n", refusal.place);
@@ -83,17 +83,17 @@ int run_demo(const DemoChoices& choices) {
     const Result<void> typed = check_typed_goal(choices.goal);
     if (!typed) return complain(typed.error(), exit_usage);
   }
-  Result<Scenario> scenario = story_of(choices);
+  Result<forms::Scenario> scenario = story_of(choices);
   if (!scenario) return complain(scenario.error(), exit_usage);
-  Result<CellDescription> cell = cell_of(*scenario);
+  Result<forms::CellDescription> cell = story::cell_of(*scenario);
   if (!cell) return complain(cell.error(), exit_usage);
   if (!choices.arm.empty()) {
-    const Result<void> put = put_arm(*cell, choices.arm);
+    const Result<void> put = forms::put_arm(*cell, choices.arm);
     if (!put) return complain(put.error(), exit_usage);
   }
-  const Result<WorldConfig> sound = world_config(*cell, choices.seed);
+  const Result<simulation::WorldConfig> sound = launcher::world_config(*cell, choices.seed);
   if (!sound) return complain(sound.error(), exit_usage);
-  const Result<Domain> domain = domain_of(*cell);
+  const Result<forms::Domain> domain = story::domain_of(*cell);
   if (!domain) return complain(domain.error(), exit_usage);
   if (choices.has("--goal")) {
     Result<std::vector<Datum>> goal = read_goal_for(*domain, choices.goal, *cell);
@@ -103,25 +103,25 @@ int run_demo(const DemoChoices& choices) {
 
   for (const std::string& file : {choices.journal, choices.film, choices.picture}) {
     if (file.empty()) continue;
-    const Result<void> writable = check_writable(file);
+    const Result<void> writable = story::check_writable(file);
     if (!writable) return complain(writable.error(), exit_unavailable);
   }
 
   const StopSignals signals;
-  StoryOptions options{choices.seed, choices.realtime, choices.journal, choices.film, choices.picture, &signals};
+  story::StoryOptions options{choices.seed, choices.realtime, choices.journal, choices.film, choices.picture, &signals};
   if (choices.random) {
-    const Result<void> drawable = check_random_cell(*cell, *domain);
+    const Result<void> drawable = story::check_random_cell(*cell, *domain);
     if (!drawable) return complain(drawable.error(), exit_usage);
-    RandomStory story = random_story_of_seed(std::move(*cell), choices.seed);
+    story::RandomStory story = story::random_story_of_seed(std::move(*cell), choices.seed);
     cell = std::move(story.cell);
     scenario = std::move(story.scenario);
     options.director.events_may_fail = true;
   }
-  Narrator narrator(stdout, Narrator::style_for(stdout, choices.json));
+  story::Narrator narrator(stdout, story::Narrator::style_for(stdout, choices.json));
   narrator.say(Time{}, "cell",
                fmt::format("{}: {}, arm {}, domain {}, seed {}", cell->name, counted(cell->cubes.size(), "cube"),
                            cell->arm, domain->name, choices.seed));
-  const Result<StoryReport> report = run_story(*scenario, *cell, options, narrator);
+  const Result<story::StoryReport> report = story::run_story(*scenario, *cell, options, narrator);
   if (!report) return complain(report.error(), exit_unavailable);
   if (report->interrupted) {
     narrator.begin(Time{});
@@ -182,4 +182,4 @@ void add_demo_command(CLI::App& app, int& status) {
   });
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

@@ -5,19 +5,19 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "programs/command_line/command_tools.hpp"
 #include "agents/launcher/run_directory.hpp"
-#include "programs/commands/commands.hpp"
 #include "lisp/forms/cell_file.hpp"
+#include "programs/command_line/command_tools.hpp"
+#include "programs/commands/commands.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 
 namespace {
 
 // A cell's file, as `up` takes it, or its name.
 Result<std::string> name_of(const std::string& cell) {
   if (!std::filesystem::is_regular_file(cell)) return cell;
-  const Result<CellDescription> described = read_cell_file(cell);
+  const Result<forms::CellDescription> described = forms::read_cell_file(cell);
   if (!described) return fail(described);
   return described->name;
 }
@@ -25,12 +25,12 @@ Result<std::string> name_of(const std::string& cell) {
 int run_down(const std::string& cell) {
   const Result<std::string> name = name_of(cell);
   if (!name) return complain(name.error(), exit_usage);
-  const Result<RunState> run = find_run(*name);
+  const Result<launcher::RunState> run = launcher::find_run(*name);
   if (!run) return complain(run.error(), exit_unavailable);
   kill(run->supervisor_pid, SIGTERM);
   constexpr int tries = 60;
-  for (int n = 0; n < tries && still_runs(*run); ++n) usleep(100'000);
-  if (!still_runs(*run)) return exit_reached;
+  for (int n = 0; n < tries && launcher::still_runs(*run); ++n) usleep(100'000);
+  if (!launcher::still_runs(*run)) return exit_reached;
   fmt::print(stderr, "pizarra: process {} does not end\n", run->supervisor_pid);
   return exit_failed;
 }
@@ -45,4 +45,4 @@ void add_down_command(CLI::App& app, int& status) {
   down->callback([cell, &status] { status = run_down(*cell); });
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

@@ -2,18 +2,18 @@
 
 #include <fmt/format.h>
 
-#include "programs/command_line/moment.hpp"
-#include "programs/command_line/command_tools.hpp"
-#include "programs/commands/board_session.hpp"
-#include "programs/commands/goal_text.hpp"
-#include "programs/commands/commands.hpp"
 #include "blackboard/journal/journal_file.hpp"
 #include "blackboard/memory/recorded_board.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "lisp/reader.hpp"
 #include "lisp/writer.hpp"
+#include "programs/command_line/command_tools.hpp"
+#include "programs/command_line/moment.hpp"
+#include "programs/commands/board_session.hpp"
+#include "programs/commands/commands.hpp"
+#include "programs/commands/goal_text.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 
 namespace {
 
@@ -58,19 +58,19 @@ Result<std::string> ask_at(const Source& typed, const std::string& at) {
   return write(list("ask"_sym, query_to_datum(*query)));
 }
 
-int ask_journal(const std::string& form, const FormChoices& choices, Style style) {
-  const Result<LineStart> end = end_of_journal(choices.journal);
+int ask_journal(const std::string& form, const FormChoices& choices, repl::Style style) {
+  const Result<journal::LineStart> end = journal::end_of_journal(choices.journal);
   if (!end) return complain_as(style, end.error(), exit_usage);
   const Result<Moment> moment = choices.at.empty() ? Moment{} : moment_from_text(choices.at, end->when);
   if (!moment) return complain_as(style, moment.error(), exit_usage);
   RealExecutor executor;
-  const auto board = RecordedBoard::open(executor, choices.journal, *moment);
+  const auto board = memory::RecordedBoard::open(executor, choices.journal, *moment);
   if (!board) return complain_as(style, board.error(), exit_usage);
   return BoardSession(executor, **board, {.style = style, .present = false}).run({form});
 }
 
 int run_form(const FormWord& word, const FormChoices& choices) {
-  const Style style = choices.json ? Style::json : Style::text;
+  const repl::Style style = choices.json ? repl::Style::json : repl::Style::text;
   const std::string typed = fmt::format("{}", fmt::join(choices.arguments, " "));
   if (std::string_view(word.name) == "goal") {
     const Result<void> goal = check_typed_goal(typed);
@@ -119,4 +119,4 @@ void add_form_commands(CLI::App& app, int& status) {
   for (const FormWord& word : form_words) add_form_command(app, status, word);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

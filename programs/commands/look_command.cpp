@@ -4,18 +4,18 @@
 #include <fmt/format.h>
 #include <opencv2/imgcodecs.hpp>
 
-#include "programs/command_line/key_option.hpp"
-#include "programs/command_line/command_tools.hpp"
-#include "programs/commands/board_session.hpp"
-#include "programs/commands/commands.hpp"
 #include "agents/runtime/declared.hpp"
 #include "blackboard/client/remote_board.hpp"
 #include "blackboard/streams/remote_streams.hpp"
 #include "blackboard/time/latch.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "lisp/json.hpp"
+#include "programs/command_line/command_tools.hpp"
+#include "programs/command_line/key_option.hpp"
+#include "programs/commands/board_session.hpp"
+#include "programs/commands/commands.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 
 namespace {
 
@@ -71,7 +71,7 @@ class Look {
   int status() const { return status_; }
 
  private:
-  Style style() const { return choices_.json ? Style::json : Style::text; }
+  repl::Style style() const { return choices_.json ? repl::Style::json : repl::Style::text; }
 
   Task<Result<std::vector<Announced>>> ask() {
     const std::vector<Relation> relations{stream_relation()};
@@ -134,7 +134,7 @@ class Look {
   Task<std::string> why_no_image(Announced stream) {
     const std::string& eyes = stream.teller;
     const Datum state = list("camera-state"_sym, Datum::symbol(eyes), "?"_sym, "?"_sym);
-    const Result<std::vector<Fact>> told = co_await facts_if_declared(board_, state);
+    const Result<std::vector<Fact>> told = co_await runtime::facts_if_declared(board_, state);
     const bool known = told && !told->empty();
     if (!known) co_return eyes + " does not tell what its camera does";
     const Datum& camera = told->front().datum;
@@ -168,15 +168,16 @@ class Look {
 };
 
 int run_look(const LookChoices& choices) {
-  const Style style = choices.json ? Style::json : Style::text;
+  const repl::Style style = choices.json ? repl::Style::json : repl::Style::text;
   const Result<Destination> to = destination(choices.board);
   if (!to) return complain_as(style, to.error(), exit_unavailable);
-  const Result<std::optional<ClientKeys>> keys = keys_from(to->key);
+  const Result<std::optional<wire::ClientKeys>> keys = keys_from(to->key);
   if (!keys) return complain_as(style, keys.error(), exit_usage);
   RealExecutor executor;
-  const auto board = RemoteBoard::connect(executor, to->address, "look", RemoteBoard::default_timeout, *keys);
+  const auto board =
+      client::RemoteBoard::connect(executor, to->address, "look", client::RemoteBoard::default_timeout, *keys);
   if (!board) return complain_as(style, board.error(), exit_usage);
-  const auto streams = RemoteStreams::open(executor, **board);
+  const auto streams = streams::RemoteStreams::open(executor, **board);
   if (!streams) return complain_as(style, streams.error(), exit_unavailable);
   Look look(choices, executor, **board, **streams);
   const Job job = executor.spawn(look.run());
@@ -204,4 +205,4 @@ void add_look_command(CLI::App& app, int& status) {
   look->callback([choices, &status] { status = run_look(*choices); });
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

@@ -2,20 +2,20 @@
 
 #include "drivers/simulation/render/solid.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 namespace {
 
 using Eigen::Vector2d;
 
-constexpr double face_mm = marked_cube_mm;
+constexpr double face_mm = simulation::marked_cube_mm;
 constexpr double text_mm = 4;
 
 std::vector<Vector2d> box(double left, double top, double width, double height) {
   return {{left, top}, {left + width, top}, {left + width, top + height}, {left, top + height}};
 }
 
-void add_mark(Sheet& sheet, Mark mark, const Vector2d& centre) {
-  for (const auto& part : mark_outline(mark)) {
+void add_mark(Sheet& sheet, simulation::Mark mark, const Vector2d& centre) {
+  for (const auto& part : simulation::mark_outline(mark)) {
     std::vector<Vector2d>& area = sheet.areas.emplace_back();
     for (const Vector2d& point : part) area.emplace_back(centre + Vector2d(point.x(), -point.y()));
   }
@@ -53,7 +53,8 @@ void add_scale(Sheet& sheet, double top) {
 }  // namespace
 
 Sheet shapes_sheet() {
-  constexpr Mark marks[] = {Mark::circle, Mark::triangle, Mark::square, Mark::cross};
+  constexpr simulation::Mark marks[] = {simulation::Mark::circle, simulation::Mark::triangle, simulation::Mark::square,
+                                        simulation::Mark::cross};
   Sheet sheet;
   sheet.texts.push_back({{20, 14}, text_mm, "Pizarra: four shapes to learn, each a face for a cube of 60 mm"});
   for (int i = 0; i < 4; ++i) {
@@ -83,4 +84,4 @@ Sheet board_sheet() {
   return sheet;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

@@ -11,7 +11,7 @@
 
 #include "lisp/result.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 
 // From the upper left corner, y downwards, mm; black.
 struct Sheet {
@@ -35,4 +35,4 @@ Sheet board_sheet();
 // Failures: unknown-format, cannot-write.
 Result<void> write_sheet(const std::string& path, const Sheet& sheet);
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

@@ -3,16 +3,16 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-#include "programs/command_line/key_option.hpp"
-#include "programs/command_line/command_tools.hpp"
 #include "agents/launcher/run_directory.hpp"
-#include "programs/commands/commands.hpp"
 #include "agents/runtime/declared.hpp"
 #include "blackboard/client/remote_board.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "lisp/json.hpp"
+#include "programs/command_line/command_tools.hpp"
+#include "programs/command_line/key_option.hpp"
+#include "programs/commands/commands.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 
 namespace {
 
@@ -22,9 +22,9 @@ struct OnBoard {
 };
 
 // What the board says, or nothing of what it does not answer in time.
-Task<void> list_facts(RemoteBoard& board, OnBoard* out) {
+Task<void> list_facts(client::RemoteBoard& board, OnBoard* out) {
   Datum agent = list("agent"_sym, "?"_sym, "?"_sym, "?"_sym);
-  Result<std::vector<Fact>> agents = co_await facts_if_declared(board, std::move(agent));
+  Result<std::vector<Fact>> agents = co_await runtime::facts_if_declared(board, std::move(agent));
   if (agents) out->agents = std::move(*agents);
   if (!board.connected()) co_return;
   Datum refusal = list("board-refusal"_sym, "?"_sym, "?"_sym, "?"_sym, "?"_sym);
@@ -32,12 +32,12 @@ Task<void> list_facts(RemoteBoard& board, OnBoard* out) {
   if (refusals) out->refusals = std::move(*refusals);
 }
 
-OnBoard facts_on(const RunState& run) {
+OnBoard facts_on(const launcher::RunState& run) {
   RealExecutor executor;
   OnBoard facts;
-  const Result<std::optional<ClientKeys>> keys = keys_from(run.key);
+  const Result<std::optional<wire::ClientKeys>> keys = keys_from(run.key);
   if (!keys) return facts;
-  const auto board = RemoteBoard::connect(executor, run.board_address, "ps", 2s, *keys);
+  const auto board = client::RemoteBoard::connect(executor, run.board_address, "ps", 2s, *keys);
   if (!board) return facts;
   const Job job = executor.spawn(list_facts(**board, &facts));
   executor.run_until([&job] { return job.done(); });
@@ -45,7 +45,7 @@ OnBoard facts_on(const RunState& run) {
 }
 
 // Of (board-refusal CLIENT SYMBOL COUNT SENTENCE).
-void print_refusal(const RunState& run, const Datum& refusal, bool json) {
+void print_refusal(const launcher::RunState& run, const Datum& refusal, bool json) {
   const std::string_view client = refusal[1].text();
   const std::int64_t count = refusal[3].integer();
   if (json) {
@@ -57,13 +57,13 @@ void print_refusal(const RunState& run, const Datum& refusal, bool json) {
              counted(static_cast<std::size_t>(count), "time"), refusal[2].text(), refusal[4].text());
 }
 
-void print_run(const RunState& run, bool json) {
+void print_run(const launcher::RunState& run, bool json) {
   OnBoard on_board = facts_on(run);
   std::vector<Fact>& agents = on_board.agents;
   if (!json)
     fmt::print("cell {} on {}, process {}, board {}\n", run.cell, run.host, run.supervisor_pid, run.board_address);
   const auto print = [&](std::string_view name, std::string_view kind, std::string_view host,
-                         const RunProcess* process) {
+                         const launcher::RunProcess* process) {
     if (json) {
       fmt::print("{{\"cell\":{},\"name\":{},\"kind\":{},\"host\":{},\"pid\":{},\"restarts\":{}}}\n",
                  json_string(run.cell), json_string(name), json_string(kind), json_string(host),
@@ -74,7 +74,7 @@ void print_run(const RunState& run, bool json) {
     const auto restarts = static_cast<std::size_t>(process ? process->restarts : 0);
     fmt::print("  {:<14} {:<12} {:<12} {:>8}  {}\n", name, kind, host, pid, counted(restarts, "restart"));
   };
-  for (const RunProcess& process : run.processes) {
+  for (const launcher::RunProcess& process : run.processes) {
     const auto fact =
         std::ranges::find_if(agents, [&](const Fact& agent) { return agent.datum[1].text() == process.name; });
     const bool infrastructure = process.name == "board" || process.name == "world";
@@ -87,9 +87,9 @@ void print_run(const RunState& run, bool json) {
 }
 
 int run_ps(bool json) {
-  const std::vector<RunState> runs = running_cells();
+  const std::vector<launcher::RunState> runs = launcher::running_cells();
   if (runs.empty() && !json) fmt::print("no cell runs here\n");
-  for (const RunState& run : runs) print_run(run, json);
+  for (const launcher::RunState& run : runs) print_run(run, json);
   return exit_reached;
 }
 
@@ -103,4 +103,4 @@ void add_ps_command(CLI::App& app, int& status) {
   ps->callback([json, &status] { status = run_ps(*json); });
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

@@ -11,11 +11,11 @@
 #include <thread>
 #include <unistd.h>
 
+#include "lisp/json.hpp"
 #include "programs/command_line/exit_codes.hpp"
 #include "programs/story/random_run.hpp"
-#include "lisp/json.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 
 namespace {
 
@@ -52,9 +52,9 @@ class Pool {
   const RandomRuns& runs_;
   std::size_t jobs_ = 1;
   std::vector<Worker> workers_;
-  std::map<std::uint64_t, RandomResult> results_;
+  std::map<std::uint64_t, story::RandomResult> results_;
   std::uint64_t next_to_print_ = 0;
-  std::map<RandomResult::Kind, int> counts_;
+  std::map<story::RandomResult::Kind, int> counts_;
   std::string unreadable_;
 };
 
@@ -64,7 +64,7 @@ class Pool {
   // Ctrl-C comes to all of a terminal's processes; the one that counts ends the others.
   std::signal(SIGINT, SIG_IGN);
   std::signal(SIGTERM, SIG_DFL);
-  const RandomResult result = run_random_seed(runs.cell_file, runs.arm, seed);
+  const story::RandomResult result = story::run_random_seed(runs.cell_file, runs.arm, seed);
   const std::string text = fmt::format("{}{}", static_cast<int>(result.kind), result.line).substr(0, longest_line);
   const bool written = ::write(pipe, text.data(), text.size()) == static_cast<ssize_t>(text.size());
   _exit(written ? 0 : 1);
@@ -93,16 +93,16 @@ void Pool::collect(Worker& worker) {
   close(worker.pipe);
   int status = 0;
   waitpid(worker.pid, &status, 0);
-  RandomResult result;
+  story::RandomResult result;
   if (worker.timed_out) {
-    result.kind = RandomResult::Kind::timed_out;
+    result.kind = story::RandomResult::Kind::timed_out;
     result.line = fmt::format("no end within {} s of this machine's time", runs_.longest_run.count());
   } else if (WIFSIGNALED(status)) {
     result.line = fmt::format("ended by signal {}", WTERMSIG(status));
   } else if (WEXITSTATUS(status) != 0 || worker.text.empty()) {
     result.line = fmt::format("ended with status {} and no word", WEXITSTATUS(status));
   } else {
-    result.kind = static_cast<RandomResult::Kind>(worker.text.front() - '0');
+    result.kind = static_cast<story::RandomResult::Kind>(worker.text.front() - '0');
     result.line = worker.text.substr(1);
   }
   results_.emplace(worker.seed, std::move(result));
@@ -132,8 +132,8 @@ void Pool::read_some() {
 void Pool::print_ready() {
   static constexpr const char* words[] = {"reached", "refused", "failed", "timed out"};
   for (auto ready = results_.find(next_to_print_); ready != results_.end(); ready = results_.find(next_to_print_)) {
-    const RandomResult& result = ready->second;
-    if (result.kind == RandomResult::Kind::unreadable) {
+    const story::RandomResult& result = ready->second;
+    if (result.kind == story::RandomResult::Kind::unreadable) {
       unreadable_ = result.line;
       return;
     }
@@ -160,7 +160,7 @@ void Pool::kill_all() {
 
 // On standard error where the lines were not read any more.
 void Pool::print_summary() {
-  using Kind = RandomResult::Kind;
+  using Kind = story::RandomResult::Kind;
   const int reached = counts_[Kind::reached];
   const int refused = counts_[Kind::refused];
   const int failed = counts_[Kind::failed];
@@ -208,12 +208,12 @@ int Pool::run() {
   kill_all();
   print_summary();
   if (interrupted != 0) return exit_interrupted;
-  if (counts_[RandomResult::Kind::failed] > 0) return exit_failed;
-  return counts_[RandomResult::Kind::timed_out] > 0 ? exit_unavailable : exit_reached;
+  if (counts_[story::RandomResult::Kind::failed] > 0) return exit_failed;
+  return counts_[story::RandomResult::Kind::timed_out] > 0 ? exit_unavailable : exit_reached;
 }
 
 }  // namespace
 
 int run_random(const RandomRuns& runs) { return Pool(runs).run(); }
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

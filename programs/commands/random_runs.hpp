@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <string>
 
-namespace pizarra {
+namespace pizarra::programs {
 
 struct RandomRuns {
   std::string cell_file;
@@ -25,4 +25,4 @@ struct RandomRuns {
 // reached when no seed failed, unavailable when one could not be brought to an end.
 int run_random(const RandomRuns& runs);
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

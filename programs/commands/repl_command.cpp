@@ -4,14 +4,14 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "programs/command_line/command_tools.hpp"
 #include "agents/launcher/local_cell.hpp"
 #include "agents/launcher/readiness.hpp"
+#include "blackboard/time/real_executor.hpp"
+#include "programs/command_line/command_tools.hpp"
 #include "programs/commands/board_session.hpp"
 #include "programs/commands/commands.hpp"
-#include "blackboard/time/real_executor.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 
 namespace {
 
@@ -28,29 +28,29 @@ bool is_script(const ReplChoices& choices) { return !choices.forms.empty() || is
 
 // Who types goes on typing while a goal is pursued; a script waits.
 Manner manner_of(const ReplChoices& choices) {
-  return {.patience = is_script(choices) ? Interpreter::Patience::ended : Interpreter::Patience::accepted};
+  return {.patience = is_script(choices) ? repl::Interpreter::Patience::ended : repl::Interpreter::Patience::accepted};
 }
 
 // A script finds everybody at work; who runs but a few agents teaches for himself.
-Task<Result<void>> await_cell(LocalCell& cell, Board& board, std::vector<std::string> kinds, bool whole) {
-  const Result<void> there = co_await await_agents(cell, board, kinds);
+Task<Result<void>> await_cell(launcher::LocalCell& cell, Board& board, std::vector<std::string> kinds, bool whole) {
+  const Result<void> there = co_await launcher::await_agents(cell, board, kinds);
   if (!there) co_return there;
-  const Result<void> met = co_await await_devices(cell, board, kinds);
+  const Result<void> met = co_await launcher::await_devices(cell, board, kinds);
   if (!met) co_return met;
   const bool taught = whole && std::ranges::find(kinds, "person") != kinds.end();
   if (!taught) co_return {};
-  co_return co_await await_teaching(board, cell.executor());
+  co_return co_await launcher::await_teaching(board, cell.executor());
 }
 
 int talk_to_own_cell(const ReplChoices& choices) {
-  const Result<CellDescription> cell = read_cell_file(choices.cell_file);
+  const Result<forms::CellDescription> cell = forms::read_cell_file(choices.cell_file);
   if (!cell) return complain(cell.error(), exit_usage);
-  const Result<WorldConfig> sound = world_config(*cell, choices.seed);
+  const Result<simulation::WorldConfig> sound = launcher::world_config(*cell, choices.seed);
   if (!sound) return complain(sound.error(), exit_usage);
   RealExecutor executor;
-  LocalCell local(executor, *cell, choices.seed);
+  launcher::LocalCell local(executor, *cell, choices.seed);
   const bool whole = choices.agents.empty();
-  const std::vector<std::string> kinds = whole ? named_agents(*cell) : choices.agents;
+  const std::vector<std::string> kinds = whole ? launcher::named_agents(*cell) : choices.agents;
   for (const std::string& kind : kinds) {
     const Result<void> started = local.start(kind);
     if (!started) return complain(started.error(), exit_usage);
@@ -64,7 +64,7 @@ int talk_to_own_cell(const ReplChoices& choices) {
 }
 
 int run_repl(const ReplChoices& choices) {
-  const bool own = !choices.agents.empty() || (choices.board.board.empty() && running_cells().empty());
+  const bool own = !choices.agents.empty() || (choices.board.board.empty() && launcher::running_cells().empty());
   if (own) return talk_to_own_cell(choices);
   if (!choices.of_own_cell.empty()) {
     const std::string sentence = fmt::format(
@@ -91,7 +91,7 @@ void add_repl_command(CLI::App& app, int& status) {
   repl->add_option("--eval", choices->forms, "Evaluate this form and end; may be given several times");
   repl->add_option("--agents", choices->agents, "Run just these agents on a board in this process: vision,robot")
       ->delimiter(',')
-      ->check(kind_fault);
+      ->check(launcher::kind_fault);
   repl->add_option("--seed", choices->seed, "What chance begins from")->check(seed_check())->capture_default_str();
   add_board_options(repl, choices->board);
   repl->footer(help_footer("repl --eval '(goal (on circle triangle))'"));
@@ -102,4 +102,4 @@ void add_repl_command(CLI::App& app, int& status) {
   });
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

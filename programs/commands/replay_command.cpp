@@ -4,9 +4,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "programs/command_line/moment.hpp"
-#include "programs/command_line/command_tools.hpp"
-#include "programs/commands/commands.hpp"
 #include "agents/repl/json_answers.hpp"
 #include "agents/repl/repl.hpp"
 #include "blackboard/journal/journal_file.hpp"
@@ -14,8 +11,11 @@
 #include "blackboard/time/real_executor.hpp"
 #include "lisp/reader.hpp"
 #include "lisp/writer.hpp"
+#include "programs/command_line/command_tools.hpp"
+#include "programs/command_line/moment.hpp"
+#include "programs/commands/commands.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 
 namespace {
 
@@ -35,15 +35,16 @@ constexpr const char* own_commands =
 
 // The board at one moment, and who talks to it. Going back makes another.
 struct Recorded {
-  Recorded(Executor& executor, std::unique_ptr<RecordedBoard> recorded, const Output& output, Style style)
+  Recorded(Executor& executor, std::unique_ptr<memory::RecordedBoard> recorded, const repl::Output& output,
+           repl::Style style)
       : board(std::move(recorded)),
         context{fmt::format("replay-{}", getpid()), "localhost", executor, *board, Random(1)},
-        service(context, contract_from_text("(contract replay)").value()),
-        interpreter(context, service, output, Interpreter::Patience::ended, style) {}
-  std::unique_ptr<RecordedBoard> board;
-  AgentContext context;
-  Service service;
-  Interpreter interpreter;
+        service(context, runtime::contract_from_text("(contract replay)").value()),
+        interpreter(context, service, output, repl::Interpreter::Patience::ended, style) {}
+  std::unique_ptr<memory::RecordedBoard> board;
+  runtime::AgentContext context;
+  runtime::Service service;
+  repl::Interpreter interpreter;
 };
 
 class Player {
@@ -52,15 +53,16 @@ class Player {
 
   // At the end where no moment is said.
   Result<void> open(const std::optional<std::string>& at) {
-    const Result<LineStart> end = end_of_journal(choices_.journal);
+    const Result<journal::LineStart> end = journal::end_of_journal(choices_.journal);
     if (!end) return fail(end);
     const Result<Moment> moment = at ? moment_from_text(*at, end->when) : Moment{};
     if (!moment) return fail(moment);
-    Result<std::unique_ptr<RecordedBoard>> board = RecordedBoard::open(executor_, choices_.journal, *moment);
+    Result<std::unique_ptr<memory::RecordedBoard>> board =
+        memory::RecordedBoard::open(executor_, choices_.journal, *moment);
     if (!board) return fail(board);
     recorded_ = std::make_unique<Recorded>(
         executor_, std::move(*board), [this](const std::string& line) { print(line); },
-        choices_.json ? Style::json : Style::text);
+        choices_.json ? repl::Style::json : repl::Style::text);
     return {};
   }
 
@@ -78,11 +80,11 @@ class Player {
   }
 
   Task<void> talk() {
-    Terminal terminal(executor_, "replay> ");
+    repl::Terminal terminal(executor_, "replay> ");
     terminal.words = [this]() -> const std::set<std::string>& { return recorded_->interpreter.words(); };
     terminal_ = &terminal;
-    Evaluation outcome = Evaluation::done;
-    while (outcome != Evaluation::quit) {
+    repl::Evaluation outcome = repl::Evaluation::done;
+    while (outcome != repl::Evaluation::quit) {
       std::optional<std::string> typed = co_await terminal.read();
       if (!typed) break;
       outcome = co_await evaluate(std::move(*typed));
@@ -94,30 +96,30 @@ class Player {
 
   Task<void> evaluate_all() {
     for (const std::string& form : choices_.forms) {
-      const Evaluation outcome = co_await evaluate(form);
+      const repl::Evaluation outcome = co_await evaluate(form);
       // What a step changed for those who watch is to be seen before the next form.
       co_await sleep(executor_, Duration::zero());
-      if (outcome == Evaluation::quit) co_return;
-      if (outcome == Evaluation::malformed) status_ = exit_usage;
-      if (outcome == Evaluation::failed) status_ = exit_failed;
-      if (outcome != Evaluation::done) co_return;
+      if (outcome == repl::Evaluation::quit) co_return;
+      if (outcome == repl::Evaluation::malformed) status_ = exit_usage;
+      if (outcome == repl::Evaluation::failed) status_ = exit_failed;
+      if (outcome != repl::Evaluation::done) co_return;
     }
   }
 
-  Task<Evaluation> evaluate(std::string text) {
+  Task<repl::Evaluation> evaluate(std::string text) {
     const Result<Source> forms = read_source(text, "input");
     // The prompt says what is wrong with it.
     if (!forms) co_return co_await recorded_->interpreter.evaluate(std::move(text));
-    Evaluation outcome = Evaluation::done;
+    repl::Evaluation outcome = repl::Evaluation::done;
     for (const Datum& form : forms->data()) {
       outcome = co_await evaluate_form(form);
-      if (outcome != Evaluation::done) break;
+      if (outcome != repl::Evaluation::done) break;
     }
     co_return outcome;
   }
 
   // One of our own commands, or what the prompt knows.
-  Task<Evaluation> evaluate_form(Datum form) {
+  Task<repl::Evaluation> evaluate_form(Datum form) {
     if (form.is_form("moment") && form.size() == 1) co_return tell_moment();
     if (form.is_form("step") && form.size() <= 2) co_return step(form);
     if (form.is_form("at") && form.size() == 2) co_return go_to(form[1]);
@@ -128,47 +130,48 @@ class Player {
     co_return co_await recorded_->interpreter.evaluate(std::move(text));
   }
 
-  Evaluation complain_of(const Failure& failure, Evaluation outcome) {
+  repl::Evaluation complain_of(const Failure& failure, repl::Evaluation outcome) {
     print(choices_.json ? json_error(failure) : describe(failure));
     return outcome;
   }
 
-  Evaluation tell_moment() {
-    const LineStart moment = recorded_->board->moment();
+  repl::Evaluation tell_moment() {
+    const journal::LineStart moment = recorded_->board->moment();
     const auto microseconds = moment.when.time_since_epoch().count();
     print(choices_.json ? fmt::format("{{\"revision\":{},\"microseconds\":{}}}", moment.revision, microseconds)
                         : fmt::format("revision {} at {}", moment.revision, time_text(moment.when)));
-    return Evaluation::done;
+    return repl::Evaluation::done;
   }
 
-  Evaluation step(const Datum& form) {
+  repl::Evaluation step(const Datum& form) {
     const std::int64_t steps = form.size() == 2 ? form[1].integer() : 1;
     if (steps < 1) {
-      return complain_of({"malformed", "(step N) takes a whole number above 0", {}, {}}, Evaluation::malformed);
+      return complain_of({"malformed", "(step N) takes a whole number above 0", {}, {}}, repl::Evaluation::malformed);
     }
     for (std::int64_t n = 0; n < steps; ++n) {
       const Result<bool> stepped = recorded_->board->step();
-      if (!stepped) return complain_of(stepped.error(), Evaluation::failed);
+      if (!stepped) return complain_of(stepped.error(), repl::Evaluation::failed);
       if (!*stepped) break;
     }
     return tell_moment();
   }
 
-  Evaluation go_to(const Datum& moment) {
+  repl::Evaluation go_to(const Datum& moment) {
     if (!moment.is_string() && !moment.is_integer()) {
-      return complain_of({"malformed", "(at MOMENT) takes a revision or a string", {}, {}}, Evaluation::malformed);
+      return complain_of({"malformed", "(at MOMENT) takes a revision or a string", {}, {}},
+                         repl::Evaluation::malformed);
     }
     const std::string text = moment.is_string() ? std::string(moment.text()) : std::to_string(moment.integer());
     const Result<void> opened = open(text);
-    if (!opened) return complain_of(opened.error(), Evaluation::failed);
+    if (!opened) return complain_of(opened.error(), repl::Evaluation::failed);
     return tell_moment();
   }
 
-  Task<Evaluation> play(Datum form) {
+  Task<repl::Evaluation> play(Datum form) {
     const double speed = form.size() == 2 ? form[1].number() : 1;
     if (!(speed > 0)) {
       const Failure failure{"malformed", "(play SPEED) takes a number above 0", {}, {}};
-      co_return complain_of(failure, Evaluation::malformed);
+      co_return complain_of(failure, repl::Evaluation::malformed);
     }
     Time at = recorded_->board->moment().when;
     for (std::optional<Time> next = recorded_->board->next(); next; next = recorded_->board->next()) {
@@ -176,7 +179,7 @@ class Player {
       if (pause > Duration::zero()) co_await sleep(executor_, pause);
       at = *next;
       const Result<bool> stepped = recorded_->board->step();
-      if (!stepped) co_return complain_of(stepped.error(), Evaluation::failed);
+      if (!stepped) co_return complain_of(stepped.error(), repl::Evaluation::failed);
     }
     co_return tell_moment();
   }
@@ -184,7 +187,7 @@ class Player {
   Executor& executor_;
   const ReplayChoices& choices_;
   std::unique_ptr<Recorded> recorded_;
-  Terminal* terminal_ = nullptr;
+  repl::Terminal* terminal_ = nullptr;
   int status_ = exit_reached;
 };
 
@@ -215,4 +218,4 @@ void add_replay_command(CLI::App& app, int& status) {
   replay->callback([choices, &status] { status = run_replay(*choices); });
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

@@ -2,12 +2,12 @@
 #include <fmt/format.h>
 #include <optional>
 
-#include "programs/command_line/command_tools.hpp"
-#include "programs/story/scenario_run.hpp"
-#include "programs/commands/commands.hpp"
 #include "lisp/json.hpp"
+#include "programs/command_line/command_tools.hpp"
+#include "programs/commands/commands.hpp"
+#include "programs/story/scenario_run.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 
 namespace {
 
@@ -20,17 +20,17 @@ struct ScenarioChoices {
 };
 
 int run_one(const std::string& file, const ScenarioChoices& choices, const StopSignals& signals) {
-  const Result<Scenario> scenario = read_scenario_file(file);
+  const Result<forms::Scenario> scenario = forms::read_scenario_file(file);
   if (!scenario) return complain(scenario.error(), exit_usage);
-  const Result<CellDescription> cell = cell_of(*scenario);
+  const Result<forms::CellDescription> cell = story::cell_of(*scenario);
   if (!cell) return complain(cell.error(), exit_usage);
-  StoryOptions options;
+  story::StoryOptions options;
   options.seed = choices.seed.value_or(scenario->seed);
   options.journal_file = choices.journal;
   options.stop = &signals;
-  const auto style = choices.quiet ? Narrator::Style::silent : Narrator::style_for(stdout, choices.json);
-  Narrator narrator(stdout, style);
-  const Result<StoryReport> report = run_story(*scenario, *cell, options, narrator);
+  const auto style = choices.quiet ? story::Narrator::Style::silent : story::Narrator::style_for(stdout, choices.json);
+  story::Narrator narrator(stdout, style);
+  const Result<story::StoryReport> report = story::run_story(*scenario, *cell, options, narrator);
   if (!report) return complain(report.error(), report.error().symbol == "cannot-write" ? exit_unavailable : exit_usage);
   if (report->interrupted) {
     fmt::print(stderr, "pizarra: interrupted in {}\n", file);
@@ -70,4 +70,4 @@ void add_scenario_command(CLI::App& app, int& status) {
   });
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

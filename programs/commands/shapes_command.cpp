@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 
 #include "programs/command_line/command_tools.hpp"
-#include "programs/commands/print_sheet.hpp"
 #include "programs/commands/commands.hpp"
+#include "programs/commands/print_sheet.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 namespace {
 
 struct ShapesChoices {
@@ -39,4 +39,4 @@ void add_shapes_command(CLI::App& app, int& status) {
   shapes->callback([choices, &status] { status = print_shapes(*choices); });
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

@@ -5,10 +5,10 @@
 #include <opencv2/imgproc.hpp>
 #include <zlib.h>
 
-#include "programs/story/output_file.hpp"
 #include "programs/commands/print_sheet.hpp"
+#include "programs/story/output_file.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 namespace {
 
 constexpr double mm_an_inch = 25.4;
@@ -112,9 +112,9 @@ Bytes pdf_of(const Sheet& sheet) {
 }  // namespace
 
 Result<void> write_sheet(const std::string& path, const Sheet& sheet) {
-  if (path.ends_with(".pdf")) return write_file(path, pdf_of(sheet));
-  if (path.ends_with(".png")) return write_file(path, png_of(sheet));
+  if (path.ends_with(".pdf")) return story::write_file(path, pdf_of(sheet));
+  if (path.ends_with(".png")) return story::write_file(path, png_of(sheet));
   return fail("unknown-format", "a sheet is a FILE.pdf or a FILE.png, not " + path);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

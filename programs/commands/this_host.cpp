@@ -4,21 +4,21 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-namespace pizarra {
+namespace pizarra::programs {
 
-Result<CellHost> choose_host(const CellDescription& cell, const std::string& asked) {
+Result<forms::CellHost> choose_host(const forms::CellDescription& cell, const std::string& asked) {
   char machine[256] = {};
   gethostname(machine, sizeof machine - 1);
   const std::vector<std::string> wanted =
       asked.empty() ? std::vector<std::string>{machine, "localhost"} : std::vector<std::string>{asked};
   for (const std::string& name : wanted) {
-    const auto found = std::ranges::find(cell.hosts, name, &CellHost::name);
+    const auto found = std::ranges::find(cell.hosts, name, &forms::CellHost::name);
     if (found != cell.hosts.end()) return *found;
   }
   if (asked.empty() && cell.hosts.size() == 1) return cell.hosts.front();
   std::string known;
-  for (const CellHost& host : cell.hosts) known += (known.empty() ? "" : ", ") + host.name;
+  for (const forms::CellHost& host : cell.hosts) known += (known.empty() ? "" : ", ") + host.name;
   return fail("unknown-host", fmt::format("say which host this is with --host: the cell has {}", known));
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

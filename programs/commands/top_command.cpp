@@ -4,16 +4,16 @@
 #include <fmt/ranges.h>
 #include <unistd.h>
 
-#include "programs/command_line/key_option.hpp"
-#include "programs/command_line/command_tools.hpp"
-#include "programs/commands/board_sample.hpp"
-#include "programs/commands/board_session.hpp"
-#include "programs/commands/commands.hpp"
 #include "blackboard/client/remote_board.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "lisp/json.hpp"
+#include "programs/command_line/command_tools.hpp"
+#include "programs/command_line/key_option.hpp"
+#include "programs/commands/board_sample.hpp"
+#include "programs/commands/board_session.hpp"
+#include "programs/commands/commands.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 
 namespace {
 
@@ -120,7 +120,7 @@ void print_json(const BoardSample& sample) {
 }
 
 Task<void> show(const TopChoices& choices, const std::string& address, Executor& executor, Board& board, int& status) {
-  const Style style = choices.json ? Style::json : Style::text;
+  const repl::Style style = choices.json ? repl::Style::json : repl::Style::text;
   const Duration interval(static_cast<std::int64_t>(choices.interval_s * 1e6));
   BoardSampler sampler(executor, board, fmt::format("top-{}", getpid()));
   const Result<void> begun = co_await sampler.begin();
@@ -148,13 +148,14 @@ Task<void> show(const TopChoices& choices, const std::string& address, Executor&
 }
 
 int run_top(const TopChoices& choices) {
-  const Style style = choices.json ? Style::json : Style::text;
+  const repl::Style style = choices.json ? repl::Style::json : repl::Style::text;
   const Result<Destination> to = destination(choices.board);
   if (!to) return complain_as(style, to.error(), exit_unavailable);
-  const Result<std::optional<ClientKeys>> keys = keys_from(to->key);
+  const Result<std::optional<wire::ClientKeys>> keys = keys_from(to->key);
   if (!keys) return complain_as(style, keys.error(), exit_usage);
   RealExecutor executor;
-  const auto board = RemoteBoard::connect(executor, to->address, "top", RemoteBoard::default_timeout, *keys);
+  const auto board =
+      client::RemoteBoard::connect(executor, to->address, "top", client::RemoteBoard::default_timeout, *keys);
   if (!board) return complain_as(style, board.error(), exit_usage);
   int status = exit_reached;
   const Job job = executor.spawn(show(choices, to->address, executor, **board, status));
@@ -179,4 +180,4 @@ void add_top_command(CLI::App& app, int& status) {
   top->callback([choices, &status] { status = run_top(*choices); });
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

@@ -6,22 +6,22 @@
 #include <fstream>
 #include <unistd.h>
 
-#include "programs/command_line/key_option.hpp"
-#include "programs/command_line/command_tools.hpp"
-#include "programs/story/narrator.hpp"
-#include "programs/story/scenario_run.hpp"
 #include "agents/launcher/agent_factory.hpp"
 #include "agents/launcher/run_directory.hpp"
 #include "agents/launcher/supervisor.hpp"
-#include "programs/commands/this_host.hpp"
-#include "programs/commands/commands.hpp"
 #include "blackboard/client/remote_board.hpp"
 #include "blackboard/journal/journal_file.hpp"
 #include "blackboard/streams/listen_address.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "lisp/forms/cell_file.hpp"
+#include "programs/command_line/command_tools.hpp"
+#include "programs/command_line/key_option.hpp"
+#include "programs/commands/commands.hpp"
+#include "programs/commands/this_host.hpp"
+#include "programs/story/narrator.hpp"
+#include "programs/story/scenario_run.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 
 namespace {
 
@@ -36,7 +36,7 @@ struct UpChoices {
 };
 
 // What would have no effect is refused; a key of the environment is there for other words, too.
-Result<void> check_keys(const UpChoices& choices, const CellDescription& cell, const CellHost& host) {
+Result<void> check_keys(const UpChoices& choices, const forms::CellDescription& cell, const forms::CellHost& host) {
   const bool owns_board = host.name == cell.board_host && choices.board.empty();
   const char* environment = std::getenv("PIZARRA_KEY");
   const bool key_typed = !choices.key.empty() && (environment == nullptr || choices.key != environment);
@@ -67,13 +67,13 @@ std::string last_line_of(const std::string& file) {
 
 class Up {
  public:
-  Up(const UpChoices& choices, CellDescription cell, CellHost host, RunDirectory directory)
+  Up(const UpChoices& choices, forms::CellDescription cell, forms::CellHost host, launcher::RunDirectory directory)
       : choices_(choices),
         cell_(std::move(cell)),
         host_(std::move(host)),
         directory_(std::move(directory)),
-        narrator_(stdout, Narrator::style_for(stdout, choices.json)),
-        supervisor_(executor_, [this](const ProcessEvent& event) { on_process(event); }) {}
+        narrator_(stdout, story::Narrator::style_for(stdout, choices.json)),
+        supervisor_(executor_, [this](const launcher::ProcessEvent& event) { on_process(event); }) {}
   int run();
 
  private:
@@ -81,21 +81,21 @@ class Up {
   Result<void> start_all();
   Result<void> find_world();
   Result<void> start(const std::string& name, std::vector<std::string> command);
-  void on_process(const ProcessEvent& event);
+  void on_process(const launcher::ProcessEvent& event);
   void save_state();
 
   const UpChoices& choices_;
-  CellDescription cell_;
-  CellHost host_;
-  RunDirectory directory_;
+  forms::CellDescription cell_;
+  forms::CellHost host_;
+  launcher::RunDirectory directory_;
   RealExecutor executor_;
-  Narrator narrator_;
+  story::Narrator narrator_;
   std::string board_address_;
   std::string world_address_;
   std::string keys_;  // the folder of those that may come to this host's board
   std::string key_;   // with which this host comes to a board elsewhere
   std::string board_failure_;
-  Supervisor supervisor_;
+  launcher::Supervisor supervisor_;
 };
 
 Result<void> Up::start(const std::string& name, std::vector<std::string> command) {
@@ -107,13 +107,13 @@ Result<void> Up::start(const std::string& name, std::vector<std::string> command
 Result<void> Up::find_world() {
   world_address_ = "ipc://" + directory_.file("world.ipc");
   if (host_.name == cell_.board_host) return {};
-  for (const RunState& run : running_cells()) {
+  for (const launcher::RunState& run : launcher::running_cells()) {
     if (run.cell != cell_.name || run.host != cell_.board_host) continue;
     world_address_ = run.world_address;
     return {};
   }
   for (const std::string& kind : host_.agents) {
-    if (!needs_world(kind, cell_)) continue;
+    if (!launcher::needs_world(kind, cell_)) continue;
     return fail("no-world", fmt::format("{} needs the simulated world, and that runs on {}, which is not up on this "
                                         "machine: give {} to that host, or start that host here first",
                                         kind, cell_.board_host, kind));
@@ -129,7 +129,7 @@ Result<void> Up::start_all() {
   if (owns_board) {
     // Only what is durable outlives the board; it is kept as long as the run's folder is.
     const std::string journal = directory_.file("board.journal");
-    remove_journal(journal);
+    journal::remove_journal(journal);
     std::vector<std::string> command = {beside_this_program("pizarra-board"), "--listen", board_address_, "--journal",
                                         journal};
     if (!keys_.empty()) command.insert(command.end(), {"--listen", cell_.board_address, "--keys", keys_});
@@ -145,7 +145,7 @@ Result<void> Up::start_all() {
                                         "--world", world_address_, "--host", host_.name, "--seed",  seed};
     if (!key_.empty()) command.insert(command.end(), {"--key", key_});
     const bool watched_elsewhere = kind == "vision" && cell_.hosts.size() > 1;
-    const std::string streams = watched_elsewhere ? stream_listen_address(cell_.board_address) : std::string();
+    const std::string streams = watched_elsewhere ? streams::stream_listen_address(cell_.board_address) : std::string();
     if (!streams.empty()) command.insert(command.end(), {"--streams", streams});
     const Result<void> agent = start(kind, std::move(command));
     if (!agent) return agent;
@@ -153,7 +153,7 @@ Result<void> Up::start_all() {
   return {};
 }
 
-void Up::on_process(const ProcessEvent& event) {
+void Up::on_process(const launcher::ProcessEvent& event) {
   narrator_.say(executor_.now(), "process", fmt::format("{} {}", event.name, event.sentence));
   save_state();
   if (!event.given_up) return;
@@ -164,8 +164,8 @@ void Up::on_process(const ProcessEvent& event) {
 }
 
 void Up::save_state() {
-  RunState state{cell_.name, host_.name, getpid(), board_address_, world_address_, key_, {}};
-  for (const Supervisor::Process& process : supervisor_.processes()) {
+  launcher::RunState state{cell_.name, host_.name, getpid(), board_address_, world_address_, key_, {}};
+  for (const launcher::Supervisor::Process& process : supervisor_.processes()) {
     state.processes.push_back({process.name, process.pid, process.restarts});
   }
   const Result<void> saved = directory_.save(state);
@@ -188,12 +188,12 @@ void Up::choose_board() {
 int Up::run() {
   narrator_.begin(executor_.now());
   choose_board();
-  const Result<std::optional<ClientKeys>> keys = keys_from(key_);
+  const Result<std::optional<wire::ClientKeys>> keys = keys_from(key_);
   if (!keys) return complain(keys.error(), exit_usage);
   const Result<void> world = find_world();
   if (!world) return complain(world.error(), exit_usage);
-  Result<std::unique_ptr<RemoteBoard>> ears =
-      RemoteBoard::connect(executor_, board_address_, "narrator", RemoteBoard::default_timeout, *keys);
+  Result<std::unique_ptr<client::RemoteBoard>> ears =
+      client::RemoteBoard::connect(executor_, board_address_, "narrator", client::RemoteBoard::default_timeout, *keys);
   if (!ears) return complain(ears.error(), exit_usage);
   const Result<void> started = start_all();
   if (!started) {
@@ -218,19 +218,19 @@ int Up::run() {
 }
 
 int run_up(const UpChoices& choices) {
-  Result<CellDescription> cell = read_cell_file(choices.cell);
+  Result<forms::CellDescription> cell = forms::read_cell_file(choices.cell);
   if (!cell) return complain(cell.error(), exit_usage);
-  const Result<WorldConfig> sound = world_config(*cell, choices.seed);
+  const Result<simulation::WorldConfig> sound = launcher::world_config(*cell, choices.seed);
   if (!sound) return complain(sound.error(), exit_usage);
-  if (needs_domain(*cell)) {
-    const Result<Domain> domain = domain_of(*cell);
+  if (story::needs_domain(*cell)) {
+    const Result<forms::Domain> domain = story::domain_of(*cell);
     if (!domain) return complain(domain.error(), exit_usage);
   }
-  Result<CellHost> host = choose_host(*cell, choices.host);
+  Result<forms::CellHost> host = choose_host(*cell, choices.host);
   if (!host) return complain(host.error(), exit_usage);
   const Result<void> effective = check_keys(choices, *cell, *host);
   if (!effective) return complain(effective.error(), exit_usage);
-  Result<RunDirectory> directory = RunDirectory::make(cell->name, host->name);
+  Result<launcher::RunDirectory> directory = launcher::RunDirectory::make(cell->name, host->name);
   if (!directory) return complain(directory.error(), exit_unavailable);
   return Up(choices, std::move(*cell), std::move(*host), std::move(*directory)).run();
 }
@@ -255,4 +255,4 @@ void add_up_command(CLI::App& app, int& status) {
   up->callback([choices, &status] { status = run_up(*choices); });
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

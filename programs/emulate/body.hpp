@@ -12,22 +12,22 @@
 #include "drivers/simulation/simulated_arm.hpp"
 #include "drivers/simulation/socket_link.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 
 class Body {
  public:
-  Body(Executor& executor, const ArmModel& model, const std::string& world) : own_(executor, model) {
+  Body(Executor& executor, const arm::ArmModel& model, const std::string& world) : own_(executor, model) {
     if (world.empty()) return;
     link_.emplace(executor, context_, world);
     worlds_.emplace(*link_);
   }
-  ArmDriver& arm() { return worlds_ ? static_cast<ArmDriver&>(*worlds_) : own_; }
+  arm::ArmDriver& arm() { return worlds_ ? static_cast<arm::ArmDriver&>(*worlds_) : own_; }
 
  private:
-  MovingArm own_;
+  simulation::MovingArm own_;
   zmq::context_t context_{1};
-  std::optional<SocketLink> link_;
-  std::optional<SimulatedArm> worlds_;
+  std::optional<simulation::SocketLink> link_;
+  std::optional<simulation::SimulatedArm> worlds_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

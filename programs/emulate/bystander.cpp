@@ -5,7 +5,7 @@
 
 #include "programs/command_line/command_tools.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 
 Bystander::Bystander(Executor& executor, BesideDevice device)
     : executor_(executor), device_(std::move(device)), lines_(executor, most_lines), acting_(executor.spawn(act())) {
@@ -41,4 +41,4 @@ Task<void> Bystander::act() {
   }
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

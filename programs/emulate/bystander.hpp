@@ -10,7 +10,7 @@
 #include "blackboard/time/latch.hpp"
 #include "lisp/result.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 
 struct BesideDevice {
   std::function<Result<void>(std::string_view)> obey;
@@ -37,4 +37,4 @@ class Bystander {
   Job acting_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace pizarra {
+namespace pizarra::programs {
 
 struct EmulateChoices {
   std::string device;
@@ -30,4 +30,4 @@ int emulate_gripper(const EmulateChoices& choices);
 // Says that `choices` are emulated, and where.
 void say_where(const EmulateChoices& choices, const std::string& where);
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

@@ -1,23 +1,23 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "programs/command_line/command_tools.hpp"
-#include "programs/emulate/body.hpp"
-#include "programs/emulate/bystander.hpp"
-#include "programs/emulate/devices.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "blackboard/time/stop_signals.hpp"
 #include "drivers/arm/arm_file.hpp"
 #include "drivers/arm/motoman/ethernet_line.hpp"
+#include "drivers/line/pty_wire.hpp"
+#include "drivers/line/tcp_port.hpp"
+#include "drivers/line/udp_wire.hpp"
 #include "drivers/simulation/controllers/arms/host_control.hpp"
 #include "drivers/simulation/controllers/arms/hses_emulator.hpp"
 #include "drivers/simulation/controllers/arms/simple_emulator.hpp"
 #include "drivers/simulation/controllers/arms/ur_emulator.hpp"
-#include "drivers/line/pty_wire.hpp"
-#include "drivers/line/tcp_port.hpp"
-#include "drivers/line/udp_wire.hpp"
+#include "programs/command_line/command_tools.hpp"
+#include "programs/emulate/body.hpp"
+#include "programs/emulate/bystander.hpp"
+#include "programs/emulate/devices.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 
 namespace {
 
@@ -30,7 +30,8 @@ class Serving {
 
 class HsesServing : public Serving {
  public:
-  HsesServing(Executor& executor, ArmCabinet& cabinet, std::unique_ptr<UdpPort> port, std::string address)
+  HsesServing(Executor& executor, simulation::ArmCabinet& cabinet, std::unique_ptr<line::UdpPort> port,
+              std::string address)
       : port_(std::move(port)),
         address_(std::move(address)),
         emulator_(cabinet),
@@ -38,15 +39,16 @@ class HsesServing : public Serving {
   std::string where() const override { return fmt::format("udp://{}:{}", address_, port_->port()); }
 
  private:
-  std::unique_ptr<UdpPort> port_;
+  std::unique_ptr<line::UdpPort> port_;
   std::string address_;
-  HsesEmulator emulator_;
+  simulation::HsesEmulator emulator_;
   Job job_;
 };
 
-Result<std::unique_ptr<Serving>> serve_hses(Executor& executor, ArmCabinet& cabinet, const EmulateChoices& choices) {
-  const std::uint16_t wanted = choices.port < 0 ? hses::port : static_cast<std::uint16_t>(choices.port);
-  Result<std::unique_ptr<UdpPort>> port = UdpPort::listen(executor, choices.address, wanted);
+Result<std::unique_ptr<Serving>> serve_hses(Executor& executor, simulation::ArmCabinet& cabinet,
+                                            const EmulateChoices& choices) {
+  const std::uint16_t wanted = choices.port < 0 ? arm::hses::port : static_cast<std::uint16_t>(choices.port);
+  Result<std::unique_ptr<line::UdpPort>> port = line::UdpPort::listen(executor, choices.address, wanted);
   if (!port) return fail(port);
   return std::make_unique<HsesServing>(executor, cabinet, std::move(*port), choices.address);
 }
@@ -61,18 +63,18 @@ std::vector<std::uint16_t> ports_of(const EmulateChoices& choices, std::initiali
   return ports;
 }
 
-Result<std::vector<std::unique_ptr<TcpPort>>> listen_at(Executor& executor, const std::string& address,
-                                                        const std::vector<std::uint16_t>& ports) {
-  std::vector<std::unique_ptr<TcpPort>> listening;
+Result<std::vector<std::unique_ptr<line::TcpPort>>> listen_at_all(Executor& executor, const std::string& address,
+                                                                  const std::vector<std::uint16_t>& ports) {
+  std::vector<std::unique_ptr<line::TcpPort>> listening;
   for (const std::uint16_t wanted : ports) {
-    Result<std::unique_ptr<TcpPort>> port = TcpPort::listen(executor, address, wanted);
+    Result<std::unique_ptr<line::TcpPort>> port = line::TcpPort::listen(executor, address, wanted);
     if (!port) return fail(port);
     listening.push_back(std::move(*port));
   }
   return listening;
 }
 
-std::string where_tcp(const std::string& address, const std::vector<std::unique_ptr<TcpPort>>& ports) {
+std::string where_tcp(const std::string& address, const std::vector<std::unique_ptr<line::TcpPort>>& ports) {
   std::string where = fmt::format("tcp://{}:", address);
   for (std::size_t i = 0; i < ports.size(); ++i) where += fmt::format("{}{}", i == 0 ? "" : ",", ports[i]->port());
   return where;
@@ -80,8 +82,9 @@ std::string where_tcp(const std::string& address, const std::vector<std::unique_
 
 class HostServing : public Serving {
  public:
-  using Serve = Task<void> (*)(Executor&, HostControl&, ByteWire&);
-  HostServing(Executor& executor, ArmCabinet& cabinet, Serve serve, std::unique_ptr<ByteWire> line, std::string where)
+  using Serve = Task<void> (*)(Executor&, simulation::HostControl&, line::ByteWire&);
+  HostServing(Executor& executor, simulation::ArmCabinet& cabinet, Serve serve, std::unique_ptr<line::ByteWire> line,
+              std::string where)
       : line_(std::move(line)),
         where_(std::move(where)),
         control_(cabinet),
@@ -89,104 +92,109 @@ class HostServing : public Serving {
   std::string where() const override { return where_; }
 
  private:
-  std::unique_ptr<ByteWire> line_;
+  std::unique_ptr<line::ByteWire> line_;
   std::string where_;
-  HostControl control_;
+  simulation::HostControl control_;
   Job job_;
 };
 
 // The Ethernet Server, or the serial line.
-Result<std::unique_ptr<Serving>> serve_host(Executor& executor, ArmCabinet& cabinet, const EmulateChoices& choices) {
+Result<std::unique_ptr<Serving>> serve_host(Executor& executor, simulation::ArmCabinet& cabinet,
+                                            const EmulateChoices& choices) {
   if (choices.pty) {
-    Result<std::unique_ptr<PtyWire>> line = PtyWire::make(executor);
+    Result<std::unique_ptr<line::PtyWire>> line = line::PtyWire::make(executor);
     if (!line) return fail(line);
     std::string where = (*line)->path();
-    return std::make_unique<HostServing>(executor, cabinet, serve_bsc, std::move(*line), std::move(where));
+    return std::make_unique<HostServing>(executor, cabinet, simulation::serve_bsc, std::move(*line), std::move(where));
   }
-  Result<std::vector<std::unique_ptr<TcpPort>>> ports =
-      listen_at(executor, choices.address, ports_of(choices, {ethernet_server_port}));
+  Result<std::vector<std::unique_ptr<line::TcpPort>>> ports =
+      listen_at_all(executor, choices.address, ports_of(choices, {arm::ethernet_server_port}));
   if (!ports) return fail(ports);
   std::string where = where_tcp(choices.address, *ports);
-  return std::make_unique<HostServing>(executor, cabinet, serve_ethernet_server, std::move(ports->front()),
+  return std::make_unique<HostServing>(executor, cabinet, simulation::serve_ethernet_server, std::move(ports->front()),
                                        std::move(where));
 }
 
 class UrServing : public Serving {
  public:
-  UrServing(Executor& executor, ArmCabinet& cabinet, std::vector<std::unique_ptr<TcpPort>> ports, std::string address)
+  UrServing(Executor& executor, simulation::ArmCabinet& cabinet, std::vector<std::unique_ptr<line::TcpPort>> ports,
+            std::string address)
       : ports_(std::move(ports)),
         address_(std::move(address)),
         emulator_(cabinet),
-        telling_(executor.spawn(serve_rtde(executor, emulator_, *ports_[0]))),
-        running_(executor.spawn(serve_script(executor, emulator_, *ports_[1]))),
-        answering_(executor.spawn(serve_dashboard(executor, emulator_, *ports_[2]))) {}
+        telling_(executor.spawn(simulation::serve_rtde(executor, emulator_, *ports_[0]))),
+        running_(executor.spawn(simulation::serve_script(executor, emulator_, *ports_[1]))),
+        answering_(executor.spawn(simulation::serve_dashboard(executor, emulator_, *ports_[2]))) {}
   std::string where() const override { return where_tcp(address_, ports_); }
 
  private:
-  std::vector<std::unique_ptr<TcpPort>> ports_;
+  std::vector<std::unique_ptr<line::TcpPort>> ports_;
   std::string address_;
-  UrEmulator emulator_;
+  simulation::UrEmulator emulator_;
   Job telling_;
   Job running_;
   Job answering_;
 };
 
-Result<std::unique_ptr<Serving>> serve_ur(Executor& executor, ArmCabinet& cabinet, const EmulateChoices& choices) {
-  const std::vector<std::uint16_t> wanted = ports_of(choices, {rtde::port, rtde::script_port, rtde::dashboard_port});
-  Result<std::vector<std::unique_ptr<TcpPort>>> ports = listen_at(executor, choices.address, wanted);
+Result<std::unique_ptr<Serving>> serve_ur(Executor& executor, simulation::ArmCabinet& cabinet,
+                                          const EmulateChoices& choices) {
+  const std::vector<std::uint16_t> wanted =
+      ports_of(choices, {arm::rtde::port, arm::rtde::script_port, arm::rtde::dashboard_port});
+  Result<std::vector<std::unique_ptr<line::TcpPort>>> ports = listen_at_all(executor, choices.address, wanted);
   if (!ports) return fail(ports);
   return std::make_unique<UrServing>(executor, cabinet, std::move(*ports), choices.address);
 }
 
 class SimpleServing : public Serving {
  public:
-  SimpleServing(Executor& executor, ArmCabinet& cabinet, SimpleKind kind, std::vector<std::unique_ptr<ByteWire>> lines,
-                std::string where)
+  SimpleServing(Executor& executor, simulation::ArmCabinet& cabinet, simulation::SimpleKind kind,
+                std::vector<std::unique_ptr<line::ByteWire>> lines, std::string where)
       : lines_(std::move(lines)),
         where_(std::move(where)),
         emulator_(cabinet, kind),
-        moving_(executor.spawn(serve_motion(executor, emulator_, *lines_[0]))),
-        telling_(executor.spawn(serve_state(executor, emulator_, *lines_[1]))) {}
+        moving_(executor.spawn(simulation::serve_motion(executor, emulator_, *lines_[0]))),
+        telling_(executor.spawn(simulation::serve_state(executor, emulator_, *lines_[1]))) {}
   std::string where() const override { return where_; }
 
  private:
-  std::vector<std::unique_ptr<ByteWire>> lines_;
+  std::vector<std::unique_ptr<line::ByteWire>> lines_;
   std::string where_;
-  SimpleEmulator emulator_;
+  simulation::SimpleEmulator emulator_;
   Job moving_;
   Job telling_;
 };
 
 // The C500C's servers count angles the other way round.
-Result<std::unique_ptr<Serving>> serve_c500c(Executor& executor, ArmCabinet& cabinet) {
-  Result<std::unique_ptr<PtyWire>> motion = PtyWire::make(executor);
+Result<std::unique_ptr<Serving>> serve_c500c(Executor& executor, simulation::ArmCabinet& cabinet) {
+  Result<std::unique_ptr<line::PtyWire>> motion = line::PtyWire::make(executor);
   if (!motion) return fail(motion);
-  Result<std::unique_ptr<PtyWire>> state = PtyWire::make(executor);
+  Result<std::unique_ptr<line::PtyWire>> state = line::PtyWire::make(executor);
   if (!state) return fail(state);
   const std::string where = (*motion)->path() + "," + (*state)->path();
-  std::vector<std::unique_ptr<ByteWire>> lines;
+  std::vector<std::unique_ptr<line::ByteWire>> lines;
   lines.push_back(std::move(*motion));
   lines.push_back(std::move(*state));
-  const SimpleKind kind{.serial = true, .sign = -1};
+  const simulation::SimpleKind kind{.serial = true, .sign = -1};
   return std::make_unique<SimpleServing>(executor, cabinet, kind, std::move(lines), where);
 }
 
-Result<std::unique_ptr<Serving>> serve_simple_tcp(Executor& executor, ArmCabinet& cabinet,
-                                                  const EmulateChoices& choices, SimpleKind kind) {
-  const std::vector<std::uint16_t> wanted = ports_of(choices, {simple::motion_port, simple::state_port});
-  Result<std::vector<std::unique_ptr<TcpPort>>> ports = listen_at(executor, choices.address, wanted);
+Result<std::unique_ptr<Serving>> serve_simple_tcp(Executor& executor, simulation::ArmCabinet& cabinet,
+                                                  const EmulateChoices& choices, simulation::SimpleKind kind) {
+  const std::vector<std::uint16_t> wanted = ports_of(choices, {arm::simple::motion_port, arm::simple::state_port});
+  Result<std::vector<std::unique_ptr<line::TcpPort>>> ports = listen_at_all(executor, choices.address, wanted);
   if (!ports) return fail(ports);
   const std::string where = where_tcp(choices.address, *ports);
-  std::vector<std::unique_ptr<ByteWire>> lines;
-  for (std::unique_ptr<TcpPort>& port : *ports) lines.push_back(std::move(port));
+  std::vector<std::unique_ptr<line::ByteWire>> lines;
+  for (std::unique_ptr<line::TcpPort>& port : *ports) lines.push_back(std::move(port));
   return std::make_unique<SimpleServing>(executor, cabinet, kind, std::move(lines), where);
 }
 
-Result<std::unique_ptr<Serving>> serve_simple(Executor& executor, ArmCabinet& cabinet, const EmulateChoices& choices) {
+Result<std::unique_ptr<Serving>> serve_simple(Executor& executor, simulation::ArmCabinet& cabinet,
+                                              const EmulateChoices& choices) {
   return choices.pty ? serve_c500c(executor, cabinet) : serve_simple_tcp(executor, cabinet, choices, {});
 }
 
-Result<std::unique_ptr<Serving>> serve_with_track(Executor& executor, ArmCabinet& cabinet,
+Result<std::unique_ptr<Serving>> serve_with_track(Executor& executor, simulation::ArmCabinet& cabinet,
                                                   const EmulateChoices& choices) {
   return serve_simple_tcp(executor, cabinet, choices, {.track = true});
 }
@@ -195,7 +203,7 @@ Result<std::unique_ptr<Serving>> serve_with_track(Executor& executor, ArmCabinet
 struct ArmKind {
   std::string_view name;
   std::string_view arm;
-  Result<std::unique_ptr<Serving>> (*serve)(Executor&, ArmCabinet&, const EmulateChoices&);
+  Result<std::unique_ptr<Serving>> (*serve)(Executor&, simulation::ArmCabinet&, const EmulateChoices&);
   int ports = 1;        // one after another, where the first is asked for
   bool serial = false;  // whether it has serial lines, too
 };
@@ -206,7 +214,7 @@ constexpr ArmKind kinds[] = {{"up6", "motoman-up6", serve_hses},
                              {"f3", "crs-f3", serve_simple, 2, true},
                              {"f3-track", "crs-f3", serve_with_track, 2}};
 
-std::string in_json(const ArmCabinet& cabinet, const ArmReading& reading) {
+std::string in_json(const simulation::ArmCabinet& cabinet, const arm::ArmReading& reading) {
   return fmt::format(
       "{{\"power\":{},\"servo\":{},\"pendant\":{},\"estop\":{},\"hold\":{},\"alarm\":{},\"override\":{:.0f},"
       "\"state\":\"{}\",\"joints\":[{:.4f}],\"opening\":{:.2f},\"moves\":{}}}",
@@ -215,7 +223,7 @@ std::string in_json(const ArmCabinet& cabinet, const ArmReading& reading) {
       reading.moving ? "moving" : "still", fmt::join(reading.joints, ","), reading.opening_mm, cabinet.moves());
 }
 
-std::string in_words(const ArmCabinet& cabinet, const ArmReading& reading) {
+std::string in_words(const simulation::ArmCabinet& cabinet, const arm::ArmReading& reading) {
   std::string line =
       fmt::format("power {}, servo {}", cabinet.powered() ? "on" : "off", cabinet.servo() ? "on" : "off");
   if (cabinet.pendant()) line += ", the pendant has control";
@@ -227,8 +235,8 @@ std::string in_words(const ArmCabinet& cabinet, const ArmReading& reading) {
                      fmt::join(reading.joints, " "), reading.opening_mm, cabinet.moves());
 }
 
-Task<std::string> status(ArmCabinet& cabinet, bool json) {
-  const ArmReading reading = co_await cabinet.read();
+Task<std::string> status(simulation::ArmCabinet& cabinet, bool json) {
+  const arm::ArmReading reading = co_await cabinet.read();
   co_return json ? in_json(cabinet, reading) : in_words(cabinet, reading);
 }
 
@@ -246,12 +254,12 @@ int emulate_arm(const EmulateChoices& choices) {
     const Failure useless{"bad-option", choices.device + " is on a network, not at a serial line", {}, {}};
     return complain(useless, exit_usage);
   }
-  const Result<ArmModel> model = shipped_arm(kind.arm);
+  const Result<arm::ArmModel> model = arm::shipped_arm(kind.arm);
   if (!model) return complain(model.error(), exit_usage);
   RealExecutor executor;
   const StopSignals signals(executor);
   Body body(executor, *model, choices.world);
-  ArmCabinet cabinet(executor, body.arm(), *model);
+  simulation::ArmCabinet cabinet(executor, body.arm(), *model);
   const int last = choices.port + kind.ports - 1;
   constexpr int highest = 65535;
   if (last > highest) {
@@ -271,4 +279,4 @@ int emulate_arm(const EmulateChoices& choices) {
   return exit_reached;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "lisp/json.hpp"
 #include "programs/command_line/command_line.hpp"
 #include "programs/command_line/command_tools.hpp"
 #include "programs/emulate/devices.hpp"
-#include "lisp/json.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 
 void say_where(const EmulateChoices& choices, const std::string& where) {
   if (choices.json) {
@@ -97,12 +97,12 @@ void add_emulate_command(CLI::App& app, int& status) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::programs
 
 int main(int argc, char** argv) {
   CLI::App app("Pizarra, a blackboard for robot cells.", "pizarra");
   app.require_subcommand(1);
-  int status = pizarra::exit_reached;
-  pizarra::add_emulate_command(app, status);
-  return pizarra::run_program(app, argc, argv, status);
+  int status = pizarra::programs::exit_reached;
+  pizarra::programs::add_emulate_command(app, status);
+  return pizarra::programs::run_program(app, argc, argv, status);
 }

@@ -4,25 +4,25 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "programs/command_line/command_line.hpp"
-#include "programs/command_line/command_tools.hpp"
 #include "blackboard/wire/keys.hpp"
 #include "lisp/json.hpp"
+#include "programs/command_line/command_line.hpp"
+#include "programs/command_line/command_tools.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 namespace {
 
 struct KeysChoices {
   std::string name;
-  std::string folder = default_key_folder();
-  Permissions may;
+  std::string folder = wire::default_key_folder();
+  wire::Permissions may;
   bool json = false;
 };
 
 int make(const KeysChoices& choices) {
-  Permissions may = choices.may;
-  if (may == Permissions() && choices.name != board_key_name) may = {{"*"}, {"*"}, {"*"}, {}};
-  const Result<KeyPair> made = make_keys(choices.folder, choices.name, may);
+  wire::Permissions may = choices.may;
+  if (may == wire::Permissions() && choices.name != wire::board_key_name) may = {{"*"}, {"*"}, {"*"}, {}};
+  const Result<wire::KeyPair> made = wire::make_keys(choices.folder, choices.name, may);
   if (!made) return complain(made.error(), made.error().symbol == "cannot-write" ? exit_unavailable : exit_usage);
   const std::string base = choices.folder + "/" + choices.name;
   if (choices.json) {
@@ -32,8 +32,8 @@ int make(const KeysChoices& choices) {
   }
   fmt::print("{}.secret  keep it where the key's owner runs, and show it to nobody\n", base);
   fmt::print("{}.key  {}\n", base,
-             choices.name == board_key_name ? "every client needs it, beside its own secret"
-                                            : "goes to the board's folder of keys; it says what the key may do");
+             choices.name == wire::board_key_name ? "every client needs it, beside its own secret"
+                                                  : "goes to the board's folder of keys; it says what the key may do");
   return exit_reached;
 }
 
@@ -43,7 +43,7 @@ std::string json_list(const std::vector<std::string>& names) {
   return fmt::format("[{}]", fmt::join(quoted, ","));
 }
 
-std::string sentence_of(const Permissions& may) {
+std::string sentence_of(const wire::Permissions& may) {
   std::string sentence;
   const auto add = [&](const char* verb, const std::vector<std::string>& listed) {
     if (!listed.empty()) sentence += fmt::format("{}{} {}", sentence.empty() ? "" : "; ", verb, fmt::join(listed, " "));
@@ -55,8 +55,8 @@ std::string sentence_of(const Permissions& may) {
   return sentence.empty() ? "nothing" : sentence;
 }
 
-void show(const PublicKey& key, bool secret_here, bool json) {
-  const bool board = key.name == board_key_name;
+void show(const wire::PublicKey& key, bool secret_here, bool json) {
+  const bool board = key.name == wire::board_key_name;
   if (json) {
     fmt::print("{{\"name\":{},\"key\":{},\"secret\":{},\"tell\":{},\"take\":{},\"read\":{},\"override\":{}}}\n",
                json_string(key.name), json_string(key.key), secret_here, json_list(key.may.tell),
@@ -68,11 +68,11 @@ void show(const PublicKey& key, bool secret_here, bool json) {
 }
 
 int show_all(const KeysChoices& choices) {
-  const Result<std::vector<std::string>> files = public_key_files(choices.folder);
+  const Result<std::vector<std::string>> files = wire::public_key_files(choices.folder);
   if (!files) return complain(files.error(), exit_unavailable);
   int status = exit_reached;
   for (const std::string& file : *files) {
-    const Result<PublicKey> key = read_public_key(file);
+    const Result<wire::PublicKey> key = wire::read_public_key(file);
     if (!key) {
       status = complain(key.error(), exit_usage);
       continue;
@@ -114,12 +114,12 @@ void add_keys_command(CLI::App& app, int& status) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::programs
 
 int main(int argc, char** argv) {
   CLI::App app("Pizarra, a blackboard for robot cells.", "pizarra");
   app.require_subcommand(1);
-  int status = pizarra::exit_reached;
-  pizarra::add_keys_command(app, status);
-  return pizarra::run_program(app, argc, argv, status);
+  int status = pizarra::programs::exit_reached;
+  pizarra::programs::add_keys_command(app, status);
+  return pizarra::programs::run_program(app, argc, argv, status);
 }

@@ -8,7 +8,7 @@
 int main(int argc, char** argv) {
   CLI::App app("Pizarra, a blackboard for robot cells.", "pizarra");
   app.require_subcommand(1);
-  int status = pizarra::exit_reached;
-  pizarra::add_plan_command(app, status);
-  return pizarra::run_program(app, argc, argv, status);
+  int status = pizarra::programs::exit_reached;
+  pizarra::programs::add_plan_command(app, status);
+  return pizarra::programs::run_program(app, argc, argv, status);
 }

@@ -4,7 +4,7 @@
 #include <fstream>
 #include <string>
 
-namespace pizarra {
+namespace pizarra::programs {
 
 namespace {
 
@@ -29,4 +29,4 @@ MemoryLimit::MemoryLimit(std::size_t bytes) {
 
 MemoryLimit::~MemoryLimit() { setrlimit(RLIMIT_DATA, &before_); }
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

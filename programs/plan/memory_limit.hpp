@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <sys/resource.h>
 
-namespace pizarra {
+namespace pizarra::programs {
 
 class MemoryLimit {
  public:
@@ -22,4 +22,4 @@ class MemoryLimit {
   rlimit before_{RLIM_INFINITY, RLIM_INFINITY};
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

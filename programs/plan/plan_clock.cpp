@@ -4,7 +4,7 @@
 #include <unistd.h>
 #include <utility>
 
-namespace pizarra {
+namespace pizarra::programs {
 
 namespace {
 
@@ -43,4 +43,4 @@ void PlanClock::show(double now_s) {
   std::fflush(stderr);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

@@ -12,7 +12,7 @@
 
 #include "blackboard/time/stop_signals.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 
 class PlanClock {
  public:
@@ -48,4 +48,4 @@ class PlanClock {
   bool time_up_ = false;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

@@ -6,11 +6,6 @@
 #include <fmt/format.h>
 #include <new>
 
-#include "programs/command_line/command_tools.hpp"
-#include "programs/plan/memory_limit.hpp"
-#include "programs/plan/plan_clock.hpp"
-#include "programs/plan/plan_report.hpp"
-#include "programs/plan/reading_watch.hpp"
 #include "agents/planner/explanation/fewest_culprits.hpp"
 #include "agents/planner/explanation/no_plan.hpp"
 #include "agents/planner/explanation/why_never.hpp"
@@ -21,13 +16,18 @@
 #include "agents/planner/task/grounding.hpp"
 #include "agents/planner/task/plan_mode.hpp"
 #include "lisp/json.hpp"
+#include "programs/command_line/command_tools.hpp"
+#include "programs/plan/memory_limit.hpp"
+#include "programs/plan/plan_clock.hpp"
+#include "programs/plan/plan_report.hpp"
+#include "programs/plan/reading_watch.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 
 namespace {
 
 // A person can wait, and interrupt: only memory bounds the search.
-Budget unhurried(std::size_t memory_mb) {
+planner::Budget unhurried(std::size_t memory_mb) {
   return {.nodes = std::size_t{1} << 60, .levels = std::size_t{1} << 30, .bytes = memory_mb << 20};
 }
 // How long a fast plan is made shorter where no time is given.
@@ -72,50 +72,52 @@ Failure stopped(const PlanClock& clock) {
 }
 
 // Why the engine came back without a plan. That there is none has been proved, whatever ended the search for a reason.
-Failure why_none(const PlanningTask& task, const Problem& problem, const Outcome& outcome, PlanClock& clock) {
-  if (outcome.kind == Outcome::Kind::cancelled) return stopped(clock);
-  Failure failure = explain(problem, outcome);
-  if (outcome.kind != Outcome::Kind::none || outcome.culprits.size() != 1) return failure;
+Failure why_none(const planner::PlanningTask& task, const planner::Problem& problem, const planner::Outcome& outcome,
+                 PlanClock& clock) {
+  if (outcome.kind == planner::Outcome::Kind::cancelled) return stopped(clock);
+  Failure failure = planner::explain(problem, outcome);
+  if (outcome.kind != planner::Outcome::Kind::none || outcome.culprits.size() != 1) return failure;
   const Datum& culprit = problem.facts[outcome.culprits.front()];
-  const std::string why = why_never(task, problem, culprit, [&] { return clock.over(); });
+  const std::string why = planner::why_never(task, problem, culprit, [&] { return clock.over(); });
   if (!why.empty()) failure.sentence += ": " + why;
   return failure;
 }
 
-bool wants_fast(const PlanChoices& choices, const Problem& problem) {
-  return choices.fast || (!choices.optimal && mode_for(problem) == PlanMode::fast);
+bool wants_fast(const PlanChoices& choices, const planner::Problem& problem) {
+  return choices.fast || (!choices.optimal && planner::mode_for(problem) == planner::PlanMode::fast);
 }
 
-Outcome solve(const PlanChoices& choices, const Problem& problem, PlanClock& clock) {
+planner::Outcome solve(const PlanChoices& choices, const planner::Problem& problem, PlanClock& clock) {
   const auto over = [&] { return clock.over(); };
-  const Budget budget = unhurried(choices.memory_mb);
-  Outcome outcome;
+  const planner::Budget budget = unhurried(choices.memory_mb);
+  planner::Outcome outcome;
   if (wants_fast(choices, problem)) {
     clock.shorten(improving_s);
-    outcome = FastPlanner({.seed = choices.seed}).solve(problem, budget, over);
+    outcome = planner::FastPlanner({.seed = choices.seed}).solve(problem, budget, over);
   } else {
-    outcome = OptimalPlanner().solve(problem, budget, over);
+    outcome = planner::OptimalPlanner().solve(problem, budget, over);
   }
-  blame_fewest(problem, budget, over, outcome);
+  planner::blame_fewest(problem, budget, over, outcome);
   return outcome;
 }
 
-Result<PlanReport> search(const PlanningTask& task, const PlanChoices& choices, PlanClock& clock) {
-  const Result<Problem> problem = ground(task, [&] { return clock.over(); });
+Result<PlanReport> search(const planner::PlanningTask& task, const PlanChoices& choices, PlanClock& clock) {
+  const Result<planner::Problem> problem = planner::ground(task, [&] { return clock.over(); });
   if (!problem && problem.error().symbol == "cancelled") return fail(stopped(clock));
   if (!problem) return fail(problem);
-  const Outcome outcome = solve(choices, *problem, clock);
-  if (outcome.kind != Outcome::Kind::plan) return fail(why_none(task, *problem, outcome, clock));
-  PlanReport report{.steps = steps_of(*problem, outcome.steps),
+  const planner::Outcome outcome = solve(choices, *problem, clock);
+  if (outcome.kind != planner::Outcome::Kind::plan) return fail(why_none(task, *problem, outcome, clock));
+  PlanReport report{.steps = planner::steps_of(*problem, outcome.steps),
                     .engine = std::string(outcome.engine.empty() ? "optimal" : outcome.engine),
                     .fewest_steps = outcome.shortest || !wants_fast(choices, *problem),
                     .out_of_memory = outcome.out_of_memory};
-  const Result<void> valid = validate_plan(task, report.steps);
+  const Result<void> valid = planner::validate_plan(task, report.steps);
   if (!valid) return fail(valid);
   return report;
 }
 
-Result<PlanReport> search_within_memory(const PlanningTask& task, const PlanChoices& choices, PlanClock& clock) {
+Result<PlanReport> search_within_memory(const planner::PlanningTask& task, const PlanChoices& choices,
+                                        PlanClock& clock) {
   const MemoryLimit limit(choices.memory_mb << 20);
   try {
     return search(task, choices, clock);
@@ -130,11 +132,13 @@ std::string first_word(const std::string& command) {
   return command.substr(begin, command.find_first_of(blanks, begin) - begin);
 }
 
-Result<PlanReport> ask_planner(const PlanningTask& task, const PlanChoices& choices, PlanClock& clock) {
+Result<PlanReport> ask_planner(const planner::PlanningTask& task, const PlanChoices& choices, PlanClock& clock) {
   const double left_s = std::clamp(choices.limit_s - clock.seconds(), shortest_s, longest_s);
-  const ExternalPlanner planner(choices.planner, {.seconds = left_s, .memory_bytes = choices.memory_mb << 20});
+  const pddl_planner::ExternalPlanner planner(choices.planner,
+                                              {.seconds = left_s, .memory_bytes = choices.memory_mb << 20});
   // Its time is the driver's to end, which then looks for what the planner has left.
-  const Result<PlanSteps> steps = plan_externally(planner, task, [&] { return clock.over() && clock.interrupted(); });
+  const Result<planner::PlanSteps> steps =
+      planner::plan_externally(planner, task, [&] { return clock.over() && clock.interrupted(); });
   if (clock.interrupted()) return fail(stopped(clock));
   if (!steps && steps.error().symbol == "time-out") {
     return fail("time-out", fmt::format("the planner had no plan after {:g} s", choices.limit_s));
@@ -148,21 +152,21 @@ int tell(const Failure& failure, const PlanChoices& choices) {
   return choices.json ? exit_code_of(failure) : complain(failure, exit_code_of(failure));
 }
 
-Result<PlanningTask> read_in_time(const PlanChoices& choices, PlanClock& clock) {
+Result<planner::PlanningTask> read_in_time(const PlanChoices& choices, PlanClock& clock) {
   const ReadingWatch watch(clock, [&] { return tell(stopped(clock), choices); });
-  return read_task_files(choices.domain, choices.problem);
+  return planner::read_task_files(choices.domain, choices.problem);
 }
 
 // The clock is gone, and what it showed with it, before anything is printed.
 Result<PlanReport> make_plan(const PlanChoices& choices) {
   PlanClock clock(choices.limit_s);
-  const Result<PlanningTask> task = read_in_time(choices, clock);
+  const Result<planner::PlanningTask> task = read_in_time(choices, clock);
   if (!task) return fail(task);
   Result<PlanReport> report =
       choices.planner.empty() ? search_within_memory(*task, choices, clock) : ask_planner(*task, choices, clock);
   if (!report) return report;
   report->counts_cost = task->counts_cost;
-  report->cost = plan_cost(*task, report->steps);
+  report->cost = planner::plan_cost(*task, report->steps);
   report->seconds = clock.seconds();
   return report;
 }
@@ -206,7 +210,7 @@ void add_plan_command(CLI::App& app, int& status) {
   CLI::Option* optimal = word->add_flag("--optimal", choices->optimal, "As few parallel steps as can be");
   CLI::Option* fast = word->add_flag("--fast", choices->fast,
                                      fmt::format("A plan soon, then shorter ones; the default for more than {} actions",
-                                                 most_actions_for_optimal))
+                                                 planner::most_actions_for_optimal))
                           ->excludes(optimal);
   CLI::Option* seed = word->add_option("--seed", choices->seed, "What chance begins from; 1")->check(seed_check());
   word->add_option("--time", choices->limit_s, "End after so many seconds; --fast ends after 10 by itself")
@@ -232,4 +236,4 @@ void add_plan_command(CLI::App& app, int& status) {
   word->callback([choices, &status] { status = run_plan(*choices); });
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

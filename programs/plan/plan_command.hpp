@@ -4,8 +4,8 @@
 
 #include <CLI/CLI.hpp>
 
-namespace pizarra {
+namespace pizarra::programs {
 
 void add_plan_command(CLI::App& app, int& status);
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

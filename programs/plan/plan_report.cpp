@@ -2,15 +2,15 @@
 
 #include <fmt/format.h>
 
-#include "programs/command_line/command_tools.hpp"
 #include "lisp/json.hpp"
 #include "lisp/writer.hpp"
+#include "programs/command_line/command_tools.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 
 namespace {
 
-std::size_t action_count(const PlanSteps& steps) {
+std::size_t action_count(const planner::PlanSteps& steps) {
   std::size_t count = 0;
   for (const std::vector<Datum>& step : steps) count += step.size();
   return count;
@@ -70,4 +70,4 @@ std::string plan_text(const PlanReport& report, PlanFormat format) {
   return readable_text(report);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

@@ -10,12 +10,12 @@
 
 #include "agents/planner/task/planning_task.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 
 enum class PlanFormat : std::uint8_t { readable, pddl, json };
 
 struct PlanReport {
-  PlanSteps steps;
+  planner::PlanSteps steps;
   std::string engine;
   bool fewest_steps = false;   // proved
   bool out_of_memory = false;  // it might have become shorter
@@ -26,4 +26,4 @@ struct PlanReport {
 
 std::string plan_text(const PlanReport& report, PlanFormat format);
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <unistd.h>
 
-namespace pizarra {
+namespace pizarra::programs {
 
 namespace {
 
@@ -26,4 +26,4 @@ void ReadingWatch::watch(const std::stop_token& read, PlanClock& clock, const st
   _exit(status);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

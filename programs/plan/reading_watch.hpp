@@ -18,7 +18,7 @@
 
 #include "programs/plan/plan_clock.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 
 class ReadingWatch {
  public:
@@ -35,4 +35,4 @@ class ReadingWatch {
   std::jthread thread_;  // the last: it ends before what it waits on
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

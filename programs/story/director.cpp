@@ -5,7 +5,7 @@
 #include "agents/launcher/readiness.hpp"
 #include "lisp/writer.hpp"
 
-namespace pizarra {
+namespace pizarra::story {
 
 namespace {
 
@@ -33,14 +33,14 @@ void add(std::vector<std::string>& sentences, const std::vector<std::string>& mo
 
 }  // namespace
 
-Director::Director(LocalCell& cell, const Scenario& scenario, const Judge& judge, Narrator& narrator,
+Director::Director(launcher::LocalCell& cell, const forms::Scenario& scenario, const Judge& judge, Narrator& narrator,
                    DirectorOptions options)
     : cell_(cell),
       scenario_(scenario),
       options_(std::move(options)),
       board_(cell.board().view("director")),
       context_{"director", "localhost", cell.executor(), *board_, cell.random("director")},
-      service_(context_, contract_from_text("(contract director)").value()),
+      service_(context_, runtime::contract_from_text("(contract director)").value()),
       caller_(context_, service_),
       expectations_(scenario, *board_, cell.executor()),
       events_(cell, *board_, scenario, narrator,
@@ -52,10 +52,10 @@ Director::~Director() = default;
 Task<Result<void>> Director::prepare() {
   const Result<void> started = co_await service_.start();
   if (!started) co_return started;
-  std::vector<std::string> players = agent_kinds(cell_.description());
-  const Result<void> there = co_await await_agents(cell_, *board_, std::move(players));
+  std::vector<std::string> players = launcher::agent_kinds(cell_.description());
+  const Result<void> there = co_await launcher::await_agents(cell_, *board_, std::move(players));
   if (!there) co_return there;
-  const Result<void> taught = co_await await_teaching(*board_, cell_.executor());
+  const Result<void> taught = co_await launcher::await_teaching(*board_, cell_.executor());
   if (!taught) co_return taught;
   for (const Datum& action : scenario_.before_goal) {
     const Result<void> done = co_await events_.perform(action);
@@ -83,7 +83,7 @@ Task<void> Director::await_end(Time deadline) {
     const Datum form = list("and"_sym, list("goal-state"_sym, number, "?state"_sym, "?detail"_sym),
                             list("/="_sym, "?state"_sym, "running"_sym));
     Query query = query_from_datum(form).value();
-    const Result<Answer> end = co_await await_when_declared(*board_, executor, std::move(query), deadline);
+    const Result<Answer> end = co_await launcher::await_when_declared(*board_, executor, std::move(query), deadline);
     if (!end) {
       report_.outcome = "timeout";
       co_return;
@@ -162,4 +162,4 @@ Task<void> Director::run() {
   if (missed && !options_.events_may_fail) report_.unmet.push_back("its time never came: " + write(*missed));
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::story

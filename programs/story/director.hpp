@@ -8,14 +8,14 @@
 //   executor.run_until([&] { return job.done(); });
 //   director.report().met();
 
+#include "agents/runtime/service.hpp"
 #include "programs/story/director_report.hpp"
 #include "programs/story/expectations.hpp"
 #include "programs/story/narrator.hpp"
 #include "programs/story/story_events.hpp"
 #include "programs/story/witness.hpp"
-#include "agents/runtime/service.hpp"
 
-namespace pizarra {
+namespace pizarra::story {
 
 struct DirectorOptions {
   // Where true, a `when` whose facts never come is not an expectation that was missed: it is dropped when the goal has
@@ -26,7 +26,7 @@ struct DirectorOptions {
 class Director {
  public:
   // All but the options outlive it.
-  Director(LocalCell& cell, const Scenario& scenario, const Judge& judge, Narrator& narrator,
+  Director(launcher::LocalCell& cell, const forms::Scenario& scenario, const Judge& judge, Narrator& narrator,
            DirectorOptions options = {});
   ~Director();
   Task<void> run();
@@ -40,13 +40,13 @@ class Director {
   Task<Result<void>> await_events(Time deadline);
   Task<void> give_judgement();
 
-  LocalCell& cell_;
-  const Scenario& scenario_;
+  launcher::LocalCell& cell_;
+  const forms::Scenario& scenario_;
   DirectorOptions options_;
   std::unique_ptr<Board> board_;
-  AgentContext context_;
-  Service service_;
-  Caller caller_;
+  runtime::AgentContext context_;
+  runtime::Service service_;
+  runtime::Caller caller_;
   DirectorReport report_;
   std::int64_t goal_number_ = 0;
   Expectations expectations_;
@@ -54,4 +54,4 @@ class Director {
   Witness witness_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::story

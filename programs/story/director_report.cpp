@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-namespace pizarra {
+namespace pizarra::story {
 
 bool DirectorReport::refused_correctly() const {
   static constexpr std::array<std::string_view, 4> reasons{"no-plan", "missing-object", "unknown-object",
@@ -13,4 +13,4 @@ bool DirectorReport::refused_correctly() const {
   return for_a_reason && (!possible || blind);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::story

@@ -10,7 +10,7 @@
 #include "lisp/datum.hpp"
 #include "lisp/result.hpp"
 
-namespace pizarra {
+namespace pizarra::story {
 
 struct DirectorReport {
   // How the cell saw it: reached, refused, cancelled, or timeout, not-taught, no-agents.
@@ -32,4 +32,4 @@ struct DirectorReport {
   bool refused_correctly() const;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::story

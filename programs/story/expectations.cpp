@@ -5,7 +5,7 @@
 #include "agents/launcher/readiness.hpp"
 #include "lisp/writer.hpp"
 
-namespace pizarra {
+namespace pizarra::story {
 
 namespace {
 
@@ -14,7 +14,7 @@ constexpr Duration for_ever = 86400s;
 
 }  // namespace
 
-Expectations::Expectations(const Scenario& scenario, Board& board, Executor& executor)
+Expectations::Expectations(const forms::Scenario& scenario, Board& board, Executor& executor)
     : scenario_(scenario), board_(board), executor_(executor) {
   for (const Datum& pattern : scenario.expect_seen) expected_.push_back({pattern, true});
   for (const Datum& pattern : scenario.expect_never) expected_.push_back({pattern, false});
@@ -27,7 +27,7 @@ void Expectations::begin() {
 Task<void> Expectations::watch_for(Expected& expected) {
   Query query = query_from_datum(expected.pattern).value();
   const Time never = executor_.now() + for_ever;
-  const Result<Answer> come = co_await await_when_declared(board_, executor_, std::move(query), never);
+  const Result<Answer> come = co_await launcher::await_when_declared(board_, executor_, std::move(query), never);
   if (come) expected.came = true;
 }
 
@@ -50,4 +50,4 @@ std::vector<std::string> Expectations::unmet(const DirectorReport& report) const
   return unmet;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::story

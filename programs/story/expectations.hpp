@@ -10,17 +10,17 @@
 #include <string>
 #include <vector>
 
-#include "programs/story/director_report.hpp"
 #include "blackboard/board.hpp"
 #include "blackboard/time/executor.hpp"
 #include "lisp/forms/scenario_file.hpp"
+#include "programs/story/director_report.hpp"
 
-namespace pizarra {
+namespace pizarra::story {
 
 class Expectations {
  public:
   // All outlive it.
-  Expectations(const Scenario& scenario, Board& board, Executor& executor);
+  Expectations(const forms::Scenario& scenario, Board& board, Executor& executor);
   void begin();
   std::vector<std::string> unmet(const DirectorReport& report) const;
 
@@ -32,11 +32,11 @@ class Expectations {
   };
   Task<void> watch_for(Expected& expected);
 
-  const Scenario& scenario_;
+  const forms::Scenario& scenario_;
   Board& board_;
   Executor& executor_;
   std::vector<Expected> expected_;  // does not grow once begun
   std::vector<Job> jobs_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::story

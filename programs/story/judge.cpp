@@ -5,7 +5,7 @@
 
 #include "agents/planner/judge/breadth_first.hpp"
 
-namespace pizarra {
+namespace pizarra::story {
 
 namespace {
 
@@ -35,9 +35,9 @@ std::vector<Datum> folded(const std::vector<Datum>& facts) {
   return out;
 }
 
-PlanningOperator planning_operator(const Operator& from) {
-  PlanningOperator to{from.name, {}, folded(from.preconds), folded(from.adds), folded(from.deletes)};
-  for (const TypedName& param : from.params) {
+planner::PlanningOperator planning_operator(const forms::Operator& from) {
+  planner::PlanningOperator to{from.name, {}, folded(from.preconds), folded(from.adds), folded(from.deletes)};
+  for (const forms::TypedName& param : from.params) {
     to.parameters.push_back({std::string(in_small_letters(Datum::symbol(param.name)).text()), param.type});
   }
   return to;
@@ -45,12 +45,12 @@ PlanningOperator planning_operator(const Operator& from) {
 
 }  // namespace
 
-Result<Judge> Judge::make(const Domain& domain, double cube_mm) {
-  Arities arities;
-  for (const Predicate& predicate : domain.predicates) {
+Result<Judge> Judge::make(const forms::Domain& domain, double cube_mm) {
+  forms::Arities arities;
+  for (const forms::Predicate& predicate : domain.predicates) {
     arities.emplace_back(predicate.name, predicate.arguments.size());
   }
-  Result<Perception> perception = Perception::read(domain.source, arities);
+  Result<forms::Perception> perception = forms::Perception::read(domain.source, arities);
   if (!perception) return fail(perception);
   perception->set_constant("cube", cube_mm);
   return Judge(domain, std::move(*perception), cube_mm);
@@ -133,12 +133,12 @@ Result<std::vector<Datum>> Judge::as_a_person_would_say(const Truth& truth) cons
 Result<bool> Judge::plan_exists(const std::vector<Datum>& goal, const Truth& truth) const {
   const Result<std::vector<Datum>> said = as_a_person_would_say(truth);
   if (!said) return fail(said);
-  PlanningTask task;
-  for (const Operator& from : domain_.operators) task.operators.push_back(planning_operator(from));
+  planner::PlanningTask task;
+  for (const forms::Operator& from : domain_.operators) task.operators.push_back(planning_operator(from));
   for (const auto& [name, cube] : truth.cubes) {
     if (!is_lost(cube)) task.objects.push_back({Datum::symbol(name), perception_.sees()});
   }
-  for (const TypedName& object : domain_.objects) {
+  for (const forms::TypedName& object : domain_.objects) {
     task.objects.push_back({in_small_letters(Datum::symbol(object.name)), object.type});
   }
   task.initials = *said;
@@ -146,9 +146,9 @@ Result<bool> Judge::plan_exists(const std::vector<Datum>& goal, const Truth& tru
     if (!std::ranges::binary_search(*said, fact)) task.initials.push_back(fact);
   }
   task.goals = folded(goal);
-  const Result<bool> possible = any_plan(task);
+  const Result<bool> possible = planner::any_plan(task);
   if (!possible && possible.error().symbol == "unknown-object") return false;
   return possible;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::story

@@ -12,16 +12,16 @@
 #include <string>
 #include <vector>
 
-#include "programs/story/world_state.hpp"
 #include "lisp/forms/domain.hpp"
 #include "lisp/forms/perception.hpp"
+#include "programs/story/world_state.hpp"
 
-namespace pizarra {
+namespace pizarra::story {
 
 class Judge {
  public:
   // Of a cell with cubes of that size. Failures: those of the domain's perception section.
-  static Result<Judge> make(const Domain& domain, double cube_mm);
+  static Result<Judge> make(const forms::Domain& domain, double cube_mm);
 
   // What the domain's own perception rules find where everything that stands firmly or is held is seen truly. A cube
   // that leans, falls or is carried by a hand is in no state that a predicate names, nor is what stands on it. Sorted.
@@ -35,14 +35,14 @@ class Judge {
   Result<bool> plan_exists(const std::vector<Datum>& goal, const Truth& truth) const;
 
  private:
-  Judge(Domain domain, Perception perception, double cube_mm)
+  Judge(forms::Domain domain, forms::Perception perception, double cube_mm)
       : domain_(std::move(domain)), perception_(std::move(perception)), cube_mm_(cube_mm) {}
   std::vector<Datum> measured(const Truth& truth) const;
   std::string support_of(const Truth& truth, const Truth::Cube& loose) const;
   Truth squared(Truth truth) const;
-  Domain domain_;
-  Perception perception_;
+  forms::Domain domain_;
+  forms::Perception perception_;
   double cube_mm_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::story

@@ -11,7 +11,7 @@
 #include "lisp/json.hpp"
 #include "lisp/writer.hpp"
 
-namespace pizarra {
+namespace pizarra::story {
 
 namespace {
 
@@ -125,7 +125,7 @@ void Narrator::tell_change(const Change& change, Executor& executor) {
 }
 
 Task<void> Narrator::follow_pattern(Board& board, Executor& executor, Datum pattern) {
-  const Result<std::unique_ptr<Watch>> watch = co_await watch_when_declared(board, query_for(pattern));
+  const Result<std::unique_ptr<Watch>> watch = co_await runtime::watch_when_declared(board, query_for(pattern));
   if (!watch) {
     say(executor.now(), "failure", describe(watch.error()));
     co_return;
@@ -154,4 +154,4 @@ Task<void> Narrator::follow(Board& board, Executor& executor) {
   co_await follow_pattern(board, executor, events);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::story

@@ -15,7 +15,7 @@
 #include "blackboard/board.hpp"
 #include "blackboard/time/executor.hpp"
 
-namespace pizarra {
+namespace pizarra::story {
 
 class Narrator {
  public:
@@ -48,10 +48,10 @@ class Narrator {
   std::int64_t last_event_ = 0;
   Datum last_servo_;
   Datum last_person_;
-  CameraNews camera_news_;
+  launcher::CameraNews camera_news_;
   std::set<Datum> present_;  // agents that were told to be there
   std::set<Datum> missing_;  // those of them that a board which lives again has yet to hear of
   Job waiting_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::story

@@ -12,7 +12,7 @@
 #include <unistd.h>
 #include <vector>
 
-namespace pizarra {
+namespace pizarra::story {
 
 namespace {
 
@@ -96,12 +96,12 @@ Failure unwritten(const std::string& path) {
   if (file >= 0) {
     const off_t end = lseek(file, 0, SEEK_END);
     // What fits of it is written, and the next says why no more does.
-    const bool fits = write(file, more.data(), more.size()) == static_cast<ssize_t>(more.size());
-    if (!fits && write(file, more.data(), more.size()) < 0) reason = std::strerror(errno);
+    const bool fits = ::write(file, more.data(), more.size()) == static_cast<ssize_t>(more.size());
+    if (!fits && ::write(file, more.data(), more.size()) < 0) reason = std::strerror(errno);
     if (ftruncate(file, end) != 0) reason += ", and it cannot be shortened";
     close(file);
   }
   return {"cannot-write", fmt::format("cannot write {} whole: {}", path, reason), {}, {}};
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::story

@@ -15,7 +15,7 @@
 
 #include "lisp/result.hpp"
 
-namespace pizarra {
+namespace pizarra::story {
 
 // Makes the folder it is to be in, where there is none.
 Result<void> make_folder_of(const std::string& path);
@@ -29,4 +29,4 @@ bool is_whole_film(const std::string& path);
 // The failure of a file that is not whole; finds the reason by trying to write on.
 Failure unwritten(const std::string& path);
 
-}  // namespace pizarra
+}  // namespace pizarra::story

@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include "programs/story/random_story.hpp"
-#include "programs/story/scenario_run.hpp"
 #include "agents/launcher/agent_factory.hpp"
 #include "lisp/writer.hpp"
+#include "programs/story/random_story.hpp"
+#include "programs/story/scenario_run.hpp"
 
-namespace pizarra {
+namespace pizarra::story {
 
 namespace {
 
@@ -42,15 +42,15 @@ RandomResult describe_run(const RandomStory& story, const StoryReport& run) {
 
 RandomResult run_random_seed(const std::string& cell_file, const std::string& arm, std::uint64_t seed) {
   RandomResult failed;
-  Result<CellDescription> cell = read_cell_file(cell_file);
+  Result<forms::CellDescription> cell = forms::read_cell_file(cell_file);
   if (!cell) return {RandomResult::Kind::unreadable, describe(cell.error())};
   if (!arm.empty()) {
-    const Result<void> put = put_arm(*cell, arm);
+    const Result<void> put = forms::put_arm(*cell, arm);
     if (!put) return {RandomResult::Kind::unreadable, describe(put.error())};
   }
-  const Result<WorldConfig> sound = world_config(*cell, seed);
+  const Result<simulation::WorldConfig> sound = launcher::world_config(*cell, seed);
   if (!sound) return {RandomResult::Kind::unreadable, describe(sound.error())};
-  const Result<Domain> domain = domain_of(*cell);
+  const Result<forms::Domain> domain = domain_of(*cell);
   if (!domain) return {RandomResult::Kind::unreadable, describe(domain.error())};
   const Result<void> drawable = check_random_cell(*cell, *domain);
   if (!drawable) return {RandomResult::Kind::unreadable, describe(drawable.error())};
@@ -65,4 +65,4 @@ RandomResult run_random_seed(const std::string& cell_file, const std::string& ar
   return failed;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::story

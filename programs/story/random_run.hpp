@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <string>
 
-namespace pizarra {
+namespace pizarra::story {
 
 struct RandomResult {
   enum class Kind : std::uint8_t { reached, refused, failed, timed_out, unreadable };
@@ -19,4 +19,4 @@ struct RandomResult {
 // `arm` in place of the cell's, as put_arm() takes it; empty: the cell's.
 RandomResult run_random_seed(const std::string& cell_file, const std::string& arm, std::uint64_t seed);
 
-}  // namespace pizarra
+}  // namespace pizarra::story

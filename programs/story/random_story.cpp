@@ -5,7 +5,7 @@
 #include <string_view>
 #include <utility>
 
-namespace pizarra {
+namespace pizarra::story {
 
 namespace {
 
@@ -35,23 +35,23 @@ Piles random_piles(std::vector<std::string> names, Random& random) {
   return piles;
 }
 
-double share_mm(const CellDescription& cell) {
+double share_mm(const forms::CellDescription& cell) {
   return (cell.row.y_high_mm - cell.row.y_low_mm) / static_cast<double>(cell.cubes.size());
 }
 
-std::vector<CubePlacement> place_piles(const Piles& piles, const CellDescription& cell, Random& random) {
+std::vector<forms::CubePlacement> place_piles(const Piles& piles, const forms::CellDescription& cell, Random& random) {
   std::vector<double> middles_mm;
   for (std::size_t i = 0; i < cell.cubes.size(); ++i) {
     middles_mm.push_back(cell.row.y_low_mm + (static_cast<double>(i) + 0.5) * share_mm(cell));
   }
   shuffle(middles_mm, random);
-  std::vector<CubePlacement> out;
+  std::vector<forms::CubePlacement> out;
   for (std::size_t i = 0; i < piles.size(); ++i) {
     const double x_mm = cell.row.x_mm + random.uniform(-off_x_mm, off_x_mm);
     const double y_mm = middles_mm[i] + random.uniform(-off_y_mm, off_y_mm);
     std::string below;
     for (const std::string& name : piles[i]) {
-      CubePlacement cube = *std::ranges::find(cell.cubes, name, &CubePlacement::name);
+      forms::CubePlacement cube = *std::ranges::find(cell.cubes, name, &forms::CubePlacement::name);
       cube.x_mm = x_mm;
       cube.y_mm = y_mm;
       cube.yaw_deg = random.uniform(-off_yaw_deg, off_yaw_deg);
@@ -101,7 +101,7 @@ Datum hand(std::string_view operation, const std::string& name, std::vector<Datu
 
 Datum whole_mm(double value) { return Datum::integer(static_cast<std::int64_t>(value)); }
 
-std::vector<Datum> random_disturbance(std::vector<std::string> names, const CubeRow& row, Random& random) {
+std::vector<Datum> random_disturbance(std::vector<std::string> names, const forms::CubeRow& row, Random& random) {
   shuffle(names, random);
   const std::string& target = names[0];
   switch (random.below(8)) {
@@ -129,7 +129,7 @@ std::vector<Datum> random_disturbance(std::vector<std::string> names, const Cube
 
 }  // namespace
 
-Result<void> check_random_cell(const CellDescription& cell, const Domain& domain) {
+Result<void> check_random_cell(const forms::CellDescription& cell, const forms::Domain& domain) {
   if (cell.cubes.size() < 2 || share_mm(cell) < cell.openings.wide_mm) {
     return fail("bad-cell",
                 fmt::format("random stories are about 2 cubes or more with {} mm of the row each, and this "
@@ -137,7 +137,7 @@ Result<void> check_random_cell(const CellDescription& cell, const Domain& domain
                             cell.openings.wide_mm, cell.cubes.size(), cell.row.y_high_mm - cell.row.y_low_mm));
   }
   for (const auto& [name, arguments] : {std::pair("on", 2U), std::pair("on-table", 1U)}) {
-    const auto found = std::ranges::find(domain.predicates, name, &Predicate::name);
+    const auto found = std::ranges::find(domain.predicates, name, &forms::Predicate::name);
     if (found != domain.predicates.end() && found->arguments.size() == arguments) continue;
     return fail("bad-cell",
                 fmt::format("random goals are about on and on-table, and the domain {} has no {}", domain.name, name));
@@ -145,9 +145,9 @@ Result<void> check_random_cell(const CellDescription& cell, const Domain& domain
   return {};
 }
 
-RandomStory random_story(CellDescription cell, Random random) {
+RandomStory random_story(forms::CellDescription cell, Random random) {
   std::vector<std::string> names;
-  for (const CubePlacement& cube : cell.cubes) names.push_back(cube.name);
+  for (const forms::CubePlacement& cube : cell.cubes) names.push_back(cube.name);
   Random start = random.split("start");
   Random wish = random.split("goal");
   Random trouble = random.split("disturbance");
@@ -167,4 +167,4 @@ RandomStory random_story(CellDescription cell, Random random) {
   return story;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::story

@@ -8,25 +8,25 @@
 #include "lisp/forms/domain.hpp"
 #include "lisp/forms/scenario_file.hpp"
 
-namespace pizarra {
+namespace pizarra::story {
 
 // The cell with its cubes piled up otherwise, and a scenario with a goal over them. The disturbance is a hand that
 // pushes, places, stacks, steals, removes or knocks, or an agent that is killed and comes back.
 struct RandomStory {
-  CellDescription cell;
-  Scenario scenario;
+  forms::CellDescription cell;
+  forms::Scenario scenario;
 };
 
 // Whether stories can be drawn for the cell: two to five cubes, and a domain with (on A B) and (on-table A). Failure:
 // bad-cell.
-Result<void> check_random_cell(const CellDescription& cell, const Domain& domain);
+Result<void> check_random_cell(const forms::CellDescription& cell, const forms::Domain& domain);
 
 // The cell passed check_random_cell().
-RandomStory random_story(CellDescription cell, Random random);
+RandomStory random_story(forms::CellDescription cell, Random random);
 
 // The story that belongs to a run's seed.
-inline RandomStory random_story_of_seed(CellDescription cell, std::uint64_t seed) {
+inline RandomStory random_story_of_seed(forms::CellDescription cell, std::uint64_t seed) {
   return random_story(std::move(cell), Random(seed).split("story"));
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::story

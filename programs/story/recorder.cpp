@@ -8,7 +8,7 @@
 
 #include "programs/story/output_file.hpp"
 
-namespace pizarra {
+namespace pizarra::story {
 
 namespace {
 
@@ -90,4 +90,4 @@ Result<void> Recorder::finish() {
   return {};
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::story

@@ -12,10 +12,10 @@
 #include <opencv2/videoio.hpp>
 #include <string>
 
-#include "programs/story/narrator.hpp"
 #include "blackboard/stream.hpp"
+#include "programs/story/narrator.hpp"
 
-namespace pizarra {
+namespace pizarra::story {
 
 class Recorder {
  public:
@@ -39,4 +39,4 @@ class Recorder {
   cv::Mat newest_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::story

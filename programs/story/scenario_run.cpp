@@ -6,19 +6,19 @@
 #include <fstream>
 
 #include "agents/coordinator/plan/task_domain.hpp"
-#include "programs/story/output_file.hpp"
-#include "programs/story/recorder.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "blackboard/time/virtual_executor.hpp"
+#include "programs/story/output_file.hpp"
+#include "programs/story/recorder.hpp"
 
-namespace pizarra {
+namespace pizarra::story {
 
 namespace {
 
 // Frames for the picture that is taken after the story.
 constexpr Duration last_look = 500ms;
 
-Result<void> start_journal(std::ofstream& journal, const std::string& path, MemoryBoard& board) {
+Result<void> start_journal(std::ofstream& journal, const std::string& path, memory::MemoryBoard& board) {
   if (path.empty()) return {};
   journal.open(path, std::ios::trunc);
   if (!journal) return fail(unwritten(path));
@@ -45,17 +45,18 @@ Result<void> finish_recording(Recorder& recorder, Executor& executor, const Stor
   return recorder.finish();
 }
 
-Result<StoryReport> run_on(Executor& executor, const Scenario& scenario, const CellDescription& description,
-                           const Judge& judge, const StoryOptions& options, Narrator& narrator) {
+Result<StoryReport> run_on(Executor& executor, const forms::Scenario& scenario,
+                           const forms::CellDescription& description, const Judge& judge, const StoryOptions& options,
+                           Narrator& narrator) {
   std::ofstream journal;
   // A story is told in the simulated world, whatever controllers and cameras the cell has of its own.
-  CellDescription simulated = description;
+  forms::CellDescription simulated = description;
   simulated.arm_line = {};
   if (simulated.slave) simulated.slave->line = {};
   simulated.eyes = {};
   // It begins with nothing learned and leaves nothing behind, so that it repeats.
   simulated.objects_directory.clear();
-  LocalCell cell(executor, std::move(simulated), options.seed);
+  launcher::LocalCell cell(executor, std::move(simulated), options.seed);
   const Result<void> journaled = start_journal(journal, options.journal_file, cell.board());
   if (!journaled) return fail(journaled);
   Recorder recorder(cell.streams(), narrator);
@@ -66,7 +67,7 @@ Result<StoryReport> run_on(Executor& executor, const Scenario& scenario, const C
   const Time start = executor.now();
   const auto wall_start = std::chrono::steady_clock::now();
   narrator.begin(start);
-  for (const std::string& kind : agent_kinds(cell.description())) {
+  for (const std::string& kind : launcher::agent_kinds(cell.description())) {
     const Result<void> started = cell.start(kind);
     if (!started) return fail(started);
   }
@@ -105,7 +106,7 @@ std::vector<std::size_t> path_to(const Datum& wanted, std::span<const Datum> ite
   return {};
 }
 
-Failure at_its_place(const Failure& failure, const Scenario& scenario, const Datum& form) {
+Failure at_its_place(const Failure& failure, const forms::Scenario& scenario, const Datum& form) {
   const Failure without{"bad-scenario", describe(failure), form, {}};
   const Result<Source> source = scenario.file.empty() ? Result<Source>(fail("no-file", "it was not read from a file"))
                                                       : read_source_file(scenario.file);
@@ -116,10 +117,10 @@ Failure at_its_place(const Failure& failure, const Scenario& scenario, const Dat
 
 }  // namespace
 
-Result<void> check_scenario(const Scenario& scenario) {
+Result<void> check_scenario(const forms::Scenario& scenario) {
   std::vector<Datum> queries = scenario.expect_seen;
   queries.insert(queries.end(), scenario.expect_never.begin(), scenario.expect_never.end());
-  for (const ScenarioEvent& event : scenario.events) queries.push_back(event.condition);
+  for (const forms::ScenarioEvent& event : scenario.events) queries.push_back(event.condition);
   for (const Datum& form : queries) {
     const Result<Query> query = query_from_datum(form);
     if (!query) return fail(at_its_place(query.error(), scenario, form));
@@ -127,37 +128,37 @@ Result<void> check_scenario(const Scenario& scenario) {
   return {};
 }
 
-Result<CellDescription> cell_of(const Scenario& scenario) {
-  Result<CellDescription> cell = read_cell_file(scenario.cell_file);
+Result<forms::CellDescription> cell_of(const forms::Scenario& scenario) {
+  Result<forms::CellDescription> cell = forms::read_cell_file(scenario.cell_file);
   if (!cell) return cell;
   if (scenario.cubes) cell->cubes = *scenario.cubes;
   if (!scenario.domain_file.empty()) cell->domain_file = scenario.domain_file;
   return cell;
 }
 
-bool needs_domain(const CellDescription& cell) {
-  return std::ranges::any_of(cell.hosts, [](const CellHost& host) {
+bool needs_domain(const forms::CellDescription& cell) {
+  return std::ranges::any_of(cell.hosts, [](const forms::CellHost& host) {
     return std::ranges::find(host.agents, "coordinator") != host.agents.end();
   });
 }
 
-Result<Domain> domain_of(const CellDescription& cell) {
+Result<forms::Domain> domain_of(const forms::CellDescription& cell) {
   if (cell.domain_file.empty()) {
     return fail("no-domain", "a coordinator needs to know the task, and the cell names no file with (domain \"FILE\")",
                 Datum::symbol(cell.name));
   }
-  const Result<TaskDomain> task = TaskDomain::read(cell.domain_file);
+  const Result<coordinator::TaskDomain> task = coordinator::TaskDomain::read(cell.domain_file);
   if (!task) return fail(task);
   return task->domain();
 }
 
-Result<StoryReport> run_story(const Scenario& scenario, const CellDescription& cell, const StoryOptions& options,
-                              Narrator& narrator) {
-  const Result<WorldConfig> sound = world_config(cell, options.seed);
+Result<StoryReport> run_story(const forms::Scenario& scenario, const forms::CellDescription& cell,
+                              const StoryOptions& options, Narrator& narrator) {
+  const Result<simulation::WorldConfig> sound = launcher::world_config(cell, options.seed);
   if (!sound) return fail(sound);
   const Result<void> playable = check_scenario(scenario);
   if (!playable) return fail(playable);
-  const Result<Domain> domain = domain_of(cell);
+  const Result<forms::Domain> domain = domain_of(cell);
   if (!domain) return fail(domain);
   const Result<Judge> judge = Judge::make(*domain, cell.cube_mm);
   if (!judge) return fail(judge);
@@ -169,4 +170,4 @@ Result<StoryReport> run_story(const Scenario& scenario, const CellDescription& c
   return run_on(executor, scenario, cell, *judge, options, narrator);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::story

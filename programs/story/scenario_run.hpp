@@ -8,11 +8,11 @@
 
 #include <string>
 
+#include "blackboard/time/stop_signals.hpp"
 #include "programs/story/director.hpp"
 #include "programs/story/narrator.hpp"
-#include "blackboard/time/stop_signals.hpp"
 
-namespace pizarra {
+namespace pizarra::story {
 
 struct StoryOptions {
   std::uint64_t seed = 1;
@@ -35,17 +35,17 @@ struct StoryReport {
 };
 
 // The cell file with the scenario's cubes and domain in place of its own.
-Result<CellDescription> cell_of(const Scenario& scenario);
+Result<forms::CellDescription> cell_of(const forms::Scenario& scenario);
 // The cell's domain as its coordinator reads it, so that what that would refuse is told before anything begins.
-Result<Domain> domain_of(const CellDescription& cell);
+Result<forms::Domain> domain_of(const forms::CellDescription& cell);
 // Whether one of its agents reads it.
-bool needs_domain(const CellDescription& cell);
+bool needs_domain(const forms::CellDescription& cell);
 
 // Whether its conditions and expectations are queries. Failure: bad-scenario.
-Result<void> check_scenario(const Scenario& scenario);
+Result<void> check_scenario(const forms::Scenario& scenario);
 
 // Failures: bad-cell, bad-scenario, cannot-write; how the story ended is the report's.
-Result<StoryReport> run_story(const Scenario& scenario, const CellDescription& cell, const StoryOptions& options,
-                              Narrator& narrator);
+Result<StoryReport> run_story(const forms::Scenario& scenario, const forms::CellDescription& cell,
+                              const StoryOptions& options, Narrator& narrator);
 
-}  // namespace pizarra
+}  // namespace pizarra::story

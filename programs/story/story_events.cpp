@@ -7,7 +7,7 @@
 #include "agents/launcher/readiness.hpp"
 #include "lisp/writer.hpp"
 
-namespace pizarra {
+namespace pizarra::story {
 
 namespace {
 
@@ -43,7 +43,7 @@ Task<Result<void>> StoryEvents::move_hand(Datum action) {
   const Time deadline = cell_.executor().now() + hand_timeout;
   narrator_.say(cell_.executor().now(), "hand", write(action), action);
   while (true) {
-    const Result<Message> moved = co_await cell_.link().call(action, hand_timeout);
+    const Result<simulation::Message> moved = co_await cell_.link().call(action, hand_timeout);
     if (moved) co_return {};
     if (moved.error().symbol != "busy" || cell_.executor().now() >= deadline) co_return fail(moved);
     co_await sleep(cell_.executor(), busy_pause);
@@ -74,10 +74,10 @@ Task<Result<void>> StoryEvents::act(Datum action) {
   co_return cell_.start(kind);
 }
 
-Task<void> StoryEvents::happen_once(ScenarioEvent event) {
+Task<void> StoryEvents::happen_once(forms::ScenarioEvent event) {
   Query query = query_from_datum(event.condition).value();
   const Time never = cell_.executor().now() + for_ever;
-  const Result<Answer> come = co_await await_when_declared(board_, cell_.executor(), std::move(query), never);
+  const Result<Answer> come = co_await launcher::await_when_declared(board_, cell_.executor(), std::move(query), never);
   if (!come) {
     troubles_.push_back(describe(come.error()));
     co_return;
@@ -90,10 +90,10 @@ Task<void> StoryEvents::happen_once(ScenarioEvent event) {
 }
 
 Task<void> StoryEvents::happen() {
-  for (const ScenarioEvent& event : scenario_.events) {
+  for (const forms::ScenarioEvent& event : scenario_.events) {
     co_await happen_once(event);
     ++done_;
   }
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::story

@@ -13,18 +13,19 @@
 #include <string>
 #include <vector>
 
-#include "programs/story/narrator.hpp"
 #include "agents/launcher/local_cell.hpp"
 #include "lisp/forms/scenario_file.hpp"
+#include "programs/story/narrator.hpp"
 
-namespace pizarra {
+namespace pizarra::story {
 
 class StoryEvents {
  public:
   using GiveGoal = std::function<Task<Result<void>>(std::vector<Datum> goal)>;
 
   // All outlive it.
-  StoryEvents(LocalCell& cell, Board& board, const Scenario& scenario, Narrator& narrator, GiveGoal give_goal)
+  StoryEvents(launcher::LocalCell& cell, Board& board, const forms::Scenario& scenario, Narrator& narrator,
+              GiveGoal give_goal)
       : cell_(cell), board_(board), scenario_(scenario), narrator_(narrator), give_goal_(std::move(give_goal)) {}
 
   void begin();
@@ -41,13 +42,13 @@ class StoryEvents {
 
  private:
   Task<void> happen();
-  Task<void> happen_once(ScenarioEvent event);
+  Task<void> happen_once(forms::ScenarioEvent event);
   Task<Result<void>> act(Datum action);
   Task<Result<void>> move_hand(Datum action);
 
-  LocalCell& cell_;
+  launcher::LocalCell& cell_;
   Board& board_;
-  const Scenario& scenario_;
+  const forms::Scenario& scenario_;
   Narrator& narrator_;
   GiveGoal give_goal_;
   std::size_t done_ = 0;
@@ -56,4 +57,4 @@ class StoryEvents {
   Job job_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::story

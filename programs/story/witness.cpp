@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace pizarra {
+namespace pizarra::story {
 
 namespace {
 
@@ -62,4 +62,4 @@ Task<Result<Verdict>> Witness::judge(std::vector<Datum> goal) {
   co_return verdict;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::story

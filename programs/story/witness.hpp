@@ -12,10 +12,10 @@
 #include <string>
 #include <vector>
 
-#include "programs/story/judge.hpp"
 #include "agents/launcher/local_cell.hpp"
+#include "programs/story/judge.hpp"
 
-namespace pizarra {
+namespace pizarra::story {
 
 struct Verdict {
   bool holds = false;
@@ -25,7 +25,7 @@ struct Verdict {
 class Witness {
  public:
   // All outlive it.
-  Witness(LocalCell& cell, const Judge& judge) : cell_(cell), judge_(judge) {}
+  Witness(launcher::LocalCell& cell, const Judge& judge) : cell_(cell), judge_(judge) {}
   void open_eyes();
   // Whether a cube of the goal was less than half visible for the last 2 s.
   bool blind_to(const std::vector<Datum>& goal) const;
@@ -35,10 +35,10 @@ class Witness {
  private:
   Task<void> keep_eyes_open();
 
-  LocalCell& cell_;
+  launcher::LocalCell& cell_;
   const Judge& judge_;
   std::map<std::string, Time> last_visible_;
   Job eyes_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::story

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
-namespace pizarra {
+namespace pizarra::story {
 
 namespace {
 
@@ -50,11 +50,11 @@ Result<Truth> truth_from_datum(const Datum& head) {
   return truth;
 }
 
-Task<Result<Truth>> read_truth(Link& link) {
+Task<Result<Truth>> read_truth(simulation::Link& link) {
   Datum request = list("truth"_sym);
-  const Result<Message> answer = co_await link.call(std::move(request), link_timeout);
+  const Result<simulation::Message> answer = co_await link.call(std::move(request), link_timeout);
   if (!answer) co_return fail(answer);
   co_return truth_from_datum(answer->head);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::story

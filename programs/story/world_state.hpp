@@ -11,7 +11,7 @@
 
 #include "drivers/simulation/link.hpp"
 
-namespace pizarra {
+namespace pizarra::story {
 
 struct Truth {
   struct Cube {
@@ -28,9 +28,9 @@ struct Truth {
 };
 
 Result<Truth> truth_from_datum(const Datum& head);
-Task<Result<Truth>> read_truth(Link& link);
+Task<Result<Truth>> read_truth(simulation::Link& link);
 
 // A fact with its names in small letters, as the world and goals are compared.
 Datum in_small_letters(const Datum& fact);
 
-}  // namespace pizarra
+}  // namespace pizarra::story

@@ -4,7 +4,7 @@
 
 #include "lisp/json.hpp"
 
-namespace pizarra {
+namespace pizarra::bench {
 
 namespace {
 
@@ -87,4 +87,4 @@ int Figures::finish() {
   return unmeasured_ == 0 ? 0 : 1;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::bench

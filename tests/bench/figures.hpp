@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace pizarra {
+namespace pizarra::bench {
 
 struct Goal {
   std::string text;  // "<= 1.15 x raw round trip"
@@ -61,4 +61,4 @@ class Figures {
   int unmeasured_ = 0;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::bench

@@ -4,7 +4,7 @@
 
 #include "tests/bench/measure.hpp"
 
-namespace pizarra {
+namespace pizarra::bench {
 namespace {
 
 class BenchFigures : public testing::Test {
@@ -71,4 +71,4 @@ TEST(Percentile, IsTheNearestSample) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::bench

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <string>
 
-namespace pizarra {
+namespace pizarra::bench {
 
 double seconds_of(const std::function<void()>& work) {
   const auto start = std::chrono::steady_clock::now();
@@ -57,4 +57,4 @@ double peak_memory_mb() {
   return 0;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::bench

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace pizarra {
+namespace pizarra::bench {
 
 double seconds_of(const std::function<void()>& work);
 
@@ -27,4 +27,4 @@ double percentile(std::span<const double> samples, double fraction);
 // The most memory this process ever had resident, in MB (VmHWM of /proc/self/status).
 double peak_memory_mb();
 
-}  // namespace pizarra
+}  // namespace pizarra::bench

@@ -27,7 +27,7 @@ class BoardProgram : public testing::Test, public Wall {
  protected:
   Executor& executor() override { return executor_; }
   std::unique_ptr<Board> view(const std::string& teller) override {
-    return RemoteBoard::connect(executor_, address_, teller).value();
+    return client::RemoteBoard::connect(executor_, address_, teller).value();
   }
 
   const std::vector<Relation> relations_ = {relation("(relation goal ((n integer)) (durable))"),
@@ -42,7 +42,7 @@ TEST_F(BoardProgram, SaysThatItIsReadyServesAndStopsCleanly) {
     Program program({"--listen", address_, "--listen", "tcp://127.0.0.1:*"});
     const std::string ready = program.line();
     EXPECT_TRUE(ready.starts_with("pizarra-board: ready on " + address_ + " tcp://127.0.0.1:")) << ready;
-    const auto alice = RemoteBoard::connect(executor_, address_, "alice").value();
+    const auto alice = client::RemoteBoard::connect(executor_, address_, "alice").value();
     EXPECT_EQ(symbol_of(run(alice->declare(relations_))), "ok");
     EXPECT_EQ(symbol_of(run(alice->tell(read("(seen 1)")))), "ok");
     const Time stopped = executor_.now();
@@ -104,7 +104,7 @@ TEST_F(BoardProgram, DurableFactsOutliveItsSuddenDeath) {
   EXPECT_EQ(run(bob->facts(read("(goal ?n)")))->size(), 1U);
   EXPECT_TRUE(run(bob->facts(read("(seen ?n)")))->empty());
   EXPECT_EQ(program.stop(SIGTERM), 0);
-  remove_journal(journal);
+  journal::remove_journal(journal);
 }
 
 // The client's side of the wire, word by word, over a connection of its own.
@@ -147,7 +147,7 @@ TEST_F(BoardProgram, ARequestWhoseAnswerWasLostInACrashIsNotDoneTwice) {
   const auto bob = view("bob");
   EXPECT_EQ(run(bob->facts(read("(goal ?n)")))->size(), 1U) << "the other one was not taken in its place";
   EXPECT_EQ(program.stop(SIGTERM), 0);
-  remove_journal(journal);
+  journal::remove_journal(journal);
 }
 
 // An hour after the wall clock: as after a life before somebody set the clock back.
@@ -155,12 +155,12 @@ TEST_F(BoardProgram, ItsTimeGoesOnFromItsJournalsEndWhenTheClockWasSetBack) {
   const std::string journal = path_ + ".journal";
   {
     RealExecutor later(RealExecutor::wall_clock() + std::chrono::hours(1));
-    MemoryBoard board(later);
+    memory::MemoryBoard board(later);
     std::string lines;
     board.set_journal([&](std::string_view line) { lines.append(line) += '\n'; });
     ASSERT_TRUE(board.declare("alice", relations_).has_value());
     ASSERT_TRUE(board.transact("alice", Transaction().tell(read("(goal 1)"))).has_value());
-    const auto file = JournalFile::open(journal, {}).value();
+    const auto file = journal::JournalFile::open(journal, {}).value();
     ASSERT_TRUE(file->append({.lines = lines, .replies = {}, .durable = true}).has_value());
   }
   Program program({"--listen", address_, "--journal", journal});
@@ -174,7 +174,7 @@ TEST_F(BoardProgram, ItsTimeGoesOnFromItsJournalsEndWhenTheClockWasSetBack) {
   then.at = Moment{.time = goals[0].when};
   EXPECT_EQ(run(bob->ask(then))->answers.size(), 1U);
   EXPECT_EQ(program.stop(SIGTERM), 0);
-  remove_journal(journal);
+  journal::remove_journal(journal);
 }
 
 TEST_F(BoardProgram, ItsExitCodesSayWhatWasWrong) {

@@ -24,8 +24,8 @@ class BoardElsewhere {
  private:
   void serve(Duration ahead) {
     RealExecutor executor(RealExecutor::wall_clock() + ahead);
-    MemoryBoard board(executor);
-    const auto server = BoardServer::open(executor, board, {.addresses = {address}}).value();
+    memory::MemoryBoard board(executor);
+    const auto server = server::BoardServer::open(executor, board, {.addresses = {address}}).value();
     const std::function<void()> look = [&] { executor.call_at(executor.now() + 10ms, [&] { look(); }); };
     look();
     executor.run_until([this] { return ended_.load(); });
@@ -38,8 +38,8 @@ class ClocksTest : public testing::TestWithParam<Duration>, public Wall {
  protected:
   Executor& executor() override { return executor_; }
   std::unique_ptr<Board> view(const std::string& teller) override { return connect(teller); }
-  std::unique_ptr<RemoteBoard> connect(const std::string& teller) {
-    return RemoteBoard::connect(executor_, board_.address, teller).value();
+  std::unique_ptr<client::RemoteBoard> connect(const std::string& teller) {
+    return client::RemoteBoard::connect(executor_, board_.address, teller).value();
   }
   BoardElsewhere board_{GetParam()};
   RealExecutor executor_;

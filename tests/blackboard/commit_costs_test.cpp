@@ -1,7 +1,6 @@
 // How much is done for watches that follow a commit, whatever they find.
 
 #include <algorithm>
-
 #include <gtest/gtest.h>
 
 #include "blackboard/limits.hpp"
@@ -14,7 +13,7 @@ namespace {
 
 struct WatchedStore {
   WatchedStore() {
-    store.on_commit = [this](const Commit& commit) { watches.committed(commit); };
+    store.on_commit = [this](const store::Commit& commit) { watches.committed(commit); };
     EXPECT_TRUE(store
                     .declare({relation("(relation on ((a datum) (b datum)))"),
                               relation("(relation at ((a datum) (b datum)) (key a))"),
@@ -22,8 +21,8 @@ struct WatchedStore {
                     .has_value());
   }
 
-  Store store;
-  WatchTable watches{store};
+  store::Store store;
+  watch::WatchTable watches{store};
 };
 
 // However many watches a commit concerns, so much is done for them, whether they look at anything or not; who is left
@@ -33,11 +32,11 @@ class CommitCosts : public testing::Test {
   static constexpr int facts = 5000;
   static constexpr std::size_t readers = 4;
   static constexpr std::size_t most =
-      limits::examined + readers * limits::examined_a_turn + 2 * readers * facts * CommitLooks::looks_a_search;
+      limits::examined + readers * limits::examined_a_turn + 2 * readers * facts * watch::CommitLooks::looks_a_search;
 
   void watch(const std::string& watched, int of_each) {
     for (std::size_t reader = 0; reader < readers; ++reader) {
-      const auto backlog = std::make_shared<Backlog>();
+      const auto backlog = std::make_shared<watch::Backlog>();
       for (int i = 0; i < of_each; ++i) {
         queues_.push_back(both_.watches.add(query(watched), nullptr, "greedy", backlog).value());
         queues_.back()->pop().value();
@@ -71,7 +70,7 @@ class CommitCosts : public testing::Test {
   }
 
   WatchedStore both_;
-  std::vector<std::unique_ptr<WatchQueue>> queues_;
+  std::vector<std::unique_ptr<watch::WatchQueue>> queues_;
 };
 
 TEST_F(CommitCosts, CountWhatIsTriedAndDoesNotFit) {
@@ -84,7 +83,7 @@ TEST_F(CommitCosts, CountWhatIsTriedAndDoesNotFit) {
 TEST_F(CommitCosts, CountASearchThatLooksAtNothing) {
   watch("(and (on ?x ?y) (at ?y ?z))", 1);
   tell_many("1");
-  EXPECT_GE(examined(), readers * facts * CommitLooks::looks_a_search);
+  EXPECT_GE(examined(), readers * facts * watch::CommitLooks::looks_a_search);
   EXPECT_EQ(left_out(), 0U);
 }
 
@@ -128,10 +127,10 @@ TEST_F(CommitCosts, AreBoundedWhereEveryFactLeadsToEveryWatch) {
   watch("(and (on ?x ?y) (big ?x) (< ?y -1))", 60);
   tell_many("1");
   EXPECT_LE(examined(), most);
-  ASSERT_TRUE(both_.store
-                  .transact("teller", Transaction().tell(read("(at 7 8)")).tell(read("(at 8 9)")).tell(read("(big 8)")),
-                            {})
-                  .has_value());
+  ASSERT_TRUE(
+      both_.store
+          .transact("teller", Transaction().tell(read("(at 7 8)")).tell(read("(at 8 9)")).tell(read("(big 8)")), {})
+          .has_value());
   for (std::size_t i = 0; i < queues_.size(); ++i) {
     std::size_t known = 0;
     while (queues_[i]->ready()) known = queues_[i]->pop().value().added.size();

@@ -31,7 +31,7 @@ class CostlyQuestions : public testing::Test {
   }
   std::size_t examined(const std::string& asked) {
     std::size_t examined = 0;
-    EXPECT_TRUE(evaluate(query(asked), store_.tables(), examined).has_value()) << asked;
+    EXPECT_TRUE(store::evaluate(query(asked), store_.tables(), examined).has_value()) << asked;
     return examined;
   }
   std::string ask(const std::string& asked) {
@@ -39,7 +39,7 @@ class CostlyQuestions : public testing::Test {
     return answers ? "ok" : answers.error().symbol;
   }
 
-  Store store_;
+  store::Store store_;
 };
 
 TEST_F(CostlyQuestions, FactsOfOrdinarySizeCountForOneEach) {
@@ -77,7 +77,7 @@ TEST_F(CostlyQuestions, WhatComparesTooMuchIsRefused) {
 
 TEST_F(CostlyQuestions, WhatSortingComparesCountsAlike) {
   tell_lists(700, 2400);
-  const Indexing no_index(Indexing::May::not_make);
+  const store::Indexing no_index(store::Indexing::May::not_make);
   const std::string all = "(query (big ?n ?l) (order ";
   EXPECT_EQ(ask(all + "?l) (limit 3))"), "ok");
   EXPECT_EQ(ask(all + "?n) (limit 80))"), "ok");
@@ -155,7 +155,7 @@ TEST_F(CostlyQuestions, WhatIsTooMuchToRetractAtOnceIsRefusedWithAWayOut) {
 }
 
 TEST_F(CostlyQuestions, WhatWentSinceARevisionCountsWhereNothingMayHaveChanged) {
-  for (std::size_t n = 0; n < FactTable::max_removals; ++n) tell(n, "a"_sym);
+  for (std::size_t n = 0; n < store::FactTable::max_removals; ++n) tell(n, "a"_sym);
   const Revision before = store_.revision();
   ASSERT_TRUE(store_.transact("alice", Transaction().retract(read("(big ? ?)")), Time()).has_value());
   const auto require = [&](std::size_t times) {

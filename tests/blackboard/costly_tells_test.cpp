@@ -53,7 +53,7 @@ class CostlyTells : public testing::Test {
   }
   void ask(const std::string& asked) { EXPECT_TRUE(store_.ask(query(asked)).has_value()) << asked; }
 
-  Store store_;
+  store::Store store_;
   std::size_t told_ = 0;
 };
 
@@ -77,9 +77,9 @@ TEST_F(CostlyTells, RetractedByTheirKeysCountTheSame) {
 // Who tells a fact at a time owes nothing for it, where its relation has a few indexes.
 TEST_F(CostlyTells, OneIsADebtOnlyWhereManyIndexesAre) {
   make_indexes(3, false);
-  EXPECT_LE(tell(1), LookQuota::uncounted);
+  EXPECT_LE(tell(1), server::LookQuota::uncounted);
   make_indexes(arguments, true);
-  EXPECT_LE(tell(1000), 1000 * LookQuota::paid_a_millisecond / 20);
+  EXPECT_LE(tell(1000), 1000 * server::LookQuota::paid_a_millisecond / 20);
 }
 
 TEST_F(CostlyTells, BeyondTheBoundAreRefusedAndChangeNothing) {

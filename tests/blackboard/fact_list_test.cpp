@@ -7,20 +7,20 @@
 namespace pizarra {
 namespace {
 
-StandingFact fact_of(FactId id) {
-  StandingFact standing;
+store::StandingFact fact_of(FactId id) {
+  store::StandingFact standing;
   standing.fact.id = id;
   standing.fact.datum = list("number"_sym, id);
   return standing;
 }
 
-std::vector<FactId> ids_from(const FactList& facts, FactId first) {
+std::vector<FactId> ids_from(const store::FactList& facts, FactId first) {
   std::vector<FactId> ids;
-  for (const StandingFact& standing : facts.from(first)) ids.push_back(standing.fact.id);
+  for (const store::StandingFact& standing : facts.from(first)) ids.push_back(standing.fact.id);
   return ids;
 }
 
-std::vector<FactId> ids_from(const std::map<FactId, StandingFact*>& expected, FactId first) {
+std::vector<FactId> ids_from(const std::map<FactId, store::StandingFact*>& expected, FactId first) {
   std::vector<FactId> ids;
   for (auto i = expected.lower_bound(first); i != expected.end(); ++i) ids.push_back(i->first);
   return ids;
@@ -30,8 +30,8 @@ TEST(FactList, HoldsWhatAMapHolds) {
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     std::mt19937_64 random(seed);
-    FactList facts;
-    std::map<FactId, StandingFact*> expected;
+    store::FactList facts;
+    std::map<FactId, store::StandingFact*> expected;
     FactId last = 0;
     for (int step = 0; step < 1500; ++step) {
       const bool grows = random() % 1000 < (step < 700 ? 600 : 350);
@@ -58,8 +58,8 @@ TEST(FactList, HoldsWhatAMapHolds) {
 }
 
 TEST(FactList, AReplacedFactStandsInTheFormersPlaceAndAtTheEndOfTheOrder) {
-  FactList facts;
-  StandingFact& first = facts.insert(fact_of(1));
+  store::FactList facts;
+  store::StandingFact& first = facts.insert(fact_of(1));
   facts.insert(fact_of(2));
   for (FactId id = 3; id < 300; ++id) {
     EXPECT_EQ(facts.replace(first, fact_of(id).fact).id, id == 3 ? 1 : id - 1);
@@ -71,8 +71,8 @@ TEST(FactList, AReplacedFactStandsInTheFormersPlaceAndAtTheEndOfTheOrder) {
 }
 
 TEST(FactList, KeepsAFactsPlaceWhileOthersComeAndGo) {
-  FactList facts;
-  const StandingFact& first = facts.insert(fact_of(1));
+  store::FactList facts;
+  const store::StandingFact& first = facts.insert(fact_of(1));
   for (FactId id = 2; id < 10'000; ++id) facts.remove(facts.insert(fact_of(id)));
   EXPECT_EQ(facts.find(1), &first);
   EXPECT_EQ(first.fact.datum, fact_of(1).fact.datum);
@@ -80,14 +80,14 @@ TEST(FactList, KeepsAFactsPlaceWhileOthersComeAndGo) {
 }
 
 // The marks that are gone through to come to the first fact.
-std::ptrdiff_t marks_before_first(const FactList& facts) {
+std::ptrdiff_t marks_before_first(const store::FactList& facts) {
   const auto places = facts.from(0).base().base();
   return std::ranges::find_if(places, [](const auto& place) { return place.stands(); }) - places.begin();
 }
 
 TEST(FactList, TakingFromTheFrontGoesThroughNoMarks) {
-  FactList facts;
-  std::deque<StandingFact*> standing;
+  store::FactList facts;
+  std::deque<store::StandingFact*> standing;
   for (FactId id = 1; id <= 4000; ++id) standing.push_back(&facts.insert(fact_of(id)));
   for (FactId id = 4001; !standing.empty(); ++id) {
     ASSERT_EQ(marks_before_first(facts), 0) << "before " << id;
@@ -103,8 +103,8 @@ TEST(FactList, TakingFromTheFrontGoesThroughNoMarks) {
 }
 
 TEST(FactList, HasNoMoreMarksThanFactsWhereNoneCome) {
-  FactList facts;
-  std::vector<StandingFact*> standing;
+  store::FactList facts;
+  std::vector<store::StandingFact*> standing;
   for (FactId id = 1; id <= 4000; ++id) standing.push_back(&facts.insert(fact_of(id)));
   for (std::size_t i = 1; i < standing.size(); ++i) {
     facts.remove(*standing[i]);

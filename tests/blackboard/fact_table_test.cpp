@@ -24,7 +24,7 @@ class Foreseen {
 };
 
 TEST(FactTable, KeysChosenToShareAHashWithoutTheProcesssOwnNumbersShareNone) {
-  const FactTable table(relation("(relation p ((x integer) (y integer)))"));
+  const store::FactTable table(relation("(relation p ((x integer) (y integer)))"));
   std::unordered_set<std::size_t> hashes;
   constexpr std::uint64_t shared = 0x123456789abcdef0;
   for (std::uint64_t x = 0; x < 1000; ++x) {

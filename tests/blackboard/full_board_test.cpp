@@ -11,7 +11,7 @@ namespace {
 
 // One text in all of them, so that the test itself takes little memory.
 TEST(HeavyBoard, TakesFactsUpToAGigabyteOfThem) {
-  Store store;
+  store::Store store;
   ASSERT_TRUE(store.declare({relation("(relation note ((n integer) (text datum)) (key n))")}).has_value());
   const Datum text = to_datum(std::string(1'000'000, 'x'));
   const auto transact = [&](const Transaction& transaction) {
@@ -53,7 +53,7 @@ class FullBoard : public testing::Test {
   }
   std::string tell(const std::string& fact) { return transact(Transaction().tell(read(fact))); }
 
-  Store store_;
+  store::Store store_;
 };
 
 TEST_F(FullBoard, TakesWhateverDoesNotAddToIt) {

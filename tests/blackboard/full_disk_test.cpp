@@ -44,7 +44,7 @@ class FullDiskTest : public testing::Test, public Wall {
   }
   Executor& executor() override { return executor_; }
   std::unique_ptr<Board> view(const std::string& teller) override {
-    return RemoteBoard::connect(executor_, address_, teller).value();
+    return client::RemoteBoard::connect(executor_, address_, teller).value();
   }
   Result<Revision> tell(const std::string& relation, int n, std::size_t bytes = 20'000) {
     return run(alice_->tell(list(Datum::symbol(relation), n, std::string(bytes, 'x'))));

@@ -35,7 +35,7 @@ class Indexes : public testing::Test {
   }
   // Nothing where an index is to be awaited.
   std::optional<std::vector<Answer>> ask(const Query& asked, const std::string& client = "test") {
-    const Indexing indexing(Indexing::May::make_in_parts, client, &store_.index_maker());
+    const store::Indexing indexing(store::Indexing::May::make_in_parts, client, &store_.index_maker());
     const Result<Answers> answers = store_.ask(asked);
     if (indexing.awaited() == 0) return answers.value().answers;
     EXPECT_EQ(answers.error().symbol, "awaits-index");
@@ -46,10 +46,10 @@ class Indexes : public testing::Test {
   }
   // By a store whose indexes are made whole when all facts stand.
   std::vector<Answer> found_anew(const Query& asked) {
-    Store other;
+    store::Store other;
     other.declare({store_.tables().begin()->second.relation()}).value();
-    for (const StandingFact& standing : store_.tables().begin()->second.facts()) {
-      EXPECT_TRUE(other.restore(standing.fact, Store::Restored::standing).has_value());
+    for (const store::StandingFact& standing : store_.tables().begin()->second.facts()) {
+      EXPECT_TRUE(other.restore(standing.fact, store::Store::Restored::standing).has_value());
     }
     return other.ask(asked).value().answers;
   }
@@ -62,7 +62,7 @@ class Indexes : public testing::Test {
     while (!store_.index_maker().is_idle()) store_.index_maker().make_some();
   }
 
-  Store store_;
+  store::Store store_;
   Random random_{1};
   int wanted_ = 0;
 };
@@ -75,9 +75,9 @@ TEST_F(Indexes, AQuestionThatNeedsALargeOneAwaitsIt) {
   std::size_t parts = 0;
   for (; !store_.index_maker().is_idle(); ++parts) {
     EXPECT_FALSE(ask(asked).has_value());
-    EXPECT_LE(store_.index_maker().make_some().examined, limits::examined_a_turn + Indexing::looks_a_fact);
+    EXPECT_LE(store_.index_maker().make_some().examined, limits::examined_a_turn + store::Indexing::looks_a_fact);
   }
-  EXPECT_GE(parts, facts * Indexing::looks_a_fact / limits::examined_a_turn);
+  EXPECT_GE(parts, facts * store::Indexing::looks_a_fact / limits::examined_a_turn);
   EXPECT_EQ(wanted_, 1);
   EXPECT_EQ(ask(asked), found_anew(query(asked)));
   EXPECT_LT(looked_at(asked), facts / 3);
@@ -115,7 +115,7 @@ TEST_F(Indexes, WhatAwaitsOneChangesNothing) {
   make_in_parts();
   const Revision before = store_.revision();
   const auto await = [&](const auto& act) {
-    const Indexing indexing(Indexing::May::make_in_parts, "test", &store_.index_maker());
+    const store::Indexing indexing(store::Indexing::May::make_in_parts, "test", &store_.index_maker());
     const auto result = act();
     EXPECT_EQ(result.error().symbol, "awaits-index");
     EXPECT_NE(indexing.awaited(), 0U);
@@ -212,8 +212,8 @@ TEST_F(Indexes, TheLeastLatelyUsedGoesWhenWhatWasLookedThroughHasCostAsMuchAsAno
     cost += looked;
     looked = looked_at(ninth);
   }
-  EXPECT_GE(cost, Indexing::looks_a_fact * facts);
-  EXPECT_LE(cost, Indexing::looks_a_fact * facts + 2 * without);
+  EXPECT_GE(cost, store::Indexing::looks_a_fact * facts);
+  EXPECT_LE(cost, store::Indexing::looks_a_fact * facts + 2 * without);
   EXPECT_LT(looked_at(ninth), 3U);
   const std::size_t by_another = looked_at(least);
   EXPECT_GT(by_another, 50U) << "its own is gone";

@@ -21,12 +21,12 @@ const std::vector<Relation> relations = {
 
 struct WatchedStore {
   WatchedStore() {
-    store.on_commit = [this](const Commit& commit) { watches.committed(commit); };
+    store.on_commit = [this](const store::Commit& commit) { watches.committed(commit); };
     EXPECT_TRUE(store.declare(relations).has_value());
   }
 
-  Store store;
-  WatchTable watches{store};
+  store::Store store;
+  watch::WatchTable watches{store};
 };
 
 std::string one_of(Random& random, const std::vector<std::string>& choices) {
@@ -72,7 +72,7 @@ std::vector<FactId> ids(const Answer& answer) {
 
 struct Watched {
   Query query;
-  std::unique_ptr<WatchQueue> queue;
+  std::unique_ptr<watch::WatchQueue> queue;
   std::set<std::vector<FactId>> known;
 
   void follow(bool first) {
@@ -84,7 +84,7 @@ struct Watched {
       ASSERT_TRUE(first || change.added.size() + change.removed.size() > 0);
     }
   }
-  void compare(const Store& store) const {
+  void compare(const store::Store& store) const {
     std::set<std::vector<FactId>> anew;
     const Result<Answers> answers = store.ask(query);
     for (const Answer& answer : answers->answers) anew.insert(ids(answer));
@@ -92,7 +92,7 @@ struct Watched {
   }
 };
 
-void commit_something(Random& random, Store& store, std::vector<LeaseId>& leases) {
+void commit_something(Random& random, store::Store& store, std::vector<LeaseId>& leases) {
   const LeaseId lease = leases[random.below(leases.size())];
   if (random.below(12) == 0) {
     static_cast<void>(store.release(lease, {}).has_value());
@@ -203,10 +203,10 @@ TEST(JoinedWatch, AllTogetherLookAtABoundedNumberOfFactsToFollowACommit) {
   }
   const Query all_over = query("(and (mode ?m) (on ?x ?y) (big ?y))");
   const Query cheap = query("(and (mode ?m) (at 1 ?z))");
-  std::vector<std::unique_ptr<WatchQueue>> queues;
+  std::vector<std::unique_ptr<watch::WatchQueue>> queues;
   constexpr std::size_t readers = 5;
   for (std::size_t reader = 0; reader < readers; ++reader) {
-    const auto backlog = std::make_shared<Backlog>();
+    const auto backlog = std::make_shared<watch::Backlog>();
     for (int i = 0; i < 4; ++i) queues.push_back(watches.add(all_over, nullptr, "greedy", backlog).value());
   }
   const auto modest = watches.add(cheap, nullptr).value();
@@ -237,7 +237,7 @@ TEST(JoinedWatch, AFactConcernsTheWatchesThatItIsJoinedInAlone) {
   const auto tell = [&](const std::string& fact) {
     ASSERT_TRUE(store.transact("teller", Transaction().tell(read(fact)), {}).has_value());
   };
-  std::vector<std::unique_ptr<WatchQueue>> queues;
+  std::vector<std::unique_ptr<watch::WatchQueue>> queues;
   for (int n = 0; n < 10'000; ++n) {
     const std::string number = std::to_string(n);
     if (n % 2 == 0) tell("(at " + number + " thing-" + number + ")");

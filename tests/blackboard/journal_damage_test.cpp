@@ -30,10 +30,10 @@ class JournalDamageTest : public JournalFileTest {
     return {std::istreambuf_iterator<char>(in), {}};
   }
   // What a board makes of a file that holds this.
-  Result<void> recover(const std::string& text, Store& store) const {
+  Result<void> recover(const std::string& text, store::Store& store) const {
     std::ofstream(path_, std::ios::binary) << text;
     for (const char* part : {"-wal", "-shm"}) std::filesystem::remove(path_ + part);
-    const auto file = JournalFile::open(path_, {});
+    const auto file = journal::JournalFile::open(path_, {});
     if (!file) return fail(file.error());
     const auto recovered = (*file)->recover(store);
     if (!recovered) return fail(recovered.error());
@@ -41,7 +41,7 @@ class JournalDamageTest : public JournalFileTest {
   }
   // Behind the board's back.
   void change(const std::string& sql) const {
-    sqlite::Database database = sqlite::Database::open(path_, sqlite::Access::write).value();
+    journal::sqlite::Database database = journal::sqlite::Database::open(path_, journal::sqlite::Access::write).value();
     ASSERT_TRUE(database.run(sql.c_str()).has_value()) << database.failure().sentence;
   }
   // As it was before heads had a sum, before they told of all facts and of what is forgotten, or before groups had
@@ -52,21 +52,21 @@ class JournalDamageTest : public JournalFileTest {
     change("DELETE FROM about WHERE name IN ('sum', 'facts', 'forgotten'); PRAGMA user_version = " +
            std::to_string(format));
     if (format == 1) return;
-    sqlite::Database database = sqlite::Database::open(path_, sqlite::Access::write).value();
-    ASSERT_TRUE(journal_tables::seal_head(database).has_value());
+    journal::sqlite::Database database = journal::sqlite::Database::open(path_, journal::sqlite::Access::write).value();
+    ASSERT_TRUE(journal::journal_tables::seal_head(database).has_value());
   }
   void give_groups_their_former_sum() const {
-    sqlite::Database database = sqlite::Database::open(path_, sqlite::Access::write).value();
+    journal::sqlite::Database database = journal::sqlite::Database::open(path_, journal::sqlite::Access::write).value();
     std::vector<std::pair<std::int64_t, std::int64_t>> sums;
-    sqlite::Statement groups(database, "SELECT number, lines, replies FROM log");
+    journal::sqlite::Statement groups(database, "SELECT number, lines, replies FROM log");
     while (groups.step().value()) {
       const std::int64_t number = groups.integer(0);
-      sums.emplace_back(number, journal_tables::former_sum_of_group(number, groups.text(1), groups.text(2)));
+      sums.emplace_back(number, journal::journal_tables::former_sum_of_group(number, groups.text(1), groups.text(2)));
     }
-    sqlite::Statement update(database, "UPDATE log SET sum = ? WHERE number = ?");
+    journal::sqlite::Statement update(database, "UPDATE log SET sum = ? WHERE number = ?");
     for (const auto& [number, sum] : sums) ASSERT_TRUE(update.bind(1, sum).bind(2, number).run().has_value());
   }
-  static std::vector<Datum> facts_of(const Store& store) {
+  static std::vector<Datum> facts_of(const store::Store& store) {
     std::vector<Datum> facts;
     const Result<Answers> answers = store.ask(query("(goal ? ?)"));
     if (!answers) return {};
@@ -79,7 +79,7 @@ class JournalDamageTest : public JournalFileTest {
 TEST_F(JournalDamageTest, ABitThatFlipsWhereItBeginsOrInARelationIsNoticed) {
   const std::vector<Datum> expected = keep_a_past();
   const std::string whole = contents();
-  Store sound;
+  store::Store sound;
   ASSERT_TRUE(recover(whole, sound).has_value());
   constexpr std::size_t time_bytes = 4;  // of 350 s in microseconds
   const std::vector<std::pair<std::string, std::size_t>> rows = {
@@ -92,7 +92,7 @@ TEST_F(JournalDamageTest, ABitThatFlipsWhereItBeginsOrInARelationIsNoticed) {
     for (std::size_t bit = 0; bit < bits; ++bit) {
       std::string damaged = whole;
       damaged[begin + bit / 8] = static_cast<char>(damaged[begin + bit / 8] ^ (1 << bit % 8));
-      Store store;
+      store::Store store;
       const Result<void> recovered = recover(damaged, store);
       if (recovered) {
         ADD_FAILURE() << "bit " << bit << " of " << row << " went unnoticed";
@@ -114,15 +114,15 @@ TEST_F(JournalDamageTest, AMomentThatAnEntryDoesNotEndAtIsNoticed) {
     life.keep();
   }
   for (const char* column : {"revision", "time"}) {
-    sqlite::Database database = sqlite::Database::open(path_, sqlite::Access::write).value();
+    journal::sqlite::Database database = journal::sqlite::Database::open(path_, journal::sqlite::Access::write).value();
     const std::string change = std::string("UPDATE log SET ") + column + " = " + column;
     ASSERT_TRUE(database.run((change + " + 1").c_str()).has_value());
-    Store store;
-    EXPECT_EQ(read_journal(path_, store).error().symbol, "bad-journal") << column;
+    store::Store store;
+    EXPECT_EQ(journal::read_journal(path_, store).error().symbol, "bad-journal") << column;
     ASSERT_TRUE(database.run((change + " - 1").c_str()).has_value());
   }
-  Store store;
-  EXPECT_TRUE(read_journal(path_, store).has_value());
+  store::Store store;
+  EXPECT_TRUE(journal::read_journal(path_, store).has_value());
 }
 
 TEST_F(JournalDamageTest, AJournalOfAFormerFormatIsTakenAsItIsAndHasItsSumsFromThenOn) {
@@ -133,13 +133,13 @@ TEST_F(JournalDamageTest, AJournalOfAFormerFormatIsTakenAsItIsAndHasItsSumsFromT
     std::filesystem::remove(path_ + "-kept");
     std::ofstream(path_, std::ios::binary) << whole;
     make_format(format);
-    Store read_only;
-    EXPECT_TRUE(read_journal(path_, read_only).has_value());
+    store::Store read_only;
+    EXPECT_TRUE(journal::read_journal(path_, read_only).has_value());
     EXPECT_EQ(Life(path_).facts("(goal ? ?)"), expected);
     const std::string anew = contents();
     std::string damaged = anew;
     damaged[damaged.find("(relation goal ((n integer)") + 1] ^= 1;
-    Store store;
+    store::Store store;
     EXPECT_EQ(recover(damaged, store).error().symbol, "bad-journal");
     std::ofstream(path_, std::ios::binary) << anew;
     change("DELETE FROM facts WHERE id = (SELECT max(id) FROM facts)");
@@ -150,7 +150,7 @@ TEST_F(JournalDamageTest, AJournalOfAFormerFormatIsTakenAsItIsAndHasItsSumsFromT
 TEST_F(JournalDamageTest, AJournalOfALaterFormatIsRefused) {
   keep_a_past();
   change("PRAGMA user_version = 5");
-  const auto opened = JournalFile::open(path_, {});
+  const auto opened = journal::JournalFile::open(path_, {});
   ASSERT_FALSE(opened.has_value());
   EXPECT_EQ(opened.error().symbol, "bad-journal");
   EXPECT_NE(opened.error().sentence.find("another format, 5"), std::string::npos) << opened.error().sentence;
@@ -164,15 +164,15 @@ TEST_F(JournalDamageTest, ARowThatIsMissingIsNoticed) {
         "log WHERE number = (SELECT min(number) FROM log)", "log WHERE number = (SELECT max(number) - 1 FROM log)"}) {
     std::ofstream(path_, std::ios::binary) << whole;
     change(std::string("DELETE FROM ") + some);
-    Store store;
-    EXPECT_EQ(read_journal(path_, store).error().symbol, "bad-journal") << some;
+    store::Store store;
+    EXPECT_EQ(journal::read_journal(path_, store).error().symbol, "bad-journal") << some;
   }
 }
 
 TEST_F(JournalDamageTest, WhenTheHorizonMovesAFactThatIsMissingIsNotForgotten) {
   keep_a_past();
   change("DELETE FROM facts");
-  const std::shared_ptr<JournalFile> file = JournalFile::open(path_, {.revisions = 1}).value();
+  const std::shared_ptr<journal::JournalFile> file = journal::JournalFile::open(path_, {.revisions = 1}).value();
   const Result<std::size_t> compacted = file->compact(Time(86400s));
   ASSERT_FALSE(compacted.has_value());
   EXPECT_EQ(compacted.error().symbol, "bad-journal");
@@ -181,7 +181,7 @@ TEST_F(JournalDamageTest, WhenTheHorizonMovesAFactThatIsMissingIsNotForgotten) {
 
 // The horizon must not take up what it cannot trust, nor stumble over what a fact may be.
 TEST_F(JournalDamageTest, AFactOfManyElementsThatWasTakenPassesTheHorizon) {
-  const History history{.revisions = 1};
+  const journal::History history{.revisions = 1};
   Life life(path_, history);
   ASSERT_TRUE(life.board->declare("alice", relations_).has_value());
   Transaction large;
@@ -205,7 +205,7 @@ TEST_F(JournalDamageTest, AFactOfManyElementsThatWasTakenPassesTheHorizon) {
 TEST_F(JournalDamageTest, WhatIsNoJournalIsRefusedByName) {
   for (const std::string& text : {std::string("hello"), std::string(5000, 'x'), std::string("SQLite format 3\0", 16)}) {
     std::ofstream(path_, std::ios::binary) << text;
-    const auto opened = JournalFile::open(path_, {});
+    const auto opened = journal::JournalFile::open(path_, {});
     ASSERT_FALSE(opened.has_value());
     EXPECT_EQ(opened.error().symbol, "bad-journal") << opened.error().sentence;
     EXPECT_NE(opened.error().sentence.find(path_), std::string::npos) << opened.error().sentence;
@@ -227,7 +227,7 @@ TEST_F(JournalDamageTest, DamageIsAFailureAndNeverAWrongBoard) {
     } else {
       for (int n = 0; n < 8; ++n) text[random.below(text.size())] ^= static_cast<char>(1 + random.below(255));
     }
-    Store store;
+    store::Store store;
     const Result<void> recovered = recover(text, store);
     if (!recovered) {
       ++found;
@@ -253,10 +253,10 @@ TEST_F(JournalDamageTest, DamageWithinWhatWasKeptIsSaidAndNothingBehindItDropped
     life.keep();
   }
   const auto restart_with = [&](const std::string& log) {
-    remove_journal(copy);
+    journal::remove_journal(copy);
     for (const char* part : {"", "-kept"}) std::filesystem::copy_file(path_ + part, copy + part);
     std::ofstream(copy + "-wal", std::ios::binary) << log;
-    return JournalFile::open(copy, {});
+    return journal::JournalFile::open(copy, {});
   };
   std::ifstream in(path_ + "-wal", std::ios::binary);
   const std::string log((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
@@ -274,11 +274,11 @@ TEST_F(JournalDamageTest, DamageWithinWhatWasKeptIsSaidAndNothingBehindItDropped
     ASSERT_FALSE(opened.has_value());
     EXPECT_EQ(opened.error().symbol, "bad-journal");
     EXPECT_NE(opened.error().sentence.find("up to entry 1"), std::string::npos) << opened.error().sentence;
-    Store store;
-    EXPECT_EQ(read_journal(copy, store).error().symbol, "bad-journal");
+    store::Store store;
+    EXPECT_EQ(journal::read_journal(copy, store).error().symbol, "bad-journal");
     // Who would rather have less than nothing says so.
     std::filesystem::remove(copy + "-kept");
-    EXPECT_TRUE(JournalFile::open(copy, {}).has_value());
+    EXPECT_TRUE(journal::JournalFile::open(copy, {}).has_value());
   }
 }
 
@@ -293,7 +293,7 @@ TEST_F(JournalDamageTest, WhatIsLeftOfAJournalWhoseFileIsGoneIsNotBegunAnew) {
   }
   const std::string gone = path_ + "2";
   for (const char* part : {"-wal", "-kept"}) {
-    const auto opened = JournalFile::open(gone, {});
+    const auto opened = journal::JournalFile::open(gone, {});
     ASSERT_FALSE(opened.has_value());
     EXPECT_EQ(opened.error().symbol, "bad-journal");
     EXPECT_NE(opened.error().sentence.find(gone + part), std::string::npos) << opened.error().sentence;
@@ -301,7 +301,7 @@ TEST_F(JournalDamageTest, WhatIsLeftOfAJournalWhoseFileIsGoneIsNotBegunAnew) {
     EXPECT_TRUE(std::filesystem::exists(gone + part));
     std::filesystem::remove(gone + part);
   }
-  EXPECT_TRUE(JournalFile::open(gone, {}).has_value());
+  EXPECT_TRUE(journal::JournalFile::open(gone, {}).has_value());
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ TEST_F(JournalFileTest, DurableFactsOutliveTheBoardAndOthersDoNot) {
 
 // No lease outlives the board that gave it, and what stood under one is not to outlive it either.
 TEST_F(JournalFileTest, DurableFactsUnderALeaseGoWithIt) {
-  const auto live = [&](const History& history) {
+  const auto live = [&](const journal::History& history) {
     Life life(path_, history);
     EXPECT_TRUE(life.board->declare("alice", relations_).has_value());
     const LeaseId lease = life.board->lease(3600s).value();
@@ -60,7 +60,7 @@ TEST_F(JournalFileTest, DurableFactsUnderALeaseGoWithIt) {
     }
     EXPECT_TRUE(life.board->transact("alice", Transaction().retract(read("(goal 7 ?)"))).has_value());
   };
-  for (const History& history : {History{}, History{.revisions = 0}}) {
+  for (const journal::History& history : {journal::History{}, journal::History{.revisions = 0}}) {
     live(history);
     EXPECT_EQ(facts_at({.revision = 1}, "(goal ?n ?)").is_symbol("forgotten"), history.revisions == 0);
     for (int restart = 0; restart < 2; ++restart) {
@@ -68,7 +68,7 @@ TEST_F(JournalFileTest, DurableFactsUnderALeaseGoWithIt) {
           Life(path_).facts("(query (goal ?n ?) (order ?n))"),
           (std::vector<Datum>{read("(goal 3 freed-later)"), read("(goal 4 free)"), read("(goal 5 freed-at-once)")}));
     }
-    remove_journal(path_);
+    journal::remove_journal(path_);
   }
 }
 
@@ -99,7 +99,7 @@ TEST_F(JournalFileTest, WhatCompactionForgotDoesNotPassForUnchanged) {
 
 // A fact that was taken still goes with the lease that it was told under.
 TEST_F(JournalFileTest, ADurableFactThatWasTakenGoesWithTheLeaseItWasToldUnder) {
-  const auto live = [&](const History& history) {
+  const auto live = [&](const journal::History& history) {
     Life life(path_, history);
     EXPECT_TRUE(life.board->declare("alice", relations_).has_value());
     const LeaseId told = life.board->lease(3600s).value();
@@ -128,10 +128,10 @@ TEST_F(JournalFileTest, ADurableFactThatWasTakenGoesWithTheLeaseItWasToldUnder) 
     }
     EXPECT_TRUE(life.board->transact("alice", Transaction().retract(read("(goal 7 ?)"))).has_value());
   };
-  for (const History& history : {History{}, History{.revisions = 0}}) {
+  for (const journal::History& history : {journal::History{}, journal::History{.revisions = 0}}) {
     live(history);
     EXPECT_EQ(Life(path_).facts("(goal ?n ?)"), std::vector<Datum>{read("(goal 4 free)")});
-    remove_journal(path_);
+    journal::remove_journal(path_);
   }
 }
 
@@ -158,8 +158,8 @@ TEST_F(JournalFileTest, AFileIsKeptByOneBoardAtATimeAndReadByOthersMeanwhile) {
   ASSERT_TRUE(life.board->declare("alice", relations_).has_value());
   life.tell("(goal 1 x)");
   life.keep();
-  EXPECT_EQ(JournalFile::open(path_, {}).error().symbol, "journal-file");
-  EXPECT_EQ(JournalFile::open("/no/such/folder/journal", {}).error().symbol, "journal-file");
+  EXPECT_EQ(journal::JournalFile::open(path_, {}).error().symbol, "journal-file");
+  EXPECT_EQ(journal::JournalFile::open("/no/such/folder/journal", {}).error().symbol, "journal-file");
   EXPECT_EQ(facts_at({}, "(goal ?n ?)"), read("((goal 1 x))"));
 }
 
@@ -228,15 +228,15 @@ TEST_F(JournalFileTest, RepliesAreRememberedInTheNextLife) {
 
 TEST(RememberedReplies, ThoseOfASessionShareALineThatHasABound) {
   std::string text;
-  ReplyLines lines;
-  std::vector<RememberedReply> all;
+  journal::ReplyLines lines;
+  std::vector<journal::RememberedReply> all;
   for (std::uint64_t n = 1; n <= 12; ++n) {
     const std::uint64_t session = n < 10 ? 7 : 8;
     all.push_back({session, "ali\"ce", n, list("ok"_sym, std::string(n < 4 ? 30'000 : 3, 'x')), n < 10 ? "" : "key"});
     lines.add(text, all.back());
   }
   EXPECT_EQ(std::ranges::count(text, '\n'), 3);
-  const std::vector<RememberedReply> read = replies_from(text).value();
+  const std::vector<journal::RememberedReply> read = journal::replies_from(text).value();
   ASSERT_EQ(read.size(), all.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
     EXPECT_EQ(read[i].session, all[i].session);
@@ -248,8 +248,8 @@ TEST(RememberedReplies, ThoseOfASessionShareALineThatHasABound) {
 }
 
 TEST(RememberedReplies, ThoseOfFormerFilesAreReadAndDamagedOnesAreNot) {
-  const std::vector<RememberedReply> read =
-      replies_from("(7 \"alice\" 1 (ok 5))\n(8 \"bob\" 2 (ok 6) \"key\")\n").value();
+  const std::vector<journal::RememberedReply> read =
+      journal::replies_from("(7 \"alice\" 1 (ok 5))\n(8 \"bob\" 2 (ok 6) \"key\")\n").value();
   ASSERT_EQ(read.size(), 2U);
   EXPECT_EQ(read[0].request, 1U);
   EXPECT_EQ(read[0].key, "");
@@ -258,15 +258,15 @@ TEST(RememberedReplies, ThoseOfFormerFilesAreReadAndDamagedOnesAreNot) {
   for (const char* damaged :
        {"(7 \"alice\")\n", "(7 alice 1 (ok 5))\n", "(-7 \"alice\" 1 (ok 5))\n", "(7 \"alice\" \"\" 1)\n",
         "(7 \"alice\" \"\" 1 (ok 5) 2)\n", "(7 \"alice\" \"\" -1 (ok 5))\n", "(7 \"alice\"\n", "7\n"}) {
-    EXPECT_FALSE(replies_from(damaged).has_value()) << damaged;
+    EXPECT_FALSE(journal::replies_from(damaged).has_value()) << damaged;
   }
 }
 
 TEST_F(JournalFileTest, AFolderIsNoJournal) {
-  EXPECT_EQ(end_of_journal(folder_.string()).error().symbol, "journal-file");
-  Store store;
-  EXPECT_EQ(read_journal(folder_.string(), store).error().symbol, "journal-file");
-  EXPECT_EQ(JournalFile::open(folder_.string(), {}).error().symbol, "journal-file");
+  EXPECT_EQ(journal::end_of_journal(folder_.string()).error().symbol, "journal-file");
+  store::Store store;
+  EXPECT_EQ(journal::read_journal(folder_.string(), store).error().symbol, "journal-file");
+  EXPECT_EQ(journal::JournalFile::open(folder_.string(), {}).error().symbol, "journal-file");
 }
 
 TEST_F(JournalFileTest, WhenTheFileMayNotGrowWhatIsDurableIsRefusedAndLaterWritten) {
@@ -284,8 +284,8 @@ TEST_F(JournalFileTest, WhenTheFileMayNotGrowWhatIsDurableIsRefusedAndLaterWritt
   life.tell("(goal 2 x)");
   life.keep();
   EXPECT_TRUE(life.writer->stuck());
-  EXPECT_EQ(life.writer->check_room(JournalWriter::Change::lasting, 100).error().symbol, "journal-full");
-  EXPECT_TRUE(life.writer->check_room(JournalWriter::Change::passing, 100).has_value());
+  EXPECT_EQ(life.writer->check_room(journal::JournalWriter::Change::lasting, 100).error().symbol, "journal-full");
+  EXPECT_TRUE(life.writer->check_room(journal::JournalWriter::Change::passing, 100).has_value());
   EXPECT_EQ(life.facts("(goal ? ?)").size(), 2U) << "reading goes on";
   life.executor.run_for(2s);
   EXPECT_TRUE(life.writer->stuck());
@@ -293,7 +293,7 @@ TEST_F(JournalFileTest, WhenTheFileMayNotGrowWhatIsDurableIsRefusedAndLaterWritt
   std::signal(SIGXFSZ, former);
   life.executor.run_for(300ms);
   EXPECT_FALSE(life.writer->stuck());
-  EXPECT_TRUE(life.writer->check_room(JournalWriter::Change::lasting, 100).has_value());
+  EXPECT_TRUE(life.writer->check_room(journal::JournalWriter::Change::lasting, 100).has_value());
   EXPECT_EQ(life.writer->kept(), life.writer->position());
   EXPECT_EQ(news, (std::vector<std::string>{"journal-full", "well"}));
   EXPECT_EQ(facts_at({}, "(goal ? ?)"), read("((goal 1 x) (goal 2 x))"));
@@ -340,7 +340,7 @@ TEST_F(JournalFileTest, WhileItIsNotWhereItWasWhatIsDurableIsRefusedAndNothingIs
     EXPECT_LT(life.writer->kept(), life.writer->position());
     EXPECT_TRUE(life.writer->stuck());
     life.executor.run_for(2s);
-    const Result<void> room = life.writer->check_room(JournalWriter::Change::lasting, 100);
+    const Result<void> room = life.writer->check_room(journal::JournalWriter::Change::lasting, 100);
     ASSERT_FALSE(room.has_value());
     EXPECT_EQ(room.error().symbol, "journal-full");
     EXPECT_NE(room.error().sentence.find("end the board in order (SIGTERM, Ctrl-C)"), std::string::npos)
@@ -349,7 +349,7 @@ TEST_F(JournalFileTest, WhileItIsNotWhereItWasWhatIsDurableIsRefusedAndNothingIs
     come();
     life.executor.run_for(300ms);
     EXPECT_EQ(life.writer->kept(), life.writer->position());
-    EXPECT_TRUE(life.writer->check_room(JournalWriter::Change::lasting, 100).has_value());
+    EXPECT_TRUE(life.writer->check_room(journal::JournalWriter::Change::lasting, 100).has_value());
   }
   std::vector<std::string> expected;
   for (std::size_t i = 0; i < ways.size(); ++i) expected.insert(expected.end(), {"journal-full", "well"});

@@ -32,12 +32,12 @@ class JournalFileTest : public testing::Test {
 
   // One life of a board that keeps its journal in the file.
   struct Life {
-    explicit Life(const std::string& path, const History& history = {}) {
-      auto store = std::make_unique<Store>();
-      file = JournalFile::open(path, history).value();
+    explicit Life(const std::string& path, const journal::History& history = {}) {
+      auto store = std::make_unique<store::Store>();
+      file = journal::JournalFile::open(path, history).value();
       remembered = file->recover(*store).value();
-      writer = std::make_unique<JournalWriter>(executor, file);
-      board = std::make_unique<MemoryBoard>(executor, std::move(store));
+      writer = std::make_unique<journal::JournalWriter>(executor, file);
+      board = std::make_unique<memory::MemoryBoard>(executor, std::move(store));
       board->set_journal([this](std::string_view line) { writer->append(line); });
       board->resume();
     }
@@ -58,15 +58,15 @@ class JournalFileTest : public testing::Test {
       executor.run_for(1ms);
     }
     VirtualExecutor executor;
-    std::shared_ptr<JournalFile> file;
-    std::vector<RememberedReply> remembered;
-    std::unique_ptr<JournalWriter> writer;
-    std::unique_ptr<MemoryBoard> board;
+    std::shared_ptr<journal::JournalFile> file;
+    std::vector<journal::RememberedReply> remembered;
+    std::unique_ptr<journal::JournalWriter> writer;
+    std::unique_ptr<memory::MemoryBoard> board;
   };
 
   Datum facts_at(const Moment& until, const std::string& pattern) {
-    Store store;
-    const Result<PlayedBack> later = read_journal(path_, store, until);
+    store::Store store;
+    const Result<journal::PlayedBack> later = journal::read_journal(path_, store, until);
     if (!later) return Datum::symbol(later.error().symbol);
     std::vector<Datum> facts;
     const Result<Answers> answers = store.ask(query(pattern));

@@ -10,7 +10,7 @@
 namespace pizarra {
 namespace {
 
-using Change = JournalWriter::Change;
+using Change = journal::JournalWriter::Change;
 
 class JournalRoomTest : public JournalFileTest {
  protected:
@@ -33,7 +33,7 @@ class JournalRoomTest : public JournalFileTest {
   // More than one answer holds.
   static std::set<Datum> goals(const Life& life) {
     std::set<Datum> goals;
-    for (const StandingFact& standing : life.board->store().tables().at("goal").facts()) {
+    for (const store::StandingFact& standing : life.board->store().tables().at("goal").facts()) {
       goals.insert(standing.fact.datum);
     }
     return goals;
@@ -66,8 +66,8 @@ TEST_F(JournalRoomTest, ThePastIsLetGoRatherThanThatTheDiskBecomesFull) {
   Life life(journal_);
   EXPECT_EQ(goals(life), before);
   const std::optional<std::int64_t> oldest = [&]() -> std::optional<std::int64_t> {
-    Store store;
-    const Result<PlayedBack> played = read_journal(journal_, store, {.revision = 1});
+    store::Store store;
+    const Result<journal::PlayedBack> played = journal::read_journal(journal_, store, {.revision = 1});
     if (played) return std::nullopt;
     EXPECT_EQ(played.error().symbol, "forgotten");
     return played.error().subject.integer();

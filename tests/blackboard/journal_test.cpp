@@ -20,9 +20,9 @@ class Journal : public testing::Test {
  protected:
   ~Journal() override { std::filesystem::remove(path_); }
 
-  std::unique_ptr<RecordedBoard> play(const std::string& text, const Moment& until = {}) {
+  std::unique_ptr<memory::RecordedBoard> play(const std::string& text, const Moment& until = {}) {
     std::ofstream(path_, std::ios::binary) << text;
-    return RecordedBoard::open(executor_, path_, until).value();
+    return memory::RecordedBoard::open(executor_, path_, until).value();
   }
   std::vector<Fact> facts(Board& board, const std::string& pattern) {
     std::vector<Fact> facts;
@@ -41,7 +41,7 @@ class Journal : public testing::Test {
 
 TEST_F(Journal, SaysEveryKindOfChangeInALine) {
   VirtualExecutor executor;
-  MemoryBoard board(executor);
+  memory::MemoryBoard board(executor);
   std::string text;
   board.set_journal([&](std::string_view line) { text += std::string(line) + "\n"; });
   ASSERT_TRUE(board.declare("alice", {relation("(relation on ((a symbol) (b symbol)))")}).has_value());
@@ -74,15 +74,15 @@ TEST_F(Journal, SaysEveryKindOfChangeInALine) {
 // The end of a lease under which everything was taken, on a board that has lived for long.
 TEST_F(Journal, WhatItSaysOfAllThereMayBeCanBeRead) {
   constexpr FactId highest = std::numeric_limits<std::int64_t>::max();
-  Commit commit{.revision = 1, .when = {}, .teller = "board", .entries = {}};
-  Commit::Entry entry{.kind = Commit::Entry::Kind::returned, .fact = {}, .under_lease = true};
+  store::Commit commit{.revision = 1, .when = {}, .teller = "board", .entries = {}};
+  store::Commit::Entry entry{.kind = store::Commit::Entry::Kind::returned, .fact = {}, .under_lease = true};
   for (FactId id = highest - limits::facts; id < highest; ++id) {
     entry.former = entry.fact.id = id;
     commit.entries.push_back(entry);
   }
-  const auto read = read_journal_line(journal_line(commit));
+  const auto read = journal::read_journal_line(journal::journal_line(commit));
   ASSERT_TRUE(read.has_value()) << read.error().sentence;
-  EXPECT_EQ(std::get<Commit>(*read).entries.size(), limits::facts);
+  EXPECT_EQ(std::get<store::Commit>(*read).entries.size(), limits::facts);
 }
 
 constexpr const char* modes =
@@ -111,7 +111,7 @@ TEST_F(Journal, ARecordedBoardAnswersAsOfATime) {
 }
 
 TEST_F(Journal, WhoeverWatchesARecordedBoardSeesEveryRevisionThatIsPlayedBack) {
-  const std::unique_ptr<RecordedBoard> board = play(modes, {.revision = 0});
+  const std::unique_ptr<memory::RecordedBoard> board = play(modes, {.revision = 0});
   std::vector<std::string> seen;
   const auto follow = [](Board& b, std::vector<std::string>& out) -> Task<void> {
     Query watched = query("(mode ?m)");
@@ -138,7 +138,7 @@ TEST_F(Journal, WhoeverWatchesARecordedBoardSeesEveryRevisionThatIsPlayedBack) {
 }
 
 TEST_F(Journal, ARecordedBoardCannotBeChanged) {
-  const std::unique_ptr<RecordedBoard> board = play(modes);
+  const std::unique_ptr<memory::RecordedBoard> board = play(modes);
   std::string symbol;
   const auto attempt = [](Board& b, std::string& out) -> Task<void> {
     Datum fact = read_one("(mode idle)").value();
@@ -158,8 +158,8 @@ TEST_F(Journal, LinesThatCannotHaveHappenedAreRefused) {
         "(1 0 \"a\" (retract 1))", "(1 0 \"a\" (settle 1))", "(1 0 \"a\" (return 1 2))",
         "(1 0 \"a\" (tell 1 (mode x)) (tell 2 (mode y)))", "(1 0 \"a\" (forget 1))",
         "(1 0 \"a\" (tell 1 (mode x) (since 3)))", "(1 0 \"a\" (tell 1 (mode ?x)))", "(1 0 \"a\" (tell 1 (mode x))"}) {
-    Store store;
-    EXPECT_FALSE(replay(start + line + "\n", store).has_value()) << line;
+    store::Store store;
+    EXPECT_FALSE(journal::replay(start + line + "\n", store).has_value()) << line;
   }
 }
 

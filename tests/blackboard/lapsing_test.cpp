@@ -1,7 +1,6 @@
 // How much goes with a lease before others are served.
 
 #include <algorithm>
-
 #include <gtest/gtest.h>
 
 #include "blackboard/memory/memory_board.hpp"
@@ -18,8 +17,9 @@ class Lapsing : public testing::Test {
   static constexpr std::size_t facts = 2 * at_once + 500;
 
   Lapsing() {
-    EXPECT_TRUE(store_.declare({relation("(relation note ((n integer)) (key n))"),
-                                relation("(relation brief ((n integer)) (key n) (lease 1000))")})
+    EXPECT_TRUE(store_
+                    .declare({relation("(relation note ((n integer)) (key n))"),
+                              relation("(relation brief ((n integer)) (key n) (lease 1000))")})
                     .has_value());
     lease_ = store_.lease(1s, now_).value();
   }
@@ -41,7 +41,7 @@ class Lapsing : public testing::Test {
     return store_.transact("bob", transaction, now_);
   }
 
-  Store store_;
+  store::Store store_;
   Time now_{};
   LeaseId lease_ = 0;
 };
@@ -174,12 +174,12 @@ TEST_F(Lapsing, OfARelationWithIndexesGoesInSmallerParts) {
   tell_all("note", lease_);
   EXPECT_TRUE(store_.ask(query("(and (note ?n) (> ?n 1000000))")).has_value());
   const std::size_t looks = store_.tables().find("note")->second.looks_to_remove();
-  ASSERT_GT(looks, Store::lapsing_at_once / at_once);
+  ASSERT_GT(looks, store::Store::lapsing_at_once / at_once);
   now_ += 2s;
   expire();
   const std::size_t gone = facts - store_.size();
-  EXPECT_LE(gone, Store::lapsing_at_once / looks + 1);
-  EXPECT_GE(gone, Store::lapsing_at_once / looks);
+  EXPECT_LE(gone, store::Store::lapsing_at_once / looks + 1);
+  EXPECT_GE(gone, store::Store::lapsing_at_once / looks);
 }
 
 class LapsingBoard : public testing::Test {
@@ -199,7 +199,7 @@ class LapsingBoard : public testing::Test {
   std::size_t gone() const { return facts - board_.store().size(); }
 
   VirtualExecutor executor_;
-  MemoryBoard board_{executor_};
+  memory::MemoryBoard board_{executor_};
 };
 
 TEST_F(LapsingBoard, LapsesOnePartHoweverMuchIsAskedMeanwhileAndTheRestSoon) {

@@ -69,8 +69,8 @@ class NetworkTest : public testing::Test, public Wall {
   Executor& executor() override { return executor_; }
   std::unique_ptr<Board> view(const std::string& teller) override { return connect(teller); }
   std::string address() const { return "tcp://" + link_.far_address() + ":7800"; }
-  std::unique_ptr<RemoteBoard> connect(const std::string& teller) {
-    return RemoteBoard::connect(executor_, address(), teller).value();
+  std::unique_ptr<client::RemoteBoard> connect(const std::string& teller) {
+    return client::RemoteBoard::connect(executor_, address(), teller).value();
   }
   bool wait_until(const std::function<bool()>& holds, Duration patience = 15s) {
     const Time end = executor_.now() + patience;
@@ -124,8 +124,8 @@ class NetworkTest : public testing::Test, public Wall {
   Link link_;
   RealExecutor executor_;
   std::optional<ChildProgram> board_;
-  std::unique_ptr<RemoteBoard> writer_;
-  std::unique_ptr<RemoteBoard> watcher_;
+  std::unique_ptr<client::RemoteBoard> writer_;
+  std::unique_ptr<client::RemoteBoard> watcher_;
   std::string padding_;
   std::int64_t counted_ = 0;  // acknowledged
   std::int64_t twice_ = 0;    // refused, because it had happened already

@@ -51,7 +51,7 @@ class NeverReads : public testing::Test, public Wall {
 
   Executor& executor() override { return executor_; }
   std::unique_ptr<Board> view(const std::string& teller) override {
-    return RemoteBoard::connect(executor_, address_, teller).value();
+    return client::RemoteBoard::connect(executor_, address_, teller).value();
   }
   // The most memory that the program had meanwhile.
   double tell_and_see_all() {

@@ -20,20 +20,20 @@ class PastTest : public JournalFileTest {
   }
 
   Life life_{path_};
-  Past past_{life_.executor, *life_.writer};
+  journal::Past past_{life_.executor, *life_.writer};
   std::vector<std::string> answered_;
 };
 
 TEST_F(PastTest, AClientThatAsksMuchKeepsNobodyElseFromAsking) {
-  for (std::size_t i = 0; i <= Past::max_waiting; ++i) ask("flood");
-  EXPECT_EQ(answered_,
-            std::vector<std::string>(1 + Past::max_waiting - Past::max_waiting_of_a_client, "flood too-many"));
+  for (std::size_t i = 0; i <= journal::Past::max_waiting; ++i) ask("flood");
+  EXPECT_EQ(answered_, std::vector<std::string>(1 + journal::Past::max_waiting - journal::Past::max_waiting_of_a_client,
+                                                "flood too-many"));
   answered_.clear();
   ask("alice");
   ask("alice");
   EXPECT_TRUE(answered_.empty()) << "hers wait";
   life_.executor.run_for(10s);
-  ASSERT_EQ(answered_.size(), 2 + Past::max_waiting_of_a_client);
+  ASSERT_EQ(answered_.size(), 2 + journal::Past::max_waiting_of_a_client);
   answered_.resize(5);
   EXPECT_EQ(answered_, (std::vector<std::string>{"flood ok", "alice ok", "flood ok", "alice ok", "flood ok"}));
   answered_.clear();
@@ -60,7 +60,7 @@ TEST_F(PastTest, ARelationThatWasYetToBeDeclaredIsSaidNotToHaveBeenThereThen) {
 }
 
 TEST_F(PastTest, AllClientsTogetherHaveABound) {
-  for (std::size_t i = 0; i < Past::max_waiting; ++i) ask("client-" + std::to_string(i));
+  for (std::size_t i = 0; i < journal::Past::max_waiting; ++i) ask("client-" + std::to_string(i));
   EXPECT_TRUE(answered_.empty());
   ask("one-more");
   EXPECT_EQ(answered_, std::vector<std::string>{"one-more too-many"});

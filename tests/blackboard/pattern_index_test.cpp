@@ -11,7 +11,7 @@
 namespace pizarra {
 namespace {
 
-using Found = std::set<const WatchedPattern*>;
+using Found = std::set<const watch::WatchedPattern*>;
 
 std::string one_of(Random& random, const std::vector<std::string>& choices) {
   return choices[random.below(choices.size())];
@@ -48,13 +48,13 @@ bool fits(const Query& query, const Datum& fact) {
   Bindings bindings;
   return match(query.clauses[0].form, fact, bindings) &&
          std::ranges::all_of(query.clauses, [&](const Query::Clause& clause) {
-           return clause.kind != Query::Clause::Kind::compare || holds(clause.form, bindings);
+           return clause.kind != Query::Clause::Kind::compare || store::holds(clause.form, bindings);
          });
 }
 
-Found found(const PatternIndex& index, const Datum& fact) {
+Found found(const watch::PatternIndex& index, const Datum& fact) {
   Found found;
-  index.visit(fact, [&](const WatchedPattern& pattern) {
+  index.visit(fact, [&](const watch::WatchedPattern& pattern) {
     EXPECT_TRUE(!pattern.may_fit(fact) || found.insert(&pattern).second);
   });
   return found;
@@ -64,26 +64,26 @@ TEST(PatternIndex, FindsWhatTryingAllFinds) {
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
-    PatternIndex index;
+    watch::PatternIndex index;
     struct Watched {
       Query query;
-      std::vector<WatchedPattern> patterns;
+      std::vector<watch::WatchedPattern> patterns;
     };
     std::vector<Watched> watched;
     for (int step = 0; step < 200; ++step) {
       if (random.below(4) == 0 && !watched.empty()) {
         const auto gone = watched.begin() + static_cast<std::ptrdiff_t>(random.below(watched.size()));
-        for (const WatchedPattern& pattern : gone->patterns) index.remove(pattern);
+        for (const watch::WatchedPattern& pattern : gone->patterns) index.remove(pattern);
         watched.erase(gone);
       } else {
         const Query query = random_query(random);
-        watched.push_back({query, patterns_of(query, nullptr)});
-        for (WatchedPattern& pattern : watched.back().patterns) index.add(pattern);
+        watched.push_back({query, watch::patterns_of(query, nullptr)});
+        for (watch::WatchedPattern& pattern : watched.back().patterns) index.add(pattern);
       }
       const Datum fact = read("(p " + value(random) + " " + value(random) + " " + value(random) + ")");
       Found all;
       for (const Watched& watch : watched) {
-        for (const WatchedPattern& pattern : watch.patterns) {
+        for (const watch::WatchedPattern& pattern : watch.patterns) {
           if (pattern.may_fit(fact)) all.insert(&pattern);
         }
         ASSERT_TRUE(!fits(watch.query, fact) || all.contains(&watch.patterns[0]))
@@ -92,22 +92,22 @@ TEST(PatternIndex, FindsWhatTryingAllFinds) {
       ASSERT_EQ(found(index, fact), all) << write(fact);
     }
     for (const Watched& watch : watched) {
-      for (const WatchedPattern& pattern : watch.patterns) index.remove(pattern);
+      for (const watch::WatchedPattern& pattern : watch.patterns) index.remove(pattern);
     }
-    index.visit_all([](const WatchedPattern& pattern) { ADD_FAILURE() << write(pattern.pattern); });
+    index.visit_all([](const watch::WatchedPattern& pattern) { ADD_FAILURE() << write(pattern.pattern); });
   }
 }
 
 // How many of the patterns of 2000 watches, N from 1000 on, a fact leads to.
 std::size_t looked_at(const std::string& before, const std::string& after, const std::string& fact) {
-  PatternIndex index;
-  std::vector<std::vector<WatchedPattern>> watched;
+  watch::PatternIndex index;
+  std::vector<std::vector<watch::WatchedPattern>> watched;
   for (int n = 1000; n < 3000; ++n) {
-    watched.push_back(patterns_of(query(before + std::to_string(n) + after), nullptr));
-    for (WatchedPattern& pattern : watched.back()) index.add(pattern);
+    watched.push_back(watch::patterns_of(query(before + std::to_string(n) + after), nullptr));
+    for (watch::WatchedPattern& pattern : watched.back()) index.add(pattern);
   }
   std::size_t count = 0;
-  index.visit(read(fact), [&](const WatchedPattern&) { ++count; });
+  index.visit(read(fact), [&](const watch::WatchedPattern&) { ++count; });
   return count;
 }
 

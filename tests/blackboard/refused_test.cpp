@@ -25,7 +25,7 @@ class RefusedTest : public testing::TestWithParam<ClientKind>, public Wall {
   Executor& executor() override { return executor_; }
   std::unique_ptr<Board> view(const std::string& teller) override {
     if (GetParam().name == "python") return python_.view(address_, teller);
-    return RemoteBoard::connect(executor_, address_, teller).value();
+    return client::RemoteBoard::connect(executor_, address_, teller).value();
   }
   void receive(const std::string& client, std::string_view frame) {
     const Datum message = wire::read_frame(frame).value();
@@ -41,8 +41,8 @@ class RefusedTest : public testing::TestWithParam<ClientKind>, public Wall {
   const std::string address_ = ipc_address();
   bool welcomes_ = true;
   RealExecutor executor_;
-  WireSocket server_{
-      executor_, WireSocket::Kind::router,
+  wire::WireSocket server_{
+      executor_, wire::WireSocket::Kind::router,
       [this](const std::string& client, std::optional<std::string_view> frame) { receive(client, frame.value()); }};
   PythonProcess python_{executor_};
 };

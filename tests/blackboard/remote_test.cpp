@@ -14,12 +14,12 @@ class RemoteTest : public testing::Test, public Wall {
  protected:
   Executor& executor() override { return executor_; }
   std::unique_ptr<Board> view(const std::string& teller) override {
-    return RemoteBoard::connect(executor_, address_, teller, timeout_).value();
+    return client::RemoteBoard::connect(executor_, address_, teller, timeout_).value();
   }
   void start_server() {
-    auto store = std::make_unique<Store>(static_cast<LeaseId>(executor_.now().time_since_epoch().count()));
-    board_ = std::make_unique<MemoryBoard>(executor_, std::move(store));
-    server_ = BoardServer::open(executor_, *board_, {.addresses = {address_}}).value();
+    auto store = std::make_unique<store::Store>(static_cast<LeaseId>(executor_.now().time_since_epoch().count()));
+    board_ = std::make_unique<memory::MemoryBoard>(executor_, std::move(store));
+    server_ = server::BoardServer::open(executor_, *board_, {.addresses = {address_}}).value();
   }
   void stop_server() {
     server_.reset();
@@ -29,10 +29,10 @@ class RemoteTest : public testing::Test, public Wall {
 
   const std::vector<Relation> relations_ = {relation("(relation on ((a symbol) (b symbol)))")};
   const std::string address_ = ipc_address();
-  Duration timeout_ = RemoteBoard::default_timeout;
+  Duration timeout_ = client::RemoteBoard::default_timeout;
   RealExecutor executor_;
-  std::unique_ptr<MemoryBoard> board_;
-  std::unique_ptr<BoardServer> server_;
+  std::unique_ptr<memory::MemoryBoard> board_;
+  std::unique_ptr<server::BoardServer> server_;
 };
 
 TEST_F(RemoteTest, WithoutAServerEverythingIsUnreachableAfterTheTimeout) {
@@ -88,12 +88,12 @@ TEST_F(RemoteTest, AfterTheServerWasLostAgentsGoOnAndTheirLeasesAreGone) {
 
 TEST_F(RemoteTest, AServerThatEndsSaysGoodbyeAndTheNextIsFollowed) {
   start_server();
-  const auto alice = RemoteBoard::connect(executor_, address_, "alice").value();
+  const auto alice = client::RemoteBoard::connect(executor_, address_, "alice").value();
   ASSERT_EQ(symbol_of(run(alice->declare(relations_))), "ok");
   EXPECT_FALSE(alice->said_goodbye());
   const Time ended = executor_.now();
   server_->say_goodbye();
-  pass(BoardServer::goodbye_length);
+  pass(server::BoardServer::goodbye_length);
   stop_server();
   executor_.run_until([&] { return alice->said_goodbye() || executor_.now() > ended + 5s; });
   EXPECT_FALSE(alice->connected());
@@ -105,8 +105,8 @@ TEST_F(RemoteTest, AServerThatEndsSaysGoodbyeAndTheNextIsFollowed) {
 
 TEST_F(RemoteTest, ClientsSayHowLongFactsAreUnderWay) {
   start_server();
-  const auto alice = RemoteBoard::connect(executor_, address_, "alice").value();
-  const auto bob = RemoteBoard::connect(executor_, address_, "bob").value();
+  const auto alice = client::RemoteBoard::connect(executor_, address_, "alice").value();
+  const auto bob = client::RemoteBoard::connect(executor_, address_, "bob").value();
   ASSERT_EQ(symbol_of(run(alice->declare(relations_))), "ok");
   const std::unique_ptr<Watch> watch = run(bob->watch(query("(on ?x ?y)"))).value();
   run(watch->next()).value();
@@ -139,13 +139,13 @@ TEST_F(RemoteTest, ClientsSayHowLongFactsAreUnderWay) {
 }
 
 TEST_F(RemoteTest, AClientThatWasForgottenComesBack) {
-  auto store = std::make_unique<Store>();
-  board_ = std::make_unique<MemoryBoard>(executor_, std::move(store));
-  BoardServerOptions options;
+  auto store = std::make_unique<store::Store>();
+  board_ = std::make_unique<memory::MemoryBoard>(executor_, std::move(store));
+  server::BoardServerOptions options;
   options.addresses = {address_};
   // Shorter than the time between two signs of life.
   options.session_length = 100ms;
-  server_ = BoardServer::open(executor_, *board_, options).value();
+  server_ = server::BoardServer::open(executor_, *board_, options).value();
   const auto alice = view("alice");
   ASSERT_EQ(symbol_of(run(alice->declare(relations_))), "ok");
   const std::unique_ptr<Watch> watch = run(alice->watch(query("(on ?x ?y)"))).value();
@@ -193,14 +193,14 @@ TEST_F(RemoteTest, RequestsOfManyTasksAreAnsweredToTheirOwn) {
 TEST_F(RemoteTest, NoRequestGoesFarAheadOfTheOldestThatWaits) {
   std::vector<std::string> heard;
   std::string client;
-  WireSocket router(executor_, WireSocket::Kind::router,
-                    [&](const std::string& peer, std::optional<std::string_view> frame) {
-                      client = peer;
-                      const std::vector<Datum> messages = wire::read_messages(frame.value()).value();
-                      for (const Datum& message : messages) {
-                        if (message.is_form("request")) heard.push_back(write(message[2]));
-                      }
-                    });
+  wire::WireSocket router(executor_, wire::WireSocket::Kind::router,
+                          [&](const std::string& peer, std::optional<std::string_view> frame) {
+                            client = peer;
+                            const std::vector<Datum> messages = wire::read_messages(frame.value()).value();
+                            for (const Datum& message : messages) {
+                              if (message.is_form("request")) heard.push_back(write(message[2]));
+                            }
+                          });
   ASSERT_TRUE(router.bind(address_).has_value());
   const std::unique_ptr<Board> board = view("alice");
   const auto tell = [](Board& b, int number, int& done) -> Task<void> {
@@ -213,14 +213,14 @@ TEST_F(RemoteTest, NoRequestGoesFarAheadOfTheOldestThatWaits) {
   for (int i = 0; i < 300; ++i) jobs.push_back(executor_.spawn(tell(*board, i, done)));
   ASSERT_TRUE(comes([&] { return !client.empty(); }));
   router.send(client, "(welcome 7 1)");
-  ASSERT_TRUE(comes([&] { return heard.size() >= RemoteBoard::most_ahead; }));
+  ASSERT_TRUE(comes([&] { return heard.size() >= client::RemoteBoard::most_ahead; }));
   pass(100ms);
-  EXPECT_EQ(heard.size(), RemoteBoard::most_ahead);
+  EXPECT_EQ(heard.size(), client::RemoteBoard::most_ahead);
   router.send(client, "(reply 2 (ok 5))");
   pass(100ms);
-  EXPECT_EQ(heard.size(), RemoteBoard::most_ahead) << "the first waits still";
+  EXPECT_EQ(heard.size(), client::RemoteBoard::most_ahead) << "the first waits still";
   router.send(client, "(reply 1 (ok 5))");
-  EXPECT_TRUE(comes([&] { return heard.size() == RemoteBoard::most_ahead + 2; }));
+  EXPECT_TRUE(comes([&] { return heard.size() == client::RemoteBoard::most_ahead + 2; }));
   for (int number = 3; number <= 300; ++number) {
     ASSERT_TRUE(comes([&] { return std::ranges::count(heard, std::to_string(number)) > 0; })) << number;
     router.send(client, "(reply " + std::to_string(number) + " (ok 5))");
@@ -231,7 +231,7 @@ TEST_F(RemoteTest, NoRequestGoesFarAheadOfTheOldestThatWaits) {
 // A server of the test's own, that answers as the test says.
 TEST_F(RemoteTest, WhetherATransactionHappenedOnALostBoardIsUnknownButAQuestionIsAskedAgain) {
   std::vector<std::string> heard;
-  WireSocket* answer_with = nullptr;
+  wire::WireSocket* answer_with = nullptr;
   int life = 100;
   const auto answer = [&](const std::string& peer, const Datum& message) {
     const auto send = [&](const Datum& d) { answer_with->send(peer, write(d)); };
@@ -241,14 +241,14 @@ TEST_F(RemoteTest, WhetherATransactionHappenedOnALostBoardIsUnknownButAQuestionI
     heard.emplace_back(message[3].head());
     if (life == 101) send(list("reply"_sym, message[2], list("ok"_sym, list(5))));
   };
-  WireSocket router(executor_, WireSocket::Kind::router,
-                    [&](const std::string& peer, std::optional<std::string_view> frame) {
-                      const std::vector<Datum> messages = wire::read_messages(frame.value()).value();
-                      for (const Datum& message : messages) answer(peer, message);
-                    });
+  wire::WireSocket router(executor_, wire::WireSocket::Kind::router,
+                          [&](const std::string& peer, std::optional<std::string_view> frame) {
+                            const std::vector<Datum> messages = wire::read_messages(frame.value()).value();
+                            for (const Datum& message : messages) answer(peer, message);
+                          });
   answer_with = &router;
   ASSERT_TRUE(router.bind(address_).has_value());
-  const std::unique_ptr<Board> board = RemoteBoard::connect(executor_, address_, "alice", 5s).value();
+  const std::unique_ptr<Board> board = client::RemoteBoard::connect(executor_, address_, "alice", 5s).value();
   executor_.call_at(executor_.now() + 300ms, [&] { life = 101; });
   std::string asked;
   const auto ask = [](Board& b, std::string& out) -> Task<void> {
@@ -267,10 +267,10 @@ TEST_F(RemoteTest, WhetherATransactionHappenedOnALostBoardIsUnknownButAQuestionI
 }
 
 TEST_F(RemoteTest, AnAddressOrANameThatIsNoneIsRefused) {
-  EXPECT_EQ(symbol_of(RemoteBoard::connect(executor_, address_, "my script")), "bad-name");
-  EXPECT_EQ(symbol_of(RemoteBoard::connect(executor_, address_, "\xff")), "bad-name");
-  EXPECT_EQ(symbol_of(RemoteBoard::connect(executor_, "nowhere", "alice")), "bad-address");
-  EXPECT_EQ(symbol_of(RemoteBoard::connect(executor_, "tcp://\xff:1", "alice")), "bad-address");
+  EXPECT_EQ(symbol_of(client::RemoteBoard::connect(executor_, address_, "my script")), "bad-name");
+  EXPECT_EQ(symbol_of(client::RemoteBoard::connect(executor_, address_, "\xff")), "bad-name");
+  EXPECT_EQ(symbol_of(client::RemoteBoard::connect(executor_, "nowhere", "alice")), "bad-address");
+  EXPECT_EQ(symbol_of(client::RemoteBoard::connect(executor_, "tcp://\xff:1", "alice")), "bad-address");
 }
 
 }  // namespace

@@ -18,20 +18,20 @@ class ReplicaTest : public testing::Test, public Wall {
   ReplicaTest() { start_server(); }
   Executor& executor() override { return executor_; }
   std::unique_ptr<Board> view(const std::string& teller) override { return remote(teller); }
-  std::unique_ptr<RemoteBoard> remote(const std::string& teller) {
-    auto board = RemoteBoard::connect(executor_, address_, teller).value();
+  std::unique_ptr<client::RemoteBoard> remote(const std::string& teller) {
+    auto board = client::RemoteBoard::connect(executor_, address_, teller).value();
     const std::vector<Relation> relations = {numbers, others};
     EXPECT_EQ(symbol_of(run(board->declare(relations))), "ok");
     return board;
   }
-  std::unique_ptr<RemoteBoard> holder(const std::string& teller) {
+  std::unique_ptr<client::RemoteBoard> holder(const std::string& teller) {
     auto board = remote(teller);
     EXPECT_EQ(symbol_of(run(board->replicate(numbers))), "ok");
     return board;
   }
   void start_server() {
-    board_ = std::make_unique<MemoryBoard>(executor_);
-    server_ = BoardServer::open(executor_, *board_, {.addresses = {address_}}).value();
+    board_ = std::make_unique<memory::MemoryBoard>(executor_);
+    server_ = server::BoardServer::open(executor_, *board_, {.addresses = {address_}}).value();
   }
   void stop_server() {
     server_.reset();
@@ -55,8 +55,8 @@ class ReplicaTest : public testing::Test, public Wall {
 
   const std::string address_ = ipc_address();
   RealExecutor executor_;
-  std::unique_ptr<MemoryBoard> board_;
-  std::unique_ptr<BoardServer> server_;
+  std::unique_ptr<memory::MemoryBoard> board_;
+  std::unique_ptr<server::BoardServer> server_;
 };
 
 TEST_F(ReplicaTest, AQuestionAboutAHeldRelationIsAnsweredWithoutTheServer) {
@@ -133,7 +133,7 @@ TEST_F(ReplicaTest, EveryWriterReadsItsOwnWritesAmongManyOthers) {
     }
     ++ended;
   };
-  std::vector<std::unique_ptr<RemoteBoard>> boards;
+  std::vector<std::unique_ptr<client::RemoteBoard>> boards;
   std::vector<Job> jobs;
   for (int i = 0; i < writers; ++i) boards.push_back(holder("w" + std::to_string(i)));
   for (int i = 0; i < writers; ++i) jobs.push_back(executor_.spawn(write_and_read(*boards[i], i, wrong, done)));

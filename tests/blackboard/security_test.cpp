@@ -21,18 +21,18 @@ class SecurityTest : public testing::Test, public Wall {
  protected:
   SecurityTest() {
     std::filesystem::remove_all(folder_);
-    EXPECT_TRUE(make_keys(folder_, "board", {}).has_value());
-    EXPECT_TRUE(make_keys(folder_, "boss", {{"*"}, {"*"}, {"*"}, {}}).has_value());
-    EXPECT_TRUE(make_keys(folder_, "robot", {{"arm", "agent"}, {"job"}, {"arm*", "job"}, {}}).has_value());
+    EXPECT_TRUE(wire::make_keys(folder_, "board", {}).has_value());
+    EXPECT_TRUE(wire::make_keys(folder_, "boss", {{"*"}, {"*"}, {"*"}, {}}).has_value());
+    EXPECT_TRUE(wire::make_keys(folder_, "robot", {{"arm", "agent"}, {"job"}, {"arm*", "job"}, {}}).has_value());
   }
   ~SecurityTest() override { std::filesystem::remove_all(folder_); }
 
   void serve(Duration session_length = 800ms) {
-    BoardServerOptions options;
+    server::BoardServerOptions options;
     options.addresses = {"tcp://127.0.0.1:*", ipc_};
     options.keys = folder_;
     options.session_length = session_length;
-    server_ = BoardServer::open(executor_, board_, options).value();
+    server_ = server::BoardServer::open(executor_, board_, options).value();
     const std::unique_ptr<Board> boss = view("boss");
     EXPECT_EQ(
         symbol_of(run(boss->declare(
@@ -48,7 +48,9 @@ class SecurityTest : public testing::Test, public Wall {
   // Comes with the key of its name.
   std::unique_ptr<Board> view(const std::string& name) override { return view(name, name); }
   std::unique_ptr<Board> view(const std::string& key, const std::string& teller, Duration timeout = 5s) {
-    return RemoteBoard::connect(executor_, tcp(), teller, timeout, read_client_keys(secret_of(key)).value()).value();
+    return client::RemoteBoard::connect(executor_, tcp(), teller, timeout,
+                                        wire::read_client_keys(secret_of(key)).value())
+        .value();
   }
   std::string tell(Board& board, const std::string& fact, LeaseId lease = 0) {
     Transaction transaction;
@@ -60,7 +62,7 @@ class SecurityTest : public testing::Test, public Wall {
 
   // The newest refusals of a client, once they are told.
   std::vector<Fact> refusals(const std::string& client) {
-    pass(2 * Refusals::pause);
+    pass(2 * server::Refusals::pause);
     const auto answers = board_.ask(query_for(list("board-refusal"_sym, client, "?"_sym, "?"_sym, "?"_sym)));
     std::vector<Fact> facts;
     for (const Answer& answer : answers->answers) facts.push_back(answer.facts.front());
@@ -70,8 +72,8 @@ class SecurityTest : public testing::Test, public Wall {
   const std::string ipc_ = ipc_address();
   const std::string folder_ = ipc_.substr(6) + ".keys";
   RealExecutor executor_;
-  MemoryBoard board_{executor_};
-  std::unique_ptr<BoardServer> server_;
+  memory::MemoryBoard board_{executor_};
+  std::unique_ptr<server::BoardServer> server_;
 };
 
 TEST_F(SecurityTest, AClientWithAnAuthorisedKeyTellsUnderItsName) {
@@ -87,20 +89,20 @@ TEST_F(SecurityTest, AClientWithAnAuthorisedKeyTellsUnderItsName) {
 
 // A board that lives again knows its sessions by what their clients were answered.
 TEST_F(SecurityTest, ARestoredSessionIsItsKeysAlone) {
-  BoardServerOptions options;
+  server::BoardServerOptions options;
   options.addresses = {"tcp://127.0.0.1:*", ipc_};
   options.keys = folder_;
-  const std::string key = read_public_key(folder_ + "/robot.key")->key;
+  const std::string key = wire::read_public_key(folder_ + "/robot.key")->key;
   options.remembered = {{77, "robot", 1, read("(ok 5)"), key}, {78, "hand", 1, read("(ok 6)"), ""}};
-  server_ = BoardServer::open(executor_, board_, options).value();
+  server_ = server::BoardServer::open(executor_, board_, options).value();
   // The session that is given to who says so over the address.
-  const auto welcomed = [&](const std::string& address, const ClientKeys* keys, const std::string& hello) {
+  const auto welcomed = [&](const std::string& address, const wire::ClientKeys* keys, const std::string& hello) {
     std::optional<std::uint64_t> session;
-    WireSocket client(executor_, WireSocket::Kind::dealer,
-                      [&](const std::string&, std::optional<std::string_view> frame) {
-                        if (frame && frame->starts_with("(welcome"))
-                          session = wire::count_at(read(std::string(*frame)), 1);
-                      });
+    wire::WireSocket client(executor_, wire::WireSocket::Kind::dealer,
+                            [&](const std::string&, std::optional<std::string_view> frame) {
+                              if (frame && frame->starts_with("(welcome"))
+                                session = wire::count_at(read(std::string(*frame)), 1);
+                            });
     EXPECT_TRUE(client.connect(address, keys).has_value());
     for (int tries = 0; tries < 200 && !session; ++tries) {
       client.send({}, hello);
@@ -108,14 +110,14 @@ TEST_F(SecurityTest, ARestoredSessionIsItsKeysAlone) {
     }
     return session.value_or(0);
   };
-  const ClientKeys keys = read_client_keys(secret_of("robot")).value();
+  const wire::ClientKeys keys = wire::read_client_keys(secret_of("robot")).value();
   EXPECT_NE(welcomed(ipc_, nullptr, "(hello \"robot\" 77)"), 77U) << "came with no key";
   EXPECT_EQ(welcomed(ipc_, nullptr, "(hello \"hand\" 78)"), 78U);
   EXPECT_EQ(welcomed(tcp(), &keys, "(hello \"robot\" 77)"), 77U);
-  ASSERT_TRUE(make_keys(folder_ + ".new", "robot", {{"*"}, {"*"}, {"*"}, {}}).has_value());
+  ASSERT_TRUE(wire::make_keys(folder_ + ".new", "robot", {{"*"}, {"*"}, {"*"}, {}}).has_value());
   std::filesystem::rename(folder_ + ".new/robot.key", folder_ + "/robot.key");
-  ClientKeys anew = keys;
-  anew.own = read_secret_key(folder_ + ".new/robot.secret").value();
+  wire::ClientKeys anew = keys;
+  anew.own = wire::read_secret_key(folder_ + ".new/robot.secret").value();
   std::filesystem::remove_all(folder_ + ".new");
   EXPECT_NE(welcomed(tcp(), &anew, "(hello \"robot\" 77)"), 77U) << "came with another key of that name";
 }
@@ -123,10 +125,10 @@ TEST_F(SecurityTest, ARestoredSessionIsItsKeysAlone) {
 TEST_F(SecurityTest, AStrangersKeyIsRefusedWithAReasonAndTold) {
   serve();
   const std::string elsewhere = folder_ + ".other";
-  const KeyPair stranger = make_keys(elsewhere, "stranger", {{"*"}, {"*"}, {"*"}, {}}).value();
-  const ClientKeys keys{stranger, read_public_key(folder_ + "/board.key")->key};
+  const wire::KeyPair stranger = wire::make_keys(elsewhere, "stranger", {{"*"}, {"*"}, {"*"}, {}}).value();
+  const wire::ClientKeys keys{stranger, wire::read_public_key(folder_ + "/board.key")->key};
   std::filesystem::remove_all(elsewhere);
-  const auto board = RemoteBoard::connect(executor_, tcp(), "stranger", 5s, keys).value();
+  const auto board = client::RemoteBoard::connect(executor_, tcp(), "stranger", 5s, keys).value();
   const Time before = executor_.now();
   const Result<Answers> refused = run(board->ask(query("(arm ?x)")));
   ASSERT_EQ(symbol_of(refused), "not-permitted");
@@ -138,7 +140,7 @@ TEST_F(SecurityTest, AStrangersKeyIsRefusedWithAReasonAndTold) {
 
 TEST_F(SecurityTest, AClientWithoutAKeyIsToldToBringOne) {
   serve();
-  const auto board = RemoteBoard::connect(executor_, tcp(), "robot").value();
+  const auto board = client::RemoteBoard::connect(executor_, tcp(), "robot").value();
   const Result<Answers> refused = run(board->ask(query("(arm ?x)")));
   ASSERT_EQ(symbol_of(refused), "not-permitted");
   EXPECT_NE(refused.error().sentence.find("--key"), std::string::npos) << refused.error().sentence;
@@ -155,7 +157,7 @@ TEST_F(SecurityTest, AClientWithoutAKeyIsToldToBringOneAlsoWhereTheBoardBreaksOf
   ASSERT_EQ(getsockname(listener, place, &length), 0);
   executor_.watch_readable(listener, [&] { close(accept(listener, nullptr, nullptr)); });
   const std::string breaks_off = "tcp://127.0.0.1:" + std::to_string(ntohs(address.sin_port));
-  const auto board = RemoteBoard::connect(executor_, breaks_off, "robot").value();
+  const auto board = client::RemoteBoard::connect(executor_, breaks_off, "robot").value();
   const Result<Answers> refused = run(board->ask(query("(arm ?x)")));
   executor_.unwatch_readable(listener);
   close(listener);
@@ -164,27 +166,28 @@ TEST_F(SecurityTest, AClientWithoutAKeyIsToldToBringOneAlsoWhereTheBoardBreaksOf
 }
 
 TEST_F(SecurityTest, AKeyForABoardThatAsksForNoneIsSaidToBeInTheWay) {
-  const auto open = BoardServer::open(executor_, board_, {.addresses = {"tcp://127.0.0.1:*"}}).value();
-  const auto board = RemoteBoard::connect(executor_, open->addresses().front(), "robot", 5s,
-                                          read_client_keys(secret_of("robot")).value())
+  const auto open = server::BoardServer::open(executor_, board_, {.addresses = {"tcp://127.0.0.1:*"}}).value();
+  const auto board = client::RemoteBoard::connect(executor_, open->addresses().front(), "robot", 5s,
+                                                  wire::read_client_keys(secret_of("robot")).value())
                          .value();
   EXPECT_EQ(symbol_of(run(board->ask(query("(arm ?x)")))), "not-permitted");
 }
 
 TEST_F(SecurityTest, AnotherBoardsKeyLetsNobodySpeakToIt) {
   serve();
-  ClientKeys keys = read_client_keys(secret_of("robot")).value();
+  wire::ClientKeys keys = wire::read_client_keys(secret_of("robot")).value();
   keys.board_key = keys.own.public_key;
-  const auto board = RemoteBoard::connect(executor_, tcp(), "robot", 700ms, keys).value();
+  const auto board = client::RemoteBoard::connect(executor_, tcp(), "robot", 700ms, keys).value();
   EXPECT_EQ(symbol_of(run(board->ask(query("(arm ?x)")))), "unreachable");
 }
 
 TEST_F(SecurityTest, OnTheFileOfThisMachineNoKeyIsAskedFor) {
   serve();
-  const auto local = RemoteBoard::connect(executor_, ipc_, "local").value();
+  const auto local = client::RemoteBoard::connect(executor_, ipc_, "local").value();
   EXPECT_EQ(tell(*local, "(goal 1)"), "ok");
   const auto keyed =
-      RemoteBoard::connect(executor_, ipc_, "robot", 5s, read_client_keys(secret_of("robot")).value()).value();
+      client::RemoteBoard::connect(executor_, ipc_, "robot", 5s, wire::read_client_keys(secret_of("robot")).value())
+          .value();
   EXPECT_EQ(tell(*keyed, "(goal 2)"), "ok");
 }
 
@@ -249,7 +252,7 @@ TEST_F(SecurityTest, NobodyTellsReadsOrTakesWhatItsKeyDoesNotAllow) {
 }
 
 TEST_F(SecurityTest, WhatAnotherToldUnderItsLeaseIsLeftToItUnlessThatIsPermitted) {
-  ASSERT_TRUE(make_keys(folder_, "warden", {{"agent"}, {}, {}, {"agent"}}).has_value());
+  ASSERT_TRUE(wire::make_keys(folder_, "warden", {{"agent"}, {}, {}, {"agent"}}).has_value());
   serve();
   const auto boss = view("boss");
   const auto robot = view("robot");
@@ -281,8 +284,8 @@ TEST_F(SecurityTest, WhatAKeyRetractsIsLookedAtWithinTheBoundOfATransaction) {
     if (all.steps.size() < limits::steps / 2 && i + 1 < many) continue;
     ASSERT_EQ(symbol_of(board_.transact("robot", std::exchange(all, {}))), "ok");
   }
-  ASSERT_TRUE(make_keys(folder_, "arm", {{"arm*"}, {}, {}, {}}).has_value());
-  ASSERT_TRUE(make_keys(folder_, "warden", {{"arm*"}, {}, {}, {"arm*"}}).has_value());
+  ASSERT_TRUE(wire::make_keys(folder_, "arm", {{"arm*"}, {}, {}, {}}).has_value());
+  ASSERT_TRUE(wire::make_keys(folder_, "warden", {{"arm*"}, {}, {}, {"arm*"}}).has_value());
   EXPECT_EQ(retract(*view("arm"), "(arm-pair ?x ?x)"), "too-costly") << "looked at twice";
   EXPECT_EQ(retract(*view("warden"), "(arm-pair ?x ?x)"), "ok") << "looked at once";
   Transaction flood;
@@ -290,7 +293,7 @@ TEST_F(SecurityTest, WhatAKeyRetractsIsLookedAtWithinTheBoundOfATransaction) {
   const auto arm = view("arm");
   ASSERT_EQ(symbol_of(run(arm->ask(query("(arm-pair 1 ?)")))), "not-permitted") << "it is met";
   // What it had looked at until here is paid for.
-  pass(std::chrono::milliseconds(4 * limits::examined / LookQuota::paid_a_millisecond));
+  pass(std::chrono::milliseconds(4 * limits::examined / server::LookQuota::paid_a_millisecond));
   const Time before = executor_.now();
   EXPECT_EQ(symbol_of(run(arm->transact(flood))), "too-costly");
   EXPECT_LT(executor_.now() - before, 1s) << "in which nobody else is served";
@@ -327,7 +330,7 @@ TEST_F(SecurityTest, AnotherKeyUnderTheSameNameEndsTheFormersSessions) {
   ASSERT_EQ(tell(*old, "(arm idle)"), "ok");
   std::filesystem::remove(folder_ + "/robot.key");
   std::filesystem::remove(folder_ + "/robot.secret");
-  ASSERT_TRUE(make_keys(folder_, "robot", {{"arm"}, {}, {}, {}}).has_value());
+  ASSERT_TRUE(wire::make_keys(folder_, "robot", {{"arm"}, {}, {}, {}}).has_value());
   const auto fresh = view("robot");
   EXPECT_EQ(tell(*fresh, "(arm moving)"), "ok") << "at its first connection";
   EXPECT_EQ(tell(*old, "(arm fault)"), "not-permitted");
@@ -339,7 +342,7 @@ TEST_F(SecurityTest, ChangedPermissionsHoldForSessionsThatStandAndTheirWatches) 
   const std::unique_ptr<Watch> watch = run(robot->watch(query("(job ?n)"))).value();
   ASSERT_TRUE(run(watch->next()).has_value());
   const std::string path = folder_ + "/robot.key";
-  const PublicKey key = read_public_key(path).value();
+  const wire::PublicKey key = wire::read_public_key(path).value();
   std::ofstream(path) << "(key robot \"" << key.key << "\" (tell goal))\n";
   const Result<Change> ended = run(watch->next());
   EXPECT_EQ(symbol_of(ended), "not-permitted");
@@ -364,8 +367,8 @@ TEST_F(SecurityTest, NobodyHearsOfARelationThatIsNoneOfItsBusiness) {
 }
 
 TEST_F(SecurityTest, OfAFolderOfKeysIsLookedAtForEachHelloOnlyWhetherFilesCameOrWent) {
-  KeyFolder keys = KeyFolder::open(folder_).value();
-  const auto robot = [&] { return read_public_key(folder_ + "/robot.key").value(); };
+  server::KeyFolder keys = server::KeyFolder::open(folder_).value();
+  const auto robot = [&] { return wire::read_public_key(folder_ + "/robot.key").value(); };
   EXPECT_FALSE(keys.follow());
   const std::string former = robot().key;
   std::ofstream(folder_ + "/robot.key", std::ios::app) << "\n";
@@ -391,18 +394,18 @@ TEST_F(SecurityTest, ABrokenKeyFileLetsNobodyInAndIsTold) {
 
 TEST(KeyFiles, AreWrittenSoThatOnlyTheOwnerReadsTheSecretAndReadBack) {
   const std::string folder = ipc_address().substr(6) + ".keys";
-  const Permissions may{{"arm", "arm-*"}, {"request"}, {"*"}, {}};
-  const KeyPair made = make_keys(folder, "robot", may).value();
+  const wire::Permissions may{{"arm", "arm-*"}, {"request"}, {"*"}, {}};
+  const wire::KeyPair made = wire::make_keys(folder, "robot", may).value();
   EXPECT_EQ(std::filesystem::status(folder + "/robot.secret").permissions(),
             std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
-  EXPECT_EQ(read_public_key(folder + "/robot.key").value(), (PublicKey{"robot", made.public_key, may}));
-  EXPECT_EQ(read_secret_key(folder + "/robot.secret").value().secret_key, made.secret_key);
-  EXPECT_EQ(symbol_of(make_keys(folder, "robot", may)), "already-there");
-  EXPECT_EQ(symbol_of(make_keys(folder, "../robot", may)), "bad-name");
-  EXPECT_EQ(symbol_of(read_client_keys(folder + "/robot.secret")), "unreadable-file") << "no board.key";
+  EXPECT_EQ(wire::read_public_key(folder + "/robot.key").value(), (wire::PublicKey{"robot", made.public_key, may}));
+  EXPECT_EQ(wire::read_secret_key(folder + "/robot.secret").value().secret_key, made.secret_key);
+  EXPECT_EQ(symbol_of(wire::make_keys(folder, "robot", may)), "already-there");
+  EXPECT_EQ(symbol_of(wire::make_keys(folder, "../robot", may)), "bad-name");
+  EXPECT_EQ(symbol_of(wire::read_client_keys(folder + "/robot.secret")), "unreadable-file") << "no board.key";
   std::filesystem::permissions(folder + "/robot.secret", std::filesystem::perms::group_read,
                                std::filesystem::perm_options::add);
-  EXPECT_EQ(symbol_of(read_secret_key(folder + "/robot.secret")), "exposed-key");
+  EXPECT_EQ(symbol_of(wire::read_secret_key(folder + "/robot.secret")), "exposed-key");
   std::filesystem::remove_all(folder);
 }
 
@@ -412,15 +415,16 @@ TEST(KeyFiles, AreNotMadeForWhatIsNoRelationAndNothingIsLeftBehind) {
   for (const std::string& name :
        {std::string(), std::string(" x"), std::string("a*b"), std::string("**"), std::string("?x"), std::string("12"),
         std::string("."), std::string("a(b"), std::string("\xff"), std::string("a\0", 2), longest + "r"}) {
-    for (const Permissions& may : {Permissions{{"arm", name}, {}, {}, {}}, Permissions{{}, {name}, {}, {}},
-                                   Permissions{{}, {}, {name}, {}}, Permissions{{}, {}, {}, {name}}}) {
-      EXPECT_EQ(symbol_of(make_keys(folder, "robot", may)), "bad-name") << name;
+    for (const wire::Permissions& may :
+         {wire::Permissions{{"arm", name}, {}, {}, {}}, wire::Permissions{{}, {name}, {}, {}},
+          wire::Permissions{{}, {}, {name}, {}}, wire::Permissions{{}, {}, {}, {name}}}) {
+      EXPECT_EQ(symbol_of(wire::make_keys(folder, "robot", may)), "bad-name") << name;
     }
   }
   EXPECT_FALSE(std::filesystem::exists(folder));
-  const Permissions may{{"arm-*", longest}, {"*"}, {"<-*"}, {}};
-  ASSERT_EQ(symbol_of(make_keys(folder, "robot", may)), "ok");
-  EXPECT_EQ(read_public_key(folder + "/robot.key").value().may, may);
+  const wire::Permissions may{{"arm-*", longest}, {"*"}, {"<-*"}, {}};
+  ASSERT_EQ(symbol_of(wire::make_keys(folder, "robot", may)), "ok");
+  EXPECT_EQ(wire::read_public_key(folder + "/robot.key").value().may, may);
   std::filesystem::remove_all(folder);
 }
 
@@ -434,12 +438,12 @@ TEST(KeyFiles, SayWhereTheyAreWrong) {
         "(key robot \"" + key + "\" (tell \"arm\"))", "(key robot \"" + key + "\" (tell a) (tell b))",
         "(key robot \"" + key + "\") (key)"}) {
     std::ofstream(file) << text;
-    const Result<PublicKey> read = read_public_key(file);
+    const Result<wire::PublicKey> read = wire::read_public_key(file);
     ASSERT_EQ(symbol_of(read), "bad-key") << text;
     EXPECT_NE(read.error().place.find(file + ":1:"), std::string::npos) << read.error().place;
   }
   std::ofstream(file) << "(key robot \"" + key + "\" (read *))";
-  EXPECT_EQ(symbol_of(read_public_key(file)), "ok");
+  EXPECT_EQ(symbol_of(wire::read_public_key(file)), "ok");
   std::filesystem::remove(file);
 }
 

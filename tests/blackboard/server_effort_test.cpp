@@ -219,9 +219,9 @@ TEST_F(ServerEffort, ALoneClientHasAllMessagesOfItsFramesDoneInOrder) {
     for (int i = 0; i < of_a_frame; ++i) {
       const int number = f * of_a_frame + i + 1;
       const std::string told = std::to_string(1'000'000 + number);
-      frame += request(own, number,
-                       i % 4 == 0 ? "(ask (query (note ?n ?) (limit 200)))"
-                                  : "(transact () ((tell (note " + told + " x) 0)))");
+      frame += request(
+          own, number,
+          i % 4 == 0 ? "(ask (query (note ?n ?) (limit 200)))" : "(transact () ((tell (note " + told + " x) 0)))");
     }
     lone.send(frame);
   }
@@ -274,11 +274,13 @@ TEST_F(ServerEffort, WhoOwesNothingIsServedInItsTurnWhateverManyOthersOwe) {
 // Of a board that many ask at any time.
 class CrowdedQuota {
  public:
-  LookQuota::Standing standing(const std::string& client, Time now) {
+  server::LookQuota::Standing standing(const std::string& client, Time now) {
     be_asked(now);
     return quota_.standing(client, now);
   }
-  bool is_spent(const std::string& client, Time now) { return standing(client, now) == LookQuota::Standing::spent; }
+  bool is_spent(const std::string& client, Time now) {
+    return standing(client, now) == server::LookQuota::Standing::spent;
+  }
   void looked(const std::string& client, std::size_t examined, Time now) {
     be_asked(now);
     quota_.looked(client, examined, now);
@@ -290,13 +292,13 @@ class CrowdedQuota {
     quota_.asked(2, "that one", now);
   }
 
-  LookQuota quota_;
+  server::LookQuota quota_;
 };
 
 TEST(LookQuota, WhoOwesIsSpentUntilItIsPaidAndSharesTheTimeWithOthersThatOwe) {
   CrowdedQuota quota;
   const Time begun(3600s);
-  constexpr std::size_t a_second = 1000 * LookQuota::paid_a_millisecond;
+  constexpr std::size_t a_second = 1000 * server::LookQuota::paid_a_millisecond;
   quota.looked("much", 2 * a_second, begun);
   quota.looked("less", a_second, begun);
   EXPECT_TRUE(quota.is_spent("much", begun));
@@ -306,19 +308,19 @@ TEST(LookQuota, WhoOwesIsSpentUntilItIsPaidAndSharesTheTimeWithOthersThatOwe) {
   EXPECT_FALSE(quota.is_spent("less", begun + 2s));
   EXPECT_TRUE(quota.is_spent("much", begun + 2900ms));
   EXPECT_FALSE(quota.is_spent("much", begun + 3s));
-  quota.looked("much", LookQuota::most_owed, begun + 3s);
+  quota.looked("much", server::LookQuota::most_owed, begun + 3s);
   EXPECT_FALSE(quota.is_spent("much", begun + 4s));
 }
 
-bool is_spent(LookQuota& quota, const std::string& client, Time now) {
-  return quota.standing(client, now) == LookQuota::Standing::spent;
+bool is_spent(server::LookQuota& quota, const std::string& client, Time now) {
+  return quota.standing(client, now) == server::LookQuota::Standing::spent;
 }
 
 TEST(LookQuota, WhoIsAloneIsNotSpentUntilAnotherAsksAndOwesLittleThen) {
-  LookQuota quota;
+  server::LookQuota quota;
   const Time begun(3600s);
   quota.asked(1, "lone", begun);
-  quota.looked("lone", 40 * LookQuota::most_owed, begun);
+  quota.looked("lone", 40 * server::LookQuota::most_owed, begun);
   EXPECT_FALSE(is_spent(quota, "lone", begun));
   quota.asked(2, "other", begun + 10ms);
   EXPECT_TRUE(is_spent(quota, "lone", begun + 10ms));
@@ -329,21 +331,21 @@ TEST(LookQuota, WhoIsAloneIsNotSpentUntilAnotherAsksAndOwesLittleThen) {
 }
 
 TEST(LookQuota, WhoAsksOnAnotherConnectionTooIsNotAlone) {
-  LookQuota quota;
+  server::LookQuota quota;
   const Time begun(3600s);
   quota.asked(1, "lone", begun);
   quota.asked(2, "lone", begun + 10ms);
-  quota.looked("lone", LookQuota::most_owed, begun + 20ms);
+  quota.looked("lone", server::LookQuota::most_owed, begun + 20ms);
   EXPECT_TRUE(is_spent(quota, "lone", begun + 20ms));
 }
 
 // What is made for one that waits for it is looked at while others ask.
 TEST(LookQuota, WhoWaitsWhileAnotherAsksIsNotAlone) {
-  LookQuota quota;
+  server::LookQuota quota;
   const Time begun(3600s);
   quota.asked(1, "waits", begun);
   quota.asked(2, "other", begun + 1s);
-  quota.looked("waits", 40 * LookQuota::most_owed, begun + 1s);
+  quota.looked("waits", 40 * server::LookQuota::most_owed, begun + 1s);
   EXPECT_TRUE(is_spent(quota, "waits", begun + 1s));
   EXPECT_FALSE(is_spent(quota, "waits", begun + 2s)) << "for nobody else asks";
   quota.asked(2, "other", begun + 2s);
@@ -351,12 +353,12 @@ TEST(LookQuota, WhoWaitsWhileAnotherAsksIsNotAlone) {
 }
 
 TEST(LookQuota, WhoIsAlonePaysByTimeToo) {
-  LookQuota quota;
+  server::LookQuota quota;
   const Time begun(3600s);
   quota.asked(1, "lone", begun);
-  quota.looked("lone", LookQuota::most_owed, begun);
+  quota.looked("lone", server::LookQuota::most_owed, begun);
   EXPECT_FALSE(is_spent(quota, "lone", begun + 1s));
-  quota.looked("lone", LookQuota::uncounted + 1, begun + 1s);
+  quota.looked("lone", server::LookQuota::uncounted + 1, begun + 1s);
   quota.asked(2, "other", begun + 1s);
   EXPECT_FALSE(is_spent(quota, "lone", begun + 1s));
 }
@@ -364,21 +366,21 @@ TEST(LookQuota, WhoIsAlonePaysByTimeToo) {
 TEST(LookQuota, TheTimeThatCostlyLookingTakesPaysForNothing) {
   CrowdedQuota quota;
   const Time begun(3600s);
-  quota.looked("slow", LookQuota::most_owed, begun);
+  quota.looked("slow", server::LookQuota::most_owed, begun);
   EXPECT_TRUE(quota.is_spent("slow", begun));
-  quota.looked("other", LookQuota::most_owed, begun + 10s);
+  quota.looked("other", server::LookQuota::most_owed, begun + 10s);
   EXPECT_TRUE(quota.is_spent("slow", begun + 10s));
 }
 
 TEST(LookQuota, WhileManyOweWhoOwesNothingHasATurnAfterAnother) {
-  using Standing = LookQuota::Standing;
+  using Standing = server::LookQuota::Standing;
   CrowdedQuota quota;
   const Time begun(3600s);
-  for (int i = 0; i < 4; ++i) quota.looked(std::to_string(i), 40 * LookQuota::most_owed, begun);
+  for (int i = 0; i < 4; ++i) quota.looked(std::to_string(i), 40 * server::LookQuota::most_owed, begun);
   EXPECT_EQ(quota.standing("0", begun), Standing::spent);
   EXPECT_EQ(quota.standing("one more", begun), Standing::free);
   quota.looked("one more", limits::examined, begun);
-  const Duration paid = std::chrono::milliseconds(limits::examined / LookQuota::paid_a_millisecond);
+  const Duration paid = std::chrono::milliseconds(limits::examined / server::LookQuota::paid_a_millisecond);
   for (const std::string client : {"one more", "another"}) {
     EXPECT_EQ(quota.standing(client, begun + paid - 1ms), Standing::waits);
     EXPECT_EQ(quota.standing(client, begun + paid), Standing::free);

@@ -75,12 +75,12 @@ class ServerTest : public testing::Test {
     EXPECT_TRUE(board.declare("test", {relation("(relation note ((n integer) (text datum)) (key n))")}).has_value());
     serve(10s);
   }
-  void serve(Duration session_length, ClientRequests::Limit requests = {}) {
-    BoardServerOptions options;
+  void serve(Duration session_length, memory::ClientRequests::Limit requests = {}) {
+    server::BoardServerOptions options;
     options.addresses = {"tcp://127.0.0.1:*"};
     options.session_length = session_length;
     options.requests = requests;
-    server = BoardServer::open(executor, board, options).value();
+    server = server::BoardServer::open(executor, board, options).value();
   }
   static void pass(Executor& executor, Duration time) {
     bool passed = false;
@@ -90,7 +90,7 @@ class ServerTest : public testing::Test {
   Client client() { return {executor, server->addresses().front()}; }
   // (SYMBOL COUNT) of what the server refused this client, once it is told.
   std::vector<Datum> refusals(const std::string& teller) {
-    pass(executor, 2 * Refusals::pause);
+    pass(executor, 2 * server::Refusals::pause);
     const Query asked = query_for(list("board-refusal"_sym, teller, "?symbol"_sym, "?count"_sym, "?"_sym));
     std::vector<Datum> counts;
     const Result<Answers> told = board.ask(asked);
@@ -101,8 +101,8 @@ class ServerTest : public testing::Test {
   }
 
   RealExecutor executor;
-  MemoryBoard board{executor};
-  std::unique_ptr<BoardServer> server;
+  memory::MemoryBoard board{executor};
+  std::unique_ptr<server::BoardServer> server;
 };
 
 }  // namespace pizarra

@@ -121,7 +121,7 @@ TEST_F(ServerIndex, TheRequestsOfAClientStayInTheirOrder) {
 }
 
 TEST_F(ServerIndex, WhatIsRefusedForWantOfRoomStaysRefusedWhenItComesAgain) {
-  constexpr int asking = static_cast<int>(Postponed::most_requests) + 60;
+  constexpr int asking = static_cast<int>(server::Postponed::most_requests) + 60;
   ask_oddly();
   const auto tell = [&](std::int64_t n) {
     return request(odds, static_cast<int>(n), "(transact () ((tell (note " + std::to_string(900'000 + n) + " x) 0)))");
@@ -167,7 +167,7 @@ TEST_F(ServerIndex, OfAllThatMayWaitIsKnownLaterWhatCameOfIt) {
     EXPECT_EQ(again.is_form("ok"), stands) << n << ": " << write(again);
     if (stands) ++done;
   }
-  EXPECT_EQ(done, Postponed::most_requests - 1) << "the first that waits is a question";
+  EXPECT_EQ(done, server::Postponed::most_requests - 1) << "the first that waits is a question";
 }
 
 TEST_F(ServerIndex, ALeaseIsRenewedMeanwhile) {
@@ -243,7 +243,7 @@ TEST_F(ServerIndex, AWatchThatNeedsOneToFollowBeginsAnewWhenItIsMade) {
 }
 
 TEST(Postponed, HasRoomForSoManyMessagesAndSoMuchOfThem) {
-  Postponed few;
+  server::Postponed few;
   const std::string megabyte(1 << 20, 'x');
   few.wait({list("request"_sym, 1, 1, megabyte)});
   for (int n = 2; n <= 3; ++n) EXPECT_TRUE(few.add({list("request"_sym, 1, n, megabyte)}));
@@ -253,12 +253,13 @@ TEST(Postponed, HasRoomForSoManyMessagesAndSoMuchOfThem) {
   EXPECT_FALSE(few.has_request(4));
   EXPECT_TRUE(few.next().has_waited());
   EXPECT_TRUE(few.add({list("request"_sym, 1, 4, megabyte)}));
-  Postponed many;
-  for (std::size_t n = 0; n < Postponed::most; ++n) EXPECT_TRUE(many.add({list("bye"_sym, 1)}));
+  server::Postponed many;
+  for (std::size_t n = 0; n < server::Postponed::most; ++n) EXPECT_TRUE(many.add({list("bye"_sym, 1)}));
   EXPECT_FALSE(many.add({list("bye"_sym, 1)}));
-  Postponed asking;
-  for (std::size_t n = 1; n <= Postponed::most_requests; ++n) EXPECT_TRUE(asking.add({list("request"_sym, 1, n)}));
-  EXPECT_FALSE(asking.add({list("request"_sym, 1, Postponed::most_requests + 1)}));
+  server::Postponed asking;
+  for (std::size_t n = 1; n <= server::Postponed::most_requests; ++n)
+    EXPECT_TRUE(asking.add({list("request"_sym, 1, n)}));
+  EXPECT_FALSE(asking.add({list("request"_sym, 1, server::Postponed::most_requests + 1)}));
   EXPECT_TRUE(asking.add({list("unwatch"_sym, 1, 1)}));
 }
 

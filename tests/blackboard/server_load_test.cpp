@@ -24,7 +24,7 @@ TEST_F(ServerLoad, WhatTakesLookingAtTooManyFactsIsRefusedToWhoAsksItAlone) {
   std::string absences;
   for (int i = 0; i < 500; ++i) absences += "(absent (note ?n (f ?x ?x)))";
   int request = 0;
-  constexpr Duration paid = std::chrono::milliseconds(4 * limits::examined / LookQuota::paid_a_millisecond);
+  constexpr Duration paid = std::chrono::milliseconds(4 * limits::examined / server::LookQuota::paid_a_millisecond);
   for (const std::string& body : {std::string("(ask (and (note ?a ?t) (note ?b ?u) (/= ?t ?u)))"),
                                   "(transact () (" + steps + "))", "(transact (" + absences + ") ())"}) {
     const Datum refused = greedy.ask("(request " + asking + " " + std::to_string(++request) + " " + body + ")");
@@ -145,7 +145,7 @@ TEST_F(ServerLoad, RepliesAreRememberedUpToABoundOfBytes) {
   };
   ASSERT_EQ(board.lease(60s).value(), 1U);
   constexpr std::size_t heavy = 500'000;
-  const int more = static_cast<int>(Answered::most_bytes / heavy) + 2;
+  const int more = static_cast<int>(server::Answered::most_bytes / heavy) + 2;
   for (int i = 1; i <= more; ++i) {
     Transaction told;
     told.tell(list("note"_sym, i, std::string(heavy, 'x')));
@@ -161,7 +161,7 @@ TEST_F(ServerLoad, RepliesAreRememberedUpToABoundOfBytes) {
 
 TEST_F(ServerLoad, WhoOpensSessionsWithoutEndIsRefusedCountedAndLeavesRoomForOthers) {
   std::vector<std::unique_ptr<Client>> greedy;
-  for (std::size_t i = 0; i < BoardServer::max_sessions_of_a_name; ++i) {
+  for (std::size_t i = 0; i < server::BoardServer::max_sessions_of_a_name; ++i) {
     greedy.push_back(std::make_unique<Client>(executor, server->addresses().front()));
     greedy.back()->join("greedy");
   }
@@ -181,7 +181,7 @@ TEST_F(ServerLoad, WhoAsksForLeasesWithoutEndIsRefusedCountedAndLeavesThemToOthe
   const auto request = [&](const std::string& body) {
     return "(request " + session + " " + std::to_string(++number) + " (" + body + "))";
   };
-  for (std::size_t i = 0; i < LeaseQuota::most; ++i) {
+  for (std::size_t i = 0; i < server::LeaseQuota::most; ++i) {
     greedy.send(request("lease 60000000"));
     // As many as wait for it without being lost.
     if (i % 128 == 127) {
@@ -322,8 +322,8 @@ TEST_F(ServerLoad, WhatAClientSendsAheadIsHeldToABound) {
   int sent = 0;
   while (sent < 300 && flooder.send(zmq::buffer(large), zmq::send_flags::none)) ++sent;
   constexpr int network = 16;  // holds some as well
-  EXPECT_GE(sent, WireSocket::read_ahead);
-  EXPECT_LE(sent, WireSocket::read_ahead + network);
+  EXPECT_GE(sent, wire::WireSocket::read_ahead);
+  EXPECT_LE(sent, wire::WireSocket::read_ahead + network);
 }
 
 TEST_F(ServerLoad, AFrameBeyondTheLimitIsRefusedAndOneFarBeyondItEndsItsConnectionAlone) {

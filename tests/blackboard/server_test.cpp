@@ -129,7 +129,7 @@ TEST_F(ServerTest, AHelloSaidTwiceIsOneSession) {
 TEST_F(ServerTest, ARequestFarBehindTheOthersIsRefusedAndNotDone) {
   Client client = this->client();
   const std::string session = client.join("alice");
-  const int many = static_cast<int>(Answered::most) + 2;
+  const int many = static_cast<int>(server::Answered::most) + 2;
   for (int i = 2; i <= many + 1; ++i) client.ask("(request " + session + " " + std::to_string(i) + " (lease 1000000))");
   const Datum reply = client.ask("(request " + session + " 1 (transact () ((tell (note 1 late) 0))))");
   ASSERT_TRUE(reply.is_form("reply")) << write(reply);
@@ -206,9 +206,9 @@ TEST_F(ServerTest, WhateverARequestFailsWithIsCountedButThatAPreconditionDoesNot
 }
 
 TEST_F(ServerTest, WhatWasRefusedLongestAgoMakesRoomForTheNewest) {
-  Refusals refused(board);
+  server::Refusals refused(board);
   const auto refuse = [&](int n) { refused.note("client-" + std::to_string(n), {"bad-frame", "not formed", {}, {}}); };
-  constexpr int most = static_cast<int>(Refusals::most_kinds);
+  constexpr int most = static_cast<int>(server::Refusals::most_kinds);
   const auto counted = [](std::string_view symbol, int times) {
     return std::vector<Datum>{list(Datum::symbol(symbol), times)};
   };
@@ -226,7 +226,7 @@ TEST_F(ServerTest, WhatWasRefusedLongestAgoMakesRoomForTheNewest) {
   EXPECT_EQ(refusals("client-" + std::to_string(999 + 3 * most)), counted("bad-frame", 1));
   EXPECT_EQ(refusals("client-0"), std::vector<Datum>());
   EXPECT_EQ(refusals("others"), counted("refused", most + 3 + 2 * most));
-  EXPECT_EQ(board.ask(query("(board-refusal ? ? ? ?)"))->answers.size(), Refusals::most_kinds + 1);
+  EXPECT_EQ(board.ask(query("(board-refusal ? ? ? ?)"))->answers.size(), server::Refusals::most_kinds + 1);
 }
 
 TEST_F(ServerTest, WhatItRefusedIsItsOwnToTell) {
@@ -334,12 +334,12 @@ TEST_F(ServerTest, RandomDamageToMessagesHurtsNobody) {
 
 TEST(ServerAddress, OnlyThisMachineIsServedUnlessInsecure) {
   RealExecutor executor;
-  MemoryBoard board(executor);
+  memory::MemoryBoard board(executor);
   const auto symbol = [&](const std::string& address, bool insecure) {
-    BoardServerOptions options;
+    server::BoardServerOptions options;
     options.addresses = {address};
     options.insecure = insecure;
-    const auto server = BoardServer::open(executor, board, options);
+    const auto server = server::BoardServer::open(executor, board, options);
     return server ? std::string("ok") : server.error().symbol;
   };
   for (const char* address :
@@ -358,8 +358,8 @@ TEST(ServerAddress, OnlyThisMachineIsServedUnlessInsecure) {
 
 TEST(ServerAddress, ASocketWithoutAFileThatGuardsItIsNotServed) {
   RealExecutor executor;
-  MemoryBoard board(executor);
-  const auto server = BoardServer::open(executor, board, {.addresses = {"ipc://@pizarra-test"}});
+  memory::MemoryBoard board(executor);
+  const auto server = server::BoardServer::open(executor, board, {.addresses = {"ipc://@pizarra-test"}});
   ASSERT_FALSE(server.has_value());
   EXPECT_EQ(server.error().symbol, "bad-address");
 }
@@ -405,19 +405,19 @@ TEST_F(ServerTest, WhatAClientSaysOfItsClockIsBelievedWithinReason) {
 
 TEST(ServerAddress, LocalhostIsThisMachine) {
   RealExecutor executor;
-  MemoryBoard board(executor);
-  const auto server = BoardServer::open(executor, board, {.addresses = {"tcp://localhost:*"}});
+  memory::MemoryBoard board(executor);
+  const auto server = server::BoardServer::open(executor, board, {.addresses = {"tcp://localhost:*"}});
   ASSERT_TRUE(server.has_value()) << describe(server.error());
   EXPECT_TRUE((*server)->addresses().front().starts_with("tcp://127.0.0.1:"));
 }
 
 TEST(ServerAddress, AnAddressInUseIsNotTakenAway) {
   RealExecutor executor;
-  MemoryBoard board(executor);
+  memory::MemoryBoard board(executor);
   for (const std::string& address : {ipc_address(), std::string("tcp://127.0.0.1:*")}) {
-    const auto first = BoardServer::open(executor, board, {.addresses = {address}});
+    const auto first = server::BoardServer::open(executor, board, {.addresses = {address}});
     ASSERT_TRUE(first.has_value());
-    const auto second = BoardServer::open(executor, board, {.addresses = {(*first)->addresses().front()}});
+    const auto second = server::BoardServer::open(executor, board, {.addresses = {(*first)->addresses().front()}});
     ASSERT_FALSE(second.has_value());
     EXPECT_EQ(second.error().symbol, "address-in-use");
   }

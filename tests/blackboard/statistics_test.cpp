@@ -21,14 +21,14 @@ TEST(Latencies, AreKnownToAFifthOfThemselves) {
   constexpr std::uint64_t seed = 4;
   SCOPED_TRACE("seed " + std::to_string(seed));
   Random random(seed);
-  Latencies latencies;
+  memory::Latencies latencies;
   std::vector<std::int64_t> took;
   for (int i = 0; i < 1000; ++i) {
     took.push_back(static_cast<std::int64_t>(random.below(1U << (4 + random.below(16)))));
     latencies.add(Duration(took.back()), Time(1s));
   }
   std::ranges::sort(took);
-  const Latencies::Summary summary = latencies.summary(Time(2s));
+  const memory::Latencies::Summary summary = latencies.summary(Time(2s));
   EXPECT_EQ(summary.count, 1000U);
   const auto near = [](Duration said, std::int64_t exact) {
     return said.count() >= exact - 1 && static_cast<double>(said.count()) <= 1.2 * static_cast<double>(exact) + 1;
@@ -39,7 +39,7 @@ TEST(Latencies, AreKnownToAFifthOfThemselves) {
 }
 
 TEST(Latencies, AreThoseOfTheLastTwentySecondsAtMost) {
-  Latencies latencies;
+  memory::Latencies latencies;
   latencies.add(100us, Time(100s));
   EXPECT_EQ(latencies.summary(Time(112s)).count, 1U);
   latencies.add(200us, Time(113s));
@@ -52,7 +52,7 @@ TEST(Latencies, AreThoseOfTheLastTwentySecondsAtMost) {
 }
 
 TEST(ClockOffset, IsSaidBestByTheQuickestAnswer) {
-  ClockOffset other;
+  client::ClockOffset other;
   EXPECT_FALSE(other.there(Time(1s)));
   other.heard(Time(10s), Time(10s + 100ms), Time(5s + 50ms));
   EXPECT_EQ(other.there(Time(20s)), Time(15s));
@@ -66,7 +66,7 @@ TEST(ClockOffset, IsSaidBestByTheQuickestAnswer) {
 
 TEST(Statistics, CountWhatOneTransactionChangesOfSeveralRelations) {
   VirtualExecutor executor;
-  MemoryBoard board(executor);
+  memory::MemoryBoard board(executor);
   ASSERT_TRUE(board.declare("test", {named("one"), named("two")}).has_value());
   Transaction first;
   first.tell(list("one"_sym, 1)).tell(list("two"_sym, 1)).tell(list("one"_sym, 2));
@@ -87,12 +87,12 @@ TEST(Statistics, CountWhatOneTransactionChangesOfSeveralRelations) {
 
 TEST(Statistics, SayWhatWaitsForEachWatcher) {
   VirtualExecutor executor;
-  MemoryBoard board(executor);
+  memory::MemoryBoard board(executor);
   ASSERT_TRUE(board.declare("test", {relation("(relation note ((n integer) (text datum)) (key n))")}).has_value());
   const auto fast = board.watch("fast", query("(note ?n ?text)"), [] {}).value();
   const auto slow = board.watch("slow", query("(and (note ?n ?text) (not (note ?n a)))"), [] {}).value();
   const auto also_slow = board.watch("slow", query("(note 1 ?text)"), [] {}).value();
-  for (WatchQueue* queue : {fast.get(), slow.get(), also_slow.get()}) queue->pop().value();
+  for (watch::WatchQueue* queue : {fast.get(), slow.get(), also_slow.get()}) queue->pop().value();
   for (int n = 0; n < 3; ++n) {
     Transaction transaction;
     transaction.tell(list("note"_sym, n, "x"_sym));
@@ -115,7 +115,7 @@ TEST(Statistics, SayWhatWaitsForEachWatcher) {
 // However many there are, and whatever they are called.
 TEST(Statistics, FitAnAnswerWhateverClientsDo) {
   VirtualExecutor executor;
-  MemoryBoard board(executor);
+  memory::MemoryBoard board(executor);
   // Quotes are written with two letters each.
   const auto name_of = [](std::size_t n, char filling) {
     const std::string number = std::to_string(n);
@@ -126,8 +126,8 @@ TEST(Statistics, FitAnAnswerWhateverClientsDo) {
   for (std::size_t n = 0; n < limits::relations; ++n) relations.push_back(named(relation_of(n + 10'000)));
   ASSERT_TRUE(board.declare("test", relations).has_value());
   EXPECT_EQ(board.declare("test", {named("one-more")}).error().symbol, "too-large");
-  std::vector<std::unique_ptr<WatchQueue>> watches;
-  for (std::size_t who = 0; who < Statistics::max_names + 1; ++who) {
+  std::vector<std::unique_ptr<watch::WatchQueue>> watches;
+  for (std::size_t who = 0; who < memory::Statistics::max_names + 1; ++who) {
     for (std::size_t n = 0; n < relations.size(); ++n) {
       const Datum form = Datum::symbol(relations[n].name);
       Transaction told;
@@ -141,13 +141,13 @@ TEST(Statistics, FitAnAnswerWhateverClientsDo) {
     board.statistics().came(relation.name, executor.now() - 5ms, executor.now());
     board.statistics().delivered(relation.name, 5ms, executor.now());
   }
-  for (std::size_t n = 0; n < 2 * ClientRequests::most_clients; ++n) {
+  for (std::size_t n = 0; n < 2 * memory::ClientRequests::most_clients; ++n) {
     ASSERT_TRUE(board.statistics().requests().ask(name_of(n, '"'), executor.now()).has_value());
   }
   for (const auto& [asked, fewest] :
        {std::pair("(relation-stats ? ? ? ? ? ? ?)", relations.size()),
         std::pair("(journey-stats ? ? ?)", relations.size()), std::pair("(watcher-stats ? ? ? ?)", std::size_t{16}),
-        std::pair("(client-stats ? ? ? ?)", ClientRequests::most_clients)}) {
+        std::pair("(client-stats ? ? ? ?)", memory::ClientRequests::most_clients)}) {
     const Result<Answers> answers = board.ask(query(asked));
     ASSERT_TRUE(answers.has_value()) << asked << ": " << answers.error().sentence;
     EXPECT_GE(answers->answers.size(), fewest) << asked;
@@ -156,7 +156,7 @@ TEST(Statistics, FitAnAnswerWhateverClientsDo) {
 
 TEST(Statistics, NameTheTellersAndWatchersOfACellOfUsualSize) {
   VirtualExecutor executor;
-  MemoryBoard board(executor);
+  memory::MemoryBoard board(executor);
   std::vector<Relation> relations;
   for (int n = 0; n < 60; ++n) relations.push_back(named("relation-" + std::to_string(n)));
   ASSERT_TRUE(board.declare("test", relations).has_value());
@@ -171,7 +171,7 @@ TEST(Statistics, NameTheTellersAndWatchersOfACellOfUsualSize) {
 
 TEST(Statistics, ForgetTheTellersThatAreGoneAndThenTheIdle) {
   VirtualExecutor executor;
-  MemoryBoard board(executor);
+  memory::MemoryBoard board(executor);
   ASSERT_TRUE(board.declare("test", {named("noise")}).has_value());
   int noise = 0;
   const auto tell = [&](const std::string& who, int times = 1) {
@@ -189,7 +189,7 @@ TEST(Statistics, ForgetTheTellersThatAreGoneAndThenTheIdle) {
     return 0;
   };
   tell("quiet", 2);
-  for (std::size_t n = 0; n < 2 * Statistics::max_names; ++n) {
+  for (std::size_t n = 0; n < 2 * memory::Statistics::max_names; ++n) {
     const std::string word = "prompt-" + std::to_string(n);
     tell(word);
     board.statistics().left(word);
@@ -197,7 +197,7 @@ TEST(Statistics, ForgetTheTellersThatAreGoneAndThenTheIdle) {
   tell("robot", 3000);
   EXPECT_EQ(told_by("robot"), 3000);
   EXPECT_EQ(told_by("quiet"), 2) << "it told before all the others, and is still there";
-  for (std::size_t n = 0; n < Statistics::max_names - 1; ++n) tell("agent-" + std::to_string(n));
+  for (std::size_t n = 0; n < memory::Statistics::max_names - 1; ++n) tell("agent-" + std::to_string(n));
   EXPECT_EQ(told_by("robot"), 3000);
   EXPECT_EQ(told_by("quiet"), 0) << "of as many as are named it told nothing for longest";
 }
@@ -205,14 +205,14 @@ TEST(Statistics, ForgetTheTellersThatAreGoneAndThenTheIdle) {
 // There is no room for the names of all.
 TEST(Statistics, NameThoseWhoAreThereBeforeThoseWhoAreGone) {
   VirtualExecutor executor;
-  MemoryBoard board(executor);
+  memory::MemoryBoard board(executor);
   std::vector<Relation> relations;
   for (int n = 0; n < 60; ++n) relations.push_back(named("relation-" + std::to_string(n)));
   ASSERT_TRUE(board.declare("test", relations).has_value());
   Transaction told;
   told.tell(list("relation-0"_sym, 1));
   ASSERT_TRUE(board.transact("robot", told).has_value());
-  for (std::size_t n = 0; n < Statistics::max_names - 1; ++n) {
+  for (std::size_t n = 0; n < memory::Statistics::max_names - 1; ++n) {
     const std::string word = "prompt-" + std::to_string(n);
     Transaction other;
     other.tell(list("relation-0"_sym, n + 2));
@@ -221,25 +221,25 @@ TEST(Statistics, NameThoseWhoAreThereBeforeThoseWhoAreGone) {
   }
   const Result<Answers> answers = board.ask(query("(relation-stats relation-0 ? ? ? ? ?tellers ?)"));
   const Datum* tellers = answers->answers.front().bindings.find("?tellers");
-  EXPECT_LT(tellers->size(), Statistics::max_names);
+  EXPECT_LT(tellers->size(), memory::Statistics::max_names);
   EXPECT_EQ((*tellers)[tellers->size() - 1], list("robot", 1));
 }
 
 // How many of so many requests, `apart` from one another, were served.
-int served(ClientRequests& requests, const std::string& client, Time& now, int count, Duration apart) {
+int served(memory::ClientRequests& requests, const std::string& client, Time& now, int count, Duration apart) {
   int served = 0;
   for (int i = 0; i < count; ++i, now += apart) served += requests.ask(client, now).has_value() ? 1 : 0;
   return served;
 }
 
 TEST(ClientRequests, AloneAClientAsksAsFastAsItCan) {
-  ClientRequests requests;
+  memory::ClientRequests requests;
   Time now(100s);
   EXPECT_EQ(served(requests, "alice", now, 100'000, 1us), 100'000);
 }
 
 TEST(ClientRequests, WhileOthersAskAFloodIsServedItsShareAndTheyAllThatTheyAsk) {
-  ClientRequests requests;
+  memory::ClientRequests requests;
   requests.set_limit({.most = 100, .window = 100ms});
   Time now(100s);
   int flooder = 0;
@@ -261,8 +261,8 @@ TEST(ClientRequests, WhileOthersAskAFloodIsServedItsShareAndTheyAllThatTheyAsk) 
 
 TEST(ClientRequests, AreCountedByTheSecond) {
   VirtualExecutor executor;
-  MemoryBoard board(executor);
-  ClientRequests& requests = board.statistics().requests();
+  memory::MemoryBoard board(executor);
+  memory::ClientRequests& requests = board.statistics().requests();
   requests.set_limit({.most = 2, .window = 100ms});
   for (int i = 0; i < 3; ++i) {
     [[maybe_unused]] const Result<void> first = requests.ask("alice", executor.now());
@@ -276,9 +276,9 @@ TEST(ClientRequests, AreCountedByTheSecond) {
 }
 
 TEST(ClientRequests, OfMoreNamesThanAreKeptAreCountedTogether) {
-  ClientRequests requests;
+  memory::ClientRequests requests;
   Time now(100s);
-  for (std::size_t i = 0; i < ClientRequests::most_clients + 10; ++i) {
+  for (std::size_t i = 0; i < memory::ClientRequests::most_clients + 10; ++i) {
     EXPECT_EQ(served(requests, "client-" + std::to_string(i), now, 1, 1us), 1);
   }
   EXPECT_EQ(requests.clients(now).at("others").requests, 10U);
@@ -289,11 +289,11 @@ TEST(ClientRequests, OfMoreNamesThanAreKeptAreCountedTogether) {
 
 TEST(Statistics, CountWhatTheyAreMadeUpOfAndMakeUpWhatIsNamedAlone) {
   VirtualExecutor executor;
-  MemoryBoard board(executor);
+  memory::MemoryBoard board(executor);
   std::vector<Relation> relations;
   for (int i = 0; i < 200; ++i) relations.push_back(named("relation-" + std::to_string(i)));
   ASSERT_TRUE(board.declare("test", relations).has_value());
-  std::vector<std::unique_ptr<WatchQueue>> queues;
+  std::vector<std::unique_ptr<watch::WatchQueue>> queues;
   for (int i = 0; i < 1000; ++i) queues.push_back(board.watch("many", query("(relation-0 ?n)"), [] {}).value());
   queues.push_back(board.watch("few", query("(relation-1 ?n)"), [] {}).value());
   const auto looks_for = [&](const std::string& asked) {

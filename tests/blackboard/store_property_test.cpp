@@ -27,11 +27,11 @@ const std::vector<std::string> queries = {"(on ?x ?y)",
 class Pair {
  public:
   explicit Pair(std::uint64_t seed) : random_(seed), model_(relations), watches_(store_) {
-    store_.on_commit = [this](const Commit& commit) {
-      journal_ += journal_line(commit) + "\n";
+    store_.on_commit = [this](const store::Commit& commit) {
+      journal_ += journal::journal_line(commit) + "\n";
       watches_.committed(commit);
     };
-    journal_ += journal_line(0, {}, "test", relations) + "\n";
+    journal_ += journal::journal_line(0, {}, "test", relations) + "\n";
     EXPECT_TRUE(store_.declare(relations).has_value());
     for (const std::string& text : queries) {
       watched_.push_back({query(text), watches_.add(query(text), nullptr).value(), {}});
@@ -60,7 +60,7 @@ class Pair {
     std::multiset<std::pair<Datum, std::string>> held;
     std::multiset<std::pair<Datum, std::string>> expected;
     for (const auto& [name, table] : store_.tables()) {
-      for (const StandingFact& standing : table.facts()) held.emplace(standing.fact.datum, standing.fact.teller);
+      for (const store::StandingFact& standing : table.facts()) held.emplace(standing.fact.datum, standing.fact.teller);
     }
     for (const StoreModel::Entry& entry : model_.facts()) expected.emplace(entry.datum, entry.teller);
     ASSERT_EQ(held, expected);
@@ -69,14 +69,15 @@ class Pair {
 
   // A store that the journal is replayed into ends like the one that wrote it.
   void compare_replayed() {
-    Store replayed;
-    const Result<std::string_view> result = replay(journal_, replayed);
+    store::Store replayed;
+    const Result<std::string_view> result = journal::replay(journal_, replayed);
     ASSERT_TRUE(result.has_value()) << describe(result.error());
     EXPECT_EQ(replayed.revision(), store_.revision());
     for (const Relation& declared : relations) {
-      const auto facts_of = [&](const Store& store) {
+      const auto facts_of = [&](const store::Store& store) {
         std::vector<Fact> facts;
-        for (const StandingFact& standing : store.tables().at(declared.name).facts()) facts.push_back(standing.fact);
+        for (const store::StandingFact& standing : store.tables().at(declared.name).facts())
+          facts.push_back(standing.fact);
         return facts;
       };
       EXPECT_EQ(facts_of(replayed), facts_of(store_));
@@ -86,7 +87,7 @@ class Pair {
  private:
   struct Watched {
     Query query;
-    std::unique_ptr<WatchQueue> queue;
+    std::unique_ptr<watch::WatchQueue> queue;
     std::map<std::vector<FactId>, Answer> known;
   };
 
@@ -186,9 +187,9 @@ class Pair {
 
   Random random_;
   Time now_{};
-  Store store_;
+  store::Store store_;
   StoreModel model_;
-  WatchTable watches_;
+  watch::WatchTable watches_;
   std::vector<Watched> watched_;
   std::vector<LeaseId> leases_;
   std::map<LeaseId, Duration> lengths_;
@@ -214,7 +215,7 @@ TEST(StoreProperty, RandomOperationsDoWhatTheModelDoes) {
 TEST(StoreProperty, IndexesFindWhatLookingThroughFinds) {
   const Relation wide = relation("(relation wide ((a integer) (b integer) (c integer) (d integer)))");
   Random random(3);
-  Store store;
+  store::Store store;
   ASSERT_TRUE(store.declare({wide}).has_value());
   StoreModel model({wide});
   const auto number = [&] { return to_datum(random.below(4)); };
@@ -239,7 +240,7 @@ TEST(StoreProperty, IndexesFindWhatLookingThroughFinds) {
 }
 
 // Says by its facts' ids what answers there are, in their order: every choice of facts is looked at.
-std::vector<std::vector<FactId>> looked_through(const Query& asked, const Tables& tables) {
+std::vector<std::vector<FactId>> looked_through(const Query& asked, const store::Tables& tables) {
   std::vector<std::pair<Datum, std::vector<FactId>>> found;
   const auto extend = [&](const auto& self, std::size_t clause, const Bindings& bindings,
                           const std::vector<FactId>& ids) -> void {
@@ -249,10 +250,10 @@ std::vector<std::vector<FactId>> looked_through(const Query& asked, const Tables
     }
     const auto& [kind, form] = asked.clauses[clause];
     if (kind == Query::Clause::Kind::compare) {
-      if (holds(form, bindings)) self(self, clause + 1, bindings, ids);
+      if (store::holds(form, bindings)) self(self, clause + 1, bindings, ids);
       return;
     }
-    for (const StandingFact& standing : tables.find(form.head())->second.facts()) {
+    for (const store::StandingFact& standing : tables.find(form.head())->second.facts()) {
       Bindings both = bindings;
       if (!match(form, standing.fact.datum, both)) continue;
       std::vector<FactId> more = ids;
@@ -263,7 +264,7 @@ std::vector<std::vector<FactId>> looked_through(const Query& asked, const Tables
   extend(extend, 0, {}, {});
   std::ranges::stable_sort(found, [&](const auto& a, const auto& b) {
     if (asked.order.empty()) return false;
-    return asked.descending ? compare_values(b.first, a.first) < 0 : compare_values(a.first, b.first) < 0;
+    return asked.descending ? store::compare_values(b.first, a.first) < 0 : store::compare_values(a.first, b.first) < 0;
   });
   std::vector<std::vector<FactId>> ids;
   for (const auto& [value, facts] : found) ids.push_back(facts);
@@ -277,7 +278,7 @@ TEST(StoreProperty, ComparisonsOrdersAndLimitsFindWhatLookingThroughFinds) {
   const std::vector<std::string> values = {"1", "1.0", "2", "2.5", "-3", "-0.0", "0", "0.0", "7", "8", "9", "12.25"};
   constexpr std::uint64_t seed = 17;
   Random random(seed);
-  Store store;
+  store::Store store;
   ASSERT_TRUE(store.declare(measured).has_value());
   const auto one_of = [&](const std::vector<std::string>& choices) { return choices[random.below(choices.size())]; };
   const auto any = [&] { return random.below(5) == 0 ? one_of({"x", "(f 1)", "\"s\""}) : one_of(values); };
@@ -323,7 +324,7 @@ TEST(StoreProperty, ComparisonsOrdersAndLimitsFindWhatLookingThroughFinds) {
 
 // How many facts a question looks at among so many.
 std::size_t looked_at(const std::string& text, int facts) {
-  Store store;
+  store::Store store;
   EXPECT_TRUE(store.declare({relation("(relation e ((a integer) (b integer)))")}).has_value());
   for (int n = 0; n < facts;) {
     Transaction transaction;
@@ -331,7 +332,7 @@ std::size_t looked_at(const std::string& text, int facts) {
     EXPECT_TRUE(store.transact("t", transaction, {}).has_value());
   }
   std::size_t examined = 0;
-  const Result<std::vector<Answer>> answers = evaluate(query(text), store.tables(), examined);
+  const Result<std::vector<Answer>> answers = store::evaluate(query(text), store.tables(), examined);
   EXPECT_TRUE(answers.has_value());
   EXPECT_FALSE(answers->empty()) << text;
   return examined;

@@ -55,13 +55,13 @@ TEST_F(ServerTogether, AFrameThatCannotBeReadIsRefusedWhole) {
 
 TEST_F(ServerTogether, WhatIsDurableAtOnceIsAnsweredInOneFrame) {
   const std::string path = scratch_folder() + "together.journal";
-  JournalWriter writer(executor, JournalFile::open(path, {}).value());
+  journal::JournalWriter writer(executor, journal::JournalFile::open(path, {}).value());
   board.set_journal([&](std::string_view line) { writer.append(line); });
   ASSERT_TRUE(board.declare("test", {relation("(relation kept ((n integer)) (durable))")}).has_value());
   server.reset();
-  BoardServerOptions options{.addresses = {"tcp://127.0.0.1:*"}};
+  server::BoardServerOptions options{.addresses = {"tcp://127.0.0.1:*"}};
   options.journal = &writer;
-  server = BoardServer::open(executor, board, options).value();
+  server = server::BoardServer::open(executor, board, options).value();
   Client client = this->client();
   const std::string session = client.join("alice");
   std::string frame;
@@ -94,7 +94,8 @@ TEST_F(ServerTogether, TransactionsOfAFrameAreAnsweredInOneAfterTheirChangesInAn
     EXPECT_EQ(change[3], to_datum(i + 1)) << "each at its revision";
   }
   const std::vector<Datum> replies = client.receive_frame();
-  EXPECT_EQ(replies, (std::vector<Datum>{read("(reply 2 (ok 1))"), read("(reply 3 (ok 2))"), read("(reply 4 (ok 3))")}));
+  EXPECT_EQ(replies,
+            (std::vector<Datum>{read("(reply 2 (ok 1))"), read("(reply 3 (ok 2))"), read("(reply 4 (ok 3))")}));
 }
 
 TEST_F(ServerTogether, ChangesThatAreLongGoInFramesOfTheirOwn) {
@@ -106,7 +107,8 @@ TEST_F(ServerTogether, ChangesThatAreLongGoInFramesOfTheirOwn) {
   const std::string long_text(wire::bytes_together - 1000, 'x');
   std::string frame = telling(session, 2);
   for (int number = 3; number <= 4; ++number) {
-    frame += request(session, number, "(transact () ((tell (note " + std::to_string(number) + " " + long_text + ") 0)))");
+    frame +=
+        request(session, number, "(transact () ((tell (note " + std::to_string(number) + " " + long_text + ") 0)))");
   }
   client.send(frame);
   std::vector<std::size_t> changes;
@@ -146,7 +148,7 @@ class ClientTogether : public testing::TestWithParam<const char*>, public Wall {
   Executor& executor() override { return executor_; }
   std::unique_ptr<Board> view(const std::string& teller) override {
     if (GetParam() == std::string("python")) return python_.view(address_, teller);
-    return RemoteBoard::connect(executor_, address_, teller).value();
+    return client::RemoteBoard::connect(executor_, address_, teller).value();
   }
   void receive(const std::string& client, std::string_view frame) {
     std::string answer = "(pong 5)";
@@ -166,8 +168,8 @@ class ClientTogether : public testing::TestWithParam<const char*>, public Wall {
   int told_ = 0;
   std::vector<int> requests_of_frames_;
   RealExecutor executor_;
-  WireSocket server_{
-      executor_, WireSocket::Kind::router,
+  wire::WireSocket server_{
+      executor_, wire::WireSocket::Kind::router,
       [this](const std::string& client, std::optional<std::string_view> frame) { receive(client, frame.value()); }};
   PythonProcess python_{executor_};
 };

@@ -16,7 +16,7 @@ enum class Disk : std::uint8_t { sound, full, failing };
 
 class TroubledDisk : public PassingBoard {
  public:
-  TroubledDisk(MemoryBoard& board, std::string teller, const Disk& disk)
+  TroubledDisk(memory::MemoryBoard& board, std::string teller, const Disk& disk)
       : PassingBoard(board.view(std::move(teller))), board_(board), disk_(disk) {}
 
   Task<Result<Revision>> transact(Transaction transaction) override {
@@ -43,7 +43,7 @@ class TroubledDisk : public PassingBoard {
     return false;
   }
 
-  const MemoryBoard& board_;
+  const memory::MemoryBoard& board_;
   const Disk& disk_;
 };
 

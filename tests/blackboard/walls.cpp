@@ -19,30 +19,30 @@ class MemoryWall : public Wall {
 
  private:
   VirtualExecutor executor_;
-  MemoryBoard board_{executor_};
+  memory::MemoryBoard board_{executor_};
 };
 
 // Server and clients share one thread; what they say crosses the socket all the same.
 class RemoteWall : public Wall {
  public:
   explicit RemoteWall(const std::string& address)
-      : board_(executor_), server_(BoardServer::open(executor_, board_, {.addresses = {address}}).value()) {}
+      : board_(executor_), server_(server::BoardServer::open(executor_, board_, {.addresses = {address}}).value()) {}
 
   Executor& executor() override { return executor_; }
   std::unique_ptr<Board> view(const std::string& teller) override {
-    return RemoteBoard::connect(executor_, server_->addresses().front(), teller).value();
+    return client::RemoteBoard::connect(executor_, server_->addresses().front(), teller).value();
   }
 
  private:
   RealExecutor executor_;
-  MemoryBoard board_;
-  std::unique_ptr<BoardServer> server_;
+  memory::MemoryBoard board_;
+  std::unique_ptr<server::BoardServer> server_;
 };
 
 // Boards of Python's client, on a server of this process.
 class PythonWall : public Wall {
  public:
-  PythonWall() : server_(BoardServer::open(executor_, board_, {.addresses = {ipc_address()}}).value()) {}
+  PythonWall() : server_(server::BoardServer::open(executor_, board_, {.addresses = {ipc_address()}}).value()) {}
 
   Executor& executor() override { return executor_; }
   std::unique_ptr<Board> view(const std::string& teller) override {
@@ -51,8 +51,8 @@ class PythonWall : public Wall {
 
  private:
   RealExecutor executor_;
-  MemoryBoard board_{executor_};
-  std::unique_ptr<BoardServer> server_;
+  memory::MemoryBoard board_{executor_};
+  std::unique_ptr<server::BoardServer> server_;
   PythonProcess python_{executor_};
 };
 

@@ -18,7 +18,7 @@ class WatchParts : public testing::Test {
   static constexpr int one_in = 700;  // fits
 
   WatchParts() {
-    store_.on_commit = [this](const Commit& commit) { watches_.committed(commit); };
+    store_.on_commit = [this](const store::Commit& commit) { watches_.committed(commit); };
     EXPECT_TRUE(store_.declare({relation("(relation note ((n integer) (what datum)) (key n))")}).has_value());
     for (int n = 0; n < facts; ++n) tell(n, n % one_in == 0 ? 1000 + n : n % 100);
   }
@@ -35,7 +35,7 @@ class WatchParts : public testing::Test {
     whole_ = first ? delta.kind == Delta::Kind::all : whole_ || delta.kind == Delta::Kind::last_part;
   }
   // As a server does it, so many facts a turn; answers whether more is to be looked for.
-  bool turn(WatchQueue& queue) {
+  bool turn(watch::WatchQueue& queue) {
     std::size_t examined = 0;
     while (queue.ready() && !(queue.must_look() && examined >= limits::examined_a_turn)) {
       std::optional<Delta> delta = queue.pop_delta(examined).value();
@@ -53,8 +53,8 @@ class WatchParts : public testing::Test {
   }
 
   const Query watched_ = query("(and (note ?n ?what) (>= ?what 1000))");
-  Store store_;
-  WatchTable watches_{store_};
+  store::Store store_;
+  watch::WatchTable watches_{store_};
   std::map<FactId, Datum> known_;
   bool whole_ = false;
 };

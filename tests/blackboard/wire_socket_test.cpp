@@ -32,14 +32,15 @@ TEST(WireSocket, APeerThatGoesWhileItsFramesAreHeldBackEndsItsOwnConnectionAlone
   RealExecutor executor;
   int held_back = 0;
   bool other_heard = false;
-  WireSocket router(executor, WireSocket::Kind::router, [&](const std::string&, std::optional<std::string_view> frame) {
-    if (frame->size() == frame_bytes) ++held_back;
-    if (*frame == "other") other_heard = true;
-  });
+  wire::WireSocket router(executor, wire::WireSocket::Kind::router,
+                          [&](const std::string&, std::optional<std::string_view> frame) {
+                            if (frame->size() == frame_bytes) ++held_back;
+                            if (*frame == "other") other_heard = true;
+                          });
   const std::string address = router.bind("ipc://" + scratch_folder() + "half_open").value();
   {
     Peer gone(address);
-    for (int i = 0; i < 4 * WireSocket::high_water; ++i) gone.send(std::string(frame_bytes, 'x'));
+    for (int i = 0; i < 4 * wire::WireSocket::high_water; ++i) gone.send(std::string(frame_bytes, 'x'));
   }
   // ZeroMQ's own threads go on meanwhile: a beat of theirs every two seconds would fall into it.
   std::this_thread::sleep_for(3s);
@@ -56,11 +57,12 @@ TEST(WireSocket, APeerThatGoesWhileItsFramesAreHeldBackEndsItsOwnConnectionAlone
 TEST(WireSocket, HasHeardUntilLaterTimesHoweverMuchComes) {
   RealExecutor executor;
   int heard = 0;
-  WireSocket router(executor, WireSocket::Kind::router, [&](const std::string&, std::optional<std::string_view>) {
-    // More has come when this is done.
-    std::this_thread::sleep_for(100us);
-    ++heard;
-  });
+  wire::WireSocket router(executor, wire::WireSocket::Kind::router,
+                          [&](const std::string&, std::optional<std::string_view>) {
+                            // More has come when this is done.
+                            std::this_thread::sleep_for(100us);
+                            ++heard;
+                          });
   Peer flooder(router.bind("ipc://" + scratch_folder() + "flooded").value());
   constexpr int flood = 4000;
   for (int i = 0; i < flood; ++i) flooder.send("x");

@@ -25,7 +25,7 @@ class ClientUnderTest {
   ClientUnderTest() {
     const std::string address = "ipc://" + scratch_folder() + "client";
     if (!server_.bind(address)) std::abort();
-    board_ = RemoteBoard::connect(executor_, address, "fuzz").value();
+    board_ = client::RemoteBoard::connect(executor_, address, "fuzz").value();
     watching_ = executor_.spawn(watch());
   }
 
@@ -83,13 +83,13 @@ class ClientUnderTest {
   }
 
   RealExecutor executor_;
-  WireSocket server_{
-      executor_, WireSocket::Kind::router,
+  wire::WireSocket server_{
+      executor_, wire::WireSocket::Kind::router,
       [this](const std::string& peer, std::optional<std::string_view> frame) { receive(peer, frame.value()); }};
   std::string client_;
   std::string question_;
   std::string watch_ = "0";
-  std::unique_ptr<RemoteBoard> board_;
+  std::unique_ptr<client::RemoteBoard> board_;
   Job watching_;
 };
 

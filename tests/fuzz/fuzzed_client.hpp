@@ -17,10 +17,10 @@ namespace pizarra {
 
 class FuzzedClient {
  public:
-  FuzzedClient(Executor& executor, std::string name, const std::string& address, const ClientKeys* keys = nullptr)
+  FuzzedClient(Executor& executor, std::string name, const std::string& address, const wire::ClientKeys* keys = nullptr)
       : executor_(executor),
         name_(std::move(name)),
-        socket_(executor, WireSocket::Kind::dealer,
+        socket_(executor, wire::WireSocket::Kind::dealer,
                 [this](const std::string&, std::optional<std::string_view> frame) { receive(frame.value()); }) {
     if (!socket_.connect(address, keys)) std::abort();
     greet();
@@ -81,7 +81,7 @@ class FuzzedClient {
   bool is_alive_ = false;
   bool is_over_ = false;
   bool is_welcome_ = false;
-  WireSocket socket_;
+  wire::WireSocket socket_;
 };
 
 }  // namespace pizarra

@@ -26,7 +26,7 @@ const std::string sound_lines =
     "(1 6 \"a\" (tell 1 (goal 1 one)) (tell 2 (goal 2 (two))))\n"
     "(2 7 \"b\" (take 1) (retract 2) (tell 3 (goal 3 \"three\") (because 1)))\n";
 
-void use(Store& store) {
+void use(store::Store& store) {
   store.resume(Time(10s));
   for (const auto& [name, table] : store.tables()) {
     const Datum pattern = list(Datum::symbol(name), "?x"_sym, "?y"_sym);
@@ -48,14 +48,14 @@ std::string path_for(const char* purpose) {
 
 std::string sound_file() {
   const std::string path = path_for("sound");
-  remove_journal(path);
+  journal::remove_journal(path);
   {
-    const auto file = JournalFile::open(path, {}).value();
-    Store store;
+    const auto file = journal::JournalFile::open(path, {}).value();
+    store::Store store;
     if (!file->recover(store) || !file->append({sound_lines, "", true})) std::abort();
   }
   std::string contents = contents_of(path);
-  remove_journal(path);
+  journal::remove_journal(path);
   return contents;
 }
 
@@ -69,14 +69,14 @@ void open_damaged(std::string_view damage) {
   if (damage.size() == 2) contents.resize((byte(0) << 8 | byte(1)) % contents.size());
   if (damage.size() == 1) contents.resize(contents.size() * byte(0) / 256);
   const std::string path = path_for("damaged");
-  remove_journal(path);
+  journal::remove_journal(path);
   std::ofstream(path, std::ios::binary) << contents;
   {
-    const Result<std::shared_ptr<JournalFile>> file = JournalFile::open(path, {});
-    Store store;
+    const Result<std::shared_ptr<journal::JournalFile>> file = journal::JournalFile::open(path, {});
+    store::Store store;
     if (file && (*file)->recover(store)) use(store);
   }
-  remove_journal(path);
+  journal::remove_journal(path);
 }
 
 }  // namespace
@@ -87,7 +87,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     open_damaged(text.substr(1));
     return 0;
   }
-  Store store;
-  if (replay(text, store)) use(store);
+  store::Store store;
+  if (journal::replay(text, store)) use(store);
   return 0;
 }

@@ -13,12 +13,12 @@ using namespace pizarra;
 
 namespace {
 
-Result<PlanningTask> read(std::string_view domain, std::string_view problem) {
-  const Result<Source> first = read_planning_source(domain, "domain");
+Result<planner::PlanningTask> read(std::string_view domain, std::string_view problem) {
+  const Result<Source> first = forms::read_planning_source(domain, "domain");
   if (!first) return fail(first);
-  const Result<Source> second = read_planning_source(problem, "problem");
+  const Result<Source> second = forms::read_planning_source(problem, "problem");
   if (!second) return fail(second);
-  return read_task(*first, *second);
+  return planner::read_task(*first, *second);
 }
 
 }  // namespace
@@ -28,13 +28,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   constexpr std::string_view between = "\n====\n";
   const std::size_t at = text.find(between);
   const std::string_view problem = at == text.npos ? std::string_view() : text.substr(at + between.size());
-  const Result<PlanningTask> task = read(text.substr(0, at), problem);
+  const Result<planner::PlanningTask> task = read(text.substr(0, at), problem);
   if (!task) {
     if (task.error().place.empty() || task.error().symbol == "scheme-error") std::abort();
     return 0;
   }
-  if (!number_task(*task)) return 0;  // it names objects that there are not
-  const PddlText written = pddl_text(*task);
+  if (!planner::number_task(*task)) return 0;  // it names objects that there are not
+  const planner::PddlText written = planner::pddl_text(*task);
   if (!read(written.domain, written.problem)) std::abort();
   return 0;
 }

@@ -25,25 +25,25 @@ namespace {
 
 // In memory, and gone when the process ends.
 struct Journal {
-  ~Journal() { remove_journal(path); }
+  ~Journal() { journal::remove_journal(path); }
 
   const std::string path = "/dev/shm/pizarra-fuzz-server-" + std::to_string(getpid());
 };
-const Journal journal;
+const Journal kept_journal;
 
 // The board's and the second client's.
 const std::string& key_folder() {
   static const std::string folder = [] {
     std::string made = scratch_folder() + "keys";
-    const Permissions little{{"note", "own-*"}, {"note"}, {"note", "goal"}, {}};
-    if (!make_keys(made, "board", {}) || !make_keys(made, "robot", little)) std::abort();
+    const wire::Permissions little{{"note", "own-*"}, {"note"}, {"note", "goal"}, {}};
+    if (!wire::make_keys(made, "board", {}) || !wire::make_keys(made, "robot", little)) std::abort();
     return made;
   }();
   return folder;
 }
 
 // The ids of what the next board must have, for it goes with no lease.
-std::set<FactId> kept_by(const Store& store) {
+std::set<FactId> kept_by(const store::Store& store) {
   std::set<FactId> kept;
   for (const auto& [name, table] : store.tables()) {
     if (!table.relation().durable) continue;
@@ -64,12 +64,12 @@ class ServerUnderTest {
     board_.set_journal([this](std::string_view line) { writer_.append(line); });
     board_.resume();
     if (!std::ranges::includes(kept_by(board_.store()), kept)) std::abort();
-    BoardServerOptions options;
+    server::BoardServerOptions options;
     options.addresses = {"ipc://" + scratch_folder() + "server", "tcp://127.0.0.1:*"};
     options.keys = key_folder();
     options.journal = &writer_;
     options.remembered = remembered_;
-    server_ = BoardServer::open(executor_, board_, options).value();
+    server_ = server::BoardServer::open(executor_, board_, options).value();
     near_ = std::make_unique<FuzzedClient>(executor_, "fuzz", server_->addresses()[0]);
     keyed_ = std::make_unique<FuzzedClient>(executor_, "robot", server_->addresses()[1], &keys_);
   }
@@ -90,19 +90,19 @@ class ServerUnderTest {
   std::set<FactId> kept() const { return kept_by(board_.store()); }
 
  private:
-  std::unique_ptr<Store> recovered() {
-    auto store = std::make_unique<Store>();
+  std::unique_ptr<store::Store> recovered() {
+    auto store = std::make_unique<store::Store>();
     remembered_ = file_->recover(*store).value();
     return store;
   }
 
   RealExecutor executor_;
-  const ClientKeys keys_ = read_client_keys(key_folder() + "/robot.secret").value();
-  const std::shared_ptr<JournalFile> file_ = JournalFile::open(journal.path, {}).value();
-  std::vector<RememberedReply> remembered_;
-  MemoryBoard board_{executor_, recovered()};
-  JournalWriter writer_{executor_, file_};
-  std::unique_ptr<BoardServer> server_;
+  const wire::ClientKeys keys_ = wire::read_client_keys(key_folder() + "/robot.secret").value();
+  const std::shared_ptr<journal::JournalFile> file_ = journal::JournalFile::open(kept_journal.path, {}).value();
+  std::vector<journal::RememberedReply> remembered_;
+  memory::MemoryBoard board_{executor_, recovered()};
+  journal::JournalWriter writer_{executor_, file_};
+  std::unique_ptr<server::BoardServer> server_;
   std::unique_ptr<FuzzedClient> near_;
   std::unique_ptr<FuzzedClient> keyed_;
 };
@@ -119,7 +119,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::set<FactId> kept = tested == nullptr || anew ? std::set<FactId>() : tested->kept();
     // The former one gives its address back first.
     tested.reset();
-    if (anew) remove_journal(journal.path);
+    if (anew) journal::remove_journal(kept_journal.path);
     tested = std::make_unique<ServerUnderTest>(kept);
   }
   ++inputs;

@@ -11,7 +11,7 @@ namespace {
 const std::string domains = source_dir() + "/domains/";
 
 TEST(DomainTest, ReadsTheBlocks) {
-  const auto domain = read_domain_file(domains + "blocks.scm");
+  const auto domain = forms::read_domain_file(domains + "blocks.scm");
   ASSERT_TRUE(domain) << describe(domain.error());
   EXPECT_EQ(domain->name, "blocks");
   for (const char* name : {"PICK-UP", "PUT-DOWN", "STACK", "UNSTACK"}) {
@@ -19,9 +19,9 @@ TEST(DomainTest, ReadsTheBlocks) {
   }
   ASSERT_NE(domain->find_predicate("on"), nullptr);
   EXPECT_EQ(domain->find_predicate("on")->arguments.size(), 2u);
-  const Operator* stack = domain->find_operator("STACK");
+  const forms::Operator* stack = domain->find_operator("STACK");
   ASSERT_NE(stack, nullptr);
-  EXPECT_EQ(stack->params, (std::vector<TypedName>{{"?ob1", "OBJECT"}, {"?ob2", "OBJECT"}}));
+  EXPECT_EQ(stack->params, (std::vector<forms::TypedName>{{"?ob1", "OBJECT"}, {"?ob2", "OBJECT"}}));
   EXPECT_EQ(write(Datum::list(stack->preconds)), "((clear ?ob2) (holding ?ob1))");
   EXPECT_EQ(write(Datum::list(stack->adds)), "((arm-empty) (clear ?ob1) (on ?ob1 ?ob2))");
   EXPECT_EQ(write(Datum::list(stack->deletes)), "((clear ?ob2) (bare ?ob2) (holding ?ob1))");
@@ -32,22 +32,22 @@ TEST(DomainTest, ReadsTheBlocks) {
 }
 
 TEST(DomainTest, ReadsNumberedPlaces) {
-  const auto domain = read_domain_file(domains + "numbered-places.scm");
+  const auto domain = forms::read_domain_file(domains + "numbered-places.scm");
   ASSERT_TRUE(domain) << describe(domain.error());
   ASSERT_FALSE(domain->objects.empty());
-  EXPECT_EQ(domain->objects[0], (TypedName{"place-1", "PLACE"}));
+  EXPECT_EQ(domain->objects[0], (forms::TypedName{"place-1", "PLACE"}));
 }
 
 TEST(DomainTest, AnOperatorIsWrittenInTheThesisSyntaxAgain) {
-  const auto domain = read_domain_file(domains + "blocks.scm");
+  const auto domain = forms::read_domain_file(domains + "blocks.scm");
   ASSERT_TRUE(domain);
-  EXPECT_EQ(write(operator_form(*domain->find_operator("PUT-DOWN"))),
+  EXPECT_EQ(write(forms::operator_form(*domain->find_operator("PUT-DOWN"))),
             "(operator PUT-DOWN (params (<ob1> OBJECT)) (preconds (holding <ob1>)) "
             "(effects (clear <ob1>) (arm-empty) (on-table <ob1>) (del (holding <ob1>))))");
 }
 
 TEST(DomainTest, EveryErrorIsReportedWithItsPlace) {
-  const auto domain = read_domain(
+  const auto domain = forms::read_domain(
       "(domain d\n"
       "  (types OBJECT)\n"
       "  (predicates (clear (ob OBJCT)) (holding (ob OBJECT)))\n"
@@ -76,10 +76,10 @@ TEST(DomainTest, EveryErrorIsReportedWithItsPlace) {
 }
 
 TEST(DomainTest, WhatIsNoDomainIsOneFailure) {
-  EXPECT_EQ(read_domain("", "d").error().symbol, "malformed");
-  EXPECT_EQ(read_domain("(cell d)", "d").error().symbol, "malformed");
-  EXPECT_EQ(read_domain("(domain d", "d").error().symbol, "unclosed-list");
-  EXPECT_EQ(read_domain_file("/nowhere.scm").error().symbol, "unreadable-file");
+  EXPECT_EQ(forms::read_domain("", "d").error().symbol, "malformed");
+  EXPECT_EQ(forms::read_domain("(cell d)", "d").error().symbol, "malformed");
+  EXPECT_EQ(forms::read_domain("(domain d", "d").error().symbol, "unclosed-list");
+  EXPECT_EQ(forms::read_domain_file("/nowhere.scm").error().symbol, "unreadable-file");
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace {
 class GoalTest : public testing::Test {
  protected:
   GoalTest() {
-    auto read = read_domain(
+    auto read = forms::read_domain(
         "(domain d (types OBJECT PLACE) (objects (place-1 PLACE))"
         " (predicates (on (upper OBJECT) (lower OBJECT)) (at (ob OBJECT) (where PLACE)) (arm-empty)))",
         "d.scm");
@@ -19,11 +19,11 @@ class GoalTest : public testing::Test {
 
   std::string goal(std::string_view text) {
     const auto facts =
-        read_goal(domain_, text, {{"circle", "OBJECT"}, {"triangle", "OBJECT"}, {"End-Effector", "OBJECT"}});
+        forms::read_goal(domain_, text, {{"circle", "OBJECT"}, {"triangle", "OBJECT"}, {"End-Effector", "OBJECT"}});
     return facts ? write(Datum::list(*facts)) : facts.error().symbol;
   }
 
-  Domain domain_;
+  forms::Domain domain_;
 };
 
 TEST_F(GoalTest, ThreeSpellingsAreOneGoal) {
@@ -53,11 +53,11 @@ TEST_F(GoalTest, ARefusalIsShownAtTheFirstOfTheGoalsThatItNames) {
   const Datum together =
       list(list("on"_sym, "triangle"_sym, "circle"_sym), list("on"_sym, "circle"_sym, "triangle"_sym));
   const std::string text = "(and (arm-empty)\n     (on \"circle\" Triangle)\n (on triangle circle))";
-  EXPECT_EQ(at_its_goal({"no-plan", "never", together, {}}, text).place,
+  EXPECT_EQ(forms::at_its_goal({"no-plan", "never", together, {}}, text).place,
             "goal:2:6\n"
             "       (on \"circle\" Triangle)\n"
             "       ^");
-  EXPECT_EQ(at_its_goal({"missing-object", "not seen", "circle"_sym, {}}, "(on triangle circle)").place,
+  EXPECT_EQ(forms::at_its_goal({"missing-object", "not seen", "circle"_sym, {}}, "(on triangle circle)").place,
             "goal:1:14\n"
             "  (on triangle circle)\n"
             "               ^");
@@ -65,13 +65,15 @@ TEST_F(GoalTest, ARefusalIsShownAtTheFirstOfTheGoalsThatItNames) {
 
 TEST_F(GoalTest, ARefusalThatNamesNothingOfTheGoalHasAPlaceWhereItIsAboutTheWholeGoal) {
   const std::string text = "(on triangle circle)";
-  EXPECT_EQ(at_its_goal({"no-plan", "never", {}, {}}, text).place, "goal:1:1\n  (on triangle circle)\n  ^");
-  EXPECT_EQ(at_its_goal({"absent", "the arm is gone", "robot"_sym, {}}, text).place, "");
-  EXPECT_EQ(at_its_goal({"no-plan", "never", {}, "elsewhere"}, text).place, "elsewhere") << "one that has its place";
+  EXPECT_EQ(forms::at_its_goal({"no-plan", "never", {}, {}}, text).place, "goal:1:1\n  (on triangle circle)\n  ^");
+  EXPECT_EQ(forms::at_its_goal({"absent", "the arm is gone", "robot"_sym, {}}, text).place, "");
+  EXPECT_EQ(forms::at_its_goal({"no-plan", "never", {}, "elsewhere"}, text).place, "elsewhere")
+      << "one that has its place";
 }
 
 TEST_F(GoalTest, AnUnknownObjectIsShownWithACaret) {
-  const auto facts = read_goal(domain_, "(and (on circle traingle))", {{"circle", "OBJECT"}, {"triangle", "OBJECT"}});
+  const auto facts =
+      forms::read_goal(domain_, "(and (on circle traingle))", {{"circle", "OBJECT"}, {"triangle", "OBJECT"}});
   ASSERT_FALSE(facts);
   EXPECT_EQ(facts.error().subject, "traingle"_sym);
   EXPECT_EQ(describe(facts.error()),
@@ -83,9 +85,9 @@ TEST_F(GoalTest, AnUnknownObjectIsShownWithACaret) {
 }
 
 TEST_F(GoalTest, BeforeAnythingIsSeenOnlyNamesAreOpen) {
-  EXPECT_EQ(write(Datum::list(check_goal(domain_, "(on Star place-2)").value())), "((on Star place-2))");
-  EXPECT_EQ(check_goal(domain_, "(on Star)").error().symbol, "wrong-arity");
-  EXPECT_EQ(check_goal(domain_, "(on Star place-1)").error().symbol, "wrong-type");
+  EXPECT_EQ(write(Datum::list(forms::check_goal(domain_, "(on Star place-2)").value())), "((on Star place-2))");
+  EXPECT_EQ(forms::check_goal(domain_, "(on Star)").error().symbol, "wrong-arity");
+  EXPECT_EQ(forms::check_goal(domain_, "(on Star place-1)").error().symbol, "wrong-type");
 }
 
 }  // namespace

@@ -77,36 +77,37 @@ std::vector<Datum> data_of(const std::string& path) { return read_source_file(ro
 
 TEST(InterpretersTest, DomainsSurviveDamage) {
   for (const char* file : {"domains/blocks.scm", "domains/numbered-places.scm"}) {
-    survive(data_of(file), 500, [](const std::string& text) { return outcome_of(read_domain(text, "damaged")); });
+    survive(data_of(file), 500,
+            [](const std::string& text) { return outcome_of(forms::read_domain(text, "damaged")); });
   }
 }
 
 TEST(InterpretersTest, PerceptionAndMicroTasksSurviveDamage) {
-  const Domain domain = read_domain_file(root + "domains/blocks.scm").value();
-  Arities predicates;
-  for (const Predicate& predicate : domain.predicates)
+  const forms::Domain domain = forms::read_domain_file(root + "domains/blocks.scm").value();
+  forms::Arities predicates;
+  for (const forms::Predicate& predicate : domain.predicates)
     predicates.emplace_back(predicate.name, predicate.arguments.size());
-  Arities operators;
-  for (const Operator& one : domain.operators) operators.emplace_back(one.name, one.params.size());
-  const Motions motions{.primitives = {{"open", 1},
-                                       {"raise", 0},
-                                       {"align", 1},
-                                       {"lower", 1},
-                                       {"close", 0},
-                                       {"release", 0},
-                                       {"make-room", 1},
-                                       {"turn-fingers", 1},
-                                       {"square-up", 0},
-                                       {"check-held", 1}},
-                        .aimed = {"align", "lower"},
-                        .targets = {{"on-top", 2}, {"free-spot", 1}}};
+  forms::Arities operators;
+  for (const forms::Operator& one : domain.operators) operators.emplace_back(one.name, one.params.size());
+  const forms::Motions motions{.primitives = {{"open", 1},
+                                              {"raise", 0},
+                                              {"align", 1},
+                                              {"lower", 1},
+                                              {"close", 0},
+                                              {"release", 0},
+                                              {"make-room", 1},
+                                              {"turn-fingers", 1},
+                                              {"square-up", 0},
+                                              {"check-held", 1}},
+                               .aimed = {"align", "lower"},
+                               .targets = {{"on-top", 2}, {"free-spot", 1}}};
   const std::vector<Datum> measured{read_one("(seen circle 450 0 30)").value(), read_one("(gripper 100)").value(),
                                     read_one("(grip 300 0 300)").value()};
   survive(data_of("domains/blocks.scm"), 1000, [&](const std::string& text) -> Result<void> {
     const Source source = read_source(text, "damaged").value();
-    const auto tasks = MicroTasks::read(source, operators, motions);
+    const auto tasks = forms::MicroTasks::read(source, operators, motions);
     if (!tasks && tasks.error().symbol == "scheme-error") return outcome_of(tasks);
-    const auto perception = Perception::read(source, predicates);
+    const auto perception = forms::Perception::read(source, predicates);
     if (!perception) return outcome_of(perception);
     const auto facts = perception->perceive(measured, {});
     return facts || facts.error().symbol != "scheme-error" ? Result<void>() : outcome_of(facts);
@@ -114,7 +115,7 @@ TEST(InterpretersTest, PerceptionAndMicroTasksSurviveDamage) {
 }
 
 TEST(InterpretersTest, CellsSurviveDamage) {
-  const auto read = [](const std::string& text) { return outcome_of(read_cell(text, "damaged")); };
+  const auto read = [](const std::string& text) { return outcome_of(forms::read_cell(text, "damaged")); };
   survive(data_of("examples/01-blocks/cell.scm"), 1000, read);
   survive({read_one(R"((cell c (arm ur5e (driver universal "u" 1) (room (z 20 700)) (gripper (driver modbus "g" 502)
                         (unit 9) (opening 0 85) (counts 255 0) (force 20) (registers (go 1000 11 1))))))")
@@ -124,23 +125,24 @@ TEST(InterpretersTest, CellsSurviveDamage) {
 
 TEST(InterpretersTest, ScenariosSurviveDamage) {
   survive(data_of("tests/scenarios/05-tower-knocked-over.scm"), 1000,
-          [](const std::string& text) { return outcome_of(read_scenario(text, "damaged")); });
+          [](const std::string& text) { return outcome_of(forms::read_scenario(text, "damaged")); });
 }
 
 TEST(InterpretersTest, GoalsSurviveDamage) {
-  const Domain domain = read_domain_file(root + "domains/blocks.scm").value();
+  const forms::Domain domain = forms::read_domain_file(root + "domains/blocks.scm").value();
   const Datum goal = read_one("(and (on circle triangle) (on triangle \"square\") (not (holding cross)))").value();
   survive({goal}, 1500, [&](const std::string& text) {
-    return outcome_of(read_goal(domain, text, {{"circle", "OBJECT"}, {"triangle", "OBJECT"}, {"square", "OBJECT"}}));
+    return outcome_of(
+        forms::read_goal(domain, text, {{"circle", "OBJECT"}, {"triangle", "OBJECT"}, {"square", "OBJECT"}}));
   });
-  survive({goal}, 500, [&](const std::string& text) { return outcome_of(check_goal(domain, text)); });
+  survive({goal}, 500, [&](const std::string& text) { return outcome_of(forms::check_goal(domain, text)); });
 }
 
 TEST(InterpretersTest, VisionRepliesSurviveDamage) {
   for (const char* reply : {"(TRACK 2 (\"a\" OK (1 , 2 , 3.5)) (\"b\" FAIL))", "(GET 2 (\"a\" , \"b\"))",
                             "(FIND \"a\" OK (1 , 2))", "(LEARN \"a\" OK)"}) {
     survive({read_one(reply, {.commas = true}).value()}, 500,
-            [](const std::string& text) { return outcome_of(interpret_vision_reply(text)); });
+            [](const std::string& text) { return outcome_of(forms::interpret_vision_reply(text)); });
   }
 }
 
@@ -151,7 +153,7 @@ TEST(InterpretersTest, AHugeDomainIsRefusedSoon) {
     objects += fmt::format("(o{} T) ", i);
     facts += fmt::format("(p x{}) ", i);
   }
-  const auto huge = read_domain(
+  const auto huge = forms::read_domain(
       fmt::format("(domain d (types T) (predicates (p (a T))) (objects {}) (facts {}))", objects, facts), "huge");
   ASSERT_FALSE(huge);
   EXPECT_EQ(huge.error().symbol, "too-many");

@@ -48,7 +48,7 @@ class RandomDatum {
   }
 
   std::string text() {
-    static constexpr std::string_view parts[] = {"a", " ",    "\n", "\t", "\"",   "\\", "(",
+    static constexpr std::string_view parts[] = {"a", " ",    "\n", "\t", "\"", "\\", "(",
                                                  ";", "\x01", "ñ",  "€",  "🤖", "\r"};
     std::string out;
     for (auto n = below(20); n > 0; --n) out += parts[below(std::size(parts))];

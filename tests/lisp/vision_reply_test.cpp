@@ -8,7 +8,7 @@ namespace pizarra {
 namespace {
 
 std::string reading(std::string_view text) {
-  const auto reply = interpret_vision_reply(text);
+  const auto reply = forms::interpret_vision_reply(text);
   return reply ? write(*reply) : reply.error().symbol;
 }
 
@@ -43,7 +43,7 @@ TEST(VisionReplyTest, RefusesWhatTheTableDoesNotHave) {
 }
 
 TEST(VisionReplyTest, ARefusalShowsThePlace) {
-  const auto reply = interpret_vision_reply("(TRACK 1 (\"circle\" OK (1, 2)))");
+  const auto reply = forms::interpret_vision_reply("(TRACK 1 (\"circle\" OK (1, 2)))");
   ASSERT_FALSE(reply);
   EXPECT_EQ(reply.error().place, "vision:1:23\n  (TRACK 1 (\"circle\" OK (1, 2)))\n                        ^");
 }

@@ -11,7 +11,7 @@
 #include "tests/scratch.hpp"
 #include "tests/source_dir.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 namespace {
 
 using std::chrono::seconds;
@@ -142,4 +142,4 @@ TEST(BoardGone, OneThatAnswersNothingForTenSecondsEndsWhoWaitsWithStatus4) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::programs

@@ -5,7 +5,7 @@
 #include "blackboard/memory/memory_board.hpp"
 #include "blackboard/time/virtual_executor.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 namespace {
 
 Probe probe(std::int64_t sent, std::int64_t committed, std::int64_t acknowledged) {
@@ -60,7 +60,7 @@ class BoardSamplerTest : public testing::Test {
     return result_of(executor_, sampler_.next()).value();
   }
   VirtualExecutor executor_;
-  MemoryBoard board_{executor_};
+  memory::MemoryBoard board_{executor_};
   const std::unique_ptr<Board> view_ = board_.view("top");
   BoardSampler sampler_{executor_, *view_, "top-1"};
 };
@@ -95,7 +95,7 @@ TEST_F(BoardSamplerTest, ALookTellsOneFactAndTakesItBack) {
 TEST_F(BoardSamplerTest, ShowsTheRestWhereClientsHaveDeclaredAgentsOrRequestsOtherwise) {
   for (const char* other : {"agent", "request"}) {
     SCOPED_TRACE(other);
-    MemoryBoard board(executor_);
+    memory::MemoryBoard board(executor_);
     std::vector<Relation> relations = agents_and_requests;
     for (Relation& relation : relations) {
       if (relation.name == other) relation.arguments.pop_back();
@@ -139,4 +139,4 @@ TEST_F(BoardSamplerTest, CountsWhoWasForgottenByWhatItToldSince) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::programs

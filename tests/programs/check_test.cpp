@@ -12,7 +12,7 @@
 #include "tests/scratch.hpp"
 #include "tests/source_dir.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 namespace {
 
 class Check : public testing::Test {
@@ -114,4 +114,4 @@ TEST_F(Check, AcceptsTheNoisiestCameraThatACellMayHave) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::programs

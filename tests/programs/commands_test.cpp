@@ -8,7 +8,7 @@
 #include "tests/scratch.hpp"
 #include "tests/source_dir.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 namespace {
 
 Said run(const std::string& words) { return shell_in_scratch(std::string(PIZARRA_CELL) + " " + words); }
@@ -306,4 +306,4 @@ TEST(Words, WithoutARunningCellTheBoardWordsSaySo) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::programs

@@ -10,14 +10,15 @@
 #include "blackboard/time/real_executor.hpp"
 #include "lisp/reader.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 
 // Whether the board took it.
 inline bool declare_at(const std::string& address, const std::string& relation, const std::string& key = "") {
   RealExecutor executor;
-  std::optional<ClientKeys> keys;
-  if (!key.empty()) keys = read_client_keys(key).value();
-  const auto board = RemoteBoard::connect(executor, address, "test", RemoteBoard::default_timeout, keys).value();
+  std::optional<wire::ClientKeys> keys;
+  if (!key.empty()) keys = wire::read_client_keys(key).value();
+  const auto board =
+      client::RemoteBoard::connect(executor, address, "test", client::RemoteBoard::default_timeout, keys).value();
   bool taken = false;
   const auto declare = [](Board& on, std::vector<Relation> relations, bool& out) -> Task<void> {
     const Result<void> declared = co_await on.declare(std::move(relations));
@@ -28,4 +29,4 @@ inline bool declare_at(const std::string& address, const std::string& relation, 
   return taken;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

@@ -6,7 +6,7 @@
 
 #include "tests/programs/shell.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 namespace {
 
 // Types `lines` at the program and interrupts it a while later.
@@ -134,4 +134,4 @@ TEST(Emulate, RefusesWhatItDoesNotKnowAndPortsThatAreTaken) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::programs

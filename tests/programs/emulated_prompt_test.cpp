@@ -8,7 +8,7 @@
 #include "tests/programs/shell.hpp"
 #include "tests/scratch.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 namespace {
 
 constexpr std::chrono::seconds patience{20};
@@ -63,4 +63,4 @@ TEST(EmulatedPrompt, ADeviceThatDoesNotComeEndsItWithASentence) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::programs

@@ -8,7 +8,7 @@
 #include "tests/programs/shell.hpp"
 #include "tests/scratch.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 namespace {
 
 Said run(const std::string& words) { return shell_in_scratch(std::string(PIZARRA_CELL) + " " + words); }
@@ -76,4 +76,4 @@ TEST(JournalWords, ReplayStepsAsksWatchesAndGoesBack) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::programs

@@ -2,19 +2,19 @@
 
 #include <gtest/gtest.h>
 
-#include "programs/story/director.hpp"
 #include "lisp/reader.hpp"
 #include "lisp/writer.hpp"
+#include "programs/story/director.hpp"
 #include "tests/source_dir.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 namespace {
 
-Truth truth_of(const std::string& text) { return truth_from_datum(read_one(text).value()).value(); }
+story::Truth truth_of(const std::string& text) { return story::truth_from_datum(read_one(text).value()).value(); }
 
-Judge judge_for(const std::string& domain) {
-  const Result<Domain> read = read_domain_file(source_dir() + "/domains/" + domain);
-  return Judge::make(read.value(), 60).value();
+story::Judge judge_for(const std::string& domain) {
+  const Result<forms::Domain> read = forms::read_domain_file(source_dir() + "/domains/" + domain);
+  return story::Judge::make(read.value(), 60).value();
 }
 
 std::vector<Datum> goal_of(const std::string& text) {
@@ -29,21 +29,21 @@ constexpr const char* pile =
         (facts (on circle square) (on-table square) (on-table triangle) (clear circle) (clear triangle) (arm-empty))))";
 
 TEST(Judge, ComparesNamesWithoutCase) {
-  const Judge judge = judge_for("blocks.scm");
+  const story::Judge judge = judge_for("blocks.scm");
   const std::vector<Datum> facts = judge.facts(truth_of(pile)).value();
-  EXPECT_TRUE(Judge::holds(goal_of("((on Circle SQUARE) (clear circle))"), facts));
-  EXPECT_FALSE(Judge::holds(goal_of("((on circle square) (on triangle circle))"), facts));
+  EXPECT_TRUE(story::Judge::holds(goal_of("((on Circle SQUARE) (clear circle))"), facts));
+  EXPECT_FALSE(story::Judge::holds(goal_of("((on circle square) (on triangle circle))"), facts));
 }
 
 TEST(Judge, TellsADomainsOwnPredicatesByItsRules) {
-  const Judge judge = judge_for("numbered-places.scm");
+  const story::Judge judge = judge_for("numbered-places.scm");
   const std::vector<Datum> facts = judge.facts(truth_of(pile)).value();
-  EXPECT_TRUE(Judge::holds(goal_of("((at square place-2) (at triangle place-1) (on circle square))"), facts));
-  EXPECT_FALSE(Judge::holds(goal_of("((at triangle place-3))"), facts));
+  EXPECT_TRUE(story::Judge::holds(goal_of("((at square place-2) (at triangle place-1) (on circle square))"), facts));
+  EXPECT_FALSE(story::Judge::holds(goal_of("((at triangle place-3))"), facts));
 }
 
 TEST(Judge, JudgesADomainThatSharesNoPredicateWithTheBlocks) {
-  const Result<Domain> domain = read_domain(R"(
+  const Result<forms::Domain> domain = forms::read_domain(R"(
     (domain rows
       (types THING)
       (predicates (left-of (a THING) (b THING)) (lifted (a THING)))
@@ -52,29 +52,29 @@ TEST(Judge, JudgesADomainThatSharesNoPredicateWithTheBlocks) {
         (constant cube 60)
         (rule (lifted ?a) (seen ?a ? ? ?z) (> ?z (* 0.8 cube)))
         (rule (left-of ?a ?b) (seen ?a ? ?ay ?) (seen ?b ? ?by ?) (< ?ay (- ?by cube))))))",
-                                            "rows.scm");
-  const Judge judge = Judge::make(domain.value(), 50).value();
+                                                          "rows.scm");
+  const story::Judge judge = story::Judge::make(domain.value(), 50).value();
   const std::vector<Datum> facts = judge.facts(truth_of(pile)).value();
   EXPECT_EQ(write(Datum::list(facts)), "((left-of triangle circle) (left-of triangle square) (lifted circle))");
 }
 
 TEST(Judge, WhatAHandCarriesOrWhatStandsOnSomethingLooseIsInNoState) {
-  const Judge judge = judge_for("blocks.scm");
-  const Truth truth =
+  const story::Judge judge = judge_for("blocks.scm");
+  const story::Truth truth =
       truth_of(R"(((cube circle 450 -100 120 0 0 (on square) 1.0) (cube square 450 -100 60 0 0 carried 1.0)))");
   EXPECT_EQ(write(Datum::list(judge.facts(truth).value())), "((arm-empty))");
 }
 
 TEST(Judge, KnowsWhatNoPlanCanReach) {
-  const Judge judge = judge_for("blocks.scm");
-  const Truth truth = truth_of(pile);
+  const story::Judge judge = judge_for("blocks.scm");
+  const story::Truth truth = truth_of(pile);
   EXPECT_TRUE(judge.plan_exists(goal_of("((on square triangle))"), truth).value());
   EXPECT_FALSE(judge.plan_exists(goal_of("((on square triangle) (on triangle square))"), truth).value());
 }
 
 TEST(Judge, AGoalWithACubeThatIsGoneHasNoPlan) {
-  const Judge judge = judge_for("blocks.scm");
-  const Truth truth = truth_of(
+  const story::Judge judge = judge_for("blocks.scm");
+  const story::Truth truth = truth_of(
       R"(((cube circle 0 0 -100 0 0 gone 0.0) (cube square 450 -100 30 0 0 table 1.0)
           (facts (on-table square) (clear square) (arm-empty))))");
   EXPECT_FALSE(judge.plan_exists(goal_of("((on circle square))"), truth).value());
@@ -86,17 +86,17 @@ constexpr const char* leaning =
         (facts (on-table square) (clear square) (arm-empty))))";
 
 TEST(Judge, ACubeThatLeansCanBePickedUpSoThereIsAPlan) {
-  const Judge judge = judge_for("blocks.scm");
-  const Truth truth = truth_of(leaning);
+  const story::Judge judge = judge_for("blocks.scm");
+  const story::Truth truth = truth_of(leaning);
   const std::vector<Datum> facts = judge.facts(truth).value();
   EXPECT_TRUE(judge.plan_exists(goal_of("((on circle square))"), truth).value());
   EXPECT_TRUE(judge.plan_exists(goal_of("((on square circle))"), truth).value());
-  EXPECT_FALSE(Judge::holds(goal_of("((on-table circle))"), facts));
+  EXPECT_FALSE(story::Judge::holds(goal_of("((on-table circle))"), facts));
 }
 
 TEST(Judge, ACubeThatLiesAskewOnAnotherCoversIt) {
-  const Judge judge = judge_for("blocks.scm");
-  const Truth truth = truth_of(
+  const story::Judge judge = judge_for("blocks.scm");
+  const story::Truth truth = truth_of(
       R"(((cube circle 450 -80 95 0 20 loose 1.0) (cube square 450 -100 30 0 0 table 1.0)
           (facts (on-table square) (clear square) (arm-empty))))");
   const std::vector<Datum> stood = judge.as_a_person_would_say(truth).value();
@@ -106,15 +106,15 @@ TEST(Judge, ACubeThatLiesAskewOnAnotherCoversIt) {
 }
 
 TEST(Judge, ACubeThatFellOffTheTableHasNoPlan) {
-  const Judge judge = judge_for("blocks.scm");
-  const Truth truth = truth_of(
+  const story::Judge judge = judge_for("blocks.scm");
+  const story::Truth truth = truth_of(
       R"(((cube circle 900 -145 -400 0 35 loose 0.0) (cube square 450 -100 30 0 0 table 1.0)
           (facts (on-table square) (clear square) (arm-empty))))");
   EXPECT_FALSE(judge.plan_exists(goal_of("((on circle square))"), truth).value());
 }
 
-DirectorReport refused_with(const char* symbol) {
-  DirectorReport report;
+story::DirectorReport refused_with(const char* symbol) {
+  story::DirectorReport report;
   report.outcome = "refused";
   report.refusal = Failure{symbol, "", {}, {}};
   report.possible = false;
@@ -123,7 +123,7 @@ DirectorReport refused_with(const char* symbol) {
 
 TEST(DirectorReport, ARefusalIsCorrectOnlyForAReasonInTheGoalOrTheWorld) {
   for (const char* symbol : {"no-plan", "missing-object"}) {
-    DirectorReport report = refused_with(symbol);
+    story::DirectorReport report = refused_with(symbol);
     EXPECT_TRUE(report.refused_correctly()) << symbol;
     report.possible = true;
     EXPECT_FALSE(report.refused_correctly()) << symbol;
@@ -133,10 +133,10 @@ TEST(DirectorReport, ARefusalIsCorrectOnlyForAReasonInTheGoalOrTheWorld) {
   for (const char* symbol : {"stopped", "timeout", "gave-up", "absent", "missed"}) {
     EXPECT_FALSE(refused_with(symbol).refused_correctly()) << symbol;
   }
-  DirectorReport late = refused_with("no-plan");
+  story::DirectorReport late = refused_with("no-plan");
   late.outcome = "timeout";
   EXPECT_FALSE(late.refused_correctly());
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::programs

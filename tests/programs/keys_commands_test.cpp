@@ -9,7 +9,7 @@
 #include "tests/programs/shell.hpp"
 #include "tests/scratch.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 namespace {
 
 using std::chrono::seconds;
@@ -102,4 +102,4 @@ TEST_F(WordsWithKeys, AskOfNoMomentThatThereWasNot) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::programs

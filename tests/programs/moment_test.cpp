@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <gtest/gtest.h>
 
-namespace pizarra {
+namespace pizarra::programs {
 namespace {
 
 // In a place that puts its clocks forward in spring.
@@ -78,4 +78,4 @@ TEST_F(MomentTest, ThatIsLaterThanTheEndIsNotYet) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::programs

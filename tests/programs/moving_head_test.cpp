@@ -10,19 +10,19 @@
 #include "tests/programs/tapped_cell.hpp"
 #include "tests/source_dir.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 namespace {
 
 Datum form(std::string_view text) { return read_one(text).value(); }
 
-Task<void> call(Link& link, Datum request, std::optional<Result<Message>>& out) {
+Task<void> call(simulation::Link& link, Datum request, std::optional<Result<simulation::Message>>& out) {
   out = co_await link.call(std::move(request), 20s);
 }
 
 class MovingHead : public testing::Test {
  protected:
   void SetUp() override {
-    for (const std::string& kind : agent_kinds(cell.description())) ASSERT_TRUE(cell.start(kind)) << kind;
+    for (const std::string& kind : launcher::agent_kinds(cell.description())) ASSERT_TRUE(cell.start(kind)) << kind;
     const Result<void> built = teach_and_build(executor, cell.board(), {form("(on circle triangle)")});
     ASSERT_TRUE(built) << describe(built.error());
   }
@@ -38,7 +38,7 @@ class MovingHead : public testing::Test {
     return answers->answers.front().facts.front().datum;
   }
   Datum ask_world(std::string_view request) {
-    std::optional<Result<Message>> answer;
+    std::optional<Result<simulation::Message>> answer;
     const Job job = executor.spawn(call(cell.link(), form(request), answer));
     executor.run_until([&] { return answer.has_value(); });
     EXPECT_TRUE(*answer) << request;
@@ -64,7 +64,8 @@ class MovingHead : public testing::Test {
   }
 
   VirtualExecutor executor;
-  LocalCell cell{executor, read_cell_file(source_dir() + "/examples/03-moving-head/cell.scm").value(), 5};
+  launcher::LocalCell cell{executor, forms::read_cell_file(source_dir() + "/examples/03-moving-head/cell.scm").value(),
+                           5};
   int asked = 0;
 };
 
@@ -118,4 +119,4 @@ TEST_F(MovingHead, AHeadThatLosesItsPowerIsWaitedForAndTheCellGoesOn) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::programs

@@ -10,7 +10,7 @@
 #include "tests/scratch.hpp"
 #include "tests/source_dir.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 namespace {
 
 Said run(const std::string& words) { return shell_in_scratch(std::string(PIZARRA_CELL) + " " + words); }
@@ -109,4 +109,4 @@ TEST(Outputs, ASignalEndsTheDemoInOrderWithItsFilmAndJournalWhole) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::programs

@@ -9,14 +9,14 @@
 #include <opencv2/imgproc.hpp>
 #include <opencv2/videoio.hpp>
 
-#include "tests/programs/running.hpp"
-#include "tests/programs/shell.hpp"
 #include "tests/agents/vision/photograph.hpp"
 #include "tests/drivers/camera/board_scene.hpp"
+#include "tests/programs/running.hpp"
+#include "tests/programs/shell.hpp"
 #include "tests/scratch.hpp"
 #include "tests/source_dir.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 namespace {
 
 Said run(const std::string& words) { return shell_in_scratch(std::string(PIZARRA_CELL) + " " + words); }
@@ -32,7 +32,7 @@ std::string folder_of_photographs() {
   std::filesystem::create_directories(folder);
   Random random(3);
   for (int i = 0; i < 4; ++i) {
-    cv::imwrite(fmt::format("{}{}.jpg", folder, i), Photograph{.tilt_deg = 10}.take(random));
+    cv::imwrite(fmt::format("{}{}.jpg", folder, i), vision::Photograph{.tilt_deg = 10}.take(random));
   }
   return folder;
 }
@@ -78,16 +78,16 @@ TEST(OwnEyes, WhatIsNoSheetOrCannotBeWrittenIsToldSo) {
 
 TEST(OwnEyes, APersonTeachesAndFindsAtThePromptWithPhotographsForACamera) {
   const std::string cell = cell_with("photos", "(single (images \"" + folder_of_photographs() + "\")) (rate 60)");
-  const Photograph photograph{.tilt_deg = 10};
+  const vision::Photograph photograph{.tilt_deg = 10};
   std::string words = "repl " + cell + " --agents vision";
-  for (const PrintedShape& shape : printed_shapes()) {
+  for (const vision::PrintedShape& shape : vision::printed_shapes()) {
     const cv::Point2d at = photograph.seen_at(shape.name);
     words += fmt::format(" --eval '(vision (learn {:.0f} {:.0f} \"{}\"))'", at.x, at.y, shape.name);
   }
   words += " --eval '(vision (find \"cross\"))'";
   const Said said = run(words);
   EXPECT_EQ(said.status, 0) << said.text;
-  for (const PrintedShape& shape : printed_shapes()) {
+  for (const vision::PrintedShape& shape : vision::printed_shapes()) {
     EXPECT_TRUE(contains(said, "(LEARN \"" + shape.name + "\" OK)")) << said.text;
   }
   EXPECT_TRUE(contains(said, "(FIND \"cross\" OK (")) << said.text;
@@ -135,7 +135,8 @@ TEST(OwnEyes, ACameraThatIsNotThereIsNamedByLookByUpAndInTheLog) {
   const std::string cell = cell_with("no-eyes", "(single (device \"/dev/no-such-camera\"))");
   Running up({PIZARRA_CELL, "up", cell}, scratch_folder() + "no-eyes.log");
   const std::string patient = " --cell no-eyes --timeout 1";
-  ASSERT_TRUE(wait_until([&] { return contains(run("look" + patient), "vision-colour"); }, std::chrono::seconds(60))) << up.said();
+  ASSERT_TRUE(wait_until([&] { return contains(run("look" + patient), "vision-colour"); }, std::chrono::seconds(60)))
+      << up.said();
   const Said resting = run("look colour" + patient);
   EXPECT_EQ(resting.status, 1);
   EXPECT_TRUE(contains(resting, "(vision (connect))")) << resting.text;
@@ -211,9 +212,9 @@ class OwnPair : public testing::Test {
  protected:
   // Drawn once, for they take a second.
   static void SetUpTestSuite() {
-    const BoardScene scene;
+    const camera::BoardScene scene;
     int number = 10;
-    for (const cv::Affine3d& pose : board_poses()) {
+    for (const cv::Affine3d& pose : camera::board_poses()) {
       cv::imwrite(scratch_folder() + fmt::format("left{}.png", number), scene.draw(pose, false));
       cv::imwrite(scratch_folder() + fmt::format("right{}.png", number), scene.draw(pose, true));
       ++number;
@@ -342,7 +343,7 @@ TEST_F(OwnPair, IsCalibratedWithoutThePairThatDoesNotBelong) {
 TEST_F(OwnPair, WhoseCornersNobodyCanTellGetsNoFile) {
   const std::string folder = scratch_folder() + "middle/";
   std::filesystem::create_directory(folder);
-  const BoardScene scene;
+  const camera::BoardScene scene;
   int number = 10;
   for (const cv::Vec3d& turn : {cv::Vec3d(0.6, 0, 0), cv::Vec3d(-0.6, 0.1, 0), cv::Vec3d(0, 0.6, 0.1),
                                 cv::Vec3d(0.1, -0.6, 0), cv::Vec3d(0.4, 0.4, 0), cv::Vec3d(-0.4, -0.4, 0)}) {
@@ -455,4 +456,4 @@ TEST_F(OwnPair, ThatCannotBeCalibratedIsToldWhy) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::programs

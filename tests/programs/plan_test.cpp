@@ -12,7 +12,7 @@
 #include "tests/scratch.hpp"
 #include "tests/source_dir.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 namespace {
 
 std::string file(const std::string& name, const std::string& text) {
@@ -473,4 +473,4 @@ TEST(Plan, SaysWhereMoreMemoryMightMakeItShorter) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::programs

@@ -5,7 +5,7 @@
 #include "programs/command_line/exit_codes.hpp"
 #include "tests/source_dir.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 namespace {
 
 TEST(RandomRuns, ASeedThatDoesNotEndInTimeHasNotFailed) {
@@ -23,4 +23,4 @@ TEST(RandomRuns, ASeedThatDoesNotEndInTimeHasNotFailed) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::programs

@@ -3,23 +3,23 @@
 #include <gtest/gtest.h>
 #include <set>
 
-#include "programs/story/scenario_run.hpp"
 #include "agents/launcher/agent_factory.hpp"
 #include "lisp/writer.hpp"
+#include "programs/story/scenario_run.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 namespace {
 
-CellDescription four_cubes() {
-  CellDescription cell;
-  EXPECT_TRUE(put_arm(cell, "crs-f3"));
+forms::CellDescription four_cubes() {
+  forms::CellDescription cell;
+  EXPECT_TRUE(forms::put_arm(cell, "crs-f3"));
   for (const char* name : {"circle", "triangle", "square", "cross"}) cell.cubes.push_back({name, name, 450, 0, 0, ""});
   return cell;
 }
 
-std::string text_of(const RandomStory& story) {
+std::string text_of(const story::RandomStory& story) {
   std::string out = write(Datum::list(story.scenario.goal)) + write(Datum::list(story.scenario.events[0].actions));
-  for (const CubePlacement& cube : story.cell.cubes) {
+  for (const forms::CubePlacement& cube : story.cell.cubes) {
     out += cube.name + " " + std::to_string(cube.x_mm) + " " + std::to_string(cube.y_mm) + " " + cube.on + ";";
   }
   return out;
@@ -28,8 +28,8 @@ std::string text_of(const RandomStory& story) {
 TEST(RandomStory, TheSameSeedGivesTheSameStoryAndAnotherSeedAnother) {
   std::set<std::string> stories;
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
-    const std::string text = text_of(random_story(four_cubes(), Random(seed)));
-    EXPECT_EQ(text, text_of(random_story(four_cubes(), Random(seed)))) << "seed " << seed;
+    const std::string text = text_of(story::random_story(four_cubes(), Random(seed)));
+    EXPECT_EQ(text, text_of(story::random_story(four_cubes(), Random(seed)))) << "seed " << seed;
     stories.insert(text);
   }
   EXPECT_EQ(stories.size(), 50U);
@@ -37,13 +37,13 @@ TEST(RandomStory, TheSameSeedGivesTheSameStoryAndAnotherSeedAnother) {
 
 TEST(RandomStory, EveryStoryCanBePlayedInASoundWorld) {
   for (std::uint64_t seed = 1; seed <= 300; ++seed) {
-    const RandomStory story = random_story(four_cubes(), Random(seed));
-    EXPECT_TRUE(world_config(story.cell, seed)) << "seed " << seed;
-    EXPECT_TRUE(check_scenario(story.scenario)) << "seed " << seed;
+    const story::RandomStory story = story::random_story(four_cubes(), Random(seed));
+    EXPECT_TRUE(launcher::world_config(story.cell, seed)) << "seed " << seed;
+    EXPECT_TRUE(story::check_scenario(story.scenario)) << "seed " << seed;
     EXPECT_FALSE(story.scenario.goal.empty()) << "seed " << seed;
     EXPECT_EQ(story.cell.cubes.size(), 4U) << "seed " << seed;
   }
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::programs

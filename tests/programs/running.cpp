@@ -9,7 +9,7 @@
 #include <thread>
 #include <unistd.h>
 
-namespace pizarra {
+namespace pizarra::programs {
 
 bool wait_until(const std::function<bool()>& condition, std::chrono::seconds how_long) {
   constexpr std::chrono::milliseconds look_pause{100};
@@ -67,4 +67,4 @@ bool Running::look() {
   return true;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

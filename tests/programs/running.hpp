@@ -13,7 +13,7 @@
 #include <sys/types.h>
 #include <vector>
 
-namespace pizarra {
+namespace pizarra::programs {
 
 // Whether the condition comes to hold.
 bool wait_until(const std::function<bool()>& condition, std::chrono::seconds how_long);
@@ -43,4 +43,4 @@ class Running {
   std::optional<int> status_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

@@ -8,7 +8,7 @@
 #include "tests/scratch.hpp"
 #include "tests/source_dir.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 namespace {
 
 std::string text_of(const std::string& file) {
@@ -18,26 +18,27 @@ std::string text_of(const std::string& file) {
 }
 
 TEST(StoryRun, BothArmsOfACellAreSimulatedWhateverControllersTheyHave) {
-  Scenario scenario;
+  forms::Scenario scenario;
   scenario.name = "two arms";
   scenario.cell_file = source_dir() + "/examples/01-blocks/cell.scm";
   scenario.goal = {list("on"_sym, "circle"_sym, "triangle"_sym)};
-  Result<CellDescription> cell = cell_of(scenario);
+  Result<forms::CellDescription> cell = story::cell_of(scenario);
   ASSERT_TRUE(cell) << describe(cell.error());
   // Nobody listens there.
-  const ArmLine line{.protocol = "hses", .places = {"127.0.0.1"}, .ports = {1}, .gripper = {}};
+  const forms::ArmLine line{.protocol = "hses", .places = {"127.0.0.1"}, .ports = {1}, .gripper = {}};
   cell->arm_line = line;
-  cell->slave = CellSlave{.arm_file = shipped_arm_file("motoman-up6"), .room = {}, .line = line, .offset_mm = {}};
+  cell->slave =
+      forms::CellSlave{.arm_file = forms::shipped_arm_file("motoman-up6"), .room = {}, .line = line, .offset_mm = {}};
   cell->hosts.front().agents.push_back("slave");
-  StoryOptions options;
+  story::StoryOptions options;
   options.journal_file = scratch_folder() + "journal.txt";
-  Narrator narrator(stdout, Narrator::Style::plain);
+  story::Narrator narrator(stdout, story::Narrator::Style::plain);
 
-  const Result<StoryReport> report = run_story(scenario, *cell, options, narrator);
+  const Result<story::StoryReport> report = story::run_story(scenario, *cell, options, narrator);
   ASSERT_TRUE(report) << describe(report.error());
   EXPECT_TRUE(report->director.reached());
   EXPECT_NE(text_of(options.journal_file).find("(arm-pose slave "), std::string::npos);
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::programs

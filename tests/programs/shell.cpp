@@ -6,7 +6,7 @@
 
 #include "tests/scratch.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 
 Said shell(const std::string& command) {
   FILE* pipe = popen(command.c_str(), "r");
@@ -26,4 +26,4 @@ Said shell_in_scratch(const std::string& command) {
 
 bool contains(const Said& said, const std::string& text) { return said.text.find(text) != std::string::npos; }
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

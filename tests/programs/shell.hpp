@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace pizarra {
+namespace pizarra::programs {
 
 struct Said {
   int status = 0;  // the exit status, or 128 and the signal that ended it, as shells count
@@ -18,4 +18,4 @@ Said shell(const std::string& command);
 Said shell_in_scratch(const std::string& command);
 bool contains(const Said& said, const std::string& text);
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

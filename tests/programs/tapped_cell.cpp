@@ -4,7 +4,7 @@
 
 #include "agents/runtime/service.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 
 namespace {
 
@@ -12,48 +12,48 @@ constexpr Duration teaching_time = 120s;
 constexpr Duration building_time = 240s;
 constexpr Duration look_pause = 100ms;
 
-bool holds(MemoryBoard& board, const Datum& pattern) {
+bool holds(memory::MemoryBoard& board, const Datum& pattern) {
   const Result<Answers> answers = board.ask(query_for(pattern));
   return answers && !answers->answers.empty();
 }
 
-bool run_until_holds(VirtualExecutor& executor, MemoryBoard& board, const Datum& pattern, Duration patience) {
+bool run_until_holds(VirtualExecutor& executor, memory::MemoryBoard& board, const Datum& pattern, Duration patience) {
   const Time end = executor.now() + patience;
   while (!holds(board, pattern) && executor.now() < end) executor.run_for(look_pause);
   return holds(board, pattern);
 }
 
-Task<void> give_goal(AgentContext& context, Datum goal, Result<Datum>* answer) {
-  Service service(context, contract_from_text("(contract visitor)").value());
+Task<void> give_goal(runtime::AgentContext& context, Datum goal, Result<Datum>* answer) {
+  runtime::Service service(context, runtime::contract_from_text("(contract visitor)").value());
   const Result<void> started = co_await service.start();
   if (!started) {
     *answer = fail(started);
     co_return;
   }
-  Caller caller(context, service);
+  runtime::Caller caller(context, service);
   *answer = co_await caller.call("coordinator", std::move(goal), building_time);
 }
 
-Task<void> ask_link(Link& link, Datum question, Datum* answer) {
-  const Result<Message> message = co_await link.call(std::move(question), building_time);
+Task<void> ask_link(simulation::Link& link, Datum question, Datum* answer) {
+  const Result<simulation::Message> message = co_await link.call(std::move(question), building_time);
   if (message) *answer = message->head;
 }
 
 }  // namespace
 
-Task<Result<Message>> Tap::call(Datum request, Duration timeout) {
+Task<Result<simulation::Message>> Tap::call(Datum request, Duration timeout) {
   asked.push_back(request);
-  Result<Message> answer = co_await link_.call(std::move(request), timeout);
+  Result<simulation::Message> answer = co_await link_.call(std::move(request), timeout);
   if (answer) answered.push_back(answer->head);
   co_return answer;
 }
 
-Result<void> teach_and_build(VirtualExecutor& executor, MemoryBoard& board, std::vector<Datum> goal) {
+Result<void> teach_and_build(VirtualExecutor& executor, memory::MemoryBoard& board, std::vector<Datum> goal) {
   if (!run_until_holds(executor, board, list("person"_sym, "done"_sym, "?"_sym), teaching_time)) {
     return fail("timeout", "the person has not taught everything");
   }
   const std::unique_ptr<Board> view = board.view("visitor");
-  AgentContext context{"visitor", "localhost", executor, *view, Random(1)};
+  runtime::AgentContext context{"visitor", "localhost", executor, *view, Random(1)};
   goal.insert(goal.begin(), "goal"_sym);
   Result<Datum> answer = fail("timeout", "the coordinator has not answered");
   const Job giving = executor.spawn(give_goal(context, Datum::list(std::move(goal)), &answer));
@@ -64,18 +64,19 @@ Result<void> teach_and_build(VirtualExecutor& executor, MemoryBoard& board, std:
   return {};
 }
 
-TappedCell::TappedCell(const CellDescription& description, const WorldConfig& config, std::uint64_t seed)
+TappedCell::TappedCell(const forms::CellDescription& description, const simulation::WorldConfig& config,
+                       std::uint64_t seed)
     : world_(executor_, config) {
   board_.set_journal([this](std::string_view line) { journal_.append(line).append("\n"); });
-  CellDescription without_cubes = description;
+  forms::CellDescription without_cubes = description;
   without_cubes.cubes.clear();
   const Random random(seed);
-  for (const std::string& kind : agent_kinds(description)) {
+  for (const std::string& kind : launcher::agent_kinds(description)) {
     views_.push_back(board_.view(kind));
     Tap& tap = *taps_.emplace(kind, std::make_unique<Tap>(link_)).first->second;
-    AgentContext context{kind, "localhost", executor_, *views_.back(), random.split(kind)};
-    const CellDescription& told = kind == "person" ? description : without_cubes;
-    agents_.push_back(build_agent(kind, std::move(context), told, tap, &streams_).value());
+    runtime::AgentContext context{kind, "localhost", executor_, *views_.back(), random.split(kind)};
+    const forms::CellDescription& told = kind == "person" ? description : without_cubes;
+    agents_.push_back(launcher::build_agent(kind, std::move(context), told, tap, &streams_).value());
     jobs_.push_back(executor_.spawn(agents_.back()->run()));
   }
 }
@@ -89,4 +90,4 @@ Datum TappedCell::ask_world(Datum question) {
   return answer;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

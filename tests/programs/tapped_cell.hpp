@@ -17,29 +17,29 @@
 #include "blackboard/time/virtual_executor.hpp"
 #include "drivers/simulation/world.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 
 // Hands on every call and keeps what was asked and answered.
-class Tap : public Link {
+class Tap : public simulation::Link {
  public:
-  explicit Tap(Link& link) : link_(link) {}
-  Task<Result<Message>> call(Datum request, Duration timeout) override;
+  explicit Tap(simulation::Link& link) : link_(link) {}
+  Task<Result<simulation::Message>> call(Datum request, Duration timeout) override;
 
   std::vector<Datum> asked;
   std::vector<Datum> answered;  // without the images
 
  private:
-  Link& link_;
+  simulation::Link& link_;
 };
 
 // Lets the board come to (person done ...), gives the goal as a visitor would, and runs until it is reached. Failures:
 // timeout, and the coordinator's refusal.
-Result<void> teach_and_build(VirtualExecutor& executor, MemoryBoard& board, std::vector<Datum> goal);
+Result<void> teach_and_build(VirtualExecutor& executor, memory::MemoryBoard& board, std::vector<Datum> goal);
 
 class TappedCell {
  public:
   // The configuration passed check().
-  TappedCell(const CellDescription& description, const WorldConfig& config, std::uint64_t seed);
+  TappedCell(const forms::CellDescription& description, const simulation::WorldConfig& config, std::uint64_t seed);
   ~TappedCell();
 
   // As teach_and_build().
@@ -51,15 +51,15 @@ class TappedCell {
 
  private:
   VirtualExecutor executor_;
-  MemoryBoard board_{executor_};
+  memory::MemoryBoard board_{executor_};
   LocalStreams streams_;
-  World world_;
-  LocalLink link_{world_};
+  simulation::World world_;
+  simulation::LocalLink link_{world_};
   std::string journal_;
   std::map<std::string, std::unique_ptr<Tap>> taps_;
   std::vector<std::unique_ptr<Board>> views_;
-  std::vector<std::unique_ptr<BuiltAgent>> agents_;
+  std::vector<std::unique_ptr<launcher::BuiltAgent>> agents_;
   std::vector<Job> jobs_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::programs

@@ -11,12 +11,14 @@
 #include "tests/programs/tapped_cell.hpp"
 #include "tests/source_dir.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 namespace {
 
 constexpr std::uint64_t seed = 7;
 
-CellDescription example_cell() { return read_cell_file(source_dir() + "/examples/01-blocks/cell.scm").value(); }
+forms::CellDescription example_cell() {
+  return forms::read_cell_file(source_dir() + "/examples/01-blocks/cell.scm").value();
+}
 
 std::vector<Datum> goal() { return {list("on"_sym, "circle"_sym, "triangle"_sym)}; }
 
@@ -62,7 +64,7 @@ bool names_a_cube(const Datum& datum) {
   bool found = false;
   visit(datum, [&found](const Datum& part) {
     if (!part.is_symbol() && !part.is_string()) return;
-    for (const CubePlacement& cube : example_cell().cubes) found = found || part.text() == cube.name;
+    for (const forms::CubePlacement& cube : example_cell().cubes) found = found || part.text() == cube.name;
   });
   return found;
 }
@@ -77,7 +79,7 @@ class TruthInFacts : public testing::Test {
     ASSERT_GT(journal_.told.size(), 100U);
   }
 
-  TappedCell cell_{example_cell(), world_config(example_cell(), seed).value(), seed};
+  TappedCell cell_{example_cell(), launcher::world_config(example_cell(), seed).value(), seed};
   Journal journal_;
 };
 
@@ -165,7 +167,7 @@ TEST_F(TruthInFacts, OverTheDeviceLinkTheEyesGetPicturesTheArmItselfAndThePerson
   }
 }
 
-std::string journal_of(const CellDescription& description, const WorldConfig& config) {
+std::string journal_of(const forms::CellDescription& description, const simulation::WorldConfig& config) {
   const Result<void> sound = check(config);
   if (!sound) return describe(sound.error());
   TappedCell cell(description, config, seed);
@@ -175,39 +177,39 @@ std::string journal_of(const CellDescription& description, const WorldConfig& co
 
 TEST_F(TruthInFacts, AgentsThatWereNotToldOfTheCubesDoAsInTheProgramsOwnCell) {
   VirtualExecutor executor;
-  LocalCell whole(executor, example_cell(), seed);
+  launcher::LocalCell whole(executor, example_cell(), seed);
   std::string journal;
   whole.board().set_journal([&journal](std::string_view line) { journal.append(line).append("\n"); });
-  for (const std::string& kind : agent_kinds(example_cell())) ASSERT_TRUE(whole.start(kind));
+  for (const std::string& kind : launcher::agent_kinds(example_cell())) ASSERT_TRUE(whole.start(kind));
   const Result<void> built = teach_and_build(executor, whole.board(), goal());
   ASSERT_TRUE(built) << describe(built.error());
   EXPECT_TRUE(journal == cell_.journal());
 }
 
 // The example's world on a table so long that a fifth cube stands beyond the edge of both images.
-WorldConfig with_unseen_cube(double y_mm, Mark mark = Mark::circle) {
-  WorldConfig config = world_config(example_cell(), seed).value();
+simulation::WorldConfig with_unseen_cube(double y_mm, simulation::Mark mark = simulation::Mark::circle) {
+  simulation::WorldConfig config = launcher::world_config(example_cell(), seed).value();
   config.table.y_high_mm = 1000;
   config.cubes.push_back({"unseen", mark, 450, y_mm, 0, ""});
   return config;
 }
 
 TEST(UnseenTruth, ACubeOutsideTheImagesMayStandElsewhereBeAnotherOrNoneAndNoFactTellsIt) {
-  WorldConfig without = with_unseen_cube(800);
+  simulation::WorldConfig without = with_unseen_cube(800);
   without.cubes.pop_back();
   const std::string journal = journal_of(example_cell(), with_unseen_cube(800));
   ASSERT_NE(journal.find("reached"), std::string::npos) << journal;
   EXPECT_TRUE(journal == journal_of(example_cell(), with_unseen_cube(850)));
-  EXPECT_TRUE(journal == journal_of(example_cell(), with_unseen_cube(800, Mark::cross)));
+  EXPECT_TRUE(journal == journal_of(example_cell(), with_unseen_cube(800, simulation::Mark::cross)));
   EXPECT_TRUE(journal == journal_of(example_cell(), without));
   // It is the world that the judge sees which differs, and a difference that shows does reach the journal.
   TappedCell here(example_cell(), with_unseen_cube(800), seed);
   TappedCell there(example_cell(), with_unseen_cube(850), seed);
   EXPECT_NE(write(here.ask_world(list("truth"_sym))), write(there.ask_world(list("truth"_sym))));
-  WorldConfig shifted = with_unseen_cube(800);
+  simulation::WorldConfig shifted = with_unseen_cube(800);
   shifted.cubes.front().y_mm += 5;
   EXPECT_FALSE(journal == journal_of(example_cell(), shifted));
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::programs

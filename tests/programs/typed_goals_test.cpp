@@ -9,7 +9,7 @@
 #include "tests/scratch.hpp"
 #include "tests/source_dir.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 namespace {
 
 Said run(const std::string& words) { return shell_in_scratch(std::string(PIZARRA_CELL) + " " + words); }
@@ -102,4 +102,4 @@ TEST(TypedGoals, ARefusalIsToldOnce) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::programs

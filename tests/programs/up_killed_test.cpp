@@ -16,7 +16,7 @@
 #include "tests/scratch.hpp"
 #include "tests/source_dir.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 namespace {
 
 namespace fs = std::filesystem;
@@ -164,4 +164,4 @@ TEST_F(UpKilled, NoProcessOutlivesAKilledUpAndTheNextOneStartsInItsPlace) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::programs

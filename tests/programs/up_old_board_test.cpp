@@ -8,7 +8,7 @@
 #include "tests/scratch.hpp"
 #include "tests/source_dir.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 namespace {
 
 using std::chrono::seconds;
@@ -31,4 +31,4 @@ TEST(UpOnAnOldBoard, SaysOnceAndForAllWhichAgentCannotRunThereAndWhy) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::programs

@@ -17,7 +17,7 @@
 #include "tests/scratch.hpp"
 #include "tests/source_dir.hpp"
 
-namespace pizarra {
+namespace pizarra::programs {
 namespace {
 
 constexpr std::chrono::milliseconds look_pause{200};
@@ -117,4 +117,4 @@ TEST_F(UpTest, TheChildrenDieWithASupervisorThatIsKilled) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::programs

@@ -6,7 +6,7 @@
 
 #include "agents/coordinator/geometry/spots.hpp"
 
-namespace pizarra {
+namespace pizarra::coordinator {
 
 namespace {
 
@@ -130,4 +130,4 @@ ServoPixels servo_pixels(const Aim& aim, const CameraView& view) {
   return {missing.dot(view.right()) * px_per_mm, -missing.z() * px_per_mm, missing.dot(view.away())};
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::coordinator

@@ -6,7 +6,7 @@
 #include "agents/coordinator/geometry/servo.hpp"
 #include "agents/coordinator/perceive/surroundings.hpp"
 
-namespace pizarra {
+namespace pizarra::coordinator {
 
 struct Aim {
   Eigen::Vector3d followed_mm;  // where the mark is: the end effector's, or that of the held object
@@ -46,4 +46,4 @@ Datum target_name(const Datum& target);
 ServoErrors servo_errors(const Aim& aim, const CameraView& view, double mark_before_grip_mm, double travel_mm);
 ServoPixels servo_pixels(const Aim& aim, const CameraView& view);
 
-}  // namespace pizarra
+}  // namespace pizarra::coordinator

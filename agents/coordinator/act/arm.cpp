@@ -3,7 +3,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
-namespace pizarra {
+namespace pizarra::coordinator {
 
 namespace {
 
@@ -102,4 +102,4 @@ Task<Result<double>> Arm::grip(double opening_mm) {
   co_return (*opening)[2].number();
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::coordinator

@@ -8,15 +8,15 @@
 
 #include <Eigen/Core>
 
-#include "agents/coordinator/perceive/surroundings.hpp"
 #include "agents/coordinator/event_log.hpp"
+#include "agents/coordinator/perceive/surroundings.hpp"
 
-namespace pizarra {
+namespace pizarra::coordinator {
 
 class Arm {
  public:
-  Arm(AgentContext& context, const CoordinatorOptions& options, Surroundings& surroundings, Story& story,
-      Caller& caller)
+  Arm(runtime::AgentContext& context, const CoordinatorOptions& options, Surroundings& surroundings, Story& story,
+      runtime::Caller& caller)
       : context_(context), options_(options), surroundings_(surroundings), story_(story), caller_(caller) {}
 
   // One robot operation. Failures: those of the robot, and `absent` when it stays away too long.
@@ -31,11 +31,11 @@ class Arm {
   Task<Result<double>> grip(double opening_mm);
 
  private:
-  AgentContext& context_;
+  runtime::AgentContext& context_;
   const CoordinatorOptions& options_;
   Surroundings& surroundings_;
   Story& story_;
-  Caller& caller_;
+  runtime::Caller& caller_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::coordinator

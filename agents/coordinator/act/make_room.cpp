@@ -3,7 +3,7 @@
 
 #include "agents/coordinator/act/task_runner.hpp"
 
-namespace pizarra {
+namespace pizarra::coordinator {
 
 namespace {
 
@@ -95,4 +95,4 @@ Task<Result<void>> TaskRunner::push_along(Push push, double height_mm) {
   co_return done;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::coordinator

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
-namespace pizarra {
+namespace pizarra::coordinator {
 
 Task<Result<bool>> Rescues::holds() {
   const Result<double> closed = co_await arm_.grip(0);
@@ -64,4 +64,4 @@ Task<Result<void>> Rescues::loosen(Datum operation) {
   co_return pushed;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::coordinator

@@ -9,7 +9,7 @@
 
 #include "agents/coordinator/act/task_runner.hpp"
 
-namespace pizarra {
+namespace pizarra::coordinator {
 
 class Rescues {
  public:
@@ -36,4 +36,4 @@ class Rescues {
   TaskRunner& runner_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::coordinator

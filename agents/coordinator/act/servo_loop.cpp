@@ -5,7 +5,7 @@
 #include "agents/coordinator/retried_commit.hpp"
 #include "lisp/writer.hpp"
 
-namespace pizarra {
+namespace pizarra::coordinator {
 
 namespace {
 
@@ -59,4 +59,4 @@ Task<Result<void>> TaskRunner::servo(Datum target, bool descend) {
   co_return fail("no-convergence", fmt::format("the arm did not come to {}", write(target)), target_name(target));
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::coordinator

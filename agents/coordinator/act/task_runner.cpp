@@ -7,7 +7,7 @@
 #include "agents/coordinator/retried_commit.hpp"
 #include "lisp/writer.hpp"
 
-namespace pizarra {
+namespace pizarra::coordinator {
 
 namespace {
 
@@ -184,4 +184,4 @@ Task<Result<void>> TaskRunner::await_effects(GroundOperation operation) {
                  operation.name);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::coordinator

@@ -15,15 +15,16 @@
 #include "agents/coordinator/perceive/vision_client.hpp"
 #include "agents/coordinator/plan/vigil.hpp"
 
-namespace pizarra {
+namespace pizarra::coordinator {
 
 class TaskRunner {
  public:
   // How near a closed gripper's opening is to the size of what it holds.
   static constexpr double closed_mm = 9;
 
-  TaskRunner(AgentContext& context, const CoordinatorOptions& options, const TaskDomain& domain, const Service& service,
-             Surroundings& surroundings, Story& story, Arm& arm, Eyes& eyes, Vigil& vigil)
+  TaskRunner(runtime::AgentContext& context, const CoordinatorOptions& options, const TaskDomain& domain,
+             const runtime::Service& service, Surroundings& surroundings, Story& story, Arm& arm, Eyes& eyes,
+             Vigil& vigil)
       : context_(context),
         options_(options),
         domain_(domain),
@@ -62,10 +63,10 @@ class TaskRunner {
   Task<Result<Revision>> tell(const Datum& fact);
   Result<void> check() const { return vigil_.check(surroundings_.beliefs()); }
 
-  AgentContext& context_;
+  runtime::AgentContext& context_;
   const CoordinatorOptions& options_;
   const TaskDomain& domain_;
-  const Service& service_;
+  const runtime::Service& service_;
   Surroundings& surroundings_;
   Story& story_;
   Arm& arm_;
@@ -74,4 +75,4 @@ class TaskRunner {
   Aims aims_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::coordinator

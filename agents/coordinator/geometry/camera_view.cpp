@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace pizarra {
+namespace pizarra::coordinator {
 
 Result<CameraModel> camera_model_from_fact(const Datum& fact) {
   const bool numbers = fact.size() == 8 && std::ranges::all_of(fact.items().subspan(2), &Datum::is_number);
@@ -27,7 +27,7 @@ Eigen::Vector3d direction(double pan_deg) {
 
 }  // namespace
 
-CameraView::CameraView(const CameraPose& pose, const CameraModel& model, HeadTurn head)
+CameraView::CameraView(const forms::CameraPose& pose, const CameraModel& model, HeadTurn head)
     : model_(model), centre_(pose.at_mm[0], pose.at_mm[1], pose.at_mm[2]) {
   away_ = direction(pose.pan_deg);
   right_ = away_.cross(Eigen::Vector3d::UnitZ());
@@ -76,4 +76,4 @@ std::array<Eigen::Vector3d, 2> CameraView::eyes() const {
   return {centre_ - aside, centre_ + aside};
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::coordinator

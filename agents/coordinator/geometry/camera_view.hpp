@@ -14,7 +14,7 @@
 #include "lisp/forms/camera_pose.hpp"
 #include "lisp/result.hpp"
 
-namespace pizarra {
+namespace pizarra::coordinator {
 
 // As in (camera-model EYES WIDTH HEIGHT FOCAL CX CY BASE-LINE): px, mm.
 struct CameraModel {
@@ -45,7 +45,7 @@ struct Sight {
 
 class CameraView {
  public:
-  CameraView(const CameraPose& pose, const CameraModel& model, HeadTurn head = {});
+  CameraView(const forms::CameraPose& pose, const CameraModel& model, HeadTurn head = {});
 
   // Where a point stands that is seen at a pixel of the left image, `range_mm` from the base line's centre.
   Eigen::Vector3d place(double x_px, double y_px, double range_mm) const;
@@ -74,4 +74,4 @@ class CameraView {
   Eigen::Vector3d forward_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::coordinator

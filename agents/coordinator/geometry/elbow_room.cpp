@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace pizarra {
+namespace pizarra::coordinator {
 
 namespace {
 
@@ -105,4 +105,4 @@ Push push_over_from(const ElbowRoom& room, const Eigen::Vector3d& centre) {
   return {{centre.x() - sign * before, centre.y()}, {centre.x() + sign * length, centre.y()}};
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::coordinator

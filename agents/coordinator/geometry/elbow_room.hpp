@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-namespace pizarra {
+namespace pizarra::coordinator {
 
 struct ElbowRoom {
   double cube_mm = 60;
@@ -45,4 +45,4 @@ std::optional<Push> push_for_room(const ElbowRoom& room, const Eigen::Vector3d& 
 // then stands before what held it up, unless it would leave the images.
 Push push_over_from(const ElbowRoom& room, const Eigen::Vector3d& centre);
 
-}  // namespace pizarra
+}  // namespace pizarra::coordinator

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace pizarra {
+namespace pizarra::coordinator {
 
 bool hidden_by_gripper(const CameraView& view, const GripperOutline& outline, const Eigen::Vector3d& grip,
                        const Eigen::Vector3d& mark) {
@@ -17,4 +17,4 @@ bool hidden_by_gripper(const CameraView& view, const GripperOutline& outline, co
          below_px < (outline.below_mm + outline.mark_half_mm) * px_per_mm;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::coordinator

@@ -5,7 +5,7 @@
 
 #include "agents/coordinator/geometry/camera_view.hpp"
 
-namespace pizarra {
+namespace pizarra::coordinator {
 
 // The gripper as the camera sees it, around the point where the mark of a held object would stand. Lengths mm.
 struct GripperOutline {
@@ -18,4 +18,4 @@ struct GripperOutline {
 bool hidden_by_gripper(const CameraView& view, const GripperOutline& outline, const Eigen::Vector3d& grip,
                        const Eigen::Vector3d& mark);
 
-}  // namespace pizarra
+}  // namespace pizarra::coordinator

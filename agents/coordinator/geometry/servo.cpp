@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pizarra {
+namespace pizarra::coordinator {
 
 namespace {
 
@@ -32,4 +32,4 @@ ServoCommand servo_command(const ServoErrors& errors, const ServoLimits& limits,
   return {3, Motion::down, std::min(errors.down_mm - limits.fine_zone_mm + limits.coarse_mm, limits.step_mm)};
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::coordinator

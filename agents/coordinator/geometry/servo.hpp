@@ -14,7 +14,7 @@
 
 #include <string_view>
 
-namespace pizarra {
+namespace pizarra::coordinator {
 
 // What is missing until the mark stands where it should. Taken along the arm's own directions, so that a turn does not
 // disturb the depth nor an extension the pixel x.
@@ -56,4 +56,4 @@ struct ServoCommand {
 // `descend` false: states 0-2 only, to align without going down.
 ServoCommand servo_command(const ServoErrors& errors, const ServoLimits& limits, bool descend);
 
-}  // namespace pizarra
+}  // namespace pizarra::coordinator

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pizarra {
+namespace pizarra::coordinator {
 
 namespace {
 
@@ -72,4 +72,4 @@ std::uint64_t Sightings::still_looks(std::string_view name) const {
   return sighting ? looks_ - sighting->still_since : 0;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::coordinator

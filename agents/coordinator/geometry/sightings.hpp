@@ -14,7 +14,7 @@
 
 #include "agents/coordinator/geometry/camera_view.hpp"
 
-namespace pizarra {
+namespace pizarra::coordinator {
 
 struct Sighting {
   Eigen::Vector3d place_mm;   // of its mark, base frame
@@ -60,4 +60,4 @@ class Sightings {
   std::map<std::string, Sighting, std::less<>> seen_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::coordinator

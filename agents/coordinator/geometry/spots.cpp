@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pizarra {
+namespace pizarra::coordinator {
 
 namespace {
 
@@ -79,4 +79,4 @@ double opening_between(const Eigen::Vector3d& centre, const std::vector<Eigen::V
   return std::clamp(opening, narrow_mm, wide_mm);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::coordinator

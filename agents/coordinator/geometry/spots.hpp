@@ -9,12 +9,12 @@
 
 #include "lisp/forms/cell_file.hpp"
 
-namespace pizarra {
+namespace pizarra::coordinator {
 
 // The part of the table that the arm reaches and the camera sees, and what a cube put down there needs. Cube centres.
 struct TableArea {
   // As cubes of that size need it.
-  static TableArea of(const CubeRow& row, double cube_mm) {
+  static TableArea of(const forms::CubeRow& row, double cube_mm) {
     return {.x_mm = row.x_mm,
             .y_low_mm = row.y_low_mm,
             .y_high_mm = row.y_high_mm,
@@ -59,4 +59,4 @@ std::optional<Eigen::Vector2d> free_spot(const TableArea& area, const std::vecto
 double opening_between(const Eigen::Vector3d& centre, const std::vector<Eigen::Vector3d>& neighbours, double cube_mm,
                        double finger_mm, double narrow_mm, double wide_mm);
 
-}  // namespace pizarra
+}  // namespace pizarra::coordinator

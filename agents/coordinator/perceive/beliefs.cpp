@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-namespace pizarra {
+namespace pizarra::coordinator {
 
 Beliefs::Change Beliefs::perceive(const Facts& perceived) {
   Facts differing;
@@ -23,4 +23,4 @@ Beliefs::Change Beliefs::perceive(const Facts& perceived) {
   return change;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::coordinator

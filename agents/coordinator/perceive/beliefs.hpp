@@ -12,7 +12,7 @@
 
 #include "agents/coordinator/plan/triangle_table.hpp"
 
-namespace pizarra {
+namespace pizarra::coordinator {
 
 class Beliefs {
  public:
@@ -36,4 +36,4 @@ class Beliefs {
   std::map<Datum, int> doubts_;  // facts whose truth was perceived to differ, and how often in a row
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::coordinator

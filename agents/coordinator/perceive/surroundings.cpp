@@ -6,11 +6,10 @@
 #include "agents/runtime/declared.hpp"
 #include "lisp/forms/vision_reply.hpp"
 
-namespace pizarra {
+namespace pizarra::coordinator {
 
 namespace {
 
-constexpr Duration retry_pause = 200ms;
 // For how many looks an object must lie where it is to count as still.
 constexpr std::uint64_t still_looks = 5;
 // From the picture to the reply at most so many frames pass: so many looks after the head has come to rest may be
@@ -21,8 +20,8 @@ constexpr double held_mm = 40;
 
 }  // namespace
 
-Surroundings::Surroundings(AgentContext& context, const CoordinatorOptions& options, const TaskDomain& domain,
-                           const Service& service, Story& story)
+Surroundings::Surroundings(runtime::AgentContext& context, const CoordinatorOptions& options, const TaskDomain& domain,
+                           const runtime::Service& service, Story& story)
     : context_(context),
       options_(options),
       domain_(domain),
@@ -51,7 +50,7 @@ void Surroundings::start() {
   jobs_.push_back(executor.spawn(watch(list("agent"_sym, any, any, any), &Surroundings::take_presence)));
   jobs_.push_back(executor.spawn(watch_vision()));
   jobs_.push_back(executor.spawn(keep_told(list("believed"_sym, any))));
-  for (const Predicate& predicate : domain_.domain().predicates) {
+  for (const forms::Predicate& predicate : domain_.domain().predicates) {
     std::vector<Datum> pattern{Datum::symbol(predicate.name)};
     pattern.resize(1 + predicate.arguments.size(), any);
     jobs_.push_back(executor.spawn(keep_told(Datum::list(std::move(pattern)))));
@@ -62,7 +61,7 @@ void Surroundings::start() {
 Task<void> Surroundings::watch(Datum pattern, Handler handler) {
   const Query query = query_from_datum(pattern).value();
   while (true) {
-    Result<std::unique_ptr<Watch>> watch = co_await watch_when_declared(context_.board, query);
+    Result<std::unique_ptr<Watch>> watch = co_await runtime::watch_when_declared(context_.board, query);
     while (watch) {
       const Result<Change> change = co_await (*watch)->next();
       if (!change) break;
@@ -77,7 +76,7 @@ Task<void> Surroundings::watch_vision() {
   const Datum says = list("vision-says"_sym, Datum::symbol(options_.vision), "?frame"_sym, "?text"_sym);
   const Query query = query_from_datum(says).value();
   while (true) {
-    Result<std::unique_ptr<Watch>> watch = co_await watch_when_declared(context_.board, query);
+    Result<std::unique_ptr<Watch>> watch = co_await runtime::watch_when_declared(context_.board, query);
     while (watch) {
       const Result<Change> change = co_await (*watch)->next();
       if (!change) break;
@@ -141,7 +140,7 @@ void Surroundings::take_presence(const Change& change) {
 }
 
 Task<void> Surroundings::take_look(std::int64_t frame, std::string text) {
-  const Result<Datum> track = interpret_vision_reply(text);
+  const Result<Datum> track = forms::interpret_vision_reply(text);
   if (!track || !track->is_form("track") || !view_ || !head_) co_return;
   if (blurred_looks_ > 0) {
     --blurred_looks_;
@@ -218,4 +217,4 @@ Task<std::optional<Datum>> Surroundings::newest(Datum pattern) {
   co_return facts.back().datum;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::coordinator

@@ -14,21 +14,21 @@
 #include <optional>
 #include <set>
 
+#include "agents/coordinator/event_log.hpp"
 #include "agents/coordinator/geometry/sightings.hpp"
 #include "agents/coordinator/options.hpp"
 #include "agents/coordinator/perceive/beliefs.hpp"
 #include "agents/coordinator/plan/task_domain.hpp"
-#include "agents/coordinator/event_log.hpp"
 #include "agents/runtime/service.hpp"
 #include "blackboard/time/latch.hpp"
 
-namespace pizarra {
+namespace pizarra::coordinator {
 
 class Surroundings {
  public:
   // Everything outlives it. Facts it tells stand under the service's presence, so that they go with the coordinator.
-  Surroundings(AgentContext& context, const CoordinatorOptions& options, const TaskDomain& domain,
-               const Service& service, Story& story);
+  Surroundings(runtime::AgentContext& context, const CoordinatorOptions& options, const TaskDomain& domain,
+               const runtime::Service& service, Story& story);
 
   void start();
   // Called after beliefs changed, with what changed.
@@ -93,10 +93,10 @@ class Surroundings {
   bool is_to_be_told(const Datum& fact) const;
   Facts to_be_told(const Datum& pattern) const;
 
-  AgentContext& context_;
+  runtime::AgentContext& context_;
   const CoordinatorOptions& options_;
   const TaskDomain& domain_;
-  const Service& service_;
+  const runtime::Service& service_;
   Story& story_;
   std::function<void(const Beliefs::Change&)> observer_;
 
@@ -122,4 +122,4 @@ class Surroundings {
   std::vector<Job> jobs_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::coordinator

@@ -6,7 +6,7 @@
 
 #include "agents/coordinator/perceive/surroundings.hpp"
 
-namespace pizarra {
+namespace pizarra::coordinator {
 
 namespace {
 
@@ -115,4 +115,4 @@ Result<Facts> Surroundings::perceive() const {
   return facts;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::coordinator

@@ -7,11 +7,10 @@
 #include "agents/coordinator/retried_commit.hpp"
 #include "agents/runtime/declared.hpp"
 
-namespace pizarra {
+namespace pizarra::coordinator {
 
 namespace {
 
-constexpr Duration retry_pause = 200ms;
 // However often others change what is believed, it is put right no more often.
 constexpr Duration put_right_pause = 100ms;
 // A mark that moved less is not told anew.
@@ -97,7 +96,7 @@ Facts Surroundings::to_be_told(const Datum& pattern) const {
 Task<void> Surroundings::keep_told(Datum pattern) {
   const Query query = query_for(pattern);
   while (true) {
-    Result<std::unique_ptr<Watch>> watch = co_await watch_when_declared(context_.board, query);
+    Result<std::unique_ptr<Watch>> watch = co_await runtime::watch_when_declared(context_.board, query);
     while (watch) {
       Result<Change> change = co_await (*watch)->next();
       if (!change) break;
@@ -135,4 +134,4 @@ Task<void> Surroundings::put_right(Datum pattern, Change change) {
   co_await sleep(context_.executor, put_right_pause);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::coordinator

@@ -2,7 +2,7 @@
 
 #include "lisp/forms/vision_reply.hpp"
 
-namespace pizarra {
+namespace pizarra::coordinator {
 
 namespace {
 
@@ -34,7 +34,7 @@ Task<Result<std::vector<std::string>>> Eyes::objects() {
   if (!reply) co_return fail(reply);
   if (reply->size() < 1) co_return fail("bad-reply", "vision answered without a text", *reply);
   const std::string text((*reply)[0].text());
-  const Result<Datum> known = interpret_vision_reply(text);
+  const Result<Datum> known = forms::interpret_vision_reply(text);
   if (!known) co_return fail(known);
   std::vector<std::string> names;
   for (const Datum& name : known->items().subspan(1)) {
@@ -49,7 +49,7 @@ Task<Result<bool>> Eyes::find(std::string name) {
   if (!reply) co_return fail(reply);
   if (reply->size() < 1) co_return fail("bad-reply", "vision answered without a text", *reply);
   const std::string text((*reply)[0].text());
-  const Result<Datum> found = interpret_vision_reply(text);
+  const Result<Datum> found = forms::interpret_vision_reply(text);
   if (!found) co_return fail(found);
   co_return found->size() > 2 && (*found)[2].is_symbol("ok");
 }
@@ -90,4 +90,4 @@ Task<Result<void>> Eyes::fresh_look() {
   }
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::coordinator

@@ -2,15 +2,15 @@
 
 // The vision agent as the coordinator uses it: which objects there are, where, and that they are tracked.
 
-#include "agents/coordinator/perceive/surroundings.hpp"
 #include "agents/coordinator/event_log.hpp"
+#include "agents/coordinator/perceive/surroundings.hpp"
 
-namespace pizarra {
+namespace pizarra::coordinator {
 
 class Eyes {
  public:
-  Eyes(AgentContext& context, const CoordinatorOptions& options, Surroundings& surroundings, Story& story,
-       Caller& caller)
+  Eyes(runtime::AgentContext& context, const CoordinatorOptions& options, Surroundings& surroundings, Story& story,
+       runtime::Caller& caller)
       : context_(context), options_(options), surroundings_(surroundings), story_(story), caller_(caller) {}
 
   // Step a: the objects that vision has learned, without the end effector, as they are spelled there.
@@ -26,11 +26,11 @@ class Eyes {
  private:
   Task<Result<Datum>> ask(Datum operation);
 
-  AgentContext& context_;
+  runtime::AgentContext& context_;
   const CoordinatorOptions& options_;
   Surroundings& surroundings_;
   Story& story_;
-  Caller& caller_;
+  runtime::Caller& caller_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::coordinator

@@ -25,9 +25,9 @@
 
 #include "lisp/forms/micro_tasks.hpp"
 
-namespace pizarra {
+namespace pizarra::coordinator {
 
-inline Motions coordinator_motions() {
+inline forms::Motions coordinator_motions() {
   return {.primitives = {{"open", 1},
                          {"close", 0},
                          {"release", 0},
@@ -43,4 +43,4 @@ inline Motions coordinator_motions() {
           .targets = {{"on-top", 2}, {"free-spot", 1}, {"at-place", 2}}};
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::coordinator

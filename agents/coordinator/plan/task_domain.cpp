@@ -7,7 +7,7 @@
 #include "agents/coordinator/plan/primitives.hpp"
 #include "lisp/pattern.hpp"
 
-namespace pizarra {
+namespace pizarra::coordinator {
 
 namespace {
 
@@ -27,7 +27,7 @@ void add(std::optional<Failure>& reported, const Failure& more) {
 }
 
 // The path to an element of the perception section's part that begins so, or to the section where there is none.
-std::vector<std::size_t> perception_path(const Domain& domain, std::initializer_list<std::string_view> begins,
+std::vector<std::size_t> perception_path(const forms::Domain& domain, std::initializer_list<std::string_view> begins,
                                          std::size_t element) {
   std::vector<std::size_t> path = domain.perception_path;
   for (std::size_t i = 1; i < domain.perception.size(); ++i) {
@@ -42,7 +42,7 @@ std::vector<std::size_t> perception_path(const Domain& domain, std::initializer_
   return path;
 }
 
-std::optional<Failure> check_perception(const Domain& domain, const Perception& perception) {
+std::optional<Failure> check_perception(const forms::Domain& domain, const forms::Perception& perception) {
   std::optional<Failure> wrong;
   if (std::ranges::find(domain.types, perception.sees()) == domain.types.end()) {
     const std::string sentence =
@@ -60,22 +60,22 @@ std::optional<Failure> check_perception(const Domain& domain, const Perception& 
 }  // namespace
 
 Result<TaskDomain> TaskDomain::read(const std::string& file) {
-  Result<Domain> domain = read_domain_file(file);
+  Result<forms::Domain> domain = forms::read_domain_file(file);
   if (!domain) return fail(domain);
-  Arities predicates;
-  for (const Predicate& predicate : domain->predicates) {
+  forms::Arities predicates;
+  for (const forms::Predicate& predicate : domain->predicates) {
     predicates.emplace_back(predicate.name, predicate.arguments.size());
   }
-  Arities operators;
-  for (const Operator& known : domain->operators) operators.emplace_back(known.name, known.params.size());
+  forms::Arities operators;
+  for (const forms::Operator& known : domain->operators) operators.emplace_back(known.name, known.params.size());
   std::optional<Failure> wrong;
-  Result<Perception> perception = Perception::read(domain->source, predicates);
+  Result<forms::Perception> perception = forms::Perception::read(domain->source, predicates);
   if (!perception) {
     add(wrong, perception.error());
   } else if (const std::optional<Failure> unfit = check_perception(*domain, *perception)) {
     add(wrong, *unfit);
   }
-  Result<MicroTasks> micro_tasks = MicroTasks::read(domain->source, operators, coordinator_motions());
+  Result<forms::MicroTasks> micro_tasks = forms::MicroTasks::read(domain->source, operators, coordinator_motions());
   if (!micro_tasks) add(wrong, micro_tasks.error());
   if (wrong) return fail(*wrong);
   TaskDomain out;
@@ -92,7 +92,7 @@ void TaskDomain::use_cubes(double cube_mm) {
 }
 
 Result<GroundOperation> TaskDomain::ground(const Datum& operation) const {
-  const Operator* known = domain_.find_operator(operation.head());
+  const forms::Operator* known = domain_.find_operator(operation.head());
   if (!known) return fail("unknown-operator", "the domain has no such operator", operation);
   if (operation.size() != known->params.size() + 1) {
     return fail("wrong-arity", fmt::format("{} takes {} arguments", known->name, known->params.size()), operation);
@@ -105,9 +105,9 @@ Result<GroundOperation> TaskDomain::ground(const Datum& operation) const {
 
 std::vector<Relation> TaskDomain::relations() const {
   std::vector<Relation> relations;
-  for (const Predicate& predicate : domain_.predicates) {
+  for (const forms::Predicate& predicate : domain_.predicates) {
     Relation relation{.name = predicate.name, .arguments = {}, .key = {}, .durable = false, .lease = {}};
-    for (const TypedName& argument : predicate.arguments) {
+    for (const forms::TypedName& argument : predicate.arguments) {
       relation.key.push_back(relation.arguments.size());
       relation.arguments.push_back({argument.name, ArgumentType::symbol});
     }
@@ -124,4 +124,4 @@ const Datum* TaskDomain::spot(std::string_view name) const {
   return nullptr;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::coordinator

@@ -11,7 +11,7 @@
 #include "lisp/forms/micro_tasks.hpp"
 #include "lisp/forms/perception.hpp"
 
-namespace pizarra {
+namespace pizarra::coordinator {
 
 class TaskDomain {
  public:
@@ -19,9 +19,9 @@ class TaskDomain {
   // unknown-type where what it sees has no type of the domain; all in one report, once the operators are right.
   static Result<TaskDomain> read(const std::string& file);
 
-  const Domain& domain() const { return domain_; }
-  const Perception& perception() const { return perception_; }
-  const MicroTasks& micro_tasks() const { return micro_tasks_; }
+  const forms::Domain& domain() const { return domain_; }
+  const forms::Perception& perception() const { return perception_; }
+  const forms::MicroTasks& micro_tasks() const { return micro_tasks_; }
   double cube_mm() const { return cube_mm_; }
   // The cell's cubes, in place of those that the domain was written for.
   void use_cubes(double cube_mm);
@@ -34,10 +34,10 @@ class TaskDomain {
   const Datum* spot(std::string_view name) const;
 
  private:
-  Domain domain_;
-  Perception perception_;
-  MicroTasks micro_tasks_;
+  forms::Domain domain_;
+  forms::Perception perception_;
+  forms::MicroTasks micro_tasks_;
   double cube_mm_ = 0;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::coordinator

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace pizarra {
+namespace pizarra::coordinator {
 
 TriangleTable::TriangleTable(std::vector<GroundOperation> plan, const std::vector<Datum>& goal)
     : plan_(std::move(plan)), needed_(plan_.size() + 1) {
@@ -28,4 +28,4 @@ std::optional<std::size_t> TriangleTable::furthest(const Facts& facts) const {
   return std::nullopt;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::coordinator

@@ -15,7 +15,7 @@
 
 #include "lisp/datum.hpp"
 
-namespace pizarra {
+namespace pizarra::coordinator {
 
 using Facts = std::set<Datum>;
 
@@ -44,4 +44,4 @@ class TriangleTable {
   std::vector<Facts> needed_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::coordinator

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-namespace pizarra {
+namespace pizarra::coordinator {
 
 void Vigil::begin(const TriangleTable& table, std::size_t index) {
   const std::vector<Datum>& needed = table.plan()[index].preconditions;
@@ -26,4 +26,4 @@ Result<void> Vigil::check(const Facts& beliefs) const {
               Datum::list(std::move(lost)));
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::coordinator

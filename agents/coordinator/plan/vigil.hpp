@@ -10,7 +10,7 @@
 #include "agents/coordinator/plan/triangle_table.hpp"
 #include "lisp/result.hpp"
 
-namespace pizarra {
+namespace pizarra::coordinator {
 
 class Vigil {
  public:
@@ -36,4 +36,4 @@ class Vigil {
   bool interrupted_ = false;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::coordinator

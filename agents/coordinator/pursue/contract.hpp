@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-namespace pizarra {
+namespace pizarra::coordinator {
 
 inline constexpr std::string_view coordinator_contract = R"scheme(
 (contract coordinator
@@ -23,4 +23,4 @@ inline constexpr std::string_view coordinator_contract = R"scheme(
   (monitors goal-state operation servo event))
 )scheme";
 
-}  // namespace pizarra
+}  // namespace pizarra::coordinator

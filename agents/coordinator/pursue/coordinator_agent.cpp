@@ -6,13 +6,13 @@
 #include "lisp/forms/goal.hpp"
 #include "lisp/writer.hpp"
 
-namespace pizarra {
+namespace pizarra::coordinator {
 
 namespace {
 
 // All that exists while the agent serves, each part standing on those before it.
 struct Life {
-  Life(AgentContext& context, const CoordinatorOptions& options, TaskDomain task, Service& service)
+  Life(runtime::AgentContext& context, const CoordinatorOptions& options, TaskDomain task, runtime::Service& service)
       : domain(std::move(task)),
         caller(context, service),
         story(context.board, context.executor),
@@ -25,7 +25,7 @@ struct Life {
         pursuit(context, options, domain, surroundings, story, eyes, planning, runner, rescues, vigil) {}
 
   TaskDomain domain;
-  Caller caller;
+  runtime::Caller caller;
   Story story;
   Surroundings surroundings;
   Vigil vigil;
@@ -45,7 +45,7 @@ Task<Result<Datum>> take_goal(Life& life, Datum operation) {
   for (const std::string& name : *known) objects.emplace_back(name, life.domain.perception().sees());
   std::string text;
   for (const Datum& form : operation.items().subspan(1)) text += write(form) + '\n';
-  Result<std::vector<Datum>> facts = read_goal(life.domain.domain(), text, objects);
+  Result<std::vector<Datum>> facts = forms::read_goal(life.domain.domain(), text, objects);
   if (!facts) co_return fail(facts);
   const Result<std::int64_t> number = co_await life.pursuit.submit(std::move(*facts));
   if (!number) co_return fail(number);
@@ -74,27 +74,27 @@ Task<Result<Datum>> handle(Life& life, Datum operation) {
 }  // namespace
 
 struct CoordinatorAgent::State {
-  AgentContext context;
+  runtime::AgentContext context;
   CoordinatorOptions options;
 };
 
-CoordinatorAgent::CoordinatorAgent(AgentContext context, CoordinatorOptions options)
+CoordinatorAgent::CoordinatorAgent(runtime::AgentContext context, CoordinatorOptions options)
     : state_(std::make_unique<State>(std::move(context), std::move(options))) {}
 
 CoordinatorAgent::~CoordinatorAgent() = default;
 
 Task<Result<void>> CoordinatorAgent::run() {
-  AgentContext& context = state_->context;
+  runtime::AgentContext& context = state_->context;
   Result<TaskDomain> domain = TaskDomain::read(state_->options.domain_file);
   if (!domain) co_return fail(domain);
   if (state_->options.cube_mm) domain->use_cubes(*state_->options.cube_mm);
   const std::vector<Relation> predicates = domain->relations();
-  Result<Contract> contract = contract_from_text(coordinator_contract);
+  Result<runtime::Contract> contract = runtime::contract_from_text(coordinator_contract);
   if (!contract) co_return fail(contract);
   contract->posts.insert(contract->posts.end(), predicates.begin(), predicates.end());
   // Requests in hand, which the service holds, end before what they work with.
   std::unique_ptr<Life> life;
-  Service service(context, std::move(*contract));
+  runtime::Service service(context, std::move(*contract));
   const Result<void> started = co_await service.start();
   if (!started) co_return started;
   life = std::make_unique<Life>(context, state_->options, std::move(*domain), service);
@@ -102,9 +102,9 @@ Task<Result<void>> CoordinatorAgent::run() {
   co_await life->pursuit.resume();
   life->surroundings.start();
   life->pursuing = context.executor.spawn(life->pursuit.run());
-  Handler handler = [&part = *life](Datum operation) { return handle(part, std::move(operation)); };
+  runtime::Handler handler = [&part = *life](Datum operation) { return handle(part, std::move(operation)); };
   const Result<void> served = co_await service.serve(std::move(handler));
   co_return served;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::coordinator

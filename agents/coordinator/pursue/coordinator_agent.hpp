@@ -14,11 +14,11 @@
 #include "agents/coordinator/options.hpp"
 #include "agents/runtime/agent.hpp"
 
-namespace pizarra {
+namespace pizarra::coordinator {
 
-class CoordinatorAgent : public Agent {
+class CoordinatorAgent : public runtime::Agent {
  public:
-  CoordinatorAgent(AgentContext context, CoordinatorOptions options);
+  CoordinatorAgent(runtime::AgentContext context, CoordinatorOptions options);
   ~CoordinatorAgent() override;
   Task<Result<void>> run() override;
 
@@ -27,4 +27,4 @@ class CoordinatorAgent : public Agent {
   std::unique_ptr<State> state_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::coordinator

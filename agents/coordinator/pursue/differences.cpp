@@ -5,7 +5,7 @@
 #include "agents/coordinator/retried_commit.hpp"
 #include "lisp/writer.hpp"
 
-namespace pizarra {
+namespace pizarra::coordinator {
 
 namespace {
 
@@ -79,4 +79,4 @@ Task<void> Pursuit::tell_still_serves(std::int64_t goal, std::size_t next) {
   co_await story_.tell("plan", sentence, detail);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::coordinator

@@ -1,6 +1,6 @@
 #include "agents/coordinator/pursue/planning.hpp"
 
-namespace pizarra {
+namespace pizarra::coordinator {
 
 namespace {
 
@@ -27,7 +27,7 @@ Task<Result<Datum>> Planning::ask(Datum operation) {
 
 Datum Planning::operators() const {
   std::vector<Datum> forms;
-  for (const Operator& known : domain_.domain().operators) forms.push_back(operator_form(known));
+  for (const forms::Operator& known : domain_.domain().operators) forms.push_back(forms::operator_form(known));
   return list("get-operations"_sym, Datum::list(std::move(forms)));
 }
 
@@ -38,7 +38,7 @@ Datum Planning::task(const std::vector<Datum>& goal) const {
     if (!here || name == options_.gripper.mark) continue;
     types.push_back(list(Datum::symbol(name), Datum::symbol(domain_.perception().sees())));
   }
-  for (const TypedName& object : domain_.domain().objects) {
+  for (const forms::TypedName& object : domain_.domain().objects) {
     types.push_back(list(Datum::symbol(object.name), Datum::symbol(object.type)));
   }
   Facts initials = surroundings_.beliefs();
@@ -74,4 +74,4 @@ Task<std::optional<Datum>> Planning::operation(std::size_t index) {
   co_return (*reply)[0];
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::coordinator

@@ -2,15 +2,15 @@
 
 // The dialogue with the planning server (steps d to f): operators, facts and goals go there, a plan comes back.
 
-#include "agents/coordinator/perceive/surroundings.hpp"
 #include "agents/coordinator/event_log.hpp"
+#include "agents/coordinator/perceive/surroundings.hpp"
 
-namespace pizarra {
+namespace pizarra::coordinator {
 
 class Planning {
  public:
-  Planning(AgentContext& context, const CoordinatorOptions& options, const TaskDomain& domain,
-           Surroundings& surroundings, Caller& caller)
+  Planning(runtime::AgentContext& context, const CoordinatorOptions& options, const TaskDomain& domain,
+           Surroundings& surroundings, runtime::Caller& caller)
       : context_(context), options_(options), domain_(domain), surroundings_(surroundings), caller_(caller) {}
 
   // A plan from what is believed now, one operation after another; empty where the goal holds. Failures: no-plan
@@ -25,11 +25,11 @@ class Planning {
   Datum operators() const;
   Datum task(const std::vector<Datum>& goal) const;
 
-  AgentContext& context_;
+  runtime::AgentContext& context_;
   const CoordinatorOptions& options_;
   const TaskDomain& domain_;
   Surroundings& surroundings_;
-  Caller& caller_;
+  runtime::Caller& caller_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::coordinator

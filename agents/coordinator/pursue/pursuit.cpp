@@ -7,7 +7,7 @@
 #include "agents/coordinator/retried_commit.hpp"
 #include "lisp/writer.hpp"
 
-namespace pizarra {
+namespace pizarra::coordinator {
 
 namespace {
 
@@ -244,4 +244,4 @@ Task<Result<Revision>> Pursuit::tell_outcome(std::int64_t number, std::string_vi
   return commit(context_.board, context_.executor, std::move(transaction));
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::coordinator

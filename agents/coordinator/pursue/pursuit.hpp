@@ -18,11 +18,11 @@
 #include "agents/coordinator/pursue/planning.hpp"
 #include "blackboard/time/turns.hpp"
 
-namespace pizarra {
+namespace pizarra::coordinator {
 
 class Pursuit {
  public:
-  Pursuit(AgentContext& context, const CoordinatorOptions& options, const TaskDomain& domain,
+  Pursuit(runtime::AgentContext& context, const CoordinatorOptions& options, const TaskDomain& domain,
           Surroundings& surroundings, Story& story, Eyes& eyes, Planning& planning, TaskRunner& runner,
           Rescues& rescues, Vigil& vigil)
       : context_(context),
@@ -89,7 +89,7 @@ class Pursuit {
   Task<Result<Revision>> tell_outcome(std::int64_t number, std::string_view state, Datum detail);
   std::vector<std::string> objects_of(const Goal& goal) const;
 
-  AgentContext& context_;
+  runtime::AgentContext& context_;
   const CoordinatorOptions& options_;
   const TaskDomain& domain_;
   Surroundings& surroundings_;
@@ -109,4 +109,4 @@ class Pursuit {
   std::int64_t planned_for_ = 0;  // the goal's number
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::coordinator

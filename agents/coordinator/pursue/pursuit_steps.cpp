@@ -5,7 +5,7 @@
 #include "agents/coordinator/retried_commit.hpp"
 #include "lisp/writer.hpp"
 
-namespace pizarra {
+namespace pizarra::coordinator {
 
 namespace {
 
@@ -27,8 +27,8 @@ std::vector<std::string> Pursuit::objects_of(const Goal& goal) const {
   for (const Datum& fact : goal.facts) {
     for (const Datum& argument : fact.items().subspan(1)) {
       const std::string name(argument.text());
-      const std::vector<TypedName>& fixed = domain_.domain().objects;
-      const bool of_domain = std::ranges::find(fixed, name, &TypedName::name) != fixed.end();
+      const std::vector<forms::TypedName>& fixed = domain_.domain().objects;
+      const bool of_domain = std::ranges::find(fixed, name, &forms::TypedName::name) != fixed.end();
       if (!of_domain && std::ranges::find(names, name) == names.end()) names.push_back(name);
     }
   }
@@ -183,4 +183,4 @@ Task<void> Pursuit::resume() {
   co_await story_.tell("agent", sentence, to_datum(goal->number));
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::coordinator

@@ -8,7 +8,7 @@
 #include "agents/planner/agent/replanner.hpp"
 #include "agents/runtime/service.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 namespace {
 
@@ -26,7 +26,6 @@ constexpr std::string_view contract_text = R"(
 )";
 
 constexpr Duration search_cost = 20ms;
-constexpr Duration retry_pause = 200ms;
 
 // What one search after another learns. One that was abandoned may not have ended yet when the next begins.
 struct SharedReplanner {
@@ -54,7 +53,7 @@ std::function<void(const std::function<bool()>&)> work_of(std::shared_ptr<Search
 }  // namespace
 
 struct PlannerAgent::State {
-  State(AgentContext agent_context, Budget search_budget)
+  State(runtime::AgentContext agent_context, Budget search_budget)
       : context(std::move(agent_context)), budget(std::move(search_budget)) {}
 
   Task<Result<void>> run();
@@ -67,9 +66,9 @@ struct PlannerAgent::State {
   Task<void> tell_state(std::string_view state, Datum detail);
   void drop_plan();
 
-  AgentContext context;
+  runtime::AgentContext context;
   Budget budget;
-  const Service* service = nullptr;  // while run() runs
+  const runtime::Service* service = nullptr;  // while run() runs
   std::optional<std::vector<PlanningOperator>> operators;
   std::optional<PlanningFacts> facts;
   std::shared_ptr<Search> search;  // the one under way
@@ -78,7 +77,7 @@ struct PlannerAgent::State {
   bool started = false;
 };
 
-PlannerAgent::PlannerAgent(AgentContext context, Budget budget)
+PlannerAgent::PlannerAgent(runtime::AgentContext context, Budget budget)
     : state_(std::make_unique<State>(std::move(context), std::move(budget))) {}
 
 PlannerAgent::~PlannerAgent() = default;
@@ -86,14 +85,14 @@ PlannerAgent::~PlannerAgent() = default;
 Task<Result<void>> PlannerAgent::run() { return state_->run(); }
 
 Task<Result<void>> PlannerAgent::State::run() {
-  Result<Contract> contract = contract_from_text(contract_text);
+  Result<runtime::Contract> contract = runtime::contract_from_text(contract_text);
   if (!contract) co_return fail(contract);
-  Service serving(context, std::move(*contract));
+  runtime::Service serving(context, std::move(*contract));
   const Result<void> ready = co_await serving.start();
   if (!ready) co_return ready;
   service = &serving;
   co_await tell_state("idle", Datum());
-  Handler handler = [this](Datum operation) { return handle(std::move(operation)); };
+  runtime::Handler handler = [this](Datum operation) { return handle(std::move(operation)); };
   const Result<void> served = co_await serving.serve(std::move(handler));
   co_return served;
 }
@@ -185,4 +184,4 @@ Task<Result<Datum>> PlannerAgent::State::next_operation(std::int64_t index) {
   co_return list((*plan)[static_cast<std::size_t>(index)]);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -25,11 +25,11 @@
 #include "agents/planner/task/problem.hpp"
 #include "agents/runtime/agent.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
-class PlannerAgent : public Agent {
+class PlannerAgent : public runtime::Agent {
  public:
-  explicit PlannerAgent(AgentContext context, Budget budget = {});
+  explicit PlannerAgent(runtime::AgentContext context, Budget budget = {});
   ~PlannerAgent() override;
   Task<Result<void>> run() override;
 
@@ -38,4 +38,4 @@ class PlannerAgent : public Agent {
   std::unique_ptr<State> state_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

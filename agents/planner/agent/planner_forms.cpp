@@ -7,7 +7,7 @@
 #include "lisp/pattern.hpp"
 #include "lisp/writer.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 namespace {
 
@@ -143,4 +143,4 @@ Failure as_asked(Failure failure) {
   return failure;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -7,7 +7,7 @@
 
 #include "agents/planner/task/problem.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 // The thesis' syntax; a delete effect is `(del FACT)` or, as Graphplan's own files have it, `(del PREDICATE ...)`.
 // Parameters are `<name>` or `?name`. Failure: bad-operator, with the part that is wrong as the subject.
@@ -29,4 +29,4 @@ std::vector<Datum> operations_of(const PlanSteps& steps);
 // The failure with `<ob1>` in its subject where the planner has `?ob1`: a fact, and so a reply, holds no variables.
 Failure as_asked(Failure failure);
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -7,7 +7,7 @@
 #include "agents/planner/explanation/no_plan.hpp"
 #include "agents/planner/task/grounding.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 namespace {
 
@@ -151,4 +151,4 @@ Result<ReadyPlan> Replanner::plan(const PlanningTask& task, const Budget& budget
   return ready;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

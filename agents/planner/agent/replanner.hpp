@@ -20,7 +20,7 @@
 #include "agents/planner/fast/last_plan.hpp"
 #include "agents/planner/optimal/optimal_search.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 struct ReadyPlan {
   PlanSteps steps;
@@ -61,4 +61,4 @@ class Replanner {
   std::unique_ptr<Known> known_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace pizarra {
+namespace pizarra::planner {
 
 CompactProblem::CompactProblem(const Problem& problem)
     : facts_(problem.facts.size()), initials_(problem.initials), goals_(problem.goals) {
@@ -28,4 +28,4 @@ CompactProblem::CompactProblem(const Problem& problem)
   for (const std::vector<ActionIndex>& list : keyed) keyed_.add(list);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

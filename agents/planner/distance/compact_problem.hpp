@@ -11,7 +11,7 @@
 #include "agents/planner/task/problem.hpp"
 #include "agents/planner/task/rows.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 using FactIndex = std::uint32_t;
 using ActionIndex = std::uint32_t;
@@ -62,4 +62,4 @@ class CompactProblem {
   Bits initials_, goals_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

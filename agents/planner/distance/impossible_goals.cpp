@@ -1,6 +1,6 @@
 #include "agents/planner/distance/impossible_goals.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 namespace {
 
@@ -55,4 +55,4 @@ std::vector<std::size_t> impossible_goals(const CompactProblem& problem, const I
   return excluding_pair(goals, invariants);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -10,9 +10,9 @@
 
 #include "agents/planner/distance/invariant_groups.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 // The first goal that can never hold, or else the first two that never hold together; empty where none is known.
 std::vector<std::size_t> impossible_goals(const CompactProblem& problem, const InvariantGroups& invariants);
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

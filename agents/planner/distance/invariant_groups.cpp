@@ -5,7 +5,7 @@
 #include <optional>
 #include <set>
 
-namespace pizarra {
+namespace pizarra::planner {
 
 namespace {
 
@@ -187,4 +187,4 @@ bool InvariantGroups::exclude(FactIndex a, FactIndex b) const {
   return false;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -13,7 +13,7 @@
 
 #include "agents/planner/distance/compact_problem.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 class InvariantGroups {
  public:
@@ -34,4 +34,4 @@ class InvariantGroups {
   Rows groups_of_;  // ascending
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-namespace pizarra {
+namespace pizarra::planner {
 
 namespace {
 
@@ -251,4 +251,4 @@ bool LandmarkEstimate::must_be_taken_away(FactIndex fact) {
   return true;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

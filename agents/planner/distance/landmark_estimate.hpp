@@ -16,7 +16,7 @@
 
 #include "agents/planner/distance/invariant_groups.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 // Sorts states: smaller is nearer.
 using Distance = std::uint32_t;
@@ -101,4 +101,4 @@ class LandmarkEstimate {
   std::uint32_t facts_ = 0;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -8,7 +8,7 @@
 
 #include "agents/planner/distance/landmark_estimate.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 struct Nearness {
   // Of no use where this was cancelled.
@@ -29,4 +29,4 @@ struct Nearness {
   LandmarkEstimate estimate;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-namespace pizarra {
+namespace pizarra::planner {
 
 namespace {
 
@@ -94,4 +94,4 @@ void RelaxedPlan::gather(const Bits& state) {
   helpful_.erase(twice.begin(), twice.end());
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

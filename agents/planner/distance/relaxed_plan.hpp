@@ -14,7 +14,7 @@
 
 #include "agents/planner/distance/compact_problem.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 class RelaxedPlan {
  public:
@@ -57,4 +57,4 @@ class RelaxedPlan {
   std::vector<ActionIndex> helpful_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -4,7 +4,7 @@
 
 #include "agents/planner/optimal/optimal_search.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 namespace {
 
@@ -38,4 +38,4 @@ void blame_fewest(const Problem& problem, const Budget& budget, const std::funct
   }
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -7,11 +7,11 @@
 
 #include "agents/planner/task/problem.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 // The culprits of an outcome of `none` without those that the rest cannot be reached without anyway, as far as some
 // work shows; those found so far where it is cancelled.
 void blame_fewest(const Problem& problem, const Budget& budget, const std::function<bool()>& cancelled,
                   Outcome& outcome);
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -5,7 +5,7 @@
 #include "agents/planner/explanation/fewest_culprits.hpp"
 #include "agents/planner/optimal/optimal_search.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 namespace {
 
@@ -66,4 +66,4 @@ std::vector<BlockedWay> why_never_together(const Problem& problem, std::size_t f
   return blocked;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -8,7 +8,7 @@
 
 #include "agents/planner/task/problem.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 // The first way to a fact, were nothing ever deleted, and what stands in it.
 struct BlockedWay {
@@ -24,4 +24,4 @@ struct BlockedWay {
 std::vector<BlockedWay> why_never_together(const Problem& problem, std::size_t fact,
                                            const std::function<bool()>& cancelled);
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -5,7 +5,7 @@
 
 #include "lisp/writer.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 namespace {
 
@@ -33,4 +33,4 @@ Failure explain(const Problem& problem, const Outcome& outcome) {
   return {"no-plan", sentence, Datum::list(std::move(culprits)), {}};
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -6,10 +6,10 @@
 
 #include "agents/planner/task/problem.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 // `no-plan` with the goals that exclude each other as the subject, `gave-up` or `cancelled`. Not for an outcome that is
 // a plan.
 Failure explain(const Problem& problem, const Outcome& outcome);
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -13,7 +13,7 @@
 #include "lisp/pattern.hpp"
 #include "lisp/writer.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 namespace {
 
@@ -322,4 +322,4 @@ std::string why_never(const PlanningTask& task, const Problem& problem, const Da
   return why.explain(fact, cancelled) + nothing;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -7,7 +7,7 @@
 
 #include "agents/planner/task/problem.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 // For a fact, or `(not FACT)`, of which it was proved that it never holds. The chain ends in a fact that is missing at
 // the beginning, a type without objects, an object of another type, an operator that no objects suit, a cost without
@@ -15,4 +15,4 @@ namespace pizarra {
 std::string why_never(const PlanningTask& task, const Problem& problem, const Datum& fact,
                       const std::function<bool()>& cancelled);
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -6,12 +6,12 @@
 #include "agents/planner/files/pddl_text.hpp"
 #include "agents/planner/task/numbered_task.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 namespace {
 
-PlanOperators operators_of(const PddlText& text, const PlanningTask& task) {
-  PlanOperators operators;
+pddl_planner::PlanOperators operators_of(const PddlText& text, const PlanningTask& task) {
+  pddl_planner::PlanOperators operators;
   for (const auto& [name, known] : text.operators) {
     const auto op = std::ranges::find(task.operators, known.text(), &PlanningOperator::name);
     operators.emplace(name, op->parameters.size());
@@ -31,7 +31,7 @@ Result<Datum> operation_of(const PddlText& text, const std::vector<std::string>&
   return Datum::list(std::move(operation));
 }
 
-Result<PlanSteps> steps_of(const PddlText& text, const PlanningTask& task, const PlanActions& actions) {
+Result<PlanSteps> steps_of(const PddlText& text, const PlanningTask& task, const pddl_planner::PlanActions& actions) {
   PlanSteps steps;
   for (const std::vector<std::string>& action : actions) {
     const Result<Datum> operation = operation_of(text, action);
@@ -47,16 +47,17 @@ Result<PlanSteps> steps_of(const PddlText& text, const PlanningTask& task, const
 
 }  // namespace
 
-Result<PlanSteps> plan_externally(const ExternalPlanner& planner, const PlanningTask& task,
+Result<PlanSteps> plan_externally(const pddl_planner::ExternalPlanner& planner, const PlanningTask& task,
                                   const std::function<bool()>& cancelled) {
   const Result<NumberedTask> checked = number_task(task);
   if (!checked) return fail(checked);
   const PddlText text = pddl_text(task);
-  const Result<PlanClaim> claim = planner.plan(text.domain, text.problem, operators_of(text, task), cancelled);
+  const Result<pddl_planner::PlanClaim> claim =
+      planner.plan(text.domain, text.problem, operators_of(text, task), cancelled);
   if (!claim) return fail(claim);
   Result<PlanSteps> steps = steps_of(text, task, claim->actions);
   if (!steps && claim->ended) return fail(*claim->ended);
   return steps;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -5,7 +5,7 @@
 
 #include "blackboard/time/random.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 BeamSearch::BeamSearch(const CompactProblem& problem, LandmarkEstimate& estimate, Effort& effort, std::uint64_t seed)
     : problem_(problem), estimate_(estimate), effort_(effort), seed_(seed) {
@@ -87,4 +87,4 @@ void BeamSearch::take_plan(std::uint32_t step) {
   std::ranges::reverse(plan_);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -13,7 +13,7 @@
 #include "agents/planner/distance/landmark_estimate.hpp"
 #include "agents/planner/fast/search_budget.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 class BeamSearch {
  public:
@@ -59,4 +59,4 @@ class BeamSearch {
   bool complete_ = true;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

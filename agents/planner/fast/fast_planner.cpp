@@ -13,7 +13,7 @@
 #include "agents/planner/fast/proved_shortest.hpp"
 #include "agents/planner/task/idle_actions.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 namespace {
 
@@ -205,4 +205,4 @@ Outcome FastPlanner::solve(const Problem& problem, Nearness& nearness, const Bud
   return improvement.best();
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -15,7 +15,7 @@
 
 #include "agents/planner/distance/nearness.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 struct FastPlannerOptions {
   std::uint64_t seed = 1;
@@ -42,4 +42,4 @@ class FastPlanner : public PlanEngine {
   const FastPlannerOptions options_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

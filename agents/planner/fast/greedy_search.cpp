@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace pizarra {
+namespace pizarra::planner {
 
 std::optional<SearchEnd> GreedySearch::run(std::size_t patience) {
   if (reached_.empty()) reached_.push_back({&*states_.insert(problem_.initials()).first, 0, 0});
@@ -55,4 +55,4 @@ bool GreedySearch::reach(const Candidate& candidate) {
   return added;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -17,7 +17,7 @@
 #include "agents/planner/distance/landmark_estimate.hpp"
 #include "agents/planner/fast/search_budget.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 class GreedySearch {
  public:
@@ -60,4 +60,4 @@ class GreedySearch {
   std::vector<ActionIndex> plan_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace pizarra {
+namespace pizarra::planner {
 
 namespace {
 
@@ -53,4 +53,4 @@ bool HillClimbing::visit(std::uint32_t from, ActionIndex action) {
   return true;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -14,7 +14,7 @@
 #include "agents/planner/distance/relaxed_plan.hpp"
 #include "agents/planner/fast/search_budget.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 class HillClimbing {
  public:
@@ -43,4 +43,4 @@ class HillClimbing {
   std::vector<ActionIndex> plan_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <unordered_set>
 
-namespace pizarra {
+namespace pizarra::planner {
 
 namespace {
 
@@ -88,4 +88,4 @@ std::optional<std::vector<ActionIndex>> LastPlan::repaired(const CompactProblem&
   return plan;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -11,7 +11,7 @@
 #include "agents/planner/distance/compact_problem.hpp"
 #include "agents/planner/task/plan_mode.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 class LastPlan {
  public:
@@ -37,4 +37,4 @@ class LastPlan {
   std::vector<std::size_t> actions_left_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <ranges>
 
-namespace pizarra {
+namespace pizarra::planner {
 
 namespace {
 
@@ -203,4 +203,4 @@ bool PlanReordering::suffices(std::ptrdiff_t index, Bits state) {
   return problem_.goals().subset_of(state);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -18,7 +18,7 @@
 #include "agents/planner/distance/compact_problem.hpp"
 #include "blackboard/time/random.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 class PlanReordering {
  public:
@@ -51,4 +51,4 @@ class PlanReordering {
   std::vector<ActionIndex> done_, rest_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace pizarra {
+namespace pizarra::planner {
 
 namespace {
 
@@ -30,4 +30,4 @@ std::vector<std::vector<std::size_t>> in_parallel(const Problem& problem, const 
   return steps;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

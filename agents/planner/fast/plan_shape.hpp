@@ -6,9 +6,9 @@
 
 #include "agents/planner/distance/compact_problem.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 // Every action in the first step that its order with those before it allows.
 std::vector<std::vector<std::size_t>> in_parallel(const Problem& problem, const std::vector<ActionIndex>& plan);
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

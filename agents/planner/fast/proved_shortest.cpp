@@ -4,7 +4,7 @@
 
 #include "agents/planner/guided/guided_search.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 namespace {
 
@@ -45,4 +45,4 @@ std::optional<Outcome> ProvedShortest::shorter_than(std::size_t actions) {
   return outcome;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -12,7 +12,7 @@
 #include "agents/planner/distance/nearness.hpp"
 #include "agents/planner/fast/search_budget.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 class ProvedShortest {
  public:
@@ -33,4 +33,4 @@ class ProvedShortest {
   bool lacked_memory_ = false;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

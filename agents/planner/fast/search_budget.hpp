@@ -11,7 +11,7 @@
 
 #include "agents/planner/task/problem.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 enum class SearchEnd : std::uint8_t { found, exhausted, spent, cancelled };
 
@@ -36,4 +36,4 @@ class Effort {
   std::size_t nodes_ = 0;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

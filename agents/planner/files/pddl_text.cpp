@@ -7,7 +7,7 @@
 #include "lisp/pattern.hpp"
 #include "lisp/writer.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 namespace {
 
@@ -219,4 +219,4 @@ class PddlWriter {
 
 PddlText pddl_text(const PlanningTask& task) { return PddlWriter(task).run(); }
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

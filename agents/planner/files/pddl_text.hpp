@@ -11,7 +11,7 @@
 
 #include "agents/planner/task/planning_task.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 struct PddlText {
   std::string domain;
@@ -21,4 +21,4 @@ struct PddlText {
 
 PddlText pddl_text(const PlanningTask& task);
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

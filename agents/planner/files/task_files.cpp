@@ -1,6 +1,6 @@
 #include "agents/planner/files/task_files.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 namespace {
 
@@ -27,10 +27,10 @@ void add_objects(PlanningTask& task, const Datum& objects) {
   for (const Datum& object : objects.items()) task.objects.push_back({object[0], std::string(object[1].text())});
 }
 
-PlanningTask task_from(const PlanningDomain& domain, const Datum& problem) {
+PlanningTask task_from(const forms::PlanningDomain& domain, const Datum& problem) {
   PlanningTask task;
-  task.angles = domain.language != PlanningLanguage::pddl;
-  if (domain.language == PlanningLanguage::pddl) {
+  task.angles = domain.language != forms::PlanningLanguage::pddl;
+  if (domain.language == forms::PlanningLanguage::pddl) {
     for (const Datum& type : domain.form[2].items()) {
       task.types.push_back({std::string(type[0].text()), std::string(type[1].text())});
     }
@@ -52,17 +52,17 @@ PlanningTask task_from(const PlanningDomain& domain, const Datum& problem) {
 }  // namespace
 
 Result<PlanningTask> read_task(const Source& domain, const Source& problem) {
-  const Result<PlanningFiles> files = read_planning_files(domain, problem);
+  const Result<forms::PlanningFiles> files = forms::read_planning_files(domain, problem);
   if (!files) return fail(files);
   return task_from(files->domain, files->problem);
 }
 
 Result<PlanningTask> read_task_files(const std::string& domain_path, const std::string& problem_path) {
-  const Result<Source> domain = read_planning_source_file(domain_path);
+  const Result<Source> domain = forms::read_planning_source_file(domain_path);
   if (!domain) return fail(domain);
-  const Result<Source> problem = read_planning_source_file(problem_path);
+  const Result<Source> problem = forms::read_planning_source_file(problem_path);
   if (!problem) return fail(problem);
   return read_task(*domain, *problem);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

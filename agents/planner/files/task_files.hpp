@@ -8,9 +8,9 @@
 #include "agents/planner/task/planning_task.hpp"
 #include "lisp/forms/planning_files.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 Result<PlanningTask> read_task(const Source& domain, const Source& problem);
 Result<PlanningTask> read_task_files(const std::string& domain_path, const std::string& problem_path);
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-namespace pizarra {
+namespace pizarra::planner {
 
 namespace {
 
@@ -242,4 +242,4 @@ std::optional<std::vector<std::size_t>> BackwardSearch::excluded_for_ever(const 
   return std::nullopt;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

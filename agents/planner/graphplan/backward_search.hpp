@@ -19,7 +19,7 @@
 #include "agents/planner/graphplan/nogoods.hpp"
 #include "agents/planner/reach/planning_graph.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 class BackwardSearch {
  public:
@@ -83,4 +83,4 @@ class BackwardSearch {
   std::string spent_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

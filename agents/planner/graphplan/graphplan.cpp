@@ -4,7 +4,7 @@
 
 #include "agents/planner/graphplan/backward_search.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 namespace {
 
@@ -65,4 +65,4 @@ Outcome Graphplan::solve(const Problem& problem, const Budget& budget, const std
   return gave_up(fmt::format("{} levels", budget.levels), search.nodes());
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -7,11 +7,11 @@
 
 #include "agents/planner/task/problem.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 class Graphplan : public PlanEngine {
  public:
   Outcome solve(const Problem& problem, const Budget& budget, const std::function<bool()>& cancelled) override;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

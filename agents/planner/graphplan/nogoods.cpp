@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
-namespace pizarra {
+namespace pizarra::planner {
 
 std::uint32_t Nogoods::child_of(std::uint32_t node, std::size_t fact) {
   for (std::uint32_t child = nodes_[node].first_child; child != none; child = nodes_[child].next_sibling) {
@@ -50,4 +50,4 @@ std::optional<std::size_t> Nogoods::find_below(std::uint32_t node, const Bits& g
   return std::nullopt;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

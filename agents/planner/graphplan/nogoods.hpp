@@ -16,7 +16,7 @@
 
 #include "agents/planner/task/bits.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 class Nogoods {
  public:
@@ -51,4 +51,4 @@ class Nogoods {
   std::vector<Entry> entries_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-namespace pizarra {
+namespace pizarra::planner {
 
 GuidedSearch::GuidedSearch(const Problem& problem, Nearness& nearness, LandmarkBound& bound, const DeadEnds* dead_ends)
     : problem_(problem), nearness_(nearness), bound_(bound), dead_ends_(dead_ends) {}
@@ -121,4 +121,4 @@ Outcome GuidedSearch::run(const Budget& budget, const std::function<bool()>& can
   return outcome;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -19,7 +19,7 @@
 #include "agents/planner/guided/landmark_bound.hpp"
 #include "agents/planner/reach/dead_ends.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 class GuidedSearch {
  public:
@@ -64,4 +64,4 @@ class GuidedSearch {
   std::size_t nodes_ = 0;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

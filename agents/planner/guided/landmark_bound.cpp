@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace pizarra {
+namespace pizarra::planner {
 
 namespace {
 
@@ -194,4 +194,4 @@ int LandmarkBound::fewest_extra(const std::vector<std::size_t>& wanted, const Vi
   return extra;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -19,7 +19,7 @@
 #include "agents/planner/reach/exclusions.hpp"
 #include "agents/planner/reach/relaxed_reach.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 // The facts of a group of which every one of the actions takes one away, if there is such a group.
 std::optional<FactGroup> resource_of_all(const Problem& problem, const Bits& actions,
@@ -68,4 +68,4 @@ class LandmarkBound {
   std::optional<RelaxedLandmarks> reached_;  // from the state that is looked at
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

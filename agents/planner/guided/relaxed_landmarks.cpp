@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace pizarra {
+namespace pizarra::planner {
 
 namespace {
 
@@ -102,4 +102,4 @@ Bits RelaxedLandmarks::of_all(const std::vector<std::uint32_t>& actions) const {
   return kinds;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

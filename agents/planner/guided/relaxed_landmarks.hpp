@@ -16,7 +16,7 @@
 #include "agents/planner/task/problem.hpp"
 #include "agents/planner/task/rows.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 class RelaxedLandmarks {
  public:
@@ -51,4 +51,4 @@ class RelaxedLandmarks {
   std::vector<Word> scratch_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <deque>
 
-namespace pizarra {
+namespace pizarra::planner {
 
 namespace {
 
@@ -129,4 +129,4 @@ std::size_t VisitOrder::fewest_repeats() const {
   return hitting.at_least;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

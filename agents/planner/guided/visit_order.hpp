@@ -14,7 +14,7 @@
 
 #include "agents/planner/task/bits.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 class VisitOrder {
  public:
@@ -43,4 +43,4 @@ struct Hitting {
 };
 Hitting fewest_hitting(const std::vector<std::vector<std::size_t>>& sets, std::size_t at_least);
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -6,7 +6,7 @@
 
 #include "agents/planner/task/grounding.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 namespace {
 
@@ -67,4 +67,4 @@ Result<bool> any_plan(const PlanningTask& task, const Budget& budget) {
   return fail("gave-up", fmt::format("no plan was found among {}, and there are more", outcome.spent));
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -8,7 +8,7 @@
 
 #include "agents/planner/task/problem.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 // A shortest sequential plan, every step one action. Budget::nodes counts states. The culprits of `none` are all goals.
 class BreadthFirst : public PlanEngine {
@@ -19,4 +19,4 @@ class BreadthFirst : public PlanEngine {
 // Whether the task has a plan at all: true, false, or a failure: `gave-up`, or what ground() says of the task.
 Result<bool> any_plan(const PlanningTask& task, const Budget& budget = {});
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

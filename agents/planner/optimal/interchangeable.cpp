@@ -4,7 +4,7 @@
 #include <map>
 #include <optional>
 
-namespace pizarra {
+namespace pizarra::planner {
 
 namespace {
 
@@ -139,4 +139,4 @@ void Interchangeable::sort(Bits& state) const {
   }
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -11,7 +11,7 @@
 
 #include "agents/planner/task/problem.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 class Interchangeable {
  public:
@@ -26,4 +26,4 @@ class Interchangeable {
   std::vector<Kind> kinds_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -7,7 +7,7 @@
 
 #include "agents/planner/optimal/optimal_search.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 class OptimalPlanner : public PlanEngine {
  public:
@@ -16,4 +16,4 @@ class OptimalPlanner : public PlanEngine {
   }
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -5,7 +5,7 @@
 
 #include "agents/planner/optimal/step_search.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 namespace {
 
@@ -133,4 +133,4 @@ Outcome OptimalSearch::attempt(const Budget& budget, const std::function<bool()>
   return outcome;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

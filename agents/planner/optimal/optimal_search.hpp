@@ -18,7 +18,7 @@
 #include "agents/planner/guided/guided_search.hpp"
 #include "agents/planner/optimal/sat_search.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 class OptimalSearch {
  public:
@@ -47,4 +47,4 @@ class OptimalSearch {
   std::optional<SatSearch> sat_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -7,7 +7,7 @@
 #include "agents/planner/optimal/step_encoding.hpp"
 #include "agents/planner/task/idle_actions.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 namespace {
 
@@ -139,4 +139,4 @@ Outcome SatSearch::run(std::size_t at_least, const Budget& budget, const std::fu
   return run.outcome;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -17,7 +17,7 @@
 
 #include "agents/planner/reach/regression_graph.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 class SatSearch {
  public:
@@ -48,4 +48,4 @@ class SatSearch {
   std::unique_ptr<Solver> solver_;  // with all that it has learned
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

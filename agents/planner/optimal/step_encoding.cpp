@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace pizarra {
+namespace pizarra::planner {
 
 namespace {
 
@@ -168,4 +168,4 @@ std::vector<std::vector<std::size_t>> StepEncoding::plan(std::size_t steps) cons
   return plan;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -20,7 +20,7 @@
 
 #include "agents/planner/reach/regression_graph.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 class StepEncoding {
  public:
@@ -64,4 +64,4 @@ class StepEncoding {
   std::vector<Layer> actions_;  // that lead from layer i + 1 to layer i
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -9,7 +9,7 @@
 #include "agents/planner/optimal/interchangeable.hpp"
 #include "agents/planner/task/idle_actions.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 namespace {
 
@@ -154,4 +154,4 @@ Outcome StepSearch::solve(const Problem& problem, const Budget& budget, const st
   return Search(problem, budget, cancelled).run();
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

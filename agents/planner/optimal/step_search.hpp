@@ -10,7 +10,7 @@
 
 #include "agents/planner/task/problem.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 // A shortest parallel plan. The culprits of `none` are all the goals.
 class StepSearch : public PlanEngine {
@@ -18,4 +18,4 @@ class StepSearch : public PlanEngine {
   Outcome solve(const Problem& problem, const Budget& budget, const std::function<bool()>& cancelled) override;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace pizarra {
+namespace pizarra::planner {
 
 namespace {
 
@@ -73,4 +73,4 @@ bool DeadEnds::contain(const Bits& state) const {
   return !hopeful;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

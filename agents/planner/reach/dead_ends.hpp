@@ -9,7 +9,7 @@
 
 #include "agents/planner/reach/exclusions.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 class DeadEnds {
  public:
@@ -28,4 +28,4 @@ class DeadEnds {
   std::vector<Bits> hopeful_;  // of every fact: those beside which the goals may be within reach, itself included
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

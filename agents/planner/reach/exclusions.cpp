@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace pizarra {
+namespace pizarra::planner {
 
 namespace {
 
@@ -167,4 +167,4 @@ std::vector<FactGroup> exclusion_groups(const Exclusions& exclusions, const std:
   return groups;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -12,7 +12,7 @@
 
 #include "agents/planner/task/problem.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 using FactGroup = std::vector<std::size_t>;
 
@@ -42,4 +42,4 @@ class Exclusions {
 std::vector<FactGroup> exclusion_groups(
     const Exclusions& exclusions, const std::function<bool()>& cancelled = [] { return false; });
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

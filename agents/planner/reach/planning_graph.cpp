@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace pizarra {
+namespace pizarra::planner {
 
 PlanningGraph::PlanningGraph(const Problem& problem) : problem_(problem) {
   const std::size_t fact_count = problem.facts.size();
@@ -117,4 +117,4 @@ std::size_t PlanningGraph::bytes_per_level() const {
 
 std::size_t PlanningGraph::bytes() const { return base_bytes(problem_) + size() * bytes_per_level(); }
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

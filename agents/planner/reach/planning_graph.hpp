@@ -16,7 +16,7 @@
 
 #include "agents/planner/task/problem.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 struct FactLevel {
   Bits present;
@@ -72,4 +72,4 @@ class PlanningGraph {
   std::optional<std::size_t> levelled_off_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

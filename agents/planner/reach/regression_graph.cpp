@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace pizarra {
+namespace pizarra::planner {
 
 RegressionGraph::RegressionGraph(const Problem& problem, const Exclusions& exclusions,
                                  const std::vector<Bits>& interferes)
@@ -102,4 +102,4 @@ void RegressionGraph::expand() {
   fact_levels_.push_back(std::move(before));
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

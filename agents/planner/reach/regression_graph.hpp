@@ -13,7 +13,7 @@
 #include "agents/planner/reach/exclusions.hpp"
 #include "agents/planner/reach/planning_graph.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 class RegressionGraph {
  public:
@@ -52,4 +52,4 @@ class RegressionGraph {
   bool levelled_off_ = false;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -1,6 +1,6 @@
 #include "agents/planner/reach/relaxed_reach.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 RelaxedReach::RelaxedReach(const Problem& problem, const Bits& allowed)
     : problem_(problem), need_count_(problem.actions.size()) {
@@ -42,4 +42,4 @@ void RelaxedReach::from(const Bits& state, const Bits& forbidden) {
   }
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -11,7 +11,7 @@
 #include "agents/planner/task/problem.hpp"
 #include "agents/planner/task/rows.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 class RelaxedReach {
  public:
@@ -35,4 +35,4 @@ class RelaxedReach {
   Bits facts_, actions_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

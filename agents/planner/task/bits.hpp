@@ -15,7 +15,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pizarra {
+namespace pizarra::planner {
 
 class Bits {
  public:
@@ -97,4 +97,4 @@ struct HashBits {
   }
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

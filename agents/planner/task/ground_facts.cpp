@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace pizarra {
+namespace pizarra::planner {
 
 namespace {
 
@@ -74,4 +74,4 @@ std::optional<std::int64_t> FactTable::value(const AtomTemplate& function, const
   return found->second;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

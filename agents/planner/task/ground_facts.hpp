@@ -13,7 +13,7 @@
 
 #include "agents/planner/task/numbered_task.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 // Of every parameter: an object.
 using Binding = std::vector<std::size_t>;
@@ -50,4 +50,4 @@ class FactTable {
   std::vector<AtomTemplate> facts_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

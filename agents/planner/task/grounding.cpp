@@ -6,7 +6,7 @@
 #include "agents/planner/task/ground_facts.hpp"
 #include "agents/planner/task/reachable.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 namespace {
 
@@ -214,4 +214,4 @@ Result<Problem> ground(const PlanningTask& task, const std::function<bool()>& ca
   return Grounder(task, std::move(*numbered), cancelled).run();
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

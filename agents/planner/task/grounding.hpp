@@ -6,7 +6,7 @@
 
 #include "agents/planner/task/problem.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 // Facts that no operator changes are checked and left out, and so is what cannot be reached even if nothing were ever
 // deleted; goals always stay. Failures: bad-task (what is wrong with an operator or a fact), unknown-object,
@@ -14,4 +14,4 @@ namespace pizarra {
 Result<Problem> ground(
     const PlanningTask& task, const std::function<bool()>& cancelled = [] { return false; });
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -1,6 +1,6 @@
 #include "agents/planner/task/idle_actions.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 namespace {
 
@@ -65,4 +65,4 @@ std::vector<std::vector<std::size_t>> without_idle_actions(const Problem& proble
   return grouped(plan);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

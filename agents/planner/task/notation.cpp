@@ -5,7 +5,7 @@
 #include "lisp/pattern.hpp"
 #include "lisp/writer.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 Datum with_angles(const Datum& datum) {
   if (is_variable(datum)) return Datum::symbol(fmt::format("<{}>", datum.text().substr(1)));
@@ -19,4 +19,4 @@ std::string written(const PlanningTask& task, const Datum& datum) {
   return write(task.angles ? with_angles(datum) : datum);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

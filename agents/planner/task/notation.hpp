@@ -7,11 +7,11 @@
 
 #include "agents/planner/task/planning_task.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 // `<x>` in the place of `?x`, everywhere in the datum.
 Datum with_angles(const Datum& datum);
 
 std::string written(const PlanningTask& task, const Datum& datum);
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

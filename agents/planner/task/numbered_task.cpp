@@ -8,7 +8,7 @@
 #include "lisp/pattern.hpp"
 #include "lisp/writer.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 namespace {
 
@@ -251,4 +251,4 @@ Result<void> Numberer::read_facts() {
 
 Result<NumberedTask> number_task(const PlanningTask& task) { return Numberer(task).run(); }
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

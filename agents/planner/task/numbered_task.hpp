@@ -9,7 +9,7 @@
 
 #include "agents/planner/task/problem.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 constexpr std::size_t no_predicate = static_cast<std::size_t>(-1);
 
@@ -55,4 +55,4 @@ struct NumberedTask {
 // Failures: those of ground(). The task outlives the result.
 Result<NumberedTask> number_task(const PlanningTask& task);
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -1,6 +1,6 @@
 #include "agents/planner/task/plan_mode.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 std::string_view name_of(PlanMode mode) { return mode == PlanMode::optimal ? "optimal" : "fast"; }
 
@@ -8,4 +8,4 @@ PlanMode mode_for(const Problem& problem) {
   return problem.actions.size() <= most_actions_for_optimal ? PlanMode::optimal : PlanMode::fast;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -8,7 +8,7 @@
 
 #include "agents/planner/task/problem.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 enum class PlanMode : std::uint8_t { optimal, fast };
 std::string_view name_of(PlanMode mode);
@@ -18,4 +18,4 @@ std::string_view name_of(PlanMode mode);
 constexpr std::size_t most_actions_for_optimal = 3000;
 PlanMode mode_for(const Problem& problem);
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -19,7 +19,7 @@
 #include "lisp/datum.hpp"
 #include "lisp/result.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 struct PlanningParameter {
   std::string variable;  // with its question mark
@@ -88,4 +88,4 @@ Result<void> validate_plan(const PlanningTask& task, const PlanSteps& steps);
 // What a valid plan costs: an action each where the task counts no cost.
 std::int64_t plan_cost(const PlanningTask& task, const PlanSteps& steps);
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace pizarra {
+namespace pizarra::planner {
 
 bool is_subtype(const std::vector<PlanningType>& types, const std::string& type, const std::string& wanted) {
   std::vector<std::string> above{type};
@@ -67,4 +67,4 @@ PlanSteps steps_of(const Problem& problem, const std::vector<std::vector<std::si
   return named;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

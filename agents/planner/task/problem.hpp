@@ -14,7 +14,7 @@
 #include "agents/planner/task/bits.hpp"
 #include "agents/planner/task/planning_task.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 struct GroundAction {
   Datum name;  // (STACK circle triangle)
@@ -78,4 +78,4 @@ class PlanEngine {
 
 PlanSteps steps_of(const Problem& problem, const std::vector<std::vector<std::size_t>>& steps);
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

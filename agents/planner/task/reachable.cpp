@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace pizarra {
+namespace pizarra::planner {
 
 std::vector<char> drop_unreachable(std::vector<GroundAction>& actions, const std::vector<char>& initially) {
   std::vector<char> reachable(initially.size(), 0);
@@ -38,4 +38,4 @@ std::vector<char> drop_unreachable(std::vector<GroundAction>& actions, const std
   return reachable;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -6,9 +6,9 @@
 
 #include "agents/planner/task/problem.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 // Of every fact, whether it can hold; actions that can then never be taken are dropped.
 std::vector<char> drop_unreachable(std::vector<GroundAction>& actions, const std::vector<char>& initially);
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

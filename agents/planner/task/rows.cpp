@@ -1,6 +1,6 @@
 #include "agents/planner/task/rows.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 Rows transposed(const Rows& rows, std::size_t size) {
   std::vector<std::vector<std::uint32_t>> lists(size);
@@ -12,4 +12,4 @@ Rows transposed(const Rows& rows, std::size_t size) {
   return out;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-namespace pizarra {
+namespace pizarra::planner {
 
 class Rows {
  public:
@@ -33,4 +33,4 @@ class Rows {
 // The rows turned round: row i of the result lists, ascending, the rows that hold i.
 Rows transposed(const Rows& rows, std::size_t size);
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

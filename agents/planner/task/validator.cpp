@@ -7,7 +7,7 @@
 #include "lisp/pattern.hpp"
 #include "lisp/writer.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 namespace {
 
@@ -152,4 +152,4 @@ Result<void> validate_plan(const PlanningTask& task, const PlanSteps& steps) {
   return {};
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

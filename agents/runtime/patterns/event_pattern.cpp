@@ -4,11 +4,11 @@
 
 #include "lisp/reader.hpp"
 
-namespace pizarra {
+namespace pizarra::runtime {
 
 namespace {
 
-Task<Result<void>> declare(Board& board) {
+Task<Result<void>> declare_events(Board& board) {
   const std::vector<Relation> relations{notice_relation()};
   co_return co_await board.declare(relations);
 }
@@ -23,7 +23,7 @@ Relation notice_relation() {
 Task<Result<void>> Notifier::notify(std::string client, Datum form) {
   const bool first = count_ == 0;
   if (first) {
-    const Result<void> declared = co_await declare(context_.board);
+    const Result<void> declared = co_await declare_events(context_.board);
     if (!declared) co_return declared;
   }
   const Datum id = Datum::symbol(fmt::format("{}-{}-{}", context_.name, service_.presence(), ++count_));
@@ -35,7 +35,7 @@ Task<Result<void>> Notifier::notify(std::string client, Datum form) {
 }
 
 Task<Result<Datum>> next_event(AgentContext& context, Time deadline) {
-  const Result<void> declared = co_await declare(context.board);
+  const Result<void> declared = co_await declare_events(context.board);
   if (!declared) co_return fail(declared);
   const Datum mine = list("notice"_sym, "?id"_sym, Datum::symbol(context.name), "?form"_sym);
   while (true) {
@@ -47,4 +47,4 @@ Task<Result<Datum>> next_event(AgentContext& context, Time deadline) {
   }
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::runtime

@@ -12,7 +12,7 @@
 
 #include "agents/runtime/service.hpp"
 
-namespace pizarra {
+namespace pizarra::runtime {
 
 Relation notice_relation();
 
@@ -30,4 +30,4 @@ class Notifier {
 // The next for this agent. Failure timeout.
 Task<Result<Datum>> next_event(AgentContext& context, Time deadline);
 
-}  // namespace pizarra
+}  // namespace pizarra::runtime

@@ -4,16 +4,16 @@
 
 #include "lisp/reader.hpp"
 
-namespace pizarra {
+namespace pizarra::runtime {
 
 namespace {
 
 // A server may come late to the stream, or be busy with the frame before.
 constexpr Duration publish_again = 100ms;
 // Whether the server's presence began anew, and what stood under it has to be told again.
-constexpr Duration presence_look = 500ms;
+constexpr Duration server_look = 500ms;
 
-Task<Result<void>> declare(Board& board) {
+Task<Result<void>> declare_heavy_light(Board& board) {
   const std::vector<Relation> relations = heavy_light_relations();
   co_return co_await board.declare(relations);
 }
@@ -40,7 +40,7 @@ HeavyServer::HeavyServer(AgentContext& context, const Service& service, Streams&
       come_(context.executor) {}
 
 Task<Result<void>> HeavyServer::serve() {
-  const Result<void> declared = co_await declare(context_.board);
+  const Result<void> declared = co_await declare_heavy_light(context_.board);
   if (!declared) co_return declared;
   const auto subscription = streams_.subscribe(stream_, [this](const StreamFrame& frame) {
     newest_ = frame;
@@ -55,7 +55,7 @@ Task<Result<void>> HeavyServer::serve() {
       const Result<void> told = co_await say_ready();
       if (told) told_under = presence;
     }
-    const Time look_up = context_.executor.now() + presence_look;
+    const Time look_up = context_.executor.now() + server_look;
     const bool come = co_await come_.wait(look_up);
     if (!come) continue;
     come_.reset();
@@ -88,7 +88,7 @@ HeavyAsker::HeavyAsker(AgentContext& context, const Service& service, Streams& s
     : context_(context), service_(service), streams_(streams), stream_(std::move(stream)) {}
 
 Task<Result<void>> HeavyAsker::announce() {
-  const Result<void> declared = co_await declare(context_.board);
+  const Result<void> declared = co_await declare_heavy_light(context_.board);
   if (!declared) co_return declared;
   Transaction announcing;
   announcing.tell(stream_fact(stream_, "heavy", streams_), {}, service_.presence());
@@ -130,4 +130,4 @@ Task<Result<Answer>> HeavyAsker::await_one(StreamFrame frame, Datum server, Time
   }
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::runtime

@@ -20,7 +20,7 @@
 #include "blackboard/stream.hpp"
 #include "blackboard/time/latch.hpp"
 
-namespace pizarra {
+namespace pizarra::runtime {
 
 struct LightAnswer {
   std::string server;
@@ -69,4 +69,4 @@ class HeavyAsker {
   const std::string stream_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::runtime

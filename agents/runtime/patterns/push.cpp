@@ -4,7 +4,7 @@
 
 #include "lisp/reader.hpp"
 
-namespace pizarra {
+namespace pizarra::runtime {
 
 namespace {
 
@@ -71,4 +71,4 @@ Task<Result<Push>> pull(AgentContext& context, std::string topic, Time deadline)
   co_return push_of(*answer);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::runtime

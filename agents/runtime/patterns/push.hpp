@@ -14,7 +14,7 @@
 
 #include "agents/runtime/service.hpp"
 
-namespace pizarra {
+namespace pizarra::runtime {
 
 struct Push {
   std::int64_t number = 0;
@@ -51,4 +51,4 @@ class Subscriber {
 // Failure timeout.
 Task<Result<Push>> pull(AgentContext& context, std::string topic, Time deadline);
 
-}  // namespace pizarra
+}  // namespace pizarra::runtime

@@ -7,10 +7,10 @@
 
 #include "agents/runtime/service.hpp"
 
-namespace pizarra {
+namespace pizarra::runtime {
 
 inline Task<Result<Datum>> query(Caller& caller, std::string agent, Datum operation, Duration patience) {
   return caller.call(std::move(agent), std::move(operation), patience);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::runtime

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace pizarra {
+namespace pizarra::runtime {
 
 Task<Result<void>> Sender::send(std::string agent, Datum operation) {
   // Apart from the ids of those that are waited for (Caller).
@@ -14,4 +14,4 @@ Task<Result<void>> Sender::send(std::string agent, Datum operation) {
   co_return Result<void>();
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::runtime

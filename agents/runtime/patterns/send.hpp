@@ -10,7 +10,7 @@
 
 #include "agents/runtime/service.hpp"
 
-namespace pizarra {
+namespace pizarra::runtime {
 
 class Sender {
  public:
@@ -23,4 +23,4 @@ class Sender {
   std::uint64_t count_ = 0;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::runtime

@@ -4,11 +4,11 @@
 
 #include "lisp/reader.hpp"
 
-namespace pizarra {
+namespace pizarra::runtime {
 
 namespace {
 
-Task<Result<void>> declare(Board& board) {
+Task<Result<void>> declare_wiring(Board& board) {
   const std::vector<Relation> relations{wired_relation()};
   co_return co_await board.declare(relations);
 }
@@ -26,7 +26,7 @@ Relation wired_relation() {
 }
 
 Task<Result<void>> wire(Board& board, std::string client, std::string role, std::string server) {
-  const Result<void> declared = co_await declare(board);
+  const Result<void> declared = co_await declare_wiring(board);
   if (!declared) co_return declared;
   const Datum fact = wired(client, role, Datum::symbol(server));
   const Result<Revision> told = co_await board.tell(fact);
@@ -35,7 +35,7 @@ Task<Result<void>> wire(Board& board, std::string client, std::string role, std:
 }
 
 Task<Result<void>> unwire(Board& board, std::string client, std::string role) {
-  const Result<void> declared = co_await declare(board);
+  const Result<void> declared = co_await declare_wiring(board);
   if (!declared) co_return declared;
   const Datum pattern = wired(client, role, "?"_sym);
   const Result<Revision> retracted = co_await board.retract(pattern);
@@ -44,7 +44,7 @@ Task<Result<void>> unwire(Board& board, std::string client, std::string role) {
 }
 
 Task<Result<Datum>> Wired::call(Datum operation, Duration patience) {
-  const Result<void> declared = co_await declare(context_.board);
+  const Result<void> declared = co_await declare_wiring(context_.board);
   if (!declared) co_return fail(declared);
   const Time deadline = context_.executor.now() + patience;
   const Query server = query_for(wired(context_.name, role_, "?server"_sym));
@@ -59,4 +59,4 @@ Task<Result<Datum>> Wired::call(Datum operation, Duration patience) {
   co_return co_await caller_.call(name, operation, left);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::runtime

@@ -13,7 +13,7 @@
 
 #include "agents/runtime/service.hpp"
 
-namespace pizarra {
+namespace pizarra::runtime {
 
 Relation wired_relation();
 
@@ -33,4 +33,4 @@ class Wired {
   const std::string role_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::runtime

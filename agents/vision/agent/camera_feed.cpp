@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 constexpr Duration first_pause = 200ms;
@@ -11,7 +11,7 @@ constexpr Duration longest_pause = 5s;
 constexpr Duration corrupt_pause = 20ms;
 constexpr int most_corrupt_frames = 20;  // in a row, before the camera is opened anew
 
-bool fits(const StereoModel& model, const std::shared_ptr<const Image>& image) {
+bool fits(const camera::StereoModel& model, const std::shared_ptr<const Image>& image) {
   return image != nullptr && image->width == model.width && image->height == model.height &&
          (image->channels == 1 || image->channels == 3) &&
          image->pixels.size() == static_cast<std::size_t>(image->width * image->height * image->channels);
@@ -21,7 +21,7 @@ constexpr int least_side_px = 64;
 constexpr int most_side_px = 8192;
 
 // Why the camera cannot be used; empty where it can.
-std::string trouble_with(const StereoModel& model) {
+std::string trouble_with(const camera::StereoModel& model) {
   const auto fits = [](int side) { return side >= least_side_px && side <= most_side_px; };
   if (!fits(model.width) || !fits(model.height)) {
     return fmt::format("the camera's images are {0}x{1}, and what works is {2}x{2} to {3}x{3}", model.width,
@@ -33,7 +33,7 @@ std::string trouble_with(const StereoModel& model) {
 
 }  // namespace
 
-CameraFeed::CameraFeed(Executor& executor, StereoCamera& camera, FrameHandler on_frame, ChangeHandler on_change)
+CameraFeed::CameraFeed(Executor& executor, camera::StereoCamera& camera, FrameHandler on_frame, ChangeHandler on_change)
     : executor_(executor),
       camera_(camera),
       on_frame_(std::move(on_frame)),
@@ -51,7 +51,7 @@ void CameraFeed::abandon() {
   state_ = State::closed;
 }
 
-Task<Result<StereoFrame>> CameraFeed::next(Time after, Duration timeout) {
+Task<Result<camera::StereoFrame>> CameraFeed::next(Time after, Duration timeout) {
   const Time deadline = executor_.now() + timeout;
   const std::uint64_t unreadable = camera_.drops().corrupt;
   bool in_time = true;
@@ -60,7 +60,7 @@ Task<Result<StereoFrame>> CameraFeed::next(Time after, Duration timeout) {
     in_time = co_await waiting_.wait(deadline);
   }
   if (!trouble_.empty()) co_return fail("no-image", trouble_);
-  const CameraDrops drops = camera_.drops();
+  const camera::CameraDrops drops = camera_.drops();
   if (drops.corrupt == unreadable) co_return fail("no-image", "the camera gives no images");
   co_return fail("no-image", "the camera's images cannot be read: " + drops.why_corrupt);
 }
@@ -76,7 +76,7 @@ Task<void> CameraFeed::run() {
     // A camera that was not let go meanwhile may still hold a frame of long ago.
     const Time wanted_since = executor_.now();
     if (state_ == State::closed) co_await change_to(State::opening, no_trouble);
-    const Result<StereoModel> model = co_await camera_.open();
+    const Result<camera::StereoModel> model = co_await camera_.open();
     std::string trouble = model ? trouble_with(*model) : describe(model.error());
     if (trouble.empty()) {
       model_ = *model;
@@ -100,7 +100,7 @@ Task<void> CameraFeed::capture(Time after) {
     // However much a frame costs, as long again is for requests and to be present. Who is stopped meanwhile and started
     // again waits for a newer frame still.
     co_await sleep(executor_, rest);
-    const Result<StereoFrame> frame = co_await camera_.next(after, false);
+    const Result<camera::StereoFrame> frame = co_await camera_.next(after, false);
     const bool good = frame && fits(*model_, frame->left) && fits(*model_, frame->right) && frame->captured > after;
     if (good) {
       corrupt = 0;
@@ -108,7 +108,7 @@ Task<void> CameraFeed::capture(Time after) {
       after = frame->captured;
       waiting_.wake_all();
       const Time begun = executor_.now();
-      StereoFrame copy = *frame;
+      camera::StereoFrame copy = *frame;
       co_await on_frame_(std::move(copy));
       rest = executor_.now() - begun;
       continue;
@@ -130,4 +130,4 @@ Task<void> CameraFeed::change_to(State state, std::string trouble) {
   co_await on_change_();
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

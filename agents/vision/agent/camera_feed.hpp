@@ -14,16 +14,16 @@
 #include "blackboard/time/latch.hpp"
 #include "drivers/camera/stereo_camera.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 
 class CameraFeed {
  public:
   enum class State : std::uint8_t { closed, opening, open, lost };
-  using FrameHandler = std::function<Task<void>(StereoFrame)>;
+  using FrameHandler = std::function<Task<void>(camera::StereoFrame)>;
   using ChangeHandler = std::function<Task<void>()>;
 
   // `on_frame` sees every frame, after those who wait for it were woken; `on_change` every change of state.
-  CameraFeed(Executor& executor, StereoCamera& camera, FrameHandler on_frame, ChangeHandler on_change);
+  CameraFeed(Executor& executor, camera::StereoCamera& camera, FrameHandler on_frame, ChangeHandler on_change);
 
   void start();
   void stop() { wanted_ = false; }
@@ -34,14 +34,14 @@ class CameraFeed {
   // Why it is lost; empty otherwise.
   const std::string& trouble() const { return trouble_; }
   // Of the camera opened last.
-  const std::optional<StereoModel>& model() const { return model_; }
+  const std::optional<camera::StereoModel>& model() const { return model_; }
   // 0 before the first frame.
   std::uint64_t frame_number() const { return latest_.number; }
   Time latest() const { return latest_.captured; }
 
   // The newest frame, where it was captured later than `after`, else the next that was. Failure `no-image` when none
   // comes in time.
-  Task<Result<StereoFrame>> next(Time after, Duration timeout);
+  Task<Result<camera::StereoFrame>> next(Time after, Duration timeout);
 
  private:
   Task<void> run();
@@ -50,16 +50,16 @@ class CameraFeed {
   Task<void> change_to(State state, std::string trouble);
 
   Executor& executor_;
-  StereoCamera& camera_;
+  camera::StereoCamera& camera_;
   FrameHandler on_frame_;
   ChangeHandler on_change_;
   bool wanted_ = false;
   State state_ = State::closed;
   std::string trouble_;
-  std::optional<StereoModel> model_;
-  StereoFrame latest_;  // since the camera was opened
+  std::optional<camera::StereoModel> model_;
+  camera::StereoFrame latest_;  // since the camera was opened
   WaitList waiting_;
   Job job_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

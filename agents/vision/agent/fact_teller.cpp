@@ -6,7 +6,7 @@
 #include "agents/vision/agent/reply_text.hpp"
 #include "agents/vision/database/told_by.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 
 void VisionFacts::begin_anew() {
   // What was told under another presence went with it.
@@ -119,4 +119,4 @@ Task<void> VisionFacts::unsay() {
   co_await transact(std::move(transaction));
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

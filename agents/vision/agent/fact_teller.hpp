@@ -16,12 +16,13 @@
 #include "agents/runtime/service.hpp"
 #include "agents/vision/sight/mark_tracker.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 
 class VisionFacts {
  public:
   // Both outlive it; `service` is there before anything is told.
-  VisionFacts(AgentContext& context, const std::optional<Service>& service) : context_(context), service_(service) {}
+  VisionFacts(runtime::AgentContext& context, const std::optional<runtime::Service>& service)
+      : context_(context), service_(service) {}
 
   bool lost() const { return told_under_ != service_->presence(); }
   // What is told from here on stands under the presence of now.
@@ -48,11 +49,11 @@ class VisionFacts {
   // The facts of a relation, as many arguments as they may have besides the agent's name.
   void retract_all(Transaction& transaction, Datum relation, std::size_t arguments) const;
 
-  AgentContext& context_;
-  const std::optional<Service>& service_;
+  runtime::AgentContext& context_;
+  const std::optional<runtime::Service>& service_;
   LeaseId told_under_ = 0;
   std::map<std::string, std::string> told_tracks_;  // the state of each tracked object as it was told last
   std::vector<Datum> told_held_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

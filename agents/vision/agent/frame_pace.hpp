@@ -13,7 +13,7 @@
 
 #include "blackboard/time/clock.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 
 class FramePace {
  public:
@@ -26,9 +26,7 @@ class FramePace {
     last_ = captured;
   }
   void rest() { last_.reset(); }
-  Duration patience() const {
-    return period_ == Duration() ? unknown : std::max(least, 3 * period_);
-  }
+  Duration patience() const { return period_ == Duration() ? unknown : std::max(least, 3 * period_); }
 
  private:
   static constexpr Duration unknown = 3s;
@@ -38,4 +36,4 @@ class FramePace {
   Duration period_{};
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

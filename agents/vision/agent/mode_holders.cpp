@@ -4,7 +4,7 @@
 
 #include "agents/vision/objects/learned.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 bool is_anyones(const std::string& holder) { return holder == ModeHolders::anybody || holder == ModeHolders::absent; }
@@ -96,4 +96,4 @@ std::vector<Datum> ModeHolders::facts() const {
   return out;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

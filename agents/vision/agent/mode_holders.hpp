@@ -17,7 +17,7 @@
 #include "agents/vision/objects/renames.hpp"
 #include "lisp/result.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 
 class ModeHolders {
  public:
@@ -67,4 +67,4 @@ class ModeHolders {
   std::map<std::string, Held> clients_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <ranges>
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 double rounded(double value, double parts) { return std::round(value * parts) / parts; }
@@ -95,4 +95,4 @@ std::string get_reply(const LearnedObjects& objects) {
   return fmt::format("(GET {} ({}))", objects.all().size(), names);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

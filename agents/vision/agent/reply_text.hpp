@@ -9,7 +9,7 @@
 #include "agents/vision/sight/mark_finder.hpp"
 #include "agents/vision/sight/mark_tracker.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 
 std::string learn_reply(const std::string& name, bool ok);
 // `place`: px, absent when it was not found.
@@ -42,4 +42,4 @@ Datum sightings_fact(std::uint64_t frame, std::span<const TrackSighting> sightin
 // seen, bridged or lost.
 std::string_view track_state(const TrackSighting& sighting);
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

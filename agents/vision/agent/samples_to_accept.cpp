@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <ranges>
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 // Gives it the name and number that it has now; false where it is not learned any more.
@@ -63,4 +63,4 @@ std::vector<Datum> SamplesToAccept::facts() const {
   return out;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -15,7 +15,7 @@
 #include "agents/vision/objects/renames.hpp"
 #include "blackboard/time/clock.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 
 struct SampleToAccept {
   std::string client;
@@ -47,4 +47,4 @@ class SamplesToAccept {
   std::vector<SampleToAccept> samples_;  // as they were learned, one a client
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

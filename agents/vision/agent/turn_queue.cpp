@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <ranges>
 
-namespace pizarra {
+namespace pizarra::vision {
 
 std::optional<std::size_t> TurnQueue::position(int number) const {
   const auto found = std::ranges::find(turns_, number, &Turn::number);
@@ -83,4 +83,4 @@ void TurnQueue::keep_place(const Turn& turn) {
   kept_places_.erase(std::ranges::min_element(kept_places_, {}, [](const auto& kept) { return kept.second; }));
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

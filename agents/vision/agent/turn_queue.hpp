@@ -22,7 +22,7 @@
 #include "blackboard/time/executor.hpp"
 #include "lisp/result.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 
 class TurnQueue {
  public:
@@ -77,4 +77,4 @@ class TurnQueue {
   std::map<std::string, std::int64_t> kept_places_;  // of those who gave up
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -7,7 +7,7 @@
 #include "agents/vision/agent/vision_contract.hpp"
 #include "agents/vision/agent/vision_state.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 // Of who asks, and of what is asked about: all strings are names of objects.
@@ -21,22 +21,23 @@ Result<void> check_names(const Fact& request) {
 
 }  // namespace
 
-VisionAgent::VisionAgent(AgentContext context, StereoCamera& camera, Streams* streams, VisionOptions options)
+VisionAgent::VisionAgent(runtime::AgentContext context, camera::StereoCamera& camera, Streams* streams,
+                         VisionOptions options)
     : state_(std::make_unique<State>(std::move(context), camera, streams, std::move(options))) {}
 
 VisionAgent::~VisionAgent() = default;
 
 Task<Result<void>> VisionAgent::run() { return state_->run(); }
 
-VisionAgent::State::State(AgentContext agent_context, StereoCamera& stereo_camera, Streams* image_streams,
-                          VisionOptions vision_options)
+VisionAgent::State::State(runtime::AgentContext agent_context, camera::StereoCamera& stereo_camera,
+                          Streams* image_streams, VisionOptions vision_options)
     : context(std::move(agent_context)),
       options(std::move(vision_options)),
       camera(stereo_camera),
       streams(image_streams),
       memory(context, options.objects_directory),
       feed(
-          context.executor, stereo_camera, [this](StereoFrame frame) { return on_frame(std::move(frame)); },
+          context.executor, stereo_camera, [this](camera::StereoFrame frame) { return on_frame(std::move(frame)); },
           [this] { return camera_changed(); }),
       turns_changed(context.executor) {}
 
@@ -55,7 +56,7 @@ Task<Result<void>> VisionAgent::State::run() {
   const Ending ending{*this};
   // Runs repeat only when no image is divided among threads.
   cv::setNumThreads(1);
-  Result<Contract> contract = contract_from_text(vision_contract);
+  Result<runtime::Contract> contract = runtime::contract_from_text(vision_contract);
   if (!contract) co_return fail(contract);
   service.emplace(context, std::move(*contract));
   const Result<void> started = co_await service->start();
@@ -66,7 +67,7 @@ Task<Result<void>> VisionAgent::State::run() {
   co_await tell_objects();
   again = context.executor.spawn(tell_state_again());
   silence = context.executor.spawn(tell_silence());
-  RequestHandler handler = [this](Fact request) { return handle(std::move(request)); };
+  runtime::RequestHandler handler = [this](Fact request) { return handle(std::move(request)); };
   const Result<void> served = co_await service->serve_requests(std::move(handler));
   co_return served;
 }
@@ -107,4 +108,4 @@ Task<Result<Datum>> VisionAgent::State::handle(Fact request) {
   co_return answer;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

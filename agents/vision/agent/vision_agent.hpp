@@ -22,19 +22,20 @@
 #include "blackboard/stream.hpp"
 #include "drivers/camera/stereo_camera.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 
 struct VisionOptions {
   // The folder of the object database; empty: what was learned is kept on the board alone.
   std::string objects_directory;
 };
 
-class VisionAgent : public Agent {
+class VisionAgent : public runtime::Agent {
  public:
   // `streams` may be null; otherwise images go to NAME-left, NAME-right (as the camera gives them), NAME-grey,
   // NAME-colour (of the left) and NAME-annotated (BGR; twice the size up to 800 px of width) while somebody watches.
   // Both, and the camera, outlive the agent.
-  VisionAgent(AgentContext context, StereoCamera& camera, Streams* streams, VisionOptions options = {});
+  VisionAgent(runtime::AgentContext context, camera::StereoCamera& camera, Streams* streams,
+              VisionOptions options = {});
   ~VisionAgent() override;
   Task<Result<void>> run() override;
 
@@ -43,4 +44,4 @@ class VisionAgent : public Agent {
   std::unique_ptr<State> state_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -5,7 +5,7 @@
 
 #include <string_view>
 
-namespace pizarra {
+namespace pizarra::vision {
 
 inline constexpr std::string_view vision_contract = R"scheme(
 (contract vision
@@ -53,4 +53,4 @@ inline constexpr std::string_view vision_contract = R"scheme(
   (monitors (vision-mode camera-state objects-damaged)))
 )scheme";
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -6,7 +6,7 @@
 
 #include "agents/vision/agent/vision_state.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 // What can be watched: the pair as the camera gives it, the eyes' grey, the same in colour, and what a person likes to
@@ -27,7 +27,7 @@ cv::Mat grey(const Image& image) {
 
 }  // namespace
 
-Task<void> VisionAgent::State::on_frame(StereoFrame frame) {
+Task<void> VisionAgent::State::on_frame(camera::StereoFrame frame) {
   std::vector<TrackSighting> sightings;
   const bool tracks = !tracker.empty() && finding_for.empty() && frame.captured > tracking_asked;
   if (tracks) {
@@ -50,7 +50,7 @@ Task<void> VisionAgent::State::tell_silence() {
   Time last = context.executor.now();
   while (true) {
     const Duration patience = tracker.empty() ? rest_check : pace.patience();
-    const Result<StereoFrame> frame = co_await feed.next(last, patience);
+    const Result<camera::StereoFrame> frame = co_await feed.next(last, patience);
     if (frame) {
       last = frame->captured;
       pace.came(last);
@@ -84,7 +84,7 @@ Task<void> VisionAgent::State::tell_streams() {
 
 bool VisionAgent::State::watched(std::string_view kind) const { return streams->watched(stream(kind)); }
 
-void VisionAgent::State::publish(const StereoFrame& frame) {
+void VisionAgent::State::publish(const camera::StereoFrame& frame) {
   if (streams == nullptr) return;
   const auto send = [&](std::string_view kind, std::shared_ptr<const Image> image) {
     streams->publish(stream(kind), {frame.number, frame.captured, std::move(image)});
@@ -94,7 +94,7 @@ void VisionAgent::State::publish(const StereoFrame& frame) {
   if (watched("grey")) send("grey", grey_image(frame.left));
 }
 
-void VisionAgent::State::begin_showing(const StereoFrame& frame, std::vector<TrackSighting> sightings) {
+void VisionAgent::State::begin_showing(const camera::StereoFrame& frame, std::vector<TrackSighting> sightings) {
   if (streams == nullptr || !(watched("colour") || watched("annotated")) || !showing.done()) return;
   showing = context.executor.spawn(show(frame, annotation_for(frame.number, std::move(sightings))));
 }
@@ -118,18 +118,18 @@ Annotation VisionAgent::State::annotation_for(std::uint64_t frame, std::vector<T
 
 // The eyes' own images are always grey, so that nothing they tell depends on who watches: the same frame, or the next
 // where the camera has moved on, is asked for once more in colour.
-Task<void> VisionAgent::State::show(StereoFrame frame, Annotation annotation) {
+Task<void> VisionAgent::State::show(camera::StereoFrame frame, Annotation annotation) {
   const Time before = frame.captured - Duration(1);
-  const Result<StereoFrame> coloured = co_await camera.next(before, true);
+  const Result<camera::StereoFrame> coloured = co_await camera.next(before, true);
   const bool usable = coloured && coloured->left != nullptr && coloured->left->width == frame.left->width &&
                       coloured->left->height == frame.left->height;
-  const StereoFrame& base = usable ? *coloured : frame;
+  const camera::StereoFrame& base = usable ? *coloured : frame;
   if (watched("colour")) streams->publish(stream("colour"), {base.number, base.captured, base.left});
   if (!watched("annotated")) co_return;
   streams->publish(stream("annotated"), {frame.number, frame.captured, annotate(*base.left, annotation)});
 }
 
-GreyPair grey_pair(const StereoFrame& frame) { return {grey(*frame.left), grey(*frame.right)}; }
+GreyPair grey_pair(const camera::StereoFrame& frame) { return {grey(*frame.left), grey(*frame.right)}; }
 
 std::shared_ptr<const Image> grey_image(const std::shared_ptr<const Image>& image) {
   if (image->channels == 1) return image;
@@ -137,4 +137,4 @@ std::shared_ptr<const Image> grey_image(const std::shared_ptr<const Image>& imag
   return std::make_shared<Image>(Image{image->width, image->height, 1, {view.datastart, view.dataend}});
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -5,7 +5,7 @@
 
 #include "agents/vision/agent/vision_state.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 // Of who is not present.
@@ -116,4 +116,4 @@ Task<void> VisionAgent::State::let_dead_go() {
   if (let_go) co_await follow_holders();
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -5,7 +5,7 @@
 
 #include "agents/vision/agent/vision_state.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 
 Failure VisionAgent::State::not_known(const std::string& name) const {
   const Failure* trouble = memory.trouble_with(name);
@@ -137,4 +137,4 @@ Task<void> VisionAgent::State::follow_renames(Renames renames) {
   co_await tell_objects();
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -5,7 +5,7 @@
 #include "agents/vision/agent/reply_text.hpp"
 #include "agents/vision/agent/vision_state.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 constexpr Duration longest_frame_wait = 3s;
@@ -46,7 +46,7 @@ Task<Result<LearnedSample>> VisionAgent::State::learn_sample(std::string name, c
   learner.emplace(name, click, objects);
   Time after = asked;
   while (!learner->done()) {
-    const Result<StereoFrame> frame = co_await feed.next(after, longest_frame_wait);
+    const Result<camera::StereoFrame> frame = co_await feed.next(after, longest_frame_wait);
     if (!frame) co_return fail(frame);
     after = frame->captured;
     const GreyPair grey = grey_pair(*frame);
@@ -76,7 +76,7 @@ Task<Result<SeenMark>> VisionAgent::State::find_mark(std::string name, Time aske
   Failure why;
   Time after = asked;
   for (int i = 0; i < frames_to_find; ++i) {
-    const Result<StereoFrame> frame = co_await feed.next(after, longest_frame_wait);
+    const Result<camera::StereoFrame> frame = co_await feed.next(after, longest_frame_wait);
     if (!frame) co_return fail(frame);
     after = frame->captured;
     tracking_is_next = tracking_is_next || frame->left != tracked_image;
@@ -151,4 +151,4 @@ Task<Result<Datum>> VisionAgent::State::get_objects(Asked) {
   co_return list(get_reply(objects));
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -9,21 +9,22 @@
 #include <set>
 
 #include "agents/vision/agent/camera_feed.hpp"
+#include "agents/vision/agent/fact_teller.hpp"
 #include "agents/vision/agent/frame_pace.hpp"
 #include "agents/vision/agent/mode_holders.hpp"
 #include "agents/vision/agent/samples_to_accept.hpp"
 #include "agents/vision/agent/turn_queue.hpp"
 #include "agents/vision/agent/vision_agent.hpp"
-#include "agents/vision/agent/fact_teller.hpp"
 #include "agents/vision/database/object_memory.hpp"
 #include "agents/vision/sight/annotate.hpp"
 #include "agents/vision/sight/mark_learner.hpp"
 #include "agents/vision/sight/mark_tracker.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 
 struct VisionAgent::State {
-  State(AgentContext agent_context, StereoCamera& stereo_camera, Streams* image_streams, VisionOptions vision_options);
+  State(runtime::AgentContext agent_context, camera::StereoCamera& stereo_camera, Streams* image_streams,
+        VisionOptions vision_options);
 
   Task<Result<void>> run();
   Task<Result<Datum>> handle(Fact request);
@@ -128,28 +129,28 @@ struct VisionAgent::State {
   Task<void> follow_holders();
 
   // Frames.
-  Task<void> on_frame(StereoFrame frame);
+  Task<void> on_frame(camera::StereoFrame frame);
   // While something is tracked and no frame comes, that nothing is seen.
   Task<void> tell_silence();
   Task<void> tell_missed();
   // The name of the stream of this kind, and whether anybody watches it.
   std::string stream(std::string_view kind) const;
   bool watched(std::string_view kind) const;
-  void publish(const StereoFrame& frame);
+  void publish(const camera::StereoFrame& frame);
   // To those who watch what a person likes to see, unless they are still being shown the frame before.
-  void begin_showing(const StereoFrame& frame, std::vector<TrackSighting> sightings);
+  void begin_showing(const camera::StereoFrame& frame, std::vector<TrackSighting> sightings);
   Annotation annotation_for(std::uint64_t frame, std::vector<TrackSighting> sightings) const;
-  Task<void> show(StereoFrame frame, Annotation annotation);
+  Task<void> show(camera::StereoFrame frame, Annotation annotation);
 
-  AgentContext context;
+  runtime::AgentContext context;
   VisionOptions options;
-  StereoCamera& camera;
+  camera::StereoCamera& camera;
   Streams* streams;
   ObjectMemory memory;
   const LearnedObjects& objects = memory.objects();
   MarkFinder finder{objects};
   MarkTracker tracker{objects};
-  Time tracking_asked = {};                      // for the object that was added last
+  Time tracking_asked = {};                    // for the object that was added last
   std::shared_ptr<const Image> tracked_image;  // the left one, at which the tracker may look back
   std::optional<MarkLearner> learner;
   SamplesToAccept to_accept;
@@ -160,11 +161,11 @@ struct VisionAgent::State {
   bool tracking_is_next = false;         // since a finding has looked at a frame that tracking did not
   std::set<std::string> missing;         // holders who were not present at the last look
   Time absent_until = {};                // how long ModeHolders::absent holds what it does
-  CameraDrops told_drops;
+  camera::CameraDrops told_drops;
   VisionFacts facts{context, service};
   CameraFeed feed;
   WaitList turns_changed;
-  std::optional<Service> service;  // it ends first: its handlers wait for the feed
+  std::optional<runtime::Service> service;  // it ends first: its handlers wait for the feed
   Job again;
   Job silence;
   Job showing;
@@ -175,7 +176,7 @@ struct GreyPair {
   cv::Mat left;
   cv::Mat right;
 };
-GreyPair grey_pair(const StereoFrame& frame);
+GreyPair grey_pair(const camera::StereoFrame& frame);
 std::shared_ptr<const Image> grey_image(const std::shared_ptr<const Image>& image);
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -3,7 +3,7 @@
 #include "agents/vision/agent/vision_state.hpp"
 #include "agents/vision/objects/look_alike.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 std::string_view state_name(CameraFeed::State state) {
@@ -39,11 +39,11 @@ Task<void> VisionAgent::State::tell_state() {
   const bool open = feed.state() == CameraFeed::State::open;
   const std::string& trouble = open ? told_drops.why_corrupt : feed.trouble();
   state.push_back(list("camera-state"_sym, Datum::symbol(state_name(feed.state())), trouble));
-  if (const std::optional<StereoModel>& model = feed.model()) {
+  if (const std::optional<camera::StereoModel>& model = feed.model()) {
     state.push_back(list("camera-model"_sym, model->width, model->height, model->focal_px, model->centre_x_px,
                          model->centre_y_px, model->base_line_mm));
   }
-  if (told_drops != CameraDrops()) {
+  if (told_drops != camera::CameraDrops()) {
     state.push_back(list("camera-drops"_sym, told_drops.late, told_drops.skewed, told_drops.corrupt));
   }
   co_await facts.tell(std::move(state));
@@ -90,4 +90,4 @@ Task<void> VisionAgent::State::camera_changed() {
   co_await facts.unsay();
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

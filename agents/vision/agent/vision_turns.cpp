@@ -4,7 +4,7 @@
 
 #include "agents/vision/agent/vision_state.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 // For others; a learning takes two seconds.
@@ -76,4 +76,4 @@ Task<void> VisionAgent::State::let_tracking_look() {
   }
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <sys/stat.h>
 
-namespace pizarra {
+namespace pizarra::vision {
 
 bool FileStates::unchanged() const {
   return std::ranges::all_of(noted_, [](const auto& entry) { return state_of(entry.first) == entry.second; });
@@ -15,4 +15,4 @@ std::optional<FileStates::State> FileStates::state_of(const std::filesystem::pat
   return State{found.st_ino, found.st_size, found.st_ctim.tv_sec, found.st_ctim.tv_nsec};
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

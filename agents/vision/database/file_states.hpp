@@ -10,7 +10,7 @@
 #include <map>
 #include <optional>
 
-namespace pizarra {
+namespace pizarra::vision {
 
 class FileStates {
  public:
@@ -31,4 +31,4 @@ class FileStates {
   std::map<std::filesystem::path, std::optional<State>> noted_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

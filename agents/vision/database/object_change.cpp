@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 // The learned object a change is about.
@@ -97,4 +97,4 @@ std::vector<Datum> patterns_of(const std::string& name, std::optional<int> numbe
           pattern(learned_focal_fact(name, any))};
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

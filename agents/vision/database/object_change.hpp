@@ -11,7 +11,7 @@
 #include "agents/vision/objects/learned.hpp"
 #include "blackboard/board.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 
 // One more sample of an object, or its first. Its number is the next one.
 struct KeepSample {
@@ -43,4 +43,4 @@ std::vector<Datum> facts_of(const LearnedObjects& objects);
 // Of one object's samples, or, with a number, of that one: what to retract.
 std::vector<Datum> patterns_of(const std::string& name, std::optional<int> number = {});
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

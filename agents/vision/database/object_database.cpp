@@ -11,7 +11,7 @@
 #include "blackboard/journal/checksum.hpp"
 #include "lisp/writer.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 constexpr const char* file_name = "objects.sqlite";
@@ -22,7 +22,7 @@ std::int64_t sum_of(const LearnedSample& sample) {
   const Datum facts = learned_template_fact(nameless, sample);
   std::vector<Datum> kept(facts.items().begin(), facts.items().end());
   if (sample.size_by == LearnedSample::SizeBy::measured) kept.erase(kept.end() - 2);
-  Checksum sum;
+  journal::Checksum sum;
   sum.add(write(learned_fact(nameless, sample))).add(write(Datum::list(std::move(kept))));
   if (sample.focal_px > 0) sum.add(write(learned_focal_fact(nameless, sample)));
   return sum.value();
@@ -56,9 +56,10 @@ Result<ObjectDatabase> ObjectDatabase::open_again(const std::string& directory) 
 }
 
 Result<ObjectDatabase> ObjectDatabase::open_prepared(const std::string& directory,
-                                                     Result<void> (*prepare)(sqlite::Database&)) {
+                                                     Result<void> (*prepare)(journal::sqlite::Database&)) {
   const std::filesystem::path file = std::filesystem::path(directory) / file_name;
-  Result<sqlite::Database> database = sqlite::Database::open(file.string(), sqlite::Access::write);
+  Result<journal::sqlite::Database> database =
+      journal::sqlite::Database::open(file.string(), journal::sqlite::Access::write);
   if (!database) return fail(database);
   const Result<void> prepared = prepare(*database);
   if (!prepared) return fail(prepared);
@@ -80,9 +81,10 @@ std::filesystem::path ObjectDatabase::bitmap(const Row& row) const {
 Result<KeptObjects> ObjectDatabase::read() {
   KeptObjects out;
   bitmaps_.clear();
-  sqlite::Statement rows(database_,
-                         "SELECT name, num, tone, area, perimeter, nf, m0, m1, m2, height, slimness, roundness, "
-                         "roundness_spread, size, sum, id, size_by, focal FROM samples ORDER BY id");
+  journal::sqlite::Statement rows(
+      database_,
+      "SELECT name, num, tone, area, perimeter, nf, m0, m1, m2, height, slimness, roundness, "
+      "roundness_spread, size, sum, id, size_by, focal FROM samples ORDER BY id");
   for (Result<bool> row = rows.step(); !row || *row; row = rows.step()) {
     if (!row) return fail(row);
     const std::string name(rows.text(0));
@@ -107,7 +109,7 @@ Result<KeptObjects> ObjectDatabase::read() {
   return out;
 }
 
-Result<LearnedSample> ObjectDatabase::sample_of(sqlite::Statement& row, const std::string& name) const {
+Result<LearnedSample> ObjectDatabase::sample_of(journal::sqlite::Statement& row, const std::string& name) const {
   LearnedSample out;
   out.number = static_cast<int>(row.integer(1));
   set_tone(out, row.text(2));
@@ -135,7 +137,7 @@ Result<LearnedSample> ObjectDatabase::sample_of(sqlite::Statement& row, const st
 Result<std::int64_t> ObjectDatabase::apply(const ObjectChange& change_wanted) {
   Outcome outcome;
   {
-    sqlite::Transaction transaction(database_);
+    journal::sqlite::Transaction transaction(database_);
     const Result<void> begun = transaction.begin();
     if (!begun) return fail(begun);
     Result<void> done = std::visit([&](const auto& wanted) { return change(wanted, outcome); }, change_wanted);
@@ -155,10 +157,10 @@ Result<std::int64_t> ObjectDatabase::apply(const ObjectChange& change_wanted) {
 // overwritten by the next sample of its name.
 void ObjectDatabase::remove(const Rows& bitmaps) {
   if (bitmaps.empty()) return;
-  sqlite::Transaction alone(database_);
+  journal::sqlite::Transaction alone(database_);
   if (!alone.begin()) return;
   for (const Row& row : bitmaps) {
-    sqlite::Statement same(database_, "SELECT 1 FROM samples WHERE name = ? COLLATE BINARY AND num = ?");
+    journal::sqlite::Statement same(database_, "SELECT 1 FROM samples WHERE name = ? COLLATE BINARY AND num = ?");
     const Result<bool> used = same.bind(1, row.name).bind(2, row.number).step();
     std::error_code ignored;
     if (used && !*used) std::filesystem::remove(bitmap(row), ignored);
@@ -169,7 +171,7 @@ Result<ObjectDatabase::Rows> ObjectDatabase::rows_of(const std::string& name) {
   const Result<void> named = check_object_name(name);
   if (!named) return fail(named);
   Rows out;
-  sqlite::Statement rows(database_, "SELECT name, num FROM samples WHERE name = ? ORDER BY num");
+  journal::sqlite::Statement rows(database_, "SELECT name, num FROM samples WHERE name = ? ORDER BY num");
   rows.bind(1, name);
   for (Result<bool> row = rows.step(); !row || *row; row = rows.step()) {
     if (!row) return fail(row);
@@ -196,8 +198,8 @@ Result<void> ObjectDatabase::change(const KeepSample& keep, Outcome& outcome) {
   // A damaged sample keeps its number.
   sample.number = known->empty() ? 1 : static_cast<int>(known->back().number) + 1;
   const std::string tone = tone_of(sample);
-  sqlite::Statement row(database_,
-                        "INSERT INTO samples VALUES (NULL, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  journal::sqlite::Statement row(
+      database_, "INSERT INTO samples VALUES (NULL, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   row.bind(1, name).bind(2, std::int64_t{sample.number});
   row.bind(3, tone).bind_real(4, sample.area_px);
   row.bind(5, std::int64_t{sample.perimeter_px}).bind(6, std::int64_t{sample.corners});
@@ -216,7 +218,7 @@ Result<void> ObjectDatabase::change(const KeepSample& keep, Outcome& outcome) {
 }
 
 Result<void> ObjectDatabase::change(const WithdrawSample& withdraw, Outcome& outcome) {
-  sqlite::Statement row(database_, "DELETE FROM samples WHERE id = ? RETURNING name, num");
+  journal::sqlite::Statement row(database_, "DELETE FROM samples WHERE id = ? RETURNING name, num");
   const Result<bool> there = row.bind(1, withdraw.id).step();
   if (!there) return fail(there);
   if (!*there) return fail("not-learned", "this sample is not there any more", to_datum(withdraw.name));
@@ -227,7 +229,7 @@ Result<void> ObjectDatabase::change(const WithdrawSample& withdraw, Outcome& out
 Result<void> ObjectDatabase::change(const ForgetObject& forget, Outcome& outcome) {
   const Result<Rows> rows = known_rows(forget.name);
   if (!rows) return fail(rows);
-  sqlite::Statement row(database_, "DELETE FROM samples WHERE name = ?");
+  journal::sqlite::Statement row(database_, "DELETE FROM samples WHERE name = ?");
   const Result<void> gone = row.bind(1, forget.name).run();
   if (gone) outcome.left_over = *rows;
   return gone;
@@ -239,7 +241,7 @@ Result<void> ObjectDatabase::change(const RenameObject& rename, Outcome& outcome
   const Result<Rows> others = rows_of(rename.new_name);
   if (!others) return fail(others);
   if (!others->empty() && !same_name(rename.name, rename.new_name)) return name_taken(rename.new_name);
-  sqlite::Statement row(database_, "UPDATE samples SET name = ? WHERE name = ?");
+  journal::sqlite::Statement row(database_, "UPDATE samples SET name = ? WHERE name = ?");
   const Result<void> renamed = row.bind(1, rename.new_name).bind(2, rename.name).run();
   if (!renamed) return renamed;
   for (const Row& each : *rows) {
@@ -253,4 +255,4 @@ Result<void> ObjectDatabase::change(const RenameObject& rename, Outcome& outcome
   return {};
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -26,7 +26,7 @@
 #include "agents/vision/database/object_change.hpp"
 #include "blackboard/journal/sqlite.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 
 // What keeps something learned from being used; its subject is where the damage is.
 struct MemoryTrouble {
@@ -58,14 +58,15 @@ class ObjectDatabase {
   Result<std::int64_t> version() { return database_.ask("PRAGMA data_version"); }
 
  private:
-  ObjectDatabase(std::filesystem::path directory, sqlite::Database database)
+  ObjectDatabase(std::filesystem::path directory, journal::sqlite::Database database)
       : directory_(std::move(directory)), database_(std::move(database)) {}
 
-  static Result<ObjectDatabase> open_prepared(const std::string& directory, Result<void> (*prepare)(sqlite::Database&));
+  static Result<ObjectDatabase> open_prepared(const std::string& directory,
+                                              Result<void> (*prepare)(journal::sqlite::Database&));
   // Device and inode; nothing where there is no file.
   using FileId = std::optional<std::pair<std::uint64_t, std::uint64_t>>;
   FileId file_now() const;
-  Result<LearnedSample> sample_of(sqlite::Statement& row, const std::string& name) const;
+  Result<LearnedSample> sample_of(journal::sqlite::Statement& row, const std::string& name) const;
   struct Row {
     std::string name;  // as it was spelt first
     std::int64_t number;
@@ -90,9 +91,9 @@ class ObjectDatabase {
   void remove(const Rows& bitmaps);
 
   std::filesystem::path directory_;
-  sqlite::Database database_;
+  journal::sqlite::Database database_;
   FileId file_;
   FileStates bitmaps_;  // of those that were read last
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

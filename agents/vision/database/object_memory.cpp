@@ -4,7 +4,7 @@
 
 #include "agents/vision/database/told_by.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 // How often, and after which pauses, a database that another agent is writing is tried.
@@ -20,7 +20,7 @@ Datum any_of(std::string_view agent, Datum relation, std::size_t arguments) {
   return told_by(agent, Datum::list(std::move(items)));
 }
 
-Transaction told_by(std::string_view agent, Transaction transaction) {
+Transaction all_told_by(std::string_view agent, Transaction transaction) {
   for (Transaction::Step& step : transaction.steps) {
     if (auto* tell = std::get_if<Transaction::Tell>(&step)) tell->fact = told_by(agent, tell->fact);
     if (auto* retract = std::get_if<Transaction::Retract>(&step)) retract->pattern = told_by(agent, retract->pattern);
@@ -46,7 +46,7 @@ Result<LearnedSample> sample_of(const Fact& learned, const std::vector<Fact>& te
 
 }  // namespace
 
-ObjectMemory::ObjectMemory(AgentContext& context, std::string directory)
+ObjectMemory::ObjectMemory(runtime::AgentContext& context, std::string directory)
     : context_(context),
       directory_(std::move(directory)),
       samples_(any_of(context.name, "learned"_sym, 8)),
@@ -135,7 +135,7 @@ Task<Result<std::int64_t>> ObjectMemory::change(ObjectChange change) {
   }
   Result<Transaction> facts = facts_of(change, objects_);
   if (!facts) co_return fail(facts);
-  Transaction ours = told_by(context_.name, std::move(*facts));
+  Transaction ours = all_told_by(context_.name, std::move(*facts));
   const Result<Revision> told = if_it_stands(co_await context_.board.transact(std::move(ours)));
   if (!told) co_return fail(told);
   const Result<void> recalled = co_await recall_facts();
@@ -192,4 +192,4 @@ Task<Result<void>> ObjectMemory::tell_objects() {
   co_return Result<void>();
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

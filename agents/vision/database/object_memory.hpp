@@ -15,12 +15,12 @@
 #include "agents/runtime/agent.hpp"
 #include "agents/vision/database/object_database.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 
 class ObjectMemory {
  public:
   // `directory`: of the database, made where there is none; empty: no database.
-  ObjectMemory(AgentContext& context, std::string directory);
+  ObjectMemory(runtime::AgentContext& context, std::string directory);
 
   // The object stays in its place, what is in it is replaced by whatever changes it.
   const LearnedObjects& objects() const { return objects_; }
@@ -48,7 +48,7 @@ class ObjectMemory {
   Task<Result<void>> recall_facts();
   Task<Result<void>> tell_objects();
 
-  AgentContext& context_;
+  runtime::AgentContext& context_;
   std::string directory_;
   const Datum samples_;    // the pattern of the agent's facts `learned`
   const Datum templates_;  // and `learned-template`
@@ -60,4 +60,4 @@ class ObjectMemory {
   std::vector<MemoryTrouble> troubles_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -1,6 +1,6 @@
 #include "agents/vision/database/object_schema.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 constexpr std::int64_t application = 0x506f626a;  // "Pobj"
@@ -34,20 +34,20 @@ constexpr const char* take_third_format = R"(
   PRAGMA user_version = 4;
 )";
 
-Result<bool> is_ours(sqlite::Database& database) {
+Result<bool> is_ours(journal::sqlite::Database& database) {
   const Result<std::int64_t> whose = database.ask("PRAGMA application_id");
   if (!whose) return fail(whose);
   return *whose == application;
 }
 
 // The format of ours that it has; 0: none.
-Result<std::int64_t> format_of(sqlite::Database& database) {
+Result<std::int64_t> format_of(journal::sqlite::Database& database) {
   const Result<bool> ours = is_ours(database);
   if (!ours) return fail(ours);
   return *ours ? database.ask("PRAGMA user_version") : 0;
 }
 
-Result<void> take_from_first_format(sqlite::Database& database) {
+Result<void> take_from_first_format(journal::sqlite::Database& database) {
   const Result<void> put_away = database.run(put_away_first_format);
   if (!put_away) return put_away;
   const Result<void> made = database.run(schema);
@@ -55,7 +55,7 @@ Result<void> take_from_first_format(sqlite::Database& database) {
   return database.run(take_first_format);
 }
 
-Result<void> make_table(sqlite::Database& database) {
+Result<void> make_table(journal::sqlite::Database& database) {
   const Result<std::int64_t> tables = database.ask("SELECT count(*) FROM sqlite_schema");
   if (!tables) return fail(tables);
   // Another agent may just have made it.
@@ -71,11 +71,11 @@ Result<void> make_table(sqlite::Database& database) {
 
 }  // namespace
 
-Result<void> prepare_objects(sqlite::Database& database) {
+Result<void> prepare_objects(journal::sqlite::Database& database) {
   const Result<std::int64_t> is = format_of(database);
   if (!is) return fail(is);
   if (*is == format) return {};
-  sqlite::Transaction making(database);
+  journal::sqlite::Transaction making(database);
   const Result<void> begun = making.begin();
   if (!begun) return begun;
   const Result<void> made = make_table(database);
@@ -83,11 +83,11 @@ Result<void> prepare_objects(sqlite::Database& database) {
   return making.commit();
 }
 
-Result<void> prepare_objects_again(sqlite::Database& database) {
+Result<void> prepare_objects_again(journal::sqlite::Database& database) {
   const Result<bool> ours = is_ours(database);
   if (!ours) return fail(ours);
   if (*ours) return prepare_objects(database);
   return fail("damaged", "the file in the place of the database of the objects is no such database");
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -9,10 +9,10 @@
 
 #include "blackboard/journal/sqlite.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 
-Result<void> prepare_objects(sqlite::Database& database);
+Result<void> prepare_objects(journal::sqlite::Database& database);
 // Failure `damaged` where it is none of ours: a copy that is still being made is none yet.
-Result<void> prepare_objects_again(sqlite::Database& database);
+Result<void> prepare_objects_again(journal::sqlite::Database& database);
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -8,7 +8,7 @@
 #include <optional>
 #include <unistd.h>
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 constexpr int levels_apart = 17;  // a template has levels 0 to 15, a bitmap 0 to 255
@@ -94,4 +94,4 @@ Result<MarkTemplate> read_bitmap(const std::filesystem::path& path, MarkTone ton
   return picture;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

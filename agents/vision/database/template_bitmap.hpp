@@ -11,7 +11,7 @@
 #include "agents/vision/marks/mark_patch.hpp"
 #include "agents/vision/marks/mark_signature.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 
 // On the disk, whole, when it returns. Failures `disk-full` and `cannot-write`.
 Result<void> write_bitmap(const std::filesystem::path& path, const MarkTemplate& picture, MarkTone tone);
@@ -22,4 +22,4 @@ Result<void> copy_bitmap(const std::filesystem::path& from, const std::filesyste
 // Failures `missing` and `damaged`.
 Result<MarkTemplate> read_bitmap(const std::filesystem::path& path, MarkTone tone);
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -10,7 +10,7 @@
 
 #include "lisp/datum.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 
 // The same of a pattern.
 inline Datum told_by(std::string_view agent, const Datum& fact) {
@@ -25,4 +25,4 @@ inline Datum as_said(const Datum& told) {
   return Datum::list(std::move(items));
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pizarra {
+namespace pizarra::vision {
 
 // Calls run(first, end) for each stretch of set bits among `count` words.
 template <typename Run>
@@ -126,4 +126,4 @@ class BitImage {
   std::vector<std::uint64_t> words_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <opencv2/core/hal/intrin.hpp>
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 constexpr std::size_t at_once = 4;
@@ -62,4 +62,4 @@ cv::Rect box_of(const MarkContour& contour) {
   return {low, high + cv::Point(1, 1)};
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -14,7 +14,7 @@
 #include <optional>
 #include <vector>
 
-namespace pizarra {
+namespace pizarra::vision {
 
 using MarkContour = std::vector<cv::Point>;  // the region's border pixels, px, 8-connected, in order
 
@@ -131,4 +131,4 @@ std::optional<MarkContour> contour_from_centre(const Field& field, cv::Point cen
   return std::nullopt;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -10,7 +10,7 @@
 #include <array>
 #include <cstdint>
 
-namespace pizarra {
+namespace pizarra::vision {
 
 // At most 65535 pixels.
 class GreyLevels {
@@ -56,4 +56,4 @@ class GreyLevels {
   int total_ = 0;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

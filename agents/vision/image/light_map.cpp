@@ -1,6 +1,6 @@
 #include "agents/vision/image/light_map.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 constexpr int cell_px = 16;
@@ -77,4 +77,4 @@ int LightMap::mean_around(const std::vector<int>& known, int cell) const {
   return count == 0 ? 0 : sum / count;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -12,7 +12,7 @@
 
 #include "agents/vision/image/grey_levels.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 
 class LightMap {
  public:
@@ -34,4 +34,4 @@ class LightMap {
   std::vector<GreyLevels> cells_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 constexpr int rows_sampled = 12;
@@ -94,4 +94,4 @@ ImageCut look_at(const cv::Mat& grey, cv::Rect area, double noise) {
   return {smoothed(grey, area), area.tl(), noise * left_of_noise};
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

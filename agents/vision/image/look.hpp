@@ -9,7 +9,7 @@
 
 #include <opencv2/core.hpp>
 
-namespace pizarra {
+namespace pizarra::vision {
 
 struct ImageCut {
   cv::Mat1b pixels;  // shared with the image, or its own
@@ -24,4 +24,4 @@ double noise_of(const cv::Mat& grey);
 // every result rounded up a little, all alike; what lies beyond the image's edge is as the edge.
 ImageCut look_at(const cv::Mat& grey, cv::Rect area, double noise);
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 struct Run {
@@ -96,4 +96,4 @@ std::vector<Region> regions_of(const BitImage& bits) {
   return growth.result();
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -9,7 +9,7 @@
 
 #include "agents/vision/image/bit_rows.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 
 struct Region {
   int area_px = 0;
@@ -20,4 +20,4 @@ struct Region {
 // In the order of their starts, row by row.
 std::vector<Region> regions_of(const BitImage& bits);
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

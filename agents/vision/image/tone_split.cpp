@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <opencv2/core/hal/intrin.hpp>
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 constexpr int least_local_contrast = 30;
@@ -178,4 +178,4 @@ ToneSplit split_tones(const cv::Mat1b& image, double noise, cv::Range wanted) {
   return out;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -11,7 +11,7 @@
 
 #include "agents/vision/image/bit_rows.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 
 struct ToneSplit {
   BitImage dark;
@@ -22,4 +22,4 @@ struct ToneSplit {
 // everything is neither.
 ToneSplit split_tones(const cv::Mat1b& image, double noise, cv::Range rows = cv::Range::all());
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 // Of the contour, each as long as the others. A side has so many of them.
@@ -201,4 +201,4 @@ double ground_doubt(const cv::Mat1b& grey, double noise, const SeenMark& mark) {
   return least;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

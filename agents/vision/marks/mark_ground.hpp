@@ -12,10 +12,10 @@
 
 #include "agents/vision/marks/mark_measure.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 
 // By how much the ground beyond one side differs from that beyond the others, as a part of what noise, print and the
 // light's slope may make of it: from 1 on it is another. `noise` is that of the whole image, in which the mark is.
 double ground_doubt(const cv::Mat1b& grey, double noise, const SeenMark& mark);
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <opencv2/core/hal/intrin.hpp>
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 // Of the patch's values, about its left upper corner: sums are exact.
@@ -238,4 +238,4 @@ int count_corners(const MarkContour& contour) {
   return corners;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

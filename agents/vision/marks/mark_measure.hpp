@@ -13,7 +13,7 @@
 #include "agents/vision/marks/mark_signature.hpp"
 #include "agents/vision/marks/tag.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 
 struct SeenMark {
   MarkTone tone = MarkTone::dark;
@@ -63,4 +63,4 @@ std::optional<MarkPortrait> portray_mark(const ImageCut& cut, const MarkContour&
 // The number of places where the contour turns by more than 50 degrees within a few pixels.
 int count_corners(const MarkContour& contour);
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <opencv2/core/hal/intrin.hpp>
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 constexpr int turns = MarkSignature::turns;
@@ -150,4 +150,4 @@ OutlineDifference outline_difference(const MarkOutline& seen, const MarkOutline&
   return out;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -10,7 +10,7 @@
 
 #include "agents/vision/marks/mark_signature.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 
 // Amplitudes, in standard deviations of the mark. Three waves to eight around it: one or two are its place and its
 // slant, and of more the blur leaves little.
@@ -38,4 +38,4 @@ struct OutlineDifference {
 };
 OutlineDifference outline_difference(const MarkOutline& seen, const MarkOutline& learned, double most_blur);
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -7,7 +7,7 @@
 #include "agents/vision/image/bit_rows.hpp"
 #include "agents/vision/image/light_map.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 constexpr int least_contrast = 20;
@@ -81,8 +81,7 @@ MarkContour reduced_contour(const MarkContour& contour, cv::Point origin, int re
 bool is_large_mark(cv::Rect box) { return std::max(box.width, box.height) > large_px; }
 
 template <int words>
-bool MarkPatch::cut_rows(cv::Mat1b& pixels, const MarkContour& contour, cv::Point corner, MarkTone tone,
-                         double noise) {
+bool MarkPatch::cut_rows(cv::Mat1b& pixels, const MarkContour& contour, cv::Point corner, MarkTone tone, double noise) {
   Rows<words> inside;
   Rows<words> grown;
   Rows<words> around;  // within two pixels, as far as blur spreads the mark; the second is even ground on a clean mark
@@ -175,4 +174,4 @@ bool MarkPatch::cut(const ImageCut& from, const MarkContour& contour, MarkTone t
   return cut_from(contour, origin);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

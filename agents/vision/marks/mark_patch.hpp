@@ -9,7 +9,7 @@
 #include "agents/vision/image/contour.hpp"
 #include "agents/vision/image/look.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 
 enum class MarkTone : std::uint8_t { dark, light };  // the mark's, on the opposite ground
 
@@ -55,4 +55,4 @@ struct MarkPatch {
   bool cut_rows(cv::Mat1b& pixels, const MarkContour& contour, cv::Point corner, MarkTone tone, double noise);
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

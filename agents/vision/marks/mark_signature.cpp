@@ -7,7 +7,7 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 // In standard deviations; a circle ends at 2, a square between 1.7 and 2.4, a triangle's corners at 2.8.
@@ -313,4 +313,4 @@ Result<MarkTemplate> template_from_text(std::string_view text) {
   return out;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

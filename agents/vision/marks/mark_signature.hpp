@@ -17,7 +17,7 @@
 
 #include "lisp/result.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 
 // The weights of a mark, row by row, `full` where the mark is and 0 on the ground; 0 along the border of the picture.
 struct WeightedShape {
@@ -82,4 +82,4 @@ MarkTemplate template_from_picture(const cv::Mat1f& picture);
 std::string template_to_text(const MarkTemplate& picture);
 Result<MarkTemplate> template_from_text(std::string_view text);
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

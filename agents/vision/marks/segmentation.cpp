@@ -5,7 +5,7 @@
 
 #include "agents/vision/image/regions.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 bool has_the_size_of_a_mark(const Region& region, cv::Size image, cv::Range rows) {
@@ -76,4 +76,4 @@ const std::vector<SeenMark>& ImageSegmentation::marks() {
   return marks_;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -12,7 +12,7 @@
 #include "agents/vision/image/tone_split.hpp"
 #include "agents/vision/marks/mark_measure.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 
 inline constexpr int least_mark_area_px = 60;  // to be learned
 inline constexpr int least_seen_area_px = 50;  // to be found, farther away
@@ -52,4 +52,4 @@ class ImageSegmentation {
   std::size_t left_out_ = 0;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

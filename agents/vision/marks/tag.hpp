@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-namespace pizarra {
+namespace pizarra::vision {
 
 struct Tag {
   std::string family;  // apriltag-36h11, aruco-4x4-50, ...
@@ -21,4 +21,4 @@ std::string tag_name(const Tag& tag);
 // Nothing where no family is called so.
 std::optional<Tag> tag_called(std::string_view name);
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

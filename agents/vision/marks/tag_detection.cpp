@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 // ArUco's larger families begin with the smaller.
@@ -35,4 +35,4 @@ TagDetection detect_tags(const cv::Mat& grey, const TagFamily& family, double le
   return out;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

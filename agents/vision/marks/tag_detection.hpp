@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace pizarra {
+namespace pizarra::vision {
 
 struct TagFamily {
   std::string_view name;
@@ -33,4 +33,4 @@ struct TagDetection {
 // `least_around`: how long a square's outline is at least, as a part of the image's longer side.
 TagDetection detect_tags(const cv::Mat& grey, const TagFamily& family, double least_around = 0.03);
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -3,7 +3,7 @@
 #include <array>
 #include <opencv2/imgproc.hpp>
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 constexpr int cell_px = 6;
@@ -98,4 +98,4 @@ double middle_off_px(const cv::Mat1b& grey, const std::vector<cv::Point2f>& corn
   return cv::norm(mapped(to_image, middle) - mapped(to_image, middle - moved));
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

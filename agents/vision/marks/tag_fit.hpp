@@ -8,11 +8,11 @@
 #include <opencv2/aruco.hpp>
 #include <opencv2/core.hpp>
 
-namespace pizarra {
+namespace pizarra::vision {
 
 // How far the middle of the tag's corners would move if they went where the edges of its cells put them, to first
 // order: as it is to some 15 %, up to half a cell. The corners begin with the tag's own upper left one, clockwise.
 double middle_off_px(const cv::Mat1b& grey, const std::vector<cv::Point2f>& corners,
                      const cv::aruco::Dictionary& dictionary, int number);
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 using Corners = std::vector<cv::Point2f>;
@@ -74,4 +74,4 @@ cv::Mat1b squared(const cv::Mat1b& grey, const std::vector<cv::Point2f>& corners
   return out;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

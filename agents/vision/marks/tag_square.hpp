@@ -9,7 +9,7 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
-namespace pizarra {
+namespace pizarra::vision {
 
 struct TagSquare {
   int number;
@@ -23,4 +23,4 @@ std::vector<TagSquare> tags_at_a_glance(const cv::Mat1b& grey, const cv::Rect& a
 // What the corners enclose, as a square so many pixels wide.
 cv::Mat1b squared(const cv::Mat1b& grey, const std::vector<cv::Point2f>& corners, int side_px);
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -9,7 +9,7 @@
 #include "agents/vision/marks/tag_fit.hpp"
 #include "agents/vision/marks/tag_square.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 constexpr double most_row_difference_px = 2;
@@ -132,8 +132,7 @@ bool is_around(const Corners& corners, cv::Point2d point) {
 // light triangle may spell one.
 bool has_a_border(const cv::Mat1b& grey, const Corners& corners) {
   int agreeing = 0;
-  visit_border(grey, corners,
-               [&](int inside, int outside) { agreeing += outside - inside > least_contrast ? 1 : 0; });
+  visit_border(grey, corners, [&](int inside, int outside) { agreeing += outside - inside > least_contrast ? 1 : 0; });
   return agreeing >= least_border_share * border_places * static_cast<double>(corners.size());
 }
 
@@ -200,9 +199,9 @@ struct Reading {
 // The tag around the point, of whatever family. What one family reads another may too, with cells that it mends: the
 // likest is meant, of those that are equal the first.
 std::optional<Reading> read_tag(const cv::Mat& grey, cv::Rect area, cv::Point2d point,
-                                std::span<const TagFamily> families = tag_families()) {
+                                std::span<const TagFamily> considered = tag_families()) {
   std::optional<Reading> best;
-  for (const TagFamily& family : families) {
+  for (const TagFamily& family : considered) {
     const cv::Ptr<cv::aruco::Dictionary> dictionary = cv::aruco::getPredefinedDictionary(family.dictionary);
     TagDetection detection = detect_tags(grey(area), family);
     for (std::size_t i = 0; i < detection.found.size(); ++i) {
@@ -299,4 +298,4 @@ bool are_tag_partners(const SeenMark& left, const SeenMark& right) {
          scale > 0.8 && scale < 1.25;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -10,7 +10,7 @@
 
 #include "agents/vision/marks/mark_measure.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 
 // Of a seen tag the mark is the outer square, and the centre where its diagonals meet. One of which something hides so
 // much that the centre would be more than a pixel off, or 1.5 % of its side, is not seen.
@@ -33,4 +33,4 @@ cv::Rect area_around_tag(cv::Rect box);
 // Whether the two can be views of one tag: in the same row, the right one further left.
 bool are_tag_partners(const SeenMark& left, const SeenMark& right);
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

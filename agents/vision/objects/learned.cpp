@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 double rounded(double value) { return std::round(value * 1000) / 1000; }
@@ -182,4 +182,4 @@ Result<LearnedSample> sample_from_facts(const Datum& learned, const Datum& learn
   return out;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

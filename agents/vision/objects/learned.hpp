@@ -20,7 +20,7 @@
 #include "agents/vision/marks/mark_outline.hpp"
 #include "agents/vision/marks/tag.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 
 struct LearnedSample {
   int number = 0;       // NUM, from 1
@@ -118,4 +118,4 @@ Datum learned_focal_fact(const std::string& name, const LearnedSample& sample);
 Result<LearnedSample> sample_from_facts(const Datum& learned, const Datum& learned_template,
                                         const Datum* learned_focal = nullptr);
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -5,7 +5,7 @@
 
 #include "agents/vision/objects/shape_doubt.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 // So much doubt makes something e times less likely.
@@ -72,4 +72,4 @@ bool is_recognised(const SeenMark& mark, const LearnedObjects& objects, const Le
   return recognise(mark, objects, object).has_value();
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -8,7 +8,7 @@
 
 #include "agents/vision/objects/mark_match.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 
 double recognition_error(const SeenMark& mark, const LearnedObject& object);
 
@@ -50,4 +50,4 @@ std::optional<Likeness> recognise(const SeenMark& mark, const LearnedObjects& ob
                                   std::optional<int> last_turn = {});
 bool is_recognised(const SeenMark& mark, const LearnedObjects& objects, const LearnedObject& object);
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

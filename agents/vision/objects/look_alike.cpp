@@ -6,7 +6,7 @@
 
 #include "agents/vision/objects/recognise.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 
 std::vector<Datum> look_alikes(const LearnedObjects& objects) {
   std::vector<Datum> out;
@@ -26,4 +26,4 @@ std::vector<Datum> look_alikes(const LearnedObjects& objects) {
   return out;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -7,9 +7,9 @@
 
 #include "agents/vision/objects/learned.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 
 // Of each such pair (look-alike NAME OTHER ERROR "SENTENCE"), NAME learned later.
 std::vector<Datum> look_alikes(const LearnedObjects& objects);
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

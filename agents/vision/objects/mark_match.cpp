@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 constexpr double impossible = std::numeric_limits<double>::infinity();
@@ -124,4 +124,4 @@ double likeness_error(const LearnedObject& a, const LearnedObject& b) {
   return best;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -10,7 +10,7 @@
 
 #include "agents/vision/objects/learned.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 
 // Above this error a mark is not the object.
 inline constexpr double recognition_threshold = 0.085;
@@ -53,4 +53,4 @@ double roundness_error(const SeenMark& mark, const LearnedObject& object);
 double likeness_error(const LearnedObject& a, const LearnedObject& b);
 inline constexpr double alike_below = 0.075;
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 // Of the squared cosines of two faces of one cube, with what their measuring adds.
@@ -101,4 +101,4 @@ const SeenMark* find_partner(const SeenMark& left, const std::vector<SeenMark>& 
   return best;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -9,7 +9,7 @@
 
 #include "agents/vision/objects/likeness.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 
 // Two faces of one yawed cube are seen about this many mark heights (standard deviations) apart at most.
 inline constexpr double neighbour_heights = 8;
@@ -44,4 +44,4 @@ const SeenMark* find_partner(const SeenMark& left, const std::vector<SeenMark>& 
 // Whether the two can be views of one mark.
 bool are_partners(const SeenMark& left, const SeenMark& right);
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 // All that follows was measured of the five marks in 120,000 of the bench's scenes (30 seeds), and of 112,500 marks
@@ -69,4 +69,4 @@ ShapeDoubt shape_doubt(const SeenMark& mark, const MarkMatch& match) {
   return {doubt, std::max(doubt, difference.in_one / (ever + wave_share * std::min(by_noise, least_other)))};
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

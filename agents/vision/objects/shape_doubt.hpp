@@ -8,7 +8,7 @@
 
 #include "agents/vision/objects/mark_match.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 
 // As Likeness has them; infinite of what matches nothing.
 struct ShapeDoubt {
@@ -18,4 +18,4 @@ struct ShapeDoubt {
 
 ShapeDoubt shape_doubt(const SeenMark& mark, const MarkMatch& match);
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -5,7 +5,7 @@
 #include <limits>
 #include <opencv2/imgproc.hpp>
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 // Small images are shown twice as large.
@@ -161,4 +161,4 @@ std::shared_ptr<const Image> annotate(const Image& base, const Annotation& annot
   return out;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

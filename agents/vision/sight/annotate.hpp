@@ -7,7 +7,7 @@
 #include "agents/vision/sight/mark_finder.hpp"
 #include "agents/vision/sight/mark_tracker.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 
 struct Annotation {
   std::vector<TrackSighting> sightings;
@@ -20,4 +20,4 @@ struct Annotation {
 // `base`: grey or BGR. The result is BGR.
 std::shared_ptr<const Image> annotate(const Image& base, const Annotation& annotation);
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -6,7 +6,7 @@
 
 #include "agents/vision/marks/tags.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 // Within one mark, in grey levels; or, where that is more, as a part of the lighter level, as light and shadow are.
@@ -193,4 +193,4 @@ std::unexpected<Failure> ClickedPlace::refuse(const char* symbol, const char* se
   return fail(symbol, sentence, list(click_.x, click_.y));
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -11,7 +11,7 @@
 #include "agents/vision/marks/segmentation.hpp"
 #include "lisp/result.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 
 class ClickedPlace {
  public:
@@ -39,4 +39,4 @@ class ClickedPlace {
   int other_px_ = 0;                // what it encloses that is unlike it
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

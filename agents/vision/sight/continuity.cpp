@@ -9,7 +9,7 @@
 #include "agents/vision/marks/mark_outline.hpp"
 #include "agents/vision/sight/frame_time.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 // Of a centre at rest, by noise and the pixels' phase; and what is none of that.
@@ -178,8 +178,7 @@ WholeMark::Look WholeMark::look_at(const SeenMark& mark, Time captured, double m
     const double by_covering = covering(one, other);
     if (by_covering > sure) return Look::covered;
     // What comes back from behind something is a part at first.
-    const bool explained =
-        length(one.missed, std::min(other.moved, other.missed)) < clear_px + most_missed * one.off;
+    const bool explained = length(one.missed, std::min(other.moved, other.missed)) < clear_px + most_missed * one.off;
     if (hidden_ && by_covering > 1 / sure && explained) return Look::covered;
   }
   return Look::turned;
@@ -224,4 +223,4 @@ void WholeMark::follow(const SeenMark& mark, Time captured) {
   followed_ = captured;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -17,7 +17,7 @@
 #include "agents/vision/marks/mark_measure.hpp"
 #include "blackboard/time/clock.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 
 class WholeMark {
  public:
@@ -89,4 +89,4 @@ class WholeMark {
   bool hidden_ = false;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

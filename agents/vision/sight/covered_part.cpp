@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 // So much of what may be told makes it e times less likely to be whole.
@@ -35,4 +35,4 @@ double confidence_if_off(double of_whole, double off_px, double most_off_px) {
 
 double confidence_in_whole(double confidence, double of_whole) { return 1 / (1 + 1 / confidence - 1 / of_whole); }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -8,7 +8,7 @@
 
 #include "agents/vision/marks/mark_measure.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 
 // How far the centre moves for every px that the standard deviation shrinks, where a strip of a square is covered. For
 // a disc and a cross it is less.
@@ -30,4 +30,4 @@ double confidence_if_off(double of_whole, double off_px, double most_off_px);
 // That nothing covers it, where that is what is left.
 double confidence_in_whole(double confidence, double of_whole);
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

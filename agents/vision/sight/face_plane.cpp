@@ -6,7 +6,7 @@
 
 #include "agents/vision/sight/covered_part.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 // What is left of a value that noise of this spread makes about 0.
@@ -20,7 +20,7 @@ double FacePlane::shown_height() const {
   return 1 / std::sqrt(1 - 2 * tilt() * y + tilt() * tilt() * (1 + x * x + y * y));
 }
 
-FacePlane face_plane(const StereoModel& model, const SeenMark& left, const SeenMark& right) {
+FacePlane face_plane(const camera::StereoModel& model, const SeenMark& left, const SeenMark& right) {
   FacePlane out{};
   out.x = (left.centre.x - model.centre_x_px) / model.focal_px;
   out.y = (left.centre.y - model.centre_y_px) / model.focal_px;
@@ -42,7 +42,7 @@ double yaw_deg(const FacePlane& plane) {
 // A plane's image is J times it, J = f / Z P E: E two unit vectors along the plane, P what the line of sight makes of a
 // step in space. So J J' = (f / Z)^2 P (1 - n n') P', and the covariance from the front has the trace and the
 // determinant of the image's by it, however the plane's own axes lie.
-FrontView view_from_front(const StereoModel& model, const FacePlane& plane, const SeenMark& left) {
+FrontView view_from_front(const camera::StereoModel& model, const FacePlane& plane, const SeenMark& left) {
   const double mm_per_px = depth_mm(model, plane.along_sight * model.focal_px) / model.focal_px;
   const double across = plane.across - plane.ahead * plane.x;
   const double down = plane.down - plane.ahead * plane.y;
@@ -51,12 +51,12 @@ FrontView view_from_front(const StereoModel& model, const FacePlane& plane, cons
   const double xy = plane.x * plane.y - across * down / n2;
   const double yy = 1 + plane.y * plane.y - down * down / n2;
   const double shown = plane.along_sight / std::sqrt(n2);  // the root of the determinant
-  const double trace = (yy * left.width_px * left.width_px - 2 * xy * left.slant_px2 +
-                        xx * left.height_px * left.height_px) /
-                       (shown * shown);
+  const double trace =
+      (yy * left.width_px * left.width_px - 2 * xy * left.slant_px2 + xx * left.height_px * left.height_px) /
+      (shown * shown);
   const double product = spread_product_px2(left) / shown;
   const double half = std::min(1.0, 2 * product / trace);
   return {.area_mm2 = product * mm_per_px * mm_per_px, .slimness = half / (1 + std::sqrt(1 - half * half))};
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

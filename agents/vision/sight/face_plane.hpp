@@ -7,10 +7,10 @@
 //   const FrontView front = view_from_front(model, plane, left);
 //   const double yaw = yaw_deg(plane);
 
-#include "agents/vision/sight/stereo.hpp"
 #include "agents/vision/marks/mark_measure.hpp"
+#include "agents/vision/sight/stereo.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 
 // Of a plane 1 / Z is linear in the image, so the disparity is: d = d0 + a x + b y, and the plane's normal is
 // (a, b, (d - a x - b y) / f), x and y from the principal point. The right image of a mark is the left one squeezed by
@@ -31,7 +31,7 @@ struct FacePlane {
   double tilt() const { return down / along_sight; }
   double shown_height() const;
 };
-FacePlane face_plane(const StereoModel& model, const SeenMark& left, const SeenMark& right);
+FacePlane face_plane(const camera::StereoModel& model, const SeenMark& left, const SeenMark& right);
 
 // How far the face is turned from facing along the optical axis, degrees, positive where it looks to the right; good to
 // a few degrees, so worth averaging.
@@ -42,6 +42,6 @@ struct FrontView {
   double area_mm2;  // the product of both principal standard deviations
   double slimness;
 };
-FrontView view_from_front(const StereoModel& model, const FacePlane& plane, const SeenMark& left);
+FrontView view_from_front(const camera::StereoModel& model, const FacePlane& plane, const SeenMark& left);
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

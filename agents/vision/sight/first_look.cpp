@@ -8,7 +8,7 @@
 #include "agents/vision/sight/covered_part.hpp"
 #include "agents/vision/sight/unyawed.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 // How far a length is off that was learned elsewhere, as a part of it: a standard deviation.
@@ -99,4 +99,4 @@ double may_be_off_by_learned_px(const LearnedObject& object, const FaceSize& see
   return std::max(by_loss_px(now, left, whole), by_narrowing_px(seen, left, whole, front));
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

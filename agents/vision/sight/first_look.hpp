@@ -11,7 +11,7 @@
 #include "agents/vision/objects/learned.hpp"
 #include "agents/vision/sight/whole_face.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 
 // As one camera alone where one of the sizes is not known.
 double may_be_off_by_learned_px(const LearnedObject& object, const FaceSize& now, const SeenMark& left);
@@ -22,4 +22,4 @@ double may_be_off_by_learned_px(const LearnedObject& object, const FaceSize& now
 // looked when it was learned is whole and farther away, or it is not; and nobody knows.
 double may_be_off_by_learned_px(const LearnedObject& object, const SeenMark& left);
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

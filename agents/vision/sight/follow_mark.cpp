@@ -5,7 +5,7 @@
 
 #include "agents/vision/marks/segmentation.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 // How far from its predicted place a mark is followed, in an image 320 px wide: more than a frame's motion (12 mm are
@@ -53,4 +53,4 @@ std::optional<SeenMark> follow_mark(const cv::Mat& grey, double noise, const See
   return near;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

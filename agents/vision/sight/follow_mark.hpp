@@ -9,7 +9,7 @@
 
 #include "agents/vision/marks/mark_measure.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 
 // What so many px in an image 320 px wide are in this one.
 double px_in(const cv::Mat& image, double px);
@@ -17,4 +17,4 @@ double px_in(const cv::Mat& image, double px);
 // The mark that was `last`, near `centre`. Nothing where no closed contour of its tone is around that.
 std::optional<SeenMark> follow_mark(const cv::Mat& grey, double noise, const SeenMark& last, cv::Point2d centre);
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

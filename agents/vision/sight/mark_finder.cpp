@@ -7,7 +7,7 @@
 #include "agents/vision/marks/tags.hpp"
 #include "agents/vision/sight/wholeness.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 std::optional<Failure> of_another_size(const std::vector<SeenMark>& marks, const LearnedObject& object) {
@@ -109,4 +109,4 @@ Failure MarkFinder::not_found(StereoSight& sight, const LearnedObject& object) c
           {}};
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

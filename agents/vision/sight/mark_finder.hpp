@@ -13,7 +13,7 @@
 #include "agents/vision/sight/seen_range.hpp"
 #include "blackboard/time/clock.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 
 struct FoundMark {
   std::string name;
@@ -55,4 +55,4 @@ class MarkFinder {
   std::map<std::string, FoundAt> found_at_;  // each object's last
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

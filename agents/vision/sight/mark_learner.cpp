@@ -9,7 +9,7 @@
 #include "agents/vision/marks/tags.hpp"
 #include "agents/vision/sight/covered_part.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 // In so many of the ten frames the mark must have been seen, and its contour closed.
@@ -19,7 +19,8 @@ constexpr double rest_px = 1.5;
 
 // From the front, by the partner; before one camera alone as it looks, by where objects are said to be while they are
 // learned.
-std::optional<FrontView> view_from_front(const StereoModel& model, const SeenMark& seen, const SeenMark* partner) {
+std::optional<FrontView> view_from_front(const camera::StereoModel& model, const SeenMark& seen,
+                                         const SeenMark* partner) {
   if (partner != nullptr) return view_from_front(model, face_plane(model, seen, *partner), seen);
   if (!model.is_single()) return std::nullopt;
   const double mm_per_px = model.learned_at_mm / model.focal_px;
@@ -195,7 +196,7 @@ Result<void> MarkLearner::measure(StereoSight& sight) {
 
 // Nothing where the right image does not show it.
 std::optional<FrontView> MarkLearner::front_of(StereoSight& sight, const SeenMark& seen) {
-  const StereoModel& model = sight.model();
+  const camera::StereoModel& model = sight.model();
   if (model.is_single()) return view_from_front(model, seen, nullptr);
   if (seen.tag) {
     const std::optional<SeenPair> pair = sight.find(*seen.tag, area_around_tag(seen.box));
@@ -275,4 +276,4 @@ LearnedSample MarkLearner::sample() const {
   return out;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -16,7 +16,7 @@
 #include "agents/vision/sight/refind.hpp"
 #include "agents/vision/sight/stereo_sight.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 
 class MarkLearner {
  public:
@@ -77,4 +77,4 @@ class MarkLearner {
   double focal_px_ = 0;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -11,7 +11,7 @@
 #include "agents/vision/sight/follow_mark.hpp"
 #include "agents/vision/sight/seen_range.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 // How far a lost mark is looked for before the whole image is.
@@ -307,4 +307,4 @@ TrackSighting MarkTracker::update(StereoSight& sight, Track& track) {
   return out;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -24,7 +24,7 @@
 #include "agents/vision/sight/frame_time.hpp"
 #include "agents/vision/sight/wholeness.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 
 struct TrackSighting {
   std::string name;
@@ -81,7 +81,7 @@ class MarkTracker {
     Time seen_at = {};
     bool missed = false;  // in the frame before this one
     Wholeness whole = {};
-    double ground_doubt = 0;  // as it was found, or since
+    double ground_doubt = 0;       // as it was found, or since
     cv::Point2d velocity_px = {};  // a second, in the left image
     double disparity_change_px = 0;
     double range_mm = 0;
@@ -127,4 +127,4 @@ class MarkTracker {
 
 inline constexpr std::string_view end_effector_name = "end-effector";
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -7,7 +7,7 @@
 
 #include "agents/vision/objects/recognise.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 // Of the image's width: farther no mark moves from one image to the next.
@@ -107,9 +107,8 @@ class Refinding {
     for (Motion& motion : motions) motion.fit = fit_of(motion, before_, now_);
     const Motion& best = *std::ranges::max_element(motions, {}, &Motion::fit);
     if (best.fit < least_fit) return {};
-    const bool ambiguous = std::ranges::any_of(motions, [&](const Motion& other) {
-      return other.fit > rival_share * best.fit && !puts_alike(other, best);
-    });
+    const bool ambiguous = std::ranges::any_of(
+        motions, [&](const Motion& other) { return other.fit > rival_share * best.fit && !puts_alike(other, best); });
     if (ambiguous) return {nullptr, true};
     return {seen_at(best, clicked()), false};
   }
@@ -198,4 +197,4 @@ Refound refind(const SeenMark& mark, const MarkedImage& before, const MarkedImag
   return Refinding(mark, before, now).find();
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

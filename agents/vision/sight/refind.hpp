@@ -13,7 +13,7 @@
 
 #include "agents/vision/marks/mark_measure.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 
 struct MarkedImage {
   cv::Size size;
@@ -30,4 +30,4 @@ struct Refound {
 // `before`: that `mark` was seen in, of the same size.
 Refound refind(const SeenMark& mark, const MarkedImage& before, const MarkedImage& now);
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -8,7 +8,7 @@
 #include "agents/vision/sight/face_plane.hpp"
 #include "agents/vision/sight/unyawed.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 // How far a range by size may be off, as a part of it: a standard deviation.
@@ -66,7 +66,7 @@ struct TiltError {
   double part_spread;  // of the range
 };
 
-TiltError error_by_tilt(const StereoModel& model, const SeenMark& left, const FacePlane& plane, double range) {
+TiltError error_by_tilt(const camera::StereoModel& model, const SeenMark& left, const FacePlane& plane, double range) {
   const double depth = model.base_line_mm / plane.along_sight;
   const double disparity = plane.along_sight * model.focal_px;
   const double xx = squared(left.width_px);
@@ -87,8 +87,8 @@ TiltError error_by_tilt(const StereoModel& model, const SeenMark& left, const Fa
 
 SeenRange range_by_pair(const StereoSight& sight, const SeenMark& left, const SeenMark& right, const FacePlane& plane,
                         double confidence_in_whole) {
-  const StereoModel& model = sight.model();
-  const StereoDeviations& known = model.deviations;
+  const camera::StereoModel& model = sight.model();
+  const camera::StereoDeviations& known = model.deviations;
   const double disparity = left.centre.x - right.centre.x;
   const double range = range_mm(model, left.centre, disparity);
   double variance_px2 = squared(centre_noise_px(left, sight.noise())) + squared(centre_noise_px(right, sight.noise())) +
@@ -100,7 +100,8 @@ SeenRange range_by_pair(const StereoSight& sight, const SeenMark& left, const Se
   return {range - tilt.mm, part * range};
 }
 
-std::optional<SeenRange> range_by_size(const StereoModel& model, const LearnedObject& object, const SeenMark& left) {
+std::optional<SeenRange> range_by_size(const camera::StereoModel& model, const LearnedObject& object,
+                                       const SeenMark& left) {
   for (const LearnedSample& sample : object.samples) {
     const double face_mm = model.is_single() ? sample.face_mm() : sample.measured_face_mm();
     const Unyawed look = unyawed(left, front_slimness(object));
@@ -119,4 +120,4 @@ std::optional<SeenRange> range_of(const StereoSight& sight, const LearnedObject&
   return range_by_pair(sight, pair.left, *pair.right, plane, in_whole);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

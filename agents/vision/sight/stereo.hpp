@@ -6,14 +6,14 @@
 
 #include "drivers/camera/stereo_camera.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 
 // Along the optical axis, mm. The disparity is positive; one camera alone has none.
-double depth_mm(const StereoModel& model, double disparity_px);
+double depth_mm(const camera::StereoModel& model, double disparity_px);
 
 // From the middle of the base line to the point seen at `left`, mm: a range, not the depth along the axis.
-double range_mm(const StereoModel& model, cv::Point2d left, double disparity_px);
+double range_mm(const camera::StereoModel& model, cv::Point2d left, double disparity_px);
 // The same where the depth is known.
-double range_at_depth_mm(const StereoModel& model, cv::Point2d left, double depth_mm);
+double range_at_depth_mm(const camera::StereoModel& model, cv::Point2d left, double depth_mm);
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -6,7 +6,7 @@
 #include "agents/vision/marks/tags.hpp"
 #include "agents/vision/sight/unyawed.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 constexpr double size_tolerance = 0.1;
@@ -26,7 +26,8 @@ constexpr double least_border_share = 0.7;
 constexpr double least_disparity_share = 0.87;
 
 // The least disparity at which the object can be, going by its learned sizes; nothing where one was learned without.
-std::optional<double> least_disparity(const StereoModel& model, const LearnedObject& object, const SeenMark& left) {
+std::optional<double> least_disparity(const camera::StereoModel& model, const LearnedObject& object,
+                                      const SeenMark& left) {
   double largest_mm = 0;
   for (const LearnedSample& sample : object.samples) {
     if (sample.most_face_mm() <= 0) return std::nullopt;
@@ -75,7 +76,7 @@ bool yaw_explains(double left_width, double left_slope, double right_width, doub
 
 }  // namespace
 
-StereoSight::StereoSight(cv::Mat left, cv::Mat right, const StereoModel& model)
+StereoSight::StereoSight(cv::Mat left, cv::Mat right, const camera::StereoModel& model)
     : left_(std::move(left)), right_(std::move(right)), model_(model), noise_(noise_of(left_)) {}
 
 ImageSegmentation& StereoSight::left_segmentation() {
@@ -101,8 +102,7 @@ const SeenMark* StereoSight::partner_of(const SeenMark& left) {
 
 std::optional<SeenPair> StereoSight::find(const LearnedObjects& objects, const LearnedObject& object,
                                           std::optional<cv::Point2d> near, double reach_px,
-                                          std::span<const cv::Point2d> others,
-                                          std::optional<cv::Point2d> seen_last) {
+                                          std::span<const cv::Point2d> others, std::optional<cv::Point2d> seen_last) {
   if (object.tag() != nullptr) {
     if (!near) return find(*object.tag(), {}, others);
     const int reach = cvCeil(reach_px + tag_reach * left_.rows);
@@ -176,7 +176,8 @@ bool StereoSight::is_cut_off(const LearnedObject& object, const SeenMark& left) 
   return true;
 }
 
-bool is_whole(const StereoModel& model, const LearnedObject& object, const SeenMark& left, const SeenMark& right) {
+bool is_whole(const camera::StereoModel& model, const LearnedObject& object, const SeenMark& left,
+              const SeenMark& right) {
   const double mm_per_px = depth_mm(model, left.centre.x - right.centre.x) / model.focal_px;
   const double front = front_slimness(object);
   const Unyawed in_left = unyawed(left, front);
@@ -194,4 +195,4 @@ bool is_whole(const StereoModel& model, const LearnedObject& object, const SeenM
   });
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -12,7 +12,7 @@
 #include "agents/vision/objects/recognise.hpp"
 #include "agents/vision/sight/stereo.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 
 struct SeenPair {
   SeenMark left;
@@ -23,12 +23,12 @@ struct SeenPair {
 class StereoSight {
  public:
   // Both 8 bit, one channel, of the model's size; shared, not copied. The model outlives it.
-  StereoSight(cv::Mat left, cv::Mat right, const StereoModel& model);
-  StereoSight(cv::Mat left, cv::Mat right, const StereoModel&& model) = delete;
+  StereoSight(cv::Mat left, cv::Mat right, const camera::StereoModel& model);
+  StereoSight(cv::Mat left, cv::Mat right, const camera::StereoModel&& model) = delete;
 
   const cv::Mat& left() const { return left_; }
   const cv::Mat& right() const { return right_; }
-  const StereoModel& model() const { return model_; }
+  const camera::StereoModel& model() const { return model_; }
   // noise_of() the left image; the right sensor is of the same kind.
   double noise() const { return noise_; }
   ImageSegmentation& left_segmentation();
@@ -58,7 +58,7 @@ class StereoSight {
 
   cv::Mat left_;
   cv::Mat right_;
-  const StereoModel& model_;
+  const camera::StereoModel& model_;
   double noise_;
   std::optional<ImageSegmentation> left_segmentation_;
   std::optional<ImageSegmentation> right_segmentation_;
@@ -68,6 +68,7 @@ class StereoSight {
 // Whether the pair can be the whole of the object's mark: as large in the world as one of its samples, and, but for
 // what yaw does, as wide in one image as in the other. Something in front of a part of it makes it too small, or hides
 // more of it from one camera than from the other.
-bool is_whole(const StereoModel& model, const LearnedObject& object, const SeenMark& left, const SeenMark& right);
+bool is_whole(const camera::StereoModel& model, const LearnedObject& object, const SeenMark& left,
+              const SeenMark& right);
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -5,7 +5,7 @@
 
 #include "agents/vision/objects/mark_match.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 // What turning in the image makes of the height of what is nearly round, as a part of what it lacks to be round.
@@ -40,4 +40,4 @@ Unyawed unyawed(const SeenMark& mark, double front_slimness, double shown_height
           .spread = noise / std::sqrt(apart * apart + noise) / 2};
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -8,7 +8,7 @@
 
 #include "agents/vision/marks/mark_measure.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 
 struct Unyawed {
   double size_px;  // the root of the product of both principal standard deviations
@@ -19,4 +19,4 @@ struct Unyawed {
 // `shown_height`: what a tilt about the horizontal makes of a length along y.
 Unyawed unyawed(const SeenMark& mark, double front_slimness, double shown_height = 1);
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

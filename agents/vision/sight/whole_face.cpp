@@ -7,7 +7,7 @@
 #include "agents/vision/sight/face_plane.hpp"
 #include "agents/vision/sight/unyawed.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 // What the light's slope and the blur make of a length, as a part of it.
@@ -62,7 +62,8 @@ double missing(double whole, const FaceSize::Reading& now, double slack) {
 }
 
 // An image shows so much of the area as the line of sight has of the normal.
-FaceSize face_size(const StereoModel& model, const SeenMark& left, const SeenMark& right, double front_slimness) {
+FaceSize face_size(const camera::StereoModel& model, const SeenMark& left, const SeenMark& right,
+                   double front_slimness) {
   const FacePlane plane = face_plane(model, left, right);
   const double mm_per_px = depth_mm(model, plane.along_sight * model.focal_px) / model.focal_px;
   const double shown_height = plane.shown_height();
@@ -168,4 +169,4 @@ void WholeFace::follow(const FaceSize& seen, const SeenMark& left) {
   largest_at_ = left.centre;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

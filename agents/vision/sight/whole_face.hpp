@@ -18,7 +18,7 @@
 #include "agents/vision/objects/learned.hpp"
 #include "agents/vision/sight/stereo.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 
 // What the mark's standard deviations would be from the front.
 struct FaceSize {
@@ -40,7 +40,8 @@ struct FaceSize {
 };
 
 // `front_slimness`: of the mark from the front.
-FaceSize face_size(const StereoModel& model, const SeenMark& left, const SeenMark& right, double front_slimness);
+FaceSize face_size(const camera::StereoModel& model, const SeenMark& left, const SeenMark& right,
+                   double front_slimness);
 
 // Where it is covered rather than tilted.
 FaceSize if_not_tilted(FaceSize size);
@@ -82,4 +83,4 @@ class WholeFace {
   cv::Point2d recent_at_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

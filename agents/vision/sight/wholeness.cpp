@@ -7,7 +7,7 @@
 #include "agents/vision/sight/first_look.hpp"
 #include "agents/vision/sight/follow_mark.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 void remember(std::optional<WholeMark>& whole, const SeenMark& now, Time captured) {
@@ -18,7 +18,7 @@ void remember(std::optional<WholeMark>& whole, const SeenMark& now, Time capture
   }
 }
 
-FaceSize face_size(const StereoModel& model, const LearnedObject& object, const SeenPair& pair) {
+FaceSize face_size(const camera::StereoModel& model, const LearnedObject& object, const SeenPair& pair) {
   return face_size(model, pair.left, *pair.right, front_slimness(object));
 }
 
@@ -45,7 +45,7 @@ double confidence_at_first(const StereoSight& sight, const LearnedObject& object
   return confidence_if_off(confidence_by_form(sight, object, pair), ground_doubt(sight, pair), 1);
 }
 
-Wholeness::Look Wholeness::look_at(const StereoModel& model, const LearnedObject& object, const SeenPair& now,
+Wholeness::Look Wholeness::look_at(const camera::StereoModel& model, const LearnedObject& object, const SeenPair& now,
                                    Time captured, double most_off_px, bool lost) const {
   // A tag that is seen is whole.
   if (now.left.tag) return {};
@@ -99,4 +99,4 @@ void Wholeness::lose() {
   right_.reset();
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

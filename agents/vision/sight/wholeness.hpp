@@ -16,7 +16,7 @@
 #include "agents/vision/sight/whole_face.hpp"
 #include "agents/vision/sight/widest_look.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 
 class Wholeness {
  public:
@@ -27,7 +27,7 @@ class Wholeness {
     std::optional<FaceSize> face = {};  // where both images show it
   };
   // `lost`: it may be anywhere.
-  Look look_at(const StereoModel& model, const LearnedObject& object, const SeenPair& now, Time captured,
+  Look look_at(const camera::StereoModel& model, const LearnedObject& object, const SeenPair& now, Time captured,
                double most_off_px, bool lost) const;
   void follow(const SeenPair& now, const Look& look, Time captured);
   void wait(Time captured);
@@ -51,4 +51,4 @@ double ground_doubt(const StereoSight& sight, const SeenPair& pair);
 double confidence_by_form(const StereoSight& sight, const LearnedObject& object, const SeenPair& pair);
 double confidence_at_first(const StereoSight& sight, const LearnedObject& object, const SeenPair& pair);
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -6,7 +6,7 @@
 #include "agents/vision/marks/mark_outline.hpp"
 #include "agents/vision/sight/covered_part.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 // How far the centre moves for every px that the standard deviation shrinks, where one along a side of a triangle is
@@ -50,4 +50,4 @@ void WidestLook::follow(const SeenMark& now) {
   for (std::size_t i = 0; i < spreads.size(); ++i) widest[i] += gain * std::max(0.0, spreads[i] - widest[i]);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

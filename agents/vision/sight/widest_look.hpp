@@ -16,7 +16,7 @@
 
 #include "agents/vision/marks/mark_measure.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 
 class WidestLook {
  public:
@@ -33,4 +33,4 @@ class WidestLook {
   bool triangle_ = false;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -6,7 +6,7 @@
 #include "drivers/line/octets.hpp"
 #include "drivers/line/printable.hpp"
 
-namespace pizarra {
+namespace pizarra::arm {
 
 namespace {
 
@@ -17,9 +17,9 @@ constexpr char dle = 0x10;
 constexpr char etb = 0x17;
 constexpr std::string_view ends("\x03\x17");
 constexpr std::string_view never_in_text("\x01\x04\x05\x10\x15");
-constexpr std::size_t header_size = 6;
+constexpr std::size_t block_header_size = 6;
 constexpr std::size_t sum_size = 2;
-constexpr std::size_t longest_block = 1 + header_size + 1 + bsc::longest_text + 1 + sum_size;
+constexpr std::size_t longest_block = 1 + block_header_size + 1 + bsc::longest_text + 1 + sum_size;
 
 std::uint16_t sum_of(std::string_view octets) {
   std::uint16_t sum = 0;
@@ -27,7 +27,7 @@ std::uint16_t sum_of(std::string_view octets) {
   return sum;
 }
 
-bool is_text(char c) { return is_printable(c) || c == '\r' || c == '\n'; }
+bool is_text(char c) { return line::is_printable(c) || c == '\r' || c == '\n'; }
 
 bool begins_a_block(char c) { return c == soh || c == stx; }
 
@@ -56,24 +56,24 @@ std::vector<std::string> write_bsc(const BscMessage& message) {
     summed += left.substr(0, bsc::longest_text);
     left.remove_prefix(std::min(left.size(), bsc::longest_text));
     summed += left.empty() ? etx : etb;
-    OctetWriter block(ByteOrder::little);
+    line::OctetWriter block(line::ByteOrder::little);
     block.u8(static_cast<std::uint8_t>(blocks.empty() ? soh : stx)).text(summed).u16(sum_of(summed));
     blocks.push_back(block.octets());
   } while (!left.empty());
   return blocks;
 }
 
-Result<std::optional<Frame>> frame_of_bsc(std::string_view octets) {
+Result<std::optional<line::Frame>> frame_of_bsc(std::string_view octets) {
   std::size_t noise = 0;
   while (noise < octets.size()) {
     const std::optional<std::size_t> size = size_of_sign(octets.substr(noise));
-    if (size && noise == 0 && *size > 0) return Frame{*size, octets.substr(0, *size)};
+    if (size && noise == 0 && *size > 0) return line::Frame{*size, octets.substr(0, *size)};
     if (size && noise == 0) return std::nullopt;
     if (size) break;
     ++noise;
   }
   if (noise == 0) return std::nullopt;
-  return Frame{noise, std::string_view()};
+  return line::Frame{noise, std::string_view()};
 }
 
 BscSign read_bsc(std::string_view frame) {
@@ -88,16 +88,16 @@ BscSign read_bsc(std::string_view frame) {
   }
   if (frame.size() < 2 + sum_size) return {Kind::damaged};
   const std::string_view summed = frame.substr(1, frame.size() - 1 - sum_size);
-  const std::uint16_t sum = OctetReader(frame.substr(frame.size() - sum_size), ByteOrder::little).u16();
+  const std::uint16_t sum = line::OctetReader(frame.substr(frame.size() - sum_size), line::ByteOrder::little).u16();
   const bool first = frame.front() == soh;
-  const bool whole = !first || (summed.size() > header_size && summed[header_size] == stx);
+  const bool whole = !first || (summed.size() > block_header_size && summed[block_header_size] == stx);
   if (sum != sum_of(summed) || !whole) return {Kind::damaged};
   BscSign block{Kind::block};
   block.last = summed.back() == etx;
   std::string_view text = summed.substr(0, summed.size() - 1);
   if (first) {
-    block.part.header = text.substr(0, header_size);
-    text.remove_prefix(header_size + 1);
+    block.part.header = text.substr(0, block_header_size);
+    text.remove_prefix(block_header_size + 1);
   }
   // A zero more or less is nothing to the sum.
   if (!std::ranges::all_of(text, is_text)) return {Kind::damaged};
@@ -105,4 +105,4 @@ BscSign read_bsc(std::string_view frame) {
   return block;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::arm

@@ -17,7 +17,7 @@
 
 #include "drivers/line/frames.hpp"
 
-namespace pizarra {
+namespace pizarra::arm {
 
 struct BscMessage {
   std::string header;  // what it is: "01,000" a command, "90,000" a code, "90,001" data
@@ -51,8 +51,8 @@ struct BscSign {
 // The blocks that carry it.
 std::vector<std::string> write_bsc(const BscMessage& message);
 // For Frames: noise between signs is passed over, as empty frames.
-Result<std::optional<Frame>> frame_of_bsc(std::string_view octets);
+Result<std::optional<line::Frame>> frame_of_bsc(std::string_view octets);
 // Of one frame that is not empty.
 BscSign read_bsc(std::string_view frame);
 
-}  // namespace pizarra
+}  // namespace pizarra::arm

@@ -4,7 +4,7 @@
 
 #include "drivers/line/printable.hpp"
 
-namespace pizarra {
+namespace pizarra::arm {
 
 Task<Result<void>> BscLine::open(Time deadline) {
   const Turns::Turn turn = co_await turns_.take();
@@ -38,7 +38,7 @@ Task<Result<std::string>> BscLine::exchange(const HostCommand& command) {
   if (code && text != "0000") co_return refused_command(command.name, text);
   if (code && !question) co_return std::string();
   co_return fail("bad-reply", fmt::format("{} answered {} with {} '{}'", device_, command.name,
-                                          printable(reply->header), printable(text)));
+                                          line::printable(reply->header), line::printable(text)));
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::arm

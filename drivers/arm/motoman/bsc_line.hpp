@@ -13,21 +13,21 @@
 // How far it is proven: with the emulated controller of drivers/simulation/controllers/arms/ alone, over lines that
 // lose, garble and invent octets.
 
+#include "blackboard/time/turns.hpp"
 #include "drivers/arm/motoman/bsc_station.hpp"
 #include "drivers/arm/motoman/host_command.hpp"
 #include "drivers/line/device_at.hpp"
-#include "blackboard/time/turns.hpp"
 
-namespace pizarra {
+namespace pizarra::arm {
 
 class BscLine : public HostLine {
  public:
   static constexpr int baud = 9600;
 
   // The wire outlives it.
-  BscLine(Executor& executor, ByteWire& wire)
+  BscLine(Executor& executor, line::ByteWire& wire)
       : executor_(executor),
-        device_(device_at("the controller", wire.place())),
+        device_(line::device_at("the controller", wire.place())),
         station_(executor, wire, BscStation::Manners::yields),
         turns_(executor) {}
   Task<Result<void>> open(Time deadline) override;
@@ -43,4 +43,4 @@ class BscLine : public HostLine {
   Turns turns_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::arm

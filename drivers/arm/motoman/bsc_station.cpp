@@ -1,6 +1,6 @@
 #include "drivers/arm/motoman/bsc_station.hpp"
 
-namespace pizarra {
+namespace pizarra::arm {
 
 using Kind = BscSign::Kind;
 
@@ -130,4 +130,4 @@ Task<Result<BscMessage>> BscStation::receive(Time deadline) {
   }
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::arm

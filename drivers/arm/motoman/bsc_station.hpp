@@ -17,7 +17,7 @@
 #include "blackboard/time/executor.hpp"
 #include "drivers/arm/motoman/bsc_block.hpp"
 
-namespace pizarra {
+namespace pizarra::arm {
 
 class BscStation {
  public:
@@ -27,7 +27,7 @@ class BscStation {
   static constexpr int tries = 8;
 
   // The wire outlives it.
-  BscStation(Executor& executor, ByteWire& wire, Manners manners)
+  BscStation(Executor& executor, line::ByteWire& wire, Manners manners)
       : executor_(executor), wire_(wire), signs_(wire, frame_of_bsc), manners_(manners) {}
   Task<Result<void>> open(Time deadline);
   // Failures: disconnected, where the other end has nothing of it; no-answer, where it may have it.
@@ -48,9 +48,9 @@ class BscStation {
   void say(std::string_view what) { static_cast<void>(wire_.write(what)); }
 
   Executor& executor_;
-  ByteWire& wire_;
-  Frames signs_;
+  line::ByteWire& wire_;
+  line::Frames signs_;
   Manners manners_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::arm

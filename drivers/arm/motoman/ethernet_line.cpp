@@ -4,7 +4,7 @@
 
 #include "drivers/line/printable.hpp"
 
-namespace pizarra {
+namespace pizarra::arm {
 
 namespace {
 
@@ -31,7 +31,7 @@ std::unexpected<Failure> EthernetLine::unanswered(const char* symbol, const Fail
 }
 
 std::unexpected<Failure> EthernetLine::strange(const HostCommand& command, std::string_view answer) const {
-  return fail("bad-reply", fmt::format("{} answered {} with '{}'", device_, command.name, printable(answer)));
+  return fail("bad-reply", fmt::format("{} answered {} with '{}'", device_, command.name, line::printable(answer)));
 }
 
 Task<Result<void>> EthernetLine::open(Time deadline) {
@@ -50,7 +50,7 @@ Task<Result<void>> EthernetLine::begin_session(Time deadline) {
   const Result<std::string> answer = co_await lines_.next(deadline);
   if (!answer) co_return fail("disconnected", device_ + " does not greet: " + answer.error().sentence);
   if (!all_is_well(*answer)) {
-    co_return fail("disconnected", fmt::format("{} lets nobody in: {}", device_, printable(*answer)));
+    co_return fail("disconnected", fmt::format("{} lets nobody in: {}", device_, line::printable(*answer)));
   }
   session_ = true;
   co_return Result<void>();
@@ -111,4 +111,4 @@ Task<Result<std::string>> EthernetLine::said(const HostCommand& command) {
   co_return strange(command, *line);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::arm

@@ -14,23 +14,23 @@
 //
 // How far it is proven: with the emulated controller of drivers/simulation/controllers/arms/ alone.
 
+#include "blackboard/time/turns.hpp"
 #include "drivers/arm/motoman/host_command.hpp"
 #include "drivers/line/device_at.hpp"
 #include "drivers/line/frames.hpp"
-#include "blackboard/time/turns.hpp"
 
-namespace pizarra {
+namespace pizarra::arm {
 
 inline constexpr std::uint16_t ethernet_server_port = 80;
 
 class EthernetLine : public HostLine {
  public:
   // The wire outlives it.
-  EthernetLine(Executor& executor, ByteWire& wire)
+  EthernetLine(Executor& executor, line::ByteWire& wire)
       : executor_(executor),
         wire_(wire),
-        device_(device_at("the controller", wire.place())),
-        lines_(wire, frame_of_line),
+        device_(line::device_at("the controller", wire.place())),
+        lines_(wire, line::frame_of_line),
         turns_(executor) {}
   Task<Result<void>> open(Time deadline) override;
   Task<Result<std::string>> command(HostCommand command) override;
@@ -48,12 +48,12 @@ class EthernetLine : public HostLine {
   std::unexpected<Failure> strange(const HostCommand& command, std::string_view answer) const;
 
   Executor& executor_;
-  ByteWire& wire_;
+  line::ByteWire& wire_;
   const std::string device_;
-  Frames lines_;
+  line::Frames lines_;
   Turns turns_;
   // Nothing is under way over it. What was cut off in the middle would be answered to whoever comes next.
   bool session_ = false;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::arm

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
-namespace pizarra {
+namespace pizarra::arm {
 
 namespace {
 
@@ -50,4 +50,4 @@ std::unexpected<Failure> refused_command(const std::string& name, std::string_vi
   return fail("refused", fmt::format("the controller refused {}: {}", name, code), to_datum(value));
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::arm

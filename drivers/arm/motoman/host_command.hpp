@@ -16,7 +16,7 @@
 #include "blackboard/time/task.hpp"
 #include "lisp/result.hpp"
 
-namespace pizarra {
+namespace pizarra::arm {
 
 struct HostCommand {
   enum class Kind : std::uint8_t {
@@ -47,4 +47,4 @@ std::unexpected<Failure> refused_command(const std::string& name, std::string_vi
 // Whether the text is a code of four digits; "0000" says that all is well.
 bool is_host_code(std::string_view text);
 
-}  // namespace pizarra
+}  // namespace pizarra::arm

@@ -7,7 +7,7 @@
 
 #include "drivers/line/printable.hpp"
 
-namespace pizarra {
+namespace pizarra::arm {
 
 namespace {
 
@@ -34,7 +34,7 @@ Task<Result<std::vector<double>>> HostLink::ask(std::string name, std::string op
   std::optional<std::vector<double>> numbers = numbers_in(*data);
   if (!numbers || numbers->size() < count) {
     co_return fail("bad-reply", fmt::format("the controller answered {} with '{}' instead of {} numbers", name,
-                                            printable(*data), count));
+                                            line::printable(*data), count));
   }
   co_return std::move(*numbers);
 }
@@ -129,4 +129,4 @@ Task<Result<void>> HostLink::set_variable(int number, std::int32_t value) {
   return order("LOADV", fmt::format("{},{},{}", double_integer, number, value));
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::arm

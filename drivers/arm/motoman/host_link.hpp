@@ -16,7 +16,7 @@
 #include "drivers/arm/motoman/host_command.hpp"
 #include "drivers/arm/motoman/motoman_link.hpp"
 
-namespace pizarra {
+namespace pizarra::arm {
 
 class HostLink : public MotomanLink {
  public:
@@ -42,4 +42,4 @@ class HostLink : public MotomanLink {
   HostLine& line_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::arm

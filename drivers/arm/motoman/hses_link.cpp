@@ -4,19 +4,19 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "drivers/arm/motoman/motoman_codes.hpp"
 #include "drivers/line/octets.hpp"
 
-namespace pizarra {
+namespace pizarra::arm {
 
 namespace {
 
-constexpr Retries once{.tries = 1, .pause = 100ms};
-constexpr double um_per_mm = 1000;
+constexpr line::Retries once{.tries = 1, .pause = 100ms};
 constexpr double units_per_deg = 10'000;
 constexpr std::size_t axes_in_a_move = 7;
 constexpr std::size_t position_size = 4 * (5 + motoman_axes);
 
-std::string word(std::uint32_t value) { return OctetWriter(ByteOrder::little).u32(value).octets(); }
+std::string word(std::uint32_t value) { return line::OctetWriter(line::ByteOrder::little).u32(value).octets(); }
 
 std::int32_t rounded(double value) { return static_cast<std::int32_t>(std::llround(value)); }
 
@@ -30,7 +30,7 @@ std::unexpected<Failure> refused(const HsesReply& reply) {
 
 }  // namespace
 
-Task<Result<std::string>> HsesLink::ask(HsesRequest request, std::size_t size, Retries retries) {
+Task<Result<std::string>> HsesLink::ask(HsesRequest request, std::size_t size, line::Retries retries) {
   request.id = ++last_id_;
   std::string datagram = write_hses(request);
   const Result<std::string> answer = co_await exchanges_.ask(request.id, std::move(datagram), retries);
@@ -48,7 +48,7 @@ Task<Result<std::string>> HsesLink::ask(HsesRequest request, std::size_t size, R
   co_return reply->data;
 }
 
-Task<Result<void>> HsesLink::order(HsesRequest request, Retries retries) {
+Task<Result<void>> HsesLink::order(HsesRequest request, line::Retries retries) {
   const Result<std::string> done = co_await ask(std::move(request), 0, retries);
   if (!done) co_return fail(done);
   co_return Result<void>();
@@ -58,7 +58,7 @@ Task<Result<MotomanStatus>> HsesLink::status() {
   const HsesRequest request{.command = hses::status, .instance = 1, .service = hses::get_all};
   const Result<std::string> data = co_await ask(request, 8);
   if (!data) co_return fail(data);
-  OctetReader read(*data, ByteOrder::little);
+  line::OctetReader read(*data, line::ByteOrder::little);
   const std::uint32_t modes = read.u32();
   const std::uint32_t states = read.u32();
   co_return motoman_status(modes, states);
@@ -68,14 +68,14 @@ Task<Result<std::uint32_t>> HsesLink::alarm_code() {
   const HsesRequest newest{.command = hses::alarm, .instance = 1, .attribute = 1, .service = hses::get_one};
   const Result<std::string> data = co_await ask(newest, 4);
   if (!data) co_return fail(data);
-  co_return OctetReader(*data, ByteOrder::little).u32();
+  co_return line::OctetReader(*data, line::ByteOrder::little).u32();
 }
 
 Task<Result<MotomanPulses>> HsesLink::pulses() {
   const HsesRequest request{.command = hses::position, .instance = hses::robot_pulses, .service = hses::get_all};
   const Result<std::string> data = co_await ask(request, position_size);
   if (!data) co_return fail(data);
-  OctetReader read(*data, ByteOrder::little);
+  line::OctetReader read(*data, line::ByteOrder::little);
   for (int i = 0; i < 5; ++i) read.u32();
   MotomanPulses pulses{};
   for (std::int32_t& axis : pulses) axis = read.i32();
@@ -86,7 +86,7 @@ Task<Result<MotomanPose>> HsesLink::pose() {
   const HsesRequest request{.command = hses::position, .instance = hses::robot_base, .service = hses::get_all};
   const Result<std::string> data = co_await ask(request, position_size);
   if (!data) co_return fail(data);
-  OctetReader read(*data, ByteOrder::little);
+  line::OctetReader read(*data, line::ByteOrder::little);
   MotomanPose pose;
   read.u32();
   pose.form = read.u32();
@@ -116,7 +116,7 @@ Task<Result<void>> HsesLink::reset() {
 }
 
 Task<Result<void>> HsesLink::move_joints(MotomanPulses target, double part) {
-  OctetWriter data(ByteOrder::little);
+  line::OctetWriter data(line::ByteOrder::little);
   constexpr double hundredths = 10'000;
   const auto speed = static_cast<std::uint32_t>(std::clamp(rounded(part * hundredths), 1, rounded(hundredths)));
   data.u32(1).u32(0).u32(hses::percent).u32(speed);
@@ -129,7 +129,7 @@ Task<Result<void>> HsesLink::move_joints(MotomanPulses target, double part) {
 }
 
 Task<Result<void>> HsesLink::move_straight(MotomanPose target, double mm_s) {
-  OctetWriter data(ByteOrder::little);
+  line::OctetWriter data(line::ByteOrder::little);
   constexpr double tenths = 10;
   const auto speed = static_cast<std::uint32_t>(std::max(1, rounded(mm_s * tenths)));
   data.u32(1).u32(0).u32(hses::millimetres).u32(speed).u32(hses::base_frame);
@@ -147,7 +147,7 @@ Task<Result<std::int32_t>> HsesLink::variable(int number) {
   request.instance = static_cast<std::uint16_t>(number);
   const Result<std::string> data = co_await ask(std::move(request), 4);
   if (!data) co_return fail(data);
-  co_return OctetReader(*data, ByteOrder::little).i32();
+  co_return line::OctetReader(*data, line::ByteOrder::little).i32();
 }
 
 Task<Result<void>> HsesLink::set_variable(int number, std::int32_t value) {
@@ -157,4 +157,4 @@ Task<Result<void>> HsesLink::set_variable(int number, std::int32_t value) {
   return order(std::move(request));
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::arm

@@ -16,12 +16,12 @@
 #include "drivers/arm/motoman/motoman_link.hpp"
 #include "drivers/line/exchanges.hpp"
 
-namespace pizarra {
+namespace pizarra::arm {
 
 class HsesLink : public MotomanLink {
  public:
   // The wire outlives it.
-  HsesLink(Executor& executor, DatagramWire& wire) : exchanges_(executor, wire, hses_reply_id) {}
+  HsesLink(Executor& executor, line::DatagramWire& wire) : exchanges_(executor, wire, hses_reply_id) {}
   Task<Result<void>> open(Time deadline) override { return exchanges_.open(deadline); }
   Task<Result<MotomanStatus>> status() override;
   Task<Result<std::uint32_t>> alarm_code() override;
@@ -36,11 +36,11 @@ class HsesLink : public MotomanLink {
 
  private:
   // The data of the reply, which must be `size` octets.
-  Task<Result<std::string>> ask(HsesRequest request, std::size_t size, Retries retries = {});
-  Task<Result<void>> order(HsesRequest request, Retries retries = {});
+  Task<Result<std::string>> ask(HsesRequest request, std::size_t size, line::Retries retries = {});
+  Task<Result<void>> order(HsesRequest request, line::Retries retries = {});
 
-  Exchanges exchanges_;
+  line::Exchanges exchanges_;
   std::uint8_t last_id_ = 0;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::arm

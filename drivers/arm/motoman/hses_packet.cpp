@@ -2,7 +2,7 @@
 
 #include "drivers/line/octets.hpp"
 
-namespace pizarra {
+namespace pizarra::arm {
 
 namespace {
 
@@ -16,8 +16,8 @@ constexpr std::uint8_t reply_kind = 1;
 constexpr std::uint32_t last_block = 0x80000000;
 constexpr std::size_t most_data = 0x1df;
 
-OctetWriter begin(std::uint8_t kind, std::uint8_t id, std::uint32_t block, const std::string& data) {
-  OctetWriter octets(ByteOrder::little);
+line::OctetWriter begin(std::uint8_t kind, std::uint8_t id, std::uint32_t block, const std::string& data) {
+  line::OctetWriter octets(line::ByteOrder::little);
   octets.text(mark).u16(header_size).u16(static_cast<std::uint16_t>(data.size()));
   octets.u8(three).u8(robot_control).u8(kind).u8(id).u32(block).text(reserved);
   return octets;
@@ -28,7 +28,7 @@ std::unexpected<Failure> wrong(const char* what) {
 }
 
 // What both have in common, up to where they differ; answers the id.
-Result<std::uint8_t> read_common(OctetReader& read, std::uint8_t kind) {
+Result<std::uint8_t> read_common(line::OctetReader& read, std::uint8_t kind) {
   if (read.text(mark.size()) != mark || read.u16() != header_size) return wrong("it does not begin like one");
   const std::uint16_t size = read.u16();
   if (read.u8() != three || read.u8() != robot_control) return wrong("it is not for the control of a robot");
@@ -44,20 +44,20 @@ Result<std::uint8_t> read_common(OctetReader& read, std::uint8_t kind) {
 }  // namespace
 
 std::string write_hses(const HsesRequest& request) {
-  OctetWriter octets = begin(request_kind, request.id, 0, request.data);
+  line::OctetWriter octets = begin(request_kind, request.id, 0, request.data);
   octets.u16(request.command).u16(request.instance).u8(request.attribute).u8(request.service).u16(0);
   return octets.text(request.data).octets();
 }
 
 std::string write_hses(const HsesReply& reply) {
-  OctetWriter octets = begin(reply_kind, reply.id, last_block, reply.data);
+  line::OctetWriter octets = begin(reply_kind, reply.id, last_block, reply.data);
   const bool added = reply.added_status != 0;
   octets.u8(reply.service).u8(reply.status).u8(added ? 1 : 0).u8(0).u16(reply.added_status).u16(0);
   return octets.text(reply.data).octets();
 }
 
 Result<HsesRequest> read_hses_request(std::string_view datagram) {
-  OctetReader read(datagram, ByteOrder::little);
+  line::OctetReader read(datagram, line::ByteOrder::little);
   const Result<std::uint8_t> id = read_common(read, request_kind);
   if (!id) return fail(id);
   HsesRequest request{.id = *id};
@@ -71,7 +71,7 @@ Result<HsesRequest> read_hses_request(std::string_view datagram) {
 }
 
 Result<HsesReply> read_hses_reply(std::string_view datagram) {
-  OctetReader read(datagram, ByteOrder::little);
+  line::OctetReader read(datagram, line::ByteOrder::little);
   const Result<std::uint8_t> id = read_common(read, reply_kind);
   if (!id) return fail(id);
   HsesReply reply{.id = *id};
@@ -92,4 +92,4 @@ std::optional<std::uint32_t> hses_reply_id(std::string_view datagram) {
   return reply->id;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::arm

@@ -16,7 +16,7 @@
 
 #include "lisp/result.hpp"
 
-namespace pizarra {
+namespace pizarra::arm {
 
 namespace hses {
 
@@ -92,4 +92,4 @@ Result<HsesReply> read_hses_reply(std::string_view datagram);
 // The id of a reply; none where the datagram is none.
 std::optional<std::uint32_t> hses_reply_id(std::string_view datagram);
 
-}  // namespace pizarra
+}  // namespace pizarra::arm

@@ -8,14 +8,13 @@
 #include "drivers/arm/motoman/motoman_codes.hpp"
 #include "drivers/arm/move_check.hpp"
 
-namespace pizarra {
+namespace pizarra::arm {
 
 namespace {
 
 constexpr int wanted_opening = 0;  // variables
 constexpr int measured_opening = 1;
 constexpr int fingers_move = 2;
-constexpr double um_per_mm = 1000;
 constexpr double most_opening_mm = 1000;
 constexpr double most_mm_s = 1500;
 
@@ -361,4 +360,4 @@ Task<Result<ArmReading>> MotomanArm::read() {
   co_return reading;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::arm

@@ -37,7 +37,7 @@
 #include "drivers/arm/motoman/motoman_link.hpp"
 #include "drivers/arm/route.hpp"
 
-namespace pizarra {
+namespace pizarra::arm {
 
 class MotomanArm : public ArmDriver {
  public:
@@ -111,4 +111,4 @@ class MotomanArm : public ArmDriver {
   std::uint64_t reads_ = 0;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::arm

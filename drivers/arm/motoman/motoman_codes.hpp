@@ -9,7 +9,14 @@
 
 #include <cstdint>
 
-namespace pizarra::motoman {
+namespace pizarra::arm {
+
+// Poses and openings go over the wire in micrometres.
+inline constexpr double um_per_mm = 1000;
+
+}  // namespace pizarra::arm
+
+namespace pizarra::arm::motoman {
 
 inline constexpr std::uint16_t operating = 0x2010;
 inline constexpr std::uint16_t pendant_hold = 0x2020;
@@ -27,4 +34,4 @@ inline constexpr std::uint16_t wrong_value = 0x1012;
 inline constexpr std::uint16_t wrong_length = 0x1013;
 inline constexpr std::uint16_t out_of_range = 0x5200;
 
-}  // namespace pizarra::motoman
+}  // namespace pizarra::arm::motoman

@@ -16,7 +16,7 @@
 #include "blackboard/time/task.hpp"
 #include "lisp/result.hpp"
 
-namespace pizarra {
+namespace pizarra::arm {
 
 inline constexpr std::size_t motoman_axes = 8;
 using MotomanPulses = std::array<std::int32_t, motoman_axes>;
@@ -78,4 +78,4 @@ class MotomanLink {
   virtual Task<Result<void>> set_variable(int number, std::int32_t value) = 0;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::arm

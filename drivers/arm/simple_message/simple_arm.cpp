@@ -7,13 +7,13 @@
 #include "drivers/arm/held.hpp"
 #include "drivers/arm/move_check.hpp"
 
-namespace pizarra {
+namespace pizarra::arm {
 
 namespace {
 
-FrameReader frames_of(const SimpleWires& wires) {
+line::FrameReader frames_of(const SimpleWires& wires) {
   if (wires.serial) return frame_of_serial;
-  return wires.order == ByteOrder::little ? frame_of_tcp_little : frame_of_tcp_big;
+  return wires.order == line::ByteOrder::little ? frame_of_tcp_little : frame_of_tcp_big;
 }
 
 }  // namespace
@@ -26,13 +26,13 @@ SimpleArm::SimpleArm(Executor& executor, SimpleWires wires, ArmModel model)
       states_(executor, wires.state, frames_of(wires), "the controller"),
       told_(states_, fresh),
       joints_(model_.ready) {
-  if (wires_.serial) wires_.order = ByteOrder::little;
+  if (wires_.serial) wires_.order = line::ByteOrder::little;
 }
 
 Task<Result<std::string>> SimpleArm::identify() {
   told_.forget();
   const Time deadline = executor_.now() + opening_time;
-  for (Dialogue* line : {&motion_, &states_}) {
+  for (line::Dialogue* line : {&motion_, &states_}) {
     const Result<void> open = co_await line->open(deadline);
     if (!open) co_return fail(open);
   }
@@ -40,7 +40,7 @@ Task<Result<std::string>> SimpleArm::identify() {
   ping.data = std::string(4 * simple::axes, '\0');
   const Result<void> there = co_await order(std::move(ping));
   if (!there) co_return fail(there);
-  ToldState::Hear hears = [this](const std::string& octets) { return hear(octets); };
+  line::ToldState::Hear hears = [this](const std::string& octets) { return hear(octets); };
   const Result<void> known = co_await told_.listen(std::move(hears), opening_time);
   if (!known) co_return fail(known);
   if (further_axis_) {
@@ -78,7 +78,7 @@ Result<bool> SimpleArm::hear(const std::string& octets) {
 Task<Result<void>> SimpleArm::order(SimpleMessage message) {
   const std::string octets = write_simple(message, wires_.order);
   std::string request = wires_.serial ? serial_frame(octets) : tcp_frame(octets, wires_.order);
-  Dialogue::Fits is_its_reply = [type = message.type, order = wires_.order](const std::string& answer) {
+  line::Dialogue::Fits is_its_reply = [type = message.type, order = wires_.order](const std::string& answer) {
     const Result<SimpleMessage> reply = read_simple(answer, order);
     return reply && reply->type == type && reply->kind == simple::reply;
   };
@@ -209,4 +209,4 @@ Task<Result<ArmReading>> SimpleArm::read() {
   co_return reading;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::arm

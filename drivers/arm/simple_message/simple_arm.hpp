@@ -28,15 +28,15 @@
 #include "drivers/arm/simple_message/simple_message.hpp"
 #include "drivers/line/told_state.hpp"
 
-namespace pizarra {
+namespace pizarra::arm {
 
 struct SimpleWires {
-  ByteWire& motion;
-  ByteWire& state;
-  bool serial = false;                  // the C500C's frames, or TCP's
-  ByteOrder order = ByteOrder::little;  // of TCP's
-  double sign = 1;                      // -1 where the controller's angles count the other way round
-  bool track = false;                   // it has the track among its joints, metres
+  line::ByteWire& motion;
+  line::ByteWire& state;
+  bool serial = false;                              // the C500C's frames, or TCP's
+  line::ByteOrder order = line::ByteOrder::little;  // of TCP's
+  double sign = 1;                                  // -1 where the controller's angles count the other way round
+  bool track = false;                               // it has the track among its joints, metres
 };
 
 class SimpleArm : public ArmDriver {
@@ -65,9 +65,9 @@ class SimpleArm : public ArmDriver {
   Executor& executor_;
   SimpleWires wires_;
   ArmModel model_;
-  Dialogue motion_;
-  Dialogue states_;
-  ToldState told_;
+  line::Dialogue motion_;
+  line::Dialogue states_;
+  line::ToldState told_;
   Joints joints_;
   SimpleStatus status_;
   std::optional<std::size_t> further_axis_;  // told by the controller, and none of the arm's
@@ -82,4 +82,4 @@ class SimpleArm : public ArmDriver {
   std::optional<Failure> why_stopped_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::arm

@@ -6,7 +6,7 @@
 
 #include "drivers/arm/angles.hpp"
 
-namespace pizarra {
+namespace pizarra::arm {
 
 namespace {
 
@@ -28,12 +28,12 @@ Result<void> finite(const std::array<float, simple::axes>& joints) {
   return {};
 }
 
-Result<std::optional<Frame>> frame_of_tcp(std::string_view octets, ByteOrder order) {
+Result<std::optional<line::Frame>> frame_of_tcp(std::string_view octets, line::ByteOrder order) {
   if (octets.size() < 4) return std::nullopt;
-  const std::size_t length = OctetReader(octets, order).u32();
+  const std::size_t length = line::OctetReader(octets, order).u32();
   if (length < head || length > longest_message) return fail("bad-reply", "this is no simple message");
   if (octets.size() < 4 + length) return std::nullopt;
-  return Frame{4 + length, octets.substr(4, length)};
+  return line::Frame{4 + length, octets.substr(4, length)};
 }
 
 std::uint8_t sum_of(std::string_view message) {
@@ -43,12 +43,12 @@ std::uint8_t sum_of(std::string_view message) {
 
 }  // namespace
 
-std::string write_simple(const SimpleMessage& message, ByteOrder order) {
-  return OctetWriter(order).i32(message.type).i32(message.kind).i32(message.code).text(message.data).octets();
+std::string write_simple(const SimpleMessage& message, line::ByteOrder order) {
+  return line::OctetWriter(order).i32(message.type).i32(message.kind).i32(message.code).text(message.data).octets();
 }
 
-Result<SimpleMessage> read_simple(std::string_view octets, ByteOrder order) {
-  OctetReader read(octets, order);
+Result<SimpleMessage> read_simple(std::string_view octets, line::ByteOrder order) {
+  line::OctetReader read(octets, order);
   SimpleMessage message;
   message.type = read.i32();
   message.kind = read.i32();
@@ -58,15 +58,15 @@ Result<SimpleMessage> read_simple(std::string_view octets, ByteOrder order) {
   return message;
 }
 
-std::string write_position(const SimplePosition& position, ByteOrder order) {
-  OctetWriter data(order);
+std::string write_position(const SimplePosition& position, line::ByteOrder order) {
+  line::OctetWriter data(order);
   data.i32(position.sequence);
   for (const float joint : position.joints_rad) data.f32(joint);
   return data.octets();
 }
 
-Result<SimplePosition> read_position(std::string_view data, ByteOrder order) {
-  OctetReader read(data, order);
+Result<SimplePosition> read_position(std::string_view data, line::ByteOrder order) {
+  line::OctetReader read(data, order);
   SimplePosition position;
   position.sequence = read.i32();
   for (float& joint : position.joints_rad) joint = read.f32();
@@ -76,15 +76,15 @@ Result<SimplePosition> read_position(std::string_view data, ByteOrder order) {
   return position;
 }
 
-std::string write_point(const SimplePoint& point, ByteOrder order) {
-  OctetWriter data(order);
+std::string write_point(const SimplePoint& point, line::ByteOrder order) {
+  line::OctetWriter data(order);
   data.i32(point.sequence);
   for (const float joint : point.joints_rad) data.f32(joint);
   return data.f32(point.velocity).f32(point.duration_s).octets();
 }
 
-Result<SimplePoint> read_point(std::string_view data, ByteOrder order) {
-  OctetReader read(data, order);
+Result<SimplePoint> read_point(std::string_view data, line::ByteOrder order) {
+  line::OctetReader read(data, order);
   SimplePoint point;
   point.sequence = read.i32();
   for (float& joint : point.joints_rad) joint = read.f32();
@@ -97,14 +97,14 @@ Result<SimplePoint> read_point(std::string_view data, ByteOrder order) {
   return point;
 }
 
-std::string write_status(const SimpleStatus& status, ByteOrder order) {
-  OctetWriter data(order);
+std::string write_status(const SimpleStatus& status, line::ByteOrder order) {
+  line::OctetWriter data(order);
   data.i32(status.drives_powered).i32(status.emergency_stopped).i32(status.error_code).i32(status.in_error);
   return data.i32(status.in_motion).i32(status.mode).i32(status.motion_possible).octets();
 }
 
-Result<SimpleStatus> read_status(std::string_view data, ByteOrder order) {
-  OctetReader read(data, order);
+Result<SimpleStatus> read_status(std::string_view data, line::ByteOrder order) {
+  line::OctetReader read(data, order);
   SimpleStatus status;
   for (std::int32_t* field : {&status.drives_powered, &status.emergency_stopped, &status.error_code, &status.in_error,
                               &status.in_motion, &status.mode, &status.motion_possible}) {
@@ -123,25 +123,27 @@ double axis_of_joint(Role role, float joint, double sign) {
   return slides(role) ? wide * mm_per_m : degrees(sign * wide);
 }
 
-std::string tcp_frame(std::string_view message, ByteOrder order) {
-  return OctetWriter(order).u32(static_cast<std::uint32_t>(message.size())).text(message).octets();
+std::string tcp_frame(std::string_view message, line::ByteOrder order) {
+  return line::OctetWriter(order).u32(static_cast<std::uint32_t>(message.size())).text(message).octets();
 }
 
 std::string serial_frame(std::string_view message) {
-  OctetWriter octets(ByteOrder::little);
+  line::OctetWriter octets(line::ByteOrder::little);
   octets.text(mark).u8(sum_of(message)).u32(static_cast<std::uint32_t>(message.size()));
   return octets.text(message).octets();
 }
 
-Result<std::optional<Frame>> frame_of_tcp_little(std::string_view octets) {
-  return frame_of_tcp(octets, ByteOrder::little);
+Result<std::optional<line::Frame>> frame_of_tcp_little(std::string_view octets) {
+  return frame_of_tcp(octets, line::ByteOrder::little);
 }
 
-Result<std::optional<Frame>> frame_of_tcp_big(std::string_view octets) { return frame_of_tcp(octets, ByteOrder::big); }
+Result<std::optional<line::Frame>> frame_of_tcp_big(std::string_view octets) {
+  return frame_of_tcp(octets, line::ByteOrder::big);
+}
 
-Result<std::optional<Frame>> frame_of_serial(std::string_view octets) {
+Result<std::optional<line::Frame>> frame_of_serial(std::string_view octets) {
   for (std::size_t begin = octets.find(mark); begin != std::string_view::npos; begin = octets.find(mark, begin + 1)) {
-    OctetReader read(octets.substr(begin + mark.size()), ByteOrder::little);
+    line::OctetReader read(octets.substr(begin + mark.size()), line::ByteOrder::little);
     const std::uint8_t sum = read.u8();
     const std::size_t length = read.u32();
     if (!read.sound()) return std::nullopt;
@@ -149,9 +151,9 @@ Result<std::optional<Frame>> frame_of_serial(std::string_view octets) {
     const std::string_view message = read.text(length);
     if (!read.sound()) return std::nullopt;
     if (sum_of(message) != sum) continue;
-    return Frame{octets.size() - read.left(), message};
+    return line::Frame{octets.size() - read.left(), message};
   }
   return std::nullopt;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::arm

@@ -16,7 +16,7 @@
 #include "drivers/line/frames.hpp"
 #include "drivers/line/octets.hpp"
 
-namespace pizarra {
+namespace pizarra::arm {
 
 namespace simple {
 
@@ -70,27 +70,27 @@ struct SimpleStatus {
   std::int32_t motion_possible = -1;
 };
 
-std::string write_simple(const SimpleMessage& message, ByteOrder order);
+std::string write_simple(const SimpleMessage& message, line::ByteOrder order);
 // Failures of all of these: bad-reply; of numbers that are not finite, with the axis.
-Result<SimpleMessage> read_simple(std::string_view octets, ByteOrder order);
+Result<SimpleMessage> read_simple(std::string_view octets, line::ByteOrder order);
 
-std::string write_position(const SimplePosition& position, ByteOrder order);
-Result<SimplePosition> read_position(std::string_view data, ByteOrder order);
-std::string write_point(const SimplePoint& point, ByteOrder order);
-Result<SimplePoint> read_point(std::string_view data, ByteOrder order);
-std::string write_status(const SimpleStatus& status, ByteOrder order);
-Result<SimpleStatus> read_status(std::string_view data, ByteOrder order);
+std::string write_position(const SimplePosition& position, line::ByteOrder order);
+Result<SimplePosition> read_position(std::string_view data, line::ByteOrder order);
+std::string write_point(const SimplePoint& point, line::ByteOrder order);
+Result<SimplePoint> read_point(std::string_view data, line::ByteOrder order);
+std::string write_status(const SimpleStatus& status, line::ByteOrder order);
+Result<SimpleStatus> read_status(std::string_view data, line::ByteOrder order);
 
 // An axis' reading, degrees or mm, and the joint that it is on the wire, radians or metres; `sign` is of angles.
 float joint_of_axis(Role role, double reading, double sign);
 double axis_of_joint(Role role, float joint, double sign);
 
-std::string tcp_frame(std::string_view message, ByteOrder order);
+std::string tcp_frame(std::string_view message, line::ByteOrder order);
 std::string serial_frame(std::string_view message);
 // For Frames. What does not begin with a mark, or bears a wrong sum, is passed over on a serial line; a length that no
 // message has ends a TCP one.
-Result<std::optional<Frame>> frame_of_tcp_little(std::string_view octets);
-Result<std::optional<Frame>> frame_of_tcp_big(std::string_view octets);
-Result<std::optional<Frame>> frame_of_serial(std::string_view octets);
+Result<std::optional<line::Frame>> frame_of_tcp_little(std::string_view octets);
+Result<std::optional<line::Frame>> frame_of_tcp_big(std::string_view octets);
+Result<std::optional<line::Frame>> frame_of_serial(std::string_view octets);
 
-}  // namespace pizarra
+}  // namespace pizarra::arm

@@ -7,7 +7,7 @@
 #include "drivers/arm/angles.hpp"
 #include "drivers/arm/kinematics.hpp"
 
-namespace pizarra {
+namespace pizarra::arm {
 
 std::string move_script(const ArmModel& model, const std::vector<Leg>& legs, double speed, const Joints& from,
                         std::int32_t begun) {
@@ -29,4 +29,4 @@ std::string move_script(const ArmModel& model, const std::vector<Leg>& legs, dou
   return text + fmt::format("  write_output_integer_register(24, {})\nend\n", begun + 1);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::arm

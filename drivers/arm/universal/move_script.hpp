@@ -11,11 +11,11 @@
 
 #include "drivers/arm/route.hpp"
 
-namespace pizarra {
+namespace pizarra::arm {
 
 inline constexpr double wrist_2_deg = -90;
 
 std::string move_script(const ArmModel& model, const std::vector<Leg>& legs, double speed, const Joints& from,
                         std::int32_t begun);
 
-}  // namespace pizarra
+}  // namespace pizarra::arm

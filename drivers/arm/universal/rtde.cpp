@@ -3,7 +3,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
-namespace pizarra::rtde {
+namespace pizarra::arm::rtde {
 
 namespace {
 
@@ -12,21 +12,21 @@ constexpr std::size_t header = 3;
 }  // namespace
 
 std::string write(char type, std::string_view payload) {
-  OctetWriter octets(ByteOrder::big);
+  line::OctetWriter octets(line::ByteOrder::big);
   octets.u16(static_cast<std::uint16_t>(header + payload.size())).u8(static_cast<std::uint8_t>(type));
   return octets.text(payload).octets();
 }
 
-Result<std::optional<Frame>> frame(std::string_view octets) {
+Result<std::optional<line::Frame>> frame(std::string_view octets) {
   if (octets.size() < header) return std::nullopt;
-  const std::size_t size = OctetReader(octets, ByteOrder::big).u16();
+  const std::size_t size = line::OctetReader(octets, line::ByteOrder::big).u16();
   if (size < header) return fail("bad-reply", "this is no message of the Real-Time Data Exchange");
   if (octets.size() < size) return std::nullopt;
-  return Frame{size, octets.substr(2, size - 2)};
+  return line::Frame{size, octets.substr(2, size - 2)};
 }
 
 Result<State> read_state(std::string_view payload) {
-  OctetReader read(payload, ByteOrder::big);
+  line::OctetReader read(payload, line::ByteOrder::big);
   read.u8();
   State state;
   for (double& joint : state.joints_rad) joint = read.f64();
@@ -46,11 +46,11 @@ Result<State> read_state(std::string_view payload) {
 }
 
 std::string write_state(std::uint8_t recipe, const State& state) {
-  OctetWriter octets(ByteOrder::big);
+  line::OctetWriter octets(line::ByteOrder::big);
   octets.u8(recipe);
   for (const double joint : state.joints_rad) octets.f64(joint);
   octets.i32(state.robot_mode).i32(state.safety_mode).u32(state.runtime).i32(state.marker).i32(state.fingers);
   return octets.f64(state.opening_mm).octets();
 }
 
-}  // namespace pizarra::rtde
+}  // namespace pizarra::arm::rtde

@@ -12,7 +12,7 @@
 #include "drivers/line/frames.hpp"
 #include "drivers/line/octets.hpp"
 
-namespace pizarra::rtde {
+namespace pizarra::arm::rtde {
 
 inline constexpr std::uint16_t port = 30004;
 inline constexpr std::uint16_t script_port = 30002;
@@ -37,7 +37,7 @@ inline constexpr std::string_view opening_name = "input_double_register_24";
 
 std::string write(char type, std::string_view payload);
 // For Frames.
-Result<std::optional<Frame>> frame(std::string_view octets);
+Result<std::optional<line::Frame>> frame(std::string_view octets);
 
 struct State {
   std::array<double, 6> joints_rad{};
@@ -52,4 +52,4 @@ struct State {
 Result<State> read_state(std::string_view payload);
 std::string write_state(std::uint8_t recipe, const State& state);
 
-}  // namespace pizarra::rtde
+}  // namespace pizarra::arm::rtde

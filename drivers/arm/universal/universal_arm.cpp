@@ -10,7 +10,7 @@
 #include "drivers/arm/universal/move_script.hpp"
 #include "drivers/line/printable.hpp"
 
-namespace pizarra {
+namespace pizarra::arm {
 
 namespace {
 
@@ -25,7 +25,7 @@ std::optional<std::string> type_of_model(std::string type, std::string_view vers
   version.remove_prefix(std::min(version.find_first_of("0123456789"), version.size()));
   int major = 0;
   const std::errc wrong = std::from_chars(version.data(), version.data() + version.size(), major).ec;
-  if (wrong != std::errc() || !type.starts_with("ur") || printable(type) != type) return {};
+  if (wrong != std::errc() || !type.starts_with("ur") || line::printable(type) != type) return {};
   constexpr std::string_view without_e[] = {"ur3", "ur5", "ur10", "ur16"};  // is what an e-Series says of each
   const bool shortened = std::ranges::find(without_e, type) != std::end(without_e);
   if (shortened && major >= e_series) type += 'e';
@@ -38,8 +38,8 @@ UniversalArm::UniversalArm(Executor& executor, UniversalWires wires, ArmModel mo
     : executor_(executor),
       model_(std::move(model)),
       rtde_(executor, wires.rtde, rtde::frame, "the arm"),
-      script_(executor, wires.script, frame_of_line, "the arm"),
-      dashboard_(executor, wires.dashboard, frame_of_line, "the dashboard server"),
+      script_(executor, wires.script, line::frame_of_line, "the arm"),
+      dashboard_(executor, wires.dashboard, line::frame_of_line, "the dashboard server"),
       told_(rtde_, fresh) {}
 
 bool UniversalArm::able() const { return state_.robot_mode == rtde::running_mode && state_.safety_mode <= 2; }
@@ -50,7 +50,7 @@ Joints UniversalArm::joints() const {
 }
 
 Task<Result<std::string>> UniversalArm::ask_rtde(char type, std::string payload) {
-  Dialogue::Fits same_type = [type](const std::string& answer) { return answer.front() == type; };
+  line::Dialogue::Fits same_type = [type](const std::string& answer) { return answer.front() == type; };
   std::string question = rtde::write(type, payload);
   Result<std::string> answer = co_await rtde_.ask(std::move(question), std::move(same_type));
   if (answer) answer->erase(0, 1);
@@ -59,21 +59,21 @@ Task<Result<std::string>> UniversalArm::ask_rtde(char type, std::string payload)
 
 // Has the arm tell its state.
 Task<Result<void>> UniversalArm::subscribe() {
-  std::string version = OctetWriter(ByteOrder::big).u16(2).octets();
+  std::string version = line::OctetWriter(line::ByteOrder::big).u16(2).octets();
   const Result<std::string> accepted = co_await ask_rtde(rtde::version, std::move(version));
   if (!accepted) co_return fail(accepted);
-  std::string wanted = OctetWriter(ByteOrder::big).f64(told_per_s).text(rtde::state_names).octets();
+  std::string wanted = line::OctetWriter(line::ByteOrder::big).f64(told_per_s).text(rtde::state_names).octets();
   const Result<std::string> types = co_await ask_rtde(rtde::outputs, std::move(wanted));
   if (!types) co_return fail(types);
   if (types->substr(std::min<std::size_t>(1, types->size())) != rtde::state_types) {
-    co_return fail("bad-reply", fmt::format("the arm cannot tell its state: {}", printable(*types)));
+    co_return fail("bad-reply", fmt::format("the arm cannot tell its state: {}", line::printable(*types)));
   }
   const Result<std::string> input = co_await ask_rtde(rtde::inputs, std::string(rtde::opening_name));
   if (!input) co_return fail(input);
   input_recipe_ = static_cast<std::uint8_t>(input->empty() ? 0 : input->front());
   const Result<std::string> started = co_await ask_rtde(rtde::start, "");
   if (!started) co_return fail(started);
-  ToldState::Hear hears = [this](const std::string& message) { return hear(message); };
+  line::ToldState::Hear hears = [this](const std::string& message) { return hear(message); };
   Result<void> known = co_await told_.listen(std::move(hears), answer_time);
   co_return known;
 }
@@ -86,7 +86,7 @@ Task<Result<std::string>> UniversalArm::ask_type() {
   const std::optional<std::string> type = type_of_model(*model, *version);
   if (type) co_return *type;
   co_return fail("bad-reply", fmt::format("the dashboard server does not say which arm it is of: {}, {}",
-                                          printable(*model), printable(*version)));
+                                          line::printable(*model), line::printable(*version)));
 }
 
 // An arm that does not know the question has no local control.
@@ -104,7 +104,7 @@ Task<Result<std::string>> UniversalArm::identify() {
   told_.forget();
   asking_mode_ = Job();
   const Time deadline = executor_.now() + answer_time;
-  for (Dialogue* line : {&rtde_, &script_, &dashboard_}) {
+  for (line::Dialogue* line : {&rtde_, &script_, &dashboard_}) {
     const Result<void> open = co_await line->open(deadline);
     if (!open) co_return fail(open);
   }
@@ -196,7 +196,7 @@ Task<Result<void>> UniversalArm::start_gripper(double opening_mm) {
   if (!sound) co_return sound;
   if (!told_.known()) co_return told_.unknown();
   if (!able()) co_return fail(trouble());
-  OctetWriter input(ByteOrder::big);
+  line::OctetWriter input(line::ByteOrder::big);
   input.u8(input_recipe_).f64(opening_mm);
   gripping_until_ = executor_.now() + fresh;
   co_return rtde_.say(rtde::write(rtde::data, input.octets()));
@@ -228,4 +228,4 @@ Task<Result<ArmReading>> UniversalArm::read() {
   co_return reading;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::arm

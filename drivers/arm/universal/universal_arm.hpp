@@ -23,12 +23,12 @@
 #include "drivers/arm/universal/rtde.hpp"
 #include "drivers/line/told_state.hpp"
 
-namespace pizarra {
+namespace pizarra::arm {
 
 struct UniversalWires {
-  ByteWire& rtde;
-  ByteWire& script;
-  ByteWire& dashboard;
+  line::ByteWire& rtde;
+  line::ByteWire& script;
+  line::ByteWire& dashboard;
 };
 
 class UniversalArm : public ArmDriver {
@@ -63,10 +63,10 @@ class UniversalArm : public ArmDriver {
 
   Executor& executor_;
   ArmModel model_;
-  Dialogue rtde_;
-  Dialogue script_;  // is told programs, and not listened to
-  Dialogue dashboard_;
-  ToldState told_;
+  line::Dialogue rtde_;
+  line::Dialogue script_;  // is told programs, and not listened to
+  line::Dialogue dashboard_;
+  line::ToldState told_;
   rtde::State state_;
   std::uint8_t input_recipe_ = 0;
   std::int32_t programs_ = 0;  // the last begins with the marker 2 N and ends with 2 N + 1
@@ -77,4 +77,4 @@ class UniversalArm : public ArmDriver {
   Time gripping_until_{};
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::arm

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 namespace {
 
@@ -74,4 +74,4 @@ int PtuAxis::position() const { return static_cast<int>(std::lround(at_ - offset
 
 int PtuAxis::moving_speed() const { return static_cast<int>(std::lround(velocity_)); }
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

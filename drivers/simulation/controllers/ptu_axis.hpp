@@ -14,7 +14,7 @@
 #include "blackboard/time/clock.hpp"
 #include "drivers/simulation/controllers/ptu_model.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 class PtuAxis {
  public:
@@ -59,4 +59,4 @@ class PtuAxis {
   Duration rest_{};  // of time, less than a step
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

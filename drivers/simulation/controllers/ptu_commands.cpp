@@ -4,7 +4,7 @@
 #include <charconv>
 #include <fmt/format.h>
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 namespace {
 
@@ -251,4 +251,4 @@ PtuAnswer obey(PtuUnit& unit, std::string_view command) {
   return obey_whole(unit, word);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

@@ -13,7 +13,7 @@
 
 #include "drivers/simulation/controllers/ptu_settings.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 struct PtuAnswer {
   std::string text;
@@ -25,4 +25,4 @@ struct PtuAnswer {
 // `command` without its delimiter, not empty.
 PtuAnswer obey(PtuUnit& unit, std::string_view command);
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

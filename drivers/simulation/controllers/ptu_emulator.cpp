@@ -1,6 +1,6 @@
 #include "drivers/simulation/controllers/ptu_emulator.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 namespace {
 
@@ -146,4 +146,4 @@ Task<void> PtuEmulator::until_still() {
   }
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

@@ -19,7 +19,7 @@
 #include "blackboard/time/latch.hpp"
 #include "drivers/simulation/controllers/ptu_commands.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 class PtuEmulator {
  public:
@@ -64,4 +64,4 @@ class PtuEmulator {
   Job watching_tilt_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

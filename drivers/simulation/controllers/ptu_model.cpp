@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 namespace {
 
@@ -20,4 +20,4 @@ const PtuModel* find_ptu_model(std::string_view name) {
   return found == std::end(models) ? nullptr : found;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

@@ -11,7 +11,7 @@
 #include <span>
 #include <string_view>
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 struct PtuAxisModel {
   double arc_seconds;  // of one count
@@ -39,4 +39,4 @@ struct PtuModel {
 std::span<const PtuModel> ptu_models();
 const PtuModel* find_ptu_model(std::string_view name);
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

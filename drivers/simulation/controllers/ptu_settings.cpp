@@ -1,6 +1,6 @@
 #include "drivers/simulation/controllers/ptu_settings.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 void PtuUnit::advance(Duration time) {
   pan.axis.advance(time);
@@ -21,4 +21,4 @@ void PtuUnit::restore_factory() {
   tilt.axis.speeds() = model->speeds;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

@@ -4,7 +4,7 @@
 
 #include "drivers/simulation/controllers/ptu_axis.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 struct PtuModes {
   bool echo = true;
@@ -55,4 +55,4 @@ struct PtuUnit {
   Saved saved_{modes, model->speeds, model->speeds};
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

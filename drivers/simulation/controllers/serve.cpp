@@ -1,14 +1,11 @@
 #include "drivers/simulation/controllers/serve.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 namespace {
 
-constexpr Duration patience = 3600s;
-constexpr Duration retry_pause = 100ms;
-
 struct Plugged {
-  Plugged(PtuEmulator& the_unit, ByteWire& wire) : unit(the_unit) {
+  Plugged(PtuEmulator& the_unit, line::ByteWire& wire) : unit(the_unit) {
     // What nobody takes is lost, as on any line.
     unit.on_say([&wire](std::string_view bytes) { static_cast<void>(wire.write(bytes)); });
   }
@@ -20,15 +17,15 @@ struct Plugged {
 
 }  // namespace
 
-Task<void> serve(Executor& executor, PtuEmulator& unit, ByteWire& wire) {
+Task<void> serve(Executor& executor, PtuEmulator& unit, line::ByteWire& wire) {
   const Plugged plugged(unit, wire);
   while (true) {
-    const Time opened_by = executor.now() + patience;
+    const Time opened_by = executor.now() + opening_patience;
     const Result<void> open = co_await wire.open(opened_by);
-    if (!open) co_await sleep(executor, retry_pause);
+    if (!open) co_await sleep(executor, opening_pause);
     Result<std::string> bytes;
     while (bytes) {
-      const Time said_by = executor.now() + patience;
+      const Time said_by = executor.now() + opening_patience;
       bytes = co_await wire.read(said_by);
       if (bytes) unit.receive(*bytes);
       const bool idle = !bytes && bytes.error().symbol == "timeout";
@@ -37,4 +34,4 @@ Task<void> serve(Executor& executor, PtuEmulator& unit, ByteWire& wire) {
   }
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

@@ -4,12 +4,16 @@
 //
 //   const Job serving = executor.spawn(serve(executor, unit, *port));
 
-#include "drivers/simulation/controllers/ptu_emulator.hpp"
 #include "drivers/line/byte_wire.hpp"
+#include "drivers/simulation/controllers/ptu_emulator.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
+
+// How long an emulated controller waits for its end of a line to open, and how long before it tries anew.
+inline constexpr Duration opening_patience = 3600s;
+inline constexpr Duration opening_pause = 100ms;
 
 // Until destroyed. All three outlive it.
-Task<void> serve(Executor& executor, PtuEmulator& unit, ByteWire& wire);
+Task<void> serve(Executor& executor, PtuEmulator& unit, line::ByteWire& wire);
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

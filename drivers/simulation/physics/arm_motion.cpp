@@ -5,23 +5,23 @@
 
 #include "drivers/arm/kinematics.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 namespace {
 
 constexpr double ramp_s = 0.25;  // to an axis' full speed
 
-Result<void> check_path(const ArmModel& model, const std::vector<Joints>& waypoints, double speed) {
+Result<void> check_path(const arm::ArmModel& model, const std::vector<arm::Joints>& waypoints, double speed) {
   if (waypoints.empty() || waypoints.size() > ArmMotion::max_waypoints) {
     return fail("bad-request", "a move has 1 to 10000 waypoints", to_datum(waypoints.size()));
   }
   if (!std::isfinite(speed)) return fail("not-finite", "the speed is not a number");
   if (speed <= 0 || speed > 1) return fail("bad-request", "a speed is above 0 and at most 1", to_datum(speed));
-  for (const Joints& joints : waypoints) {
+  for (const arm::Joints& joints : waypoints) {
     if (!std::ranges::all_of(joints, [](double angle) { return std::isfinite(angle); })) {
       return fail("not-finite", "a joint angle is not a number");
     }
-    const Result<void> within = check_limits(model, joints);
+    const Result<void> within = arm::check_limits(model, joints);
     if (!within) return within;
   }
   return {};
@@ -29,7 +29,7 @@ Result<void> check_path(const ArmModel& model, const std::vector<Joints>& waypoi
 
 }  // namespace
 
-Result<void> ArmMotion::start(std::vector<Joints> waypoints, double speed) {
+Result<void> ArmMotion::start(std::vector<arm::Joints> waypoints, double speed) {
   if (moving_) return fail("busy", "the arm is moving already");
   const Result<void> sound = check_path(model_, waypoints, speed);
   if (!sound) return sound;
@@ -97,4 +97,4 @@ void ArmMotion::follow() {
   }
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 namespace {
 
@@ -106,4 +106,4 @@ double Gripper::press_depth_mm() const {
   return deepest;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

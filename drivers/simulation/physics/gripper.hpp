@@ -12,7 +12,7 @@
 
 #include "drivers/simulation/physics/physics.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 class Gripper {
  public:
@@ -52,4 +52,4 @@ class Gripper {
   int overloaded_steps_ = 0;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

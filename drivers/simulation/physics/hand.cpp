@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 namespace {
 
@@ -255,4 +255,4 @@ std::optional<CubeId> Hand::carried() const {
   return std::nullopt;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

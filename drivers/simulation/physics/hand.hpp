@@ -10,7 +10,7 @@
 
 #include "drivers/simulation/physics/gripper.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 class Hand {
  public:
@@ -64,4 +64,4 @@ class Hand {
   std::optional<Eigen::Vector3d> fist_seen_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

@@ -7,7 +7,7 @@
 
 #include "drivers/arm/kinematics.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 namespace {
 
@@ -68,7 +68,7 @@ void Cell::place_cubes() {
   }
 }
 
-Pose Cell::tool() const { return forward(config_.arm, arm_.joints()); }
+Pose Cell::tool() const { return arm::forward(config_.arm, arm_.joints()); }
 
 void Cell::step() {
   hand_.step(step_s);
@@ -144,4 +144,4 @@ Result<CubeId> Cell::prepare(std::string_view name, Mark mark) {
   return cube;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

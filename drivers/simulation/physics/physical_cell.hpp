@@ -13,7 +13,7 @@
 #include "drivers/simulation/physics/hand.hpp"
 #include "drivers/simulation/render/scene.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 // Names of objects are compared without case.
 bool names_agree(std::string_view a, std::string_view b);
@@ -70,4 +70,4 @@ class Cell {
   bool was_moving_ = false;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 namespace {
 
@@ -240,4 +240,4 @@ bool Physics::asleep() const {
   return still && std::ranges::none_of(cubes_, [](const Cube& cube) { return cube.present && cube.body->isActive(); });
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

@@ -21,7 +21,7 @@
 #include "drivers/simulation/gripper_shape.hpp"
 #include "drivers/simulation/world_config.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 using Pose = Eigen::Isometry3d;  // mm, in the base frame
 using CubeId = std::size_t;
@@ -99,4 +99,4 @@ class Physics {
   btJointFeedback joint_feedback_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

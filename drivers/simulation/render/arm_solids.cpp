@@ -1,6 +1,6 @@
 #include "drivers/simulation/render/arm_solids.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 namespace {
 
@@ -14,7 +14,7 @@ constexpr int round_sides = 14;
 constexpr int foot_sides = 24;
 constexpr double pedestal_below_axis_2_mm = 110;
 
-void add_turret(std::vector<Solid>& solids, const ArmModel& arm, const Vector3d& foot, const Vector3d& ahead) {
+void add_turret(std::vector<Solid>& solids, const arm::ArmModel& arm, const Vector3d& foot, const Vector3d& ahead) {
   Eigen::Isometry3d turret = Eigen::Isometry3d::Identity();
   turret.linear() << ahead, Vector3d::UnitZ().cross(ahead), Vector3d::UnitZ();
   turret.translation() = foot;
@@ -37,28 +37,28 @@ void add_joint(std::vector<Solid>& solids, const Vector3d& at, const Vector3d& a
 
 }  // namespace
 
-void add_pedestal(std::vector<Solid>& solids, const ArmModel& arm, const Vector3d& foot) {
-  if (arm.build == Build::gantry) return;
+void add_pedestal(std::vector<Solid>& solids, const arm::ArmModel& arm, const Vector3d& foot) {
+  if (arm.build == arm::Build::gantry) return;
   const double top = arm.height_mm - pedestal_below_axis_2_mm;
   solids.push_back(make_prism(foot, foot + Vector3d(0, 0, 24), 112, 112, foot_sides, joint_paint));
   solids.push_back(
       make_prism(foot + Vector3d(0, 0, 24), foot + Vector3d(0, 0, top), 92, 80, foot_sides, pedestal_grey));
 }
 
-void add_arm(std::vector<Solid>& solids, const ArmModel& arm, const Joints& joints) {
-  const std::vector<Vector3d> points = skeleton(arm, joints);
-  const Vector3d ahead = stretch_of(arm, joints).ahead;
+void add_arm(std::vector<Solid>& solids, const arm::ArmModel& arm, const arm::Joints& joints) {
+  const std::vector<Vector3d> points = arm::skeleton(arm, joints);
+  const Vector3d ahead = arm::stretch_of(arm, joints).ahead;
   const Vector3d& wrist = points[points.size() - 2];
   const Vector3d& flange = points.back();
   Vector3d side = Vector3d::UnitZ().cross(ahead);
-  if (arm.build != Build::gantry) {
-    if (arm.axis_of(Role::track)) add_pedestal(solids, arm, points.front());
+  if (arm.build != arm::Build::gantry) {
+    if (arm.axis_of(arm::Role::track)) add_pedestal(solids, arm, points.front());
     add_turret(solids, arm, points.front(), ahead);
   }
-  const bool level = arm.build == Build::scara || arm.build == Build::gantry;
+  const bool level = arm.build == arm::Build::scara || arm.build == arm::Build::gantry;
   if (level) side = Vector3d::UnitZ();
   double radius_mm = 46;
-  for (std::size_t i = arm.build == Build::gantry ? 0 : 1; i + 2 < points.size(); ++i) {
+  for (std::size_t i = arm.build == arm::Build::gantry ? 0 : 1; i + 2 < points.size(); ++i) {
     add_joint(solids, points[i], side, radius_mm + 12, radius_mm);
     add_link(solids, points[i], points[i + 1], radius_mm, radius_mm - 6);
     radius_mm -= 6;
@@ -70,4 +70,4 @@ void add_arm(std::vector<Solid>& solids, const ArmModel& arm, const Joints& join
   }
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

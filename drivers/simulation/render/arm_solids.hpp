@@ -7,12 +7,12 @@
 #include "drivers/arm/kinematics.hpp"
 #include "drivers/simulation/render/solid.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 // What stands under axis 1, `foot_mm` being where axis 1 meets the table. A gantry has none.
-void add_pedestal(std::vector<Solid>& solids, const ArmModel& arm, const Eigen::Vector3d& foot_mm);
+void add_pedestal(std::vector<Solid>& solids, const arm::ArmModel& arm, const Eigen::Vector3d& foot_mm);
 
 // All that moves with the arm's axes, up to the flange; the pedestal too, where a track carries it.
-void add_arm(std::vector<Solid>& solids, const ArmModel& arm, const Joints& joints);
+void add_arm(std::vector<Solid>& solids, const arm::ArmModel& arm, const arm::Joints& joints);
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 namespace {
 
@@ -133,4 +133,4 @@ void shade(Canvas& canvas, const Outline& outline, float dark, double softness_p
   }
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

@@ -10,7 +10,7 @@
 
 #include "drivers/simulation/render/painter.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 struct Canvas {
   Canvas(int width_px, int height_px, int channel_count)
@@ -37,4 +37,4 @@ void paint(Canvas& canvas, const Outline& outline, const Colour& colour, const R
 // Takes away `dark` (0..1) of the light inside, fading over `softness_px` around the edge.
 void shade(Canvas& canvas, const Outline& outline, float dark, double softness_px, const Rect& within);
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 Eigen::Vector3d Eye::project(const Eigen::Vector3d& point_mm) const {
   const Eigen::Vector3d seen = axes * (point_mm - position_mm);
@@ -29,4 +29,4 @@ Eye make_eye(const CameraConfig& camera, Side side) {
   return eye;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

@@ -9,7 +9,7 @@
 
 #include "drivers/simulation/world_config.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 enum class Side : std::uint8_t { left, right };
 
@@ -29,4 +29,4 @@ struct Eye {
 // The left camera is the one at the left of the image: half a base line away from the centre, against image right.
 Eye make_eye(const CameraConfig& camera, Side side);
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <numbers>
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 namespace {
 
@@ -126,4 +126,4 @@ Image Film::develop(const Exposure& exposure, const Canvas& like, std::uint64_t 
   return image;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

@@ -9,7 +9,7 @@
 #include "blackboard/time/random.hpp"
 #include "drivers/simulation/render/canvas.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 // Grey levels times 16, before noise.
 struct Exposure {
@@ -41,4 +41,4 @@ class Film {
   Random offsets_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

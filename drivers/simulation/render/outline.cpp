@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 namespace {
 
@@ -106,4 +106,4 @@ Rect rect_around(const std::vector<Eigen::Vector2d>& points) {
           to_column(std::ceil(high.y())) + 2};
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

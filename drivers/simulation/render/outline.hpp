@@ -9,7 +9,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 // Columns first..last; empty when last < first.
 struct Span {
@@ -61,4 +61,4 @@ class Outline {
 // The pixels that the points may touch, one around included.
 Rect rect_around(const std::vector<Eigen::Vector2d>& points);
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

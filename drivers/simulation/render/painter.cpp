@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 namespace {
 
@@ -16,8 +16,8 @@ struct Range {
   double high;
 };
 
-Range along(const Solid& solid, const Vector3d& axis) {
-  Range range{1e12, -1e12};
+arm::Range along(const Solid& solid, const Vector3d& axis) {
+  arm::Range range{1e12, -1e12};
   for (const Vector3d& vertex : solid.vertices) {
     const double at = axis.dot(vertex);
     range = {std::min(range.low, at), std::max(range.high, at)};
@@ -31,8 +31,8 @@ struct Gap {
   bool eye_with_first = false;
 
   void try_axis(const Solid& a, const Solid& b, const Vector3d& axis, const Vector3d& eye) {
-    const Range ra = along(a, axis);
-    const Range rb = along(b, axis);
+    const arm::Range ra = along(a, axis);
+    const arm::Range rb = along(b, axis);
     const double at = axis.dot(eye);
     if (rb.low - ra.high > width) {
       width = rb.low - ra.high;
@@ -161,4 +161,4 @@ std::vector<std::size_t> paint_order(const Eye& eye, const std::vector<Solid>& s
   return order;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

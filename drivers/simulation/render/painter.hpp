@@ -10,7 +10,7 @@
 #include "drivers/simulation/render/outline.hpp"
 #include "drivers/simulation/render/solid.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 struct SeenDecal {
   std::vector<Outline> parts;
@@ -39,4 +39,4 @@ std::vector<Eigen::Vector2d> see(const Eye& eye, const Points& points);
 std::vector<std::size_t> paint_order(const Eye& eye, const std::vector<Solid>& solids,
                                      const std::vector<SeenSolid>& seen);
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

@@ -7,7 +7,7 @@
 #include "drivers/simulation/gripper_shape.hpp"
 #include "drivers/simulation/render/arm_solids.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 namespace {
 
@@ -120,7 +120,7 @@ void add_shadow(std::vector<Points>& shadows, const Solid& solid, const TableCon
 std::vector<Solid> still_solids(const WorldConfig& config) {
   std::vector<Solid> solids;
   solids.push_back(table_solid(config.table));
-  if (!config.arm.axis_of(Role::track)) add_pedestal(solids, config.arm, Vector3d::Zero());
+  if (!config.arm.axis_of(arm::Role::track)) add_pedestal(solids, config.arm, Vector3d::Zero());
   return solids;
 }
 
@@ -131,7 +131,7 @@ Scene moving_scene(const WorldConfig& config, const Snapshot& snapshot) {
     scene.solids.push_back(cube_solid(snapshot.cubes[i], i, config.cube_mm));
     add_shadow(scene.shadows, scene.solids.back(), config.table);
   }
-  const Eigen::Isometry3d tool = forward(config.arm, snapshot.joints);
+  const Eigen::Isometry3d tool = arm::forward(config.arm, snapshot.joints);
   const std::size_t gripper = scene.solids.size();
   add_gripper(scene.solids, tool, snapshot.opening_mm);
   for (std::size_t i = gripper; i < scene.solids.size(); ++i) {
@@ -142,4 +142,4 @@ Scene moving_scene(const WorldConfig& config, const Snapshot& snapshot) {
   return scene;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

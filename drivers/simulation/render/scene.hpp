@@ -7,7 +7,7 @@
 #include "drivers/arm/kinematics.hpp"
 #include "drivers/simulation/render/solid.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 // All that can be seen to move, at one instant.
 struct Snapshot {
@@ -17,7 +17,7 @@ struct Snapshot {
     bool present;
   };
   std::vector<Cube> cubes;
-  Joints joints{};
+  arm::Joints joints{};
   double opening_mm = 0;
   std::optional<Eigen::Vector3d> fist_mm;
 };
@@ -35,4 +35,4 @@ struct Scene {
 std::vector<Solid> still_solids(const WorldConfig& config);
 Scene moving_scene(const WorldConfig& config, const Snapshot& snapshot);
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

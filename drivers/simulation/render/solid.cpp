@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 namespace {
 
@@ -112,4 +112,4 @@ void paint_mark(Face& face, const Vector3d& centre_mm, const Vector3d& up, Mark 
   face.decals.push_back(std::move(decal));
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

@@ -10,7 +10,7 @@
 
 #include "drivers/simulation/world_config.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 using Colour = Eigen::Vector3f;  // blue, green, red; 0..255
 using Points = std::vector<Eigen::Vector3d>;
@@ -54,4 +54,4 @@ inline constexpr double marked_cube_mm = 60;
 void paint_mark(Face& face, const Eigen::Vector3d& centre_mm, const Eigen::Vector3d& up, Mark mark, double scale,
                 const Colour& colour, int id);
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

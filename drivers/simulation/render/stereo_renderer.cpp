@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 namespace {
 
@@ -48,7 +48,7 @@ struct StereoRenderer::View {
         exposure(canvas) {}
 
   Side side;
-  CameraPose pose;
+  forms::CameraPose pose;
   Eye eye;
   Canvas background;
   Canvas canvas;
@@ -108,4 +108,4 @@ StereoPair StereoRenderer::render(const Snapshot& snapshot, const CameraConfig& 
   return {take(*views_[first], scene, frame), take(*views_[first + 1], scene, frame)};
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

@@ -12,7 +12,7 @@
 #include "drivers/simulation/render/film.hpp"
 #include "drivers/simulation/render/scene.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 struct StereoPair {
   std::shared_ptr<const Image> left;
@@ -37,4 +37,4 @@ class StereoRenderer {
   std::array<std::unique_ptr<View>, 4> views_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

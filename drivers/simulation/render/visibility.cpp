@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 namespace {
 
@@ -81,4 +81,4 @@ std::vector<MarkView> seen_marks(const Eye& eye, const std::vector<Solid>& solid
   return marks;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

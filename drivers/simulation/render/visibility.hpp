@@ -6,7 +6,7 @@
 
 #include "drivers/simulation/render/painter.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 struct MarkView {
   int id = 0;
@@ -18,4 +18,4 @@ struct MarkView {
 // Every mark on a face that is turned to the eye.
 std::vector<MarkView> seen_marks(const Eye& eye, const std::vector<Solid>& solids);
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

@@ -5,7 +5,7 @@
 #include "agents/coordinator/geometry/sightings.hpp"
 #include "lisp/reader.hpp"
 
-namespace pizarra {
+namespace pizarra::coordinator {
 namespace {
 
 const Datum a = list("clear"_sym, "a"_sym);
@@ -65,4 +65,4 @@ TEST(Sightings, CountLooksThoughFrameNumbersBeginAgain) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::coordinator

@@ -3,7 +3,7 @@
 #include "lisp/writer.hpp"
 #include "tests/agents/coordinator/fake_cell.hpp"
 
-namespace pizarra {
+namespace pizarra::coordinator {
 namespace {
 
 FakeCell::Cubes row() { return {{"circle", {450, -150, 30}}, {"triangle", {455, -50, 30}}, {"square", {445, 50, 30}}}; }
@@ -358,4 +358,4 @@ TEST(NumberedPlacesCell, SwapsTwoCubesThroughAFreePlace) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::coordinator

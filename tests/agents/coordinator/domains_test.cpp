@@ -10,7 +10,7 @@
 #include "tests/scratch.hpp"
 #include "tests/source_dir.hpp"
 
-namespace pizarra {
+namespace pizarra::coordinator {
 namespace {
 
 Datum d(std::string_view text) { return read_one(text).value(); }
@@ -126,7 +126,7 @@ TEST(BlocksDomain, EveryOperationsEffectsFollowFromItsPreconditions) {
 TEST(BlocksDomain, SaysHowEveryOperatorIsCarriedOut) {
   for (const char* file : {"blocks.scm", "numbered-places.scm"}) {
     const TaskDomain task = domain(file);
-    for (const Operator& known : task.domain().operators) {
+    for (const forms::Operator& known : task.domain().operators) {
       std::vector<Datum> operation{Datum::symbol(known.name)};
       for (std::size_t i = 0; i < known.params.size(); ++i) operation.push_back("x"_sym);
       const Result<std::vector<Datum>> steps = task.micro_tasks().expand(Datum::list(operation));
@@ -209,4 +209,4 @@ TEST(TaskDomain, SaysThatThereAreNoMicroTasks) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::coordinator

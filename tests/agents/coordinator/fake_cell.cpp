@@ -12,7 +12,7 @@
 #include "tests/agents/coordinator/shortest_plan.hpp"
 #include "tests/source_dir.hpp"
 
-namespace pizarra {
+namespace pizarra::coordinator {
 
 namespace {
 
@@ -41,8 +41,8 @@ constexpr std::string_view planner_text = R"(
 
 Datum form(std::string_view text) { return read_one(text).value(); }
 
-Task<void> serve(AgentContext& context, std::string_view contract, Handler handler) {
-  Service service(context, contract_from_text(contract).value());
+Task<void> serve(runtime::AgentContext& context, std::string_view contract, runtime::Handler handler) {
+  runtime::Service service(context, runtime::contract_from_text(contract).value());
   const Result<void> started = co_await service.start();
   if (started) co_await service.serve(std::move(handler));
 }
@@ -67,7 +67,7 @@ struct FakeCell::Agents {
         coordinator{"coordinator", "localhost", cell.executor_, *coordinator_view, Random(4)} {}
 
   std::unique_ptr<Board> robot_view, vision_view, planner_view, coordinator_view;
-  AgentContext robot, vision, planner, coordinator;
+  runtime::AgentContext robot, vision, planner, coordinator;
   std::unique_ptr<CoordinatorAgent> agent;
   Job robot_job, vision_job, looking, planner_job, coordinator_job;
 };
@@ -80,7 +80,7 @@ FakeCell::FakeCell(const std::string& domain_file, Cubes start)
   board_.set_journal([this](std::string_view line) { journal_.emplace_back(line); });
   start_robot();
   start_vision();
-  Handler handler = [this](Datum operation) { return handle_planner(std::move(operation)); };
+  runtime::Handler handler = [this](Datum operation) { return handle_planner(std::move(operation)); };
   agents_->planner_job = executor_.spawn(serve(agents_->planner, planner_text, std::move(handler)));
   executor_.run_for(300ms);
 }
@@ -88,12 +88,12 @@ FakeCell::FakeCell(const std::string& domain_file, Cubes start)
 FakeCell::~FakeCell() = default;
 
 void FakeCell::start_robot() {
-  Handler handler = [this](Datum operation) { return handle_robot(std::move(operation)); };
+  runtime::Handler handler = [this](Datum operation) { return handle_robot(std::move(operation)); };
   agents_->robot_job = executor_.spawn(serve(agents_->robot, robot_text, std::move(handler)));
 }
 
 void FakeCell::start_vision() {
-  Handler handler = [this](Datum operation) { return handle_vision(std::move(operation)); };
+  runtime::Handler handler = [this](Datum operation) { return handle_vision(std::move(operation)); };
   agents_->vision_job = executor_.spawn(serve(agents_->vision, vision_text, std::move(handler)));
   agents_->looking = executor_.spawn(look());
 }
@@ -313,4 +313,4 @@ Task<Result<Datum>> FakeCell::handle_planner(Datum operation) {
   co_return list(answer);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::coordinator

@@ -21,7 +21,7 @@
 #include "blackboard/time/virtual_executor.hpp"
 #include "tests/blackboard/troubled_disk.hpp"
 
-namespace pizarra {
+namespace pizarra::coordinator {
 
 class FakeCell {
  public:
@@ -79,7 +79,7 @@ class FakeCell {
   void let_go();
 
   VirtualExecutor executor_;
-  MemoryBoard board_{executor_};
+  memory::MemoryBoard board_{executor_};
   std::vector<std::string> journal_;
   TaskDomain domain_;
   CameraView view_{{}, {}};
@@ -93,4 +93,4 @@ class FakeCell {
   std::unique_ptr<Agents> agents_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::coordinator

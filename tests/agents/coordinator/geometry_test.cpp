@@ -8,7 +8,7 @@
 #include "agents/coordinator/geometry/spots.hpp"
 #include "blackboard/time/random.hpp"
 
-namespace pizarra {
+namespace pizarra::coordinator {
 namespace {
 
 TEST(CameraView, SeesRightAsPlusYAndAwayAsTowardsTheArm) {
@@ -30,9 +30,9 @@ TEST(CameraView, PlacesWhatItSeesBackWhereItStands) {
   for (std::uint64_t seed = 1; seed <= 500; ++seed) {
     SCOPED_TRACE(seed);
     Random random(seed);
-    const CameraPose pose{{1330 + random.uniform(-50, 50), random.uniform(-50, 50), 200},
-                          random.uniform(-20, 20),
-                          random.uniform(-25, 15)};
+    const forms::CameraPose pose{{1330 + random.uniform(-50, 50), random.uniform(-50, 50), 200},
+                                 random.uniform(-20, 20),
+                                 random.uniform(-25, 15)};
     const CameraView view(pose, {});
     const Eigen::Vector3d point(random.uniform(300, 600), random.uniform(-300, 300), random.uniform(0, 400));
     const Sight sight = view.sight(point);
@@ -44,9 +44,9 @@ TEST(CameraView, AHeadThatTurnsItTurnsTheImageAndNotWhereThingsAre) {
   for (std::uint64_t seed = 1; seed <= 500; ++seed) {
     SCOPED_TRACE(seed);
     Random random(seed);
-    const CameraPose mount{{1330, 20, 200}, random.uniform(-10, 10), random.uniform(-10, 5)};
+    const forms::CameraPose mount{{1330, 20, 200}, random.uniform(-10, 10), random.uniform(-10, 5)};
     const HeadTurn head{random.uniform(-12, 12), random.uniform(-10, 10)};
-    const CameraPose turned{mount.at_mm, mount.pan_deg + head.pan_deg, mount.tilt_deg + head.tilt_deg};
+    const forms::CameraPose turned{mount.at_mm, mount.pan_deg + head.pan_deg, mount.tilt_deg + head.tilt_deg};
     const CameraView view(mount, {}, head);
     const Eigen::Vector3d point(random.uniform(300, 600), random.uniform(-300, 300), random.uniform(0, 400));
     const Sight sight = view.sight(point);
@@ -255,4 +255,4 @@ TEST(ElbowRoom, APushLeavesAllMarksInSightOfBothEyesWhereItCan) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::coordinator

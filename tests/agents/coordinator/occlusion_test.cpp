@@ -5,10 +5,10 @@
 #include "agents/coordinator/geometry/sightings.hpp"
 #include "lisp/reader.hpp"
 
-namespace pizarra {
+namespace pizarra::coordinator {
 namespace {
 
-const CameraView view{CameraPose{}, CameraModel{}};
+const CameraView view{forms::CameraPose{}, CameraModel{}};
 const GripperOutline outline;
 const Eigen::Vector3d low_grip(480, 0, 30);
 
@@ -44,4 +44,4 @@ TEST(Sightings, AnExcusedObjectStaysAsYoungAsItWasButNotForEver) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::coordinator

@@ -6,7 +6,7 @@
 
 #include "blackboard/time/random.hpp"
 
-namespace pizarra {
+namespace pizarra::coordinator {
 namespace {
 
 using Motion = ServoCommand::Motion;
@@ -132,4 +132,4 @@ TEST(Servo, FollowsATargetThatIsMovedDuringTheApproach) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::coordinator

@@ -4,13 +4,13 @@
 #include <deque>
 #include <map>
 
-namespace pizarra {
+namespace pizarra::coordinator {
 
 namespace {
 
 std::vector<GroundOperation> ground_operations(const TaskDomain& domain, const Datum& types) {
   std::vector<GroundOperation> operations;
-  for (const Operator& known : domain.domain().operators) {
+  for (const forms::Operator& known : domain.domain().operators) {
     std::vector<std::vector<Datum>> names{{Datum::symbol(known.name)}};
     for (std::size_t i = 0; i < known.params.size(); ++i) {
       std::vector<std::vector<Datum>> longer;
@@ -55,4 +55,4 @@ std::optional<std::vector<Datum>> shortest_plan(const TaskDomain& domain, const 
   return std::nullopt;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::coordinator

@@ -10,10 +10,10 @@
 
 #include "agents/coordinator/plan/task_domain.hpp"
 
-namespace pizarra {
+namespace pizarra::coordinator {
 
 // `types` as in (get-facts (types (OBJECT TYPE) ...) ...). None where nothing leads to the goal.
 std::optional<std::vector<Datum>> shortest_plan(const TaskDomain& domain, const Datum& types, const Facts& initials,
                                                 const Facts& goals);
 
-}  // namespace pizarra
+}  // namespace pizarra::coordinator

@@ -11,7 +11,7 @@
 #include "tests/scratch.hpp"
 #include "tests/source_dir.hpp"
 
-namespace pizarra {
+namespace pizarra::coordinator {
 namespace {
 
 Datum form(std::string_view text) { return read_one(text).value(); }
@@ -68,7 +68,7 @@ class TooMuchWork : public testing::Test {
   }
 
   VirtualExecutor executor_;
-  MemoryBoard board_{executor_};
+  memory::MemoryBoard board_{executor_};
 };
 
 Task<void> live(CoordinatorAgent& agent) { co_await agent.run(); }
@@ -96,4 +96,4 @@ TEST_F(TooMuchWork, IsToldOnceAndLeavesWhatWasBelieved) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::coordinator

@@ -7,7 +7,7 @@
 #include "blackboard/time/random.hpp"
 #include "lisp/reader.hpp"
 
-namespace pizarra {
+namespace pizarra::coordinator {
 namespace {
 
 Datum d(std::string_view text) { return read_one(text).value(); }
@@ -138,4 +138,4 @@ TEST(Vigil, EndsEverythingWhenInterrupted) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::coordinator

@@ -13,7 +13,7 @@
 #include "lisp/writer.hpp"
 #include "tests/source_dir.hpp"
 
-namespace pizarra {
+namespace pizarra::follower {
 namespace {
 
 using Eigen::Vector3d;
@@ -81,7 +81,8 @@ class Follower : public testing::Test {
   void settle() { executor.run_for(5s); }
 
   VirtualExecutor executor;
-  LocalCell cell{executor, read_cell_file(source_dir() + "/examples/06-master-and-slave/cell.scm").value(), 1};
+  launcher::LocalCell cell{executor,
+                           forms::read_cell_file(source_dir() + "/examples/06-master-and-slave/cell.scm").value(), 1};
   int asked = 0;
 };
 
@@ -194,4 +195,4 @@ TEST_F(Follower, NobodyToFollowIsSaid) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::follower

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace pizarra {
+namespace pizarra::launcher {
 namespace {
 
 Datum camera_state(const char* state, const char* trouble) {
@@ -26,4 +26,4 @@ TEST(CameraNews, ImagesThatAreLeftOutAreToldOfOnce) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::launcher

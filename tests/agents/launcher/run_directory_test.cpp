@@ -10,7 +10,7 @@
 
 #include "tests/scratch.hpp"
 
-namespace pizarra {
+namespace pizarra::launcher {
 namespace {
 
 class RunDirectoryTest : public testing::Test {
@@ -110,4 +110,4 @@ TEST_F(RunDirectoryTest, ACellThatHasYetToWriteItsStateIsNotStartedTwice) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::launcher

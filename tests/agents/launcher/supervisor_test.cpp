@@ -9,7 +9,7 @@
 #include "blackboard/time/real_executor.hpp"
 #include "tests/scratch.hpp"
 
-namespace pizarra {
+namespace pizarra::launcher {
 namespace {
 
 struct Watched {
@@ -96,4 +96,4 @@ TEST(Supervisor, RefusesWhatCannotBeRun) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::launcher

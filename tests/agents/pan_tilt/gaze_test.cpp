@@ -6,17 +6,17 @@
 
 #include "blackboard/time/random.hpp"
 
-namespace pizarra {
+namespace pizarra::pan_tilt {
 namespace {
 
 TEST(Gaze, LooksStraightAheadAtWhatIsStraightAhead) {
-  const Gaze gaze = gaze_at(CameraPose{}, {450, 0, 200});
+  const Gaze gaze = gaze_at(forms::CameraPose{}, {450, 0, 200});
   EXPECT_NEAR(gaze.pan_deg, 0, 1e-9);
   EXPECT_NEAR(gaze.tilt_deg, 0, 1e-9);
 }
 
 TEST(Gaze, PansToTheRightOfTheImageAndTiltsUp) {
-  const Gaze gaze = gaze_at(CameraPose{}, {1330 - 500, 500, 700});
+  const Gaze gaze = gaze_at(forms::CameraPose{}, {1330 - 500, 500, 700});
   EXPECT_NEAR(gaze.pan_deg, 45, 1e-9);
   EXPECT_NEAR(gaze.tilt_deg, std::atan2(500, std::hypot(500, 500)) * 180 / std::numbers::pi, 1e-9);
 }
@@ -24,7 +24,8 @@ TEST(Gaze, PansToTheRightOfTheImageAndTiltsUp) {
 TEST(Gaze, ThePointLiesOnTheAxisOfACameraTurnedThatWay) {
   for (std::uint64_t seed = 1; seed <= 500; ++seed) {
     Random random(seed);
-    const CameraPose mount{{1330, random.uniform(-100, 100), 200}, random.uniform(-30, 30), random.uniform(-20, 20)};
+    const forms::CameraPose mount{
+        {1330, random.uniform(-100, 100), 200}, random.uniform(-30, 30), random.uniform(-20, 20)};
     const std::array<double, 3> point{random.uniform(300, 600), random.uniform(-300, 300), random.uniform(0, 400)};
     const Gaze gaze = gaze_at(mount, point);
     const double pan = (mount.pan_deg + gaze.pan_deg) * std::numbers::pi / 180;
@@ -37,4 +38,4 @@ TEST(Gaze, ThePointLiesOnTheAxisOfACameraTurnedThatWay) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::pan_tilt

@@ -10,7 +10,7 @@
 #include "lisp/writer.hpp"
 #include "tests/drivers/ptu/wire_to_unit.hpp"
 
-namespace pizarra {
+namespace pizarra::pan_tilt {
 namespace {
 
 Datum form(std::string_view text) { return read_one(text).value(); }
@@ -18,9 +18,9 @@ Datum form(std::string_view text) { return read_one(text).value(); }
 // One life of the agent: destroying it is the agent's death.
 class Life {
  public:
-  Life(Executor& executor, MemoryBoard& board, PanTiltDriver& driver)
+  Life(Executor& executor, memory::MemoryBoard& board, ptu::PanTiltDriver& driver)
       : view_(board.view("pan-tilt")),
-        agent_({"pan-tilt", "localhost", executor, *view_, Random(1)}, driver, CameraPose{}),
+        agent_({"pan-tilt", "localhost", executor, *view_, Random(1)}, driver, forms::CameraPose{}),
         job_(executor.spawn(live())) {}
 
  private:
@@ -87,10 +87,10 @@ class Head : public testing::Test {
   }
 
   VirtualExecutor executor;
-  MemoryBoard board{executor};
-  PtuEmulator unit{executor, *find_ptu_model("ptu46-17.5")};
-  WireToUnit wire{executor, unit};
-  PtuDriver driver{executor, wire};
+  memory::MemoryBoard board{executor};
+  simulation::PtuEmulator unit{executor, *simulation::find_ptu_model("ptu46-17.5")};
+  ptu::WireToUnit wire{executor, unit};
+  ptu::PtuDriver driver{executor, wire};
   std::optional<Life> life;
   int asked = 0;
 };
@@ -249,4 +249,4 @@ TEST_F(Head, LooksAsFarAsItCanAtWhatIsBeyondItsReach) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::pan_tilt

@@ -10,36 +10,38 @@
 #include "drivers/simulation/world.hpp"
 #include "lisp/writer.hpp"
 
-namespace pizarra {
+namespace pizarra::person {
 namespace {
 
-Task<void> until_it_ends(Agent& agent) {
+Task<void> until_it_ends(runtime::Agent& agent) {
   const Result<void> ended = co_await agent.run();
   static_cast<void>(ended);
 }
 
-WorldConfig four_cubes() {
-  WorldConfig config;
-  config.cubes = {{"circle", Mark::circle, 450, -150, 0, ""},
-                  {"triangle", Mark::triangle, 450, -50, 0, ""},
-                  {"square", Mark::square, 450, 50, 0, ""},
-                  {"cross", Mark::cross, 450, 50, 0, "square"}};
+simulation::WorldConfig four_cubes() {
+  simulation::WorldConfig config;
+  config.cubes = {{"circle", simulation::Mark::circle, 450, -150, 0, ""},
+                  {"triangle", simulation::Mark::triangle, 450, -50, 0, ""},
+                  {"square", simulation::Mark::square, 450, 50, 0, ""},
+                  {"cross", simulation::Mark::cross, 450, 50, 0, "square"}};
   return config;
 }
 
 // The world, the arm and the eyes, and a person who teaches.
 struct Room {
   VirtualExecutor executor;
-  MemoryBoard board{executor};
-  World world{executor, four_cubes()};
-  LocalLink link{world};
-  SimulatedArm arm{link};
-  SimulatedCamera eyes{executor, link};
+  memory::MemoryBoard board{executor};
+  simulation::World world{executor, four_cubes()};
+  simulation::LocalLink link{world};
+  simulation::SimulatedArm arm{link};
+  simulation::SimulatedCamera eyes{executor, link};
   std::unique_ptr<Board> robot_view = board.view("robot");
   std::unique_ptr<Board> vision_view = board.view("vision");
   std::unique_ptr<Board> person_view = board.view("person");
-  RobotAgent robot{AgentContext{"robot", "localhost", executor, *robot_view, Random(1)}, arm, crs_f3()};
-  VisionAgent vision{AgentContext{"vision", "localhost", executor, *vision_view, Random(2)}, eyes, nullptr};
+  robot::RobotAgent robot{runtime::AgentContext{"robot", "localhost", executor, *robot_view, Random(1)}, arm,
+                          arm::crs_f3()};
+  vision::VisionAgent vision{runtime::AgentContext{"vision", "localhost", executor, *vision_view, Random(2)}, eyes,
+                             nullptr};
   std::vector<std::string> names{"circle", "triangle", "square", "cross"};
 
   std::string facts(const Datum& pattern) {
@@ -55,8 +57,8 @@ struct Room {
 
 TEST(Person, TeachesEveryCubeAndTheEndEffectorByClickingOnThem) {
   Room room;
-  PersonAgent person(AgentContext{"person", "localhost", room.executor, *room.person_view, Random(3)}, room.link,
-                     room.names);
+  PersonAgent person(runtime::AgentContext{"person", "localhost", room.executor, *room.person_view, Random(3)},
+                     room.link, room.names);
   const Job robot = room.executor.spawn(until_it_ends(room.robot));
   const Job vision = room.executor.spawn(until_it_ends(room.vision));
   const Job teaching = room.executor.spawn(until_it_ends(person));
@@ -67,8 +69,8 @@ TEST(Person, TeachesEveryCubeAndTheEndEffectorByClickingOnThem) {
 
 TEST(Person, AsksForAMotionAgainThatWasStopped) {
   Room room;
-  PersonAgent person(AgentContext{"person", "localhost", room.executor, *room.person_view, Random(3)}, room.link,
-                     room.names);
+  PersonAgent person(runtime::AgentContext{"person", "localhost", room.executor, *room.person_view, Random(3)},
+                     room.link, room.names);
   const Job robot = room.executor.spawn(until_it_ends(room.robot));
   const Job vision = room.executor.spawn(until_it_ends(room.vision));
   const Job teaching = room.executor.spawn(until_it_ends(person));
@@ -90,7 +92,7 @@ TEST(Person, WhoComesBackDoesNotTeachAgain) {
   std::vector<Datum> pattern(10, "?"_sym);
   pattern[0] = "learned"_sym;
   const Datum learned = Datum::list(pattern);
-  const AgentContext context{"person", "localhost", room.executor, *room.person_view, Random(3)};
+  const runtime::AgentContext context{"person", "localhost", room.executor, *room.person_view, Random(3)};
   {
     PersonAgent person(context, room.link, room.names);
     const Job teaching = room.executor.spawn(until_it_ends(person));
@@ -114,7 +116,7 @@ TEST(Person, WhoComesBackAcceptsThatACubeWasGivenAnotherName) {
   Room room;
   const Job robot = room.executor.spawn(until_it_ends(room.robot));
   const Job vision = room.executor.spawn(until_it_ends(room.vision));
-  const AgentContext context{"person", "localhost", room.executor, *room.person_view, Random(3)};
+  const runtime::AgentContext context{"person", "localhost", room.executor, *room.person_view, Random(3)};
   {
     PersonAgent person(context, room.link, room.names);
     const Job teaching = room.executor.spawn(until_it_ends(person));
@@ -130,4 +132,4 @@ TEST(Person, WhoComesBackAcceptsThatACubeWasGivenAnotherName) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::person

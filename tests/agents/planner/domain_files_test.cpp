@@ -9,18 +9,19 @@
 #include "tests/agents/planner/planning_domains.hpp"
 #include "tests/source_dir.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 namespace {
 
 PlanningTask task_of(const std::string& file) {
-  const Result<Domain> domain = read_domain_file(source_dir() + "/domains/" + file);
+  const Result<forms::Domain> domain = forms::read_domain_file(source_dir() + "/domains/" + file);
   EXPECT_TRUE(domain) << domain.error().sentence;
   std::vector<Datum> forms;
-  for (const Operator& one : domain->operators) forms.push_back(operator_form(one));
+  for (const forms::Operator& one : domain->operators) forms.push_back(forms::operator_form(one));
   const Result<std::vector<PlanningOperator>> operators = operators_from_list(Datum::list(forms));
   EXPECT_TRUE(operators) << operators.error().sentence;
   PlanningTask task{.operators = *operators, .objects = {}, .initials = {}, .goals = {}};
-  for (const TypedName& object : domain->objects) task.objects.push_back({Datum::symbol(object.name), object.type});
+  for (const forms::TypedName& object : domain->objects)
+    task.objects.push_back({Datum::symbol(object.name), object.type});
   return task;
 }
 
@@ -54,4 +55,4 @@ TEST(DomainFiles, NumberedPlacesSwapsTwoCubesOverAFreePlace) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::planner

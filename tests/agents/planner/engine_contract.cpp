@@ -3,7 +3,7 @@
 #include "agents/planner/task/grounding.hpp"
 #include "lisp/writer.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 PlanningTask blamed(const PlanningTask& task, const Problem& problem, const std::vector<std::size_t>& culprits) {
   PlanningTask blamed = task;
@@ -65,4 +65,4 @@ PlanningTask random_impossible_blocks(Random& random) {
   return task;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

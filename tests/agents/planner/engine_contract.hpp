@@ -9,7 +9,7 @@
 
 #include "tests/agents/planner/planning_domains.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 inline const std::function<bool()> never = [] { return false; };
 
@@ -40,4 +40,4 @@ void expect_fewest_steps(PlanEngine& engine, std::uint64_t seeds, Make make) {
   for_random_tasks(seeds, make, [&](const PlanningTask& task) { expect_fewest_steps(engine, task); });
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

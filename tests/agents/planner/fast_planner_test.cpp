@@ -18,7 +18,7 @@
 #include "tests/agents/planner/engine_contract.hpp"
 #include "tests/agents/planner/planning_domains.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 namespace {
 
 std::size_t actions_of(const Outcome& outcome) {
@@ -403,4 +403,4 @@ TEST(IdleActions, AreLeftOutWithTheStepsTheyWereAloneIn) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -7,7 +7,7 @@
 #include "lisp/writer.hpp"
 #include "tests/agents/planner/engine_contract.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 namespace {
 
 Outcome plan(const PlanningTask& task, const Budget& budget = {}) {
@@ -169,4 +169,4 @@ TEST(BreadthFirst, SaysWhetherThereIsAnyPlan) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -6,7 +6,7 @@
 #include "lisp/writer.hpp"
 #include "tests/agents/planner/planning_domains.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 namespace {
 
 PlanningTask two_blocks() {
@@ -195,4 +195,4 @@ TEST(Validator, RefusesAStepInWhichOneAddsWhatAnotherNeedsAbsent) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -5,7 +5,7 @@
 
 #include "blackboard/time/random.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 namespace {
 
 Bits bits(const std::vector<std::size_t>& facts, std::size_t size = 20) {
@@ -58,4 +58,4 @@ TEST(Nogoods, AnswerAsAListOfSetsWould) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -11,7 +11,7 @@
 #include "lisp/writer.hpp"
 #include "tests/agents/planner/engine_contract.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 namespace {
 
 // Satisfiability without the searches that come before it.
@@ -246,4 +246,4 @@ TEST(OptimalPlanner, StopsLookingForWhomToBlameWhenCancelled) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -6,7 +6,7 @@
 #include "lisp/pattern.hpp"
 #include "tests/agents/planner/planning_domains.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 namespace {
 
@@ -98,4 +98,4 @@ class Oracle {
 
 std::optional<std::size_t> fewest_steps(const PlanningTask& task) { return Oracle(task).fewest_steps(); }
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -9,7 +9,7 @@
 #include "lisp/writer.hpp"
 #include "tests/agents/planner/planning_domains.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 namespace {
 
 constexpr std::string_view operators = R"((get-operations (
@@ -37,7 +37,8 @@ class PlannerCell {
   explicit PlannerCell(Budget budget = {}) { begin(std::move(budget)); }
   void begin(Budget budget = {}) {
     view = board.view("planner");
-    agent = std::make_unique<PlannerAgent>(AgentContext{"planner", "localhost", executor, *view, Random(1)}, budget);
+    agent = std::make_unique<PlannerAgent>(runtime::AgentContext{"planner", "localhost", executor, *view, Random(1)},
+                                           budget);
     job = executor.spawn(live());
   }
   void kill() {
@@ -84,7 +85,7 @@ class PlannerCell {
   }
 
   T executor;
-  MemoryBoard board{executor};
+  memory::MemoryBoard board{executor};
   std::unique_ptr<Board> view;
   std::unique_ptr<PlannerAgent> agent;
   Job job;
@@ -317,4 +318,4 @@ TEST(PlannerAgent, SurvivesRandomlyDamagedRequests) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -6,7 +6,7 @@
 #include "lisp/reader.hpp"
 #include "lisp/writer.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 namespace {
 
@@ -270,4 +270,4 @@ std::string show(const PlanningTask& task) {
                             write(Datum::list(task.absent_goals)));
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -9,7 +9,7 @@
 #include "agents/planner/task/problem.hpp"
 #include "blackboard/time/random.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 
 Datum form(std::string_view text);
 // The facts of a text like "(on a b) (clear a)".
@@ -39,4 +39,4 @@ std::optional<std::size_t> fewest_steps(const PlanningTask& task);
 
 std::string show(const PlanningTask& task);
 
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -6,7 +6,7 @@
 #include "agents/planner/task/grounding.hpp"
 #include "tests/agents/planner/planning_domains.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 namespace {
 
 constexpr std::uint32_t kinds = 70;  // more than a machine word has bits
@@ -66,4 +66,4 @@ TEST(RelaxedLandmarks, AreTheKindsOfActionsWithoutWhichAFactIsOutOfReach) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::planner

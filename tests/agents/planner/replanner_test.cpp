@@ -7,7 +7,7 @@
 #include "agents/planner/task/grounding.hpp"
 #include "tests/agents/planner/engine_contract.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 namespace {
 
 struct Fresh {
@@ -301,4 +301,4 @@ TEST(Replanner, NeverUsesWhatACancelledPlanMadeFastLeftHalfDone) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -6,7 +6,7 @@
 #include "lisp/writer.hpp"
 #include "tests/agents/planner/engine_contract.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 namespace {
 
 // Where some actions, taken at random, lead to.
@@ -115,4 +115,4 @@ TEST(SatSearch, WorksLessFromAStateNearOneItKnows) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -12,13 +12,13 @@
 #include "tests/agents/planner/planning_domains.hpp"
 #include "tests/source_dir.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 namespace {
 
 Result<PlanningTask> read(std::string_view domain, std::string_view problem) {
-  const Result<Source> domain_source = read_planning_source(domain, "domain");
+  const Result<Source> domain_source = forms::read_planning_source(domain, "domain");
   if (!domain_source) return fail(domain_source);
-  const Result<Source> problem_source = read_planning_source(problem, "problem");
+  const Result<Source> problem_source = forms::read_planning_source(problem, "problem");
   if (!problem_source) return fail(problem_source);
   return read_task(*domain_source, *problem_source);
 }
@@ -80,9 +80,9 @@ TEST(TaskFiles, ReadTheThesisOperatorsAndFacts) {
 }
 
 TEST(TaskFiles, ReadFactsForADomainFileOfACell) {
-  const Result<Source> domain = read_planning_source_file(source_dir() + "/domains/blocks.scm");
+  const Result<Source> domain = forms::read_planning_source_file(source_dir() + "/domains/blocks.scm");
   ASSERT_TRUE(domain) << describe(domain.error());
-  const Result<Source> facts = read_planning_source(
+  const Result<Source> facts = forms::read_planning_source(
       "(types (a OBJECT) (b OBJECT)) (initials (on-table a) (on-table b) (clear a) (clear b) (arm-empty))"
       "(goals (on a b))",
       "facts");
@@ -128,9 +128,9 @@ std::vector<std::string> errors_of(std::string_view domain, std::string_view pro
 
 // Those of the domain alone.
 std::vector<std::string> errors_of(std::string_view domain) {
-  const Result<Source> source = read_planning_source(domain, "domain");
+  const Result<Source> source = forms::read_planning_source(domain, "domain");
   if (!source) return lines_of(source.error());
-  const Result<PlanningDomain> read = read_planning_domain(*source);
+  const Result<forms::PlanningDomain> read = forms::read_planning_domain(*source);
   return read ? std::vector<std::string>() : lines_of(read.error());
 }
 
@@ -334,7 +334,9 @@ TEST(TaskFiles, SayWhatIsExpectedWhereTheFilesAreMixedUp) {
               "this is a problem; the domain must be named first, and it second");
     EXPECT_EQ(read(problem, problem).error().sentence,
               "this is a problem; the domain must be named first, and it second");
-    EXPECT_EQ(read_planning_problem(*read_planning_source(domain, "problem"), PlanningDomain()).error().sentence,
+    EXPECT_EQ(forms::read_planning_problem(*forms::read_planning_source(domain, "problem"), forms::PlanningDomain())
+                  .error()
+                  .sentence,
               "this is a domain; a problem must stand here");
   }
   EXPECT_EQ(read("(cell one)", pddl_problem).error().symbol, "wrong-file");
@@ -478,4 +480,4 @@ TEST(TaskFiles, RefuseThreeMillionParenthesesAtOnce) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -7,7 +7,7 @@
 
 #include "blackboard/time/random.hpp"
 
-namespace pizarra {
+namespace pizarra::planner {
 namespace {
 
 TEST(VisitOrder, RepeatsNothingWhereNothingGoesInCircles) {
@@ -94,4 +94,4 @@ TEST(VisitOrder, FindsTheFewestRepeatsOfRandomOrders) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::planner

@@ -8,7 +8,7 @@
 #include "blackboard/time/virtual_executor.hpp"
 #include "lisp/reader.hpp"
 
-namespace pizarra {
+namespace pizarra::repl {
 namespace {
 
 class Repl : public testing::Test {
@@ -37,10 +37,10 @@ class Repl : public testing::Test {
 
   Style style_;
   VirtualExecutor executor;
-  MemoryBoard board{executor};
+  memory::MemoryBoard board{executor};
   std::unique_ptr<Board> view = board.view("user");
-  AgentContext context{"user", "localhost", executor, *view, Random(1)};
-  Service service{context, contract_from_text("(contract user)").value()};
+  runtime::AgentContext context{"user", "localhost", executor, *view, Random(1)};
+  runtime::Service service{context, runtime::contract_from_text("(contract user)").value()};
   std::string shown;
   Interpreter interpreter{context, service, [this](const std::string& line) { shown += line + '\n'; },
                           Interpreter::Patience::ended, style_};
@@ -172,7 +172,7 @@ class ReplOfEyes : public Repl {
   Task<void> answer() {
     const Result<void> started = co_await eyes_service.start();
     EXPECT_TRUE(started.has_value());
-    RequestHandler handler = [this](Fact) { return say_ok(); };
+    runtime::RequestHandler handler = [this](Fact) { return say_ok(); };
     const Result<void> served = co_await eyes_service.serve_requests(std::move(handler));
   }
   Task<Result<Datum>> say_ok() { co_return Datum(); }
@@ -183,20 +183,18 @@ class ReplOfEyes : public Repl {
     co_await sleep(executor, 1s);
     eyes_tell("(camera-state vision lost \"the camera: /dev/video0 cannot be opened\")");
   }
-  void learn(std::string_view name) {
-    eyes_tell("(learned vision \"" + std::string(name) + "\" 1 900 110 0 1 1 1)");
-  }
+  void learn(std::string_view name) { eyes_tell("(learned vision \"" + std::string(name) + "\" 1 900 110 0 1 1 1)"); }
 
   std::unique_ptr<Board> eyes_view = board.view("vision");
-  AgentContext eyes_context{"vision", "localhost", executor, *eyes_view, Random(1)};
-  Service eyes_service{eyes_context, contract_from_text(R"((contract vision
+  runtime::AgentContext eyes_context{"vision", "localhost", executor, *eyes_view, Random(1)};
+  runtime::Service eyes_service{eyes_context, runtime::contract_from_text(R"((contract vision
     (offers (connect) (find (name string)))
     (posts
       (relation camera-state ((eyes symbol) (state symbol) (trouble string)) (key eyes))
       (relation sightings ((eyes symbol) (frame integer) (of list)) (key eyes))
       (relation learned ((eyes symbol) (name string) (num integer) (area number) (perimeter number) (features integer)
                          (m0 number) (m1 number) (m2 number)) (key eyes name num)))))")
-                                         .value()};
+                                                  .value()};
   Job answering;
 };
 
@@ -218,8 +216,9 @@ TEST_F(ReplOfEyes, WhoConnectsToACameraThatIsSlowIsToldSo) {
 
 TEST_F(ReplOfEyes, ObjectsAreWhereTheEyesSeeThem) {
   for (const char* name : {"circle", "cross", "square", "triangle"}) learn(name);
-  eyes_tell("(sightings vision 41 ((\"circle\" seen 0.98 1.5 \"\" 0.1 ((left 227.99 127.58) (range 516.46 2.1)))"
-            " (\"cross\" lost) (\"square\" bridged 0.9 10.5 20.5 300.25)))");
+  eyes_tell(
+      "(sightings vision 41 ((\"circle\" seen 0.98 1.5 \"\" 0.1 ((left 227.99 127.58) (range 516.46 2.1)))"
+      " (\"cross\" lost) (\"square\" bridged 0.9 10.5 20.5 300.25)))");
   EXPECT_EQ(type("(objects)"), Evaluation::done);
   EXPECT_EQ(shown,
             "  circle         seen at (227.99, 127.58) px, 516 mm away, frame 41\n"
@@ -324,4 +323,4 @@ TEST(Terminal, KnowsWhenAFormIsComplete) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::repl

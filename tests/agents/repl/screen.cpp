@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <utility>
 
-namespace pizarra {
+namespace pizarra::repl {
 
 void Screen::write(std::string_view bytes) {
   for (const char c : bytes) {
@@ -92,4 +92,4 @@ std::string Screen::text() const {
   return out;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::repl

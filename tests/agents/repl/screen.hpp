@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-namespace pizarra {
+namespace pizarra::repl {
 
 class Screen {
  public:
@@ -35,4 +35,4 @@ class Screen {
   std::string escape_;  // a sequence that has begun
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::repl

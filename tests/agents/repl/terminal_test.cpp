@@ -15,7 +15,7 @@
 #include "tests/agents/repl/screen.hpp"
 #include "tests/scratch.hpp"
 
-namespace pizarra {
+namespace pizarra::repl {
 namespace {
 
 constexpr int columns = 40;
@@ -252,4 +252,4 @@ TEST_F(TerminalTest, LettersOfOtherAlphabetsStandAsTheyWereTyped) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::repl

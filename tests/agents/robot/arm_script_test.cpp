@@ -5,16 +5,16 @@
 #include "agents/robot/tool_path.hpp"
 #include "drivers/arm/arm_file.hpp"
 
-namespace pizarra {
+namespace pizarra::robot {
 namespace {
 
-const ArmModel& model = crs_f3();
-const Joints at_work{0, -40, -80, 0, -60, 0, 2500};
+const arm::ArmModel& model = arm::crs_f3();
+const arm::Joints at_work{0, -40, -80, 0, -60, 0, 2500};
 
-Eigen::Vector3d point(const Joints& joints) { return forward(model, joints).translation(); }
+Eigen::Vector3d point(const arm::Joints& joints) { return arm::forward(model, joints).translation(); }
 
 Failure failure_of(std::string_view text, const ArmVariables& variables = {}) {
-  const Result<std::vector<Joints>> waypoints = script_waypoints(model, text, at_work, variables);
+  const Result<std::vector<arm::Joints>> waypoints = script_waypoints(model, text, at_work, variables);
   return waypoints ? Failure{} : waypoints.error();
 }
 
@@ -32,11 +32,11 @@ TEST(ArmScript, CircleRunsThroughItsThreePointsAndCloses) {
   EXPECT_LT((point(waypoints->back()) - corners[0]).norm(), 1e-6);
   for (const Eigen::Vector3d& corner : corners) {
     double nearest = 1e9;
-    for (const Joints& joints : *waypoints) nearest = std::min(nearest, (point(joints) - corner).norm());
+    for (const arm::Joints& joints : *waypoints) nearest = std::min(nearest, (point(joints) - corner).norm());
     EXPECT_LT(nearest, ToolPath::step_mm / 2) << corner.transpose();
   }
   double furthest_left = 0;
-  for (const Joints& joints : *waypoints) {
+  for (const arm::Joints& joints : *waypoints) {
     const Eigen::Vector3d off = point(joints) - Eigen::Vector3d(420, 0, 200);
     if (off.norm() < 35) furthest_left = std::min(furthest_left, off.y());
   }
@@ -53,7 +53,7 @@ TEST(ArmScript, PathLeadsThroughLearnedVariables) {
   const ArmVariables variables{{"a", {10, -30, -70, 0, -80, 5, 2500}}, {"b", {20, -30, -70, 0, -80, 5, 2500}}};
   const auto waypoints = script_waypoints(model, "(path a b a)", at_work, variables);
   ASSERT_TRUE(waypoints);
-  EXPECT_EQ(*waypoints, (std::vector<Joints>{variables.at("a"), variables.at("b"), variables.at("a")}));
+  EXPECT_EQ(*waypoints, (std::vector<arm::Joints>{variables.at("a"), variables.at("b"), variables.at("a")}));
 }
 
 TEST(ArmScript, ControllerSpellingMeansTheSame) {
@@ -91,4 +91,4 @@ TEST(ArmScript, WaysWithoutEndAreRefused) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::robot

@@ -12,33 +12,33 @@
 
 // What the seventeen operations mean is the same for every arm that comes with the tree.
 
-namespace pizarra {
+namespace pizarra::robot {
 namespace {
 
 constexpr std::uint64_t seed = 4;
 
-std::vector<ArmModel> arms() {
-  std::vector<ArmModel> all;
-  for (const std::string& name : arm_names()) all.push_back(shipped_arm(name).value());
+std::vector<arm::ArmModel> arms() {
+  std::vector<arm::ArmModel> all;
+  for (const std::string& name : forms::arm_names()) all.push_back(arm::shipped_arm(name).value());
   return all;
 }
 
-Result<Motion> planned(const ArmModel& arm, const std::string& operation, const Joints& from) {
+Result<Motion> planned(const arm::ArmModel& arm, const std::string& operation, const arm::Joints& from) {
   return plan_motion(arm, read_one(operation).value(), from, {});
 }
 
 // The tool down, somewhere around where work begins.
-Joints somewhere(const ArmModel& arm, Random& random) {
+arm::Joints somewhere(const arm::ArmModel& arm, Random& random) {
   while (true) {
-    ToolPose pose = forward(arm, arm.ready);
+    arm::ToolPose pose = arm::forward(arm, arm.ready);
     pose.translation() += Eigen::Vector3d(random.uniform(-60, 60), random.uniform(-120, 120), random.uniform(-60, 20));
-    const Result<Joints> joints = inverse(arm, pose, arm.ready);
+    const Result<arm::Joints> joints = arm::inverse(arm, pose, arm.ready);
     if (joints) return *joints;
   }
 }
 
-Joints between(const Joints& from, const Joints& to, double part) {
-  Joints joints(from.size());
+arm::Joints between(const arm::Joints& from, const arm::Joints& to, double part) {
+  arm::Joints joints(from.size());
   for (std::size_t axis = 0; axis < joints.size(); ++axis) joints[axis] = std::lerp(from[axis], to[axis], part);
   return joints;
 }
@@ -49,14 +49,14 @@ struct Deviation {
   double mm = 0;
   double tilt = 0;
 };
-Deviation deviation(const ArmModel& arm, const Joints& from, const std::vector<Joints>& waypoints) {
-  const ToolPose start = forward(arm, from);
-  const Eigen::Vector3d along = (forward(arm, waypoints.back()).translation() - start.translation()).normalized();
+Deviation deviation(const arm::ArmModel& arm, const arm::Joints& from, const std::vector<arm::Joints>& waypoints) {
+  const arm::ToolPose start = arm::forward(arm, from);
+  const Eigen::Vector3d along = (arm::forward(arm, waypoints.back()).translation() - start.translation()).normalized();
   Deviation worst;
-  Joints before = from;
-  for (const Joints& to : waypoints) {
+  arm::Joints before = from;
+  for (const arm::Joints& to : waypoints) {
     for (const double part : {0.25, 0.5, 0.75, 1.0}) {
-      const ToolPose pose = forward(arm, between(before, to, part));
+      const arm::ToolPose pose = arm::forward(arm, between(before, to, part));
       const Eigen::Vector3d off = pose.translation() - start.translation();
       worst.mm = std::max(worst.mm, (off - off.dot(along) * along).norm());
       worst.tilt = std::max(worst.tilt, (pose.linear() - start.linear()).norm());
@@ -67,11 +67,11 @@ Deviation deviation(const ArmModel& arm, const Joints& from, const std::vector<J
 }
 
 TEST(ArmsMotion, LinesAreStraightAllAlongAndKeepTheTool) {
-  for (const ArmModel& arm : arms()) {
+  for (const arm::ArmModel& arm : arms()) {
     Random random(seed);
     int checked = 0;
     for (int i = 0; i < 60; ++i) {
-      const Joints from = somewhere(arm, random);
+      const arm::Joints from = somewhere(arm, random);
       for (const char* operation :
            {"(move-h right 37)", "(move-h left 20)", "(move-v up 23)", "(move-v down 31)", "(extend keep-height 25)",
             "(retract 18)", "(extend keep-distance 12)", "(extend keep-angle 15)"}) {
@@ -88,10 +88,10 @@ TEST(ArmsMotion, LinesAreStraightAllAlongAndKeepTheTool) {
 }
 
 // Anywhere that the axes go, singular places and the ends of axes as often as others.
-Joints anywhere(const ArmModel& arm, Random& random) {
-  Joints joints(arm.axes.size());
+arm::Joints anywhere(const arm::ArmModel& arm, Random& random) {
+  arm::Joints joints(arm.axes.size());
   for (std::size_t axis = 0; axis < joints.size(); ++axis) {
-    const Range range = range_of(arm, joints, axis);
+    const arm::Range range = arm::range_of(arm, joints, axis);
     const double kind = random.uniform(0, 1);
     joints[axis] = random.uniform(range.low, range.high);
     if (kind < 0.05) joints[axis] = range.low;
@@ -103,28 +103,28 @@ Joints anywhere(const ArmModel& arm, Random& random) {
 }
 
 // Where the operation leads: of unit length, in the base frame.
-Eigen::Vector3d direction(const ArmModel& arm, std::string_view operation, const Joints& from) {
+Eigen::Vector3d direction(const arm::ArmModel& arm, std::string_view operation, const arm::Joints& from) {
   if (operation == "move-h right") return Eigen::Vector3d::UnitY();
   if (operation == "move-h left") return -Eigen::Vector3d::UnitY();
   if (operation == "move-v up" || operation == "extend keep-distance") return Eigen::Vector3d::UnitZ();
   if (operation == "move-v down") return -Eigen::Vector3d::UnitZ();
-  const Stretch stretch = stretch_of(arm, from);
+  const arm::Stretch stretch = arm::stretch_of(arm, from);
   if (operation == "extend keep-height") return stretch.ahead;
   if (operation == "retract") return -stretch.ahead;
   return (stretch.d_mm * stretch.ahead + stretch.h_mm * Eigen::Vector3d::UnitZ()).normalized();
 }
 
 // The furthest that the way leaves the line along `along`, seen at as many places between two waypoints.
-double off_line_mm(const ArmModel& arm, const Joints& from, const Eigen::Vector3d& along,
-                   const std::vector<Joints>& waypoints) {
+double off_line_mm(const arm::ArmModel& arm, const arm::Joints& from, const Eigen::Vector3d& along,
+                   const std::vector<arm::Joints>& waypoints) {
   constexpr int places = 12;
-  const Eigen::Vector3d start = forward(arm, from).translation();
+  const Eigen::Vector3d start = arm::forward(arm, from).translation();
   double worst = 0;
-  const Joints* before = &from;
-  for (const Joints& to : waypoints) {
+  const arm::Joints* before = &from;
+  for (const arm::Joints& to : waypoints) {
     for (int place = 1; place <= places; ++place) {
-      const Joints joints = between(*before, to, static_cast<double>(place) / places);
-      const Eigen::Vector3d off = forward(arm, joints).translation() - start;
+      const arm::Joints joints = between(*before, to, static_cast<double>(place) / places);
+      const Eigen::Vector3d off = arm::forward(arm, joints).translation() - start;
       worst = std::max(worst, (off - off.dot(along) * along).norm());
     }
     before = &to;
@@ -134,11 +134,11 @@ double off_line_mm(const ArmModel& arm, const Joints& from, const Eigen::Vector3
 
 TEST(ArmsMotion, LongLinesFromAnywhereAreStraightOrRefused) {
   const std::set<std::string> refusals{"unreachable", "joint-limit", "singular"};
-  for (const ArmModel& arm : arms()) {
+  for (const arm::ArmModel& arm : arms()) {
     Random random(seed);
     int checked = 0;
     for (int i = 0; i < 80; ++i) {
-      const Joints from = anywhere(arm, random);
+      const arm::Joints from = anywhere(arm, random);
       const double mm = std::round(random.uniform(150, 300));
       for (const char* operation : {"move-h right", "move-h left", "move-v up", "move-v down", "extend keep-height",
                                     "extend keep-angle", "extend keep-distance", "retract"}) {
@@ -151,7 +151,7 @@ TEST(ArmsMotion, LongLinesFromAnywhereAreStraightOrRefused) {
         }
         if (motion->waypoints.empty()) continue;
         ++checked;
-        for (const Joints& joints : motion->waypoints) ASSERT_TRUE(check_limits(arm, joints)) << which;
+        for (const arm::Joints& joints : motion->waypoints) ASSERT_TRUE(arm::check_limits(arm, joints)) << which;
         EXPECT_LT(off_line_mm(arm, from, direction(arm, operation, from), motion->waypoints), 0.1) << which;
       }
     }
@@ -160,7 +160,7 @@ TEST(ArmsMotion, LongLinesFromAnywhereAreStraightOrRefused) {
 }
 
 TEST(ArmsMotion, FullyExtendedAndContractedArmsDoNotMove) {
-  for (const ArmModel& arm : arms()) {
+  for (const arm::ArmModel& arm : arms()) {
     for (const char* operation : {"(extend keep-height 9000)", "(retract 9000)", "(extend keep-distance 9000)"}) {
       const Result<Motion> all = planned(arm, operation, arm.ready);
       ASSERT_TRUE(all) << arm.type << " " << operation;
@@ -174,8 +174,8 @@ TEST(ArmsMotion, FullyExtendedAndContractedArmsDoNotMove) {
 }
 
 TEST(ArmsMotion, TurnsGoTheSameWayOnEveryArmToAHundredthOfADegree) {
-  for (const ArmModel& arm : arms()) {
-    const auto turn = arm.axis_of(Role::turn);
+  for (const arm::ArmModel& arm : arms()) {
+    const auto turn = arm.axis_of(arm::Role::turn);
     const Result<Motion> motion = planned(arm, "(turn right 10.004)", arm.ready);
     if (!turn) {
       ASSERT_FALSE(motion);
@@ -183,20 +183,20 @@ TEST(ArmsMotion, TurnsGoTheSameWayOnEveryArmToAHundredthOfADegree) {
       continue;
     }
     ASSERT_TRUE(motion);
-    const Joints& there = motion->waypoints.back();
+    const arm::Joints& there = motion->waypoints.back();
     EXPECT_NEAR(std::abs(there[*turn] - arm.ready[*turn]), 10, 1e-9) << arm.type;
-    const Eigen::Vector3d before = forward(arm, arm.ready).translation();
-    const Eigen::Vector3d after = forward(arm, there).translation();
+    const Eigen::Vector3d before = arm::forward(arm, arm.ready).translation();
+    const Eigen::Vector3d after = arm::forward(arm, there).translation();
     EXPECT_GT(before.cross(after).z(), 0) << arm.type << ": right is towards y";
     const Result<Motion> back = planned(arm, "(turn-wrist left 10)", there);
     ASSERT_TRUE(back) << arm.type;
-    const Eigen::Matrix3d fingers = forward(arm, back->waypoints.back()).linear();
-    EXPECT_LT((fingers - forward(arm, arm.ready).linear()).norm(), 1e-9) << arm.type;
+    const Eigen::Matrix3d fingers = arm::forward(arm, back->waypoints.back()).linear();
+    EXPECT_LT((fingers - arm::forward(arm, arm.ready).linear()).norm(), 1e-9) << arm.type;
   }
 }
 
 TEST(ArmsMotion, ToolIsClampedByItsStopsWhereALinkageHoldsIt) {
-  const ArmModel arm = shipped_arm("crs-t265").value();
+  const arm::ArmModel arm = arm::shipped_arm("crs-t265").value();
   const Result<Motion> motion = planned(arm, "(turn-ef down 180)", arm.ready);
   ASSERT_TRUE(motion);
   // The forearm is level, so the stops leave 110 degrees either way.
@@ -204,7 +204,7 @@ TEST(ArmsMotion, ToolIsClampedByItsStopsWhereALinkageHoldsIt) {
 }
 
 TEST(ArmsMotion, TrackHelpsWhereALineGoesFurtherThanTheLinks) {
-  const ArmModel arm = shipped_arm("crs-f3").value();
+  const arm::ArmModel arm = arm::shipped_arm("crs-f3").value();
   const Result<Motion> motion = planned(arm, "(move-h right 900)", arm.ready);
   ASSERT_TRUE(motion) << motion.error().sentence;
   EXPECT_GT(motion->waypoints.back()[6], arm.ready[6] + 300);
@@ -214,17 +214,17 @@ TEST(ArmsMotion, TrackHelpsWhereALineGoesFurtherThanTheLinks) {
 }
 
 TEST(ArmsMotion, TrackIsCommandedByAnAction) {
-  const ArmModel arm = shipped_arm("crs-f3").value();
+  const arm::ArmModel arm = arm::shipped_arm("crs-f3").value();
   const Result<Motion> motion = planned(arm, "(do-action \"(track 3000)\")", arm.ready);
   ASSERT_TRUE(motion) << motion.error().sentence;
   EXPECT_EQ(motion->waypoints.back()[6], 3000);
   EXPECT_EQ(planned(arm, "(do-action \"(track 5001)\")", arm.ready).error().symbol, "joint-limit");
-  EXPECT_EQ(
-      planned(shipped_arm("motoman-up6").value(), "(do-action \"(track 5)\")", shipped_arm("motoman-up6").value().ready)
-          .error()
-          .symbol,
-      "no-such-axis");
+  EXPECT_EQ(planned(arm::shipped_arm("motoman-up6").value(), "(do-action \"(track 5)\")",
+                    arm::shipped_arm("motoman-up6").value().ready)
+                .error()
+                .symbol,
+            "no-such-axis");
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::robot

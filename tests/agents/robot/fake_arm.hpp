@@ -11,14 +11,14 @@
 #include "drivers/arm/arm_file.hpp"
 #include "drivers/arm/kinematics.hpp"
 
-namespace pizarra {
+namespace pizarra::robot {
 
-class FakeArm : public ArmDriver {
+class FakeArm : public arm::ArmDriver {
   Executor& executor_;
-  const ArmModel& model_;
+  const arm::ArmModel& model_;
 
  public:
-  explicit FakeArm(Executor& executor, const ArmModel& model = crs_f3())
+  explicit FakeArm(Executor& executor, const arm::ArmModel& model = arm::crs_f3())
       : executor_(executor), model_(model), path_{model.ready} {}
 
   std::string type = model_.type;
@@ -26,14 +26,14 @@ class FakeArm : public ArmDriver {
   double between_fingers_mm = 0;
   int controls = 0;
   int moves = 0;
-  std::vector<Joints> last_waypoints;
+  std::vector<arm::Joints> last_waypoints;
   double last_speed = 0;
   bool in_control = false;
   bool gives_control = true;
-  std::optional<ArmTrouble> trouble;
+  std::optional<arm::ArmTrouble> trouble;
   std::optional<bool> gripped;
 
-  Joints at() const {
+  arm::Joints at() const {
     double left_s = seconds_since(begun_);
     for (std::size_t leg = 0; leg + 1 < path_.size(); ++leg) {
       const double needed_s = leg_seconds(leg);
@@ -41,7 +41,7 @@ class FakeArm : public ArmDriver {
         left_s -= needed_s;
         continue;
       }
-      Joints joints(path_[leg].size());
+      arm::Joints joints(path_[leg].size());
       for (std::size_t axis = 0; axis < joints.size(); ++axis) {
         joints[axis] = path_[leg][axis] + (path_[leg + 1][axis] - path_[leg][axis]) * left_s / needed_s;
       }
@@ -50,7 +50,7 @@ class FakeArm : public ArmDriver {
     return path_.back();
   }
   bool moving() const { return at() != path_.back(); }
-  void put(const Joints& joints) { path_ = {joints}; }
+  void put(const arm::Joints& joints) { path_ = {joints}; }
 
   Task<Result<std::string>> identify() override {
     if (!plugged) co_return unplugged();
@@ -63,12 +63,12 @@ class FakeArm : public ArmDriver {
     if (!in_control) co_return uncontrolled();
     co_return {};
   }
-  Task<Result<void>> start_move(std::vector<Joints> waypoints, double speed) override {
+  Task<Result<void>> start_move(std::vector<arm::Joints> waypoints, double speed) override {
     if (!plugged) co_return unplugged();
     if (!in_control) co_return uncontrolled();
     if (moving()) co_return fail("busy", "the controller is in a move");
-    for (const Joints& joints : waypoints) {
-      const Result<void> within = check_limits(model_, joints);
+    for (const arm::Joints& joints : waypoints) {
+      const Result<void> within = arm::check_limits(model_, joints);
       if (!within) co_return within;
     }
     ++moves;
@@ -94,9 +94,9 @@ class FakeArm : public ArmDriver {
     squeezed_ = executor_.now();
     co_return {};
   }
-  Task<Result<ArmReading>> read() override {
+  Task<Result<arm::ArmReading>> read() override {
     if (!plugged) co_return unplugged();
-    ArmReading reading{at(), moving(), stopped_, opening(), opening() != towards_};
+    arm::ArmReading reading{at(), moving(), stopped_, opening(), opening() != towards_};
     reading.trouble = trouble;
     reading.gripped = gripped;
     co_return reading;
@@ -120,7 +120,7 @@ class FakeArm : public ArmDriver {
     return slowest;
   }
 
-  std::vector<Joints> path_;
+  std::vector<arm::Joints> path_;
   Time begun_{};
   bool stopped_ = false;
   double opening_ = 80;
@@ -128,4 +128,4 @@ class FakeArm : public ArmDriver {
   Time squeezed_{};
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::robot

@@ -10,32 +10,33 @@
 #include "drivers/arm/kinematics.hpp"
 #include "lisp/reader.hpp"
 
-namespace pizarra {
+namespace pizarra::robot {
 namespace {
 
-const ArmModel& model = crs_f3();
-const Joints at_work{0, -40, -80, 0, -60, 0, 2500};
+const arm::ArmModel& model = arm::crs_f3();
+const arm::Joints at_work{0, -40, -80, 0, -60, 0, 2500};
 
-Result<Motion> planned(std::string_view operation, const Joints& from = at_work, const ArmVariables& variables = {}) {
+Result<Motion> planned(std::string_view operation, const arm::Joints& from = at_work,
+                       const ArmVariables& variables = {}) {
   return plan_motion(model, read_one(operation).value(), from, variables);
 }
 
-Eigen::Vector3d point(const Joints& joints) { return forward(model, joints).translation(); }
+Eigen::Vector3d point(const arm::Joints& joints) { return arm::forward(model, joints).translation(); }
 
-std::string refusal(std::string_view operation, const Joints& from = at_work, const ArmVariables& variables = {}) {
+std::string refusal(std::string_view operation, const arm::Joints& from = at_work, const ArmVariables& variables = {}) {
   const Result<Motion> motion = planned(operation, from, variables);
   return motion ? "" : motion.error().symbol;
 }
 
 // The furthest that the way between the waypoints leaves the line from `from` to the end, mm.
-double deviation_mm(const Joints& from, const std::vector<Joints>& waypoints) {
+double deviation_mm(const arm::Joints& from, const std::vector<arm::Joints>& waypoints) {
   const Eigen::Vector3d start = point(from);
   const Eigen::Vector3d along = (point(waypoints.back()) - start).normalized();
   double worst = 0;
-  Joints before = from;
-  for (const Joints& to : waypoints) {
+  arm::Joints before = from;
+  for (const arm::Joints& to : waypoints) {
     for (const double part : {0.25, 0.5, 0.75, 1.0}) {
-      Joints between(before.size());
+      arm::Joints between(before.size());
       for (std::size_t axis = 0; axis < before.size(); ++axis)
         between[axis] = before[axis] + part * (to[axis] - before[axis]);
       const Eigen::Vector3d off = point(between) - start;
@@ -57,9 +58,9 @@ TEST(Motion, MovesGoWhereTheirNamesSayAndKeepTheToolDirection) {
                             Case{"(extend keep-distance 40)", {0, 0, 40}}}) {
     const Result<Motion> motion = planned(given.operation);
     ASSERT_TRUE(motion) << given.operation << " " << motion.error().sentence;
-    const ToolPose end = forward(model, motion->waypoints.back());
+    const arm::ToolPose end = arm::forward(model, motion->waypoints.back());
     EXPECT_LT((end.translation() - point(at_work) - given.offset).norm(), 1e-6) << given.operation;
-    EXPECT_LT((end.linear() - forward(model, at_work).linear()).norm(), 1e-9) << given.operation;
+    EXPECT_LT((end.linear() - arm::forward(model, at_work).linear()).norm(), 1e-9) << given.operation;
     EXPECT_LT(deviation_mm(at_work, motion->waypoints), 0.1) << given.operation;
   }
 }
@@ -67,17 +68,17 @@ TEST(Motion, MovesGoWhereTheirNamesSayAndKeepTheToolDirection) {
 TEST(Motion, EndEffectorAxisTakesBackWhatTheLinksTurn) {
   const Result<Motion> motion = planned("(extend keep-height 60)", {25, -40, -80, 0, -50, 10, 2500});
   ASSERT_TRUE(motion);
-  const Joints& end = motion->waypoints.back();
+  const arm::Joints& end = motion->waypoints.back();
   EXPECT_NEAR(end[4] + 50, -((end[1] + 40) + (end[2] + 80)), 1e-9);
   EXPECT_NEAR(end[0], 25, 1e-9);
   EXPECT_NEAR(end[5], 10, 1e-9);
 }
 
 TEST(Motion, ExtendKeepingTheAngleLengthensTheLinksAlone) {
-  const Stretch before = stretch_of(model, at_work);
+  const arm::Stretch before = arm::stretch_of(model, at_work);
   const Result<Motion> motion = planned("(extend keep-angle 30)");
   ASSERT_TRUE(motion);
-  const Stretch after = stretch_of(model, motion->waypoints.back());
+  const arm::Stretch after = arm::stretch_of(model, motion->waypoints.back());
   EXPECT_NEAR(std::hypot(after.d_mm, after.h_mm), std::hypot(before.d_mm, before.h_mm) + 30, 1e-6);
   EXPECT_NEAR(std::atan2(after.h_mm, after.d_mm), std::atan2(before.h_mm, before.d_mm), 1e-9);
 }
@@ -88,8 +89,8 @@ TEST(Motion, ExtendPastTheReachEndsAtTheReachAndThenMovesNoFurther) {
     const Result<Motion> motion = planned(operation);
     ASSERT_TRUE(motion) << operation;
     ASSERT_FALSE(motion->waypoints.empty()) << operation;
-    const Joints end = motion->waypoints.back();
-    EXPECT_TRUE(check_limits(model, end));
+    const arm::Joints end = motion->waypoints.back();
+    EXPECT_TRUE(arm::check_limits(model, end));
     const Result<Motion> again = planned(operation, end);
     ASSERT_TRUE(again);
     EXPECT_TRUE(again->waypoints.empty()) << operation;
@@ -99,12 +100,12 @@ TEST(Motion, ExtendPastTheReachEndsAtTheReachAndThenMovesNoFurther) {
 
 TEST(Motion, FullExtensionIsFoundToAHundredthOfAMillimetre) {
   // Tool level, so that no axis limit but the links' length ends it.
-  const Joints level{0, -30, -60, 0, 0.5, 0, 2500};
+  const arm::Joints level{0, -30, -60, 0, 0.5, 0, 2500};
   const Result<Motion> motion = planned("(extend keep-height 900)", level);
   ASSERT_TRUE(motion);
-  const double h = stretch_of(model, level).h_mm;
+  const double h = arm::stretch_of(model, level).h_mm;
   const double full = std::sqrt(std::pow(model.upper_arm_mm + model.elbow_to_wrist_mm(), 2) - h * h);
-  EXPECT_NEAR(stretch_of(model, motion->waypoints.back()).d_mm, full, 0.01);
+  EXPECT_NEAR(arm::stretch_of(model, motion->waypoints.back()).d_mm, full, 0.01);
 }
 
 TEST(Motion, TurnsAreClampedAndRoundedToAHundredthOfADegree) {
@@ -118,9 +119,9 @@ TEST(Motion, TurnsAreClampedAndRoundedToAHundredthOfADegree) {
 }
 
 TEST(Motion, WristTurnedLeftTakesBackATurnToTheRight) {
-  const Joints turned = planned("(turn right 20)")->waypoints.back();
-  const Joints back = planned("(turn-wrist left 20)", turned)->waypoints.back();
-  EXPECT_LT((forward(model, back).linear() - forward(model, at_work).linear()).norm(), 1e-9);
+  const arm::Joints turned = planned("(turn right 20)")->waypoints.back();
+  const arm::Joints back = planned("(turn-wrist left 20)", turned)->waypoints.back();
+  EXPECT_LT((arm::forward(model, back).linear() - arm::forward(model, at_work).linear()).norm(), 1e-9);
 }
 
 TEST(Motion, NothingAskedForIsNothingMovedAndNoLimit) {
@@ -177,7 +178,7 @@ TEST(Motion, RandomStraightMovesStayOnTheirLine) {
     ToolPath path(model, at_work);
     const LineEnd there = path.line_to({random.uniform(380, 500), random.uniform(-230, 230), random.uniform(30, 350)});
     ASSERT_FALSE(there.ended_by) << "seed " << seed << " case " << i << " " << there.ended_by->sentence;
-    const Joints from = path.joints();
+    const arm::Joints from = path.joints();
     ToolPath line(model, from);
     const LineEnd end = line.line_to({random.uniform(380, 500), random.uniform(-230, 230), random.uniform(30, 350)});
     ASSERT_FALSE(end.ended_by) << "seed " << seed << " case " << i << " " << end.ended_by->sentence;
@@ -188,4 +189,4 @@ TEST(Motion, RandomStraightMovesStayOnTheirLine) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::robot

@@ -2,7 +2,7 @@
 
 #include "tests/agents/robot/robot_fixture.hpp"
 
-namespace pizarra {
+namespace pizarra::robot {
 namespace {
 
 TEST_F(Robot, TakesControlAndTellsWhereTheArmStands) {
@@ -52,9 +52,9 @@ TEST_F(Robot, TurnsAxisOneByHundredthsOfADegree) {
 
 TEST_F(Robot, HomeAndReadyGoToTheModelsPoses) {
   EXPECT_EQ(call("(home)"), "(ok true)");
-  EXPECT_EQ(arm.at(), crs_f3().home);
+  EXPECT_EQ(arm.at(), arm::crs_f3().home);
   EXPECT_EQ(call("(ready)"), "(ok true)");
-  EXPECT_EQ(arm.at(), crs_f3().ready);
+  EXPECT_EQ(arm.at(), arm::crs_f3().ready);
 }
 
 TEST_F(Robot, SpeedIsAPartOfTheAxesSpeedAndIsRemembered) {
@@ -71,7 +71,7 @@ TEST_F(Robot, SpeedIsAPartOfTheAxesSpeedAndIsRemembered) {
 
 TEST_F(Robot, GoesBackToWhatItLearned) {
   call("(move-v down 50)");
-  const Joints there = arm.at();
+  const arm::Joints there = arm.at();
   EXPECT_EQ(call("(learn shelf)"), "(ok true)");
   call("(ready)");
   EXPECT_EQ(call("(goto shelf)"), "(ok true)");
@@ -113,7 +113,7 @@ TEST_F(Robot, MonitorAnswersPoseAndJoints) {
 
 TEST_F(Robot, DistancePastTheReachIsClampedAndThenNothingMoves) {
   EXPECT_EQ(call("(extend keep-height 5000)"), "(ok true)");
-  const Joints end = arm.at();
+  const arm::Joints end = arm.at();
   EXPECT_EQ(call("(extend keep-height 1)"), "(ok false)");
   EXPECT_EQ(arm.at(), end);
   EXPECT_EQ(call("(turn right 300)"), "(ok true)");
@@ -122,7 +122,7 @@ TEST_F(Robot, DistancePastTheReachIsClampedAndThenNothingMoves) {
 }
 
 TEST_F(Robot, RefusedMotionsMoveNothing) {
-  const Joints before = arm.at();
+  const arm::Joints before = arm.at();
   for (const std::string_view bad :
        {"(move-v down 2000)", "(move-h left 4000)", "(turn sideways 5)", "(turn left -5)", "(retract -5)",
         "(extend keep-height 1e9)", "(extend keep-shape 5)", "(goto nowhere)", "(finish tomorrow)", "(turn left ten)",
@@ -152,7 +152,7 @@ TEST_F(Robot, TellsThePoseTenTimesASecondWhileItMovesAndTheLastBeforeTheReply) {
 
 TEST_F(Robot, TellsThePoseAsOftenAsItIsToldTo) {
   life.reset();
-  life.emplace(executor, board, arm, crs_f3(), RobotOptions{.told_per_s = 125});
+  life.emplace(executor, board, arm, arm::crs_f3(), RobotOptions{.told_per_s = 125});
   executor.run_for(3s);
   call("(speed 5)");
   std::size_t poses = 0;
@@ -164,4 +164,4 @@ TEST_F(Robot, TellsThePoseAsOftenAsItIsToldTo) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::robot

@@ -14,18 +14,18 @@
 #include "lisp/writer.hpp"
 #include "tests/agents/robot/fake_arm.hpp"
 
-namespace pizarra {
+namespace pizarra::robot {
 
 inline Datum form(std::string_view text) { return read_one(text).value(); }
 
 // One life of the agent: destroying it is the agent's death.
 class RobotLife {
  public:
-  RobotLife(Executor& executor, MemoryBoard& board, ArmDriver& arm, const ArmModel& model = crs_f3(),
-            RobotOptions options = {}, const std::string& name = "robot")
+  RobotLife(Executor& executor, memory::MemoryBoard& board, arm::ArmDriver& arm,
+            const arm::ArmModel& model = arm::crs_f3(), RobotOptions options = {}, const std::string& name = "robot")
       : RobotLife(executor, board.view(name), arm, model, options, name) {}
-  RobotLife(Executor& executor, std::unique_ptr<Board> board, ArmDriver& arm, const ArmModel& model = crs_f3(),
-            RobotOptions options = {}, const std::string& name = "robot")
+  RobotLife(Executor& executor, std::unique_ptr<Board> board, arm::ArmDriver& arm,
+            const arm::ArmModel& model = arm::crs_f3(), RobotOptions options = {}, const std::string& name = "robot")
       : board_(std::move(board)), agent_({name, "localhost", executor, *board_, Random(1)}, arm, model, options) {
     job_ = executor.spawn(live());
   }
@@ -84,13 +84,13 @@ class Robot : public testing::Test {
     const std::optional<Datum> found = fact_like(pattern);
     return found ? write(*found) : "";
   }
-  Eigen::Vector3d point() const { return forward(crs_f3(), arm.at()).translation(); }
+  Eigen::Vector3d point() const { return arm::forward(arm::crs_f3(), arm.at()).translation(); }
 
   VirtualExecutor executor;
-  MemoryBoard board{executor};
+  memory::MemoryBoard board{executor};
   FakeArm arm{executor};
   std::optional<RobotLife> life;
   int asked = 0;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::robot

@@ -3,7 +3,7 @@
 #include "tests/agents/robot/robot_fixture.hpp"
 #include "tests/blackboard/troubled_disk.hpp"
 
-namespace pizarra {
+namespace pizarra::robot {
 namespace {
 
 TEST_F(Robot, OneMotionAtATimeButMonitoredMeanwhile) {
@@ -91,7 +91,7 @@ TEST_F(Robot, WhatAPersonMovesByThePendantIsLetAlone) {
   ask("(turn right 90)");
   executor.run_for(1s);
   life.reset();
-  arm.trouble = ArmTrouble{ArmTrouble::Kind::stopped, {"not-in-control", "the pendant has control", {}, {}}};
+  arm.trouble = arm::ArmTrouble{arm::ArmTrouble::Kind::stopped, {"not-in-control", "the pendant has control", {}, {}}};
   begin();
   executor.run_for(3s);
   EXPECT_TRUE(arm.moving());
@@ -107,7 +107,7 @@ TEST_F(Robot, RequestOfAnAgentThatDiedIsAnsweredOnceAndNothingGoesOn) {
     begin();
     executor.run_for(5s);
     EXPECT_TRUE(reply(cut_off).starts_with("(fail stopped \"the robot agent began anew")) << reply(cut_off);
-    const Joints stands = arm.at();
+    const arm::Joints stands = arm.at();
     executor.run_for(10s);
     EXPECT_EQ(arm.at(), stands) << operation;
   }
@@ -149,7 +149,7 @@ TEST_F(Robot, MotionThatHadEndedIsAnsweredByTheSuccessorAndNotDoneAgain) {
 TEST_F(Robot, ArmsOnOneBoardTellSideBySideAndRememberTheirOwn) {
   FakeArm other_arm{executor};
   std::optional<RobotLife> other;
-  const auto begin_other = [&] { other.emplace(executor, board, other_arm, crs_f3(), RobotOptions(), "other"); };
+  const auto begin_other = [&] { other.emplace(executor, board, other_arm, arm::crs_f3(), RobotOptions(), "other"); };
   begin_other();
   executor.run_for(1s);
   call("(speed 30)");
@@ -264,7 +264,7 @@ TEST_F(Robot, ControllerThatGivesNoControlSaysSo) {
 
 TEST(RobotStart, AnArmThatNobodyKnowsIsRefused) {
   VirtualExecutor executor;
-  MemoryBoard board(executor);
+  memory::MemoryBoard board(executor);
   FakeArm arm(executor);
   arm.type = "typewriter";
   RobotLife life(executor, board, arm);
@@ -276,7 +276,7 @@ TEST(RobotStart, AnArmThatNobodyKnowsIsRefused) {
 
 TEST(RobotStart, AControllerThatStartsLaterIsWaitedFor) {
   VirtualExecutor executor;
-  MemoryBoard board(executor);
+  memory::MemoryBoard board(executor);
   FakeArm arm(executor);
   arm.plugged = false;
   RobotLife life(executor, board, arm);
@@ -288,4 +288,4 @@ TEST(RobotStart, AControllerThatStartsLaterIsWaitedFor) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::robot

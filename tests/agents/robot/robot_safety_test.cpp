@@ -5,7 +5,7 @@
 
 // What stops the arm without its commander being asked, and who may command it.
 
-namespace pizarra {
+namespace pizarra::robot {
 namespace {
 
 class RobotSafety : public Robot {
@@ -31,7 +31,7 @@ class RobotSafety : public Robot {
   }
   // The controller moves the arm by itself, as one to which an order came late.
   void stray() {
-    Joints there = arm.at();
+    arm::Joints there = arm.at();
     there[0] += 150;
     ASSERT_TRUE(pizarra::run(executor, arm.start_move({there}, 0.3)));
     ASSERT_TRUE(arm.moving());
@@ -47,7 +47,7 @@ TEST_F(RobotSafety, WhatMovesWithNoMotionInHandIsStoppedAndToldSo) {
 }
 
 TEST_F(RobotSafety, WhatAPersonMovesByThePendantBetweenMotionsIsLetAlone) {
-  arm.trouble = ArmTrouble{ArmTrouble::Kind::stopped, {"not-in-control", "the pendant has control", {}, {}}};
+  arm.trouble = arm::ArmTrouble{arm::ArmTrouble::Kind::stopped, {"not-in-control", "the pendant has control", {}, {}}};
   stray();
   executor.run_for(200ms);
   tell("passer-by", "(stop passer-by \"mind the dog\")");
@@ -59,7 +59,7 @@ TEST_F(RobotSafety, WhatAPersonMovesByThePendantBetweenMotionsIsLetAlone) {
 TEST_F(RobotSafety, AStopStopsAtOnceWhatMovesWithNoMotionInHandToo) {
   life.reset();
   executor.run_for(3s);
-  life.emplace(executor, board, arm, crs_f3(), RobotOptions{.told_per_s = 1});
+  life.emplace(executor, board, arm, arm::crs_f3(), RobotOptions{.told_per_s = 1});
   executor.run_for(5s);
   stray();
   tell("passer-by", "(stop passer-by \"mind the dog\")");
@@ -261,7 +261,7 @@ TEST_F(RobotBeforeSilence, BoardThatFallsSilentStopsTheArmWithinATenthOfASecond)
   muted = true;
   executor.run_for(100ms);
   EXPECT_FALSE(arm.moving());
-  const Joints stood = arm.at();
+  const arm::Joints stood = arm.at();
   muted = false;
   executor.run_for(1s);
   EXPECT_EQ(reply(id), "(fail stopped \"the board has not answered for 80 ms\" ())");
@@ -282,13 +282,13 @@ TEST_F(RobotBeforeSilence, WhoComesToCommandBeforeTheMotionBeginsKeepsItFromBegi
   EXPECT_EQ(arm.moves, 0);
 }
 
-ArmReading reading_of(const Joints& joints) { return {joints, true, false, 80, false}; }
+arm::ArmReading reading_of(const arm::Joints& joints) { return {joints, true, false, 80, false}; }
 
 TEST(Guard, SpeedAboveAnAxisOwnIsNoticedAndItsOwnIsNot) {
-  const ArmModel& arm = crs_f3();
+  const arm::ArmModel& arm = arm::crs_f3();
   for (const double factor : {0.5, 1.0, 1.2, 2.0}) {
     Guard guard(arm);
-    Joints joints = arm.ready;
+    arm::Joints joints = arm.ready;
     std::optional<Failure> noticed;
     for (int i = 0; i < 20 && !noticed; ++i) {
       noticed = guard.look(Time{} + i * 20ms, reading_of(joints));
@@ -302,8 +302,8 @@ TEST(Guard, SpeedAboveAnAxisOwnIsNoticedAndItsOwnIsNot) {
 }
 
 TEST(Guard, AxisBeyondItsLimitsIsNamed) {
-  Guard guard(crs_f3());
-  Joints joints = crs_f3().ready;
+  Guard guard(arm::crs_f3());
+  arm::Joints joints = arm::crs_f3().ready;
   joints[1] = 46.5;
   const std::optional<Failure> noticed = guard.look(Time{}, reading_of(joints));
   ASSERT_TRUE(noticed);
@@ -312,11 +312,11 @@ TEST(Guard, AxisBeyondItsLimitsIsNamed) {
 }
 
 TEST(Guard, RoomIsLeftByNobodyAndComeBackToByAll) {
-  const ArmModel& arm = crs_f3();
+  const arm::ArmModel& arm = arm::crs_f3();
   Guard guard(arm, Room{{200, -300, 30}, {380, 300, 700}});
   guard.begin();
   EXPECT_FALSE(guard.look(Time{}, reading_of(arm.ready)));
-  Joints out = arm.ready;
+  arm::Joints out = arm.ready;
   out[0] = 70;
   const std::optional<Failure> noticed = guard.look(Time{} + 20ms, reading_of(out));
   ASSERT_TRUE(noticed);
@@ -328,13 +328,13 @@ TEST(Guard, RoomIsLeftByNobodyAndComeBackToByAll) {
 TEST_F(RobotSafety, MotionOutOfTheRoomIsRefusedBeforeAnythingMoves) {
   life.reset();
   executor.run_for(3s);
-  life.emplace(executor, board, arm, crs_f3(), RobotOptions{.room = Room{{200, -300, 30}, {380, 300, 700}}});
+  life.emplace(executor, board, arm, arm::crs_f3(), RobotOptions{.room = Room{{200, -300, 30}, {380, 300, 700}}});
   executor.run_for(1s);
   EXPECT_EQ(refusal("(extend keep-height 60)"), "out-of-room");
   EXPECT_EQ(refusal("(turn right 90)"), "out-of-room");
-  EXPECT_EQ(arm.at(), crs_f3().ready);
+  EXPECT_EQ(arm.at(), arm::crs_f3().ready);
   EXPECT_EQ(call("(move-v down 50)"), "(ok true)");
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::robot

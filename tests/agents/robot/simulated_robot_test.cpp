@@ -4,17 +4,18 @@
 #include "drivers/simulation/world.hpp"
 #include "tests/agents/robot/robot_fixture.hpp"
 
-namespace pizarra {
+namespace pizarra::robot {
 namespace {
 
 TEST(SimulatedRobot, ReachesTheTableGripsACubeAndLiftsIt) {
   VirtualExecutor executor;
-  MemoryBoard board(executor);
-  WorldConfig config;
-  config.cubes.push_back({.name = "circle", .mark = Mark::circle, .x_mm = 450, .y_mm = 0, .yaw_deg = 0, .on = ""});
-  World world(executor, config);
-  LocalLink link(world);
-  SimulatedArm arm(link);
+  memory::MemoryBoard board(executor);
+  simulation::WorldConfig config;
+  config.cubes.push_back(
+      {.name = "circle", .mark = simulation::Mark::circle, .x_mm = 450, .y_mm = 0, .yaw_deg = 0, .on = ""});
+  simulation::World world(executor, config);
+  simulation::LocalLink link(world);
+  simulation::SimulatedArm arm(link);
   RobotLife life(executor, board, arm);
   const auto call = [&](std::string_view operation, const std::string& id) {
     Transaction request;
@@ -38,4 +39,4 @@ TEST(SimulatedRobot, ReachesTheTableGripsACubeAndLiftsIt) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::robot

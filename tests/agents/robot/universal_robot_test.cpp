@@ -6,21 +6,21 @@
 #include "tests/agents/robot/robot_fixture.hpp"
 #include "tests/drivers/line/wire_pair.hpp"
 
-namespace pizarra {
+namespace pizarra::robot {
 namespace {
 
 TEST(UniversalRobot, DoesTheOperationsOfEveryArm) {
   VirtualExecutor executor;
-  MemoryBoard board(executor);
-  const ArmModel model = shipped_arm("ur5e").value();
-  MovingArm body(executor, model);
-  ArmCabinet cabinet(executor, body, model);
-  UrEmulator emulator(cabinet);
-  WirePair rtde(executor), script(executor), dashboard(executor);
-  const Job telling = executor.spawn(serve_rtde(executor, emulator, rtde.far));
-  const Job running = executor.spawn(serve_script(executor, emulator, script.far));
-  const Job answering = executor.spawn(serve_dashboard(executor, emulator, dashboard.far));
-  UniversalArm arm(executor, {rtde.near, script.near, dashboard.near}, model);
+  memory::MemoryBoard board(executor);
+  const arm::ArmModel model = arm::shipped_arm("ur5e").value();
+  simulation::MovingArm body(executor, model);
+  simulation::ArmCabinet cabinet(executor, body, model);
+  simulation::UrEmulator emulator(cabinet);
+  line::WirePair rtde(executor), script(executor), dashboard(executor);
+  const Job telling = executor.spawn(simulation::serve_rtde(executor, emulator, rtde.far));
+  const Job running = executor.spawn(simulation::serve_script(executor, emulator, script.far));
+  const Job answering = executor.spawn(simulation::serve_dashboard(executor, emulator, dashboard.far));
+  arm::UniversalArm arm(executor, {rtde.near, script.near, dashboard.near}, model);
   const RobotLife life(executor, board, arm, model);
   executor.run_for(2s);
   int asked = 0;
@@ -44,4 +44,4 @@ TEST(UniversalRobot, DoesTheOperationsOfEveryArm) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::robot

@@ -3,7 +3,7 @@
 #include "tests/agents/robot/robot_fixture.hpp"
 #include "tests/drivers/arm/motoman/hses_cell.hpp"
 
-namespace pizarra {
+namespace pizarra::robot {
 namespace {
 
 class WiredRobot : public testing::Test {
@@ -31,26 +31,26 @@ class WiredRobot : public testing::Test {
     cell.executor.run_for(500ms);
   }
 
-  HsesCell cell;
-  MemoryBoard board{cell.executor};
+  arm::HsesCell cell;
+  memory::MemoryBoard board{cell.executor};
   int asked_ = 0;
 };
 
 TEST_F(WiredRobot, DoesItsOperationsOverALineThatLosesAFifth) {
   cell.line.loss = 0.2;
   cell.line.duplication = 0.1;
-  const RobotLife life(cell.executor, board, cell.arm, up6());
+  const RobotLife life(cell.executor, board, cell.arm, arm::up6());
   cell.executor.run_for(2s);
   for (const std::string_view operation :
        {"(gripper 84)", "(extend keep-height 80)", "(move-v down 100)", "(move-h left 120)", "(turn right 20)",
         "(turn-wrist left 10)", "(turn-ef up 10)", "(turn-ef down 10)", "(retract 60)", "(gripper 40)", "(ready)"}) {
     EXPECT_EQ(call(operation), "(ok true)") << operation;
   }
-  EXPECT_TRUE(are_same_place(cell.read()->joints, up6().ready));
+  EXPECT_TRUE(arm::are_same_place(cell.read()->joints, arm::up6().ready));
 }
 
 TEST_F(WiredRobot, AFaultSaysWhichDeviceIsAwayAndWhy) {
-  const RobotLife life(cell.executor, board, cell.arm, up6());
+  const RobotLife life(cell.executor, board, cell.arm, arm::up6());
   cell.executor.run_for(1s);
   begin_turn();
   cell.line.pulled = true;
@@ -64,7 +64,7 @@ TEST_F(WiredRobot, AFaultSaysWhichDeviceIsAwayAndWhy) {
 }
 
 TEST_F(WiredRobot, SaysWhyTheControllerEndedAMotionAndGoesOnWhenAskedAnew) {
-  const RobotLife life(cell.executor, board, cell.arm, up6());
+  const RobotLife life(cell.executor, board, cell.arm, arm::up6());
   cell.executor.run_for(1s);
   begin_turn();
   ASSERT_TRUE(cell.cabinet.obey("alarm 4321"));
@@ -78,14 +78,14 @@ TEST_F(WiredRobot, SaysWhyTheControllerEndedAMotionAndGoesOnWhenAskedAnew) {
 }
 
 TEST_F(WiredRobot, LeavesAlarmAndServosAsTheyAreWhenTheControllerIsBack) {
-  const RobotLife life(cell.executor, board, cell.arm, up6());
+  const RobotLife life(cell.executor, board, cell.arm, arm::up6());
   cell.executor.run_for(1s);
   begin_turn();
   ASSERT_TRUE(cell.cabinet.obey("power off"));
   cell.executor.run_for(4s);
   ASSERT_TRUE(cell.cabinet.obey("power on"));
   cell.executor.run_for(10s);
-  EXPECT_EQ(cell.cabinet.alarm(), ArmCabinet::power_lost_alarm);
+  EXPECT_EQ(cell.cabinet.alarm(), simulation::ArmCabinet::power_lost_alarm);
   EXPECT_FALSE(cell.cabinet.servo());
   EXPECT_TRUE(call("(monitor)").starts_with("(ok ")) << "monitoring goes on";
   EXPECT_TRUE(call("(ready)").starts_with("(fail not-in-control"));
@@ -96,7 +96,7 @@ TEST_F(WiredRobot, LeavesAlarmAndServosAsTheyAreWhenTheControllerIsBack) {
 
 TEST_F(WiredRobot, AnAlarmAtTheAgentsStartIsNotResetByIt) {
   ASSERT_TRUE(cell.cabinet.obey("alarm 77"));
-  const RobotLife life(cell.executor, board, cell.arm, up6());
+  const RobotLife life(cell.executor, board, cell.arm, arm::up6());
   cell.executor.run_for(10s);
   EXPECT_EQ(cell.cabinet.alarm(), 77);
   EXPECT_FALSE(cell.cabinet.servo());
@@ -105,7 +105,7 @@ TEST_F(WiredRobot, AnAlarmAtTheAgentsStartIsNotResetByIt) {
 }
 
 TEST_F(WiredRobot, FingersAreRefusedUnderTheEmergencyStopAndUnderAnAlarm) {
-  const RobotLife life(cell.executor, board, cell.arm, up6());
+  const RobotLife life(cell.executor, board, cell.arm, arm::up6());
   cell.executor.run_for(1s);
   ASSERT_EQ(call("(gripper 80)"), "(ok true)");
   for (const std::string_view trouble : {"estop on", "alarm 77"}) {
@@ -118,7 +118,7 @@ TEST_F(WiredRobot, FingersAreRefusedUnderTheEmergencyStopAndUnderAnAlarm) {
 }
 
 TEST_F(WiredRobot, SaysAtRestWhyTheControllerWouldNotMove) {
-  const RobotLife life(cell.executor, board, cell.arm, up6());
+  const RobotLife life(cell.executor, board, cell.arm, arm::up6());
   cell.executor.run_for(1s);
   const auto arm = [&] {
     cell.executor.run_for(500ms);
@@ -138,7 +138,7 @@ TEST_F(WiredRobot, SaysAtRestWhyTheControllerWouldNotMove) {
 }
 
 TEST_F(WiredRobot, AStopFactBrakesTheController) {
-  const RobotLife life(cell.executor, board, cell.arm, up6());
+  const RobotLife life(cell.executor, board, cell.arm, arm::up6());
   cell.executor.run_for(1s);
   Transaction request;
   request.tell(form("(request turn robot (turn right 120))"));
@@ -153,4 +153,4 @@ TEST_F(WiredRobot, AStopFactBrakesTheController) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::robot

@@ -4,7 +4,7 @@
 
 #include "lisp/reader.hpp"
 
-namespace pizarra {
+namespace pizarra::runtime {
 namespace {
 
 constexpr std::string_view text = R"((contract adder
@@ -51,4 +51,4 @@ TEST(Contract, AcceptsOperationsThatFitAndNoOthers) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::runtime

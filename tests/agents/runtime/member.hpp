@@ -11,7 +11,7 @@
 #include "agents/runtime/naming.hpp"
 #include "tests/blackboard/wall.hpp"
 
-namespace pizarra {
+namespace pizarra::runtime {
 
 // The walls on which C++ agents stand.
 inline std::vector<WallKind> agent_walls() {
@@ -86,4 +86,4 @@ class Member {
   Job job_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::runtime

@@ -7,7 +7,7 @@
 
 #include "tests/agents/runtime/member.hpp"
 
-namespace pizarra {
+namespace pizarra::runtime {
 namespace {
 
 class NamingTest : public testing::TestWithParam<WallKind> {
@@ -272,4 +272,4 @@ TEST_P(NamingTest, AnAgentMovesToAnotherHostAndItsClientsNoticeAPauseAtMost) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::runtime

@@ -9,7 +9,7 @@
 #include "lisp/reader.hpp"
 #include "tests/blackboard/passing_board.hpp"
 
-namespace pizarra {
+namespace pizarra::runtime {
 namespace {
 
 constexpr std::string_view adder_contract =
@@ -37,7 +37,7 @@ class LaggingBoard : public PassingBoard {
 // One agent's life: destroying it is the agent's death.
 class Life {
  public:
-  Life(Executor& executor, MemoryBoard& board, std::string name, std::string_view contract)
+  Life(Executor& executor, memory::MemoryBoard& board, std::string name, std::string_view contract)
       : board_(executor, board.view(name)),
         context_{name, "localhost", executor, board_, Random(1)},
         service(context_, contract_from_text(contract).value()),
@@ -99,7 +99,7 @@ class Runtime : public testing::Test {
   }
 
   VirtualExecutor executor;
-  MemoryBoard board{executor};
+  memory::MemoryBoard board{executor};
   Life user{executor, board, "user", "(contract user)"};
   std::optional<Life> adder;
 
@@ -317,4 +317,4 @@ TEST_F(Runtime, RequestsOfADeadCallerGo) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::runtime

@@ -2,16 +2,16 @@
 
 #include "tests/agents/robot/robot_fixture.hpp"
 
-namespace pizarra {
+namespace pizarra::speech {
 namespace {
 
 // The speech agent beside a robot agent, on one board.
-class Speech : public Robot {
+class Speech : public robot::Robot {
  protected:
   void SetUp() override {
-    Robot::SetUp();
+    robot::Robot::SetUp();
     view = board.view("speech");
-    agent.emplace(AgentContext{"speech", "localhost", executor, *view, Random(1)});
+    agent.emplace(runtime::AgentContext{"speech", "localhost", executor, *view, Random(1)});
     job = executor.spawn([](SpeechAgent& speech) -> Task<void> {
       const Result<void> ended = co_await speech.run();
       EXPECT_TRUE(ended) << ended.error().sentence;
@@ -49,32 +49,33 @@ TEST_F(Speech, PlacesAreRememberedByName) {
 }
 
 TEST_F(Speech, WhatTheArmRefusesIsAnsweredAsTheArmSaysIt) {
-  EXPECT_EQ(form(say("move up 5 metres"))[1].text(), "joint-limit");
-  EXPECT_EQ(form(say("go to nowhere"))[1].text(), "unknown-variable");
+  EXPECT_EQ(robot::form(say("move up 5 metres"))[1].text(), "joint-limit");
+  EXPECT_EQ(robot::form(say("go to nowhere"))[1].text(), "unknown-variable");
 }
 
 TEST_F(Speech, WhatIsNotUnderstoodMovesNothingAndNamesTheWord) {
   const int moves = arm.moves;
-  const Datum answer = form(say("mvoe left 5 cm"));
+  const Datum answer = robot::form(say("mvoe left 5 cm"));
   EXPECT_EQ(answer[1].text(), "not-understood");
   EXPECT_NE(answer[2].text().find("the nearest is move"), std::string::npos);
-  EXPECT_EQ(form(say("))((; drop table"))[1].text(), "not-understood");
-  EXPECT_EQ(form(say(""))[1].text(), "not-understood");
-  EXPECT_EQ(form(say(std::string(100'000, 'x')))[0].text(), "fail");
+  EXPECT_EQ(robot::form(say("))((; drop table"))[1].text(), "not-understood");
+  EXPECT_EQ(robot::form(say(""))[1].text(), "not-understood");
+  EXPECT_EQ(robot::form(say(std::string(100'000, 'x')))[0].text(), "fail");
   EXPECT_EQ(arm.moves, moves);
 }
 
 // Whoever pursues goals here keeps what it was asked.
 TEST_F(Speech, ObjectsAreHandledByGoals) {
   const std::unique_ptr<Board> other = board.view("coordinator");
-  AgentContext context{"coordinator", "localhost", executor, *other, Random(1)};
-  Service service(context,
-                  contract_from_text("(contract coordinator (offers (goal (fact list) ...)) (posts) (reads))").value());
+  runtime::AgentContext context{"coordinator", "localhost", executor, *other, Random(1)};
+  runtime::Service service(
+      context,
+      runtime::contract_from_text("(contract coordinator (offers (goal (fact list) ...)) (posts) (reads))").value());
   std::string asked_for;
-  const Job served = executor.spawn([](Service& goals, std::string& heard) -> Task<void> {
+  const Job served = executor.spawn([](runtime::Service& goals, std::string& heard) -> Task<void> {
     const Result<void> started = co_await goals.start();
     EXPECT_TRUE(started);
-    Handler handler = [&heard](Datum operation) -> Task<Result<Datum>> {
+    runtime::Handler handler = [&heard](Datum operation) -> Task<Result<Datum>> {
       heard = write(operation);
       co_return list(1);
     };
@@ -88,4 +89,4 @@ TEST_F(Speech, ObjectsAreHandledByGoals) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::speech

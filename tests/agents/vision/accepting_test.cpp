@@ -2,7 +2,7 @@
 
 #include "tests/agents/vision/vision_life.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 class Accepting : public Vision {
@@ -71,4 +71,4 @@ TEST_F(Accepting, WhoSaysNothingForAMinuteLeavesItToOthers) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -1,6 +1,6 @@
 #include "tests/agents/vision/vision_life.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 TEST_F(Vision, LearnsFindsAndListsInTheThesisWords) {
@@ -320,4 +320,4 @@ TEST_F(Vision, WhatIsFollowedNoLongerIsNotSaidToBeSeen) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -6,7 +6,7 @@
 
 #include "tests/agents/vision/vision_life.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 class Alike : public Vision {
@@ -123,4 +123,4 @@ TEST_F(Alike, OfTwoTagsOfOneNumberOneIsToldThatMayBeTheOther) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -6,7 +6,7 @@
 #include "agents/vision/sight/mark_tracker.hpp"
 #include "tests/agents/vision/eyes.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 // The cell's pair, or the left one of it alone, with so many times the pixels along and across, and with a lens that
@@ -16,8 +16,8 @@ struct Eyes {
   double lens = 1;
   bool alone = false;
 
-  StereoModel model() const {
-    StereoModel out;
+  camera::StereoModel model() const {
+    camera::StereoModel out;
     out = two_cameras(cvRound(pixels * out.width), cvRound(pixels * out.height));
     out.focal_px *= pixels * lens;
     return alone ? one_camera_of(out) : out;
@@ -45,11 +45,11 @@ constexpr Exchange exchanges[] = {
 
 // What such eyes see of a mark.
 struct View {
-  View(const SceneFace& face, const StereoModel& model, Random& random)
+  View(const SceneFace& face, const camera::StereoModel& model, Random& random)
       : frame(draw_scene({.faces = {face}}, model, 1, random)),
         right(model.is_single() ? cv::Mat(cv::Mat::zeros(model.height, model.width, CV_8U)) : as_mat(*frame.right)),
         sight(as_mat(*frame.left), right, model) {}
-  StereoFrame frame;
+  camera::StereoFrame frame;
   cv::Mat right;
   StereoSight sight;
 };
@@ -57,7 +57,7 @@ struct View {
 class AnotherCamera : public testing::TestWithParam<std::tuple<std::string, Exchange>> {
  protected:
   // From two frames, in turns.
-  LearnedObjects learned(const StereoModel& model) {
+  LearnedObjects learned(const camera::StereoModel& model) {
     const SceneFace face{.mark = drawn_as(name), .place = {0, 0, 850}};
     View views[] = {{face, model, random}, {face, model, random}};
     LearnedObjects out;
@@ -68,7 +68,7 @@ class AnotherCamera : public testing::TestWithParam<std::tuple<std::string, Exch
     out.add(name, std::move(sample));
     return out;
   }
-  void expect_another_size(const LearnedObjects& objects, const StereoModel& model, double scale) {
+  void expect_another_size(const LearnedObjects& objects, const camera::StereoModel& model, double scale) {
     SCOPED_TRACE(scale);
     View view({.mark = drawn_as(name), .place = {0, 0, 850 / scale}}, model, random);
     for (const SeenMark& mark : view.sight.left_segmentation().marks()) {
@@ -79,8 +79,8 @@ class AnotherCamera : public testing::TestWithParam<std::tuple<std::string, Exch
   }
   const std::string& name = std::get<0>(GetParam());
   const Exchange& exchange = std::get<1>(GetParam());
-  const StereoModel learning = exchange.learning.model();
-  const StereoModel looking = exchange.looking.model();
+  const camera::StereoModel learning = exchange.learning.model();
+  const camera::StereoModel looking = exchange.looking.model();
   Random random = Random(5).split(name);
 };
 
@@ -122,4 +122,4 @@ INSTANTIATE_TEST_SUITE_P(Marks, AnotherCamera,
                          instance_name);
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::vision

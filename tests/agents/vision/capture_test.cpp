@@ -8,24 +8,24 @@
 #include "tests/agents/vision/vision_life.hpp"
 #include "tests/run_task.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 // Has a newer frame whenever it is asked, so many of them.
-class CameraThatIsAhead : public StereoCamera {
+class CameraThatIsAhead : public camera::StereoCamera {
  public:
   static constexpr std::uint64_t frames = 50;
 
-  Task<Result<StereoModel>> open() override { co_return model_; }
-  Task<Result<StereoFrame>> next(Time after, bool) override {
+  Task<Result<camera::StereoModel>> open() override { co_return model_; }
+  Task<Result<camera::StereoFrame>> next(Time after, bool) override {
     if (number_ >= frames) co_return fail("disconnected", "that was all");
-    StereoFrame frame = draw_scene({}, model_, ++number_, random_);
+    camera::StereoFrame frame = draw_scene({}, model_, ++number_, random_);
     frame.captured = after + Duration(1);
     co_return frame;
   }
 
  private:
-  StereoModel model_;
+  camera::StereoModel model_;
   Random random_{1};
   std::uint64_t number_ = 0;
 };
@@ -34,7 +34,7 @@ TEST(CameraFeed, LeavesTimeForOthersWhereFramesComeFasterThanTheyAreLookedAt) {
   VirtualExecutor executor;
   CameraThatIsAhead camera;
   CameraFeed feed(
-      executor, camera, [](StereoFrame) -> Task<void> { co_return; }, []() -> Task<void> { co_return; });
+      executor, camera, [](camera::StereoFrame) -> Task<void> { co_return; }, []() -> Task<void> { co_return; });
   feed.start();
   std::uint64_t seen_by_others = CameraThatIsAhead::frames;
   executor.post([&] { seen_by_others = feed.frame_number(); });
@@ -45,31 +45,31 @@ TEST(CameraFeed, LeavesTimeForOthersWhereFramesComeFasterThanTheyAreLookedAt) {
 }
 
 // Is there, and none of its images can be read.
-class CameraOfDamage : public StereoCamera {
+class CameraOfDamage : public camera::StereoCamera {
  public:
   explicit CameraOfDamage(Executor& executor) : executor_(executor) {}
 
-  Task<Result<StereoModel>> open() override { co_return StereoModel(); }
-  Task<Result<StereoFrame>> next(Time, bool) override {
+  Task<Result<camera::StereoModel>> open() override { co_return camera::StereoModel(); }
+  Task<Result<camera::StereoFrame>> next(Time, bool) override {
     while (true) {
       co_await sleep(executor_, 500ms);
       drops_.why_corrupt = fmt::format("shots/{}.png ends too early", ++drops_.corrupt);
     }
   }
-  CameraDrops drops() const override { return drops_; }
+  camera::CameraDrops drops() const override { return drops_; }
 
  private:
   Executor& executor_;
-  CameraDrops drops_;
+  camera::CameraDrops drops_;
 };
 
 TEST(CameraFeed, WhoWaitsForAnImageIsToldWhyThoseThatCameCannotBeRead) {
   VirtualExecutor executor;
   CameraOfDamage camera(executor);
   CameraFeed feed(
-      executor, camera, [](StereoFrame) -> Task<void> { co_return; }, []() -> Task<void> { co_return; });
+      executor, camera, [](camera::StereoFrame) -> Task<void> { co_return; }, []() -> Task<void> { co_return; });
   feed.start();
-  const Result<StereoFrame> frame = run(executor, feed.next(executor.now(), 3200ms));
+  const Result<camera::StereoFrame> frame = run(executor, feed.next(executor.now(), 3200ms));
   ASSERT_FALSE(frame);
   EXPECT_EQ(frame.error().sentence, "the camera's images cannot be read: shots/6.png ends too early");
   feed.abandon();
@@ -283,4 +283,4 @@ TEST_F(Vision, SendsEachImageOnlyWhileSomeoneWatchesThatKind) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -1,12 +1,12 @@
 // Why a click teaches nothing: on ground of every kind, in open contours, at the image's border.
 
+#include "agents/vision/sight/clicked_place.hpp"
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <opencv2/imgproc.hpp>
 
-#include "agents/vision/sight/clicked_place.hpp"
-
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 enum class Ground : std::uint8_t { plain, slope, speckled, grained };
@@ -100,4 +100,4 @@ INSTANTIATE_TEST_SUITE_P(Grounds, Clicks,
                          });
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -2,7 +2,7 @@
 
 #include "tests/agents/vision/vision_life.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 TEST_F(Vision, AFindSuspendsATrackingAndResumesIt) {
@@ -198,4 +198,4 @@ TEST_F(AbsentClient, MayHaveItKept) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::vision

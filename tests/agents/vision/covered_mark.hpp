@@ -13,7 +13,7 @@
 #include "agents/vision/sight/mark_tracker.hpp"
 #include "tests/agents/vision/eyes.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 
 struct Hand {
   double from_deg;  // where it comes from
@@ -50,9 +50,9 @@ class CoveredMark {
                     .turn_deg = hand.from_deg}};
   }
 
-  StereoFrame draw() { return draw_scene(scene, model, 1, random); }
+  camera::StereoFrame draw() { return draw_scene(scene, model, 1, random); }
   void look() { look(draw()); }
-  void look(const StereoFrame& frame) {
+  void look(const camera::StereoFrame& frame) {
     const cv::Mat nothing = cv::Mat::zeros(frame.left->height, frame.left->width, CV_8UC1);
     StereoSight both(as_mat(*frame.left), as_mat(*frame.right), model);
     StereoSight left_only(as_mat(*frame.left), nothing, alone);
@@ -62,8 +62,8 @@ class CoveredMark {
   }
 
   Random random;
-  const StereoModel model = two_cameras(160, 120);
-  const StereoModel alone = one_camera_of(model);
+  const camera::StereoModel model = two_cameras(160, 120);
+  const camera::StereoModel alone = one_camera_of(model);
   Scene scene;
   double most_off_px = 1.5;
   int rate = 10;  // frames a second
@@ -82,4 +82,4 @@ class CoveredMark {
   MarkTracker single{learned_cell()};
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

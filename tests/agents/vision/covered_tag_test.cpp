@@ -8,7 +8,7 @@
 #include "agents/vision/sight/mark_tracker.hpp"
 #include "tests/bench/vision/scene.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 using bench::Side;
@@ -139,9 +139,9 @@ class CoveredTag : public testing::TestWithParam<std::tuple<int, int>> {
   }
 
   Random random;
-  const StereoModel model = bench::scene_camera();
-  const StereoModel alone = [] {
-    StereoModel out = bench::scene_camera();
+  const camera::StereoModel model = bench::scene_camera();
+  const camera::StereoModel alone = [] {
+    camera::StereoModel out = bench::scene_camera();
     out.base_line_mm = 0;
     out.learned_at_mm = 500;
     return out;
@@ -201,4 +201,4 @@ INSTANTIATE_TEST_SUITE_P(Seeds, CoveredTag,
                          instance_name);
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -3,7 +3,7 @@
 
 #include "tests/agents/vision/covered_mark.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 class Covering : public testing::TestWithParam<std::tuple<std::string, int>> {
@@ -76,4 +76,4 @@ INSTANTIATE_TEST_SUITE_P(Seeds, CoveringATriangle,
                          instance_name);
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::vision

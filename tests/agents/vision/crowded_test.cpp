@@ -5,7 +5,7 @@
 
 #include "tests/agents/vision/eyes.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 const cv::Size image_size(1280, 960);
@@ -51,13 +51,13 @@ TEST(CrowdedImage, NothingIsLeftOutOfOneThatIsNot) {
   EXPECT_EQ(segmentation.left_out(), 0);
 }
 
-StereoModel one_camera() {
+camera::StereoModel one_camera() {
   return {.width = image_size.width, .height = image_size.height, .base_line_mm = 0, .learned_at_mm = 500};
 }
 
 std::string failure_of_learning(const cv::Mat1b& image, cv::Point2d click) {
   const LearnedObjects none;
-  const StereoModel model = one_camera();
+  const camera::StereoModel model = one_camera();
   MarkLearner learner("thing", click, none);
   while (!learner.done()) {
     StereoSight sight(image, image, model);
@@ -75,4 +75,4 @@ TEST(CrowdedImage, AMarkIsLearnedBelowSpecksAndASpeckAmongLargerOnesIsToldWhyNot
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -5,7 +5,7 @@
 #include "agents/vision/sight/mark_learner.hpp"
 #include "tests/agents/vision/scene.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 
 inline const std::vector<std::string>& cell_marks() {
   static const std::vector<std::string> names = {"circle", "square", "cross", "triangle", "end-effector"};
@@ -16,15 +16,15 @@ inline const std::vector<std::string>& cell_marks() {
 inline std::string drawn_as(const std::string& name) { return name == "end-effector" ? "plate" : name; }
 
 // Two cameras that show a part of the cell's images around their middle; and the left one of a pair alone.
-inline StereoModel two_cameras(int width, int height) {
-  StereoModel out;
+inline camera::StereoModel two_cameras(int width, int height) {
+  camera::StereoModel out;
   out.width = width;
   out.height = height;
   out.centre_x_px = (width - 1) / 2.0;
   out.centre_y_px = (height - 1) / 2.0;
   return out;
 }
-inline StereoModel one_camera_of(StereoModel pair) {
+inline camera::StereoModel one_camera_of(camera::StereoModel pair) {
   pair.base_line_mm = 0;
   pair.learned_at_mm = 850;
   return pair;
@@ -34,11 +34,11 @@ inline StereoModel one_camera_of(StereoModel pair) {
 struct DrawnSight {
   DrawnSight(const Scene& scene, Random& random)
       : frame(draw_scene(scene, model(), 1, random)), sight(as_mat(*frame.left), as_mat(*frame.right), model()) {}
-  static const StereoModel& model() {
-    static const StereoModel rectified;
+  static const camera::StereoModel& model() {
+    static const camera::StereoModel rectified;
     return rectified;
   }
-  StereoFrame frame;
+  camera::StereoFrame frame;
   StereoSight sight;
 };
 
@@ -74,4 +74,4 @@ inline const LearnedObjects& learned_cell() {
   return objects;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

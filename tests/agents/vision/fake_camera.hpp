@@ -7,9 +7,9 @@
 #include "blackboard/time/executor.hpp"
 #include "tests/agents/vision/scene.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 
-class FakeCamera : public StereoCamera {
+class FakeCamera : public camera::StereoCamera {
  public:
   FakeCamera(Executor& executor, std::uint64_t seed) : executor_(executor), random_(seed) {}
 
@@ -24,22 +24,22 @@ class FakeCamera : public StereoCamera {
   bool plugged = true;
   int opened = 0;
   int colour_asked = 0;
-  CameraDrops dropped = {};
+  camera::CameraDrops dropped = {};
 
-  Task<Result<StereoModel>> open() override {
+  Task<Result<camera::StereoModel>> open() override {
     ++opened;
     if (!plugged) co_return fail("disconnected", "the camera is unplugged");
     co_return model_;
   }
 
-  Task<Result<StereoFrame>> next(Time after, bool colour) override {
+  Task<Result<camera::StereoFrame>> next(Time after, bool colour) override {
     if (taken_ <= after) {
       co_await sleep(executor_, 100ms);
       ++number_;
       taken_ = executor_.now();
     }
     if (!plugged) co_return fail("disconnected", "the camera is unplugged");
-    StereoFrame frame = draw_scene(scene, model_, number_, random_);
+    camera::StereoFrame frame = draw_scene(scene, model_, number_, random_);
     for (const Picture& picture : pictures) {
       frame.left = pasted(*frame.left, picture.grey, picture.at);
       frame.right = pasted(*frame.right, picture.grey, picture.at - cv::Point(picture.disparity_px, 0));
@@ -50,9 +50,9 @@ class FakeCamera : public StereoCamera {
     co_return frame;
   }
 
-  CameraDrops drops() const override { return dropped; }
+  camera::CameraDrops drops() const override { return dropped; }
 
-  const StereoModel& model() const { return model_; }
+  const camera::StereoModel& model() const { return model_; }
   void resize(int width, int height) {
     model_.width = width;
     model_.height = height;
@@ -81,9 +81,9 @@ class FakeCamera : public StereoCamera {
 
   Executor& executor_;
   Random random_;
-  StereoModel model_;
+  camera::StereoModel model_;
   std::uint64_t number_ = 0;
   Time taken_{};
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -12,7 +12,7 @@
 #include "tests/agents/vision/eyes.hpp"
 #include "tests/agents/vision/meeting.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 
 // How a mark lies before the camera while it is learned.
 struct Pose {
@@ -60,7 +60,7 @@ class FirstLooks {
     if (cover != Cover::none) hide_part(scene, cover, straight, random);
     DrawnSight drawn(scene, random);
     const cv::Point2d truth = project(DrawnSight::model(), scene.faces[0].place, false);
-    StereoModel alone = DrawnSight::model();
+    camera::StereoModel alone = DrawnSight::model();
     alone.base_line_mm = 0;
     alone.learned_at_mm = 850;
     StereoSight left_only(drawn.sight.left(), cv::Mat::zeros(alone.height, alone.width, CV_8UC1), alone);
@@ -104,4 +104,4 @@ class FirstLooks {
   }
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -1,13 +1,13 @@
 // Marks that are seen for the first time, whole or hidden in part. What is told for sure is where the mark is, however
 // it lay when it was learned; and of whole marks most are told for sure.
 
+#include "tests/agents/vision/first_look.hpp"
+
 #include <gtest/gtest.h>
 #include <ostream>
 #include <string_view>
 
-#include "tests/agents/vision/first_look.hpp"
-
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 struct Learned {
@@ -110,4 +110,4 @@ INSTANTIATE_TEST_SUITE_P(Marks, FirstLook, testing::ValuesIn(all_learned),
                          [](const auto& one) { return std::string(one.param.name); });
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::vision

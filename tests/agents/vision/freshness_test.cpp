@@ -6,7 +6,7 @@
 #include "tests/agents/vision/streaming_camera.hpp"
 #include "tests/agents/vision/vision_life.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 const cv::Point3d here(-100, 0, 850);
@@ -120,4 +120,4 @@ TEST_P(Freshness, NothingIsToldAsSeenWhileNoFrameComes) {
 INSTANTIATE_TEST_SUITE_P(AtRates, Freshness, testing::Values(1, 5, 30, 120));
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::vision

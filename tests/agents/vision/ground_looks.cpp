@@ -5,12 +5,12 @@
 
 #include "agents/vision/sight/mark_learner.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 constexpr double mark_mm = 44;
 
-StereoModel one_of(StereoModel pair, double size_px) {
+camera::StereoModel one_of(camera::StereoModel pair, double size_px) {
   pair.base_line_mm = 0;
   pair.learned_at_mm = mark_mm * pair.focal_px / size_px;
   return pair;
@@ -52,7 +52,7 @@ bench::Shape GroundLooks::drawn_shape() {
   return bench::tag_shape(drawn == 0, mark_mm);
 }
 
-LearnedObjects GroundLooks::learned(const StereoModel& by) {
+LearnedObjects GroundLooks::learned(const camera::StereoModel& by) {
   LearnedObjects out;
   MarkLearner learner("thing", centre_ + cv::Point2d(1, 1), out);
   while (!learner.done()) {
@@ -151,4 +151,4 @@ void GroundLooks::look() {
   }
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -13,7 +13,7 @@
 #include "agents/vision/sight/mark_tracker.hpp"
 #include "tests/bench/vision/outline.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 
 struct ToldAtFirst {
   static constexpr double surely = 0.9;
@@ -67,7 +67,7 @@ class GroundLooks {
 
   double disparity_px() const;
   bench::Shape drawn_shape();
-  LearnedObjects learned(const StereoModel& by);
+  LearnedObjects learned(const camera::StereoModel& by);
   cv::Mat1b draw(bool to_the_right);
   void find(StereoSight& sight, const LearnedObjects& objects, ToldAtFirst& told) const;
   void count(const TrackSighting& sighting, ToldAtFirst& told) const;
@@ -79,11 +79,11 @@ class GroundLooks {
   double around_card_ = 0;
   double cover_level_ = 0;
   double cover_nearer_px_ = 0;
-  const StereoModel model_{
+  const camera::StereoModel model_{
       .width = 176, .height = 132, .focal_px = 420, .centre_x_px = 87.5, .centre_y_px = 65.5, .base_line_mm = 40};
-  const StereoModel alone_;
+  const camera::StereoModel alone_;
   const LearnedObjects to_pair_;
   const LearnedObjects to_one_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -6,7 +6,7 @@
 
 #include "tests/agents/vision/ground_looks.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 constexpr int looks_of_a_kind = 60;
@@ -118,4 +118,4 @@ INSTANTIATE_TEST_SUITE_P(Marks, GroundBeside,
                          });
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -9,12 +9,12 @@
 #include "agents/vision/sight/mark_learner.hpp"
 #include "tests/agents/vision/photograph.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 constexpr double usual_mm = 480;
 
-StereoModel camera_of(const Photograph& photograph) {
+camera::StereoModel camera_of(const Photograph& photograph) {
   return {.width = photograph.size.width,
           .height = photograph.size.height,
           .focal_px = photograph.focal_px(),
@@ -65,7 +65,7 @@ class HandHeld : public testing::TestWithParam<cv::Size> {
     MarkContour last;
     while (!learner.done()) {
       const cv::Mat1b grey = grey_of(photograph, random);
-      const StereoModel model = camera_of(photograph);
+      const camera::StereoModel model = camera_of(photograph);
       StereoSight sight(grey, grey, model);
       const Result<void> fed = learner.feed(sight);
       if (!fed) return fail(fed);
@@ -136,8 +136,12 @@ class Twins : public HandHeld {
 TEST_P(Twins, TheOneThatWasClickedOnIsLearnedBesideItsLike) {
   expect_learned({{"circle", {-30, 0}}, {"circle", {30, 0}}}, 0);
   expect_learned({{"square", {-90, 0}}, {"square", {-30, 0}}, {"square", {30, 0}}, {"square", {90, 0}}}, 1);
-  expect_learned({{"circle", {-70, -50}}, {"circle", {0, -50}}, {"circle", {70, -50}}, {"circle", {-70, 50}},
-                  {"circle", {0, 50}}, {"circle", {70, 50}}},
+  expect_learned({{"circle", {-70, -50}},
+                  {"circle", {0, -50}},
+                  {"circle", {70, -50}},
+                  {"circle", {-70, 50}},
+                  {"circle", {0, 50}},
+                  {"circle", {70, 50}}},
                  4);
 }
 
@@ -159,7 +163,7 @@ TEST_P(Twins, WhereNobodyCanTellWhichItWasItIsRefused) {
     cv::Mat(picture + grains).convertTo(out, CV_8U);
     return out;
   };
-  const StereoModel model = camera_of(photograph);
+  const camera::StereoModel model = camera_of(photograph);
   MarkLearner learner("thing", {160 * unit, 120 * unit}, none);
   Result<void> fed;
   for (int frame = 0; fed && !learner.done(); ++frame) {
@@ -172,9 +176,9 @@ TEST_P(Twins, WhereNobodyCanTellWhichItWasItIsRefused) {
 }
 
 constexpr auto width_of = [](const auto& size) { return fmt::format("Width{}", size.param.width); };
-INSTANTIATE_TEST_SUITE_P(Sizes, HandHeld,
-                         testing::Values(cv::Size(320, 240), cv::Size(640, 480), cv::Size(1280, 960)), width_of);
+INSTANTIATE_TEST_SUITE_P(Sizes, HandHeld, testing::Values(cv::Size(320, 240), cv::Size(640, 480), cv::Size(1280, 960)),
+                         width_of);
 INSTANTIATE_TEST_SUITE_P(Sizes, Twins, testing::Values(cv::Size(320, 240), cv::Size(640, 480)), width_of);
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::vision

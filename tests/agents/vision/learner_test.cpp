@@ -3,7 +3,7 @@
 
 #include "tests/agents/vision/eyes.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 const cv::Point3d in_front(0, 0, 850);
@@ -130,4 +130,4 @@ TEST(LearnedObjects, CountSamplesUnderTheFirstNameAndHaveBounds) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -3,7 +3,7 @@
 
 #include "tests/agents/vision/eyes.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 // The one mark of a scene that shows one; the face's own light region is none.
@@ -183,4 +183,4 @@ TEST(LearnedFacts, SayTheWholeSample) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -12,7 +12,7 @@
 #include "agents/vision/sight/mark_tracker.hpp"
 #include "tests/agents/vision/eyes.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 
 struct ToldOfMeeting {
   static constexpr double surely = 0.9;
@@ -89,7 +89,6 @@ class Meeting {
   static constexpr double mark_mm = 44;
   static constexpr double cover_px = 90;
 
-
   double depth_mm() const { return mark_mm * model.focal_px / size_px; }
   double disparity_px() const { return model.focal_px * model.base_line_mm / depth_mm(); }
   // Of what both images show, in the left one.
@@ -116,7 +115,7 @@ class Meeting {
     const cv::Point2d cover = centre + (cover_px / 2 - depth) * normal;
     scene.blots.front().box.x = cover.x - cover_px / 2;
     scene.blots.front().box.y = cover.y - cover_px / 2;
-    const StereoFrame frame = draw_scene(scene, model, 1, random);
+    const camera::StereoFrame frame = draw_scene(scene, model, 1, random);
     const cv::Mat nothing = cv::Mat::zeros(frame.left->height, frame.left->width, CV_8UC1);
     StereoSight both(as_mat(*frame.left), as_mat(*frame.right), model);
     StereoSight left_only(as_mat(*frame.left), nothing, alone);
@@ -127,8 +126,8 @@ class Meeting {
 
   Random random;
   const Way way;
-  const StereoModel model = two_cameras(200, 144);
-  const StereoModel alone = one_camera_of(model);
+  const camera::StereoModel model = two_cameras(200, 144);
+  const camera::StereoModel alone = one_camera_of(model);
   Scene scene;
   double size_px = 0;
   double rate = 0;
@@ -140,4 +139,4 @@ class Meeting {
   Time now = {};
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -1,11 +1,11 @@
 // A mark goes behind something, a hand comes over it, or both move, slowly and quickly, at 10 to 120 frames a second;
 // or a part of it is hidden from the first. What is told for sure is where the mark is.
 
-#include <gtest/gtest.h>
-
 #include "tests/agents/vision/meeting.hpp"
 
-namespace pizarra {
+#include <gtest/gtest.h>
+
+namespace pizarra::vision {
 namespace {
 
 class Meetings : public testing::TestWithParam<std::tuple<std::string, Meeting::Way>> {
@@ -40,7 +40,7 @@ TEST_P(Meetings, AreToldForSureOnlyWhereTheMarkIs) {
 
 // What is left of a square looks like one that is turned.
 TEST(Finding, OfAHalfCoveredSquareIsNotSure) {
-  StereoModel alone = DrawnSight::model();
+  camera::StereoModel alone = DrawnSight::model();
   alone.base_line_mm = 0;
   alone.learned_at_mm = 850;
   const LearnedObject& square = *learned_cell().find("square");
@@ -51,8 +51,8 @@ TEST(Finding, OfAHalfCoveredSquareIsNotSure) {
     Scene scene;
     scene.noise = random.uniform(1, 6);
     scene.blur_px = random.uniform(0.5, 1);
-    scene.faces = {{.mark = "square",
-                    .place = {random.uniform(-60, 80), random.uniform(-60, 60), random.uniform(560, 1000)}}};
+    scene.faces = {
+        {.mark = "square", .place = {random.uniform(-60, 80), random.uniform(-60, 60), random.uniform(560, 1000)}}};
     const double size_px = 44 * DrawnSight::model().focal_px / scene.faces[0].place.z;
     const double disparity = DrawnSight::model().focal_px * DrawnSight::model().base_line_mm / scene.faces[0].place.z;
     const double from = CV_PI / 2 * static_cast<double>(random.below(4));
@@ -91,4 +91,4 @@ INSTANTIATE_TEST_SUITE_P(Marks, Meetings,
                          instance_name);
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::vision

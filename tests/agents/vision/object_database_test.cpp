@@ -7,7 +7,7 @@
 #include "tests/agents/vision/eyes.hpp"
 #include "tests/scratch.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 namespace fs = std::filesystem;
@@ -146,9 +146,11 @@ TEST_F(Database, RemembersThatASizeIsAGuess) {
 
 TEST_F(Database, RemembersByWhichFocalLengthASampleWasLearnedAndThatOlderFormatsDidNotSay) {
   learn_along_y({"circle"});
-  sqlite::Database raw = sqlite::Database::open(folder() + "/objects.sqlite", sqlite::Access::write).value();
-  ASSERT_TRUE(raw.run("ALTER TABLE samples DROP COLUMN focal; ALTER TABLE samples RENAME COLUMN size_by TO guessed;"
-                      "PRAGMA user_version = 3"));
+  journal::sqlite::Database raw =
+      journal::sqlite::Database::open(folder() + "/objects.sqlite", journal::sqlite::Access::write).value();
+  ASSERT_TRUE(
+      raw.run("ALTER TABLE samples DROP COLUMN focal; ALTER TABLE samples RENAME COLUMN size_by TO guessed;"
+              "PRAGMA user_version = 3"));
   learn({"square"});
   const KeptObjects kept = open().read().value();
   ASSERT_TRUE(kept.damaged.empty());
@@ -158,9 +160,11 @@ TEST_F(Database, RemembersByWhichFocalLengthASampleWasLearnedAndThatOlderFormats
 
 TEST_F(Database, ReadsWhatTheThirdFormatKept) {
   learn_along_y({"circle", "square"});
-  sqlite::Database raw = sqlite::Database::open(folder() + "/objects.sqlite", sqlite::Access::write).value();
-  ASSERT_TRUE(raw.run("ALTER TABLE samples DROP COLUMN focal; ALTER TABLE samples RENAME COLUMN size_by TO guessed;"
-                      "PRAGMA user_version = 3"));
+  journal::sqlite::Database raw =
+      journal::sqlite::Database::open(folder() + "/objects.sqlite", journal::sqlite::Access::write).value();
+  ASSERT_TRUE(
+      raw.run("ALTER TABLE samples DROP COLUMN focal; ALTER TABLE samples RENAME COLUMN size_by TO guessed;"
+              "PRAGMA user_version = 3"));
   EXPECT_EQ(content(), "circle*1 square*1 ");
   learn({"cross"});
   EXPECT_EQ(content(), "circle*1 square*1 cross*1 ");
@@ -168,9 +172,11 @@ TEST_F(Database, ReadsWhatTheThirdFormatKept) {
 
 TEST_F(Database, ReadsWhatTheSecondFormatKept) {
   learn_along_y({"circle", "square"});
-  sqlite::Database raw = sqlite::Database::open(folder() + "/objects.sqlite", sqlite::Access::write).value();
-  ASSERT_TRUE(raw.run("ALTER TABLE samples DROP COLUMN focal; ALTER TABLE samples DROP COLUMN size_by;"
-                      "PRAGMA user_version = 2"));
+  journal::sqlite::Database raw =
+      journal::sqlite::Database::open(folder() + "/objects.sqlite", journal::sqlite::Access::write).value();
+  ASSERT_TRUE(
+      raw.run("ALTER TABLE samples DROP COLUMN focal; ALTER TABLE samples DROP COLUMN size_by;"
+              "PRAGMA user_version = 2"));
   EXPECT_EQ(content(), "circle*1 square*1 ");
   learn({"cross"});
   EXPECT_EQ(content(), "circle*1 square*1 cross*1 ");
@@ -178,7 +184,8 @@ TEST_F(Database, ReadsWhatTheSecondFormatKept) {
 
 TEST_F(Database, ReadsWhatTheFirstFormatKept) {
   learn_along_y({"circle", "square"});
-  sqlite::Database raw = sqlite::Database::open(folder() + "/objects.sqlite", sqlite::Access::write).value();
+  journal::sqlite::Database raw =
+      journal::sqlite::Database::open(folder() + "/objects.sqlite", journal::sqlite::Access::write).value();
   ASSERT_TRUE(
       raw.run("CREATE TABLE old (name TEXT COLLATE NOCASE, num INTEGER, tone TEXT, area REAL, "
               "perimeter INTEGER, nf INTEGER, m0 REAL, m1 REAL, m2 REAL, height REAL, slimness REAL, "
@@ -193,7 +200,8 @@ TEST_F(Database, ReadsWhatTheFirstFormatKept) {
 
 TEST_F(Database, AChangeThatFailsLeavesNoBitmap) {
   learn({"circle"});
-  sqlite::Database raw = sqlite::Database::open(folder() + "/objects.sqlite", sqlite::Access::write).value();
+  journal::sqlite::Database raw =
+      journal::sqlite::Database::open(folder() + "/objects.sqlite", journal::sqlite::Access::write).value();
   ASSERT_TRUE(raw.run("CREATE TRIGGER refuse BEFORE INSERT ON samples BEGIN SELECT RAISE(ABORT, 'no'); END"));
   EXPECT_FALSE(open().apply(keep("square")).has_value());
   EXPECT_EQ(files(), (std::vector<std::string>{"circle-1.pgm", "objects.sqlite"}));
@@ -259,8 +267,9 @@ TEST_F(Database, ABitmapOfAnotherObjectIsFoundOut) {
 
 TEST_F(Database, ADamagedRowCostsOneSample) {
   learn({"circle", "square", "cross"});
-  sqlite::Database raw = sqlite::Database::open(folder() + "/objects.sqlite", sqlite::Access::write).value();
-  const std::vector<std::string> values = {"height = 0",     "slimness = -1", "size = 9e999", "roundness = 1.3",
+  journal::sqlite::Database raw =
+      journal::sqlite::Database::open(folder() + "/objects.sqlite", journal::sqlite::Access::write).value();
+  const std::vector<std::string> values = {"height = 0",     "slimness = -1", "size = 9e999",  "roundness = 1.3",
                                            "tone = 'light'", "num = 0",       "name = '../x'", "focal = 430",
                                            "focal = -1",     "focal = 9e999"};
   for (const std::string& value : values) {
@@ -277,9 +286,11 @@ TEST_F(Database, ADamagedRowCostsOneSample) {
 // A copied database may hold any.
 TEST_F(Database, ANameThatIsNoneIsDamageAndNoFileElsewhereIsTouched) {
   learn({"circle", "square", "cross"});
-  sqlite::Database raw = sqlite::Database::open(folder() + "/objects.sqlite", sqlite::Access::write).value();
-  ASSERT_TRUE(raw.run("UPDATE samples SET name = '../evil' WHERE name = 'circle';"
-                      "UPDATE samples SET name = CAST(x'ff00' AS TEXT) WHERE name = 'square'"));
+  journal::sqlite::Database raw =
+      journal::sqlite::Database::open(folder() + "/objects.sqlite", journal::sqlite::Access::write).value();
+  ASSERT_TRUE(
+      raw.run("UPDATE samples SET name = '../evil' WHERE name = 'circle';"
+              "UPDATE samples SET name = CAST(x'ff00' AS TEXT) WHERE name = 'square'"));
   fs::rename(fs::path(folder()) / "circle-1.pgm", room / "evil-1.pgm");
   EXPECT_EQ(content(), "cross*1 !objects.sqlite, row 1 !objects.sqlite, row 2 ");
   ObjectDatabase database = open();
@@ -301,7 +312,7 @@ TEST_F(Database, AFileThatIsNoDatabaseOrAnothersIsRefused) {
   std::ofstream(file) << std::string(5000, 'x');
   EXPECT_EQ(ObjectDatabase::open(folder()).error().symbol, "damaged");
   fs::remove(file);
-  ASSERT_TRUE(sqlite::Database::open(file, sqlite::Access::write)->run("CREATE TABLE t (a)"));
+  ASSERT_TRUE(journal::sqlite::Database::open(file, journal::sqlite::Access::write)->run("CREATE TABLE t (a)"));
   EXPECT_EQ(ObjectDatabase::open(folder()).error().symbol, "unusable");
   std::ofstream(room / "plain") << "no folder";
   EXPECT_EQ(ObjectDatabase::open((room / "plain").string()).error().symbol, "unusable");
@@ -309,9 +320,11 @@ TEST_F(Database, AFileThatIsNoDatabaseOrAnothersIsRefused) {
 
 TEST_F(Database, WhatIsSaidOfDamageIsText) {
   learn({"circle"});
-  sqlite::Database raw = sqlite::Database::open(folder() + "/objects.sqlite", sqlite::Access::write).value();
-  ASSERT_TRUE(raw.run("PRAGMA writable_schema = ON;"
-                      "UPDATE sqlite_schema SET sql = CAST(x'435245415445205441424cff2073' AS TEXT)"));
+  journal::sqlite::Database raw =
+      journal::sqlite::Database::open(folder() + "/objects.sqlite", journal::sqlite::Access::write).value();
+  ASSERT_TRUE(
+      raw.run("PRAGMA writable_schema = ON;"
+              "UPDATE sqlite_schema SET sql = CAST(x'435245415445205441424cff2073' AS TEXT)"));
   const Result<KeptObjects> kept = open().read();
   ASSERT_FALSE(kept.has_value());
   EXPECT_TRUE(is_string_text(kept.error().sentence));
@@ -341,4 +354,4 @@ TEST_F(Database, SurvivesAnyDamageToItsFile) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -8,7 +8,7 @@
 #include "tests/agents/vision/vision_life.hpp"
 #include "tests/scratch.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 // With a database: agent, board and all may go.
@@ -107,7 +107,8 @@ TEST_F(KeptVision, ADamagedSampleIsSaidOnceAndTheOthersGoOn) {
 
 TEST_F(KeptVision, NamesThatAreNoneInACopiedDatabaseAreSaidToBeDamageAndLeadNowhere) {
   learn_all();
-  sqlite::Database raw = sqlite::Database::open(folder + "/objects.sqlite", sqlite::Access::write).value();
+  journal::sqlite::Database raw =
+      journal::sqlite::Database::open(folder + "/objects.sqlite", journal::sqlite::Access::write).value();
   ASSERT_TRUE(raw.run("UPDATE samples SET name = '../evil' WHERE name = 'circle'"));
   const std::string outside = scratch_folder() + "evil-1.pgm";
   std::filesystem::copy_file(folder + "/circle-1.pgm", outside, std::filesystem::copy_options::overwrite_existing);
@@ -141,7 +142,8 @@ TEST_F(KeptVision, WhatIsBeyondTheBoundIsSaidToBeSoAndKnownWhenAnotherIsForgotte
 
 TEST_F(KeptVision, WhileAnotherHasTheDatabaseWhatIsKnownIsAnsweredAtOnce) {
   learn_all();
-  sqlite::Database raw = sqlite::Database::open(folder + "/objects.sqlite", sqlite::Access::write).value();
+  journal::sqlite::Database raw =
+      journal::sqlite::Database::open(folder + "/objects.sqlite", journal::sqlite::Access::write).value();
   ASSERT_TRUE(raw.run("BEGIN EXCLUSIVE; DELETE FROM samples WHERE name = 'circle'"));
   run_for(3s);
   const Time asked = executor.now();
@@ -316,4 +318,4 @@ TEST_F(Vision, TwoWithoutADatabaseRememberEachItsOwn) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::vision

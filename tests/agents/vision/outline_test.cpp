@@ -7,7 +7,7 @@
 #include "agents/vision/marks/segmentation.hpp"
 #include "tests/bench/vision/unlearned.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 // So many standard deviations a lens may blur at most.
@@ -71,4 +71,4 @@ TEST(Outline, OfAParallelogramIsASquares) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -17,7 +17,7 @@
 #include "tests/agents/vision/photograph.hpp"
 #include "tests/scratch.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 constexpr int shots = 3;
@@ -31,9 +31,9 @@ class OwnCamera : public testing::TestWithParam<cv::Size> {
     learning.size = GetParam();
     learning.tilt_deg = 8;
     show(learning);
-    setup.sources = {{CameraSource::Kind::images, folder}};
-    camera.emplace(executor, setup, make_any_source);
-    agent.emplace(AgentContext{"vision", "here", executor, *agent_view, Random(1)}, *camera, nullptr);
+    setup.sources = {{forms::CameraSource::Kind::images, folder}};
+    camera.emplace(executor, setup, camera::make_any_source);
+    agent.emplace(runtime::AgentContext{"vision", "here", executor, *agent_view, Random(1)}, *camera, nullptr);
     life = executor.spawn(live(*agent));
     Job started = executor.spawn(begin());
     executor.run_until([&] { return started.done(); });
@@ -121,15 +121,15 @@ class OwnCamera : public testing::TestWithParam<cv::Size> {
   const std::string folder;
   Random random{5};
   Photograph learning;
-  CameraSetup setup{.arrangement = CameraSetup::Arrangement::single, .rate_hz = 60, .learned_at_mm = 500};
+  forms::CameraSetup setup{.arrangement = forms::CameraSetup::Arrangement::single, .rate_hz = 60, .learned_at_mm = 500};
   RealExecutor executor;
-  MemoryBoard board{executor};
+  memory::MemoryBoard board{executor};
   std::unique_ptr<Board> agent_view = board.view("vision");
   std::unique_ptr<Board> own_view = board.view("tester");
-  AgentContext context{"tester", "here", executor, *own_view, Random(2)};
-  Service service{context, contract_from_text("(contract tester)").value()};
-  Caller caller{context, service};
-  std::optional<VideoCamera> camera;
+  runtime::AgentContext context{"tester", "here", executor, *own_view, Random(2)};
+  runtime::Service service{context, runtime::contract_from_text("(contract tester)").value()};
+  runtime::Caller caller{context, service};
+  std::optional<camera::VideoCamera> camera;
   std::optional<VisionAgent> agent;
   Job life;
 };
@@ -250,4 +250,4 @@ INSTANTIATE_TEST_SUITE_P(Sizes, OwnCamera, testing::Values(cv::Size(640, 480), c
                          [](const auto& size) { return fmt::format("Width{}", size.param.width); });
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::vision

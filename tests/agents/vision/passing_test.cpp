@@ -7,7 +7,7 @@
 #include "agents/vision/sight/mark_tracker.hpp"
 #include "tests/agents/vision/eyes.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 constexpr double off_px = 1;
@@ -16,8 +16,8 @@ constexpr double surely = 0.9;
 constexpr double mark_mm = 44;
 constexpr double cover_px = 90;
 
-StereoModel camera() {
-  StereoModel out;
+camera::StereoModel camera() {
+  camera::StereoModel out;
   out.width = 240;
   out.height = 144;
   out.centre_x_px = 119.5;
@@ -39,8 +39,8 @@ class Passing : public testing::TestWithParam<std::tuple<std::string, Eyes>> {
 
   std::string name() const { return std::get<0>(GetParam()); }
   bool is_single() const { return std::get<1>(GetParam()) == Eyes::one; }
-  StereoModel eyes() const {
-    StereoModel out = model;
+  camera::StereoModel eyes() const {
+    camera::StereoModel out = model;
     if (is_single()) out.base_line_mm = 0;
     if (is_single()) out.learned_at_mm = 850;
     return out;
@@ -71,9 +71,9 @@ class Passing : public testing::TestWithParam<std::tuple<std::string, Eyes>> {
     SceneFace& face = scene.faces.front();
     face.place = {(centre.x - model.centre_x_px) * depth_mm / model.focal_px - model.base_line_mm / 2,
                   (centre.y - model.centre_y_px) * depth_mm / model.focal_px, depth_mm};
-    const StereoFrame frame = draw_scene(scene, model, 1, random);
+    const camera::StereoFrame frame = draw_scene(scene, model, 1, random);
     const cv::Mat nothing = cv::Mat::zeros(frame.left->height, frame.left->width, CV_8UC1);
-    const StereoModel seen_by = eyes();
+    const camera::StereoModel seen_by = eyes();
     StereoSight sight(as_mat(*frame.left), is_single() ? nothing : as_mat(*frame.right), seen_by);
     now += 100ms;
     const TrackSighting sighting = tracker.update(sight, now).front();
@@ -122,7 +122,7 @@ class Passing : public testing::TestWithParam<std::tuple<std::string, Eyes>> {
     }
   }
 
-  const StereoModel model = camera();
+  const camera::StereoModel model = camera();
   Random random{1};
   Scene scene;
   double size_px = 0;
@@ -215,4 +215,4 @@ INSTANTIATE_TEST_SUITE_P(Marks, PassingTriangle,
                          instance_name);
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -7,7 +7,7 @@
 
 #include "tests/bench/vision/outline.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 constexpr double desk_level = 95;
@@ -130,4 +130,4 @@ cv::Mat3b Photograph::take(Random& random) const {
   return cv::imdecode(file, cv::IMREAD_COLOR);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

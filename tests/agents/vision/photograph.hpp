@@ -13,7 +13,7 @@
 
 #include "blackboard/time/random.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 
 struct PrintedShape {
   std::string name;
@@ -51,4 +51,4 @@ struct Photograph {
   cv::Mat3b take(Random& random) const;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -7,7 +7,7 @@
 #include "tests/agents/vision/eyes.hpp"
 #include "tests/bench/vision/scene.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 TEST(PixelPhase, HidesNoMark) {
@@ -33,4 +33,4 @@ TEST(PixelPhase, HidesNoMark) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -8,7 +8,7 @@
 
 #include "tests/agents/vision/range_views.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 class Ranges {
@@ -149,9 +149,9 @@ TEST(Spread, OfWhatMayBeCoveredIsThatOfItsParts) {
 TEST(Spread, CountsWhatTheCalibrationLeftOpen) {
   Random random = Random(2026).split("calibrated");
   Ranges ranges;
-  const StereoModel& camera = small_images().camera;
+  const camera::StereoModel& camera = small_images().camera;
   for (int i = 0; i < 150; ++i) {
-    StereoModel believed = camera;
+    camera::StereoModel believed = camera;
     believed.deviations = {.focal_px = 2, .base_line_mm = 0.3, .disparity_px = 0.2};
     believed.focal_px += believed.deviations.focal_px * random.normal();
     believed.base_line_mm += believed.deviations.base_line_mm * random.normal();
@@ -166,4 +166,4 @@ TEST(Spread, CountsWhatTheCalibrationLeftOpen) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -6,7 +6,7 @@
 
 #include "agents/vision/sight/mark_learner.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 constexpr float ground_level = 165;
@@ -63,7 +63,7 @@ LearnedObjects learned_by(const RangeViews& views) {
 
 }  // namespace
 
-RangeViews::RangeViews(const StereoModel& seen_by) : camera(seen_by), learned_(learned_by(*this)) {}
+RangeViews::RangeViews(const camera::StereoModel& seen_by) : camera(seen_by), learned_(learned_by(*this)) {}
 
 cv::Point2d RangeViews::seen_at(const cv::Point3d& point, bool right) const {
   const double beside_mm = (right ? -0.5 : 0.5) * camera.base_line_mm;
@@ -123,7 +123,8 @@ cv::Mat1b RangeViews::draw(const RangeView& view, bool right, Random& random) co
   return out;
 }
 
-std::optional<RangeTold> RangeViews::look(const RangeView& view, const StereoModel& believed, Random& random) const {
+std::optional<RangeTold> RangeViews::look(const RangeView& view, const camera::StereoModel& believed,
+                                          Random& random) const {
   StereoSight sight(draw(view, false, random), draw(view, true, random), believed);
   MarkTracker tracker(learned_);
   tracker.add(*learned_.find(view.mark)).value();
@@ -132,4 +133,4 @@ std::optional<RangeTold> RangeViews::look(const RangeView& view, const StereoMod
   return RangeTold{seen.range_mm - cv::norm(view.place), seen.range_spread_mm, seen.confidence};
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

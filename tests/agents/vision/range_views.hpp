@@ -16,7 +16,7 @@
 #include "blackboard/time/random.hpp"
 #include "tests/bench/vision/outline.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 
 // What a view is drawn from.
 struct RangeConditions {
@@ -35,7 +35,7 @@ struct RangeView {
   double noise = 0;
   double blur_px = 0;
   cv::Point2d light_slope = {};
-  bench::Shape cover = {};      // px of the left image, over the mark
+  bench::Shape cover = {};  // px of the left image, over the mark
   double cover_level = 90;
   double cover_disparity_px = 0;
 };
@@ -48,16 +48,16 @@ struct RangeTold {
 
 class RangeViews {
  public:
-  explicit RangeViews(const StereoModel& camera);
+  explicit RangeViews(const camera::StereoModel& camera);
 
   RangeView random_view(const RangeConditions& conditions, Random& random) const;
   cv::Point2d seen_at(const cv::Point3d& point, bool right) const;
   cv::Mat1b draw(const RangeView& view, bool right, Random& random) const;
   // By the camera that the eyes believe to have. Nothing where they do not see it in both images.
-  std::optional<RangeTold> look(const RangeView& view, const StereoModel& believed, Random& random) const;
+  std::optional<RangeTold> look(const RangeView& view, const camera::StereoModel& believed, Random& random) const;
   std::optional<RangeTold> look(const RangeView& view, Random& random) const { return look(view, camera, random); }
 
-  const StereoModel camera;
+  const camera::StereoModel camera;
 
  private:
   bench::Shape shape_of(const RangeView& view, bool right) const;
@@ -65,4 +65,4 @@ class RangeViews {
   const LearnedObjects learned_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

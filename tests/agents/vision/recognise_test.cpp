@@ -6,7 +6,7 @@
 #include "agents/vision/sight/mark_tracker.hpp"
 #include "tests/agents/vision/eyes.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 std::optional<SeenPair> find_in(const Scene& scene, const std::string& name, Random& random) {
@@ -137,7 +137,7 @@ TEST(Recognise, AMarkOfTheRightShapeAndTheWrongSizeIsNotTheObject) {
   // With a base line of 135 mm the same pair of images means a mark 1.5 times as large.
   scene.faces = {{.mark = "square", .place = {0, 0, 850}}};
   DrawnSight drawn(scene, random);
-  StereoModel other = DrawnSight::model();
+  camera::StereoModel other = DrawnSight::model();
   other.base_line_mm = 135;
   StereoSight sight(drawn.sight.left(), drawn.sight.right(), other);
   EXPECT_FALSE(sight.find(learned_cell(), *learned_cell().find("square")));
@@ -303,4 +303,4 @@ TEST(LookAlikes, AreToldOnceAPair) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::vision

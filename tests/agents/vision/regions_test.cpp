@@ -6,7 +6,7 @@
 #include "agents/vision/image/look.hpp"
 #include "blackboard/time/random.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 TEST(BitRow, IsFilledBetweenFlipsAcrossItsWords) {
@@ -60,4 +60,4 @@ TEST(Look, EstimatesTheNoiseAndTakesFiveEighthsOfItAway) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::vision

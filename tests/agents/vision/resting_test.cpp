@@ -3,7 +3,7 @@
 
 #include "tests/agents/vision/covered_mark.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 constexpr int bright = 200;
@@ -21,7 +21,7 @@ class Resting : public testing::TestWithParam<std::tuple<std::string, int>> {
   Resting() { mark.most_off_px = 2; }
   // A hand that rests is drawn a few times only; its images come in turn.
   void look_for(Duration duration) {
-    std::vector<StereoFrame> frames;
+    std::vector<camera::StereoFrame> frames;
     while (frames.size() < 20) frames.push_back(mark.draw());
     const auto count = duration * mark.rate / 1s;
     for (int n = 0; n < count && !testing::Test::HasFailure(); ++n) {
@@ -126,4 +126,4 @@ INSTANTIATE_TEST_SUITE_P(Seeds, Resting,
                          instance_name);
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::vision

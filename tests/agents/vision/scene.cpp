@@ -3,7 +3,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 constexpr int oversampling = 8;
@@ -32,7 +32,8 @@ Outline outline_of(const std::string& mark) {
 
 class Painter {
  public:
-  Painter(cv::Mat& canvas, const StereoModel& model, bool right) : canvas_(canvas), model_(model), right_(right) {}
+  Painter(cv::Mat& canvas, const camera::StereoModel& model, bool right)
+      : canvas_(canvas), model_(model), right_(right) {}
 
   void fill(const SceneFace& face, const Outline& outline, int turns, int level) {
     const double yaw = face.yaw_deg * CV_PI / 180;
@@ -78,11 +79,11 @@ class Painter {
   }
 
   cv::Mat& canvas_;
-  const StereoModel& model_;
+  const camera::StereoModel& model_;
   bool right_;
 };
 
-std::shared_ptr<const Image> draw(const Scene& scene, const StereoModel& model, bool right, Random& random) {
+std::shared_ptr<const Image> draw(const Scene& scene, const camera::StereoModel& model, bool right, Random& random) {
   cv::Mat canvas(model.height * oversampling, model.width * oversampling, CV_8UC1, scene.ground);
   Painter painter(canvas, model, right);
   for (const SceneFace& face : scene.faces) {
@@ -112,14 +113,15 @@ std::shared_ptr<const Image> draw(const Scene& scene, const StereoModel& model, 
 
 }  // namespace
 
-cv::Point2d project(const StereoModel& model, const cv::Point3d& point, bool right) {
+cv::Point2d project(const camera::StereoModel& model, const cv::Point3d& point, bool right) {
   const double offset_mm = (right ? -0.5 : 0.5) * model.base_line_mm;
   return {model.centre_x_px + model.focal_px * (point.x + offset_mm) / point.z,
           model.centre_y_px + model.focal_px * point.y / point.z};
 }
 
-StereoFrame draw_scene(const Scene& scene, const StereoModel& model, std::uint64_t number, Random& random) {
-  StereoFrame out;
+camera::StereoFrame draw_scene(const Scene& scene, const camera::StereoModel& model, std::uint64_t number,
+                               Random& random) {
+  camera::StereoFrame out;
   out.number = number;
   out.left = draw(scene, model, false, random);
   out.right = draw(scene, model, true, random);
@@ -131,4 +133,4 @@ cv::Mat as_mat(const Image& image) {
   return view.clone();
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

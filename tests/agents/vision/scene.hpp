@@ -11,7 +11,7 @@
 #include "blackboard/time/random.hpp"
 #include "drivers/camera/stereo_camera.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 
 struct SceneFace {
   // circle, square, cross, triangle, bar (twice as wide as high), thin-bar (three times), none, or plate: a white
@@ -42,11 +42,12 @@ struct Scene {
 };
 
 // Where a point is seen, px.
-cv::Point2d project(const StereoModel& model, const cv::Point3d& point, bool right);
+cv::Point2d project(const camera::StereoModel& model, const cv::Point3d& point, bool right);
 
-StereoFrame draw_scene(const Scene& scene, const StereoModel& model, std::uint64_t number, Random& random);
+camera::StereoFrame draw_scene(const Scene& scene, const camera::StereoModel& model, std::uint64_t number,
+                               Random& random);
 
 // A copy.
 cv::Mat as_mat(const Image& image);
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

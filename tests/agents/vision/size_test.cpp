@@ -9,7 +9,7 @@
 #include "agents/vision/sight/mark_tracker.hpp"
 #include "tests/bench/vision/outline.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 enum class Light : std::uint8_t { even, slope, vignette, shadow };
@@ -59,7 +59,7 @@ cv::Mat1b picture(const Case& one, cv::Point2d centre, cv::RNG& random, double s
   return out;
 }
 
-StereoModel camera(cv::Size image) {
+camera::StereoModel camera(cv::Size image) {
   return {.width = image.width,
           .height = image.height,
           .focal_px = 0.87 * image.width,
@@ -71,7 +71,7 @@ StereoModel camera(cv::Size image) {
 
 Result<LearnedSample> learn(const Case& one, cv::Point2d centre, cv::Point2d click, cv::RNG& random) {
   const LearnedObjects none;
-  const StereoModel model = camera(one.image);
+  const camera::StereoModel model = camera(one.image);
   const cv::Mat1b pictures[] = {picture(one, centre, random), picture(one, centre, random)};
   MarkLearner learner("thing", click, none);
   for (int frame = 0; !learner.done(); ++frame) {
@@ -87,7 +87,7 @@ cv::Point2d middle(const Case& one) { return {0.48 * one.image.width, 0.51 * one
 void expect_seen(const Case& one) {
   SCOPED_TRACE(one.text());
   cv::RNG random(7);
-  const StereoModel model = camera(one.image);
+  const camera::StereoModel model = camera(one.image);
   const double unit = one.image.width / 320.0;
   // Beside the middle, as people click.
   const cv::Point2d click = middle(one) + 0.08 * one.across_px * cv::Point2d(1, 0.6);
@@ -133,7 +133,7 @@ TEST_P(Sizes, FromFortyPixelsToThreeQuartersOfTheHeightAreLearnedFoundAndFollowe
 
 TEST_P(Sizes, ALargeShapeOfAPairHasItsRange) {
   const Case one{GetParam(), "cross", 0.4 * GetParam().height, true, Light::slope};
-  StereoModel model = camera(GetParam());
+  camera::StereoModel model = camera(GetParam());
   model.base_line_mm = 30;
   cv::RNG random(3);
   const LearnedObjects none;
@@ -186,4 +186,4 @@ INSTANTIATE_TEST_SUITE_P(Resolutions, Sizes,
                          [](const auto& size) { return fmt::format("Width{}", size.param.width); });
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::vision

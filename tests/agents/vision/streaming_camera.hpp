@@ -10,9 +10,9 @@
 #include "blackboard/time/latch.hpp"
 #include "tests/agents/vision/scene.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 
-class StreamingCamera : public StereoCamera {
+class StreamingCamera : public camera::StereoCamera {
  public:
   StreamingCamera(Executor& executor, Duration frame_period) : period(frame_period), executor_(executor) {
     taking_ = executor.spawn(take_frames());
@@ -23,8 +23,8 @@ class StreamingCamera : public StereoCamera {
   Duration decoding = {};  // from when a frame is captured until it can be had
   bool hangs = false;
 
-  Task<Result<StereoModel>> open() override { co_return model_; }
-  Task<Result<StereoFrame>> next(Time after, bool) override {
+  Task<Result<camera::StereoModel>> open() override { co_return model_; }
+  Task<Result<camera::StereoFrame>> next(Time after, bool) override {
     const Time deadline = executor_.now() + 3s;
     while (newest_.captured <= after) {
       const bool woken = co_await came_.wait(deadline);
@@ -32,7 +32,7 @@ class StreamingCamera : public StereoCamera {
     }
     co_return newest_;
   }
-  const StereoModel& model() const { return model_; }
+  const camera::StereoModel& model() const { return model_; }
   bool is_decoding() const { return decodes_; }
 
  private:
@@ -40,7 +40,7 @@ class StreamingCamera : public StereoCamera {
     while (true) {
       co_await sleep(executor_, period);
       if (hangs) continue;
-      StereoFrame frame = draw_scene(scene, model_, newest_.number + 1, random_);
+      camera::StereoFrame frame = draw_scene(scene, model_, newest_.number + 1, random_);
       frame.captured = executor_.now();
       decodes_ = true;
       if (decoding > Duration()) co_await sleep(executor_, decoding);
@@ -52,11 +52,11 @@ class StreamingCamera : public StereoCamera {
 
   Executor& executor_;
   Random random_{11};
-  StereoModel model_;
-  StereoFrame newest_;
+  camera::StereoModel model_;
+  camera::StereoFrame newest_;
   bool decodes_ = false;
   WaitList came_{executor_};
   Job taking_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

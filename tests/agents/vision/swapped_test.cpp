@@ -6,7 +6,7 @@
 #include "agents/vision/sight/mark_tracker.hpp"
 #include "tests/agents/vision/eyes.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 constexpr double surely = 0.9;
@@ -50,7 +50,7 @@ class Swapped : public testing::TestWithParam<std::tuple<std::string, Eyes>> {
     for (int frame = 0; frame < hidden_frames; ++frame) EXPECT_FALSE(see().seen);
   }
 
-  StereoModel eyes = DrawnSight::model();
+  camera::StereoModel eyes = DrawnSight::model();
   Scene scene;
   Random random{17};
   Time now = {};
@@ -136,4 +136,4 @@ INSTANTIATE_TEST_SUITE_P(Marks, Swapped,
                          });
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -9,7 +9,7 @@
 #include "agents/vision/sight/mark_tracker.hpp"
 #include "tests/bench/vision/scene.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 using bench::Side;
@@ -64,7 +64,7 @@ class Tags : public testing::Test {
   static constexpr double tag_side_mm = 44;
   bench::Scene scene;
   Random random{9};
-  StereoModel model = bench::scene_camera();
+  camera::StereoModel model = bench::scene_camera();
   LearnedObjects objects;
   Time now = {};
 };
@@ -319,4 +319,4 @@ TEST_F(Tags, ARestartedAgentKnowsThemFromItsFacts) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::vision

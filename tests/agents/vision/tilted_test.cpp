@@ -8,7 +8,7 @@
 #include "agents/vision/sight/mark_tracker.hpp"
 #include "tests/agents/vision/eyes.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 struct Motion {
@@ -21,9 +21,9 @@ struct Motion {
   friend void PrintTo(const Motion& motion, std::ostream* out) { *out << motion.name; }
 };
 
-constexpr Motion motions[] = {{"TiltsBack", 0, 18, 0, 0},      {"TiltsForward", 0, -18, 0, 0},
-                              {"Yaws", 22, 0, 0, 0},           {"TiltsAndYaws", 15, 12, 0, 0},
-                              {"Rolls", 0, 0, 30, 0},          {"GoesAway", 0, 0, 0, 200},
+constexpr Motion motions[] = {{"TiltsBack", 0, 18, 0, 0},    {"TiltsForward", 0, -18, 0, 0},
+                              {"Yaws", 22, 0, 0, 0},         {"TiltsAndYaws", 15, 12, 0, 0},
+                              {"Rolls", 0, 0, 30, 0},        {"GoesAway", 0, 0, 0, 200},
                               {"ComesNearer", 0, 0, 0, -200}};
 
 class WholeMarks : public testing::TestWithParam<std::tuple<std::string, Motion>> {};
@@ -77,4 +77,4 @@ INSTANTIATE_TEST_SUITE_P(Marks, WholeMarks,
                          testing::Combine(testing::ValuesIn(cell_marks()), testing::ValuesIn(motions)), instance_name);
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -5,7 +5,7 @@
 #include "lisp/writer.hpp"
 #include "tests/agents/vision/eyes.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 constexpr int bridged_frames = 5;  // ten a second
@@ -346,4 +346,4 @@ TEST(Replies, SayWhatTheThesisTextHasNoRoomFor) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -6,7 +6,7 @@
 #include "agents/vision/sight/mark_learner.hpp"
 #include "tests/bench/vision/outline.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 constexpr double mark_mm = 44;
@@ -38,8 +38,18 @@ const std::vector<NamedShape>& shapes() {
       {"letter-l", {{{-.2, -.7}, {.15, -.7}, {.15, -.05}, {.7, -.05}, {.7, .3}, {-.2, .3}}}},
       {"arrow", {{{0, -.5}, {.42, -.02}, {.14, -.02}, {.14, .5}, {-.14, .5}, {-.14, -.02}, {-.42, -.02}}}},
       {"thin-cross",
-       {{{-.1, -.5}, {.1, -.5}, {.1, -.1}, {.5, -.1}, {.5, .1}, {.1, .1},
-         {.1, .5}, {-.1, .5}, {-.1, .1}, {-.5, .1}, {-.5, -.1}, {-.1, -.1}}}}};
+       {{{-.1, -.5},
+         {.1, -.5},
+         {.1, -.1},
+         {.5, -.1},
+         {.5, .1},
+         {.1, .1},
+         {.1, .5},
+         {-.1, .5},
+         {-.1, .1},
+         {-.5, .1},
+         {-.5, -.1},
+         {-.1, -.1}}}}};
   return all;
 }
 
@@ -103,8 +113,8 @@ class Turned : public testing::TestWithParam<int> {
       EXPECT_LT(most - least, most_confidence_lost) << shape.name;
     }
   }
-  static StereoModel camera(int size_px) {
-    StereoModel out;
+  static camera::StereoModel camera(int size_px) {
+    camera::StereoModel out;
     out.height = 2 * size_px;
     out.width = out.height + static_cast<int>(disparity_px);
     out.centre_x_px = (out.width - 1) / 2.0;
@@ -113,7 +123,7 @@ class Turned : public testing::TestWithParam<int> {
     return out;
   }
 
-  StereoModel model = camera(GetParam());
+  camera::StereoModel model = camera(GetParam());
   cv::RNG random{static_cast<std::uint64_t>(GetParam())};
   cv::Point2d off_grid;  // which pixels an edge meets is chance
   LearnedObjects objects;
@@ -130,4 +140,4 @@ TEST_P(Turned, EveryShapeIsFoundAtEveryTurnByAPair) { find_all_at_every_turn(); 
 INSTANTIATE_TEST_SUITE_P(SizesPx, Turned, testing::Values(28, 40, 64, 120), testing::PrintToStringParamName());
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::vision

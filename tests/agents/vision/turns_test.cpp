@@ -4,7 +4,7 @@
 
 #include "tests/agents/vision/vision_life.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 class Turns : public Vision {
@@ -256,4 +256,4 @@ TEST_F(Turns, WhatAClientThatDiedWaitedForIsNotDone) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::vision

@@ -8,7 +8,7 @@
 #include "tests/agents/vision/eyes.hpp"
 #include "tests/bench/vision/scene.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 namespace {
 
 const cv::Point2d mark_place(150, 120);
@@ -23,8 +23,8 @@ bench::Scene scene_with(const std::string& mark, const bench::Shape& other) {
   return scene;
 }
 
-StereoModel one_camera() {
-  StereoModel model = bench::scene_camera();
+camera::StereoModel one_camera() {
+  camera::StereoModel model = bench::scene_camera();
   model.base_line_mm = 0;
   return model;
 }
@@ -32,7 +32,7 @@ StereoModel one_camera() {
 // In the light and the sharpness of a lab; what noise and blur may do to it bench/vision's row `unlearned` counts.
 TEST(Unlearned, AloneIsNothing) {
   const cv::Mat nothing = cv::Mat::zeros(240, 320, CV_8UC1);
-  const StereoModel model = one_camera();
+  const camera::StereoModel model = one_camera();
   for (const bench::UnlearnedShape& shape : bench::unlearned_shapes()) {
     if (!shape.no_view_of_a_mark) continue;
     for (std::uint64_t seed = 1; seed <= 10; ++seed) {
@@ -135,7 +135,7 @@ double confidence_of(const bench::Shape& shape, const std::string& name, bool pa
                    .level = scene.mark_level,
                    .depth_mm = depth_mm}};
   const cv::Mat left = draw(scene, bench::Side::left, random);
-  const StereoModel model = pair ? bench::scene_camera() : one_camera();
+  const camera::StereoModel model = pair ? bench::scene_camera() : one_camera();
   StereoSight sight(left, pair ? draw(scene, bench::Side::right, random) : left, model);
   const LearnedObject& object = *learned_cell().find(name);
   const std::optional<SeenPair> found = sight.find(learned_cell(), object);
@@ -164,7 +164,7 @@ TEST(Unlearned, ThatIsAViewOfALearnedOneIsNotSureAndWhatFacesTheCameraIs) {
 }
 
 TEST(Unlearned, BesideALearnedMarkIsNotTakenForItAndNotKeptQuietAboutEither) {
-  const StereoModel pair = bench::scene_camera();
+  const camera::StereoModel pair = bench::scene_camera();
   for (const bench::UnlearnedShape& other : bench::unlearned_shapes()) {
     if (!other.no_view_of_a_mark) continue;
     for (const std::string mark : {"circle", "square"}) {
@@ -175,7 +175,7 @@ TEST(Unlearned, BesideALearnedMarkIsNotTakenForItAndNotKeptQuietAboutEither) {
         const cv::Mat left = draw(scene, bench::Side::left, random);
         const cv::Mat right = draw(scene, bench::Side::right, random);
         const LearnedObject& object = *learned_cell().find(mark);
-        for (const StereoModel& model : {one_camera(), pair}) {
+        for (const camera::StereoModel& model : {one_camera(), pair}) {
           StereoSight sight(left, model.is_single() ? left : right, model);
           const std::optional<SeenPair> found = sight.find(learned_cell(), object);
           ASSERT_TRUE(found) << (model.is_single() ? "one camera" : "a pair");
@@ -193,4 +193,4 @@ TEST(Unlearned, BesideALearnedMarkIsNotTakenForItAndNotKeptQuietAboutEither) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::vision

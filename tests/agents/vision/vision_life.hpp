@@ -16,15 +16,15 @@
 #include "lisp/writer.hpp"
 #include "tests/agents/vision/fake_camera.hpp"
 
-namespace pizarra {
+namespace pizarra::vision {
 
 inline Datum form(std::string_view written) { return read_one(written).value(); }
 
 // One life of the agent: destroying it is its death.
 class VisionLife {
  public:
-  VisionLife(Executor& executor, MemoryBoard& board, StereoCamera& camera, Streams* streams, VisionOptions options,
-             const std::string& name = "vision")
+  VisionLife(Executor& executor, memory::MemoryBoard& board, camera::StereoCamera& camera, Streams* streams,
+             VisionOptions options, const std::string& name = "vision")
       : view_(board.view(name)),
         agent_({name, "here", executor, *view_, Random(1)}, camera, streams, std::move(options)) {
     job_ = executor.spawn(live());
@@ -137,9 +137,9 @@ class Vision : public testing::Test {
     }
     Vision& fixture;
     std::unique_ptr<Board> view;
-    AgentContext context;
-    Service service{context, contract_from_text("(contract client)").value()};
-    Caller caller{context, service};
+    runtime::AgentContext context;
+    runtime::Service service{context, runtime::contract_from_text("(contract client)").value()};
+    runtime::Caller caller{context, service};
   };
   static std::string shown(const Result<Datum>& result) {
     if (!result) return result.error().symbol + " " + write(result.error().subject);
@@ -151,14 +151,14 @@ class Vision : public testing::Test {
   }
 
   VirtualExecutor executor;
-  MemoryBoard board{executor};
+  memory::MemoryBoard board{executor};
   LocalStreams streams;
   FakeCamera camera{executor, 7};
   std::unique_ptr<Board> view = board.view("tester");
-  AgentContext context{"tester", "here", executor, *view, Random(2)};
-  Service service{context, contract_from_text("(contract tester)").value()};
-  Caller caller{context, service};
+  runtime::AgentContext context{"tester", "here", executor, *view, Random(2)};
+  runtime::Service service{context, runtime::contract_from_text("(contract tester)").value()};
+  runtime::Caller caller{context, service};
   std::optional<VisionLife> life;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::vision

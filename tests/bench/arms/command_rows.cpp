@@ -8,9 +8,9 @@
 #include "drivers/arm/arm_file.hpp"
 #include "drivers/arm/motoman/hses_link.hpp"
 #include "drivers/arm/motoman/motoman_arm.hpp"
+#include "drivers/line/udp_wire.hpp"
 #include "drivers/simulation/controllers/arms/hses_emulator.hpp"
 #include "drivers/simulation/controllers/arms/moving_arm.hpp"
-#include "drivers/line/udp_wire.hpp"
 #include "tests/bench/arms/robot_process.hpp"
 #include "tests/bench/arms/rows.hpp"
 #include "tests/bench/measure.hpp"
@@ -20,36 +20,37 @@ namespace pizarra::bench {
 namespace {
 
 // A UDP line that says when a move goes over it.
-class HeardWire : public DatagramWire {
+class HeardWire : public line::DatagramWire {
  public:
   HeardWire(Executor& executor, std::uint16_t port, Pipe& listener)
       : wire_(executor, "127.0.0.1", port), listener_(listener) {}
   Task<Result<void>> open(Time deadline) override { return wire_.open(deadline); }
   void close() override { wire_.close(); }
   Result<void> send(std::string_view datagram) override {
-    const Result<HsesRequest> request = read_hses_request(datagram);
-    const bool moves = request && (request->command == hses::move_pulses || request->command == hses::move_cartesian);
+    const Result<arm::HsesRequest> request = arm::read_hses_request(datagram);
+    const bool moves =
+        request && (request->command == arm::hses::move_pulses || request->command == arm::hses::move_cartesian);
     if (moves) listener_.say(now_us());
     return wire_.send(datagram);
   }
   Task<Result<std::string>> receive(Time deadline) override { return wire_.receive(deadline); }
 
  private:
-  UdpWire wire_;
+  line::UdpWire wire_;
   Pipe& listener_;
 };
 
 void be_the_robot(Pipe& parent, const std::string& address, const RobotName& name) {
   RealExecutor executor;
-  const ArmModel model = shipped_arm("motoman-up6").value();
-  MovingArm body(executor, model);
-  ArmCabinet cabinet(executor, body, model);
-  HsesEmulator emulator(cabinet);
-  const auto port = UdpPort::listen(executor, "127.0.0.1", 0).value();
-  const Job serving = executor.spawn(serve(executor, emulator, *port));
+  const arm::ArmModel model = arm::shipped_arm("motoman-up6").value();
+  simulation::MovingArm body(executor, model);
+  simulation::ArmCabinet cabinet(executor, body, model);
+  simulation::HsesEmulator emulator(cabinet);
+  const auto port = line::UdpPort::listen(executor, "127.0.0.1", 0).value();
+  const Job serving = executor.spawn(simulation::serve(executor, emulator, *port));
   HeardWire wire(executor, port->port(), parent);
-  HsesLink link(executor, wire);
-  MotomanArm arm(executor, link, model);
+  arm::HsesLink link(executor, wire);
+  arm::MotomanArm arm(executor, link, model);
   be_a_robot(executor, address, name, arm, model);
 }
 

@@ -27,62 +27,62 @@ constexpr double nearly = 0.02;  // degrees: a Cartesian order is in micrometres
 
 // A move, and in how many orders the driver has it carried out.
 struct WireMove {
-  std::vector<Joints> waypoints;
+  std::vector<arm::Joints> waypoints;
   std::uint64_t orders = 1;
 };
 
-WireMove anywhere_near(const ArmModel& model, Random& random) {
-  Joints there = model.ready;
+WireMove anywhere_near(const arm::ArmModel& model, Random& random) {
+  arm::Joints there = model.ready;
   for (double& axis : there) axis += random.uniform(-5, 5);
   return {{there}};
 }
 
-WireMove straight_from(const ArmModel& model, const Joints& from, Random& random) {
+WireMove straight_from(const arm::ArmModel& model, const arm::Joints& from, Random& random) {
   const char* side = random.below(2) == 0 ? "right" : "left";
   const Datum operation = form(fmt::format("(move-h {} {})", side, 10 + random.below(30)));
-  std::vector<Joints> waypoints = plan_motion(model, operation, from, {}).value().waypoints;
-  const std::vector<Leg> legs = legs_of(model, from, waypoints);
+  std::vector<arm::Joints> waypoints = robot::plan_motion(model, operation, from, {}).value().waypoints;
+  const std::vector<arm::Leg> legs = arm::legs_of(model, from, waypoints);
   return {std::move(waypoints), legs.size()};
 }
 
 // Whether the arm ended where it was sent, without having been sent anywhere else.
-bool go(Executor& executor, MotomanArm& arm, const ArmCabinet& cabinet, const WireMove& move) {
+bool go(Executor& executor, arm::MotomanArm& arm, const simulation::ArmCabinet& cabinet, const WireMove& move) {
   const std::uint64_t before = cabinet.moves();
-  std::vector<Joints> waypoints = move.waypoints;
+  std::vector<arm::Joints> waypoints = move.waypoints;
   const Result<void> started = run(executor, arm.start_move(std::move(waypoints), 1));
   if (!started) return false;
-  Result<ArmReading> reading = run(executor, arm.read());
+  Result<arm::ArmReading> reading = run(executor, arm.read());
   while (reading && reading->moving) {
     const Time until = executor.now() + 20ms;
     executor.call_at(until, [] {});
     executor.run_until([&] { return executor.now() >= until; });
     reading = run(executor, arm.read());
   }
-  const Joints& there = move.waypoints.back();
-  return reading && !reading->stopped && are_same_place(reading->joints, there, nearly) &&
-         cabinet.moves() == before + move.orders && are_same_place(cabinet.last_target(), there, nearly);
+  const arm::Joints& there = move.waypoints.back();
+  return reading && !reading->stopped && arm::are_same_place(reading->joints, there, nearly) &&
+         cabinet.moves() == before + move.orders && arm::are_same_place(cabinet.last_target(), there, nearly);
 }
 
 }  // namespace
 
 void bad_network(ArmsBench& bench) {
-  const ArmModel model = shipped_arm("motoman-up6").value();
+  const arm::ArmModel model = arm::shipped_arm("motoman-up6").value();
   VirtualExecutor executor;
-  MovingArm body(executor, model);
-  ArmCabinet cabinet(executor, body, model);
-  HsesEmulator emulator(cabinet);
-  LossyLine line(executor, Random(1), [&](std::string said) { return emulator.answer(std::move(said)); });
+  simulation::MovingArm body(executor, model);
+  simulation::ArmCabinet cabinet(executor, body, model);
+  simulation::HsesEmulator emulator(cabinet);
+  line::LossyLine line(executor, Random(1), [&](std::string said) { return emulator.answer(std::move(said)); });
   line.loss = loss;
   line.duplication = duplication;
   line.longest_delay = 10ms;
-  HsesLink link(executor, line);
-  MotomanArm arm(executor, link, model);
+  arm::HsesLink link(executor, line);
+  arm::MotomanArm arm(executor, link, model);
   if (!run(executor, arm.identify()) || !run(executor, arm.take_control())) throw std::runtime_error("no control");
   Random random(2);
   std::uint64_t once = 0;
   std::uint64_t straight_orders = 0;
   for (std::uint64_t i = 0; i < bench.moves; ++i) {
-    const Joints at = run(executor, arm.read()).value().joints;
+    const arm::Joints at = run(executor, arm.read()).value().joints;
     const WireMove move = i % 2 == 0 ? anywhere_near(model, random) : straight_from(model, at, random);
     straight_orders += i % 2 == 0 ? 0 : move.orders;
     once += go(executor, arm, cabinet, move) ? 1 : 0;

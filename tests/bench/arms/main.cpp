@@ -51,7 +51,8 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
-  pizarra::Figures figures("arms", json ? pizarra::Figures::Style::json : pizarra::Figures::Style::plain);
+  pizarra::bench::Figures figures("arms",
+                                  json ? pizarra::bench::Figures::Style::json : pizarra::bench::Figures::Style::plain);
   ArmsBench bench{figures, targets, stops, moves};
   for (const Row& row : table) {
     if (!only.empty() && std::ranges::find(only, row.name) == only.end()) continue;

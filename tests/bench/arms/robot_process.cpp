@@ -16,12 +16,12 @@ namespace {
 constexpr Duration moving_time = 20ms;
 
 // The simulated arm, which says when its controller has braked.
-class HeardArm : public ArmDriver {
+class HeardArm : public arm::ArmDriver {
  public:
-  HeardArm(Link& link, Pipe& listener) : arm_(link), listener_(listener) {}
+  HeardArm(simulation::Link& link, Pipe& listener) : arm_(link), listener_(listener) {}
   Task<Result<std::string>> identify() override { return arm_.identify(); }
   Task<Result<void>> take_control() override { return arm_.take_control(); }
-  Task<Result<void>> start_move(std::vector<Joints> waypoints, double speed) override {
+  Task<Result<void>> start_move(std::vector<arm::Joints> waypoints, double speed) override {
     braked_ = false;
     return arm_.start_move(std::move(waypoints), speed);
   }
@@ -32,15 +32,15 @@ class HeardArm : public ArmDriver {
     co_return stopped;
   }
   Task<Result<void>> start_gripper(double opening_mm) override { return arm_.start_gripper(opening_mm); }
-  Task<Result<ArmReading>> read() override { return arm_.read(); }
+  Task<Result<arm::ArmReading>> read() override { return arm_.read(); }
 
  private:
-  SimulatedArm arm_;
+  simulation::SimulatedArm arm_;
   Pipe& listener_;
   bool braked_ = true;
 };
 
-Task<void> live(RobotAgent& agent) {
+Task<void> live(robot::RobotAgent& agent) {
   const Result<void> ended = co_await agent.run();
   throw std::runtime_error(describe(ended.error()));
 }
@@ -49,11 +49,11 @@ Task<void> rest(Executor& executor) { co_await sleep(executor, moving_time); }
 
 }  // namespace
 
-void be_a_robot(RealExecutor& executor, const std::string& address, const RobotName& robot, ArmDriver& arm,
-                const ArmModel& model) {
-  const auto board = RemoteBoard::connect(executor, address, robot.name).value();
-  const RobotOptions options{.told_per_s = robot.told_per_s};
-  RobotAgent agent({robot.name, "localhost", executor, *board, Random(1)}, arm, model, options);
+void be_a_robot(RealExecutor& executor, const std::string& address, const RobotName& robot, arm::ArmDriver& arm,
+                const arm::ArmModel& model) {
+  const auto board = client::RemoteBoard::connect(executor, address, robot.name).value();
+  const robot::RobotOptions options{.told_per_s = robot.told_per_s};
+  robot::RobotAgent agent({robot.name, "localhost", executor, *board, Random(1)}, arm, model, options);
   const Job job = executor.spawn(live(agent));
   executor.run_until([] { return false; });
   std::abort();
@@ -61,9 +61,9 @@ void be_a_robot(RealExecutor& executor, const std::string& address, const RobotN
 
 void be_a_simulated_robot(Pipe& parent, const std::string& address, const RobotName& robot) {
   RealExecutor executor;
-  const WorldConfig config;
-  World world(executor, config);
-  LocalLink link(world);
+  const simulation::WorldConfig config;
+  simulation::World world(executor, config);
+  simulation::LocalLink link(world);
   HeardArm arm(link, parent);
   be_a_robot(executor, address, robot, arm, config.arm);
 }
@@ -76,7 +76,7 @@ Task<Result<Answer>> await_fact(Client& client, std::string pattern, Duration lo
 }
 
 void wait_for_robots(Client& client, const std::vector<std::string>& names) {
-  client.run(client.board().declare(runtime_relations()));
+  client.run(client.board().declare(runtime::runtime_relations()));
   for (const std::string& name : names) {
     client.run(await_fact(client, fmt::format("(agent {} ?kind ?host)", name), 10s));
     client.run(await_fact(client, fmt::format("(arm {} idle ?action)", name), 10s));

@@ -17,8 +17,8 @@ struct RobotName {
 };
 
 // A robot agent on the board, for as long as the process lives.
-[[noreturn]] void be_a_robot(RealExecutor& executor, const std::string& address, const RobotName& robot, ArmDriver& arm,
-                             const ArmModel& model);
+[[noreturn]] void be_a_robot(RealExecutor& executor, const std::string& address, const RobotName& robot,
+                             arm::ArmDriver& arm, const arm::ArmModel& model);
 // The simulated world's arm; says to the parent when its controller has braked.
 [[noreturn]] void be_a_simulated_robot(Pipe& parent, const std::string& address, const RobotName& robot);
 

@@ -6,10 +6,10 @@
 #include "blackboard/query.hpp"
 #include "drivers/arm/arm_file.hpp"
 #include "drivers/arm/universal/universal_arm.hpp"
-#include "drivers/simulation/controllers/arms/moving_arm.hpp"
-#include "drivers/simulation/controllers/arms/ur_emulator.hpp"
 #include "drivers/line/tcp_port.hpp"
 #include "drivers/line/tcp_wire.hpp"
+#include "drivers/simulation/controllers/arms/moving_arm.hpp"
+#include "drivers/simulation/controllers/arms/ur_emulator.hpp"
 #include "tests/bench/arms/robot_process.hpp"
 #include "tests/bench/arms/rows.hpp"
 #include "tests/bench/measure.hpp"
@@ -22,23 +22,25 @@ constexpr double wanted_hz = 125;
 constexpr double nearly = 0.99;  // of it: motions begin and end between two beats
 constexpr Duration watched = 8s;
 
-std::unique_ptr<TcpPort> free_port(Executor& executor) { return TcpPort::listen(executor, "127.0.0.1", 0).value(); }
+std::unique_ptr<line::TcpPort> free_port(Executor& executor) {
+  return line::TcpPort::listen(executor, "127.0.0.1", 0).value();
+}
 
 // An UR5e on an emulated controller in the same process, over TCP.
 void be_a_universal_robot(const std::string& address) {
   RealExecutor executor;
-  const ArmModel model = shipped_arm("ur5e").value();
-  MovingArm body(executor, model);
-  ArmCabinet cabinet(executor, body, model);
-  UrEmulator emulator(cabinet);
+  const arm::ArmModel model = arm::shipped_arm("ur5e").value();
+  simulation::MovingArm body(executor, model);
+  simulation::ArmCabinet cabinet(executor, body, model);
+  simulation::UrEmulator emulator(cabinet);
   const auto rtde = free_port(executor), script = free_port(executor), dashboard = free_port(executor);
-  const Job telling = executor.spawn(serve_rtde(executor, emulator, *rtde));
-  const Job running = executor.spawn(serve_script(executor, emulator, *script));
-  const Job answering = executor.spawn(serve_dashboard(executor, emulator, *dashboard));
-  TcpWire to_rtde(executor, "127.0.0.1", rtde->port());
-  TcpWire to_script(executor, "127.0.0.1", script->port());
-  TcpWire to_dashboard(executor, "127.0.0.1", dashboard->port());
-  UniversalArm arm(executor, {to_rtde, to_script, to_dashboard}, model);
+  const Job telling = executor.spawn(simulation::serve_rtde(executor, emulator, *rtde));
+  const Job running = executor.spawn(simulation::serve_script(executor, emulator, *script));
+  const Job answering = executor.spawn(simulation::serve_dashboard(executor, emulator, *dashboard));
+  line::TcpWire to_rtde(executor, "127.0.0.1", rtde->port());
+  line::TcpWire to_script(executor, "127.0.0.1", script->port());
+  line::TcpWire to_dashboard(executor, "127.0.0.1", dashboard->port());
+  arm::UniversalArm arm(executor, {to_rtde, to_script, to_dashboard}, model);
   be_a_robot(executor, address, {.name = "robot", .told_per_s = wanted_hz}, arm, model);
 }
 

@@ -7,9 +7,9 @@
 #include "drivers/arm/arm_file.hpp"
 #include "drivers/arm/motoman/hses_link.hpp"
 #include "drivers/arm/motoman/motoman_arm.hpp"
+#include "drivers/line/udp_wire.hpp"
 #include "drivers/simulation/controllers/arms/hses_emulator.hpp"
 #include "drivers/simulation/controllers/arms/moving_arm.hpp"
-#include "drivers/line/udp_wire.hpp"
 #include "tests/bench/arms/robot_process.hpp"
 #include "tests/bench/arms/rows.hpp"
 #include "tests/bench/measure.hpp"
@@ -37,19 +37,20 @@ void be_the_load(Pipe& parent, const std::string& address) {
 }
 
 // What an emulated controller moves; says when it begins to move, and when it begins to brake.
-class HeardBody : public ArmDriver {
+class HeardBody : public arm::ArmDriver {
  public:
-  HeardBody(Executor& executor, const ArmModel& model, Pipe& listener) : body_(executor, model), listener_(listener) {}
+  HeardBody(Executor& executor, const arm::ArmModel& model, Pipe& listener)
+      : body_(executor, model), listener_(listener) {}
   Task<Result<std::string>> identify() override { return body_.identify(); }
   Task<Result<void>> take_control() override { return body_.take_control(); }
-  Task<Result<void>> start_move(std::vector<Joints> waypoints, double speed) override {
+  Task<Result<void>> start_move(std::vector<arm::Joints> waypoints, double speed) override {
     const Result<void> started = co_await body_.start_move(std::move(waypoints), speed);
     runs_ = started.has_value();
     if (runs_) listener_.say(now_us());
     co_return started;
   }
   Task<Result<void>> stop() override {
-    const Result<ArmReading> before = co_await body_.read();
+    const Result<arm::ArmReading> before = co_await body_.read();
     const bool brakes = runs_ && before && before->moving;
     const Result<void> stopped = co_await body_.stop();
     if (brakes) listener_.say(now_us());
@@ -57,10 +58,10 @@ class HeardBody : public ArmDriver {
     co_return stopped;
   }
   Task<Result<void>> start_gripper(double opening_mm) override { return body_.start_gripper(opening_mm); }
-  Task<Result<ArmReading>> read() override { return body_.read(); }
+  Task<Result<arm::ArmReading>> read() override { return body_.read(); }
 
  private:
-  MovingArm body_;
+  simulation::MovingArm body_;
   Pipe& listener_;
   bool runs_ = false;
 };
@@ -68,22 +69,22 @@ class HeardBody : public ArmDriver {
 // The controller of an UP6 at a free port, which it says first.
 void be_the_controller(Pipe& parent) {
   RealExecutor executor;
-  const ArmModel model = shipped_arm("motoman-up6").value();
+  const arm::ArmModel model = arm::shipped_arm("motoman-up6").value();
   HeardBody body(executor, model, parent);
-  ArmCabinet cabinet(executor, body, model);
-  HsesEmulator emulator(cabinet);
-  const auto port = UdpPort::listen(executor, "127.0.0.1", 0).value();
-  const Job serving = executor.spawn(serve(executor, emulator, *port));
+  simulation::ArmCabinet cabinet(executor, body, model);
+  simulation::HsesEmulator emulator(cabinet);
+  const auto port = line::UdpPort::listen(executor, "127.0.0.1", 0).value();
+  const Job serving = executor.spawn(simulation::serve(executor, emulator, *port));
   parent.say(port->port());
   executor.run_until([] { return false; });
 }
 
 void be_a_wired_robot(const std::string& address, std::uint16_t port) {
   RealExecutor executor;
-  const ArmModel model = shipped_arm("motoman-up6").value();
-  UdpWire wire(executor, "127.0.0.1", port);
-  HsesLink link(executor, wire);
-  MotomanArm arm(executor, link, model);
+  const arm::ArmModel model = arm::shipped_arm("motoman-up6").value();
+  line::UdpWire wire(executor, "127.0.0.1", port);
+  arm::HsesLink link(executor, wire);
+  arm::MotomanArm arm(executor, link, model);
   be_a_robot(executor, address, {}, arm, model);
 }
 

@@ -22,7 +22,7 @@ BoardProcess::BoardProcess(const std::vector<std::string>& options) : process_(C
 }
 
 Client::Client(const std::string& address, const std::string& name)
-    : board_(RemoteBoard::connect(executor_, address, name).value()) {
+    : board_(client::RemoteBoard::connect(executor_, address, name).value()) {
   const std::vector<Relation> relations = {object_relation()};
   run(board_->declare(relations));
 }

@@ -30,7 +30,7 @@ class BoardProcess {
 class Client {
  public:
   Client(const std::string& address, const std::string& name);
-  RemoteBoard& board() { return *board_; }
+  client::RemoteBoard& board() { return *board_; }
   RealExecutor& executor() { return executor_; }
 
   // Runs to the end; what is a failure ends the bench.
@@ -52,7 +52,7 @@ class Client {
   }
 
   RealExecutor executor_;
-  std::unique_ptr<RemoteBoard> board_;
+  std::unique_ptr<client::RemoteBoard> board_;
 };
 
 // `(seen NAME X Y D)`, its key the name: what the figures tell.

@@ -79,7 +79,7 @@ class Household {
   }
 
   RealExecutor executor_;
-  MemoryBoard board_;
+  memory::MemoryBoard board_;
   std::unique_ptr<Board> view_;
   std::vector<double> took_us_;
   int told_ = 0;

@@ -10,7 +10,7 @@ namespace {
 
 struct Row {
   const char* name;
-  void (*measure)(pizarra::Figures&);
+  void (*measure)(pizarra::bench::Figures&);
 };
 
 using namespace pizarra::bench;
@@ -39,7 +39,8 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
-  pizarra::Figures figures("blackboard", json ? pizarra::Figures::Style::json : pizarra::Figures::Style::plain);
+  pizarra::bench::Figures figures("blackboard",
+                                  json ? pizarra::bench::Figures::Style::json : pizarra::bench::Figures::Style::plain);
   for (const Row& row : table) {
     if (!only.empty() && std::ranges::find(only, row.name) == only.end()) continue;
     try {

@@ -106,7 +106,7 @@ std::string payload(std::uint64_t number, int scale) {
 
 void watch_ours(const std::string& board, Tally& tally, std::size_t subscriber) {
   Client client(board, fmt::format("subscriber-{}", subscriber));
-  const auto streams = RemoteStreams::open(client.executor(), client.board()).value();
+  const auto streams = streams::RemoteStreams::open(client.executor(), client.board()).value();
   const auto subscription =
       streams->subscribe("eyes", [&](const StreamFrame& frame) { tally.received(subscriber, frame.number); });
   client.executor().run_until([] { return false; });
@@ -146,7 +146,7 @@ void streams(Figures& figures) {
   if (redis) other.subscribe([&](std::size_t i) { watch_redis(redis->port(), other.tally, i); });
 
   Client client(server.address(), "publisher");
-  const auto publisher = RemoteStreams::open(client.executor(), client.board()).value();
+  const auto publisher = streams::RemoteStreams::open(client.executor(), client.board()).value();
   announce(client, *publisher);
   const auto small_image = std::make_shared<const Image>(blank(1));
   const auto large_image = std::make_shared<const Image>(blank(large));

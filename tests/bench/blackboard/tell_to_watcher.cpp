@@ -81,11 +81,11 @@ Task<void> watch_others(Board& board, int first, int& watching) {
 
 void be_the_others(Pipe& parent, const std::string& address) {
   RealExecutor executor;
-  std::vector<std::unique_ptr<RemoteBoard>> boards;
+  std::vector<std::unique_ptr<client::RemoteBoard>> boards;
   std::vector<Job> jobs;
   int watching = 0;
   for (int i = 0; i < other_clients; ++i) {
-    boards.push_back(RemoteBoard::connect(executor, address, fmt::format("other-{}", i)).value());
+    boards.push_back(client::RemoteBoard::connect(executor, address, fmt::format("other-{}", i)).value());
     jobs.push_back(executor.spawn(watch_others(*boards.back(), i * watches_each, watching)));
     executor.run_until([&] { return watching == i + 1; });
   }

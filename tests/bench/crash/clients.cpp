@@ -163,8 +163,9 @@ class Follower {
   std::map<Revision, Counters> asked_;  // what the board answered, at which revision
 };
 
-std::unique_ptr<RemoteBoard> connect(Executor& executor, const std::string& address, const std::string& kind, int who) {
-  return RemoteBoard::connect(executor, address, kind + "-" + std::to_string(who)).value();
+std::unique_ptr<client::RemoteBoard> connect(Executor& executor, const std::string& address, const std::string& kind,
+                                             int who) {
+  return client::RemoteBoard::connect(executor, address, kind + "-" + std::to_string(who)).value();
 }
 
 }  // namespace

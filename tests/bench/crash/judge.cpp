@@ -19,16 +19,16 @@ std::size_t Judge::unmade() const {
 }
 
 Result<Verdict> Judge::judge(const std::string& journal) const {
-  Store store;
-  const Result<PlayedBack> read = read_journal(journal, store);
+  store::Store store;
+  const Result<journal::PlayedBack> read = journal::read_journal(journal, store);
   if (!read) return fail(read);
   std::map<Item, std::size_t> effects;
   std::set<Item> items;
-  const auto item_of = [](const StandingFact& standing) {
+  const auto item_of = [](const store::StandingFact& standing) {
     return Item(standing.fact.datum[1].integer(), standing.fact.datum[2].integer());
   };
-  for (const StandingFact& standing : store.tables().at("effect").facts()) ++effects[item_of(standing)];
-  for (const StandingFact& standing : store.tables().at("item").facts()) items.insert(item_of(standing));
+  for (const store::StandingFact& standing : store.tables().at("effect").facts()) ++effects[item_of(standing)];
+  for (const store::StandingFact& standing : store.tables().at("item").facts()) items.insert(item_of(standing));
   Verdict verdict;
   verdict.acknowledged = told_.size() + made_.size();
   verdict.gaps = gaps_;

@@ -51,7 +51,7 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(1, 100'000))
       ->capture_default_str();
   app.add_option("--seed", seed, "what chance begins from; the machine's timing has its share")
-      ->check(pizarra::seed_check())
+      ->check(pizarra::programs::seed_check())
       ->capture_default_str();
   app.footer(
       "Status 0 when nothing was lost, done twice or missed unnoticed; 1 otherwise; 2 for wrong arguments; 130 or\n"

@@ -9,8 +9,8 @@ namespace {
 
 class Table {
  public:
-  explicit Table(const PlanningTask& task) {
-    for (const PlanningObject& object : task.objects) blocks_.push_back(object.name);
+  explicit Table(const planner::PlanningTask& task) {
+    for (const planner::PlanningObject& object : task.objects) blocks_.push_back(object.name);
     for (const Datum& fact : task.initials) {
       if (fact.is_form("on")) under_[fact[1]] = fact[2];
     }
@@ -71,6 +71,6 @@ class Table {
 
 }  // namespace
 
-std::size_t blocks_greedy_actions(const PlanningTask& task) { return Table(task).run(); }
+std::size_t blocks_greedy_actions(const planner::PlanningTask& task) { return Table(task).run(); }
 
 }  // namespace pizarra::bench

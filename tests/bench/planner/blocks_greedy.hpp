@@ -10,6 +10,6 @@
 
 namespace pizarra::bench {
 
-std::size_t blocks_greedy_actions(const PlanningTask& task);
+std::size_t blocks_greedy_actions(const planner::PlanningTask& task);
 
 }  // namespace pizarra::bench

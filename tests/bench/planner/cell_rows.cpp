@@ -25,34 +25,35 @@ constexpr std::string_view operators_text = R"((
 (operator UNSTACK (params (<ob1> OBJECT) (<ob2> OBJECT)) (preconds (on <ob1> <ob2>) (clear <ob1>) (arm-empty))
   (effects (holding <ob1>) (clear <ob2>) (del (on <ob1> <ob2>)) (del (clear <ob1>)) (del (arm-empty))))))";
 
-std::string facts_text(const PlanningTask& task) {
+std::string facts_text(const planner::PlanningTask& task) {
   std::vector<Datum> types{"types"_sym}, initials{"initials"_sym}, goals{"goals"_sym};
-  for (const PlanningObject& object : task.objects) types.push_back(list(object.name, Datum::symbol(object.type)));
+  for (const planner::PlanningObject& object : task.objects)
+    types.push_back(list(object.name, Datum::symbol(object.type)));
   initials.insert(initials.end(), task.initials.begin(), task.initials.end());
   goals.insert(goals.end(), task.goals.begin(), task.goals.end());
   return write(list(Datum::list(types), Datum::list(initials), Datum::list(goals)));
 }
 
-Problem problem_of(const std::string& facts) {
+planner::Problem problem_of(const std::string& facts) {
   const Datum forms = read_one(facts).value();
-  const PlanningFacts read = facts_from_forms(forms[0], forms[1], forms[2]).value();
-  return ground(
-             {operators_from_list(read_one(operators_text).value()).value(), read.objects, read.initials, read.goals})
+  const planner::PlanningFacts read = planner::facts_from_forms(forms[0], forms[1], forms[2]).value();
+  return planner::ground({planner::operators_from_list(read_one(operators_text).value()).value(), read.objects,
+                          read.initials, read.goals})
       .value();
 }
 
-Outcome solved(OptimalSearch& search) {
-  Outcome outcome = search.run({}, [] { return false; });
-  if (outcome.kind != Outcome::Kind::plan) throw std::runtime_error("no plan for a cell");
+planner::Outcome solved(planner::OptimalSearch& search) {
+  planner::Outcome outcome = search.run({}, [] { return false; });
+  if (outcome.kind != planner::Outcome::Kind::plan) throw std::runtime_error("no plan for a cell");
   return outcome;
 }
 
 void plan_anew(PlannerBench& bench, std::size_t blocks) {
   const std::string facts = facts_text(blocks_problem(blocks, 1));
   const double seconds = medians_in_turns(rounds, {[&] {
-                                            const Problem problem = problem_of(facts);
-                                            OptimalSearch search(problem);
-                                            steps_of(problem, solved(search).steps);
+                                            const planner::Problem problem = problem_of(facts);
+                                            planner::OptimalSearch search(problem);
+                                            planner::steps_of(problem, solved(search).steps);
                                           }})
                              .front();
   bench.figures.say({fmt::format("cell of {} blocks, plan from text", blocks), seconds * 1000, "ms", at_most(1)});
@@ -60,14 +61,14 @@ void plan_anew(PlannerBench& bench, std::size_t blocks) {
 
 // The second action of the plan failed in the simplest way: the block is not where it went.
 void plan_again(PlannerBench& bench, std::size_t blocks) {
-  Problem problem = problem_of(facts_text(blocks_problem(blocks, 1)));
-  OptimalSearch search(problem);
-  const Bits before = problem.initials;
-  const Bits changed = after(before, problem.actions[solved(search).steps.front().front()]);
+  planner::Problem problem = problem_of(facts_text(blocks_problem(blocks, 1)));
+  planner::OptimalSearch search(problem);
+  const planner::Bits before = problem.initials;
+  const planner::Bits changed = planner::after(before, problem.actions[solved(search).steps.front().front()]);
   std::vector<double> samples;
   for (int round = 0; round < rounds; ++round) {
     problem.initials = round % 2 == 0 ? changed : before;
-    samples.push_back(pizarra::seconds_of([&] { solved(search); }));
+    samples.push_back(seconds_of([&] { solved(search); }));
   }
   bench.figures.say({fmt::format("cell of {} blocks, plan again", blocks),
                      percentile(samples, 0.5) * 1e6,

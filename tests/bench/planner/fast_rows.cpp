@@ -22,8 +22,8 @@ std::optional<double> known_greedy(std::size_t blocks) {
   return std::nullopt;
 }
 
-void say_after_a_while(PlannerBench& bench, const std::string& name, std::size_t blocks, const PlanningTask& task,
-                       std::optional<double> better_greedy = {}) {
+void say_after_a_while(PlannerBench& bench, const std::string& name, std::size_t blocks,
+                       const planner::PlanningTask& task, std::optional<double> better_greedy = {}) {
   const double time_s = blocks == 200 ? 10 : 1;
   const auto plan = bench.measure(task, Mode::fast, time_s);
   const std::size_t greedy = blocks_greedy_actions(task);
@@ -68,7 +68,7 @@ void fast_after_a_while(PlannerBench& bench) {
 }
 
 void fast_others(PlannerBench& bench) {
-  const auto say = [&](const std::string& name, const PlanningTask& task) {
+  const auto say = [&](const std::string& name, const planner::PlanningTask& task) {
     const auto plan = bench.measure(task, Mode::fast, 3);
     const std::string note =
         plan ? fmt::format("first after {:.1f} ms; {}", plan->seconds * 1000, note_of(*plan)) : "no plan";

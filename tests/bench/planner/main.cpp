@@ -11,15 +11,15 @@
 
 namespace pizarra::bench {
 
-std::optional<MeasuredPlan> PlannerBench::measure(const PlanningTask& task, Mode mode, double limit) {
+std::optional<MeasuredPlan> PlannerBench::measure(const planner::PlanningTask& task, Mode mode, double limit) {
   std::optional<MeasuredPlan> plan = measured(task, mode, limit);
   if (plan) most_memory_mb = std::max(most_memory_mb, plan->memory_mb);
   return plan;
 }
 
-PlanningTask PlannerBench::file(const std::string& domain, const std::string& name) const {
+planner::PlanningTask PlannerBench::file(const std::string& domain, const std::string& name) const {
   const std::string folder = pddl + "/" + domain;
-  Result<PlanningTask> task = read_task_files(folder + "/domain.pddl", folder + "/" + name + ".pddl");
+  Result<planner::PlanningTask> task = planner::read_task_files(folder + "/domain.pddl", folder + "/" + name + ".pddl");
   if (!task) throw std::runtime_error(task.error().sentence);
   return *task;
 }
@@ -83,7 +83,7 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
-  Figures figures("planner", json ? Figures::Style::json : Figures::Style::plain);
+  bench::Figures figures("planner", json ? bench::Figures::Style::json : bench::Figures::Style::plain);
   bench::PlannerBench bench{figures, bench::installed_peers(peers), pddl, limit_s, quick};
   bench::measure_rows(bench, only);
   return figures.finish();

@@ -25,25 +25,28 @@ double seconds_since(Clock::time_point start) { return std::chrono::duration<dou
 double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 // A line for the parent: "-" without a plan.
-std::string plan_line(const PlanningTask& task, Mode mode, double limit_s) {
+std::string plan_line(const planner::PlanningTask& task, Mode mode, double limit_s) {
   const Clock::time_point start = Clock::now();
   const double cpu_start_s = cpu_seconds();
-  const Result<Problem> problem = ground(task);
+  const Result<planner::Problem> problem = planner::ground(task);
   if (!problem) return "-\n";
   double first_s = 0, cpu_s = 0;
-  const auto better = [&](const Outcome&) {
+  const auto better = [&](const planner::Outcome&) {
     if (first_s == 0) first_s = seconds_since(start);
     cpu_s = cpu_seconds() - cpu_start_s;
   };
-  FastPlanner fast({.seed = 1, .better = better, .first_only = mode == Mode::fast_first});
-  OptimalPlanner optimal;
-  PlanEngine& engine = mode == Mode::optimal ? static_cast<PlanEngine&>(optimal) : fast;
-  const Budget unlimited{.nodes = std::size_t{1} << 60, .levels = std::size_t{1} << 30, .bytes = std::size_t{1} << 30};
-  const Outcome outcome = engine.solve(*problem, unlimited, [&] { return seconds_since(start) > limit_s; });
+  planner::FastPlanner fast({.seed = 1, .better = better, .first_only = mode == Mode::fast_first});
+  planner::OptimalPlanner optimal;
+  planner::PlanEngine& engine = mode == Mode::optimal ? static_cast<planner::PlanEngine&>(optimal) : fast;
+  const planner::Budget unlimited{
+      .nodes = std::size_t{1} << 60, .levels = std::size_t{1} << 30, .bytes = std::size_t{1} << 30};
+  const planner::Outcome outcome = engine.solve(*problem, unlimited, [&] { return seconds_since(start) > limit_s; });
   const double seconds = first_s > 0 ? first_s : seconds_since(start);
   if (first_s == 0) cpu_s = cpu_seconds() - cpu_start_s;
   const double memory_mb = peak_memory_mb();
-  if (outcome.kind != Outcome::Kind::plan || !validate_plan(task, steps_of(*problem, outcome.steps))) return "-\n";
+  if (outcome.kind != planner::Outcome::Kind::plan ||
+      !planner::validate_plan(task, planner::steps_of(*problem, outcome.steps)))
+    return "-\n";
   std::size_t actions = 0;
   for (const std::vector<std::size_t>& step : outcome.steps) actions += step.size();
   return fmt::format("{} {} {} {} {} {}\n", seconds, cpu_s, memory_mb, actions, outcome.steps.size(), outcome.engine);
@@ -51,10 +54,10 @@ std::string plan_line(const PlanningTask& task, Mode mode, double limit_s) {
 
 }  // namespace
 
-std::optional<MeasuredPlan> measured(const PlanningTask& task, Mode mode, double limit_s) {
+std::optional<MeasuredPlan> measured(const planner::PlanningTask& task, Mode mode, double limit_s) {
   Child child = Child::running([&](Pipe& parent) {
     const std::string line = plan_line(task, mode, limit_s);
-    if (write(parent.file(), line.data(), line.size()) < 0) _exit(1);
+    if (::write(parent.file(), line.data(), line.size()) < 0) _exit(1);
   });
   pollfd waiting{child.pipe().file(), POLLIN, 0};
   if (poll(&waiting, 1, static_cast<int>((limit_s + grace_s) * 1000)) != 1) return std::nullopt;

@@ -24,7 +24,7 @@ struct MeasuredPlan {
 };
 
 // None: no valid plan in the time given. In fast mode the plan is the best when the time is over.
-std::optional<MeasuredPlan> measured(const PlanningTask& task, Mode mode, double limit_s);
+std::optional<MeasuredPlan> measured(const planner::PlanningTask& task, Mode mode, double limit_s);
 std::string note_of(const MeasuredPlan& plan);
 
 }  // namespace pizarra::bench

@@ -20,7 +20,7 @@ Goal goal_of(const std::vector<Peer>& peers, std::optional<double> bound_s) {
   return at_most(*best / 3, "<= a third of the best optimal peer");
 }
 
-void say_optimal(PlannerBench& bench, const std::string& name, const PlanningTask& task,
+void say_optimal(PlannerBench& bench, const std::string& name, const planner::PlanningTask& task,
                  std::optional<double> bound_s = {}) {
   const std::optional<MeasuredPlan> plan = bench.measure(task, Mode::optimal, bench.limit_s);
   const std::vector<Peer> peers = seconds_of(bench.peers, task, bench.limit_s);

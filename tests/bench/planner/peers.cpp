@@ -36,14 +36,14 @@ std::vector<PeerPlanner> installed_peers(const std::vector<std::string>& given) 
   return peers;
 }
 
-std::vector<Peer> seconds_of(const std::vector<PeerPlanner>& peers, const PlanningTask& task, double limit_s) {
+std::vector<Peer> seconds_of(const std::vector<PeerPlanner>& peers, const planner::PlanningTask& task, double limit_s) {
   std::vector<Peer> measured;
   for (const PeerPlanner& peer : peers) {
     measured.push_back({peer.name, {}});
     if (!peer.command) continue;
-    const ExternalPlanner planner(*peer.command, {.seconds = limit_s});
-    Result<PlanSteps> plan = PlanSteps{};
-    const double seconds = pizarra::seconds_of([&] { plan = plan_externally(planner, task, [] { return false; }); });
+    const pddl_planner::ExternalPlanner planner(*peer.command, {.seconds = limit_s});
+    Result<planner::PlanSteps> plan = planner::PlanSteps{};
+    const double seconds = seconds_of([&] { plan = planner::plan_externally(planner, task, [] { return false; }); });
     if (plan) measured.back().value = seconds;
   }
   return measured;

@@ -23,7 +23,7 @@ struct PeerPlanner {
 // Madagascar M and FD with lmcut are optimal, FF is not.
 std::vector<PeerPlanner> installed_peers(const std::vector<std::string>& given);
 // From start to end of its process, with a plan that our validator accepts; none otherwise.
-std::vector<Peer> seconds_of(const std::vector<PeerPlanner>& peers, const PlanningTask& task, double limit_s);
+std::vector<Peer> seconds_of(const std::vector<PeerPlanner>& peers, const planner::PlanningTask& task, double limit_s);
 std::optional<double> fastest(const std::vector<Peer>& peers);
 
 }  // namespace pizarra::bench

@@ -9,32 +9,32 @@ namespace pizarra::bench {
 
 namespace {
 
-void add_objects(PlanningTask& task, std::string_view prefix, std::size_t count, const std::string& type) {
-  for (std::size_t i = 0; i < count; ++i) task.objects.push_back({form(fmt::format("{}{}", prefix, i)), type});
+void add_objects(planner::PlanningTask& task, std::string_view prefix, std::size_t count, const std::string& type) {
+  for (std::size_t i = 0; i < count; ++i) task.objects.push_back({planner::form(fmt::format("{}{}", prefix, i)), type});
 }
 
-void hold(PlanningTask& task, std::string_view facts) {
-  for (Datum& fact : facts_of(facts)) task.initials.push_back(std::move(fact));
+void hold(planner::PlanningTask& task, std::string_view facts) {
+  for (Datum& fact : planner::facts_of(facts)) task.initials.push_back(std::move(fact));
 }
 
-void want(PlanningTask& task, std::string_view facts) {
-  for (Datum& fact : facts_of(facts)) task.goals.push_back(std::move(fact));
+void want(planner::PlanningTask& task, std::string_view facts) {
+  for (Datum& fact : planner::facts_of(facts)) task.goals.push_back(std::move(fact));
 }
 
 }  // namespace
 
-PlanningTask blocks_problem(std::size_t blocks, std::uint64_t seed) {
+planner::PlanningTask blocks_problem(std::size_t blocks, std::uint64_t seed) {
   Random random(seed);
-  return random_blocks(blocks, random);
+  return planner::random_blocks(blocks, random);
 }
 
-PlanningTask hanoi_problem(std::size_t discs) {
-  PlanningTask task;
+planner::PlanningTask hanoi_problem(std::size_t discs) {
+  planner::PlanningTask task;
   task.operators = {{"MOVE",
                      {{"?disc", "DISC"}, {"?from", "THING"}, {"?to", "THING"}},
-                     facts_of("(smaller ?disc ?to) (on ?disc ?from) (clear ?disc) (clear ?to)"),
-                     facts_of("(clear ?from) (on ?disc ?to)"),
-                     facts_of("(on ?disc ?from) (clear ?to)")}};
+                     planner::facts_of("(smaller ?disc ?to) (on ?disc ?from) (clear ?disc) (clear ?to)"),
+                     planner::facts_of("(clear ?from) (on ?disc ?to)"),
+                     planner::facts_of("(on ?disc ?from) (clear ?to)")}};
   task.types = {{"DISC", "THING"}};
   add_objects(task, "d", discs, "DISC");
   add_objects(task, "peg", 3, "THING");
@@ -50,23 +50,23 @@ PlanningTask hanoi_problem(std::size_t discs) {
   return task;
 }
 
-PlanningTask gripper_problem(std::size_t balls) {
-  PlanningTask task;
+planner::PlanningTask gripper_problem(std::size_t balls) {
+  planner::PlanningTask task;
   task.operators = {{"MOVE",
                      {{"?from", "ROOM"}, {"?to", "ROOM"}},
-                     facts_of("(at-robby ?from)"),
-                     facts_of("(at-robby ?to)"),
-                     facts_of("(at-robby ?from)")},
+                     planner::facts_of("(at-robby ?from)"),
+                     planner::facts_of("(at-robby ?to)"),
+                     planner::facts_of("(at-robby ?from)")},
                     {"PICK",
                      {{"?ball", "BALL"}, {"?room", "ROOM"}, {"?gripper", "GRIPPER"}},
-                     facts_of("(at ?ball ?room) (at-robby ?room) (free ?gripper)"),
-                     facts_of("(carry ?ball ?gripper)"),
-                     facts_of("(at ?ball ?room) (free ?gripper)")},
+                     planner::facts_of("(at ?ball ?room) (at-robby ?room) (free ?gripper)"),
+                     planner::facts_of("(carry ?ball ?gripper)"),
+                     planner::facts_of("(at ?ball ?room) (free ?gripper)")},
                     {"DROP",
                      {{"?ball", "BALL"}, {"?room", "ROOM"}, {"?gripper", "GRIPPER"}},
-                     facts_of("(carry ?ball ?gripper) (at-robby ?room)"),
-                     facts_of("(at ?ball ?room) (free ?gripper)"),
-                     facts_of("(carry ?ball ?gripper)")}};
+                     planner::facts_of("(carry ?ball ?gripper) (at-robby ?room)"),
+                     planner::facts_of("(at ?ball ?room) (free ?gripper)"),
+                     planner::facts_of("(carry ?ball ?gripper)")}};
   add_objects(task, "room", 2, "ROOM");
   add_objects(task, "ball", balls, "BALL");
   add_objects(task, "gripper", 2, "GRIPPER");
@@ -78,23 +78,23 @@ PlanningTask gripper_problem(std::size_t balls) {
   return task;
 }
 
-PlanningTask logistics_problem(std::size_t cities, std::size_t parcels, std::uint64_t seed) {
-  PlanningTask task;
+planner::PlanningTask logistics_problem(std::size_t cities, std::size_t parcels, std::uint64_t seed) {
+  planner::PlanningTask task;
   task.operators = {{"LOAD",
                      {{"?parcel", "PARCEL"}, {"?vehicle", "VEHICLE"}, {"?place", "PLACE"}},
-                     facts_of("(at ?parcel ?place) (at ?vehicle ?place)"),
-                     facts_of("(in ?parcel ?vehicle)"),
-                     facts_of("(at ?parcel ?place)")},
+                     planner::facts_of("(at ?parcel ?place) (at ?vehicle ?place)"),
+                     planner::facts_of("(in ?parcel ?vehicle)"),
+                     planner::facts_of("(at ?parcel ?place)")},
                     {"UNLOAD",
                      {{"?parcel", "PARCEL"}, {"?vehicle", "VEHICLE"}, {"?place", "PLACE"}},
-                     facts_of("(in ?parcel ?vehicle) (at ?vehicle ?place)"),
-                     facts_of("(at ?parcel ?place)"),
-                     facts_of("(in ?parcel ?vehicle)")},
+                     planner::facts_of("(in ?parcel ?vehicle) (at ?vehicle ?place)"),
+                     planner::facts_of("(at ?parcel ?place)"),
+                     planner::facts_of("(in ?parcel ?vehicle)")},
                     {"GO",
                      {{"?vehicle", "VEHICLE"}, {"?from", "PLACE"}, {"?to", "PLACE"}},
-                     facts_of("(at ?vehicle ?from) (way ?vehicle ?from ?to)"),
-                     facts_of("(at ?vehicle ?to)"),
-                     facts_of("(at ?vehicle ?from)")}};
+                     planner::facts_of("(at ?vehicle ?from) (way ?vehicle ?from ?to)"),
+                     planner::facts_of("(at ?vehicle ?to)"),
+                     planner::facts_of("(at ?vehicle ?from)")}};
   add_objects(task, "parcel", parcels, "PARCEL");
   add_objects(task, "truck", cities, "VEHICLE");
   add_objects(task, "plane", 1, "VEHICLE");

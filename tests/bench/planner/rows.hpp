@@ -17,9 +17,9 @@ struct PlannerBench {
   double most_memory_mb = 0;
 
   // Measures, and remembers the memory. A plan that does not come within the limit is said with that, as unmet.
-  std::optional<MeasuredPlan> measure(const PlanningTask& task, Mode mode, double limit);
+  std::optional<MeasuredPlan> measure(const planner::PlanningTask& task, Mode mode, double limit);
   // A problem of --pddl, in the folder of its domain. Throws where it cannot be read.
-  PlanningTask file(const std::string& domain, const std::string& name) const;
+  planner::PlanningTask file(const std::string& domain, const std::string& name) const;
 };
 
 void smallest(PlannerBench& bench);      // seconds in all, for a test

@@ -72,8 +72,8 @@ class Echo {
   std::unique_ptr<Watch> heard_;
 };
 
-Task<Result<void>> track_all(Caller& caller, const LearnedObjects& marks) {
-  for (const LearnedObject& object : marks.all()) {
+Task<Result<void>> track_all(runtime::Caller& caller, const vision::LearnedObjects& marks) {
+  for (const vision::LearnedObject& object : marks.all()) {
     const Datum operation = list("track"_sym, object.name);
     const Result<Datum> tracked = co_await caller.call("vision", operation, patience);
     if (!tracked) co_return fail(tracked);
@@ -81,11 +81,12 @@ Task<Result<void>> track_all(Caller& caller, const LearnedObjects& marks) {
   co_return Result<void>();
 }
 
-Task<Result<Latencies>> measure(AgentContext& context, const LearnedObjects& marks, const LatencyClock& clock) {
-  Service service(context, contract_from_text(Echo::contract).value());
+Task<Result<Latencies>> measure(runtime::AgentContext& context, const vision::LearnedObjects& marks,
+                                const LatencyClock& clock) {
+  runtime::Service service(context, runtime::contract_from_text(Echo::contract).value());
   const Result<void> started = co_await service.start();
   if (!started) co_return fail(started);
-  Caller caller(context, service);
+  runtime::Caller caller(context, service);
   const Result<void> tracked = co_await track_all(caller, marks);
   if (!tracked) co_return fail(tracked);
   const Query said = query_for(list("vision-says"_sym, "vision"_sym, "?frame"_sym, "?text"_sym));
@@ -121,8 +122,8 @@ Task<Result<Latencies>> measure(AgentContext& context, const LearnedObjects& mar
 double Latencies::track_ms(double part) const { return ms(track_us, part); }
 double Latencies::board_ms(double part) const { return ms(board_us, part); }
 
-Latencies latencies(Executor& executor, Board& board, const LearnedObjects& marks, const LatencyClock& clock) {
-  AgentContext context{"bench", "here", executor, board, Random(2)};
+Latencies latencies(Executor& executor, Board& board, const vision::LearnedObjects& marks, const LatencyClock& clock) {
+  runtime::AgentContext context{"bench", "here", executor, board, Random(2)};
   Result<Latencies> took = run(executor, measure(context, marks, clock));
   if (!took) throw std::runtime_error(describe(took.error()));
   return std::move(*took);
@@ -141,11 +142,11 @@ std::vector<Shot> moving_marks(std::uint64_t seed) {
   return out;
 }
 
-std::string objects_folder(const TemporaryFolder& folder, const LearnedObjects& marks) {
+std::string objects_folder(const TemporaryFolder& folder, const vision::LearnedObjects& marks) {
   const std::string path = folder.path() + "/objects";
-  ObjectDatabase database = ObjectDatabase::open(path).value();
-  for (const LearnedObject& object : marks.all()) {
-    const Result<std::int64_t> kept = database.apply(KeepSample{object.name, object.samples.front()});
+  vision::ObjectDatabase database = vision::ObjectDatabase::open(path).value();
+  for (const vision::LearnedObject& object : marks.all()) {
+    const Result<std::int64_t> kept = database.apply(vision::KeepSample{object.name, object.samples.front()});
     if (!kept) throw std::runtime_error(describe(kept.error()));
   }
   return path;

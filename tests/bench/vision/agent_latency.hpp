@@ -33,7 +33,7 @@ struct LatencyClock {
 };
 
 // Throws where the agent or the board fails, or a mark is lost.
-Latencies latencies(Executor& executor, Board& board, const LearnedObjects& marks, const LatencyClock& clock);
+Latencies latencies(Executor& executor, Board& board, const vision::LearnedObjects& marks, const LatencyClock& clock);
 
 // Five marks that go to and fro, at most 5 px from one to the next.
 struct Shot {
@@ -43,6 +43,6 @@ struct Shot {
 std::vector<Shot> moving_marks(std::uint64_t seed);
 
 // A folder with the database of the marks, for an agent to begin with.
-std::string objects_folder(const TemporaryFolder& folder, const LearnedObjects& marks);
+std::string objects_folder(const TemporaryFolder& folder, const vision::LearnedObjects& marks);
 
 }  // namespace pizarra::bench

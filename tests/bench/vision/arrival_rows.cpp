@@ -22,7 +22,7 @@ constexpr int frames_per_s = 120;
 double now_us() { return std::chrono::duration<double, std::micro>(Clock::now().time_since_epoch()).count(); }
 
 // A device that shows the moving marks, both images side by side, and says when the capture thread had each.
-class MovingMarks : public FrameSource {
+class MovingMarks : public camera::FrameSource {
  public:
   MovingMarks(std::uint64_t seed, Pipe& arrivals) : arrivals_(arrivals) {
     for (const Shot& shot : moving_marks(seed)) cv::hconcat(shot.left, shot.right, shots_.emplace_back());
@@ -53,7 +53,7 @@ class MovingMarks : public FrameSource {
   std::size_t retrieved_ = 0;
 };
 
-Task<void> live(Agent& agent) {
+Task<void> live(runtime::Agent& agent) {
   const Result<void> ended = co_await agent.run();
   if (!ended) throw std::runtime_error(describe(ended.error()));
 }
@@ -61,17 +61,17 @@ Task<void> live(Agent& agent) {
 // An agent as a cell runs it, but for its camera.
 void be_the_eyes(Pipe& parent, const std::string& board_at, const std::string& objects, std::uint64_t seed) {
   RealExecutor executor;
-  const std::unique_ptr<RemoteBoard> board = RemoteBoard::connect(executor, board_at, "vision").value();
-  const CameraSetup setup{.arrangement = CameraSetup::Arrangement::side_by_side,
-                          .sources = {{CameraSource::Kind::device, "moving marks"}},
-                          .focal_px = scene_camera().focal_px,
-                          .base_line_mm = scene_camera().base_line_mm};
-  VideoCamera camera(executor, setup, [&] {
-    StereoReader::Sources out;
+  const std::unique_ptr<client::RemoteBoard> board = client::RemoteBoard::connect(executor, board_at, "vision").value();
+  const forms::CameraSetup setup{.arrangement = forms::CameraSetup::Arrangement::side_by_side,
+                                 .sources = {{forms::CameraSource::Kind::device, "moving marks"}},
+                                 .focal_px = scene_camera().focal_px,
+                                 .base_line_mm = scene_camera().base_line_mm};
+  camera::VideoCamera camera(executor, setup, [&] {
+    camera::StereoReader::Sources out;
     out.push_back(std::make_unique<MovingMarks>(seed, parent));
     return out;
   });
-  VisionAgent vision({"vision", "here", executor, *board, Random(1)}, camera, nullptr, {objects});
+  vision::VisionAgent vision({"vision", "here", executor, *board, Random(1)}, camera, nullptr, {objects});
   const Job running = executor.spawn(live(vision));
   executor.run_until([&] { return running.done(); });
 }
@@ -91,7 +91,7 @@ void arrival(VisionBench& bench) {
     return arrivals_us[frame - 1];
   };
   RealExecutor executor;
-  const std::unique_ptr<RemoteBoard> board = RemoteBoard::connect(executor, board_at, "bench").value();
+  const std::unique_ptr<client::RemoteBoard> board = client::RemoteBoard::connect(executor, board_at, "bench").value();
   const Latencies took = latencies(executor, *board, bench.marks, {now_us, arrival_us});
   const double board_ms = took.board_ms(0.99);
   const double waited_ms = eyes.waited_for_core_ms() / latency_frames;

@@ -103,7 +103,7 @@ constexpr std::array<Piece, 5> solid_pieces = {sector, house, trapezoid, kite, d
 void add_clutter(Scene& scene, int most, bool solids, Random& random) {
   std::vector<Piece> chosen(pieces.begin(), pieces.end());
   if (solids) chosen.insert(chosen.end(), solid_pieces.begin(), solid_pieces.end());
-  const StereoModel& camera = scene_camera();
+  const camera::StereoModel& camera = scene_camera();
   const auto count = static_cast<int>(random.below(static_cast<std::uint64_t>(most) + 1));
   for (int i = 0; i < count; ++i) {
     const double across = random.uniform(8, 60);

@@ -27,7 +27,7 @@ std::shared_ptr<const Image> as_image(const cv::Mat& mat) {
 }
 
 // Shows the moving marks, and notes what had been computed when each frame came.
-class MovingMarks : public StereoCamera {
+class MovingMarks : public camera::StereoCamera {
  public:
   MovingMarks(Executor& executor, std::uint64_t seed) : executor_(executor) {
     for (const Shot& shot : moving_marks(seed)) {
@@ -35,10 +35,10 @@ class MovingMarks : public StereoCamera {
       rights_.push_back(as_image(shot.right));
     }
   }
-  Task<Result<StereoModel>> open() override { co_return scene_camera(); }
-  Task<Result<StereoFrame>> next(Time, bool) override {
+  Task<Result<camera::StereoModel>> open() override { co_return scene_camera(); }
+  Task<Result<camera::StereoFrame>> next(Time, bool) override {
     co_await sleep(executor_, between_frames);
-    StereoFrame frame;
+    camera::StereoFrame frame;
     frame.number = ++number_;
     frame.captured = executor_.now();
     frame.left = lefts_[frame.number % lefts_.size()];
@@ -55,7 +55,7 @@ class MovingMarks : public StereoCamera {
   std::vector<std::shared_ptr<const Image>> rights_;
 };
 
-Task<void> live(Agent& agent) {
+Task<void> live(runtime::Agent& agent) {
   // That it ended early shows in what is measured.
   [[maybe_unused]] const Result<void> ended = co_await agent.run();
 }
@@ -65,15 +65,15 @@ Task<void> live(Agent& agent) {
 void computing(VisionBench& bench) {
   const TemporaryFolder folder;
   RealExecutor executor;
-  MemoryBoard board(executor);
+  memory::MemoryBoard board(executor);
   MovingMarks camera(executor, bench.seed);
   const std::unique_ptr<Board> eyes = board.view("vision");
   const std::unique_ptr<Board> ears = board.view("bench");
-  VisionAgent vision({"vision", "here", executor, *eyes, Random(1)}, camera, nullptr,
-                     {objects_folder(folder, bench.marks)});
+  vision::VisionAgent vision({"vision", "here", executor, *eyes, Random(1)}, camera, nullptr,
+                             {objects_folder(folder, bench.marks)});
   const Job running = executor.spawn(live(vision));
-  const Latencies took = latencies(executor, *ears, bench.marks,
-                                   {thread_us, [&](std::uint64_t frame) { return camera.arrival_us.at(frame); }});
+  const memory::Latencies took = latencies(
+      executor, *ears, bench.marks, {thread_us, [&](std::uint64_t frame) { return camera.arrival_us.at(frame); }});
   bench.figures.say({"frame to track fact, computing alone, p99",
                      took.track_ms(0.99),
                      "ms",

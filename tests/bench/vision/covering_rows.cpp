@@ -32,11 +32,11 @@ constexpr SceneRanges lab_ranges = {.least_light = 0.7,
 enum class Way : std::uint8_t { hand, mark_slowly, mark_quickly, both };
 
 struct Covering {
-  SceneMark mark;      // in the middle of its way
-  double direction;    // radians, where the hand comes from
-  double speed_mm;     // a frame, of the one against the other
-  double by_mark;      // which part of that the mark moves
-  double aside;        // and how far along the hand's edge meanwhile, for every mm
+  SceneMark mark;    // in the middle of its way
+  double direction;  // radians, where the hand comes from
+  double speed_mm;   // a frame, of the one against the other
+  double by_mark;    // which part of that the mark moves
+  double aside;      // and how far along the hand's edge meanwhile, for every mm
   double level;
   double depth_mm;
 
@@ -65,8 +65,13 @@ double random_speed_mm(Way way, Random& random) {
 Covering random_covering(Way way, const Scene& scene, Random& random) {
   const double levels[] = {60, 110, scene.ground_level};
   const double depth_mm = scene.marks.front().depth_mm;
-  Covering out{scene.marks.front(), random.uniform(0, 2 * CV_PI), random_speed_mm(way, random), 0, 0,
-               levels[random.below(3)], depth_mm * (random.below(2) == 0 ? 0.98 : 0.8)};
+  Covering out{scene.marks.front(),
+               random.uniform(0, 2 * CV_PI),
+               random_speed_mm(way, random),
+               0,
+               0,
+               levels[random.below(3)],
+               depth_mm * (random.below(2) == 0 ? 0.98 : 0.8)};
   if (way == Way::hand) return out;
   out.mark.centre = {random.uniform(140, 220), random.uniform(90, 150)};
   out.by_mark = way == Way::both ? random.uniform(-1, 1.5) : 1;
@@ -80,7 +85,7 @@ struct Told {
   int sure = 0;
   int surely_wrong = 0;
 
-  void count(const std::vector<TrackSighting>& sightings, cv::Point2d truth) {
+  void count(const std::vector<vision::TrackSighting>& sightings, cv::Point2d truth) {
     if (!sightings.front().seen) return;
     ++seen;
     const double off_px = cv::norm(sightings.front().centre - truth);
@@ -99,19 +104,19 @@ struct ToldToBoth {
 };
 
 // There and back.
-void cover(const LearnedObjects& objects, const Scene& scene, const Covering& covering, Random& random,
+void cover(const vision::LearnedObjects& objects, const Scene& scene, const Covering& covering, Random& random,
            ToldToBoth& told) {
-  const StereoModel left_camera = scene_camera_alone();
-  MarkTracker one(objects);
-  MarkTracker pair(objects);
-  for (MarkTracker* tracker : {&one, &pair}) {
+  const camera::StereoModel left_camera = scene_camera_alone();
+  vision::MarkTracker one(objects);
+  vision::MarkTracker pair(objects);
+  for (vision::MarkTracker* tracker : {&one, &pair}) {
     if (!tracker->add(*objects.find(covering.mark.name))) throw std::runtime_error("too many objects");
   }
   Time time = {};
   const auto look = [&](const Scene& now) {
     const cv::Mat1b left = draw(now, Side::left, random);
-    StereoSight alone(left, cv::Mat1b::zeros(left.size()), left_camera);
-    StereoSight both(left, draw(now, Side::right, random), scene_camera());
+    vision::StereoSight alone(left, cv::Mat1b::zeros(left.size()), left_camera);
+    vision::StereoSight both(left, draw(now, Side::right, random), scene_camera());
     time += 100ms;
     told.by_one.count(one.update(alone, time), now.marks.front().centre);
     told.by_pair.count(pair.update(both, time), now.marks.front().centre);
@@ -124,12 +129,12 @@ void cover(const LearnedObjects& objects, const Scene& scene, const Covering& co
 }
 
 // The first of ArUco's tags.
-LearnedObjects tag_learned() {
-  LearnedSample sample;
+vision::LearnedObjects tag_learned() {
+  vision::LearnedSample sample;
   sample.number = 1;
-  sample.tag = Tag{"aruco-4x4-50", 0};
+  sample.tag = vision::Tag{"aruco-4x4-50", 0};
   sample.size_mm = tag_mm / std::sqrt(12);
-  LearnedObjects out;
+  vision::LearnedObjects out;
   out.add("tag", std::move(sample));
   return out;
 }
@@ -151,7 +156,7 @@ ToldToBoth cover_marks(const VisionBench& bench, Way way, const std::string& nam
 }
 
 ToldToBoth cover_tags(const VisionBench& bench, int runs) {
-  const LearnedObjects tags = tag_learned();
+  const vision::LearnedObjects tags = tag_learned();
   ToldToBoth out;
   for (int i = 0; i < runs; ++i) {
     Random random = Random(bench.seed).split(fmt::format("covering tag {}", i));
@@ -166,13 +171,13 @@ ToldToBoth cover_tags(const VisionBench& bench, int runs) {
 
 void say_sure(VisionBench& bench, const std::string& name, const ToldToBoth& told, int runs) {
   for (const auto& [who, by] : {std::pair("a pair", told.by_pair), std::pair("one camera", told.by_one)}) {
-    bench.figures.say({fmt::format("surely told 1 px off, {}, {}", name, who),
-                       by.percent_of_sure(),
-                       "%",
-                       at_most(most_wrong_percent),
-                       {},
-                       fmt::format("{} of {} sure ones of {} positions, {} times", by.surely_wrong, by.sure, by.seen,
-                                   runs)});
+    bench.figures.say(
+        {fmt::format("surely told 1 px off, {}, {}", name, who),
+         by.percent_of_sure(),
+         "%",
+         at_most(most_wrong_percent),
+         {},
+         fmt::format("{} of {} sure ones of {} positions, {} times", by.surely_wrong, by.sure, by.seen, runs)});
   }
 }
 

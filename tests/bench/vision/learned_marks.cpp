@@ -12,18 +12,18 @@ Scene learning_scene() {
   return scene;
 }
 
-LearnedObjects learn_marks(std::uint64_t seed) {
-  LearnedObjects out;
+vision::LearnedObjects learn_marks(std::uint64_t seed) {
+  vision::LearnedObjects out;
   Random random = Random(seed).split("learning");
   const Scene scene = learning_scene();
   for (const SceneMark& mark : scene.marks) {
-    MarkLearner learner(mark.name, mark.centre, out);
+    vision::MarkLearner learner(mark.name, mark.centre, out);
     while (!learner.done()) {
-      StereoSight sight(draw(scene, Side::left, random), draw(scene, Side::right, random), scene_camera());
+      vision::StereoSight sight(draw(scene, Side::left, random), draw(scene, Side::right, random), scene_camera());
       const Result<void> fed = learner.feed(sight);
       if (!fed) throw std::runtime_error(mark.name + " cannot be learned: " + describe(fed.error()));
     }
-    LearnedSample sample = learner.sample();
+    vision::LearnedSample sample = learner.sample();
     sample.number = 1;
     out.add(mark.name, std::move(sample));
   }

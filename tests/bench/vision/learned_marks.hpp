@@ -11,6 +11,6 @@ namespace pizarra::bench {
 Scene learning_scene();
 
 // Throws where one cannot be learned.
-LearnedObjects learn_marks(std::uint64_t seed);
+vision::LearnedObjects learn_marks(std::uint64_t seed);
 
 }  // namespace pizarra::bench

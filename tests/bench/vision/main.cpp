@@ -15,10 +15,10 @@ struct Row {
 };
 
 using namespace pizarra::bench;
-constexpr std::array table = {Row{"find", find_time},      Row{"track", track_time},    Row{"tags", tag_time},
-                              Row{"scenes", recall},       Row{"solids", solids},       Row{"unlearned", unlearned},
-                              Row{"depth", depth},         Row{"sequences", sequences}, Row{"covering", coverings},
-                              Row{"arrival", arrival},     Row{"computing", computing}, Row{"memory", agent_memory}};
+constexpr std::array table = {Row{"find", find_time},  Row{"track", track_time},    Row{"tags", tag_time},
+                              Row{"scenes", recall},   Row{"solids", solids},       Row{"unlearned", unlearned},
+                              Row{"depth", depth},     Row{"sequences", sequences}, Row{"covering", coverings},
+                              Row{"arrival", arrival}, Row{"computing", computing}, Row{"memory", agent_memory}};
 
 }  // namespace
 
@@ -41,10 +41,11 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
   app.add_option("--seed", seed, "what the scenes, the camera, its noise and what is learned are drawn from")
-      ->check(pizarra::seed_check())
+      ->check(pizarra::programs::seed_check())
       ->capture_default_str();
-  app.footer("Row scenes has clutter that is not solid and convex; row solids has such things as well.\n"
-             "Status 0 when every figure was measured, short or not; 1 when one was not; 2 for wrong arguments.");
+  app.footer(
+      "Row scenes has clutter that is not solid and convex; row solids has such things as well.\n"
+      "Status 0 when every figure was measured, short or not; 1 when one was not; 2 for wrong arguments.");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -31,11 +31,11 @@ struct Place {
   Datum y;
 };
 
-Task<Result<void>> learn_and_track(AgentContext& context, std::vector<Place> places) {
-  Service service(context, contract_from_text("(contract bench)").value());
+Task<Result<void>> learn_and_track(runtime::AgentContext& context, std::vector<Place> places) {
+  runtime::Service service(context, runtime::contract_from_text("(contract bench)").value());
   const Result<void> started = co_await service.start();
   if (!started) co_return fail(started);
-  Caller caller(context, service);
+  runtime::Caller caller(context, service);
   for (const Place& place : places) {
     const Datum learn = list("learn"_sym, place.x, place.y, place.name);
     const Result<Datum> learned = co_await caller.call("vision", learn, patience);
@@ -53,12 +53,12 @@ Task<Result<void>> learn_and_track(AgentContext& context, std::vector<Place> pla
   co_return Result<void>();
 }
 
-Task<Result<std::vector<Place>>> places_of_cubes(SocketLink& world) {
+Task<Result<std::vector<Place>>> places_of_cubes(simulation::SocketLink& world) {
   std::vector<Place> out;
   const std::vector<std::string> names{"circle", "triangle", "cross", "square"};
   for (const std::string& name : names) {
     const Datum question = list("where-seen"_sym, name);
-    const Result<Message> place = co_await world.call(question, patience);
+    const Result<simulation::Message> place = co_await world.call(question, patience);
     if (!place) co_return fail(place);
     out.push_back({name, place->head[0], place->head[1]});
   }
@@ -118,9 +118,10 @@ void simulated(VisionBench& bench) {
   RealExecutor executor;
   zmq::context_t sockets(1);
   {
-    const std::unique_ptr<RemoteBoard> view = RemoteBoard::connect(executor, there.board_at, "bench").value();
-    SocketLink link(executor, sockets, world_at);
-    AgentContext context{"bench", "here", executor, *view, Random(1)};
+    const std::unique_ptr<client::RemoteBoard> view =
+        client::RemoteBoard::connect(executor, there.board_at, "bench").value();
+    simulation::SocketLink link(executor, sockets, world_at);
+    runtime::AgentContext context{"bench", "here", executor, *view, Random(1)};
     const std::vector<Place> places = value_of(run(executor, places_of_cubes(link)));
     value_of(run(executor, learn_and_track(context, places)));
   }
@@ -137,8 +138,9 @@ void own(VisionBench& bench, const std::string& camera, const std::string& sourc
       Child::program({program_beside("pizarra-agent"), "agent", "vision", there.cell, "--board", there.board_at});
   RealExecutor executor;
   {
-    const std::unique_ptr<RemoteBoard> view = RemoteBoard::connect(executor, there.board_at, "bench").value();
-    AgentContext context{"bench", "here", executor, *view, Random(1)};
+    const std::unique_ptr<client::RemoteBoard> view =
+        client::RemoteBoard::connect(executor, there.board_at, "bench").value();
+    runtime::AgentContext context{"bench", "here", executor, *view, Random(1)};
     value_of(run(executor, learn_and_track(context, places_of_marks(scene))));
   }
   say_memory(bench, camera, vision);

@@ -11,7 +11,7 @@ namespace pizarra::bench {
 struct VisionBench {
   Figures& figures;
   std::vector<TagDetector> peers;
-  LearnedObjects marks;
+  vision::LearnedObjects marks;
   std::uint64_t seed = 1;
   int scenes = 10000;
   int runs = 1000;

@@ -38,8 +38,8 @@ void paint_things(cv::Mat1f& image, const Scene& scene, bool in_front, Side side
   }
 }
 
-StereoModel random_camera(Random random) {
-  StereoModel out{.width = 320, .height = 240};
+camera::StereoModel random_camera(Random random) {
+  camera::StereoModel out{.width = 320, .height = 240};
   out.focal_px = random.uniform(400, 460);
   out.base_line_mm = random.uniform(60, 95);
   out.centre_x_px = 159.5 + random.uniform(-4, 4);
@@ -48,7 +48,7 @@ StereoModel random_camera(Random random) {
 }
 
 struct Sensor {
-  StereoModel camera;
+  camera::StereoModel camera;
   std::vector<float> normal;  // numbers drawn once; each image reads them from places of its own
 
   explicit Sensor(std::uint64_t seed) : camera(random_camera(Random(seed).split("camera"))), normal(1 << 17) {
@@ -79,7 +79,7 @@ cv::Mat1b exposed(const cv::Mat1f& image, const Scene& scene, Random& random) {
 // Where both images show the whole of a mark that reaches `reach_px`, and nothing placed before it is touched.
 std::optional<SceneMark> free_place(const std::vector<SceneMark>& others, SceneMark mark, Random& random) {
   const auto reach = [](const SceneMark& m) { return light_reach_mm * scale_at(m.depth_mm); };
-  const StereoModel& camera = scene_camera();
+  const camera::StereoModel& camera = scene_camera();
   const double margin = reach(mark) + 2;
   const double left_margin = std::min(margin + disparity_px(mark.depth_mm), camera.width - margin - 1);
   for (int attempt = 0; attempt < 60; ++attempt) {
@@ -115,10 +115,10 @@ const std::vector<std::string>& scene_marks() {
 
 void set_scene_seed(std::uint64_t seed) { sensor() = Sensor(seed); }
 
-const StereoModel& scene_camera() { return sensor().camera; }
+const camera::StereoModel& scene_camera() { return sensor().camera; }
 
-StereoModel scene_camera_alone() {
-  StereoModel out = scene_camera();
+camera::StereoModel scene_camera_alone() {
+  camera::StereoModel out = scene_camera();
   out.base_line_mm = 0;
   out.learned_at_mm = learning_depth_mm;
   return out;
@@ -151,7 +151,7 @@ Scene with_tags(Scene scene, const std::vector<cv::Mat1b>& tags) {
 }
 
 cv::Mat1b draw(const Scene& scene, Side side, Random& random) {
-  const StereoModel& camera = scene_camera();
+  const camera::StereoModel& camera = scene_camera();
   cv::Mat1f image(camera.height, camera.width, static_cast<float>(scene.ground_level));
   paint_things(image, scene, false, side);
   for (const SceneMark& mark : scene.marks) {

@@ -86,9 +86,9 @@ const std::vector<std::string>& scene_marks();
 // What scenes are drawn with: a camera, its focal length from 400 to 460 px, its base line from 60 to 95 mm, its centre
 // up to 4 px beside the image's; and the sensor's noise. Both are drawn from a seed: 1, until another is set.
 void set_scene_seed(std::uint64_t seed);
-const StereoModel& scene_camera();
+const camera::StereoModel& scene_camera();
 // Its left one, where objects are learned at learning_depth_mm.
-StereoModel scene_camera_alone();
+camera::StereoModel scene_camera_alone();
 
 // The marks that are present do not touch one another, the clutter or the border of either image.
 Scene random_scene(const SceneRanges& ranges, Random& random);

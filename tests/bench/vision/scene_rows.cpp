@@ -53,15 +53,15 @@ const SceneMark* mark_in(const Scene& scene, const std::string& name) {
 }
 
 void find_marks(const VisionBench& bench, const Scene& scene, const cv::Mat1b& image, Tally& tally) {
-  const StereoModel camera = scene_camera_alone();
-  StereoSight sight(image, cv::Mat1b::zeros(image.size()), camera);
-  for (const LearnedObject& object : bench.marks.all()) {
-    const std::optional<SeenPair> seen = sight.find(bench.marks, object);
+  const camera::StereoModel camera = scene_camera_alone();
+  vision::StereoSight sight(image, cv::Mat1b::zeros(image.size()), camera);
+  for (const vision::LearnedObject& object : bench.marks.all()) {
+    const std::optional<vision::SeenPair> seen = sight.find(bench.marks, object);
     const int found_before = tally.found;
     const SceneMark* truth = mark_in(scene, object.name);
     tally.count(truth, seen ? &seen->left.centre : nullptr);
     if (tally.found == found_before) continue;
-    const int sure = confidence_at_first(sight, object, *seen) >= surely ? 1 : 0;
+    const int sure = vision::confidence_at_first(sight, object, *seen) >= surely ? 1 : 0;
     tally.sure += sure;
     if (!is_smaller_triangle(*truth)) continue;
     ++tally.smaller;
@@ -85,11 +85,12 @@ void say_recall(VisionBench& bench, const std::string& where, const Tally& ours,
 }
 
 // Of the mark, as FIND tells it; nothing where the pair does not see it.
-std::optional<SeenRange> found_range(StereoSight& sight, const LearnedObjects& marks, const std::string& name) {
-  const LearnedObject& object = *marks.find(name);
-  const std::optional<SeenPair> pair = sight.find(marks, object);
+std::optional<vision::SeenRange> found_range(vision::StereoSight& sight, const vision::LearnedObjects& marks,
+                                             const std::string& name) {
+  const vision::LearnedObject& object = *marks.find(name);
+  const std::optional<vision::SeenPair> pair = sight.find(marks, object);
   if (!pair || !pair->right) return std::nullopt;
-  return range_of(sight, object, *pair, confidence_at_first(sight, object, *pair));
+  return vision::range_of(sight, object, *pair, vision::confidence_at_first(sight, object, *pair));
 }
 
 void say_wrong(VisionBench& bench, const std::string& where, const Tally& ours, std::vector<Peer> peers) {
@@ -122,12 +123,8 @@ void recall(VisionBench& bench) {
   };
   say_recall(bench, "", ours, of_peers([](const Tally& t) { return t.recall_percent(); }));
   say_wrong(bench, "", ours, of_peers([](const Tally& t) { return t.wrong_in_10000(); }));
-  bench.figures.say({"found surely",
-                     ours.sure_percent(),
-                     "%",
-                     {},
-                     {},
-                     fmt::format("{} of {} found", ours.sure, ours.found)});
+  bench.figures.say(
+      {"found surely", ours.sure_percent(), "%", {}, {}, fmt::format("{} of {} found", ours.sure, ours.found)});
   bench.figures.say({"found surely, but triangles smaller than learned",
                      ours.others_sure_percent(),
                      "%",
@@ -169,12 +166,12 @@ void depth(VisionBench& bench) {
   for (int i = 0; i < scenes; ++i) {
     Random random = Random(bench.seed).split(fmt::format("depth {}", i));
     const Scene scene = random_scene(near, random);
-    StereoSight sight(draw(scene, Side::left, random), draw(scene, Side::right, random), scene_camera());
+    vision::StereoSight sight(draw(scene, Side::left, random), draw(scene, Side::right, random), scene_camera());
     for (const SceneMark& mark : scene.marks) {
       ++shown;
-      const std::optional<SeenRange> range = found_range(sight, bench.marks, mark.name);
+      const std::optional<vision::SeenRange> range = found_range(sight, bench.marks, mark.name);
       if (!range) continue;
-      const double truth = range_mm(scene_camera(), mark.centre, disparity_px(mark.depth_mm));
+      const double truth = vision::range_mm(scene_camera(), mark.centre, disparity_px(mark.depth_mm));
       const double error = range->mm / truth - 1;
       squares += error * error;
       within_two += std::abs(range->mm - truth) < 2 * range->spread_mm ? 1 : 0;
@@ -182,12 +179,8 @@ void depth(VisionBench& bench) {
     }
   }
   const double rms = told == 0 ? 100 : 100 * std::sqrt(squares / told);
-  bench.figures.say({"depth error at 0.6 m, RMS",
-                     rms,
-                     "%",
-                     at_most(1),
-                     {},
-                     fmt::format("{} of {} marks measured", told, shown)});
+  bench.figures.say(
+      {"depth error at 0.6 m, RMS", rms, "%", at_most(1), {}, fmt::format("{} of {} marks measured", told, shown)});
   bench.figures.say({"within two spreads told", 100.0 * within_two / std::max(1, told), "%", {}, {}, "95 is honest"});
 }
 

@@ -83,8 +83,8 @@ TEST(VisionScene, EverySeedHasACameraAndANoiseOfItsOwnAndNoneTheCells) {
     Random random(1);
     images.push_back(draw(scene, Side::left, random));
     focals.push_back(scene_camera().focal_px);
-    EXPECT_NE(focals.back(), StereoModel().focal_px);
-    EXPECT_NE(scene_camera().base_line_mm, StereoModel().base_line_mm);
+    EXPECT_NE(focals.back(), camera::StereoModel().focal_px);
+    EXPECT_NE(scene_camera().base_line_mm, camera::StereoModel().base_line_mm);
   }
   set_scene_seed(1);
   EXPECT_EQ(cv::norm(images[0], images[2], cv::NORM_L1), 0);
@@ -100,7 +100,7 @@ TEST(VisionScene, TheRightImageShowsAMarkByItsDisparityFurtherLeft) {
   const double ground = scene.ground_level;
   const cv::Point2d left = darkness_of(draw(scene, Side::left, random), ground).centre;
   const cv::Point2d right = darkness_of(draw(scene, Side::right, random), ground).centre;
-  const StereoModel& camera = scene_camera();
+  const camera::StereoModel& camera = scene_camera();
   EXPECT_NEAR(left.x - right.x, camera.focal_px * camera.base_line_mm / 600, 0.03);
   EXPECT_NEAR(left.y, right.y, 0.03);
   EXPECT_NEAR(left.x, 200.3, 0.03);

@@ -80,7 +80,7 @@ struct Verdict {
 };
 
 Verdict follow(const VisionBench& bench, const Sequence& sequence, Random& random) {
-  MarkTracker tracker(bench.marks);
+  vision::MarkTracker tracker(bench.marks);
   for (const SceneMark& mark : sequence.scene.marks) {
     if (!tracker.add(*bench.marks.find(mark.name))) throw std::runtime_error("too many objects");
   }
@@ -88,9 +88,9 @@ Verdict follow(const VisionBench& bench, const Sequence& sequence, Random& rando
   int visible_for = 0;
   for (int frame = 0; frame < frames; ++frame) {
     const Scene scene = sequence.at(frame);
-    StereoSight sight(draw(scene, Side::left, random), draw(scene, Side::right, random), scene_camera());
+    vision::StereoSight sight(draw(scene, Side::left, random), draw(scene, Side::right, random), scene_camera());
     visible_for = sequence.hidden(frame) ? 0 : visible_for + 1;
-    for (const TrackSighting& sighting : tracker.update(sight, Time(frame * 100ms))) {
+    for (const vision::TrackSighting& sighting : tracker.update(sight, Time(frame * 100ms))) {
       const auto truth = std::ranges::find(scene.marks, sighting.name, &SceneMark::name);
       const bool is_hero = truth - scene.marks.begin() == static_cast<std::ptrdiff_t>(sequence.hero);
       if (sighting.seen && cv::norm(sighting.centre - truth->centre) > same_place_px) verdict.wrong = true;

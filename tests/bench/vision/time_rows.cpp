@@ -123,30 +123,31 @@ std::vector<Pair> pairs_of(const std::vector<Scene>& scenes, Random& random) {
 }
 
 // All that the agent computes for one FIND, which looks at a frame of its own.
-bool answer_find(const Pair& pair, const LearnedObjects& objects, const LearnedObject& object) {
-  StereoSight sight(pair.left, pair.right, scene_camera());
-  MarkFinder finder(objects);
+bool answer_find(const Pair& pair, const vision::LearnedObjects& objects, const vision::LearnedObject& object) {
+  vision::StereoSight sight(pair.left, pair.right, scene_camera());
+  vision::MarkFinder finder(objects);
   return finder.find(sight, object, Time()).has_value();
 }
 
 // Scenes that move there and back, a few pixels a frame, and who follows what is in them.
 struct Followed {
   std::vector<Pair> frames;
-  MarkTracker tracker;
+  vision::MarkTracker tracker;
   std::size_t next = 0;
   Time now = {};
 };
 
-std::vector<Followed> followed(const std::vector<Scene>& scenes, const LearnedObjects& objects, Random& random) {
+std::vector<Followed> followed(const std::vector<Scene>& scenes, const vision::LearnedObjects& objects,
+                               Random& random) {
   std::vector<Followed> out;
   for (const Scene& scene : scenes) {
-    Followed one{.frames = {}, .tracker = MarkTracker(objects)};
+    Followed one{.frames = {}, .tracker = vision::MarkTracker(objects)};
     for (const double step : {0.0, 1.3, 3.1, 4.7, 3.6, 1.8}) {
       Scene moved = scene;
       for (SceneMark& mark : moved.marks) mark.centre += cv::Point2d(-step, 0.5 * step);
       one.frames.push_back({draw(moved, Side::left, random), draw(moved, Side::right, random)});
     }
-    for (const LearnedObject& object : objects.all()) {
+    for (const vision::LearnedObject& object : objects.all()) {
       if (!one.tracker.add(object)) throw std::runtime_error("too many objects");
     }
     out.push_back(std::move(one));
@@ -159,8 +160,8 @@ Seen track_all(std::vector<Followed>& all) {
   for (Followed& one : all) {
     for (int i = 0; i < repeats; ++i) {
       const Pair& pair = one.frames[one.next++ % one.frames.size()];
-      StereoSight sight(pair.left, pair.right, scene_camera());
-      for (const TrackSighting& sighting : one.tracker.update(sight, one.now += 100ms)) {
+      vision::StereoSight sight(pair.left, pair.right, scene_camera());
+      for (const vision::TrackSighting& sighting : one.tracker.update(sight, one.now += 100ms)) {
         ++out.shown;
         out.seen += sighting.seen ? 1 : 0;
       }
@@ -170,12 +171,12 @@ Seen track_all(std::vector<Followed>& all) {
 }
 
 // ArUco's first tags, which the scenes of its peer bear.
-LearnedObjects tags_learned() {
-  LearnedObjects out;
+vision::LearnedObjects tags_learned() {
+  vision::LearnedObjects out;
   for (int number = 0; number < tags_of_a_scene; ++number) {
-    LearnedSample sample;
+    vision::LearnedSample sample;
     sample.number = 1;
-    sample.tag = Tag{"aruco-4x4-50", number};
+    sample.tag = vision::Tag{"aruco-4x4-50", number};
     out.add("tag-" + std::to_string(number), std::move(sample));
   }
   return out;
@@ -191,8 +192,9 @@ void find_time(VisionBench& bench) {
   const auto find_all = [&] {
     for (int i = 0; i < repeats; ++i) {
       for (const cv::Mat1b& image : images) {
-        ImageSegmentation segmentation(image);
-        for (const LearnedObject& object : bench.marks.all()) find_object(segmentation.marks(), bench.marks, object);
+        vision::ImageSegmentation segmentation(image);
+        for (const vision::LearnedObject& object : bench.marks.all())
+          vision::find_object(segmentation.marks(), bench.marks, object);
       }
     }
   };
@@ -205,7 +207,7 @@ void find_time(VisionBench& bench) {
     Seen out;
     for (int i = 0; i < repeats; ++i, ++first) {
       for (std::size_t scene = 0; scene < pairs.size(); ++scene) {
-        const LearnedObject& object = bench.marks.all()[(first + scene) % bench.marks.all().size()];
+        const vision::LearnedObject& object = bench.marks.all()[(first + scene) % bench.marks.all().size()];
         ++out.shown;
         out.seen += answer_find(pairs[scene], bench.marks, object) ? 1 : 0;
       }
@@ -232,7 +234,7 @@ void tag_time(VisionBench& bench) {
   std::vector<Scene> scenes = lab_scenes(bench.seed);
   const std::vector<Work> peers = peers_work(bench, scenes, random);
   for (Scene& scene : scenes) scene = with_tags(scene, bench.peers.front().tags);
-  const LearnedObjects tags = tags_learned();
+  const vision::LearnedObjects tags = tags_learned();
   std::vector<Followed> all = followed(scenes, tags, random);
   const Seen seen = track_all(all);
   say_time(

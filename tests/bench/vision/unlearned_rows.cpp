@@ -20,9 +20,9 @@ struct Taken {
   bool surely_by_pair = false;
 };
 
-bool is_sure(StereoSight& sight, const LearnedObjects& objects, const LearnedObject& object) {
-  const std::optional<SeenPair> pair = sight.find(objects, object);
-  return pair && confidence_at_first(sight, object, *pair) >= sure_from;
+bool is_sure(vision::StereoSight& sight, const vision::LearnedObjects& objects, const vision::LearnedObject& object) {
+  const std::optional<vision::SeenPair> pair = sight.find(objects, object);
+  return pair && vision::confidence_at_first(sight, object, *pair) >= sure_from;
 }
 
 Taken taken_for(const VisionBench& bench, const UnlearnedShape& shape, Random& random) {
@@ -36,17 +36,16 @@ Taken taken_for(const VisionBench& bench, const UnlearnedShape& shape, Random& r
   const double left = std::min(60 + disparity_px(depth_mm), scene_camera().width - 70.0);
   const cv::Point2d at(random.uniform(left, scene_camera().width - 60), random.uniform(60, scene_camera().height - 60));
   const double turn = random.uniform(-ranges.most_turn_deg, ranges.most_turn_deg);
-  scene.things = {{.shape = placed(shape.shape, at, scale_at(depth_mm), turn),
-                   .level = scene.mark_level,
-                   .depth_mm = depth_mm}};
+  scene.things = {
+      {.shape = placed(shape.shape, at, scale_at(depth_mm), turn), .level = scene.mark_level, .depth_mm = depth_mm}};
   const cv::Mat1b image = draw(scene, Side::left, random);
-  StereoModel single = scene_camera();
+  camera::StereoModel single = scene_camera();
   single.base_line_mm = 0;
-  StereoSight by_one(image, image, single);
-  StereoSight by_pair(image, draw(scene, Side::right, random), scene_camera());
+  vision::StereoSight by_one(image, image, single);
+  vision::StereoSight by_pair(image, draw(scene, Side::right, random), scene_camera());
   Taken out;
-  for (const LearnedObject& object : bench.marks.all()) {
-    if (find_object(by_one.left_segmentation().marks(), bench.marks, object) == nullptr) continue;
+  for (const vision::LearnedObject& object : bench.marks.all()) {
+    if (vision::find_object(by_one.left_segmentation().marks(), bench.marks, object) == nullptr) continue;
     if (out.name.empty()) out.name = object.name;
     out.surely_by_one = out.surely_by_one || is_sure(by_one, bench.marks, object);
     out.surely_by_pair = out.surely_by_pair || is_sure(by_pair, bench.marks, object);

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace pizarra {
+namespace pizarra::streams {
 
 namespace {
 
@@ -23,4 +23,4 @@ bool is_whole(const StreamFrame& frame) {
          std::ranges::all_of(image.pixels, [&](std::uint8_t pixel) { return pixel == shade(frame.number); });
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::streams

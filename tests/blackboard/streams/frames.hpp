@@ -4,10 +4,10 @@
 
 #include "blackboard/stream.hpp"
 
-namespace pizarra {
+namespace pizarra::streams {
 
 StreamFrame numbered_frame(std::uint64_t number, int width, int height, int channels = 1);
 // Whether the frame is whole: no pixel is of another.
 bool is_whole(const StreamFrame& frame);
 
-}  // namespace pizarra
+}  // namespace pizarra::streams

@@ -11,7 +11,7 @@
 #include "tests/scratch.hpp"
 #include "tests/source_dir.hpp"
 
-namespace pizarra {
+namespace pizarra::streams {
 namespace {
 
 constexpr const char* script = R"(
@@ -30,9 +30,9 @@ with Board(sys.argv[2], "script") as board:
 
 TEST(PythonStream, SeesTheNewestFramesOfAPublisherThatOthersReachAndIsToldOfOneThatNobodyElseSees) {
   RealExecutor executor;
-  MemoryBoard board(executor);
+  memory::MemoryBoard board(executor);
   const std::string address = "ipc://" + scratch_folder() + "board";
-  const auto server = BoardServer::open(executor, board, {.addresses = {address}}).value();
+  const auto server = server::BoardServer::open(executor, board, {.addresses = {address}}).value();
   const std::unique_ptr<Board> view = board.view("publisher");
   const auto streams = RemoteStreams::open(executor, *view, "tcp://127.0.0.1:*").value();
   const auto hidden = RemoteStreams::open(executor, *view).value();
@@ -55,4 +55,4 @@ TEST(PythonStream, SeesTheNewestFramesOfAPublisherThatOthersReachAndIsToldOfOneT
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::streams

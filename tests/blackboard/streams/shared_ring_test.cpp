@@ -10,7 +10,7 @@
 #include "blackboard/streams/frame_text.hpp"
 #include "tests/blackboard/streams/frames.hpp"
 
-namespace pizarra {
+namespace pizarra::streams {
 namespace {
 
 TEST(SharedRing, WhatIsWrittenIsReadWhateverItsSize) {
@@ -122,4 +122,4 @@ TEST(FrameText, AFrameComesBackAndNothingElseIsOne) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::streams

@@ -15,7 +15,7 @@
 #include "blackboard/time/real_executor.hpp"
 #include "tests/blackboard/streams/frames.hpp"
 
-namespace pizarra {
+namespace pizarra::streams {
 namespace {
 
 class StreamDoorTest : public testing::Test {
@@ -213,4 +213,4 @@ TEST_F(StreamDoorTest, ADoorThatHandsOutNonsenseIsLeft) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::streams

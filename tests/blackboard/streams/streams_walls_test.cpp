@@ -9,7 +9,7 @@
 #include "blackboard/time/real_executor.hpp"
 #include "tests/blackboard/streams/frames.hpp"
 
-namespace pizarra {
+namespace pizarra::streams {
 namespace {
 
 struct StreamWall {
@@ -71,7 +71,7 @@ class StreamsTest : public testing::TestWithParam<StreamWall> {
     executor.call_at(executor.now() + 1ms, [this] { tick(); });
   }
 
-  MemoryBoard board_{executor};
+  memory::MemoryBoard board_{executor};
   std::unique_ptr<Board> view_;
   LocalStreams local_;
   std::unique_ptr<RemoteStreams> subscriber_;
@@ -240,4 +240,4 @@ TEST(StreamTickets, WhatIsNoneIsRefused) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::streams

@@ -1,8 +1,7 @@
-#include "blackboard/time/latch.hpp"
-
 #include <gtest/gtest.h>
 #include <string>
 
+#include "blackboard/time/latch.hpp"
 #include "blackboard/time/virtual_executor.hpp"
 
 namespace pizarra {

@@ -11,11 +11,11 @@
 #include "drivers/arm/posture.hpp"
 #include "lisp/forms/arm_names.hpp"
 
-namespace pizarra {
+namespace pizarra::arm {
 
 inline std::vector<ArmModel> shipped_arms() {
   std::vector<ArmModel> arms;
-  for (const std::string& name : arm_names()) arms.push_back(shipped_arm(name).value());
+  for (const std::string& name : forms::arm_names()) arms.push_back(shipped_arm(name).value());
   return arms;
 }
 
@@ -37,4 +37,4 @@ inline double angle_between_deg(const ToolPose& a, const ToolPose& b) {
   return 2 * std::asin(std::min(1.0, chord)) * 180 / std::numbers::pi;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::arm

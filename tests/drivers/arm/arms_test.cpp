@@ -6,7 +6,7 @@
 
 #include "tests/scratch.hpp"
 
-namespace pizarra {
+namespace pizarra::arm {
 namespace {
 
 constexpr std::uint64_t seed = 20240607;
@@ -21,8 +21,8 @@ void expect_reached(const ArmModel& arm, const ToolPose& pose, const Joints& nea
 }
 
 TEST(Arms, EveryShippedArmIsDescribedInUnderSixtyLines) {
-  for (const std::string& name : arm_names()) {
-    std::ifstream file(shipped_arm_file(name));
+  for (const std::string& name : forms::arm_names()) {
+    std::ifstream file(forms::shipped_arm_file(name));
     std::size_t lines = 0;
     for (std::string line; std::getline(file, line);) ++lines;
     EXPECT_LT(lines, 60U) << name;
@@ -30,7 +30,7 @@ TEST(Arms, EveryShippedArmIsDescribedInUnderSixtyLines) {
 }
 
 TEST(Arms, APoseInWhichTheToolLeansIsRefusedWhereItStands) {
-  std::ifstream shipped(shipped_arm_file("crs-f3"));
+  std::ifstream shipped(forms::shipped_arm_file("crs-f3"));
   std::string text(std::istreambuf_iterator<char>(shipped), {});
   const std::string file = scratch_folder() + "leaning.scm";
   for (const auto& [pose, leaning] : {std::pair("(home  0 20 -80 0 -120", "(home  0 20 -80 0 -110"),
@@ -218,4 +218,4 @@ TEST(Arms, FiveAxesTurnTheToolIntoTheirPlaneAndSixKeepIt) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::arm

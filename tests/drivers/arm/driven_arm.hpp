@@ -10,7 +10,7 @@
 #include "drivers/arm/arm_driver.hpp"
 #include "tests/run_task.hpp"
 
-namespace pizarra {
+namespace pizarra::arm {
 
 template <class Bench>
 class DrivenArm {
@@ -59,4 +59,4 @@ class DrivenArm {
   }
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::arm

@@ -21,7 +21,7 @@
 #include "drivers/simulation/controllers/arms/ur_emulator.hpp"
 #include "tests/drivers/arm/motoman/host_cell.hpp"
 
-namespace pizarra {
+namespace pizarra::arm {
 
 using Spoil = std::function<std::string(std::string)>;
 
@@ -54,19 +54,19 @@ struct DrivenHost : Cell {
 template <class Cell>
 struct DrivenLines : DrivenArm<Cell> {
   void cut(bool now) {
-    for (WirePair* line : lines()) line->cut(now);
+    for (line::WirePair* line : lines()) line->cut(now);
   }
   void spoil(const Spoil& how) {
-    for (WirePair* line : lines()) line->far.spoil = how;
+    for (line::WirePair* line : lines()) line->far.spoil = how;
   }
   std::size_t orders() {
     std::size_t octets = 0;
-    for (WirePair* line : lines()) octets += line->near.written.size();
+    for (line::WirePair* line : lines()) octets += line->near.written.size();
     return octets;
   }
 
  private:
-  std::vector<WirePair*> lines() { return static_cast<Cell&>(*this).all_lines(); }
+  std::vector<line::WirePair*> lines() { return static_cast<Cell&>(*this).all_lines(); }
 };
 
 struct DrivenUniversal : DrivenLines<DrivenUniversal> {
@@ -75,18 +75,18 @@ struct DrivenUniversal : DrivenLines<DrivenUniversal> {
     static const ArmModel ur5e = shipped_arm("ur5e").value();
     return ur5e;
   }
-  std::vector<WirePair*> all_lines() { return {&rtde_line, &script_line, &dashboard_line}; }
+  std::vector<line::WirePair*> all_lines() { return {&rtde_line, &script_line, &dashboard_line}; }
 
   VirtualExecutor executor;
-  MovingArm body{executor, model()};
-  ArmCabinet cabinet{executor, body, model()};
-  UrEmulator emulator{cabinet};
-  WirePair rtde_line{executor};
-  WirePair script_line{executor};
-  WirePair dashboard_line{executor};
-  Job telling{executor.spawn(serve_rtde(executor, emulator, rtde_line.far))};
-  Job running{executor.spawn(serve_script(executor, emulator, script_line.far))};
-  Job answering{executor.spawn(serve_dashboard(executor, emulator, dashboard_line.far))};
+  simulation::MovingArm body{executor, model()};
+  simulation::ArmCabinet cabinet{executor, body, model()};
+  simulation::UrEmulator emulator{cabinet};
+  line::WirePair rtde_line{executor};
+  line::WirePair script_line{executor};
+  line::WirePair dashboard_line{executor};
+  Job telling{executor.spawn(simulation::serve_rtde(executor, emulator, rtde_line.far))};
+  Job running{executor.spawn(simulation::serve_script(executor, emulator, script_line.far))};
+  Job answering{executor.spawn(simulation::serve_dashboard(executor, emulator, dashboard_line.far))};
   UniversalWires wires{rtde_line.near, script_line.near, dashboard_line.near};
   UniversalArm arm{executor, wires, model()};
   void begin_anew() { replace(arm, executor, wires, model()); }
@@ -94,19 +94,19 @@ struct DrivenUniversal : DrivenLines<DrivenUniversal> {
 
 struct SimpleCell : DrivenLines<SimpleCell> {
   // Until its drives are on.
-  explicit SimpleCell(const SimpleKind& kind_of_line) : kind(kind_of_line) { executor.run_for(300ms); }
+  explicit SimpleCell(const simulation::SimpleKind& kind_of_line) : kind(kind_of_line) { executor.run_for(300ms); }
   static const ArmModel& model() { return crs_f3(); }
-  std::vector<WirePair*> all_lines() { return {&motion, &state}; }
+  std::vector<line::WirePair*> all_lines() { return {&motion, &state}; }
 
-  const SimpleKind kind;
+  const simulation::SimpleKind kind;
   VirtualExecutor executor;
-  MovingArm body{executor, crs_f3()};
-  ArmCabinet cabinet{executor, body, crs_f3()};
-  SimpleEmulator emulator{cabinet, kind};
-  WirePair motion{executor};
-  WirePair state{executor};
-  Job moving{executor.spawn(serve_motion(executor, emulator, motion.far))};
-  Job telling{executor.spawn(serve_state(executor, emulator, state.far))};
+  simulation::MovingArm body{executor, crs_f3()};
+  simulation::ArmCabinet cabinet{executor, body, crs_f3()};
+  simulation::SimpleEmulator emulator{cabinet, kind};
+  line::WirePair motion{executor};
+  line::WirePair state{executor};
+  Job moving{executor.spawn(simulation::serve_motion(executor, emulator, motion.far))};
+  Job telling{executor.spawn(simulation::serve_state(executor, emulator, state.far))};
   SimpleWires wires{motion.near, state.near, kind.serial, kind.order, kind.sign, kind.track};
   SimpleArm arm{executor, wires, crs_f3()};
   void begin_anew() { replace(arm, executor, wires, crs_f3()); }
@@ -128,4 +128,4 @@ struct DrivenCellNames {
   }
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::arm

@@ -9,7 +9,7 @@
 #include "lisp/writer.hpp"
 #include "tests/drivers/arm/driven_cells.hpp"
 
-namespace pizarra {
+namespace pizarra::arm {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -294,4 +294,4 @@ TYPED_TEST(EveryArm, ACallThatIsCancelledLeavesNothingBehind) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::arm

@@ -8,7 +8,7 @@
 #include "blackboard/time/random.hpp"
 #include "drivers/arm/arm_file.hpp"
 
-namespace pizarra {
+namespace pizarra::arm {
 namespace {
 
 constexpr std::uint64_t seed = 20240607;
@@ -202,4 +202,4 @@ TEST(Kinematics, FixedAnglesTurnBackIntoTheirRotation) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::arm

@@ -5,7 +5,7 @@
 #include "blackboard/time/random.hpp"
 #include "drivers/arm/arm_file.hpp"
 
-namespace pizarra {
+namespace pizarra::arm {
 namespace {
 
 const ArmModel& arm() { return crs_f3(); }
@@ -82,4 +82,4 @@ TEST(Route, LegsLeadThroughWaypointsToTheLast) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::arm

@@ -9,7 +9,7 @@
 
 #include "drivers/camera/calibration.hpp"
 
-namespace pizarra {
+namespace pizarra::camera {
 
 struct BoardScene {
   cv::Size size{480, 360};
@@ -92,4 +92,4 @@ inline std::vector<cv::Affine3d> board_poses() {
   return out;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::camera

@@ -11,7 +11,7 @@
 #include "tests/drivers/camera/board_scene.hpp"
 #include "tests/scratch.hpp"
 
-namespace pizarra {
+namespace pizarra::camera {
 namespace {
 
 // What a calibration of the drawn scene should be.
@@ -107,7 +107,7 @@ TEST(Calibration, OneCameraIsFoundByWhatItAloneSees) {
 TEST(Calibration, OneCamerasImagesAreStraightenedAndItsModelIsTheirs) {
   StereoCalibration lens = truth(scene());
   lens.translation_mm = {};
-  const CameraSetup setup{.arrangement = CameraSetup::Arrangement::single, .learned_at_mm = 600};
+  const forms::CameraSetup setup{.arrangement = forms::CameraSetup::Arrangement::single, .learned_at_mm = 600};
   const StereoGeometry geometry = StereoGeometry::make(setup, lens, scene().size).value();
   const StereoModel& model = geometry.model();
   EXPECT_TRUE(model.is_single());
@@ -128,11 +128,11 @@ TEST(Calibration, OneCamerasImagesAreStraightenedAndItsModelIsTheirs) {
 
 TEST(Calibration, APairsFileIsNoneOfOneCameraNorTheOtherWayRound) {
   StereoCalibration lens = truth(scene());
-  const CameraSetup one{.arrangement = CameraSetup::Arrangement::single, .calibration_file = "c"};
+  const forms::CameraSetup one{.arrangement = forms::CameraSetup::Arrangement::single, .calibration_file = "c"};
   EXPECT_EQ(StereoGeometry::make(one, lens, scene().size).error().sentence,
             "c is of a pair of cameras, and the cell has one");
   lens.translation_mm = {};
-  const CameraSetup two{.arrangement = CameraSetup::Arrangement::pair, .calibration_file = "c"};
+  const forms::CameraSetup two{.arrangement = forms::CameraSetup::Arrangement::pair, .calibration_file = "c"};
   EXPECT_EQ(StereoGeometry::make(two, lens, scene().size).error().sentence,
             "c is of one camera, and the cell has a pair");
 }
@@ -452,7 +452,7 @@ TEST(Calibration, WhatIsNoBetterWithoutSomeIsRefused) {
 
 TEST(Calibration, ImagesOfAnotherSizeCannotBeRectified) {
   const std::string file = scratch_folder() + "other.calibration";
-  const CameraSetup setup{.arrangement = CameraSetup::Arrangement::pair, .calibration_file = file};
+  const forms::CameraSetup setup{.arrangement = forms::CameraSetup::Arrangement::pair, .calibration_file = file};
   const StereoCalibration calibration = truth(scene());
   EXPECT_TRUE(StereoGeometry::make(setup, calibration, scene().size));
   const Result<StereoGeometry> geometry = StereoGeometry::make(setup, calibration, {320, 240});
@@ -490,4 +490,4 @@ TEST(DebiansPairs, AreRectifiedToAFractionOfAPixel) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::camera

@@ -8,7 +8,7 @@
 
 #include "drivers/camera/frame_source.hpp"
 
-namespace pizarra {
+namespace pizarra::camera {
 
 // Shared by a test and the sources it makes.
 struct FakeDevice {
@@ -67,4 +67,4 @@ class FakeSource : public FrameSource {
   std::size_t taken_ = 0;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::camera

@@ -13,7 +13,7 @@
 #include "drivers/camera/other_images.hpp"
 #include "drivers/camera/png_image.hpp"
 
-namespace pizarra {
+namespace pizarra::camera {
 namespace {
 
 using File = std::vector<unsigned char>;
@@ -161,4 +161,4 @@ TEST(ImageFaults, AJpegsDamagedDataIsOftenToldAndNeverOnStandardError) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::camera

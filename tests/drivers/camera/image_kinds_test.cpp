@@ -14,7 +14,7 @@
 #include "drivers/camera/jpeg_image.hpp"
 #include "drivers/camera/png_image.hpp"
 
-namespace pizarra {
+namespace pizarra::camera {
 namespace {
 
 using File = std::vector<unsigned char>;
@@ -236,4 +236,4 @@ TEST(ImageKinds, APrintersColoursAreNoCameras) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::camera

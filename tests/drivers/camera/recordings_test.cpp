@@ -17,10 +17,10 @@
 #include "tests/run_task.hpp"
 #include "tests/scratch.hpp"
 
-namespace pizarra {
+namespace pizarra::camera {
 namespace {
 
-using Arrangement = CameraSetup::Arrangement;
+using Arrangement = forms::CameraSetup::Arrangement;
 
 // A folder of its own, gone with the test.
 class Recordings : public testing::Test {
@@ -38,8 +38,9 @@ class Recordings : public testing::Test {
     ASSERT_TRUE(film.isOpened());
     for (int i = 0; i < frames; ++i) film.write(cv::Mat(size, CV_8UC3, cv::Scalar::all(40 + i % 150)));
   }
-  CameraSetup setup(Arrangement arrangement, CameraSource::Kind kind, std::vector<std::string> names) const {
-    CameraSetup out{.arrangement = arrangement};
+  forms::CameraSetup setup(Arrangement arrangement, forms::CameraSource::Kind kind,
+                           std::vector<std::string> names) const {
+    forms::CameraSetup out{.arrangement = arrangement};
     for (const std::string& name : names) out.sources.push_back({kind, folder + name});
     if (arrangement != Arrangement::single) {
       out.focal_px = 400;
@@ -47,9 +48,7 @@ class Recordings : public testing::Test {
     }
     return out;
   }
-  Result<StereoFrame> next(VideoCamera& camera, Time after = {}) {
-    return run(executor, camera.next(after, false));
-  }
+  Result<StereoFrame> next(VideoCamera& camera, Time after = {}) { return run(executor, camera.next(after, false)); }
 
   const std::string folder;
   RealExecutor executor;
@@ -82,7 +81,7 @@ TEST_F(Recordings, AnImageThatIsNoneIsToldByItsNameAndTheOthersAreSeen) {
   std::ofstream(folder + "2.png") << "this is no picture";
   write_image("3.png", 60);
   std::ofstream(folder + "4.png") << "";
-  CameraSetup eyes = setup(Arrangement::single, CameraSource::Kind::images, {"*.png"});
+  forms::CameraSetup eyes = setup(Arrangement::single, forms::CameraSource::Kind::images, {"*.png"});
   eyes.rate_hz = 100;
   VideoCamera camera(executor, eyes, make_any_source);
   ASSERT_TRUE(run(executor, camera.open()));
@@ -166,7 +165,7 @@ TEST_F(Recordings, APairOfImageSequencesIsSeenInStep) {
     write_image("left" + std::to_string(i) + ".png", 10 * i);
     write_image("right" + std::to_string(i) + ".png", 10 * i + 100);
   }
-  CameraSetup eyes = setup(Arrangement::pair, CameraSource::Kind::images, {"left*.png", "right*.png"});
+  forms::CameraSetup eyes = setup(Arrangement::pair, forms::CameraSource::Kind::images, {"left*.png", "right*.png"});
   eyes.rate_hz = 100;
   VideoCamera camera(executor, eyes, make_any_source);
   const Result<StereoModel> model = run(executor, camera.open());
@@ -186,7 +185,7 @@ TEST_F(Recordings, APairGoesByTheNumbersInItsNamesAndCountsWhatHasNoPartner) {
     write_image("left" + std::to_string(i) + ".png", 10 * i);
     if (i != 3 && i != 11) write_image("right" + std::to_string(i) + ".png", 10 * i + 100);
   }
-  CameraSetup eyes = setup(Arrangement::pair, CameraSource::Kind::images, {"left*.png", "right*.png"});
+  forms::CameraSetup eyes = setup(Arrangement::pair, forms::CameraSource::Kind::images, {"left*.png", "right*.png"});
   eyes.rate_hz = 100;
   VideoCamera camera(executor, eyes, make_any_source);
   ASSERT_TRUE(run(executor, camera.open()));
@@ -204,7 +203,8 @@ TEST_F(Recordings, APairWhoseNamesDoNotSayWhatBelongsTogetherHasAsManyOnEitherSi
   for (const char* name : {"left-a.png", "left-b.png", "left-c.png", "right-a.png", "right-b.png"}) {
     write_image(name, 50);
   }
-  const CameraSetup eyes = setup(Arrangement::pair, CameraSource::Kind::images, {"left*.png", "right*.png"});
+  const forms::CameraSetup eyes =
+      setup(Arrangement::pair, forms::CameraSource::Kind::images, {"left*.png", "right*.png"});
   {
     VideoCamera camera(executor, eyes, make_any_source);
     const Result<StereoModel> model = run(executor, camera.open());
@@ -298,7 +298,8 @@ TEST(ImagePairs, NumbersThatAreNotOnBothSidesSayNothing) {
 
 TEST_F(Recordings, AVideoIsShownAtItsOwnRateAndBeginsAnew) {
   write_video("film.avi", {320, 240}, 50, 10);
-  VideoCamera camera(executor, setup(Arrangement::single, CameraSource::Kind::video, {"film.avi"}), make_any_source);
+  VideoCamera camera(executor, setup(Arrangement::single, forms::CameraSource::Kind::video, {"film.avi"}),
+                     make_any_source);
   ASSERT_TRUE(run(executor, camera.open()));
   const Time first = next(camera)->captured;
   StereoFrame last;
@@ -309,7 +310,8 @@ TEST_F(Recordings, AVideoIsShownAtItsOwnRateAndBeginsAnew) {
 
 TEST_F(Recordings, WhatIsNoVideoIsNoCamera) {
   std::ofstream(folder + "film.avi") << "this is no film";
-  VideoCamera camera(executor, setup(Arrangement::single, CameraSource::Kind::video, {"film.avi"}), make_any_source);
+  VideoCamera camera(executor, setup(Arrangement::single, forms::CameraSource::Kind::video, {"film.avi"}),
+                     make_any_source);
   const Result<StereoModel> model = run(executor, camera.open());
   ASSERT_FALSE(model);
   EXPECT_EQ(model.error().sentence, "the camera: " + folder + "film.avi cannot be opened");
@@ -317,7 +319,7 @@ TEST_F(Recordings, WhatIsNoVideoIsNoCamera) {
 
 TEST_F(Recordings, APairSideBySideOf1280x960At120AsecondKeepsUp) {
   write_video("film.avi", {2560, 960}, 120, 12);
-  CameraSetup eyes = setup(Arrangement::side_by_side, CameraSource::Kind::video, {"film.avi"});
+  forms::CameraSetup eyes = setup(Arrangement::side_by_side, forms::CameraSource::Kind::video, {"film.avi"});
   eyes.width = 1280;
   eyes.height = 960;
   VideoCamera camera(executor, eyes, make_any_source);
@@ -351,9 +353,9 @@ TEST_F(Recordings, APipelineIsACameraWhateverItsColoursAre) {
   for (const std::string format : {"format=BGR,", "format=GRAY8,", ""}) {
     const std::string pipeline =
         "videotestsrc is-live=true ! video/x-raw," + format + "width=640,height=480,framerate=30/1 ! appsink";
-    VideoCamera camera(executor,
-                       {.arrangement = Arrangement::single, .sources = {{CameraSource::Kind::pipeline, pipeline}}},
-                       make_any_source);
+    VideoCamera camera(
+        executor, {.arrangement = Arrangement::single, .sources = {{forms::CameraSource::Kind::pipeline, pipeline}}},
+        make_any_source);
     const Result<StereoModel> model = run(executor, camera.open());
     ASSERT_TRUE(model.has_value()) << format << describe(model.error());
     EXPECT_EQ(model->width, 640) << format;
@@ -364,4 +366,4 @@ TEST_F(Recordings, APipelineIsACameraWhateverItsColoursAre) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::camera

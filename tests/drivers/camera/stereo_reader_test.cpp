@@ -4,7 +4,7 @@
 
 #include "tests/drivers/camera/fake_source.hpp"
 
-namespace pizarra {
+namespace pizarra::camera {
 namespace {
 
 class StereoReaderTest : public testing::Test {
@@ -12,7 +12,8 @@ class StereoReaderTest : public testing::Test {
   StereoReader reader() {
     StereoReader::Sources sources;
     sources.push_back(std::make_unique<FakeSource>(left));
-    if (setup.arrangement == CameraSetup::Arrangement::pair) sources.push_back(std::make_unique<FakeSource>(right));
+    if (setup.arrangement == forms::CameraSetup::Arrangement::pair)
+      sources.push_back(std::make_unique<FakeSource>(right));
     return StereoReader(setup, std::move(sources), [this] { return now += 1ms; });
   }
   // The moments of the pair that grab() and retrieve() give, as the images' levels say.
@@ -25,7 +26,7 @@ class StereoReaderTest : public testing::Test {
   }
   static std::string sentence(const auto& failed) { return failed ? "" : failed.error().sentence; }
 
-  CameraSetup setup{.arrangement = CameraSetup::Arrangement::pair};
+  forms::CameraSetup setup{.arrangement = forms::CameraSetup::Arrangement::pair};
   FakeDevice left;
   FakeDevice right;
   Time now{};
@@ -87,7 +88,7 @@ TEST_F(StereoReaderTest, ARecordingThatIsOverBeginsAnewWithBothCameras) {
 }
 
 TEST_F(StereoReaderTest, OneCameraGivesBothHalvesOfItsImage) {
-  setup.arrangement = CameraSetup::Arrangement::side_by_side;
+  setup.arrangement = forms::CameraSetup::Arrangement::side_by_side;
   left.width = 641;
   StereoReader eyes = reader();
   ASSERT_TRUE(eyes.open());
@@ -105,7 +106,7 @@ TEST_F(StereoReaderTest, FailuresNameTheCamera) {
   ASSERT_TRUE(eyes.open());
   left.plugged = false;
   EXPECT_EQ(sentence(eyes.grab()), "the left camera: fake gives no images");
-  setup.arrangement = CameraSetup::Arrangement::single;
+  setup.arrangement = forms::CameraSetup::Arrangement::single;
   EXPECT_EQ(sentence(reader().open()), "the camera: fake cannot be opened");
 }
 
@@ -125,4 +126,4 @@ TEST_F(StereoReaderTest, ImagesOfOtherSizesAreRefused) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::camera

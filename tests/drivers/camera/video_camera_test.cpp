@@ -6,7 +6,7 @@
 #include "tests/drivers/camera/fake_source.hpp"
 #include "tests/run_task.hpp"
 
-namespace pizarra {
+namespace pizarra::camera {
 namespace {
 
 // Its images come 200 times a second.
@@ -22,9 +22,7 @@ class VideoCameraTest : public testing::Test {
     return out;
   }
   Result<StereoModel> open() { return run(executor, camera.open()); }
-  Result<StereoFrame> next(Time after, bool colour = false) {
-    return run(executor, camera.next(after, colour));
-  }
+  Result<StereoFrame> next(Time after, bool colour = false) { return run(executor, camera.next(after, colour)); }
   void run_for(Duration duration) {
     const Time end = executor.now() + duration;
     executor.call_at(end, [] {});
@@ -38,8 +36,9 @@ class VideoCameraTest : public testing::Test {
   }
 
   FakeDevice device;
-  CameraSetup setup{
-      .arrangement = CameraSetup::Arrangement::single, .sources = {CameraSource{}}, .calibration_file = {}};
+  forms::CameraSetup setup{.arrangement = forms::CameraSetup::Arrangement::single,
+                           .sources = {forms::CameraSource{}},
+                           .calibration_file = {}};
   RealExecutor executor;
   VideoCamera camera{executor, setup, [this] { return sources(); }};
 };
@@ -239,4 +238,4 @@ TEST_F(VideoCameraTest, ItIsLetGoWithItsUser) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::camera

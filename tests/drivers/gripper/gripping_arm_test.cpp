@@ -5,7 +5,7 @@
 #include "drivers/arm/meeting.hpp"
 #include "tests/drivers/arm/driven_cells.hpp"
 
-namespace pizarra {
+namespace pizarra::gripper {
 namespace {
 
 // Goes at once where it is told, unless there is something wrong with it.
@@ -36,7 +36,7 @@ class InstantGripper : public GripperDriver {
 };
 
 // Over an arm that has no gripper of its own.
-class Gripping : public testing::Test, protected DrivenSimple<false> {
+class Gripping : public testing::Test, protected arm::DrivenSimple<false> {
  protected:
   InstantGripper gripper;
   GrippingArm both{arm, gripper};
@@ -50,17 +50,17 @@ TEST_F(Gripping, AnArmWithoutAGripperGripsAndMovesAsOne) {
   EXPECT_EQ(outcome(both.start_gripper(40)), "");
   EXPECT_EQ(ask(both.read())->opening_mm, 40);
   EXPECT_EQ(ask(both.read())->gripped, false);
-  Joints there = model().ready;
+  arm::Joints there = model().ready;
   there[0] += 30;
   EXPECT_EQ(outcome(both.start_move({there}, 1)), "");
-  Result<ArmReading> reading = ask(both.read());
+  Result<arm::ArmReading> reading = ask(both.read());
   EXPECT_TRUE(reading->moving);
   while (reading && reading->moving) {
     executor.run_for(20ms);
     reading = ask(both.read());
   }
   ASSERT_TRUE(reading);
-  EXPECT_TRUE(are_same_place(reading->joints, there, 0.01));
+  EXPECT_TRUE(arm::are_same_place(reading->joints, there, 0.01));
   EXPECT_EQ(reading->opening_mm, 40);
 }
 
@@ -79,7 +79,7 @@ TEST_F(Gripping, AStandingGripperIsAskedSeldomAndOneThatFailsAtOnceAgain) {
 
 TEST_F(Gripping, AFailingGripperDoesNotKeepTheArmFromStopping) {
   ASSERT_EQ(connect(), "");
-  Joints there = model().ready;
+  arm::Joints there = model().ready;
   there[0] += 60;
   ASSERT_EQ(outcome(both.start_move({there}, 0.5)), "");
   executor.run_for(200ms);
@@ -90,16 +90,16 @@ TEST_F(Gripping, AFailingGripperDoesNotKeepTheArmFromStopping) {
 
 TEST_F(Gripping, AFailingGripperDoesNotKeepAnArmThatMovesForNobodyFromBeingStopped) {
   ASSERT_EQ(connect(), "");
-  Joints there = model().ready;
+  arm::Joints there = model().ready;
   there[0] += 60;
   ASSERT_EQ(outcome(both.start_move({there}, 0.1)), "");
   executor.run_for(200ms);
   begin_anew();
   gripper.wrong = Failure{"disconnected", "the gripper does not answer", {}, {}};
-  EXPECT_FALSE(ask(meet_arm(executor, both, model())));
+  EXPECT_FALSE(ask(arm::meet_arm(executor, both, model())));
   executor.run_for(1s);
   EXPECT_FALSE(read()->moving);
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::gripper

@@ -6,30 +6,30 @@
 
 #include "blackboard/time/real_executor.hpp"
 #include "drivers/arm/arm_file.hpp"
+#include "drivers/line/tcp_port.hpp"
 #include "drivers/simulation/controllers/arms/moving_arm.hpp"
 #include "drivers/simulation/controllers/gripper/modbus_server.hpp"
-#include "drivers/line/tcp_port.hpp"
 #include "tests/run_task.hpp"
 
-namespace pizarra {
+namespace pizarra::gripper {
 namespace {
 
 // Fingers with a thing of this width between them.
-class Fingers : public MovingArm {
+class Fingers : public simulation::MovingArm {
  public:
-  using MovingArm::MovingArm;
+  using simulation::MovingArm::MovingArm;
   double thing_mm = 0;
   Task<Result<void>> start_gripper(double opening_mm) override {
-    return MovingArm::start_gripper(std::max(opening_mm, thing_mm));
+    return simulation::MovingArm::start_gripper(std::max(opening_mm, thing_mm));
   }
 };
 
 // In real time: libmodbus has the sockets of both ends.
 class Modbus : public testing::Test {
  protected:
-  explicit Modbus(GripperSetup laid_out = {}) : setup(std::move(laid_out)) {}
+  explicit Modbus(forms::GripperSetup laid_out = {}) : setup(std::move(laid_out)) {}
   void SetUp() override {
-    server = std::move(ModbusServer::listen(executor, gripper, "127.0.0.1", 0).value());
+    server = std::move(simulation::ModbusServer::listen(executor, gripper, "127.0.0.1", 0).value());
     client.emplace(executor, "localhost", server->port(), setup.unit);
     driver.emplace(executor, *client, setup);
   }
@@ -55,11 +55,11 @@ class Modbus : public testing::Test {
     co_return true;
   }
 
-  GripperSetup setup;
+  forms::GripperSetup setup;
   RealExecutor executor;
-  Fingers body{executor, crs_f3()};
-  GripperEmulator gripper{executor, body, setup};
-  std::unique_ptr<ModbusServer> server;
+  Fingers body{executor, arm::crs_f3()};
+  simulation::GripperEmulator gripper{executor, body, setup};
+  std::unique_ptr<simulation::ModbusServer> server;
   std::optional<ModbusClient> client;
   std::optional<ModbusGripper> driver;
 };
@@ -194,8 +194,8 @@ TEST_F(Modbus, ACallThatIsCancelledLeavesNothingBehind) {
 }
 
 // As a device may be whose maker laid it out otherwise: in hundredths of a millimetre, upwards, elsewhere.
-GripperSetup laid_out_otherwise() {
-  GripperSetup setup;
+forms::GripperSetup laid_out_otherwise() {
+  forms::GripperSetup setup;
   setup.target = {7, 0, 16};
   setup.activate = {5, 0, 1};
   setup.go = {6, 15, 1};
@@ -223,9 +223,9 @@ TEST_F(ModbusElsewhere, ItsRegistersAreWhereTheSetupSays) {
 
 // A server that answers everything with this.
 TEST_F(Modbus, WhatIsNoAnswerIsOneFailure) {
-  const auto port = std::move(TcpPort::listen(executor, "127.0.0.1", 0).value());
+  const auto port = std::move(line::TcpPort::listen(executor, "127.0.0.1", 0).value());
   std::string answer;
-  const Job answering = executor.spawn([](Executor& clock, TcpPort& device, std::string& said) -> Task<void> {
+  const Job answering = executor.spawn([](Executor& clock, line::TcpPort& device, std::string& said) -> Task<void> {
     while (true) {
       const Time deadline = clock.now() + 10s;
       const Result<void> come = co_await device.open(deadline);
@@ -249,4 +249,4 @@ TEST_F(Modbus, WhatIsNoAnswerIsOneFailure) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::gripper

@@ -8,7 +8,7 @@
 #include "tests/drivers/line/lossy_line.hpp"
 #include "tests/run_task.hpp"
 
-namespace pizarra {
+namespace pizarra::line {
 namespace {
 
 // A device that repeats what it hears; the first octet is the id.
@@ -101,4 +101,4 @@ TEST(Udp, WhatIsNotThereIsSaidInASentence) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::line

@@ -13,7 +13,7 @@
 #include "blackboard/time/random.hpp"
 #include "drivers/line/datagram_wire.hpp"
 
-namespace pizarra {
+namespace pizarra::line {
 
 class LossyLine : public DatagramWire {
  public:
@@ -89,4 +89,4 @@ class LossyLine : public DatagramWire {
   std::list<Job> under_way_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::line

@@ -6,7 +6,7 @@
 #include "tests/drivers/line/wire_pair.hpp"
 #include "tests/run_task.hpp"
 
-namespace pizarra {
+namespace pizarra::line {
 namespace {
 
 // A device that tells numbers, a line each; "-" is none.
@@ -102,4 +102,4 @@ TEST_F(Told, AQuestionTakesTheAnswerThatFitsAndTheNextWaitsForItsTurn) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::line

@@ -11,7 +11,7 @@
 #include "blackboard/time/latch.hpp"
 #include "drivers/line/byte_wire.hpp"
 
-namespace pizarra {
+namespace pizarra::line {
 
 class WirePair {
  public:
@@ -91,4 +91,4 @@ class WirePair {
   int hung_up_ = 0;  // the last connection that the device has ended
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::line

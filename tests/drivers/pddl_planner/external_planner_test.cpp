@@ -11,7 +11,7 @@
 
 #include "tests/scratch.hpp"
 
-namespace pizarra {
+namespace pizarra::pddl_planner {
 namespace {
 
 const PlanOperators operators{{"pick-up", 1}, {"stack", 2}};
@@ -193,4 +193,4 @@ TEST_F(ExternalPlannerTest, LeavesNoProcessBehindWhereItIsKilledItself) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::pddl_planner

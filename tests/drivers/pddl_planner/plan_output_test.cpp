@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace pizarra {
+namespace pizarra::pddl_planner {
 namespace {
 
 const PlanOperators operators{{"pick-up", 1}, {"stack", 2}, {"rest", 0}};
@@ -53,4 +53,4 @@ TEST(PlanOutput, OfAFileWithOtherLinesIsGarbage) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::pddl_planner

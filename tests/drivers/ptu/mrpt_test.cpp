@@ -7,10 +7,10 @@
 #include <thread>
 
 #include "blackboard/time/real_executor.hpp"
-#include "drivers/simulation/controllers/serve.hpp"
 #include "drivers/line/pty_wire.hpp"
+#include "drivers/simulation/controllers/serve.hpp"
 
-namespace pizarra {
+namespace pizarra::ptu {
 namespace {
 
 constexpr double rad(double deg) { return deg * std::numbers::pi / 180; }
@@ -20,9 +20,9 @@ class Served {
  public:
   explicit Served(std::string_view model)
       : thread_([this, model] {
-          PtuEmulator unit(executor_, *find_ptu_model(model));
-          const auto line = PtyWire::make(executor_);
-          const Job serving = executor_.spawn(serve(executor_, unit, **line));
+          simulation::PtuEmulator unit(executor_, *find_ptu_model(model));
+          const auto line = line::PtyWire::make(executor_);
+          const Job serving = executor_.spawn(simulation::serve(executor_, unit, **line));
           path_.set_value((*line)->path());
           executor_.run_until([] { return false; });
         }) {}
@@ -49,7 +49,7 @@ class Mrpt : public testing::TestWithParam<const char*> {
 };
 
 TEST_P(Mrpt, FindsResolutionAndLimits) {
-  const PtuModel& model = *find_ptu_model(GetParam());
+  const simulation::PtuModel& model = *find_ptu_model(GetParam());
   EXPECT_NEAR(unit_.panResolution, rad(model.pan.arc_seconds / 3600), 1e-9);
   double low = 0;
   double high = 0;
@@ -88,4 +88,4 @@ INSTANTIATE_TEST_SUITE_P(BothUnits, Mrpt, testing::Values("ptu46-17.5", "ptu46-7
                          [](const auto& unit) { return std::string(unit.param) == "ptu46-70" ? "Fine" : "Coarse"; });
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::ptu

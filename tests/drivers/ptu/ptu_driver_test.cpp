@@ -8,7 +8,7 @@
 #include "blackboard/time/virtual_executor.hpp"
 #include "tests/drivers/ptu/wire_to_unit.hpp"
 
-namespace pizarra {
+namespace pizarra::ptu {
 namespace {
 
 constexpr double deg_per_count = 185.1428 / 3600;
@@ -16,7 +16,7 @@ constexpr double half_a_count = deg_per_count / 2 + 1e-9;
 
 class Driver : public testing::Test {
  protected:
-  explicit Driver(std::string_view model = "ptu46-17.5") : unit(executor, *find_ptu_model(model)) {}
+  explicit Driver(std::string_view model = "ptu46-17.5") : unit(executor, *simulation::find_ptu_model(model)) {}
 
   template <class T>
   T ask(Task<T> task) {
@@ -38,7 +38,7 @@ class Driver : public testing::Test {
   }
 
   VirtualExecutor executor;
-  PtuEmulator unit;
+  simulation::PtuEmulator unit;
   WireToUnit wire{executor, unit};
   PtuDriver driver{executor, wire};
   PanTiltRange range{};
@@ -270,4 +270,4 @@ TEST_F(Driver, OverALineThatGarblesAndFallsSilentNoReadingIsFalse) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::ptu

@@ -5,7 +5,7 @@
 
 #include "blackboard/time/virtual_executor.hpp"
 
-namespace pizarra {
+namespace pizarra::ptu {
 namespace {
 
 class Ptu : public testing::Test {
@@ -24,7 +24,7 @@ class Ptu : public testing::Test {
 
   VirtualExecutor executor;
   std::string said;
-  PtuEmulator unit{executor, *find_ptu_model("ptu46-17.5")};
+  simulation::PtuEmulator unit{executor, *simulation::find_ptu_model("ptu46-17.5")};
 };
 
 TEST_F(Ptu, TellsItsResolutionAndLimitsInTheManualsWords) {
@@ -146,4 +146,4 @@ TEST_F(Ptu, EndlessBytesWithoutADelimiterAreBounded) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::ptu

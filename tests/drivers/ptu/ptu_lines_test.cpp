@@ -3,15 +3,15 @@
 #include <gtest/gtest.h>
 
 #include "blackboard/time/real_executor.hpp"
-#include "drivers/ptu/ptu_driver.hpp"
-#include "drivers/simulation/controllers/serve.hpp"
 #include "drivers/line/pty_wire.hpp"
 #include "drivers/line/serial_wire.hpp"
 #include "drivers/line/tcp_port.hpp"
 #include "drivers/line/tcp_wire.hpp"
+#include "drivers/ptu/ptu_driver.hpp"
+#include "drivers/simulation/controllers/serve.hpp"
 #include "tests/drivers/ptu/wire_to_unit.hpp"
 
-namespace pizarra {
+namespace pizarra::ptu {
 namespace {
 
 class Lines : public testing::Test {
@@ -29,14 +29,14 @@ class Lines : public testing::Test {
   }
 
   RealExecutor executor;
-  PtuEmulator unit{executor, *find_ptu_model("ptu46-17.5")};
+  simulation::PtuEmulator unit{executor, *simulation::find_ptu_model("ptu46-17.5")};
 };
 
 TEST_F(Lines, APseudoTerminalIsASerialLine) {
-  const auto line = PtyWire::make(executor);
+  const auto line = line::PtyWire::make(executor);
   ASSERT_TRUE(line);
-  const Job serving = executor.spawn(serve(executor, unit, **line));
-  SerialWire wire(executor, (*line)->path(), 9600);
+  const Job serving = executor.spawn(simulation::serve(executor, unit, **line));
+  line::SerialWire wire(executor, (*line)->path(), 9600);
   PtuDriver driver(executor, wire);
   drive(driver);
   // One that comes after it finds the line in order.
@@ -46,10 +46,10 @@ TEST_F(Lines, APseudoTerminalIsASerialLine) {
 }
 
 TEST_F(Lines, OverTcpOneClientFollowsAnother) {
-  const auto port = TcpPort::listen(executor, "127.0.0.1", 0);
+  const auto port = line::TcpPort::listen(executor, "127.0.0.1", 0);
   ASSERT_TRUE(port) << describe(port.error());
-  const Job serving = executor.spawn(serve(executor, unit, **port));
-  TcpWire wire(executor, "localhost", (*port)->port());
+  const Job serving = executor.spawn(simulation::serve(executor, unit, **port));
+  line::TcpWire wire(executor, "localhost", (*port)->port());
   PtuDriver driver(executor, wire);
   drive(driver);
   driver.close();
@@ -59,25 +59,25 @@ TEST_F(Lines, OverTcpOneClientFollowsAnother) {
 TEST_F(Lines, WhereNobodyListensOpeningFailsInASentence) {
   std::uint16_t free_port = 0;
   {
-    const auto port = TcpPort::listen(executor, "127.0.0.1", 0);
+    const auto port = line::TcpPort::listen(executor, "127.0.0.1", 0);
     ASSERT_TRUE(port);
     free_port = (*port)->port();
   }
-  TcpWire tcp(executor, "127.0.0.1", free_port);
+  line::TcpWire tcp(executor, "127.0.0.1", free_port);
   const Result<void> refused = run(executor, tcp.open(executor.now() + 2s));
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().symbol, "disconnected");
-  SerialWire serial(executor, "/dev/no-such-line", 9600);
+  line::SerialWire serial(executor, "/dev/no-such-line", 9600);
   EXPECT_EQ(run(executor, serial.open(executor.now() + 2s)).error().symbol, "disconnected");
-  SerialWire odd(executor, "/dev/null", 1234);
+  line::SerialWire odd(executor, "/dev/null", 1234);
   EXPECT_EQ(run(executor, odd.open(executor.now() + 2s)).error().symbol, "bad-baud");
 }
 
 TEST_F(Lines, AnEndThatGoesAwayIsNoticedByTheOther) {
-  auto port = TcpPort::listen(executor, "127.0.0.1", 0);
+  auto port = line::TcpPort::listen(executor, "127.0.0.1", 0);
   ASSERT_TRUE(port);
-  Job serving = executor.spawn(serve(executor, unit, **port));
-  TcpWire wire(executor, "127.0.0.1", (*port)->port());
+  Job serving = executor.spawn(simulation::serve(executor, unit, **port));
+  line::TcpWire wire(executor, "127.0.0.1", (*port)->port());
   PtuDriver driver(executor, wire);
   ASSERT_TRUE(run(executor, driver.connect()));
   serving = Job();
@@ -88,4 +88,4 @@ TEST_F(Lines, AnEndThatGoesAwayIsNoticedByTheOther) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::ptu

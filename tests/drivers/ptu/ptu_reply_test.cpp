@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace pizarra {
+namespace pizarra::ptu {
 namespace {
 
 using enum PtuLine::Result;
@@ -42,4 +42,4 @@ TEST(PtuReply, TheFirstNumberOfATextIsFoundWithItsSign) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::ptu

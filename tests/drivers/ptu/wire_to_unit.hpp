@@ -5,15 +5,15 @@
 #include <functional>
 
 #include "blackboard/time/latch.hpp"
-#include "drivers/simulation/controllers/ptu_emulator.hpp"
 #include "drivers/line/byte_wire.hpp"
+#include "drivers/simulation/controllers/ptu_emulator.hpp"
 #include "tests/run_task.hpp"
 
-namespace pizarra {
+namespace pizarra::ptu {
 
-class WireToUnit : public ByteWire {
+class WireToUnit : public line::ByteWire {
  public:
-  WireToUnit(Executor& executor, PtuEmulator& unit) : unit_(unit), come_(executor) {
+  WireToUnit(Executor& executor, simulation::PtuEmulator& unit) : unit_(unit), come_(executor) {
     unit_.on_say([this](std::string_view bytes) {
       if (!pulled) hear(from_unit ? from_unit(bytes) : std::string(bytes));
     });
@@ -56,9 +56,9 @@ class WireToUnit : public ByteWire {
   }
 
  private:
-  PtuEmulator& unit_;
+  simulation::PtuEmulator& unit_;
   std::string heard_;
   WaitList come_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::ptu

@@ -3,7 +3,7 @@
 #include "lisp/reader.hpp"
 #include "lisp/writer.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 namespace {
 
@@ -50,39 +50,39 @@ std::string Bench::facts() {
   return write(all.items().back());
 }
 
-StereoFrame Bench::frame(bool colour) {
-  const Result<StereoFrame> frame = run(executor, eyes.next(last_frame_, colour));
+camera::StereoFrame Bench::frame(bool colour) {
+  const Result<camera::StereoFrame> frame = run(executor, eyes.next(last_frame_, colour));
   EXPECT_TRUE(frame);
   if (frame) last_frame_ = frame->captured;
-  return frame.value_or(StereoFrame());
+  return frame.value_or(camera::StereoFrame());
 }
 
-Joints Bench::tool_down(double x_mm, double y_mm, double z_mm) const {
-  ToolPose pose = ToolPose::Identity();
+arm::Joints Bench::tool_down(double x_mm, double y_mm, double z_mm) const {
+  arm::ToolPose pose = arm::ToolPose::Identity();
   pose.linear() << 1, 0, 0, 0, -1, 0, 0, 0, -1;
   pose.translation() = Eigen::Vector3d(x_mm, y_mm, z_mm);
-  const Result<Joints> joints = inverse(config.arm, pose, at_);
+  const Result<arm::Joints> joints = arm::inverse(config.arm, pose, at_);
   EXPECT_TRUE(joints) << x_mm << " " << y_mm << " " << z_mm;
   return joints.value_or(at_);
 }
 
-ArmReading Bench::reading() {
-  const Result<ArmReading> reading = run(executor, arm.read());
+arm::ArmReading Bench::reading() {
+  const Result<arm::ArmReading> reading = run(executor, arm.read());
   EXPECT_TRUE(reading);
-  return reading.value_or(ArmReading());
+  return reading.value_or(arm::ArmReading());
 }
 
 bool Bench::go(double x_mm, double y_mm, double z_mm, double speed) {
-  const Eigen::Vector3d from = forward(config.arm, at_).translation();
+  const Eigen::Vector3d from = arm::forward(config.arm, at_).translation();
   const Eigen::Vector3d to(x_mm, y_mm, z_mm);
-  std::vector<Joints> path;
+  std::vector<arm::Joints> path;
   for (int i = 1; i <= 20; ++i) {
     const Eigen::Vector3d point = from + (to - from) * i / 20.0;
     path.push_back(tool_down(point.x(), point.y(), point.z()));
   }
   const Result<void> started = run(executor, arm.start_move(path, speed));
   EXPECT_TRUE(started) << (started ? "" : describe(started.error()));
-  ArmReading now = reading();
+  arm::ArmReading now = reading();
   for (int polls = 0; now.moving && polls < 2000; ++polls) {
     wait(10ms);
     now = reading();
@@ -94,7 +94,7 @@ bool Bench::go(double x_mm, double y_mm, double z_mm, double speed) {
 
 double Bench::grip(double opening_mm) {
   EXPECT_TRUE(run(executor, arm.start_gripper(opening_mm)));
-  ArmReading now = reading();
+  arm::ArmReading now = reading();
   for (int polls = 0; now.gripper_moving && polls < 500; ++polls) {
     wait(10ms);
     now = reading();
@@ -128,4 +128,4 @@ WorldConfig four_cubes() {
   return config;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

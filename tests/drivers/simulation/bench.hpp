@@ -13,7 +13,7 @@
 #include "drivers/simulation/world.hpp"
 #include "tests/run_task.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 struct TruthOf {
   double x_mm = 0;
@@ -44,10 +44,10 @@ class Bench {
   // The facts of the truth, as text.
   std::string facts();
   // The next frame, never the same again.
-  StereoFrame frame(bool colour = false);
+  camera::StereoFrame frame(bool colour = false);
 
   // The joints for the tool straight down there, its plate towards the camera.
-  Joints tool_down(double x_mm, double y_mm, double z_mm) const;
+  arm::Joints tool_down(double x_mm, double y_mm, double z_mm) const;
   // Straight to there; true when it arrived.
   bool go(double x_mm, double y_mm, double z_mm, double speed = 0.3);
   // Moves the fingers and answers the measured opening.
@@ -57,14 +57,14 @@ class Bench {
   // Puts what is held down with its centre at z and backs off.
   void put(double x_mm, double y_mm, double z_mm);
   void wait(Duration duration) { executor.run_for(duration); }
-  ArmReading reading();
+  arm::ArmReading reading();
 
  private:
-  Joints at_;
+  arm::Joints at_;
   Time last_frame_ = {};
 };
 
 // Four cubes in a row, as a newcomer sees them.
 WorldConfig four_cubes();
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

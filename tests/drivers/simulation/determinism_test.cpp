@@ -3,7 +3,7 @@
 #include "lisp/writer.hpp"
 #include "tests/drivers/simulation/bench.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 namespace {
 
@@ -14,7 +14,7 @@ std::size_t story(std::uint64_t seed) {
   Bench bench(config);
   std::string all;
   const auto look = [&] {
-    const StereoFrame frame = bench.frame();
+    const camera::StereoFrame frame = bench.frame();
     for (const auto& image : {frame.left, frame.right}) all.append(image->pixels.begin(), image->pixels.end());
     all += write(bench.ask("(truth)"));
   };
@@ -60,11 +60,11 @@ TEST(Determinism, FramesDoNotDependOnWhichWereTakenBefore) {
       if (watch) bench.ask("(camera next 0 grey)");
     }
     bench.executor.run_for(Time(3s) - bench.executor.now());
-    const StereoFrame frame = bench.frame();
+    const camera::StereoFrame frame = bench.frame();
     EXPECT_EQ(frame.captured, Time(3s));
     return frame.left->pixels;
   };
   EXPECT_EQ(last(true), last(false));
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

@@ -11,7 +11,7 @@
 #include "tests/drivers/simulation/bench.hpp"
 #include "tests/scratch.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 namespace {
 
@@ -42,16 +42,16 @@ TEST_F(DeviceLink, CarriesCallsFailuresAndImages) {
   SimulatedArm arm(link);
   EXPECT_EQ(run(executor_, arm.start_gripper(10)).error().symbol, "not-in-control");
   EXPECT_TRUE(run(executor_, arm.take_control()));
-  const Result<ArmReading> reading = run(executor_, arm.read());
+  const Result<arm::ArmReading> reading = run(executor_, arm.read());
   ASSERT_TRUE(reading);
   EXPECT_EQ(reading->joints, config_.arm.ready);
 
   SimulatedCamera eyes(executor_, link);
   ASSERT_TRUE(run(executor_, eyes.open()));
-  const Result<StereoFrame> first = run(executor_, eyes.next({}, true));
+  const Result<camera::StereoFrame> first = run(executor_, eyes.next({}, true));
   ASSERT_TRUE(first);
   EXPECT_EQ(first->right->pixels.size(), 320U * 240 * 3);
-  const Result<StereoFrame> second = run(executor_, eyes.next(first->captured, false));
+  const Result<camera::StereoFrame> second = run(executor_, eyes.next(first->captured, false));
   ASSERT_TRUE(second);
   EXPECT_EQ(second->captured - first->captured, 100ms * (second->number - first->number));
 }
@@ -116,4 +116,4 @@ TEST_F(DeviceLink, SaysWhereItCannotListen) {
   EXPECT_EQ(server.error().symbol, "bad-address");
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

@@ -3,7 +3,7 @@
 #include "blackboard/time/random.hpp"
 #include "tests/drivers/simulation/bench.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 TEST(Grasp, LiftsACubeAndReadsItsWidth) {
   Bench bench(four_cubes());
@@ -127,4 +127,4 @@ TEST(Grasp, TheArmStopsWhenTheHeldCubeMeetsAnother) {
   EXPECT_EQ(bench.truth("circle").state, "(on cross)");
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

@@ -3,7 +3,7 @@
 #include "lisp/reader.hpp"
 #include "tests/drivers/simulation/bench.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 TEST(Hand, PushesACubeWhereItIsTold) {
   Bench bench(four_cubes());
@@ -117,4 +117,4 @@ TEST(Hand, RefusesWhatItDoesNotKnow) {
   EXPECT_EQ(bench.outcome("()"), "bad-request");
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
-namespace pizarra {
+namespace pizarra::simulation {
 namespace {
 
 Solid cube_at(double x_mm, double y_mm, double z_mm, double yaw_deg) {
@@ -29,4 +29,4 @@ TEST(PaintOrder, PaintsACubeOverTheOneItStandsOnThoughANeighbourTouchesBoth) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::simulation

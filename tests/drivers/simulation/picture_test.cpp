@@ -7,7 +7,7 @@
 #include "drivers/simulation/render/stereo_renderer.hpp"
 #include "tests/drivers/simulation/bench.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 namespace {
 
@@ -66,7 +66,7 @@ Blob seen_from(const Image& image, Bench& bench, const char* request) {
 
 TEST(Picture, ACircleMeasuresWhatTheThesisPrinted) {
   Bench bench(one_cube(Mark::circle));
-  const StereoFrame frame = bench.frame();
+  const camera::StereoFrame frame = bench.frame();
   ASSERT_EQ(frame.left->width, 320);
   ASSERT_EQ(frame.left->height, 240);
   const Blob blob = seen_from(*frame.left, bench, "(where-seen it)");
@@ -77,7 +77,7 @@ TEST(Picture, ACircleMeasuresWhatTheThesisPrinted) {
 TEST(Picture, MarksAreWhereTheGeometrySays) {
   for (const Mark mark : {Mark::circle, Mark::square, Mark::cross, Mark::triangle}) {
     Bench bench(one_cube(mark));
-    const StereoFrame frame = bench.frame();
+    const camera::StereoFrame frame = bench.frame();
     const Blob left = seen_from(*frame.left, bench, "(where-seen it)");
     // The face is 850 ahead; the left eye stands 45 to the left of the mark, the right one 45 to its right.
     const double aside = 431 * 45.0 / 850;
@@ -94,7 +94,7 @@ TEST(Picture, MarksHaveTheirShapesAreas) {
   const double px_per_mm = 431.0 / 850;
   const auto area = [&](Mark mark) {
     Bench bench(one_cube(mark));
-    const StereoFrame frame = bench.frame();
+    const camera::StereoFrame frame = bench.frame();
     return seen_from(*frame.left, bench, "(where-seen it)").area / (px_per_mm * px_per_mm);
   };
   EXPECT_NEAR(area(Mark::square), 44 * 44, 60);
@@ -104,9 +104,9 @@ TEST(Picture, MarksHaveTheirShapesAreas) {
 
 TEST(Picture, FramesComeEveryTenthOfASecondOnTheDot) {
   Bench bench(four_cubes());
-  StereoFrame last;
+  camera::StereoFrame last;
   for (int i = 0; i < 5; ++i) {
-    const Result<StereoFrame> frame = run(bench.executor, bench.eyes.next(last.captured, false));
+    const Result<camera::StereoFrame> frame = run(bench.executor, bench.eyes.next(last.captured, false));
     ASSERT_TRUE(frame);
     EXPECT_EQ(frame->captured.time_since_epoch() % 100ms, 0us);
     EXPECT_EQ(frame->captured, bench.executor.now());
@@ -116,20 +116,20 @@ TEST(Picture, FramesComeEveryTenthOfASecondOnTheDot) {
     last = *frame;
   }
   bench.wait(350ms);
-  const Result<StereoFrame> late = run(bench.executor, bench.eyes.next(last.captured, false));
+  const Result<camera::StereoFrame> late = run(bench.executor, bench.eyes.next(last.captured, false));
   ASSERT_TRUE(late);
   EXPECT_EQ(late->number, last.number + 4);
   // A time by another clock does not make it wait for ever.
   const Time never = bench.executor.now() + 1000s;
-  const Result<StereoFrame> stale = run(bench.executor, bench.eyes.next(never, false));
+  const Result<camera::StereoFrame> stale = run(bench.executor, bench.eyes.next(never, false));
   ASSERT_TRUE(stale);
   EXPECT_LE(stale->number, last.number + 6);
 }
 
 TEST(Picture, ColourAndGreyShowTheSame) {
   Bench bench(four_cubes());
-  const StereoFrame grey = bench.frame(false);
-  const StereoFrame colour = bench.frame(true);
+  const camera::StereoFrame grey = bench.frame(false);
+  const camera::StereoFrame colour = bench.frame(true);
   ASSERT_EQ(colour.left->channels, 3);
   double difference = 0;
   for (std::size_t i = 0; i < grey.left->pixels.size(); ++i) {
@@ -141,8 +141,8 @@ TEST(Picture, ColourAndGreyShowTheSame) {
 
 TEST(Picture, NoiseHasTheSigmaAskedFor) {
   Bench bench(four_cubes());
-  const StereoFrame a = bench.frame();
-  const StereoFrame b = bench.frame();
+  const camera::StereoFrame a = bench.frame();
+  const camera::StereoFrame b = bench.frame();
   ASSERT_NE(a.number, b.number);
   double sum = 0;
   for (std::size_t i = 0; i < a.left->pixels.size(); ++i) {
@@ -182,7 +182,7 @@ TEST(Picture, DrawingOnlyWhatChangedGivesTheWholePicture) {
 TEST(Picture, APairCostsLittle) {
   Bench bench(four_cubes());
   bench.frame();
-  Joints aside = bench.config.arm.ready;
+  arm::Joints aside = bench.config.arm.ready;
   aside[0] = 60;
   ASSERT_TRUE(run(bench.executor, bench.arm.start_move({aside, bench.config.arm.ready}, 0.05)));
   constexpr int frames = 50;
@@ -193,4 +193,4 @@ TEST(Picture, APairCostsLittle) {
   EXPECT_LT(took.count() / frames, 100);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

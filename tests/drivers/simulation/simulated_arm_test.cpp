@@ -3,13 +3,13 @@
 
 #include "tests/drivers/simulation/bench.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 TEST(SimulatedArm, NamesItsType) {
   Bench bench(four_cubes());
   const Result<std::string> type = run(bench.executor, bench.arm.identify());
   ASSERT_TRUE(type);
-  EXPECT_EQ(*type, crs_f3().type);
+  EXPECT_EQ(*type, arm::crs_f3().type);
 }
 
 TEST(SimulatedArm, ObeysOnlyWhoHasControl) {
@@ -27,10 +27,10 @@ TEST(SimulatedArm, ObeysOnlyWhoHasControl) {
 
 TEST(SimulatedArm, RefusesBadMoves) {
   Bench bench(four_cubes());
-  const auto refused = [&](std::vector<Joints> path, double speed) {
+  const auto refused = [&](std::vector<arm::Joints> path, double speed) {
     return run(bench.executor, bench.arm.start_move(std::move(path), speed)).error().symbol;
   };
-  Joints beyond = bench.config.arm.ready;
+  arm::Joints beyond = bench.config.arm.ready;
   beyond[1] = 90;
   EXPECT_EQ(refused({beyond}, 0.5), "joint-limit");
   beyond[1] = std::numeric_limits<double>::quiet_NaN();
@@ -44,16 +44,16 @@ TEST(SimulatedArm, RefusesBadMoves) {
 
 TEST(SimulatedArm, NoAxisExceedsItsShareOfSpeed) {
   Bench bench(four_cubes());
-  Joints far = bench.config.arm.ready;
+  arm::Joints far = bench.config.arm.ready;
   far[0] = 120;
   far[4] = -60;
   const double speed = 0.4;
   ASSERT_TRUE(run(bench.executor, bench.arm.start_move({far}, speed)));
-  Joints before = bench.reading().joints;
+  arm::Joints before = bench.reading().joints;
   double fastest = 0;
   while (bench.reading().moving) {
     bench.wait(50ms);
-    const Joints now = bench.reading().joints;
+    const arm::Joints now = bench.reading().joints;
     for (std::size_t axis = 0; axis < bench.config.arm.axes.size(); ++axis) {
       const double rate = std::abs(now[axis] - before[axis]) / 0.05;
       EXPECT_LE(rate, bench.config.arm.axes[axis].speed * speed * 1.09) << "axis " << axis + 1;
@@ -68,14 +68,14 @@ TEST(SimulatedArm, NoAxisExceedsItsShareOfSpeed) {
 
 TEST(SimulatedArm, StopsWithinAQuarterOfASecond) {
   Bench bench(four_cubes());
-  Joints far = bench.config.arm.ready;
+  arm::Joints far = bench.config.arm.ready;
   far[0] = 150;
   ASSERT_TRUE(run(bench.executor, bench.arm.start_move({far}, 0.5)));
   bench.wait(500ms);
   ASSERT_TRUE(run(bench.executor, bench.arm.stop()));
   const double braked_from = bench.reading().joints[0];
   bench.wait(300ms);
-  const ArmReading after = bench.reading();
+  const arm::ArmReading after = bench.reading();
   EXPECT_FALSE(after.moving);
   EXPECT_TRUE(after.stopped);
   EXPECT_GT(after.joints[0], braked_from);
@@ -95,4 +95,4 @@ TEST(SimulatedArm, TheGripperTakesItsTime) {
   EXPECT_FALSE(bench.reading().gripper_moving);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

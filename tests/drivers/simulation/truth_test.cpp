@@ -1,7 +1,7 @@
 #include "lisp/writer.hpp"
 #include "tests/drivers/simulation/bench.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 TEST(Truth, TellsWhatStandsOnWhat) {
   WorldConfig config = four_cubes();
@@ -69,4 +69,4 @@ TEST(Truth, ATiltedCubeIsOnNothing) {
   EXPECT_NE(bench.truth("star").state, "(on circle)");
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

@@ -1,6 +1,6 @@
 #include "tests/drivers/simulation/bench.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 namespace {
 
@@ -53,4 +53,4 @@ TEST(WorldConfig, NamesMarksBothWays) {
   EXPECT_FALSE(mark_from_name("moon"));
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

@@ -6,7 +6,7 @@
 
 #include "drivers/arm/route.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 namespace {
 
@@ -83,7 +83,7 @@ void ArmCabinet::raise(int alarm) {
 void ArmCabinet::brake() { braking_ = executor_.spawn(brake_and_look()); }
 
 Task<void> ArmCabinet::brake_and_look() {
-  const Result<ArmReading> reading = co_await body_.read();
+  const Result<arm::ArmReading> reading = co_await body_.read();
   const bool moves = reading && reading->moving;
   if (moves && !powered_) lost_in_motion_ = true;
   // One that cannot be reached is noticed when it is read.
@@ -100,17 +100,17 @@ Refusal ArmCabinet::refusal() const {
   return Refusal::none;
 }
 
-Task<Refusal> ArmCabinet::move(std::vector<Joints> waypoints, double speed) {
+Task<Refusal> ArmCabinet::move(std::vector<arm::Joints> waypoints, double speed) {
   const Refusal why = refusal();
   if (why != Refusal::none) co_return why;
-  for (const Joints& joints : waypoints) {
-    if (!check_limits(model_, joints)) co_return Refusal::out_of_range;
+  for (const arm::Joints& joints : waypoints) {
+    if (!arm::check_limits(model_, joints)) co_return Refusal::out_of_range;
   }
   const bool sound = !waypoints.empty() && speed > 0;
   if (!sound) co_return Refusal::out_of_range;
-  const ArmReading before = co_await read();
+  const arm::ArmReading before = co_await read();
   if (before.moving) co_return Refusal::running;
-  const Joints target = waypoints.back();
+  const arm::Joints target = waypoints.back();
   const double part = std::min(1.0, speed * override_);
   Result<void> started = co_await body_.start_move(waypoints, part);
   if (!started && started.error().symbol == "not-in-control") {
@@ -125,7 +125,7 @@ Task<Refusal> ArmCabinet::move(std::vector<Joints> waypoints, double speed) {
   // What came meanwhile found nothing to stop.
   if (refusal() != Refusal::none) brake();
   constexpr double nowhere_else = 1e-3;
-  if (are_same_place(target, before.joints, nowhere_else)) co_return Refusal::none;
+  if (arm::are_same_place(target, before.joints, nowhere_else)) co_return Refusal::none;
   ++moves_;
   last_target_ = target;
   co_return Refusal::none;
@@ -175,8 +175,8 @@ Task<Refusal> ArmCabinet::grip(double opening_mm) {
   co_return Refusal::alarm;
 }
 
-Task<ArmReading> ArmCabinet::read() {
-  const Result<ArmReading> reading = co_await body_.read();
+Task<arm::ArmReading> ArmCabinet::read() {
+  const Result<arm::ArmReading> reading = co_await body_.read();
   if (reading) {
     last_ = *reading;
   } else {
@@ -186,4 +186,4 @@ Task<ArmReading> ArmCabinet::read() {
   co_return last_;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

@@ -20,7 +20,7 @@
 #include "blackboard/time/executor.hpp"
 #include "drivers/arm/arm_driver.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 enum class Refusal : std::uint8_t {
   none,
@@ -40,7 +40,7 @@ class ArmCabinet {
   static constexpr int arm_lost_alarm = 4000;  // the body does not answer
 
   // The body outlives it.
-  ArmCabinet(Executor& executor, ArmDriver& body, const ArmModel& model)
+  ArmCabinet(Executor& executor, arm::ArmDriver& body, const arm::ArmModel& model)
       : executor_(executor), body_(body), model_(model) {
     last_.joints = model.ready;
   }
@@ -50,7 +50,7 @@ class ArmCabinet {
   Result<void> obey(std::string_view words);
 
   // Through the waypoints at `speed` 0..1 of the axes' speeds, times the override.
-  Task<Refusal> move(std::vector<Joints> waypoints, double speed);
+  Task<Refusal> move(std::vector<arm::Joints> waypoints, double speed);
   // Brakes; nothing is held.
   Task<void> stop();
   // Refusals: pendant, emergency, alarm.
@@ -60,9 +60,9 @@ class ArmCabinet {
   // Refused as a move is.
   Task<Refusal> grip(double opening_mm);
   // What its encoders say; where nobody knows, it has an alarm and says what it said last.
-  Task<ArmReading> read();
+  Task<arm::ArmReading> read();
 
-  const ArmModel& model() const { return model_; }
+  const arm::ArmModel& model() const { return model_; }
   Executor& executor() { return executor_; }
   bool powered() const { return powered_; }
   bool pendant() const { return pendant_; }
@@ -74,7 +74,7 @@ class ArmCabinet {
   double speed_override() const { return override_; }
   // Moves begun that led anywhere else than where the arm stood, and where the last of them led.
   std::uint64_t moves() const { return moves_; }
-  const Joints& last_target() const { return last_target_; }
+  const arm::Joints& last_target() const { return last_target_; }
 
  private:
   static constexpr Duration servo_delay = 200ms;
@@ -87,8 +87,8 @@ class ArmCabinet {
   Task<void> brake_and_look();
 
   Executor& executor_;
-  ArmDriver& body_;
-  const ArmModel& model_;
+  arm::ArmDriver& body_;
+  const arm::ArmModel& model_;
   bool powered_ = true;
   bool pendant_ = false;
   bool emergency_ = false;
@@ -98,10 +98,10 @@ class ArmCabinet {
   double override_ = 1;
   std::optional<Time> servo_since_;
   bool lost_in_motion_ = false;
-  ArmReading last_{};
+  arm::ArmReading last_{};
   std::uint64_t moves_ = 0;
-  Joints last_target_;
+  arm::Joints last_target_;
   Job braking_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

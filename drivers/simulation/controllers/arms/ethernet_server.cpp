@@ -2,23 +2,22 @@
 #include <fmt/format.h>
 
 #include "drivers/arm/motoman/motoman_codes.hpp"
+#include "drivers/line/frames.hpp"
 #include "drivers/simulation/controllers/arms/host_control.hpp"
 #include "drivers/simulation/controllers/arms/switched_wire.hpp"
-#include "drivers/line/frames.hpp"
+#include "drivers/simulation/controllers/serve.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 namespace {
 
-constexpr Duration patience = 3600s;
-constexpr Duration retry_pause = 100ms;
 constexpr Duration silence = 30s;  // that ends a session
 constexpr std::string_view start = "CONNECT Robot_access";
 constexpr std::string_view keep_alive = "Keep-Alive:";
 constexpr std::string_view request = "HOSTCTRL_REQUEST ";
 constexpr std::string_view nonsense = "NG: HTTP Error Response\r\n";
 
-std::optional<int> number_in(std::string_view text, int low, int high) {
+std::optional<int> count_in(std::string_view text, int low, int high) {
   int value = 0;
   while (text.ends_with(' ')) text.remove_suffix(1);
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -34,7 +33,7 @@ std::optional<int> commands_asked_for(std::string_view line) {
   while (line.starts_with(' ')) line.remove_prefix(1);
   if (line.empty()) return 1;
   if (!line.starts_with(keep_alive)) return std::nullopt;
-  return number_in(line.substr(keep_alive.size()), -1, most);
+  return count_in(line.substr(keep_alive.size()), -1, most);
 }
 
 struct Request {
@@ -48,7 +47,7 @@ std::optional<Request> request_in(std::string_view line) {
   line.remove_prefix(request.size());
   const std::size_t blank = line.find(' ');
   if (blank == std::string_view::npos) return std::nullopt;
-  const std::optional<int> size = number_in(line.substr(blank + 1), 0, longest);
+  const std::optional<int> size = count_in(line.substr(blank + 1), 0, longest);
   if (!size) return std::nullopt;
   return Request{std::string(line.substr(0, blank)), static_cast<std::size_t>(*size)};
 }
@@ -59,8 +58,8 @@ std::string error(const std::string& name, std::uint16_t code) {
 
 class Session {
  public:
-  Session(Executor& executor, HostControl& control, ByteWire& line)
-      : executor_(executor), control_(control), line_(line), lines_(line, frame_of_line) {}
+  Session(Executor& executor, HostControl& control, line::ByteWire& line)
+      : executor_(executor), control_(control), line_(line), lines_(line, line::frame_of_line) {}
 
   Task<void> run() {
     const Result<std::string> greeting = co_await next();
@@ -99,7 +98,7 @@ class Session {
       if (!told) co_return false;
       operands = *told;
     }
-    HostAnswer answer{.refusal = motoman::wrong_length};
+    HostAnswer answer{.refusal = arm::motoman::wrong_length};
     const bool as_long_as_said = asked->size == (asked->size > 0 ? operands.size() + 1 : 0);
     if (as_long_as_said) answer = co_await control_.carry_out(asked->name, std::move(operands));
     if (answer.refusal != 0) {
@@ -114,25 +113,25 @@ class Session {
 
   Executor& executor_;
   HostControl& control_;
-  ByteWire& line_;
-  Frames lines_;
+  line::ByteWire& line_;
+  line::Frames lines_;
 };
 
 }  // namespace
 
-Task<void> serve_ethernet_server(Executor& executor, HostControl& control, ByteWire& port) {
+Task<void> serve_ethernet_server(Executor& executor, HostControl& control, line::ByteWire& port) {
   SwitchedWire line(port, [&control] { return control.powered(); });
   while (true) {
-    const Time opened_by = executor.now() + patience;
+    const Time opened_by = executor.now() + opening_patience;
     const Result<void> open = co_await line.open(opened_by);
     if (open) {
       Session session(executor, control, line);
       co_await session.run();
     } else {
-      co_await sleep(executor, retry_pause);
+      co_await sleep(executor, opening_pause);
     }
     line.close();
   }
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

@@ -9,7 +9,7 @@
 #include "drivers/arm/motoman/host_command.hpp"
 #include "drivers/arm/motoman/motoman_codes.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 namespace {
 
@@ -31,7 +31,7 @@ bool is_pulses(double value) {
 
 HostAnswer refused(Refusal refusal) { return {.refusal = motoman_code(refusal)}; }
 
-constexpr HostAnswer wrong_value{.refusal = motoman::wrong_value};
+constexpr HostAnswer wrong_value{.refusal = arm::motoman::wrong_value};
 
 }  // namespace
 
@@ -49,15 +49,15 @@ const HostControl::Command HostControl::commands[] = {
 Task<HostAnswer> HostControl::carry_out(std::string name, std::string operands) {
   HostAnswer answer;
   const auto* const found = std::ranges::find(commands, name, &Command::name);
-  std::optional<Numbers> numbers = numbers_in(operands);
+  std::optional<Numbers> numbers = arm::numbers_in(operands);
   const bool none = operands.find_first_not_of(" \r\n") == std::string::npos;
   if (none) numbers.emplace();
   if (found == std::end(commands)) {
-    answer.refusal = motoman::unknown_command;
+    answer.refusal = arm::motoman::unknown_command;
   } else if (!numbers) {
-    answer.refusal = motoman::wrong_value;
+    answer.refusal = arm::motoman::wrong_value;
   } else if (numbers->size() != found->operands) {
-    answer.refusal = motoman::wrong_count;
+    answer.refusal = arm::motoman::wrong_count;
   } else {
     answer = co_await (this->*found->carry_out)(std::move(*numbers));
   }
@@ -79,7 +79,7 @@ Task<HostAnswer> HostControl::alarms(Numbers) {
 }
 
 Task<HostAnswer> HostControl::pulses(Numbers) {
-  const MotomanPulses pulses = co_await controller_.pulses();
+  const arm::MotomanPulses pulses = co_await controller_.pulses();
   HostAnswer answer;
   answer.data = fmt::format("{},0,0,0,0,0,0", fmt::join(pulses.begin(), pulses.begin() + robot_axes, ","));
   co_return answer;
@@ -88,7 +88,7 @@ Task<HostAnswer> HostControl::pulses(Numbers) {
 Task<HostAnswer> HostControl::pose(Numbers operands) {
   const bool known = operands[0] == base_frame || operands[0] == robot_frame;
   if (!known) co_return wrong_value;
-  const MotomanPose pose = co_await controller_.pose();
+  const arm::MotomanPose pose = co_await controller_.pose();
   HostAnswer answer;
   answer.data = fmt::format("{:.3f},{:.4f},{},{}", fmt::join(pose.place_mm, ","), fmt::join(pose.angles_deg, ","),
                             pose.form, pose.tool);
@@ -99,7 +99,7 @@ Task<HostAnswer> HostControl::servo(Numbers operands) {
   if (!is_switch(operands[0])) co_return wrong_value;
   const Refusal refusal = controller_.cabinet().servo(operands[0] == 1);
   HostAnswer answer = refused(refusal);
-  if (refusal == Refusal::emergency) answer.refusal = motoman::servo_refused;
+  if (refusal == Refusal::emergency) answer.refusal = arm::motoman::servo_refused;
   co_return answer;
 }
 
@@ -117,7 +117,7 @@ Task<HostAnswer> HostControl::move_pulses(Numbers operands) {
   const bool sound =
       operands[0] > 0 && operands[0] <= 100 && std::all_of(operands.begin() + 1, operands.end(), is_pulses);
   if (!sound) co_return wrong_value;
-  MotomanPulses target{};
+  arm::MotomanPulses target{};
   for (std::size_t axis = 0; axis < robot_axes; ++axis) target[axis] = static_cast<std::int32_t>(operands[axis + 1]);
   const Refusal refusal = co_await controller_.move_joints(target, operands[0] / 100);
   co_return refused(refusal);
@@ -128,7 +128,7 @@ Task<HostAnswer> HostControl::move_line(Numbers operands) {
   const bool sound =
       operands[0] == 0 && operands[1] >= 0.1 && (operands[2] == base_frame || operands[2] == robot_frame);
   if (!sound) co_return wrong_value;
-  MotomanPose target;
+  arm::MotomanPose target;
   std::copy_n(operands.begin() + 3, 3, target.place_mm.begin());
   std::copy_n(operands.begin() + 6, 3, target.angles_deg.begin());
   const Refusal refusal = co_await controller_.move_straight(target, operands[1]);
@@ -153,4 +153,4 @@ Task<HostAnswer> HostControl::load_variable(Numbers operands) {
   co_return refused(refusal);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

@@ -14,10 +14,10 @@
 //
 // How far it is proven: with the driver of drivers/arm/motoman/ alone.
 
-#include "drivers/simulation/controllers/arms/motoman_controller.hpp"
 #include "drivers/line/byte_wire.hpp"
+#include "drivers/simulation/controllers/arms/motoman_controller.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 struct HostAnswer {
   std::uint16_t refusal = 0;
@@ -60,7 +60,7 @@ std::string host_code(std::uint16_t refusal);
 
 // A session a client, one after another; one without Keep-Alive ends with its first command. Half a minute of silence
 // ends any, as does what is no request. Each until destroyed. All outlive them.
-Task<void> serve_ethernet_server(Executor& executor, HostControl& control, ByteWire& port);
-Task<void> serve_bsc(Executor& executor, HostControl& control, ByteWire& line);
+Task<void> serve_ethernet_server(Executor& executor, HostControl& control, line::ByteWire& port);
+Task<void> serve_bsc(Executor& executor, HostControl& control, line::ByteWire& line);
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

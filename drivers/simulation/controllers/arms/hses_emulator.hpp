@@ -13,10 +13,10 @@
 // How far it is proven: with the driver of drivers/arm/motoman/ alone.
 
 #include "drivers/arm/motoman/hses_packet.hpp"
-#include "drivers/simulation/controllers/arms/motoman_controller.hpp"
 #include "drivers/line/datagram_wire.hpp"
+#include "drivers/simulation/controllers/arms/motoman_controller.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 class HsesEmulator {
  public:
@@ -31,19 +31,19 @@ class HsesEmulator {
     std::string data = {};
   };
   static Task<Outcome> at_once(Outcome outcome);
-  Task<Outcome> carry_out(HsesRequest request);
+  Task<Outcome> carry_out(arm::HsesRequest request);
   Task<Outcome> status();
   Task<Outcome> position(std::uint16_t instance);
-  Task<Outcome> variable(HsesRequest request);
-  Outcome turn(const HsesRequest& request);
-  Task<Outcome> move_pulses(HsesRequest request);
-  Task<Outcome> move_cartesian(HsesRequest request);
+  Task<Outcome> variable(arm::HsesRequest request);
+  Outcome turn(const arm::HsesRequest& request);
+  Task<Outcome> move_pulses(arm::HsesRequest request);
+  Task<Outcome> move_cartesian(arm::HsesRequest request);
 
   MotomanController controller_;
   ArmCabinet& cabinet_;
 };
 
 // Until destroyed. All three outlive it.
-Task<void> serve(Executor& executor, HsesEmulator& emulator, DatagramWire& port);
+Task<void> serve(Executor& executor, HsesEmulator& emulator, line::DatagramWire& port);
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

@@ -6,29 +6,28 @@
 #include "drivers/arm/motoman/motoman_codes.hpp"
 #include "drivers/simulation/controllers/arms/straight_way.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 namespace {
 
 constexpr int wanted_opening = 0;  // variables
 constexpr int measured_opening = 1;
 constexpr int fingers_move = 2;
-constexpr double um_per_mm = 1000;
 
 // The controller's base frame and tool, and the cell's.
-ToolPose flange_in_base(const ArmModel& model, const Joints& joints) {
-  ToolPose pose = forward(model, joints);
+arm::ToolPose flange_in_base(const arm::ArmModel& model, const arm::Joints& joints) {
+  arm::ToolPose pose = arm::forward(model, joints);
   pose.translation() -= model.tool_mm * pose.linear().col(2);
   pose.translation().z() -= model.height_mm;
   return pose;
 }
 
-ToolPose grip_in_cell(const ArmModel& model, const MotomanPose& target) {
-  ToolPose flange;
+arm::ToolPose grip_in_cell(const arm::ArmModel& model, const arm::MotomanPose& target) {
+  arm::ToolPose flange;
   for (std::size_t i = 0; i < 3; ++i) flange.translation()[static_cast<Eigen::Index>(i)] = target.place_mm[i];
   const auto& [rx, ry, rz] = target.angles_deg;
-  const Eigen::AngleAxisd about_x(radians(rx), Eigen::Vector3d::UnitX());
-  flange.linear() = about_z(rz) * about_y(ry) * about_x.toRotationMatrix();
+  const Eigen::AngleAxisd about_x(arm::radians(rx), Eigen::Vector3d::UnitX());
+  flange.linear() = arm::about_z(rz) * arm::about_y(ry) * about_x.toRotationMatrix();
   flange.translation() += model.tool_mm * flange.linear().col(2);
   flange.translation().z() += model.height_mm;
   return flange;
@@ -41,26 +40,26 @@ std::uint16_t motoman_code(Refusal refusal) {
     case Refusal::none:
       return 0;
     case Refusal::running:
-      return motoman::operating;
+      return arm::motoman::operating;
     case Refusal::pendant:
-      return motoman::not_remote;
+      return arm::motoman::not_remote;
     case Refusal::alarm:
-      return motoman::alarm_occurring;
+      return arm::motoman::alarm_occurring;
     case Refusal::emergency:
     case Refusal::servo_off:
-      return motoman::servo_off;
+      return arm::motoman::servo_off;
     case Refusal::pendant_hold:
-      return motoman::pendant_hold;
+      return arm::motoman::pendant_hold;
     case Refusal::command_hold:
-      return motoman::command_hold;
+      return arm::motoman::command_hold;
     case Refusal::out_of_range:
-      return motoman::out_of_range;
+      return arm::motoman::out_of_range;
   }
-  return motoman::unknown_command;
+  return arm::motoman::unknown_command;
 }
 
 Task<MotomanController::Words> MotomanController::status() {
-  const ArmReading reading = co_await cabinet_.read();
+  const arm::ArmReading reading = co_await cabinet_.read();
   const bool pendant = cabinet_.pendant();
   std::uint32_t modes = 1u << 2;
   if (reading.moving) modes |= 1u << 3;
@@ -74,10 +73,10 @@ Task<MotomanController::Words> MotomanController::status() {
   co_return words;
 }
 
-Task<MotomanPulses> MotomanController::pulses() {
-  const ArmReading reading = co_await cabinet_.read();
-  const ArmModel& model = cabinet_.model();
-  MotomanPulses pulses{};
+Task<arm::MotomanPulses> MotomanController::pulses() {
+  const arm::ArmReading reading = co_await cabinet_.read();
+  const arm::ArmModel& model = cabinet_.model();
+  arm::MotomanPulses pulses{};
   for (std::size_t axis = 0; axis < model.axes.size(); ++axis) {
     const double count = reading.joints[axis] * model.axes[axis].pulses_per_turn / 360;
     pulses[axis] = static_cast<std::int32_t>(std::llround(count));
@@ -85,29 +84,29 @@ Task<MotomanPulses> MotomanController::pulses() {
   co_return pulses;
 }
 
-Task<MotomanPose> MotomanController::pose() {
-  const ArmReading reading = co_await cabinet_.read();
-  const ToolPose flange = flange_in_base(cabinet_.model(), reading.joints);
-  MotomanPose pose;
-  pose.angles_deg = fixed_angles(flange.linear());
+Task<arm::MotomanPose> MotomanController::pose() {
+  const arm::ArmReading reading = co_await cabinet_.read();
+  const arm::ToolPose flange = flange_in_base(cabinet_.model(), reading.joints);
+  arm::MotomanPose pose;
+  pose.angles_deg = arm::fixed_angles(flange.linear());
   for (std::size_t i = 0; i < 3; ++i) pose.place_mm[i] = flange.translation()[static_cast<Eigen::Index>(i)];
   co_return pose;
 }
 
-Task<Refusal> MotomanController::move_joints(MotomanPulses target, double part) {
-  const ArmModel& model = cabinet_.model();
-  Joints joints(model.axes.size());
+Task<Refusal> MotomanController::move_joints(arm::MotomanPulses target, double part) {
+  const arm::ArmModel& model = cabinet_.model();
+  arm::Joints joints(model.axes.size());
   for (std::size_t axis = 0; axis < joints.size(); ++axis) {
     joints[axis] = target[axis] * 360.0 / model.axes[axis].pulses_per_turn;
   }
-  std::vector<Joints> waypoints{joints};
+  std::vector<arm::Joints> waypoints{joints};
   const Refusal refusal = co_await cabinet_.move(std::move(waypoints), part);
   co_return refusal;
 }
 
-Task<Refusal> MotomanController::move_straight(MotomanPose target, double mm_s) {
-  const ArmReading reading = co_await cabinet_.read();
-  const ArmModel& model = cabinet_.model();
+Task<Refusal> MotomanController::move_straight(arm::MotomanPose target, double mm_s) {
+  const arm::ArmReading reading = co_await cabinet_.read();
+  const arm::ArmModel& model = cabinet_.model();
   const Result<StraightWay> way = straight_way(model, reading.joints, grip_in_cell(model, target), mm_s);
   if (!way) co_return reading.moving ? Refusal::running : Refusal::out_of_range;
   const Refusal refusal = co_await cabinet_.move(way->waypoints, way->part);
@@ -115,17 +114,18 @@ Task<Refusal> MotomanController::move_straight(MotomanPose target, double mm_s) 
 }
 
 Task<std::int32_t> MotomanController::variable(int number) {
-  const ArmReading reading = co_await cabinet_.read();
-  if (number == measured_opening) co_return static_cast<std::int32_t>(std::llround(reading.opening_mm * um_per_mm));
+  const arm::ArmReading reading = co_await cabinet_.read();
+  if (number == measured_opening)
+    co_return static_cast<std::int32_t>(std::llround(reading.opening_mm * arm::um_per_mm));
   if (number == fingers_move) co_return reading.gripper_moving ? 1 : 0;
   co_return variables_[number];
 }
 
 Task<Refusal> MotomanController::set_variable(int number, std::int32_t value) {
   Refusal refusal = Refusal::none;
-  if (number == wanted_opening) refusal = co_await cabinet_.grip(value / um_per_mm);
+  if (number == wanted_opening) refusal = co_await cabinet_.grip(value / arm::um_per_mm);
   if (refusal == Refusal::none) variables_[number] = value;
   co_return refusal;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

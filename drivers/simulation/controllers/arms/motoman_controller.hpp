@@ -18,7 +18,7 @@
 #include "drivers/arm/motoman/motoman_link.hpp"
 #include "drivers/simulation/controllers/arms/arm_cabinet.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 class MotomanController {
  public:
@@ -33,11 +33,11 @@ class MotomanController {
     std::uint32_t states;
   };
   Task<Words> status();
-  Task<MotomanPulses> pulses();
-  Task<MotomanPose> pose();
+  Task<arm::MotomanPulses> pulses();
+  Task<arm::MotomanPose> pose();
   // The target's last axes are taken where the arm has so many.
-  Task<Refusal> move_joints(MotomanPulses target, double part);
-  Task<Refusal> move_straight(MotomanPose target, double mm_s);
+  Task<Refusal> move_joints(arm::MotomanPulses target, double part);
+  Task<Refusal> move_straight(arm::MotomanPose target, double mm_s);
   // Of a D variable, 0 to 99.
   Task<std::int32_t> variable(int number);
   // What moves the fingers is refused as a move is.
@@ -51,4 +51,4 @@ class MotomanController {
 // The code for it that all servers have in common (motoman_codes.hpp); of what is out of range each has its own.
 std::uint16_t motoman_code(Refusal refusal);
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 void MovingArm::catch_up() {
   constexpr double step_s = std::chrono::duration<double>(step_time).count();
@@ -23,7 +23,7 @@ Task<Result<std::string>> MovingArm::identify() { co_return model_.type; }
 
 Task<Result<void>> MovingArm::take_control() { co_return Result<void>(); }
 
-Task<Result<void>> MovingArm::start_move(std::vector<Joints> waypoints, double speed) {
+Task<Result<void>> MovingArm::start_move(std::vector<arm::Joints> waypoints, double speed) {
   catch_up();
   co_return motion_.start(std::move(waypoints), speed);
 }
@@ -40,14 +40,14 @@ Task<Result<void>> MovingArm::start_gripper(double opening_mm) {
   co_return Result<void>();
 }
 
-Task<Result<ArmReading>> MovingArm::read() {
+Task<Result<arm::ArmReading>> MovingArm::read() {
   catch_up();
-  ArmReading reading{.joints = motion_.joints(),
-                     .moving = motion_.moving(),
-                     .stopped = motion_.stopped(),
-                     .opening_mm = opening_mm_,
-                     .gripper_moving = opening_mm_ != wanted_mm_};
+  arm::ArmReading reading{.joints = motion_.joints(),
+                          .moving = motion_.moving(),
+                          .stopped = motion_.stopped(),
+                          .opening_mm = opening_mm_,
+                          .gripper_moving = opening_mm_ != wanted_mm_};
   co_return reading;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

@@ -9,18 +9,18 @@
 #include "drivers/arm/arm_driver.hpp"
 #include "drivers/simulation/physics/arm_motion.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
-class MovingArm : public ArmDriver {
+class MovingArm : public arm::ArmDriver {
  public:
-  MovingArm(Executor& executor, const ArmModel& model)
+  MovingArm(Executor& executor, const arm::ArmModel& model)
       : executor_(executor), model_(model), motion_(model, model.ready), stepped_to_(executor.now()) {}
   Task<Result<std::string>> identify() override;
   Task<Result<void>> take_control() override;
-  Task<Result<void>> start_move(std::vector<Joints> waypoints, double speed) override;
+  Task<Result<void>> start_move(std::vector<arm::Joints> waypoints, double speed) override;
   Task<Result<void>> stop() override;
   Task<Result<void>> start_gripper(double opening_mm) override;
-  Task<Result<ArmReading>> read() override;
+  Task<Result<arm::ArmReading>> read() override;
 
  private:
   static constexpr Duration step_time = 4ms;
@@ -30,11 +30,11 @@ class MovingArm : public ArmDriver {
   void catch_up();
 
   Executor& executor_;
-  const ArmModel& model_;
+  const arm::ArmModel& model_;
   ArmMotion motion_;
   Time stepped_to_;
   double opening_mm_ = widest_mm;
   double wanted_mm_ = widest_mm;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

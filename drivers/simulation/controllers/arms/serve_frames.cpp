@@ -1,11 +1,11 @@
 #include "drivers/simulation/controllers/arms/serve_frames.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
-Task<void> serve_frames(Executor& executor, FrameService service, ByteWire& port) {
+Task<void> serve_frames(Executor& executor, FrameService service, line::ByteWire& port) {
   constexpr Duration patience = 3600s;
   constexpr Duration retry_pause = 100ms;
-  Frames frames(port, service.reader);
+  line::Frames frames(port, service.reader);
   while (true) {
     frames.clear();
     const Time opened_by = executor.now() + patience;
@@ -27,4 +27,4 @@ Task<void> serve_frames(Executor& executor, FrameService service, ByteWire& port
   }
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

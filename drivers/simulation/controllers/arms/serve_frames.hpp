@@ -10,15 +10,15 @@
 #include "blackboard/time/executor.hpp"
 #include "drivers/line/frames.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 struct FrameService {
-  FrameReader reader;
+  line::FrameReader reader;
   std::function<std::string()> greet = [] { return std::string(); };  // what a new client hears
   std::function<Task<std::string>(std::string)> answer = {};          // empty: nothing is said
 };
 
 // Until destroyed. Executor and port outlive it.
-Task<void> serve_frames(Executor& executor, FrameService service, ByteWire& port);
+Task<void> serve_frames(Executor& executor, FrameService service, line::ByteWire& port);
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

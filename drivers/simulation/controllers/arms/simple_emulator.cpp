@@ -2,73 +2,73 @@
 
 #include "drivers/simulation/controllers/arms/serve_frames.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 namespace {
 
 constexpr Duration told_every = 20ms;
 
-FrameReader frames_of(const SimpleKind& kind) {
-  if (kind.serial) return frame_of_serial;
-  return kind.order == ByteOrder::little ? frame_of_tcp_little : frame_of_tcp_big;
+line::FrameReader frames_of(const SimpleKind& kind) {
+  if (kind.serial) return arm::frame_of_serial;
+  return kind.order == line::ByteOrder::little ? arm::frame_of_tcp_little : arm::frame_of_tcp_big;
 }
 
 }  // namespace
 
-std::string SimpleEmulator::framed(const SimpleMessage& message) const {
-  const std::string octets = write_simple(message, kind_.order);
-  return kind_.serial ? serial_frame(octets) : tcp_frame(octets, kind_.order);
+std::string SimpleEmulator::framed(const arm::SimpleMessage& message) const {
+  const std::string octets = arm::write_simple(message, kind_.order);
+  return kind_.serial ? arm::serial_frame(octets) : arm::tcp_frame(octets, kind_.order);
 }
 
-Task<bool> SimpleEmulator::obey(SimplePoint point) {
+Task<bool> SimpleEmulator::obey(arm::SimplePoint point) {
   const bool next = point.sequence == 0 || point.sequence == last_sequence_ + 1;
-  if (point.sequence == simple::stop_trajectory || !next) {
+  if (point.sequence == arm::simple::stop_trajectory || !next) {
     last_sequence_ = -1;
     co_await cabinet_.stop();
-    co_return point.sequence == simple::stop_trajectory;
+    co_return point.sequence == arm::simple::stop_trajectory;
   }
-  const ArmReading reading = co_await cabinet_.read();
-  const ArmModel& model = cabinet_.model();
-  Joints target = reading.joints;
+  const arm::ArmReading reading = co_await cabinet_.read();
+  const arm::ArmModel& model = cabinet_.model();
+  arm::Joints target = reading.joints;
   std::size_t joint = 0;
   for (std::size_t axis = 0; axis < target.size(); ++axis) {
-    if (model.axes[axis].role == Role::track && !kind_.track) continue;
-    target[axis] = axis_of_joint(model.axes[axis].role, point.joints_rad[joint++], kind_.sign);
+    if (model.axes[axis].role == arm::Role::track && !kind_.track) continue;
+    target[axis] = arm::axis_of_joint(model.axes[axis].role, point.joints_rad[joint++], kind_.sign);
   }
-  std::vector<Joints> waypoints{target};
+  std::vector<arm::Joints> waypoints{target};
   const Refusal refusal = co_await cabinet_.move(std::move(waypoints), point.velocity);
   if (refusal == Refusal::none) last_sequence_ = point.sequence;
   co_return refusal == Refusal::none;
 }
 
 Task<std::string> SimpleEmulator::answer(std::string octets) {
-  const Result<SimpleMessage> message = read_simple(octets, kind_.order);
-  const bool asked = message && cabinet_.powered() && message->kind == simple::request;
+  const Result<arm::SimpleMessage> message = arm::read_simple(octets, kind_.order);
+  const bool asked = message && cabinet_.powered() && message->kind == arm::simple::request;
   if (!asked) co_return std::string();
-  SimpleMessage reply{.type = message->type, .kind = simple::reply, .code = simple::failure};
-  reply.data = std::string(4 * simple::axes, '\0');
-  if (message->type == simple::ping) reply.code = simple::success;
-  if (message->type == simple::trajectory_point) {
-    const Result<SimplePoint> point = read_point(message->data, kind_.order);
+  arm::SimpleMessage reply{.type = message->type, .kind = arm::simple::reply, .code = arm::simple::failure};
+  reply.data = std::string(4 * arm::simple::axes, '\0');
+  if (message->type == arm::simple::ping) reply.code = arm::simple::success;
+  if (message->type == arm::simple::trajectory_point) {
+    const Result<arm::SimplePoint> point = arm::read_point(message->data, kind_.order);
     const bool done = point.has_value();
     if (done) {
       const bool obeyed = co_await obey(*point);
-      if (obeyed) reply.code = simple::success;
+      if (obeyed) reply.code = arm::simple::success;
     }
   }
   co_return framed(reply);
 }
 
 Task<std::string> SimpleEmulator::state() {
-  const ArmReading reading = co_await cabinet_.read();
-  const ArmModel& model = cabinet_.model();
-  SimplePosition position;
+  const arm::ArmReading reading = co_await cabinet_.read();
+  const arm::ArmModel& model = cabinet_.model();
+  arm::SimplePosition position;
   std::size_t joint = 0;
   for (std::size_t axis = 0; axis < reading.joints.size(); ++axis) {
-    if (model.axes[axis].role == Role::track && !kind_.track) continue;
-    position.joints_rad[joint++] = joint_of_axis(model.axes[axis].role, reading.joints[axis], kind_.sign);
+    if (model.axes[axis].role == arm::Role::track && !kind_.track) continue;
+    position.joints_rad[joint++] = arm::joint_of_axis(model.axes[axis].role, reading.joints[axis], kind_.sign);
   }
-  SimpleStatus status;
+  arm::SimpleStatus status;
   status.drives_powered = cabinet_.servo() ? 1 : 0;
   status.emergency_stopped = cabinet_.emergency() ? 1 : 0;
   status.error_code = cabinet_.alarm();
@@ -76,15 +76,15 @@ Task<std::string> SimpleEmulator::state() {
   status.in_motion = reading.moving ? 1 : 0;
   status.mode = cabinet_.pendant() ? 1 : 2;
   status.motion_possible = cabinet_.servo() && !cabinet_.pendant_hold() ? 1 : 0;
-  SimpleMessage told{.type = simple::status, .kind = simple::topic};
-  told.data = write_status(status, kind_.order);
+  arm::SimpleMessage told{.type = arm::simple::status, .kind = arm::simple::topic};
+  told.data = arm::write_status(status, kind_.order);
   std::string both = framed(told);
-  told.type = simple::joint_position;
-  told.data = write_position(position, kind_.order);
+  told.type = arm::simple::joint_position;
+  told.data = arm::write_position(position, kind_.order);
   co_return both + framed(told);
 }
 
-Task<void> serve_motion(Executor& executor, SimpleEmulator& emulator, ByteWire& line) {
+Task<void> serve_motion(Executor& executor, SimpleEmulator& emulator, line::ByteWire& line) {
   FrameService service{.reader = frames_of(emulator.kind())};
   service.answer = [&emulator](std::string message) { return emulator.answer(std::move(message)); };
   co_await serve_frames(executor, std::move(service), line);
@@ -92,7 +92,7 @@ Task<void> serve_motion(Executor& executor, SimpleEmulator& emulator, ByteWire& 
 
 namespace {
 
-Task<void> tell_states(Executor& executor, SimpleEmulator& emulator, ByteWire& line) {
+Task<void> tell_states(Executor& executor, SimpleEmulator& emulator, line::ByteWire& line) {
   while (true) {
     co_await sleep(executor, told_every);
     if (!emulator.powered()) continue;
@@ -102,15 +102,15 @@ Task<void> tell_states(Executor& executor, SimpleEmulator& emulator, ByteWire& l
   }
 }
 
-Task<std::string> nothing() { co_return std::string(); }
+Task<std::string> no_answer() { co_return std::string(); }
 
 }  // namespace
 
-Task<void> serve_state(Executor& executor, SimpleEmulator& emulator, ByteWire& line) {
+Task<void> serve_state(Executor& executor, SimpleEmulator& emulator, line::ByteWire& line) {
   const Job telling = executor.spawn(tell_states(executor, emulator, line));
   FrameService service{.reader = frames_of(emulator.kind())};
-  service.answer = [](std::string) { return nothing(); };
+  service.answer = [](std::string) { return no_answer(); };
   co_await serve_frames(executor, std::move(service), line);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

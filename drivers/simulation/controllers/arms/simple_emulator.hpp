@@ -16,11 +16,11 @@
 #include "drivers/arm/simple_message/simple_message.hpp"
 #include "drivers/simulation/controllers/arms/arm_cabinet.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 struct SimpleKind {
   bool serial = false;  // frames of a serial line, or of TCP
-  ByteOrder order = ByteOrder::little;
+  line::ByteOrder order = line::ByteOrder::little;
   double sign = 1;
   bool track = false;  // it has the track among its joints
 };
@@ -39,8 +39,8 @@ class SimpleEmulator {
   Task<std::string> state();
 
  private:
-  std::string framed(const SimpleMessage& message) const;
-  Task<bool> obey(SimplePoint point);
+  std::string framed(const arm::SimpleMessage& message) const;
+  Task<bool> obey(arm::SimplePoint point);
 
   ArmCabinet& cabinet_;
   SimpleKind kind_;
@@ -48,7 +48,7 @@ class SimpleEmulator {
 };
 
 // Each until destroyed. All outlive them.
-Task<void> serve_motion(Executor& executor, SimpleEmulator& emulator, ByteWire& line);
-Task<void> serve_state(Executor& executor, SimpleEmulator& emulator, ByteWire& line);
+Task<void> serve_motion(Executor& executor, SimpleEmulator& emulator, line::ByteWire& line);
+Task<void> serve_state(Executor& executor, SimpleEmulator& emulator, line::ByteWire& line);
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

@@ -5,7 +5,7 @@
 
 #include "drivers/arm/route.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 namespace {
 
@@ -16,8 +16,9 @@ constexpr double slowest = 1e-3;
 
 }  // namespace
 
-Result<StraightWay> straight_way(const ArmModel& model, const Joints& from, const ToolPose& to, double mm_s) {
-  const ToolPose begin = forward(model, from);
+Result<StraightWay> straight_way(const arm::ArmModel& model, const arm::Joints& from, const arm::ToolPose& to,
+                                 double mm_s) {
+  const arm::ToolPose begin = arm::forward(model, from);
   const Eigen::Quaterniond turned(begin.linear());
   const Eigen::Quaterniond turning(to.linear());
   const double length_mm = (to.translation() - begin.translation()).norm();
@@ -26,15 +27,15 @@ Result<StraightWay> straight_way(const ArmModel& model, const Joints& from, cons
   const int steps = std::max(1, static_cast<int>(steps_needed));
   StraightWay way{{}, 1};
   double seconds = 0;
-  Joints at = from;
+  arm::Joints at = from;
   for (int i = 1; i <= steps; ++i) {
     const double part = static_cast<double>(i) / steps;
-    ToolPose pose = begin;
+    arm::ToolPose pose = begin;
     pose.translation() += part * (to.translation() - begin.translation());
     pose.linear() = turned.slerp(part, turning).toRotationMatrix();
-    const Result<Joints> joints = inverse(model, pose, at);
+    const Result<arm::Joints> joints = arm::inverse(model, pose, at);
     if (!joints) return fail(joints);
-    seconds += seconds_between(model, at, *joints);
+    seconds += arm::seconds_between(model, at, *joints);
     at = *joints;
     way.waypoints.push_back(at);
   }
@@ -43,4 +44,4 @@ Result<StraightWay> straight_way(const ArmModel& model, const Joints& from, cons
   return way;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

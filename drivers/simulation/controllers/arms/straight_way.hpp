@@ -5,14 +5,15 @@
 
 #include "drivers/arm/kinematics.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 struct StraightWay {
-  std::vector<Joints> waypoints;
+  std::vector<arm::Joints> waypoints;
   double part;  // 0..1
 };
 
 // From where the joints are to `to`, turning evenly. Failures: those of inverse(), at any point of the line.
-Result<StraightWay> straight_way(const ArmModel& model, const Joints& from, const ToolPose& to, double mm_s);
+Result<StraightWay> straight_way(const arm::ArmModel& model, const arm::Joints& from, const arm::ToolPose& to,
+                                 double mm_s);
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

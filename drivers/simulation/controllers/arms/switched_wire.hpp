@@ -8,12 +8,12 @@
 
 #include "drivers/line/byte_wire.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
-class SwitchedWire : public ByteWire {
+class SwitchedWire : public line::ByteWire {
  public:
   // The wire outlives it.
-  SwitchedWire(ByteWire& wire, std::function<bool()> powered) : wire_(wire), powered_(std::move(powered)) {}
+  SwitchedWire(line::ByteWire& wire, std::function<bool()> powered) : wire_(wire), powered_(std::move(powered)) {}
   Task<Result<void>> open(Time deadline) override { return wire_.open(deadline); }
   void close() override { wire_.close(); }
   Result<void> write(std::string_view bytes) override { return powered_() ? wire_.write(bytes) : Result<void>(); }
@@ -27,8 +27,8 @@ class SwitchedWire : public ByteWire {
   }
 
  private:
-  ByteWire& wire_;
+  line::ByteWire& wire_;
   std::function<bool()> powered_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

@@ -10,7 +10,7 @@
 #include "drivers/simulation/controllers/arms/serve_frames.hpp"
 #include "drivers/simulation/controllers/arms/straight_way.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 namespace {
 
@@ -26,8 +26,8 @@ constexpr std::uint8_t recipe = 1;
 constexpr std::size_t longest_program = 1 << 20;
 constexpr Duration client_pause = 10ms;  // until it is looked again for one that wants to be told
 
-Joints five_of(const std::array<double, 6>& q) {
-  return {degrees(q[0]), degrees(q[1]), degrees(q[2]), degrees(q[3]), degrees(q[5])};
+arm::Joints five_of(const std::array<double, 6>& q) {
+  return {arm::degrees(q[0]), arm::degrees(q[1]), arm::degrees(q[2]), arm::degrees(q[3]), arm::degrees(q[5])};
 }
 
 bool is_move(const UrStep& step) {
@@ -90,7 +90,7 @@ void UrEmulator::run(std::string_view program) {
 Task<void> UrEmulator::carry_out(std::vector<UrStep> steps) {
   playing_ = true;
   // What the program before had begun ends first.
-  ArmReading reading = co_await cabinet_.read();
+  arm::ArmReading reading = co_await cabinet_.read();
   if (reading.moving) co_await cabinet_.stop();
   while (reading.moving) {
     co_await sleep(executor_, look_again);
@@ -118,31 +118,31 @@ Task<void> UrEmulator::carry_out(std::vector<UrStep> steps) {
 
 // Moves that follow one another are blended into one. False where the arm did not get there.
 Task<bool> UrEmulator::move(std::vector<UrStep> moves) {
-  const ArmModel& model = cabinet_.model();
-  const ArmReading before = co_await cabinet_.read();
-  std::vector<Joints> waypoints;
-  Joints at = before.joints;
+  const arm::ArmModel& model = cabinet_.model();
+  const arm::ArmReading before = co_await cabinet_.read();
+  std::vector<arm::Joints> waypoints;
+  arm::Joints at = before.joints;
   double part = 1;
   for (const UrStep& step : moves) {
-    const Joints to = five_of(step.joints_rad);
-    if (std::abs(degrees(step.joints_rad[4]) + 90) > 0.1 || !check_limits(model, to)) co_return false;
+    const arm::Joints to = five_of(step.joints_rad);
+    if (std::abs(arm::degrees(step.joints_rad[4]) + 90) > 0.1 || !arm::check_limits(model, to)) co_return false;
     if (step.kind == UrStep::Kind::move_line) {
-      const Result<StraightWay> way = straight_way(model, at, forward(model, to), step.speed * 1000);
+      const Result<StraightWay> way = straight_way(model, at, arm::forward(model, to), step.speed * 1000);
       if (!way) co_return false;
       waypoints.insert(waypoints.end(), way->waypoints.begin(), way->waypoints.end());
       part = std::min(part, way->part);
     } else {
       double furthest = 0;
       for (std::size_t axis = 0; axis < to.size(); ++axis) furthest = std::max(furthest, std::abs(to[axis] - at[axis]));
-      const double wanted_s = radians(furthest) / step.speed;
-      if (wanted_s > 0) part = std::min(part, std::max(1e-3, seconds_between(model, at, to) / wanted_s));
+      const double wanted_s = arm::radians(furthest) / step.speed;
+      if (wanted_s > 0) part = std::min(part, std::max(1e-3, arm::seconds_between(model, at, to) / wanted_s));
     }
     waypoints.push_back(to);
     at = to;
   }
   const Refusal refusal = co_await cabinet_.move(std::move(waypoints), part);
   if (refusal != Refusal::none) co_return false;
-  ArmReading reading = co_await cabinet_.read();
+  arm::ArmReading reading = co_await cabinet_.read();
   while (reading.moving) {
     co_await sleep(executor_, look_again);
     reading = co_await cabinet_.read();
@@ -150,17 +150,17 @@ Task<bool> UrEmulator::move(std::vector<UrStep> moves) {
   co_return !reading.stopped;
 }
 
-Task<rtde::State> UrEmulator::state() {
-  const ArmReading reading = co_await cabinet_.read();
-  rtde::State state;
-  for (std::size_t axis = 0; axis < 4; ++axis) state.joints_rad[axis] = radians(reading.joints[axis]);
-  state.joints_rad[4] = radians(-90);
-  state.joints_rad[5] = radians(reading.joints[4]);
-  state.robot_mode = cabinet_.servo() ? rtde::running_mode : cabinet_.emergency() ? mode_off : mode_idle;
+Task<arm::rtde::State> UrEmulator::state() {
+  const arm::ArmReading reading = co_await cabinet_.read();
+  arm::rtde::State state;
+  for (std::size_t axis = 0; axis < 4; ++axis) state.joints_rad[axis] = arm::radians(reading.joints[axis]);
+  state.joints_rad[4] = arm::radians(-90);
+  state.joints_rad[5] = arm::radians(reading.joints[4]);
+  state.robot_mode = cabinet_.servo() ? arm::rtde::running_mode : cabinet_.emergency() ? mode_off : mode_idle;
   state.safety_mode = safety_normal;
   if (cabinet_.alarm() != 0 || cabinet_.pendant_hold()) state.safety_mode = safety_protective;
   if (cabinet_.emergency()) state.safety_mode = safety_emergency;
-  state.runtime = playing_ ? rtde::playing : stopped;
+  state.runtime = playing_ ? arm::rtde::playing : stopped;
   const auto register_of = [&](int number) {
     const auto found = registers_.find(number);
     return found == registers_.end() ? 0 : found->second;
@@ -171,29 +171,29 @@ Task<rtde::State> UrEmulator::state() {
   co_return state;
 }
 
-std::string UrEmulator::accept(char type, OctetReader& read) {
-  if (type == rtde::version) return rtde::write(type, octet(read.u16() == 2 ? 1 : 0));
-  if (type == rtde::start) {
+std::string UrEmulator::accept(char type, line::OctetReader& read) {
+  if (type == arm::rtde::version) return arm::rtde::write(type, octet(read.u16() == 2 ? 1 : 0));
+  if (type == arm::rtde::start) {
     telling_ = true;
-    return rtde::write(type, octet(1));
+    return arm::rtde::write(type, octet(1));
   }
-  if (type == rtde::inputs) {
-    const bool known = read.rest() == rtde::opening_name;
-    return rtde::write(type, known ? octet(recipe) + "DOUBLE" : octet(0) + "NOT_FOUND");
+  if (type == arm::rtde::inputs) {
+    const bool known = read.rest() == arm::rtde::opening_name;
+    return arm::rtde::write(type, known ? octet(recipe) + "DOUBLE" : octet(0) + "NOT_FOUND");
   }
-  if (type != rtde::outputs) return "";
+  if (type != arm::rtde::outputs) return "";
   const double per_s = read.f64();
-  if (!(per_s >= 1 && per_s <= 500) || read.rest() != rtde::state_names) {
-    return rtde::write(type, octet(0) + "NOT_FOUND");
+  if (!(per_s >= 1 && per_s <= 500) || read.rest() != arm::rtde::state_names) {
+    return arm::rtde::write(type, octet(0) + "NOT_FOUND");
   }
   period_ = std::chrono::duration_cast<Duration>(std::chrono::duration<double>(1 / per_s));
-  return rtde::write(type, octet(recipe) + std::string(rtde::state_types));
+  return arm::rtde::write(type, octet(recipe) + std::string(arm::rtde::state_types));
 }
 
 Task<std::string> UrEmulator::answer(std::string message) {
   if (message.empty() || !cabinet_.powered()) co_return std::string();
-  OctetReader read(std::string_view(message).substr(1), ByteOrder::big);
-  if (message.front() != rtde::data) co_return accept(message.front(), read);
+  line::OctetReader read(std::string_view(message).substr(1), line::ByteOrder::big);
+  if (message.front() != arm::rtde::data) co_return accept(message.front(), read);
   const std::uint8_t which = read.u8();
   const double opening_mm = read.f64();
   const bool sound = which == recipe && read.whole() && std::isfinite(opening_mm);
@@ -212,7 +212,7 @@ Task<std::string> answer_line(UrEmulator& emulator, std::string line) {
   co_return answer + "\n";
 }
 
-Task<void> tell_states(Executor& executor, UrEmulator& emulator, ByteWire& port) {
+Task<void> tell_states(Executor& executor, UrEmulator& emulator, line::ByteWire& port) {
   std::optional<Pace> pace;
   while (true) {
     const std::optional<Duration> every = emulator.told_every();
@@ -224,17 +224,17 @@ Task<void> tell_states(Executor& executor, UrEmulator& emulator, ByteWire& port)
     if (!pace) pace.emplace(executor, *every);
     const Duration pause = pace->pause();
     co_await sleep(executor, pause);
-    const rtde::State state = co_await emulator.state();
+    const arm::rtde::State state = co_await emulator.state();
     // Nobody reads, or it has no power: what is not told is lost.
-    static_cast<void>(port.write(rtde::write(rtde::data, rtde::write_state(recipe, state))));
+    static_cast<void>(port.write(arm::rtde::write(arm::rtde::data, arm::rtde::write_state(recipe, state))));
   }
 }
 
 }  // namespace
 
-Task<void> serve_rtde(Executor& executor, UrEmulator& emulator, ByteWire& port) {
+Task<void> serve_rtde(Executor& executor, UrEmulator& emulator, line::ByteWire& port) {
   const Job telling = executor.spawn(tell_states(executor, emulator, port));
-  FrameService service{.reader = rtde::frame};
+  FrameService service{.reader = arm::rtde::frame};
   service.greet = [&emulator] {
     emulator.forget_client();
     return std::string();
@@ -244,9 +244,9 @@ Task<void> serve_rtde(Executor& executor, UrEmulator& emulator, ByteWire& port) 
 }
 
 // A program ends with the line `end`.
-Task<void> serve_script(Executor& executor, UrEmulator& emulator, ByteWire& port) {
+Task<void> serve_script(Executor& executor, UrEmulator& emulator, line::ByteWire& port) {
   std::string program;
-  FrameService service{.reader = frame_of_line};
+  FrameService service{.reader = line::frame_of_line};
   service.greet = [&program] {
     program.clear();
     return std::string();
@@ -260,11 +260,11 @@ Task<void> serve_script(Executor& executor, UrEmulator& emulator, ByteWire& port
   co_await serve_frames(executor, std::move(service), port);
 }
 
-Task<void> serve_dashboard(Executor& executor, UrEmulator& emulator, ByteWire& port) {
-  FrameService service{.reader = frame_of_line};
+Task<void> serve_dashboard(Executor& executor, UrEmulator& emulator, line::ByteWire& port) {
+  FrameService service{.reader = line::frame_of_line};
   service.greet = [] { return std::string("Connected: Universal Robots Dashboard Server\n"); };
   service.answer = [&emulator](std::string line) { return answer_line(emulator, std::move(line)); };
   co_await serve_frames(executor, std::move(service), port);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

@@ -18,7 +18,7 @@
 #include "drivers/simulation/controllers/arms/arm_cabinet.hpp"
 #include "drivers/simulation/controllers/arms/urscript.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 class UrEmulator {
  public:
@@ -29,7 +29,7 @@ class UrEmulator {
   Task<std::string> dashboard(std::string line);
   // A program, as it came over the script port.
   void run(std::string_view program);
-  Task<rtde::State> state();
+  Task<arm::rtde::State> state();
   // One message of RTDE and its answer; empty: none.
   Task<std::string> answer(std::string message);
   // How often the client wants to be told; none before it has started that.
@@ -42,7 +42,7 @@ class UrEmulator {
   static constexpr Duration look_again = 8ms;
   Task<void> carry_out(std::vector<UrStep> steps);
   Task<bool> move(std::vector<UrStep> moves);
-  std::string accept(char type, OctetReader& read);
+  std::string accept(char type, line::OctetReader& read);
 
   ArmCabinet& cabinet_;
   Executor& executor_;
@@ -54,8 +54,8 @@ class UrEmulator {
 };
 
 // Each until destroyed. All outlive them.
-Task<void> serve_rtde(Executor& executor, UrEmulator& emulator, ByteWire& port);
-Task<void> serve_script(Executor& executor, UrEmulator& emulator, ByteWire& port);
-Task<void> serve_dashboard(Executor& executor, UrEmulator& emulator, ByteWire& port);
+Task<void> serve_rtde(Executor& executor, UrEmulator& emulator, line::ByteWire& port);
+Task<void> serve_script(Executor& executor, UrEmulator& emulator, line::ByteWire& port);
+Task<void> serve_dashboard(Executor& executor, UrEmulator& emulator, line::ByteWire& port);
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

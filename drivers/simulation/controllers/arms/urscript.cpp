@@ -6,11 +6,11 @@
 
 #include "drivers/line/printable.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 namespace {
 
-constexpr std::size_t most_steps = 10'000;
+constexpr std::size_t most_program_steps = 10'000;
 
 std::string_view trimmed(std::string_view text) {
   const std::size_t begin = text.find_first_not_of(" \t\r");
@@ -80,12 +80,12 @@ Result<std::vector<UrStep>> read_urscript(std::string_view program) {
     program.remove_prefix(std::min(end + 1, program.size()));
     if (line.empty() || line.starts_with('#') || line.starts_with("def ") || line == "end") continue;
     const std::optional<UrStep> step = step_of(line);
-    if (!step || steps.size() >= most_steps) {
-      return fail("bad-script", "the controller does not understand " + printable(line));
+    if (!step || steps.size() >= most_program_steps) {
+      return fail("bad-script", "the controller does not understand " + line::printable(line));
     }
     steps.push_back(*step);
   }
   return steps;
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

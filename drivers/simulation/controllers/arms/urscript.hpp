@@ -12,7 +12,7 @@
 
 #include "lisp/result.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 struct UrStep {
   enum class Kind : std::uint8_t { move_joints, move_line, stop, write_register, sleep };
@@ -26,4 +26,4 @@ struct UrStep {
 // Failure: bad-script, with the line.
 Result<std::vector<UrStep>> read_urscript(std::string_view program);
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

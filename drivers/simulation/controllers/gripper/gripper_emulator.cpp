@@ -4,7 +4,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 namespace {
 
@@ -21,12 +21,12 @@ std::optional<int> number_after(std::string_view words, std::string_view what) {
 
 }  // namespace
 
-GripperEmulator::GripperEmulator(Executor& executor, ArmDriver& body, const GripperSetup& setup)
+GripperEmulator::GripperEmulator(Executor& executor, arm::ArmDriver& body, const forms::GripperSetup& setup)
     : executor_(executor),
       body_(body),
       setup_(setup),
-      orders_(orders_of(setup)),
-      states_(states_of(setup)),
+      orders_(gripper::orders_of(setup)),
+      states_(gripper::states_of(setup)),
       living_(executor.spawn(live())) {}
 
 double GripperEmulator::wanted_mm() const {
@@ -34,7 +34,7 @@ double GripperEmulator::wanted_mm() const {
   return std::lerp(setup_.closed_mm, setup_.open_mm, (orders_.get(setup_.target) - setup_.closed_count) / range);
 }
 
-void GripperEmulator::told(RegisterImage orders) {
+void GripperEmulator::told(gripper::RegisterImage orders) {
   const bool goes_elsewhere =
       orders.get(setup_.target) != orders_.get(setup_.target) || orders.get(setup_.go) != orders_.get(setup_.go);
   orders_ = std::move(orders);
@@ -48,7 +48,7 @@ void GripperEmulator::told(RegisterImage orders) {
   if (!goes_elsewhere || !may || orders_.get(setup_.go) == 0) return;
   ++sent_;
   goes_ = true;
-  states_.put(setup_.object, gripper::on_its_way);
+  states_.put(setup_.object, gripper::gripper::on_its_way);
   sending_ = executor_.spawn(send_to(wanted_mm()));
 }
 
@@ -64,24 +64,24 @@ Task<void> GripperEmulator::send_to(double opening_mm) {
 
 Task<void> GripperEmulator::live() {
   while (true) {
-    const Result<ArmReading> reading = co_await body_.read();
+    const Result<arm::ArmReading> reading = co_await body_.read();
     if (reading && sending_.done()) look(*reading);
     co_await sleep(executor_, look_every);
   }
 }
 
-void GripperEmulator::look(const ArmReading& reading) {
+void GripperEmulator::look(const arm::ArmReading& reading) {
   opening_mm_ = reading.opening_mm;
   const double part = (opening_mm_ - setup_.closed_mm) / (setup_.open_mm - setup_.closed_mm);
   const double count = std::lerp(setup_.closed_count, setup_.open_count, std::clamp(part, 0.0, 1.0));
   states_.put(setup_.opening, static_cast<std::uint16_t>(std::lround(count)));
   states_.put(setup_.fault, static_cast<std::uint16_t>(fault_));
   const bool active = active_since_ && executor_.now() - *active_since_ >= activation_time;
-  states_.put(setup_.active, active ? gripper::ready : active_since_ ? 1 : 0);
+  states_.put(setup_.active, active ? gripper::gripper::ready : active_since_ ? 1 : 0);
   if (reading.gripper_moving) return;
   const double short_of = opening_mm_ - wanted_mm();
-  const std::uint16_t met = short_of > 0 ? gripper::met_closing : gripper::met_opening;
-  if (goes_) states_.put(setup_.object, std::abs(short_of) <= at_target_mm ? gripper::arrived : met);
+  const std::uint16_t met = short_of > 0 ? gripper::gripper::met_closing : gripper::gripper::met_opening;
+  if (goes_) states_.put(setup_.object, std::abs(short_of) <= at_target_mm ? gripper::gripper::arrived : met);
   goes_ = false;
 }
 
@@ -109,7 +109,7 @@ std::string GripperEmulator::status() const {
   if (fault_ != 0) line += fmt::format(", fault {}", fault_);
   if (exception_ != 0) line += fmt::format(", refuses with {}", exception_);
   const std::uint16_t object = states_.get(setup_.object);
-  const bool holds = object == gripper::met_closing || object == gripper::met_opening;
+  const bool holds = object == gripper::gripper::met_closing || object == gripper::gripper::met_opening;
   return fmt::format("{}, {} at {:.1f} mm{}", line, goes_ ? "moving" : "still", opening_mm_,
                      holds ? ", something between its fingers" : "");
 }
@@ -119,7 +119,7 @@ std::string GripperEmulator::status_in_json() const {
   return fmt::format(
       "{{\"power\":{},\"active\":{},\"fault\":{},\"refuses\":{},\"state\":\"{}\",\"opening\":{:.2f},\"gripped\":{}}}",
       powered_, active_since_.has_value(), fault_, exception_, goes_ ? "moving" : "still", opening_mm_,
-      object == gripper::met_closing || object == gripper::met_opening);
+      object == gripper::gripper::met_closing || object == gripper::gripper::met_opening);
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

@@ -16,18 +16,18 @@
 #include "drivers/arm/arm_driver.hpp"
 #include "drivers/gripper/gripper_registers.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 class GripperEmulator {
  public:
   // The body outlives it.
-  GripperEmulator(Executor& executor, ArmDriver& body, const GripperSetup& setup);
+  GripperEmulator(Executor& executor, arm::ArmDriver& body, const forms::GripperSetup& setup);
 
   // Registers that it has, from the first to the last.
-  const RegisterImage& orders() const { return orders_; }
-  const RegisterImage& states() const { return states_; }
+  const gripper::RegisterImage& orders() const { return orders_; }
+  const gripper::RegisterImage& states() const { return states_; }
   // They have been written.
-  void told(RegisterImage orders);
+  void told(gripper::RegisterImage orders);
 
   // Failure: unknown-command.
   Result<void> obey(std::string_view words);
@@ -43,14 +43,14 @@ class GripperEmulator {
   static constexpr Duration activation_time = 200ms;
   Task<void> live();
   Task<void> send_to(double opening_mm);
-  void look(const ArmReading& reading);
+  void look(const arm::ArmReading& reading);
   double wanted_mm() const;
 
   Executor& executor_;
-  ArmDriver& body_;
-  const GripperSetup setup_;
-  RegisterImage orders_;
-  RegisterImage states_;
+  arm::ArmDriver& body_;
+  const forms::GripperSetup setup_;
+  gripper::RegisterImage orders_;
+  gripper::RegisterImage states_;
   bool powered_ = true;
   int exception_ = 0;
   int fault_ = 0;
@@ -62,4 +62,4 @@ class GripperEmulator {
   Job living_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

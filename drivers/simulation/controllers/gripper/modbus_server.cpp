@@ -6,7 +6,7 @@
 
 #include "drivers/line/tcp_port.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 namespace {
 
@@ -34,12 +34,14 @@ struct ModbusServer::Protocol {
     modbus_free(context);
   }
 
-  static int last_of(const RegisterImage& image) { return image.first() + static_cast<int>(image.values().size()) - 1; }
-  std::uint16_t* place_of(const RegisterImage& image) const {
+  static int last_of(const gripper::RegisterImage& image) {
+    return image.first() + static_cast<int>(image.values().size()) - 1;
+  }
+  std::uint16_t* place_of(const gripper::RegisterImage& image) const {
     return mapping->tab_registers + (image.first() - mapping->start_registers);
   }
-  void show(const RegisterImage& image) const { std::ranges::copy(image.values(), place_of(image)); }
-  RegisterImage seen(const RegisterImage& image) const {
+  void show(const gripper::RegisterImage& image) const { std::ranges::copy(image.values(), place_of(image)); }
+  gripper::RegisterImage seen(const gripper::RegisterImage& image) const {
     const std::uint16_t* begin = place_of(image);
     return {image.first(), std::vector<std::uint16_t>(begin, begin + image.values().size())};
   }
@@ -50,7 +52,7 @@ struct ModbusServer::Protocol {
 
 Result<std::unique_ptr<ModbusServer>> ModbusServer::listen(Executor& executor, GripperEmulator& gripper,
                                                            const std::string& address, std::uint16_t port) {
-  const Result<Listening> listening = listen_at(address, port);
+  const Result<line::Listening> listening = line::listen_at(address, port);
   if (!listening) return fail(listening);
   return std::unique_ptr<ModbusServer>(new ModbusServer(executor, gripper, listening->file, listening->port));
 }
@@ -102,4 +104,4 @@ void ModbusServer::serve() {
   if (function == write_one || function == write_several) gripper_.told(protocol_->seen(gripper_.orders()));
 }
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

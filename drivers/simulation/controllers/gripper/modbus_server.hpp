@@ -12,7 +12,7 @@
 
 #include "drivers/simulation/controllers/gripper/gripper_emulator.hpp"
 
-namespace pizarra {
+namespace pizarra::simulation {
 
 class ModbusServer {
  public:
@@ -40,4 +40,4 @@ class ModbusServer {
   std::unique_ptr<Protocol> protocol_;
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::simulation

@@ -11,7 +11,7 @@
 #include "blackboard/streams/remote_streams.hpp"
 #include "tests/agents/runtime/member.hpp"
 
-namespace pizarra {
+namespace pizarra::runtime {
 namespace {
 
 class PatternTest : public testing::TestWithParam<WallKind> {
@@ -116,7 +116,7 @@ class HeavyLightTest : public PatternTest {
   // Of one process, or each of its own.
   Streams& streams_of(Member& who) {
     if (GetParam().name == "memory") return local_;
-    remote_.push_back(RemoteStreams::open(wall->executor(), who.context.board).value());
+    remote_.push_back(streams::RemoteStreams::open(wall->executor(), who.context.board).value());
     return *remote_.back();
   }
   static StreamFrame frame(std::uint64_t number, std::uint8_t grey) {
@@ -174,4 +174,4 @@ TEST_P(HeavyLightTest, WithoutServersThereAreNoAnswers) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::runtime

@@ -3,7 +3,7 @@
 #include "blackboard/time/random.hpp"
 #include "tests/drivers/arm/motoman/host_cell.hpp"
 
-namespace pizarra {
+namespace pizarra::arm {
 namespace {
 
 // SOH, 01,000, STX, the text, ETX and their sum, as the manual has it.
@@ -170,7 +170,7 @@ TEST(BscBlocks, WhateverComesIsCutIntoSignsAndNoOctetIsTakenTwice) {
       }
       std::size_t taken = 0;
       while (true) {
-        const Result<std::optional<Frame>> frame = frame_of_bsc(std::string_view(line).substr(taken));
+        const Result<std::optional<line::Frame>> frame = frame_of_bsc(std::string_view(line).substr(taken));
         ASSERT_TRUE(frame);
         if (!*frame) break;
         ASSERT_GT((*frame)->octets, 0u) << "seed " << seed;
@@ -183,4 +183,4 @@ TEST(BscBlocks, WhateverComesIsCutIntoSignsAndNoOctetIsTakenTwice) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::arm

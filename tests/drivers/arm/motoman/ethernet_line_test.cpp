@@ -5,7 +5,7 @@
 #include "lisp/writer.hpp"
 #include "tests/drivers/arm/motoman/host_cell.hpp"
 
-namespace pizarra {
+namespace pizarra::arm {
 namespace {
 
 using Kind = HostCommand::Kind;
@@ -142,4 +142,4 @@ TEST_F(EthernetServer, WhateverIsTypedTheServerLivesAndTheArmStands) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::arm

@@ -15,22 +15,22 @@
 #include "tests/drivers/arm/motoman/hses_cell.hpp"
 #include "tests/drivers/line/wire_pair.hpp"
 
-namespace pizarra {
+namespace pizarra::arm {
 
 template <class Line, auto serve>
 struct HostCell : DrivenArm<HostCell<Line, serve>> {
   VirtualExecutor executor;
-  MovingArm body{executor, up6()};
-  ArmCabinet cabinet{executor, body, up6()};
-  HostControl control{cabinet};
-  WirePair wire{executor};
+  simulation::MovingArm body{executor, up6()};
+  simulation::ArmCabinet cabinet{executor, body, up6()};
+  simulation::HostControl control{cabinet};
+  line::WirePair wire{executor};
   Job serving{executor.spawn(serve(executor, control, wire.far))};
   Line line{executor, wire.near};
   HostLink link{line};
   MotomanArm arm{executor, link, up6()};
 };
 
-using EthernetCell = HostCell<EthernetLine, &serve_ethernet_server>;
-using BscCell = HostCell<BscLine, &serve_bsc>;
+using EthernetCell = HostCell<EthernetLine, &simulation::serve_ethernet_server>;
+using BscCell = HostCell<BscLine, &simulation::serve_bsc>;
 
-}  // namespace pizarra
+}  // namespace pizarra::arm

@@ -10,7 +10,7 @@
 #include "tests/drivers/arm/driven_arm.hpp"
 #include "tests/drivers/line/lossy_line.hpp"
 
-namespace pizarra {
+namespace pizarra::arm {
 
 inline const ArmModel& up6() {
   static const ArmModel model = shipped_arm("motoman-up6").value();
@@ -25,12 +25,12 @@ struct HsesCell : DrivenArm<HsesCell> {
 
  public:
   VirtualExecutor executor;
-  MovingArm body{executor, up6()};
-  ArmCabinet cabinet{executor, body, up6()};
-  HsesEmulator emulator{cabinet};
-  LossyLine line{executor, Random(seed_), [this](std::string said) { return emulator.answer(std::move(said)); }};
+  simulation::MovingArm body{executor, up6()};
+  simulation::ArmCabinet cabinet{executor, body, up6()};
+  simulation::HsesEmulator emulator{cabinet};
+  line::LossyLine line{executor, Random(seed_), [this](std::string said) { return emulator.answer(std::move(said)); }};
   HsesLink link{executor, line};
   MotomanArm arm{executor, link, up6()};
 };
 
-}  // namespace pizarra
+}  // namespace pizarra::arm

@@ -4,7 +4,7 @@
 
 #include "blackboard/time/random.hpp"
 
-namespace pizarra {
+namespace pizarra::arm {
 namespace {
 
 std::string octets(std::initializer_list<int> values) {
@@ -71,4 +71,4 @@ TEST(HsesPacket, WhateverComesIsReadOrRefused) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::arm

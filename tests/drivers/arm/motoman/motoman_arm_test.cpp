@@ -6,7 +6,7 @@
 
 #include "tests/drivers/arm/motoman/hses_cell.hpp"
 
-namespace pizarra {
+namespace pizarra::arm {
 namespace {
 
 class Motoman : public testing::Test, protected HsesCell {
@@ -26,7 +26,7 @@ class Motoman : public testing::Test, protected HsesCell {
     return waypoints;
   }
 
-  LossyLine late_line{executor, Random(2), [this](std::string said) { return emulator.answer(std::move(said)); }};
+  line::LossyLine late_line{executor, Random(2), [this](std::string said) { return emulator.answer(std::move(said)); }};
 };
 
 TEST_F(Motoman, SaysWhereTheArmIsToAPulseAndTakesControl) {
@@ -225,7 +225,7 @@ TEST_F(Motoman, PowerThatIsLostInMidMoveIsSilenceAndThenAnAlarm) {
   const Result<ArmReading> back = wait();
   ASSERT_TRUE(back);
   EXPECT_TRUE(back->stopped);
-  EXPECT_EQ(back->why_stopped->subject, to_datum(ArmCabinet::power_lost_alarm));
+  EXPECT_EQ(back->why_stopped->subject, to_datum(simulation::ArmCabinet::power_lost_alarm));
   EXPECT_EQ(connect(), "");
   EXPECT_EQ(move({up6().ready}), "");
   EXPECT_TRUE(are_same_place(wait()->joints, up6().ready));
@@ -316,4 +316,4 @@ TEST(MotomanOverABadLine, EveryMoveIsCarriedOutExactlyOnce) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::arm

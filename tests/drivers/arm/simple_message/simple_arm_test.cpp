@@ -11,12 +11,12 @@
 #include "tests/drivers/arm/driven_cells.hpp"
 #include "tests/drivers/line/wire_pair.hpp"
 
-namespace pizarra {
+namespace pizarra::arm {
 namespace {
 
 struct Line {
   const char* name;
-  SimpleKind kind;
+  simulation::SimpleKind kind;
 };
 
 // Over TCP in either order of octets, and over the C500C's serial lines.
@@ -26,7 +26,8 @@ class Simple : public testing::TestWithParam<Line>, protected SimpleCell {
 };
 
 INSTANTIATE_TEST_SUITE_P(Over, Simple,
-                         testing::Values(Line{"TcpLittleEndian", {}}, Line{"TcpBigEndian", {.order = ByteOrder::big}},
+                         testing::Values(Line{"TcpLittleEndian", {}},
+                                         Line{"TcpBigEndian", {.order = line::ByteOrder::big}},
                                          Line{"C500CSerial", {.serial = true, .sign = -1}},
                                          Line{"TcpWithTheTrack", {.track = true}}),
                          [](const auto& line) { return std::string(line.param.name); });
@@ -159,12 +160,12 @@ TEST_P(Simple, TheTrackIsAJointWhereTheControllerHasIt) {
 // Over serial lines that garble, no reading is false and every move that is said to have ended ended there.
 TEST(SimpleOverABadLine, NoReadingIsFalse) {
   VirtualExecutor executor;
-  MovingArm body(executor, crs_f3());
-  ArmCabinet cabinet(executor, body, crs_f3());
-  SimpleEmulator emulator(cabinet, {.serial = true});
-  WirePair motion(executor), state(executor);
-  const Job moving = executor.spawn(serve_motion(executor, emulator, motion.far));
-  const Job telling = executor.spawn(serve_state(executor, emulator, state.far));
+  simulation::MovingArm body(executor, crs_f3());
+  simulation::ArmCabinet cabinet(executor, body, crs_f3());
+  simulation::SimpleEmulator emulator(cabinet, {.serial = true});
+  line::WirePair motion(executor), state(executor);
+  const Job moving = executor.spawn(simulation::serve_motion(executor, emulator, motion.far));
+  const Job telling = executor.spawn(simulation::serve_state(executor, emulator, state.far));
   SimpleArm arm(executor, {motion.near, state.near, true}, crs_f3());
   ASSERT_TRUE(run(executor, arm.identify()));
   Random random(1);
@@ -186,4 +187,4 @@ TEST(SimpleOverABadLine, NoReadingIsFalse) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::arm

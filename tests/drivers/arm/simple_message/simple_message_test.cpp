@@ -5,10 +5,10 @@
 
 #include "blackboard/time/random.hpp"
 
-namespace pizarra {
+namespace pizarra::arm {
 namespace {
 
-std::string point_message(ByteOrder order) {
+std::string point_message(line::ByteOrder order) {
   SimpleMessage message{.type = simple::trajectory_point, .kind = simple::request};
   SimplePoint point{.sequence = 3, .velocity = 0.5f, .duration_s = 2};
   point.joints_rad[1] = -0.25f;
@@ -17,11 +17,11 @@ std::string point_message(ByteOrder order) {
 }
 
 TEST(SimpleMessages, APointStandsAsTheSpecificationHasIt) {
-  const std::string frame = tcp_frame(point_message(ByteOrder::little), ByteOrder::little);
+  const std::string frame = tcp_frame(point_message(line::ByteOrder::little), line::ByteOrder::little);
   ASSERT_EQ(frame.size(), 4u + 12 + 4 + 40 + 8);
   EXPECT_EQ(frame.substr(0, 20), std::string("\x40\0\0\0\x0b\0\0\0\2\0\0\0\0\0\0\0\3\0\0\0", 20));
   EXPECT_EQ(frame.substr(24, 4), std::string("\0\0\x80\xbe", 4));  // -0.25
-  EXPECT_EQ(tcp_frame(point_message(ByteOrder::big), ByteOrder::big).substr(0, 8),
+  EXPECT_EQ(tcp_frame(point_message(line::ByteOrder::big), line::ByteOrder::big).substr(0, 8),
             std::string("\0\0\0\x40\0\0\0\x0b", 8));
 }
 
@@ -31,7 +31,7 @@ TEST(SimpleMessages, ASerialFrameBearsTheSumOfItsOctets) {
 }
 
 TEST(SimpleMessages, WhatIsWrittenIsReadBackInEitherOrder) {
-  for (const ByteOrder order : {ByteOrder::little, ByteOrder::big}) {
+  for (const line::ByteOrder order : {line::ByteOrder::little, line::ByteOrder::big}) {
     const Result<SimpleMessage> message = read_simple(point_message(order), order);
     ASSERT_TRUE(message);
     EXPECT_EQ(message->type, simple::trajectory_point);
@@ -46,7 +46,8 @@ TEST(SimpleMessages, WhatIsWrittenIsReadBackInEitherOrder) {
 TEST(SimpleMessages, AnAngleThatIsNoNumberIsRefusedWithItsAxis) {
   SimplePosition position;
   position.joints_rad[3] = std::nanf("");
-  const Result<SimplePosition> read = read_position(write_position(position, ByteOrder::little), ByteOrder::little);
+  const Result<SimplePosition> read =
+      read_position(write_position(position, line::ByteOrder::little), line::ByteOrder::little);
   ASSERT_FALSE(read);
   EXPECT_EQ(read.error().subject, to_datum(4));
 }
@@ -55,7 +56,7 @@ TEST(SimpleMessages, AnAngleThatIsNoNumberIsRefusedWithItsAxis) {
 TEST(SimpleMessages, OfAGarbledLineOnlyWholeMessagesAreTaken) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     Random random(seed);
-    const std::string message = point_message(ByteOrder::little);
+    const std::string message = point_message(line::ByteOrder::little);
     std::string line;
     for (int i = 0; i < 200; ++i) {
       line += serial_frame(message);
@@ -64,7 +65,7 @@ TEST(SimpleMessages, OfAGarbledLineOnlyWholeMessagesAreTaken) {
     }
     int taken = 0;
     while (!line.empty()) {
-      const Result<std::optional<Frame>> frame = frame_of_serial(line);
+      const Result<std::optional<line::Frame>> frame = frame_of_serial(line);
       ASSERT_TRUE(frame);
       if (!*frame) break;
       EXPECT_EQ((*frame)->message, message) << "seed " << seed;
@@ -79,16 +80,16 @@ TEST(SimpleMessages, WhateverComesIsReadOrRefused) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     Random random(seed);
     for (int i = 0; i < 20'000; ++i) {
-      std::string damaged = tcp_frame(point_message(ByteOrder::little), ByteOrder::little);
+      std::string damaged = tcp_frame(point_message(line::ByteOrder::little), line::ByteOrder::little);
       for (std::uint64_t edits = random.below(4); edits > 0; --edits) {
         damaged[random.below(damaged.size())] = static_cast<char>(random.below(256));
       }
       damaged.resize(random.below(damaged.size() + 1));
-      const Result<std::optional<Frame>> frame = frame_of_tcp_little(damaged);
+      const Result<std::optional<line::Frame>> frame = frame_of_tcp_little(damaged);
       if (!frame || !*frame) continue;
-      const Result<SimpleMessage> message = read_simple((*frame)->message, ByteOrder::little);
+      const Result<SimpleMessage> message = read_simple((*frame)->message, line::ByteOrder::little);
       ASSERT_TRUE(message) << "seed " << seed << ", case " << i;
-      const Result<SimplePoint> point = read_point(message->data, ByteOrder::little);
+      const Result<SimplePoint> point = read_point(message->data, line::ByteOrder::little);
       if (!point) continue;
       for (const float joint : point->joints_rad) ASSERT_TRUE(std::isfinite(joint)) << "seed " << seed;
     }
@@ -96,4 +97,4 @@ TEST(SimpleMessages, WhateverComesIsReadOrRefused) {
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::arm

@@ -14,7 +14,7 @@
 #include "tests/drivers/arm/driven_cells.hpp"
 #include "tests/drivers/line/wire_pair.hpp"
 
-namespace pizarra {
+namespace pizarra::arm {
 namespace {
 
 const ArmModel& ur5e() {
@@ -250,7 +250,7 @@ TEST(Rtde, WhateverComesIsReadOrRefused) {
         damaged[random.below(damaged.size())] = static_cast<char>(random.below(256));
       }
       damaged.resize(random.below(damaged.size() + 1));
-      const Result<std::optional<Frame>> frame = rtde::frame(damaged);
+      const Result<std::optional<line::Frame>> frame = rtde::frame(damaged);
       if (!frame || !*frame) continue;
       ASSERT_LE((*frame)->octets, damaged.size()) << "seed " << seed;
       const Result<rtde::State> state = rtde::read_state((*frame)->message.substr(1));
@@ -264,20 +264,20 @@ TEST(UrScript, WhateverComesIsReadOrRefused) {
   const std::string sound =
       "def p():\n  movej([0, -1.57, 1.57, -1.57, -1.57, 0], a=1, v=0.5, r=0.001)\n"
       "  write_output_integer_register(24, 3)\n  stopj(8.0)\nend\n";
-  ASSERT_EQ(read_urscript(sound)->size(), 3u);
-  EXPECT_EQ(read_urscript("movej([0, 1, nan, 0, 0, 0])").error().symbol, "bad-script");
-  EXPECT_EQ(read_urscript("set_digital_out(0, True)").error().symbol, "bad-script");
+  ASSERT_EQ(simulation::read_urscript(sound)->size(), 3u);
+  EXPECT_EQ(simulation::read_urscript("movej([0, 1, nan, 0, 0, 0])").error().symbol, "bad-script");
+  EXPECT_EQ(simulation::read_urscript("set_digital_out(0, True)").error().symbol, "bad-script");
   Random random(1);
   for (int i = 0; i < 20'000; ++i) {
     std::string damaged = sound;
     for (std::uint64_t edits = 1 + random.below(4); edits > 0; --edits) {
       damaged[random.below(damaged.size())] = static_cast<char>(random.below(128));
     }
-    const Result<std::vector<UrStep>> steps = read_urscript(damaged);
+    const Result<std::vector<simulation::UrStep>> steps = simulation::read_urscript(damaged);
     if (!steps) continue;
-    for (const UrStep& step : *steps) ASSERT_TRUE(std::isfinite(step.speed)) << "seed 1, case " << i;
+    for (const simulation::UrStep& step : *steps) ASSERT_TRUE(std::isfinite(step.speed)) << "seed 1, case " << i;
   }
 }
 
 }  // namespace
-}  // namespace pizarra
+}  // namespace pizarra::arm
