@@ -17,15 +17,15 @@ constexpr double on_table = 0.92;
 constexpr double higher_than_support = 0.5;
 constexpr double touching = 1.5;
 
-bool is_lost(const Truth::Cube& cube) { return cube.gone || cube.z_mm < below_table_mm; }
+bool is_lost(const WorldState::Cube& cube) { return cube.gone || cube.z_mm < below_table_mm; }
 
 // Neither it nor what it stands on leans, falls or is carried.
-bool is_firm(const Truth& truth, const Truth::Cube& cube) {
+bool is_firm(const WorldState& truth, const WorldState::Cube& cube) {
   const auto below = truth.cubes.find(cube.on);
   return !cube.loose && (below == truth.cubes.end() || is_firm(truth, below->second));
 }
 
-double distance_mm(const Truth::Cube& a, const Truth::Cube& b) {
+double distance_mm(const WorldState::Cube& a, const WorldState::Cube& b) {
   return std::hypot(a.x_mm - b.x_mm, a.y_mm - b.y_mm, a.z_mm - b.z_mm);
 }
 
@@ -57,7 +57,7 @@ Result<Judge> Judge::make(const forms::Domain& domain, double cube_mm) {
 }
 
 // As the eyes and the gripper would measure it without any error: a mark is on the cube's front face.
-std::vector<Datum> Judge::measured(const Truth& truth) const {
+std::vector<Datum> Judge::measured(const WorldState& truth) const {
   std::vector<Datum> out;
   bool held = false;
   for (const auto& [name, cube] : truth.cubes) {
@@ -72,7 +72,7 @@ std::vector<Datum> Judge::measured(const Truth& truth) const {
   return out;
 }
 
-Result<std::vector<Datum>> Judge::facts(const Truth& truth) const {
+Result<std::vector<Datum>> Judge::facts(const WorldState& truth) const {
   const Result<std::vector<Datum>> perceived = perception_.perceive(measured(truth), {});
   if (!perceived) return perceived;
   std::vector<Datum> out;
@@ -89,7 +89,7 @@ bool Judge::holds(const std::vector<Datum>& goal, const std::vector<Datum>& fact
 }
 
 // The nearest cube that a loose one can lie on; empty: the table.
-std::string Judge::support_of(const Truth& truth, const Truth::Cube& loose) const {
+std::string Judge::support_of(const WorldState& truth, const WorldState::Cube& loose) const {
   std::string support;
   double nearest_mm = touching * cube_mm_;
   if (loose.z_mm < on_table * cube_mm_) return support;
@@ -103,21 +103,21 @@ std::string Judge::support_of(const Truth& truth, const Truth::Cube& loose) cons
 }
 
 // Every cube that is loose put squarely where it lies, the lowest first: others may lie on it.
-Truth Judge::squared(Truth truth) const {
+WorldState Judge::squared(WorldState truth) const {
   std::vector<std::pair<double, std::string>> by_height;
   for (const auto& [name, cube] : truth.cubes) {
     if (!is_lost(cube)) by_height.emplace_back(cube.z_mm, name);
   }
   std::ranges::sort(by_height);
-  const Truth as_it_lies = truth;
+  const WorldState as_it_lies = truth;
   for (const auto& [height, name] : by_height) {
-    Truth::Cube& cube = truth.cubes.at(name);
+    WorldState::Cube& cube = truth.cubes.at(name);
     const std::string support = cube.loose ? support_of(as_it_lies, cube) : cube.on;
     if (support.empty() && !cube.loose) continue;
     if (support.empty()) {
       cube.z_mm = cube_mm_ / 2;
     } else {
-      const Truth::Cube& below = truth.cubes.at(support);
+      const WorldState::Cube& below = truth.cubes.at(support);
       if (cube.loose) cube.x_mm = below.x_mm;
       if (cube.loose) cube.y_mm = below.y_mm;
       cube.z_mm = below.z_mm + cube_mm_;
@@ -128,9 +128,9 @@ Truth Judge::squared(Truth truth) const {
   return truth;
 }
 
-Result<std::vector<Datum>> Judge::as_a_person_would_say(const Truth& truth) const { return facts(squared(truth)); }
+Result<std::vector<Datum>> Judge::as_a_person_would_say(const WorldState& truth) const { return facts(squared(truth)); }
 
-Result<bool> Judge::plan_exists(const std::vector<Datum>& goal, const Truth& truth) const {
+Result<bool> Judge::plan_exists(const std::vector<Datum>& goal, const WorldState& truth) const {
   const Result<std::vector<Datum>> said = as_a_person_would_say(truth);
   if (!said) return fail(said);
   planner::PlanningTask task;

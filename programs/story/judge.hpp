@@ -25,21 +25,21 @@ class Judge {
 
   // What the domain's own perception rules find where everything that stands firmly or is held is seen truly. A cube
   // that leans, falls or is carried by a hand is in no state that a predicate names, nor is what stands on it. Sorted.
-  Result<std::vector<Datum>> facts(const Truth& truth) const;
+  Result<std::vector<Datum>> facts(const WorldState& truth) const;
   static bool holds(const std::vector<Datum>& goal, const std::vector<Datum>& facts);
   // As facts(), each cube that leans or lies askew taken to stand squarely on what it lies on, or on the table: what a
   // person would say of it. Sorted.
-  Result<std::vector<Datum>> as_a_person_would_say(const Truth& truth) const;
+  Result<std::vector<Datum>> as_a_person_would_say(const WorldState& truth) const;
   // By breadth-first search over whole states, from what a person would say. A goal with an object that is gone, or
   // below the table, has no plan. Failure: gave-up.
-  Result<bool> plan_exists(const std::vector<Datum>& goal, const Truth& truth) const;
+  Result<bool> plan_exists(const std::vector<Datum>& goal, const WorldState& truth) const;
 
  private:
   Judge(forms::Domain domain, forms::Perception perception, double cube_mm)
       : domain_(std::move(domain)), perception_(std::move(perception)), cube_mm_(cube_mm) {}
-  std::vector<Datum> measured(const Truth& truth) const;
-  std::string support_of(const Truth& truth, const Truth::Cube& loose) const;
-  Truth squared(Truth truth) const;
+  std::vector<Datum> measured(const WorldState& truth) const;
+  std::string support_of(const WorldState& truth, const WorldState::Cube& loose) const;
+  WorldState squared(WorldState truth) const;
   forms::Domain domain_;
   forms::Perception perception_;
   double cube_mm_;

@@ -22,7 +22,7 @@ void Witness::open_eyes() { eyes_ = cell_.executor().spawn(keep_eyes_open()); }
 
 Task<void> Witness::keep_eyes_open() {
   while (true) {
-    const Result<Truth> truth = co_await read_truth(cell_.link());
+    const Result<WorldState> truth = co_await read_world_state(cell_.link());
     const Time now = cell_.executor().now();
     if (truth) {
       for (const auto& [name, cube] : truth->cubes) {
@@ -49,7 +49,7 @@ bool Witness::blind_to(const std::vector<Datum>& goal) const {
 
 Task<Result<Verdict>> Witness::judge(std::vector<Datum> goal) {
   co_await sleep(cell_.executor(), settle);
-  const Result<Truth> truth = co_await read_truth(cell_.link());
+  const Result<WorldState> truth = co_await read_world_state(cell_.link());
   if (!truth) co_return fail(truth);
   const Result<std::vector<Datum>> facts = judge_.facts(*truth);
   if (!facts) co_return fail(facts);

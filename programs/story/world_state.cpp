@@ -16,7 +16,7 @@ std::string small(std::string_view text) {
 }
 
 // (cube NAME X Y Z YAW TILT STATE VISIBLE)
-Truth::Cube cube_from_datum(const Datum& item) {
+WorldState::Cube cube_from_datum(const Datum& item) {
   const Datum& state = item[7];
   return {.x_mm = item[2].number(),
           .y_mm = item[3].number(),
@@ -38,8 +38,8 @@ Datum in_small_letters(const Datum& fact) {
   return Datum::list(std::move(items));
 }
 
-Result<Truth> truth_from_datum(const Datum& head) {
-  Truth truth;
+Result<WorldState> world_state_from_datum(const Datum& head) {
+  WorldState truth;
   for (const Datum& item : head.items()) {
     if (item.is_form("cube") && item.size() == 9) {
       truth.cubes.emplace(small(item[1].text()), cube_from_datum(item));
@@ -50,11 +50,11 @@ Result<Truth> truth_from_datum(const Datum& head) {
   return truth;
 }
 
-Task<Result<Truth>> read_truth(simulation::Link& link) {
+Task<Result<WorldState>> read_world_state(simulation::Link& link) {
   Datum request = list("truth"_sym);
   const Result<simulation::Message> answer = co_await link.call(std::move(request), link_timeout);
   if (!answer) co_return fail(answer);
-  co_return truth_from_datum(answer->head);
+  co_return world_state_from_datum(answer->head);
 }
 
 }  // namespace pizarra::story

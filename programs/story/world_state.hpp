@@ -2,7 +2,7 @@
 
 // What is so in the simulated world, for the judge alone: nothing of it reaches an agent.
 //
-//   Result<Truth> truth = co_await read_truth(link);
+//   Result<WorldState> truth = co_await read_world_state(link);
 //   if (truth) truth->cubes.at("circle").visible ...
 
 #include <map>
@@ -13,7 +13,7 @@
 
 namespace pizarra::story {
 
-struct Truth {
+struct WorldState {
   struct Cube {
     double x_mm = 0;
     double y_mm = 0;
@@ -27,8 +27,8 @@ struct Truth {
   std::map<std::string, Cube> cubes;  // by the name, in small letters
 };
 
-Result<Truth> truth_from_datum(const Datum& head);
-Task<Result<Truth>> read_truth(simulation::Link& link);
+Result<WorldState> world_state_from_datum(const Datum& head);
+Task<Result<WorldState>> read_world_state(simulation::Link& link);
 
 // A fact with its names in small letters, as the world and goals are compared.
 Datum in_small_letters(const Datum& fact);

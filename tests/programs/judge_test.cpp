@@ -10,7 +10,9 @@
 namespace pizarra::programs {
 namespace {
 
-story::Truth truth_of(const std::string& text) { return story::truth_from_datum(read_one(text).value()).value(); }
+story::WorldState truth_of(const std::string& text) {
+  return story::world_state_from_datum(read_one(text).value()).value();
+}
 
 story::Judge judge_for(const std::string& domain) {
   const Result<forms::Domain> read = forms::read_domain_file(source_dir() + "/domains/" + domain);
@@ -60,21 +62,21 @@ TEST(Judge, JudgesADomainThatSharesNoPredicateWithTheBlocks) {
 
 TEST(Judge, WhatAHandCarriesOrWhatStandsOnSomethingLooseIsInNoState) {
   const story::Judge judge = judge_for("blocks.scm");
-  const story::Truth truth =
+  const story::WorldState truth =
       truth_of(R"(((cube circle 450 -100 120 0 0 (on square) 1.0) (cube square 450 -100 60 0 0 carried 1.0)))");
   EXPECT_EQ(write(Datum::list(judge.facts(truth).value())), "((arm-empty))");
 }
 
 TEST(Judge, KnowsWhatNoPlanCanReach) {
   const story::Judge judge = judge_for("blocks.scm");
-  const story::Truth truth = truth_of(pile);
+  const story::WorldState truth = truth_of(pile);
   EXPECT_TRUE(judge.plan_exists(goal_of("((on square triangle))"), truth).value());
   EXPECT_FALSE(judge.plan_exists(goal_of("((on square triangle) (on triangle square))"), truth).value());
 }
 
 TEST(Judge, AGoalWithACubeThatIsGoneHasNoPlan) {
   const story::Judge judge = judge_for("blocks.scm");
-  const story::Truth truth = truth_of(
+  const story::WorldState truth = truth_of(
       R"(((cube circle 0 0 -100 0 0 gone 0.0) (cube square 450 -100 30 0 0 table 1.0)
           (facts (on-table square) (clear square) (arm-empty))))");
   EXPECT_FALSE(judge.plan_exists(goal_of("((on circle square))"), truth).value());
@@ -87,7 +89,7 @@ constexpr const char* leaning =
 
 TEST(Judge, ACubeThatLeansCanBePickedUpSoThereIsAPlan) {
   const story::Judge judge = judge_for("blocks.scm");
-  const story::Truth truth = truth_of(leaning);
+  const story::WorldState truth = truth_of(leaning);
   const std::vector<Datum> facts = judge.facts(truth).value();
   EXPECT_TRUE(judge.plan_exists(goal_of("((on circle square))"), truth).value());
   EXPECT_TRUE(judge.plan_exists(goal_of("((on square circle))"), truth).value());
@@ -96,7 +98,7 @@ TEST(Judge, ACubeThatLeansCanBePickedUpSoThereIsAPlan) {
 
 TEST(Judge, ACubeThatLiesAskewOnAnotherCoversIt) {
   const story::Judge judge = judge_for("blocks.scm");
-  const story::Truth truth = truth_of(
+  const story::WorldState truth = truth_of(
       R"(((cube circle 450 -80 95 0 20 loose 1.0) (cube square 450 -100 30 0 0 table 1.0)
           (facts (on-table square) (clear square) (arm-empty))))");
   const std::vector<Datum> stood = judge.as_a_person_would_say(truth).value();
@@ -107,7 +109,7 @@ TEST(Judge, ACubeThatLiesAskewOnAnotherCoversIt) {
 
 TEST(Judge, ACubeThatFellOffTheTableHasNoPlan) {
   const story::Judge judge = judge_for("blocks.scm");
-  const story::Truth truth = truth_of(
+  const story::WorldState truth = truth_of(
       R"(((cube circle 900 -145 -400 0 35 loose 0.0) (cube square 450 -100 30 0 0 table 1.0)
           (facts (on-table square) (clear square) (arm-empty))))");
   EXPECT_FALSE(judge.plan_exists(goal_of("((on circle square))"), truth).value());

@@ -1,0 +1,1 @@
+// The one file of a program that is linked to compare types, and never run.
