@@ -28,10 +28,7 @@ class Turns {
   };
 
   explicit Turns(Executor& executor) : waiting_(executor) {}
-  Task<Turn> take() {
-    while (taken_) co_await waiting_.wait();
-    co_return Turn(*this);
-  }
+  Task<Turn> take();
 
  private:
   bool taken_ = false;

@@ -17,14 +17,7 @@ class SwitchedWire : public line::ByteWire {
   Task<Result<void>> open(Time deadline) override { return wire_.open(deadline); }
   void close() override { wire_.close(); }
   Result<void> write(std::string_view bytes) override { return powered_() ? wire_.write(bytes) : Result<void>(); }
-  Task<Result<std::string>> read(Time deadline) override {
-    Result<std::string> bytes = co_await wire_.read(deadline);
-    while (bytes) {
-      if (powered_()) co_return bytes;
-      bytes = co_await wire_.read(deadline);
-    }
-    co_return bytes;
-  }
+  Task<Result<std::string>> read(Time deadline) override;
 
  private:
   line::ByteWire& wire_;
