@@ -39,8 +39,6 @@ class ClientRequests {
 
   void set_limit(const Limit& limit) { limit_ = limit; }
   Result<void> ask(const std::string& client, Time now);
-  // What the client asked last was too much after all.
-  void refuse(const std::string& client, Time now) { ++entry_of(client, now).second.refused; }
   const std::map<std::string, Asked>& clients(Time now);
   std::size_t size() const { return clients_.size(); }
 

@@ -115,6 +115,7 @@ void BoardServer::hear(const std::string& peer, const Datum& message) {
     return send(peer, list("unknown-session"_sym, *id));
   }
   session->second.heard = executor_.now();
+  turns_.heard(*id);
   if (session->second.watches.unblock()) schedule_flush(*id);
   handle(*id, session->second, message);
 }

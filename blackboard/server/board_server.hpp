@@ -29,11 +29,11 @@
 #include "blackboard/server/answered.hpp"
 #include "blackboard/server/durability.hpp"
 #include "blackboard/server/key_folder.hpp"
-#include "blackboard/server/look_quota.hpp"
 #include "blackboard/server/permitted_board.hpp"
 #include "blackboard/server/postponed.hpp"
 #include "blackboard/server/refusals.hpp"
 #include "blackboard/server/served_watches.hpp"
+#include "blackboard/server/turns.hpp"
 #include "blackboard/wire/doorkeeper.hpp"
 #include "blackboard/wire/wire.hpp"
 #include "blackboard/wire/wire_socket.hpp"
@@ -84,7 +84,6 @@ class BoardServer {
     Answered done;
     Answered refused;                // and not done
     store::IndexTicket awaited = 0;  // by its watches, or the first of what is postponed
-    bool awaits_turn = false;        // the first of what is postponed
     Postponed postponed;
   };
 
@@ -122,9 +121,8 @@ class BoardServer {
   bool is_to_be_done(wire::SessionId id, Session& session, const Datum& message);
   bool was_answered(wire::SessionId id, const Session& session, wire::RequestId number, const Datum& body);
   void serve(wire::SessionId id, Session& session, wire::RequestId number, const Postponed::Message& waiting);
-  std::optional<Result<Datum>> perform_within_quota(wire::SessionId id, Session& session,
-                                                    const Postponed::Message& waiting);
-  void wait_for_turn(wire::SessionId id, Session& session);
+  std::optional<Result<Datum>> perform_in_turn(wire::SessionId id, Session& session, const Postponed::Message& waiting);
+  void wait_for_turn(wire::SessionId id, const Session& session);
   Result<Datum> perform(wire::SessionId id, Session& session, const Datum& body, std::size_t& examined);
   void ask_past(wire::SessionId id, const Session& session, wire::RequestId number, const Datum& body);
   Result<Datum> watch(wire::SessionId id, Session& session, const Datum& body, std::size_t& examined);
@@ -137,13 +135,12 @@ class BoardServer {
   void schedule_flush(wire::SessionId id);
   void flush_all();
   void flush(wire::SessionId id);
-  bool send_changes(Session& session);
+  bool send_changes(wire::SessionId id, Session& session);
   void schedule_look();
   void look_on();
   bool awaits_index(const Session& session) const;
   void make_on();
   void go_on(wire::SessionId id);
-  bool has_turn(const Session& session);
   void forget_the_gone();
 
   Executor& executor_;
@@ -151,7 +148,7 @@ class BoardServer {
   const Duration session_length_;
   std::vector<std::string> addresses_;
   std::optional<KeyFolder> keys_;
-  LookQuota looks_;
+  Turns turns_;
   Refusals refusals_;
   std::map<wire::SessionId, Session> sessions_;
   std::map<std::string, wire::SessionId> session_of_peer_;
@@ -161,9 +158,7 @@ class BoardServer {
   std::optional<journal::Past> past_;
   std::set<std::pair<wire::SessionId, wire::RequestId>> past_asked_;
   std::set<wire::SessionId> to_flush_;
-  std::set<wire::SessionId> to_look_;  // for what holds of their watches, when others were served
-  wire::SessionId looked_last_ = 0;
-  std::size_t examined_ = 0;      // since then
+  std::size_t examined_ = 0;      // since others were served
   std::size_t for_requests_ = 0;  // facts looked at, in all
   std::size_t before_frame_ = 0;  // of these, before the frame that is being heard
   bool leaving_ = false;

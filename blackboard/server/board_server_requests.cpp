@@ -21,6 +21,10 @@ bool is_refusal(const Failure& failure) {
 
 std::unexpected<Failure> bad_frame(const char* sentence) { return fail("bad-frame", sentence); }
 
+std::unexpected<Failure> too_many_watches() {
+  return fail("too-large", "a client has at most " + std::to_string(ServedWatches::most) + " watches");
+}
+
 // Whether doing it twice would differ from doing it once.
 bool must_be_done_once(const Datum& body) {
   return body.is_form("transact") || body.is_form("take") || body.is_form("lease") || body.is_form("release");
@@ -119,7 +123,7 @@ void BoardServer::note_journey(const Datum& body, Time sent) {
   }
 }
 
-// False where it must wait for an index.
+// False where it must wait for an index, or its turn.
 bool BoardServer::answer(wire::SessionId id, Session& session, wire::RequestId number,
                          const Postponed::Message& waiting) {
   const Datum& body = waiting.datum[3];
@@ -135,7 +139,7 @@ bool BoardServer::answer(wire::SessionId id, Session& session, wire::RequestId n
     return true;
   }
   const journal::JournalWriter::Position before = durability_.position();
-  const std::optional<Result<Datum>> performed = perform_within_quota(id, session, waiting);
+  const std::optional<Result<Datum>> performed = perform_in_turn(id, session, waiting);
   if (!performed) return false;
   const Result<Datum>& result = *performed;
   if (!result && is_refusal(result.error())) refusals_.note(client_of(session), result.error());
@@ -201,7 +205,7 @@ void BoardServer::ask_past(wire::SessionId id, const Session& session, wire::Req
     if (!answers) {
       std::size_t examined = 0;
       const Failure failure = permitted_.told(who_asks(asking->second), answers.error(), examined);
-      looks_.looked(client_of(asking->second), examined, executor_.now());
+      turns_.took(id, examined, executor_.now());
       return refuse_request(asking->second, number, failure);
     }
     socket_.send(asking->second.peer, reply_text(number, result_to_datum(wire::answers_to_datum(*answers))));
@@ -224,7 +228,7 @@ Result<Datum> BoardServer::watch(wire::SessionId id, Session& session, const Dat
     if (*standing == body[2]) return Datum();
     return bad_frame("the watch is of another query");
   }
-  if (session.watches.size() >= ServedWatches::most) return fail("too-large", "a client has at most 256 watches");
+  if (session.watches.size() >= ServedWatches::most) return too_many_watches();
   Result<std::unique_ptr<watch::WatchQueue>> queue = permitted_.watch(
       who_asks(session), body[2], [this, id] { schedule_flush(id); }, session.watches.backlog(), examined);
   if (!queue) return fail(queue);

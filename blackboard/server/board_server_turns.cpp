@@ -12,8 +12,8 @@ namespace pizarra::server {
 
 namespace {
 
-constexpr Duration until_paid = 1ms;
-// Of a request, to do what it says.
+// What a message takes whatever it asks for.
+constexpr std::size_t looks_a_message = 64;
 constexpr std::size_t bytes_a_look = 64;
 
 }  // namespace
@@ -33,22 +33,18 @@ void BoardServer::flush_all() {
 
 void BoardServer::flush(wire::SessionId id) {
   const auto found = sessions_.find(id);
-  if (found == sessions_.end() || !send_changes(found->second)) return;
-  to_look_.insert(id);
-  schedule_look();
+  if (found != sessions_.end() && send_changes(id, found->second)) wait_for_turn(id, found->second);
 }
 
-// Whether there is more to be looked for, now or when what the client owes is paid.
-bool BoardServer::send_changes(Session& session) {
-  const std::string& client = client_of(session);
-  const bool rests = !has_turn(session) || awaits_index(session);
+// Whether there is more to be looked for, in a turn.
+bool BoardServer::send_changes(wire::SessionId id, Session& session) {
+  const bool rests = turns_.is_resting(executor_.now()) || awaits_index(session);
   const std::size_t before = rests ? std::max(examined_, limits::examined_a_turn) : examined_;
-  const store::Indexing indexing(store::Indexing::May::make_in_parts, client, &board_.store().index_maker());
+  const store::Indexing indexing(store::Indexing::May::make_in_parts, &board_.store().index_maker());
   std::size_t examined = before;
   const bool more = session.watches.send(socket_, session.peer, examined);
   examined_ += examined - before;
-  const std::size_t looked_at = examined - before + indexing.examined();
-  if (looked_at > 0) looks_.looked(client, looked_at, executor_.now());
+  turns_.took(id, examined - before + indexing.examined(), executor_.now());
   if (indexing.awaited() != 0) session.awaited = indexing.awaited();
   return more && !awaits_index(session);
 }
@@ -56,39 +52,40 @@ bool BoardServer::send_changes(Session& session) {
 void BoardServer::schedule_look() {
   if (look_timer_ != 0) return;
   // Not at once: what is due at once is done several times before anybody is heard.
-  const bool busy = examined_ > 0 || for_requests_ > before_frame_ || !board_.store().index_maker().is_idle();
-  const Duration pause = busy ? 1us : until_paid;
-  look_timer_ = executor_.call_at(executor_.now() + pause, [this] { look_on(); });
+  const Time soon = executor_.now() + 1us;
+  look_timer_ = executor_.call_at(turns_.is_resting(soon) ? turns_.rested() : soon, [this] {
+    look_timer_ = 0;
+    look_on();
+  });
 }
 
-// Each in its turn.
+// Each client in its turn.
 void BoardServer::look_on() {
+  if (turns_.is_resting(executor_.now())) return schedule_look();
   examined_ = 0;
   before_frame_ = for_requests_;
   if (!board_.store().index_maker().is_idle()) make_on();
-  for (std::size_t left = to_look_.size(); left > 0 && examined_ < limits::examined_a_turn; --left) {
-    auto next = to_look_.upper_bound(looked_last_);
-    if (next == to_look_.end()) next = to_look_.begin();
-    looked_last_ = *next;
-    to_look_.erase(next);
-    go_on(looked_last_);
-    flush(looked_last_);
+  for (std::size_t left = turns_.clients(); left > 0 && examined_ < limits::examined_a_turn; --left) {
+    const wire::SessionId id = turns_.next();
+    go_on(id);
+    flush(id);
   }
-  look_timer_ = 0;
-  if (!to_look_.empty() || !board_.store().index_maker().is_idle()) schedule_look();
+  if (!turns_.empty() || !board_.store().index_maker().is_idle()) schedule_look();
 }
 
 bool BoardServer::awaits_index(const Session& session) const {
-  return board_.store().index_maker().is_under_way(session.awaited);
+  return board_.store().index_maker().is_awaited(session.awaited);
 }
 
+// Who awaits any index looks again for its own when one is made.
 void BoardServer::make_on() {
-  looks_.pay(executor_.now());
-  const store::IndexMaker::Part part = board_.store().index_maker().make_some();
-  looks_.looked(part.client, part.examined, executor_.now());
-  if (part.made == 0) return;
+  store::IndexMaker& maker = board_.store().index_maker();
+  constexpr wire::SessionId nobody = 0;
+  const std::uint64_t made = maker.made();
+  turns_.took(nobody, maker.make_some(), executor_.now());
+  if (maker.made() == made) return;
   for (const auto& [id, session] : sessions_) {
-    if (session.awaited == part.made) to_look_.insert(id);
+    if (session.awaited != 0 && !maker.is_awaited(session.awaited)) wait_for_turn(id, session);
   }
 }
 
@@ -98,20 +95,13 @@ void BoardServer::go_on(wire::SessionId id) {
     const auto found = sessions_.find(id);
     if (found == sessions_.end() || found->second.postponed.empty() || awaits_index(found->second)) return;
     Session& session = found->second;
-    session.awaits_turn = session.awaits_turn && !has_turn(session);
-    if (session.awaits_turn || examined_ >= limits::examined_a_turn) break;
+    if (examined_ >= limits::examined_a_turn) return wait_for_turn(id, session);
     const Postponed::Message next = session.postponed.next();
     const std::size_t before = for_requests_;
-    // As much as nobody counts of a request.
-    examined_ += LookQuota::uncounted + weigh(next.datum).bytes / bytes_a_look;
+    examined_ += looks_a_message + weigh(next.datum).bytes / bytes_a_look;
     hear(id, session, next);
     examined_ += for_requests_ - before;
   }
-  to_look_.insert(id);
-}
-
-bool BoardServer::has_turn(const Session& session) {
-  return looks_.standing(client_of(session), executor_.now()) == LookQuota::Standing::free;
 }
 
 }  // namespace pizarra::server

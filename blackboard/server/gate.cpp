@@ -30,15 +30,17 @@ Datum pattern_of_key(const Relation& relation, const Datum& fact) {
 }
 
 // Of those that are called alike, so that one key does not take the board's room for relations.
+constexpr std::int64_t most_alike = 256;
+
 Result<void> check_room(const wire::PublicKey& key, const Relation& relation, const std::set<std::string>& declared) {
-  constexpr std::int64_t most = 256;
   if (declared.contains(relation.name)) return {};
   for (const auto* listed : {&key.may.tell, &key.may.take, &key.may.read}) {
     for (const std::string& pattern : *listed) {
       if (!pattern.ends_with('*') || pattern == "*" || !wire::permits({pattern}, relation.name)) continue;
       const auto alike = [&](const std::string& name) { return wire::permits({pattern}, name); };
-      if (std::ranges::count_if(declared, alike) < most) continue;
-      return fail("too-large", "there are 256 relations called " + pattern + " already", relation_to_datum(relation));
+      if (std::ranges::count_if(declared, alike) < most_alike) continue;
+      return fail("too-large", "there are " + std::to_string(most_alike) + " relations called " + pattern + " already",
+                  relation_to_datum(relation));
     }
   }
   return {};
@@ -145,17 +147,28 @@ Result<void> Gate::take(Key key, const Datum& pattern, LeaseId holder) const {
 Result<void> Gate::use_lease(Key key, LeaseId lease) const {
   // One that has lapsed is the board's to refuse.
   if (key == nullptr || !board_.store().stands(lease)) return {};
-  const auto owner = owners_.find(lease);
-  if (owner != owners_.end() && owner->second == key->name) return {};
+  const auto own = leases_.find({key->name, true});
+  if (own != leases_.end() && own->second.contains(lease)) return {};
   return may_not(*key, "use the lease of another", to_datum(lease));
 }
 
-void Gate::granted(Key key, LeaseId lease) {
-  if (key != nullptr) owners_[lease] = key->name;
+Result<void> Gate::lease(Key key, const std::string& name) {
+  const auto own = leases_.find({name, key != nullptr});
+  if (own == leases_.end() || own->second.size() < most_leases) return {};
+  forget_lapsed(own->second);
+  if (own->second.size() < most_leases) return {};
+  return fail("too-large",
+              "the clients called " + name + " have " + std::to_string(most_leases) + " leases, the most there are",
+              to_datum(name));
+}
+
+void Gate::forget_lapsed(std::set<LeaseId>& leases) const {
+  std::erase_if(leases, [this](LeaseId lease) { return !board_.store().stands(lease); });
 }
 
 void Gate::sweep() {
-  std::erase_if(owners_, [this](const auto& owned) { return !board_.store().stands(owned.first); });
+  for (auto& [owner, leases] : leases_) forget_lapsed(leases);
+  std::erase_if(leases_, [](const auto& owned) { return owned.second.empty(); });
 }
 
 }  // namespace pizarra::server

@@ -6,9 +6,10 @@
 //   Gate gate(board);
 //   const Result<void> permitted = gate.ask(key, query);       // failure not-permitted
 //
-// A client without a key is one of this machine: it may do everything, and every call answers at once.
+// A client without a key is one of this machine: it may do everything, but have leases without end.
 
 #include <map>
+#include <set>
 #include <string>
 
 #include "blackboard/memory/memory_board.hpp"
@@ -20,6 +21,7 @@ class Gate {
  public:
   // Several clients may come with one key.
   using Key = const wire::PublicKey*;
+  static constexpr std::size_t most_leases = 4096;  // of all clients of one key, or of one name without
 
   explicit Gate(const memory::MemoryBoard& board) : board_(board) {}
 
@@ -34,18 +36,23 @@ class Gate {
   Result<void> ask(Key key, const Query& query) const;
   Result<void> take(Key key, const Datum& pattern, LeaseId holder) const;
   Result<void> use_lease(Key key, LeaseId lease) const;
-  void granted(Key key, LeaseId lease);
-  // Forgets the owners of leases that have lapsed.
+  // `name` is the key's, or else the client's. Failure too-large.
+  Result<void> lease(Key key, const std::string& name);
+  void granted(Key key, const std::string& name, LeaseId lease) { leases_[{name, key != nullptr}].insert(lease); }
+  // Forgets the leases that have lapsed.
   void sweep();
 
  private:
+  using Owner = std::pair<std::string, bool>;  // a name, and whether it is a key's
+
+  void forget_lapsed(std::set<LeaseId>& leases) const;
   Result<void> check(const wire::PublicKey& key, const Transaction::Precondition& precondition) const;
   Result<void> check(const wire::PublicKey& key, const Transaction::Step& step, std::size_t& examined) const;
   Result<void> leave_to_others(const wire::PublicKey& key, const Datum& told, const Datum& pattern,
                                std::size_t& examined) const;
 
   const memory::MemoryBoard& board_;
-  std::map<LeaseId, std::string> owners_;
+  std::map<Owner, std::set<LeaseId>> leases_;
 };
 
 }  // namespace pizarra::server

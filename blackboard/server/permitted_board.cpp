@@ -51,11 +51,6 @@ Result<std::unique_ptr<watch::WatchQueue>> PermittedBoard::watch(const Client& c
   return queue;
 }
 
-void PermittedBoard::sweep() {
-  gate_.sweep();
-  leases_.sweep();
-}
-
 Result<Datum> PermittedBoard::declare(const Client& client, const Datum& body) {
   std::vector<Relation> relations;
   for (const Datum& form : body.items().subspan(1)) {
@@ -115,12 +110,11 @@ Result<Datum> PermittedBoard::lease(const Client& client, const Datum& body, std
   const bool whole = body.size() == 2 && body[1].is_integer();
   if (!whole) return bad_frame("not a request");
   if (body.is_form("lease")) {
-    const Result<void> within = leases_.check(client.name);
+    const Result<void> within = gate_.lease(client.key, client.name);
     if (!within) return fail(within);
     const Result<LeaseId> lease = board_.lease(Duration(body[1].integer()));
     if (!lease) return fail(lease);
-    gate_.granted(client.key, *lease);
-    leases_.granted(client.name, *lease);
+    gate_.granted(client.key, client.name, *lease);
     return to_datum(*lease);
   }
   const std::optional<std::uint64_t> lease = wire::count_from(body[1]);

@@ -13,7 +13,6 @@
 #include "blackboard/memory/memory_board.hpp"
 #include "blackboard/server/durability.hpp"
 #include "blackboard/server/gate.hpp"
-#include "blackboard/server/lease_quota.hpp"
 
 namespace pizarra::server {
 
@@ -27,7 +26,7 @@ class PermittedBoard {
 
   // Both outlive it.
   PermittedBoard(memory::MemoryBoard& board, const Durability& durability)
-      : board_(board), durability_(durability), gate_(board), leases_(board) {}
+      : board_(board), durability_(durability), gate_(board) {}
 
   // The value of the reply to any request but a watch. Adds to `examined` how many facts were looked at.
   Result<Datum> perform(const Client& client, const Datum& body, std::size_t& examined);
@@ -39,7 +38,7 @@ class PermittedBoard {
   // A failure as this client is told it: it hears of no relation that is none of its business.
   Failure told(const Client& client, Failure failure, std::size_t& examined) const;
   // Forgets what was known of leases that have lapsed.
-  void sweep();
+  void sweep() { gate_.sweep(); }
 
  private:
   Result<Datum> act(const Client& client, const Datum& body, std::size_t& examined);
@@ -52,7 +51,6 @@ class PermittedBoard {
   memory::MemoryBoard& board_;
   const Durability& durability_;
   Gate gate_;
-  LeaseQuota leases_;
 };
 
 }  // namespace pizarra::server

@@ -26,7 +26,6 @@ bool Postponed::add(Message message) {
 }
 
 void Postponed::wait(Message message) {
-  ++message.waits;
   bytes_ += weigh(message.datum).bytes;
   if (const auto number = request_of(message.datum)) requests_.insert(*number);
   messages_.push_front(std::move(message));
@@ -35,6 +34,7 @@ void Postponed::wait(Message message) {
 Postponed::Message Postponed::next() {
   Message next = std::move(messages_.front());
   messages_.pop_front();
+  ++next.waits;
   bytes_ -= weigh(next.datum).bytes;
   if (const auto number = request_of(next.datum)) requests_.erase(*number);
   return next;

@@ -1,8 +1,8 @@
 #pragma once
 
 // The messages of a client that wait: for an index that one of its requests needs, which is then done anew, or for its
-// turn while others owe too much (look_quota.hpp), or since much was done of the frame that it came with; and behind
-// that one, so that each is done when those before it are.
+// turn (turns.hpp), or since much was done of the frame that it came with; and behind that one, so that each is done
+// when those before it are.
 //
 //   postponed.wait(std::move(message));        // whatever there is stays behind it
 //   postponed.add({message});                  // false where there is no room
@@ -29,7 +29,7 @@ class Postponed {
     Datum datum;
     std::size_t waits = 0;  // for an index, or its turn
 
-    // So it was counted and let in, and its turn has come.
+    // So its turn has come.
     bool has_waited() const { return waits > 0; }
     bool may_wait() const { return waits < most_waits; }
   };

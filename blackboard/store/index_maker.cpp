@@ -8,38 +8,28 @@
 
 namespace pizarra::store {
 
-IndexTicket IndexMaker::want(TableIndexes& table, const FactIndex::Kind& kind, const std::string& client) {
+IndexTicket IndexMaker::want(TableIndexes& table, const FactIndex::Kind& kind) {
   const auto is_it = [&](const Making& making) { return making.table == &table && making.kind == kind; };
-  if (const auto made = std::ranges::find_if(makings_, is_it); made != makings_.end()) return made->ticket;
-  const auto own = std::ranges::find(makings_, client, &Making::client);
-  if (own != makings_.end()) return own->ticket;
-  if (makings_.size() >= most) return makings_.front().ticket;
-  table.begin(kind);
-  makings_.push_back({next_ticket_++, &table, kind, client});
-  on_wanted();
-  return makings_.back().ticket;
+  if (makings_.size() < most && std::ranges::none_of(makings_, is_it)) {
+    table.begin(kind);
+    makings_.push_back({&table, kind});
+    on_wanted();
+  }
+  return made_ + 1;
 }
 
-bool IndexMaker::is_under_way(IndexTicket ticket) const {
-  return std::ranges::find(makings_, ticket, &Making::ticket) != makings_.end();
-}
-
-IndexMaker::Part IndexMaker::make_some() {
-  Making making = std::move(makings_.front());
+std::size_t IndexMaker::make_some() {
+  const Making making = makings_.front();
   makings_.pop_front();
-  Part part{.client = making.client};
+  std::size_t examined = 0;
   bool is_made = false;
   {
-    Looking looking(part.examined, limits::examined_a_turn / Indexing::looks_a_fact);
+    Looking looking(examined, limits::examined_a_turn / Indexing::looks_a_fact);
     is_made = making.table->make_some(making.kind, looking);
   }
-  part.examined *= Indexing::looks_a_fact;
-  if (is_made) {
-    part.made = making.ticket;
-  } else {
-    makings_.push_back(std::move(making));
-  }
-  return part;
+  if (is_made) ++made_;
+  if (!is_made) makings_.push_back(making);
+  return examined * Indexing::looks_a_fact;
 }
 
 }  // namespace pizarra::store

@@ -13,7 +13,7 @@ bool Indexing::makes_at_once(std::size_t facts) {
 void Indexing::await(TableIndexes& table, const FactIndex::Kind& kind) {
   // Who makes everything at once does without what somebody else is making.
   const bool may_await = innermost != nullptr && innermost->may_ == May::make_in_parts;
-  if (may_await) await(innermost->maker_->want(table, kind, innermost->client_));
+  if (may_await) await(innermost->maker_->want(table, kind));
 }
 
 }  // namespace pizarra::store

@@ -3,7 +3,7 @@
 // Whether indexes may be made for what is done meanwhile on this thread, how, and what that takes of whoever it is done
 // for. What an index serves comes later, so that it counts for no search's bound.
 //
-//   Indexing indexing(Indexing::May::make_in_parts, client, &maker);
+//   Indexing indexing(Indexing::May::make_in_parts, &maker);
 //   store.ask(query, examined);                    // what must await an index ends at once, and fails
 //   if (indexing.awaited() != 0) ...               // it is to be done again when the maker has made it
 //   examined + indexing.examined();                // as many facts could have been looked at meanwhile
@@ -12,7 +12,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <string>
 
 #include "blackboard/store/fact_index.hpp"
 
@@ -21,7 +20,7 @@ namespace pizarra::store {
 class IndexMaker;
 class TableIndexes;
 
-// What the maker of indexes calls one that it makes; 0 is none.
+// What is awaited of the maker of indexes: that so many are made; 0 is nothing.
 using IndexTicket = std::uint64_t;
 
 class Indexing {
@@ -30,10 +29,7 @@ class Indexing {
   enum class May : std::uint8_t { not_make, make_in_parts, make_at_once };
   static constexpr std::size_t looks_a_fact = 16;
 
-  explicit Indexing(May may, std::string client = {}, IndexMaker* maker = nullptr)
-      : may_(may), client_(std::move(client)), maker_(maker) {
-    innermost = this;
-  }
+  explicit Indexing(May may, IndexMaker* maker = nullptr) : may_(may), maker_(maker) { innermost = this; }
   Indexing(const Indexing&) = delete;
   Indexing& operator=(const Indexing&) = delete;
   ~Indexing() { innermost = outer_; }
@@ -57,7 +53,6 @@ class Indexing {
   static inline thread_local Indexing* innermost = nullptr;
   Indexing* const outer_ = innermost;
   const May may_;
-  const std::string client_;
   IndexMaker* const maker_;
   std::size_t facts_ = 0;  // that indexes were made of at once
   IndexTicket awaited_ = 0;

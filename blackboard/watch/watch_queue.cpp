@@ -101,7 +101,7 @@ Result<void> WatchQueue::begin(std::size_t& examined) {
 Result<std::optional<Delta>> WatchQueue::pop_delta(std::size_t& examined) {
   assert(ready());
   if (state_ == State::following) return pop_queued();
-  if (store_.index_maker().is_under_way(awaited_)) store::Indexing::await(awaited_);
+  if (store_.index_maker().is_awaited(awaited_)) store::Indexing::await(awaited_);
   if (store::Indexing::is_awaiting()) return std::nullopt;
   if (only_pattern_ != nullptr) return next_part(examined);
   Result<Delta> all = all_answers(examined);
@@ -161,7 +161,7 @@ bool WatchQueue::follow_joins(const store::Commit& commit, std::size_t& examined
   Delta delta;
   delta.revision = commit.revision;
   // What watches need is not of the doing of who commits.
-  const store::Indexing indexing(store_.index_maker().may(), {}, &store_.index_maker());
+  const store::Indexing indexing(store_.index_maker().may(), &store_.index_maker());
   const Result<void> followed = joined_->follow(commit, delta, examined);
   awaited_ = indexing.awaited();
   if (!followed) return false;

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "blackboard/limits.hpp"
-#include "blackboard/server/look_quota.hpp"
+#include "blackboard/server/turns.hpp"
 #include "blackboard/store/store.hpp"
 #include "tests/blackboard/wall.hpp"
 
@@ -74,12 +74,9 @@ TEST_F(CostlyTells, RetractedByTheirKeysCountTheSame) {
   EXPECT_GE(done(retracting), 4 * 12 * facts);
 }
 
-// Who tells a fact at a time owes nothing for it, where its relation has a few indexes.
-TEST_F(CostlyTells, OneIsADebtOnlyWhereManyIndexesAre) {
-  make_indexes(3, false);
-  EXPECT_LE(tell(1), server::LookQuota::uncounted);
+TEST_F(CostlyTells, OneNeedsNoTurnWhateverItsRelationHas) {
   make_indexes(arguments, true);
-  EXPECT_LE(tell(1000), 1000 * server::LookQuota::paid_a_millisecond / 20);
+  EXPECT_LE(tell(1), server::Turns::out_of_turn);
 }
 
 TEST_F(CostlyTells, BeyondTheBoundAreRefusedAndChangeNothing) {

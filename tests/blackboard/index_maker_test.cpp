@@ -34,16 +34,14 @@ class Indexes : public testing::Test {
     store_.index_maker().on_wanted = [this] { ++wanted_; };
   }
   // Nothing where an index is to be awaited.
-  std::optional<std::vector<Answer>> ask(const Query& asked, const std::string& client = "test") {
-    const store::Indexing indexing(store::Indexing::May::make_in_parts, client, &store_.index_maker());
+  std::optional<std::vector<Answer>> ask(const Query& asked) {
+    const store::Indexing indexing(store::Indexing::May::make_in_parts, &store_.index_maker());
     const Result<Answers> answers = store_.ask(asked);
     if (indexing.awaited() == 0) return answers.value().answers;
     EXPECT_EQ(answers.error().symbol, "awaits-index");
     return std::nullopt;
   }
-  std::optional<std::vector<Answer>> ask(const std::string& asked, const std::string& client = "test") {
-    return ask(query(asked), client);
-  }
+  std::optional<std::vector<Answer>> ask(const std::string& asked) { return ask(query(asked)); }
   // By a store whose indexes are made whole when all facts stand.
   std::vector<Answer> found_anew(const Query& asked) {
     store::Store other;
@@ -75,7 +73,7 @@ TEST_F(Indexes, AQuestionThatNeedsALargeOneAwaitsIt) {
   std::size_t parts = 0;
   for (; !store_.index_maker().is_idle(); ++parts) {
     EXPECT_FALSE(ask(asked).has_value());
-    EXPECT_LE(store_.index_maker().make_some().examined, limits::examined_a_turn + store::Indexing::looks_a_fact);
+    EXPECT_LE(store_.index_maker().make_some(), limits::examined_a_turn + store::Indexing::looks_a_fact);
   }
   EXPECT_GE(parts, facts * store::Indexing::looks_a_fact / limits::examined_a_turn);
   EXPECT_EQ(wanted_, 1);
@@ -115,7 +113,7 @@ TEST_F(Indexes, WhatAwaitsOneChangesNothing) {
   make_in_parts();
   const Revision before = store_.revision();
   const auto await = [&](const auto& act) {
-    const store::Indexing indexing(store::Indexing::May::make_in_parts, "test", &store_.index_maker());
+    const store::Indexing indexing(store::Indexing::May::make_in_parts, &store_.index_maker());
     const auto result = act();
     EXPECT_EQ(result.error().symbol, "awaits-index");
     EXPECT_NE(indexing.awaited(), 0U);
@@ -127,35 +125,33 @@ TEST_F(Indexes, WhatAwaitsOneChangesNothing) {
   EXPECT_EQ(store_.revision(), before);
 }
 
-TEST_F(Indexes, OfEachClientOneIsMadeAtATimeAndEachHasItsTurn) {
+TEST_F(Indexes, SeveralAreMadeInTurnAndWhoAwaitsOneIsToldWhenAnyIsMade) {
   make_in_parts();
-  EXPECT_FALSE(ask("(r ?k 3 ? ? ?)", "alice"));
-  EXPECT_FALSE(ask("(r ?k ? 3 ? ?)", "alice"));
-  EXPECT_EQ(wanted_, 1);
-  EXPECT_FALSE(ask("(r ?k ? ? 3 ?)", "bob"));
+  EXPECT_FALSE(ask("(r ?k 3 ? ? ?)"));
+  const store::IndexTicket awaited = store_.index_maker().made() + 1;
+  EXPECT_FALSE(ask("(r ?k ? 3 ? ?)"));
   EXPECT_EQ(wanted_, 2);
-  EXPECT_EQ(store_.index_maker().make_some().client, "alice");
-  EXPECT_EQ(store_.index_maker().make_some().client, "bob");
-  EXPECT_EQ(store_.index_maker().make_some().client, "alice");
+  while (store_.index_maker().is_awaited(awaited)) store_.index_maker().make_some();
+  EXPECT_FALSE(store_.index_maker().is_idle());
+  EXPECT_TRUE(ask("(r ?k 3 ? ? ?)"));
+  EXPECT_FALSE(ask("(r ?k ? 3 ? ?)"));
   make_all();
-  EXPECT_TRUE(ask("(r ?k 3 ? ? ?)", "bob"));
-  EXPECT_TRUE(ask("(r ?k ? ? 3 ?)", "alice"));
-  EXPECT_FALSE(ask("(r ?k ? 3 ? ?)", "alice"));
+  EXPECT_TRUE(ask("(r ?k ? 3 ? ?)"));
 }
 
 TEST_F(Indexes, OneThatIsBegunIsMadeByTheMakerAloneHoweverFewFactsAreLeft) {
   make_in_parts();
   const std::string begun = "(r ?k 3 ? ? ?)";
-  EXPECT_FALSE(ask(begun, "alice"));
+  EXPECT_FALSE(ask(begun));
   for (std::uint64_t key = 300; key < facts; ++key) retract(key);
-  EXPECT_FALSE(ask(begun, "bob"));
+  EXPECT_FALSE(ask(begun));
   const std::vector<std::string> others = {"(r ?k ? 1 ? ?)", "(r ?k ? ? 1 ?)", "(r ?k ? ? ? 1)", "(r ?k 1 1 ? ?)",
                                            "(r ?k 1 ? 1 ?)", "(r ?k 1 ? ? 1)", "(r ?k ? 1 1 ?)"};
-  for (const std::string& other : others) EXPECT_TRUE(ask(other, "bob"));
-  for (int times = 0; times < 40; ++times) EXPECT_EQ(ask("(r ?k ? ? 1 1)", "bob"), found_anew(query("(r ?k ? ? 1 1)")));
+  for (const std::string& other : others) EXPECT_TRUE(ask(other));
+  for (int times = 0; times < 40; ++times) EXPECT_EQ(ask("(r ?k ? ? 1 1)"), found_anew(query("(r ?k ? ? 1 1)")));
   EXPECT_FALSE(store_.index_maker().is_idle());
   make_all();
-  EXPECT_EQ(ask(begun, "alice"), found_anew(query(begun)));
+  EXPECT_EQ(ask(begun), found_anew(query(begun)));
 }
 
 TEST_F(Indexes, WhoeverAsksAndWhateverComesAndGoesMeanwhileTheAnswersAreRight) {
@@ -186,7 +182,7 @@ TEST_F(Indexes, WhoeverAsksAndWhateverComesAndGoesMeanwhileTheAnswersAreRight) {
     }
     if (!store_.index_maker().is_idle() && random_.below(50) == 0) store_.index_maker().make_some();
     const Query& asked = all[random_.below(all.size())];
-    const auto answers = ask(asked, random_.below(2) == 0 ? "alice" : "bob");
+    const auto answers = ask(asked);
     ++(answers ? answered : awaited);
     if (!answers || random_.below(10) != 0) continue;
     ASSERT_EQ(*answers, found_anew(asked)) << pizarra::write(query_to_datum(asked));
