@@ -75,8 +75,8 @@ bool FactTable::unchanged_since(const Datum& pattern, Revision revision, Looking
 
 std::size_t FactTable::candidates(const Datum& pattern) const {
   if (key_is_ground(pattern)) return 1;
-  const Way way = way_to(pattern);
-  return way.bucket != nullptr ? way.bucket->size() : size();
+  const Bucket* bucket = bucket_for(pattern);
+  return bucket != nullptr ? bucket->size() : size();
 }
 
 bool FactTable::key_is_ground(const Datum& pattern) const {
@@ -119,18 +119,15 @@ std::size_t FactTable::looks_of_indexes() const {
   return of_an_index * indexes_.size();
 }
 
-FactTable::Way FactTable::way_to(const Datum& pattern) const {
+const FactTable::Bucket* FactTable::bucket_for(const Datum& pattern) const {
   static const Bucket none;
-  if (is_few(size())) return {};
+  if (is_few(size())) return nullptr;
   const Mask bound = ground_arguments(pattern);
-  if (bound == 0) return {};
-  Way way;
+  if (bound == 0) return nullptr;
   const FactIndex* index = indexes_.find(FactIndex::by_values(bound));
-  if (Indexing::is_awaiting()) return {&none};
-  if (index == nullptr) way.lacking = FactIndex::by_values(bound);
+  if (Indexing::is_awaiting()) return &none;
   if (index == nullptr) index = indexes_.best_by_values(bound);
-  if (index != nullptr) way.bucket = &index->bucket_of(pattern);
-  return way;
+  return index == nullptr ? nullptr : &index->bucket_of(pattern);
 }
 
 // An index by lists would compare them with every fact that comes or goes, however long they are.
@@ -140,13 +137,12 @@ const FactIndex* FactTable::ordered_index_for(std::size_t argument) const {
   return may_be_list || is_few(size()) ? nullptr : indexes_.find(FactIndex::by_order(argument));
 }
 
-FactTable::Within FactTable::ordered_within(const Datum& pattern, std::span<const ValueRange> ranges) const {
-  Within within;
+std::vector<OrderedFacts> FactTable::ordered_within(const Datum& pattern, std::span<const ValueRange> ranges) const {
+  std::vector<OrderedFacts> within;
   if (ranges.empty() || is_few(candidates(pattern))) return within;
   for (const ValueRange& range : ranges) {
     const FactIndex* index = ordered_index_for(range.argument);
-    if (index != nullptr) within.facts.push_back(facts_within(index->in_order(), range));
-    if (index == nullptr) within.lacking.push_back(FactIndex::by_order(range.argument));
+    if (index != nullptr) within.push_back(facts_within(index->in_order(), range));
   }
   return within;
 }

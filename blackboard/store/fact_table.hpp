@@ -67,39 +67,31 @@ class FactTable {
       if (only != nullptr && only->fact.id >= first) visitor(only->fact);
       return;
     }
-    const Way way = way_to(pattern);
-    std::size_t looked_at = 0;
-    if (way.bucket != nullptr) {
-      for (auto i = way.bucket->lower_bound(first); i != way.bucket->end(); ++i) {
-        ++looked_at;
-        if (!visitor(i->second->fact)) break;
+    if (const Bucket* bucket = bucket_for(pattern)) {
+      for (auto i = bucket->lower_bound(first); i != bucket->end(); ++i) {
+        if (!visitor(i->second->fact)) return;
       }
-    } else {
-      for (const StandingFact& standing : facts_.from(first)) {
-        ++looked_at;
-        if (!visitor(standing.fact)) break;
-      }
+      return;
     }
-    if (way.lacking) indexes_.missed(*way.lacking, looked_at);
+    for (const StandingFact& standing : facts_.from(first)) {
+      if (!visitor(standing.fact)) return;
+    }
   }
   // Facts outside of the ranges may be among those that it calls for, but no more than there are in the smallest of
   // them: it goes through the facts by id and through the ranges side by side, until one ends.
   template <class Visitor>
   void visit_within(const Datum& pattern, std::span<const ValueRange> ranges, Visitor&& visitor) const {
-    std::size_t looked_at = 0;
-    const Within within = ordered_within(pattern, ranges);
-    std::vector<OrderedFacts> left = within.facts;
+    const std::vector<OrderedFacts> within = ordered_within(pattern, ranges);
+    std::vector<OrderedFacts> left = within;
     std::optional<std::size_t> ended;
     FactId next = 0;
     visit(pattern, [&](const Fact& fact) {
       next = fact.id;
-      ++looked_at;
       ended = step(left);
       return !ended && visitor(fact);
     });
-    for (const FactIndex::Kind& kind : within.lacking) indexes_.missed(kind, looked_at);
     if (!ended) return;
-    for (const StandingFact* standing : by_id(within.facts[*ended], next)) {
+    for (const StandingFact* standing : by_id(within[*ended], next)) {
       if (!visitor(standing->fact)) return;
     }
   }
@@ -114,10 +106,7 @@ class FactTable {
     std::size_t left_of_pattern = candidates(pattern);
     if (is_few(left_of_pattern)) return false;
     const FactIndex* by_order = ordered_index_for(order.argument);
-    if (by_order == nullptr) {
-      indexes_.missed(FactIndex::by_order(order.argument), left_of_pattern);
-      return false;
-    }
+    if (by_order == nullptr) return false;
     const OrderedIndex& index = by_order->in_order();
     ValueRange own{.argument = order.argument};
     std::vector<ValueRange> others;
@@ -125,7 +114,7 @@ class FactTable {
       if (range.argument == order.argument) own = range;
       if (range.argument != order.argument) others.push_back(range);
     }
-    std::vector<OrderedFacts> left = ordered_within(pattern, others).facts;
+    std::vector<OrderedFacts> left = ordered_within(pattern, others);
     bool is_shorter = true;
     const auto consider = [&](const StandingFact* standing) {
       is_shorter = left_of_pattern-- > 0 && !step(left);
@@ -162,21 +151,14 @@ class FactTable {
 
  private:
   using Bucket = FactIndex::Bucket;
-  struct Way {
-    const Bucket* bucket = nullptr;  // null: through all facts
-    std::optional<FactIndex::Kind> lacking = {};
-  };
-  struct Within {
-    std::vector<OrderedFacts> facts = {};  // of each range that an index finds
-    std::vector<FactIndex::Kind> lacking = {};
-  };
-
   bool same_key(const Datum& a, const Datum& b) const;
   Mask ground_arguments(const Datum& pattern) const;
-  Way way_to(const Datum& pattern) const;
+  // Null where looking through all is the way.
+  const Bucket* bucket_for(const Datum& pattern) const;
   // Null where looking through all is quicker, or it is not to be had.
   const FactIndex* ordered_index_for(std::size_t argument) const;
-  Within ordered_within(const Datum& pattern, std::span<const ValueRange> ranges) const;
+  // Of each range that an index finds.
+  std::vector<OrderedFacts> ordered_within(const Datum& pattern, std::span<const ValueRange> ranges) const;
   static OrderedIndex::const_iterator first_with_value_of(const OrderedIndex& index, const StandingFact* standing) {
     return index.lower_bound(ByArgument::Edge{index.key_comp().value(standing), false});
   }

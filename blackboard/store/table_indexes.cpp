@@ -13,12 +13,15 @@ namespace {
 
 using By = FactIndex::Kind::By;
 
+// Without which an index may go.
+constexpr std::uint64_t uses_of_others = 100;
 // With each change, or with each part of another.
 constexpr std::size_t taken_apart_at_once = 64;
 
 }  // namespace
 
 const FactIndex* TableIndexes::find(const Kind& kind) {
+  ++uses_;
   auto found = entries_.find(kind);
   const bool is_begun = found != entries_.end();
   if (!is_begun || !found->second.index.is_made()) {
@@ -32,7 +35,7 @@ const FactIndex* TableIndexes::find(const Kind& kind) {
     found = entries_.find(kind);
     make_at_once(found->second.index);
   }
-  found->second.used = ++uses_;
+  found->second.used = uses_;
   return &found->second.index;
 }
 
@@ -52,18 +55,8 @@ const FactIndex* TableIndexes::best_by_values(FactIndex::Mask bound) {
     if (serves && known(&entry) > known(best)) best = &entry;
   }
   if (best == nullptr) return nullptr;
-  best->used = ++uses_;
+  best->used = uses_;
   return &best->index;
-}
-
-void TableIndexes::missed(const Kind& kind, std::size_t facts) {
-  constexpr std::size_t most_kinds = 64;
-  if (Indexing::is_awaiting()) return;
-  const bool is_new = !missed_.contains(kind);
-  if (is_new && missed_.size() >= most_kinds) {
-    missed_.erase(std::ranges::min_element(missed_, {}, [](const auto& entry) { return entry.second; }));
-  }
-  missed_[kind] += facts;
 }
 
 void TableIndexes::enter(const StandingFact& standing) {
@@ -79,7 +72,6 @@ void TableIndexes::leave(const StandingFact& standing) {
 void TableIndexes::begin(const Kind& kind) {
   if (entries_.contains(kind)) return;
   if (is_full(kind.by)) gone_ = entries_.extract(least_lately_used(kind.by));
-  missed_.erase(kind);
   entries_.try_emplace(kind, kind, facts_);
 }
 
@@ -94,12 +86,10 @@ void TableIndexes::take_apart_some() {
   if (gone_.mapped().index.take_apart(taken_apart_at_once)) gone_ = {};
 }
 
-bool TableIndexes::has_place_for(const Kind& kind) const {
+bool TableIndexes::has_place_for(const Kind& kind) {
   if (!is_full(kind.by)) return true;
-  const auto lacking = missed_.find(kind);
-  const bool earned = lacking != missed_.end() && lacking->second >= Indexing::looks_a_fact * facts_.size();
-  const auto may_go = [&](const auto& entry) { return entry.first.by == kind.by && entry.second.index.is_made(); };
-  return earned && gone_.empty() && std::ranges::any_of(entries_, may_go);
+  const auto least = least_lately_used(kind.by);
+  return gone_.empty() && least != entries_.end() && uses_ - least->second.used >= uses_of_others;
 }
 
 bool TableIndexes::is_full(Kind::By by) const {

@@ -1,11 +1,9 @@
 #pragma once
 
 // The indexes of one table: each is made when it is first needed, at most eight by values and four by order. When there
-// are as many, another one is made once what was looked through without it has cost as much as making it, and the least
-// lately used goes.
+// are as many, another one takes the place of the least lately used, if that was not looked for in a hundred times.
 //
 //   const FactIndex* index = indexes.find(kind);       // null where it is not to be had, or must be awaited
-//   if (index == nullptr) ... indexes.missed(kind, looked_through);
 //
 // How they are made, the Indexing says (indexing.hpp). One that is not made yet is the maker's (index_maker.hpp):
 // nobody else makes it, and it does not go. One that goes stays until facts change or others are made, since somebody
@@ -32,8 +30,6 @@ class TableIndexes {
   const FactIndex* find(const Kind& kind);
   // By the most of these arguments; null where there is none.
   const FactIndex* best_by_values(FactIndex::Mask bound);
-  // So many facts were looked through for want of it.
-  void missed(const Kind& kind, std::size_t facts);
 
   // When the fact stands, and while it still stands.
   void enter(const StandingFact& standing);
@@ -47,11 +43,11 @@ class TableIndexes {
   struct Entry {
     Entry(const Kind& kind, const FactList& facts) : index(kind, facts) {}
     FactIndex index;
-    std::uint64_t used = 0;  // the greater, the later
+    std::uint64_t used = 0;  // of TableIndexes' uses_, the last
   };
   using Entries = std::map<Kind, Entry>;
 
-  bool has_place_for(const Kind& kind) const;
+  bool has_place_for(const Kind& kind);
   bool is_full(Kind::By by) const;
   Entries::iterator least_lately_used(Kind::By by);
   void make_at_once(FactIndex& index);
@@ -60,8 +56,7 @@ class TableIndexes {
   const FactList& facts_;
   Entries entries_;
   std::uint64_t uses_ = 0;
-  Entries::node_type gone_;             // and is being taken apart
-  std::map<Kind, std::size_t> missed_;  // facts looked through
+  Entries::node_type gone_;  // and is being taken apart
 };
 
 }  // namespace pizarra::store

@@ -192,24 +192,20 @@ TEST_F(Indexes, WhoeverAsksAndWhateverComesAndGoesMeanwhileTheAnswersAreRight) {
 }
 
 // Nine kinds of questions, and eight indexes.
-TEST_F(Indexes, TheLeastLatelyUsedGoesWhenWhatWasLookedThroughHasCostAsMuchAsAnother) {
+TEST_F(Indexes, OneThatWasNotUsedForLongGoesForAnother) {
   const std::vector<std::string> kinds = {"(r ?k 1 ? ? ?)", "(r ?k ? 1 ? ?)", "(r ?k ? ? 1 ?)", "(r ?k ? ? ? 1)",
                                           "(r ?k 1 1 ? ?)", "(r ?k 1 ? 1 ?)", "(r ?k 1 ? ? 1)", "(r ?k ? 1 1 ?)"};
   const std::string least = kinds[4];
   for (const std::string& kind : kinds) EXPECT_LT(looked_at(kind), facts / 3) << kind;
-  for (const std::string& kind : kinds) {
-    if (kind != least) looked_at(kind);
-  }
   const std::string ninth = "(r ?k ? ? 1 1)";
-  std::size_t cost = 0;
-  int times = 0;
   const std::size_t without = looked_at(ninth);
-  for (std::size_t looked = without; looked == without && times < 1'000'000; ++times) {
-    cost += looked;
-    looked = looked_at(ninth);
+  EXPECT_GE(without, 3U) << "all eight were just used";
+  for (int times = 0; times < 100; ++times) {
+    for (const std::string& kind : kinds) {
+      if (kind != least) looked_at(kind);
+    }
   }
-  EXPECT_GE(cost, store::Indexing::looks_a_fact * facts);
-  EXPECT_LE(cost, store::Indexing::looks_a_fact * facts + 2 * without);
+  looked_at(ninth);
   EXPECT_LT(looked_at(ninth), 3U);
   const std::size_t by_another = looked_at(least);
   EXPECT_GT(by_another, 50U) << "its own is gone";
@@ -237,7 +233,7 @@ TEST_F(Indexes, OneThatIsMadeInPartsTakesThePlaceOfTheLeastLatelyUsed) {
   }
   const std::string fifth = "(and (r ?k ?a ?b ?c ?d) (< ?k 20))";
   EXPECT_EQ(looked_at(fifth), facts);
-  for (int times = 0; times < 20; ++times) EXPECT_EQ(found(fifth), found_anew(query(fifth)));
+  for (int times = 0; times < 200; ++times) EXPECT_EQ(found(fifth), found_anew(query(fifth)));
   EXPECT_LT(looked_at(fifth), 100U);
   for (std::uint64_t key = 0; key < 200; ++key) tell(key);
   EXPECT_EQ(found(fifth), found_anew(query(fifth)));
