@@ -53,6 +53,8 @@ class JournalFile {
  public:
   // Replies are remembered for longer than any client waits for them.
   static constexpr Duration replies_kept = 20s;
+  // What compaction takes at once, so that a board's next acknowledgement need not wait for more.
+  static constexpr std::size_t largest_slice = 256 << 10;
 
   static Result<std::shared_ptr<JournalFile>> open(const std::string& path, const History& history);
   JournalFile(const JournalFile&) = delete;
@@ -81,9 +83,6 @@ class JournalFile {
    private:
     const int file_;
   };
-
-  // What a board's next acknowledgement may have to wait for.
-  static constexpr std::size_t largest_slice = 256 << 10;
 
   JournalFile(std::string path, History history, int lock, sqlite::Database database);
   Result<void> check_place() const;

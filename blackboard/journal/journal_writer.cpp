@@ -12,7 +12,6 @@ constexpr Duration not_waited_for = 100ms;
 constexpr Duration try_again_after = 250ms;
 constexpr Duration let_go_again_after = 1s;
 constexpr Duration longest_disk = 20ms;  // that company is waited for in proportion to
-constexpr std::size_t compaction_bytes = 256 << 10;
 constexpr std::size_t written_at_once_bytes = 1 << 20;
 
 }  // namespace
@@ -173,7 +172,7 @@ void JournalWriter::finish() {
 
 // A slice at a time, so that what is to be written need not wait long.
 Task<void> JournalWriter::compact() {
-  if (!room_.past_goes && (failure_ || written_bytes_ < compaction_bytes)) co_return;
+  if (!room_.past_goes && (failure_ || written_bytes_ < JournalFile::largest_slice)) co_return;
   const std::shared_ptr<JournalFile> file = file_;
   const Time now = executor_.now();
   const auto gone = std::make_shared<std::size_t>(0);
@@ -183,7 +182,7 @@ Task<void> JournalWriter::compact() {
   };
   co_await executor_.offload(std::move(job), Duration::zero());
   written_bytes_ -= std::min(*gone == 0 ? written_bytes_ : *gone, written_bytes_);
-  const bool more = *gone > 0 && (room_.past_goes || written_bytes_ >= compaction_bytes);
+  const bool more = *gone > 0 && (room_.past_goes || written_bytes_ >= JournalFile::largest_slice);
   if (more) due_.set();
 }
 
