@@ -60,22 +60,7 @@ std::optional<Datum> PatternIndex::value_at(std::size_t place, const WatchedPatt
   return by_value(*range->from);
 }
 
-Datum WatchedPattern::Guard::value_of(const Datum& guards_fact) const {
-  return PatternIndex::by_value(guards_fact[said + 1]);
-}
-
 void PatternIndex::add(WatchedPattern& pattern) {
-  if (pattern.is_guard) ++guards_;
-  if (pattern.guard) {
-    guarded_.insert(&pattern);
-    pattern.place = pattern.guard->argument + 1;
-    for (const auto& [value, facts] : pattern.guard->allowed) by_allowed_[pattern.place][value].add(pattern);
-    return;
-  }
-  file(pattern);
-}
-
-void PatternIndex::file(WatchedPattern& pattern) {
   pattern.place = 0;
   std::size_t fewest = 0;
   Datum best;
@@ -92,30 +77,6 @@ void PatternIndex::file(WatchedPattern& pattern) {
   chosen.add(pattern);
 }
 
-void PatternIndex::allow(WatchedPattern& pattern, const Datum& guards_fact) {
-  if (!pattern.guard) return;
-  const Datum value = pattern.guard->value_of(guards_fact);
-  auto& allowed = pattern.guard->allowed;
-  if (++allowed[value] > 1) return;
-  if (allowed.size() <= WatchedPattern::most_allowed) return by_allowed_[pattern.place][value].add(pattern);
-  allowed.erase(value);
-  unguard(pattern);
-}
-
-void PatternIndex::unguard(WatchedPattern& pattern) {
-  take_from_allowed(pattern);
-  pattern.guard.reset();
-  file(pattern);
-}
-
-void PatternIndex::disallow(WatchedPattern& pattern, const Datum& guards_fact) {
-  if (!pattern.guard) return;
-  const auto allowed = pattern.guard->allowed.find(pattern.guard->value_of(guards_fact));
-  if (--allowed->second > 0) return;
-  remove(by_allowed_, pattern, allowed->first);
-  pattern.guard->allowed.erase(allowed);
-}
-
 std::size_t PatternIndex::size_of_file(std::size_t place, const Datum& value) const {
   const auto files = by_argument_.find(place);
   if (files == by_argument_.end()) return 0;
@@ -124,23 +85,12 @@ std::size_t PatternIndex::size_of_file(std::size_t place, const Datum& value) co
 }
 
 void PatternIndex::remove(const WatchedPattern& pattern) {
-  if (pattern.is_guard) --guards_;
-  if (pattern.guard) return take_from_allowed(pattern);
   if (pattern.place == 0) return together_.remove(pattern);
-  remove(by_argument_, pattern, *value_at(pattern.place, pattern));
-}
-
-void PatternIndex::take_from_allowed(const WatchedPattern& pattern) {
-  guarded_.erase(&pattern);
-  for (const auto& [value, facts] : pattern.guard->allowed) remove(by_allowed_, pattern, value);
-}
-
-void PatternIndex::remove(ByArgument& filed, const WatchedPattern& pattern, const Datum& value) {
-  const auto files = filed.find(pattern.place);
-  const auto found = files->second.find(value);
+  const auto files = by_argument_.find(pattern.place);
+  const auto found = files->second.find(*value_at(pattern.place, pattern));
   found->second.remove(pattern);
   if (found->second.size() == 0) files->second.erase(found);
-  if (files->second.empty()) filed.erase(files);
+  if (files->second.empty()) by_argument_.erase(files);
 }
 
 void PatternIndex::File::add(const WatchedPattern& pattern) {

@@ -6,8 +6,8 @@
 // fewest others are filed under; those without any are filed together. What is filed together is ordered by an end of
 // the range in which comparisons with numbers leave an argument, where they do: a fact leads to the ends it is beyond.
 //
-// One that a join guards (join_guards.hpp) is filed under the few values that its guard's facts allow an argument, and
-// nowhere while there are none.
+// What a join says of an argument leads nowhere: every fact of (reading ?s ?v) leads to each (and (role 7 ?s)
+// (reading ?s ?v)), also while there is no such role.
 //
 //   index.add(pattern);                                                    // lives on until it is removed
 //   index.visit(fact, [&](const WatchedPattern& p) { if (p.may_fit(fact)) ... });
@@ -15,7 +15,6 @@
 
 #include <map>
 #include <optional>
-#include <set>
 #include <unordered_map>
 #include <vector>
 
@@ -33,19 +32,6 @@ struct WatchedPattern {
   std::vector<store::ValueRange> ranges;  // where the query's comparisons leave its arguments
   std::size_t place = 0;                  // of the argument that it is filed under
 
-  static constexpr std::size_t most_allowed = 16;
-  // What another pattern of the watch says of its argument.
-  struct Guard {
-    const WatchedPattern* by;
-    std::size_t said;  // in which argument of that one's facts
-    std::size_t argument;
-    std::map<Datum, std::size_t> allowed;  // and how many of these facts say so
-
-    Datum value_of(const Datum& guards_fact) const;
-  };
-  std::optional<Guard> guard = {};
-  bool is_guard = false;
-
   // No fact that an answer needs, or that blocks one, is refused.
   bool may_fit(const Datum& fact) const;
 };
@@ -54,26 +40,16 @@ std::vector<WatchedPattern> patterns_of(const Query& query, WatchQueue* watch);
 
 class PatternIndex {
  public:
-  // The same for numbers of the same value.
-  static Datum by_value(const Datum& value);
   // It has not been added anywhere.
   void add(WatchedPattern& pattern);
   void remove(const WatchedPattern& pattern);
-  // A fact of the pattern's guard came, or went. One whose guard allows too many values loses it.
-  void allow(WatchedPattern& pattern, const Datum& guards_fact);
-  void disallow(WatchedPattern& pattern, const Datum& guards_fact);
-  // The same as if its guard allowed too many.
-  void unguard(WatchedPattern& pattern);
-  bool has_guards() const { return guards_ != 0; }
   // Calls for every pattern that may be fitted by the fact, and few others.
   template <class Visitor>
   void visit(const Datum& fact, Visitor&& visitor) const {
     together_.visit(fact, visitor);
-    for (const ByArgument* filed : {&by_argument_, &by_allowed_}) {
-      for (const auto& [place, files] : *filed) {
-        const auto file = files.find(by_value(fact[place]));
-        if (file != files.end()) file->second.visit(fact, visitor);
-      }
+    for (const auto& [place, files] : by_argument_) {
+      const auto file = files.find(by_value(fact[place]));
+      if (file != files.end()) file->second.visit(fact, visitor);
     }
   }
   template <class Visitor>
@@ -82,7 +58,6 @@ class PatternIndex {
     for (const auto& [place, files] : by_argument_) {
       for (const auto& [value, file] : files) file.visit_all(visitor);
     }
-    for (const WatchedPattern* pattern : guarded_) visitor(*pattern);
   }
 
  private:
@@ -133,20 +108,14 @@ class PatternIndex {
   };
   using Files = std::unordered_map<Datum, File>;
 
+  // The same for numbers of the same value.
+  static Datum by_value(const Datum& value);
   // What the argument has to be, if that is known.
   static std::optional<Datum> value_at(std::size_t place, const WatchedPattern& pattern);
-  using ByArgument = std::map<std::size_t, Files>;  // by its place in the fact
-
   std::size_t size_of_file(std::size_t place, const Datum& value) const;
-  void file(WatchedPattern& pattern);
-  void take_from_allowed(const WatchedPattern& pattern);
-  static void remove(ByArgument& filed, const WatchedPattern& pattern, const Datum& value);
 
   File together_;
-  ByArgument by_argument_;
-  ByArgument by_allowed_;  // those that are guarded
-  std::set<const WatchedPattern*> guarded_;
-  std::size_t guards_ = 0;
+  std::map<std::size_t, Files> by_argument_;  // by its place in the fact
 };
 
 }  // namespace pizarra::watch

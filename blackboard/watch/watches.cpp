@@ -8,20 +8,8 @@
 #include "blackboard/limits.hpp"
 #include "blackboard/store/looking.hpp"
 #include "blackboard/store/query_tables.hpp"
-#include "blackboard/watch/join_guards.hpp"
 
 namespace pizarra::watch {
-
-namespace {
-
-std::size_t guards_among(const std::vector<WatchedPattern>& patterns) {
-  return static_cast<std::size_t>(std::ranges::count_if(patterns, &WatchedPattern::is_guard));
-}
-
-// To tell a pattern that its guard's facts changed.
-constexpr std::size_t looks_a_news = 8;
-
-}  // namespace
 
 WatchTable::~WatchTable() { assert(size_ == 0); }
 
@@ -46,10 +34,7 @@ void WatchTable::enter(WatchQueue& watch) {
   watch.number_ = next_number_++;
   ++size_;
   watch.patterns_ = patterns_of(watch.query_, &watch);
-  guard_by_joins(watch.query_, watch.patterns_);
-  guards_ += guards_among(watch.patterns_);
   for (WatchedPattern& pattern : watch.patterns_) {
-    allow_what_stands(pattern, store_.tables());
     const std::string relation(pattern.pattern.head());
     patterns_[relation].add(pattern);
     ++watchers_[relation][watch.watcher_];
@@ -59,7 +44,6 @@ void WatchTable::enter(WatchQueue& watch) {
 
 void WatchTable::forget(const WatchQueue& watch) {
   --size_;
-  guards_ -= guards_among(watch.patterns_);
   for (const WatchedPattern& pattern : watch.patterns_) {
     patterns_.find(pattern.pattern.head())->second.remove(pattern);
     Watchers& watchers = watchers_.find(pattern.pattern.head())->second;
@@ -72,51 +56,10 @@ void WatchTable::forget(const WatchQueue& watch) {
 }
 
 void WatchTable::committed(const store::Commit& commit) {
-  if (guards_ != 0) tell_guarded(commit);
   std::vector<WatchQueue*> touched = touched_by(commit);
   std::ranges::sort(touched, {}, &WatchQueue::number_);
   CommitLooks looks;
   for (WatchQueue* watch : touched) watch->committed(commit, looks);
-}
-
-// An answer that ends with a guard's fact ends with that one: who guards has no guard.
-void WatchTable::tell_guarded(const store::Commit& commit) {
-  for (const auto& [guarded, entry] : news_for_guarded(commit)) {
-    if (!guarded->guard) continue;
-    PatternIndex& index = patterns_.find(guarded->pattern.head())->second;
-    if (entry == nullptr) {
-      index.unguard(*guarded);
-    } else if (store::adds(*entry)) {
-      index.allow(*guarded, entry->fact.datum);
-    } else {
-      index.disallow(*guarded, entry->fact.datum);
-    }
-  }
-}
-
-std::vector<WatchTable::News> WatchTable::news_for_guarded(const store::Commit& commit) const {
-  std::vector<News> all;
-  std::size_t led_to = 0;
-  const auto tell = [&](const WatchedPattern& guard, const store::Commit::Entry* entry) {
-    ++led_to;
-    if (!guard.is_guard || (entry != nullptr && !guard.may_fit(entry->fact.datum))) return;
-    for (WatchedPattern& other : guard.watch->patterns_) {
-      if (other.guard && other.guard->by == &guard) all.push_back({&other, entry});
-    }
-  };
-  std::set<const PatternIndex*> told_of_all;
-  for (const store::Commit::Entry& entry : commit.entries) {
-    if (!store::adds(entry) && !store::removes(entry)) continue;
-    const auto patterns = patterns_.find(entry.fact.datum.head());
-    if (patterns == patterns_.end() || !patterns->second.has_guards()) continue;
-    const PatternIndex& index = patterns->second;
-    if (led_to + all.size() * looks_a_news <= CommitLooks::most_led_to) {
-      index.visit(entry.fact.datum, [&](const WatchedPattern& pattern) { tell(pattern, &entry); });
-    } else if (told_of_all.insert(&index).second) {
-      index.visit_all([&](const WatchedPattern& pattern) { tell(pattern, nullptr); });
-    }
-  }
-  return all;
 }
 
 // Most changes are of the relation of the change before them. Beyond what may be led to, a change touches all that

@@ -2,9 +2,9 @@
 
 // Watched queries, found by what a commit changes: a commit costs what it concerns, not the number of watches.
 //
-// A changed fact leads to patterns, also those under `not`, that it may fit (pattern_index.hpp) and no join excludes
-// (join_guards.hpp), and touches the watches that have one that it resembles and is not compared away from. A commit
-// whose facts lead to very many touches all that watch their relations.
+// A changed fact leads to patterns, also those under `not`, that it may fit (pattern_index.hpp), and touches the
+// watches that have one that it resembles and is not compared away from. A commit whose facts lead to very many touches
+// all that watch their relations.
 //
 //   Result<std::unique_ptr<WatchQueue>> queue = watches.add(query, [&] { wake_reader(); });
 //   watches.committed(commit);
@@ -59,12 +59,6 @@ class WatchTable {
   friend class WatchQueue;
   void enter(WatchQueue& watch);
   void forget(const WatchQueue& watch);
-  struct News {
-    WatchedPattern* guarded;
-    const store::Commit::Entry* entry;  // null: whatever came
-  };
-  void tell_guarded(const store::Commit& commit);
-  std::vector<News> news_for_guarded(const store::Commit& commit) const;
   std::vector<WatchQueue*> touched_by(const store::Commit& commit) const;
   // Answers how many patterns the fact led to.
   static std::size_t find_touched(const PatternIndex& patterns, const Fact& fact, Revision revision,
@@ -74,7 +68,6 @@ class WatchTable {
   const store::Store& store_;
   std::uint64_t next_number_ = 1;
   std::size_t size_ = 0;
-  std::size_t guards_ = 0;                                     // patterns
   std::map<std::string, PatternIndex, std::less<>> patterns_;  // by relation
   std::map<std::string, Watchers, std::less<>> watchers_;      // by relation
   ByWatcher queues_;

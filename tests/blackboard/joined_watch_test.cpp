@@ -7,7 +7,6 @@
 #include "blackboard/store/store.hpp"
 #include "blackboard/time/random.hpp"
 #include "blackboard/watch/watches.hpp"
-#include "lisp/elements_looked_at.hpp"
 #include "lisp/writer.hpp"
 #include "tests/blackboard/wall.hpp"
 
@@ -228,33 +227,6 @@ TEST(JoinedWatch, AllTogetherLookAtABoundedNumberOfFactsToFollowACommit) {
   const Change change = modest->pop().value();
   EXPECT_FALSE(change.resynchronised);
   EXPECT_EQ(change.added.size(), 1U);
-}
-
-// Joined watches of ten thousand things, of which every other one is there.
-TEST(JoinedWatch, AFactConcernsTheWatchesThatItIsJoinedInAlone) {
-  WatchedStore both;
-  auto& [store, watches] = both;
-  const auto tell = [&](const std::string& fact) {
-    ASSERT_TRUE(store.transact("teller", Transaction().tell(read(fact)), {}).has_value());
-  };
-  std::vector<std::unique_ptr<watch::WatchQueue>> queues;
-  for (int n = 0; n < 10'000; ++n) {
-    const std::string number = std::to_string(n);
-    if (n % 2 == 0) tell("(at " + number + " thing-" + number + ")");
-    queues.push_back(watches.add(query("(and (at " + number + " ?s) (on ?s ?v))"), nullptr).value());
-    queues.back()->pop().value();
-  }
-  tell("(on thing-5000 first)");
-  tell("(at 7 thing-5000)");
-  queues[5000]->pop().value();
-  queues[7]->pop().value();
-  const std::size_t before = elements_looked_at;
-  tell("(on thing-5000 second)");
-  tell("(on thing-5001 none)");
-  EXPECT_LT(elements_looked_at - before, 1000U);
-  EXPECT_EQ(queues[5000]->pop()->added.size(), 1U);
-  EXPECT_EQ(queues[7]->pop()->added.size(), 1U);
-  for (const auto& queue : queues) EXPECT_FALSE(queue->ready());
 }
 
 TEST(JoinedWatch, MissesNothingWhereWhatItIsJoinedWithHasManyValuesOrFewAgain) {
