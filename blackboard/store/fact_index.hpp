@@ -53,10 +53,9 @@ class FactIndex {
   // By order.
   const OrderedIndex& in_order() const { return in_order_; }
 
+ private:
   // The values of these arguments.
   static Datum arguments_in(Mask mask, const Datum& datum);
-
- private:
   bool has(FactId id) const { return id <= up_to_ || id > until_; }
   void put(const StandingFact& standing);
 

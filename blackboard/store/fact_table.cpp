@@ -101,14 +101,6 @@ FactTable::Mask FactTable::ground_arguments(const Datum& pattern) const {
   return ground;
 }
 
-FactTable::Mask FactTable::found_by(const Datum& pattern) const {
-  const Mask bound = ground_arguments(pattern);
-  if (bound == 0) return 0;
-  const FactIndex* index = indexes_.find(FactIndex::by_values(bound));
-  if (index == nullptr) index = indexes_.best_by_values(bound);
-  return index == nullptr ? 0 : index->kind().which;
-}
-
 std::size_t FactTable::looks_to_remove() const {
   constexpr std::size_t of_the_table = 8;
   return of_the_table + looks_of_indexes();

@@ -137,9 +137,6 @@ class FactTable {
   std::size_t looks_to_remove() const;
   // And while its indexes learn that one comes or goes.
   std::size_t looks_of_indexes() const;
-  using Mask = FactIndex::Mask;
-  // What visit() finds the pattern's facts by in a table that has grown; none where it looks through all.
-  Mask found_by(const Datum& pattern) const;
   // Whether looking through so many is quicker than an index.
   static bool is_few(std::size_t facts);
   // Whether no fact that fits came or went after `revision`. False, too, when the removals since then are forgotten:
@@ -151,6 +148,7 @@ class FactTable {
 
  private:
   using Bucket = FactIndex::Bucket;
+  using Mask = FactIndex::Mask;
   bool same_key(const Datum& a, const Datum& b) const;
   Mask ground_arguments(const Datum& pattern) const;
   // Null where looking through all is the way.

@@ -1,12 +1,13 @@
 #include "blackboard/store/store.hpp"
 
+#include <algorithm>
+
 #include "blackboard/boards_own.hpp"
 #include "blackboard/limits.hpp"
 #include "blackboard/store/capacity.hpp"
 #include "blackboard/store/evaluate.hpp"
 #include "blackboard/store/fitting.hpp"
 #include "blackboard/store/looking.hpp"
-#include "blackboard/store/own_tells.hpp"
 #include "blackboard/store/query_tables.hpp"
 #include "blackboard/store/store_change.hpp"
 #include "lisp/pattern.hpp"
@@ -22,6 +23,15 @@ std::unexpected<Failure> not_met(std::string sentence, Datum subject) {
 
 std::unexpected<Failure> costly_tells(const Datum& subject) {
   return fail("too-costly", "the relations told of have many indexes; tell fewer facts at once", subject);
+}
+
+std::size_t heaviest_told(const Transaction& transaction) {
+  std::size_t heaviest = 1;
+  for (const Transaction::Step& step : transaction.steps) {
+    const auto* tell = std::get_if<Transaction::Tell>(&step);
+    if (tell != nullptr) heaviest = std::max(heaviest, pizarra::weigh(tell->fact).elements / Looking::elements_a_fact);
+  }
+  return heaviest;
 }
 
 Result<void> check_teller(const std::string& teller, const Relation& relation) {
@@ -82,11 +92,25 @@ Result<void> Store::check_precondition(const Transaction::Precondition& precondi
 // What was seen of a transaction before its next step.
 struct Store::Checked {
   const std::string& teller;
+  const Transaction& transaction;
   std::size_t& examined;
   const FactTable* table = nullptr;  // that the last step was about, as most of those after it are
   std::set<FactId> settled = {};
-  OwnTells own = {};
+  // What the transaction tells, its own retractions will look at: counted before anything is done, since nothing is
+  // undone.
+  std::map<const FactTable*, std::size_t> told = {};
+  std::size_t heaviest = 0;  // as how many facts looking at one of them may count; 0 before that was asked
+
+  std::size_t looks_at_told(const Datum& pattern);
 };
+
+std::size_t Store::Checked::looks_at_told(const Datum& pattern) {
+  const auto own = told.find(table);
+  if (own == told.end() || table->key_is_ground(pattern)) return 0;
+  if (!compares_much(pattern)) return own->second;
+  if (heaviest == 0) heaviest = heaviest_told(transaction);
+  return own->second * heaviest;
+}
 
 Result<void> Store::check_step(const Transaction::Step& step, Checked& before) {
   if (const auto* settle = std::get_if<Transaction::Settle>(&step)) {
@@ -109,13 +133,13 @@ Result<void> Store::check_step(const Transaction::Step& step, Checked& before) {
     const std::size_t going = look_for_all(*before.table, datum, before.examined);
     const bool is_few = before.table->key_is_ground(datum);
     before.examined += going * (is_few ? before.table->looks_of_indexes() : before.table->looks_to_remove());
-    before.examined += before.own.candidates(*before.table, datum) * (compares_much(datum) ? before.own.heaviest() : 1);
+    before.examined += before.looks_at_told(datum);
     const Result<void> cheap = check_looking(before.examined, datum);
     if (cheap || cheap.error().symbol != "too-costly") return cheap;
     return fail("too-costly",
                 cheap.error().sentence + "; ask for some with (limit COUNT) and retract these by their keys", datum);
   }
-  before.own.add(datum);
+  ++before.told[before.table];
   // One that it replaces leaves them.
   before.examined += 2 * before.table->looks_of_indexes();
   if (before.examined > limits::examined) return costly_tells(datum);
@@ -134,7 +158,7 @@ Result<void> Store::check(const std::string& teller, const Transaction& transact
     checked = check_precondition(precondition, examined);
     if (!checked) return checked;
   }
-  Checked before{.teller = teller, .examined = examined};
+  Checked before{.teller = teller, .transaction = transaction, .examined = examined};
   for (const Transaction::Step& step : transaction.steps) {
     checked = check_step(step, before);
     if (!checked) return checked;
