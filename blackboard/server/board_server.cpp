@@ -30,11 +30,11 @@ BoardServer::BoardServer(Executor& executor, memory::MemoryBoard& board, const B
       session_length_(options.session_length),
       keys_(std::move(keys)),
       refusals_(board),
-      life_(random_number()),
+      life_(Sessions::random_number()),
       durability_(options.journal,
                   [this](wire::SessionId id, const std::string& reply) {
-                    const auto session = sessions_.find(id);
-                    if (session != sessions_.end()) socket_.send(session->second.peer, reply);
+                    const Session* session = sessions_.find(id);
+                    if (session != nullptr) socket_.send(session->peer, reply);
                   }),
       permitted_(board, durability_),
       socket_(executor, wire::WireSocket::Kind::router,
@@ -57,7 +57,7 @@ BoardServer::BoardServer(Executor& executor, memory::MemoryBoard& board, const B
 
 void BoardServer::restore(const std::vector<journal::RememberedReply>& remembered) {
   for (const journal::RememberedReply& reply : remembered) {
-    Session& session = sessions_[reply.session];
+    Session& session = sessions_.restore(reply.session);
     session.teller = reply.teller;
     if (!reply.key.empty()) session.key = wire::PublicKey{.name = {}, .key = reply.key, .may = {}};
     session.heard = executor_.now();
@@ -86,7 +86,7 @@ BoardServer::~BoardServer() {
 
 void BoardServer::say_goodbye() {
   leaving_ = true;
-  for (const auto& [id, session] : sessions_) send(session.peer, list("goodbye"_sym));
+  for (const auto& [id, session] : sessions_.all()) send(session.peer, list("goodbye"_sym));
 }
 
 void BoardServer::receive(const std::string& peer, std::optional<std::string_view> frame) {
@@ -105,19 +105,19 @@ void BoardServer::hear(const std::string& peer, const Datum& message) {
   if (message.is_form("hello")) return greet(peer, message);
   const std::optional<std::uint64_t> id = wire::count_at(message, 1);
   if (!id) return refuse(peer, {"bad-frame", "a message is (KIND SESSION ...)", {}, {}});
-  const auto session = sessions_.find(*id);
+  Session* const session = sessions_.find(*id);
   // One that was restored has no peer before it greets: its client must learn that this is another life.
-  if (session == sessions_.end() || session->second.peer != peer) {
+  if (session == nullptr || session->peer != peer) {
     // A connection that has said no hello may be its client's next one, made when a line broke.
-    const bool forged = session != sessions_.end() && session_of_peer_.contains(peer);
+    const bool forged = session != nullptr && sessions_.of_peer(peer);
     refusals_.note(who_is(peer), forged ? Failure{"not-permitted", "a message in the session of another", {}, {}}
                                         : Failure{"unknown-session", "a message in no session of its own", {}, {}});
     return send(peer, list("unknown-session"_sym, *id));
   }
-  session->second.heard = executor_.now();
+  session->heard = executor_.now();
   turns_.heard(*id);
-  if (session->second.watches.unblock()) schedule_flush(*id);
-  handle(*id, session->second, message);
+  if (session->watches.unblock()) schedule_flush(*id);
+  handle(*id, *session, message);
 }
 
 void BoardServer::handle(wire::SessionId id, Session& session, const Datum& message) {
@@ -139,7 +139,7 @@ void BoardServer::hear(wire::SessionId id, Session& session, const Postponed::Me
   if (message.is_form("unwatch")) return session.watches.end(*number);
   const Result<bool> sent = session.watches.acknowledge(*number, wire::count_at(message, 3).value_or(0));
   if (!sent) {
-    refusals_.note(client_of(session), sent.error());
+    refusals_.note(session.client(), sent.error());
     session.watches.end(*number);
     return send(session.peer, list("watch-failed"_sym, *number, failure_to_datum(sent.error())));
   }

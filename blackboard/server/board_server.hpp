@@ -26,13 +26,10 @@
 
 #include "blackboard/journal/past.hpp"
 #include "blackboard/memory/memory_board.hpp"
-#include "blackboard/server/answered.hpp"
 #include "blackboard/server/durability.hpp"
 #include "blackboard/server/key_folder.hpp"
-#include "blackboard/server/permitted_board.hpp"
-#include "blackboard/server/postponed.hpp"
 #include "blackboard/server/refusals.hpp"
-#include "blackboard/server/served_watches.hpp"
+#include "blackboard/server/sessions.hpp"
 #include "blackboard/server/turns.hpp"
 #include "blackboard/wire/doorkeeper.hpp"
 #include "blackboard/wire/wire.hpp"
@@ -55,10 +52,6 @@ struct BoardServerOptions {
 
 class BoardServer {
  public:
-  static constexpr std::size_t max_sessions = 1024;
-  static constexpr std::size_t max_sessions_of_a_key = 64;
-  static constexpr std::size_t max_sessions_of_a_name = 256;  // of those without a key
-
   // Failures bad-address, not-loopback, address-in-use, and those of KeyFolder::open.
   static Result<std::unique_ptr<BoardServer>> open(Executor& executor, memory::MemoryBoard& board,
                                                    const BoardServerOptions& options);
@@ -74,22 +67,8 @@ class BoardServer {
   static constexpr Duration goodbye_length = 50ms;
 
  private:
-  struct Session {
-    std::string teller;
-    std::string peer;
-    std::optional<wire::PublicKey> key;
-    Time heard{};
-    ServedWatches watches;
-    bool holds = false;  // what it watches, and answers questions from it
-    Answered done;
-    Answered refused;                // and not done
-    store::IndexTicket awaited = 0;  // by its watches, or the first of what is postponed
-    Postponed postponed;
-  };
-
   BoardServer(Executor& executor, memory::MemoryBoard& board, const BoardServerOptions& options,
               std::optional<KeyFolder> keys);
-  static std::uint64_t random_number();
   void ask_for_keys();
   Result<void> listen(const std::vector<std::string>& addresses, bool insecure);
   void restore(const std::vector<journal::RememberedReply>& remembered);
@@ -101,17 +80,7 @@ class BoardServer {
   void refuse_undone(Session& session, wire::RequestId number, const Datum& body, const Failure& failure);
   std::string who_is(const std::string& peer) const;
   void greet(const std::string& peer, const Datum& hello);
-  // Whose what it asks for and is refused is: its key's, whatever its teller is called beyond that.
-  static const std::string& client_of(const Session& session) {
-    return session.key ? session.key->name : session.teller;
-  }
-  static PermittedBoard::Client who_asks(const Session& session) {
-    return {session.teller, client_of(session), session.key ? &*session.key : nullptr};
-  }
   Result<void> check_hello(const std::string& peer, const std::string& teller, const wire::PublicKey* key) const;
-  Result<wire::SessionId> session_for(const std::string& peer, const std::string& teller, wire::SessionId asked,
-                                      const wire::PublicKey* key);
-  void move_session(wire::SessionId id, Session& session, const std::string& peer);
   void end_session(wire::SessionId id);
   void end_sessions_of_changed_keys();
   void handle(wire::SessionId id, Session& session, const Datum& message);
@@ -150,8 +119,7 @@ class BoardServer {
   std::optional<KeyFolder> keys_;
   Turns turns_;
   Refusals refusals_;
-  std::map<wire::SessionId, Session> sessions_;
-  std::map<std::string, wire::SessionId> session_of_peer_;
+  Sessions sessions_;
   const wire::SessionId life_;  // another one in every life of the server
   Durability durability_;
   PermittedBoard permitted_;

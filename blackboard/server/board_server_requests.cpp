@@ -19,8 +19,6 @@ bool is_refusal(const Failure& failure) {
   return failure.symbol != "precondition-failed" && failure.symbol != "journal-full";
 }
 
-std::unexpected<Failure> bad_frame(const char* sentence) { return fail("bad-frame", sentence); }
-
 std::unexpected<Failure> too_many_watches() {
   return fail("too-large", "a client has at most " + std::to_string(ServedWatches::most) + " watches");
 }
@@ -70,7 +68,7 @@ bool BoardServer::is_to_be_done(wire::SessionId id, Session& session, const Datu
     return false;
   }
   if (session.postponed.has_request(*number)) return false;
-  const Result<void> served = board_.statistics().requests().ask(client_of(session), session.heard);
+  const Result<void> served = board_.statistics().requests().ask(session.client(), session.heard);
   if (was_answered(id, session, *number, message[3])) return false;
   if (!served) refuse_undone(session, *number, message[3], served.error());
   return served.has_value();
@@ -93,13 +91,13 @@ bool BoardServer::was_answered(wire::SessionId id, const Session& session, wire:
 }
 
 void BoardServer::refuse_request(const Session& session, wire::RequestId number, const Failure& failure) {
-  refusals_.note(client_of(session), failure);
+  refusals_.note(session.client(), failure);
   socket_.send(session.peer, reply_text(number, result_to_datum(fail(failure))));
 }
 
 // One that is on its way a second time is refused as well, though it could be done by then.
 void BoardServer::refuse_undone(Session& session, wire::RequestId number, const Datum& body, const Failure& failure) {
-  if (is_refusal(failure)) refusals_.note(client_of(session), failure);
+  if (is_refusal(failure)) refusals_.note(session.client(), failure);
   const std::string refusal = reply_text(number, result_to_datum(fail(failure)));
   if (must_be_done_once(body)) session.refused.add(number, {refusal});
   socket_.send(session.peer, refusal);
@@ -107,11 +105,11 @@ void BoardServer::refuse_undone(Session& session, wire::RequestId number, const 
 
 // To the request that it begins as, where it is one of the sender's session.
 void BoardServer::refuse_unreadable(const std::string& peer, std::string_view frame, const Failure& failure) {
-  const auto session = session_of_peer_.find(peer);
-  if (session == session_of_peer_.end()) return refuse(peer, failure);
-  const std::optional<wire::RequestId> number = wire::request_begun(frame, session->second);
+  const std::optional<wire::SessionId> session = sessions_.of_peer(peer);
+  if (!session) return refuse(peer, failure);
+  const std::optional<wire::RequestId> number = wire::request_begun(frame, *session);
   if (!number) return refuse(peer, failure);
-  refuse_request(sessions_.at(session->second), *number, failure);
+  refuse_request(*sessions_.find(*session), *number, failure);
 }
 
 // Of the first fact that the transaction told.
@@ -142,7 +140,7 @@ bool BoardServer::answer(wire::SessionId id, Session& session, wire::RequestId n
   const std::optional<Result<Datum>> performed = perform_in_turn(id, session, waiting);
   if (!performed) return false;
   const Result<Datum>& result = *performed;
-  if (!result && is_refusal(result.error())) refusals_.note(client_of(session), result.error());
+  if (!result && is_refusal(result.error())) refusals_.note(session.client(), result.error());
   const Datum said = result_to_datum(result);
   std::string text = reply_text(number, said);
   const bool stands = result && durable && durability_.position() > before;
@@ -194,27 +192,27 @@ std::string BoardServer::with_progress(const Session& session, std::string reply
 
 Result<Datum> BoardServer::perform(wire::SessionId id, Session& session, const Datum& body, std::size_t& examined) {
   if (body.is_form("watch")) return watch(id, session, body, examined);
-  return permitted_.perform(who_asks(session), body, examined);
+  return permitted_.perform(session.asking(), body, examined);
 }
 
 void BoardServer::ask_past(wire::SessionId id, const Session& session, wire::RequestId number, const Datum& body) {
   const auto reply = [this, id, number](const Result<Answers>& answers) {
     past_asked_.erase({id, number});
-    const auto asking = sessions_.find(id);
-    if (asking == sessions_.end()) return;
+    const Session* const asking = sessions_.find(id);
+    if (asking == nullptr) return;
     if (!answers) {
       std::size_t examined = 0;
-      const Failure failure = permitted_.told(who_asks(asking->second), answers.error(), examined);
+      const Failure failure = permitted_.told(asking->asking(), answers.error(), examined);
       turns_.took(id, examined, executor_.now());
-      return refuse_request(asking->second, number, failure);
+      return refuse_request(*asking, number, failure);
     }
-    socket_.send(asking->second.peer, reply_text(number, result_to_datum(wire::answers_to_datum(*answers))));
+    socket_.send(asking->peer, reply_text(number, result_to_datum(wire::answers_to_datum(*answers))));
   };
   // One that is asked again while it is worked on is answered once.
   if (!past_asked_.emplace(id, number).second) return;
-  Result<Query> query = permitted_.query_of(who_asks(session), body);
+  Result<Query> query = permitted_.query_of(session.asking(), body);
   if (!query) return reply(fail(query));
-  past_->ask(client_of(session), std::move(*query), reply);
+  past_->ask(session.client(), std::move(*query), reply);
 }
 
 Result<Datum> BoardServer::watch(wire::SessionId id, Session& session, const Datum& body, std::size_t& examined) {
@@ -222,15 +220,15 @@ Result<Datum> BoardServer::watch(wire::SessionId id, Session& session, const Dat
   const bool held = body.size() == 4 && body[3].is_symbol("held");
   const bool kept = held || (body.size() == 4 && body[3].is_symbol("kept"));
   if (!number || (body.size() != 3 && !kept)) {
-    return bad_frame("watching is (watch WATCH QUERY), or has kept or held after it");
+    return fail("bad-frame", "watching is (watch WATCH QUERY), or has kept or held after it");
   }
   if (const Datum* standing = session.watches.asked(*number)) {
     if (*standing == body[2]) return Datum();
-    return bad_frame("the watch is of another query");
+    return fail("bad-frame", "the watch is of another query");
   }
   if (session.watches.size() >= ServedWatches::most) return too_many_watches();
   Result<std::unique_ptr<watch::WatchQueue>> queue = permitted_.watch(
-      who_asks(session), body[2], [this, id] { schedule_flush(id); }, session.watches.backlog(), examined);
+      session.asking(), body[2], [this, id] { schedule_flush(id); }, session.watches.backlog(), examined);
   if (!queue) return fail(queue);
   session.watches.add(*number, body[2], kept, std::move(*queue));
   session.holds = session.holds || held;

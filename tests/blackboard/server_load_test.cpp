@@ -159,7 +159,7 @@ TEST_F(ServerLoad, RepliesAreRememberedUpToABoundOfBytes) {
 
 TEST_F(ServerLoad, WhoOpensSessionsWithoutEndIsRefusedCountedAndLeavesRoomForOthers) {
   std::vector<std::unique_ptr<Client>> greedy;
-  for (std::size_t i = 0; i < server::BoardServer::max_sessions_of_a_name; ++i) {
+  for (std::size_t i = 0; i < server::Sessions::most_of_a_name; ++i) {
     greedy.push_back(std::make_unique<Client>(executor, server->addresses().front()));
     greedy.back()->join("greedy");
   }

@@ -1,0 +1,52 @@
+#pragma once
+
+// The sessions of a served board: how one is found, begins, moves to another connection, and ends.
+//
+//   Sessions sessions;
+//   Result<Sessions::Begun> begun = sessions.begin(peer, "alice", 0, nullptr);
+//   sessions.find(begun->id)->watches;
+//   sessions.of_peer(peer);                          // a connection has one session
+//
+// A session belongs to its key, or to its teller where it has none. Its number cannot be guessed.
+
+#include <map>
+
+#include "blackboard/server/session.hpp"
+
+namespace pizarra::server {
+
+class Sessions {
+ public:
+  static constexpr std::size_t most = 1024;
+  static constexpr std::size_t most_of_a_key = 64;
+  static constexpr std::size_t most_of_a_name = 256;  // of those without a key
+
+  // Fits a datum, and nobody guesses it.
+  static std::uint64_t random_number();
+
+  std::size_t size() const { return sessions_.size(); }
+  const std::map<wire::SessionId, Session>& all() const { return sessions_; }
+  // Null where there is none.
+  Session* find(wire::SessionId id);
+  std::optional<wire::SessionId> of_peer(const std::string& peer) const;
+  // One that a former life of the board had.
+  Session& restore(wire::SessionId id) { return sessions_[id]; }
+
+  struct Begun {
+    wire::SessionId id;
+    bool moved = false;  // from another connection: what was under way there may be lost
+  };
+  // The one that the connection has, the one asked for where it is the teller's, or a new one. Failure too-large.
+  Result<Begun> begin(const std::string& peer, const std::string& teller, wire::SessionId asked,
+                      const wire::PublicKey* key);
+  // Answers whether its teller has no other.
+  bool end(wire::SessionId id);
+
+ private:
+  Result<void> check_room(const std::string& teller, const wire::PublicKey* key) const;
+
+  std::map<wire::SessionId, Session> sessions_;
+  std::map<std::string, wire::SessionId> of_peer_;
+};
+
+}  // namespace pizarra::server
