@@ -23,7 +23,9 @@ std::size_t footprint(const Fact& fact, const Weight& of_its_datum) {
 Result<void> check_examined(std::size_t examined, const Datum& subject) {
   if (examined <= limits::examined) return {};
   return fail("too-costly",
-              "this takes looking at more than 250000 facts, or comparing as much of them, one after another", subject);
+              "this takes looking at more than " + std::to_string(limits::examined) +
+                  " facts, or comparing as much of them, one after another",
+              subject);
 }
 
 Result<void> check_weight(const Weight& weight, const char* what) {

@@ -30,9 +30,13 @@ Result<void> read_clause(const Datum& form, Query& query) {
   return {};
 }
 
+std::unexpected<Failure> too_many_clauses(const Datum& subject) {
+  return bad_query("a query has at most " + std::to_string(max_clauses) + " clauses", subject);
+}
+
 Result<void> read_body(const Datum& form, Query& query) {
   if (!form.is_form("and")) return read_clause(form, query);
-  if (form.size() - 1 > max_clauses) return bad_query("a query has at most 64 clauses", form[0]);
+  if (form.size() - 1 > max_clauses) return too_many_clauses(form[0]);
   for (const Datum& clause : form.items().subspan(1)) {
     Result<void> read = read_clause(clause, query);
     if (!read) return read;
@@ -112,7 +116,7 @@ Result<void> check_pattern(const Datum& pattern) {
 
 Result<void> check_query(const Query& query) {
   if (query.clauses.empty()) return bad_query("a query needs a clause", list("and"_sym));
-  if (query.clauses.size() > max_clauses) return bad_query("a query has at most 64 clauses", {});
+  if (query.clauses.size() > max_clauses) return too_many_clauses({});
   const bool lone_pattern =
       query.clauses.size() == 1 && query.clauses[0].kind == Query::Clause::Kind::fact && query.order.empty();
   if (lone_pattern) return check_pattern(query.clauses[0].form);

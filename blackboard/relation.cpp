@@ -54,7 +54,9 @@ Result<Argument> argument_from_datum(const Datum& form) {
 
 Result<void> read_arguments(const Datum& form, Relation& relation) {
   if (!form.is_list()) return malformed("a relation's arguments are a list", form);
-  if (form.size() > max_arguments) return malformed("a relation has at most 32 arguments", form);
+  if (form.size() > max_arguments) {
+    return malformed("a relation has at most " + std::to_string(max_arguments) + " arguments", form);
+  }
   for (const Datum& item : form.items()) {
     const Result<Argument> argument = argument_from_datum(item);
     if (!argument) return fail(argument);

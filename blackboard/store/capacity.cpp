@@ -48,10 +48,10 @@ Result<void> check_room(const Transaction& transaction, const Weight& weight, co
     if (after > before) added.bytes += after - before;
   }
   if (added.facts > 0 && taken.facts + added.facts > limits::facts) {
-    return fail("too-large", "the board is full: it has a million facts");
+    return fail("too-large", "the board is full: it has " + std::to_string(limits::facts) + " facts");
   }
   if (added.bytes > 0 && taken.bytes + added.bytes > limits::board_bytes) {
-    return fail("too-large", "the board is full: its facts take a gigabyte");
+    return fail("too-large", "the board is full: its facts take " + std::to_string(limits::board_bytes) + " bytes");
   }
   return {};
 }

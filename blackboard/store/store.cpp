@@ -149,7 +149,7 @@ Result<void> Store::check_step(const Transaction::Step& step, Checked& before) {
 
 Result<void> Store::check(const std::string& teller, const Transaction& transaction, std::size_t& examined) {
   if (transaction.steps.size() + transaction.preconditions.size() > limits::steps) {
-    return fail("too-large", "a transaction has at most 10000 steps and preconditions");
+    return fail("too-large", "a transaction has at most " + std::to_string(limits::steps) + " steps and preconditions");
   }
   const Weight weight = weigh(transaction);
   Result<void> checked = check_weight(weight, "the transaction");

@@ -149,7 +149,8 @@ std::string default_key_folder() {
 
 Result<KeyPair> make_keys(const std::string& folder, const std::string& name, const Permissions& may) {
   if (!is_key_name(name)) {
-    return fail("bad-name", "a key's name has letters, digits and dashes, a letter first, and 64 at most");
+    return fail("bad-name", "a key's name has letters, digits and dashes, a letter first, and " +
+                                std::to_string(longest_name) + " at most");
   }
   for (const auto* listed : {&may.tell, &may.take, &may.read, &may.override_leases}) {
     for (const std::string& relation : *listed) {
@@ -224,7 +225,9 @@ Result<std::vector<std::string>> public_key_files(const std::string& folder) {
   for (auto entry = std::filesystem::directory_iterator(folder, refused);
        !refused && entry != std::filesystem::directory_iterator(); entry.increment(refused)) {
     if (entry->path().extension() == ".key") files.push_back(entry->path());
-    if (files.size() > most_key_files) return fail("too-many", "a folder of keys holds at most 1024", to_datum(folder));
+    if (files.size() > most_key_files) {
+      return fail("too-many", "a folder of keys holds at most " + std::to_string(most_key_files), to_datum(folder));
+    }
   }
   if (refused) return fail("unreadable-file", "the folder of keys " + folder + " cannot be read: " + refused.message());
   std::ranges::sort(files);

@@ -19,7 +19,7 @@ TEST(HeavyBoard, TakesFactsUpToAGigabyteOfThem) {
     return done ? "ok" : done.error().sentence;
   };
   const auto tell = [&](int n, const Datum& what) { return transact(Transaction().tell(list("note"_sym, n, what))); };
-  const std::string full = "the board is full: its facts take a gigabyte";
+  const std::string full = "the board is full: its facts take " + std::to_string(limits::board_bytes) + " bytes";
   int told = 0;
   while (told < 1100 && tell(told, text) == "ok") ++told;
   EXPECT_EQ(told, 1073);
