@@ -5,7 +5,7 @@
 //
 //   (relation seen ((name string) (x number) (y number)) (key name))            ; told again, the old sighting goes
 //   (relation on ((upper symbol) (lower symbol)))                               ; no key given: every argument is key
-//   (relation vision-says ((frame integer) (text string)) (key))                ; an empty key: one fact at most
+//   (relation said ((frame integer) (text string)) (key))                       ; an empty key: one fact at most
 //   (relation goal ((n integer) (facts datum)) (key n) (durable))
 //   (relation alarm ((text string)) (lease 5000))                               ; milliseconds
 

@@ -6,12 +6,19 @@
 #include <string>
 
 #include "agents/coordinator/geometry/camera_view.hpp"
-#include "agents/coordinator/geometry/occlusion.hpp"
 #include "agents/coordinator/geometry/servo.hpp"
 #include "blackboard/time/clock.hpp"
 #include "lisp/forms/cell_file.hpp"
 
 namespace pizarra::coordinator {
+
+// The gripper as the camera sees it, around the point where the mark of a held object would stand. A mark behind it is
+// not lost: nothing is known of it until the gripper has moved on (lisp/modules/pizarra/looks.scm decides it).
+struct GripperOutline {
+  double half_width_mm = 62;  // of the palm
+  double below_mm = 32;       // fingertips, or what is held
+  double mark_half_mm = 24;   // an object's mark that is partly covered is not recognised either
+};
 
 // The gripper and its mark, as they are built.
 struct GripperGeometry {

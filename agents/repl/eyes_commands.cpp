@@ -31,28 +31,24 @@ std::string place_of(std::string_view name, const std::vector<Fact>& places) {
   return "";
 }
 
-// `("name" seen CONFIDENCE SPREAD SECOND MARGIN ((left X Y) ... (range D SPREAD)))`, `("name" bridged CONFIDENCE X Y
-// D)` or `("name" lost)`
+// `("name" seen CONFIDENCE (left X Y) ... (range D SPREAD) ...)`, the same `bridged`, or `("name" lost)`
 std::string sighting_text(const Datum& sighting, std::int64_t frame) {
-  if (sighting[1].is_symbol("bridged") && sighting.size() == 6) {
-    return fmt::format("hidden just now, last near ({:.2f}, {:.2f}) px, frame {}", sighting[3].number(),
-                       sighting[4].number(), frame);
+  std::string at, away;
+  for (const Datum& part : sighting.items()) {
+    if (part.size() != 3) continue;
+    if (part.is_form("left")) at = fmt::format(" ({:.2f}, {:.2f}) px", part[1].number(), part[2].number());
+    if (part.is_form("range")) away = fmt::format(", {:.0f} mm away", part[1].number());
   }
-  if (!sighting[1].is_symbol("seen") || sighting.size() != 7) return "not seen";
-  std::string text = "seen";
-  for (const Datum& place : sighting[6].items()) {
-    if (place.size() != 3) continue;
-    if (place.is_form("left")) text = fmt::format("seen at ({:.2f}, {:.2f}) px", place[1].number(), place[2].number());
-    if (place.is_form("range")) text += fmt::format(", {:.0f} mm away", place[1].number());
-  }
-  return fmt::format("{}, frame {}", text, frame);
+  if (sighting[1].is_symbol("bridged")) return fmt::format("hidden just now, last near{}, frame {}", at, frame);
+  if (!sighting[1].is_symbol("seen")) return "not seen";
+  return fmt::format("seen{}{}{}, frame {}", at.empty() ? "" : " at", at, away, frame);
 }
 
 // What eyes that track it say of it; empty: none track it. Where one sees it the others need not.
 std::string seen_by_eyes(std::string_view name, const std::vector<Fact>& looks) {
   std::string text;
   for (const Fact& look : looks) {
-    for (const Datum& sighting : look.datum[3].items()) {
+    for (const Datum& sighting : look.datum[4].items()) {
       const bool of_it = sighting.size() > 1 && sighting[0].text() == name;
       if (!of_it) continue;
       if (text.empty() || sighting[1].is_symbol("seen")) text = sighting_text(sighting, look.datum[2].integer());
@@ -68,7 +64,7 @@ Task<Evaluation> Interpreter::objects(Datum) {
       co_await runtime::facts_if_declared(context_.board, read_pattern("(learned ? ? ? ? ? ? ? ? ?)"));
   if (!learned) co_return show(learned.error());
   const std::vector<Fact> places = co_await facts_of(context_.board, read_pattern("(place ? ? ? ? ?)"));
-  const std::vector<Fact> looks = co_await facts_of(context_.board, read_pattern("(sightings ? ? ?)"));
+  const std::vector<Fact> looks = co_await facts_of(context_.board, read_pattern("(look ? ? ? ?)"));
   const bool pursued = co_await is_agent("coordinator");
   if (learned->empty()) output_("nothing has been learned");
   std::set<std::string> said;

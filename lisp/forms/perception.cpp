@@ -33,8 +33,12 @@ Result<std::vector<Datum>> Perception::perceive(const std::vector<Datum>& measur
   const std::vector<Datum> arguments{section_, Datum::list(measured), Datum::list(believed)};
   const Result<Datum> outcome = guile::call_scheme("perceive", "perceive", arguments);
   if (!outcome) return fail(outcome);
-  if (outcome->is_form("fail")) return fail(failure_from_datum(*outcome));
-  const Datum& facts = (*outcome)[1];
+  return found_facts(*outcome);
+}
+
+Result<std::vector<Datum>> found_facts(const Datum& outcome) {
+  if (outcome.is_form("fail")) return fail(failure_from_datum(outcome));
+  const Datum& facts = outcome[1];
   return std::vector<Datum>(facts.items().begin(), facts.items().end());
 }
 

@@ -32,6 +32,8 @@ class Perception {
   // subject is the head of the rule that goes beyond what one look may take.
   Result<std::vector<Datum>> perceive(const std::vector<Datum>& measured, const std::vector<Datum>& believed) const;
 
+  // The section itself, as the Scheme modules take it.
+  const Datum& section() const { return section_; }
   // The type of whatever the eyes can name.
   const std::string& sees() const { return sees_; }
   std::optional<double> constant(std::string_view name) const;
@@ -46,5 +48,8 @@ class Perception {
   std::map<std::string, double, std::less<>> constants_;
   std::vector<Datum> facts_;
 };
+
+// What the rules found, (ok (FACT ...)), or their failure.
+Result<std::vector<Datum>> found_facts(const Datum& outcome);
 
 }  // namespace pizarra::forms

@@ -12,11 +12,14 @@
 
 #include <string_view>
 
-#include "lisp/result.hpp"
+#include "lisp/reader.hpp"
 
 namespace pizarra::forms {
 
 // Failures: the reader's, malformed, wrong-count (the announced number of objects is not the list's), repeated.
 Result<Datum> interpret_vision_reply(std::string_view text);
+
+// Its data, for another interpreter: each comma is a symbol of its own. Failures: the reader's.
+Result<Source> read_vision_reply(std::string_view text);
 
 }  // namespace pizarra::forms

@@ -22,14 +22,14 @@ Datum target_name(const Datum& target) {
 }
 
 Result<Eigen::Vector3d> Aims::seen(std::string_view name) const {
-  if (!surroundings_.sightings().recent(name, tolerated_looks)) {
+  if (!scene_.sightings().recent(name, tolerated_looks)) {
     return fail("unseen", fmt::format("{} is not seen", name), Datum::symbol(name));
   }
-  return surroundings_.sightings().find(name)->place_mm;
+  return scene_.sightings().find(name)->place_mm;
 }
 
 Result<Eigen::Vector3d> Aims::grip() const {
-  const std::optional<Eigen::Vector3d> grip = surroundings_.grip_mm();
+  const std::optional<Eigen::Vector3d> grip = scene_.grip_mm();
   if (grip) return *grip;
   const std::string& mark = options_.gripper.mark;
   return fail("unseen", fmt::format("{} is not seen, and the arm does not say where it is", mark), Datum::symbol(mark));
@@ -38,7 +38,7 @@ Result<Eigen::Vector3d> Aims::grip() const {
 Result<Eigen::Vector3d> Aims::on_table(double x_mm, double y_mm) const {
   const double height = domain_.cube_mm() / 2 + options_.release_mm;
   const Eigen::Vector3d centre(x_mm, y_mm, height);
-  return Eigen::Vector3d(centre - domain_.cube_mm() / 2 * surroundings_.view()->away());
+  return Eigen::Vector3d(centre - domain_.cube_mm() / 2 * scene_.view()->away());
 }
 
 // What is held faces the camera, whatever the one below it does: middle goes over middle.
@@ -46,22 +46,22 @@ Result<Eigen::Vector3d> Aims::on_top_of(std::string_view lower) const {
   const Result<Eigen::Vector3d> mark = seen(lower);
   if (!mark) return mark;
   const std::string name(lower);
-  const Eigen::Vector3d middle = surroundings_.centre_mm(name, *surroundings_.sightings().find(lower));
-  const Eigen::Vector3d front = middle - domain_.cube_mm() / 2 * surroundings_.view()->away();
+  const Eigen::Vector3d middle = scene_.centre_mm(name, *scene_.sightings().find(lower));
+  const Eigen::Vector3d front = middle - domain_.cube_mm() / 2 * scene_.view()->away();
   return Eigen::Vector3d(front + (domain_.cube_mm() + options_.release_mm) * Eigen::Vector3d::UnitZ());
 }
 
 Result<Eigen::Vector3d> Aims::free_spot_for(std::string_view held) {
   if (!spot_) {
     std::vector<Eigen::Vector3d> centres;
-    for (const auto& [name, sighting] : surroundings_.sightings().all()) {
-      if (name != held && name != options_.gripper.mark) centres.push_back(surroundings_.centre_mm(name, sighting));
+    for (const auto& [name, sighting] : scene_.sightings().all()) {
+      if (name != held && name != options_.gripper.mark) centres.push_back(scene_.centre_mm(name, sighting));
     }
-    const std::optional<Eigen::Vector3d> grip = surroundings_.grip_mm();
+    const std::optional<Eigen::Vector3d> grip = scene_.grip_mm();
     const std::vector<Eigen::Vector2d> occupied = spots_of(centres, grip, domain_.cube_mm());
     const Shown shown = [this](const Eigen::Vector2d& spot) {
       const double mark_mm = options_.gripper.outline.mark_half_mm;
-      return surroundings_.view()->shows(*on_table(spot.x(), spot.y()), mark_mm);
+      return scene_.view()->shows(*on_table(spot.x(), spot.y()), mark_mm);
     };
     spot_ = free_spot(TableArea::of(options_.row, domain_.cube_mm()), occupied, grip ? grip->y() : 0, shown);
   }
@@ -70,19 +70,19 @@ Result<Eigen::Vector3d> Aims::free_spot_for(std::string_view held) {
 }
 
 Result<Aim> Aims::at(const Datum& target) {
-  if (!surroundings_.view()) return fail("unseen", "the camera has not said how it projects");
+  if (!scene_.view()) return fail("unseen", "the camera has not said how it projects");
   const Result<Eigen::Vector3d> grip = this->grip();
   if (!grip) return fail(grip);
   if (target.is_symbol()) {
     const Result<Eigen::Vector3d> object = seen(target.text());
     if (!object) return fail(object);
-    const Eigen::Vector3d to_mark = -surroundings_.mark_to_front_mm();
+    const Eigen::Vector3d to_mark = -scene_.mark_to_front_mm();
     return Aim{*grip + to_mark, *object + to_mark, grip->z()};
   }
   if (target.size() < 2) return fail("bad-target", "this is no target of a micro-task", target);
   const std::string_view held = target[1].text();
-  const bool held_is_seen = surroundings_.sightings().recent(held, 1);
-  const Eigen::Vector3d followed = held_is_seen ? surroundings_.sightings().find(held)->place_mm : *grip;
+  const bool held_is_seen = scene_.sightings().recent(held, 1);
+  const Eigen::Vector3d followed = held_is_seen ? scene_.sightings().find(held)->place_mm : *grip;
   Result<Eigen::Vector3d> wanted = fail("bad-target", "this is no target of a micro-task", target);
   if (target.is_form("on-top") && target.size() == 3) {
     wanted = on_top_of(target[2].text());
@@ -98,16 +98,16 @@ Result<Aim> Aims::at(const Datum& target) {
 }
 
 double Aims::opening_around(std::string_view object, double wide_mm) const {
-  const Sighting* centre = surroundings_.sightings().find(object);
+  const Sighting* centre = scene_.sightings().find(object);
   if (!centre) return options_.gripper.openings.normal_mm;
   std::vector<Eigen::Vector3d> neighbours;
-  for (const auto& [name, sighting] : surroundings_.sightings().all()) {
+  for (const auto& [name, sighting] : scene_.sightings().all()) {
     if (name == object || name == options_.gripper.mark) continue;
-    neighbours.push_back(surroundings_.centre_mm(name, sighting));
+    neighbours.push_back(scene_.centre_mm(name, sighting));
   }
   const std::string name(object);
-  return opening_between(surroundings_.centre_mm(name, *centre), neighbours, domain_.cube_mm(),
-                         options_.gripper.finger_mm, options_.gripper.openings.narrow_mm, wide_mm);
+  return opening_between(scene_.centre_mm(name, *centre), neighbours, domain_.cube_mm(), options_.gripper.finger_mm,
+                         options_.gripper.openings.narrow_mm, wide_mm);
 }
 
 // The arm's axis 1 is the base frame's origin, and the tool's axis stands behind the mark.

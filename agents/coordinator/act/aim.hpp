@@ -4,7 +4,7 @@
 // anew at every look, so that what moves is followed.
 
 #include "agents/coordinator/geometry/servo.hpp"
-#include "agents/coordinator/perceive/surroundings.hpp"
+#include "agents/coordinator/perceive/scene.hpp"
 
 namespace pizarra::coordinator {
 
@@ -16,8 +16,8 @@ struct Aim {
 
 class Aims {
  public:
-  Aims(const CoordinatorOptions& options, const TaskDomain& domain, const Surroundings& surroundings)
-      : options_(options), domain_(domain), surroundings_(surroundings) {}
+  Aims(const CoordinatorOptions& options, const TaskDomain& domain, const Scene& scene)
+      : options_(options), domain_(domain), scene_(scene) {}
 
   // A new operation: a free spot is chosen anew.
   void reset() { spot_.reset(); }
@@ -35,7 +35,7 @@ class Aims {
 
   const CoordinatorOptions& options_;
   const TaskDomain& domain_;
-  const Surroundings& surroundings_;
+  const Scene& scene_;
   std::optional<Eigen::Vector2d> spot_;
 };
 

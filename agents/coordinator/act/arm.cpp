@@ -3,6 +3,8 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "agents/coordinator/retried_commit.hpp"
+
 namespace pizarra::coordinator {
 
 namespace {
@@ -16,11 +18,11 @@ constexpr int busy_tries = 50;
 
 Task<Result<Datum>> Arm::ask(Datum operation) {
   for (int i = 0; i < busy_tries; ++i) {
-    if (!surroundings_.present(options_.robot)) {
+    if (!presence_.has(options_.robot)) {
       const Datum robot = Datum::symbol(options_.robot);
       co_await story_.tell("agent", "waiting for the robot agent to come back", robot);
       const Time deadline = context_.executor.now() + options_.absence_patience;
-      const bool back = co_await surroundings_.wait_present(options_.robot, deadline);
+      const bool back = co_await presence_.wait_for(options_.robot, deadline);
       if (!back) {
         co_return fail("absent", "the robot agent stays away", Datum::symbol(options_.robot));
       }
@@ -97,9 +99,9 @@ Task<Result<double>> Arm::grip(double opening_mm) {
   if (!done) co_return fail(done);
   // The robot tells the opening before it answers.
   const Datum pattern = list("gripper"_sym, Datum::symbol(options_.robot), "?opening"_sym);
-  const std::optional<Datum> opening = co_await surroundings_.newest(pattern);
-  if (!opening) co_return fail("bad-reply", "the robot told no opening of its gripper", operation);
-  co_return (*opening)[2].number();
+  const std::vector<Fact> told = co_await facts_now(context_.board, context_.executor, pattern);
+  if (told.empty()) co_return fail("bad-reply", "the robot told no opening of its gripper", operation);
+  co_return told.back().datum[2].number();
 }
 
 }  // namespace pizarra::coordinator

@@ -9,15 +9,18 @@
 #include <Eigen/Core>
 
 #include "agents/coordinator/event_log.hpp"
-#include "agents/coordinator/perceive/surroundings.hpp"
+#include "agents/coordinator/geometry/servo.hpp"
+#include "agents/coordinator/options.hpp"
+#include "agents/coordinator/perceive/presence.hpp"
+#include "agents/runtime/service.hpp"
 
 namespace pizarra::coordinator {
 
 class Arm {
  public:
-  Arm(runtime::AgentContext& context, const CoordinatorOptions& options, Surroundings& surroundings, Story& story,
+  Arm(runtime::AgentContext& context, const CoordinatorOptions& options, Presence& presence, Story& story,
       runtime::Caller& caller)
-      : context_(context), options_(options), surroundings_(surroundings), story_(story), caller_(caller) {}
+      : context_(context), options_(options), presence_(presence), story_(story), caller_(caller) {}
 
   // One robot operation. Failures: those of the robot, and `absent` when it stays away too long.
   Task<Result<Datum>> ask(Datum operation);
@@ -33,7 +36,7 @@ class Arm {
  private:
   runtime::AgentContext& context_;
   const CoordinatorOptions& options_;
-  Surroundings& surroundings_;
+  Presence& presence_;
   Story& story_;
   runtime::Caller& caller_;
 };

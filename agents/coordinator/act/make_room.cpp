@@ -28,10 +28,10 @@ ElbowRoom TaskRunner::elbow_room() const {
   room.cube_mm = domain_.cube_mm();
   room.finger_mm = options_.gripper.finger_mm;
   room.narrow_mm = options_.gripper.openings.narrow_mm;
-  if (!surroundings_.view()) return room;
-  for (const Eigen::Vector3d& eye : surroundings_.view()->eyes()) room.eyes_mm.emplace_back(eye.head<2>());
+  if (!surroundings_.scene().view()) return room;
+  for (const Eigen::Vector3d& eye : surroundings_.scene().view()->eyes()) room.eyes_mm.emplace_back(eye.head<2>());
   room.shown = [this](const Eigen::Vector3d& centre) {
-    const CameraView& view = *surroundings_.view();
+    const CameraView& view = *surroundings_.scene().view();
     const Eigen::Vector3d mark = centre - domain_.cube_mm() / 2 * view.away();
     return view.shows(mark, options_.gripper.outline.mark_half_mm);
   };
@@ -39,14 +39,15 @@ ElbowRoom TaskRunner::elbow_room() const {
 }
 
 std::optional<Push> TaskRunner::push_for(std::string_view object) const {
-  const Sightings& sightings = surroundings_.sightings();
+  const Sightings& sightings = surroundings_.scene().sightings();
   const Sighting* target = sightings.find(object);
   if (!target || target->place_mm.z() > highest_pile * domain_.cube_mm()) return std::nullopt;
   std::vector<Eigen::Vector3d> others;
   for (const auto& [name, sighting] : sightings.all()) {
-    if (name != object && name != options_.gripper.mark) others.push_back(surroundings_.centre_mm(name, sighting));
+    if (name != object && name != options_.gripper.mark)
+      others.push_back(surroundings_.scene().centre_mm(name, sighting));
   }
-  return push_for_room(elbow_room(), surroundings_.centre_mm(std::string(object), *target), others);
+  return push_for_room(elbow_room(), surroundings_.scene().centre_mm(std::string(object), *target), others);
 }
 
 Task<Result<void>> TaskRunner::make_room(std::string object) {
@@ -59,10 +60,10 @@ Task<Result<void>> TaskRunner::make_room(std::string object) {
 }
 
 Task<Result<void>> TaskRunner::push_over(std::string object) {
-  const Sighting* seen = surroundings_.sightings().find(object);
+  const Sighting* seen = surroundings_.scene().sightings().find(object);
   if (!seen) co_return fail("lost-sight", fmt::format("{} is not seen", object), Datum::symbol(object));
   const double cube = domain_.cube_mm();
-  const Eigen::Vector3d centre = surroundings_.centre_mm(object, *seen);
+  const Eigen::Vector3d centre = surroundings_.scene().centre_mm(object, *seen);
   const Push push = push_over_from(elbow_room(), centre);
   const double height = std::max(centre.z() + above_centre * cube, grip_height * cube);
   vigil_.commit();

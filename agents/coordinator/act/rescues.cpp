@@ -12,7 +12,7 @@ Task<Result<bool>> Rescues::holds() {
 }
 
 Task<Result<void>> Rescues::lay_down(std::string object) {
-  const double opening = surroundings_.opening_mm().value_or(0);
+  const double opening = scene_.opening_mm().value_or(0);
   if (std::abs(opening - domain_.cube_mm()) > TaskRunner::closed_mm) co_return Result<void>();
   const Result<bool> held = co_await holds();
   if (!held) co_return fail(held);

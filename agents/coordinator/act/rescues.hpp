@@ -13,8 +13,8 @@ namespace pizarra::coordinator {
 
 class Rescues {
  public:
-  Rescues(const TaskDomain& domain, const Surroundings& surroundings, Story& story, Arm& arm, TaskRunner& runner)
-      : domain_(domain), surroundings_(surroundings), story_(story), arm_(arm), runner_(runner) {}
+  Rescues(const TaskDomain& domain, const Scene& scene, Story& story, Arm& arm, TaskRunner& runner)
+      : domain_(domain), scene_(scene), story_(story), arm_(arm), runner_(runner) {}
 
   // Puts down on a free spot whatever the gripper holds, `object` or another, so that the eyes can tell what it is.
   // Nothing is done where it holds nothing.
@@ -30,7 +30,7 @@ class Rescues {
   Task<Result<bool>> holds();
 
   const TaskDomain& domain_;
-  const Surroundings& surroundings_;
+  const Scene& scene_;
   Story& story_;
   Arm& arm_;
   TaskRunner& runner_;

@@ -18,7 +18,7 @@ double tenths(double value) { return std::round(value * 10) / 10; }
 }  // namespace
 
 Task<Result<Revision>> TaskRunner::tell_servo(int state, const Datum& target, const Aim& aim) {
-  const ServoPixels errors = servo_pixels(aim, *surroundings_.view());
+  const ServoPixels errors = servo_pixels(aim, *surroundings_.scene().view());
   Transaction transaction;
   transaction.tell(
       list("servo"_sym, state, target_name(target), tenths(errors.x_px), tenths(errors.y_px), tenths(errors.depth_mm)),
@@ -43,8 +43,8 @@ Task<Result<void>> TaskRunner::servo(Datum target, bool descend) {
       continue;
     }
     unseen = 0;
-    const ServoErrors errors =
-        servo_errors(*aim, *surroundings_.view(), options_.gripper.mark_before_grip_mm, options_.travel_height_mm);
+    const ServoErrors errors = servo_errors(*aim, *surroundings_.scene().view(), options_.gripper.mark_before_grip_mm,
+                                            options_.travel_height_mm);
     const ServoCommand command = servo_command(errors, options_.servo, descend);
     co_await tell_servo(command.state, target, *aim);
     if (command.state < 3 && state_before >= 3) {

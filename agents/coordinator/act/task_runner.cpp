@@ -88,7 +88,7 @@ Task<Result<void>> TaskRunner::open(double opening_mm) {
 
 // The base frame's x axis looks at a camera that faces the arm.
 Task<Result<void>> TaskRunner::turn_fingers(std::string object) {
-  const double seen_deg = surroundings_.sightings().yaw_deg(object);
+  const double seen_deg = surroundings_.scene().sightings().yaw_deg(object);
   const double wanted_deg =
       std::abs(seen_deg) < least_turn_deg ? 0 : std::clamp(seen_deg, -most_turn_deg, most_turn_deg);
   const double square_deg = -options_.camera.pan_deg;
@@ -148,7 +148,7 @@ Task<Result<void>> TaskRunner::raise() {
     }
     const Result<void> looked = co_await eyes_.fresh_look();
     if (!looked) co_return looked;
-    if (surroundings_.sightings().recent(options_.gripper.mark, 3)) co_return Result<void>();
+    if (surroundings_.scene().sightings().recent(options_.gripper.mark, 3)) co_return Result<void>();
     // Out of the camera's view, as after home: the ready pose is before it.
     const Datum ready = list("ready"_sym);
     const Result<Datum> readied = co_await arm_.ask(ready);
@@ -161,9 +161,9 @@ Task<Result<void>> TaskRunner::check_held(std::string object) {
   for (int i = 0; i < held_looks; ++i) {
     const Result<void> looked = co_await eyes_.fresh_look();
     if (!looked) co_return looked;
-    const std::optional<Eigen::Vector3d> grip = surroundings_.grip_mm();
-    const Sighting* seen = surroundings_.sightings().find(object);
-    if (!grip || !seen || !surroundings_.sightings().recent(object, 1)) continue;
+    const std::optional<Eigen::Vector3d> grip = surroundings_.scene().grip_mm();
+    const Sighting* seen = surroundings_.scene().sightings().find(object);
+    if (!grip || !seen || !surroundings_.scene().sightings().recent(object, 1)) continue;
     if ((seen->place_mm - *grip).norm() < held_mm) co_return Result<void>();
   }
   co_return fail("missed", fmt::format("{} is not seen between the fingers", object), Datum::symbol(object));

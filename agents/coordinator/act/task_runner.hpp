@@ -34,7 +34,7 @@ class TaskRunner {
         arm_(arm),
         eyes_(eyes),
         vigil_(vigil),
-        aims_(options, domain, surroundings) {}
+        aims_(options, domain, surroundings.scene()) {}
 
   Task<Result<void>> run(std::size_t index, GroundOperation operation);
   // Micro-tasks that belong to no operation: nothing has to go on holding meanwhile.

@@ -38,17 +38,10 @@ CameraView::CameraView(const forms::CameraPose& pose, const CameraModel& model, 
   down_ = forward_.cross(across_);
 }
 
-// With u, v the slopes of the left camera's ray, b the base line and Z the depth, the point lies at
-// (Z u - b/2, Z v, Z) from the base line's centre, and the length of that is the range.
-Eigen::Vector3d CameraView::place(double x_px, double y_px, double range_mm) const {
-  const double u = (x_px - model_.centre_x_px) / model_.focal_px;
-  const double v = (y_px - model_.centre_y_px) / model_.focal_px;
-  const double half = model_.base_line_mm / 2;
-  const double a = 1 + u * u + v * v;
-  const double b = u * half;
-  const double c = half * half - range_mm * range_mm;
-  const double depth = (b + std::sqrt(std::max(0.0, b * b - a * c))) / a;
-  return centre_ + (depth * u - half) * across_ + depth * v * down_ + depth * forward_;
+Datum CameraView::numbers() const {
+  const auto as_list = [](const Eigen::Vector3d& at) { return list(at.x(), at.y(), at.z()); };
+  return list(model_.focal_px, model_.centre_x_px, model_.centre_y_px, model_.base_line_mm, as_list(centre_),
+              as_list(across_), as_list(down_), as_list(forward_));
 }
 
 Sight CameraView::sight(const Eigen::Vector3d& point) const {

@@ -1,12 +1,12 @@
 #pragma once
 
 // What the coordinator knows of the camera: where it stands relative to the arm (configuration), how it projects (the
-// camera-model fact), and, on a pan-tilt unit, how that has turned it (the head fact). It turns the eyes' pixels and
-// ranges into the arm's base frame and back.
+// camera-model fact), and, on a pan-tilt unit, how that has turned it (the head fact). It says where in its
+// images a point of the arm's base frame is seen, and gives the numbers by which a look is placed
+// (lisp/modules/pizarra/looks.scm).
 //
 //   CameraView view(pose, model, {.pan_deg = 8, .tilt_deg = -2});
-//   Eigen::Vector3d mark = view.place(112.25, 87.5, 812.3);   // mm, base frame
-//   Sight sight = view.sight(mark);                           // back again
+//   Sight sight = view.sight({450, -100, 30});
 
 #include <Eigen/Core>
 #include <array>
@@ -47,8 +47,8 @@ class CameraView {
  public:
   CameraView(const forms::CameraPose& pose, const CameraModel& model, HeadTurn head = {});
 
-  // Where a point stands that is seen at a pixel of the left image, `range_mm` from the base line's centre.
-  Eigen::Vector3d place(double x_px, double y_px, double range_mm) const;
+  // As forms::LookSituation has its camera.
+  Datum numbers() const;
   // The point must be before the camera.
   Sight sight(const Eigen::Vector3d& point) const;
 

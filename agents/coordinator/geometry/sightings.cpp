@@ -12,14 +12,12 @@ constexpr int most_yaw_samples = 12;
 
 }  // namespace
 
-void Sightings::look(std::int64_t frame, const Datum& track, const CameraView& view) {
+void Sightings::look(std::int64_t frame, std::span<const forms::SeenObject> seen, double pan_deg) {
   ++looks_;
   frame_ = frame;
-  for (const Datum& item : track.items().subspan(1)) {
-    if (item.size() != 4) continue;
-    const Eigen::Vector3d place = view.place(item[1].number(), item[2].number(), item[3].number());
-    const std::string name(item[0].text());
-    const auto [it, is_new] = seen_.try_emplace(name, Sighting{place, frame, looks_, place, looks_});
+  for (const forms::SeenObject& object : seen) {
+    const Eigen::Vector3d place(object.at_mm[0], object.at_mm[1], object.at_mm[2]);
+    const auto [it, is_new] = seen_.try_emplace(object.name, Sighting{place, frame, looks_, place, looks_});
     Sighting& sighting = it->second;
     sighting.place_mm = place;
     sighting.frame = frame;
@@ -30,6 +28,7 @@ void Sightings::look(std::int64_t frame, const Datum& track, const CameraView& v
       sighting.still_since = looks_;
       sighting.yaw_samples = 0;
     }
+    if (object.face_deg) face(sighting, *object.face_deg - pan_deg);
   }
 }
 
@@ -41,10 +40,7 @@ void Sightings::excuse(const std::string& name) {
 }
 
 // A turn that goes on without moving the mark shows too: old samples weigh less and less.
-void Sightings::face(std::string_view name, double yaw_deg) {
-  const auto it = seen_.find(name);
-  if (it == seen_.end()) return;
-  Sighting& sighting = it->second;
+void Sightings::face(Sighting& sighting, double yaw_deg) {
   if (sighting.yaw_samples == 0) sighting.yaw_deg = yaw_deg;
   sighting.yaw_samples = std::min(sighting.yaw_samples + 1, most_yaw_samples);
   sighting.yaw_deg += (yaw_deg - sighting.yaw_deg) / sighting.yaw_samples;

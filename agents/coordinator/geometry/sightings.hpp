@@ -2,17 +2,16 @@
 
 // Where each object was last seen, for how many looks it has been unseen, and for how many it has lain still.
 //
-// A look is one periodic reply of vision. Looks are counted here and not by their frame numbers, which begin again when
+// A look is one `look` fact of vision. Looks are counted here and not by their frame numbers, which begin again when
 // a camera is restarted.
 
 #include <Eigen/Core>
 #include <cstdint>
 #include <map>
-#include <optional>
+#include <span>
 #include <string>
-#include <vector>
 
-#include "agents/coordinator/geometry/camera_view.hpp"
+#include "lisp/forms/look.hpp"
 
 namespace pizarra::coordinator {
 
@@ -31,16 +30,14 @@ class Sightings {
  public:
   static constexpr double still_mm = 6;
 
-  // Takes in one interpreted TRACK reply: `(track ("name" X Y D) ("name" fail) ...)`.
-  void look(std::int64_t frame, const Datum& track, const CameraView& view);
+  // Takes in what one look shows. Faces are told as the camera is turned, and kept as it is mounted: its head stands
+  // `pan_deg` to the right.
+  void look(std::int64_t frame, std::span<const forms::SeenObject> seen, double pan_deg = 0);
 
   // Keeps an object that the newest look did not show as young as it was, because something known hides it; for
   // `most_excused` looks in a row, then it ages like any other.
   static constexpr int most_excused = 150;
   void excuse(const std::string& name);
-
-  // Takes in one object's entry of a (faces ...) fact.
-  void face(std::string_view name, double yaw_deg);
 
   std::uint64_t looks() const { return looks_; }
   std::int64_t frame() const { return frame_; }
@@ -52,9 +49,10 @@ class Sightings {
   bool recent(std::string_view name, std::uint64_t looks) const;
   // For how many looks it has lain where it is.
   std::uint64_t still_looks(std::string_view name) const;
-  void forget(const std::string& name) { seen_.erase(name); }
 
  private:
+  static void face(Sighting& sighting, double yaw_deg);
+
   std::uint64_t looks_ = 0;
   std::int64_t frame_ = 0;
   std::map<std::string, Sighting, std::less<>> seen_;

@@ -5,7 +5,7 @@
 
 namespace pizarra::coordinator {
 
-Beliefs::Change Beliefs::perceive(const Facts& perceived) {
+Beliefs::Change Beliefs::perceive(const Facts& perceived, Evidence shown_by) {
   Facts differing;
   std::ranges::set_symmetric_difference(believed_, perceived, std::inserter(differing, differing.end()));
   std::erase_if(doubts_, [&](const auto& doubt) { return !differing.contains(doubt.first); });
@@ -13,6 +13,7 @@ Beliefs::Change Beliefs::perceive(const Facts& perceived) {
   for (const Datum& fact : differing) {
     if (++doubts_[fact] < patience_) continue;
     doubts_.erase(fact);
+    changed_in_.insert_or_assign(fact, shown_by);
     if (believed_.erase(fact) > 0) {
       change.gone.push_back(fact);
     } else {
@@ -21,6 +22,11 @@ Beliefs::Change Beliefs::perceive(const Facts& perceived) {
     }
   }
   return change;
+}
+
+Beliefs::Evidence Beliefs::changed_in(const Datum& fact) const {
+  const auto it = changed_in_.find(fact);
+  return it == changed_in_.end() ? Evidence() : it->second;
 }
 
 }  // namespace pizarra::coordinator

@@ -15,7 +15,7 @@ constexpr Duration busy_pause = 300ms;
 Task<Result<Datum>> Eyes::ask(Datum operation) {
   const Time deadline = context_.executor.now() + options_.absence_patience;
   while (true) {
-    const bool here = co_await surroundings_.wait_present(options_.vision, deadline);
+    const bool here = co_await presence_.wait_for(options_.vision, deadline);
     if (!here) {
       co_return fail("absent", "the vision agent stays away", Datum::symbol(options_.vision));
     }

@@ -3,15 +3,21 @@
 // The vision agent as the coordinator uses it: which objects there are, where, and that they are tracked.
 
 #include "agents/coordinator/event_log.hpp"
+#include "agents/coordinator/perceive/presence.hpp"
 #include "agents/coordinator/perceive/surroundings.hpp"
 
 namespace pizarra::coordinator {
 
 class Eyes {
  public:
-  Eyes(runtime::AgentContext& context, const CoordinatorOptions& options, Surroundings& surroundings, Story& story,
-       runtime::Caller& caller)
-      : context_(context), options_(options), surroundings_(surroundings), story_(story), caller_(caller) {}
+  Eyes(runtime::AgentContext& context, const CoordinatorOptions& options, Presence& presence,
+       Surroundings& surroundings, Story& story, runtime::Caller& caller)
+      : context_(context),
+        options_(options),
+        presence_(presence),
+        surroundings_(surroundings),
+        story_(story),
+        caller_(caller) {}
 
   // Step a: the objects that vision has learned, without the end effector, as they are spelled there.
   Task<Result<std::vector<std::string>>> objects();
@@ -28,6 +34,7 @@ class Eyes {
 
   runtime::AgentContext& context_;
   const CoordinatorOptions& options_;
+  Presence& presence_;
   Surroundings& surroundings_;
   Story& story_;
   runtime::Caller& caller_;

@@ -16,17 +16,19 @@ struct Life {
       : domain(std::move(task)),
         caller(context, service),
         story(context.board, context.executor),
+        presence(context),
         surroundings(context, options, domain, service, story),
-        arm(context, options, surroundings, story, caller),
-        eyes(context, options, surroundings, story, caller),
-        planning(context, options, domain, surroundings, caller),
+        arm(context, options, presence, story, caller),
+        eyes(context, options, presence, surroundings, story, caller),
+        planning(context, options, domain, presence, surroundings, caller),
         runner(context, options, domain, service, surroundings, story, arm, eyes, vigil),
-        rescues(domain, surroundings, story, arm, runner),
+        rescues(domain, surroundings.scene(), story, arm, runner),
         pursuit(context, options, domain, surroundings, story, eyes, planning, runner, rescues, vigil) {}
 
   TaskDomain domain;
   runtime::Caller caller;
   Story story;
+  Presence presence;
   Surroundings surroundings;
   Vigil vigil;
   Arm arm;
@@ -100,6 +102,7 @@ Task<Result<void>> CoordinatorAgent::run() {
   life = std::make_unique<Life>(context, state_->options, std::move(*domain), service);
   co_await life->story.resume();
   co_await life->pursuit.resume();
+  life->presence.start();
   life->surroundings.start();
   life->pursuing = context.executor.spawn(life->pursuit.run());
   runtime::Handler handler = [&part = *life](Datum operation) { return handle(part, std::move(operation)); };

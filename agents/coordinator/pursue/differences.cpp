@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <fmt/format.h>
+#include <set>
 
 #include "agents/coordinator/pursue/pursuit.hpp"
-#include "agents/coordinator/retried_commit.hpp"
 #include "lisp/writer.hpp"
 
 namespace pizarra::coordinator {
@@ -20,18 +20,16 @@ bool share_an_object(const Datum& a, const Datum& b) {
 // Which fact, seen in which frame, broke which expectation: what is believed instead is what came with that frame about
 // the same objects.
 Task<void> Pursuit::tell_difference(std::vector<Datum> lost, std::string expected_by) {
-  std::vector<FactId> because;
+  std::set<FactId> because;
   std::string sentence;
   for (const Datum& fact : lost) {
-    const std::int64_t frame = surroundings_.changed_in(fact);
+    const std::int64_t frame = surroundings_.changed_in(fact).frame;
     std::string instead;
     for (const Datum& belief : surroundings_.beliefs()) {
-      const bool came_instead = surroundings_.changed_in(belief) >= frame && share_an_object(fact, belief);
-      if (frame == 0 || !came_instead) continue;
+      const Beliefs::Evidence came = surroundings_.changed_in(belief);
+      if (frame == 0 || came.frame < frame || !share_an_object(fact, belief)) continue;
       instead += (instead.empty() ? "" : " ") + write(belief);
-      const Datum believed = list("believed"_sym, belief);
-      const std::vector<Fact> facts = co_await facts_now(context_.board, context_.executor, believed);
-      for (const Fact& evidence : facts) because.push_back(evidence.id);
+      because.insert(came.look);
     }
     if (!sentence.empty()) sentence += "; ";
     sentence += fmt::format("{} does not hold", write(fact));
@@ -39,7 +37,8 @@ Task<void> Pursuit::tell_difference(std::vector<Datum> lost, std::string expecte
     if (!instead.empty()) sentence += fmt::format(", which shows {}", instead);
   }
   sentence += fmt::format("; it was expected by {}", expected_by);
-  co_await story_.tell("difference", sentence, Datum::list(lost), because);
+  std::vector<FactId> looks(because.begin(), because.end());
+  co_await story_.tell("difference", sentence, Datum::list(lost), std::move(looks));
 }
 
 // The furthest suffix is not the one that the last operation should have led to.

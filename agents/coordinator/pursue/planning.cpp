@@ -17,7 +17,7 @@ Datum form(const Datum& head, std::vector<Datum> items) {
 Task<Result<Datum>> Planning::ask(Datum operation) {
   const Time deadline = context_.executor.now() + options_.absence_patience;
   const Duration patience = operation.is_form("get-plan") ? planning_timeout : reply_timeout;
-  const bool here = co_await surroundings_.wait_present(options_.planner, deadline);
+  const bool here = co_await presence_.wait_for(options_.planner, deadline);
   if (!here) {
     co_return fail("absent", "the planner agent stays away", Datum::symbol(options_.planner));
   }
@@ -33,8 +33,8 @@ Datum Planning::operators() const {
 
 Datum Planning::task(const std::vector<Datum>& goal) const {
   std::vector<Datum> types;
-  for (const auto& [name, sighting] : surroundings_.sightings().all()) {
-    const bool here = surroundings_.sightings().recent(name, static_cast<std::uint64_t>(options_.grace_looks));
+  for (const auto& [name, sighting] : surroundings_.scene().sightings().all()) {
+    const bool here = surroundings_.scene().sightings().recent(name, static_cast<std::uint64_t>(options_.grace_looks));
     if (!here || name == options_.gripper.mark) continue;
     types.push_back(list(Datum::symbol(name), Datum::symbol(domain_.perception().sees())));
   }
@@ -67,7 +67,7 @@ Task<Result<std::vector<GroundOperation>>> Planning::plan(std::vector<Datum> goa
 }
 
 Task<std::optional<Datum>> Planning::operation(std::size_t index) {
-  if (!surroundings_.present(options_.planner)) co_return std::nullopt;
+  if (!presence_.has(options_.planner)) co_return std::nullopt;
   const Datum question = index == 0 ? list("start-plan"_sym) : list("next-operation"_sym, index);
   const Result<Datum> reply = co_await caller_.call(options_.planner, question, reply_timeout);
   if (!reply || reply->size() == 0) co_return std::nullopt;

@@ -3,6 +3,7 @@
 // The dialogue with the planning server (steps d to f): operators, facts and goals go there, a plan comes back.
 
 #include "agents/coordinator/event_log.hpp"
+#include "agents/coordinator/perceive/presence.hpp"
 #include "agents/coordinator/perceive/surroundings.hpp"
 
 namespace pizarra::coordinator {
@@ -10,8 +11,13 @@ namespace pizarra::coordinator {
 class Planning {
  public:
   Planning(runtime::AgentContext& context, const CoordinatorOptions& options, const TaskDomain& domain,
-           Surroundings& surroundings, runtime::Caller& caller)
-      : context_(context), options_(options), domain_(domain), surroundings_(surroundings), caller_(caller) {}
+           Presence& presence, const Surroundings& surroundings, runtime::Caller& caller)
+      : context_(context),
+        options_(options),
+        domain_(domain),
+        presence_(presence),
+        surroundings_(surroundings),
+        caller_(caller) {}
 
   // A plan from what is believed now, one operation after another; empty where the goal holds. Failures: no-plan
   // (proved), gave-up, absent, and what the planner says of a task it cannot read.
@@ -28,7 +34,8 @@ class Planning {
   runtime::AgentContext& context_;
   const CoordinatorOptions& options_;
   const TaskDomain& domain_;
-  Surroundings& surroundings_;
+  Presence& presence_;
+  const Surroundings& surroundings_;
   runtime::Caller& caller_;
 };
 

@@ -66,7 +66,7 @@ Task<Result<void>> Pursuit::rounds(Goal goal) {
   for (int round = 0; round < most_rounds; ++round) {
     if (vigil_.interrupted()) co_return fail("interrupted", "another goal, or none, is wanted now");
     // The arm keeps out of the way of a hand at work.
-    const bool calm = surroundings_.calm();
+    const bool calm = surroundings_.scene().calm();
     if (!calm) co_await await_steady(objects);
     const Result<std::optional<std::size_t>> chosen = co_await choose(goal, progress);
     if (!chosen) co_return fail(chosen);

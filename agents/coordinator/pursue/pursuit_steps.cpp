@@ -49,7 +49,7 @@ Task<Result<void>> Pursuit::look_once_for(std::string object, Time deadline) {
   bool out_of_the_way = false;
   bool searched = false;
   const Time doubtful = context_.executor.now() + options_.missing_patience / 2;
-  while (!surroundings_.sightings().recent(object, lately)) {
+  while (!surroundings_.scene().sightings().recent(object, lately)) {
     if (vigil_.interrupted()) co_return fail("interrupted", "another goal, or none, is wanted now");
     const Result<bool> found = co_await eyes_.find(object);
     if (!found) co_return fail(found);
@@ -58,7 +58,7 @@ Task<Result<void>> Pursuit::look_once_for(std::string object, Time deadline) {
       co_return fail("missing-object", fmt::format("{} is not seen", object), Datum::symbol(object));
     }
     // The arm itself may hide it, if it stands low before it.
-    const std::optional<Eigen::Vector3d> grip = surroundings_.grip_mm();
+    const std::optional<Eigen::Vector3d> grip = surroundings_.scene().grip_mm();
     const bool low = grip && grip->z() < options_.travel_height_mm - 10;
     if (!*found && low && !out_of_the_way) {
       out_of_the_way = true;
@@ -81,7 +81,7 @@ Task<Result<void>> Pursuit::look_once_for(std::string object, Time deadline) {
 // reason to give up looking.
 Task<Result<void>> Pursuit::clear_view(std::string missing) {
   Result<void> done = co_await rescues_.lay_down(missing);
-  const std::optional<std::string> before = surroundings_.may_hide(missing);
+  const std::optional<std::string> before = surroundings_.scene().may_hide(missing);
   const bool may_hide = done && before && *before != missing;
   if (may_hide) done = co_await rescues_.set_aside(*before);
   if (!done && done.error().symbol == "interrupted") co_return done;

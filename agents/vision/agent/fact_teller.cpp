@@ -66,9 +66,6 @@ Task<void> VisionFacts::tell_look(std::uint64_t frame, const std::vector<TrackSi
     return !followed;
   });
   std::vector<Datum> facts;
-  // What is concluded from the reply finds the faces of its frame there already.
-  facts.push_back(faces_fact(frame, sightings));
-  facts.push_back(sightings_fact(frame, sightings));
   for (const TrackSighting& sighting : sightings) {
     const std::string_view state = track_state(sighting);
     std::string& told = told_tracks_[sighting.name];
@@ -77,7 +74,7 @@ Task<void> VisionFacts::tell_look(std::uint64_t frame, const std::vector<TrackSi
     const double confidence = std::round(sighting.confidence * 1000) / 1000;
     facts.push_back(list("tracked"_sym, sighting.name, Datum::symbol(state), frame, confidence));
   }
-  facts.push_back(list("vision-says"_sym, frame, track_reply(sightings)));
+  facts.push_back(look_fact(frame, sightings));
   add(transaction, facts);
   co_await transact(std::move(transaction));
 }
@@ -112,9 +109,7 @@ Task<void> VisionFacts::follow_found(Renames renames, const LearnedObjects& obje
 Task<void> VisionFacts::unsay() {
   told_tracks_.clear();
   Transaction transaction;
-  retract_all(transaction, "vision-says"_sym, 2);
-  retract_all(transaction, "faces"_sym, 2);
-  retract_all(transaction, "sightings"_sym, 2);
+  retract_all(transaction, "look"_sym, 3);
   retract_all(transaction, "tracked"_sym, 4);
   co_await transact(std::move(transaction));
 }

@@ -29,14 +29,6 @@ std::string track_reply(std::span<const TrackSighting> sightings) {
   return text + ")";
 }
 
-Datum faces_fact(std::uint64_t frame, std::span<const TrackSighting> sightings) {
-  std::vector<Datum> faces;
-  for (const TrackSighting& s : sightings) {
-    if (s.yaw_deg) faces.push_back(list(s.name, std::round(*s.yaw_deg * 10) / 10));
-  }
-  return list("faces"_sym, frame, Datum::list(std::move(faces)));
-}
-
 std::string_view track_state(const TrackSighting& sighting) {
   return sighting.seen ? "seen" : sighting.bridged ? "bridged" : "lost";
 }
@@ -68,23 +60,21 @@ Datum found_fact(std::uint64_t frame, const FoundMark& found) {
               Datum::list(std::move(elsewhere)), places_datum({pair.left.centre, right, range.mm, range.spread_mm}));
 }
 
-Datum sightings_fact(std::uint64_t frame, std::span<const TrackSighting> sightings) {
-  std::vector<Datum> out;
+Datum look_fact(std::uint64_t frame, std::span<const TrackSighting> sightings) {
+  std::vector<Datum> of;
   for (const TrackSighting& s : sightings) {
     std::vector<Datum> one{to_datum(s.name), Datum::symbol(track_state(s))};
+    const auto add = [&one](const Datum& parts) { one.insert(one.end(), parts.items().begin(), parts.items().end()); };
     if (s.seen || s.bridged) one.push_back(to_datum(rounded(s.confidence, 1000)));
     if (s.seen) {
-      one.push_back(to_datum(rounded(s.range_spread_mm, 100)));
-      one.push_back(to_datum(s.second));
-      one.push_back(to_datum(rounded(s.margin, 1000)));
-      one.push_back(places_datum({s.centre, s.right_centre, s.range_mm, s.range_spread_mm}));
+      add(places_datum({s.centre, s.right_centre, s.range_mm, s.range_spread_mm}));
+      if (s.yaw_deg) one.push_back(list("face"_sym, rounded(*s.yaw_deg, 10)));
+      one.push_back(list("second"_sym, s.second, rounded(s.margin, 1000)));
     }
-    if (s.bridged) {
-      for (const double value : {s.centre.x, s.centre.y, s.range_mm}) one.push_back(to_datum(rounded(value, 100)));
-    }
-    out.push_back(Datum::list(std::move(one)));
+    if (s.bridged) add(places_datum({.left = s.centre, .right = {}, .range_mm = s.range_mm}));
+    of.push_back(Datum::list(std::move(one)));
   }
-  return list("sightings"_sym, frame, Datum::list(std::move(out)));
+  return list("look"_sym, frame, track_reply(sightings), Datum::list(std::move(of)));
 }
 
 std::string get_reply(const LearnedObjects& objects) {

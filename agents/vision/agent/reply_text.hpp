@@ -17,10 +17,6 @@ std::string find_reply(const std::string& name, const std::optional<cv::Point2d>
 std::string track_reply(std::span<const TrackSighting> sightings);
 std::string get_reply(const LearnedObjects& objects);
 
-// What the thesis' text has no room for: (faces FRAME (("a" DEGREES) ...)), the yaw of every face that both images
-// show.
-Datum faces_fact(std::uint64_t frame, std::span<const TrackSighting> sightings);
-
 // ((left X Y) (right X Y) (range D SPREAD)): where both images show it, px, and how far away it is, mm. `right` and
 // `range` are left out where they are not known.
 struct SeenPlaces {
@@ -34,10 +30,11 @@ Datum places_datum(const SeenPlaces& places);
 // (found NAME FRAME CONFIDENCE SECOND MARGIN ((X Y) ...) PLACES): of other places where it may be, eight at most.
 Datum found_fact(std::uint64_t frame, const FoundMark& found);
 
-// (sightings FRAME (("a" seen CONFIDENCE SPREAD SECOND MARGIN PLACES) ("b" bridged CONFIDENCE X Y D) ("c" lost) ...)):
-// how sure each is, how far its d may be off, mm, what it is most like otherwise and by how much less, and
-// places_datum(); of one that was lost a moment ago, where it should be.
-Datum sightings_fact(std::uint64_t frame, std::span<const TrackSighting> sightings);
+// One look: (look FRAME TEXT (("a" seen CONFIDENCE PART ...) ("b" bridged CONFIDENCE PART ...) ("c" lost) ...)), TEXT
+// being track_reply(), and each PART told by its name: those of places_datum(), (face DEGREES), which is how far its
+// face looks to the right of the camera, and (second NAME MARGIN), what it is most like otherwise and by how much less.
+// Of one that was lost a moment ago the place is where it should be.
+Datum look_fact(std::uint64_t frame, std::span<const TrackSighting> sightings);
 
 // seen, bridged or lost.
 std::string_view track_state(const TrackSighting& sighting);

@@ -25,9 +25,7 @@ inline constexpr std::string_view vision_contract = R"scheme(
   (posts
     (relation vision-mode ((eyes symbol) (mode symbol) (connected symbol)) (key eyes))
     (relation vision-held ((eyes symbol) (client symbol) (mode symbol)) (key eyes client mode))
-    (relation vision-says ((eyes symbol) (frame integer) (text string)) (key eyes))
-    (relation faces ((eyes symbol) (frame integer) (turned list)) (key eyes))
-    (relation sightings ((eyes symbol) (frame integer) (of list)) (key eyes))
+    (relation look ((eyes symbol) (frame integer) (text string) (of list)) (key eyes))
     (relation tracked ((eyes symbol) (name string) (state symbol) (frame integer) (confidence number))
                       (key eyes name))
     (relation found ((eyes symbol) (name string) (frame integer) (confidence number) (second string) (margin number)

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "agents/coordinator/geometry/sightings.hpp"
-#include "lisp/reader.hpp"
 
 namespace pizarra::coordinator {
 namespace {
@@ -13,53 +12,85 @@ const Datum b = list("clear"_sym, "b"_sym);
 
 TEST(Beliefs, ComeAfterAFewLooksInARow) {
   Beliefs beliefs(3);
-  EXPECT_FALSE(beliefs.perceive({a}).any());
-  EXPECT_FALSE(beliefs.perceive({a}).any());
-  EXPECT_EQ(beliefs.perceive({a}).come, std::vector<Datum>{a});
+  EXPECT_FALSE(beliefs.perceive({a}, {}).any());
+  EXPECT_FALSE(beliefs.perceive({a}, {}).any());
+  EXPECT_EQ(beliefs.perceive({a}, {}).come, std::vector<Datum>{a});
   EXPECT_EQ(beliefs.facts(), Facts{a});
   EXPECT_TRUE(beliefs.settled());
 }
 
 TEST(Beliefs, OutlastAHandThatPasses) {
   Beliefs beliefs(2);
-  beliefs.perceive({a, b});
-  beliefs.perceive({a, b});
+  beliefs.perceive({a, b}, {});
+  beliefs.perceive({a, b}, {});
   for (int i = 0; i < 10; ++i) {
-    EXPECT_FALSE(beliefs.perceive({a}).any());
+    EXPECT_FALSE(beliefs.perceive({a}, {}).any());
     EXPECT_FALSE(beliefs.settled());
-    EXPECT_FALSE(beliefs.perceive({a, b}).any());
+    EXPECT_FALSE(beliefs.perceive({a, b}, {}).any());
   }
-  beliefs.perceive({a});
-  EXPECT_EQ(beliefs.perceive({a}).gone, std::vector<Datum>{b});
+  beliefs.perceive({a}, {});
+  EXPECT_EQ(beliefs.perceive({a}, {}).gone, std::vector<Datum>{b});
 }
 
 TEST(Beliefs, ComeAtOnceWithoutPatience) {
   Beliefs beliefs(1);
-  EXPECT_EQ(beliefs.perceive({b}).come, std::vector<Datum>{b});
+  EXPECT_EQ(beliefs.perceive({b}, {}).come, std::vector<Datum>{b});
 }
 
-Datum track(double x_px) { return list("track"_sym, list("circle", x_px, 150.0, 900.0), list("cross", "fail"_sym)); }
+std::vector<forms::SeenObject> circle_at(double x_mm) { return {{"circle", {x_mm, 150.0, 30.0}, {}}}; }
 
 TEST(Sightings, KnowWhatIsSeenNowAndForHowLongItLiesStill) {
-  const CameraView view({}, {});
   Sightings sightings;
-  for (int i = 0; i < 8; ++i) sightings.look(100 + i, track(100), view);
+  for (int i = 0; i < 8; ++i) sightings.look(100 + i, circle_at(100));
   EXPECT_TRUE(sightings.recent("circle", 1));
   EXPECT_FALSE(sightings.recent("cross", 100));
   EXPECT_EQ(sightings.still_looks("circle"), 7u);
   EXPECT_EQ(sightings.frame(), 107);
-  sightings.look(108, track(110), view);
+  sightings.look(108, circle_at(110));
   EXPECT_EQ(sightings.still_looks("circle"), 0u);
-  sightings.look(109, list("track"_sym, list("circle", "fail"_sym)), view);
+  sightings.look(109, {});
   EXPECT_FALSE(sightings.recent("circle", 1));
   EXPECT_TRUE(sightings.recent("circle", 2));
 }
 
-TEST(Sightings, CountLooksThoughFrameNumbersBeginAgain) {
-  const CameraView view({}, {});
+TEST(Beliefs, KnowTheLookThatChangedThem) {
+  Beliefs beliefs(2);
+  for (std::int64_t frame = 1; frame <= 3; ++frame) beliefs.perceive({a}, {frame, 100 + static_cast<FactId>(frame)});
+  EXPECT_EQ(beliefs.changed_in(a).frame, 2);
+  EXPECT_EQ(beliefs.changed_in(a).look, 102U);
+  EXPECT_EQ(beliefs.changed_in(b).frame, 0);
+}
+
+TEST(Sightings, AverageTheFaceOfWhatLiesStillAsTheCameraIsMounted) {
   Sightings sightings;
-  sightings.look(500, track(100), view);
-  sightings.look(1, track(100), view);
+  const std::vector<forms::SeenObject> turned{{"circle", {450, 0, 30}, 25.0}};
+  for (int i = 0; i < 2; ++i) sightings.look(i, turned, 5);
+  EXPECT_EQ(sightings.yaw_deg("circle"), 0) << "too few looks told";
+  sightings.look(2, turned, 5);
+  EXPECT_NEAR(sightings.yaw_deg("circle"), 20, 1e-9);
+  sightings.look(3, circle_at(600));
+  EXPECT_EQ(sightings.yaw_deg("circle"), 0) << "it was moved";
+}
+
+TEST(Sightings, AnExcusedObjectStaysAsYoungAsItWasButNotForEver) {
+  Sightings sightings;
+  sightings.look(1, circle_at(450));
+  for (int i = 0; i < Sightings::most_excused; ++i) {
+    sightings.look(2 + i, {});
+    sightings.excuse("circle");
+    ASSERT_TRUE(sightings.recent("circle", 2)) << i;
+  }
+  for (int i = 0; i < 10; ++i) {
+    sightings.look(1000 + i, {});
+    sightings.excuse("circle");
+  }
+  EXPECT_FALSE(sightings.recent("circle", 10));
+}
+
+TEST(Sightings, CountLooksThoughFrameNumbersBeginAgain) {
+  Sightings sightings;
+  sightings.look(500, circle_at(100));
+  sightings.look(1, circle_at(100));
   EXPECT_EQ(sightings.looks(), 2u);
   EXPECT_TRUE(sightings.recent("circle", 1));
 }

@@ -28,7 +28,7 @@ constexpr std::string_view robot_text = R"(
 constexpr std::string_view vision_text = R"(
 (contract vision
   (offers (find (name string)) (track (name string)) (get-objects) (connect))
-  (posts (relation vision-says ((eyes symbol) (frame integer) (text string)) (key eyes))
+  (posts (relation look ((eyes symbol) (frame integer) (text string) (of list)) (key eyes))
          (relation camera-model ((eyes symbol) (w integer) (h integer) (f number) (x number) (y number) (b number))
                    (key eyes))))
 )";
@@ -286,9 +286,9 @@ Task<void> FakeCell::look() {
                    : fmt::format(" (\"{}\" FAIL)", name);
     }
     co_await sleep(executor_, 40ms);
-    const Datum says = list("vision-says"_sym, "vision"_sym, ++frame_, text + ")");
+    const Datum look = list("look"_sym, "vision"_sym, ++frame_, text + ")", Datum());
     co_await agents_->vision_view->tell(model);
-    if (tracking_) co_await agents_->vision_view->tell(says);
+    if (tracking_) co_await agents_->vision_view->tell(look);
   }
 }
 

@@ -34,7 +34,7 @@ class TooMuchWork : public testing::Test {
   TooMuchWork() {
     EXPECT_TRUE(board_.declare(
         "vision",
-        {relation_from_datum(form("(relation vision-says ((eyes symbol) (frame integer) (text string)) (key eyes))"))
+        {relation_from_datum(form("(relation look ((eyes symbol) (frame integer) (text string) (of list)) (key eyes))"))
              .value(),
          relation_from_datum(form("(relation camera-model ((eyes symbol) (w integer) (h integer) (f number) (x number) "
                                   "(y number) (b number)) (key eyes))"))
@@ -54,7 +54,7 @@ class TooMuchWork : public testing::Test {
       text += " (\"m" + std::to_string(i) + "\" OK (" + std::to_string(10 + 20 * i) + ", 150, 1000))";
     }
     Transaction says;
-    says.tell(list("vision-says"_sym, "vision"_sym, frame, to_datum(text + ")")));
+    says.tell(list("look"_sym, "vision"_sym, frame, to_datum(text + ")"), Datum()));
     EXPECT_TRUE(board_.transact("vision", says));
     executor_.run_for(100ms);
   }

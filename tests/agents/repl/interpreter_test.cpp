@@ -217,8 +217,8 @@ TEST_F(ReplOfEyes, WhoConnectsToACameraThatIsSlowIsToldSo) {
 TEST_F(ReplOfEyes, ObjectsAreWhereTheEyesSeeThem) {
   for (const char* name : {"circle", "cross", "square", "triangle"}) learn(name);
   eyes_tell(
-      "(sightings vision 41 ((\"circle\" seen 0.98 1.5 \"\" 0.1 ((left 227.99 127.58) (range 516.46 2.1)))"
-      " (\"cross\" lost) (\"square\" bridged 0.9 10.5 20.5 300.25)))");
+      "(look vision 41 \"(TRACK 0)\" ((\"circle\" seen 0.98 (left 227.99 127.58) (range 516.46 2.1) (second \"\" 0.1))"
+      " (\"cross\" lost) (\"square\" bridged 0.9 (left 10.5 20.5) (range 300.25 0.0))))");
   EXPECT_EQ(type("(objects)"), Evaluation::done);
   EXPECT_EQ(shown,
             "  circle         seen at (227.99, 127.58) px, 516 mm away, frame 41\n"

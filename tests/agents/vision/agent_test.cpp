@@ -188,9 +188,9 @@ TEST_F(Vision, TracksTheEndEffectorFirstAndTellsOnceAFrame) {
       << text;
   EXPECT_NEAR(d[0], cv::norm(camera.scene.faces[2].place), 4);
   EXPECT_NEAR(d[1], cv::norm(camera.scene.faces[0].place), 4);
-  const std::string one = facts("(vision-says vision ? ?)");
+  const std::string one = facts("(look vision ? ? ?)");
   run_for(100ms);
-  EXPECT_NE(facts("(vision-says vision ? ?)"), one);
+  EXPECT_NE(facts("(look vision ? ? ?)"), one);
   camera.scene.faces[0].mark = "none";
   run_for(200ms);
   EXPECT_TRUE(says().ends_with("(\"circle\" FAIL))")) << says();
@@ -206,7 +206,7 @@ TEST_F(Vision, ARestartedAgentKnowsWhatWasLearnedAndTracksNothing) {
   life.reset();
   run_for(3s);
   EXPECT_EQ(facts("(vision-mode vision ? ?)"), "");
-  EXPECT_EQ(facts("(vision-says vision ? ?)"), "");
+  EXPECT_EQ(facts("(look vision ? ? ?)"), "");
   live();
   EXPECT_EQ(call("(get-objects)"), R"x((GET 2 ("circle", "end-effector")))x");
   EXPECT_EQ(facts("(vision-mode vision ? ?)"), "(vision-mode vision idle no)");
@@ -299,8 +299,7 @@ TEST_F(Vision, TellsWhenAnObjectIsLostAndSeenAgain) {
   EXPECT_NE(facts("(tracked vision \"circle\" seen ? ?)"), first);
   EXPECT_EQ(call("(end-track)"), "()");
   EXPECT_EQ(facts("(tracked vision ? ? ? ?)"), "");
-  EXPECT_EQ(facts("(sightings vision ? ?)"), "");
-  EXPECT_EQ(facts("(faces vision ? ?)"), "");
+  EXPECT_EQ(facts("(look vision ? ? ?)"), "");
 }
 
 TEST_F(Vision, WhatIsFollowedNoLongerIsNotSaidToBeSeen) {

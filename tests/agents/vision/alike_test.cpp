@@ -45,14 +45,14 @@ class TrackedAlike : public Alike {
     EXPECT_EQ(call("(track \"circle\")"), "()");
     run_for(1s);
   }
-  Datum sighting() { return form(facts("(sightings vision ? ?)"))[3][0]; }
+  Datum sighting() { return form(facts("(look vision ? ? ?)"))[4][0]; }
   double confidence_now() {
     const Datum now = sighting();
     EXPECT_EQ(now[1].text(), "seen") << write(now);
     return now[2].number();
   }
   cv::Point2d place_now() {
-    const Datum left = sighting()[6][0];
+    const Datum left = sighting()[3];
     return {left[1].number(), left[2].number()};
   }
 };

@@ -16,9 +16,9 @@ TEST_F(Vision, AFindSuspendsATrackingAndResumesIt) {
   executor.run_until([&] { return finding.done(); });
   EXPECT_TRUE(found.starts_with(R"x((FIND "circle" OK ()x")) << found;
   EXPECT_EQ(facts("(vision-mode vision ? ?)"), "(vision-mode vision tracking yes)");
-  const std::string before = facts("(vision-says vision ? ?)");
+  const std::string before = facts("(look vision ? ? ?)");
   run_for(200ms);
-  EXPECT_NE(facts("(vision-says vision ? ?)"), before);
+  EXPECT_NE(facts("(look vision ? ? ?)"), before);
 }
 
 TEST_F(Vision, LearningAndFindingAreServedInTurn) {

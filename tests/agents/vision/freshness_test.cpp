@@ -99,7 +99,7 @@ TEST_P(Freshness, TrackingBeginsWithAFrameTakenAfterItWasAsked) {
 
 TEST_P(Freshness, NothingIsToldAsSeenWhileNoFrameComes) {
   EXPECT_EQ(call("(track \"circle\")"), "()");
-  const auto is_seen = [&] { return facts("(sightings vision ? ?)").find("\"circle\" seen") != std::string::npos; };
+  const auto is_seen = [&] { return facts("(look vision ? ? ?)").find("\"circle\" seen") != std::string::npos; };
   while (!is_seen()) run_for(5ms);
   for (int i = 0; i < 20; ++i) {
     run_for(period());

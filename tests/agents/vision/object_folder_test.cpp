@@ -250,11 +250,11 @@ TEST_F(TwoVisions, EachTellsOfItselfAndEndsForItself) {
   EXPECT_EQ(facts("(vision-mode ? ? ?)"), "(vision-mode side idle no)\n(vision-mode vision tracking yes)");
   EXPECT_EQ(call_other("(track \"circle\")"), "()");
   run_for(1s);
-  EXPECT_EQ(board.ask(query_from_datum(form("(vision-says ?eyes ?frame ?text)")).value())->answers.size(), 2U);
+  EXPECT_EQ(board.ask(query_from_datum(form("(look ?eyes ?frame ?text ?of)")).value())->answers.size(), 2U);
   EXPECT_EQ(call_other("(end-track)"), "()");
   EXPECT_EQ(call_other("(disconnect)"), "()");
   run_for(1s);
-  EXPECT_EQ(facts("(vision-says side ? ?)"), "");
+  EXPECT_EQ(facts("(look side ? ? ?)"), "");
   const std::string before = says();
   EXPECT_NE(before, "nothing");
   EXPECT_EQ(facts("(vision-held ? ? ?)"),

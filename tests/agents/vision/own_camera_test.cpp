@@ -88,7 +88,7 @@ class OwnCamera : public testing::TestWithParam<cv::Size> {
   }
   // Of the first TRACK reply from now on of which all is seen.
   std::string says() {
-    const Query query = query_from_datum(form("(vision-says vision ?frame ?text)")).value();
+    const Query query = query_from_datum(form("(look vision ?frame ?text ?of)")).value();
     std::optional<Datum> before;
     const Time deadline = executor.now() + 30s;
     while (executor.now() < deadline) {

@@ -335,14 +335,17 @@ TEST(Replies, SayWhatTheThesisTextHasNoRoomFor) {
   seen.range_spread_mm = 0.5678;
   seen.second = "b";
   seen.margin = 0.12345;
+  seen.yaw_deg = -3.46;
   TrackSighting bridged{.name = "b", .bridged = true, .centre = {10.123, 20}, .yaw_deg = {}, .contour = {}};
   bridged.confidence = 0.5;
   bridged.range_mm = 800;
   const TrackSighting lost{.name = "c", .centre = {}, .yaw_deg = {}, .contour = {}};
   const std::vector<TrackSighting> all{seen, bridged, lost};
   EXPECT_EQ(
-      write(sightings_fact(7, all)),
-      R"x((sightings 7 (("a" seen 0.988 0.57 "b" 0.123 ((left 30.0 40.56) (right 20.0 40.5) (range 851.23 0.57))) ("b" bridged 0.5 10.12 20.0 800.0) ("c" lost))))x");
+      write(look_fact(7, all)),
+      R"x((look 7 "(TRACK 3 (\"a\" OK (30.00, 40.56, 851.23)) (\"b\" FAIL) (\"c\" FAIL))" )x"
+      R"x((("a" seen 0.988 (left 30.0 40.56) (right 20.0 40.5) (range 851.23 0.57) (face -3.5) (second "b" 0.123)) )x"
+      R"x(("b" bridged 0.5 (left 10.12 20.0) (range 800.0 0.0)) ("c" lost))))x");
 }
 
 }  // namespace

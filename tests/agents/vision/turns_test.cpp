@@ -204,7 +204,7 @@ TEST_F(Turns, ATrackingGoesOnBesideClientsThatFindWithoutAPause) {
   std::set<std::string> looks;
   for (int n = 0; n < 30; ++n) {
     run_for(100ms);
-    looks.insert(facts("(vision-says vision ? ?)"));
+    looks.insert(facts("(look vision ? ? ?)"));
   }
   over = true;
   executor.run_until([&] { return std::ranges::all_of(jobs, &Job::done); });

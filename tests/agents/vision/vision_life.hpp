@@ -109,7 +109,7 @@ class Vision : public testing::Test {
     EXPECT_EQ(call(learn_request(2, "end-effector")), R"x((LEARN "end-effector" OK))x");
   }
   std::string says() {
-    const Answers answers = board.ask(query_from_datum(form("(vision-says vision ?frame ?text)")).value()).value();
+    const Answers answers = board.ask(query_from_datum(form("(look vision ?frame ?text ?of)")).value()).value();
     if (answers.answers.empty()) return "nothing";
     return std::string(answers.answers[0].bindings.find("?text")->text());
   }

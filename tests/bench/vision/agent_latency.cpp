@@ -22,20 +22,12 @@ double ms(const std::vector<double>& us, double part) {
 class Echo {
  public:
   static constexpr std::string_view contract = R"((contract bench
-    (posts (relation bench-faces ((frame integer) (turned list)) (key))
-           (relation bench-sightings ((frame integer) (of list)) (key))
-           (relation bench-says ((frame integer) (text string)) (key)))))";
+    (posts (relation bench-look ((frame integer) (text string) (of list)) (key)))))";
 
   Echo(Board& board, LeaseId lease) : board_(board), lease_(lease) {}
 
   Task<Result<void>> begin() {
-    const Result<Datum> faces = co_await told_by_vision("faces"_sym);
-    if (!faces) co_return fail(faces);
-    const Result<Datum> sightings = co_await told_by_vision("sightings"_sym);
-    if (!sightings) co_return fail(sightings);
-    faces_ = *faces;
-    sightings_ = *sightings;
-    const Query said = query_for(list("bench-says"_sym, "?frame"_sym, "?text"_sym));
+    const Query said = query_for(list("bench-look"_sym, "?frame"_sym, "?text"_sym, "?of"_sym));
     Result<std::unique_ptr<Watch>> heard = co_await board_.watch(said);
     if (!heard) co_return fail(heard);
     heard_ = std::move(*heard);
@@ -44,11 +36,9 @@ class Echo {
     co_return Result<void>();
   }
   // Until it is heard.
-  Task<Result<void>> tell(Datum frame, Datum text) {
+  Task<Result<void>> tell(Datum frame, Datum text, Datum of) {
     Transaction look;
-    look.tell(list("bench-faces"_sym, frame, faces_), {}, lease_);
-    look.tell(list("bench-sightings"_sym, frame, sightings_), {}, lease_);
-    look.tell(list("bench-says"_sym, frame, text), {}, lease_);
+    look.tell(list("bench-look"_sym, frame, text, of), {}, lease_);
     const Result<Revision> told = co_await board_.transact(std::move(look));
     if (!told) co_return fail(told);
     const Result<Change> heard = co_await heard_->next();
@@ -57,18 +47,8 @@ class Echo {
   }
 
  private:
-  Task<Result<Datum>> told_by_vision(Datum relation) {
-    const Datum pattern = list(relation, "vision"_sym, "?"_sym, "?"_sym);
-    const Result<std::vector<Fact>> told = co_await board_.facts(pattern);
-    if (!told) co_return fail(told);
-    if (told->empty()) co_return fail("not-measured", "vision tells too little");
-    co_return told->front().datum[3];
-  }
-
   Board& board_;
   LeaseId lease_;
-  Datum faces_;
-  Datum sightings_;
   std::unique_ptr<Watch> heard_;
 };
 
@@ -89,7 +69,7 @@ Task<Result<Latencies>> measure(runtime::AgentContext& context, const vision::Le
   runtime::Caller caller(context, service);
   const Result<void> tracked = co_await track_all(caller, marks);
   if (!tracked) co_return fail(tracked);
-  const Query said = query_for(list("vision-says"_sym, "vision"_sym, "?frame"_sym, "?text"_sym));
+  const Query said = query_for(list("look"_sym, "vision"_sym, "?frame"_sym, "?text"_sym, "?of"_sym));
   const Result<std::unique_ptr<Watch>> words = co_await context.board.watch(said);
   if (!words) co_return fail(words);
   std::optional<Echo> echo;
@@ -110,7 +90,7 @@ Task<Result<Latencies>> measure(runtime::AgentContext& context, const vision::Le
     }
     out.track_us.push_back(seen_us - clock.arrival_us(static_cast<std::uint64_t>(fact[2].integer())));
     const double before_us = clock.now_us();
-    const Result<void> heard = co_await echo->tell(fact[2], fact[3]);
+    const Result<void> heard = co_await echo->tell(fact[2], fact[3], fact[4]);
     if (!heard) co_return fail(heard);
     out.board_us.push_back(clock.now_us() - before_us);
   }

@@ -1,0 +1,164 @@
+#include "agents/coordinator/perceive/scene.hpp"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+
+namespace pizarra::coordinator {
+
+namespace {
+
+// For how many looks an object must lie where it is to count as still.
+constexpr std::uint64_t still_looks = 5;
+// From the picture to the reply at most so many frames pass: so many looks after the head has come to rest may be
+// older.
+constexpr int looks_on_their_way = 3;
+// What is nearer to where a held object's mark stands goes with the arm.
+constexpr double held_mm = 40;
+// A look under way when the arm came to rest may show it moving; the second after it does not.
+constexpr std::uint64_t looks_till_rest = 2;
+// The eyes and an arm that differ by more do not see the same mark.
+constexpr double most_off_mm = 30;
+
+Datum as_list(const Eigen::Vector3d& at) { return list(at.x(), at.y(), at.z()); }
+
+}  // namespace
+
+Scene::Scene(const CoordinatorOptions& options, const TaskDomain& domain) : options_(options), domain_(domain) {
+  if (!options_.head) head_ = HeadTurn();
+}
+
+void Scene::take_camera(const CameraModel& model) {
+  model_ = model;
+  turn_view();
+}
+
+void Scene::take_head(std::optional<HeadTurn> turn) {
+  head_ = turn;
+  if (!head_) return;
+  blurred_looks_ = looks_on_their_way;
+  turn_view();
+}
+
+void Scene::turn_view() {
+  if (model_ && head_) view_.emplace(options_.camera, *model_, *head_);
+}
+
+void Scene::take_pose(const Eigen::Vector3d& grip_centre_mm) {
+  pose_mm_ = grip_centre_mm;
+  pose_look_ = sightings_.looks();
+}
+
+bool Scene::places_next_look() {
+  if (!view_ || !head_) return false;
+  if (blurred_looks_ == 0) return true;
+  --blurred_looks_;
+  return false;
+}
+
+forms::LookSituation Scene::situation() const {
+  forms::LookSituation out;
+  out.camera = view_->numbers();
+  const std::optional<Eigen::Vector3d> by_arm = grip_by_arm_mm();
+  const GripperOutline& outline = options_.gripper.outline;
+  out.hand = list(options_.gripper.mark, as_list(mark_to_front_mm()), by_arm ? as_list(*by_arm) : Datum(),
+                  outline.half_width_mm, outline.below_mm, outline.mark_half_mm);
+  const auto grace = static_cast<std::uint64_t>(options_.grace_looks);
+  for (const auto& [name, sighting] : sightings_.all()) {
+    const std::uint64_t age = sightings_.looks() + 1 - sighting.look;
+    if (age > grace) continue;
+    const bool excusable = sighting.excused < Sightings::most_excused;
+    out.remembered.push_back(list(name, as_list(sighting.place_mm), age, excusable ? 1 : 0));
+  }
+  if (opening_mm_) out.measured.push_back(list("gripper"_sym, *opening_mm_));
+  return out;
+}
+
+void Scene::take_look(std::int64_t frame, const forms::PerceivedLook& look) {
+  sightings_.look(frame, look.seen, head_->pan_deg);
+  for (const std::string& name : look.hidden) sightings_.excuse(name);
+  compare_pose();
+}
+
+void Scene::compare_pose() {
+  const bool rests = sightings_.looks() >= pose_look_ + looks_till_rest;
+  if (!pose_mm_ || !rests || !sightings_.recent(options_.gripper.mark, 1)) return;
+  const Eigen::Vector3d said = *pose_mm_ - domain_.cube_mm() / 2 * view_->away();
+  const Eigen::Vector3d off = *grip_mm() - said;
+  if (off.norm() < most_off_mm) pose_off_mm_ = off;
+}
+
+Eigen::Vector3d Scene::mark_to_front_mm() const {
+  const double behind_mm = options_.gripper.mark_before_grip_mm - domain_.cube_mm() / 2;
+  return behind_mm * view_->away() - options_.gripper.mark_above_grip_mm * Eigen::Vector3d::UnitZ();
+}
+
+std::optional<Eigen::Vector3d> Scene::grip_by_arm_mm() const {
+  if (!pose_mm_ || !view_) return std::nullopt;
+  return Eigen::Vector3d(*pose_mm_ - domain_.cube_mm() / 2 * view_->away() + pose_off_mm_);
+}
+
+std::optional<Eigen::Vector3d> Scene::grip_mm() const {
+  if (!view_ || !sightings_.recent(options_.gripper.mark, 1)) return grip_by_arm_mm();
+  const Eigen::Vector3d& mark = sightings_.find(options_.gripper.mark)->place_mm;
+  return Eigen::Vector3d(mark + mark_to_front_mm());
+}
+
+// The mark stands before the middle in the direction in which its face looks.
+Eigen::Vector3d Scene::centre_mm(const std::string& name, const Sighting& sighting) const {
+  if (!view_) return sighting.place_mm;
+  const double yaw = sightings_.yaw_deg(name) * std::numbers::pi / 180;
+  const Eigen::Vector3d looks = Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()) * -view_->away();
+  return sighting.place_mm - domain_.cube_mm() / 2 * looks;
+}
+
+std::optional<std::string> Scene::foremost() const {
+  if (!view_) return std::nullopt;
+  const Eigen::Vector3d row(options_.row.x_mm, 0, 0);
+  double nearest_mm = 0.7 * domain_.cube_mm();
+  std::optional<std::string> foremost;
+  for (const auto& [name, sighting] : sightings_.all()) {
+    if (name == options_.gripper.mark || !sightings_.recent(name, 1)) continue;
+    const double before_mm = -(centre_mm(name, sighting) - row).dot(view_->away());
+    if (before_mm <= nearest_mm) continue;
+    nearest_mm = before_mm;
+    foremost = name;
+  }
+  return foremost;
+}
+
+std::optional<std::string> Scene::may_hide(const std::string& missing) const {
+  const Sighting* last = sightings_.find(missing);
+  if (!last || !view_) return foremost();
+  const Eigen::Vector3d place = centre_mm(missing, *last);
+  double least_aside_mm = 1.5 * domain_.cube_mm();
+  std::optional<std::string> nearest;
+  for (const auto& [name, sighting] : sightings_.all()) {
+    if (name == options_.gripper.mark || name == missing || !sightings_.recent(name, 1)) continue;
+    const Eigen::Vector3d apart = centre_mm(name, sighting) - place;
+    const double aside_mm = std::abs(apart.dot(view_->right()));
+    if (-apart.dot(view_->away()) < domain_.cube_mm() / 2 || aside_mm >= least_aside_mm) continue;
+    least_aside_mm = aside_mm;
+    nearest = name;
+  }
+  return nearest ? nearest : foremost();
+}
+
+bool Scene::calm() const {
+  const std::optional<Eigen::Vector3d> grip = grip_mm();
+  for (const auto& [name, sighting] : sightings_.all()) {
+    const bool with_the_arm = name == options_.gripper.mark || (grip && (sighting.place_mm - *grip).norm() < held_mm);
+    if (with_the_arm || !sightings_.recent(name, still_looks)) continue;
+    if (sightings_.still_looks(name) < still_looks) return false;
+  }
+  return true;
+}
+
+bool Scene::still(const std::vector<std::string>& objects) const {
+  for (const std::string& name : objects) {
+    if (!sightings_.recent(name, 2) || sightings_.still_looks(name) < still_looks) return false;
+  }
+  return true;
+}
+
+}  // namespace pizarra::coordinator

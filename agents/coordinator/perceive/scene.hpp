@@ -1,0 +1,69 @@
+#pragma once
+
+// Where things stand, by the newest looks and by what the arm, the gripper and the camera's head say of themselves.
+// Nothing is watched or told here: Surroundings takes everything in.
+
+#include "agents/coordinator/geometry/sightings.hpp"
+#include "agents/coordinator/options.hpp"
+#include "agents/coordinator/plan/task_domain.hpp"
+#include "lisp/forms/look.hpp"
+
+namespace pizarra::coordinator {
+
+class Scene {
+ public:
+  // Both outlive it.
+  Scene(const CoordinatorOptions& options, const TaskDomain& domain);
+
+  const Sightings& sightings() const { return sightings_; }
+  // None before the camera-model fact is there.
+  const std::optional<CameraView>& view() const { return view_; }
+  std::optional<double> opening_mm() const { return opening_mm_; }
+  // From the end effector's mark to where the mark of a held object would stand. There is a view.
+  Eigen::Vector3d mark_to_front_mm() const;
+  // Where the mark of a held object would stand: below the end effector's mark, or, while that is not seen, by the
+  // arm's own word and how far off that was when the two could last be compared.
+  std::optional<Eigen::Vector3d> grip_mm() const;
+  // The middle of the cube that bears the mark.
+  Eigen::Vector3d centre_mm(const std::string& name, const Sighting& sighting) const;
+  // A seen cube that may hide the missing one: what stands before the place where that was seen last, else what stands
+  // nearest the camera, well before the row of spots.
+  std::optional<std::string> may_hide(const std::string& missing) const;
+  // Whether nothing moves that was seen lately and is not in the gripper.
+  bool calm() const;
+  // Whether all these objects were seen lately and lie still.
+  bool still(const std::vector<std::string>& objects) const;
+
+  // What others say of themselves. While the head turns, or nobody knows how it stands, nothing can be placed.
+  void take_camera(const CameraModel& model);
+  void take_head(std::optional<HeadTurn> turn);
+  void take_opening(double mm) { opening_mm_ = mm; }
+  void take_pose(const Eigen::Vector3d& grip_centre_mm);
+
+  // Whether the next look can be placed: the camera's model and its head are known, and the head stands long enough for
+  // no look under way to be older. Counts the looks that cannot.
+  bool places_next_look();
+  // By which the next look is understood. There is a view.
+  forms::LookSituation situation() const;
+  void take_look(std::int64_t frame, const forms::PerceivedLook& look);
+
+ private:
+  void turn_view();
+  std::optional<Eigen::Vector3d> grip_by_arm_mm() const;
+  void compare_pose();
+  std::optional<std::string> foremost() const;
+
+  const CoordinatorOptions& options_;
+  const TaskDomain& domain_;
+  Sightings sightings_;
+  std::optional<CameraModel> model_;
+  std::optional<HeadTurn> head_;
+  int blurred_looks_ = 0;  // that are still to come and may have been taken while it turned
+  std::optional<CameraView> view_;
+  std::optional<double> opening_mm_;
+  std::optional<Eigen::Vector3d> pose_mm_;
+  std::uint64_t pose_look_ = 0;                            // the newest when the arm told its pose
+  Eigen::Vector3d pose_off_mm_ = Eigen::Vector3d::Zero();  // from where the arm says its grip is to where it is seen
+};
+
+}  // namespace pizarra::coordinator
