@@ -12,7 +12,7 @@ namespace {
 constexpr const char* contract_text = R"((contract person
   (offers (teach (name string)))
   (posts (relation person ((state symbol) (detail datum)) (key) (durable)))
-  (reads learned)))";
+  (reads learned vision-failed)))";
 
 constexpr const char* end_effector = "end-effector";
 constexpr int tries = 5;

@@ -43,13 +43,16 @@ std::vector<std::size_t> path_to(const Datum& subject, std::span<const Datum> it
   return {};
 }
 
-Result<std::vector<Datum>> read(const Domain& domain, std::string_view text, std::vector<Datum> objects,
-                                const Datum& openness) {
-  const Result<Source> source = read_source(text, "goal");
-  if (!source) return fail(source);
+// What goals are understood by; openness is `closed` where no other objects exist, or `open`.
+std::vector<Datum> known(const Domain& domain, const std::vector<std::pair<std::string, std::string>>& seen,
+                         const Datum& openness) {
+  std::vector<Datum> objects;
+  for (const auto& [name, type] : seen) objects.push_back(typed(name, type));
   for (const TypedName& object : domain.objects) objects.push_back(typed(object.name, object.type));
-  const Result<Datum> facts =
-      guile::interpret(*source, "goals", {predicates_form(domain), Datum::list(std::move(objects)), openness});
+  return {predicates_form(domain), Datum::list(std::move(objects)), openness};
+}
+
+Result<std::vector<Datum>> facts_of(const Result<Datum>& facts) {
   if (!facts) return fail(facts);
   return std::vector<Datum>(facts->items().begin(), facts->items().end());
 }
@@ -58,13 +61,20 @@ Result<std::vector<Datum>> read(const Domain& domain, std::string_view text, std
 
 Result<std::vector<Datum>> read_goal(const Domain& domain, std::string_view text,
                                      const std::vector<std::pair<std::string, std::string>>& objects_with_types) {
-  std::vector<Datum> objects;
-  for (const auto& [name, type] : objects_with_types) objects.push_back(typed(name, type));
-  return read(domain, text, std::move(objects), "closed"_sym);
+  const Result<Source> source = read_source(text, "goal");
+  if (!source) return fail(source);
+  return facts_of(guile::interpret(*source, "goals", known(domain, objects_with_types, "closed"_sym)));
+}
+
+Result<std::vector<Datum>> goal_from_data(const Domain& domain, const std::vector<Datum>& facts,
+                                          const std::vector<std::pair<std::string, std::string>>& objects_with_types) {
+  return facts_of(guile::interpret_data(facts, "goals", known(domain, objects_with_types, "closed"_sym)));
 }
 
 Result<std::vector<Datum>> check_goal(const Domain& domain, std::string_view text) {
-  return read(domain, text, {}, "open"_sym);
+  const Result<Source> source = read_source(text, "goal");
+  if (!source) return fail(source);
+  return facts_of(guile::interpret(*source, "goals", known(domain, {}, "open"_sym)));
 }
 
 Failure at_its_goal(Failure refusal, std::string_view text) {

@@ -23,6 +23,10 @@ namespace pizarra::forms {
 Result<std::vector<Datum>> read_goal(const Domain& domain, std::string_view text,
                                      const std::vector<std::pair<std::string, std::string>>& objects_with_types);
 
+// The same of facts that came as data, as in a request. Its failures have no place.
+Result<std::vector<Datum>> goal_from_data(const Domain& domain, const std::vector<Datum>& facts,
+                                          const std::vector<std::pair<std::string, std::string>>& objects_with_types);
+
 // The same while nothing was seen yet: any name may be an object, and comes out as it was typed.
 Result<std::vector<Datum>> check_goal(const Domain& domain, std::string_view text);
 

@@ -16,7 +16,7 @@ Result<Perception> Perception::read(const Source& domain, const Arities& predica
   if (!read) return fail(read);
   Perception perception;
   for (const Datum& part : read->items()) {
-    if (part.is_form("section")) perception.section_ = part[1];
+    if (part.is_form("section")) perception.keep(part[1]);
     if (part.is_form("sees")) perception.sees_ = part[1].text();
     if (part.is_form("constants")) {
       for (const Datum& constant : part.items().subspan(1)) {
@@ -30,7 +30,7 @@ Result<Perception> Perception::read(const Source& domain, const Arities& predica
 
 Result<std::vector<Datum>> Perception::perceive(const std::vector<Datum>& measured,
                                                 const std::vector<Datum>& believed) const {
-  const std::vector<Datum> arguments{section_, Datum::list(measured), Datum::list(believed)};
+  const std::vector<Datum> arguments{number_, Datum::list(measured), Datum::list(believed)};
   const Result<Datum> outcome = guile::call_scheme("perceive", "perceive", arguments);
   if (!outcome) return fail(outcome);
   return found_facts(*outcome);
@@ -42,6 +42,12 @@ Result<std::vector<Datum>> found_facts(const Datum& outcome) {
   return std::vector<Datum>(facts.items().begin(), facts.items().end());
 }
 
+void Perception::keep(Datum section) {
+  section_ = std::move(section);
+  // What is checked can be compiled; the section itself does where it cannot.
+  number_ = guile::call_scheme("perceive", "section-number", {section_}).value_or(section_);
+}
+
 void Perception::set_constant(std::string_view name, double value) {
   const auto known = constants_.find(name);
   if (known == constants_.end() || known->second == value) return;
@@ -51,7 +57,7 @@ void Perception::set_constant(std::string_view name, double value) {
     const bool meant = part.is_form("constant") && part[1].is_symbol(name);
     parts.push_back(meant ? list("constant"_sym, Datum::symbol(name), value) : part);
   }
-  section_ = Datum::list(std::move(parts));
+  keep(Datum::list(std::move(parts)));
 }
 
 std::optional<double> Perception::constant(std::string_view name) const {

@@ -32,8 +32,8 @@ class Perception {
   // subject is the head of the rule that goes beyond what one look may take.
   Result<std::vector<Datum>> perceive(const std::vector<Datum>& measured, const std::vector<Datum>& believed) const;
 
-  // The section itself, as the Scheme modules take it.
-  const Datum& section() const { return section_; }
+  // The number under which the Scheme modules know the section.
+  const Datum& section() const { return number_; }
   // The type of whatever the eyes can name.
   const std::string& sees() const { return sees_; }
   std::optional<double> constant(std::string_view name) const;
@@ -43,7 +43,10 @@ class Perception {
   const std::vector<Datum>& facts() const { return facts_; }
 
  private:
+  void keep(Datum section);
+
   Datum section_;
+  Datum number_;
   std::string sees_;
   std::map<std::string, double, std::less<>> constants_;
   std::vector<Datum> facts_;

@@ -25,8 +25,33 @@ Failure locate(const Source& source, const Datum& error) {
   return source.failure_at(path_of(error), std::string(error[0].text()), std::string(error[1].text()), context);
 }
 
+// The element that a path leads to; () where there is none.
+Datum element_at(std::span<const Datum> elements, const std::vector<std::size_t>& path) {
+  Datum element;
+  for (const std::size_t index : path) {
+    if (index >= elements.size()) return {};
+    element = elements[index];
+    elements = element.items();
+  }
+  return element;
+}
+
 std::unexpected<std::vector<Failure>> alone(Failure failure) {
   return std::unexpected(std::vector<Failure>{std::move(failure)});
+}
+
+// What the module answers: (ok VALUE) or (errors ERROR ...).
+Result<Datum> outcome_of(const std::vector<Datum>& data, const std::string& module, const std::vector<Datum>& more,
+                         const std::string& procedure) {
+  std::vector<Datum> arguments{Datum::list(data)};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  Result<Datum> outcome = call_scheme(module, procedure, arguments);
+  if (!outcome) return outcome;
+  const bool ok = outcome->is_form("ok") && outcome->size() == 2;
+  const auto errors = outcome->items().subspan(std::min<std::size_t>(outcome->size(), 1));
+  const bool refused = outcome->is_form("errors") && !errors.empty() && std::ranges::all_of(errors, is_error);
+  if (ok || refused) return outcome;
+  return fail("scheme-error", fmt::format("(pizarra {}) {} returned no outcome", module, procedure), *outcome);
 }
 
 // Behind the name or number that begins there; of a list, behind its parenthesis.
@@ -55,19 +80,24 @@ std::vector<Failure> failures_of(const Source& source, std::span<const Datum> er
 std::expected<Datum, std::vector<Failure>> interpret_apart(const Source& source, const std::string& module,
                                                            const std::vector<Datum>& more,
                                                            const std::string& procedure) {
-  std::vector<Datum> arguments{Datum::list(source.data())};
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  const Result<Datum> outcome = call_scheme(module, procedure, arguments);
+  const Result<Datum> outcome = outcome_of(source.data(), module, more, procedure);
   if (!outcome) return alone(outcome.error());
-  if (outcome->is_form("ok") && outcome->size() == 2) {
-    if (!source.errors().empty()) return std::unexpected(failures_of(source, {}));
-    return (*outcome)[1];
+  if (outcome->is_form("errors")) return std::unexpected(failures_of(source, outcome->items().subspan(1)));
+  if (!source.errors().empty()) return std::unexpected(failures_of(source, {}));
+  return (*outcome)[1];
+}
+
+Result<Datum> interpret_data(const std::vector<Datum>& data, const std::string& module,
+                             const std::vector<Datum>& more) {
+  const Result<Datum> outcome = outcome_of(data, module, more, "interpret");
+  if (!outcome) return fail(outcome);
+  if (outcome->is_form("ok")) return (*outcome)[1];
+  std::vector<Failure> failures;
+  for (const Datum& error : outcome->items().subspan(1)) {
+    failures.push_back(
+        {std::string(error[0].text()), std::string(error[1].text()), element_at(data, path_of(error)), {}});
   }
-  const auto errors = outcome->items().subspan(std::min<std::size_t>(outcome->size(), 1));
-  if (!outcome->is_form("errors") || errors.empty() || !std::ranges::all_of(errors, is_error)) {
-    return alone({"scheme-error", fmt::format("(pizarra {}) {} returned no outcome", module, procedure), *outcome, {}});
-  }
-  return std::unexpected(failures_of(source, errors));
+  return fail(one_report(failures));
 }
 
 Result<Datum> interpret(const Source& source, const std::string& module, const std::vector<Datum>& more,

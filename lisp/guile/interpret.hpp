@@ -28,6 +28,10 @@ namespace pizarra::guile {
 Result<Datum> interpret(const Source& source, const std::string& module, const std::vector<Datum>& more = {},
                         const std::string& procedure = "interpret");
 
+// The same of data that came without a text: a failure has no place.
+Result<Datum> interpret_data(const std::vector<Datum>& data, const std::string& module,
+                             const std::vector<Datum>& more = {});
+
 // The same with every error a failure of its own, in the order of the text; never empty.
 std::expected<Datum, std::vector<Failure>> interpret_apart(const Source& source, const std::string& module,
                                                            const std::vector<Datum>& more = {},

@@ -10,7 +10,7 @@
 #include <map>
 #include <vector>
 
-#include "agents/coordinator/plan/triangle_table.hpp"
+#include "agents/coordinator/plan/ground_operation.hpp"
 #include "blackboard/fact.hpp"
 
 namespace pizarra::coordinator {

@@ -40,6 +40,7 @@ Task<Result<std::vector<std::string>>> Eyes::objects() {
   for (const Datum& name : known->items().subspan(1)) {
     if (name.text() != options_.gripper.mark) names.emplace_back(name.text());
   }
+  known_ = names;
   co_return names;
 }
 
@@ -62,10 +63,13 @@ Task<Result<void>> Eyes::track() {
   const Datum connect = list("connect"_sym);
   const Result<Datum> connected = co_await ask(connect);
   if (!connected) co_return fail(connected);
-  Result<std::vector<std::string>> names = co_await objects();
-  if (!names) co_return fail(names);
-  names->insert(names->begin(), options_.gripper.mark);
-  for (const std::string& name : *names) {
+  if (!known_) {
+    const Result<std::vector<std::string>> asked = co_await objects();
+    if (!asked) co_return fail(asked);
+  }
+  std::vector<std::string> names = *known_;
+  names.insert(names.begin(), options_.gripper.mark);
+  for (const std::string& name : names) {
     const Datum operation = list("track"_sym, name);
     const Result<Datum> tracked = co_await ask(operation);
     if (!tracked) co_return fail(tracked);

@@ -19,11 +19,12 @@ class Eyes {
         story_(story),
         caller_(caller) {}
 
-  // Step a: the objects that vision has learned, without the end effector, as they are spelled there.
+  // Step a: the objects that vision has learned, without the end effector, as they are spelled there. A goal asks once.
   Task<Result<std::vector<std::string>>> objects();
   // Step b: whether the object is found in the image now.
   Task<Result<bool>> find(std::string name);
-  // Step g: the end effector and every learned object are tracked, and looks come in. Does nothing where they do.
+  // Step g: the end effector and the objects that were asked for last are tracked, and looks come in. Does nothing
+  // where they do.
   Task<Result<void>> track();
   // Looks that began after this call: the next one may have been under way. Tracks again where no looks come, as after
   // a restart of vision. Failure `absent` when that does not help for long.
@@ -38,6 +39,7 @@ class Eyes {
   Surroundings& surroundings_;
   Story& story_;
   runtime::Caller& caller_;
+  std::optional<std::vector<std::string>> known_;  // the objects; none before they were asked for
 };
 
 }  // namespace pizarra::coordinator

@@ -5,7 +5,7 @@
 //   Result<TaskDomain> domain = TaskDomain::read("domains/blocks.scm");
 //   Result<GroundOperation> operation = domain->ground(list("STACK"_sym, "circle"_sym, "square"_sym));
 
-#include "agents/coordinator/plan/triangle_table.hpp"
+#include "agents/coordinator/plan/ground_operation.hpp"
 #include "blackboard/relation.hpp"
 #include "lisp/forms/domain.hpp"
 #include "lisp/forms/micro_tasks.hpp"

@@ -5,10 +5,12 @@
 
 namespace pizarra::coordinator {
 
-void Vigil::begin(const TriangleTable& table, std::size_t index) {
-  const std::vector<Datum>& needed = table.plan()[index].preconditions;
-  preconditions_ = Facts(needed.begin(), needed.end());
-  throughout_ = table.kept_during(index);
+void Vigil::begin(const GroundOperation& operation, const Facts& needed_after) {
+  preconditions_ = Facts(operation.preconditions.begin(), operation.preconditions.end());
+  throughout_ = needed_after;
+  // What it provides or changes itself.
+  for (const Datum& fact : operation.adds) throughout_.erase(fact);
+  for (const Datum& fact : operation.deletes) throughout_.erase(fact);
   committed_ = false;
 }
 

@@ -4,17 +4,18 @@
 // effects are no differences: its preconditions count until it commits itself (`close` or `release`), what the rest of
 // the plan needs counts throughout.
 //
-//   vigil.begin(table, index);
+//   vigil.begin(operation, needed_after);
 //   Result<void> fine = vigil.check(beliefs);      // before every motion
 
-#include "agents/coordinator/plan/triangle_table.hpp"
+#include "agents/coordinator/plan/ground_operation.hpp"
 #include "lisp/result.hpp"
 
 namespace pizarra::coordinator {
 
 class Vigil {
  public:
-  void begin(const TriangleTable& table, std::size_t index);
+  // `needed_after`: what must hold once it is done, for the rest of the plan.
+  void begin(const GroundOperation& operation, const Facts& needed_after);
   // Between operations: nothing has to hold.
   void rest() {
     preconditions_.clear();

@@ -4,7 +4,6 @@
 #include "agents/coordinator/pursue/pursuit.hpp"
 #include "agents/coordinator/retried_commit.hpp"
 #include "lisp/forms/goal.hpp"
-#include "lisp/writer.hpp"
 
 namespace pizarra::coordinator {
 
@@ -45,9 +44,8 @@ Task<Result<Datum>> take_goal(Life& life, Datum operation) {
   if (!known) co_return fail(known);
   std::vector<std::pair<std::string, std::string>> objects;
   for (const std::string& name : *known) objects.emplace_back(name, life.domain.perception().sees());
-  std::string text;
-  for (const Datum& form : operation.items().subspan(1)) text += write(form) + '\n';
-  Result<std::vector<Datum>> facts = forms::read_goal(life.domain.domain(), text, objects);
+  const std::vector<Datum> wanted(operation.items().begin() + 1, operation.items().end());
+  Result<std::vector<Datum>> facts = forms::goal_from_data(life.domain.domain(), wanted, objects);
   if (!facts) co_return fail(facts);
   const Result<std::int64_t> number = co_await life.pursuit.submit(std::move(*facts));
   if (!number) co_return fail(number);
@@ -90,10 +88,9 @@ Task<Result<void>> CoordinatorAgent::run() {
   Result<TaskDomain> domain = TaskDomain::read(state_->options.domain_file);
   if (!domain) co_return fail(domain);
   if (state_->options.cube_mm) domain->use_cubes(*state_->options.cube_mm);
-  const std::vector<Relation> predicates = domain->relations();
-  Result<runtime::Contract> contract = runtime::contract_from_text(coordinator_contract);
+  const std::string text = coordinator_contract(*domain, state_->options.head);
+  Result<runtime::Contract> contract = runtime::contract_from_text(text);
   if (!contract) co_return fail(contract);
-  contract->posts.insert(contract->posts.end(), predicates.begin(), predicates.end());
   // Requests in hand, which the service holds, end before what they work with.
   std::unique_ptr<Life> life;
   runtime::Service service(context, std::move(*contract));

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <fmt/format.h>
+#include <ranges>
 #include <set>
 
 #include "agents/coordinator/pursue/pursuit.hpp"
@@ -41,39 +42,37 @@ Task<void> Pursuit::tell_difference(std::vector<Datum> lost, std::string expecte
   co_await story_.tell("difference", sentence, Datum::list(lost), std::move(looks));
 }
 
-// The furthest suffix is not the one that the last operation should have led to.
-Task<void> Pursuit::tell_unexpected(std::size_t expected, std::size_t next) {
-  const std::vector<GroundOperation>& plan = table_->plan();
-  if (next > expected) {
+// What is handed out is not what the last operation should have led to.
+Task<void> Pursuit::tell_unexpected(NextOperation expected, std::size_t next) {
+  if (next > expected.index) {
     std::string skipped;
     std::vector<Datum> operations;
-    for (std::size_t i = expected; i < next; ++i) {
-      skipped += ' ' + write(plan[i].name);
-      operations.push_back(plan[i].name);
+    for (const GroundOperation& operation : expected.rest | std::views::take(next - expected.index)) {
+      skipped += ' ' + write(operation.name);
+      operations.push_back(operation.name);
     }
     const std::string sentence = fmt::format("somebody else did{}: it is skipped", skipped);
     co_await story_.tell("difference", sentence, Datum::list(operations));
     co_return;
   }
   std::vector<Datum> lost;
-  for (const Datum& fact : table_->needed(expected)) {
+  for (const Datum& fact : expected.needed) {
     if (!surroundings_.beliefs().contains(fact)) lost.push_back(fact);
   }
-  const std::string expected_by = expected < plan.size() ? write(plan[expected].name) : std::string("the goal");
+  const std::string expected_by = expected.rest.empty() ? std::string("the goal") : write(expected.rest.front().name);
   co_await tell_difference(std::move(lost), expected_by);
 }
 
-Task<void> Pursuit::tell_still_serves(std::int64_t goal, std::size_t next) {
-  const std::vector<GroundOperation>& plan = table_->plan();
+Task<void> Pursuit::tell_still_serves(std::int64_t goal, NextOperation next) {
   std::vector<Datum> rest;
   std::string told;
-  for (std::size_t i = next; i < plan.size(); ++i) {
-    rest.push_back(plan[i].name);
-    told += ' ' + write(plan[i].name);
+  for (const GroundOperation& operation : next.rest) {
+    rest.push_back(operation.name);
+    told += ' ' + write(operation.name);
   }
   const std::string sentence =
       rest.empty() ? "nothing is left to do of the plan in hand"
-                   : fmt::format("the plan in hand still serves, from operation {} on:{}", next + 1, told);
+                   : fmt::format("the plan in hand still serves, from operation {} on:{}", next.index + 1, told);
   const Datum detail = list("plan"_sym, goal, Datum::list(rest));
   co_await story_.tell("plan", sentence, detail);
 }

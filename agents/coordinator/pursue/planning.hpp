@@ -1,12 +1,22 @@
 #pragma once
 
-// The dialogue with the planning server (steps d to f): operators, facts and goals go there, a plan comes back.
+// The dialogue with the planning server (steps d to h). The planner owns the plan of the goal in hand. It is told what
+// is seen, and hands out the operation to do next.
+//
+//   Result<NextOperation> next = co_await planning.next(goal);      // off-plan, not-ready: another plan must be made
+//   Result<std::vector<Datum>> plan = co_await planning.make_plan(goal, facts);
 
-#include "agents/coordinator/event_log.hpp"
 #include "agents/coordinator/perceive/presence.hpp"
 #include "agents/coordinator/perceive/surroundings.hpp"
 
 namespace pizarra::coordinator {
+
+struct NextOperation {
+  std::size_t index = 0;              // within the plan
+  std::vector<GroundOperation> rest;  // it, and what comes after it; empty: the goal holds
+  Facts needed;                       // before it, for these to reach the goal
+  Facts needed_after;                 // the same after it
+};
 
 class Planning {
  public:
@@ -19,17 +29,19 @@ class Planning {
         surroundings_(surroundings),
         caller_(caller) {}
 
-  // A plan from what is believed now, one operation after another; empty where the goal holds. Failures: no-plan
-  // (proved), gave-up, absent, and what the planner says of a task it cannot read.
-  Task<Result<std::vector<GroundOperation>>> plan(std::vector<Datum> goal);
-  // Asks for operation `index` of the plan that was handed out last, as the planner remembers it; nothing where it does
-  // not.
-  Task<std::optional<Datum>> operation(std::size_t index);
+  // Has a plan made from what is believed now, and answers its operations, one after another; none where the goal
+  // holds. Failures: no-plan (proved), gave-up, absent, and what the planner says of a task it cannot read.
+  Task<Result<std::vector<Datum>>> make_plan(std::int64_t goal, std::vector<Datum> facts);
+  // From what is believed now. Failures: off-plan, where no end of the goal's plan serves; not-ready, where it has
+  // none; absent.
+  Task<Result<NextOperation>> next(std::int64_t goal);
 
  private:
-  Task<Result<Datum>> ask(Datum operation);
+  Task<Result<Datum>> ask(Datum operation, Duration patience);
   Datum operators() const;
-  Datum task(const std::vector<Datum>& goal) const;
+  Datum types() const;
+  Datum holding(std::string_view head) const;
+  Result<NextOperation> read(const Datum& reply) const;
 
   runtime::AgentContext& context_;
   const CoordinatorOptions& options_;

@@ -26,6 +26,11 @@ std::vector<Datum> missing_from(const Facts& beliefs, const Facts& needed) {
   return missing;
 }
 
+// What is handed out once this is done, unless something differs. What must hold after that is not known yet.
+NextOperation once_done(const NextOperation& done) {
+  return {done.index + 1, {done.rest.begin() + 1, done.rest.end()}, done.needed_after, {}};
+}
+
 // What ends the pursuit whatever else might be tried.
 bool is_final(const Failure& failure) { return failure.symbol == "interrupted" || failure.symbol == "absent"; }
 
@@ -41,7 +46,6 @@ Task<void> Pursuit::run() {
     while (!current_) co_await wanted_.wait();
     const Goal goal = *current_;
     vigil_.clear_interrupt();
-    if (planned_for_ != goal.number) table_.reset();
     const Result<void> outcome = co_await pursue(goal);
     co_await finish(goal, outcome);
   }
@@ -68,11 +72,11 @@ Task<Result<void>> Pursuit::rounds(Goal goal) {
     // The arm keeps out of the way of a hand at work.
     const bool calm = surroundings_.scene().calm();
     if (!calm) co_await await_steady(objects);
-    const Result<std::optional<std::size_t>> chosen = co_await choose(goal, progress);
+    const Result<std::optional<NextOperation>> chosen = co_await choose(goal, progress);
     if (!chosen) co_return fail(chosen);
     if (!*chosen) continue;
-    const std::size_t next = **chosen;
-    if (next == table_->plan().size()) {
+    const NextOperation& next = **chosen;
+    if (next.rest.empty()) {
       const bool settled = co_await settles(goal);
       if (settled) co_return Result<void>();
       progress.expected.reset();
@@ -81,23 +85,33 @@ Task<Result<void>> Pursuit::rounds(Goal goal) {
     }
     const Result<void> done = co_await do_operation(next);
     if (done) {
-      progress.expected = progress.announced = next + 1;
-      progress.failures_of.erase(table_->plan()[next].name);
+      progress.expected = once_done(next);
+      progress.announced = next.index + 1;
+      progress.failures_of.erase(next.rest.front().name);
       continue;
     }
-    const Result<void> recovered = co_await recover(next, done.error(), progress);
+    const Result<void> recovered = co_await recover(next.rest.front(), done.error(), progress);
     if (!recovered) co_return recovered;
     co_await await_steady(objects);
   }
   co_return fail("gave-up", "the goal was not reached in a great many operations");
 }
 
-Task<Result<std::optional<std::size_t>>> Pursuit::choose(Goal goal, Progress& progress) {
-  std::optional<std::size_t> next;
-  if (table_) next = table_->furthest(surroundings_.beliefs());
-  if (!next) {
-    if (table_ && progress.expected) {
-      const std::vector<Datum> lost = missing_from(surroundings_.beliefs(), table_->needed(*progress.expected));
+Task<Result<std::optional<NextOperation>>> Pursuit::hand_out(std::int64_t goal) {
+  if (planned_for_ != goal) co_return std::nullopt;
+  Result<NextOperation> next = co_await planning_.next(goal);
+  if (next) co_return std::move(*next);
+  const std::string& why = next.error().symbol;
+  if (why == "off-plan" || why == "not-ready") co_return std::nullopt;
+  co_return fail(next);
+}
+
+Task<Result<std::optional<NextOperation>>> Pursuit::choose(Goal goal, Progress& progress) {
+  const Result<std::optional<NextOperation>> next = co_await hand_out(goal.number);
+  if (!next) co_return next;
+  if (!*next) {
+    if (progress.expected) {
+      const std::vector<Datum> lost = missing_from(surroundings_.beliefs(), progress.expected->needed);
       co_await tell_difference(lost, "the rest of the plan");
     }
     progress.expected.reset();
@@ -109,14 +123,16 @@ Task<Result<std::optional<std::size_t>>> Pursuit::choose(Goal goal, Progress& pr
     if (*planned) progress.announced = 0;
     co_return next;
   }
-  const bool unexpected = progress.expected && *next != *progress.expected;
-  if (unexpected) co_await tell_unexpected(*progress.expected, *next);
-  if (progress.announced != next) co_await tell_still_serves(goal.number, *next);
-  progress.expected = progress.announced = next;
+  const std::size_t index = (*next)->index;
+  const bool unexpected = progress.expected && index != progress.expected->index;
+  if (unexpected) co_await tell_unexpected(*progress.expected, index);
+  if (progress.announced != index) co_await tell_still_serves(goal.number, **next);
+  progress.expected = *next;
+  progress.announced = index;
   co_return next;
 }
 
-Task<Result<void>> Pursuit::recover(std::size_t index, Failure why, Progress& progress) {
+Task<Result<void>> Pursuit::recover(GroundOperation operation, Failure why, Progress& progress) {
   if (is_final(why)) co_return fail(why);
   // A difference was told when it was noticed; what follows from it is not another one.
   progress.expected.reset();
@@ -124,7 +140,6 @@ Task<Result<void>> Pursuit::recover(std::size_t index, Failure why, Progress& pr
     progress.announced.reset();
     co_return Result<void>();
   }
-  const GroundOperation operation = table_->plan()[index];
   const int failures = ++progress.failures_of[operation.name];
   const bool too_often = ++progress.failures > most_failures || failures > most_failures_of_one;
   if (too_often) co_return fail(why);
@@ -145,17 +160,10 @@ Task<void> Pursuit::try_otherwise(GroundOperation operation, Failure why) {
   if (lies_badly) co_await rescues_.loosen(operation.name);
 }
 
-Task<Result<void>> Pursuit::do_operation(std::size_t index) {
-  // Step h: the planner hands out one operation at a time. The coordinator keeps the plan too, since only it knows
-  // which operation can be next, and a planner that was restarted has forgotten.
-  const std::optional<Datum> handed_out = co_await planning_.operation(index);
-  const GroundOperation operation = table_->plan()[index];
-  if (handed_out && *handed_out != operation.name) {
-    table_.reset();
-    co_return fail("difference", "somebody else had the planner make another plan", *handed_out);
-  }
-  vigil_.begin(*table_, index);
-  const Result<void> done = co_await runner_.run(index, operation);
+Task<Result<void>> Pursuit::do_operation(NextOperation next) {
+  const GroundOperation& operation = next.rest.front();
+  vigil_.begin(operation, next.needed_after);
+  const Result<void> done = co_await runner_.run(next.index, operation);
   if (done) co_return done;
   const Failure& why = done.error();
   if (why.symbol == "interrupted") co_return done;
@@ -232,7 +240,6 @@ Task<bool> Pursuit::end(Goal goal, Result<void> outcome) {
   const bool try_again = !told && told.error().symbol == "journal-full";
   if (try_again) co_return false;
   current_.reset();
-  table_.reset();
   co_return true;
 }
 

@@ -2,11 +2,11 @@
 
 // Pursues the goal: the thesis' steps a to h, one goal at a time, until it holds or cannot.
 //
-// Its rounds: which suffix of the plan can go on from what is believed (triangle table)? None: a new plan. The empty
-// one: watch for a while that the goal stays. Any other: do its first operation. What was believed and is not any more
-// is told as a difference, with the frame that showed it, and so is what is made of it: which part of the plan in hand
-// still serves, or the new plan. Goal, plan and operation are durable facts, from which a new life of the coordinator
-// goes on.
+// Its rounds: the planner, which owns the plan, is told what is believed and hands out the operation to do next. No end
+// of the plan serves: a new plan. Nothing is left to do: watch for a while that the goal stays. What was believed and
+// is not any more is told as a difference, with the frame that showed it, and so is what is made of it: which part of
+// the plan in hand still serves, or the new plan. The goal is a durable fact, from which a new life of the coordinator
+// goes on; the plan is the planner's.
 //
 // What is wanted changes on the board first: a goal that the board refuses, as one whose disk is full does, changes
 // nothing here.
@@ -55,8 +55,8 @@ class Pursuit {
 
   // How far the rounds of one goal have come.
   struct Progress {
-    std::optional<std::size_t> expected;   // the operation that is next unless something differs
-    std::optional<std::size_t> announced;  // the one that the story has said to be next
+    std::optional<NextOperation> expected;  // what is handed out next unless something differs
+    std::optional<std::size_t> announced;   // the one that the story has said to be next
     std::map<Datum, int> failures_of;
     int failures = 0;
     int plans = 0;
@@ -65,9 +65,11 @@ class Pursuit {
   Task<Result<void>> pursue(Goal goal);
   Task<Result<void>> rounds(Goal goal);
   // The operation to go on with; none where a plan had to be made first.
-  Task<Result<std::optional<std::size_t>>> choose(Goal goal, Progress& progress);
+  Task<Result<std::optional<NextOperation>>> choose(Goal goal, Progress& progress);
+  // The same of the plan in hand; none where it does not serve.
+  Task<Result<std::optional<NextOperation>>> hand_out(std::int64_t goal);
   // Takes note of a failed operation; a failure where it is to be the last.
-  Task<Result<void>> recover(std::size_t index, Failure why, Progress& progress);
+  Task<Result<void>> recover(GroundOperation operation, Failure why, Progress& progress);
   // Changes the scene where trying the same again would end the same way.
   Task<void> try_otherwise(GroundOperation operation, Failure why);
   Task<Result<void>> look_for(std::vector<std::string> objects);
@@ -76,13 +78,13 @@ class Pursuit {
   Task<void> await_steady(std::vector<std::string> objects);
   // Whether a new plan was made: false where the one in hand serves again.
   Task<Result<bool>> plan_anew(Goal goal, std::vector<std::string> objects);
-  Task<void> adopt(Goal goal, std::vector<GroundOperation> plan);
-  Task<Result<void>> do_operation(std::size_t index);
+  Task<void> tell_plan(std::int64_t goal, std::vector<Datum> operations);
+  Task<Result<void>> do_operation(NextOperation next);
   // Whether the goal still held after the time to settle.
   Task<bool> settles(Goal goal);
   Task<void> tell_difference(std::vector<Datum> lost, std::string expected_by);
-  Task<void> tell_unexpected(std::size_t expected, std::size_t next);
-  Task<void> tell_still_serves(std::int64_t goal, std::size_t next);
+  Task<void> tell_unexpected(NextOperation expected, std::size_t next);
+  Task<void> tell_still_serves(std::int64_t goal, NextOperation next);
   Task<void> finish(Goal goal, Result<void> outcome);
   // False where the board has no room for it.
   Task<bool> end(Goal goal, Result<void> outcome);
@@ -104,9 +106,7 @@ class Pursuit {
 
   std::optional<Goal> current_;
   std::int64_t last_number_ = 0;
-  // The plan in use; none until one was made, or when no suffix of it holds.
-  std::optional<TriangleTable> table_;
-  std::int64_t planned_for_ = 0;  // the goal's number
+  std::int64_t planned_for_ = 0;  // the number of the goal for which the planner may have a plan
 };
 
 }  // namespace pizarra::coordinator

@@ -103,15 +103,17 @@ Task<Result<bool>> Pursuit::plan_anew(Goal goal, std::vector<std::string> object
   if (!there) co_return fail(there);
   co_await await_steady(objects);
   // Whoever disturbed may have put things right again.
-  if (table_ && table_->furthest(surroundings_.beliefs())) co_return false;
+  const Result<std::optional<NextOperation>> still_serves = co_await hand_out(goal.number);
+  if (!still_serves) co_return fail(still_serves);
+  if (*still_serves) co_return false;
   bool proved = false;
   int failed = 0;
   for (int attempt = 0; attempt < most_attempts; ++attempt) {
     if (vigil_.interrupted()) co_return fail("interrupted", "another goal, or none, is wanted now");
     const Facts planned_on = surroundings_.beliefs();
-    Result<std::vector<GroundOperation>> plan = co_await planning_.plan(goal.facts);
+    Result<std::vector<Datum>> plan = co_await planning_.make_plan(goal.number, goal.facts);
     if (plan) {
-      co_await adopt(goal, std::move(*plan));
+      co_await tell_plan(goal.number, std::move(*plan));
       co_return true;
     }
     if (is_verdict(plan.error()) && (proved || plan.error().symbol == "absent")) co_return fail(plan);
@@ -131,23 +133,15 @@ Task<Result<bool>> Pursuit::plan_anew(Goal goal, std::vector<std::string> object
   co_return fail("gave-up", "the cell does not come to rest, and none of the states it was seen in has a plan");
 }
 
-Task<void> Pursuit::adopt(Goal goal, std::vector<GroundOperation> plan) {
-  std::vector<Datum> operations;
+Task<void> Pursuit::tell_plan(std::int64_t goal, std::vector<Datum> operations) {
   std::string told;
-  for (const GroundOperation& operation : plan) {
-    operations.push_back(operation.name);
-    told += ' ' + write(operation.name);
-  }
-  const bool again = table_.has_value();
-  table_.emplace(std::move(plan), goal.facts);
-  planned_for_ = goal.number;
-  const Datum fact = list("plan"_sym, goal.number, Datum::list(operations));
-  Transaction transaction;
-  transaction.tell(fact);
-  co_await commit(context_.board, context_.executor, std::move(transaction));
+  for (const Datum& operation : operations) told += ' ' + write(operation);
+  const bool again = planned_for_ == goal;
+  planned_for_ = goal;
   const std::string sentence =
       operations.empty() ? "nothing needs to be done" : fmt::format("{}:{}", again ? "new plan" : "plan", told);
-  co_await story_.tell("plan", sentence, fact);
+  const Datum detail = list("plan"_sym, goal, Datum::list(std::move(operations)));
+  co_await story_.tell("plan", sentence, detail);
 }
 
 Task<void> Pursuit::resume() {
@@ -155,7 +149,6 @@ Task<void> Pursuit::resume() {
   const std::vector<Fact> goals = co_await facts_now(context_.board, context_.executor, list("goal"_sym, any, any));
   const std::vector<Fact> states =
       co_await facts_now(context_.board, context_.executor, list("goal-state"_sym, any, "running"_sym, any));
-  const std::vector<Fact> plans = co_await facts_now(context_.board, context_.executor, list("plan"_sym, any, any));
   std::optional<Goal> goal;
   for (const Fact& fact : goals) {
     const std::int64_t number = fact.datum[1].integer();
@@ -167,18 +160,7 @@ Task<void> Pursuit::resume() {
   }
   if (!goal) co_return;
   current_ = goal;
-  for (const Fact& fact : plans) {
-    if (fact.datum[1].integer() != goal->number) continue;
-    std::vector<GroundOperation> plan;
-    for (const Datum& operation : fact.datum[2].items()) {
-      Result<GroundOperation> ground = domain_.ground(operation);
-      if (ground) plan.push_back(std::move(*ground));
-    }
-    // A plan in terms of another domain file is none.
-    if (plan.size() != fact.datum[2].size()) continue;
-    table_.emplace(std::move(plan), goal->facts);
-    planned_for_ = goal->number;
-  }
+  planned_for_ = goal->number;
   const std::string sentence = fmt::format("going on with goal {} after a restart", goal->number);
   co_await story_.tell("agent", sentence, to_datum(goal->number));
 }

@@ -6,6 +6,7 @@
 
 #include "agents/planner/agent/planner_forms.hpp"
 #include "agents/planner/agent/replanner.hpp"
+#include "agents/planner/agent/running_plan.hpp"
 #include "agents/runtime/service.hpp"
 
 namespace pizarra::planner {
@@ -19,13 +20,19 @@ constexpr std::string_view contract_text = R"(
     (get-facts (types list) (initials list) (goals list))
     (get-plan)
     (start-plan)
-    (next-operation (index integer)))
-  (posts (relation planner ((state symbol) (detail datum)) (key)))
+    (make-plan (n integer) (operators list) (types list) (initials list) (goals list))
+    (next-operation (n integer) (holding list)))
+  (posts (relation planner ((state symbol) (detail datum)) (key))
+         (relation plan ((n integer) (operations list)) (key) (durable))
+         (relation plan-needs ((n integer) (needs list)) (key) (durable)))
+  (reads plan plan-needs)
   (configures get-operations get-facts)
-  (monitors planner))
+  (monitors planner plan))
 )";
 
 constexpr Duration search_cost = 20ms;
+// Of a plan that its client did not number.
+constexpr std::int64_t unnumbered = 0;
 
 // What one search after another learns. One that was abandoned may not have ended yet when the next begins.
 struct SharedReplanner {
@@ -62,8 +69,13 @@ struct PlannerAgent::State {
   Task<Result<Datum>> get_facts(Datum operation);
   Task<Result<Datum>> get_plan();
   Task<Result<Datum>> start_plan();
-  Task<Result<Datum>> next_operation(std::int64_t index);
+  Task<Result<Datum>> make_plan(Datum operation);
+  Task<Result<Datum>> next_operation(std::int64_t number, Datum holding);
+  // From the operators and facts that were given: the steps.
+  Task<Result<Datum>> plan_for(std::int64_t number);
+  Task<void> resume();
   Task<void> tell_state(std::string_view state, Datum detail);
+  Task<void> tell(Transaction telling);
   void drop_plan();
 
   runtime::AgentContext context;
@@ -73,7 +85,7 @@ struct PlannerAgent::State {
   std::optional<PlanningFacts> facts;
   std::shared_ptr<Search> search;  // the one under way
   const std::shared_ptr<SharedReplanner> shared = std::make_shared<SharedReplanner>();
-  std::optional<std::vector<Datum>> plan;
+  std::optional<RunningPlan> plan;
   bool started = false;
 };
 
@@ -91,16 +103,35 @@ Task<Result<void>> PlannerAgent::State::run() {
   const Result<void> ready = co_await serving.start();
   if (!ready) co_return ready;
   service = &serving;
+  co_await resume();
   co_await tell_state("idle", Datum());
   runtime::Handler handler = [this](Datum operation) { return handle(std::move(operation)); };
   const Result<void> served = co_await serving.serve(std::move(handler));
   co_return served;
 }
 
+// Goes on with the plan that stands on the board.
+Task<void> PlannerAgent::State::resume() {
+  const Datum any = "?"_sym;
+  const Datum plan_pattern = list("plan"_sym, any, any);
+  const Datum needs_pattern = list("plan-needs"_sym, any, any);
+  const Result<std::vector<Fact>> plans = co_await context.board.facts(plan_pattern);
+  const Result<std::vector<Fact>> needs = co_await context.board.facts(needs_pattern);
+  if (!plans || !needs || plans->empty() || needs->empty()) co_return;
+  Result<RunningPlan> standing = RunningPlan::from_facts(plans->front().datum, needs->front().datum);
+  if (!standing) co_return;
+  plan = std::move(*standing);
+  started = plan->number() != unnumbered;
+}
+
 // The state goes with the agent's presence.
 Task<void> PlannerAgent::State::tell_state(std::string_view state, Datum detail) {
   Transaction telling;
   telling.tell(list("planner"_sym, Datum::symbol(state), std::move(detail)), {}, service->presence());
+  co_await tell(std::move(telling));
+}
+
+Task<void> PlannerAgent::State::tell(Transaction telling) {
   Result<Revision> told = co_await context.board.transact(telling);
   while (!told && told.error().symbol == "unreachable") {
     co_await sleep(context.executor, retry_pause);
@@ -121,7 +152,8 @@ Task<Result<Datum>> PlannerAgent::State::handle(Datum operation) {
   if (name == "get-facts") return get_facts(std::move(operation));
   if (name == "get-plan") return get_plan();
   if (name == "start-plan") return start_plan();
-  return next_operation(operation[1].integer());
+  if (name == "make-plan") return make_plan(std::move(operation));
+  return next_operation(operation[1].integer(), operation[2]);
 }
 
 Task<Result<Datum>> PlannerAgent::State::get_operations(Datum forms) {
@@ -145,6 +177,25 @@ Task<Result<Datum>> PlannerAgent::State::get_facts(Datum operation) {
 Task<Result<Datum>> PlannerAgent::State::get_plan() {
   if (!operators) co_return fail("not-ready", "no operators were given: get-operations comes first");
   if (!facts) co_return fail("not-ready", "no facts were given: get-facts comes first");
+  const Result<Datum> steps = co_await plan_for(unnumbered);
+  if (!steps) co_return steps;
+  co_return list(*steps);
+}
+
+Task<Result<Datum>> PlannerAgent::State::make_plan(Datum operation) {
+  Result<std::vector<PlanningOperator>> given = operators_from_list(operation[2]);
+  if (!given) co_return fail(as_asked(given.error()));
+  Result<PlanningFacts> read = facts_from_forms(operation[3], operation[4], operation[5]);
+  if (!read) co_return fail(read);
+  operators = std::move(*given);
+  facts = std::move(*read);
+  const Result<Datum> steps = co_await plan_for(operation[1].integer());
+  if (!steps) co_return steps;
+  started = true;
+  co_return list(*steps);
+}
+
+Task<Result<Datum>> PlannerAgent::State::plan_for(std::int64_t number) {
   drop_plan();
   const std::shared_ptr<Search> mine = std::make_shared<Search>();
   mine->task = PlanningTask{*operators, facts->objects, facts->initials, facts->goals};
@@ -161,27 +212,32 @@ Task<Result<Datum>> PlannerAgent::State::get_plan() {
     co_await tell_state("no-plan", failure_to_datum(failure));
     co_return fail(failure);
   }
-  plan = operations_of(mine->result->steps);
+  plan.emplace(number, operations_of(mine->result->steps), mine->task.operators, mine->task.goals);
+  // What the board cannot keep is carried out all the same, as long as this agent lives.
+  Transaction telling;
+  for (Datum& fact : plan->facts()) telling.tell(std::move(fact));
   const Datum steps = steps_to_datum(mine->result->steps);
   const Datum engine = Datum::symbol(mine->result->engine);
   const Datum mode = Datum::symbol(name_of(mine->result->mode));
   const Datum detail = list(mode, engine, steps);
+  co_await tell(std::move(telling));
   co_await tell_state("planned", detail);
-  co_return list(steps);
+  co_return steps;
 }
 
 Task<Result<Datum>> PlannerAgent::State::start_plan() {
   if (!plan) co_return fail("not-ready", "there is no plan to start: get-plan comes first");
   started = true;
-  const Result<Datum> first = co_await next_operation(0);
-  co_return first;
+  co_return list(plan->operations().empty() ? "done"_sym : plan->operations().front());
 }
 
-Task<Result<Datum>> PlannerAgent::State::next_operation(std::int64_t index) {
-  if (!plan || !started) co_return fail("not-ready", "no plan runs: start-plan comes first");
-  if (index < 0) co_return fail("bad-index", "operations are counted from 0", Datum::integer(index));
-  if (static_cast<std::size_t>(index) >= plan->size()) co_return list("done"_sym);
-  co_return list((*plan)[static_cast<std::size_t>(index)]);
+Task<Result<Datum>> PlannerAgent::State::next_operation(std::int64_t number, Datum holding) {
+  const bool runs = plan && started && plan->number() == number;
+  if (!runs) co_return fail("not-ready", "no plan of this number runs: make-plan comes first", Datum::integer(number));
+  const RunningPlan::Facts facts_now(holding.items().begin(), holding.items().end());
+  const std::optional<std::size_t> next = plan->next(facts_now);
+  if (!next) co_return fail("off-plan", "no end of the plan serves from what holds now", Datum::integer(number));
+  co_return plan->from(*next);
 }
 
 }  // namespace pizarra::planner

@@ -1,11 +1,12 @@
 #pragma once
 
-// The planner: takes operators and facts, plans, and hands out one operation at a time (docs/facts.md).
+// The planner: takes operators and facts, makes a plan, owns it, and hands out the operation to do next, which follows
+// from what holds (docs/facts.md).
 //
-// Lifecycle: constructed, run() spawned. What it was told and its plan are in memory alone: after a restart it answers
-// `not-ready`, and whoever asked tells it again. The search runs away from the agents' thread, so requests are answered
-// meanwhile; a newer get-operations, get-facts or get-plan cancels it, and the one that waited for it is answered
-// `cancelled`.
+// Lifecycle: constructed, run() spawned. Its plan is durable facts: killed and made anew it goes on with the plan that
+// it had. The operators and facts that it was told by get-operations and get-facts are in memory alone. The search runs
+// away from the agents' thread, so requests are answered meanwhile; a newer get-operations, get-facts, get-plan or
+// make-plan cancels it, and the one that waited for it is answered `cancelled`.
 //
 // Plans have the fewest parallel steps there can be, or, for problems too large, are some plan made fast: the fact
 // `planner` says which. Plans made again after the facts have changed are no longer for that: they come from what is
@@ -15,10 +16,14 @@
 //   (get-facts (types (circle OBJECT) ...) (initials (clear circle) ...) (goals (on circle square) ...))      -> (ok)
 //   (get-plan)         -> (ok (((PICK-UP circle)) ((STACK circle square))))
 //   (start-plan)       -> (ok (PICK-UP circle))
-//   (next-operation 1) -> (ok (STACK circle square)), (next-operation 2) -> (ok done)
+//   (make-plan 7 (OPERATOR ...) (types ...) (initials ...) (goals ...))            -> as get-plan, and it is started
+//   (next-operation 7 (FACT ...))
+//       -> (ok 1 ((STACK circle square)) ((holding circle) ...) ((on circle square) ...)): the index of the operation
+//          to do next, it and those after it, what must hold before it and after it for them to reach the goals
 //
-// Failures: bad-operator, bad-facts, bad-task, unknown-object, unknown-predicate, too-large, not-ready, bad-index,
-// no-plan (proved; the subject is the goals that exclude each other), gave-up, cancelled.
+// Failures: bad-operator, bad-facts, bad-task, unknown-object, unknown-predicate, too-large, not-ready, off-plan
+// (no end of the plan serves from what holds), no-plan (proved; the subject is the goals that exclude each other),
+// gave-up, cancelled.
 
 #include <memory>
 

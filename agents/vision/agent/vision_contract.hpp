@@ -46,7 +46,7 @@ inline constexpr std::string_view vision_contract = R"scheme(
     (relation camera-state ((eyes symbol) (state symbol) (trouble string)) (key eyes))
     (relation camera-drops ((eyes symbol) (late integer) (skewed integer) (corrupt integer)) (key eyes))
     (relation stream ((name symbol) (kind symbol) (place list)) (key name)))
-  (reads frames)
+  (reads learned learned-template learned-focal found)
   (configures (learn accept reject forget rename connect disconnect keep))
   (monitors (vision-mode camera-state objects-damaged)))
 )scheme";

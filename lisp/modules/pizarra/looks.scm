@@ -61,10 +61,13 @@
            (list fact)
            (list fact (list 'unseen (string->symbol name))))))))
 
+;; (DEGREES), or () where none is told. Whoever tells looks may tell other parts, or what is none.
 (define (face-of name of)
-  (let* ((entry (assoc name of))
-         (parts (if entry (filter pair? (cdr entry)) '())))
-    (or (assq-ref parts 'face) '())))
+  (let* ((entry (find (lambda (each) (and (pair? each) (equal? (car each) name))) of))
+         (face (and entry (find (lambda (part) (and (pair? part) (eq? (car part) 'face))) (cdr entry)))))
+    (match face
+      (('face (? number? degrees)) (list degrees))
+      (_ '()))))
 
 (define (grip-place hand mark)
   (match hand

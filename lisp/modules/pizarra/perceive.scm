@@ -1,14 +1,14 @@
 ;;; Perception rules at work: measurements in, predicates out. (pizarra perception) describes the language and checks a
 ;;; section; what comes here has been checked.
 ;;;
-;;; Each rule becomes a closure once; the section is kept, since the same one comes with every look. An environment is
+;;; Each rule becomes a closure once; the section is kept and has a number, since every look needs it. An environment is
 ;;; an association list from variable to value; a condition calls `emit` once for each way to hold, until emit answers
 ;;; true, and then answers true itself.
 
 (define-module (pizarra perceive)
   #:use-module (srfi srfi-1)
   #:use-module (ice-9 control)
-  #:export (perceive rule-variable? comparisons section-constants section-parts))
+  #:export (perceive section-number rule-variable? comparisons section-constants section-parts))
 
 (define comparisons '(< <= > >= = /=))
 (define most-facts 2000)                ; that the rules may find in one look
@@ -28,19 +28,30 @@
 
 ;; ---- the section as closures
 
-(define compiled-section #f)
-(define compiled-rules '())
-(define compiled-facts '())
+;; Sections that were compiled, newest first: ((SECTION RULES FACTS) ...). They are few: one a domain that this process
+;; has read, and one more where its cell has cubes of another size.
+(define compiled-sections '())
 
-(define (compile-section! section)
-  (unless (equal? section compiled-section)
-    (let ((constants (section-constants section)))
-      (set! compiled-rules
-            (map (lambda (rule)
-                   (cons (cadr rule) (compile-conditions (cddr rule) constants)))
-                 (section-parts section 'rule)))
-      (set! compiled-facts (map cadr (section-parts section 'fact)))
-      (set! compiled-section section))))
+(define (compiled section)
+  (or (assoc section compiled-sections)
+      (let ((constants (section-constants section)))
+        (set! compiled-sections
+              (cons (list section
+                          (map (lambda (rule)
+                                 (list (cadr rule) (compile-head (cadr rule)) (compile-conditions (cddr rule) constants)))
+                               (section-parts section 'rule))
+                          (map cadr (section-parts section 'fact)))
+                    compiled-sections))
+        (car compiled-sections))))
+
+;; A section's number, by which it can be called instead of being handed over with every look.
+(define (section-number section)
+  (length (member (compiled section) compiled-sections eq?)))
+
+(define (section-called name)
+  (if (integer? name)
+      (list-ref compiled-sections (- (length compiled-sections) name))
+      (compiled name)))
 
 ;; ---- facts and patterns
 
@@ -49,31 +60,44 @@
   (let ((entry (assq name world)))
     (if entry (cdr entry) '())))
 
-(define (add-fact world fact)
-  (let ((entry (assq (car fact) world)))
-    (if entry
-        (map (lambda (e) (if (eq? e entry) (cons (car e) (append (cdr e) (list fact))) e)) world)
-        (append world (list (list (car fact) fact))))))
+;; The facts after those of the same name that are there already, in their order.
+(define (add-facts world facts)
+  (let loop ((facts facts) (new '()))
+    (if (null? facts)
+        (fold (lambda (entry world)
+                (let ((known (assq (car entry) world)) (added (reverse (cdr entry))))
+                  (if known
+                      (map (lambda (e) (if (eq? e known) (cons (car e) (append (cdr e) added)) e)) world)
+                      (cons (cons (car entry) added) world))))
+              world new)
+        (let* ((fact (car facts)) (entry (assq (car fact) new)))
+          (if entry
+              (begin (set-cdr! entry (cons fact (cdr entry))) (loop (cdr facts) new))
+              (loop (cdr facts) (cons (list (car fact) fact) new)))))))
 
-(define (match-arguments pattern values env)
-  (cond
-   ((null? pattern) (and (null? values) env))
-   ((null? values) #f)
-   (else
-    (let ((p (car pattern)) (v (car values)))
-      (cond
-       ((eq? p '?) (match-arguments (cdr pattern) (cdr values) env))
-       ((rule-variable? p)
-        (let ((bound (assq p env)))
-          (cond
-           ((not bound) (match-arguments (cdr pattern) (cdr values) (acons p v env)))
-           ((same? (cdr bound) v) (match-arguments (cdr pattern) (cdr values) env))
-           (else #f))))
-       ((same? p v) (match-arguments (cdr pattern) (cdr values) env))
-       (else #f))))))
+;; A procedure of a fact's values and an environment: the environment with what the values bind, or #f. What a pattern's
+;; arguments are is looked at once.
+(define (compile-arguments arguments)
+  (if (null? arguments)
+      (lambda (values env) (and (null? values) env))
+      (let ((argument (car arguments)) (rest (compile-arguments (cdr arguments))))
+        (cond
+         ((eq? argument '?)
+          (lambda (values env) (and (pair? values) (rest (cdr values) env))))
+         ((rule-variable? argument)
+          (lambda (values env)
+            (and (pair? values)
+                 (let ((bound (assq argument env)))
+                   (cond ((not bound) (rest (cdr values) (acons argument (car values) env)))
+                         ((same? (cdr bound) (car values)) (rest (cdr values) env))
+                         (else #f))))))
+         (else
+          (lambda (values env)
+            (and (pair? values) (same? argument (car values)) (rest (cdr values) env))))))))
 
 (define (same? a b)
-  (if (and (number? a) (number? b)) (= a b) (equal? a b)))
+  (or (eq? a b)
+      (if (and (number? a) (number? b)) (= a b) (equal? a b))))
 
 (define (compile-conditions conditions constants)
   (if (null? conditions)
@@ -84,13 +108,15 @@
           (first env world was (lambda (env) (rest env world was emit)))))))
 
 (define (compile-pattern pattern select)
-  (let ((name (car pattern)) (arguments (cdr pattern)))
+  (let ((name (car pattern)) (match-arguments (compile-arguments (cdr pattern))))
     (lambda (env world was emit)
-      (any (lambda (fact)
-             (count-try!)
-             (let ((extended (match-arguments arguments (cdr fact) env)))
-               (and extended (emit extended))))
-           (facts-of (select world was) name)))))
+      (let try ((facts (facts-of (select world was) name)))
+        (and (pair? facts)
+             (begin
+               (count-try!)
+               (or (let ((extended (match-arguments (cdar facts) env)))
+                     (and extended (emit extended)))
+                   (try (cdr facts)))))))))
 
 (define (holds? condition env world was)
   (condition env world was (lambda (env) #t)))
@@ -127,9 +153,14 @@
 (define (compile-expression x constants)
   (define (arithmetic procedure)
     (let ((parts (map (lambda (e) (compile-expression e constants)) (cdr x))))
-      (lambda (env world was)
-        (let ((values (map (lambda (part) (part env world was)) parts)))
-          (and (every number? values) (apply procedure values))))))
+      (if (= (length parts) 2)
+          (let ((first (car parts)) (second (cadr parts)))
+            (lambda (env world was)
+              (let ((a (first env world was)) (b (second env world was)))
+                (and (number? a) (number? b) (procedure a b)))))
+          (lambda (env world was)
+            (let ((values (map (lambda (part) (part env world was)) parts)))
+              (and (every number? values) (apply procedure values)))))))
   (cond
    ((rule-variable? x) (lambda (env world was) (let ((bound (assq x env))) (and bound (cdr bound)))))
    ((symbol? x)
@@ -147,9 +178,15 @@
     (arithmetic (case (car x)
                   ((+) +) ((-) -) ((*) *) ((abs) abs) ((min) min) (else max))))))
 
-(define (instantiate head env)
-  (cons (car head)
-        (map (lambda (x) (let ((bound (and (rule-variable? x) (assq x env)))) (if bound (cdr bound) x))) (cdr head))))
+;; A procedure of an environment: the head with its variables replaced.
+(define (compile-head head)
+  (let ((arguments (map (lambda (x) (if (rule-variable? x) (cons 'variable x) (cons 'value x))) (cdr head))))
+    (lambda (env)
+      (cons (car head)
+            (map (lambda (x)
+                   (let ((bound (and (eq? (car x) 'variable) (assq (cdr x) env))))
+                     (if bound (cdr bound) (cdr x))))
+                 arguments)))))
 
 ;; ---- one look
 
@@ -169,10 +206,10 @@
     (give-up (simple-format #f "goes beyond the ~a facts that may be found in one look" most-facts))))
 
 (define (apply-rule rule world was)
-  (let ((known (make-hash-table)) (found '()))
-    ((cdr rule) '() world was
+  (let ((known (make-hash-table)) (found '()) (instantiate (cadr rule)))
+    ((caddr rule) '() world was
      (lambda (env)
-       (let ((fact (instantiate (car rule) env)))
+       (let ((fact (instantiate env)))
          (unless (hash-ref known fact)
            (hash-set! known fact #t)
            (set! found (cons fact found))
@@ -190,15 +227,17 @@
                          head))))
     (apply)))
 
+;; SECTION is a section or its number.
+;;
 ;; (perceive SECTION MEASURED BELIEVED) -> (ok (FACT ...)), what the rules find in the order in which it was found, or
 ;; (fail too-much-work SENTENCE HEAD) about the rule that was being followed when the bound was reached.
 (define (perceive section measured believed)
-  (compile-section! section)
   (set! tries-left most-tries)
   (set! facts-left most-facts)
-  (let ((was (fold (lambda (fact world) (add-fact world fact)) '() believed)))
-    (let loop ((rules compiled-rules)
-               (world (fold (lambda (fact world) (add-fact world fact)) '() (append compiled-facts measured)))
+  (let* ((known (section-called section))
+         (was (add-facts '() believed)))
+    (let loop ((rules (cadr known))
+               (world (add-facts '() (append (caddr known) measured)))
                (found '()))
       (if (null? rules)
           (list 'ok found)
@@ -206,6 +245,4 @@
             (if (eq? (car outcome) 'fail)
                 outcome
                 (let ((new (filter (lambda (fact) (not (member fact found))) (cadr outcome))))
-                  (loop (cdr rules)
-                        (fold (lambda (fact world) (add-fact world fact)) world new)
-                        (append found new)))))))))
+                  (loop (cdr rules) (add-facts world new) (append found new)))))))))

@@ -185,6 +185,36 @@ TEST_F(Coordinator, GoesOnAfterItWasKilledWhileHolding) {
   EXPECT_EQ(cell.times_told("(plan 1 ?)"), 1) << "the plan it had still serves";
 }
 
+TEST_F(Coordinator, GoesOnWithTheSamePlanAfterThePlannerWasKilled) {
+  want("(goal (on triangle square) (on circle triangle))");
+  ASSERT_TRUE(cell.run_until("(and (holding triangle) (operation ? (STACK triangle square) running))", 60s));
+  cell.stop_planner();
+  cell.run_for(5s);
+  cell.start_planner();
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 120s));
+  expect_on("circle", "triangle");
+  EXPECT_EQ(cell.times_told("(plan 1 ?)"), 1) << "the plan it had still serves";
+  EXPECT_TRUE(cell.facts("(event ? difference ? ?)").empty());
+}
+
+TEST_F(Coordinator, RefusesWhenThePlannerStaysAway) {
+  want("(goal (on triangle square) (on circle triangle))");
+  ASSERT_TRUE(cell.run_until("(holding triangle)", 60s));
+  cell.stop_planner();
+  ASSERT_TRUE(cell.run_until("(goal-state 1 refused ?)", 90s));
+  EXPECT_EQ(cell.facts("(goal-state 1 refused ?)")[0][3][1], "absent"_sym);
+}
+
+// The planner hands out what follows from what is seen, and one request makes a plan.
+TEST_F(Coordinator, AsksForEachThingOnce) {
+  want("(goal (on circle triangle) (on triangle square))");
+  ASSERT_TRUE(cell.run_until("(goal-state 1 reached ?)", 120s));
+  EXPECT_EQ(cell.times_told("(request ? vision (get-objects))"), 1);
+  EXPECT_EQ(cell.times_told("(request ? planner (make-plan ? ? ? ? ?))"), 1);
+  EXPECT_EQ(cell.times_told("(request ? planner (next-operation ? ?))"), 5) << "four operations, and that it is done";
+  EXPECT_EQ(cell.times_told("(request ? planner ?)"), 6);
+}
+
 TEST_F(Coordinator, WaitsForARobotThatDied) {
   want("(goal (on circle triangle))");
   ASSERT_TRUE(cell.run_until("(holding circle)", 60s));

@@ -7,9 +7,9 @@
 #include <numbers>
 #include <optional>
 
+#include "agents/planner/agent/planner_agent.hpp"
 #include "lisp/reader.hpp"
 #include "lisp/writer.hpp"
-#include "tests/agents/coordinator/shortest_plan.hpp"
 #include "tests/source_dir.hpp"
 
 namespace pizarra::coordinator {
@@ -32,13 +32,6 @@ constexpr std::string_view vision_text = R"(
          (relation camera-model ((eyes symbol) (w integer) (h integer) (f number) (x number) (y number) (b number))
                    (key eyes))))
 )";
-constexpr std::string_view planner_text = R"(
-(contract planner
-  (offers (get-operations (operators list)) (get-facts (types list) (initials list) (goals list)) (get-plan)
-          (start-plan) (next-operation (n integer)))
-  (posts))
-)";
-
 Datum form(std::string_view text) { return read_one(text).value(); }
 
 Task<void> serve(runtime::AgentContext& context, std::string_view contract, runtime::Handler handler) {
@@ -47,7 +40,7 @@ Task<void> serve(runtime::AgentContext& context, std::string_view contract, runt
   if (started) co_await service.serve(std::move(handler));
 }
 
-Task<void> live(CoordinatorAgent& agent) { co_await agent.run(); }
+Task<void> live(runtime::Agent& agent) { co_await agent.run(); }
 
 bool is_near(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double across, double up) {
   return std::abs(a.x() - b.x()) < across && std::abs(a.y() - b.y()) < across && std::abs(a.z() - b.z()) < up;
@@ -69,6 +62,7 @@ struct FakeCell::Agents {
   std::unique_ptr<Board> robot_view, vision_view, planner_view, coordinator_view;
   runtime::AgentContext robot, vision, planner, coordinator;
   std::unique_ptr<CoordinatorAgent> agent;
+  std::unique_ptr<planner::PlannerAgent> planning;
   Job robot_job, vision_job, looking, planner_job, coordinator_job;
 };
 
@@ -80,8 +74,7 @@ FakeCell::FakeCell(const std::string& domain_file, Cubes start)
   board_.set_journal([this](std::string_view line) { journal_.emplace_back(line); });
   start_robot();
   start_vision();
-  runtime::Handler handler = [this](Datum operation) { return handle_planner(std::move(operation)); };
-  agents_->planner_job = executor_.spawn(serve(agents_->planner, planner_text, std::move(handler)));
+  start_planner();
   executor_.run_for(300ms);
 }
 
@@ -96,6 +89,16 @@ void FakeCell::start_vision() {
   runtime::Handler handler = [this](Datum operation) { return handle_vision(std::move(operation)); };
   agents_->vision_job = executor_.spawn(serve(agents_->vision, vision_text, std::move(handler)));
   agents_->looking = executor_.spawn(look());
+}
+
+void FakeCell::start_planner() {
+  agents_->planning = std::make_unique<planner::PlannerAgent>(agents_->planner);
+  agents_->planner_job = executor_.spawn(live(*agents_->planning));
+}
+
+void FakeCell::stop_planner() {
+  agents_->planner_job = Job();
+  agents_->planning.reset();
 }
 
 void FakeCell::start_coordinator() {
@@ -290,27 +293,6 @@ Task<void> FakeCell::look() {
     co_await agents_->vision_view->tell(model);
     if (tracking_) co_await agents_->vision_view->tell(look);
   }
-}
-
-Task<Result<Datum>> FakeCell::handle_planner(Datum operation) {
-  if (operation.is_form("get-facts")) task_ = operation;
-  if (operation.is_form("start-plan")) co_return list(plan_.empty() ? "done"_sym : plan_[0]);
-  if (operation.is_form("next-operation")) {
-    const auto index = static_cast<std::size_t>(operation[1].integer());
-    co_return list(index < plan_.size() ? plan_[index] : "done"_sym);
-  }
-  if (!operation.is_form("get-plan")) co_return list("true"_sym);
-  const auto initials = task_[2].items().subspan(1);
-  const auto goals = task_[3].items().subspan(1);
-  const Facts from(initials.begin(), initials.end());
-  const Facts to(goals.begin(), goals.end());
-  const std::optional<std::vector<Datum>> plan = shortest_plan(domain_, task_[1], from, to);
-  if (!plan) co_return fail("no-plan", "no plan exists", task_[3]);
-  plan_ = *plan;
-  std::vector<Datum> steps;
-  for (const Datum& step : plan_) steps.push_back(list(step));
-  const Datum answer = Datum::list(steps);
-  co_return list(answer);
 }
 
 }  // namespace pizarra::coordinator

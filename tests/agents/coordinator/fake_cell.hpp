@@ -1,8 +1,7 @@
 #pragma once
 
 // A cell without physics for the coordinator's tests: a robot that is where it is told to be, eyes that project
-// exactly, a planner that searches breadth first; they answer through facts as the real agents do. The test is the
-// hand.
+// exactly; they answer through facts as the real agents do. The planner is the real one. The test is the hand.
 //
 //   FakeCell cell("blocks.scm", {{"circle", {450, -100, 30}}, {"square", {450, 0, 30}}});
 //   cell.start_coordinator();
@@ -34,9 +33,11 @@ class FakeCell {
   void start_coordinator();
   void start_robot();
   void start_vision();
+  void start_planner();
   void stop_coordinator();
   void stop_robot();
   void stop_vision();
+  void stop_planner();
   // The board was killed and has come back with what its journal kept.
   void restart_board();
   // Somebody else's doing: tells a fact, retracts what fits.
@@ -72,7 +73,6 @@ class FakeCell {
   Task<void> look();
   Task<Result<Datum>> handle_robot(Datum operation);
   Task<Result<Datum>> handle_vision(Datum operation);
-  Task<Result<Datum>> handle_planner(Datum operation);
   void move_to(const Eigen::Vector3d& place);
   Task<void> tell_pose();
   double close_gripper(double wanted_mm);
@@ -86,8 +86,6 @@ class FakeCell {
   bool tracking_ = false;
   std::int64_t frame_ = 0;
   double yaw_deg_ = 0;
-  Datum task_;
-  std::vector<Datum> plan_;
   int requests_ = 0;
   std::unique_ptr<Board> person_;
   std::unique_ptr<Agents> agents_;

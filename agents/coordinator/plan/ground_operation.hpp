@@ -1,0 +1,21 @@
+#pragma once
+
+// One operation of a plan with its variables replaced, and facts as they are compared.
+
+#include <set>
+#include <vector>
+
+#include "lisp/datum.hpp"
+
+namespace pizarra::coordinator {
+
+using Facts = std::set<Datum>;
+
+struct GroundOperation {
+  Datum name;  // (STACK circle triangle)
+  std::vector<Datum> preconditions;
+  std::vector<Datum> adds;
+  std::vector<Datum> deletes;
+};
+
+}  // namespace pizarra::coordinator

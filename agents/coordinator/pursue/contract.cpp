@@ -1,0 +1,38 @@
+#include "agents/coordinator/pursue/contract.hpp"
+
+#include <fmt/format.h>
+
+#include "lisp/writer.hpp"
+
+namespace pizarra::coordinator {
+
+namespace {
+
+constexpr std::string_view contract_form = R"scheme(
+(contract coordinator
+  (offers (goal (fact list) ...) (cancel) (why))
+  (posts (relation goal ((n integer) (facts list)) (key n) (durable))
+         (relation goal-state ((n integer) (state symbol) (detail list)) (key n) (durable))
+         (relation place ((name symbol) (x number) (y number) (z number) (frame integer)) (key name))
+         (relation believed ((fact list)))
+         (relation operation ((index integer) (operation list) (state symbol)) (key) (durable))
+         (relation micro-task ((index integer) (step list) (state symbol)) (key) (durable))
+         (relation servo ((state integer) (object symbol) (err-x number) (err-y number) (err-d number)) (key))
+         (relation event ((seq integer) (kind symbol) (sentence string) (detail datum)) (key seq) (durable)){})
+  (reads agent look camera-model gripper arm-pose goal goal-state event believed{})
+  (configures)
+  (monitors goal-state operation servo event))
+)scheme";
+
+}  // namespace
+
+std::string coordinator_contract(const TaskDomain& domain, bool head) {
+  std::string relations, names;
+  for (const Relation& predicate : domain.relations()) {
+    relations += ' ' + write(relation_to_datum(predicate));
+    names += ' ' + predicate.name;
+  }
+  return fmt::format(contract_form, relations, names + (head ? " head" : ""));
+}
+
+}  // namespace pizarra::coordinator
