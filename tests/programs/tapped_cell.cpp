@@ -72,9 +72,9 @@ TappedCell::TappedCell(const forms::CellDescription& description, const simulati
   without_cubes.cubes.clear();
   const Random random(seed);
   for (const std::string& kind : launcher::agent_kinds(description)) {
-    views_.push_back(board_.view(kind));
+    BoardTap& board = *boards_.emplace(kind, std::make_unique<BoardTap>(board_.view(kind))).first->second;
     Tap& tap = *taps_.emplace(kind, std::make_unique<Tap>(link_)).first->second;
-    runtime::AgentContext context{kind, "localhost", executor_, *views_.back(), random.split(kind)};
+    runtime::AgentContext context{kind, "localhost", executor_, board, random.split(kind)};
     const forms::CellDescription& told = kind == "person" ? description : without_cubes;
     agents_.push_back(launcher::build_agent(kind, std::move(context), told, tap, &streams_).value());
     jobs_.push_back(executor_.spawn(agents_.back()->run()));
@@ -82,6 +82,12 @@ TappedCell::TappedCell(const forms::CellDescription& description, const simulati
 }
 
 TappedCell::~TappedCell() = default;
+
+Datum TappedCell::contract_of(const std::string& agent) {
+  const Result<Answers> answers = board_.ask(query_for(list("contract"_sym, Datum::symbol(agent), "?"_sym)));
+  if (!answers || answers->answers.empty()) return {};
+  return answers->answers.front().facts.front().datum[2];
+}
 
 Datum TappedCell::ask_world(Datum question) {
   Datum answer;

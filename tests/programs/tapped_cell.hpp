@@ -1,7 +1,8 @@
 #pragma once
 
-// A cell like LocalCell's, in which a test hears everything: the journal, and what each agent asks of the world by the
-// device link. Only the person is given the cell file's cubes, so the world may hold more than anybody was told of.
+// A cell like LocalCell's, in which a test hears everything: the journal, what each agent reads and tells, and what it
+// asks of the world by the device link. Only the person is given the cell file's cubes, so the world may hold more than
+// anybody was told of.
 //
 //   TappedCell cell(description, world_config(description, 7).value(), 7);
 //   ASSERT_TRUE(cell.build({read("(on circle triangle)")}));
@@ -16,6 +17,7 @@
 #include "blackboard/memory/memory_board.hpp"
 #include "blackboard/time/virtual_executor.hpp"
 #include "drivers/simulation/world.hpp"
+#include "tests/programs/board_tap.hpp"
 
 namespace pizarra::programs {
 
@@ -46,6 +48,9 @@ class TappedCell {
   Result<void> build(std::vector<Datum> goal) { return teach_and_build(executor_, board_, std::move(goal)); }
   const std::string& journal() const { return journal_; }
   const std::map<std::string, std::unique_ptr<Tap>>& taps() const { return taps_; }
+  const std::map<std::string, std::unique_ptr<BoardTap>>& boards() const { return boards_; }
+  // As the agent tells it, or an empty list.
+  Datum contract_of(const std::string& agent);
   // What the world answers to a question of the judge, or an empty list.
   Datum ask_world(Datum question);
 
@@ -57,7 +62,7 @@ class TappedCell {
   simulation::LocalLink link_{world_};
   std::string journal_;
   std::map<std::string, std::unique_ptr<Tap>> taps_;
-  std::vector<std::unique_ptr<Board>> views_;
+  std::map<std::string, std::unique_ptr<BoardTap>> boards_;
   std::vector<std::unique_ptr<launcher::BuiltAgent>> agents_;
   std::vector<Job> jobs_;
 };
