@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "lisp/datum.hpp"
+#include "lisp/outside_text.hpp"
 
 namespace pizarra {
 
@@ -16,11 +17,10 @@ std::string visible(std::string_view line) {
   std::string out;
   while (!line.empty()) {
     const std::size_t length = utf8_length(line);
-    const auto byte = static_cast<unsigned char>(line.front());
-    if (length == 0 || (byte < 0x20 && byte != '\t') || byte == 0x7F) {
-      out += '?';
-    } else if (byte == '\t') {
+    if (length > 0 && line.front() == '\t') {
       out += ' ';
+    } else if (length == 0 || !is_shown(line.substr(0, length))) {
+      out += '?';
     } else {
       out += line.substr(0, length);
     }

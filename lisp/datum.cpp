@@ -10,6 +10,7 @@
 
 #include "lisp/elements_looked_at.hpp"
 #include "lisp/keyed_hash.hpp"
+#include "lisp/outside_text.hpp"
 
 namespace pizarra {
 
@@ -38,8 +39,7 @@ Datum Datum::symbol(std::string_view name) {
 }
 
 Datum Datum::string(std::string_view text) {
-  assert(is_string_text(text));
-  return checked_string(text);
+  return is_string_text(text) ? checked_string(text) : checked_string(lines_of_bytes(text));
 }
 
 Datum Datum::real(double value) {

@@ -51,7 +51,7 @@ class Datum {
 
   // A name that is_symbol_name refuses is a bug of the caller, except the comma that ReadLimits::commas yields.
   static Datum symbol(std::string_view name);
-  // Text that is_string_text refuses is a bug of the caller.
+  // Bytes that is_string_text refuses stand as escapes (lisp/outside_text.hpp).
   static Datum string(std::string_view text);
   // The same for a reader, which has looked at every byte already.
   static Datum checked_symbol(std::string_view name) { return of_text(name, Form::short_symbol, Form::long_symbol); }

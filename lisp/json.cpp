@@ -1,22 +1,32 @@
 #include "lisp/json.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 
+#include "lisp/characters.hpp"
+#include "lisp/outside_text.hpp"
 #include "lisp/writer.hpp"
 
 namespace pizarra {
 
 std::string json_string(std::string_view text) {
   std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') {
+  while (!text.empty()) {
+    const std::size_t length = utf8_length(text);
+    const std::string_view character = text.substr(0, std::max<std::size_t>(length, 1));
+    const char first = character.front();
+    if (length == 0) {
+      out += '\\' + text_of_bytes(character);
+    } else if (first == '"' || first == '\\') {
       out += '\\';
-      out += c;
-    } else if (static_cast<unsigned char>(c) < 0x20) {
-      out += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
+      out += first;
+    } else if (length <= 2 && !is_shown(character)) {
+      // Control characters, of which those of two bytes end in what they are.
+      out += fmt::format("\\u{:04x}", static_cast<unsigned>(static_cast<unsigned char>(character.back())));
     } else {
-      out += c;
+      out += character;
     }
+    text.remove_prefix(character.size());
   }
   return out + "\"";
 }

@@ -2,14 +2,16 @@
 
 #include <algorithm>
 
+#include "lisp/outside_text.hpp"
 #include "lisp/writer.hpp"
 
 namespace pizarra {
 
 Datum failure_to_datum(const Failure& failure) {
   const std::string_view symbol = is_symbol_name(failure.symbol) ? std::string_view(failure.symbol) : "failed";
-  std::vector<Datum> items{"fail"_sym, Datum::symbol(symbol), Datum::string(failure.sentence), failure.subject};
-  if (!failure.place.empty()) items.push_back(Datum::string(failure.place));
+  std::vector<Datum> items{"fail"_sym, Datum::symbol(symbol), Datum::string(lines_of_bytes(failure.sentence)),
+                           failure.subject};
+  if (!failure.place.empty()) items.push_back(Datum::string(lines_of_bytes(failure.place)));
   return Datum::list(std::move(items));
 }
 
@@ -41,11 +43,11 @@ std::string beginning(std::string text, std::size_t longest) {
 }  // namespace
 
 std::string describe(const Failure& failure) {
-  std::string out = failure.sentence;
+  std::string out = lines_of_bytes(failure.sentence);
   if (failure.subject != Datum() && !says(out, failure.subject))
     out += ": " + beginning(write(failure.subject), failure.place.empty() ? 200 : 30);
   if (!failure.place.empty()) out += '\n' + failure.place;
-  return out;
+  return lines_of_bytes(out);
 }
 
 }  // namespace pizarra

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "agents/runtime/declared.hpp"
+#include "lisp/outside_text.hpp"
 
 namespace pizarra::launcher {
 
@@ -34,7 +35,7 @@ Task<void> log_camera_news(Board& board, std::string eyes, std::FILE* out) {
     for (const Answer& answer : change->added) {
       const std::string sentence = news.sentence_of(answer.facts.front().datum);
       if (sentence.empty()) continue;
-      fmt::print(out, "pizarra: {}\n", sentence);
+      fmt::print(out, "pizarra: {}\n", text_of_bytes(sentence));
       std::fflush(out);
     }
   }

@@ -64,7 +64,7 @@ class Reading {
       if (going && !pace.is_due(now_())) continue;
       pace.taken(now_());
       if (going) going = take_frame();
-      if (!going && going.error().symbol == "corrupt-frame") going = leave_out(going.error().sentence);
+      if (!going && going.error().symbol == "corrupt-frame") going = leave_out(describe(going.error()));
     }
     reader_.close();
     return going ? Failure{"disconnected", "the camera was let go, for nobody asked for its images", {}, {}}

@@ -14,6 +14,7 @@
 #include "blackboard/time/stop_signals.hpp"
 #include "drivers/simulation/link_server.hpp"
 #include "drivers/simulation/socket_link.hpp"
+#include "lisp/outside_text.hpp"
 #include "programs/command_line/command_line.hpp"
 #include "programs/command_line/command_tools.hpp"
 #include "programs/command_line/key_option.hpp"
@@ -49,7 +50,8 @@ constexpr Duration unremarkable = 1s;
 
 Task<void> say_what_is_awaited(Executor& executor, const client::RemoteBoard& board, const std::string& address) {
   co_await sleep(executor, unremarkable);
-  if (!board.connected()) fmt::print(stderr, "pizarra: no board answers at {} yet: waiting for it\n", address);
+  if (!board.connected())
+    fmt::print(stderr, "pizarra: no board answers at {} yet: waiting for it\n", text_of_bytes(address));
 }
 
 int run_agent(const ProcessChoices& choices, std::span<char*> arguments, const OwnCameras& own_cameras) {
@@ -107,7 +109,7 @@ int run_world(const ProcessChoices& choices) {
   simulation::World world(executor, *config);
   const auto server = simulation::LinkServer::listen(executor, context, choices.world, world);
   if (!server) return complain(server.error(), exit_unavailable);
-  fmt::print("the world of {} is reached at {}\n", cell->name, choices.world);
+  fmt::print("the world of {} is reached at {}\n", cell->name, text_of_bytes(choices.world));
   std::fflush(stdout);
   executor.run_until([] { return false; });
   return exit_reached;

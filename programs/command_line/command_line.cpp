@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "lisp/nearest.hpp"
+#include "lisp/outside_text.hpp"
 #include "programs/command_line/exit_codes.hpp"
 
 namespace pizarra::programs {
@@ -100,7 +101,7 @@ int run_program(CLI::App& app, int argc, char** argv, const int& status) {
 
 int end_of_parsing(const CLI::App& app, const CLI::ParseError& error) {
   if (error.get_exit_code() == 0) return app.exit(error);
-  fmt::print(stderr, "{}: {}\n", app.get_name(), complaint_of(app, error));
+  fmt::print(stderr, "{}: {}\n", app.get_name(), text_of_bytes(complaint_of(app, error)));
   return exit_usage;
 }
 

@@ -9,6 +9,7 @@
 #include "blackboard/client/remote_board.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "blackboard/time/stop_signals.hpp"
+#include "lisp/outside_text.hpp"
 #include "programs/command_line/command_tools.hpp"
 #include "programs/command_line/key_option.hpp"
 
@@ -30,7 +31,8 @@ Task<void> pause(Executor& executor, Duration duration) { co_await sleep(executo
 // Where nothing comes for long, who waits is told what for.
 Task<void> say_what_is_waited_for(Executor& executor, const client::RemoteBoard& board, std::string address) {
   co_await sleep(executor, quick_answer);
-  if (board.silence() >= quick_answer) fmt::print(stderr, "pizarra: waiting for a board at {}\n", address);
+  if (board.silence() >= quick_answer)
+    fmt::print(stderr, "pizarra: waiting for a board at {}\n", text_of_bytes(address));
 }
 
 int status_of(repl::Evaluation evaluation) {
@@ -130,7 +132,8 @@ void BoardSession::say_goodbye() {
 // Where it is not heard the lease lapses.
 Task<void> BoardSession::leave() { [[maybe_unused]] const Result<void> left = co_await service_.leave(0s); }
 
-void BoardSession::print(const std::string& line) {
+void BoardSession::print(const std::string& said) {
+  const std::string line = lines_of_bytes(said);
   if (terminal_ != nullptr) return terminal_->print(line);
   fmt::print("{}\n", line);
   std::fflush(stdout);

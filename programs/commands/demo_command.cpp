@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "agents/launcher/agent_factory.hpp"
+#include "lisp/outside_text.hpp"
 #include "lisp/writer.hpp"
 #include "programs/command_line/command_tools.hpp"
 #include "programs/commands/commands.hpp"
@@ -71,10 +72,10 @@ int status_of(const story::DirectorReport& report, const std::string& typed_goal
     const Failure refusal = forms::at_its_goal(*report.refusal, goal);
     if (!report.refusal_told) return complain(refusal, exit_refused);
     // One that the coordinator came to has been part of the story already, but for its place.
-    if (!refusal.place.empty()) fmt::print(stderr, "{}\n", refusal.place);
+    if (!refusal.place.empty()) fmt::print(stderr, "{}\n", lines_of_bytes(refusal.place));
     return exit_refused;
   }
-  for (const std::string& sentence : report.unmet) fmt::print(stderr, "pizarra: {}\n", sentence);
+  for (const std::string& sentence : report.unmet) fmt::print(stderr, "pizarra: {}\n", text_of_bytes(sentence));
   return exit_failed;
 }
 

@@ -8,6 +8,7 @@
 #include "blackboard/client/remote_board.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "lisp/json.hpp"
+#include "lisp/outside_text.hpp"
 #include "programs/command_line/command_tools.hpp"
 #include "programs/command_line/key_option.hpp"
 #include "programs/commands/commands.hpp"
@@ -54,7 +55,7 @@ void print_refusal(const launcher::RunState& run, const Datum& refusal, bool jso
     return;
   }
   fmt::print("  refused {} {}, {}: {}\n", client.empty() ? "who said no hello" : client,
-             counted(static_cast<std::size_t>(count), "time"), refusal[2].text(), refusal[4].text());
+             counted(static_cast<std::size_t>(count), "time"), refusal[2].text(), text_of_bytes(refusal[4].text()));
 }
 
 void print_run(const launcher::RunState& run, bool json) {

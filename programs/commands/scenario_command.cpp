@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "lisp/json.hpp"
+#include "lisp/outside_text.hpp"
 #include "programs/command_line/command_tools.hpp"
 #include "programs/commands/commands.hpp"
 #include "programs/story/scenario_run.hpp"
@@ -33,7 +34,7 @@ int run_one(const std::string& file, const ScenarioChoices& choices, const StopS
   const Result<story::StoryReport> report = story::run_story(*scenario, *cell, options, narrator);
   if (!report) return complain(report.error(), report.error().symbol == "cannot-write" ? exit_unavailable : exit_usage);
   if (report->interrupted) {
-    fmt::print(stderr, "pizarra: interrupted in {}\n", file);
+    fmt::print(stderr, "pizarra: interrupted in {}\n", text_of_bytes(file));
     return exit_interrupted;
   }
   const std::vector<std::string>& unmet = report->director.unmet;

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <fmt/format.h>
 
+#include "lisp/outside_text.hpp"
 #include "programs/command_line/command_tools.hpp"
 #include "programs/commands/commands.hpp"
 #include "programs/commands/print_sheet.hpp"
@@ -21,7 +22,7 @@ int print_shapes(const ShapesChoices& choices) {
   const Result<void> written = write_sheet(choices.file, choices.board ? board_sheet() : shapes_sheet());
   if (!written)
     return complain(written.error(), written.error().symbol == "cannot-write" ? exit_unavailable : exit_usage);
-  fmt::print("{}: an A4 page{}; print it at 100 %, and measure its bar of 100 mm\n", choices.file,
+  fmt::print("{}: an A4 page{}; print it at 100 %, and measure its bar of 100 mm\n", text_of_bytes(choices.file),
              new_folder ? " in a new folder" : "");
   return exit_reached;
 }

@@ -7,6 +7,7 @@
 #include "blackboard/client/remote_board.hpp"
 #include "blackboard/time/real_executor.hpp"
 #include "lisp/json.hpp"
+#include "lisp/outside_text.hpp"
 #include "programs/command_line/command_tools.hpp"
 #include "programs/command_line/key_option.hpp"
 #include "programs/commands/board_sample.hpp"
@@ -45,7 +46,7 @@ void print_clients(const std::vector<ClientSample>& clients) {
     // Whoever is refused is shown, however little it asks.
     if (client.refused == 0 && ++shown > clients_shown) continue;
     fmt::print("{:<20} {:>10} {:>9}  {}\n", client.name.empty() ? "(no hello)" : client.name,
-               client.requests_per_second, client.refused, client.newest_refusal);
+               client.requests_per_second, client.refused, text_of_bytes(client.newest_refusal));
   }
 }
 

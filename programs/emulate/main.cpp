@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "lisp/json.hpp"
+#include "lisp/outside_text.hpp"
 #include "programs/command_line/command_line.hpp"
 #include "programs/command_line/command_tools.hpp"
 #include "programs/emulate/devices.hpp"
@@ -14,7 +15,7 @@ void say_where(const EmulateChoices& choices, const std::string& where) {
   if (choices.json) {
     fmt::print("{{\"emulates\":{},\"at\":{}}}\n", json_string(choices.device), json_string(where));
   } else {
-    fmt::print("{} at {}\n", choices.device, where);
+    fmt::print("{} at {}\n", text_of_bytes(choices.device), text_of_bytes(where));
   }
   std::fflush(stdout);
 }

@@ -6,6 +6,7 @@
 
 #include "blackboard/wire/keys.hpp"
 #include "lisp/json.hpp"
+#include "lisp/outside_text.hpp"
 #include "programs/command_line/command_line.hpp"
 #include "programs/command_line/command_tools.hpp"
 
@@ -24,7 +25,7 @@ int make(const KeysChoices& choices) {
   if (may == wire::Permissions() && choices.name != wire::board_key_name) may = {{"*"}, {"*"}, {"*"}, {}};
   const Result<wire::KeyPair> made = wire::make_keys(choices.folder, choices.name, may);
   if (!made) return complain(made.error(), made.error().symbol == "cannot-write" ? exit_unavailable : exit_usage);
-  const std::string base = choices.folder + "/" + choices.name;
+  const std::string base = text_of_bytes(choices.folder + "/" + choices.name);
   if (choices.json) {
     fmt::print("{{\"name\":{},\"key\":{},\"public\":{},\"secret\":{}}}\n", json_string(made->name),
                json_string(made->public_key), json_string(base + ".key"), json_string(base + ".secret"));

@@ -9,6 +9,7 @@
 
 #include "agents/runtime/declared.hpp"
 #include "lisp/json.hpp"
+#include "lisp/outside_text.hpp"
 #include "lisp/writer.hpp"
 
 namespace pizarra::story {
@@ -51,7 +52,8 @@ Narrator::Style Narrator::style_for(std::FILE* out, bool json) {
   return terminal ? Style::colour : Style::plain;
 }
 
-void Narrator::say(Time when, std::string_view kind, std::string_view sentence, const Datum& detail) {
+void Narrator::say(Time when, std::string_view kind, std::string_view said, const Datum& detail) {
+  const std::string sentence = lines_of_bytes(said);
   const double at_s = seconds(when - start_);
   newest_ = fmt::format("{:6.1f} s  {:<10}  {}", at_s, kind, sentence);
   switch (style_) {

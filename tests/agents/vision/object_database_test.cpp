@@ -71,6 +71,21 @@ TEST_F(Database, GivesBackExactlyWhatItWasGiven) {
   EXPECT_EQ(facts_of(kept.objects), facts_of(learned_cell()));
 }
 
+// A folder's name is whatever bytes a file system takes.
+TEST_F(Database, InAFolderWhoseNameIsNoTextKeepsObjectsAndSaysWhatIsWrong) {
+  const std::string odd = (room / "f\xFCr\x1b[31m").string();
+  ASSERT_TRUE(ObjectDatabase::open(odd).value().apply(keep("circle")));
+  EXPECT_EQ(ObjectDatabase::open(odd).value().read().value().objects.all().size(), 1u);
+  const Result<ObjectDatabase> gone = ObjectDatabase::open_again(odd + "/nowhere");
+  ASSERT_FALSE(gone);
+  EXPECT_TRUE(is_string_text(gone.error().subject.text()));
+  std::ofstream(room / "\xFF") << "no folder";
+  const Result<ObjectDatabase> none = ObjectDatabase::open((room / "\xFF/objects").string());
+  ASSERT_FALSE(none);
+  EXPECT_EQ(describe(none.error()).find('\xFF'), std::string::npos);
+  EXPECT_TRUE(is_string_text(describe(failure_from_datum(failure_to_datum(none.error())))));
+}
+
 TEST_F(Database, KeepsSeveralSamplesUnderTheFirstSpelling) {
   learn({"circle", "circle", "square"});
   ObjectDatabase database = open();
