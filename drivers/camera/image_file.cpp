@@ -24,10 +24,9 @@ Bytes fill_from(const std::string& file, std::span<unsigned char> room) {
   return room.first(static_cast<std::size_t>(stream.gcount()));
 }
 
-// Bounded; a file that is none, as a pipe, might never answer.
+// Bounded.
 Result<std::vector<unsigned char>> bytes_of(const std::string& file) {
   std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error)) return image_fault("is no regular file");
   const std::uintmax_t size = std::filesystem::file_size(file, error);
   if (error || size > most_bytes) return image_fault("is too large for an image");
   std::vector<unsigned char> out(size);
@@ -35,19 +34,30 @@ Result<std::vector<unsigned char>> bytes_of(const std::string& file) {
   return out;
 }
 
-Result<cv::Mat> read_image(const std::string& file, bool grey, OtherImages others) {
+// PNGs, which hold what is all alike in next to nothing, are refused before they are read.
+bool is_too_large_png(const std::string& file, ImageSize most) {
+  std::array<unsigned char, 24> room;
+  const Bytes first = fill_from(file, room);
+  return first.size() == room.size() && is_png(first) && is_too_large(png_size(first), most);
+}
+
+Result<cv::Mat> read_image(const std::string& file, bool grey, OtherImages others, ImageSize most) {
+  std::error_code error;
+  // A file that is none, as a pipe, might never answer.
+  if (!std::filesystem::is_regular_file(file, error)) return image_fault("is no regular file");
+  if (is_too_large_png(file, most)) return image_fault(larger_than(most));
   const Result<std::vector<unsigned char>> bytes = bytes_of(file);
   if (!bytes) return fail(bytes);
-  if (is_jpeg(*bytes)) return read_jpeg(*bytes, grey);
-  if (is_png(*bytes)) return read_png(*bytes, grey);
-  if (others != nullptr) return others(*bytes, grey);
+  if (is_jpeg(*bytes)) return read_jpeg(*bytes, grey, most);
+  if (is_png(*bytes)) return read_png(*bytes, grey, most);
+  if (others != nullptr) return others(*bytes, grey, most);
   return image_fault("is no JPEG or PNG, and there were only such when the eyes began: start them again");
 }
 
 }  // namespace
 
-Result<cv::Mat> read_image_file(const std::string& file, bool grey, OtherImages others) {
-  Result<cv::Mat> image = read_image(file, grey, others);
+Result<cv::Mat> read_image_file(const std::string& file, bool grey, OtherImages others, ImageSize most) {
+  Result<cv::Mat> image = read_image(file, grey, others, most);
   if (!image) return fail(image.error().symbol, fmt::format("{} {}", file, image.error().sentence));
   return image;
 }

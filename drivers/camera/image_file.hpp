@@ -8,15 +8,15 @@
 #include <span>
 #include <string>
 
-#include "lisp/result.hpp"
+#include "drivers/camera/image_faults.hpp"
 
 namespace pizarra::camera {
 
 // Reads what is neither JPEG nor PNG; null: nobody does.
-using OtherImages = Result<cv::Mat> (*)(std::span<const unsigned char> bytes, bool grey);
+using OtherImages = Result<cv::Mat> (*)(std::span<const unsigned char> bytes, bool grey, ImageSize most);
 
-// 8 bit, grey or BGR, upright. Failure corrupt-frame, which names the file.
-Result<cv::Mat> read_image_file(const std::string& file, bool grey, OtherImages others);
+// 8 bit, grey or BGR, upright. Failure corrupt-frame, which names the file; of a larger one before it is decoded.
+Result<cv::Mat> read_image_file(const std::string& file, bool grey, OtherImages others, ImageSize most = largest_image);
 
 // By its first bytes, whatever it is called.
 bool is_jpeg_or_png_file(const std::string& file);

@@ -44,9 +44,19 @@ std::vector<std::string> image_files_at(const std::string& where) {
   return out;
 }
 
+std::string no_images_at(const std::string& where) {
+  std::error_code error;
+  const std::filesystem::directory_iterator first(where, error);
+  const bool empty = error || first == std::filesystem::directory_iterator();
+  if (empty) return fmt::format("there are no images at {}", where);
+  return fmt::format("there are no images at {}: {}, by the ends of their names, and {} is none of these", where,
+                     formats_read, first->path().filename().string());
+}
+
 std::unique_ptr<FrameSource> make_image_source(const forms::CameraSource& source, const forms::CameraSetup& setup,
                                                OtherImages others) {
-  const ImageFiles::Reading reading{setup.rate_hz, setup.grey, others};
+  const bool two = setup.arrangement == forms::CameraSetup::Arrangement::side_by_side;
+  const ImageFiles::Reading reading{setup.rate_hz, setup.grey, others, two ? largest_pair : largest_image};
   if (setup.sources.size() < 2) return std::make_unique<ImageFiles>(source.where, reading);
   const std::array<std::string, 2> wheres{setup.sources[0].where, setup.sources[1].where};
   return std::make_unique<ImageFiles>(wheres, source == setup.sources[0] ? 0 : 1, reading);
@@ -63,7 +73,7 @@ bool shows_jpegs_and_pngs_alone(const forms::CameraSetup& setup) {
 Result<void> ImageFiles::open() {
   files_ = image_files_at(where_);
   taken_ = 0;
-  if (files_.empty()) return fail("disconnected", fmt::format("there are no images at {}", where_));
+  if (files_.empty()) return fail("disconnected", no_images_at(where_));
   return partner_.empty() ? Result<void>() : keep_paired();
 }
 
@@ -84,7 +94,7 @@ Result<std::optional<double>> ImageFiles::grab() {
 }
 
 Result<cv::Mat> ImageFiles::retrieve(bool grey) {
-  return read_image_file(files_[taken_ - 1], grey || reading_.grey, reading_.others);
+  return read_image_file(files_[taken_ - 1], grey || reading_.grey, reading_.others, reading_.most);
 }
 
 }  // namespace pizarra::camera

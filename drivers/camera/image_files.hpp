@@ -20,6 +20,7 @@ class ImageFiles : public FrameSource {
     double rate_hz = 0;  // 0: 10 a second
     bool grey = false;
     OtherImages others = nullptr;  // who reads what is neither JPEG nor PNG
+    ImageSize most = largest_image;
   };
 
   ImageFiles(std::string where, Reading reading) : where_(std::move(where)), reading_(reading) {}
@@ -58,5 +59,7 @@ bool shows_jpegs_and_pngs_alone(const forms::CameraSetup& setup);
 
 // The files that ImageFiles reads, sorted; bounded.
 std::vector<std::string> image_files_at(const std::string& where);
+// Where there are none: why.
+std::string no_images_at(const std::string& where);
 
 }  // namespace pizarra::camera

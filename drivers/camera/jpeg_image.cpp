@@ -59,11 +59,11 @@ int orientation_of(const jpeg_decompress_struct& jpeg) {
 }
 
 // It is left by a jump where there is a fault, so nothing in here may have a destructor.
-void decode(jpeg_decompress_struct& jpeg, bool grey, Photograph& out) {
+void decode(jpeg_decompress_struct& jpeg, bool grey, ImageSize most, Photograph& out) {
   const auto common = reinterpret_cast<j_common_ptr>(&jpeg);
   jpeg_save_markers(&jpeg, exif_marker, 0xffff);
   jpeg_read_header(&jpeg, TRUE);
-  if (is_too_large({jpeg.image_width, jpeg.image_height})) refuse(common, too_large);
+  if (is_too_large({jpeg.image_width, jpeg.image_height}, most)) refuse(common, larger_than(most));
   if (jpeg.num_components == 4) refuse(common, "has the colours of a printer (CMYK), not of a camera");
   out.orientation = orientation_of(jpeg);
   jpeg.out_color_space = grey ? JCS_GRAYSCALE : JCS_EXT_BGR;
@@ -90,7 +90,7 @@ std::string fault_found(j_common_ptr jpeg) {
 
 bool is_jpeg(Bytes bytes) { return says(bytes, 0, "\xff\xd8"); }
 
-Result<cv::Mat> read_jpeg(Bytes bytes, bool grey) {
+Result<cv::Mat> read_jpeg(Bytes bytes, bool grey, ImageSize most) {
   Photograph photograph;
   Judge judge;
   jpeg_decompress_struct jpeg{};
@@ -107,7 +107,7 @@ Result<cv::Mat> read_jpeg(Bytes bytes, bool grey) {
   jpeg_create_decompress(&jpeg);
   jpeg.progress = &progress;
   jpeg_mem_src(&jpeg, bytes.data(), bytes.size());
-  decode(jpeg, grey, photograph);
+  decode(jpeg, grey, most, photograph);
   jpeg_destroy_decompress(&jpeg);
   turn_upright(photograph.pixels, photograph.orientation);
   return std::move(photograph.pixels);

@@ -8,7 +8,7 @@
 #include <opencv2/core.hpp>
 #include <span>
 
-#include "lisp/result.hpp"
+#include "drivers/camera/image_faults.hpp"
 
 namespace pizarra::camera {
 
@@ -19,6 +19,6 @@ bool is_jpeg(std::span<const unsigned char> bytes);
 inline constexpr int most_scans = 32;
 
 // Upright; grey, for which no colour is decoded, or BGR. Failure corrupt-frame, in the words that follow a file's name.
-Result<cv::Mat> read_jpeg(std::span<const unsigned char> bytes, bool grey);
+Result<cv::Mat> read_jpeg(std::span<const unsigned char> bytes, bool grey, ImageSize most = largest_pair);
 
 }  // namespace pizarra::camera

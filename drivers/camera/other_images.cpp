@@ -63,10 +63,11 @@ std::optional<ImageSize> size_of_other_image(Bytes bytes) {
   return out.width > 0 && out.height > 0 ? std::optional(out) : std::nullopt;
 }
 
-Result<cv::Mat> read_other_image(Bytes bytes, bool grey) {
+Result<cv::Mat> read_other_image(Bytes bytes, bool grey, ImageSize most) {
+  if (says(bytes, 0, "GIF8")) return image_fault(is_gif);
   const std::optional<ImageSize> size = size_of_other_image(bytes);
   if (!size) return image_fault(no_image);
-  if (is_too_large(*size)) return image_fault(too_large);
+  if (is_too_large(*size, most)) return image_fault(larger_than(most));
   // What goes wrong is told by our failures.
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
   cv::Mat image;

@@ -15,7 +15,7 @@
 namespace pizarra::camera {
 
 // 8 bit; grey or BGR. Failure corrupt-frame, in the words that follow a file's name.
-Result<cv::Mat> read_other_image(std::span<const unsigned char> bytes, bool grey);
+Result<cv::Mat> read_other_image(std::span<const unsigned char> bytes, bool grey, ImageSize most = largest_pair);
 
 // Nothing where the bytes are none of those, or end before they say.
 std::optional<ImageSize> size_of_other_image(std::span<const unsigned char> bytes);

@@ -16,6 +16,7 @@ using Bytes = std::span<const unsigned char>;
 
 struct Reading {
   Bytes left;
+  ImageSize most;
   cv::Mat pixels;
   int orientation = 1;
   std::string fault;
@@ -73,7 +74,7 @@ void decode(png_structp png, png_infop info, bool grey, Reading& reading) {
   png_set_read_fn(png, &reading, take_bytes);
   png_read_info(png, info);
   const ImageSize size{png_get_image_width(png, info), png_get_image_height(png, info)};
-  if (is_too_large(size)) refuse(reading, too_large);
+  if (is_too_large(size, reading.most)) refuse(reading, larger_than(reading.most));
   choose_pixels(png, info, grey);
   const int passes = png_set_interlace_handling(png);
   png_read_update_info(png, info);
@@ -91,9 +92,14 @@ void decode(png_structp png, png_infop info, bool grey, Reading& reading) {
 
 bool is_png(Bytes bytes) { return says(bytes, 0, "\x89PNG\r\n\x1a\n"); }
 
-Result<cv::Mat> read_png(Bytes bytes, bool grey) {
+ImageSize png_size(Bytes bytes) {
+  return {number(bytes, 16, 4, std::endian::big), number(bytes, 20, 4, std::endian::big)};
+}
+
+Result<cv::Mat> read_png(Bytes bytes, bool grey, ImageSize most) {
   Reading reading;
   reading.left = bytes;
+  reading.most = most;
   png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &reading, take_error, pass_over_warning);
   png_infop info = png_create_info_struct(png);
   if (setjmp(reading.found) == 0) decode(png, info, grey, reading);

@@ -8,13 +8,16 @@
 #include <opencv2/core.hpp>
 #include <span>
 
-#include "lisp/result.hpp"
+#include "drivers/camera/image_faults.hpp"
 
 namespace pizarra::camera {
 
 bool is_png(std::span<const unsigned char> bytes);
 
+// As the header says, which is the first 24 bytes.
+ImageSize png_size(std::span<const unsigned char> bytes);
+
 // Upright, 8 bit; grey or BGR. Failure corrupt-frame, in the words that follow a file's name.
-Result<cv::Mat> read_png(std::span<const unsigned char> bytes, bool grey);
+Result<cv::Mat> read_png(std::span<const unsigned char> bytes, bool grey, ImageSize most = largest_pair);
 
 }  // namespace pizarra::camera

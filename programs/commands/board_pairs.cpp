@@ -6,16 +6,20 @@
 
 #include "drivers/camera/any_source.hpp"
 #include "drivers/camera/image_files.hpp"
+#include "drivers/camera/image_pairs.hpp"
 #include "drivers/camera/other_images.hpp"
 #include "drivers/camera/stereo_reader.hpp"
+#include "lisp/outside_text.hpp"
 
 namespace pizarra::programs {
 namespace {
 
 class FilePairs : public BoardPairs {
  public:
-  FilePairs(std::vector<std::string> left, std::vector<std::string> right)
-      : left_(std::move(left)), right_(std::move(right)) {}
+  explicit FilePairs(camera::ImagePairs pairs)
+      : left_(std::move(pairs.sides[0])),
+        right_(std::move(pairs.sides[1])),
+        left_out_(pairs.alone[0] + pairs.alone[1]) {}
 
   Result<ImagePair> next() override {
     if (taken_ == left_.size()) return fail("ended", "there are no more images");
@@ -29,14 +33,16 @@ class FilePairs : public BoardPairs {
   }
   std::string name() const override {
     const auto name_of = [](const std::string& file) { return std::filesystem::path(file).filename().string(); };
-    return name_of(left_[taken_ - 1]) + (single() ? "" : " " + name_of(right_[taken_ - 1]));
+    return text_of_bytes(name_of(left_[taken_ - 1]) + (single() ? "" : " " + name_of(right_[taken_ - 1])));
   }
+  std::size_t left_out() const override { return left_out_; }
   bool chosen() const override { return true; }
   bool single() const override { return right_.empty(); }
 
  private:
   std::vector<std::string> left_;
   std::vector<std::string> right_;
+  std::size_t left_out_;
   std::size_t taken_ = 0;
 };
 
@@ -83,18 +89,18 @@ Result<std::unique_ptr<BoardPairs>> BoardPairs::of_files(const std::string& left
   const bool single = right.empty();
   std::vector<std::string> right_files = single ? std::vector<std::string>() : camera::image_files_at(right);
   for (const auto& [files, where] : {std::pair(&left_files, &left), std::pair(&right_files, &right)}) {
-    if (files->empty() && !where->empty()) return fail("no-images", fmt::format("there are no images at {}", *where));
+    if (files->empty() && !where->empty()) return fail("no-images", camera::no_images_at(*where));
   }
-  if (!single && left_files.size() != right_files.size()) {
-    return fail("uneven", fmt::format("there are {} images at {} and {} at {}; pairs are made in the order of names",
-                                      left_files.size(), left, right_files.size(), right));
+  Result<camera::ImagePairs> pairs = single ? camera::ImagePairs{{std::move(left_files), {}}, {}}
+                                            : camera::pair_files(std::move(left_files), std::move(right_files));
+  if (!pairs) return fail(pairs);
+  const std::size_t count = pairs->sides[0].size();
+  if (count > most) {
+    return fail("too-many", fmt::format("there are {} {} at {}, and at most {} make a calibration: choose those that "
+                                        "show the board at different places and angles",
+                                        count, single ? "images" : "pairs", left, most));
   }
-  if (left_files.size() > most) {
-    return fail("too-many", fmt::format("there are {} images at {}, and at most {} make a calibration: choose those "
-                                        "that show the board at different places and angles",
-                                        left_files.size(), left, most));
-  }
-  return std::make_unique<FilePairs>(std::move(left_files), std::move(right_files));
+  return std::make_unique<FilePairs>(std::move(*pairs));
 }
 
 Result<std::unique_ptr<BoardPairs>> BoardPairs::of_cameras(const forms::CameraSetup& eyes) {

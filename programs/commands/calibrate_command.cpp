@@ -62,6 +62,7 @@ class Calibration {
         report_(choices.json, pairs.single()) {}
 
   int run() {
+    if (pairs_.left_out() > 0) report_.without_partner(pairs_.left_out());
     const Result<void> gathered = gather();
     if (!gathered) return complain_as(style(), gathered.error(), exit_unavailable);
     tell_other_sizes();
@@ -186,8 +187,8 @@ void add_calibrate_command(CLI::App& app, int& status) {
                                       "(`shapes --board` prints one),\n"
                                       "and keep it in a file for a cell's (camera ...).");
   word->add_option("IMAGES", choices->images,
-                   "LEFT and RIGHT: folders of images, or quoted patterns; in one order. Of one camera "
-                   "alone the one place")
+                   "LEFT and RIGHT: folders of images, or quoted patterns; the same number in two names "
+                   "makes a pair. Of one camera alone the one place")
       ->expected(1, 2)
       ->type_name("LEFT [RIGHT]");
   word->add_option("--cell", choices->cell, "Instead: what the cameras of this cell see, while the board is moved")

@@ -5,17 +5,27 @@
 
 #include "drivers/camera/stereo_geometry.hpp"
 #include "lisp/json.hpp"
+#include "lisp/outside_text.hpp"
 
 namespace pizarra::programs {
 
 void CalibrateReport::pair(const std::string& name, const Result<void>& taken, const std::string& so_far) const {
   if (json_) {
     fmt::print("{{\"pair\":{},\"found\":{},\"reason\":{}}}\n", json_string(name), taken.has_value(),
-               taken ? "null" : json_string(taken.error().sentence));
+               taken ? "null" : json_string(describe(taken.error())));
   } else {
-    fmt::print("{}: {}{}\n", name, taken ? "board found" : taken.error().sentence, taken ? so_far : "");
+    fmt::print("{}: {}{}\n", name, taken ? "board found" : describe(taken.error()), taken ? so_far : "");
   }
   std::fflush(stdout);
+}
+
+void CalibrateReport::without_partner(std::size_t images) const {
+  if (json_) {
+    fmt::print("{{\"without_partner\":{}}}\n", images);
+  } else {
+    fmt::print("{} {} no partner, going by the numbers in their names\n", images,
+               images == 1 ? "image has" : "images have");
+  }
 }
 
 void CalibrateReport::step(const std::string& what) const {
@@ -61,7 +71,8 @@ void CalibrateReport::pair_result(const std::string& file, const camera::Calibra
   fmt::print("focal length {:.1f} px, base line {:.2f} mm\n", model.focal_px, model.base_line_mm);
   fmt::print("standard deviations: focal length {:.2f} px, centre {:.2f} px, base line {:.3f} mm\n",
              c.deviations.focal_px, c.deviations.centre_px, c.deviations.base_line_mm);
-  fmt::print("{} written; in the cell file: (camera ... (calibration \"{}\"))\n", file, file);
+  const std::string shown = text_of_bytes(file);
+  fmt::print("{} written; in the cell file: (camera ... (calibration \"{}\"))\n", shown, shown);
 }
 
 void CalibrateReport::lens_result(const std::string& file, const camera::CalibratedPair& found) const {
@@ -79,7 +90,8 @@ void CalibrateReport::lens_result(const std::string& file, const camera::Calibra
              c.left.distortion[1]);
   fmt::print("standard deviations: focal length {:.2f} px, centre {:.2f} px\n", c.deviations.focal_px,
              c.deviations.centre_px);
-  fmt::print("{} written; in the cell file: (camera (single ...) (calibration \"{}\"))\n", file, file);
+  const std::string shown = text_of_bytes(file);
+  fmt::print("{} written; in the cell file: (camera (single ...) (calibration \"{}\"))\n", shown, shown);
 }
 
 }  // namespace pizarra::programs

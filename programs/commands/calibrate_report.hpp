@@ -18,6 +18,7 @@ class CalibrateReport {
 
   // What came of an image or pair; `so_far` is added to what was found.
   void pair(const std::string& name, const Result<void>& taken, const std::string& so_far) const;
+  void without_partner(std::size_t images) const;
   void step(const std::string& what) const;
   // `px`: its error, 0 where that is not why.
   void left_out(const std::string& name, double px, const std::string& why) const;

@@ -8,6 +8,7 @@
 #include "drivers/arm/arm_file.hpp"
 #include "drivers/camera/image_files.hpp"
 #include "drivers/camera/stereo_geometry.hpp"
+#include "lisp/outside_text.hpp"
 #include "programs/command_line/command_tools.hpp"
 #include "programs/commands/check_planning.hpp"
 #include "programs/commands/commands.hpp"
@@ -66,6 +67,10 @@ bool sees_from_here(const forms::CellDescription& cell) {
   return host && std::ranges::find(host->agents, "vision") != host->agents.end();
 }
 
+void warn(const std::string& file, const std::string& sentence) {
+  fmt::print(stderr, "{}: warning: {}\n", text_of_bytes(file), text_of_bytes(sentence));
+}
+
 // What is not there yet may come before the cell is run.
 void warn_of_missing_recordings(const std::string& file, const forms::CellDescription& cell) {
   if (!sees_from_here(cell)) return;
@@ -75,8 +80,8 @@ void warn_of_missing_recordings(const std::string& file, const forms::CellDescri
         source.kind == forms::CameraSource::Kind::video && !std::filesystem::is_regular_file(source.where, unreadable);
     const bool images_missing =
         source.kind == forms::CameraSource::Kind::images && camera::image_files_at(source.where).empty();
-    if (film_missing) fmt::print(stderr, "{}: warning: there is no film {}\n", file, source.where);
-    if (images_missing) fmt::print(stderr, "{}: warning: there are no images at {}\n", file, source.where);
+    if (film_missing) warn(file, "there is no film " + source.where);
+    if (images_missing) warn(file, camera::no_images_at(source.where));
   }
 }
 
@@ -158,7 +163,7 @@ int check_files(const CheckChoices& choices) {
     const std::string next = i + 1 < choices.files.size() ? choices.files[i + 1] : std::string();
     const Result<std::string> checked = check_file(file, next, choices, planning);
     if (checked) {
-      fmt::print("{}: {}\n", file, *checked);
+      fmt::print("{}: {}\n", text_of_bytes(file), *checked);
     } else {
       status = std::max<int>(status, complain(checked.error(), exit_usage));
     }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "drivers/camera/image_faults.hpp"
+
 namespace pizarra::vision {
 namespace {
 
@@ -18,7 +20,7 @@ bool fits(const camera::StereoModel& model, const std::shared_ptr<const Image>& 
 }
 
 constexpr int least_side_px = 64;
-constexpr int most_side_px = 8192;
+constexpr int most_side_px = camera::largest_image.width;
 
 // Why the camera cannot be used; empty where it can.
 std::string trouble_with(const camera::StereoModel& model) {

@@ -13,7 +13,9 @@
 #include "drivers/camera/any_source.hpp"
 #include "drivers/camera/image_files.hpp"
 #include "drivers/camera/image_pairs.hpp"
+#include "drivers/camera/other_images.hpp"
 #include "drivers/camera/video_camera.hpp"
+#include "lisp/writer.hpp"
 #include "tests/run_task.hpp"
 #include "tests/scratch.hpp"
 
@@ -99,6 +101,61 @@ TEST_F(Recordings, AnImageThatIsNoneIsToldByItsNameAndTheOthersAreSeen) {
   EXPECT_EQ(seen, (std::set<int>{50, 60}));
   EXPECT_EQ(said, (std::set<std::string>{"the camera: " + folder + "2.png is no image that can be read",
                                          "the camera: " + folder + "4.png is no image that can be read"}));
+}
+
+// A name is whatever bytes a file system takes.
+TEST_F(Recordings, AnImageWhoseNameIsNoTextIsToldByWhatCanBeShownOfIt) {
+  const std::string shown = folder + "f\\xfcr\\x1b[31m.png is no image that can be read";
+  std::ofstream(folder + "f\xFCr\x1b[31m.png") << "this is no picture";
+  write_image("good.png", 50);
+  forms::CameraSetup eyes = setup(Arrangement::single, forms::CameraSource::Kind::images, {""});
+  eyes.rate_hz = 100;
+  VideoCamera camera(executor, eyes, make_any_source);
+  ASSERT_TRUE(run(executor, camera.open()));
+  const Result<StereoFrame> frame = next(camera);
+  ASSERT_TRUE(frame);
+  while (camera.drops().corrupt == 0) ASSERT_TRUE(next(camera, frame->captured));
+  EXPECT_EQ(camera.drops().why_corrupt, "the camera: " + shown);
+  EXPECT_EQ(write(list("camera-state"_sym, camera.drops().why_corrupt)).find('\x1b'), std::string::npos);
+}
+
+TEST_F(Recordings, ACameraOfSuchImagesAloneSaysSoAcrossTheBoard) {
+  std::ofstream(folder + "f\xFCr.png") << "this is no picture";
+  forms::CameraSetup eyes = setup(Arrangement::single, forms::CameraSource::Kind::images, {"f\xFCr.png"});
+  eyes.rate_hz = 1000;
+  VideoCamera camera(executor, eyes, make_any_source);
+  const Result<StereoModel> opened = run(executor, camera.open());
+  ASSERT_FALSE(opened);
+  const Failure told = failure_from_datum(failure_to_datum(opened.error()));
+  EXPECT_EQ(told.sentence, "the camera: " + folder + "f\\xfcr.png is no image that can be read");
+}
+
+TEST_F(Recordings, AFolderOfGifsIsToldWhatIsRead) {
+  std::ofstream(folder + "a.gif") << "GIF89a";
+  EXPECT_EQ(ImageFiles(folder, {}).open().error().sentence,
+            "there are no images at " + folder +
+                ": JPEG, PNG, BMP, PGM, PPM, TIFF and WebP are read, by the ends of "
+                "their names, and a.gif is none of these");
+  ImageFiles named(folder + "*.gif", {.others = read_other_image});
+  ASSERT_TRUE(named.open());
+  ASSERT_TRUE(named.grab());
+  EXPECT_EQ(named.retrieve(true).error().sentence,
+            folder + "a.gif is a GIF: JPEG, PNG, BMP, PGM, PPM, TIFF and WebP are read");
+}
+
+// Nothing but its header is there: whoever decoded it would say that it is cut short.
+TEST_F(Recordings, APngThatIsTooLargeForTheEyesIsRefusedByItsHeader) {
+  const std::string header("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\x3e\x80\0\0\x1f\x40\x08\0\0\0\0", 29);
+  std::ofstream(folder + "a.png", std::ios::binary) << header;
+  const auto told_of = [&](Arrangement arrangement) {
+    const forms::CameraSetup eyes = setup(arrangement, forms::CameraSource::Kind::images, {"a.png"});
+    const std::unique_ptr<FrameSource> source = make_any_source(eyes.sources[0], eyes);
+    EXPECT_TRUE(source->open());
+    EXPECT_TRUE(source->grab());
+    return source->retrieve(true).error().sentence;
+  };
+  EXPECT_EQ(told_of(Arrangement::single), folder + "a.png is larger than 8192x8192 px");
+  EXPECT_EQ(told_of(Arrangement::side_by_side), folder + "a.png is cut short: its end is missing");
 }
 
 // What is decoded of it would be half grey.
