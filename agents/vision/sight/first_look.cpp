@@ -50,6 +50,17 @@ double by_loss_px(const FaceSize& now, const SeenMark& left, double whole_mm) {
 // Half the squared deviations.
 double unlikely(double off, double spread) { return squared(off / spread) / 2; }
 
+// How likely it is that something covers a part rather than that it is tilted about the horizontal, where it looks
+// smaller than it was learned: 1 where no tilt is to be seen. What is as far away shows none; what is nearer may show
+// any, and this one only by chance.
+double covered_rather_than_tilted(const FaceSize& seen, double whole_mm) {
+  const double size_spread = std::hypot(seen.size_mm.spread, learned_spread);
+  const double area_spread = std::hypot(seen.area_mm2.spread, 2 * learned_spread);
+  const double tilted = unlikely(seen.area_mm2.value / squared(whole_mm) - 1, area_spread) +
+                        unlikely(1 - seen.size_mm.value / whole_mm, size_spread);
+  return std::clamp(tilted - std::min(by_chance + 1, unlikely(seen.tilt_deviations, 1)) + 1, 0.0, 1.0);
+}
+
 // How far off where it is narrower than it is from the front, so that it is turned or covered.
 double by_narrowing_px(const FaceSize& seen, const SeenMark& left, double whole_mm, double front) {
   const FaceSize now = if_not_tilted(seen);
@@ -96,7 +107,8 @@ double may_be_off_by_learned_px(const LearnedObject& object, const FaceSize& see
   const FaceSize now = if_not_tilted(seen);
   const double spread = std::hypot(now.size_mm.spread, learned_spread);
   const double whole = whole_mm(object, std::sqrt(now.area_mm2.value), spread);
-  return std::max(by_loss_px(now, left, whole), by_narrowing_px(seen, left, whole, front));
+  const double by_loss = covered_rather_than_tilted(seen, whole) * by_loss_px(now, left, whole);
+  return std::max(by_loss, by_narrowing_px(seen, left, whole, front));
 }
 
 }  // namespace pizarra::vision

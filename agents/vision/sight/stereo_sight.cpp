@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "agents/vision/marks/tags.hpp"
+#include "agents/vision/sight/face_plane.hpp"
 #include "agents/vision/sight/unyawed.hpp"
 
 namespace pizarra::vision {
@@ -72,6 +73,26 @@ bool yaw_explains(double left_width, double left_slope, double right_width, doub
     if (std::abs(right_width / expected - 1) < tolerance) return true;
   }
   return false;
+}
+
+// `shown_height`: what a tilt about the horizontal would make of a length along y.
+bool is_whole_if_shown(double shown_height, const camera::StereoModel& model, const LearnedObject& object,
+                       const SeenMark& left, const SeenMark& right) {
+  const double mm_per_px = depth_mm(model, left.centre.x - right.centre.x) / model.focal_px;
+  const double front = front_slimness(object);
+  const Unyawed in_left = unyawed(left, front, shown_height);
+  const Unyawed in_right = unyawed(right, front, shown_height);
+  const double now_mm = in_left.size_px * mm_per_px;
+  const double tolerance = size_tolerance + 2 * in_left.spread;
+  return std::ranges::any_of(object.samples, [&](const LearnedSample& sample) {
+    if (sample.most_face_mm() <= 0) return true;
+    const double scale = now_mm / sample.face_mm();
+    const double most = sample.most_face_mm() / sample.face_mm() * (1 + tolerance);
+    if (scale < 1 - tolerance || scale > most) return false;
+    return yaw_explains(scale * in_left.shown, (left.centre.x - model.centre_x_px) / model.focal_px,
+                        scale * in_right.shown, (right.centre.x - model.centre_x_px) / model.focal_px,
+                        width_tolerance + 1 / std::max(front, least_round) - 1 + 4 * in_left.spread);
+  });
 }
 
 }  // namespace
@@ -178,21 +199,9 @@ bool StereoSight::is_cut_off(const LearnedObject& object, const SeenMark& left) 
 
 bool is_whole(const camera::StereoModel& model, const LearnedObject& object, const SeenMark& left,
               const SeenMark& right) {
-  const double mm_per_px = depth_mm(model, left.centre.x - right.centre.x) / model.focal_px;
-  const double front = front_slimness(object);
-  const Unyawed in_left = unyawed(left, front);
-  const Unyawed in_right = unyawed(right, front);
-  const double now_mm = in_left.size_px * mm_per_px;
-  const double tolerance = size_tolerance + 2 * in_left.spread;
-  return std::ranges::any_of(object.samples, [&](const LearnedSample& sample) {
-    if (sample.most_face_mm() <= 0) return true;
-    const double scale = now_mm / sample.face_mm();
-    const double most = sample.most_face_mm() / sample.face_mm() * (1 + tolerance);
-    if (scale < 1 - tolerance || scale > most) return false;
-    return yaw_explains(scale * in_left.shown, (left.centre.x - model.centre_x_px) / model.focal_px,
-                        scale * in_right.shown, (right.centre.x - model.centre_x_px) / model.focal_px,
-                        width_tolerance + 1 / std::max(front, least_round) - 1 + 4 * in_left.spread);
-  });
+  const double shown_height = face_plane(model, left, right).shown_height();
+  return is_whole_if_shown(1, model, object, left, right) ||
+         is_whole_if_shown(shown_height, model, object, left, right);
 }
 
 }  // namespace pizarra::vision

@@ -11,7 +11,7 @@ namespace {
 // What turning in the image makes of the height of what is nearly round, as a part of what it lacks to be round.
 constexpr double turning_share = 0.1;
 // How far a slimness is off, as a part of it, by the light's slope and the pixels' phase.
-constexpr double ordinary_spread = 0.005;
+constexpr double slimness_spread = 0.005;
 
 }  // namespace
 
@@ -34,7 +34,7 @@ Unyawed unyawed(const SeenMark& mark, double front_slimness, double shown_height
   const double middle = root / (2 * by_slimness * xx);
   const double nearest = yy > xx ? middle * (1 - apart) : middle * (1 + apart);
   const double widened = std::max(1.0, nearest);
-  const double noise = ordinary_spread + centre_spread_px(mark, mark.noise) / std::min(mark.width_px, height);
+  const double noise = slimness_spread + centre_spread_px(mark, mark.noise) / std::min(mark.width_px, height);
   return {.size_px = std::sqrt(root * widened),
           .shown = 1 / widened,
           .spread = noise / std::sqrt(apart * apart + noise) / 2};

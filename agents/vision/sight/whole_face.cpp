@@ -11,7 +11,7 @@ namespace pizarra::vision {
 namespace {
 
 // What the light's slope and the blur make of a length, as a part of it.
-constexpr double ordinary_spread = 0.003;
+constexpr double length_spread = 0.003;
 // How far a length drifts, as a part of it, where the mark moves by its own width; farther by the root.
 constexpr double drift = 0.0075;
 // But no more anywhere.
@@ -75,13 +75,14 @@ FaceSize face_size(const camera::StereoModel& model, const SeenMark& left, const
   const double by_across = across / plane.normal2() * plane.across_spread;
   const double by_down = (plane.down - plane.ahead * plane.y) / plane.normal2() * plane.down_spread;
   const double by_tilt = plane.tilt() * squared(shown_height) * plane.down_spread / plane.along_sight;
-  const double ordinary = squared(ordinary_spread) + squared(plane.across_spread) / 2;
+  const double ordinary = squared(length_spread) + squared(plane.across_spread) / 2;
   return {.area_mm2 = {view_from_front(model, plane, left).area_mm2,
                        std::sqrt(2 * ordinary + squared(by_across) + squared(by_down))},
           .size_mm = {(in_left.size_px + in_right.size_px) / 2 * mm_per_px,
                       std::sqrt(ordinary + squared(in_left.spread) + squared(by_tilt))},
           .area_by_tilt = std::sqrt(plane.normal2()) / length(plane.across, plane.ahead + plane.down * plane.y),
           .size_by_tilt = (in_left.size_px + in_right.size_px) / raw_px,
+          .tilt_deviations = plane.down / plane.down_spread,
           .contrast = (contrast_of(left) + contrast_of(right)) / 2,
           .left_shown = in_left.shown * in_left.size_px / larger_px,
           .right_shown = in_right.shown * in_right.size_px / larger_px,
@@ -97,7 +98,11 @@ Narrowed narrowed(double left_shown, double right_shown, const FaceSize& now, co
 }
 
 WholeFace::WholeFace(const FaceSize& size, const SeenMark& left)
-    : recent_(size), largest_(size), largest_at_(left.centre), recent_at_(left.centre) {}
+    : recent_(size),
+      largest_(size),
+      largest_if_not_tilted_(if_not_tilted(size)),
+      largest_at_(left.centre),
+      recent_at_(left.centre) {}
 
 FaceSize WholeFace::foreseen(const SeenMark& left) const {
   const double drifted = squared(drift) * cv::norm(left.centre - recent_at_) / left.box.width;
@@ -137,11 +142,11 @@ bool WholeFace::is_as_large(const FaceSize& now, const SeenMark& left, double mo
 double WholeFace::off_if_covered_px(const FaceSize& seen, const SeenMark& left) const {
   const FaceSize now = if_not_tilted(seen);
   const double drifted = this->drifted(left);
-  const double by_area = missing(largest_.area_mm2.value, now.area_mm2, 2 * drifted);
-  const double by_height = missing(largest_.size_mm.value, now.size_mm, drifted);
+  const double by_area = missing(largest_if_not_tilted_.area_mm2.value, now.area_mm2, 2 * drifted);
+  const double by_height = missing(largest_if_not_tilted_.size_mm.value, now.size_mm, drifted);
   const Narrowed as_covered = narrowed(largest_.left_shown, largest_.right_shown, now, left);
   const FaceSize::Reading& height = recent_.size_mm.spread < now.size_mm.spread ? recent_.size_mm : now.size_mm;
-  const double too_small = 1 - std::min(now.size_mm.value, height.value) / largest_.size_mm.value;
+  const double too_small = 1 - std::min(now.size_mm.value, height.value) / largest_if_not_tilted_.size_mm.value;
   const double beyond = (as_covered.too_small - too_small) / length(height.spread, drifted);
   const double plausible = std::clamp(clear - beyond, 0.0, 1.0);
   return std::max(off_if_missing_px(left, std::max(by_area, by_height)), plausible * as_covered.off_px);
@@ -155,6 +160,7 @@ void WholeFace::follow(const FaceSize& seen, const SeenMark& left) {
              .size_mm = followed(before.size_mm, now.size_mm),
              .area_by_tilt = now.area_by_tilt,
              .size_by_tilt = now.size_by_tilt,
+             .tilt_deviations = now.tilt_deviations,
              .contrast = recent_.contrast + contrast_gain * (now.contrast - recent_.contrast),
              .left_shown = recent_.left_shown + shown_gain * (now.left_shown - recent_.left_shown),
              .right_shown = recent_.right_shown + shown_gain * (now.right_shown - recent_.right_shown),
@@ -163,7 +169,11 @@ void WholeFace::follow(const FaceSize& seen, const SeenMark& left) {
     largest_.left_shown = recent_.left_shown;
     largest_.right_shown = recent_.right_shown;
   }
-  largest_.size_mm = std::ranges::max(largest_.size_mm, recent_.size_mm, {}, &FaceSize::Reading::value);
+  const FaceSize flat = if_not_tilted(recent_);
+  const auto larger = [](const FaceSize::Reading& a, const FaceSize::Reading& b) { return a.value < b.value ? b : a; };
+  largest_if_not_tilted_.area_mm2 = larger(largest_if_not_tilted_.area_mm2, flat.area_mm2);
+  largest_if_not_tilted_.size_mm = larger(largest_if_not_tilted_.size_mm, flat.size_mm);
+  largest_.size_mm = larger(largest_.size_mm, recent_.size_mm);
   if (recent_.area_mm2.value < largest_.area_mm2.value) return;
   largest_.area_mm2 = recent_.area_mm2;
   largest_at_ = left.centre;

@@ -32,7 +32,8 @@ struct FaceSize {
   // hides more from one camera than from the other, as a tilt does.
   double area_by_tilt;
   double size_by_tilt;
-  double contrast;  // grey levels, of both images
+  double tilt_deviations;  // of the tilt, from none
+  double contrast;         // grey levels, of both images
   // How much of its width is to be seen in either image; turns about the vertical change that, and both apart.
   double left_shown;
   double right_shown;
@@ -79,6 +80,8 @@ class WholeFace {
 
   FaceSize recent_;
   FaceSize largest_;
+  // The same where it was not tilted but covered: what has always been tilted has not lost anything by that.
+  FaceSize largest_if_not_tilted_;
   cv::Point2d largest_at_;
   cv::Point2d recent_at_;
 };
