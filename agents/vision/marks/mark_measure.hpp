@@ -6,6 +6,7 @@
 //   std::optional<SeenMark> mark = measure_mark(cut, contour, MarkTone::dark);
 //   std::optional<MarkPortrait> portrait = portray_mark(cut, mark->contour, mark->tone);
 
+#include <array>
 #include <optional>
 
 #include "agents/vision/image/look.hpp"
@@ -18,17 +19,19 @@ namespace pizarra::vision {
 struct SeenMark {
   MarkTone tone = MarkTone::dark;
   std::optional<Tag> tag = {};  // where it is one; its shape then says nothing
-  double tag_doubt = 0;         // how far its corners are off by its cells, as a part of what is let pass
-  cv::Point2d centre;           // grey-weighted, px
-  cv::Rect box;                 // around its contour
-  double area_px = 0;           // filled pixels
-  int perimeter_px = 0;         // contour pixels
-  double width_px = 0;          // standard deviation along x
-  double height_px = 0;         // standard deviation along y, which a yawed face keeps
-  double slant_px2 = 0;         // covariance of x and y
-  double slimness = 0;          // the smaller over the larger principal standard deviation
-  double roundness = 0;         // 1 for a disc, more for any other shape; no view changes it
-  double mark_level = 0;        // grey levels of the mark and of the ground around it
+  // Of a tag, to a fraction of a pixel, clockwise from its own upper left one.
+  std::array<cv::Point2f, 4> corners{};
+  double tag_doubt = 0;   // how far its corners are off by its cells, as a part of what is let pass
+  cv::Point2d centre;     // grey-weighted, px
+  cv::Rect box;           // around its contour
+  double area_px = 0;     // filled pixels
+  int perimeter_px = 0;   // contour pixels
+  double width_px = 0;    // standard deviation along x
+  double height_px = 0;   // standard deviation along y, which a yawed face keeps
+  double slant_px2 = 0;   // covariance of x and y
+  double slimness = 0;    // the smaller over the larger principal standard deviation
+  double roundness = 0;   // 1 for a disc, more for any other shape; no view changes it
+  double mark_level = 0;  // grey levels of the mark and of the ground around it
   double ground_level = 0;
   double noise = 0;     // of the levels it was measured from, a standard deviation
   double focal_px = 0;  // of the camera that shows it, where that is known

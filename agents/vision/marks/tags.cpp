@@ -109,6 +109,7 @@ SeenMark mark_of(const cv::Mat& grey, const Corners& corners, Tag tag) {
   const double spread = std::hypot((xx - yy) / 2, xy);
   SeenMark out;
   out.tag = std::move(tag);
+  std::ranges::copy(corners, out.corners.begin());
   const BorderLevels levels = levels_along_border(grey, corners);
   out.mark_level = levels.inside;
   out.ground_level = levels.outside;

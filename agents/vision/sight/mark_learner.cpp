@@ -8,6 +8,7 @@
 
 #include "agents/vision/marks/tags.hpp"
 #include "agents/vision/sight/covered_part.hpp"
+#include "agents/vision/sight/tag_pose.hpp"
 
 namespace pizarra::vision {
 namespace {
@@ -17,12 +18,21 @@ constexpr std::size_t least_seen = 7;
 // Where it moved no farther, frames can be averaged.
 constexpr double rest_px = 1.5;
 
+// A square, whichever way it is turned.
+std::optional<FrontView> tag_from_front(const camera::StereoModel& model, const SeenMark& seen) {
+  const std::optional<TagPose> of_unit = tag_pose(model, seen.corners, 1);
+  if (!of_unit) return std::nullopt;
+  const double face_mm = face_of_square(model.learned_at_mm / of_unit->middle_mm[2]);
+  return FrontView{face_mm * face_mm, 1};
+}
+
 // From the front, by the partner; before one camera alone as it looks, by where objects are said to be while they are
 // learned.
 std::optional<FrontView> view_from_front(const camera::StereoModel& model, const SeenMark& seen,
                                          const SeenMark* partner) {
   if (partner != nullptr) return view_from_front(model, face_plane(model, seen, *partner), seen);
   if (!model.is_single()) return std::nullopt;
+  if (seen.tag) return tag_from_front(model, seen);
   const double mm_per_px = model.learned_at_mm / model.focal_px;
   return FrontView{spread_product_px2(seen) * mm_per_px * mm_per_px, seen.slimness};
 }

@@ -6,6 +6,7 @@
 
 #include "agents/vision/sight/covered_part.hpp"
 #include "agents/vision/sight/face_plane.hpp"
+#include "agents/vision/sight/tag_pose.hpp"
 #include "agents/vision/sight/unyawed.hpp"
 
 namespace pizarra::vision {
@@ -83,6 +84,23 @@ TiltError error_by_tilt(const camera::StereoModel& model, const SeenMark& left, 
   return {-4 * depth * (along - beside), 4 * (2 * std::sqrt(of_depth * noise) + noise)};
 }
 
+std::optional<SeenRange> range_of_tag(const camera::StereoModel& model, double face_mm, const SeenMark& left) {
+  const std::optional<TagPose> pose = tag_pose(model, left.corners, side_of_square(face_mm));
+  if (!pose) return std::nullopt;
+  return SeenRange{pose->range_mm, std::hypot(spread_by_size * pose->range_mm, pose->range_spread_mm)};
+}
+
+// A mark that is as high as it is wide is foreshortened along one line alone, so that its larger principal standard
+// deviation is the size of its face, however it is tilted. Of one that is slim only a yaw is known.
+std::optional<SeenRange> range_of_shape(const camera::StereoModel& model, double face_mm, double front_slimness,
+                                        const SeenMark& left) {
+  Unyawed look = unyawed(left, front_slimness);
+  if (front_slimness >= least_round) look.size_px = std::sqrt(spread_product_px2(left) / left.slimness);
+  if (look.size_px <= 0) return std::nullopt;
+  const double mm = range_at_depth_mm(model, left.centre, model.focal_px * face_mm / look.size_px);
+  return SeenRange{mm, std::hypot(spread_by_size, look.spread) * mm};
+}
+
 }  // namespace
 
 SeenRange range_by_pair(const StereoSight& sight, const SeenMark& left, const SeenMark& right, const FacePlane& plane,
@@ -102,14 +120,11 @@ SeenRange range_by_pair(const StereoSight& sight, const SeenMark& left, const Se
 
 std::optional<SeenRange> range_by_size(const camera::StereoModel& model, const LearnedObject& object,
                                        const SeenMark& left) {
-  for (const LearnedSample& sample : object.samples) {
-    const double face_mm = model.is_single() ? sample.face_mm() : sample.measured_face_mm();
-    const Unyawed look = unyawed(left, front_slimness(object));
-    if (face_mm <= 0 || look.size_px <= 0) continue;
-    const double mm = range_at_depth_mm(model, left.centre, model.focal_px * face_mm / look.size_px);
-    return SeenRange{mm, std::hypot(spread_by_size, look.spread) * mm};
-  }
-  return std::nullopt;
+  const auto size_of = [&](const LearnedSample& s) { return model.is_single() ? s.face_mm() : s.measured_face_mm(); };
+  const auto sized = std::ranges::find_if(object.samples, [&](const LearnedSample& s) { return size_of(s) > 0; });
+  if (sized == object.samples.end()) return std::nullopt;
+  return left.tag ? range_of_tag(model, size_of(*sized), left)
+                  : range_of_shape(model, size_of(*sized), front_slimness(object), left);
 }
 
 std::optional<SeenRange> range_of(const StereoSight& sight, const LearnedObject& object, const SeenPair& pair,

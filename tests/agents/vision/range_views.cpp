@@ -65,6 +65,9 @@ LearnedObjects learned_by(const RangeViews& views) {
 
 RangeViews::RangeViews(const camera::StereoModel& seen_by) : camera(seen_by), learned_(learned_by(*this)) {}
 
+RangeViews::RangeViews(const camera::StereoModel& seen_by, LearnedObjects learned)
+    : camera(seen_by), learned_(std::move(learned)) {}
+
 cv::Point2d RangeViews::seen_at(const cv::Point3d& point, bool right) const {
   const double beside_mm = (right ? -0.5 : 0.5) * camera.base_line_mm;
   return {camera.centre_x_px + camera.focal_px * (point.x + beside_mm) / point.z,

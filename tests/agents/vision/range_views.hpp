@@ -48,7 +48,9 @@ struct RangeTold {
 
 class RangeViews {
  public:
+  // With shapes and a tag learned.
   explicit RangeViews(const camera::StereoModel& camera);
+  RangeViews(const camera::StereoModel& camera, LearnedObjects learned);
 
   RangeView random_view(const RangeConditions& conditions, Random& random) const;
   cv::Point2d seen_at(const cv::Point3d& point, bool right) const;

@@ -1,0 +1,36 @@
+#pragma once
+
+// Where a tag is and how it is turned, by its four corners in one image and the side of its square.
+//
+//   const std::optional<TagPose> pose = tag_pose(model, corners, 44);
+//   pose->middle_mm, pose->normal, pose->range_spread_mm
+//
+// Of a plane's two poses that look nearly alike the likelier one (T. Collins, A. Bartoli, Infinitesimal plane-based
+// pose estimation, International Journal of Computer Vision 109, 2014), then Gauss-Newton steps on where its corners
+// are seen. How far that is off follows from how far corners are, to first order (JCGM 100:2008, 6.2).
+
+#include <array>
+#include <cmath>
+#include <opencv2/core.hpp>
+#include <optional>
+
+#include "drivers/camera/stereo_camera.hpp"
+
+namespace pizarra::vision {
+
+struct TagPose {
+  cv::Vec3d middle_mm;     // from the left camera: x right, y down, z along its axis
+  cv::Vec3d normal;        // of its face, a unit vector towards the camera
+  double range_mm;         // from the middle of the base line
+  double range_spread_mm;  // a standard deviation, by how far its corners may be off
+};
+
+// `corners`: in the left image, clockwise from the tag's own upper left one. Nothing where they are no square's.
+std::optional<TagPose> tag_pose(const camera::StereoModel& model, const std::array<cv::Point2f, 4>& corners,
+                                double side_mm);
+
+// Of a square that fills, as all its points, this root of the product of both principal standard deviations.
+inline double side_of_square(double face_mm) { return std::sqrt(12.0) * face_mm; }
+inline double face_of_square(double side_mm) { return side_mm / std::sqrt(12.0); }
+
+}  // namespace pizarra::vision

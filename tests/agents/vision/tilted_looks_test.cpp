@@ -1,0 +1,186 @@
+// What a tilt does to what is found and to how far away it is told: a mark on a face that is turned away is seen by the
+// pair that learned it so, and its range by size takes the tilt into account.
+
+#include "tests/agents/vision/tilted_looks.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+namespace pizarra::vision {
+namespace {
+
+camera::StereoModel wide_camera() {
+  return {.width = 640, .height = 480, .focal_px = 700, .centre_x_px = 319.5, .centre_y_px = 239.5};
+}
+
+camera::StereoModel alone(camera::StereoModel model) {
+  model.base_line_mm = 0;
+  model.learned_at_mm = 500;
+  return model;
+}
+
+class Pitched : public testing::TestWithParam<std::tuple<const char*, int>> {};
+
+// As a pair sees a cube that looks down at the table.
+TEST_P(Pitched, MarksAreFoundInTheImagesTheyWereLearnedFrom) {
+  const auto [mark, pitch_deg] = GetParam();
+  Random random = Random(7).split(fmt::format("{} {}", mark, pitch_deg));
+  for (const double roll_deg : {0.0, 20.0}) {
+    TiltedLooks looks(camera::StereoModel{});
+    const RangeView view{.mark = mark,
+                         .place = {20, -10, 600},
+                         .pitch_deg = static_cast<double>(pitch_deg),
+                         .roll_deg = roll_deg,
+                         .noise = 2,
+                         .blur_px = 0.7};
+    looks.learn(view, random);
+    const Result<FoundMark> found = looks.find(view, TiltedLooks::Side::both, random);
+    ASSERT_TRUE(found) << describe(found.error());
+    EXPECT_TRUE(found->pair.right);
+    EXPECT_GE(found->confidence, 0.9);
+    const TrackSighting tracked = looks.track(view, 5, random);
+    EXPECT_TRUE(tracked.seen);
+    EXPECT_GE(tracked.confidence, 0.9);
+  }
+}
+
+// Learned from the front, then tilted as far as one camera alone sees them.
+TEST_P(Pitched, MarksAreFoundThatWereLearnedFromTheFront) {
+  const auto [mark, pitch_deg] = GetParam();
+  Random random = Random(7).split(fmt::format("front {} {}", mark, pitch_deg));
+  TiltedLooks looks(camera::StereoModel{});
+  RangeView view{.mark = mark, .place = {20, -10, 600}, .noise = 2, .blur_px = 0.7};
+  looks.learn(view, random);
+  view.pitch_deg = pitch_deg;
+  const Result<FoundMark> found = looks.find(view, TiltedLooks::Side::both, random);
+  ASSERT_TRUE(found) << describe(found.error());
+  EXPECT_TRUE(found->pair.right);
+  EXPECT_GE(found->confidence, 0.9);
+}
+
+std::string pitched_name(const testing::TestParamInfo<Pitched::ParamType>& one) {
+  const int pitch_deg = std::get<1>(one.param);
+  return fmt::format("{}{}{}", std::get<0>(one.param), pitch_deg < 0 ? "Forward" : "Back", std::abs(pitch_deg));
+}
+
+INSTANTIATE_TEST_SUITE_P(Marks, Pitched,
+                         testing::Combine(testing::Values("square", "cross", "circle", "triangle"),
+                                          testing::Values(-45, -35, -25, 25, 35, 45)),
+                         pitched_name);
+
+struct Spread {
+  int told = 0;
+  int within_two = 0;
+  double worst_mm = 0;
+  double squared = 0;
+
+  void count(double off_mm, double spread_mm) {
+    ++told;
+    within_two += std::abs(off_mm) < 2 * spread_mm ? 1 : 0;
+    worst_mm = std::max(worst_mm, std::abs(off_mm));
+    squared += off_mm * off_mm / (spread_mm * spread_mm);
+  }
+  double percent_within_two() const { return 100.0 * within_two / told; }
+  double rms() const { return std::sqrt(squared / told); }
+};
+
+Spread spread_of(const TiltedLooks& looks, const std::string& mark, int most_roll_deg, double most_tilt_deg,
+                 Random& random) {
+  constexpr int tries = 200;
+  Spread out;
+  for (int i = 0; i < tries; ++i) {
+    const double tilt_deg = random.uniform(30, most_tilt_deg);
+    const double towards = random.uniform(0, 2 * CV_PI);
+    RangeView view{.mark = mark,
+                   .place = {random.uniform(-100, 100), random.uniform(-70, 70), random.uniform(400, 900)},
+                   .yaw_deg = tilt_deg * std::cos(towards),
+                   .pitch_deg = tilt_deg * std::sin(towards),
+                   .roll_deg = random.uniform(-most_roll_deg, most_roll_deg),
+                   .noise = random.uniform(1, 5),
+                   .blur_px = random.uniform(0.4, 1)};
+    const Result<FoundMark> found = looks.find(view, TiltedLooks::Side::left_alone, random);
+    if (!found || !found->range) continue;
+    out.count(found->range->mm - cv::norm(view.place), found->range->spread_mm);
+  }
+  return out;
+}
+
+TEST(RangeBySize, OfATiltedTagBeforeOneCameraIsWithinItsSpread) {
+  Random random(3);
+  TiltedLooks looks(alone(wide_camera()));
+  looks.learn({.mark = "tag", .place = {0, 0, 500}, .noise = 2, .blur_px = 0.7}, random);
+  const Spread spread = spread_of(looks, "tag", 180, 55, random);
+  ASSERT_GT(spread.told, 150);
+  EXPECT_GE(spread.percent_within_two(), 93);
+  EXPECT_LT(spread.worst_mm, 40);
+  EXPECT_GT(spread.rms(), 0.3) << "told to be worse than it is";
+}
+
+TEST(RangeBySize, OfATiltedTagThatTheLeftCameraAloneReadsIsWithinItsSpread) {
+  Random random(3);
+  TiltedLooks looks(wide_camera());
+  looks.learn({.mark = "tag", .place = {0, 0, 500}, .noise = 2, .blur_px = 0.7}, random);
+  const Spread spread = spread_of(looks, "tag", 180, 55, random);
+  ASSERT_GT(spread.told, 150);
+  EXPECT_GE(spread.percent_within_two(), 93);
+  EXPECT_LT(spread.worst_mm, 40);
+  EXPECT_GT(spread.rms(), 0.3) << "told to be worse than it is";
+}
+
+// One camera says by how a tag looks that it was learned turned away.
+TEST(RangeBySize, OfATagThatWasLearnedTiltedIsWithinItsSpread) {
+  Random random(3);
+  TiltedLooks looks(alone(wide_camera()));
+  looks.learn({.mark = "tag", .place = {0, 0, 500}, .pitch_deg = 40, .noise = 2, .blur_px = 0.7}, random);
+  const Spread spread = spread_of(looks, "tag", 180, 55, random);
+  ASSERT_GT(spread.told, 150);
+  EXPECT_GE(spread.percent_within_two(), 90);
+}
+
+// Something as far away as a square, beside it, covers its left quarter: what is left looks like a square aslant, on
+// ground that no square has.
+TEST(Found, WhatNothingSpeaksForIsNotSeen) {
+  Random random(3);
+  TiltedLooks looks(alone(wide_camera()));
+  RangeView view{.mark = "square", .place = {0, 0, 500}, .noise = 2, .blur_px = 0.7};
+  looks.learn(view, random);
+  EXPECT_TRUE(looks.find(view, TiltedLooks::Side::left_alone, random));
+  view.cover = bench::placed(bench::box(100, 100), {319.5 - 65, 239.5}, 1, 0);
+  const Result<FoundMark> found = looks.find(view, TiltedLooks::Side::left_alone, random);
+  ASSERT_FALSE(found) << found->confidence;
+  EXPECT_EQ(found.error().symbol, "not-seen");
+}
+
+// One that is whole is told, and never as if nothing spoke for it, however it is tilted and as far away as it may be.
+TEST(Found, WhatIsWholeIsNeverToldAsIfNothingSpokeForIt) {
+  for (const char* mark : {"circle", "square", "cross", "triangle"}) {
+    SCOPED_TRACE(mark);
+    Random random(3);
+    TiltedLooks looks(alone(wide_camera()));
+    RangeView view{.mark = mark, .place = {0, 0, 500}, .noise = 2, .blur_px = 0.7};
+    looks.learn(view, random);
+    view.place.z = 800;
+    view.yaw_deg = 40;
+    const Result<FoundMark> found = looks.find(view, TiltedLooks::Side::left_alone, random);
+    ASSERT_TRUE(found) << describe(found.error());
+    EXPECT_GE(found->confidence, 0.05);
+  }
+}
+
+// Marks that are as wide as high look foreshortened one way alone, whichever that is.
+TEST(RangeBySize, OfATiltedShapeBeforeOneCameraIsWithinItsSpread) {
+  for (const char* mark : {"circle", "square", "cross"}) {
+    SCOPED_TRACE(mark);
+    Random random(3);
+    TiltedLooks looks(alone(wide_camera()));
+    looks.learn({.mark = mark, .place = {0, 0, 500}, .noise = 2, .blur_px = 0.7}, random);
+    const Spread spread = spread_of(looks, mark, 180, 45, random);
+    ASSERT_GT(spread.told, 50);
+    EXPECT_GE(spread.percent_within_two(), 90);
+    EXPECT_LT(spread.worst_mm, 60);
+  }
+}
+
+}  // namespace
+}  // namespace pizarra::vision
