@@ -10,6 +10,9 @@
 namespace pizarra::vision {
 namespace {
 
+// With less nothing speaks for it: it is told as 0.000.
+constexpr double least_confidence = 0.0005;
+
 std::optional<Failure> of_another_size(const std::vector<SeenMark>& marks, const LearnedObject& object) {
   for (const SeenMark& mark : marks) {
     const std::optional<double> scale = scale_of_another_size(mark, object);
@@ -30,6 +33,12 @@ Result<FoundMark> MarkFinder::find(StereoSight& sight, const LearnedObject& obje
   std::optional<FoundMark> found = object.tag() == nullptr ? find_shape(sight, object) : find_tag(sight, object);
   if (!found) return fail(not_found(sight, object));
   found->confidence = confidence_at_first(sight, object, found->pair);
+  if (found->confidence < least_confidence) {
+    return fail("not-seen",
+                "a mark is like it, but a part of it is hidden, or it is none: the ground around it, or its size, is "
+                "another than a whole one's",
+                to_datum(object.name));
+  }
   found->range = range_of(sight, object, found->pair, found->confidence);
   found_at_.insert_or_assign(object.name, FoundAt{found->pair.left.centre, now});
   return std::move(*found);

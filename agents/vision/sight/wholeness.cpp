@@ -10,6 +10,10 @@
 namespace pizarra::vision {
 namespace {
 
+// One camera does not know a face that is turned, or a triangle farther away than it was learned, from one that
+// something covers: where a look says no more than that, it is told at so much at least.
+constexpr double least_if_turned = 0.1;
+
 void remember(std::optional<WholeMark>& whole, const SeenMark& now, Time captured) {
   if (whole) {
     whole->follow(now, captured);
@@ -38,7 +42,8 @@ double confidence_by_form(const StereoSight& sight, const LearnedObject& object,
   if (pair.left.tag) return of_whole;
   const double off_px = pair.right ? may_be_off_by_learned_px(object, face_size(sight.model(), object, pair), pair.left)
                                    : may_be_off_by_learned_px(object, pair.left);
-  return confidence_if_off(of_whole, off_px, most_off_px(sight));
+  const double by_form = confidence_if_off(of_whole, off_px, most_off_px(sight));
+  return pair.right ? by_form : std::max(by_form, least_if_turned * of_whole);
 }
 
 double confidence_at_first(const StereoSight& sight, const LearnedObject& object, const SeenPair& pair) {
