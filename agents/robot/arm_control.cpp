@@ -161,7 +161,7 @@ Task<Result<arm::ArmReading>> ArmControl::read() {
   const Result<arm::ArmReading> reading = co_await driver_.read();
   if (reading) facts_.set_reading(model_, *reading);
   if (reading && running_) {
-    std::optional<Failure> wrong = guard_.look(context_.executor.now(), *reading);
+    std::optional<Failure> wrong = guard_.look(reading->at.value_or(context_.executor.now()), *reading);
     if (wrong) stop_at_once(std::move(*wrong));
   }
   co_return reading;
@@ -183,6 +183,9 @@ Task<Result<arm::ArmReading>> ArmControl::until_ended(bool gripper, Duration lon
       lose(reading.error());
       co_return fail(reading);
     }
+    const bool unknown = gripper && reading->gripper_trouble;
+    if (unknown && now - heard < patience) continue;
+    if (unknown) co_return fail(*reading->gripper_trouble);
     heard = now;
     const bool moving = gripper ? reading->gripper_moving : reading->moving;
     if (!moving) co_return reading;
@@ -211,6 +214,8 @@ Task<Result<void>> ArmControl::follow(arm::Joints from, std::vector<arm::Joints>
   const arm::Joints target = waypoints.back();
   const Duration longest = longest_time(from, waypoints, speed);
   if (stop_requested_) co_return stopped();
+  std::function<void(Failure)> on_silence = [this](Failure why) { stop_at_once(std::move(why)); };
+  const Silence silence(context_.executor, driver_, std::move(on_silence));
   const Result<void> started = co_await driver_.start_move(std::move(waypoints), speed);
   if (!started) co_return refused(started.error());
   // A stop may have come before there was anything to stop.
@@ -261,9 +266,16 @@ void ArmControl::stop_at_once(Failure why) {
   obeying_ = context_.executor.spawn(obey());
 }
 
+// Again and again, while what is to end has not.
 Task<void> ArmControl::obey() {
-  const Result<void> obeyed = co_await stop();
-  if (!obeyed) lose(obeyed.error());
+  const std::uint64_t motion = motions_;
+  Result<void> obeyed = co_await stop();
+  while (!obeyed) {
+    lose(obeyed.error());
+    co_await sleep(context_.executor, poll_period);
+    if (!running_ || motions_ != motion) co_return;
+    obeyed = co_await stop();
+  }
 }
 
 Task<Result<void>> ArmControl::stop() {
@@ -275,9 +287,11 @@ Task<Result<void>> ArmControl::stop() {
     // Fingers stop by being sent to where they are.
     const Result<arm::ArmReading> reading = co_await read();
     if (!reading) co_return fail(reading);
-    const double opening_mm = reading->opening_mm;
-    const Result<void> held = co_await driver_.start_gripper(opening_mm);
-    if (!held) co_return held;
+    if (!reading->gripper_trouble) {
+      const double opening_mm = reading->opening_mm;
+      const Result<void> held = co_await driver_.start_gripper(opening_mm);
+      if (!held) co_return held;
+    }
   }
   const Time deadline = context_.executor.now() + stopping_time;
   while (running_ && motions_ == motion) {

@@ -7,6 +7,9 @@
 // from then on only when somebody asks for it: a controller that had an alarm, lost its power or was locked keeps its
 // servos off until then, and a motion is refused with its reason.
 //
+// A motion of which no state comes is stopped (silence.hpp), and stopped again for as long as nobody sees that it has
+// ended: by the driver's stop() where a stop was not taken, and at every attempt to meet the controller anew.
+//
 // What moves with no motion in hand moves for nobody (an order that came late, another's program): it is stopped, and
 // told. What somebody moves by the pendant is theirs.
 //
@@ -23,6 +26,7 @@
 
 #include "agents/robot/arm_facts.hpp"
 #include "agents/robot/guard.hpp"
+#include "agents/robot/silence.hpp"
 #include "blackboard/time/latch.hpp"
 
 namespace pizarra::robot {
@@ -45,7 +49,7 @@ class ArmControl {
  public:
   static constexpr Duration poll_period = 20ms;  // at most
   static constexpr Duration reconnect_pause = 500ms;
-  static constexpr Duration patience = 2s;       // with a controller that does not answer during a move
+  static constexpr Duration patience = 2s;       // with a controller that does not answer during a move or a grip
   static constexpr Duration stopping_time = 5s;  // at most, until a stopped arm stands
   static constexpr Duration braking_time = 1s;   // what still moves after it is told to stop once more
 

@@ -76,6 +76,10 @@ void ArmFacts::set_reading(const arm::ArmModel& model, const arm::ArmReading& re
   at.insert(at.begin(), {"arm-pose"_sym, robot_});
   facts_[pose].now = Datum::list(std::move(at));
   facts_[joints].now = list("arm-joints"_sym, robot_, Datum::list(joint_numbers(reading.joints)));
+  if (reading.gripper_trouble) {
+    facts_[gripper].now = facts_[gripped].now = Datum();
+    return;
+  }
   facts_[gripper].now = list("gripper"_sym, robot_, rounded(reading.opening_mm, opening_step_mm));
   if (reading.gripped) facts_[gripped].now = list("gripped"_sym, robot_, *reading.gripped ? "yes"_sym : "no"_sym);
 }

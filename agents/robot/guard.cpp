@@ -16,10 +16,10 @@ std::optional<Failure> failure(std::string symbol, std::string sentence, Datum s
 
 }  // namespace
 
-std::optional<Failure> Guard::look(Time now, const arm::ArmReading& reading) {
+std::optional<Failure> Guard::look(Time at, const arm::ArmReading& reading) {
   const Result<void> within = arm::check_reading(model_, reading.joints);
   if (!within) return within.error();
-  if (const std::optional<Failure> fast = look_at_speed(now, reading.joints)) return fast;
+  if (const std::optional<Failure> fast = look_at_speed(at, reading.joints)) return fast;
   if (!room_) return {};
   const Eigen::Vector3d point = arm::forward(model_, reading.joints).translation();
   const bool inside = room_->holds(point);
@@ -31,12 +31,12 @@ std::optional<Failure> Guard::look(Time now, const arm::ArmReading& reading) {
                  list("point"_sym, point.x(), point.y(), point.z()));
 }
 
-std::optional<Failure> Guard::look_at_speed(Time now, const arm::Joints& joints) {
-  const Duration between = now - measured_at_;
+std::optional<Failure> Guard::look_at_speed(Time at, const arm::Joints& joints) {
+  const Duration between = at - measured_at_;
   if (measured_.size() == joints.size() && between < speed_window) return {};
   const arm::Joints before = measured_;
   measured_ = joints;
-  measured_at_ = now;
+  measured_at_ = at;
   // After a pause there is nothing to compare with.
   if (before.size() != joints.size() || between > 2 * speed_window) return {};
   const double seconds = std::chrono::duration<double>(between).count();

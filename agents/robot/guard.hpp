@@ -4,7 +4,7 @@
 // centre out of the room it was given. Looked at with every reading, by the agent itself, without the board.
 //
 //   Guard guard(model);
-//   if (const std::optional<Failure> why = guard.look(now, reading)) stop(*why);
+//   if (const std::optional<Failure> why = guard.look(*reading.at, reading)) stop(*why);
 
 #include <optional>
 
@@ -24,11 +24,12 @@ class Guard {
 
   // A motion begins: an arm that stands out of its room may come back.
   void begin() { was_in_room_ = false; }
-  // Failures `joint-limit`, `too-fast` (the subject is the axis, from 1) and `out-of-room`.
-  std::optional<Failure> look(Time now, const arm::ArmReading& reading);
+  // `at`: when the arm was as it reads. Failures `joint-limit`, `too-fast` (the subject is the axis, from 1) and
+  // `out-of-room`.
+  std::optional<Failure> look(Time at, const arm::ArmReading& reading);
 
  private:
-  std::optional<Failure> look_at_speed(Time now, const arm::Joints& joints);
+  std::optional<Failure> look_at_speed(Time at, const arm::Joints& joints);
 
   const arm::ArmModel& model_;
   const std::optional<Room> room_;

@@ -8,11 +8,16 @@
 // take_control() resets an alarm, releases a brake or switches servos on. Failures: not-in-control (what take_control()
 // may mend: the pendant, a hold, an alarm, servos that are off), busy, joint-limit, not-finite, bad-joints,
 // disconnected; refused (the controller's own code as subject).
+//
+// Any of an arm's lines may fall silent by itself. stop() goes out at once by every line that still takes something,
+// and states_heard() goes on counting, whatever read() or identify() wait for: whoever commands the arm notices by the
+// one that it moves unseen, and ends that by the other (agents/robot/silence.hpp).
 
 #include <cstdint>
 #include <optional>
 #include <vector>
 
+#include "blackboard/time/clock.hpp"
 #include "blackboard/time/task.hpp"
 #include "drivers/arm/arm_model.hpp"
 #include "lisp/result.hpp"
@@ -39,6 +44,9 @@ struct ArmReading {
   std::optional<Failure> why_stopped = {};  // where the controller says it
   std::optional<ArmTrouble> trouble = {};   // where the controller says it
   std::optional<bool> gripped = {};         // something stopped the fingers, where the gripper says it
+  std::optional<Time> at = {};              // when the joints were so; none: when this was answered
+  // Why the gripper says nothing of itself: opening and grip are not known.
+  std::optional<Failure> gripper_trouble = {};
 };
 
 class ArmDriver {
@@ -54,6 +62,17 @@ class ArmDriver {
   virtual Task<Result<void>> stop() = 0;
   virtual Task<Result<void>> start_gripper(double opening_mm) = 0;
   virtual Task<Result<ArmReading>> read() = 0;
+  // How many states of its arm the controller has told so far.
+  virtual std::uint64_t states_heard() const { return states_heard_; }
+  // For how long at most none may come of an arm that moves, which is then stopped. More than this only where the line
+  // is too slow for it.
+  virtual Duration longest_silence() const { return 150ms; }
+
+ protected:
+  void hear_state() { ++states_heard_; }
+
+ private:
+  std::uint64_t states_heard_ = 0;
 };
 
 }  // namespace pizarra::arm

@@ -33,7 +33,14 @@ bool moves_for_nobody(const ArmReading& reading) {
 
 Task<Result<ArmMeeting>> meet_arm(Executor& executor, ArmDriver& driver, const ArmModel& model) {
   const Result<std::string> type = co_await driver.identify();
-  if (!type) co_return fail(type);
+  if (!type) {
+    // As of one whose state is silent and whose motion is not. Another's arm is let alone.
+    const bool perhaps_moves = type.error().symbol != "unknown-arm";
+    if (perhaps_moves) {
+      [[maybe_unused]] const Result<void> stopped = co_await driver.stop();
+    }
+    co_return fail(type);
+  }
   if (*type != model.type) {
     co_return fail("unknown-arm",
                    fmt::format("the controller is of a {}, and the cell describes a {}", *type, model.type),

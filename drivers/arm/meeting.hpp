@@ -2,7 +2,8 @@
 
 // The first thing that is asked of an arm's controller, and of one that was away: whether it is of the arm that is
 // meant, and that nothing moves there for nobody. What another had begun before goes on at most controllers, whatever
-// became of who began it; it is stopped here, for every driver alike. What somebody moves by the pendant is theirs.
+// became of who began it; it is stopped here, for every driver alike. So is, unseen, the arm of a controller that does
+// not say whether it moves. What somebody moves by the pendant is theirs.
 //
 //   const Result<ArmMeeting> met = co_await meet_arm(executor, driver, model);
 //

@@ -12,6 +12,17 @@ Task<Result<std::string>> Dialogue::ask(std::string question, Fits fits) {
   const Turns::Turn turn = co_await turns_.take();
   const Result<void> sent = say(question);
   if (!sent) co_return fail("disconnected", sent.error().sentence);
+  co_return co_await answer(std::move(fits));
+}
+
+Task<Result<std::string>> Dialogue::ask_at_once(std::string question, Fits fits) {
+  const Result<void> sent = say(question);
+  if (!sent) co_return fail("disconnected", sent.error().sentence);
+  const Turns::Turn turn = co_await turns_.take();
+  co_return co_await answer(std::move(fits));
+}
+
+Task<Result<std::string>> Dialogue::answer(Fits fits) {
   const Time deadline = executor_.now() + answer_time;
   while (true) {
     Result<std::string> answer = co_await next(deadline);

@@ -38,11 +38,16 @@ class Dialogue {
   Task<Result<std::string>> ask(std::string question) {
     return ask(std::move(question), [](const std::string&) { return true; });
   }
+  // The same of what cannot wait: it is said before those who ask have had their answers, and its own comes after
+  // theirs.
+  Task<Result<std::string>> ask_at_once(std::string question, Fits fits);
 
   Executor& executor() const { return executor_; }
   const std::string& device() const { return device_; }
 
  private:
+  Task<Result<std::string>> answer(Fits fits);
+
   Executor& executor_;
   ByteWire& wire_;
   Frames frames_;

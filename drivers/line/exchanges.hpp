@@ -6,7 +6,7 @@
 //
 //   Exchanges exchanges(executor, wire, hses_reply_id);
 //   const Result<void> open = co_await exchanges.open(deadline);
-//   const Result<std::string> reply = co_await exchanges.ask(id, request, {.tries = 25, .pause = 40ms});
+//   const Result<std::string> reply = co_await exchanges.ask(id, request, {.tries = 100, .pause = 10ms});
 //
 // Failures: no-answer, disconnected, busy (an id that waits already).
 
@@ -19,8 +19,8 @@
 namespace pizarra::line {
 
 struct Retries {
-  int tries = 25;
-  Duration pause = 40ms;
+  int tries = 100;
+  Duration pause = 10ms;
 };
 
 class Exchanges {

@@ -30,6 +30,8 @@ class ToldState {
   Task<Result<void>> listen(Hear hear, Duration patience);
 
   bool known() const;
+  // When the state was told last, where it is known.
+  std::optional<Time> told_at() const { return told_at_; }
   std::unexpected<Failure> unknown() const { return fail("disconnected", why_unknown_); }
   // Looks whenever something was told. False where it has not come true in time.
   Task<bool> until(std::function<bool()> what, Duration patience);

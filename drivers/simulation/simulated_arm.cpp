@@ -91,6 +91,7 @@ Task<Result<arm::ArmReading>> SimulatedArm::read() {
   reading.stopped = head[2].is_symbol("yes");
   reading.opening_mm = head[3].number();
   reading.gripper_moving = head[4].is_symbol("yes");
+  hear_state();
   co_return reading;
 }
 

@@ -8,12 +8,13 @@
 //
 // A command is begun with the end of its message: what fails before is `disconnected`, what fails after `no-answer`.
 // Questions and orders are then carried over once more; a motion is not. An answer takes a tenth of a second at this
-// speed, and those who ask meanwhile wait for their turn, stop() too.
+// speed, and those who ask meanwhile wait for their turn; a stop waits no longer for an answer that has not begun.
 //
 // How far it is proven: with the emulated controller of drivers/simulation/controllers/arms/ alone, over lines that
 // lose, garble and invent octets.
 
 #include "blackboard/time/turns.hpp"
+#include "drivers/arm/held.hpp"
 #include "drivers/arm/motoman/bsc_station.hpp"
 #include "drivers/arm/motoman/host_command.hpp"
 #include "drivers/line/device_at.hpp"
@@ -32,15 +33,21 @@ class BscLine : public HostLine {
         turns_(executor) {}
   Task<Result<void>> open(Time deadline) override;
   Task<Result<std::string>> command(HostCommand command) override;
+  // A reading takes two tenths of a second, an order as much.
+  Duration longest_silence() const override { return 1s; }
 
  private:
   static constexpr Duration reply_time = 2s;
+  static constexpr Duration look_for_stop = 50ms;
+  Task<Result<std::string>> take_turn(const HostCommand& command);
+  Task<Result<BscMessage>> reply();
   Task<Result<std::string>> exchange(const HostCommand& command);
 
   Executor& executor_;
   const std::string device_;
   BscStation station_;
   Turns turns_;
+  bool stop_waits_ = false;
 };
 
 }  // namespace pizarra::arm

@@ -57,10 +57,9 @@ Task<Result<void>> EthernetLine::begin_session(Time deadline) {
 }
 
 Task<Result<std::string>> EthernetLine::command(HostCommand command) {
-  const Turns::Turn turn = co_await turns_.take();
   const Time deadline = executor_.now() + patience;
   while (true) {
-    Result<std::string> answer = co_await exchange(command);
+    Result<std::string> answer = co_await take_turn(command);
     if (answer) co_return answer;
     const std::string& symbol = answer.error().symbol;
     const bool once = command.kind == HostCommand::Kind::motion;
@@ -68,6 +67,13 @@ Task<Result<std::string>> EthernetLine::command(HostCommand command) {
     if (!again || executor_.now() + pause + answer_time > deadline) co_return answer;
     co_await sleep(executor_, pause);
   }
+}
+
+// A stop that comes meanwhile is next.
+Task<Result<std::string>> EthernetLine::take_turn(const HostCommand& command) {
+  const Turns::Turn turn = co_await turns_.take();
+  Result<std::string> answer = co_await exchange(command);
+  co_return answer;
 }
 
 Task<Result<std::string>> EthernetLine::exchange(const HostCommand& command) {

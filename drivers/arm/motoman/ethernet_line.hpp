@@ -40,6 +40,7 @@ class EthernetLine : public HostLine {
   static constexpr Duration patience = 1s;
   static constexpr Duration pause = 100ms;
   Task<Result<void>> begin_session(Time deadline);
+  Task<Result<std::string>> take_turn(const HostCommand& command);
   // Disconnected, where it was not begun; no-answer and bad-reply where it may have been.
   Task<Result<std::string>> exchange(const HostCommand& command);
   Task<Result<std::string>> said(const HostCommand& command);

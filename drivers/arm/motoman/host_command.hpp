@@ -23,6 +23,7 @@ struct HostCommand {
     question,  // answered with data; may be asked again
     order,     // answered with 0000; may be given again
     motion,    // as an order, but never given twice by whoever carries it
+    stop,      // an order that waits for no answer but that which is on its way
   };
   std::string name;
   std::string operands = {};
@@ -40,6 +41,8 @@ class HostLine {
   // The data of a question. Failures: refused, whose subject is the code, its digits taken as hexadecimal;
   // disconnected, where nothing was carried out; no-answer and bad-reply, where nobody knows.
   virtual Task<Result<std::string>> command(HostCommand command) = 0;
+  // ArmDriver's.
+  virtual Duration longest_silence() const { return 150ms; }
 };
 
 // What the code of a refusal is as a failure.

@@ -94,7 +94,8 @@ Task<Result<MotomanPose>> HostLink::pose() {
 }
 
 Task<Result<void>> HostLink::turn(MotomanSwitch which, bool on) {
-  return order(which == MotomanSwitch::servo ? "SVON" : "HOLD", on ? "1" : "0");
+  if (which == MotomanSwitch::servo) return order("SVON", on ? "1" : "0");
+  return order("HOLD", on ? "1" : "0", on ? HostCommand::Kind::stop : HostCommand::Kind::order);
 }
 
 Task<Result<void>> HostLink::reset() {

@@ -33,6 +33,7 @@ class HostLink : public MotomanLink {
   Task<Result<void>> move_straight(MotomanPose target, double mm_s) override;
   Task<Result<std::int32_t>> variable(int number) override;
   Task<Result<void>> set_variable(int number, std::int32_t value) override;
+  Duration longest_silence() const override { return line_.longest_silence(); }
 
  private:
   // At least `count` numbers. Failure: bad-reply.

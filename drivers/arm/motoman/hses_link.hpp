@@ -6,7 +6,7 @@
 //   HsesLink link(executor, wire);
 //   MotomanArm arm(executor, link, model);
 //
-// Questions and switches are sent again under the same request id every 40 ms, for a second; a move once. Whether a
+// Questions and switches are sent again under the same request id every 10 ms, for a second; a move once. Whether a
 // controller drops a request that it has had is in no source that we know, and it is not relied on: see MotomanArm.
 //
 // How far it is proven: with the emulator of drivers/simulation/controllers/ over UDP and over a network that loses,

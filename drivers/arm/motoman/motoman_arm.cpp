@@ -81,14 +81,14 @@ Task<Result<MotomanArm::Seen>> MotomanArm::look() {
   if (!status) co_return lost(status.error());
   const Result<MotomanPulses> pulses = co_await link_.pulses();
   if (!pulses) co_return lost(pulses.error());
-  Seen seen{*status, joints_of(*pulses)};
+  Seen seen{*status, joints_of(*pulses), executor_.now()};
   seen_ = seen;
-  seen_at_ = executor_.now();
+  hear_state();
   co_return seen;
 }
 
 Task<Result<MotomanArm::Seen>> MotomanArm::look_lately() {
-  const bool lately = seen_ && executor_.now() - seen_at_ <= fresh;
+  const bool lately = seen_ && executor_.now() - seen_->at <= fresh;
   if (lately) co_return *seen_;
   co_return co_await look();
 }
@@ -355,7 +355,8 @@ Task<Result<ArmReading>> MotomanArm::read() {
                      .opening_mm = opening_mm_,
                      .gripper_moving = gripping_,
                      .why_stopped = why_stopped_,
-                     .trouble = trouble_};
+                     .trouble = trouble_,
+                     .at = seen->at};
   reading.moving = moving_ || seen->status.running;
   co_return reading;
 }

@@ -50,6 +50,7 @@ class MotomanArm : public ArmDriver {
   Task<Result<void>> stop() override;
   Task<Result<void>> start_gripper(double opening_mm) override;
   Task<Result<ArmReading>> read() override;
+  Duration longest_silence() const override { return link_.longest_silence(); }
 
  private:
   static constexpr Duration opening_time = 3s;
@@ -63,6 +64,7 @@ class MotomanArm : public ArmDriver {
   struct Seen {
     MotomanStatus status;
     Joints joints;
+    Time at;
   };
 
   struct Line {
@@ -92,7 +94,6 @@ class MotomanArm : public ArmDriver {
   ArmModel model_;
 
   std::optional<Seen> seen_;  // nothing was commanded since
-  Time seen_at_{};
 
   // The move in hand.
   std::deque<Leg> legs_;  // the one under way first

@@ -76,6 +76,8 @@ class MotomanLink {
   // Double precision integer variables, D000 to D099.
   virtual Task<Result<std::int32_t>> variable(int number) = 0;
   virtual Task<Result<void>> set_variable(int number, std::int32_t value) = 0;
+  // ArmDriver's.
+  virtual Duration longest_silence() const { return 150ms; }
 };
 
 }  // namespace pizarra::arm

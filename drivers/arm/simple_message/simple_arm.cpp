@@ -32,10 +32,11 @@ SimpleArm::SimpleArm(Executor& executor, SimpleWires wires, ArmModel model)
 Task<Result<std::string>> SimpleArm::identify() {
   told_.forget();
   const Time deadline = executor_.now() + opening_time;
-  for (line::Dialogue* line : {&motion_, &states_}) {
-    const Result<void> open = co_await line->open(deadline);
-    if (!open) co_return fail(open);
-  }
+  // Each of them, whatever becomes of the other: a stop needs the first alone.
+  const Result<void> heard = co_await motion_.open(deadline);
+  const Result<void> hears_us = co_await states_.open(deadline);
+  if (!heard) co_return fail(heard);
+  if (!hears_us) co_return fail(hears_us);
   SimpleMessage ping{.type = simple::ping, .kind = simple::request};
   ping.data = std::string(4 * simple::axes, '\0');
   const Result<void> there = co_await order(std::move(ping));
@@ -71,22 +72,35 @@ Result<bool> SimpleArm::hear(const std::string& octets) {
                                     position->joints_rad.end(), [](float joint) { return joint != 0; });
   further_axis_.reset();
   if (further != position->joints_rad.end()) further_axis_ = further - position->joints_rad.begin();
+  hear_state();
   return true;
+}
+
+std::string SimpleArm::framed(const SimpleMessage& message) const {
+  const std::string octets = write_simple(message, wires_.order);
+  return wires_.serial ? serial_frame(octets) : tcp_frame(octets, wires_.order);
+}
+
+line::Dialogue::Fits SimpleArm::reply_to(const SimpleMessage& message) const {
+  return [type = message.type, order = wires_.order](const std::string& answer) {
+    const Result<SimpleMessage> reply = read_simple(answer, order);
+    return reply && reply->type == type && reply->kind == simple::reply;
+  };
 }
 
 // Sends a message and waits for its reply.
 Task<Result<void>> SimpleArm::order(SimpleMessage message) {
-  const std::string octets = write_simple(message, wires_.order);
-  std::string request = wires_.serial ? serial_frame(octets) : tcp_frame(octets, wires_.order);
-  line::Dialogue::Fits is_its_reply = [type = message.type, order = wires_.order](const std::string& answer) {
-    const Result<SimpleMessage> reply = read_simple(answer, order);
-    return reply && reply->type == type && reply->kind == simple::reply;
-  };
+  std::string request = framed(message);
+  line::Dialogue::Fits is_its_reply = reply_to(message);
   const Result<std::string> answer = co_await motion_.ask(std::move(request), std::move(is_its_reply));
-  if (!answer) co_return fail(answer);
+  co_return obeyed(answer);
+}
+
+Result<void> SimpleArm::obeyed(const Result<std::string>& answer) const {
+  if (!answer) return fail(answer);
   const Result<SimpleMessage> reply = read_simple(*answer, wires_.order);
-  if (reply->code == simple::success) co_return Result<void>();
-  co_return fail("refused", "the controller refused the motion", to_datum(reply->code));
+  if (reply->code == simple::success) return {};
+  return fail("refused", "the controller refused the motion", to_datum(reply->code));
 }
 
 Result<void> SimpleArm::possible() const {
@@ -151,8 +165,16 @@ Task<Result<void>> SimpleArm::stop() {
   stopping_ = true;
   SimpleMessage message{.type = simple::trajectory_point, .kind = simple::request};
   message.data = write_point({.sequence = simple::stop_trajectory}, wires_.order);
-  Result<void> done = co_await order(std::move(message));
-  co_return done;
+  const std::string request = framed(message);
+  line::Dialogue::Fits is_its_reply = reply_to(message);
+  Result<std::string> answer = co_await motion_.ask_at_once(request, is_its_reply);
+  if (!answer) {
+    const Time deadline = executor_.now() + stopping_time;
+    const Result<void> open = co_await motion_.open(deadline);
+    if (!open) co_return fail(open);
+    answer = co_await motion_.ask_at_once(request, is_its_reply);
+  }
+  co_return obeyed(answer);
 }
 
 Task<Result<void>> SimpleArm::start_gripper(double opening_mm) {
@@ -198,7 +220,8 @@ Task<Result<ArmReading>> SimpleArm::read() {
                      .stopped = stopped_,
                      .opening_mm = 0,
                      .gripper_moving = false,
-                     .why_stopped = why_stopped_};
+                     .why_stopped = why_stopped_,
+                     .at = told_.told_at()};
   const Result<void> able = possible();
   if (!able) {
     using Kind = ArmTrouble::Kind;

@@ -8,7 +8,8 @@
 // A move is a trajectory: the ends of its legs (route.hpp), each acknowledged before the next is sent, which is when
 // read() comes. A controller that takes them one move at a time stands a moment at each. The state is streamed by the
 // controller; one that has not been heard of for half a second is not known. Nothing is sent twice: a point whose
-// acknowledgement does not come ends the trajectory with a stop.
+// acknowledgement does not come ends the trajectory with a stop. A stop goes over the motion's line alone, before
+// whatever is waited for there, and over a new connection where it is not acknowledged.
 //
 // The protocol has neither servo nor alarm commands: take_control() asks whether motion is possible and says why not.
 // It has no gripper: one is refused, unless a GrippingArm brings it. Joints are told in the order of the axes. A track
@@ -54,7 +55,11 @@ class SimpleArm : public ArmDriver {
   static constexpr Duration opening_time = 3s;
   static constexpr Duration fresh = 500ms;
   static constexpr Duration starting_time = 300ms;  // until an arm that was sent somewhere is said to move
+  static constexpr Duration stopping_time = 1s;     // until a line that was lost is there again for a stop
 
+  std::string framed(const SimpleMessage& message) const;
+  line::Dialogue::Fits reply_to(const SimpleMessage& message) const;
+  Result<void> obeyed(const Result<std::string>& answer) const;
   Task<Result<void>> order(SimpleMessage message);
   Task<Result<void>> send_point(Leg leg);
   Task<void> go_on();

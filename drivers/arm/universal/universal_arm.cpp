@@ -37,8 +37,8 @@ std::optional<std::string> type_of_model(std::string type, std::string_view vers
 UniversalArm::UniversalArm(Executor& executor, UniversalWires wires, ArmModel model)
     : executor_(executor),
       model_(std::move(model)),
+      script_(wires.script),
       rtde_(executor, wires.rtde, rtde::frame, "the arm"),
-      script_(executor, wires.script, line::frame_of_line, "the arm"),
       dashboard_(executor, wires.dashboard, line::frame_of_line, "the dashboard server"),
       told_(rtde_, fresh) {}
 
@@ -104,8 +104,11 @@ Task<Result<std::string>> UniversalArm::identify() {
   told_.forget();
   asking_mode_ = Job();
   const Time deadline = executor_.now() + answer_time;
-  for (line::Dialogue* line : {&rtde_, &script_, &dashboard_}) {
-    const Result<void> open = co_await line->open(deadline);
+  // Each of them, whatever becomes of the others: a stop needs only one of the last two.
+  const Result<void> script = co_await open_script(deadline);
+  const Result<void> dashboard = co_await dashboard_.open(deadline);
+  const Result<void> rtde = co_await rtde_.open(deadline);
+  for (const Result<void>& open : {rtde, script, dashboard}) {
     if (!open) co_return fail(open);
   }
   const Result<std::string> greeting = co_await dashboard_.next(deadline);
@@ -122,11 +125,29 @@ Task<Result<std::string>> UniversalArm::identify() {
   co_return type;
 }
 
+Task<Result<void>> UniversalArm::open_script(Time deadline) {
+  passing_over_ = Job();
+  const Result<void> open = co_await script_.open(deadline);
+  if (!open) co_return open;
+  passing_over_ = executor_.spawn(pass_over_chatter());
+  co_return Result<void>();
+}
+
+// The controller tells of itself where it takes programs, ten times a second and more, whether anybody reads it or not.
+Task<void> UniversalArm::pass_over_chatter() {
+  while (true) {
+    const Time deadline = executor_.now() + look_again;
+    const Result<std::string> chatter = co_await script_.read(deadline);
+    if (!chatter && chatter.error().symbol != "timeout") co_return;
+  }
+}
+
 Result<bool> UniversalArm::hear(const std::string& message) {
   if (message.front() != rtde::data) return false;
   const Result<rtde::State> state = rtde::read_state(std::string_view(message).substr(1));
   if (!state) return fail(state);
   state_ = *state;
+  hear_state();
   return true;
 }
 
@@ -172,7 +193,7 @@ Task<Result<void>> UniversalArm::start_move(std::vector<Joints> waypoints, doubl
   stopping_ = false;
   const Joints from = joints();
   const std::vector<Leg> legs = legs_of(model_, from, waypoints);
-  const Result<void> sent = script_.say(move_script(model_, legs, speed, from, 2 * programs_));
+  const Result<void> sent = script_.write(move_script(model_, legs, speed, from, 2 * programs_));
   if (!sent) co_return fail(sent);
   const std::int32_t begun = 2 * programs_;
   std::function<bool()> has_begun = [this, begun] { return state_.marker >= begun; };
@@ -187,9 +208,27 @@ Task<Result<void>> UniversalArm::start_move(std::vector<Joints> waypoints, doubl
 }
 
 Task<Result<void>> UniversalArm::stop() {
+  constexpr std::string_view program = "def pizarra_stops():\n  stopj(8.0)\nend\n";
   stopping_ = true;
-  co_return script_.say("def pizarra_stops():\n  stopj(8.0)\nend\n");
+  const Result<void> told = script_.write(program);
+  // A program is not acknowledged: where its line carries nothing any more, the other may.
+  ending_ = executor_.spawn(end_program_too());
+  if (told) co_return told;
+  const Time deadline = executor_.now() + answer_time;
+  const Result<void> open = co_await open_script(deadline);
+  if (open) co_return script_.write(program);
+  Result<void> ended = co_await end_program();
+  co_return ended;
 }
+
+Task<Result<void>> UniversalArm::end_program() {
+  line::Dialogue::Fits any = [](const std::string&) { return true; };
+  const Result<std::string> ended = co_await dashboard_.ask_at_once("stop\n", std::move(any));
+  if (!ended) co_return fail(ended);
+  co_return Result<void>();
+}
+
+Task<void> UniversalArm::end_program_too() { [[maybe_unused]] const Result<void> ended = co_await end_program(); }
 
 Task<Result<void>> UniversalArm::start_gripper(double opening_mm) {
   const Result<void> sound = check_opening(opening_mm);
@@ -213,7 +252,8 @@ Task<Result<ArmReading>> UniversalArm::read() {
                      .moving = playing(),
                      .stopped = !ended() && programs_ > 0,
                      .opening_mm = state_.opening_mm,
-                     .gripper_moving = state_.fingers != 0 || executor_.now() < gripping_until_};
+                     .gripper_moving = state_.fingers != 0 || executor_.now() < gripping_until_,
+                     .at = told_.told_at()};
   if (!able() || local_) {
     using Kind = ArmTrouble::Kind;
     const bool fault = state_.safety_mode >= safety_violation;

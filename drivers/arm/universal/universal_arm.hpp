@@ -14,7 +14,9 @@
 // identify() goes by the dashboard server's model and version: an e-Series (PolyScope 5) says UR5 of a UR5e, as a CB3
 // (PolyScope 3) does of a UR5, and the two differ in their links.
 //
-// take_control() refuses an arm in local control, releases a protective stop, switches on and releases the brakes.
+// take_control() refuses an arm in local control, releases a protective stop, switches on and releases the brakes. A
+// stop is a program of its own and, at the same time, the dashboard server's word, since neither can be known to
+// arrive.
 //
 // How far it is proven: with the emulator of drivers/simulation/controllers/arms/ alone. Facts from: the maker's RTDE
 // guide, URScript manual and dashboard server documentation.
@@ -48,12 +50,17 @@ class UniversalArm : public ArmDriver {
   static constexpr Duration fresh = 200ms;  // what the arm said longer ago is not known any more
   static constexpr Duration power_time = 20s;
   static constexpr Duration mode_time = 500ms;  // while it does not move for us: local control is not told unasked
+  static constexpr Duration look_again = 3600s;
 
   Task<Result<std::string>> ask_rtde(char type, std::string payload);
   Task<Result<void>> subscribe();
   Task<Result<std::string>> ask_type();
   Task<Result<void>> ask_mode();
   Task<void> ask_mode_again();
+  Task<Result<void>> open_script(Time deadline);
+  Task<void> pass_over_chatter();
+  Task<Result<void>> end_program();
+  Task<void> end_program_too();
   Result<bool> hear(const std::string& message);
   bool able() const;
   Failure trouble() const;
@@ -63,8 +70,8 @@ class UniversalArm : public ArmDriver {
 
   Executor& executor_;
   ArmModel model_;
+  line::ByteWire& script_;  // is told programs
   line::Dialogue rtde_;
-  line::Dialogue script_;  // is told programs, and not listened to
   line::Dialogue dashboard_;
   line::ToldState told_;
   rtde::State state_;
@@ -74,6 +81,8 @@ class UniversalArm : public ArmDriver {
   bool local_ = false;  // the pendant has control
   Time mode_asked_at_{};
   Job asking_mode_;
+  Job passing_over_;
+  Job ending_;
   Time gripping_until_{};
 };
 

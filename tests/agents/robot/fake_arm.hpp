@@ -99,6 +99,7 @@ class FakeArm : public arm::ArmDriver {
     arm::ArmReading reading{at(), moving(), stopped_, opening(), opening() != towards_};
     reading.trouble = trouble;
     reading.gripped = gripped;
+    hear_state();
     co_return reading;
   }
 

@@ -33,6 +33,7 @@ class HeardArm : public arm::ArmDriver {
   }
   Task<Result<void>> start_gripper(double opening_mm) override { return arm_.start_gripper(opening_mm); }
   Task<Result<arm::ArmReading>> read() override { return arm_.read(); }
+  std::uint64_t states_heard() const override { return arm_.states_heard(); }
 
  private:
   simulation::SimulatedArm arm_;

@@ -59,6 +59,7 @@ class HeardBody : public arm::ArmDriver {
   }
   Task<Result<void>> start_gripper(double opening_mm) override { return body_.start_gripper(opening_mm); }
   Task<Result<arm::ArmReading>> read() override { return body_.read(); }
+  std::uint64_t states_heard() const override { return body_.states_heard(); }
 
  private:
   simulation::MovingArm body_;

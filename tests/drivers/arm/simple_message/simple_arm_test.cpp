@@ -136,6 +136,29 @@ TEST_P(Simple, AnAcknowledgementThatDoesNotComeEndsTheMotionInAFailure) {
   EXPECT_LE(executor.now() - before, 2s);
 }
 
+TEST_P(Simple, AStopWaitsForNoAcknowledgementThatIsStillToCome) {
+  ASSERT_EQ(connect(), "");
+  motion.far.spoil = [](std::string) { return std::string(); };
+  const Job sending = executor.spawn([](ArmDriver& driven, Joints there) -> Task<void> {
+    static_cast<void>(co_await driven.start_move({there}, 1));
+  }(arm, moved(0, 60)));
+  executor.run_for(50ms);
+  ASSERT_TRUE(read()->moving);
+  const Job stopping =
+      executor.spawn([](ArmDriver& driven) -> Task<void> { static_cast<void>(co_await driven.stop()); }(arm));
+  executor.run_for(250ms);
+  EXPECT_FALSE(read()->moving);
+}
+
+TEST_P(Simple, AStopFindsAMotionLineThatWasLost) {
+  ASSERT_EQ(connect(), "");
+  ASSERT_EQ(move({moved(0, 100)}), "");
+  executor.run_for(100ms);
+  motion.far.close();
+  EXPECT_EQ(outcome(arm.stop()), "");
+  EXPECT_TRUE(wait()->stopped);
+}
+
 TEST_P(Simple, TheTrackIsAJointWhereTheControllerHasIt) {
   ASSERT_EQ(connect(), "");
   const std::size_t track = crs_f3().axis_of(Role::track).value();

@@ -4,14 +4,18 @@
 #include <numbers>
 
 #include "blackboard/time/random.hpp"
+#include "blackboard/time/real_executor.hpp"
 #include "blackboard/time/virtual_executor.hpp"
 #include "drivers/arm/arm_file.hpp"
 #include "drivers/arm/kinematics.hpp"
 #include "drivers/arm/route.hpp"
 #include "drivers/arm/universal/universal_arm.hpp"
+#include "drivers/line/tcp_port.hpp"
+#include "drivers/line/tcp_wire.hpp"
 #include "drivers/simulation/controllers/arms/moving_arm.hpp"
 #include "drivers/simulation/controllers/arms/ur_emulator.hpp"
 #include "tests/drivers/arm/driven_cells.hpp"
+#include "tests/drivers/arm/plain/plain_universal.hpp"
 #include "tests/drivers/line/wire_pair.hpp"
 
 namespace pizarra::arm {
@@ -81,6 +85,52 @@ TEST_F(Universal, AnArmOfAnotherModelOrSeriesOrOfNoneIsNotTakenForThisOne) {
   for (const char* none : {"u", "what?"}) EXPECT_EQ(says(none, "URSoftware 5.4.0"), "bad-reply") << none;
   EXPECT_EQ(says("", "URSoftware 5.4.0"), "disconnected") << "an empty line is no answer";
   EXPECT_EQ(says("UR5", "could not understand"), "bad-reply");
+}
+
+TEST_F(Universal, AStopGoesByTheDashboardWhereTheScriptsLineIsCut) {
+  ASSERT_EQ(connect(), "");
+  ASSERT_EQ(move({moved(0, 90)}, 0.3), "");
+  executor.run_for(200ms);
+  script_line.cut(true);
+  EXPECT_EQ(outcome(arm.stop()), "");
+  EXPECT_TRUE(wait()->stopped);
+}
+
+TEST_F(Universal, AStopFindsAScriptsLineThatWasLost) {
+  ASSERT_EQ(connect(), "");
+  ASSERT_EQ(move({moved(0, 90)}, 0.3), "");
+  executor.run_for(200ms);
+  script_line.far.close();
+  dashboard_line.cut(true);
+  EXPECT_EQ(outcome(arm.stop()), "");
+  EXPECT_TRUE(wait()->stopped);
+}
+
+// In real time: what nobody reads fills a socket.
+TEST(UniversalOverTcp, TheScriptsLineIsNotLostBecauseItsServerTalks) {
+  RealExecutor executor;
+  const auto port = [&] { return std::move(line::TcpPort::listen(executor, "127.0.0.1", 0).value()); };
+  const auto rtde = port(), script = port(), dashboard = port();
+  PlainUniversal controller(ur5e());
+  controller.chatter.assign(40 << 10, 'x');
+  const Job telling = executor.spawn(serve_rtde(executor, controller, *rtde));
+  const Job running = executor.spawn(serve_script(executor, controller, *script));
+  const Job answering = executor.spawn(serve_dashboard(executor, controller, *dashboard));
+  line::TcpWire to_rtde(executor, "127.0.0.1", rtde->port());
+  line::TcpWire to_script(executor, "127.0.0.1", script->port());
+  line::TcpWire to_dashboard(executor, "127.0.0.1", dashboard->port());
+  UniversalArm arm(executor, {to_rtde, to_script, to_dashboard}, ur5e());
+  const Result<std::string> type = run(executor, arm.identify());
+  ASSERT_TRUE(type) << describe(type.error());
+  run(executor, [](Executor& clock) -> Task<bool> {
+    co_await sleep(clock, 500ms);
+    co_return true;
+  }(executor));
+  Joints there = ur5e().ready;
+  there[0] += 10;
+  const Result<void> begun = run(executor, arm.start_move({there}, 1));
+  EXPECT_TRUE(begun) << describe(begun.error());
+  EXPECT_TRUE(controller.arm.moving);
 }
 
 TEST_F(Universal, GoesThereAsOneProgramAndSaysWhenItStands) {
