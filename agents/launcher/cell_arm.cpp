@@ -96,10 +96,16 @@ class SimpleDevice : public CellArm {
   SimpleDevice(Executor& executor, const forms::ArmLine& line, const arm::ArmModel& model)
       : motion_(executor, line.places[0], port_of(line, 0)),
         state_(executor, line.places[0], port_of(line, 1)),
-        arm_(executor, {.motion = motion_, .state = state_, .track = line.protocol == "simple-message-track"}, model) {}
+        arm_(executor, wires(line.protocol), model) {}
   arm::ArmDriver& driver() override { return arm_; }
 
  private:
+  arm::SimpleWires wires(std::string_view protocol) {
+    arm::SimpleWires wires{.motion = motion_, .state = state_};
+    if (protocol.ends_with("big-endian")) wires.order = line::ByteOrder::big;
+    wires.track = protocol.starts_with("simple-message-track");
+    return wires;
+  }
   line::TcpWire motion_;
   line::TcpWire state_;
   arm::SimpleArm arm_;
@@ -128,7 +134,7 @@ class GrippingDevice : public CellArm {
       : arm_(std::move(arm)),
         client_(executor, setup.place, setup.port, setup.unit),
         gripper_(executor, client_, setup),
-        both_(arm_->driver(), gripper_) {}
+        both_(executor, arm_->driver(), gripper_) {}
   arm::ArmDriver& driver() override { return both_; }
 
  private:

@@ -3,9 +3,9 @@
 // What an arm needs of a gripper that has a controller of its own, whichever line reaches it. One implementation a
 // protocol; GrippingArm puts one onto an arm of any driver.
 //
-// Lifecycle: connect(), again after it was away; start() and read() at any time.
-// Failures: not-finite, disconnected, bad-reply; refused, whose subject is the gripper's code; not-in-control, where it
-// has a fault or cannot be activated.
+// Lifecycle: connect() whenever somebody takes control, which alone activates it or resets its fault; start() and
+// read() at any time. Every call ends within a second or two, connect() within ten. Failures: not-finite, disconnected,
+// bad-reply; refused, whose subject is the gripper's code; not-in-control, where it has a fault or cannot be activated.
 
 #include "blackboard/time/task.hpp"
 #include "lisp/result.hpp"

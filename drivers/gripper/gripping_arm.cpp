@@ -5,34 +5,45 @@ namespace pizarra::gripper {
 Task<Result<void>> GrippingArm::take_control() {
   const Result<void> control = co_await arm_.take_control();
   if (!control) co_return control;
+  const Result<void> connected = co_await gripper_.connect();
   reads_left_ = 0;
-  Result<void> connected = co_await gripper_.connect();
-  co_return connected;
+  if (connected) co_return connected;
+  const Failure& why = connected.error();
+  co_return fail("not-in-control", "the arm can be moved, and its gripper cannot: " + why.sentence, why.subject);
 }
 
 Task<Result<void>> GrippingArm::start_gripper(double opening_mm) {
   const Result<void> started = co_await gripper_.start(opening_mm);
   if (!started) co_return started;
+  // What it was asked before it began says nothing of that.
+  asking_ = Job();
   reads_left_ = 0;
   last_.moving = true;
   co_return Result<void>();
 }
 
+Task<void> GrippingArm::ask() {
+  const Result<GripperReading> gripper = co_await gripper_.read();
+  trouble_.reset();
+  if (gripper) {
+    last_ = *gripper;
+  } else {
+    trouble_ = gripper.error();
+  }
+}
+
 Task<Result<arm::ArmReading>> GrippingArm::read() {
   Result<arm::ArmReading> reading = co_await arm_.read();
   if (!reading) co_return reading;
-  if (last_.moving || reads_left_-- <= 0) {
-    const Result<GripperReading> gripper = co_await gripper_.read();
-    if (!gripper) {
-      reads_left_ = 0;
-      co_return fail(gripper);
-    }
-    last_ = *gripper;
+  const bool due = last_.moving || reads_left_-- <= 0;
+  if (due && asking_.done()) {
     reads_left_ = reads_of_an_opening;
+    asking_ = executor_.spawn(ask());
   }
   reading->opening_mm = last_.opening_mm;
   reading->gripper_moving = last_.moving;
   reading->gripped = last_.gripped;
+  reading->gripper_trouble = trouble_;
   co_return reading;
 }
 

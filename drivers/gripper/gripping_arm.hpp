@@ -2,11 +2,16 @@
 
 // An arm of any driver with a gripper that has a controller of its own, as one arm.
 //
-//   GrippingArm both(arm, gripper);
+//   GrippingArm both(executor, arm, gripper);
 //
-// Moves and stops are the arm's alone. The gripper is asked while its fingers move and at every tenth reading else; one
-// that cannot be asked is the failure of the reading, for what the arm holds is then not known.
+// Neither waits for the other. Moves, stops and states are the arm's alone, whatever becomes of the gripper, which is
+// asked beside them: while its fingers move as often as it answers, else at every tenth reading. What it said last is
+// in the reading, or why it says nothing.
+//
+// take_control() takes the arm's first, and then has the gripper ready to move: not-in-control where that fails, and
+// the arm can be moved all the same.
 
+#include "blackboard/time/executor.hpp"
 #include "drivers/arm/arm_driver.hpp"
 #include "drivers/gripper/gripper_driver.hpp"
 
@@ -14,8 +19,9 @@ namespace pizarra::gripper {
 
 class GrippingArm : public arm::ArmDriver {
  public:
-  // Both outlive it.
-  GrippingArm(arm::ArmDriver& arm, GripperDriver& gripper) : arm_(arm), gripper_(gripper) {}
+  // All outlive it.
+  GrippingArm(Executor& executor, arm::ArmDriver& arm, GripperDriver& gripper)
+      : executor_(executor), arm_(arm), gripper_(gripper) {}
   Task<Result<std::string>> identify() override { return arm_.identify(); }
   Task<Result<void>> take_control() override;
   Task<Result<void>> start_move(std::vector<arm::Joints> waypoints, double speed) override {
@@ -24,14 +30,20 @@ class GrippingArm : public arm::ArmDriver {
   Task<Result<void>> stop() override { return arm_.stop(); }
   Task<Result<void>> start_gripper(double opening_mm) override;
   Task<Result<arm::ArmReading>> read() override;
+  std::uint64_t states_heard() const override { return arm_.states_heard(); }
+  Duration longest_silence() const override { return arm_.longest_silence(); }
 
  private:
   static constexpr int reads_of_an_opening = 10;
+  Task<void> ask();
 
+  Executor& executor_;
   arm::ArmDriver& arm_;
   GripperDriver& gripper_;
   GripperReading last_{};
+  std::optional<Failure> trouble_ = Failure{"disconnected", "the gripper has not been asked yet", {}, {}};
   int reads_left_ = 0;  // until the gripper is asked again
+  Job asking_;
 };
 
 }  // namespace pizarra::gripper

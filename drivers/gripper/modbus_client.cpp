@@ -35,8 +35,10 @@ struct ModbusClient::Connection {
     if (context != nullptr) return true;
     context = modbus_new_tcp_pi(host.c_str(), std::to_string(port).c_str());
     if (context == nullptr) return false;
+    // Without a time for each octet the answer's own is for all of it.
     const bool connected = modbus_set_response_timeout(context, 0, answer_time_us) == 0 &&
-                           modbus_set_slave(context, unit) == 0 && modbus_connect(context) == 0;
+                           modbus_set_byte_timeout(context, 0, 0) == 0 && modbus_set_slave(context, unit) == 0 &&
+                           modbus_connect(context) == 0;
     const int why = errno;
     if (!connected) close();
     errno = why;

@@ -10,8 +10,8 @@
 // Connects when first asked, and anew after a connection was lost. A call that is destroyed while it waits is
 // cancelled: what it began ends by itself within the answer's time.
 //
-// Failures: disconnected (also a device that does not answer for 300 ms), bad-reply; refused, whose subject is the
-// device's exception code.
+// Failures: disconnected (also a device whose answer has not come whole within 300 ms), bad-reply; refused, whose
+// subject is the device's exception code.
 
 #include <cstdint>
 #include <functional>

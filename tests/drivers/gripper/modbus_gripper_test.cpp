@@ -159,6 +159,31 @@ TEST_F(Modbus, OneThatIsSilentFailsInTimeAndKeepsNobodyElseWaiting) {
   EXPECT_EQ(outcome(driver->connect()), "");
 }
 
+// An octet at a time: what is timed is the answer, and not each of them.
+TEST_F(Modbus, AnAnswerThatDoesNotComeWholeInTimeIsNone) {
+  const auto port = std::move(line::TcpPort::listen(executor, "127.0.0.1", 0).value());
+  const Job dripping = executor.spawn([](Executor& clock, line::TcpPort& device) -> Task<void> {
+    const Time deadline = clock.now() + 20s;
+    while (clock.now() < deadline) {
+      const Result<void> come = co_await device.open(deadline);
+      if (!come) co_return;
+      const Result<std::string> asked = co_await device.read(deadline);
+      if (!asked) continue;
+      const std::string answer = asked->substr(0, 4) + std::string("\0\x09\x09\x03\x06\0\x31\0\0\0\0", 11);
+      for (const char octet : answer) {
+        co_await sleep(clock, 100ms);
+        static_cast<void>(device.write(std::string(1, octet)));
+      }
+    }
+  }(executor, *port));
+  ModbusClient slow(executor, "127.0.0.1", port->port(), setup.unit);
+  const Time before = executor.now();
+  const Result<std::vector<std::uint16_t>> values = ask(slow.read(2000, 3));
+  EXPECT_LE(executor.now() - before, 800ms);
+  ASSERT_FALSE(values);
+  EXPECT_EQ(values.error().symbol, "disconnected");
+}
+
 TEST_F(Modbus, ADisconnectionInTheMiddleOfClosingIsOneFailureAndThenItIsFoundAgain) {
   ASSERT_EQ(outcome(driver->connect()), "");
   ASSERT_EQ(outcome(driver->start(60)), "");
