@@ -16,6 +16,12 @@ line::FrameReader frames_of(const SimpleWires& wires) {
   return wires.order == line::ByteOrder::little ? frame_of_tcp_little : frame_of_tcp_big;
 }
 
+line::Dialogue::Fits second_of(line::Dialogue::Fits fits) {
+  return [fits = std::move(fits), first = true](const std::string& answer) mutable {
+    return fits(answer) && !std::exchange(first, false);
+  };
+}
+
 }  // namespace
 
 SimpleArm::SimpleArm(Executor& executor, SimpleWires wires, ArmModel model)
@@ -165,8 +171,13 @@ Task<Result<void>> SimpleArm::stop() {
   stopping_ = true;
   SimpleMessage message{.type = simple::trajectory_point, .kind = simple::request};
   message.data = write_point({.sequence = simple::stop_trajectory}, wires_.order);
-  const std::string request = framed(message);
+  std::string request = framed(message);
   line::Dialogue::Fits is_its_reply = reply_to(message);
+  if (wires_.serial) {
+    message.data = write_point({.sequence = simple::nobodys_number}, wires_.order);
+    request += framed(message);
+    is_its_reply = second_of(std::move(is_its_reply));
+  }
   Result<std::string> answer = co_await motion_.ask_at_once(request, is_its_reply);
   if (!answer) {
     const Time deadline = executor_.now() + stopping_time;
@@ -174,6 +185,8 @@ Task<Result<void>> SimpleArm::stop() {
     if (!open) co_return fail(open);
     answer = co_await motion_.ask_at_once(request, is_its_reply);
   }
+  const bool aborted = wires_.serial && answer;
+  if (aborted) co_return Result<void>();
   co_return obeyed(answer);
 }
 

@@ -20,7 +20,12 @@
 // axis that the arm's file does not have, and no other.
 //
 // How far it is proven: with the emulator of drivers/simulation/controllers/arms/ alone, over TCP frames and serial
-// frames that are garbled. The C500C's own servers print moves and do not make them, as published.
+// frames that are garbled; never with the C500C's servers, of which their public source says: since January 2020 they
+// make the moves, at 20 % of the arm's speed whatever a point asks for, so that (speed 20) is the honest setting; a
+// point whose number is not the next, or none of theirs, aborts the robot and is refused; -4 leaves their online mode,
+// and whether the arm brakes at once or ends its move is not said there, so that it is sent a number of nobody's after
+// it; -1 is refused and -2 accepted; they tell neither emergency stop nor mode, never an error, and always that motion
+// is possible: with these servers only drives that are off keep a move from being tried.
 
 #include <deque>
 

@@ -33,6 +33,7 @@ inline constexpr std::int32_t success = 1;
 inline constexpr std::int32_t failure = 2;
 
 inline constexpr std::int32_t stop_trajectory = -4;  // in place of a sequence number
+inline constexpr std::int32_t nobodys_number = -9;   // at which the C500C's servers abort the robot
 
 inline constexpr std::uint16_t motion_port = 11000;
 inline constexpr std::uint16_t state_port = 11002;
