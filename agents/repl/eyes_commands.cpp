@@ -90,6 +90,10 @@ Task<std::vector<Datum>> Interpreter::remarks_on(std::string agent, Datum operat
   const bool lasts = operation.is_form("track") || operation.is_form("connect");
   const Datum eyes = Datum::symbol(agent);
   std::vector<Datum> out;
+  if (!looks && !lasts) co_return out;
+  // Others may have operations of these names, as an arm learns where it stands.
+  const std::vector<Fact> are_eyes = co_await facts_of(context_.board, list("agent"_sym, eyes, "vision"_sym, "?"_sym));
+  if (are_eyes.empty()) co_return out;
   if (lasts) out = co_await remarks_on_mode(eyes);
   if (lasts) {
     const std::string blind = co_await why_blind(eyes);

@@ -176,6 +176,7 @@ class ReplOfEyes : public Repl {
     const Result<void> served = co_await eyes_service.serve_requests(std::move(handler));
   }
   Task<Result<Datum>> say_ok() { co_return Datum(); }
+  static Task<Result<Datum>> say_true() { co_return list("true"_sym); }
   void eyes_tell(std::string_view fact) {
     ASSERT_TRUE(board.transact("vision", Transaction().tell(read_one(fact).value())).has_value());
   }
@@ -228,6 +229,35 @@ TEST_F(ReplOfEyes, ObjectsAreWhereTheEyesSeeThem) {
   type("(tell (agent coordinator coordinator \"here\"))");
   type("(objects)");
   EXPECT_TRUE(shown.contains("  triangle       learned; it is followed from the first goal on\n")) << shown;
+}
+
+// The board counts whom it refused a question; nothing is refused where nothing is wrong.
+TEST_F(ReplOfEyes, AnArmThatLearnsWhereItStandsIsNotTakenForEyes) {
+  board
+      .declare("vision", {relation_from_datum(read_one("(relation vision-failed ((eyes symbol) (frame integer)"
+                                                       " (text string) (symbol symbol) (sentence string)) (key eyes))")
+                                                  .value())
+                              .value()})
+      .value();
+  const std::unique_ptr<Board> arms_view = board.view("robot");
+  runtime::AgentContext arms_context{"robot", "localhost", executor, *arms_view, Random(1)};
+  runtime::Service arm(arms_context,
+                       runtime::contract_from_text("(contract robot (offers (learn (variable symbol))))").value());
+  const Job answering_for_it = executor.spawn([](runtime::Service& served_arm) -> Task<void> {
+    const Result<void> started = co_await served_arm.start();
+    EXPECT_TRUE(started.has_value());
+    runtime::RequestHandler handler = [](Fact) { return say_true(); };
+    const Result<void> served = co_await served_arm.serve_requests(std::move(handler));
+  }(arm));
+  executor.run_for(1s);
+  const std::string refused = R"((ask (client-stats "user" ? ?refused ?)))";
+  type(refused);
+  const std::string before = shown;
+  EXPECT_EQ(type("(robot (learn p1))"), Evaluation::done);
+  EXPECT_EQ(shown, "true\n");
+  executor.run_for(2s);
+  type(refused);
+  EXPECT_EQ(shown, before);
 }
 
 TEST_F(ReplOfEyes, AMistypedAgentIsNamedRight) {
