@@ -179,7 +179,8 @@ Task<Result<void>> SimpleArm::stop() {
     is_its_reply = second_of(std::move(is_its_reply));
   }
   Result<std::string> answer = co_await motion_.ask_at_once(request, is_its_reply);
-  if (!answer) {
+  const bool lost = !motion_.say({});
+  if (lost) {
     const Time deadline = executor_.now() + stopping_time;
     const Result<void> open = co_await motion_.open(deadline);
     if (!open) co_return fail(open);

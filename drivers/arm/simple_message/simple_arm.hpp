@@ -9,7 +9,7 @@
 // read() comes. A controller that takes them one move at a time stands a moment at each. The state is streamed by the
 // controller; one that has not been heard of for half a second is not known. Nothing is sent twice: a point whose
 // acknowledgement does not come ends the trajectory with a stop. A stop goes over the motion's line alone, before
-// whatever is waited for there, and over a new connection where it is not acknowledged.
+// whatever is waited for there, and over a new connection where that line is lost.
 //
 // The protocol has neither servo nor alarm commands: take_control() asks whether motion is possible and says why not.
 // It has no gripper: one is refused, unless a GrippingArm brings it. Joints are told in the order of the axes. A track

@@ -15,9 +15,10 @@ namespace pizarra::arm {
 namespace {
 
 constexpr double wrist_2_slack_deg = 0.5;
-constexpr std::size_t wrist_2 = 4;   // between the fourth axis of five and the last
-constexpr int safety_violation = 8;  // and fault above it
-constexpr int e_series = 5;          // its major version; before it 3
+constexpr double standing_deg = 0.01;  // from one state to the next
+constexpr std::size_t wrist_2 = 4;     // between the fourth axis of five and the last
+constexpr int safety_violation = 8;    // and fault above it
+constexpr int e_series = 5;            // its major version; before it 3
 
 // As in the arm's file, `ur5e` of UR5 and URSoftware 5.11.0; nothing of what is none.
 std::optional<std::string> type_of_model(std::string type, std::string_view version) {
@@ -146,6 +147,10 @@ Result<bool> UniversalArm::hear(const std::string& message) {
   if (message.front() != rtde::data) return false;
   const Result<rtde::State> state = rtde::read_state(std::string_view(message).substr(1));
   if (!state) return fail(state);
+  for (std::size_t axis = 0; axis < state->joints_rad.size(); ++axis) {
+    const double way_deg = degrees(state->joints_rad[axis] - state_.joints_rad[axis]);
+    if (std::abs(way_deg) > standing_deg) moved_at_ = executor_.now();
+  }
   state_ = *state;
   hear_state();
   return true;
@@ -249,7 +254,7 @@ Task<Result<ArmReading>> UniversalArm::read() {
     asking_mode_ = executor_.spawn(ask_mode_again());
   }
   ArmReading reading{.joints = joints(),
-                     .moving = playing(),
+                     .moving = playing() || brakes(),
                      .stopped = !ended() && programs_ > 0,
                      .opening_mm = state_.opening_mm,
                      .gripper_moving = state_.fingers != 0 || executor_.now() < gripping_until_,

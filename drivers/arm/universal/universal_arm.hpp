@@ -49,7 +49,8 @@ class UniversalArm : public ArmDriver {
   static constexpr Duration answer_time = 1s;
   static constexpr Duration fresh = 200ms;  // what the arm said longer ago is not known any more
   static constexpr Duration power_time = 20s;
-  static constexpr Duration mode_time = 500ms;  // while it does not move for us: local control is not told unasked
+  static constexpr Duration mode_time = 500ms;     // while it does not move for us: local control is not told unasked
+  static constexpr Duration standing_time = 40ms;  // several states
   static constexpr Duration look_again = 3600s;
 
   Task<Result<std::string>> ask_rtde(char type, std::string payload);
@@ -65,6 +66,8 @@ class UniversalArm : public ArmDriver {
   bool able() const;
   Failure trouble() const;
   bool playing() const { return state_.runtime == rtde::playing; }
+  // What was told to stop has no program any more before it stands.
+  bool brakes() const { return stopping_ && executor_.now() - moved_at_ < standing_time; }
   bool ended() const { return state_.marker == 2 * programs_ + 1; }  // the last program
   Joints joints() const;
 
@@ -78,6 +81,7 @@ class UniversalArm : public ArmDriver {
   std::uint8_t input_recipe_ = 0;
   std::int32_t programs_ = 0;  // the last begins with the marker 2 N and ends with 2 N + 1
   bool stopping_ = false;
+  Time moved_at_{};
   bool local_ = false;  // the pendant has control
   Time mode_asked_at_{};
   Job asking_mode_;

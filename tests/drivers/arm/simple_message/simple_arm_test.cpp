@@ -139,13 +139,11 @@ TEST_P(Simple, AnAcknowledgementThatDoesNotComeEndsTheMotionInAFailure) {
 TEST_P(Simple, AStopWaitsForNoAcknowledgementThatIsStillToCome) {
   ASSERT_EQ(connect(), "");
   motion.far.spoil = [](std::string) { return std::string(); };
-  const Job sending = executor.spawn([](ArmDriver& driven, Joints there) -> Task<void> {
-    static_cast<void>(co_await driven.start_move({there}, 1));
-  }(arm, moved(0, 60)));
+  std::optional<Result<void>> sent, stopped;
+  const Job sending = executor.spawn(keep(arm.start_move({moved(0, 60)}, 1), sent));
   executor.run_for(50ms);
   ASSERT_TRUE(read()->moving);
-  const Job stopping =
-      executor.spawn([](ArmDriver& driven) -> Task<void> { static_cast<void>(co_await driven.stop()); }(arm));
+  const Job stopping = executor.spawn(keep(arm.stop(), stopped));
   executor.run_for(250ms);
   EXPECT_FALSE(read()->moving);
 }
