@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <numbers>
 #include <ranges>
 
 #include "agents/robot/arm_script.hpp"
@@ -62,21 +63,60 @@ Result<Motion> whole_line(const arm::ArmModel& model, const arm::Joints& from, c
   return Motion{path.waypoints()};
 }
 
+double to_resolution(double degrees) { return std::round(degrees / turn_resolution_deg) * turn_resolution_deg; }
+
+// Of an arm that no axis turns: its tool goes where it would if the whole arm were turned about the base's upright, on
+// the same arc, as far as the arm reaches.
+Result<Motion> carried_round(const arm::ArmModel& model, const arm::Joints& from, double sign, const Datum& angle) {
+  constexpr double step_deg = 1;
+  const Result<double> degrees = amount_in(angle, 0, max_turn_deg, "degrees");
+  if (!degrees) return fail(degrees);
+  const double by = to_resolution(*degrees);
+  const arm::ToolPose start = arm::forward(model, from);
+  Motion motion;
+  const auto reach = [&](double turned_deg) {
+    const Eigen::AngleAxisd turn(sign * turned_deg * std::numbers::pi / 180, Eigen::Vector3d::UnitZ());
+    const arm::Joints& near = motion.waypoints.empty() ? from : motion.waypoints.back();
+    const Result<arm::Joints> joints = arm::inverse_in_place(model, arm::ToolPose(turn) * start, near);
+    if (joints) motion.waypoints.push_back(*joints);
+    return joints.has_value();
+  };
+  const double arc_mm = start.translation().head<2>().norm() * by * std::numbers::pi / 180;
+  const double steps = std::ceil(std::max(by / step_deg, arc_mm / ToolPath::step_mm));
+  for (double step = 1; step <= steps; ++step) {
+    if (reach(by * step / steps)) continue;
+    // Nearer and nearer to where it reaches no further.
+    double piece = by / steps / 2;
+    for (double at = by * (step - 1) / steps; piece >= turn_resolution_deg / 2; piece /= 2) {
+      if (reach(at + piece)) at += piece;
+    }
+    break;
+  }
+  motion.at_limit = by > 0 && motion.waypoints.empty();
+  return motion;
+}
+
+// What an arm without this axis does instead.
+std::string without_axis(const arm::ArmModel& model, arm::Role role) {
+  if (role != arm::Role::pitch) {
+    return fmt::format("the arm {} has no axis that does this ({})", model.type, arm::role_name(role));
+  }
+  return fmt::format("the tool of the arm {} always points down: (turn-wrist ...) turns it, and nothing tilts it",
+                     model.type);
+}
+
 // `sign` counts as the role's value does, whatever the axis' own sense.
 Result<Motion> turned(const arm::ArmModel& model, const arm::Joints& from, arm::Role role, double sign,
                       const Datum& angle) {
   const std::optional<std::size_t> known = model.axis_of(role);
-  if (!known) {
-    return fail("no-such-axis",
-                fmt::format("the arm {} has no axis that does this ({})", model.type, arm::role_name(role)),
-                Datum::symbol(arm::role_name(role)));
-  }
+  if (!known && role == arm::Role::turn) return carried_round(model, from, sign, angle);
+  if (!known) return fail("no-such-axis", without_axis(model, role), Datum::symbol(arm::role_name(role)));
   const std::size_t axis = *known;
   const arm::Range range = arm::range_of(model, from, axis);
   const double widest = std::max(max_turn_deg, range.high - range.low);
   const Result<double> degrees = amount_in(angle, 0, widest, "degrees");
   if (!degrees) return fail(degrees);
-  const double by = std::round(*degrees / turn_resolution_deg) * turn_resolution_deg;
+  const double by = to_resolution(*degrees);
   if (by == 0) return Motion{};
   arm::Joints to = from;
   to[axis] = std::clamp(from[axis] + sign * model.axes[axis].sense * by, std::min(range.low, from[axis]),

@@ -7,7 +7,8 @@
 // move-h and move-v name a place (the current one plus the increment), to which a track may help, and are refused when
 // it cannot be reached. All but the turns keep the tool's direction: the end-effector axis takes back what the links
 // turn (CRS-F3: dj5 = -(dj2 + dj3), UP6: dB = dL - dU), unless the arm does that itself. With the tool down,
-// (turn-wrist left D) takes back what (turn right D) turned the fingers by.
+// (turn-wrist left D) takes back what (turn right D) turned the fingers by. An arm that no axis turns, as a gantry,
+// carries its tool round the base instead, where a turn would.
 //
 // Failures: no-such-axis, out-of-range, wrong-direction, unknown-variable, unreachable, joint-limit, singular (the line
 // cannot be kept to), bad-action, too-long.

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <numbers>
 #include <set>
 
 #include "agents/robot/motion.hpp"
@@ -175,16 +176,13 @@ TEST(ArmsMotion, FullyExtendedAndContractedArmsDoNotMove) {
 
 TEST(ArmsMotion, TurnsGoTheSameWayOnEveryArmToAHundredthOfADegree) {
   for (const arm::ArmModel& arm : arms()) {
-    const auto turn = arm.axis_of(arm::Role::turn);
     const Result<Motion> motion = planned(arm, "(turn right 10.004)", arm.ready);
-    if (!turn) {
-      ASSERT_FALSE(motion);
-      EXPECT_EQ(motion.error().symbol, "no-such-axis") << arm.type;
-      continue;
-    }
-    ASSERT_TRUE(motion);
+    ASSERT_TRUE(motion) << arm.type << ": " << motion.error().sentence;
     const arm::Joints& there = motion->waypoints.back();
-    EXPECT_NEAR(std::abs(there[*turn] - arm.ready[*turn]), 10, 1e-9) << arm.type;
+    const arm::ToolPose ready = arm::forward(arm, arm.ready);
+    const arm::ToolPose turned =
+        arm::ToolPose(Eigen::AngleAxisd(std::numbers::pi / 18, Eigen::Vector3d::UnitZ())) * ready;
+    EXPECT_LT((arm::forward(arm, there).matrix() - turned.matrix()).norm(), 1e-6) << arm.type;
     const Eigen::Vector3d before = arm::forward(arm, arm.ready).translation();
     const Eigen::Vector3d after = arm::forward(arm, there).translation();
     EXPECT_GT(before.cross(after).z(), 0) << arm.type << ": right is towards y";
@@ -192,6 +190,39 @@ TEST(ArmsMotion, TurnsGoTheSameWayOnEveryArmToAHundredthOfADegree) {
     ASSERT_TRUE(back) << arm.type;
     const Eigen::Matrix3d fingers = arm::forward(arm, back->waypoints.back()).linear();
     EXPECT_LT((fingers - arm::forward(arm, arm.ready).linear()).norm(), 1e-9) << arm.type;
+  }
+}
+
+TEST(ArmsMotion, AnArmThatNoAxisTurnsCarriesItsToolRoundOnTheSameArcAsFarAsItReaches) {
+  const arm::ArmModel arm = arm::shipped_arm("gantry").value();
+  const double radius = arm::forward(arm, arm.ready).translation().head<2>().norm();
+  const Result<Motion> motion = planned(arm, "(turn left 90)", arm.ready);
+  ASSERT_TRUE(motion) << motion.error().sentence;
+  ASSERT_FALSE(motion->waypoints.empty());
+  arm::Joints before = arm.ready;
+  for (const arm::Joints& to : motion->waypoints) {
+    ASSERT_TRUE(arm::check_limits(arm, to));
+    const double mm = arm::forward(arm, between(before, to, 0.5)).translation().head<2>().norm();
+    EXPECT_NEAR(mm, radius, 0.05);
+    before = to;
+  }
+  // It has no room nearer than 50 mm to the base, or further aside than 500.
+  const Eigen::Vector3d end = arm::forward(arm, before).translation();
+  EXPECT_NEAR(end.x(), 50, 0.1);
+  const Result<Motion> more = planned(arm, "(turn left 90)", before);
+  ASSERT_TRUE(more);
+  EXPECT_TRUE(more->at_limit);
+  EXPECT_TRUE(more->waypoints.empty());
+}
+
+TEST(ArmsMotion, AnArmWhoseToolNothingTiltsSaysWhatItDoesInstead) {
+  for (const char* name : {"gantry", "scara"}) {
+    const arm::ArmModel arm = arm::shipped_arm(name).value();
+    const Result<Motion> motion = planned(arm, "(turn-ef up 10)", arm.ready);
+    ASSERT_FALSE(motion) << name;
+    EXPECT_EQ(motion.error().symbol, "no-such-axis");
+    EXPECT_EQ(motion.error().sentence, std::string("the tool of the arm ") + name +
+                                           " always points down: (turn-wrist ...) turns it, and nothing tilts it");
   }
 }
 
