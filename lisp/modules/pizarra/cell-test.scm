@@ -97,9 +97,11 @@
 (check "a protocol has as many places and ports as it needs"
        (list (driver-of '(driver universal "ur" 1 2)) (driver-of '(driver c500c "/dev/ttyS1" "/dev/ttyS0"))
              (driver-of '(driver ethernet-server "nx")) (driver-of '(driver bsc "/dev/ttyS0"))
-             (driver-of '(driver simple-message-track "f3")))
+             (driver-of '(driver simple-message-track "f3"))
+             (driver-of '(driver simple-message-track-big-endian "f3" 50240 50241)))
        '((universal ("ur") (1 2 29999)) (c500c ("/dev/ttyS1" "/dev/ttyS0") ()) (ethernet-server ("nx") (80))
-         (bsc ("/dev/ttyS0") ()) (simple-message-track ("f3") (11000 11002))))
+         (bsc ("/dev/ttyS0") ()) (simple-message-track ("f3") (11000 11002))
+         (simple-message-track-big-endian ("f3") (50240 50241))))
 (check "a protocol that is not known is refused"
        (complaint '(arm crs-f3 (driver hse "a"))) '(1 unknown-name (0 2 2 1)))
 (check "a controller has an address" (complaint '(arm crs-f3 (driver hses))) '(1 malformed (0 2 2)))

@@ -272,7 +272,9 @@
     (bsc ("the line's file") ())
     (universal ("the controller's address") (30004 30002 29999))
     (simple-message ("the controller's address") (11000 11002))
+    (simple-message-big-endian ("the controller's address") (11000 11002))
     (simple-message-track ("the controller's address") (11000 11002))
+    (simple-message-track-big-endian ("the controller's address") (11000 11002))
     (c500c ("the file of the motion's line" "the file of the state's line") ())))
 
 (define (driver-of found)

@@ -1,6 +1,6 @@
 #pragma once
 
-// A controller that speaks simple_message over TCP, little-endian, as REP I0004 has it.
+// A controller that speaks simple_message over TCP, as REP I0004 has it.
 
 #include <numbers>
 
@@ -14,23 +14,25 @@ namespace pizarra::arm {
 
 class PlainSimple {
  public:
-  explicit PlainSimple(const ArmModel& model) : model_(model) {}
+  explicit PlainSimple(const ArmModel& model, line::ByteOrder byte_order = line::ByteOrder::little)
+      : order(byte_order), model_(model) {}
   PlainArm arm;
+  const line::ByteOrder order;
 
-  static std::string message(std::int32_t type, std::int32_t kind, std::int32_t code, const std::string& data) {
-    line::OctetWriter whole(line::ByteOrder::little);
+  std::string message(std::int32_t type, std::int32_t kind, std::int32_t code, const std::string& data) const {
+    line::OctetWriter whole(order);
     whole.i32(static_cast<std::int32_t>(12 + data.size())).i32(type).i32(kind).i32(code).text(data);
     return whole.octets();
   }
   // The reply to a message without its length.
   std::string answer(std::string_view octets) {
-    line::OctetReader read(octets, line::ByteOrder::little);
+    line::OctetReader read(octets, order);
     const std::int32_t type = read.i32();
     read.i32();
     read.i32();
     const std::string data(read.text(read.left()));
     if (type == 11) {
-      const std::int32_t sequence = line::OctetReader(data, line::ByteOrder::little).i32();
+      const std::int32_t sequence = line::OctetReader(data, order).i32();
       if (sequence == -4) {
         arm.stop();
       } else {
@@ -41,7 +43,7 @@ class PlainSimple {
   }
   // Its joints, and its status.
   std::string state() const {
-    line::OctetWriter joints(line::ByteOrder::little);
+    line::OctetWriter joints(order);
     joints.i32(0);
     std::size_t told = 0;
     for (std::size_t axis = 0; axis < model_.axes.size(); ++axis) {
@@ -50,7 +52,7 @@ class PlainSimple {
       ++told;
     }
     for (; told < 10; ++told) joints.f32(0);
-    line::OctetWriter status(line::ByteOrder::little);
+    line::OctetWriter status(order);
     status.i32(1).i32(0).i32(0).i32(0).i32(arm.moving ? 1 : 0).i32(2).i32(1);
     return message(10, 1, 0, joints.octets()) + message(13, 1, 0, status.octets());
   }
@@ -69,7 +71,7 @@ inline Task<void> serve_motion(Executor& executor, PlainSimple& controller, line
       if (!some) break;
       unread += *some;
       while (unread.size() >= 4) {
-        const std::size_t length = line::OctetReader(unread, line::ByteOrder::little).u32();
+        const std::size_t length = line::OctetReader(unread, controller.order).u32();
         if (unread.size() < 4 + length) break;
         static_cast<void>(wire.write(controller.answer(std::string_view(unread).substr(4, length))));
         unread.erase(0, 4 + length);
