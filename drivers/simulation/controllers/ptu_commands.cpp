@@ -1,168 +1,19 @@
 #include "drivers/simulation/controllers/ptu_commands.hpp"
 
 #include <algorithm>
-#include <charconv>
+#include <array>
 #include <fmt/format.h>
+
+#include "drivers/simulation/controllers/ptu_axis_command.hpp"
 
 namespace pizarra::simulation {
 
 namespace {
 
-constexpr std::string_view illegal_command = "! Illegal command entered";
-constexpr std::string_view illegal_argument = "! Illegal argument entered";
-
 std::string upper(std::string_view text) {
   std::string out(text);
   std::ranges::transform(out, out.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
   return out;
-}
-
-std::optional<int> number_in(std::string_view text) {
-  if (text.starts_with('+')) text.remove_prefix(1);
-  int value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
-
-// One exchange about one axis.
-class AxisCommand {
- public:
-  AxisCommand(PtuUnit& unit, PtuChannel& channel) : unit_(unit), channel_(channel), axis_(channel.axis) {}
-  std::string obey(char what, std::string_view argument);
-
- private:
-  std::string say(std::string_view before, double value, std::string_view after = "") const;
-  std::string query(char what) const;
-  std::string set(char what, int value);
-  std::string go(int target);
-  std::string set_speed(int value);
-  std::string power(std::string_view& mode, bool holding, std::string_view argument) const;
-
-  PtuUnit& unit_;
-  PtuChannel& channel_;
-  PtuAxis& axis_;
-};
-
-std::string AxisCommand::say(std::string_view before, double value, std::string_view after) const {
-  if (!unit_.modes.verbose) return fmt::format("* {}", value);
-  const std::string sentence = fmt::format(fmt::runtime(before), channel_.name);
-  return fmt::format("* {} {}{}", sentence, value, after);
-}
-
-std::string AxisCommand::query(char what) const {
-  const PtuSpeeds& speeds = axis_.speeds();
-  switch (what) {
-    case 'P':
-      return say("Current {} position is", axis_.position());
-    case 'O':
-      return say("Target {} position is", axis_.target());
-    case 'N':
-      return say("Minimum {} position is", axis_.model().low);
-    case 'X':
-      return say("Maximum {} position is", axis_.model().high);
-    case 'R':
-      return fmt::format("* {}{}", axis_.model().arc_seconds, unit_.modes.verbose ? " seconds arc per position" : "");
-    case 'S':
-      return say("Target {} speed is", speeds.speed, " positions/sec");
-    case 'D':
-      return say("Current {} speed is", axis_.moving_speed(), " positions/sec");
-    case 'U':
-      return say("Maximum {} speed is", speeds.upper, " positions/sec");
-    case 'L':
-      return say("Minimum {} speed is", speeds.lower, " positions/sec");
-    case 'B':
-      return say("Current {} base speed is", speeds.base, " positions/sec");
-    case 'A':
-      return say("{} acceleration is", speeds.acceleration, " positions/sec^2");
-    default:
-      return std::string(illegal_command);
-  }
-}
-
-std::string AxisCommand::go(int target) {
-  if (unit_.modes.limits && target > axis_.model().high) {
-    return fmt::format("! Maximum allowable {} position is {}", channel_.name, axis_.model().high);
-  }
-  if (unit_.modes.limits && target < axis_.model().low) {
-    return fmt::format("! Minimum allowable {} position is {}", channel_.name, axis_.model().low);
-  }
-  channel_.awaited = target;
-  if (unit_.modes.immediate) axis_.go_to(target);
-  return "*";
-}
-
-std::string AxisCommand::set_speed(int value) {
-  PtuSpeeds& speeds = axis_.speeds();
-  if (value > speeds.upper) {
-    return fmt::format("! {} speed cannot exceed {} positions/sec", channel_.name, speeds.upper);
-  }
-  if (value < speeds.lower) {
-    return fmt::format("! {} speed cannot be less than {} positions/sec", channel_.name, speeds.lower);
-  }
-  speeds.speed = value;
-  return "*";
-}
-
-std::string AxisCommand::set(char what, int value) {
-  PtuSpeeds& speeds = axis_.speeds();
-  const int top = axis_.model().top_speed;
-  const auto keep = [](int& setting, int to, int low, int high) {
-    if (to < low || to > high) return std::string(illegal_argument);
-    setting = to;
-    return std::string("*");
-  };
-  constexpr int most_acceleration = 1'000'000;
-  switch (what) {
-    case 'P':
-      return go(value);
-    case 'O':
-      return go(axis_.position() + value);
-    case 'S':
-      return set_speed(value);
-    case 'D':
-      return set_speed(speeds.speed + value);
-    case 'U':
-      return keep(speeds.upper, value, speeds.lower, top);
-    case 'L':
-      return keep(speeds.lower, value, 1, speeds.upper);
-    case 'B':
-      return keep(speeds.base, value, 1, speeds.upper);
-    case 'A':
-      return keep(speeds.acceleration, value, 1, most_acceleration);
-    default:
-      return std::string(illegal_command);
-  }
-}
-
-std::string AxisCommand::power(std::string_view& mode, bool holding, std::string_view argument) const {
-  if (argument.empty()) {
-    if (!unit_.modes.verbose) return fmt::format("* {}", mode);
-    return fmt::format("* {} in {} {} power mode", channel_.name, mode, holding ? "hold" : "move");
-  }
-  const char third = holding ? 'O' : 'H';
-  if (argument == "R") {
-    mode = "REGULAR";
-  } else if (argument == "L") {
-    mode = "LOW";
-  } else if (argument.size() == 1 && argument.front() == third) {
-    mode = holding ? "OFF" : "HIGH";
-  } else {
-    return std::string(illegal_argument);
-  }
-  return "*";
-}
-
-std::string AxisCommand::obey(char what, std::string_view argument) {
-  if (what == 'H') return power(channel_.hold, true, argument);
-  if (what == 'M') return power(channel_.move, false, argument);
-  if (argument.empty()) return query(what);
-  const std::optional<int> value = number_in(argument);
-  if (!value) return std::string(illegal_argument);
-  // A count beyond any unit's is a slip of the other side, not a place.
-  constexpr int most = 10'000'000;
-  if (*value > most || *value < -most) return std::string(illegal_argument);
-  return set(what, *value);
 }
 
 PtuAnswer halt(PtuUnit& unit, bool pan, bool tilt) {
@@ -193,7 +44,6 @@ struct Switch {
 constexpr Switch switches[] = {
     {'E', &PtuModes::echo, "EE", "ED", "Echoing ON", "Echoing OFF"},
     {'F', &PtuModes::verbose, "FV", "FT", "ASCII verbose mode", "ASCII terse mode"},
-    {'L', &PtuModes::limits, "LE", "LD", "Limit bounds are ENABLED (soft limits enabled)", "Limit bounds are DISABLED"},
 };
 
 std::optional<PtuAnswer> turn_switch(PtuUnit& unit, std::string_view command) {
@@ -209,6 +59,67 @@ std::optional<PtuAnswer> turn_switch(PtuUnit& unit, std::string_view command) {
   return std::nullopt;
 }
 
+std::optional<PtuAnswer> turn_limits(PtuUnit& unit, std::string_view command) {
+  PtuModes& modes = unit.modes;
+  if (command == "L") {
+    if (!modes.limits) return PtuAnswer{"* Limit bounds are DISABLED (hard limits only: use care)"};
+    return PtuAnswer{
+        fmt::format("* Limit bounds are ENABLED ({} limits enabled)", modes.user_limits ? "user" : "soft")};
+  }
+  if (command != "LE" && command != "LD" && command != "LU") return std::nullopt;
+  modes.limits = command != "LD";
+  modes.user_limits = command == "LU";
+  return PtuAnswer{"*"};
+}
+
+// Whether speeds have a sign that says where to.
+std::optional<PtuAnswer> turn_speed_control(PtuUnit& unit, std::string_view command) {
+  if (command == "C") {
+    const std::string_view mode = unit.pure_velocity ? "pure velocity" : "independent";
+    std::string sentence = fmt::format("{} speed control mode", mode);
+    if (unit.modes.verbose) sentence.front() = static_cast<char>(std::toupper(sentence.front()));
+    return PtuAnswer{"* " + sentence};
+  }
+  if (command != "CI" && command != "CV") return std::nullopt;
+  unit.pure_velocity = command == "CV";
+  unit.pan.velocity = 0;
+  unit.tilt.velocity = 0;
+  return PtuAnswer{"*"};
+}
+
+// Places and speeds of both axes, all of them or none.
+PtuAnswer go_both(PtuUnit& unit, std::string_view numbers) {
+  std::array<int, 4> wanted{};
+  for (int& number : wanted) {
+    const std::size_t comma = std::min(numbers.find(','), numbers.size());
+    const std::optional<int> value = ptu_number(numbers.substr(0, comma));
+    const bool last = &number == &wanted.back();
+    if (!value || last != (comma == numbers.size())) return {std::string(illegal_argument)};
+    number = *value;
+    numbers.remove_prefix(std::min(comma + 1, numbers.size()));
+  }
+  PtuAxisCommand pan(unit, unit.pan);
+  PtuAxisCommand tilt(unit, unit.tilt);
+  for (std::string refusal : {pan.refusal_of_place(wanted[0]), tilt.refusal_of_place(wanted[1]),
+                              pan.refusal_of_speed(wanted[2]), tilt.refusal_of_speed(wanted[3])}) {
+    if (!refusal.empty()) return {std::move(refusal)};
+  }
+  unit.pan.axis.speeds().speed = wanted[2];
+  unit.tilt.axis.speeds().speed = wanted[3];
+  static_cast<void>(pan.obey(fmt::format("P{}", wanted[0])));
+  static_cast<void>(tilt.obey(fmt::format("P{}", wanted[1])));
+  return {"*"};
+}
+
+std::optional<PtuAnswer> say_what_it_is(const PtuUnit& unit, std::string_view command) {
+  constexpr std::string_view version = "2.14.0";
+  if (command == "V") return PtuAnswer{fmt::format("* Pan-Tilt Controller v{} emulated {}", version, unit.model->name)};
+  if (command == "VV") return PtuAnswer{fmt::format("* {}", version)};
+  if (command == "VM") return PtuAnswer{fmt::format("* {}", unit.model->name)};
+  if (command == "VS") return PtuAnswer{"* emulated"};
+  return std::nullopt;
+}
+
 PtuAnswer set_reset_at_power_up(PtuUnit& unit, bool pan, bool tilt) {
   unit.modes.pan_reset_at_power_up = pan;
   unit.modes.tilt_reset_at_power_up = tilt;
@@ -216,7 +127,11 @@ PtuAnswer set_reset_at_power_up(PtuUnit& unit, bool pan, bool tilt) {
 }
 
 PtuAnswer obey_whole(PtuUnit& unit, std::string_view command) {
-  if (const std::optional<PtuAnswer> turned = turn_switch(unit, command)) return *turned;
+  for (const auto& about : {turn_switch, turn_limits, turn_speed_control}) {
+    if (const std::optional<PtuAnswer> turned = about(unit, command)) return *turned;
+  }
+  if (const std::optional<PtuAnswer> said = say_what_it_is(unit, command)) return *said;
+  if (command.starts_with('B')) return go_both(unit, command.substr(1));
   if (command == "I" || command == "S") {
     unit.modes.immediate = command == "I";
     return {"*"};
@@ -230,7 +145,6 @@ PtuAnswer obey_whole(PtuUnit& unit, std::string_view command) {
   if (command == "RT") return {.text = "*", .reset_tilt = true};
   if (command == "RE") return set_reset_at_power_up(unit, true, true);
   if (command == "RD") return set_reset_at_power_up(unit, false, false);
-  if (command == "V") return {fmt::format("* Pan-Tilt Controller v2.14.0 emulated {}", unit.model->name)};
   if (command == "DS" || command == "DR" || command == "DF") {
     if (command == "DS") unit.save();
     if (command == "DR") unit.restore();
@@ -245,8 +159,8 @@ PtuAnswer obey_whole(PtuUnit& unit, std::string_view command) {
 PtuAnswer obey(PtuUnit& unit, std::string_view command) {
   const std::string word = upper(command);
   if (word.size() >= 2 && (word[0] == 'P' || word[0] == 'T')) {
-    AxisCommand about(unit, word[0] == 'P' ? unit.pan : unit.tilt);
-    return {about.obey(word[1], std::string_view(word).substr(2))};
+    PtuAxisCommand about(unit, word[0] == 'P' ? unit.pan : unit.tilt);
+    return {about.obey(std::string_view(word).substr(1))};
   }
   return obey_whole(unit, word);
 }

@@ -6,7 +6,9 @@
 //   obey(unit, "pp")                                    // {"* Current Pan position is 0"}
 //   obey(unit, "A")                                     // {"*", .wait = true}: when it stands
 //
-// Source: the maker's manual of the D46's controller; the wording of `Illegal` answers is unverified.
+// Sources: the maker's manual of the D46's controller (2.14), for speed control modes its section 4.4.7; for `B`, `LU`
+// and the limits of the user public clients of the E series. From public clients, too, is what `C` answers: its first
+// letter is small in terse mode. The wording of `Illegal` answers, of `VV`, `VM` and `VS` is unverified.
 
 #include <optional>
 #include <string>

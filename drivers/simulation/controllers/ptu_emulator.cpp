@@ -1,5 +1,7 @@
 #include "drivers/simulation/controllers/ptu_emulator.hpp"
 
+#include <utility>
+
 namespace pizarra::simulation {
 
 namespace {
@@ -36,6 +38,7 @@ void PtuEmulator::power(bool on) {
     return;
   }
   unit_.restore();
+  unit_.pure_velocity = false;
   working_ = executor_.spawn(work(true));
 }
 
@@ -107,20 +110,22 @@ Task<void> PtuEmulator::reset(bool pan, bool tilt) {
   if (pan) co_await calibrate(unit_.pan);
 }
 
-// To one stop and the other, and from there to the middle.
+// To one stop and the other, and from there to the middle, however slow it was told to be.
 Task<void> PtuEmulator::calibrate(PtuChannel& channel) {
+  const PtuSpeeds told = std::exchange(channel.axis.speeds(), unit_.model->speeds);
   co_await hit_stop(channel, false);
   co_await hit_stop(channel, true);
   channel.axis.calibrate();
   channel.axis.go_to(0);
   channel.awaited = 0;
-  co_await until_still();
+  co_await until_still(channel.axis);
+  channel.axis.speeds() = told;
 }
 
 Task<void> PtuEmulator::hit_stop(PtuChannel& channel, bool high) {
   advance();
   channel.axis.go_to_stop(high);
-  co_await until_still();
+  co_await until_still(channel.axis);
   say_hit(channel);
 }
 
@@ -136,6 +141,14 @@ Task<void> PtuEmulator::watch_stop(PtuChannel& channel) {
 void PtuEmulator::say_hit(const PtuChannel& channel) {
   const char hit[] = {'!', channel.letter};
   say({hit, sizeof hit});
+}
+
+Task<void> PtuEmulator::until_still(const PtuAxis& axis) {
+  advance();
+  while (axis.moving()) {
+    co_await sleep(executor_, look_again);
+    advance();
+  }
 }
 
 Task<void> PtuEmulator::until_still() {

@@ -12,7 +12,7 @@
 //   unit.power(false);                   // mid-move: it stands, says nothing, and forgets where it is
 //
 // How far it is proven: MRPT's driver for these units (CPtuDPerception) works with it where Debian's libmrpt-hwdrivers
-// is installed (tests/drivers/ptu/mrpt_test.cpp); never compared with hardware.
+// is installed (tests/drivers/ptu/mrpt_test.cpp), and so does ROS' flir_ptu; never compared with hardware.
 
 #include <functional>
 
@@ -46,6 +46,7 @@ class PtuEmulator {
   Task<void> calibrate(PtuChannel& channel);
   Task<void> hit_stop(PtuChannel& channel, bool high);
   Task<void> watch_stop(PtuChannel& channel);
+  Task<void> until_still(const PtuAxis& axis);
   Task<void> until_still();
   std::string next_command();
   void advance();

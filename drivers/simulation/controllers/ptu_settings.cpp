@@ -1,6 +1,18 @@
 #include "drivers/simulation/controllers/ptu_settings.hpp"
 
+#include <limits>
+
 namespace pizarra::simulation {
+
+int PtuUnit::low(const PtuChannel& channel) const {
+  if (!modes.limits) return std::numeric_limits<int>::min();
+  return modes.user_limits ? channel.user_low : channel.axis.model().low;
+}
+
+int PtuUnit::high(const PtuChannel& channel) const {
+  if (!modes.limits) return std::numeric_limits<int>::max();
+  return modes.user_limits ? channel.user_high : channel.axis.model().high;
+}
 
 void PtuUnit::advance(Duration time) {
   pan.axis.advance(time);

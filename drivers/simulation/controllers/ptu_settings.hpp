@@ -11,6 +11,7 @@ struct PtuModes {
   bool verbose = true;
   bool immediate = true;
   bool limits = true;
+  bool user_limits = false;  // those that were set hold, not the unit's own
   bool pan_reset_at_power_up = true;
   bool tilt_reset_at_power_up = true;
 };
@@ -20,12 +21,20 @@ struct PtuChannel {
   std::string_view name;  // Pan, Tilt
   char letter;            // P, T
   PtuAxis axis;
-  int awaited;  // counts: where it goes with the next A
+  int awaited;       // counts: where it goes with the next A
+  int velocity = 0;  // counts/s, as last told in pure velocity mode
+  int user_low;      // counts
+  int user_high;
   std::string_view hold = "REGULAR";
   std::string_view move = "REGULAR";
 
   PtuChannel(std::string_view the_name, const PtuAxisModel& model, const PtuSpeeds& speeds)
-      : name(the_name), letter(the_name.front()), axis(model, speeds), awaited(0) {}
+      : name(the_name),
+        letter(the_name.front()),
+        axis(model, speeds),
+        awaited(0),
+        user_low(model.low),
+        user_high(model.high) {}
 };
 
 // The whole unit. What DS saves is kept without power.
@@ -36,6 +45,9 @@ struct PtuUnit {
         tilt("Tilt", the_model.tilt, the_model.speeds) {}
 
   void advance(Duration time);
+  // How far an axis may be sent now: anywhere where the limits are off.
+  int low(const PtuChannel& channel) const;
+  int high(const PtuChannel& channel) const;
   bool moving() const { return pan.axis.moving() || tilt.axis.moving(); }
   void save();
   void restore();
@@ -45,6 +57,8 @@ struct PtuUnit {
   PtuModes modes;
   PtuChannel pan;
   PtuChannel tilt;
+  // Speeds have a sign and are what moves the axes. Never so after power-up, nor saved.
+  bool pure_velocity = false;
 
  private:
   struct Saved {

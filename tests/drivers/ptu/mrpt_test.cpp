@@ -20,7 +20,7 @@ class Served {
  public:
   explicit Served(std::string_view model)
       : thread_([this, model] {
-          simulation::PtuEmulator unit(executor_, *find_ptu_model(model));
+          simulation::PtuEmulator unit(executor_, *simulation::find_ptu_model(model));
           const auto line = line::PtyWire::make(executor_);
           const Job serving = executor_.spawn(simulation::serve(executor_, unit, **line));
           path_.set_value((*line)->path());
@@ -49,7 +49,7 @@ class Mrpt : public testing::TestWithParam<const char*> {
 };
 
 TEST_P(Mrpt, FindsResolutionAndLimits) {
-  const simulation::PtuModel& model = *find_ptu_model(GetParam());
+  const simulation::PtuModel& model = *simulation::find_ptu_model(GetParam());
   EXPECT_NEAR(unit_.panResolution, rad(model.pan.arc_seconds / 3600), 1e-9);
   double low = 0;
   double high = 0;
