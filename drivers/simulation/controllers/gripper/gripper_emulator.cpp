@@ -9,6 +9,10 @@ namespace pizarra::simulation {
 namespace {
 
 constexpr double at_target_mm = 1;
+// Where Robotiq's grippers repeat what they were told.
+constexpr forms::RegisterField activate_echo{2000, 8, 1};
+constexpr forms::RegisterField go_echo{2000, 11, 1};
+constexpr forms::RegisterField target_echo{2001, 0, 8};
 
 std::optional<int> number_after(std::string_view words, std::string_view what) {
   if (!words.starts_with(what)) return std::nullopt;
@@ -27,6 +31,7 @@ GripperEmulator::GripperEmulator(Executor& executor, arm::ArmDriver& body, const
       setup_(setup),
       orders_(gripper::orders_of(setup)),
       states_(gripper::states_of(setup)),
+      echoes_(gripper::states_of(setup) == gripper::states_of({})),
       living_(executor.spawn(live())) {}
 
 double GripperEmulator::wanted_mm() const {
@@ -34,22 +39,41 @@ double GripperEmulator::wanted_mm() const {
   return std::lerp(setup_.closed_mm, setup_.open_mm, (orders_.get(setup_.target) - setup_.closed_count) / range);
 }
 
+bool GripperEmulator::active() const { return active_since_ && executor_.now() - *active_since_ >= activation_time; }
+
 void GripperEmulator::told(gripper::RegisterImage orders) {
   const bool goes_elsewhere =
       orders.get(setup_.target) != orders_.get(setup_.target) || orders.get(setup_.go) != orders_.get(setup_.go);
   orders_ = std::move(orders);
+  const bool go = orders_.get(setup_.go) != 0;
   if (orders_.get(setup_.activate) == 0) {
     active_since_.reset();
     fault_ = 0;
+    states_.put(setup_.object, gripper::gripper::on_its_way);
   } else if (!active_since_ && fault_ == 0) {
     active_since_ = executor_.now();
   }
-  const bool may = active_since_ && executor_.now() - *active_since_ >= activation_time;
-  if (!goes_elsewhere || !may || orders_.get(setup_.go) == 0) return;
-  ++sent_;
-  goes_ = true;
-  states_.put(setup_.object, gripper::gripper::on_its_way);
-  sending_ = executor_.spawn(send_to(wanted_mm()));
+  const bool stops = goes_ && (!go || !active_since_);
+  if (stops) {
+    goes_ = false;
+    sending_ = executor_.spawn(send_to(opening_mm_));
+  } else if (goes_elsewhere && go && active()) {
+    ++sent_;
+    goes_ = true;
+    states_.put(setup_.object, gripper::gripper::on_its_way);
+    sending_ = executor_.spawn(send_to(wanted_mm()));
+  }
+  tell();
+}
+
+// What it says of itself besides where its fingers are.
+void GripperEmulator::tell() {
+  states_.put(setup_.fault, static_cast<std::uint16_t>(fault_));
+  states_.put(setup_.active, active() ? gripper::gripper::ready : active_since_ ? 1 : 0);
+  if (!echoes_) return;
+  states_.put(activate_echo, orders_.get(setup_.activate));
+  states_.put(go_echo, orders_.get(setup_.go));
+  states_.put(target_echo, orders_.get(setup_.target));
 }
 
 Task<void> GripperEmulator::send_to(double opening_mm) {
@@ -75,9 +99,7 @@ void GripperEmulator::look(const arm::ArmReading& reading) {
   const double part = (opening_mm_ - setup_.closed_mm) / (setup_.open_mm - setup_.closed_mm);
   const double count = std::lerp(setup_.closed_count, setup_.open_count, std::clamp(part, 0.0, 1.0));
   states_.put(setup_.opening, static_cast<std::uint16_t>(std::lround(count)));
-  states_.put(setup_.fault, static_cast<std::uint16_t>(fault_));
-  const bool active = active_since_ && executor_.now() - *active_since_ >= activation_time;
-  states_.put(setup_.active, active ? gripper::gripper::ready : active_since_ ? 1 : 0);
+  tell();
   if (reading.gripper_moving) return;
   const double short_of = opening_mm_ - wanted_mm();
   const std::uint16_t met = short_of > 0 ? gripper::gripper::met_closing : gripper::gripper::met_opening;

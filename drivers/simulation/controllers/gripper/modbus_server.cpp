@@ -1,6 +1,7 @@
 #include "drivers/simulation/controllers/gripper/modbus_server.hpp"
 
 #include <modbus/modbus.h>
+#include <optional>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -11,19 +12,56 @@ namespace pizarra::simulation {
 namespace {
 
 constexpr std::uint32_t pieces_us = 100'000;
-constexpr std::size_t function_at = 7;  // behind the header
+constexpr std::size_t header = 7;  // the function comes behind it
+constexpr std::uint8_t read_holding = 3;
+constexpr std::uint8_t read_inputs = 4;
 constexpr std::uint8_t write_one = 6;
 constexpr std::uint8_t write_several = 16;
+constexpr std::uint8_t write_and_read = 23;
+constexpr unsigned wrong_address = 2;  // exceptions
+constexpr unsigned wrong_value = 3;
+
+// What is to be written, and from which register on.
+struct Write {
+  int first = 0;
+  std::vector<std::uint16_t> values = {};
+};
+
+std::uint16_t word_at(std::span<const std::uint8_t> request, std::size_t at) {
+  return at + 1 < request.size() ? static_cast<std::uint16_t>(request[at] << 8 | request[at + 1]) : std::uint16_t{0};
+}
+
+// None where its counts contradict each other.
+std::optional<Write> write_in(std::span<const std::uint8_t> request) {
+  const std::uint8_t function = request[header];
+  if (function == write_one) return Write{word_at(request, header + 1), {word_at(request, header + 3)}};
+  // A request that reads too says first from where.
+  const std::size_t at = function == write_several ? header + 1 : header + 5;
+  Write write{.first = word_at(request, at)};
+  const std::size_t count = word_at(request, at + 2);
+  const std::size_t data = at + 5;
+  if (request.size() < data || request[data - 1] != 2 * count || request.size() != data + 2 * count) {
+    return std::nullopt;
+  }
+  for (std::size_t i = 0; i < count; ++i) write.values.push_back(word_at(request, data + 2 * i));
+  return write;
+}
+
+bool within(const gripper::RegisterImage& image, int first, std::size_t count) {
+  return count > 0 && first >= image.first() &&
+         static_cast<std::size_t>(first - image.first()) + count <= image.values().size();
+}
+
+// The same registers from 0 on, where a maker's network module has them.
+gripper::RegisterImage from_zero(const gripper::RegisterImage& image) { return {0, image.values()}; }
 
 }  // namespace
 
-// Its context, and registers from the first to the last of the gripper's, with what lies between.
+// Its context, and all registers that it can answer from: those to write and read, and those to read alone.
 struct ModbusServer::Protocol {
   explicit Protocol(const GripperEmulator& gripper) : context(modbus_new_tcp("127.0.0.1", 0)) {
-    const int first = std::min(gripper.orders().first(), gripper.states().first());
     const int last = std::max(last_of(gripper.orders()), last_of(gripper.states()));
-    mapping = modbus_mapping_new_start_address(0, 0, 0, 0, static_cast<unsigned>(first),
-                                               static_cast<unsigned>(last - first + 1), 0, 0);
+    mapping = modbus_mapping_new(0, 0, last + 1, last + 1);
     modbus_set_indication_timeout(context, 0, pieces_us);
     modbus_set_byte_timeout(context, 0, pieces_us);
   }
@@ -37,13 +75,14 @@ struct ModbusServer::Protocol {
   static int last_of(const gripper::RegisterImage& image) {
     return image.first() + static_cast<int>(image.values().size()) - 1;
   }
-  std::uint16_t* place_of(const gripper::RegisterImage& image) const {
-    return mapping->tab_registers + (image.first() - mapping->start_registers);
-  }
-  void show(const gripper::RegisterImage& image) const { std::ranges::copy(image.values(), place_of(image)); }
-  gripper::RegisterImage seen(const gripper::RegisterImage& image) const {
-    const std::uint16_t* begin = place_of(image);
-    return {image.first(), std::vector<std::uint16_t>(begin, begin + image.values().size())};
+  void show(const GripperEmulator& gripper) const {
+    std::uint16_t* both = mapping->tab_registers;
+    std::uint16_t* inputs = mapping->tab_input_registers;
+    std::ranges::copy(gripper.orders().values(), both);
+    std::ranges::copy(gripper.orders().values(), both + gripper.orders().first());
+    std::ranges::copy(gripper.states().values(), both + gripper.states().first());
+    std::ranges::copy(gripper.states().values(), inputs);
+    std::ranges::copy(gripper.states().values(), inputs + gripper.states().first());
   }
 
   modbus_t* context;
@@ -88,20 +127,45 @@ void ModbusServer::hang_up() {
   ::close(std::exchange(client_, -1));
 }
 
+// What it is told to write is written; the exception that it answers with, 0 for none.
+unsigned ModbusServer::obey(std::span<const std::uint8_t> request) {
+  const std::uint8_t function = request[header];
+  if (function == write_one || function == write_several || function == write_and_read) {
+    const std::optional<Write> write = write_in(request);
+    if (!write) return wrong_value;
+    const gripper::RegisterImage& orders = gripper_.orders();
+    const int shift = within(orders, write->first, write->values.size()) ? 0 : orders.first();
+    if (!within(orders, write->first + shift, write->values.size())) return wrong_address;
+    std::vector<std::uint16_t> values = orders.values();
+    std::ranges::copy(write->values, values.begin() + (write->first + shift - orders.first()));
+    gripper_.told(gripper::RegisterImage(orders.first(), std::move(values)));
+    if (function != write_and_read) return 0;
+  }
+  const int first = word_at(request, header + 1);
+  const std::size_t count = word_at(request, header + 3);
+  const auto has = [&](const gripper::RegisterImage& image) { return within(image, first, count); };
+  const bool state = has(gripper_.states()) || (function == read_inputs && has(from_zero(gripper_.states())));
+  const bool order = function != read_inputs && (has(gripper_.orders()) || has(from_zero(gripper_.orders())));
+  return state || order ? 0 : wrong_address;
+}
+
 void ModbusServer::serve() {
-  std::uint8_t request[MODBUS_TCP_MAX_ADU_LENGTH];
-  const int size = modbus_receive(protocol_->context, request);
+  std::uint8_t octets[MODBUS_TCP_MAX_ADU_LENGTH];
+  const int size = modbus_receive(protocol_->context, octets);
   if (size < 0) return hang_up();
   if (size == 0 || !gripper_.powered()) return;
-  if (gripper_.exception() != 0) {
-    modbus_reply_exception(protocol_->context, request, static_cast<unsigned>(gripper_.exception()));
+  unsigned exception = static_cast<unsigned>(gripper_.exception());
+  const std::uint8_t function = octets[header];
+  // libmodbus says of other functions what they may have.
+  const bool about_registers = function == read_holding || function == read_inputs || function == write_one ||
+                               function == write_several || function == write_and_read;
+  if (exception == 0 && about_registers) exception = obey({octets, static_cast<std::size_t>(size)});
+  if (exception != 0) {
+    modbus_reply_exception(protocol_->context, octets, exception);
     return;
   }
-  protocol_->show(gripper_.orders());
-  protocol_->show(gripper_.states());
-  if (modbus_reply(protocol_->context, request, size, protocol_->mapping) < 0) return;
-  const std::uint8_t function = request[function_at];
-  if (function == write_one || function == write_several) gripper_.told(protocol_->seen(gripper_.orders()));
+  protocol_->show(gripper_);
+  modbus_reply(protocol_->context, octets, size, protocol_->mapping);
 }
 
 }  // namespace pizarra::simulation

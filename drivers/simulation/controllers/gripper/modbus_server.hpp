@@ -1,7 +1,9 @@
 #pragma once
 
-// Puts an emulated gripper at a Modbus TCP port, by libmodbus: its registers can be read and written as holding
-// registers, some or all of them. One client at a time, whatever unit it asks for.
+// Puts an emulated gripper at a Modbus TCP port, by libmodbus. What it tells can be read as input or holding registers,
+// what it is told be read and written as holding registers, some or all of them; functions 3, 4, 6, 16 and 23. Both are
+// also there from register 0 on, as Robotiq's network modules have them. One client at a time, whatever unit it asks
+// for.
 //
 //   Result<std::unique_ptr<ModbusServer>> server = ModbusServer::listen(executor, gripper, "127.0.0.1", 0);
 //   (*server)->port();
@@ -9,6 +11,7 @@
 // A request that comes in pieces is waited for, a tenth of a second at most.
 
 #include <memory>
+#include <span>
 
 #include "drivers/simulation/controllers/gripper/gripper_emulator.hpp"
 
@@ -31,6 +34,7 @@ class ModbusServer {
   ModbusServer(Executor& executor, GripperEmulator& gripper, int listener, std::uint16_t port);
   void welcome();
   void serve();
+  unsigned obey(std::span<const std::uint8_t> request);
 
   Executor& executor_;
   GripperEmulator& gripper_;
