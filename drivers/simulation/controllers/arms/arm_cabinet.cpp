@@ -68,14 +68,22 @@ void ArmCabinet::power(bool on) {
   command_hold_ = false;
   if (on) {
     alarm_ = lost_in_motion_ ? power_lost_alarm : 0;
+    if (alarm_ != 0) remember(alarm_);
     lost_in_motion_ = false;
     return;
   }
   brake();
 }
 
+void ArmCabinet::remember(int alarm) {
+  constexpr std::size_t most = 100;
+  past_alarms_.push_back(alarm);
+  if (past_alarms_.size() > most) past_alarms_.pop_front();
+}
+
 void ArmCabinet::raise(int alarm) {
   alarm_ = alarm;
+  remember(alarm);
   servo_since_.reset();
   brake();
 }

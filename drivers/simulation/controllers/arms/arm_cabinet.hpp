@@ -15,6 +15,7 @@
 // A move that a hold, an alarm, the emergency stop or a loss of power ended is not taken up again by itself. An arm
 // that lost its power while it moved has alarm 4107 when it is back: its encoders and its memory differ.
 
+#include <deque>
 #include <optional>
 
 #include "blackboard/time/executor.hpp"
@@ -71,6 +72,8 @@ class ArmCabinet {
   bool command_hold() const { return command_hold_; }
   bool servo() const { return servo_since_ && executor_.now() - *servo_since_ >= servo_delay; }
   int alarm() const { return alarm_; }
+  // The last hundred, the newest last.
+  const std::deque<int>& past_alarms() const { return past_alarms_; }
   double speed_override() const { return override_; }
   // Moves begun that led anywhere else than where the arm stood, and where the last of them led.
   std::uint64_t moves() const { return moves_; }
@@ -83,6 +86,7 @@ class ArmCabinet {
   Result<void> turn(std::string_view what, bool on);
   void power(bool on);
   void raise(int alarm);
+  void remember(int alarm);
   void brake();
   Task<void> brake_and_look();
 
@@ -95,6 +99,7 @@ class ArmCabinet {
   bool pendant_hold_ = false;
   bool command_hold_ = false;
   int alarm_ = 0;
+  std::deque<int> past_alarms_;
   double override_ = 1;
   std::optional<Time> servo_since_;
   bool lost_in_motion_ = false;

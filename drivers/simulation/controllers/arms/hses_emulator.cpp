@@ -1,8 +1,5 @@
 #include "drivers/simulation/controllers/arms/hses_emulator.hpp"
 
-#include <cmath>
-
-#include "drivers/arm/motoman/motoman_codes.hpp"
 #include "drivers/line/octets.hpp"
 
 namespace pizarra::simulation {
@@ -10,21 +7,6 @@ namespace pizarra::simulation {
 namespace {
 
 constexpr std::uint8_t abnormal = 0x1f;
-constexpr double units_per_deg = 10'000;
-constexpr std::size_t axes_in_a_move = 7;
-
-std::uint16_t code_of(Refusal refusal) {
-  return refusal == Refusal::out_of_range ? arm::hses::out_of_range : motoman_code(refusal);
-}
-
-std::int32_t rounded(double value) { return static_cast<std::int32_t>(std::llround(value)); }
-
-std::string position_data(std::uint32_t kind, const arm::MotomanPulses& axes) {
-  line::OctetWriter data(line::ByteOrder::little);
-  data.u32(kind).u32(0).u32(0).u32(0).u32(0);
-  for (const std::int32_t axis : axes) data.i32(axis);
-  return data.octets();
-}
 
 }  // namespace
 
@@ -45,151 +27,89 @@ Task<std::string> HsesEmulator::answer(std::string datagram) {
 
 Task<HsesEmulator::Outcome> HsesEmulator::at_once(Outcome outcome) { co_return outcome; }
 
+HsesEmulator::Outcome HsesEmulator::of_elements(const arm::HsesRequest& request,
+                                                const std::vector<std::string>& elements) {
+  if (request.service == arm::hses::get_all) {
+    if (request.attribute != 0) return {.refusal = arm::hses::wrong_attribute};
+    Outcome all;
+    for (const std::string& element : elements) all.data += element;
+    return all;
+  }
+  if (request.service != arm::hses::get_one) return {.refusal = arm::hses::undefined_command};
+  if (request.attribute < 1 || request.attribute > elements.size()) return {.refusal = arm::hses::wrong_attribute};
+  return {.data = elements[request.attribute - 1u]};
+}
+
+std::uint16_t HsesEmulator::wrong_setting(const arm::HsesRequest& request, std::size_t octets) {
+  if (request.service != arm::hses::set_one) return arm::hses::undefined_command;
+  if (request.attribute != 1) return arm::hses::wrong_attribute;
+  return request.data.size() == octets ? std::uint16_t{0} : arm::hses::wrong_size;
+}
+
 Task<HsesEmulator::Outcome> HsesEmulator::carry_out(arm::HsesRequest request) {
+  if (const auto kind = hses_variable(request.command)) return variable(std::move(request), *kind);
+  if (const auto kind = hses_variable(static_cast<std::uint16_t>(request.command - hses::plural))) {
+    return variables(std::move(request), *kind);
+  }
   switch (request.command) {
     case arm::hses::status:
-      return status();
+      return status(std::move(request));
     case arm::hses::position:
-      return position(request.instance);
-    case arm::hses::double_integer:
-      return variable(std::move(request));
+      return position(std::move(request));
+    case arm::hses::alarm:
+    case hses::alarm_history:
+      return at_once(alarm(request));
     case arm::hses::move_pulses:
       return move_pulses(std::move(request));
     case arm::hses::move_cartesian:
       return move_cartesian(std::move(request));
+    case hses::executing_job:
+    case hses::axis_names:
+    case hses::position_error:
+    case hses::torque:
+    case hses::system_information:
+      return at_once(report(request));
     default:
       return at_once(turn(request));
   }
 }
 
-Task<HsesEmulator::Outcome> HsesEmulator::status() {
-  const MotomanController::Words words = co_await controller_.status();
-  Outcome outcome;
-  outcome.data = line::OctetWriter(line::ByteOrder::little).u32(words.modes).u32(words.states).octets();
-  co_return outcome;
-}
-
-Task<HsesEmulator::Outcome> HsesEmulator::position(std::uint16_t instance) {
-  Outcome outcome;
-  if (instance == arm::hses::robot_pulses) {
-    const arm::MotomanPulses pulses = co_await controller_.pulses();
-    outcome.data = position_data(0, pulses);
-  } else if (instance == arm::hses::robot_base) {
-    const arm::MotomanPose pose = co_await controller_.pose();
-    arm::MotomanPulses axes{};
-    for (std::size_t i = 0; i < 3; ++i) {
-      axes[i] = rounded(pose.place_mm[i] * arm::um_per_mm);
-      axes[i + 3] = rounded(pose.angles_deg[i] * units_per_deg);
-    }
-    outcome.data = position_data(arm::hses::base_frame, axes);
-  } else {
-    outcome.refusal = arm::hses::wrong_instance;
-  }
-  co_return outcome;
-}
-
-Task<HsesEmulator::Outcome> HsesEmulator::variable(arm::HsesRequest request) {
-  Outcome outcome;
-  if (request.instance >= MotomanController::variables) {
-    outcome.refusal = arm::hses::wrong_instance;
-    co_return outcome;
-  }
-  if (request.service == arm::hses::get_one) {
-    const std::int32_t value = co_await controller_.variable(request.instance);
-    outcome.data = line::OctetWriter(line::ByteOrder::little).i32(value).octets();
-    co_return outcome;
-  }
-  line::OctetReader read(request.data, line::ByteOrder::little);
-  const std::int32_t value = read.i32();
-  const bool sound = request.service == arm::hses::set_one && read.whole();
-  if (!sound) {
-    outcome.refusal = arm::hses::wrong_size;
-    co_return outcome;
-  }
-  const Refusal refusal = co_await controller_.set_variable(request.instance, value);
-  outcome.refusal = code_of(refusal);
-  co_return outcome;
-}
-
-// Switches, resets, and what of an alarm is known.
+// Switches, resets, and what is told to the pendant.
 HsesEmulator::Outcome HsesEmulator::turn(const arm::HsesRequest& request) {
-  if (request.command == arm::hses::alarm) {
-    const bool code = request.instance == 1 && request.attribute == 1 && request.service == arm::hses::get_one;
-    if (!code) return {.refusal = arm::hses::wrong_attribute};
-    const auto alarm = static_cast<std::uint32_t>(cabinet_.alarm());
-    return {.data = line::OctetWriter(line::ByteOrder::little).u32(alarm).octets()};
-  }
-  line::OctetReader read(request.data, line::ByteOrder::little);
-  const std::uint32_t wanted = read.u32();
-  if (request.command != arm::hses::reset && request.command != arm::hses::power)
-    return {.refusal = arm::hses::undefined_command};
-  if (request.attribute != 1 || request.service != arm::hses::set_one) return {.refusal = arm::hses::wrong_attribute};
-  if (!read.whole()) return {.refusal = arm::hses::wrong_size};
+  const std::uint16_t instance = request.instance;
+  if (request.command == hses::select_job) return {.refusal = hses::job_not_found};
+  const bool known = request.command == arm::hses::reset || request.command == arm::hses::power ||
+                     request.command == hses::cycle || request.command == hses::pendant_text ||
+                     request.command == hses::start_job;
+  if (!known) return {.refusal = arm::hses::undefined_command};
+  constexpr std::size_t text_size = 32;
+  const std::uint16_t wrong = wrong_setting(request, request.command == hses::pendant_text ? text_size : 4);
+  if (wrong != 0) return {.refusal = wrong};
+  const std::uint32_t wanted = line::OctetReader(request.data, line::ByteOrder::little).u32();
   if (request.command == arm::hses::reset) {
-    if (request.instance == arm::hses::cancel_error) return {};
-    if (request.instance != arm::hses::reset_alarm) return {.refusal = arm::hses::wrong_instance};
-    return {.refusal = code_of(cabinet_.reset())};
+    if (instance == arm::hses::cancel_error) return {};
+    if (instance != arm::hses::reset_alarm) return {.refusal = arm::hses::wrong_instance};
+    return {.refusal = hses_code(cabinet_.reset())};
   }
-  if (wanted != arm::hses::on && wanted != arm::hses::off) return {.refusal = arm::hses::out_of_range};
-  if (request.instance == arm::hses::hold) return {.refusal = code_of(cabinet_.hold(wanted == arm::hses::on))};
-  if (request.instance != arm::hses::servo) return {.refusal = arm::hses::wrong_instance};
-  const Refusal refusal = cabinet_.servo(wanted == arm::hses::on);
-  return {.refusal = refusal == Refusal::emergency ? arm::motoman::servo_refused : code_of(refusal)};
+  if (request.command == arm::hses::power) return {.refusal = turn_power(instance, wanted)};
+  if (request.command == hses::cycle) {
+    constexpr std::uint16_t cycle_instance = 2;
+    if (instance != cycle_instance) return {.refusal = arm::hses::wrong_instance};
+    return {.refusal = controller_.set_cycle(wanted) ? std::uint16_t{0} : arm::hses::out_of_range};
+  }
+  if (instance != 1) return {.refusal = arm::hses::wrong_instance};
+  return {.refusal = request.command == hses::start_job ? hses::job_not_found : std::uint16_t{0}};
 }
 
-Task<HsesEmulator::Outcome> HsesEmulator::move_pulses(arm::HsesRequest request) {
-  Outcome outcome;
-  line::OctetReader read(request.data, line::ByteOrder::little);
-  const std::uint32_t robot = read.u32();
-  read.u32();
-  const std::uint32_t speed_class = read.u32();
-  const std::uint32_t speed = read.u32();
-  arm::MotomanPulses target{};
-  for (std::size_t axis = 0; axis < axes_in_a_move; ++axis) target[axis] = read.i32();
-  read.u32();
-  read.u32();
-  read.text(36);
-  constexpr std::uint32_t whole = 10'000;
-  if (!read.whole()) {
-    outcome.refusal = arm::hses::wrong_size;
-  } else if (robot != 1 || request.instance != arm::hses::joint_move) {
-    outcome.refusal = arm::hses::wrong_instance;
-  } else if (speed_class != arm::hses::percent || speed < 1 || speed > whole) {
-    outcome.refusal = arm::hses::wrong_speed;
-  } else {
-    const double part = static_cast<double>(speed) / whole;
-    const Refusal refusal = co_await controller_.move_joints(target, part);
-    outcome.refusal = code_of(refusal);
-  }
-  co_return outcome;
-}
-
-Task<HsesEmulator::Outcome> HsesEmulator::move_cartesian(arm::HsesRequest request) {
-  Outcome outcome;
-  line::OctetReader read(request.data, line::ByteOrder::little);
-  const std::uint32_t robot = read.u32();
-  read.u32();
-  const std::uint32_t speed_class = read.u32();
-  const std::uint32_t speed = read.u32();
-  const std::uint32_t frame = read.u32();
-  arm::MotomanPose target;
-  for (double& mm : target.place_mm) mm = read.i32() / arm::um_per_mm;
-  for (double& deg : target.angles_deg) deg = read.i32() / units_per_deg;
-  // The seventh axis, form, tool and user frame, and what is reserved.
-  read.text(6 * 4 + 36);
-  if (!read.whole()) {
-    outcome.refusal = arm::hses::wrong_size;
-  } else if (robot != 1 || request.instance != arm::hses::linear_move) {
-    outcome.refusal = arm::hses::wrong_instance;
-  } else if (frame != arm::hses::base_frame) {
-    outcome.refusal = arm::hses::wrong_frame;
-  } else if (speed_class != arm::hses::millimetres || speed < 1) {
-    outcome.refusal = arm::hses::wrong_speed;
-  }
-  if (outcome.refusal != 0) co_return outcome;
-  const Refusal refusal = co_await controller_.move_straight(target, speed / 10.0);
-  outcome.refusal = code_of(refusal);
-  co_return outcome;
+// The interlock keeps the pendant's keys from doing anything: nobody presses them here.
+std::uint16_t HsesEmulator::turn_power(std::uint16_t instance, std::uint32_t wanted) {
+  const bool on = wanted == arm::hses::on;
+  if (!on && wanted != arm::hses::off) return arm::hses::out_of_range;
+  if (instance == hses::interlock) return 0;
+  if (instance == arm::hses::hold) return hses_code(cabinet_.hold(on));
+  if (instance != arm::hses::servo) return arm::hses::wrong_instance;
+  const Refusal refusal = cabinet_.servo(on);
+  return refusal == Refusal::emergency ? arm::motoman::servo_refused : hses_code(refusal);
 }
 
 Task<void> serve(Executor& executor, HsesEmulator& emulator, line::DatagramWire& port) {

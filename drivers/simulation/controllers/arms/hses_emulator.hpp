@@ -8,12 +8,18 @@
 //   const Job serving = executor.spawn(serve(executor, emulator, *port));
 //
 // It carries out every datagram that comes, also one that it has had: the manual does not promise more. What it has and
-// does is the MotomanController's.
+// does is the MotomanController's. A request is carried out only with a service and an attribute that its command has.
+// There are no jobs and no clock: a job cannot be selected or started, and times are empty. The arm has no weight, so
+// that its torques and what it strays from its way are 0.
 //
-// How far it is proven: with the driver of drivers/arm/motoman/ alone.
+// How far it is proven: with the driver of drivers/arm/motoman/; public clients are named in docs/write-a-driver.md.
+
+#include <map>
+#include <vector>
 
 #include "drivers/arm/motoman/hses_packet.hpp"
 #include "drivers/line/datagram_wire.hpp"
+#include "drivers/simulation/controllers/arms/hses_codes.hpp"
 #include "drivers/simulation/controllers/arms/motoman_controller.hpp"
 
 namespace pizarra::simulation {
@@ -31,16 +37,28 @@ class HsesEmulator {
     std::string data = {};
   };
   static Task<Outcome> at_once(Outcome outcome);
+  // All of these, or the one whose number is the attribute.
+  static Outcome of_elements(const arm::HsesRequest& request, const std::vector<std::string>& elements);
+  // Why a request is none that sets this many octets; 0 where it is.
+  static std::uint16_t wrong_setting(const arm::HsesRequest& request, std::size_t octets);
+
   Task<Outcome> carry_out(arm::HsesRequest request);
-  Task<Outcome> status();
-  Task<Outcome> position(std::uint16_t instance);
-  Task<Outcome> variable(arm::HsesRequest request);
+  Task<Outcome> status(arm::HsesRequest request);
+  Task<Outcome> position(arm::HsesRequest request);
+  Outcome alarm(const arm::HsesRequest& request) const;
+  Outcome report(const arm::HsesRequest& request) const;
+  Task<Outcome> variable(arm::HsesRequest request, HsesVariable kind);
+  Task<Outcome> variables(arm::HsesRequest request, HsesVariable kind);
+  Task<std::string> value(HsesVariable kind, std::uint16_t number);
+  Task<std::uint16_t> set_value(HsesVariable kind, std::uint16_t number, std::string octets);
   Outcome turn(const arm::HsesRequest& request);
+  std::uint16_t turn_power(std::uint16_t instance, std::uint32_t wanted);
   Task<Outcome> move_pulses(arm::HsesRequest request);
   Task<Outcome> move_cartesian(arm::HsesRequest request);
 
   MotomanController controller_;
   ArmCabinet& cabinet_;
+  std::map<std::pair<std::uint16_t, std::uint16_t>, std::string> values_;  // by command and number
 };
 
 // Until destroyed. All three outlive it.

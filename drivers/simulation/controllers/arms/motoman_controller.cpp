@@ -22,12 +22,32 @@ arm::ToolPose flange_in_base(const arm::ArmModel& model, const arm::Joints& join
   return pose;
 }
 
-arm::ToolPose grip_in_cell(const arm::ArmModel& model, const arm::MotomanPose& target) {
+arm::ToolPose transform_of(const arm::MotomanPose& pose) {
   arm::ToolPose flange;
-  for (std::size_t i = 0; i < 3; ++i) flange.translation()[static_cast<Eigen::Index>(i)] = target.place_mm[i];
-  const auto& [rx, ry, rz] = target.angles_deg;
+  for (std::size_t i = 0; i < 3; ++i) flange.translation()[static_cast<Eigen::Index>(i)] = pose.place_mm[i];
+  const auto& [rx, ry, rz] = pose.angles_deg;
   const Eigen::AngleAxisd about_x(arm::radians(rx), Eigen::Vector3d::UnitX());
   flange.linear() = arm::about_z(rz) * arm::about_y(ry) * about_x.toRotationMatrix();
+  return flange;
+}
+
+arm::MotomanPose numbers_of(const arm::ToolPose& flange) {
+  arm::MotomanPose pose;
+  pose.angles_deg = arm::fixed_angles(flange.linear());
+  for (std::size_t i = 0; i < 3; ++i) pose.place_mm[i] = flange.translation()[static_cast<Eigen::Index>(i)];
+  return pose;
+}
+
+arm::Joints joints_of(const arm::ArmModel& model, const arm::MotomanPulses& pulses) {
+  arm::Joints joints(model.axes.size());
+  for (std::size_t axis = 0; axis < joints.size(); ++axis) {
+    joints[axis] = pulses[axis] * 360.0 / model.axes[axis].pulses_per_turn;
+  }
+  return joints;
+}
+
+arm::ToolPose grip_in_cell(const arm::ArmModel& model, const arm::MotomanPose& target) {
+  arm::ToolPose flange = transform_of(target);
   flange.translation() += model.tool_mm * flange.linear().col(2);
   flange.translation().z() += model.height_mm;
   return flange;
@@ -61,7 +81,7 @@ std::uint16_t motoman_code(Refusal refusal) {
 Task<MotomanController::Words> MotomanController::status() {
   const arm::ArmReading reading = co_await cabinet_.read();
   const bool pendant = cabinet_.pendant();
-  std::uint32_t modes = 1u << 2;
+  std::uint32_t modes = 1u << (cycle_ - 1);
   if (reading.moving) modes |= 1u << 3;
   modes |= pendant ? 1u << 5 : 1u << 6 | 1u << 7;
   std::uint32_t states = 0;
@@ -86,20 +106,12 @@ Task<arm::MotomanPulses> MotomanController::pulses() {
 
 Task<arm::MotomanPose> MotomanController::pose() {
   const arm::ArmReading reading = co_await cabinet_.read();
-  const arm::ToolPose flange = flange_in_base(cabinet_.model(), reading.joints);
-  arm::MotomanPose pose;
-  pose.angles_deg = arm::fixed_angles(flange.linear());
-  for (std::size_t i = 0; i < 3; ++i) pose.place_mm[i] = flange.translation()[static_cast<Eigen::Index>(i)];
-  co_return pose;
+  co_return numbers_of(flange_in_base(cabinet_.model(), reading.joints));
 }
 
 Task<Refusal> MotomanController::move_joints(arm::MotomanPulses target, double part) {
-  const arm::ArmModel& model = cabinet_.model();
-  arm::Joints joints(model.axes.size());
-  for (std::size_t axis = 0; axis < joints.size(); ++axis) {
-    joints[axis] = target[axis] * 360.0 / model.axes[axis].pulses_per_turn;
-  }
-  std::vector<arm::Joints> waypoints{joints};
+  std::vector<arm::Joints> waypoints;
+  waypoints.push_back(joints_of(cabinet_.model(), target));
   const Refusal refusal = co_await cabinet_.move(std::move(waypoints), part);
   co_return refusal;
 }
@@ -111,6 +123,37 @@ Task<Refusal> MotomanController::move_straight(arm::MotomanPose target, double m
   if (!way) co_return reading.moving ? Refusal::running : Refusal::out_of_range;
   const Refusal refusal = co_await cabinet_.move(way->waypoints, way->part);
   co_return refusal;
+}
+
+Task<Refusal> MotomanController::move_joints_to(arm::MotomanPose target, double part) {
+  const arm::ArmReading reading = co_await cabinet_.read();
+  const arm::ArmModel& model = cabinet_.model();
+  const Result<arm::Joints> joints = arm::inverse(model, grip_in_cell(model, target), reading.joints);
+  if (!joints) co_return Refusal::out_of_range;
+  std::vector<arm::Joints> waypoints;
+  waypoints.push_back(*joints);
+  const Refusal refusal = co_await cabinet_.move(std::move(waypoints), part);
+  co_return refusal;
+}
+
+arm::MotomanPose MotomanController::pose_of(const arm::MotomanPulses& pulses) const {
+  return numbers_of(flange_in_base(cabinet_.model(), joints_of(cabinet_.model(), pulses)));
+}
+
+arm::MotomanPose MotomanController::moved_on(const arm::MotomanPose& from, const arm::MotomanPose& by, bool in_tool) {
+  const arm::ToolPose here = transform_of(from);
+  const arm::ToolPose step = transform_of(by);
+  if (in_tool) return numbers_of(here * step);
+  arm::ToolPose there = here;
+  there.translation() += step.translation();
+  there.linear() = step.linear() * here.linear();
+  return numbers_of(there);
+}
+
+bool MotomanController::set_cycle(std::uint32_t cycle) {
+  if (cycle < 1 || cycle > 3) return false;
+  cycle_ = cycle;
+  return true;
 }
 
 Task<std::int32_t> MotomanController::variable(int number) {

@@ -38,6 +38,13 @@ class MotomanController {
   // The target's last axes are taken where the arm has so many.
   Task<Refusal> move_joints(arm::MotomanPulses target, double part);
   Task<Refusal> move_straight(arm::MotomanPose target, double mm_s);
+  // Not straight: as the axes take it there.
+  Task<Refusal> move_joints_to(arm::MotomanPose target, double part);
+  arm::MotomanPose pose_of(const arm::MotomanPulses& pulses) const;
+  // By so much from here, in the base frame or the tool's.
+  static arm::MotomanPose moved_on(const arm::MotomanPose& from, const arm::MotomanPose& by, bool in_tool);
+  // 1 a step, 2 a cycle, 3 on and on. False where it is none of these.
+  bool set_cycle(std::uint32_t cycle);
   // Of a D variable, 0 to 99.
   Task<std::int32_t> variable(int number);
   // What moves the fingers is refused as a move is.
@@ -46,6 +53,7 @@ class MotomanController {
  private:
   ArmCabinet& cabinet_;
   std::map<int, std::int32_t> variables_;
+  std::uint32_t cycle_ = 3;
 };
 
 // The code for it that all servers have in common (motoman_codes.hpp); of what is out of range each has its own.

@@ -1,0 +1,119 @@
+#include <algorithm>
+
+#include "drivers/line/octets.hpp"
+#include "drivers/simulation/controllers/arms/hses_emulator.hpp"
+
+// Variables, registers and inputs and outputs: one, an element of one, or several.
+namespace pizarra::simulation {
+
+namespace {
+
+constexpr std::size_t most_octets = 474;  // of several at once
+
+constexpr std::size_t pose = 13 * 4;  // type, form, tool, user frame, extended form and 8 axes
+constexpr std::size_t axes = 9 * 4;   // type and 8 axes
+
+constexpr HsesVariable kinds[] = {
+    {0x78, 1, 8220, 1, 1},    // inputs and outputs, eight each
+    {0x79, 0, 999, 2, 2},     // registers
+    {0x7a, 0, 99, 1, 1},      // B
+    {0x7b, 0, 99, 2, 2},      // I
+    {0x7c, 0, 99, 4, 4},      // D
+    {0x7d, 0, 99, 4, 4},      // R
+    {0x7e, 0, 99, 16, 16},    // S
+    {0x7f, 0, 127, pose, 4},  // P
+    {0x80, 0, 127, axes, 4},  // BP
+    {0x81, 0, 127, axes, 4},  // EX
+};
+
+// Of inputs and outputs, those of the network are set from outside, of registers the first.
+bool may_be_set(const HsesVariable& kind, std::uint16_t number) {
+  constexpr std::uint16_t registers = 0x79;
+  constexpr std::uint16_t last_register = 559;
+  if (kind.command == registers) return number <= last_register;
+  return kind.command != hses::network_io || (number >= 2501 && number <= 2756);
+}
+
+}  // namespace
+
+std::optional<HsesVariable> hses_variable(std::uint16_t command) {
+  const auto* found = std::ranges::find(kinds, command, &HsesVariable::command);
+  return found == std::end(kinds) ? std::nullopt : std::optional(*found);
+}
+
+Task<std::string> HsesEmulator::value(HsesVariable kind, std::uint16_t number) {
+  if (kind.command == arm::hses::double_integer) {
+    const std::int32_t held = co_await controller_.variable(number);
+    co_return line::OctetWriter(line::ByteOrder::little).i32(held).octets();
+  }
+  const auto found = values_.find({kind.command, number});
+  co_return found == values_.end() ? std::string(kind.octets, '\0') : found->second;
+}
+
+Task<std::uint16_t> HsesEmulator::set_value(HsesVariable kind, std::uint16_t number, std::string octets) {
+  if (!may_be_set(kind, number)) co_return hses::not_to_be_set;
+  if (kind.command == arm::hses::double_integer) {
+    const std::int32_t wanted = line::OctetReader(octets, line::ByteOrder::little).i32();
+    const Refusal refusal = co_await controller_.set_variable(number, wanted);
+    co_return hses_code(refusal);
+  }
+  values_[{kind.command, number}] = std::move(octets);
+  co_return std::uint16_t{0};
+}
+
+Task<HsesEmulator::Outcome> HsesEmulator::variable(arm::HsesRequest request, HsesVariable kind) {
+  Outcome outcome;
+  outcome.refusal = arm::hses::wrong_instance;
+  if (request.instance < kind.first || request.instance > kind.last) co_return outcome;
+  std::string held = co_await value(kind, request.instance);
+  if (request.service == arm::hses::get_all || request.service == arm::hses::get_one) {
+    std::vector<std::string> elements;
+    for (std::size_t at = 0; at < kind.octets; at += kind.element) elements.push_back(held.substr(at, kind.element));
+    co_return of_elements(request, elements);
+  }
+  const bool all = request.service == arm::hses::set_all;
+  const std::size_t elements = kind.octets / kind.element;
+  const bool attribute = all ? request.attribute == 0 : request.attribute >= 1 && request.attribute <= elements;
+  outcome.refusal = 0;
+  if (!all && request.service != arm::hses::set_one) outcome.refusal = arm::hses::undefined_command;
+  if (outcome.refusal == 0 && !attribute) outcome.refusal = arm::hses::wrong_attribute;
+  const std::size_t size = all ? kind.octets : kind.element;
+  if (outcome.refusal == 0 && request.data.size() != size) outcome.refusal = arm::hses::wrong_size;
+  if (outcome.refusal != 0) co_return outcome;
+  held.replace(all ? 0 : (request.attribute - 1u) * kind.element, size, request.data);
+  outcome.refusal = co_await set_value(kind, request.instance, std::move(held));
+  co_return outcome;
+}
+
+Task<HsesEmulator::Outcome> HsesEmulator::variables(arm::HsesRequest request, HsesVariable kind) {
+  Outcome outcome;
+  line::OctetReader read(request.data, line::ByteOrder::little);
+  const std::uint32_t count = read.u32();
+  const std::string given(read.rest());
+  const bool reads = request.service == hses::get_several;
+  const bool fits = count >= 1 && count * kind.octets <= most_octets && (kind.octets > 1 || count % 2 == 0);
+  if (!reads && request.service != hses::set_several) {
+    outcome.refusal = arm::hses::undefined_command;
+  } else if (request.attribute != 0) {
+    outcome.refusal = arm::hses::wrong_attribute;
+  } else if (request.data.size() < 4 || !fits || given.size() != (reads ? 0 : count * kind.octets)) {
+    outcome.refusal = arm::hses::wrong_size;
+  } else if (request.instance < kind.first || request.instance + count - 1 > kind.last) {
+    outcome.refusal = arm::hses::wrong_instance;
+  }
+  if (outcome.refusal != 0) co_return outcome;
+  if (reads) outcome.data = request.data;
+  for (std::uint32_t i = 0; i < count && outcome.refusal == 0; ++i) {
+    const auto number = static_cast<std::uint16_t>(request.instance + i);
+    if (reads) {
+      const std::string held = co_await value(kind, number);
+      outcome.data += held;
+    } else {
+      std::string octets = given.substr(i * kind.octets, kind.octets);
+      outcome.refusal = co_await set_value(kind, number, std::move(octets));
+    }
+  }
+  co_return outcome;
+}
+
+}  // namespace pizarra::simulation
