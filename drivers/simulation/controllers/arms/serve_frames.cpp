@@ -20,6 +20,7 @@ Task<void> serve_frames(Executor& executor, FrameService service, line::ByteWire
         there = message.error().symbol == "timeout";
         continue;
       }
+      if (service.last) there = !service.last(*message);
       const std::string said = co_await service.answer(std::move(*message));
       if (!said.empty()) static_cast<void>(port.write(said));
     }

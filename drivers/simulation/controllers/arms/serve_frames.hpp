@@ -16,6 +16,7 @@ struct FrameService {
   line::FrameReader reader;
   std::function<std::string()> greet = [] { return std::string(); };  // what a new client hears
   std::function<Task<std::string>(std::string)> answer = {};          // empty: nothing is said
+  std::function<bool(std::string_view)> last = {};  // whether it hangs up after the answer; never, where there is none
 };
 
 // Until destroyed. Executor and port outlive it.

@@ -316,7 +316,8 @@ TEST(UrScript, WhateverComesIsReadOrRefused) {
       "  write_output_integer_register(24, 3)\n  stopj(8.0)\nend\n";
   ASSERT_EQ(simulation::read_urscript(sound)->size(), 3u);
   EXPECT_EQ(simulation::read_urscript("movej([0, 1, nan, 0, 0, 0])").error().symbol, "bad-script");
-  EXPECT_EQ(simulation::read_urscript("set_digital_out(0, True)").error().symbol, "bad-script");
+  EXPECT_EQ(simulation::read_urscript("set_digital_out(10, True)").error().symbol, "bad-script");
+  EXPECT_EQ(simulation::read_urscript("while (True):").error().symbol, "bad-script");
   Random random(1);
   for (int i = 0; i < 20'000; ++i) {
     std::string damaged = sound;
@@ -325,7 +326,7 @@ TEST(UrScript, WhateverComesIsReadOrRefused) {
     }
     const Result<std::vector<simulation::UrStep>> steps = simulation::read_urscript(damaged);
     if (!steps) continue;
-    for (const simulation::UrStep& step : *steps) ASSERT_TRUE(std::isfinite(step.speed)) << "seed 1, case " << i;
+    for (const simulation::UrStep& step : *steps) ASSERT_TRUE(std::isfinite(step.speed + step.time_s + step.value)) << "seed 1, case " << i;
   }
 }
 
