@@ -1,7 +1,10 @@
 #include "drivers/line/serial_wire.hpp"
 
+#include <cerrno>
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
+#include <sys/sysmacros.h>
 #include <termios.h>
 #include <unistd.h>
 
@@ -26,6 +29,14 @@ std::optional<speed_t> speed_of(int baud) {
   }
 }
 
+bool is_pseudo_terminal(int file) {
+  constexpr unsigned first_major = 136;  // of Linux' /dev/pts
+  constexpr unsigned last_major = 143;
+  struct stat about {};
+  if (::fstat(file, &about) != 0) return false;
+  return major(about.st_rdev) >= first_major && major(about.st_rdev) <= last_major;
+}
+
 bool set_up(int file, speed_t speed, Parity parity) {
   termios settings{};
   if (::tcgetattr(file, &settings) != 0) return false;
@@ -37,7 +48,13 @@ bool set_up(int file, speed_t speed, Parity parity) {
     settings.c_iflag |= INPCK;
   }
   ::cfsetspeed(&settings, speed);
-  if (::tcsetattr(file, TCSANOW, &settings) != 0) return false;
+  bool set = ::tcsetattr(file, TCSANOW, &settings) == 0;
+  // No bits go over a pseudo-terminal, and so no parity, which it refuses.
+  if (!set && errno == EINVAL && parity != Parity::none && is_pseudo_terminal(file)) {
+    settings.c_cflag &= ~static_cast<tcflag_t>(PARENB);
+    set = ::tcsetattr(file, TCSANOW, &settings) == 0;
+  }
+  if (!set) return false;
   return ::tcflush(file, TCIOFLUSH) == 0;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 // A serial line: 8 data bits, no parity or an even one, one stop bit, no flow control. A character whose parity is
-// wrong comes as 0.
+// wrong comes as 0. A pseudo-terminal, which has no parity, is opened without.
 //
 //   SerialWire wire(executor, "/dev/ttyUSB0", 9600);
 
