@@ -164,7 +164,7 @@ class SimpleServing : public Serving {
   Job telling_;
 };
 
-// The C500C's servers count angles the other way round.
+// The C500C's servers count angles the other way round and move at a fifth of the arm's speed.
 Result<std::unique_ptr<Serving>> serve_c500c(Executor& executor, simulation::ArmCabinet& cabinet) {
   Result<std::unique_ptr<line::PtyWire>> motion = line::PtyWire::make(executor);
   if (!motion) return fail(motion);
@@ -174,7 +174,7 @@ Result<std::unique_ptr<Serving>> serve_c500c(Executor& executor, simulation::Arm
   std::vector<std::unique_ptr<line::ByteWire>> lines;
   lines.push_back(std::move(*motion));
   lines.push_back(std::move(*state));
-  const simulation::SimpleKind kind{.serial = true, .sign = -1};
+  const simulation::SimpleKind kind{.serial = true, .sign = -1, .fixed_speed = 0.2};
   return std::make_unique<SimpleServing>(executor, cabinet, kind, std::move(lines), where);
 }
 

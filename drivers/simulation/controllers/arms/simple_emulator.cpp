@@ -7,6 +7,9 @@ namespace pizarra::simulation {
 namespace {
 
 constexpr Duration told_every = 20ms;
+constexpr std::int32_t version = 2;          // a type of message
+constexpr std::int32_t begin_download = -1;  // in place of a sequence number
+constexpr std::int32_t begin_streaming = -2;
 
 line::FrameReader frames_of(const SimpleKind& kind) {
   if (kind.serial) return arm::frame_of_serial;
@@ -21,6 +24,8 @@ std::string SimpleEmulator::framed(const arm::SimpleMessage& message) const {
 }
 
 Task<bool> SimpleEmulator::obey(arm::SimplePoint point) {
+  if (point.sequence == begin_streaming) co_return true;
+  if (point.sequence == begin_download) co_return false;
   const bool next = point.sequence == 0 || point.sequence == last_sequence_ + 1;
   if (point.sequence == arm::simple::stop_trajectory || !next) {
     last_sequence_ = -1;
@@ -36,7 +41,8 @@ Task<bool> SimpleEmulator::obey(arm::SimplePoint point) {
     target[axis] = arm::axis_of_joint(model.axes[axis].role, point.joints_rad[joint++], kind_.sign);
   }
   std::vector<arm::Joints> waypoints{target};
-  const Refusal refusal = co_await cabinet_.move(std::move(waypoints), point.velocity);
+  const double speed = kind_.fixed_speed > 0 ? kind_.fixed_speed : point.velocity;
+  const Refusal refusal = co_await cabinet_.move(std::move(waypoints), speed);
   if (refusal == Refusal::none) last_sequence_ = point.sequence;
   co_return refusal == Refusal::none;
 }
@@ -48,6 +54,10 @@ Task<std::string> SimpleEmulator::answer(std::string octets) {
   arm::SimpleMessage reply{.type = message->type, .kind = arm::simple::reply, .code = arm::simple::failure};
   reply.data = std::string(4 * arm::simple::axes, '\0');
   if (message->type == arm::simple::ping) reply.code = arm::simple::success;
+  if (message->type == version) {
+    reply.code = arm::simple::success;
+    reply.data = line::OctetWriter(kind_.order).i32(1).i32(0).i32(0).octets();
+  }
   if (message->type == arm::simple::trajectory_point) {
     const Result<arm::SimplePoint> point = arm::read_point(message->data, kind_.order);
     const bool done = point.has_value();

@@ -2,9 +2,9 @@
 
 // A controller that speaks ROS-Industrial's simple_message: points of a trajectory one at a time, in the order of their
 // numbers, and its state every 20 ms. As the CRS C500C with the servers of crs-c500c-utils, whose angles count the
-// other way round.
+// other way round and which moves at a fifth of its speed, whatever it is told.
 //
-//   SimpleEmulator emulator(cabinet, {.serial = true, .sign = -1});
+//   SimpleEmulator emulator(cabinet, {.serial = true, .sign = -1, .fixed_speed = 0.2});
 //   const Job moving = executor.spawn(serve_motion(executor, emulator, *motion_line));
 //   const Job telling = executor.spawn(serve_state(executor, emulator, *state_line));
 //
@@ -22,7 +22,8 @@ struct SimpleKind {
   bool serial = false;  // frames of a serial line, or of TCP
   line::ByteOrder order = line::ByteOrder::little;
   double sign = 1;
-  bool track = false;  // it has the track among its joints
+  bool track = false;      // it has the track among its joints
+  double fixed_speed = 0;  // part of the axes' speeds, whatever a point says; 0: as the point says
 };
 
 class SimpleEmulator {
