@@ -123,8 +123,11 @@ class UrServing : public Serving {
         address_(std::move(address)),
         emulator_(cabinet),
         telling_(executor.spawn(simulation::serve_rtde(executor, emulator_, *ports_[0]))),
-        running_(executor.spawn(simulation::serve_script(executor, emulator_, *ports_[1]))),
-        answering_(executor.spawn(simulation::serve_dashboard(executor, emulator_, *ports_[2]))) {}
+        answering_(executor.spawn(simulation::serve_dashboard(executor, emulator_, *ports_[2]))) {
+    for (const std::size_t port : {1, 3, 4}) {
+      running_.push_back(executor.spawn(simulation::serve_script(executor, emulator_, *ports_[port])));
+    }
+  }
   std::string where() const override { return where_tcp(address_, ports_); }
 
  private:
@@ -132,14 +135,17 @@ class UrServing : public Serving {
   std::string address_;
   simulation::UrEmulator emulator_;
   Job telling_;
-  Job running_;
   Job answering_;
+  std::vector<Job> running_;
 };
 
+// Programs go to the primary and the real-time server, too.
 Result<std::unique_ptr<Serving>> serve_ur(Executor& executor, simulation::ArmCabinet& cabinet,
                                           const EmulateChoices& choices) {
-  const std::vector<std::uint16_t> wanted =
-      ports_of(choices, {arm::rtde::port, arm::rtde::script_port, arm::rtde::dashboard_port});
+  constexpr std::uint16_t primary_port = 30001;
+  constexpr std::uint16_t real_time_port = 30003;
+  const std::vector<std::uint16_t> wanted = ports_of(
+      choices, {arm::rtde::port, arm::rtde::script_port, arm::rtde::dashboard_port, primary_port, real_time_port});
   Result<std::vector<std::unique_ptr<line::TcpPort>>> ports = listen_at_all(executor, choices.address, wanted);
   if (!ports) return fail(ports);
   return std::make_unique<UrServing>(executor, cabinet, std::move(*ports), choices.address);
@@ -210,7 +216,7 @@ struct ArmKind {
 
 constexpr ArmKind kinds[] = {{"up6", "motoman-up6", serve_hses},
                              {"up6-nx100", "motoman-up6", serve_host, 1, true},
-                             {"ur5e", "ur5e", serve_ur, 3},
+                             {"ur5e", "ur5e", serve_ur, 5},
                              {"f3", "crs-f3", serve_simple, 2, true},
                              {"f3-track", "crs-f3", serve_with_track, 2}};
 

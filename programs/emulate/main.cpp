@@ -62,8 +62,8 @@ void add_emulate_command(CLI::App& app, int& status) {
   CLI::Option* tcp =
       add_port(emulating, "--tcp", choices->port,
                "At this TCP port, and those after it where it has several; 0 takes any that are free; otherwise the "
-               "device's own: 4000 of pan-tilt units, 80 of up6-nx100, 30004, 30002 and 29999 of ur5e, 11000 and "
-               "11002 of f3 and f3-track, 502 of gripper");
+               "device's own: 4000 of pan-tilt units, 80 of up6-nx100, 30004, 30002, 29999, 30001 and 30003 of ur5e, "
+               "11000 and 11002 of f3 and f3-track, 502 of gripper");
   CLI::Option* udp = add_port(emulating, "--udp", choices->port, "The same of up6, which is at a UDP port: 10040");
   tcp->excludes(pty)->excludes(udp);
   udp->excludes(pty);

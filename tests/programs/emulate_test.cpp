@@ -58,7 +58,7 @@ TEST(Emulate, AnArmWithSeveralPortsNamesThemAll) {
   const Said said = emulate("ur5e --tcp 0", "status\\n", arm_seconds);
   const std::string ports = said.text.substr(0, said.text.find('\n'));
   EXPECT_TRUE(ports.starts_with("ur5e at tcp://127.0.0.1:")) << said.text;
-  EXPECT_EQ(std::ranges::count(ports, ','), 2) << said.text;
+  EXPECT_EQ(std::ranges::count(ports, ','), 4) << said.text;
 }
 
 TEST(Emulate, AnArmWithSerialLinesNamesBoth) {
@@ -70,7 +70,7 @@ TEST(Emulate, AnArmWithSerialLinesNamesBoth) {
 TEST(Emulate, PortsThatThereAreNotAreRefusedAtOnce) {
   const Said beyond = emulate("ur5e --tcp 65534", "");
   EXPECT_EQ(beyond.status, 2);
-  EXPECT_NE(beyond.text.find("ur5e has 3 ports, and from 65534 on there are not so many"), std::string::npos)
+  EXPECT_NE(beyond.text.find("ur5e has 5 ports, and from 65534 on there are not so many"), std::string::npos)
       << beyond.text;
   for (const char* port : {"70000", "-1", "http"}) {
     EXPECT_EQ(emulate(fmt::format("f3 --tcp {}", port), "").status, 2) << port;
