@@ -29,6 +29,7 @@ INSTANTIATE_TEST_SUITE_P(Over, Simple,
                          testing::Values(Line{"TcpLittleEndian", {}},
                                          Line{"TcpBigEndian", {.order = line::ByteOrder::big}},
                                          Line{"C500CSerial", {.serial = true, .sign = -1}},
+                                         Line{"C500CAtAFifth", {.serial = true, .sign = -1, .fixed_speed = 0.2}},
                                          Line{"TcpWithTheTrack", {.track = true}}),
                          [](const auto& line) { return std::string(line.param.name); });
 
