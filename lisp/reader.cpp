@@ -319,8 +319,7 @@ Result<Source> read_source(std::string_view text, std::string file, const ReadLi
   auto data = reader.read_all();
   if (!data) return fail(failure_of(reader.trouble(), file, text));
   source.data_ = std::move(*data);
-  source.file_ = std::move(file);
-  source.text_ = text;
+  source.texts_.front() = {std::move(file), std::string(text)};
   return source;
 }
 
@@ -401,8 +400,7 @@ Result<Source> read_source_to_the_end(std::string_view text, std::string file, c
   if (!strict && !can_be_mended(strict.error().symbol)) return strict;
   Balanced balanced = balance(text, depth_of_form);
   Source source;
-  source.file_ = std::move(file);
-  source.text_ = text;
+  source.texts_.front() = {std::move(file), std::string(text)};
   std::optional<std::vector<Datum>> data;
   for (bool mended = true; mended && !data;) {
     Reader reader(balanced.text, limits, &source.spots_);

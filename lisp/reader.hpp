@@ -44,14 +44,21 @@ struct Spot {
   std::size_t offset = 0;
   std::size_t last = 0;
   std::vector<Spot> items = {};
+  // Which of the texts of its source it stands in: 0 is the source's own, others came with Source::replace_first.
+  std::size_t text = 0;
 };
 
 // A text a person wrote, read whole, that remembers where every element stood.
 class Source {
  public:
   const std::vector<Datum>& data() const { return data_; }
-  const std::string& file() const { return file_; }
-  const std::string& text() const { return text_; }
+  const std::vector<Spot>& spots() const { return spots_; }
+  const std::string& file() const { return texts_.front().file; }
+  const std::string& text() const { return texts_.front().text; }
+  // Puts another datum in place of the first, which must be there. Its elements may come from `other` too, whose texts
+  // are taken in behind those that are here: their spots' `text` must have been raised by as many as these.
+  void replace_first(Datum datum, Spot spot, const Source& other);
+  std::size_t text_count() const { return texts_.size(); }
   // A failure about the element that `path` leads to: {2, 0} is the first element of the third datum. The place gets
   // file:line:column, the line, a caret, and `context` (outermost first). An index one behind a list's last element
   // means the place where the list is closed, or behind all of the text; any other path that leads nowhere its longest
@@ -67,8 +74,17 @@ class Source {
  private:
   friend Result<Source> read_source(std::string_view, std::string, const ReadLimits&);
   friend Result<Source> read_source_to_the_end(std::string_view, std::string, const ReadLimits&, const DepthOfForm&);
-  std::string file_;
-  std::string text_;
+  struct Text {
+    std::string file;
+    std::string text;
+  };
+  struct Place {
+    std::size_t text = 0;
+    std::size_t offset = 0;
+  };
+  Place place_at(const std::vector<std::size_t>& path) const;
+
+  std::vector<Text> texts_{1};
   std::vector<Datum> data_;
   std::vector<Spot> spots_;
   std::vector<SourceError> errors_;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
@@ -26,23 +27,32 @@ Failure one_report(const std::vector<Failure>& failures) {
   return out;
 }
 
-std::size_t Source::offset_at(const std::vector<std::size_t>& path) const {
+Source::Place Source::place_at(const std::vector<std::size_t>& path) const {
   const std::vector<Spot>* level = &spots_;
-  std::size_t offset = 0;
+  Place place;
   std::size_t end = spots_.empty() ? 0 : spots_.back().last + 1;
   for (const std::size_t index : path) {
-    if (index == level->size()) return end;
+    if (index == level->size()) return {place.text, end};
     if (index > level->size()) break;
     const Spot& spot = (*level)[index];
-    offset = spot.offset;
+    place = {spot.text, spot.offset};
     end = spot.last;
     level = &spot.items;
   }
-  return offset;
+  return place;
+}
+
+std::size_t Source::offset_at(const std::vector<std::size_t>& path) const { return place_at(path).offset; }
+
+void Source::replace_first(Datum datum, Spot spot, const Source& other) {
+  assert(!data_.empty());
+  data_.front() = std::move(datum);
+  spots_.front() = std::move(spot);
+  texts_.insert(texts_.end(), other.texts_.begin(), other.texts_.end());
 }
 
 Failure Source::failure_of(const SourceError& error) const {
-  return {error.symbol, error.sentence, {}, place_of(file_, text_, error.offset)};
+  return {error.symbol, error.sentence, {}, place_of(file(), text(), error.offset)};
 }
 
 Failure Source::failure_at(const std::vector<std::size_t>& path, std::string symbol, std::string sentence,
@@ -55,7 +65,10 @@ Failure Source::failure_at(const std::vector<std::size_t>& path, std::string sym
     subject = elements[index];
     elements = subject.items();
   }
-  Failure out{std::move(symbol), std::move(sentence), std::move(subject), place_of(file_, text_, offset_at(path))};
+  const Place place = place_at(path);
+  const Text& stands_in = texts_[place.text];
+  Failure out{std::move(symbol), std::move(sentence), std::move(subject),
+              place_of(stands_in.file, stands_in.text, place.offset)};
   for (const std::string& line : context) out.place += "\n  " + line;
   return out;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "lisp/forms/domain_extension.hpp"
 #include "lisp/guile/interpret.hpp"
 
 namespace pizarra::forms {
@@ -70,9 +71,12 @@ const Operator* Domain::find_operator(std::string_view operator_name) const {
 }
 
 Result<Domain> domain_from_source(Source source) {
-  const Result<Datum> form = guile::interpret(source, "strips");
+  if (!source.errors().empty() && extends_another(source)) return fail(one_report(guile::failures_of(source)));
+  Result<Source> whole = extended_domain(std::move(source));
+  if (!whole) return fail(whole);
+  const Result<Datum> form = guile::interpret(*whole, "strips");
   if (!form) return fail(form);
-  return from_form(*form, std::move(source));
+  return from_form(*form, std::move(*whole));
 }
 
 Result<Domain> read_domain(std::string_view text, std::string file) {
