@@ -11,6 +11,7 @@
 //       (params (<ob1> OBJECT))
 //       (preconds (clear <ob1>) (on-table <ob1>) (arm-empty))
 //       (effects (holding <ob1>) (del (clear <ob1>)) ...))
+//     (extends "other.scm") (without NAME ...)   ; a variant of another domain: domain_extension.hpp
 //     (perception ...)                           ; these two are other modules' business
 //     (micro-tasks ...))
 //

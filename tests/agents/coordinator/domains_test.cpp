@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <iterator>
@@ -154,6 +155,35 @@ TEST(NumberedPlaces, BuildsNothingOnACubeThatLiesAskew) {
       perceived(domain("numbered-places.scm"), "((gripper 84.0) (seen a 480 -170 58) (seen b 480 -205 30))");
   EXPECT_EQ(found,
             facts("((askew a) (at b place-1) (free place-2) (free place-3) (free place-4) (clear b) (arm-empty))"));
+}
+
+// The example of a variant as docs/write-a-domain.md shows it.
+std::string variant_on_the_page() {
+  std::ifstream in(source_dir() + "/docs/write-a-domain.md");
+  const std::string page(std::istreambuf_iterator<char>(in), {});
+  const std::size_t begin = page.find("(domain tray");
+  return begin == std::string::npos ? "" : page.substr(begin, page.find("```", begin) - begin);
+}
+
+TEST(VariantOnThePage, IsShortAndPlannedWith) {
+  const std::string text = variant_on_the_page();
+  const auto lines = std::ranges::count(text, '\n');
+  EXPECT_GT(lines, 0);
+  EXPECT_LT(lines, 20);
+  std::filesystem::create_directory_symlink(source_dir() + "/domains", scratch_folder() + "domains");
+  std::ofstream(scratch_folder() + "tray.scm") << text;
+  const Result<TaskDomain> task = TaskDomain::read(scratch_folder() + "tray.scm");
+  ASSERT_TRUE(task) << describe(task.error());
+  constexpr std::string_view measured =
+      "((gripper 84.0) (grip 450 0 300) (seen a 480 0 30) (seen b 480 0 90) (seen c 480 150 30))";
+  EXPECT_EQ(perceived(*task, measured), facts("((on b a) (on-table a) (on-table c) (bare b) (bare c) (clear b) "
+                                              "(clear c) (tray-free) (arm-empty))"));
+  const std::vector<Datum> plan = planned(*task, measured, "((served a) (on c b))");
+  EXPECT_EQ(plan.size(), 6u);
+  EXPECT_TRUE(std::ranges::find(plan, d("(SERVE a)")) != plan.end()) << write(Datum::list(plan));
+  const Result<std::vector<Datum>> steps = task->micro_tasks().expand(d("(SERVE a)"));
+  ASSERT_TRUE(steps);
+  EXPECT_EQ((*steps)[2], d("(align (at-place a tray))"));
 }
 
 // The blocks with one piece of their text replaced.
