@@ -57,7 +57,7 @@ class Source {
   const std::string& text() const { return texts_.front().text; }
   // Puts another datum in place of the first, which must be there. Its elements may come from `other` too, whose texts
   // are taken in behind those that are here: their spots' `text` must have been raised by as many as these.
-  void replace_first(Datum datum, Spot spot, const Source& other);
+  void replace_first(const Datum& datum, Spot spot, const Source& other);
   std::size_t text_count() const { return texts_.size(); }
   // A failure about the element that `path` leads to: {2, 0} is the first element of the third datum. The place gets
   // file:line:column, the line, a caret, and `context` (outermost first). An index one behind a list's last element

@@ -44,9 +44,9 @@ Source::Place Source::place_at(const std::vector<std::size_t>& path) const {
 
 std::size_t Source::offset_at(const std::vector<std::size_t>& path) const { return place_at(path).offset; }
 
-void Source::replace_first(Datum datum, Spot spot, const Source& other) {
+void Source::replace_first(const Datum& datum, Spot spot, const Source& other) {
   assert(!data_.empty());
-  data_.front() = std::move(datum);
+  data_.front() = datum;
   spots_.front() = std::move(spot);
   texts_.insert(texts_.end(), other.texts_.begin(), other.texts_.end());
 }

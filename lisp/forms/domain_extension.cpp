@@ -134,7 +134,7 @@ Result<Source> extended(Source source, Chain& chain) {
   if (!left_out) return fail(left_out);
   raise_text(theirs.spot, source.text_count());
   Piece merged = merge_domains(without_sections(first_of(source), {"extends", "without"}), theirs, *left_out);
-  source.replace_first(std::move(merged.datum), std::move(merged.spot), *other);
+  source.replace_first(merged.datum, std::move(merged.spot), *other);
   return source;
 }
 
