@@ -24,6 +24,7 @@ void add_look_command(CLI::App& app, int& status);
 void add_top_command(CLI::App& app, int& status);
 void add_replay_command(CLI::App& app, int& status);
 void add_repl_command(CLI::App& app, int& status);
+void add_console_command(CLI::App& app, int& status);
 void add_form_commands(CLI::App& app, int& status);  // declare, tell, retract, ask, watch, goal, why
 
 }  // namespace pizarra::programs

@@ -22,6 +22,7 @@ int main(int argc, char** argv) {
   pizarra::programs::add_ps_command(app, status);
   pizarra::programs::add_down_command(app, status);
   pizarra::programs::add_repl_command(app, status);
+  pizarra::programs::add_console_command(app, status);
   pizarra::programs::add_form_commands(app, status);
   pizarra::programs::add_look_command(app, status);
   pizarra::programs::add_shapes_command(app, status);

@@ -1,0 +1,133 @@
+#include "agents/console/console.hpp"
+
+#include <fmt/format.h>
+
+namespace pizarra::console {
+
+namespace {
+
+constexpr Duration longest_goodbye = 1s;
+constexpr std::string_view bearer = "Bearer ";
+constexpr std::size_t web_socket_key_size = 24;
+
+HttpAnswer plain(unsigned status, std::string sentence) {
+  return {.status = status, .type = "text/plain; charset=utf-8", .body = std::move(sentence) + "\n"};
+}
+
+// What a page of another origin, or a fact that is shown, could make a browser do: nothing.
+std::string content_policy(int port) {
+  return fmt::format(
+      "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self'; "
+      "connect-src 'self' ws://127.0.0.1:{0} ws://localhost:{0}; base-uri 'none'; form-action 'none'; "
+      "frame-ancestors 'none'; require-trusted-types-for 'script'; trusted-types 'none'",
+      port);
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Console>> Console::open(Setup setup) {
+  Result<PageFiles> page = PageFiles::read(setup.page_folder);
+  if (!page) return fail(page);
+  const int port = setup.port;
+  std::unique_ptr<Console> console(new Console(std::move(setup), std::move(*page)));
+  Console* self = console.get();
+  auto server = HttpServer::listen(self->setup_.executor, port,
+                                   [self](const HttpRequest& request) { return self->answer(request); });
+  if (!server) return fail(server);
+  console->server_ = std::move(*server);
+  console->access_ = std::make_unique<Access>(console->server_->port());
+  return console;
+}
+
+Console::Console(Setup setup, PageFiles page)
+    : setup_(std::move(setup)),
+      page_(std::move(page)),
+      images_(setup_.executor, setup_.streams),
+      emptied_(setup_.executor) {}
+
+Console::~Console() = default;
+
+// Behind the #, so that no log and no other server ever sees it.
+std::string Console::address() const {
+  return fmt::format("http://127.0.0.1:{}/#{}", server_->port(), access_->token());
+}
+
+Task<void> Console::close() {
+  for (const auto& [number, session] : sessions_) session->leave();
+  const Time deadline = setup_.executor.now() + longest_goodbye;
+  if (!sessions_.empty()) co_await emptied_.wait(deadline);
+}
+
+HttpAnswer Console::answer(const HttpRequest& request) {
+  if (!access_->is_own_host(request.host)) return with_headers(plain(421, "this is no name of this server"));
+  const bool foreign = !request.origin.empty() && !access_->is_own_origin(request.origin, request.host);
+  if (foreign) return with_headers(plain(403, "pages of another origin are not served"));
+  if (request.path == "/session") return with_headers(exchange(request));
+  if (request.path == "/socket") return with_headers(open_page(request));
+  if (request.method != "GET" && request.method != "HEAD") return with_headers(plain(405, "that cannot be done here"));
+  const PageFile* file = page_.find(request.path);
+  if (file == nullptr) return with_headers(plain(404, "there is nothing here"));
+  return with_headers({.status = 200, .type = file->type, .body = file->text});
+}
+
+// POST /session with `Authorization: Bearer TOKEN`.
+HttpAnswer Console::exchange(const HttpRequest& request) {
+  if (request.method != "POST") return plain(405, "a token is exchanged by POST");
+  if (request.origin.empty()) return plain(403, "a token is exchanged by the page alone");
+  const std::string_view shown = request.authorization;
+  if (!shown.starts_with(bearer)) return plain(403, "there is no token");
+  const std::optional<std::string> cookie = access_->exchange(shown.substr(bearer.size()), setup_.executor.now());
+  if (!cookie) return plain(403, "this token is wrong, or has been used");
+  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(Access::session_length).count();
+  HttpAnswer answer{.status = 204};
+  answer.headers.emplace_back("Set-Cookie", fmt::format("{}={}; HttpOnly; SameSite=Strict; Path=/socket; Max-Age={}",
+                                                        access_->cookie_name(), *cookie, seconds));
+  if (setup_.next_address) setup_.next_address(address());
+  return answer;
+}
+
+HttpAnswer Console::open_page(const HttpRequest& request) {
+  const std::optional<Time> until = access_->admitted(request.cookies, setup_.executor.now());
+  if (!until) return plain(403, "no session: open the address that the console printed");
+  const bool asked = request.method == "GET" && (request.upgrade == "websocket" || request.upgrade == "WebSocket") &&
+                     request.web_socket_version == "13" && request.web_socket_key.size() == web_socket_key_size;
+  if (!asked) return plain(426, "here is a WebSocket alone");
+  if (request.origin.empty()) return plain(403, "only the page may connect");
+  if (sessions_.size() >= max_pages) return plain(503, "too many pages are open");
+  HttpAnswer answer{.status = 101};
+  answer.headers = {{"Upgrade", "websocket"}, {"Sec-WebSocket-Accept", web_socket_accept(request.web_socket_key)}};
+  answer.upgraded = [this, until = *until](UpgradedSocket socket) { admit(std::move(socket), until); };
+  return answer;
+}
+
+void Console::admit(UpgradedSocket socket, Time until) {
+  if (sessions_.size() >= max_pages) return;
+  const int number = next_page_++;
+  const std::string name = fmt::format("{}-{}", setup_.name, number);
+  Result<std::unique_ptr<Board>> board = setup_.board(name);
+  // The page sees the connection end, and tries again.
+  if (!board) return;
+  const auto ended = [this, number, alive = std::weak_ptr(alive_)] {
+    if (alive.expired()) return;
+    sessions_.erase(number);
+    if (sessions_.empty()) emptied_.set();
+  };
+  Session::Setup setup{setup_.executor, images_, setup_.cell, name, std::move(*board), until, ended};
+  sessions_.emplace(number, std::make_unique<Session>(std::move(setup), std::move(socket)));
+}
+
+HttpAnswer Console::with_headers(HttpAnswer answer) const {
+  const std::pair<std::string, std::string> headers[] = {
+      {"Content-Security-Policy", content_policy(server_->port())},
+      {"X-Content-Type-Options", "nosniff"},
+      {"X-Frame-Options", "DENY"},
+      {"Referrer-Policy", "no-referrer"},
+      {"Cross-Origin-Opener-Policy", "same-origin"},
+      {"Cross-Origin-Resource-Policy", "same-origin"},
+      {"Permissions-Policy", "camera=(), microphone=(), geolocation=()"},
+      {"Cache-Control", "no-store"}};
+  answer.headers.insert(answer.headers.end(), std::begin(headers), std::end(headers));
+  return answer;
+}
+
+}  // namespace pizarra::console

@@ -1,0 +1,74 @@
+#pragma once
+
+// The console: the cell in a browser. A server on loopback that gives the page to anyone who asks for it by the right
+// name, and what is on the board only to a browser that has exchanged a token for a cookie (access.hpp). Each page has
+// a board session of its own (session.hpp).
+//
+//   Result<std::unique_ptr<Console>> console = Console::open({.executor = executor, .streams = streams, ...});
+//   print((*console)->address());                  // http://127.0.0.1:40213/#TOKEN
+//   co_await (*console)->close();                  // every page has left the board
+//
+// At most 16 pages are open at once.
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "agents/console/access.hpp"
+#include "agents/console/http_server.hpp"
+#include "agents/console/page_files.hpp"
+#include "agents/console/session.hpp"
+
+namespace pizarra::console {
+
+class Console {
+ public:
+  static constexpr std::size_t max_pages = 16;
+
+  // A session with the board under a name of its own.
+  using BoardMaker = std::function<Result<std::unique_ptr<Board>>(const std::string& name)>;
+
+  // Executor and streams outlive the console.
+  struct Setup {
+    Executor& executor;
+    Streams& streams;
+    BoardMaker board;
+    CellView cell;
+    std::string name;         // pages are called NAME-1, NAME-2 ... on the board
+    std::string page_folder;  // of what page/build.mjs made
+    int port = 0;
+    std::function<void(const std::string& address)> next_address = nullptr;  // the last one has been used
+  };
+
+  // Failures: unreadable-file, cannot-listen.
+  static Result<std::unique_ptr<Console>> open(Setup setup);
+  Console(const Console&) = delete;
+  Console& operator=(const Console&) = delete;
+  ~Console();
+
+  // Where one browser may come.
+  std::string address() const;
+  std::size_t pages() const { return sessions_.size(); }
+  Task<void> close();
+
+ private:
+  Console(Setup setup, PageFiles page);
+  HttpAnswer answer(const HttpRequest& request);
+  HttpAnswer exchange(const HttpRequest& request);
+  HttpAnswer open_page(const HttpRequest& request);
+  void admit(UpgradedSocket socket, Time until);
+  HttpAnswer with_headers(HttpAnswer answer) const;
+
+  Setup setup_;
+  PageFiles page_;
+  ImageFeeds images_;
+  std::unique_ptr<HttpServer> server_;
+  std::unique_ptr<Access> access_;
+  int next_page_ = 1;
+  Event emptied_;
+  std::shared_ptr<const bool> alive_ = std::make_shared<const bool>(true);  // whoever may outlast this looks
+  std::map<int, std::unique_ptr<Session>> sessions_;
+};
+
+}  // namespace pizarra::console

@@ -1,0 +1,140 @@
+#include "agents/console/http_server.hpp"
+
+#include <arpa/inet.h>
+#include <cassert>
+#include <cerrno>
+#include <cstring>
+#include <fmt/format.h>
+#include <microhttpd.h>
+#include <netinet/in.h>
+#include <optional>
+
+namespace pizarra::console {
+
+namespace {
+
+constexpr unsigned max_connections = 64;
+constexpr unsigned silence_seconds = 10;
+constexpr std::size_t head_bytes = 16 << 10;
+
+std::string header_of(MHD_Connection* connection, const char* name) {
+  const char* value = MHD_lookup_connection_value(connection, MHD_HEADER_KIND, name);
+  return value == nullptr ? std::string() : std::string(value);
+}
+
+bool has_body(MHD_Connection* connection) {
+  const std::string length = header_of(connection, "Content-Length");
+  return (!length.empty() && length != "0") || !header_of(connection, "Transfer-Encoding").empty();
+}
+
+HttpRequest request_of(MHD_Connection* connection, const char* method, const char* path) {
+  return {.method = method,
+          .path = path,
+          .host = header_of(connection, "Host"),
+          .origin = header_of(connection, "Origin"),
+          .cookies = header_of(connection, "Cookie"),
+          .authorization = header_of(connection, "Authorization"),
+          .upgrade = header_of(connection, "Upgrade"),
+          .web_socket_key = header_of(connection, "Sec-WebSocket-Key"),
+          .web_socket_version = header_of(connection, "Sec-WebSocket-Version")};
+}
+
+}  // namespace
+
+UpgradedSocket::~UpgradedSocket() {
+  if (handle_ != nullptr) MHD_upgrade_action(handle_, MHD_UPGRADE_ACTION_CLOSE);
+}
+
+// What libmicrohttpd calls; all from within MHD_run.
+struct HttpServer::Callbacks {
+  // One request, from its head to its end.
+  struct Exchange {
+    std::function<void(UpgradedSocket)> upgraded;
+    bool begun = false;
+  };
+
+  static MHD_Result handle(void* server, MHD_Connection* connection, const char* path, const char* method, const char*,
+                           const char*, std::size_t*, void** exchange) {
+    if (*exchange == nullptr) *exchange = new Exchange;
+    auto& here = *static_cast<Exchange*>(*exchange);
+    const bool refused = has_body(connection);
+    // The head alone is there; what is to be answered is so the next time.
+    if (!here.begun && !refused) {
+      here.begun = true;
+      return MHD_YES;
+    }
+    HttpAnswer answer{.status = MHD_HTTP_CONTENT_TOO_LARGE};
+    if (!refused) answer = static_cast<HttpServer*>(server)->handler_(request_of(connection, method, path));
+    here.upgraded = std::move(answer.upgraded);
+    return queue(connection, answer, here.upgraded != nullptr);
+  }
+
+  static MHD_Result queue(MHD_Connection* connection, HttpAnswer& answer, bool upgrades) {
+    MHD_Response* response =
+        upgrades ? MHD_create_response_for_upgrade(&upgrade, nullptr)
+                 : MHD_create_response_from_buffer(answer.body.size(), answer.body.data(), MHD_RESPMEM_MUST_COPY);
+    if (response == nullptr) return MHD_NO;
+    if (!answer.type.empty()) MHD_add_response_header(response, MHD_HTTP_HEADER_CONTENT_TYPE, answer.type.c_str());
+    for (const auto& [name, value] : answer.headers) MHD_add_response_header(response, name.c_str(), value.c_str());
+    const MHD_Result queued = MHD_queue_response(connection, answer.status, response);
+    MHD_destroy_response(response);
+    return queued;
+  }
+
+  static void upgrade(void*, MHD_Connection*, void* exchange, const char* first, std::size_t size, MHD_socket file,
+                      MHD_UpgradeResponseHandle* handle) {
+    static_cast<Exchange*>(exchange)->upgraded(UpgradedSocket(handle, file, std::string(first, size)));
+  }
+
+  static void completed(void*, MHD_Connection*, void** exchange, MHD_RequestTerminationCode) {
+    delete static_cast<Exchange*>(*exchange);
+    *exchange = nullptr;
+  }
+
+  // What a client does wrong is no news here.
+  static void log(void*, const char*, va_list) {}
+};
+
+Result<std::unique_ptr<HttpServer>> HttpServer::listen(Executor& executor, int port, Handler handler) {
+  std::unique_ptr<HttpServer> server(new HttpServer(executor, std::move(handler)));
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_port = htons(static_cast<std::uint16_t>(port));
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  errno = 0;
+  server->daemon_ =
+      MHD_start_daemon(MHD_USE_EPOLL | MHD_ALLOW_UPGRADE | MHD_USE_ERROR_LOG, static_cast<std::uint16_t>(port), nullptr,
+                       nullptr, &Callbacks::handle, server.get(), MHD_OPTION_EXTERNAL_LOGGER, &Callbacks::log, nullptr,
+                       MHD_OPTION_SOCK_ADDR, &address, MHD_OPTION_NOTIFY_COMPLETED, &Callbacks::completed, nullptr,
+                       MHD_OPTION_CONNECTION_LIMIT, max_connections, MHD_OPTION_CONNECTION_TIMEOUT, silence_seconds,
+                       MHD_OPTION_CONNECTION_MEMORY_LIMIT, head_bytes, MHD_OPTION_STRICT_FOR_CLIENT, 1, MHD_OPTION_END);
+  if (server->daemon_ == nullptr) {
+    const std::string why = errno == 0 ? "it is refused" : std::strerror(errno);
+    return fail("cannot-listen", fmt::format("cannot listen on port {} of this host: {}", port, why));
+  }
+  server->port_ = MHD_get_daemon_info(server->daemon_, MHD_DAEMON_INFO_BIND_PORT)->port;
+  server->file_ = MHD_get_daemon_info(server->daemon_, MHD_DAEMON_INFO_EPOLL_FD)->epoll_fd;
+  executor.watch_readable(server->file_, [self = server.get()] { self->run(); });
+  return server;
+}
+
+HttpServer::~HttpServer() {
+  if (daemon_ == nullptr) return;
+  executor_.cancel(timer_);
+  executor_.unwatch_readable(file_);
+  // Lets go of the sockets that have been closed since.
+  MHD_run(daemon_);
+  MHD_stop_daemon(daemon_);
+}
+
+// Does what can be done now, and comes again when the next connection has been silent for too long.
+void HttpServer::run() {
+  MHD_run(daemon_);
+  executor_.cancel(timer_);
+  timer_ = 0;
+  MHD_UNSIGNED_LONG_LONG milliseconds = 0;
+  if (MHD_get_timeout(daemon_, &milliseconds) != MHD_YES) return;
+  timer_ = executor_.call_at(executor_.now() + std::chrono::milliseconds(milliseconds), [this] { run(); });
+}
+
+}  // namespace pizarra::console

@@ -1,0 +1,95 @@
+#include "agents/console/image_feed.hpp"
+
+#include <opencv2/imgcodecs.hpp>
+#include <vector>
+
+namespace pizarra::console {
+
+namespace {
+
+constexpr int jpeg_quality = 80;
+constexpr Duration encoding_cost = 3ms;
+
+std::string jpeg_of(const Image& image) {
+  const cv::Mat pixels(image.height, image.width, CV_8UC(image.channels),
+                       const_cast<std::uint8_t*>(image.pixels.data()));
+  std::vector<unsigned char> bytes;
+  cv::imencode(".jpg", pixels, bytes, {cv::IMWRITE_JPEG_QUALITY, jpeg_quality});
+  return {bytes.begin(), bytes.end()};
+}
+
+bool can_be_encoded(const Image& image) {
+  const bool coloured = image.channels == 1 || image.channels == 3;
+  const auto size = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+  return coloured && size > 0 && image.pixels.size() == size * static_cast<std::size_t>(image.channels);
+}
+
+}  // namespace
+
+class ImageFeeds::Feed {
+ public:
+  Feed(Executor& executor, Streams& streams, const std::string& stream)
+      : executor_(executor),
+        subscription_(streams.subscribe(stream, [this](const StreamFrame& frame) { take(frame); })) {}
+
+  void add(std::uint64_t number, Receiver receiver) {
+    if (shown_) receiver(shown_);
+    receivers_.emplace(number, std::move(receiver));
+  }
+  // Whether nobody looks any more.
+  bool remove(std::uint64_t number) {
+    receivers_.erase(number);
+    return receivers_.empty();
+  }
+
+ private:
+  void take(const StreamFrame& frame) {
+    if (!can_be_encoded(*frame.image)) return;
+    newest_ = frame;
+    if (encoding_.done()) encoding_ = executor_.spawn(encode());
+  }
+
+  Task<void> encode() {
+    while (newest_) {
+      const StreamFrame frame = *std::exchange(newest_, std::nullopt);
+      const auto made = std::make_shared<Picture>();
+      made->number = frame.number;
+      made->captured = frame.captured;
+      made->width = frame.image->width;
+      made->height = frame.image->height;
+      const std::function<void(const std::function<bool()>&)> work =
+          [made, image = frame.image](const std::function<bool()>&) { made->jpeg = jpeg_of(*image); };
+      co_await executor_.offload(work, encoding_cost);
+      shown_ = made;
+      for (const auto& [number, receiver] : receivers_) receiver(shown_);
+    }
+  }
+
+  Executor& executor_;
+  std::map<std::uint64_t, Receiver> receivers_;
+  std::optional<StreamFrame> newest_;
+  std::shared_ptr<const Picture> shown_;
+  Job encoding_;
+  std::unique_ptr<Streams::Subscription> subscription_;
+};
+
+ImageFeeds::ImageFeeds(Executor& executor, Streams& streams) : executor_(executor), streams_(streams) {}
+ImageFeeds::~ImageFeeds() = default;
+
+std::unique_ptr<ImageFeeds::Look> ImageFeeds::look(const std::string& stream, Receiver receiver) {
+  std::unique_ptr<Feed>& feed = feeds_[stream];
+  if (!feed) feed = std::make_unique<Feed>(executor_, streams_, stream);
+  const std::uint64_t number = next_look_++;
+  feed->add(number, std::move(receiver));
+  return std::make_unique<Look>(*this, stream, number);
+}
+
+ImageFeeds::Look::Look(ImageFeeds& feeds, std::string stream, std::uint64_t number)
+    : feeds_(feeds), stream_(std::move(stream)), number_(number) {}
+
+ImageFeeds::Look::~Look() {
+  const auto feed = feeds_.feeds_.find(stream_);
+  if (feed->second->remove(number_)) feeds_.feeds_.erase(feed);
+}
+
+}  // namespace pizarra::console

@@ -1,0 +1,63 @@
+#pragma once
+
+// Image streams as JPEGs, each frame encoded once for all who look, away from the agents' thread. Only the newest frame
+// is encoded: what comes meanwhile takes the place of what waits.
+//
+//   ImageFeeds feeds(executor, streams);
+//   auto look = feeds.look("vision-colour", [](const ImageFeeds::Picture& picture) { ... });
+//
+// A stream is subscribed to while somebody looks. The feeds outlive the looks, and the streams the feeds.
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "blackboard/stream.hpp"
+#include "blackboard/time/executor.hpp"
+
+namespace pizarra::console {
+
+class ImageFeeds {
+ public:
+  struct Picture {
+    std::uint64_t number = 0;
+    Time captured{};
+    int width = 0;
+    int height = 0;
+    std::string jpeg;
+  };
+  using Receiver = std::function<void(const std::shared_ptr<const Picture>&)>;
+
+  class Feed;
+  // Destroying it ends the look.
+  class Look {
+   public:
+    Look(ImageFeeds& feeds, std::string stream, std::uint64_t number);
+    Look(const Look&) = delete;
+    Look& operator=(const Look&) = delete;
+    ~Look();
+
+   private:
+    ImageFeeds& feeds_;
+    std::string stream_;
+    std::uint64_t number_;
+  };
+
+  ImageFeeds(Executor& executor, Streams& streams);
+  ImageFeeds(const ImageFeeds&) = delete;
+  ImageFeeds& operator=(const ImageFeeds&) = delete;
+  ~ImageFeeds();
+
+  std::unique_ptr<Look> look(const std::string& stream, Receiver receiver);
+
+ private:
+  Executor& executor_;
+  Streams& streams_;
+  std::map<std::string, std::unique_ptr<Feed>> feeds_;
+  std::uint64_t next_look_ = 1;
+};
+
+}  // namespace pizarra::console

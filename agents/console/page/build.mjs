@@ -1,0 +1,26 @@
+// Bundles src/ into built/, which is what the console serves: run by `npm ci && npm run build` after a change here.
+// Running the console needs none of it. `node build.mjs FOLDER` writes elsewhere, for the test that compares.
+
+import { build } from 'esbuild';
+import { copyFile, mkdir, readFile, writeFile } from 'node:fs/promises';
+import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+
+const here = dirname(fileURLToPath(import.meta.url));
+const out = process.argv[2] ?? join(here, 'built');
+
+await mkdir(out, { recursive: true });
+await build({
+  entryPoints: [join(here, 'src/main.js')],
+  outfile: join(out, 'console.js'),
+  absWorkingDir: here,
+  bundle: true,
+  minify: true,
+  format: 'esm',
+  target: ['chrome110', 'firefox115'],
+  legalComments: 'inline',
+});
+const styles = [join(here, 'node_modules/uplot/dist/uPlot.min.css'), join(here, 'src/console.css')];
+const texts = await Promise.all(styles.map((file) => readFile(file, 'utf8')));
+await writeFile(join(out, 'console.css'), texts.join('\n'));
+for (const file of ['index.html', 'icon.svg']) await copyFile(join(here, 'src', file), join(out, file));

@@ -1,0 +1,163 @@
+// The page's one connection: questions that live on, requests that are answered, images. It comes back by itself.
+//
+//   connection.follow('(place ?name ?x ?y ?z ?f)', (answers) => ...)   all that holds, whenever that changes
+//   await connection.request('coordinator', '(why)')                    the reply's values; throws a failure
+//   connection.look('vision-colour', (picture) => ...)
+
+import { LiveAnswers } from './live_answers.js';
+import { read, text, write, sym } from './datum.js';
+
+export class Connection {
+  #socket = null;
+  #next = 1;
+  #watches = new Map();
+  #requests = new Map();
+  #looks = new Map();
+  #pause = 500;
+
+  onState = () => {}; // 'connecting', 'live', 'lost', 'refused'
+  onHello = () => {};
+  onArm = () => {};
+
+  // The token behind the # is of use once, and is not left where others could read it.
+  async open() {
+    const token = location.hash.slice(1);
+    if (token) {
+      history.replaceState(null, '', location.pathname);
+      await fetch('/session', { method: 'POST', headers: { Authorization: `Bearer ${token}` } }).catch(() => null);
+    }
+    this.#connect();
+  }
+
+  #connect() {
+    this.onState('connecting');
+    const socket = new WebSocket(`ws://${location.host}/socket`);
+    socket.binaryType = 'arraybuffer';
+    socket.onmessage = (event) => (typeof event.data === 'string' ? this.#hear(JSON.parse(event.data)) : this.#show(event.data));
+    socket.onclose = () => this.#lost();
+    this.#socket = socket;
+  }
+
+  async #lost() {
+    this.#socket = null;
+    for (const request of this.#requests.values()) {
+      request.reject({ symbol: 'unreachable', sentence: 'the console has gone; whether it was done is not known' });
+    }
+    this.#requests.clear();
+    // Whether there is a session at all, only a plain request tells.
+    const answer = await fetch('/socket').catch(() => null);
+    if (answer?.status === 403) return this.onState('refused');
+    this.onState('lost');
+    setTimeout(() => this.#connect(), this.#pause);
+    this.#pause = Math.min(this.#pause * 2, 4000);
+  }
+
+  #say(...form) {
+    if (this.#socket?.readyState !== WebSocket.OPEN) return false;
+    this.#socket.send(write(form));
+    return true;
+  }
+
+  #hear(message) {
+    if (message.hello) {
+      this.#pause = 500;
+      this.onHello(message.hello);
+      this.onState('live');
+      for (const [number, watch] of this.#watches) this.#ask(number, watch);
+      for (const name of this.#looks.keys()) this.#say(sym('look'), sym(name));
+    } else if (message.arm) {
+      this.onArm(message);
+    } else if (message.watch) {
+      this.#watches.get(message.watch)?.take(message);
+    } else if (message.reply) {
+      this.#requests.get(message.reply)?.take(message);
+    }
+  }
+
+  #ask(number, watch) {
+    if (watch.typed) this.#say(sym('watch'), number, watch.query);
+    else this.#say(sym('follow'), number, read(watch.query));
+  }
+
+  #begin(query, typed, listener, refused) {
+    const number = this.#next++;
+    const answers = new LiveAnswers(listener);
+    const take = (message) => (message.error ? refused(message.error) : answers.change(message));
+    this.#watches.set(number, { query, typed, take });
+    this.#ask(number, this.#watches.get(number));
+    return () => {
+      this.#watches.delete(number);
+      this.#say(sym('unwatch'), number);
+    };
+  }
+
+  // Both answer how to end it.
+  follow(query, listener) {
+    return this.#begin(query, false, listener, () => {});
+  }
+  watch(query, listener, refused) {
+    return this.#begin(query, true, listener, refused);
+  }
+
+  // `more` hears what comes after the first answer.
+  #call(more, verb, ...rest) {
+    const number = this.#next++;
+    return new Promise((resolve, reject) => {
+      const take = (message) => {
+        if (more && !message.error) this.#requests.set(number, { reject: () => {}, take: (later) => this.#end(number, more, later) });
+        else this.#requests.delete(number);
+        if (message.error) reject(message.error);
+        else resolve(message.values);
+      };
+      this.#requests.set(number, { reject, take });
+      if (this.#say(sym(verb), number, ...rest)) return;
+      this.#requests.delete(number);
+      reject({ symbol: 'unreachable', sentence: 'the console is not connected' });
+    });
+  }
+  #end(number, more, message) {
+    this.#requests.delete(number);
+    more(message);
+  }
+
+  request(agent, operation) {
+    return this.#call(null, 'request', sym(agent), typeof operation === 'string' ? read(operation) : operation);
+  }
+  goal(typed, ended) {
+    return this.#call(ended, 'goal', typed);
+  }
+  stop(reason) {
+    return this.#call(null, 'stop', reason);
+  }
+  clearStops() {
+    return this.#call(null, 'clear-stops');
+  }
+  // 'command', 'take-over' or 'let-go'
+  hold(verb, robot) {
+    return this.#call(null, verb, sym(robot));
+  }
+
+  look(stream, show) {
+    this.#looks.set(stream, show);
+    this.#say(sym('look'), sym(stream));
+    return () => {
+      this.#looks.delete(stream);
+      this.#say(sym('look-away'), sym(stream));
+    };
+  }
+
+  // `(image STREAM NUMBER AGE-US WIDTH HEIGHT)`, a newline, a JPEG.
+  async #show(buffer) {
+    const bytes = new Uint8Array(buffer);
+    const end = bytes.indexOf(10);
+    const [, stream, number, age, width, height] = read(new TextDecoder().decode(bytes.subarray(0, end)));
+    const name = text(stream);
+    const bitmap = await createImageBitmap(new Blob([bytes.subarray(end + 1)], { type: 'image/jpeg' })).catch(() => null);
+    // A hidden page draws nothing, and so is sent nothing.
+    requestAnimationFrame(() => {
+      if (bitmap) this.#looks.get(name)?.({ bitmap, number, age, width, height });
+      bitmap?.close();
+      this.#say(sym('drawn'), sym(name));
+    });
+  }
+}

@@ -1,0 +1,38 @@
+// The page's elements. Text goes in as text alone: no fact is ever read as HTML.
+
+export const find = (id) => document.getElementById(id);
+
+// element('button', { class: 'quiet', title: 'why' }, 'Cancel', child)
+export function element(tag, attributes = {}, ...children) {
+  const made = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) {
+    if (name.startsWith('on')) made.addEventListener(name.slice(2), value);
+    else if (value === true) made.setAttribute(name, '');
+    else if (value !== false && value != null) made.setAttribute(name, value);
+  }
+  made.append(...children.filter((child) => child != null));
+  return made;
+}
+
+export const clipped = (text, most = 300) => (text.length > most ? `${text.slice(0, most)} … (${text.length} characters)` : text);
+
+export const clock = (microseconds) => new Date(microseconds / 1000).toLocaleTimeString('en-GB', { hour12: false });
+
+// What a failure says, as the prompt says it: the sentence, the subject, and the place below.
+export function failureText(failure) {
+  const subject = failure.subject && !failure.sentence.includes(failure.subject) ? `: ${failure.subject}` : '';
+  return clipped(failure.sentence + subject, 600) + (failure.place ? `\n${clipped(failure.place, 1200)}` : '');
+}
+
+// Does `draw` once before the next frame, however often it is asked for.
+export function eachFrame(draw) {
+  let asked = false;
+  return () => {
+    if (asked) return;
+    asked = true;
+    requestAnimationFrame(() => {
+      asked = false;
+      draw();
+    });
+  };
+}

@@ -1,0 +1,48 @@
+// The image streams: the left one plain, and with what the eyes make of it. A stream is chosen by its kind.
+
+import { element, find } from './dom.js';
+import { fact } from './live_answers.js';
+import { text } from './datum.js';
+
+const wanted = [
+  { kinds: ['colour', 'left'], title: 'Camera' },
+  { kinds: ['annotated'], title: 'What the eyes follow' },
+];
+
+function makeView(title) {
+  const canvas = element('canvas', { width: 640, height: 480, role: 'img', 'aria-label': title });
+  const note = element('span', { class: 'quiet' }, 'no image yet');
+  const card = element('figure', { class: 'card' }, canvas, element('figcaption', {}, element('span', {}, title), note));
+  return { canvas, note, card, stream: '', shown: null, end: () => {} };
+}
+
+function draw(view, picture) {
+  const { canvas } = view;
+  if (canvas.width !== picture.width || canvas.height !== picture.height) {
+    canvas.width = picture.width;
+    canvas.height = picture.height;
+  }
+  canvas.getContext('2d').drawImage(picture.bitmap, 0, 0);
+  view.shown = { number: picture.number, width: picture.width, height: picture.height };
+  view.note.textContent = `frame ${picture.number}`;
+}
+
+// Answers the views, so that others may take clicks on them.
+export function showImages(connection) {
+  const views = wanted.map((want) => makeView(want.title));
+  find('images').append(...views.map((view) => view.card));
+  connection.follow('(stream ?name ?kind ?place)', (answers) => {
+    const streams = answers.map(fact);
+    wanted.forEach((want, index) => {
+      const view = views[index];
+      const kinds = want.kinds.map((kind) => streams.find((stream) => text(stream[2]) === kind));
+      const name = text(kinds.find(Boolean)?.[1]);
+      if (name === view.stream) return;
+      view.end();
+      view.stream = name;
+      view.end = name ? connection.look(name, (picture) => draw(view, picture)) : () => {};
+      if (!name) view.note.textContent = 'no such stream';
+    });
+  });
+  return { plain: views[0], annotated: views[1] };
+}

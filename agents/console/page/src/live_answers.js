@@ -1,0 +1,25 @@
+// What holds of one question: every answer under its facts' ids, as they were told.
+
+import { read } from './datum.js';
+
+export class LiveAnswers {
+  #answers = new Map();
+  #listener;
+
+  constructor(listener) {
+    this.#listener = listener;
+  }
+
+  change(message) {
+    if (message.resynchronised) this.#answers.clear();
+    for (const ids of message.removed) this.#answers.delete(ids.join());
+    for (const answer of message.added) this.#answers.set(answer.ids.join(), answer);
+    this.#listener([...this.#answers.values()], message);
+  }
+}
+
+// The first fact of an answer, read once.
+export function fact(answer) {
+  answer.read ??= read(answer.facts[0].text);
+  return answer.read;
+}

@@ -1,0 +1,49 @@
+// The page: what each part shows is its own file's affair; here they meet.
+
+import { Connection } from './connection.js';
+import { Hands } from './hands.js';
+import { find } from './dom.js';
+import { showAgents } from './agents.js';
+import { showDrive } from './drive.js';
+import { showEyes } from './eyes.js';
+import { showFacts } from './facts.js';
+import { showImages } from './images.js';
+import { showScene } from './scene.js';
+import { showServo } from './servo_plot.js';
+import { showStop } from './stop.js';
+import { showStory } from './story.js';
+import { showTabs } from './tabs.js';
+import { showWant } from './want.js';
+
+const said = { connecting: 'connecting', live: 'live', lost: 'no connection', refused: 'no session' };
+const connection = new Connection();
+const hands = new Hands(connection);
+
+showTabs();
+showStop(connection, hands);
+const scene = showScene(connection);
+const images = showImages(connection);
+showWant(connection);
+showServo(connection);
+showStory(connection);
+showEyes(connection, images);
+showDrive(connection, hands);
+showFacts(connection);
+showAgents(connection);
+
+connection.onArm = scene.moveArm;
+connection.onHello = (hello) => {
+  find('cell').textContent = hello.cell;
+  hands.me = hello.name;
+  hands.robot = hello.arms[0] ?? 'robot';
+  hands.changed();
+  scene.setCell(hello);
+};
+connection.onState = (state) => {
+  const chip = find('state');
+  chip.textContent = said[state];
+  chip.className = `chip ${state === 'live' ? 'good' : 'bad'}`;
+  document.body.dataset.state = state;
+  if (state === 'refused' && !find('refused').open) find('refused').showModal();
+};
+connection.open();

@@ -1,0 +1,96 @@
+// An object where the coordinator places it: a white cube with its mark on the face that the camera sees, and its name
+// above. The place is the mark's.
+
+import { BoxGeometry, CanvasTexture, Group, Mesh, MeshStandardMaterial, Sprite, SpriteMaterial, SRGBColorSpace, Vector3 } from 'three';
+
+const between = 160; // ms
+const marks = {
+  circle: (c) => c.arc(64, 64, 34, 0, 2 * Math.PI),
+  square: (c) => c.rect(33, 33, 62, 62),
+  triangle: (c) => polygon(c, [[64, 26], [102, 96], [26, 96]]),
+  cross: (c) =>
+    polygon(c, [[52, 26], [76, 26], [76, 52], [102, 52], [102, 76], [76, 76], [76, 102], [52, 102], [52, 76], [26, 76], [26, 52], [52, 52]]),
+};
+
+function polygon(c, points) {
+  points.forEach(([x, y], i) => (i ? c.lineTo(x, y) : c.moveTo(x, y)));
+  c.closePath();
+}
+
+function drawing(width, height, draw) {
+  const canvas = document.createElement('canvas');
+  canvas.width = width;
+  canvas.height = height;
+  draw(canvas.getContext('2d'));
+  const texture = new CanvasTexture(canvas);
+  texture.colorSpace = SRGBColorSpace;
+  return texture;
+}
+
+function face(name) {
+  return drawing(128, 128, (c) => {
+    c.fillStyle = '#f4f6f7';
+    c.fillRect(0, 0, 128, 128);
+    c.fillStyle = '#14181b';
+    c.beginPath();
+    const mark = Object.hasOwn(marks, name) ? marks[name] : null;
+    if (mark) mark(c);
+    c.fill();
+    if (mark) return;
+    c.font = 'bold 64px system-ui, sans-serif';
+    c.textAlign = 'center';
+    c.fillText(name.slice(0, 1).toUpperCase(), 64, 86);
+  });
+}
+
+function label(name) {
+  return drawing(256, 64, (c) => {
+    c.font = '600 34px system-ui, sans-serif';
+    c.textAlign = 'center';
+    c.lineWidth = 7;
+    c.strokeStyle = '#0e171e';
+    const shown = name.length > 14 ? `${name.slice(0, 13)}…` : name;
+    c.strokeText(shown, 128, 44);
+    c.fillStyle = '#ffffff';
+    c.fillText(shown, 128, 44);
+  });
+}
+
+export class ObjectFigure {
+  group = new Group();
+  #size;
+  #from = null;
+  #to = null;
+  #since = 0;
+
+  constructor(name, size) {
+    this.#size = size;
+    const white = new MeshStandardMaterial({ color: 0xe6eaec, roughness: 0.8 });
+    const marked = new MeshStandardMaterial({ map: face(name), roughness: 0.8 });
+    marked.map.center.set(0.5, 0.5);
+    marked.map.rotation = Math.PI / 2;
+    const cube = new Mesh(new BoxGeometry(size, size, size), [marked, white, white, white, white, white]);
+    cube.position.setX(-size / 2);
+    const name_plate = new Sprite(new SpriteMaterial({ map: label(name), depthTest: false }));
+    name_plate.scale.set(size * 2.4, size * 0.6, 1);
+    name_plate.position.set(-size / 2, 0, size * 0.85);
+    this.group.add(cube, name_plate);
+  }
+
+  goTo(x, y, z) {
+    const next = new Vector3(x, y, z);
+    this.#from = this.#to ? this.group.position.clone() : next;
+    this.#to = next;
+    this.#since = performance.now();
+  }
+
+  step() {
+    const part = Math.min((performance.now() - this.#since) / between, 1);
+    this.group.position.lerpVectors(this.#from, this.#to, part);
+    return part < 1;
+  }
+
+  top() {
+    return this.group.position.clone().add(new Vector3(-this.#size / 2, 0, this.#size / 2));
+  }
+}

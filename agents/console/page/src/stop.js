@@ -1,0 +1,46 @@
+// STOP: a stop fact, told by the button or by Escape from anywhere. It stands until somebody clears it.
+
+import { confirmed } from './confirm.js';
+import { clipped, failureText, find } from './dom.js';
+import { fact } from './live_answers.js';
+import { text } from './datum.js';
+
+export function showStop(connection, hands) {
+  const note = find('stop-note');
+  const say = (sentence) => (note.textContent = sentence);
+
+  const stop = async () => {
+    try {
+      await connection.stop("the operator's STOP");
+      say('STOP is told');
+    } catch (failure) {
+      say(`STOP was NOT told: ${failureText(failure)}`);
+    }
+  };
+  find('stop').addEventListener('click', stop);
+  const escape = (event) => {
+    if (event.key === 'Escape' && !event.repeat) stop();
+  };
+  window.addEventListener('keydown', escape, { capture: true });
+
+  const clear = find('clear-stops');
+  clear.addEventListener('click', async () => {
+    if (!(await confirmed('Is everybody out of the way? Clearing the stop lets the arm move again.'))) return;
+    try {
+      await connection.clearStops();
+      say('Escape, from anywhere');
+    } catch (failure) {
+      say(failureText(failure));
+    }
+  });
+  hands.onChange((mine) => {
+    clear.disabled = !mine;
+    clear.title = mine ? '' : 'Take the arm in hand first (Drive): who clears a stop sets it free';
+  });
+
+  connection.follow('(stop ?who ?reason)', (answers) => {
+    find('stopped').hidden = answers.length === 0;
+    const said = answers.map((answer) => `${text(fact(answer)[1])}: ${text(fact(answer)[2])}`);
+    find('stopped-by').textContent = clipped(said.join('; '));
+  });
+}

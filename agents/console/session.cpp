@@ -1,0 +1,285 @@
+#include "agents/console/session.hpp"
+
+#include <fmt/format.h>
+
+#include "agents/console/change_text.hpp"
+#include "agents/runtime/declared.hpp"
+#include "drivers/arm/kinematics.hpp"
+#include "lisp/reader.hpp"
+
+namespace pizarra::console {
+
+namespace {
+
+constexpr ReadLimits message_limits{.bytes = WebSocket::max_message, .depth = 32, .elements = 4000};
+
+std::string point_text(const Eigen::Vector3d& point) {
+  return fmt::format("[{:.2f},{:.2f},{:.2f}]", point.x(), point.y(), point.z());
+}
+
+std::string direction_text(const Eigen::Vector3d& direction) {
+  return fmt::format("[{:.5f},{:.5f},{:.5f}]", direction.x(), direction.y(), direction.z());
+}
+
+std::string arm_text(const std::string& name, const arm::ArmModel& model, const arm::Joints& joints) {
+  std::string points;
+  for (const Eigen::Vector3d& point : arm::skeleton(model, joints)) {
+    points += (points.empty() ? "" : ",") + point_text(point);
+  }
+  const arm::ToolPose tool = arm::forward(model, joints);
+  return fmt::format("{{\"arm\":{},\"points\":[{}],\"grip\":{},\"approach\":{},\"closing\":{}}}", json_string(name),
+                     points, point_text(tool.translation()), direction_text(tool.linear().col(2)),
+                     direction_text(tool.linear().col(1)));
+}
+
+// Of that arm, if the fact is of an arm that is known here.
+std::optional<arm::Joints> joints_in(const Datum& readings, const arm::ArmModel& model) {
+  if (readings.size() != model.axes.size()) return std::nullopt;
+  arm::Joints joints(readings.size());
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    if (!readings[i].is_number()) return std::nullopt;
+    joints[i] = readings[i].number();
+  }
+  return joints;
+}
+
+std::string hello_text(const CellView& cell, const std::string& name) {
+  std::string arms;
+  for (const auto& [arm, model] : cell.arms) arms += (arms.empty() ? "" : ",") + json_string(arm);
+  std::string camera = "null";
+  if (cell.camera) {
+    const forms::CameraPose& at = *cell.camera;
+    camera = fmt::format("{{\"at\":[{:.2f},{:.2f},{:.2f}],\"pan\":{:.3f},\"tilt\":{:.3f}}}", at.at_mm[0], at.at_mm[1],
+                         at.at_mm[2], at.pan_deg, at.tilt_deg);
+  }
+  return fmt::format("{{\"hello\":{{\"name\":{},\"cell\":{},\"arms\":[{}],\"camera\":{},\"cube\":{:.1f}}}}}", json_string(name),
+                     json_string(cell.name), arms, camera, cell.cube_mm);
+}
+
+}  // namespace
+
+// What a page may say: each needs its elements and more of these kinds.
+struct Session::Verb {
+  std::string_view name;
+  std::vector<Datum::Kind> takes;
+  void (Session::*run)(const Datum& form);
+
+  bool fits(const Datum& form) const {
+    if (form.size() != takes.size() + 1) return false;
+    for (std::size_t i = 0; i < takes.size(); ++i) {
+      if (form[i + 1].kind() != takes[i]) return false;
+    }
+    return true;
+  }
+  static std::span<const Verb> all();
+};
+
+std::span<const Session::Verb> Session::Verb::all() {
+  constexpr auto number = Datum::Kind::integer;
+  constexpr auto name = Datum::Kind::symbol;
+  constexpr auto text = Datum::Kind::string;
+  constexpr auto form = Datum::Kind::list;
+  static const std::vector<Verb> verbs = {{"follow", {number, form}, &Session::follow},
+                                          {"watch", {number, text}, &Session::watch},
+                                          {"unwatch", {number}, &Session::unwatch},
+                                          {"request", {number, name, form}, &Session::request},
+                                          {"goal", {number, text}, &Session::goal},
+                                          {"stop", {number, text}, &Session::stop},
+                                          {"clear-stops", {number}, &Session::clear_stops},
+                                          {"command", {number, name}, &Session::command},
+                                          {"take-over", {number, name}, &Session::take_over},
+                                          {"let-go", {number, name}, &Session::let_go},
+                                          {"look", {name}, &Session::look},
+                                          {"look-away", {name}, &Session::look_away},
+                                          {"drawn", {name}, &Session::drawn}};
+  return verbs;
+}
+
+// What is under way of one stream.
+struct Session::Stream {
+  std::shared_ptr<const ImageFeeds::Picture> newest;  // not sent yet
+  int under_way = 0;
+  std::unique_ptr<ImageFeeds::Look> look;
+};
+
+Session::Session(Setup setup, UpgradedSocket socket)
+    : setup_(std::move(setup)),
+      context_{setup_.name, "localhost", setup_.executor, *setup_.board, Random(1)},
+      service_(context_, runtime::contract_from_text("(contract console)").value()),
+      caller_(context_, service_),
+      room_(setup_.executor) {
+  WebSocket::Events events{.text = [this](std::string_view message) { hear(message); },
+                           .room = [this] { room_.set(); },
+                           .ended = [this] { leave(); }};
+  socket_ = std::make_unique<WebSocket>(setup_.executor, std::move(socket), std::move(events));
+  opening_ = setup_.executor.spawn(open());
+  running_out_ = setup_.executor.spawn(run_out());
+  arms_ = setup_.executor.spawn(follow_arms());
+}
+
+Session::~Session() = default;
+
+void Session::leave() {
+  if (leaving_) return;
+  leaving_ = true;
+  opening_ = Job();
+  running_out_ = Job();
+  arms_ = Job();
+  watches_.clear();
+  requests_.clear();
+  streams_.clear();
+  closing_ = setup_.executor.spawn(close_board());
+}
+
+// Its presence, and what stands under it, goes at once; where the board is away, its lease lapses.
+Task<void> Session::close_board() {
+  if (service_.presence() != 0) [[maybe_unused]]
+    const Result<void> left = co_await service_.leave(0s);
+  setup_.executor.post(setup_.ended);
+}
+
+Task<void> Session::open() {
+  const Result<void> present = co_await service_.start();
+  if (!present) {
+    socket_->close(1011, "the board refuses this page");
+    co_return;
+  }
+  say(hello_text(setup_.cell, setup_.name));
+}
+
+Task<void> Session::run_out() {
+  const Duration left = setup_.until - setup_.executor.now();
+  co_await sleep(setup_.executor, left);
+  socket_->close(1008, "the session is over");
+}
+
+void Session::say(std::string text) { socket_->send(WebSocket::Class::control, std::move(text)); }
+
+void Session::refuse(Number number, std::string symbol, std::string sentence) {
+  say(refusal_text(number, Failure{std::move(symbol), std::move(sentence), {}, {}}));
+}
+
+void Session::hear(std::string_view message) {
+  if (leaving_) return;
+  const Result<Datum> form = read_one(message, message_limits);
+  if (form) {
+    for (const Verb& verb : Verb::all()) {
+      if (form->is_form(verb.name) && verb.fits(*form)) return (this->*verb.run)(*form);
+    }
+  }
+  // No page of ours says it.
+  socket_->close(1008, "not understood");
+}
+
+Task<void> Session::room() {
+  while (socket_->waiting() >= WebSocket::low_mark) {
+    room_.reset();
+    co_await room_.wait();
+  }
+}
+
+Task<void> Session::follow_arms() {
+  const Datum pattern = list("arm-joints"_sym, "?robot"_sym, "?joints"_sym);
+  const Result<std::unique_ptr<Watch>> watch =
+      co_await runtime::watch_when_declared(context_.board, query_for(pattern));
+  if (!watch) co_return;
+  while (true) {
+    const Result<Change> change = co_await (*watch)->next();
+    if (!change) co_return;
+    co_await room();
+    for (const Answer& answer : change->added) {
+      const Datum& fact = answer.facts.front().datum;
+      const auto known = setup_.cell.arms.find(std::string(fact[1].text()));
+      if (known == setup_.cell.arms.end()) continue;
+      const std::optional<arm::Joints> joints = joints_in(fact[2], known->second);
+      if (joints) socket_->send(WebSocket::Class::facts, arm_text(known->first, known->second, *joints));
+    }
+  }
+}
+
+void Session::follow(const Datum& form) {
+  const Result<Query> query = query_from_datum(form[2]);
+  if (!query) return say(failed_watch_text(form[1].integer(), query.error()));
+  std::erase_if(watches_, [](const auto& entry) { return entry.second.done(); });
+  if (watches_.size() >= max_watches || watches_.contains(form[1].integer())) {
+    return say(failed_watch_text(form[1].integer(), {"too-many", "too many questions are watched already", {}, {}}));
+  }
+  watches_.emplace(form[1].integer(), setup_.executor.spawn(start_watch(form[1].integer(), *query, true)));
+}
+
+void Session::watch(const Datum& form) {
+  const Number number = form[1].integer();
+  const Result<Source> source = read_source(form[2].text(), "query", message_limits);
+  if (!source) return say(failed_watch_text(number, source.error()));
+  if (source->data().size() != 1) {
+    return say(failed_watch_text(number, {"malformed", "a query is one form, as (on ?x ?y)", {}, {}}));
+  }
+  Result<Query> query = query_from_datum(source->data().front());
+  if (!query) return say(failed_watch_text(number, query.error()));
+  std::erase_if(watches_, [](const auto& entry) { return entry.second.done(); });
+  if (watches_.size() >= max_watches || watches_.contains(number)) {
+    return say(failed_watch_text(number, {"too-many", "too many questions are watched already", {}, {}}));
+  }
+  watches_.emplace(number, setup_.executor.spawn(start_watch(number, std::move(*query), false)));
+}
+
+void Session::unwatch(const Datum& form) { watches_.erase(form[1].integer()); }
+
+Task<void> Session::start_watch(Number number, Query query, bool when_declared) {
+  Result<std::unique_ptr<Watch>> watch = fail("unreachable", "not asked yet");
+  if (when_declared) {
+    watch = co_await runtime::watch_when_declared(context_.board, std::move(query));
+  } else {
+    watch = co_await context_.board.watch(std::move(query));
+  }
+  if (!watch) {
+    say(failed_watch_text(number, watch.error()));
+    co_return;
+  }
+  co_await send_changes(number, std::move(*watch));
+}
+
+// What a page does not take waits on the board, which tells it all that holds when too much does.
+Task<void> Session::send_changes(Number number, std::unique_ptr<Watch> watch) {
+  while (true) {
+    const Result<Change> change = co_await watch->next();
+    if (!change) {
+      say(failed_watch_text(number, change.error()));
+      co_return;
+    }
+    co_await room();
+    socket_->send(WebSocket::Class::facts, change_text(number, *change));
+  }
+}
+
+void Session::look(const Datum& form) {
+  const std::string name(form[1].text());
+  if (streams_.contains(name)) return;
+  if (streams_.size() >= max_looks) return socket_->close(1008, "too many streams");
+  Stream& stream = *streams_.emplace(name, std::make_unique<Stream>()).first->second;
+  stream.look = setup_.images.look(name, [this, name, &stream](const auto& picture) {
+    stream.newest = picture;
+    show_newest(name, stream);
+  });
+}
+
+void Session::look_away(const Datum& form) { streams_.erase(std::string(form[1].text())); }
+
+void Session::drawn(const Datum& form) {
+  const auto stream = streams_.find(std::string(form[1].text()));
+  if (stream == streams_.end() || stream->second->under_way == 0) return;
+  --stream->second->under_way;
+  show_newest(stream->first, *stream->second);
+}
+
+void Session::show_newest(const std::string& name, Stream& stream) {
+  if (!stream.newest || stream.under_way >= max_images_under_way) return;
+  const auto picture = std::exchange(stream.newest, nullptr);
+  ++stream.under_way;
+  const auto age = (setup_.executor.now() - picture->captured).count();
+  std::string message =
+      fmt::format("(image {} {} {} {} {})\n", name, picture->number, age, picture->width, picture->height);
+  socket_->send(WebSocket::Class::images, message += picture->jpeg);
+}
+
+}  // namespace pizarra::console

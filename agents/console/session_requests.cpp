@@ -1,0 +1,190 @@
+// What a page wants done: requests to agents, goals, stops, and the arm in its operator's hands.
+
+#include <fmt/format.h>
+
+#include "agents/console/change_text.hpp"
+#include "agents/console/session.hpp"
+#include "agents/runtime/declared.hpp"
+#include "lisp/forms/goal.hpp"
+#include "lisp/reader.hpp"
+#include "lisp/writer.hpp"
+
+namespace pizarra::console {
+
+namespace {
+
+constexpr Duration request_timeout = 120s;
+
+const Datum any = "?"_sym;
+
+Datum commander_of(const Datum& robot, const Datum& client) { return list("commander"_sym, robot, client); }
+
+Relation stop_relation() {
+  return relation_from_datum(read_one("(relation stop ((who symbol) (reason string)) (key who) (durable))").value())
+      .value();
+}
+
+// The facts that a person typed: alone, or within the `goal` that a prompt wants around them.
+Result<Datum> goal_form(const std::string& text) {
+  const ReadLimits limits{.bytes = WebSocket::max_message, .depth = 32, .elements = 4000};
+  const Result<Source> source = read_source(text, "goal", limits);
+  if (!source) return fail(source);
+  const std::vector<Datum>& typed = source->data();
+  if (typed.empty()) return fail("malformed", "nothing is typed: a goal is FACT, (and FACT ...) or several FACTs");
+  if (typed.size() == 1 && typed.front().is_form("goal")) return typed.front();
+  std::vector<Datum> form{"goal"_sym};
+  form.insert(form.end(), typed.begin(), typed.end());
+  return Datum::list(std::move(form));
+}
+
+}  // namespace
+
+void Session::begin_request(Number number, Task<void> task) {
+  std::erase_if(requests_, [](const auto& entry) { return entry.second.done(); });
+  if (requests_.size() >= max_requests) {
+    return refuse(number, "too-many", fmt::format("{} requests are in hand already", max_requests));
+  }
+  if (requests_.contains(number)) return refuse(number, "malformed", "a request of that number is in hand");
+  requests_.emplace(number, setup_.executor.spawn(std::move(task)));
+}
+
+void Session::request(const Datum& form) {
+  begin_request(form[1].integer(), ask_agent(form[1].integer(), std::string(form[2].text()), form[3]));
+}
+
+Task<void> Session::ask_agent(Number number, std::string agent, Datum operation) {
+  const Datum presence = list("agent"_sym, Datum::symbol(agent), any, any);
+  const Result<std::vector<Fact>> present = co_await context_.board.facts(presence);
+  if (!present || present->empty()) {
+    refuse(number, "absent", fmt::format("no agent {} is present", agent));
+    co_return;
+  }
+  const Result<Datum> answer = co_await caller_.call(agent, operation, request_timeout);
+  say(answer ? reply_text(number, *answer) : refusal_text(number, answer.error()));
+}
+
+void Session::goal(const Datum& form) {
+  begin_request(form[1].integer(), pursue(form[1].integer(), std::string(form[2].text())));
+}
+
+Task<void> Session::pursue(Number number, std::string text) {
+  const Result<Datum> form = goal_form(text);
+  if (!form) {
+    say(refusal_text(number, form.error()));
+    co_return;
+  }
+  const bool early = co_await being_taught();
+  if (early) {
+    refuse(number, "not-ready", "the objects are still being taught");
+    co_return;
+  }
+  const Datum coordinator = list("agent"_sym, "coordinator"_sym, any, any);
+  const Result<std::vector<Fact>> present = co_await context_.board.facts(coordinator);
+  if (!present || present->empty()) {
+    refuse(number, "absent", "no coordinator is present, so nobody would pursue a goal");
+    co_return;
+  }
+  const Result<Datum> accepted = co_await caller_.call("coordinator", *form, request_timeout);
+  if (!accepted) {
+    say(refusal_text(number, accepted.error()));
+    co_return;
+  }
+  say(reply_text(number, *accepted));
+  if (accepted->size() == 1) co_await say_end_of_goal(number, (*accepted)[0], std::move(text));
+}
+
+Task<void> Session::say_end_of_goal(Number number, Datum goal, std::string text) {
+  const Datum state = list("goal-state"_sym, goal, "?state"_sym, "?detail"_sym);
+  const Result<std::unique_ptr<Watch>> watch = co_await context_.board.watch(query_for(state));
+  if (!watch) co_return;
+  while (true) {
+    const Result<Change> change = co_await (*watch)->next();
+    if (!change) co_return;
+    for (const Answer& answer : change->added) {
+      const Datum& fact = answer.facts.front().datum;
+      if (fact[2].is_symbol("running")) continue;
+      const bool failed = fact[3].is_form("fail");
+      const Datum ended = list(fact[2]);
+      say(failed ? refusal_text(number, forms::at_its_goal(failure_from_datum(fact[3]), text))
+                 : reply_text(number, ended));
+      co_return;
+    }
+  }
+}
+
+// While the person of the cell teaches its objects few are known yet.
+Task<bool> Session::being_taught() {
+  const Datum person = list("agent"_sym, any, "person"_sym, any);
+  const Result<std::vector<Fact>> there = co_await context_.board.facts(person);
+  if (!there || there->empty()) co_return false;
+  const Datum says = list("person"_sym, any, any);
+  const Result<std::vector<Fact>> told = co_await runtime::facts_if_declared(context_.board, says);
+  if (!told || told->empty()) co_return true;
+  co_return told->front().datum[1].is_symbol("teaching");
+}
+
+// Never behind other requests, and whatever their number.
+void Session::stop(const Datum& form) {
+  const Number number = form[1].integer();
+  stopping_.push_back(setup_.executor.spawn(tell_stop(number, std::string(form[2].text()))));
+  std::erase_if(stopping_, [](const Job& job) { return job.done(); });
+}
+
+Task<void> Session::tell_stop(Number number, std::string reason) {
+  const Datum fact = list("stop"_sym, Datum::symbol(setup_.name), reason);
+  Result<Revision> told = co_await context_.board.tell(fact);
+  // It stands also for a robot that is yet to come.
+  if (!told && told.error().symbol == "undeclared-relation") {
+    const std::vector<Relation> relations(1, stop_relation());
+    const Result<void> declared = co_await context_.board.declare(relations);
+    if (declared) told = co_await context_.board.tell(fact);
+  }
+  told = if_it_stands(std::move(told));
+  const Datum done;
+  say(told ? reply_text(number, done) : refusal_text(number, told.error()));
+}
+
+// Only who has an arm in hand may set arms free.
+void Session::clear_stops(const Datum& form) {
+  Transaction transaction;
+  transaction.require(Transaction::Present{commander_of(any, Datum::symbol(setup_.name))});
+  transaction.retract(list("stop"_sym, any, any));
+  const Failure otherwise{"not-commander", "take an arm in hand first: who clears a stop sets it free", {}, {}};
+  begin_request(form[1].integer(), change_board(form[1].integer(), std::move(transaction), otherwise));
+}
+
+void Session::command(const Datum& form) {
+  Transaction transaction;
+  transaction.require(Transaction::Absent{commander_of(form[2], any)});
+  transaction.tell(commander_of(form[2], Datum::symbol(setup_.name)), {}, service_.presence());
+  const Failure otherwise{"in-other-hands", "another has this arm in hand: take it over, or wait", {}, {}};
+  begin_request(form[1].integer(), change_board(form[1].integer(), std::move(transaction), otherwise));
+}
+
+void Session::take_over(const Datum& form) {
+  Transaction transaction;
+  transaction.retract(commander_of(form[2], any));
+  transaction.tell(commander_of(form[2], Datum::symbol(setup_.name)), {}, service_.presence());
+  begin_request(form[1].integer(), change_board(form[1].integer(), std::move(transaction), {}));
+}
+
+void Session::let_go(const Datum& form) {
+  Transaction transaction;
+  transaction.retract(commander_of(form[2], Datum::symbol(setup_.name)));
+  begin_request(form[1].integer(), change_board(form[1].integer(), std::move(transaction), {}));
+}
+
+// `otherwise`: what is said where a precondition does not hold.
+Task<void> Session::change_board(Number number, Transaction transaction, Failure otherwise) {
+  Result<Revision> changed = co_await context_.board.transact(std::move(transaction));
+  changed = if_it_stands(std::move(changed));
+  const Datum done;
+  if (changed) {
+    say(reply_text(number, done));
+  } else {
+    const bool unmet = changed.error().symbol == "precondition-failed";
+    say(refusal_text(number, unmet ? otherwise : changed.error()));
+  }
+}
+
+}  // namespace pizarra::console

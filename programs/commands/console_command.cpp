@@ -1,0 +1,172 @@
+// `console`: the cell that runs here, or one in this process, in a browser.
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "agents/console/console.hpp"
+#include "agents/launcher/local_cell.hpp"
+#include "blackboard/client/remote_board.hpp"
+#include "blackboard/streams/remote_streams.hpp"
+#include "blackboard/time/real_executor.hpp"
+#include "blackboard/time/stop_signals.hpp"
+#include "drivers/arm/arm_file.hpp"
+#include "programs/command_line/command_tools.hpp"
+#include "programs/command_line/key_option.hpp"
+#include "programs/commands/board_session.hpp"
+#include "programs/commands/commands.hpp"
+
+namespace pizarra::programs {
+
+namespace {
+
+struct ConsoleChoices {
+  BoardChoices board;
+  std::string cell_file;
+  std::uint64_t seed = 1;
+  bool seed_given = false;
+  int port = 0;
+};
+
+Result<console::CellView> view_of(const forms::CellDescription& cell) {
+  console::CellView view{.name = cell.name, .arms = {}, .camera = std::nullopt};
+  Result<arm::ArmModel> model = arm::read_arm_file(cell.arm_file);
+  if (!model) return fail(model);
+  view.arms.emplace("robot", std::move(*model));
+  if (cell.slave) {
+    Result<arm::ArmModel> second = arm::read_arm_file(cell.slave->arm_file);
+    if (!second) return fail(second);
+    view.arms.emplace("slave", std::move(*second));
+  }
+  view.cube_mm = cell.cube_mm;
+  if (cell.head.empty()) view.camera = cell.camera;
+  return view;
+}
+
+// The cell file of a running cell is not on its board: it is the one given, else that of the examples of its name.
+Result<console::CellView> view_of_running(const ConsoleChoices& choices, const std::optional<launcher::RunState>& run) {
+  if (!choices.cell_file.empty()) {
+    const Result<forms::CellDescription> cell = forms::read_cell_file(choices.cell_file);
+    if (!cell) return fail(cell);
+    return view_of(*cell);
+  }
+  const std::string name = run ? run->cell : std::string();
+  for (const char* example : {"01-blocks", "02-numbered-places", "03-moving-head", "04-plain-english", "05-own-camera",
+                              "06-master-and-slave"}) {
+    const auto cell = forms::read_cell_file(shipped_file(fmt::format("examples/{}/cell.scm", example)));
+    if (cell && cell->name == name) return view_of(*cell);
+  }
+  fmt::print(stderr,
+             "pizarra: of this cell the console knows no file, and draws no arm: name it, as ./pizarra console "
+             "CELL\n");
+  return console::CellView{.name = name, .arms = {}, .camera = std::nullopt};
+}
+
+void print_address(const std::string& address) {
+  fmt::print("{}\n", address);
+  std::fflush(stdout);
+}
+
+// Until somebody stops the executor; every page has left the board then.
+int serve(Executor& executor, console::Console::Setup setup) {
+  setup.name = fmt::format("console-{}", getpid());
+  setup.page_folder = shipped_file("agents/console/page/built");
+  setup.next_address = [](const std::string& address) { fmt::print(stderr, "another browser: {}\n", address); };
+  const auto console = console::Console::open(std::move(setup));
+  if (!console) return complain(console.error(), exit_unavailable);
+  print_address((*console)->address());
+  executor.run_until([] { return false; });
+  const Job closing = executor.spawn((*console)->close());
+  executor.run_until([&closing] { return closing.done(); });
+  return exit_reached;
+}
+
+int console_of_own_cell(const ConsoleChoices& choices) {
+  const std::string file = choices.cell_file.empty() ? shipped_file("examples/01-blocks/cell.scm") : choices.cell_file;
+  const Result<forms::CellDescription> cell = forms::read_cell_file(file);
+  if (!cell) return complain(cell.error(), exit_usage);
+  const Result<simulation::WorldConfig> sound = launcher::world_config(*cell, choices.seed);
+  if (!sound) return complain(sound.error(), exit_usage);
+  const Result<console::CellView> view = view_of(*cell);
+  if (!view) return complain(view.error(), exit_usage);
+  RealExecutor executor;
+  const StopSignals signals(executor);
+  launcher::LocalCell local(executor, *cell, choices.seed);
+  for (const std::string& kind : launcher::named_agents(*cell)) {
+    const Result<void> started = local.start(kind);
+    if (!started) return complain(started.error(), exit_usage);
+  }
+  const auto board = [&local](const std::string& name) -> Result<std::unique_ptr<Board>> {
+    return local.board().view(name);
+  };
+  return serve(executor, {.executor = executor,
+                          .streams = local.streams(),
+                          .board = board,
+                          .cell = *view,
+                          .name = {},
+                          .page_folder = {},
+                          .port = choices.port});
+}
+
+int console_of_running_cell(const ConsoleChoices& choices) {
+  const Result<Destination> to = destination(choices.board);
+  if (!to) return complain(to.error(), exit_unavailable);
+  const Result<std::optional<wire::ClientKeys>> keys = keys_from(to->key);
+  if (!keys) return complain(keys.error(), exit_usage);
+  const Result<console::CellView> view = view_of_running(choices, to->run);
+  if (!view) return complain(view.error(), exit_usage);
+  RealExecutor executor;
+  const StopSignals signals(executor);
+  const auto connect = [&](const std::string& name) {
+    return client::RemoteBoard::connect(executor, to->address, name, client::RemoteBoard::default_timeout, *keys);
+  };
+  // Where images come from is asked in a session of its own.
+  const auto board = connect(fmt::format("console-{}", getpid()));
+  if (!board) return complain(board.error(), exit_usage);
+  const auto streams = streams::RemoteStreams::open(executor, **board);
+  if (!streams) return complain(streams.error(), exit_unavailable);
+  const auto board_of_page = [&connect](const std::string& name) -> Result<std::unique_ptr<Board>> {
+    auto made = connect(name);
+    if (!made) return fail(made);
+    return std::unique_ptr<Board>(std::move(*made));
+  };
+  return serve(executor, {.executor = executor,
+                          .streams = **streams,
+                          .board = board_of_page,
+                          .cell = *view,
+                          .name = {},
+                          .page_folder = {},
+                          .port = choices.port});
+}
+
+int run_console(const ConsoleChoices& choices) {
+  if (choices.board.board.empty() && launcher::running_cells().empty()) return console_of_own_cell(choices);
+  if (!choices.seed_given) return console_of_running_cell(choices);
+  return complain(Failure{"bad-option", "--seed is for a cell in this process, and one runs already", {}, {}},
+                  exit_usage);
+}
+
+}  // namespace
+
+void add_console_command(CLI::App& app, int& status) {
+  auto choices = std::make_shared<ConsoleChoices>();
+  CLI::App* console = app.add_subcommand(
+      "console",
+      "The cell that runs here, or, when none does, the demo cell in this process, in a browser: prints the "
+      "address to open, and serves until it is interrupted.");
+  console
+      ->add_option("CELL", choices->cell_file,
+                   "The cell file: of the cell in this process, or, for its arm to be drawn, of the one that runs")
+      ->check(CLI::ExistingFile);
+  console->add_option("--port", choices->port, "The port on this host's loopback; 0: any that is free")
+      ->check(CLI::Range(0, 65535))
+      ->capture_default_str();
+  console->add_option("--seed", choices->seed, "What chance begins from")->check(seed_check())->capture_default_str();
+  add_board_options(console, choices->board);
+  console->footer(help_footer("console"));
+  console->callback([choices, console, &status] {
+    choices->seed_given = console->get_option("--seed")->count() > 0;
+    status = run_console(*choices);
+  });
+}
+
+}  // namespace pizarra::programs
