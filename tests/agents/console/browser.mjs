@@ -1,0 +1,106 @@
+// What the browser's tests stand on: chromium, a console, and words for what is expected. What cannot be had is said,
+// and the test is skipped (status 77).
+
+import { spawn, spawnSync } from 'node:child_process';
+import { copyFileSync, existsSync, mkdirSync, mkdtempSync, rmSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { tmpdir } from 'node:os';
+import { join, resolve } from 'node:path';
+
+export const chromium = '/usr/bin/chromium';
+export const source = resolve(import.meta.dirname ?? new URL('.', import.meta.url).pathname, '../../..');
+export const pageFolder = join(source, 'agents/console/page');
+
+export function skip(reason) {
+  console.log(`skipped: ${reason}`);
+  process.exit(77);
+}
+
+export function expect(holds, what) {
+  if (!holds) throw new Error(`not so: ${what}`);
+  console.log(`ok: ${what}`);
+}
+
+// The folder whose node_modules are what the lock file says: the page's own, or one made below `scratch`.
+export function modulesFolder(scratch) {
+  if (existsSync(join(pageFolder, 'node_modules/playwright-core'))) return pageFolder;
+  const folder = join(scratch, 'console-page');
+  if (existsSync(join(folder, 'node_modules/playwright-core'))) return folder;
+  mkdirSync(folder, { recursive: true });
+  for (const file of ['package.json', 'package-lock.json']) copyFileSync(join(pageFolder, file), join(folder, file));
+  const made = spawnSync('npm', ['ci', '--ignore-scripts', '--no-audit', '--no-fund'], { cwd: folder, encoding: 'utf8' });
+  if (made.status !== 0) skip(`npm ci gives no playwright-core: ${made.stderr ?? made.error}`.slice(0, 400));
+  return folder;
+}
+
+export async function launch(scratch) {
+  if (!existsSync(chromium)) skip(`there is no ${chromium}: Debian's package chromium`);
+  const { chromium: driver } = createRequire(join(modulesFolder(scratch), 'x.js'))('playwright-core');
+  return driver.launch({
+    executablePath: chromium,
+    headless: true,
+    args: ['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking',
+      '--disable-component-update', '--disable-sync', '--enable-unsafe-swiftshader'],
+  });
+}
+
+// A folder in which programs find no other cell and leave none.
+export function ownFolder() {
+  const folder = mkdtempSync(join(tmpdir(), 'pizarra-console-'));
+  process.on('exit', () => rmSync(folder, { recursive: true, force: true }));
+  return folder;
+}
+
+// A program that runs until the test ends it; `line` is the first that it says.
+export function start(words, folder) {
+  const child = spawn(words[0], words.slice(1), { env: { ...process.env, XDG_RUNTIME_DIR: folder, TMPDIR: folder } });
+  let said = '';
+  const line = new Promise((resolveLine, reject) => {
+    child.stdout.on('data', (data) => {
+      said += data;
+      if (said.includes('\n')) resolveLine(said.split('\n')[0]);
+    });
+    child.stderr.on('data', (data) => process.stderr.write(data));
+    child.on('exit', (code) => reject(new Error(`${words.join(' ')} ended with ${code}: ${said}`)));
+  });
+  line.catch(() => {});
+  const ended = new Promise((resolveEnd) => child.on('exit', (code) => resolveEnd(code)));
+  process.on('exit', () => child.kill('SIGKILL'));
+  const end = () => {
+    child.kill('SIGINT');
+    return ended;
+  };
+  return { line, end };
+}
+
+export function say(words, folder) {
+  const done = spawnSync(words[0], words.slice(1), { env: { ...process.env, XDG_RUNTIME_DIR: folder }, encoding: 'utf8' });
+  if (done.status !== 0) throw new Error(`${words.join(' ').slice(0, 300)}: ${done.status} ${done.stdout}${done.stderr}`);
+}
+
+// A page that counts what a page of ours must never do.
+export async function openPage(browser, address, size = { width: 1280, height: 800 }) {
+  const page = await browser.newPage({ viewport: size });
+  page.troubles = [];
+  page.on('dialog', (dialog) => {
+    page.troubles.push(`a dialog: ${dialog.message()}`);
+    dialog.dismiss();
+  });
+  page.on('pageerror', (error) => page.troubles.push(`an error: ${error}`));
+  page.on('console', (message) => {
+    if (message.type() === 'error' && /Content Security Policy|TrustedHTML/.test(message.text())) page.troubles.push(message.text());
+  });
+  page.on('request', (request) => {
+    if (!request.url().startsWith(new URL(address).origin)) page.troubles.push(`asked elsewhere: ${request.url()}`);
+  });
+  await page.goto(address);
+  return page;
+}
+
+export const text = (page, selector) => page.locator(selector).innerText();
+
+export async function ask(page, question) {
+  await page.click('#tab-facts');
+  await page.fill('#query', question);
+  await page.press('#query', 'Enter');
+}

@@ -1,0 +1,25 @@
+// node bundle.mjs SCRATCH: the bundle in the tree is what the sources give, and small.
+
+import { spawnSync } from 'node:child_process';
+import { copyFileSync, cpSync, mkdtempSync, readFileSync, readdirSync } from 'node:fs';
+import { join } from 'node:path';
+import { gzipSync } from 'node:zlib';
+import { expect, modulesFolder, pageFolder, skip } from './browser.mjs';
+
+const scratch = process.argv[2];
+const modules = modulesFolder(scratch);
+const out = mkdtempSync(join(scratch, 'bundle-'));
+if (modules !== pageFolder) {
+  copyFileSync(join(pageFolder, 'build.mjs'), join(modules, 'build.mjs'));
+  cpSync(join(pageFolder, 'src'), join(modules, 'src'), { recursive: true });
+}
+const built = spawnSync('node', [join(modules, 'build.mjs'), out], { encoding: 'utf8' });
+if (/EBADPLATFORM|could not be found, and is needed/.test(built.stderr)) skip('esbuild has no program for this machine');
+expect(built.status === 0, `it builds ${built.stderr}`);
+const committed = join(pageFolder, 'built');
+expect(readdirSync(committed).sort().join() === readdirSync(out).sort().join(), 'the same files');
+for (const file of readdirSync(out)) {
+  expect(readFileSync(join(out, file)).equals(readFileSync(join(committed, file))), `${file} is what the sources give`);
+}
+const size = gzipSync(readFileSync(join(committed, 'console.js')), { level: 9 }).length;
+expect(size < 250 * 1024, `the bundle is small: ${size} bytes gzipped`);

@@ -1,0 +1,98 @@
+// Who is let in, and who is not.
+
+#include "tests/agents/console/console_fixture.hpp"
+
+namespace pizarra::console {
+namespace {
+
+TEST_F(ConsoleTest, GivesThePageUnderAPolicyThatLetsNothingElseRun) {
+  const std::string answer = head("GET", "/", {{"Origin", ""}});
+  EXPECT_TRUE(begins(answer, "HTTP/1.1 200"));
+  EXPECT_TRUE(has(answer, "default-src 'none'; script-src 'self'; style-src 'self'"));
+  EXPECT_TRUE(has(answer, "require-trusted-types-for 'script'"));
+  EXPECT_FALSE(has(answer, "unsafe"));
+  EXPECT_TRUE(has(answer, "X-Content-Type-Options: nosniff"));
+}
+
+TEST_F(ConsoleTest, RefusesANameThatIsNotItsOwnWhateverItResolvesTo) {
+  EXPECT_TRUE(begins(head("GET", "/", {{"Host", "evil.example:80"}}), "HTTP/1.1 421"));
+  EXPECT_TRUE(begins(head("GET", "/", {{"Host", "127.0.0.1:1"}}), "HTTP/1.1 421"));
+  Headers upgrade = upgrade_headers(cookie());
+  upgrade["Host"] = "evil.example";
+  EXPECT_TRUE(begins(head("GET", "/socket", upgrade), "HTTP/1.1 421"));
+}
+
+TEST_F(ConsoleTest, RefusesWhatAnotherOriginsPageHasABrowserAsk) {
+  const Headers foreign{{"Origin", "http://evil.example"}};
+  EXPECT_TRUE(begins(head("GET", "/", foreign), "HTTP/1.1 403"));
+  EXPECT_TRUE(
+      begins(head("POST", "/session", {{"Origin", "null"}, {"Authorization", "Bearer " + token_}}), "HTTP/1.1 403"));
+  Headers upgrade = upgrade_headers(cookie());
+  upgrade["Origin"] = "http://127.0.0.1:1";
+  EXPECT_TRUE(begins(head("GET", "/socket", upgrade), "HTTP/1.1 403"));
+  upgrade["Origin"] = "";
+  EXPECT_TRUE(begins(head("GET", "/socket", upgrade), "HTTP/1.1 403"));
+}
+
+TEST_F(ConsoleTest, ExchangesATokenOnceForACookieThatScriptsDoNotSee) {
+  const Headers right{{"Authorization", "Bearer " + token_}};
+  const std::string answer = head("POST", "/session", right);
+  EXPECT_TRUE(begins(answer, "HTTP/1.1 204"));
+  EXPECT_TRUE(has(answer, "HttpOnly; SameSite=Strict; Path=/socket"));
+  EXPECT_TRUE(begins(head("POST", "/session", right), "HTTP/1.1 403")) << "a second time";
+  EXPECT_FALSE(has(console_->address(), token_));
+}
+
+TEST_F(ConsoleTest, RefusesAWrongToken) {
+  std::string wrong = token_;
+  wrong.back() = wrong.back() == '0' ? '1' : '0';
+  EXPECT_TRUE(begins(head("POST", "/session", {{"Authorization", "Bearer " + wrong}}), "HTTP/1.1 403"));
+  EXPECT_TRUE(begins(head("POST", "/session", {{"Authorization", "Bearer "}}), "HTTP/1.1 403"));
+  EXPECT_TRUE(begins(head("POST", "/session"), "HTTP/1.1 403"));
+  EXPECT_TRUE(begins(head("GET", "/session", {{"Authorization", "Bearer " + token_}}), "HTTP/1.1 405"));
+}
+
+TEST_F(ConsoleTest, UpgradesNobodyWithoutACookieOfIts) {
+  EXPECT_TRUE(begins(head("GET", "/socket", upgrade_headers("")), "HTTP/1.1 403"));
+  const std::string own = cookie();
+  const std::string name = own.substr(0, own.find('='));
+  EXPECT_TRUE(begins(head("GET", "/socket", upgrade_headers(name + "=" + std::string(64, '0'))), "HTTP/1.1 403"));
+  EXPECT_TRUE(begins(head("GET", "/socket", upgrade_headers(name + "=")), "HTTP/1.1 403"));
+  EXPECT_TRUE(begins(head("GET", "/socket", upgrade_headers("other=1; " + own)), "HTTP/1.1 101"));
+}
+
+TEST_F(ConsoleTest, AnswersTheHandshakeAsTheStandardsExampleHasIt) {
+  const std::string answer = head("GET", "/socket", upgrade_headers(cookie()));
+  EXPECT_TRUE(has(answer, "Sec-WebSocket-Accept: s3pPLMBiTxaQ9kYGzzhZRbK+xOo="));
+}
+
+TEST_F(ConsoleTest, TakesNoBodyAndNoEndlessHead) {
+  EXPECT_TRUE(begins(head("POST", "/session", {{"Content-Length", "1000000"}}), "HTTP/1.1 413"));
+  EXPECT_FALSE(begins(head("GET", "/", {{"X-Long", std::string(100'000, 'x')}}), "HTTP/1.1 200"));
+  EXPECT_TRUE(begins(head("GET", "/../CMakeLists.txt"), "HTTP/1.1 404"));
+  EXPECT_TRUE(begins(head("GET", "/"), "HTTP/1.1 200")) << "and goes on";
+}
+
+TEST_F(ConsoleTest, EndsASessionWhenItsTimeIsOver) {
+  Access access(1);
+  const std::optional<std::string> secret = access.exchange(access.token(), Time(0s));
+  ASSERT_TRUE(secret);
+  const std::string shown = access.cookie_name() + "=" + *secret;
+  EXPECT_TRUE(access.admitted(shown, Time(Access::session_length - 1s)));
+  EXPECT_FALSE(access.admitted(shown, Time(Access::session_length)));
+}
+
+TEST_F(ConsoleTest, HoldsSoManySessionsAndNoMore) {
+  Access access(1);
+  std::vector<std::string> cookies;
+  for (std::size_t i = 0; i <= Access::max_sessions; ++i) {
+    const Time now(Duration(static_cast<std::int64_t>(i)));
+    cookies.push_back(access.cookie_name() + "=" + access.exchange(access.token(), now).value());
+  }
+  EXPECT_FALSE(access.admitted(cookies.front(), Time(1s))) << "the one that would have ended first";
+  EXPECT_TRUE(access.admitted(cookies[1], Time(1s)));
+  EXPECT_TRUE(access.admitted(cookies.back(), Time(1s)));
+}
+
+}  // namespace
+}  // namespace pizarra::console

@@ -1,0 +1,193 @@
+// What a page that was let in may do, and how much of it.
+
+#include <fmt/format.h>
+
+#include "lisp/reader.hpp"
+#include "tests/agents/console/console_fixture.hpp"
+
+namespace pizarra::console {
+namespace {
+
+constexpr const char* number_relation = "(relation number ((n integer) (text string)) (key n))";
+
+TEST_F(ConsoleTest, TellsWhatHoldsAndEveryChange) {
+  declare(number_relation);
+  ASSERT_TRUE(run(executor_, here_->tell(list("number"_sym, 1, "<script>\"1\"</script>"))));
+  const auto client = page(cookie());
+  const std::string first = said(*client, "(follow 7 (number ?n ?text))");
+  EXPECT_TRUE(begins(first, "{\"watch\":7,"));
+  EXPECT_TRUE(has(first, R"x("?text":"\"<script>\\\"1\\\"</script>\"")x"));
+  EXPECT_TRUE(has(first, "\"teller\":\"test\""));
+  ASSERT_TRUE(run(executor_, here_->retract(list("number"_sym, 1, "?"_sym))));
+  const auto gone = serve([&] { return client->read_frame(); });
+  ASSERT_TRUE(gone);
+  EXPECT_TRUE(has(gone->payload, "\"added\":[]"));
+}
+
+TEST_F(ConsoleTest, SaysOfATypedQuestionWhatIsWrongWithItAndWhere) {
+  const auto client = page(cookie());
+  EXPECT_TRUE(has(said(*client, "(watch 1 \"(on ?x\")"), "query:1:1"));
+  EXPECT_TRUE(has(said(*client, "(watch 2 \"(onn ?x ?y)\")"), "undeclared-relation"));
+}
+
+TEST_F(ConsoleTest, EndsAPageThatSaysMoreThanFitsOrWhatNoPageOfItsSays) {
+  const std::string own = cookie();
+  const auto end_after = [&](const std::string& message) {
+    const auto client = page(own);
+    return serve([&] {
+      client->send_frame(RawClient::text, message);
+      const auto frame = client->read_frame();
+      return frame ? frame->close_code() : 0;
+    });
+  };
+  EXPECT_EQ(end_after("(stop 1 \"" + std::string(20'000, 'x') + "\")"), 1009);
+  EXPECT_EQ(end_after("(tell (number 1 \"x\"))"), 1008);
+  EXPECT_EQ(end_after("(stop one \"x\")"), 1008);
+  EXPECT_EQ(end_after("(stop 1 \"x\""), 1008);
+}
+
+TEST_F(ConsoleTest, EndsAPageThatSaysTooMuchASecond) {
+  const auto client = page(cookie());
+  const int code = serve([&] {
+    for (int i = 0; i < 2000; ++i) client->send_frame(RawClient::text, "(unwatch 1)");
+    while (const auto frame = client->read_frame()) {
+      if (frame->kind == RawClient::closing) return frame->close_code();
+    }
+    return 0;
+  });
+  EXPECT_EQ(code, 1008);
+}
+
+TEST_F(ConsoleTest, TellsAStopWhateverElseIsInHand) {
+  declare("(relation agent ((name symbol) (kind symbol) (host string)) (key name))");
+  ASSERT_TRUE(run(executor_, here_->tell(list("agent"_sym, "robot"_sym, "robot"_sym, "localhost"))));
+  const auto client = page(cookie());
+  const std::string answer = serve([&] {
+    for (std::size_t i = 0; i < Session::max_requests; ++i) {
+      client->send_frame(RawClient::text, fmt::format("(request {} robot (home))", i + 100));
+    }
+    client->send_frame(RawClient::text, "(stop 1 \"a hand\")");
+    const auto frame = client->read_frame();
+    return frame ? frame->payload : std::string();
+  });
+  EXPECT_EQ(answer, "{\"reply\":1,\"values\":[]}");
+  const auto stops = run(executor_, here_->facts(list("stop"_sym, "?"_sym, "?"_sym)));
+  ASSERT_TRUE(stops && stops->size() == 1);
+  EXPECT_EQ(stops->front().datum, list("stop"_sym, "console-1"_sym, "a hand"));
+  EXPECT_EQ(stops->front().teller, "console-1");
+}
+
+TEST_F(ConsoleTest, GivesTheArmToOneOperatorAtATimeAndClearsAStopForThatOneAlone) {
+  declare("(relation commander ((robot symbol) (client symbol)) (key robot client))");
+  const std::string own = cookie();
+  const auto first = page(own);
+  auto second = page(own);
+  const std::string done = "{\"reply\":1,\"values\":[]}";
+  EXPECT_EQ(said(*first, "(command 1 robot)"), done);
+  EXPECT_TRUE(has(said(*second, "(command 1 robot)"), "in-other-hands"));
+  EXPECT_EQ(said(*second, "(stop 1 \"mine\")"), done);
+  EXPECT_TRUE(has(said(*second, "(clear-stops 1)"), "not-commander"));
+  EXPECT_EQ(said(*second, "(take-over 1 robot)"), done);
+  EXPECT_EQ(said(*second, "(clear-stops 1)"), done);
+  const auto holders = [&] { return run(executor_, here_->facts(list("commander"_sym, "robot"_sym, "?"_sym))); };
+  ASSERT_EQ(holders()->size(), 1u);
+  EXPECT_EQ(holders()->front().datum[2], "console-2"_sym);
+  // Who goes lets go.
+  second.reset();
+  executor_.run_until([&] { return console_->pages() == 1 || tick(); });
+  EXPECT_TRUE(holders()->empty());
+}
+
+// A page that reads nothing has its own changes wait, on the board, and nobody else's.
+TEST_F(ConsoleTest, ASlowReaderSlowsNobodyAndIsResynchronised) {
+  declare(number_relation);
+  const std::string own = cookie();
+  const auto slow = page(own, 4096);
+  const auto quick = page(own);
+  EXPECT_TRUE(has(said(*slow, "(follow 1 (number ?n ?text))"), "\"resynchronised\":true"));
+  EXPECT_TRUE(has(said(*quick, "(follow 1 (number ?n ?text))"), "\"resynchronised\":true"));
+  constexpr int rounds = 6000;
+  const std::string bulk(2000, 'x');
+  for (int i = 0; i < rounds; ++i)
+    ASSERT_TRUE(run(executor_, here_->tell(list("number"_sym, i % 10, bulk + std::to_string(i)))));
+  const std::string last = bulk + std::to_string(rounds - 1);
+  const auto read_to_last = [&last](RawClient& client) {
+    std::pair<std::size_t, bool> seen;
+    while (const auto frame = client.read_frame()) {
+      seen.first += frame->payload.size();
+      seen.second |= frame->payload.find("\"resynchronised\":true") != std::string::npos;
+      if (frame->payload.find(last) != std::string::npos) break;
+    }
+    return seen;
+  };
+  const auto of_quick = serve([&] { return read_to_last(*quick); });
+  EXPECT_GT(of_quick.first, 0u);
+  const auto [bytes, resynchronised] = serve([&] { return read_to_last(*slow); });
+  EXPECT_TRUE(resynchronised);
+  EXPECT_LT(bytes, static_cast<std::size_t>(rounds) * bulk.size() / 2) << "what had become void was not kept for it";
+}
+
+TEST_F(ConsoleTest, ShowsTheNewestImageAndNoMoreThanTwoThatWereNotDrawn) {
+  const auto client = page(cookie());
+  const auto publish = [&](std::uint64_t number) {
+    auto image = std::make_shared<Image>();
+    image->width = 64;
+    image->height = 48;
+    image->channels = 3;
+    image->pixels.assign(64 * 48 * 3, 90);
+    streams_.publish("eyes", {.number = number, .captured = executor_.now(), .image = image});
+  };
+  serve([&] {
+    client->send_frame(RawClient::text, "(look eyes)");
+    return true;
+  });
+  executor_.run_until([&] { return streams_.watched("eyes") || tick(); });
+  for (std::uint64_t number = 1; number <= 100; ++number) {
+    publish(number);
+    run(executor_, [](Executor& executor) -> Task<bool> {
+      co_await sleep(executor, 2ms);
+      co_return true;
+    }(executor_));
+  }
+  const auto number_of = [](const RawClient::Frame& frame) {
+    const std::string line = frame.payload.substr(0, frame.payload.find('\n'));
+    return read_one(line).value()[2].integer();
+  };
+  const auto first = serve([&] { return client->read_frame(); });
+  const auto second = serve([&] { return client->read_frame(); });
+  ASSERT_TRUE(first && second);
+  EXPECT_EQ(first->kind, RawClient::binary);
+  EXPECT_EQ(first->payload.substr(first->payload.find('\n') + 1, 2), "\xff\xd8");
+  EXPECT_LT(number_of(*second), 100);
+  const auto third = serve([&] {
+    client->send_frame(RawClient::text, "(drawn eyes)");
+    return client->read_frame();
+  });
+  ASSERT_TRUE(third);
+  EXPECT_EQ(number_of(*third), 100);
+  client->send_frame(RawClient::text, "(look-away eyes)");
+  executor_.run_until([&] { return !streams_.watched("eyes") || tick(); });
+}
+
+TEST_F(ConsoleTest, OpensSoManyPagesAndNoMore) {
+  const std::string own = cookie();
+  std::vector<std::unique_ptr<RawClient>> clients;
+  for (std::size_t i = 0; i < Console::max_pages; ++i) clients.push_back(page(own));
+  EXPECT_TRUE(begins(head("GET", "/socket", upgrade_headers(own)), "HTTP/1.1 503"));
+  clients.pop_back();
+  executor_.run_until([&] { return console_->pages() < Console::max_pages || tick(); });
+  EXPECT_TRUE(begins(head("GET", "/socket", upgrade_headers(own)), "HTTP/1.1 101"));
+}
+
+TEST_F(ConsoleTest, ClosesWithEveryPageGoneFromTheBoard) {
+  const auto client = page(cookie());
+  const auto here = [&] { return run(executor_, here_->facts(list("agent"_sym, "?"_sym, "console"_sym, "?"_sym))); };
+  ASSERT_EQ(here()->size(), 1u);
+  const Job closing = executor_.spawn(console_->close());
+  executor_.run_until([&] { return closing.done(); });
+  EXPECT_TRUE(here()->empty());
+  EXPECT_EQ(console_->pages(), 0u);
+}
+
+}  // namespace
+}  // namespace pizarra::console

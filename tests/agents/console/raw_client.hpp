@@ -1,0 +1,56 @@
+#pragma once
+
+// A client that says to the console whatever a test wants said, from a thread of its own: sockets that block, and no
+// library that would keep it from being rude.
+//
+//   RawClient client(port);
+//   client.send(request_text(port, "GET", "/", {}));
+//   client.read_head();                        // "HTTP/1.1 200 OK ..."
+//   client.send_frame(RawClient::text, "(stop 1 \"now\")");
+//   std::optional<RawClient::Frame> frame = client.read_frame();     // nothing: the connection is over
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+
+namespace pizarra::console {
+
+class RawClient {
+ public:
+  static constexpr int text = 1;
+  static constexpr int binary = 2;
+  static constexpr int closing = 8;
+
+  struct Frame {
+    int kind = 0;
+    std::string payload;
+    int close_code() const;
+  };
+
+  // A small window makes the other side wait sooner.
+  explicit RawClient(int port, int receive_bytes = 0);
+  RawClient(const RawClient&) = delete;
+  RawClient& operator=(const RawClient&) = delete;
+  ~RawClient();
+
+  void send(const std::string& bytes);
+  void send_frame(int kind, const std::string& payload);
+  std::string read_head();
+  // Waits ten seconds at most.
+  std::optional<Frame> read_frame();
+
+ private:
+  bool fill(std::size_t size);
+
+  int file_;
+  std::string read_;
+};
+
+using Headers = std::map<std::string, std::string>;
+
+// With the Host and Origin of the console's own page, unless `headers` say others; an empty one is left out.
+std::string request_text(int port, const std::string& method, const std::string& path, const Headers& headers);
+Headers upgrade_headers(const std::string& cookie);
+
+}  // namespace pizarra::console
