@@ -52,8 +52,8 @@ std::string hello_text(const CellView& cell, const std::string& name) {
     camera = fmt::format("{{\"at\":[{:.2f},{:.2f},{:.2f}],\"pan\":{:.3f},\"tilt\":{:.3f}}}", at.at_mm[0], at.at_mm[1],
                          at.at_mm[2], at.pan_deg, at.tilt_deg);
   }
-  return fmt::format("{{\"hello\":{{\"name\":{},\"cell\":{},\"arms\":[{}],\"camera\":{},\"cube\":{:.1f}}}}}", json_string(name),
-                     json_string(cell.name), arms, camera, cell.cube_mm);
+  return fmt::format("{{\"hello\":{{\"name\":{},\"cell\":{},\"arms\":[{}],\"camera\":{},\"cube\":{:.1f}}}}}",
+                     json_string(name), json_string(cell.name), arms, camera, cell.cube_mm);
 }
 
 }  // namespace

@@ -16,6 +16,7 @@ namespace pizarra::console {
 namespace {
 
 constexpr Duration stall_look = 5s;
+constexpr Duration longest_linger = 1s;
 constexpr int kernel_buffer = 128 << 10;
 
 WebSocket& of(void* socket) { return *static_cast<WebSocket*>(socket); }
@@ -91,13 +92,14 @@ WebSocket::WebSocket(Executor& executor, UpgradedSocket socket, Events events)
 WebSocket::~WebSocket() {
   executor_.cancel(run_timer_);
   executor_.cancel(stall_timer_);
+  executor_.cancel(linger_timer_);
   executor_.unwatch_readable(poll_);
   wslay_event_context_free(context_);
   ::close(poll_);
 }
 
 void WebSocket::send(Class priority, std::string message) {
-  if (ended_) return;
+  if (ended_ || lingering_) return;
   // It has only begun to wait.
   if (waiting_ == 0) progress_ = executor_.now();
   waiting_ += message.size();
@@ -115,6 +117,7 @@ void WebSocket::run() {
   executor_.cancel(run_timer_);
   run_timer_ = 0;
   if (ended_) return;
+  if (lingering_) return linger();
   const bool was_full = waiting_ >= low_mark;
   receive();
   if (!ended_) transmit();
@@ -133,10 +136,27 @@ void WebSocket::transmit() {
     waiting_ -= std::exchange(under_way_, 0);
   } while (queue_next());
   const bool more = wslay_event_want_write(context_) != 0;
+  if (!more && wslay_event_get_close_sent(context_) != 0) return linger();
   if (!more && wslay_event_want_read(context_) == 0) return end();
-  // After a close nothing else is to come: the peer's own close need not be waited for, once ours has gone.
-  if (!more && wslay_event_get_close_sent(context_) != 0) return end();
   look_for_more(more);
+}
+
+// A socket that is closed with something unread takes back what it has sent: the reason of the close, too.
+void WebSocket::linger() {
+  if (!lingering_) {
+    lingering_ = true;
+    ::shutdown(socket_.file(), SHUT_WR);
+    look_for_more(false);
+    linger_timer_ = executor_.call_at(executor_.now() + longest_linger, [this] { end(); });
+  }
+  char thrown_away[4096];
+  for (int i = 0; i < 16; ++i) {
+    const ssize_t got = ::recv(socket_.file(), thrown_away, sizeof thrown_away, 0);
+    if (got > 0) continue;
+    const bool later = got < 0 && (errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR);
+    if (!later) end();
+    return;
+  }
 }
 
 // One message at a time is the library's, so that what is more urgent goes before what waits.
@@ -186,6 +206,7 @@ void WebSocket::end() {
   if (ended_) return;
   ended_ = true;
   executor_.cancel(stall_timer_);
+  executor_.cancel(linger_timer_);
   stall_timer_ = 0;
   epoll_ctl(poll_, EPOLL_CTL_DEL, socket_.file(), nullptr);
   executor_.cancel(run_timer_);

@@ -56,6 +56,7 @@ class WebSocket {
   bool queue_next();
   void look_for_more(bool writable);
   void count_frame();
+  void linger();
   void end();
   void watch_for_stall();
 
@@ -64,7 +65,8 @@ class WebSocket {
   std::string first_bytes_;
   Events events_;
   wslay_event_context* context_ = nullptr;
-  int poll_;  // readable whenever the socket can be read or, where that is wanted, written
+  int poll_;                // readable whenever the socket can be read or, where that is wanted, written
+  bool lingering_ = false;  // our close has gone; what the peer still says is thrown away until it has read that
   bool ended_ = false;
   std::deque<std::string> outbox_[3];
   std::size_t waiting_ = 0;
@@ -74,6 +76,7 @@ class WebSocket {
   int frames_ = 0;
   Executor::TimerId run_timer_ = 0;
   Executor::TimerId stall_timer_ = 0;
+  Executor::TimerId linger_timer_ = 0;
 };
 
 // What a server answers to Sec-WebSocket-Key.

@@ -29,15 +29,11 @@ inline testing::AssertionResult begins(const std::string& text, std::string_view
 class ConsoleTest : public testing::Test {
  protected:
   ConsoleTest() : board_(executor_), here_(board_.view("test")) {
-    console_ = Console::open({.executor = executor_,
-                              .streams = streams_,
-                              .board = [this](const std::string& name) -> Result<std::unique_ptr<Board>> {
-                                return board_.view(name);
-                              },
-                              .cell = {},
-                              .name = "console",
-                              .page_folder = source_dir() + "/agents/console/page/built"})
-                   .value();
+    const Console::BoardMaker maker = [this](const std::string& name) -> Result<std::unique_ptr<Board>> {
+      return board_.view(name);
+    };
+    Console::Setup setup{executor_, streams_, maker, cell_, "console", source_dir() + "/agents/console/page/built"};
+    console_ = Console::open(std::move(setup)).value();
     const std::string address = console_->address();
     const std::size_t colon = address.rfind(':');
     port_ = std::stoi(address.substr(colon + 1));
@@ -102,6 +98,7 @@ class ConsoleTest : public testing::Test {
   }
 
   RealExecutor executor_;
+  const CellView cell_;
   LocalStreams streams_;
   memory::MemoryBoard board_;
   std::unique_ptr<Board> here_;

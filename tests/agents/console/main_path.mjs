@@ -50,7 +50,7 @@ await page.waitForSelector('#goal-answer.bad');
 expect((await text(page, '#goal-answer')).includes('goal:1:1'), 'what cannot be read says where');
 await page.fill('#goal-text', '(on circle trianglo)');
 await page.press('#goal-text', 'Enter');
-await page.waitForFunction(() => document.getElementById('goal-answer').textContent.includes('triangle?'), null, { timeout: 20_000 });
+await page.waitForFunction(() => document.getElementById('goal-answer').textContent.includes('the nearest is triangle'), null, { timeout: 20_000 });
 expect(true, 'an unknown object is refused with the nearest name');
 
 await page.fill('#goal-text', '(on circle triangle) (on triangle square)');

@@ -44,8 +44,9 @@ void RawClient::send_frame(int kind, const std::string& payload) {
   if (payload.size() < 126) {
     frame += static_cast<char>(0x80 | payload.size());
   } else {
-    frame += static_cast<char>(0x80 | 127);
-    for (int shift = 56; shift >= 0; shift -= 8) frame += static_cast<char>(payload.size() >> shift);
+    const bool short_enough = payload.size() < 65536;
+    frame += static_cast<char>(0x80 | (short_enough ? 126 : 127));
+    for (int shift = short_enough ? 8 : 56; shift >= 0; shift -= 8) frame += static_cast<char>(payload.size() >> shift);
   }
   // The mask of zeros leaves the payload as it is.
   send(frame + std::string(4, '\0') + payload);

@@ -1,9 +1,10 @@
 // An object where the coordinator places it: a white cube with its mark on the face that the camera sees, and its name
-// above. The place is the mark's.
+// above. The place is the mark's. The end effector's own mark is a plate that the arm carries.
 
 import { BoxGeometry, CanvasTexture, Group, Mesh, MeshStandardMaterial, Sprite, SpriteMaterial, SRGBColorSpace, Vector3 } from 'three';
 
 const between = 160; // ms
+const carried = 'end-effector';
 const marks = {
   circle: (c) => c.arc(64, 64, 34, 0, 2 * Math.PI),
   square: (c) => c.rect(33, 33, 62, 62),
@@ -29,11 +30,12 @@ function drawing(width, height, draw) {
 
 function face(name) {
   return drawing(128, 128, (c) => {
-    c.fillStyle = '#f4f6f7';
+    const [ground, ink] = name === carried ? ['#14181b', '#f4f6f7'] : ['#f4f6f7', '#14181b'];
+    c.fillStyle = ground;
     c.fillRect(0, 0, 128, 128);
-    c.fillStyle = '#14181b';
+    c.fillStyle = ink;
     c.beginPath();
-    const mark = Object.hasOwn(marks, name) ? marks[name] : null;
+    const mark = name === carried ? marks.triangle : Object.hasOwn(marks, name) ? marks[name] : null;
     if (mark) mark(c);
     c.fill();
     if (mark) return;
@@ -69,8 +71,10 @@ export class ObjectFigure {
     const marked = new MeshStandardMaterial({ map: face(name), roughness: 0.8 });
     marked.map.center.set(0.5, 0.5);
     marked.map.rotation = Math.PI / 2;
-    const cube = new Mesh(new BoxGeometry(size, size, size), [marked, white, white, white, white, white]);
-    cube.position.setX(-size / 2);
+    const depth = name === carried ? 4 : size;
+    const width = name === carried ? size * 0.7 : size;
+    const cube = new Mesh(new BoxGeometry(depth, width, width), [marked, white, white, white, white, white]);
+    cube.position.setX(-depth / 2);
     const name_plate = new Sprite(new SpriteMaterial({ map: label(name), depthTest: false }));
     name_plate.scale.set(size * 2.4, size * 0.6, 1);
     name_plate.position.set(-size / 2, 0, size * 0.85);

@@ -34,25 +34,25 @@ function frustum(camera, model) {
 
 class View {
   #dirty;
-  constructor(canvas) {
+  constructor(renderer, canvas) {
     this.canvas = canvas;
-    this.renderer = new WebGLRenderer({ canvas, antialias: true });
+    this.renderer = renderer;
+    this.#dirty = eachFrame(() => this.draw());
+    this.moving = () => false;
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.scene = new Scene();
     this.scene.background = new Color(0x0e171e);
     this.camera = new PerspectiveCamera(36, 1, 10, 8000);
     this.camera.up.set(0, 0, 1);
-    this.camera.position.set(1500, -1150, 950);
+    this.camera.position.set(1420, -960, 720);
     this.controls = new OrbitControls(this.camera, canvas);
-    this.controls.target.set(330, 0, 190);
+    this.controls.target.set(400, 10, 200);
     this.controls.maxDistance = 4000;
     this.controls.minDistance = 200;
     this.controls.addEventListener('change', () => this.ask());
     this.controls.update();
     this.light();
-    this.#dirty = eachFrame(() => this.draw());
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement);
-    this.moving = () => false;
   }
   light() {
     const sun = new DirectionalLight(0xffffff, 2.2);
@@ -80,14 +80,19 @@ class View {
 }
 
 function makeView() {
+  const canvas = find('scene');
+  let renderer;
   try {
-    return new View(find('scene'));
+    renderer = new WebGLRenderer({ canvas, antialias: true });
   } catch {
     find('scene-note').hidden = false;
     find('scene-note').textContent = 'This browser draws nothing in three dimensions (WebGL is off). All else works.';
     return null;
   }
+  return new View(renderer, canvas);
 }
+
+const rounded = (action) => action.replace(/\d+\.\d+/g, (number) => String(Math.round(number * 10) / 10));
 
 // (arm-pose ROBOT X Y Z RX RY RZ), (gripper ROBOT OPENING) and (arm ROBOT STATE ACTION), in words.
 function showReadings(connection, moved) {
@@ -110,7 +115,7 @@ function showReadings(connection, moved) {
   });
   connection.follow('(arm ?robot ?state ?action)', (answers) => {
     const arm = of(answers);
-    readings.arm = arm && `${text(arm[2])}  ${text(arm[3]).slice(0, 40)}`;
+    readings.arm = arm && `${text(arm[2])}  ${rounded(text(arm[3])).slice(0, 40)}`;
     show();
   });
 }
