@@ -3,11 +3,11 @@
 
 import { build } from 'esbuild';
 import { copyFile, mkdir, readFile, writeFile } from 'node:fs/promises';
-import { dirname, join } from 'node:path';
+import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
 const here = dirname(fileURLToPath(import.meta.url));
-const out = process.argv[2] ?? join(here, 'built');
+const out = resolve(process.argv[2] ?? join(here, 'built'));
 
 await mkdir(out, { recursive: true });
 await build({

@@ -2,13 +2,14 @@
 
 import { spawnSync } from 'node:child_process';
 import { copyFileSync, cpSync, mkdtempSync, readFileSync, readdirSync } from 'node:fs';
+import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { gzipSync } from 'node:zlib';
 import { expect, modulesFolder, pageFolder, skip } from './browser.mjs';
 
 const scratch = process.argv[2];
 const modules = modulesFolder(scratch);
-const out = mkdtempSync(join(scratch, 'bundle-'));
+const out = mkdtempSync(join(tmpdir(), 'pizarra-bundle-'));
 if (modules !== pageFolder) {
   copyFileSync(join(pageFolder, 'build.mjs'), join(modules, 'build.mjs'));
   cpSync(join(pageFolder, 'src'), join(modules, 'src'), { recursive: true });

@@ -9,7 +9,6 @@ const browser = await launch(scratch);
 const folder = ownFolder();
 const at = `ipc://${folder}/board`;
 const kept = start([board, '--listen', at], folder);
-await new Promise((resolve) => setTimeout(resolve, 500));
 const tell = (word, form) => say([cell, word, '--board', at, form], folder);
 
 tell('declare', '(relation event ((seq integer) (kind symbol) (sentence string) (detail datum)) (key seq) (durable))');
