@@ -55,7 +55,8 @@ std::string change_text(std::int64_t watch, const Change& change) {
 }
 
 std::string failed_watch_text(std::int64_t watch, const Failure& failure) {
-  return fmt::format("{{\"watch\":{},\"error\":{}}}", watch, json_failure(failure));
+  return fmt::format("{{\"watch\":{},\"error\":{},\"said\":{}}}", watch, json_failure(failure),
+                     json_string(describe(failure)));
 }
 
 std::string reply_text(std::int64_t request, const Datum& values) {
@@ -67,7 +68,8 @@ std::string reply_text(std::int64_t request, const Datum& values) {
 }
 
 std::string refusal_text(std::int64_t request, const Failure& failure) {
-  return fmt::format("{{\"reply\":{},\"error\":{}}}", request, json_failure(failure));
+  return fmt::format("{{\"reply\":{},\"error\":{},\"said\":{}}}", request, json_failure(failure),
+                     json_string(describe(failure)));
 }
 
 }  // namespace pizarra::console

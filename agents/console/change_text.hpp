@@ -6,6 +6,8 @@
 //                             "added":[{"ids":[3],"bindings":{"?x":"circle"},
 //                                       "facts":[{"text":"(clear circle)","teller":"coordinator","when":...}]}]}
 //
+//   refusal_text(3, failure)     {"reply":3,"error":{"symbol":...},"said":"what a prompt would say of it"}
+//
 // Of more answers than a page shows, or larger ones, the first ones go, and `cut` says how many are left out.
 
 #include <cstdint>

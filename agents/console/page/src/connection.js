@@ -59,6 +59,7 @@ export class Connection {
   }
 
   #hear(message) {
+    if (message.error) message.error.said = message.said;
     if (message.hello) {
       this.#pause = 500;
       this.onHello(message.hello);

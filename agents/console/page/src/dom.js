@@ -18,11 +18,8 @@ export const clipped = (text, most = 300) => (text.length > most ? `${text.slice
 
 export const clock = (microseconds) => new Date(microseconds / 1000).toLocaleTimeString('en-GB', { hour12: false });
 
-// What a failure says, as the prompt says it: the sentence, the subject, and the place below.
-export function failureText(failure) {
-  const subject = failure.subject && !failure.sentence.includes(failure.subject) ? `: ${failure.subject}` : '';
-  return clipped(failure.sentence + subject, 600) + (failure.place ? `\n${clipped(failure.place, 1200)}` : '');
-}
+// What a failure says, as the prompt says it.
+export const failureText = (failure) => clipped(failure.said ?? failure.sentence, 1600);
 
 // Does `draw` once before the next frame, however often it is asked for.
 export function eachFrame(draw) {

@@ -17,7 +17,7 @@ export function showServo(connection) {
   const plot = new uPlot(
     {
       width: Math.max(box.clientWidth, 120),
-      height: 130,
+      height: 118,
       legend: { show: true, live: false },
       cursor: { show: false },
       scales: { x: { time: false } },
@@ -27,7 +27,7 @@ export function showServo(connection) {
     [[], [], [], []],
     box,
   );
-  new ResizeObserver(() => plot.setSize({ width: Math.max(box.clientWidth, 120), height: 130 })).observe(box);
+  new ResizeObserver(() => plot.setSize({ width: Math.max(box.clientWidth, 120), height: 118 })).observe(box);
 
   const draw = eachFrame(() => {
     const now = times.at(-1);
