@@ -91,7 +91,8 @@ std::span<const Session::Verb> Session::Verb::all() {
                                           {"let-go", {number, name}, &Session::let_go},
                                           {"look", {name}, &Session::look},
                                           {"look-away", {name}, &Session::look_away},
-                                          {"drawn", {name}, &Session::drawn}};
+                                          {"drawn", {name}, &Session::drawn},
+                                          {"heard", {number}, &Session::heard}};
   return verbs;
 }
 
@@ -172,10 +173,26 @@ void Session::hear(std::string_view message) {
 }
 
 Task<void> Session::room() {
-  while (socket_->waiting() >= WebSocket::low_mark) {
+  while (socket_->waiting() >= WebSocket::low_mark || unheard_bytes_ >= max_unheard_bytes) {
     room_.reset();
     co_await room_.wait();
   }
+}
+
+void Session::say_fact(std::string text) {
+  unheard_.push_back(text.size());
+  unheard_bytes_ += text.size();
+  socket_->send(WebSocket::Class::facts, std::move(text));
+}
+
+void Session::heard(const Datum& form) {
+  const Number count = form[1].integer();
+  if (count < 0 || static_cast<std::size_t>(count) > unheard_.size()) return socket_->close(1008, "not understood");
+  for (Number i = 0; i < count; ++i) {
+    unheard_bytes_ -= unheard_.front();
+    unheard_.pop_front();
+  }
+  room_.set();
 }
 
 Task<void> Session::follow_arms() {
@@ -192,7 +209,7 @@ Task<void> Session::follow_arms() {
       const auto known = setup_.cell.arms.find(std::string(fact[1].text()));
       if (known == setup_.cell.arms.end()) continue;
       const std::optional<arm::Joints> joints = joints_in(fact[2], known->second);
-      if (joints) socket_->send(WebSocket::Class::facts, arm_text(known->first, known->second, *joints));
+      if (joints) say_fact(arm_text(known->first, known->second, *joints));
     }
   }
 }
@@ -248,7 +265,7 @@ Task<void> Session::send_changes(Number number, std::unique_ptr<Watch> watch) {
       co_return;
     }
     co_await room();
-    socket_->send(WebSocket::Class::facts, change_text(number, *change));
+    say_fact(change_text(number, *change));
   }
 }
 

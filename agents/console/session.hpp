@@ -14,12 +14,14 @@
 //   (clear-stops N)             takes every stop back; who does so has an arm in hand
 //   (command N ROBOT), (take-over N ROBOT), (let-go N ROBOT)     the arm in one operator's hands: (commander ROBOT US)
 //   (look STREAM), (look-away STREAM), (drawn STREAM)            images; each that was drawn makes room for the next
+//   (heard N)                   it has taken in N more messages of facts, changes and arms; what it has not is bounded
 // and is told, as JSON (change_text.hpp): {"hello":...}, {"watch":N,...}, {"reply":N,...}, {"arm":NAME,...}; images as
 // binary: a line `(image STREAM NUMBER AGE-US WIDTH HEIGHT)`, and the JPEG behind it.
 //
-// What is bounded: 64 watches, 16 requests in hand, 4 streams with two images under way each. A page that does not read
-// has its watches wait: the board resynchronises them.
+// What is bounded: 64 watches, 16 requests in hand, 4 streams with two images under way each. A page that does not take
+// in what it is told, some 256 kB of it, has its watches wait: the board resynchronises them.
 
+#include <deque>
 #include <functional>
 #include <map>
 #include <memory>
@@ -50,6 +52,8 @@ class Session {
   static constexpr std::size_t max_requests = 16;
   static constexpr std::size_t max_looks = 4;
   static constexpr int max_images_under_way = 2;
+  // What it is asked or shows at once comes behind this much at most, also of what the system holds for the page.
+  static constexpr std::size_t max_unheard_bytes = 256 << 10;
 
   struct Setup {
     Executor& executor;
@@ -92,6 +96,8 @@ class Session {
   void look(const Datum& form);
   void look_away(const Datum& form);
   void drawn(const Datum& form);
+  void heard(const Datum& form);
+  void say_fact(std::string text);
   void show_newest(const std::string& name, Stream& stream);
 
   Task<void> open();
@@ -113,6 +119,8 @@ class Session {
   runtime::Service service_;
   runtime::Caller caller_;
   Event room_;
+  std::deque<std::size_t> unheard_;  // messages of facts, by their bytes
+  std::size_t unheard_bytes_ = 0;
   bool leaving_ = false;
   std::map<std::string, std::unique_ptr<Stream>> streams_;
   std::unique_ptr<WebSocket> socket_;

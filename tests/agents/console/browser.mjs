@@ -5,10 +5,12 @@ import { spawn, spawnSync } from 'node:child_process';
 import { copyFileSync, existsSync, mkdirSync, mkdtempSync, rmSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
-import { join, resolve } from 'node:path';
+import { dirname, join, resolve } from 'node:path';
+import { fileURLToPath } from 'node:url';
 
 export const chromium = '/usr/bin/chromium';
-export const source = resolve(import.meta.dirname ?? new URL('.', import.meta.url).pathname, '../../..');
+const here = dirname(fileURLToPath(import.meta.url));
+export const source = resolve(here, '../../..');
 export const pageFolder = join(source, 'agents/console/page');
 
 export function skip(reason) {
@@ -52,7 +54,8 @@ export function ownFolder() {
   return folder;
 }
 
-// A program that runs until the test ends it; `line` is the first that it says.
+// A program that runs until the test ends it; `line` is the first that it says,
+// `ended` its status.
 export function start(words, folder) {
   const child = spawn(words[0], words.slice(1), { env: { ...process.env, XDG_RUNTIME_DIR: folder, TMPDIR: folder } });
   let said = '';
@@ -71,7 +74,7 @@ export function start(words, folder) {
     child.kill('SIGINT');
     return ended;
   };
-  return { line, end };
+  return { line, end, ended };
 }
 
 export function say(words, folder) {

@@ -1,10 +1,12 @@
 // node hostile_facts.mjs PIZARRA-CELL PIZARRA-BOARD SCRATCH: a board on which somebody tells whatever may hurt a page.
 
+import { spawnSync } from 'node:child_process';
 import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
-import { ask, expect, launch, openPage, ownFolder, say, start, text } from './browser.mjs';
+import { ask, expect, launch, openPage, ownFolder, say, skip, source, start, text } from './browser.mjs';
 
 const [cell, board, scratch] = process.argv.slice(2);
+if (spawnSync('/usr/bin/python3', ['-c', 'import zmq']).status !== 0) skip('python3-zmq is not there to tell facts with');
 const browser = await launch(scratch);
 const folder = ownFolder();
 const at = `ipc://${folder}/board`;
@@ -32,11 +34,24 @@ expect((await text(page, '#story summary')).includes(script), 'a sentence is sho
 await page.waitForSelector('#stopped:not([hidden])');
 expect((await text(page, '#stopped-by')).includes(script), 'so is a reason');
 
-// Larger than a message of the wire's could be twice over, and more at once than anybody reads.
-for (let n = 0; n < 4; ++n) tell('tell', `(bulk ${n} "${'y'.repeat(100_000)}")`);
+// The largest that a board takes, and then more at once than anybody reads.
 await ask(page, '(bulk ?n ?text)');
+const teller = start(['/usr/bin/python3', join(source, 'tests/agents/console/hostile_teller.py'), source, at], folder);
+await teller.line;
 await page.waitForFunction(() => document.getElementById('query-count').textContent === '4 answers');
 expect((await text(page, '#answers')).length < 10_000, 'long text is clipped');
+tell('retract', '(stop ? ?)');
+await page.waitForSelector('#stopped', { state: 'hidden' });
+await page.waitForFunction(() => /^504 /.test(document.getElementById('query-count').textContent), null, { timeout: 60_000 });
+const pressed = Date.now();
+await page.keyboard.press('Escape');
+await page.waitForSelector('#stopped:not([hidden])', { timeout: 30_000 });
+expect(Date.now() - pressed < 2000, `in the flood STOP stands on the page at once: ${Date.now() - pressed} ms`);
+await teller.ended;
+// Four that are large, and some of the last five hundred.
+const standing = () => [...document.querySelectorAll('#answers tbody tr')].slice(4).every((row) => /"49[5-9]\d\d <script>/.test(row.textContent));
+await page.waitForFunction(standing, null, { timeout: 60_000 });
+expect(true, 'after the flood the page shows what stands');
 await ask(page, `(event ?n ?kind ?sentence ?detail)`);
 await page.waitForFunction(() => document.querySelectorAll('#answers tbody tr').length === 1);
 

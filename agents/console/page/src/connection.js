@@ -14,6 +14,7 @@ export class Connection {
   #requests = new Map();
   #looks = new Map();
   #pause = 500;
+  #heard = 0;
 
   onState = () => {}; // 'connecting', 'live', 'lost', 'refused'
   onHello = () => {};
@@ -40,6 +41,7 @@ export class Connection {
 
   async #lost() {
     this.#socket = null;
+    this.#heard = 0;
     for (const request of this.#requests.values()) {
       request.reject({ symbol: 'unreachable', sentence: 'the console has gone; whether it was done is not known' });
     }
@@ -68,11 +70,22 @@ export class Connection {
       for (const name of this.#looks.keys()) this.#say(sym('look'), sym(name));
     } else if (message.arm) {
       this.onArm(message);
+      this.#takenIn();
     } else if (message.watch) {
       this.#watches.get(message.watch)?.take(message);
+      if (!message.error) this.#takenIn();
     } else if (message.reply) {
       this.#requests.get(message.reply)?.take(message);
     }
+  }
+
+  // The server has so much under way and no more, so that what is urgent never waits behind what is many.
+  #takenIn() {
+    if (this.#heard++ > 0) return;
+    setTimeout(() => {
+      this.#say(sym('heard'), this.#heard);
+      this.#heard = 0;
+    }, 5);
   }
 
   #ask(number, watch) {
