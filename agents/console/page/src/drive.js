@@ -51,11 +51,22 @@ export function showDrive(connection, hands) {
     return element('label', { class: 'slide' }, element('span', {}, label), input, shown);
   };
 
-  const opening = element('input', { type: 'range', min: 0, max: 100, value: 80, 'aria-label': 'Gripper opening' });
-  opening.addEventListener('change', () => send(`(gripper ${opening.value})`));
-  const speed = element('input', { type: 'range', min: 1, max: 100, value: 50, 'aria-label': 'Speed' });
-  speed.addEventListener('change', () => send(`(speed ${speed.value})`));
-  controls.push(opening, speed);
+  // One that stands where it is put.
+  const setting = ({ label, unit, least, most, value, form }) => {
+    const shown = element('output', {}, `${value} ${unit}`);
+    const input = element('input', { type: 'range', min: least, max: most, value, 'aria-label': label });
+    const show = () => (shown.textContent = `${input.value} ${unit}`);
+    input.addEventListener('input', show);
+    input.addEventListener('change', () => send(form(input.value)));
+    controls.push(input);
+    const put = (given) => {
+      input.value = given;
+      show();
+    };
+    return { row: element('label', { class: 'slide' }, element('span', {}, label), input, shown), put };
+  };
+  const opening = setting({ label: 'Gripper', unit: 'mm', least: 0, most: 100, value: 80, form: (v) => `(gripper ${v})` });
+  const speed = setting({ label: 'Speed', unit: '%', least: 1, most: 100, value: 50, form: (v) => `(speed ${v})` });
 
   const note = element('span', { class: 'quiet' });
   const take = element('button', { type: 'button', id: 'take-arm', class: 'strong' }, 'Take the arm in hand');
@@ -74,12 +85,11 @@ export function showDrive(connection, hands) {
     element('div', { class: 'row' }, button('Home', '(home)'), button('Ready', '(ready)'), button('Get control', '(get-control)'),
       button('Monitor', '(monitor)'), button('Finish: stop', '(finish stop)')),
     element('div', { class: 'slides' }, ...slides.map(slide),
-      element('label', { class: 'slide' }, element('span', {}, 'Gripper'), opening, element('span', { class: 'quiet' }, 'mm')),
-      element('label', { class: 'slide' }, element('span', {}, 'Speed'), speed, element('span', { class: 'quiet' }, '%'))),
+      opening.row, speed.row),
     log,
   );
   connection.follow('(robot-speed ?robot ?percent)', (answers) => {
     const told = answers.map((answer) => read(answer.facts[0].text)).find((row) => write(row[1]) === hands.robot);
-    if (told) speed.value = told[2];
+    if (told) speed.put(told[2]);
   });
 }

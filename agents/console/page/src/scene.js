@@ -44,9 +44,9 @@ class View {
     this.scene.background = new Color(0x0e171e);
     this.camera = new PerspectiveCamera(36, 1, 10, 8000);
     this.camera.up.set(0, 0, 1);
-    this.camera.position.set(1420, -960, 720);
+    this.camera.position.set(1500, -1010, 770);
     this.controls = new OrbitControls(this.camera, canvas);
-    this.controls.target.set(400, 10, 200);
+    this.controls.target.set(400, 10, 235);
     this.controls.maxDistance = 4000;
     this.controls.minDistance = 200;
     this.controls.addEventListener('change', () => this.ask());
@@ -139,8 +139,9 @@ export function showScene(connection) {
   };
 
   let target = '';
+  let pursued = false;
   const showWay = () => {
-    const object = figures.objects.get(target);
+    const object = pursued ? figures.objects.get(target) : undefined;
     way.visible = Boolean(object && figures.arm?.grip);
     if (!way.visible) return;
     const ends = [figures.arm.grip, object.top()];
@@ -174,6 +175,10 @@ export function showScene(connection) {
   });
   connection.follow('(servo ?state ?object ?x ?y ?d)', (answers) => {
     target = answers.length ? text(fact(answers[0])[2]) : '';
+    view.ask();
+  });
+  connection.follow('(goal-state ?n running ?detail)', (answers) => {
+    pursued = answers.length > 0;
     view.ask();
   });
   connection.follow('(camera-model ?eyes ?width ?height ?focal ?cx ?cy ?base)', (answers) => {
