@@ -75,7 +75,12 @@ class Session {
 
  private:
   struct Verb;
-  struct Stream;
+  // What is under way of one stream.
+  struct Stream {
+    std::shared_ptr<const ImageFeeds::Picture> newest;  // not sent yet
+    int under_way = 0;
+    std::unique_ptr<ImageFeeds::Look> look;
+  };
   using Number = std::int64_t;
 
   void hear(std::string_view message);
@@ -103,6 +108,7 @@ class Session {
   Task<void> open();
   Task<void> run_out();
   Task<void> close_board();
+  Task<void> say_goodbye();
   Task<void> start_watch(Number number, Query query, bool when_declared);
   Task<void> send_changes(Number number, std::unique_ptr<Watch> watch);
   Task<void> room();

@@ -30,7 +30,10 @@ export function modulesFolder(scratch) {
   if (existsSync(join(folder, 'node_modules/playwright-core'))) return folder;
   mkdirSync(folder, { recursive: true });
   for (const file of ['package.json', 'package-lock.json']) copyFileSync(join(pageFolder, file), join(folder, file));
-  const made = spawnSync('npm', ['ci', '--ignore-scripts', '--no-audit', '--no-fund'], { cwd: folder, encoding: 'utf8' });
+  const made = spawnSync('npm', ['ci', '--ignore-scripts', '--no-audit', '--no-fund'], {
+    cwd: folder,
+    encoding: 'utf8',
+  });
   if (made.status !== 0) skip(`npm ci gives no playwright-core: ${made.stderr ?? made.error}`.slice(0, 400));
   return folder;
 }
@@ -42,8 +45,17 @@ export async function launch(scratch) {
     executablePath: chromium,
     headless: true,
     // Three dimensions without a graphics card: by SwiftShader.
-    args: ['--no-sandbox', '--disable-gpu', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--disable-quic',
-      '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'],
+    args: [
+      '--no-sandbox',
+      '--disable-gpu',
+      '--use-angle=swiftshader',
+      '--enable-unsafe-swiftshader',
+      '--disable-quic',
+      '--no-first-run',
+      '--disable-background-networking',
+      '--disable-component-update',
+      '--disable-sync',
+    ],
   });
 }
 
@@ -78,8 +90,12 @@ export function start(words, folder) {
 }
 
 export function say(words, folder) {
-  const done = spawnSync(words[0], words.slice(1), { env: { ...process.env, XDG_RUNTIME_DIR: folder }, encoding: 'utf8' });
-  if (done.status !== 0) throw new Error(`${words.join(' ').slice(0, 300)}: ${done.status} ${done.stdout}${done.stderr}`);
+  const done = spawnSync(words[0], words.slice(1), {
+    env: { ...process.env, XDG_RUNTIME_DIR: folder },
+    encoding: 'utf8',
+  });
+  if (done.status !== 0)
+    throw new Error(`${words.join(' ').slice(0, 300)}: ${done.status} ${done.stdout}${done.stderr}`);
 }
 
 // A page that counts what a page of ours must never do.
@@ -92,7 +108,8 @@ export async function openPage(browser, address, size = { width: 1280, height: 8
   });
   page.on('pageerror', (error) => page.troubles.push(`an error: ${error}`));
   page.on('console', (message) => {
-    if (message.type() === 'error' && /Content Security Policy|TrustedHTML/.test(message.text())) page.troubles.push(message.text());
+    if (message.type() === 'error' && /Content Security Policy|TrustedHTML/.test(message.text()))
+      page.troubles.push(message.text());
   });
   page.on('request', (request) => {
     if (!request.url().startsWith(new URL(address).origin)) page.troubles.push(`asked elsewhere: ${request.url()}`);

@@ -15,7 +15,8 @@ if (modules !== pageFolder) {
   cpSync(join(pageFolder, 'src'), join(modules, 'src'), { recursive: true });
 }
 const built = spawnSync('node', [join(modules, 'build.mjs'), out], { encoding: 'utf8' });
-if (/EBADPLATFORM|could not be found, and is needed/.test(built.stderr)) skip('esbuild has no program for this machine');
+if (/EBADPLATFORM|could not be found, and is needed/.test(built.stderr))
+  skip('esbuild has no program for this machine');
 expect(built.status === 0, `it builds ${built.stderr}`);
 const committed = join(pageFolder, 'built');
 expect(readdirSync(committed).sort().join() === readdirSync(out).sort().join(), 'the same files');

@@ -6,7 +6,8 @@ import { join } from 'node:path';
 import { ask, expect, launch, openPage, ownFolder, say, skip, source, start, text } from './browser.mjs';
 
 const [cell, board, scratch] = process.argv.slice(2);
-if (spawnSync('/usr/bin/python3', ['-c', 'import zmq']).status !== 0) skip('python3-zmq is not there to tell facts with');
+if (spawnSync('/usr/bin/python3', ['-c', 'import zmq']).status !== 0)
+  skip('python3-zmq is not there to tell facts with');
 const browser = await launch(scratch);
 const folder = ownFolder();
 const at = `ipc://${folder}/board`;
@@ -42,14 +43,19 @@ await page.waitForFunction(() => document.getElementById('query-count').textCont
 expect((await text(page, '#answers')).length < 10_000, 'long text is clipped');
 tell('retract', '(stop ? ?)');
 await page.waitForSelector('#stopped', { state: 'hidden' });
-await page.waitForFunction(() => /^504 /.test(document.getElementById('query-count').textContent), null, { timeout: 60_000 });
+await page.waitForFunction(() => /^504 /.test(document.getElementById('query-count').textContent), null, {
+  timeout: 60_000,
+});
 const pressed = Date.now();
 await page.keyboard.press('Escape');
 await page.waitForSelector('#stopped:not([hidden])', { timeout: 30_000 });
 expect(Date.now() - pressed < 2000, `in the flood STOP stands on the page at once: ${Date.now() - pressed} ms`);
 await teller.ended;
 // Four that are large, and some of the last five hundred.
-const standing = () => [...document.querySelectorAll('#answers tbody tr')].slice(4).every((row) => /"49[5-9]\d\d <script>/.test(row.textContent));
+const standing = () =>
+  [...document.querySelectorAll('#answers tbody tr')]
+    .slice(4)
+    .every((row) => /"49[5-9]\d\d <script>/.test(row.textContent));
 await page.waitForFunction(standing, null, { timeout: 60_000 });
 expect(true, 'after the flood the page shows what stands');
 await ask(page, `(event ?n ?kind ?sentence ?detail)`);

@@ -31,14 +31,21 @@ await again.waitForSelector('#refused[open]');
 expect(true, 'a token that was used is refused');
 await again.close();
 
-await page.waitForFunction(() => [...document.querySelectorAll('figcaption')].every((f) => /frame \d/.test(f.textContent)));
+await page.waitForFunction(() =>
+  [...document.querySelectorAll('figcaption')].every((f) => /frame \d/.test(f.textContent)),
+);
 const frame = async () => Number((await text(page, 'figcaption >> nth=0')).match(/frame (\d+)/)[1]);
 const first = await frame();
-await page.waitForFunction((old) => Number(document.querySelector('figcaption').textContent.match(/frame (\d+)/)[1]) > old + 10, first);
+await page.waitForFunction(
+  (old) => Number(document.querySelector('figcaption').textContent.match(/frame (\d+)/)[1]) > old + 10,
+  first,
+);
 expect(true, 'images go on coming');
 
 await ask(page, '(person done ?objects)');
-await page.waitForFunction(() => document.getElementById('query-count').textContent === '1 answer', null, { timeout: 120_000 });
+await page.waitForFunction(() => document.getElementById('query-count').textContent === '1 answer', null, {
+  timeout: 120_000,
+});
 await ask(page, '(onn ?x ?y)');
 await page.waitForSelector('#query-wrong');
 expect((await text(page, '#query-wrong')).includes('onn'), 'a question that cannot be asked is refused in words');
@@ -51,7 +58,11 @@ await page.waitForSelector('#goal-answer.bad');
 expect((await text(page, '#goal-answer')).includes('goal:1:1'), 'what cannot be read says where');
 await page.fill('#goal-text', '(on circle trianglo)');
 await page.press('#goal-text', 'Enter');
-await page.waitForFunction(() => document.getElementById('goal-answer').textContent.includes('the nearest is triangle'), null, { timeout: 20_000 });
+await page.waitForFunction(
+  () => document.getElementById('goal-answer').textContent.includes('the nearest is triangle'),
+  null,
+  { timeout: 20_000 },
+);
 expect(true, 'an unknown object is refused with the nearest name');
 
 await page.fill('#goal-text', '(on circle triangle) (on triangle square)');
@@ -60,7 +71,9 @@ await page.waitForSelector('#plan li.running', { timeout: 60_000 });
 expect((await text(page, '#plan')).includes('PICK-UP'), 'the plan is shown with the operation in hand');
 await page.waitForFunction(() => document.querySelectorAll('#plan li.done').length >= 1, null, { timeout: 120_000 });
 await picture(page, 'building');
-await page.waitForFunction(() => document.getElementById('goal-answer').textContent.includes('reached'), null, { timeout: 240_000 });
+await page.waitForFunction(() => document.getElementById('goal-answer').textContent.includes('reached'), null, {
+  timeout: 240_000,
+});
 expect((await text(page, '#goal-chip')).includes('reached'), 'the goal is reached');
 await page.click('#why');
 await page.waitForFunction(() => document.querySelector('#story pre.answer').textContent.length > 20);
@@ -73,10 +86,14 @@ await picture(page, 'facts');
 
 await page.fill('#goal-text', '(on cross square) (clear circle)');
 await page.press('#goal-text', 'Enter');
-await page.waitForFunction(() => /moving/.test(document.getElementById('readings').textContent), null, { timeout: 60_000 });
+await page.waitForFunction(() => /moving/.test(document.getElementById('readings').textContent), null, {
+  timeout: 60_000,
+});
 await page.keyboard.press('Escape');
 await page.waitForSelector('#stopped:not([hidden])', { timeout: 5000 });
-await page.waitForFunction(() => /arm\s*(stopped|idle)/.test(document.getElementById('readings').textContent), null, { timeout: 5000 });
+await page.waitForFunction(() => /arm\s*(stopped|idle)/.test(document.getElementById('readings').textContent), null, {
+  timeout: 5000,
+});
 expect(true, 'Escape, from within a field, stops the arm');
 expect(await page.isDisabled('#clear-stops'), 'who has no arm in hand clears no stop');
 await page.click('#tab-drive');
@@ -94,7 +111,9 @@ expect(true, 'a stop is cleared by who has the arm in hand');
 // The coordinator may have given the goal up already.
 await page.evaluate(() => document.getElementById('cancel').click());
 await page.click('text=Ready');
-await page.waitForFunction(() => /\(ready\) true/.test(document.querySelector('.log').textContent), null, { timeout: 60_000 });
+await page.waitForFunction(() => /\(ready\) true/.test(document.querySelector('.log').textContent), null, {
+  timeout: 60_000,
+});
 await picture(page, 'drive');
 expect(true, 'the arm is driven by who has it in hand');
 await page.click('#take-arm');

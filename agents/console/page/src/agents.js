@@ -11,10 +11,20 @@ export function showAgents(connection) {
   const contracts = new Map();
   const draw = () => {
     const rows = present.slice(0, 64).map((agent) => {
-      const offers = (contracts.get(text(agent[1])) ?? []).filter((part) => text(part[0]) === 'offers').flatMap((part) => part.slice(1));
-      return element('details', {},
-        element('summary', {}, element('strong', {}, clipped(text(agent[1]), 64)), element('span', { class: 'quiet' }, `${text(agent[2])} on ${clipped(text(agent[3]), 64)}`)),
-        element('pre', {}, clipped(offers.map(write).join('\n') || 'offers nothing', 4000)));
+      const offers = (contracts.get(text(agent[1])) ?? [])
+        .filter((part) => text(part[0]) === 'offers')
+        .flatMap((part) => part.slice(1));
+      return element(
+        'details',
+        {},
+        element(
+          'summary',
+          {},
+          element('strong', {}, clipped(text(agent[1]), 64)),
+          element('span', { class: 'quiet' }, `${text(agent[2])} on ${clipped(text(agent[3]), 64)}`),
+        ),
+        element('pre', {}, clipped(offers.map(write).join('\n') || 'offers nothing', 4000)),
+      );
     });
     list.replaceChildren(...rows);
   };

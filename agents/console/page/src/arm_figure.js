@@ -1,7 +1,17 @@
 // An arm as its links: through the points that its axes give, and a gripper at the end. Between two of its joints'
 // facts, a tenth of a second apart, it is drawn on its way.
 
-import { BoxGeometry, CylinderGeometry, Group, Matrix4, Mesh, MeshStandardMaterial, Quaternion, SphereGeometry, Vector3 } from 'three';
+import {
+  BoxGeometry,
+  CylinderGeometry,
+  Group,
+  Matrix4,
+  Mesh,
+  MeshStandardMaterial,
+  Quaternion,
+  SphereGeometry,
+  Vector3,
+} from 'three';
 
 const between = 110; // ms
 const link = new MeshStandardMaterial({ color: 0xe9a23b, roughness: 0.55, metalness: 0.1 });
@@ -99,7 +109,10 @@ export class ArmFigure {
     palm.quaternion.copy(turned);
     palm.scale.setX(this.#opening + 26);
     fingers.forEach((mesh, i) => {
-      mesh.position.copy(grip).addScaledVector(approach, -26).addScaledVector(closing, (i ? 1 : -1) * (this.#opening / 2 + 5));
+      mesh.position
+        .copy(grip)
+        .addScaledVector(approach, -26)
+        .addScaledVector(closing, (i ? 1 : -1) * (this.#opening / 2 + 5));
       mesh.quaternion.copy(turned);
     });
   }

@@ -34,7 +34,8 @@ export class Connection {
     this.onState('connecting');
     const socket = new WebSocket(`ws://${location.host}/socket`);
     socket.binaryType = 'arraybuffer';
-    socket.onmessage = (event) => (typeof event.data === 'string' ? this.#hear(JSON.parse(event.data)) : this.#show(event.data));
+    socket.onmessage = (event) =>
+      typeof event.data === 'string' ? this.#hear(JSON.parse(event.data)) : this.#show(event.data);
     socket.onclose = () => this.#lost();
     this.#socket = socket;
   }
@@ -118,7 +119,8 @@ export class Connection {
     const number = this.#next++;
     return new Promise((resolve, reject) => {
       const take = (message) => {
-        if (more && !message.error) this.#requests.set(number, { reject: () => {}, take: (later) => this.#end(number, more, later) });
+        if (more && !message.error)
+          this.#requests.set(number, { reject: () => {}, take: (later) => this.#end(number, more, later) });
         else this.#requests.delete(number);
         if (message.error) reject(message.error);
         else resolve(message.values);
@@ -166,7 +168,9 @@ export class Connection {
     const end = bytes.indexOf(10);
     const [, stream, number, age, width, height] = read(new TextDecoder().decode(bytes.subarray(0, end)));
     const name = text(stream);
-    const bitmap = await createImageBitmap(new Blob([bytes.subarray(end + 1)], { type: 'image/jpeg' })).catch(() => null);
+    const bitmap = await createImageBitmap(new Blob([bytes.subarray(end + 1)], { type: 'image/jpeg' })).catch(
+      () => null,
+    );
     // A hidden page draws nothing, and so is sent nothing.
     requestAnimationFrame(() => {
       if (bitmap) this.#looks.get(name)?.({ bitmap, number, age, width, height });

@@ -46,7 +46,11 @@ export function read(source) {
 }
 
 const quoted = (string) =>
-  `"${string.replace(/[\\"]/g, '\\$&').replace(/\n/g, '\\n').replace(/\t/g, '\\t').replace(/[\0-\x08\x0b-\x1f]/g, ' ')}"`;
+  `"${string
+    .replace(/[\\"]/g, '\\$&')
+    .replace(/\n/g, '\\n')
+    .replace(/\t/g, '\\t')
+    .replace(/[\0-\x08\x0b-\x1f]/g, ' ')}"`;
 
 export function write(datum) {
   if (Array.isArray(datum)) return `(${datum.map(write).join(' ')})`;

@@ -14,7 +14,8 @@ export function element(tag, attributes = {}, ...children) {
   return made;
 }
 
-export const clipped = (text, most = 300) => (text.length > most ? `${text.slice(0, most)} … (${text.length} characters)` : text);
+export const clipped = (text, most = 300) =>
+  text.length > most ? `${text.slice(0, most)} … (${text.length} characters)` : text;
 
 export const clock = (microseconds) => new Date(microseconds / 1000).toLocaleTimeString('en-GB', { hour12: false });
 

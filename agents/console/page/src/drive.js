@@ -5,12 +5,27 @@ import { clipped, element, failureText, find, clock } from './dom.js';
 import { read, write } from './datum.js';
 
 const slides = [
-  { label: 'Retract / extend', unit: 'mm', most: 100, form: (v) => (v > 0 ? `(extend keep-height ${v})` : `(retract ${-v})`) },
+  {
+    label: 'Retract / extend',
+    unit: 'mm',
+    most: 100,
+    form: (v) => (v > 0 ? `(extend keep-height ${v})` : `(retract ${-v})`),
+  },
   { label: 'Turn left / right', unit: '°', most: 45, form: (v) => `(turn ${v > 0 ? 'right' : 'left'} ${Math.abs(v)})` },
-  { label: 'Move left / right', unit: 'mm', most: 100, form: (v) => `(move-h ${v > 0 ? 'right' : 'left'} ${Math.abs(v)})` },
+  {
+    label: 'Move left / right',
+    unit: 'mm',
+    most: 100,
+    form: (v) => `(move-h ${v > 0 ? 'right' : 'left'} ${Math.abs(v)})`,
+  },
   { label: 'Move down / up', unit: 'mm', most: 100, form: (v) => `(move-v ${v > 0 ? 'up' : 'down'} ${Math.abs(v)})` },
   { label: 'Tool down / up', unit: '°', most: 45, form: (v) => `(turn-ef ${v > 0 ? 'up' : 'down'} ${Math.abs(v)})` },
-  { label: 'Wrist left / right', unit: '°', most: 90, form: (v) => `(turn-wrist ${v > 0 ? 'right' : 'left'} ${Math.abs(v)})` },
+  {
+    label: 'Wrist left / right',
+    unit: '°',
+    most: 90,
+    form: (v) => `(turn-wrist ${v > 0 ? 'right' : 'left'} ${Math.abs(v)})`,
+  },
 ];
 
 export function showDrive(connection, hands) {
@@ -65,7 +80,14 @@ export function showDrive(connection, hands) {
     };
     return { row: element('label', { class: 'slide' }, element('span', {}, label), input, shown), put };
   };
-  const opening = setting({ label: 'Gripper', unit: 'mm', least: 0, most: 100, value: 80, form: (v) => `(gripper ${v})` });
+  const opening = setting({
+    label: 'Gripper',
+    unit: 'mm',
+    least: 0,
+    most: 100,
+    value: 80,
+    form: (v) => `(gripper ${v})`,
+  });
   const speed = setting({ label: 'Speed', unit: '%', least: 1, most: 100, value: 50, form: (v) => `(speed ${v})` });
 
   const note = element('span', { class: 'quiet' });
@@ -73,7 +95,11 @@ export function showDrive(connection, hands) {
   take.addEventListener('click', () => hands.toggle().catch((failure) => (note.textContent = failureText(failure))));
   hands.onChange((mine, holder) => {
     take.textContent = mine ? 'Let the arm go' : holder ? `Take over from ${holder}` : 'Take the arm in hand';
-    note.textContent = mine ? 'Only you move the arm now.' : holder ? '' : 'Anybody may move the arm: a goal, a prompt.';
+    note.textContent = mine
+      ? 'Only you move the arm now.'
+      : holder
+        ? ''
+        : 'Anybody may move the arm: a goal, a prompt.';
     for (const control of controls) {
       control.disabled = !mine;
       control.title = mine ? '' : 'Take the arm in hand first';
@@ -82,10 +108,16 @@ export function showDrive(connection, hands) {
 
   panel.append(
     element('div', { class: 'row' }, take, note),
-    element('div', { class: 'row' }, button('Home', '(home)'), button('Ready', '(ready)'), button('Get control', '(get-control)'),
-      button('Monitor', '(monitor)'), button('Finish: stop', '(finish stop)')),
-    element('div', { class: 'slides' }, ...slides.map(slide),
-      opening.row, speed.row),
+    element(
+      'div',
+      { class: 'row' },
+      button('Home', '(home)'),
+      button('Ready', '(ready)'),
+      button('Get control', '(get-control)'),
+      button('Monitor', '(monitor)'),
+      button('Finish: stop', '(finish stop)'),
+    ),
+    element('div', { class: 'slides' }, ...slides.map(slide), opening.row, speed.row),
     log,
   );
   connection.follow('(robot-speed ?robot ?percent)', (answers) => {

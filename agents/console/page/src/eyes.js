@@ -20,7 +20,8 @@ export function showEyes(connection, images) {
       answer.textContent = failureText(failure);
     }
   };
-  const button = (label, ...operation) => element('button', { type: 'button', onclick: () => ask(...operation) }, label);
+  const button = (label, ...operation) =>
+    element('button', { type: 'button', onclick: () => ask(...operation) }, label);
 
   const name = element('input', { id: 'learn-name', maxlength: 64, spellcheck: 'false', placeholder: 'name' });
   const where = element('output', {}, 'click on a shape in the camera’s image');
@@ -49,9 +50,17 @@ export function showEyes(connection, images) {
 
   const list = element('ul', { class: 'objects' });
   panel.append(
-    element('div', { class: 'row' }, button('Connect', sym('connect')), button('Disconnect', sym('disconnect')),
-      button('End track', sym('end-track')), mode),
-    form, answer, list,
+    element(
+      'div',
+      { class: 'row' },
+      button('Connect', sym('connect')),
+      button('Disconnect', sym('disconnect')),
+      button('End track', sym('end-track')),
+      mode,
+    ),
+    form,
+    answer,
+    list,
   );
 
   let learned = [];
@@ -62,9 +71,14 @@ export function showEyes(connection, images) {
     const rows = [...names].slice(0, 64).map(([object, samples]) => {
       const seen = tracked.get(object);
       const state = seen ? `${text(seen[3])}, ${(seen[5] * 100).toFixed(0)} %` : 'not tracked';
-      return element('li', {}, element('strong', {}, clipped(object, 64)),
+      return element(
+        'li',
+        {},
+        element('strong', {}, clipped(object, 64)),
         element('span', { class: 'quiet' }, `${samples} sample${samples > 1 ? 's' : ''}; ${state}`),
-        button('Find', sym('find'), object), button('Track', sym('track'), object));
+        button('Find', sym('find'), object),
+        button('Track', sym('track'), object),
+      );
     });
     list.replaceChildren(...rows);
   };

@@ -12,7 +12,12 @@ const wanted = [
 function makeView(title) {
   const canvas = element('canvas', { width: 640, height: 480, role: 'img', 'aria-label': title });
   const note = element('span', { class: 'quiet' }, 'no image yet');
-  const card = element('figure', { class: 'card' }, canvas, element('figcaption', {}, element('span', {}, title), note));
+  const card = element(
+    'figure',
+    { class: 'card' },
+    canvas,
+    element('figcaption', {}, element('span', {}, title), note),
+  );
   return { canvas, note, card, stream: '', shown: null, end: () => {} };
 }
 

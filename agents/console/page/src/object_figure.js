@@ -1,16 +1,44 @@
 // An object where the coordinator places it: a white cube with its mark on the face that the camera sees, and its name
 // above. The place is the mark's. The end effector's own mark is a plate that the arm carries.
 
-import { BoxGeometry, CanvasTexture, Group, Mesh, MeshStandardMaterial, Sprite, SpriteMaterial, SRGBColorSpace, Vector3 } from 'three';
+import {
+  BoxGeometry,
+  CanvasTexture,
+  Group,
+  Mesh,
+  MeshStandardMaterial,
+  Sprite,
+  SpriteMaterial,
+  SRGBColorSpace,
+  Vector3,
+} from 'three';
 
 const between = 160; // ms
 const carried = 'end-effector';
 const marks = {
   circle: (c) => c.arc(64, 64, 34, 0, 2 * Math.PI),
   square: (c) => c.rect(33, 33, 62, 62),
-  triangle: (c) => polygon(c, [[64, 26], [102, 96], [26, 96]]),
+  triangle: (c) =>
+    polygon(c, [
+      [64, 26],
+      [102, 96],
+      [26, 96],
+    ]),
   cross: (c) =>
-    polygon(c, [[52, 26], [76, 26], [76, 52], [102, 52], [102, 76], [76, 76], [76, 102], [52, 102], [52, 76], [26, 76], [26, 52], [52, 52]]),
+    polygon(c, [
+      [52, 26],
+      [76, 26],
+      [76, 52],
+      [102, 52],
+      [102, 76],
+      [76, 76],
+      [76, 102],
+      [52, 102],
+      [52, 76],
+      [26, 76],
+      [26, 52],
+      [52, 52],
+    ]),
 };
 
 function polygon(c, points) {

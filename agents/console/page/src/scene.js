@@ -2,8 +2,22 @@
 // places them. Millimetres, z up, as the facts have it. Drawn only when something changes.
 
 import {
-  AmbientLight, BufferGeometry, Color, DirectionalLight, Float32BufferAttribute, GridHelper, Group, HemisphereLight,
-  Line, LineBasicMaterial, LineDashedMaterial, LineSegments, PerspectiveCamera, Scene, Vector3, WebGLRenderer,
+  AmbientLight,
+  BufferGeometry,
+  Color,
+  DirectionalLight,
+  Float32BufferAttribute,
+  GridHelper,
+  Group,
+  HemisphereLight,
+  Line,
+  LineBasicMaterial,
+  LineDashedMaterial,
+  LineSegments,
+  PerspectiveCamera,
+  Scene,
+  Vector3,
+  WebGLRenderer,
 } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import { ArmFigure } from './arm_figure.js';
@@ -26,10 +40,17 @@ function frustum(camera, model) {
   if (up.z < 0) up.negate();
   const eye = new Vector3(...camera.at);
   const corner = (x, y) =>
-    eye.clone().addScaledVector(ahead, far).addScaledVector(right, (x * far * width) / 2 / focal).addScaledVector(up, (y * far * height) / 2 / focal);
+    eye
+      .clone()
+      .addScaledVector(ahead, far)
+      .addScaledVector(right, (x * far * width) / 2 / focal)
+      .addScaledVector(up, (y * far * height) / 2 / focal);
   const corners = [corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)];
   const points = corners.flatMap((c, i) => [eye, c, c, corners[(i + 1) % 4]]);
-  return new LineSegments(new BufferGeometry().setFromPoints(points), new LineBasicMaterial({ color: 0x4fb3ff, transparent: true, opacity: 0.6 }));
+  return new LineSegments(
+    new BufferGeometry().setFromPoints(points),
+    new LineBasicMaterial({ color: 0x4fb3ff, transparent: true, opacity: 0.6 }),
+  );
 }
 
 class View {
@@ -99,12 +120,19 @@ function showReadings(connection, moved) {
   const readings = {};
   const show = () => {
     const rows = Object.entries(readings).filter(([, value]) => value);
-    find('readings').replaceChildren(...rows.flatMap(([name, value]) => [element('dt', {}, name), element('dd', {}, value)]));
+    find('readings').replaceChildren(
+      ...rows.flatMap(([name, value]) => [element('dt', {}, name), element('dd', {}, value)]),
+    );
   };
   const of = (answers) => answers.map(fact).find((told) => text(told[1]) === moved.robot);
   connection.follow('(arm-pose ?robot ?x ?y ?z ?rx ?ry ?rz)', (answers) => {
     const pose = of(answers);
-    readings.grip = pose && `${pose.slice(2, 5).map((v) => v.toFixed(0)).join('  ')} mm`;
+    readings.grip =
+      pose &&
+      `${pose
+        .slice(2, 5)
+        .map((v) => v.toFixed(0))
+        .join('  ')} mm`;
     show();
   });
   connection.follow('(gripper ?robot ?opening)', (answers) => {
@@ -128,7 +156,10 @@ export function showScene(connection) {
   if (!view) return { moveArm: () => {}, setCell: (hello) => (moved.robot = hello.arms[0] ?? 'robot') };
 
   const things = new Group();
-  const way = line([new Vector3(), new Vector3()], new LineDashedMaterial({ color: 0xf2a33a, dashSize: 14, gapSize: 9 }));
+  const way = line(
+    [new Vector3(), new Vector3()],
+    new LineDashedMaterial({ color: 0xf2a33a, dashSize: 14, gapSize: 9 }),
+  );
   way.visible = false;
   view.scene.add(things, way);
   view.moving = () => {
@@ -145,13 +176,20 @@ export function showScene(connection) {
     way.visible = Boolean(object && figures.arm?.grip);
     if (!way.visible) return;
     const ends = [figures.arm.grip, object.top()];
-    way.geometry.setAttribute('position', new Float32BufferAttribute(ends.flatMap((p) => [p.x, p.y, p.z]), 3));
+    way.geometry.setAttribute(
+      'position',
+      new Float32BufferAttribute(
+        ends.flatMap((p) => [p.x, p.y, p.z]),
+        3,
+      ),
+    );
     way.computeLineDistances();
   };
 
   const showFrustum = () => {
     if (figures.frustum) view.scene.remove(figures.frustum);
-    figures.frustum = figures.hello?.camera && figures.model?.[4] > 0 ? frustum(figures.hello.camera, figures.model) : null;
+    figures.frustum =
+      figures.hello?.camera && figures.model?.[4] > 0 ? frustum(figures.hello.camera, figures.model) : null;
     if (figures.frustum) view.scene.add(figures.frustum);
     view.ask();
   };

@@ -12,7 +12,12 @@ export function showServo(connection) {
   const box = find('servo-plot');
   const times = [];
   const errors = [[], [], []];
-  const axis = { stroke: '#9fb0bd', grid: { stroke: '#263642', width: 1 }, ticks: { show: false }, font: '11px system-ui' };
+  const axis = {
+    stroke: '#9fb0bd',
+    grid: { stroke: '#263642', width: 1 },
+    ticks: { show: false },
+    font: '11px system-ui',
+  };
   const line = (label, stroke) => ({ label, stroke, width: 1.5, points: { show: false } });
   const plot = new uPlot(
     {
@@ -21,7 +26,10 @@ export function showServo(connection) {
       legend: { show: true, live: false },
       cursor: { show: false },
       scales: { x: { time: false } },
-      axes: [{ ...axis, size: 22, values: (_, at) => at.map((v) => `${v} s`) }, { ...axis, size: 38 }],
+      axes: [
+        { ...axis, size: 22, values: (_, at) => at.map((v) => `${v} s`) },
+        { ...axis, size: 38 },
+      ],
       series: [{}, line('x px', '#4fb3ff'), line('y px', '#7fd18b'), line('d mm', '#f2a33a')],
     },
     [[], [], [], []],

@@ -34,7 +34,9 @@ export function showStory(connection) {
   const ask = async () => {
     why.hidden = false;
     try {
-      why.textContent = (await connection.request('coordinator', '(why)')).map((line) => clipped(line, 1000)).join('\n');
+      why.textContent = (await connection.request('coordinator', '(why)'))
+        .map((line) => clipped(line, 1000))
+        .join('\n');
     } catch (failure) {
       why.textContent = failureText(failure);
     }

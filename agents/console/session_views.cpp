@@ -1,0 +1,176 @@
+// What a page is shown: answers and their changes, arms, images; never more than it takes in.
+
+#include <fmt/format.h>
+
+#include "agents/console/change_text.hpp"
+#include "agents/console/session.hpp"
+#include "agents/runtime/declared.hpp"
+#include "drivers/arm/kinematics.hpp"
+#include "lisp/reader.hpp"
+
+namespace pizarra::console {
+
+namespace {
+
+constexpr ReadLimits query_limits{.bytes = WebSocket::max_message, .depth = 32, .elements = 4000};
+
+std::string point_text(const Eigen::Vector3d& point) {
+  return fmt::format("[{:.2f},{:.2f},{:.2f}]", point.x(), point.y(), point.z());
+}
+
+std::string direction_text(const Eigen::Vector3d& direction) {
+  return fmt::format("[{:.5f},{:.5f},{:.5f}]", direction.x(), direction.y(), direction.z());
+}
+
+std::string arm_text(const std::string& name, const arm::ArmModel& model, const arm::Joints& joints) {
+  std::string points;
+  for (const Eigen::Vector3d& point : arm::skeleton(model, joints)) {
+    points += (points.empty() ? "" : ",") + point_text(point);
+  }
+  const arm::ToolPose tool = arm::forward(model, joints);
+  return fmt::format("{{\"arm\":{},\"points\":[{}],\"grip\":{},\"approach\":{},\"closing\":{}}}", json_string(name),
+                     points, point_text(tool.translation()), direction_text(tool.linear().col(2)),
+                     direction_text(tool.linear().col(1)));
+}
+
+// Of that arm, if the fact is of an arm that is known here.
+std::optional<arm::Joints> joints_in(const Datum& readings, const arm::ArmModel& model) {
+  if (readings.size() != model.axes.size()) return std::nullopt;
+  arm::Joints joints(readings.size());
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    if (!readings[i].is_number()) return std::nullopt;
+    joints[i] = readings[i].number();
+  }
+  return joints;
+}
+
+}  // namespace
+
+Task<void> Session::room() {
+  while (socket_->waiting() >= WebSocket::low_mark || unheard_bytes_ >= max_unheard_bytes) {
+    room_.reset();
+    co_await room_.wait();
+  }
+}
+
+void Session::say_fact(std::string text) {
+  unheard_.push_back(text.size());
+  unheard_bytes_ += text.size();
+  socket_->send(WebSocket::Class::facts, std::move(text));
+}
+
+void Session::heard(const Datum& form) {
+  const Number count = form[1].integer();
+  if (count < 0 || static_cast<std::size_t>(count) > unheard_.size()) return socket_->close(1008, "not understood");
+  for (Number i = 0; i < count; ++i) {
+    unheard_bytes_ -= unheard_.front();
+    unheard_.pop_front();
+  }
+  room_.set();
+}
+
+Task<void> Session::follow_arms() {
+  const Datum pattern = list("arm-joints"_sym, "?robot"_sym, "?joints"_sym);
+  const Result<std::unique_ptr<Watch>> watch =
+      co_await runtime::watch_when_declared(context_.board, query_for(pattern));
+  if (!watch) co_return;
+  while (true) {
+    const Result<Change> change = co_await (*watch)->next();
+    if (!change) co_return;
+    co_await room();
+    for (const Answer& answer : change->added) {
+      const Datum& fact = answer.facts.front().datum;
+      const auto known = setup_.cell.arms.find(std::string(fact[1].text()));
+      if (known == setup_.cell.arms.end()) continue;
+      const std::optional<arm::Joints> joints = joints_in(fact[2], known->second);
+      if (joints) say_fact(arm_text(known->first, known->second, *joints));
+    }
+  }
+}
+
+void Session::follow(const Datum& form) {
+  const Result<Query> query = query_from_datum(form[2]);
+  if (!query) return say(failed_watch_text(form[1].integer(), query.error()));
+  std::erase_if(watches_, [](const auto& entry) { return entry.second.done(); });
+  if (watches_.size() >= max_watches || watches_.contains(form[1].integer())) {
+    return say(failed_watch_text(form[1].integer(), {"too-many", "too many questions are watched already", {}, {}}));
+  }
+  watches_.emplace(form[1].integer(), setup_.executor.spawn(start_watch(form[1].integer(), *query, true)));
+}
+
+void Session::watch(const Datum& form) {
+  const Number number = form[1].integer();
+  const Result<Source> source = read_source(form[2].text(), "query", query_limits);
+  if (!source) return say(failed_watch_text(number, source.error()));
+  if (source->data().size() != 1) {
+    return say(failed_watch_text(number, {"malformed", "a query is one form, as (on ?x ?y)", {}, {}}));
+  }
+  Result<Query> query = query_from_datum(source->data().front());
+  if (!query) return say(failed_watch_text(number, query.error()));
+  std::erase_if(watches_, [](const auto& entry) { return entry.second.done(); });
+  if (watches_.size() >= max_watches || watches_.contains(number)) {
+    return say(failed_watch_text(number, {"too-many", "too many questions are watched already", {}, {}}));
+  }
+  watches_.emplace(number, setup_.executor.spawn(start_watch(number, std::move(*query), false)));
+}
+
+void Session::unwatch(const Datum& form) { watches_.erase(form[1].integer()); }
+
+Task<void> Session::start_watch(Number number, Query query, bool when_declared) {
+  Result<std::unique_ptr<Watch>> watch = fail("unreachable", "not asked yet");
+  if (when_declared) {
+    watch = co_await runtime::watch_when_declared(context_.board, std::move(query));
+  } else {
+    watch = co_await context_.board.watch(std::move(query));
+  }
+  if (!watch) {
+    say(failed_watch_text(number, watch.error()));
+    co_return;
+  }
+  co_await send_changes(number, std::move(*watch));
+}
+
+// What a page does not take waits on the board, which tells it all that holds when too much does.
+Task<void> Session::send_changes(Number number, std::unique_ptr<Watch> watch) {
+  while (true) {
+    const Result<Change> change = co_await watch->next();
+    if (!change) {
+      say(failed_watch_text(number, change.error()));
+      co_return;
+    }
+    co_await room();
+    say_fact(change_text(number, *change));
+  }
+}
+
+void Session::look(const Datum& form) {
+  const std::string name(form[1].text());
+  if (streams_.contains(name)) return;
+  if (streams_.size() >= max_looks) return socket_->close(1008, "too many streams");
+  Stream& stream = *streams_.emplace(name, std::make_unique<Stream>()).first->second;
+  stream.look = setup_.images.look(name, [this, name, &stream](const auto& picture) {
+    stream.newest = picture;
+    show_newest(name, stream);
+  });
+}
+
+void Session::look_away(const Datum& form) { streams_.erase(std::string(form[1].text())); }
+
+void Session::drawn(const Datum& form) {
+  const auto stream = streams_.find(std::string(form[1].text()));
+  if (stream == streams_.end() || stream->second->under_way == 0) return;
+  --stream->second->under_way;
+  show_newest(stream->first, *stream->second);
+}
+
+void Session::show_newest(const std::string& name, Stream& stream) {
+  if (!stream.newest || stream.under_way >= max_images_under_way) return;
+  const auto picture = std::exchange(stream.newest, nullptr);
+  ++stream.under_way;
+  const auto age = (setup_.executor.now() - picture->captured).count();
+  std::string message =
+      fmt::format("(image {} {} {} {} {})\n", name, picture->number, age, picture->width, picture->height);
+  socket_->send(WebSocket::Class::images, message += picture->jpeg);
+}
+
+}  // namespace pizarra::console
