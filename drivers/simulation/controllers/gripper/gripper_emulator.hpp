@@ -13,8 +13,8 @@
 // Where it tells its state in the registers of Robotiq's two-finger grippers it repeats there, as these do, what it was
 // told: that it is active, that it goes, and where. Its fingers' current is always told as 0.
 //
-// How far it is proven: it answers the examples of Robotiq's manuals and what ROS-Industrial's robotiq driver says octet
-// by octet, and Debian's mbpoll and pymodbus. Never compared with hardware.
+// How far it is proven: it answers the examples of Robotiq's manuals and what ROS-Industrial's robotiq driver says
+// octet by octet, and Debian's mbpoll and pymodbus. Never compared with hardware.
 
 #include <optional>
 

@@ -326,7 +326,8 @@ TEST(UrScript, WhateverComesIsReadOrRefused) {
     }
     const Result<std::vector<simulation::UrStep>> steps = simulation::read_urscript(damaged);
     if (!steps) continue;
-    for (const simulation::UrStep& step : *steps) ASSERT_TRUE(std::isfinite(step.speed + step.time_s + step.value)) << "seed 1, case " << i;
+    for (const simulation::UrStep& step : *steps)
+      ASSERT_TRUE(std::isfinite(step.speed + step.time_s + step.value)) << "seed 1, case " << i;
   }
 }
 
