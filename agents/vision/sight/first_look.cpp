@@ -107,7 +107,9 @@ double may_be_off_by_learned_px(const LearnedObject& object, const FaceSize& see
   const FaceSize now = if_not_tilted(seen);
   const double spread = std::hypot(now.size_mm.spread, learned_spread);
   const double whole = whole_mm(object, std::sqrt(now.area_mm2.value), spread);
-  const double by_loss = covered_rather_than_tilted(seen, whole) * by_loss_px(now, left, whole);
+  // How a slim mark lies and how it is tilted are not told apart well enough.
+  const double covered = front < least_round ? 1 : covered_rather_than_tilted(seen, whole);
+  const double by_loss = covered * by_loss_px(now, left, whole);
   return std::max(by_loss, by_narrowing_px(seen, left, whole, front));
 }
 
