@@ -31,17 +31,17 @@ Task<Evaluation> Interpreter::goal(Datum form) {
         "not-ready", "the objects are still being taught; (ask (person done ?)) says yes when they are", {}, {}};
     co_return show(early_goal, Evaluation::refused);
   }
-  std::string typed;
-  for (const Datum& fact : form.items().subspan(1)) typed += (typed.empty() ? "" : " ") + write(fact);
   const Result<Datum> accepted = co_await caller_.call("coordinator", form, accept_timeout);
   if (!accepted) {
-    const Failure refusal = forms::at_its_goal(accepted.error(), typed);
-    co_return show(refusal, refusal.place.empty() ? Evaluation::failed : Evaluation::malformed);
+    const bool text = !accepted.error().place.empty();
+    co_return show(accepted.error(), text ? Evaluation::malformed : Evaluation::failed);
   }
   const Datum number = accepted->size() == 1 ? (*accepted)[0] : Datum();
   say(fmt::format("goal {} accepted", write(number)),
       fmt::format("{{\"goal\":{},\"state\":\"accepted\"}}", write(number)));
   if (patience_ == Patience::accepted) co_return Evaluation::done;
+  std::string typed;
+  for (const Datum& fact : form.items().subspan(1)) typed += (typed.empty() ? "" : " ") + write(fact);
   const Evaluation outcome = co_await wait_for_end(number, std::move(typed));
   co_return outcome;
 }

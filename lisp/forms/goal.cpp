@@ -4,6 +4,7 @@
 #include <cctype>
 
 #include "lisp/guile/interpret.hpp"
+#include "lisp/writer.hpp"
 
 namespace pizarra::forms {
 
@@ -68,7 +69,13 @@ Result<std::vector<Datum>> read_goal(const Domain& domain, std::string_view text
 
 Result<std::vector<Datum>> goal_from_data(const Domain& domain, const std::vector<Datum>& facts,
                                           const std::vector<std::pair<std::string, std::string>>& objects_with_types) {
-  return facts_of(guile::interpret_data(facts, "goals", known(domain, objects_with_types, "closed"_sym)));
+  Result<std::vector<Datum>> goal =
+      facts_of(guile::interpret_data(facts, "goals", known(domain, objects_with_types, "closed"_sym)));
+  if (goal) return goal;
+  // What is wrong is shown at its place in a text.
+  std::string text;
+  for (const Datum& fact : facts) text += write(fact) + '\n';
+  return read_goal(domain, text, objects_with_types);
 }
 
 Result<std::vector<Datum>> check_goal(const Domain& domain, std::string_view text) {

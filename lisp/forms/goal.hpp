@@ -23,7 +23,7 @@ namespace pizarra::forms {
 Result<std::vector<Datum>> read_goal(const Domain& domain, std::string_view text,
                                      const std::vector<std::pair<std::string, std::string>>& objects_with_types);
 
-// The same of facts that came as data, as in a request. Its failures have no place.
+// The same of facts that came as data, as in a request. Failures are about the text that they make, one on a line.
 Result<std::vector<Datum>> goal_from_data(const Domain& domain, const std::vector<Datum>& facts,
                                           const std::vector<std::pair<std::string, std::string>>& objects_with_types);
 

@@ -92,12 +92,8 @@ Result<Datum> interpret_data(const std::vector<Datum>& data, const std::string& 
   const Result<Datum> outcome = outcome_of(data, module, more, "interpret");
   if (!outcome) return fail(outcome);
   if (outcome->is_form("ok")) return (*outcome)[1];
-  std::vector<Failure> failures;
-  for (const Datum& error : outcome->items().subspan(1)) {
-    failures.push_back(
-        {std::string(error[0].text()), std::string(error[1].text()), element_at(data, path_of(error)), {}});
-  }
-  return fail(one_report(failures));
+  const Datum& first = (*outcome)[1];
+  return fail(std::string(first[0].text()), std::string(first[1].text()), element_at(data, path_of(first)));
 }
 
 Result<Datum> interpret(const Source& source, const std::string& module, const std::vector<Datum>& more,

@@ -28,7 +28,7 @@ namespace pizarra::guile {
 Result<Datum> interpret(const Source& source, const std::string& module, const std::vector<Datum>& more = {},
                         const std::string& procedure = "interpret");
 
-// The same of data that came without a text: a failure has no place.
+// The same of data that came without a text: a failure is the first error's, and has no place.
 Result<Datum> interpret_data(const std::vector<Datum>& data, const std::string& module,
                              const std::vector<Datum>& more = {});
 

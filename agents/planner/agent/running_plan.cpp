@@ -13,7 +13,8 @@ Datum as_list(const RunningPlan::Facts& facts) { return Datum::list({facts.begin
 // What must hold before an operation, for what must hold after it to do so.
 RunningPlan::Facts before(const Datum& operation, const PlanningOperator& known, RunningPlan::Facts after) {
   Bindings bindings;
-  for (std::size_t i = 0; i < known.parameters.size(); ++i) bindings.bind(known.parameters[i].variable, operation[i + 1]);
+  for (std::size_t i = 0; i < known.parameters.size(); ++i)
+    bindings.bind(known.parameters[i].variable, operation[i + 1]);
   for (const Datum& fact : known.adds) after.erase(substitute(fact, bindings));
   for (const Datum& fact : known.preconditions) after.insert(substitute(fact, bindings));
   return after;

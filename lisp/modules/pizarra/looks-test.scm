@@ -48,7 +48,8 @@
                                    '(("a" seen 0.9 (left 159.5 119.5) (pose 1 2 3 4 5 6) (face -3.5))) (situation))))))
        -3.5)
 (check "what is no face is none"
-       (map (lambda (of) (length (car (car (cadr (look (tracked (list "a" 'OK (at 159.5 119.5 850))) of (situation)))))))
+       (map (lambda (of)
+              (length (car (car (cadr (look (tracked (list "a" 'OK (at 159.5 119.5 850))) of (situation)))))))
             '((("a" seen (face "x"))) (("a" (face 1 2))) (a 3 () ("b" (face 1))) (("a" face))))
        '(4 4 4 4))
 (check "what was seen a moment ago is remembered, and unseen"

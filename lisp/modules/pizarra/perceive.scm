@@ -38,7 +38,9 @@
         (set! compiled-sections
               (cons (list section
                           (map (lambda (rule)
-                                 (list (cadr rule) (compile-head (cadr rule)) (compile-conditions (cddr rule) constants)))
+                                 (list (cadr rule)
+                                       (compile-head (cadr rule))
+                                       (compile-conditions (cddr rule) constants)))
                                (section-parts section 'rule))
                           (map cadr (section-parts section 'fact)))
                     compiled-sections))
