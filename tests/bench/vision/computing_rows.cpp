@@ -72,8 +72,8 @@ void computing(VisionBench& bench) {
   vision::VisionAgent vision({"vision", "here", executor, *eyes, Random(1)}, camera, nullptr,
                              {objects_folder(folder, bench.marks)});
   const Job running = executor.spawn(live(vision));
-  const memory::Latencies took = latencies(
-      executor, *ears, bench.marks, {thread_us, [&](std::uint64_t frame) { return camera.arrival_us.at(frame); }});
+  const Latencies took = latencies(executor, *ears, bench.marks,
+                                   {thread_us, [&](std::uint64_t frame) { return camera.arrival_us.at(frame); }});
   bench.figures.say({"frame to track fact, computing alone, p99",
                      took.track_ms(0.99),
                      "ms",

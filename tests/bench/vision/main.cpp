@@ -52,7 +52,8 @@ int main(int argc, char** argv) {
     return app.exit(error) == 0 ? 0 : 2;
   }
   cv::setNumThreads(1);
-  pizarra::Figures figures("vision", json ? pizarra::Figures::Style::json : pizarra::Figures::Style::plain);
+  pizarra::bench::Figures figures("vision",
+                                  json ? pizarra::bench::Figures::Style::json : pizarra::bench::Figures::Style::plain);
   set_scene_seed(seed);
   VisionBench bench{figures, tag_detectors(), learn_marks(seed), seed, scenes, runs};
   for (const Row& row : table) {
