@@ -343,7 +343,7 @@ TEST(Replies, SayWhatTheThesisTextHasNoRoomFor) {
   const std::vector<TrackSighting> all{seen, bridged, lost};
   EXPECT_EQ(
       write(look_fact(7, all)),
-      R"x((look 7 "(TRACK 3 (\"a\" OK (30.00, 40.56, 851.23)) (\"b\" FAIL) (\"c\" FAIL))" )x"
+      R"x((look 7 "(TRACK 3 (\"a\" OK (30.00, 40.55, 851.23)) (\"b\" FAIL) (\"c\" FAIL))" )x"
       R"x((("a" seen 0.988 (left 30.0 40.56) (right 20.0 40.5) (range 851.23 0.57) (face -3.5) (second "b" 0.123)) )x"
       R"x(("b" bridged 0.5 (left 10.12 20.0) (range 800.0 0.0)) ("c" lost))))x");
 }
