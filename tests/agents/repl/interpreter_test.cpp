@@ -208,7 +208,7 @@ class ReplOfEyes : public Repl {
     (offers (connect) (find (name string)))
     (posts
       (relation camera-state ((eyes symbol) (state symbol) (trouble string)) (key eyes))
-      (relation sightings ((eyes symbol) (frame integer) (of list)) (key eyes))
+      (relation look ((eyes symbol) (frame integer) (text string) (of list)) (key eyes))
       (relation learned ((eyes symbol) (name string) (num integer) (area number) (perimeter number) (features integer)
                          (m0 number) (m1 number) (m2 number)) (key eyes name num)))))")
                                                   .value()};
