@@ -24,7 +24,7 @@
 
 namespace pizarra {
 
-// What a transaction changes and what must hold for it to happen: all or nothing.
+// A transaction's changes, and the conditions under which they are made: all or nothing.
 struct Transaction {
   struct Tell {
     Datum fact;
@@ -73,7 +73,7 @@ struct Transaction {
   }
 };
 
-// What became true and false of a watched query at one revision.
+// The answers of a watched query that began and ceased to hold at one revision.
 struct Change {
   Revision revision = 0;
   // The watcher lagged behind its bound, or the board was away: `added` is all that holds now, `removed` is empty, and

@@ -1,10 +1,11 @@
 #pragma once
 
-// What a commit changes in the answers of a watched query, or what they are, as it is kept for a reader and sent to it:
-// every answer as the facts that the query's positive patterns matched. The bindings follow from the query.
+// The change that a commit makes to the answers of a watched query, or all its answers, as they are kept for a reader
+// and sent to it: every answer as the facts that the query's positive patterns matched. The bindings follow from the
+// query.
 //
-// All that holds may come in parts, facts with higher ids in each. What was sent and went since is `removed` in a later
-// part. After the last one the reader knows what holds at that part's revision.
+// All that holds may come in parts, facts with higher ids in each. A fact that was sent and has gone since is `removed`
+// in a later part. After the last one the reader knows what holds at that part's revision.
 
 #include <optional>
 #include <string>

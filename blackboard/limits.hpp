@@ -20,7 +20,7 @@ namespace limits {
 constexpr std::size_t frame_bytes = 1 << 20;
 constexpr std::size_t frame_elements = 200'000;
 constexpr std::size_t frame_depth = 64;
-// What a transaction, an answer to a question or a change may weigh: the rest of the frame is its envelope.
+// The weight of a transaction, an answer to a question or a change: the rest of the frame is its envelope.
 constexpr std::size_t bytes = frame_bytes - (1 << 14);
 constexpr std::size_t elements = frame_elements - 1000;
 constexpr std::size_t depth = frame_depth - 8;
@@ -41,7 +41,7 @@ constexpr std::size_t examined_a_turn = 4000;
 // What waits for a reader of a watch; one that lags further behind is resynchronised.
 constexpr std::size_t pending_changes = 1024;
 constexpr std::size_t pending_bytes = 4 << 20;
-// What holds comes to a reader in parts of about this size.
+// A reader receives the facts that hold in parts of about this size.
 constexpr std::size_t part_bytes = 1 << 18;
 
 }  // namespace limits

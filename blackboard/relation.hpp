@@ -1,7 +1,7 @@
 #pragma once
 
-// A relation is declared once: what its facts are called, the names and types of their arguments, which arguments are
-// the key, whether facts are durable, and for how long a told fact stays without being told again.
+// A relation is declared once: the name of its facts, the names and types of their arguments, the key arguments,
+// whether the facts are durable, and for how long a told fact stays without being told again.
 //
 //   (relation seen ((name string) (x number) (y number)) (key name))            ; told again, the old sighting goes
 //   (relation on ((upper symbol) (lower symbol)))                               ; no key given: every argument is key

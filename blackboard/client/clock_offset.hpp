@@ -1,7 +1,8 @@
 #pragma once
 
-// What another's clock shows, from the times that it said: the answer that came soonest says it best, for its time is
-// known to half of what the question and the answer took together.
+// The other side's clock, estimated from the times that it told: the quickest answer gives the best estimate, because
+// its time is known to within half of the round trip. the answer that came soonest says it best, for its time is known
+// to half of what the question and the answer took together.
 //
 //   ClockOffset board;
 //   board.heard(asked, executor.now(), said);

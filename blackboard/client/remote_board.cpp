@@ -46,16 +46,18 @@ Result<std::uint64_t> count_from(const Result<Datum>& reply) {
 
 Result<std::unique_ptr<RemoteBoard>> RemoteBoard::connect(Executor& executor, const std::string& address,
                                                           std::string teller, Duration timeout,
-                                                          const std::optional<wire::ClientKeys>& keys) {
-  const Result<void> formed = wire::check_address(address);
-  if (!formed) return fail(formed);
+                                                          const std::optional<wire::ClientKeys>& keys,
+                                                          wire::Transport& transport) {
+  Result<std::vector<std::string>> addresses = wire::addresses_from(address);
+  if (!addresses) return fail(addresses);
   const Result<void> named = check_teller_name(teller);
   if (!named) return fail(named);
   if (keys && !wire::may_call_itself(keys->own.name, teller)) teller = keys->own.name + "/" + teller;
-  std::unique_ptr<RemoteBoard> board(new RemoteBoard(executor, address, std::move(teller), timeout));
+  std::unique_ptr<RemoteBoard> board(
+      new RemoteBoard(executor, address, std::move(*addresses), std::move(teller), timeout, transport));
   // Whoever reaches the file of an ipc address is this machine's: no keys there.
   const wire::ClientKeys* shown = keys && !wire::is_ipc(address) ? &*keys : nullptr;
-  wire::HandshakeWatch::Listener listener;
+  wire::FrameSocket::Listener listener;
   listener.let_in = [board = board.get()] {
     if (!board->joined_) board->greet();
   };
@@ -64,20 +66,23 @@ Result<std::unique_ptr<RemoteBoard>> RemoteBoard::connect(Executor& executor, co
     board->lose_session();
     board->refused(failure);
   };
-  const Result<void> connected = board->socket_.connect(address, shown, std::move(listener));
+  const Result<void> connected = board->socket_->connect(board->addresses_.front(), shown, std::move(listener));
   if (!connected) return fail(connected);
   return board;
 }
 
-RemoteBoard::RemoteBoard(Executor& executor, std::string address, std::string teller, Duration timeout)
+RemoteBoard::RemoteBoard(Executor& executor, std::string address, std::vector<std::string> addresses,
+                         std::string teller, Duration timeout, wire::Transport& transport)
     : executor_(executor),
       address_(std::move(address)),
+      addresses_(std::move(addresses)),
+      tried_(executor.now()),
       teller_(std::move(teller)),
       timeout_(timeout),
-      socket_(executor, wire::WireSocket::Kind::dealer,
-              [this](const std::string&, std::optional<std::string_view> frame) {
-                if (frame) receive(*frame);
-              }) {
+      socket_(transport.open(executor, wire::FrameSocket::Kind::dealer,
+                             [this](const std::string&, std::optional<std::string_view> frame) {
+                               if (frame) receive(*frame);
+                             })) {
   replicas_ = std::make_unique<Replicas>(*this, executor_);
   tick_timer_ = executor_.call_at(executor_.now(), [this] { tick(); });
 }
@@ -218,7 +223,7 @@ Task<Result<Datum>> RemoteBoard::call_text(std::string body, bool repeatable) {
 wire::RequestId RemoteBoard::begin(std::string body, bool repeatable, Done done) {
   const wire::RequestId request = next_request_++;
   Pending& pending = pending_.emplace(request, Pending{std::move(body), repeatable, std::move(done)}).first->second;
-  // What a session is to stand on goes before what waits for it.
+  // Messages that a session depends on are sent before those that wait for it.
   if (joined_) transmit(request, pending);
   return request;
 }
@@ -237,7 +242,7 @@ void RemoteBoard::transmit_waiting() {
   std::string frame;
   std::vector<Pending*> in_frame;
   const auto send_frame = [&] {
-    const bool sent = !in_frame.empty() && socket_.send({}, frame);
+    const bool sent = !in_frame.empty() && socket_->send({}, frame);
     for (Pending* pending : in_frame) pending->sent = sent ? std::optional(now) : std::nullopt;
     in_frame.clear();
     frame.clear();
@@ -259,7 +264,7 @@ void RemoteBoard::transmit(wire::RequestId request, Pending& pending) {
   const Time now = executor_.now();
   std::string frame;
   write_request(frame, request, pending, now);
-  if (socket_.send({}, frame)) pending.sent = now;
+  if (socket_->send({}, frame)) pending.sent = now;
 }
 
 void RemoteBoard::write_request(std::string& frame, wire::RequestId request, const Pending& pending, Time now) {
@@ -280,6 +285,6 @@ std::optional<Time> RemoteBoard::time_to_say(const Pending& pending, Time now) {
   return board_clock_.there(now);
 }
 
-bool RemoteBoard::send(const Datum& message) { return socket_.send({}, write(message)); }
+bool RemoteBoard::send(const Datum& message) { return socket_->send({}, write(message)); }
 
 }  // namespace pizarra::client

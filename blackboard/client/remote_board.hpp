@@ -4,12 +4,15 @@
 //
 //   Result<std::unique_ptr<RemoteBoard>> board = RemoteBoard::connect(executor, "ipc:///tmp/cell", "vision");
 //
+// Where several boards keep one cell, their addresses stand with commas between them: the one that leads answers, and
+// when it is silent the others are tried.
+//
 // The server need not be there yet. A request is sent again while it is not answered, and fails with `unreachable`
 // after five seconds. A board that refuses the client, or its key, has its requests fail with `not-permitted` at once,
 // and is tried again every second. When the server was lost, relations are declared again and watches begin again
-// (their next change is a resynchronised one); leases are lost (`unknown-lease`). A transaction or a take that was
-// under way is done once by a server that remembers the session from its journal, and fails with `unreachable` on one
-// that does not, because nobody can say whether it happened.
+// (their next change is a resynchronised one); leases are lost (`unknown-lease`). A server that remembers the session
+// from its journal does an interrupted transaction or take exactly once. On a server that does not, it fails with
+// `unreachable`, because nobody can say whether it happened.
 //
 // It outlives its watches and the tasks that use it.
 
@@ -22,8 +25,9 @@
 #include "blackboard/board.hpp"
 #include "blackboard/client/clock_offset.hpp"
 #include "blackboard/time/executor.hpp"
+#include "blackboard/wire/frame_socket.hpp"
+#include "blackboard/wire/keys.hpp"
 #include "blackboard/wire/wire.hpp"
-#include "blackboard/wire/wire_socket.hpp"
 
 namespace pizarra::client {
 
@@ -39,7 +43,8 @@ class RemoteBoard : public Board {
   // bad-address and, as of check_teller_name(), bad-name.
   static Result<std::unique_ptr<RemoteBoard>> connect(Executor& executor, const std::string& address,
                                                       std::string teller, Duration timeout = default_timeout,
-                                                      const std::optional<wire::ClientKeys>& keys = std::nullopt);
+                                                      const std::optional<wire::ClientKeys>& keys = std::nullopt,
+                                                      wire::Transport& transport = wire::zeromq());
   RemoteBoard(const RemoteBoard&) = delete;
   RemoteBoard& operator=(const RemoteBoard&) = delete;
   ~RemoteBoard() override;
@@ -49,8 +54,8 @@ class RemoteBoard : public Board {
   Duration silence() const { return executor_.now() - heard_; }
   // When the board said that it ends, if that is the last that was heard of it.
   const std::optional<Time>& said_goodbye() const { return goodbye_; }
-  // What the board's clock shows, as far as its answers tell: what a fact's `when` is to be compared with. Nothing
-  // until it has said so.
+  // The board's clock, as far as its answers tell: what a fact's `when` is to be compared with. Nothing until it has
+  // said so.
   std::optional<Time> board_time() const { return board_clock_.there(executor_.now()); }
 
   // Declares the relation and holds its facts from then on: a question about it alone is answered here, as it is at a
@@ -78,7 +83,8 @@ class RemoteBoard : public Board {
     std::optional<Time> sent = {};
   };
 
-  RemoteBoard(Executor& executor, std::string address, std::string teller, Duration timeout);
+  RemoteBoard(Executor& executor, std::string address, std::vector<std::string> addresses, std::string teller,
+              Duration timeout, wire::Transport& transport);
   Task<Result<Datum>> call(Datum body, bool repeatable);
   Task<Result<Datum>> call_text(std::string body, bool repeatable);
   wire::RequestId begin(std::string body, bool repeatable, Done done);
@@ -96,6 +102,8 @@ class RemoteBoard : public Board {
   void greet();
   void welcomed(wire::SessionId session, wire::SessionId life);
   void lose_session();
+  void try_others(Time now);
+  bool has_others() const { return addresses_.size() > 1; }
   // Fails the requests under way of which the condition holds.
   template <class Condition>
   void fail_where(const Condition& condition, const Failure& failure);
@@ -108,7 +116,11 @@ class RemoteBoard : public Board {
   void give_up_overdue(Time now);
 
   Executor& executor_;
-  const std::string address_;
+  const std::string address_;  // or several, as they were given
+  const std::vector<std::string> addresses_;
+  std::size_t at_ = 0;          // which of them
+  Time tried_{};                // since when
+  Duration tries_for_ = 120ms;  // before the next one
   const std::string teller_;
   const Duration timeout_;
   bool joined_ = false;
@@ -133,7 +145,7 @@ class RemoteBoard : public Board {
   std::unique_ptr<class Replicas> replicas_;
   Executor::TimerId tick_timer_ = 0;
   Executor::TimerId transmit_timer_ = 0;
-  wire::WireSocket socket_;
+  std::unique_ptr<wire::FrameSocket> socket_;
 };
 
 }  // namespace pizarra::client

@@ -1,5 +1,7 @@
 // How a RemoteBoard keeps its session with the server: greeting, pinging, repeating, beginning again.
 
+#include <algorithm>
+
 #include "blackboard/client/remote_board.hpp"
 #include "blackboard/client/remote_stream.hpp"
 #include "blackboard/client/replicas.hpp"
@@ -15,12 +17,17 @@ constexpr Duration greet_again_after = 500ms;
 constexpr Duration ping_length = 500ms;
 constexpr Duration silence_means_lost = 2s;
 constexpr Duration resend_after = 1s;
+// Where another board may take over: it serves within half a second.
+constexpr Duration ping_among_others = 100ms;
+constexpr Duration silence_among_others = 400ms;
+constexpr Duration tries_first_for = 120ms;
+constexpr Duration tries_longest_for = 2s;
 
 }  // namespace
 
 void RemoteBoard::receive(std::string_view frame) {
   const Result<std::vector<Datum>> messages = wire::read_messages(frame);
-  // What the server says wrongly is as good as not said, and asked for again.
+  // A wrong message of the server counts as lost: the client asks again.
   if (!messages) return;
   heard_ = executor_.now();
   for (const Datum& message : *messages) hear(message);
@@ -66,6 +73,7 @@ void RemoteBoard::greet() {
 void RemoteBoard::welcomed(wire::SessionId session, wire::SessionId life) {
   if (joined_) return;
   joined_ = true;
+  tries_for_ = {};
   goodbye_.reset();
   pings_under_way_ = 0;
   const bool same_session = std::exchange(session_, session) == session;
@@ -88,6 +96,18 @@ void RemoteBoard::welcomed(wire::SessionId session, wire::SessionId life) {
 void RemoteBoard::lose_session() {
   joined_ = false;
   greeted_ = {};
+}
+
+// One that does not welcome within its time stands by, or is gone; over a slow line it may take longer.
+void RemoteBoard::try_others(Time now) {
+  if (!has_others() || joined_ || now < tried_ + tries_for_) return;
+  const bool all_were_tried = at_ + 1 == addresses_.size();
+  if (all_were_tried) tries_for_ = std::min(tries_for_ * 5 / 4, tries_longest_for);
+  tries_for_ = std::max(tries_for_, tries_first_for);
+  at_ = (at_ + 1) % addresses_.size();
+  tried_ = now;
+  greeted_ = {};
+  socket_->connect_to(addresses_[at_]);
 }
 
 template <class Condition>
@@ -149,18 +169,21 @@ void RemoteBoard::replied(const Datum& message) {
 
 void RemoteBoard::tick() {
   const Time now = executor_.now();
-  tick_timer_ = executor_.call_at(now + (pending_.empty() ? tick_while_idle : tick_length), [this] { tick(); });
+  tick_timer_ =
+      executor_.call_at(now + (pending_.empty() && !has_others() ? tick_while_idle : tick_length), [this] { tick(); });
   give_up_overdue(now);
   if (connect_again_ && *connect_again_ <= now) {
     connect_again_.reset();
-    socket_.connect_again();
+    socket_->connect_again();
   }
-  if (joined_ && heard_ + silence_means_lost <= now) lose_session();
+  const bool lost = joined_ && heard_ + (has_others() ? silence_among_others : silence_means_lost) <= now;
+  if (lost) lose_session();
   if (!joined_) {
+    try_others(now);
     if (greeted_ + greet_again_after <= now) greet();
     return;
   }
-  if (pinged_ + ping_length <= now && send(list("ping"_sym, session_))) {
+  if (pinged_ + (has_others() ? ping_among_others : ping_length) <= now && send(list("ping"_sym, session_))) {
     pinged_ = now;
     ++pings_under_way_;
   }

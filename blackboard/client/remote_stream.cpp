@@ -68,7 +68,7 @@ void RemoteStream::note_arrival(const Delta& delta) {
 }
 
 void RemoteStream::read_up_to(std::uint64_t sequence, bool say_so) {
-  // What was received under a former number needs no acknowledgement any more.
+  // Frames received under a former number need no acknowledgement any more.
   if (sequence > read_ && sequence < expected_) read_ = sequence;
   // Where changes come one by one, an acknowledgement of each would wake the server as often as the changes do.
   if (say_so || arrival_ || read_ - acknowledged_ >= acknowledge_after) acknowledge();

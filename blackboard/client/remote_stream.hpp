@@ -31,8 +31,8 @@ class RemoteStream {
 
   const Query& query() const { return query_; }
   RemoteBoard& board() { return board_; }
-  // What came is kept or made use of; read_up_to() then says so. Of what went from a query whose answers are one fact,
-  // only the ids are known.
+  // What came is kept or made use of; read_up_to() then says so. For a query whose answers are one fact, only the ids
+  // of removed facts are known.
   virtual void come(std::uint64_t sequence, Delta delta) = 0;
   virtual bool has_room() const = 0;
   virtual bool has_ended() const = 0;

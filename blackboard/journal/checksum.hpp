@@ -1,6 +1,6 @@
 #pragma once
 
-// What a row of a file is known again by, for SQLite has no sums of its own: FNV-1a, 64 bits.
+// The checksum of a row, because SQLite keeps none: FNV-1a, 64 bits.
 //
 //   std::int64_t sum = Checksum().add("(on a b)").add(7).value();
 //   std::int64_t sum_of_long_text = Checksum().add_words(lines).value();      // eight bytes at a time, and their

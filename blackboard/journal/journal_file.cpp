@@ -3,12 +3,9 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <fcntl.h>
 #include <filesystem>
 #include <fstream>
 #include <limits>
-#include <sys/file.h>
-#include <unistd.h>
 
 #include "blackboard/journal/journal_compaction.hpp"
 #include "blackboard/journal/journal_tables.hpp"
@@ -27,11 +24,9 @@ std::unexpected<Failure> refused(const std::string& what, const std::string& pat
   return fail("journal-file", what + " " + path + ": " + std::strerror(errno));
 }
 
-bool is_sqlite(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::string begin(sqlite_files_begin_with.size(), '\0');
-  file.read(begin.data(), static_cast<std::streamsize>(begin.size()));
-  return begin == sqlite_files_begin_with;
+bool is_sqlite(Disk& disk, const std::string& path) {
+  const std::unique_ptr<Disk::File> file = disk.open(path, Disk::Access::read);
+  return file != nullptr && file->read(sqlite_files_begin_with.size()) == sqlite_files_begin_with;
 }
 
 // A journal in text, as `demo --journal` writes it: the last of it at least, where it has more than `most` bytes.
@@ -101,10 +96,10 @@ Result<void> check_end(sqlite::Database& database, const KeptMark& mark) {
 }
 
 // A journal whose file is gone is not begun anew over what is left of it: SQLite's log may hold most of it.
-Result<void> check_together(const std::string& path) {
-  if (std::filesystem::exists(std::filesystem::symlink_status(path))) return {};
+Result<void> check_together(const Disk& disk, const std::string& path) {
+  if (disk.status(path)) return {};
   for (const std::string& part : {path + "-wal", mark_beside(path)}) {
-    if (!std::filesystem::exists(std::filesystem::symlink_status(part))) continue;
+    if (!disk.status(part)) continue;
     return fail("bad-journal", path + " is gone, but " + part + " is there: bring it back, or remove " + part +
                                    " as well to begin anew");
   }
@@ -113,27 +108,17 @@ Result<void> check_together(const std::string& path) {
 
 }  // namespace
 
-JournalFile::Lock::~Lock() { close(file_); }
-
-Result<std::shared_ptr<JournalFile>> JournalFile::open(const std::string& path, const History& history) {
-  const Result<void> together = check_together(path);
+Result<std::shared_ptr<JournalFile>> JournalFile::open(const std::string& path, const History& history, Disk& disk) {
+  const Result<void> together = check_together(disk, path);
   if (!together) return fail(together);
-  const int lock = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
-  if (lock < 0) return refused("cannot open", path);
-  if (flock(lock, LOCK_EX | LOCK_NB) != 0) {
-    const auto taken = refused("another board keeps", path);
-    close(lock);
-    return taken;
-  }
-  // What a board that was killed had set aside may be needed to begin.
-  unlink((path + "-reserve").c_str());
-  Result<sqlite::Database> database = journal_tables::open(path, sqlite::Access::write);
-  if (!database) {
-    close(lock);
-    return fail(journal_tables::failure_of(database.error(), path));
-  }
-  write_log_ahead(path + "-wal");
-  std::shared_ptr<JournalFile> file(new JournalFile(path, history, lock, std::move(*database)));
+  Result<std::unique_ptr<Disk::Lock>> lock = disk.lock(path);
+  if (!lock) return fail(lock);
+  // A killed board's reserved space may be needed to begin.
+  disk.remove(path + "-reserve");
+  Result<sqlite::Database> database = journal_tables::open(disk, path, sqlite::Access::write);
+  if (!database) return fail(journal_tables::failure_of(database.error(), path));
+  write_log_ahead(disk, path + "-wal");
+  std::shared_ptr<JournalFile> file(new JournalFile(disk, path, history, std::move(*lock), std::move(*database)));
   const Result<void> whole = check_end(file->database_, file->mark_);
   if (!whole) return fail(journal_tables::failure_of(whole.error(), path));
   const Result<std::int64_t> last = last_group(file->database_);
@@ -145,16 +130,18 @@ Result<std::shared_ptr<JournalFile>> JournalFile::open(const std::string& path, 
   return file;
 }
 
-JournalFile::JournalFile(std::string path, History history, int lock, sqlite::Database database)
-    : path_(std::move(path)),
+JournalFile::JournalFile(Disk& disk, std::string path, History history, std::unique_ptr<Disk::Lock> lock,
+                         sqlite::Database database)
+    : disk_(disk),
+      path_(std::move(path)),
       history_(history),
-      lock_(lock),
-      reserve_(path_ + "-reserve"),
-      mark_(mark_beside(path_)),
+      lock_(std::move(lock)),
+      reserve_(disk, path_ + "-reserve"),
+      mark_(disk, mark_beside(path_)),
       database_(std::move(database)),
       insert_(database_, "INSERT INTO log VALUES (?, ?, ?, ?, ?, ?)"),
-      place_(path_),
-      log_place_(path_ + "-wal") {}
+      place_(disk, path_),
+      log_place_(disk, path_ + "-wal") {}
 
 JournalFile::~JournalFile() = default;
 
@@ -182,8 +169,8 @@ Result<void> JournalFile::append(const JournalGroup& group, bool may_spend) {
   return {};
 }
 
-// What is written to a file that was removed is lost, and what is written to one that was moved is not found again, nor
-// what is behind the end of a log that was cut short.
+// Writes to a removed file are lost. Writes to a moved file are not found again, nor are those behind the end of a log
+// that was cut short.
 Result<void> JournalFile::check_place() const {
   if (place_.is_there() && log_place_.is_there(log_bytes_)) return {};
   return fail("journal-full", path_ + ": it was moved or removed, or its " + path_ +
@@ -251,7 +238,7 @@ Result<std::size_t> JournalFile::compact(Time now) {
   const std::scoped_lock lock(mutex_);
   Result<std::size_t> gone = compact_slice(now);
   if (!gone && spend_if_full(gone.error())) gone = compact_slice(now);
-  // What there is no space to do at once is done in smaller slices.
+  // Work that lacks the space to be done at once is done in smaller slices.
   const bool full = !gone && gone.error().symbol == "disk-full";
   slice_bytes_ = full ? std::max<std::size_t>(slice_bytes_ / 4, 1) : std::min(2 * slice_bytes_, largest_slice);
   if (!gone) return fail(journal_tables::failure_of(gone.error(), path_));
@@ -271,29 +258,33 @@ Result<std::size_t> JournalFile::compact_slice(Time now) {
   return journal_tables::advance_horizon(database_, end->revision - kept, oldest, slice_bytes_);
 }
 
-void remove_journal(const std::string& path) {
-  for (const char* part : {"", "-wal", "-shm", "-reserve", "-kept"}) unlink((path + part).c_str());
+void remove_journal(const std::string& path, Disk& disk) {
+  for (const char* part : {"", "-wal", "-shm", "-reserve", "-kept"}) disk.remove(path + part);
 }
 
-Result<LineStart> end_of_journal(const std::string& path) {
-  if (!is_sqlite(path)) {
+Result<LineStart> end_of_journal(const std::string& path, Disk& disk) {
+  if (!is_sqlite(disk, path)) {
     const Result<std::string> text = text_of(path, longest_line);
     if (!text) return fail(text);
     return start_of_last_line(std::string_view(*text).substr(0, text->rfind('\n') + 1));
   }
-  Result<sqlite::Database> database = journal_tables::open(path, sqlite::Access::read);
+  Result<sqlite::Database> database = journal_tables::open(disk, path, sqlite::Access::read);
   if (!database) return fail(journal_tables::failure_of(database.error(), path));
   const Result<LineStart> end = end_of(*database);
   if (!end) return fail(journal_tables::failure_of(end.error(), path));
   return end;
 }
 
-Result<PlayedBack> read_journal(const std::string& path, store::Store& store, const Moment& until) {
-  if (!is_sqlite(path)) return check_reached(read_text(path, store, until), until);
-  Result<sqlite::Database> database = journal_tables::open(path, sqlite::Access::read);
+Result<PlayedBack> JournalFile::read(store::Store& store, const Moment& until) const {
+  return read_journal(path_, store, until, disk_);
+}
+
+Result<PlayedBack> read_journal(const std::string& path, store::Store& store, const Moment& until, Disk& disk) {
+  if (!is_sqlite(disk, path)) return check_reached(read_text(path, store, until), until);
+  Result<sqlite::Database> database = journal_tables::open(disk, path, sqlite::Access::read);
   if (!database) return fail(journal_tables::failure_of(database.error(), path));
   // The mark is read first: the journal may grow meanwhile.
-  Result<void> whole = check_end(*database, KeptMark(mark_beside(path)));
+  Result<void> whole = check_end(*database, KeptMark(disk, mark_beside(path)));
   if (!whole) return fail(journal_tables::failure_of(whole.error(), path));
   Result<PlayedBack> rest = journal_tables::restore(*database, store, until);
   if (!rest) return fail(journal_tables::failure_of(rest.error(), path));

@@ -12,9 +12,9 @@
 //
 // The past is kept as history says while there is space for it; where space is scarce, compaction lets it go.
 // One board at a time has the file; others may read it meanwhile, with read_journal(). Calls may come from any thread,
-// one after another. Failures: journal-full (no space, or the disk cannot be written, or the file was moved or removed
-// since it was opened, or SQLite's log was or was cut short, which is looked at before each group), bad-journal
-// (damaged, or no journal at all), journal-file (everything else that the operating system or SQLite refuses).
+// one after another. Failures: journal-full (no space; or the disk cannot be written; or the file was moved or removed;
+// or SQLite's log was, or was cut short; this is checked before each group). bad-journal (damaged, or no journal at
+// all). journal-file (everything else that the operating system or SQLite refuses).
 
 #include <memory>
 #include <mutex>
@@ -22,24 +22,13 @@
 #include <string>
 #include <vector>
 
-#include "blackboard/journal/journal.hpp"
-#include "blackboard/journal/journal_room.hpp"
 #include "blackboard/journal/kept_mark.hpp"
+#include "blackboard/journal/log.hpp"
 #include "blackboard/journal/open_file.hpp"
-#include "blackboard/journal/remembered_replies.hpp"
 #include "blackboard/journal/space_reserve.hpp"
 #include "blackboard/journal/sqlite.hpp"
 
 namespace pizarra::journal {
-
-// Lines that are written together, each with its newline: all of them survive, or none.
-struct JournalGroup {
-  std::string lines;
-  std::string replies;
-  bool durable = false;  // whether it is worth waiting for the disk
-
-  std::size_t bytes() const { return lines.size() + replies.size(); }
-};
 
 // How much of the past the horizon leaves to be asked about: at least that much, but no more bytes, once they are older
 // than the replies that are remembered.
@@ -49,42 +38,31 @@ struct History {
   std::size_t bytes = std::size_t{1} << 30;
 };
 
-class JournalFile {
+class JournalFile : public Log {
  public:
   // Replies are remembered for longer than any client waits for them.
   static constexpr Duration replies_kept = 20s;
-  // What compaction takes at once, so that a board's next acknowledgement need not wait for more.
+  // The rows that compaction takes in one slice, so that a board's next acknowledgement need not wait for more.
   static constexpr std::size_t largest_slice = 256 << 10;
 
-  static Result<std::shared_ptr<JournalFile>> open(const std::string& path, const History& history);
+  // The disk outlives it.
+  static Result<std::shared_ptr<JournalFile>> open(const std::string& path, const History& history,
+                                                   Disk& disk = this_disk());
   JournalFile(const JournalFile&) = delete;
   JournalFile& operator=(const JournalFile&) = delete;
-  ~JournalFile();
+  ~JournalFile() override;
 
-  const std::string& path() const { return path_; }
-
-  // All of it, into an empty store.
-  Result<std::vector<RememberedReply>> recover(store::Store& store);
-  // On a full disk the last of the space is used where `may_spend`.
-  Result<void> append(const JournalGroup& group, bool may_spend = true);
-  // What there is space for in any case: tries to set it aside again when it was used up.
-  JournalRoom room();
-  // How many bytes of groups went from the log; 0 when there are none to go.
-  Result<std::size_t> compact(Time now);
+  const std::string& path() const override { return path_; }
+  Result<std::vector<RememberedReply>> recover(store::Store& store) override;
+  Result<void> append(const JournalGroup& group, bool may_spend) override;
+  Result<void> append(const JournalGroup& group) { return append(group, true); }
+  JournalRoom room() override;
+  Result<std::size_t> compact(Time now) override;
+  Result<PlayedBack> read(store::Store& store, const Moment& until) const override;
 
  private:
-  class Lock {
-   public:
-    explicit Lock(int file) : file_(file) {}
-    Lock(const Lock&) = delete;
-    Lock& operator=(const Lock&) = delete;
-    ~Lock();
-
-   private:
-    const int file_;
-  };
-
-  JournalFile(std::string path, History history, int lock, sqlite::Database database);
+  JournalFile(Disk& disk, std::string path, History history, std::unique_ptr<Disk::Lock> lock,
+              sqlite::Database database);
   Result<void> check_place() const;
   Result<void> write(const JournalGroup& group);
   Result<std::size_t> compact_slice(Time now);
@@ -92,10 +70,12 @@ class JournalFile {
   void copy_log_at(std::int64_t bytes);
   void give_log_back();
 
+  Disk& disk_;
   const std::string path_;
   const History history_;
   std::mutex mutex_;
-  const Lock lock_;  // closed after the database, because closing a file gives up SQLite's own locks on it
+  const std::unique_ptr<Disk::Lock>
+      lock_;  // closed after the database, because closing a file gives up SQLite's own locks on it
   SpaceReserve reserve_;
   KeptMark mark_;
   sqlite::Database database_;
@@ -113,17 +93,15 @@ class JournalFile {
 };
 
 // With what SQLite and the board leave beside it when they are killed.
-void remove_journal(const std::string& path);
+void remove_journal(const std::string& path, Disk& disk = this_disk());
 
 // Where a journal ends. Failures as above.
-Result<LineStart> end_of_journal(const std::string& path);
+Result<LineStart> end_of_journal(const std::string& path, Disk& disk = this_disk());
 
-// The journal of a file as of a moment, whether a board has it or not, and whether it is SQLite or text: into an empty
-// store. Failure `forgotten` when compaction has let that moment go, `not-yet` when there is no such revision.
-struct PlayedBack {
-  LineStart to;
-  std::string later;  // the lines that came after
-};
-Result<PlayedBack> read_journal(const std::string& path, store::Store& store, const Moment& until = {});
+// The journal of a file as of a moment, whether a board has it or not, and whether it is SQLite or, on this machine's
+// disk, text: into an empty store. Failure `forgotten` when compaction has let that moment go, `not-yet` when there is
+// no such revision.
+Result<PlayedBack> read_journal(const std::string& path, store::Store& store, const Moment& until = {},
+                                Disk& disk = this_disk());
 
 }  // namespace pizarra::journal

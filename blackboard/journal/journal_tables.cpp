@@ -145,8 +145,8 @@ Result<PlayedBack> restore_log(sqlite::Database& database, store::Store& store, 
 
 }  // namespace
 
-Result<sqlite::Database> open(const std::string& path, sqlite::Access access) {
-  Result<sqlite::Database> database = sqlite::Database::open(path, access);
+Result<sqlite::Database> open(const Disk& disk, const std::string& path, sqlite::Access access) {
+  Result<sqlite::Database> database = sqlite::Database::open(path, access, disk.vfs());
   if (!database) return database;
   Result<void> set = database->run(wait_for_others);
   if (set) set = database->run("PRAGMA cell_size_check = ON; PRAGMA cache_size = -8000");

@@ -23,9 +23,9 @@ namespace pizarra::journal::journal_tables {
 // Another program that reads the file, as long as that takes at most.
 constexpr const char* wait_for_others = "PRAGMA busy_timeout = 2000";
 // Makes them where there are none. Failure bad-journal when it is some other file.
-Result<sqlite::Database> open(const std::string& path, sqlite::Access access);
+Result<sqlite::Database> open(const Disk& disk, const std::string& path, sqlite::Access access);
 
-// What a row adds to what `about` says of all `facts`, so that none can be lost.
+// A row's share in the sum that `about` keeps over all `facts`, so that a lost row is noticed.
 constexpr std::int64_t added_to_facts(std::int64_t sum_of_fact) { return sum_of_fact & 0xffffffff; }
 std::int64_t sum_of_fact(FactId id, store::Store::Restored state, std::string_view form);
 // Failure bad-journal.

@@ -12,14 +12,14 @@ constexpr Duration not_waited_for = 100ms;
 constexpr Duration try_again_after = 250ms;
 constexpr Duration let_go_again_after = 1s;
 constexpr Duration longest_disk = 20ms;  // that company is waited for in proportion to
-constexpr std::size_t written_at_once_bytes = 1 << 20;
+constexpr std::size_t compacted_after_bytes = 256 << 10;
 
 }  // namespace
 
-JournalWriter::JournalWriter(Executor& executor, std::shared_ptr<JournalFile> file)
+JournalWriter::JournalWriter(Executor& executor, std::shared_ptr<Log> log)
     : executor_(executor),
-      file_(std::move(file)),
-      room_(file_->room()),
+      log_(std::move(log)),
+      room_(log_->room()),
       failure_(lack_of_room()),
       due_(executor),
       job_(executor.spawn(write_groups())) {}
@@ -42,16 +42,16 @@ JournalWriter::~JournalWriter() {
 }
 
 void JournalWriter::Work::write() {
-  if (!what.group.lines.empty()) written = file->append(what.group, may_spend);
+  if (!what.group.lines.empty()) written = log->append(what.group, may_spend);
 }
 
 void JournalWriter::append(std::string_view line) {
-  if (pending_.empty() || pending_.back().group.bytes() >= written_at_once_bytes) pending_.emplace_back();
+  if (pending_.empty() || pending_.back().group.bytes() >= log_->group_bytes()) pending_.emplace_back();
   Pending& last = pending_.back();
   last.group.lines += line;
   last.group.lines += '\n';
   last.last = ++position_;
-  if (!failure_ && last.group.bytes() >= written_at_once_bytes) due_.set();
+  if (!failure_ && last.group.bytes() >= log_->group_bytes()) due_.set();
   if (timer_ != 0) return;
   timer_ = executor_.call_at(executor_.now() + not_waited_for, [this] {
     timer_ = 0;
@@ -75,7 +75,7 @@ void JournalWriter::keep() {
 
 std::optional<Failure> JournalWriter::lack_of_room() const {
   if (room_.for_all > 0) return std::nullopt;
-  return Failure{"journal-full", room_.lacking.empty() ? file_->path() + ": the disk is full" : room_.lacking, {}, {}};
+  return Failure{"journal-full", room_.lacking.empty() ? log_->path() + ": the disk is full" : room_.lacking, {}, {}};
 }
 
 Result<void> JournalWriter::check_room(Change change, std::size_t bytes) const {
@@ -84,8 +84,8 @@ Result<void> JournalWriter::check_room(Change change, std::size_t bytes) const {
   const std::array most = {most_passing(), room_.for_all, room_.for_removals};
   if (waiting_bytes() + bytes <= most[static_cast<std::size_t>(change)]) return {};
   if (failure_) return fail(*failure_);
-  if (room_.is_scarce) return fail("journal-full", file_->path() + ": the disk has too little space left for this");
-  return fail("journal-full", "more waits to be written to " + file_->path() + " than is allowed to wait");
+  if (room_.is_scarce) return fail("journal-full", log_->path() + ": the disk has too little space left for this");
+  return fail("journal-full", "more waits to be written to " + log_->path() + " than is allowed to wait");
 }
 
 // On a full disk it must leave room for the removals that come after it.
@@ -124,7 +124,7 @@ std::optional<Time> JournalWriter::look_again() const {
 
 void JournalWriter::take_pending() {
   work_ = std::make_shared<Work>();
-  work_->file = file_;
+  work_->log = log_;
   work_->what.last = kept_;
   if (pending_.empty()) return;
   work_->what = std::move(pending_.front());
@@ -141,7 +141,7 @@ Task<void> JournalWriter::write_group() {
   const Time begun = executor_.now();
   std::function<void(const std::function<bool()>&)> job = [work](const std::function<bool()>&) {
     work->write();
-    work->room = work->file->room();
+    work->room = work->log->room();
     work->ended = true;
     work->ended.notify_all();
   };
@@ -156,7 +156,7 @@ void JournalWriter::finish() {
   const bool failed_before = failure_.has_value();
   room_ = work->room;
   failure_ = lack_of_room();
-  stuck_ = !work->written && work->may_spend;
+  stuck_ = !work->written && work->may_spend && !leaves_in_doubt(work->written.error());
   if (work->written) {
     kept_ = work->what.last;
     written_bytes_ += work->what.group.bytes();
@@ -172,17 +172,17 @@ void JournalWriter::finish() {
 
 // A slice at a time, so that what is to be written need not wait long.
 Task<void> JournalWriter::compact() {
-  if (!room_.past_goes && (failure_ || written_bytes_ < JournalFile::largest_slice)) co_return;
-  const std::shared_ptr<JournalFile> file = file_;
+  if (!room_.past_goes && (failure_ || written_bytes_ < compacted_after_bytes)) co_return;
+  const std::shared_ptr<Log> log = log_;
   const Time now = executor_.now();
   const auto gone = std::make_shared<std::size_t>(0);
-  std::function<void(const std::function<bool()>&)> job = [file, now, gone](const std::function<bool()>&) {
-    // What could not be done now is tried again with the next.
-    *gone = file->compact(now).value_or(0);
+  std::function<void(const std::function<bool()>&)> job = [log, now, gone](const std::function<bool()>&) {
+    // Failed work is tried again with the next group.
+    *gone = log->compact(now).value_or(0);
   };
   co_await executor_.offload(std::move(job), Duration::zero());
   written_bytes_ -= std::min(*gone == 0 ? written_bytes_ : *gone, written_bytes_);
-  const bool more = *gone > 0 && (room_.past_goes || written_bytes_ >= JournalFile::largest_slice);
+  const bool more = *gone > 0 && (room_.past_goes || written_bytes_ >= compacted_after_bytes);
   if (more) due_.set();
 }
 

@@ -3,7 +3,7 @@
 // Writes a board's journal while the board goes on: what is told while one group is written becomes the next group, so
 // that one wait for the disk serves many.
 //
-//   JournalWriter writer(executor, file);
+//   JournalWriter writer(executor, log);
 //   board.set_journal([&](std::string_view line) { writer.append(line); });
 //   writer.on_progress = [&] { answer whoever waits for a position up to writer.kept(); };
 //   writer.keep();                        // everything so far, soon; otherwise within 100 ms, and not waited for
@@ -12,8 +12,8 @@
 // again together. No more should wait to be written than the file has set space aside for, which check_room() says.
 // When the disk is full, the space is used for what waits, and writer.failure() says so until there is space again:
 // what adds to durable relations should be refused meanwhile, and what only takes from them while check_room() says so.
-// The past is let go then. What cannot be written even so is tried again four times a second. Destroying it writes what
-// is left.
+// The past is let go then. Groups that cannot be written even so are tried again four times a second. Destroying it
+// writes what is left.
 
 #include <atomic>
 #include <deque>
@@ -23,7 +23,7 @@
 #include <string>
 #include <string_view>
 
-#include "blackboard/journal/journal_file.hpp"
+#include "blackboard/journal/log.hpp"
 #include "blackboard/time/executor.hpp"
 #include "blackboard/time/latch.hpp"
 
@@ -37,7 +37,7 @@ class JournalWriter {
   // Of what need not last.
   static constexpr std::size_t max_waiting_bytes = 16 << 20;
 
-  JournalWriter(Executor& executor, std::shared_ptr<JournalFile> file);
+  JournalWriter(Executor& executor, std::shared_ptr<Log> log);
   JournalWriter(const JournalWriter&) = delete;
   JournalWriter& operator=(const JournalWriter&) = delete;
   ~JournalWriter();
@@ -59,7 +59,7 @@ class JournalWriter {
   bool stuck() const { return stuck_; }
   // Whether so much more may be appended: a failure, or so much that waits for a slow disk.
   Result<void> check_room(Change change, std::size_t bytes) const;
-  const JournalFile& file() const { return *file_; }
+  const std::shared_ptr<Log>& log() const { return log_; }
 
  private:
   struct Pending {
@@ -69,7 +69,7 @@ class JournalWriter {
   };
   // What a worker does away from the board's thread; it outlives the writer if need be.
   struct Work {
-    std::shared_ptr<JournalFile> file;
+    std::shared_ptr<Log> log;
     Pending what;
     bool may_spend = true;
     Result<void> written = {};
@@ -90,7 +90,7 @@ class JournalWriter {
   std::optional<Failure> lack_of_room() const;
 
   Executor& executor_;
-  const std::shared_ptr<JournalFile> file_;
+  const std::shared_ptr<Log> log_;
   std::deque<Pending> pending_;  // each written at once
   Position position_ = 0;
   Position kept_ = 0;

@@ -1,9 +1,6 @@
 #include "blackboard/journal/kept_mark.hpp"
 
-#include <array>
 #include <charconv>
-#include <fcntl.h>
-#include <unistd.h>
 
 namespace pizarra::journal {
 
@@ -14,29 +11,24 @@ constexpr std::size_t digits = 19;
 
 }  // namespace
 
-KeptMark::~KeptMark() {
-  if (file_ >= 0) close(file_);
-}
-
 std::optional<std::int64_t> KeptMark::get() const {
-  const int file = open(path_.c_str(), O_RDONLY | O_CLOEXEC);
-  if (file < 0) return std::nullopt;
-  std::array<char, digits + 1> text{};
-  const ssize_t length = pread(file, text.data(), text.size(), 0);
-  close(file);
+  const std::unique_ptr<Disk::File> file = disk_.open(path_, Disk::Access::read);
+  if (file == nullptr) return std::nullopt;
+  const std::string text = file->read(digits + 1);
   std::int64_t entry = 0;
-  const auto read = std::from_chars(text.data(), text.data() + digits, entry);
   // A power cut may leave anything of what nobody waited for.
-  const bool whole = length == ssize_t{digits + 1} && read.ptr == text.data() + digits && text.back() == '\n';
+  const bool whole = text.size() == digits + 1 && text.back() == '\n' &&
+                     std::from_chars(text.data(), text.data() + digits, entry).ptr == text.data() + digits;
   return whole ? std::optional(entry) : std::nullopt;
 }
 
 void KeptMark::set(std::int64_t entry) {
-  if (file_ < 0) file_ = open(path_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0644);
+  if (file_ == nullptr) file_ = disk_.open(path_, Disk::Access::write);
+  if (file_ == nullptr) return;
   std::string text = std::to_string(entry);
   text.insert(0, digits - text.size(), '0');
   text += '\n';
-  [[maybe_unused]] const ssize_t written = pwrite(file_, text.data(), text.size(), 0);
+  [[maybe_unused]] const bool written = file_->write_at(0, text);
 }
 
 }  // namespace pizarra::journal

@@ -10,9 +10,9 @@ constexpr Duration look_again_after = 5ms;
 // A time that people say lasts to the end of its second.
 constexpr Duration longest_second = 1s;
 
-Result<Answers> answer_from(const std::string& path, Query query) {
+Result<Answers> answer_from(const Log& log, Query query) {
   store::Store store;
-  const Result<PlayedBack> read = read_journal(path, store, *query.at);
+  const Result<PlayedBack> read = log.read(store, *query.at);
   if (!read) return fail(read);
   query.at.reset();
   Result<Answers> answers = store.ask(query);
@@ -64,16 +64,16 @@ Task<Result<Answers>> Past::answer(Query query) {
     co_return fail("not-yet", "this is later than the board's clock",
                    to_datum(query.at->time.time_since_epoch().count()));
   }
-  // What was told before the question is to be in the file.
+  // Everything told before the question must be in the file.
   const JournalWriter::Position last = journal_.position();
   journal_.keep();
   while (journal_.kept() < last && !journal_.stuck()) {
     co_await sleep(executor_, look_again_after);
   }
   const auto answers = std::make_shared<Result<Answers>>(Answers());
-  const std::string path = journal_.file().path();
+  const std::shared_ptr<const Log> log = journal_.log();
   std::function<void(const std::function<bool()>&)> job = [=](const std::function<bool()>&) {
-    *answers = answer_from(path, query);
+    *answers = answer_from(*log, query);
   };
   co_await executor_.offload(std::move(job), Duration::zero());
   co_return *answers;

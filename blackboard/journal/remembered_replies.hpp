@@ -1,7 +1,7 @@
 #pragma once
 
-// What clients were answered, as a journal's groups hold it: sent again, a request is not done again, in no later life
-// of the board either.
+// The replies that clients received, as a journal's groups hold them: sent again, a request is not done again, in no
+// later life of the board either.
 //
 //   ReplyLines lines;
 //   lines.add(text, {session, "vision", 7, result});         // goes on with the line that the session's last began

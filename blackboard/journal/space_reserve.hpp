@@ -2,7 +2,7 @@
 
 // Space set aside on a disk that may become full, so that what was begun can still be ended.
 //
-//   SpaceReserve reserve("cell.journal-reserve");
+//   SpaceReserve reserve(disk, "cell.journal-reserve");
 //   reserve.fill();              // how many bytes are set aside now, if any
 //   reserve.spend();             // whether there were any; the disk has that much more now
 //
@@ -11,6 +11,8 @@
 #include <cstdint>
 #include <string>
 
+#include "blackboard/journal/disk.hpp"
+
 namespace pizarra::journal {
 
 class SpaceReserve {
@@ -18,7 +20,7 @@ class SpaceReserve {
   static constexpr std::int64_t least = 256 << 10;
   static constexpr std::int64_t most = 16 << 20;
 
-  explicit SpaceReserve(std::string path) : path_(std::move(path)) {}
+  SpaceReserve(Disk& disk, std::string path) : disk_(disk), path_(std::move(path)) {}
   SpaceReserve(const SpaceReserve&) = delete;
   SpaceReserve& operator=(const SpaceReserve&) = delete;
   ~SpaceReserve() { spend(); }
@@ -27,6 +29,7 @@ class SpaceReserve {
   bool spend();
 
  private:
+  Disk& disk_;
   const std::string path_;
   std::int64_t bytes_ = 0;
 };

@@ -26,7 +26,8 @@ enum class Access : std::uint8_t { read, write };
 
 class Database {
  public:
-  static Result<Database> open(const std::string& path, Access access);
+  // `vfs`: how SQLite calls the disk; null: this machine's.
+  static Result<Database> open(const std::string& path, Access access, const char* vfs = nullptr);
   Database(Database&& other) noexcept;
   Database& operator=(Database&& other) noexcept;
   ~Database();

@@ -27,6 +27,15 @@ Result<T> told(Result<T> result, const store::Store& store) {
   return result;
 }
 
+store::Commit durable_part(const store::Commit& commit, const store::Store& store) {
+  store::Commit part{.revision = commit.revision, .when = commit.when, .teller = commit.teller, .entries = {}};
+  for (const store::Commit::Entry& entry : commit.entries) {
+    const auto table = store.tables().find(entry.fact.datum.head());
+    if (table != store.tables().end() && table->second.relation().durable) part.entries.push_back(entry);
+  }
+  return part;
+}
+
 class MemoryWatch : public Watch {
  public:
   explicit MemoryWatch(Executor& executor) : waiters_(executor) {}
@@ -109,6 +118,11 @@ void MemoryBoard::set_journal(store::JournalSink sink) {
   for (const auto& [name, table] : store_->tables()) declared.push_back(table.relation());
   if (journal_ && !declared.empty())
     journal_(journal::journal_line(store_->revision(), executor_.now(), "board", declared));
+}
+
+void MemoryBoard::set_journal_of_durable(store::JournalSink sink) {
+  journals_durable_alone_ = true;
+  set_journal(std::move(sink));
 }
 
 void MemoryBoard::resume() {
@@ -245,7 +259,7 @@ void MemoryBoard::schedule() {
   timer_ = 0;
   timer_due_ = due;
   if (!due) return;
-  // What is due already waits to be heard, or for its part.
+  // A watch whose change is due already waits to be read, or for its part.
   const Time now = executor_.now();
   const Time again = may_lapse_ == 0 ? std::max(lapses_again_, now) : now + look_again_after;
   timer_ = executor_.call_at(*due > now ? *due : again, [this] {
@@ -257,7 +271,11 @@ void MemoryBoard::schedule() {
 }
 
 void MemoryBoard::committed(const store::Commit& commit) {
-  if (journal_) journal_(journal::journal_line(commit));
+  if (journal_ && !journals_durable_alone_) journal_(journal::journal_line(commit));
+  if (journal_ && journals_durable_alone_) {
+    const store::Commit durable = durable_part(commit, *store_);
+    if (!durable.entries.empty()) journal_(journal::journal_line(durable));
+  }
   statistics_.committed(commit);
   watches_->committed(commit);
 }

@@ -62,6 +62,8 @@ class MemoryBoard {
   // Calls `sink` with every declaration and committed transaction from now on; beforehand with what was declared so
   // far.
   void set_journal(store::JournalSink sink);
+  // The same of what is durable alone, and of what was declared: for a log that is dear.
+  void set_journal_of_durable(store::JournalSink sink);
   // Lets go what is not durable and puts back what was taken, which the journal should hear.
   void resume();
 
@@ -94,8 +96,8 @@ class MemoryBoard {
                                                    std::function<void()> ready);
 
  private:
-  // Lapses what is due, before an operation; and has the timer wait for what is next, after it. Of what lapses together
-  // only a part goes, however many operations there are, then the next one after a pause.
+  // Lapses what is due, before an operation; and has the timer wait for what is next, after it. Of the facts that lapse
+  // together only a part is removed at a time, however many operations there are. The next part follows after a pause.
   Time begin();
   void schedule();
   template <class Lapse>
@@ -109,6 +111,7 @@ class MemoryBoard {
   Statistics statistics_;
   std::vector<const Hearing*> hearings_;
   store::JournalSink journal_;
+  bool journals_durable_alone_ = false;
   Executor::TimerId timer_ = 0;
   std::optional<Time> timer_due_;
   std::size_t may_lapse_;  // of what store::Store::expire counts, before

@@ -79,7 +79,7 @@ std::optional<Relation> relation_asked_for(const Query& query) {
 // To say what is known of one.
 constexpr std::size_t looks_a_relation = 16;
 
-// What the query's one pattern has as the name that it is about.
+// The argument of the query's only pattern that names its subject.
 std::optional<Datum> only_one_named(const Query& query) {
   const Datum* only = nullptr;
   for (const Query::Clause& clause : query.clauses) {

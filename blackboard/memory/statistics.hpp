@@ -1,6 +1,6 @@
 #pragma once
 
-// What goes on on a board, as facts of relations that nobody tells and anybody may ask for, each alone:
+// The board's own activity, as facts of relations that nobody tells and anybody may ask for, each alone:
 //
 //   (relation-stats NAME FACTS TOLD GONE PER-SECOND ((TELLER COUNT) ...) ((WATCHER COUNT) ...))
 //   (journey-stats NAME (COUNT P50 P90 P99) (COUNT P50 P90 P99))

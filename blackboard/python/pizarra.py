@@ -400,6 +400,8 @@ class Stream:
 
 class Board:
     PING, RESEND, GREET, SILENCE = 0.5, 1.0, 0.5, 2.0
+    # Where another board may take over: it serves within half a second.
+    PING_AMONG_OTHERS, SILENCE_AMONG_OTHERS, TRIES_FIRST_FOR, TRIES_LONGEST_FOR = 0.1, 0.4, 0.15, 2.0
     # No request goes before the board has answered those so far behind it: it remembers the answers of the last 256.
     MOST_AHEAD = 128
 
@@ -408,6 +410,9 @@ class Board:
             raise Failure("wrong-shape", "a board's address and the name of a teller are strings")
         _check_teller(teller)
         self.address, self.teller, self.timeout = address, teller, timeout
+        # Of boards that take over from each other, with commas between them. A path may have one.
+        self._addresses = [address] if address.startswith("ipc://") else address.split(",")
+        self._at, self._tried, self._tries_for = 0, time.monotonic(), self.TRIES_FIRST_FOR
         self._keys = None
         if key and not address.startswith("ipc://"):
             name, self._keys = _read_keys(key)
@@ -429,7 +434,7 @@ class Board:
         self._socket = self._context.socket(zmq.DEALER)
         self._monitor = self._socket.get_monitor_socket(
             zmq.EVENT_HANDSHAKE_FAILED_AUTH | zmq.EVENT_HANDSHAKE_FAILED_PROTOCOL)
-        _connect(self._socket, self.address, self._keys, (zmq.LINGER, 50), (zmq.IMMEDIATE, 1), (zmq.RECONNECT_IVL, 50),
+        _connect(self._socket, self._addresses[self._at], self._keys, (zmq.LINGER, 50), (zmq.IMMEDIATE, 1), (zmq.RECONNECT_IVL, 50),
                  (zmq.RECONNECT_IVL_MAX, 1000))
 
     def _check_open(self):
@@ -598,16 +603,32 @@ class Board:
         now = time.monotonic()
         if self._monitor.poll(0):
             self._refused()
-        if self._joined and self._heard + self.SILENCE <= now:
-            self._joined, self._greeted = False, -1e9
+        others = len(self._addresses) > 1
+        if self._joined and self._heard + (self.SILENCE_AMONG_OTHERS if others else self.SILENCE) <= now:
+            self._joined, self._greeted, self._tried = False, -1e9, now
         if not self._joined:
+            if others and self._tried + self._tries_for <= now:
+                self._try_next(now)
             due = self._greeted + self.GREET <= now
             if due and self._send([Symbol("hello"), self.teller, self._session]):
                 self._greeted = now
             return
-        if self._pinged + self.PING <= now and self._send([Symbol("ping"), self._session]):
+        if self._pinged + (self.PING_AMONG_OTHERS if others else self.PING) <= now and self._send([Symbol("ping"), self._session]):
             self._pinged = now
         self._transmit_due(lambda request: request.sent is None or request.sent + self.RESEND <= now)
+
+    def _try_next(self, now):
+        """One that does not welcome within its time stands by, or is gone; over a slow line it may take longer."""
+        self._at = (self._at + 1) % len(self._addresses)
+        if self._at == 0:
+            self._tries_for = min(self._tries_for * 1.25, self.TRIES_LONGEST_FOR)
+        self._tried, self._greeted = now, -1e9
+        self._begin_connection_again()
+
+    def _begin_connection_again(self):
+        self._socket.disable_monitor()
+        self._socket.close(linger=0)
+        self._connect()
 
     def _receive(self, message):
         self._heard = time.monotonic()
@@ -630,7 +651,7 @@ class Board:
             self._watches[message[1]].ended = Failure(*message[2][1:4])
 
     def _welcomed(self, session, life):
-        self._joined = True
+        self._joined, self._tries_for = True, self.TRIES_FIRST_FOR
         same_session, same_life = session == self._session, life == self._life
         self._session, self._life = session, life
         if not same_session:
@@ -654,9 +675,7 @@ class Board:
         self._fail(Failure("not-permitted", "the board does not accept this key" if self._keys else
                            "the board asks for a key at this address"), lambda request: True)
         # ZeroMQ does not try again by itself.
-        self._socket.disable_monitor()
-        self._socket.close(linger=0)
-        self._connect()
+        self._begin_connection_again()
 
     def _fail(self, failure, concerned):
         for number, request in list(self._pending.items()):

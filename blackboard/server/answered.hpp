@@ -1,6 +1,6 @@
 #pragma once
 
-// What a session was answered, for the requests that come again: the newest 256, and of these so many as have 4 MB.
+// A session's replies, kept for requests that come again: the newest 256, and of these so many as have 4 MB.
 //
 //   Answered done;
 //   done.add(number, {text});

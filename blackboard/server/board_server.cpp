@@ -30,21 +30,24 @@ BoardServer::BoardServer(Executor& executor, memory::MemoryBoard& board, const B
       session_length_(options.session_length),
       keys_(std::move(keys)),
       refusals_(board),
-      life_(Sessions::random_number()),
-      durability_(options.journal,
-                  [this](wire::SessionId id, const std::string& reply) {
-                    const Session* session = sessions_.find(id);
-                    if (session != nullptr) socket_.send(session->peer, reply);
-                  }),
+      sessions_(options.random_number),
+      life_(options.random_number()),
+      durability_(
+          options.journal,
+          [this](wire::SessionId id, const std::string& reply) {
+            const Session* session = sessions_.find(id);
+            if (session != nullptr) socket_->send(session->peer, reply);
+          },
+          options.answers_from_journal),
       permitted_(board, durability_),
-      socket_(executor, wire::WireSocket::Kind::router,
-              [this](const std::string& peer, std::optional<std::string_view> frame) {
-                receiving_ = true;
-                receive(peer, frame);
-                deliver();
-                receiving_ = false;
-              }),
-      hearing_(board, [this] { return socket_.heard_until(); }) {
+      socket_(options.transport->open(executor, wire::FrameSocket::Kind::router,
+                                      [this](const std::string& peer, std::optional<std::string_view> frame) {
+                                        receiving_ = true;
+                                        receive(peer, frame);
+                                        deliver();
+                                        receiving_ = false;
+                                      })),
+      hearing_(board, [this] { return socket_->heard_until(); }) {
   board_.statistics().requests().set_limit(options.requests);
   board_.store().index_maker().on_wanted = [this] { schedule_look(); };
   if (options.journal != nullptr) past_.emplace(executor, *options.journal);
@@ -70,7 +73,7 @@ Result<void> BoardServer::listen(const std::vector<std::string>& addresses, bool
     const Result<void> allowed = wire::check_listening_address(address, keys_ || insecure);
     if (!allowed) return allowed;
     const bool with_keys = keys_ && !wire::is_ipc(address);
-    const Result<std::string> bound = socket_.bind(address, with_keys ? &keys_->own() : nullptr);
+    const Result<std::string> bound = socket_->bind(address, with_keys ? &keys_->own() : nullptr);
     if (!bound) return fail(bound);
     addresses_.push_back(*bound);
   }
@@ -150,6 +153,6 @@ void BoardServer::hear(wire::SessionId id, Session& session, const Postponed::Me
 }
 
 // A reply that a peer does not take is lost to it; its client asks again.
-void BoardServer::send(const std::string& peer, const Datum& message) { socket_.send(peer, write(message)); }
+void BoardServer::send(const std::string& peer, const Datum& message) { socket_->send(peer, write(message)); }
 
 }  // namespace pizarra::server

@@ -1,6 +1,7 @@
 #pragma once
 
-// The board for other processes: serves a MemoryBoard over ZeroMQ (see wire.hpp for what is said).
+// The board for other processes: serves a MemoryBoard over a Transport, ZeroMQ as a rule (see wire.hpp for what is
+// said).
 //
 //   Result<std::unique_ptr<BoardServer>> server = BoardServer::open(executor, board, {.addresses =
 //   {"ipc:///tmp/cell"}});
@@ -11,12 +12,12 @@
 // number cannot be guessed and counts on the connection that said hello alone, until the same teller says hello with it
 // on another. A connection has one session. With a folder of keys, every tcp address asks for one: a session is then
 // its key's, its teller called by the key's name, and what it asks for held against the key's permissions; a key that
-// changes or goes ends its sessions within session_length / 8. What is refused is told (refusals.hpp). What
-// changes the board is done once however often it is sent, and what was refused undone stays so: the last replies of a
+// changes or goes ends its sessions within session_length / 8. What is refused is told (refusals.hpp). A request that
+// changes the board is done once however often it is sent, and a refused one stays refused: the last replies of a
 // session are remembered (answered.hpp), and with a journal those about durable facts also in its next life, where the
-// session goes on when its client greets. A client has 4 MB under way, half of which is for replies alone. What a slow
-// client has not read waits in its watches' queues (served_watches.hpp), in 4 MB that these share; a watch whose change
-// has no room there is resynchronised.
+// session goes on when its client greets. A client has 4 MB under way, half of which is for replies alone. Changes that
+// a slow client has not read wait in its watches' queues (served_watches.hpp), in 4 MB that these share; a watch whose
+// change has no room there is resynchronised.
 
 #include <map>
 #include <memory>
@@ -31,9 +32,8 @@
 #include "blackboard/server/refusals.hpp"
 #include "blackboard/server/sessions.hpp"
 #include "blackboard/server/turns.hpp"
-#include "blackboard/wire/doorkeeper.hpp"
+#include "blackboard/wire/frame_socket.hpp"
 #include "blackboard/wire/wire.hpp"
-#include "blackboard/wire/wire_socket.hpp"
 
 namespace pizarra::server {
 
@@ -48,6 +48,12 @@ struct BoardServerOptions {
   // The board's: what concerns durable facts is answered when it is written there.
   journal::JournalWriter* journal = nullptr;
   std::vector<journal::RememberedReply> remembered = {};
+  // Whether every answer waits until the journal has what came before it: where another board may take over that knows
+  // of nothing else.
+  bool answers_from_journal = false;
+  // What carries the frames, and where the numbers of sessions come from. Both outlive the server.
+  wire::Transport* transport = &wire::zeromq();
+  std::function<std::uint64_t()> random_number = Sessions::random_number;
 };
 
 class BoardServer {
@@ -138,9 +144,8 @@ class BoardServer {
   Executor::TimerId flush_timer_ = 0;
   Executor::TimerId look_timer_ = 0;
   Executor::TimerId sweep_timer_ = 0;
-  wire::WireSocket socket_;
+  std::unique_ptr<wire::FrameSocket> socket_;
   memory::MemoryBoard::Hearing hearing_;
-  std::optional<wire::Doorkeeper> doorkeeper_;
 };
 
 }  // namespace pizarra::server

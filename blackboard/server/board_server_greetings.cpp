@@ -8,7 +8,7 @@
 namespace pizarra::server {
 
 void BoardServer::ask_for_keys() {
-  doorkeeper_.emplace(executor_, socket_.context(), [this](const std::string& public_key) {
+  socket_->admit([this](const std::string& public_key) {
     if (keys_->follow()) end_sessions_of_changed_keys();
     const bool known = keys_->find(public_key) != nullptr;
     if (!known) refusals_.note(public_key, {"not-permitted", "this key is not authorised", {}, {}});
@@ -24,8 +24,8 @@ void BoardServer::refuse(const std::string& peer, const Failure& failure) {
 // Of what is being received: its session's client, else its key's name, else nothing.
 std::string BoardServer::who_is(const std::string& peer) const {
   if (const auto session = sessions_.of_peer(peer)) return sessions_.all().at(*session).client();
-  const wire::PublicKey* key = keys_ ? keys_->find(socket_.sender_key()) : nullptr;
-  return key == nullptr ? socket_.sender_key() : key->name;
+  const wire::PublicKey* key = keys_ ? keys_->find(socket_->sender_key()) : nullptr;
+  return key == nullptr ? socket_->sender_key() : key->name;
 }
 
 void BoardServer::greet(const std::string& peer, const Datum& hello) {
@@ -35,8 +35,8 @@ void BoardServer::greet(const std::string& peer, const Datum& hello) {
   if (!named) return refuse(peer, named.error());
   if (keys_ && keys_->follow()) end_sessions_of_changed_keys();
   const wire::PublicKey* key = nullptr;
-  if (!socket_.sender_key().empty()) {
-    key = keys_->find(socket_.sender_key());
+  if (!socket_->sender_key().empty()) {
+    key = keys_->find(socket_->sender_key());
     if (key == nullptr) return refuse(peer, {"not-permitted", "this key is not authorised any more", {}, {}});
   }
   const std::string teller(hello[1].text());
@@ -84,7 +84,7 @@ void BoardServer::end_sessions_of_changed_keys() {
 
 void BoardServer::forget_the_gone() {
   const Time now = executor_.now();
-  const Time heard_until = socket_.heard_until();
+  const Time heard_until = socket_->heard_until();
   std::vector<wire::SessionId> gone;
   for (const auto& [id, session] : sessions_.all()) {
     if (session.heard + session_length_ <= heard_until) gone.push_back(id);

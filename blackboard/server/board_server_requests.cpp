@@ -1,4 +1,4 @@
-// What a BoardServer's clients ask of the board, and what each is answered: once, however often it is asked.
+// The requests that a BoardServer's clients make of the board, and their replies: once, however often it is asked.
 
 #include <algorithm>
 
@@ -92,7 +92,7 @@ bool BoardServer::was_answered(wire::SessionId id, const Session& session, wire:
 
 void BoardServer::refuse_request(const Session& session, wire::RequestId number, const Failure& failure) {
   refusals_.note(session.client(), failure);
-  socket_.send(session.peer, reply_text(number, result_to_datum(fail(failure))));
+  socket_->send(session.peer, reply_text(number, result_to_datum(fail(failure))));
 }
 
 // One that is on its way a second time is refused as well, though it could be done by then.
@@ -100,7 +100,7 @@ void BoardServer::refuse_undone(Session& session, wire::RequestId number, const 
   if (is_refusal(failure)) refusals_.note(session.client(), failure);
   const std::string refusal = reply_text(number, result_to_datum(fail(failure)));
   if (must_be_done_once(body)) session.refused.add(number, {refusal});
-  socket_.send(session.peer, refusal);
+  socket_->send(session.peer, refusal);
 }
 
 // To the request that it begins as, where it is one of the sender's session.
@@ -143,25 +143,26 @@ bool BoardServer::answer(wire::SessionId id, Session& session, wire::RequestId n
   if (!result && is_refusal(result.error())) refusals_.note(session.client(), result.error());
   const Datum said = result_to_datum(result);
   std::string text = reply_text(number, said);
+  const bool held = durability_.must_hold(durable);
   const bool stands = result && durable && durability_.position() > before;
   if (must_be_done_once(body)) {
-    session.done.add(number, {text, durable ? durability_.position() : 0, stands});
+    session.done.add(number, {text, held ? durability_.position() : 0, stands});
     if (durable && durability_.position() > before) {
       const std::string key = session.key ? session.key->key : "";
       durability_.remember({id, session.teller, number, said, key});
     }
   }
-  const bool goes_with_others = receiving_ && body.is_form("transact") && !durable && !session.holds;
+  const bool goes_with_others = receiving_ && body.is_form("transact") && !held && !session.holds;
   if (goes_with_others) {
     owe(session.peer, text);
     return true;
   }
   // Changes go before the reply to the request that made them, and after the one to the request for them.
   if (!body.is_form("watch")) flush_all();
-  if (durable) {
+  if (held) {
     durability_.hold(id, number, {std::move(text), durability_.position(), stands});
   } else {
-    socket_.send(session.peer, session.holds ? with_progress(session, text) : text);
+    socket_->send(session.peer, session.holds ? with_progress(session, text) : text);
   }
   return true;
 }
@@ -177,12 +178,13 @@ void BoardServer::owe(const std::string& peer, const std::string& reply) {
 void BoardServer::deliver() {
   flush_all();
   if (owed_replies_ == 0) return;
-  socket_.send(owed_to_, owed_);
+  socket_->send(owed_to_, owed_);
   owed_.clear();
   owed_replies_ = 0;
 }
 
-// What is remembered, or held back, does not say it: it may be given when changes are under way anew.
+// A remembered or held back reply does not carry the permission to send more: it may be given when changes are under
+// way anew.
 std::string BoardServer::with_progress(const Session& session, std::string reply) const {
   reply.back() = ' ';
   write_number_to(reply, board_.store().revision());
@@ -206,7 +208,7 @@ void BoardServer::ask_past(wire::SessionId id, const Session& session, wire::Req
       turns_.took(id, examined, executor_.now());
       return refuse_request(*asking, number, failure);
     }
-    socket_.send(asking->peer, reply_text(number, result_to_datum(wire::answers_to_datum(*answers))));
+    socket_->send(asking->peer, reply_text(number, result_to_datum(wire::answers_to_datum(*answers))));
   };
   // One that is asked again while it is worked on is answered once.
   if (!past_asked_.emplace(id, number).second) return;

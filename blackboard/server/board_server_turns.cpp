@@ -1,5 +1,5 @@
-// What takes a BoardServer long goes on in turns (turns.hpp), between which it hears others: a costly request is done,
-// an index is made, what holds of watches is looked for, and what waited for these.
+// A BoardServer does long work in turns (turns.hpp), and hears others between them: a costly request is done, an index
+// is made, what holds of watches is looked for, and what waited for these.
 
 #include <algorithm>
 
@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t looks_a_message = 64;
 constexpr std::size_t bytes_a_look = 64;
 
-// What a client must be able to say at any time to keep what it has.
+// Messages that a client must be able to send at any time to keep what it has.
 bool overtakes(const Datum& message) {
   const bool renews = message.is_form("request") && message.size() > 3 && message[3].is_form("renew");
   return renews || message.is_form("ack");
@@ -99,7 +99,7 @@ bool BoardServer::send_changes(wire::SessionId id, Session& session) {
   const std::size_t before = rests ? std::max(examined_, limits::examined_a_turn) : examined_;
   const store::Indexing indexing(store::Indexing::May::make_in_parts, &board_.store().index_maker());
   std::size_t examined = before;
-  const bool more = session.watches.send(socket_, session.peer, examined);
+  const bool more = session.watches.send(*socket_, session.peer, examined);
   examined_ += examined - before;
   turns_.took(id, examined - before + indexing.examined(), executor_.now());
   if (indexing.awaited() != 0) session.awaited = indexing.awaited();
@@ -134,7 +134,7 @@ bool BoardServer::awaits_index(const Session& session) const {
   return board_.store().index_maker().is_awaited(session.awaited);
 }
 
-// Who awaits any index looks again for its own when one is made.
+// Requests that await any index look again for their own when one is made.
 void BoardServer::make_on() {
   store::IndexMaker& maker = board_.store().index_maker();
   constexpr wire::SessionId nobody = 0;

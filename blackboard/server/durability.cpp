@@ -59,7 +59,8 @@ std::size_t removed_at_most(const store::Store& store, const Transaction& transa
 
 }  // namespace
 
-Durability::Durability(journal::JournalWriter* journal, Send send) : journal_(journal), send_(std::move(send)) {
+Durability::Durability(journal::JournalWriter* journal, Send send, bool of_all)
+    : journal_(journal), send_(std::move(send)), of_all_(of_all) {
   if (journal_ != nullptr) journal_->on_progress = [this] { progress(); };
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a served board owes those whose changes must last: it answers them only when the disk has what they were told.
+// A served board's duty to clients whose changes must last: it answers them only when the disk has what they were told.
 //
 //   if (durability.concerns_durable(store, body)) durability.hold(session, request, {reply, durability.position()});
 //
@@ -28,7 +28,8 @@ class Durability {
   };
 
   // Without a journal nothing is durable.
-  Durability(journal::JournalWriter* journal, Send send);
+  // `of_all`: every answer waits for what came before it, not only those about durable facts.
+  Durability(journal::JournalWriter* journal, Send send, bool of_all = false);
   Durability(const Durability&) = delete;
   Durability& operator=(const Durability&) = delete;
   ~Durability();
@@ -42,6 +43,10 @@ class Durability {
   // The same with what its retractions take away, each fact of which the journal names.
   Result<void> check_room(const store::Store& store, const Datum& body, const Transaction& transaction) const;
   journal::JournalWriter::Position position() const { return journal_ == nullptr ? 0 : journal_->position(); }
+  // Whether an answer given now must wait.
+  bool must_hold(bool durable) const {
+    return durable || (of_all_ && journal_ != nullptr && journal_->position() > journal_->kept());
+  }
   void hold(wire::SessionId session, wire::RequestId request, Reply reply);
   // One that was held before, if it is to be had.
   void answer_again(wire::SessionId session, wire::RequestId request, const Reply& reply) const;
@@ -61,6 +66,7 @@ class Durability {
 
   journal::JournalWriter* const journal_;
   const Send send_;
+  const bool of_all_;
   std::deque<Held> held_;
 };
 

@@ -21,7 +21,7 @@ std::unexpected<Failure> may_not_with_facts(const wire::PublicKey& key, const st
   return may_not(key, verb + (relation.empty() ? " this" : " facts of " + relation), pattern);
 }
 
-// What a fact or pattern with the same key as `fact` looks like.
+// The pattern of facts with the same key as `fact`.
 Datum pattern_of_key(const Relation& relation, const Datum& fact) {
   std::vector<Datum> pattern(fact.items().begin(), fact.items().end());
   for (std::size_t i = 1; i < pattern.size(); ++i) pattern[i] = "?"_sym;

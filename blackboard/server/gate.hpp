@@ -1,6 +1,6 @@
 #pragma once
 
-// What a client with a key may do on a board: its permissions (keys.hpp), held against each request before the board
+// The rights of a client with a key on a board: its permissions (keys.hpp), held against each request before the board
 // sees it. Leases and what is held under them belong to the key that asked for them.
 //
 //   Gate gate(board);

@@ -8,7 +8,7 @@
 //   if (const PublicKey* key = keys->find(public_key)) key->may.tell;
 //
 // A file that cannot be read authorises nobody, nor does one whose name is not its key's; they are told by faults().
-// Who can write into the folder says who may come: keep it to the board's user.
+// Anybody who can write into the folder decides who may come: keep it to the board's user.
 
 #include <cstdint>
 #include <map>
@@ -26,7 +26,7 @@ class KeyFolder {
   static Result<KeyFolder> open(const std::string& folder);
 
   const wire::KeyPair& own() const { return own_; }
-  // Reads what changed since; whether anything did. What is written into a file that stays follow() does not notice.
+  // Reads what changed since; whether anything did. follow() does not notice a change written into an existing file.
   bool refresh();
   bool follow();
   // The client whose public key this is, or nullptr; until the next refresh.

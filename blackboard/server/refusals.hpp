@@ -5,12 +5,11 @@
 //
 //   (board-refusal CLIENT SYMBOL COUNT SENTENCE)       ; key CLIENT SYMBOL
 //
-// CLIENT is who said it (the name of the session's key, its teller where it came without one, a public key that is not
-// known, or "" for one that has no session), COUNT how often that was since the server began or forgot it, SENTENCE
-// about the newest, 256 bytes of it. At most 256 pairs of client and symbol are told: for a new one the pair that was
-// refused longest ago is forgotten, and what it counted counts for the pair of "others" and refused, so that the newest
-// refusal always has its name, whatever strangers did before. A flood of refusals changes the facts ten times a second
-// at most.
+// CLIENT is who said it: the name of the session's key; without a key, its teller; a public key that is not known; or
+// "" for a client without a session. COUNT is how often since the server began or forgot it. SENTENCE is about the
+// newest refusal, 256 bytes of it. At most 256 pairs of client and symbol are told: a new pair replaces the one that
+// was refused longest ago, whose count is added to the pair of "others" and refused. So the newest refusal always has
+// its name, whatever strangers did before. A flood of refusals changes the facts ten times a second at most.
 //
 //   Refusals refusals(board);
 //   refusals.note("alice", failure);

@@ -36,7 +36,7 @@ bool ServedWatches::are_behind() const {
   return std::ranges::any_of(watches_, [](const auto& watch) { return watch.second.queue->ready(); });
 }
 
-bool ServedWatches::send(wire::WireSocket& socket, const std::string& peer, std::size_t& examined) {
+bool ServedWatches::send(wire::FrameSocket& socket, const std::string& peer, std::size_t& examined) {
   bool more = false;
   for (auto& [number, watch] : watches_) {
     if (blocked_) break;
@@ -46,7 +46,7 @@ bool ServedWatches::send(wire::WireSocket& socket, const std::string& peer, std:
   return more && !blocked_;
 }
 
-bool ServedWatches::send(wire::WireSocket& socket, const std::string& peer, wire::WatchId number, Served& watch,
+bool ServedWatches::send(wire::FrameSocket& socket, const std::string& peer, wire::WatchId number, Served& watch,
                          std::size_t& examined) {
   const std::size_t width = width_of(watch.queue->query());
   std::uint64_t newest = watch.sent;

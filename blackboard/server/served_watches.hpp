@@ -15,8 +15,8 @@
 #include <string>
 
 #include "blackboard/watch/watch_queue.hpp"
+#include "blackboard/wire/frame_socket.hpp"
 #include "blackboard/wire/wire.hpp"
-#include "blackboard/wire/wire_socket.hpp"
 
 namespace pizarra::server {
 
@@ -42,7 +42,7 @@ class ServedWatches {
 
   // Looks for what holds until `examined` is limits::examined_a_turn, or an index is to be awaited (indexing.hpp), and
   // answers whether there is more to be looked for.
-  bool send(wire::WireSocket& socket, const std::string& peer, std::size_t& examined);
+  bool send(wire::FrameSocket& socket, const std::string& peer, std::size_t& examined);
   // The client was heard from: answers whether its connection took no more before.
   bool unblock() { return std::exchange(blocked_, false); }
   // What was under way may be lost.
@@ -56,7 +56,7 @@ class ServedWatches {
     std::uint64_t sent = 0;
     std::uint64_t acknowledged = 0;
   };
-  bool send(wire::WireSocket& socket, const std::string& peer, wire::WatchId number, Served& watch,
+  bool send(wire::FrameSocket& socket, const std::string& peer, wire::WatchId number, Served& watch,
             std::size_t& examined);
 
   std::shared_ptr<watch::Backlog> backlog_ = std::make_shared<watch::Backlog>();

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a served board keeps of one client, from its hello until it is not heard from any more.
+// A served board's record of one client, from its hello until the client is silent for too long.
 
 #include <optional>
 #include <string>

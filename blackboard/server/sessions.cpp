@@ -39,7 +39,7 @@ Result<Sessions::Begun> Sessions::begin(const std::string& peer, const std::stri
   if (!moves) {
     const Result<void> room = check_room(teller, key);
     if (!room) return fail(room);
-    do asked = random_number();
+    do asked = number_();
     while (sessions_.contains(asked));
     known = &sessions_[asked];
     known->teller = teller;

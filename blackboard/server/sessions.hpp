@@ -2,13 +2,14 @@
 
 // The sessions of a served board: how one is found, begins, moves to another connection, and ends.
 //
-//   Sessions sessions;
+//   Sessions sessions(Sessions::random_number);
 //   Result<Sessions::Begun> begun = sessions.begin(peer, "alice", 0, nullptr);
 //   sessions.find(begun->id)->watches;
 //   sessions.of_peer(peer);                          // a connection has one session
 //
 // A session belongs to its key, or to its teller where it has none. Its number cannot be guessed.
 
+#include <functional>
 #include <map>
 
 #include "blackboard/server/session.hpp"
@@ -23,6 +24,8 @@ class Sessions {
 
   // Fits a datum, and nobody guesses it.
   static std::uint64_t random_number();
+
+  explicit Sessions(std::function<std::uint64_t()> number) : number_(std::move(number)) {}
 
   std::size_t size() const { return sessions_.size(); }
   const std::map<wire::SessionId, Session>& all() const { return sessions_; }
@@ -45,6 +48,7 @@ class Sessions {
  private:
   Result<void> check_room(const std::string& teller, const wire::PublicKey* key) const;
 
+  const std::function<std::uint64_t()> number_;
   std::map<wire::SessionId, Session> sessions_;
   std::map<std::string, wire::SessionId> of_peer_;
 };

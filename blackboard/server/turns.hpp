@@ -22,7 +22,7 @@ namespace pizarra::server {
 
 class Turns {
  public:
-  // What a request may look at out of its turn: a tenth of a millisecond.
+  // The work that a request may do out of its turn: a tenth of a millisecond.
   static constexpr std::size_t out_of_turn = 1000;
   static constexpr std::size_t looks_a_us = 10;
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// What one transaction changed, as the store hands it to the journal and to the watches.
+// The changes of one transaction, as the store hands them to the journal and to the watches.
 //
 // A fact that is told in place of another appears as the other's `retracted` followed by its own `told`. A fact told
 // and removed within one transaction does not appear at all.

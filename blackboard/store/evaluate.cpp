@@ -243,7 +243,7 @@ class Search {
   std::size_t weight_bound_ = limits::bytes;
 };
 
-// What a pattern that binds its relation's key is answered: one fact at most, found without a search.
+// The answer to a pattern that binds its relation's key: one fact at most, found without a search.
 Result<std::vector<Answer>> find_by_key(const Query& query, const FactTable& table) {
   const Datum& pattern = query.clauses.front().form;
   std::vector<Answer> answers;

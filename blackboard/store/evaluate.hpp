@@ -9,7 +9,7 @@
 //   Result<void> checked = check_query_on(query, tables);         // query_tables.hpp
 //   Result<std::vector<Answer>> answers = evaluate(query, tables);
 //
-// What one fact has to do with the answers is found from that fact on, the other clauses in an order of their own
+// The answers that involve one fact are found from that fact on, the other clauses in an order of their own
 // (join_course.hpp):
 //
 //   std::size_t examined = 0;

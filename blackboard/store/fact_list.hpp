@@ -9,8 +9,9 @@
 //   Fact former = facts.replace(standing, fact);          // in the former's memory, at the end of the order
 //   StandingFact gone = facts.remove(standing);
 //
-// What was taken out leaves its mark in the order, swept away when there are more of these than facts. Those before the
-// first fact are never gone through, so that taking from the front costs the same however many have gone from there.
+// A removed fact leaves its mark in the order; the marks are swept away when there are more of them than facts. Those
+// before the first fact are never gone through, so that taking from the front costs the same however many have gone
+// from there.
 
 #include <algorithm>
 #include <deque>

@@ -1,7 +1,7 @@
 #pragma once
 
-// What a transaction asks of a table before it is done. All add to `examined` what they looked at (looking.hpp), and
-// give up beyond its bound, for check_looking() to refuse.
+// The checks of a transaction against a table, before it is done. All add to `examined` what they looked at
+// (looking.hpp), and give up beyond its bound, for check_looking() to refuse.
 //
 //   std::size_t examined = 0;
 //   const Fact* fact = first_fit(table, pattern, examined);

@@ -11,7 +11,7 @@ bool Indexing::makes_at_once(std::size_t facts) {
 }
 
 void Indexing::await(TableIndexes& table, const FactIndex::Kind& kind) {
-  // Who makes everything at once does without what somebody else is making.
+  // Work that makes everything at once skips an index that somebody else is making.
   const bool may_await = innermost != nullptr && innermost->may_ == May::make_in_parts;
   if (may_await) await(innermost->maker_->want(table, kind));
 }

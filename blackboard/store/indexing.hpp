@@ -1,7 +1,7 @@
 #pragma once
 
 // Whether indexes may be made for what is done meanwhile on this thread, how, and what that takes of whoever it is done
-// for. What an index serves comes later, so that it counts for no search's bound.
+// for. An index pays off later, so that making it counts for no search's bound.
 //
 //   Indexing indexing(Indexing::May::make_in_parts, &maker);
 //   store.ask(query, examined);                    // what must await an index ends at once, and fails

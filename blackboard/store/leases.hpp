@@ -26,6 +26,7 @@ class Leases {
   };
 
   explicit Leases(LeaseId first) : next_(first) {}
+  void begin_at(LeaseId first) { next_ = first; }
 
   LeaseId grant(Duration length, Time now) {
     const LeaseId id = next_++;

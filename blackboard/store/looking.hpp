@@ -1,7 +1,7 @@
 #pragma once
 
-// What a search has looked at, against a bound, limits::examined where none is named: a fact counts for one, and all of
-// them for as many as a sixteenth of the elements that looking at them has compared, where that is more.
+// The facts that a search has looked at, against a bound (limits::examined where none is named): a fact counts for one,
+// and all of them for as many as a sixteenth of the elements that looking at them has compared, where that is more.
 //
 //   Looking looking(examined);                   // goes on from what others have looked at
 //   while (looking.at_one_more()) ...            // in the end, `examined` says what all have

@@ -1,7 +1,7 @@
 #pragma once
 
-// What comparisons leave of the facts that can fit a pattern: the range in which each argument must lie that is
-// compared with something known, so that an index finds those facts alone.
+// The range that comparisons leave for each argument, so that an index finds the facts in it alone: the range in which
+// each argument must lie that is compared with something known, so that an index finds those facts alone.
 //
 //   std::vector<ValueRange> ranges;
 //   narrow(ranges, pattern, comparison);      // (seen ?name ?x) and (< ?x 200): argument 1 up to 200

@@ -89,15 +89,15 @@ Result<void> Store::check_precondition(const Transaction::Precondition& precondi
   return not_met(wanted ? "no fact is like this" : "there is a fact like this", pattern);
 }
 
-// What was seen of a transaction before its next step.
+// The findings about a transaction before its next step.
 struct Store::Checked {
   const std::string& teller;
   const Transaction& transaction;
   std::size_t& examined;
   const FactTable* table = nullptr;  // that the last step was about, as most of those after it are
   std::set<FactId> settled = {};
-  // What the transaction tells, its own retractions will look at: counted before anything is done, since nothing is
-  // undone.
+  // A transaction's own retractions will look at the facts that it tells: counted before anything is done, since
+  // nothing is undone.
   std::map<const FactTable*, std::size_t> told = {};
   std::size_t heaviest = 0;  // as how many facts looking at one of them may count; 0 before that was asked
 

@@ -55,8 +55,8 @@ class Store {
 
   Result<LeaseId> lease(Duration length, Time now);
   Result<void> renew(LeaseId lease, Time now);
-  // What lapses takes as long as looking at so many facts: more, where a relation has indexes. What is more than that
-  // is due at once, and until it goes, questions find it; it is not taken, and no precondition finds it.
+  // Lapsing takes as long as looking at so many facts: more, where a relation has indexes. Facts beyond that are due
+  // too, and questions find them until they are removed; it is not taken, and no precondition finds it.
   static constexpr std::size_t lapsing_at_once = 8000;
   // Adds to `examined` what that took.
   Result<void> release(LeaseId lease, Time now, std::size_t& examined);
@@ -74,22 +74,27 @@ class Store {
   }
 
   const Tables& tables() const { return tables_; }
-  // What is found how quickly is no part of what there is.
+  // The speed at which a fact is found is no part of the board's content.
   IndexMaker& index_maker() const { return index_maker_; }
   Revision revision() const { return revision_; }
   std::size_t size() const { return standing_.size(); }
   // A taken fact that is neither settled nor put back.
   const Fact* held(FactId id) const;
+  // All of those, by ascending id, and whether they were told under a lease.
+  std::vector<std::pair<Fact, bool>> taken() const;
+  FactId next_fact() const { return next_fact_; }
   bool stands(LeaseId lease) const { return leases_.contains(lease); }
   // The lease that a standing fact goes with, and the one that a taken fact is held under; 0 where there is none.
   LeaseId lease_of(FactId standing) const;
   LeaseId holder_of(FactId taken) const;
 
-  // What stood or was taken, told under a lease or without, at the revision where a journal begins, by ascending id;
-  // then its counters.
+  // The facts that stood or were taken at the revision where a journal begins, by ascending id, each with whether it
+  // was told under a lease; then its counters.
   enum class Restored : std::uint8_t { standing, taken, leased, taken_leased };
   Result<void> restore(Fact fact, Restored as);
   void restore_counters(Revision revision, FactId next_fact);
+  // Of a store that has given out none: when it is known which ones an earlier life cannot have given out.
+  void begin_leases_at(LeaseId first) { leases_.begin_at(first); }
   // Repeats a commit of another store, in order; a failure says why it cannot have happened here. Of facts that it
   // removes, only the ids need be known.
   Result<void> apply(Commit commit);

@@ -27,7 +27,7 @@ class Store::Change {
  private:
   FactTable& table_of(const Datum& fact);
   void note_own(Commit::Entry entry);
-  // What the commit says of a fact of its own.
+  // The commit's words about one of its own facts.
   Commit::Entry& entry_of(FactId own) { return commit_.entries[entries_of_own_[own - first_own_]]; }
   Fact remove(StandingFact& standing);
   Fact fresh(const Datum& fact, const std::vector<FactId>& because);

@@ -1,4 +1,4 @@
-// What goes with a lease, or comes back, when it ends; and leased facts in their time. A part at a time: of the leases
+// The facts that go, or come back, when a lease ends; and leased facts in their time. A part at a time: of the leases
 // that have ended, the one with the least to go is next, so that nobody's many facts hold back another's few.
 
 #include <algorithm>
@@ -58,7 +58,7 @@ void Store::keep_lapsing(LeaseId lease, Leases::Lease under_it) {
   if (to_go > 0) lapsing_.emplace(to_go, std::pair(lease, std::move(under_it)));
 }
 
-// What came under another lease since, or under none, stays; and so does what was settled.
+// A fact that has come under another lease since, or under none, stays; and so does what was settled.
 void Store::lapse_some(LeaseId lease, Leases::Lease& under_it, std::size_t& left, Time now) {
   Change change(*this, "board", now);
   while (left > 0 && !under_it.facts.empty()) {

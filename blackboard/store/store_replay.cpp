@@ -89,6 +89,12 @@ void Store::restore_counters(Revision revision, FactId next_fact) {
   for (auto& [name, table] : tables_) table.forget_removals(horizon_);
 }
 
+std::vector<std::pair<Fact, bool>> Store::taken() const {
+  std::vector<std::pair<Fact, bool>> all;
+  for (const auto& [id, held] : held_) all.emplace_back(held.fact, held.told_under != 0);
+  return all;
+}
+
 void Store::resume(Time now) {
   Change change(*this, "board", now);
   for (auto& [name, table] : tables_) {

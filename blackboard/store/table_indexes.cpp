@@ -26,7 +26,7 @@ const FactIndex* TableIndexes::find(const Kind& kind) {
   const bool is_begun = found != entries_.end();
   if (!is_begun || !found->second.index.is_made()) {
     if ((!is_begun && !has_place_for(kind)) || !Indexing::may_make() || Indexing::is_awaiting()) return nullptr;
-    // Who began it makes it, however few facts are left.
+    // The one who began an index makes it, however few facts are left.
     if (is_begun || !Indexing::makes_at_once(facts_.size())) {
       Indexing::await(*this, kind);
       return nullptr;

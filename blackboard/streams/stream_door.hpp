@@ -1,8 +1,8 @@
 #pragma once
 
 // Where subscribers of this machine come for a publisher's streams: a Unix socket without a file (an abstract name that
-// cannot be guessed). Who comes says which stream it wants, and is given the stream's shared memory and its bell, an
-// eventfd that the publisher writes to once a frame, which wakes everybody who polls it.
+// cannot be guessed). A subscriber says which stream it wants. It receives the stream's shared memory and its bell: an
+// eventfd that the publisher writes to once a frame, and that wakes every subscriber.
 //
 //   Result<std::unique_ptr<StreamDoor>> door = StreamDoor::open(executor);
 //   (*door)->name();                                  // what a StreamGuest comes to

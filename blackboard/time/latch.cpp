@@ -28,7 +28,8 @@ void WaitList::Wait::finish(bool woken) {
   waiting_ = false;
   woken_ = woken;
   if (timer_ != 0) list_.executor_.cancel(timer_);
-  // What was due long ago comes after all that is due already, as what is due now does: without a look at the clock.
+  // A timer that was due long ago comes after all that is due already, as one that is due now does: without a look at
+  // the clock.
   timer_ = list_.executor_.call_at(Time(), [this] {
     timer_ = 0;
     std::exchange(waiter_, nullptr).resume();

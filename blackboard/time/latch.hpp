@@ -1,6 +1,6 @@
 #pragma once
 
-// What a coroutine waits for when no timer is meant.
+// A waiting place for coroutines that wait for an event, not for a time.
 //
 //   Event woken(executor);        // a latch that wakes every waiter once set; stays set until reset
 //   Queue<Message> inbox(executor, 64);

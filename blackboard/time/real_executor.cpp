@@ -122,7 +122,7 @@ RealExecutor::Due::iterator RealExecutor::find_due(TimerId timer) {
   return found != due_.end() && found->first == timer ? found : due_.end();
 }
 
-// What they make due in turn waits for the next round, so that files have their turn.
+// Timers that they make due wait for the next round, so that files have their turn.
 bool RealExecutor::run_due(const std::function<bool()>& finished) {
   for (std::size_t left = due_.size(); left > 0; --left) {
     if (stopped_ || finished()) return false;

@@ -2,8 +2,8 @@
 
 // How many facts watches look at to follow one commit: limits::examined for all of them together, however many there
 // are, and beyond that limits::examined_a_turn for each reader, so that who watches little follows whatever others
-// watch. What else is done for a watch counts as the facts that could have been looked at meanwhile, whatever comes of
-// it: a watch that is asked to follow, a fact that is tried, a search that is begun, an answer that comes or goes.
+// watch. Other work for a watch counts as the facts that could have been looked at meanwhile, whatever its result: a
+// watch that is asked to follow, a fact that is tried, a search that is begun, an answer that comes or goes.
 //
 //   CommitLooks looks;                                      // of one commit
 //   std::size_t examined = looks.before(reader);            // a search that goes on from there ends in time

@@ -94,7 +94,7 @@ void JoinedAnswers::add(Answer answer, Changes* changes) {
   if (changes != nullptr) changes->added.insert(*place);
 }
 
-// What came by the same commit has not been heard of, and goes without a word.
+// An answer that came by the same commit was never sent, and goes without a word.
 void JoinedAnswers::remove(Answers::iterator answer, Changes& changes) {
   for (const Fact& fact : answer->second.facts) standing_with_.erase({fact.id, answer->second.serial});
   const Weight weight = weigh_answer(answer->second.facts);

@@ -3,8 +3,9 @@
 // The patterns of watched queries about one relation, by what facts can fit them: a changed fact leads to few others.
 //
 // Each is filed under one of its arguments that has to have a value, by a constant or by (= ?x VALUE), the one that the
-// fewest others are filed under; those without any are filed together. What is filed together is ordered by an end of
-// the range in which comparisons with numbers leave an argument, where they do: a fact leads to the ends it is beyond.
+// fewest others are filed under; those without any are filed together. Watches filed together are ordered by one end of
+// the range that comparisons with numbers leave for an argument, where there is such a range: a fact leads to the ends
+// it is beyond.
 //
 // What a join says of an argument leads nowhere: every fact of (reading ?s ?v) leads to each (and (role 7 ?s)
 // (reading ?s ?v)), also while there is no such role.
@@ -110,7 +111,7 @@ class PatternIndex {
 
   // The same for numbers of the same value.
   static Datum by_value(const Datum& value);
-  // What the argument has to be, if that is known.
+  // The value that the argument must have, if that is known.
   static std::optional<Datum> value_at(std::size_t place, const WatchedPattern& pattern);
   std::size_t size_of_file(std::size_t place, const Datum& value) const;
 

@@ -79,8 +79,8 @@ WatchQueue::~WatchQueue() {
   if (number_ != 0) table_.forget(*this);
 }
 
-// What holds now is the first change, if it fits one message and is found at once; more than that waits until it is
-// read.
+// The first change holds all current answers, if they fit one message and are found at once; more than that waits until
+// it is read.
 Result<void> WatchQueue::begin(std::size_t& examined) {
   if (examined >= limits::examined_a_turn) return {};
   if (only_pattern_ != nullptr) {
@@ -160,7 +160,7 @@ bool WatchQueue::follow(const store::Commit& commit, std::size_t& examined) {
 bool WatchQueue::follow_joins(const store::Commit& commit, std::size_t& examined) {
   Delta delta;
   delta.revision = commit.revision;
-  // What watches need is not of the doing of who commits.
+  // The committer does not pay for the indexes that watches need.
   const store::Indexing indexing(store_.index_maker().may(), &store_.index_maker());
   const Result<void> followed = joined_->follow(commit, delta, examined);
   awaited_ = indexing.awaited();
@@ -189,7 +189,7 @@ bool WatchQueue::follow_facts(const store::Commit& commit, std::size_t& examined
   return push(std::move(delta), weight);
 }
 
-// What comes has a higher id than all that was looked at, and is part of what is sent next.
+// A new fact has a higher id than all that were looked at, and is part of the next message.
 bool WatchQueue::follow_while_sending(const store::Commit& commit, std::size_t& examined) {
   if (nothing_sent_) return true;
   store::Looking looking(examined);

@@ -17,7 +17,7 @@ std::unexpected<Failure> bad_answer(const char* sentence, const Datum& form) {
 
 constexpr std::array<std::string_view, 5> kind_names = {"no", "yes", "first", "more", "last"};
 
-// What `(ID DATUM CAUSE ...)` says after `before`, which was told at the same time by the same.
+// Reads the end of `(ID DATUM CAUSE ...)`, a fact told with `before`, at the same time by the same teller.
 Result<Fact> fact_like(const Fact& before, const Datum& form) {
   const std::optional<FactId> id = count_from(form[0]);
   Result<std::vector<FactId>> because = ids_from(form.items().subspan(2));

@@ -24,8 +24,8 @@ Result<std::vector<Answer>> answers_from_datum(const Query& query, std::span<con
 // not.
 void write_change(std::string& out, WatchId watch, std::uint64_t sequence, std::size_t width, bool kept,
                   const Delta& delta);
-// What a `(change ...)` says that has at least its watch and sequence. To a client that keeps what it was sent, only
-// the id is known of a fact that went.
+// The content of a `(change ...)` that has at least its watch and sequence. To a client that keeps what it was sent,
+// only the id is known of a fact that went.
 Result<Delta> delta_from_datum(const Query& query, bool kept, const Datum& form);
 
 }  // namespace pizarra::wire

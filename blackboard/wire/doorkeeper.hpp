@@ -8,17 +8,15 @@
 // One for a ZeroMQ context, made before what it guards is bound. Messages of those let in carry their public key, in
 // Z85, as "User-Id".
 
-#include <functional>
-#include <string>
 #include <zmq.hpp>
 
-#include "blackboard/time/executor.hpp"
+#include "blackboard/wire/frame_socket.hpp"
 
 namespace pizarra::wire {
 
 class Doorkeeper {
  public:
-  using Admit = std::function<bool(const std::string& public_key)>;
+  using Admit = FrameSocket::Admit;
 
   Doorkeeper(Executor& executor, zmq::context_t& context, Admit admit);
   Doorkeeper(const Doorkeeper&) = delete;

@@ -5,22 +5,17 @@
 //   HandshakeWatch watch(executor, context, socket, with_key,
 //                        {.let_in = [&] { ... }, .refused = [&](const Failure& failure) { ... }});
 //
-// Failures: not-permitted (the board refuses this key, wants a key, or wants none), unreachable (the handshake broke
-// off again and again, as it does when the board's key is not the one that the client knows).
+// Failures: not-permitted (the board refuses this key, wants a key, or wants none). unreachable (the handshake broke
+// off again and again, as it does when the client knows another key of the board).
 
-#include <functional>
-
+#include "blackboard/wire/frame_socket.hpp"
 #include "blackboard/wire/socket_events.hpp"
-#include "lisp/result.hpp"
 
 namespace pizarra::wire {
 
 class HandshakeWatch {
  public:
-  struct Listener {
-    std::function<void()> let_in;
-    std::function<void(const Failure&)> refused;
-  };
+  using Listener = FrameSocket::Listener;
 
   // Before the socket connects; the socket outlives it.
   HandshakeWatch(Executor& executor, zmq::context_t& context, zmq::socket_t& socket, bool with_key, Listener listener);

@@ -1,6 +1,6 @@
 #pragma once
 
-// What befalls the connections of a ZeroMQ socket, as its monitor tells it.
+// The events of a ZeroMQ socket's connections, as its monitor tells them.
 //
 //   SocketEvents events(executor, context, socket, ZMQ_EVENT_ACCEPTED,
 //                       [&](std::uint16_t event, std::uint32_t value) { ... });

@@ -1,7 +1,7 @@
 #pragma once
 
-// What clients and the board server say to each other: each message an s-expression, in text. A frame holds one, or
-// some that go together, one after another: 64 at most.
+// The messages between clients and the board server: each message an s-expression, in text. A frame holds one, or some
+// that go together, one after another: 64 at most.
 //
 // Client to server                              Server to client
 //   (hello TELLER SESSION)  SESSION 0: a new one   (welcome SESSION LIFE)
@@ -31,10 +31,10 @@
 // that is one fact is no list of it: what came is a FACT, or (ID DATUM CAUSE ...) where it was told when and by whom
 // the one before it was; what went is its ID.
 //
-// What is wrong with a request is its reply's to say, also where no more than `(request SESSION ID` can be read of it.
-// `refused` is of what is no request: of a hello, or of what cannot be read that far. Which that was, it does not say:
-// a client that has joined takes whatever it has sent and waits for as refused. A frame that cannot be read is refused
-// whole, to the request that it begins as.
+// A fault of a request is told in its reply, also where no more than `(request SESSION ID` can be read. `refused` is of
+// what is no request: of a hello, or of what cannot be read that far. Which that was, it does not say: a client that
+// has joined takes whatever it has sent and waits for as refused. A frame that cannot be read is refused whole, to the
+// request that it begins as.
 //
 // A server that is ended in order says goodbye to every client. A session lives while its client is heard from. Changes
 // of one watch are numbered from 1; only so many are under way before they are acknowledged.

@@ -39,7 +39,7 @@ bool somebody_answers(const std::string& path) {
 }  // namespace
 
 Result<void> check_address(const std::string& address) {
-  // What came from a command line need not be text that a Datum can hold.
+  // An argument from a command line need not be text that a Datum can hold.
   if (!is_string_text(address)) return fail("bad-address", "the address is not text");
   if (address.starts_with(ipc)) {
     const std::size_t length = address.size() - ipc.size();
@@ -54,6 +54,25 @@ Result<void> check_address(const std::string& address) {
   const bool host = colon > tcp.size();
   if (host && (port == "*" || (digits && std::stoi(port) <= 65535))) return {};
   return bad_address("a tcp address is tcp://HOST:PORT with a port from 0 to 65535, or * for any", address);
+}
+
+Result<std::vector<std::string>> addresses_from(const std::string& list) {
+  constexpr std::size_t most = 8;
+  // A path may have a comma.
+  if (list.starts_with(ipc) || !is_string_text(list)) {
+    const Result<void> sound = check_address(list);
+    return sound ? Result<std::vector<std::string>>({list}) : fail(sound);
+  }
+  std::vector<std::string> addresses;
+  for (std::size_t from = 0; from <= list.size();) {
+    const std::size_t end = std::min(list.find(',', from), list.size());
+    addresses.push_back(list.substr(from, end - from));
+    const Result<void> sound = check_address(addresses.back());
+    if (!sound) return fail(sound);
+    from = end + 1;
+  }
+  if (addresses.size() > most) return bad_address("a board has 8 addresses at most", list);
+  return addresses;
 }
 
 std::string address_to_bind(const std::string& address) {

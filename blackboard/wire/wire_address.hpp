@@ -3,6 +3,7 @@
 // Where a board may be: `ipc://PATH` or `tcp://HOST:PORT`. Without keys only this machine's own addresses are safe.
 
 #include <string>
+#include <vector>
 
 #include "lisp/result.hpp"
 
@@ -10,6 +11,9 @@ namespace pizarra::wire {
 
 // Failure bad-address.
 Result<void> check_address(const std::string& address);
+
+// Of boards that take over from each other, with commas between them: each. Failure bad-address.
+Result<std::vector<std::string>> addresses_from(const std::string& list);
 
 bool is_ipc(const std::string& address);
 

@@ -13,7 +13,7 @@ namespace {
 constexpr int messages_at_once = 16;
 // ZeroMQ takes a message of each connection in turn, and a board has no more sessions.
 constexpr int a_turn_of_each = 1024;
-// What has come to this machine is in the socket by then.
+// A message that has reached this machine is in the socket by then.
 constexpr Duration under_way_at_most = 10ms;
 constexpr int linger_ms = 50;
 constexpr int reconnect_ms = 50;
@@ -47,7 +47,7 @@ WireSocket::WireSocket(Executor& executor, Kind kind, Receiver receiver)
     socket_.set(zmq::sockopt::router_mandatory, true);
     end_the_endless();
   } else {
-    // What is said to a server that is away would reach the next one, which knows nothing of it.
+    // A message to a server that is away would reach the next one, which knows nothing of it.
     socket_.set(zmq::sockopt::immediate, true);
     socket_.set(zmq::sockopt::reconnect_ivl, reconnect_ms);
     socket_.set(zmq::sockopt::reconnect_ivl_max, reconnect_most_ms);
@@ -89,8 +89,7 @@ Result<std::string> WireSocket::bind(const std::string& address, const KeyPair* 
   }
 }
 
-Result<void> WireSocket::connect(const std::string& address, const ClientKeys* keys,
-                                 std::optional<HandshakeWatch::Listener> listener) {
+Result<void> WireSocket::connect(const std::string& address, const ClientKeys* keys, std::optional<Listener> listener) {
   try {
     if (keys != nullptr) {
       socket_.set(zmq::sockopt::curve_serverkey, keys->board_key);
@@ -107,13 +106,17 @@ Result<void> WireSocket::connect(const std::string& address, const ClientKeys* k
   }
 }
 
-void WireSocket::connect_again() {
+void WireSocket::connect_again() { connect_to(connected_to_); }
+
+void WireSocket::connect_to(const std::string& address) {
   try {
     socket_.disconnect(connected_to_);
   } catch (const zmq::error_t&) {
     // ZeroMQ may have let go of it by itself.
   }
+  connected_to_ = address;
   socket_.connect(connected_to_);
+  schedule_pump();
 }
 
 bool WireSocket::send(const std::string& peer, std::string_view frame) {
@@ -187,6 +190,23 @@ void WireSocket::schedule_pump() {
     pump_timer_ = 0;
     pump();
   });
+}
+
+namespace {
+
+class ZeroMq : public Transport {
+ public:
+  std::unique_ptr<FrameSocket> open(Executor& executor, FrameSocket::Kind kind,
+                                    FrameSocket::Receiver receiver) override {
+    return std::make_unique<WireSocket>(executor, kind, std::move(receiver));
+  }
+};
+
+}  // namespace
+
+Transport& zeromq() {
+  static ZeroMq transport;
+  return transport;
 }
 
 }  // namespace pizarra::wire

@@ -1,6 +1,6 @@
 #pragma once
 
-// A ZeroMQ socket on the executor: frames come by callback, sending never blocks.
+// A FrameSocket of ZeroMQ, on the executor.
 //
 //   WireSocket router(executor, WireSocket::Kind::router,
 //                     [&](const std::string& peer, std::optional<std::string_view> frame) { ... });
@@ -13,58 +13,45 @@
 //
 // With keys it is encrypted: a router's addresses bound with encrypt() in force, and all that a dealer connects to.
 
-#include <functional>
-#include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 #include <zmq.hpp>
 
-#include "blackboard/time/executor.hpp"
+#include "blackboard/wire/doorkeeper.hpp"
 #include "blackboard/wire/endless_watch.hpp"
+#include "blackboard/wire/frame_socket.hpp"
 #include "blackboard/wire/handshake_watch.hpp"
 #include "blackboard/wire/keys.hpp"
 #include "blackboard/wire/under_way.hpp"
-#include "lisp/result.hpp"
 
 namespace pizarra::wire {
 
-class WireSocket {
+class WireSocket : public FrameSocket {
  public:
-  enum class Kind : std::uint8_t { router, dealer };
-  // `peer` names who sent it to a router, and is empty for a dealer.
-  using Receiver = std::function<void(const std::string& peer, std::optional<std::string_view> frame)>;
   // Frames under way to one peer that does not read, and a router's bytes.
   static constexpr int high_water = 256;
   static constexpr std::size_t most_under_way = 4 << 20;
 
-  // Of a peer whom a router does not come to: messages that it has here. What is more waits in the network and at the
-  // peer.
+  // Of a peer whom a router does not come to: messages that it has here. Further messages wait in the network and at
+  // the peer.
   static constexpr int read_ahead = 64;
   static constexpr std::int64_t longest_message = 2 << 20;
 
   WireSocket(Executor& executor, Kind kind, Receiver receiver);
   WireSocket(const WireSocket&) = delete;
   WireSocket& operator=(const WireSocket&) = delete;
-  ~WireSocket();
+  ~WireSocket() override;
 
-  // Failure address-in-use, or bad-address. With `own` keys, whoever comes there must have a key that the doorkeeper of
-  // context() lets in.
-  Result<std::string> bind(const std::string& address, const KeyPair* own = nullptr);
+  Result<std::string> bind(const std::string& address, const KeyPair* own = nullptr) override;
+  void admit(Admit admit) override { doorkeeper_.emplace(executor_, context_, std::move(admit)); }
   Result<void> connect(const std::string& address, const ClientKeys* keys = nullptr,
-                       std::optional<HandshakeWatch::Listener> listener = {});
-  // After it was refused: ZeroMQ does not try again by itself.
-  void connect_again();
-  // False, and nothing sent, when more than the bound would be under way to the peer, or it is gone.
-  bool send(const std::string& peer, std::string_view frame);
-  // Whether half of that is free: what can wait leaves the rest to what cannot.
-  bool has_room(const std::string& peer) const { return under_way_.bytes_to(peer) <= most_under_way / 2; }
-  // The public key of who sent what is being received; empty for one without.
-  const std::string& sender_key() const { return sender_key_; }
-  // All that had come by then has been received, or, where more comes than is received, what each connection had to
-  // give in its turn. Goes on looking, so that a later call answers a later time.
-  Time heard_until();
-  zmq::context_t& context() { return context_; }
+                       std::optional<Listener> listener = {}) override;
+  void connect_again() override;
+  void connect_to(const std::string& address) override;
+  bool send(const std::string& peer, std::string_view frame) override;
+  bool has_room(const std::string& peer) const override { return under_way_.bytes_to(peer) <= most_under_way / 2; }
+  const std::string& sender_key() const override { return sender_key_; }
+  Time heard_until() override;
 
  private:
   void end_the_endless();
@@ -91,6 +78,7 @@ class WireSocket {
   std::string connected_to_;
   std::optional<HandshakeWatch> handshakes_;
   std::optional<EndlessWatch> endless_;  // of a router
+  std::optional<Doorkeeper> doorkeeper_;
 };
 
 }  // namespace pizarra::wire

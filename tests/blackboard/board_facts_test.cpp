@@ -150,7 +150,7 @@ TEST_P(BoardFacts, WhatIsTooLargeIsRefusedAndTheBoardGoesOn) {
   EXPECT_FALSE(holds(*alice, "(note ? ?)"));
 }
 
-// What a retraction looks at are also the facts that its own transaction has told before it.
+// A retraction also looks at the facts that its own transaction has told before it.
 TEST_P(BoardFacts, ATransactionThatLooksThroughWhatItTellsIsBounded) {
   constexpr int many = 600;
   Transaction costly;

@@ -1,4 +1,4 @@
-// What is the board's own, and what nobody may call anything.
+// The board's own names, which nobody else may use.
 
 #include "blackboard/limits.hpp"
 #include "tests/blackboard/board_fixture.hpp"
@@ -47,7 +47,7 @@ TEST_P(BoardOwn, ANameHasABound) {
   EXPECT_EQ(symbol_of(wall->run(bob->tell(list(Datum::symbol(longest), 1)))), "ok");
 }
 
-// What is wrong with it is said in a sentence that can be read.
+// A fault is told in a sentence that can be read.
 TEST_P(BoardOwn, ANameOfAnyLengthThatIsNoRelationIsRefusedInFewWords) {
   const std::string endless(500'000, 'n');
   const Result<Revision> told = wall->run(bob->tell(list(Datum::symbol(endless), 1)));

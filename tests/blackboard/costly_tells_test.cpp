@@ -1,4 +1,4 @@
-// What counts as having looked at facts where some are told or retracted by their keys: what the indexes take.
+// Telling and retracting facts by their keys counts the work of the indexes as facts looked at: what the indexes take.
 
 #include <gtest/gtest.h>
 

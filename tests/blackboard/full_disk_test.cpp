@@ -204,7 +204,7 @@ TEST_F(FullDiskTest, NoMoreIsRetractedAtOnceThanThereIsRoomToSay) {
     Transaction portion;
     portion.retract(list("goal"_sym, "?"_sym, std::to_string(part)));
     std::string said = symbol_of(run(alice_->transact(portion)));
-    // What was looked at for her until here is paid by waiting.
+    // The work done for her until here is paid by waiting.
     for (int waited = 0; said == "too-many" && waited < 50; ++waited) {
       pass(100ms);
       said = symbol_of(run(alice_->transact(portion)));

@@ -28,7 +28,7 @@ struct WatchedStore {
   watch::WatchTable watches{store};
 };
 
-std::string one_of(Random& random, const std::vector<std::string>& choices) {
+std::string any_choice(Random& random, const std::vector<std::string>& choices) {
   return choices[random.below(choices.size())];
 }
 
@@ -38,25 +38,25 @@ std::string pattern(Random& random, const std::vector<std::string>& variables) {
   std::string text = "(" + chosen.name;
   for (std::size_t i = 0; i < chosen.arguments.size(); ++i) {
     const bool variable = !variables.empty() && random.below(4) != 0;
-    text += " " + (variable ? one_of(random, variables) : one_of(random, {"1", "2", "3", "2.5", "x"}));
+    text += " " + (variable ? any_choice(random, variables) : any_choice(random, {"1", "2", "3", "2.5", "x"}));
   }
   return text + ")";
 }
 
 // Most of what chance writes is a query.
-Query random_query(Random& random) {
+Query random_joined_query(Random& random) {
   while (true) {
     std::string text = "(and";
     for (std::uint64_t clauses = 1 + random.below(4); clauses > 0; --clauses) {
       const std::string fact = pattern(random, {"?x", "?y", "?z", "?"});
-      const std::string comparison = one_of(random, {"<", ">=", "=", "/="});
+      const std::string comparison = any_choice(random, {"<", ">=", "=", "/="});
       const std::uint64_t kind = random.below(7);
-      if (kind == 0) text += " (" + comparison + " ?x " + one_of(random, {"?y", "?z", "2"}) + ")";
+      if (kind == 0) text += " (" + comparison + " ?x " + any_choice(random, {"?y", "?z", "2"}) + ")";
       if (kind == 1 || kind == 2) text += " (not " + fact + ")";
       if (kind > 2) text += " " + fact;
     }
     text = "(query " + text + ")";
-    if (random.below(3) == 0) text += " " + one_of(random, {"(order ?x)", "(order (down ?y))"});
+    if (random.below(3) == 0) text += " " + any_choice(random, {"(order ?x)", "(order (down ?y))"});
     if (random.below(3) == 0) text += " (limit " + std::to_string(random.below(4)) + ")";
     const Result<Query> made = query_from_datum(read(text + ")"));
     if (made) return *made;
@@ -122,7 +122,7 @@ TEST(JoinedWatch, FollowsWhateverChangesAsAnsweringAnewWould) {
     std::vector<LeaseId> leases = {store.lease(1s, {}).value()};
     std::vector<Watched> watched;
     for (int i = 0; i < 8; ++i) {
-      const Query query = random_query(random);
+      const Query query = random_joined_query(random);
       watched.push_back({query, watches.add(query, nullptr).value(), {}});
       watched.back().follow(true);
     }
@@ -137,7 +137,7 @@ TEST(JoinedWatch, FollowsWhateverChangesAsAnsweringAnewWould) {
   }
 }
 
-// What the order says about the answers that came at once.
+// The order of the answers that came at once.
 TEST(JoinedWatch, SaysWhatComesInTheOrderOfTheQuery) {
   WatchedStore both;
   auto& [store, watches] = both;
@@ -248,7 +248,7 @@ TEST(JoinedWatch, MissesNothingWhereWhatItIsJoinedWithHasManyValuesOrFewAgain) {
       // First more and more of them come, then go.
       const bool comes = step < 150;
       const std::string thing = std::to_string(random.below(40)) + (random.below(4) == 0 ? ".0" : "");
-      const std::string key = "(seen " + one_of(random, {"7", "8"}) + " " + thing;
+      const std::string key = "(seen " + any_choice(random, {"7", "8"}) + " " + thing;
       Transaction change;
       if (random.below(3) == 0 || comes) change.tell(read(key + " " + std::to_string(step) + ")"));
       if (random.below(3) == 0 || !comes) change.retract(read(key + " ?)"));

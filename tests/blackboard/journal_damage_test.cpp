@@ -1,4 +1,5 @@
-// What is damaged, torn or no journal at all is refused by name, and never passes for less or for something else.
+// A file that is damaged, torn or no journal at all is refused by name, and never passes for less or for something
+// else.
 
 #include <filesystem>
 #include <fstream>
@@ -29,7 +30,7 @@ class JournalDamageTest : public JournalFileTest {
     std::ifstream in(path_, std::ios::binary);
     return {std::istreambuf_iterator<char>(in), {}};
   }
-  // What a board makes of a file that holds this.
+  // A board's view of a file with this content.
   Result<void> recover(const std::string& text, store::Store& store) const {
     std::ofstream(path_, std::ios::binary) << text;
     for (const char* part : {"-wal", "-shm"}) std::filesystem::remove(path_ + part);
@@ -269,7 +270,7 @@ TEST_F(JournalDamageTest, DamageWithinWhatWasKeptIsSaidAndNothingBehindItDropped
     std::string damaged = log;
     damaged[random.below(written * 9 / 10)] ^= static_cast<char>(1U << random.below(8));
     const auto opened = restart_with(damaged);
-    // What SQLite never reads, the counters of the header, may be anything.
+    // The counters of the header, which SQLite never reads, may have any value.
     if (opened && (*opened)->append({"(1000 1 \"a\" (retract 1))\n", "", true})) continue;
     ASSERT_FALSE(opened.has_value());
     EXPECT_EQ(opened.error().symbol, "bad-journal");

@@ -72,7 +72,7 @@ TEST_F(JournalFileTest, DurableFactsUnderALeaseGoWithIt) {
   }
 }
 
-// What the journal has let go can be told from nothing no more.
+// A revision that the journal has let go cannot be told from an empty one any more.
 TEST_F(JournalFileTest, WhatCompactionForgotDoesNotPassForUnchanged) {
   Revision seen = 0;
   {

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "blackboard/journal/journal_file.hpp"
 #include "blackboard/journal/journal_writer.hpp"
 #include "blackboard/time/virtual_executor.hpp"
 #include "tests/blackboard/wall.hpp"

@@ -10,7 +10,7 @@
 namespace pizarra {
 namespace {
 
-using Change = journal::JournalWriter::Change;
+using Written = journal::JournalWriter::Change;
 
 class JournalRoomTest : public JournalFileTest {
  protected:
@@ -19,13 +19,13 @@ class JournalRoomTest : public JournalFileTest {
   }
   // As a server does: what there is no room for is refused.
   bool tell(Life& life, int n, std::size_t bytes) {
-    if (!life.writer->check_room(Change::lasting, bytes + 512)) return false;
+    if (!life.writer->check_room(Written::lasting, bytes + 512)) return false;
     life.tell(write(list("goal"_sym, n, list(++told, std::string(bytes, 'x')))));
     life.keep();
     return true;
   }
   static bool retract(Life& life, const std::string& pattern, std::size_t facts) {
-    if (!life.writer->check_room(Change::removing, 512 + 32 * facts)) return false;
+    if (!life.writer->check_room(Written::removing, 512 + 32 * facts)) return false;
     EXPECT_TRUE(life.board->transact("alice", Transaction().retract(read(pattern))).has_value());
     life.keep();
     return true;
@@ -124,13 +124,13 @@ TEST_F(JournalRoomTest, ABoardBeginsOnAFullDiskAndRetracts) {
   EXPECT_EQ(goals(life).size(), stood - 19);
 }
 
-// What need not last goes into the journal as well; it must not take what a retraction needs.
+// Facts that need not last go into the journal as well; it must not take what a retraction needs.
 TEST_F(JournalRoomTest, WhatNeedNotLastLeavesRoomForRetractions) {
   Life life(journal_);
   ASSERT_TRUE(life.board->declare("alice", relations_).has_value());
   ASSERT_LT(fill(life, 0, 400), 400);
   for (int n = 0; n < 200; ++n) {
-    if (life.writer->check_room(Change::passing, 20'512)) {
+    if (life.writer->check_room(Written::passing, 20'512)) {
       Transaction next;
       next.retract(read("(seen ?)")).tell(list("seen"_sym, std::to_string(n) + std::string(20'000, 'y')));
       EXPECT_TRUE(life.board->transact("alice", next).has_value());

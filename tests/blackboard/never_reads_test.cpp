@@ -1,4 +1,4 @@
-// What a client that never reads costs the board's program, and what the others notice of it.
+// The cost of a client that never reads to the board's program, and its effect on the others.
 
 #include <gtest/gtest.h>
 #include <zmq.hpp>

@@ -1,4 +1,4 @@
-// Who is answered when about what was, where many ask.
+// The order in which questions about the past are answered when many ask.
 
 #include "blackboard/journal/past.hpp"
 

@@ -62,7 +62,7 @@ class PythonWatch : public Watch {
     python_.begin(view_, list("unwatch"_sym, number_), {});
   }
 
-  // What an abandoned wait was to get is the next one's.
+  // The item for an abandoned wait goes to the next one.
   Task<Result<Change>> next() override {
     if (asked_ == 0) {
       asked_ = python_.begin(view_, list("next"_sym, number_), [this](Result<Datum> reply) {
@@ -110,7 +110,7 @@ class PythonBoard : public Board {
   Task<Result<Revision>> transact(Transaction transaction) override {
     std::string text;
     wire::write_transaction(text, transaction);
-    // What is too much is for the board to say.
+    // The board says how much is too much.
     constexpr ReadLimits any = {.bytes = 1 << 26, .depth = 1 << 10, .elements = 1 << 24};
     Datum operation = read_one(text, any).value();
     const Result<Datum> reply = co_await python_.call(number_, std::move(operation));

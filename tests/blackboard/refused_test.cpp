@@ -1,4 +1,4 @@
-// What both clients make of a board that refuses what they say: it reaches whom it concerns, in the board's words.
+// Both clients' behaviour with a board that refuses their messages: it reaches whom it concerns, in the board's words.
 
 #include <gtest/gtest.h>
 

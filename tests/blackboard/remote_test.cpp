@@ -3,6 +3,7 @@
 #include "blackboard/client/remote_board.hpp"
 #include "blackboard/server/board_server.hpp"
 #include "blackboard/time/real_executor.hpp"
+#include "blackboard/wire/wire_socket.hpp"
 #include "lisp/writer.hpp"
 #include "tests/blackboard/board_fixture.hpp"
 
@@ -54,7 +55,7 @@ TEST_F(RemoteTest, AServerThatComesLateIsFound) {
 TEST_F(RemoteTest, AClientGreetsAsSoonAsItIsLetIn) {
   start_server();
   Duration best = 1s;
-  // Who waits for a beat to greet at waits for it every time.
+  // A client that waits for a beat to greet at waits for it every time.
   for (int tries = 0; tries < 20; ++tries) {
     const Time before = executor_.now();
     const auto board = view("alice");
@@ -189,7 +190,7 @@ TEST_F(RemoteTest, RequestsOfManyTasksAreAnsweredToTheirOwn) {
   EXPECT_EQ(right, most);
 }
 
-// What is answered is remembered for so many requests, and no more answers wait for a client that does not read.
+// A number of replies is remembered, and no more of them wait for a client that does not read.
 TEST_F(RemoteTest, NoRequestGoesFarAheadOfTheOldestThatWaits) {
   std::vector<std::string> heard;
   std::string client;

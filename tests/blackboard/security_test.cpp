@@ -12,6 +12,7 @@
 #include "blackboard/limits.hpp"
 #include "blackboard/server/board_server.hpp"
 #include "blackboard/time/real_executor.hpp"
+#include "blackboard/wire/wire_socket.hpp"
 #include "tests/blackboard/board_fixture.hpp"
 
 namespace pizarra {
@@ -228,7 +229,7 @@ TEST_F(SecurityTest, NobodyTellsReadsOrTakesWhatItsKeyDoesNotAllow) {
   EXPECT_EQ(symbol_of(run(robot->transact(curious))), "not-permitted");
   const std::vector<Relation> own_idea = {relation("(relation plan ((n integer)))")};
   EXPECT_EQ(symbol_of(run(robot->declare(own_idea))), "not-permitted");
-  // What is declared of a relation that is none of its business it does not learn.
+  // A client does not learn the declarations of relations that it has no right to.
   const std::string guesses[] = {"(relation goal ((n integer)) (key n))", "(relation goal ((n symbol)))"};
   for (const std::string& guess : guesses) {
     const Result<void> learned = run(robot->declare({relation(guess)}));

@@ -1,4 +1,4 @@
-// What a client that has the board look at much gets, and that nobody else waits for it.
+// A client that makes the board work hard gets its share, and nobody else waits for it.
 
 #include <algorithm>
 

@@ -50,7 +50,7 @@ class ServerIndex : public ServerTest {
   }
   // The notes of each answer.
   using Held = std::set<std::vector<std::int64_t>>;
-  // What the changes of the watch of this query leave, of all that come.
+  // The facts that the changes of this query's watch leave.
   Held hear_all(const std::string& asked_for, Held held = {}) {
     const Query watched = query(asked_for);
     for (Datum change = odd.receive(); change != Datum(); change = odd.receive(300ms)) {

@@ -1,8 +1,9 @@
-// What a client that asks, sends, opens or keeps too much gets, and that nobody else notices.
+// A client that asks, sends, opens or keeps too much is limited, and nobody else notices.
 
 #include <set>
 
 #include "blackboard/limits.hpp"
+#include "blackboard/wire/wire_socket.hpp"
 #include "tests/blackboard/server_fixture.hpp"
 
 namespace pizarra {
@@ -38,7 +39,7 @@ TEST_F(ServerLoad, WhatTakesLookingAtTooManyFactsIsRefusedToWhoAsksItAlone) {
   EXPECT_TRUE(refusals("polite").empty());
 }
 
-// What it is sent comes when all is looked through, or joined; what another says meanwhile is answered before.
+// Its answers come when all is looked through, or joined; what another says meanwhile is answered before.
 TEST_F(ServerLoad, WhoBeginsWatchesAmongManyFactsLetsOthersBeServedBetween) {
   constexpr int facts = 150'000;
   constexpr int a_transaction = 5000;

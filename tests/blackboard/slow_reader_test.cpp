@@ -25,7 +25,7 @@ class SlowReader : public ServerTest {
   void ask(const std::string& body) {
     slow.send("(request " + session + " " + std::to_string(++asked) + " " + body + ")");
   }
-  // What it reads fills its connection, and the board's queue to it.
+  // The changes that it does not read fill its connection, and the board's queue to it.
   void ask_and_read_nothing() {
     for (int i = 1; i <= questions; ++i) {
       ask("(ask (note 0 ?text))");

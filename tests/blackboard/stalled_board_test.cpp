@@ -1,4 +1,4 @@
-// What came in time counts, also where the board's thread was held up until after it was due.
+// A message that came in time counts, also where the board's thread was held up until after the deadline.
 
 #include <thread>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a Store should hold, said the slow and obvious way: a list of facts that every operation looks through.
+// The expected content of a Store, kept the slow and obvious way: a list of facts that every operation looks through.
 
 #include <algorithm>
 #include <map>
@@ -49,7 +49,7 @@ class StoreModel {
   void lease(LeaseId id, Time expiry) { leases_[id] = expiry; }
   bool has_lease(LeaseId id) const { return leases_.contains(id); }
 
-  // What is taken, under the id that the store gave it.
+  // A fact that is taken, under the id that the store gave it.
   std::optional<Datum> take(const Datum& pattern, LeaseId holder, FactId id) {
     const auto found = std::ranges::find_if(facts_, [&](const Entry& e) { return fits(pattern, e.datum); });
     if (found == facts_.end()) return std::nullopt;

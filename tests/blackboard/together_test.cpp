@@ -3,6 +3,8 @@
 #include <filesystem>
 
 #include "blackboard/client/remote_board.hpp"
+#include "blackboard/journal/journal_file.hpp"
+#include "blackboard/wire/wire_socket.hpp"
 #include "tests/blackboard/board_fixture.hpp"
 #include "tests/blackboard/python_wall.hpp"
 #include "tests/blackboard/server_fixture.hpp"

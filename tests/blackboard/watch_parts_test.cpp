@@ -1,4 +1,4 @@
-// What holds is told to who watches among many facts a few thousand at a time, whatever is committed between.
+// A new watch among many facts receives them a few thousand at a time, whatever is committed between.
 
 #include <gtest/gtest.h>
 #include <map>

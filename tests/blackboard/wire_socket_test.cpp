@@ -1,4 +1,4 @@
-// What a peer may do to a socket's connections, and nothing to the socket.
+// A peer may break a socket's connections, but not the socket.
 
 #include "blackboard/wire/wire_socket.hpp"
 

@@ -66,7 +66,7 @@ class StreamsTest : public testing::TestWithParam<StreamWall> {
   std::vector<std::uint64_t> seen;
 
  private:
-  // What is waited for is looked at again even where nothing happens by itself.
+  // The condition is looked at again even where nothing happens by itself.
   void tick() {
     executor.call_at(executor.now() + 1ms, [this] { tick(); });
   }

@@ -1,0 +1,90 @@
+#include "blackboard/cluster/cluster_log.hpp"
+
+#include <fmt/format.h>
+
+namespace pizarra::cluster {
+
+namespace {
+
+constexpr std::size_t may_wait_bytes = 16 << 20;
+
+}  // namespace
+
+ClusterLog::ClusterLog(std::shared_ptr<KeyValues> key_values, std::shared_ptr<KeyValues> reading, LogKeys keys,
+                       EpochValue epoch, std::uint64_t head, std::string path)
+    : key_values_(std::move(key_values)),
+      reading_(std::move(reading)),
+      keys_(std::move(keys)),
+      epoch_(std::move(epoch)),
+      path_(std::move(path)),
+      head_(head) {}
+
+Result<std::vector<journal::RememberedReply>> ClusterLog::recover(store::Store& store) {
+  LogCopy copy(*key_values_, keys_, store, {});
+  const Result<void> whole = copy.follow_to(head_);
+  if (!whole) return fail(whole);
+  return copy.replies();
+}
+
+Result<bool> ClusterLog::stands(const std::string& text) {
+  const Result<std::optional<std::string>> standing = get(*key_values_, keys_.entry(head_ + 1));
+  if (!standing) return fail(standing);
+  if (!*standing) return false;
+  if (**standing == text) return true;
+  deposed_ = Failure{"deposed", fmt::format("another board wrote entry {} of {}", head_ + 1, path_), {}, {}};
+  return fail(*deposed_);
+}
+
+Result<void> ClusterLog::append(const journal::JournalGroup& group, bool) {
+  if (deposed_) return fail(*deposed_);
+  const std::string text = text_of(head_ + 1, epoch_.number, group);
+  if (text.size() > largest_entry) {
+    return fail("journal-full",
+                fmt::format("{} takes no entry of {} bytes, {} at most", path_, text.size(), largest_entry));
+  }
+  if (in_doubt_) {
+    const Result<bool> written = stands(text);
+    if (!written) return fail(written);
+    in_doubt_ = false;
+    if (*written) {
+      ++head_;
+      return {};
+    }
+  }
+  in_doubt_ = true;
+  const Result<KeyValues::Reply> put = key_values_->transact(
+      {.compares = {{keys_.epoch(), cluster::text_of(epoch_)}, {keys_.head(), fmt::format("{}", head_)}},
+       .puts = {{keys_.entry(head_ + 1), text}, {keys_.head(), fmt::format("{}", head_ + 1)}}},
+      patience);
+  if (!put) return fail(put);
+  // Where it did not go through, an earlier attempt may have, late.
+  const Result<bool> written = put->succeeded ? Result<bool>(true) : stands(text);
+  if (!written) return fail(written);
+  in_doubt_ = false;
+  if (*written) {
+    ++head_;
+    return {};
+  }
+  deposed_ = Failure{"deposed", "another board leads the cell now, in " + path_, {}, {}};
+  return fail(*deposed_);
+}
+
+journal::JournalRoom ClusterLog::room() {
+  return {.for_all = may_wait_bytes, .for_removals = may_wait_bytes, .for_passing = may_wait_bytes};
+}
+
+Result<journal::PlayedBack> ClusterLog::read(store::Store& store, const Moment& until) const {
+  return read_log(*reading_, keys_, store, until);
+}
+
+Result<journal::PlayedBack> read_log(KeyValues& key_values, const LogKeys& keys, store::Store& store,
+                                     const Moment& until) {
+  LogCopy copy(key_values, keys, store, until);
+  while (true) {
+    const Result<std::size_t> came = copy.follow();
+    if (!came) return fail(came);
+    if (*came == 0) return journal::PlayedBack{copy.end(), copy.later()};
+  }
+}
+
+}  // namespace pizarra::cluster

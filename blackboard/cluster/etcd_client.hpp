@@ -1,0 +1,37 @@
+#pragma once
+
+// Etcd as the store under a cluster log, through its JSON gateway over HTTP/1.1.
+//
+//   Result<std::unique_ptr<EtcdClient>> etcd = EtcdClient::open(address);     // connects when first used
+//   (*etcd)->transact({.compares = {{"a", std::nullopt}}, .puts = {{"a", "1"}}}, 200ms);
+//
+// A member that does not answer in time is left for the next one. The connection stays.
+
+#include <memory>
+
+#include "blackboard/cluster/key_values.hpp"
+#include "blackboard/cluster/log_address.hpp"
+
+namespace pizarra::cluster {
+
+class EtcdClient : public KeyValues {
+ public:
+  // Failure bad-address where a file of the certificates cannot be read.
+  static Result<std::unique_ptr<EtcdClient>> open(const LogAddress& address);
+  ~EtcdClient() override;
+
+  Result<Reply> transact(const Transaction& transaction, Duration wait) override;
+  Result<std::vector<KeyValue>> range(const Range& range, std::size_t most, Duration wait) override;
+
+ private:
+  class Connection;
+  explicit EtcdClient(const LogAddress& address);
+  // The answer's body.
+  Result<std::string> post(const char* path, const std::string& body, Duration wait);
+
+  const LogAddress address_;
+  std::unique_ptr<Connection> connection_;
+  std::size_t member_ = 0;
+};
+
+}  // namespace pizarra::cluster

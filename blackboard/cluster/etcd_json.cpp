@@ -1,0 +1,124 @@
+#include "blackboard/cluster/etcd_json.hpp"
+
+#include <nettle/base64.h>
+#include <nlohmann/json.hpp>
+
+#include "lisp/outside_text.hpp"
+
+namespace pizarra::cluster::etcd_json {
+
+namespace {
+
+using nlohmann::json;
+
+std::string encoded(const std::string& bytes) {
+  std::string text(BASE64_ENCODE_RAW_LENGTH(bytes.size()), '\0');
+  base64_encode_raw(text.data(), bytes.size(), reinterpret_cast<const std::uint8_t*>(bytes.data()));
+  return text;
+}
+
+std::optional<std::string> decoded(const json& object, const char* name) {
+  const auto found = object.find(name);
+  if (found == object.end()) return std::string();
+  if (!found->is_string()) return std::nullopt;
+  const std::string& text = found->get_ref<const std::string&>();
+  std::string bytes(BASE64_DECODE_LENGTH(text.size()), '\0');
+  base64_decode_ctx context;
+  base64_decode_init(&context);
+  std::size_t size = bytes.size();
+  const bool sound = base64_decode_update(&context, &size, reinterpret_cast<std::uint8_t*>(bytes.data()), text.size(),
+                                          text.data()) != 0;
+  if (!sound || base64_decode_final(&context) == 0) return std::nullopt;
+  bytes.resize(size);
+  return bytes;
+}
+
+json range_json(const KeyValues::Range& range) {
+  return {{"key", encoded(range.from)}, {"range_end", encoded(range.to)}};
+}
+
+json compare_json(const KeyValues::Compare& compare) {
+  json form = {{"key", encoded(compare.key)}, {"result", "EQUAL"}};
+  if (compare.value) {
+    form["target"] = "VALUE";
+    form["value"] = encoded(*compare.value);
+  } else {
+    form["target"] = "CREATE";
+    form["create_revision"] = "0";
+  }
+  return form;
+}
+
+std::unexpected<Failure> not_understood() { return fail("unavailable", "etcd answered what is not understood"); }
+
+bool add_found(const json& response, std::vector<KeyValue>& found) {
+  const auto values = response.find("kvs");
+  if (values == response.end()) return true;
+  for (const json& value : *values) {
+    std::optional<std::string> key = decoded(value, "key");
+    std::optional<std::string> text = decoded(value, "value");
+    if (!key || !text) return false;
+    found.push_back({std::move(*key), std::move(*text)});
+  }
+  return true;
+}
+
+std::optional<json> object_from(const std::string& body) {
+  json read = json::parse(body, nullptr, false);
+  if (!read.is_object()) return std::nullopt;
+  return read;
+}
+
+}  // namespace
+
+std::string request(const KeyValues::Transaction& transaction) {
+  json form = {{"compare", json::array()}, {"success", json::array()}, {"failure", json::array()}};
+  for (const KeyValues::Compare& compare : transaction.compares) {
+    form["compare"].push_back(compare_json(compare));
+    form["failure"].push_back({{"request_range", {{"key", encoded(compare.key)}}}});
+  }
+  for (const KeyValues::Range& range : transaction.deletes) {
+    form["success"].push_back({{"request_delete_range", range_json(range)}});
+  }
+  for (const KeyValue& put : transaction.puts) {
+    form["success"].push_back({{"request_put", {{"key", encoded(put.key)}, {"value", encoded(put.value)}}}});
+  }
+  return form.dump();
+}
+
+std::string request(const KeyValues::Range& range, std::size_t most) {
+  json form = range_json(range);
+  form["limit"] = std::to_string(most);
+  return form.dump();
+}
+
+Result<KeyValues::Reply> reply_from(const std::string& body) {
+  const std::optional<json> form = object_from(body);
+  if (!form || !form->contains("header")) return not_understood();
+  KeyValues::Reply reply;
+  reply.succeeded = form->value("succeeded", false);
+  if (reply.succeeded) return reply;
+  const auto responses = form->find("responses");
+  if (responses == form->end()) return reply;
+  for (const json& response : *responses) {
+    const auto range = response.find("response_range");
+    if (range != response.end() && !add_found(*range, reply.found)) return not_understood();
+  }
+  return reply;
+}
+
+Result<std::vector<KeyValue>> range_from(const std::string& body) {
+  const std::optional<json> form = object_from(body);
+  std::vector<KeyValue> found;
+  if (!form || !form->contains("header") || !add_found(*form, found)) return not_understood();
+  return found;
+}
+
+std::string error_from(const std::string& body) {
+  const std::optional<json> form = object_from(body);
+  constexpr std::size_t longest = 200;
+  const bool said = form && form->contains("error") && (*form)["error"].is_string();
+  return text_of_bytes(said ? (*form)["error"].get<std::string>().substr(0, longest) : body.substr(0, longest));
+}
+
+}  // namespace pizarra::cluster::etcd_json

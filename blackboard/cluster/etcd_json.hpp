@@ -1,0 +1,19 @@
+#pragma once
+
+// What etcd's gateway is asked and answers, as JSON. Keys and values stand there as base64.
+
+#include <string>
+
+#include "blackboard/cluster/key_values.hpp"
+
+namespace pizarra::cluster::etcd_json {
+
+std::string request(const KeyValues::Transaction& transaction);
+std::string request(const KeyValues::Range& range, std::size_t most);
+// Failure unavailable where it is not understood.
+Result<KeyValues::Reply> reply_from(const std::string& body);
+Result<std::vector<KeyValue>> range_from(const std::string& body);
+// What an error says, or a beginning of it.
+std::string error_from(const std::string& body);
+
+}  // namespace pizarra::cluster::etcd_json

@@ -1,0 +1,85 @@
+#pragma once
+
+// Who of a cell's boards leads, and for how long it may answer.
+//
+//   Result<std::optional<Leadership>> won = Leadership::campaign(key_values, keys, copy.alive(), "board-pc", nonce);
+//   Term term;
+//   const Time sent = executor.now();                                   // every confirms_every
+//   Result<Revision> up_to = won->confirm(key_values, now, revision, fact);
+//   if (up_to) term.confirmed(sent, *up_to);
+//   if (term.may_answer(executor.now(), revision)) ...                  // before each reply
+//
+// A board leads by its epoch: a key that every transaction of its log compares. Taking the lead replaces the epoch
+// where the leader has not confirmed it since it was seen. The old one's appends fail from then on; its answers end by
+// themselves `answers_for` after the last confirmation that went through was sent, and the new one serves
+// `serves_after` its epoch stands. The clocks of both only need to run at about the same speed.
+
+#include <optional>
+
+#include "blackboard/cluster/log_keys.hpp"
+
+namespace pizarra::cluster {
+
+inline constexpr Duration confirms_every = 100ms;
+inline constexpr Duration answers_for = 250ms;
+inline constexpr Duration serves_after = 300ms;
+// Without a sign of life, who stands by takes the lead.
+inline constexpr Duration suspects_after = 220ms;
+
+// What a leader knows of how long it leads.
+class Term {
+ public:
+  void confirmed(Time sent, Revision up_to) {
+    sent_ = sent;
+    up_to_ = up_to;
+  }
+  bool may_answer(Time now, Revision revision) const {
+    return sent_ && now < *sent_ + answers_for && revision <= up_to_;
+  }
+  const std::optional<Time>& sent() const { return sent_; }
+
+ private:
+  std::optional<Time> sent_;
+  Revision up_to_ = 0;
+};
+
+class Leadership {
+ public:
+  // What a board may use of revisions and of facts' numbers before it has said so again: far more than it can.
+  static constexpr std::uint64_t reserve = std::uint64_t{1} << 32;
+
+  // `seen`: what the leader said last, if there is one. Nothing where another was faster, or the leader lives.
+  // Failure unavailable: whether it leads now is found out by campaigning again with the same nonce.
+  static Result<std::optional<Leadership>> campaign(KeyValues& key_values, const LogKeys& keys,
+                                                    const std::optional<Alive>& seen, const std::string& board,
+                                                    std::uint64_t nonce);
+
+  const EpochValue& epoch() const { return epoch_; }
+  // Beyond any revision, and any fact, of those who led before.
+  Revision first_revision() const { return first_revision_; }
+  FactId first_fact() const { return first_fact_; }
+
+  // That it leads on, and up to which revision it may go. Failures unavailable, and deposed: another leads.
+  Result<Revision> confirm(KeyValues& key_values, Time now, Revision revision, FactId fact,
+                           Duration wait = 2 * confirms_every);
+  // That it answers nobody any more.
+  Result<void> resign(KeyValues& key_values, Time now);
+
+ private:
+  Leadership(LogKeys keys, EpochValue epoch, Alive alive)
+      : keys_(std::move(keys)),
+        epoch_(std::move(epoch)),
+        alive_(alive),
+        first_revision_(alive.revision - reserve),
+        first_fact_(alive.fact - reserve) {}
+  static Result<std::optional<Leadership>> found(KeyValues& key_values, const LogKeys& keys, std::uint64_t nonce);
+  Result<void> say(KeyValues& key_values, const Alive& alive, Duration wait);
+
+  LogKeys keys_;
+  EpochValue epoch_;
+  Alive alive_;
+  Revision first_revision_;
+  FactId first_fact_;
+};
+
+}  // namespace pizarra::cluster

@@ -1,0 +1,261 @@
+#include "blackboard/cluster/log_copy.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+#include "blackboard/journal/checksum.hpp"
+#include "blackboard/wire/answer_form.hpp"
+#include "lisp/reader.hpp"
+#include "lisp/writer.hpp"
+
+namespace pizarra::cluster {
+
+namespace {
+
+constexpr std::size_t part_bytes = 512 << 10;
+constexpr std::size_t most_replies = 100'000;
+constexpr ReadLimits line_limits = {
+    .bytes = 2 * limits::frame_bytes, .depth = limits::frame_depth, .elements = 2 * limits::frame_elements};
+
+std::unexpected<Failure> damaged(const std::string& what) {
+  return fail("bad-journal", "the log in the cluster is damaged: " + what);
+}
+
+// (snapshot NUMBER NAME PARTS SUM)
+struct SnapshotValue {
+  std::uint64_t number = 0;
+  std::string name;
+  std::uint64_t parts = 0;
+  std::int64_t sum = 0;
+};
+
+Result<SnapshotValue> snapshot_from(const std::string& text) {
+  const Result<Datum> form = read_one(text);
+  const bool formed = form && form->is_form("snapshot") && form->size() == 5 && (*form)[2].is_string();
+  const auto number = formed ? wire::count_at(*form, 1) : std::nullopt;
+  const auto parts = formed ? wire::count_at(*form, 3) : std::nullopt;
+  if (!number || !parts) return damaged("it does not say which snapshot counts");
+  return SnapshotValue{*number, std::string((*form)[2].text()), *parts, (*form)[4].integer()};
+}
+
+Datum relation_line(const Relation& relation) { return list("relation"_sym, relation_to_datum(relation)); }
+
+Datum fact_line(const Fact& fact, store::Store::Restored as) {
+  return list("fact"_sym, static_cast<std::int64_t>(as), wire::fact_to_datum(fact));
+}
+
+std::vector<std::pair<Fact, store::Store::Restored>> durable_facts(const store::Store& store) {
+  using As = store::Store::Restored;
+  std::vector<std::pair<Fact, As>> facts;
+  for (const auto& [name, table] : store.tables()) {
+    if (!table.relation().durable) continue;
+    for (const store::StandingFact& standing : table.facts()) {
+      facts.emplace_back(standing.fact, standing.lease != 0 ? As::leased : As::standing);
+    }
+  }
+  for (auto& [fact, leased] : store.taken()) facts.emplace_back(fact, leased ? As::taken_leased : As::taken);
+  std::ranges::sort(facts, {}, [](const auto& entry) { return entry.first.id; });
+  return facts;
+}
+
+}  // namespace
+
+Result<std::size_t> LogCopy::follow() {
+  if (store_ == nullptr) {
+    const Result<void> begun = begin();
+    if (!begun) return fail(begun);
+  }
+  const Result<std::vector<KeyValue>> came =
+      key_values_.range(keys_.entries_from(number_ + 1, true), entries_at_once, patience);
+  if (!came) return fail(came);
+  std::size_t entries = 0;
+  for (const KeyValue& value : *came) {
+    if (value.key == keys_.alive()) {
+      Result<Alive> alive = alive_from(value.value);
+      if (!alive) return fail(alive);
+      alive_ = *alive;
+      continue;
+    }
+    const Result<Entry> entry = entry_from(value.value);
+    if (!entry) return fail(entry);
+    if (entry->number != number_ + 1) {
+      // A snapshot stands in place of those between.
+      store_ = nullptr;
+      return follow();
+    }
+    const Result<void> applied = apply(*entry);
+    if (!applied) return fail(applied);
+    ++entries;
+  }
+  return entries;
+}
+
+Result<void> LogCopy::follow_to(std::uint64_t number) {
+  while (store_ == nullptr || number_ < number) {
+    const Result<std::size_t> came = follow();
+    if (!came) return fail(came);
+    if (*came == 0 && number_ < number) return damaged(fmt::format("entry {} is missing", number_ + 1));
+  }
+  return {};
+}
+
+Result<void> LogCopy::begin() {
+  if (into_ != nullptr && begun_ > 0) return fail("unavailable", "a snapshot took the log's place while it was read");
+  own_ = into_ == nullptr ? std::make_unique<store::Store>() : nullptr;
+  store_ = into_ == nullptr ? own_.get() : into_;
+  number_ = snapshot_ = 0;
+  end_ = {};
+  later_.clear();
+  replies_.clear();
+  ++begun_;
+  const Result<void> restored = restore_snapshot();
+  if (!restored) store_ = nullptr;
+  return restored;
+}
+
+Result<void> LogCopy::restore_snapshot() {
+  const Result<std::optional<std::string>> pointer = get(key_values_, keys_.snapshot());
+  if (!pointer) return fail(pointer);
+  if (!*pointer) return {};
+  const Result<SnapshotValue> snapshot = snapshot_from(**pointer);
+  if (!snapshot) return fail(snapshot);
+  std::string text;
+  for (std::size_t part = 0; part < snapshot->parts; ++part) {
+    const Result<std::optional<std::string>> value = get(key_values_, keys_.snapshot_part(snapshot->name, part));
+    if (!value) return fail(value);
+    // Another took its place meanwhile, which the next attempt finds.
+    if (!*value) return fail("unavailable", "the snapshot went while it was read");
+    text += **value;
+  }
+  if (journal::Checksum().add_words(text).value() != snapshot->sum)
+    return damaged("a snapshot's checksum does not fit");
+  snapshot_ = number_ = snapshot->number;
+  return restore(text);
+}
+
+Result<void> LogCopy::restore(const std::string& text) {
+  std::string_view rest = text;
+  for (std::size_t end = rest.find('\n'); end != std::string_view::npos; end = rest.find('\n')) {
+    const Result<Datum> line = read_one(rest.substr(0, end), line_limits, "snapshot");
+    if (!line) return fail(line);
+    const Result<void> restored = restore_line(*line);
+    if (!restored) return restored;
+    rest.remove_prefix(end + 1);
+  }
+  return {};
+}
+
+Result<void> LogCopy::restore_line(const Datum& line) {
+  if (line.is_form("relation") && line.size() == 2) {
+    Result<Relation> relation = relation_from_datum(line[1]);
+    if (!relation) return fail(relation);
+    const auto declared = store_->declare({std::move(*relation)});
+    return declared ? Result<void>() : fail(declared);
+  }
+  if (line.is_form("fact") && line.size() == 3 && line[1].is_integer()) {
+    Result<Fact> fact = wire::fact_from_datum(line[2]);
+    if (!fact) return fail(fact);
+    return store_->restore(std::move(*fact), static_cast<store::Store::Restored>(line[1].integer()));
+  }
+  if (line.is_form("replied") && line.size() == 3 && line[1].is_integer()) {
+    auto replies = journal::replies_from(std::string(line[2].text()));
+    if (!replies) return damaged("a remembered reply");
+    remember(Time(Duration(line[1].integer())), std::move(*replies));
+    return {};
+  }
+  if (!line.is_form("end") || line.size() != 4) return damaged("a line of a snapshot");
+  end_ = {wire::count_at(line, 1).value_or(0), Time(Duration(line[2].integer()))};
+  store_->restore_counters(end_.revision, wire::count_at(line, 3).value_or(1));
+  if (journal::is_beyond(end_, until_)) {
+    return fail("forgotten", fmt::format("the log goes back to revision {} only", end_.revision),
+                to_datum(end_.revision));
+  }
+  return {};
+}
+
+Result<void> LogCopy::apply(const Entry& entry) {
+  number_ = entry.number;
+  if (!later_.empty()) {
+    later_ += entry.group.lines;
+    return {};
+  }
+  const Result<std::string_view> rest = journal::replay(entry.group.lines, *store_, until_);
+  if (!rest) return damaged(fmt::format("entry {}: {}", entry.number, rest.error().sentence));
+  later_ = *rest;
+  const std::string_view played =
+      std::string_view(entry.group.lines).substr(0, entry.group.lines.size() - rest->size());
+  if (!played.empty()) end_ = journal::start_of_last_line(played);
+  auto replies = journal::replies_from(entry.group.replies);
+  if (!replies) return damaged(fmt::format("entry {}: a remembered reply", entry.number));
+  remember(end_.when, std::move(*replies));
+  return {};
+}
+
+void LogCopy::remember(Time when, std::vector<journal::RememberedReply> replies) {
+  for (journal::RememberedReply& reply : replies) replies_.emplace_back(when, std::move(reply));
+  while (!replies_.empty() && (replies_.front().first < when - replies_kept || replies_.size() > most_replies)) {
+    replies_.pop_front();
+  }
+}
+
+std::vector<journal::RememberedReply> LogCopy::replies() const {
+  std::vector<journal::RememberedReply> replies;
+  for (const auto& [when, reply] : replies_) replies.push_back(reply);
+  return replies;
+}
+
+std::string LogCopy::text() const {
+  std::string text;
+  const auto add = [&](const Datum& line) {
+    write_to(text, line);
+    text += '\n';
+  };
+  for (const auto& [name, table] : store_->tables()) add(relation_line(table.relation()));
+  for (const auto& [fact, as] : durable_facts(*store_)) add(fact_line(fact, as));
+  for (const auto& [when, reply] : replies_) {
+    std::string line;
+    journal::ReplyLines().add(line, reply);
+    add(list("replied"_sym, when.time_since_epoch().count(), to_datum(line)));
+  }
+  add(list("end"_sym, end_.revision, end_.when.time_since_epoch().count(), store_->next_fact()));
+  return text;
+}
+
+Result<bool> take_snapshot(KeyValues& key_values, const LogKeys& keys, std::uint64_t entries, std::uint64_t nonce) {
+  const Result<std::optional<std::string>> former = get(key_values, keys.snapshot());
+  if (!former) return fail(former);
+  const Result<std::optional<std::string>> head = get(key_values, keys.head());
+  if (!head) return fail(head);
+  std::uint64_t before = 0;
+  if (*former) {
+    const Result<SnapshotValue> snapshot = snapshot_from(**former);
+    if (!snapshot) return fail(snapshot);
+    before = snapshot->number;
+  }
+  const std::uint64_t newest = *head ? std::stoull(**head) : 0;
+  if (newest < before + entries || newest == before) return false;
+  LogCopy copy(key_values, keys);
+  const Result<void> whole = copy.follow_to(newest);
+  if (!whole) return fail(whole);
+  const std::string text = copy.text();
+  const std::string name = fmt::format("{}-{}", copy.number(), nonce);
+  std::size_t parts = 0;
+  for (std::size_t at = 0; at < text.size(); at += part_bytes) {
+    const KeyValue part{keys.snapshot_part(name, parts++), text.substr(at, part_bytes)};
+    const Result<KeyValues::Reply> put = key_values.transact({.compares = {}, .puts = {part}}, 5 * patience);
+    if (!put) return fail(put);
+  }
+  const std::string pointer =
+      write(list("snapshot"_sym, copy.number(), to_datum(name), static_cast<std::int64_t>(parts),
+                 journal::Checksum().add_words(text).value()));
+  // The newest entry stays, so that who has fewer sees the gap before it.
+  std::vector<KeyValues::Range> gone = keys.snapshots_but(name);
+  gone.push_back(keys.entries_before(copy.number()));
+  const Result<KeyValues::Reply> turned = key_values.transact(
+      {.compares = {{keys.snapshot(), *former}}, .puts = {{keys.snapshot(), pointer}}, .deletes = std::move(gone)},
+      5 * patience);
+  if (!turned) return fail(turned);
+  return turned->succeeded;
+}
+
+}  // namespace pizarra::cluster

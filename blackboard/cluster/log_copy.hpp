@@ -1,0 +1,79 @@
+#pragma once
+
+// A copy of what a cell's log in a cluster says, brought up to date entry by entry: what a standby has in memory, and
+// what whoever reads the log begins with.
+//
+//   LogCopy copy(key_values, LogKeys("blocks"));
+//   Result<std::size_t> came = copy.follow();      // some entries; 0: that is all there is
+//   copy.store(); copy.number();                   // the newest entry that it has
+//   copy.alive();                                  // what the leader said last
+//
+// Entries are numbered without a gap. Where the next one is gone, because others came meanwhile and a snapshot took
+// their place, the copy begins anew from that. Failures: unavailable, bad-journal.
+
+#include <deque>
+#include <memory>
+
+#include "blackboard/cluster/log_keys.hpp"
+#include "blackboard/store/store.hpp"
+
+namespace pizarra::cluster {
+
+class LogCopy {
+ public:
+  // Replies are remembered for longer than any client waits for them.
+  static constexpr Duration replies_kept = 20s;
+  static constexpr std::size_t entries_at_once = 128;
+
+  // In a store of its own; or up to a moment, into an empty one of the caller's.
+  LogCopy(KeyValues& key_values, LogKeys keys) : key_values_(key_values), keys_(std::move(keys)) {}
+  LogCopy(KeyValues& key_values, LogKeys keys, store::Store& into, Moment until)
+      : key_values_(key_values), keys_(std::move(keys)), into_(&into), until_(until) {}
+
+  Result<std::size_t> follow();
+  // Until it has the entry with that number.
+  Result<void> follow_to(std::uint64_t number);
+
+  const std::optional<Alive>& alive() const { return alive_; }
+  std::uint64_t number() const { return number_; }
+  std::uint64_t snapshot() const { return snapshot_; }
+  // How often it had to begin anew.
+  int begun() const { return begun_; }
+  store::Store& store() { return *store_; }
+  std::unique_ptr<store::Store> take_store() { return std::move(own_); }
+  // Of the last revision that it has.
+  const journal::LineStart& end() const { return end_; }
+  const std::string& later() const { return later_; }
+  std::vector<journal::RememberedReply> replies() const;
+
+  // What a snapshot of it is: text of lines.
+  std::string text() const;
+
+ private:
+  Result<void> begin();
+  Result<void> restore_snapshot();
+  Result<void> restore(const std::string& text);
+  Result<void> restore_line(const Datum& line);
+  Result<void> apply(const Entry& entry);
+  void remember(Time when, std::vector<journal::RememberedReply> replies);
+
+  KeyValues& key_values_;
+  const LogKeys keys_;
+  store::Store* into_ = nullptr;
+  const Moment until_ = {};
+  std::unique_ptr<store::Store> own_;
+  store::Store* store_ = nullptr;  // null before it begins
+  std::uint64_t number_ = 0;
+  std::uint64_t snapshot_ = 0;
+  int begun_ = 0;
+  journal::LineStart end_;
+  std::string later_;
+  std::optional<Alive> alive_;
+  std::deque<std::pair<Time, journal::RememberedReply>> replies_;
+};
+
+// Writes a snapshot of all that the log has by now and deletes the entries before it, where at least `entries` have
+// come since the last. Any board may do so at any time. Answers whether it did.
+Result<bool> take_snapshot(KeyValues& key_values, const LogKeys& keys, std::uint64_t entries, std::uint64_t nonce);
+
+}  // namespace pizarra::cluster

@@ -1,0 +1,72 @@
+#pragma once
+
+// Where a cell's log lies among the keys of a cluster, and what is written there, so that people can read it:
+//
+//   pizarra/CELL/epoch             (epoch NUMBER BOARD NONCE)      who leads
+//   pizarra/CELL/head              NUMBER                          of the newest entry
+//   pizarra/CELL/log/0000000000042 (entry NUMBER EPOCH SUM) and its lines, then its replies
+//   pizarra/CELL/log/alive         (alive EPOCH COUNT TIME REVISION FACT LEAVING)   every 100 ms
+//   pizarra/CELL/snapshot          (snapshot NUMBER NONCE PARTS)   which one counts
+//   pizarra/CELL/snapshots/NUMBER-NONCE/0000   its parts
+//
+// The revision and the fact of `alive` are beyond any that the board uses before it says the next one.
+
+#include <cstdint>
+#include <string>
+
+#include "blackboard/cluster/key_values.hpp"
+#include "blackboard/journal/log.hpp"
+
+namespace pizarra::cluster {
+
+class LogKeys {
+ public:
+  explicit LogKeys(const std::string& cell) : base_("pizarra/" + cell + "/") {}
+  std::string epoch() const { return base_ + "epoch"; }
+  std::string head() const { return base_ + "head"; }
+  std::string alive() const { return base_ + "log/alive"; }
+  std::string entry(std::uint64_t number) const;
+  std::string snapshot() const { return base_ + "snapshot"; }
+  std::string snapshot_part(const std::string& name, std::size_t part) const;
+  KeyValues::Range parts_of(const std::string& name) const;
+  // All snapshots but that one.
+  std::vector<KeyValues::Range> snapshots_but(const std::string& name) const;
+  // Entries from that one on; where it is `and_alive`, what the leader says comes behind them.
+  KeyValues::Range entries_from(std::uint64_t number, bool and_alive) const;
+  KeyValues::Range entries_before(std::uint64_t number) const;
+
+ private:
+  std::string base_;
+};
+
+struct EpochValue {
+  std::uint64_t number = 0;
+  std::string board;
+  std::uint64_t nonce = 0;
+  bool operator==(const EpochValue&) const = default;
+};
+std::string text_of(const EpochValue& epoch);
+// Failure bad-journal, here and below.
+Result<EpochValue> epoch_from(const std::string& text);
+
+struct Alive {
+  std::uint64_t epoch = 0;
+  std::uint64_t count = 0;
+  Time when{};
+  Revision revision = 0;
+  FactId fact = 0;
+  bool leaves = false;  // it answers nobody any more
+  bool operator==(const Alive&) const = default;
+};
+std::string text_of(const Alive& alive);
+Result<Alive> alive_from(const std::string& text);
+
+struct Entry {
+  std::uint64_t number = 0;
+  std::uint64_t epoch = 0;
+  journal::JournalGroup group;
+};
+std::string text_of(std::uint64_t number, std::uint64_t epoch, const journal::JournalGroup& group);
+Result<Entry> entry_from(const std::string& text);
+
+}  // namespace pizarra::cluster

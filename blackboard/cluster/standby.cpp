@@ -1,0 +1,24 @@
+#include "blackboard/cluster/standby.hpp"
+
+namespace pizarra::cluster {
+
+Result<bool> Standby::step(const std::function<Time()>& now) {
+  const Result<std::size_t> came = copy_->follow();
+  if (!came) return fail(came);
+  // One who is far behind looks at the old first.
+  if (*came == LogCopy::entries_at_once) return false;
+  if (copy_->alive() != seen_) {
+    seen_ = copy_->alive();
+    seen_at_ = now();
+    suspects_ = false;
+  }
+  vacant_ = !seen_ || seen_->leaves;
+  if (!vacant_ && !suspects_ && now() < seen_at_ + suspects_after) return false;
+  Result<std::optional<Leadership>> won = Leadership::campaign(key_values_, keys_, seen_, board_, nonce_);
+  if (!won) return fail(won);
+  if (!*won) return false;
+  won_ = std::move(**won);
+  return true;
+}
+
+}  // namespace pizarra::cluster

@@ -1,0 +1,54 @@
+#pragma once
+
+// A board that stands by: it follows the log, and takes the lead where nobody has it.
+//
+//   Standby standby(key_values, keys, "board-pc", nonce, now());
+//   Result<bool> leads = standby.step(now);             // every 40 ms; failures unavailable, bad-journal
+//   if (leads && *leads) ... standby.take_leadership(), standby.copy()
+//
+// A nonce is another one for every life of a board.
+
+#include <functional>
+#include <memory>
+
+#include "blackboard/cluster/leadership.hpp"
+#include "blackboard/cluster/log_copy.hpp"
+
+namespace pizarra::cluster {
+
+inline constexpr Duration looks_every = 40ms;
+
+class Standby {
+ public:
+  Standby(KeyValues& key_values, LogKeys keys, std::string board, std::uint64_t nonce, Time now)
+      : key_values_(key_values),
+        keys_(std::move(keys)),
+        board_(std::move(board)),
+        nonce_(nonce),
+        copy_(std::make_unique<LogCopy>(key_values_, keys_)),
+        seen_at_(now) {}
+
+  // Whether it leads now.
+  Result<bool> step(const std::function<Time()>& now);
+  // Suspects who leads, whatever it says.
+  void suspect() { suspects_ = true; }
+
+  LogCopy& copy() { return *copy_; }
+  Leadership take_leadership() { return std::move(*won_); }
+  // Whether nobody led, or who did said that it answers no more: then there is nothing to wait for.
+  bool was_vacant() const { return vacant_; }
+
+ private:
+  KeyValues& key_values_;
+  const LogKeys keys_;
+  const std::string board_;
+  const std::uint64_t nonce_;
+  std::unique_ptr<LogCopy> copy_;
+  std::optional<Alive> seen_;
+  Time seen_at_;
+  bool suspects_ = false;
+  bool vacant_ = false;
+  std::optional<Leadership> won_;
+};
+
+}  // namespace pizarra::cluster

@@ -1,0 +1,53 @@
+#include "blackboard/server/kept_board.hpp"
+
+#include <algorithm>
+
+#include "blackboard/store/store.hpp"
+
+namespace pizarra::server {
+
+Result<void> KeptBoard::begin(const std::shared_ptr<journal::JournalFile>& file) {
+  // Leases are numbered from the time, so that one of an earlier life is not taken for one of this.
+  auto store = std::make_unique<store::Store>(static_cast<LeaseId>(executor_.now().time_since_epoch().count()));
+  if (file != nullptr) {
+    const Result<void> recovered = recover(file, *store);
+    if (!recovered) return recovered;
+  }
+  board_ = std::make_unique<memory::MemoryBoard>(executor_, std::move(store));
+  if (journal_ != nullptr) board_->set_journal([this](std::string_view line) { journal_->append(line); });
+  board_->resume();
+  return {};
+}
+
+void KeptBoard::lead(std::unique_ptr<store::Store> store, LeaseId first_lease,
+                     std::vector<journal::RememberedReply> remembered, const std::shared_ptr<journal::Log>& log) {
+  remembered_ = std::move(remembered);
+  store->begin_leases_at(first_lease);
+  journal_ = std::make_unique<journal::JournalWriter>(executor_, log);
+  journal_->on_failure = on_journal_;
+  board_ = std::make_unique<memory::MemoryBoard>(executor_, std::move(store));
+  board_->set_journal_of_durable([this](std::string_view line) { journal_->append(line); });
+  board_->resume();
+}
+
+Result<void> KeptBoard::recover(const std::shared_ptr<journal::JournalFile>& file, store::Store& store) {
+  Result<std::vector<journal::RememberedReply>> remembered = file->recover(store);
+  if (!remembered) return fail(remembered);
+  remembered_ = std::move(*remembered);
+  journal_ = std::make_unique<journal::JournalWriter>(executor_, file);
+  journal_->on_failure = on_journal_;
+  if (on_journal_ && journal_->failure()) on_journal_(journal_->failure());
+  return {};
+}
+
+Time first_moment(const std::function<Time()>& wall_clock, const std::string& journal, journal::Disk& disk) {
+  Time end{};
+  if (!journal.empty() && disk.status(journal)) {
+    // One that cannot be read is reported by whoever goes on from it.
+    const Result<journal::LineStart> last = journal::end_of_journal(journal, disk);
+    if (last) end = last->when;
+  }
+  return std::max(wall_clock(), end);
+}
+
+}  // namespace pizarra::server

@@ -1,0 +1,155 @@
+// Two boards and an etcd, as programs: whoever leads is killed, stopped or ended, and the other one goes on with what
+// was acknowledged.
+
+#include <algorithm>
+#include <csignal>
+#include <gtest/gtest.h>
+#include <map>
+
+#include "blackboard/client/remote_board.hpp"
+#include "blackboard/time/real_executor.hpp"
+#include "lisp/reader.hpp"
+#include "tests/blackboard/child_program.hpp"
+#include "tests/blackboard/cluster/real_etcd.hpp"
+#include "tests/run_task.hpp"
+#include "tests/source_dir.hpp"
+
+namespace pizarra::cluster {
+namespace {
+
+class Boards : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!RealEtcd::is_installed()) GTEST_SKIP() << "etcd is not installed (etcd-server)";
+    etcd_ = std::make_unique<RealEtcd>();
+    for (const int port : {free_port(), free_port()}) {
+      addresses_.push_back("tcp://127.0.0.1:" + std::to_string(port));
+    }
+    start(0);
+    start(1);
+    client_ = client::RemoteBoard::connect(executor_, addresses_[0] + "," + addresses_[1], "tester").value();
+    const Relation note =
+        relation_from_datum(read_one("(relation note ((n integer)) (key n) (durable))").value()).value();
+    // The first board may take a while to find its etcd.
+    for (int tries = 0; tries < 10 && !run(client_->declare({note})); ++tries) continue;
+  }
+  void start(std::size_t number) {
+    boards_[number] = std::make_unique<ChildProgram>(
+        std::vector<std::string>{PIZARRA_BOARD, "--listen", addresses_[number], "--log", etcd_->address("boards"),
+                                 "--name", "board-" + std::to_string(number)});
+  }
+  template <class T>
+  T run(Task<T> task) {
+    return pizarra::run(executor_, std::move(task));
+  }
+  // Told again where nobody can say whether it happened: the same note is the same fact.
+  void tell(std::int64_t n) {
+    for (int tries = 0; tries < 20; ++tries) {
+      const Result<Revision> told = run(client_->tell(list("note"_sym, n)));
+      if (told) return revisions_.push_back(*told);
+    }
+    FAIL() << "note " << n << " is not taken";
+  }
+  std::size_t notes() {
+    const Result<std::vector<Fact>> facts = run(client_->facts(list("note"_sym, "?n"_sym)));
+    return facts ? facts->size() : 0;
+  }
+  // Which board leads, by whose address is bound.
+  std::size_t leader() const {
+    for (const auto& [number, board] : boards_) {
+      if (board != nullptr && listens(addresses_[number])) return number;
+    }
+    return boards_.size();
+  }
+  static bool listens(const std::string& address);
+
+  std::unique_ptr<RealEtcd> etcd_;
+  std::vector<std::string> addresses_;
+  std::map<std::size_t, std::unique_ptr<ChildProgram>> boards_;
+  RealExecutor executor_;
+  std::unique_ptr<client::RemoteBoard> client_;
+  std::vector<Revision> revisions_;
+};
+
+bool Boards::listens(const std::string& address) {
+  return can_connect(std::stoi(address.substr(address.rfind(':') + 1)));
+}
+
+TEST_F(Boards, GoOnWithWhatWasAcknowledgedWhenTheLeaderIsKilled) {
+  std::int64_t told = 0;
+  for (int round = 0; round < 3; ++round) {
+    for (int i = 0; i < 20; ++i) tell(++told);
+    const std::size_t leads = leader();
+    ASSERT_LT(leads, boards_.size());
+    boards_[leads]->stop(SIGKILL);
+    tell(++told);
+    EXPECT_EQ(notes(), static_cast<std::size_t>(told));
+    EXPECT_NE(leader(), leads);
+    start(leads);
+  }
+  EXPECT_TRUE(std::ranges::is_sorted(revisions_));
+}
+
+TEST_F(Boards, HearNothingMoreOfALeaderThatWasStoppedAndComesBack) {
+  tell(1);
+  const std::size_t leads = leader();
+  boards_[leads]->send(SIGSTOP);
+  tell(2);
+  const std::size_t now = leader();
+  boards_[leads]->send(SIGCONT);
+  tell(3);
+  EXPECT_EQ(notes(), 3u);
+  EXPECT_TRUE(std::ranges::is_sorted(revisions_));
+  (void)now;
+}
+
+// A note a line that it says, as they are acknowledged.
+TEST_F(Boards, AreOneBoardForAClientInPythonToo) {
+  const std::string script =
+      "import pizarra\n"
+      "board = pizarra.Board('" +
+      addresses_[0] + "," + addresses_[1] +
+      "', 'script')\n"
+      "n = 100\n"
+      "while True:\n"
+      "    n += 1\n"
+      "    try:\n"
+      "        board.tell('(note %d)' % n)\n"
+      "        print(n, flush=True)\n"
+      "    except pizarra.Failure:\n"
+      "        pass\n";
+  setenv("PYTHONPATH", (source_dir() + "/blackboard/python").c_str(), 1);
+  tell(1);
+  ChildProgram client({"/usr/bin/python3", "-c", script});
+  std::vector<std::string> acknowledged;
+  while (acknowledged.size() < 20) acknowledged.push_back(client.line());
+  boards_[leader()]->stop(SIGKILL);
+  while (acknowledged.size() < 60) acknowledged.push_back(client.line());
+  client.stop(SIGKILL);
+  for (const std::string& n : acknowledged) {
+    const Result<std::vector<Fact>> facts = run(client_->facts(list("note"_sym, std::stoll(n))));
+    EXPECT_TRUE(facts && facts->size() == 1) << n;
+  }
+}
+
+TEST_F(Boards, HandOverAtOnceWhenTheLeaderIsEndedInOrder) {
+  tell(1);
+  const std::size_t leads = leader();
+  EXPECT_EQ(boards_[leads]->stop(SIGTERM), 0);
+  tell(2);
+  EXPECT_EQ(notes(), 2u);
+}
+
+TEST_F(Boards, AnswerNothingWithoutALogAndGoOnWhenItIsBack) {
+  tell(1);
+  etcd_->signal(SIGSTOP);
+  const Result<Revision> told = run(client_->tell(list("note"_sym, std::int64_t{2})));
+  EXPECT_FALSE(told.has_value());
+  etcd_->signal(SIGCONT);
+  tell(3);
+  const std::size_t standing = notes();
+  EXPECT_TRUE(standing == 2 || standing == 3) << standing;
+}
+
+}  // namespace
+}  // namespace pizarra::cluster

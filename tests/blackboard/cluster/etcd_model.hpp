@@ -1,0 +1,103 @@
+#pragma once
+
+// A model of etcd as a client meets it on a bad day: transactions that happened without an answer, that happen much
+// later, or not at all. The same seed has the same bad day.
+//
+//   EtcdModel etcd(seed);
+//   ModelClient client(etcd);
+//   client.transact(...);               // takes some of etcd.now
+//   etcd.trouble = 0;                   // a good day
+
+#include <list>
+#include <map>
+#include <random>
+
+#include "blackboard/cluster/key_values.hpp"
+
+namespace pizarra::cluster {
+
+class EtcdModel {
+ public:
+  explicit EtcdModel(std::uint64_t seed) : random(seed) {}
+
+  bool happens(double share) { return std::uniform_real_distribution<double>()(random) < share; }
+  std::uint64_t below(std::uint64_t bound) {
+    return std::uniform_int_distribution<std::uint64_t>(0, bound - 1)(random);
+  }
+
+  KeyValues::Reply apply(const KeyValues::Transaction& transaction) {
+    KeyValues::Reply reply{true, {}};
+    for (const KeyValues::Compare& compare : transaction.compares) {
+      const auto found = values.find(compare.key);
+      const bool same =
+          compare.value ? found != values.end() && found->second == *compare.value : found == values.end();
+      reply.succeeded = reply.succeeded && same;
+      if (found != values.end()) reply.found.push_back({found->first, found->second});
+    }
+    if (!reply.succeeded) return reply;
+    reply.found.clear();
+    for (const KeyValues::Range& range : transaction.deletes) {
+      if (range.from < range.to) values.erase(values.lower_bound(range.from), values.lower_bound(range.to));
+    }
+    for (const KeyValue& put : transaction.puts) values[put.key] = put.value;
+    return reply;
+  }
+  void let_late_ones_come() {
+    for (auto late = late_.begin(); late != late_.end();) {
+      if (!happens(0.2)) {
+        ++late;
+        continue;
+      }
+      apply(*late);
+      late = late_.erase(late);
+    }
+  }
+  void be_late_with(const KeyValues::Transaction& transaction) { late_.push_back(transaction); }
+
+  std::mt19937_64 random;
+  std::map<std::string, std::string> values;
+  Time now{};
+  double trouble = 0.15;
+
+ private:
+  std::list<KeyValues::Transaction> late_;
+};
+
+class ModelClient : public KeyValues {
+ public:
+  explicit ModelClient(EtcdModel& etcd) : etcd_(etcd) {}
+
+  Result<Reply> transact(const Transaction& transaction, Duration wait) override {
+    etcd_.let_late_ones_come();
+    if (cut) return lost(wait);
+    if (!etcd_.happens(etcd_.trouble)) {
+      etcd_.now += Duration(500 + etcd_.below(4000));
+      return etcd_.apply(transaction);
+    }
+    const std::uint64_t fate = etcd_.below(3);
+    if (fate == 0) etcd_.apply(transaction);
+    if (fate == 1) etcd_.be_late_with(transaction);
+    return lost(wait);
+  }
+  Result<std::vector<KeyValue>> range(const Range& range, std::size_t most, Duration wait) override {
+    etcd_.let_late_ones_come();
+    if (cut || etcd_.happens(etcd_.trouble)) return lost(wait);
+    etcd_.now += Duration(300 + etcd_.below(2000));
+    std::vector<KeyValue> found;
+    for (auto at = etcd_.values.lower_bound(range.from); at != etcd_.values.end() && at->first < range.to; ++at) {
+      if (found.size() == most) break;
+      found.push_back({at->first, at->second});
+    }
+    return found;
+  }
+  bool cut = false;
+
+ private:
+  std::unexpected<Failure> lost(Duration wait) {
+    etcd_.now += wait;
+    return fail("unavailable", "no answer");
+  }
+  EtcdModel& etcd_;
+};
+
+}  // namespace pizarra::cluster

@@ -1,0 +1,222 @@
+// The walls where a journal is kept, an SQLite file and a log in a cluster: one set of promises for both.
+
+#include <filesystem>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "blackboard/cluster/cluster_log.hpp"
+#include "blackboard/journal/journal_file.hpp"
+#include "lisp/reader.hpp"
+#include "lisp/writer.hpp"
+#include "tests/blackboard/cluster/etcd_model.hpp"
+#include "tests/scratch.hpp"
+
+namespace pizarra::cluster {
+namespace {
+
+const LogKeys keys("cell");
+
+// Lives of a log, one after another.
+class Wall {
+ public:
+  virtual ~Wall() = default;
+  virtual std::shared_ptr<journal::Log> open() = 0;
+  // What compaction does beside a running board.
+  virtual void compact() = 0;
+};
+
+class FileWall : public Wall {
+ public:
+  FileWall() { journal::remove_journal(path_); }
+  std::shared_ptr<journal::Log> open() override { return journal::JournalFile::open(path_, {.revisions = 0}).value(); }
+  void compact() override {
+    const auto file = open();
+    store::Store store;
+    (void)file->recover(store);
+    while (file->compact(Time(std::chrono::hours(1))).value_or(0) > 0) {
+    }
+  }
+
+ private:
+  const std::string path_ = scratch_folder() + "wall.journal";
+};
+
+class ClusterWall : public Wall {
+ public:
+  std::shared_ptr<journal::Log> open() override {
+    LogCopy copy(*client_, keys);
+    while (copy.follow().value() > 0) {
+    }
+    epoch_.nonce++;
+    epoch_.number++;
+    etcd_.values[keys.epoch()] = text_of(epoch_);
+    etcd_.values.try_emplace(keys.head(), "0");
+    return std::make_shared<ClusterLog>(client_, client_, keys, epoch_, copy.number(), "etcd://model/cell");
+  }
+  void compact() override { EXPECT_TRUE(take_snapshot(*client_, keys, 0, ++snapshots_).value()); }
+  EtcdModel& etcd() { return etcd_; }
+
+ private:
+  EtcdModel etcd_{1};
+  std::shared_ptr<ModelClient> client_ = [this] {
+    etcd_.trouble = 0;
+    return std::make_shared<ModelClient>(etcd_);
+  }();
+  EpochValue epoch_{0, "board", 0};
+  std::uint64_t snapshots_ = 0;
+};
+
+class LogWalls : public testing::TestWithParam<bool> {
+ protected:
+  void SetUp() override {
+    if (GetParam()) {
+      wall_ = std::make_unique<ClusterWall>();
+    } else {
+      wall_ = std::make_unique<FileWall>();
+    }
+    begin();
+  }
+  // Another life of the board.
+  void begin() {
+    log_.reset();
+    log_ = wall_->open();
+    store_ = std::make_unique<store::Store>();
+    Result<std::vector<journal::RememberedReply>> replies = log_->recover(*store_);
+    ASSERT_TRUE(replies.has_value()) << describe(replies.error());
+    replies_ = std::move(*replies);
+    store_->on_commit = [this](const store::Commit& commit) { lines_ += journal::journal_line(commit) + '\n'; };
+  }
+  void declare() {
+    const Relation goal =
+        relation_from_datum(read_one("(relation goal ((n integer) (what datum)) (key n) (durable))").value()).value();
+    ASSERT_TRUE(store_->declare({goal}).has_value());
+    lines_ += journal::journal_line(0, now_, "board", {goal}) + '\n';
+  }
+  void tell(const std::string& fact, std::uint64_t request = 0) {
+    Transaction telling;
+    telling.tell(read_one(fact).value());
+    now_ += 1ms;
+    ASSERT_TRUE(store_->transact("alice", telling, now_).has_value());
+    journal::JournalGroup group{std::exchange(lines_, {}), {}, true};
+    if (request != 0) journal::ReplyLines().add(group.replies, {5, "alice", request, "ok"_sym, ""});
+    const Result<void> written = log_->append(group, true);
+    EXPECT_TRUE(written.has_value()) << describe(written.error());
+  }
+  std::string facts(const store::Store& store) const {
+    std::string all;
+    const Answers answers = store.ask(query_for(read_one("(goal ?n ?what)").value())).value();
+    for (const Answer& answer : answers.answers) {
+      const Fact& fact = answer.facts.front();
+      all += std::to_string(fact.id) + "@" + std::to_string(fact.revision) + " " + write(fact.datum[2]) + " ";
+    }
+    return all;
+  }
+
+  std::unique_ptr<Wall> wall_;
+  std::shared_ptr<journal::Log> log_;
+  std::unique_ptr<store::Store> store_;
+  std::vector<journal::RememberedReply> replies_;
+  std::string lines_;
+  Time now_ = Time(1s);
+};
+
+TEST_P(LogWalls, HaveWhatWasWrittenInTheNextLifeWithIdsRevisionsAndReplies) {
+  declare();
+  tell("(goal 1 a)", 41);
+  tell("(goal 2 b)", 42);
+  tell("(goal 1 c)", 43);
+  const std::string before = facts(*store_);
+  begin();
+  EXPECT_EQ(facts(*store_), before);
+  std::vector<std::uint64_t> requests;
+  for (const journal::RememberedReply& reply : replies_) requests.push_back(reply.request);
+  std::ranges::sort(requests);
+  EXPECT_EQ(requests, (std::vector<std::uint64_t>{41, 42, 43}));
+  tell("(goal 3 d)");
+  begin();
+  EXPECT_TRUE(facts(*store_).contains("d"));
+}
+
+TEST_P(LogWalls, KeepAllOfItThroughCompaction) {
+  declare();
+  for (int i = 0; i < 300; ++i) tell("(goal " + std::to_string(i % 7) + " " + std::to_string(i) + ")");
+  const std::string before = facts(*store_);
+  log_.reset();
+  wall_->compact();
+  begin();
+  EXPECT_EQ(facts(*store_), before);
+  tell("(goal 1 last)");
+  begin();
+  EXPECT_TRUE(facts(*store_).contains("last"));
+}
+
+TEST_P(LogWalls, SayHowItWasAndThatTheyForgot) {
+  declare();
+  tell("(goal 1 a)");
+  const Revision first = store_->revision();
+  tell("(goal 1 b)");
+  store::Store then;
+  const Result<journal::PlayedBack> played = log_->read(then, {.revision = first});
+  ASSERT_TRUE(played.has_value()) << describe(played.error());
+  EXPECT_TRUE(facts(then).contains("a"));
+  EXPECT_EQ(played->to.revision, first);
+  EXPECT_TRUE(played->later.contains("(goal 1 b)"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Where, LogWalls, testing::Bool(),
+                         [](const auto& where) { return std::string(where.param ? "Cluster" : "File"); });
+
+class ClusterLogs : public testing::Test {
+ protected:
+  ClusterLogs() { etcd_.trouble = 0; }
+  static journal::JournalGroup group(int n) { return {"(0 1 \"b\" (declare))\n" + std::string(n, ' '), "", true}; }
+  EtcdModel etcd_{1};
+  std::shared_ptr<ModelClient> client_ = std::make_shared<ModelClient>(etcd_);
+};
+
+TEST_F(ClusterLogs, OfADeposedBoardWriteNothingMore) {
+  const EpochValue first{1, "a", 1};
+  etcd_.values[keys.epoch()] = text_of(first);
+  etcd_.values[keys.head()] = "0";
+  ClusterLog log(client_, client_, keys, first, 0, "etcd://model/cell");
+  EXPECT_TRUE(log.append(group(0), true));
+  etcd_.values[keys.epoch()] = text_of(EpochValue{2, "b", 2});
+  EXPECT_EQ(log.append(group(1), true).error().symbol, "deposed");
+  EXPECT_EQ(log.append(group(1), true).error().symbol, "deposed");
+  EXPECT_EQ(etcd_.values[keys.head()], "1");
+}
+
+TEST_F(ClusterLogs, FindOutWhetherAnUnansweredEntryIsThereAndWriteItOnce) {
+  const EpochValue epoch{1, "a", 1};
+  etcd_.values[keys.epoch()] = text_of(epoch);
+  etcd_.values[keys.head()] = "0";
+  ClusterLog log(client_, client_, keys, epoch, 0, "etcd://model/cell");
+  int unavailable = 0;
+  etcd_.trouble = 0.6;
+  for (int n = 1; n <= 50; ++n) {
+    while (true) {
+      const Result<void> written = log.append(group(n), true);
+      if (written) break;
+      ASSERT_EQ(written.error().symbol, "unavailable");
+      ++unavailable;
+    }
+  }
+  EXPECT_GT(unavailable, 20);
+  EXPECT_EQ(log.head(), 50u);
+  for (std::uint64_t n = 1; n <= 50; ++n) {
+    EXPECT_EQ(entry_from(etcd_.values.at(keys.entry(n)))->group.lines, group(static_cast<int>(n)).lines) << n;
+  }
+}
+
+TEST_F(ClusterLogs, ThatWereDamagedAreNotBelieved) {
+  etcd_.values[keys.epoch()] = text_of(EpochValue{1, "a", 1});
+  etcd_.values[keys.head()] = "0";
+  ClusterLog log(client_, client_, keys, {1, "a", 1}, 0, "etcd://model/cell");
+  ASSERT_TRUE(log.append(group(3), true));
+  etcd_.values[keys.entry(1)].back() ^= 1;
+  LogCopy copy(*client_, keys);
+  EXPECT_EQ(copy.follow().error().symbol, "bad-journal");
+}
+
+}  // namespace
+}  // namespace pizarra::cluster

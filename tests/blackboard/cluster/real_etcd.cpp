@@ -1,0 +1,90 @@
+#include "tests/blackboard/cluster/real_etcd.hpp"
+
+#include <arpa/inet.h>
+#include <csignal>
+#include <fcntl.h>
+#include <filesystem>
+#include <fmt/format.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <vector>
+
+#include "tests/scratch.hpp"
+
+namespace pizarra::cluster {
+
+namespace {
+
+constexpr const char* program = "/usr/bin/etcd";
+
+sockaddr_in loopback(int port) {
+  sockaddr_in name{};
+  name.sin_family = AF_INET;
+  name.sin_port = htons(static_cast<std::uint16_t>(port));
+  name.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  return name;
+}
+
+}  // namespace
+
+bool can_connect(int port) {
+  const int file = socket(AF_INET, SOCK_STREAM, 0);
+  const sockaddr_in name = loopback(port);
+  const bool connected = connect(file, reinterpret_cast<const sockaddr*>(&name), sizeof name) == 0;
+  close(file);
+  return connected;
+}
+
+int free_port() {
+  const int file = socket(AF_INET, SOCK_STREAM, 0);
+  sockaddr_in name = loopback(0);
+  socklen_t size = sizeof name;
+  bind(file, reinterpret_cast<sockaddr*>(&name), size);
+  getsockname(file, reinterpret_cast<sockaddr*>(&name), &size);
+  close(file);
+  return ntohs(name.sin_port);
+}
+
+bool RealEtcd::is_installed() { return access(program, X_OK) == 0; }
+
+RealEtcd::RealEtcd() : port_(free_port()), folder_(fmt::format("{}etcd-{}", scratch_folder(), port_)) {
+  const std::string client = fmt::format("http://127.0.0.1:{}", port_);
+  const std::string peer = fmt::format("http://127.0.0.1:{}", free_port());
+  std::vector<std::string> words = {program,
+                                    "--data-dir=" + folder_,
+                                    "--listen-client-urls=" + client,
+                                    "--advertise-client-urls=" + client,
+                                    "--listen-peer-urls=" + peer,
+                                    "--initial-advertise-peer-urls=" + peer,
+                                    "--initial-cluster=default=" + peer,
+                                    "--unsafe-no-fsync",
+                                    "--heartbeat-interval=50",
+                                    "--election-timeout=500"};
+  pid_ = fork();
+  if (pid_ != 0) return;
+  const int log = open((folder_ + ".log").c_str(), O_WRONLY | O_CREAT, 0600);
+  dup2(log, STDOUT_FILENO);
+  dup2(log, STDERR_FILENO);
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  execv(program, arguments.data());
+  _exit(127);
+}
+
+RealEtcd::~RealEtcd() {
+  kill(pid_, SIGKILL);
+  waitpid(pid_, nullptr, 0);
+  std::error_code gone_already;
+  std::filesystem::remove_all(folder_, gone_already);
+}
+
+std::string RealEtcd::address(const std::string& cell) const {
+  return fmt::format("etcd://127.0.0.1:{}/{}", port_, cell);
+}
+
+void RealEtcd::signal(int number) const { kill(pid_, number); }
+
+}  // namespace pizarra::cluster

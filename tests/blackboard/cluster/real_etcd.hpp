@@ -1,0 +1,36 @@
+#pragma once
+
+// An etcd of one member at a free port of this machine, for a test; gone with the object. A test elsewhere says why it
+// is skipped.
+//
+//   if (!RealEtcd::is_installed()) GTEST_SKIP() << "etcd is not installed";
+//   RealEtcd etcd;
+//   etcd.address("cell");               // etcd://127.0.0.1:PORT/cell
+
+#include <string>
+#include <sys/types.h>
+
+namespace pizarra::cluster {
+
+// A port that nobody had a moment ago.
+int free_port();
+// Whether somebody listens there.
+bool can_connect(int port);
+
+class RealEtcd {
+ public:
+  static bool is_installed();
+  RealEtcd();
+  RealEtcd(const RealEtcd&) = delete;
+  RealEtcd& operator=(const RealEtcd&) = delete;
+  ~RealEtcd();
+  std::string address(const std::string& cell) const;
+  void signal(int number) const;
+
+ private:
+  pid_t pid_ = 0;
+  int port_ = 0;
+  std::string folder_;
+};
+
+}  // namespace pizarra::cluster
